@@ -1,0 +1,324 @@
+//! From which positions assembly is tried, and what to say when it fails or when a second assembly fits as well.
+
+use super::point::{Ancestry, Point};
+use super::{Attempt, Problem, messages};
+use crate::diagnostics::Diagnostics;
+use crate::equations::{Attachment, Equations, Linear};
+use crate::model::{Frame, JointId, JointKind, Mechanism, Quantity, Rotor};
+use std::collections::BTreeMap;
+use std::f64::consts::TAU;
+
+/// Guesses met this well leave nothing to compare.
+const MET: f64 = 1e-18;
+
+/// Bounded work: tries from `start` as written, then from a few positions spread over the circle.
+pub fn closed(
+    mechanism: &Mechanism,
+    problem: &Problem,
+    point: &mut Point,
+    errors: &mut Diagnostics,
+) -> Option<Attempt> {
+    let equations = point.equations;
+    let stated = Stated::of(equations, point);
+    let attempts = (240 / (equations.symbols.v.len() + equations.rows.len()).max(1)).clamp(3, 8);
+    let mut solutions: Vec<Attempt> = Vec::new();
+    let mut failure: Option<Attempt> = None;
+    let mut flipped = None;
+    for number in 0..attempts {
+        let q = stated.initial(mechanism, equations, number);
+        let attempt = problem.solve(point, q);
+        if !attempt.closed {
+            if failure.as_ref().is_none_or(|worst| attempt.residual < worst.residual) {
+                failure = Some(attempt);
+            }
+            continue;
+        }
+        if let Some(row) = problem.flipped(point, &attempt.q) {
+            flipped = Some(row);
+            continue;
+        }
+        let met = attempt.distance < MET && problem.has_guesses();
+        if solutions.iter().all(|known| !same(&known.q, &attempt.q)) {
+            solutions.push(attempt);
+        }
+        // Nothing can be nearer to guesses than one that meets them; with nothing to find there is nothing to compare.
+        if met || problem.is_free(point, &solutions[0].q) {
+            break;
+        }
+    }
+    solutions.sort_by(|a, b| a.distance.total_cmp(&b.distance));
+    match (solutions.as_slice(), failure, flipped) {
+        ([only], ..) => Some(only.clone()),
+        ([nearest, next, ..], ..) => {
+            if problem.has_guesses() && nearest.distance <= 0.25 * next.distance {
+                return Some(nearest.clone());
+            }
+            report_second(mechanism, problem, point, nearest, next, errors);
+            None
+        }
+        ([], _, Some(row)) => {
+            let row = &equations.rows[row];
+            errors.error(row.span, messages::flipped(&row.of));
+            None
+        }
+        ([], failure, None) => {
+            report_open(mechanism, equations, failure, errors);
+            None
+        }
+    }
+}
+
+/// Whole turns of the multi-turn angles: their remainder is that of the assembled pairs, their turns those nearest to
+/// the value that `start` or a driver states.
+pub fn settle_turns(equations: &Equations, point: &mut Point, assembled: &mut Attempt) {
+    let layout = &equations.layout;
+    for (a, angle) in layout.angles.iter().enumerate() {
+        let at = layout.turns(a);
+        let is = |quantity: &Quantity| match (quantity, angle.rotor) {
+            (Quantity::BodyAngle(body), Rotor::Body(own)) => *body == own,
+            (Quantity::JointAngle(joint), Rotor::Joint(own)) => *joint == own,
+            _ => false,
+        };
+        let exact = equations.conditions.iter().zip(&equations.start_targets);
+        let exact = exact.filter_map(|(condition, start)| Some((condition, start.position?)));
+        let guessed = equations.guesses.iter().map(|(condition, node)| (condition, *node));
+        let driven = equations.driven.iter().map(|(condition, node)| (condition, *node));
+        let stated = driven.chain(exact).chain(guessed).find(|(condition, _)| is(&condition.quantity));
+        let Some((_, node)) = stated else { continue };
+        point.evaluate(&Ancestry::of(equations, [node]));
+        let stated = point.get(node);
+        assembled.q[at] = ((stated - assembled.q[at + 1]) / TAU).round();
+    }
+}
+
+fn same(a: &[f64], b: &[f64]) -> bool {
+    a.iter().zip(b).all(|(a, b)| (a - b).abs() <= 1e-6 * (1.0 + a.abs()))
+}
+
+/// Values that `start` and the drivers give to coordinates.
+struct Stated {
+    angles: BTreeMap<JointId, f64>,
+    bodies: BTreeMap<usize, f64>,
+    travels: BTreeMap<JointId, f64>,
+    centers: BTreeMap<(usize, usize), f64>,
+}
+
+impl Stated {
+    fn of(equations: &Equations, point: &mut Point) -> Self {
+        let mut stated = Stated {
+            angles: BTreeMap::new(),
+            bodies: BTreeMap::new(),
+            travels: BTreeMap::new(),
+            centers: BTreeMap::new(),
+        };
+        let exact = equations.conditions.iter().zip(&equations.start_targets);
+        let exact = exact.filter_map(|(condition, start)| Some((condition, start.position?)));
+        let guessed = equations.guesses.iter().chain(&equations.driven);
+        let guessed = guessed.map(|(condition, node)| (condition, *node));
+        for (condition, node) in guessed.chain(exact) {
+            point.evaluate(&Ancestry::of(equations, [node]));
+            let value = point.get(node);
+            match &condition.quantity {
+                Quantity::JointAngle(joint) => {
+                    stated.angles.insert(*joint, value);
+                }
+                Quantity::BodyAngle(body) => {
+                    stated.bodies.insert(body.0, value);
+                }
+                Quantity::JointTravel(joint) => {
+                    stated.travels.insert(*joint, value);
+                }
+                Quantity::Position(place, axis) => {
+                    if let Frame::Body(body) = place.frame {
+                        stated.centers.insert((body.0, *axis), value);
+                    }
+                }
+                _ => {}
+            }
+        }
+        stated
+    }
+
+    /// Tree coordinates for attempt `number`: stated values where there are any, else zero at first and later turned
+    /// by the golden angle, a different multiple for each body.
+    fn initial(&self, mechanism: &Mechanism, equations: &Equations, number: usize) -> Vec<f64> {
+        const GOLDEN: f64 = 2.399963229728653;
+        let layout = &equations.layout;
+        let mut q = vec![0.0; layout.positions()];
+        let mut angles = vec![0.0; mechanism.bodies.len()];
+        let mut free = 0;
+        for Attachment { body, joint } in &equations.tree.attachments {
+            let rotation = layout.rotations.iter().position(|own| own == body);
+            let parent = match joint {
+                Some((_, Frame::Body(parent))) => angles[parent.0],
+                _ => 0.0,
+            };
+            let relative = joint.and_then(|(id, _)| {
+                let second = mechanism.joints[id.0].second.frame == Frame::Body(*body);
+                self.angles.get(&id).map(|angle| if second { *angle } else { -angle })
+            });
+            let stated = relative.map(|relative| parent + relative).or(self.bodies.get(&body.0).copied());
+            let closing = || self.through_another_joint(mechanism, equations, *body, &angles);
+            let angle = match (rotation, stated.or_else(closing)) {
+                (None, _) => parent,
+                (Some(_), Some(angle)) => angle,
+                (Some(_), None) => {
+                    free += 1;
+                    GOLDEN * (number * free) as f64
+                }
+            };
+            // What is only guessed is varied too, so that other assemblies are found.
+            let angle = if number > 0 && stated.is_some() && rotation.is_some() && !self.is_exact(equations, *joint, body.0)
+            {
+                free += 1;
+                angle + GOLDEN * (number * free) as f64
+            } else {
+                angle
+            };
+            angles[body.0] = angle;
+            if let Some(r) = rotation {
+                q[layout.pair(r)] = libm::cos(angle);
+                q[layout.pair(r) + 1] = libm::sin(angle);
+            }
+        }
+        for (index, linear) in layout.linear.iter().enumerate() {
+            let stated = match linear {
+                Linear::Center(body, axis) => self.centers.get(&(body.0, *axis)),
+                Linear::Travel(joint) => self.travels.get(joint),
+            };
+            q[index] = stated.copied().unwrap_or(0.0);
+        }
+        for (a, angle) in layout.angles.iter().enumerate() {
+            let orientation = |frame: Frame| match frame {
+                Frame::Ground => 0.0,
+                Frame::Body(body) => angles[body.0],
+            };
+            let value = match angle.rotor {
+                Rotor::Body(body) => angles[body.0],
+                Rotor::Joint(joint) => {
+                    let joint = &mechanism.joints[joint.0];
+                    orientation(joint.second.frame) - orientation(joint.first.frame)
+                }
+            };
+            let turns = (value / TAU).round();
+            q[layout.turns(a)] = turns;
+            q[layout.turns(a) + 1] = value - turns * TAU;
+        }
+        q
+    }
+
+    /// Orientation of a body from the stated angle of a joint that the tree does not use.
+    fn through_another_joint(
+        &self,
+        mechanism: &Mechanism,
+        equations: &Equations,
+        body: crate::model::BodyId,
+        angles: &[f64],
+    ) -> Option<f64> {
+        let carrying = equations.tree.carrying(mechanism);
+        let own = Frame::Body(body);
+        self.angles.iter().filter(|(id, _)| !carrying[id.0]).find_map(|(id, angle)| {
+            let joint = &mechanism.joints[id.0];
+            let orientation = |frame: Frame| match frame {
+                Frame::Ground => 0.0,
+                Frame::Body(body) => angles[body.0],
+            };
+            if joint.second.frame == own {
+                Some(orientation(joint.first.frame) + angle)
+            } else if joint.first.frame == own {
+                Some(orientation(joint.second.frame) - angle)
+            } else {
+                None
+            }
+        })
+    }
+
+    fn is_exact(&self, equations: &Equations, joint: Option<(JointId, Frame)>, body: usize) -> bool {
+        let exact = equations.conditions.iter().zip(&equations.start_targets);
+        exact.filter(|(_, start)| start.position.is_some()).any(|(condition, _)| match &condition.quantity {
+            Quantity::JointAngle(own) => joint.is_some_and(|(joint, _)| joint == *own),
+            Quantity::BodyAngle(own) => own.0 == body,
+            _ => false,
+        })
+    }
+}
+
+/// Two assemblies: names the coordinate in which they differ most.
+fn report_second(
+    mechanism: &Mechanism,
+    problem: &Problem,
+    point: &mut Point,
+    nearest: &Attempt,
+    next: &Attempt,
+    errors: &mut Diagnostics,
+) {
+    let mut widest: Option<(f64, usize, f64, f64)> = None;
+    for (index, joint) in mechanism.joints.iter().enumerate() {
+        let ends = [joint.first.frame, joint.second.frame].map(|frame| match frame {
+            Frame::Ground => None,
+            Frame::Body(body) => Some(body.0),
+        });
+        let (a, b) = (problem.joint_angle(point, &nearest.q, ends), problem.joint_angle(point, &next.q, ends));
+        let difference = (a - b - TAU * ((a - b) / TAU).round()).abs();
+        let turns = matches!(joint.kind, JointKind::Revolute | JointKind::PointOnLine { .. });
+        if turns && difference > 1e-6 && widest.is_none_or(|(known, ..)| difference > known + 1e-9) {
+            widest = Some((difference, index, a, b));
+        }
+    }
+    match widest {
+        None => errors.error(mechanism.name.span, messages::second_assembly_unnamed()),
+        Some((_, index, a, b)) => {
+            let joint = &mechanism.joints[index].name;
+            errors.error(joint.span, messages::second_assembly(&joint.text, a, b));
+        }
+    }
+}
+
+/// No assembly: names the joint that stays open, and the loop it closes.
+fn report_open(
+    mechanism: &Mechanism,
+    equations: &Equations,
+    failure: Option<Attempt>,
+    errors: &mut Diagnostics,
+) {
+    let Some(failure) = failure else {
+        errors.error(mechanism.name.span, messages::cannot_start());
+        return;
+    };
+    match failure.worst {
+        Some(row) => {
+            let row = &equations.rows[row];
+            let path = row.joint.map(|joint| loop_of(mechanism, equations, joint)).unwrap_or_default();
+            errors.error(row.span, messages::cannot_close(&row.of, row.what, &path, failure.residual));
+        }
+        None => {
+            let span = mechanism.start.iter().find(|start| start.exact).map(|start| start.span);
+            let span = span.unwrap_or(mechanism.name.span);
+            errors.error(span, messages::cannot_meet_start(failure.residual));
+        }
+    }
+}
+
+/// The bodies on the loop that a cut joint closes, by the tree.
+fn loop_of(mechanism: &Mechanism, equations: &Equations, joint: JointId) -> Vec<String> {
+    let path = |frame: Frame| {
+        let mut path = Vec::new();
+        let mut at = frame;
+        while let Frame::Body(body) = at {
+            path.push(body);
+            let attachment = equations.tree.attachments.iter().find(|own| own.body == body);
+            at = attachment.and_then(|own| own.joint).map_or(Frame::Ground, |(_, parent)| parent);
+        }
+        path
+    };
+    let joint = &mechanism.joints[joint.0];
+    let (first, second) = (path(joint.first.frame), path(joint.second.frame));
+    let mut bodies: Vec<_> = first.iter().filter(|body| !second.contains(body)).copied().collect();
+    bodies.reverse();
+    // The body where both ways meet belongs to the loop as well.
+    if let Some(meeting) = first.iter().find(|body| second.contains(body)) {
+        bodies.insert(0, *meeting);
+    }
+    bodies.extend(second.iter().filter(|body| !first.contains(body)));
+    bodies.iter().map(|body| mechanism.bodies[body.0].name.text.clone()).collect()
+}

@@ -1,0 +1,249 @@
+//! The numeric rules: the mechanism is put together at expansion, by interpreting its graph.
+//!
+//! AFTER THIS POINT a consistent start state is known, its degrees of freedom are those expected, the constraint rows
+//! are independent there, and M is positive definite on the velocities they admit.
+//!
+//! Assembly works in tree coordinates, which are few and cannot come apart along the tree; the state is carried over
+//! to absolute coordinates where those are emitted.
+
+mod attempts;
+mod mobility;
+mod point;
+mod position;
+mod rates;
+
+pub use point::{Ancestry, Point};
+
+use super::messages;
+use crate::diagnostics::Diagnostics;
+use crate::equations::conditions::{self, coordinate_of};
+use crate::equations::{Condition, Equations, Laws, Linear};
+use crate::model::{BodyId, JointKind, Mechanism, Quantity};
+use crate::solve::Massless;
+use position::{Attempt, Problem};
+
+/// What assembly found.
+#[derive(Clone, Debug)]
+pub struct Assembly {
+    pub q: Vec<f64>,
+    pub v: Vec<f64>,
+    /// Phases of couplings that take them from the start.
+    pub phases: Vec<f64>,
+    /// With drivers removed.
+    pub degrees_of_freedom: usize,
+    /// Coordinates that fix the position together with the constraints.
+    pub independent: Vec<Quantity>,
+}
+
+/// Puts the mechanism together; reports why if it cannot.
+pub fn assemble(mechanism: &Mechanism, equations: &mut Equations, errors: &mut Diagnostics) -> Option<Assembly> {
+    let candidates = candidates(mechanism, equations);
+    let equations = &*equations;
+    let mut point = Point::new(equations);
+    let defaults: Vec<f64> = mechanism.parameters.iter().map(|parameter| parameter.default).collect();
+    point.set(&equations.symbols.parameters, &defaults);
+
+    let problem = problem(mechanism, equations, &mut point);
+    let mut assembled = attempts::closed(mechanism, &problem, &mut point, errors)?;
+    attempts::settle_turns(equations, &mut point, &mut assembled);
+    let q = assembled.q;
+    let phases = phases(mechanism, equations, &mut point, &q);
+    point.set(&equations.symbols.phases, &phases);
+
+    let degrees_of_freedom = freedoms(mechanism, equations, &mut point, &q, &candidates, errors)?;
+    let independent = choose_independent(mechanism, &mut point, &candidates, &q, errors);
+    let v = rates::rates(mechanism, equations, &mut point, &q, errors)?;
+    Some(Assembly { q, v, phases, degrees_of_freedom, independent })
+}
+
+/// Which velocities carry no mass, at the assembled position; an error if the constraints admit one of them.
+pub fn massless(
+    mechanism: &Mechanism,
+    equations: &Equations,
+    assembly: &Assembly,
+    errors: &mut Diagnostics,
+) -> Massless {
+    rates::massless(mechanism, equations, assembly, errors)
+}
+
+/// Masses and inertias that depend on parameters, and whether their default is positive and must stay so.
+pub fn positive_masses(mechanism: &Mechanism, equations: &Equations) -> Vec<(String, bool)> {
+    let mut point = Point::new(equations);
+    let defaults: Vec<f64> = mechanism.parameters.iter().map(|parameter| parameter.default).collect();
+    point.set(&equations.symbols.parameters, &defaults);
+    point.evaluate(&Ancestry::of(equations, equations.masses.iter().map(|(_, node)| *node)));
+    equations.masses.iter().map(|(what, node)| (what.clone(), point.get(*node) > 0.0)).collect()
+}
+
+/// The assembled state in another set of coordinates of the same mechanism.
+pub fn carry_over(
+    mechanism: &Mechanism,
+    from: &Equations,
+    assembly: &Assembly,
+    to: &Equations,
+) -> Assembly {
+    let mut point = Point::new(from);
+    let defaults: Vec<f64> = mechanism.parameters.iter().map(|parameter| parameter.default).collect();
+    point.set(&from.symbols.parameters, &defaults);
+    point.set(&from.symbols.phases, &assembly.phases);
+    point.set_q(&assembly.q);
+    point.set_v(&assembly.v);
+    point.evaluate(&Ancestry::of(from, from.motions.iter().flat_map(|motion| motion.flat())));
+    let motion = |body: BodyId| from.motions[body.0].flat().map(|node| point.get(node));
+    let layout = &to.layout;
+    let (mut q, mut v) = (vec![0.0; layout.positions()], vec![0.0; layout.velocities()]);
+    for (index, linear) in layout.linear.iter().enumerate() {
+        if let Linear::Center(body, axis) = linear {
+            (q[index], v[index]) = (motion(*body)[*axis], motion(*body)[4 + axis]);
+        }
+    }
+    for (r, body) in layout.rotations.iter().enumerate() {
+        let values = motion(*body);
+        (q[layout.pair(r)], q[layout.pair(r) + 1]) = (values[2], values[3]);
+        v[layout.linear.len() + r] = values[6];
+    }
+    for a in 0..layout.angles.len() {
+        let (at, own) = (layout.turns(a), from.layout.turns(a));
+        q[at..at + 2].copy_from_slice(&assembly.q[own..own + 2]);
+    }
+    Assembly { q, v, ..assembly.clone() }
+}
+
+fn problem<'a>(mechanism: &Mechanism, equations: &'a Equations, point: &mut Point) -> Problem<'a> {
+    let open: Vec<&str> = mechanism
+        .constraints
+        .iter()
+        .filter(|constraint| crate::equations::couplings::is_open(constraint))
+        .map(|constraint| constraint.name.text.as_str())
+        .collect();
+    let rows = (0..equations.rows.len())
+        .filter(|row| equations.rows[*row].joint.is_some() || !open.contains(&equations.rows[*row].of.as_str()))
+        .collect();
+    let mut conditions = Vec::new();
+    let mut guesses = Vec::new();
+    for (condition, target) in equations.conditions.iter().zip(&equations.start_targets) {
+        if let Some(node) = target.position {
+            point.evaluate(&Ancestry::of(equations, [node]));
+            conditions.push((condition.clone(), point.get(node)));
+        }
+    }
+    for (guess, node) in &equations.guesses {
+        point.evaluate(&Ancestry::of(equations, [*node]));
+        guesses.push((guess.clone(), point.get(*node)));
+    }
+    Problem::new(equations, rows, conditions, guesses)
+}
+
+/// Residuals of open couplings at the assembled position, their phases being zero there.
+fn phases(mechanism: &Mechanism, equations: &Equations, point: &mut Point, q: &[f64]) -> Vec<f64> {
+    let open = mechanism.constraints.iter().filter(|c| crate::equations::couplings::is_open(c));
+    let rows: Vec<_> = open
+        .filter_map(|c| equations.rows.iter().find(|row| row.joint.is_none() && row.of == c.name.text))
+        .collect();
+    point.set_q(q);
+    point.evaluate(&Ancestry::of(equations, rows.iter().map(|row| row.jet.value)));
+    rows.iter().map(|row| point.get(row.jet.value)).collect()
+}
+
+/// Degrees of freedom against `expect`, and independence of the rows.
+fn freedoms(
+    mechanism: &Mechanism,
+    equations: &Equations,
+    point: &mut Point,
+    q: &[f64],
+    candidates: &[Condition],
+    errors: &mut Diagnostics,
+) -> Option<usize> {
+    let n = equations.symbols.v.len();
+    let driven = equations.rows.len() - mechanism.drivers.len();
+    let undriven: Vec<usize> = (0..driven).collect();
+    let rank = mobility::rank(point, &undriven, q);
+    let freedoms = n - rank.rank;
+    if let Some((expected, span)) = mechanism.expect.degrees_of_freedom
+        && expected != freedoms
+    {
+        let names = mobility::independent(point, candidates, q);
+        let names = names.iter().map(|at| candidates[*at].of.clone()).collect();
+        errors.error(span, messages::wrong_freedoms(expected, freedoms, names));
+    }
+    let mut dependent = rank.dependent;
+    if dependent.is_empty() && !mechanism.drivers.is_empty() {
+        let all: Vec<usize> = (0..equations.rows.len()).collect();
+        dependent = mobility::rank(point, &all, q).dependent;
+    }
+    for row in &dependent {
+        let row = &equations.rows[*row];
+        errors.error(row.span, messages::dependent_row(&row.of, row.what, equations.rows.len()));
+    }
+    if errors.is_empty() { Some(freedoms) } else { None }
+}
+
+/// Coordinates that may serve as independent ones: as written, else `start`'s, else those of the tree.
+fn candidates(mechanism: &Mechanism, equations: &mut Equations) -> Vec<Condition> {
+    let mut quantities: Vec<Quantity> = Vec::new();
+    quantities.extend(mechanism.options.independent.iter().map(|(quantity, _)| quantity.clone()));
+    if quantities.is_empty() {
+        let exact = mechanism.start.iter().filter(|start| start.exact);
+        quantities.extend(exact.filter_map(|start| coordinate_of(&start.quantity)));
+        for attachment in &equations.tree.attachments {
+            quantities.extend(match attachment.joint {
+                None => vec![Quantity::BodyAngle(attachment.body)],
+                Some((joint, _)) => match mechanism.joints[joint.0].kind {
+                    JointKind::Prismatic { .. } => vec![Quantity::JointTravel(joint)],
+                    JointKind::PointOnLine { .. } => {
+                        vec![Quantity::JointTravel(joint), Quantity::JointAngle(joint)]
+                    }
+                    JointKind::Revolute => vec![Quantity::JointAngle(joint)],
+                    JointKind::Fixed { .. } | JointKind::Distance { .. } => Vec::new(),
+                },
+            });
+        }
+    }
+    let mut found: Vec<Condition> = Vec::new();
+    for quantity in &quantities {
+        let laws = Laws::moving(mechanism, &equations.symbols, &equations.layout, &equations.kinematics);
+        let (condition, _) = conditions::condition(&mut equations.graph, &laws, quantity);
+        if !condition.jet.columns.is_empty() && found.iter().all(|known| known.of != condition.of) {
+            found.push(condition);
+        }
+    }
+    // The centres of free bodies complete the set; they are coordinates themselves.
+    for (index, linear) in equations.layout.linear.clone().iter().enumerate() {
+        if let (Linear::Center(body, axis), true) = (linear, mechanism.options.independent.is_empty()) {
+            let place = center_place(mechanism, *body);
+            let quantity = Quantity::Position(Box::new(place), *axis);
+            let laws =
+                Laws::moving(mechanism, &equations.symbols, &equations.layout, &equations.kinematics);
+            let (condition, _) = conditions::condition(&mut equations.graph, &laws, &quantity);
+            debug_assert!(condition.jet.columns.contains_key(&index));
+            found.push(condition);
+        }
+    }
+    found
+}
+
+fn center_place(mechanism: &Mechanism, body: BodyId) -> crate::model::Place {
+    let definition = &mechanism.bodies[body.0];
+    crate::model::Place {
+        frame: crate::model::Frame::Body(body),
+        at: definition.center.clone(),
+        text: format!("{}.center", definition.name.text),
+        span: definition.name.span,
+    }
+}
+
+fn choose_independent(
+    mechanism: &Mechanism,
+    point: &mut Point,
+    candidates: &[Condition],
+    q: &[f64],
+    errors: &mut Diagnostics,
+) -> Vec<Quantity> {
+    let chosen = mobility::independent(point, candidates, q);
+    for (at, (_, span)) in mechanism.options.independent.iter().enumerate() {
+        if !chosen.contains(&at) && at < candidates.len() {
+            errors.error(*span, messages::not_independent(&candidates[at].of));
+        }
+    }
+    chosen.into_iter().map(|at| candidates[at].quantity.clone()).collect()
+}

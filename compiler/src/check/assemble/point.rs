@@ -1,0 +1,89 @@
+//! The equations at one state, by interpreting their graph.
+
+use crate::equations::{Equations, Jet};
+use crate::symbolic::{Node, Op, evaluate_reachable};
+
+/// Values of the symbols, and of the nodes asked for.
+pub struct Point<'a> {
+    pub equations: &'a Equations,
+    symbols: Vec<f64>,
+    values: Vec<f64>,
+}
+
+/// Nodes to be evaluated together, operands first.
+pub struct Ancestry(Vec<Node>);
+
+impl Ancestry {
+    pub fn of(equations: &Equations, nodes: impl IntoIterator<Item = Node>) -> Self {
+        Ancestry(equations.graph.reachable(nodes))
+    }
+
+    /// Value, columns and drift of jets.
+    pub fn of_jets<'j>(equations: &Equations, jets: impl IntoIterator<Item = &'j Jet>) -> Self {
+        let nodes = jets.into_iter().flat_map(|jet| {
+            jet.columns.values().copied().chain([jet.value, jet.drift, jet.bias]).collect::<Vec<_>>()
+        });
+        Ancestry::of(equations, nodes)
+    }
+}
+
+impl<'a> Point<'a> {
+    /// All symbols zero.
+    pub fn new(equations: &'a Equations) -> Self {
+        Point { equations, symbols: vec![0.0; equations.graph.symbol_count()], values: Vec::new() }
+    }
+
+    pub fn set(&mut self, nodes: &[Node], values: &[f64]) {
+        for (node, value) in nodes.iter().zip(values) {
+            if let Op::Symbol(symbol) = self.equations.graph.op(*node) {
+                self.symbols[symbol as usize] = *value;
+            }
+        }
+    }
+
+    pub fn set_q(&mut self, q: &[f64]) {
+        let equations = self.equations;
+        self.set(&equations.symbols.q, q);
+    }
+
+    pub fn set_v(&mut self, v: &[f64]) {
+        let equations = self.equations;
+        self.set(&equations.symbols.v, v);
+    }
+
+    pub fn evaluate(&mut self, ancestry: &Ancestry) {
+        evaluate_reachable(&self.equations.graph, &ancestry.0, &self.symbols, &mut self.values);
+    }
+
+    /// Value of a node that the last evaluations reached.
+    pub fn get(&self, node: Node) -> f64 {
+        self.values[node.index()]
+    }
+}
+
+/// Moves q by an increment in the space of velocities: lengths add, pairs turn by the angle, multi-turn angles grow
+/// by the difference of theirs.
+pub fn retract(equations: &Equations, q: &[f64], increment: &[f64]) -> Vec<f64> {
+    let layout = &equations.layout;
+    let mut moved = q.to_vec();
+    let linear = layout.linear.len();
+    for (value, step) in moved.iter_mut().zip(&increment[..linear]) {
+        *value += step;
+    }
+    for r in 0..layout.rotations.len() {
+        let at = layout.pair(r);
+        let (c, s) = (libm::cos(increment[linear + r]), libm::sin(increment[linear + r]));
+        let (x, y) = (q[at] * c - q[at + 1] * s, q[at + 1] * c + q[at] * s);
+        let length = (x * x + y * y).sqrt();
+        (moved[at], moved[at + 1]) = (x / length, y / length);
+    }
+    for (a, angle) in layout.angles.iter().enumerate() {
+        let at = layout.turns(a);
+        let step = |index: Option<usize>| index.map_or(0.0, |index| increment[index]);
+        let sum = moved[at + 1] + step(angle.plus) - step(angle.minus);
+        let whole = (sum / std::f64::consts::TAU).round();
+        moved[at] += whole;
+        moved[at + 1] = sum - whole * std::f64::consts::TAU;
+    }
+    moved
+}

@@ -1,0 +1,218 @@
+//! The start position: constraints and exact conditions met, as near to the guesses as they allow.
+//!
+//! Gauss–Newton with equality constraints: each step minimises Σ (guess residual)² + ε |δ|² subject to D̂ δ = −r, by the
+//! sparse factorisation that is also emitted, with ε there only to keep steps short (Nocedal & Wright, Numerical
+//! Optimization, section 18.1). Conditions on angles are compared on the circle.
+
+use super::point::{Ancestry, Point, retract};
+use crate::equations::{Condition, Equations};
+use crate::solve::table::{Numeric, Table};
+use std::collections::BTreeMap;
+
+/// The problem, set up once for all attempts.
+pub struct Problem<'a> {
+    equations: &'a Equations,
+    /// Rows of constraints that take part (those of couplings with an open phase do not).
+    rows: Vec<usize>,
+    /// Exact conditions and their values.
+    conditions: Vec<(Condition, f64)>,
+    /// Guesses and their values.
+    guesses: Vec<(Condition, f64)>,
+    ancestry: Ancestry,
+    table: Table,
+}
+
+/// Where an attempt ended.
+#[derive(Clone, Debug)]
+pub struct Attempt {
+    pub q: Vec<f64>,
+    /// Largest residual of constraints and conditions.
+    pub residual: f64,
+    /// Index in [`Equations::rows`] of the row with the largest residual, if a row has it.
+    pub worst: Option<usize>,
+    pub closed: bool,
+    /// Σ (value − guess)².
+    pub distance: f64,
+}
+
+/// Residuals below this close a loop (m or rad).
+const CLOSED: f64 = 1e-12;
+const ITERATIONS: usize = 60;
+/// Weight of the step's own length beside the guesses.
+const STEP_WEIGHT: f64 = 1e-4;
+
+impl<'a> Problem<'a> {
+    pub fn new(
+        equations: &'a Equations,
+        rows: Vec<usize>,
+        conditions: Vec<(Condition, f64)>,
+        guesses: Vec<(Condition, f64)>,
+    ) -> Self {
+        let jets = rows.iter().map(|row| &equations.rows[*row].jet);
+        let held = conditions.iter().chain(&guesses).map(|(condition, _)| &condition.jet);
+        let upright = equations.rows.iter().filter_map(|row| row.upright);
+        let mut nodes: Vec<_> = upright.collect();
+        for jet in jets.chain(held) {
+            nodes.extend(jet.columns.values().copied().chain([jet.value]));
+        }
+        let ancestry = Ancestry::of(equations, nodes);
+        let n = equations.symbols.v.len();
+        let mut entries = Vec::new();
+        for (at, row) in rows.iter().enumerate() {
+            entries.extend(equations.rows[*row].jet.columns.keys().map(|column| (n + at, *column)));
+        }
+        for (at, (condition, _)) in conditions.iter().enumerate() {
+            entries.extend(condition.jet.columns.keys().map(|column| (n + rows.len() + at, *column)));
+        }
+        for (guess, _) in &guesses {
+            let columns: Vec<usize> = guess.jet.columns.keys().copied().collect();
+            entries.extend(columns.iter().flat_map(|a| columns.iter().map(|b| (*a, *b))));
+        }
+        let table = Table::new(n, rows.len() + conditions.len(), entries);
+        Problem { equations, rows, conditions, guesses, ancestry, table }
+    }
+
+    /// Newton's method from `q`.
+    pub fn solve(&self, point: &mut Point, q: Vec<f64>) -> Attempt {
+        let n = self.equations.symbols.v.len();
+        let unknowns = n + self.rows.len() + self.conditions.len();
+        let mut best = self.measure(point, q);
+        let mut settled = 0;
+        for _ in 0..ITERATIONS {
+            let (entries, rhs) = self.system(point, &best.q, n, unknowns);
+            let step = Numeric::factor(&self.table, entries).solve(&rhs);
+            let length = step[..n].iter().fold(0.0_f64, |longest, s| longest.max(s.abs()));
+            if !length.is_finite() {
+                break;
+            }
+            // Long steps leave the neighbourhood in which the linearisation means anything.
+            let mut scale = if length > 0.7 { 0.7 / length } else { 1.0 };
+            let mut next = None;
+            for _ in 0..12 {
+                let increment: Vec<f64> = step[..n].iter().map(|s| s * scale).collect();
+                let attempt = self.measure(point, retract(self.equations, &best.q, &increment));
+                if attempt.merit() < best.merit() || (attempt.closed && best.closed) {
+                    next = Some(attempt);
+                    break;
+                }
+                scale *= 0.5;
+            }
+            let Some(attempt) = next else { break };
+            best = attempt;
+            settled = if best.closed && length * scale < 1e-13 { settled + 1 } else { 0 };
+            if settled == 1 {
+                break;
+            }
+        }
+        best
+    }
+
+    fn system(&self, point: &mut Point, q: &[f64], n: usize, unknowns: usize) -> (Entries, Vec<f64>) {
+        point.set_q(q);
+        point.evaluate(&self.ancestry);
+        let mut entries: Entries = (0..n).map(|k| (k, k, STEP_WEIGHT)).collect();
+        let mut rhs = vec![0.0; unknowns];
+        for (at, row) in self.rows.iter().enumerate() {
+            let jet = &self.equations.rows[*row].jet;
+            entries.extend(jet.columns.iter().map(|(k, column)| (n + at, *k, point.get(*column))));
+            rhs[n + at] = -point.get(jet.value);
+        }
+        let first = n + self.rows.len();
+        for (at, (condition, target)) in self.conditions.iter().enumerate() {
+            let columns = &condition.jet.columns;
+            entries.extend(columns.iter().map(|(k, column)| (first + at, *k, point.get(*column))));
+            rhs[first + at] = -deviation(point, condition, *target);
+        }
+        for (guess, target) in &self.guesses {
+            let columns: Vec<(usize, f64)> =
+                guess.jet.columns.iter().map(|(k, column)| (*k, point.get(*column))).collect();
+            let deviation = deviation(point, guess, *target);
+            for (a, x) in &columns {
+                rhs[*a] -= x * deviation;
+                entries.extend(columns.iter().filter(|(b, _)| b <= a).map(|(b, y)| (*a, *b, x * y)));
+            }
+        }
+        (entries, rhs)
+    }
+
+    fn measure(&self, point: &mut Point, q: Vec<f64>) -> Attempt {
+        point.set_q(&q);
+        point.evaluate(&self.ancestry);
+        let mut attempt = Attempt { q, residual: 0.0, worst: None, closed: false, distance: 0.0 };
+        for row in &self.rows {
+            let residual = point.get(self.equations.rows[*row].jet.value).abs();
+            if residual > attempt.residual || residual.is_nan() {
+                attempt.residual = residual;
+                attempt.worst = Some(*row);
+            }
+        }
+        for (condition, target) in &self.conditions {
+            let residual = deviation(point, condition, *target).abs();
+            if residual > attempt.residual || residual.is_nan() {
+                attempt.residual = residual;
+                attempt.worst = None;
+            }
+        }
+        attempt.distance = self.guesses.iter().map(|(guess, t)| deviation(point, guess, *t).powi(2)).sum();
+        attempt.closed = attempt.residual < CLOSED;
+        attempt
+    }
+
+    /// Direction rows on their flipped root.
+    pub fn flipped(&self, point: &mut Point, q: &[f64]) -> Option<usize> {
+        point.set_q(q);
+        point.evaluate(&self.ancestry);
+        self.equations.rows.iter().position(|row| row.upright.is_some_and(|cosine| point.get(cosine) < 0.0))
+    }
+
+    /// Values of the guessed and held coordinates, by name.
+    pub fn coordinates(&self, point: &mut Point, q: &[f64]) -> BTreeMap<String, f64> {
+        point.set_q(q);
+        point.evaluate(&self.ancestry);
+        let all = self.conditions.iter().chain(&self.guesses);
+        all.map(|(condition, _)| (condition.of.clone(), point.get(condition.jet.value))).collect()
+    }
+}
+
+type Entries = Vec<(usize, usize, f64)>;
+
+impl Attempt {
+    fn merit(&self) -> f64 {
+        if self.residual.is_nan() { f64::INFINITY } else { self.residual }
+    }
+}
+
+/// Value − target, for angles brought into (−π, π].
+fn deviation(point: &Point, condition: &Condition, target: f64) -> f64 {
+    let difference = point.get(condition.jet.value) - target;
+    if !condition.angular {
+        return difference;
+    }
+    difference - std::f64::consts::TAU * (difference / std::f64::consts::TAU).round()
+}
+
+impl Problem<'_> {
+    pub fn has_guesses(&self) -> bool {
+        !self.guesses.is_empty()
+    }
+
+    /// Whether constraints and conditions leave the position open and no guess decides.
+    pub fn is_free(&self, point: &mut Point, q: &[f64]) -> bool {
+        let n = self.equations.symbols.v.len();
+        let held: Vec<Condition> = self.conditions.iter().map(|(condition, _)| condition.clone()).collect();
+        let rank = super::mobility::rank(point, &self.rows, q).rank;
+        let fixed = super::mobility::independent(point, &held, q).len();
+        rank + fixed < n && self.guesses.is_empty()
+    }
+
+    /// Angle of a joint at `q`, in (−π, π].
+    pub fn joint_angle(&self, point: &mut Point, q: &[f64], joint: [Option<usize>; 2]) -> f64 {
+        let bodies = joint.map(|body| body.map(|body| self.equations.motions[body].orientation));
+        point.set_q(q);
+        point.evaluate(&Ancestry::of(self.equations, bodies.iter().flatten().flatten().copied()));
+        let [first, second] =
+            bodies.map(|pair| pair.map_or(0.0, |pair| libm::atan2(point.get(pair[1]), point.get(pair[0]))));
+        let difference = second - first;
+        difference - std::f64::consts::TAU * (difference / std::f64::consts::TAU).round()
+    }
+}

@@ -1,0 +1,164 @@
+//! Velocities of the start, and the mass matrix at the assembled position.
+
+
+use super::point::{Ancestry, Point};
+use super::{Assembly, messages};
+use crate::diagnostics::Diagnostics;
+use crate::equations::{Equations, Jet};
+use crate::model::Mechanism;
+use crate::solve::Massless;
+use crate::solve::table::{DEPENDENT, Numeric, Table};
+use std::collections::BTreeSet;
+
+/// Rates that meet ν and what `start` asks, with the least kinetic energy: [M D̂ᵀ; D̂ 0] [v; μ] = [0; ν̂].
+pub fn rates(
+    mechanism: &Mechanism,
+    equations: &Equations,
+    point: &mut Point,
+    q: &[f64],
+    errors: &mut Diagnostics,
+) -> Option<Vec<f64>> {
+    let n = equations.symbols.v.len();
+    point.set_q(q);
+    let asked = equations.conditions.iter().zip(&equations.start_targets);
+    let asked: Vec<_> = asked.filter_map(|(condition, start)| Some((condition, start.rate?))).collect();
+    let jets: Vec<&Jet> = equations
+        .rows
+        .iter()
+        .map(|row| &row.jet)
+        .chain(asked.iter().map(|(condition, _)| &condition.jet))
+        .collect();
+    point.evaluate(&Ancestry::of_jets(equations, jets.iter().copied()));
+    point.evaluate(&Ancestry::of(equations, equations.mass.values().copied()));
+    point.evaluate(&Ancestry::of(equations, asked.iter().map(|(_, rate)| *rate)));
+
+    let mut structure: Vec<(usize, usize)> = equations.mass.keys().copied().collect();
+    let mut entries: Vec<(usize, usize, f64)> =
+        equations.mass.iter().map(|((i, j), node)| (*i, *j, point.get(*node))).collect();
+    let largest = entries.iter().filter(|(i, j, _)| i == j).fold(0.0_f64, |m, (_, _, x)| m.max(*x));
+    // A trace of mass everywhere decides between rates that cost no kinetic energy.
+    entries.extend((0..n).map(|k| (k, k, 1e-9 * largest.max(f64::MIN_POSITIVE))));
+    let mut rhs = vec![0.0; n + jets.len()];
+    for (at, jet) in jets.iter().enumerate() {
+        structure.extend(jet.columns.keys().map(|column| (n + at, *column)));
+        entries.extend(jet.columns.iter().map(|(column, node)| (n + at, *column, point.get(*node))));
+        rhs[n + at] = -point.get(jet.drift);
+    }
+    for (at, (_, rate)) in asked.iter().enumerate() {
+        rhs[n + equations.rows.len() + at] += point.get(*rate);
+    }
+    let table = Table::new(n, jets.len(), structure);
+    let factor = Numeric::factor(&table, entries);
+    let mut v = factor.solve(&rhs)[..n].to_vec();
+    // One refinement: the trace of mass and the spread of masses cost digits.
+    for _ in 0..2 {
+        let mut residual = vec![0.0; rhs.len()];
+        for (at, jet) in jets.iter().enumerate() {
+            let product: f64 = jet.columns.iter().map(|(column, node)| point.get(*node) * v[*column]).sum();
+            residual[n + at] = rhs[n + at] - product;
+        }
+        for (own, step) in v.iter_mut().zip(factor.solve(&residual)) {
+            *own += step;
+        }
+    }
+    for (at, jet) in jets.iter().enumerate() {
+        let product: f64 = jet.columns.iter().map(|(column, node)| point.get(*node) * v[*column]).sum();
+        let miss = (product - rhs[n + at]).abs();
+        if miss > 1e-9 * (1.0 + rhs[n + at].abs()) {
+            let asked_for = at.checked_sub(equations.rows.len()).map(|at| asked[at].0.of.clone());
+            let span = mechanism.start.iter().find(|start| start.exact).map(|start| start.span);
+            errors.error(span.unwrap_or(mechanism.name.span), messages::rates_conflict(asked_for, miss));
+            return None;
+        }
+    }
+    Some(v)
+}
+
+/// Velocities without mass of their own, the rows that hold them, and a weight for those rows.
+pub fn massless(
+    mechanism: &Mechanism,
+    equations: &Equations,
+    assembly: &Assembly,
+    errors: &mut Diagnostics,
+) -> Massless {
+    let n = equations.symbols.v.len();
+    let mut point = Point::new(equations);
+    let defaults: Vec<f64> = mechanism.parameters.iter().map(|parameter| parameter.default).collect();
+    point.set(&equations.symbols.parameters, &defaults);
+    point.set(&equations.symbols.phases, &assembly.phases);
+    point.set_q(&assembly.q);
+    point.evaluate(&Ancestry::of(equations, equations.mass.values().copied()));
+    let mass: Vec<(usize, usize, f64)> =
+        equations.mass.iter().map(|((i, j), node)| (*i, *j, point.get(*node))).collect();
+    let table = Table::new(n, 0, mass.iter().map(|(i, j, _)| (*i, *j)));
+    let pivots = Numeric::factor(&table, mass.iter().copied()).relative_pivots;
+    let zero: BTreeSet<usize> =
+        (0..n).filter(|k| !pivots[*k].is_finite() || pivots[*k] < 1e-12).collect();
+    if zero.is_empty() {
+        return Massless::default();
+    }
+
+    // A singular direction may involve every velocity coupled to one without a pivot.
+    let mut velocities = zero.clone();
+    loop {
+        let coupled = mass.iter().filter(|(i, j, _)| velocities.contains(i) != velocities.contains(j));
+        let more: Vec<usize> = coupled.flat_map(|(i, j, _)| [*i, *j]).collect();
+        if more.is_empty() {
+            break;
+        }
+        velocities.extend(more);
+    }
+    let touches = |jet: &Jet| jet.columns.keys().any(|column| velocities.contains(column));
+    let rows: BTreeSet<usize> =
+        (0..equations.rows.len()).filter(|row| touches(&equations.rows[*row].jet)).collect();
+    let largest = mass.iter().filter(|(i, j, _)| i == j).fold(0.0_f64, |m, (_, _, x)| m.max(*x));
+    // A power of two, so that scaling by it rounds nothing.
+    let weight = if largest > 0.0 { 2.0_f64.powi(largest.log2().round() as i32) } else { 1.0 };
+
+    let loose = loose_velocities(&mut point, &mass, &rows, weight, n);
+    for velocity in &loose {
+        let name = equations.layout.velocity_names(mechanism).swap_remove(*velocity);
+        let body = body_of(mechanism, &name);
+        errors.error(body.mass_span, messages::massless(&body.name.text, &name));
+    }
+    Massless { velocities, rows, weight }
+}
+
+/// Velocities that neither mass nor constraints hold: zero pivots of M + ρ Dᵀ D.
+fn loose_velocities(
+    point: &mut Point,
+    mass: &[(usize, usize, f64)],
+    rows: &BTreeSet<usize>,
+    weight: f64,
+    n: usize,
+) -> Vec<usize> {
+    let equations = point.equations;
+    let jets: Vec<&Jet> = rows.iter().map(|row| &equations.rows[*row].jet).collect();
+    point.evaluate(&Ancestry::of_jets(equations, jets.iter().copied()));
+    let mut entries = mass.to_vec();
+    for jet in &jets {
+        for (a, x) in &jet.columns {
+            for (b, y) in jet.columns.range(..=a) {
+                entries.push((*a, *b, weight * point.get(*x) * point.get(*y)));
+            }
+        }
+    }
+    let table = Table::new(n, 0, entries.iter().map(|(i, j, _)| (*i, *j)));
+    let pivots = Numeric::factor(&table, entries).relative_pivots;
+    (0..n).filter(|k| pivots[*k] < DEPENDENT).collect()
+}
+
+
+fn body_of<'a>(mechanism: &'a Mechanism, velocity: &str) -> &'a crate::model::Body {
+    let owner = velocity.split('.').next().unwrap_or_default();
+    let body = mechanism.bodies.iter().find(|body| body.name.text == owner);
+    let carried = || {
+        let joint = mechanism.joints.iter().find(|joint| joint.name.text == owner)?;
+        match joint.second.frame {
+            crate::model::Frame::Body(body) => mechanism.bodies.get(body.0),
+            crate::model::Frame::Ground => None,
+        }
+    };
+    body.or_else(carried).unwrap_or(&mechanism.bodies[0])
+}
+

@@ -1,0 +1,100 @@
+//! Texts of the messages about the assembled mechanism: what is wrong, why, with numbers, and what to write instead.
+
+pub fn wrong_freedoms(expected: usize, found: usize, free: Vec<String>) -> String {
+    let plural = |n: usize| if n == 1 { "degree of freedom" } else { "degrees of freedom" };
+    let mut text = format!("expected {expected} {}, found {found}", plural(expected));
+    if found > expected && !free.is_empty() {
+        text += &format!(": {} can still move", free.join(", "));
+    }
+    text + &format!("; write `degrees_of_freedom = {found};` if that is meant, or change the joints")
+}
+
+pub fn dependent_row(of: &str, what: &str, rows: usize) -> String {
+    format!(
+        "at the start position the {rows} constraint equations lose rank: \"{of}\" ({what}) repeats what the others \
+         already fix. Either the joint is redundant: make it one that leaves more freedom; or the start is a singular \
+         position (links in line), where the motion is undetermined: start elsewhere"
+    )
+}
+
+pub fn not_independent(of: &str) -> String {
+    format!(
+        "\"{of}\" cannot be independent: the constraints and the coordinates before it already fix it at the start \
+         position; leave it out of `independent`"
+    )
+}
+
+pub fn cannot_close(of: &str, what: &str, path: &[String], residual: f64) -> String {
+    let (amount, apart) = match what {
+        "x" | "y" | "normal" => (format!("{residual:.3} m"), "apart"),
+        "angle" => (format!("{:.3} rad", residual.min(1.0).asin()), "off its direction"),
+        _ => (format!("{residual:.3e} (SI)"), "off"),
+    };
+    let chain = if path.is_empty() {
+        "the mechanism cannot be assembled".to_string()
+    } else {
+        format!("the loop {} cannot close", path.join(" - "))
+    };
+    format!(
+        "{chain}: at the nearest position found \"{of}\" is still {amount} {apart}. Check the lengths and the places \
+         of its joints, or the conditions in `start`"
+    )
+}
+
+pub fn cannot_meet_start(residual: f64) -> String {
+    format!(
+        "no position meets all conditions of `start`: the nearest one found misses by {residual:.3e} (m or rad). Turn a \
+         condition into a guess (`~` instead of `=`), or correct its value"
+    )
+}
+
+pub fn cannot_start() -> String {
+    "no position was found that meets the constraints: check the lengths and places of the joints".to_string()
+}
+
+pub fn flipped(of: &str) -> String {
+    format!(
+        "\"{of}\" can only be assembled the wrong way round (turned by 180 degrees): guess the angles of its bodies in \
+         `start`, or state its `angle`"
+    )
+}
+
+pub fn second_assembly(joint: &str, nearest: f64, next: f64) -> String {
+    format!(
+        "there are two ways to assemble this mechanism, and `start` does not say which: \"{joint}\" can be at \
+         {nearest:.4} rad or at {next:.4} rad. Write one of these in `start`: `{joint}.angle [rad] ~ {nearest:.4};` or \
+         `{joint}.angle [rad] ~ {next:.4};`"
+    )
+}
+
+pub fn second_assembly_unnamed() -> String {
+    "there are two ways to assemble this mechanism, and `start` does not say which: guess a travel or a place with `~`"
+        .to_string()
+}
+
+pub fn rates_conflict(asked: Option<String>, miss: f64) -> String {
+    let what = asked.map_or("the constraints".to_string(), |asked| format!("the rate asked of \"{asked}\""));
+    format!(
+        "no velocities meet all rates of `start`: {what} is missed by {miss:.3e} (SI). The constraints already tie \
+         these rates together: state fewer"
+    )
+}
+
+pub fn massless(body: &str, velocity: &str) -> String {
+    format!(
+        "\"{body}\" has no mass or inertia where it needs one: {velocity} is neither carried by any mass nor held by \
+         the constraints, so its acceleration is undetermined. Give \"{body}\" a positive mass and inertia, or a joint \
+         that holds it"
+    )
+}
+
+pub fn too_many_operations(function: &str, limit: usize, found: usize) -> String {
+    format!(
+        "`{function}` takes {found} operations, more than the {limit} expected; raise the limit, or simplify the \
+         mechanism"
+    )
+}
+
+pub fn unknown_function(function: &str, known: &[&str]) -> String {
+    format!("there is no function \"{function}\" to count; the functions are {}", known.join(", "))
+}

@@ -1,0 +1,326 @@
+//! Static rules: what can be said of a mechanism before it is put together. One function a rule; the comment above
+//! it is the rule as the user could read it.
+//!
+//! Values of parameters are judged at their defaults. Rank, mobility and whether loops close are left to `assemble`.
+
+use crate::diagnostics::Diagnostics;
+use crate::messages;
+use crate::model::{
+    BodyId, Condition, ConstraintKind, Expr, Frame, JointId, JointKind, LoadKind, Mechanism, Quantity, Rotor, fold,
+};
+use std::collections::HashMap;
+
+/// The rules in the order they are reported.
+const RULES: [fn(&Mechanism, &mut Diagnostics); 13] = [
+    has_bodies,
+    bounds_hold_the_default,
+    mass_is_not_negative,
+    inertia_is_not_negative,
+    lines_have_two_ends,
+    axes_point_somewhere,
+    lengths_are_positive,
+    couplings_couple,
+    equations_move,
+    drivers_differ,
+    start_is_said_once,
+    cuts_differ,
+    bodies_are_connected,
+];
+
+/// Applies all rules.
+pub fn check(mechanism: &Mechanism, diagnostics: &mut Diagnostics) {
+    for rule in RULES {
+        rule(mechanism, diagnostics);
+    }
+}
+
+/// The value of an expression of parameters at their defaults.
+fn at_defaults(mechanism: &Mechanism, expr: &Expr) -> Option<f64> {
+    if let Expr::Number(value) = expr {
+        return Some(*value);
+    }
+    let defaults: Vec<f64> = mechanism.parameters.iter().map(|parameter| parameter.default).collect();
+    fold::evaluate(expr, &defaults)
+}
+
+// A mechanism has at least one body.
+fn has_bodies(mechanism: &Mechanism, diagnostics: &mut Diagnostics) {
+    if mechanism.bodies.is_empty() {
+        diagnostics.error(mechanism.name.span, messages::no_bodies(&mechanism.name.text));
+    }
+}
+
+// The default of a parameter lies between its bounds.
+fn bounds_hold_the_default(mechanism: &Mechanism, diagnostics: &mut Diagnostics) {
+    for parameter in &mechanism.parameters {
+        let Some((minimum, maximum)) = parameter.bounds else { continue };
+        let name = &parameter.name.text;
+        if minimum > maximum {
+            diagnostics.error(parameter.name.span, messages::empty_bounds(name));
+        } else if !(minimum..=maximum).contains(&parameter.default) {
+            diagnostics.error(parameter.name.span, messages::default_out_of_bounds(name));
+        }
+    }
+}
+
+// A mass is not negative.
+fn mass_is_not_negative(mechanism: &Mechanism, diagnostics: &mut Diagnostics) {
+    for body in &mechanism.bodies {
+        if let Some(mass) = at_defaults(mechanism, &body.mass).filter(|mass| *mass < 0.0) {
+            diagnostics.error(body.mass_span, messages::negative("mass", &body.name.text, mass, "kg"));
+        }
+    }
+}
+
+// A moment of inertia is not negative.
+fn inertia_is_not_negative(mechanism: &Mechanism, diagnostics: &mut Diagnostics) {
+    for body in &mechanism.bodies {
+        // A shape's inertia takes its sign from the mass, which has been judged.
+        let follows = at_defaults(mechanism, &body.mass).is_some_and(|mass| mass < 0.0);
+        let inertia = at_defaults(mechanism, &body.inertia).filter(|inertia| *inertia < 0.0 && !follows);
+        if let Some(inertia) = inertia {
+            let message = messages::negative("moment of inertia", &body.name.text, inertia, "kg*m^2");
+            diagnostics.error(body.inertia_span, message);
+        }
+    }
+}
+
+// A line goes through two different points.
+fn lines_have_two_ends(mechanism: &Mechanism, diagnostics: &mut Diagnostics) {
+    for body in &mechanism.bodies {
+        for line in &body.lines {
+            let same = |axis: usize| {
+                let difference = fold::binary(
+                    crate::model::Function2::Sub,
+                    line.to[axis].clone(),
+                    line.from[axis].clone(),
+                );
+                at_defaults(mechanism, &difference) == Some(0.0)
+            };
+            if same(0) && same(1) {
+                diagnostics.error(line.name.span, messages::line_without_length(&line.name.text));
+            }
+        }
+    }
+    for joint in &mechanism.joints {
+        let JointKind::PointOnLine { direction } = &joint.kind else { continue };
+        // A line with a name has been judged where it is declared.
+        let named = matches!(joint.first.frame, Frame::Body(body)
+            if mechanism.bodies[body.0].lines.iter().any(|line| {
+                joint.first.text == format!("{}.{}", mechanism.bodies[body.0].name.text, line.name.text)
+            }));
+        if !named && is_zero(mechanism, direction) {
+            diagnostics.error(joint.first.span, messages::line_without_length(&joint.first.text));
+        }
+    }
+}
+
+fn is_zero(mechanism: &Mechanism, direction: &[Expr; 2]) -> bool {
+    direction.iter().all(|component| at_defaults(mechanism, component) == Some(0.0))
+}
+
+// The axis of a prismatic joint is not zero.
+fn axes_point_somewhere(mechanism: &Mechanism, diagnostics: &mut Diagnostics) {
+    for joint in &mechanism.joints {
+        let JointKind::Prismatic { axis, .. } = &joint.kind else { continue };
+        if is_zero(mechanism, axis) {
+            diagnostics.error(joint.name.span, messages::zero_direction("axis"));
+        }
+    }
+}
+
+// The length of a distance joint is positive, that of a spring not negative.
+fn lengths_are_positive(mechanism: &Mechanism, diagnostics: &mut Diagnostics) {
+    for joint in &mechanism.joints {
+        let JointKind::Distance { length } = &joint.kind else { continue };
+        if at_defaults(mechanism, length).is_some_and(|length| length <= 0.0) {
+            diagnostics.error(joint.name.span, messages::distance_not_positive(&joint.name.text));
+        }
+    }
+    for load in &mechanism.loads {
+        let LoadKind::Spring { length, .. } = &load.kind else { continue };
+        if let Some(length) = at_defaults(mechanism, length).filter(|length| *length < 0.0) {
+            diagnostics.error(load.name.span, messages::negative("length", &load.name.text, length, "m"));
+        }
+    }
+}
+
+// A gear couples two different things, and its ratio and a rack's radius are not zero.
+fn couplings_couple(mechanism: &Mechanism, diagnostics: &mut Diagnostics) {
+    for constraint in &mechanism.constraints {
+        let (factor, what, same) = match &constraint.kind {
+            ConstraintKind::Gear { first, second, ratio, .. } => (ratio, "ratio", first == second),
+            ConstraintKind::Rack { pinion, rail, radius, .. } => {
+                (radius, "radius", *pinion == Rotor::Joint(*rail))
+            }
+            ConstraintKind::Equation { .. } => continue,
+        };
+        let name = &constraint.name;
+        if same && what == "ratio" {
+            diagnostics.error(name.span, messages::coupled_with_itself(&name.text));
+        } else if at_defaults(mechanism, factor) == Some(0.0) {
+            diagnostics.error(name.span, messages::zero_factor(&name.text, what));
+        }
+    }
+}
+
+// A constraint names at least one quantity that can move.
+fn equations_move(mechanism: &Mechanism, diagnostics: &mut Diagnostics) {
+    for constraint in &mechanism.constraints {
+        let ConstraintKind::Equation { residual } = &constraint.kind else { continue };
+        let mut moves = false;
+        visit(residual, &mut |_| moves = true);
+        if !moves {
+            diagnostics.error(constraint.name.span, messages::nothing_moves(&constraint.name.text));
+        }
+    }
+}
+
+// A quantity is driven once.
+fn drivers_differ(mechanism: &Mechanism, diagnostics: &mut Diagnostics) {
+    let mut seen = HashMap::new();
+    for driver in &mechanism.drivers {
+        if let Some(first) = seen.insert(key(&driver.quantity), &driver.name) {
+            let message = messages::driven_twice(&driver.name.text, &first.text);
+            diagnostics.conflict(driver.name.span, message, first.span, messages::first_here(&first.text));
+        }
+    }
+}
+
+// A start value is given once, as a condition or as a guess.
+fn start_is_said_once(mechanism: &Mechanism, diagnostics: &mut Diagnostics) {
+    let mut seen = HashMap::new();
+    for start in &mechanism.start {
+        if let Some(first) = seen.insert(key(&start.quantity), start.span) {
+            let message = messages::start_twice(&start.text);
+            diagnostics.conflict(start.span, message, first, messages::first_here(&start.text));
+        }
+    }
+}
+
+// A joint is cut once.
+fn cuts_differ(mechanism: &Mechanism, diagnostics: &mut Diagnostics) {
+    let mut seen = HashMap::new();
+    for (joint, span) in &mechanism.options.cut {
+        if let Some(first) = seen.insert(*joint, *span) {
+            let name = &mechanism.joints[joint.0].name.text;
+            diagnostics.conflict(*span, messages::cut_twice(name), first, messages::first_here(name));
+        }
+    }
+}
+
+// In a mechanism with joints every body has a joint, a constraint or a load on it.
+fn bodies_are_connected(mechanism: &Mechanism, diagnostics: &mut Diagnostics) {
+    if mechanism.joints.is_empty() {
+        return;
+    }
+    let touched = touched(mechanism);
+    for (body, touched) in mechanism.bodies.iter().zip(touched) {
+        if !touched {
+            diagnostics.error(body.name.span, messages::not_connected(&body.name.text));
+        }
+    }
+}
+
+/// Which bodies anything acts on.
+fn touched(mechanism: &Mechanism) -> Vec<bool> {
+    let mut touched = vec![false; mechanism.bodies.len()];
+    for joint in &mechanism.joints {
+        touch(&mut touched, joint.first.frame);
+        touch(&mut touched, joint.second.frame);
+    }
+    let mut quantities: Vec<&Quantity> = mechanism.drivers.iter().map(|driver| &driver.quantity).collect();
+    for constraint in &mechanism.constraints {
+        match &constraint.kind {
+            ConstraintKind::Gear { first, second, .. } => {
+                touch_rotor(&mut touched, *first);
+                touch_rotor(&mut touched, *second);
+            }
+            ConstraintKind::Rack { pinion, .. } => touch_rotor(&mut touched, *pinion),
+            ConstraintKind::Equation { residual } => visit(residual, &mut |quantity| quantities.push(quantity)),
+        }
+    }
+    for load in &mechanism.loads {
+        match &load.kind {
+            LoadKind::Force { place, .. } => touch(&mut touched, place.frame),
+            LoadKind::Torque { on, .. } | LoadKind::TorsionSpring { on, .. } => touch_rotor(&mut touched, *on),
+            LoadKind::Spring { first, second, .. } => {
+                touch(&mut touched, first.frame);
+                touch(&mut touched, second.frame);
+            }
+        }
+    }
+    for quantity in quantities {
+        match quantity {
+            Quantity::BodyAngle(body) | Quantity::BodyRate(body) => touch(&mut touched, Frame::Body(*body)),
+            Quantity::Position(place, _) | Quantity::Velocity(place, _) => touch(&mut touched, place.frame),
+            Quantity::Distance(first, second) => {
+                touch(&mut touched, first.frame);
+                touch(&mut touched, second.frame);
+            }
+            _ => {}
+        }
+    }
+    touched
+}
+
+fn touch(touched: &mut [bool], frame: Frame) {
+    if let Frame::Body(BodyId(index)) = frame {
+        touched[index] = true;
+    }
+}
+
+/// The bodies of a joint have been touched by it.
+fn touch_rotor(touched: &mut [bool], rotor: Rotor) {
+    if let Rotor::Body(body) = rotor {
+        touch(touched, Frame::Body(body));
+    }
+}
+
+/// Two quantities with the same key are the same.
+fn key(quantity: &Quantity) -> (u8, usize, String) {
+    let joint = |kind, JointId(index): JointId| (kind, index, String::new());
+    match quantity {
+        Quantity::BodyAngle(body) => (0, body.0, String::new()),
+        Quantity::BodyRate(body) => (1, body.0, String::new()),
+        Quantity::JointAngle(id) => joint(2, *id),
+        Quantity::JointRate(id) => joint(3, *id),
+        Quantity::JointTravel(id) => joint(4, *id),
+        Quantity::JointSpeed(id) => joint(5, *id),
+        Quantity::Position(place, axis) => (6, *axis, place.text.clone()),
+        Quantity::Velocity(place, axis) => (7, *axis, place.text.clone()),
+        other => (8, 0, format!("{other:?}")),
+    }
+}
+
+/// Calls `found` with every quantity in an expression.
+fn visit<'e>(expr: &'e Expr, found: &mut dyn FnMut(&'e Quantity)) {
+    match expr {
+        Expr::Quantity(quantity) => found(quantity),
+        Expr::Unary(_, x) | Expr::Power(x, _) => visit(x, found),
+        Expr::Binary(_, x, y) => {
+            visit(x, found);
+            visit(y, found);
+        }
+        Expr::If(condition, x, y) => {
+            visit_condition(condition, found);
+            visit(x, found);
+            visit(y, found);
+        }
+        Expr::Number(_) | Expr::Parameter(_) | Expr::Input(_) | Expr::Time => {}
+    }
+}
+
+fn visit_condition<'e>(condition: &'e Condition, found: &mut dyn FnMut(&'e Quantity)) {
+    match condition {
+        Condition::Compare(_, x, y) => {
+            visit(x, found);
+            visit(y, found);
+        }
+        Condition::And(x, y) | Condition::Or(x, y) => {
+            visit_condition(x, found);
+            visit_condition(y, found);
+        }
+        Condition::Not(x) => visit_condition(x, found),
+    }
+}

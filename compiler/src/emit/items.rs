@@ -1,0 +1,142 @@
+//! The items a user sees: the model, its parameters, inputs, outputs and state, and its constants.
+
+use super::body::literal;
+use super::names::field;
+use super::{Emitter, array, coordinates_json, documentation, quoted};
+use crate::schedule::{Function, count};
+use std::fmt::Write;
+
+const DERIVES: &str = "#[derive(::core::clone::Clone, ::core::marker::Copy, ::core::fmt::Debug, \
+                       ::core::cmp::PartialEq)]";
+const F64: &str = "::core::primitive::f64";
+
+pub fn items(text: &mut String, emitter: &Emitter, source: &str) {
+    let Emitter { name, visibility, path, mechanism, compiled, .. } = emitter;
+    let _ = writeln!(text, "{}", mechanism.attributes);
+    documentation::model(text, emitter);
+    let _ = writeln!(
+        text,
+        "{DERIVES} {visibility} struct {name}<R = {F64}> {{ parameters: {name}Parameters<R>, phases: [R; {}], \
+         constants: [R; {}] }}",
+        compiled.equations.symbols.phases.len(),
+        compiled.programs.prepared
+    );
+    parameters(text, emitter);
+    inputs(text, emitter);
+    outputs(text, emitter);
+    let _ = writeln!(
+        text,
+        "#[doc = \"Positions and velocities of [`{name}`].\"] {visibility} type {name}State<R = {F64}> = \
+         {path}::__private::v1::State<[R; {}], [R; {}]>;",
+        emitter.positions(),
+        emitter.velocities()
+    );
+    constants(text, emitter, source);
+}
+
+fn parameters(text: &mut String, emitter: &Emitter) {
+    let Emitter { name, visibility, mechanism, .. } = emitter;
+    let _ = writeln!(
+        text,
+        "#[doc = \"Parameters of [`{name}`], in SI units.\"] {DERIVES} {visibility} struct {name}Parameters<R = {F64}> {{"
+    );
+    for parameter in &mechanism.parameters {
+        let field = field(&parameter.name.identifier());
+        let doc = format!("`{}`, default {:?} in SI units.", parameter.unit, parameter.default);
+        let _ = writeln!(text, "{} #[doc = {}] pub {field}: R,", parameter.docs, quoted(&doc));
+    }
+    if mechanism.parameters.is_empty() {
+        text.push_str("#[doc(hidden)] pub scalar: ::core::marker::PhantomData<R>,");
+    }
+    text.push_str("}\n");
+}
+
+fn inputs(text: &mut String, emitter: &Emitter) {
+    let Emitter { name, visibility, mechanism, .. } = emitter;
+    if mechanism.inputs.is_empty() {
+        return;
+    }
+    let _ = writeln!(
+        text,
+        "#[doc = \"Inputs of [`{name}`], in SI units.\"] {DERIVES} {visibility} struct {name}Inputs<R = {F64}> {{"
+    );
+    for input in &mechanism.inputs {
+        let doc = quoted(&format!("`{}` (SI).", input.unit));
+        let _ = writeln!(text, "{} #[doc = {doc}] pub {}: R,", input.docs, field(&input.name.identifier()));
+    }
+    text.push_str("}\n");
+}
+
+fn outputs(text: &mut String, emitter: &Emitter) {
+    let Emitter { name, visibility, mechanism, .. } = emitter;
+    if mechanism.outputs.is_empty() {
+        return;
+    }
+    let _ = writeln!(
+        text,
+        "#[doc = \"Outputs of [`{name}`], in SI units.\"] {DERIVES} {visibility} struct {name}Outputs<R = {F64}> {{"
+    );
+    for output in &mechanism.outputs {
+        let doc = quoted(&format!("`{}` (SI).", output.unit));
+        let _ = writeln!(text, "{} #[doc = {doc}] pub {}: R,", output.docs, field(&output.name.identifier()));
+    }
+    text.push_str("}\n");
+}
+
+fn constants(text: &mut String, emitter: &Emitter, source: &str) {
+    let Emitter { name, path, compiled, mechanism, .. } = emitter;
+    let numbers = |values: &[f64]| array(values.iter().map(|value| literal(*value)));
+    let string = "&'static ::core::primitive::str";
+    let operations = count(compiled.programs.get(Function::AccelerationBaumgarte)).total();
+    let _ = writeln!(text, "impl {name}<{F64}> {{");
+    let mut constant = |doc: &str, declaration: &str, value: &str| {
+        let _ = writeln!(text, "#[doc = {}] pub const {declaration} = {value};", quoted(doc));
+    };
+    constant(
+        "Consistent start state for the default parameters, assembled at compile time.",
+        &format!("START: {name}State"),
+        &format!(
+            "{path}::__private::v1::State {{ q: {}, v: {} }}",
+            numbers(&compiled.assembly.q),
+            numbers(&compiled.assembly.v)
+        ),
+    );
+    let usize = "::core::primitive::usize";
+    constant(
+        "Degrees of freedom, drivers removed.",
+        &format!("DEGREES_OF_FREEDOM: {usize}"),
+        &compiled.assembly.degrees_of_freedom.to_string(),
+    );
+    constant(
+        "Operations of the default acceleration function (Baumgarte), a fused multiply-add counted once.",
+        &format!("OPERATIONS: {usize}"),
+        &operations.to_string(),
+    );
+    constant("The definition as written.", &format!("SOURCE: {string}"), &quoted(source));
+    constant(
+        "The definition as versioned JSON: kinds, shapes and units as written.",
+        &format!("DEFINITION: {string}"),
+        &quoted(&compiled.definition),
+    );
+    constant(
+        "What the entries of q and v and the constraint rows are, as JSON.",
+        &format!("COORDINATES: {string}"),
+        &quoted(&coordinates_json(mechanism, &compiled.equations)),
+    );
+    constant(
+        "Names of the bodies, in the order of `motions`.",
+        &format!("BODIES: &'static [{string}]"),
+        &format!("&{}", array(mechanism.bodies.iter().map(|body| quoted(&body.name.text)))),
+    );
+    constant(
+        "Names of the joints, in the order of `reactions`.",
+        &format!("JOINTS: &'static [{string}]"),
+        &format!("&{}", array(mechanism.joints.iter().map(|joint| quoted(&joint.name.text)))),
+    );
+    constant(
+        "Names of the loads, in the order of `powers`.",
+        &format!("LOADS: &'static [{string}]"),
+        &format!("&{}", array(mechanism.loads.iter().map(|load| quoted(&load.name.text)))),
+    );
+    text.push_str("}\n");
+}

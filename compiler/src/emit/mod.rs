@@ -1,0 +1,122 @@
+//! From programs to Rust items: the model's struct, its parameters, inputs and outputs, and the implementation of the
+//! runtime's traits. Everything is written as text and parsed once.
+//!
+//! ```text
+//! pub struct FourBar<R = f64> { parameters: FourBarParameters<R>, phases: [R; 0], constants: [R; 2] }
+//! pub struct FourBarParameters<R = f64> { pub mass: R }
+//! pub type FourBarState<R = f64> = State<[R; 6], [R; 3]>;
+//! impl FourBar<f64> { pub const START: FourBarState = …; pub const SOURCE: &str = …; }
+//! const _: () = {
+//!     impl<R: Real> FourBar<R> { pub fn prepare(parameters: FourBarParameters<R>) -> Result<Self, SettingError> … }
+//!     impl<R: Real> Mechanism<R> for FourBar<R> { … }
+//!     impl<R: Real> Assemble<R> for FourBar<R> { … }
+//! };
+//! ```
+
+mod body;
+mod coordinates_json;
+mod documentation;
+mod items;
+mod names;
+mod stub;
+mod tables;
+mod traits;
+
+pub use coordinates_json::coordinates_json;
+pub use documentation::operation_table;
+pub use stub::stub;
+
+use crate::Compiled;
+use crate::model::Mechanism;
+use names::{Argument, Names, field};
+use proc_macro2::TokenStream;
+use std::fmt::Write;
+
+/// Everything the macro expands to.
+pub fn emit(compiled: &Compiled, source: &str) -> Result<TokenStream, String> {
+    let emitter = Emitter::new(compiled);
+    let mut text = String::new();
+    items::items(&mut text, &emitter, source);
+    let _ = writeln!(text, "#[allow(unused, non_snake_case, clippy::all)] const _: () = {{");
+    // The user's names must not reach in here, whatever they are.
+    let _ = writeln!(text, "use ::core::prelude::rust_2024::*;");
+    let _ = writeln!(text, "use {}::__private::v1::*;", emitter.path);
+    let _ = writeln!(text, "use ::core::primitive::{{bool, f64, u16, u32, usize, str}};");
+    let mut implementations = String::new();
+    traits::aliases(&mut text, &emitter);
+    traits::inherent(&mut implementations, &emitter);
+    traits::mechanism(&mut implementations, &emitter);
+    traits::assemble(&mut implementations, &emitter);
+    // A type alias may not leave its scalar unused, so `()` stands for itself where nothing is given.
+    if emitter.mechanism.inputs.is_empty() {
+        implementations = implementations.replace("Inputs<R>", "()");
+    }
+    if emitter.mechanism.outputs.is_empty() {
+        implementations = implementations.replace("Outputs<R>", "()");
+    }
+    text.push_str(&implementations);
+    text.push_str("};\n");
+    text.parse::<TokenStream>().map_err(|error| error.to_string())
+}
+
+/// What emitting needs at hand.
+struct Emitter<'a> {
+    compiled: &'a Compiled,
+    mechanism: &'a Mechanism,
+    /// Name of the struct.
+    name: String,
+    /// `pub`, `pub(crate)` or nothing.
+    visibility: String,
+    /// `::linkwright`.
+    path: String,
+    names: Names,
+    input_fields: Vec<String>,
+}
+
+impl<'a> Emitter<'a> {
+    fn new(compiled: &'a Compiled) -> Self {
+        let mechanism = &compiled.mechanism;
+        let path = mechanism.options.crate_path.as_ref().map(|path| path.to_string());
+        Emitter {
+            compiled,
+            mechanism,
+            name: mechanism.name.text.clone(),
+            visibility: mechanism.visibility.to_string(),
+            path: path.unwrap_or("::linkwright".to_string()),
+            names: Names::new(&compiled.equations),
+            input_fields: mechanism.inputs.iter().map(|input| field(&input.name.identifier())).collect(),
+        }
+    }
+
+    fn velocities(&self) -> usize {
+        self.compiled.equations.layout.velocities()
+    }
+    fn positions(&self) -> usize {
+        self.compiled.equations.layout.positions()
+    }
+    fn rows(&self) -> usize {
+        self.compiled.equations.rows.len()
+    }
+    fn conditions(&self) -> usize {
+        self.compiled.equations.conditions.len()
+    }
+
+    /// A program in a function with these arguments; helper functions go to `helpers`.
+    fn body(&self, function: crate::schedule::Function, arguments: &[Argument], helpers: &mut String) -> body::Body {
+        let names = self.names.within(arguments, &self.input_fields);
+        let program = self.compiled.programs.get(function);
+        let mut body = body::body(program, &names, &format!("{}_part", function.name()));
+        helpers.push_str(&std::mem::take(&mut body.helpers));
+        body
+    }
+}
+
+/// `[a, b, c]`.
+fn array(elements: impl IntoIterator<Item = String>) -> String {
+    format!("[{}]", elements.into_iter().collect::<Vec<_>>().join(", "))
+}
+
+/// A string as a Rust literal.
+fn quoted(text: &str) -> String {
+    format!("{text:?}")
+}

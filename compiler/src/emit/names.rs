@@ -1,0 +1,170 @@
+//! Names in emitted code: the user's where there are any, and never two alike.
+
+use crate::equations::Equations;
+use crate::schedule::Source;
+use crate::symbolic::{Node, Op};
+use std::collections::{BTreeMap, BTreeSet};
+use std::rc::Rc;
+
+/// Names of all sources, and which arguments the function being written has.
+pub struct Names {
+    names: Rc<BTreeMap<Source, String>>,
+    input_fields: Vec<String>,
+    arguments: Vec<Argument>,
+}
+
+/// An argument of an emitted function and its type.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Argument {
+    Constants,
+    Parameters,
+    Phases,
+    Time,
+    Q,
+    V,
+    Inputs,
+    TwoAlpha,
+    BetaSquared,
+    Acceleration,
+    Lambda,
+    Target,
+}
+
+impl Names {
+    pub fn new(equations: &Equations) -> Self {
+        let symbols = &equations.symbols;
+        let mut names = BTreeMap::new();
+        let mut taken: BTreeSet<String> = RESERVED.iter().map(|word| word.to_string()).collect();
+        let mut claim = |nodes: &[Node], source: fn(u32) -> Source| {
+            for (index, node) in nodes.iter().enumerate() {
+                let Op::Symbol(symbol) = equations.graph.op(*node) else { continue };
+                let mut name = readable(equations.graph.symbol_name(symbol));
+                while !taken.insert(name.clone()) {
+                    name.push('_');
+                }
+                names.insert(source(index as u32), name);
+            }
+        };
+        claim(&symbols.q, Source::Q);
+        claim(&symbols.v, Source::V);
+        claim(&symbols.inputs, Source::Input);
+        claim(&symbols.acceleration, Source::Acceleration);
+        claim(&symbols.lambda, Source::Lambda);
+        claim(&symbols.targets, Source::Target);
+        claim(&symbols.parameters, Source::Parameter);
+        claim(&symbols.phases, Source::Phase);
+        let input_fields = Vec::new();
+        Names { names: Rc::new(names), input_fields, arguments: Vec::new() }
+    }
+
+    /// The same names within a function of these arguments, whose inputs have these field names.
+    pub fn within(&self, arguments: &[Argument], input_fields: &[String]) -> Names {
+        Names {
+            names: Rc::clone(&self.names),
+            input_fields: input_fields.to_vec(),
+            arguments: arguments.to_vec(),
+        }
+    }
+
+    pub fn name(&self, source: Source) -> String {
+        match source {
+            Source::Time => "time".to_string(),
+            Source::TwoAlpha => "two_alpha".to_string(),
+            Source::BetaSquared => "beta_squared".to_string(),
+            Source::Prepared(index) => format!("k{index}"),
+            _ => self.names.get(&source).cloned().unwrap_or_default(),
+        }
+    }
+
+    /// Where a source is read from; `None` if it is an argument itself.
+    pub fn place(&self, source: Source) -> Option<String> {
+        Some(match source {
+            Source::Time | Source::TwoAlpha | Source::BetaSquared => return None,
+            Source::Parameter(_) => format!("parameters.{}", self.name(source)),
+            Source::Phase(index) => format!("phases[{index}]"),
+            Source::Q(index) => format!("q[{index}]"),
+            Source::V(index) => format!("v[{index}]"),
+            Source::Input(index) => format!("u.{}", self.input_fields[index as usize]),
+            Source::Acceleration(index) => format!("a[{index}]"),
+            Source::Lambda(index) => format!("lambda[{index}]"),
+            Source::Target(index) => format!("target[{index}]"),
+            Source::Prepared(index) => format!("constants[{index}]"),
+        })
+    }
+
+    /// Parameters of a helper function, with its types to be found by inference of the caller's aliases.
+    pub fn signature(&self) -> String {
+        self.arguments.iter().map(|argument| argument.declaration()).collect::<Vec<_>>().join(", ")
+    }
+
+    /// The same arguments as they are passed on.
+    pub fn arguments(&self) -> String {
+        self.arguments.iter().map(|argument| argument.name()).collect::<Vec<_>>().join(", ")
+    }
+}
+
+impl Argument {
+    pub fn name(self) -> &'static str {
+        match self {
+            Argument::Constants => "constants",
+            Argument::Parameters => "parameters",
+            Argument::Phases => "phases",
+            Argument::Time => "time",
+            Argument::Q => "q",
+            Argument::V => "v",
+            Argument::Inputs => "u",
+            Argument::TwoAlpha => "two_alpha",
+            Argument::BetaSquared => "beta_squared",
+            Argument::Acceleration => "a",
+            Argument::Lambda => "lambda",
+            Argument::Target => "target",
+        }
+    }
+
+    /// `q: &Q<R>`, by the type aliases that stand beside the functions.
+    fn declaration(self) -> String {
+        let kind = match self {
+            Argument::Constants => "&Constants<R>",
+            Argument::Parameters => "&Parameters<R>",
+            Argument::Phases => "&Phases<R>",
+            Argument::Time | Argument::TwoAlpha | Argument::BetaSquared => "R",
+            Argument::Q => "&Q<R>",
+            Argument::V | Argument::Acceleration => "&V<R>",
+            Argument::Inputs => "&Inputs<R>",
+            Argument::Lambda => "&Lambda<R>",
+            Argument::Target => "&Conditions<R>",
+        };
+        format!("{}: {kind}", self.name())
+    }
+}
+
+/// Words that emitted functions use themselves.
+const RESERVED: [&str; 14] = [
+    "time", "q", "v", "u", "a", "lambda", "target", "constants", "parameters", "phases", "two_alpha",
+    "beta_squared", "w", "out",
+];
+
+/// A name as an identifier that is no keyword and no name of an intermediate value.
+fn readable(name: &str) -> String {
+    let name = name.replace(['.', '[', '(', ' ', ','], "_").replace([']', ')'], "");
+    let numbered = |prefix: char| {
+        name.strip_prefix(prefix).is_some_and(|rest| !rest.is_empty() && rest.chars().all(|c| c.is_ascii_digit()))
+    };
+    if numbered('a') || numbered('k') || KEYWORDS.contains(&name.as_str()) { name + "_" } else { name }
+}
+
+const KEYWORDS: [&str; 51] = [
+    "as", "async", "await", "break", "const", "continue", "crate", "dyn", "else", "enum", "extern", "false", "fn",
+    "for", "gen", "if", "impl", "in", "let", "loop", "match", "mod", "move", "mut", "pub", "ref", "return", "self",
+    "Self", "static", "struct", "super", "trait", "true", "type", "unsafe", "use", "where", "while", "abstract",
+    "become", "box", "do", "final", "macro", "override", "priv", "try", "typeof", "unsized", "virtual",
+];
+
+/// A field of an emitted struct: the user's name, raw if it is a keyword.
+pub fn field(name: &str) -> String {
+    match name {
+        "self" | "Self" | "super" | "crate" => format!("{name}_"),
+        _ if KEYWORDS.contains(&name) => format!("r#{name}"),
+        _ => name.to_string(),
+    }
+}

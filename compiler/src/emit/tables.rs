@@ -1,0 +1,64 @@
+//! Constant tables: patterns, names of rows and coordinates, the elimination.
+
+use super::{Emitter, array, quoted};
+use crate::equations::Jet;
+
+/// (row, column) of the structural non-zeros of a list of jets, row by row.
+pub fn jacobian_pattern<'a>(jets: impl Iterator<Item = &'a Jet>) -> String {
+    let pairs = jets.enumerate().flat_map(|(row, jet)| {
+        jet.columns.keys().map(move |column| format!("({row}, {column})")).collect::<Vec<_>>()
+    });
+    format!("&{}", array(pairs))
+}
+
+pub fn mass_pattern(emitter: &Emitter) -> String {
+    let keys = emitter.compiled.equations.mass.keys();
+    format!("&{}", array(keys.map(|(row, column)| format!("({row}, {column})"))))
+}
+
+pub fn layout(emitter: &Emitter) -> String {
+    let layout = &emitter.compiled.equations.layout;
+    let index = |index: Option<usize>| index.map_or("None".to_string(), |index| format!("Some({index})"));
+    let angles = layout
+        .angles
+        .iter()
+        .map(|angle| format!("MultiTurn {{ plus: {}, minus: {} }}", index(angle.plus), index(angle.minus)));
+    format!(
+        "Layout {{ linear: {}, rotations: {}, angles: &{} }}",
+        layout.linear.len(),
+        layout.rotations.len(),
+        array(angles)
+    )
+}
+
+pub fn rows(emitter: &Emitter) -> String {
+    let rows = emitter.compiled.equations.rows.iter();
+    format!("&{}", array(rows.map(|row| format!("Row {{ of: {}, what: {} }}", quoted(&row.of), quoted(row.what)))))
+}
+
+pub fn strings(names: Vec<String>) -> String {
+    format!("&{}", array(names.iter().map(|name| quoted(name))))
+}
+
+pub fn conditions(emitter: &Emitter) -> String {
+    let conditions = emitter.compiled.equations.conditions.iter().map(|condition| {
+        let kind = if condition.angular { "Angle" } else { "Linear" };
+        format!("Condition {{ of: {}, kind: ConditionKind::{kind} }}", quoted(&condition.of))
+    });
+    format!("&{}", array(conditions))
+}
+
+pub fn indices(indices: impl IntoIterator<Item = usize>) -> String {
+    format!("&{}", array(indices.into_iter().map(|index| index.to_string())))
+}
+
+pub fn elimination(emitter: &Emitter) -> String {
+    let table = &emitter.compiled.table;
+    format!(
+        "Elimination {{ order: {}, position: {}, row_start: {}, columns: {} }}",
+        indices(table.order.iter().copied()),
+        indices(table.position.iter().copied()),
+        indices(table.row_start.iter().copied()),
+        indices(table.columns.iter().copied())
+    )
+}

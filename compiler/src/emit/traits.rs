@@ -1,0 +1,443 @@
+//! The implementations of the runtime's traits and the model's own functions.
+
+use super::body::{constant, literal};
+use super::names::{Argument, field};
+use super::{Emitter, array, quoted, tables};
+use crate::model::{Expr, Quantity};
+use crate::schedule::{Function, Operand};
+use std::fmt::Write;
+
+use Argument::{
+    Acceleration, BetaSquared, Constants, Inputs, Lambda, Parameters, Phases, Q, Target, Time, TwoAlpha, V,
+};
+
+/// Short names for the types of this mechanism.
+pub fn aliases(text: &mut String, emitter: &Emitter) {
+    let name = &emitter.name;
+    let equations = &emitter.compiled.equations;
+    let columns = |jets: Vec<&crate::equations::Jet>| jets.iter().map(|jet| jet.columns.len()).sum::<usize>();
+    let arrays = [
+        ("Constants", emitter.compiled.programs.prepared),
+        ("Phases", equations.symbols.phases.len()),
+        ("Q", emitter.positions()),
+        ("V", emitter.velocities()),
+        ("Lambda", emitter.rows()),
+        ("Mass", equations.mass.len()),
+        ("Jacobian", columns(equations.rows.iter().map(|row| &row.jet).collect())),
+        ("Conditions", emitter.conditions()),
+        ("ConditionJacobian", columns(equations.conditions.iter().map(|c| &c.jet).collect())),
+        ("Factor", emitter.compiled.table.columns.len()),
+        ("System", emitter.compiled.table.order.len()),
+    ];
+    for (alias, length) in arrays {
+        let _ = writeln!(text, "type {alias}<R> = [R; {length}];");
+    }
+    let _ = writeln!(text, "type Parameters<R> = {name}Parameters<R>;");
+    if !emitter.mechanism.inputs.is_empty() {
+        let _ = writeln!(text, "type Inputs<R> = {name}Inputs<R>;");
+    }
+    if !emitter.mechanism.outputs.is_empty() {
+        let _ = writeln!(text, "type Outputs<R> = {name}Outputs<R>;");
+    }
+}
+
+/// One function: signature, loads, instructions, result.
+fn function(
+    text: &mut String,
+    helpers: &mut String,
+    emitter: &Emitter,
+    function: Function,
+    arguments: &[Argument],
+    signature: &str,
+    result: impl Fn(&[String]) -> String,
+) {
+    let body = emitter.body(function, arguments, helpers);
+    let _ = writeln!(text, "fn {signature} {{");
+    if arguments.contains(&Constants) {
+        text.push_str("let constants = &self.constants;\n");
+    }
+    text.push_str(&body.statements);
+    let _ = writeln!(text, "{}\n}}", result(&body.outputs));
+}
+
+fn all(outputs: &[String]) -> String {
+    format!("*out = {};", array(outputs.iter().cloned()))
+}
+
+fn one(outputs: &[String]) -> String {
+    outputs[0].clone()
+}
+
+/// `prepare`, `parameters`, and what follows from a state.
+pub fn inherent(text: &mut String, emitter: &Emitter) {
+    let Emitter { name, mechanism, compiled, .. } = emitter;
+    let mut helpers = String::new();
+    let defaults = mechanism.parameters.iter().map(|parameter| {
+        format!("{}: {}", field(&parameter.name.identifier()), constant(parameter.default))
+    });
+    let scalar = mechanism.parameters.is_empty().then(|| "scalar: ::core::marker::PhantomData".to_string());
+    let defaults = defaults.chain(scalar).collect::<Vec<_>>().join(", ");
+    let phases = array(compiled.assembly.phases.iter().map(|phase| constant(*phase)));
+    let _ = writeln!(
+        text,
+        "impl<R: Real> Default for Parameters<R> {{ fn default() -> Self {{ {name}Parameters {{ {defaults} }} }} }}"
+    );
+    let _ = writeln!(
+        text,
+        "impl<R: Real> Default for {name}<R> {{ \
+         fn default() -> Self {{ Self::with(Default::default(), {phases}) }} }}"
+    );
+    let _ = writeln!(text, "impl<R: Real> {name}<R> {{");
+    let _ = writeln!(
+        text,
+        "/// The model with these parameters; what depends on nothing else is computed once, here.\n\
+         ///\n/// # Errors\n/// A parameter that is not finite or out of its bounds, or a mass that is not positive.\n\
+         pub fn prepare(parameters: Parameters<R>) -> Result<Self, SettingError> {{"
+    );
+    for parameter in &mechanism.parameters {
+        let (least, most) = parameter.bounds.unwrap_or((f64::NEG_INFINITY, f64::INFINITY));
+        let _ = writeln!(
+            text,
+            "check_setting({}, parameters.{}, {}, {})?;",
+            quoted(&parameter.name.text),
+            field(&parameter.name.identifier()),
+            literal(least),
+            literal(most)
+        );
+    }
+    let _ = writeln!(text, "let model = Self::with(parameters, {phases});");
+    masses(text, emitter);
+    text.push_str("check_constants(&model.constants)?;\nOk(model)\n}\n");
+    let _ = writeln!(text, "/// The parameters the model was prepared with.\npub fn parameters(&self) -> &Parameters<R> {{ &self.parameters }}");
+    let body = emitter.body(Function::Prepare, &[Parameters, Phases], &mut helpers);
+    let _ = writeln!(
+        text,
+        "fn with(parameters: Parameters<R>, phases: Phases<R>) -> Self {{\n{}\
+         {name} {{ parameters, phases, constants: {} }}\n}}",
+        body.statements,
+        array(body.outputs)
+    );
+    motions(text, &mut helpers, emitter);
+    text.push_str("}\n");
+    text.push_str(&helpers);
+}
+
+/// Masses and inertias that depend on parameters must stay what mass and inertia are.
+fn masses(text: &mut String, emitter: &Emitter) {
+    let names = emitter.names.within(&[], &[]);
+    let program = emitter.compiled.programs.get(Function::Masses);
+    for ((what, positive), output) in emitter.compiled.masses.iter().zip(&program.outputs) {
+        let Operand::Source(source) = output else { continue };
+        let place = names.place(*source).unwrap_or_default();
+        let _ = writeln!(text, "check_mass({}, model.{place}, {positive})?;", quoted(what));
+    }
+}
+
+fn motions(text: &mut String, helpers: &mut String, emitter: &Emitter) {
+    let mechanism = emitter.mechanism;
+    let (bodies, joints, loads, drivers) =
+        (mechanism.bodies.len(), mechanism.joints.len(), mechanism.loads.len(), mechanism.drivers.len());
+    text.push_str(
+        "/// Position, velocity and acceleration of every body's centre of mass, in the order of `BODIES`,\n\
+         /// from a state and its accelerations.\npub ",
+    );
+    function(
+        text,
+        helpers,
+        emitter,
+        Function::Motions,
+        &[Constants, Time, Q, V, Acceleration],
+        &format!("motions(&self, time: R, q: &Q<R>, v: &V<R>, a: &V<R>) -> [BodyMotion<R>; {bodies}]"),
+        |outputs| {
+            let motions = outputs.chunks(10).map(|o| {
+                format!(
+                    "BodyMotion {{ position: [{}, {}], orientation: [{}, {}], velocity: [{}, {}], rate: {}, \
+                     acceleration: [{}, {}], angular_acceleration: {} }}",
+                    o[0], o[1], o[2], o[3], o[4], o[5], o[6], o[7], o[8], o[9]
+                )
+            });
+            array(motions)
+        },
+    );
+    text.push_str(
+        "/// Force and torque that each joint exerts on the body of its second place, in the order of `JOINTS`:\n\
+         /// force in world axes at that place (N), torque about it (N m).\npub ",
+    );
+    function(
+        text,
+        helpers,
+        emitter,
+        Function::Reactions,
+        &[Constants, Time, Q, V, Inputs, Acceleration, Lambda],
+        &format!(
+            "reactions(&self, time: R, q: &Q<R>, v: &V<R>, u: &Inputs<R>, a: &V<R>, lambda: &Lambda<R>) -> \
+             [Reaction<R>; {joints}]"
+        ),
+        |outputs| {
+            let reaction = |o: &[String]| format!("Reaction {{ force: [{}, {}], torque: {} }}", o[0], o[1], o[2]);
+            array(outputs.chunks(3).map(reaction))
+        },
+    );
+    text.push_str("/// Power of each load (W), in the order of `LOADS`, what springs store included.\npub ");
+    function(
+        text,
+        helpers,
+        emitter,
+        Function::Powers,
+        &[Constants, Time, Q, V, Inputs],
+        &format!("powers(&self, time: R, q: &Q<R>, v: &V<R>, u: &Inputs<R>) -> [R; {loads}]"),
+        |outputs| array(outputs.iter().cloned()),
+    );
+    text.push_str(
+        "/// Effort of each driver along its quantity (N m or N) and its power (W), from the multipliers.\npub ",
+    );
+    function(
+        text,
+        helpers,
+        emitter,
+        Function::DriverEfforts,
+        &[Constants, Time, Q, V, Lambda],
+        &format!("driver_efforts(&self, time: R, q: &Q<R>, v: &V<R>, lambda: &Lambda<R>) -> [[R; 2]; {drivers}]"),
+        |outputs| {
+            let (efforts, powers) = outputs.split_at(outputs.len() / 2);
+            array(efforts.iter().zip(powers).map(|(effort, power)| format!("[{effort}, {power}]")))
+        },
+    );
+}
+
+pub fn mechanism(text: &mut String, emitter: &Emitter) {
+    let Emitter { name, mechanism, compiled, .. } = emitter;
+    let layout = &compiled.equations.layout;
+    let mut helpers = String::new();
+    let _ = writeln!(text, "impl<R: Real> Mechanism<R> for {name}<R> {{");
+    let _ = writeln!(text, "const NAME: &'static str = {};", quoted(name));
+    let _ = writeln!(text, "const LAYOUT: Layout = {};", tables::layout(emitter));
+    let _ = writeln!(text, "const ROWS: &'static [Row] = {};", tables::rows(emitter));
+    let names = [
+        ("POSITION_NAMES", layout.position_names(mechanism)),
+        ("VELOCITY_NAMES", layout.velocity_names(mechanism)),
+    ];
+    for (constant, names) in names {
+        let _ = writeln!(text, "const {constant}: &'static [&'static str] = {};", tables::strings(names));
+    }
+    let _ = writeln!(text, "const MASS_PATTERN: &'static [(u16, u16)] = {};", tables::mass_pattern(emitter));
+    let jets = compiled.equations.rows.iter().map(|row| &row.jet);
+    let _ = writeln!(
+        text,
+        "const JACOBIAN_PATTERN: &'static [(u16, u16)] = {};",
+        tables::jacobian_pattern(jets)
+    );
+    for alias in ["Q", "V", "Lambda", "Mass", "Jacobian", "Inputs", "Outputs"] {
+        let _ = writeln!(text, "type {alias} = {alias}<R>;");
+    }
+    let mut write = |which: Function, arguments: &[Argument], signature: &str, result: fn(&[String]) -> String| {
+        function(text, &mut helpers, emitter, which, arguments, signature, result);
+    };
+    let position = [Constants, Time, Q];
+    let state = [Constants, Time, Q, V];
+    let with_inputs = [Constants, Time, Q, V, Inputs];
+    write(
+        Function::MassMatrix,
+        &position,
+        "mass_matrix(&self, time: R, q: &Q<R>, out: &mut Mass<R>)",
+        all,
+    );
+    write(
+        Function::Constraints,
+        &position,
+        "constraints(&self, time: R, q: &Q<R>, out: &mut Lambda<R>)",
+        all,
+    );
+    write(
+        Function::ConstraintJacobian,
+        &position,
+        "constraint_jacobian(&self, time: R, q: &Q<R>, out: &mut Jacobian<R>)",
+        all,
+    );
+    write(Function::Nu, &position, "nu(&self, time: R, q: &Q<R>, out: &mut Lambda<R>)", all);
+    write(Function::Gamma, &state, "gamma(&self, time: R, q: &Q<R>, v: &V<R>, out: &mut Lambda<R>)", all);
+    write(
+        Function::Forces,
+        &with_inputs,
+        "forces(&self, time: R, q: &Q<R>, v: &V<R>, u: &Inputs<R>, out: &mut V<R>)",
+        all,
+    );
+    write(
+        Function::KineticEnergy,
+        &state,
+        "kinetic_energy(&self, time: R, q: &Q<R>, v: &V<R>) -> R",
+        one,
+    );
+    write(Function::PotentialEnergy, &position, "potential_energy(&self, time: R, q: &Q<R>) -> R", one);
+
+    let velocities = emitter.velocities();
+    let solution = |outputs: &[String]| {
+        let (a, rest) = outputs.split_at(velocities);
+        let (lambda, pivot) = rest.split_at(rest.len() - 1);
+        format!(
+            "*a_out = {};\n*lambda_out = {};\n{}",
+            array(a.iter().cloned()),
+            array(lambda.iter().cloned()),
+            pivot[0]
+        )
+    };
+    function(
+        text,
+        &mut helpers,
+        emitter,
+        Function::Acceleration,
+        &with_inputs,
+        "acceleration(&self, time: R, q: &Q<R>, v: &V<R>, u: &Inputs<R>, a_out: &mut V<R>, \
+         lambda_out: &mut Lambda<R>) -> R",
+        solution,
+    );
+    function(
+        text,
+        &mut helpers,
+        emitter,
+        Function::AccelerationBaumgarte,
+        &[Constants, Time, Q, V, Inputs, TwoAlpha, BetaSquared],
+        "acceleration_baumgarte(&self, time: R, q: &Q<R>, v: &V<R>, u: &Inputs<R>, two_alpha: R, beta_squared: R, \
+         a_out: &mut V<R>, lambda_out: &mut Lambda<R>) -> R",
+        solution,
+    );
+    outputs(text, &mut helpers, emitter);
+    text.push_str("}\n");
+    text.push_str(&helpers);
+}
+
+fn outputs(text: &mut String, helpers: &mut String, emitter: &Emitter) {
+    let Emitter { name, mechanism, compiled, .. } = emitter;
+    let fields: Vec<String> =
+        mechanism.outputs.iter().map(|output| field(&output.name.identifier())).collect();
+    function(
+        text,
+        helpers,
+        emitter,
+        Function::Outputs,
+        &[Constants, Time, Q, V, Inputs],
+        "outputs(&self, time: R, q: &Q<R>, v: &V<R>, u: &Inputs<R>) -> Outputs<R>",
+        |outputs| {
+            if outputs.is_empty() {
+                return String::new();
+            }
+            let values: Vec<String> =
+                fields.iter().zip(outputs).map(|(field, value)| format!("{field}: {value}")).collect();
+            format!("{name}Outputs {{ {} }}", values.join(", "))
+        },
+    );
+    // Angles of the dynamics count their turns themselves; the others are unwrapped from sample to sample.
+    text.push_str("fn unwrap(outputs: &mut Outputs<R>, previous: &Outputs<R>) {\n");
+    for (output, field) in mechanism.outputs.iter().zip(&fields) {
+        let rotor = match &output.value {
+            Expr::Quantity(Quantity::JointAngle(joint)) => crate::model::Rotor::Joint(*joint),
+            Expr::Quantity(Quantity::BodyAngle(body)) => crate::model::Rotor::Body(*body),
+            _ => continue,
+        };
+        if compiled.equations.layout.angles.iter().all(|angle| angle.rotor != rotor) {
+            let _ = writeln!(text, "outputs.{field} = unwrap_angle(outputs.{field}, previous.{field});");
+        }
+    }
+    text.push_str("}\n");
+}
+
+pub fn assemble(text: &mut String, emitter: &Emitter) {
+    let Emitter { name, compiled, .. } = emitter;
+    let equations = &compiled.equations;
+    let mut helpers = String::new();
+    let stated = |rate: bool| {
+        let targets = equations.start_targets.iter().enumerate();
+        let has = move |target: &crate::equations::StartTarget| {
+            if rate { target.rate.is_some() } else { target.position.is_some() }
+        };
+        tables::indices(targets.filter(|(_, target)| has(target)).map(|(index, _)| index))
+    };
+    let upright = equations.rows.iter().enumerate().filter(|(_, row)| row.upright.is_some());
+    let _ = writeln!(text, "impl<R: Real> Assemble<R> for {name}<R> {{");
+    let _ = writeln!(text, "const CONDITIONS: &'static [Condition] = {};", tables::conditions(emitter));
+    let lists = [
+        ("START_CONDITIONS", stated(false)),
+        ("START_RATES", stated(true)),
+        ("INDEPENDENT", tables::indices(compiled.independent.iter().copied())),
+        ("FLIPS", tables::indices(upright.map(|(index, _)| index))),
+    ];
+    for (constant, list) in lists {
+        let _ = writeln!(text, "const {constant}: &'static [u16] = {list};");
+    }
+    let jets = equations.conditions.iter().map(|condition| &condition.jet);
+    let _ = writeln!(
+        text,
+        "const CONDITION_PATTERN: &'static [(u16, u16)] = {};",
+        tables::jacobian_pattern(jets)
+    );
+    let _ = writeln!(text, "const ELIMINATION: Elimination = {};", tables::elimination(emitter));
+    for alias in ["Conditions", "ConditionJacobian", "Factor", "System"] {
+        let _ = writeln!(text, "type {alias} = {alias}<R>;");
+    }
+    let mut write = |which: Function, arguments: &[Argument], signature: &str, result: fn(&[String]) -> String| {
+        function(text, &mut helpers, emitter, which, arguments, signature, result);
+    };
+    let position = [Constants, Time, Q];
+    let targeted = [Constants, Time, Q, Target];
+    let target = "time: R, q: &Q<R>, target: &Conditions<R>, out: &mut Conditions<R>";
+    write(Function::ConditionResidual, &targeted, &format!("condition_residual(&self, {target})"), all);
+    write(Function::ConditionUpright, &targeted, &format!("condition_flipped(&self, {target})"), all);
+    write(
+        Function::ConditionJacobian,
+        &position,
+        "condition_jacobian(&self, time: R, q: &Q<R>, out: &mut ConditionJacobian<R>)",
+        all,
+    );
+    write(
+        Function::ConditionBias,
+        &[Constants, Time, Q, V],
+        "condition_bias(&self, time: R, q: &Q<R>, v: &V<R>, out: &mut Conditions<R>)",
+        all,
+    );
+    write(
+        Function::ConditionDrift,
+        &position,
+        "condition_drift(&self, time: R, q: &Q<R>, out: &mut Conditions<R>)",
+        all,
+    );
+    write(
+        Function::RowCosines,
+        &position,
+        "row_cosines(&self, time: R, q: &Q<R>, out: &mut Lambda<R>)",
+        all,
+    );
+    write(
+        Function::StartTargets,
+        &[Constants],
+        "start_targets(&self, positions: &mut Conditions<R>, rates: &mut Conditions<R>)",
+        |outputs| {
+            let (positions, rates) = outputs.split_at(outputs.len() / 2);
+            let list = |values: &[String]| array(values.iter().cloned());
+            format!("*positions = {};\n*rates = {};", list(positions), list(rates))
+        },
+    );
+    let numbers = |values: &[f64]| array(values.iter().map(|value| constant(*value)));
+    let _ = writeln!(text, "fn start_q() -> Q<R> {{ {} }}", numbers(&compiled.assembly.q));
+    let _ = writeln!(text, "fn start_v() -> V<R> {{ {} }}", numbers(&compiled.assembly.v));
+    let open = open_rows(emitter);
+    if !open.is_empty() {
+        // The residual with the old phase is what the new phase differs by.
+        text.push_str("fn fix_phases(&mut self, q: &Q<R>) {\nlet mut phi = [R::ZERO; ");
+        let _ = writeln!(text, "{}];\nself.constraints(R::ZERO, q, &mut phi);", emitter.rows());
+        text.push_str("let mut phases = self.phases;\n");
+        for (phase, row) in open.iter().enumerate() {
+            let _ = writeln!(text, "phases[{phase}] = phases[{phase}] + phi[{row}];");
+        }
+        text.push_str("*self = Self::with(self.parameters, phases);\n}\n");
+    }
+    text.push_str("}\n");
+    text.push_str(&helpers);
+}
+
+/// Rows of the couplings whose phase comes from the assembled start.
+fn open_rows(emitter: &Emitter) -> Vec<usize> {
+    let constraints = emitter.mechanism.constraints.iter();
+    let open = constraints.filter(|constraint| crate::equations::couplings::is_open(constraint));
+    let rows = &emitter.compiled.equations.rows;
+    open.filter_map(|c| rows.iter().position(|row| row.joint.is_none() && row.of == c.name.text)).collect()
+}

@@ -1,0 +1,134 @@
+//! Coordinates that can be held at a value: those that `start` states, and the independent ones.
+
+use super::coordinates::Symbols;
+use super::jet::Jet;
+use super::laws::Laws;
+use crate::model::{JointId, Mechanism, Quantity, Rotor};
+use crate::symbolic::{Class, Graph, Node, Unary};
+
+/// One coordinate as a row beside the constraints.
+#[derive(Clone, Debug)]
+pub struct Condition {
+    /// `crank_pin.angle`.
+    pub of: String,
+    pub quantity: Quantity,
+    /// An angle, to be compared by its sine; anything else is compared as it is.
+    pub angular: bool,
+    /// sin(θ − target), or value − target.
+    pub residual: Node,
+    /// cos(θ − target), or 1.
+    pub upright: Node,
+    /// Value (of an angle: atan2), columns and bias of the coordinate itself.
+    pub jet: Jet,
+}
+
+/// The position coordinate that a quantity, or its rate, belongs to; `None` if it can be no condition.
+pub fn coordinate_of(quantity: &Quantity) -> Option<Quantity> {
+    Some(match quantity {
+        Quantity::BodyAngle(body) | Quantity::BodyRate(body) => Quantity::BodyAngle(*body),
+        Quantity::JointAngle(joint) | Quantity::JointRate(joint) => Quantity::JointAngle(*joint),
+        Quantity::JointTravel(joint) | Quantity::JointSpeed(joint) => Quantity::JointTravel(*joint),
+        Quantity::Position(place, axis) | Quantity::Velocity(place, axis) => {
+            Quantity::Position(place.clone(), *axis)
+        }
+        Quantity::Distance(a, b) => Quantity::Distance(a.clone(), b.clone()),
+        _ => return None,
+    })
+}
+
+/// Whether a quantity is itself a position coordinate (not the rate of one).
+pub fn is_position(quantity: &Quantity) -> bool {
+    matches!(
+        quantity,
+        Quantity::BodyAngle(_)
+            | Quantity::JointAngle(_)
+            | Quantity::JointTravel(_)
+            | Quantity::Position(..)
+            | Quantity::Distance(..)
+    )
+}
+
+/// Name of a position coordinate, `crank_pin.angle`.
+pub fn name(mechanism: &Mechanism, quantity: &Quantity) -> String {
+    let joint = |joint: &JointId| &mechanism.joints[joint.0].name.text;
+    match quantity {
+        Quantity::BodyAngle(body) => format!("{}.angle", mechanism.bodies[body.0].name.text),
+        Quantity::JointAngle(id) => format!("{}.angle", joint(id)),
+        Quantity::JointTravel(id) => format!("{}.travel", joint(id)),
+        Quantity::Position(place, axis) => format!("{}.{}", place.text, ["x", "y"][*axis]),
+        Quantity::Distance(a, b) => format!("distance({}, {})", a.text, b.text),
+        other => format!("{other:?}"),
+    }
+}
+
+/// The row of one position coordinate; makes a new target symbol.
+pub fn condition(g: &mut Graph, laws: &Laws, quantity: &Quantity) -> (Condition, Node) {
+    let of = name(laws.mechanism, quantity);
+    let target = g.symbol(format!("target_{of}"), Class::Input);
+    let jet = laws.quantity(g, quantity);
+    let rotor = match quantity {
+        Quantity::BodyAngle(body) => Some(Rotor::Body(*body)),
+        Quantity::JointAngle(joint) => Some(Rotor::Joint(*joint)),
+        _ => None,
+    };
+    let (residual, upright) = match rotor {
+        Some(rotor) => {
+            let [cos, sin] = laws.rotor_pair(g, rotor);
+            let (c, s) = (g.unary(Unary::Cos, target), g.unary(Unary::Sin, target));
+            let (sc, cs) = (g.mul(sin, c), g.mul(cos, s));
+            let (cc, ss) = (g.mul(cos, c), g.mul(sin, s));
+            (g.sub(sc, cs), g.add(cc, ss))
+        }
+        None => (g.sub(jet.value, target), g.constant(1.0)),
+    };
+    (Condition { of, quantity: quantity.clone(), angular: rotor.is_some(), residual, upright, jet }, target)
+}
+
+/// What `start` asks of a condition.
+#[derive(Clone, Debug, Default)]
+pub struct StartTarget {
+    pub position: Option<Node>,
+    pub rate: Option<Node>,
+}
+
+/// The positions that `start` guesses, with the values guessed.
+pub fn guesses(g: &mut Graph, laws: &Laws) -> Vec<(Condition, Node)> {
+    let guessed = laws.mechanism.start.iter().filter(|start| !start.exact && is_position(&start.quantity));
+    guessed
+        .map(|start| {
+            let (condition, _) = condition(g, laws, &start.quantity);
+            (condition, laws.value(g, &start.value))
+        })
+        .collect()
+}
+
+/// The conditions of `start`, in order of first mention, with the values asked.
+pub fn start_conditions(
+    g: &mut Graph,
+    laws: &Laws,
+    symbols: &mut Symbols,
+) -> (Vec<Condition>, Vec<StartTarget>) {
+    let mut conditions: Vec<Condition> = Vec::new();
+    let mut targets: Vec<StartTarget> = Vec::new();
+    for start in laws.mechanism.start.iter().filter(|start| start.exact) {
+        let Some(coordinate) = coordinate_of(&start.quantity) else { continue };
+        let of = name(laws.mechanism, &coordinate);
+        let index = match conditions.iter().position(|known| known.of == of) {
+            Some(index) => index,
+            None => {
+                let (condition, target) = condition(g, laws, &coordinate);
+                symbols.targets.push(target);
+                conditions.push(condition);
+                targets.push(StartTarget::default());
+                conditions.len() - 1
+            }
+        };
+        let value = Some(laws.value(g, &start.value));
+        if is_position(&start.quantity) {
+            targets[index].position = value;
+        } else {
+            targets[index].rate = value;
+        }
+    }
+    (conditions, targets)
+}

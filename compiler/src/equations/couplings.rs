@@ -1,0 +1,159 @@
+//! Constraints between joint coordinates: gears, racks, general equations, and drivers.
+
+use super::jet::Jet;
+use super::joints;
+use super::kinematics::{GROUND, rotate};
+use super::laws::Laws;
+use crate::model::{
+    Constraint, ConstraintKind, Driver, Expr, Frame, JointId, JointKind, LoadKind, Mechanism, Quantity, Rotor,
+};
+use crate::symbolic::{Graph, Node, Unary};
+use std::collections::BTreeSet;
+
+/// Couplings whose phase comes from the assembled start, by name, in order.
+pub fn open_phases(mechanism: &Mechanism) -> impl Iterator<Item = String> + '_ {
+    mechanism.constraints.iter().filter(|constraint| is_open(constraint)).map(|c| c.name.identifier())
+}
+
+/// Whether a coupling's phase comes from the assembled start.
+pub fn is_open(constraint: &Constraint) -> bool {
+    matches!(
+        constraint.kind,
+        ConstraintKind::Gear { phase: None, .. } | ConstraintKind::Rack { phase: None, .. }
+    )
+}
+
+/// The residual of a constraint, and what its row is called. `phase` is used where the definition gives none.
+pub fn row(g: &mut Graph, laws: &Laws, constraint: &Constraint, phase: Option<Node>) -> (&'static str, Jet) {
+    let shift = |g: &mut Graph, jet: Jet, given: &Option<Expr>| {
+        let phase = match given {
+            Some(given) => laws.value(g, given),
+            None => phase.unwrap_or(g.constant(0.0)),
+        };
+        let phase = Jet::constant(g, phase);
+        jet.sub(g, &phase)
+    };
+    match &constraint.kind {
+        ConstraintKind::Gear { first, second, ratio, phase } => {
+            let ratio = laws.value(g, ratio);
+            let (a, b) = (laws.angle(g, *first), laws.angle(g, *second).scale(g, ratio));
+            let difference = a.sub(g, &b);
+            ("gear", shift(g, difference, phase))
+        }
+        ConstraintKind::Rack { pinion, rail, radius, phase } => {
+            let radius = laws.value(g, radius);
+            let (a, b) = (travel(g, laws, *rail), laws.angle(g, *pinion).scale(g, radius));
+            let difference = a.sub(g, &b);
+            ("rack", shift(g, difference, phase))
+        }
+        ConstraintKind::Equation { residual } => ("equation", laws.jet(g, residual)),
+    }
+}
+
+/// quantity − law(time).
+pub fn driver_row(g: &mut Graph, laws: &Laws, driver: &Driver) -> (&'static str, Jet) {
+    let (quantity, law) = (laws.quantity(g, &driver.quantity), laws.jet(g, &driver.law));
+    ("driver", quantity.sub(g, &law))
+}
+
+/// Travel of a joint: â·(p₂ − p₁).
+pub fn travel(g: &mut Graph, laws: &Laws, joint: JointId) -> Jet {
+    let joint = &laws.mechanism.joints[joint.0];
+    let (JointKind::Prismatic { axis, .. } | JointKind::PointOnLine { direction: axis }) = &joint.kind else {
+        let zero = g.constant(0.0);
+        return Jet::constant(g, zero);
+    };
+    debug_assert!(joints::slides(&joint.kind));
+    let along = laws.vector(g, axis);
+    let (xx, yy) = (g.mul(along[0], along[0]), g.mul(along[1], along[1]));
+    let square = g.add(xx, yy);
+    let length = g.unary(Unary::Sqrt, square);
+    let along = [g.div(along[0], length), g.div(along[1], length)];
+    let (frame, along) = match joint.first.frame {
+        Frame::Ground => (GROUND, along),
+        Frame::Body(body) => {
+            let placement = &laws.kinematics().bodies[body.0];
+            (placement.frame, rotate(g, placement.offset, along))
+        }
+    };
+    let (first, second) = (laws.place(g, &joint.first), laws.place(g, &joint.second));
+    let delta = second.sub(g, &first);
+    laws.kinematics().project(g, frame, along, &delta)
+}
+
+/// The rotors whose angle the dynamics use, and which therefore carry it over several turns.
+pub fn multi_turn_rotors(mechanism: &Mechanism) -> Vec<Rotor> {
+    let mut rotors = BTreeSet::new();
+    for constraint in &mechanism.constraints {
+        match &constraint.kind {
+            ConstraintKind::Gear { first, second, .. } => rotors.extend([*first, *second]),
+            ConstraintKind::Rack { pinion, .. } => {
+                rotors.insert(*pinion);
+            }
+            ConstraintKind::Equation { residual } => angles_in(residual, &mut rotors),
+        }
+    }
+    for driver in &mechanism.drivers {
+        angles_of(&driver.quantity, &mut rotors);
+    }
+    for load in &mechanism.loads {
+        match &load.kind {
+            LoadKind::Force { components, .. } => {
+                components.iter().for_each(|component| angles_in(component, &mut rotors));
+            }
+            LoadKind::Torque { torque, .. } => angles_in(torque, &mut rotors),
+            LoadKind::Spring { stiffness, length, damping, .. } => {
+                [stiffness, length, damping].into_iter().for_each(|law| angles_in(law, &mut rotors));
+            }
+            LoadKind::TorsionSpring { on, stiffness, rest, damping } => {
+                rotors.insert(*on);
+                [stiffness, rest, damping].into_iter().for_each(|law| angles_in(law, &mut rotors));
+            }
+        }
+    }
+    rotors.into_iter().collect()
+}
+
+fn angles_in(expr: &Expr, rotors: &mut BTreeSet<Rotor>) {
+    match expr {
+        Expr::Number(_) | Expr::Parameter(_) | Expr::Input(_) | Expr::Time => {}
+        Expr::Quantity(quantity) => angles_of(quantity, rotors),
+        Expr::Unary(_, a) | Expr::Power(a, _) => angles_in(a, rotors),
+        Expr::Binary(_, a, b) => {
+            angles_in(a, rotors);
+            angles_in(b, rotors);
+        }
+        Expr::If(condition, a, b) => {
+            angles_in_condition(condition, rotors);
+            angles_in(a, rotors);
+            angles_in(b, rotors);
+        }
+    }
+}
+
+fn angles_in_condition(condition: &crate::model::Condition, rotors: &mut BTreeSet<Rotor>) {
+    use crate::model::Condition;
+    match condition {
+        Condition::Compare(_, a, b) => {
+            angles_in(a, rotors);
+            angles_in(b, rotors);
+        }
+        Condition::And(a, b) | Condition::Or(a, b) => {
+            angles_in_condition(a, rotors);
+            angles_in_condition(b, rotors);
+        }
+        Condition::Not(a) => angles_in_condition(a, rotors),
+    }
+}
+
+fn angles_of(quantity: &Quantity, rotors: &mut BTreeSet<Rotor>) {
+    match quantity {
+        Quantity::BodyAngle(body) => {
+            rotors.insert(Rotor::Body(*body));
+        }
+        Quantity::JointAngle(joint) => {
+            rotors.insert(Rotor::Joint(*joint));
+        }
+        _ => {}
+    }
+}

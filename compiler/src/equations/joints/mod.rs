@@ -1,0 +1,192 @@
+//! The joints, one file each with the same functions in the same order:
+//! `rows` (the constraint as jets), `attach` (where the joint carries a body), `reaction` (from multipliers).
+//!
+//! p₁, p₂ are the first and second place, θ₁, θ₂ the orientations of their bodies, Δ = p₂ − p₁.
+
+mod distance;
+mod fixed;
+mod point_on_line;
+mod prismatic;
+mod revolute;
+
+use super::jet::Jet;
+use super::kinematics::{FrameId, GROUND, LocalVector, Placement, Position, inverse, rotate};
+use super::laws::Laws;
+use crate::model::{BodyId, BodyKind, Frame, Joint, JointId, JointKind};
+use crate::symbolic::{Graph, Node, Unary};
+
+/// One row of a joint's constraint.
+#[derive(Clone, Debug)]
+pub struct JointRow {
+    pub what: &'static str,
+    pub jet: Jet,
+    /// For a direction row sin(Δθ) = 0: cos(Δθ), which must be positive.
+    pub upright: Option<Node>,
+}
+
+impl JointRow {
+    fn new(what: &'static str, jet: Jet) -> Self {
+        JointRow { what, jet, upright: None }
+    }
+}
+
+/// What a joint exerts on the second place's body: force (world axes) at the second place, and torque about it.
+pub type Wrench = [Node; 3];
+
+/// Whether a joint lets the carried body turn on its own.
+pub fn turns(kind: &JointKind) -> bool {
+    match kind {
+        JointKind::Revolute | JointKind::PointOnLine { .. } | JointKind::Distance { .. } => true,
+        JointKind::Fixed { .. } | JointKind::Prismatic { .. } => false,
+    }
+}
+
+/// Whether a joint has a travel.
+pub fn slides(kind: &JointKind) -> bool {
+    matches!(kind, JointKind::Prismatic { .. } | JointKind::PointOnLine { .. })
+}
+
+/// Constraint rows of a joint that carries nothing.
+pub fn rows(g: &mut Graph, laws: &Laws, joint: &Joint) -> Vec<JointRow> {
+    let ends = Ends::of(g, laws, joint);
+    match &joint.kind {
+        JointKind::Fixed { angle } => fixed::rows(g, laws, &ends, angle),
+        JointKind::Revolute => revolute::rows(g, laws, &ends),
+        JointKind::Prismatic { axis, angle } => prismatic::rows(g, laws, &ends, axis, angle),
+        JointKind::PointOnLine { direction } => point_on_line::rows(g, laws, &ends, direction),
+        JointKind::Distance { length } => distance::rows(g, laws, &ends, length),
+    }
+}
+
+/// What the joint exerts, from the multipliers of its rows.
+pub fn reaction(g: &mut Graph, laws: &Laws, joint: &Joint, lambda: &[Node]) -> Wrench {
+    let ends = Ends::of(g, laws, joint);
+    match &joint.kind {
+        JointKind::Fixed { angle } => fixed::reaction(g, laws, &ends, angle, lambda),
+        JointKind::Revolute => revolute::reaction(g, lambda),
+        JointKind::Prismatic { axis, angle } => prismatic::reaction(g, laws, &ends, axis, angle, lambda),
+        JointKind::PointOnLine { direction } => point_on_line::reaction(g, laws, &ends, direction, lambda),
+        JointKind::Distance { .. } => distance::reaction(g, laws, &ends, lambda),
+    }
+}
+
+/// Places `child` where the joint carries it. `travel` is the joint's coordinate and the index of its rate.
+pub fn attach(
+    g: &mut Graph,
+    laws: &Laws,
+    joint: JointId,
+    child: BodyId,
+    parent: Placement,
+    frame: FrameId,
+    travel: Option<(Node, usize)>,
+) -> Placement {
+    let joint = &laws.mechanism.joints[joint.0];
+    let child_is_second = joint.second.frame == Frame::Body(child);
+    let (near, far) =
+        if child_is_second { (&joint.first, &joint.second) } else { (&joint.second, &joint.first) };
+    let pivot = match near.frame {
+        Frame::Ground => laws.ground(g, &near.at),
+        Frame::Body(_) => {
+            let at = laws.vector(g, &near.at);
+            let local = rotate(g, parent.offset, at);
+            let arm = Position::fixed(g, parent.frame, local);
+            parent.origin.add(g, &arm)
+        }
+    };
+    let carried = Carried {
+        parent,
+        pivot,
+        at: laws.vector(g, &far.at),
+        frame,
+        travel,
+        child_is_second,
+        rigid: laws.mechanism.bodies[child.0].kind == BodyKind::Rigid,
+    };
+    match &joint.kind {
+        JointKind::Fixed { angle } => fixed::attach(g, laws, carried, angle),
+        JointKind::Revolute | JointKind::Distance { .. } => revolute::attach(g, carried),
+        JointKind::Prismatic { axis, angle } => prismatic::attach(g, laws, carried, axis, angle),
+        JointKind::PointOnLine { direction } => point_on_line::attach(g, laws, carried, direction),
+    }
+}
+
+/// The two ends of a joint in motion.
+struct Ends {
+    first: Frame,
+    second: Frame,
+    /// Δ = p₂ − p₁.
+    delta: Position,
+}
+
+impl Ends {
+    fn of(g: &mut Graph, laws: &Laws, joint: &Joint) -> Self {
+        let (first, second) = (laws.place(g, &joint.first), laws.place(g, &joint.second));
+        Ends { first: joint.first.frame, second: joint.second.frame, delta: second.sub(g, &first) }
+    }
+
+    /// A direction given in the first body's axes, as its frame and the components there.
+    fn direction(&self, g: &mut Graph, laws: &Laws, u: [Node; 2]) -> (FrameId, [Node; 2]) {
+        match self.first {
+            Frame::Ground => (GROUND, u),
+            Frame::Body(body) => {
+                let placement = &laws.kinematics().bodies[body.0];
+                (placement.frame, rotate(g, placement.offset, u))
+            }
+        }
+    }
+}
+
+/// A body about to be placed at the far end of a joint.
+struct Carried {
+    parent: Placement,
+    /// The near place.
+    pivot: Position,
+    /// The far place in the body's own axes.
+    at: [Node; 2],
+    /// The frame the body turns with.
+    frame: FrameId,
+    travel: Option<(Node, usize)>,
+    child_is_second: bool,
+    rigid: bool,
+}
+
+impl Carried {
+    /// The placement that puts the far place at `p`, the body's orientation being `offset` within its frame.
+    fn at(self, g: &mut Graph, p: &Position, offset: [Node; 2]) -> Placement {
+        if !self.rigid {
+            return Placement { origin: p.clone(), frame: GROUND, offset };
+        }
+        let local = rotate(g, offset, self.at);
+        let arm = Position::fixed(g, self.frame, local);
+        Placement { origin: p.sub(g, &arm), frame: self.frame, offset }
+    }
+
+    /// `axis`·travel in the axes of `frame`, from the first place to the second, seen from the near place.
+    fn slide(&self, g: &mut Graph, frame: FrameId, axis: [Node; 2]) -> Position {
+        let axis = if self.child_is_second { axis } else { [g.neg(axis[0]), g.neg(axis[1])] };
+        let Some((travel, rate)) = self.travel else { return Position::default() };
+        let at = [g.mul(axis[0], travel), g.mul(axis[1], travel)];
+        let mut vector = LocalVector::fixed(g, at);
+        vector.slides.insert(rate, axis);
+        Position::of(frame, vector)
+    }
+
+    /// Orientation within the frame of a body that keeps the angle `pair` (second relative to first) to its parent.
+    fn kept(&self, g: &mut Graph, pair: [Node; 2]) -> [Node; 2] {
+        let turn = if self.child_is_second { pair } else { inverse(g, pair) };
+        rotate(g, turn, self.parent.offset)
+    }
+}
+
+/// A vector of length one.
+fn normalized(g: &mut Graph, u: [Node; 2]) -> [Node; 2] {
+    let (xx, yy) = (g.mul(u[0], u[0]), g.mul(u[1], u[1]));
+    let square = g.add(xx, yy);
+    let length = g.unary(Unary::Sqrt, square);
+    [g.div(u[0], length), g.div(u[1], length)]
+}
+
+/// A vector turned by a right angle, counter-clockwise.
+fn perpendicular(g: &mut Graph, u: [Node; 2]) -> [Node; 2] {
+    [g.neg(u[1]), u[0]]
+}

@@ -1,0 +1,120 @@
+//! Which joints carry the bodies, and which only close loops.
+//!
+//! In absolute coordinates no joint carries anything: every body is free, and every joint gives constraint rows. In
+//! tree coordinates each body hangs on one joint of a spanning tree, and the other joints, cut, give the rows.
+
+use crate::model::{BodyId, BodyKind, Frame, JointId, JointKind, Mechanism};
+use std::collections::{BTreeMap, BTreeSet};
+
+/// How one body is carried.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Attachment {
+    pub body: BodyId,
+    /// The joint it hangs on and the body (or ground) at its other end; `None`: free.
+    pub joint: Option<(JointId, Frame)>,
+}
+
+/// A forest over all bodies, parents before children.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct SpanningTree {
+    pub attachments: Vec<Attachment>,
+}
+
+impl SpanningTree {
+    /// Every body free.
+    pub fn absolute(mechanism: &Mechanism) -> Self {
+        let free = |index| Attachment { body: BodyId(index), joint: None };
+        SpanningTree { attachments: (0..mechanism.bodies.len()).map(free).collect() }
+    }
+
+    /// Breadth first from the ground, so that paths are short; of the joints that reach a body at the same depth,
+    /// the one that leaves the fewest freedoms, then the one declared first. `options { cut = … }` is obeyed.
+    pub fn spanning(mechanism: &Mechanism) -> Self {
+        let cut: BTreeSet<JointId> = mechanism.options.cut.iter().map(|(joint, _)| *joint).collect();
+        let usable = |id: &JointId| !cut.contains(id);
+        let mut at: BTreeMap<Frame, Vec<JointId>> = BTreeMap::new();
+        for (index, joint) in mechanism.joints.iter().enumerate() {
+            let id = JointId(index);
+            if usable(&id) && carries(&joint.kind) {
+                at.entry(joint.first.frame).or_default().push(id);
+                at.entry(joint.second.frame).or_default().push(id);
+            }
+        }
+        let mut attachments = Vec::new();
+        let mut reached = vec![false; mechanism.bodies.len()];
+        let mut frontier = vec![Frame::Ground];
+        loop {
+            let (next, found) = next_layer(mechanism, &at, &frontier, &reached);
+            for attachment in found {
+                reached[attachment.body.0] = true;
+                attachments.push(attachment);
+            }
+            frontier = next;
+            if frontier.is_empty() {
+                // What the ground does not reach: its first body is free, the rest hangs on it.
+                match reached.iter().position(|reached| !reached) {
+                    None => return SpanningTree { attachments },
+                    Some(free) => {
+                        reached[free] = true;
+                        attachments.push(Attachment { body: BodyId(free), joint: None });
+                        frontier = vec![Frame::Body(BodyId(free))];
+                    }
+                }
+            }
+        }
+    }
+
+    /// True for the joints that carry a body.
+    pub fn carrying(&self, mechanism: &Mechanism) -> Vec<bool> {
+        let mut carrying = vec![false; mechanism.joints.len()];
+        for (joint, _) in self.attachments.iter().filter_map(|attachment| attachment.joint) {
+            carrying[joint.0] = true;
+        }
+        carrying
+    }
+}
+
+/// Whether a joint can carry a body: a distance joint leaves no frame to measure from.
+fn carries(kind: &JointKind) -> bool {
+    !matches!(kind, JointKind::Distance { .. })
+}
+
+fn freedoms(kind: &JointKind) -> usize {
+    match kind {
+        JointKind::Fixed { .. } => 0,
+        JointKind::Revolute | JointKind::Prismatic { .. } => 1,
+        JointKind::PointOnLine { .. } => 2,
+        JointKind::Distance { .. } => 3,
+    }
+}
+
+fn next_layer(
+    mechanism: &Mechanism,
+    at: &BTreeMap<Frame, Vec<JointId>>,
+    frontier: &[Frame],
+    reached: &[bool],
+) -> (Vec<Frame>, Vec<Attachment>) {
+    let mut best: BTreeMap<BodyId, (usize, JointId, Frame)> = BTreeMap::new();
+    for frame in frontier {
+        // A particle has no orientation: nothing that needs one can hang on it.
+        if let Frame::Body(body) = frame
+            && mechanism.bodies[body.0].kind == BodyKind::Particle
+        {
+            continue;
+        }
+        for id in at.get(frame).into_iter().flatten() {
+            let joint = &mechanism.joints[id.0];
+            let other = if joint.first.frame == *frame { joint.second.frame } else { joint.first.frame };
+            let Frame::Body(child) = other else { continue };
+            let key = (freedoms(&joint.kind), *id, *frame);
+            if !reached[child.0] && best.get(&child).is_none_or(|known| key < *known) {
+                best.insert(child, key);
+            }
+        }
+    }
+    let attachments = best
+        .iter()
+        .map(|(body, (_, joint, parent))| Attachment { body: *body, joint: Some((*joint, *parent)) })
+        .collect();
+    (best.keys().map(|body| Frame::Body(*body)).collect(), attachments)
+}

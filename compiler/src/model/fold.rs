@@ -1,0 +1,81 @@
+//! Building expressions with what holds numbers only computed at once, and evaluating those of parameters.
+//!
+//! Transcendental functions come from `libm`, so that the same definition folds to the same bits everywhere.
+
+use super::{Expr, Function1, Function2};
+
+/// A function of one argument, computed if that is a number.
+pub(crate) fn unary(function: Function1, x: Expr) -> Expr {
+    match x {
+        Expr::Number(value) => Expr::Number(compute_unary(function, value)),
+        Expr::Unary(Function1::Neg, inner) if function == Function1::Neg => *inner,
+        _ => Expr::Unary(function, Box::new(x)),
+    }
+}
+
+/// A function of two arguments, computed if both are numbers; a zero or one that changes nothing is left out.
+pub(crate) fn binary(function: Function2, x: Expr, y: Expr) -> Expr {
+    match (function, &x, &y) {
+        (_, Expr::Number(a), Expr::Number(b)) => Expr::Number(compute_binary(function, *a, *b)),
+        (Function2::Add, Expr::Number(0.0), _) => y,
+        (Function2::Add | Function2::Sub, _, Expr::Number(0.0)) => x,
+        (Function2::Sub, Expr::Number(0.0), _) => unary(Function1::Neg, y),
+        (Function2::Mul, Expr::Number(0.0), _) | (Function2::Mul, _, Expr::Number(0.0)) => Expr::Number(0.0),
+        (Function2::Mul, Expr::Number(1.0), _) => y,
+        (Function2::Mul | Function2::Div, _, Expr::Number(1.0)) => x,
+        _ => Expr::Binary(function, Box::new(x), Box::new(y)),
+    }
+}
+
+/// A constant power.
+pub(crate) fn power(base: Expr, exponent: f64) -> Expr {
+    match base {
+        Expr::Number(value) => Expr::Number(libm::pow(value, exponent)),
+        _ if exponent == 1.0 => base,
+        _ => Expr::Power(Box::new(base), exponent),
+    }
+}
+
+/// The value of an expression of parameters, given theirs; `None` if it depends on anything else.
+pub(crate) fn evaluate(expr: &Expr, parameters: &[f64]) -> Option<f64> {
+    match expr {
+        Expr::Number(value) => Some(*value),
+        Expr::Parameter(id) => parameters.get(id.0).copied(),
+        Expr::Unary(function, x) => Some(compute_unary(*function, evaluate(x, parameters)?)),
+        Expr::Binary(function, x, y) => {
+            Some(compute_binary(*function, evaluate(x, parameters)?, evaluate(y, parameters)?))
+        }
+        Expr::Power(base, exponent) => Some(libm::pow(evaluate(base, parameters)?, *exponent)),
+        Expr::Input(_) | Expr::Time | Expr::Quantity(_) | Expr::If(..) => None,
+    }
+}
+
+fn compute_unary(function: Function1, x: f64) -> f64 {
+    match function {
+        Function1::Neg => -x,
+        Function1::Sqrt => libm::sqrt(x),
+        Function1::Abs => x.abs(),
+        Function1::Sign if x > 0.0 => 1.0,
+        Function1::Sign if x < 0.0 => -1.0,
+        Function1::Sign => x * 0.0,
+        Function1::Sin => libm::sin(x),
+        Function1::Cos => libm::cos(x),
+        Function1::Tan => libm::tan(x),
+        Function1::Asin => libm::asin(x),
+        Function1::Acos => libm::acos(x),
+        Function1::Exp => libm::exp(x),
+        Function1::Ln => libm::log(x),
+    }
+}
+
+fn compute_binary(function: Function2, x: f64, y: f64) -> f64 {
+    match function {
+        Function2::Add => x + y,
+        Function2::Sub => x - y,
+        Function2::Mul => x * y,
+        Function2::Div => x / y,
+        Function2::Min => x.min(y),
+        Function2::Max => x.max(y),
+        Function2::Atan2 => libm::atan2(x, y),
+    }
+}

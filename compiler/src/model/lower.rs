@@ -1,0 +1,219 @@
+//! [`syntax::Definition`] → [`Mechanism`]: names become ids, units SI, expressions are checked for dimension and
+//! for what they may depend on. The order of the steps is the order of what they need from each other.
+//!
+//! A step that meets an error pushes it and leaves its element out; a later element that refers to it stays silent.
+//! The mechanism is returned only if there was no error at all, so ids are always the positions in the definition.
+
+use super::fold;
+use super::names::Names;
+use super::{
+    Constraint, ConstraintKind, Driver, Expr, Function2, Input, Mechanism, Name, Output, Parameter, StartCondition,
+};
+use crate::diagnostics::Diagnostics;
+use crate::syntax::{self, ConstraintTerm, Definition, Entry, Label};
+use crate::units::Dimension;
+use std::collections::HashMap;
+
+/// Lowers a definition. All errors are reported.
+pub fn lower(definition: &Definition) -> Result<Mechanism, Diagnostics> {
+    let mut diagnostics = Diagnostics::new();
+    let names = Names::new(definition, &mut diagnostics);
+    let mut lowering =
+        Lowering { definition, diagnostics, names, constants: Vec::new(), bodies: Vec::new(), lines: Vec::new() };
+
+    lowering.constants();
+    lowering.body_frames();
+    lowering.ground_lines();
+    // AFTER THIS POINT every place can be resolved.
+    let mechanism = Mechanism {
+        name: name(&definition.name),
+        visibility: definition.visibility.clone(),
+        attributes: definition.attributes.clone(),
+        parameters: lowering.each(&definition.parameters, Lowering::parameter),
+        inputs: lowering.each(&definition.inputs, Lowering::input),
+        gravity: lowering.gravity(),
+        bodies: lowering.each(&definition.bodies, Lowering::body),
+        joints: lowering.each(&definition.joints, Lowering::joint),
+        constraints: lowering.each(&definition.constraints, Lowering::constraint),
+        drivers: lowering.each(&definition.drivers, Lowering::driver),
+        loads: lowering.each(&definition.loads, Lowering::load),
+        start: lowering.each(&definition.start, Lowering::start_condition),
+        options: lowering.options(),
+        expect: lowering.expect(),
+        outputs: lowering.each(&definition.outputs, Lowering::output),
+    };
+    lowering.diagnostics.finish(mechanism)
+}
+
+/// What is known while lowering.
+pub(super) struct Lowering<'d> {
+    pub definition: &'d Definition,
+    pub diagnostics: Diagnostics,
+    pub names: Names<'d>,
+    /// SI values; `None` after an error.
+    pub constants: Vec<Option<f64>>,
+    pub bodies: Vec<BodyFrame<'d>>,
+    /// Lines of the ground, both ends; `None` after an error.
+    pub lines: Vec<Option<[[Expr; 2]; 2]>>,
+}
+
+/// The named places of a body.
+#[derive(Default)]
+pub(super) struct BodyFrame<'d> {
+    pub center: Option<[Expr; 2]>,
+    /// `None` after an error.
+    pub points: HashMap<&'d str, Option<[Expr; 2]>>,
+    pub lines: HashMap<&'d str, Option<[[Expr; 2]; 2]>>,
+}
+
+/// What an expression may depend on, and how its message calls it.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Use {
+    pub what: &'static str,
+    pub parameters: bool,
+    pub time: bool,
+    pub inputs: bool,
+    pub positions: bool,
+    pub velocities: bool,
+    /// Efforts, powers and energies.
+    pub results: bool,
+}
+
+impl Use {
+    pub const CONSTANT: Self = Self {
+        what: "a constant or default value",
+        parameters: false,
+        time: false,
+        inputs: false,
+        positions: false,
+        velocities: false,
+        results: false,
+    };
+    pub const PROPERTY: Self = Self { what: "a property of a body", parameters: true, ..Self::CONSTANT };
+    pub const COEFFICIENT: Self = Self { what: "this argument", ..Self::PROPERTY };
+    pub const DIRECTION: Self = Self { what: "a direction", ..Self::PROPERTY };
+    pub const GRAVITY: Self = Self { what: "gravity", ..Self::PROPERTY };
+    pub const START: Self = Self { what: "a start value", ..Self::PROPERTY };
+    pub const GROUND: Self = Self { what: "a place of the ground", time: true, ..Self::PROPERTY };
+    pub const LENGTH: Self = Self { what: "the length of a distance joint", ..Self::GROUND };
+    pub const LAW: Self = Self { what: "the law of a driver", ..Self::GROUND };
+    pub const EQUATION: Self = Self { what: "a constraint", positions: true, ..Self::GROUND };
+    pub const LOAD: Self = Self { what: "the law of a load", inputs: true, velocities: true, ..Self::EQUATION };
+    pub const OUTPUT: Self = Self { what: "an output", results: true, ..Self::LOAD };
+}
+
+/// The name of a label.
+pub(super) fn name(label: &Label) -> Name {
+    Name { text: label.text.clone(), span: label.region.span() }
+}
+
+/// The unit as written, `1` if none.
+fn unit_text(unit: Option<&syntax::WrittenUnit>) -> String {
+    unit.map_or_else(|| "1".to_string(), |written| written.unit.text.clone())
+}
+
+/// What an entry measures by the unit beside its name.
+pub(super) fn declared(unit: Option<&syntax::WrittenUnit>) -> Dimension {
+    unit.map_or(Dimension::ONE, |written| written.unit.dimension)
+}
+
+impl<'d> Lowering<'d> {
+    /// All elements that lower without an error.
+    fn each<S, T>(&mut self, elements: &'d [S], lower: impl Fn(&mut Self, &'d S) -> Option<T>) -> Vec<T> {
+        elements.iter().filter_map(|element| lower(self, element)).collect()
+    }
+
+    fn parameter(&mut self, parameter: &'d syntax::Parameter) -> Option<Parameter> {
+        let dimension = declared(parameter.entry.unit.as_ref());
+        let what = &parameter.name.text;
+        let default = self.number(&parameter.entry, dimension, what);
+        let bound = |this: &mut Self, value: &syntax::Term| {
+            let entry = Entry { unit: parameter.entry.unit.clone(), value: value.clone() };
+            this.number(&entry, dimension, what)
+        };
+        let bounds = match &parameter.bounds {
+            Some((minimum, maximum)) => Some(bound(self, minimum).zip(bound(self, maximum))?),
+            None => None,
+        };
+        Some(Parameter {
+            name: name(&parameter.name),
+            unit: unit_text(parameter.entry.unit.as_ref()),
+            default: default?,
+            bounds,
+            docs: parameter.docs.clone(),
+        })
+    }
+
+    fn input(&mut self, input: &'d syntax::Input) -> Option<Input> {
+        Some(Input { name: name(&input.name), unit: unit_text(input.unit.as_ref()), docs: input.docs.clone() })
+    }
+
+    fn gravity(&mut self) -> Option<[Expr; 2]> {
+        let pair = self.definition.gravity.as_ref()?;
+        self.pair(pair, Dimension::ACCELERATION, Use::GRAVITY, "gravity")
+    }
+
+    fn constraint(&mut self, constraint: &'d syntax::Constraint) -> Option<Constraint> {
+        let kind = match &constraint.kind {
+            ConstraintTerm::Gear { first, second, ratio, phase } => {
+                let (first, second) = (self.rotor(first), self.rotor(second));
+                let ratio = self.entry(ratio, Dimension::ONE, Use::COEFFICIENT, "ratio");
+                let phase = self.phase(phase.as_ref(), Dimension::ANGLE)?;
+                ConstraintKind::Gear { first: first?, second: second?, ratio: ratio?, phase }
+            }
+            ConstraintTerm::Rack { pinion, rail, radius, phase } => {
+                let (pinion, rail) = (self.rotor(pinion), self.slide(rail));
+                let radius = self.entry(radius, Dimension::LENGTH, Use::COEFFICIENT, "radius");
+                let phase = self.phase(phase.as_ref(), Dimension::LENGTH)?;
+                ConstraintKind::Rack { pinion: pinion?, rail: rail?, radius: radius?, phase }
+            }
+            ConstraintTerm::Equation { left, right } => {
+                let (left, right) = (self.value(left, Use::EQUATION), self.value(right, Use::EQUATION));
+                let (left, right) = (left?, right?);
+                self.same(&left, &right, "the two sides of the constraint")?;
+                ConstraintKind::Equation { residual: fold::binary(Function2::Sub, left.expr, right.expr) }
+            }
+        };
+        Some(Constraint { name: name(&constraint.name), kind })
+    }
+
+    /// `Some(None)` if it was not given, `None` after an error.
+    fn phase(&mut self, phase: Option<&'d Entry>, dimension: Dimension) -> Option<Option<Expr>> {
+        match phase {
+            Some(entry) => self.entry(entry, dimension, Use::COEFFICIENT, "phase").map(Some),
+            None => Some(None),
+        }
+    }
+
+    fn driver(&mut self, driver: &'d syntax::Driver) -> Option<Driver> {
+        let quantity = self.position_quantity(&driver.quantity, "be driven");
+        let law = self.value(&driver.law, Use::LAW);
+        let (quantity, dimension) = quantity?;
+        let law = self.expect_dimension(law?, dimension, &driver.quantity.text)?;
+        Some(Driver { name: name(&driver.name), quantity, law })
+    }
+
+    fn start_condition(&mut self, start: &'d syntax::StartEntry) -> Option<StartCondition> {
+        let (quantity, dimension) = self.state_quantity(&start.quantity)?;
+        let value = self.entry(&start.entry, dimension, Use::START, &start.quantity.text)?;
+        let region = start.quantity.region;
+        Some(StartCondition {
+            quantity,
+            text: start.quantity.text.clone(),
+            value,
+            exact: start.exact,
+            span: region.span(),
+        })
+    }
+
+    fn output(&mut self, output: &'d syntax::Output) -> Option<Output> {
+        let dimension = declared(output.entry.unit.as_ref());
+        let value = self.entry(&output.entry, dimension, Use::OUTPUT, &output.name.text)?;
+        Some(Output {
+            name: name(&output.name),
+            unit: unit_text(output.entry.unit.as_ref()),
+            docs: output.docs.clone(),
+            value,
+        })
+    }
+}

@@ -1,0 +1,277 @@
+//! What a definition means: names resolved, units converted to SI, ids for names.
+//!
+//! AFTER THIS POINT nothing is looked up by name: bodies, joints, parameters and inputs are indices, every number
+//! is in SI units, every expression has been checked for dimension, every `repeat` has been unrolled.
+//! Whether the mechanism makes physical sense is left to `check`.
+
+mod bodies;
+mod expression;
+pub(crate) mod fold;
+mod joints;
+mod loads;
+mod lower;
+mod names;
+mod quantities;
+mod settings;
+mod values;
+
+pub use expression::{Comparison, Condition, Expr, Function1, Function2, Quantity};
+pub use lower::lower;
+pub(crate) use lower::Use;
+use proc_macro2::{Span, TokenStream};
+
+/// Index of a body in [`Mechanism::bodies`].
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub struct BodyId(pub usize);
+/// Index of a joint in [`Mechanism::joints`].
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub struct JointId(pub usize);
+/// Index of a run-time parameter in [`Mechanism::parameters`].
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub struct ParameterId(pub usize);
+/// Index of an input in [`Mechanism::inputs`].
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub struct InputId(pub usize);
+/// Index of a load in [`Mechanism::loads`].
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub struct LoadId(pub usize);
+/// Index of a driver in [`Mechanism::drivers`].
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub struct DriverId(pub usize);
+
+/// A name as written (indices included: `upright[3]`) with the place it was written at.
+#[derive(Clone, Debug)]
+pub struct Name {
+    /// As the user wrote it, `upright[3]`.
+    pub text: String,
+    /// Where.
+    pub span: Span,
+}
+
+impl Name {
+    /// The name as a Rust identifier: `upright[3]` becomes `upright_3`.
+    pub fn identifier(&self) -> String {
+        self.text.replace('[', "_").replace(']', "")
+    }
+}
+
+/// A planar mechanism, all quantities in SI units.
+#[derive(Clone, Debug)]
+pub struct Mechanism {
+    pub name: Name,
+    /// Visibility as written (`pub`, `pub(crate)` or nothing).
+    pub visibility: TokenStream,
+    /// Doc comments and other outer attributes, as written.
+    pub attributes: TokenStream,
+    pub parameters: Vec<Parameter>,
+    pub inputs: Vec<Input>,
+    /// World axes; `None` if no gravity was written.
+    pub gravity: Option<[Expr; 2]>,
+    pub bodies: Vec<Body>,
+    pub joints: Vec<Joint>,
+    /// Gears, racks and general equations, in the order written.
+    pub constraints: Vec<Constraint>,
+    pub drivers: Vec<Driver>,
+    pub loads: Vec<Load>,
+    pub start: Vec<StartCondition>,
+    pub options: Options,
+    pub expect: Expect,
+    pub outputs: Vec<Output>,
+}
+
+/// A value that may change when parameters are set.
+#[derive(Clone, Debug)]
+pub struct Parameter {
+    pub name: Name,
+    /// Unit as written, for documentation.
+    pub unit: String,
+    /// Default, SI.
+    pub default: f64,
+    /// Inclusive bounds, SI.
+    pub bounds: Option<(f64, f64)>,
+    /// What the user wrote above it.
+    pub docs: TokenStream,
+}
+
+/// A value that changes at every call.
+#[derive(Clone, Debug)]
+pub struct Input {
+    pub name: Name,
+    pub unit: String,
+    pub docs: TokenStream,
+}
+
+#[derive(Clone, Debug)]
+pub struct Body {
+    pub name: Name,
+    pub kind: BodyKind,
+    /// kg, of parameters only.
+    pub mass: Expr,
+    pub mass_span: Span,
+    /// kg m² about the centre of mass, of parameters only; zero for a particle.
+    pub inertia: Expr,
+    pub inertia_span: Span,
+    /// Centre of mass in the body's frame, m.
+    pub center: [Expr; 2],
+    /// Named points in the body's frame, m (shape points such as a rod's `start` included).
+    pub points: Vec<NamedPoint>,
+    pub lines: Vec<NamedLine>,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum BodyKind {
+    /// Position and orientation.
+    Rigid,
+    /// Position only; everything attached sits at its centre.
+    Particle,
+}
+
+#[derive(Clone, Debug)]
+pub struct NamedPoint {
+    pub name: Name,
+    pub at: [Expr; 2],
+}
+
+/// A line through two points of one body.
+#[derive(Clone, Debug)]
+pub struct NamedLine {
+    pub name: Name,
+    pub from: [Expr; 2],
+    pub to: [Expr; 2],
+}
+
+/// What a place belongs to.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum Frame {
+    Ground,
+    Body(BodyId),
+}
+
+/// A point of a body or of the ground.
+#[derive(Clone, Debug)]
+pub struct Place {
+    pub frame: Frame,
+    /// In the body's frame, of parameters only; on the ground in world axes and possibly a function of time.
+    pub at: [Expr; 2],
+    /// As written: `crank.tip`, `ground(0, 0.2)`.
+    pub text: String,
+    pub span: Span,
+}
+
+/// A joint between two places. Its coordinate, rate, travel and torque are those of the second place's body
+/// relative to the first's, axes in the first's frame.
+#[derive(Clone, Debug)]
+pub struct Joint {
+    pub name: Name,
+    pub kind: JointKind,
+    pub first: Place,
+    pub second: Place,
+}
+
+#[derive(Clone, Debug)]
+pub enum JointKind {
+    /// Orientation of the second relative to the first stays `angle` (rad).
+    Fixed { angle: Expr },
+    Revolute,
+    /// Translation along `axis` (in the first's frame, any length but zero); orientation stays `angle` (rad).
+    Prismatic { axis: [Expr; 2], angle: Expr },
+    /// The second place stays on the line through the first along `direction` (in the first's frame, any length but zero).
+    PointOnLine { direction: [Expr; 2] },
+    /// The places stay `length` (m, may depend on time) apart.
+    Distance { length: Expr },
+}
+
+/// What turns: a joint (second relative to first) or a body (relative to the ground).
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum Rotor {
+    Joint(JointId),
+    Body(BodyId),
+}
+
+#[derive(Clone, Debug)]
+pub struct Constraint {
+    pub name: Name,
+    pub kind: ConstraintKind,
+}
+
+#[derive(Clone, Debug)]
+pub enum ConstraintKind {
+    /// first.angle = ratio · second.angle + phase, multi-turn; `phase` (rad) from the assembled start if not given.
+    Gear { first: Rotor, second: Rotor, ratio: Expr, phase: Option<Expr> },
+    /// rail.travel = radius · pinion.angle + phase, multi-turn; `phase` (m) from the assembled start if not given.
+    Rack { pinion: Rotor, rail: JointId, radius: Expr, phase: Option<Expr> },
+    /// `residual` = 0 (left minus right side as written, SI).
+    Equation { residual: Expr },
+}
+
+/// A rheonomic constraint: quantity = law(time).
+#[derive(Clone, Debug)]
+pub struct Driver {
+    pub name: Name,
+    /// An angle, a travel or a position.
+    pub quantity: Quantity,
+    /// Of time and parameters.
+    pub law: Expr,
+}
+
+#[derive(Clone, Debug)]
+pub struct Load {
+    pub name: Name,
+    pub kind: LoadKind,
+}
+
+#[derive(Clone, Debug)]
+pub enum LoadKind {
+    /// Force in world axes (N) at a place.
+    Force { place: Place, components: [Expr; 2] },
+    /// Torque (N m), counter-clockwise, on the rotor's body (on the second, and opposite on the first, for a joint).
+    Torque { on: Rotor, torque: Expr },
+    /// Tension stiffness · (distance − length) + damping · d(distance)/dt pulling the places together.
+    Spring { first: Place, second: Place, stiffness: Expr, length: Expr, damping: Expr },
+    /// Torque −stiffness · (angle − rest) − damping · rate on the rotor, with the multi-turn angle.
+    TorsionSpring { on: Rotor, stiffness: Expr, rest: Expr, damping: Expr },
+}
+
+/// `quantity = value` (exact) or `quantity ~ value` (guess), an angle, travel, position, or the rate of one.
+#[derive(Clone, Debug)]
+pub struct StartCondition {
+    pub quantity: Quantity,
+    /// As written, `crank_pin.angle`.
+    pub text: String,
+    pub value: Expr,
+    pub exact: bool,
+    pub span: Span,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Coordinates {
+    Absolute,
+    Tree,
+    Auto,
+}
+
+#[derive(Clone, Debug)]
+pub struct Options {
+    pub coordinates: Coordinates,
+    /// Joints that the spanning tree must not use.
+    pub cut: Vec<(JointId, Span)>,
+    /// Position coordinates the user takes as independent (angles, travels); empty if the compiler chooses.
+    pub independent: Vec<(Quantity, Span)>,
+    /// Path of the `linkwright` crate as seen by the user; `::linkwright` if `None`.
+    pub crate_path: Option<TokenStream>,
+}
+
+#[derive(Clone, Debug, Default)]
+pub struct Expect {
+    pub degrees_of_freedom: Option<(usize, Span)>,
+    /// (function, or `None` for the default acceleration function; limit; where written).
+    pub operations: Vec<(Option<String>, usize, Span)>,
+}
+
+#[derive(Clone, Debug)]
+pub struct Output {
+    pub name: Name,
+    pub unit: String,
+    pub docs: TokenStream,
+    pub value: Expr,
+}

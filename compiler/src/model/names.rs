@@ -1,0 +1,193 @@
+//! Who is called what: one table for values (constants, parameters, inputs) and one for parts (bodies, joints,
+//! constraints, drivers, loads, lines of the ground). Names that are free twice are refused, both places shown.
+
+use crate::diagnostics::Diagnostics;
+use crate::messages;
+use crate::syntax::{Definition, Label};
+use std::collections::HashMap;
+
+/// A value by name; indices into the definition.
+#[derive(Clone, Copy, Debug)]
+pub(super) enum Value {
+    Constant(usize),
+    Parameter(usize),
+    Input(usize),
+}
+
+/// A part by name; indices into the definition.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Part {
+    Body(usize),
+    Joint(usize),
+    Constraint(usize),
+    Driver(usize),
+    Load(usize),
+    Line(usize),
+}
+
+impl Part {
+    /// For messages.
+    pub fn kind(self) -> &'static str {
+        match self {
+            Self::Body(_) => "a body",
+            Self::Joint(_) => "a joint",
+            Self::Constraint(_) => "a constraint",
+            Self::Driver(_) => "a driver",
+            Self::Load(_) => "a load",
+            Self::Line(_) => "a line",
+        }
+    }
+}
+
+/// Names with a meaning of their own.
+pub(super) const BUILT_IN: [&str; 27] = [
+    "time",
+    "pi",
+    "energy",
+    "kinetic_energy",
+    "potential_energy",
+    "power",
+    "distance",
+    "ground",
+    "if",
+    "and",
+    "or",
+    "not",
+    "sqrt",
+    "abs",
+    "sign",
+    "min",
+    "max",
+    "sin",
+    "cos",
+    "tan",
+    "asin",
+    "acos",
+    "atan2",
+    "exp",
+    "ln",
+    "true",
+    "false",
+];
+
+/// Points and quantities that every body has.
+const OF_BODIES: [&str; 5] = ["center", "origin", "angle", "rate", "velocity"];
+
+/// The keywords of Rust, which cannot be names in the generated code.
+const KEYWORDS: [&str; 53] = [
+    "Self", "abstract", "as", "async", "await", "become", "box", "break", "const", "continue", "crate", "do", "dyn",
+    "else", "enum", "extern", "false", "final", "fn", "for", "gen", "if", "impl", "in", "let", "loop", "macro",
+    "match", "mod", "move", "mut", "override", "priv", "pub", "ref", "return", "self", "static", "struct", "super",
+    "trait", "true", "try", "type", "typeof", "union", "unsafe", "unsized", "use", "virtual", "where", "while",
+    "yield",
+];
+
+/// The tables of a definition.
+pub(super) struct Names<'d> {
+    values: HashMap<&'d str, Value>,
+    parts: HashMap<&'d str, Part>,
+}
+
+impl<'d> Names<'d> {
+    /// Enters all names; the first of two equal ones keeps it.
+    pub fn new(definition: &'d Definition, diagnostics: &mut Diagnostics) -> Self {
+        let mut values = Table::new(&BUILT_IN);
+        enter(&mut values, &definition.constants, |c| &c.name, Value::Constant, diagnostics);
+        enter(&mut values, &definition.parameters, |p| &p.name, Value::Parameter, diagnostics);
+        enter(&mut values, &definition.inputs, |i| &i.name, Value::Input, diagnostics);
+        let mut parts = Table::new(&BUILT_IN);
+        enter(&mut parts, &definition.bodies, |b| &b.name, Part::Body, diagnostics);
+        enter(&mut parts, &definition.lines, |l| &l.name, Part::Line, diagnostics);
+        enter(&mut parts, &definition.joints, |j| &j.name, Part::Joint, diagnostics);
+        enter(&mut parts, &definition.constraints, |c| &c.name, Part::Constraint, diagnostics);
+        enter(&mut parts, &definition.drivers, |d| &d.name, Part::Driver, diagnostics);
+        enter(&mut parts, &definition.loads, |l| &l.name, Part::Load, diagnostics);
+        let mut outputs = Table::new(&[]);
+        enter(&mut outputs, &definition.outputs, |o| &o.name, |index| index, diagnostics);
+        for body in &definition.bodies {
+            let mut points = Table::new(&OF_BODIES);
+            enter(&mut points, &body.points, |(label, _)| label, |index| index, diagnostics);
+            enter(&mut points, &body.lines, |line| &line.name, |index| index, diagnostics);
+        }
+        Self { values: values.found, parts: parts.found }
+    }
+
+    pub fn value(&self, name: &str) -> Option<Value> {
+        self.values.get(name).copied()
+    }
+
+    pub fn part(&self, name: &str) -> Option<Part> {
+        self.parts.get(name).copied()
+    }
+
+    /// The nearest of the values and built-in names.
+    pub fn similar_value(&self, name: &str) -> Option<&str> {
+        messages::closest(name, sorted(self.values.keys().copied().chain(BUILT_IN)).into_iter())
+    }
+
+    /// The nearest of the parts that `fits` accepts.
+    pub fn similar_part(&self, name: &str, fits: impl Fn(Part) -> bool) -> Option<&str> {
+        let fitting = self.parts.iter().filter(|(_, part)| fits(**part)).map(|(name, _)| *name);
+        messages::closest(name, sorted(fitting).into_iter())
+    }
+}
+
+/// In a fixed order, so that equally near names give the same message every time.
+fn sorted<'a>(names: impl Iterator<Item = &'a str>) -> Vec<&'a str> {
+    let mut names: Vec<&str> = names.collect();
+    names.sort_unstable();
+    names
+}
+
+/// Names of one kind and what they must differ in.
+struct Table<'d, T> {
+    found: HashMap<&'d str, T>,
+    /// By identifier in the generated code: `upright[3]` and `upright_3` are the same.
+    identifiers: HashMap<String, &'d Label>,
+    reserved: &'static [&'static str],
+}
+
+impl<T> Table<'_, T> {
+    fn new(reserved: &'static [&'static str]) -> Self {
+        Self { found: HashMap::new(), identifiers: HashMap::new(), reserved }
+    }
+}
+
+fn enter<'d, E, T>(
+    table: &mut Table<'d, T>,
+    elements: &'d [E],
+    label: impl Fn(&'d E) -> &'d Label,
+    entry: impl Fn(usize) -> T,
+    diagnostics: &mut Diagnostics,
+) {
+    for (index, element) in elements.iter().enumerate() {
+        let label = label(element);
+        if !allowed(label, table.reserved, diagnostics) {
+            continue;
+        }
+        let identifier = label.text.replace('[', "_").replace(']', "");
+        match table.identifiers.get(&identifier) {
+            Some(first) => {
+                let message = messages::duplicate(&label.text, &first.text);
+                diagnostics.conflict(label.region, message, first.region, messages::first_here(&first.text));
+            }
+            None => {
+                table.identifiers.insert(identifier, label);
+                table.found.insert(&label.text, entry(index));
+            }
+        }
+    }
+}
+
+fn allowed(label: &Label, reserved: &[&str], diagnostics: &mut Diagnostics) -> bool {
+    let word = label.text.split('[').next().unwrap_or_default();
+    let message = if KEYWORDS.contains(&word) || word.starts_with("r#") || word == "_" {
+        messages::keyword(word)
+    } else if reserved.contains(&word) {
+        messages::reserved(word)
+    } else {
+        return true;
+    };
+    diagnostics.error(label.region, message);
+    false
+}

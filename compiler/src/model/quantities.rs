@@ -1,0 +1,341 @@
+//! Quantities of the mechanism by name: `crank_pin.angle`, `slider.center.velocity.x`, `power(motor)`, `energy`.
+
+use super::lower::{Lowering, Use};
+use super::names::Part;
+use super::values::Typed;
+use super::{BodyId, DriverId, Expr, Frame, JointId, LoadId, Place, Quantity, Rotor};
+use crate::diagnostics::Region;
+use crate::messages;
+use crate::syntax::{JointTerm, Label, LineTerm, Path, PlaceTerm, Shape, Term, TermKind};
+use crate::units::Dimension;
+
+/// When a quantity is known.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Level {
+    Position,
+    Velocity,
+    Result,
+}
+
+struct Found {
+    quantity: Quantity,
+    dimension: Dimension,
+    level: Level,
+}
+
+impl Found {
+    fn position(quantity: Quantity, dimension: Dimension) -> Option<Self> {
+        Some(Self { quantity, dimension, level: Level::Position })
+    }
+
+    fn velocity(quantity: Quantity, dimension: Dimension) -> Option<Self> {
+        Some(Self { quantity, dimension, level: Level::Velocity })
+    }
+
+    fn result(quantity: Quantity, dimension: Dimension) -> Option<Self> {
+        Some(Self { quantity, dimension, level: Level::Result })
+    }
+}
+
+impl<'d> Lowering<'d> {
+    /// A quantity that may stand in an expression of this use.
+    pub fn permitted_quantity(&mut self, path: &Path, usage: Use) -> Option<(Quantity, Dimension)> {
+        let found = self.find(path)?;
+        let (permitted, kind) = match found.level {
+            Level::Position => (usage.positions, "a position"),
+            Level::Velocity => (usage.velocities, "a velocity"),
+            Level::Result => (usage.results, "a result"),
+        };
+        self.permit(permitted, path, kind, usage)?;
+        Some((found.quantity, found.dimension))
+    }
+
+    /// An angle, travel or position.
+    pub fn position_quantity(&mut self, path: &Path, verb: &str) -> Option<(Quantity, Dimension)> {
+        let found = self.find(path)?;
+        if found.level != Level::Position {
+            self.diagnostics.error(path.region, messages::not_a_position(&path.text, verb));
+            return None;
+        }
+        Some((found.quantity, found.dimension))
+    }
+
+    /// An angle, travel, position or the rate of one.
+    pub fn state_quantity(&mut self, path: &Path) -> Option<(Quantity, Dimension)> {
+        let found = self.find(path)?;
+        if found.level == Level::Result {
+            self.diagnostics.error(path.region, messages::not_a_state(&path.text));
+            return None;
+        }
+        Some((found.quantity, found.dimension))
+    }
+
+    /// `power(load)`.
+    pub fn power_of_load(&mut self, argument: &Term, region: Region, usage: Use) -> Option<Typed> {
+        let TermKind::Name(path) = &argument.kind else {
+            self.diagnostics.error(argument.region, messages::power_of_what());
+            return None;
+        };
+        match self.names.part(&path.text) {
+            Some(Part::Load(index)) => {
+                self.permit(usage.results, path, "a result", usage)?;
+                let expr = Expr::Quantity(Quantity::Power(LoadId(index)));
+                Some(Typed { expr, dimension: Dimension::POWER, zero: false, region })
+            }
+            Some(Part::Driver(_)) => {
+                self.diagnostics.error(path.region, messages::power_of_driver(&path.text));
+                None
+            }
+            _ => {
+                let similar = self.names.similar_part(&path.text, |part| matches!(part, Part::Load(_)));
+                self.diagnostics.error(path.region, messages::unknown("load", &path.text, similar));
+                None
+            }
+        }
+    }
+
+    /// `distance(a.p, ground(0, 0))`.
+    pub fn distance(&mut self, arguments: &[Term], region: Region, usage: Use) -> Option<Typed> {
+        if !usage.positions {
+            self.diagnostics.error(region, messages::not_permitted("distance(…)", "a position", &usage));
+            return None;
+        }
+        let (first, second) = (self.place_term(&arguments[0]), self.place_term(&arguments[1]));
+        let (first, second) = (first?, second?);
+        if first.frame == second.frame {
+            self.diagnostics.error(region, messages::distance_in_one_body());
+            return None;
+        }
+        let expr = Expr::Quantity(Quantity::Distance(Box::new(first), Box::new(second)));
+        Some(Typed { expr, dimension: Dimension::LENGTH, zero: false, region })
+    }
+
+    /// A place that stands among expressions.
+    fn place_term(&mut self, term: &Term) -> Option<Place> {
+        match &term.kind {
+            TermKind::Name(path) => self.place(&PlaceTerm::Named(path.clone())),
+            TermKind::Ground(ground) => self.place(&PlaceTerm::Ground(ground.clone())),
+            _ => {
+                self.diagnostics.error(term.region, messages::value_as_place());
+                None
+            }
+        }
+    }
+
+    fn find(&mut self, path: &Path) -> Option<Found> {
+        let head = &path.parts[0];
+        if path.parts.len() == 1 {
+            return self.find_single(path);
+        }
+        match self.names.part(&head.text) {
+            Some(Part::Body(index)) => self.of_body(BodyId(index), path),
+            Some(Part::Joint(index)) => self.of_joint(JointId(index), path),
+            Some(Part::Driver(index)) => self.of_driver(DriverId(index), path),
+            Some(Part::Load(_)) => {
+                self.diagnostics.error(path.region, messages::quantity_of_load(&head.text));
+                None
+            }
+            Some(other) => {
+                self.diagnostics.error(path.region, messages::no_quantities(&head.text, other.kind()));
+                None
+            }
+            None => {
+                let moving = |part| matches!(part, Part::Body(_) | Part::Joint(_) | Part::Driver(_));
+                let similar = self.names.similar_part(&head.text, moving);
+                let message = messages::unknown("body, joint or driver", &head.text, similar);
+                if !self.diagnostics.is_full() {
+                    self.diagnostics.error(head.region, message);
+                }
+                None
+            }
+        }
+    }
+
+    fn find_single(&mut self, path: &Path) -> Option<Found> {
+        match path.text.as_str() {
+            "energy" => Found::result(Quantity::Energy, Dimension::TORQUE),
+            "kinetic_energy" => Found::result(Quantity::KineticEnergy, Dimension::TORQUE),
+            "potential_energy" => Found::result(Quantity::PotentialEnergy, Dimension::TORQUE),
+            text => {
+                let message = match self.names.part(text) {
+                    Some(part) => messages::part_as_value(text, part.kind()),
+                    None => messages::unknown("value", text, self.names.similar_value(text)),
+                };
+                self.diagnostics.error(path.region, message);
+                None
+            }
+        }
+    }
+
+    fn of_body(&mut self, body: BodyId, path: &Path) -> Option<Found> {
+        let quantity = &path.parts[1];
+        if path.parts.len() == 2 {
+            match quantity.text.as_str() {
+                "angle" | "rate" if self.is_particle(Frame::Body(body)) => {
+                    self.diagnostics.error(path.region, messages::particle_turns(&path.parts[0].text));
+                    return None;
+                }
+                "angle" => return Found::position(Quantity::BodyAngle(body), Dimension::ANGLE),
+                "rate" => return Found::velocity(Quantity::BodyRate(body), Dimension::ANGULAR_RATE),
+                _ => {}
+            }
+        }
+        let point = Path {
+            text: format!("{}.{}", path.parts[0].text, quantity.text),
+            parts: path.parts[..2].to_vec(),
+            region: path.parts[0].region.to(quantity.region),
+        };
+        let rest: Vec<&str> = path.parts[2..].iter().map(|part| part.text.as_str()).collect();
+        let place = self.place(&PlaceTerm::Named(point))?;
+        let position = |axis| Quantity::Position(Box::new(place.clone()), axis);
+        let velocity = |axis| Quantity::Velocity(Box::new(place.clone()), axis);
+        match rest.as_slice() {
+            ["x"] => Found::position(position(0), Dimension::LENGTH),
+            ["y"] => Found::position(position(1), Dimension::LENGTH),
+            ["velocity", "x"] => Found::velocity(velocity(0), Dimension::SPEED),
+            ["velocity", "y"] => Found::velocity(velocity(1), Dimension::SPEED),
+            [] => {
+                self.diagnostics.error(path.region, messages::place_without_axis(&path.text));
+                None
+            }
+            _ => {
+                let region = path.parts[2].region.to(path.region);
+                self.diagnostics.error(region, messages::quantities_of_place(&place.text));
+                None
+            }
+        }
+    }
+
+    fn of_joint(&mut self, joint: JointId, path: &Path) -> Option<Found> {
+        let quantity = &path.parts[1];
+        let turns = self.turns(joint);
+        let slides = self.slides(joint);
+        match (quantity.text.as_str(), path.parts.len()) {
+            ("angle", 2) if turns => Found::position(Quantity::JointAngle(joint), Dimension::ANGLE),
+            ("rate", 2) if turns => Found::velocity(Quantity::JointRate(joint), Dimension::ANGULAR_RATE),
+            ("travel", 2) if slides => Found::position(Quantity::JointTravel(joint), Dimension::LENGTH),
+            ("speed", 2) if slides => Found::velocity(Quantity::JointSpeed(joint), Dimension::SPEED),
+            _ => {
+                let message = self.joint_has(joint, &quantity.text);
+                self.diagnostics.error(quantity.region, message);
+                None
+            }
+        }
+    }
+
+    /// What a joint has instead of the quantity asked for.
+    fn joint_has(&self, joint: JointId, asked: &str) -> String {
+        let term = &self.definition.joints[joint.0];
+        let mut quantities = Vec::new();
+        if self.turns(joint) {
+            quantities.extend(["angle", "rate"]);
+        }
+        if self.slides(joint) {
+            quantities.extend(["travel", "speed"]);
+        }
+        messages::joint_has(&term.name.text, kind_text(&term.kind), asked, &quantities)
+    }
+
+    fn of_driver(&mut self, driver: DriverId, path: &Path) -> Option<Found> {
+        let term = &self.definition.drivers[driver.0];
+        let angular = term.quantity.parts.last().is_some_and(|last| last.text == "angle");
+        match (path.parts[1].text.as_str(), path.parts.len()) {
+            ("effort", 2) if angular => Found::result(Quantity::DriverEffort(driver), Dimension::TORQUE),
+            ("effort", 2) => Found::result(Quantity::DriverEffort(driver), Dimension::FORCE),
+            ("power", 2) => Found::result(Quantity::DriverPower(driver), Dimension::POWER),
+            _ => {
+                let region = path.parts[1].region;
+                self.diagnostics.error(region, messages::quantities_of_driver(&path.parts[0].text));
+                None
+            }
+        }
+    }
+
+    /// A joint or body that turns.
+    pub fn rotor(&mut self, label: &'d Label) -> Option<Rotor> {
+        match self.names.part(&label.text) {
+            Some(Part::Body(index)) if self.is_particle(Frame::Body(BodyId(index))) => {
+                self.diagnostics.error(label.region, messages::particle_turns(&label.text));
+                None
+            }
+            Some(Part::Body(index)) => Some(Rotor::Body(BodyId(index))),
+            Some(Part::Joint(index)) if self.turns(JointId(index)) => Some(Rotor::Joint(JointId(index))),
+            Some(Part::Joint(index)) => {
+                let message = self.joint_has(JointId(index), "angle");
+                self.diagnostics.error(label.region, message);
+                None
+            }
+            _ => {
+                let similar =
+                    self.names.similar_part(&label.text, |part| matches!(part, Part::Body(_) | Part::Joint(_)));
+                self.diagnostics.error(label.region, messages::unknown("joint or body", &label.text, similar));
+                None
+            }
+        }
+    }
+
+    /// A joint that slides.
+    pub fn slide(&mut self, label: &'d Label) -> Option<JointId> {
+        match self.names.part(&label.text) {
+            Some(Part::Joint(index)) if self.slides(JointId(index)) => Some(JointId(index)),
+            Some(Part::Joint(index)) => {
+                let message = self.joint_has(JointId(index), "travel");
+                self.diagnostics.error(label.region, message);
+                None
+            }
+            _ => {
+                let similar = self.names.similar_part(&label.text, |part| matches!(part, Part::Joint(_)));
+                self.diagnostics.error(label.region, messages::unknown("joint", &label.text, similar));
+                None
+            }
+        }
+    }
+
+    /// Whether a joint has an angle: of its kind, and of two things with an orientation.
+    fn turns(&self, joint: JointId) -> bool {
+        let term = &self.definition.joints[joint.0];
+        let first = match &term.kind {
+            JointTerm::Revolute { first } => self.head(first),
+            JointTerm::PointOnLine { line: LineTerm::Named(_) } => Some(Frame::Ground),
+            JointTerm::PointOnLine { line: LineTerm::Inline { from, .. } } => self.head(from),
+            _ => return false,
+        };
+        let second = self.head(&term.second);
+        ![first, second].into_iter().flatten().any(|frame| self.is_particle(frame))
+    }
+
+    fn slides(&self, joint: JointId) -> bool {
+        let kind = &self.definition.joints[joint.0].kind;
+        matches!(kind, JointTerm::Prismatic { .. } | JointTerm::PointOnLine { .. })
+    }
+
+    /// The body of a place, without any message.
+    fn head(&self, place: &PlaceTerm) -> Option<Frame> {
+        match place {
+            PlaceTerm::Ground(_) => Some(Frame::Ground),
+            PlaceTerm::Named(path) => match self.names.part(&path.parts[0].text) {
+                Some(Part::Body(index)) => Some(Frame::Body(BodyId(index))),
+                _ => None,
+            },
+        }
+    }
+
+    /// Whether this is a body without orientation.
+    pub fn is_particle(&self, frame: Frame) -> bool {
+        match frame {
+            Frame::Ground => false,
+            Frame::Body(body) => self.definition.bodies[body.0].shape == Shape::Particle,
+        }
+    }
+}
+
+/// The word of a kind of joint.
+pub(super) fn kind_text(kind: &JointTerm) -> &'static str {
+    match kind {
+        JointTerm::Fixed { .. } => "fixed",
+        JointTerm::Revolute { .. } => "revolute",
+        JointTerm::Prismatic { .. } => "prismatic",
+        JointTerm::PointOnLine { .. } => "point_on_line",
+        JointTerm::Distance { .. } => "distance",
+    }
+}

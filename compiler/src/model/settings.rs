@@ -1,0 +1,85 @@
+//! `options` and `expect`.
+
+use super::lower::Lowering;
+use super::names::Part;
+use super::{Coordinates, Expect, JointId, Options, Quantity};
+use crate::messages;
+use crate::syntax::{ExpectEntry, Label, OptionEntry, Path};
+use proc_macro2::{Span, TokenStream};
+
+impl<'d> Lowering<'d> {
+    pub fn options(&mut self) -> Options {
+        let mut coordinates = Coordinates::Auto;
+        let (mut cut, mut independent) = (Vec::new(), Vec::new());
+        let mut crate_path: Option<TokenStream> = None;
+        for entry in &self.definition.options {
+            match entry {
+                OptionEntry::Coordinates(word) => {
+                    coordinates = match word.text.as_str() {
+                        "absolute" => Coordinates::Absolute,
+                        "tree" => Coordinates::Tree,
+                        _ => Coordinates::Auto,
+                    };
+                }
+                // `refuse` is the only choice so far.
+                OptionEntry::Redundant(_) => {}
+                OptionEntry::Cut(joints) => cut.extend(joints.iter().filter_map(|joint| self.cut(joint))),
+                OptionEntry::Independent(paths) => {
+                    independent.extend(paths.iter().filter_map(|path| self.independent(path)));
+                }
+                OptionEntry::Crate(path) => crate_path = Some(path.clone()),
+            }
+        }
+        self.options_twice();
+        Options { coordinates, cut, independent, crate_path }
+    }
+
+    fn options_twice(&mut self) {
+        let written = |entry: &'d OptionEntry| match entry {
+            OptionEntry::Coordinates(label) => Some(("coordinates", label)),
+            OptionEntry::Redundant(label) => Some(("redundant", label)),
+            _ => None,
+        };
+        let mut seen: Vec<(&str, &Label)> = Vec::new();
+        for (option, label) in self.definition.options.iter().filter_map(written) {
+            match seen.iter().find(|(name, _)| *name == option) {
+                Some((_, first)) => {
+                    let message = messages::property_twice(option, "options");
+                    let note = messages::first_here(option);
+                    self.diagnostics.conflict(label.region, message, first.region, note);
+                }
+                None => seen.push((option, label)),
+            }
+        }
+    }
+
+    fn cut(&mut self, joint: &'d Label) -> Option<(JointId, Span)> {
+        if let Some(Part::Joint(index)) = self.names.part(&joint.text) {
+            return Some((JointId(index), joint.region.span()));
+        }
+        let similar = self.names.similar_part(&joint.text, |part| matches!(part, Part::Joint(_)));
+        self.diagnostics.error(joint.region, messages::unknown("joint", &joint.text, similar));
+        None
+    }
+
+    fn independent(&mut self, path: &'d Path) -> Option<(Quantity, Span)> {
+        let (quantity, _) = self.position_quantity(path, "be an independent coordinate")?;
+        Some((quantity, path.region.span()))
+    }
+
+    pub fn expect(&mut self) -> Expect {
+        let mut expect = Expect::default();
+        for entry in &self.definition.expect {
+            match entry {
+                ExpectEntry::DegreesOfFreedom(count, region) => {
+                    expect.degrees_of_freedom = Some((*count, region.span()));
+                }
+                ExpectEntry::Operations(function, limit, region) => {
+                    let function = function.as_ref().map(|label| label.text.clone());
+                    expect.operations.push((function, *limit, region.span()));
+                }
+            }
+        }
+        expect
+    }
+}

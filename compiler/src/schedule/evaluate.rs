@@ -1,0 +1,84 @@
+//! The interpreter of programs: the second of the two evaluators. It rounds exactly as the emitted code does where
+//! fused multiply-add is off.
+
+use super::program::{Instruction, Operand, Program, Source};
+
+/// The values of all sources.
+#[derive(Clone, Debug, Default)]
+pub struct Inputs {
+    pub parameters: Vec<f64>,
+    pub phases: Vec<f64>,
+    pub time: f64,
+    pub q: Vec<f64>,
+    pub v: Vec<f64>,
+    pub inputs: Vec<f64>,
+    pub two_alpha: f64,
+    pub beta_squared: f64,
+    pub acceleration: Vec<f64>,
+    pub lambda: Vec<f64>,
+    pub targets: Vec<f64>,
+    pub prepared: Vec<f64>,
+}
+
+impl Inputs {
+    pub fn get(&self, source: Source) -> f64 {
+        let at = |values: &[f64], index: u32| values[index as usize];
+        match source {
+            Source::Parameter(index) => at(&self.parameters, index),
+            Source::Phase(index) => at(&self.phases, index),
+            Source::Time => self.time,
+            Source::Q(index) => at(&self.q, index),
+            Source::V(index) => at(&self.v, index),
+            Source::Input(index) => at(&self.inputs, index),
+            Source::TwoAlpha => self.two_alpha,
+            Source::BetaSquared => self.beta_squared,
+            Source::Acceleration(index) => at(&self.acceleration, index),
+            Source::Lambda(index) => at(&self.lambda, index),
+            Source::Target(index) => at(&self.targets, index),
+            Source::Prepared(index) => at(&self.prepared, index),
+        }
+    }
+}
+
+/// Outputs of a program, unfused.
+pub fn run(program: &Program, inputs: &Inputs) -> Vec<f64> {
+    let mut values: Vec<f64> = Vec::with_capacity(program.instructions.len());
+    for instruction in &program.instructions {
+        let value = step(instruction, |operand| get(operand, inputs, &values));
+        values.push(value);
+    }
+    program.outputs.iter().map(|output| get(*output, inputs, &values)).collect()
+}
+
+fn get(operand: Operand, inputs: &Inputs, values: &[f64]) -> f64 {
+    match operand {
+        Operand::Constant(value) => value,
+        Operand::Source(source) => inputs.get(source),
+        Operand::Value(index) => values[index as usize],
+    }
+}
+
+fn step(instruction: &Instruction, get: impl Fn(Operand) -> f64) -> f64 {
+    let mask = |value: bool| if value { 1.0 } else { 0.0 };
+    match *instruction {
+        Instruction::Neg(a) => -get(a),
+        Instruction::Add(a, b) => get(a) + get(b),
+        Instruction::Sub(a, b) => get(a) - get(b),
+        Instruction::Mul(a, b) => get(a) * get(b),
+        Instruction::MulAdd(a, b, c, minus_product, minus_addend) => {
+            let product = get(a) * get(b);
+            let product = if minus_product { -product } else { product };
+            if minus_addend { product - get(c) } else { product + get(c) }
+        }
+        Instruction::Div(a, b) => get(a) / get(b),
+        Instruction::Unary(function, a) => function.value(get(a)),
+        Instruction::Min(a, b) => get(a).min(get(b)),
+        Instruction::Max(a, b) => get(a).max(get(b)),
+        Instruction::Atan2(a, b) => libm::atan2(get(a), get(b)),
+        Instruction::Compare(comparison, a, b) => mask(comparison.value(get(a), get(b))),
+        Instruction::And(a, b) => mask(get(a) != 0.0 && get(b) != 0.0),
+        Instruction::Or(a, b) => mask(get(a) != 0.0 || get(b) != 0.0),
+        Instruction::Not(a) => mask(get(a) == 0.0),
+        Instruction::Select(m, a, b) => get(if get(m) != 0.0 { a } else { b }),
+    }
+}

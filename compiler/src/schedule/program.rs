@@ -1,0 +1,87 @@
+//! Straight-line programs: what `emit` spells out, `count` counts and `evaluate` runs.
+
+use crate::symbolic::{Compare, Unary};
+
+/// Where a value that a program does not compute comes from.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub enum Source {
+    Parameter(u32),
+    /// A coupling's phase from the assembled start.
+    Phase(u32),
+    Time,
+    Q(u32),
+    V(u32),
+    Input(u32),
+    TwoAlpha,
+    BetaSquared,
+    Acceleration(u32),
+    Lambda(u32),
+    Target(u32),
+    /// A constant of the prepared model: computed once from parameters and phases.
+    Prepared(u32),
+}
+
+/// An operand of an instruction.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Operand {
+    Constant(f64),
+    Source(Source),
+    /// Result of the instruction of that index.
+    Value(u32),
+}
+
+/// One operation of the target.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Instruction {
+    Neg(Operand),
+    Add(Operand, Operand),
+    Sub(Operand, Operand),
+    Mul(Operand, Operand),
+    /// ±(a·b) ± c: a, b, c, product negated, addend negated.
+    MulAdd(Operand, Operand, Operand, bool, bool),
+    Div(Operand, Operand),
+    Unary(Unary, Operand),
+    Min(Operand, Operand),
+    Max(Operand, Operand),
+    Atan2(Operand, Operand),
+    Compare(Compare, Operand, Operand),
+    And(Operand, Operand),
+    Or(Operand, Operand),
+    Not(Operand),
+    Select(Operand, Operand, Operand),
+}
+
+impl Instruction {
+    pub fn operands(&self) -> impl Iterator<Item = Operand> {
+        let (a, b, c) = match *self {
+            Instruction::Neg(a) | Instruction::Unary(_, a) | Instruction::Not(a) => (a, None, None),
+            Instruction::Add(a, b)
+            | Instruction::Sub(a, b)
+            | Instruction::Mul(a, b)
+            | Instruction::Div(a, b)
+            | Instruction::Min(a, b)
+            | Instruction::Max(a, b)
+            | Instruction::Atan2(a, b)
+            | Instruction::Compare(_, a, b)
+            | Instruction::And(a, b)
+            | Instruction::Or(a, b) => (a, Some(b), None),
+            Instruction::MulAdd(a, b, c, ..) | Instruction::Select(a, b, c) => (a, Some(b), Some(c)),
+        };
+        std::iter::once(a).chain(b).chain(c)
+    }
+
+    /// Whether the result is a mask.
+    pub fn is_mask(&self) -> bool {
+        matches!(
+            self,
+            Instruction::Compare(..) | Instruction::And(..) | Instruction::Or(..) | Instruction::Not(_)
+        )
+    }
+}
+
+/// Instructions in order, and what they are for.
+#[derive(Clone, Debug, Default)]
+pub struct Program {
+    pub instructions: Vec<Instruction>,
+    pub outputs: Vec<Operand>,
+}

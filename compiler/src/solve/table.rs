@@ -1,0 +1,145 @@
+//! The factorisation as a table, for the cold paths: assembly, kinematics, projection, the search for a lost rank.
+//!
+//! K = [W D̂ᵀ; D̂ 0] with D̂ = constraint rows, then condition rows. The table holds the elimination order and the rows of
+//! L in that order; the numbers are filled in by a short loop, here at expansion and in the runtime on the target.
+
+use super::order::{Pattern, Strategy, order};
+
+/// Elimination order and structure of L.
+#[derive(Clone, Debug, Default)]
+pub struct Table {
+    /// Unknown eliminated k-th.
+    pub order: Vec<usize>,
+    /// Inverse of `order`.
+    pub position: Vec<usize>,
+    /// Columns of row k: `columns[row_start[k]..row_start[k + 1]]`, ascending, below k.
+    pub row_start: Vec<usize>,
+    pub columns: Vec<usize>,
+}
+
+impl Table {
+    /// `entries` are pairs of unknowns: velocities, then rows, then conditions.
+    pub fn new(
+        velocities: usize,
+        rows: usize,
+        entries: impl IntoIterator<Item = (usize, usize)>,
+    ) -> Self {
+        let pattern = Pattern::new(velocities, rows, entries);
+        let sequence = order(&pattern, Strategy::MinimumDegree).sequence;
+        Table::with_order(&pattern, sequence)
+    }
+
+    pub fn with_order(pattern: &Pattern, sequence: Vec<usize>) -> Self {
+        let n = sequence.len();
+        let mut position = vec![0; n];
+        for (at, unknown) in sequence.iter().enumerate() {
+            position[*unknown] = at;
+        }
+        let mut rows: Vec<Vec<usize>> = vec![Vec::new(); n];
+        let mut neighbours = pattern.neighbours.clone();
+        for (k, pivot) in sequence.iter().enumerate() {
+            let around = std::mem::take(&mut neighbours[*pivot]);
+            for a in &around {
+                neighbours[*a].remove(pivot);
+                neighbours[*a].extend(around.iter().filter(|b| *b != a));
+                rows[position[*a]].push(k);
+            }
+        }
+        let mut table = Table { order: sequence, position, row_start: vec![0], columns: Vec::new() };
+        for row in rows {
+            table.columns.extend(row);
+            table.row_start.push(table.columns.len());
+        }
+        table
+    }
+
+    pub fn row(&self, k: usize) -> &[usize] {
+        &self.columns[self.row_start[k]..self.row_start[k + 1]]
+    }
+}
+
+/// K = L D Lᵀ in numbers.
+#[derive(Clone, Debug)]
+pub struct Numeric<'a> {
+    table: &'a Table,
+    lower: Vec<f64>,
+    diagonal: Vec<f64>,
+    /// |d| / Σ |terms of d|, by unknown.
+    pub relative_pivots: Vec<f64>,
+}
+
+/// Relative pivots below this are taken as zero: a dependent row leaves rounding, about 1e-16; a row at an angle φ
+/// to the others leaves φ².
+pub const DEPENDENT: f64 = 1e-11;
+
+impl<'a> Numeric<'a> {
+    /// Factors the matrix given by its entries (any triangle, duplicates added). Zero pivots are skipped: the unknown
+    /// gets the value 0, which drops a dependent row.
+    pub fn factor(table: &'a Table, entries: impl IntoIterator<Item = (usize, usize, f64)>) -> Self {
+        let n = table.order.len();
+        let mut lower = vec![0.0; table.columns.len()];
+        let mut diagonal = vec![0.0; n];
+        let mut relative_pivots = vec![1.0; n];
+        for (a, b, value) in entries {
+            let (i, j) = (table.position[a].max(table.position[b]), table.position[a].min(table.position[b]));
+            if i == j {
+                diagonal[i] += value;
+            } else if let Ok(at) = table.row(i).binary_search(&j) {
+                lower[table.row_start[i] + at] += value;
+            }
+        }
+        let mut work = vec![0.0; n];
+        for k in 0..n {
+            let start = table.row_start[k];
+            let row = table.row(k);
+            for (at, j) in row.iter().enumerate() {
+                work[*j] = lower[start + at];
+            }
+            let mut pivot = diagonal[k];
+            let mut magnitude = pivot.abs();
+            for (at, j) in row.iter().enumerate() {
+                let inner = table.row_start[*j];
+                let mut sum = work[*j];
+                for (at, i) in table.row(*j).iter().enumerate() {
+                    sum -= lower[inner + at] * work[*i];
+                }
+                work[*j] = sum;
+                let l = if diagonal[*j] == 0.0 { 0.0 } else { sum / diagonal[*j] };
+                lower[start + at] = l;
+                pivot -= l * sum;
+                magnitude += (l * sum).abs();
+            }
+            for j in row {
+                work[*j] = 0.0;
+            }
+            let relative = if magnitude > 0.0 { pivot.abs() / magnitude } else { 0.0 };
+            relative_pivots[table.order[k]] = relative;
+            diagonal[k] = if relative < DEPENDENT { 0.0 } else { pivot };
+        }
+        Numeric { table, lower, diagonal, relative_pivots }
+    }
+
+    pub fn solve(&self, rhs: &[f64]) -> Vec<f64> {
+        let table = self.table;
+        let n = table.order.len();
+        let mut x: Vec<f64> = table.order.iter().map(|unknown| rhs[*unknown]).collect();
+        for k in 0..n {
+            for (at, j) in table.row(k).iter().enumerate() {
+                x[k] -= self.lower[table.row_start[k] + at] * x[*j];
+            }
+        }
+        for k in 0..n {
+            x[k] = if self.diagonal[k] == 0.0 { 0.0 } else { x[k] / self.diagonal[k] };
+        }
+        for k in (0..n).rev() {
+            for (at, j) in table.row(k).iter().enumerate() {
+                x[*j] -= self.lower[table.row_start[k] + at] * x[k];
+            }
+        }
+        let mut solution = vec![0.0; n];
+        for (k, unknown) in table.order.iter().enumerate() {
+            solution[*unknown] = x[k];
+        }
+        solution
+    }
+}

@@ -1,0 +1,62 @@
+//! The interpreter of the graph: the first of the two evaluators.
+
+use super::{Graph, Node, Op};
+
+/// Values of all nodes, given those of the symbols in the order of their creation. Masks are 0 or 1.
+pub fn evaluate(graph: &Graph, symbols: &[f64]) -> Vec<f64> {
+    let mut values = vec![0.0; graph.len()];
+    for (node, op) in graph.nodes() {
+        values[node.index()] = step(op, symbols, &values);
+    }
+    values
+}
+
+/// As [`evaluate`], computing only what `outputs` need; the rest is left at zero. `order` is their common
+/// ancestry, operands first, from [`Graph::reachable`].
+pub fn evaluate_reachable(graph: &Graph, order: &[Node], symbols: &[f64], values: &mut Vec<f64>) {
+    values.resize(graph.len(), 0.0);
+    for node in order {
+        values[node.index()] = step(graph.op(*node), symbols, values);
+    }
+}
+
+fn step(op: Op, symbols: &[f64], values: &[f64]) -> f64 {
+    let get = |node: Node| values[node.index()];
+    let mask = |value: bool| if value { 1.0 } else { 0.0 };
+    match op {
+        Op::Constant(bits) => f64::from_bits(bits),
+        Op::Symbol(symbol) => symbols[symbol as usize],
+        Op::Neg(a) => -get(a),
+        Op::Add(a, b) => get(a) + get(b),
+        Op::Sub(a, b) => get(a) - get(b),
+        Op::Mul(a, b) => get(a) * get(b),
+        Op::Div(a, b) => get(a) / get(b),
+        Op::Unary(function, a) => function.value(get(a)),
+        Op::Min(a, b) => get(a).min(get(b)),
+        Op::Max(a, b) => get(a).max(get(b)),
+        Op::Atan2(a, b) => libm::atan2(get(a), get(b)),
+        Op::Compare(comparison, a, b) => mask(comparison.value(get(a), get(b))),
+        Op::And(a, b) => mask(get(a) != 0.0 && get(b) != 0.0),
+        Op::Or(a, b) => mask(get(a) != 0.0 || get(b) != 0.0),
+        Op::Not(a) => mask(get(a) == 0.0),
+        Op::Select(m, a, b) => get(if get(m) != 0.0 { a } else { b }),
+    }
+}
+
+impl Graph {
+    /// Everything that `outputs` depend on, operands before users.
+    pub fn reachable(&self, outputs: impl IntoIterator<Item = Node>) -> Vec<Node> {
+        let mut needed = vec![false; self.len()];
+        for node in outputs {
+            needed[node.index()] = true;
+        }
+        for (node, op) in self.nodes().rev() {
+            if needed[node.index()] {
+                for operand in op.operands() {
+                    needed[operand.index()] = true;
+                }
+            }
+        }
+        self.nodes().map(|(node, _)| node).filter(|node| needed[node.index()]).collect()
+    }
+}

@@ -1,0 +1,11 @@
+//! The symbolic core: one hash-consed graph of scalar operations, its operations as a closed table, and an
+//! interpreter. It knows nothing of mechanisms, tokens or Rust and imports nothing else of the crate.
+
+mod evaluate;
+mod graph;
+mod hash;
+mod operation;
+
+pub use evaluate::{evaluate, evaluate_reachable};
+pub use graph::{Class, Graph, Node, Op};
+pub use operation::{Compare, Unary};

@@ -1,0 +1,330 @@
+//! Joints, constraints and loads: a name, a colon, a kind with places and named arguments.
+//!
+//! A table says which arguments each kind takes; what the places are is left to `model`.
+
+use super::definition::{
+    Constraint, ConstraintTerm, Entry, Joint, JointTerm, Label, LineTerm, Load, LoadTerm, Pair, PlaceTerm,
+};
+use super::expression::is_call;
+use super::parser::{Failed, Parsed, Parser};
+use super::token::Cursor;
+use crate::diagnostics::Region;
+use crate::messages;
+use proc_macro2::Delimiter;
+
+/// What a positional argument is.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Kind {
+    Place,
+    Line,
+    /// The name of a joint or body.
+    Rotor,
+}
+
+/// How a kind is written.
+struct Form {
+    word: &'static str,
+    positional: &'static [Kind],
+    /// Name and whether it must be given.
+    named: &'static [(&'static str, bool)],
+}
+
+const JOINTS: [Form; 5] = [
+    Form { word: "fixed", positional: &[Kind::Place, Kind::Place], named: &[("angle", false)] },
+    Form { word: "revolute", positional: &[Kind::Place, Kind::Place], named: &[] },
+    Form { word: "prismatic", positional: &[Kind::Place, Kind::Place], named: &[("axis", true), ("angle", false)] },
+    Form { word: "point_on_line", positional: &[Kind::Line, Kind::Place], named: &[] },
+    Form { word: "distance", positional: &[Kind::Place, Kind::Place], named: &[("length", true)] },
+];
+
+const COUPLINGS: [Form; 2] = [
+    Form { word: "gear", positional: &[Kind::Rotor, Kind::Rotor], named: &[("ratio", true), ("phase", false)] },
+    Form { word: "rack", positional: &[Kind::Rotor, Kind::Rotor], named: &[("radius", true), ("phase", false)] },
+];
+
+const LOADS: [Form; 5] = [
+    Form { word: "force", positional: &[Kind::Place], named: &[("direction", false)] },
+    Form { word: "torque", positional: &[Kind::Rotor], named: &[] },
+    Form {
+        word: "spring",
+        positional: &[Kind::Place, Kind::Place],
+        named: &[("stiffness", true), ("length", true), ("damping", false)],
+    },
+    Form { word: "damper", positional: &[Kind::Place, Kind::Place], named: &[("damping", true)] },
+    Form {
+        word: "torsion_spring",
+        positional: &[Kind::Rotor],
+        named: &[("stiffness", true), ("angle", false), ("damping", false)],
+    },
+];
+
+/// The arguments of one call.
+#[derive(Default)]
+struct Arguments {
+    places: Vec<PlaceTerm>,
+    lines: Vec<LineTerm>,
+    rotors: Vec<Label>,
+    entries: Vec<(Label, Entry)>,
+    pairs: Vec<(Label, Pair)>,
+}
+
+impl Arguments {
+    fn place(&mut self) -> Parsed<PlaceTerm> {
+        if self.places.is_empty() { Err(Failed) } else { Ok(self.places.remove(0)) }
+    }
+
+    fn rotor(&mut self) -> Parsed<Label> {
+        if self.rotors.is_empty() { Err(Failed) } else { Ok(self.rotors.remove(0)) }
+    }
+
+    fn entry(&mut self, name: &str) -> Option<Entry> {
+        let index = self.entries.iter().position(|(label, _)| label.text == name)?;
+        Some(self.entries.remove(index).1)
+    }
+
+    fn required(&mut self, name: &str) -> Parsed<Entry> {
+        self.entry(name).ok_or(Failed)
+    }
+
+    fn pair(&mut self) -> Option<Pair> {
+        self.pairs.pop().map(|(_, pair)| pair)
+    }
+}
+
+impl Parser {
+    /// `name: kind(…);` after the word `joint`.
+    pub fn joint(&mut self, c: &mut Cursor) -> Parsed<()> {
+        let name = self.declared(c, "the name of the joint")?;
+        self.punct(c, ':')?;
+        let (form, mut arguments) = self.call_of(c, &JOINTS, "joint")?;
+        self.semicolon(c)?;
+        let kind = match form.word {
+            "point_on_line" => JointTerm::PointOnLine { line: arguments.lines.pop().ok_or(Failed)? },
+            "fixed" => JointTerm::Fixed { first: arguments.place()?, angle: arguments.entry("angle") },
+            "revolute" => JointTerm::Revolute { first: arguments.place()? },
+            "prismatic" => JointTerm::Prismatic {
+                first: arguments.place()?,
+                axis: arguments.pair().ok_or(Failed)?,
+                angle: arguments.entry("angle"),
+            },
+            _ => JointTerm::Distance { first: arguments.place()?, length: arguments.required("length")? },
+        };
+        let second = arguments.place()?;
+        self.definition.joints.push(Joint { name, kind, second });
+        Ok(())
+    }
+
+    /// `name: gear(…);`, `name: rack(…);` or `name: left = right;` after the word `constraint`.
+    pub fn constraint(&mut self, c: &mut Cursor) -> Parsed<()> {
+        let name = self.declared(c, "the name of the constraint")?;
+        self.punct(c, ':')?;
+        let later = ["belt", "screw", "differential"];
+        match c.word() {
+            Some("gear" | "rack") if is_call(c) => return self.coupling_call(c, name),
+            Some(word) if later.contains(&word) && is_call(c) => {
+                return self.fail(c.region(), messages::not_there_yet(word));
+            }
+            _ => {}
+        }
+        let left = self.expression(c)?;
+        if !c.eat_punct('=') {
+            return self.expected(c, "`=`: a constraint is an equation, `left = right`");
+        }
+        let right = self.expression(c)?;
+        self.semicolon(c)?;
+        self.definition.constraints.push(Constraint { name, kind: ConstraintTerm::Equation { left, right } });
+        Ok(())
+    }
+
+    /// `name: gear(…);` after the word `gear` or `rack`.
+    pub fn coupling(&mut self, c: &mut Cursor, word: &str) -> Parsed<()> {
+        let name = self.declared(c, "the name of the constraint")?;
+        self.punct(c, ':')?;
+        if !c.at_word(word) {
+            return self.expected(c, &format!("`{word}(…)`"));
+        }
+        self.coupling_call(c, name)
+    }
+
+    fn coupling_call(&mut self, c: &mut Cursor, name: Label) -> Parsed<()> {
+        let (form, mut arguments) = self.call_of(c, &COUPLINGS, "constraint")?;
+        self.semicolon(c)?;
+        let (first, second) = (arguments.rotor()?, arguments.rotor()?);
+        let phase = arguments.entry("phase");
+        let kind = if form.word == "gear" {
+            ConstraintTerm::Gear { first, second, ratio: arguments.required("ratio")?, phase }
+        } else {
+            ConstraintTerm::Rack { pinion: first, rail: second, radius: arguments.required("radius")?, phase }
+        };
+        self.definition.constraints.push(Constraint { name, kind });
+        Ok(())
+    }
+
+    /// `name: kind(…) = law;` after `force` or the load's own word.
+    pub fn load(&mut self, c: &mut Cursor, word: &str) -> Parsed<()> {
+        let name = self.declared(c, "the name of the load")?;
+        self.punct(c, ':')?;
+        let at = c.region();
+        let (form, mut arguments) = self.call_of(c, &LOADS, "load")?;
+        if word != "force" && word != form.word {
+            return self.fail(at, messages::other_load(word, form.word));
+        }
+        let has_law = matches!(form.word, "force" | "torque");
+        if has_law && !c.eat_punct('=') {
+            return self.expected(c, &format!("`=` and the law of the {}", form.word));
+        }
+        if !has_law && c.at_punct('=') {
+            return self.fail(c.region(), messages::load_without_law(form.word));
+        }
+        let kind = match form.word {
+            "force" => {
+                let place = arguments.place()?;
+                match arguments.pair() {
+                    Some(direction) => LoadTerm::Force { place, direction, value: self.expression(c)? },
+                    None => LoadTerm::Components { place, components: self.components(c)? },
+                }
+            }
+            "torque" => LoadTerm::Torque { on: arguments.rotor()?, value: self.expression(c)? },
+            "spring" => LoadTerm::Spring {
+                first: arguments.place()?,
+                second: arguments.place()?,
+                stiffness: arguments.required("stiffness")?,
+                length: arguments.required("length")?,
+                damping: arguments.entry("damping"),
+            },
+            "damper" => LoadTerm::Damper {
+                first: arguments.place()?,
+                second: arguments.place()?,
+                damping: arguments.required("damping")?,
+            },
+            _ => LoadTerm::TorsionSpring {
+                on: arguments.rotor()?,
+                stiffness: arguments.required("stiffness")?,
+                angle: arguments.entry("angle"),
+                damping: arguments.entry("damping"),
+            },
+        };
+        self.semicolon(c)?;
+        self.definition.loads.push(Load { name, kind });
+        Ok(())
+    }
+
+    /// `(fx, fy)`, the law of a force without a direction.
+    fn components(&mut self, c: &mut Cursor) -> Parsed<Pair> {
+        match c.inside(Delimiter::Parenthesis) {
+            Some(inside) if inside.has_comma() => self.pair(c, None),
+            _ => self.fail(c.region(), messages::force_without_direction()),
+        }
+    }
+
+    /// A kind out of `forms` and its arguments, complete.
+    fn call_of<'f>(
+        &mut self,
+        c: &mut Cursor,
+        forms: &'f [Form],
+        what: &str,
+    ) -> Parsed<(&'f Form, Arguments)> {
+        let kind = self.word(c, &format!("the kind of the {what}"))?;
+        let Some(form) = forms.iter().find(|form| form.word == kind.text) else {
+            let words: Vec<&str> = forms.iter().map(|form| form.word).collect();
+            return self.fail(kind.region, messages::unknown_kind(what, &kind.text, &words));
+        };
+        let mut inside = self.group(c, Delimiter::Parenthesis)?;
+        let region = kind.region.to(c.previous());
+        let mut arguments = Arguments::default();
+        for (index, positional) in form.positional.iter().enumerate() {
+            self.positional(&mut inside, form, index, *positional, region, &mut arguments)?;
+        }
+        while !inside.is_done() {
+            self.named(&mut inside, form, &mut arguments)?;
+        }
+        for (name, _) in form.named.iter().filter(|(_, required)| *required) {
+            let given = arguments.entries.iter().any(|(label, _)| label.text == *name)
+                || arguments.pairs.iter().any(|(label, _)| label.text == *name);
+            if !given {
+                return self.fail(region, messages::missing_argument(form.word, name));
+            }
+        }
+        Ok((form, arguments))
+    }
+
+    fn positional(
+        &mut self,
+        c: &mut Cursor,
+        form: &Form,
+        index: usize,
+        kind: Kind,
+        region: Region,
+        arguments: &mut Arguments,
+    ) -> Parsed<()> {
+        let mut ahead = c.clone();
+        ahead.advance();
+        if c.is_done() || ahead.at_punct('=') {
+            return self.fail(region, messages::missing_place(form.word, form.positional.len(), index));
+        }
+        match kind {
+            Kind::Place => arguments.places.push(self.place(c)?),
+            Kind::Line => arguments.lines.push(self.line_argument(c)?),
+            Kind::Rotor => arguments.rotors.push(self.label(c, "the name of a joint or body")?),
+        }
+        if c.is_done() { Ok(()) } else { self.argument_end(c) }
+    }
+
+    /// `,` between arguments.
+    fn argument_end(&mut self, c: &mut Cursor) -> Parsed<()> {
+        if c.is_done() || c.eat_punct(',') { Ok(()) } else { self.expected(c, "`,` or `)`") }
+    }
+
+    /// `guide.slot` or `line(from, to)`.
+    fn line_argument(&mut self, c: &mut Cursor) -> Parsed<LineTerm> {
+        if c.at_word("ground") && is_call(c) {
+            return self.fail(c.region(), messages::place_for_line());
+        }
+        if !(c.at_word("line") && is_call(c)) {
+            return Ok(LineTerm::Named(self.path(c, "a line")?));
+        }
+        let start = c.region();
+        c.advance();
+        let mut inside = self.group(c, Delimiter::Parenthesis)?;
+        let region = start.to(c.previous());
+        let from = self.place(&mut inside)?;
+        self.punct(&mut inside, ',')?;
+        let to = self.place(&mut inside)?;
+        inside.eat_punct(',');
+        self.end(&inside, "`)`: a line goes through two places")?;
+        Ok(LineTerm::Inline { from, to, region })
+    }
+
+    /// `name [unit] = value`.
+    fn named(&mut self, c: &mut Cursor, form: &Form, arguments: &mut Arguments) -> Parsed<()> {
+        let label = self.word(c, "a named argument")?;
+        let known = form.named.iter().any(|(name, _)| *name == label.text);
+        if !known {
+            let names: Vec<&str> = form.named.iter().map(|(name, _)| *name).collect();
+            let message = if c.at_punct('=') || c.inside(Delimiter::Bracket).is_some() {
+                messages::unknown_argument(form.word, &label.text, &names)
+            } else {
+                messages::too_many_places(form.word, form.positional.len())
+            };
+            return self.fail(label.region, message);
+        }
+        let earlier = arguments.entries.iter().map(|(label, _)| label);
+        let earlier = earlier.chain(arguments.pairs.iter().map(|(label, _)| label));
+        if let Some(first) = earlier.into_iter().find(|first| first.text == label.text) {
+            let message = messages::property_twice(&label.text, form.word);
+            let note = messages::first_here(&label.text);
+            self.diagnostics.conflict(label.region, message, first.region, note);
+            return Err(Failed);
+        }
+        let unit = self.unit(c)?;
+        if matches!(label.text.as_str(), "axis" | "direction") {
+            self.punct(c, '=')?;
+            let pair = self.pair(c, unit)?;
+            arguments.pairs.push((label, pair));
+        } else {
+            let entry = self.entry(c, unit)?;
+            arguments.entries.push((label, entry));
+        }
+        self.argument_end(c)
+    }
+}

@@ -1,0 +1,351 @@
+//! What was written: names, expressions and units as the user put them, `repeat` unrolled, nothing looked up
+//! and nothing converted. Every part keeps its place in the source.
+
+use crate::diagnostics::Region;
+use crate::units::Unit;
+use proc_macro2::TokenStream;
+
+/// One `planar Name { … }`.
+#[derive(Clone, Debug)]
+pub struct Definition {
+    pub name: Label,
+    /// `pub`, `pub(crate)` or nothing.
+    pub visibility: TokenStream,
+    /// Doc comments and other attributes before it.
+    pub attributes: TokenStream,
+    pub constants: Vec<Constant>,
+    pub parameters: Vec<Parameter>,
+    pub inputs: Vec<Input>,
+    pub gravity: Option<Pair>,
+    pub bodies: Vec<Body>,
+    /// Lines of the ground.
+    pub lines: Vec<Line>,
+    pub joints: Vec<Joint>,
+    pub constraints: Vec<Constraint>,
+    pub drivers: Vec<Driver>,
+    pub loads: Vec<Load>,
+    pub start: Vec<StartEntry>,
+    pub options: Vec<OptionEntry>,
+    pub expect: Vec<ExpectEntry>,
+    pub outputs: Vec<Output>,
+}
+
+/// A name, indices included (`upright[3]`).
+#[derive(Clone, Debug)]
+pub struct Label {
+    pub text: String,
+    pub region: Region,
+}
+
+/// Names joined by dots.
+#[derive(Clone, Debug)]
+pub struct Path {
+    /// `upright[3].end.x`.
+    pub text: String,
+    pub parts: Vec<Label>,
+    pub region: Region,
+}
+
+/// A unit in brackets and where it stands.
+#[derive(Clone, Debug)]
+pub struct WrittenUnit {
+    pub unit: Unit,
+    pub region: Region,
+}
+
+/// An expression.
+#[derive(Clone, Debug)]
+pub struct Term {
+    pub kind: TermKind,
+    pub region: Region,
+    /// Height of the tree above its leaves, bounded by the parser.
+    pub height: usize,
+}
+
+/// The kinds of expressions.
+#[derive(Clone, Debug)]
+pub enum TermKind {
+    /// Digits as written.
+    Number { text: String, unit: Option<WrittenUnit> },
+    Name(Path),
+    Operation(Operator, Vec<Term>),
+    Call(Label, Vec<Term>),
+    /// A place of the ground, an argument of `distance`.
+    Ground(Box<Ground>),
+    /// A parenthesised expression followed by a unit.
+    Measured(Box<Term>, WrittenUnit),
+}
+
+/// Operators, all with one spelling.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Operator {
+    Add,
+    Subtract,
+    Multiply,
+    Divide,
+    Power,
+    Negate,
+    Less,
+    LessEqual,
+    Greater,
+    GreaterEqual,
+    Equal,
+    NotEqual,
+    And,
+    Or,
+    Not,
+}
+
+impl Operator {
+    /// As in the exported definition.
+    pub fn text(self) -> &'static str {
+        match self {
+            Self::Add => "+",
+            Self::Subtract => "-",
+            Self::Multiply => "*",
+            Self::Divide => "/",
+            Self::Power => "^",
+            Self::Negate => "neg",
+            Self::Less => "<",
+            Self::LessEqual => "<=",
+            Self::Greater => ">",
+            Self::GreaterEqual => ">=",
+            Self::Equal => "==",
+            Self::NotEqual => "!=",
+            Self::And => "and",
+            Self::Or => "or",
+            Self::Not => "not",
+        }
+    }
+}
+
+/// A value beside the unit of its name, if one stands there.
+#[derive(Clone, Debug)]
+pub struct Entry {
+    pub unit: Option<WrittenUnit>,
+    pub value: Term,
+}
+
+/// Two values beside the unit of both.
+#[derive(Clone, Debug)]
+pub struct Pair {
+    pub unit: Option<WrittenUnit>,
+    pub values: [Term; 2],
+    pub region: Region,
+}
+
+/// `ground(x, y) [unit]`.
+#[derive(Clone, Debug)]
+pub struct Ground {
+    /// `ground(0, 0.2)`, without its unit.
+    pub text: String,
+    pub at: [Term; 2],
+    pub unit: Option<WrittenUnit>,
+    pub region: Region,
+}
+
+/// A place as written.
+#[derive(Clone, Debug)]
+pub enum PlaceTerm {
+    Named(Path),
+    Ground(Box<Ground>),
+}
+
+impl PlaceTerm {
+    /// Where it is written.
+    pub fn region(&self) -> Region {
+        match self {
+            Self::Named(path) => path.region,
+            Self::Ground(ground) => ground.region,
+        }
+    }
+}
+
+/// `const NAME [unit] = value;`
+#[derive(Clone, Debug)]
+pub struct Constant {
+    pub name: Label,
+    pub entry: Entry,
+}
+
+/// `param name [unit] = value in minimum..maximum;`
+#[derive(Clone, Debug)]
+pub struct Parameter {
+    pub name: Label,
+    pub docs: TokenStream,
+    pub entry: Entry,
+    pub bounds: Option<(Term, Term)>,
+}
+
+/// `input name [unit];`
+#[derive(Clone, Debug)]
+pub struct Input {
+    pub name: Label,
+    pub docs: TokenStream,
+    pub unit: Option<WrittenUnit>,
+}
+
+/// Shapes of bodies.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Shape {
+    Body,
+    Rod,
+    Disk,
+    Box,
+    Particle,
+}
+
+impl Shape {
+    /// As written.
+    pub fn text(self) -> &'static str {
+        match self {
+            Self::Body => "body",
+            Self::Rod => "rod",
+            Self::Disk => "disk",
+            Self::Box => "box",
+            Self::Particle => "particle",
+        }
+    }
+}
+
+/// `rod coupler { mass [kg] = 0.1; … }`
+#[derive(Clone, Debug)]
+pub struct Body {
+    pub name: Label,
+    pub shape: Shape,
+    /// `mass`, `inertia`, `length`, `radius`, `width`, `height`: those written.
+    pub properties: Vec<(Label, Entry)>,
+    pub center: Option<(Label, Pair)>,
+    pub points: Vec<(Label, Pair)>,
+    pub lines: Vec<Line>,
+}
+
+impl Body {
+    /// A property that was written.
+    pub fn property(&self, name: &str) -> Option<&(Label, Entry)> {
+        self.properties.iter().find(|(label, _)| label.text == name)
+    }
+}
+
+/// `line slot = (guide.pivot, guide.tip);`
+#[derive(Clone, Debug)]
+pub struct Line {
+    pub name: Label,
+    pub from: PlaceTerm,
+    pub to: PlaceTerm,
+}
+
+/// The line of a `point_on_line`.
+#[derive(Clone, Debug)]
+pub enum LineTerm {
+    /// `guide.slot`, or the name of a line of the ground.
+    Named(Path),
+    /// `line(from, to)`.
+    Inline { from: PlaceTerm, to: PlaceTerm, region: Region },
+}
+
+impl LineTerm {
+    /// Where it is written.
+    pub fn region(&self) -> Region {
+        match self {
+            Self::Named(path) => path.region,
+            Self::Inline { region, .. } => *region,
+        }
+    }
+}
+
+/// `joint knee: revolute(guide.tip, coupler.end);`
+#[derive(Clone, Debug)]
+pub struct Joint {
+    pub name: Label,
+    pub kind: JointTerm,
+    pub second: PlaceTerm,
+}
+
+/// The kinds of joints with what only they have; the first place among it.
+#[derive(Clone, Debug)]
+pub enum JointTerm {
+    Fixed { first: PlaceTerm, angle: Option<Entry> },
+    Revolute { first: PlaceTerm },
+    Prismatic { first: PlaceTerm, axis: Pair, angle: Option<Entry> },
+    PointOnLine { line: LineTerm },
+    Distance { first: PlaceTerm, length: Entry },
+}
+
+/// `constraint name: …;`
+#[derive(Clone, Debug)]
+pub struct Constraint {
+    pub name: Label,
+    pub kind: ConstraintTerm,
+}
+
+/// The kinds of constraints that are no joints.
+#[derive(Clone, Debug)]
+pub enum ConstraintTerm {
+    Gear { first: Label, second: Label, ratio: Entry, phase: Option<Entry> },
+    Rack { pinion: Label, rail: Label, radius: Entry, phase: Option<Entry> },
+    Equation { left: Term, right: Term },
+}
+
+/// `drive name: crank_pin.angle = law;`
+#[derive(Clone, Debug)]
+pub struct Driver {
+    pub name: Label,
+    pub quantity: Path,
+    pub law: Term,
+}
+
+/// `force name: torque(crank_pin) = law;`
+#[derive(Clone, Debug)]
+pub struct Load {
+    pub name: Label,
+    pub kind: LoadTerm,
+}
+
+/// The kinds of loads.
+#[derive(Clone, Debug)]
+pub enum LoadTerm {
+    Force { place: PlaceTerm, direction: Pair, value: Term },
+    Components { place: PlaceTerm, components: Pair },
+    Torque { on: Label, value: Term },
+    Spring { first: PlaceTerm, second: PlaceTerm, stiffness: Entry, length: Entry, damping: Option<Entry> },
+    /// A spring without stiffness and length.
+    Damper { first: PlaceTerm, second: PlaceTerm, damping: Entry },
+    TorsionSpring { on: Label, stiffness: Entry, angle: Option<Entry>, damping: Option<Entry> },
+}
+
+/// `crank_pin.angle [rad] = 0.3;` or `~` for a guess.
+#[derive(Clone, Debug)]
+pub struct StartEntry {
+    pub quantity: Path,
+    pub exact: bool,
+    pub entry: Entry,
+}
+
+/// One line of `options { … }`.
+#[derive(Clone, Debug)]
+pub enum OptionEntry {
+    /// `absolute`, `tree` or `auto`.
+    Coordinates(Label),
+    /// `refuse`.
+    Redundant(Label),
+    Cut(Vec<Label>),
+    Independent(Vec<Path>),
+    Crate(TokenStream),
+}
+
+/// One line of `expect { … }`.
+#[derive(Clone, Debug)]
+pub enum ExpectEntry {
+    DegreesOfFreedom(usize, Region),
+    /// Function, or `None` for the default acceleration function; limit; where.
+    Operations(Option<Label>, usize, Region),
+}
+
+/// `output stroke [m] = slider.center.x;`
+#[derive(Clone, Debug)]
+pub struct Output {
+    pub name: Label,
+    pub docs: TokenStream,
+    pub entry: Entry,
+}

@@ -1,0 +1,378 @@
+//! A definition as JSON text, version 1: what was written, nothing converted. Generic solvers, scripts and
+//! exporters rebuild the mechanism from it without this compiler.
+
+use super::definition::*;
+
+/// The definition as one line of JSON.
+pub fn definition_json(definition: &Definition) -> String {
+    let mut w = Writer { text: String::new() };
+    w.object(|w| {
+        w.key("linkwright").raw("1");
+        w.key("kind").string("planar");
+        w.key("name").string(&definition.name.text);
+        w.key("constants").list(&definition.constants, |w, constant| {
+            w.named_entry(&constant.name, &constant.entry);
+        });
+        w.key("parameters").list(&definition.parameters, |w, parameter| {
+            w.named_entry(&parameter.name, &parameter.entry);
+            let bounds = parameter.bounds.as_ref();
+            w.key("min").optional(bounds.map(|b| &b.0), Writer::term);
+            w.key("max").optional(bounds.map(|b| &b.1), Writer::term);
+        });
+        w.key("inputs").list(&definition.inputs, |w, input| {
+            w.key("name").string(&input.name.text);
+            w.key("unit").unit(input.unit.as_ref(), Some("1"));
+        });
+        w.key("gravity").optional(definition.gravity.as_ref(), |w, pair| w.pair(pair, None));
+        w.key("bodies").list(&definition.bodies, Writer::body);
+        w.key("joints").list(&definition.joints, |w, joint| w.joint(joint, definition));
+        w.key("constraints").list(&definition.constraints, Writer::constraint);
+        w.key("drivers").list(&definition.drivers, |w, driver| {
+            w.key("name").string(&driver.name.text);
+            w.key("quantity").name(&driver.quantity.text);
+            w.key("law").object(|w| {
+                w.key("unit").raw("null");
+                w.key("value").term(&driver.law);
+            });
+        });
+        w.key("loads").list(&definition.loads, Writer::load);
+        w.key("start").list(&definition.start, |w, start| {
+            w.key("quantity").name(&start.quantity.text);
+            w.key("exact").raw(if start.exact { "true" } else { "false" });
+            w.entry_fields(&start.entry);
+        });
+        w.key("outputs").list(&definition.outputs, |w, output| w.named_entry(&output.name, &output.entry));
+        w.key("options").object(|w| definition.options.iter().for_each(|option| w.option(option)));
+        w.key("expect").object(|w| w.expectations(&definition.expect));
+    });
+    w.text
+}
+
+/// Appends JSON; commas are put where something precedes.
+struct Writer {
+    text: String,
+}
+
+impl Writer {
+    fn raw(&mut self, text: &str) {
+        self.text.push_str(text);
+    }
+
+    fn string(&mut self, text: &str) {
+        self.text.push('"');
+        for character in text.chars() {
+            match character {
+                '"' => self.text.push_str("\\\""),
+                '\\' => self.text.push_str("\\\\"),
+                c if u32::from(c) < 0x20 => self.text.push_str(&format!("\\u{:04x}", u32::from(c))),
+                c => self.text.push(c),
+            }
+        }
+        self.text.push('"');
+    }
+
+    fn comma(&mut self) {
+        if !self.text.ends_with(['{', '[']) {
+            self.text.push(',');
+        }
+    }
+
+    fn key(&mut self, key: &str) -> &mut Self {
+        self.comma();
+        self.string(key);
+        self.text.push(':');
+        self
+    }
+
+    fn object(&mut self, fields: impl FnOnce(&mut Self)) {
+        self.text.push('{');
+        fields(self);
+        self.text.push('}');
+    }
+
+    fn array<T>(&mut self, elements: &[T], mut element: impl FnMut(&mut Self, &T)) {
+        self.text.push('[');
+        for (index, value) in elements.iter().enumerate() {
+            if index > 0 {
+                self.text.push(',');
+            }
+            element(self, value);
+        }
+        self.text.push(']');
+    }
+
+    /// An array of objects.
+    fn list<T>(&mut self, elements: &[T], mut fields: impl FnMut(&mut Self, &T)) {
+        self.array(elements, |w, element| w.object(|w| fields(w, element)));
+    }
+
+    fn optional<T: ?Sized>(&mut self, value: Option<&T>, write: impl FnOnce(&mut Self, &T)) {
+        match value {
+            Some(value) => write(self, value),
+            None => self.raw("null"),
+        }
+    }
+
+    fn unit(&mut self, unit: Option<&WrittenUnit>, default: Option<&str>) {
+        match (unit, default) {
+            (Some(written), _) => self.string(&written.unit.text),
+            (None, Some(default)) => self.string(default),
+            (None, None) => self.raw("null"),
+        }
+    }
+
+    fn name(&mut self, name: &str) {
+        self.object(|w| w.key("name").string(name));
+    }
+
+    fn entry_fields(&mut self, entry: &Entry) {
+        self.key("unit").unit(entry.unit.as_ref(), None);
+        self.key("value").term(&entry.value);
+    }
+
+    fn entry(&mut self, entry: &Entry) {
+        self.object(|w| w.entry_fields(entry));
+    }
+
+    /// Present only if it was written.
+    fn entry_if(&mut self, key: &str, entry: Option<&Entry>) {
+        if let Some(entry) = entry {
+            self.key(key).entry(entry);
+        }
+    }
+
+    fn named_entry(&mut self, name: &Label, entry: &Entry) {
+        self.key("name").string(&name.text);
+        self.key("unit").unit(entry.unit.as_ref(), Some("1"));
+        self.key("value").term(&entry.value);
+    }
+
+    fn pair_fields(&mut self, pair: &Pair, default: Option<&str>) {
+        self.key("unit").unit(pair.unit.as_ref(), default);
+        self.key("value").array(&pair.values, Self::term);
+    }
+
+    fn pair(&mut self, pair: &Pair, default: Option<&str>) {
+        self.object(|w| w.pair_fields(pair, default));
+    }
+
+    fn place(&mut self, place: &PlaceTerm) {
+        match place {
+            PlaceTerm::Named(path) => self.object(|w| w.key("place").string(&path.text)),
+            PlaceTerm::Ground(ground) => self.ground(ground),
+        }
+    }
+
+    fn ground(&mut self, ground: &Ground) {
+        self.object(|w| {
+            w.key("ground").array(&ground.at, Self::term);
+            w.key("unit").unit(ground.unit.as_ref(), None);
+        });
+    }
+
+    fn term(&mut self, term: &Term) {
+        match &term.kind {
+            TermKind::Ground(ground) => self.ground(ground),
+            TermKind::Name(path) => self.name(&path.text),
+            TermKind::Number { text, unit } => self.object(|w| {
+                w.key("number").string(text);
+                if let Some(unit) = unit {
+                    w.key("unit").string(&unit.unit.text);
+                }
+            }),
+            TermKind::Operation(operator, operands) => self.object(|w| {
+                w.key("op").string(operator.text());
+                w.key("args").array(operands, Self::term);
+            }),
+            TermKind::Call(function, arguments) => self.object(|w| {
+                w.key("call").string(&function.text);
+                w.key("args").array(arguments, Self::term);
+            }),
+            TermKind::Measured(inner, unit) => self.object(|w| {
+                w.key("value").term(inner);
+                w.key("unit").string(&unit.unit.text);
+            }),
+        }
+    }
+
+    fn body(&mut self, body: &Body) {
+        self.key("name").string(&body.name.text);
+        self.key("kind").string(body.shape.text());
+        self.key("properties").object(|w| {
+            for (label, entry) in &body.properties {
+                w.key(&label.text).entry(entry);
+            }
+        });
+        self.key("center").optional(body.center.as_ref(), |w, (_, pair)| w.pair(pair, None));
+        self.key("points").list(&body.points, |w, (label, pair)| {
+            w.key("name").string(&label.text);
+            w.pair_fields(pair, None);
+        });
+        self.key("lines").list(&body.lines, |w, line| {
+            w.key("name").string(&line.name.text);
+            w.key("from").place(&line.from);
+            w.key("to").place(&line.to);
+        });
+    }
+
+    fn joint(&mut self, joint: &Joint, definition: &Definition) {
+        let (kind, first) = match &joint.kind {
+            JointTerm::Fixed { first, .. } => ("fixed", Some(first)),
+            JointTerm::Revolute { first } => ("revolute", Some(first)),
+            JointTerm::Prismatic { first, .. } => ("prismatic", Some(first)),
+            JointTerm::PointOnLine { .. } => ("point_on_line", None),
+            JointTerm::Distance { first, .. } => ("distance", Some(first)),
+        };
+        self.key("name").string(&joint.name.text);
+        self.key("kind").string(kind);
+        self.key("first");
+        match (&joint.kind, first) {
+            (JointTerm::PointOnLine { line }, _) => self.line(line, definition),
+            (_, Some(first)) => self.place(first),
+            (_, None) => self.raw("null"),
+        }
+        self.key("second").place(&joint.second);
+        match &joint.kind {
+            JointTerm::Prismatic { axis, angle, .. } => {
+                self.key("axis").pair(axis, Some("1"));
+                self.entry_if("angle", angle.as_ref());
+            }
+            JointTerm::Fixed { angle, .. } => self.entry_if("angle", angle.as_ref()),
+            JointTerm::Distance { length, .. } => self.key("length").entry(length),
+            JointTerm::Revolute { .. } | JointTerm::PointOnLine { .. } => {}
+        }
+    }
+
+    /// A line of the ground is written out, as only bodies carry lines in the file.
+    fn line(&mut self, line: &LineTerm, definition: &Definition) {
+        let ends = match line {
+            LineTerm::Inline { from, to, .. } => Some((from, to)),
+            LineTerm::Named(path) => definition
+                .lines
+                .iter()
+                .find(|line| line.name.text == path.text)
+                .map(|line| (&line.from, &line.to)),
+        };
+        match (ends, line) {
+            (Some((from, to)), _) => self.object(|w| {
+                w.key("from").place(from);
+                w.key("to").place(to);
+            }),
+            (None, LineTerm::Named(path)) => self.object(|w| w.key("line").string(&path.text)),
+            (None, LineTerm::Inline { .. }) => self.raw("null"),
+        }
+    }
+
+    fn constraint(&mut self, constraint: &Constraint) {
+        self.key("name").string(&constraint.name.text);
+        match &constraint.kind {
+            ConstraintTerm::Gear { first, second, ratio, phase } => {
+                self.key("kind").string("gear");
+                self.key("first").string(&first.text);
+                self.key("second").string(&second.text);
+                self.key("ratio").entry(ratio);
+                self.key("phase").optional(phase.as_ref(), Self::entry);
+            }
+            ConstraintTerm::Rack { pinion, rail, radius, phase } => {
+                self.key("kind").string("rack");
+                self.key("pinion").string(&pinion.text);
+                self.key("rail").string(&rail.text);
+                self.key("radius").entry(radius);
+                self.key("phase").optional(phase.as_ref(), Self::entry);
+            }
+            ConstraintTerm::Equation { left, right } => {
+                self.key("kind").string("equation");
+                self.key("left").term(left);
+                self.key("right").term(right);
+            }
+        }
+    }
+
+    fn load(&mut self, load: &Load) {
+        self.key("name").string(&load.name.text);
+        match &load.kind {
+            LoadTerm::Force { place, direction, value } => {
+                self.key("kind").string("force");
+                self.key("place").place(place);
+                self.key("direction").array(&direction.values, Self::term);
+                self.key("value").term(value);
+            }
+            LoadTerm::Components { place, components } => {
+                self.key("kind").string("force");
+                self.key("place").place(place);
+                self.key("components").array(&components.values, |w, value| w.with_unit(value, components));
+            }
+            LoadTerm::Torque { on, value } => {
+                self.key("kind").string("torque");
+                self.key("on").string(&on.text);
+                self.key("value").term(value);
+            }
+            LoadTerm::Spring { first, second, stiffness, length, damping } => {
+                self.key("kind").string("spring");
+                self.key("first").place(first);
+                self.key("second").place(second);
+                self.key("stiffness").entry(stiffness);
+                self.key("length").entry(length);
+                self.entry_if("damping", damping.as_ref());
+            }
+            LoadTerm::Damper { first, second, damping } => {
+                self.key("kind").string("spring");
+                self.key("first").place(first);
+                self.key("second").place(second);
+                self.key("damping").entry(damping);
+            }
+            LoadTerm::TorsionSpring { on, stiffness, angle, damping } => {
+                self.key("kind").string("torsion_spring");
+                self.key("on").string(&on.text);
+                self.key("stiffness").entry(stiffness);
+                self.entry_if("angle", angle.as_ref());
+                self.entry_if("damping", damping.as_ref());
+            }
+        }
+    }
+
+    /// A component whose unit stands behind the pair.
+    fn with_unit(&mut self, value: &Term, pair: &Pair) {
+        match &pair.unit {
+            Some(unit) => self.object(|w| {
+                w.key("value").term(value);
+                w.key("unit").string(&unit.unit.text);
+            }),
+            None => self.term(value),
+        }
+    }
+
+    fn option(&mut self, option: &OptionEntry) {
+        match option {
+            OptionEntry::Coordinates(word) => self.key("coordinates").string(&word.text),
+            OptionEntry::Redundant(word) => self.key("redundant").string(&word.text),
+            OptionEntry::Cut(joints) => self.key("cut").array(joints, |w, joint| w.string(&joint.text)),
+            OptionEntry::Independent(paths) => {
+                self.key("independent").array(paths, |w, path| w.name(&path.text));
+            }
+            // Where the crate is found is no fact about the mechanism.
+            OptionEntry::Crate(_) => {}
+        }
+    }
+
+    fn expectations(&mut self, expect: &[ExpectEntry]) {
+        for entry in expect {
+            if let ExpectEntry::DegreesOfFreedom(count, _) = entry {
+                self.key("degrees_of_freedom").raw(&count.to_string());
+            }
+        }
+        let operations: Vec<(Option<&Label>, usize)> = expect
+            .iter()
+            .filter_map(|entry| match entry {
+                ExpectEntry::Operations(function, count, _) => Some((function.as_ref(), *count)),
+                ExpectEntry::DegreesOfFreedom(..) => None,
+            })
+            .collect();
+        if !operations.is_empty() {
+            self.key("operations").list(&operations, |w, (function, count)| {
+                w.key("of").optional(*function, |w, label| w.string(&label.text));
+                w.key("at_most").raw(&count.to_string());
+            });
+        }
+    }
+}

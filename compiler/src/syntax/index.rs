@@ -1,0 +1,88 @@
+//! Integer arithmetic at expansion: indices (`upright[i+1]`) and the bounds of `repeat`.
+
+use super::definition::{Operator, Term, TermKind};
+use super::parser::{Parsed, Parser};
+use super::token::Cursor;
+use crate::messages;
+use crate::units;
+
+/// Constants may refer to one another this deep.
+const DEEPEST_CONSTANT: usize = 32;
+
+impl Parser {
+    /// The value of an index; `/` divides integers here.
+    pub fn index(&mut self, mut inside: Cursor) -> Parsed<i64> {
+        let whole = inside.whole();
+        if inside.is_done() {
+            return self.fail(whole, messages::empty_index());
+        }
+        let term = self.expression(&mut inside)?;
+        self.end(&inside, "an operator or `]`")?;
+        let value = self.integer(&term, 0)?;
+        if value < 0 {
+            return self.fail(term.region, messages::negative_index(value));
+        }
+        Ok(value)
+    }
+
+    /// The value of an expression of integers, constants and variables of `repeat`.
+    pub fn integer(&mut self, term: &Term, depth: usize) -> Parsed<i64> {
+        let region = term.region;
+        let value = match &term.kind {
+            TermKind::Number { text, unit: None } => whole_number(text),
+            TermKind::Name(path) => {
+                let Some(constant) = self.constants.get(&path.text).cloned() else {
+                    let is_unit = units::parse(&path.text).is_ok();
+                    return self.fail(region, messages::not_an_index(&path.text, is_unit));
+                };
+                if depth > DEEPEST_CONSTANT {
+                    return self.fail(region, messages::index_too_deep(&path.text));
+                }
+                let mut constant = constant;
+                relocate(&mut constant, term);
+                Some(self.integer(&constant, depth + 1)?)
+            }
+            TermKind::Operation(operator, operands) => {
+                let mut values = Vec::with_capacity(2);
+                for operand in operands {
+                    values.push(self.integer(operand, depth)?);
+                }
+                if *operator == Operator::Divide && values[1] == 0 {
+                    return self.fail(region, messages::division_by_zero());
+                }
+                compute(*operator, &values)
+            }
+            _ => None,
+        };
+        match value {
+            Some(value) => Ok(value),
+            None => self.fail(region, messages::not_an_integer()),
+        }
+    }
+}
+
+/// An error inside a constant is shown where the constant is used.
+fn relocate(constant: &mut Term, user: &Term) {
+    constant.region = user.region;
+}
+
+/// `3`, and `3.0` too.
+fn whole_number(text: &str) -> Option<i64> {
+    if let Ok(value) = text.parse() {
+        return Some(value);
+    }
+    let value: f64 = text.parse().ok()?;
+    (libm::floor(value) == value && value.abs() < 1e15).then_some(value as i64)
+}
+
+fn compute(operator: Operator, values: &[i64]) -> Option<i64> {
+    match (operator, values) {
+        (Operator::Add, [a, b]) => a.checked_add(*b),
+        (Operator::Subtract, [a, b]) => a.checked_sub(*b),
+        (Operator::Multiply, [a, b]) => a.checked_mul(*b),
+        (Operator::Divide, [a, b]) => a.checked_div_euclid(*b),
+        (Operator::Power, [a, b]) => a.checked_pow(u32::try_from(*b).ok()?),
+        (Operator::Negate, [a]) => a.checked_neg(),
+        _ => None,
+    }
+}

@@ -1,0 +1,180 @@
+//! The blocks `start`, `options` and `expect`.
+
+use super::definition::{ExpectEntry, Label, OptionEntry, Path, StartEntry};
+use super::parser::{Parsed, Parser};
+use super::token::{Cursor, Kind};
+use crate::diagnostics::Region;
+use crate::messages;
+use proc_macro2::Delimiter;
+
+impl Parser {
+    /// `{ quantity [unit] = value; quantity [unit] ~ guess; }`
+    pub fn start(&mut self, c: &mut Cursor) -> Parsed<()> {
+        self.block(c, |parser, c| {
+            if c.at_word("repeat") {
+                return parser.fail(c.region(), messages::repeat_in_block());
+            }
+            let (quantity, unit) = parser.start_quantity(c)?;
+            let exact = match (c.eat_punct('='), c.eat_punct('~')) {
+                (true, false) => true,
+                (false, true) => false,
+                _ => return parser.expected(c, "`=` (a condition) or `~` (a guess)"),
+            };
+            let value = parser.expression(c)?;
+            parser.semicolon(c)?;
+            let entry = super::definition::Entry { unit, value };
+            parser.definition.start.push(StartEntry { quantity, exact, entry });
+            Ok(())
+        })
+    }
+
+    /// `guide_pin.angle [rad]`: the last bracket is the unit, those before it are indices.
+    fn start_quantity(
+        &mut self,
+        c: &mut Cursor,
+    ) -> Parsed<(Path, Option<super::definition::WrittenUnit>)> {
+        let first = self.declared(c, "a quantity such as `crank_pin.angle`")?;
+        let (mut text, mut region) = (first.text.clone(), first.region);
+        let mut parts = vec![first];
+        let mut unit = None;
+        while unit.is_none() && c.eat_punct('.') {
+            let part: Label;
+            (part, unit) = self.declared_with_unit(c, "a name")?;
+            text.push('.');
+            text.push_str(&part.text);
+            region = region.to(part.region);
+            parts.push(part);
+        }
+        Ok((Path { text, parts, region }, unit))
+    }
+
+    /// `{ coordinates = auto; cut = (joint, …); … }`
+    pub fn options(&mut self, c: &mut Cursor) -> Parsed<()> {
+        const KNOWN: [&str; 5] = ["coordinates", "redundant", "cut", "independent", "crate"];
+        self.block(c, |parser, c| {
+            let option = parser.word(c, "an option")?;
+            if option.text == "emit" {
+                return parser.fail(option.region, messages::not_there_yet("emit"));
+            }
+            if !KNOWN.contains(&option.text.as_str()) {
+                return parser.fail(option.region, messages::unknown_option(&option.text, &KNOWN));
+            }
+            parser.punct(c, '=')?;
+            let entry = match option.text.as_str() {
+                "coordinates" => OptionEntry::Coordinates(parser.choice(c, &["absolute", "tree", "auto"])?),
+                "redundant" => OptionEntry::Redundant(parser.redundant(c)?),
+                "cut" => OptionEntry::Cut(parser.list(c, |p, c| p.label(c, "the name of a joint"))?),
+                "independent" => OptionEntry::Independent(parser.list(c, |p, c| p.path(c, "a quantity"))?),
+                _ => OptionEntry::Crate(c.originals_to_semicolon()),
+            };
+            parser.semicolon(c)?;
+            parser.definition.options.push(entry);
+            Ok(())
+        })
+    }
+
+    fn redundant(&mut self, c: &mut Cursor) -> Parsed<Label> {
+        if let Some(word @ ("drop" | "keep")) = c.word() {
+            return self.fail(c.region(), messages::not_there_yet(&format!("redundant = {word}")));
+        }
+        self.choice(c, &["refuse"])
+    }
+
+    /// One of a few words.
+    fn choice(&mut self, c: &mut Cursor, words: &[&str]) -> Parsed<Label> {
+        let label = self.word(c, &messages::one_of(words))?;
+        if words.contains(&label.text.as_str()) {
+            return Ok(label);
+        }
+        self.fail(label.region, messages::expected(&messages::one_of(words), &format!("`{}`", label.text)))
+    }
+
+    /// One element, or several in parentheses.
+    fn list<T>(
+        &mut self,
+        c: &mut Cursor,
+        element: impl Fn(&mut Self, &mut Cursor) -> Parsed<T>,
+    ) -> Parsed<Vec<T>> {
+        let Some(mut inside) = c.enter(Delimiter::Parenthesis) else { return Ok(vec![element(self, c)?]) };
+        let mut elements = Vec::new();
+        while !inside.is_done() {
+            elements.push(element(self, &mut inside)?);
+            if !inside.is_done() && !inside.eat_punct(',') {
+                return self.expected(&inside, "`,` or `)`");
+            }
+        }
+        Ok(elements)
+    }
+
+    /// `{ degrees_of_freedom = 1; operations <= 400; operations(mass_matrix) <= 40; }`
+    pub fn expect(&mut self, c: &mut Cursor) -> Parsed<()> {
+        const KNOWN: [&str; 2] = ["degrees_of_freedom", "operations"];
+        self.block(c, |parser, c| {
+            let fact = parser.word(c, "`degrees_of_freedom` or `operations`")?;
+            let entry = match fact.text.as_str() {
+                "degrees_of_freedom" => {
+                    parser.punct(c, '=')?;
+                    let (count, end) = parser.count(c)?;
+                    ExpectEntry::DegreesOfFreedom(count, fact.region.to(end))
+                }
+                "operations" => {
+                    let mut function = None;
+                    if let Some(mut inside) = c.enter(Delimiter::Parenthesis) {
+                        function = Some(parser.word(&mut inside, "the name of a function")?);
+                        parser.end(&inside, "`)`")?;
+                    }
+                    if !c.at_puncts('<', '=') {
+                        return parser.expected(c, "`<=`");
+                    }
+                    c.advance();
+                    c.advance();
+                    let (count, end) = parser.count(c)?;
+                    ExpectEntry::Operations(function, count, fact.region.to(end))
+                }
+                word => return parser.fail(fact.region, messages::unknown_option(word, &KNOWN)),
+            };
+            parser.semicolon(c)?;
+            parser.definition.expect.push(entry);
+            Ok(())
+        })
+    }
+
+    /// A whole number, or an expression of constants.
+    fn count(&mut self, c: &mut Cursor) -> Parsed<(usize, Region)> {
+        let term = self.expression(c)?;
+        let value = self.integer(&term, 0)?;
+        match usize::try_from(value) {
+            Ok(count) => Ok((count, term.region)),
+            Err(_) => self.fail(term.region, messages::negative_index(value)),
+        }
+    }
+
+    /// The lines of a block; after an error on to the next.
+    fn block(
+        &mut self,
+        c: &mut Cursor,
+        mut line: impl FnMut(&mut Self, &mut Cursor) -> Parsed<()>,
+    ) -> Parsed<()> {
+        let mut inside = self.group(c, Delimiter::Brace)?;
+        while !inside.is_done() {
+            let before = inside.clone();
+            if line(self, &mut inside).is_err() {
+                inside = before;
+                inside.skip_statement();
+            }
+        }
+        Ok(())
+    }
+}
+
+impl Cursor<'_> {
+    /// How many statements a block has: its `;` and braces at this level.
+    pub fn count_statements(&self) -> usize {
+        let mut ahead = self.clone();
+        let mut count = 0;
+        while let Some(token) = ahead.advance() {
+            count += usize::from(matches!(token.kind, Kind::Punct(';') | Kind::Group(Delimiter::Brace, ..)));
+        }
+        count
+    }
+}

@@ -1,0 +1,224 @@
+//! The statements of a mechanism, except those that look like calls (`calls`), bodies (`body`) and the blocks of
+//! conditions and options (`settings`). `repeat` reads its braces again for every round.
+
+use super::definition::{Constant, Driver, Input, Line, Output, Parameter, Shape};
+use super::parser::{Parsed, Parser};
+use super::token::Cursor;
+use crate::messages;
+use proc_macro2::{Delimiter, TokenStream};
+
+/// Words that begin a statement, for messages.
+const STATEMENTS: [&str; 25] = [
+    "const",
+    "param",
+    "input",
+    "gravity",
+    "body",
+    "rod",
+    "disk",
+    "box",
+    "particle",
+    "line",
+    "joint",
+    "constraint",
+    "drive",
+    "force",
+    "torque",
+    "spring",
+    "damper",
+    "torsion_spring",
+    "start",
+    "options",
+    "expect",
+    "output",
+    "repeat",
+    "gear",
+    "rack",
+];
+
+impl Parser {
+    /// All statements of a block; after an error on to the next one.
+    pub fn statements(&mut self, mut c: Cursor) {
+        while !c.is_done() {
+            let before = c.clone();
+            if self.statement(&mut c).is_err() {
+                c = before;
+                c.skip_statement();
+            }
+        }
+    }
+
+    fn statement(&mut self, c: &mut Cursor) -> Parsed<()> {
+        let docs = self.attributes(c)?;
+        let at = c.region();
+        let Some(word) = c.word() else { return self.expected(c, "a statement") };
+        if word == "const" && self.indices.is_empty() {
+            // Read before all others.
+            c.skip_statement();
+            return Ok(());
+        }
+        c.advance();
+        match word {
+            "const" => self.fail(at, messages::constant_in_repeat()),
+            "param" => self.parameter(c, docs),
+            "input" => self.input(c, docs),
+            "gravity" => self.gravity(c),
+            "body" => self.body(c, Shape::Body),
+            "rod" => self.body(c, Shape::Rod),
+            "disk" => self.body(c, Shape::Disk),
+            "box" => self.body(c, Shape::Box),
+            "particle" => self.body(c, Shape::Particle),
+            "line" => {
+                let line = self.line(c)?;
+                self.definition.lines.push(line);
+                Ok(())
+            }
+            "joint" => self.joint(c),
+            "constraint" => self.constraint(c),
+            "gear" | "rack" => self.coupling(c, word),
+            "drive" => self.driver(c),
+            "force" | "torque" | "spring" | "damper" | "torsion_spring" => self.load(c, word),
+            "output" => self.output(c, docs),
+            "start" => self.start(c),
+            "options" => self.options(c),
+            "expect" => self.expect(c),
+            "repeat" => self.repeat(c),
+            "table" | "state" | "rate" | "friction" | "contact" | "mesh" | "bushing" | "part" | "file" | "beam"
+            | "belt" | "screw" | "differential" | "sphere" | "cylinder" => {
+                self.fail(at, messages::not_there_yet(word))
+            }
+            _ => self.fail(at, messages::unknown_statement(word, STATEMENTS.iter().copied())),
+        }
+    }
+
+    /// `NAME [unit] = value;`
+    pub fn constant(&mut self, c: &mut Cursor) -> Parsed<Constant> {
+        let (name, unit) = self.declared_with_unit(c, "the name of the constant")?;
+        let entry = self.entry(c, unit)?;
+        self.semicolon(c)?;
+        Ok(Constant { name, entry })
+    }
+
+    /// `name [unit] = value in minimum..maximum;`
+    fn parameter(&mut self, c: &mut Cursor, docs: TokenStream) -> Parsed<()> {
+        let (name, unit) = self.declared_with_unit(c, "the name of the parameter")?;
+        let entry = self.entry(c, unit)?;
+        let mut bounds = None;
+        if c.eat_word("in") {
+            let minimum = self.expression(c)?;
+            self.dots(c)?;
+            bounds = Some((minimum, self.expression(c)?));
+        }
+        self.semicolon(c)?;
+        self.definition.parameters.push(Parameter { name, docs, entry, bounds });
+        Ok(())
+    }
+
+    /// `..`
+    fn dots(&mut self, c: &mut Cursor) -> Parsed<()> {
+        if !c.at_puncts('.', '.') {
+            return self.expected(c, "`..`");
+        }
+        c.advance();
+        c.advance();
+        Ok(())
+    }
+
+    /// `name [unit];`
+    fn input(&mut self, c: &mut Cursor, docs: TokenStream) -> Parsed<()> {
+        let (name, unit) = self.declared_with_unit(c, "the name of the input")?;
+        if c.at_punct('=') {
+            return self.fail(c.region(), messages::input_with_value(&name.text));
+        }
+        self.semicolon(c)?;
+        self.definition.inputs.push(Input { name, docs, unit });
+        Ok(())
+    }
+
+    /// `[unit] = (x, y);`
+    fn gravity(&mut self, c: &mut Cursor) -> Parsed<()> {
+        let word = c.previous();
+        let unit = self.unit(c)?;
+        self.punct(c, '=')?;
+        let pair = self.pair(c, unit)?;
+        self.semicolon(c)?;
+        if self.definition.gravity.is_some() {
+            return self.fail(word, messages::gravity_twice());
+        }
+        self.definition.gravity = Some(pair);
+        Ok(())
+    }
+
+    /// `name = (place, place);`
+    pub fn line(&mut self, c: &mut Cursor) -> Parsed<Line> {
+        let name = self.declared(c, "the name of the line")?;
+        self.punct(c, '=')?;
+        let mut inside = self.group(c, Delimiter::Parenthesis)?;
+        let from = self.place(&mut inside)?;
+        self.punct(&mut inside, ',')?;
+        let to = self.place(&mut inside)?;
+        inside.eat_punct(',');
+        self.end(&inside, "`)`: a line goes through two places")?;
+        self.semicolon(c)?;
+        Ok(Line { name, from, to })
+    }
+
+    /// `name: quantity = law;`
+    fn driver(&mut self, c: &mut Cursor) -> Parsed<()> {
+        let name = self.declared(c, "the name of the driver")?;
+        self.punct(c, ':')?;
+        let quantity = self.path(c, "the quantity that is driven, such as `crank_pin.angle`")?;
+        self.punct(c, '=')?;
+        let law = self.expression(c)?;
+        self.semicolon(c)?;
+        self.definition.drivers.push(Driver { name, quantity, law });
+        Ok(())
+    }
+
+    /// `name [unit] = value;`
+    fn output(&mut self, c: &mut Cursor, docs: TokenStream) -> Parsed<()> {
+        let (name, unit) = self.declared_with_unit(c, "the name of the output")?;
+        let entry = self.entry(c, unit)?;
+        self.semicolon(c)?;
+        self.definition.outputs.push(Output { name, docs, entry });
+        Ok(())
+    }
+
+    /// `i in first..behind_last { … }`
+    fn repeat(&mut self, c: &mut Cursor) -> Parsed<()> {
+        let variable = self.word(c, "the variable of `repeat`")?;
+        if self.indices.iter().any(|(name, _)| *name == variable.text) {
+            return self.fail(variable.region, messages::index_shadowed(&variable.text));
+        }
+        if !c.eat_word("in") {
+            return self.expected(c, "`in`");
+        }
+        let start = c.region();
+        let first = self.expression(c)?;
+        let first = self.integer(&first, 0)?;
+        self.dots(c)?;
+        let behind = self.expression(c)?;
+        let region = start.to(behind.region);
+        let behind = self.integer(&behind, 0)?;
+        let inside = self.group(c, Delimiter::Brace)?;
+        let rounds = behind.saturating_sub(first).max(0) as usize;
+        let statements = rounds.saturating_mul(1 + inside.count_statements());
+        if statements > self.budget {
+            // The outer rounds are spared the same message.
+            self.budget = 0;
+            return self.fail(region, messages::too_many_rounds(rounds, super::MOST_STATEMENTS));
+        }
+        self.budget -= statements;
+        for value in first..behind {
+            let errors = self.diagnostics.iter().count();
+            self.indices.push((variable.text.clone(), value));
+            self.statements(inside.clone());
+            self.indices.pop();
+            // A mistake of one round is a mistake of all.
+            if self.diagnostics.iter().count() > errors {
+                break;
+            }
+        }
+        Ok(())
+    }
+}

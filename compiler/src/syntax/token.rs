@@ -1,0 +1,261 @@
+//! The tokens as the parser reads them: converted once, numbered, so that the rounds of a `repeat` can read
+//! them again at no cost. What they mean is left to the parser.
+
+use crate::diagnostics::{Diagnostics, Region};
+use crate::messages;
+use proc_macro2::{Delimiter, TokenStream, TokenTree};
+
+/// Groups nested deeper than this are refused, and so are expressions.
+pub(super) const DEEPEST: usize = 96;
+
+/// One token with its place.
+#[derive(Debug)]
+pub(super) struct Token {
+    pub kind: Kind,
+    pub region: Region,
+    /// As received, for the parts that are handed through (attributes, visibility, paths).
+    pub original: TokenTree,
+}
+
+/// What a token is.
+#[derive(Debug)]
+pub(super) enum Kind {
+    /// An identifier or keyword.
+    Word(String),
+    /// A numeric literal, digits as written without underscores.
+    Number(String),
+    /// Any other literal.
+    Text(String),
+    /// One character.
+    Punct(char),
+    /// A group, the region of its closing delimiter beside it.
+    Group(Delimiter, Vec<Token>, Region),
+}
+
+/// Numbers and nests the tokens of a stream.
+pub(super) fn convert(stream: TokenStream, diagnostics: &mut Diagnostics) -> Vec<Token> {
+    let mut serial = 0;
+    convert_nested(stream, 0, &mut serial, diagnostics)
+}
+
+fn convert_nested(
+    stream: TokenStream,
+    depth: usize,
+    serial: &mut u32,
+    diagnostics: &mut Diagnostics,
+) -> Vec<Token> {
+    let mut tokens = Vec::new();
+    for tree in stream {
+        *serial += 1;
+        let region = Region::of_token(tree.span(), *serial);
+        let kind = match &tree {
+            TokenTree::Ident(ident) => Kind::Word(ident.to_string()),
+            TokenTree::Punct(punct) => Kind::Punct(punct.as_char()),
+            TokenTree::Literal(literal) => literal_kind(literal.to_string()),
+            TokenTree::Group(group) => {
+                if depth >= DEEPEST {
+                    diagnostics.error(region, messages::too_deep(DEEPEST));
+                    continue;
+                }
+                let inner = convert_nested(group.stream(), depth + 1, serial, diagnostics);
+                *serial += 1;
+                let close = Region::of_token(group.span_close(), *serial);
+                // A macro's fragment of one token is that token; a longer one keeps its grouping.
+                if group.delimiter() == Delimiter::None && inner.len() <= 1 {
+                    tokens.extend(inner);
+                    continue;
+                }
+                Kind::Group(group.delimiter(), inner, close)
+            }
+        };
+        tokens.push(Token { kind, region, original: tree });
+    }
+    tokens
+}
+
+fn literal_kind(text: String) -> Kind {
+    let digits = text.strip_prefix('-').unwrap_or(&text);
+    if digits.starts_with(|c: char| c.is_ascii_digit()) {
+        Kind::Number(text.replace('_', ""))
+    } else {
+        Kind::Text(text)
+    }
+}
+
+/// A position in the tokens of one group.
+#[derive(Clone, Debug)]
+pub(super) struct Cursor<'t> {
+    tokens: &'t [Token],
+    at: usize,
+    /// The closing delimiter: where something is missing when the tokens run out.
+    close: Region,
+}
+
+impl<'t> Cursor<'t> {
+    pub fn new(tokens: &'t [Token], close: Region) -> Self {
+        Self { tokens, at: 0, close }
+    }
+
+    pub fn peek(&self) -> Option<&'t Token> {
+        self.tokens.get(self.at)
+    }
+
+    pub fn peek_second(&self) -> Option<&'t Token> {
+        self.tokens.get(self.at + 1)
+    }
+
+    pub fn is_done(&self) -> bool {
+        self.at >= self.tokens.len()
+    }
+
+    pub fn advance(&mut self) -> Option<&'t Token> {
+        let token = self.tokens.get(self.at)?;
+        self.at += 1;
+        Some(token)
+    }
+
+    /// The next token's place, or the end's.
+    pub fn region(&self) -> Region {
+        self.peek().map_or(self.close, |token| token.region)
+    }
+
+    /// The place of the token before this position.
+    pub fn previous(&self) -> Region {
+        match self.at.checked_sub(1).and_then(|before| self.tokens.get(before)) {
+            Some(token) => token.region,
+            None => self.close,
+        }
+    }
+
+    /// The word that comes next.
+    pub fn word(&self) -> Option<&'t str> {
+        match &self.peek()?.kind {
+            Kind::Word(word) => Some(word),
+            _ => None,
+        }
+    }
+
+    /// Whether this word comes next.
+    pub fn at_word(&self, word: &str) -> bool {
+        self.word() == Some(word)
+    }
+
+    /// Whether this character comes next.
+    pub fn at_punct(&self, character: char) -> bool {
+        is_punct(self.peek(), character)
+    }
+
+    /// Whether these two characters come next.
+    pub fn at_puncts(&self, first: char, second: char) -> bool {
+        is_punct(self.peek(), first) && is_punct(self.peek_second(), second)
+    }
+
+    /// Takes the character if it comes next.
+    pub fn eat_punct(&mut self, character: char) -> bool {
+        let eaten = self.at_punct(character);
+        self.at += usize::from(eaten);
+        eaten
+    }
+
+    /// Takes the word if it comes next.
+    pub fn eat_word(&mut self, word: &str) -> bool {
+        let eaten = self.at_word(word);
+        self.at += usize::from(eaten);
+        eaten
+    }
+
+    /// A cursor into the group that comes next, if it has this delimiter.
+    pub fn inside(&self, delimiter: Delimiter) -> Option<Cursor<'t>> {
+        match &self.peek()?.kind {
+            Kind::Group(found, tokens, close) if *found == delimiter => Some(Cursor::new(tokens, *close)),
+            _ => None,
+        }
+    }
+
+    /// Like [`Self::inside`], and steps over the group.
+    pub fn enter(&mut self, delimiter: Delimiter) -> Option<Cursor<'t>> {
+        let inside = self.inside(delimiter)?;
+        self.at += 1;
+        Some(inside)
+    }
+
+    /// How many groups of this delimiter follow one another from here.
+    pub fn groups_ahead(&self, delimiter: Delimiter) -> usize {
+        let is_one = |token: &&Token| matches!(&token.kind, Kind::Group(found, ..) if *found == delimiter);
+        self.tokens[self.at.min(self.tokens.len())..].iter().take_while(is_one).count()
+    }
+
+    /// Whether a comma stands at this level further on.
+    pub fn has_comma(&self) -> bool {
+        self.tokens[self.at.min(self.tokens.len())..].iter().any(|token| matches!(token.kind, Kind::Punct(',')))
+    }
+
+    /// After an error: to behind the next `;` or braces of this level.
+    pub fn skip_statement(&mut self) {
+        while let Some(token) = self.advance() {
+            if matches!(token.kind, Kind::Punct(';') | Kind::Group(Delimiter::Brace, ..)) {
+                return;
+            }
+        }
+    }
+
+    /// The tokens up to the next `;`, as received.
+    pub fn originals_to_semicolon(&mut self) -> TokenStream {
+        let mut stream = TokenStream::new();
+        while !self.is_done() && !self.at_punct(';') {
+            stream.extend(self.advance().map(|token| token.original.clone()));
+        }
+        stream
+    }
+
+    /// The tokens from here to the end without spaces, and their region.
+    pub fn joined(&self) -> String {
+        let mut text = String::new();
+        join(&self.tokens[self.at.min(self.tokens.len())..], &mut text);
+        text
+    }
+
+    /// The token with this text, anywhere inside.
+    pub fn find(&self, text: &str) -> Option<Region> {
+        find(self.tokens, text)
+    }
+
+    /// From the first token inside to the last; the closing delimiter if there is none.
+    pub fn whole(&self) -> Region {
+        match (self.tokens.first(), self.tokens.last()) {
+            (Some(first), Some(last)) => first.region.to(last.region),
+            _ => self.close,
+        }
+    }
+}
+
+fn is_punct(token: Option<&Token>, character: char) -> bool {
+    matches!(token, Some(Token { kind: Kind::Punct(found), .. }) if *found == character)
+}
+
+fn join(tokens: &[Token], text: &mut String) {
+    for token in tokens {
+        match &token.kind {
+            Kind::Word(piece) | Kind::Number(piece) | Kind::Text(piece) => text.push_str(piece),
+            Kind::Punct(character) => text.push(*character),
+            Kind::Group(delimiter, inner, _) => {
+                let (open, close) = match delimiter {
+                    Delimiter::Brace => ("{", "}"),
+                    Delimiter::Bracket => ("[", "]"),
+                    Delimiter::Parenthesis | Delimiter::None => ("(", ")"),
+                };
+                text.push_str(open);
+                join(inner, text);
+                text.push_str(close);
+            }
+        }
+    }
+}
+
+fn find(tokens: &[Token], text: &str) -> Option<Region> {
+    tokens.iter().find_map(|token| match &token.kind {
+        Kind::Word(piece) | Kind::Number(piece) if piece == text => Some(token.region),
+        Kind::Group(_, inner, _) => find(inner, text),
+        _ => None,
+    })
+}

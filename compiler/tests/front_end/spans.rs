@@ -1,0 +1,116 @@
+//! Where errors point: `~~~~` under the source.
+
+use crate::{bad, slider_crank, underlined};
+
+/// Checks message and underlining of the only error, without the indentation of the line.
+#[track_caller]
+fn points_at(more: &str, message: &str, marked: &str) {
+    let source = slider_crank(more);
+    let diagnostics = bad(&source);
+    let errors: Vec<_> = diagnostics.iter().collect();
+    assert_eq!(errors.len(), 1, "{diagnostics}");
+    assert_eq!(errors[0].message, message);
+    assert_eq!(underlined(&source, errors[0].region), marked);
+}
+
+#[test]
+fn names() {
+    points_at(
+        "joint extra: revolute(crnk.pin, ground(0, 0));",
+        "no body called \"crnk\"; did you mean \"crank\"?",
+        "joint extra: revolute(crnk.pin, ground(0, 0));
+                      ~~~~",
+    );
+    points_at(
+        "joint extra: revolute(crank.pn, ground(0, 0));",
+        "`crank` has no point called \"pn\"; did you mean \"pin\"?",
+        "joint extra: revolute(crank.pn, ground(0, 0));
+                            ~~",
+    );
+}
+
+#[test]
+fn units() {
+    points_at(
+        "param p [kg*mm/sek] = 1;",
+        "no unit called \"sek\"; units are m g s N Pa J W Hz with prefixes, kg rad deg rev rpm min h t bar",
+        "param p [kg*mm/sek] = 1;
+               ~~~",
+    );
+    points_at(
+        "body b { mass [m] = 1; inertia [kg*m^2] = 1; }",
+        "mass is given a length: expected kg, found m",
+        "body b { mass [m] = 1; inertia [kg*m^2] = 1; }
+               ~",
+    );
+}
+
+#[test]
+fn expressions() {
+    points_at(
+        "output o [m] = link.end.x + 3;",
+        "the summands do not fit: a plain number meets a length; write its unit, as in `3 [m]`",
+        "output o [m] = link.end.x + 3;
+                            ~",
+    );
+    points_at(
+        "output o [m] = 2*(link.end.x + heavy*3);",
+        "the summands do not fit: a length (m) meets a mass (kg)",
+        "output o [m] = 2*(link.end.x + heavy*3);
+                  ~~~~~~~~~~~~~~~~~~~~",
+    );
+    points_at(
+        "output o [m] = sqrt(1 - 4/2) * 1 [m];",
+        "this has no value: it is not defined",
+        "output o [m] = sqrt(1 - 4/2) * 1 [m];
+               ~~~~~~~~~~~~~",
+    );
+}
+
+#[test]
+fn two_places() {
+    let source = slider_crank("rod crank { mass [kg] = 1; length [m] = 1; }");
+    let diagnostics = bad(&source);
+    let error = diagnostics.iter().next().expect("an error");
+    assert_eq!(error.message, "`crank` is declared twice; rename one of them");
+    assert_eq!(underlined(&source, error.region), "rod crank { mass [kg] = 1; length [m] = 1; }\n    ~~~~~");
+    assert_eq!(error.notes[0].message, "the first `crank` is here");
+    let marked = underlined(&source, error.notes[0].region);
+    assert!(marked.ends_with("\n         ~~~~~"), "{marked}");
+    assert_eq!(error.notes[0].region.start.start().line, 5);
+}
+
+#[test]
+fn several_statements_at_once() {
+    let source = slider_crank("param p [kg = 1;");
+    assert!(source.parse::<proc_macro2::TokenStream>().is_err(), "unbalanced brackets never reach the macro");
+
+    let source = slider_crank(
+        "param = 1;
+        joint j revolute(ground(0, 0), crank.pin);
+        body { mass [kg] = 1; }
+        body c { mass [kgg] = 1; inertia = ; }
+        start { base.angle [rad] 1; base.rate = ; }
+        output o [m] = 1 +;",
+    );
+    let messages: Vec<String> = bad(&source).iter().map(|error| error.message.clone()).collect();
+    assert_eq!(
+        messages,
+        [
+            "expected the name of the parameter, found `=`",
+            "expected `:`, found `revolute`",
+            "expected the name of the body, found `{`",
+            "no unit called \"kgg\"; units are m g s N Pa J W Hz with prefixes, kg rad deg rev rpm min h t bar",
+            "expected a value, found `;`",
+            "expected `=` (a condition) or `~` (a guess), found `1`",
+            "expected a value, found `;`",
+            "expected a value, found `;`",
+        ]
+    );
+}
+
+#[test]
+fn compile_errors_carry_the_message() {
+    let text = bad(&slider_crank("output o [m] = nothing;")).into_compile_errors().to_string();
+    assert_eq!(text.replace(' ', ""), "::core::compile_error!{\"novaluecalled\\\"nothing\\\"\"}");
+}

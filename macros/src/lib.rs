@@ -1,0 +1,22 @@
+//! The `mechanism!` macro: a shell around `linkwright-compiler`.
+#![warn(missing_docs)]
+
+use proc_macro::TokenStream;
+
+/// Compiles a definition of a mechanism into its equations of motion.
+///
+/// ```text
+/// mechanism! {
+///     pub planar Pendulum {
+///         gravity [m/s^2] = (0, -9.81);
+///         rod arm { mass [kg] = 1; length [m] = 1; }
+///         joint pivot: revolute(ground(0, 0) [m], arm.start);
+///         start { pivot.angle [rad] = 0.5; }
+///     }
+/// }
+/// ```
+/// The language, and what is emitted, are described in the documentation of the crate `linkwright`.
+#[proc_macro]
+pub fn mechanism(tokens: TokenStream) -> TokenStream {
+    linkwright_compiler::expand(tokens.into()).into()
+}

@@ -1,0 +1,3 @@
+//! Mechanisms that ship with Linkwright.
+
+pub mod four_bar;

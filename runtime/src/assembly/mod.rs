@@ -1,0 +1,107 @@
+//! Consistent states: positions, velocities and accelerations that satisfy the constraints and given conditions.
+//!
+//! The numerical work of one `assemble` is here, allocation-free and fit for a microcontroller; which quantities
+//! `start` states and in which order the unknowns are eliminated was decided at expansion ([`Assemble`]).
+
+mod position;
+mod rates;
+pub(crate) mod system;
+
+pub use position::{assemble_position, project_position};
+pub use rates::{assemble_acceleration, assemble_velocity, project_velocity};
+
+use crate::error::AssemblyError;
+use crate::ldl::Pivot;
+use crate::mechanism::Assemble;
+use crate::real::Real;
+use crate::state::{Kinematics, Motion, State};
+use crate::vector::Vector;
+use system::System;
+
+/// Assembly as methods of the model.
+pub trait AssembleExt<R: Real>: Assemble<R> + Sized {
+    /// The state near `near` that fulfils what `start` states, with this model's parameters, at time zero.
+    ///
+    /// # Errors
+    /// As [`assemble_position`] and [`assemble_velocity`].
+    fn assemble(&self, near: &State<Self::Q, Self::V>) -> Result<State<Self::Q, Self::V>, AssemblyError> {
+        let (mut positions, mut rates) = (Self::Conditions::zero(), Self::Conditions::zero());
+        self.start_targets(&mut positions, &mut rates);
+        let q = assemble_position(self, R::ZERO, &near.q, &positions, Self::START_CONDITIONS)?;
+        let v = assemble_velocity(self, R::ZERO, &q, &rates, Self::START_RATES)?;
+        Ok(State { q, v })
+    }
+
+    /// The motion of the whole mechanism from that of its independent coordinates, given in the order of
+    /// [`INDEPENDENT`](Assemble::INDEPENDENT); of several ways to assemble, the one near `near`.
+    ///
+    /// # Errors
+    /// [`WrongLength`](AssemblyError::WrongLength); otherwise as [`assemble_position`] and [`assemble_velocity`].
+    fn kinematics(
+        &self,
+        time: R,
+        near: &Self::Q,
+        given: &[Motion<R>],
+    ) -> Result<Kinematics<Self::Q, Self::V>, AssemblyError> {
+        let needed = Self::INDEPENDENT.len();
+        if given.len() != needed {
+            return Err(AssemblyError::WrongLength { needed, given: given.len() });
+        }
+        let targets = |part: fn(&Motion<R>) -> R| {
+            let mut targets = Self::Conditions::zero();
+            for (&index, motion) in Self::INDEPENDENT.iter().zip(given) {
+                targets.as_mut_slice()[index as usize] = part(motion);
+            }
+            targets
+        };
+        let held = Self::INDEPENDENT;
+        let q = assemble_position(self, time, near, &targets(|motion| motion.position), held)?;
+        let v = assemble_velocity(self, time, &q, &targets(|motion| motion.rate), held)?;
+        let a = assemble_acceleration(self, time, &q, &v, &targets(|motion| motion.acceleration), held)?;
+        Ok(Kinematics { q, v, a })
+    }
+
+    /// The consistent state nearest to `state`: positions as by [`project_position`], velocities as by
+    /// [`project_velocity`].
+    ///
+    /// # Errors
+    /// As [`assemble_position`] and [`assemble_velocity`].
+    fn project(
+        &self,
+        time: R,
+        state: &State<Self::Q, Self::V>,
+    ) -> Result<State<Self::Q, Self::V>, AssemblyError> {
+        let q = project_position(self, time, &state.q)?;
+        let v = project_velocity(self, time, &q, &state.v)?;
+        Ok(State { q, v })
+    }
+}
+
+impl<R: Real, M: Assemble<R>> AssembleExt<R> for M {}
+
+/// The smallest relative pivot of D Dᵀ and the index of its row: near zero at a position where that row depends on
+/// those eliminated before it. `None` for a mechanism without constraint rows, or where all pivots are one.
+pub fn smallest_pivot<R: Real, M: Assemble<R>>(model: &M, time: R, q: &M::Q) -> (R, Option<usize>) {
+    match unit_pivot(model, time, q) {
+        Some(pivot) => {
+            let row = pivot.unknown.checked_sub(M::V::LEN).filter(|&row| row < M::Lambda::LEN);
+            (pivot.value, row)
+        }
+        None => (R::ONE, None),
+    }
+}
+
+fn unit_pivot<R: Real, M: Assemble<R>>(model: &M, time: R, q: &M::Q) -> Option<Pivot<R>> {
+    let mut system = System::new(model, &[]).ok()?;
+    system.evaluate(time, q, None);
+    Some(system.factor_unit())
+}
+
+/// The velocity at which the mass matrix, with the constraints, is singular: `None` where it is not, or where it is
+/// the constraints that are.
+pub(crate) fn singular_velocity<R: Real, M: Assemble<R>>(model: &M, time: R, q: &M::Q) -> Option<usize> {
+    let mut system = System::new(model, &[]).ok()?;
+    system.evaluate(time, q, None);
+    let pivot = system.factor_mass(time, q, R::ZERO);
+    (pivot.value < R::BREAKDOWN && pivot.unknown < M::V::LEN).then_some(pivot.unknown)
+}

@@ -1,0 +1,102 @@
+//! Velocities and accelerations that satisfy the constraints: one linear system each.
+//!
+//! Of all that satisfy the rows the one of least kinetic energy is taken (Gauss's principle for corrections). The
+//! position must already be consistent (`position.rs`); the linear algebra is `system.rs`.
+
+use super::system::System;
+use crate::error::AssemblyError;
+use crate::mechanism::Assemble;
+use crate::real::Real;
+use crate::vector::Vector;
+
+/// The velocities of least kinetic energy that satisfy the constraints and have the `rates` of the conditions
+/// `active`: \[M, D̂ᵀ; D̂, 0\] (v, μ) = (0, ν̂). Where massless bodies leave M singular, a tiny multiple of its largest
+/// diagonal entry is added to the diagonal.
+///
+/// # Errors
+/// [`RankDeficient`](AssemblyError::RankDeficient), [`NonFinite`](AssemblyError::NonFinite),
+/// [`NoSuchCondition`](AssemblyError::NoSuchCondition).
+pub fn assemble_velocity<R: Real, M: Assemble<R>>(
+    model: &M,
+    time: R,
+    q: &M::Q,
+    rates: &M::Conditions,
+    active: &[u16],
+) -> Result<M::V, AssemblyError> {
+    correct_velocity(model, time, q, &M::V::zero(), rates, active)
+}
+
+/// The velocities nearest to `v` in the norm of M that satisfy the constraints.
+///
+/// # Errors
+/// As [`assemble_velocity`].
+pub fn project_velocity<R: Real, M: Assemble<R>>(
+    model: &M,
+    time: R,
+    q: &M::Q,
+    v: &M::V,
+) -> Result<M::V, AssemblyError> {
+    correct_velocity(model, time, q, v, &M::Conditions::zero(), &[])
+}
+
+/// The accelerations of least ½ aᵀ M a that satisfy the constraints and give the coordinates of the conditions
+/// `active` the second derivatives `accelerations`: D̂ v̇ = (γ, target − bias).
+///
+/// # Errors
+/// As [`assemble_velocity`].
+pub fn assemble_acceleration<R: Real, M: Assemble<R>>(
+    model: &M,
+    time: R,
+    q: &M::Q,
+    v: &M::V,
+    accelerations: &M::Conditions,
+    active: &[u16],
+) -> Result<M::V, AssemblyError> {
+    let mut system = System::new(model, active)?;
+    let mut gamma = M::Lambda::zero();
+    model.gamma(time, q, v, &mut gamma);
+    let mut bias = M::Conditions::zero();
+    model.condition_bias(time, q, v, &mut bias);
+    let targets = accelerations.plus(-R::ONE, &bias);
+    correct(&mut system, time, q, &M::V::zero(), &gamma, &targets)
+}
+
+fn correct_velocity<R: Real, M: Assemble<R>>(
+    model: &M,
+    time: R,
+    q: &M::Q,
+    v: &M::V,
+    rates: &M::Conditions,
+    active: &[u16],
+) -> Result<M::V, AssemblyError> {
+    let mut system = System::new(model, active)?;
+    let mut nu = M::Lambda::zero();
+    model.nu(time, q, &mut nu);
+    let mut drift = M::Conditions::zero();
+    model.condition_drift(time, q, &mut drift);
+    let targets = rates.plus(-R::ONE, &drift);
+    correct(&mut system, time, q, v, &nu, &targets)
+}
+
+/// x + the least correction with D̂ x = (`rows`, `conditions`). The second round removes what rounding, or a shifted
+/// mass matrix, left in the rows.
+fn correct<R: Real, M: Assemble<R>>(
+    system: &mut System<'_, R, M>,
+    time: R,
+    q: &M::Q,
+    x: &M::V,
+    rows: &M::Lambda,
+    conditions: &M::Conditions,
+) -> Result<M::V, AssemblyError> {
+    system.evaluate(time, q, None);
+    system.factor_mass_or_shifted(time, q)?;
+    let mut x = *x;
+    for _ in 0..2 {
+        let (rows, conditions) = system.remaining(rows, conditions, &x);
+        x.axpy(R::ONE, &system.least(&rows, &conditions));
+    }
+    match x.first_not_finite() {
+        Some(unknown) => Err(AssemblyError::NonFinite { row: super::system::name_unknown::<R, M>(unknown) }),
+        None => Ok(x),
+    }
+}

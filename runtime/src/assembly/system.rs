@@ -1,0 +1,177 @@
+//! K = \[W, D̂ᵀ; D̂, 0\] filled for one position, and its use: least corrections that satisfy all rows.
+//!
+//! D̂ has the constraint rows and the active ones among the conditions. What stands on the right-hand side is decided
+//! by `position.rs` and `rates.rs`.
+
+use crate::error::AssemblyError;
+use crate::ldl::{Ldl, Pivot};
+use crate::mechanism::{Assemble, Row};
+use crate::real::Real;
+use crate::vector::Vector;
+
+/// What is added to a singular mass matrix, relative to its largest diagonal entry. Small enough to leave the motion
+/// of the bodies that have mass alone, large enough to keep half of the digits; a correction with the exact D̂
+/// restores the other half.
+const REGULARISATION: f64 = 1e-9;
+
+/// The rows of D̂ at one position, the matrix and its factor.
+pub(super) struct System<'m, R: Real, M: Assemble<R>> {
+    model: &'m M,
+    matrix: Ldl<R, M::Factor, M::System>,
+    jacobian: M::Jacobian,
+    conditions: M::ConditionJacobian,
+    /// 1 for the conditions that are held, 0 for the others.
+    pub(super) active: M::Conditions,
+}
+
+impl<'m, R: Real, M: Assemble<R>> System<'m, R, M> {
+    /// An empty system with the conditions `active` held.
+    pub(super) fn new(model: &'m M, active: &[u16]) -> Result<Self, AssemblyError> {
+        let mut mask = M::Conditions::zero();
+        for &index in active {
+            let index = index as usize;
+            match mask.as_mut_slice().get_mut(index) {
+                Some(entry) => *entry = R::ONE,
+                None => return Err(AssemblyError::NoSuchCondition { index, count: M::CONDITIONS.len() }),
+            }
+        }
+        Ok(System {
+            model,
+            matrix: Ldl::new(&M::ELIMINATION),
+            jacobian: M::Jacobian::zero(),
+            conditions: M::ConditionJacobian::zero(),
+            active: mask,
+        })
+    }
+
+    /// Evaluates D̂ at (t, q), each constraint row divided by its entry of `divisors`.
+    pub(super) fn evaluate(&mut self, time: R, q: &M::Q, divisors: Option<&M::Lambda>) {
+        self.model.constraint_jacobian(time, q, &mut self.jacobian);
+        self.model.condition_jacobian(time, q, &mut self.conditions);
+        if let Some(divisors) = divisors {
+            for (entry, &(row, _)) in self.jacobian.as_mut_slice().iter_mut().zip(M::JACOBIAN_PATTERN) {
+                *entry = *entry / divisors.as_slice()[row as usize];
+            }
+        }
+        for (entry, &(row, _)) in self.conditions.as_mut_slice().iter_mut().zip(M::CONDITION_PATTERN) {
+            *entry = *entry * self.active.as_slice()[row as usize];
+        }
+    }
+
+    /// Factors with W = 1; the pivots are then those of −D̂ D̂ᵀ.
+    pub(super) fn factor_unit(&mut self) -> Pivot<R> {
+        self.matrix.clear();
+        for i in 0..M::V::LEN {
+            self.matrix.add(i, i, R::ONE);
+        }
+        self.add_rows();
+        self.matrix.factor()
+    }
+
+    /// Factors with W = M + `shift`·max(M_ii)·1.
+    pub(super) fn factor_mass(&mut self, time: R, q: &M::Q, shift: R) -> Pivot<R> {
+        let mut mass = M::Mass::zero();
+        self.model.mass_matrix(time, q, &mut mass);
+        self.matrix.clear();
+        let mut largest = R::ZERO;
+        for (&entry, &(i, j)) in mass.as_slice().iter().zip(M::MASS_PATTERN) {
+            self.matrix.add(i as usize, j as usize, entry);
+            if i == j {
+                largest = largest.max(entry.abs());
+            }
+        }
+        let largest = if largest > R::ZERO { largest } else { R::ONE };
+        for i in 0..M::V::LEN {
+            self.matrix.add(i, i, shift * largest);
+        }
+        self.add_rows();
+        self.matrix.factor()
+    }
+
+    /// Factors with W = M, or with a little more on the diagonal where massless bodies leave M singular.
+    pub(super) fn factor_mass_or_shifted(&mut self, time: R, q: &M::Q) -> Result<(), AssemblyError> {
+        if self.factor_mass(time, q, R::ZERO).value >= R::BREAKDOWN {
+            return Ok(());
+        }
+        let shift = R::from_f64(REGULARISATION).max(R::BREAKDOWN);
+        let pivot = self.factor_mass(time, q, shift);
+        if pivot.value >= R::BREAKDOWN { Ok(()) } else { Err(rank_deficient::<R, M>(pivot)) }
+    }
+
+    /// Adds D̂ and, for each condition that is not held, −1 on the diagonal, which keeps its pivot harmless.
+    fn add_rows(&mut self) {
+        let first_row = M::V::LEN;
+        for (&entry, &(row, column)) in self.jacobian.as_slice().iter().zip(M::JACOBIAN_PATTERN) {
+            self.matrix.add(first_row + row as usize, column as usize, entry);
+        }
+        let first_condition = first_row + M::Lambda::LEN;
+        for (&entry, &(row, column)) in self.conditions.as_slice().iter().zip(M::CONDITION_PATTERN) {
+            self.matrix.add(first_condition + row as usize, column as usize, entry);
+        }
+        for (i, &active) in self.active.as_slice().iter().enumerate() {
+            self.matrix.add(first_condition + i, first_condition + i, active - R::ONE);
+        }
+    }
+
+    /// The δ of least ½ δᵀ W δ with D̂ δ = (`rows`, `conditions`); conditions that are not held are left out.
+    pub(super) fn least(&self, rows: &M::Lambda, conditions: &M::Conditions) -> M::V {
+        let mut right = M::System::zero();
+        let (_, rest) = right.as_mut_slice().split_at_mut(M::V::LEN);
+        let (to_rows, to_conditions) = rest.split_at_mut(M::Lambda::LEN);
+        to_rows.copy_from_slice(rows.as_slice());
+        for ((to, &value), &active) in
+            to_conditions.iter_mut().zip(conditions.as_slice()).zip(self.active.as_slice())
+        {
+            *to = value * active;
+        }
+        let solution = self.matrix.solve(&right);
+        let mut delta = M::V::zero();
+        delta.as_mut_slice().copy_from_slice(&solution.as_slice()[..M::V::LEN]);
+        delta
+    }
+
+    /// (`rows`, `conditions`) − D̂ x.
+    pub(super) fn remaining(
+        &self,
+        rows: &M::Lambda,
+        conditions: &M::Conditions,
+        x: &M::V,
+    ) -> (M::Lambda, M::Conditions) {
+        let (mut rows, mut conditions) = (*rows, *conditions);
+        subtract_product(M::JACOBIAN_PATTERN, self.jacobian.as_slice(), x.as_slice(), rows.as_mut_slice());
+        subtract_product(
+            M::CONDITION_PATTERN,
+            self.conditions.as_slice(),
+            x.as_slice(),
+            conditions.as_mut_slice(),
+        );
+        (rows, conditions)
+    }
+}
+
+/// `y ← y − A x` for a sparse A.
+pub(crate) fn subtract_product<R: Real>(pattern: &[(u16, u16)], entries: &[R], x: &[R], y: &mut [R]) {
+    for (&entry, &(row, column)) in entries.iter().zip(pattern) {
+        y[row as usize] = y[row as usize] - entry * x[column as usize];
+    }
+}
+
+/// The name of an unknown of K: a velocity, a constraint row, or a condition (`what` is then `"held"`).
+pub(crate) fn name_unknown<R: Real, M: Assemble<R>>(unknown: usize) -> Row {
+    if let Some(&of) = M::VELOCITY_NAMES.get(unknown) {
+        return Row { of, what: "velocity" };
+    }
+    let row = unknown - M::V::LEN;
+    if let Some(&row) = M::ROWS.get(row) {
+        return row;
+    }
+    match M::CONDITIONS.get(row - M::Lambda::LEN) {
+        Some(condition) => Row { of: condition.of, what: "held" },
+        None => Row { of: M::NAME, what: "unknown" },
+    }
+}
+
+/// The error for a pivot below the breakdown.
+pub(super) fn rank_deficient<R: Real, M: Assemble<R>>(pivot: Pivot<R>) -> AssemblyError {
+    AssemblyError::RankDeficient { row: name_unknown::<R, M>(pivot.unknown), pivot: pivot.value.to_f64() }
+}

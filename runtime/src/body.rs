@@ -1,0 +1,82 @@
+//! What bodies do and joints exert, as emitted functions report it, and the checks of a model's parameters.
+
+use crate::error::SettingError;
+use crate::real::Real;
+
+/// Motion of one body at one time; position, velocity and acceleration are those of its centre of mass, world axes.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct BodyMotion<R = f64> {
+    /// m.
+    pub position: [R; 2],
+    /// (cos θ, sin θ); (1, 0) for a particle.
+    pub orientation: [R; 2],
+    /// m/s.
+    pub velocity: [R; 2],
+    /// ω, rad/s.
+    pub rate: R,
+    /// m/s².
+    pub acceleration: [R; 2],
+    /// ω̇, rad/s².
+    pub angular_acceleration: R,
+}
+
+impl<R: Real> BodyMotion<R> {
+    /// World position of a point given in the body's axes from its centre of mass: r + A d, m.
+    pub fn point(&self, [x, y]: [R; 2]) -> [R; 2] {
+        let ([c, s], [px, py]) = (self.orientation, self.position);
+        [px + c * x - s * y, py + s * x + c * y]
+    }
+}
+
+/// What a joint exerts on the body of its second place.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Reaction<R = f64> {
+    /// At the second place, world axes, N.
+    pub force: [R; 2],
+    /// About the second place, N m.
+    pub torque: R,
+}
+
+/// A parameter must be finite and within its inclusive bounds.
+#[doc(hidden)]
+pub fn check_setting<R: Real>(
+    what: &'static str,
+    value: R,
+    least: f64,
+    most: f64,
+) -> Result<(), SettingError> {
+    let value = value.to_f64();
+    if !value.is_finite() {
+        return Err(SettingError { what, value, must_be: "finite" });
+    }
+    if value < least || value > most {
+        return Err(SettingError { what, value, must_be: "within the bounds of its declaration" });
+    }
+    Ok(())
+}
+
+/// A mass or inertia must not be negative, and must be positive if it was in the definition.
+#[doc(hidden)]
+pub fn check_mass<R: Real>(what: &'static str, value: R, positive: bool) -> Result<(), SettingError> {
+    let value = value.to_f64();
+    if positive && !(value > 0.0 && value.is_finite()) {
+        return Err(SettingError { what, value, must_be: "positive" });
+    }
+    if !(value >= 0.0 && value.is_finite()) {
+        return Err(SettingError { what, value, must_be: "zero or positive" });
+    }
+    Ok(())
+}
+
+/// No constant of a prepared model may be infinite or NaN.
+#[doc(hidden)]
+pub fn check_constants<R: Real>(constants: &[R]) -> Result<(), SettingError> {
+    match constants.iter().find(|constant| !constant.is_finite()) {
+        None => Ok(()),
+        Some(constant) => Err(SettingError {
+            what: "the parameters together",
+            value: constant.to_f64(),
+            must_be: "such that every length, mass and stiffness that follows from them is finite",
+        }),
+    }
+}

@@ -1,0 +1,218 @@
+//! All errors of this crate and their texts.
+//!
+//! Each message has three parts: what is wrong, the numbers, what to do. Numbers are `f64` whatever the scalar, so
+//! that one error type serves all; names are those of the mechanism's definition. Where errors arise is elsewhere.
+
+use crate::mechanism::Row;
+use core::error::Error;
+use core::fmt::{self, Display, Formatter};
+
+/// Why no consistent position, velocity or acceleration was found.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
+pub enum AssemblyError {
+    /// The iteration ended away from the constraints.
+    NoConvergence {
+        /// The row that is violated most; for a held quantity `what` is `"held"`.
+        row: Row,
+        /// Its residual, m, rad or the row's own unit.
+        residual: f64,
+        /// Iterations made.
+        iterations: u32,
+    },
+    /// A row depends on the others at this position: a dead centre, a redundant joint or contradicting conditions.
+    RankDeficient {
+        /// The row, or the velocity, at which the factorisation broke down.
+        row: Row,
+        /// The relative pivot found there.
+        pivot: f64,
+    },
+    /// A residual became infinite or NaN.
+    NonFinite {
+        /// The row in which it was seen first.
+        row: Row,
+    },
+    /// An angle constraint ended half a turn away from where it should be.
+    Flipped {
+        /// The row sin Δθ = 0 whose cosine is negative.
+        row: Row,
+    },
+    /// The number of given values is not the number of coordinates.
+    WrongLength {
+        /// How many are needed.
+        needed: usize,
+        /// How many were given.
+        given: usize,
+    },
+    /// A condition's index is out of range.
+    NoSuchCondition {
+        /// The index.
+        index: usize,
+        /// How many conditions the mechanism has.
+        count: usize,
+    },
+}
+
+/// A parameter of a formulation that makes no sense.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct SettingError {
+    /// The parameter.
+    pub what: &'static str,
+    /// The value it was given.
+    pub value: f64,
+    /// What it must be.
+    pub must_be: &'static str,
+}
+
+/// Why a simulation could not be advanced. The simulation keeps its last good state.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
+pub enum SimulationError {
+    /// No step size was given.
+    StepMissing,
+    /// The step size is zero, negative, infinite or NaN.
+    Step {
+        /// The step size, s.
+        step: f64,
+    },
+    /// The end is before the present time, infinite or NaN.
+    End {
+        /// The present time, s.
+        time: f64,
+        /// The end that was asked for, s.
+        end: f64,
+    },
+    /// A parameter of the formulation makes no sense.
+    Setting(SettingError),
+    /// The constraints lost rank: a dead centre or a redundant joint.
+    Breakdown {
+        /// The time of the stage in which it happened, s.
+        time: f64,
+        /// The relative pivot found there.
+        pivot: f64,
+        /// The constraint row that depends on the others.
+        row: Row,
+    },
+    /// The mass matrix is singular in a direction that no constraint holds.
+    SingularMass {
+        /// The time of the stage in which it happened, s.
+        time: f64,
+        /// The relative pivot found there.
+        pivot: f64,
+        /// The velocity without inertia.
+        velocity: &'static str,
+    },
+    /// A coordinate, velocity or acceleration became infinite or NaN.
+    NonFinite {
+        /// The time of the stage in which it was seen first, s.
+        time: f64,
+        /// The coordinate's name.
+        what: &'static str,
+    },
+}
+
+impl SimulationError {
+    /// The joint, constraint or driver that the error is about.
+    pub fn joint(&self) -> Option<&'static str> {
+        match self {
+            SimulationError::Breakdown { row, .. } => Some(row.of),
+            _ => None,
+        }
+    }
+}
+
+impl Display for Row {
+    fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
+        write!(f, "`{}` ({})", self.of, self.what)
+    }
+}
+
+impl Display for AssemblyError {
+    fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
+        match self {
+            AssemblyError::NoConvergence { row, residual, iterations } => write!(
+                f,
+                "the mechanism cannot be assembled: {row} is still off by {residual:.3e} after {iterations} \
+                 iterations; start from a nearer position, or check that lengths and held values can be reached"
+            ),
+            AssemblyError::RankDeficient { row, pivot } => write!(
+                f,
+                "{row} depends on the other rows at this position: relative pivot {pivot:.1e}; move away from the \
+                 dead centre, hold another coordinate, or remove the redundant joint"
+            ),
+            AssemblyError::NonFinite { row } => write!(
+                f,
+                "the residual of {row} is infinite or NaN; check the parameters, the time and the start position"
+            ),
+            AssemblyError::Flipped { row } => write!(
+                f,
+                "{row} was assembled half a turn away from its angle; start from a position that has the bodies \
+                 about the right way round"
+            ),
+            AssemblyError::WrongLength { needed, given } => write!(
+                f,
+                "{given} motions were given for {needed} independent coordinates; give one for each, in the order of \
+                 INDEPENDENT"
+            ),
+            AssemblyError::NoSuchCondition { index, count } => write!(
+                f,
+                "there is no condition {index} among the {count} of this mechanism; use indices into CONDITIONS"
+            ),
+        }
+    }
+}
+
+impl Display for SettingError {
+    fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
+        write!(f, "{} is {}; it must be {}", self.what, self.value, self.must_be)
+    }
+}
+
+impl Display for SimulationError {
+    fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
+        match self {
+            SimulationError::StepMissing => {
+                write!(f, "no step size was given; add `.step(seconds)` where the simulation is built")
+            }
+            SimulationError::Step { step } => {
+                write!(f, "the step size is {step} s; give a positive, finite number of seconds")
+            }
+            SimulationError::End { time, end } => write!(
+                f,
+                "the simulation stands at {time} s and cannot run to {end} s; give a finite end that is not earlier"
+            ),
+            SimulationError::Setting(error) => error.fmt(f),
+            SimulationError::Breakdown { time, pivot, row } => write!(
+                f,
+                "the constraints lost rank at {row}, t = {time} s: relative pivot {pivot:.1e}; the mechanism is at a \
+                 dead centre or the joint is redundant: start elsewhere, or give the motion enough energy to pass"
+            ),
+            SimulationError::SingularMass { time, pivot, velocity } => write!(
+                f,
+                "nothing with mass resists `{velocity}` at t = {time} s: relative pivot {pivot:.1e}; give the body a \
+                 mass and an inertia, or constrain it"
+            ),
+            SimulationError::NonFinite { time, what } => write!(
+                f,
+                "`{what}` became infinite or NaN at t = {time} s; check inputs and parameters, or take a smaller step"
+            ),
+        }
+    }
+}
+
+impl Error for AssemblyError {}
+impl Error for SettingError {}
+impl Error for SimulationError {
+    fn source(&self) -> Option<&(dyn Error + 'static)> {
+        match self {
+            SimulationError::Setting(error) => Some(error),
+            _ => None,
+        }
+    }
+}
+
+impl From<SettingError> for SimulationError {
+    fn from(error: SettingError) -> Self {
+        SimulationError::Setting(error)
+    }
+}

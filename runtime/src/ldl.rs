@@ -1,0 +1,168 @@
+//! A sparse LDLᵀ factorisation whose order and pattern are tables made at expansion.
+//!
+//! This is the cold path: assembly, projection, naming a joint at a breakdown. The accelerations of a time step use
+//! the factorisation that the compiler writes out as straight-line code; this one needs no code per mechanism, only
+//! an [`Elimination`]. Which numbers K holds is decided in `assembly/system.rs`.
+
+use crate::mechanism::Elimination;
+use crate::real::Real;
+use crate::vector::Vector;
+use core::marker::PhantomData;
+
+/// A symmetric matrix K = L D Lᵀ in the pattern of an [`Elimination`]: first its entries, then in place its factor.
+///
+/// `F` holds the entries below the diagonal (`columns.len()` of them), `S` one entry for each unknown. Unknowns are
+/// numbered as in [`Elimination`]; right-hand sides and solutions are in that numbering too.
+///
+/// ```
+/// use linkwright_runtime::mechanism::Elimination;
+/// use linkwright_runtime::ldl::Ldl;
+/// static TABLES: Elimination =
+///     Elimination { order: &[1, 0], position: &[1, 0], row_start: &[0, 0, 1], columns: &[0] };
+/// let mut k = Ldl::<f64, [f64; 1], [f64; 2]>::new(&TABLES);
+/// k.add(0, 0, 4.0); // K = [4 2; 2 2]
+/// k.add(1, 1, 2.0);
+/// k.add(0, 1, 2.0);
+/// assert_eq!(k.factor().value, 0.3333333333333333); // 4 − 2²/2 against 4 + 2²/2
+/// assert_eq!(k.solve(&[8.0, 6.0]), [1.0, 2.0]);
+/// ```
+#[derive(Clone, Copy, Debug)]
+pub struct Ldl<R, F, S> {
+    tables: &'static Elimination,
+    lower: F,
+    diagonal: S,
+    scalar: PhantomData<R>,
+}
+
+/// The smallest pivot of a factorisation, relative to the sum of the magnitudes of the terms that formed it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Pivot<R> {
+    /// |d| / (|K_kk| + Σ|l w|), in [0, 1].
+    pub value: R,
+    /// The unknown that was being eliminated.
+    pub unknown: usize,
+}
+
+impl<R: Real, F: Vector<R>, S: Vector<R>> Ldl<R, F, S> {
+    /// The zero matrix in the pattern of `tables`.
+    pub fn new(tables: &'static Elimination) -> Self {
+        debug_assert!(F::LEN == tables.columns.len() && S::LEN == tables.order.len());
+        Ldl { tables, lower: F::zero(), diagonal: S::zero(), scalar: PhantomData }
+    }
+
+    /// Sets all entries to zero, to be filled anew.
+    pub fn clear(&mut self) {
+        self.lower = F::zero();
+        self.diagonal = S::zero();
+    }
+
+    /// K(i, j) and K(j, i) += `value`, once for the pair; an entry outside the pattern is a fault of the tables.
+    pub fn add(&mut self, i: usize, j: usize, value: R) {
+        let (i, j) = (self.tables.position[i], self.tables.position[j]);
+        let (early, late) = if i < j { (i, j) } else { (j, i) };
+        if early == late {
+            let entry = &mut self.diagonal.as_mut_slice()[late as usize];
+            *entry = *entry + value;
+            return;
+        }
+        let start = self.tables.row_start[late as usize] as usize;
+        let found = self.columns(late as usize).binary_search(&early);
+        debug_assert!(found.is_ok(), "the entry ({i}, {j}) is not in the pattern of the factor");
+        if let Ok(offset) = found {
+            let entry = &mut self.lower.as_mut_slice()[start + offset];
+            *entry = *entry + value;
+        }
+    }
+
+    /// K ← (L, D) in place, row by row; stops at the first relative pivot below [`Real::BREAKDOWN`], after which the
+    /// factor must not be used to solve.
+    ///
+    /// Row k of L solves a triangular system with the rows above it (up-looking: Davis, *Direct Methods for Sparse
+    /// Linear Systems*, 4.8): w_j = K_kj − Σ_i L_ji w_i, l_kj = w_j / d_j, d_k = K_kk − Σ_j l_kj w_j.
+    pub fn factor(&mut self) -> Pivot<R> {
+        let mut smallest = Pivot { value: R::ONE, unknown: 0 };
+        let mut work = S::zero();
+        for (k, &unknown) in self.tables.order.iter().enumerate() {
+            let (value, magnitude) = self.factor_row(k, work.as_mut_slice());
+            self.diagonal.as_mut_slice()[k] = value;
+            // A pivot without any term is as lost as one that cancelled.
+            let relative = if magnitude == R::ZERO { R::ZERO } else { value.abs() / magnitude };
+            if k == 0 || relative < smallest.value {
+                smallest = Pivot { value: relative, unknown: unknown as usize };
+            }
+            if relative < R::BREAKDOWN {
+                break;
+            }
+        }
+        smallest
+    }
+
+    /// One row of [`factor`](Ldl::factor): d_k and the sum of the magnitudes of its terms; leaves `work` cleared.
+    fn factor_row(&mut self, k: usize, work: &mut [R]) -> (R, R) {
+        let tables = self.tables;
+        let start = tables.row_start[k] as usize;
+        let columns = self.columns(k);
+        let (done, row) = self.lower.as_mut_slice().split_at_mut(start);
+        for (&j, &entry) in columns.iter().zip(row.iter()) {
+            work[j as usize] = entry;
+        }
+
+        let diagonal = self.diagonal.as_slice();
+        let mut value = diagonal[k];
+        let mut magnitude = value.abs();
+        for (&j, entry) in columns.iter().zip(row.iter_mut()) {
+            let j = j as usize;
+            let begin = tables.row_start[j] as usize;
+            let mut w = work[j];
+            for (&i, &l) in tables.columns[begin..tables.row_start[j + 1] as usize].iter().zip(&done[begin..])
+            {
+                w = w - l * work[i as usize];
+            }
+            work[j] = w;
+            let l = w / diagonal[j];
+            *entry = l;
+            value = value - l * w;
+            magnitude = magnitude + (l * w).abs();
+        }
+        for &j in columns {
+            work[j as usize] = R::ZERO;
+        }
+        (value, magnitude)
+    }
+
+    /// K⁻¹ · `right` after [`factor`](Ldl::factor): forward, diagonal, backward.
+    pub fn solve(&self, right: &S) -> S {
+        let tables = self.tables;
+        let (lower, diagonal) = (self.lower.as_slice(), self.diagonal.as_slice());
+        let mut permuted = S::zero();
+        let x = permuted.as_mut_slice();
+        for (entry, &unknown) in x.iter_mut().zip(tables.order) {
+            *entry = right.as_slice()[unknown as usize];
+        }
+        for k in 0..x.len() {
+            let start = tables.row_start[k] as usize;
+            for (&j, &l) in self.columns(k).iter().zip(&lower[start..]) {
+                x[k] = x[k] - l * x[j as usize];
+            }
+        }
+        for (entry, &d) in x.iter_mut().zip(diagonal) {
+            *entry = *entry / d;
+        }
+        for k in (0..x.len()).rev() {
+            let start = tables.row_start[k] as usize;
+            for (&j, &l) in self.columns(k).iter().zip(&lower[start..]) {
+                x[j as usize] = x[j as usize] - l * x[k];
+            }
+        }
+        let mut solution = S::zero();
+        for (&entry, &unknown) in permuted.as_slice().iter().zip(tables.order) {
+            solution.as_mut_slice()[unknown as usize] = entry;
+        }
+        solution
+    }
+
+    /// The columns of row k of L.
+    fn columns(&self, k: usize) -> &'static [u16] {
+        &self.tables.columns[self.tables.row_start[k] as usize..self.tables.row_start[k + 1] as usize]
+    }
+}

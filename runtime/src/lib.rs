@@ -1,0 +1,74 @@
+//! The runtime of Linkwright: what emitted equations of motion call and what drives them.
+//!
+//! `no_std`, without allocation, without unsafe code. The compiler turns a definition into an implementation of
+//! [`Mechanism`] and [`Assemble`]; this crate holds everything that does not depend on the mechanism:
+//!
+//! | subject | module |
+//! |---|---|
+//! | scalars and vectors | [`real`], [`vector`] |
+//! | positions that are no vector space | [`rotation`], [`layout`] |
+//! | the traits that emitted code implements | [`mechanism`] |
+//! | states that satisfy the constraints | [`assembly`], over the sparse factorisation [`ldl`] |
+//! | motion | [`formulation`], [`input`], [`integrator`], [`simulation`] |
+//! | what can go wrong | [`error`] |
+//!
+//! The feature `std` (default) takes the square root from the hardware, and the fused multiply-add where the target
+//! has one; `nalgebra` adds [`dense`](https://docs.rs/linkwright-runtime) matrices.
+#![no_std]
+#![forbid(unsafe_code)]
+#![warn(missing_docs)]
+
+#[cfg(feature = "std")]
+extern crate std;
+
+pub mod assembly;
+pub mod body;
+#[cfg(feature = "nalgebra")]
+pub mod dense;
+pub mod error;
+pub mod formulation;
+pub mod input;
+pub mod integrator;
+pub mod layout;
+pub mod ldl;
+pub mod mechanism;
+pub mod real;
+pub mod rotation;
+pub mod simulation;
+pub mod state;
+pub mod vector;
+
+pub use assembly::{
+    AssembleExt, assemble_acceleration, assemble_position, assemble_velocity, project_position,
+    project_velocity, smallest_pivot,
+};
+pub use body::{BodyMotion, Reaction};
+pub use error::{AssemblyError, SettingError, SimulationError};
+pub use formulation::{Baumgarte, Formulation, LagrangeIndex1};
+pub use input::{Held, InputSource, NoInputs, Sampled};
+pub use integrator::{Integrator, Rk4, SemiImplicitEuler};
+pub use layout::{Layout, MultiTurn, retract};
+pub use mechanism::{Assemble, Condition, ConditionKind, Elimination, Mechanism, Row};
+pub use real::Real;
+pub use rotation::unwrap_angle;
+pub use simulation::{Residual, Sample, Samples, Simulation};
+pub use state::{Kinematics, Motion, State};
+pub use vector::Vector;
+
+/// What emitted code may name. A path of its own version, so that a later runtime can serve older code.
+#[doc(hidden)]
+pub mod __private {
+    /// The first version.
+    pub mod v1 {
+        pub use crate::assembly::AssembleExt;
+        pub use crate::body::{BodyMotion, Reaction, check_constants, check_mass, check_setting};
+        pub use crate::error::{AssemblyError, SettingError, SimulationError};
+        pub use crate::layout::{Layout, MultiTurn, retract};
+        pub use crate::mechanism::{Assemble, Condition, ConditionKind, Elimination, Mechanism, Row};
+        pub use crate::real::Real;
+        pub use crate::rotation::unwrap_angle;
+        pub use crate::state::{Kinematics, Motion, State};
+        pub use crate::vector::Vector;
+        pub use core;
+    }
+}

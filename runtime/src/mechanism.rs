@@ -1,0 +1,202 @@
+//! What a mechanism is to the runtime: its sizes, its equations, its tables.
+//!
+//! The compiler emits one implementation of [`Mechanism`] and of [`Assemble`] per definition; everything else in this
+//! crate is written against these two traits. They hold no algorithm: integration is `simulation.rs`, the sparse
+//! factorisation `ldl.rs`, consistent states `assembly.rs`.
+//!
+//! # Conventions
+//! M v̇ + Dᵀ λ = Q, D v = ν, D v̇ = γ, where Φ(t, q) = 0 are the constraints and Φ̇ = D v − ν, so that D is the exact
+//! derivative of Φ also off the constraints. The force of the constraints on the mechanism is −Dᵀ λ. SI units.
+
+use crate::layout::Layout;
+use crate::real::Real;
+use crate::vector::Vector;
+
+/// A constraint row of D, by the names its author knows.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Row {
+    /// The joint, constraint or driver that the row belongs to.
+    pub of: &'static str,
+    /// Which of its equations: `"x"`, `"y"`, `"angle"`, `"normal"`, `"distance"`, `"equation"`, `"gear"`, `"rack"`
+    /// or `"driver"`.
+    pub what: &'static str,
+}
+
+/// The equations of motion of one mechanism, evaluated in the scalars `R`.
+///
+/// Every function writes all entries of its result, allocates nothing and never fails; where a pivot vanishes the
+/// returned relative pivot says so. Shapes: n_q positions, n_v velocities, m constraint rows.
+pub trait Mechanism<R: Real> {
+    /// The mechanism's name.
+    const NAME: &'static str;
+    /// Which entries of q and v are linear, rotations and multi-turn angles.
+    const LAYOUT: Layout;
+    /// The names of the m constraint rows, in order.
+    const ROWS: &'static [Row];
+    /// One name for each entry of q.
+    const POSITION_NAMES: &'static [&'static str];
+    /// One name for each entry of v.
+    const VELOCITY_NAMES: &'static [&'static str];
+    /// (row, column) of each stored entry of M: lower triangle with the diagonal, row ≥ column.
+    const MASS_PATTERN: &'static [(u16, u16)];
+    /// (row, column) of each stored entry of D, in row-major order.
+    const JACOBIAN_PATTERN: &'static [(u16, u16)];
+
+    /// `[R; n_q]`.
+    type Q: Vector<R>;
+    /// `[R; n_v]`.
+    type V: Vector<R>;
+    /// `[R; m]`.
+    type Lambda: Vector<R>;
+    /// The stored entries of M, in the order of [`MASS_PATTERN`](Mechanism::MASS_PATTERN).
+    type Mass: Vector<R>;
+    /// The stored entries of D, in the order of [`JACOBIAN_PATTERN`](Mechanism::JACOBIAN_PATTERN).
+    type Jacobian: Vector<R>;
+    /// The values given from outside; `()` for a mechanism without inputs.
+    type Inputs: Copy;
+    /// The named outputs.
+    type Outputs: Copy;
+
+    /// M(t, q), kg, kg·m and kg·m².
+    fn mass_matrix(&self, time: R, q: &Self::Q, mass: &mut Self::Mass);
+    /// Φ(t, q), the constraints' residuals.
+    fn constraints(&self, time: R, q: &Self::Q, phi: &mut Self::Lambda);
+    /// D(t, q), with Φ̇ = D v − ν.
+    fn constraint_jacobian(&self, time: R, q: &Self::Q, d: &mut Self::Jacobian);
+    /// ν(t, q) = −∂Φ/∂t, zero except where time appears in a constraint.
+    fn nu(&self, time: R, q: &Self::Q, nu: &mut Self::Lambda);
+    /// γ(t, q, v) of D v̇ = γ, that is ν̇ − Ḋ v.
+    fn gamma(&self, time: R, q: &Self::Q, v: &Self::V, gamma: &mut Self::Lambda);
+    /// Q(t, q, v, u) of M v̇ + Dᵀ λ = Q: applied, gravity and gyroscopic forces.
+    fn forces(&self, time: R, q: &Self::Q, v: &Self::V, u: &Self::Inputs, forces: &mut Self::V);
+    /// ½ vᵀ M v, J.
+    fn kinetic_energy(&self, time: R, q: &Self::Q, v: &Self::V) -> R;
+    /// The energy of gravity and springs, J.
+    fn potential_energy(&self, time: R, q: &Self::Q) -> R;
+    /// v̇ and λ of M v̇ + Dᵀ λ = Q, D v̇ = γ; returns the smallest relative pivot of the factorisation.
+    fn acceleration(
+        &self,
+        time: R,
+        q: &Self::Q,
+        v: &Self::V,
+        u: &Self::Inputs,
+        a: &mut Self::V,
+        lambda: &mut Self::Lambda,
+    ) -> R;
+    /// As [`acceleration`](Mechanism::acceleration) with γ − 2α(D v − ν) − β² Φ in place of γ (Baumgarte 1972).
+    #[allow(clippy::too_many_arguments)]
+    fn acceleration_baumgarte(
+        &self,
+        time: R,
+        q: &Self::Q,
+        v: &Self::V,
+        u: &Self::Inputs,
+        two_alpha: R,
+        beta_squared: R,
+        a: &mut Self::V,
+        lambda: &mut Self::Lambda,
+    ) -> R;
+    /// The named outputs; angles among them in (−π, π].
+    fn outputs(&self, time: R, q: &Self::Q, v: &Self::V, u: &Self::Inputs) -> Self::Outputs;
+    /// Adds whole turns to the angles among the outputs so that they continue `previous`; see
+    /// [`unwrap_angle`](crate::rotation::unwrap_angle).
+    fn unwrap(outputs: &mut Self::Outputs, previous: &Self::Outputs);
+}
+
+/// A quantity of the mechanism that assembly can hold at a value, as a row beside the constraints.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Condition {
+    /// The quantity's name, such as `"crank_pin.angle"`.
+    pub of: &'static str,
+    /// Whether it turns or slides.
+    pub kind: ConditionKind,
+}
+
+/// Whether a condition's values are equal up to whole turns.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum ConditionKind {
+    /// An angle, rad.
+    Angle,
+    /// A travel or a position, m.
+    Linear,
+}
+
+/// What assembly needs beyond the equations of motion: conditions, what `start` states, the order of elimination.
+///
+/// All functions write all entries of their results. Conditions are `coordinate(t, q) = target`.
+pub trait Assemble<R: Real>: Mechanism<R> {
+    /// The quantities that can be held.
+    const CONDITIONS: &'static [Condition];
+    /// Indices into [`CONDITIONS`](Assemble::CONDITIONS): positions that `start` states exactly.
+    const START_CONDITIONS: &'static [u16];
+    /// Indices into [`CONDITIONS`](Assemble::CONDITIONS): quantities whose rate `start` states exactly.
+    const START_RATES: &'static [u16];
+    /// Indices into [`CONDITIONS`](Assemble::CONDITIONS): the independent coordinates, one per degree of freedom.
+    const INDEPENDENT: &'static [u16];
+    /// (row, column) of each stored entry of the conditions' Jacobian, in row-major order.
+    const CONDITION_PATTERN: &'static [(u16, u16)];
+    /// Constraint rows of the form sin Δθ = 0, which must not end on the flipped root Δθ = π.
+    const FLIPS: &'static [u16];
+    /// The order of elimination and the pattern of the factor.
+    const ELIMINATION: Elimination;
+
+    /// One entry for each condition.
+    type Conditions: Vector<R>;
+    /// The stored entries of the conditions' Jacobian.
+    type ConditionJacobian: Vector<R>;
+    /// The stored entries of L: as many as `ELIMINATION.columns`.
+    type Factor: Vector<R>;
+    /// One entry for each unknown: velocities, constraint rows, conditions.
+    type System: Vector<R>;
+
+    /// Angle: sin(θ − target); linear: value − target.
+    fn condition_residual(
+        &self,
+        time: R,
+        q: &Self::Q,
+        target: &Self::Conditions,
+        residual: &mut Self::Conditions,
+    );
+    /// Angle: cos(θ − target); linear: 1.
+    fn condition_flipped(
+        &self,
+        time: R,
+        q: &Self::Q,
+        target: &Self::Conditions,
+        flipped: &mut Self::Conditions,
+    );
+    /// ∂(coordinate's rate)/∂v, not multiplied by any cosine.
+    fn condition_jacobian(&self, time: R, q: &Self::Q, jacobian: &mut Self::ConditionJacobian);
+    /// The coordinate's second time derivative at v̇ = 0.
+    fn condition_bias(&self, time: R, q: &Self::Q, v: &Self::V, bias: &mut Self::Conditions);
+    /// The coordinate's rate at v = 0, from places that depend on time.
+    fn condition_drift(&self, time: R, q: &Self::Q, drift: &mut Self::Conditions);
+    /// cos Δθ for the rows of [`FLIPS`](Assemble::FLIPS), 1 for the others.
+    fn row_cosines(&self, time: R, q: &Self::Q, cosines: &mut Self::Lambda);
+    /// What `start` states, with this model's parameters; entries of conditions it does not state are ignored.
+    fn start_targets(&self, positions: &mut Self::Conditions, rates: &mut Self::Conditions);
+    /// The positions assembled at expansion, for the default parameters.
+    fn start_q() -> Self::Q;
+    /// The velocities assembled at expansion, for the default parameters.
+    fn start_v() -> Self::V;
+    /// Takes the phases of couplings that state none (gears, racks) from an assembled position.
+    fn fix_phases(&mut self, q: &Self::Q) {
+        let _ = q;
+    }
+}
+
+/// The order in which the unknowns of K = \[W, D̂ᵀ; D̂, 0\] are eliminated, and the pattern of its factor L.
+///
+/// D̂ has the constraint rows, then the condition rows. Unknowns are numbered: velocities, constraint rows,
+/// conditions. A row is eliminated only after all velocities in it. All lists are in static memory.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Elimination {
+    /// `order[k]` is the unknown eliminated k-th.
+    pub order: &'static [u16],
+    /// The inverse: `position[unknown]` is the place of an unknown in `order`.
+    pub position: &'static [u16],
+    /// Row k of L (in order of elimination) has the columns `columns[row_start[k]..row_start[k + 1]]`.
+    pub row_start: &'static [u32],
+    /// Columns of L's rows below the diagonal, ascending, in order of elimination, fill included.
+    pub columns: &'static [u16],
+}

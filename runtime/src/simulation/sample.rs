@@ -1,0 +1,124 @@
+//! What is known of a simulation at one time, and the iterator over it.
+
+use super::Simulation;
+use crate::assembly::system::subtract_product;
+use crate::error::SimulationError;
+use crate::formulation::Formulation;
+use crate::input::InputSource;
+use crate::integrator::Integrator;
+use crate::mechanism::{Assemble, Mechanism};
+use crate::real::Real;
+use crate::state::State;
+use crate::vector::Vector;
+
+/// A simulation at one time. What costs an evaluation is a method.
+pub struct Sample<'m, R: Real, M: Mechanism<R>> {
+    /// The time, s.
+    pub time: R,
+    /// Positions and velocities.
+    pub state: State<M::Q, M::V>,
+    /// The inputs at this time.
+    pub inputs: M::Inputs,
+    /// The named outputs; angles continue those of the sample before without jumps.
+    pub outputs: M::Outputs,
+    pub(super) model: &'m M,
+}
+
+impl<R: Real, M: Mechanism<R>> Sample<'_, R, M> {
+    /// ½ vᵀ M v, J.
+    pub fn kinetic_energy(&self) -> R {
+        self.model.kinetic_energy(self.time, &self.state.q, &self.state.v)
+    }
+
+    /// The energy of gravity and springs, J.
+    pub fn potential_energy(&self) -> R {
+        self.model.potential_energy(self.time, &self.state.q)
+    }
+
+    /// Kinetic and potential energy, J.
+    pub fn energy(&self) -> R {
+        self.kinetic_energy() + self.potential_energy()
+    }
+
+    /// How far positions and velocities are off the constraints.
+    pub fn constraint_residual(&self) -> Residual<R> {
+        Residual::of(self.model, self.time, &self.state)
+    }
+}
+
+/// How far a state is off the constraints; rows of different units (m, rad, m²) are taken together.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Residual<R = f64> {
+    /// max |Φ|.
+    pub position: R,
+    /// max |D v − ν|.
+    pub velocity: R,
+    /// √(Σ Φ²/m).
+    pub position_rms: R,
+    /// √(Σ (D v − ν)²/m).
+    pub velocity_rms: R,
+}
+
+impl<R: Real> Residual<R> {
+    /// The residual of `state` at `time`; zero for a mechanism without constraints.
+    pub fn of<M: Mechanism<R>>(model: &M, time: R, state: &State<M::Q, M::V>) -> Self {
+        let (mut phi, mut rate) = (M::Lambda::zero(), M::Lambda::zero());
+        let mut jacobian = M::Jacobian::zero();
+        model.constraints(time, &state.q, &mut phi);
+        model.constraint_jacobian(time, &state.q, &mut jacobian);
+        model.nu(time, &state.q, &mut rate);
+        subtract_product(M::JACOBIAN_PATTERN, jacobian.as_slice(), state.v.as_slice(), rate.as_mut_slice());
+        let rows = R::from_f64(M::Lambda::LEN.max(1) as f64);
+        let rms = |rows_of: &M::Lambda| (rows_of.norm_squared() / rows).sqrt();
+        Residual {
+            position: phi.max_abs(),
+            velocity: rate.max_abs(),
+            position_rms: rms(&phi),
+            velocity_rms: rms(&rate),
+        }
+    }
+}
+
+/// The samples of a run, from its start to its end; made by [`Simulation::samples`].
+pub struct Samples<'s, 'm, M: Mechanism<R>, R: Real, F, S, I> {
+    simulation: &'s mut Simulation<'m, M, R, F, S, I>,
+    end: R,
+    stage: Stage<R>,
+}
+
+/// Where the iterator stands; holds the step size once it has been checked.
+enum Stage<R> {
+    New,
+    Running(R),
+    Done,
+}
+
+impl<'s, 'm, M: Mechanism<R>, R: Real, F, S, I> Samples<'s, 'm, M, R, F, S, I> {
+    pub(super) fn new(simulation: &'s mut Simulation<'m, M, R, F, S, I>, end: R) -> Self {
+        Samples { simulation, end, stage: Stage::New }
+    }
+}
+
+impl<'m, M, R, F, S, I> Iterator for Samples<'_, 'm, M, R, F, S, I>
+where
+    R: Real,
+    M: Assemble<R>,
+    F: Formulation<R>,
+    S: InputSource<R, M>,
+    I: Integrator<R>,
+{
+    type Item = Result<Sample<'m, R, M>, SimulationError>;
+
+    fn next(&mut self) -> Option<Self::Item> {
+        let outcome = match self.stage {
+            Stage::Done => return None,
+            Stage::New => self.simulation.checked_run(self.end).map(|h| self.stage = Stage::Running(h)),
+            Stage::Running(_) if self.simulation.time() >= self.end => return None,
+            Stage::Running(h) => self.simulation.advance_towards(self.end, h),
+        };
+        if outcome.is_err() {
+            self.stage = Stage::Done;
+        }
+        Some(outcome.map(|()| self.simulation.sample()))
+    }
+}

@@ -1,0 +1,167 @@
+//! One step of a simulation: its checks, its stages, and the name of what went wrong.
+//!
+//! The methods themselves are in `integrator` and `formulation`; clock and samples are in `mod.rs` and `sample.rs`.
+
+use super::{Clock, Simulation};
+use crate::assembly::{singular_velocity, smallest_pivot};
+use crate::error::SimulationError;
+use crate::formulation::Formulation;
+use crate::input::InputSource;
+use crate::integrator::{Dynamics, Integrator};
+use crate::layout::Layout;
+use crate::mechanism::{Assemble, Mechanism, Row};
+use crate::real::Real;
+use crate::state::State;
+use crate::vector::Vector;
+
+/// A relative pivot of D Dᵀ above which the constraints are not to blame for a breakdown.
+const WELL_POSED: f64 = 1e-8;
+
+impl<'m, R: Real, M: Assemble<R>, F: Formulation<R>, S, I: Integrator<R>> Simulation<'m, M, R, F, S, I> {
+    /// The step size, if it and the formulation make sense.
+    pub(super) fn checked_step(&self) -> Result<R, SimulationError> {
+        let h = self.run.step.ok_or(SimulationError::StepMissing)?;
+        if !(h > R::ZERO && h.is_finite()) {
+            return Err(SimulationError::Step { step: h.to_f64() });
+        }
+        self.formulation.check()?;
+        Ok(h)
+    }
+
+    /// The step size, if it, the formulation and `end` make sense.
+    pub(super) fn checked_run(&self, end: R) -> Result<R, SimulationError> {
+        let h = self.checked_step()?;
+        let time = self.time();
+        if !(end >= time && end.is_finite()) {
+            return Err(SimulationError::End { time: time.to_f64(), end: end.to_f64() });
+        }
+        Ok(h)
+    }
+
+    /// One step of size `h`, or the shorter one that is left before `end`.
+    #[inline]
+    pub(super) fn advance_towards(&mut self, end: R, h: R) -> Result<(), SimulationError>
+    where
+        S: InputSource<R, M>,
+    {
+        let time = self.time();
+        let left = end - time;
+        // A step may be longer by a millionth, or by the rounding of the clock, rather than leave a sliver.
+        let slack = h * R::from_f64(1e-6) + (time.abs() + end.abs()) * (R::EPSILON + R::EPSILON);
+        if left > h + slack {
+            return self.advance_by(h, self.run.clock.after(h));
+        }
+        let h = if (left - h).abs() <= slack { h } else { left };
+        self.advance_by(h, Clock::at(end))
+    }
+
+    /// One step of size `h`, after which the clock shows `clock`; an error leaves everything as it was.
+    #[inline]
+    pub(super) fn advance_by(&mut self, h: R, clock: Clock<R>) -> Result<(), SimulationError>
+    where
+        S: InputSource<R, M>,
+    {
+        let inputs = self.present_inputs();
+        let time = self.time();
+        let mut stages = Stages {
+            model: self.run.model,
+            formulation: &self.formulation,
+            source: &mut self.source,
+            inputs,
+            started: false,
+            smallest_pivot: self.run.smallest_pivot,
+            failure: None,
+        };
+        let next = self.integrator.step(&mut stages, time, h, &self.run.state);
+        let (smallest_pivot, failure) = (stages.smallest_pivot, stages.failure);
+        if let Some(failure) = failure {
+            return Err(self.diagnose(&failure, &inputs));
+        }
+        if let Some(what) = not_finite::<R, M>(&next) {
+            return Err(SimulationError::NonFinite { time: clock.time.to_f64(), what });
+        }
+        self.run.smallest_pivot = smallest_pivot;
+        self.run.state = next;
+        self.run.clock = clock;
+        self.run.inputs = None;
+        Ok(())
+    }
+
+    /// The error that names what failed: the joint whose row depends on others, the body without mass, or the
+    /// coordinate that is no number.
+    #[cold]
+    fn diagnose(&self, failure: &Failure<R, M::Q, M::V>, inputs: &M::Inputs) -> SimulationError {
+        let model = self.run.model;
+        let Failure { time: stage, pivot, state } = failure;
+        let (time, pivot) = (stage.to_f64(), pivot.to_f64());
+        if let Some(what) = not_finite::<R, M>(state) {
+            return SimulationError::NonFinite { time, what };
+        }
+        if pivot.is_nan() {
+            let (mut a, mut lambda) = (M::V::zero(), M::Lambda::zero());
+            self.formulation.acceleration(model, *stage, &state.q, &state.v, inputs, &mut a, &mut lambda);
+            let velocity = a.first_not_finite().and_then(|i| M::VELOCITY_NAMES.get(i));
+            return SimulationError::NonFinite { time, what: velocity.copied().unwrap_or(M::NAME) };
+        }
+        let (constraints, row) = smallest_pivot(model, *stage, &state.q);
+        if constraints > R::from_f64(WELL_POSED)
+            && let Some(velocity) = singular_velocity(model, *stage, &state.q)
+        {
+            return SimulationError::SingularMass { time, pivot, velocity: M::VELOCITY_NAMES[velocity] };
+        }
+        let row = row.map_or(Row { of: M::NAME, what: "constraints" }, |row| M::ROWS[row]);
+        SimulationError::Breakdown { time, pivot, row }
+    }
+}
+
+/// The name of the first coordinate or velocity that is infinite or NaN.
+#[inline]
+fn not_finite<R: Real, M: Mechanism<R>>(state: &State<M::Q, M::V>) -> Option<&'static str> {
+    let name = |names: &'static [&'static str], i: usize| names.get(i).copied().unwrap_or(M::NAME);
+    let in_q = state.q.first_not_finite().map(|i| name(M::POSITION_NAMES, i));
+    in_q.or_else(|| state.v.first_not_finite().map(|i| name(M::VELOCITY_NAMES, i)))
+}
+
+/// The first stage whose relative pivot was below the breakdown.
+struct Failure<R, Q, V> {
+    time: R,
+    pivot: R,
+    state: State<Q, V>,
+}
+
+/// The mechanism as an integrator sees it during one step.
+struct Stages<'s, R: Real, M: Mechanism<R>, F, S> {
+    model: &'s M,
+    formulation: &'s F,
+    source: &'s mut S,
+    inputs: M::Inputs,
+    started: bool,
+    smallest_pivot: R,
+    failure: Option<Failure<R, M::Q, M::V>>,
+}
+
+impl<R: Real, M: Mechanism<R>, F: Formulation<R>, S: InputSource<R, M>> Dynamics<R>
+    for Stages<'_, R, M, F, S>
+{
+    const LAYOUT: Layout = M::LAYOUT;
+    type Q = M::Q;
+    type V = M::V;
+
+    #[inline]
+    fn acceleration(&mut self, time: R, state: &State<M::Q, M::V>) -> M::V {
+        // The inputs at the step's start were sampled when the step before ended.
+        if self.started && !S::HELD {
+            self.inputs = self.source.sample(time, state);
+        }
+        self.started = true;
+        let (mut a, mut lambda) = (M::V::zero(), M::Lambda::zero());
+        let State { q, v } = state;
+        let pivot = self.formulation.acceleration(self.model, time, q, v, &self.inputs, &mut a, &mut lambda);
+        self.smallest_pivot = pivot.min(self.smallest_pivot);
+        // Written so that a NaN fails.
+        if !R::any(pivot.greater_equal(R::BREAKDOWN)) && self.failure.is_none() {
+            self.failure = Some(Failure { time, pivot, state: *state });
+        }
+        a
+    }
+}

@@ -1,0 +1,11 @@
+//! The runtime on mechanisms written by hand: one binary, one module a subject.
+
+mod assembly;
+#[cfg(feature = "nalgebra")]
+mod dense;
+mod double_pendulum;
+mod factorisation;
+mod four_bar;
+mod motion;
+mod solve;
+mod support;

@@ -1,0 +1,119 @@
+//! A body welded to a support that slides with x = t²/10: time in the constraints, an angle row with a second root.
+
+use crate::solve::{baumgarte, equations_of_motion, full_columns, full_row_start, natural};
+use linkwright_runtime::{Assemble, Condition, Elimination, Layout, Mechanism, Row};
+
+#[derive(Clone, Copy, Debug)]
+pub struct Support {
+    pub mass: f64,
+    pub angle: f64,
+}
+
+impl Mechanism<f64> for Support {
+    const NAME: &'static str = "Support";
+    const LAYOUT: Layout = Layout { linear: 2, rotations: 1, angles: &[] };
+    const ROWS: &'static [Row] =
+        &[Row { of: "weld", what: "x" }, Row { of: "weld", what: "y" }, Row { of: "weld", what: "angle" }];
+    const POSITION_NAMES: &'static [&'static str] = &["body.x", "body.y", "body.cos", "body.sin"];
+    const VELOCITY_NAMES: &'static [&'static str] = &["body.vx", "body.vy", "body.rate"];
+    const MASS_PATTERN: &'static [(u16, u16)] = &[(0, 0), (1, 1), (2, 2)];
+    const JACOBIAN_PATTERN: &'static [(u16, u16)] = &[(0, 0), (1, 1), (2, 2)];
+    type Q = [f64; 4];
+    type V = [f64; 3];
+    type Lambda = [f64; 3];
+    type Mass = [f64; 3];
+    type Jacobian = [f64; 3];
+    type Inputs = ();
+    type Outputs = ();
+
+    fn mass_matrix(&self, _time: f64, _q: &[f64; 4], mass: &mut [f64; 3]) {
+        *mass = [self.mass, self.mass, 0.0];
+    }
+    fn constraints(&self, time: f64, q: &[f64; 4], phi: &mut [f64; 3]) {
+        let sine = q[3] * self.angle.cos() - q[2] * self.angle.sin();
+        *phi = [q[0] - 0.1 * time * time, q[1], sine];
+    }
+    fn constraint_jacobian(&self, _time: f64, q: &[f64; 4], d: &mut [f64; 3]) {
+        *d = [1.0, 1.0, q[2] * self.angle.cos() + q[3] * self.angle.sin()];
+    }
+    fn nu(&self, time: f64, _q: &[f64; 4], nu: &mut [f64; 3]) {
+        *nu = [0.2 * time, 0.0, 0.0];
+    }
+    fn gamma(&self, _time: f64, q: &[f64; 4], v: &[f64; 3], gamma: &mut [f64; 3]) {
+        let sine = q[3] * self.angle.cos() - q[2] * self.angle.sin();
+        *gamma = [0.2, 0.0, sine * v[2] * v[2]];
+    }
+    fn forces(&self, _time: f64, _q: &[f64; 4], _v: &[f64; 3], _u: &(), forces: &mut [f64; 3]) {
+        *forces = [0.0, -9.81 * self.mass, 0.0];
+    }
+    fn kinetic_energy(&self, _time: f64, _q: &[f64; 4], v: &[f64; 3]) -> f64 {
+        0.5 * self.mass * (v[0] * v[0] + v[1] * v[1])
+    }
+    fn potential_energy(&self, _time: f64, q: &[f64; 4]) -> f64 {
+        9.81 * self.mass * q[1]
+    }
+    fn acceleration(
+        &self,
+        time: f64,
+        q: &[f64; 4],
+        v: &[f64; 3],
+        u: &(),
+        a: &mut [f64; 3],
+        lambda: &mut [f64; 3],
+    ) -> f64 {
+        self.acceleration_baumgarte(time, q, v, u, 0.0, 0.0, a, lambda)
+    }
+    fn acceleration_baumgarte(
+        &self,
+        time: f64,
+        q: &[f64; 4],
+        v: &[f64; 3],
+        u: &(),
+        two_alpha: f64,
+        beta_squared: f64,
+        a: &mut [f64; 3],
+        lambda: &mut [f64; 3],
+    ) -> f64 {
+        let gamma = baumgarte(self, time, q, v, two_alpha, beta_squared);
+        let mut forces = [0.0; 3];
+        self.forces(time, q, v, u, &mut forces);
+        equations_of_motion(self, time, q, &forces, &gamma, a, lambda)
+    }
+    fn outputs(&self, _time: f64, _q: &[f64; 4], _v: &[f64; 3], _u: &()) {}
+    fn unwrap(_outputs: &mut (), _previous: &()) {}
+}
+
+impl Assemble<f64> for Support {
+    const CONDITIONS: &'static [Condition] = &[];
+    const START_CONDITIONS: &'static [u16] = &[];
+    const START_RATES: &'static [u16] = &[];
+    const INDEPENDENT: &'static [u16] = &[];
+    const CONDITION_PATTERN: &'static [(u16, u16)] = &[];
+    const FLIPS: &'static [u16] = &[2];
+    const ELIMINATION: Elimination = Elimination {
+        order: &natural::<6>(),
+        position: &natural::<6>(),
+        row_start: &full_row_start::<7>(),
+        columns: &full_columns::<6, 15>(),
+    };
+    type Conditions = [f64; 0];
+    type ConditionJacobian = [f64; 0];
+    type Factor = [f64; 15];
+    type System = [f64; 6];
+
+    fn condition_residual(&self, _time: f64, _q: &[f64; 4], _target: &[f64; 0], _residual: &mut [f64; 0]) {}
+    fn condition_flipped(&self, _time: f64, _q: &[f64; 4], _target: &[f64; 0], _flipped: &mut [f64; 0]) {}
+    fn condition_jacobian(&self, _time: f64, _q: &[f64; 4], _jacobian: &mut [f64; 0]) {}
+    fn condition_bias(&self, _time: f64, _q: &[f64; 4], _v: &[f64; 3], _bias: &mut [f64; 0]) {}
+    fn condition_drift(&self, _time: f64, _q: &[f64; 4], _drift: &mut [f64; 0]) {}
+    fn row_cosines(&self, _time: f64, q: &[f64; 4], cosines: &mut [f64; 3]) {
+        *cosines = [1.0, 1.0, q[2] * self.angle.cos() + q[3] * self.angle.sin()];
+    }
+    fn start_targets(&self, _positions: &mut [f64; 0], _rates: &mut [f64; 0]) {}
+    fn start_q() -> [f64; 4] {
+        [0.0, 0.0, 1.0, 0.0]
+    }
+    fn start_v() -> [f64; 3] {
+        [0.0; 3]
+    }
+}

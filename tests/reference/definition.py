@@ -1,0 +1,187 @@
+"""A DEFINITION, as a mechanism carries it, to a model in SI with symbolic parameters.
+
+Converts units, resolves constants, derives the inertia of shapes and the places of points relative to the centres
+of mass. Knows nothing of coordinates: laws, loads and equations stay expressions until `kinematics` gives the names
+of moving quantities their meaning.
+"""
+
+from dataclasses import dataclass, field
+
+import casadi as ca
+
+import expressions
+from expressions import entry, pair
+
+
+@dataclass
+class Place:
+    """A point fixed to a body (`local`: from the centre of mass, body axes) or to the ground (`local`: world)."""
+
+    body: str | None
+    local: ca.SX
+
+
+@dataclass
+class Line:
+    """A directed line through `origin`; `axis` is its unit vector in the axes of the body of `origin`."""
+
+    origin: Place
+    axis: ca.SX
+
+
+@dataclass
+class Body:
+    name: str
+    particle: bool  # a particle has no orientation
+    mass: ca.SX
+    inertia: ca.SX  # about the centre of mass
+    center: ca.SX  # from the body's origin
+    points: dict = field(default_factory=dict)  # name → from the body's origin
+
+
+@dataclass
+class Joint:
+    name: str
+    kind: str
+    first: Place
+    second: Place
+    axis: ca.SX | None  # unit vector in the first's axes
+    angle: ca.SX | None
+    length: ca.SX | None
+
+
+class Model:
+    """Bodies, joints and gravity in SI; as symbols: parameters `p`, `time`, inputs `u` and `phases`."""
+
+    def __init__(self, definition):
+        if definition.get("linkwright") != 1 or definition.get("kind") != "planar":
+            raise ValueError("only version 1 of a planar definition is understood")
+        self.definition = definition
+        self.title = definition["name"]
+        self.p = ca.SX.sym("p", len(definition["parameters"]))
+        self.time = ca.SX.sym("time")
+        self.u = ca.SX.sym("u", len(definition["inputs"]))
+        self.values = {"time": self.time}
+        for index, parameter in enumerate(definition["parameters"]):
+            self.values[parameter["name"]] = self.p[index]
+        for index, given in enumerate(definition["inputs"]):
+            self.values[given["name"]] = self.u[index]
+        self.constants = {constant["name"]: constant for constant in definition["constants"]}
+        self.free_phases = [
+            coupling["name"]
+            for coupling in definition["constraints"]
+            if coupling["kind"] in ("gear", "rack") and coupling.get("phase") is None
+        ]
+        self.phases = ca.SX.sym("phase", len(self.free_phases))
+        self.gravity = pair(definition["gravity"], self) if definition.get("gravity") else ca.SX.zeros(2)
+        self.bodies = {body["name"]: self._body(body) for body in definition["bodies"]}
+        self.lines = {
+            f"{body['name']}.{line['name']}": line
+            for body in definition["bodies"]
+            for line in body.get("lines") or []
+        }
+        self.joints = {joint["name"]: self._joint(joint) for joint in definition["joints"]}
+
+    # The scope of expressions that name nothing that moves.
+
+    def name(self, text):
+        if text in self.constants and text not in self.values:
+            self.values[text] = entry(self.constants[text], self)
+        if text not in self.values:
+            raise ValueError(f"{self.title}: `{text}` is unknown here")
+        return self.values[text]
+
+    def distance(self, *_):
+        raise ValueError("a distance cannot stand in a constant value")
+
+    def power(self, _):
+        raise ValueError("a power cannot stand in a constant value")
+
+    def phase(self, coupling):
+        """The phase of a gear or rack: as written, else a symbol for the one fixed at the start."""
+        if coupling.get("phase") is not None:
+            return entry(coupling["phase"], self)
+        return self.phases[self.free_phases.index(coupling["name"])]
+
+    # Places and lines.
+
+    def place(self, node):
+        if "ground" in node:
+            return Place(None, pair(node, self, key="ground"))
+        return self.named_place(node["place"])
+
+    def named_place(self, text):
+        body_name, _, point = text.rpartition(".")
+        body = self.bodies[body_name]
+        if point not in body.points:
+            raise ValueError(f"{self.title}: body `{body_name}` has no point `{point}`")
+        return Place(body_name, body.points[point] - body.center)
+
+    def line(self, node):
+        if "line" in node:
+            node = self.lines[node["line"]]
+        start, end = self.place(node["from"]), self.place(node["to"])
+        if start.body != end.body:
+            raise ValueError(f"a line joins places of `{start.body}` and `{end.body}`")
+        return Line(start, _unit(end.local - start.local))
+
+    def _body(self, body):
+        kind = body["kind"]
+        given = {name: entry(value, self) for name, value in body["properties"].items()}
+        center = pair(body["center"], self) if body.get("center") else ca.SX.zeros(2)
+        points = {point["name"]: pair(point, self) for point in body.get("points") or []}
+        points["origin"] = ca.SX.zeros(2)
+        points["center"] = center
+        if kind == "rod":
+            points["start"] = ca.vertcat(-given["length"] / 2, 0)
+            points["end"] = ca.vertcat(given["length"] / 2, 0)
+        mass = given["mass"]
+        inertia = given["inertia"] if "inertia" in given else _inertia_of_shape(kind, mass, given)
+        return Body(body["name"], kind == "particle", mass, inertia, center, points)
+
+    def _joint(self, joint):
+        name, kind = joint["name"], joint["kind"]
+        axis = None
+        if kind == "point_on_line":
+            line = self.line(joint["first"])
+            first, axis = line.origin, line.axis
+        else:
+            first = self.place(joint["first"])
+        if kind == "prismatic":
+            axis = _unit(pair(joint["axis"], self))
+        angle = entry(joint["angle"], self) if joint.get("angle") else ca.SX(0)
+        length = entry(joint["length"], self) if joint.get("length") else None
+        return Joint(name, kind, first, self.place(joint["second"]), axis, angle, length)
+
+
+def rotors_in_use(model):
+    """The joints and bodies whose multi-turn angle the dynamics use, in a fixed order."""
+    definition, found = model.definition, []
+    for coupling in definition["constraints"]:
+        if coupling["kind"] == "gear":
+            found += [coupling["first"], coupling["second"]]
+        elif coupling["kind"] == "rack":
+            found.append(coupling["pinion"])
+    found += [load["on"] for load in definition["loads"] if load["kind"] == "torsion_spring"]
+    for part in (definition["constraints"], definition["drivers"], definition["loads"]):
+        for text in expressions.names(part):
+            owner, _, quantity = text.rpartition(".")
+            if quantity == "angle" and (owner in model.bodies or owner in model.joints):
+                found.append(owner)
+    return list(dict.fromkeys(found))
+
+
+def _inertia_of_shape(kind, mass, given):
+    if kind == "rod":
+        return mass * given["length"] ** 2 / 12
+    if kind == "disk":
+        return mass * given["radius"] ** 2 / 2
+    if kind == "box":
+        return mass * (given["width"] ** 2 + given["height"] ** 2) / 12
+    if kind == "particle":
+        return ca.SX(0)
+    raise ValueError(f"a body of kind `{kind}` needs its inertia written")
+
+
+def _unit(vector):
+    return vector / ca.sqrt(vector[0] ** 2 + vector[1] ** 2)

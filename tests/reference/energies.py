@@ -1,0 +1,156 @@
+"""Equations of motion from energies and virtual work, all derivatives by automatic differentiation.
+
+    M v̇ + Dᵀ λ = Q,   D v = ν,   D v̇ = γ.
+
+With π the coordinates of which v are the rates (lengths and angles; orientations commute in the plane, so these
+exist) and a position Φ(π, t) of the rows:
+    D = ∂Φ̇/∂v,   ν = −∂Φ/∂t,   γ = −dΦ̇/dt at v̇ = 0,
+    M = ∂²T/∂v²,  Q = Σ_loads (∂w/∂v)ᵀ f − ∂V/∂π − (d/dt(∂T/∂v) at v̇ = 0) + ∂T/∂π,
+where a load is a force f on a rate w. (Lagrange's equations, e.g. Goldstein, Classical Mechanics, ch. 1.4 and 2.4.)
+"""
+
+from dataclasses import dataclass
+
+import casadi as ca
+
+import expressions
+from expressions import evaluate
+
+
+@dataclass
+class Load:
+    """f acts on the rate w; `elastic` is the part of f that the potential V already stands for."""
+
+    name: str
+    w: ca.SX
+    explicit: ca.SX  # the part of w that is there at v = 0: of places that move by themselves
+    f: ca.SX
+    elastic: ca.SX
+
+    def power(self):
+        return ca.dot(self.f + self.elastic, self.w)
+
+
+class Energies:
+    """Derives the equations of one `Kinematics`; each attribute is an expression of (p, t, u, phases, q, v)."""
+
+    def __init__(self, kinematics):
+        self.kinematics = kinematics
+        self.model = kinematics.model
+        kinematics.energies = self
+        self._loads = {}
+        self._under_way = set()
+        self.direction = ca.SX.sym("direction", kinematics.v.numel())
+
+        self.kinetic = self._kinetic()
+        self.potential = self._potential()
+        self.loads = [self.load(load["name"]) for load in self.model.definition["loads"]]
+        self.powers = ca.vertcat(*[load.power() for load in self.loads])
+
+        v = kinematics.v
+        self.momentum = ca.gradient(self.kinetic, v)
+        self.mass = ca.jacobian(self.momentum, v)
+        self.forces = self._applied() + self._slope(self.kinetic) - kinematics.rate(self.momentum)
+
+        self.rows = kinematics.rows()
+        self.phi = ca.vertcat(*[row.value for row in self.rows])
+        if self.rows:
+            drift = kinematics.explicit_rate(self.phi)
+            phi_rate = ca.jtimes(self.phi, kinematics.q, kinematics.q_rate(v)) + drift
+            self.jacobian = ca.jacobian(phi_rate, v)
+            self.nu = -drift
+            self.gamma = -kinematics.rate(phi_rate)
+        else:
+            self.phi = self.nu = self.gamma = ca.SX(0, 1)
+            self.jacobian = ca.SX(0, v.numel())
+
+    def _slope(self, value):
+        """∂(value)/∂π."""
+        along = ca.jtimes(value, self.kinematics.q, self.kinematics.q_rate(self.direction))
+        return ca.gradient(along, self.direction)
+
+    def _kinetic(self):
+        bodies, poses = self.model.bodies, self.kinematics.poses
+        rates = self.kinematics.rate(ca.vertcat(*[c for name in bodies for c in (poses[name].x, poses[name].y)]))
+        energy = ca.SX(0)
+        for index, (name, body) in enumerate(bodies.items()):
+            vx, vy = rates[2 * index], rates[2 * index + 1]
+            energy += body.mass * (vx**2 + vy**2) / 2 + body.inertia * poses[name].omega ** 2 / 2
+        return energy
+
+    def _potential(self):
+        energy = ca.SX(0)
+        for name, body in self.model.bodies.items():
+            pose = self.kinematics.poses[name]
+            energy -= body.mass * (self.model.gravity[0] * pose.x + self.model.gravity[1] * pose.y)
+        for load in self.model.definition["loads"]:
+            if load.get("stiffness"):
+                stiffness, deflection = self._spring(load)
+                energy += stiffness * deflection**2 / 2
+        return energy
+
+    def _spring(self, load):
+        """Stiffness and deflection of a spring between places or about a rotor."""
+        kinematics = self.kinematics
+        stiffness = expressions.entry(load["stiffness"], self.model)
+        rest = load.get("length") if load["kind"] == "spring" else load.get("angle")
+        rest = expressions.entry(rest, self.model) if rest else ca.SX(0)
+        if load["kind"] == "spring":
+            return stiffness, kinematics.distance(load["first"], load["second"]) - rest
+        return stiffness, kinematics.multi_turn(load["on"]) - rest
+
+    def _applied(self):
+        w = ca.vertcat(*[load.w for load in self.loads])
+        f = ca.vertcat(*[load.f for load in self.loads])
+        work = ca.jtimes(w, self.kinematics.v, f, True) if self.loads else ca.SX.zeros(self.kinematics.v.numel())
+        return work - self._slope(self.potential)
+
+    # Loads by name; a law may name the power of another load.
+
+    def load(self, name):
+        if name in self._under_way:
+            raise ValueError(f"{self.model.title}: the load `{name}` depends on its own power")
+        if name not in self._loads:
+            self._under_way.add(name)
+            self._loads[name] = self._derive_load(next(x for x in self.model.definition["loads"] if x["name"] == name))
+            self._under_way.remove(name)
+        return self._loads[name]
+
+    def power(self, name):
+        return self.load(name).power()
+
+    def energy(self, which):
+        kinetic, potential = self.kinetic, self.potential
+        return {"kinetic_energy": kinetic, "potential_energy": potential, "energy": kinetic + potential}[which]
+
+    def _derive_load(self, load):
+        kinematics, name, kind = self.kinematics, load["name"], load["kind"]
+        if kind == "force":
+            point = kinematics.position(self.model.place(load["place"]))
+            force = self._force(load)
+            explicit = kinematics.explicit_rate(point)
+            return Load(name, kinematics.rate(point), explicit, force, ca.SX.zeros(2))
+        if kind == "torque":
+            torque = evaluate(load["value"], kinematics)
+            return Load(name, kinematics.rotor_rate(load["on"]), ca.SX(0), torque, ca.SX(0))
+        if kind == "spring":
+            length = kinematics.distance(load["first"], load["second"])
+            w, explicit = kinematics.rate(length), kinematics.explicit_rate(length)
+        elif kind == "torsion_spring":
+            w, explicit = kinematics.rotor_rate(load["on"]), ca.SX(0)
+        else:
+            raise ValueError(f"{self.model.title}: load `{name}` is of the unknown kind `{kind}`")
+        elastic = ca.SX(0)
+        if load.get("stiffness"):
+            stiffness, deflection = self._spring(load)
+            elastic = -stiffness * deflection
+        damping = expressions.entry(load["damping"], self.model) if load.get("damping") else ca.SX(0)
+        return Load(name, w, explicit, -damping * w, elastic)
+
+    def _force(self, load):
+        """World axes."""
+        if load.get("components"):
+            return ca.vertcat(*[evaluate(component, self.kinematics) for component in load["components"]])
+        direction = ca.vertcat(*[evaluate(component, self.kinematics) for component in load["direction"]])
+        value = evaluate(load["value"], self.kinematics)
+        return value * direction / ca.sqrt(ca.dot(direction, direction))

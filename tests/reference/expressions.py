@@ -1,0 +1,129 @@
+"""Expressions of a DEFINITION (trees of plain JSON) to CasADi scalars in SI.
+
+What a name means is not decided here: a scope is asked, by `scope.name(text)`.
+"""
+
+import math
+
+import casadi as ca
+
+from units import factor
+
+FUNCTIONS = {
+    "sqrt": ca.sqrt, "abs": ca.fabs, "min": ca.fmin, "max": ca.fmax, "sign": ca.sign, "sin": ca.sin, "cos": ca.cos,
+    "tan": ca.tan, "asin": ca.asin, "acos": ca.acos, "atan2": ca.atan2, "exp": ca.exp, "ln": ca.log,
+}  # fmt: skip
+COMPARISONS = {
+    "<": lambda a, b: a < b, "<=": lambda a, b: a <= b, ">": lambda a, b: a > b, ">=": lambda a, b: a >= b,
+    "==": lambda a, b: a == b, "!=": lambda a, b: a != b, "and": ca.logic_and, "or": ca.logic_or,
+}  # fmt: skip
+
+
+def entry(node, scope):
+    """The value of `{"unit": …, "value": EXPR}` in SI."""
+    return in_unit(node["value"], node.get("unit"), scope)
+
+
+def pair(node, scope, key="value"):
+    """The two values of `{"unit": …, "value": [EXPR, EXPR]}` as a column in SI.
+
+    A bare number beside a component that names a quantity could be meant in the unit or in SI; where the two
+    differ, the definition is refused rather than guessed at.
+    """
+    values, unit = node[key], node.get("unit")
+    bare = [is_bare(value) for value in values]
+    if factor(unit) != 1.0 and any(bare) and not all(bare):
+        lone = values[bare.index(True)]
+        if float(evaluate(lone, scope)) != 0.0:
+            raise ValueError(f"{values}: a bare number beside a named quantity, under the unit `{unit}`")
+    return ca.vertcat(*[in_unit(value, unit, scope) for value in values])
+
+
+def in_unit(value, unit, scope):
+    """`value` under the unit of its entry: bare values are multiplied by it, all others are in SI already."""
+    result = evaluate(value, scope)
+    return result * factor(unit) if is_bare(value) else result
+
+
+def is_bare(node):
+    """Whether a value names no quantity and carries no unit anywhere inside (`pi` is a number)."""
+    if "number" in node:
+        return node.get("unit") is None
+    if "name" in node:
+        return node["name"] == "pi"
+    if "op" in node:
+        return all(is_bare(child) for child in node["args"])
+    if "call" in node:
+        return node["call"] not in ("distance", "power") and all(is_bare(child) for child in node["args"])
+    return False  # a parenthesised expression with its own unit, or a place
+
+
+def names(node):
+    """All names that occur in an expression (or in any other part of a definition)."""
+    if isinstance(node, dict):
+        if isinstance(node.get("name"), str) and len(node) == 1:
+            yield node["name"]
+        for child in node.values():
+            yield from names(child)
+    elif isinstance(node, list):
+        for child in node:
+            yield from names(child)
+
+
+def evaluate(node, scope):
+    """The value of an expression in SI, each literal converted from its own unit."""
+    if "number" in node:
+        return ca.SX(float(node["number"].replace("_", ""))) * factor(node.get("unit"))
+    if "name" in node:
+        return ca.SX(math.pi) if node["name"] == "pi" else scope.name(node["name"])
+    if "op" in node:
+        return _operation(node["op"], [evaluate(child, scope) for child in node["args"]])
+    if "call" in node:
+        return _call(node["call"], node["args"], scope)
+    if "value" in node:
+        return in_unit(node["value"], node.get("unit"), scope)
+    raise ValueError(f"cannot read the expression {node}")
+
+
+def _operation(operator, arguments):
+    if operator == "+":
+        return arguments[0] if len(arguments) == 1 else arguments[0] + arguments[1]
+    if operator == "-":
+        return -arguments[0] if len(arguments) == 1 else arguments[0] - arguments[1]
+    if operator == "*":
+        return arguments[0] * arguments[1]
+    if operator == "/":
+        return arguments[0] / arguments[1]
+    if operator == "^":
+        return _power(arguments[0], arguments[1])
+    if operator == "neg":
+        return -arguments[0]
+    if operator == "not":
+        return ca.logic_not(arguments[0])
+    if operator in COMPARISONS:
+        return COMPARISONS[operator](arguments[0], arguments[1])
+    raise ValueError(f"unknown operator `{operator}`")
+
+
+def _power(base, exponent):
+    # Whole powers as products: their derivatives then need no logarithm of a base that may be negative.
+    if exponent.is_constant() and float(exponent) == int(float(exponent)) and 0 < abs(float(exponent)) <= 16:
+        whole = int(float(exponent))
+        result = base
+        for _ in range(abs(whole) - 1):
+            result = result * base
+        return result if whole > 0 else 1 / result
+    return base**exponent
+
+
+def _call(function, arguments, scope):
+    if function == "if":
+        condition, then, otherwise = (evaluate(child, scope) for child in arguments)
+        return ca.if_else(condition, then, otherwise)
+    if function == "distance":
+        return scope.distance(*arguments)
+    if function == "power":
+        return scope.power(arguments[0]["name"])
+    if function in FUNCTIONS:
+        return FUNCTIONS[function](*[evaluate(child, scope) for child in arguments])
+    raise ValueError(f"unknown function `{function}`")

@@ -1,0 +1,189 @@
+"""Where everything is and how fast it moves, from the poses of the bodies; the rows of the constraints.
+
+The choice of coordinates is left to `reference` (absolute) and `tree`: each says how the poses follow from its q and
+how q changes with its v. Everything below is common and only uses that.
+
+Angular quantities: a body's pose is (x, y) of its centre of mass and the pair (c, s) of its orientation; multi-turn
+angles are coordinates of their own, so that at random states they need not agree with the pairs.
+"""
+
+from dataclasses import dataclass
+
+import casadi as ca
+
+import expressions
+from expressions import evaluate
+
+
+@dataclass
+class Pose:
+    x: ca.SX
+    y: ca.SX
+    c: ca.SX
+    s: ca.SX
+    omega: ca.SX
+
+    def turn(self, vector):
+        """Body axes to world axes: A vector, A = [c −s; s c]."""
+        return ca.vertcat(self.c * vector[0] - self.s * vector[1], self.s * vector[0] + self.c * vector[1])
+
+
+@dataclass
+class Row:
+    of: str
+    what: str
+    value: ca.SX  # Φ of this row
+
+    def __str__(self):
+        return f"{self.of}.{self.what}"
+
+
+GROUND = Pose(ca.SX(0), ca.SX(0), ca.SX(1), ca.SX(0), ca.SX(0))
+
+
+class Kinematics:
+    """To be completed with `q`, `v`, `poses` (by body), `q_rate(v)` and `multi_turn(rotor)`."""
+
+    def __init__(self, model):
+        self.model = model
+        self.poses = {}
+        self.energies = None  # set by `energies`, for laws that name an energy or a power
+
+    def rate(self, value):
+        """Total time derivative of an expression of q and time, at velocity v."""
+        return ca.jtimes(value, self.q, self.q_rate(self.v)) + self.explicit_rate(value)
+
+    def explicit_rate(self, value):
+        """∂/∂t at fixed q: what moves by itself."""
+        return ca.densify(ca.jacobian(value, self.model.time))
+
+    # Quantities.
+
+    def pose(self, body):
+        return GROUND if body is None else self.poses[body]
+
+    def position(self, place):
+        pose = self.pose(place.body)
+        return ca.vertcat(pose.x, pose.y) + pose.turn(place.local)
+
+    def rotor(self, name):
+        """The bodies (turning, reference) of a rotor: of a joint its second and first, of a body itself and the ground."""
+        if name in self.model.joints:
+            joint = self.model.joints[name]
+            return joint.second.body, joint.first.body
+        if name in self.model.bodies:
+            return name, None
+        raise ValueError(f"{self.model.title}: no joint or body `{name}`")
+
+    def rotor_rate(self, name):
+        plus, minus = self.rotor(name)
+        return self.pose(plus).omega - self.pose(minus).omega
+
+    def principal_angle(self, name):
+        """The rotor's angle in (−π, π] from the pairs."""
+        plus, minus = (self.pose(body) for body in self.rotor(name))
+        return ca.atan2(plus.s * minus.c - plus.c * minus.s, plus.c * minus.c + plus.s * minus.s)
+
+    def travel(self, joint):
+        """Of the second place along the axis, which turns with the first's body: (A1 â)·(p2 − p1)."""
+        axis = self.pose(joint.first.body).turn(joint.axis)
+        return ca.dot(axis, self.position(joint.second) - self.position(joint.first))
+
+    # The scope of laws, equations and loads.
+
+    def name(self, text):
+        model = self.model
+        if text in model.values or text in model.constants:
+            return model.name(text)
+        if text in ("energy", "kinetic_energy", "potential_energy"):
+            return self.energies.energy(text)
+        owner, _, quantity = text.rpartition(".")
+        if owner in model.joints:
+            return self._of_joint(owner, quantity)
+        if owner in model.bodies and quantity == "angle":
+            return self.multi_turn(owner)
+        if owner in model.bodies and quantity == "rate":
+            return self.rotor_rate(owner)
+        if quantity in ("x", "y"):
+            axis = 0 if quantity == "x" else 1
+            if owner.endswith(".velocity"):
+                return self.rate(self.position(model.named_place(owner.removesuffix(".velocity"))))[axis]
+            return self.position(model.named_place(owner))[axis]
+        raise ValueError(f"{model.title}: `{text}` has no meaning here")
+
+    def _of_joint(self, owner, quantity):
+        joint = self.model.joints[owner]
+        if quantity == "angle":
+            return self.multi_turn(owner)
+        if quantity == "rate":
+            return self.rotor_rate(owner)
+        if quantity == "travel":
+            return self.travel(joint)
+        if quantity == "speed":
+            return self.rate(self.travel(joint))
+        raise ValueError(f"{self.model.title}: joint `{owner}` has no `{quantity}`")
+
+    def distance(self, first, second):
+        difference = self.position(self._place_of(second)) - self.position(self._place_of(first))
+        return ca.sqrt(ca.dot(difference, difference))
+
+    def _place_of(self, node):
+        return self.model.named_place(node["name"]) if "name" in node else self.model.place(node)
+
+    def power(self, load):
+        return self.energies.power(load)
+
+    # Constraint rows: joints as declared, constraints, drivers.
+
+    def rows(self):
+        definition = self.model.definition
+        rows = [row for joint in self.model.joints.values() for row in self.joint_rows(joint)]
+        rows += [self._coupling_row(coupling) for coupling in definition["constraints"]]
+        rows += [self._driver_row(driver) for driver in definition["drivers"]]
+        for row in rows:
+            if ca.depends_on(row.value, self.v):
+                raise ValueError(f"{self.model.title}: the row {row} depends on velocities")
+        return rows
+
+    def joint_rows(self, joint):
+        p1, p2 = self.position(joint.first), self.position(joint.second)
+        pose1, pose2 = self.pose(joint.first.body), self.pose(joint.second.body)
+        rows = []
+        if joint.kind in ("revolute", "fixed"):
+            rows += [Row(joint.name, "x", p1[0] - p2[0]), Row(joint.name, "y", p1[1] - p2[1])]
+        if joint.kind in ("prismatic", "point_on_line"):
+            normal = pose1.turn(ca.vertcat(-joint.axis[1], joint.axis[0]))
+            rows.append(Row(joint.name, "normal", ca.dot(normal, p2 - p1)))
+        if joint.kind in ("prismatic", "fixed") and not self._joins_particle(joint):
+            sine = pose2.s * pose1.c - pose2.c * pose1.s  # of θ2 − θ1
+            cosine = pose2.c * pose1.c + pose2.s * pose1.s
+            rows.append(Row(joint.name, "angle", sine * ca.cos(joint.angle) - cosine * ca.sin(joint.angle)))
+        if joint.kind == "distance":
+            rows.append(Row(joint.name, "distance", (ca.dot(p2 - p1, p2 - p1) - joint.length**2) / 2))
+        if not rows:
+            raise ValueError(f"{self.model.title}: joint `{joint.name}` is of the unknown kind `{joint.kind}`")
+        return rows
+
+    def _joins_particle(self, joint):
+        places = (joint.first, joint.second)
+        return any(place.body is not None and self.model.bodies[place.body].particle for place in places)
+
+    def _coupling_row(self, coupling):
+        kind, name = coupling["kind"], coupling["name"]
+        if kind == "equation":
+            value = evaluate(coupling["left"], self) - evaluate(coupling["right"], self)
+        elif kind == "gear":
+            ratio = expressions.entry(coupling["ratio"], self.model)
+            first, second = self.multi_turn(coupling["first"]), self.multi_turn(coupling["second"])
+            value = first - ratio * second - self.model.phase(coupling)
+        elif kind == "rack":
+            radius = expressions.entry(coupling["radius"], self.model)
+            travel = self.travel(self.model.joints[coupling["rail"]])
+            value = travel - radius * self.multi_turn(coupling["pinion"]) - self.model.phase(coupling)
+        else:
+            raise ValueError(f"{self.model.title}: constraint `{name}` is of the unknown kind `{kind}`")
+        return Row(name, kind, value)
+
+    def _driver_row(self, driver):
+        law = expressions.entry(driver["law"], self)
+        return Row(driver["name"], "driver", evaluate(driver["quantity"], self) - law)
