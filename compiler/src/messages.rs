@@ -68,7 +68,9 @@ pub(crate) fn unit(error: &UnitError) -> String {
             format!("`{unit}` takes no prefix: write the factor that `{prefix}` stands for into the number")
         }
         UnitError::Malformed(piece) => {
-            format!("not a unit at `{piece}`: write products, quotients and integer powers, such as `kg*m^2/s`")
+            format!(
+                "not a unit at `{piece}`: write products, quotients and integer powers, such as `kg*m^2/s`"
+            )
         }
     }
 }
@@ -129,13 +131,17 @@ pub(crate) fn not_there_yet(word: &str) -> String {
 pub(crate) fn unknown_statement<'a>(word: &str, known: impl Iterator<Item = &'a str>) -> String {
     let hint = match closest(word, known) {
         Some(known) => format!("; did you mean `{known}`?"),
-        None => "; statements begin with const, param, input, body, joint, force, start and the like".to_string(),
+        None => {
+            "; statements begin with const, param, input, body, joint, force, start and the like".to_string()
+        }
     };
     format!("no statement begins with `{word}`{hint}")
 }
 
 pub(crate) fn input_with_value(name: &str) -> String {
-    format!("an input has no value here, it is given at every call; write `param {name} …` for a value that stays")
+    format!(
+        "an input has no value here, it is given at every call; write `param {name} …` for a value that stays"
+    )
 }
 
 pub(crate) fn gravity_twice() -> String {
@@ -152,11 +158,15 @@ pub(crate) fn unknown_property(shape: &str, word: &str, allowed: &[&str]) -> Str
 }
 
 pub(crate) fn particle_with_places(name: &str) -> String {
-    format!("a particle has no extent: everything attached to `{name}` sits at `{name}.center`. Write `body` for more")
+    format!(
+        "a particle has no extent: everything attached to `{name}` sits at `{name}.center`. Write `body` for more"
+    )
 }
 
 pub(crate) fn center_of_shape(shape: &str) -> String {
-    format!("the centre of a {shape} is its middle; write `body` with a mass, an inertia and a centre instead")
+    format!(
+        "the centre of a {shape} is its middle; write `body` with a mass, an inertia and a centre instead"
+    )
 }
 
 pub(crate) fn property_twice(property: &str, owner: &str) -> String {
@@ -171,7 +181,15 @@ pub(crate) fn first_here(name: &str) -> String {
 
 pub(crate) fn unknown_kind(what: &str, word: &str, known: &[&str]) -> String {
     let later: &[&str] = match what {
-        "joint" => &["cylindrical", "spherical", "universal", "planar", "screw", "constant_velocity", "point_on_plane"],
+        "joint" => &[
+            "cylindrical",
+            "spherical",
+            "universal",
+            "planar",
+            "screw",
+            "constant_velocity",
+            "point_on_plane",
+        ],
         _ => &["bushing", "friction", "contact", "mesh"],
     };
     if later.contains(&word) {
@@ -213,11 +231,17 @@ pub(crate) fn unknown_argument(kind: &str, name: &str, known: &[&str]) -> String
 }
 
 pub(crate) fn missing_place(kind: &str, count: usize, given: usize) -> String {
-    format!("`{kind}` needs {count} unnamed argument{} first, found {given}", if count == 1 { "" } else { "s" })
+    format!(
+        "`{kind}` needs {count} unnamed argument{} first, found {given}",
+        if count == 1 { "" } else { "s" }
+    )
 }
 
 pub(crate) fn too_many_places(kind: &str, count: usize) -> String {
-    format!("`{kind}` takes {count} unnamed argument{}, this is one too many", if count == 1 { "" } else { "s" })
+    format!(
+        "`{kind}` takes {count} unnamed argument{}, this is one too many",
+        if count == 1 { "" } else { "s" }
+    )
 }
 
 pub(crate) fn place_for_line() -> String {
@@ -304,12 +328,15 @@ pub(crate) fn line_between_bodies(from: &str, to: &str) -> String {
 }
 
 pub(crate) fn line_outside_body() -> String {
-    "a line of a body stands inside the braces of the body; out here lines go through places of the ground".to_string()
+    "a line of a body stands inside the braces of the body; out here lines go through places of the ground"
+        .to_string()
 }
 
 pub(crate) fn unknown_line(body: &str, name: &str, is_point: bool, known: &[&str]) -> String {
     if is_point {
-        return format!("`{body}.{name}` is a point; the first argument is a line, such as `line({body}.{name}, …)`");
+        return format!(
+            "`{body}.{name}` is a point; the first argument is a line, such as `line({body}.{name}, …)`"
+        );
     }
     match (closest(name, known.iter().copied()), known.is_empty()) {
         (Some(similar), _) => format!("`{body}` has no line called \"{name}\"; did you mean \"{similar}\"?"),
@@ -342,7 +369,9 @@ pub(crate) fn not_positive(property: &str) -> String {
 }
 
 pub(crate) fn joint_with_itself(joint: &str, body: &str) -> String {
-    format!("the joint `{joint}` connects `{body}` with itself; its two places must belong to different bodies")
+    format!(
+        "the joint `{joint}` connects `{body}` with itself; its two places must belong to different bodies"
+    )
 }
 
 pub(crate) fn joint_of_ground(joint: &str) -> String {
@@ -355,7 +384,9 @@ pub(crate) fn orientation_of_particle(kind: &str, place: &str) -> String {
 }
 
 pub(crate) fn particle_turns(particle: &str) -> String {
-    format!("`{particle}` is a particle and has no orientation; write `body`, `rod`, `disk` or `box` for one that turns")
+    format!(
+        "`{particle}` is a particle and has no orientation; write `body`, `rod`, `disk` or `box` for one that turns"
+    )
 }
 
 pub(crate) fn zero_direction(what: &str) -> String {
@@ -370,9 +401,15 @@ pub(crate) fn spring_in_one_body(first: &str, second: &str) -> String {
 
 pub(crate) fn joint_has(joint: &str, kind: &str, asked: &str, quantities: &[&str]) -> String {
     if quantities.is_empty() {
-        return format!("the {kind} joint `{joint}` has no {asked}: it has no coordinate at all; use `body.angle` or a place");
+        return format!(
+            "the {kind} joint `{joint}` has no {asked}: it has no coordinate at all; use `body.angle` or a place"
+        );
     }
     format!("the {kind} joint `{joint}` has no {asked}; it has {}", quantities.join(", "))
+}
+
+pub(crate) fn joint_of_particle(joint: &str, asked: &str) -> String {
+    format!("`{joint}` has no {asked}: one of its two bodies is a particle, which has no orientation")
 }
 
 pub(crate) fn quantity_of_load(load: &str) -> String {
@@ -437,7 +474,8 @@ pub(crate) fn not_permitted(name: &str, kind: &str, usage: &Use) -> String {
     ];
     allowed.extend(kinds.iter().filter(|(permitted, _)| *permitted).map(|(_, name)| *name));
     let last = allowed.pop().unwrap_or_default();
-    let list = if allowed.is_empty() { last.to_string() } else { format!("{} and {last}", allowed.join(", ")) };
+    let list =
+        if allowed.is_empty() { last.to_string() } else { format!("{} and {last}", allowed.join(", ")) };
     format!("`{name}` is {kind}, but {} may depend on {list} only", usage.what)
 }
 
@@ -455,7 +493,9 @@ pub(crate) fn wrong_unit(what: &str, expected: Dimension, found: Dimension) -> S
 
 pub(crate) fn wrong_dimension(what: &str, expected: Dimension, found: Dimension) -> String {
     if found == Dimension::ONE {
-        return format!("{what} is given a plain number: expected {expected}; write the unit, as in `3 [{expected}]`");
+        return format!(
+            "{what} is given a plain number: expected {expected}; write the unit, as in `3 [{expected}]`"
+        );
     }
     wrong_unit(what, expected, found)
 }
@@ -469,7 +509,8 @@ pub(crate) fn different_dimensions(what: &str, left: Dimension, right: Dimension
             other.kind()
         );
     }
-    let hint = if rate_hint(left, right).is_empty() { rate_hint(right, left) } else { rate_hint(left, right) };
+    let hint =
+        if rate_hint(left, right).is_empty() { rate_hint(right, left) } else { rate_hint(left, right) };
     format!("{what} do not fit: {} ({left}) meets {} ({right}){hint}", left.kind(), right.kind())
 }
 
@@ -486,6 +527,11 @@ pub(crate) fn exponent() -> String {
 
 pub(crate) fn power_of_dimension(dimension: Dimension, exponent: f64) -> String {
     format!("{} to the power {exponent} has no unit", dimension.kind())
+}
+
+/// A name of the user's at the beginning of a message.
+pub(crate) fn quoted(name: &str) -> String {
+    format!("`{name}`")
 }
 
 // ---- Values -----------------------------------------------------------------------------------------------------
@@ -577,7 +623,9 @@ pub(crate) fn cut_twice(joint: &str) -> String {
 }
 
 pub(crate) fn not_connected(body: &str) -> String {
-    format!("`{body}` is connected to nothing: no joint, constraint or load names it; add a joint or leave it out")
+    format!(
+        "`{body}` is connected to nothing: no joint, constraint or load names it; add a joint or leave it out"
+    )
 }
 
 // ---- Advice -----------------------------------------------------------------------------------------------------
@@ -594,7 +642,8 @@ pub(crate) fn closest<'a>(word: &str, known: impl Iterator<Item = &'a str>) -> O
 
 /// Edits (insert, delete, replace, swap neighbours) from one word to another; letter case does not count.
 fn distance(a: &str, b: &str) -> usize {
-    let (a, b): (Vec<char>, Vec<char>) = (a.to_lowercase().chars().collect(), b.to_lowercase().chars().collect());
+    let (a, b): (Vec<char>, Vec<char>) =
+        (a.to_lowercase().chars().collect(), b.to_lowercase().chars().collect());
     let mut rows = vec![vec![0; b.len() + 1]; a.len() + 1];
     for (i, row) in rows.iter_mut().enumerate() {
         row[0] = i;
@@ -618,5 +667,7 @@ fn distance(a: &str, b: &str) -> usize {
 // ---- The compiler itself ----------------------------------------------------------------------------------------
 
 pub(crate) fn unreadable_expansion(error: &str) -> String {
-    format!("the generated code could not be read back ({error}); this is a mistake of Linkwright: please report it with this definition")
+    format!(
+        "the generated code could not be read back ({error}); this is a mistake of Linkwright: please report it with this definition"
+    )
 }

@@ -93,7 +93,9 @@ pub fn suggest(name: &str) -> Option<String> {
     // `Nm`, `kgm`, `Ns`: two units without the `*` between them.
     for (split, _) in name.char_indices().skip(1) {
         let (left, right) = name.split_at(split);
-        if find(left).is_ok() && find(right).is_ok() {
+        if let (Ok((_, one)), Ok((_, other))) = (find(left), find(right))
+            && one != other
+        {
             return Some(format!("{left}*{right}"));
         }
     }
@@ -102,7 +104,9 @@ pub fn suggest(name: &str) -> Option<String> {
     if base.len() < name.len() && find(base).is_ok() {
         return Some(format!("{base}^{}", &name[base.len()..]));
     }
-    None
+    // A letter too many or too few in one of the longer names.
+    let longer = NAMED.iter().map(|(known, ..)| *known).filter(|known| known.len() > 1 && name.len() > 2);
+    crate::messages::closest(name, longer).map(str::to_string)
 }
 
 impl Dimension {
@@ -139,7 +143,8 @@ impl Dimension {
 
     /// From whole exponents of kg, m, s and rad.
     const fn new(mass: i32, length: i32, time: i32, angle: i32) -> Self {
-        Self { mass: mass * ONE, length: length * ONE, time: time * ONE, angle: Some(angle * ONE) }.cancelled()
+        Self { mass: mass * ONE, length: length * ONE, time: time * ONE, angle: Some(angle * ONE) }
+            .cancelled()
     }
 
     /// The same with the angle given up where mass or length takes part.
@@ -316,7 +321,9 @@ fn find(name: &str) -> Result<(f64, Dimension), UnitError> {
     }
     for (prefix, factor) in PREFIXES {
         let Some(base) = name.strip_prefix(prefix) else { continue };
-        let Some((_, scale, powers, prefixed)) = NAMED.iter().find(|(known, ..)| *known == base) else { continue };
+        let Some((_, scale, powers, prefixed)) = NAMED.iter().find(|(known, ..)| *known == base) else {
+            continue;
+        };
         if *prefixed {
             return Ok((scale * factor, exponents(*powers)));
         }
@@ -398,7 +405,8 @@ fn assemble(factors: Vec<(String, i32)>) -> Result<Unit, UnitError> {
             continue;
         }
         let (scale, dimension) = find(&name)?;
-        let powered = dimension.power(f64::from(exponent)).ok_or_else(|| UnitError::Malformed(name.clone()))?;
+        let powered =
+            dimension.power(f64::from(exponent)).ok_or_else(|| UnitError::Malformed(name.clone()))?;
         unit.scale *= libm::pow(scale, f64::from(exponent));
         unit.dimension = unit.dimension.times(powered);
         let separator = match (exponent > 0, unit.text.is_empty()) {

@@ -16,7 +16,7 @@ from pathlib import Path
 import numpy as np
 
 import reference
-from comparison import CONDITION, BACKWARD, RESIDUAL, SET_ASIDE, TERM_SCALED, Comparison, numbers
+from comparison import BACKWARD, CONDITION, RESIDUAL, SET_ASIDE, Comparison, numbers
 from consistent import AbsoluteSystem, System
 from coordinate_set import MATRICES, SCALARS, VECTORS, CoordinateSet
 from definition import Model
@@ -223,9 +223,7 @@ class ConsistentCheck:
         rigid = [not body.particle for body in self.model.bodies.values()]
         names = ("x", "y", "cos θ", "sin θ", "v_x", "v_y", "ω", "a_x", "a_y", "α")
         for quantity, entries in (("poses", range(0, 4)), ("velocities", range(4, 7)), ("accelerations", range(7, 10))):
-            chosen = [
-                (body, k) for body in range(len(rigid)) for k in entries if rigid[body] or k not in (2, 3, 6, 9)
-            ]
+            chosen = [(body, k) for body in range(len(rigid)) for k in entries if rigid[body] or k not in (2, 3, 6, 9)]
             at = (slice(None), [body for body, _ in chosen], [k for _, k in chosen])
             self.comparison.terms(
                 quantity,

@@ -41,7 +41,9 @@ class Comparison:
         with np.errstate(all="ignore"):
             error = np.where(difference == 0.0, 0.0, difference / scale)
         error = np.where(np.isnan(error), np.inf, error)
-        self._keep(quantity, error, tolerance, lambda state, k: (entry(k), float(given[state, k]), float(own[state, k])))
+        self._keep(
+            quantity, error, tolerance, lambda state, k: (entry(k), float(given[state, k]), float(own[state, k]))
+        )
 
     def errors(self, quantity, error, tolerance, what):
         """Errors that are already relative, one per state; `what` says what they are."""

@@ -76,9 +76,7 @@ class Model:
         self.gravity = pair(definition["gravity"], self) if definition.get("gravity") else ca.SX.zeros(2)
         self.bodies = {body["name"]: self._body(body) for body in definition["bodies"]}
         self.lines = {
-            f"{body['name']}.{line['name']}": line
-            for body in definition["bodies"]
-            for line in body.get("lines") or []
+            f"{body['name']}.{line['name']}": line for body in definition["bodies"] for line in body.get("lines") or []
         }
         self.joints = {joint["name"]: self._joint(joint) for joint in definition["joints"]}
 

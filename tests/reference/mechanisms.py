@@ -23,7 +23,10 @@ def value(node, unit=None):
 
 
 def pair(x, y, unit="m", **more):
-    return {"unit": unit, "value": [x if isinstance(x, dict) else number(x), y if isinstance(y, dict) else number(y)]} | more
+    return {
+        "unit": unit,
+        "value": [x if isinstance(x, dict) else number(x), y if isinstance(y, dict) else number(y)],
+    } | more
 
 
 def ground(x, y, unit="m"):
@@ -62,7 +65,9 @@ def joint(text, kind, first, second, **more):
 
 
 def definition(title, bodies, joints, **more):
-    empty = {key: [] for key in ("constants", "parameters", "inputs", "constraints", "drivers", "loads", "start", "outputs")}
+    empty = {
+        key: [] for key in ("constants", "parameters", "inputs", "constraints", "drivers", "loads", "start", "outputs")
+    }
     head = {"linkwright": 1, "kind": "planar", "name": title, "gravity": None, "options": {}, "expect": {}}
     return head | empty | {"bodies": bodies, "joints": joints} | more
 
@@ -299,7 +304,12 @@ def gear_pair():
              "angle": value(0, "rad")},
         ],
     )  # fmt: skip
-    branches = [("wheel", "main", "ground"), ("mate", "side", "ground"), ("rod", "slide", "ground"), ("arm", "hinge", "rod")]
+    branches = [
+        ("wheel", "main", "ground"),
+        ("mate", "side", "ground"),
+        ("rod", "slide", "ground"),
+        ("arm", "hinge", "rod"),
+    ]
     angles = [("main", 1, None), ("side", 2, None), ("arm", 3, None)]
     rows = [("mesh", "gear"), ("teeth", "rack"), ("motor", "driver")]
     tree = tree_coordinates(branches, [("travel", "slide")], ["wheel", "mate", "arm"], rows, angles)

@@ -139,7 +139,7 @@ class Tree(Kinematics):
         raise ValueError(f"{self.model.title}: a joint of kind `{joint.kind}` cannot stand in the tree")
 
     def _orientation(self, name):
-        """(c, s, ω): of a rigid body its own rotation, or that of the body it is fixed to, turned by the angles between."""
+        """(c, s, ω): its own rotation, or that of the body it is fixed to, turned by the angles between."""
         if self.model.bodies[name].particle:
             return GROUND.c, GROUND.s, GROUND.omega
         if name not in self.orientations:

@@ -6,7 +6,8 @@
 use crate::diagnostics::Diagnostics;
 use crate::messages;
 use crate::model::{
-    BodyId, Condition, ConstraintKind, Expr, Frame, JointId, JointKind, LoadKind, Mechanism, Quantity, Rotor, fold,
+    BodyId, Condition, ConstraintKind, Expr, Frame, JointId, JointKind, LoadKind, Mechanism, Quantity, Rotor,
+    fold,
 };
 use std::collections::HashMap;
 
@@ -106,9 +107,9 @@ fn lines_have_two_ends(mechanism: &Mechanism, diagnostics: &mut Diagnostics) {
         let JointKind::PointOnLine { direction } = &joint.kind else { continue };
         // A line with a name has been judged where it is declared.
         let named = matches!(joint.first.frame, Frame::Body(body)
-            if mechanism.bodies[body.0].lines.iter().any(|line| {
-                joint.first.text == format!("{}.{}", mechanism.bodies[body.0].name.text, line.name.text)
-            }));
+        if mechanism.bodies[body.0].lines.iter().any(|line| {
+            joint.first.text == format!("{}.{}", mechanism.bodies[body.0].name.text, line.name.text)
+        }));
         if !named && is_zero(mechanism, direction) {
             diagnostics.error(joint.first.span, messages::line_without_length(&joint.first.text));
         }
@@ -237,13 +238,17 @@ fn touched(mechanism: &Mechanism) -> Vec<bool> {
                 touch_rotor(&mut touched, *second);
             }
             ConstraintKind::Rack { pinion, .. } => touch_rotor(&mut touched, *pinion),
-            ConstraintKind::Equation { residual } => visit(residual, &mut |quantity| quantities.push(quantity)),
+            ConstraintKind::Equation { residual } => {
+                visit(residual, &mut |quantity| quantities.push(quantity))
+            }
         }
     }
     for load in &mechanism.loads {
         match &load.kind {
             LoadKind::Force { place, .. } => touch(&mut touched, place.frame),
-            LoadKind::Torque { on, .. } | LoadKind::TorsionSpring { on, .. } => touch_rotor(&mut touched, *on),
+            LoadKind::Torque { on, .. } | LoadKind::TorsionSpring { on, .. } => {
+                touch_rotor(&mut touched, *on)
+            }
             LoadKind::Spring { first, second, .. } => {
                 touch(&mut touched, first.frame);
                 touch(&mut touched, second.frame);

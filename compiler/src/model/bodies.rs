@@ -38,7 +38,7 @@ impl<'d> Lowering<'d> {
         };
         let mut points: HashMap<&str, Option<[Expr; 2]>> = HashMap::new();
         for (label, pair) in &body.points {
-            let at = self.pair(pair, Dimension::LENGTH, Use::PROPERTY, &label.text);
+            let at = self.pair(pair, Dimension::LENGTH, Use::PROPERTY, &messages::quoted(&label.text));
             points.insert(&label.text, at);
         }
         if body.shape == Shape::Rod {

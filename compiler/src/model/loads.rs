@@ -14,20 +14,23 @@ impl<'d> Lowering<'d> {
                 let place = self.place(place);
                 let direction = self.direction(direction, "direction").map(normalised);
                 let value = self.value(value, Use::LOAD);
-                let value = self.expect_dimension(value?, Dimension::FORCE, &load.name.text)?;
+                let value =
+                    self.expect_dimension(value?, Dimension::FORCE, &messages::quoted(&load.name.text))?;
                 let [x, y] = direction?;
                 let along = |component| fold::binary(Function2::Mul, value.clone(), component);
                 LoadKind::Force { place: place?, components: [along(x), along(y)] }
             }
             LoadTerm::Components { place, components } => {
                 let place = self.place(place);
-                let components = self.pair(components, Dimension::FORCE, Use::LOAD, &load.name.text);
+                let components =
+                    self.pair(components, Dimension::FORCE, Use::LOAD, &messages::quoted(&load.name.text));
                 LoadKind::Force { place: place?, components: components? }
             }
             LoadTerm::Torque { on, value } => {
                 let on = self.rotor(on);
                 let value = self.value(value, Use::LOAD);
-                let torque = self.expect_dimension(value?, Dimension::TORQUE, &load.name.text);
+                let torque =
+                    self.expect_dimension(value?, Dimension::TORQUE, &messages::quoted(&load.name.text));
                 LoadKind::Torque { on: on?, torque: torque? }
             }
             LoadTerm::Spring { first, second, stiffness, length, damping } => {

@@ -7,9 +7,11 @@
 use super::fold;
 use super::names::Names;
 use super::{
-    Constraint, ConstraintKind, Driver, Expr, Function2, Input, Mechanism, Name, Output, Parameter, StartCondition,
+    Constraint, ConstraintKind, Driver, Expr, Function2, Input, Mechanism, Name, Output, Parameter,
+    StartCondition,
 };
 use crate::diagnostics::Diagnostics;
+use crate::messages;
 use crate::syntax::{self, ConstraintTerm, Definition, Entry, Label};
 use crate::units::Dimension;
 use std::collections::HashMap;
@@ -18,8 +20,14 @@ use std::collections::HashMap;
 pub fn lower(definition: &Definition) -> Result<Mechanism, Diagnostics> {
     let mut diagnostics = Diagnostics::new();
     let names = Names::new(definition, &mut diagnostics);
-    let mut lowering =
-        Lowering { definition, diagnostics, names, constants: Vec::new(), bodies: Vec::new(), lines: Vec::new() };
+    let mut lowering = Lowering {
+        definition,
+        diagnostics,
+        names,
+        constants: Vec::new(),
+        bodies: Vec::new(),
+        lines: Vec::new(),
+    };
 
     lowering.constants();
     lowering.body_frames();
@@ -98,7 +106,8 @@ impl Use {
     pub const LENGTH: Self = Self { what: "the length of a distance joint", ..Self::GROUND };
     pub const LAW: Self = Self { what: "the law of a driver", ..Self::GROUND };
     pub const EQUATION: Self = Self { what: "a constraint", positions: true, ..Self::GROUND };
-    pub const LOAD: Self = Self { what: "the law of a load", inputs: true, velocities: true, ..Self::EQUATION };
+    pub const LOAD: Self =
+        Self { what: "the law of a load", inputs: true, velocities: true, ..Self::EQUATION };
     pub const OUTPUT: Self = Self { what: "an output", results: true, ..Self::LOAD };
 }
 
@@ -125,7 +134,7 @@ impl<'d> Lowering<'d> {
 
     fn parameter(&mut self, parameter: &'d syntax::Parameter) -> Option<Parameter> {
         let dimension = declared(parameter.entry.unit.as_ref());
-        let what = &parameter.name.text;
+        let what = &messages::quoted(&parameter.name.text);
         let default = self.number(&parameter.entry, dimension, what);
         let bound = |this: &mut Self, value: &syntax::Term| {
             let entry = Entry { unit: parameter.entry.unit.clone(), value: value.clone() };
@@ -145,7 +154,11 @@ impl<'d> Lowering<'d> {
     }
 
     fn input(&mut self, input: &'d syntax::Input) -> Option<Input> {
-        Some(Input { name: name(&input.name), unit: unit_text(input.unit.as_ref()), docs: input.docs.clone() })
+        Some(Input {
+            name: name(&input.name),
+            unit: unit_text(input.unit.as_ref()),
+            docs: input.docs.clone(),
+        })
     }
 
     fn gravity(&mut self) -> Option<[Expr; 2]> {
@@ -189,13 +202,14 @@ impl<'d> Lowering<'d> {
         let quantity = self.position_quantity(&driver.quantity, "be driven");
         let law = self.value(&driver.law, Use::LAW);
         let (quantity, dimension) = quantity?;
-        let law = self.expect_dimension(law?, dimension, &driver.quantity.text)?;
+        let law = self.expect_dimension(law?, dimension, &messages::quoted(&driver.quantity.text))?;
         Some(Driver { name: name(&driver.name), quantity, law })
     }
 
     fn start_condition(&mut self, start: &'d syntax::StartEntry) -> Option<StartCondition> {
         let (quantity, dimension) = self.state_quantity(&start.quantity)?;
-        let value = self.entry(&start.entry, dimension, Use::START, &start.quantity.text)?;
+        let what = messages::quoted(&start.quantity.text);
+        let value = self.entry(&start.entry, dimension, Use::START, &what)?;
         let region = start.quantity.region;
         Some(StartCondition {
             quantity,
@@ -208,7 +222,8 @@ impl<'d> Lowering<'d> {
 
     fn output(&mut self, output: &'d syntax::Output) -> Option<Output> {
         let dimension = declared(output.entry.unit.as_ref());
-        let value = self.entry(&output.entry, dimension, Use::OUTPUT, &output.name.text)?;
+        let value =
+            self.entry(&output.entry, dimension, Use::OUTPUT, &messages::quoted(&output.name.text))?;
         Some(Output {
             name: name(&output.name),
             unit: unit_text(output.entry.unit.as_ref()),

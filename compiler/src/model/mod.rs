@@ -5,8 +5,10 @@
 //! Whether the mechanism makes physical sense is left to `check`.
 
 mod bodies;
+mod constants;
 mod expression;
 pub(crate) mod fold;
+mod functions;
 mod joints;
 mod loads;
 mod lower;

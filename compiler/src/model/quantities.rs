@@ -233,6 +233,12 @@ impl<'d> Lowering<'d> {
         if self.slides(joint) {
             quantities.extend(["travel", "speed"]);
         }
+        let of_particle = matches!(term.kind, JointTerm::Revolute { .. } | JointTerm::PointOnLine { .. })
+            && !self.turns(joint)
+            && matches!(asked, "angle" | "rate");
+        if of_particle {
+            return messages::joint_of_particle(&term.name.text, asked);
+        }
         messages::joint_has(&term.name.text, kind_text(&term.kind), asked, &quantities)
     }
 
@@ -266,9 +272,11 @@ impl<'d> Lowering<'d> {
                 None
             }
             _ => {
-                let similar =
-                    self.names.similar_part(&label.text, |part| matches!(part, Part::Body(_) | Part::Joint(_)));
-                self.diagnostics.error(label.region, messages::unknown("joint or body", &label.text, similar));
+                let similar = self
+                    .names
+                    .similar_part(&label.text, |part| matches!(part, Part::Body(_) | Part::Joint(_)));
+                self.diagnostics
+                    .error(label.region, messages::unknown("joint or body", &label.text, similar));
                 None
             }
         }

@@ -69,7 +69,12 @@ impl Parser {
                 self.semicolon(c)?;
                 if let Some((first, _)) = &body.center {
                     let message = messages::property_twice("center", &body.name.text);
-                    self.diagnostics.conflict(label.region, message, first.region, messages::first_here("center"));
+                    self.diagnostics.conflict(
+                        label.region,
+                        message,
+                        first.region,
+                        messages::first_here("center"),
+                    );
                 }
                 body.center = Some((label, pair));
                 Ok(())

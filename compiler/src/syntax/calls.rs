@@ -32,14 +32,26 @@ struct Form {
 const JOINTS: [Form; 5] = [
     Form { word: "fixed", positional: &[Kind::Place, Kind::Place], named: &[("angle", false)] },
     Form { word: "revolute", positional: &[Kind::Place, Kind::Place], named: &[] },
-    Form { word: "prismatic", positional: &[Kind::Place, Kind::Place], named: &[("axis", true), ("angle", false)] },
+    Form {
+        word: "prismatic",
+        positional: &[Kind::Place, Kind::Place],
+        named: &[("axis", true), ("angle", false)],
+    },
     Form { word: "point_on_line", positional: &[Kind::Line, Kind::Place], named: &[] },
     Form { word: "distance", positional: &[Kind::Place, Kind::Place], named: &[("length", true)] },
 ];
 
 const COUPLINGS: [Form; 2] = [
-    Form { word: "gear", positional: &[Kind::Rotor, Kind::Rotor], named: &[("ratio", true), ("phase", false)] },
-    Form { word: "rack", positional: &[Kind::Rotor, Kind::Rotor], named: &[("radius", true), ("phase", false)] },
+    Form {
+        word: "gear",
+        positional: &[Kind::Rotor, Kind::Rotor],
+        named: &[("ratio", true), ("phase", false)],
+    },
+    Form {
+        word: "rack",
+        positional: &[Kind::Rotor, Kind::Rotor],
+        named: &[("radius", true), ("phase", false)],
+    },
 ];
 
 const LOADS: [Form; 5] = [
@@ -128,7 +140,7 @@ impl Parser {
         }
         let left = self.expression(c)?;
         if !c.eat_punct('=') {
-            return self.expected(c, "`=`: a constraint is an equation, `left = right`");
+            return self.expected(c, "`=` between the two sides of the constraint");
         }
         let right = self.expression(c)?;
         self.semicolon(c)?;
@@ -291,7 +303,7 @@ impl Parser {
         self.punct(&mut inside, ',')?;
         let to = self.place(&mut inside)?;
         inside.eat_punct(',');
-        self.end(&inside, "`)`: a line goes through two places")?;
+        self.end(&inside, "`)` after two places")?;
         Ok(LineTerm::Inline { from, to, region })
     }
 

@@ -66,7 +66,10 @@ pub struct Term {
 #[derive(Clone, Debug)]
 pub enum TermKind {
     /// Digits as written.
-    Number { text: String, unit: Option<WrittenUnit> },
+    Number {
+        text: String,
+        unit: Option<WrittenUnit>,
+    },
     Name(Path),
     Operation(Operator, Vec<Term>),
     Call(Label, Vec<Term>),
@@ -305,13 +308,38 @@ pub struct Load {
 /// The kinds of loads.
 #[derive(Clone, Debug)]
 pub enum LoadTerm {
-    Force { place: PlaceTerm, direction: Pair, value: Term },
-    Components { place: PlaceTerm, components: Pair },
-    Torque { on: Label, value: Term },
-    Spring { first: PlaceTerm, second: PlaceTerm, stiffness: Entry, length: Entry, damping: Option<Entry> },
+    Force {
+        place: PlaceTerm,
+        direction: Pair,
+        value: Term,
+    },
+    Components {
+        place: PlaceTerm,
+        components: Pair,
+    },
+    Torque {
+        on: Label,
+        value: Term,
+    },
+    Spring {
+        first: PlaceTerm,
+        second: PlaceTerm,
+        stiffness: Entry,
+        length: Entry,
+        damping: Option<Entry>,
+    },
     /// A spring without stiffness and length.
-    Damper { first: PlaceTerm, second: PlaceTerm, damping: Entry },
-    TorsionSpring { on: Label, stiffness: Entry, angle: Option<Entry>, damping: Option<Entry> },
+    Damper {
+        first: PlaceTerm,
+        second: PlaceTerm,
+        damping: Entry,
+    },
+    TorsionSpring {
+        on: Label,
+        stiffness: Entry,
+        angle: Option<Entry>,
+        damping: Option<Entry>,
+    },
 }
 
 /// `crank_pin.angle [rad] = 0.3;` or `~` for a guess.

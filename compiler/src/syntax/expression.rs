@@ -245,11 +245,11 @@ impl Parser {
     fn two(&mut self, mut inside: Cursor) -> Parsed<[Term; 2]> {
         let x = self.expression(&mut inside)?;
         if !inside.eat_punct(',') {
-            return self.expected(&inside, "`, y)`: a point of the plane has two coordinates");
+            return self.expected(&inside, "`,` and a second coordinate");
         }
         let y = self.expression(&mut inside)?;
         inside.eat_punct(',');
-        self.end(&inside, "`)`: a point of the plane has two coordinates")?;
+        self.end(&inside, "`)` after two coordinates")?;
         Ok([x, y])
     }
 

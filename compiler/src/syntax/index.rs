@@ -18,7 +18,7 @@ impl Parser {
         }
         let term = self.expression(&mut inside)?;
         self.end(&inside, "an operator or `]`")?;
-        let value = self.integer(&term, 0)?;
+        let value = self.evaluate(&term, true, 0)?;
         if value < 0 {
             return self.fail(term.region, messages::negative_index(value));
         }
@@ -26,26 +26,30 @@ impl Parser {
     }
 
     /// The value of an expression of integers, constants and variables of `repeat`.
-    pub fn integer(&mut self, term: &Term, depth: usize) -> Parsed<i64> {
+    pub fn integer(&mut self, term: &Term) -> Parsed<i64> {
+        self.evaluate(term, false, 0)
+    }
+
+    fn evaluate(&mut self, term: &Term, in_brackets: bool, depth: usize) -> Parsed<i64> {
         let region = term.region;
         let value = match &term.kind {
             TermKind::Number { text, unit: None } => whole_number(text),
             TermKind::Name(path) => {
-                let Some(constant) = self.constants.get(&path.text).cloned() else {
-                    let is_unit = units::parse(&path.text).is_ok();
+                let Some(mut constant) = self.constants.get(&path.text).cloned() else {
+                    let is_unit = in_brackets && units::parse(&path.text).is_ok();
                     return self.fail(region, messages::not_an_index(&path.text, is_unit));
                 };
                 if depth > DEEPEST_CONSTANT {
                     return self.fail(region, messages::index_too_deep(&path.text));
                 }
-                let mut constant = constant;
-                relocate(&mut constant, term);
-                Some(self.integer(&constant, depth + 1)?)
+                // An error inside the constant is shown where it is used.
+                constant.region = region;
+                Some(self.evaluate(&constant, in_brackets, depth + 1)?)
             }
             TermKind::Operation(operator, operands) => {
                 let mut values = Vec::with_capacity(2);
                 for operand in operands {
-                    values.push(self.integer(operand, depth)?);
+                    values.push(self.evaluate(operand, in_brackets, depth)?);
                 }
                 if *operator == Operator::Divide && values[1] == 0 {
                     return self.fail(region, messages::division_by_zero());
@@ -59,11 +63,6 @@ impl Parser {
             None => self.fail(region, messages::not_an_integer()),
         }
     }
-}
-
-/// An error inside a constant is shown where the constant is used.
-fn relocate(constant: &mut Term, user: &Term) {
-    constant.region = user.region;
 }
 
 /// `3`, and `3.0` too.

@@ -100,7 +100,9 @@ pub fn header(tokens: TokenStream) -> Option<Header> {
     match tokens.next()? {
         TokenTree::Ident(name) => Some(Header { visibility, name }),
         // The kind was forgotten: `pub FourBar { … }`.
-        TokenTree::Group(group) if group.delimiter() == Delimiter::Brace => Some(Header { visibility, name: kind }),
+        TokenTree::Group(group) if group.delimiter() == Delimiter::Brace => {
+            Some(Header { visibility, name: kind })
+        }
         _ => None,
     }
 }

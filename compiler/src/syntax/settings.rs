@@ -29,10 +29,7 @@ impl Parser {
     }
 
     /// `guide_pin.angle [rad]`: the last bracket is the unit, those before it are indices.
-    fn start_quantity(
-        &mut self,
-        c: &mut Cursor,
-    ) -> Parsed<(Path, Option<super::definition::WrittenUnit>)> {
+    fn start_quantity(&mut self, c: &mut Cursor) -> Parsed<(Path, Option<super::definition::WrittenUnit>)> {
         let first = self.declared(c, "a quantity such as `crank_pin.angle`")?;
         let (mut text, mut region) = (first.text.clone(), first.region);
         let mut parts = vec![first];
@@ -142,7 +139,7 @@ impl Parser {
     /// A whole number, or an expression of constants.
     fn count(&mut self, c: &mut Cursor) -> Parsed<(usize, Region)> {
         let term = self.expression(c)?;
-        let value = self.integer(&term, 0)?;
+        let value = self.integer(&term)?;
         match usize::try_from(value) {
             Ok(count) => Ok((count, term.region)),
             Err(_) => self.fail(term.region, messages::negative_index(value)),

@@ -83,8 +83,8 @@ impl Parser {
             "options" => self.options(c),
             "expect" => self.expect(c),
             "repeat" => self.repeat(c),
-            "table" | "state" | "rate" | "friction" | "contact" | "mesh" | "bushing" | "part" | "file" | "beam"
-            | "belt" | "screw" | "differential" | "sphere" | "cylinder" => {
+            "table" | "state" | "rate" | "friction" | "contact" | "mesh" | "bushing" | "part" | "file"
+            | "beam" | "belt" | "screw" | "differential" | "sphere" | "cylinder" => {
                 self.fail(at, messages::not_there_yet(word))
             }
             _ => self.fail(at, messages::unknown_statement(word, STATEMENTS.iter().copied())),
@@ -158,7 +158,7 @@ impl Parser {
         self.punct(&mut inside, ',')?;
         let to = self.place(&mut inside)?;
         inside.eat_punct(',');
-        self.end(&inside, "`)`: a line goes through two places")?;
+        self.end(&inside, "`)` after two places")?;
         self.semicolon(c)?;
         Ok(Line { name, from, to })
     }
@@ -195,11 +195,11 @@ impl Parser {
         }
         let start = c.region();
         let first = self.expression(c)?;
-        let first = self.integer(&first, 0)?;
+        let first = self.integer(&first)?;
         self.dots(c)?;
         let behind = self.expression(c)?;
         let region = start.to(behind.region);
-        let behind = self.integer(&behind, 0)?;
+        let behind = self.integer(&behind)?;
         let inside = self.group(c, Delimiter::Brace)?;
         let rounds = behind.saturating_sub(first).max(0) as usize;
         let statements = rounds.saturating_mul(1 + inside.count_statements());

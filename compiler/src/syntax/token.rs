@@ -187,7 +187,9 @@ impl<'t> Cursor<'t> {
 
     /// Whether a comma stands at this level further on.
     pub fn has_comma(&self) -> bool {
-        self.tokens[self.at.min(self.tokens.len())..].iter().any(|token| matches!(token.kind, Kind::Punct(',')))
+        self.tokens[self.at.min(self.tokens.len())..]
+            .iter()
+            .any(|token| matches!(token.kind, Kind::Punct(',')))
     }
 
     /// After an error: to behind the next `;` or braces of this level.

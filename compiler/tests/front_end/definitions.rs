@@ -95,7 +95,9 @@ fn quick_return() {
     assert_eq!(m.options.coordinates, Coordinates::Auto);
     assert_eq!(m.expect.degrees_of_freedom.map(|(count, _)| count), Some(1));
     assert_eq!(m.expect.operations[0].1, 400);
-    assert!(matches!(&m.outputs[0].value, Expr::Quantity(Quantity::Position(place, 0)) if place.text == "slider.center"));
+    assert!(
+        matches!(&m.outputs[0].value, Expr::Quantity(Quantity::Position(place, 0)) if place.text == "slider.center")
+    );
 }
 
 #[test]
@@ -187,7 +189,9 @@ fn repeat_unrolls_with_integer_indices() {
     assert_eq!(m.start[2].text, "foot[2].angle");
     assert_eq!(number(&m.start[2].value), 92.0 * (core::f64::consts::PI / 180.0));
     // (3 + 4)/2 − 4/2 = 1 in integers.
-    assert!(matches!(&m.outputs[3].value, Expr::Quantity(Quantity::Position(p, 1)) if p.text == "upright[1].end"));
+    assert!(
+        matches!(&m.outputs[3].value, Expr::Quantity(Quantity::Position(p, 1)) if p.text == "upright[1].end")
+    );
 }
 
 #[test]
@@ -213,7 +217,8 @@ fn tokens_from_macros_keep_their_grouping() {
     use proc_macro2::{Delimiter, Group, TokenStream, TokenTree};
     let source = "planar T { param p [1] = 2 * SUM; body b { mass [kg] = 1; inertia [kg*m^2] = 1; } }";
     let sum: TokenStream = "1 + 2".parse().expect("tokens");
-    let replaced = replace(source.parse().expect("tokens"), &TokenTree::Group(Group::new(Delimiter::None, sum)));
+    let replaced =
+        replace(source.parse().expect("tokens"), &TokenTree::Group(Group::new(Delimiter::None, sum)));
     let definition = linkwright_compiler::syntax::parse(replaced).expect("a definition");
     let mechanism = linkwright_compiler::model::lower(&definition).expect("a mechanism");
     assert_eq!(mechanism.parameters[0].default, 6.0);

@@ -100,7 +100,7 @@ fn several_statements_at_once() {
             "expected the name of the parameter, found `=`",
             "expected `:`, found `revolute`",
             "expected the name of the body, found `{`",
-            "no unit called \"kgg\"; units are m g s N Pa J W Hz with prefixes, kg rad deg rev rpm min h t bar",
+            "no unit called \"kgg\"; did you mean `kg`?",
             "expected a value, found `;`",
             "expected `=` (a condition) or `~` (a guess), found `1`",
             "expected a value, found `;`",

@@ -1,0 +1,2 @@
+//! The checks of the shipped models, in one binary, because generic models are compiled again in each.
+
