@@ -72,7 +72,7 @@ pub struct Note {
 pub struct Diagnostics {
     errors: Vec<Diagnostic>,
     beyond: usize,
-    places: BTreeSet<(u32, u32)>,
+    known: BTreeSet<String>,
 }
 
 impl Diagnostics {
@@ -98,10 +98,9 @@ impl Diagnostics {
         self.push(Diagnostic { region: at.into(), message: message.into(), notes });
     }
 
-    /// Adds an error unless the same tokens already have one: the rounds of a `repeat` give one message.
+    /// Adds an error unless the same place already has it: the rounds of a `repeat` give one message.
     pub fn push(&mut self, error: Diagnostic) {
-        let known = error.region.tokens != (0, 0) && !self.places.insert(error.region.tokens);
-        if known {
+        if !self.known.insert(identity(&error)) {
             return;
         }
         if self.errors.len() < MOST {
@@ -170,6 +169,23 @@ impl fmt::Display for Diagnostics {
         }
         Ok(())
     }
+}
+
+/// What two errors of different rounds of a `repeat` have in common: the place, and the text without indices.
+fn identity(error: &Diagnostic) -> String {
+    let region = error.region;
+    if region.tokens != (0, 0) {
+        let text: String = error.message.chars().filter(|c| !c.is_ascii_digit()).collect();
+        return format!("{:?} {text}", region.tokens);
+    }
+    // Spans cannot be compared, but their debug form tells them apart where they have places at all.
+    let mut text = String::new();
+    for (index, piece) in error.message.split('[').enumerate() {
+        let inside = piece.split(']').next().unwrap_or_default();
+        let is_index = index > 0 && inside.len() < piece.len() && inside.bytes().all(|b| b.is_ascii_digit());
+        text.push_str(if is_index { &piece[inside.len()..] } else { piece });
+    }
+    format!("{:?} {text}", region.start)
 }
 
 /// `::core::compile_error! { "message" }`: the compiler underlines from the first token's span to the last one's.

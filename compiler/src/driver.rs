@@ -65,6 +65,7 @@ pub fn compile_model(
     };
     // AFTER THIS POINT a consistent start is known and the constraint rows are independent there.
     let asked = coordinates.unwrap_or(mechanism.options.coordinates);
+    let as_defined = coordinates.is_none();
     let mut candidates = Vec::new();
     if asked != Coordinates::Tree {
         let mut absolute = equations::derive(&mechanism, SpanningTree::absolute(&mechanism));
@@ -96,7 +97,10 @@ pub fn compile_model(
     let table = table(&equations);
     let programs = schedule::schedule(&equations, &solved);
     // AFTER THIS POINT there is no graph, only instructions.
-    check::budget(&mechanism, &programs, &mut errors);
+    if as_defined {
+        // Limits of the definition hold for the coordinates of the definition.
+        check::budget(&mechanism, &programs, &mut errors);
+    }
     let choice = Choice {
         coordinates,
         stated: asked != Coordinates::Auto,

@@ -5,7 +5,7 @@
 //!
 //! | subject | module |
 //! |---|---|
-//! | scalars and vectors | [`real`], [`vector`] |
+//! | scalars, vectors, named numbers | [`real`], [`vector`], [`fields`] |
 //! | positions that are no vector space | [`rotation`], [`layout`] |
 //! | the traits that emitted code implements | [`mechanism`] |
 //! | states that satisfy the constraints | [`assembly`], over the sparse factorisation [`ldl`] |
@@ -26,6 +26,7 @@ pub mod body;
 #[cfg(feature = "nalgebra")]
 pub mod dense;
 pub mod error;
+pub mod fields;
 pub mod formulation;
 pub mod input;
 pub mod integrator;
@@ -44,6 +45,7 @@ pub use assembly::{
 };
 pub use body::{BodyMotion, Reaction};
 pub use error::{AssemblyError, SettingError, SimulationError};
+pub use fields::Fields;
 pub use formulation::{Baumgarte, Formulation, LagrangeIndex1};
 pub use input::{Held, InputSource, NoInputs, Sampled};
 pub use integrator::{Integrator, Rk4, SemiImplicitEuler};
@@ -63,6 +65,7 @@ pub mod __private {
         pub use crate::assembly::AssembleExt;
         pub use crate::body::{BodyMotion, Reaction, check_constants, check_mass, check_setting};
         pub use crate::error::{AssemblyError, SettingError, SimulationError};
+        pub use crate::fields::Fields;
         pub use crate::layout::{Layout, MultiTurn, retract};
         pub use crate::mechanism::{Assemble, Condition, ConditionKind, Elimination, Mechanism, Row};
         pub use crate::real::Real;

@@ -48,7 +48,7 @@ pub trait Real:
     fn sqrt(self) -> Self;
     /// |x|.
     fn abs(self) -> Self;
-    /// −1, 0 or 1 with the sign of x.
+    /// −1, 0 or 1 with the sign of x; a zero, and what is no number, is left as it is.
     fn sign(self) -> Self;
     /// The largest whole number that is not above x.
     fn floor(self) -> Self;
@@ -140,7 +140,7 @@ macro_rules! impl_real {
                 } else if self < 0.0 {
                     -1.0
                 } else {
-                    0.0
+                    self
                 }
             }
             #[inline(always)]

@@ -60,7 +60,8 @@ def consistent_state(rng):
 def given(theta, omega, m1, drive):
     q = [value for angle in theta for value in (np.cos(angle), np.sin(angle))]
     return {
-        "parameters": [m1], "time": 0.3, "inputs": [drive], "phases": [], "q": [float(x) for x in q], "v": omega.tolist(),
+        "parameters": [m1], "time": 0.3, "inputs": [drive], "phases": [],
+        "q": [float(x) for x in q], "v": omega.tolist(),
     }  # fmt: skip
 
 

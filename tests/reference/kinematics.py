@@ -67,7 +67,7 @@ class Kinematics:
         return ca.vertcat(pose.x, pose.y) + pose.turn(place.local)
 
     def rotor(self, name):
-        """The bodies (turning, reference) of a rotor: of a joint its second and first, of a body itself and the ground."""
+        """The bodies (turning, reference) of a rotor: a joint's second and first, or a body and the ground."""
         if name in self.model.joints:
             joint = self.model.joints[name]
             return joint.second.body, joint.first.body

@@ -72,6 +72,7 @@ def definition(title, bodies, joints, **more):
     return head | empty | {"bodies": bodies, "joints": joints} | more
 
 
+MOVING = ground(number(-0.5, "m"), op("*", number(0.1, "m/s"), name("time")))
 GRAVITY = pair(0, op("neg", number("9.81")), "m/s^2")
 
 
@@ -181,13 +182,15 @@ def slider_crank():
             joint(
                 "guide_pin",
                 "revolute",
-                ground(op("*", number(0.01, "m"), call("sin", op("*", number(3, "rad/s"), name("time")))), number(-0.3, "m")),
+                ground(op("*", number(0.01, "m"), call("sin", op("*", number(3), name("time")))), number(-0.3, "m")),
                 place("guide.start"),
             ),
             joint("block", "point_on_line", {"line": "guide.slot"}, place("crank.tip")),
             joint("knee", "revolute", place("guide.end"), place("coupler.end")),
             joint("wrist", "revolute", place("coupler.start"), place("slider.center")),
-            joint("rail", "prismatic", ground(0, 0.4), place("slider.center"), axis=pair(4, 1, "1"), angle=value(10, "deg")),
+            joint(
+                "rail", "prismatic", ground(0, 0.4), place("slider.center"), axis=pair(4, 1, "1"), angle=value(10, "deg")
+            ),
             joint("weld", "fixed", place("plate.side"), place("slider.origin"), angle=value(-0.3, "rad")),
             joint("ride", "point_on_line", {"line": "guide.slot"}, place("bead.center")),
             joint("strut", "distance", place("plate.center"), place("bob.center"), length=value(0.35, "m")),
@@ -195,19 +198,24 @@ def slider_crank():
         gravity=GRAVITY,
         loads=[
             spring("rope", ground(-0.5, 0.1), place("bead.center"), 40, 0.3, 0.7),
-            spring("moved", ground(number(-0.5, "m"), op("*", number(0.1, "m/s"), name("time"))), place("bob.center"), 30, 0.1, 0.4),
-            {"name": "shock", "kind": "spring", "first": place("crank.tip"), "second": place("bob.center"), "damping": value(2, "N*s/m")},
+            spring("moved", MOVING, place("bob.center"), 30, 0.1, 0.4),
+            {
+                "name": "shock", "kind": "spring", "first": place("crank.tip"), "second": place("bob.center"),
+                "damping": value(2, "N*s/m"),
+            },
             {
                 "name": "bar", "kind": "torsion_spring", "on": "knee", "stiffness": value(0.2, "N*m/rad"),
                 "angle": value(20, "deg"), "damping": value(0.01, "N*m*s/rad"),
             },
             {
                 "name": "wind", "kind": "force", "place": place("bob.center"), "direction": [number(3), number(4)],
-                "value": op("neg", op("*", number(0.5, "N*s^2/m^2"), op("^", name("bob.center.velocity.x"), number(2)))),
+                "value": op("*", number(-0.5), op("^", name("bob.center.velocity.x"), number(2))),
             },
             {
                 "name": "push", "kind": "force", "place": place("plate.center"),
-                "components": [call("if", op("<", name("rail.speed"), number(0)), number(2), number(-1)), name("rail.travel")],
+                "components": [
+                    call("if", op("<", name("rail.speed"), number(0)), number(2), number(-1)), name("rail.travel"),
+                ],
             },
             {"name": "brake", "kind": "torque", "on": "bob", "value": op("*", number(-0.1), name("bob.rate"))},
         ],
@@ -310,13 +318,63 @@ def gear_pair():
         ("rod", "slide", "ground"),
         ("arm", "hinge", "rod"),
     ]
-    angles = [("main", 1, None), ("side", 2, None), ("arm", 3, None)]
+    angles = [("main", 1, None), ("wheel", 1, None), ("side", 2, None), ("arm", 3, None)]
     rows = [("mesh", "gear"), ("teeth", "rack"), ("motor", "driver")]
     tree = tree_coordinates(branches, [("travel", "slide")], ["wheel", "mate", "arm"], rows, angles)
     rows += pins("main", "side", "hinge") + [("slide", "normal"), ("slide", "angle")]
     # v: two per body, then arm, rod, mate, wheel
-    absolute = absolute_coordinates(model, rows, [("main", 11, None), ("side", 10, None), ("arm", 8, None)])
+    angles = [("wheel", 11, None), ("arm", 8, None), ("main", 11, None), ("side", 10, None)]
+    absolute = absolute_coordinates(model, rows, angles)
     return model, tree, absolute, [0.1, 0.4, 0.7, -0.5]
+
+
+def inside_out():
+    """Tree joints whose first place is on the child, rotations named after any body that shares them."""
+    model = definition(
+        "InsideOut",
+        [
+            body("block", "box", mass=2, width=0.2, height=0.1, points=[point("ear", 0.1, 0.05)]),
+            body("bar", "rod", mass=0.7, length=0.9, center=pair(0.1, -0.02)),
+            body("plate", "disk", mass=0.3, radius=0.05, points=[point("side", 0.02, -0.03)]),
+            body("tray", mass=0.4, inertia=0.01, center=pair(0.01, 0.03), points=[point("edge", 0.1, 0)]),
+            body("stone", "particle", mass=0.2),
+            body("cup", "disk", mass=0.1, radius=0.02),
+        ],
+        [
+            joint(
+                "rail", "prismatic", place("block.ear"), ground(0.1, 0.2), axis=pair(1, 2, "1"), angle=value(15, "deg")
+            ),
+            joint("ride", "point_on_line", line_between("bar.start", "bar.end"), place("block.ear")),
+            joint("weld", "fixed", place("plate.side"), place("bar.end"), angle=value(40, "deg")),
+            joint(
+                "drawer", "prismatic", place("tray.edge"), place("plate.center"), axis=pair(-1, 1, "1"), angle=value(1)
+            ),
+            joint("string", "revolute", place("stone.center"), place("tray.origin")),
+            joint("handle", "revolute", place("cup.center"), place("stone.center")),
+            joint("tie", "distance", ground(0, 0), place("stone.center"), length=value(0.8, "m")),
+        ],
+        gravity=GRAVITY,
+        loads=[spring("rope", MOVING, place("cup.center"), 40, 0.3, 0.7)],
+    )
+    branches = [
+        ("cup", "handle", "stone"),
+        ("stone", "string", "tray"),
+        ("tray", "drawer", "plate"),
+        ("plate", "weld", "bar"),
+        ("bar", "ride", "block"),
+        ("block", "rail", "ground"),
+    ]
+    linear = [("travel", "drawer"), ("travel", "ride"), ("travel", "rail")]
+    rows = [("tie", "distance")]
+    tree = tree_coordinates(branches, linear, ["plate", "cup"], rows)
+    rows = rows + pins("weld", "string", "handle")
+    rows += [("rail", "normal"), ("rail", "angle"), ("drawer", "angle"), ("drawer", "normal"), ("weld", "angle")]
+    absolute = absolute_coordinates(model, rows + [("ride", "normal")])
+    return model, tree, absolute, [0.1, 0.2, 0.3, 0.4, 0.0]
+
+
+def line_between(first, second):
+    return {"from": place(first), "to": place(second)}
 
 
 def ladder(count):
@@ -339,4 +397,4 @@ def ladder(count):
     return model, tree, absolute, [1.2] * (count + 1) + [0.0] * count
 
 
-ALL = (double_pendulum, four_bar, slider_crank, car_axis, gear_pair)
+ALL = (double_pendulum, four_bar, slider_crank, car_axis, gear_pair, inside_out)

@@ -88,7 +88,7 @@ class Absolute(Kinematics):
         theta = np.arctan2(pairs[:, 1::2], pairs[:, 0::2])
         columns = []
         for rotor in self.rotors:
-            values = find_angle(self, angles, rotor)
+            values = angles.get(rotor)
             if values is None:
                 plus, minus = (
                     theta[:, self.rigid.index(body)] if body in self.rigid else 0.0 for body in self.rotor(rotor)
@@ -96,16 +96,6 @@ class Absolute(Kinematics):
                 values = np.remainder(plus - minus + np.pi, 2 * np.pi) - np.pi
             columns.append(values)
         return np.stack(columns, axis=1) if columns else np.zeros((len(pairs), 0))
-
-
-def find_angle(kinematics, angles, rotor):
-    """The entry of `angles` (by rotor) for this rotor, or for another rotor of the same two bodies."""
-    if rotor in angles:
-        return angles[rotor]
-    for other, value in angles.items():
-        if kinematics.rotor(other) == kinematics.rotor(rotor):
-            return value
-    return None
 
 
 def derive(model):

@@ -14,7 +14,6 @@ import numpy as np
 
 from energies import Energies
 from kinematics import GROUND, Kinematics, Pose
-from reference import find_angle
 
 
 @dataclass
@@ -84,8 +83,7 @@ class Tree(Kinematics):
             angle["of"]: 2 * ca.pi * self.q[start + 2 * k] + self.q[start + 2 * k + 1]
             for k, angle in enumerate(self.layout.angles)
         }
-        value = find_angle(self, values, rotor)
-        return self.principal_angle(rotor) if value is None else value
+        return values[rotor] if rotor in values else self.principal_angle(rotor)
 
     def rows(self):
         """The rows exported, in their order; each must be one that the tree does not already satisfy."""

@@ -44,6 +44,7 @@ pub fn emit(compiled: &Compiled, source: &str) -> Result<TokenStream, String> {
     let _ = writeln!(text, "use ::core::primitive::{{bool, f64, u16, u32, usize, str}};");
     let mut implementations = String::new();
     traits::aliases(&mut text, &emitter);
+    traits::fields(&mut implementations, &emitter);
     traits::inherent(&mut implementations, &emitter);
     traits::mechanism(&mut implementations, &emitter);
     traits::assemble(&mut implementations, &emitter);

@@ -41,6 +41,35 @@ pub fn aliases(text: &mut String, emitter: &Emitter) {
     }
 }
 
+/// `Fields` of the parameters, and of the inputs and outputs where there are any.
+pub fn fields(text: &mut String, emitter: &Emitter) {
+    let Emitter { name, mechanism, .. } = emitter;
+    let parameters = mechanism.parameters.iter().map(|parameter| &parameter.name).collect::<Vec<_>>();
+    let inputs = mechanism.inputs.iter().map(|input| &input.name).collect();
+    let outputs = mechanism.outputs.iter().map(|output| &output.name).collect();
+    for (of, names) in [("Parameters", parameters), ("Inputs", inputs), ("Outputs", outputs)] {
+        if names.is_empty() && of != "Parameters" {
+            continue;
+        }
+        let n = names.len();
+        let fields: Vec<String> = names.iter().map(|name| field(&name.identifier())).collect();
+        let scalar = if names.is_empty() { "scalar: ::core::marker::PhantomData" } else { "" };
+        let given: Vec<String> =
+            fields.iter().enumerate().map(|(index, field)| format!("{field}: values[{index}]")).collect();
+        let _ = writeln!(
+            text,
+            "impl<R: Real> Fields<R> for {of}<R> {{\n\
+             const NAMES: &'static [&'static str] = {};\n\
+             type Array = [R; {n}];\n\
+             fn from_array(values: [R; {n}]) -> Self {{ {name}{of} {{ {}{scalar} }} }}\n\
+             fn to_array(&self) -> [R; {n}] {{ {} }}\n}}",
+            tables::strings(names.iter().map(|name| name.text.clone()).collect()),
+            given.join(", "),
+            array(fields.iter().map(|field| format!("self.{field}")))
+        );
+    }
+}
+
 /// One function: signature, loads, instructions, result.
 fn function(
     text: &mut String,

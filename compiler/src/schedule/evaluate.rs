@@ -2,6 +2,7 @@
 //! fused multiply-add is off.
 
 use super::program::{Instruction, Operand, Program, Source};
+use crate::symbolic::{max, min};
 
 /// The values of all sources.
 #[derive(Clone, Debug, Default)]
@@ -72,8 +73,8 @@ fn step(instruction: &Instruction, get: impl Fn(Operand) -> f64) -> f64 {
         }
         Instruction::Div(a, b) => get(a) / get(b),
         Instruction::Unary(function, a) => function.value(get(a)),
-        Instruction::Min(a, b) => get(a).min(get(b)),
-        Instruction::Max(a, b) => get(a).max(get(b)),
+        Instruction::Min(a, b) => min(get(a), get(b)),
+        Instruction::Max(a, b) => max(get(a), get(b)),
         Instruction::Atan2(a, b) => libm::atan2(get(a), get(b)),
         Instruction::Compare(comparison, a, b) => mask(comparison.value(get(a), get(b))),
         Instruction::And(a, b) => mask(get(a) != 0.0 && get(b) != 0.0),

@@ -5,11 +5,13 @@
 
 use std::collections::BTreeSet;
 
-/// Structure of K: neighbours of each unknown.
+/// Structure of K: for each unknown the set of its neighbours, one bit each.
 #[derive(Clone, Debug)]
 pub struct Pattern {
     pub velocities: usize,
-    pub neighbours: Vec<BTreeSet<usize>>,
+    unknowns: usize,
+    words: usize,
+    bits: Vec<u64>,
 }
 
 /// How ties and choices are made.
@@ -38,15 +40,71 @@ pub struct Order {
 
 impl Pattern {
     pub fn new(velocities: usize, rows: usize, entries: impl IntoIterator<Item = (usize, usize)>) -> Self {
-        let mut neighbours = vec![BTreeSet::new(); velocities + rows];
+        let unknowns = velocities + rows;
+        let words = unknowns.div_ceil(64);
+        let mut pattern = Pattern { velocities, unknowns, words, bits: vec![0; words * unknowns] };
         for (a, b) in entries {
             if a != b {
-                neighbours[a].insert(b);
-                neighbours[b].insert(a);
+                pattern.bits[a * words + b / 64] |= 1 << (b % 64);
+                pattern.bits[b * words + a / 64] |= 1 << (a % 64);
             }
         }
-        Pattern { velocities, neighbours }
+        pattern
     }
+
+    fn row(&self, unknown: usize) -> &[u64] {
+        &self.bits[unknown * self.words..(unknown + 1) * self.words]
+    }
+
+    fn degree(&self, unknown: usize) -> usize {
+        self.row(unknown).iter().map(|word| word.count_ones() as usize).sum()
+    }
+
+    /// Whether a velocity is among the neighbours.
+    fn touches_velocity(&self, unknown: usize) -> bool {
+        let first = self.row(unknown).iter().enumerate().find(|(_, word)| **word != 0);
+        first.is_some_and(|(at, word)| at * 64 + (word.trailing_zeros() as usize) < self.velocities)
+    }
+
+    /// Removes an unknown and joins its neighbours; gives them, ascending.
+    pub(super) fn eliminate(&mut self, pivot: usize) -> Vec<usize> {
+        let clique = self.row(pivot).to_vec();
+        let around = members(&clique);
+        for a in &around {
+            let start = a * self.words;
+            for (own, word) in self.bits[start..start + self.words].iter_mut().zip(&clique) {
+                *own |= word;
+            }
+            self.bits[start + a / 64] &= !(1 << (a % 64));
+            self.bits[start + pivot / 64] &= !(1 << (pivot % 64));
+        }
+        around
+    }
+
+    /// Pairs of neighbours that are not neighbours of each other.
+    fn fill(&self, unknown: usize) -> usize {
+        let own = self.row(unknown);
+        let around = members(own);
+        let mut missing = 0;
+        for a in &around {
+            let row = self.row(*a);
+            missing += own.iter().zip(row).map(|(own, row)| (own & !row).count_ones() as usize).sum::<usize>();
+        }
+        // Each pair was met twice, and each neighbour misses itself.
+        (missing - around.len()) / 2
+    }
+}
+
+fn members(row: &[u64]) -> Vec<usize> {
+    let mut members = Vec::new();
+    for (at, word) in row.iter().enumerate() {
+        let mut rest = *word;
+        while rest != 0 {
+            members.push(at * 64 + rest.trailing_zeros() as usize);
+            rest &= rest - 1;
+        }
+    }
+    members
 }
 
 /// The cheapest of all strategies.
@@ -58,33 +116,37 @@ pub fn best(pattern: &Pattern) -> Order {
     rest.into_iter().fold(first, |best, order| if score(&order) < score(&best) { order } else { best })
 }
 
+/// What decides the next pivot, least first; rows that still touch a velocity wait.
+type Key = (bool, usize, usize, usize, usize);
+
 pub fn order(pattern: &Pattern, strategy: Strategy) -> Order {
-    let n = pattern.neighbours.len();
-    let mut neighbours: Vec<BTreeSet<usize>> = pattern.neighbours.clone();
+    let n = pattern.unknowns;
+    let mut pattern = pattern.clone();
     let mut depth = vec![0usize; n];
-    let mut left: BTreeSet<usize> = (0..n).collect();
+    let key = |pattern: &Pattern, depth: &[usize], unknown: usize| -> Key {
+        let is_row = unknown >= pattern.velocities;
+        let waits = is_row && (strategy == Strategy::Schur || pattern.touches_velocity(unknown));
+        let degree = pattern.degree(unknown);
+        match strategy {
+            Strategy::MinimumFill => (waits, pattern.fill(unknown), degree, depth[unknown], unknown),
+            _ => (waits, degree, depth[unknown], 0, unknown),
+        }
+    };
+    let mut keys: Vec<Key> = (0..n).map(|unknown| key(&pattern, &depth, unknown)).collect();
+    let mut queue: BTreeSet<Key> = keys.iter().copied().collect();
     let mut result = Order { strategy, sequence: Vec::with_capacity(n), operations: 0, depth: 0 };
-    while !left.is_empty() {
-        let velocities_left = left.first().is_some_and(|first| *first < pattern.velocities);
-        let eligible = left.iter().copied().filter(|unknown| {
-            *unknown < pattern.velocities
-                || (neighbours[*unknown].first().is_none_or(|first| *first >= pattern.velocities)
-                    && !(strategy == Strategy::Schur && velocities_left))
-        });
-        let key = |unknown: usize| {
-            let degree = neighbours[unknown].len();
-            match strategy {
-                Strategy::MinimumFill => (fill(&neighbours, unknown), degree, depth[unknown], unknown),
-                _ => (degree, depth[unknown], 0, unknown),
-            }
-        };
-        let Some(pivot) = eligible.min_by_key(|unknown| key(*unknown)) else { break };
-        left.remove(&pivot);
-        let around = std::mem::take(&mut neighbours[pivot]);
+    while let Some((.., pivot)) = queue.pop_first() {
+        let around = pattern.eliminate(pivot);
         for a in &around {
-            neighbours[*a].remove(&pivot);
-            neighbours[*a].extend(around.iter().filter(|b| *b != a));
             depth[*a] = depth[*a].max(depth[pivot] + 1);
+        }
+        for a in &around {
+            let fresh = key(&pattern, &depth, *a);
+            if fresh != keys[*a] {
+                queue.remove(&keys[*a]);
+                queue.insert(fresh);
+                keys[*a] = fresh;
+            }
         }
         let degree = around.len();
         // reciprocal, L, updates, forward, diagonal, backward
@@ -93,14 +155,4 @@ pub fn order(pattern: &Pattern, strategy: Strategy) -> Order {
         result.sequence.push(pivot);
     }
     result
-}
-
-/// Pairs of neighbours that are not neighbours of each other.
-fn fill(neighbours: &[BTreeSet<usize>], unknown: usize) -> usize {
-    let around: Vec<usize> = neighbours[unknown].iter().copied().collect();
-    let mut missing = 0;
-    for (index, a) in around.iter().enumerate() {
-        missing += around[index + 1..].iter().filter(|b| !neighbours[*a].contains(b)).count();
-    }
-    missing
 }

@@ -36,13 +36,10 @@ impl Table {
             position[*unknown] = at;
         }
         let mut rows: Vec<Vec<usize>> = vec![Vec::new(); n];
-        let mut neighbours = pattern.neighbours.clone();
+        let mut pattern = pattern.clone();
         for (k, pivot) in sequence.iter().enumerate() {
-            let around = std::mem::take(&mut neighbours[*pivot]);
-            for a in &around {
-                neighbours[*a].remove(pivot);
-                neighbours[*a].extend(around.iter().filter(|b| *b != a));
-                rows[position[*a]].push(k);
+            for a in pattern.eliminate(*pivot) {
+                rows[position[a]].push(k);
             }
         }
         let mut table = Table { order: sequence, position, row_start: vec![0], columns: Vec::new() };

@@ -323,10 +323,10 @@ impl Graph {
     }
 
     pub fn min(&mut self, a: Node, b: Node) -> Node {
-        self.symmetric(a, b, f64::min, Op::Min)
+        self.symmetric(a, b, super::min, Op::Min)
     }
     pub fn max(&mut self, a: Node, b: Node) -> Node {
-        self.symmetric(a, b, f64::max, Op::Max)
+        self.symmetric(a, b, super::max, Op::Max)
     }
     pub fn atan2(&mut self, y: Node, x: Node) -> Node {
         match (self.value(y), self.value(x)) {

@@ -8,4 +8,4 @@ mod operation;
 
 pub use evaluate::{evaluate, evaluate_reachable};
 pub use graph::{Class, Graph, Node, Op};
-pub use operation::{Compare, Unary};
+pub use operation::{Compare, Unary, max, min};

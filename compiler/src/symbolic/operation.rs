@@ -46,7 +46,7 @@ impl Unary {
             Unary::Abs => x.abs(),
             Unary::Sign if x > 0.0 => 1.0,
             Unary::Sign if x < 0.0 => -1.0,
-            Unary::Sign => x * 0.0,
+            Unary::Sign => x,
             Unary::Sin => libm::sin(x),
             Unary::Cos => libm::cos(x),
             Unary::Tan => libm::tan(x),
@@ -126,6 +126,16 @@ impl Unary {
             }
         }
     }
+}
+
+/// The smaller of two, the second where either is NaN, as in the runtime.
+pub fn min(a: f64, b: f64) -> f64 {
+    if a < b { a } else { b }
+}
+
+/// The larger of two, the second where either is NaN, as in the runtime.
+pub fn max(a: f64, b: f64) -> f64 {
+    if a > b { a } else { b }
 }
 
 /// Comparisons of two scalars, giving a mask.

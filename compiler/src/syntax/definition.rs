@@ -267,6 +267,7 @@ pub struct Joint {
 
 /// The kinds of joints with what only they have; the first place among it.
 #[derive(Clone, Debug)]
+#[expect(clippy::large_enum_variant, reason = "there are few of them, and each lives in one vector")]
 pub enum JointTerm {
     Fixed { first: PlaceTerm, angle: Option<Entry> },
     Revolute { first: PlaceTerm },

@@ -36,7 +36,11 @@ impl Parser {
         let mut unit = None;
         while unit.is_none() && c.eat_punct('.') {
             let part: Label;
-            (part, unit) = self.declared_with_unit(c, "a name")?;
+            (part, unit) = if is_inner(c) {
+                (self.declared(c, "a name")?, None)
+            } else {
+                self.declared_with_unit(c, "a name")?
+            };
             text.push('.');
             text.push_str(&part.text);
             region = region.to(part.region);
@@ -162,6 +166,14 @@ impl Parser {
         }
         Ok(())
     }
+}
+
+/// Whether a name with its brackets is followed by a dot: the brackets are then all indices.
+fn is_inner(c: &Cursor) -> bool {
+    let mut ahead = c.clone();
+    ahead.advance();
+    while ahead.enter(Delimiter::Bracket).is_some() {}
+    ahead.at_punct('.')
 }
 
 impl Cursor<'_> {

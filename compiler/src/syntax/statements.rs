@@ -215,7 +215,7 @@ impl Parser {
             self.statements(inside.clone());
             self.indices.pop();
             // A mistake of one round is a mistake of all.
-            if self.diagnostics.iter().count() > errors {
+            if self.diagnostics.iter().count() > errors || self.diagnostics.is_full() {
                 break;
             }
         }

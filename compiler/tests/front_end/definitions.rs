@@ -213,6 +213,25 @@ fn nested_repeats_and_indexed_declarations() {
 }
 
 #[test]
+fn moving_ground_places_and_indexed_points() {
+    let m = good(
+        "planar Shaken {
+            param a [m] = 0.1;
+            repeat i in 0..2 {
+                body arm[i] { mass [kg] = 1; inertia [kg*m^2] = 1; point p[0] [m] = (1, 0); point p[1] [m] = (2, 0); }
+                joint pin[i]: revolute(ground(a*sin(3 [rad/s]*time), 0), arm[i].p[0]);
+                start { arm[i].p[1].y [mm] ~ 300; arm[i].p[i].velocity.x [m/s] ~ i; }
+            }
+            force swing: torque(pin[0]) = -2 [N*m*s/rad]*pin[0].rate + 3 [N] * (arm[1].p[1].x - a);
+        }",
+    );
+    assert!(matches!(m.joints[0].first.at[0], Expr::Binary(..)));
+    assert_eq!(m.start[2].text, "arm[1].p[1].y");
+    assert_eq!(number(&m.start[2].value), 300.0 * 1e-3);
+    assert!(matches!(&m.start[3].quantity, Quantity::Velocity(place, 0) if place.text == "arm[1].p[1]"));
+}
+
+#[test]
 fn tokens_from_macros_keep_their_grouping() {
     use proc_macro2::{Delimiter, Group, TokenStream, TokenTree};
     let source = "planar T { param p [1] = 2 * SUM; body b { mass [kg] = 1; inertia [kg*m^2] = 1; } }";

@@ -12,6 +12,19 @@ fn one_message_for_each_mistake() {
 }
 
 #[test]
+fn what_is_missing_is_said_once_each() {
+    let diagnostics = bad(&slider_crank("body b { } rod r { }"));
+    let found: Vec<&str> = diagnostics.iter().map(|error| error.message.as_str()).collect();
+    let expected = [
+        "the body `b` has no mass: write `mass [kg] = …;`",
+        "the body `b` has no inertia: write `inertia [kg*m^2] = …;`",
+        "the rod `r` has no mass: write `mass [kg] = …;`",
+        "the rod `r` has no length: write `length [m] = …;`",
+    ];
+    assert_eq!(found, expected);
+}
+
+#[test]
 fn around_the_braces() {
     for (source, expected) in [
         ("", "the definition is empty: write `planar Name { … }`"),
@@ -40,6 +53,10 @@ fn mistakes_of_one_stage_are_reported_together() {
 
 /// Statements added to the slider-crank, and the only message they give.
 const MISTAKES: &[(&str, &str)] = &[
+    (
+        "body b { mass [kg*m^2] = 1; inertia [kg*m^2] = 1; }",
+        "mass is given a moment of inertia: expected kg, found kg*m^2",
+    ),
     ("output o [m] = link.ende.x;", r#"`link` has no point called "ende"; did you mean "end"?"#),
     ("output o [m] = link.x;", r#"`link` has no point called "x"; it has center, end, origin, start"#),
     ("output o [1] = link;", "`link` is a body, expected a value such as `link.angle` or `link.center.x`"),

@@ -1,0 +1,31 @@
+//! Parameters, inputs and outputs as generic code sees them: named numbers in the order of their declaration.
+//!
+//! Written code uses the fields of the emitted structs by name; this is for what serves every mechanism alike, such as
+//! tables, files and tests.
+
+use crate::real::Real;
+use crate::vector::Vector;
+
+/// A struct whose fields are all scalars; implemented by the emitted parameters, inputs and outputs.
+pub trait Fields<R: Real>: Copy {
+    /// The fields' names as in the definition, in order.
+    const NAMES: &'static [&'static str];
+    /// `[R; NAMES.len()]`.
+    type Array: Vector<R>;
+
+    /// The struct with these values, SI units.
+    fn from_array(values: Self::Array) -> Self;
+    /// The values of all fields, SI units.
+    fn to_array(&self) -> Self::Array;
+}
+
+/// Inputs or outputs of a mechanism that has none.
+impl<R: Real> Fields<R> for () {
+    const NAMES: &'static [&'static str] = &[];
+    type Array = [R; 0];
+
+    fn from_array(_values: [R; 0]) -> Self {}
+    fn to_array(&self) -> [R; 0] {
+        []
+    }
+}

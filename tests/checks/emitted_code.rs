@@ -1,0 +1,205 @@
+//! Three evaluations of every function of every model agree: the emitted Rust, the interpreter of the scheduled
+//! program it was written from, and the interpreter of the graph the program was selected from.
+//!
+//! Emitted code and program round alike wherever fused multiply-add is off, so they are compared bit for bit; program
+//! and graph differ in the order of signs at most, and are compared with the rounding that the graph's own operations
+//! allow. That the equations are the right ones is the business of `identities.rs` and of the reference.
+
+use crate::registry::{At, Model, Random, compiled, for_each, model, vector};
+use linkwright_compiler::Compiled;
+use linkwright_compiler::model::Coordinates;
+use linkwright_compiler::schedule::{self, Function, Inputs};
+use linkwright_compiler::symbolic::{Graph, Node, Op, Unary, evaluate};
+use linkwright::Vector;
+
+/// Whether the runtime's `mul_add` rounds once.
+const FUSED: bool = cfg!(any(target_feature = "fma", target_arch = "aarch64"));
+const POINTS: usize = 20;
+
+for_each!(emitted_code_is_the_program);
+for_each!(programs_are_the_graph);
+
+fn emitted_code_is_the_program<M: Model>() {
+    let compiled = compiled::<M>(None);
+    let mut random = Random::new(1);
+    for point in 0..POINTS {
+        let mut inputs = random.point(&compiled);
+        if point == 0 {
+            inputs.parameters = compiled.mechanism.parameters.iter().map(|known| known.default).collect();
+        }
+        let model = M::prepared(&inputs.parameters).expect("parameters near their defaults");
+        let program = schedule::run(compiled.programs.get(Function::Prepare), &inputs);
+        inputs.prepared = program;
+        for function in Function::ALL {
+            let Some(emitted) = emitted(&model, &inputs, function) else { continue };
+            let program = schedule::run(compiled.programs.get(function), &inputs);
+            compare(M::NAME, function, &emitted, &program);
+        }
+    }
+}
+
+fn compare(name: &str, function: Function, emitted: &[f64], program: &[f64]) {
+    assert_eq!(emitted.len(), program.len(), "{name}::{}", function.name());
+    let same = |a: f64, b: f64| match FUSED {
+        true => (a - b).abs() <= 1e-9 * (1.0 + b.abs()) || a.is_nan() && b.is_nan(),
+        false => a.to_bits() == b.to_bits() || a.is_nan() && b.is_nan(),
+    };
+    for (index, (a, b)) in emitted.iter().zip(program).enumerate() {
+        assert!(same(*a, *b), "{name}::{}[{index}]: emitted {a:e}, program {b:e}", function.name());
+    }
+}
+
+/// What the emitted function gives, flattened as the program's outputs; `None` where none is emitted.
+fn emitted<M: Model>(model: &M, inputs: &Inputs, function: Function) -> Option<Vec<f64>> {
+    let at = At::<M>::of(inputs);
+    let (t, q, v, u) = (at.time, &at.q, &at.v, &at.u);
+    let target = vector(&inputs.targets);
+    let (a, lambda) = (vector(&inputs.acceleration), vector(&inputs.lambda));
+    let solution = |solve: &dyn Fn(&mut M::V, &mut M::Lambda) -> f64| {
+        let (mut a, mut lambda) = (M::V::zero(), M::Lambda::zero());
+        let pivot = solve(&mut a, &mut lambda);
+        a.as_slice().iter().chain(lambda.as_slice()).copied().chain([pivot]).collect()
+    };
+    Some(match function {
+        Function::MassMatrix => written(|out: &mut M::Mass| model.mass_matrix(t, q, out)),
+        Function::Constraints => written(|out: &mut M::Lambda| model.constraints(t, q, out)),
+        Function::ConstraintJacobian => {
+            written(|out: &mut M::Jacobian| model.constraint_jacobian(t, q, out))
+        }
+        Function::Nu => written(|out: &mut M::Lambda| model.nu(t, q, out)),
+        Function::Gamma => written(|out: &mut M::Lambda| model.gamma(t, q, v, out)),
+        Function::Forces => written(|out: &mut M::V| model.forces(t, q, v, u, out)),
+        Function::KineticEnergy => vec![model.kinetic_energy(t, q, v)],
+        Function::PotentialEnergy => vec![model.potential_energy(t, q)],
+        Function::Acceleration => solution(&|a, lambda| model.acceleration(t, q, v, u, a, lambda)),
+        Function::AccelerationBaumgarte => solution(&|a, lambda| {
+            model.acceleration_baumgarte(t, q, v, u, inputs.two_alpha, inputs.beta_squared, a, lambda)
+        }),
+        Function::Outputs => {
+            linkwright::Fields::to_array(&model.outputs(t, q, v, u)).as_slice().to_vec()
+        }
+        Function::Powers => model.flat_powers(&at),
+        Function::DriverEfforts => model.flat_driver_efforts(&at, &lambda),
+        Function::Motions => model.flat_motions(t, q, v, &a),
+        Function::Reactions => model.flat_reactions(&at, &a, &lambda),
+        Function::RowCosines => written(|out: &mut M::Lambda| model.row_cosines(t, q, out)),
+        Function::ConditionResidual => {
+            written(|out: &mut M::Conditions| model.condition_residual(t, q, &target, out))
+        }
+        Function::ConditionUpright => {
+            written(|out: &mut M::Conditions| model.condition_flipped(t, q, &target, out))
+        }
+        Function::ConditionJacobian => {
+            written(|out: &mut M::ConditionJacobian| model.condition_jacobian(t, q, out))
+        }
+        Function::ConditionBias => written(|out: &mut M::Conditions| model.condition_bias(t, q, v, out)),
+        Function::ConditionDrift => written(|out: &mut M::Conditions| model.condition_drift(t, q, out)),
+        Function::StartTargets => {
+            let (mut positions, mut rates) = (M::Conditions::zero(), M::Conditions::zero());
+            model.start_targets(&mut positions, &mut rates);
+            positions.as_slice().iter().chain(rates.as_slice()).copied().collect()
+        }
+        Function::Prepare | Function::Masses => return None,
+    })
+}
+
+fn written<V: Vector<f64>>(write: impl FnOnce(&mut V)) -> Vec<f64> {
+    let mut out = V::zero();
+    // An entry that is not written is seen.
+    out.as_mut_slice().fill(f64::INFINITY);
+    write(&mut out);
+    out.as_slice().to_vec()
+}
+
+fn programs_are_the_graph<M: Model>() {
+    for coordinates in [Coordinates::Absolute, Coordinates::Tree] {
+        let compiled = compiled::<M>(Some(coordinates));
+        let mut random = Random::new(2);
+        let points = if compiled.equations.graph.len() > 20_000 { 3 } else { POINTS };
+        for _ in 0..points {
+            programs_are_the_graph_at(&compiled, random.point(&compiled));
+        }
+    }
+}
+
+fn programs_are_the_graph_at(compiled: &Compiled, mut inputs: Inputs) {
+    let Compiled { equations, programs, solved, .. } = compiled;
+    inputs.prepared = schedule::run(programs.get(Function::Prepare), &inputs);
+    let symbols: Vec<f64> =
+        schedule::sources(equations).into_iter().map(|source| inputs.get(source)).collect();
+    let values = evaluate(&equations.graph, &symbols);
+    let errors = errors(&equations.graph, &values);
+    for function in Function::ALL {
+        let nodes = schedule::outputs(equations, solved, function);
+        if function == Function::Prepare {
+            continue;
+        }
+        let program = schedule::run(programs.get(function), &inputs);
+        assert_eq!(program.len(), nodes.len(), "{}", function.name());
+        for (index, (value, node)) in program.iter().zip(&nodes).enumerate() {
+            let (graph, error) = (values[node.index()], errors[node.index()]);
+            assert!(
+                (value - graph).abs() <= 4.0 * error || value.is_nan() && graph.is_nan() || *value == graph,
+                "{} of {} {:?}[{index}]: program {value:e}, graph {graph:e}, rounding {error:e}",
+                function.name(),
+                compiled.mechanism.name.text,
+                compiled.choice.coordinates
+            );
+        }
+    }
+}
+
+/// What rounding may make of each node, to first order: ε|x| of its own and |∂x/∂y| times that of each operand y.
+fn errors(graph: &Graph, values: &[f64]) -> Vec<f64> {
+    let mut errors: Vec<f64> = Vec::with_capacity(values.len());
+    for (node, op) in graph.nodes() {
+        let (value, error) = (|node: Node| values[node.index()], |node: Node| errors[node.index()]);
+        let own = f64::EPSILON * value(node).abs();
+        let propagated = match op {
+            Op::Constant(_) | Op::Symbol(_) => 0.0,
+            Op::Compare(..) | Op::And(..) | Op::Or(..) | Op::Not(_) => 0.0,
+            Op::Neg(a) => error(a),
+            Op::Add(a, b) | Op::Sub(a, b) => error(a) + error(b),
+            Op::Mul(a, b) => error(a) * value(b).abs() + value(a).abs() * error(b),
+            Op::Div(a, b) => (error(a) + value(node).abs() * error(b)) / value(b).abs(),
+            Op::Unary(function, a) => slope(function, value(a)).abs() * error(a),
+            Op::Min(a, b) | Op::Max(a, b) => error(a).max(error(b)),
+            Op::Atan2(a, b) => {
+                let (y, x) = (value(a), value(b));
+                (error(a) * x.abs() + error(b) * y.abs()) / (x * x + y * y)
+            }
+            Op::Select(mask, a, b) => if value(mask) != 0.0 { error(a) } else { error(b) },
+        };
+        errors.push(own + propagated);
+    }
+    errors
+}
+
+fn slope(function: Unary, x: f64) -> f64 {
+    match function {
+        Unary::Reciprocal => 1.0 / (x * x),
+        Unary::Sqrt => 0.5 / x.sqrt(),
+        Unary::Abs => 1.0,
+        Unary::Sign => 0.0,
+        Unary::Sin => x.cos(),
+        Unary::Cos => x.sin(),
+        Unary::Tan => 1.0 / (x.cos() * x.cos()),
+        Unary::Asin | Unary::Acos => 1.0 / (1.0 - x * x).sqrt(),
+        Unary::Exp => x.exp(),
+        Unary::Ln => 1.0 / x,
+    }
+}
+
+linkwright::mechanism! {
+    /// Every operation of the language, in outputs, in a force and behind a parameter.
+    Everything {
+        param scale [1] = 0.6 in 0.1..0.9;
+        param level [m] = 0.3;
+        input push [N];
+        rod arm { mass [kg] = 1; length [m] = 1; }
+        joint pivot: revolute(ground(0, 0) [m], arm.start);
+        start { pivot.angle [rad] = 0.5; pivot.rate [rad/s] = 0.2; }
+        output square_root [1] = sqrt(1.5 + scale*sin(pivot.angle));
+    }
+}
+model!(Everything);

@@ -1,0 +1,212 @@
+//! Every mechanism as generic checks see it: [`Model`], implemented for all shipped models, and random data for them.
+//!
+//! A check is a function `fn check<M: Model>()`; [`for_each`] makes a test of it for each shipped model, so that a new
+//! model is checked by being listed in `models/src/lib.rs`. Mechanisms of a test's own join by [`model!`].
+
+use linkwright::{Assemble, Fields, Layout, SettingError, Vector};
+use linkwright_compiler::model::Coordinates;
+use linkwright_compiler::schedule::Inputs;
+use linkwright_compiler::{Compiled, compile};
+
+/// An emitted mechanism with what its inherent functions give, flattened.
+pub trait Model: Assemble<f64, Inputs: Fields<f64>, Outputs: Fields<f64>> + Sized {
+    const SOURCE: &'static str;
+    /// The same mechanism in single precision.
+    type Single: Assemble<f32, Inputs: Fields<f32>, Outputs: Fields<f32>>;
+
+    /// The model with its default parameters.
+    fn standard() -> Self;
+    fn single() -> Self::Single;
+    fn prepared(parameters: &[f64]) -> Result<Self, SettingError>;
+    fn flat_motions(&self, time: f64, q: &Self::Q, v: &Self::V, a: &Self::V) -> Vec<f64>;
+    fn flat_reactions(&self, at: &At<Self>, a: &Self::V, lambda: &Self::Lambda) -> Vec<f64>;
+    fn flat_powers(&self, at: &At<Self>) -> Vec<f64>;
+    /// Efforts, then powers.
+    fn flat_driver_efforts(&self, at: &At<Self>, lambda: &Self::Lambda) -> Vec<f64>;
+}
+
+/// Time, state and inputs.
+pub struct At<M: Model> {
+    pub time: f64,
+    pub q: M::Q,
+    pub v: M::V,
+    pub u: M::Inputs,
+}
+
+/// Implements [`Model`] for emitted mechanisms: `model!(Pendulum, inner::FourBar)`.
+macro_rules! model {
+    ($($first:tt $(:: $segment:ident)*),* $(,)?) => { $(
+        impl $crate::registry::Model for $first $(:: $segment)* <f64> {
+            const SOURCE: &'static str = Self::SOURCE;
+            type Single = $first $(:: $segment)* <f32>;
+
+            fn standard() -> Self {
+                Self::default()
+            }
+            fn single() -> Self::Single {
+                Self::Single::default()
+            }
+            fn prepared(parameters: &[f64]) -> Result<Self, linkwright::SettingError> {
+                Self::prepare($crate::registry::fields(parameters))
+            }
+            fn flat_motions(&self, time: f64, q: &Self::Q, v: &Self::V, a: &Self::V) -> Vec<f64> {
+                let motions = self.motions(time, q, v, a);
+                let flat = motions.iter().flat_map(|m| {
+                    let [[x, y], [c, s], [vx, vy], [ax, ay]] =
+                        [m.position, m.orientation, m.velocity, m.acceleration];
+                    [x, y, c, s, vx, vy, m.rate, ax, ay, m.angular_acceleration]
+                });
+                flat.collect()
+            }
+            fn flat_reactions(
+                &self,
+                at: &$crate::registry::At<Self>,
+                a: &Self::V,
+                lambda: &Self::Lambda,
+            ) -> Vec<f64> {
+                let reactions = self.reactions(at.time, &at.q, &at.v, &at.u, a, lambda);
+                reactions.iter().flat_map(|r| [r.force[0], r.force[1], r.torque]).collect()
+            }
+            fn flat_powers(&self, at: &$crate::registry::At<Self>) -> Vec<f64> {
+                self.powers(at.time, &at.q, &at.v, &at.u).to_vec()
+            }
+            fn flat_driver_efforts(
+                &self,
+                at: &$crate::registry::At<Self>,
+                lambda: &Self::Lambda,
+            ) -> Vec<f64> {
+                let efforts = self.driver_efforts(at.time, &at.q, &at.v, lambda);
+                efforts.iter().map(|[effort, _]| *effort).chain(efforts.iter().map(|[_, power]| *power)).collect()
+            }
+        }
+    )* };
+}
+pub(crate) use model;
+
+macro_rules! implement {
+    ($($name:ident: $first:tt $(:: $segment:ident)*),* $(,)?) => { model!($($first $(:: $segment)*),*); };
+}
+linkwright_models::for_each_model!(implement);
+
+/// A test of the function `check::<M>` for each shipped model `M`, in a module of that function's name.
+macro_rules! for_each {
+    ($check:ident) => {
+        $crate::registry::for_each! { @ ($) $check }
+    };
+    // The dollar is handed in, because a macro cannot write the variables of the macro it defines.
+    (@ ($dollar:tt) $check:ident) => {
+        mod $check {
+            macro_rules! tests {
+                ($dollar($dollar name:ident: $dollar model:path),* $dollar(,)?) => {
+                    $dollar(
+                        #[test]
+                        fn $dollar name() {
+                            super::$check::<$dollar model>();
+                        }
+                    )*
+                };
+            }
+            linkwright_models::for_each_model!(tests);
+        }
+    };
+}
+pub(crate) use for_each;
+
+/// Inputs, outputs or parameters from their values.
+pub fn fields<F: Fields<f64>>(values: &[f64]) -> F {
+    F::from_array(vector(values))
+}
+
+pub fn vector<V: Vector<f64>>(values: &[f64]) -> V {
+    let mut vector = V::zero();
+    vector.as_mut_slice().copy_from_slice(values);
+    vector
+}
+
+/// The mechanism through all stages but the last, in the coordinates of its emitted code or in others.
+pub fn compiled<M: Model>(coordinates: Option<Coordinates>) -> Compiled {
+    let tokens = M::SOURCE.parse().expect("the source was tokens");
+    compile(tokens, coordinates).expect("the definition was compiled before")
+}
+
+impl<M: Model> At<M> {
+    /// The time, state and inputs of a point.
+    pub fn of(point: &Inputs) -> Self {
+        let Inputs { time, q, v, inputs, .. } = point;
+        At { time: *time, q: vector(q), v: vector(v), u: fields(inputs) }
+    }
+}
+
+/// Uniform random numbers, the same in every run (SplitMix64: Steele, Lea, Flood, OOPSLA 2014).
+pub struct Random(u64);
+
+impl Random {
+    pub fn new(seed: u64) -> Self {
+        Random(seed)
+    }
+
+    /// In [−1, 1).
+    pub fn next(&mut self) -> f64 {
+        self.0 = self.0.wrapping_add(0x9E37_79B9_7F4A_7C15);
+        let mut z = self.0;
+        z = (z ^ (z >> 30)).wrapping_mul(0xBF58_476D_1CE4_E5B9);
+        z = (z ^ (z >> 27)).wrapping_mul(0x94D0_49BB_1331_11EB);
+        z ^= z >> 31;
+        (z >> 11) as f64 / (1u64 << 52) as f64 - 1.0
+    }
+
+    pub fn vector(&mut self, length: usize) -> Vec<f64> {
+        (0..length).map(|_| self.next()).collect()
+    }
+
+    /// Any position: pairs on the circle, whole turns, nothing consistent.
+    pub fn position(&mut self, layout: &Layout) -> Vec<f64> {
+        let mut q = self.vector(layout.linear);
+        for _ in 0..layout.rotations {
+            let angle = 4.0 * self.next();
+            q.extend([angle.cos(), angle.sin()]);
+        }
+        for _ in layout.angles {
+            q.extend([(5.0 * self.next()).round(), 3.0 * self.next()]);
+        }
+        q
+    }
+
+    /// Parameters within a tenth of their defaults, and within their bounds.
+    pub fn parameters(&mut self, compiled: &Compiled) -> Vec<f64> {
+        let parameters = compiled.mechanism.parameters.iter().map(|parameter| {
+            let near = parameter.default + 0.1 * self.next() * parameter.default.abs();
+            let (least, most) = parameter.bounds.unwrap_or((f64::NEG_INFINITY, f64::INFINITY));
+            near.clamp(least, most)
+        });
+        parameters.collect()
+    }
+
+    /// Values of everything that a program can ask for, except the prepared constants.
+    pub fn point(&mut self, compiled: &Compiled) -> Inputs {
+        let (layout, e) = (layout(compiled), &compiled.equations);
+        Inputs {
+            parameters: self.parameters(compiled),
+            phases: compiled.assembly.phases.clone(),
+            time: 2.0 + self.next(),
+            q: self.position(&layout),
+            v: self.vector(layout.velocities()),
+            inputs: self.vector(e.symbols.inputs.len()),
+            two_alpha: 10.0 + self.next(),
+            beta_squared: 25.0 + self.next(),
+            acceleration: self.vector(layout.velocities()),
+            lambda: self.vector(e.rows.len()),
+            targets: self.vector(e.conditions.len()),
+            prepared: Vec::new(),
+        }
+    }
+}
+
+/// The runtime's layout of a mechanism that was not emitted. Rates of angles are left out.
+fn layout(compiled: &Compiled) -> Layout {
+    const ANGLE: linkwright::MultiTurn = linkwright::MultiTurn { plus: None, minus: None };
+    const ANGLES: [linkwright::MultiTurn; 64] = [ANGLE; 64];
+    let layout = &compiled.equations.layout;
+    let angles = &const { &ANGLES }[..layout.angles.len()];
+    Layout { linear: layout.linear.len(), rotations: layout.rotations.len(), angles }
+}

@@ -1,0 +1,11 @@
+//! What the compiler says to mistakes, as a user sees it: message and underlined place, one pair of files each,
+//! sorted by kind and named after the mistake.
+//!
+//! `TRYBUILD=overwrite cargo test --test ui` writes the answers anew; read them before keeping them. The texts stand
+//! in the `messages.rs` of the compiler; spans and texts one by one are also tested in `compiler/tests/front_end`.
+
+#[test]
+fn mistakes() {
+    let cases = trybuild::TestCases::new();
+    cases.compile_fail("tests/ui/*/*.rs");
+}

@@ -1,0 +1,10 @@
+//! A rod of negative length.
+
+linkwright::mechanism! {
+    planar Pendulum {
+        rod arm { mass [kg] = 1; length [m] = -1; }
+        joint pivot: revolute(ground(0, 0) [m], arm.start);
+    }
+}
+
+fn main() {}

@@ -1,0 +1,12 @@
+//! Two constants defined by each other.
+
+linkwright::mechanism! {
+    planar Pendulum {
+        rod arm { mass [kg] = 1; length [m] = 1; }
+        joint pivot: revolute(ground(0, 0) [m], arm.start);
+        const A [m] = B;
+        const B [m] = A;
+    }
+}
+
+fn main() {}

@@ -1,0 +1,11 @@
+//! A value that does not exist.
+
+linkwright::mechanism! {
+    planar Pendulum {
+        rod arm { mass [kg] = 1; length [m] = 1; }
+        joint pivot: revolute(ground(0, 0) [m], arm.start);
+        const A [1] = 1/0;
+    }
+}
+
+fn main() {}

@@ -1,0 +1,12 @@
+//! A statement without its end.
+
+linkwright::mechanism! {
+    planar Pendulum {
+        rod arm { mass [kg] = 1; length [m] = 1; }
+        joint pivot: revolute(ground(0, 0) [m], arm.start);
+        param a [m] = 1
+        param b [m] = 2;
+    }
+}
+
+fn main() {}

@@ -1,0 +1,11 @@
+//! An option that does not exist.
+
+linkwright::mechanism! {
+    planar Pendulum {
+        rod arm { mass [kg] = 1; length [m] = 1; }
+        joint pivot: revolute(ground(0, 0) [m], arm.start);
+        options { coordinate = tree; }
+    }
+}
+
+fn main() {}

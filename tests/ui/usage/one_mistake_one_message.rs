@@ -1,0 +1,20 @@
+//! Code that uses a mechanism with a mistake adds no messages of its own.
+
+linkwright::mechanism! {
+    pub planar FourBar {
+        rod crank   { mass [kg] = 1; length [m] = 1; }
+        rod coupler { mass [m] = 1; length [m] = 2; }
+        rod rocker  { mass [kg] = 1; length [m] = 1.5; }
+        joint crank_pin:  revolute(ground(0, 0) [m], crank.start);
+        joint rocker_pin: revolute(ground(2, 0) [m], rocker.start);
+        joint left:       revolute(crank.end, coupler.start);
+        joint right:      revolute(coupler.end, rocker.end);
+        start { crank_pin.angle [deg] = 90; rocker_pin.angle [deg] ~ 90; }
+    }
+}
+
+fn parameters(parameters: FourBarParameters) -> FourBarParameters {
+    parameters
+}
+
+fn main() {}
