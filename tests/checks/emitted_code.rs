@@ -5,12 +5,12 @@
 //! and graph differ in the order of signs at most, and are compared with the rounding that the graph's own operations
 //! allow. That the equations are the right ones is the business of `identities.rs` and of the reference.
 
-use crate::registry::{At, Model, Random, compiled, for_each, model, vector};
+use crate::registry::{At, Model, Random, compiled, for_each, vector};
+use linkwright::Vector;
 use linkwright_compiler::Compiled;
 use linkwright_compiler::model::Coordinates;
 use linkwright_compiler::schedule::{self, Function, Inputs};
 use linkwright_compiler::symbolic::{Graph, Node, Op, Unary, evaluate};
-use linkwright::Vector;
 
 /// Whether the runtime's `mul_add` rounds once.
 const FUSED: bool = cfg!(any(target_feature = "fma", target_arch = "aarch64"));
@@ -19,7 +19,7 @@ const POINTS: usize = 20;
 for_each!(emitted_code_is_the_program);
 for_each!(programs_are_the_graph);
 
-fn emitted_code_is_the_program<M: Model>() {
+pub fn emitted_code_is_the_program<M: Model>() {
     let compiled = compiled::<M>(None);
     let mut random = Random::new(1);
     for point in 0..POINTS {
@@ -111,7 +111,7 @@ fn written<V: Vector<f64>>(write: impl FnOnce(&mut V)) -> Vec<f64> {
     out.as_slice().to_vec()
 }
 
-fn programs_are_the_graph<M: Model>() {
+pub fn programs_are_the_graph<M: Model>() {
     for coordinates in [Coordinates::Absolute, Coordinates::Tree] {
         let compiled = compiled::<M>(Some(coordinates));
         let mut random = Random::new(2);
@@ -189,17 +189,3 @@ fn slope(function: Unary, x: f64) -> f64 {
         Unary::Ln => 1.0 / x,
     }
 }
-
-linkwright::mechanism! {
-    /// Every operation of the language, in outputs, in a force and behind a parameter.
-    Everything {
-        param scale [1] = 0.6 in 0.1..0.9;
-        param level [m] = 0.3;
-        input push [N];
-        rod arm { mass [kg] = 1; length [m] = 1; }
-        joint pivot: revolute(ground(0, 0) [m], arm.start);
-        start { pivot.angle [rad] = 0.5; pivot.rate [rad/s] = 0.2; }
-        output square_root [1] = sqrt(1.5 + scale*sin(pivot.angle));
-    }
-}
-model!(Everything);

@@ -2,4 +2,8 @@
 
 
 mod emitted_code;
+mod every_operation;
+mod no_alloc;
 mod registry;
+mod reference;
+mod published;

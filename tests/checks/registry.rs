@@ -18,6 +18,7 @@ pub trait Model: Assemble<f64, Inputs: Fields<f64>, Outputs: Fields<f64>> + Size
     fn standard() -> Self;
     fn single() -> Self::Single;
     fn prepared(parameters: &[f64]) -> Result<Self, SettingError>;
+    fn parameter_values(&self) -> Vec<f64>;
     fn flat_motions(&self, time: f64, q: &Self::Q, v: &Self::V, a: &Self::V) -> Vec<f64>;
     fn flat_reactions(&self, at: &At<Self>, a: &Self::V, lambda: &Self::Lambda) -> Vec<f64>;
     fn flat_powers(&self, at: &At<Self>) -> Vec<f64>;
@@ -48,6 +49,9 @@ macro_rules! model {
             }
             fn prepared(parameters: &[f64]) -> Result<Self, linkwright::SettingError> {
                 Self::prepare($crate::registry::fields(parameters))
+            }
+            fn parameter_values(&self) -> Vec<f64> {
+                linkwright::Fields::<f64>::to_array(self.parameters()).to_vec()
             }
             fn flat_motions(&self, time: f64, q: &Self::Q, v: &Self::V, a: &Self::V) -> Vec<f64> {
                 let motions = self.motions(time, q, v, a);

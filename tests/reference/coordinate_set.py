@@ -8,11 +8,10 @@ import numpy as np
 
 import tree
 from energies import Energies
-from magnitude import Evaluator
+from magnitude import MATRICES, Evaluator
 
 VECTORS = ("phi", "nu", "gamma", "forces", "powers")
 SCALARS = ("kinetic", "potential")
-MATRICES = ("jacobian", "mass")
 
 
 class CoordinateSet:

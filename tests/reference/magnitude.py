@@ -10,11 +10,15 @@ of computing the same entry are measured in units of m.
 import casadi as ca
 import numpy as np
 
+# Quantities that stay matrices even with one column.
+MATRICES = ("jacobian", "mass")
+
 
 class Result:
     """One output: `rows`, `columns` of its nonzeros, `values` and `magnitudes` as (states, nonzeros)."""
 
-    def __init__(self, output, states):
+    def __init__(self, output, states, is_matrix):
+        self.is_matrix = is_matrix
         sparsity = output.sparsity()
         self.shape = output.shape
         self.rows, self.columns = (np.array(part, dtype=int) for part in sparsity.get_triplet())
@@ -28,7 +32,7 @@ class Result:
     def _spread(self, entries):
         full = np.zeros((len(entries), *self.shape))
         full[:, self.rows, self.columns] = entries
-        return full[:, :, 0] if self.shape[1] == 1 else full
+        return full if self.is_matrix else full[:, :, 0]
 
 
 class Evaluator:
@@ -55,7 +59,7 @@ class Evaluator:
                 raise ValueError(f"argument {k} has the shape {argument.shape}, expected {expected}")
         columns = [np.ascontiguousarray(argument.T) for argument in arguments]
         absolutes = [np.abs(column) for column in columns]
-        results = {name: Result(output, states) for name, output in self.outputs.items()}
+        results = {name: Result(output, states, name in MATRICES) for name, output in self.outputs.items()}
         ordered = list(results.values())
         value = [None] * self.function.sz_w()
         magnitude = [None] * self.function.sz_w()

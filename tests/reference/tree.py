@@ -69,7 +69,7 @@ class Tree(Kinematics):
     def q_rate(self, v):
         """q̇ = N(q) v. Whole turns do not move; the remainder turns with the rotor."""
         layout, n = self.layout, len(self.layout.linear)
-        rates = [v[:n]]
+        rates = [v[index] for index in range(n)]
         for index in layout.rotations.values():
             c, s, omega = self.q[n + 2 * index], self.q[n + 2 * index + 1], v[n + index]
             rates += [-s * omega, c * omega]

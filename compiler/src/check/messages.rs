@@ -1,5 +1,7 @@
 //! Texts of the messages about the assembled mechanism: what is wrong, why, with numbers, and what to write instead.
 
+use crate::messages::closest;
+
 pub fn wrong_freedoms(expected: usize, found: usize, free: Vec<String>) -> String {
     let plural = |n: usize| if n == 1 { "degree of freedom" } else { "degrees of freedom" };
     let mut text = format!("expected {expected} {}, found {found}", plural(expected));
@@ -9,11 +11,13 @@ pub fn wrong_freedoms(expected: usize, found: usize, free: Vec<String>) -> Strin
     text + &format!("; write `degrees_of_freedom = {found};` if that is meant, or change the joints")
 }
 
-pub fn dependent_row(of: &str, what: &str, rows: usize) -> String {
+/// `what`: the rows of one joint or constraint that add nothing.
+pub fn dependent_rows(of: &str, what: &[&str], rows: usize, rank: usize) -> String {
     format!(
-        "at the start position the {rows} constraint equations lose rank: \"{of}\" ({what}) repeats what the others \
-         already fix. Either the joint is redundant: make it one that leaves more freedom; or the start is a singular \
-         position (links in line), where the motion is undetermined: start elsewhere"
+        "{rows} constraint equations close the loops, and at the start position their rank is {rank}: \"{of}\" ({}) \
+         repeats what the others already fix. Either the joint is redundant: make it one that leaves more freedom; or \
+         the start is a singular position (links in line), where the motion is undetermined: start elsewhere",
+        what.join(", ")
     )
 }
 
@@ -28,7 +32,7 @@ pub fn cannot_close(of: &str, what: &str, path: &[String], residual: f64) -> Str
     let (amount, apart) = match what {
         "x" | "y" | "normal" => (format!("{residual:.3} m"), "apart"),
         "angle" => (format!("{:.3} rad", residual.min(1.0).asin()), "off its direction"),
-        _ => (format!("{residual:.3e} (SI)"), "off"),
+        _ => (format!("{} (SI)", number(residual)), "off"),
     };
     let chain = if path.is_empty() {
         "the mechanism cannot be assembled".to_string()
@@ -43,8 +47,9 @@ pub fn cannot_close(of: &str, what: &str, path: &[String], residual: f64) -> Str
 
 pub fn cannot_meet_start(residual: f64) -> String {
     format!(
-        "no position meets all conditions of `start`: the nearest one found misses by {residual:.3e} (m or rad). Turn a \
-         condition into a guess (`~` instead of `=`), or correct its value"
+        "no position meets all conditions of `start`: the nearest one found misses by {} (m or rad). Turn a \
+         condition into a guess (`~` instead of `=`), or correct its value",
+        number(residual)
     )
 }
 
@@ -75,8 +80,9 @@ pub fn second_assembly_unnamed() -> String {
 pub fn rates_conflict(asked: Option<String>, miss: f64) -> String {
     let what = asked.map_or("the constraints".to_string(), |asked| format!("the rate asked of \"{asked}\""));
     format!(
-        "no velocities meet all rates of `start`: {what} is missed by {miss:.3e} (SI). The constraints already tie \
-         these rates together: state fewer"
+        "no velocities meet all rates of `start`: {what} is missed by {} (SI). The constraints already tie \
+         these rates together: state fewer",
+        number(miss)
     )
 }
 
@@ -96,5 +102,13 @@ pub fn too_many_operations(function: &str, limit: usize, found: usize) -> String
 }
 
 pub fn unknown_function(function: &str, known: &[&str]) -> String {
-    format!("there is no function \"{function}\" to count; the functions are {}", known.join(", "))
+    match closest(function, known.iter().copied()) {
+        Some(similar) => format!("there is no function \"{function}\" to count; did you mean `{similar}`?"),
+        None => format!("there is no function \"{function}\" to count; the functions are {}", known.join(", ")),
+    }
+}
+
+/// Three digits behind the point, or powers of ten where those would say nothing.
+fn number(value: f64) -> String {
+    if (1e-2..1e5).contains(&value.abs()) { format!("{value:.3}") } else { format!("{value:.2e}") }
 }

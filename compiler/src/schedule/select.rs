@@ -75,7 +75,14 @@ impl Selection<'_> {
     /// Whether the node is a leaf of this function.
     fn is_leaf(&self, node: Node) -> bool {
         matches!(self.graph.op(node), Op::Constant(_) | Op::Symbol(_))
-            || (self.prepared.is_some() && self.graph.class(node) <= Class::Parameter)
+            || (self.prepared.is_some() && self.is_preparable(node))
+    }
+
+    /// Whether the prepared model holds the node: a number that depends on parameters only. Masks are no numbers;
+    /// each function compares again.
+    fn is_preparable(&self, node: Node) -> bool {
+        let mask = matches!(self.graph.op(node), Op::Compare(..) | Op::And(..) | Op::Or(..) | Op::Not(_));
+        self.graph.class(node) <= Class::Parameter && !mask
     }
 
     /// Counts uses of what the outputs need.
@@ -243,7 +250,8 @@ impl Selection<'_> {
         if let Some(value) = self.graph.value(node) {
             return Operand::Constant(value);
         }
-        if let (Some(prepared), true) = (&mut self.prepared, self.graph.class(node) <= Class::Parameter) {
+        let preparable = self.is_preparable(node);
+        if let (Some(prepared), true) = (&mut self.prepared, preparable) {
             return Operand::Source(Source::Prepared(prepared.index(node)));
         }
         match self.graph.op(node) {

@@ -89,6 +89,9 @@ pub fn solve(equations: &mut Equations, massless: Massless) -> Solved {
         solution(g, &factor, &rhs, n)
     };
     let (index1, baumgarte) = (with(&gamma), with(&stabilised));
+    // Outputs that name drivers' efforts or powers take the multipliers of the plain solution.
+    let solved = equations.symbols.lambda.iter().copied().zip(index1.lambda.iter().copied()).collect();
+    equations.outputs = equations.graph.substitute(&equations.outputs, &solved);
     Solved { index1, baumgarte, order, massless }
 }
 

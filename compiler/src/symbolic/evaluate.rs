@@ -20,6 +20,24 @@ pub fn evaluate_reachable(graph: &Graph, order: &[Node], symbols: &[f64], values
     }
 }
 
+/// Values of the nodes in `order`, one of them computed by another operation: for tests that must notice.
+pub fn evaluate_with(
+    graph: &Graph,
+    order: &[Node],
+    symbols: &[f64],
+    change: Option<(Node, Op)>,
+) -> Vec<f64> {
+    let mut values = vec![0.0; graph.len()];
+    for node in order {
+        let op = match change {
+            Some((changed, op)) if changed == *node => op,
+            _ => graph.op(*node),
+        };
+        values[node.index()] = step(op, symbols, &values);
+    }
+    values
+}
+
 fn step(op: Op, symbols: &[f64], values: &[f64]) -> f64 {
     let get = |node: Node| values[node.index()];
     let mask = |value: bool| if value { 1.0 } else { 0.0 };

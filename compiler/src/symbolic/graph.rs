@@ -125,6 +125,11 @@ impl Graph {
         self.intern(Op::Constant(value.to_bits()))
     }
 
+    /// The node of a symbol.
+    pub(super) fn symbol_node(&mut self, symbol: u32) -> Node {
+        self.intern(Op::Symbol(symbol))
+    }
+
     /// The node's value if it is a constant.
     pub fn value(&self, node: Node) -> Option<f64> {
         match self.op(node) {
@@ -256,8 +261,14 @@ impl Graph {
                 let product = self.mul(a, y);
                 return self.neg(product);
             }
-            // k·(l·x) = (k·l)·x for coefficients k, l.
-            (_, Op::Mul(l, x)) if self.class(a) <= Class::Parameter && self.class(l) <= Class::Parameter => {
+            // k·(l·x) = (k·l)·x for coefficients k, l. Three parameters stay as they are: sorted by age, they would
+            // be regrouped for ever.
+            (_, Op::Mul(l, x))
+                if self.class(a) <= Class::Parameter
+                    && self.class(l) <= Class::Parameter
+                    && (self.class(x) > Class::Parameter
+                        || (self.value(a).is_some() && self.value(l).is_some())) =>
+            {
                 let coefficient = self.mul(a, l);
                 return self.mul(coefficient, x);
             }

@@ -5,7 +5,8 @@ mod evaluate;
 mod graph;
 mod hash;
 mod operation;
+mod substitute;
 
-pub use evaluate::{evaluate, evaluate_reachable};
+pub use evaluate::{evaluate, evaluate_reachable, evaluate_with};
 pub use graph::{Class, Graph, Node, Op};
 pub use operation::{Compare, Unary, max, min};

@@ -68,6 +68,10 @@ pub struct Header {
 pub fn parse(tokens: TokenStream) -> Result<Definition, Diagnostics> {
     let mut diagnostics = Diagnostics::new();
     let tokens = token::convert(tokens, &mut diagnostics);
+    if !diagnostics.is_empty() {
+        // Groups are missing, and what is missing must not be reported a second time.
+        return Err(diagnostics);
+    }
     let mut parser = Parser {
         diagnostics,
         definition: empty(),

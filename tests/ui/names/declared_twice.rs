@@ -4,7 +4,8 @@ linkwright::mechanism! {
     planar FourBar {
         rod crank   { mass [kg] = 1; length [m] = 1; }
         rod coupler { mass [kg] = 1; length [m] = 2; }
-        rod coupler { mass [kg] = 1; length [m] = 1.5; }
+        rod rocker  { mass [kg] = 1; length [m] = 1.5; }
+        rod coupler { mass [kg] = 1; length [m] = 2; }
         joint crank_pin:  revolute(ground(0, 0) [m], crank.start);
         joint rocker_pin: revolute(ground(2, 0) [m], rocker.start);
         joint left:       revolute(crank.end, coupler.start);

@@ -38,7 +38,12 @@ pub fn closed(
             continue;
         }
         let met = attempt.distance < MET && problem.has_guesses();
-        if solutions.iter().all(|known| !same(&known.q, &attempt.q)) {
+        // Coordinates that nothing decides come out anywhere; the guesses then tell one assembly from another.
+        let decided = problem.is_decided(point, &attempt.q);
+        let alike = |known: &Attempt| {
+            same(&known.q, &attempt.q) || (!decided && same(&[known.distance], &[attempt.distance]))
+        };
+        if !solutions.iter().any(alike) {
             solutions.push(attempt);
         }
         // Nothing can be nearer to guesses than one that meets them; with nothing to find there is nothing to compare.

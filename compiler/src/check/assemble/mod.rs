@@ -12,7 +12,7 @@ mod point;
 mod position;
 mod rates;
 
-pub use point::{Ancestry, Point};
+pub use point::{Ancestry, Point, retract};
 
 use super::messages;
 use crate::diagnostics::Diagnostics;
@@ -171,9 +171,12 @@ fn freedoms(
         let all: Vec<usize> = (0..equations.rows.len()).collect();
         dependent = mobility::rank(point, &all, q).dependent;
     }
-    for row in &dependent {
-        let row = &equations.rows[*row];
-        errors.error(row.span, messages::dependent_row(&row.of, row.what, equations.rows.len()));
+    // One message for each joint, not for each of its rows.
+    let (rows, rank) = (equations.rows.len(), equations.rows.len() - dependent.len());
+    for rows_of_one in dependent.chunk_by(|a, b| equations.rows[*a].of == equations.rows[*b].of) {
+        let first = &equations.rows[rows_of_one[0]];
+        let what: Vec<&str> = rows_of_one.iter().map(|row| equations.rows[*row].what).collect();
+        errors.error(first.span, messages::dependent_rows(&first.of, &what, rows, rank));
     }
     if errors.is_empty() { Some(freedoms) } else { None }
 }

@@ -7,7 +7,6 @@
 use super::point::{Ancestry, Point, retract};
 use crate::equations::{Condition, Equations};
 use crate::solve::table::{Numeric, Table};
-use std::collections::BTreeMap;
 
 /// The problem, set up once for all attempts.
 pub struct Problem<'a> {
@@ -164,14 +163,6 @@ impl<'a> Problem<'a> {
         point.evaluate(&self.ancestry);
         self.equations.rows.iter().position(|row| row.upright.is_some_and(|cosine| point.get(cosine) < 0.0))
     }
-
-    /// Values of the guessed and held coordinates, by name.
-    pub fn coordinates(&self, point: &mut Point, q: &[f64]) -> BTreeMap<String, f64> {
-        point.set_q(q);
-        point.evaluate(&self.ancestry);
-        let all = self.conditions.iter().chain(&self.guesses);
-        all.map(|(condition, _)| (condition.of.clone(), point.get(condition.jet.value))).collect()
-    }
 }
 
 type Entries = Vec<(usize, usize, f64)>;
@@ -203,6 +194,14 @@ impl Problem<'_> {
         let rank = super::mobility::rank(point, &self.rows, q).rank;
         let fixed = super::mobility::independent(point, &held, q).len();
         rank + fixed < n && self.guesses.is_empty()
+    }
+
+    /// Whether constraints, conditions and guesses together decide every coordinate.
+    pub fn is_decided(&self, point: &mut Point, q: &[f64]) -> bool {
+        let n = self.equations.symbols.v.len();
+        let held = self.conditions.iter().chain(&self.guesses);
+        let held: Vec<Condition> = held.map(|(condition, _)| condition.clone()).collect();
+        super::mobility::rank(point, &self.rows, q).rank + super::mobility::independent(point, &held, q).len() >= n
     }
 
     /// Angle of a joint at `q`, in (−π, π].

@@ -1,4 +1,4 @@
-//! A direction that can only be met upside down.
+//! An angle that a joint holds at another value.
 
 linkwright::mechanism! {
     planar Drawer {

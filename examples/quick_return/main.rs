@@ -1,0 +1,52 @@
+//! The main job: the quick return of the source at 15 and 30 rad/s and the Baumgarte experiment, printed and shown.
+//!
+//! ```text
+//! cargo run --release --example quick_return
+//! ```
+//! Writes a report (one HTML file that needs nothing else) and CSV files to `target/quick_return/`.
+
+mod baumgarte;
+mod drawing;
+mod geometry;
+mod page;
+mod plots;
+mod progress;
+mod report;
+mod runs;
+mod tables;
+
+use std::error::Error;
+use std::path::{Path, PathBuf};
+
+/// Nominal crank speeds, rad/s.
+const CRANK_SPEEDS: [f64; 2] = [15.0, 30.0];
+
+fn main() -> Result<(), Box<dyn Error>> {
+    let directory = output_directory()?;
+
+    let runs = CRANK_SPEEDS.into_iter().map(runs::run).collect::<Result<Vec<_>, _>>()?;
+    println!("\n{}", runs::findings(&runs).text());
+
+    let trials = baumgarte::experiment()?;
+    println!("{}", baumgarte::findings(&trials).text());
+
+    let mut files = vec![report::write(&directory, &runs, &trials)?];
+    for run in &runs {
+        files.push(runs::write(&directory, run)?);
+    }
+    files.push(baumgarte::write(&directory, &trials)?);
+    println!("  written:");
+    for file in &files {
+        println!("    {}", file.display());
+    }
+    Ok(())
+}
+
+/// `target/quick_return`, beside the example's own binary if the target directory is elsewhere.
+fn output_directory() -> std::io::Result<PathBuf> {
+    let target = std::env::var_os("CARGO_TARGET_DIR").map(PathBuf::from);
+    let target = target.unwrap_or_else(|| Path::new(env!("CARGO_MANIFEST_DIR")).join("target"));
+    let directory = target.join("quick_return");
+    std::fs::create_dir_all(&directory)?;
+    Ok(directory)
+}

@@ -1,0 +1,183 @@
+//! One mechanism that uses every operation of the language, through all three evaluators and against its closed forms.
+
+use crate::emitted_code::{emitted_code_is_the_program, programs_are_the_graph};
+use crate::registry::{Model, Random, compiled, fields, model, vector};
+use linkwright::Mechanism;
+use linkwright_compiler::schedule::{Function, Instruction};
+use linkwright_compiler::symbolic::{Compare, Unary};
+
+linkwright::mechanism! {
+    /// A rod on a driven cart, so that time, parameters, inputs, positions and velocities are all at hand.
+    planar Everything {
+        param scale [1] = 0.6 in 0.1..0.9;
+        param level [m] = 0.3;
+        param weight [kg] = 2;
+        input push [N];
+        input gain [1];
+        gravity [m/s^2] = (0, -9.81 [m/s^2] * scale);
+        body cart { mass [kg] = weight; inertia [kg*m^2] = 0; }
+        rod arm { mass [kg] = 1; length [m] = 1; }
+        joint rail: prismatic(ground(0, 0) [m], cart.center, axis = (1, 0));
+        joint pivot: revolute(cart.center, arm.start);
+        drive shake: rail.travel = level * sin(3 [rad/s] * time) + 0.01 [m/s^2] * time^2;
+        force wind: force(arm.end, direction = (1, 2)) = if(arm.end.y < level, push, push / 2);
+        torque spin: torque(pivot) = if(scale > 0.5 and not (gain > 0.3), 1 [N*m], -0.2 [N*m*s/rad] * pivot.rate);
+        start { pivot.angle [rad] = 0.5; pivot.rate [rad/s] = 0.2; }
+
+        output negated [m] = -arm.end.x;
+        output sum [m] = arm.end.x + arm.end.y - level;
+        output product [m^2] = arm.end.x * arm.end.y;
+        output ratio [1] = arm.end.x / (3 [m] + arm.end.y);
+        output square [m^2] = arm.end.x^2;
+        output cube [m^-3] = (3 [m] + arm.end.x)^-3;
+        output root [m^3] = ((3 [m] + arm.end.x)^2)^1.5;
+        output general_power [1] = (2 + gain)^1.3;
+        output square_root [1] = sqrt(1.5 + gain);
+        output magnitude [m] = abs(arm.end.x);
+        output direction [1] = sign(arm.end.x);
+        output sine [1] = sin(pivot.angle);
+        output cosine [1] = cos(2 * pivot.angle);
+        output tangent [1] = tan(gain);
+        output arc_sine [rad] = asin(gain);
+        output arc_cosine [rad] = acos(gain);
+        output arc_tangent [rad] = atan2(arm.end.y, arm.end.x);
+        output exponential [1] = exp(gain);
+        output logarithm [1] = ln(2 + gain);
+        output smaller [m] = min(arm.end.x, arm.end.y);
+        output larger [m] = max(arm.end.x, level);
+        output less [1] = if(gain < 0.2, 1, -1);
+        output less_equal [1] = if(gain <= 0.2, 1, -1);
+        output greater [1] = if(gain > 0.2, 1, -1);
+        output greater_equal [1] = if(gain >= 0.2, 1, -1);
+        output equal [1] = if(gain == 0.2, 1, -1);
+        output not_equal [1] = if(gain != 0.2, 1, -1);
+        output both [1] = if(gain > -0.5 and gain < 0.5, 1, -1);
+        output either [1] = if(gain < -0.5 or gain > 0.5, 1, -1);
+        output neither [1] = if(not (gain < -0.5 or gain > 0.5), 1, -1);
+        output of_parameters [1] = if(scale > 0.6, gain, -gain);
+        output of_parameters_too [1] = if(scale > 0.6 and gain > 0, scale, 2*scale);
+        output angle [rad] = pivot.angle;
+        output body_angle [rad] = arm.angle;
+        output rate [rad/s] = pivot.rate;
+        output travel [m] = rail.travel;
+        output speed [m/s] = rail.speed;
+        output velocity [m/s] = arm.end.velocity.x;
+        output far [m] = distance(ground(1, 2) [m], arm.end);
+        output clock [s] = time;
+        output wind_power [W] = power(wind);
+        output shake_power [W] = shake.power;
+        output shake_effort [N] = shake.effort;
+        output moving [J] = kinetic_energy;
+        output stored [J] = potential_energy;
+        output total [J] = energy;
+    }
+}
+model!(Everything);
+
+#[test]
+fn emitted_code_is_its_program() {
+    emitted_code_is_the_program::<Everything>();
+}
+
+#[test]
+fn its_programs_are_the_graph() {
+    programs_are_the_graph::<Everything>();
+}
+
+/// The mechanism does what it was written for: no operation is missing from its programs.
+#[test]
+fn every_operation_occurs() {
+    let compiled = compiled::<Everything>(None);
+    let all = || compiled.programs.functions.iter().flat_map(|(_, program)| &program.instructions);
+    let has = |test: fn(&Instruction) -> bool| all().any(test);
+    for function in Unary::ALL {
+        let found = all().any(|i| matches!(i, Instruction::Unary(known, _) if *known == function));
+        assert!(found, "{function:?}");
+    }
+    for comparison in [Compare::Less, Compare::LessEqual, Compare::Equal] {
+        let found = all().any(|i| matches!(i, Instruction::Compare(known, ..) if *known == comparison));
+        assert!(found, "{comparison:?}");
+    }
+    assert!(has(|i| matches!(i, Instruction::Neg(..))));
+    assert!(has(|i| matches!(i, Instruction::Add(..))));
+    assert!(has(|i| matches!(i, Instruction::Sub(..))));
+    assert!(has(|i| matches!(i, Instruction::Mul(..))));
+    assert!(has(|i| matches!(i, Instruction::MulAdd(..))));
+    assert!(has(|i| matches!(i, Instruction::Div(..))));
+    assert!(has(|i| matches!(i, Instruction::Min(..))));
+    assert!(has(|i| matches!(i, Instruction::Max(..))));
+    assert!(has(|i| matches!(i, Instruction::Atan2(..))));
+    assert!(has(|i| matches!(i, Instruction::And(..))));
+    assert!(has(|i| matches!(i, Instruction::Or(..))));
+    assert!(has(|i| matches!(i, Instruction::Not(..))));
+    assert!(has(|i| matches!(i, Instruction::Select(..))));
+    assert!(!compiled.programs.get(Function::Prepare).outputs.is_empty());
+}
+
+/// The outputs are what they say, computed here from the state.
+#[test]
+fn outputs_have_their_values() {
+    let mut random = Random::new(3);
+    for point in 0..50 {
+        let scale = if point % 2 == 0 { 0.5 } else { 0.8 };
+        let model = Everything::<f64>::prepared(&[scale, 0.3, 2.0]).unwrap();
+        let (x0, speed, theta, omega) = (random.next(), random.next(), 3.0 * random.next(), random.next());
+        let gain = if point % 5 == 0 { 0.2 } else { random.next() };
+        // In tree coordinates: the travel, the arm's orientation.
+        assert_eq!(<Everything as Mechanism<f64>>::POSITION_NAMES, ["rail.travel", "arm.cos", "arm.sin"]);
+        let (q, v) = (vector(&[x0, theta.cos(), theta.sin()]), vector(&[speed, omega]));
+        let at = |q, v| model.outputs(2.5, &q, &v, &fields(&[0.7, gain]));
+        let o: EverythingOutputs = at(q, v);
+        let (x, y) = (x0 + theta.cos(), theta.sin());
+        let choice = |holds: bool| if holds { 1.0 } else { -1.0 };
+        let near = |name: &str, a: f64, b: f64| assert!((a - b).abs() <= 1e-13 * (1.0 + b.abs()), "{name}: {a} {b}");
+        near("negated", o.negated, -x);
+        near("sum", o.sum, x + y - 0.3);
+        near("product", o.product, x * y);
+        near("ratio", o.ratio, x / (3.0 + y));
+        near("square", o.square, x * x);
+        near("cube", o.cube, (3.0 + x).powi(-3));
+        near("root", o.root, (3.0 + x).powi(3));
+        near("general_power", o.general_power, (2.0 + gain).powf(1.3));
+        near("square_root", o.square_root, (1.5 + gain).sqrt());
+        near("magnitude", o.magnitude, x.abs());
+        near("direction", o.direction, x.signum());
+        near("sine", o.sine, theta.sin());
+        near("cosine", o.cosine, (2.0 * theta).cos());
+        near("tangent", o.tangent, gain.tan());
+        near("arc_sine", o.arc_sine, gain.asin());
+        near("arc_cosine", o.arc_cosine, gain.acos());
+        near("arc_tangent", o.arc_tangent, y.atan2(x));
+        near("exponential", o.exponential, gain.exp());
+        near("logarithm", o.logarithm, (2.0 + gain).ln());
+        near("smaller", o.smaller, x.min(y));
+        near("larger", o.larger, x.max(0.3));
+        near("less", o.less, choice(gain < 0.2));
+        near("less_equal", o.less_equal, choice(gain <= 0.2));
+        near("greater", o.greater, choice(gain > 0.2));
+        near("greater_equal", o.greater_equal, choice(gain >= 0.2));
+        near("equal", o.equal, choice(gain == 0.2));
+        near("not_equal", o.not_equal, choice(gain != 0.2));
+        near("both", o.both, choice(gain > -0.5 && gain < 0.5));
+        near("either", o.either, choice(!(-0.5..=0.5).contains(&gain)));
+        near("neither", o.neither, choice((-0.5..=0.5).contains(&gain)));
+        near("of_parameters", o.of_parameters, choice(scale > 0.6) * gain);
+        near("of_parameters_too", o.of_parameters_too, if scale > 0.6 && gain > 0.0 { scale } else { 2.0 * scale });
+        near("angle", o.angle, theta);
+        near("body_angle", o.body_angle, theta);
+        near("rate", o.rate, omega);
+        near("travel", o.travel, x0);
+        near("speed", o.speed, speed);
+        near("velocity", o.velocity, speed - omega * y);
+        near("far", o.far, (x - 1.0).hypot(y - 2.0));
+        near("clock", o.clock, 2.5);
+        let wind = if y < 0.3 { 0.7 } else { 0.35 };
+        let (along, across) = (speed - omega * y, omega * theta.cos());
+        near("wind_power", o.wind_power, wind * (along + 2.0 * across) / 5.0_f64.sqrt());
+        let (vx, vy) = (speed - omega * y / 2.0, omega * theta.cos() / 2.0);
+        let kinetic = speed * speed + 0.5 * (vx * vx + vy * vy) + omega * omega / 24.0;
+        near("moving", o.moving, kinetic);
+        near("stored", o.stored, 9.81 * scale * y / 2.0);
+        near("total", o.total, o.moving + o.stored);
+    }
+}

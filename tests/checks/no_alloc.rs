@@ -1,0 +1,136 @@
+//! Nothing that runs with a model allocates: preparing, evaluating, assembling, kinematics, projecting, simulating,
+//! in double and in single precision. Counted by an allocator that counts for each thread by itself, because tests run
+//! beside each other.
+
+use crate::registry::{Model, for_each};
+use linkwright::{
+    Assemble, AssembleExt, Baumgarte, Fields, Motion, Real, SemiImplicitEuler, Simulation, State, Vector,
+};
+use std::alloc::{GlobalAlloc, Layout, System};
+use std::cell::Cell;
+use std::hint::black_box;
+
+/// The system's allocator, with a count of what this thread asked of it.
+struct Counting;
+
+#[global_allocator]
+static ALLOCATOR: Counting = Counting;
+
+thread_local! {
+    static ALLOCATIONS: Cell<usize> = const { Cell::new(0) };
+}
+
+fn count() {
+    // A thread that is ending has no counter any more, and nothing to prove.
+    let _ = ALLOCATIONS.try_with(|allocations| allocations.set(allocations.get() + 1));
+}
+
+// SAFETY: every call is handed to the system's allocator as it came.
+unsafe impl GlobalAlloc for Counting {
+    unsafe fn alloc(&self, layout: Layout) -> *mut u8 {
+        count();
+        unsafe { System.alloc(layout) }
+    }
+    unsafe fn alloc_zeroed(&self, layout: Layout) -> *mut u8 {
+        count();
+        unsafe { System.alloc_zeroed(layout) }
+    }
+    unsafe fn realloc(&self, block: *mut u8, layout: Layout, size: usize) -> *mut u8 {
+        count();
+        unsafe { System.realloc(block, layout, size) }
+    }
+    unsafe fn dealloc(&self, block: *mut u8, layout: Layout) {
+        unsafe { System.dealloc(block, layout) }
+    }
+}
+
+/// Allocations of this thread while `work` ran.
+fn allocations(work: impl FnOnce()) -> usize {
+    let before = ALLOCATIONS.get();
+    work();
+    ALLOCATIONS.get() - before
+}
+
+/// The control: what does allocate is counted, and a thread does not count what another does.
+#[test]
+fn allocations_are_counted() {
+    assert_eq!(allocations(|| drop(black_box(Box::new(1)))), 1);
+    assert_eq!(allocations(|| drop(black_box(vec![0_u8; 100]))), 1);
+    assert_eq!(allocations(|| black_box(Vec::from([1, 2, 3])).reserve_exact(1000)), 2);
+    assert_eq!(allocations(|| black_box(())), 0);
+    let other = std::thread::spawn(|| allocations(|| drop(black_box(Box::new(1)))));
+    let mine = allocations(|| while !other.is_finished() {});
+    assert_eq!((mine, other.join().expect("the thread only allocates")), (0, 1));
+}
+
+for_each!(nothing_allocates);
+
+fn nothing_allocates<M: Model>() {
+    let parameters = M::standard().parameter_values();
+    let prepared = allocations(|| {
+        black_box(M::prepared(&parameters).is_ok());
+    });
+    assert_eq!(prepared, 0, "{}: prepare", M::NAME);
+    evaluations(&M::standard());
+    evaluations(&M::single());
+    simulations(&M::standard());
+    simulations(&M::single());
+}
+
+fn evaluations<R: Real, M>(model: &M)
+where
+    M: Assemble<R, Inputs: Fields<R>>,
+{
+    let start = State { q: M::start_q(), v: M::start_v() };
+    let State { q, v } = &start;
+    let (t, u) = (R::ZERO, M::Inputs::from_array(Vector::zero()));
+    let (mut mass, mut jacobian) = (M::Mass::zero(), M::Jacobian::zero());
+    let (mut a, mut lambda) = (M::V::zero(), M::Lambda::zero());
+    let evaluated = allocations(|| {
+        model.mass_matrix(t, q, &mut mass);
+        model.constraints(t, q, &mut lambda);
+        model.constraint_jacobian(t, q, &mut jacobian);
+        model.nu(t, q, &mut lambda);
+        model.gamma(t, q, v, &mut lambda);
+        model.forces(t, q, v, &u, &mut a);
+        black_box((model.kinetic_energy(t, q, v), model.potential_energy(t, q)));
+        black_box(model.acceleration(t, q, v, &u, &mut a, &mut lambda));
+        black_box(model.acceleration_baumgarte(t, q, v, &u, R::ONE, R::ONE, &mut a, &mut lambda));
+        let mut outputs = model.outputs(t, q, v, &u);
+        let previous = outputs;
+        M::unwrap(&mut outputs, &previous);
+        black_box(outputs);
+    });
+    assert_eq!(evaluated, 0, "{}: evaluate", M::NAME);
+
+    // Errors, too, are made without allocating, so their outcome does not matter here.
+    let assembled = allocations(|| {
+        black_box(model.assemble(&start).is_ok());
+        black_box(model.project(t, &start).is_ok());
+        let still = Motion { position: R::ZERO, rate: R::ZERO, acceleration: R::ZERO };
+        let given = [still; 64];
+        black_box(model.kinematics(t, q, &given[..M::INDEPENDENT.len().min(64)]).is_ok());
+        black_box(model.kinematics(t, q, &[]).is_ok());
+    });
+    assert_eq!(assembled, 0, "{}: assemble", M::NAME);
+}
+
+fn simulations<R: Real, M>(model: &M)
+where
+    M: Assemble<R, Inputs: Fields<R>>,
+{
+    let start = State { q: M::start_q(), v: M::start_v() };
+    let baumgarte = Baumgarte { alpha: R::from_f64(10.0), beta: R::from_f64(10.0) };
+    let (h, end) = (R::from_f64(1e-4), R::from_f64(5e-4));
+    let simulated = allocations(|| {
+        let none = |_: R, _: &State<M::Q, M::V>| M::Inputs::from_array(Vector::zero());
+        let mut simulation = Simulation::new(model, start).formulation(baumgarte).sampled(none).step(h);
+        black_box(simulation.advance().is_ok());
+        black_box(simulation.run_until(end, |sample| drop(black_box(sample.energy()))).is_ok());
+        black_box((simulation.energy(), simulation.constraint_residual(), simulation.multipliers()));
+        let mut simulation = simulation.integrator(SemiImplicitEuler).held(none);
+        black_box(simulation.advance().is_ok());
+        black_box(simulation.samples(end + end).filter(|sample| sample.is_ok()).count());
+    });
+    assert_eq!(simulated, 0, "{}: simulate", M::NAME);
+}

@@ -1,0 +1,77 @@
+//! The shipped models against closed forms and published runs. Data files are in `tests/data`, each with its source in
+//! its first line; single numbers are cited where they stand.
+
+mod benchmarks;
+mod closed_forms;
+mod four_bars;
+mod gears;
+mod linkages;
+mod quick_return;
+
+use linkwright::{Assemble, Baumgarte, Sample, SimulationError, State};
+
+/// A file of comma-separated numbers: comments, one line of names, rows.
+struct Table {
+    names: Vec<String>,
+    rows: Vec<Vec<f64>>,
+}
+
+impl Table {
+    fn new(text: &str) -> Self {
+        let mut lines = text.lines().filter(|line| !line.starts_with('#') && !line.trim().is_empty());
+        let names = lines.next().expect("a line of names").split(',').map(str::to_string).collect();
+        let number = |field: &str| field.parse().unwrap_or_else(|_| panic!("`{field}` is no number"));
+        let rows: Vec<Vec<f64>> = lines.map(|line| line.split(',').map(number).collect()).collect();
+        assert!(rows.len() > 5, "a table with rows");
+        Table { names, rows }
+    }
+
+    /// The value in a column of a row.
+    fn get(&self, row: usize, name: &str) -> f64 {
+        let column = self.names.iter().position(|known| known == name);
+        self.rows[row][column.unwrap_or_else(|| panic!("no column `{name}`"))]
+    }
+}
+
+/// Both of Baumgarte's coefficients.
+fn baumgarte(coefficient: f64) -> Baumgarte<f64> {
+    Baumgarte { alpha: coefficient, beta: coefficient }
+}
+
+/// Runs a mechanism without inputs from `start` at time zero and shows the sample at every `every`-th step.
+fn run<M: Assemble<f64, Inputs = ()>>(
+    model: &M,
+    start: State<M::Q, M::V>,
+    (coefficient, step): (f64, f64),
+    end: f64,
+    every: usize,
+    mut show: impl FnMut(usize, &Sample<'_, f64, M>),
+) -> Result<State<M::Q, M::V>, SimulationError> {
+    let mut count = 0;
+    let mut simulation =
+        linkwright::Simulation::new(model, start).formulation(baumgarte(coefficient)).step(step);
+    simulation.run_until(end, |sample| {
+        if count % every == 0 {
+            show(count / every, sample);
+        }
+        count += 1;
+    })
+}
+
+/// Keeps the largest of many deviations, to print it and to hold it under a bound.
+#[derive(Default)]
+struct Worst(f64);
+
+impl Worst {
+    fn see(&mut self, found: f64, expected: f64) {
+        let deviation = (found - expected).abs();
+        // A NaN counts as infinitely wrong.
+        self.0 = self.0.max(if deviation.is_nan() { f64::INFINITY } else { deviation });
+    }
+
+    #[track_caller]
+    fn below(&self, bound: f64, what: &str) {
+        println!("{what}: {:.2e} (bound {bound:.0e})", self.0);
+        assert!(self.0 <= bound, "{what}: off by {:.3e}, more than {bound:.0e}", self.0);
+    }
+}

@@ -1,0 +1,318 @@
+//! The committed values of the reference script (`tests/data/casadi`, made by RECORD_CASADI=1), compared without it.
+//!
+//! Every value comes with the magnitude of the terms that formed it; v̇ and λ are judged by the backward error of the
+//! recorded system.
+
+use super::{SETS, casadi, compiled, hash, models};
+use linkwright_compiler::Compiled;
+use linkwright_compiler::schedule::{Function, Inputs, run};
+use linkwright_compiler::solve::table::{Numeric, Table};
+use serde_json::Value;
+use std::path::PathBuf;
+
+const ENTRY: f64 = 1e-12;
+const BACKWARD: f64 = 1e-13;
+
+pub fn folder() -> PathBuf {
+    casadi::scripts().join("../data/casadi")
+}
+
+/// Compares every model in both sets of coordinates.
+pub fn compare_all() {
+    let models = models();
+    for (name, source, definition) in &models {
+        for (coordinates, set) in SETS {
+            let compiled = compiled(source, coordinates);
+            let record = record(name, set);
+            assert_eq!(
+                record.hash,
+                hash(definition),
+                "{name}: the recorded values belong to another definition; record them anew with RECORD_CASADI=1"
+            );
+            let evaluate = |function: Function, inputs: &Inputs| run(compiled.programs.get(function), inputs);
+            if let Some(difference) = record.difference(&compiled, &evaluate) {
+                panic!("{name} in {set} coordinates: {difference}");
+            }
+        }
+    }
+    println!("{} models agree with the committed values", models.len());
+}
+
+/// One recorded file.
+pub struct Record {
+    hash: String,
+    random: Vec<State>,
+    consistent: Vec<State>,
+}
+
+/// A state and what the reference says of it.
+struct State {
+    inputs: Inputs,
+    values: Value,
+}
+
+pub fn record(name: &str, set: &str) -> Record {
+    let path = folder().join(format!("{name}.{set}.json"));
+    let text = std::fs::read_to_string(&path)
+        .unwrap_or_else(|error| panic!("{}: {error}; record it with RECORD_CASADI=1", path.display()));
+    let value: Value = serde_json::from_str(&text).unwrap();
+    let states = |kind: &str| value[kind].as_array().unwrap().iter().map(State::of).collect();
+    Record {
+        hash: value["definition_hash"].as_str().unwrap().to_string(),
+        random: states("random"),
+        consistent: states("consistent"),
+    }
+}
+
+impl State {
+    fn of(values: &Value) -> Self {
+        let list = |name: &str| numbers(&values[name]);
+        let inputs = Inputs {
+            parameters: list("parameters"),
+            phases: list("phases"),
+            time: values["time"].as_f64().unwrap(),
+            q: list("q"),
+            v: list("v"),
+            inputs: list("inputs"),
+            two_alpha: 3.0,
+            beta_squared: 5.0,
+            ..Inputs::default()
+        };
+        State { inputs, values: values.clone() }
+    }
+
+    fn list(&self, name: &str) -> Vec<f64> {
+        numbers(&self.values[name])
+    }
+
+    /// Entries of a recorded matrix: row, column, value.
+    fn matrix(&self, name: &str) -> Vec<(usize, usize, f64)> {
+        let entries = self.values[name].as_array().unwrap();
+        let index = |value: &Value| value.as_u64().unwrap() as usize;
+        entries.iter().map(|e| (index(&e[0]), index(&e[1]), e[2].as_f64().unwrap())).collect()
+    }
+}
+
+fn numbers(value: &Value) -> Vec<f64> {
+    value.as_array().unwrap().iter().map(|x| x.as_f64().unwrap()).collect()
+}
+
+type Evaluate<'a> = dyn Fn(Function, &Inputs) -> Vec<f64> + 'a;
+
+impl Record {
+    /// The consistent states, with v̇ and λ of the plain solution.
+    pub fn consistent_inputs(&self, compiled: &Compiled) -> Vec<Inputs> {
+        let (n, rows) = (compiled.equations.layout.velocities(), compiled.equations.rows.len());
+        let state = |state: &State| {
+            let mut inputs = state.inputs.clone();
+            inputs.prepared = run(compiled.programs.get(Function::Prepare), &inputs);
+            let solution = run(compiled.programs.get(Function::Acceleration), &inputs);
+            inputs.acceleration = solution[..n].to_vec();
+            inputs.lambda = solution[n..n + rows].to_vec();
+            inputs
+        };
+        self.consistent.iter().map(state).collect()
+    }
+
+    /// The first disagreement, if there is one.
+    pub fn difference(&self, compiled: &Compiled, evaluate: &Evaluate) -> Option<String> {
+        let random = self.random.iter().map(|state| (state, false));
+        let consistent = self.consistent.iter().map(|state| (state, true));
+        random.chain(consistent).find_map(|(state, consistent)| {
+            let mut inputs = state.inputs.clone();
+            inputs.prepared = evaluate(Function::Prepare, &inputs);
+            entries(compiled, state, &inputs, consistent, evaluate)
+                .or_else(|| accelerations(compiled, state, &mut inputs, evaluate))
+                .or_else(|| if consistent { what_follows(compiled, state, &inputs, evaluate) } else { None })
+        })
+    }
+}
+
+/// Φ, D, ν, γ, M, Q, energies and powers, entry by entry.
+fn entries(
+    compiled: &Compiled,
+    state: &State,
+    inputs: &Inputs,
+    consistent: bool,
+    evaluate: &Evaluate,
+) -> Option<String> {
+    let vectors = [
+        ("phi", Function::Constraints),
+        ("nu", Function::Nu),
+        ("gamma", Function::Gamma),
+        ("forces", Function::Forces),
+        ("powers", Function::Powers),
+    ];
+    for (name, function) in vectors {
+        if consistent && name == "phi" {
+            continue;
+        }
+        let (expected, scale) = (state.list(name), state.list(&format!("{name}_scale")));
+        let found = evaluate(function, inputs);
+        for (index, ((e, f), scale)) in expected.iter().zip(&found).zip(scale).enumerate() {
+            if !((e - f).abs() <= ENTRY * scale) {
+                return Some(format!("{name}[{index}] is {f:?}, the reference says {e:?}"));
+            }
+        }
+    }
+    for (name, function) in
+        [("kinetic", Function::KineticEnergy), ("potential", Function::PotentialEnergy)]
+    {
+        let pair = state.list(name);
+        let found = evaluate(function, inputs)[0];
+        if !((pair[0] - found).abs() <= ENTRY * pair[1]) {
+            return Some(format!("{name} is {found:?}, the reference says {:?}", pair[0]));
+        }
+    }
+    let equations = &compiled.equations;
+    let jacobian: Vec<(usize, usize)> = equations
+        .rows
+        .iter()
+        .enumerate()
+        .flat_map(|(row, r)| r.jet.columns.keys().map(move |column| (row, *column)))
+        .collect();
+    let mass: Vec<(usize, usize)> = equations.mass.keys().copied().collect();
+    for (name, function, places) in
+        [("jacobian", Function::ConstraintJacobian, jacobian), ("mass", Function::MassMatrix, mass)]
+    {
+        let mut found = std::collections::BTreeMap::new();
+        for (place, value) in places.iter().zip(evaluate(function, inputs)) {
+            found.insert(*place, value);
+        }
+        for entry in state.values[name].as_array().unwrap() {
+            let place = (entry[0].as_u64().unwrap() as usize, entry[1].as_u64().unwrap() as usize);
+            let (expected, scale) = (entry[2].as_f64().unwrap(), entry[3].as_f64().unwrap());
+            let value = found.remove(&place).unwrap_or(0.0);
+            if !((expected - value).abs() <= ENTRY * scale) {
+                return Some(format!("{name}{place:?} is {value:?}, the reference says {expected:?}"));
+            }
+        }
+        if let Some((place, value)) = found.iter().find(|(_, value)| value.abs() > 1e-300) {
+            return Some(format!("{name}{place:?} is {value:?}, the reference has no entry there"));
+        }
+    }
+    None
+}
+
+/// v̇ and λ of both formulations by the backward error of the recorded system; the pivot by another factorisation.
+fn accelerations(
+    compiled: &Compiled,
+    state: &State,
+    inputs: &mut Inputs,
+    evaluate: &Evaluate,
+) -> Option<String> {
+    let (mass, jacobian) = (state.matrix("mass"), state.matrix("jacobian"));
+    let (forces, gamma, nu) = (state.list("forces"), state.list("gamma"), state.list("nu"));
+    let n = forces.len();
+    let mut rate: Vec<f64> = nu.iter().map(|nu| -nu).collect();
+    for (row, column, value) in &jacobian {
+        rate[*row] += value * inputs.v[*column];
+    }
+    // At consistent states Φ is what the walk left of it, as good as zero.
+    let phi = if state.values.get("phi").is_some() { state.list("phi") } else { vec![0.0; nu.len()] };
+    let stabilised: Vec<f64> = gamma
+        .iter()
+        .zip(&rate)
+        .zip(&phi)
+        .map(|((g, r), p)| g - inputs.two_alpha * r - inputs.beta_squared * p)
+        .collect();
+    let solution = evaluate(Function::Acceleration, inputs);
+    for (function, gamma) in
+        [(Function::Acceleration, &gamma), (Function::AccelerationBaumgarte, &stabilised)]
+    {
+        let z = evaluate(function, inputs);
+        let mut residual: Vec<f64> = forces.iter().chain(gamma).copied().collect();
+        let mut weight: Vec<f64> = residual.iter().map(|x| x.abs()).collect();
+        let mut take = |i: usize, j: usize, value: f64| {
+            residual[i] -= value * z[j];
+            weight[i] += (value * z[j]).abs();
+        };
+        for (i, j, value) in &mass {
+            take(*i, *j, *value);
+            if i != j {
+                take(*j, *i, *value);
+            }
+        }
+        for (row, column, value) in &jacobian {
+            take(*column, n + row, *value);
+            take(n + row, *column, *value);
+        }
+        let worst = residual.iter().fold(0.0_f64, |m, x| if x.is_nan() { f64::NAN } else { m.max(x.abs()) });
+        let size = weight.iter().fold(0.0_f64, |m, x| m.max(*x));
+        if !(worst <= BACKWARD * size.max(f64::MIN_POSITIVE) * z.len() as f64) {
+            return Some(format!("{} has backward error {:e}", function.name(), worst / size));
+        }
+    }
+    (inputs.acceleration, inputs.lambda) =
+        (solution[..n].to_vec(), solution[n..n + nu.len()].to_vec());
+    pivot(compiled, inputs, &mass, &jacobian, solution[solution.len() - 1])
+}
+
+/// The watched pivot against the pivots of a plain factorisation in the same order.
+fn pivot(
+    compiled: &Compiled,
+    inputs: &Inputs,
+    mass: &[(usize, usize, f64)],
+    jacobian: &[(usize, usize, f64)],
+    found: f64,
+) -> Option<String> {
+    let n = inputs.v.len();
+    if !compiled.solved.massless.rows.is_empty() || compiled.equations.rows.is_empty() {
+        return None;
+    }
+    let mut entries = mass.to_vec();
+    entries.extend(jacobian.iter().map(|(row, column, value)| (n + row, *column, *value)));
+    let rows = compiled.equations.rows.len();
+    let structure: Vec<(usize, usize)> = compiled
+        .equations
+        .mass
+        .keys()
+        .copied()
+        .chain(compiled.equations.rows.iter().enumerate().flat_map(|(row, r)| {
+            r.jet.columns.keys().map(move |column| (n + row, *column)).collect::<Vec<_>>()
+        }))
+        .collect();
+    let pattern = linkwright_compiler::solve::order::Pattern::new(n, rows, structure);
+    let table = Table::with_order(&pattern, compiled.solved.order.sequence.clone());
+    let pivots = Numeric::factor(&table, entries).relative_pivots;
+    let expected = pivots[n..].iter().fold(1.0_f64, |least, pivot| least.min(*pivot));
+    let same = (expected - found).abs() <= 1e-9 * expected.abs().max(1e-3);
+    (!same).then(|| format!("the smallest relative pivot is {found:?}, another factorisation says {expected:?}"))
+}
+
+/// Bodies, reactions and drivers at consistent states, within what the condition allows.
+fn what_follows(
+    compiled: &Compiled,
+    state: &State,
+    inputs: &Inputs,
+    evaluate: &Evaluate,
+) -> Option<String> {
+    let tolerance = 1e-13 * state.values["condition"].as_f64().unwrap().max(100.0);
+    let flat = |name: &str| -> Vec<f64> {
+        state.values[name].as_array().unwrap().iter().flat_map(numbers).collect()
+    };
+    let close = |name: &str, expected: &[f64], found: &[f64], group: usize, skip: &dyn Fn(usize) -> bool| {
+        let sizes: Vec<f64> = (0..group)
+            .map(|at| expected.iter().skip(at).step_by(group).fold(0.0_f64, |m, x| m.max(x.abs())))
+            .collect();
+        let largest = sizes.iter().fold(0.0_f64, |m, x| m.max(*x));
+        let wrong = expected.iter().zip(found).enumerate().find(|(index, (e, f))| {
+            !skip(*index) && !((**e - **f).abs() <= tolerance * largest.max(1e-12))
+        });
+        wrong.map(|(index, (e, f))| format!("{name}[{index}] is {f:?}, the reference says {e:?}"))
+    };
+    let particle = |index: usize| {
+        let body = &compiled.mechanism.bodies[index / 10];
+        body.kind == linkwright_compiler::model::BodyKind::Particle && matches!(index % 10, 2 | 3 | 6 | 9)
+    };
+    let bodies = evaluate(Function::Motions, inputs);
+    let reactions = evaluate(Function::Reactions, inputs);
+    close("bodies", &flat("bodies"), &bodies, 10, &particle)
+        .or_else(|| close("reactions", &flat("reactions"), &reactions, 3, &|_| false))
+        .or_else(|| {
+            let drivers = evaluate(Function::DriverEfforts, inputs);
+            let mut expected = state.list("driver_efforts");
+            expected.extend(state.list("driver_powers"));
+            close("drivers", &expected, &drivers, 1, &|_| false)
+        })
+}

@@ -1,0 +1,130 @@
+//! Mechanisms that ship with nobody: together they have every kind of body, joint, coupling, load and driver, in the
+//! combinations that shipped models avoid. Every generic check runs on them too.
+
+use crate::registry::model;
+
+linkwright::mechanism! {
+    /// Slots, welds, particles, struts, springs with dampers: a quick return that somebody has hung things on.
+    pub planar Workshop {
+        param rate [N/m] = 40 in 1..100;
+        param loss [N*s/m] = 0.7;
+        param offset [m] = 0.01;
+        input push [N];
+        gravity [m/s^2] = (0.4, -9.81);
+        body crank  { mass [kg] = 0.4; inertia [kg*m^2] = 0.02; center [m] = (0.03, offset);
+                      point pivot [m] = (-0.1, 0.01); point tip [m] = (0.15, 0); }
+        body guide  { mass [kg] = 0.6; inertia [kg*m^2] = 0.03; point pivot [m] = (-0.4, 0); point tip [m] = (0.4, 0.02);
+                      line slot = (guide.pivot, guide.tip); }
+        rod coupler { mass [kg] = 0; inertia [kg*m^2] = 0; length [m] = 0.7; }
+        box slider  { mass [kg] = 2; width [m] = 0.1; height [m] = 0.05; }
+        disk plate  { mass [kg] = 0.3; radius [m] = 0.05; point side [m] = (0.02, -0.03); }
+        particle bead { mass [kg] = 0.25; }
+        disk bob    { mass [kg] = 0.5; radius [cm] = 4; }
+
+        joint crank_pin: revolute(ground(0, 0) [m], crank.pivot);
+        joint guide_pin: revolute(guide.pivot, ground(0, -0.3) [m]);
+        joint block:     point_on_line(guide.slot, crank.tip);
+        joint knee:      revolute(guide.tip, coupler.end);
+        joint wrist:     revolute(coupler.start, slider.center);
+        joint rail:      prismatic(ground(0, 0.5) [m], slider.center, axis = (4, 1), angle = 10 [deg]);
+        joint weld:      fixed(plate.side, slider.origin, angle = -0.3 [rad]);
+        joint ride:      point_on_line(guide.slot, bead.center);
+        joint strut:     distance(plate.center, bob.center, length = 0.35 [m]);
+
+        spring rope:   spring(ground(-0.5, 0.1) [m], bead.center, stiffness = rate, length = 0.3 [m], damping = loss);
+        damper shock:  damper(crank.tip, bob.center, damping = 2 [N*s/m]);
+        torsion_spring hinge: torsion_spring(knee, stiffness = 3 [N*m/rad], angle = 0.2 [rad], damping = 0.1 [N*m*s/rad]);
+        force wind:    force(bob.center) = (push, -0.1 [N*s/m] * bob.center.velocity.y);
+        torque brake:  torque(guide) = -0.05 [N*m*s/rad] * guide.rate;
+
+        start { crank_pin.angle [rad] = 1; crank_pin.rate [rad/s] = 4; guide_pin.angle [rad] ~ -1;
+                coupler.angle [rad] ~ 0; ride.travel [m] = 0.5; ride.speed [m/s] = 0.1;
+                bob.center.x [m] ~ -0.5; bob.center.y [m] ~ 0; }
+        output loss_power [W] = power(shock) + power(brake);
+        output gap [m] = distance(plate.center, bob.center);
+        output ride_travel [m] = ride.travel;
+    }
+}
+
+linkwright::mechanism! {
+    /// A pinion drives a rack and, through a gear, a wheel on a swinging arm; an equation ties a flap to them.
+    pub planar Gears {
+        param radius [m] = 0.05;
+        input drive [N*m];
+        gravity [m/s^2] = (0, -9.81);
+        disk pinion { mass [kg] = 1; radius [m] = 0.05; }
+        body rail   { mass [kg] = 0.8; inertia [kg*m^2] = 0.01; point side [m] = (0, 0.02); }
+        rod arm     { mass [kg] = 0.5; length [m] = 0.12; }
+        disk wheel  { mass [kg] = 0.6; radius [m] = 0.07; }
+        rod flap    { mass [kg] = 0.2; length [m] = 0.3; center [m] = (0.02, 0.01); }
+        joint axle:     revolute(ground(0, 0) [m], pinion.center);
+        joint slide:    prismatic(ground(0, -0.05) [m], rail.side, axis = (2, 0));
+        joint arm_pin:  revolute(ground(0, 0) [m], arm.start);
+        joint wheel_pin: revolute(arm.end, wheel.center);
+        joint flap_pin: revolute(arm.end, flap.start);
+        rack mesh:  rack(axle, slide, radius = radius);
+        gear teeth: gear(wheel_pin, axle, ratio = -5/7);
+        constraint tie: flap_pin.angle - 0.5 * sin(axle.angle) - 0.1 [rad] * cos(2 [rad/s] * time) = 0;
+        torsion_spring coil: torsion_spring(axle, stiffness = 0.3 [N*m/rad]);
+        torque motor: torque(axle) = drive;
+        spring tension: spring(ground(1, 0) [m], rail.side, stiffness = 20 [N/m], length = 0.4 [m]);
+        start { axle.angle [rad] = 0; axle.rate [rad/s] = 30; arm_pin.angle [deg] = -60; arm_pin.rate [rad/s] = 0.5; }
+        output turned [rad] = axle.angle;
+        output wheel_turned [rad] = wheel_pin.angle;
+        output flapped [rad] = flap_pin.angle;
+    }
+}
+
+linkwright::mechanism! {
+    /// Two drivers and a support that shakes: time in the positions, the rows, the loads.
+    pub planar Shaken {
+        param stroke [m] = 0.1;
+        gravity [m/s^2] = (0, -9.81);
+        rod upper { mass [kg] = 1; length [m] = 0.8; }
+        rod lower { mass [kg] = 0.7; length [m] = 0.6; center [m] = (0.05, 0.02); }
+        body sled { mass [kg] = 0.4; inertia [kg*m^2] = 0.01; }
+        joint shoulder: revolute(ground(stroke * sin(3 [rad/s] * time), 0.05 [m] * cos(2 [rad/s] * time)), upper.start);
+        joint elbow:    revolute(upper.end, lower.start);
+        joint track:    prismatic(lower.start, sled.center, axis = (1, 0.2), angle = 0.4 [rad]);
+        drive swing: shoulder.angle = 0.3 [rad] * sin(4 [rad/s] * time) - 1 [rad];
+        drive shuttle: track.travel = 0.2 [m] + 0.05 [m/s] * time;
+        start { elbow.angle [rad] = 0.3; elbow.rate [rad/s] = -1; }
+        expect { degrees_of_freedom = 1; }
+        output torque [N*m] = swing.effort;
+        output driving [W] = swing.power + shuttle.power;
+    }
+}
+
+linkwright::mechanism! {
+    /// Two bodies and a hinge that float; a torque between them.
+    pub planar Floating {
+        input drive [N*m];
+        body hub { mass [kg] = 3; inertia [kg*m^2] = 0.2; point hinge [m] = (0.3, 0.1); }
+        rod arm  { mass [kg] = 1; length [m] = 1.2; center [m] = (0.1, 0); }
+        joint hinge: revolute(hub.hinge, arm.start);
+        torsion_spring coil: torsion_spring(hinge, stiffness = 2 [N*m/rad], damping = 0.1 [N*m*s/rad]);
+        torque motor: torque(hinge) = drive;
+        start { hub.center.x [m] = 0.2; hub.center.y [m] = -0.1; hub.angle [rad] = 0.4; hinge.angle [rad] = 1;
+                hub.center.velocity.x [m/s] = 0.3; hub.center.velocity.y [m/s] = -0.2; hub.rate [rad/s] = 1; hinge.rate [rad/s] = -3; }
+        expect { degrees_of_freedom = 4; }
+    }
+}
+
+/// As [`linkwright_models::for_each_model`], for the mechanisms here.
+macro_rules! for_each_in_zoo {
+    ($callback:ident) => {
+        $callback! {
+            everything: crate::every_operation::Everything,
+            workshop: crate::zoo::Workshop,
+            gears: crate::zoo::Gears,
+            shaken: crate::zoo::Shaken,
+            floating: crate::zoo::Floating,
+        }
+    };
+}
+pub(crate) use for_each_in_zoo;
+
+macro_rules! implement {
+    ($($name:ident: $first:tt $(:: $segment:ident)*),* $(,)?) => { model!($($first $(:: $segment)*),*); };
+}
+for_each_in_zoo!(implement);
