@@ -51,11 +51,12 @@ fn main() -> ExitCode {
         for (coordinates, asked) in COORDINATES {
             eprintln!("{model}, {coordinates} coordinates");
             match functions(source, asked) {
-                Ok(functions) => rows.extend(
-                    functions
-                        .into_iter()
-                        .map(|(function, counts)| Row { model, coordinates, function, counts }),
-                ),
+                Ok(functions) => rows.extend(functions.into_iter().map(|(function, counts)| Row {
+                    model,
+                    coordinates,
+                    function,
+                    counts,
+                })),
                 Err(message) => {
                     eprintln!("{model}: {message}");
                     return ExitCode::FAILURE;
@@ -76,7 +77,8 @@ fn main() -> ExitCode {
 /// Compiles a definition in one coordinate set and counts its functions.
 fn functions(source: &str, coordinates: Coordinates) -> Result<Vec<(&'static str, Counts)>, String> {
     let tokens = source.parse().map_err(|error| format!("{error}"))?;
-    let compiled = linkwright_compiler::compile(tokens, Some(coordinates)).map_err(|errors| errors.to_string())?;
+    let compiled =
+        linkwright_compiler::compile(tokens, Some(coordinates)).map_err(|errors| errors.to_string())?;
     Ok(Function::ALL.map(|function| (function.name(), count(compiled.programs.get(function)))).into())
 }
 

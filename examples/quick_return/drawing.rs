@@ -5,6 +5,7 @@
 
 use crate::geometry::{Body, Geometry, Kind, Outline, Place};
 use crate::plots::COLOURS;
+use crate::shapes::{LINK, link, pin_support, rectangle};
 use crate::tables::escape;
 use linkwright::BodyMotion;
 use std::fmt::Write;
@@ -73,7 +74,6 @@ struct View {
 const WIDTH: f64 = 1000.0;
 const TALLEST: f64 = 640.0;
 const MARGIN: f64 = 46.0;
-const LINK: f64 = 15.0;
 
 impl View {
     fn of(drawing: &Drawing) -> View {
@@ -168,7 +168,7 @@ impl Drawing<'_> {
         });
         let (least, most) = travel.fold((0f64, 0f64), |(a, b), s| (a.min(s), b.max(s)));
         let end = |s: f64| view.at([origin[0] + s * axis[0], origin[1] + s * axis[1]]);
-        let beyond = 0.5 * MARGIN / view.scale;
+        let beyond = 0.9 * MARGIN / view.scale;
         let ([ax, ay], [bx, by]) = (end(least - beyond), end(most + beyond));
         let length = (bx - ax).hypot(by - ay);
         let angle = (by - ay).atan2(bx - ax).to_degrees();
@@ -232,7 +232,10 @@ impl Drawing<'_> {
                 rectangle(svg, [-34.0, -14.0, 68.0, 28.0], &colour, angle);
             }
             [_] => {}
-            points => link(svg, view, points, &colour),
+            points => {
+                let corners: Vec<[f64; 2]> = points.iter().map(|point| view.local(*point)).collect();
+                link(svg, &corners, &colour);
+            }
         }
         for [from, to] in &body.lines {
             let ([ax, ay], [bx, by]) = (view.local(*from), view.local(*to));
@@ -273,8 +276,10 @@ impl Drawing<'_> {
                     self.mark(svg, view, joint.second, turned, &block);
                 }
                 Kind::Revolute => {
-                    let place = if joint.second.body.is_some() { joint.second } else { joint.first };
-                    self.mark(svg, view, place, None, "<circle class=\"pin\" r=\"5.5\"/>");
+                    // Both places: they are seen apart where a loop is not closed.
+                    for place in [joint.first, joint.second] {
+                        self.mark(svg, view, place, None, "<circle class=\"pin\" r=\"5.5\"/>");
+                    }
                 }
                 Kind::Distance => {
                     for place in [joint.first, joint.second] {
@@ -362,64 +367,6 @@ fn drawn_points(geometry: &Geometry, index: usize) -> Vec<[f64; 2]> {
     points
 }
 
-/// A link: a bar between two points, a plate through more.
-fn link(svg: &mut String, view: &View, points: &[[f64; 2]], colour: &str) {
-    let corners: Vec<String> = convex_hull(points)
-        .into_iter()
-        .map(|point| view.local(point))
-        .map(|[x, y]| format!("{x:.1},{y:.1}"))
-        .collect();
-    let _ = writeln!(
-        svg,
-        "<polygon points=\"{}\" fill=\"{colour}\" fill-opacity=\".3\" stroke=\"{colour}\" stroke-width=\"{LINK}\" \
-         stroke-linejoin=\"round\"/>",
-        corners.join(" ")
-    );
-}
-
-/// The corners of the convex hull in order (Andrew's monotone chain); both ends for points in line.
-fn convex_hull(points: &[[f64; 2]]) -> Vec<[f64; 2]> {
-    let mut sorted = points.to_vec();
-    sorted.sort_by(|a, b| a[0].total_cmp(&b[0]).then(a[1].total_cmp(&b[1])));
-    let chain = |points: &mut dyn Iterator<Item = [f64; 2]>| {
-        let mut chain: Vec<[f64; 2]> = Vec::new();
-        for point in points {
-            while let [.., a, b] = chain[..]
-                && (b[0] - a[0]) * (point[1] - a[1]) - (b[1] - a[1]) * (point[0] - a[0]) <= 1e-12
-            {
-                chain.pop();
-            }
-            chain.push(point);
-        }
-        chain.pop();
-        chain
-    };
-    let mut hull = chain(&mut sorted.iter().copied());
-    hull.extend(chain(&mut sorted.iter().rev().copied()));
-    hull
-}
-
-fn rectangle(svg: &mut String, [x, y, width, height]: [f64; 4], colour: &str, angle: f64) {
-    let _ = writeln!(
-        svg,
-        "<rect x=\"{x:.1}\" y=\"{y:.1}\" width=\"{width:.1}\" height=\"{height:.1}\" rx=\"4\" fill=\"{colour}\" \
-         fill-opacity=\".3\" stroke=\"{colour}\" stroke-width=\"3\" transform=\"rotate({angle:.2})\"/>"
-    );
-}
-
-/// A pin on the ground: a triangle on a hatched line.
-fn pin_support(svg: &mut String, [x, y]: [f64; 2]) {
-    let _ = writeln!(
-        svg,
-        "<g transform=\"translate({x:.1} {y:.1})\"><path class=\"ground\" d=\"M0 0L-13 21H13ZM-21 21H21\"/>"
-    );
-    for k in 0..5 {
-        let x = -15 + 9 * k;
-        let _ = writeln!(svg, "<line class=\"hatch\" x1=\"{x}\" y1=\"21\" x2=\"{}\" y2=\"29\"/>", x - 8);
-    }
-    svg.push_str("</g>\n");
-}
-
 fn speed_choice(speed: f64) -> String {
     let label = if speed >= 1.0 { format!("{speed} ×") } else { format!("1/{:.0}", 1.0 / speed) };
     format!("<option value=\"{speed}\">{label}</option>")
@@ -433,12 +380,6 @@ fn colour(body: usize) -> String {
 mod tests {
     use super::*;
     use linkwright_models::four_bar::FourBar;
-
-    #[test]
-    fn the_hull_of_points_in_line_has_two_corners() {
-        assert_eq!(convex_hull(&[[0.0, 0.0], [1.0, 0.0], [2.0, 0.0]]).len(), 2);
-        assert_eq!(convex_hull(&[[0.0, 0.0], [1.0, 0.2], [2.0, 0.0], [1.0, 2.0]]).len(), 3);
-    }
 
     #[test]
     fn a_drawing_shows_every_body_and_joint() {
@@ -456,6 +397,6 @@ mod tests {
         };
         let figure = drawing.figure();
         assert_eq!(figure.matches("data-body=").count(), FourBar::BODIES.len());
-        assert_eq!(figure.matches("data-mark=").count(), FourBar::JOINTS.len());
+        assert_eq!(figure.matches("data-mark=").count(), 2 * FourBar::JOINTS.len());
     }
 }

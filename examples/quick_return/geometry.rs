@@ -282,4 +282,16 @@ mod tests {
         let half = r#"{"op":"/","args":[{"name":"guide"},{"number":"2"}]}"#;
         assert_eq!(value(half, "mm"), Some(0.2));
     }
+    #[test]
+    fn every_shipped_model_can_be_read() {
+        macro_rules! check {
+            ($($name:ident: $model:path),* $(,)?) => {$({
+                use $model as Model;
+                let geometry = Geometry::of(Model::DEFINITION).expect(stringify!($name));
+                assert_eq!(geometry.bodies.len(), Model::BODIES.len(), stringify!($name));
+                assert_eq!(geometry.joints.len(), Model::JOINTS.len(), stringify!($name));
+            })*};
+        }
+        linkwright_models::for_each_model!(check);
+    }
 }

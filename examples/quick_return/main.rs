@@ -13,6 +13,7 @@ mod plots;
 mod progress;
 mod report;
 mod runs;
+mod shapes;
 mod tables;
 
 use std::error::Error;
@@ -36,13 +37,14 @@ fn main() -> Result<(), Box<dyn Error>> {
     }
     files.push(baumgarte::write(&directory, &trials)?);
     println!("  written:");
+    let here = std::env::current_dir()?;
     for file in &files {
-        println!("    {}", file.display());
+        println!("    {}", file.strip_prefix(&here).unwrap_or(file).display());
     }
     Ok(())
 }
 
-/// `target/quick_return`, beside the example's own binary if the target directory is elsewhere.
+/// `quick_return` in the target directory, which need not be this package's own.
 fn output_directory() -> std::io::Result<PathBuf> {
     let target = std::env::var_os("CARGO_TARGET_DIR").map(PathBuf::from);
     let target = target.unwrap_or_else(|| Path::new(env!("CARGO_MANIFEST_DIR")).join("target"));

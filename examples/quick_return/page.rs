@@ -50,12 +50,14 @@ impl Page {
         let _ = writeln!(self.body, "<div class=\"plots\">{}</div>", figures.concat());
     }
 
-    /// Any other element, with the script that it needs once in the page.
-    pub fn element(&mut self, html: &str, script: Option<&'static str>) {
+    /// Any other element.
+    pub fn element(&mut self, html: &str) {
         let _ = writeln!(self.body, "{html}");
-        if let Some(script) = script
-            && !self.scripts.contains(&script)
-        {
+    }
+
+    /// A script that elements of the page need; it stands there once, however often it is asked for.
+    pub fn script(&mut self, script: &'static str) {
+        if !self.scripts.contains(&script) {
             self.scripts.push(script);
         }
     }

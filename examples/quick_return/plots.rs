@@ -19,13 +19,10 @@ pub struct Plot {
 }
 
 /// What an axis shows, and how.
-#[derive(Clone)]
 pub struct Axis {
     /// With its unit.
     pub label: &'static str,
     pub logarithmic: bool,
-    /// Taken from the curves if not given.
-    pub range: Option<Range<f64>>,
 }
 
 /// One curve and the number of its colour in the page's palette.
@@ -39,25 +36,22 @@ pub struct Curve {
 impl Axis {
     /// A linear axis that spans the curves.
     pub fn linear(label: &'static str) -> Axis {
-        Axis { label, logarithmic: false, range: None }
+        Axis { label, logarithmic: false }
     }
 
     /// A logarithmic axis that spans the curves.
     pub fn logarithmic(label: &'static str) -> Axis {
-        Axis { label, logarithmic: true, range: None }
-    }
-
-    /// The same axis with fixed ends.
-    pub fn between(self, range: Range<f64>) -> Axis {
-        Axis { range: Some(range), ..self }
+        Axis { label, logarithmic: true }
     }
 }
 
 /// Colours in the palette of the page.
 pub const COLOURS: usize = 6;
 
-const WIDTH: u32 = 760;
-const HEIGHT: u32 = 380;
+/// Picture units in one unit of the page: the backend rounds to whole units, so these are fine ones.
+const FINE: u32 = 8;
+const WIDTH: u32 = 580 * FINE;
+const HEIGHT: u32 = 320 * FINE;
 /// Roles, in the order of the CSS variables they become.
 const INK: RGBColor = RGBColor(1, 2, 3);
 const GRID: RGBColor = RGBColor(1, 2, 4);
@@ -102,21 +96,23 @@ impl Plot {
         Y::CoordDescType: ValueFormatter<f64>,
     {
         let mut chart = ChartBuilder::on(root)
-            .margin(8)
-            .margin_right(18)
-            .x_label_area_size(46)
-            .y_label_area_size(78)
+            .margin(4 * FINE)
+            .margin_top(12 * FINE)
+            .margin_right(14 * FINE)
+            .x_label_area_size(46 * FINE)
+            .y_label_area_size(86 * FINE)
             .build_cartesian_2d(x, y)?;
-        let label = ("sans-serif", 15).into_font().color(&INK);
+        let label = ("sans-serif", 20 * FINE).into_font().color(&INK);
         let exponents = self.y.logarithmic;
         chart
             .configure_mesh()
             .x_labels(9)
             .y_labels(8)
             .max_light_lines(0)
-            .bold_line_style(GRID)
+            .set_all_tick_mark_size(4 * FINE)
+            .bold_line_style(ShapeStyle::from(GRID).stroke_width(FINE))
             .light_line_style(TRANSPARENT)
-            .axis_style(FAINT)
+            .axis_style(ShapeStyle::from(FAINT).stroke_width(FINE))
             .x_desc(self.x.label)
             .y_desc(self.y.label)
             .label_style(label.clone())
@@ -125,12 +121,12 @@ impl Plot {
             .y_label_formatter(&|value| if exponents { power_of_ten(*value) } else { tick(*value) })
             .draw()?;
         for curve in &self.curves {
-            let style = ShapeStyle::from(colour(curve.colour)).stroke_width(2);
+            let style = ShapeStyle::from(colour(curve.colour)).stroke_width(2 * FINE);
             // A logarithm has no place for zero: the curve is interrupted there.
             let drawn = |point: &&(f64, f64)| !self.y.logarithmic || point.1 > 0.0;
             let points = curve.points.iter().filter(drawn).copied();
             if curve.dashed {
-                chart.draw_series(DashedLineSeries::new(points, 6, 5, style))?;
+                chart.draw_series(DashedLineSeries::new(points, 6 * FINE, 4 * FINE, style))?;
             } else {
                 chart.draw_series(LineSeries::new(points, style))?;
             }
@@ -138,11 +134,8 @@ impl Plot {
         Ok(())
     }
 
-    /// The range of an axis: as given, or such that all curves fit.
+    /// The range of an axis on which all curves fit.
     fn range(&self, axis: &Axis, of: impl Fn(&(f64, f64)) -> f64) -> Range<f64> {
-        if let Some(range) = &axis.range {
-            return range.clone();
-        }
         let values = self.curves.iter().flat_map(|curve| &curve.points).map(of);
         let values = values.filter(|value| value.is_finite() && (!axis.logarithmic || *value > 0.0));
         let (least, most) =

@@ -7,9 +7,7 @@ use crate::drawing::Frame;
 use crate::progress::Progress;
 use crate::tables::{Table, write_csv};
 use linkwright::{Baumgarte, BodyMotion, Kinematics, Reaction, Sampled, Simulation, State};
-use linkwright_models::quick_return::{
-    ConstantSpeed, QuickReturn, QuickReturnInputs, START_ANGLE, slider_force,
-};
+use linkwright_models::quick_return::{ConstantSpeed, QuickReturn, QuickReturnInputs, slider_force};
 use std::error::Error;
 use std::f64::consts::TAU;
 use std::io;
@@ -102,11 +100,6 @@ impl Run {
         let largest = |of: &dyn Fn(&Point) -> f64| self.points.iter().map(of).fold(0.0, f64::max);
         largest(&|point| point.imbalance(start).abs()) / largest(&|point| point.kinetic)
     }
-
-    /// Largest force in a joint, N.
-    pub fn largest_reaction(&self, joint: usize) -> f64 {
-        self.points.iter().map(|point| point.reactions[joint]).fold(0.0, f64::max)
-    }
 }
 
 /// Two strokes, 4π/ω, at the nominal crank speed ω (rad/s).
@@ -136,13 +129,13 @@ pub fn run(crank_speed: f64) -> Result<Run, Box<dyn Error>> {
         let State { q, v } = &sample.state;
         let powers = model.powers(sample.time, q, v, &sample.inputs);
         let outputs = sample.outputs;
-        recorder.step(&powers, [outputs.rate, outputs.stroke, sample.inputs.drive]);
+        let without_inertia = law.torque_without_inertia(sample.time)?;
+        recorder.step(&powers, [outputs.rate, outputs.stroke, sample.inputs.drive, without_inertia]);
         recorder.residual = recorder.residual.max(sample.constraint_residual().position);
         if count % STEPS == 0 {
             let (a, lambda) = (simulation.acceleration(), simulation.multipliers());
             let motions = model.motions(sample.time, q, v, &a);
             let reactions = model.reactions(sample.time, q, v, &sample.inputs, &a, &lambda);
-            let without_inertia = law.torque_without_inertia(sample.time)?;
             let [motor, cut] = [sample.inputs.drive, sample.inputs.cutting];
             recorder.point(
                 sample.time,
@@ -161,8 +154,8 @@ pub fn run(crank_speed: f64) -> Result<Run, Box<dyn Error>> {
 struct Recorder {
     crank_speed: f64,
     step: f64,
-    /// Crank speed, slider position and torque at each step.
-    history: Vec<[f64; 3]>,
+    /// Crank speed, slider position, torques (26) and (25) at each step.
+    history: Vec<[f64; 4]>,
     /// Powers of the last three steps, W.
     powers: [[f64; 2]; 3],
     work: [f64; 2],
@@ -185,7 +178,7 @@ impl Recorder {
         }
     }
 
-    fn step(&mut self, powers: &[f64; 2], history: [f64; 3]) {
+    fn step(&mut self, powers: &[f64; 2], history: [f64; 4]) {
         self.powers = [self.powers[1], self.powers[2], *powers];
         let count = self.history.len();
         self.history.push(history);
@@ -231,7 +224,7 @@ impl Recorder {
         let negative = |values: &[f64]| values.iter().map(|value| -value).collect::<Vec<_>>();
         let (right, left) = (peak(&slider), peak(&negative(&slider)));
         let (most, least) = (peak(&torque), peak(&negative(&torque)));
-        let deviation = |row: &[f64; 3]| (row[0] / self.crank_speed - 1.0).abs();
+        let deviation = |row: &[f64; 4]| (row[0] / self.crank_speed - 1.0).abs();
         // The right end is at the start of each stroke.
         let period = (first_stroke - 1) as f64;
         let forward = (left.1 - right.1).rem_euclid(period) / period * 360.0;
@@ -242,11 +235,7 @@ impl Recorder {
             stroke: right.0 + left.0,
             forward,
             torque: [(most.0, most.1 * self.step), (-least.0, least.1 * self.step)],
-            torque_without_inertia: self
-                .points
-                .iter()
-                .map(|point| point.torque_without_inertia)
-                .fold(f64::NEG_INFINITY, f64::max),
+            torque_without_inertia: peak(&column(3).collect::<Vec<_>>()).0,
             residual: self.residual,
             points: self.points,
             frames: self.frames,
@@ -290,10 +279,10 @@ pub fn findings(runs: &[Run]) -> Table {
     });
     for (index, which) in ["largest", "smallest"].into_iter().enumerate() {
         let (value, time) = expected::TORQUE[index];
-        line(&format!("torque (26): {which} (N m)"), &at_15(format!("{value:.4}")), &|run| {
-            format!("{:.4}", run.torque[index].0)
+        line(&format!("torque (26): {which} (N m)"), &at_15(format!("{value:.3}")), &|run| {
+            format!("{:.3}", run.torque[index].0)
         });
-        line("    at time (s)", &at_15(format!("{time:.6}")), &|run| format!("{:.6}", run.torque[index].1));
+        line("… at time (s)", &at_15(format!("{time:.6}")), &|run| format!("{:.6}", run.torque[index].1));
     }
     let published = at_15(format!("{:.4}", expected::TORQUE_WITHOUT_INERTIA));
     line("torque (25): largest (N m)", &published, &|run| format!("{:.4}", run.torque_without_inertia));
@@ -336,11 +325,6 @@ pub fn write(directory: &Path, run: &Run) -> io::Result<PathBuf> {
         row
     });
     write_csv(&path, &header, rows)
-}
-
-/// Crank angle at the start, degrees.
-pub fn start_angle() -> f64 {
-    START_ANGLE.to_degrees()
 }
 
 #[cfg(test)]

@@ -1,10 +1,9 @@
 //! Change-point (folding) four-bar: all four links can lie in one line.
 //!
-//! Source: digest of the conference volume on flexible quick-return mechanisms, section on folding four-bars; the
-//! lengths are ours. Data: ground 4, crank 1, coupler 2, rocker 3 m, the limit l + s = p + q of Grashof's rule (4 + 1 =
-//! 2 + 3); uniform rods of 1 kg/m, g = 9.81 m/s². It starts at a crank angle of 90°, away from the change point at 180°,
-//! where D loses rank and the motion is undetermined for an instant. Expected: a start at 180° is refused; a motion that
-//! passes 180° quickly keeps its energy.
+//! Source: folding four-bars of any textbook of mechanisms; the lengths are ours. Data: ground 4, crank 1, coupler 2,
+//! rocker 3 m, the limit l + s = p + q of Grashof's rule (4 + 1 = 2 + 3); uniform rods of 1 kg/m, g = 9.81 m/s². It
+//! starts at a crank angle of 90°, away from the change point at 180°, where D loses rank and the motion is undetermined
+//! for an instant. Expected: a start at 180° is refused; a motion that passes 180° quickly keeps its energy.
 
 linkwright::mechanism! {
     /// Four-bar at the limit of Grashof's rule: 4 + 1 = 2 + 3 m.

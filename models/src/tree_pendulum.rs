@@ -1,8 +1,8 @@
 //! Pendulum of five links that branches, with a torsion spring: a mechanism without loops.
 //!
 //! Source: data of our own. Data: a trunk, two arms on it and one link on each arm, uniform rods of distinct lengths and
-//! masses; a torsion spring with a little damping left out, so that energy is kept, between trunk and left arm. Expected:
-//! five degrees of freedom, no constraint rows in tree coordinates, constant energy, the same motion in absolute ones.
+//! masses; an undamped torsion spring between trunk and left arm. Expected: five
+//! degrees of freedom, no constraint rows in tree coordinates, constant energy, the same motion in absolute ones.
 
 linkwright::mechanism! {
     /// Branching pendulum of five links with a torsion spring at one joint.

@@ -19,7 +19,7 @@ const POINTS: usize = 20;
 for_each!(emitted_code_is_the_program);
 for_each!(programs_are_the_graph);
 
-pub fn emitted_code_is_the_program<M: Model>() {
+fn emitted_code_is_the_program<M: Model>() {
     let compiled = compiled::<M>(None);
     let mut random = Random::new(1);
     for point in 0..POINTS {
@@ -111,7 +111,7 @@ fn written<V: Vector<f64>>(write: impl FnOnce(&mut V)) -> Vec<f64> {
     out.as_slice().to_vec()
 }
 
-pub fn programs_are_the_graph<M: Model>() {
+fn programs_are_the_graph<M: Model>() {
     for coordinates in [Coordinates::Absolute, Coordinates::Tree] {
         let compiled = compiled::<M>(Some(coordinates));
         let mut random = Random::new(2);

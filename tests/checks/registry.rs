@@ -1,7 +1,7 @@
 //! Every mechanism as generic checks see it: [`Model`], implemented for all shipped models, and random data for them.
 //!
-//! A check is a function `fn check<M: Model>()`; [`for_each`] makes a test of it for each shipped model, so that a new
-//! model is checked by being listed in `models/src/lib.rs`. Mechanisms of a test's own join by [`model!`].
+//! A check is a function `fn check<M: Model>()`; [`for_each`] makes a test of it for each shipped model and for the
+//! mechanisms of `zoo.rs`, so that a new model is checked by being listed in `models/src/lib.rs`.
 
 use linkwright::{Assemble, Fields, Layout, SettingError, Vector};
 use linkwright_compiler::model::Coordinates;
@@ -92,7 +92,7 @@ macro_rules! implement {
 }
 linkwright_models::for_each_model!(implement);
 
-/// A test of the function `check::<M>` for each shipped model `M`, in a module of that function's name.
+/// A test of the function `check::<M>` for each model `M`, shipped or of the zoo, in a module of that function's name.
 macro_rules! for_each {
     ($check:ident) => {
         $crate::registry::for_each! { @ ($) $check }
@@ -111,6 +111,7 @@ macro_rules! for_each {
                 };
             }
             linkwright_models::for_each_model!(tests);
+            $crate::zoo::for_each_in_zoo!(tests);
         }
     };
 }

@@ -56,15 +56,15 @@ linkwright::mechanism! {
         body rail   { mass [kg] = 0.8; inertia [kg*m^2] = 0.01; point side [m] = (0, 0.02); }
         rod arm     { mass [kg] = 0.5; length [m] = 0.12; }
         disk wheel  { mass [kg] = 0.6; radius [m] = 0.07; }
-        rod flap    { mass [kg] = 0.2; length [m] = 0.3; center [m] = (0.02, 0.01); }
+        body flap   { mass [kg] = 0.2; inertia [kg*m^2] = 0.002; center [m] = (0.02, 0.01); }
         joint axle:     revolute(ground(0, 0) [m], pinion.center);
         joint slide:    prismatic(ground(0, -0.05) [m], rail.side, axis = (2, 0));
         joint arm_pin:  revolute(ground(0, 0) [m], arm.start);
         joint wheel_pin: revolute(arm.end, wheel.center);
-        joint flap_pin: revolute(arm.end, flap.start);
+        joint flap_pin: revolute(arm.end, flap.origin);
         rack mesh:  rack(axle, slide, radius = radius);
         gear teeth: gear(wheel_pin, axle, ratio = -5/7);
-        constraint tie: flap_pin.angle - 0.5 * sin(axle.angle) - 0.1 [rad] * cos(2 [rad/s] * time) = 0;
+        constraint tie: flap_pin.angle - 0.5 [rad] * sin(axle.angle) - 0.1 [rad] * cos(2 [rad/s] * time) = 0;
         torsion_spring coil: torsion_spring(axle, stiffness = 0.3 [N*m/rad]);
         torque motor: torque(axle) = drive;
         spring tension: spring(ground(1, 0) [m], rail.side, stiffness = 20 [N/m], length = 0.4 [m]);
@@ -81,15 +81,15 @@ linkwright::mechanism! {
         param stroke [m] = 0.1;
         gravity [m/s^2] = (0, -9.81);
         rod upper { mass [kg] = 1; length [m] = 0.8; }
-        rod lower { mass [kg] = 0.7; length [m] = 0.6; center [m] = (0.05, 0.02); }
+        body lower { mass [kg] = 0.7; inertia [kg*m^2] = 0.02; center [m] = (0.25, 0.02); }
         body sled { mass [kg] = 0.4; inertia [kg*m^2] = 0.01; }
         joint shoulder: revolute(ground(stroke * sin(3 [rad/s] * time), 0.05 [m] * cos(2 [rad/s] * time)), upper.start);
-        joint elbow:    revolute(upper.end, lower.start);
-        joint track:    prismatic(lower.start, sled.center, axis = (1, 0.2), angle = 0.4 [rad]);
+        joint elbow:    revolute(upper.end, lower.origin);
+        joint track:    prismatic(lower.origin, sled.center, axis = (1, 0.2), angle = 0.4 [rad]);
         drive swing: shoulder.angle = 0.3 [rad] * sin(4 [rad/s] * time) - 1 [rad];
         drive shuttle: track.travel = 0.2 [m] + 0.05 [m/s] * time;
         start { elbow.angle [rad] = 0.3; elbow.rate [rad/s] = -1; }
-        expect { degrees_of_freedom = 1; }
+        expect { degrees_of_freedom = 3; }
         output torque [N*m] = swing.effort;
         output driving [W] = swing.power + shuttle.power;
     }
@@ -100,7 +100,7 @@ linkwright::mechanism! {
     pub planar Floating {
         input drive [N*m];
         body hub { mass [kg] = 3; inertia [kg*m^2] = 0.2; point hinge [m] = (0.3, 0.1); }
-        rod arm  { mass [kg] = 1; length [m] = 1.2; center [m] = (0.1, 0); }
+        rod arm  { mass [kg] = 1; length [m] = 1.2; }
         joint hinge: revolute(hub.hinge, arm.start);
         torsion_spring coil: torsion_spring(hinge, stiffness = 2 [N*m/rad], damping = 0.1 [N*m*s/rad]);
         torque motor: torque(hinge) = drive;

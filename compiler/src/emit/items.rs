@@ -88,7 +88,8 @@ fn constants(text: &mut String, emitter: &Emitter, source: &str) {
     let numbers = |values: &[f64]| array(values.iter().map(|value| literal(*value)));
     let string = "&'static ::core::primitive::str";
     let operations = count(compiled.programs.get(Function::AccelerationBaumgarte)).total();
-    let _ = writeln!(text, "impl {name}<{F64}> {{");
+    // A number of the start may happen to be near π, or have more digits than one writes by hand.
+    let _ = writeln!(text, "#[allow(clippy::all)] impl {name}<{F64}> {{");
     let mut constant = |doc: &str, declaration: &str, value: &str| {
         let _ = writeln!(text, "#[doc = {}] pub const {declaration} = {value};", quoted(doc));
     };

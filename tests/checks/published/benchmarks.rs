@@ -38,7 +38,8 @@ fn andrews_of_the_ivp_test_set() {
 #[test]
 fn andrews_of_iftomm_keeps_its_energy() {
     let model = AndrewsIftomm::<f64>::default();
-    let mut simulation = Simulation::new(&model, AndrewsIftomm::START).formulation(baumgarte(100.0)).step(2e-6);
+    let mut simulation =
+        Simulation::new(&model, AndrewsIftomm::START).formulation(baumgarte(100.0)).step(2e-6);
     let (energy, beta) = (simulation.energy(), simulation.sample().outputs.beta);
     assert!((beta + 0.0620).abs() < 1e-15);
     let mut worst = Worst::default();

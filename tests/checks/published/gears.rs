@@ -37,7 +37,8 @@ fn ratio_and_torques() {
 fn reflected_inertia() {
     let axes: f64 = 0.06;
     let disk = |mass: f64, radius: f64| mass * radius * radius / 2.0;
-    let inertia = 4e-4 + 0.6 * (axes / 2.0).powi(2) + 0.3 * axes * axes + 9.0 * disk(0.3, 0.02) + 9.0 * disk(1.0, 0.04);
+    let inertia =
+        4e-4 + 0.6 * (axes / 2.0).powi(2) + 0.3 * axes * axes + 9.0 * disk(0.3, 0.02) + 9.0 * disk(1.0, 0.04);
     let model = PlanetaryGearTrain::<f64>::default();
     let inputs = PlanetaryGearTrainInputs { arm_torque: 0.7, sun_torque: 0.02 };
     let start = PlanetaryGearTrain::START;

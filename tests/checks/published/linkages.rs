@@ -21,7 +21,8 @@ fn jansen_leg() {
     let mut worst = Worst::default();
     for row in 0..reference.rows.len() {
         for part in 0..PARTS {
-            let degrees = reference.get(row, "theta_deg") - 15.0 * f64::from(PARTS - 1 - part) / f64::from(PARTS);
+            let degrees =
+                reference.get(row, "theta_deg") - 15.0 * f64::from(PARTS - 1 - part) / f64::from(PARTS);
             let time = degrees.to_radians() / speed;
             let found = model.kinematics(time, &near, &[]).expect("the leg walks");
             near = found.q;
@@ -46,7 +47,8 @@ fn klann_leg() {
     let mut worst = Worst::default();
     for row in 0..reference.rows.len() {
         for part in 0..PARTS {
-            let degrees = reference.get(row, "theta_deg") - 15.0 * f64::from(PARTS - 1 - part) / f64::from(PARTS);
+            let degrees =
+                reference.get(row, "theta_deg") - 15.0 * f64::from(PARTS - 1 - part) / f64::from(PARTS);
             let motion = Motion { position: degrees.to_radians(), rate: 1.0, acceleration: 0.0 };
             let found = model.kinematics(0.0, &near, &[motion]).expect("the leg walks");
             near = found.q;

@@ -18,9 +18,23 @@ pub fn rank(point: &mut Point, rows: &[usize], q: &[f64]) -> Rank {
     let equations = point.equations;
     let pivots = pivots(point, rows, &[], q);
     let n = equations.symbols.v.len();
-    let dependent: Vec<usize> =
-        rows.iter().enumerate().filter(|(at, _)| pivots[n + at] < DEPENDENT).map(|(_, row)| *row).collect();
+    let lost = |(at, row): &(usize, &usize)| pivots[n + at] * share(point, **row) < DEPENDENT;
+    let dependent: Vec<usize> = rows.iter().enumerate().filter(lost).map(|(_, row)| *row).collect();
     Rank { rank: rows.len() - dependent.len(), dependent }
+}
+
+/// Square of a row of D relative to the larger one of the pair that holds two points together: with all links in one
+/// line along an axis one row of the pair vanishes, down to rounding, and its pivot with it, so that relative to its own
+/// terms alone the pivot would look sound.
+fn share(point: &Point, row: usize) -> f64 {
+    let rows = &point.equations.rows;
+    let square = |at: usize| rows[at].jet.columns.values().map(|node| point.get(*node).powi(2)).sum::<f64>();
+    let of_pair = |at: usize| rows[at].joint == rows[row].joint && matches!(rows[at].what, "x" | "y");
+    if rows[row].joint.is_none() || !of_pair(row) {
+        return 1.0;
+    }
+    let largest = (0..rows.len()).filter(|at| of_pair(*at)).map(square).fold(0.0, f64::max);
+    if largest > 0.0 { square(row) / largest } else { 0.0 }
 }
 
 /// The first of `candidates`, in order, that together with all rows fix the position at `q`.

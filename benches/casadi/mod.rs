@@ -1,0 +1,102 @@
+//! C code written by CasADi, loaded at run time: `generate.py` says what it computes.
+//!
+//! Without the environment variable `LINKWRIGHT_CASADI`, a folder of shared libraries, there is no peer.
+
+use std::ffi::{CString, c_char, c_int, c_void};
+use std::path::PathBuf;
+
+unsafe extern "C" {
+    fn dlopen(path: *const c_char, flags: c_int) -> *mut c_void;
+    fn dlsym(library: *mut c_void, name: *const c_char) -> *mut c_void;
+}
+
+/// CasADi's calling convention.
+type Function =
+    unsafe extern "C" fn(*const *const f64, *mut *mut f64, *mut i64, *mut f64, *mut c_void) -> c_int;
+type WorkSize = unsafe extern "C" fn(*mut i64, *mut i64, *mut i64, *mut i64) -> c_int;
+
+/// A loaded function, its states and its memory.
+pub struct Peer {
+    function: Function,
+    /// Angles, rates, and accelerations as this project computes them.
+    states: Vec<[Vec<f64>; 3]>,
+    gains: [f64; 2],
+    acceleration: Vec<f64>,
+    lambda: Vec<f64>,
+    integers: Vec<i64>,
+    work: Vec<f64>,
+}
+
+impl Peer {
+    /// The function `name` of `name.so`, if there is one. `convert` gives angles, rates and accelerations of a state.
+    pub fn open<S>(name: &str, states: &[S], convert: impl Fn(&S) -> [Vec<f64>; 3]) -> Option<Self> {
+        let path = PathBuf::from(std::env::var_os("LINKWRIGHT_CASADI")?).join(format!("{name}.so"));
+        let path = std::fs::canonicalize(path).ok()?;
+        const NOW: c_int = 2;
+        let symbol = |text: String| CString::new(text).ok();
+        let file = symbol(path.to_str()?.to_string())?;
+        // SAFETY: both symbols come from a library that `generate.py` has made, with CasADi's signatures; it is
+        // never closed.
+        let (function, size) = unsafe {
+            let library = dlopen(file.as_ptr(), NOW);
+            if library.is_null() {
+                return None;
+            }
+            let function = dlsym(library, symbol(name.to_string())?.as_ptr());
+            let size = dlsym(library, symbol(format!("{name}_work"))?.as_ptr());
+            if function.is_null() || size.is_null() {
+                return None;
+            }
+            (
+                std::mem::transmute::<*mut c_void, Function>(function),
+                std::mem::transmute::<*mut c_void, WorkSize>(size),
+            )
+        };
+        let mut sizes = [0i64; 4];
+        let [a, r, i, w] = &mut sizes;
+        // SAFETY: four places to write to, as the signature says.
+        unsafe { size(a, r, i, w) };
+        let states: Vec<[Vec<f64>; 3]> = states.iter().map(convert).collect();
+        let bodies = states[0][0].len();
+        Some(Peer {
+            function,
+            states,
+            gains: [2.0 * super::ALPHA, super::ALPHA * super::ALPHA],
+            acceleration: vec![0.0; bodies],
+            lambda: vec![0.0; bodies],
+            integers: vec![0; sizes[2].max(1) as usize],
+            work: vec![0.0; sizes[3].max(1) as usize],
+        })
+    }
+
+    /// One evaluation.
+    pub fn call(&mut self, at: usize) {
+        let [angles, rates, _] = &self.states[at];
+        let arguments = [angles.as_ptr(), rates.as_ptr(), self.gains.as_ptr()];
+        let mut results = [self.acceleration.as_mut_ptr(), self.lambda.as_mut_ptr()];
+        // SAFETY: arrays of the sizes that `generate.py` gives the function; λ has one entry less than there are bodies.
+        unsafe {
+            (self.function)(
+                arguments.as_ptr(),
+                results.as_mut_ptr(),
+                self.integers.as_mut_ptr(),
+                self.work.as_mut_ptr(),
+                std::ptr::null_mut(),
+            )
+        };
+        std::hint::black_box((&self.acceleration, &self.lambda));
+    }
+
+    /// Largest difference to this project's accelerations, relative to the largest of them at that state.
+    pub fn error(&mut self) -> f64 {
+        let mut worst = 0.0_f64;
+        for at in 0..self.states.len() {
+            self.call(at);
+            let own = &self.states[at][2];
+            let largest = own.iter().fold(0.0_f64, |m, a| m.max(a.abs()));
+            let difference = own.iter().zip(&self.acceleration).map(|(a, b)| (a - b).abs());
+            worst = worst.max(difference.fold(0.0, f64::max) / largest);
+        }
+        worst
+    }
+}

@@ -1,0 +1,154 @@
+//! What a definition costs at build time.
+//!
+//! ```text
+//! cargo bench --bench expansion
+//! ```
+//! *Expansion*: seconds from tokens to tokens, measured inside rustc, in a default debug build, where the compiler of
+//! definitions is unoptimised as any procedural macro is. The bench generates a macro crate under `target/` that is
+//! the shipped one with a clock around it, and a crate that uses it; `cargo check` of that crate prints the times.
+//!
+//! *Release build*: wall time of `cargo build --release` for a crate that simulates N = 40 in f64, all dependencies
+//! being built: expansion, type checking, code generation and linking.
+//!
+//! Both are medians of [`ROUNDS`] runs after one that is thrown away.
+
+mod harness;
+
+use harness::{median, seconds};
+use linkwright_models::{four_bar::FourBar, n_four_bar::NFourBar40};
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::process::Command;
+
+const ROUNDS: usize = 5;
+
+fn main() {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR"));
+    let target = std::env::var_os("CARGO_TARGET_DIR").map_or(root.join("target"), PathBuf::from);
+    let bench = Bench { root, folder: target.join("bench-expansion") };
+    println!("{}\n", harness::machine());
+    println!("expansion inside rustc, debug build:");
+    for (name, definition) in [("four_bar", FourBar::SOURCE), ("n_four_bar_40", NFourBar40::SOURCE)] {
+        println!("  {name:<16}{:>9.1} ms", 1e3 * bench.expansion(definition));
+    }
+    println!("release build of a crate that simulates n_four_bar_40, dependencies built:");
+    println!("  {:<16}{:>9.2} s", "", bench.release_build());
+}
+
+struct Bench<'a> {
+    root: &'a Path,
+    /// Where the generated crates live.
+    folder: PathBuf,
+}
+
+impl Bench<'_> {
+    /// Median of the times that the clocked macro prints for one definition, s.
+    fn expansion(&self, definition: &str) -> f64 {
+        let root = self.root.display();
+        self.write(
+            "clock/Cargo.toml",
+            &format!(
+                "[package]\nname = \"clock\"\nversion = \"0.0.0\"\nedition = \"2024\"\n[lib]\nproc-macro = true\n\
+                 [dependencies]\nlinkwright-compiler = {{ path = \"{root}/compiler\" }}\n[workspace]\n"
+            ),
+        );
+        self.write(
+            "clock/src/lib.rs",
+            "#[proc_macro]\n\
+             pub fn mechanism(tokens: proc_macro::TokenStream) -> proc_macro::TokenStream {\n\
+             \x20   let start = std::time::Instant::now();\n\
+             \x20   let items: proc_macro::TokenStream = linkwright_compiler::expand(tokens.into()).into();\n\
+             \x20   eprintln!(\"expansion took {} s\", start.elapsed().as_secs_f64());\n\
+             \x20   items\n\
+             }\n",
+        );
+        self.write(
+            "user/Cargo.toml",
+            &format!(
+                "[package]\nname = \"user\"\nversion = \"0.0.0\"\nedition = \"2024\"\n[dependencies]\n\
+                 linkwright = {{ path = \"{root}\" }}\nclock = {{ path = \"../clock\" }}\n[workspace]\n"
+            ),
+        );
+        self.write("user/src/lib.rs", &format!("clock::mechanism! {{ {definition} }}\n"));
+        self.lock("user");
+        let run = || {
+            self.touch("user/src/lib.rs");
+            let output = self.cargo("user", &["check"]);
+            let line = output.lines().find_map(|line| line.strip_prefix("expansion took "));
+            let time = line.and_then(|line| line.strip_suffix(" s"));
+            time.and_then(|time| time.parse().ok())
+                .unwrap_or_else(|| panic!("no time was printed:\n{output}"))
+        };
+        run();
+        median((0..ROUNDS).map(|_| run()).collect())
+    }
+
+    /// Median of wall times, s.
+    fn release_build(&self) -> f64 {
+        let root = self.root.display();
+        self.write(
+            "simulates/Cargo.toml",
+            &format!(
+                "[package]\nname = \"simulates\"\nversion = \"0.0.0\"\nedition = \"2024\"\n[dependencies]\n\
+                 linkwright = {{ path = \"{root}\" }}\n[workspace]\n"
+            ),
+        );
+        self.write(
+            "simulates/src/main.rs",
+            &format!(
+                "use linkwright::{{AssembleExt, Baumgarte, Simulation}};\n\
+                 linkwright::mechanism! {{ {} }}\n\
+                 fn main() -> Result<(), Box<dyn std::error::Error>> {{\n\
+                 \x20   let model = NFourBar40::<f64>::default();\n\
+                 \x20   let start = model.assemble(&NFourBar40::START)?;\n\
+                 \x20   let mut simulation = Simulation::new(&model, start)\n\
+                 \x20       .formulation(Baumgarte {{ alpha: 10.0, beta: 10.0 }}).step(1e-3);\n\
+                 \x20   simulation.run_until(0.1, |sample| println!(\"{{}} {{}}\", sample.time, sample.energy()))?;\n\
+                 \x20   Ok(())\n\
+                 }}\n",
+                NFourBar40::SOURCE
+            ),
+        );
+        self.lock("simulates");
+        self.cargo("simulates", &["build", "--release"]);
+        let run = || {
+            self.touch("simulates/src/main.rs");
+            seconds(|| self.cargo("simulates", &["build", "--release"])).1
+        };
+        median((0..ROUNDS).map(|_| run()).collect())
+    }
+
+    fn write(&self, file: &str, text: &str) {
+        let path = self.folder.join(file);
+        fs::create_dir_all(path.parent().expect("a folder")).expect("the target folder can be written to");
+        fs::write(path, text).expect("the target folder can be written to");
+    }
+
+    /// The versions of dependencies that this workspace has.
+    fn lock(&self, package: &str) {
+        fs::copy(self.root.join("Cargo.lock"), self.folder.join(package).join("Cargo.lock"))
+            .expect("a lock file");
+    }
+
+    /// Makes the crate out of date.
+    fn touch(&self, file: &str) {
+        let path = self.folder.join(file);
+        let text = fs::read_to_string(&path).expect("written before");
+        fs::write(&path, text).expect("the target folder can be written to");
+    }
+
+    /// Runs cargo in a generated crate; gives what it said.
+    fn cargo(&self, package: &str, arguments: &[&str]) -> String {
+        let cargo = std::env::var_os("CARGO").unwrap_or("cargo".into());
+        let output = Command::new(cargo)
+            .args(arguments)
+            .current_dir(self.folder.join(package))
+            .env("CARGO_TARGET_DIR", self.folder.join("target"))
+            .env_remove("RUSTFLAGS")
+            .output()
+            .expect("cargo runs");
+        let said = String::from_utf8_lossy(&output.stderr).into_owned();
+        assert!(output.status.success(), "cargo failed in {package}:\n{said}");
+        said
+    }
+}

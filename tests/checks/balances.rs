@@ -1,0 +1,267 @@
+//! What must hold of any model at consistent states: the equations of motion are solved, power is balanced, a driver's
+//! power is its effort's, momentum is kept where nothing acts from outside.
+
+use crate::identities::{derivative_over, row_rates};
+use crate::registry::{At, Model, Random, compiled, fields, for_each, vector};
+use crate::walking::walk;
+use crate::zoo::{Floating, FloatingState, Shaken};
+use linkwright::{AssembleExt, Mechanism, Simulation, Vector, retract};
+use linkwright_compiler::model::{Coordinates, Expr, LoadKind};
+use linkwright_compiler::schedule::{self, Function, Inputs};
+use linkwright_compiler::{Compiled, compile_model};
+
+const STATES: usize = 10;
+
+for_each!(equations_are_solved);
+for_each!(power_is_balanced);
+for_each!(springs_store_what_they_take);
+
+/// ‖r‖ ≤ 10⁻¹³ (‖K‖ ‖z‖ + ‖b‖) for K z = b, z = (v̇, λ), b = (Q, γ − 2α (D v − ν) − β² Φ), off the constraints too.
+fn equations_are_solved<M: Model>() {
+    let (_, _, model, states) = walk::<M>(20, STATES);
+    let mut random = Random::new(21);
+    for At { time, q, v, u } in &states {
+        let mut a = M::V::zero();
+        let mut lambda = M::Lambda::zero();
+        let pivot = model.acceleration(*time, q, v, u, &mut a, &mut lambda);
+        assert!(pivot > 0.0 && pivot <= 1.0, "{}: pivot {pivot}", M::NAME);
+        assert_solved(&model, *time, (q, v, u), (0.0, 0.0), (&a, &lambda));
+
+        let (off, faster) = (random.vector(a.as_slice().len()), random.vector(a.as_slice().len()));
+        let mut away = *q;
+        retract(&M::LAYOUT, q, &vector::<M::V>(&off).scaled(1e-2), &mut away);
+        let v = v.plus(0.1, &vector(&faster));
+        model.acceleration_baumgarte(*time, &away, &v, u, 7.0, 50.0, &mut a, &mut lambda);
+        assert_solved(&model, *time, (&away, &v, u), (7.0, 50.0), (&a, &lambda));
+    }
+}
+
+fn assert_solved<M: Model>(
+    model: &M,
+    time: f64,
+    (q, v, u): (&M::Q, &M::V, &M::Inputs),
+    (two_alpha, beta_squared): (f64, f64),
+    (a, lambda): (&M::V, &M::Lambda),
+) {
+    let (mut mass, mut jacobian) = (M::Mass::zero(), M::Jacobian::zero());
+    let (mut forces, mut gamma, mut phi) = (M::V::zero(), M::Lambda::zero(), M::Lambda::zero());
+    model.mass_matrix(time, q, &mut mass);
+    model.constraint_jacobian(time, q, &mut jacobian);
+    model.forces(time, q, v, u, &mut forces);
+    model.gamma(time, q, v, &mut gamma);
+    model.constraints(time, q, &mut phi);
+    let (rates, _) = row_rates(model, time, q, v);
+    let n = M::VELOCITY_NAMES.len();
+
+    let mut residual: Vec<f64> = forces.as_slice().to_vec();
+    residual.extend(gamma.as_slice().iter().zip(rates).zip(phi.as_slice()).map(|((gamma, rate), phi)| {
+        gamma - two_alpha * rate - beta_squared * phi
+    }));
+    let size = |values: &[f64]| values.iter().fold(0.0_f64, |largest, value| largest.max(value.abs()));
+    let right = size(&residual);
+    let unknowns: Vec<f64> = a.as_slice().iter().chain(lambda.as_slice()).copied().collect();
+    let mut sums = vec![0.0; unknowns.len()];
+    let mut subtract = |row: usize, column: usize, entry: f64| {
+        residual[row] -= entry * unknowns[column];
+        sums[row] += entry.abs();
+    };
+    for (&(row, column), entry) in M::MASS_PATTERN.iter().zip(mass.as_slice()) {
+        let (row, column) = (row as usize, column as usize);
+        subtract(row, column, *entry);
+        if row != column {
+            subtract(column, row, *entry);
+        }
+    }
+    for (&(row, column), entry) in M::JACOBIAN_PATTERN.iter().zip(jacobian.as_slice()) {
+        let (row, column) = (n + row as usize, column as usize);
+        subtract(row, column, *entry);
+        subtract(column, row, *entry);
+    }
+    let (residual, scale) = (size(&residual), size(&sums) * size(&unknowns) + right);
+    assert!(residual <= 1e-13 * scale, "{}: residual {residual:e} of {scale:e}", M::NAME);
+}
+
+/// The model's motion as functions of h, to the second order: t + h, q ⊕ (h v + ½ h² v̇), v + h v̇.
+struct Ahead<M: Model> {
+    at: At<M>,
+    a: M::V,
+    lambda: M::Lambda,
+}
+
+impl<M: Model> Ahead<M> {
+    fn new(model: &M, at: At<M>) -> Self {
+        let (mut a, mut lambda) = (M::V::zero(), M::Lambda::zero());
+        model.acceleration(at.time, &at.q, &at.v, &at.u, &mut a, &mut lambda);
+        Ahead { at, a, lambda }
+    }
+
+    fn state(&self, h: f64) -> (f64, M::Q, M::V) {
+        let mut q = self.at.q;
+        retract(&M::LAYOUT, &self.at.q, &self.at.v.scaled(h).plus(h * h / 2.0, &self.a), &mut q);
+        (self.at.time + h, q, self.at.v.plus(h, &self.a))
+    }
+
+    /// d(f)/dt along the motion.
+    fn rate(&self, f: impl Fn(f64, &M::Q, &M::V) -> f64) -> f64 {
+        // Short enough that nothing turns or speeds up by more than a thousandth.
+        let step = 1e-3 / (1.0 + self.at.v.max_abs() + self.a.max_abs().sqrt());
+        derivative_over(step, |h| {
+            let (time, q, v) = self.state(h);
+            vec![f(time, &q, &v)]
+        })[0]
+    }
+}
+
+/// The same mechanism without gravity, for what springs alone store.
+fn weightless(compiled: &Compiled) -> Compiled {
+    let mut mechanism = compiled.mechanism.clone();
+    mechanism.gravity = None;
+    mechanism.expect.operations.clear();
+    let coordinates = compiled.choice.coordinates;
+    compile_model(mechanism, compiled.definition.clone(), Some(coordinates)).expect("gravity moves no joint")
+}
+
+/// V of springs.
+fn stored<M: Model>(weightless: &Compiled, parameters: &[f64], time: f64, q: &M::Q) -> f64 {
+    let mut inputs = Inputs {
+        parameters: parameters.to_vec(),
+        phases: weightless.assembly.phases.clone(),
+        time,
+        q: q.as_slice().to_vec(),
+        ..Inputs::default()
+    };
+    inputs.prepared = schedule::run(weightless.programs.get(Function::Prepare), &inputs);
+    schedule::run(weightless.programs.get(Function::PotentialEnergy), &inputs)[0]
+}
+
+/// Whether a load's end is moved by its support, which then takes part in its power.
+fn is_moved(load: &LoadKind) -> bool {
+    match load {
+        LoadKind::Spring { first, second, .. } => format!("{:?}", (&first.at, &second.at)).contains("Time"),
+        _ => false,
+    }
+}
+
+/// dT/dt = Σ powers of loads − dV_gravity/dt − λᵀν, and −λᵀν of the drivers' rows is their power.
+fn power_is_balanced<M: Model>() {
+    let (compiled, parameters, model, states) = walk::<M>(22, STATES);
+    if compiled.mechanism.loads.iter().any(|load| is_moved(&load.kind)) {
+        return;
+    }
+    let weightless = weightless(&compiled);
+    for at in states {
+        if model.kinetic_energy(at.time, &at.q, &M::V::zero()) != 0.0 {
+            // A support carries bodies: its power is a reaction's, see `a_moving_support_works`.
+            return;
+        }
+        let ahead = Ahead::new(&model, at);
+        let Ahead { at, lambda, .. } = &ahead;
+        let kinetic = ahead.rate(|time, q, v| model.kinetic_energy(time, q, v));
+        let gravity = ahead.rate(|time, q, _| {
+            stored::<M>(&weightless, &parameters, time, q) - model.potential_energy(time, q)
+        });
+        let mut nu = M::Lambda::zero();
+        model.nu(at.time, &at.q, &mut nu);
+        let forced: Vec<f64> =
+            lambda.as_slice().iter().zip(nu.as_slice()).map(|(lambda, nu)| -lambda * nu).collect();
+        let loads = model.flat_powers(at);
+        let powers: Vec<f64> = loads.iter().chain(&forced).copied().chain([gravity]).collect();
+        let sum: f64 = powers.iter().sum();
+        let scale = kinetic.abs() + powers.iter().map(|power| power.abs()).sum::<f64>();
+        assert!((kinetic - sum).abs() <= 1e-6 * scale, "{}: dT/dt {kinetic}, powers {powers:?}", M::NAME);
+
+        let drivers = model.flat_driver_efforts(at, lambda);
+        let (_, driving) = drivers.split_at(drivers.len() / 2);
+        let rows = &forced[forced.len() - driving.len()..];
+        for (power, row) in driving.iter().zip(rows) {
+            assert!((power - row).abs() <= 1e-12 * (1e-12 + row.abs()), "{}: {power} {row}", M::NAME);
+        }
+    }
+}
+
+/// The power of springs without damping is −dV/dt.
+fn springs_store_what_they_take<M: Model>() {
+    let (compiled, parameters, model, states) = walk::<M>(23, STATES);
+    let none = |damping: &Expr| matches!(damping, Expr::Number(0.0));
+    let mut springs = compiled.mechanism.loads.iter().enumerate().filter_map(|(index, load)| match &load.kind {
+        LoadKind::Spring { damping, .. } | LoadKind::TorsionSpring { damping, .. } => Some((index, none(damping))),
+        _ => None,
+    });
+    let elastic: Vec<usize> = springs.clone().map(|(index, _)| index).collect();
+    if elastic.is_empty() || springs.any(|(_, undamped)| !undamped) {
+        return;
+    }
+    let weightless = weightless(&compiled);
+    for at in states {
+        let powers = model.flat_powers(&at);
+        let taken: f64 = elastic.iter().map(|index| powers[*index]).sum();
+        let scale: f64 = elastic.iter().map(|index| powers[*index].abs()).sum();
+        let ahead = Ahead::new(&model, at);
+        let rate = ahead.rate(|time, q, _| stored::<M>(&weightless, &parameters, time, q));
+        assert!((taken + rate).abs() <= 1e-6 * (scale + rate.abs()), "{}: {taken} {rate}", M::NAME);
+    }
+}
+
+/// Where a support moves a body, dT/dt has the power of the joint's reaction: F·ṗ.
+#[test]
+fn a_moving_support_works() {
+    let (compiled, parameters, model, states) = walk::<Shaken>(24, STATES);
+    assert_eq!(compiled.choice.coordinates, Coordinates::Tree);
+    let (stroke, shoulder) = (parameters[0], 0);
+    assert_eq!(Shaken::JOINTS[shoulder], "shoulder");
+    for at in states {
+        let t = at.time;
+        let ahead = Ahead::new(&model, at);
+        let Ahead { at, a, lambda } = &ahead;
+        let energy = ahead.rate(|time, q, v| model.kinetic_energy(time, q, v) + model.potential_energy(time, q));
+        let force = model.reactions(t, &at.q, &at.v, &at.u, a, lambda)[shoulder].force;
+        let support = force[0] * stroke * 3.0 * (3.0 * t).cos() - force[1] * 0.05 * 2.0 * (2.0 * t).sin();
+        let driving: f64 = model.driver_efforts(t, &at.q, &at.v, lambda).iter().map(|[_, power]| power).sum();
+        let scale = energy.abs() + support.abs() + driving.abs();
+        // The driven torque turns against the resting ground; only the force meets a velocity there.
+        assert!((energy - support - driving).abs() <= 1e-7 * scale, "{energy}: support {support}, drivers {driving}");
+    }
+}
+
+/// Nothing acts on the floating pair from outside: linear and angular momentum stay what they are.
+#[test]
+fn momentum_is_kept() {
+    let masses = [(3.0, 0.2), (1.0, 1.2 * 1.2 / 12.0)];
+    let momentum = |bodies: &[linkwright::BodyMotion]| {
+        let mut sum = [0.0; 3];
+        for (body, (mass, inertia)) in bodies.iter().zip(masses) {
+            let ([x, y], [vx, vy]) = (body.position, body.velocity);
+            let terms = [mass * vx, mass * vy, mass * (x * vy - y * vx) + inertia * body.rate];
+            sum.iter_mut().zip(terms).for_each(|(sum, term)| *sum += term);
+        }
+        sum
+    };
+    let forces = |bodies: &[linkwright::BodyMotion]| {
+        let mut sum = [0.0; 3];
+        for (body, (mass, inertia)) in bodies.iter().zip(masses) {
+            let ([x, y], [ax, ay]) = (body.position, body.acceleration);
+            let moment = mass * (x * ay - y * ax) + inertia * body.angular_acceleration;
+            sum.iter_mut().zip([mass * ax, mass * ay, moment]).for_each(|(sum, term)| *sum += term);
+        }
+        sum
+    };
+    let (_, _, model, states) = walk::<Floating>(25, STATES);
+    for at in &states {
+        let (mut a, mut lambda) = ([0.0; 4], Default::default());
+        model.acceleration(at.time, &at.q, &at.v, &at.u, &mut a, &mut lambda);
+        let sum = forces(&model.motions(at.time, &at.q, &at.v, &a));
+        assert!(sum.iter().all(|force| force.abs() < 1e-12), "{sum:?}");
+    }
+
+    let start = model.assemble(&Floating::START).expect("it is consistent");
+    let mut simulation = Simulation::new(&model, start).sampled(|time, _| fields(&[time.sin()])).step(1e-3);
+    let bodies = |state: &FloatingState| model.motions(0.0, &state.q, &state.v, &[0.0; 4]);
+    let before = momentum(&bodies(&start));
+    let after = momentum(&bodies(&simulation.advance_until(2.0).expect("it runs")));
+    for (before, after) in before.iter().zip(after) {
+        assert!((before - after).abs() < 1e-10, "{before} {after}");
+    }
+    assert!(compiled::<Floating>(None).equations.rows.is_empty());
+    assert_eq!(<Floating as Mechanism<f64>>::ROWS.len(), 0);
+}
+

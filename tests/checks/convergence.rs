@@ -1,0 +1,113 @@
+//! Orders of the integrators on emitted models, with and without constraints, and angles over many turns.
+
+use crate::registry::{Model, for_each};
+use crate::walking::walk;
+use crate::zoo::Gears;
+use linkwright::{
+    AssembleExt, Baumgarte, Fields, Integrator, LagrangeIndex1, Layout, Rk4, SemiImplicitEuler, Simulation, State, Vector,
+};
+use linkwright_models::{double_pendulum::DoublePendulum, n_four_bar::NFourBar2};
+use std::f64::consts::{PI, TAU};
+
+/// The state after `steps` steps to `end` from the start of the model.
+fn reached<M: Model<Inputs = ()>, I: Integrator<f64>>(integrator: I, end: f64, steps: u32) -> State<M::Q, M::V> {
+    let model = M::standard();
+    let start = State { q: M::start_q(), v: M::start_v() };
+    let simulation = Simulation::new(&model, start).formulation(LagrangeIndex1).integrator(integrator);
+    let reached = simulation.step(end / f64::from(steps)).advance_until(end);
+    reached.unwrap_or_else(|error| panic!("{}: {error}", M::NAME))
+}
+
+/// log₂ of the ratio of the errors with `steps` and with twice as many.
+fn order<M: Model<Inputs = ()>, I: Integrator<f64> + Copy>(integrator: I, end: f64, steps: u32) -> f64 {
+    let exact = reached::<M, Rk4>(Rk4, end, 4000);
+    // Velocities too: where the motion starts without acceleration, as the windows do, symplectic Euler has positions of
+    // second order, because half a kick makes it Verlet's method.
+    let error = |steps: u32| {
+        let State { q, v } = reached::<M, I>(integrator, end, steps);
+        q.plus(-1.0, &exact.q).max_abs().max(v.plus(-1.0, &exact.v).max_abs())
+    };
+    (error(steps) / error(2 * steps)).log2()
+}
+
+/// Fourth order and first, on an open chain and on a closed one.
+#[test]
+fn orders_of_convergence() {
+    let orders = [
+        ("double pendulum, RK4", order::<DoublePendulum, _>(Rk4, 0.5, 60), 4.0),
+        ("two windows, RK4", order::<NFourBar2, _>(Rk4, 0.5, 60), 4.0),
+        ("double pendulum, Euler", order::<DoublePendulum, _>(SemiImplicitEuler, 0.5, 400), 1.0),
+        ("two windows, Euler", order::<NFourBar2, _>(SemiImplicitEuler, 0.5, 400), 1.0),
+    ];
+    for (name, order, expected) in orders {
+        assert!((order - expected).abs() < 0.2, "{name}: order {order}");
+    }
+}
+
+/// Many turns of a pinion, a wheel and a flap: the counted angle of each joint is that of the bodies' orientations up
+/// to whole turns, and the gear's ratio holds of the counted ones.
+#[test]
+fn counted_angles_are_those_of_the_pairs() {
+    let model = Gears::default();
+    let start = model.assemble(&Gears::START).expect("it is consistent");
+    let drive = |_: f64, _: &State<_, _>| crate::zoo::GearsInputs { drive: 0.5 };
+    let baumgarte = Baumgarte { alpha: 10.0, beta: 10.0 };
+    let mut simulation = Simulation::new(&model, start).formulation(baumgarte).sampled(drive).step(1e-3);
+    let begun = simulation.sample().outputs;
+    let mut largest = 0.0_f64;
+    for sample in simulation.samples(5.0) {
+        let sample = sample.expect("it runs");
+        let o = sample.outputs;
+        let motions = model.motions(sample.time, &sample.state.q, &sample.state.v, &Vector::zero());
+        let angle = |name: &str| {
+            let body = Gears::BODIES.iter().position(|body| *body == name).expect("a body of the mechanism");
+            let [c, s] = motions[body].orientation;
+            s.atan2(c)
+        };
+        let relative = [
+            (o.turned, angle("pinion")),
+            (o.wheel_turned, angle("wheel") - angle("arm")),
+            (o.flapped, angle("flap") - angle("arm")),
+        ];
+        for (counted, pair) in relative {
+            let off = (counted - pair + PI).rem_euclid(TAU) - PI;
+            assert!(off.abs() < 1e-9, "at {}: {counted} {pair}", sample.time);
+        }
+        let ratio = (o.wheel_turned - begun.wheel_turned) + 5.0 / 7.0 * (o.turned - begun.turned);
+        assert!(ratio.abs() < 1e-5, "at {}: the gear slipped by {ratio} rad", sample.time);
+        largest = largest.max((o.turned - begun.turned).abs());
+    }
+    assert!(largest > TAU, "it turned by {largest} rad only");
+}
+
+for_each!(walking_keeps_angles_and_pairs_together);
+
+/// Projections and retractions move a counted angle and its pair alike: outputs do not jump along a walk.
+fn walking_keeps_angles_and_pairs_together<M: Model>() {
+    let (compiled, _, model, states) = walk::<M>(30, 10);
+    for at in &states {
+        let outputs = model.outputs(at.time, &at.q, &at.v, &at.u).to_array();
+        assert!(outputs.as_slice().iter().all(|output| output.is_finite()), "{}", M::NAME);
+        let Layout { linear, rotations, angles } = M::LAYOUT;
+        let q = at.q.as_slice();
+        for (angle, known) in compiled.equations.layout.angles.iter().zip(0..angles.len()) {
+            let pair = |rate: Option<usize>| match rate {
+                Some(rate) => q[linear + 2 * (rate - linear) + 1].atan2(q[linear + 2 * (rate - linear)]),
+                None => 0.0,
+            };
+            let counted = TAU * q[linear + 2 * rotations + 2 * known] + q[linear + 2 * rotations + 2 * known + 1];
+            // A constant lies between them: the frames' fixed angles, the same as at the start.
+            let start = M::start_q();
+            let start = start.as_slice();
+            let pair_then = |rate: Option<usize>| match rate {
+                Some(rate) => start[linear + 2 * (rate - linear) + 1].atan2(start[linear + 2 * (rate - linear)]),
+                None => 0.0,
+            };
+            let counted_then =
+                TAU * start[linear + 2 * rotations + 2 * known] + start[linear + 2 * rotations + 2 * known + 1];
+            let moved = (pair(angle.plus) - pair(angle.minus)) - (pair_then(angle.plus) - pair_then(angle.minus));
+            let off = (counted - counted_then - moved + PI).rem_euclid(TAU) - PI;
+            assert!(off.abs() < 1e-9, "{}: {counted} against {moved}", M::NAME);
+        }
+    }
+}

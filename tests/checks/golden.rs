@@ -1,0 +1,56 @@
+//! The expansions of three small models, formatted, against `tests/golden/*.rs`: a change of emitted code shows in
+//! review as what a user would read. `UPDATE_GOLDEN=1 cargo test --test checks golden` writes them anew.
+
+use crate::registry::Model;
+use linkwright_compiler::expand;
+use linkwright_models::four_bar::FourBar;
+use linkwright_models::general_four_bar::ParametricFourBar;
+use linkwright_models::simple_pendulum::SimplePendulum;
+use std::path::Path;
+
+#[test]
+fn simple_pendulum() {
+    compare::<SimplePendulum>("simple_pendulum");
+}
+
+#[test]
+fn four_bar() {
+    compare::<FourBar>("four_bar");
+}
+
+#[test]
+fn parametric_four_bar() {
+    compare::<ParametricFourBar>("parametric_four_bar");
+}
+
+fn compare<M: Model>(name: &str) {
+    let expansion = expansion::<M>();
+    assert_eq!(expansion, self::expansion::<M>(), "{name}: the same definition expands to the same bytes");
+    let file = syn::parse_file(&expansion).expect("the expansion is a list of items");
+    let formatted = prettyplease::unparse(&file);
+
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/golden").join(name).with_extension("rs");
+    if std::env::var_os("UPDATE_GOLDEN").is_some() {
+        std::fs::write(&path, &formatted).expect("tests/golden can be written");
+    }
+    let golden = std::fs::read_to_string(&path).unwrap_or_default();
+    if let Some((number, (old, new))) = first_difference(&golden, &formatted) {
+        panic!(
+            "the expansion of {name} has changed, first in line {number} of {}:\n- {old}\n+ {new}\n\
+             if that is meant, write it anew with UPDATE_GOLDEN=1 and read the difference",
+            path.display()
+        );
+    }
+}
+
+fn expansion<M: Model>() -> String {
+    expand(M::SOURCE.parse().expect("the source was tokens")).to_string()
+}
+
+/// The first line, counted from one, in which two texts differ.
+fn first_difference<'a>(old: &'a str, new: &'a str) -> Option<(usize, (&'a str, &'a str))> {
+    let length = old.lines().count().max(new.lines().count());
+    let (mut old, mut new) = (old.lines(), new.lines());
+    let mut pairs = (1..=length).map(|n| (n, (old.next().unwrap_or("(end)"), new.next().unwrap_or("(end)"))));
+    pairs.find(|(_, (old, new))| old != new)
+}

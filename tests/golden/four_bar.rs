@@ -1,0 +1,913 @@
+/// Four-bar of unit rods (IFToMM A02 with one window).
+///
+/// Three uniform rods of 1 m and 1 kg, g = 9.81 m/s², cranks upright and turning at −1 rad/s. The cranks move as a
+/// pendulum with θ̈ = −(6/5)(g/L) cos θ.
+#[cfg_attr(doc, doc = "")]
+#[cfg_attr(doc, doc = "Degree of freedom: 1; 3 velocities, 2 constraint rows.")]
+#[cfg_attr(doc, doc = "")]
+#[cfg_attr(
+    doc,
+    doc = "In tree coordinates (chosen by count: 85 operations, depth 19, against 235 and 35 in absolute coordinates); elimination order: minimum degree."
+)]
+#[cfg_attr(doc, doc = "")]
+#[cfg_attr(doc, doc = "# Coordinates")]
+#[cfg_attr(doc, doc = "")]
+#[cfg_attr(doc, doc = "| | q | v |")]
+#[cfg_attr(doc, doc = "|---|---|---|")]
+#[cfg_attr(doc, doc = "| 0 | `crank.cos`, `crank.sin` | `crank.rate` |")]
+#[cfg_attr(doc, doc = "| 1 | `rocker.cos`, `rocker.sin` | `rocker.rate` |")]
+#[cfg_attr(doc, doc = "| 2 | `coupler.cos`, `coupler.sin` | `coupler.rate` |")]
+#[cfg_attr(doc, doc = "")]
+#[cfg_attr(doc, doc = "# Constraint rows")]
+#[cfg_attr(doc, doc = "")]
+#[cfg_attr(doc, doc = "| # | joint | row |")]
+#[cfg_attr(doc, doc = "|---|---|---|")]
+#[cfg_attr(doc, doc = "| 0 | `right` | x |")]
+#[cfg_attr(doc, doc = "| 1 | `right` | y |")]
+#[cfg_attr(doc, doc = "")]
+#[cfg_attr(doc, doc = "# Operations")]
+#[cfg_attr(doc, doc = "")]
+#[cfg_attr(
+    doc,
+    doc = "| function | operations | + | × | fma | ÷ | √ | choices | sin, exp … | depth |"
+)]
+#[cfg_attr(doc, doc = "|---|---|---|---|---|---|---|---|---|---|")]
+#[cfg_attr(doc, doc = "| `mass_matrix` | 3 | 0 | 2 | 1 | 0 | 0 | 0 | 0 | 3 |")]
+#[cfg_attr(doc, doc = "| `constraints` | 7 | 7 | 0 | 0 | 0 | 0 | 0 | 0 | 4 |")]
+#[cfg_attr(doc, doc = "| `constraint_jacobian` | 3 | 3 | 0 | 0 | 0 | 0 | 0 | 0 | 1 |")]
+#[cfg_attr(doc, doc = "| `gamma` | 9 | 0 | 5 | 4 | 0 | 0 | 0 | 0 | 4 |")]
+#[cfg_attr(doc, doc = "| `forces` | 10 | 0 | 7 | 3 | 0 | 0 | 0 | 0 | 5 |")]
+#[cfg_attr(doc, doc = "| `kinetic_energy` | 29 | 2 | 19 | 8 | 0 | 0 | 0 | 0 | 10 |")]
+#[cfg_attr(doc, doc = "| `potential_energy` | 4 | 0 | 1 | 3 | 0 | 0 | 0 | 0 | 3 |")]
+#[cfg_attr(doc, doc = "| `acceleration` | 70 | 2 | 29 | 35 | 4 | 0 | 0 | 0 | 19 |")]
+#[cfg_attr(
+    doc,
+    doc = "| `acceleration_baumgarte` | 85 | 7 | 31 | 43 | 4 | 0 | 0 | 0 | 19 |"
+)]
+#[cfg_attr(doc, doc = "| `outputs` | 1 | 0 | 0 | 0 | 0 | 0 | 0 | 1 | 1 |")]
+#[cfg_attr(doc, doc = "| `motions` | 41 | 8 | 23 | 10 | 0 | 0 | 0 | 0 | 5 |")]
+#[cfg_attr(doc, doc = "| `reactions` | 60 | 20 | 23 | 17 | 0 | 0 | 0 | 0 | 11 |")]
+#[cfg_attr(doc, doc = "| `condition_residual` | 4 | 0 | 1 | 1 | 0 | 0 | 0 | 2 | 3 |")]
+#[cfg_attr(doc, doc = "| `condition_upright` | 4 | 0 | 1 | 1 | 0 | 0 | 0 | 2 | 3 |")]
+#[cfg_attr(not(doc), doc = "Equations of motion of the planar mechanism `FourBar`.")]
+#[derive(
+    ::core::clone::Clone,
+    ::core::marker::Copy,
+    ::core::fmt::Debug,
+    ::core::cmp::PartialEq
+)]
+pub struct FourBar<R = ::core::primitive::f64> {
+    parameters: FourBarParameters<R>,
+    phases: [R; 0],
+    constants: [R; 0],
+}
+///Parameters of [`FourBar`], in SI units.
+#[derive(
+    ::core::clone::Clone,
+    ::core::marker::Copy,
+    ::core::fmt::Debug,
+    ::core::cmp::PartialEq
+)]
+pub struct FourBarParameters<R = ::core::primitive::f64> {
+    #[doc(hidden)]
+    pub scalar: ::core::marker::PhantomData<R>,
+}
+///Outputs of [`FourBar`], in SI units.
+#[derive(
+    ::core::clone::Clone,
+    ::core::marker::Copy,
+    ::core::fmt::Debug,
+    ::core::cmp::PartialEq
+)]
+pub struct FourBarOutputs<R = ::core::primitive::f64> {
+    ///`m` (SI).
+    pub x: R,
+    ///`rad` (SI).
+    pub angle: R,
+}
+///Positions and velocities of [`FourBar`].
+pub type FourBarState<R = ::core::primitive::f64> = ::linkwright::__private::v1::State<
+    [R; 6],
+    [R; 3],
+>;
+#[allow(clippy::all)]
+impl FourBar<::core::primitive::f64> {
+    ///Consistent start state for the default parameters, assembled at compile time.
+    pub const START: FourBarState = ::linkwright::__private::v1::State {
+        q: [6.123233995736766e-17, 1.0, 6.123233995736766e-17, 1.0, 1.0, 0.0],
+        v: [-1.0, -1.0, 0.0],
+    };
+    ///Degrees of freedom, drivers removed.
+    pub const DEGREES_OF_FREEDOM: ::core::primitive::usize = 1;
+    ///Operations of the default acceleration function (Baumgarte), a fused multiply-add counted once.
+    pub const OPERATIONS: ::core::primitive::usize = 85;
+    ///The definition as written.
+    pub const SOURCE: &'static ::core::primitive::str = "# [doc = \" Four-bar of unit rods (IFToMM A02 with one window).\"] # [doc = \"\"] # [doc = \" Three uniform rods of 1 m and 1 kg, g = 9.81 m/s², cranks upright and turning at −1 rad/s. The cranks move as a\"] # [doc = \" pendulum with θ\\u{308} = −(6/5)(g/L) cos θ.\"] pub planar FourBar { gravity [m / s ^ 2] = (0 , - 9.81) ; rod crank { mass [kg] = 1 ; length [m] = 1 ; } rod coupler { mass [kg] = 1 ; length [m] = 1 ; } rod rocker { mass [kg] = 1 ; length [m] = 1 ; } joint crank_pin : revolute (ground (0 , 0) [m] , crank . start) ; joint rocker_pin : revolute (ground (1 , 0) [m] , rocker . start) ; joint left : revolute (crank . end , coupler . start) ; joint right : revolute (coupler . end , rocker . end) ; start { crank_pin . angle [deg] = 90 ; crank_pin . rate [rad / s] = - 1 ; rocker_pin . angle [deg] ~ 90 ; coupler . angle [rad] ~ 0 ; } expect { degrees_of_freedom = 1 ; operations <= 100 ; } output x [m] = crank . end . x ; output angle [rad] = rocker_pin . angle ; }";
+    ///The definition as versioned JSON: kinds, shapes and units as written.
+    pub const DEFINITION: &'static ::core::primitive::str = "{\"linkwright\":1,\"kind\":\"planar\",\"name\":\"FourBar\",\"constants\":[],\"parameters\":[],\"inputs\":[],\"gravity\":{\"unit\":\"m/s^2\",\"value\":[{\"number\":\"0\"},{\"op\":\"neg\",\"args\":[{\"number\":\"9.81\"}]}]},\"bodies\":[{\"name\":\"crank\",\"kind\":\"rod\",\"properties\":{\"mass\":{\"unit\":\"kg\",\"value\":{\"number\":\"1\"}},\"length\":{\"unit\":\"m\",\"value\":{\"number\":\"1\"}}},\"center\":null,\"points\":[],\"lines\":[]},{\"name\":\"coupler\",\"kind\":\"rod\",\"properties\":{\"mass\":{\"unit\":\"kg\",\"value\":{\"number\":\"1\"}},\"length\":{\"unit\":\"m\",\"value\":{\"number\":\"1\"}}},\"center\":null,\"points\":[],\"lines\":[]},{\"name\":\"rocker\",\"kind\":\"rod\",\"properties\":{\"mass\":{\"unit\":\"kg\",\"value\":{\"number\":\"1\"}},\"length\":{\"unit\":\"m\",\"value\":{\"number\":\"1\"}}},\"center\":null,\"points\":[],\"lines\":[]}],\"joints\":[{\"name\":\"crank_pin\",\"kind\":\"revolute\",\"first\":{\"ground\":[{\"number\":\"0\"},{\"number\":\"0\"}],\"unit\":\"m\"},\"second\":{\"place\":\"crank.start\"}},{\"name\":\"rocker_pin\",\"kind\":\"revolute\",\"first\":{\"ground\":[{\"number\":\"1\"},{\"number\":\"0\"}],\"unit\":\"m\"},\"second\":{\"place\":\"rocker.start\"}},{\"name\":\"left\",\"kind\":\"revolute\",\"first\":{\"place\":\"crank.end\"},\"second\":{\"place\":\"coupler.start\"}},{\"name\":\"right\",\"kind\":\"revolute\",\"first\":{\"place\":\"coupler.end\"},\"second\":{\"place\":\"rocker.end\"}}],\"constraints\":[],\"drivers\":[],\"loads\":[],\"start\":[{\"quantity\":{\"name\":\"crank_pin.angle\"},\"exact\":true,\"unit\":\"deg\",\"value\":{\"number\":\"90\"}},{\"quantity\":{\"name\":\"crank_pin.rate\"},\"exact\":true,\"unit\":\"rad/s\",\"value\":{\"op\":\"neg\",\"args\":[{\"number\":\"1\"}]}},{\"quantity\":{\"name\":\"rocker_pin.angle\"},\"exact\":false,\"unit\":\"deg\",\"value\":{\"number\":\"90\"}},{\"quantity\":{\"name\":\"coupler.angle\"},\"exact\":false,\"unit\":\"rad\",\"value\":{\"number\":\"0\"}}],\"outputs\":[{\"name\":\"x\",\"unit\":\"m\",\"value\":{\"name\":\"crank.end.x\"}},{\"name\":\"angle\",\"unit\":\"rad\",\"value\":{\"name\":\"rocker_pin.angle\"}}],\"options\":{},\"expect\":{\"degrees_of_freedom\":1,\"operations\":[{\"of\":null,\"at_most\":100}]}}";
+    ///What the entries of q and v and the constraint rows are, as JSON.
+    pub const COORDINATES: &'static ::core::primitive::str = "{\"coordinates\":\"tree\",\"tree\":[{\"body\":\"crank\",\"joint\":\"crank_pin\",\"parent\":\"ground\"},{\"body\":\"rocker\",\"joint\":\"rocker_pin\",\"parent\":\"ground\"},{\"body\":\"coupler\",\"joint\":\"left\",\"parent\":\"crank\"}],\"linear\":[],\"rotations\":[{\"body\":\"crank\"},{\"body\":\"rocker\"},{\"body\":\"coupler\"}],\"angles\":[],\"rows\":[{\"of\":\"right\",\"what\":\"x\"},{\"of\":\"right\",\"what\":\"y\"}]}";
+    ///Names of the bodies, in the order of `motions`.
+    pub const BODIES: &'static [&'static ::core::primitive::str] = &[
+        "crank",
+        "coupler",
+        "rocker",
+    ];
+    ///Names of the joints, in the order of `reactions`.
+    pub const JOINTS: &'static [&'static ::core::primitive::str] = &[
+        "crank_pin",
+        "rocker_pin",
+        "left",
+        "right",
+    ];
+    ///Names of the loads, in the order of `powers`.
+    pub const LOADS: &'static [&'static ::core::primitive::str] = &[];
+}
+#[allow(unused, non_snake_case, clippy::all)]
+const _: () = {
+    use ::core::prelude::rust_2024::*;
+    use ::linkwright::__private::v1::*;
+    use ::core::primitive::{bool, f64, u16, u32, usize, str};
+    type Constants<R> = [R; 0];
+    type Phases<R> = [R; 0];
+    type Q<R> = [R; 6];
+    type V<R> = [R; 3];
+    type Lambda<R> = [R; 2];
+    type Mass<R> = [R; 4];
+    type Jacobian<R> = [R; 6];
+    type Conditions<R> = [R; 1];
+    type ConditionJacobian<R> = [R; 1];
+    type Factor<R> = [R; 11];
+    type System<R> = [R; 6];
+    type Parameters<R> = FourBarParameters<R>;
+    type Outputs<R> = FourBarOutputs<R>;
+    impl<R: Real> Fields<R> for Parameters<R> {
+        const NAMES: &'static [&'static str] = &[];
+        type Array = [R; 0];
+        fn from_array(values: [R; 0]) -> Self {
+            FourBarParameters {
+                scalar: ::core::marker::PhantomData,
+            }
+        }
+        fn to_array(&self) -> [R; 0] {
+            []
+        }
+    }
+    impl<R: Real> Fields<R> for Outputs<R> {
+        const NAMES: &'static [&'static str] = &["x", "angle"];
+        type Array = [R; 2];
+        fn from_array(values: [R; 2]) -> Self {
+            FourBarOutputs {
+                x: values[0],
+                angle: values[1],
+            }
+        }
+        fn to_array(&self) -> [R; 2] {
+            [self.x, self.angle]
+        }
+    }
+    impl<R: Real> Default for Parameters<R> {
+        fn default() -> Self {
+            FourBarParameters {
+                scalar: ::core::marker::PhantomData,
+            }
+        }
+    }
+    impl<R: Real> Default for FourBar<R> {
+        fn default() -> Self {
+            Self::with(Default::default(), [])
+        }
+    }
+    impl<R: Real> FourBar<R> {
+        /// The model with these parameters; what depends on nothing else is computed once, here.
+        ///
+        /// # Errors
+        /// A parameter that is not finite or out of its bounds, or a mass that is not positive.
+        pub fn prepare(parameters: Parameters<R>) -> Result<Self, SettingError> {
+            let model = Self::with(parameters, []);
+            check_constants(&model.constants)?;
+            Ok(model)
+        }
+        /// The parameters the model was prepared with.
+        pub fn parameters(&self) -> &Parameters<R> {
+            &self.parameters
+        }
+        fn with(parameters: Parameters<R>, phases: Phases<R>) -> Self {
+            FourBar {
+                parameters,
+                phases,
+                constants: [],
+            }
+        }
+        /// Position, velocity and acceleration of every body's centre of mass, in the order of `BODIES`,
+        /// from a state and its accelerations.
+        pub fn motions(
+            &self,
+            time: R,
+            q: &Q<R>,
+            v: &V<R>,
+            a: &V<R>,
+        ) -> [BodyMotion<R>; 3] {
+            let constants = &self.constants;
+            let crank_cos = q[0];
+            let crank_sin = q[1];
+            let rocker_cos = q[2];
+            let rocker_sin = q[3];
+            let coupler_cos = q[4];
+            let coupler_sin = q[5];
+            let crank_rate = v[0];
+            let rocker_rate = v[1];
+            let coupler_rate = v[2];
+            let crank_rate_dot = a[0];
+            let rocker_rate_dot = a[1];
+            let coupler_rate_dot = a[2];
+            let a0 = R::from_f64(0.5) * crank_cos;
+            let a1 = R::from_f64(0.5) * crank_sin;
+            let a2 = crank_rate * a1;
+            let a3 = -a2;
+            let a4 = crank_rate * a0;
+            let a5 = crank_rate * crank_rate;
+            let a6 = a5 * a0;
+            let a7 = (-crank_rate_dot).mul_add(a1, (-a6));
+            let a8 = crank_rate_dot * a0;
+            let a9 = (-a5).mul_add(a1, a8);
+            let a10 = R::from_f64(0.5) * coupler_cos;
+            let a11 = crank_cos + a10;
+            let a12 = R::from_f64(0.5) * coupler_sin;
+            let a13 = crank_sin + a12;
+            let a14 = crank_sin * crank_rate;
+            let a15 = (-coupler_rate).mul_add(a12, (-a14));
+            let a16 = crank_cos * crank_rate;
+            let a17 = coupler_rate.mul_add(a10, a16);
+            let a18 = coupler_rate * coupler_rate;
+            let a19 = crank_cos * a5;
+            let a20 = a18.mul_add(a10, a19);
+            let a21 = crank_sin * crank_rate_dot;
+            let a22 = coupler_rate_dot.mul_add(a12, a21);
+            let a23 = a20 + a22;
+            let a24 = -a23;
+            let a25 = crank_cos * crank_rate_dot;
+            let a26 = coupler_rate_dot.mul_add(a10, a25);
+            let a27 = crank_sin * a5;
+            let a28 = a18.mul_add(a12, a27);
+            let a29 = a26 - a28;
+            let a30 = R::from_f64(0.5) * rocker_cos;
+            let a31 = R::ONE + a30;
+            let a32 = R::from_f64(0.5) * rocker_sin;
+            let a33 = rocker_rate * a32;
+            let a34 = -a33;
+            let a35 = rocker_rate * a30;
+            let a36 = rocker_rate * rocker_rate;
+            let a37 = a36 * a30;
+            let a38 = (-rocker_rate_dot).mul_add(a32, (-a37));
+            let a39 = rocker_rate_dot * a30;
+            let a40 = (-a36).mul_add(a32, a39);
+            [
+                BodyMotion {
+                    position: [a0, a1],
+                    orientation: [crank_cos, crank_sin],
+                    velocity: [a3, a4],
+                    rate: crank_rate,
+                    acceleration: [a7, a9],
+                    angular_acceleration: crank_rate_dot,
+                },
+                BodyMotion {
+                    position: [a11, a13],
+                    orientation: [coupler_cos, coupler_sin],
+                    velocity: [a15, a17],
+                    rate: coupler_rate,
+                    acceleration: [a24, a29],
+                    angular_acceleration: coupler_rate_dot,
+                },
+                BodyMotion {
+                    position: [a31, a32],
+                    orientation: [rocker_cos, rocker_sin],
+                    velocity: [a34, a35],
+                    rate: rocker_rate,
+                    acceleration: [a38, a40],
+                    angular_acceleration: rocker_rate_dot,
+                },
+            ]
+        }
+        /// Force and torque that each joint exerts on the body of its second place, in the order of `JOINTS`:
+        /// force in world axes at that place (N), torque about it (N m).
+        pub fn reactions(
+            &self,
+            time: R,
+            q: &Q<R>,
+            v: &V<R>,
+            u: &(),
+            a: &V<R>,
+            lambda: &Lambda<R>,
+        ) -> [Reaction<R>; 4] {
+            let constants = &self.constants;
+            let crank_cos = q[0];
+            let crank_sin = q[1];
+            let rocker_cos = q[2];
+            let rocker_sin = q[3];
+            let coupler_cos = q[4];
+            let coupler_sin = q[5];
+            let crank_rate = v[0];
+            let rocker_rate = v[1];
+            let coupler_rate = v[2];
+            let crank_rate_dot = a[0];
+            let rocker_rate_dot = a[1];
+            let coupler_rate_dot = a[2];
+            let lambda_right_x = lambda[0];
+            let lambda_right_y = lambda[1];
+            let a0 = coupler_rate * coupler_rate;
+            let a1 = R::from_f64(0.5) * coupler_cos;
+            let a2 = crank_rate * crank_rate;
+            let a3 = crank_cos * a2;
+            let a4 = a0.mul_add(a1, a3);
+            let a5 = R::from_f64(0.5) * coupler_sin;
+            let a6 = crank_sin * crank_rate_dot;
+            let a7 = coupler_rate_dot.mul_add(a5, a6);
+            let a8 = a4 + a7;
+            let a9 = lambda_right_x - a8;
+            let a10 = R::from_f64(0.5) * crank_sin;
+            let a11 = R::from_f64(0.5) * crank_cos;
+            let a12 = a2 * a11;
+            let a13 = crank_rate_dot.mul_add(a10, a12);
+            let a14 = a9 - a13;
+            let a15 = crank_rate_dot * a11;
+            let a16 = (-a2).mul_add(a10, a15);
+            let a17 = a16 - R::from_f64(-9.81);
+            let a18 = crank_cos * crank_rate_dot;
+            let a19 = coupler_rate_dot.mul_add(a1, a18);
+            let a20 = crank_sin * a2;
+            let a21 = a0.mul_add(a5, a20);
+            let a22 = a19 - a21;
+            let a23 = a22 - R::from_f64(-9.81);
+            let a24 = lambda_right_y + a23;
+            let a25 = a17 + a24;
+            let a26 = R::from_f64(0.08333333333333333) * coupler_rate_dot;
+            let a27 = (-lambda_right_x).mul_add(a5, a26);
+            let a28 = lambda_right_y.mul_add(a1, a27);
+            let a29 = crank_sin + a5;
+            let a30 = a29 - a10;
+            let a31 = crank_cos + a1;
+            let a32 = a31 - a11;
+            let a33 = a24 * a32;
+            let a34 = (-a9).mul_add(a30, a33);
+            let a35 = a28 + a34;
+            let a36 = R::from_f64(0.08333333333333333).mul_add(crank_rate_dot, a35);
+            let a37 = a11 * a25;
+            let a38 = (-a10).mul_add(a14, a37);
+            let a39 = a36 + a38;
+            let a40 = R::from_f64(0.5) * rocker_sin;
+            let a41 = rocker_rate * rocker_rate;
+            let a42 = R::from_f64(0.5) * rocker_cos;
+            let a43 = a41 * a42;
+            let a44 = rocker_rate_dot.mul_add(a40, a43);
+            let a45 = lambda_right_x + a44;
+            let a46 = -a45;
+            let a47 = rocker_rate_dot * a42;
+            let a48 = (-a41).mul_add(a40, a47);
+            let a49 = a48 - R::from_f64(-9.81);
+            let a50 = a49 - lambda_right_y;
+            let a51 = R::from_f64(0.08333333333333333) * rocker_rate_dot;
+            let a52 = lambda_right_x.mul_add(a40, a51);
+            let a53 = (-lambda_right_y).mul_add(a42, a52);
+            let a54 = a42 * a50;
+            let a55 = a40.mul_add(a45, a54);
+            let a56 = a53 + a55;
+            let a57 = a1 * a24;
+            let a58 = (-a5).mul_add(a9, a57);
+            let a59 = a28 + a58;
+            [
+                Reaction {
+                    force: [a14, a25],
+                    torque: a39,
+                },
+                Reaction {
+                    force: [a46, a50],
+                    torque: a56,
+                },
+                Reaction {
+                    force: [a9, a24],
+                    torque: a59,
+                },
+                Reaction {
+                    force: [lambda_right_x, lambda_right_y],
+                    torque: R::ZERO,
+                },
+            ]
+        }
+        /// Power of each load (W), in the order of `LOADS`, what springs store included.
+        pub fn powers(&self, time: R, q: &Q<R>, v: &V<R>, u: &()) -> [R; 0] {
+            let constants = &self.constants;
+            []
+        }
+        /// Effort of each driver along its quantity (N m or N) and its power (W), from the multipliers.
+        pub fn driver_efforts(
+            &self,
+            time: R,
+            q: &Q<R>,
+            v: &V<R>,
+            lambda: &Lambda<R>,
+        ) -> [[R; 2]; 0] {
+            let constants = &self.constants;
+            []
+        }
+    }
+    impl<R: Real> Mechanism<R> for FourBar<R> {
+        const NAME: &'static str = "FourBar";
+        const LAYOUT: Layout = Layout {
+            linear: 0,
+            rotations: 3,
+            angles: &[],
+        };
+        const ROWS: &'static [Row] = &[
+            Row { of: "right", what: "x" },
+            Row { of: "right", what: "y" },
+        ];
+        const POSITION_NAMES: &'static [&'static str] = &[
+            "crank.cos",
+            "crank.sin",
+            "rocker.cos",
+            "rocker.sin",
+            "coupler.cos",
+            "coupler.sin",
+        ];
+        const VELOCITY_NAMES: &'static [&'static str] = &[
+            "crank.rate",
+            "rocker.rate",
+            "coupler.rate",
+        ];
+        const MASS_PATTERN: &'static [(u16, u16)] = &[(0, 0), (1, 1), (2, 0), (2, 2)];
+        const JACOBIAN_PATTERN: &'static [(u16, u16)] = &[
+            (0, 0),
+            (0, 1),
+            (0, 2),
+            (1, 0),
+            (1, 1),
+            (1, 2),
+        ];
+        type Q = Q<R>;
+        type V = V<R>;
+        type Lambda = Lambda<R>;
+        type Mass = Mass<R>;
+        type Jacobian = Jacobian<R>;
+        type Inputs = ();
+        type Outputs = Outputs<R>;
+        fn mass_matrix(&self, time: R, q: &Q<R>, out: &mut Mass<R>) {
+            let constants = &self.constants;
+            let crank_cos = q[0];
+            let crank_sin = q[1];
+            let coupler_cos = q[4];
+            let coupler_sin = q[5];
+            let a0 = crank_cos * coupler_cos;
+            let a1 = crank_sin.mul_add(coupler_sin, a0);
+            let a2 = R::from_f64(0.5) * a1;
+            *out = [
+                R::from_f64(1.3333333333333333),
+                R::from_f64(0.3333333333333333),
+                a2,
+                R::from_f64(0.3333333333333333),
+            ];
+        }
+        fn constraints(&self, time: R, q: &Q<R>, out: &mut Lambda<R>) {
+            let constants = &self.constants;
+            let crank_cos = q[0];
+            let crank_sin = q[1];
+            let rocker_cos = q[2];
+            let rocker_sin = q[3];
+            let coupler_cos = q[4];
+            let coupler_sin = q[5];
+            let a0 = R::ONE - crank_cos;
+            let a1 = rocker_cos + a0;
+            let a2 = a1 - coupler_cos;
+            let a3 = -a2;
+            let a4 = rocker_sin - crank_sin;
+            let a5 = a4 - coupler_sin;
+            let a6 = -a5;
+            *out = [a3, a6];
+        }
+        fn constraint_jacobian(&self, time: R, q: &Q<R>, out: &mut Jacobian<R>) {
+            let constants = &self.constants;
+            let crank_cos = q[0];
+            let crank_sin = q[1];
+            let rocker_cos = q[2];
+            let rocker_sin = q[3];
+            let coupler_cos = q[4];
+            let coupler_sin = q[5];
+            let a0 = -crank_sin;
+            let a1 = -coupler_sin;
+            let a2 = -rocker_cos;
+            *out = [a0, rocker_sin, a1, crank_cos, a2, coupler_cos];
+        }
+        fn nu(&self, time: R, q: &Q<R>, out: &mut Lambda<R>) {
+            let constants = &self.constants;
+            *out = [R::ZERO, R::ZERO];
+        }
+        fn gamma(&self, time: R, q: &Q<R>, v: &V<R>, out: &mut Lambda<R>) {
+            let constants = &self.constants;
+            let crank_cos = q[0];
+            let crank_sin = q[1];
+            let rocker_cos = q[2];
+            let rocker_sin = q[3];
+            let coupler_cos = q[4];
+            let coupler_sin = q[5];
+            let crank_rate = v[0];
+            let rocker_rate = v[1];
+            let coupler_rate = v[2];
+            let a0 = coupler_rate * coupler_rate;
+            let a1 = rocker_rate * rocker_rate;
+            let a2 = crank_rate * crank_rate;
+            let a3 = crank_cos * a2;
+            let a4 = (-rocker_cos).mul_add(a1, a3);
+            let a5 = coupler_cos.mul_add(a0, a4);
+            let a6 = crank_sin * a2;
+            let a7 = (-rocker_sin).mul_add(a1, a6);
+            let a8 = coupler_sin.mul_add(a0, a7);
+            *out = [a5, a8];
+        }
+        fn forces(&self, time: R, q: &Q<R>, v: &V<R>, u: &(), out: &mut V<R>) {
+            let constants = &self.constants;
+            let crank_cos = q[0];
+            let crank_sin = q[1];
+            let rocker_cos = q[2];
+            let coupler_cos = q[4];
+            let coupler_sin = q[5];
+            let crank_rate = v[0];
+            let coupler_rate = v[2];
+            let a0 = coupler_rate * coupler_rate;
+            let a1 = crank_cos * coupler_sin;
+            let a2 = (-crank_sin).mul_add(coupler_cos, a1);
+            let a3 = R::from_f64(0.5) * a2;
+            let a4 = a0 * a3;
+            let a5 = R::from_f64(-14.715).mul_add(crank_cos, a4);
+            let a6 = R::from_f64(-4.905) * rocker_cos;
+            let a7 = crank_rate * crank_rate;
+            let a8 = R::from_f64(4.905) * coupler_cos;
+            let a9 = (-a7).mul_add(a3, (-a8));
+            *out = [a5, a6, a9];
+        }
+        fn kinetic_energy(&self, time: R, q: &Q<R>, v: &V<R>) -> R {
+            let constants = &self.constants;
+            let crank_cos = q[0];
+            let crank_sin = q[1];
+            let rocker_cos = q[2];
+            let rocker_sin = q[3];
+            let coupler_cos = q[4];
+            let coupler_sin = q[5];
+            let crank_rate = v[0];
+            let rocker_rate = v[1];
+            let coupler_rate = v[2];
+            let a0 = rocker_rate * rocker_rate;
+            let a1 = coupler_rate * coupler_rate;
+            let a2 = crank_rate * crank_rate;
+            let a3 = R::from_f64(0.5) * crank_cos;
+            let a4 = crank_rate * a3;
+            let a5 = R::from_f64(0.5) * crank_sin;
+            let a6 = crank_rate * a5;
+            let a7 = a6 * a6;
+            let a8 = a4.mul_add(a4, a7);
+            let a9 = R::from_f64(0.08333333333333333).mul_add(a2, a8);
+            let a10 = R::from_f64(0.5) * coupler_cos;
+            let a11 = crank_cos * crank_rate;
+            let a12 = coupler_rate.mul_add(a10, a11);
+            let a13 = R::from_f64(0.5) * coupler_sin;
+            let a14 = crank_sin * crank_rate;
+            let a15 = coupler_rate.mul_add(a13, a14);
+            let a16 = a15 * a15;
+            let a17 = a12.mul_add(a12, a16);
+            let a18 = a9 + a17;
+            let a19 = R::from_f64(0.08333333333333333).mul_add(a1, a18);
+            let a20 = R::from_f64(0.5) * rocker_cos;
+            let a21 = rocker_rate * a20;
+            let a22 = R::from_f64(0.5) * rocker_sin;
+            let a23 = rocker_rate * a22;
+            let a24 = a23 * a23;
+            let a25 = a21.mul_add(a21, a24);
+            let a26 = a19 + a25;
+            let a27 = R::from_f64(0.08333333333333333).mul_add(a0, a26);
+            let a28 = R::from_f64(0.5) * a27;
+            a28
+        }
+        fn potential_energy(&self, time: R, q: &Q<R>) -> R {
+            let constants = &self.constants;
+            let crank_sin = q[1];
+            let rocker_sin = q[3];
+            let coupler_sin = q[5];
+            let a0 = R::from_f64(0.5).mul_add(coupler_sin, crank_sin);
+            let a1 = R::from_f64(4.905) * crank_sin;
+            let a2 = R::from_f64(9.81).mul_add(a0, a1);
+            let a3 = R::from_f64(4.905).mul_add(rocker_sin, a2);
+            a3
+        }
+        fn acceleration(
+            &self,
+            time: R,
+            q: &Q<R>,
+            v: &V<R>,
+            u: &(),
+            a_out: &mut V<R>,
+            lambda_out: &mut Lambda<R>,
+        ) -> R {
+            let constants = &self.constants;
+            let crank_cos = q[0];
+            let crank_sin = q[1];
+            let rocker_cos = q[2];
+            let rocker_sin = q[3];
+            let coupler_cos = q[4];
+            let coupler_sin = q[5];
+            let crank_rate = v[0];
+            let rocker_rate = v[1];
+            let coupler_rate = v[2];
+            let a0 = R::from_f64(0.75) * crank_cos;
+            let a1 = crank_cos * coupler_cos;
+            let a2 = crank_sin.mul_add(coupler_sin, a1);
+            let a3 = R::from_f64(0.375) * a2;
+            let a4 = (-crank_cos).mul_add(a3, coupler_cos);
+            let a5 = crank_sin.mul_add(a3, (-coupler_sin));
+            let a6 = R::from_f64(0.5) * a2;
+            let a7 = (-a6).mul_add(a3, R::from_f64(0.3333333333333333));
+            let a8 = R::ONE / a7;
+            let a9 = a5 * a8;
+            let a10 = R::from_f64(0.75) * crank_sin;
+            let a11 = R::from_f64(3.0) * rocker_sin;
+            let a12 = rocker_cos * a11;
+            let a13 = crank_cos.mul_add(a10, a12);
+            let a14 = (-a4).mul_add(a9, a13);
+            let a15 = rocker_sin * a11;
+            let a16 = crank_sin.mul_add(a10, a15);
+            let a17 = a5.mul_add(a9, a16);
+            let a18 = R::ONE / a17;
+            let a19 = a14 * a18;
+            let a20 = a4 * a8;
+            let a21 = R::from_f64(3.0) * rocker_cos;
+            let a22 = rocker_cos * a21;
+            let a23 = crank_cos.mul_add(a0, a22);
+            let a24 = a4.mul_add(a20, a23);
+            let a25 = (-a14).mul_add(a19, a24);
+            let a26 = R::ONE / a25;
+            let a27 = coupler_rate * coupler_rate;
+            let a28 = crank_cos * coupler_sin;
+            let a29 = (-crank_sin).mul_add(coupler_cos, a28);
+            let a30 = R::from_f64(0.5) * a29;
+            let a31 = a27 * a30;
+            let a32 = R::from_f64(-14.715).mul_add(crank_cos, a31);
+            let a33 = crank_rate * crank_rate;
+            let a34 = R::from_f64(4.905) * coupler_cos;
+            let a35 = a33.mul_add(a30, a34);
+            let a36 = a32.mul_add(a3, a35);
+            let a37 = R::from_f64(4.905) * rocker_cos;
+            let a38 = rocker_rate * rocker_rate;
+            let a39 = crank_cos * a33;
+            let a40 = (-rocker_cos).mul_add(a38, a39);
+            let a41 = coupler_cos.mul_add(a27, a40);
+            let a42 = a37.mul_add(a11, a41);
+            let a43 = a32.mul_add(a10, a42);
+            let a44 = a9.mul_add(a36, a43);
+            let a45 = crank_sin * a33;
+            let a46 = (-rocker_sin).mul_add(a38, a45);
+            let a47 = coupler_sin.mul_add(a27, a46);
+            let a48 = (-a37).mul_add(a21, a47);
+            let a49 = (-a32).mul_add(a0, a48);
+            let a50 = a20.mul_add(a36, a49);
+            let a51 = a19.mul_add(a44, a50);
+            let a52 = a26 * a51;
+            let a53 = a18 * a44;
+            let a54 = a19.mul_add(a52, a53);
+            let a55 = a9 * a54;
+            let a56 = (-a8).mul_add(a36, a55);
+            let a57 = a20.mul_add(a52, a56);
+            let a58 = R::from_f64(0.75) * a32;
+            let a59 = (-a3).mul_add(a57, a58);
+            let a60 = (-a10).mul_add(a54, a59);
+            let a61 = a0.mul_add(a52, a60);
+            let a62 = a11 * a54;
+            let a63 = R::from_f64(-14.715).mul_add(rocker_cos, a62);
+            let a64 = (-a21).mul_add(a52, a63);
+            let a65 = -a54;
+            let a66 = -a52;
+            let a67 = a24 * a26;
+            let a68 = R::from_f64(2.0).mul_add(a67, R::from_f64(-1.0));
+            let a69 = R::ONE / a68;
+            *a_out = [a61, a64, a57];
+            *lambda_out = [a65, a66];
+            a69
+        }
+        fn acceleration_baumgarte(
+            &self,
+            time: R,
+            q: &Q<R>,
+            v: &V<R>,
+            u: &(),
+            two_alpha: R,
+            beta_squared: R,
+            a_out: &mut V<R>,
+            lambda_out: &mut Lambda<R>,
+        ) -> R {
+            let constants = &self.constants;
+            let crank_cos = q[0];
+            let crank_sin = q[1];
+            let rocker_cos = q[2];
+            let rocker_sin = q[3];
+            let coupler_cos = q[4];
+            let coupler_sin = q[5];
+            let crank_rate = v[0];
+            let rocker_rate = v[1];
+            let coupler_rate = v[2];
+            let a0 = R::from_f64(0.75) * crank_cos;
+            let a1 = crank_cos * coupler_cos;
+            let a2 = crank_sin.mul_add(coupler_sin, a1);
+            let a3 = R::from_f64(0.375) * a2;
+            let a4 = (-crank_cos).mul_add(a3, coupler_cos);
+            let a5 = crank_sin.mul_add(a3, (-coupler_sin));
+            let a6 = R::from_f64(0.5) * a2;
+            let a7 = (-a6).mul_add(a3, R::from_f64(0.3333333333333333));
+            let a8 = R::ONE / a7;
+            let a9 = a5 * a8;
+            let a10 = R::from_f64(0.75) * crank_sin;
+            let a11 = R::from_f64(3.0) * rocker_sin;
+            let a12 = rocker_cos * a11;
+            let a13 = crank_cos.mul_add(a10, a12);
+            let a14 = (-a4).mul_add(a9, a13);
+            let a15 = rocker_sin * a11;
+            let a16 = crank_sin.mul_add(a10, a15);
+            let a17 = a5.mul_add(a9, a16);
+            let a18 = R::ONE / a17;
+            let a19 = a14 * a18;
+            let a20 = a4 * a8;
+            let a21 = R::from_f64(3.0) * rocker_cos;
+            let a22 = rocker_cos * a21;
+            let a23 = crank_cos.mul_add(a0, a22);
+            let a24 = a4.mul_add(a20, a23);
+            let a25 = (-a14).mul_add(a19, a24);
+            let a26 = R::ONE / a25;
+            let a27 = coupler_rate * coupler_rate;
+            let a28 = crank_cos * coupler_sin;
+            let a29 = (-crank_sin).mul_add(coupler_cos, a28);
+            let a30 = R::from_f64(0.5) * a29;
+            let a31 = a27 * a30;
+            let a32 = R::from_f64(-14.715).mul_add(crank_cos, a31);
+            let a33 = crank_rate * crank_rate;
+            let a34 = R::from_f64(4.905) * coupler_cos;
+            let a35 = a33.mul_add(a30, a34);
+            let a36 = a32.mul_add(a3, a35);
+            let a37 = R::from_f64(4.905) * rocker_cos;
+            let a38 = R::ONE - crank_cos;
+            let a39 = rocker_cos + a38;
+            let a40 = a39 - coupler_cos;
+            let a41 = rocker_sin * rocker_rate;
+            let a42 = (-crank_sin).mul_add(crank_rate, a41);
+            let a43 = (-coupler_sin).mul_add(coupler_rate, a42);
+            let a44 = rocker_rate * rocker_rate;
+            let a45 = crank_cos * a33;
+            let a46 = (-rocker_cos).mul_add(a44, a45);
+            let a47 = coupler_cos.mul_add(a27, a46);
+            let a48 = (-two_alpha).mul_add(a43, a47);
+            let a49 = beta_squared.mul_add(a40, a48);
+            let a50 = a37.mul_add(a11, a49);
+            let a51 = a32.mul_add(a10, a50);
+            let a52 = a9.mul_add(a36, a51);
+            let a53 = rocker_sin - crank_sin;
+            let a54 = a53 - coupler_sin;
+            let a55 = crank_cos * crank_rate;
+            let a56 = (-rocker_cos).mul_add(rocker_rate, a55);
+            let a57 = coupler_cos.mul_add(coupler_rate, a56);
+            let a58 = crank_sin * a33;
+            let a59 = (-rocker_sin).mul_add(a44, a58);
+            let a60 = coupler_sin.mul_add(a27, a59);
+            let a61 = (-two_alpha).mul_add(a57, a60);
+            let a62 = beta_squared.mul_add(a54, a61);
+            let a63 = (-a37).mul_add(a21, a62);
+            let a64 = (-a32).mul_add(a0, a63);
+            let a65 = a20.mul_add(a36, a64);
+            let a66 = a19.mul_add(a52, a65);
+            let a67 = a26 * a66;
+            let a68 = a18 * a52;
+            let a69 = a19.mul_add(a67, a68);
+            let a70 = a9 * a69;
+            let a71 = (-a8).mul_add(a36, a70);
+            let a72 = a20.mul_add(a67, a71);
+            let a73 = R::from_f64(0.75) * a32;
+            let a74 = (-a3).mul_add(a72, a73);
+            let a75 = (-a10).mul_add(a69, a74);
+            let a76 = a0.mul_add(a67, a75);
+            let a77 = a11 * a69;
+            let a78 = R::from_f64(-14.715).mul_add(rocker_cos, a77);
+            let a79 = (-a21).mul_add(a67, a78);
+            let a80 = -a69;
+            let a81 = -a67;
+            let a82 = a24 * a26;
+            let a83 = R::from_f64(2.0).mul_add(a82, R::from_f64(-1.0));
+            let a84 = R::ONE / a83;
+            *a_out = [a76, a79, a72];
+            *lambda_out = [a80, a81];
+            a84
+        }
+        fn outputs(&self, time: R, q: &Q<R>, v: &V<R>, u: &()) -> Outputs<R> {
+            let constants = &self.constants;
+            let crank_cos = q[0];
+            let rocker_cos = q[2];
+            let rocker_sin = q[3];
+            let a0 = rocker_sin.atan2(rocker_cos);
+            FourBarOutputs {
+                x: crank_cos,
+                angle: a0,
+            }
+        }
+        fn unwrap(outputs: &mut Outputs<R>, previous: &Outputs<R>) {
+            outputs.angle = unwrap_angle(outputs.angle, previous.angle);
+        }
+    }
+    impl<R: Real> Assemble<R> for FourBar<R> {
+        const CONDITIONS: &'static [Condition] = &[
+            Condition {
+                of: "crank_pin.angle",
+                kind: ConditionKind::Angle,
+            },
+        ];
+        const START_CONDITIONS: &'static [u16] = &[0];
+        const START_RATES: &'static [u16] = &[0];
+        const INDEPENDENT: &'static [u16] = &[0];
+        const FLIPS: &'static [u16] = &[];
+        const CONDITION_PATTERN: &'static [(u16, u16)] = &[(0, 0)];
+        const ELIMINATION: Elimination = Elimination {
+            order: &[1, 2, 0, 3, 4, 5],
+            position: &[2, 0, 1, 3, 4, 5],
+            row_start: &[0, 0, 0, 1, 4, 8, 11],
+            columns: &[1, 0, 1, 2, 0, 1, 2, 3, 2, 3, 4],
+        };
+        type Conditions = Conditions<R>;
+        type ConditionJacobian = ConditionJacobian<R>;
+        type Factor = Factor<R>;
+        type System = System<R>;
+        fn condition_residual(
+            &self,
+            time: R,
+            q: &Q<R>,
+            target: &Conditions<R>,
+            out: &mut Conditions<R>,
+        ) {
+            let constants = &self.constants;
+            let crank_cos = q[0];
+            let crank_sin = q[1];
+            let target_crank_pin_angle = target[0];
+            let a0 = target_crank_pin_angle.sin();
+            let a1 = target_crank_pin_angle.cos();
+            let a2 = crank_sin * a1;
+            let a3 = (-crank_cos).mul_add(a0, a2);
+            *out = [a3];
+        }
+        fn condition_flipped(
+            &self,
+            time: R,
+            q: &Q<R>,
+            target: &Conditions<R>,
+            out: &mut Conditions<R>,
+        ) {
+            let constants = &self.constants;
+            let crank_cos = q[0];
+            let crank_sin = q[1];
+            let target_crank_pin_angle = target[0];
+            let a0 = target_crank_pin_angle.sin();
+            let a1 = target_crank_pin_angle.cos();
+            let a2 = crank_cos * a1;
+            let a3 = crank_sin.mul_add(a0, a2);
+            *out = [a3];
+        }
+        fn condition_jacobian(&self, time: R, q: &Q<R>, out: &mut ConditionJacobian<R>) {
+            let constants = &self.constants;
+            *out = [R::ONE];
+        }
+        fn condition_bias(&self, time: R, q: &Q<R>, v: &V<R>, out: &mut Conditions<R>) {
+            let constants = &self.constants;
+            *out = [R::ZERO];
+        }
+        fn condition_drift(&self, time: R, q: &Q<R>, out: &mut Conditions<R>) {
+            let constants = &self.constants;
+            *out = [R::ZERO];
+        }
+        fn row_cosines(&self, time: R, q: &Q<R>, out: &mut Lambda<R>) {
+            let constants = &self.constants;
+            *out = [R::ONE, R::ONE];
+        }
+        fn start_targets(
+            &self,
+            positions: &mut Conditions<R>,
+            rates: &mut Conditions<R>,
+        ) {
+            let constants = &self.constants;
+            *positions = [R::from_f64(1.5707963267948966)];
+            *rates = [R::from_f64(-1.0)];
+        }
+        fn start_q() -> Q<R> {
+            [
+                R::from_f64(6.123233995736766e-17),
+                R::ONE,
+                R::from_f64(6.123233995736766e-17),
+                R::ONE,
+                R::ONE,
+                R::ZERO,
+            ]
+        }
+        fn start_v() -> V<R> {
+            [R::from_f64(-1.0), R::from_f64(-1.0), R::ZERO]
+        }
+    }
+};

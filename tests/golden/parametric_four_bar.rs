@@ -1,0 +1,1577 @@
+/// Four-bar of which every number is a parameter; its defaults are the literals of [`GeneralFourBar`].
+#[cfg_attr(doc, doc = "")]
+#[cfg_attr(doc, doc = "Degree of freedom: 1; 3 velocities, 2 constraint rows.")]
+#[cfg_attr(doc, doc = "")]
+#[cfg_attr(
+    doc,
+    doc = "In tree coordinates (chosen by count: 97 operations, depth 21, against 270 and 39 in absolute coordinates); elimination order: minimum degree."
+)]
+#[cfg_attr(doc, doc = "")]
+#[cfg_attr(doc, doc = "# Coordinates")]
+#[cfg_attr(doc, doc = "")]
+#[cfg_attr(doc, doc = "| | q | v |")]
+#[cfg_attr(doc, doc = "|---|---|---|")]
+#[cfg_attr(doc, doc = "| 0 | `crank.cos`, `crank.sin` | `crank.rate` |")]
+#[cfg_attr(doc, doc = "| 1 | `rocker.cos`, `rocker.sin` | `rocker.rate` |")]
+#[cfg_attr(doc, doc = "| 2 | `coupler.cos`, `coupler.sin` | `coupler.rate` |")]
+#[cfg_attr(doc, doc = "")]
+#[cfg_attr(doc, doc = "# Constraint rows")]
+#[cfg_attr(doc, doc = "")]
+#[cfg_attr(doc, doc = "| # | joint | row |")]
+#[cfg_attr(doc, doc = "|---|---|---|")]
+#[cfg_attr(doc, doc = "| 0 | `right` | x |")]
+#[cfg_attr(doc, doc = "| 1 | `right` | y |")]
+#[cfg_attr(doc, doc = "")]
+#[cfg_attr(doc, doc = "# Operations")]
+#[cfg_attr(doc, doc = "")]
+#[cfg_attr(
+    doc,
+    doc = "| function | operations | + | × | fma | ÷ | √ | choices | sin, exp … | depth |"
+)]
+#[cfg_attr(doc, doc = "|---|---|---|---|---|---|---|---|---|---|")]
+#[cfg_attr(doc, doc = "| `mass_matrix` | 6 | 0 | 3 | 3 | 0 | 0 | 0 | 0 | 4 |")]
+#[cfg_attr(doc, doc = "| `constraints` | 6 | 0 | 0 | 6 | 0 | 0 | 0 | 0 | 3 |")]
+#[cfg_attr(doc, doc = "| `constraint_jacobian` | 9 | 3 | 6 | 0 | 0 | 0 | 0 | 0 | 2 |")]
+#[cfg_attr(doc, doc = "| `gamma` | 15 | 0 | 11 | 4 | 0 | 0 | 0 | 0 | 4 |")]
+#[cfg_attr(doc, doc = "| `forces` | 16 | 0 | 8 | 8 | 0 | 0 | 0 | 0 | 5 |")]
+#[cfg_attr(doc, doc = "| `kinetic_energy` | 38 | 0 | 22 | 16 | 0 | 0 | 0 | 0 | 12 |")]
+#[cfg_attr(doc, doc = "| `potential_energy` | 29 | 6 | 10 | 13 | 0 | 0 | 0 | 0 | 8 |")]
+#[cfg_attr(doc, doc = "| `acceleration` | 81 | 2 | 35 | 40 | 4 | 0 | 0 | 0 | 21 |")]
+#[cfg_attr(
+    doc,
+    doc = "| `acceleration_baumgarte` | 97 | 8 | 37 | 48 | 4 | 0 | 0 | 0 | 21 |"
+)]
+#[cfg_attr(doc, doc = "| `outputs` | 9 | 2 | 2 | 4 | 0 | 0 | 0 | 1 | 3 |")]
+#[cfg_attr(doc, doc = "| `motions` | 54 | 13 | 25 | 16 | 0 | 0 | 0 | 0 | 5 |")]
+#[cfg_attr(doc, doc = "| `reactions` | 79 | 21 | 25 | 33 | 0 | 0 | 0 | 0 | 11 |")]
+#[cfg_attr(doc, doc = "| `condition_residual` | 4 | 0 | 1 | 1 | 0 | 0 | 0 | 2 | 3 |")]
+#[cfg_attr(doc, doc = "| `condition_upright` | 4 | 0 | 1 | 1 | 0 | 0 | 0 | 2 | 3 |")]
+#[cfg_attr(doc, doc = "| `prepare` | 46 | 5 | 25 | 14 | 2 | 0 | 0 | 0 | 7 |")]
+#[cfg_attr(
+    not(doc),
+    doc = "Equations of motion of the planar mechanism `ParametricFourBar`."
+)]
+#[derive(
+    ::core::clone::Clone,
+    ::core::marker::Copy,
+    ::core::fmt::Debug,
+    ::core::cmp::PartialEq
+)]
+pub struct ParametricFourBar<R = ::core::primitive::f64> {
+    parameters: ParametricFourBarParameters<R>,
+    phases: [R; 0],
+    constants: [R; 44],
+}
+///Parameters of [`ParametricFourBar`], in SI units.
+#[derive(
+    ::core::clone::Clone,
+    ::core::marker::Copy,
+    ::core::fmt::Debug,
+    ::core::cmp::PartialEq
+)]
+pub struct ParametricFourBarParameters<R = ::core::primitive::f64> {
+    ///`m/s^2`, default 0.31 in SI units.
+    pub gravity_x: R,
+    ///`m/s^2`, default -9.73 in SI units.
+    pub gravity_y: R,
+    ///`m`, default -0.15 in SI units.
+    pub crank_x: R,
+    ///`m`, default 0.24 in SI units.
+    pub crank_y: R,
+    ///`m`, default 0.93 in SI units.
+    pub rocker_x: R,
+    ///`m`, default 0.45 in SI units.
+    pub rocker_y: R,
+    ///`m`, default 0.4 in SI units.
+    pub crank_length: R,
+    ///`kg`, default 0.71 in SI units.
+    pub crank_mass: R,
+    ///`kg*m^2`, default 0.013 in SI units.
+    pub crank_inertia: R,
+    ///`m`, default 0.17 in SI units.
+    pub crank_center_x: R,
+    ///`m`, default 0.033 in SI units.
+    pub crank_center_y: R,
+    ///`m`, default 1.0 in SI units.
+    pub coupler_length: R,
+    ///`kg`, default 1.93 in SI units.
+    pub coupler_mass: R,
+    ///`kg*m^2`, default 0.187 in SI units.
+    pub coupler_inertia: R,
+    ///`m`, default 0.43 in SI units.
+    pub coupler_center_x: R,
+    ///`m`, default -0.12 in SI units.
+    pub coupler_center_y: R,
+    ///`m`, default 0.62 in SI units.
+    pub tracer_x: R,
+    ///`m`, default 0.29 in SI units.
+    pub tracer_y: R,
+    ///`m`, default 0.9 in SI units.
+    pub rocker_length: R,
+    ///`kg`, default 1.37 in SI units.
+    pub rocker_mass: R,
+    ///`kg*m^2`, default 0.091 in SI units.
+    pub rocker_inertia: R,
+    ///`m`, default 0.52 in SI units.
+    pub rocker_center_x: R,
+    ///`m`, default 0.071 in SI units.
+    pub rocker_center_y: R,
+    ///`deg`, default 0.6981317007977318 in SI units.
+    pub start_angle: R,
+    ///`rad/s`, default 3.0 in SI units.
+    pub start_rate: R,
+}
+///Outputs of [`ParametricFourBar`], in SI units.
+#[derive(
+    ::core::clone::Clone,
+    ::core::marker::Copy,
+    ::core::fmt::Debug,
+    ::core::cmp::PartialEq
+)]
+pub struct ParametricFourBarOutputs<R = ::core::primitive::f64> {
+    ///`m` (SI).
+    pub trace_x: R,
+    ///`m` (SI).
+    pub trace_y: R,
+    ///`rad` (SI).
+    pub rocking: R,
+}
+///Positions and velocities of [`ParametricFourBar`].
+pub type ParametricFourBarState<R = ::core::primitive::f64> = ::linkwright::__private::v1::State<
+    [R; 6],
+    [R; 3],
+>;
+#[allow(clippy::all)]
+impl ParametricFourBar<::core::primitive::f64> {
+    ///Consistent start state for the default parameters, assembled at compile time.
+    pub const START: ParametricFourBarState = ::linkwright::__private::v1::State {
+        q: [
+            0.766044443118695,
+            0.6427876096868768,
+            -0.23572301668454773,
+            0.9718202814333197,
+            0.5614315077363402,
+            0.8275232094152403,
+        ],
+        v: [3.0, -0.49151144248490364, -1.4516086406810664],
+    };
+    ///Degrees of freedom, drivers removed.
+    pub const DEGREES_OF_FREEDOM: ::core::primitive::usize = 1;
+    ///Operations of the default acceleration function (Baumgarte), a fused multiply-add counted once.
+    pub const OPERATIONS: ::core::primitive::usize = 97;
+    ///The definition as written.
+    pub const SOURCE: &'static ::core::primitive::str = "# [doc = \" Four-bar of which every number is a parameter; its defaults are the literals of [`GeneralFourBar`].\"] pub planar ParametricFourBar { param gravity_x [m / s ^ 2] = 0.31 ; param gravity_y [m / s ^ 2] = - 9.73 ; param crank_x [m] = - 0.15 ; param crank_y [m] = 0.24 ; param rocker_x [m] = 0.93 ; param rocker_y [m] = 0.45 ; param crank_length [m] = 0.4 in 0.01 .. 10 ; param crank_mass [kg] = 0.71 ; param crank_inertia [kg * m ^ 2] = 0.013 ; param crank_center_x [m] = 0.17 ; param crank_center_y [m] = 0.033 ; param coupler_length [m] = 1.0 in 0.01 .. 10 ; param coupler_mass [kg] = 1.93 ; param coupler_inertia [kg * m ^ 2] = 0.187 ; param coupler_center_x [m] = 0.43 ; param coupler_center_y [m] = - 0.12 ; param tracer_x [m] = 0.62 ; param tracer_y [m] = 0.29 ; param rocker_length [m] = 0.9 in 0.01 .. 10 ; param rocker_mass [kg] = 1.37 ; param rocker_inertia [kg * m ^ 2] = 0.091 ; param rocker_center_x [m] = 0.52 ; param rocker_center_y [m] = 0.071 ; param start_angle [deg] = 40 ; param start_rate [rad / s] = 3 ; gravity [m / s ^ 2] = (gravity_x , gravity_y) ; body crank { mass [kg] = crank_mass ; inertia [kg * m ^ 2] = crank_inertia ; center [m] = (crank_center_x , crank_center_y) ; point tip [m] = (crank_length , 0) ; } body coupler { mass [kg] = coupler_mass ; inertia [kg * m ^ 2] = coupler_inertia ; center [m] = (coupler_center_x , coupler_center_y) ; point tip [m] = (coupler_length , 0) ; point tracer [m] = (tracer_x , tracer_y) ; } body rocker { mass [kg] = rocker_mass ; inertia [kg * m ^ 2] = rocker_inertia ; center [m] = (rocker_center_x , rocker_center_y) ; point tip [m] = (rocker_length , 0) ; } joint crank_pin : revolute (ground (crank_x , crank_y) [m] , crank . origin) ; joint rocker_pin : revolute (ground (rocker_x , rocker_y) [m] , rocker . origin) ; joint left : revolute (crank . tip , coupler . origin) ; joint right : revolute (coupler . tip , rocker . tip) ; start { crank_pin . angle [rad] = start_angle ; crank_pin . rate [rad / s] = start_rate ; rocker_pin . angle [deg] ~ 100 ; coupler . angle [deg] ~ 40 ; } expect { degrees_of_freedom = 1 ; } output trace_x [m] = coupler . tracer . x ; output trace_y [m] = coupler . tracer . y ; output rocking [rad] = rocker_pin . angle ; }";
+    ///The definition as versioned JSON: kinds, shapes and units as written.
+    pub const DEFINITION: &'static ::core::primitive::str = "{\"linkwright\":1,\"kind\":\"planar\",\"name\":\"ParametricFourBar\",\"constants\":[],\"parameters\":[{\"name\":\"gravity_x\",\"unit\":\"m/s^2\",\"value\":{\"number\":\"0.31\"},\"min\":null,\"max\":null},{\"name\":\"gravity_y\",\"unit\":\"m/s^2\",\"value\":{\"op\":\"neg\",\"args\":[{\"number\":\"9.73\"}]},\"min\":null,\"max\":null},{\"name\":\"crank_x\",\"unit\":\"m\",\"value\":{\"op\":\"neg\",\"args\":[{\"number\":\"0.15\"}]},\"min\":null,\"max\":null},{\"name\":\"crank_y\",\"unit\":\"m\",\"value\":{\"number\":\"0.24\"},\"min\":null,\"max\":null},{\"name\":\"rocker_x\",\"unit\":\"m\",\"value\":{\"number\":\"0.93\"},\"min\":null,\"max\":null},{\"name\":\"rocker_y\",\"unit\":\"m\",\"value\":{\"number\":\"0.45\"},\"min\":null,\"max\":null},{\"name\":\"crank_length\",\"unit\":\"m\",\"value\":{\"number\":\"0.4\"},\"min\":{\"number\":\"0.01\"},\"max\":{\"number\":\"10\"}},{\"name\":\"crank_mass\",\"unit\":\"kg\",\"value\":{\"number\":\"0.71\"},\"min\":null,\"max\":null},{\"name\":\"crank_inertia\",\"unit\":\"kg*m^2\",\"value\":{\"number\":\"0.013\"},\"min\":null,\"max\":null},{\"name\":\"crank_center_x\",\"unit\":\"m\",\"value\":{\"number\":\"0.17\"},\"min\":null,\"max\":null},{\"name\":\"crank_center_y\",\"unit\":\"m\",\"value\":{\"number\":\"0.033\"},\"min\":null,\"max\":null},{\"name\":\"coupler_length\",\"unit\":\"m\",\"value\":{\"number\":\"1.0\"},\"min\":{\"number\":\"0.01\"},\"max\":{\"number\":\"10\"}},{\"name\":\"coupler_mass\",\"unit\":\"kg\",\"value\":{\"number\":\"1.93\"},\"min\":null,\"max\":null},{\"name\":\"coupler_inertia\",\"unit\":\"kg*m^2\",\"value\":{\"number\":\"0.187\"},\"min\":null,\"max\":null},{\"name\":\"coupler_center_x\",\"unit\":\"m\",\"value\":{\"number\":\"0.43\"},\"min\":null,\"max\":null},{\"name\":\"coupler_center_y\",\"unit\":\"m\",\"value\":{\"op\":\"neg\",\"args\":[{\"number\":\"0.12\"}]},\"min\":null,\"max\":null},{\"name\":\"tracer_x\",\"unit\":\"m\",\"value\":{\"number\":\"0.62\"},\"min\":null,\"max\":null},{\"name\":\"tracer_y\",\"unit\":\"m\",\"value\":{\"number\":\"0.29\"},\"min\":null,\"max\":null},{\"name\":\"rocker_length\",\"unit\":\"m\",\"value\":{\"number\":\"0.9\"},\"min\":{\"number\":\"0.01\"},\"max\":{\"number\":\"10\"}},{\"name\":\"rocker_mass\",\"unit\":\"kg\",\"value\":{\"number\":\"1.37\"},\"min\":null,\"max\":null},{\"name\":\"rocker_inertia\",\"unit\":\"kg*m^2\",\"value\":{\"number\":\"0.091\"},\"min\":null,\"max\":null},{\"name\":\"rocker_center_x\",\"unit\":\"m\",\"value\":{\"number\":\"0.52\"},\"min\":null,\"max\":null},{\"name\":\"rocker_center_y\",\"unit\":\"m\",\"value\":{\"number\":\"0.071\"},\"min\":null,\"max\":null},{\"name\":\"start_angle\",\"unit\":\"deg\",\"value\":{\"number\":\"40\"},\"min\":null,\"max\":null},{\"name\":\"start_rate\",\"unit\":\"rad/s\",\"value\":{\"number\":\"3\"},\"min\":null,\"max\":null}],\"inputs\":[],\"gravity\":{\"unit\":\"m/s^2\",\"value\":[{\"name\":\"gravity_x\"},{\"name\":\"gravity_y\"}]},\"bodies\":[{\"name\":\"crank\",\"kind\":\"body\",\"properties\":{\"mass\":{\"unit\":\"kg\",\"value\":{\"name\":\"crank_mass\"}},\"inertia\":{\"unit\":\"kg*m^2\",\"value\":{\"name\":\"crank_inertia\"}}},\"center\":{\"unit\":\"m\",\"value\":[{\"name\":\"crank_center_x\"},{\"name\":\"crank_center_y\"}]},\"points\":[{\"name\":\"tip\",\"unit\":\"m\",\"value\":[{\"name\":\"crank_length\"},{\"number\":\"0\"}]}],\"lines\":[]},{\"name\":\"coupler\",\"kind\":\"body\",\"properties\":{\"mass\":{\"unit\":\"kg\",\"value\":{\"name\":\"coupler_mass\"}},\"inertia\":{\"unit\":\"kg*m^2\",\"value\":{\"name\":\"coupler_inertia\"}}},\"center\":{\"unit\":\"m\",\"value\":[{\"name\":\"coupler_center_x\"},{\"name\":\"coupler_center_y\"}]},\"points\":[{\"name\":\"tip\",\"unit\":\"m\",\"value\":[{\"name\":\"coupler_length\"},{\"number\":\"0\"}]},{\"name\":\"tracer\",\"unit\":\"m\",\"value\":[{\"name\":\"tracer_x\"},{\"name\":\"tracer_y\"}]}],\"lines\":[]},{\"name\":\"rocker\",\"kind\":\"body\",\"properties\":{\"mass\":{\"unit\":\"kg\",\"value\":{\"name\":\"rocker_mass\"}},\"inertia\":{\"unit\":\"kg*m^2\",\"value\":{\"name\":\"rocker_inertia\"}}},\"center\":{\"unit\":\"m\",\"value\":[{\"name\":\"rocker_center_x\"},{\"name\":\"rocker_center_y\"}]},\"points\":[{\"name\":\"tip\",\"unit\":\"m\",\"value\":[{\"name\":\"rocker_length\"},{\"number\":\"0\"}]}],\"lines\":[]}],\"joints\":[{\"name\":\"crank_pin\",\"kind\":\"revolute\",\"first\":{\"ground\":[{\"name\":\"crank_x\"},{\"name\":\"crank_y\"}],\"unit\":\"m\"},\"second\":{\"place\":\"crank.origin\"}},{\"name\":\"rocker_pin\",\"kind\":\"revolute\",\"first\":{\"ground\":[{\"name\":\"rocker_x\"},{\"name\":\"rocker_y\"}],\"unit\":\"m\"},\"second\":{\"place\":\"rocker.origin\"}},{\"name\":\"left\",\"kind\":\"revolute\",\"first\":{\"place\":\"crank.tip\"},\"second\":{\"place\":\"coupler.origin\"}},{\"name\":\"right\",\"kind\":\"revolute\",\"first\":{\"place\":\"coupler.tip\"},\"second\":{\"place\":\"rocker.tip\"}}],\"constraints\":[],\"drivers\":[],\"loads\":[],\"start\":[{\"quantity\":{\"name\":\"crank_pin.angle\"},\"exact\":true,\"unit\":\"rad\",\"value\":{\"name\":\"start_angle\"}},{\"quantity\":{\"name\":\"crank_pin.rate\"},\"exact\":true,\"unit\":\"rad/s\",\"value\":{\"name\":\"start_rate\"}},{\"quantity\":{\"name\":\"rocker_pin.angle\"},\"exact\":false,\"unit\":\"deg\",\"value\":{\"number\":\"100\"}},{\"quantity\":{\"name\":\"coupler.angle\"},\"exact\":false,\"unit\":\"deg\",\"value\":{\"number\":\"40\"}}],\"outputs\":[{\"name\":\"trace_x\",\"unit\":\"m\",\"value\":{\"name\":\"coupler.tracer.x\"}},{\"name\":\"trace_y\",\"unit\":\"m\",\"value\":{\"name\":\"coupler.tracer.y\"}},{\"name\":\"rocking\",\"unit\":\"rad\",\"value\":{\"name\":\"rocker_pin.angle\"}}],\"options\":{},\"expect\":{\"degrees_of_freedom\":1}}";
+    ///What the entries of q and v and the constraint rows are, as JSON.
+    pub const COORDINATES: &'static ::core::primitive::str = "{\"coordinates\":\"tree\",\"tree\":[{\"body\":\"crank\",\"joint\":\"crank_pin\",\"parent\":\"ground\"},{\"body\":\"rocker\",\"joint\":\"rocker_pin\",\"parent\":\"ground\"},{\"body\":\"coupler\",\"joint\":\"left\",\"parent\":\"crank\"}],\"linear\":[],\"rotations\":[{\"body\":\"crank\"},{\"body\":\"rocker\"},{\"body\":\"coupler\"}],\"angles\":[],\"rows\":[{\"of\":\"right\",\"what\":\"x\"},{\"of\":\"right\",\"what\":\"y\"}]}";
+    ///Names of the bodies, in the order of `motions`.
+    pub const BODIES: &'static [&'static ::core::primitive::str] = &[
+        "crank",
+        "coupler",
+        "rocker",
+    ];
+    ///Names of the joints, in the order of `reactions`.
+    pub const JOINTS: &'static [&'static ::core::primitive::str] = &[
+        "crank_pin",
+        "rocker_pin",
+        "left",
+        "right",
+    ];
+    ///Names of the loads, in the order of `powers`.
+    pub const LOADS: &'static [&'static ::core::primitive::str] = &[];
+}
+#[allow(unused, non_snake_case, clippy::all)]
+const _: () = {
+    use ::core::prelude::rust_2024::*;
+    use ::linkwright::__private::v1::*;
+    use ::core::primitive::{bool, f64, u16, u32, usize, str};
+    type Constants<R> = [R; 44];
+    type Phases<R> = [R; 0];
+    type Q<R> = [R; 6];
+    type V<R> = [R; 3];
+    type Lambda<R> = [R; 2];
+    type Mass<R> = [R; 4];
+    type Jacobian<R> = [R; 6];
+    type Conditions<R> = [R; 1];
+    type ConditionJacobian<R> = [R; 1];
+    type Factor<R> = [R; 11];
+    type System<R> = [R; 6];
+    type Parameters<R> = ParametricFourBarParameters<R>;
+    type Outputs<R> = ParametricFourBarOutputs<R>;
+    impl<R: Real> Fields<R> for Parameters<R> {
+        const NAMES: &'static [&'static str] = &[
+            "gravity_x",
+            "gravity_y",
+            "crank_x",
+            "crank_y",
+            "rocker_x",
+            "rocker_y",
+            "crank_length",
+            "crank_mass",
+            "crank_inertia",
+            "crank_center_x",
+            "crank_center_y",
+            "coupler_length",
+            "coupler_mass",
+            "coupler_inertia",
+            "coupler_center_x",
+            "coupler_center_y",
+            "tracer_x",
+            "tracer_y",
+            "rocker_length",
+            "rocker_mass",
+            "rocker_inertia",
+            "rocker_center_x",
+            "rocker_center_y",
+            "start_angle",
+            "start_rate",
+        ];
+        type Array = [R; 25];
+        fn from_array(values: [R; 25]) -> Self {
+            ParametricFourBarParameters {
+                gravity_x: values[0],
+                gravity_y: values[1],
+                crank_x: values[2],
+                crank_y: values[3],
+                rocker_x: values[4],
+                rocker_y: values[5],
+                crank_length: values[6],
+                crank_mass: values[7],
+                crank_inertia: values[8],
+                crank_center_x: values[9],
+                crank_center_y: values[10],
+                coupler_length: values[11],
+                coupler_mass: values[12],
+                coupler_inertia: values[13],
+                coupler_center_x: values[14],
+                coupler_center_y: values[15],
+                tracer_x: values[16],
+                tracer_y: values[17],
+                rocker_length: values[18],
+                rocker_mass: values[19],
+                rocker_inertia: values[20],
+                rocker_center_x: values[21],
+                rocker_center_y: values[22],
+                start_angle: values[23],
+                start_rate: values[24],
+            }
+        }
+        fn to_array(&self) -> [R; 25] {
+            [
+                self.gravity_x,
+                self.gravity_y,
+                self.crank_x,
+                self.crank_y,
+                self.rocker_x,
+                self.rocker_y,
+                self.crank_length,
+                self.crank_mass,
+                self.crank_inertia,
+                self.crank_center_x,
+                self.crank_center_y,
+                self.coupler_length,
+                self.coupler_mass,
+                self.coupler_inertia,
+                self.coupler_center_x,
+                self.coupler_center_y,
+                self.tracer_x,
+                self.tracer_y,
+                self.rocker_length,
+                self.rocker_mass,
+                self.rocker_inertia,
+                self.rocker_center_x,
+                self.rocker_center_y,
+                self.start_angle,
+                self.start_rate,
+            ]
+        }
+    }
+    impl<R: Real> Fields<R> for Outputs<R> {
+        const NAMES: &'static [&'static str] = &["trace_x", "trace_y", "rocking"];
+        type Array = [R; 3];
+        fn from_array(values: [R; 3]) -> Self {
+            ParametricFourBarOutputs {
+                trace_x: values[0],
+                trace_y: values[1],
+                rocking: values[2],
+            }
+        }
+        fn to_array(&self) -> [R; 3] {
+            [self.trace_x, self.trace_y, self.rocking]
+        }
+    }
+    impl<R: Real> Default for Parameters<R> {
+        fn default() -> Self {
+            ParametricFourBarParameters {
+                gravity_x: R::from_f64(0.31),
+                gravity_y: R::from_f64(-9.73),
+                crank_x: R::from_f64(-0.15),
+                crank_y: R::from_f64(0.24),
+                rocker_x: R::from_f64(0.93),
+                rocker_y: R::from_f64(0.45),
+                crank_length: R::from_f64(0.4),
+                crank_mass: R::from_f64(0.71),
+                crank_inertia: R::from_f64(0.013),
+                crank_center_x: R::from_f64(0.17),
+                crank_center_y: R::from_f64(0.033),
+                coupler_length: R::ONE,
+                coupler_mass: R::from_f64(1.93),
+                coupler_inertia: R::from_f64(0.187),
+                coupler_center_x: R::from_f64(0.43),
+                coupler_center_y: R::from_f64(-0.12),
+                tracer_x: R::from_f64(0.62),
+                tracer_y: R::from_f64(0.29),
+                rocker_length: R::from_f64(0.9),
+                rocker_mass: R::from_f64(1.37),
+                rocker_inertia: R::from_f64(0.091),
+                rocker_center_x: R::from_f64(0.52),
+                rocker_center_y: R::from_f64(0.071),
+                start_angle: R::from_f64(0.6981317007977318),
+                start_rate: R::from_f64(3.0),
+            }
+        }
+    }
+    impl<R: Real> Default for ParametricFourBar<R> {
+        fn default() -> Self {
+            Self::with(Default::default(), [])
+        }
+    }
+    impl<R: Real> ParametricFourBar<R> {
+        /// The model with these parameters; what depends on nothing else is computed once, here.
+        ///
+        /// # Errors
+        /// A parameter that is not finite or out of its bounds, or a mass that is not positive.
+        pub fn prepare(parameters: Parameters<R>) -> Result<Self, SettingError> {
+            check_setting(
+                "gravity_x",
+                parameters.gravity_x,
+                ::core::primitive::f64::NEG_INFINITY,
+                ::core::primitive::f64::INFINITY,
+            )?;
+            check_setting(
+                "gravity_y",
+                parameters.gravity_y,
+                ::core::primitive::f64::NEG_INFINITY,
+                ::core::primitive::f64::INFINITY,
+            )?;
+            check_setting(
+                "crank_x",
+                parameters.crank_x,
+                ::core::primitive::f64::NEG_INFINITY,
+                ::core::primitive::f64::INFINITY,
+            )?;
+            check_setting(
+                "crank_y",
+                parameters.crank_y,
+                ::core::primitive::f64::NEG_INFINITY,
+                ::core::primitive::f64::INFINITY,
+            )?;
+            check_setting(
+                "rocker_x",
+                parameters.rocker_x,
+                ::core::primitive::f64::NEG_INFINITY,
+                ::core::primitive::f64::INFINITY,
+            )?;
+            check_setting(
+                "rocker_y",
+                parameters.rocker_y,
+                ::core::primitive::f64::NEG_INFINITY,
+                ::core::primitive::f64::INFINITY,
+            )?;
+            check_setting("crank_length", parameters.crank_length, 0.01, 10.0)?;
+            check_setting(
+                "crank_mass",
+                parameters.crank_mass,
+                ::core::primitive::f64::NEG_INFINITY,
+                ::core::primitive::f64::INFINITY,
+            )?;
+            check_setting(
+                "crank_inertia",
+                parameters.crank_inertia,
+                ::core::primitive::f64::NEG_INFINITY,
+                ::core::primitive::f64::INFINITY,
+            )?;
+            check_setting(
+                "crank_center_x",
+                parameters.crank_center_x,
+                ::core::primitive::f64::NEG_INFINITY,
+                ::core::primitive::f64::INFINITY,
+            )?;
+            check_setting(
+                "crank_center_y",
+                parameters.crank_center_y,
+                ::core::primitive::f64::NEG_INFINITY,
+                ::core::primitive::f64::INFINITY,
+            )?;
+            check_setting("coupler_length", parameters.coupler_length, 0.01, 10.0)?;
+            check_setting(
+                "coupler_mass",
+                parameters.coupler_mass,
+                ::core::primitive::f64::NEG_INFINITY,
+                ::core::primitive::f64::INFINITY,
+            )?;
+            check_setting(
+                "coupler_inertia",
+                parameters.coupler_inertia,
+                ::core::primitive::f64::NEG_INFINITY,
+                ::core::primitive::f64::INFINITY,
+            )?;
+            check_setting(
+                "coupler_center_x",
+                parameters.coupler_center_x,
+                ::core::primitive::f64::NEG_INFINITY,
+                ::core::primitive::f64::INFINITY,
+            )?;
+            check_setting(
+                "coupler_center_y",
+                parameters.coupler_center_y,
+                ::core::primitive::f64::NEG_INFINITY,
+                ::core::primitive::f64::INFINITY,
+            )?;
+            check_setting(
+                "tracer_x",
+                parameters.tracer_x,
+                ::core::primitive::f64::NEG_INFINITY,
+                ::core::primitive::f64::INFINITY,
+            )?;
+            check_setting(
+                "tracer_y",
+                parameters.tracer_y,
+                ::core::primitive::f64::NEG_INFINITY,
+                ::core::primitive::f64::INFINITY,
+            )?;
+            check_setting("rocker_length", parameters.rocker_length, 0.01, 10.0)?;
+            check_setting(
+                "rocker_mass",
+                parameters.rocker_mass,
+                ::core::primitive::f64::NEG_INFINITY,
+                ::core::primitive::f64::INFINITY,
+            )?;
+            check_setting(
+                "rocker_inertia",
+                parameters.rocker_inertia,
+                ::core::primitive::f64::NEG_INFINITY,
+                ::core::primitive::f64::INFINITY,
+            )?;
+            check_setting(
+                "rocker_center_x",
+                parameters.rocker_center_x,
+                ::core::primitive::f64::NEG_INFINITY,
+                ::core::primitive::f64::INFINITY,
+            )?;
+            check_setting(
+                "rocker_center_y",
+                parameters.rocker_center_y,
+                ::core::primitive::f64::NEG_INFINITY,
+                ::core::primitive::f64::INFINITY,
+            )?;
+            check_setting(
+                "start_angle",
+                parameters.start_angle,
+                ::core::primitive::f64::NEG_INFINITY,
+                ::core::primitive::f64::INFINITY,
+            )?;
+            check_setting(
+                "start_rate",
+                parameters.start_rate,
+                ::core::primitive::f64::NEG_INFINITY,
+                ::core::primitive::f64::INFINITY,
+            )?;
+            let model = Self::with(parameters, []);
+            check_mass("mass of \"crank\"", model.constants[22], true)?;
+            check_mass("inertia of \"crank\"", model.constants[23], true)?;
+            check_mass("mass of \"coupler\"", model.constants[24], true)?;
+            check_mass("inertia of \"coupler\"", model.constants[25], true)?;
+            check_mass("mass of \"rocker\"", model.constants[26], true)?;
+            check_mass("inertia of \"rocker\"", model.constants[27], true)?;
+            check_constants(&model.constants)?;
+            Ok(model)
+        }
+        /// The parameters the model was prepared with.
+        pub fn parameters(&self) -> &Parameters<R> {
+            &self.parameters
+        }
+        fn with(parameters: Parameters<R>, phases: Phases<R>) -> Self {
+            let gravity_x = parameters.gravity_x;
+            let gravity_y = parameters.gravity_y;
+            let crank_x = parameters.crank_x;
+            let crank_y = parameters.crank_y;
+            let rocker_x = parameters.rocker_x;
+            let rocker_y = parameters.rocker_y;
+            let crank_length = parameters.crank_length;
+            let crank_mass = parameters.crank_mass;
+            let crank_inertia = parameters.crank_inertia;
+            let crank_center_x = parameters.crank_center_x;
+            let crank_center_y = parameters.crank_center_y;
+            let coupler_length = parameters.coupler_length;
+            let coupler_mass = parameters.coupler_mass;
+            let coupler_inertia = parameters.coupler_inertia;
+            let coupler_center_x = parameters.coupler_center_x;
+            let coupler_center_y = parameters.coupler_center_y;
+            let tracer_x = parameters.tracer_x;
+            let tracer_y = parameters.tracer_y;
+            let rocker_length = parameters.rocker_length;
+            let rocker_mass = parameters.rocker_mass;
+            let rocker_inertia = parameters.rocker_inertia;
+            let rocker_center_x = parameters.rocker_center_x;
+            let rocker_center_y = parameters.rocker_center_y;
+            let start_angle = parameters.start_angle;
+            let start_rate = parameters.start_rate;
+            let a0 = crank_length * coupler_center_x;
+            let a1 = coupler_mass * a0;
+            let a2 = crank_length * coupler_center_y;
+            let a3 = coupler_mass * a2;
+            let a4 = crank_length * crank_length;
+            let a5 = crank_center_y * crank_center_y;
+            let a6 = crank_center_x.mul_add(crank_center_x, a5);
+            let a7 = crank_mass * a6;
+            let a8 = coupler_mass.mul_add(a4, a7);
+            let a9 = crank_inertia + a8;
+            let a10 = rocker_center_y * rocker_center_y;
+            let a11 = rocker_center_x.mul_add(rocker_center_x, a10);
+            let a12 = rocker_mass.mul_add(a11, rocker_inertia);
+            let a13 = coupler_center_y * coupler_center_y;
+            let a14 = coupler_center_x.mul_add(coupler_center_x, a13);
+            let a15 = coupler_mass.mul_add(a14, coupler_inertia);
+            let a16 = rocker_x - crank_x;
+            let a17 = rocker_y - crank_y;
+            let a18 = gravity_y * crank_length;
+            let a19 = gravity_x * crank_center_y;
+            let a20 = (-gravity_y).mul_add(crank_center_x, a19);
+            let a21 = crank_mass * a20;
+            let a22 = (-coupler_mass).mul_add(a18, a21);
+            let a23 = gravity_x * crank_length;
+            let a24 = gravity_y * crank_center_y;
+            let a25 = gravity_x.mul_add(crank_center_x, a24);
+            let a26 = crank_mass * a25;
+            let a27 = coupler_mass.mul_add(a23, a26);
+            let a28 = gravity_x * rocker_center_y;
+            let a29 = (-gravity_y).mul_add(rocker_center_x, a28);
+            let a30 = rocker_mass * a29;
+            let a31 = gravity_y * rocker_center_y;
+            let a32 = gravity_x.mul_add(rocker_center_x, a31);
+            let a33 = rocker_mass * a32;
+            let a34 = gravity_x * coupler_center_y;
+            let a35 = (-gravity_y).mul_add(coupler_center_x, a34);
+            let a36 = coupler_mass * a35;
+            let a37 = gravity_y * coupler_center_y;
+            let a38 = gravity_x.mul_add(coupler_center_x, a37);
+            let a39 = coupler_mass * a38;
+            let a40 = R::ONE / a9;
+            let a41 = crank_length * a40;
+            let a42 = R::ONE / a12;
+            let a43 = rocker_length * a42;
+            let a44 = coupler_length - coupler_center_x;
+            let a45 = rocker_length - rocker_center_x;
+            ParametricFourBar {
+                parameters,
+                phases,
+                constants: [
+                    a1,
+                    a3,
+                    a9,
+                    a12,
+                    a15,
+                    crank_length,
+                    a16,
+                    rocker_length,
+                    coupler_length,
+                    a17,
+                    a22,
+                    a27,
+                    a30,
+                    a33,
+                    a36,
+                    a39,
+                    rocker_center_x,
+                    rocker_center_y,
+                    coupler_center_x,
+                    coupler_center_y,
+                    crank_center_x,
+                    crank_center_y,
+                    crank_mass,
+                    crank_inertia,
+                    coupler_mass,
+                    coupler_inertia,
+                    rocker_mass,
+                    rocker_inertia,
+                    rocker_y,
+                    rocker_x,
+                    gravity_x,
+                    gravity_y,
+                    crank_y,
+                    crank_x,
+                    a41,
+                    a40,
+                    a43,
+                    a42,
+                    tracer_x,
+                    tracer_y,
+                    a44,
+                    a45,
+                    start_angle,
+                    start_rate,
+                ],
+            }
+        }
+        /// Position, velocity and acceleration of every body's centre of mass, in the order of `BODIES`,
+        /// from a state and its accelerations.
+        pub fn motions(
+            &self,
+            time: R,
+            q: &Q<R>,
+            v: &V<R>,
+            a: &V<R>,
+        ) -> [BodyMotion<R>; 3] {
+            let constants = &self.constants;
+            let crank_cos = q[0];
+            let crank_sin = q[1];
+            let rocker_cos = q[2];
+            let rocker_sin = q[3];
+            let coupler_cos = q[4];
+            let coupler_sin = q[5];
+            let crank_rate = v[0];
+            let rocker_rate = v[1];
+            let coupler_rate = v[2];
+            let crank_rate_dot = a[0];
+            let rocker_rate_dot = a[1];
+            let coupler_rate_dot = a[2];
+            let k5 = constants[5];
+            let k16 = constants[16];
+            let k17 = constants[17];
+            let k18 = constants[18];
+            let k19 = constants[19];
+            let k20 = constants[20];
+            let k21 = constants[21];
+            let k28 = constants[28];
+            let k29 = constants[29];
+            let k32 = constants[32];
+            let k33 = constants[33];
+            let a0 = k20 * crank_cos;
+            let a1 = (-k21).mul_add(crank_sin, a0);
+            let a2 = k33 + a1;
+            let a3 = k21 * crank_cos;
+            let a4 = k20.mul_add(crank_sin, a3);
+            let a5 = k32 + a4;
+            let a6 = crank_rate * a4;
+            let a7 = -a6;
+            let a8 = crank_rate * a1;
+            let a9 = crank_rate * crank_rate;
+            let a10 = a9 * a1;
+            let a11 = (-crank_rate_dot).mul_add(a4, (-a10));
+            let a12 = crank_rate_dot * a1;
+            let a13 = (-a9).mul_add(a4, a12);
+            let a14 = k5 * crank_cos;
+            let a15 = k33 + a14;
+            let a16 = k18 * coupler_cos;
+            let a17 = (-k19).mul_add(coupler_sin, a16);
+            let a18 = a15 + a17;
+            let a19 = k5 * crank_sin;
+            let a20 = k32 + a19;
+            let a21 = k19 * coupler_cos;
+            let a22 = k18.mul_add(coupler_sin, a21);
+            let a23 = a20 + a22;
+            let a24 = crank_rate * a19;
+            let a25 = (-coupler_rate).mul_add(a22, (-a24));
+            let a26 = crank_rate * a14;
+            let a27 = coupler_rate.mul_add(a17, a26);
+            let a28 = coupler_rate * coupler_rate;
+            let a29 = a14 * a9;
+            let a30 = a28.mul_add(a17, a29);
+            let a31 = crank_rate_dot * a19;
+            let a32 = coupler_rate_dot.mul_add(a22, a31);
+            let a33 = a30 + a32;
+            let a34 = -a33;
+            let a35 = crank_rate_dot * a14;
+            let a36 = coupler_rate_dot.mul_add(a17, a35);
+            let a37 = a19 * a9;
+            let a38 = a28.mul_add(a22, a37);
+            let a39 = a36 - a38;
+            let a40 = k16 * rocker_cos;
+            let a41 = (-k17).mul_add(rocker_sin, a40);
+            let a42 = k29 + a41;
+            let a43 = k17 * rocker_cos;
+            let a44 = k16.mul_add(rocker_sin, a43);
+            let a45 = k28 + a44;
+            let a46 = rocker_rate * a44;
+            let a47 = -a46;
+            let a48 = rocker_rate * a41;
+            let a49 = rocker_rate * rocker_rate;
+            let a50 = a49 * a41;
+            let a51 = (-rocker_rate_dot).mul_add(a44, (-a50));
+            let a52 = rocker_rate_dot * a41;
+            let a53 = (-a49).mul_add(a44, a52);
+            [
+                BodyMotion {
+                    position: [a2, a5],
+                    orientation: [crank_cos, crank_sin],
+                    velocity: [a7, a8],
+                    rate: crank_rate,
+                    acceleration: [a11, a13],
+                    angular_acceleration: crank_rate_dot,
+                },
+                BodyMotion {
+                    position: [a18, a23],
+                    orientation: [coupler_cos, coupler_sin],
+                    velocity: [a25, a27],
+                    rate: coupler_rate,
+                    acceleration: [a34, a39],
+                    angular_acceleration: coupler_rate_dot,
+                },
+                BodyMotion {
+                    position: [a42, a45],
+                    orientation: [rocker_cos, rocker_sin],
+                    velocity: [a47, a48],
+                    rate: rocker_rate,
+                    acceleration: [a51, a53],
+                    angular_acceleration: rocker_rate_dot,
+                },
+            ]
+        }
+        /// Force and torque that each joint exerts on the body of its second place, in the order of `JOINTS`:
+        /// force in world axes at that place (N), torque about it (N m).
+        pub fn reactions(
+            &self,
+            time: R,
+            q: &Q<R>,
+            v: &V<R>,
+            u: &(),
+            a: &V<R>,
+            lambda: &Lambda<R>,
+        ) -> [Reaction<R>; 4] {
+            let constants = &self.constants;
+            let crank_cos = q[0];
+            let crank_sin = q[1];
+            let rocker_cos = q[2];
+            let rocker_sin = q[3];
+            let coupler_cos = q[4];
+            let coupler_sin = q[5];
+            let crank_rate = v[0];
+            let rocker_rate = v[1];
+            let coupler_rate = v[2];
+            let crank_rate_dot = a[0];
+            let rocker_rate_dot = a[1];
+            let coupler_rate_dot = a[2];
+            let lambda_right_x = lambda[0];
+            let lambda_right_y = lambda[1];
+            let k5 = constants[5];
+            let k16 = constants[16];
+            let k17 = constants[17];
+            let k18 = constants[18];
+            let k19 = constants[19];
+            let k20 = constants[20];
+            let k21 = constants[21];
+            let k22 = constants[22];
+            let k23 = constants[23];
+            let k24 = constants[24];
+            let k25 = constants[25];
+            let k26 = constants[26];
+            let k27 = constants[27];
+            let k30 = constants[30];
+            let k31 = constants[31];
+            let k32 = constants[32];
+            let k33 = constants[33];
+            let k40 = constants[40];
+            let k41 = constants[41];
+            let a0 = k21 * crank_cos;
+            let a1 = k20.mul_add(crank_sin, a0);
+            let a2 = crank_rate * crank_rate;
+            let a3 = k20 * crank_cos;
+            let a4 = (-k21).mul_add(crank_sin, a3);
+            let a5 = a2 * a4;
+            let a6 = crank_rate_dot.mul_add(a1, a5);
+            let a7 = k30 + a6;
+            let a8 = coupler_rate * coupler_rate;
+            let a9 = k19 * coupler_sin;
+            let a10 = k18.mul_add(coupler_cos, (-a9));
+            let a11 = k5 * crank_cos;
+            let a12 = a11 * a2;
+            let a13 = a8.mul_add(a10, a12);
+            let a14 = k19 * coupler_cos;
+            let a15 = k18.mul_add(coupler_sin, a14);
+            let a16 = k5 * crank_sin;
+            let a17 = crank_rate_dot * a16;
+            let a18 = coupler_rate_dot.mul_add(a15, a17);
+            let a19 = a13 + a18;
+            let a20 = k30 + a19;
+            let a21 = (-k24).mul_add(a20, lambda_right_x);
+            let a22 = (-k22).mul_add(a7, a21);
+            let a23 = crank_rate_dot * a4;
+            let a24 = (-a2).mul_add(a1, a23);
+            let a25 = a24 - k31;
+            let a26 = crank_rate_dot * a11;
+            let a27 = coupler_rate_dot.mul_add(a10, a26);
+            let a28 = a16 * a2;
+            let a29 = a8.mul_add(a15, a28);
+            let a30 = a27 - a29;
+            let a31 = a30 - k31;
+            let a32 = k24.mul_add(a31, lambda_right_y);
+            let a33 = k22.mul_add(a25, a32);
+            let a34 = k40.mul_add(coupler_cos, a9);
+            let a35 = (-k40).mul_add(coupler_sin, a14);
+            let a36 = k25 * coupler_rate_dot;
+            let a37 = lambda_right_x.mul_add(a35, a36);
+            let a38 = lambda_right_y.mul_add(a34, a37);
+            let a39 = k32 + a16;
+            let a40 = a39 + a15;
+            let a41 = k32 + a1;
+            let a42 = a40 - a41;
+            let a43 = k33 + a11;
+            let a44 = a43 + a10;
+            let a45 = k33 + a4;
+            let a46 = a44 - a45;
+            let a47 = a32 * a46;
+            let a48 = (-a21).mul_add(a42, a47);
+            let a49 = a38 + a48;
+            let a50 = k23.mul_add(crank_rate_dot, a49);
+            let a51 = a4 * a33;
+            let a52 = (-a1).mul_add(a22, a51);
+            let a53 = a50 + a52;
+            let a54 = k17 * rocker_cos;
+            let a55 = k16.mul_add(rocker_sin, a54);
+            let a56 = rocker_rate * rocker_rate;
+            let a57 = k17 * rocker_sin;
+            let a58 = k16.mul_add(rocker_cos, (-a57));
+            let a59 = a56 * a58;
+            let a60 = rocker_rate_dot.mul_add(a55, a59);
+            let a61 = k30 + a60;
+            let a62 = k26.mul_add(a61, lambda_right_x);
+            let a63 = -a62;
+            let a64 = rocker_rate_dot * a58;
+            let a65 = (-a56).mul_add(a55, a64);
+            let a66 = a65 - k31;
+            let a67 = k26.mul_add(a66, (-lambda_right_y));
+            let a68 = k41.mul_add(rocker_cos, a57);
+            let a69 = k41.mul_add(rocker_sin, (-a54));
+            let a70 = k27 * rocker_rate_dot;
+            let a71 = lambda_right_x.mul_add(a69, a70);
+            let a72 = (-lambda_right_y).mul_add(a68, a71);
+            let a73 = a58 * a67;
+            let a74 = a55.mul_add(a62, a73);
+            let a75 = a72 + a74;
+            let a76 = a10 * a32;
+            let a77 = (-a15).mul_add(a21, a76);
+            let a78 = a38 + a77;
+            [
+                Reaction {
+                    force: [a22, a33],
+                    torque: a53,
+                },
+                Reaction {
+                    force: [a63, a67],
+                    torque: a75,
+                },
+                Reaction {
+                    force: [a21, a32],
+                    torque: a78,
+                },
+                Reaction {
+                    force: [lambda_right_x, lambda_right_y],
+                    torque: R::ZERO,
+                },
+            ]
+        }
+        /// Power of each load (W), in the order of `LOADS`, what springs store included.
+        pub fn powers(&self, time: R, q: &Q<R>, v: &V<R>, u: &()) -> [R; 0] {
+            let constants = &self.constants;
+            []
+        }
+        /// Effort of each driver along its quantity (N m or N) and its power (W), from the multipliers.
+        pub fn driver_efforts(
+            &self,
+            time: R,
+            q: &Q<R>,
+            v: &V<R>,
+            lambda: &Lambda<R>,
+        ) -> [[R; 2]; 0] {
+            let constants = &self.constants;
+            []
+        }
+    }
+    impl<R: Real> Mechanism<R> for ParametricFourBar<R> {
+        const NAME: &'static str = "ParametricFourBar";
+        const LAYOUT: Layout = Layout {
+            linear: 0,
+            rotations: 3,
+            angles: &[],
+        };
+        const ROWS: &'static [Row] = &[
+            Row { of: "right", what: "x" },
+            Row { of: "right", what: "y" },
+        ];
+        const POSITION_NAMES: &'static [&'static str] = &[
+            "crank.cos",
+            "crank.sin",
+            "rocker.cos",
+            "rocker.sin",
+            "coupler.cos",
+            "coupler.sin",
+        ];
+        const VELOCITY_NAMES: &'static [&'static str] = &[
+            "crank.rate",
+            "rocker.rate",
+            "coupler.rate",
+        ];
+        const MASS_PATTERN: &'static [(u16, u16)] = &[(0, 0), (1, 1), (2, 0), (2, 2)];
+        const JACOBIAN_PATTERN: &'static [(u16, u16)] = &[
+            (0, 0),
+            (0, 1),
+            (0, 2),
+            (1, 0),
+            (1, 1),
+            (1, 2),
+        ];
+        type Q = Q<R>;
+        type V = V<R>;
+        type Lambda = Lambda<R>;
+        type Mass = Mass<R>;
+        type Jacobian = Jacobian<R>;
+        type Inputs = ();
+        type Outputs = Outputs<R>;
+        fn mass_matrix(&self, time: R, q: &Q<R>, out: &mut Mass<R>) {
+            let constants = &self.constants;
+            let crank_cos = q[0];
+            let crank_sin = q[1];
+            let coupler_cos = q[4];
+            let coupler_sin = q[5];
+            let k0 = constants[0];
+            let k1 = constants[1];
+            let k2 = constants[2];
+            let k3 = constants[3];
+            let k4 = constants[4];
+            let a0 = crank_cos * coupler_sin;
+            let a1 = (-crank_sin).mul_add(coupler_cos, a0);
+            let a2 = crank_cos * coupler_cos;
+            let a3 = crank_sin.mul_add(coupler_sin, a2);
+            let a4 = k0 * a3;
+            let a5 = (-k1).mul_add(a1, a4);
+            *out = [k2, k3, a5, k4];
+        }
+        fn constraints(&self, time: R, q: &Q<R>, out: &mut Lambda<R>) {
+            let constants = &self.constants;
+            let crank_cos = q[0];
+            let crank_sin = q[1];
+            let rocker_cos = q[2];
+            let rocker_sin = q[3];
+            let coupler_cos = q[4];
+            let coupler_sin = q[5];
+            let k5 = constants[5];
+            let k6 = constants[6];
+            let k7 = constants[7];
+            let k8 = constants[8];
+            let k9 = constants[9];
+            let a0 = (-k5).mul_add(crank_cos, k6);
+            let a1 = k7.mul_add(rocker_cos, a0);
+            let a2 = k8.mul_add(coupler_cos, (-a1));
+            let a3 = (-k5).mul_add(crank_sin, k9);
+            let a4 = k7.mul_add(rocker_sin, a3);
+            let a5 = k8.mul_add(coupler_sin, (-a4));
+            *out = [a2, a5];
+        }
+        fn constraint_jacobian(&self, time: R, q: &Q<R>, out: &mut Jacobian<R>) {
+            let constants = &self.constants;
+            let crank_cos = q[0];
+            let crank_sin = q[1];
+            let rocker_cos = q[2];
+            let rocker_sin = q[3];
+            let coupler_cos = q[4];
+            let coupler_sin = q[5];
+            let k5 = constants[5];
+            let k7 = constants[7];
+            let k8 = constants[8];
+            let a0 = k5 * crank_sin;
+            let a1 = -a0;
+            let a2 = k7 * rocker_sin;
+            let a3 = k8 * coupler_sin;
+            let a4 = -a3;
+            let a5 = k5 * crank_cos;
+            let a6 = k7 * rocker_cos;
+            let a7 = -a6;
+            let a8 = k8 * coupler_cos;
+            *out = [a1, a2, a4, a5, a7, a8];
+        }
+        fn nu(&self, time: R, q: &Q<R>, out: &mut Lambda<R>) {
+            let constants = &self.constants;
+            *out = [R::ZERO, R::ZERO];
+        }
+        fn gamma(&self, time: R, q: &Q<R>, v: &V<R>, out: &mut Lambda<R>) {
+            let constants = &self.constants;
+            let crank_cos = q[0];
+            let crank_sin = q[1];
+            let rocker_cos = q[2];
+            let rocker_sin = q[3];
+            let coupler_cos = q[4];
+            let coupler_sin = q[5];
+            let crank_rate = v[0];
+            let rocker_rate = v[1];
+            let coupler_rate = v[2];
+            let k5 = constants[5];
+            let k7 = constants[7];
+            let k8 = constants[8];
+            let a0 = k8 * coupler_cos;
+            let a1 = coupler_rate * coupler_rate;
+            let a2 = k7 * rocker_cos;
+            let a3 = rocker_rate * rocker_rate;
+            let a4 = k5 * crank_cos;
+            let a5 = crank_rate * crank_rate;
+            let a6 = a4 * a5;
+            let a7 = (-a2).mul_add(a3, a6);
+            let a8 = a0.mul_add(a1, a7);
+            let a9 = k8 * coupler_sin;
+            let a10 = k7 * rocker_sin;
+            let a11 = k5 * crank_sin;
+            let a12 = a11 * a5;
+            let a13 = (-a10).mul_add(a3, a12);
+            let a14 = a9.mul_add(a1, a13);
+            *out = [a8, a14];
+        }
+        fn forces(&self, time: R, q: &Q<R>, v: &V<R>, u: &(), out: &mut V<R>) {
+            let constants = &self.constants;
+            let crank_cos = q[0];
+            let crank_sin = q[1];
+            let rocker_cos = q[2];
+            let rocker_sin = q[3];
+            let coupler_cos = q[4];
+            let coupler_sin = q[5];
+            let crank_rate = v[0];
+            let coupler_rate = v[2];
+            let k0 = constants[0];
+            let k1 = constants[1];
+            let k10 = constants[10];
+            let k11 = constants[11];
+            let k12 = constants[12];
+            let k13 = constants[13];
+            let k14 = constants[14];
+            let k15 = constants[15];
+            let a0 = coupler_rate * coupler_rate;
+            let a1 = crank_cos * coupler_sin;
+            let a2 = (-crank_sin).mul_add(coupler_cos, a1);
+            let a3 = crank_cos * coupler_cos;
+            let a4 = crank_sin.mul_add(coupler_sin, a3);
+            let a5 = k1 * a4;
+            let a6 = k0.mul_add(a2, a5);
+            let a7 = k10 * crank_cos;
+            let a8 = k11.mul_add(crank_sin, a7);
+            let a9 = a0.mul_add(a6, (-a8));
+            let a10 = k12 * rocker_cos;
+            let a11 = (-k13).mul_add(rocker_sin, (-a10));
+            let a12 = crank_rate * crank_rate;
+            let a13 = k14 * coupler_cos;
+            let a14 = k15.mul_add(coupler_sin, a13);
+            let a15 = (-a12).mul_add(a6, (-a14));
+            *out = [a9, a11, a15];
+        }
+        fn kinetic_energy(&self, time: R, q: &Q<R>, v: &V<R>) -> R {
+            let constants = &self.constants;
+            let crank_cos = q[0];
+            let crank_sin = q[1];
+            let rocker_cos = q[2];
+            let rocker_sin = q[3];
+            let coupler_cos = q[4];
+            let coupler_sin = q[5];
+            let crank_rate = v[0];
+            let rocker_rate = v[1];
+            let coupler_rate = v[2];
+            let k5 = constants[5];
+            let k16 = constants[16];
+            let k17 = constants[17];
+            let k18 = constants[18];
+            let k19 = constants[19];
+            let k20 = constants[20];
+            let k21 = constants[21];
+            let k22 = constants[22];
+            let k23 = constants[23];
+            let k24 = constants[24];
+            let k25 = constants[25];
+            let k26 = constants[26];
+            let k27 = constants[27];
+            let a0 = rocker_rate * rocker_rate;
+            let a1 = k16 * rocker_cos;
+            let a2 = (-k17).mul_add(rocker_sin, a1);
+            let a3 = rocker_rate * a2;
+            let a4 = k17 * rocker_cos;
+            let a5 = k16.mul_add(rocker_sin, a4);
+            let a6 = rocker_rate * a5;
+            let a7 = a6 * a6;
+            let a8 = a3.mul_add(a3, a7);
+            let a9 = coupler_rate * coupler_rate;
+            let a10 = k18 * coupler_cos;
+            let a11 = (-k19).mul_add(coupler_sin, a10);
+            let a12 = k5 * crank_cos;
+            let a13 = crank_rate * a12;
+            let a14 = coupler_rate.mul_add(a11, a13);
+            let a15 = k19 * coupler_cos;
+            let a16 = k18.mul_add(coupler_sin, a15);
+            let a17 = k5 * crank_sin;
+            let a18 = crank_rate * a17;
+            let a19 = coupler_rate.mul_add(a16, a18);
+            let a20 = a19 * a19;
+            let a21 = a14.mul_add(a14, a20);
+            let a22 = crank_rate * crank_rate;
+            let a23 = k20 * crank_cos;
+            let a24 = (-k21).mul_add(crank_sin, a23);
+            let a25 = crank_rate * a24;
+            let a26 = k21 * crank_cos;
+            let a27 = k20.mul_add(crank_sin, a26);
+            let a28 = crank_rate * a27;
+            let a29 = a28 * a28;
+            let a30 = a25.mul_add(a25, a29);
+            let a31 = k22 * a30;
+            let a32 = k23.mul_add(a22, a31);
+            let a33 = k24.mul_add(a21, a32);
+            let a34 = k25.mul_add(a9, a33);
+            let a35 = k26.mul_add(a8, a34);
+            let a36 = k27.mul_add(a0, a35);
+            let a37 = R::from_f64(0.5) * a36;
+            a37
+        }
+        fn potential_energy(&self, time: R, q: &Q<R>) -> R {
+            let constants = &self.constants;
+            let crank_cos = q[0];
+            let crank_sin = q[1];
+            let rocker_cos = q[2];
+            let rocker_sin = q[3];
+            let coupler_cos = q[4];
+            let coupler_sin = q[5];
+            let k5 = constants[5];
+            let k16 = constants[16];
+            let k17 = constants[17];
+            let k18 = constants[18];
+            let k19 = constants[19];
+            let k20 = constants[20];
+            let k21 = constants[21];
+            let k22 = constants[22];
+            let k24 = constants[24];
+            let k26 = constants[26];
+            let k28 = constants[28];
+            let k29 = constants[29];
+            let k30 = constants[30];
+            let k31 = constants[31];
+            let k32 = constants[32];
+            let k33 = constants[33];
+            let a0 = k17 * rocker_cos;
+            let a1 = k16.mul_add(rocker_sin, a0);
+            let a2 = k28 + a1;
+            let a3 = k16 * rocker_cos;
+            let a4 = (-k17).mul_add(rocker_sin, a3);
+            let a5 = k29 + a4;
+            let a6 = k30 * a5;
+            let a7 = k31.mul_add(a2, a6);
+            let a8 = k5.mul_add(crank_sin, k32);
+            let a9 = k19 * coupler_cos;
+            let a10 = k18.mul_add(coupler_sin, a9);
+            let a11 = a8 + a10;
+            let a12 = k5.mul_add(crank_cos, k33);
+            let a13 = k18 * coupler_cos;
+            let a14 = (-k19).mul_add(coupler_sin, a13);
+            let a15 = a12 + a14;
+            let a16 = k30 * a15;
+            let a17 = k31.mul_add(a11, a16);
+            let a18 = k21 * crank_cos;
+            let a19 = k20.mul_add(crank_sin, a18);
+            let a20 = k32 + a19;
+            let a21 = k20 * crank_cos;
+            let a22 = (-k21).mul_add(crank_sin, a21);
+            let a23 = k33 + a22;
+            let a24 = k30 * a23;
+            let a25 = k31.mul_add(a20, a24);
+            let a26 = k22 * a25;
+            let a27 = k24.mul_add(a17, a26);
+            let a28 = (-k26).mul_add(a7, (-a27));
+            a28
+        }
+        fn acceleration(
+            &self,
+            time: R,
+            q: &Q<R>,
+            v: &V<R>,
+            u: &(),
+            a_out: &mut V<R>,
+            lambda_out: &mut Lambda<R>,
+        ) -> R {
+            let constants = &self.constants;
+            let crank_cos = q[0];
+            let crank_sin = q[1];
+            let rocker_cos = q[2];
+            let rocker_sin = q[3];
+            let coupler_cos = q[4];
+            let coupler_sin = q[5];
+            let crank_rate = v[0];
+            let rocker_rate = v[1];
+            let coupler_rate = v[2];
+            let k0 = constants[0];
+            let k1 = constants[1];
+            let k4 = constants[4];
+            let k5 = constants[5];
+            let k7 = constants[7];
+            let k8 = constants[8];
+            let k10 = constants[10];
+            let k11 = constants[11];
+            let k12 = constants[12];
+            let k13 = constants[13];
+            let k14 = constants[14];
+            let k15 = constants[15];
+            let k34 = constants[34];
+            let k35 = constants[35];
+            let k36 = constants[36];
+            let k37 = constants[37];
+            let a0 = k34 * crank_cos;
+            let a1 = k5 * crank_cos;
+            let a2 = crank_cos * coupler_sin;
+            let a3 = (-crank_sin).mul_add(coupler_cos, a2);
+            let a4 = crank_cos * coupler_cos;
+            let a5 = crank_sin.mul_add(coupler_sin, a4);
+            let a6 = k0 * a5;
+            let a7 = (-k1).mul_add(a3, a6);
+            let a8 = k35 * a7;
+            let a9 = k8 * coupler_cos;
+            let a10 = (-a1).mul_add(a8, a9);
+            let a11 = k5 * crank_sin;
+            let a12 = k8 * coupler_sin;
+            let a13 = a11.mul_add(a8, (-a12));
+            let a14 = (-a7).mul_add(a8, k4);
+            let a15 = R::ONE / a14;
+            let a16 = a13 * a15;
+            let a17 = k34 * crank_sin;
+            let a18 = k7 * rocker_cos;
+            let a19 = k36 * rocker_sin;
+            let a20 = a18 * a19;
+            let a21 = a1.mul_add(a17, a20);
+            let a22 = (-a10).mul_add(a16, a21);
+            let a23 = k7 * rocker_sin;
+            let a24 = a23 * a19;
+            let a25 = a11.mul_add(a17, a24);
+            let a26 = a13.mul_add(a16, a25);
+            let a27 = R::ONE / a26;
+            let a28 = a22 * a27;
+            let a29 = a10 * a15;
+            let a30 = k36 * rocker_cos;
+            let a31 = a18 * a30;
+            let a32 = a1.mul_add(a0, a31);
+            let a33 = a10.mul_add(a29, a32);
+            let a34 = (-a22).mul_add(a28, a33);
+            let a35 = R::ONE / a34;
+            let a36 = coupler_rate * coupler_rate;
+            let a37 = k1 * a5;
+            let a38 = k0.mul_add(a3, a37);
+            let a39 = k10 * crank_cos;
+            let a40 = k11.mul_add(crank_sin, a39);
+            let a41 = a36.mul_add(a38, (-a40));
+            let a42 = crank_rate * crank_rate;
+            let a43 = k14 * coupler_cos;
+            let a44 = k15.mul_add(coupler_sin, a43);
+            let a45 = a42.mul_add(a38, a44);
+            let a46 = a41.mul_add(a8, a45);
+            let a47 = k12 * rocker_cos;
+            let a48 = k13.mul_add(rocker_sin, a47);
+            let a49 = rocker_rate * rocker_rate;
+            let a50 = a1 * a42;
+            let a51 = (-a18).mul_add(a49, a50);
+            let a52 = a9.mul_add(a36, a51);
+            let a53 = a48.mul_add(a19, a52);
+            let a54 = a41.mul_add(a17, a53);
+            let a55 = a16.mul_add(a46, a54);
+            let a56 = a11 * a42;
+            let a57 = (-a23).mul_add(a49, a56);
+            let a58 = a12.mul_add(a36, a57);
+            let a59 = (-a48).mul_add(a30, a58);
+            let a60 = (-a41).mul_add(a0, a59);
+            let a61 = a29.mul_add(a46, a60);
+            let a62 = a28.mul_add(a55, a61);
+            let a63 = a35 * a62;
+            let a64 = a27 * a55;
+            let a65 = a28.mul_add(a63, a64);
+            let a66 = a16 * a65;
+            let a67 = (-a15).mul_add(a46, a66);
+            let a68 = a29.mul_add(a63, a67);
+            let a69 = k35 * a41;
+            let a70 = (-a8).mul_add(a68, a69);
+            let a71 = (-a17).mul_add(a65, a70);
+            let a72 = a0.mul_add(a63, a71);
+            let a73 = a19 * a65;
+            let a74 = (-k37).mul_add(a48, a73);
+            let a75 = (-a30).mul_add(a63, a74);
+            let a76 = -a65;
+            let a77 = -a63;
+            let a78 = a33 * a35;
+            let a79 = R::from_f64(2.0).mul_add(a78, R::from_f64(-1.0));
+            let a80 = R::ONE / a79;
+            *a_out = [a72, a75, a68];
+            *lambda_out = [a76, a77];
+            a80
+        }
+        fn acceleration_baumgarte(
+            &self,
+            time: R,
+            q: &Q<R>,
+            v: &V<R>,
+            u: &(),
+            two_alpha: R,
+            beta_squared: R,
+            a_out: &mut V<R>,
+            lambda_out: &mut Lambda<R>,
+        ) -> R {
+            let constants = &self.constants;
+            let crank_cos = q[0];
+            let crank_sin = q[1];
+            let rocker_cos = q[2];
+            let rocker_sin = q[3];
+            let coupler_cos = q[4];
+            let coupler_sin = q[5];
+            let crank_rate = v[0];
+            let rocker_rate = v[1];
+            let coupler_rate = v[2];
+            let k0 = constants[0];
+            let k1 = constants[1];
+            let k4 = constants[4];
+            let k5 = constants[5];
+            let k6 = constants[6];
+            let k7 = constants[7];
+            let k8 = constants[8];
+            let k9 = constants[9];
+            let k10 = constants[10];
+            let k11 = constants[11];
+            let k12 = constants[12];
+            let k13 = constants[13];
+            let k14 = constants[14];
+            let k15 = constants[15];
+            let k34 = constants[34];
+            let k35 = constants[35];
+            let k36 = constants[36];
+            let k37 = constants[37];
+            let a0 = k34 * crank_cos;
+            let a1 = k5 * crank_cos;
+            let a2 = crank_cos * coupler_sin;
+            let a3 = (-crank_sin).mul_add(coupler_cos, a2);
+            let a4 = crank_cos * coupler_cos;
+            let a5 = crank_sin.mul_add(coupler_sin, a4);
+            let a6 = k0 * a5;
+            let a7 = (-k1).mul_add(a3, a6);
+            let a8 = k35 * a7;
+            let a9 = k8 * coupler_cos;
+            let a10 = (-a1).mul_add(a8, a9);
+            let a11 = k5 * crank_sin;
+            let a12 = k8 * coupler_sin;
+            let a13 = a11.mul_add(a8, (-a12));
+            let a14 = (-a7).mul_add(a8, k4);
+            let a15 = R::ONE / a14;
+            let a16 = a13 * a15;
+            let a17 = k34 * crank_sin;
+            let a18 = k7 * rocker_cos;
+            let a19 = k36 * rocker_sin;
+            let a20 = a18 * a19;
+            let a21 = a1.mul_add(a17, a20);
+            let a22 = (-a10).mul_add(a16, a21);
+            let a23 = k7 * rocker_sin;
+            let a24 = a23 * a19;
+            let a25 = a11.mul_add(a17, a24);
+            let a26 = a13.mul_add(a16, a25);
+            let a27 = R::ONE / a26;
+            let a28 = a22 * a27;
+            let a29 = a10 * a15;
+            let a30 = k36 * rocker_cos;
+            let a31 = a18 * a30;
+            let a32 = a1.mul_add(a0, a31);
+            let a33 = a10.mul_add(a29, a32);
+            let a34 = (-a22).mul_add(a28, a33);
+            let a35 = R::ONE / a34;
+            let a36 = coupler_rate * coupler_rate;
+            let a37 = k1 * a5;
+            let a38 = k0.mul_add(a3, a37);
+            let a39 = k10 * crank_cos;
+            let a40 = k11.mul_add(crank_sin, a39);
+            let a41 = a36.mul_add(a38, (-a40));
+            let a42 = crank_rate * crank_rate;
+            let a43 = k14 * coupler_cos;
+            let a44 = k15.mul_add(coupler_sin, a43);
+            let a45 = a42.mul_add(a38, a44);
+            let a46 = a41.mul_add(a8, a45);
+            let a47 = k12 * rocker_cos;
+            let a48 = k13.mul_add(rocker_sin, a47);
+            let a49 = k6 - a1;
+            let a50 = a49 + a18;
+            let a51 = a50 - a9;
+            let a52 = rocker_rate * a23;
+            let a53 = (-crank_rate).mul_add(a11, a52);
+            let a54 = (-coupler_rate).mul_add(a12, a53);
+            let a55 = rocker_rate * rocker_rate;
+            let a56 = a1 * a42;
+            let a57 = (-a18).mul_add(a55, a56);
+            let a58 = a9.mul_add(a36, a57);
+            let a59 = (-two_alpha).mul_add(a54, a58);
+            let a60 = beta_squared.mul_add(a51, a59);
+            let a61 = a48.mul_add(a19, a60);
+            let a62 = a41.mul_add(a17, a61);
+            let a63 = a16.mul_add(a46, a62);
+            let a64 = k9 - a11;
+            let a65 = a64 + a23;
+            let a66 = a65 - a12;
+            let a67 = crank_rate * a1;
+            let a68 = (-rocker_rate).mul_add(a18, a67);
+            let a69 = coupler_rate.mul_add(a9, a68);
+            let a70 = a11 * a42;
+            let a71 = (-a23).mul_add(a55, a70);
+            let a72 = a12.mul_add(a36, a71);
+            let a73 = (-two_alpha).mul_add(a69, a72);
+            let a74 = beta_squared.mul_add(a66, a73);
+            let a75 = (-a48).mul_add(a30, a74);
+            let a76 = (-a41).mul_add(a0, a75);
+            let a77 = a29.mul_add(a46, a76);
+            let a78 = a28.mul_add(a63, a77);
+            let a79 = a35 * a78;
+            let a80 = a27 * a63;
+            let a81 = a28.mul_add(a79, a80);
+            let a82 = a16 * a81;
+            let a83 = (-a15).mul_add(a46, a82);
+            let a84 = a29.mul_add(a79, a83);
+            let a85 = k35 * a41;
+            let a86 = (-a8).mul_add(a84, a85);
+            let a87 = (-a17).mul_add(a81, a86);
+            let a88 = a0.mul_add(a79, a87);
+            let a89 = a19 * a81;
+            let a90 = (-k37).mul_add(a48, a89);
+            let a91 = (-a30).mul_add(a79, a90);
+            let a92 = -a81;
+            let a93 = -a79;
+            let a94 = a33 * a35;
+            let a95 = R::from_f64(2.0).mul_add(a94, R::from_f64(-1.0));
+            let a96 = R::ONE / a95;
+            *a_out = [a88, a91, a84];
+            *lambda_out = [a92, a93];
+            a96
+        }
+        fn outputs(&self, time: R, q: &Q<R>, v: &V<R>, u: &()) -> Outputs<R> {
+            let constants = &self.constants;
+            let crank_cos = q[0];
+            let crank_sin = q[1];
+            let rocker_cos = q[2];
+            let rocker_sin = q[3];
+            let coupler_cos = q[4];
+            let coupler_sin = q[5];
+            let k5 = constants[5];
+            let k32 = constants[32];
+            let k33 = constants[33];
+            let k38 = constants[38];
+            let k39 = constants[39];
+            let a0 = k5.mul_add(crank_cos, k33);
+            let a1 = k38 * coupler_cos;
+            let a2 = (-k39).mul_add(coupler_sin, a1);
+            let a3 = a0 + a2;
+            let a4 = k5.mul_add(crank_sin, k32);
+            let a5 = k39 * coupler_cos;
+            let a6 = k38.mul_add(coupler_sin, a5);
+            let a7 = a4 + a6;
+            let a8 = rocker_sin.atan2(rocker_cos);
+            ParametricFourBarOutputs {
+                trace_x: a3,
+                trace_y: a7,
+                rocking: a8,
+            }
+        }
+        fn unwrap(outputs: &mut Outputs<R>, previous: &Outputs<R>) {
+            outputs.rocking = unwrap_angle(outputs.rocking, previous.rocking);
+        }
+    }
+    impl<R: Real> Assemble<R> for ParametricFourBar<R> {
+        const CONDITIONS: &'static [Condition] = &[
+            Condition {
+                of: "crank_pin.angle",
+                kind: ConditionKind::Angle,
+            },
+        ];
+        const START_CONDITIONS: &'static [u16] = &[0];
+        const START_RATES: &'static [u16] = &[0];
+        const INDEPENDENT: &'static [u16] = &[0];
+        const FLIPS: &'static [u16] = &[];
+        const CONDITION_PATTERN: &'static [(u16, u16)] = &[(0, 0)];
+        const ELIMINATION: Elimination = Elimination {
+            order: &[1, 2, 0, 3, 4, 5],
+            position: &[2, 0, 1, 3, 4, 5],
+            row_start: &[0, 0, 0, 1, 4, 8, 11],
+            columns: &[1, 0, 1, 2, 0, 1, 2, 3, 2, 3, 4],
+        };
+        type Conditions = Conditions<R>;
+        type ConditionJacobian = ConditionJacobian<R>;
+        type Factor = Factor<R>;
+        type System = System<R>;
+        fn condition_residual(
+            &self,
+            time: R,
+            q: &Q<R>,
+            target: &Conditions<R>,
+            out: &mut Conditions<R>,
+        ) {
+            let constants = &self.constants;
+            let crank_cos = q[0];
+            let crank_sin = q[1];
+            let target_crank_pin_angle = target[0];
+            let a0 = target_crank_pin_angle.sin();
+            let a1 = target_crank_pin_angle.cos();
+            let a2 = crank_sin * a1;
+            let a3 = (-crank_cos).mul_add(a0, a2);
+            *out = [a3];
+        }
+        fn condition_flipped(
+            &self,
+            time: R,
+            q: &Q<R>,
+            target: &Conditions<R>,
+            out: &mut Conditions<R>,
+        ) {
+            let constants = &self.constants;
+            let crank_cos = q[0];
+            let crank_sin = q[1];
+            let target_crank_pin_angle = target[0];
+            let a0 = target_crank_pin_angle.sin();
+            let a1 = target_crank_pin_angle.cos();
+            let a2 = crank_cos * a1;
+            let a3 = crank_sin.mul_add(a0, a2);
+            *out = [a3];
+        }
+        fn condition_jacobian(&self, time: R, q: &Q<R>, out: &mut ConditionJacobian<R>) {
+            let constants = &self.constants;
+            *out = [R::ONE];
+        }
+        fn condition_bias(&self, time: R, q: &Q<R>, v: &V<R>, out: &mut Conditions<R>) {
+            let constants = &self.constants;
+            *out = [R::ZERO];
+        }
+        fn condition_drift(&self, time: R, q: &Q<R>, out: &mut Conditions<R>) {
+            let constants = &self.constants;
+            *out = [R::ZERO];
+        }
+        fn row_cosines(&self, time: R, q: &Q<R>, out: &mut Lambda<R>) {
+            let constants = &self.constants;
+            *out = [R::ONE, R::ONE];
+        }
+        fn start_targets(
+            &self,
+            positions: &mut Conditions<R>,
+            rates: &mut Conditions<R>,
+        ) {
+            let constants = &self.constants;
+            let k42 = constants[42];
+            let k43 = constants[43];
+            *positions = [k42];
+            *rates = [k43];
+        }
+        fn start_q() -> Q<R> {
+            [
+                R::from_f64(0.766044443118695),
+                R::from_f64(0.6427876096868768),
+                R::from_f64(-0.23572301668454773),
+                R::from_f64(0.9718202814333197),
+                R::from_f64(0.5614315077363402),
+                R::from_f64(0.8275232094152403),
+            ]
+        }
+        fn start_v() -> V<R> {
+            [
+                R::from_f64(3.0),
+                R::from_f64(-0.49151144248490364),
+                R::from_f64(-1.4516086406810664),
+            ]
+        }
+    }
+};

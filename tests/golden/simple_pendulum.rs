@@ -1,0 +1,459 @@
+/// Simple pendulum: a point mass on a massless arm (IFToMM A01).
+///
+/// 1 kg, 1 m, g = 9.81 m/s², from (−1, 0) at rest. Period 2.367841947576237449 s.
+#[cfg_attr(doc, doc = "")]
+#[cfg_attr(doc, doc = "Degree of freedom: 1; 1 velocities, 0 constraint rows.")]
+#[cfg_attr(doc, doc = "")]
+#[cfg_attr(
+    doc,
+    doc = "In tree coordinates (chosen by count: 1 operations, depth 1, against 55 and 17 in absolute coordinates); elimination order: minimum degree."
+)]
+#[cfg_attr(doc, doc = "")]
+#[cfg_attr(doc, doc = "# Coordinates")]
+#[cfg_attr(doc, doc = "")]
+#[cfg_attr(doc, doc = "| | q | v |")]
+#[cfg_attr(doc, doc = "|---|---|---|")]
+#[cfg_attr(doc, doc = "| 0 | `arm.cos`, `arm.sin` | `arm.rate` |")]
+#[cfg_attr(doc, doc = "")]
+#[cfg_attr(doc, doc = "# Operations")]
+#[cfg_attr(doc, doc = "")]
+#[cfg_attr(
+    doc,
+    doc = "| function | operations | + | × | fma | ÷ | √ | choices | sin, exp … | depth |"
+)]
+#[cfg_attr(doc, doc = "|---|---|---|---|---|---|---|---|---|---|")]
+#[cfg_attr(doc, doc = "| `forces` | 1 | 0 | 1 | 0 | 0 | 0 | 0 | 0 | 1 |")]
+#[cfg_attr(doc, doc = "| `kinetic_energy` | 5 | 0 | 4 | 1 | 0 | 0 | 0 | 0 | 4 |")]
+#[cfg_attr(doc, doc = "| `potential_energy` | 1 | 0 | 1 | 0 | 0 | 0 | 0 | 0 | 1 |")]
+#[cfg_attr(doc, doc = "| `acceleration` | 1 | 0 | 1 | 0 | 0 | 0 | 0 | 0 | 1 |")]
+#[cfg_attr(
+    doc,
+    doc = "| `acceleration_baumgarte` | 1 | 0 | 1 | 0 | 0 | 0 | 0 | 0 | 1 |"
+)]
+#[cfg_attr(doc, doc = "| `motions` | 8 | 1 | 5 | 2 | 0 | 0 | 0 | 0 | 3 |")]
+#[cfg_attr(doc, doc = "| `reactions` | 9 | 2 | 4 | 3 | 0 | 0 | 0 | 0 | 5 |")]
+#[cfg_attr(doc, doc = "| `condition_residual` | 4 | 0 | 1 | 1 | 0 | 0 | 0 | 2 | 3 |")]
+#[cfg_attr(doc, doc = "| `condition_upright` | 4 | 0 | 1 | 1 | 0 | 0 | 0 | 2 | 3 |")]
+#[cfg_attr(
+    not(doc),
+    doc = "Equations of motion of the planar mechanism `SimplePendulum`."
+)]
+#[derive(
+    ::core::clone::Clone,
+    ::core::marker::Copy,
+    ::core::fmt::Debug,
+    ::core::cmp::PartialEq
+)]
+pub struct SimplePendulum<R = ::core::primitive::f64> {
+    parameters: SimplePendulumParameters<R>,
+    phases: [R; 0],
+    constants: [R; 0],
+}
+///Parameters of [`SimplePendulum`], in SI units.
+#[derive(
+    ::core::clone::Clone,
+    ::core::marker::Copy,
+    ::core::fmt::Debug,
+    ::core::cmp::PartialEq
+)]
+pub struct SimplePendulumParameters<R = ::core::primitive::f64> {
+    #[doc(hidden)]
+    pub scalar: ::core::marker::PhantomData<R>,
+}
+///Outputs of [`SimplePendulum`], in SI units.
+#[derive(
+    ::core::clone::Clone,
+    ::core::marker::Copy,
+    ::core::fmt::Debug,
+    ::core::cmp::PartialEq
+)]
+pub struct SimplePendulumOutputs<R = ::core::primitive::f64> {
+    ///`m` (SI).
+    pub x: R,
+    ///`m` (SI).
+    pub y: R,
+}
+///Positions and velocities of [`SimplePendulum`].
+pub type SimplePendulumState<R = ::core::primitive::f64> = ::linkwright::__private::v1::State<
+    [R; 2],
+    [R; 1],
+>;
+#[allow(clippy::all)]
+impl SimplePendulum<::core::primitive::f64> {
+    ///Consistent start state for the default parameters, assembled at compile time.
+    pub const START: SimplePendulumState = ::linkwright::__private::v1::State {
+        q: [-1.0, 1.2246467991473532e-16],
+        v: [0.0],
+    };
+    ///Degrees of freedom, drivers removed.
+    pub const DEGREES_OF_FREEDOM: ::core::primitive::usize = 1;
+    ///Operations of the default acceleration function (Baumgarte), a fused multiply-add counted once.
+    pub const OPERATIONS: ::core::primitive::usize = 1;
+    ///The definition as written.
+    pub const SOURCE: &'static ::core::primitive::str = "# [doc = \" Simple pendulum: a point mass on a massless arm (IFToMM A01).\"] # [doc = \"\"] # [doc = \" 1 kg, 1 m, g = 9.81 m/s², from (−1, 0) at rest. Period 2.367841947576237449 s.\"] pub planar SimplePendulum { gravity [m / s ^ 2] = (0 , - 9.81) ; body arm { mass [kg] = 1 ; inertia [kg * m ^ 2] = 0 ; center [m] = (1 , 0) ; } joint pivot : revolute (ground (0 , 0) [m] , arm . origin) ; start { pivot . angle [deg] = 180 ; pivot . rate [rad / s] = 0 ; } expect { degrees_of_freedom = 1 ; } output x [m] = arm . center . x ; output y [m] = arm . center . y ; }";
+    ///The definition as versioned JSON: kinds, shapes and units as written.
+    pub const DEFINITION: &'static ::core::primitive::str = "{\"linkwright\":1,\"kind\":\"planar\",\"name\":\"SimplePendulum\",\"constants\":[],\"parameters\":[],\"inputs\":[],\"gravity\":{\"unit\":\"m/s^2\",\"value\":[{\"number\":\"0\"},{\"op\":\"neg\",\"args\":[{\"number\":\"9.81\"}]}]},\"bodies\":[{\"name\":\"arm\",\"kind\":\"body\",\"properties\":{\"mass\":{\"unit\":\"kg\",\"value\":{\"number\":\"1\"}},\"inertia\":{\"unit\":\"kg*m^2\",\"value\":{\"number\":\"0\"}}},\"center\":{\"unit\":\"m\",\"value\":[{\"number\":\"1\"},{\"number\":\"0\"}]},\"points\":[],\"lines\":[]}],\"joints\":[{\"name\":\"pivot\",\"kind\":\"revolute\",\"first\":{\"ground\":[{\"number\":\"0\"},{\"number\":\"0\"}],\"unit\":\"m\"},\"second\":{\"place\":\"arm.origin\"}}],\"constraints\":[],\"drivers\":[],\"loads\":[],\"start\":[{\"quantity\":{\"name\":\"pivot.angle\"},\"exact\":true,\"unit\":\"deg\",\"value\":{\"number\":\"180\"}},{\"quantity\":{\"name\":\"pivot.rate\"},\"exact\":true,\"unit\":\"rad/s\",\"value\":{\"number\":\"0\"}}],\"outputs\":[{\"name\":\"x\",\"unit\":\"m\",\"value\":{\"name\":\"arm.center.x\"}},{\"name\":\"y\",\"unit\":\"m\",\"value\":{\"name\":\"arm.center.y\"}}],\"options\":{},\"expect\":{\"degrees_of_freedom\":1}}";
+    ///What the entries of q and v and the constraint rows are, as JSON.
+    pub const COORDINATES: &'static ::core::primitive::str = "{\"coordinates\":\"tree\",\"tree\":[{\"body\":\"arm\",\"joint\":\"pivot\",\"parent\":\"ground\"}],\"linear\":[],\"rotations\":[{\"body\":\"arm\"}],\"angles\":[],\"rows\":[]}";
+    ///Names of the bodies, in the order of `motions`.
+    pub const BODIES: &'static [&'static ::core::primitive::str] = &["arm"];
+    ///Names of the joints, in the order of `reactions`.
+    pub const JOINTS: &'static [&'static ::core::primitive::str] = &["pivot"];
+    ///Names of the loads, in the order of `powers`.
+    pub const LOADS: &'static [&'static ::core::primitive::str] = &[];
+}
+#[allow(unused, non_snake_case, clippy::all)]
+const _: () = {
+    use ::core::prelude::rust_2024::*;
+    use ::linkwright::__private::v1::*;
+    use ::core::primitive::{bool, f64, u16, u32, usize, str};
+    type Constants<R> = [R; 0];
+    type Phases<R> = [R; 0];
+    type Q<R> = [R; 2];
+    type V<R> = [R; 1];
+    type Lambda<R> = [R; 0];
+    type Mass<R> = [R; 1];
+    type Jacobian<R> = [R; 0];
+    type Conditions<R> = [R; 1];
+    type ConditionJacobian<R> = [R; 1];
+    type Factor<R> = [R; 1];
+    type System<R> = [R; 2];
+    type Parameters<R> = SimplePendulumParameters<R>;
+    type Outputs<R> = SimplePendulumOutputs<R>;
+    impl<R: Real> Fields<R> for Parameters<R> {
+        const NAMES: &'static [&'static str] = &[];
+        type Array = [R; 0];
+        fn from_array(values: [R; 0]) -> Self {
+            SimplePendulumParameters {
+                scalar: ::core::marker::PhantomData,
+            }
+        }
+        fn to_array(&self) -> [R; 0] {
+            []
+        }
+    }
+    impl<R: Real> Fields<R> for Outputs<R> {
+        const NAMES: &'static [&'static str] = &["x", "y"];
+        type Array = [R; 2];
+        fn from_array(values: [R; 2]) -> Self {
+            SimplePendulumOutputs {
+                x: values[0],
+                y: values[1],
+            }
+        }
+        fn to_array(&self) -> [R; 2] {
+            [self.x, self.y]
+        }
+    }
+    impl<R: Real> Default for Parameters<R> {
+        fn default() -> Self {
+            SimplePendulumParameters {
+                scalar: ::core::marker::PhantomData,
+            }
+        }
+    }
+    impl<R: Real> Default for SimplePendulum<R> {
+        fn default() -> Self {
+            Self::with(Default::default(), [])
+        }
+    }
+    impl<R: Real> SimplePendulum<R> {
+        /// The model with these parameters; what depends on nothing else is computed once, here.
+        ///
+        /// # Errors
+        /// A parameter that is not finite or out of its bounds, or a mass that is not positive.
+        pub fn prepare(parameters: Parameters<R>) -> Result<Self, SettingError> {
+            let model = Self::with(parameters, []);
+            check_constants(&model.constants)?;
+            Ok(model)
+        }
+        /// The parameters the model was prepared with.
+        pub fn parameters(&self) -> &Parameters<R> {
+            &self.parameters
+        }
+        fn with(parameters: Parameters<R>, phases: Phases<R>) -> Self {
+            SimplePendulum {
+                parameters,
+                phases,
+                constants: [],
+            }
+        }
+        /// Position, velocity and acceleration of every body's centre of mass, in the order of `BODIES`,
+        /// from a state and its accelerations.
+        pub fn motions(
+            &self,
+            time: R,
+            q: &Q<R>,
+            v: &V<R>,
+            a: &V<R>,
+        ) -> [BodyMotion<R>; 1] {
+            let constants = &self.constants;
+            let arm_cos = q[0];
+            let arm_sin = q[1];
+            let arm_rate = v[0];
+            let arm_rate_dot = a[0];
+            let a0 = arm_sin * arm_rate;
+            let a1 = -a0;
+            let a2 = arm_cos * arm_rate;
+            let a3 = arm_rate * arm_rate;
+            let a4 = arm_cos * a3;
+            let a5 = (-arm_sin).mul_add(arm_rate_dot, (-a4));
+            let a6 = arm_cos * arm_rate_dot;
+            let a7 = (-arm_sin).mul_add(a3, a6);
+            [
+                BodyMotion {
+                    position: [arm_cos, arm_sin],
+                    orientation: [arm_cos, arm_sin],
+                    velocity: [a1, a2],
+                    rate: arm_rate,
+                    acceleration: [a5, a7],
+                    angular_acceleration: arm_rate_dot,
+                },
+            ]
+        }
+        /// Force and torque that each joint exerts on the body of its second place, in the order of `JOINTS`:
+        /// force in world axes at that place (N), torque about it (N m).
+        pub fn reactions(
+            &self,
+            time: R,
+            q: &Q<R>,
+            v: &V<R>,
+            u: &(),
+            a: &V<R>,
+            lambda: &Lambda<R>,
+        ) -> [Reaction<R>; 1] {
+            let constants = &self.constants;
+            let arm_cos = q[0];
+            let arm_sin = q[1];
+            let arm_rate = v[0];
+            let arm_rate_dot = a[0];
+            let a0 = arm_rate * arm_rate;
+            let a1 = arm_cos * a0;
+            let a2 = arm_sin.mul_add(arm_rate_dot, a1);
+            let a3 = -a2;
+            let a4 = arm_cos * arm_rate_dot;
+            let a5 = (-arm_sin).mul_add(a0, a4);
+            let a6 = a5 - R::from_f64(-9.81);
+            let a7 = arm_cos * a6;
+            let a8 = arm_sin.mul_add(a2, a7);
+            [
+                Reaction {
+                    force: [a3, a6],
+                    torque: a8,
+                },
+            ]
+        }
+        /// Power of each load (W), in the order of `LOADS`, what springs store included.
+        pub fn powers(&self, time: R, q: &Q<R>, v: &V<R>, u: &()) -> [R; 0] {
+            let constants = &self.constants;
+            []
+        }
+        /// Effort of each driver along its quantity (N m or N) and its power (W), from the multipliers.
+        pub fn driver_efforts(
+            &self,
+            time: R,
+            q: &Q<R>,
+            v: &V<R>,
+            lambda: &Lambda<R>,
+        ) -> [[R; 2]; 0] {
+            let constants = &self.constants;
+            []
+        }
+    }
+    impl<R: Real> Mechanism<R> for SimplePendulum<R> {
+        const NAME: &'static str = "SimplePendulum";
+        const LAYOUT: Layout = Layout {
+            linear: 0,
+            rotations: 1,
+            angles: &[],
+        };
+        const ROWS: &'static [Row] = &[];
+        const POSITION_NAMES: &'static [&'static str] = &["arm.cos", "arm.sin"];
+        const VELOCITY_NAMES: &'static [&'static str] = &["arm.rate"];
+        const MASS_PATTERN: &'static [(u16, u16)] = &[(0, 0)];
+        const JACOBIAN_PATTERN: &'static [(u16, u16)] = &[];
+        type Q = Q<R>;
+        type V = V<R>;
+        type Lambda = Lambda<R>;
+        type Mass = Mass<R>;
+        type Jacobian = Jacobian<R>;
+        type Inputs = ();
+        type Outputs = Outputs<R>;
+        fn mass_matrix(&self, time: R, q: &Q<R>, out: &mut Mass<R>) {
+            let constants = &self.constants;
+            *out = [R::ONE];
+        }
+        fn constraints(&self, time: R, q: &Q<R>, out: &mut Lambda<R>) {
+            let constants = &self.constants;
+            *out = [];
+        }
+        fn constraint_jacobian(&self, time: R, q: &Q<R>, out: &mut Jacobian<R>) {
+            let constants = &self.constants;
+            *out = [];
+        }
+        fn nu(&self, time: R, q: &Q<R>, out: &mut Lambda<R>) {
+            let constants = &self.constants;
+            *out = [];
+        }
+        fn gamma(&self, time: R, q: &Q<R>, v: &V<R>, out: &mut Lambda<R>) {
+            let constants = &self.constants;
+            *out = [];
+        }
+        fn forces(&self, time: R, q: &Q<R>, v: &V<R>, u: &(), out: &mut V<R>) {
+            let constants = &self.constants;
+            let arm_cos = q[0];
+            let a0 = R::from_f64(-9.81) * arm_cos;
+            *out = [a0];
+        }
+        fn kinetic_energy(&self, time: R, q: &Q<R>, v: &V<R>) -> R {
+            let constants = &self.constants;
+            let arm_cos = q[0];
+            let arm_sin = q[1];
+            let arm_rate = v[0];
+            let a0 = arm_cos * arm_rate;
+            let a1 = arm_sin * arm_rate;
+            let a2 = a1 * a1;
+            let a3 = a0.mul_add(a0, a2);
+            let a4 = R::from_f64(0.5) * a3;
+            a4
+        }
+        fn potential_energy(&self, time: R, q: &Q<R>) -> R {
+            let constants = &self.constants;
+            let arm_sin = q[1];
+            let a0 = R::from_f64(9.81) * arm_sin;
+            a0
+        }
+        fn acceleration(
+            &self,
+            time: R,
+            q: &Q<R>,
+            v: &V<R>,
+            u: &(),
+            a_out: &mut V<R>,
+            lambda_out: &mut Lambda<R>,
+        ) -> R {
+            let constants = &self.constants;
+            let arm_cos = q[0];
+            let a0 = R::from_f64(-9.81) * arm_cos;
+            *a_out = [a0];
+            *lambda_out = [];
+            R::ONE
+        }
+        fn acceleration_baumgarte(
+            &self,
+            time: R,
+            q: &Q<R>,
+            v: &V<R>,
+            u: &(),
+            two_alpha: R,
+            beta_squared: R,
+            a_out: &mut V<R>,
+            lambda_out: &mut Lambda<R>,
+        ) -> R {
+            let constants = &self.constants;
+            let arm_cos = q[0];
+            let a0 = R::from_f64(-9.81) * arm_cos;
+            *a_out = [a0];
+            *lambda_out = [];
+            R::ONE
+        }
+        fn outputs(&self, time: R, q: &Q<R>, v: &V<R>, u: &()) -> Outputs<R> {
+            let constants = &self.constants;
+            let arm_cos = q[0];
+            let arm_sin = q[1];
+            SimplePendulumOutputs {
+                x: arm_cos,
+                y: arm_sin,
+            }
+        }
+        fn unwrap(outputs: &mut Outputs<R>, previous: &Outputs<R>) {}
+    }
+    impl<R: Real> Assemble<R> for SimplePendulum<R> {
+        const CONDITIONS: &'static [Condition] = &[
+            Condition {
+                of: "pivot.angle",
+                kind: ConditionKind::Angle,
+            },
+        ];
+        const START_CONDITIONS: &'static [u16] = &[0];
+        const START_RATES: &'static [u16] = &[0];
+        const INDEPENDENT: &'static [u16] = &[0];
+        const FLIPS: &'static [u16] = &[];
+        const CONDITION_PATTERN: &'static [(u16, u16)] = &[(0, 0)];
+        const ELIMINATION: Elimination = Elimination {
+            order: &[0, 1],
+            position: &[0, 1],
+            row_start: &[0, 0, 1],
+            columns: &[0],
+        };
+        type Conditions = Conditions<R>;
+        type ConditionJacobian = ConditionJacobian<R>;
+        type Factor = Factor<R>;
+        type System = System<R>;
+        fn condition_residual(
+            &self,
+            time: R,
+            q: &Q<R>,
+            target: &Conditions<R>,
+            out: &mut Conditions<R>,
+        ) {
+            let constants = &self.constants;
+            let arm_cos = q[0];
+            let arm_sin = q[1];
+            let target_pivot_angle = target[0];
+            let a0 = target_pivot_angle.sin();
+            let a1 = target_pivot_angle.cos();
+            let a2 = arm_sin * a1;
+            let a3 = (-arm_cos).mul_add(a0, a2);
+            *out = [a3];
+        }
+        fn condition_flipped(
+            &self,
+            time: R,
+            q: &Q<R>,
+            target: &Conditions<R>,
+            out: &mut Conditions<R>,
+        ) {
+            let constants = &self.constants;
+            let arm_cos = q[0];
+            let arm_sin = q[1];
+            let target_pivot_angle = target[0];
+            let a0 = target_pivot_angle.sin();
+            let a1 = target_pivot_angle.cos();
+            let a2 = arm_cos * a1;
+            let a3 = arm_sin.mul_add(a0, a2);
+            *out = [a3];
+        }
+        fn condition_jacobian(&self, time: R, q: &Q<R>, out: &mut ConditionJacobian<R>) {
+            let constants = &self.constants;
+            *out = [R::ONE];
+        }
+        fn condition_bias(&self, time: R, q: &Q<R>, v: &V<R>, out: &mut Conditions<R>) {
+            let constants = &self.constants;
+            *out = [R::ZERO];
+        }
+        fn condition_drift(&self, time: R, q: &Q<R>, out: &mut Conditions<R>) {
+            let constants = &self.constants;
+            *out = [R::ZERO];
+        }
+        fn row_cosines(&self, time: R, q: &Q<R>, out: &mut Lambda<R>) {
+            let constants = &self.constants;
+            *out = [];
+        }
+        fn start_targets(
+            &self,
+            positions: &mut Conditions<R>,
+            rates: &mut Conditions<R>,
+        ) {
+            let constants = &self.constants;
+            *positions = [R::from_f64(3.141592653589793)];
+            *rates = [R::ZERO];
+        }
+        fn start_q() -> Q<R> {
+            [R::from_f64(-1.0), R::from_f64(1.2246467991473532e-16)]
+        }
+        fn start_v() -> V<R> {
+            [R::ZERO]
+        }
+    }
+};
