@@ -7,7 +7,7 @@ use crate::model::{self, Coordinates, Mechanism};
 use crate::schedule::{self, Counts, Function, Programs, count};
 use crate::solve::table::Table;
 use crate::solve::{self, Solved};
-use crate::syntax;
+use crate::{optimize, syntax};
 use proc_macro2::TokenStream;
 
 /// A mechanism after all stages but the last.
@@ -84,7 +84,8 @@ pub fn compile_model(
     }
     // AFTER THIS POINT no linear system is left.
     let counts = candidates.iter().map(|(_, equations, _, solved)| {
-        count(&schedule::program(equations, solved, Function::AccelerationBaumgarte))
+        let optimized = optimize::optimize_only(equations, solved, &[Function::AccelerationBaumgarte]);
+        count(schedule::schedule(equations, &optimized).get(Function::AccelerationBaumgarte))
     });
     let counts: Vec<Counts> = counts.collect();
     // Work, and a share for the depth that keeps a wide processor waiting.
@@ -95,7 +96,8 @@ pub fn compile_model(
 
     let independent = equations.add_conditions(&mechanism, &assembly.independent);
     let table = table(&equations);
-    let programs = schedule::schedule(&equations, &solved);
+    let optimized = optimize::optimize(&equations, &solved);
+    let programs = schedule::schedule(&equations, &optimized);
     // AFTER THIS POINT there is no graph, only instructions.
     if as_defined {
         // Limits of the definition hold for the coordinates of the definition.

@@ -5,6 +5,7 @@
 
 pub mod diagnostics;
 mod driver;
+mod functions;
 mod messages;
 pub mod units;
 
@@ -13,6 +14,7 @@ pub mod model;
 pub mod check;
 pub mod equations;
 pub mod solve;
+pub mod optimize;
 pub mod schedule;
 pub mod emit;
 

@@ -261,7 +261,7 @@ impl Drawing<'_> {
         Some([c * x + s * y, c * y - s * x])
     }
 
-    /// Pins, sliding blocks and distance rods, drawn above the bodies.
+    /// Pins and sliding blocks, drawn above the bodies.
     fn marks(&self, svg: &mut String, view: &View) {
         for joint in &self.geometry.joints {
             match joint.kind {

@@ -27,23 +27,6 @@ pub fn write(directory: &Path, runs: &[Run], trials: &[Trial]) -> Result<PathBuf
     loads(&mut page, runs)?;
     accuracy(&mut page, runs)?;
     stabilisation(&mut page, trials)?;
-    macro_rules! show { ($($m:path),*) => {$({
-        use $m as Model;
-        let geometry = Geometry::of(Model::DEFINITION)?;
-        let model = Model::default();
-        let mut frames = Vec::new();
-        let mut sim = linkwright::Simulation::new(&model, Model::START).inputs(linkwright::Held(|_t: f64, _s: &linkwright::State<_, _>| ())).step(1e-4);
-        for k in 0..2000 { if k % 20 == 0 { let s = *sim.state(); frames.push(crate::drawing::Frame::of(sim.time(), &model.motions(sim.time(), &s.q, &s.v, &s.v.map(|_| 0.0)))); } if sim.advance().is_err() { break; } }
-        page.figures(&[Drawing { geometry: &geometry, frames: &frames, traces: vec![], readouts: vec![], speeds: vec![0.1], caption: stringify!($m).into() }.figure()]);
-    })*}; }
-    show!(
-        linkwright_models::jansen_leg::JansenLeg,
-        linkwright_models::planetary_gear_train::PlanetaryGearTrain,
-        linkwright_models::car_axis::CarAxis,
-        linkwright_models::n_four_bar::NFourBar10,
-        linkwright_models::general_four_bar::GeneralFourBar,
-        linkwright_models::double_pendulum::DoublePendulum
-    );
     let path = directory.join("report.html");
     fs::write(&path, page.finish(SOURCES))?;
     Ok(path)

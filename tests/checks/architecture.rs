@@ -68,15 +68,3 @@ fn the_runtime_runs_bare() {
         assert_eq!(standard, 0, "{} reaches for the standard library", path.display());
     }
 }
-
-/// The compiler makes no choice by the order of a hash map: iteration over one would change expansions from run to run.
-#[test]
-fn the_compiler_iterates_over_no_hash_map() {
-    for (path, text) in sources("compiler/src") {
-        let code = code(&text);
-        if code.contains("HashMap") || code.contains("HashSet") {
-            let interning = path.ends_with("symbolic/graph.rs") || path.ends_with("symbolic/hash.rs");
-            assert!(interning, "{} uses a hash map; only the graph's interning does", path.display());
-        }
-    }
-}

@@ -1,0 +1,178 @@
+//! Assembly at run time: changed parameters, given motions of the independent coordinates, and the typed errors of
+//! both and of `prepare`.
+
+use crate::identities::derivative_over;
+use crate::registry::{Model, for_each};
+use crate::walking::walk;
+use linkwright::{
+    Assemble, AssembleExt, AssemblyError, Condition, ConditionKind, Mechanism, Motion, Residual, State, Vector,
+};
+use linkwright_models::four_bar::FourBar;
+use linkwright_models::general_four_bar::{ParametricFourBar, ParametricFourBarParameters};
+
+type Parameters = ParametricFourBarParameters;
+
+fn near() -> State<<ParametricFourBar as Mechanism<f64>>::Q, <ParametricFourBar as Mechanism<f64>>::V> {
+    ParametricFourBar::START
+}
+
+/// With other lengths and another start the loop is closed anew, at the angle and rate that `start` states.
+#[test]
+fn changed_parameters_are_assembled() {
+    for (length, degrees) in [(0.4, 40.0), (0.35, 55.0), (0.5, 20.0), (0.42, 170.0), (0.3, -100.0)] {
+        let start_angle = f64::to_radians(degrees);
+        let parameters = Parameters { crank_length: length, start_angle, start_rate: -2.0, ..Parameters::default() };
+        let model = ParametricFourBar::prepare(parameters).expect("possible parameters");
+        let state = model.assemble(&near()).unwrap_or_else(|error| panic!("{length} m, {degrees}°: {error}"));
+        let residual = Residual::of(&model, 0.0, &state);
+        assert!(residual.position < 1e-13 && residual.velocity < 1e-13, "{residual:?}");
+        let [crank, coupler, rocker] = model.motions(0.0, &state.q, &state.v, &Vector::zero());
+        let off = (crank.orientation[1].atan2(crank.orientation[0]) - start_angle).sin();
+        assert!(off.abs() < 1e-13 && (crank.rate + 2.0).abs() < 1e-12, "{off} {}", crank.rate);
+        // The tip of the crank, where the coupler begins, by the lengths that were asked for.
+        let tip = crank.point([length - 0.17, -0.033]);
+        let begin = coupler.point([-0.43, 0.12]);
+        let (end, far) = (coupler.point([0.57, 0.12]), rocker.point([0.38, -0.071]));
+        for (a, b) in [(tip, begin), (end, far)] {
+            assert!((a[0] - b[0]).hypot(a[1] - b[1]) < 1e-13, "{a:?} {b:?}");
+        }
+    }
+}
+
+/// Defaults assemble to the state that was computed at expansion.
+#[test]
+fn the_start_is_found_again() {
+    let state = ParametricFourBar::<f64>::default().assemble(&near()).expect("the defaults fit");
+    assert!(state.q.plus(-1.0, &near().q).max_abs() < 1e-13);
+    assert!(state.v.plus(-1.0, &near().v).max_abs() < 1e-12);
+}
+
+for_each!(kinematics_follow_the_given_motion);
+
+/// From given values of the independent coordinates: the state they came from is found again, and velocities and
+/// accelerations are the derivatives of the positions.
+fn kinematics_follow_the_given_motion<M: Model>() {
+    let (_, _, model, states) = walk::<M>(40, 5);
+    for at in &states {
+        // v̇ of no particular motion, made consistent by what `kinematics` itself asks.
+        let motion = |index: usize, h: f64| {
+            let (rate, acceleration) = (0.3 + 0.1 * index as f64, 0.2 - 0.1 * index as f64);
+            let position = value(&model, at.time, &at.q)[index];
+            Motion {
+                position: position + h * rate + h * h / 2.0 * acceleration,
+                rate: rate + h * acceleration,
+                acceleration,
+            }
+        };
+        let solved = |h: f64| {
+            let given: Vec<Motion> = (0..M::INDEPENDENT.len()).map(|index| motion(index, h)).collect();
+            model.kinematics(at.time + h, &at.q, &given)
+        };
+        let here = solved(0.0).unwrap_or_else(|error| panic!("{}: {error}", M::NAME));
+        let moved = here.q.plus(-1.0, &at.q).max_abs();
+        assert!(moved < 1e-9, "{}: the state it came from is {moved} away", M::NAME);
+        let residual = Residual::of(&model, at.time, &State { q: here.q, v: here.v });
+        assert!(residual.velocity <= 1e-10 * (1.0 + here.v.max_abs()), "{}: {residual:?}", M::NAME);
+
+        // Bodies' positions and velocities as functions of time; by bodies, because q is no vector.
+        let bodies = |h: f64| {
+            let there = solved(h).unwrap_or_else(|error| panic!("{} at h = {h}: {error}", M::NAME));
+            model.flat_motions(at.time + h, &there.q, &there.v, &there.a)
+        };
+        let speed = here.v.max_abs() + here.a.max_abs().sqrt();
+        let slopes = derivative_over(2e-4 / (1.0 + speed), bodies);
+        for (body, slope) in bodies(0.0).chunks(10).zip(slopes.chunks(10)) {
+            for (slope, value) in [(0, 4), (1, 5), (4, 7), (5, 8), (6, 9)].map(|(x, y)| (slope[x], body[y])) {
+                let tolerance = 1e-5 * (1.0 + speed + value.abs());
+                assert!((slope - value).abs() < tolerance, "{}: {slope} {value}", M::NAME);
+            }
+        }
+    }
+}
+
+/// The values of the independent coordinates at a position.
+fn value<M: Model>(model: &M, time: f64, q: &M::Q) -> Vec<f64> {
+    let (mut residual, mut upright) = (M::Conditions::zero(), M::Conditions::zero());
+    model.condition_residual(time, q, &M::Conditions::zero(), &mut residual);
+    model.condition_flipped(time, q, &M::Conditions::zero(), &mut upright);
+    let value = |&index: &u16| {
+        let (residual, upright) = (residual.as_slice()[index as usize], upright.as_slice()[index as usize]);
+        match M::CONDITIONS[index as usize].kind {
+            ConditionKind::Angle => residual.atan2(upright),
+            ConditionKind::Linear => residual,
+        }
+    };
+    M::INDEPENDENT.iter().map(value).collect()
+}
+
+/// The four-bar of unit rods is a parallelogram: its rocker follows the crank, its coupler keeps level.
+#[test]
+fn the_parallelogram_has_a_closed_form() {
+    let model = FourBar::<f64>::default();
+    let Condition { of, .. } = <FourBar as Assemble<f64>>::CONDITIONS[0];
+    assert_eq!(of, "crank_pin.angle");
+    let mut near = FourBar::START.q;
+    for step in 0..100 {
+        let angle = 1.5 - 0.01 * f64::from(step);
+        let given = [Motion { position: angle, rate: 2.0, acceleration: -3.0 }];
+        let kinematics = model.kinematics(0.0, &near, &given).expect("it turns freely there");
+        near = kinematics.q;
+        let [crank, coupler, rocker] = model.motions(0.0, &near, &kinematics.v, &kinematics.a);
+        for body in [crank, rocker] {
+            let [c, s] = body.orientation;
+            assert!((c - angle.cos()).abs() < 1e-13 && (s - angle.sin()).abs() < 1e-13);
+            assert!((body.rate - 2.0).abs() < 1e-12 && (body.angular_acceleration + 3.0).abs() < 1e-11);
+        }
+        assert!(coupler.orientation[1].abs() < 1e-13 && coupler.rate.abs() < 1e-12);
+    }
+}
+
+/// Parameters that are no parameters: out of bounds, not finite, masses that are none.
+#[test]
+fn impossible_parameters_are_named() {
+    let refused = |parameters: Parameters| ParametricFourBar::prepare(parameters).expect_err("impossible");
+    let default = Parameters::default();
+    let cases = [
+        (Parameters { crank_length: 0.0, ..default }, "crank_length", 0.0, "bounds"),
+        (Parameters { crank_length: 11.0, ..default }, "crank_length", 11.0, "bounds"),
+        (Parameters { gravity_x: f64::INFINITY, ..default }, "gravity_x", f64::INFINITY, "finite"),
+        (Parameters { crank_mass: -1.0, ..default }, "mass of \"crank\"", -1.0, "positive"),
+        (Parameters { coupler_inertia: 0.0, ..default }, "inertia of \"coupler\"", 0.0, "positive"),
+    ];
+    for (parameters, what, value, must_be) in cases {
+        let error = refused(parameters);
+        assert_eq!((error.what, error.value), (what, value));
+        assert!(error.must_be.contains(must_be), "{error}");
+        assert!(error.to_string().contains(what), "{error}");
+    }
+    let error = refused(Parameters { rocker_center_y: f64::NAN, ..default });
+    assert!(error.what == "rocker_center_y" && error.value.is_nan() && error.must_be == "finite", "{error}");
+    // Each finite, their product not.
+    let error = refused(Parameters { coupler_mass: 1e300, crank_center_x: 1e200, crank_mass: 1e200, ..default });
+    assert_eq!(error.what, "the parameters together");
+}
+
+/// A crank that cannot reach, too few motions, and what is no number.
+#[test]
+fn impossible_positions_are_named() {
+    let long = Parameters { crank_length: 3.5, ..Parameters::default() };
+    let model = ParametricFourBar::prepare(long).expect("each within its bounds");
+    match model.assemble(&near()) {
+        Err(AssemblyError::NoConvergence { residual, .. }) => assert!(residual > 0.1, "{residual}"),
+        Err(AssemblyError::RankDeficient { pivot, .. }) => assert!(pivot < 1e-10, "{pivot}"),
+        other => panic!("a crank of 3.5 m reaches nothing: {other:?}"),
+    }
+
+    let model = ParametricFourBar::<f64>::default();
+    let error = model.kinematics(0.0, &near().q, &[]).expect_err("one motion is needed");
+    assert_eq!(error, AssemblyError::WrongLength { needed: 1, given: 0 });
+    let motion = Motion { position: 0.7, rate: 0.0, acceleration: 0.0 };
+    let error = model.kinematics(0.0, &near().q, &[motion; 2]).expect_err("one motion is needed");
+    assert_eq!(error, AssemblyError::WrongLength { needed: 1, given: 2 });
+    let nan = [Motion { position: f64::NAN, ..motion }];
+    let error = model.kinematics(0.0, &near().q, &nan).expect_err("NaN is no angle");
+    assert!(matches!(error, AssemblyError::NonFinite { row } if row.of == "crank_pin.angle"), "{error}");
+    let mut lost = near();
+    lost.q[0] = f64::INFINITY;
+    assert!(matches!(model.assemble(&lost), Err(AssemblyError::NonFinite { .. })));
+}

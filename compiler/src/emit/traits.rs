@@ -82,7 +82,8 @@ fn function(
 ) {
     let body = emitter.body(function, arguments, helpers);
     let _ = writeln!(text, "fn {signature} {{");
-    if arguments.contains(&Constants) {
+    let uses = |text: &String| text.contains("constants");
+    if uses(&body.statements) || body.outputs.iter().any(uses) {
         text.push_str("let constants = &self.constants;\n");
     }
     text.push_str(&body.statements);

@@ -70,6 +70,29 @@ impl Instruction {
         std::iter::once(a).chain(b).chain(c)
     }
 
+    /// The same operation on other operands.
+    pub fn map(&self, f: impl Fn(Operand) -> Operand) -> Instruction {
+        match *self {
+            Instruction::Neg(a) => Instruction::Neg(f(a)),
+            Instruction::Add(a, b) => Instruction::Add(f(a), f(b)),
+            Instruction::Sub(a, b) => Instruction::Sub(f(a), f(b)),
+            Instruction::Mul(a, b) => Instruction::Mul(f(a), f(b)),
+            Instruction::MulAdd(a, b, c, product, addend) => {
+                Instruction::MulAdd(f(a), f(b), f(c), product, addend)
+            }
+            Instruction::Div(a, b) => Instruction::Div(f(a), f(b)),
+            Instruction::Unary(function, a) => Instruction::Unary(function, f(a)),
+            Instruction::Min(a, b) => Instruction::Min(f(a), f(b)),
+            Instruction::Max(a, b) => Instruction::Max(f(a), f(b)),
+            Instruction::Atan2(a, b) => Instruction::Atan2(f(a), f(b)),
+            Instruction::Compare(comparison, a, b) => Instruction::Compare(comparison, f(a), f(b)),
+            Instruction::And(a, b) => Instruction::And(f(a), f(b)),
+            Instruction::Or(a, b) => Instruction::Or(f(a), f(b)),
+            Instruction::Not(a) => Instruction::Not(f(a)),
+            Instruction::Select(m, a, b) => Instruction::Select(f(m), f(a), f(b)),
+        }
+    }
+
     /// Whether the result is a mask.
     pub fn is_mask(&self) -> bool {
         matches!(

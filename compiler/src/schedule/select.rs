@@ -1,145 +1,35 @@
-//! Instruction selection: one function's part of the graph as a program, with products fused into sums.
+//! Instruction selection: one function's part of the graph as a program.
 
 use super::program::{Instruction, Operand, Program, Source};
-use crate::symbolic::{Class, Graph, Node, Op};
-use std::collections::BTreeMap;
-
-/// Constants of the prepared model, shared by all functions of a mechanism: nodes that depend on nothing but
-/// parameters, in the order in which functions ask for them.
-#[derive(Clone, Debug, Default)]
-pub struct Prepared {
-    pub nodes: Vec<Node>,
-    known: BTreeMap<Node, u32>,
-}
-
-impl Prepared {
-    fn index(&mut self, node: Node) -> u32 {
-        *self.known.entry(node).or_insert_with(|| {
-            self.nodes.push(node);
-            self.nodes.len() as u32 - 1
-        })
-    }
-}
-
-/// How the uses of a product are served.
-#[derive(Clone, Copy, PartialEq, Eq)]
-enum Fusion {
-    /// Computed on its own.
-    None,
-    /// Every use is a sum that absorbs it.
-    Absorbed,
-}
+use crate::optimize::{Fused, Hoisted};
+use crate::symbolic::{Graph, Node, Op};
 
 struct Selection<'a> {
     graph: &'a Graph,
     sources: &'a [Source],
-    prepared: Option<&'a mut Prepared>,
-    needed: Vec<bool>,
-    uses: Vec<u32>,
-    fusion: Vec<Fusion>,
-    /// The product that a sum absorbs.
-    absorbs: Vec<Option<Node>>,
+    hoisted: &'a Hoisted,
+    fused: &'a Fused,
     values: Vec<Option<u32>>,
     instructions: Vec<Instruction>,
 }
 
-/// Compiles `outputs`. With `prepared`, what depends on parameters only is taken from there; without, computed.
-pub fn select(
-    graph: &Graph,
-    sources: &[Source],
-    prepared: Option<&mut Prepared>,
-    outputs: &[Node],
-) -> Program {
-    let n = graph.len();
-    let mut selection = Selection {
-        graph,
-        sources,
-        prepared,
-        needed: vec![false; n],
-        uses: vec![0; n],
-        fusion: vec![Fusion::None; n],
-        absorbs: vec![None; n],
-        values: vec![None; n],
-        instructions: Vec::new(),
-    };
-    selection.mark(outputs);
-    selection.fuse();
-    for output in outputs {
+/// The function as instructions, operands first.
+pub fn select(graph: &Graph, sources: &[Source], hoisted: &Hoisted, fused: &Fused) -> Program {
+    let values = vec![None; graph.len()];
+    let mut selection = Selection { graph, sources, hoisted, fused, values, instructions: Vec::new() };
+    for output in &fused.outputs {
         selection.compute(*output);
     }
-    let outputs = outputs.iter().map(|output| selection.operand(*output)).collect();
+    let outputs = fused.outputs.iter().map(|output| selection.operand(*output)).collect();
     Program { instructions: selection.instructions, outputs }
 }
 
 impl Selection<'_> {
-    /// Whether the node is a leaf of this function.
-    fn is_leaf(&self, node: Node) -> bool {
-        matches!(self.graph.op(node), Op::Constant(_) | Op::Symbol(_))
-            || (self.prepared.is_some() && self.is_preparable(node))
-    }
-
-    /// Whether the prepared model holds the node: a number that depends on parameters only. Masks are no numbers;
-    /// each function compares again.
-    fn is_preparable(&self, node: Node) -> bool {
-        let mask = matches!(self.graph.op(node), Op::Compare(..) | Op::And(..) | Op::Or(..) | Op::Not(_));
-        self.graph.class(node) <= Class::Parameter && !mask
-    }
-
-    /// Counts uses of what the outputs need.
-    fn mark(&mut self, outputs: &[Node]) {
-        for output in outputs {
-            self.needed[output.index()] = true;
-            self.uses[output.index()] += 1;
-        }
-        for (node, op) in self.graph.nodes().rev() {
-            if self.needed[node.index()] && !self.is_leaf(node) {
-                for operand in op.operands() {
-                    self.needed[operand.index()] = true;
-                    self.uses[operand.index()] += 1;
-                }
-            }
-        }
-    }
-
-    fn is_product(&self, node: Node) -> bool {
-        matches!(self.graph.op(node), Op::Mul(..)) && !self.is_leaf(node)
-    }
-
-    /// Which sums absorb which products. A sum absorbs one; a product disappears only if all its uses absorb it.
-    fn fuse(&mut self) {
-        let mut sums_of: BTreeMap<Node, Vec<Node>> = BTreeMap::new();
-        for (node, op) in self.graph.nodes() {
-            if !self.needed[node.index()] || self.is_leaf(node) {
-                continue;
-            }
-            if let Op::Add(a, b) | Op::Sub(a, b) = op {
-                let single = [b, a].into_iter().find(|x| self.is_product(*x) && self.uses[x.index()] == 1);
-                if let Some(product) = single {
-                    self.absorbs[node.index()] = Some(product);
-                    self.fusion[product.index()] = Fusion::Absorbed;
-                } else {
-                    for product in [a, b].into_iter().filter(|x| self.is_product(*x)) {
-                        sums_of.entry(product).or_default().push(node);
-                    }
-                }
-            }
-        }
-        for (product, sums) in sums_of {
-            let free = sums.iter().all(|sum| self.absorbs[sum.index()].is_none());
-            if free && sums.len() == self.uses[product.index()] as usize {
-                for sum in sums {
-                    self.absorbs[sum.index()] = Some(product);
-                }
-                self.fusion[product.index()] = Fusion::Absorbed;
-            }
-        }
-    }
-
     /// Emits what `root` needs, operands first, without recursion.
     fn compute(&mut self, root: Node) {
         let mut stack = vec![(root, false)];
         while let Some((node, ready)) = stack.pop() {
-            if self.values[node.index()].is_some() || self.is_leaf(node) {
+            if self.values[node.index()].is_some() || self.fused.is_leaf(node) {
                 continue;
             }
             let (instruction, operands) = self.shape(node);
@@ -159,9 +49,9 @@ impl Selection<'_> {
     fn shape(&self, node: Node) -> (Shape, [Option<Node>; 3]) {
         let graph = self.graph;
         match graph.op(node) {
-            Op::Neg(inner) if self.uses[inner.index()] == 1 && !self.is_leaf(inner) => {
+            Op::Neg(inner) if self.fused.uses[inner.index()] == 1 && !self.fused.is_leaf(inner) => {
                 // −(a·b ± c) and −(k·x) cost no negation.
-                if self.absorbs[inner.index()].is_some() {
+                if self.fused.absorbs[inner.index()].is_some() {
                     let (Shape::MulAdd { product, addend, minus_product, minus_addend }, operands) =
                         self.shape(inner)
                     else {
@@ -184,7 +74,7 @@ impl Selection<'_> {
             }
             Op::Add(a, b) | Op::Sub(a, b) => {
                 let subtract = matches!(graph.op(node), Op::Sub(..));
-                match self.absorbs[node.index()] {
+                match self.fused.absorbs[node.index()] {
                     None => (Shape::Plain, [Some(a), Some(b), None]),
                     Some(product) => {
                         let product_is_second = product == b;
@@ -246,16 +136,14 @@ impl Selection<'_> {
         }
     }
 
-    fn operand(&mut self, node: Node) -> Operand {
+    fn operand(&self, node: Node) -> Operand {
         if let Some(value) = self.graph.value(node) {
             return Operand::Constant(value);
         }
-        let preparable = self.is_preparable(node);
-        if let (Some(prepared), true) = (&mut self.prepared, preparable) {
-            return Operand::Source(Source::Prepared(prepared.index(node)));
-        }
-        match self.graph.op(node) {
-            Op::Symbol(symbol) => Operand::Source(self.sources[symbol as usize]),
+        match (self.graph.op(node), self.fused.is_leaf(node), self.hoisted.get(node)) {
+            (Op::Symbol(symbol), _, None) => Operand::Source(self.sources[symbol as usize]),
+            (_, true, Some(index)) => Operand::Source(Source::Prepared(index)),
+            (Op::Symbol(symbol), ..) => Operand::Source(self.sources[symbol as usize]),
             _ => Operand::Value(self.values[node.index()].unwrap_or(0)),
         }
     }

@@ -1,0 +1,139 @@
+//! The functions of a mechanism: what is optimised, scheduled, emitted, counted and interpreted, by one list.
+
+use crate::equations::Equations;
+use crate::solve::Solved;
+use crate::symbolic::Node;
+
+/// The functions of a mechanism, by name.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum Function {
+    /// Parameters and phases → constants of the prepared model.
+    Prepare,
+    MassMatrix,
+    Constraints,
+    ConstraintJacobian,
+    Nu,
+    Gamma,
+    Forces,
+    KineticEnergy,
+    PotentialEnergy,
+    Acceleration,
+    AccelerationBaumgarte,
+    Outputs,
+    Powers,
+    DriverEfforts,
+    Motions,
+    Reactions,
+    RowCosines,
+    ConditionResidual,
+    ConditionUpright,
+    ConditionJacobian,
+    ConditionBias,
+    ConditionDrift,
+    /// Values, then rates, that `start` asks of each condition; 0 where it asks none.
+    StartTargets,
+    /// Masses and inertias that depend on parameters.
+    Masses,
+}
+
+impl Function {
+    pub const ALL: [Function; 24] = [
+        Function::MassMatrix,
+        Function::Constraints,
+        Function::ConstraintJacobian,
+        Function::Nu,
+        Function::Gamma,
+        Function::Forces,
+        Function::KineticEnergy,
+        Function::PotentialEnergy,
+        Function::Acceleration,
+        Function::AccelerationBaumgarte,
+        Function::Outputs,
+        Function::Powers,
+        Function::DriverEfforts,
+        Function::Motions,
+        Function::Reactions,
+        Function::RowCosines,
+        Function::ConditionResidual,
+        Function::ConditionUpright,
+        Function::ConditionJacobian,
+        Function::ConditionBias,
+        Function::ConditionDrift,
+        Function::StartTargets,
+        Function::Masses,
+        // Last: it computes what all others asked for.
+        Function::Prepare,
+    ];
+
+    /// Name of the emitted function.
+    pub fn name(self) -> &'static str {
+        match self {
+            Function::Prepare => "prepare",
+            Function::MassMatrix => "mass_matrix",
+            Function::Constraints => "constraints",
+            Function::ConstraintJacobian => "constraint_jacobian",
+            Function::Nu => "nu",
+            Function::Gamma => "gamma",
+            Function::Forces => "forces",
+            Function::KineticEnergy => "kinetic_energy",
+            Function::PotentialEnergy => "potential_energy",
+            Function::Acceleration => "acceleration",
+            Function::AccelerationBaumgarte => "acceleration_baumgarte",
+            Function::Outputs => "outputs",
+            Function::Powers => "powers",
+            Function::DriverEfforts => "driver_efforts",
+            Function::Motions => "motions",
+            Function::Reactions => "reactions",
+            Function::RowCosines => "row_cosines",
+            Function::ConditionResidual => "condition_residual",
+            Function::ConditionUpright => "condition_upright",
+            Function::ConditionJacobian => "condition_jacobian",
+            Function::ConditionBias => "condition_bias",
+            Function::ConditionDrift => "condition_drift",
+            Function::StartTargets => "start_targets",
+            Function::Masses => "masses",
+        }
+    }
+}
+
+/// What a function computes, in the order of its outputs.
+pub fn outputs(equations: &Equations, solved: &Solved, function: Function) -> Vec<Node> {
+    let e = equations;
+    let rows = || e.rows.iter();
+    let conditions = || e.conditions.iter();
+    let zero = e.zero;
+    match function {
+        Function::Prepare => Vec::new(),
+        Function::MassMatrix => e.mass.values().copied().collect(),
+        Function::Constraints => rows().map(|row| row.jet.value).collect(),
+        Function::ConstraintJacobian => rows().flat_map(|row| row.jet.columns.values().copied()).collect(),
+        Function::Nu => e.nu.clone(),
+        Function::Gamma => e.gamma.clone(),
+        Function::Forces => e.forces.clone(),
+        Function::KineticEnergy => vec![e.kinetic_energy],
+        Function::PotentialEnergy => vec![e.potential_energy],
+        Function::Acceleration => solution(&solved.index1),
+        Function::AccelerationBaumgarte => solution(&solved.baumgarte),
+        Function::Outputs => e.outputs.clone(),
+        Function::Powers => e.powers.clone(),
+        Function::DriverEfforts => e.driver_efforts.iter().chain(&e.driver_powers).copied().collect(),
+        Function::Motions => e.motions.iter().flat_map(|motion| motion.flat()).collect(),
+        Function::Reactions => e.reactions.iter().flatten().copied().collect(),
+        Function::RowCosines => rows().map(|row| row.upright.unwrap_or(e.one)).collect(),
+        Function::ConditionResidual => conditions().map(|c| c.residual).collect(),
+        Function::ConditionUpright => conditions().map(|c| c.upright).collect(),
+        Function::ConditionJacobian => conditions().flat_map(|c| c.jet.columns.values().copied()).collect(),
+        Function::ConditionBias => conditions().map(|c| c.jet.bias).collect(),
+        Function::ConditionDrift => conditions().map(|c| c.jet.drift).collect(),
+        Function::StartTargets => {
+            let target = |value: Option<Node>| value.unwrap_or(zero);
+            let positions = e.start_targets.iter().map(|start| target(start.position));
+            positions.chain(e.start_targets.iter().map(|start| target(start.rate))).collect()
+        }
+        Function::Masses => e.masses.iter().map(|(_, node)| *node).collect(),
+    }
+}
+
+fn solution(solution: &crate::solve::Solution) -> Vec<Node> {
+    solution.acceleration.iter().chain(&solution.lambda).chain([&solution.pivot]).copied().collect()
+}

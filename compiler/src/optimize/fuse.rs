@@ -1,0 +1,76 @@
+//! Products into sums: a·b + c is one operation where the target has a fused multiply-add.
+
+use crate::symbolic::{Graph, Node, Op};
+use std::collections::BTreeMap;
+
+/// One function's part of the graph, with its fusions.
+#[derive(Clone, Debug)]
+pub struct Fused {
+    pub outputs: Vec<Node>,
+    /// How often each node is used.
+    pub uses: Vec<u32>,
+    /// Nodes taken as given: constants, symbols and what is hoisted.
+    pub leaves: Vec<bool>,
+    /// The product that a sum absorbs.
+    pub absorbs: Vec<Option<Node>>,
+}
+
+/// Decides which sums absorb which products. A sum absorbs one; a product is no operation of its own only if all its
+/// uses absorb it, so a product with several uses is fused into all of them or into none.
+pub fn fuse(graph: &Graph, outputs: &[Node], is_given: impl Fn(Node) -> bool) -> Fused {
+    let n = graph.len();
+    let mut fused = Fused {
+        outputs: outputs.to_vec(),
+        uses: vec![0; n],
+        leaves: vec![false; n],
+        absorbs: vec![None; n],
+    };
+    for output in outputs {
+        fused.uses[output.index()] += 1;
+    }
+    for (node, op) in graph.nodes().rev() {
+        if fused.uses[node.index()] == 0 {
+            continue;
+        }
+        let leaf = matches!(op, Op::Constant(_) | Op::Symbol(_)) || is_given(node);
+        fused.leaves[node.index()] = leaf;
+        if !leaf {
+            op.operands().for_each(|operand| fused.uses[operand.index()] += 1);
+        }
+    }
+
+    let mut sums_of: BTreeMap<Node, Vec<Node>> = BTreeMap::new();
+    for (node, op) in graph.nodes() {
+        if fused.uses[node.index()] == 0 || fused.leaves[node.index()] {
+            continue;
+        }
+        let (Op::Add(a, b) | Op::Sub(a, b)) = op else { continue };
+        let single = [b, a].into_iter().find(|x| fused.is_product(graph, *x) && fused.uses[x.index()] == 1);
+        match single {
+            Some(product) => fused.absorbs[node.index()] = Some(product),
+            None => {
+                for product in [a, b].into_iter().filter(|x| fused.is_product(graph, *x)) {
+                    sums_of.entry(product).or_default().push(node);
+                }
+            }
+        }
+    }
+    for (product, sums) in sums_of {
+        let free = sums.iter().all(|sum| fused.absorbs[sum.index()].is_none());
+        if free && sums.len() == fused.uses[product.index()] as usize {
+            for sum in sums {
+                fused.absorbs[sum.index()] = Some(product);
+            }
+        }
+    }
+    fused
+}
+
+impl Fused {
+    pub fn is_leaf(&self, node: Node) -> bool {
+        self.leaves[node.index()]
+    }
+    fn is_product(&self, graph: &Graph, node: Node) -> bool {
+        matches!(graph.op(node), Op::Mul(..)) && !self.is_leaf(node)
+    }
+}
