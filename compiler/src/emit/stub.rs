@@ -1,22 +1,144 @@
 //! What stands in the model's place after an error, so that one mistake gives one message.
 //!
-//! The names that other code uses exist; their insides do not. Nothing can run, because the crate does not compile.
+//! Every name that other code may use exists, with the types it would have as far as the broken definition tells; the
+//! functions do nothing. None of it can run, because the crate does not compile.
 
-use crate::syntax;
+use super::names::field;
+use crate::syntax::{self, Header};
 use proc_macro2::TokenStream;
 use std::fmt::Write;
 
-/// Empty items with the model's names; nothing if not even a name was written.
+/// Entries of arrays whose length the definition would have told: more than other code is likely to index.
+const MANY: usize = 1024;
+
+/// Items with the model's names; nothing if not even a name was written.
 pub fn stub(tokens: TokenStream) -> TokenStream {
     let Some(header) = syntax::header(tokens) else { return TokenStream::new() };
-    let (visibility, name) = (header.visibility.to_string(), header.name.to_string());
     let mut text = String::new();
-    let scalar = "scalar: ::core::marker::PhantomData<R>";
-    for suffix in ["", "Parameters", "Inputs", "Outputs", "State"] {
-        let _ = writeln!(
-            text,
-            "#[allow(missing_docs, dead_code)] {visibility} struct {name}{suffix}<R = ::core::primitive::f64> {{ {scalar} }}"
-        );
-    }
+    structs(&mut text, &header);
+    constants(&mut text, &header);
+    implementations(&mut text, &header);
     text.parse().unwrap_or_default()
 }
+
+fn structs(text: &mut String, header: &Header) {
+    let (visibility, name) = (header.visibility.to_string(), header.name.to_string());
+    let derives = "#[allow(missing_docs, dead_code)] #[derive(::core::clone::Clone, ::core::marker::Copy, \
+                   ::core::fmt::Debug, ::core::cmp::PartialEq)]";
+    let f64 = "::core::primitive::f64";
+    let scalar = "scalar: ::core::marker::PhantomData<R>";
+    let _ = writeln!(text, "{derives} {visibility} struct {name}<R = {f64}> {{ {scalar} }}");
+    for (word, suffix) in [("param", "Parameters"), ("input", "Inputs"), ("output", "Outputs")] {
+        let fields = header.declared(word);
+        if fields.is_empty() && word != "param" {
+            continue;
+        }
+        let mut list: Vec<String> = fields.iter().map(|name| format!("pub {}: R", field(name))).collect();
+        if list.is_empty() {
+            list.push(format!("pub {scalar}"));
+        }
+        let _ = writeln!(text, "{derives} {visibility} struct {name}{suffix}<R = {f64}> {{ {} }}", list.join(", "));
+    }
+    let _ = writeln!(
+        text,
+        "#[allow(missing_docs, dead_code)] {visibility} type {name}State<R = {f64}> = \
+         ::linkwright::__private::v1::State<[R; {MANY}], [R; {MANY}]>;"
+    );
+}
+
+fn constants(text: &mut String, header: &Header) {
+    let name = header.name.to_string();
+    let zeros = format!("[0.0; {MANY}]");
+    let (usize, str) = ("::core::primitive::usize", "&'static ::core::primitive::str");
+    let _ = writeln!(text, "#[allow(missing_docs, dead_code)] impl {name}<::core::primitive::f64> {{");
+    let _ = writeln!(
+        text,
+        "pub const START: {name}State = ::linkwright::__private::v1::State {{ q: {zeros}, v: {zeros} }};"
+    );
+    for constant in ["DEGREES_OF_FREEDOM", "OPERATIONS"] {
+        let _ = writeln!(text, "pub const {constant}: {usize} = 1;");
+    }
+    for constant in ["SOURCE", "DEFINITION", "COORDINATES"] {
+        let _ = writeln!(text, "pub const {constant}: {str} = \"\";");
+    }
+    for constant in ["BODIES", "JOINTS", "LOADS"] {
+        let _ = writeln!(text, "pub const {constant}: &'static [{str}] = &[];");
+    }
+    text.push_str("}\n");
+}
+
+fn implementations(text: &mut String, header: &Header) {
+    let name = header.name.to_string();
+    let given = |word: &str, suffix: &str| {
+        if header.declared(word).is_empty() { "()".to_string() } else { format!("{name}{suffix}<R>") }
+    };
+    let (inputs, outputs) = (given("input", "Inputs"), given("output", "Outputs"));
+    let list = format!("[R; {MANY}]");
+    let replaced = TEMPLATE
+        .replace("@NAME@", &name)
+        .replace("@INPUTS@", &inputs)
+        .replace("@OUTPUTS@", &outputs)
+        .replace("@LIST@", &list)
+        .replace("@MANY@", &MANY.to_string());
+    text.push_str(&replaced);
+}
+
+const TEMPLATE: &str = "
+#[allow(unused, clippy::all)] const _: () = {
+use ::core::prelude::rust_2024::*;
+use ::linkwright::__private::v1::*;
+use ::core::primitive::{bool, f64, u16, u32, usize, str};
+impl<R: Real> Default for @NAME@Parameters<R> { fn default() -> Self { loop {} } }
+impl<R: Real> Default for @NAME@<R> { fn default() -> Self { loop {} } }
+impl<R: Real> @NAME@<R> {
+    pub fn prepare(parameters: @NAME@Parameters<R>) -> Result<Self, SettingError> { loop {} }
+    pub fn parameters(&self) -> &@NAME@Parameters<R> { loop {} }
+    pub fn motions(&self, time: R, q: &@LIST@, v: &@LIST@, a: &@LIST@) -> [BodyMotion<R>; @MANY@] { loop {} }
+    pub fn reactions(&self, time: R, q: &@LIST@, v: &@LIST@, u: &@INPUTS@, a: &@LIST@, l: &@LIST@) -> [Reaction<R>; @MANY@] { loop {} }
+    pub fn powers(&self, time: R, q: &@LIST@, v: &@LIST@, u: &@INPUTS@) -> @LIST@ { loop {} }
+    pub fn driver_efforts(&self, time: R, q: &@LIST@, v: &@LIST@, lambda: &@LIST@) -> [[R; 2]; @MANY@] { loop {} }
+}
+impl<R: Real> Mechanism<R> for @NAME@<R> {
+    const NAME: &'static str = \"\";
+    const LAYOUT: Layout = Layout { linear: @MANY@, rotations: 0, angles: &[] };
+    const ROWS: &'static [Row] = &[];
+    const POSITION_NAMES: &'static [&'static str] = &[];
+    const VELOCITY_NAMES: &'static [&'static str] = &[];
+    const MASS_PATTERN: &'static [(u16, u16)] = &[];
+    const JACOBIAN_PATTERN: &'static [(u16, u16)] = &[];
+    type Q = @LIST@; type V = @LIST@; type Lambda = @LIST@; type Mass = @LIST@; type Jacobian = @LIST@;
+    type Inputs = @INPUTS@; type Outputs = @OUTPUTS@;
+    fn mass_matrix(&self, time: R, q: &@LIST@, out: &mut @LIST@) {}
+    fn constraints(&self, time: R, q: &@LIST@, out: &mut @LIST@) {}
+    fn constraint_jacobian(&self, time: R, q: &@LIST@, out: &mut @LIST@) {}
+    fn nu(&self, time: R, q: &@LIST@, out: &mut @LIST@) {}
+    fn gamma(&self, time: R, q: &@LIST@, v: &@LIST@, out: &mut @LIST@) {}
+    fn forces(&self, time: R, q: &@LIST@, v: &@LIST@, u: &@INPUTS@, out: &mut @LIST@) {}
+    fn kinetic_energy(&self, time: R, q: &@LIST@, v: &@LIST@) -> R { loop {} }
+    fn potential_energy(&self, time: R, q: &@LIST@) -> R { loop {} }
+    fn acceleration(&self, time: R, q: &@LIST@, v: &@LIST@, u: &@INPUTS@, a: &mut @LIST@, l: &mut @LIST@) -> R { loop {} }
+    fn acceleration_baumgarte(&self, time: R, q: &@LIST@, v: &@LIST@, u: &@INPUTS@, x: R, y: R, a: &mut @LIST@, l: &mut @LIST@) -> R { loop {} }
+    fn outputs(&self, time: R, q: &@LIST@, v: &@LIST@, u: &@INPUTS@) -> @OUTPUTS@ { loop {} }
+    fn unwrap(outputs: &mut @OUTPUTS@, previous: &@OUTPUTS@) {}
+}
+impl<R: Real> Assemble<R> for @NAME@<R> {
+    const CONDITIONS: &'static [Condition] = &[];
+    const START_CONDITIONS: &'static [u16] = &[];
+    const START_RATES: &'static [u16] = &[];
+    const INDEPENDENT: &'static [u16] = &[];
+    const CONDITION_PATTERN: &'static [(u16, u16)] = &[];
+    const FLIPS: &'static [u16] = &[];
+    const ELIMINATION: Elimination = Elimination { order: &[], position: &[], row_start: &[], columns: &[] };
+    type Conditions = @LIST@; type ConditionJacobian = @LIST@; type Factor = @LIST@; type System = @LIST@;
+    fn condition_residual(&self, time: R, q: &@LIST@, target: &@LIST@, out: &mut @LIST@) {}
+    fn condition_flipped(&self, time: R, q: &@LIST@, target: &@LIST@, out: &mut @LIST@) {}
+    fn condition_jacobian(&self, time: R, q: &@LIST@, out: &mut @LIST@) {}
+    fn condition_bias(&self, time: R, q: &@LIST@, v: &@LIST@, out: &mut @LIST@) {}
+    fn condition_drift(&self, time: R, q: &@LIST@, out: &mut @LIST@) {}
+    fn row_cosines(&self, time: R, q: &@LIST@, out: &mut @LIST@) {}
+    fn start_targets(&self, positions: &mut @LIST@, rates: &mut @LIST@) {}
+    fn start_q() -> @LIST@ { loop {} }
+    fn start_v() -> @LIST@ { loop {} }
+}
+};
+";

@@ -62,6 +62,33 @@ pub struct Header {
     pub visibility: TokenStream,
     /// The mechanism's name.
     pub name: proc_macro2::Ident,
+    /// What is written between its braces.
+    body: TokenStream,
+}
+
+impl Header {
+    /// Names declared by a statement `word NAME …` at the top of the braces, however broken the rest may be.
+    pub fn declared(&self, word: &str) -> Vec<String> {
+        let mut names: Vec<String> = Vec::new();
+        let mut statement = true;
+        let mut tokens = self.body.clone().into_iter().peekable();
+        while let Some(token) = tokens.next() {
+            if let (true, TokenTree::Ident(ident), Some(TokenTree::Ident(name))) = (statement, &token, tokens.peek())
+                && *ident == word
+            {
+                let name = name.to_string();
+                if !names.contains(&name) {
+                    names.push(name);
+                }
+            }
+            statement = match &token {
+                TokenTree::Punct(punct) => punct.as_char() == ';',
+                TokenTree::Group(group) => group.delimiter() == Delimiter::Brace,
+                _ => false,
+            };
+        }
+        names
+    }
 }
 
 /// Reads a definition. All syntax errors are reported, one for each statement.
@@ -102,10 +129,16 @@ pub fn header(tokens: TokenStream) -> Option<Header> {
     }
     let TokenTree::Ident(kind) = tokens.next()? else { return None };
     match tokens.next()? {
-        TokenTree::Ident(name) => Some(Header { visibility, name }),
+        TokenTree::Ident(name) => {
+            let body = tokens.find_map(|token| match token {
+                TokenTree::Group(group) if group.delimiter() == Delimiter::Brace => Some(group.stream()),
+                _ => None,
+            });
+            Some(Header { visibility, name, body: body.unwrap_or_default() })
+        }
         // The kind was forgotten: `pub FourBar { … }`.
         TokenTree::Group(group) if group.delimiter() == Delimiter::Brace => {
-            Some(Header { visibility, name: kind })
+            Some(Header { visibility, name: kind, body: group.stream() })
         }
         _ => None,
     }
