@@ -2,6 +2,7 @@
 
 
 mod architecture;
+mod ceilings;
 mod balances;
 mod convergence;
 mod emitted_code;

@@ -125,8 +125,8 @@ impl<'a> Numeric<'a> {
                 x[k] -= self.lower[table.row_start[k] + at] * x[*j];
             }
         }
-        for k in 0..n {
-            x[k] = if self.diagonal[k] == 0.0 { 0.0 } else { x[k] / self.diagonal[k] };
+        for (x, diagonal) in x.iter_mut().zip(&self.diagonal) {
+            *x = if *diagonal == 0.0 { 0.0 } else { *x / diagonal };
         }
         for k in (0..n).rev() {
             for (at, j) in table.row(k).iter().enumerate() {
