@@ -4,7 +4,7 @@ use crate::check::{self, assemble, assemble::Assembly};
 use crate::diagnostics::Diagnostics;
 use crate::equations::{self, Equations, SpanningTree};
 use crate::model::{self, Coordinates, Mechanism};
-use crate::schedule::{self, Counts, Function, Programs, count};
+use crate::schedule::{self, Counts, Function, Programs};
 use crate::solve::table::Table;
 use crate::solve::{self, Solved};
 use crate::{optimize, syntax};
@@ -84,13 +84,10 @@ pub fn compile_model(
     }
     // AFTER THIS POINT no linear system is left.
     let counts = candidates.iter().map(|(_, equations, _, solved)| {
-        let optimized = optimize::optimize_only(equations, solved, &[Function::AccelerationBaumgarte]);
-        count(schedule::schedule(equations, &optimized).get(Function::AccelerationBaumgarte))
+        schedule::count_of(equations, solved, Function::AccelerationBaumgarte)
     });
     let counts: Vec<Counts> = counts.collect();
-    // Work, and a share for the depth that keeps a wide processor waiting.
-    let score = |counts: &Counts| 4 * counts.total() + counts.depth;
-    let best = (0..counts.len()).min_by_key(|at| score(&counts[*at])).unwrap_or(0);
+    let best = (0..counts.len()).min_by_key(|at| counts[*at].score()).unwrap_or(0);
     let rejected = counts.iter().enumerate().find(|(at, _)| *at != best).map(|(_, counts)| *counts);
     let (coordinates, mut equations, assembly, solved) = candidates.swap_remove(best);
 

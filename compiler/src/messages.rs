@@ -364,8 +364,8 @@ pub(crate) fn missing_property(shape: &str, body: &str, property: &str) -> Strin
     format!("the {shape} `{body}` has no {property}: write `{property} [{unit}] = …;`")
 }
 
-pub(crate) fn not_positive(property: &str) -> String {
-    format!("the {property} must be positive")
+pub(crate) fn not_positive(property: &str, body: &str, metres: f64) -> String {
+    format!("the {property} of `{body}` must be positive, found {metres} m")
 }
 
 pub(crate) fn joint_with_itself(joint: &str, body: &str) -> String {
@@ -457,6 +457,13 @@ pub(crate) fn not_a_position(name: &str, verb: &str) -> String {
 
 pub(crate) fn not_a_state(name: &str) -> String {
     format!("`{name}` cannot be given at the start: only angles, travels, positions and their rates can")
+}
+
+pub(crate) fn guessed_rate(name: &str) -> String {
+    format!(
+        "`{name}` cannot be guessed: write `=` for a rate that is to be met, or leave it out; rates that are not stated \
+         are those of least kinetic energy"
+    )
 }
 
 pub(crate) fn distance_in_one_body() -> String {
@@ -582,8 +589,12 @@ pub(crate) fn empty_bounds(name: &str) -> String {
     format!("the bounds of `{name}` hold no value: write the smaller one first")
 }
 
-pub(crate) fn default_out_of_bounds(name: &str) -> String {
-    format!("the default of `{name}` lies outside of its bounds")
+/// All in SI units.
+pub(crate) fn default_out_of_bounds(name: &str, default: f64, minimum: f64, maximum: f64) -> String {
+    format!(
+        "the default of `{name}` lies outside of its bounds: {default} is not in {minimum}..{maximum} (SI units); \
+         widen the bounds or change the default"
+    )
 }
 
 pub(crate) fn negative(what: &str, owner: &str, value: f64, unit: &str) -> String {

@@ -40,7 +40,8 @@ fn the_symbolic_core_imports_nothing() {
             assert!(!found, "{} names `{outside}`", path.display());
         }
         for line in code.lines().map(str::trim).filter(|line| line.starts_with("use ")) {
-            let inner = ["use super::", "use std::", "use self::"].iter().any(|known| line.starts_with(known));
+            let inner =
+                ["use super::", "use std::", "use self::"].iter().any(|known| line.starts_with(known));
             assert!(inner, "{}: {line}", path.display());
         }
     }
@@ -50,7 +51,10 @@ fn the_symbolic_core_imports_nothing() {
 #[test]
 fn the_runtime_runs_bare() {
     let sources = sources("runtime/src");
-    let root = sources.iter().find(|(path, _)| path.ends_with("runtime/src/lib.rs")).expect("the runtime has a root");
+    let root = sources
+        .iter()
+        .find(|(path, _)| path.ends_with("runtime/src/lib.rs"))
+        .expect("the runtime has a root");
     for attribute in ["#![no_std]", "#![forbid(unsafe_code)]", "#![warn(missing_docs)]"] {
         assert!(root.1.contains(attribute), "the runtime states {attribute}");
     }

@@ -4,13 +4,18 @@ use crate::registry::{Model, for_each};
 use crate::walking::walk;
 use crate::zoo::Gears;
 use linkwright::{
-    AssembleExt, Baumgarte, Fields, Integrator, LagrangeIndex1, Layout, Rk4, SemiImplicitEuler, Simulation, State, Vector,
+    AssembleExt, Baumgarte, Fields, Integrator, LagrangeIndex1, Layout, Rk4, SemiImplicitEuler, Simulation,
+    State, Vector,
 };
 use linkwright_models::{double_pendulum::DoublePendulum, n_four_bar::NFourBar2};
 use std::f64::consts::{PI, TAU};
 
 /// The state after `steps` steps to `end` from the start of the model.
-fn reached<M: Model<Inputs = ()>, I: Integrator<f64>>(integrator: I, end: f64, steps: u32) -> State<M::Q, M::V> {
+fn reached<M: Model<Inputs = ()>, I: Integrator<f64>>(
+    integrator: I,
+    end: f64,
+    steps: u32,
+) -> State<M::Q, M::V> {
     let model = M::standard();
     let start = State { q: M::start_q(), v: M::start_v() };
     let simulation = Simulation::new(&model, start).formulation(LagrangeIndex1).integrator(integrator);
@@ -95,17 +100,21 @@ fn walking_keeps_angles_and_pairs_together<M: Model>() {
                 Some(rate) => q[linear + 2 * (rate - linear) + 1].atan2(q[linear + 2 * (rate - linear)]),
                 None => 0.0,
             };
-            let counted = TAU * q[linear + 2 * rotations + 2 * known] + q[linear + 2 * rotations + 2 * known + 1];
+            let counted =
+                TAU * q[linear + 2 * rotations + 2 * known] + q[linear + 2 * rotations + 2 * known + 1];
             // A constant lies between them: the frames' fixed angles, the same as at the start.
             let start = M::start_q();
             let start = start.as_slice();
             let pair_then = |rate: Option<usize>| match rate {
-                Some(rate) => start[linear + 2 * (rate - linear) + 1].atan2(start[linear + 2 * (rate - linear)]),
+                Some(rate) => {
+                    start[linear + 2 * (rate - linear) + 1].atan2(start[linear + 2 * (rate - linear)])
+                }
                 None => 0.0,
             };
-            let counted_then =
-                TAU * start[linear + 2 * rotations + 2 * known] + start[linear + 2 * rotations + 2 * known + 1];
-            let moved = (pair(angle.plus) - pair(angle.minus)) - (pair_then(angle.plus) - pair_then(angle.minus));
+            let counted_then = TAU * start[linear + 2 * rotations + 2 * known]
+                + start[linear + 2 * rotations + 2 * known + 1];
+            let moved =
+                (pair(angle.plus) - pair(angle.minus)) - (pair_then(angle.plus) - pair_then(angle.minus));
             let off = (counted - counted_then - moved + PI).rem_euclid(TAU) - PI;
             assert!(off.abs() < 1e-9, "{}: {counted} against {moved}", M::NAME);
         }

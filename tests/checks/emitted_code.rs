@@ -63,9 +63,7 @@ fn emitted<M: Model>(model: &M, inputs: &Inputs, function: Function) -> Option<V
     Some(match function {
         Function::MassMatrix => written(|out: &mut M::Mass| model.mass_matrix(t, q, out)),
         Function::Constraints => written(|out: &mut M::Lambda| model.constraints(t, q, out)),
-        Function::ConstraintJacobian => {
-            written(|out: &mut M::Jacobian| model.constraint_jacobian(t, q, out))
-        }
+        Function::ConstraintJacobian => written(|out: &mut M::Jacobian| model.constraint_jacobian(t, q, out)),
         Function::Nu => written(|out: &mut M::Lambda| model.nu(t, q, out)),
         Function::Gamma => written(|out: &mut M::Lambda| model.gamma(t, q, v, out)),
         Function::Forces => written(|out: &mut M::V| model.forces(t, q, v, u, out)),
@@ -75,9 +73,7 @@ fn emitted<M: Model>(model: &M, inputs: &Inputs, function: Function) -> Option<V
         Function::AccelerationBaumgarte => solution(&|a, lambda| {
             model.acceleration_baumgarte(t, q, v, u, inputs.two_alpha, inputs.beta_squared, a, lambda)
         }),
-        Function::Outputs => {
-            linkwright::Fields::to_array(&model.outputs(t, q, v, u)).as_slice().to_vec()
-        }
+        Function::Outputs => linkwright::Fields::to_array(&model.outputs(t, q, v, u)).as_slice().to_vec(),
         Function::Powers => model.flat_powers(&at),
         Function::DriverEfforts => model.flat_driver_efforts(&at, &lambda),
         Function::Motions => model.flat_motions(t, q, v, &a),
@@ -168,7 +164,13 @@ fn errors(graph: &Graph, values: &[f64]) -> Vec<f64> {
                 let (y, x) = (value(a), value(b));
                 (error(a) * x.abs() + error(b) * y.abs()) / (x * x + y * y)
             }
-            Op::Select(mask, a, b) => if value(mask) != 0.0 { error(a) } else { error(b) },
+            Op::Select(mask, a, b) => {
+                if value(mask) != 0.0 {
+                    error(a)
+                } else {
+                    error(b)
+                }
+            }
         };
         errors.push(own + propagated);
     }

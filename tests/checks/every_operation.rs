@@ -119,7 +119,8 @@ fn outputs_have_their_values() {
         let o: EverythingOutputs = at(q, v);
         let (x, y) = (x0 + theta.cos(), theta.sin());
         let choice = |holds: bool| if holds { 1.0 } else { -1.0 };
-        let near = |name: &str, a: f64, b: f64| assert!((a - b).abs() <= 1e-13 * (1.0 + b.abs()), "{name}: {a} {b}");
+        let near =
+            |name: &str, a: f64, b: f64| assert!((a - b).abs() <= 1e-13 * (1.0 + b.abs()), "{name}: {a} {b}");
         near("negated", o.negated, -x);
         near("sum", o.sum, x + y - 0.3);
         near("product", o.product, x * y);
@@ -151,7 +152,11 @@ fn outputs_have_their_values() {
         near("either", o.either, choice(!(-0.5..=0.5).contains(&gain)));
         near("neither", o.neither, choice((-0.5..=0.5).contains(&gain)));
         near("of_parameters", o.of_parameters, choice(scale > 0.6) * gain);
-        near("of_parameters_too", o.of_parameters_too, if scale > 0.6 && gain > 0.0 { scale } else { 2.0 * scale });
+        near(
+            "of_parameters_too",
+            o.of_parameters_too,
+            if scale > 0.6 && gain > 0.0 { scale } else { 2.0 * scale },
+        );
         near("angle", o.angle, theta);
         near("body_angle", o.body_angle, theta);
         near("rate", o.rate, omega);

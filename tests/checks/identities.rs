@@ -84,7 +84,11 @@ fn jacobian_is_the_derivative<M: Model>() {
         for (row, name) in M::ROWS.iter().enumerate() {
             let (rate, difference) = (rates[row], differences[row]);
             let tolerance = 2e-8 * (1.0 + magnitudes[row]);
-            assert!((rate - difference).abs() <= tolerance, "{} {name}: D v − ν {rate}, dΦ {difference}", M::NAME);
+            assert!(
+                (rate - difference).abs() <= tolerance,
+                "{} {name}: D v − ν {rate}, dΦ {difference}",
+                M::NAME
+            );
         }
     }
 }
@@ -142,9 +146,17 @@ fn conditions_have_their_rates<M: Model>() {
         for (index, condition) in M::CONDITIONS.iter().enumerate() {
             let (rate, slope) = (rates[index], slopes[index]);
             let of = condition.of;
-            assert!((rate - slope).abs() <= 2e-7 * (1.0 + rate.abs()), "{} {of}: rate {rate} {slope}", M::NAME);
+            assert!(
+                (rate - slope).abs() <= 2e-7 * (1.0 + rate.abs()),
+                "{} {of}: rate {rate} {slope}",
+                M::NAME
+            );
             let (bias, second) = (bias.as_slice()[index], second[index]);
-            assert!((bias - second).abs() <= 2e-6 * (1.0 + bias.abs()), "{} {of}: bias {bias} {second}", M::NAME);
+            assert!(
+                (bias - second).abs() <= 2e-6 * (1.0 + bias.abs()),
+                "{} {of}: bias {bias} {second}",
+                M::NAME
+            );
         }
     }
 }
@@ -162,7 +174,8 @@ fn mass_belongs_to_the_energy<M: Model>() {
             mass[column as usize][row as usize] = *entry;
         }
         let v = at.v.as_slice();
-        let quadratic: f64 = (0..n).flat_map(|i| (0..n).map(move |j| (i, j))).map(|(i, j)| v[i] * mass[i][j] * v[j]).sum();
+        let quadratic: f64 =
+            (0..n).flat_map(|i| (0..n).map(move |j| (i, j))).map(|(i, j)| v[i] * mass[i][j] * v[j]).sum();
         let energy = |factor: f64| model.kinetic_energy(at.time, &at.q, &at.v.scaled(factor));
         // The supports' own motion adds terms that are linear and constant in v.
         let (ahead, behind, still) = (energy(1.0), energy(-1.0), energy(0.0));
@@ -172,16 +185,14 @@ fn mass_belongs_to_the_energy<M: Model>() {
         assert!(ahead >= 0.0 && still >= 0.0, "{}: T = {ahead}, {still}", M::NAME);
 
         for k in 0..n {
-            let largest = mass[k][k];
-            assert!(largest >= -1e-14, "{}: pivot {largest} at {}", M::NAME, M::VELOCITY_NAMES[k]);
-            if largest <= 1e-14 {
+            let pivot = mass[k].clone();
+            assert!(pivot[k] >= -1e-14, "{}: pivot {} at {}", M::NAME, pivot[k], M::VELOCITY_NAMES[k]);
+            if pivot[k] <= 1e-14 {
                 continue;
             }
-            for i in k + 1..n {
-                let factor = mass[i][k] / largest;
-                for j in k + 1..n {
-                    mass[i][j] -= factor * mass[k][j];
-                }
+            for row in &mut mass[k + 1..] {
+                let factor = row[k] / pivot[k];
+                row.iter_mut().zip(&pivot).for_each(|(entry, above)| *entry -= factor * above);
             }
         }
     }

@@ -5,7 +5,8 @@ use crate::identities::derivative_over;
 use crate::registry::{Model, for_each};
 use crate::walking::walk;
 use linkwright::{
-    Assemble, AssembleExt, AssemblyError, Condition, ConditionKind, Mechanism, Motion, Residual, State, Vector,
+    Assemble, AssembleExt, AssemblyError, Condition, ConditionKind, Mechanism, Motion, Residual, State,
+    Vector,
 };
 use linkwright_models::four_bar::FourBar;
 use linkwright_models::general_four_bar::{ParametricFourBar, ParametricFourBarParameters};
@@ -21,7 +22,8 @@ fn near() -> State<<ParametricFourBar as Mechanism<f64>>::Q, <ParametricFourBar 
 fn changed_parameters_are_assembled() {
     for (length, degrees) in [(0.4, 40.0), (0.35, 55.0), (0.5, 20.0), (0.42, 170.0), (0.3, -100.0)] {
         let start_angle = f64::to_radians(degrees);
-        let parameters = Parameters { crank_length: length, start_angle, start_rate: -2.0, ..Parameters::default() };
+        let parameters =
+            Parameters { crank_length: length, start_angle, start_rate: -2.0, ..Parameters::default() };
         let model = ParametricFourBar::prepare(parameters).expect("possible parameters");
         let state = model.assemble(&near()).unwrap_or_else(|error| panic!("{length} m, {degrees}°: {error}"));
         let residual = Residual::of(&model, 0.0, &state);
@@ -148,7 +150,8 @@ fn impossible_parameters_are_named() {
     let error = refused(Parameters { rocker_center_y: f64::NAN, ..default });
     assert!(error.what == "rocker_center_y" && error.value.is_nan() && error.must_be == "finite", "{error}");
     // Each finite, their product not.
-    let error = refused(Parameters { coupler_mass: 1e300, crank_center_x: 1e200, crank_mass: 1e200, ..default });
+    let error =
+        refused(Parameters { coupler_mass: 1e300, crank_center_x: 1e200, crank_mass: 1e200, ..default });
     assert_eq!(error.what, "the parameters together");
 }
 

@@ -100,7 +100,7 @@ linkwright::mechanism! {
 }
 
 linkwright::mechanism! {
-    /// Names that are keywords, units, functions, or words of the language and of emitted code.
+    /// Names that are units, functions, or words of the language and of emitted code.
     planar Named {
         param q [m] = 1;
         param v [kg] = 1;
@@ -109,7 +109,7 @@ linkwright::mechanism! {
         param k0 [1] = 1;
         param self_ [1] = 2;
         input u [N*m];
-        input r#type [N];
+        input rpm [N];
         rod kg { mass [kg] = v; length [m] = q; }
         rod m { mass [kg] = v*a0; length [m] = 1; }
         rod lambda { mass [kg] = 1; length [m] = k0 * 1 [m]; }
@@ -117,11 +117,11 @@ linkwright::mechanism! {
         joint s: revolute(kg.end, m.start);
         joint out: revolute(m.end, lambda.start);
         torque constants: torque(w) = u;
-        force target: force(lambda.end) = (type, 0) ;
+        force target: force(lambda.end) = (rpm, 0);
         start { w.angle [rad] = 0.5; s.angle [rad] = 0.1; out.angle [rad] = 0.1; }
         output a [m] = kg.end.x;
         output time_scale [1] = time_ * self_;
-        output r#fn [rad/s] = w.rate;
+        output dot [rad/s] = w.rate;
     }
 }
 
@@ -150,11 +150,12 @@ fn they_all_run() {
 #[test]
 fn names_stay_what_they_were() {
     assert_eq!(NamedParameters::<f64>::NAMES, ["q", "v", "time_", "a0", "k0", "self_"]);
-    assert_eq!(NamedInputs::<f64>::NAMES, ["u", "type"]);
-    let model = Named::<f64>::prepare(NamedParameters { self_: 3.0, ..Default::default() }).expect("positive");
-    let inputs = NamedInputs { u: 1.0, r#type: 0.5 };
+    assert_eq!(NamedInputs::<f64>::NAMES, ["u", "rpm"]);
+    let model =
+        Named::<f64>::prepare(NamedParameters { self_: 3.0, ..Default::default() }).expect("positive");
+    let inputs = NamedInputs { u: 1.0, rpm: 0.5 };
     let outputs: NamedOutputs = model.outputs(0.0, &Named::START.q, &Named::START.v, &inputs);
-    assert!((outputs.a - 0.5_f64.cos()).abs() < 1e-12 && outputs.time_scale == 3.0 && outputs.r#fn == 0.0);
+    assert!((outputs.a - 0.5_f64.cos()).abs() < 1e-12 && outputs.time_scale == 3.0 && outputs.dot == 0.0);
     let (mut a, mut lambda) = ([0.0; 3], []);
     let pivot = model.acceleration(0.0, &Named::START.q, &Named::START.v, &inputs, &mut a, &mut lambda);
     assert!(pivot > 0.0 && a.iter().all(|a| a.is_finite() && *a != 0.0), "{a:?}");

@@ -7,7 +7,7 @@
 #[cfg_attr(doc, doc = "")]
 #[cfg_attr(
     doc,
-    doc = "In tree coordinates (chosen by count: 85 operations, depth 19, against 235 and 35 in absolute coordinates); elimination order: minimum degree."
+    doc = "In tree coordinates (chosen by count: 84 operations, depth 18, against 224 and 35 in absolute coordinates); elimination order: minimum degree."
 )]
 #[cfg_attr(doc, doc = "")]
 #[cfg_attr(doc, doc = "# Coordinates")]
@@ -39,10 +39,10 @@
 #[cfg_attr(doc, doc = "| `forces` | 10 | 0 | 7 | 3 | 0 | 0 | 0 | 0 | 5 |")]
 #[cfg_attr(doc, doc = "| `kinetic_energy` | 29 | 2 | 19 | 8 | 0 | 0 | 0 | 0 | 10 |")]
 #[cfg_attr(doc, doc = "| `potential_energy` | 4 | 0 | 1 | 3 | 0 | 0 | 0 | 0 | 3 |")]
-#[cfg_attr(doc, doc = "| `acceleration` | 70 | 2 | 29 | 35 | 4 | 0 | 0 | 0 | 19 |")]
+#[cfg_attr(doc, doc = "| `acceleration` | 69 | 1 | 29 | 35 | 4 | 0 | 0 | 0 | 19 |")]
 #[cfg_attr(
     doc,
-    doc = "| `acceleration_baumgarte` | 85 | 7 | 31 | 43 | 4 | 0 | 0 | 0 | 19 |"
+    doc = "| `acceleration_baumgarte` | 84 | 6 | 31 | 43 | 4 | 0 | 0 | 0 | 18 |"
 )]
 #[cfg_attr(doc, doc = "| `outputs` | 1 | 0 | 0 | 0 | 0 | 0 | 0 | 1 | 1 |")]
 #[cfg_attr(doc, doc = "| `motions` | 41 | 8 | 23 | 10 | 0 | 0 | 0 | 0 | 5 |")]
@@ -100,7 +100,7 @@ impl FourBar<::core::primitive::f64> {
     ///Degrees of freedom, drivers removed.
     pub const DEGREES_OF_FREEDOM: ::core::primitive::usize = 1;
     ///Operations of the default acceleration function (Baumgarte), a fused multiply-add counted once.
-    pub const OPERATIONS: ::core::primitive::usize = 85;
+    pub const OPERATIONS: ::core::primitive::usize = 84;
     ///The definition as written.
     pub const SOURCE: &'static ::core::primitive::str = "# [doc = \" Four-bar of unit rods (IFToMM A02 with one window).\"] # [doc = \"\"] # [doc = \" Three uniform rods of 1 m and 1 kg, g = 9.81 m/s², cranks upright and turning at −1 rad/s. The cranks move as a\"] # [doc = \" pendulum with θ\\u{308} = −(6/5)(g/L) cos θ.\"] pub planar FourBar { gravity [m / s ^ 2] = (0 , - 9.81) ; rod crank { mass [kg] = 1 ; length [m] = 1 ; } rod coupler { mass [kg] = 1 ; length [m] = 1 ; } rod rocker { mass [kg] = 1 ; length [m] = 1 ; } joint crank_pin : revolute (ground (0 , 0) [m] , crank . start) ; joint rocker_pin : revolute (ground (1 , 0) [m] , rocker . start) ; joint left : revolute (crank . end , coupler . start) ; joint right : revolute (coupler . end , rocker . end) ; start { crank_pin . angle [deg] = 90 ; crank_pin . rate [rad / s] = - 1 ; rocker_pin . angle [deg] ~ 90 ; coupler . angle [rad] ~ 0 ; } expect { degrees_of_freedom = 1 ; operations <= 100 ; } output x [m] = crank . end . x ; output angle [rad] = rocker_pin . angle ; }";
     ///The definition as versioned JSON: kinds, shapes and units as written.
@@ -193,7 +193,7 @@ const _: () = {
             &self.parameters
         }
         fn with(parameters: Parameters<R>, phases: Phases<R>) -> Self {
-            FourBar {
+            Self {
                 parameters,
                 phases,
                 constants: [],
@@ -208,7 +208,6 @@ const _: () = {
             v: &V<R>,
             a: &V<R>,
         ) -> [BodyMotion<R>; 3] {
-            let constants = &self.constants;
             let crank_cos = q[0];
             let crank_sin = q[1];
             let rocker_cos = q[2];
@@ -300,7 +299,6 @@ const _: () = {
             a: &V<R>,
             lambda: &Lambda<R>,
         ) -> [Reaction<R>; 4] {
-            let constants = &self.constants;
             let crank_cos = q[0];
             let crank_sin = q[1];
             let rocker_cos = q[2];
@@ -396,7 +394,6 @@ const _: () = {
         }
         /// Power of each load (W), in the order of `LOADS`, what springs store included.
         pub fn powers(&self, time: R, q: &Q<R>, v: &V<R>, u: &()) -> [R; 0] {
-            let constants = &self.constants;
             []
         }
         /// Effort of each driver along its quantity (N m or N) and its power (W), from the multipliers.
@@ -407,7 +404,6 @@ const _: () = {
             v: &V<R>,
             lambda: &Lambda<R>,
         ) -> [[R; 2]; 0] {
-            let constants = &self.constants;
             []
         }
     }
@@ -452,7 +448,6 @@ const _: () = {
         type Inputs = ();
         type Outputs = Outputs<R>;
         fn mass_matrix(&self, time: R, q: &Q<R>, out: &mut Mass<R>) {
-            let constants = &self.constants;
             let crank_cos = q[0];
             let crank_sin = q[1];
             let coupler_cos = q[4];
@@ -468,7 +463,6 @@ const _: () = {
             ];
         }
         fn constraints(&self, time: R, q: &Q<R>, out: &mut Lambda<R>) {
-            let constants = &self.constants;
             let crank_cos = q[0];
             let crank_sin = q[1];
             let rocker_cos = q[2];
@@ -485,7 +479,6 @@ const _: () = {
             *out = [a3, a6];
         }
         fn constraint_jacobian(&self, time: R, q: &Q<R>, out: &mut Jacobian<R>) {
-            let constants = &self.constants;
             let crank_cos = q[0];
             let crank_sin = q[1];
             let rocker_cos = q[2];
@@ -498,11 +491,9 @@ const _: () = {
             *out = [a0, rocker_sin, a1, crank_cos, a2, coupler_cos];
         }
         fn nu(&self, time: R, q: &Q<R>, out: &mut Lambda<R>) {
-            let constants = &self.constants;
             *out = [R::ZERO, R::ZERO];
         }
         fn gamma(&self, time: R, q: &Q<R>, v: &V<R>, out: &mut Lambda<R>) {
-            let constants = &self.constants;
             let crank_cos = q[0];
             let crank_sin = q[1];
             let rocker_cos = q[2];
@@ -524,7 +515,6 @@ const _: () = {
             *out = [a5, a8];
         }
         fn forces(&self, time: R, q: &Q<R>, v: &V<R>, u: &(), out: &mut V<R>) {
-            let constants = &self.constants;
             let crank_cos = q[0];
             let crank_sin = q[1];
             let rocker_cos = q[2];
@@ -545,7 +535,6 @@ const _: () = {
             *out = [a5, a6, a9];
         }
         fn kinetic_energy(&self, time: R, q: &Q<R>, v: &V<R>) -> R {
-            let constants = &self.constants;
             let crank_cos = q[0];
             let crank_sin = q[1];
             let rocker_cos = q[2];
@@ -587,7 +576,6 @@ const _: () = {
             a28
         }
         fn potential_energy(&self, time: R, q: &Q<R>) -> R {
-            let constants = &self.constants;
             let crank_sin = q[1];
             let rocker_sin = q[3];
             let coupler_sin = q[5];
@@ -606,7 +594,6 @@ const _: () = {
             a_out: &mut V<R>,
             lambda_out: &mut Lambda<R>,
         ) -> R {
-            let constants = &self.constants;
             let crank_cos = q[0];
             let crank_sin = q[1];
             let rocker_cos = q[2];
@@ -664,31 +651,30 @@ const _: () = {
             let a45 = crank_sin * a33;
             let a46 = (-rocker_sin).mul_add(a38, a45);
             let a47 = coupler_sin.mul_add(a27, a46);
-            let a48 = (-a37).mul_add(a21, a47);
-            let a49 = (-a32).mul_add(a0, a48);
-            let a50 = a20.mul_add(a36, a49);
-            let a51 = a19.mul_add(a44, a50);
+            let a48 = a37.mul_add(a21, (-a47));
+            let a49 = a32.mul_add(a0, a48);
+            let a50 = (-a20).mul_add(a36, a49);
+            let a51 = (-a19).mul_add(a44, a50);
             let a52 = a26 * a51;
-            let a53 = a18 * a44;
-            let a54 = a19.mul_add(a52, a53);
-            let a55 = a9 * a54;
-            let a56 = (-a8).mul_add(a36, a55);
+            let a53 = a19 * a52;
+            let a54 = (-a18).mul_add(a44, a53);
+            let a55 = a8 * a36;
+            let a56 = a9.mul_add(a54, a55);
             let a57 = a20.mul_add(a52, a56);
             let a58 = R::from_f64(0.75) * a32;
-            let a59 = (-a3).mul_add(a57, a58);
-            let a60 = (-a10).mul_add(a54, a59);
-            let a61 = a0.mul_add(a52, a60);
-            let a62 = a11 * a54;
-            let a63 = R::from_f64(-14.715).mul_add(rocker_cos, a62);
-            let a64 = (-a21).mul_add(a52, a63);
-            let a65 = -a54;
-            let a66 = -a52;
-            let a67 = a24 * a26;
-            let a68 = R::from_f64(2.0).mul_add(a67, R::from_f64(-1.0));
-            let a69 = R::ONE / a68;
-            *a_out = [a61, a64, a57];
-            *lambda_out = [a65, a66];
-            a69
+            let a59 = a3.mul_add(a57, a58);
+            let a60 = a10.mul_add(a54, a59);
+            let a61 = (-a0).mul_add(a52, a60);
+            let a62 = R::from_f64(14.715) * rocker_cos;
+            let a63 = a11.mul_add(a54, a62);
+            let a64 = a21.mul_add(a52, (-a63));
+            let a65 = -a57;
+            let a66 = a24 * a26;
+            let a67 = R::from_f64(2.0).mul_add(a66, R::from_f64(-1.0));
+            let a68 = R::ONE / a67;
+            *a_out = [a61, a64, a65];
+            *lambda_out = [a54, a52];
+            a68
         }
         fn acceleration_baumgarte(
             &self,
@@ -701,7 +687,6 @@ const _: () = {
             a_out: &mut V<R>,
             lambda_out: &mut Lambda<R>,
         ) -> R {
-            let constants = &self.constants;
             let crank_cos = q[0];
             let crank_sin = q[1];
             let rocker_cos = q[2];
@@ -759,11 +744,11 @@ const _: () = {
             let a45 = crank_cos * a33;
             let a46 = (-rocker_cos).mul_add(a44, a45);
             let a47 = coupler_cos.mul_add(a27, a46);
-            let a48 = (-two_alpha).mul_add(a43, a47);
-            let a49 = beta_squared.mul_add(a40, a48);
-            let a50 = a37.mul_add(a11, a49);
-            let a51 = a32.mul_add(a10, a50);
-            let a52 = a9.mul_add(a36, a51);
+            let a48 = two_alpha.mul_add(a43, (-a47));
+            let a49 = (-beta_squared).mul_add(a40, a48);
+            let a50 = (-a37).mul_add(a11, a49);
+            let a51 = (-a32).mul_add(a10, a50);
+            let a52 = (-a9).mul_add(a36, a51);
             let a53 = rocker_sin - crank_sin;
             let a54 = a53 - coupler_sin;
             let a55 = crank_cos * crank_rate;
@@ -772,36 +757,34 @@ const _: () = {
             let a58 = crank_sin * a33;
             let a59 = (-rocker_sin).mul_add(a44, a58);
             let a60 = coupler_sin.mul_add(a27, a59);
-            let a61 = (-two_alpha).mul_add(a57, a60);
-            let a62 = beta_squared.mul_add(a54, a61);
-            let a63 = (-a37).mul_add(a21, a62);
-            let a64 = (-a32).mul_add(a0, a63);
-            let a65 = a20.mul_add(a36, a64);
+            let a61 = two_alpha.mul_add(a57, (-a60));
+            let a62 = (-beta_squared).mul_add(a54, a61);
+            let a63 = a37.mul_add(a21, a62);
+            let a64 = a32.mul_add(a0, a63);
+            let a65 = (-a20).mul_add(a36, a64);
             let a66 = a19.mul_add(a52, a65);
             let a67 = a26 * a66;
             let a68 = a18 * a52;
             let a69 = a19.mul_add(a67, a68);
-            let a70 = a9 * a69;
-            let a71 = (-a8).mul_add(a36, a70);
+            let a70 = a8 * a36;
+            let a71 = a9.mul_add(a69, a70);
             let a72 = a20.mul_add(a67, a71);
             let a73 = R::from_f64(0.75) * a32;
-            let a74 = (-a3).mul_add(a72, a73);
-            let a75 = (-a10).mul_add(a69, a74);
-            let a76 = a0.mul_add(a67, a75);
-            let a77 = a11 * a69;
-            let a78 = R::from_f64(-14.715).mul_add(rocker_cos, a77);
-            let a79 = (-a21).mul_add(a67, a78);
-            let a80 = -a69;
-            let a81 = -a67;
-            let a82 = a24 * a26;
-            let a83 = R::from_f64(2.0).mul_add(a82, R::from_f64(-1.0));
-            let a84 = R::ONE / a83;
-            *a_out = [a76, a79, a72];
-            *lambda_out = [a80, a81];
-            a84
+            let a74 = a3.mul_add(a72, a73);
+            let a75 = a10.mul_add(a69, a74);
+            let a76 = (-a0).mul_add(a67, a75);
+            let a77 = R::from_f64(14.715) * rocker_cos;
+            let a78 = a11.mul_add(a69, a77);
+            let a79 = a21.mul_add(a67, (-a78));
+            let a80 = -a72;
+            let a81 = a24 * a26;
+            let a82 = R::from_f64(2.0).mul_add(a81, R::from_f64(-1.0));
+            let a83 = R::ONE / a82;
+            *a_out = [a76, a79, a80];
+            *lambda_out = [a69, a67];
+            a83
         }
         fn outputs(&self, time: R, q: &Q<R>, v: &V<R>, u: &()) -> Outputs<R> {
-            let constants = &self.constants;
             let crank_cos = q[0];
             let rocker_cos = q[2];
             let rocker_sin = q[3];
@@ -844,7 +827,6 @@ const _: () = {
             target: &Conditions<R>,
             out: &mut Conditions<R>,
         ) {
-            let constants = &self.constants;
             let crank_cos = q[0];
             let crank_sin = q[1];
             let target_crank_pin_angle = target[0];
@@ -861,7 +843,6 @@ const _: () = {
             target: &Conditions<R>,
             out: &mut Conditions<R>,
         ) {
-            let constants = &self.constants;
             let crank_cos = q[0];
             let crank_sin = q[1];
             let target_crank_pin_angle = target[0];
@@ -872,19 +853,15 @@ const _: () = {
             *out = [a3];
         }
         fn condition_jacobian(&self, time: R, q: &Q<R>, out: &mut ConditionJacobian<R>) {
-            let constants = &self.constants;
             *out = [R::ONE];
         }
         fn condition_bias(&self, time: R, q: &Q<R>, v: &V<R>, out: &mut Conditions<R>) {
-            let constants = &self.constants;
             *out = [R::ZERO];
         }
         fn condition_drift(&self, time: R, q: &Q<R>, out: &mut Conditions<R>) {
-            let constants = &self.constants;
             *out = [R::ZERO];
         }
         fn row_cosines(&self, time: R, q: &Q<R>, out: &mut Lambda<R>) {
-            let constants = &self.constants;
             *out = [R::ONE, R::ONE];
         }
         fn start_targets(
@@ -892,7 +869,6 @@ const _: () = {
             positions: &mut Conditions<R>,
             rates: &mut Conditions<R>,
         ) {
-            let constants = &self.constants;
             *positions = [R::from_f64(1.5707963267948966)];
             *rates = [R::from_f64(-1.0)];
         }

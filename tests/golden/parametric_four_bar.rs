@@ -4,7 +4,7 @@
 #[cfg_attr(doc, doc = "")]
 #[cfg_attr(
     doc,
-    doc = "In tree coordinates (chosen by count: 97 operations, depth 21, against 270 and 39 in absolute coordinates); elimination order: minimum degree."
+    doc = "In tree coordinates (chosen by count: 96 operations, depth 20, against 268 and 37 in absolute coordinates); elimination order: minimum degree."
 )]
 #[cfg_attr(doc, doc = "")]
 #[cfg_attr(doc, doc = "# Coordinates")]
@@ -36,10 +36,10 @@
 #[cfg_attr(doc, doc = "| `forces` | 16 | 0 | 8 | 8 | 0 | 0 | 0 | 0 | 5 |")]
 #[cfg_attr(doc, doc = "| `kinetic_energy` | 38 | 0 | 22 | 16 | 0 | 0 | 0 | 0 | 12 |")]
 #[cfg_attr(doc, doc = "| `potential_energy` | 29 | 6 | 10 | 13 | 0 | 0 | 0 | 0 | 8 |")]
-#[cfg_attr(doc, doc = "| `acceleration` | 81 | 2 | 35 | 40 | 4 | 0 | 0 | 0 | 21 |")]
+#[cfg_attr(doc, doc = "| `acceleration` | 80 | 1 | 35 | 40 | 4 | 0 | 0 | 0 | 21 |")]
 #[cfg_attr(
     doc,
-    doc = "| `acceleration_baumgarte` | 97 | 8 | 37 | 48 | 4 | 0 | 0 | 0 | 21 |"
+    doc = "| `acceleration_baumgarte` | 96 | 7 | 37 | 48 | 4 | 0 | 0 | 0 | 20 |"
 )]
 #[cfg_attr(doc, doc = "| `outputs` | 9 | 2 | 2 | 4 | 0 | 0 | 0 | 1 | 3 |")]
 #[cfg_attr(doc, doc = "| `motions` | 54 | 13 | 25 | 16 | 0 | 0 | 0 | 0 | 5 |")]
@@ -158,7 +158,7 @@ impl ParametricFourBar<::core::primitive::f64> {
     ///Degrees of freedom, drivers removed.
     pub const DEGREES_OF_FREEDOM: ::core::primitive::usize = 1;
     ///Operations of the default acceleration function (Baumgarte), a fused multiply-add counted once.
-    pub const OPERATIONS: ::core::primitive::usize = 97;
+    pub const OPERATIONS: ::core::primitive::usize = 96;
     ///The definition as written.
     pub const SOURCE: &'static ::core::primitive::str = "# [doc = \" Four-bar of which every number is a parameter; its defaults are the literals of [`GeneralFourBar`].\"] pub planar ParametricFourBar { param gravity_x [m / s ^ 2] = 0.31 ; param gravity_y [m / s ^ 2] = - 9.73 ; param crank_x [m] = - 0.15 ; param crank_y [m] = 0.24 ; param rocker_x [m] = 0.93 ; param rocker_y [m] = 0.45 ; param crank_length [m] = 0.4 in 0.01 .. 10 ; param crank_mass [kg] = 0.71 ; param crank_inertia [kg * m ^ 2] = 0.013 ; param crank_center_x [m] = 0.17 ; param crank_center_y [m] = 0.033 ; param coupler_length [m] = 1.0 in 0.01 .. 10 ; param coupler_mass [kg] = 1.93 ; param coupler_inertia [kg * m ^ 2] = 0.187 ; param coupler_center_x [m] = 0.43 ; param coupler_center_y [m] = - 0.12 ; param tracer_x [m] = 0.62 ; param tracer_y [m] = 0.29 ; param rocker_length [m] = 0.9 in 0.01 .. 10 ; param rocker_mass [kg] = 1.37 ; param rocker_inertia [kg * m ^ 2] = 0.091 ; param rocker_center_x [m] = 0.52 ; param rocker_center_y [m] = 0.071 ; param start_angle [deg] = 40 ; param start_rate [rad / s] = 3 ; gravity [m / s ^ 2] = (gravity_x , gravity_y) ; body crank { mass [kg] = crank_mass ; inertia [kg * m ^ 2] = crank_inertia ; center [m] = (crank_center_x , crank_center_y) ; point tip [m] = (crank_length , 0) ; } body coupler { mass [kg] = coupler_mass ; inertia [kg * m ^ 2] = coupler_inertia ; center [m] = (coupler_center_x , coupler_center_y) ; point tip [m] = (coupler_length , 0) ; point tracer [m] = (tracer_x , tracer_y) ; } body rocker { mass [kg] = rocker_mass ; inertia [kg * m ^ 2] = rocker_inertia ; center [m] = (rocker_center_x , rocker_center_y) ; point tip [m] = (rocker_length , 0) ; } joint crank_pin : revolute (ground (crank_x , crank_y) [m] , crank . origin) ; joint rocker_pin : revolute (ground (rocker_x , rocker_y) [m] , rocker . origin) ; joint left : revolute (crank . tip , coupler . origin) ; joint right : revolute (coupler . tip , rocker . tip) ; start { crank_pin . angle [rad] = start_angle ; crank_pin . rate [rad / s] = start_rate ; rocker_pin . angle [deg] ~ 100 ; coupler . angle [deg] ~ 40 ; } expect { degrees_of_freedom = 1 ; } output trace_x [m] = coupler . tracer . x ; output trace_y [m] = coupler . tracer . y ; output rocking [rad] = rocker_pin . angle ; }";
     ///The definition as versioned JSON: kinds, shapes and units as written.
@@ -479,12 +479,12 @@ const _: () = {
                 ::core::primitive::f64::INFINITY,
             )?;
             let model = Self::with(parameters, []);
-            check_mass("mass of \"crank\"", model.constants[22], true)?;
-            check_mass("inertia of \"crank\"", model.constants[23], true)?;
-            check_mass("mass of \"coupler\"", model.constants[24], true)?;
-            check_mass("inertia of \"coupler\"", model.constants[25], true)?;
-            check_mass("mass of \"rocker\"", model.constants[26], true)?;
-            check_mass("inertia of \"rocker\"", model.constants[27], true)?;
+            check_mass("mass of \"crank\"", model.constants[16], true)?;
+            check_mass("inertia of \"crank\"", model.constants[17], true)?;
+            check_mass("mass of \"coupler\"", model.constants[20], true)?;
+            check_mass("inertia of \"coupler\"", model.constants[21], true)?;
+            check_mass("mass of \"rocker\"", model.constants[24], true)?;
+            check_mass("inertia of \"rocker\"", model.constants[25], true)?;
             check_constants(&model.constants)?;
             Ok(model)
         }
@@ -518,9 +518,9 @@ const _: () = {
             let rocker_center_y = parameters.rocker_center_y;
             let start_angle = parameters.start_angle;
             let start_rate = parameters.start_rate;
-            let a0 = crank_length * coupler_center_x;
+            let a0 = crank_length * coupler_center_y;
             let a1 = coupler_mass * a0;
-            let a2 = crank_length * coupler_center_y;
+            let a2 = crank_length * coupler_center_x;
             let a3 = coupler_mass * a2;
             let a4 = crank_length * crank_length;
             let a5 = crank_center_y * crank_center_y;
@@ -546,25 +546,25 @@ const _: () = {
             let a25 = gravity_x.mul_add(crank_center_x, a24);
             let a26 = crank_mass * a25;
             let a27 = coupler_mass.mul_add(a23, a26);
-            let a28 = gravity_x * rocker_center_y;
-            let a29 = (-gravity_y).mul_add(rocker_center_x, a28);
-            let a30 = rocker_mass * a29;
-            let a31 = gravity_y * rocker_center_y;
-            let a32 = gravity_x.mul_add(rocker_center_x, a31);
-            let a33 = rocker_mass * a32;
-            let a34 = gravity_x * coupler_center_y;
-            let a35 = (-gravity_y).mul_add(coupler_center_x, a34);
-            let a36 = coupler_mass * a35;
-            let a37 = gravity_y * coupler_center_y;
-            let a38 = gravity_x.mul_add(coupler_center_x, a37);
-            let a39 = coupler_mass * a38;
-            let a40 = R::ONE / a9;
-            let a41 = crank_length * a40;
-            let a42 = R::ONE / a12;
-            let a43 = rocker_length * a42;
+            let a28 = gravity_x * coupler_center_y;
+            let a29 = (-gravity_y).mul_add(coupler_center_x, a28);
+            let a30 = coupler_mass * a29;
+            let a31 = gravity_y * coupler_center_y;
+            let a32 = gravity_x.mul_add(coupler_center_x, a31);
+            let a33 = coupler_mass * a32;
+            let a34 = gravity_x * rocker_center_y;
+            let a35 = (-gravity_y).mul_add(rocker_center_x, a34);
+            let a36 = rocker_mass * a35;
+            let a37 = gravity_y * rocker_center_y;
+            let a38 = gravity_x.mul_add(rocker_center_x, a37);
+            let a39 = rocker_mass * a38;
+            let a40 = R::ONE / a12;
+            let a41 = rocker_length * a40;
+            let a42 = R::ONE / a9;
+            let a43 = crank_length * a42;
             let a44 = coupler_length - coupler_center_x;
             let a45 = rocker_length - rocker_center_x;
-            ParametricFourBar {
+            Self {
                 parameters,
                 phases,
                 constants: [
@@ -574,9 +574,9 @@ const _: () = {
                     a12,
                     a15,
                     crank_length,
-                    a16,
-                    rocker_length,
                     coupler_length,
+                    rocker_length,
+                    a16,
                     a17,
                     a22,
                     a27,
@@ -584,28 +584,28 @@ const _: () = {
                     a33,
                     a36,
                     a39,
-                    rocker_center_x,
-                    rocker_center_y,
-                    coupler_center_x,
-                    coupler_center_y,
-                    crank_center_x,
-                    crank_center_y,
                     crank_mass,
                     crank_inertia,
+                    crank_center_x,
+                    crank_center_y,
                     coupler_mass,
                     coupler_inertia,
+                    coupler_center_x,
+                    coupler_center_y,
                     rocker_mass,
                     rocker_inertia,
-                    rocker_y,
-                    rocker_x,
+                    rocker_center_x,
+                    rocker_center_y,
                     gravity_x,
                     gravity_y,
-                    crank_y,
                     crank_x,
-                    a41,
+                    crank_y,
+                    rocker_x,
+                    rocker_y,
                     a40,
-                    a43,
+                    a41,
                     a42,
+                    a43,
                     tracer_x,
                     tracer_y,
                     a44,
@@ -638,22 +638,22 @@ const _: () = {
             let rocker_rate_dot = a[1];
             let coupler_rate_dot = a[2];
             let k5 = constants[5];
-            let k16 = constants[16];
-            let k17 = constants[17];
             let k18 = constants[18];
             let k19 = constants[19];
-            let k20 = constants[20];
-            let k21 = constants[21];
-            let k28 = constants[28];
-            let k29 = constants[29];
+            let k22 = constants[22];
+            let k23 = constants[23];
+            let k26 = constants[26];
+            let k27 = constants[27];
+            let k30 = constants[30];
+            let k31 = constants[31];
             let k32 = constants[32];
             let k33 = constants[33];
-            let a0 = k20 * crank_cos;
-            let a1 = (-k21).mul_add(crank_sin, a0);
-            let a2 = k33 + a1;
-            let a3 = k21 * crank_cos;
-            let a4 = k20.mul_add(crank_sin, a3);
-            let a5 = k32 + a4;
+            let a0 = k18 * crank_cos;
+            let a1 = (-k19).mul_add(crank_sin, a0);
+            let a2 = k30 + a1;
+            let a3 = k19 * crank_cos;
+            let a4 = k18.mul_add(crank_sin, a3);
+            let a5 = k31 + a4;
             let a6 = crank_rate * a4;
             let a7 = -a6;
             let a8 = crank_rate * a1;
@@ -663,14 +663,14 @@ const _: () = {
             let a12 = crank_rate_dot * a1;
             let a13 = (-a9).mul_add(a4, a12);
             let a14 = k5 * crank_cos;
-            let a15 = k33 + a14;
-            let a16 = k18 * coupler_cos;
-            let a17 = (-k19).mul_add(coupler_sin, a16);
+            let a15 = k30 + a14;
+            let a16 = k22 * coupler_cos;
+            let a17 = (-k23).mul_add(coupler_sin, a16);
             let a18 = a15 + a17;
             let a19 = k5 * crank_sin;
-            let a20 = k32 + a19;
-            let a21 = k19 * coupler_cos;
-            let a22 = k18.mul_add(coupler_sin, a21);
+            let a20 = k31 + a19;
+            let a21 = k23 * coupler_cos;
+            let a22 = k22.mul_add(coupler_sin, a21);
             let a23 = a20 + a22;
             let a24 = crank_rate * a19;
             let a25 = (-coupler_rate).mul_add(a22, (-a24));
@@ -688,12 +688,12 @@ const _: () = {
             let a37 = a19 * a9;
             let a38 = a28.mul_add(a22, a37);
             let a39 = a36 - a38;
-            let a40 = k16 * rocker_cos;
-            let a41 = (-k17).mul_add(rocker_sin, a40);
-            let a42 = k29 + a41;
-            let a43 = k17 * rocker_cos;
-            let a44 = k16.mul_add(rocker_sin, a43);
-            let a45 = k28 + a44;
+            let a40 = k26 * rocker_cos;
+            let a41 = (-k27).mul_add(rocker_sin, a40);
+            let a42 = k32 + a41;
+            let a43 = k27 * rocker_cos;
+            let a44 = k26.mul_add(rocker_sin, a43);
+            let a45 = k33 + a44;
             let a46 = rocker_rate * a44;
             let a47 = -a46;
             let a48 = rocker_rate * a41;
@@ -768,83 +768,83 @@ const _: () = {
             let k25 = constants[25];
             let k26 = constants[26];
             let k27 = constants[27];
+            let k28 = constants[28];
+            let k29 = constants[29];
             let k30 = constants[30];
             let k31 = constants[31];
-            let k32 = constants[32];
-            let k33 = constants[33];
             let k40 = constants[40];
             let k41 = constants[41];
-            let a0 = k21 * crank_cos;
-            let a1 = k20.mul_add(crank_sin, a0);
+            let a0 = k19 * crank_cos;
+            let a1 = k18.mul_add(crank_sin, a0);
             let a2 = crank_rate * crank_rate;
-            let a3 = k20 * crank_cos;
-            let a4 = (-k21).mul_add(crank_sin, a3);
+            let a3 = k18 * crank_cos;
+            let a4 = (-k19).mul_add(crank_sin, a3);
             let a5 = a2 * a4;
             let a6 = crank_rate_dot.mul_add(a1, a5);
-            let a7 = k30 + a6;
+            let a7 = k28 + a6;
             let a8 = coupler_rate * coupler_rate;
-            let a9 = k19 * coupler_sin;
-            let a10 = k18.mul_add(coupler_cos, (-a9));
+            let a9 = k23 * coupler_sin;
+            let a10 = k22.mul_add(coupler_cos, (-a9));
             let a11 = k5 * crank_cos;
             let a12 = a11 * a2;
             let a13 = a8.mul_add(a10, a12);
-            let a14 = k19 * coupler_cos;
-            let a15 = k18.mul_add(coupler_sin, a14);
+            let a14 = k23 * coupler_cos;
+            let a15 = k22.mul_add(coupler_sin, a14);
             let a16 = k5 * crank_sin;
             let a17 = crank_rate_dot * a16;
             let a18 = coupler_rate_dot.mul_add(a15, a17);
             let a19 = a13 + a18;
-            let a20 = k30 + a19;
-            let a21 = (-k24).mul_add(a20, lambda_right_x);
-            let a22 = (-k22).mul_add(a7, a21);
+            let a20 = k28 + a19;
+            let a21 = (-k20).mul_add(a20, lambda_right_x);
+            let a22 = (-k16).mul_add(a7, a21);
             let a23 = crank_rate_dot * a4;
             let a24 = (-a2).mul_add(a1, a23);
-            let a25 = a24 - k31;
+            let a25 = a24 - k29;
             let a26 = crank_rate_dot * a11;
             let a27 = coupler_rate_dot.mul_add(a10, a26);
             let a28 = a16 * a2;
             let a29 = a8.mul_add(a15, a28);
             let a30 = a27 - a29;
-            let a31 = a30 - k31;
-            let a32 = k24.mul_add(a31, lambda_right_y);
-            let a33 = k22.mul_add(a25, a32);
+            let a31 = a30 - k29;
+            let a32 = k20.mul_add(a31, lambda_right_y);
+            let a33 = k16.mul_add(a25, a32);
             let a34 = k40.mul_add(coupler_cos, a9);
             let a35 = (-k40).mul_add(coupler_sin, a14);
-            let a36 = k25 * coupler_rate_dot;
+            let a36 = k21 * coupler_rate_dot;
             let a37 = lambda_right_x.mul_add(a35, a36);
             let a38 = lambda_right_y.mul_add(a34, a37);
-            let a39 = k32 + a16;
+            let a39 = k31 + a16;
             let a40 = a39 + a15;
-            let a41 = k32 + a1;
+            let a41 = k31 + a1;
             let a42 = a40 - a41;
-            let a43 = k33 + a11;
+            let a43 = k30 + a11;
             let a44 = a43 + a10;
-            let a45 = k33 + a4;
+            let a45 = k30 + a4;
             let a46 = a44 - a45;
             let a47 = a32 * a46;
             let a48 = (-a21).mul_add(a42, a47);
             let a49 = a38 + a48;
-            let a50 = k23.mul_add(crank_rate_dot, a49);
+            let a50 = k17.mul_add(crank_rate_dot, a49);
             let a51 = a4 * a33;
             let a52 = (-a1).mul_add(a22, a51);
             let a53 = a50 + a52;
-            let a54 = k17 * rocker_cos;
-            let a55 = k16.mul_add(rocker_sin, a54);
+            let a54 = k27 * rocker_cos;
+            let a55 = k26.mul_add(rocker_sin, a54);
             let a56 = rocker_rate * rocker_rate;
-            let a57 = k17 * rocker_sin;
-            let a58 = k16.mul_add(rocker_cos, (-a57));
+            let a57 = k27 * rocker_sin;
+            let a58 = k26.mul_add(rocker_cos, (-a57));
             let a59 = a56 * a58;
             let a60 = rocker_rate_dot.mul_add(a55, a59);
-            let a61 = k30 + a60;
-            let a62 = k26.mul_add(a61, lambda_right_x);
+            let a61 = k28 + a60;
+            let a62 = k24.mul_add(a61, lambda_right_x);
             let a63 = -a62;
             let a64 = rocker_rate_dot * a58;
             let a65 = (-a56).mul_add(a55, a64);
-            let a66 = a65 - k31;
-            let a67 = k26.mul_add(a66, (-lambda_right_y));
+            let a66 = a65 - k29;
+            let a67 = k24.mul_add(a66, (-lambda_right_y));
             let a68 = k41.mul_add(rocker_cos, a57);
             let a69 = k41.mul_add(rocker_sin, (-a54));
-            let a70 = k27 * rocker_rate_dot;
+            let a70 = k25 * rocker_rate_dot;
             let a71 = lambda_right_x.mul_add(a69, a70);
             let a72 = (-lambda_right_y).mul_add(a68, a71);
             let a73 = a58 * a67;
@@ -874,7 +874,6 @@ const _: () = {
         }
         /// Power of each load (W), in the order of `LOADS`, what springs store included.
         pub fn powers(&self, time: R, q: &Q<R>, v: &V<R>, u: &()) -> [R; 0] {
-            let constants = &self.constants;
             []
         }
         /// Effort of each driver along its quantity (N m or N) and its power (W), from the multipliers.
@@ -885,7 +884,6 @@ const _: () = {
             v: &V<R>,
             lambda: &Lambda<R>,
         ) -> [[R; 2]; 0] {
-            let constants = &self.constants;
             []
         }
     }
@@ -944,8 +942,8 @@ const _: () = {
             let a1 = (-crank_sin).mul_add(coupler_cos, a0);
             let a2 = crank_cos * coupler_cos;
             let a3 = crank_sin.mul_add(coupler_sin, a2);
-            let a4 = k0 * a3;
-            let a5 = (-k1).mul_add(a1, a4);
+            let a4 = k1 * a3;
+            let a5 = (-k0).mul_add(a1, a4);
             *out = [k2, k3, a5, k4];
         }
         fn constraints(&self, time: R, q: &Q<R>, out: &mut Lambda<R>) {
@@ -961,12 +959,12 @@ const _: () = {
             let k7 = constants[7];
             let k8 = constants[8];
             let k9 = constants[9];
-            let a0 = (-k5).mul_add(crank_cos, k6);
+            let a0 = (-k5).mul_add(crank_cos, k8);
             let a1 = k7.mul_add(rocker_cos, a0);
-            let a2 = k8.mul_add(coupler_cos, (-a1));
+            let a2 = k6.mul_add(coupler_cos, (-a1));
             let a3 = (-k5).mul_add(crank_sin, k9);
             let a4 = k7.mul_add(rocker_sin, a3);
-            let a5 = k8.mul_add(coupler_sin, (-a4));
+            let a5 = k6.mul_add(coupler_sin, (-a4));
             *out = [a2, a5];
         }
         fn constraint_jacobian(&self, time: R, q: &Q<R>, out: &mut Jacobian<R>) {
@@ -978,21 +976,20 @@ const _: () = {
             let coupler_cos = q[4];
             let coupler_sin = q[5];
             let k5 = constants[5];
+            let k6 = constants[6];
             let k7 = constants[7];
-            let k8 = constants[8];
             let a0 = k5 * crank_sin;
             let a1 = -a0;
             let a2 = k7 * rocker_sin;
-            let a3 = k8 * coupler_sin;
+            let a3 = k6 * coupler_sin;
             let a4 = -a3;
             let a5 = k5 * crank_cos;
             let a6 = k7 * rocker_cos;
             let a7 = -a6;
-            let a8 = k8 * coupler_cos;
+            let a8 = k6 * coupler_cos;
             *out = [a1, a2, a4, a5, a7, a8];
         }
         fn nu(&self, time: R, q: &Q<R>, out: &mut Lambda<R>) {
-            let constants = &self.constants;
             *out = [R::ZERO, R::ZERO];
         }
         fn gamma(&self, time: R, q: &Q<R>, v: &V<R>, out: &mut Lambda<R>) {
@@ -1007,9 +1004,9 @@ const _: () = {
             let rocker_rate = v[1];
             let coupler_rate = v[2];
             let k5 = constants[5];
+            let k6 = constants[6];
             let k7 = constants[7];
-            let k8 = constants[8];
-            let a0 = k8 * coupler_cos;
+            let a0 = k6 * coupler_cos;
             let a1 = coupler_rate * coupler_rate;
             let a2 = k7 * rocker_cos;
             let a3 = rocker_rate * rocker_rate;
@@ -1018,7 +1015,7 @@ const _: () = {
             let a6 = a4 * a5;
             let a7 = (-a2).mul_add(a3, a6);
             let a8 = a0.mul_add(a1, a7);
-            let a9 = k8 * coupler_sin;
+            let a9 = k6 * coupler_sin;
             let a10 = k7 * rocker_sin;
             let a11 = k5 * crank_sin;
             let a12 = a11 * a5;
@@ -1049,16 +1046,16 @@ const _: () = {
             let a2 = (-crank_sin).mul_add(coupler_cos, a1);
             let a3 = crank_cos * coupler_cos;
             let a4 = crank_sin.mul_add(coupler_sin, a3);
-            let a5 = k1 * a4;
-            let a6 = k0.mul_add(a2, a5);
+            let a5 = k0 * a4;
+            let a6 = k1.mul_add(a2, a5);
             let a7 = k10 * crank_cos;
             let a8 = k11.mul_add(crank_sin, a7);
             let a9 = a0.mul_add(a6, (-a8));
-            let a10 = k12 * rocker_cos;
-            let a11 = (-k13).mul_add(rocker_sin, (-a10));
+            let a10 = k14 * rocker_cos;
+            let a11 = (-k15).mul_add(rocker_sin, (-a10));
             let a12 = crank_rate * crank_rate;
-            let a13 = k14 * coupler_cos;
-            let a14 = k15.mul_add(coupler_sin, a13);
+            let a13 = k12 * coupler_cos;
+            let a14 = k13.mul_add(coupler_sin, a13);
             let a15 = (-a12).mul_add(a6, (-a14));
             *out = [a9, a11, a15];
         }
@@ -1087,42 +1084,42 @@ const _: () = {
             let k26 = constants[26];
             let k27 = constants[27];
             let a0 = rocker_rate * rocker_rate;
-            let a1 = k16 * rocker_cos;
-            let a2 = (-k17).mul_add(rocker_sin, a1);
+            let a1 = k26 * rocker_cos;
+            let a2 = (-k27).mul_add(rocker_sin, a1);
             let a3 = rocker_rate * a2;
-            let a4 = k17 * rocker_cos;
-            let a5 = k16.mul_add(rocker_sin, a4);
+            let a4 = k27 * rocker_cos;
+            let a5 = k26.mul_add(rocker_sin, a4);
             let a6 = rocker_rate * a5;
             let a7 = a6 * a6;
             let a8 = a3.mul_add(a3, a7);
             let a9 = coupler_rate * coupler_rate;
-            let a10 = k18 * coupler_cos;
-            let a11 = (-k19).mul_add(coupler_sin, a10);
+            let a10 = k22 * coupler_cos;
+            let a11 = (-k23).mul_add(coupler_sin, a10);
             let a12 = k5 * crank_cos;
             let a13 = crank_rate * a12;
             let a14 = coupler_rate.mul_add(a11, a13);
-            let a15 = k19 * coupler_cos;
-            let a16 = k18.mul_add(coupler_sin, a15);
+            let a15 = k23 * coupler_cos;
+            let a16 = k22.mul_add(coupler_sin, a15);
             let a17 = k5 * crank_sin;
             let a18 = crank_rate * a17;
             let a19 = coupler_rate.mul_add(a16, a18);
             let a20 = a19 * a19;
             let a21 = a14.mul_add(a14, a20);
             let a22 = crank_rate * crank_rate;
-            let a23 = k20 * crank_cos;
-            let a24 = (-k21).mul_add(crank_sin, a23);
+            let a23 = k18 * crank_cos;
+            let a24 = (-k19).mul_add(crank_sin, a23);
             let a25 = crank_rate * a24;
-            let a26 = k21 * crank_cos;
-            let a27 = k20.mul_add(crank_sin, a26);
+            let a26 = k19 * crank_cos;
+            let a27 = k18.mul_add(crank_sin, a26);
             let a28 = crank_rate * a27;
             let a29 = a28 * a28;
             let a30 = a25.mul_add(a25, a29);
-            let a31 = k22 * a30;
-            let a32 = k23.mul_add(a22, a31);
-            let a33 = k24.mul_add(a21, a32);
-            let a34 = k25.mul_add(a9, a33);
-            let a35 = k26.mul_add(a8, a34);
-            let a36 = k27.mul_add(a0, a35);
+            let a31 = k16 * a30;
+            let a32 = k17.mul_add(a22, a31);
+            let a33 = k20.mul_add(a21, a32);
+            let a34 = k21.mul_add(a9, a33);
+            let a35 = k24.mul_add(a8, a34);
+            let a36 = k25.mul_add(a0, a35);
             let a37 = R::from_f64(0.5) * a36;
             a37
         }
@@ -1136,49 +1133,49 @@ const _: () = {
             let coupler_sin = q[5];
             let k5 = constants[5];
             let k16 = constants[16];
-            let k17 = constants[17];
             let k18 = constants[18];
             let k19 = constants[19];
             let k20 = constants[20];
-            let k21 = constants[21];
             let k22 = constants[22];
+            let k23 = constants[23];
             let k24 = constants[24];
             let k26 = constants[26];
+            let k27 = constants[27];
             let k28 = constants[28];
             let k29 = constants[29];
             let k30 = constants[30];
             let k31 = constants[31];
             let k32 = constants[32];
             let k33 = constants[33];
-            let a0 = k17 * rocker_cos;
-            let a1 = k16.mul_add(rocker_sin, a0);
-            let a2 = k28 + a1;
-            let a3 = k16 * rocker_cos;
-            let a4 = (-k17).mul_add(rocker_sin, a3);
-            let a5 = k29 + a4;
-            let a6 = k30 * a5;
-            let a7 = k31.mul_add(a2, a6);
-            let a8 = k5.mul_add(crank_sin, k32);
-            let a9 = k19 * coupler_cos;
-            let a10 = k18.mul_add(coupler_sin, a9);
+            let a0 = k27 * rocker_cos;
+            let a1 = k26.mul_add(rocker_sin, a0);
+            let a2 = k33 + a1;
+            let a3 = k26 * rocker_cos;
+            let a4 = (-k27).mul_add(rocker_sin, a3);
+            let a5 = k32 + a4;
+            let a6 = k28 * a5;
+            let a7 = k29.mul_add(a2, a6);
+            let a8 = k5.mul_add(crank_sin, k31);
+            let a9 = k23 * coupler_cos;
+            let a10 = k22.mul_add(coupler_sin, a9);
             let a11 = a8 + a10;
-            let a12 = k5.mul_add(crank_cos, k33);
-            let a13 = k18 * coupler_cos;
-            let a14 = (-k19).mul_add(coupler_sin, a13);
+            let a12 = k5.mul_add(crank_cos, k30);
+            let a13 = k22 * coupler_cos;
+            let a14 = (-k23).mul_add(coupler_sin, a13);
             let a15 = a12 + a14;
-            let a16 = k30 * a15;
-            let a17 = k31.mul_add(a11, a16);
-            let a18 = k21 * crank_cos;
-            let a19 = k20.mul_add(crank_sin, a18);
-            let a20 = k32 + a19;
-            let a21 = k20 * crank_cos;
-            let a22 = (-k21).mul_add(crank_sin, a21);
-            let a23 = k33 + a22;
-            let a24 = k30 * a23;
-            let a25 = k31.mul_add(a20, a24);
-            let a26 = k22 * a25;
-            let a27 = k24.mul_add(a17, a26);
-            let a28 = (-k26).mul_add(a7, (-a27));
+            let a16 = k28 * a15;
+            let a17 = k29.mul_add(a11, a16);
+            let a18 = k19 * crank_cos;
+            let a19 = k18.mul_add(crank_sin, a18);
+            let a20 = k31 + a19;
+            let a21 = k18 * crank_cos;
+            let a22 = (-k19).mul_add(crank_sin, a21);
+            let a23 = k30 + a22;
+            let a24 = k28 * a23;
+            let a25 = k29.mul_add(a20, a24);
+            let a26 = k16 * a25;
+            let a27 = k20.mul_add(a17, a26);
+            let a28 = (-k24).mul_add(a7, (-a27));
             a28
         }
         fn acceleration(
@@ -1204,8 +1201,8 @@ const _: () = {
             let k1 = constants[1];
             let k4 = constants[4];
             let k5 = constants[5];
+            let k6 = constants[6];
             let k7 = constants[7];
-            let k8 = constants[8];
             let k10 = constants[10];
             let k11 = constants[11];
             let k12 = constants[12];
@@ -1216,26 +1213,26 @@ const _: () = {
             let k35 = constants[35];
             let k36 = constants[36];
             let k37 = constants[37];
-            let a0 = k34 * crank_cos;
+            let a0 = k37 * crank_cos;
             let a1 = k5 * crank_cos;
             let a2 = crank_cos * coupler_sin;
             let a3 = (-crank_sin).mul_add(coupler_cos, a2);
             let a4 = crank_cos * coupler_cos;
             let a5 = crank_sin.mul_add(coupler_sin, a4);
-            let a6 = k0 * a5;
-            let a7 = (-k1).mul_add(a3, a6);
-            let a8 = k35 * a7;
-            let a9 = k8 * coupler_cos;
+            let a6 = k1 * a5;
+            let a7 = (-k0).mul_add(a3, a6);
+            let a8 = k36 * a7;
+            let a9 = k6 * coupler_cos;
             let a10 = (-a1).mul_add(a8, a9);
             let a11 = k5 * crank_sin;
-            let a12 = k8 * coupler_sin;
+            let a12 = k6 * coupler_sin;
             let a13 = a11.mul_add(a8, (-a12));
             let a14 = (-a7).mul_add(a8, k4);
             let a15 = R::ONE / a14;
             let a16 = a13 * a15;
-            let a17 = k34 * crank_sin;
+            let a17 = k37 * crank_sin;
             let a18 = k7 * rocker_cos;
-            let a19 = k36 * rocker_sin;
+            let a19 = k35 * rocker_sin;
             let a20 = a18 * a19;
             let a21 = a1.mul_add(a17, a20);
             let a22 = (-a10).mul_add(a16, a21);
@@ -1246,25 +1243,25 @@ const _: () = {
             let a27 = R::ONE / a26;
             let a28 = a22 * a27;
             let a29 = a10 * a15;
-            let a30 = k36 * rocker_cos;
+            let a30 = k35 * rocker_cos;
             let a31 = a18 * a30;
             let a32 = a1.mul_add(a0, a31);
             let a33 = a10.mul_add(a29, a32);
             let a34 = (-a22).mul_add(a28, a33);
             let a35 = R::ONE / a34;
             let a36 = coupler_rate * coupler_rate;
-            let a37 = k1 * a5;
-            let a38 = k0.mul_add(a3, a37);
+            let a37 = k0 * a5;
+            let a38 = k1.mul_add(a3, a37);
             let a39 = k10 * crank_cos;
             let a40 = k11.mul_add(crank_sin, a39);
             let a41 = a36.mul_add(a38, (-a40));
             let a42 = crank_rate * crank_rate;
-            let a43 = k14 * coupler_cos;
-            let a44 = k15.mul_add(coupler_sin, a43);
+            let a43 = k12 * coupler_cos;
+            let a44 = k13.mul_add(coupler_sin, a43);
             let a45 = a42.mul_add(a38, a44);
             let a46 = a41.mul_add(a8, a45);
-            let a47 = k12 * rocker_cos;
-            let a48 = k13.mul_add(rocker_sin, a47);
+            let a47 = k14 * rocker_cos;
+            let a48 = k15.mul_add(rocker_sin, a47);
             let a49 = rocker_rate * rocker_rate;
             let a50 = a1 * a42;
             let a51 = (-a18).mul_add(a49, a50);
@@ -1275,31 +1272,30 @@ const _: () = {
             let a56 = a11 * a42;
             let a57 = (-a23).mul_add(a49, a56);
             let a58 = a12.mul_add(a36, a57);
-            let a59 = (-a48).mul_add(a30, a58);
-            let a60 = (-a41).mul_add(a0, a59);
-            let a61 = a29.mul_add(a46, a60);
-            let a62 = a28.mul_add(a55, a61);
+            let a59 = a48.mul_add(a30, (-a58));
+            let a60 = a41.mul_add(a0, a59);
+            let a61 = (-a29).mul_add(a46, a60);
+            let a62 = (-a28).mul_add(a55, a61);
             let a63 = a35 * a62;
-            let a64 = a27 * a55;
-            let a65 = a28.mul_add(a63, a64);
-            let a66 = a16 * a65;
-            let a67 = (-a15).mul_add(a46, a66);
+            let a64 = a28 * a63;
+            let a65 = (-a27).mul_add(a55, a64);
+            let a66 = a15 * a46;
+            let a67 = a16.mul_add(a65, a66);
             let a68 = a29.mul_add(a63, a67);
-            let a69 = k35 * a41;
-            let a70 = (-a8).mul_add(a68, a69);
-            let a71 = (-a17).mul_add(a65, a70);
-            let a72 = a0.mul_add(a63, a71);
-            let a73 = a19 * a65;
-            let a74 = (-k37).mul_add(a48, a73);
-            let a75 = (-a30).mul_add(a63, a74);
-            let a76 = -a65;
-            let a77 = -a63;
-            let a78 = a33 * a35;
-            let a79 = R::from_f64(2.0).mul_add(a78, R::from_f64(-1.0));
-            let a80 = R::ONE / a79;
-            *a_out = [a72, a75, a68];
-            *lambda_out = [a76, a77];
-            a80
+            let a69 = k36 * a41;
+            let a70 = a8.mul_add(a68, a69);
+            let a71 = a17.mul_add(a65, a70);
+            let a72 = (-a0).mul_add(a63, a71);
+            let a73 = k34 * a48;
+            let a74 = a19.mul_add(a65, a73);
+            let a75 = a30.mul_add(a63, (-a74));
+            let a76 = -a68;
+            let a77 = a33 * a35;
+            let a78 = R::from_f64(2.0).mul_add(a77, R::from_f64(-1.0));
+            let a79 = R::ONE / a78;
+            *a_out = [a72, a75, a76];
+            *lambda_out = [a65, a63];
+            a79
         }
         fn acceleration_baumgarte(
             &self,
@@ -1340,26 +1336,26 @@ const _: () = {
             let k35 = constants[35];
             let k36 = constants[36];
             let k37 = constants[37];
-            let a0 = k34 * crank_cos;
+            let a0 = k37 * crank_cos;
             let a1 = k5 * crank_cos;
             let a2 = crank_cos * coupler_sin;
             let a3 = (-crank_sin).mul_add(coupler_cos, a2);
             let a4 = crank_cos * coupler_cos;
             let a5 = crank_sin.mul_add(coupler_sin, a4);
-            let a6 = k0 * a5;
-            let a7 = (-k1).mul_add(a3, a6);
-            let a8 = k35 * a7;
-            let a9 = k8 * coupler_cos;
+            let a6 = k1 * a5;
+            let a7 = (-k0).mul_add(a3, a6);
+            let a8 = k36 * a7;
+            let a9 = k6 * coupler_cos;
             let a10 = (-a1).mul_add(a8, a9);
             let a11 = k5 * crank_sin;
-            let a12 = k8 * coupler_sin;
+            let a12 = k6 * coupler_sin;
             let a13 = a11.mul_add(a8, (-a12));
             let a14 = (-a7).mul_add(a8, k4);
             let a15 = R::ONE / a14;
             let a16 = a13 * a15;
-            let a17 = k34 * crank_sin;
+            let a17 = k37 * crank_sin;
             let a18 = k7 * rocker_cos;
-            let a19 = k36 * rocker_sin;
+            let a19 = k35 * rocker_sin;
             let a20 = a18 * a19;
             let a21 = a1.mul_add(a17, a20);
             let a22 = (-a10).mul_add(a16, a21);
@@ -1370,26 +1366,26 @@ const _: () = {
             let a27 = R::ONE / a26;
             let a28 = a22 * a27;
             let a29 = a10 * a15;
-            let a30 = k36 * rocker_cos;
+            let a30 = k35 * rocker_cos;
             let a31 = a18 * a30;
             let a32 = a1.mul_add(a0, a31);
             let a33 = a10.mul_add(a29, a32);
             let a34 = (-a22).mul_add(a28, a33);
             let a35 = R::ONE / a34;
             let a36 = coupler_rate * coupler_rate;
-            let a37 = k1 * a5;
-            let a38 = k0.mul_add(a3, a37);
+            let a37 = k0 * a5;
+            let a38 = k1.mul_add(a3, a37);
             let a39 = k10 * crank_cos;
             let a40 = k11.mul_add(crank_sin, a39);
             let a41 = a36.mul_add(a38, (-a40));
             let a42 = crank_rate * crank_rate;
-            let a43 = k14 * coupler_cos;
-            let a44 = k15.mul_add(coupler_sin, a43);
+            let a43 = k12 * coupler_cos;
+            let a44 = k13.mul_add(coupler_sin, a43);
             let a45 = a42.mul_add(a38, a44);
             let a46 = a41.mul_add(a8, a45);
-            let a47 = k12 * rocker_cos;
-            let a48 = k13.mul_add(rocker_sin, a47);
-            let a49 = k6 - a1;
+            let a47 = k14 * rocker_cos;
+            let a48 = k15.mul_add(rocker_sin, a47);
+            let a49 = k8 - a1;
             let a50 = a49 + a18;
             let a51 = a50 - a9;
             let a52 = rocker_rate * a23;
@@ -1399,11 +1395,11 @@ const _: () = {
             let a56 = a1 * a42;
             let a57 = (-a18).mul_add(a55, a56);
             let a58 = a9.mul_add(a36, a57);
-            let a59 = (-two_alpha).mul_add(a54, a58);
-            let a60 = beta_squared.mul_add(a51, a59);
-            let a61 = a48.mul_add(a19, a60);
-            let a62 = a41.mul_add(a17, a61);
-            let a63 = a16.mul_add(a46, a62);
+            let a59 = two_alpha.mul_add(a54, (-a58));
+            let a60 = (-beta_squared).mul_add(a51, a59);
+            let a61 = (-a48).mul_add(a19, a60);
+            let a62 = (-a41).mul_add(a17, a61);
+            let a63 = (-a16).mul_add(a46, a62);
             let a64 = k9 - a11;
             let a65 = a64 + a23;
             let a66 = a65 - a12;
@@ -1413,33 +1409,32 @@ const _: () = {
             let a70 = a11 * a42;
             let a71 = (-a23).mul_add(a55, a70);
             let a72 = a12.mul_add(a36, a71);
-            let a73 = (-two_alpha).mul_add(a69, a72);
-            let a74 = beta_squared.mul_add(a66, a73);
-            let a75 = (-a48).mul_add(a30, a74);
-            let a76 = (-a41).mul_add(a0, a75);
-            let a77 = a29.mul_add(a46, a76);
+            let a73 = two_alpha.mul_add(a69, (-a72));
+            let a74 = (-beta_squared).mul_add(a66, a73);
+            let a75 = a48.mul_add(a30, a74);
+            let a76 = a41.mul_add(a0, a75);
+            let a77 = (-a29).mul_add(a46, a76);
             let a78 = a28.mul_add(a63, a77);
             let a79 = a35 * a78;
             let a80 = a27 * a63;
             let a81 = a28.mul_add(a79, a80);
-            let a82 = a16 * a81;
-            let a83 = (-a15).mul_add(a46, a82);
+            let a82 = a15 * a46;
+            let a83 = a16.mul_add(a81, a82);
             let a84 = a29.mul_add(a79, a83);
-            let a85 = k35 * a41;
-            let a86 = (-a8).mul_add(a84, a85);
-            let a87 = (-a17).mul_add(a81, a86);
-            let a88 = a0.mul_add(a79, a87);
-            let a89 = a19 * a81;
-            let a90 = (-k37).mul_add(a48, a89);
-            let a91 = (-a30).mul_add(a79, a90);
-            let a92 = -a81;
-            let a93 = -a79;
-            let a94 = a33 * a35;
-            let a95 = R::from_f64(2.0).mul_add(a94, R::from_f64(-1.0));
-            let a96 = R::ONE / a95;
-            *a_out = [a88, a91, a84];
-            *lambda_out = [a92, a93];
-            a96
+            let a85 = k36 * a41;
+            let a86 = a8.mul_add(a84, a85);
+            let a87 = a17.mul_add(a81, a86);
+            let a88 = (-a0).mul_add(a79, a87);
+            let a89 = k34 * a48;
+            let a90 = a19.mul_add(a81, a89);
+            let a91 = a30.mul_add(a79, (-a90));
+            let a92 = -a84;
+            let a93 = a33 * a35;
+            let a94 = R::from_f64(2.0).mul_add(a93, R::from_f64(-1.0));
+            let a95 = R::ONE / a94;
+            *a_out = [a88, a91, a92];
+            *lambda_out = [a81, a79];
+            a95
         }
         fn outputs(&self, time: R, q: &Q<R>, v: &V<R>, u: &()) -> Outputs<R> {
             let constants = &self.constants;
@@ -1450,15 +1445,15 @@ const _: () = {
             let coupler_cos = q[4];
             let coupler_sin = q[5];
             let k5 = constants[5];
-            let k32 = constants[32];
-            let k33 = constants[33];
+            let k30 = constants[30];
+            let k31 = constants[31];
             let k38 = constants[38];
             let k39 = constants[39];
-            let a0 = k5.mul_add(crank_cos, k33);
+            let a0 = k5.mul_add(crank_cos, k30);
             let a1 = k38 * coupler_cos;
             let a2 = (-k39).mul_add(coupler_sin, a1);
             let a3 = a0 + a2;
-            let a4 = k5.mul_add(crank_sin, k32);
+            let a4 = k5.mul_add(crank_sin, k31);
             let a5 = k39 * coupler_cos;
             let a6 = k38.mul_add(coupler_sin, a5);
             let a7 = a4 + a6;
@@ -1502,7 +1497,6 @@ const _: () = {
             target: &Conditions<R>,
             out: &mut Conditions<R>,
         ) {
-            let constants = &self.constants;
             let crank_cos = q[0];
             let crank_sin = q[1];
             let target_crank_pin_angle = target[0];
@@ -1519,7 +1513,6 @@ const _: () = {
             target: &Conditions<R>,
             out: &mut Conditions<R>,
         ) {
-            let constants = &self.constants;
             let crank_cos = q[0];
             let crank_sin = q[1];
             let target_crank_pin_angle = target[0];
@@ -1530,19 +1523,15 @@ const _: () = {
             *out = [a3];
         }
         fn condition_jacobian(&self, time: R, q: &Q<R>, out: &mut ConditionJacobian<R>) {
-            let constants = &self.constants;
             *out = [R::ONE];
         }
         fn condition_bias(&self, time: R, q: &Q<R>, v: &V<R>, out: &mut Conditions<R>) {
-            let constants = &self.constants;
             *out = [R::ZERO];
         }
         fn condition_drift(&self, time: R, q: &Q<R>, out: &mut Conditions<R>) {
-            let constants = &self.constants;
             *out = [R::ZERO];
         }
         fn row_cosines(&self, time: R, q: &Q<R>, out: &mut Lambda<R>) {
-            let constants = &self.constants;
             *out = [R::ONE, R::ONE];
         }
         fn start_targets(

@@ -6,7 +6,7 @@
 #[cfg_attr(doc, doc = "")]
 #[cfg_attr(
     doc,
-    doc = "In tree coordinates (chosen by count: 1 operations, depth 1, against 55 and 17 in absolute coordinates); elimination order: minimum degree."
+    doc = "In tree coordinates (chosen by count: 1 operations, depth 1, against 53 and 18 in absolute coordinates); elimination order: minimum degree."
 )]
 #[cfg_attr(doc, doc = "")]
 #[cfg_attr(doc, doc = "# Coordinates")]
@@ -172,7 +172,7 @@ const _: () = {
             &self.parameters
         }
         fn with(parameters: Parameters<R>, phases: Phases<R>) -> Self {
-            SimplePendulum {
+            Self {
                 parameters,
                 phases,
                 constants: [],
@@ -187,7 +187,6 @@ const _: () = {
             v: &V<R>,
             a: &V<R>,
         ) -> [BodyMotion<R>; 1] {
-            let constants = &self.constants;
             let arm_cos = q[0];
             let arm_sin = q[1];
             let arm_rate = v[0];
@@ -222,7 +221,6 @@ const _: () = {
             a: &V<R>,
             lambda: &Lambda<R>,
         ) -> [Reaction<R>; 1] {
-            let constants = &self.constants;
             let arm_cos = q[0];
             let arm_sin = q[1];
             let arm_rate = v[0];
@@ -245,7 +243,6 @@ const _: () = {
         }
         /// Power of each load (W), in the order of `LOADS`, what springs store included.
         pub fn powers(&self, time: R, q: &Q<R>, v: &V<R>, u: &()) -> [R; 0] {
-            let constants = &self.constants;
             []
         }
         /// Effort of each driver along its quantity (N m or N) and its power (W), from the multipliers.
@@ -256,7 +253,6 @@ const _: () = {
             v: &V<R>,
             lambda: &Lambda<R>,
         ) -> [[R; 2]; 0] {
-            let constants = &self.constants;
             []
         }
     }
@@ -280,33 +276,26 @@ const _: () = {
         type Inputs = ();
         type Outputs = Outputs<R>;
         fn mass_matrix(&self, time: R, q: &Q<R>, out: &mut Mass<R>) {
-            let constants = &self.constants;
             *out = [R::ONE];
         }
         fn constraints(&self, time: R, q: &Q<R>, out: &mut Lambda<R>) {
-            let constants = &self.constants;
             *out = [];
         }
         fn constraint_jacobian(&self, time: R, q: &Q<R>, out: &mut Jacobian<R>) {
-            let constants = &self.constants;
             *out = [];
         }
         fn nu(&self, time: R, q: &Q<R>, out: &mut Lambda<R>) {
-            let constants = &self.constants;
             *out = [];
         }
         fn gamma(&self, time: R, q: &Q<R>, v: &V<R>, out: &mut Lambda<R>) {
-            let constants = &self.constants;
             *out = [];
         }
         fn forces(&self, time: R, q: &Q<R>, v: &V<R>, u: &(), out: &mut V<R>) {
-            let constants = &self.constants;
             let arm_cos = q[0];
             let a0 = R::from_f64(-9.81) * arm_cos;
             *out = [a0];
         }
         fn kinetic_energy(&self, time: R, q: &Q<R>, v: &V<R>) -> R {
-            let constants = &self.constants;
             let arm_cos = q[0];
             let arm_sin = q[1];
             let arm_rate = v[0];
@@ -318,7 +307,6 @@ const _: () = {
             a4
         }
         fn potential_energy(&self, time: R, q: &Q<R>) -> R {
-            let constants = &self.constants;
             let arm_sin = q[1];
             let a0 = R::from_f64(9.81) * arm_sin;
             a0
@@ -332,7 +320,6 @@ const _: () = {
             a_out: &mut V<R>,
             lambda_out: &mut Lambda<R>,
         ) -> R {
-            let constants = &self.constants;
             let arm_cos = q[0];
             let a0 = R::from_f64(-9.81) * arm_cos;
             *a_out = [a0];
@@ -350,7 +337,6 @@ const _: () = {
             a_out: &mut V<R>,
             lambda_out: &mut Lambda<R>,
         ) -> R {
-            let constants = &self.constants;
             let arm_cos = q[0];
             let a0 = R::from_f64(-9.81) * arm_cos;
             *a_out = [a0];
@@ -358,7 +344,6 @@ const _: () = {
             R::ONE
         }
         fn outputs(&self, time: R, q: &Q<R>, v: &V<R>, u: &()) -> Outputs<R> {
-            let constants = &self.constants;
             let arm_cos = q[0];
             let arm_sin = q[1];
             SimplePendulumOutputs {
@@ -397,7 +382,6 @@ const _: () = {
             target: &Conditions<R>,
             out: &mut Conditions<R>,
         ) {
-            let constants = &self.constants;
             let arm_cos = q[0];
             let arm_sin = q[1];
             let target_pivot_angle = target[0];
@@ -414,7 +398,6 @@ const _: () = {
             target: &Conditions<R>,
             out: &mut Conditions<R>,
         ) {
-            let constants = &self.constants;
             let arm_cos = q[0];
             let arm_sin = q[1];
             let target_pivot_angle = target[0];
@@ -425,19 +408,15 @@ const _: () = {
             *out = [a3];
         }
         fn condition_jacobian(&self, time: R, q: &Q<R>, out: &mut ConditionJacobian<R>) {
-            let constants = &self.constants;
             *out = [R::ONE];
         }
         fn condition_bias(&self, time: R, q: &Q<R>, v: &V<R>, out: &mut Conditions<R>) {
-            let constants = &self.constants;
             *out = [R::ZERO];
         }
         fn condition_drift(&self, time: R, q: &Q<R>, out: &mut Conditions<R>) {
-            let constants = &self.constants;
             *out = [R::ZERO];
         }
         fn row_cosines(&self, time: R, q: &Q<R>, out: &mut Lambda<R>) {
-            let constants = &self.constants;
             *out = [];
         }
         fn start_targets(
@@ -445,7 +424,6 @@ const _: () = {
             positions: &mut Conditions<R>,
             rates: &mut Conditions<R>,
         ) {
-            let constants = &self.constants;
             *positions = [R::from_f64(3.141592653589793)];
             *rates = [R::ZERO];
         }

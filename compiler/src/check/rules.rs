@@ -59,7 +59,8 @@ fn bounds_hold_the_default(mechanism: &Mechanism, diagnostics: &mut Diagnostics)
         if minimum > maximum {
             diagnostics.error(parameter.name.span, messages::empty_bounds(name));
         } else if !(minimum..=maximum).contains(&parameter.default) {
-            diagnostics.error(parameter.name.span, messages::default_out_of_bounds(name));
+            let message = messages::default_out_of_bounds(name, parameter.default, minimum, maximum);
+            diagnostics.error(parameter.name.span, message);
         }
     }
 }

@@ -37,6 +37,9 @@ pub fn emit(compiled: &Compiled, source: &str) -> Result<TokenStream, String> {
     let emitter = Emitter::new(compiled);
     let mut text = String::new();
     items::items(&mut text, &emitter, source);
+    if emitter.inner != emitter.name {
+        let _ = writeln!(text, "type {}<R> = {}<R>;", emitter.inner, emitter.name);
+    }
     let _ = writeln!(text, "#[allow(unused, non_snake_case, clippy::all)] const _: () = {{");
     // The user's names must not reach in here, whatever they are.
     let _ = writeln!(text, "use ::core::prelude::rust_2024::*;");
@@ -50,10 +53,10 @@ pub fn emit(compiled: &Compiled, source: &str) -> Result<TokenStream, String> {
     traits::assemble(&mut implementations, &emitter);
     // A type alias may not leave its scalar unused, so `()` stands for itself where nothing is given.
     if emitter.mechanism.inputs.is_empty() {
-        implementations = implementations.replace("Inputs<R>", "()");
+        implementations = replace_word(&implementations, "Inputs<R>", "()");
     }
     if emitter.mechanism.outputs.is_empty() {
-        implementations = implementations.replace("Outputs<R>", "()");
+        implementations = replace_word(&implementations, "Outputs<R>", "()");
     }
     text.push_str(&implementations);
     text.push_str("};\n");
@@ -66,6 +69,8 @@ struct Emitter<'a> {
     mechanism: &'a Mechanism,
     /// Name of the struct.
     name: String,
+    /// Its name among the implementations, where the runtime's names and short ones are in scope.
+    inner: String,
     /// `pub`, `pub(crate)` or nothing.
     visibility: String,
     /// `::linkwright`.
@@ -82,6 +87,7 @@ impl<'a> Emitter<'a> {
             compiled,
             mechanism,
             name: mechanism.name.text.clone(),
+            inner: names::inner(&mechanism.name.text),
             visibility: mechanism.visibility.to_string(),
             path: path.unwrap_or("::linkwright".to_string()),
             names: Names::new(&compiled.equations),
@@ -110,6 +116,20 @@ impl<'a> Emitter<'a> {
         helpers.push_str(&std::mem::take(&mut body.helpers));
         body
     }
+}
+
+/// Replaces a name wherever it is not the end of a longer one.
+fn replace_word(text: &str, word: &str, by: &str) -> String {
+    let mut result = String::with_capacity(text.len());
+    for piece in text.split_inclusive(word) {
+        let before = piece.strip_suffix(word);
+        let whole = before.filter(|before| !before.ends_with(|c: char| c.is_alphanumeric() || c == '_'));
+        match whole {
+            Some(before) => result.extend([before, by]),
+            None => result.push_str(piece),
+        }
+    }
+    result
 }
 
 /// `[a, b, c]`.

@@ -9,6 +9,8 @@ use std::rc::Rc;
 /// Names of all sources, and which arguments the function being written has.
 pub struct Names {
     names: Rc<BTreeMap<Source, String>>,
+    /// Fields of the parameters, whose values may have other names in functions.
+    parameter_fields: Rc<Vec<String>>,
     input_fields: Vec<String>,
     arguments: Vec<Argument>,
 }
@@ -53,14 +55,23 @@ impl Names {
         claim(&symbols.targets, Source::Target);
         claim(&symbols.parameters, Source::Parameter);
         claim(&symbols.phases, Source::Phase);
-        let input_fields = Vec::new();
-        Names { names: Rc::new(names), input_fields, arguments: Vec::new() }
+        let fields = symbols.parameters.iter().map(|node| match equations.graph.op(*node) {
+            Op::Symbol(symbol) => field(equations.graph.symbol_name(symbol)),
+            _ => String::new(),
+        });
+        Names {
+            names: Rc::new(names),
+            parameter_fields: Rc::new(fields.collect()),
+            input_fields: Vec::new(),
+            arguments: Vec::new(),
+        }
     }
 
     /// The same names within a function of these arguments, whose inputs have these field names.
     pub fn within(&self, arguments: &[Argument], input_fields: &[String]) -> Names {
         Names {
             names: Rc::clone(&self.names),
+            parameter_fields: Rc::clone(&self.parameter_fields),
             input_fields: input_fields.to_vec(),
             arguments: arguments.to_vec(),
         }
@@ -80,7 +91,7 @@ impl Names {
     pub fn place(&self, source: Source) -> Option<String> {
         Some(match source {
             Source::Time | Source::TwoAlpha | Source::BetaSquared => return None,
-            Source::Parameter(_) => format!("parameters.{}", self.name(source)),
+            Source::Parameter(index) => format!("parameters.{}", self.parameter_fields[index as usize]),
             Source::Phase(index) => format!("phases[{index}]"),
             Source::Q(index) => format!("q[{index}]"),
             Source::V(index) => format!("v[{index}]"),
@@ -140,24 +151,38 @@ impl Argument {
 
 /// Words that emitted functions use themselves.
 const RESERVED: [&str; 14] = [
-    "time", "q", "v", "u", "a", "lambda", "target", "constants", "parameters", "phases", "two_alpha",
-    "beta_squared", "w", "out",
+    "time",
+    "q",
+    "v",
+    "u",
+    "a",
+    "lambda",
+    "target",
+    "constants",
+    "parameters",
+    "phases",
+    "two_alpha",
+    "beta_squared",
+    "w",
+    "out",
 ];
 
 /// A name as an identifier that is no keyword and no name of an intermediate value.
 fn readable(name: &str) -> String {
     let name = name.replace(['.', '[', '(', ' ', ','], "_").replace([']', ')'], "");
     let numbered = |prefix: char| {
-        name.strip_prefix(prefix).is_some_and(|rest| !rest.is_empty() && rest.chars().all(|c| c.is_ascii_digit()))
+        name.strip_prefix(prefix)
+            .is_some_and(|rest| !rest.is_empty() && rest.chars().all(|c| c.is_ascii_digit()))
     };
     if numbered('a') || numbered('k') || KEYWORDS.contains(&name.as_str()) { name + "_" } else { name }
 }
 
 const KEYWORDS: [&str; 51] = [
-    "as", "async", "await", "break", "const", "continue", "crate", "dyn", "else", "enum", "extern", "false", "fn",
-    "for", "gen", "if", "impl", "in", "let", "loop", "match", "mod", "move", "mut", "pub", "ref", "return", "self",
-    "Self", "static", "struct", "super", "trait", "true", "type", "unsafe", "use", "where", "while", "abstract",
-    "become", "box", "do", "final", "macro", "override", "priv", "try", "typeof", "unsized", "virtual",
+    "as", "async", "await", "break", "const", "continue", "crate", "dyn", "else", "enum", "extern", "false",
+    "fn", "for", "gen", "if", "impl", "in", "let", "loop", "match", "mod", "move", "mut", "pub", "ref",
+    "return", "self", "Self", "static", "struct", "super", "trait", "true", "type", "unsafe", "use", "where",
+    "while", "abstract", "become", "box", "do", "final", "macro", "override", "priv", "try", "typeof",
+    "unsized", "virtual",
 ];
 
 /// A field of an emitted struct: the user's name, raw if it is a keyword.
@@ -168,3 +193,87 @@ pub fn field(name: &str) -> String {
         _ => name.to_string(),
     }
 }
+
+/// The name of a mechanism where emitted code has names of its own in scope: another one if it is among them.
+pub fn inner(name: &str) -> String {
+    if IN_SCOPE.contains(&name) { format!("{name}OfTheUser") } else { name.to_string() }
+}
+
+/// Types, traits and variants that implementations have in scope: short names of arrays, what the runtime exports to
+/// emitted code, the prelude.
+const IN_SCOPE: [&str; 74] = [
+    "Constants",
+    "Phases",
+    "Q",
+    "V",
+    "Lambda",
+    "Mass",
+    "Jacobian",
+    "Conditions",
+    "ConditionJacobian",
+    "Factor",
+    "System",
+    "Parameters",
+    "Inputs",
+    "Outputs",
+    "R",
+    "AssembleExt",
+    "BodyMotion",
+    "Reaction",
+    "AssemblyError",
+    "SettingError",
+    "SimulationError",
+    "Fields",
+    "Layout",
+    "MultiTurn",
+    "Assemble",
+    "Condition",
+    "ConditionKind",
+    "Elimination",
+    "Mechanism",
+    "Row",
+    "Real",
+    "Kinematics",
+    "Motion",
+    "State",
+    "Vector",
+    "Option",
+    "Some",
+    "None",
+    "Result",
+    "Ok",
+    "Err",
+    "Default",
+    "Clone",
+    "Copy",
+    "Send",
+    "Sync",
+    "Sized",
+    "Drop",
+    "Fn",
+    "FnMut",
+    "FnOnce",
+    "AsyncFn",
+    "AsyncFnMut",
+    "AsyncFnOnce",
+    "Iterator",
+    "IntoIterator",
+    "Extend",
+    "DoubleEndedIterator",
+    "ExactSizeIterator",
+    "FromIterator",
+    "AsRef",
+    "AsMut",
+    "From",
+    "Into",
+    "TryFrom",
+    "TryInto",
+    "Eq",
+    "PartialEq",
+    "Ord",
+    "PartialOrd",
+    "Future",
+    "IntoFuture",
+    "Unpin",
+    "Debug",
+];

@@ -100,11 +100,12 @@ fn one(outputs: &[String]) -> String {
 
 /// `prepare`, `parameters`, and what follows from a state.
 pub fn inherent(text: &mut String, emitter: &Emitter) {
-    let Emitter { name, mechanism, compiled, .. } = emitter;
+    let Emitter { name, inner, mechanism, compiled, .. } = emitter;
     let mut helpers = String::new();
-    let defaults = mechanism.parameters.iter().map(|parameter| {
-        format!("{}: {}", field(&parameter.name.identifier()), constant(parameter.default))
-    });
+    let defaults = mechanism
+        .parameters
+        .iter()
+        .map(|parameter| format!("{}: {}", field(&parameter.name.identifier()), constant(parameter.default)));
     let scalar = mechanism.parameters.is_empty().then(|| "scalar: ::core::marker::PhantomData".to_string());
     let defaults = defaults.chain(scalar).collect::<Vec<_>>().join(", ");
     let phases = array(compiled.assembly.phases.iter().map(|phase| constant(*phase)));
@@ -114,10 +115,10 @@ pub fn inherent(text: &mut String, emitter: &Emitter) {
     );
     let _ = writeln!(
         text,
-        "impl<R: Real> Default for {name}<R> {{ \
+        "impl<R: Real> Default for {inner}<R> {{ \
          fn default() -> Self {{ Self::with(Default::default(), {phases}) }} }}"
     );
-    let _ = writeln!(text, "impl<R: Real> {name}<R> {{");
+    let _ = writeln!(text, "impl<R: Real> {inner}<R> {{");
     let _ = writeln!(
         text,
         "/// The model with these parameters; what depends on nothing else is computed once, here.\n\
@@ -138,12 +139,15 @@ pub fn inherent(text: &mut String, emitter: &Emitter) {
     let _ = writeln!(text, "let model = Self::with(parameters, {phases});");
     masses(text, emitter);
     text.push_str("check_constants(&model.constants)?;\nOk(model)\n}\n");
-    let _ = writeln!(text, "/// The parameters the model was prepared with.\npub fn parameters(&self) -> &Parameters<R> {{ &self.parameters }}");
+    let _ = writeln!(
+        text,
+        "/// The parameters the model was prepared with.\npub fn parameters(&self) -> &Parameters<R> {{ &self.parameters }}"
+    );
     let body = emitter.body(Function::Prepare, &[Parameters, Phases], &mut helpers);
     let _ = writeln!(
         text,
         "fn with(parameters: Parameters<R>, phases: Phases<R>) -> Self {{\n{}\
-         {name} {{ parameters, phases, constants: {} }}\n}}",
+         Self {{ parameters, phases, constants: {} }}\n}}",
         body.statements,
         array(body.outputs)
     );
@@ -204,7 +208,8 @@ fn motions(text: &mut String, helpers: &mut String, emitter: &Emitter) {
              [Reaction<R>; {joints}]"
         ),
         |outputs| {
-            let reaction = |o: &[String]| format!("Reaction {{ force: [{}, {}], torque: {} }}", o[0], o[1], o[2]);
+            let reaction =
+                |o: &[String]| format!("Reaction {{ force: [{}, {}], torque: {} }}", o[0], o[1], o[2]);
             array(outputs.chunks(3).map(reaction))
         },
     );
@@ -227,7 +232,9 @@ fn motions(text: &mut String, helpers: &mut String, emitter: &Emitter) {
         emitter,
         Function::DriverEfforts,
         &[Constants, Time, Q, V, Lambda],
-        &format!("driver_efforts(&self, time: R, q: &Q<R>, v: &V<R>, lambda: &Lambda<R>) -> [[R; 2]; {drivers}]"),
+        &format!(
+            "driver_efforts(&self, time: R, q: &Q<R>, v: &V<R>, lambda: &Lambda<R>) -> [[R; 2]; {drivers}]"
+        ),
         |outputs| {
             let (efforts, powers) = outputs.split_at(outputs.len() / 2);
             array(efforts.iter().zip(powers).map(|(effort, power)| format!("[{effort}, {power}]")))
@@ -236,10 +243,10 @@ fn motions(text: &mut String, helpers: &mut String, emitter: &Emitter) {
 }
 
 pub fn mechanism(text: &mut String, emitter: &Emitter) {
-    let Emitter { name, mechanism, compiled, .. } = emitter;
+    let Emitter { name, inner, mechanism, compiled, .. } = emitter;
     let layout = &compiled.equations.layout;
     let mut helpers = String::new();
-    let _ = writeln!(text, "impl<R: Real> Mechanism<R> for {name}<R> {{");
+    let _ = writeln!(text, "impl<R: Real> Mechanism<R> for {inner}<R> {{");
     let _ = writeln!(text, "const NAME: &'static str = {};", quoted(name));
     let _ = writeln!(text, "const LAYOUT: Layout = {};", tables::layout(emitter));
     let _ = writeln!(text, "const ROWS: &'static [Row] = {};", tables::rows(emitter));
@@ -252,26 +259,19 @@ pub fn mechanism(text: &mut String, emitter: &Emitter) {
     }
     let _ = writeln!(text, "const MASS_PATTERN: &'static [(u16, u16)] = {};", tables::mass_pattern(emitter));
     let jets = compiled.equations.rows.iter().map(|row| &row.jet);
-    let _ = writeln!(
-        text,
-        "const JACOBIAN_PATTERN: &'static [(u16, u16)] = {};",
-        tables::jacobian_pattern(jets)
-    );
+    let _ =
+        writeln!(text, "const JACOBIAN_PATTERN: &'static [(u16, u16)] = {};", tables::jacobian_pattern(jets));
     for alias in ["Q", "V", "Lambda", "Mass", "Jacobian", "Inputs", "Outputs"] {
         let _ = writeln!(text, "type {alias} = {alias}<R>;");
     }
-    let mut write = |which: Function, arguments: &[Argument], signature: &str, result: fn(&[String]) -> String| {
-        function(text, &mut helpers, emitter, which, arguments, signature, result);
-    };
+    let mut write =
+        |which: Function, arguments: &[Argument], signature: &str, result: fn(&[String]) -> String| {
+            function(text, &mut helpers, emitter, which, arguments, signature, result);
+        };
     let position = [Constants, Time, Q];
     let state = [Constants, Time, Q, V];
     let with_inputs = [Constants, Time, Q, V, Inputs];
-    write(
-        Function::MassMatrix,
-        &position,
-        "mass_matrix(&self, time: R, q: &Q<R>, out: &mut Mass<R>)",
-        all,
-    );
+    write(Function::MassMatrix, &position, "mass_matrix(&self, time: R, q: &Q<R>, out: &mut Mass<R>)", all);
     write(
         Function::Constraints,
         &position,
@@ -292,12 +292,7 @@ pub fn mechanism(text: &mut String, emitter: &Emitter) {
         "forces(&self, time: R, q: &Q<R>, v: &V<R>, u: &Inputs<R>, out: &mut V<R>)",
         all,
     );
-    write(
-        Function::KineticEnergy,
-        &state,
-        "kinetic_energy(&self, time: R, q: &Q<R>, v: &V<R>) -> R",
-        one,
-    );
+    write(Function::KineticEnergy, &state, "kinetic_energy(&self, time: R, q: &Q<R>, v: &V<R>) -> R", one);
     write(Function::PotentialEnergy, &position, "potential_energy(&self, time: R, q: &Q<R>) -> R", one);
 
     let velocities = emitter.velocities();
@@ -372,7 +367,7 @@ fn outputs(text: &mut String, helpers: &mut String, emitter: &Emitter) {
 }
 
 pub fn assemble(text: &mut String, emitter: &Emitter) {
-    let Emitter { name, compiled, .. } = emitter;
+    let Emitter { inner, compiled, .. } = emitter;
     let equations = &compiled.equations;
     let mut helpers = String::new();
     let stated = |rate: bool| {
@@ -383,7 +378,7 @@ pub fn assemble(text: &mut String, emitter: &Emitter) {
         tables::indices(targets.filter(|(_, target)| has(target)).map(|(index, _)| index))
     };
     let upright = equations.rows.iter().enumerate().filter(|(_, row)| row.upright.is_some());
-    let _ = writeln!(text, "impl<R: Real> Assemble<R> for {name}<R> {{");
+    let _ = writeln!(text, "impl<R: Real> Assemble<R> for {inner}<R> {{");
     let _ = writeln!(text, "const CONDITIONS: &'static [Condition] = {};", tables::conditions(emitter));
     let lists = [
         ("START_CONDITIONS", stated(false)),
@@ -404,9 +399,10 @@ pub fn assemble(text: &mut String, emitter: &Emitter) {
     for alias in ["Conditions", "ConditionJacobian", "Factor", "System"] {
         let _ = writeln!(text, "type {alias} = {alias}<R>;");
     }
-    let mut write = |which: Function, arguments: &[Argument], signature: &str, result: fn(&[String]) -> String| {
-        function(text, &mut helpers, emitter, which, arguments, signature, result);
-    };
+    let mut write =
+        |which: Function, arguments: &[Argument], signature: &str, result: fn(&[String]) -> String| {
+            function(text, &mut helpers, emitter, which, arguments, signature, result);
+        };
     let position = [Constants, Time, Q];
     let targeted = [Constants, Time, Q, Target];
     let target = "time: R, q: &Q<R>, target: &Conditions<R>, out: &mut Conditions<R>";
@@ -430,12 +426,7 @@ pub fn assemble(text: &mut String, emitter: &Emitter) {
         "condition_drift(&self, time: R, q: &Q<R>, out: &mut Conditions<R>)",
         all,
     );
-    write(
-        Function::RowCosines,
-        &position,
-        "row_cosines(&self, time: R, q: &Q<R>, out: &mut Lambda<R>)",
-        all,
-    );
+    write(Function::RowCosines, &position, "row_cosines(&self, time: R, q: &Q<R>, out: &mut Lambda<R>)", all);
     write(
         Function::StartTargets,
         &[Constants],

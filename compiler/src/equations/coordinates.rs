@@ -20,7 +20,7 @@ pub enum Linear {
     Travel(JointId),
 }
 
-/// A multi-turn angle: its rate is v[plus] − v[minus].
+/// A multi-turn angle: its rate is `v[plus] − v[minus]`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct MultiTurn {
     pub rotor: Rotor,

@@ -70,8 +70,11 @@ impl<'d> Lowering<'d> {
             return None;
         };
         let length = self.entry(entry, Dimension::LENGTH, Use::PROPERTY, property)?;
-        if report && matches!(length, Expr::Number(value) if value <= 0.0) {
-            self.diagnostics.error(label.region.to(entry.value.region), messages::not_positive(property));
+        if let (true, Expr::Number(value)) = (report, &length)
+            && *value <= 0.0
+        {
+            let message = messages::not_positive(property, &body.name.text, *value);
+            self.diagnostics.error(label.region.to(entry.value.region), message);
             return None;
         }
         Some(length)

@@ -97,3 +97,10 @@ pub enum Quantity {
     /// J, the sum of both.
     Energy,
 }
+
+impl Quantity {
+    /// Whether it is the rate of a position.
+    pub fn is_rate(&self) -> bool {
+        matches!(self, Self::BodyRate(_) | Self::JointRate(_) | Self::JointSpeed(_) | Self::Velocity(..))
+    }
+}

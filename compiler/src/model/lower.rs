@@ -208,6 +208,10 @@ impl<'d> Lowering<'d> {
 
     fn start_condition(&mut self, start: &'d syntax::StartEntry) -> Option<StartCondition> {
         let (quantity, dimension) = self.state_quantity(&start.quantity)?;
+        if !start.exact && quantity.is_rate() {
+            self.diagnostics.error(start.quantity.region, messages::guessed_rate(&start.quantity.text));
+            return None;
+        }
         let what = messages::quoted(&start.quantity.text);
         let value = self.entry(&start.entry, dimension, Use::START, &what)?;
         let region = start.quantity.region;

@@ -32,6 +32,11 @@ impl Counts {
             + self.choices
             + self.transcendentals
     }
+
+    /// What choices between formulations minimise: work, and a share for the depth that keeps a wide processor waiting.
+    pub fn score(&self) -> usize {
+        4 * self.total() + self.depth
+    }
 }
 
 pub fn count(program: &Program) -> Counts {

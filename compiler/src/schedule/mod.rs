@@ -14,7 +14,8 @@ pub use evaluate::{Inputs, run};
 pub use program::{Instruction, Operand, Program, Source};
 
 use crate::equations::Equations;
-use crate::optimize::{Hoisted, Optimized};
+use crate::optimize::{Hoisted, Optimized, optimize_only};
+use crate::solve::Solved;
 use crate::symbolic::Node;
 
 /// All programs of one mechanism.
@@ -48,6 +49,12 @@ pub fn schedule(equations: &Equations, optimized: &Optimized) -> Programs {
         })
         .collect();
     Programs { functions, prepared: optimized.hoisted.len() }
+}
+
+/// Operations of one function, as they will be emitted.
+pub fn count_of(equations: &Equations, solved: &Solved, function: Function) -> Counts {
+    let optimized = optimize_only(equations, solved, &[function]);
+    count(schedule(equations, &optimized).get(function))
 }
 
 /// What each symbol of the graph stands for.

@@ -10,6 +10,7 @@ pub type Entries = BTreeMap<(usize, usize), Node>;
 /// The factors of K as nodes.
 #[derive(Clone, Debug)]
 pub struct Factor {
+    velocities: usize,
     steps: Vec<Step>,
     /// Smallest relative pivot: min over the watched pivots of |d| / Σ |terms of d|; 1 if none needs watching.
     pub pivot: Node,
@@ -18,7 +19,9 @@ pub struct Factor {
 #[derive(Clone, Debug)]
 struct Step {
     unknown: usize,
-    reciprocal: Node,
+    is_row: bool,
+    /// 1/|d|: velocities have positive pivots, rows negative ones.
+    inverse: Node,
     /// Column of L below the pivot.
     column: Vec<(usize, Node)>,
 }
@@ -42,7 +45,7 @@ pub fn factor(
     order: &Order,
     watch_velocities: bool,
 ) -> Factor {
-    let unknowns = order.sequence.len();
+    let unknowns = order.sequence.iter().map(|unknown| unknown + 1).max().unwrap_or(0);
     let mut diagonals: Vec<Diagonal> = vec![Diagonal::default(); unknowns];
     let mut rows: Vec<BTreeMap<usize, Node>> = vec![BTreeMap::new(); unknowns];
     for ((i, j), entry) in entries {
@@ -87,7 +90,7 @@ pub fn factor(
                 rows[*j].insert(*i, updated);
             }
         }
-        steps.push(Step { unknown: *pivot, reciprocal, column });
+        steps.push(Step { unknown: *pivot, is_row, inverse, column });
     }
     let one = g.constant(1.0);
     let pivot = match watched {
@@ -99,21 +102,23 @@ pub fn factor(
             g.unary(Unary::Reciprocal, sum)
         }
     };
-    Factor { steps, pivot }
+    Factor { velocities, steps, pivot }
 }
 
 impl Factor {
-    /// K x = rhs.
-    pub fn solve(&self, g: &mut Graph, rhs: &[Node]) -> Vec<Node> {
-        let mut x = rhs.to_vec();
+    /// K x = [Q; γ], given Q and, for the rows, −γ: with that sign no multiplier has to be negated at the end.
+    pub fn solve(&self, g: &mut Graph, forces_and_minus_gamma: &[Node]) -> Vec<Node> {
+        let mut x = forces_and_minus_gamma.to_vec();
         for step in &self.steps {
             for (unknown, l) in &step.column {
                 let product = g.mul(*l, x[step.unknown]);
-                x[*unknown] = g.sub(x[*unknown], product);
+                let same_sign = step.is_row == (*unknown >= self.velocities);
+                x[*unknown] =
+                    if same_sign { g.sub(x[*unknown], product) } else { g.add(x[*unknown], product) };
             }
         }
         for step in self.steps.iter().rev() {
-            let mut value = g.mul(x[step.unknown], step.reciprocal);
+            let mut value = g.mul(x[step.unknown], step.inverse);
             for (unknown, l) in &step.column {
                 let product = g.mul(*l, x[*unknown]);
                 value = g.sub(value, product);

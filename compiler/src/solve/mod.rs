@@ -7,7 +7,8 @@ pub mod order;
 pub mod table;
 
 use crate::equations::Equations;
-use crate::symbolic::{Graph, Node};
+use crate::functions::Function;
+use crate::symbolic::{Graph, Node, Unary};
 use elimination::{Entries, Factor};
 use order::{Order, Pattern};
 use std::collections::{BTreeMap, BTreeSet};
@@ -43,62 +44,198 @@ pub struct Massless {
     pub weight: f64,
 }
 
+/// Mechanisms of at most so many unknowns are eliminated in every order and counted; larger ones in the one that is
+/// cheapest by structure, because writing out an elimination takes time.
+const COUNTED: usize = 60;
+
 /// Solves for v̇ and λ, without stabilisation and with Baumgarte's:
 /// D v̇ = γ − 2α (D v − ν) − β² Φ.
 pub fn solve(equations: &mut Equations, massless: Massless) -> Solved {
-    let n = equations.symbols.v.len();
-    let columns: Vec<BTreeMap<usize, Node>> =
-        equations.rows.iter().map(|row| row.jet.columns.clone()).collect();
-    let g = &mut equations.graph;
-    let rho = g.constant(massless.weight);
-
-    let mut entries: Entries = equations.mass.clone();
-    for row in &massless.rows {
-        add_square(g, &mut entries, &columns[*row], rho);
+    let system = System::of(equations, massless);
+    let pattern = Pattern::new(system.velocities, system.columns.len(), system.entries.keys().copied());
+    if system.velocities + system.columns.len() > COUNTED {
+        return eliminate(equations, &system, system.without_prescribed(order::best(&pattern)));
     }
-    for (row, columns) in columns.iter().enumerate() {
-        entries.extend(columns.iter().map(|(velocity, column)| ((n + row, *velocity), *column)));
-    }
-    let pattern = Pattern::new(n, columns.len(), entries.keys().copied());
-    let order = order::best(&pattern);
-    let factor = elimination::factor(g, &entries, n, &order, !massless.rows.is_empty());
-
-    let gamma = equations.gamma.clone();
-    let stabilised: Vec<Node> = {
-        let (two_alpha, beta_squared) = (equations.symbols.two_alpha, equations.symbols.beta_squared);
-        let mut stabilised = Vec::new();
-        for (row, gamma) in equations.rows.iter().zip(&gamma) {
-            let rate = row.jet.rate(g, &equations.symbols.v);
-            let damping = g.mul(two_alpha, rate);
-            let stiffness = g.mul(beta_squared, row.jet.value);
-            let sum = g.sub(*gamma, damping);
-            stabilised.push(g.sub(sum, stiffness));
+    // The structure does not see what constants save, so the small ones are written out and counted.
+    let mut best: Option<(usize, Equations, Solved)> = None;
+    let mut tried: Vec<Vec<usize>> = Vec::new();
+    for strategy in order::STRATEGIES {
+        let order = system.without_prescribed(order::order(&pattern, strategy));
+        if tried.contains(&order.sequence) {
+            continue;
         }
-        stabilised
-    };
-    let mut with = |gamma: &[Node]| {
-        let mut rhs = equations.forces.clone();
+        tried.push(order.sequence.clone());
+        let mut candidate = equations.clone();
+        let solved = eliminate(&mut candidate, &system, order);
+        let counts = crate::schedule::count_of(&candidate, &solved, Function::AccelerationBaumgarte);
+        let score = counts.score();
+        if best.as_ref().is_none_or(|(least, ..)| score < *least) {
+            best = Some((score, candidate, solved));
+        }
+    }
+    match best {
+        Some((_, candidate, solved)) => {
+            *equations = candidate;
+            solved
+        }
+        None => eliminate(equations, &system, system.without_prescribed(order::best(&pattern))),
+    }
+}
+
+/// K and what its right-hand sides need.
+struct System {
+    velocities: usize,
+    columns: Vec<BTreeMap<usize, Node>>,
+    /// Without the prescribed velocities and their rows.
+    entries: Entries,
+    prescribed: Vec<Prescribed>,
+    massless: Massless,
+    rho: Node,
+}
+
+/// A velocity that one row gives on its own, d v̇ = γ with a constant d ≠ 0: a driver's. Nothing has to be eliminated, and
+/// nothing is lost: by elimination its error would be that of a reaction divided by an inertia, however small that is.
+struct Prescribed {
+    velocity: usize,
+    row: usize,
+    inverse: Node,
+    /// The other entries of the velocity's column of K.
+    column: Vec<(usize, Node)>,
+    own: Option<Node>,
+}
+
+impl System {
+    fn of(equations: &mut Equations, massless: Massless) -> Self {
+        let velocities = equations.symbols.v.len();
+        let columns: Vec<BTreeMap<usize, Node>> =
+            equations.rows.iter().map(|row| row.jet.columns.clone()).collect();
+        let g = &mut equations.graph;
+        let rho = g.constant(massless.weight);
+        let mut entries: Entries = equations.mass.clone();
         for row in &massless.rows {
-            let weighted = g.mul(rho, gamma[*row]);
-            for (velocity, column) in &columns[*row] {
-                let term = g.mul(*column, weighted);
-                rhs[*velocity] = g.add(rhs[*velocity], term);
+            add_square(g, &mut entries, &columns[*row], rho);
+        }
+        for (row, columns) in columns.iter().enumerate() {
+            entries.extend(columns.iter().map(|(velocity, column)| ((velocities + row, *velocity), *column)));
+        }
+        let prescribed = prescribed(g, velocities, &columns, &mut entries);
+        System { velocities, columns, entries, prescribed, massless, rho }
+    }
+
+    /// The unknowns that are left, in order.
+    fn without_prescribed(&self, mut order: Order) -> Order {
+        let known = |unknown: &usize| {
+            self.prescribed.iter().any(|p| *unknown == p.velocity || *unknown == self.velocities + p.row)
+        };
+        order.sequence.retain(|unknown| !known(unknown));
+        order
+    }
+}
+
+/// Takes the prescribed velocities and their rows out of the system.
+fn prescribed(
+    g: &mut Graph,
+    velocities: usize,
+    columns: &[BTreeMap<usize, Node>],
+    entries: &mut Entries,
+) -> Vec<Prescribed> {
+    let mut found: Vec<Prescribed> = Vec::new();
+    for (row, columns) in columns.iter().enumerate() {
+        let (1, Some((velocity, d))) = (columns.len(), columns.first_key_value()) else { continue };
+        let constant = g.value(*d).is_some_and(|d| d != 0.0);
+        if constant && found.iter().all(|known| known.velocity != *velocity) {
+            let (inverse, column) = (g.unary(Unary::Reciprocal, *d), Vec::new());
+            found.push(Prescribed { velocity: *velocity, row, inverse, column, own: None });
+        }
+    }
+    for prescribed in &mut found {
+        let (velocity, own_row) = (prescribed.velocity, velocities + prescribed.row);
+        for ((i, j), entry) in entries.iter() {
+            let other = match (*i == velocity, *j == velocity) {
+                (true, true) => {
+                    prescribed.own = Some(*entry);
+                    continue;
+                }
+                (true, false) => *j,
+                (false, true) => *i,
+                (false, false) => continue,
+            };
+            if other != own_row {
+                prescribed.column.push((other, *entry));
             }
         }
-        rhs.extend(gamma);
-        solution(g, &factor, &rhs, n)
+    }
+    let gone = |unknown: usize| {
+        found.iter().any(|known| unknown == known.velocity || unknown == velocities + known.row)
     };
-    let (index1, baumgarte) = (with(&gamma), with(&stabilised));
+    entries.retain(|(i, j), _| !gone(*i) && !gone(*j));
+    found
+}
+
+fn eliminate(equations: &mut Equations, system: &System, order: Order) -> Solved {
+    let System { velocities, columns, entries, massless, rho, .. } = system;
+    let g = &mut equations.graph;
+    let factor = elimination::factor(g, entries, *velocities, &order, !massless.rows.is_empty());
+
+    // −γ, and −γ + 2α (D v − ν) + β² Φ.
+    let plain: Vec<Node> = equations.rows.iter().map(|row| row.jet.bias).collect();
+    let mut stabilised = Vec::new();
+    for row in &equations.rows {
+        let rate = row.jet.rate(g, &equations.symbols.v);
+        let damping = g.mul(equations.symbols.two_alpha, rate);
+        let stiffness = g.mul(equations.symbols.beta_squared, row.jet.value);
+        let sum = g.add(row.jet.bias, damping);
+        stabilised.push(g.add(sum, stiffness));
+    }
+    let mut with = |minus_gamma: &[Node]| {
+        let mut rhs = equations.forces.clone();
+        for row in &massless.rows {
+            let weighted = g.mul(*rho, minus_gamma[*row]);
+            for (velocity, column) in &columns[*row] {
+                let term = g.mul(*column, weighted);
+                rhs[*velocity] = g.sub(rhs[*velocity], term);
+            }
+        }
+        rhs.extend(minus_gamma);
+        solution(g, &factor, system, rhs)
+    };
+    let (index1, baumgarte) = (with(&plain), with(&stabilised));
     // Outputs that name drivers' efforts or powers take the multipliers of the plain solution.
     let solved = equations.symbols.lambda.iter().copied().zip(index1.lambda.iter().copied()).collect();
     equations.outputs = equations.graph.substitute(&equations.outputs, &solved);
-    Solved { index1, baumgarte, order, massless }
+    Solved { index1, baumgarte, order, massless: massless.clone() }
 }
 
-fn solution(g: &mut Graph, factor: &Factor, rhs: &[Node], n: usize) -> Solution {
-    let mut acceleration = factor.solve(g, rhs);
-    let lambda = acceleration.split_off(n);
-    Solution { acceleration, lambda, pivot: factor.pivot }
+/// v̇ and λ for [Q; −γ].
+fn solution(g: &mut Graph, factor: &Factor, system: &System, mut rhs: Vec<Node>) -> Solution {
+    let n = system.velocities;
+    let mut known = Vec::new();
+    for prescribed in &system.prescribed {
+        let rate = g.mul(rhs[n + prescribed.row], prescribed.inverse);
+        known.push((prescribed.velocity, g.neg(rate)));
+    }
+    let forces: Vec<Node> = system.prescribed.iter().map(|prescribed| rhs[prescribed.velocity]).collect();
+    for (prescribed, (_, value)) in system.prescribed.iter().zip(&known) {
+        for (other, entry) in &prescribed.column {
+            let product = g.mul(*entry, *value);
+            rhs[*other] = if *other < n { g.sub(rhs[*other], product) } else { g.add(rhs[*other], product) };
+        }
+    }
+    let mut x = factor.solve(g, &rhs);
+    for (velocity, value) in &known {
+        x[*velocity] = *value;
+    }
+    for (prescribed, force) in system.prescribed.iter().zip(forces) {
+        let mut rest = force;
+        let own = prescribed.own.map(|entry| (prescribed.velocity, entry));
+        for (other, entry) in prescribed.column.iter().copied().chain(own) {
+            let product = g.mul(entry, x[other]);
+            rest = g.sub(rest, product);
+        }
+        x[n + prescribed.row] = g.mul(rest, prescribed.inverse);
+    }
+    let lambda = x.split_off(n);
+    Solution { acceleration: x, lambda, pivot: factor.pivot }
 }
 
 /// entries += ρ dᵀ d.

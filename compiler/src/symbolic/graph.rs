@@ -219,6 +219,24 @@ impl Graph {
         if let Some(difference) = self.collect_terms(a, b, true) {
             return difference;
         }
+        // (x − r) − p = x − (r + p), (r + x) − p = (r − p) + x for what changes seldom.
+        if self.class(b) <= Class::Parameter && self.class(a) > Class::Parameter {
+            match self.op(a) {
+                Op::Sub(x, r) if self.class(r) <= Class::Parameter => {
+                    let seldom = self.add(r, b);
+                    return self.sub(x, seldom);
+                }
+                Op::Sub(r, x) if self.class(r) <= Class::Parameter => {
+                    let seldom = self.sub(r, b);
+                    return self.sub(seldom, x);
+                }
+                Op::Add(r, x) if self.class(r) <= Class::Parameter => {
+                    let seldom = self.sub(r, b);
+                    return self.add(seldom, x);
+                }
+                _ => {}
+            }
+        }
         // a − b is −(b − a), if that is known already.
         if let Some(known) = self.known.get(&Op::Sub(b, a)) {
             let known = *known;

@@ -128,7 +128,15 @@ const MISTAKES: &[(&str, &str)] = &[
         "param p [kg] = heavy;",
         "`heavy` is a parameter, but a constant or default value may depend on constants only",
     ),
-    ("param p [kg] = 1 in 2..3;", "the default of `p` lies outside of its bounds"),
+    (
+        "param p [kg] = 1 in 2..3;",
+        "the default of `p` lies outside of its bounds: 1 is not in 2..3 (SI units); widen the bounds or change the default",
+    ),
+    (
+        "start { base.rate [rad/s] ~ 3; }",
+        "`base.rate` cannot be guessed: write `=` for a rate that is to be met, or leave it out; rates that are not stated \
+         are those of least kinetic energy",
+    ),
     ("param p [kg] = 1 in 3..0;", "the bounds of `p` hold no value: write the smaller one first"),
     ("param p [kg] = 1 [m];", "`p` is given a length: expected kg, found m"),
     (
@@ -155,7 +163,7 @@ const MISTAKES: &[(&str, &str)] = &[
     ("body b { mass [kg] = 1; }", "the body `b` has no inertia: write `inertia [kg*m^2] = …;`"),
     ("body b { inertia [kg*m^2] = 1; }", "the body `b` has no mass: write `mass [kg] = …;`"),
     ("rod b { mass [kg] = 1; }", "the rod `b` has no length: write `length [m] = …;`"),
-    ("rod b { mass [kg] = 1; length [m] = -1; }", "the length must be positive"),
+    ("rod b { mass [kg] = 1; length [m] = -1; }", "the length of `b` must be positive, found -1 m"),
     (
         "rod b { mass [kg] = 1; radius [m] = 1; }",
         "a rod has no `radius`; it has mass, length, inertia, and points and lines",

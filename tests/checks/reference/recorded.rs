@@ -6,6 +6,7 @@
 use super::{SETS, casadi, compiled, hash, models};
 use linkwright_compiler::Compiled;
 use linkwright_compiler::schedule::{Function, Inputs, run};
+use linkwright_compiler::solve::order::Pattern;
 use linkwright_compiler::solve::table::{Numeric, Table};
 use serde_json::Value;
 use std::path::PathBuf;
@@ -257,25 +258,28 @@ fn pivot(
     found: f64,
 ) -> Option<String> {
     let n = inputs.v.len();
-    if !compiled.solved.massless.rows.is_empty() || compiled.equations.rows.is_empty() {
+    let equations = &compiled.equations;
+    if !compiled.solved.massless.rows.is_empty() || equations.rows.is_empty() {
         return None;
     }
+    // Prescribed velocities and their rows are not eliminated: they stand apart at the end.
+    let all = n + equations.rows.len();
+    let mut sequence = compiled.solved.order.sequence.clone();
+    let eliminated = sequence.clone();
+    sequence.extend((0..all).filter(|unknown| !eliminated.contains(unknown)));
+    let inside = |i: &usize, j: &usize| eliminated.contains(i) && eliminated.contains(j);
     let mut entries = mass.to_vec();
     entries.extend(jacobian.iter().map(|(row, column, value)| (n + row, *column, *value)));
-    let rows = compiled.equations.rows.len();
-    let structure: Vec<(usize, usize)> = compiled
-        .equations
-        .mass
-        .keys()
-        .copied()
-        .chain(compiled.equations.rows.iter().enumerate().flat_map(|(row, r)| {
-            r.jet.columns.keys().map(move |column| (n + row, *column)).collect::<Vec<_>>()
-        }))
-        .collect();
-    let pattern = linkwright_compiler::solve::order::Pattern::new(n, rows, structure);
-    let table = Table::with_order(&pattern, compiled.solved.order.sequence.clone());
+    entries.retain(|(i, j, _)| inside(i, j));
+    let rows = equations.rows.iter().enumerate().flat_map(|(row, r)| {
+        r.jet.columns.keys().map(move |column| (n + row, *column)).collect::<Vec<_>>()
+    });
+    let structure = equations.mass.keys().copied().chain(rows).filter(|(i, j)| inside(i, j));
+    let pattern = Pattern::new(n, equations.rows.len(), structure);
+    let table = Table::with_order(&pattern, sequence);
     let pivots = Numeric::factor(&table, entries).relative_pivots;
-    let expected = pivots[n..].iter().fold(1.0_f64, |least, pivot| least.min(*pivot));
+    let watched = eliminated.iter().filter(|unknown| **unknown >= n);
+    let expected = watched.fold(1.0_f64, |least, row| least.min(pivots[*row]));
     let same = (expected - found).abs() <= 1e-9 * expected.abs().max(1e-3);
     (!same).then(|| format!("the smallest relative pivot is {found:?}, another factorisation says {expected:?}"))
 }
