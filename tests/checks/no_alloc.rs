@@ -126,7 +126,7 @@ where
         let none = |_: R, _: &State<M::Q, M::V>| M::Inputs::from_array(Vector::zero());
         let mut simulation = Simulation::new(model, start).formulation(baumgarte).sampled(none).step(h);
         black_box(simulation.advance().is_ok());
-        black_box(simulation.run_until(end, |sample| drop(black_box(sample.energy()))).is_ok());
+        black_box(simulation.run_until(end, |sample| _ = black_box(sample.energy())).is_ok());
         black_box((simulation.energy(), simulation.constraint_residual(), simulation.multipliers()));
         let mut simulation = simulation.integrator(SemiImplicitEuler).held(none);
         black_box(simulation.advance().is_ok());

@@ -220,7 +220,7 @@ fn moving_ground_places_and_indexed_points() {
             repeat i in 0..2 {
                 body arm[i] { mass [kg] = 1; inertia [kg*m^2] = 1; point p[0] [m] = (1, 0); point p[1] [m] = (2, 0); }
                 joint pin[i]: revolute(ground(a*sin(3 [rad/s]*time), 0), arm[i].p[0]);
-                start { arm[i].p[1].y [mm] ~ 300; arm[i].p[i].velocity.x [m/s] ~ i; }
+                start { arm[i].p[1].y [mm] ~ 300; arm[i].p[i].velocity.x [m/s] = i; }
             }
             force swing: torque(pin[0]) = -2 [N*m*s/rad]*pin[0].rate + 3 [N] * (arm[1].p[1].x - a);
         }",

@@ -65,7 +65,30 @@ impl<'m, R: Real, M: Assemble<R>> System<'m, R, M> {
             self.matrix.add(i, i, R::ONE);
         }
         self.add_rows();
-        self.matrix.factor()
+        self.vanished_row().unwrap_or_else(|| self.matrix.factor())
+    }
+
+    /// A row of a pair, x and y of two points held together, that has vanished beside the other: all links lie in one
+    /// line along an axis. Relative to its own terms, which are rounding, its pivot would look sound.
+    fn vanished_row(&self) -> Option<Pivot<R>> {
+        let mut squares = M::Lambda::zero();
+        for (&entry, &(row, _)) in self.jacobian.as_slice().iter().zip(M::JACOBIAN_PATTERN) {
+            let square = &mut squares.as_mut_slice()[row as usize];
+            *square = *square + entry * entry;
+        }
+        let pairs = M::ROWS.windows(2).zip(squares.as_slice().windows(2)).enumerate();
+        for (row, (names, squares)) in pairs {
+            if names[0].of != names[1].of || names[0].what != "x" || names[1].what != "y" {
+                continue;
+            }
+            let (least, most) = (squares[0].min(squares[1]), squares[0].max(squares[1]));
+            let share = if most > R::ZERO { least / most } else { R::ZERO };
+            if share < R::BREAKDOWN {
+                let lost = if squares[0] < squares[1] { row } else { row + 1 };
+                return Some(Pivot { value: share, unknown: M::V::LEN + lost });
+            }
+        }
+        None
     }
 
     /// Factors with W = M + `shift`·max(M_ii)·1.
@@ -85,7 +108,7 @@ impl<'m, R: Real, M: Assemble<R>> System<'m, R, M> {
             self.matrix.add(i, i, shift * largest);
         }
         self.add_rows();
-        self.matrix.factor()
+        self.vanished_row().unwrap_or_else(|| self.matrix.factor())
     }
 
     /// Factors with W = M, or with a little more on the diagonal where massless bodies leave M singular.

@@ -78,13 +78,27 @@ impl<'m, R: Real, M: Assemble<R>, F: Formulation<R>, S, I: Integrator<R>> Simula
             return Err(self.diagnose(&failure, &inputs));
         }
         if let Some(what) = not_finite::<R, M>(&next) {
-            return Err(SimulationError::NonFinite { time: clock.time.to_f64(), what });
+            return Err(self.diagnose_not_finite(time, clock.time, what));
         }
         self.run.smallest_pivot = smallest_pivot;
         self.run.state = next;
         self.run.clock = clock;
         self.run.inputs = None;
         Ok(())
+    }
+
+    /// A state without numbers: the joint, if the step began where the constraints lose rank, else the coordinate.
+    #[cold]
+    fn diagnose_not_finite(&self, begin: R, end: R, what: &'static str) -> SimulationError {
+        let (pivot, row) = smallest_pivot(self.run.model, begin, &self.run.state.q);
+        match row {
+            Some(row) if pivot < R::BREAKDOWN => SimulationError::Breakdown {
+                time: begin.to_f64(),
+                pivot: pivot.to_f64(),
+                row: M::ROWS[row],
+            },
+            _ => SimulationError::NonFinite { time: end.to_f64(), what },
+        }
     }
 
     /// The error that names what failed: the joint whose row depends on others, the body without mass, or the
