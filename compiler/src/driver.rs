@@ -6,6 +6,7 @@ use crate::equations::{self, Equations, SpanningTree};
 use crate::model::{self, Coordinates, Mechanism};
 use crate::schedule::{self, Counts, Function, Programs};
 use crate::solve::table::Table;
+use crate::symbolic::Node;
 use crate::solve::{self, Solved};
 use crate::{optimize, syntax};
 use proc_macro2::TokenStream;
@@ -20,6 +21,8 @@ pub struct Compiled {
     pub assembly: Assembly,
     pub solved: Solved,
     pub programs: Programs,
+    /// The expressions that the constants of the prepared model are.
+    pub hoisted: Vec<Node>,
     /// Factorisation for the cold paths.
     pub table: Table,
     /// Independent coordinates, indices into the conditions.
@@ -115,6 +118,7 @@ pub fn compile_model(
         assembly,
         solved,
         programs,
+        hoisted: optimized.hoisted.nodes,
         table,
         independent,
         masses,

@@ -37,6 +37,15 @@ pub struct Reaction<R = f64> {
     pub torque: R,
 }
 
+/// A parameter must be finite.
+#[doc(hidden)]
+pub fn check_finite<R: Real>(what: &'static str, value: R) -> Result<(), SettingError> {
+    if value.is_finite() {
+        return Ok(());
+    }
+    Err(SettingError { what, value: value.to_f64(), must_be: "finite" })
+}
+
 /// A parameter must be finite and within its inclusive bounds.
 #[doc(hidden)]
 pub fn check_setting<R: Real>(
@@ -45,10 +54,8 @@ pub fn check_setting<R: Real>(
     least: f64,
     most: f64,
 ) -> Result<(), SettingError> {
+    check_finite(what, value)?;
     let value = value.to_f64();
-    if !value.is_finite() {
-        return Err(SettingError { what, value, must_be: "finite" });
-    }
     if value < least || value > most {
         return Err(SettingError { what, value, must_be: "within the bounds of its declaration" });
     }

@@ -3,7 +3,7 @@
 /// Three uniform rods of 1 m and 1 kg, g = 9.81 m/s², cranks upright and turning at −1 rad/s. The cranks move as a
 /// pendulum with θ̈ = −(6/5)(g/L) cos θ.
 #[cfg_attr(doc, doc = "")]
-#[cfg_attr(doc, doc = "Degree of freedom: 1; 3 velocities, 2 constraint rows.")]
+#[cfg_attr(doc, doc = "Degree of freedom: 1; velocities: 3; constraint rows: 2.")]
 #[cfg_attr(doc, doc = "")]
 #[cfg_attr(
     doc,
@@ -46,7 +46,7 @@
 )]
 #[cfg_attr(doc, doc = "| `outputs` | 1 | 0 | 0 | 0 | 0 | 0 | 0 | 1 | 1 |")]
 #[cfg_attr(doc, doc = "| `motions` | 41 | 8 | 23 | 10 | 0 | 0 | 0 | 0 | 5 |")]
-#[cfg_attr(doc, doc = "| `reactions` | 60 | 20 | 23 | 17 | 0 | 0 | 0 | 0 | 11 |")]
+#[cfg_attr(doc, doc = "| `reactions` | 37 | 12 | 17 | 8 | 0 | 0 | 0 | 0 | 7 |")]
 #[cfg_attr(doc, doc = "| `condition_residual` | 4 | 0 | 1 | 1 | 0 | 0 | 0 | 2 | 3 |")]
 #[cfg_attr(doc, doc = "| `condition_upright` | 4 | 0 | 1 | 1 | 0 | 0 | 0 | 2 | 3 |")]
 #[cfg_attr(not(doc), doc = "Equations of motion of the planar mechanism `FourBar`.")]
@@ -330,61 +330,38 @@ const _: () = {
             let a14 = a9 - a13;
             let a15 = crank_rate_dot * a11;
             let a16 = (-a2).mul_add(a10, a15);
-            let a17 = a16 - R::from_f64(-9.81);
+            let a17 = R::from_f64(9.81) + a16;
             let a18 = crank_cos * crank_rate_dot;
             let a19 = coupler_rate_dot.mul_add(a1, a18);
             let a20 = crank_sin * a2;
             let a21 = a0.mul_add(a5, a20);
             let a22 = a19 - a21;
-            let a23 = a22 - R::from_f64(-9.81);
+            let a23 = R::from_f64(9.81) + a22;
             let a24 = lambda_right_y + a23;
             let a25 = a17 + a24;
-            let a26 = R::from_f64(0.08333333333333333) * coupler_rate_dot;
-            let a27 = (-lambda_right_x).mul_add(a5, a26);
-            let a28 = lambda_right_y.mul_add(a1, a27);
-            let a29 = crank_sin + a5;
-            let a30 = a29 - a10;
-            let a31 = crank_cos + a1;
-            let a32 = a31 - a11;
-            let a33 = a24 * a32;
-            let a34 = (-a9).mul_add(a30, a33);
-            let a35 = a28 + a34;
-            let a36 = R::from_f64(0.08333333333333333).mul_add(crank_rate_dot, a35);
-            let a37 = a11 * a25;
-            let a38 = (-a10).mul_add(a14, a37);
-            let a39 = a36 + a38;
-            let a40 = R::from_f64(0.5) * rocker_sin;
-            let a41 = rocker_rate * rocker_rate;
-            let a42 = R::from_f64(0.5) * rocker_cos;
-            let a43 = a41 * a42;
-            let a44 = rocker_rate_dot.mul_add(a40, a43);
-            let a45 = lambda_right_x + a44;
-            let a46 = -a45;
-            let a47 = rocker_rate_dot * a42;
-            let a48 = (-a41).mul_add(a40, a47);
-            let a49 = a48 - R::from_f64(-9.81);
-            let a50 = a49 - lambda_right_y;
-            let a51 = R::from_f64(0.08333333333333333) * rocker_rate_dot;
-            let a52 = lambda_right_x.mul_add(a40, a51);
-            let a53 = (-lambda_right_y).mul_add(a42, a52);
-            let a54 = a42 * a50;
-            let a55 = a40.mul_add(a45, a54);
-            let a56 = a53 + a55;
-            let a57 = a1 * a24;
-            let a58 = (-a5).mul_add(a9, a57);
-            let a59 = a28 + a58;
+            let a26 = R::from_f64(0.5) * rocker_sin;
+            let a27 = rocker_rate * rocker_rate;
+            let a28 = R::from_f64(0.5) * rocker_cos;
+            let a29 = a27 * a28;
+            let a30 = rocker_rate_dot.mul_add(a26, a29);
+            let a31 = lambda_right_x + a30;
+            let a32 = -a31;
+            let a33 = rocker_rate_dot * a28;
+            let a34 = (-a27).mul_add(a26, a33);
+            let a35 = R::from_f64(9.81) + a34;
+            let a36 = a35 - lambda_right_y;
             [
                 Reaction {
                     force: [a14, a25],
-                    torque: a39,
+                    torque: R::ZERO,
                 },
                 Reaction {
-                    force: [a46, a50],
-                    torque: a56,
+                    force: [a32, a36],
+                    torque: R::ZERO,
                 },
                 Reaction {
                     force: [a9, a24],
-                    torque: a59,
+                    torque: R::ZERO,
                 },
                 Reaction {
                     force: [lambda_right_x, lambda_right_y],
@@ -472,11 +449,11 @@ const _: () = {
             let a0 = R::ONE - crank_cos;
             let a1 = rocker_cos + a0;
             let a2 = a1 - coupler_cos;
-            let a3 = -a2;
+            let phi_right_x = -a2;
             let a4 = rocker_sin - crank_sin;
             let a5 = a4 - coupler_sin;
-            let a6 = -a5;
-            *out = [a3, a6];
+            let phi_right_y = -a5;
+            *out = [phi_right_x, phi_right_y];
         }
         fn constraint_jacobian(&self, time: R, q: &Q<R>, out: &mut Jacobian<R>) {
             let crank_cos = q[0];
@@ -508,11 +485,11 @@ const _: () = {
             let a2 = crank_rate * crank_rate;
             let a3 = crank_cos * a2;
             let a4 = (-rocker_cos).mul_add(a1, a3);
-            let a5 = coupler_cos.mul_add(a0, a4);
+            let gamma_right_x = coupler_cos.mul_add(a0, a4);
             let a6 = crank_sin * a2;
             let a7 = (-rocker_sin).mul_add(a1, a6);
-            let a8 = coupler_sin.mul_add(a0, a7);
-            *out = [a5, a8];
+            let gamma_right_y = coupler_sin.mul_add(a0, a7);
+            *out = [gamma_right_x, gamma_right_y];
         }
         fn forces(&self, time: R, q: &Q<R>, v: &V<R>, u: &(), out: &mut V<R>) {
             let crank_cos = q[0];
@@ -527,12 +504,12 @@ const _: () = {
             let a2 = (-crank_sin).mul_add(coupler_cos, a1);
             let a3 = R::from_f64(0.5) * a2;
             let a4 = a0 * a3;
-            let a5 = R::from_f64(-14.715).mul_add(crank_cos, a4);
-            let a6 = R::from_f64(-4.905) * rocker_cos;
+            let force_crank_rate = R::from_f64(-14.715).mul_add(crank_cos, a4);
+            let force_rocker_rate = R::from_f64(-4.905) * rocker_cos;
             let a7 = crank_rate * crank_rate;
             let a8 = R::from_f64(4.905) * coupler_cos;
-            let a9 = (-a7).mul_add(a3, (-a8));
-            *out = [a5, a6, a9];
+            let force_coupler_rate = (-a7).mul_add(a3, (-a8));
+            *out = [force_crank_rate, force_rocker_rate, force_coupler_rate];
         }
         fn kinetic_energy(&self, time: R, q: &Q<R>, v: &V<R>) -> R {
             let crank_cos = q[0];
@@ -655,26 +632,26 @@ const _: () = {
             let a49 = a32.mul_add(a0, a48);
             let a50 = (-a20).mul_add(a36, a49);
             let a51 = (-a19).mul_add(a44, a50);
-            let a52 = a26 * a51;
-            let a53 = a19 * a52;
-            let a54 = (-a18).mul_add(a44, a53);
+            let lambda_right_y_ = a26 * a51;
+            let a53 = a19 * lambda_right_y_;
+            let lambda_right_x_ = (-a18).mul_add(a44, a53);
             let a55 = a8 * a36;
-            let a56 = a9.mul_add(a54, a55);
-            let a57 = a20.mul_add(a52, a56);
+            let a56 = a9.mul_add(lambda_right_x_, a55);
+            let a57 = a20.mul_add(lambda_right_y_, a56);
             let a58 = R::from_f64(0.75) * a32;
             let a59 = a3.mul_add(a57, a58);
-            let a60 = a10.mul_add(a54, a59);
-            let a61 = (-a0).mul_add(a52, a60);
+            let a60 = a10.mul_add(lambda_right_x_, a59);
+            let crank_rate_dot_ = (-a0).mul_add(lambda_right_y_, a60);
             let a62 = R::from_f64(14.715) * rocker_cos;
-            let a63 = a11.mul_add(a54, a62);
-            let a64 = a21.mul_add(a52, (-a63));
-            let a65 = -a57;
+            let a63 = a11.mul_add(lambda_right_x_, a62);
+            let rocker_rate_dot_ = a21.mul_add(lambda_right_y_, (-a63));
+            let coupler_rate_dot_ = -a57;
             let a66 = a24 * a26;
             let a67 = R::from_f64(2.0).mul_add(a66, R::from_f64(-1.0));
-            let a68 = R::ONE / a67;
-            *a_out = [a61, a64, a65];
-            *lambda_out = [a54, a52];
-            a68
+            let smallest_pivot = R::ONE / a67;
+            *a_out = [crank_rate_dot_, rocker_rate_dot_, coupler_rate_dot_];
+            *lambda_out = [lambda_right_x_, lambda_right_y_];
+            smallest_pivot
         }
         fn acceleration_baumgarte(
             &self,
@@ -763,35 +740,35 @@ const _: () = {
             let a64 = a32.mul_add(a0, a63);
             let a65 = (-a20).mul_add(a36, a64);
             let a66 = a19.mul_add(a52, a65);
-            let a67 = a26 * a66;
+            let lambda_right_y_ = a26 * a66;
             let a68 = a18 * a52;
-            let a69 = a19.mul_add(a67, a68);
+            let lambda_right_x_ = a19.mul_add(lambda_right_y_, a68);
             let a70 = a8 * a36;
-            let a71 = a9.mul_add(a69, a70);
-            let a72 = a20.mul_add(a67, a71);
+            let a71 = a9.mul_add(lambda_right_x_, a70);
+            let a72 = a20.mul_add(lambda_right_y_, a71);
             let a73 = R::from_f64(0.75) * a32;
             let a74 = a3.mul_add(a72, a73);
-            let a75 = a10.mul_add(a69, a74);
-            let a76 = (-a0).mul_add(a67, a75);
+            let a75 = a10.mul_add(lambda_right_x_, a74);
+            let crank_rate_dot_ = (-a0).mul_add(lambda_right_y_, a75);
             let a77 = R::from_f64(14.715) * rocker_cos;
-            let a78 = a11.mul_add(a69, a77);
-            let a79 = a21.mul_add(a67, (-a78));
-            let a80 = -a72;
+            let a78 = a11.mul_add(lambda_right_x_, a77);
+            let rocker_rate_dot_ = a21.mul_add(lambda_right_y_, (-a78));
+            let coupler_rate_dot_ = -a72;
             let a81 = a24 * a26;
             let a82 = R::from_f64(2.0).mul_add(a81, R::from_f64(-1.0));
-            let a83 = R::ONE / a82;
-            *a_out = [a76, a79, a80];
-            *lambda_out = [a69, a67];
-            a83
+            let smallest_pivot = R::ONE / a82;
+            *a_out = [crank_rate_dot_, rocker_rate_dot_, coupler_rate_dot_];
+            *lambda_out = [lambda_right_x_, lambda_right_y_];
+            smallest_pivot
         }
         fn outputs(&self, time: R, q: &Q<R>, v: &V<R>, u: &()) -> Outputs<R> {
             let crank_cos = q[0];
             let rocker_cos = q[2];
             let rocker_sin = q[3];
-            let a0 = rocker_sin.atan2(rocker_cos);
+            let angle = rocker_sin.atan2(rocker_cos);
             FourBarOutputs {
                 x: crank_cos,
-                angle: a0,
+                angle: angle,
             }
         }
         fn unwrap(outputs: &mut Outputs<R>, previous: &Outputs<R>) {

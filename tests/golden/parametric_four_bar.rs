@@ -1,6 +1,6 @@
 /// Four-bar of which every number is a parameter; its defaults are the literals of [`GeneralFourBar`].
 #[cfg_attr(doc, doc = "")]
-#[cfg_attr(doc, doc = "Degree of freedom: 1; 3 velocities, 2 constraint rows.")]
+#[cfg_attr(doc, doc = "Degree of freedom: 1; velocities: 3; constraint rows: 2.")]
 #[cfg_attr(doc, doc = "")]
 #[cfg_attr(
     doc,
@@ -43,10 +43,10 @@
 )]
 #[cfg_attr(doc, doc = "| `outputs` | 9 | 2 | 2 | 4 | 0 | 0 | 0 | 1 | 3 |")]
 #[cfg_attr(doc, doc = "| `motions` | 54 | 13 | 25 | 16 | 0 | 0 | 0 | 0 | 5 |")]
-#[cfg_attr(doc, doc = "| `reactions` | 79 | 21 | 25 | 33 | 0 | 0 | 0 | 0 | 11 |")]
+#[cfg_attr(doc, doc = "| `reactions` | 47 | 8 | 19 | 20 | 0 | 0 | 0 | 0 | 7 |")]
 #[cfg_attr(doc, doc = "| `condition_residual` | 4 | 0 | 1 | 1 | 0 | 0 | 0 | 2 | 3 |")]
 #[cfg_attr(doc, doc = "| `condition_upright` | 4 | 0 | 1 | 1 | 0 | 0 | 0 | 2 | 3 |")]
-#[cfg_attr(doc, doc = "| `prepare` | 46 | 5 | 25 | 14 | 2 | 0 | 0 | 0 | 7 |")]
+#[cfg_attr(doc, doc = "| `prepare` | 44 | 3 | 25 | 14 | 2 | 0 | 0 | 0 | 7 |")]
 #[cfg_attr(
     not(doc),
     doc = "Equations of motion of the planar mechanism `ParametricFourBar`."
@@ -60,7 +60,7 @@
 pub struct ParametricFourBar<R = ::core::primitive::f64> {
     parameters: ParametricFourBarParameters<R>,
     phases: [R; 0],
-    constants: [R; 44],
+    constants: [R; 42],
 }
 ///Parameters of [`ParametricFourBar`], in SI units.
 #[derive(
@@ -186,7 +186,7 @@ const _: () = {
     use ::core::prelude::rust_2024::*;
     use ::linkwright::__private::v1::*;
     use ::core::primitive::{bool, f64, u16, u32, usize, str};
-    type Constants<R> = [R; 44];
+    type Constants<R> = [R; 42];
     type Phases<R> = [R; 0];
     type Q<R> = [R; 6];
     type V<R> = [R; 3];
@@ -343,141 +343,31 @@ const _: () = {
         /// # Errors
         /// A parameter that is not finite or out of its bounds, or a mass that is not positive.
         pub fn prepare(parameters: Parameters<R>) -> Result<Self, SettingError> {
-            check_setting(
-                "gravity_x",
-                parameters.gravity_x,
-                ::core::primitive::f64::NEG_INFINITY,
-                ::core::primitive::f64::INFINITY,
-            )?;
-            check_setting(
-                "gravity_y",
-                parameters.gravity_y,
-                ::core::primitive::f64::NEG_INFINITY,
-                ::core::primitive::f64::INFINITY,
-            )?;
-            check_setting(
-                "crank_x",
-                parameters.crank_x,
-                ::core::primitive::f64::NEG_INFINITY,
-                ::core::primitive::f64::INFINITY,
-            )?;
-            check_setting(
-                "crank_y",
-                parameters.crank_y,
-                ::core::primitive::f64::NEG_INFINITY,
-                ::core::primitive::f64::INFINITY,
-            )?;
-            check_setting(
-                "rocker_x",
-                parameters.rocker_x,
-                ::core::primitive::f64::NEG_INFINITY,
-                ::core::primitive::f64::INFINITY,
-            )?;
-            check_setting(
-                "rocker_y",
-                parameters.rocker_y,
-                ::core::primitive::f64::NEG_INFINITY,
-                ::core::primitive::f64::INFINITY,
-            )?;
+            check_finite("gravity_x", parameters.gravity_x)?;
+            check_finite("gravity_y", parameters.gravity_y)?;
+            check_finite("crank_x", parameters.crank_x)?;
+            check_finite("crank_y", parameters.crank_y)?;
+            check_finite("rocker_x", parameters.rocker_x)?;
+            check_finite("rocker_y", parameters.rocker_y)?;
             check_setting("crank_length", parameters.crank_length, 0.01, 10.0)?;
-            check_setting(
-                "crank_mass",
-                parameters.crank_mass,
-                ::core::primitive::f64::NEG_INFINITY,
-                ::core::primitive::f64::INFINITY,
-            )?;
-            check_setting(
-                "crank_inertia",
-                parameters.crank_inertia,
-                ::core::primitive::f64::NEG_INFINITY,
-                ::core::primitive::f64::INFINITY,
-            )?;
-            check_setting(
-                "crank_center_x",
-                parameters.crank_center_x,
-                ::core::primitive::f64::NEG_INFINITY,
-                ::core::primitive::f64::INFINITY,
-            )?;
-            check_setting(
-                "crank_center_y",
-                parameters.crank_center_y,
-                ::core::primitive::f64::NEG_INFINITY,
-                ::core::primitive::f64::INFINITY,
-            )?;
+            check_finite("crank_mass", parameters.crank_mass)?;
+            check_finite("crank_inertia", parameters.crank_inertia)?;
+            check_finite("crank_center_x", parameters.crank_center_x)?;
+            check_finite("crank_center_y", parameters.crank_center_y)?;
             check_setting("coupler_length", parameters.coupler_length, 0.01, 10.0)?;
-            check_setting(
-                "coupler_mass",
-                parameters.coupler_mass,
-                ::core::primitive::f64::NEG_INFINITY,
-                ::core::primitive::f64::INFINITY,
-            )?;
-            check_setting(
-                "coupler_inertia",
-                parameters.coupler_inertia,
-                ::core::primitive::f64::NEG_INFINITY,
-                ::core::primitive::f64::INFINITY,
-            )?;
-            check_setting(
-                "coupler_center_x",
-                parameters.coupler_center_x,
-                ::core::primitive::f64::NEG_INFINITY,
-                ::core::primitive::f64::INFINITY,
-            )?;
-            check_setting(
-                "coupler_center_y",
-                parameters.coupler_center_y,
-                ::core::primitive::f64::NEG_INFINITY,
-                ::core::primitive::f64::INFINITY,
-            )?;
-            check_setting(
-                "tracer_x",
-                parameters.tracer_x,
-                ::core::primitive::f64::NEG_INFINITY,
-                ::core::primitive::f64::INFINITY,
-            )?;
-            check_setting(
-                "tracer_y",
-                parameters.tracer_y,
-                ::core::primitive::f64::NEG_INFINITY,
-                ::core::primitive::f64::INFINITY,
-            )?;
+            check_finite("coupler_mass", parameters.coupler_mass)?;
+            check_finite("coupler_inertia", parameters.coupler_inertia)?;
+            check_finite("coupler_center_x", parameters.coupler_center_x)?;
+            check_finite("coupler_center_y", parameters.coupler_center_y)?;
+            check_finite("tracer_x", parameters.tracer_x)?;
+            check_finite("tracer_y", parameters.tracer_y)?;
             check_setting("rocker_length", parameters.rocker_length, 0.01, 10.0)?;
-            check_setting(
-                "rocker_mass",
-                parameters.rocker_mass,
-                ::core::primitive::f64::NEG_INFINITY,
-                ::core::primitive::f64::INFINITY,
-            )?;
-            check_setting(
-                "rocker_inertia",
-                parameters.rocker_inertia,
-                ::core::primitive::f64::NEG_INFINITY,
-                ::core::primitive::f64::INFINITY,
-            )?;
-            check_setting(
-                "rocker_center_x",
-                parameters.rocker_center_x,
-                ::core::primitive::f64::NEG_INFINITY,
-                ::core::primitive::f64::INFINITY,
-            )?;
-            check_setting(
-                "rocker_center_y",
-                parameters.rocker_center_y,
-                ::core::primitive::f64::NEG_INFINITY,
-                ::core::primitive::f64::INFINITY,
-            )?;
-            check_setting(
-                "start_angle",
-                parameters.start_angle,
-                ::core::primitive::f64::NEG_INFINITY,
-                ::core::primitive::f64::INFINITY,
-            )?;
-            check_setting(
-                "start_rate",
-                parameters.start_rate,
-                ::core::primitive::f64::NEG_INFINITY,
-                ::core::primitive::f64::INFINITY,
-            )?;
+            check_finite("rocker_mass", parameters.rocker_mass)?;
+            check_finite("rocker_inertia", parameters.rocker_inertia)?;
+            check_finite("rocker_center_x", parameters.rocker_center_x)?;
+            check_finite("rocker_center_y", parameters.rocker_center_y)?;
+            check_finite("start_angle", parameters.start_angle)?;
+            check_finite("start_rate", parameters.start_rate)?;
             let model = Self::with(parameters, []);
             check_mass("mass of \"crank\"", model.constants[16], true)?;
             check_mass("inertia of \"crank\"", model.constants[17], true)?;
@@ -562,8 +452,6 @@ const _: () = {
             let a41 = rocker_length * a40;
             let a42 = R::ONE / a9;
             let a43 = crank_length * a42;
-            let a44 = coupler_length - coupler_center_x;
-            let a45 = rocker_length - rocker_center_x;
             Self {
                 parameters,
                 phases,
@@ -608,8 +496,6 @@ const _: () = {
                     a43,
                     tracer_x,
                     tracer_y,
-                    a44,
-                    a45,
                     start_angle,
                     start_rate,
                 ],
@@ -637,23 +523,23 @@ const _: () = {
             let crank_rate_dot = a[0];
             let rocker_rate_dot = a[1];
             let coupler_rate_dot = a[2];
-            let k5 = constants[5];
-            let k18 = constants[18];
-            let k19 = constants[19];
-            let k22 = constants[22];
-            let k23 = constants[23];
-            let k26 = constants[26];
-            let k27 = constants[27];
-            let k30 = constants[30];
-            let k31 = constants[31];
-            let k32 = constants[32];
-            let k33 = constants[33];
-            let a0 = k18 * crank_cos;
-            let a1 = (-k19).mul_add(crank_sin, a0);
-            let a2 = k30 + a1;
-            let a3 = k19 * crank_cos;
-            let a4 = k18.mul_add(crank_sin, a3);
-            let a5 = k31 + a4;
+            let crank_length = constants[5];
+            let crank_center_x = constants[18];
+            let crank_center_y = constants[19];
+            let coupler_center_x = constants[22];
+            let coupler_center_y = constants[23];
+            let rocker_center_x = constants[26];
+            let rocker_center_y = constants[27];
+            let crank_x = constants[30];
+            let crank_y = constants[31];
+            let rocker_x = constants[32];
+            let rocker_y = constants[33];
+            let a0 = crank_center_x * crank_cos;
+            let a1 = (-crank_center_y).mul_add(crank_sin, a0);
+            let a2 = crank_x + a1;
+            let a3 = crank_center_y * crank_cos;
+            let a4 = crank_center_x.mul_add(crank_sin, a3);
+            let a5 = crank_y + a4;
             let a6 = crank_rate * a4;
             let a7 = -a6;
             let a8 = crank_rate * a1;
@@ -662,15 +548,15 @@ const _: () = {
             let a11 = (-crank_rate_dot).mul_add(a4, (-a10));
             let a12 = crank_rate_dot * a1;
             let a13 = (-a9).mul_add(a4, a12);
-            let a14 = k5 * crank_cos;
-            let a15 = k30 + a14;
-            let a16 = k22 * coupler_cos;
-            let a17 = (-k23).mul_add(coupler_sin, a16);
+            let a14 = crank_length * crank_cos;
+            let a15 = crank_x + a14;
+            let a16 = coupler_center_x * coupler_cos;
+            let a17 = (-coupler_center_y).mul_add(coupler_sin, a16);
             let a18 = a15 + a17;
-            let a19 = k5 * crank_sin;
-            let a20 = k31 + a19;
-            let a21 = k23 * coupler_cos;
-            let a22 = k22.mul_add(coupler_sin, a21);
+            let a19 = crank_length * crank_sin;
+            let a20 = crank_y + a19;
+            let a21 = coupler_center_y * coupler_cos;
+            let a22 = coupler_center_x.mul_add(coupler_sin, a21);
             let a23 = a20 + a22;
             let a24 = crank_rate * a19;
             let a25 = (-coupler_rate).mul_add(a22, (-a24));
@@ -688,12 +574,12 @@ const _: () = {
             let a37 = a19 * a9;
             let a38 = a28.mul_add(a22, a37);
             let a39 = a36 - a38;
-            let a40 = k26 * rocker_cos;
-            let a41 = (-k27).mul_add(rocker_sin, a40);
-            let a42 = k32 + a41;
-            let a43 = k27 * rocker_cos;
-            let a44 = k26.mul_add(rocker_sin, a43);
-            let a45 = k33 + a44;
+            let a40 = rocker_center_x * rocker_cos;
+            let a41 = (-rocker_center_y).mul_add(rocker_sin, a40);
+            let a42 = rocker_x + a41;
+            let a43 = rocker_center_y * rocker_cos;
+            let a44 = rocker_center_x.mul_add(rocker_sin, a43);
+            let a45 = rocker_y + a44;
             let a46 = rocker_rate * a44;
             let a47 = -a46;
             let a48 = rocker_rate * a41;
@@ -755,116 +641,77 @@ const _: () = {
             let coupler_rate_dot = a[2];
             let lambda_right_x = lambda[0];
             let lambda_right_y = lambda[1];
-            let k5 = constants[5];
-            let k16 = constants[16];
-            let k17 = constants[17];
-            let k18 = constants[18];
-            let k19 = constants[19];
-            let k20 = constants[20];
-            let k21 = constants[21];
-            let k22 = constants[22];
-            let k23 = constants[23];
-            let k24 = constants[24];
-            let k25 = constants[25];
-            let k26 = constants[26];
-            let k27 = constants[27];
-            let k28 = constants[28];
-            let k29 = constants[29];
-            let k30 = constants[30];
-            let k31 = constants[31];
-            let k40 = constants[40];
-            let k41 = constants[41];
-            let a0 = k19 * crank_cos;
-            let a1 = k18.mul_add(crank_sin, a0);
+            let crank_length = constants[5];
+            let crank_mass = constants[16];
+            let crank_center_x = constants[18];
+            let crank_center_y = constants[19];
+            let coupler_mass = constants[20];
+            let coupler_center_x = constants[22];
+            let coupler_center_y = constants[23];
+            let rocker_mass = constants[24];
+            let rocker_center_x = constants[26];
+            let rocker_center_y = constants[27];
+            let gravity_x = constants[28];
+            let gravity_y = constants[29];
+            let a0 = crank_center_y * crank_cos;
+            let a1 = crank_center_x.mul_add(crank_sin, a0);
             let a2 = crank_rate * crank_rate;
-            let a3 = k18 * crank_cos;
-            let a4 = (-k19).mul_add(crank_sin, a3);
+            let a3 = crank_center_x * crank_cos;
+            let a4 = (-crank_center_y).mul_add(crank_sin, a3);
             let a5 = a2 * a4;
             let a6 = crank_rate_dot.mul_add(a1, a5);
-            let a7 = k28 + a6;
+            let a7 = gravity_x + a6;
             let a8 = coupler_rate * coupler_rate;
-            let a9 = k23 * coupler_sin;
-            let a10 = k22.mul_add(coupler_cos, (-a9));
-            let a11 = k5 * crank_cos;
+            let a9 = coupler_center_x * coupler_cos;
+            let a10 = (-coupler_center_y).mul_add(coupler_sin, a9);
+            let a11 = crank_length * crank_cos;
             let a12 = a11 * a2;
             let a13 = a8.mul_add(a10, a12);
-            let a14 = k23 * coupler_cos;
-            let a15 = k22.mul_add(coupler_sin, a14);
-            let a16 = k5 * crank_sin;
+            let a14 = coupler_center_y * coupler_cos;
+            let a15 = coupler_center_x.mul_add(coupler_sin, a14);
+            let a16 = crank_length * crank_sin;
             let a17 = crank_rate_dot * a16;
             let a18 = coupler_rate_dot.mul_add(a15, a17);
             let a19 = a13 + a18;
-            let a20 = k28 + a19;
-            let a21 = (-k20).mul_add(a20, lambda_right_x);
-            let a22 = (-k16).mul_add(a7, a21);
+            let a20 = gravity_x + a19;
+            let a21 = (-coupler_mass).mul_add(a20, lambda_right_x);
+            let a22 = (-crank_mass).mul_add(a7, a21);
             let a23 = crank_rate_dot * a4;
             let a24 = (-a2).mul_add(a1, a23);
-            let a25 = a24 - k29;
+            let a25 = a24 - gravity_y;
             let a26 = crank_rate_dot * a11;
             let a27 = coupler_rate_dot.mul_add(a10, a26);
             let a28 = a16 * a2;
             let a29 = a8.mul_add(a15, a28);
             let a30 = a27 - a29;
-            let a31 = a30 - k29;
-            let a32 = k20.mul_add(a31, lambda_right_y);
-            let a33 = k16.mul_add(a25, a32);
-            let a34 = k40.mul_add(coupler_cos, a9);
-            let a35 = (-k40).mul_add(coupler_sin, a14);
-            let a36 = k21 * coupler_rate_dot;
-            let a37 = lambda_right_x.mul_add(a35, a36);
-            let a38 = lambda_right_y.mul_add(a34, a37);
-            let a39 = k31 + a16;
-            let a40 = a39 + a15;
-            let a41 = k31 + a1;
-            let a42 = a40 - a41;
-            let a43 = k30 + a11;
-            let a44 = a43 + a10;
-            let a45 = k30 + a4;
-            let a46 = a44 - a45;
-            let a47 = a32 * a46;
-            let a48 = (-a21).mul_add(a42, a47);
-            let a49 = a38 + a48;
-            let a50 = k17.mul_add(crank_rate_dot, a49);
-            let a51 = a4 * a33;
-            let a52 = (-a1).mul_add(a22, a51);
-            let a53 = a50 + a52;
-            let a54 = k27 * rocker_cos;
-            let a55 = k26.mul_add(rocker_sin, a54);
-            let a56 = rocker_rate * rocker_rate;
-            let a57 = k27 * rocker_sin;
-            let a58 = k26.mul_add(rocker_cos, (-a57));
-            let a59 = a56 * a58;
-            let a60 = rocker_rate_dot.mul_add(a55, a59);
-            let a61 = k28 + a60;
-            let a62 = k24.mul_add(a61, lambda_right_x);
-            let a63 = -a62;
-            let a64 = rocker_rate_dot * a58;
-            let a65 = (-a56).mul_add(a55, a64);
-            let a66 = a65 - k29;
-            let a67 = k24.mul_add(a66, (-lambda_right_y));
-            let a68 = k41.mul_add(rocker_cos, a57);
-            let a69 = k41.mul_add(rocker_sin, (-a54));
-            let a70 = k25 * rocker_rate_dot;
-            let a71 = lambda_right_x.mul_add(a69, a70);
-            let a72 = (-lambda_right_y).mul_add(a68, a71);
-            let a73 = a58 * a67;
-            let a74 = a55.mul_add(a62, a73);
-            let a75 = a72 + a74;
-            let a76 = a10 * a32;
-            let a77 = (-a15).mul_add(a21, a76);
-            let a78 = a38 + a77;
+            let a31 = a30 - gravity_y;
+            let a32 = coupler_mass.mul_add(a31, lambda_right_y);
+            let a33 = crank_mass.mul_add(a25, a32);
+            let a34 = rocker_center_y * rocker_cos;
+            let a35 = rocker_center_x.mul_add(rocker_sin, a34);
+            let a36 = rocker_rate * rocker_rate;
+            let a37 = rocker_center_x * rocker_cos;
+            let a38 = (-rocker_center_y).mul_add(rocker_sin, a37);
+            let a39 = a36 * a38;
+            let a40 = rocker_rate_dot.mul_add(a35, a39);
+            let a41 = gravity_x + a40;
+            let a42 = (-rocker_mass).mul_add(a41, (-lambda_right_x));
+            let a43 = rocker_rate_dot * a38;
+            let a44 = (-a36).mul_add(a35, a43);
+            let a45 = a44 - gravity_y;
+            let a46 = rocker_mass.mul_add(a45, (-lambda_right_y));
             [
                 Reaction {
                     force: [a22, a33],
-                    torque: a53,
+                    torque: R::ZERO,
                 },
                 Reaction {
-                    force: [a63, a67],
-                    torque: a75,
+                    force: [a42, a46],
+                    torque: R::ZERO,
                 },
                 Reaction {
                     force: [a21, a32],
-                    torque: a78,
+                    torque: R::ZERO,
                 },
                 Reaction {
                     force: [lambda_right_x, lambda_right_y],
@@ -954,18 +801,18 @@ const _: () = {
             let rocker_sin = q[3];
             let coupler_cos = q[4];
             let coupler_sin = q[5];
-            let k5 = constants[5];
-            let k6 = constants[6];
-            let k7 = constants[7];
+            let crank_length = constants[5];
+            let coupler_length = constants[6];
+            let rocker_length = constants[7];
             let k8 = constants[8];
             let k9 = constants[9];
-            let a0 = (-k5).mul_add(crank_cos, k8);
-            let a1 = k7.mul_add(rocker_cos, a0);
-            let a2 = k6.mul_add(coupler_cos, (-a1));
-            let a3 = (-k5).mul_add(crank_sin, k9);
-            let a4 = k7.mul_add(rocker_sin, a3);
-            let a5 = k6.mul_add(coupler_sin, (-a4));
-            *out = [a2, a5];
+            let a0 = (-crank_length).mul_add(crank_cos, k8);
+            let a1 = rocker_length.mul_add(rocker_cos, a0);
+            let phi_right_x = coupler_length.mul_add(coupler_cos, (-a1));
+            let a3 = (-crank_length).mul_add(crank_sin, k9);
+            let a4 = rocker_length.mul_add(rocker_sin, a3);
+            let phi_right_y = coupler_length.mul_add(coupler_sin, (-a4));
+            *out = [phi_right_x, phi_right_y];
         }
         fn constraint_jacobian(&self, time: R, q: &Q<R>, out: &mut Jacobian<R>) {
             let constants = &self.constants;
@@ -975,18 +822,18 @@ const _: () = {
             let rocker_sin = q[3];
             let coupler_cos = q[4];
             let coupler_sin = q[5];
-            let k5 = constants[5];
-            let k6 = constants[6];
-            let k7 = constants[7];
-            let a0 = k5 * crank_sin;
+            let crank_length = constants[5];
+            let coupler_length = constants[6];
+            let rocker_length = constants[7];
+            let a0 = crank_length * crank_sin;
             let a1 = -a0;
-            let a2 = k7 * rocker_sin;
-            let a3 = k6 * coupler_sin;
+            let a2 = rocker_length * rocker_sin;
+            let a3 = coupler_length * coupler_sin;
             let a4 = -a3;
-            let a5 = k5 * crank_cos;
-            let a6 = k7 * rocker_cos;
+            let a5 = crank_length * crank_cos;
+            let a6 = rocker_length * rocker_cos;
             let a7 = -a6;
-            let a8 = k6 * coupler_cos;
+            let a8 = coupler_length * coupler_cos;
             *out = [a1, a2, a4, a5, a7, a8];
         }
         fn nu(&self, time: R, q: &Q<R>, out: &mut Lambda<R>) {
@@ -1003,25 +850,25 @@ const _: () = {
             let crank_rate = v[0];
             let rocker_rate = v[1];
             let coupler_rate = v[2];
-            let k5 = constants[5];
-            let k6 = constants[6];
-            let k7 = constants[7];
-            let a0 = k6 * coupler_cos;
+            let crank_length = constants[5];
+            let coupler_length = constants[6];
+            let rocker_length = constants[7];
+            let a0 = coupler_length * coupler_cos;
             let a1 = coupler_rate * coupler_rate;
-            let a2 = k7 * rocker_cos;
+            let a2 = rocker_length * rocker_cos;
             let a3 = rocker_rate * rocker_rate;
-            let a4 = k5 * crank_cos;
+            let a4 = crank_length * crank_cos;
             let a5 = crank_rate * crank_rate;
             let a6 = a4 * a5;
             let a7 = (-a2).mul_add(a3, a6);
-            let a8 = a0.mul_add(a1, a7);
-            let a9 = k6 * coupler_sin;
-            let a10 = k7 * rocker_sin;
-            let a11 = k5 * crank_sin;
+            let gamma_right_x = a0.mul_add(a1, a7);
+            let a9 = coupler_length * coupler_sin;
+            let a10 = rocker_length * rocker_sin;
+            let a11 = crank_length * crank_sin;
             let a12 = a11 * a5;
             let a13 = (-a10).mul_add(a3, a12);
-            let a14 = a9.mul_add(a1, a13);
-            *out = [a8, a14];
+            let gamma_right_y = a9.mul_add(a1, a13);
+            *out = [gamma_right_x, gamma_right_y];
         }
         fn forces(&self, time: R, q: &Q<R>, v: &V<R>, u: &(), out: &mut V<R>) {
             let constants = &self.constants;
@@ -1050,14 +897,14 @@ const _: () = {
             let a6 = k1.mul_add(a2, a5);
             let a7 = k10 * crank_cos;
             let a8 = k11.mul_add(crank_sin, a7);
-            let a9 = a0.mul_add(a6, (-a8));
+            let force_crank_rate = a0.mul_add(a6, (-a8));
             let a10 = k14 * rocker_cos;
-            let a11 = (-k15).mul_add(rocker_sin, (-a10));
+            let force_rocker_rate = (-k15).mul_add(rocker_sin, (-a10));
             let a12 = crank_rate * crank_rate;
             let a13 = k12 * coupler_cos;
             let a14 = k13.mul_add(coupler_sin, a13);
-            let a15 = (-a12).mul_add(a6, (-a14));
-            *out = [a9, a11, a15];
+            let force_coupler_rate = (-a12).mul_add(a6, (-a14));
+            *out = [force_crank_rate, force_rocker_rate, force_coupler_rate];
         }
         fn kinetic_energy(&self, time: R, q: &Q<R>, v: &V<R>) -> R {
             let constants = &self.constants;
@@ -1070,56 +917,56 @@ const _: () = {
             let crank_rate = v[0];
             let rocker_rate = v[1];
             let coupler_rate = v[2];
-            let k5 = constants[5];
-            let k16 = constants[16];
-            let k17 = constants[17];
-            let k18 = constants[18];
-            let k19 = constants[19];
-            let k20 = constants[20];
-            let k21 = constants[21];
-            let k22 = constants[22];
-            let k23 = constants[23];
-            let k24 = constants[24];
-            let k25 = constants[25];
-            let k26 = constants[26];
-            let k27 = constants[27];
+            let crank_length = constants[5];
+            let crank_mass = constants[16];
+            let crank_inertia = constants[17];
+            let crank_center_x = constants[18];
+            let crank_center_y = constants[19];
+            let coupler_mass = constants[20];
+            let coupler_inertia = constants[21];
+            let coupler_center_x = constants[22];
+            let coupler_center_y = constants[23];
+            let rocker_mass = constants[24];
+            let rocker_inertia = constants[25];
+            let rocker_center_x = constants[26];
+            let rocker_center_y = constants[27];
             let a0 = rocker_rate * rocker_rate;
-            let a1 = k26 * rocker_cos;
-            let a2 = (-k27).mul_add(rocker_sin, a1);
+            let a1 = rocker_center_x * rocker_cos;
+            let a2 = (-rocker_center_y).mul_add(rocker_sin, a1);
             let a3 = rocker_rate * a2;
-            let a4 = k27 * rocker_cos;
-            let a5 = k26.mul_add(rocker_sin, a4);
+            let a4 = rocker_center_y * rocker_cos;
+            let a5 = rocker_center_x.mul_add(rocker_sin, a4);
             let a6 = rocker_rate * a5;
             let a7 = a6 * a6;
             let a8 = a3.mul_add(a3, a7);
             let a9 = coupler_rate * coupler_rate;
-            let a10 = k22 * coupler_cos;
-            let a11 = (-k23).mul_add(coupler_sin, a10);
-            let a12 = k5 * crank_cos;
+            let a10 = coupler_center_x * coupler_cos;
+            let a11 = (-coupler_center_y).mul_add(coupler_sin, a10);
+            let a12 = crank_length * crank_cos;
             let a13 = crank_rate * a12;
             let a14 = coupler_rate.mul_add(a11, a13);
-            let a15 = k23 * coupler_cos;
-            let a16 = k22.mul_add(coupler_sin, a15);
-            let a17 = k5 * crank_sin;
+            let a15 = coupler_center_y * coupler_cos;
+            let a16 = coupler_center_x.mul_add(coupler_sin, a15);
+            let a17 = crank_length * crank_sin;
             let a18 = crank_rate * a17;
             let a19 = coupler_rate.mul_add(a16, a18);
             let a20 = a19 * a19;
             let a21 = a14.mul_add(a14, a20);
             let a22 = crank_rate * crank_rate;
-            let a23 = k18 * crank_cos;
-            let a24 = (-k19).mul_add(crank_sin, a23);
+            let a23 = crank_center_x * crank_cos;
+            let a24 = (-crank_center_y).mul_add(crank_sin, a23);
             let a25 = crank_rate * a24;
-            let a26 = k19 * crank_cos;
-            let a27 = k18.mul_add(crank_sin, a26);
+            let a26 = crank_center_y * crank_cos;
+            let a27 = crank_center_x.mul_add(crank_sin, a26);
             let a28 = crank_rate * a27;
             let a29 = a28 * a28;
             let a30 = a25.mul_add(a25, a29);
-            let a31 = k16 * a30;
-            let a32 = k17.mul_add(a22, a31);
-            let a33 = k20.mul_add(a21, a32);
-            let a34 = k21.mul_add(a9, a33);
-            let a35 = k24.mul_add(a8, a34);
-            let a36 = k25.mul_add(a0, a35);
+            let a31 = crank_mass * a30;
+            let a32 = crank_inertia.mul_add(a22, a31);
+            let a33 = coupler_mass.mul_add(a21, a32);
+            let a34 = coupler_inertia.mul_add(a9, a33);
+            let a35 = rocker_mass.mul_add(a8, a34);
+            let a36 = rocker_inertia.mul_add(a0, a35);
             let a37 = R::from_f64(0.5) * a36;
             a37
         }
@@ -1131,51 +978,51 @@ const _: () = {
             let rocker_sin = q[3];
             let coupler_cos = q[4];
             let coupler_sin = q[5];
-            let k5 = constants[5];
-            let k16 = constants[16];
-            let k18 = constants[18];
-            let k19 = constants[19];
-            let k20 = constants[20];
-            let k22 = constants[22];
-            let k23 = constants[23];
-            let k24 = constants[24];
-            let k26 = constants[26];
-            let k27 = constants[27];
-            let k28 = constants[28];
-            let k29 = constants[29];
-            let k30 = constants[30];
-            let k31 = constants[31];
-            let k32 = constants[32];
-            let k33 = constants[33];
-            let a0 = k27 * rocker_cos;
-            let a1 = k26.mul_add(rocker_sin, a0);
-            let a2 = k33 + a1;
-            let a3 = k26 * rocker_cos;
-            let a4 = (-k27).mul_add(rocker_sin, a3);
-            let a5 = k32 + a4;
-            let a6 = k28 * a5;
-            let a7 = k29.mul_add(a2, a6);
-            let a8 = k5.mul_add(crank_sin, k31);
-            let a9 = k23 * coupler_cos;
-            let a10 = k22.mul_add(coupler_sin, a9);
+            let crank_length = constants[5];
+            let crank_mass = constants[16];
+            let crank_center_x = constants[18];
+            let crank_center_y = constants[19];
+            let coupler_mass = constants[20];
+            let coupler_center_x = constants[22];
+            let coupler_center_y = constants[23];
+            let rocker_mass = constants[24];
+            let rocker_center_x = constants[26];
+            let rocker_center_y = constants[27];
+            let gravity_x = constants[28];
+            let gravity_y = constants[29];
+            let crank_x = constants[30];
+            let crank_y = constants[31];
+            let rocker_x = constants[32];
+            let rocker_y = constants[33];
+            let a0 = rocker_center_y * rocker_cos;
+            let a1 = rocker_center_x.mul_add(rocker_sin, a0);
+            let a2 = rocker_y + a1;
+            let a3 = rocker_center_x * rocker_cos;
+            let a4 = (-rocker_center_y).mul_add(rocker_sin, a3);
+            let a5 = rocker_x + a4;
+            let a6 = gravity_x * a5;
+            let a7 = gravity_y.mul_add(a2, a6);
+            let a8 = crank_length.mul_add(crank_sin, crank_y);
+            let a9 = coupler_center_y * coupler_cos;
+            let a10 = coupler_center_x.mul_add(coupler_sin, a9);
             let a11 = a8 + a10;
-            let a12 = k5.mul_add(crank_cos, k30);
-            let a13 = k22 * coupler_cos;
-            let a14 = (-k23).mul_add(coupler_sin, a13);
+            let a12 = crank_length.mul_add(crank_cos, crank_x);
+            let a13 = coupler_center_x * coupler_cos;
+            let a14 = (-coupler_center_y).mul_add(coupler_sin, a13);
             let a15 = a12 + a14;
-            let a16 = k28 * a15;
-            let a17 = k29.mul_add(a11, a16);
-            let a18 = k19 * crank_cos;
-            let a19 = k18.mul_add(crank_sin, a18);
-            let a20 = k31 + a19;
-            let a21 = k18 * crank_cos;
-            let a22 = (-k19).mul_add(crank_sin, a21);
-            let a23 = k30 + a22;
-            let a24 = k28 * a23;
-            let a25 = k29.mul_add(a20, a24);
-            let a26 = k16 * a25;
-            let a27 = k20.mul_add(a17, a26);
-            let a28 = (-k24).mul_add(a7, (-a27));
+            let a16 = gravity_x * a15;
+            let a17 = gravity_y.mul_add(a11, a16);
+            let a18 = crank_center_y * crank_cos;
+            let a19 = crank_center_x.mul_add(crank_sin, a18);
+            let a20 = crank_y + a19;
+            let a21 = crank_center_x * crank_cos;
+            let a22 = (-crank_center_y).mul_add(crank_sin, a21);
+            let a23 = crank_x + a22;
+            let a24 = gravity_x * a23;
+            let a25 = gravity_y.mul_add(a20, a24);
+            let a26 = crank_mass * a25;
+            let a27 = coupler_mass.mul_add(a17, a26);
+            let a28 = (-rocker_mass).mul_add(a7, (-a27));
             a28
         }
         fn acceleration(
@@ -1200,9 +1047,9 @@ const _: () = {
             let k0 = constants[0];
             let k1 = constants[1];
             let k4 = constants[4];
-            let k5 = constants[5];
-            let k6 = constants[6];
-            let k7 = constants[7];
+            let crank_length = constants[5];
+            let coupler_length = constants[6];
+            let rocker_length = constants[7];
             let k10 = constants[10];
             let k11 = constants[11];
             let k12 = constants[12];
@@ -1214,7 +1061,7 @@ const _: () = {
             let k36 = constants[36];
             let k37 = constants[37];
             let a0 = k37 * crank_cos;
-            let a1 = k5 * crank_cos;
+            let a1 = crank_length * crank_cos;
             let a2 = crank_cos * coupler_sin;
             let a3 = (-crank_sin).mul_add(coupler_cos, a2);
             let a4 = crank_cos * coupler_cos;
@@ -1222,21 +1069,21 @@ const _: () = {
             let a6 = k1 * a5;
             let a7 = (-k0).mul_add(a3, a6);
             let a8 = k36 * a7;
-            let a9 = k6 * coupler_cos;
+            let a9 = coupler_length * coupler_cos;
             let a10 = (-a1).mul_add(a8, a9);
-            let a11 = k5 * crank_sin;
-            let a12 = k6 * coupler_sin;
+            let a11 = crank_length * crank_sin;
+            let a12 = coupler_length * coupler_sin;
             let a13 = a11.mul_add(a8, (-a12));
             let a14 = (-a7).mul_add(a8, k4);
             let a15 = R::ONE / a14;
             let a16 = a13 * a15;
             let a17 = k37 * crank_sin;
-            let a18 = k7 * rocker_cos;
+            let a18 = rocker_length * rocker_cos;
             let a19 = k35 * rocker_sin;
             let a20 = a18 * a19;
             let a21 = a1.mul_add(a17, a20);
             let a22 = (-a10).mul_add(a16, a21);
-            let a23 = k7 * rocker_sin;
+            let a23 = rocker_length * rocker_sin;
             let a24 = a23 * a19;
             let a25 = a11.mul_add(a17, a24);
             let a26 = a13.mul_add(a16, a25);
@@ -1276,26 +1123,26 @@ const _: () = {
             let a60 = a41.mul_add(a0, a59);
             let a61 = (-a29).mul_add(a46, a60);
             let a62 = (-a28).mul_add(a55, a61);
-            let a63 = a35 * a62;
-            let a64 = a28 * a63;
-            let a65 = (-a27).mul_add(a55, a64);
+            let lambda_right_y_ = a35 * a62;
+            let a64 = a28 * lambda_right_y_;
+            let lambda_right_x_ = (-a27).mul_add(a55, a64);
             let a66 = a15 * a46;
-            let a67 = a16.mul_add(a65, a66);
-            let a68 = a29.mul_add(a63, a67);
+            let a67 = a16.mul_add(lambda_right_x_, a66);
+            let a68 = a29.mul_add(lambda_right_y_, a67);
             let a69 = k36 * a41;
             let a70 = a8.mul_add(a68, a69);
-            let a71 = a17.mul_add(a65, a70);
-            let a72 = (-a0).mul_add(a63, a71);
+            let a71 = a17.mul_add(lambda_right_x_, a70);
+            let crank_rate_dot_ = (-a0).mul_add(lambda_right_y_, a71);
             let a73 = k34 * a48;
-            let a74 = a19.mul_add(a65, a73);
-            let a75 = a30.mul_add(a63, (-a74));
-            let a76 = -a68;
+            let a74 = a19.mul_add(lambda_right_x_, a73);
+            let rocker_rate_dot_ = a30.mul_add(lambda_right_y_, (-a74));
+            let coupler_rate_dot_ = -a68;
             let a77 = a33 * a35;
             let a78 = R::from_f64(2.0).mul_add(a77, R::from_f64(-1.0));
-            let a79 = R::ONE / a78;
-            *a_out = [a72, a75, a76];
-            *lambda_out = [a65, a63];
-            a79
+            let smallest_pivot = R::ONE / a78;
+            *a_out = [crank_rate_dot_, rocker_rate_dot_, coupler_rate_dot_];
+            *lambda_out = [lambda_right_x_, lambda_right_y_];
+            smallest_pivot
         }
         fn acceleration_baumgarte(
             &self,
@@ -1321,9 +1168,9 @@ const _: () = {
             let k0 = constants[0];
             let k1 = constants[1];
             let k4 = constants[4];
-            let k5 = constants[5];
-            let k6 = constants[6];
-            let k7 = constants[7];
+            let crank_length = constants[5];
+            let coupler_length = constants[6];
+            let rocker_length = constants[7];
             let k8 = constants[8];
             let k9 = constants[9];
             let k10 = constants[10];
@@ -1337,7 +1184,7 @@ const _: () = {
             let k36 = constants[36];
             let k37 = constants[37];
             let a0 = k37 * crank_cos;
-            let a1 = k5 * crank_cos;
+            let a1 = crank_length * crank_cos;
             let a2 = crank_cos * coupler_sin;
             let a3 = (-crank_sin).mul_add(coupler_cos, a2);
             let a4 = crank_cos * coupler_cos;
@@ -1345,21 +1192,21 @@ const _: () = {
             let a6 = k1 * a5;
             let a7 = (-k0).mul_add(a3, a6);
             let a8 = k36 * a7;
-            let a9 = k6 * coupler_cos;
+            let a9 = coupler_length * coupler_cos;
             let a10 = (-a1).mul_add(a8, a9);
-            let a11 = k5 * crank_sin;
-            let a12 = k6 * coupler_sin;
+            let a11 = crank_length * crank_sin;
+            let a12 = coupler_length * coupler_sin;
             let a13 = a11.mul_add(a8, (-a12));
             let a14 = (-a7).mul_add(a8, k4);
             let a15 = R::ONE / a14;
             let a16 = a13 * a15;
             let a17 = k37 * crank_sin;
-            let a18 = k7 * rocker_cos;
+            let a18 = rocker_length * rocker_cos;
             let a19 = k35 * rocker_sin;
             let a20 = a18 * a19;
             let a21 = a1.mul_add(a17, a20);
             let a22 = (-a10).mul_add(a16, a21);
-            let a23 = k7 * rocker_sin;
+            let a23 = rocker_length * rocker_sin;
             let a24 = a23 * a19;
             let a25 = a11.mul_add(a17, a24);
             let a26 = a13.mul_add(a16, a25);
@@ -1415,26 +1262,26 @@ const _: () = {
             let a76 = a41.mul_add(a0, a75);
             let a77 = (-a29).mul_add(a46, a76);
             let a78 = a28.mul_add(a63, a77);
-            let a79 = a35 * a78;
+            let lambda_right_y_ = a35 * a78;
             let a80 = a27 * a63;
-            let a81 = a28.mul_add(a79, a80);
+            let lambda_right_x_ = a28.mul_add(lambda_right_y_, a80);
             let a82 = a15 * a46;
-            let a83 = a16.mul_add(a81, a82);
-            let a84 = a29.mul_add(a79, a83);
+            let a83 = a16.mul_add(lambda_right_x_, a82);
+            let a84 = a29.mul_add(lambda_right_y_, a83);
             let a85 = k36 * a41;
             let a86 = a8.mul_add(a84, a85);
-            let a87 = a17.mul_add(a81, a86);
-            let a88 = (-a0).mul_add(a79, a87);
+            let a87 = a17.mul_add(lambda_right_x_, a86);
+            let crank_rate_dot_ = (-a0).mul_add(lambda_right_y_, a87);
             let a89 = k34 * a48;
-            let a90 = a19.mul_add(a81, a89);
-            let a91 = a30.mul_add(a79, (-a90));
-            let a92 = -a84;
+            let a90 = a19.mul_add(lambda_right_x_, a89);
+            let rocker_rate_dot_ = a30.mul_add(lambda_right_y_, (-a90));
+            let coupler_rate_dot_ = -a84;
             let a93 = a33 * a35;
             let a94 = R::from_f64(2.0).mul_add(a93, R::from_f64(-1.0));
-            let a95 = R::ONE / a94;
-            *a_out = [a88, a91, a92];
-            *lambda_out = [a81, a79];
-            a95
+            let smallest_pivot = R::ONE / a94;
+            *a_out = [crank_rate_dot_, rocker_rate_dot_, coupler_rate_dot_];
+            *lambda_out = [lambda_right_x_, lambda_right_y_];
+            smallest_pivot
         }
         fn outputs(&self, time: R, q: &Q<R>, v: &V<R>, u: &()) -> Outputs<R> {
             let constants = &self.constants;
@@ -1444,24 +1291,24 @@ const _: () = {
             let rocker_sin = q[3];
             let coupler_cos = q[4];
             let coupler_sin = q[5];
-            let k5 = constants[5];
-            let k30 = constants[30];
-            let k31 = constants[31];
-            let k38 = constants[38];
-            let k39 = constants[39];
-            let a0 = k5.mul_add(crank_cos, k30);
-            let a1 = k38 * coupler_cos;
-            let a2 = (-k39).mul_add(coupler_sin, a1);
-            let a3 = a0 + a2;
-            let a4 = k5.mul_add(crank_sin, k31);
-            let a5 = k39 * coupler_cos;
-            let a6 = k38.mul_add(coupler_sin, a5);
-            let a7 = a4 + a6;
-            let a8 = rocker_sin.atan2(rocker_cos);
+            let crank_length = constants[5];
+            let crank_x = constants[30];
+            let crank_y = constants[31];
+            let tracer_x = constants[38];
+            let tracer_y = constants[39];
+            let a0 = crank_length.mul_add(crank_cos, crank_x);
+            let a1 = tracer_x * coupler_cos;
+            let a2 = (-tracer_y).mul_add(coupler_sin, a1);
+            let trace_x = a0 + a2;
+            let a4 = crank_length.mul_add(crank_sin, crank_y);
+            let a5 = tracer_y * coupler_cos;
+            let a6 = tracer_x.mul_add(coupler_sin, a5);
+            let trace_y = a4 + a6;
+            let rocking = rocker_sin.atan2(rocker_cos);
             ParametricFourBarOutputs {
-                trace_x: a3,
-                trace_y: a7,
-                rocking: a8,
+                trace_x: trace_x,
+                trace_y: trace_y,
+                rocking: rocking,
             }
         }
         fn unwrap(outputs: &mut Outputs<R>, previous: &Outputs<R>) {
@@ -1540,10 +1387,10 @@ const _: () = {
             rates: &mut Conditions<R>,
         ) {
             let constants = &self.constants;
-            let k42 = constants[42];
-            let k43 = constants[43];
-            *positions = [k42];
-            *rates = [k43];
+            let start_angle = constants[40];
+            let start_rate = constants[41];
+            *positions = [start_angle];
+            *rates = [start_rate];
         }
         fn start_q() -> Q<R> {
             [

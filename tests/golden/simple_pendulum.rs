@@ -2,7 +2,7 @@
 ///
 /// 1 kg, 1 m, g = 9.81 m/s², from (−1, 0) at rest. Period 2.367841947576237449 s.
 #[cfg_attr(doc, doc = "")]
-#[cfg_attr(doc, doc = "Degree of freedom: 1; 1 velocities, 0 constraint rows.")]
+#[cfg_attr(doc, doc = "Degree of freedom: 1; velocities: 1; constraint rows: 0.")]
 #[cfg_attr(doc, doc = "")]
 #[cfg_attr(
     doc,
@@ -31,7 +31,7 @@
     doc = "| `acceleration_baumgarte` | 1 | 0 | 1 | 0 | 0 | 0 | 0 | 0 | 1 |"
 )]
 #[cfg_attr(doc, doc = "| `motions` | 8 | 1 | 5 | 2 | 0 | 0 | 0 | 0 | 3 |")]
-#[cfg_attr(doc, doc = "| `reactions` | 9 | 2 | 4 | 3 | 0 | 0 | 0 | 0 | 5 |")]
+#[cfg_attr(doc, doc = "| `reactions` | 6 | 1 | 3 | 2 | 0 | 0 | 0 | 0 | 3 |")]
 #[cfg_attr(doc, doc = "| `condition_residual` | 4 | 0 | 1 | 1 | 0 | 0 | 0 | 2 | 3 |")]
 #[cfg_attr(doc, doc = "| `condition_upright` | 4 | 0 | 1 | 1 | 0 | 0 | 0 | 2 | 3 |")]
 #[cfg_attr(
@@ -227,17 +227,14 @@ const _: () = {
             let arm_rate_dot = a[0];
             let a0 = arm_rate * arm_rate;
             let a1 = arm_cos * a0;
-            let a2 = arm_sin.mul_add(arm_rate_dot, a1);
-            let a3 = -a2;
-            let a4 = arm_cos * arm_rate_dot;
-            let a5 = (-arm_sin).mul_add(a0, a4);
-            let a6 = a5 - R::from_f64(-9.81);
-            let a7 = arm_cos * a6;
-            let a8 = arm_sin.mul_add(a2, a7);
+            let a2 = (-arm_sin).mul_add(arm_rate_dot, (-a1));
+            let a3 = arm_cos * arm_rate_dot;
+            let a4 = (-arm_sin).mul_add(a0, a3);
+            let a5 = R::from_f64(9.81) + a4;
             [
                 Reaction {
-                    force: [a3, a6],
-                    torque: a8,
+                    force: [a2, a5],
+                    torque: R::ZERO,
                 },
             ]
         }
@@ -292,8 +289,8 @@ const _: () = {
         }
         fn forces(&self, time: R, q: &Q<R>, v: &V<R>, u: &(), out: &mut V<R>) {
             let arm_cos = q[0];
-            let a0 = R::from_f64(-9.81) * arm_cos;
-            *out = [a0];
+            let force_arm_rate = R::from_f64(-9.81) * arm_cos;
+            *out = [force_arm_rate];
         }
         fn kinetic_energy(&self, time: R, q: &Q<R>, v: &V<R>) -> R {
             let arm_cos = q[0];
@@ -321,8 +318,8 @@ const _: () = {
             lambda_out: &mut Lambda<R>,
         ) -> R {
             let arm_cos = q[0];
-            let a0 = R::from_f64(-9.81) * arm_cos;
-            *a_out = [a0];
+            let arm_rate_dot_ = R::from_f64(-9.81) * arm_cos;
+            *a_out = [arm_rate_dot_];
             *lambda_out = [];
             R::ONE
         }
@@ -338,8 +335,8 @@ const _: () = {
             lambda_out: &mut Lambda<R>,
         ) -> R {
             let arm_cos = q[0];
-            let a0 = R::from_f64(-9.81) * arm_cos;
-            *a_out = [a0];
+            let arm_rate_dot_ = R::from_f64(-9.81) * arm_cos;
+            *a_out = [arm_rate_dot_];
             *lambda_out = [];
             R::ONE
         }

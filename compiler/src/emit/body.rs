@@ -135,13 +135,13 @@ fn write_parts(
         let stretch = &program.instructions[*start..*end];
         loads(&mut helpers, stretch.iter(), &[], names);
         for (value, slot) in taken {
-            let _ = writeln!(helpers, "let a{value} = w[{slot}];");
+            let _ = writeln!(helpers, "let {} = w[{slot}];", names.value(*value as u32));
         }
         for (offset, instruction) in stretch.iter().enumerate() {
             statement(&mut helpers, start + offset, instruction, names);
         }
         for (value, slot) in given {
-            let _ = writeln!(helpers, "w[{slot}] = a{value};");
+            let _ = writeln!(helpers, "w[{slot}] = {};", names.value(*value as u32));
         }
         helpers.push_str("}\n");
     }
@@ -183,14 +183,14 @@ fn loads<'a>(
 
 fn statement(text: &mut String, index: usize, instruction: &Instruction, names: &Names) {
     let value = expression(instruction, names);
-    let _ = writeln!(text, "let a{index} = {value};");
+    let _ = writeln!(text, "let {} = {value};", names.value(index as u32));
 }
 
 fn operand(operand: Operand, names: &Names) -> String {
     match operand {
         Operand::Constant(value) => constant(value),
         Operand::Source(source) => names.name(source).to_string(),
-        Operand::Value(index) => format!("a{index}"),
+        Operand::Value(index) => names.value(index),
     }
 }
 

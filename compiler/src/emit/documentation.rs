@@ -12,7 +12,7 @@ pub fn model(text: &mut String, emitter: &Emitter) {
     let equations = &compiled.equations;
     let _ = writeln!(
         page,
-        "\n{} of freedom: {}; {} velocities, {} constraint rows.\n",
+        "\n{} of freedom: {}; velocities: {}; constraint rows: {}.\n",
         if compiled.assembly.degrees_of_freedom == 1 { "Degree" } else { "Degrees" },
         compiled.assembly.degrees_of_freedom,
         equations.layout.velocities(),

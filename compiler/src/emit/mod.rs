@@ -28,6 +28,7 @@ pub use stub::stub;
 
 use crate::Compiled;
 use crate::model::Mechanism;
+use crate::schedule::Function;
 use names::{Argument, Names, field};
 use proc_macro2::TokenStream;
 use std::fmt::Write;
@@ -90,7 +91,7 @@ impl<'a> Emitter<'a> {
             inner: names::inner(&mechanism.name.text),
             visibility: mechanism.visibility.to_string(),
             path: path.unwrap_or("::linkwright".to_string()),
-            names: Names::new(&compiled.equations),
+            names: Names::new(&compiled.equations, &compiled.hoisted),
             input_fields: mechanism.inputs.iter().map(|input| field(&input.name.identifier())).collect(),
         }
     }
@@ -108,10 +109,33 @@ impl<'a> Emitter<'a> {
         self.compiled.equations.conditions.len()
     }
 
+    /// What the results of a function are called in its body.
+    fn labels(&self, function: Function) -> Vec<String> {
+        let equations = &self.compiled.equations;
+        let velocities = equations.layout.velocity_names(self.mechanism);
+        let rows = |prefix: &str| -> Vec<String> {
+            equations.rows.iter().map(|row| format!("{prefix}_{}_{}", row.of, row.what)).collect()
+        };
+        match function {
+            Function::Acceleration | Function::AccelerationBaumgarte => {
+                let accelerations = velocities.iter().map(|name| format!("{name}_dot"));
+                let pivot = "smallest_pivot".to_string();
+                accelerations.chain(rows("lambda")).chain([pivot]).collect()
+            }
+            Function::Constraints => rows("phi"),
+            Function::Nu => rows("nu"),
+            Function::Gamma => rows("gamma"),
+            Function::Forces => velocities.iter().map(|name| format!("force_{name}")).collect(),
+            Function::Outputs => self.mechanism.outputs.iter().map(|output| output.name.identifier()).collect(),
+            _ => Vec::new(),
+        }
+    }
+
     /// A program in a function with these arguments; helper functions go to `helpers`.
-    fn body(&self, function: crate::schedule::Function, arguments: &[Argument], helpers: &mut String) -> body::Body {
-        let names = self.names.within(arguments, &self.input_fields);
+    fn body(&self, function: Function, arguments: &[Argument], helpers: &mut String) -> body::Body {
         let program = self.compiled.programs.get(function);
+        let names = self.names.within(arguments, &self.input_fields);
+        let names = names.with_results(&program.outputs, &self.labels(function));
         let mut body = body::body(program, &names, &format!("{}_part", function.name()));
         helpers.push_str(&std::mem::take(&mut body.helpers));
         body

@@ -1,7 +1,7 @@
 //! Names in emitted code: the user's where there are any, and never two alike.
 
 use crate::equations::Equations;
-use crate::schedule::Source;
+use crate::schedule::{Operand, Source};
 use crate::symbolic::{Node, Op};
 use std::collections::{BTreeMap, BTreeSet};
 use std::rc::Rc;
@@ -13,6 +13,9 @@ pub struct Names {
     parameter_fields: Rc<Vec<String>>,
     input_fields: Vec<String>,
     arguments: Vec<Argument>,
+    taken: Rc<BTreeSet<String>>,
+    /// Names of instructions that are results, by index.
+    results: BTreeMap<u32, String>,
 }
 
 /// An argument of an emitted function and its type.
@@ -33,7 +36,7 @@ pub enum Argument {
 }
 
 impl Names {
-    pub fn new(equations: &Equations) -> Self {
+    pub fn new(equations: &Equations, hoisted: &[Node]) -> Self {
         let symbols = &equations.symbols;
         let mut names = BTreeMap::new();
         let mut taken: BTreeSet<String> = RESERVED.iter().map(|word| word.to_string()).collect();
@@ -55,6 +58,18 @@ impl Names {
         claim(&symbols.targets, Source::Target);
         claim(&symbols.parameters, Source::Parameter);
         claim(&symbols.phases, Source::Phase);
+        // A constant of the prepared model that is a parameter as it stands keeps the parameter's name.
+        let same = |node: &Node| symbols.parameters.iter().position(|parameter| parameter == node);
+        let kept: Vec<(u32, u32)> = hoisted
+            .iter()
+            .enumerate()
+            .filter_map(|(index, node)| Some((index as u32, same(node)? as u32)))
+            .collect();
+        for (index, parameter) in kept {
+            if let Some(name) = names.get(&Source::Parameter(parameter)).cloned() {
+                names.insert(Source::Prepared(index), name);
+            }
+        }
         let fields = symbols.parameters.iter().map(|node| match equations.graph.op(*node) {
             Op::Symbol(symbol) => field(equations.graph.symbol_name(symbol)),
             _ => String::new(),
@@ -64,6 +79,8 @@ impl Names {
             parameter_fields: Rc::new(fields.collect()),
             input_fields: Vec::new(),
             arguments: Vec::new(),
+            taken: Rc::new(taken),
+            results: BTreeMap::new(),
         }
     }
 
@@ -74,7 +91,29 @@ impl Names {
             parameter_fields: Rc::clone(&self.parameter_fields),
             input_fields: input_fields.to_vec(),
             arguments: arguments.to_vec(),
+            taken: Rc::clone(&self.taken),
+            results: BTreeMap::new(),
         }
+    }
+
+    /// The same names, with results called by what they are; `labels` in the order of the outputs.
+    pub fn with_results(mut self, outputs: &[Operand], labels: &[String]) -> Names {
+        let mut used = BTreeSet::new();
+        for (output, label) in outputs.iter().zip(labels) {
+            let Operand::Value(index) = output else { continue };
+            let mut name = readable(label);
+            while self.taken.contains(&name) || used.contains(&name) {
+                name.push('_');
+            }
+            used.insert(name.clone());
+            self.results.entry(*index).or_insert(name);
+        }
+        self
+    }
+
+    /// Name of an instruction's value.
+    pub fn value(&self, index: u32) -> String {
+        self.results.get(&index).cloned().unwrap_or_else(|| format!("a{index}"))
     }
 
     pub fn name(&self, source: Source) -> String {
@@ -82,7 +121,10 @@ impl Names {
             Source::Time => "time".to_string(),
             Source::TwoAlpha => "two_alpha".to_string(),
             Source::BetaSquared => "beta_squared".to_string(),
-            Source::Prepared(index) => format!("k{index}"),
+            Source::Prepared(index) => match self.names.get(&source) {
+                Some(name) => name.clone(),
+                None => format!("k{index}"),
+            },
             _ => self.names.get(&source).cloned().unwrap_or_default(),
         }
     }

@@ -126,15 +126,16 @@ pub fn inherent(text: &mut String, emitter: &Emitter) {
          pub fn prepare(parameters: Parameters<R>) -> Result<Self, SettingError> {{"
     );
     for parameter in &mechanism.parameters {
-        let (least, most) = parameter.bounds.unwrap_or((f64::NEG_INFINITY, f64::INFINITY));
-        let _ = writeln!(
-            text,
-            "check_setting({}, parameters.{}, {}, {})?;",
-            quoted(&parameter.name.text),
-            field(&parameter.name.identifier()),
-            literal(least),
-            literal(most)
-        );
+        let (what, field) = (quoted(&parameter.name.text), field(&parameter.name.identifier()));
+        let _ = match parameter.bounds {
+            None => writeln!(text, "check_finite({what}, parameters.{field})?;"),
+            Some((least, most)) => writeln!(
+                text,
+                "check_setting({what}, parameters.{field}, {}, {})?;",
+                literal(least),
+                literal(most)
+            ),
+        };
     }
     let _ = writeln!(text, "let model = Self::with(parameters, {phases});");
     masses(text, emitter);

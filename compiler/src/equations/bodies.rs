@@ -11,7 +11,7 @@ use super::kinematics::{GROUND, Kinematics, LocalVector, Placement, Position, Tu
 use super::laws::Laws;
 use super::loads;
 use super::spanning_tree::SpanningTree;
-use crate::model::{BodyKind, Frame, Mechanism};
+use crate::model::{BodyKind, Frame, JointKind, Mechanism};
 use crate::symbolic::{Graph, Node};
 use std::collections::BTreeMap;
 
@@ -127,7 +127,11 @@ pub fn reactions(
         let second = laws.place(g, &joint_definition.second);
         let [x, y] = laws.kinematics().world(g, &second);
         let arm = difference(g, motions[child].position, [x.value, y.value]);
-        let torque = moment(g, arm, need);
+        // What turns freely exerts no torque, by construction.
+        let torque = match joint_definition.kind {
+            JointKind::Revolute | JointKind::PointOnLine { .. } => zero,
+            _ => moment(g, arm, need),
+        };
         let wrench = [need[0], need[1], torque];
         let child_is_second = joint_definition.second.frame == Frame::Body(attachment.body);
         wrenches[joint.0] = if child_is_second { wrench } else { wrench.map(|node| g.neg(node)) };

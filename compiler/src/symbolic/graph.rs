@@ -182,6 +182,13 @@ impl Graph {
         if let Some(sum) = self.collect_terms(a, b, false) {
             return sum;
         }
+        // Constants are positive: −k + x is x − k.
+        for (k, x) in [(a, b), (b, a)] {
+            if let Some(value) = self.value(k).filter(|value| *value < 0.0) {
+                let positive = self.constant(-value);
+                return self.sub(x, positive);
+            }
+        }
         // What changes seldom is added first, so that it can be computed seldom.
         if let Some(sum) = self.join_seldom(a, b) {
             return sum;
@@ -218,6 +225,10 @@ impl Graph {
         }
         if let Some(difference) = self.collect_terms(a, b, true) {
             return difference;
+        }
+        if let Some(value) = self.value(b).filter(|value| *value < 0.0) {
+            let positive = self.constant(-value);
+            return self.add(a, positive);
         }
         // (x − r) − p = x − (r + p), (r + x) − p = (r − p) + x for what changes seldom.
         if self.class(b) <= Class::Parameter && self.class(a) > Class::Parameter {

@@ -103,6 +103,21 @@ impl<'a> Problem<'a> {
                 break;
             }
         }
+        self.polish(point, best, n, unknowns)
+    }
+
+    /// Full steps for as long as they bring the residual down, which is to rounding.
+    fn polish(&self, point: &mut Point, mut best: Attempt, n: usize, unknowns: usize) -> Attempt {
+        while best.closed && best.residual > 0.0 {
+            let (entries, rhs) = self.system(point, &best.q, n, unknowns);
+            let step = Numeric::factor(&self.table, entries).solve(&rhs);
+            let attempt = self.measure(point, retract(self.equations, &best.q, &step[..n]));
+            if attempt.residual < 0.5 * best.residual {
+                best = attempt;
+            } else {
+                break;
+            }
+        }
         best
     }
 
