@@ -3,24 +3,26 @@
 //! An ordinary library: [`expand`] is what the macro calls, [`compile`] what tests and tools call. The stages, in
 //! order, are the modules below; `driver` chains them.
 
+mod choice;
 pub mod diagnostics;
 mod driver;
 mod functions;
 mod messages;
 pub mod units;
 
-pub mod syntax;
-pub mod model;
 pub mod check;
+pub mod emit;
 pub mod equations;
-pub mod solve;
+pub mod model;
 pub mod optimize;
 pub mod schedule;
-pub mod emit;
+pub mod solve;
+pub mod syntax;
 
 pub mod symbolic;
 
-pub use driver::{Choice, Compiled, compile, compile_model};
+pub use choice::{Choice, Rejected};
+pub use driver::{Compiled, compile, compile_model};
 
 use proc_macro2::TokenStream;
 

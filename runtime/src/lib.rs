@@ -63,7 +63,9 @@ pub mod __private {
     /// The first version.
     pub mod v1 {
         pub use crate::assembly::AssembleExt;
-        pub use crate::body::{BodyMotion, Reaction, check_constants, check_finite, check_mass, check_setting};
+        pub use crate::body::{
+            BodyMotion, Reaction, check_constants, check_finite, check_mass, check_setting,
+        };
         pub use crate::error::{AssemblyError, SettingError, SimulationError};
         pub use crate::fields::Fields;
         pub use crate::layout::{Layout, MultiTurn, retract};

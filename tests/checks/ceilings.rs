@@ -47,7 +47,9 @@ fn no_function_has_grown() {
     for (key, (operations, _)) in &counted {
         match ceilings.get(key) {
             Some((ceiling, _)) if operations <= ceiling => {}
-            Some((ceiling, _)) => grown.push(format!("{key:?}: {operations} operations, at most {ceiling} before")),
+            Some((ceiling, _)) => {
+                grown.push(format!("{key:?}: {operations} operations, at most {ceiling} before"))
+            }
             None => grown.push(format!("{key:?}: {operations} operations, and no ceiling")),
         }
     }

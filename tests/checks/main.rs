@@ -1,9 +1,8 @@
 //! The checks of the shipped models, in one binary, because generic models are compiled again in each.
 
-
 mod architecture;
-mod ceilings;
 mod balances;
+mod ceilings;
 mod convergence;
 mod emitted_code;
 mod every_operation;
@@ -12,8 +11,8 @@ mod identities;
 mod kinematics;
 mod language;
 mod no_alloc;
-mod registry;
-mod reference;
 mod published;
+mod reference;
+mod registry;
 mod walking;
 mod zoo;

@@ -7,7 +7,7 @@
 #[cfg_attr(doc, doc = "")]
 #[cfg_attr(
     doc,
-    doc = "In tree coordinates (chosen by count: 84 operations, depth 18, against 224 and 35 in absolute coordinates); elimination order: minimum degree."
+    doc = "In tree coordinates (chosen by count: 84 operations, depth 18, against about 230 for the elimination alone in absolute coordinates); elimination order: minimum degree."
 )]
 #[cfg_attr(doc, doc = "")]
 #[cfg_attr(doc, doc = "# Coordinates")]

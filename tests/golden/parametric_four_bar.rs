@@ -4,7 +4,7 @@
 #[cfg_attr(doc, doc = "")]
 #[cfg_attr(
     doc,
-    doc = "In tree coordinates (chosen by count: 96 operations, depth 20, against 268 and 37 in absolute coordinates); elimination order: minimum degree."
+    doc = "In tree coordinates (chosen by count: 96 operations, depth 20, against about 230 for the elimination alone in absolute coordinates); elimination order: minimum degree."
 )]
 #[cfg_attr(doc, doc = "")]
 #[cfg_attr(doc, doc = "# Coordinates")]

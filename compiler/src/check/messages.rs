@@ -104,7 +104,9 @@ pub fn too_many_operations(function: &str, limit: usize, found: usize) -> String
 pub fn unknown_function(function: &str, known: &[&str]) -> String {
     match closest(function, known.iter().copied()) {
         Some(similar) => format!("there is no function \"{function}\" to count; did you mean `{similar}`?"),
-        None => format!("there is no function \"{function}\" to count; the functions are {}", known.join(", ")),
+        None => {
+            format!("there is no function \"{function}\" to count; the functions are {}", known.join(", "))
+        }
     }
 }
 

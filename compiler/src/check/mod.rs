@@ -19,7 +19,8 @@ pub fn check(mechanism: &Mechanism) -> Result<(), Diagnostics> {
 pub fn budget(mechanism: &Mechanism, programs: &Programs, errors: &mut Diagnostics) {
     for (name, limit, span) in &mechanism.expect.operations {
         let name = name.as_deref().unwrap_or(Function::AccelerationBaumgarte.name());
-        let Some((_, program)) = programs.functions.iter().find(|(function, _)| function.name() == name) else {
+        let Some((_, program)) = programs.functions.iter().find(|(function, _)| function.name() == name)
+        else {
             let known: Vec<&str> = programs.functions.iter().map(|(function, _)| function.name()).collect();
             errors.error(*span, messages::unknown_function(name, &known));
             continue;

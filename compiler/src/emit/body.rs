@@ -80,13 +80,7 @@ fn cut(program: &Program, names: &Names, helper: &str) -> Body {
     write_parts(program, names, helper, &cuts, &last_use)
 }
 
-fn write_parts(
-    program: &Program,
-    names: &Names,
-    helper: &str,
-    cuts: &[usize],
-    last_use: &[usize],
-) -> Body {
+fn write_parts(program: &Program, names: &Names, helper: &str, cuts: &[usize], last_use: &[usize]) -> Body {
     // A value that leaves its stretch gets a slot, and keeps it until its last use.
     let count = program.instructions.len();
     let mut slot_of: Vec<Option<usize>> = vec![None; count];
@@ -131,7 +125,10 @@ fn write_parts(
     let signature = names.signature();
     for (part, (start, end, taken, given)) in parts.iter().enumerate() {
         let _ = writeln!(statements, "{helper}_{part}({}, &mut w);", names.arguments());
-        let _ = writeln!(helpers, "#[inline(never)] fn {helper}_{part}<R: Real>({signature}, w: &mut [R; {size}]) {{");
+        let _ = writeln!(
+            helpers,
+            "#[inline(never)] fn {helper}_{part}<R: Real>({signature}, w: &mut [R; {size}]) {{"
+        );
         let stretch = &program.instructions[*start..*end];
         loads(&mut helpers, stretch.iter(), &[], names);
         for (value, slot) in taken {

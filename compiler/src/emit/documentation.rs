@@ -70,7 +70,8 @@ fn coordinates(page: &mut String, mechanism: &Mechanism, emitter: &Emitter) {
 
 /// A Markdown table of the operations of each function.
 pub fn operation_table(programs: &Programs) -> String {
-    let mut table = String::from("| function | operations | + | × | fma | ÷ | √ | choices | sin, exp … | depth |\n");
+    let mut table =
+        String::from("| function | operations | + | × | fma | ÷ | √ | choices | sin, exp … | depth |\n");
     table.push_str("|---|---|---|---|---|---|---|---|---|---|\n");
     for (function, program) in &programs.functions {
         let counts = count(program);

@@ -126,7 +126,9 @@ impl<'a> Emitter<'a> {
             Function::Nu => rows("nu"),
             Function::Gamma => rows("gamma"),
             Function::Forces => velocities.iter().map(|name| format!("force_{name}")).collect(),
-            Function::Outputs => self.mechanism.outputs.iter().map(|output| output.name.identifier()).collect(),
+            Function::Outputs => {
+                self.mechanism.outputs.iter().map(|output| output.name.identifier()).collect()
+            }
             _ => Vec::new(),
         }
     }

@@ -37,7 +37,11 @@ fn structs(text: &mut String, header: &Header) {
         if list.is_empty() {
             list.push(format!("pub {scalar}"));
         }
-        let _ = writeln!(text, "{derives} {visibility} struct {name}{suffix}<R = {f64}> {{ {} }}", list.join(", "));
+        let _ = writeln!(
+            text,
+            "{derives} {visibility} struct {name}{suffix}<R = {f64}> {{ {} }}",
+            list.join(", ")
+        );
     }
     let _ = writeln!(
         text,

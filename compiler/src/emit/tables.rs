@@ -33,7 +33,10 @@ pub fn layout(emitter: &Emitter) -> String {
 
 pub fn rows(emitter: &Emitter) -> String {
     let rows = emitter.compiled.equations.rows.iter();
-    format!("&{}", array(rows.map(|row| format!("Row {{ of: {}, what: {} }}", quoted(&row.of), quoted(row.what)))))
+    format!(
+        "&{}",
+        array(rows.map(|row| format!("Row {{ of: {}, what: {} }}", quoted(&row.of), quoted(row.what))))
+    )
 }
 
 pub fn strings(names: Vec<String>) -> String {

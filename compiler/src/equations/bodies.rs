@@ -51,7 +51,10 @@ pub fn motions(
             orientation: kinematics.orientation(g, index),
             velocity: [x.rate(g, &symbols.v), y.rate(g, &symbols.v)],
             rate: rate.map_or(zero, |rate| symbols.v[rate]),
-            acceleration: [x.acceleration(g, &symbols.acceleration), y.acceleration(g, &symbols.acceleration)],
+            acceleration: [
+                x.acceleration(g, &symbols.acceleration),
+                y.acceleration(g, &symbols.acceleration),
+            ],
             angular_acceleration: rate.map_or(zero, |rate| symbols.acceleration[rate]),
         });
     }

@@ -241,11 +241,8 @@ fn free(
 }
 
 fn ground_or(g: &mut Graph, parent: Frame, placements: &[Option<Placement>]) -> Placement {
-    let ground = Placement {
-        origin: Position::default(),
-        frame: GROUND,
-        offset: [g.constant(1.0), g.constant(0.0)],
-    };
+    let ground =
+        Placement { origin: Position::default(), frame: GROUND, offset: [g.constant(1.0), g.constant(0.0)] };
     match parent {
         Frame::Ground => ground,
         Frame::Body(parent) => placements[parent.0].clone().unwrap_or(ground),

@@ -54,7 +54,12 @@ struct Column {
 }
 
 /// `gravity` in world axes.
-pub fn inertia(g: &mut Graph, kinematics: &Kinematics, bodies: &[Massive], gravity: Option<[Node; 2]>) -> Inertia {
+pub fn inertia(
+    g: &mut Graph,
+    kinematics: &Kinematics,
+    bodies: &[Massive],
+    gravity: Option<[Node; 2]>,
+) -> Inertia {
     let mut masses: BTreeMap<(usize, usize), (FrameId, FrameId, Products)> = BTreeMap::new();
     let mut biases: BTreeMap<(usize, FrameId, Factor), (FrameId, Products)> = BTreeMap::new();
     let mut rotary: BTreeMap<usize, Node> = BTreeMap::new();

@@ -70,7 +70,11 @@ impl LocalVector {
     fn combine(&self, g: &mut Graph, other: &Self, subtract: bool) -> Self {
         let zero = [g.constant(0.0); 2];
         let join = |g: &mut Graph, a: [Node; 2], b: [Node; 2]| {
-            if subtract { [g.sub(a[0], b[0]), g.sub(a[1], b[1])] } else { [g.add(a[0], b[0]), g.add(a[1], b[1])] }
+            if subtract {
+                [g.sub(a[0], b[0]), g.sub(a[1], b[1])]
+            } else {
+                [g.add(a[0], b[0]), g.add(a[1], b[1])]
+            }
         };
         let mut slides = self.slides.clone();
         for (index, direction) in &other.slides {

@@ -32,7 +32,8 @@ pub struct Totals {
 }
 
 static NO_LAYOUT: Layout = Layout { linear: Vec::new(), rotations: Vec::new(), angles: Vec::new() };
-static NO_KINEMATICS: Kinematics = Kinematics { frames: Vec::new(), velocities: Vec::new(), bodies: Vec::new() };
+static NO_KINEMATICS: Kinematics =
+    Kinematics { frames: Vec::new(), velocities: Vec::new(), bodies: Vec::new() };
 static NO_TOTALS: Totals = Totals {
     kinetic: None,
     potential: None,
@@ -311,9 +312,7 @@ impl<'a> Laws<'a> {
                 self.quantity(g, &Quantity::Position(place.clone(), *axis)).rate(g, v)
             }
             Quantity::Power(load) => self.totals.powers.get(load.0).copied().unwrap_or(zero),
-            Quantity::DriverPower(driver) => {
-                self.totals.driver_powers.get(driver.0).copied().unwrap_or(zero)
-            }
+            Quantity::DriverPower(driver) => self.totals.driver_powers.get(driver.0).copied().unwrap_or(zero),
             Quantity::DriverEffort(driver) => self.totals.efforts.get(driver.0).copied().unwrap_or(zero),
             Quantity::KineticEnergy => self.totals.kinetic.unwrap_or(zero),
             Quantity::PotentialEnergy => self.totals.potential.unwrap_or(zero),

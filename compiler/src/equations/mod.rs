@@ -138,8 +138,7 @@ pub fn derive(mechanism: &Mechanism, tree: SpanningTree) -> Equations {
     let overlay = bodies::overlay(g, &laws, &motions);
     let absolute = Laws::moving(mechanism, &symbols, &layout, &overlay);
     let absolute_rows = self::rows(g, &absolute, &carrying);
-    let reactions =
-        bodies::reactions(g, &laws, &absolute, &tree, &massive, &motions, &rows, &absolute_rows);
+    let reactions = bodies::reactions(g, &laws, &absolute, &tree, &massive, &motions, &rows, &absolute_rows);
 
     let outputs_laws = laws.with_totals(&totals);
     let outputs = mechanism.outputs.iter().map(|output| outputs_laws.value(g, &output.value)).collect();

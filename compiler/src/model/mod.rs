@@ -18,8 +18,8 @@ mod settings;
 mod values;
 
 pub use expression::{Comparison, Condition, Expr, Function1, Function2, Quantity};
-pub use lower::lower;
 pub(crate) use lower::Use;
+pub use lower::lower;
 use proc_macro2::{Span, TokenStream};
 
 /// Index of a body in [`Mechanism::bodies`].
@@ -173,14 +173,23 @@ pub struct Joint {
 #[derive(Clone, Debug)]
 pub enum JointKind {
     /// Orientation of the second relative to the first stays `angle` (rad).
-    Fixed { angle: Expr },
+    Fixed {
+        angle: Expr,
+    },
     Revolute,
     /// Translation along `axis` (in the first's frame, any length but zero); orientation stays `angle` (rad).
-    Prismatic { axis: [Expr; 2], angle: Expr },
+    Prismatic {
+        axis: [Expr; 2],
+        angle: Expr,
+    },
     /// The second place stays on the line through the first along `direction` (in the first's frame, any length but zero).
-    PointOnLine { direction: [Expr; 2] },
+    PointOnLine {
+        direction: [Expr; 2],
+    },
     /// The places stay `length` (m, may depend on time) apart.
-    Distance { length: Expr },
+    Distance {
+        length: Expr,
+    },
 }
 
 /// What turns: a joint (second relative to first) or a body (relative to the ground).

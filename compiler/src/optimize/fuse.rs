@@ -19,12 +19,8 @@ pub struct Fused {
 /// uses absorb it, so a product with several uses is fused into all of them or into none.
 pub fn fuse(graph: &Graph, outputs: &[Node], is_given: impl Fn(Node) -> bool) -> Fused {
     let n = graph.len();
-    let mut fused = Fused {
-        outputs: outputs.to_vec(),
-        uses: vec![0; n],
-        leaves: vec![false; n],
-        absorbs: vec![None; n],
-    };
+    let mut fused =
+        Fused { outputs: outputs.to_vec(), uses: vec![0; n], leaves: vec![false; n], absorbs: vec![None; n] };
     for output in outputs {
         fused.uses[output.index()] += 1;
     }

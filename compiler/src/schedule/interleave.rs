@@ -58,8 +58,10 @@ fn order(program: &Program) -> Vec<usize> {
             waiting[index] += 1;
         }
     }
-    let mut ready: BTreeSet<(Reverse<usize>, usize)> =
-        (0..count).filter(|index| waiting[*index] == 0).map(|index| (Reverse(height[index]), index)).collect();
+    let mut ready: BTreeSet<(Reverse<usize>, usize)> = (0..count)
+        .filter(|index| waiting[*index] == 0)
+        .map(|index| (Reverse(height[index]), index))
+        .collect();
     let mut under_way: BTreeSet<(usize, usize)> = BTreeSet::new();
     let mut order = Vec::with_capacity(count);
     let mut cycle = 0;

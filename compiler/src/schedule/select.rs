@@ -151,7 +151,12 @@ impl Selection<'_> {
 
 enum Shape {
     Plain,
-    MulAdd { product: Node, addend: Node, minus_product: bool, minus_addend: bool },
+    MulAdd {
+        product: Node,
+        addend: Node,
+        minus_product: bool,
+        minus_addend: bool,
+    },
     /// −k·x with a constant k.
     MinusScaled(Node, Node),
 }

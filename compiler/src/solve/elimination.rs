@@ -80,7 +80,11 @@ pub fn factor(
                 if is_row { g.neg(product) } else { product }
             };
             let diagonal = &mut diagonals[*i];
-            if (*i >= velocities) != is_row { diagonal.own.push(update) } else { diagonal.taken.push(update) }
+            if (*i >= velocities) != is_row {
+                diagonal.own.push(update)
+            } else {
+                diagonal.taken.push(update)
+            }
             for (j, _) in &column[at + 1..] {
                 let product = g.mul(*l, around[j]);
                 let zero = g.constant(0.0);

@@ -82,6 +82,15 @@ pub fn solve(equations: &mut Equations, massless: Massless) -> Solved {
     }
 }
 
+/// Operations of the elimination by its structure, which knows nothing of constants: an estimate made in no time.
+pub fn structural_operations(equations: &Equations) -> usize {
+    let n = equations.layout.velocities();
+    let rows = equations.rows.iter().enumerate();
+    let rows = rows.flat_map(|(row, r)| r.jet.columns.keys().map(move |column| (n + row, *column)));
+    let pattern = Pattern::new(n, equations.rows.len(), equations.mass.keys().copied().chain(rows));
+    order::order(&pattern, order::Strategy::MinimumDegree).operations
+}
+
 /// K and what its right-hand sides need.
 struct System {
     velocities: usize,

@@ -88,7 +88,8 @@ impl Pattern {
         let mut missing = 0;
         for a in &around {
             let row = self.row(*a);
-            missing += own.iter().zip(row).map(|(own, row)| (own & !row).count_ones() as usize).sum::<usize>();
+            missing +=
+                own.iter().zip(row).map(|(own, row)| (own & !row).count_ones() as usize).sum::<usize>();
         }
         // Each pair was met twice, and each neighbour misses itself.
         (missing - around.len()) / 2

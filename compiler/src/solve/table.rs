@@ -19,11 +19,7 @@ pub struct Table {
 
 impl Table {
     /// `entries` are pairs of unknowns: velocities, then rows, then conditions.
-    pub fn new(
-        velocities: usize,
-        rows: usize,
-        entries: impl IntoIterator<Item = (usize, usize)>,
-    ) -> Self {
+    pub fn new(velocities: usize, rows: usize, entries: impl IntoIterator<Item = (usize, usize)>) -> Self {
         let pattern = Pattern::new(velocities, rows, entries);
         let sequence = order(&pattern, Strategy::MinimumDegree).sequence;
         Table::with_order(&pattern, sequence)

@@ -21,12 +21,7 @@ pub fn evaluate_reachable(graph: &Graph, order: &[Node], symbols: &[f64], values
 }
 
 /// Values of the nodes in `order`, one of them computed by another operation: for tests that must notice.
-pub fn evaluate_with(
-    graph: &Graph,
-    order: &[Node],
-    symbols: &[f64],
-    change: Option<(Node, Op)>,
-) -> Vec<f64> {
+pub fn evaluate_with(graph: &Graph, order: &[Node], symbols: &[f64], change: Option<(Node, Op)>) -> Vec<f64> {
     let mut values = vec![0.0; graph.len()];
     for node in order {
         let op = match change {

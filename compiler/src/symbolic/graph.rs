@@ -349,10 +349,7 @@ impl Graph {
         match (function, self.op(a)) {
             (Unary::Reciprocal, Op::Unary(Unary::Reciprocal, x)) => return x,
             (Unary::Cos | Unary::Abs, Op::Neg(x)) => return self.unary(function, x),
-            (
-                Unary::Sin | Unary::Tan | Unary::Asin | Unary::Sign | Unary::Reciprocal,
-                Op::Neg(x),
-            ) => {
+            (Unary::Sin | Unary::Tan | Unary::Asin | Unary::Sign | Unary::Reciprocal, Op::Neg(x)) => {
                 let value = self.unary(function, x);
                 return self.neg(value);
             }
@@ -459,13 +456,7 @@ impl Graph {
         None
     }
 
-    fn symmetric(
-        &mut self,
-        a: Node,
-        b: Node,
-        value: fn(f64, f64) -> f64,
-        op: fn(Node, Node) -> Op,
-    ) -> Node {
+    fn symmetric(&mut self, a: Node, b: Node, value: fn(f64, f64) -> f64, op: fn(Node, Node) -> Op) -> Node {
         if let (Some(x), Some(y)) = (self.value(a), self.value(b)) {
             return self.constant(value(x, y));
         }

@@ -20,7 +20,6 @@ pub enum Unary {
     Ln,
 }
 
-
 impl Unary {
     /// Every function, for tests that must cover the table.
     pub const ALL: [Unary; 11] = [

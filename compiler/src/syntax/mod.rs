@@ -73,7 +73,8 @@ impl Header {
         let mut statement = true;
         let mut tokens = self.body.clone().into_iter().peekable();
         while let Some(token) = tokens.next() {
-            if let (true, TokenTree::Ident(ident), Some(TokenTree::Ident(name))) = (statement, &token, tokens.peek())
+            if let (true, TokenTree::Ident(ident), Some(TokenTree::Ident(name))) =
+                (statement, &token, tokens.peek())
                 && *ident == word
             {
                 let name = name.to_string();

@@ -92,11 +92,9 @@ impl<'m, R: Real, M: Assemble<R>, F: Formulation<R>, S, I: Integrator<R>> Simula
     fn diagnose_not_finite(&self, begin: R, end: R, what: &'static str) -> SimulationError {
         let (pivot, row) = smallest_pivot(self.run.model, begin, &self.run.state.q);
         match row {
-            Some(row) if pivot < R::BREAKDOWN => SimulationError::Breakdown {
-                time: begin.to_f64(),
-                pivot: pivot.to_f64(),
-                row: M::ROWS[row],
-            },
+            Some(row) if pivot < R::BREAKDOWN => {
+                SimulationError::Breakdown { time: begin.to_f64(), pivot: pivot.to_f64(), row: M::ROWS[row] }
+            }
             _ => SimulationError::NonFinite { time: end.to_f64(), what },
         }
     }

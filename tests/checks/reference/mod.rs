@@ -25,8 +25,7 @@ pub fn models() -> Vec<(&'static str, &'static str, &'static str)> {
     linkwright_models::for_each_model!(list)
 }
 
-pub const SETS: [(Coordinates, &str); 2] =
-    [(Coordinates::Absolute, "absolute"), (Coordinates::Tree, "tree")];
+pub const SETS: [(Coordinates, &str); 2] = [(Coordinates::Absolute, "absolute"), (Coordinates::Tree, "tree")];
 
 pub fn compiled(source: &str, coordinates: Coordinates) -> Compiled {
     let tokens = source.parse().unwrap_or_else(|error| panic!("{error}"));

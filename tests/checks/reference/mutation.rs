@@ -134,7 +134,11 @@ impl<'a> Judge<'a> {
         let users: Vec<Op> = self.needed.iter().map(|user| graph.op(*user)).collect();
         let uses = users.iter().filter(|op| op.operands().any(|operand| operand == node));
         let is_output = self.outputs.values().flatten().any(|output| *output == node);
-        if negates && !is_output && uses.clone().count() > 0 && uses.clone().all(|op| *op == Op::Mul(node, node)) {
+        if negates
+            && !is_output
+            && uses.clone().count() > 0
+            && uses.clone().all(|op| *op == Op::Mul(node, node))
+        {
             return Some("only its square is used");
         }
         // A prismatic joint exerts nothing along its axis, and no torque on a body whose forces all meet at its centre.

@@ -98,6 +98,11 @@ fn numbers(value: &Value) -> Vec<f64> {
     value.as_array().unwrap().iter().map(|x| x.as_f64().unwrap()).collect()
 }
 
+/// Whether an error is within its bound; NaN is not.
+fn within(error: f64, bound: f64) -> bool {
+    error.abs() <= bound
+}
+
 type Evaluate<'a> = dyn Fn(Function, &Inputs) -> Vec<f64> + 'a;
 
 impl Record {
@@ -151,17 +156,15 @@ fn entries(
         let (expected, scale) = (state.list(name), state.list(&format!("{name}_scale")));
         let found = evaluate(function, inputs);
         for (index, ((e, f), scale)) in expected.iter().zip(&found).zip(scale).enumerate() {
-            if !((e - f).abs() <= ENTRY * scale) {
+            if !within(e - f, ENTRY * scale) {
                 return Some(format!("{name}[{index}] is {f:?}, the reference says {e:?}"));
             }
         }
     }
-    for (name, function) in
-        [("kinetic", Function::KineticEnergy), ("potential", Function::PotentialEnergy)]
-    {
+    for (name, function) in [("kinetic", Function::KineticEnergy), ("potential", Function::PotentialEnergy)] {
         let pair = state.list(name);
         let found = evaluate(function, inputs)[0];
-        if !((pair[0] - found).abs() <= ENTRY * pair[1]) {
+        if !within(pair[0] - found, ENTRY * pair[1]) {
             return Some(format!("{name} is {found:?}, the reference says {:?}", pair[0]));
         }
     }
@@ -184,7 +187,7 @@ fn entries(
             let place = (entry[0].as_u64().unwrap() as usize, entry[1].as_u64().unwrap() as usize);
             let (expected, scale) = (entry[2].as_f64().unwrap(), entry[3].as_f64().unwrap());
             let value = found.remove(&place).unwrap_or(0.0);
-            if !((expected - value).abs() <= ENTRY * scale) {
+            if !within(expected - value, ENTRY * scale) {
                 return Some(format!("{name}{place:?} is {value:?}, the reference says {expected:?}"));
             }
         }
@@ -240,12 +243,11 @@ fn accelerations(
         }
         let worst = residual.iter().fold(0.0_f64, |m, x| if x.is_nan() { f64::NAN } else { m.max(x.abs()) });
         let size = weight.iter().fold(0.0_f64, |m, x| m.max(*x));
-        if !(worst <= BACKWARD * size.max(f64::MIN_POSITIVE) * z.len() as f64) {
+        if !within(worst, BACKWARD * size.max(f64::MIN_POSITIVE) * z.len() as f64) {
             return Some(format!("{} has backward error {:e}", function.name(), worst / size));
         }
     }
-    (inputs.acceleration, inputs.lambda) =
-        (solution[..n].to_vec(), solution[n..n + nu.len()].to_vec());
+    (inputs.acceleration, inputs.lambda) = (solution[..n].to_vec(), solution[n..n + nu.len()].to_vec());
     pivot(compiled, inputs, &mass, &jacobian, solution[solution.len() - 1])
 }
 
@@ -271,9 +273,10 @@ fn pivot(
     let mut entries = mass.to_vec();
     entries.extend(jacobian.iter().map(|(row, column, value)| (n + row, *column, *value)));
     entries.retain(|(i, j, _)| inside(i, j));
-    let rows = equations.rows.iter().enumerate().flat_map(|(row, r)| {
-        r.jet.columns.keys().map(move |column| (n + row, *column)).collect::<Vec<_>>()
-    });
+    let rows =
+        equations.rows.iter().enumerate().flat_map(|(row, r)| {
+            r.jet.columns.keys().map(move |column| (n + row, *column)).collect::<Vec<_>>()
+        });
     let structure = equations.mass.keys().copied().chain(rows).filter(|(i, j)| inside(i, j));
     let pattern = Pattern::new(n, equations.rows.len(), structure);
     let table = Table::with_order(&pattern, sequence);
@@ -281,16 +284,12 @@ fn pivot(
     let watched = eliminated.iter().filter(|unknown| **unknown >= n);
     let expected = watched.fold(1.0_f64, |least, row| least.min(pivots[*row]));
     let same = (expected - found).abs() <= 1e-9 * expected.abs().max(1e-3);
-    (!same).then(|| format!("the smallest relative pivot is {found:?}, another factorisation says {expected:?}"))
+    (!same)
+        .then(|| format!("the smallest relative pivot is {found:?}, another factorisation says {expected:?}"))
 }
 
 /// Bodies, reactions and drivers at consistent states, within what the condition allows.
-fn what_follows(
-    compiled: &Compiled,
-    state: &State,
-    inputs: &Inputs,
-    evaluate: &Evaluate,
-) -> Option<String> {
+fn what_follows(compiled: &Compiled, state: &State, inputs: &Inputs, evaluate: &Evaluate) -> Option<String> {
     let tolerance = 1e-13 * state.values["condition"].as_f64().unwrap().max(100.0);
     let flat = |name: &str| -> Vec<f64> {
         state.values[name].as_array().unwrap().iter().flat_map(numbers).collect()
@@ -300,9 +299,11 @@ fn what_follows(
             .map(|at| expected.iter().skip(at).step_by(group).fold(0.0_f64, |m, x| m.max(x.abs())))
             .collect();
         let largest = sizes.iter().fold(0.0_f64, |m, x| m.max(*x));
-        let wrong = expected.iter().zip(found).enumerate().find(|(index, (e, f))| {
-            !skip(*index) && !((**e - **f).abs() <= tolerance * largest.max(1e-12))
-        });
+        let wrong = expected
+            .iter()
+            .zip(found)
+            .enumerate()
+            .find(|(index, (e, f))| !skip(*index) && !within(**e - **f, tolerance * largest.max(1e-12)));
         wrong.map(|(index, (e, f))| format!("{name}[{index}] is {f:?}, the reference says {e:?}"))
     };
     let particle = |index: usize| {

@@ -71,9 +71,11 @@ fn random_state(text: &mut String, compiled: &Compiled, inputs: &Inputs, evaluat
         list(text, name, &evaluate(function, inputs));
         text.push(',');
     }
-    let d = equations.rows.iter().enumerate().flat_map(|(row, r)| {
-        r.jet.columns.keys().map(move |column| (row, *column)).collect::<Vec<_>>()
-    });
+    let d = equations
+        .rows
+        .iter()
+        .enumerate()
+        .flat_map(|(row, r)| r.jet.columns.keys().map(move |column| (row, *column)).collect::<Vec<_>>());
     matrix(text, "jacobian", d.collect(), &evaluate(Function::ConstraintJacobian, inputs));
     text.push(',');
     matrix(text, "mass", equations.mass.keys().copied().collect(), &evaluate(Function::MassMatrix, inputs));

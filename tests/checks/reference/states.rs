@@ -5,6 +5,7 @@ use linkwright_compiler::Compiled;
 use linkwright_compiler::check::assemble::retract;
 use linkwright_compiler::schedule::{Function, Inputs, run};
 use linkwright_compiler::solve::table::{Numeric, Table};
+use std::f64::consts::PI;
 
 /// A compiled mechanism with the means to find consistent states of it.
 pub struct Walker<'a> {
@@ -55,11 +56,11 @@ impl<'a> Walker<'a> {
         inputs.phases.iter_mut().for_each(|phase| *phase += random.between(-1.0, 1.0));
         inputs.q = random.vector(layout.linear.len(), 2.0 * self.length);
         for _ in &layout.rotations {
-            let angle = random.between(-3.14, 3.14);
+            let angle = random.between(-PI, PI);
             inputs.q.extend([angle.cos(), angle.sin()]);
         }
         for _ in &layout.angles {
-            inputs.q.extend([random.between(-2.0, 3.0).floor(), random.between(-3.14, 3.14)]);
+            inputs.q.extend([random.between(-2.0, 3.0).floor(), random.between(-PI, PI)]);
         }
         inputs.v = random.vector(layout.velocities(), self.speed);
         self.prepare(&mut inputs);
@@ -109,14 +110,16 @@ impl<'a> Walker<'a> {
         let constraints = self.compiled.mechanism.constraints.iter();
         let open = constraints.filter(|c| linkwright_compiler::equations::couplings::is_open(c));
         let rows = &self.compiled.equations.rows;
-        open.filter_map(|c| rows.iter().position(|row| row.joint.is_none() && row.of == c.name.text)).collect()
+        open.filter_map(|c| rows.iter().position(|row| row.joint.is_none() && row.of == c.name.text))
+            .collect()
     }
 
     fn entries(&self, inputs: &Inputs) -> Vec<(usize, usize, f64)> {
         let n = self.compiled.equations.layout.velocities();
         let d = run(self.compiled.programs.get(Function::ConstraintJacobian), inputs);
         let unit = (0..n).map(|k| (k, k, 1.0));
-        unit.chain(self.pattern.iter().zip(d).map(|((row, column), value)| (n + row, *column, value))).collect()
+        unit.chain(self.pattern.iter().zip(d).map(|((row, column), value)| (n + row, *column, value)))
+            .collect()
     }
 
     /// Newton steps of least length onto Φ = 0.

@@ -173,7 +173,10 @@ impl Stated {
                 }
             };
             // What is only guessed is varied too, so that other assemblies are found.
-            let angle = if number > 0 && stated.is_some() && rotation.is_some() && !self.is_exact(equations, *joint, body.0)
+            let angle = if number > 0
+                && stated.is_some()
+                && rotation.is_some()
+                && !self.is_exact(equations, *joint, body.0)
             {
                 free += 1;
                 angle + GOLDEN * (number * free) as f64
@@ -263,7 +266,8 @@ fn report_second(
             Frame::Ground => None,
             Frame::Body(body) => Some(body.0),
         });
-        let (a, b) = (problem.joint_angle(point, &nearest.q, ends), problem.joint_angle(point, &next.q, ends));
+        let (a, b) =
+            (problem.joint_angle(point, &nearest.q, ends), problem.joint_angle(point, &next.q, ends));
         let difference = (a - b - TAU * ((a - b) / TAU).round()).abs();
         let turns = matches!(joint.kind, JointKind::Revolute | JointKind::PointOnLine { .. });
         if turns && difference > 1e-6 && widest.is_none_or(|(known, ..)| difference > known + 1e-9) {

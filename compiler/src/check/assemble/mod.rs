@@ -36,7 +36,11 @@ pub struct Assembly {
 }
 
 /// Puts the mechanism together; reports why if it cannot.
-pub fn assemble(mechanism: &Mechanism, equations: &mut Equations, errors: &mut Diagnostics) -> Option<Assembly> {
+pub fn assemble(
+    mechanism: &Mechanism,
+    equations: &mut Equations,
+    errors: &mut Diagnostics,
+) -> Option<Assembly> {
     let candidates = candidates(mechanism, equations);
     let equations = &*equations;
     let mut point = Point::new(equations);
@@ -76,12 +80,7 @@ pub fn positive_masses(mechanism: &Mechanism, equations: &Equations) -> Vec<(Str
 }
 
 /// The assembled state in another set of coordinates of the same mechanism.
-pub fn carry_over(
-    mechanism: &Mechanism,
-    from: &Equations,
-    assembly: &Assembly,
-    to: &Equations,
-) -> Assembly {
+pub fn carry_over(mechanism: &Mechanism, from: &Equations, assembly: &Assembly, to: &Equations) -> Assembly {
     let mut point = Point::new(from);
     let defaults: Vec<f64> = mechanism.parameters.iter().map(|parameter| parameter.default).collect();
     point.set(&from.symbols.parameters, &defaults);
@@ -117,7 +116,9 @@ fn problem<'a>(mechanism: &Mechanism, equations: &'a Equations, point: &mut Poin
         .map(|constraint| constraint.name.text.as_str())
         .collect();
     let rows = (0..equations.rows.len())
-        .filter(|row| equations.rows[*row].joint.is_some() || !open.contains(&equations.rows[*row].of.as_str()))
+        .filter(|row| {
+            equations.rows[*row].joint.is_some() || !open.contains(&equations.rows[*row].of.as_str())
+        })
         .collect();
     let mut conditions = Vec::new();
     let mut guesses = Vec::new();
@@ -215,8 +216,7 @@ fn candidates(mechanism: &Mechanism, equations: &mut Equations) -> Vec<Condition
         if let (Linear::Center(body, axis), true) = (linear, mechanism.options.independent.is_empty()) {
             let place = center_place(mechanism, *body);
             let quantity = Quantity::Position(Box::new(place), *axis);
-            let laws =
-                Laws::moving(mechanism, &equations.symbols, &equations.layout, &equations.kinematics);
+            let laws = Laws::moving(mechanism, &equations.symbols, &equations.layout, &equations.kinematics);
             let (condition, _) = conditions::condition(&mut equations.graph, &laws, &quantity);
             debug_assert!(condition.jet.columns.contains_key(&index));
             found.push(condition);

@@ -216,7 +216,8 @@ impl Problem<'_> {
         let n = self.equations.symbols.v.len();
         let held = self.conditions.iter().chain(&self.guesses);
         let held: Vec<Condition> = held.map(|(condition, _)| condition.clone()).collect();
-        super::mobility::rank(point, &self.rows, q).rank + super::mobility::independent(point, &held, q).len() >= n
+        super::mobility::rank(point, &self.rows, q).rank + super::mobility::independent(point, &held, q).len()
+            >= n
     }
 
     /// Angle of a joint at `q`, in (−π, π].

@@ -1,6 +1,5 @@
 //! Velocities of the start, and the mass matrix at the assembled position.
 
-
 use super::point::{Ancestry, Point};
 use super::{Assembly, messages};
 use crate::diagnostics::Diagnostics;
@@ -92,8 +91,7 @@ pub fn massless(
         equations.mass.iter().map(|((i, j), node)| (*i, *j, point.get(*node))).collect();
     let table = Table::new(n, 0, mass.iter().map(|(i, j, _)| (*i, *j)));
     let pivots = Numeric::factor(&table, mass.iter().copied()).relative_pivots;
-    let zero: BTreeSet<usize> =
-        (0..n).filter(|k| !pivots[*k].is_finite() || pivots[*k] < 1e-12).collect();
+    let zero: BTreeSet<usize> = (0..n).filter(|k| !pivots[*k].is_finite() || pivots[*k] < 1e-12).collect();
     if zero.is_empty() {
         return Massless::default();
     }
@@ -148,7 +146,6 @@ fn loose_velocities(
     (0..n).filter(|k| pivots[*k] < DEPENDENT).collect()
 }
 
-
 fn body_of<'a>(mechanism: &'a Mechanism, velocity: &str) -> &'a crate::model::Body {
     let owner = velocity.split('.').next().unwrap_or_default();
     let body = mechanism.bodies.iter().find(|body| body.name.text == owner);
@@ -161,4 +158,3 @@ fn body_of<'a>(mechanism: &'a Mechanism, velocity: &str) -> &'a crate::model::Bo
     };
     body.or_else(carried).unwrap_or(&mechanism.bodies[0])
 }
-

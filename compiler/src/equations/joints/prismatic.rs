@@ -13,13 +13,7 @@ pub fn rows(g: &mut Graph, laws: &Laws, ends: &Ends, axis: &[Expr; 2], angle: &E
     rows
 }
 
-pub fn attach(
-    g: &mut Graph,
-    laws: &Laws,
-    carried: Carried,
-    axis: &[Expr; 2],
-    angle: &Expr,
-) -> Placement {
+pub fn attach(g: &mut Graph, laws: &Laws, carried: Carried, axis: &[Expr; 2], angle: &Expr) -> Placement {
     let pair = laws.pair(g, angle);
     let offset = carried.kept(g, pair);
     // The axis is given in the first body's axes; parent and child share one frame.

@@ -1,0 +1,127 @@
+//! Which coordinates: as the definition says, or those whose default acceleration function takes fewer operations.
+
+use crate::check::assemble::{self, Assembly};
+use crate::diagnostics::Diagnostics;
+use crate::equations::{self, Equations, SpanningTree};
+use crate::functions::Function;
+use crate::model::{Coordinates, Mechanism};
+use crate::schedule::{Counts, count_of};
+use crate::solve::order::Strategy;
+use crate::solve::{self, Solved};
+
+/// One set of coordinates, solved.
+pub struct Candidate {
+    pub equations: Equations,
+    pub assembly: Assembly,
+    pub solved: Solved,
+}
+
+/// Which coordinates were taken, and why.
+#[derive(Clone, Debug)]
+pub struct Choice {
+    pub coordinates: Coordinates,
+    pub strategy: Strategy,
+    /// Default acceleration function in these coordinates.
+    pub counts: Counts,
+    /// The other set, if the compiler had the choice.
+    pub rejected: Option<Rejected>,
+}
+
+/// What is known of the coordinates that were not taken.
+#[derive(Clone, Copy, Debug)]
+pub enum Rejected {
+    Counted(Counts),
+    /// Their elimination alone, by its structure, takes so many operations: more than twice all that the others need.
+    Estimated(usize),
+}
+
+/// Solves in the coordinates asked for, or in both and takes the cheaper. `tree` is assembled already.
+pub fn choose(
+    mechanism: &Mechanism,
+    tree: Equations,
+    assembly: Assembly,
+    asked: Coordinates,
+    errors: &mut Diagnostics,
+) -> Option<(Candidate, Choice)> {
+    if asked == Coordinates::Absolute {
+        let absolute = absolute(mechanism, &tree, &assembly);
+        let (candidate, counts) = solved(mechanism, absolute.0, absolute.1, errors)?;
+        return Some(taken(Coordinates::Absolute, candidate, counts, None));
+    }
+    if asked == Coordinates::Tree {
+        let (candidate, counts) = solved(mechanism, tree, assembly, errors)?;
+        return Some(taken(Coordinates::Tree, candidate, counts, None));
+    }
+    let (absolute, state) = absolute(mechanism, &tree, &assembly);
+    let estimate = solve::structural_operations(&absolute);
+    let (tree, counts) = solved(mechanism, tree, assembly, errors)?;
+    if estimate > 2 * counts.total() {
+        return Some(taken(Coordinates::Tree, tree, counts, Some(Rejected::Estimated(estimate))));
+    }
+    let (absolute, others) = solved(mechanism, absolute, state, errors)?;
+    Some(if others.score() < counts.score() {
+        taken(Coordinates::Absolute, absolute, others, Some(Rejected::Counted(counts)))
+    } else {
+        taken(Coordinates::Tree, tree, counts, Some(Rejected::Counted(others)))
+    })
+}
+
+fn absolute(mechanism: &Mechanism, tree: &Equations, assembly: &Assembly) -> (Equations, Assembly) {
+    let absolute = equations::derive(mechanism, SpanningTree::absolute(mechanism));
+    let state = assemble::carry_over(mechanism, tree, assembly, &absolute);
+    (absolute, state)
+}
+
+fn solved(
+    mechanism: &Mechanism,
+    mut equations: Equations,
+    assembly: Assembly,
+    errors: &mut Diagnostics,
+) -> Option<(Candidate, Counts)> {
+    let massless = assemble::massless(mechanism, &equations, &assembly, errors);
+    if !errors.is_empty() {
+        return None;
+    }
+    let solved = solve::solve(&mut equations, massless);
+    let counts = count_of(&equations, &solved, Function::AccelerationBaumgarte);
+    Some((Candidate { equations, assembly, solved }, counts))
+}
+
+fn taken(
+    coordinates: Coordinates,
+    candidate: Candidate,
+    counts: Counts,
+    rejected: Option<Rejected>,
+) -> (Candidate, Choice) {
+    let strategy = candidate.solved.order.strategy;
+    (candidate, Choice { coordinates, strategy, counts, rejected })
+}
+
+impl Choice {
+    /// What was chosen and why, for the documentation.
+    pub fn explanation(&self) -> String {
+        let (own, rival) = match self.coordinates {
+            Coordinates::Absolute => ("absolute", "tree"),
+            _ => ("tree", "absolute"),
+        };
+        let order = match self.strategy {
+            Strategy::MinimumDegree => "minimum degree",
+            Strategy::MinimumFill => "minimum fill",
+            Strategy::Schur => "all velocities first (Schur complement)",
+        };
+        let (operations, depth) = (self.counts.total(), self.counts.depth);
+        let why = match &self.rejected {
+            None => format!("as asked: {operations} operations, depth {depth}"),
+            Some(Rejected::Counted(other)) => format!(
+                "chosen by count: {operations} operations, depth {depth}, against {} and {} in {rival} coordinates",
+                other.total(),
+                other.depth
+            ),
+            Some(Rejected::Estimated(elimination)) => format!(
+                "chosen by count: {operations} operations, depth {depth}, against about {elimination} for the \
+                 elimination alone in {rival} coordinates"
+            ),
+        };
+        format!("In {own} coordinates ({why}); elimination order: {order}.")
+    }
+}
