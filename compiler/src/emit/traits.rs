@@ -137,7 +137,13 @@ pub fn inherent(text: &mut String, emitter: &Emitter) {
             ),
         };
     }
-    let _ = writeln!(text, "let model = Self::with(parameters, {phases});");
+    if open_rows(emitter).is_empty() {
+        let _ = writeln!(text, "let model = Self::with(parameters, {phases});");
+    } else {
+        // Open phases belong to the start position; these parameters may ask for others there.
+        let _ = writeln!(text, "let mut model = Self::with(parameters, {phases});");
+        text.push_str("model.fix_phases(&<Self as Assemble<R>>::start_q());\n");
+    }
     masses(text, emitter);
     text.push_str("check_constants(&model.constants)?;\nOk(model)\n}\n");
     let _ = writeln!(
