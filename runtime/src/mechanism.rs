@@ -101,6 +101,11 @@ pub trait Mechanism<R: Real> {
     /// Adds whole turns to the angles among the outputs so that they continue `previous`; see
     /// [`unwrap_angle`](crate::rotation::unwrap_angle).
     fn unwrap(outputs: &mut Self::Outputs, previous: &Self::Outputs);
+    /// Adds whole turns to the angles among the outputs so that they come nearest to what `start` states of them, for
+    /// the first sample of a simulation.
+    fn unwrap_start(&self, outputs: &mut Self::Outputs) {
+        let _ = outputs;
+    }
 }
 
 /// A quantity of the mechanism that assembly can hold at a value, as a row beside the constraints.

@@ -3,7 +3,7 @@
 use super::body::{constant, literal};
 use super::names::{Argument, field};
 use super::{Emitter, array, quoted, tables};
-use crate::model::{Expr, Quantity};
+use crate::model::{Expr, Quantity, Rotor};
 use crate::schedule::{Function, Operand};
 use std::fmt::Write;
 
@@ -358,17 +358,47 @@ fn outputs(text: &mut String, helpers: &mut String, emitter: &Emitter) {
             format!("{name}Outputs {{ {} }}", values.join(", "))
         },
     );
-    // Angles of the dynamics count their turns themselves; the others are unwrapped from sample to sample.
-    text.push_str("fn unwrap(outputs: &mut Outputs<R>, previous: &Outputs<R>) {\n");
-    for (output, field) in mechanism.outputs.iter().zip(&fields) {
+    // Angles of the dynamics count their turns themselves; the others are unwrapped from sample to sample, the first
+    // time from what `start` states.
+    let unwrapped = mechanism.outputs.iter().zip(&fields).filter_map(|(output, field)| {
         let rotor = match &output.value {
-            Expr::Quantity(Quantity::JointAngle(joint)) => crate::model::Rotor::Joint(*joint),
-            Expr::Quantity(Quantity::BodyAngle(body)) => crate::model::Rotor::Body(*body),
-            _ => continue,
+            Expr::Quantity(Quantity::JointAngle(joint)) => Rotor::Joint(*joint),
+            Expr::Quantity(Quantity::BodyAngle(body)) => Rotor::Body(*body),
+            _ => return None,
         };
-        if compiled.equations.layout.angles.iter().all(|angle| angle.rotor != rotor) {
-            let _ = writeln!(text, "outputs.{field} = unwrap_angle(outputs.{field}, previous.{field});");
-        }
+        let counted = compiled.equations.layout.angles.iter().any(|angle| angle.rotor == rotor);
+        (!counted).then_some((rotor, field))
+    });
+    let unwrapped: Vec<(Rotor, &String)> = unwrapped.collect();
+    text.push_str("fn unwrap(outputs: &mut Outputs<R>, previous: &Outputs<R>) {\n");
+    for (_, field) in &unwrapped {
+        let _ = writeln!(text, "outputs.{field} = unwrap_angle(outputs.{field}, previous.{field});");
+    }
+    text.push_str("}\n");
+    let stated: Vec<(&String, usize)> = unwrapped
+        .iter()
+        .filter_map(|(rotor, field)| {
+            let mut conditions = compiled.equations.conditions.iter().zip(&compiled.equations.start_targets);
+            let at = conditions.position(|(condition, target)| {
+                target.position.is_some()
+                    && match (&condition.quantity, rotor) {
+                        (Quantity::JointAngle(own), Rotor::Joint(joint)) => own == joint,
+                        (Quantity::BodyAngle(own), Rotor::Body(body)) => own == body,
+                        _ => false,
+                    }
+            })?;
+            Some((*field, at))
+        })
+        .collect();
+    if stated.is_empty() {
+        return;
+    }
+    let zeros = format!("[R::ZERO; {}]", emitter.conditions());
+    text.push_str("fn unwrap_start(&self, outputs: &mut Outputs<R>) {\n");
+    let _ = writeln!(text, "let (mut positions, mut rates) = ({zeros}, {zeros});");
+    text.push_str("self.start_targets(&mut positions, &mut rates);\n");
+    for (field, at) in stated {
+        let _ = writeln!(text, "outputs.{field} = unwrap_angle(outputs.{field}, positions[{at}]);");
     }
     text.push_str("}\n");
 }

@@ -213,8 +213,9 @@ impl<'m, R: Real, M: Mechanism<R>, F, S, I> Simulation<'m, M, R, F, S, I> {
         let inputs = self.present_inputs();
         let Run { model, clock, state, .. } = self.run;
         let mut outputs = model.outputs(clock.time, &state.q, &state.v, &inputs);
-        if let Some(previous) = &self.run.outputs {
-            M::unwrap(&mut outputs, previous);
+        match &self.run.outputs {
+            Some(previous) => M::unwrap(&mut outputs, previous),
+            None => model.unwrap_start(&mut outputs),
         }
         self.run.outputs = Some(outputs);
         Sample { time: clock.time, state, inputs, outputs, model }
