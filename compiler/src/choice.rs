@@ -31,7 +31,7 @@ pub struct Choice {
 #[derive(Clone, Copy, Debug)]
 pub enum Rejected {
     Counted(Counts),
-    /// Their elimination alone, by its structure, takes so many operations: more than twice all that the others need.
+    /// Their elimination alone, by its structure, takes so many operations: far more than all that the others need.
     Estimated(usize),
 }
 
@@ -53,7 +53,12 @@ pub fn choose(
         return Some(taken(Coordinates::Tree, candidate, counts, None));
     }
     let (absolute, state) = absolute(mechanism, &tree, &assembly);
-    let estimate = solve::structural_operations(&absolute);
+    let (estimate, of_tree) = (solve::structural_operations(&absolute), solve::structural_operations(&tree));
+    if of_tree > 4 * estimate {
+        // Long chains: the mass matrix of a tree is full, and writing out its elimination would take minutes.
+        let (candidate, counts) = solved(mechanism, absolute, state, errors)?;
+        return Some(taken(Coordinates::Absolute, candidate, counts, Some(Rejected::Estimated(of_tree))));
+    }
     let (tree, counts) = solved(mechanism, tree, assembly, errors)?;
     if estimate > 2 * counts.total() {
         return Some(taken(Coordinates::Tree, tree, counts, Some(Rejected::Estimated(estimate))));

@@ -39,8 +39,6 @@ pub fn compile(tokens: TokenStream, coordinates: Option<Coordinates>) -> Result<
     // AFTER THIS POINT the definition is well formed; nothing is known of what its names mean.
     let mechanism = model::lower(&definition)?;
     // AFTER THIS POINT names are resolved, units are SI, dimensions agree.
-    check::check(&mechanism)?;
-    // AFTER THIS POINT the parts are possible, each for itself.
     compile_model(mechanism, syntax::definition_json(&definition), coordinates)
 }
 
@@ -50,6 +48,8 @@ pub fn compile_model(
     definition: String,
     coordinates: Option<Coordinates>,
 ) -> Result<Compiled, Diagnostics> {
+    check::check(&mechanism)?;
+    // AFTER THIS POINT the parts are possible, each for itself.
     let mut errors = Diagnostics::new();
     let mut tree = equations::derive(&mechanism, SpanningTree::spanning(&mechanism));
     let Some(assembly) = assemble::assemble(&mechanism, &mut tree, &mut errors) else {

@@ -675,6 +675,12 @@ fn distance(a: &str, b: &str) -> usize {
     rows[a.len()][b.len()]
 }
 
+pub(crate) fn angle_without_unit(function: &str, text: &str) -> String {
+    format!(
+        "{function} of a bare number: write its unit, `{function}({text} [deg])` or `{function}({text} [rad])`"
+    )
+}
+
 // ---- The compiler itself ----------------------------------------------------------------------------------------
 
 pub(crate) fn unreadable_expansion(error: &str) -> String {

@@ -53,16 +53,17 @@ pub fn check_setting<R: Real>(
     value: R,
     least: f64,
     most: f64,
+    must_be: &'static str,
 ) -> Result<(), SettingError> {
     check_finite(what, value)?;
     let value = value.to_f64();
     if value < least || value > most {
-        return Err(SettingError { what, value, must_be: "within the bounds of its declaration" });
+        return Err(SettingError { what, value, must_be });
     }
     Ok(())
 }
 
-/// A mass or inertia must not be negative, and must be positive if it was in the definition.
+/// A mass, inertia or length must not be negative, and must be positive if it was in the definition.
 #[doc(hidden)]
 pub fn check_mass<R: Real>(what: &'static str, value: R, positive: bool) -> Result<(), SettingError> {
     let value = value.to_f64();

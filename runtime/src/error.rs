@@ -82,6 +82,17 @@ pub enum SimulationError {
         /// The end that was asked for, s.
         end: f64,
     },
+    /// The start does not satisfy the constraints.
+    Inconsistent {
+        /// The time of the start, s.
+        time: f64,
+        /// The row that is violated most.
+        row: Row,
+        /// max |Φ|, m, rad or the row's own unit.
+        position: f64,
+        /// max |D v − ν|.
+        velocity: f64,
+    },
     /// A parameter of the formulation makes no sense.
     Setting(SettingError),
     /// The constraints lost rank: a dead centre or a redundant joint.
@@ -115,7 +126,9 @@ impl SimulationError {
     /// The joint, constraint or driver that the error is about.
     pub fn joint(&self) -> Option<&'static str> {
         match self {
-            SimulationError::Breakdown { row, .. } => Some(row.of),
+            SimulationError::Breakdown { row, .. } | SimulationError::Inconsistent { row, .. } => {
+                Some(row.of)
+            }
             _ => None,
         }
     }
@@ -180,6 +193,12 @@ impl Display for SimulationError {
             SimulationError::End { time, end } => write!(
                 f,
                 "the simulation stands at {time} s and cannot run to {end} s; give a finite end that is not earlier"
+            ),
+            SimulationError::Inconsistent { time, row, position, velocity } => write!(
+                f,
+                "the start is not consistent at t = {time} s: {row} is off by {position:.3e}, velocities by \
+                 {velocity:.3e}; make it so with `model.assemble(&state)` or `model.project(time, &state)`, or write \
+                 `.accept_inconsistent_start()`"
             ),
             SimulationError::Setting(error) => error.fmt(f),
             SimulationError::Breakdown { time, pivot, row } => write!(

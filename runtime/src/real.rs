@@ -35,8 +35,8 @@ pub trait Real:
     /// The relative pivot below which a factorisation has broken down.
     ///
     /// A pivot is compared with the sum of the magnitudes of the terms that formed it. What remains after
-    /// cancellation to rounding is a few [`EPSILON`](Real::EPSILON); the bound lies some fifty roundings above, so a
-    /// pivot below it has no correct digit worth dividing by: `1e-14` for `f64`, `1e-6` for `f32`.
+    /// cancellation to rounding is a few [`EPSILON`](Real::EPSILON); the bound lies some forty roundings above, so a
+    /// pivot below it has no correct digit worth dividing by: `1e-14` for `f64`, `5e-6` for `f32`.
     const BREAKDOWN: Self;
 
     /// The nearest number to `value`.
@@ -243,7 +243,7 @@ impl_real!(
     tan libm::tan, asin libm::asin, acos libm::acos, atan2 libm::atan2, exp libm::exp, ln libm::log
 );
 impl_real!(
-    f32, breakdown 1e-6, sqrt libm::sqrtf, floor libm::floorf, sin libm::sinf, cos libm::cosf,
+    f32, breakdown 5e-6, sqrt libm::sqrtf, floor libm::floorf, sin libm::sinf, cos libm::cosf,
     tan libm::tanf, asin libm::asinf, acos libm::acosf, atan2 libm::atan2f, exp libm::expf, ln libm::logf
 );
 
@@ -255,7 +255,7 @@ mod tests {
     #[test]
     fn choices_and_bounds() {
         const { assert!(<f64 as Real>::BREAKDOWN > 32.0 * f64::EPSILON) };
-        const { assert!(<f32 as Real>::BREAKDOWN > 8.0 * f32::EPSILON) };
+        const { assert!(<f32 as Real>::BREAKDOWN > 32.0 * f32::EPSILON) };
         assert_eq!(Real::sign(-2.5_f64), -1.0);
         assert_eq!(Real::sign(0.0_f32), 0.0);
         assert_eq!(f64::select(1.0_f64.less(2.0), 3.0, 4.0), 3.0);

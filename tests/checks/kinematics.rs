@@ -135,8 +135,8 @@ fn impossible_parameters_are_named() {
     let refused = |parameters: Parameters| ParametricFourBar::prepare(parameters).expect_err("impossible");
     let default = Parameters::default();
     let cases = [
-        (Parameters { crank_length: 0.0, ..default }, "crank_length", 0.0, "bounds"),
-        (Parameters { crank_length: 11.0, ..default }, "crank_length", 11.0, "bounds"),
+        (Parameters { crank_length: 0.0, ..default }, "crank_length", 0.0, "from 0.01 to 10.0"),
+        (Parameters { crank_length: 11.0, ..default }, "crank_length", 11.0, "from 0.01 to 10.0"),
         (Parameters { gravity_x: f64::INFINITY, ..default }, "gravity_x", f64::INFINITY, "finite"),
         (Parameters { crank_mass: -1.0, ..default }, "mass of \"crank\"", -1.0, "positive"),
         (Parameters { coupler_inertia: 0.0, ..default }, "inertia of \"coupler\"", 0.0, "positive"),

@@ -14,5 +14,6 @@ mod no_alloc;
 mod published;
 mod reference;
 mod registry;
+mod starts;
 mod walking;
 mod zoo;

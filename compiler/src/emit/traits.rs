@@ -131,9 +131,10 @@ pub fn inherent(text: &mut String, emitter: &Emitter) {
             None => writeln!(text, "check_finite({what}, parameters.{field})?;"),
             Some((least, most)) => writeln!(
                 text,
-                "check_setting({what}, parameters.{field}, {}, {})?;",
+                "check_setting({what}, parameters.{field}, {}, {}, {})?;",
                 literal(least),
-                literal(most)
+                literal(most),
+                quoted(&format!("from {least:?} to {most:?} in SI units, by its declaration"))
             ),
         };
     }

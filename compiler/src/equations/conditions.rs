@@ -12,9 +12,11 @@ pub struct Condition {
     /// `crank_pin.angle`.
     pub of: String,
     pub quantity: Quantity,
-    /// An angle, to be compared by its sine; anything else is compared as it is.
+    /// An angle: at expansion compared on the circle, because `start` speaks of positions.
     pub angular: bool,
-    /// sin(θ − target), or value − target.
+    /// An angle whose turns the dynamics count: at run time compared with them, because laws depend on them.
+    pub counted: bool,
+    /// sin(θ − target) of an angle that is not counted, else value − target.
     pub residual: Node,
     /// cos(θ − target), or 1.
     pub upright: Node,
@@ -71,7 +73,8 @@ pub fn condition(g: &mut Graph, laws: &Laws, quantity: &Quantity) -> (Condition,
         Quantity::JointAngle(joint) => Some(Rotor::Joint(*joint)),
         _ => None,
     };
-    let (residual, upright) = match rotor {
+    let counted = rotor.is_some_and(|rotor| laws.is_counted(rotor));
+    let (residual, upright) = match rotor.filter(|_| !counted) {
         Some(rotor) => {
             let [cos, sin] = laws.rotor_pair(g, rotor);
             let (c, s) = (g.unary(Unary::Cos, target), g.unary(Unary::Sin, target));
@@ -81,7 +84,18 @@ pub fn condition(g: &mut Graph, laws: &Laws, quantity: &Quantity) -> (Condition,
         }
         None => (g.sub(jet.value, target), g.constant(1.0)),
     };
-    (Condition { of, quantity: quantity.clone(), angular: rotor.is_some(), residual, upright, jet }, target)
+    (
+        Condition {
+            of,
+            quantity: quantity.clone(),
+            angular: rotor.is_some(),
+            counted,
+            residual,
+            upright,
+            jet,
+        },
+        target,
+    )
 }
 
 /// What `start` asks of a condition.

@@ -257,6 +257,11 @@ impl<'a> Laws<'a> {
         self.relative(g, first, second, none).0
     }
 
+    /// Whether the dynamics count a rotor's turns.
+    pub fn is_counted(&self, rotor: Rotor) -> bool {
+        self.layout.angles.iter().any(|angle| angle.rotor == rotor)
+    }
+
     /// Angle of a rotor: the multi-turn coordinate if the dynamics carry one, else atan2 in (−π, π].
     pub fn angle(&self, g: &mut Graph, rotor: Rotor) -> Jet {
         let (first, second) = self.ends(rotor);

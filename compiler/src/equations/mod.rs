@@ -24,7 +24,7 @@ pub use kinematics::Kinematics;
 pub use laws::{Laws, Totals};
 pub use spanning_tree::{Attachment, SpanningTree};
 
-use crate::model::{BodyKind, JointId, LoadKind, Mechanism, Quantity};
+use crate::model::{BodyKind, JointId, JointKind, Mechanism, Quantity};
 use crate::symbolic::{Class, Graph, Node};
 use inertia::Massive;
 use proc_macro2::Span;
@@ -77,7 +77,7 @@ pub struct Equations {
     pub outputs: Vec<Node>,
     pub conditions: Vec<Condition>,
     pub start_targets: Vec<StartTarget>,
-    /// Masses and inertias that depend on parameters, `mass of "crank"`.
+    /// Masses, inertias and lengths that depend on parameters, `mass of "crank"`.
     pub masses: Vec<(String, Node)>,
     /// Positions that `start` guesses.
     pub guesses: Vec<(Condition, Node)>,
@@ -128,9 +128,10 @@ pub fn derive(mechanism: &Mechanism, tree: SpanningTree) -> Equations {
         powers: powers.clone(),
         ..Totals::default()
     };
-    for (row, lambda) in rows[first_driver..].iter().zip(&symbols.lambda[first_driver..]) {
+    // The effort acts along the driven quantity, whose rate is that of the law.
+    for (driver, lambda) in mechanism.drivers.iter().zip(&symbols.lambda[first_driver..]) {
         let effort = g.neg(*lambda);
-        let rate = g.neg(row.jet.drift);
+        let rate = laws.jet(g, &driver.law).drift;
         totals.efforts.push(effort);
         totals.driver_powers.push(g.mul(effort, rate));
     }
@@ -150,6 +151,16 @@ pub fn derive(mechanism: &Mechanism, tree: SpanningTree) -> Equations {
     for (body, massive) in mechanism.bodies.iter().zip(&massive) {
         masses.push((format!("mass of \"{}\"", body.name.text), massive.mass));
         masses.extend(massive.inertia.map(|inertia| (format!("inertia of \"{}\"", body.name.text), inertia)));
+    }
+    for body in &mechanism.bodies {
+        for (what, length) in &body.dimensions {
+            masses.push((format!("{what} of \"{}\"", body.name.text), laws.value(g, length)));
+        }
+    }
+    for joint in &mechanism.joints {
+        if let JointKind::Distance { length } = &joint.kind {
+            masses.push((format!("length of \"{}\"", joint.name.text), laws.value(g, length)));
+        }
     }
     masses.retain(|(_, node)| g.class(*node) == Class::Parameter);
     let guesses = conditions::guesses(g, &laws);
@@ -294,11 +305,6 @@ fn gravity_potential(
         sum = g.sub(sum, weight);
     }
     sum
-}
-
-/// Whether a load stores energy.
-pub fn is_conservative(load: &LoadKind) -> bool {
-    matches!(load, LoadKind::Spring { .. } | LoadKind::TorsionSpring { .. })
 }
 
 /// A dotted or indexed name as an identifier.

@@ -107,7 +107,15 @@ impl<'d> Lowering<'d> {
         };
         let ((mass, mass_span), (inertia, inertia_span)) = (mass?, inertia?);
         let (points, lines) = (self.named_points(index, body)?, self.named_lines(index, body)?);
+        let written =
+            ["length", "radius", "width", "height"].into_iter().filter(|it| body.property(it).is_some());
+        let written: Vec<&'static str> = written.collect();
+        let mut dimensions = Vec::new();
+        for property in written {
+            dimensions.push((property, self.shape_length(body, property, false)?));
+        }
         Some(Body {
+            dimensions,
             name: name(&body.name),
             kind: if body.shape == Shape::Particle { BodyKind::Particle } else { BodyKind::Rigid },
             mass,

@@ -59,6 +59,14 @@ impl Lowering<'_> {
 
     fn function_of_one(&mut self, name: &str, argument: &Term, region: Region, usage: Use) -> Option<Typed> {
         let x = self.value(argument, usage)?;
+        if matches!(name, "sin" | "cos" | "tan")
+            && let TermKind::Number { text, unit: None } = &argument.kind
+            && !x.zero
+        {
+            // 30 is as likely to be degrees.
+            self.diagnostics.error(argument.region, messages::angle_without_unit(name, text));
+            return None;
+        }
         let (function, dimension) = match name {
             "sqrt" => (Function1::Sqrt, x.dimension.power(0.5)),
             "abs" => (Function1::Abs, Some(x.dimension)),

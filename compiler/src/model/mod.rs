@@ -113,6 +113,8 @@ pub struct Body {
     /// kg m² about the centre of mass, of parameters only; zero for a particle.
     pub inertia: Expr,
     pub inertia_span: Span,
+    /// Lengths of its shape, m, by name: positive, whatever parameters make of them.
+    pub dimensions: Vec<(&'static str, Expr)>,
     /// Centre of mass in the body's frame, m.
     pub center: [Expr; 2],
     /// Named points in the body's frame, m (shape points such as a rod's `start` included).

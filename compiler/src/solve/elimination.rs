@@ -20,7 +20,7 @@ pub struct Factor {
 struct Step {
     unknown: usize,
     is_row: bool,
-    /// 1/|d|: velocities have positive pivots, rows negative ones.
+    /// 1/d of a velocity, −1/d of a row: positive, except where a pivot has broken down.
     inverse: Node,
     /// Column of L below the pivot.
     column: Vec<(usize, Node)>,
@@ -37,7 +37,7 @@ struct Diagonal {
 
 /// Factors K in the given order. Velocity pivots are those of M, positive with it, and are watched only on request;
 /// a row's pivot is the difference of two sums of squares, P − N, and is watched wherever there is an N:
-/// (P − N)/(P + N) = 1/(2 P/d − 1), so one product and one maximum watch it.
+/// (P − N)/(P + N) = 1/(2 P/d − 1), so a product, its magnitude and a maximum watch it.
 pub fn factor(
     g: &mut Graph,
     entries: &Entries,
@@ -65,7 +65,9 @@ pub fn factor(
         let magnitude = taken.iter().fold(positive, |sum, term| g.sub(sum, *term));
         let inverse = g.unary(Unary::Reciprocal, magnitude);
         if (is_row || watch_velocities) && !taken.is_empty() {
+            // Where a pivot has broken down its sign is that of rounding.
             let ratio = g.mul(positive, inverse);
+            let ratio = g.unary(Unary::Abs, ratio);
             watched = Some(watched.map_or(ratio, |worst| g.max(worst, ratio)));
         }
         let reciprocal = if is_row { g.neg(inverse) } else { inverse };

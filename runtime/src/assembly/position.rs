@@ -12,6 +12,8 @@ use crate::vector::Vector;
 
 /// Iterations before the search is given up.
 const ITERATIONS: u32 = 50;
+/// Iterations at the largest turn besides, where counted angles have far to go: some thirty turns.
+const FAR: u32 = 400;
 /// The largest turn of one iteration, rad: Newton's linear picture of a rotation holds no further.
 const LARGEST_TURN: f64 = 0.5;
 /// Halvings of a step that does not bring the residual down.
@@ -38,7 +40,8 @@ pub fn assemble_position<R: Real, M: Assemble<R>>(
     let mut system = System::new(model, active)?;
     let mut q = *near;
     let mut residual = Residual::at(model, time, &q, targets, &system.active);
-    for iteration in 0..ITERATIONS {
+    let (mut iteration, mut far) = (0, 0);
+    while iteration < ITERATIONS && far < FAR {
         residual.check_finite::<M>()?;
         if residual.norm <= tolerance::<R, M>(&q) {
             return residual.check_flips::<M>().map(|()| q);
@@ -48,7 +51,13 @@ pub fn assemble_position<R: Real, M: Assemble<R>>(
         if pivot.value < R::BREAKDOWN {
             return Err(rank_deficient::<R, M>(pivot));
         }
-        let delta = limited::<R, M>(system.least(&residual.rows, &residual.conditions).scaled(-R::ONE));
+        let step = system.least(&M::V::zero(), &residual.rows, &residual.conditions).scaled(-R::ONE);
+        let delta = limited::<R, M>(step);
+        if delta == step || M::LAYOUT.angles.is_empty() {
+            iteration += 1;
+        } else {
+            far += 1;
+        }
         match shorten(model, time, &q, &delta, targets, &system.active, residual.norm) {
             Some((next, next_residual)) => (q, residual) = (next, next_residual),
             None if residual.norm <= R::from_f64(64.0) * tolerance::<R, M>(&q) => {
@@ -60,7 +69,7 @@ pub fn assemble_position<R: Real, M: Assemble<R>>(
     if residual.norm <= tolerance::<R, M>(&q) {
         return residual.check_flips::<M>().map(|()| q);
     }
-    Err(residual.no_convergence::<M>(ITERATIONS))
+    Err(residual.no_convergence::<M>(iteration + far))
 }
 
 /// The position nearest to `near` that satisfies the constraints; nothing else is held.
@@ -106,10 +115,15 @@ fn limited<R: Real, M: Assemble<R>>(delta: M::V) -> M::V {
     if largest > limit { delta.scaled(limit / largest) } else { delta }
 }
 
-/// What the residual's norm may be from rounding alone: constraints are products of at most two coordinates.
+/// What the residual's norm may be from rounding alone: constraints are products of at most two coordinates, and
+/// couplings sums of counted angles, which may have made many turns.
 fn tolerance<R: Real, M: Assemble<R>>(q: &M::Q) -> R {
-    let magnitude = R::ONE + q.max_abs();
-    R::from_f64(32.0) * R::EPSILON * magnitude * magnitude
+    let counted = q.as_slice().len() - 2 * M::LAYOUT.angles.len();
+    let (plain, angles) = q.as_slice().split_at(counted);
+    let largest = |values: &[R]| values.iter().fold(R::ZERO, |largest, x| largest.max(x.abs()));
+    let magnitude = R::ONE + largest(plain);
+    let turned = R::from_f64(core::f64::consts::TAU) * largest(angles);
+    R::from_f64(32.0) * R::EPSILON * (magnitude * magnitude + turned)
 }
 
 /// The residual of the mechanism `M`.

@@ -23,7 +23,35 @@ pub fn assemble_velocity<R: Real, M: Assemble<R>>(
     rates: &M::Conditions,
     active: &[u16],
 ) -> Result<M::V, AssemblyError> {
-    correct_velocity(model, time, q, &M::V::zero(), rates, active)
+    let momentum = carried_momentum(model, time, q);
+    let mut system = System::new(model, active)?;
+    let (nu, targets) = asked(model, time, q, rates);
+    correct(&mut system, time, q, &M::V::zero(), &nu, &targets, &momentum)
+}
+
+/// b of the kinetic energy ½ vᵀ M v + bᵀ v + c: places that move with time carry bodies along. From T itself, which is
+/// quadratic: b_k = T(e_k) − T(0) − ½ M_kk.
+fn carried_momentum<R: Real, M: Assemble<R>>(model: &M, time: R, q: &M::Q) -> M::V {
+    let mut momentum = M::V::zero();
+    let at_rest = model.kinetic_energy(time, q, &momentum);
+    if at_rest == R::ZERO {
+        return momentum;
+    }
+    let mut mass = M::Mass::zero();
+    model.mass_matrix(time, q, &mut mass);
+    let half = R::from_f64(0.5);
+    for k in 0..M::V::LEN {
+        let mut unit = M::V::zero();
+        unit.as_mut_slice()[k] = R::ONE;
+        momentum.as_mut_slice()[k] = model.kinetic_energy(time, q, &unit) - at_rest;
+    }
+    for (&entry, &(i, j)) in mass.as_slice().iter().zip(M::MASS_PATTERN) {
+        if i == j {
+            let own = &mut momentum.as_mut_slice()[i as usize];
+            *own = *own - half * entry;
+        }
+    }
+    momentum
 }
 
 /// The velocities nearest to `v` in the norm of M that satisfy the constraints.
@@ -58,7 +86,7 @@ pub fn assemble_acceleration<R: Real, M: Assemble<R>>(
     let mut bias = M::Conditions::zero();
     model.condition_bias(time, q, v, &mut bias);
     let targets = accelerations.plus(-R::ONE, &bias);
-    correct(&mut system, time, q, &M::V::zero(), &gamma, &targets)
+    correct(&mut system, time, q, &M::V::zero(), &gamma, &targets, &M::V::zero())
 }
 
 fn correct_velocity<R: Real, M: Assemble<R>>(
@@ -70,12 +98,22 @@ fn correct_velocity<R: Real, M: Assemble<R>>(
     active: &[u16],
 ) -> Result<M::V, AssemblyError> {
     let mut system = System::new(model, active)?;
+    let (nu, targets) = asked(model, time, q, rates);
+    correct(&mut system, time, q, v, &nu, &targets, &M::V::zero())
+}
+
+/// ν̂: of the rows, and of conditions whose coordinates have these rates.
+fn asked<R: Real, M: Assemble<R>>(
+    model: &M,
+    time: R,
+    q: &M::Q,
+    rates: &M::Conditions,
+) -> (M::Lambda, M::Conditions) {
     let mut nu = M::Lambda::zero();
     model.nu(time, q, &mut nu);
     let mut drift = M::Conditions::zero();
     model.condition_drift(time, q, &mut drift);
-    let targets = rates.plus(-R::ONE, &drift);
-    correct(&mut system, time, q, v, &nu, &targets)
+    (nu, rates.plus(-R::ONE, &drift))
 }
 
 /// x + the least correction with D̂ x = (`rows`, `conditions`). The second round removes what rounding, or a shifted
@@ -87,13 +125,17 @@ fn correct<R: Real, M: Assemble<R>>(
     x: &M::V,
     rows: &M::Lambda,
     conditions: &M::Conditions,
+    momentum: &M::V,
 ) -> Result<M::V, AssemblyError> {
     system.evaluate(time, q, None);
     system.factor_mass_or_shifted(time, q)?;
     let mut x = *x;
+    let mut force = momentum.scaled(-R::ONE);
     for _ in 0..2 {
         let (rows, conditions) = system.remaining(rows, conditions, &x);
-        x.axpy(R::ONE, &system.least(&rows, &conditions));
+        x.axpy(R::ONE, &system.least(&force, &rows, &conditions));
+        // The second round only corrects what rounding left of the rows.
+        force = M::V::zero();
     }
     match x.first_not_finite() {
         Some(unknown) => Err(AssemblyError::NonFinite { row: super::system::name_unknown::<R, M>(unknown) }),

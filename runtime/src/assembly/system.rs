@@ -76,6 +76,8 @@ impl<'m, R: Real, M: Assemble<R>> System<'m, R, M> {
             let square = &mut squares.as_mut_slice()[row as usize];
             *square = *square + entry * entry;
         }
+        let rounding = R::from_f64(64.0) * R::EPSILON;
+        let vanished = rounding * rounding;
         let pairs = M::ROWS.windows(2).zip(squares.as_slice().windows(2)).enumerate();
         for (row, (names, squares)) in pairs {
             if names[0].of != names[1].of || names[0].what != "x" || names[1].what != "y" {
@@ -83,7 +85,7 @@ impl<'m, R: Real, M: Assemble<R>> System<'m, R, M> {
             }
             let (least, most) = (squares[0].min(squares[1]), squares[0].max(squares[1]));
             let share = if most > R::ZERO { least / most } else { R::ZERO };
-            if share < R::BREAKDOWN {
+            if share < vanished {
                 let lost = if squares[0] < squares[1] { row } else { row + 1 };
                 return Some(Pivot { value: share, unknown: M::V::LEN + lost });
             }
@@ -136,10 +138,11 @@ impl<'m, R: Real, M: Assemble<R>> System<'m, R, M> {
         }
     }
 
-    /// The δ of least ½ δᵀ W δ with D̂ δ = (`rows`, `conditions`); conditions that are not held are left out.
-    pub(super) fn least(&self, rows: &M::Lambda, conditions: &M::Conditions) -> M::V {
+    /// The δ of least ½ δᵀ W δ − `force`·δ with D̂ δ = (`rows`, `conditions`); conditions that are not held are left out.
+    pub(super) fn least(&self, force: &M::V, rows: &M::Lambda, conditions: &M::Conditions) -> M::V {
         let mut right = M::System::zero();
-        let (_, rest) = right.as_mut_slice().split_at_mut(M::V::LEN);
+        let (to_velocities, rest) = right.as_mut_slice().split_at_mut(M::V::LEN);
+        to_velocities.copy_from_slice(force.as_slice());
         let (to_rows, to_conditions) = rest.split_at_mut(M::Lambda::LEN);
         to_rows.copy_from_slice(rows.as_slice());
         for ((to, &value), &active) in

@@ -51,6 +51,8 @@ struct Run<'m, R: Real, M: Mechanism<R>> {
     /// The outputs last sampled, which the next ones continue.
     outputs: Option<M::Outputs>,
     smallest_pivot: R,
+    /// Whether the start is known to satisfy the constraints, or need not.
+    start_accepted: bool,
 }
 
 /// Time as a beginning and a number of steps.
@@ -84,6 +86,7 @@ impl<'m, R: Real, M: Mechanism<R>> Simulation<'m, M, R> {
             inputs: None,
             outputs: None,
             smallest_pivot: R::ONE,
+            start_accepted: false,
         };
         Simulation { formulation: LagrangeIndex1, source: NoInputs, integrator: Rk4, run }
     }
@@ -140,7 +143,14 @@ impl<'m, R: Real, M: Mechanism<R>, F, S, I> Simulation<'m, M, R, F, S, I> {
         self
     }
 
-    /// The time at which the simulation starts, s; zero if not given.
+    /// Takes a start that does not satisfy the constraints, which is otherwise an error of the first step.
+    pub fn accept_inconsistent_start(mut self) -> Self {
+        self.run.start_accepted = true;
+        self
+    }
+
+    /// The time at which the simulation starts, s; zero if not given. Where drivers or moving places depend on time, the
+    /// start has to be consistent at this time: `model.project(seconds, &state)`.
     pub fn start_time(mut self, seconds: R) -> Self {
         self.run.clock = Clock::at(seconds);
         self.run.inputs = None;

@@ -2,7 +2,7 @@
 //!
 //! The methods themselves are in `integrator` and `formulation`; clock and samples are in `mod.rs` and `sample.rs`.
 
-use super::{Clock, Simulation};
+use super::{Clock, Residual, Simulation};
 use crate::assembly::{singular_velocity, smallest_pivot};
 use crate::error::SimulationError;
 use crate::formulation::Formulation;
@@ -13,6 +13,9 @@ use crate::mechanism::{Assemble, Mechanism, Row};
 use crate::real::Real;
 use crate::state::State;
 use crate::vector::Vector;
+
+/// A start further off the constraints than this, relative to its coordinates, is a mistake and not rounding.
+const INCONSISTENT: f64 = 1e-6;
 
 /// A relative pivot of D Dᵀ above which the constraints are not to blame for a breakdown.
 const WELL_POSED: f64 = 1e-8;
@@ -61,6 +64,10 @@ impl<'m, R: Real, M: Assemble<R>, F: Formulation<R>, S, I: Integrator<R>> Simula
     where
         S: InputSource<R, M>,
     {
+        if !self.run.start_accepted {
+            self.check_start()?;
+            self.run.start_accepted = true;
+        }
         let inputs = self.present_inputs();
         let time = self.time();
         let mut stages = Stages {
@@ -85,6 +92,34 @@ impl<'m, R: Real, M: Assemble<R>, F: Formulation<R>, S, I: Integrator<R>> Simula
         self.run.clock = clock;
         self.run.inputs = None;
         Ok(())
+    }
+
+    /// The start must satisfy the constraints: by position to [`INCONSISTENT`] of the size of the coordinates, by
+    /// velocity to the root of that.
+    #[cold]
+    fn check_start(&self) -> Result<(), SimulationError> {
+        let (model, time, state) = (self.run.model, self.time(), &self.run.state);
+        let mut phi = M::Lambda::zero();
+        model.constraints(time, &state.q, &mut phi);
+        let residual = Residual::of(model, time, state);
+        let counted = state.q.as_slice().len() - 2 * M::LAYOUT.angles.len();
+        let plain = state.q.as_slice()[..counted].iter().fold(R::ONE, |largest, x| largest.max(x.abs()));
+        let tolerance = R::from_f64(INCONSISTENT).max(R::EPSILON.sqrt());
+        let off = residual.position > tolerance * plain * plain;
+        let fast = residual.velocity > tolerance.sqrt() * plain * (R::ONE + state.v.max_abs());
+        if !off && !fast {
+            return Ok(());
+        }
+        let rows = phi.as_slice().iter().zip(M::ROWS);
+        let worst = rows.fold((R::ZERO, None), |worst, (value, row)| {
+            if value.abs() > worst.0 || worst.1.is_none() { (value.abs(), Some(*row)) } else { worst }
+        });
+        Err(SimulationError::Inconsistent {
+            time: time.to_f64(),
+            row: worst.1.unwrap_or(Row { of: M::NAME, what: "constraints" }),
+            position: residual.position.to_f64(),
+            velocity: residual.velocity.to_f64(),
+        })
     }
 
     /// A state without numbers: the joint, if the step began where the constraints lose rank, else the coordinate.

@@ -40,10 +40,10 @@ pub fn closed(
         let met = attempt.distance < MET && problem.has_guesses();
         // Coordinates that nothing decides come out anywhere; the guesses then tell one assembly from another.
         let decided = problem.is_decided(point, &attempt.q);
-        let alike = |known: &Attempt| {
-            same(&known.q, &attempt.q) || (!decided && same(&[known.distance], &[attempt.distance]))
+        let known = |known: &Attempt| {
+            same(equations, &known.q, &attempt.q) || (!decided && alike(known.distance, attempt.distance))
         };
-        if !solutions.iter().any(alike) {
+        if !solutions.iter().any(known) {
             solutions.push(attempt);
         }
         // Nothing can be nearer to guesses than one that meets them; with nothing to find there is nothing to compare.
@@ -67,37 +67,62 @@ pub fn closed(
             None
         }
         ([], failure, None) => {
-            report_open(mechanism, equations, failure, errors);
+            report_open(mechanism, point, failure, errors);
             None
         }
     }
 }
 
-/// Whole turns of the multi-turn angles: their remainder is that of the assembled pairs, their turns those nearest to
-/// the value that `start` or a driver states.
-pub fn settle_turns(equations: &Equations, point: &mut Point, assembled: &mut Attempt) {
-    let layout = &equations.layout;
-    for (a, angle) in layout.angles.iter().enumerate() {
-        let at = layout.turns(a);
-        let is = |quantity: &Quantity| match (quantity, angle.rotor) {
-            (Quantity::BodyAngle(body), Rotor::Body(own)) => *body == own,
-            (Quantity::JointAngle(joint), Rotor::Joint(own)) => *joint == own,
-            _ => false,
-        };
-        let exact = equations.conditions.iter().zip(&equations.start_targets);
-        let exact = exact.filter_map(|(condition, start)| Some((condition, start.position?)));
-        let guessed = equations.guesses.iter().map(|(condition, node)| (condition, *node));
-        let driven = equations.driven.iter().map(|(condition, node)| (condition, *node));
-        let stated = driven.chain(exact).chain(guessed).find(|(condition, _)| is(&condition.quantity));
-        let Some((_, node)) = stated else { continue };
-        point.evaluate(&Ancestry::of(equations, [node]));
-        let stated = point.get(node);
-        assembled.q[at] = ((stated - assembled.q[at + 1]) / TAU).round();
+/// Whole turns of the multi-turn angles. Those that `start` or a driver states come nearest to what is stated, the others
+/// to zero, if the couplings allow it; then the rows that count turns are solved once more.
+pub fn settle_turns(problem: &Problem, point: &mut Point, assembled: Attempt) -> Attempt {
+    let equations = point.equations;
+    if equations.layout.angles.is_empty() {
+        return assembled;
     }
+    let mut stated = assembled.q.clone();
+    let mut all = assembled.q.clone();
+    for (a, angle) in equations.layout.angles.iter().enumerate() {
+        let at = equations.layout.turns(a);
+        match stated_angle(equations, point, angle.rotor) {
+            Some(value) => {
+                stated[at] = ((value - assembled.q[at + 1]) / TAU).round();
+                all[at] = stated[at];
+            }
+            None => all[at] = 0.0,
+        }
+    }
+    [all, stated, assembled.q.clone()]
+        .into_iter()
+        .map(|q| problem.solve(point, q))
+        .find(|attempt| attempt.closed && same(equations, &attempt.q, &assembled.q))
+        .unwrap_or(assembled)
 }
 
-fn same(a: &[f64], b: &[f64]) -> bool {
-    a.iter().zip(b).all(|(a, b)| (a - b).abs() <= 1e-6 * (1.0 + a.abs()))
+/// What `start` or a driver states of a rotor's angle.
+fn stated_angle(equations: &Equations, point: &mut Point, rotor: Rotor) -> Option<f64> {
+    let is = |quantity: &Quantity| match (quantity, rotor) {
+        (Quantity::BodyAngle(body), Rotor::Body(own)) => *body == own,
+        (Quantity::JointAngle(joint), Rotor::Joint(own)) => *joint == own,
+        _ => false,
+    };
+    let exact = equations.conditions.iter().zip(&equations.start_targets);
+    let exact = exact.filter_map(|(condition, start)| Some((condition, start.position?)));
+    let guessed = equations.guesses.iter().map(|(condition, node)| (condition, *node));
+    let driven = equations.driven.iter().map(|(condition, node)| (condition, *node));
+    let (_, node) = driven.chain(exact).chain(guessed).find(|(condition, _)| is(&condition.quantity))?;
+    point.evaluate(&Ancestry::of(equations, [node]));
+    Some(point.get(node))
+}
+
+/// Whether two positions are one, whatever turns their angles have counted.
+fn same(equations: &Equations, a: &[f64], b: &[f64]) -> bool {
+    let counted = equations.layout.turns(0);
+    a.iter().zip(b).take(counted).all(|(a, b)| alike(*a, *b))
+}
+
+fn alike(a: f64, b: f64) -> bool {
+    (a - b).abs() <= 1e-6 * (1.0 + a.abs())
 }
 
 /// Values that `start` and the drivers give to coordinates.
@@ -284,12 +309,8 @@ fn report_second(
 }
 
 /// No assembly: names the joint that stays open, and the loop it closes.
-fn report_open(
-    mechanism: &Mechanism,
-    equations: &Equations,
-    failure: Option<Attempt>,
-    errors: &mut Diagnostics,
-) {
+fn report_open(mechanism: &Mechanism, point: &mut Point, failure: Option<Attempt>, errors: &mut Diagnostics) {
+    let equations = point.equations;
     let Some(failure) = failure else {
         errors.error(mechanism.name.span, messages::cannot_start());
         return;
@@ -298,12 +319,24 @@ fn report_open(
         Some(row) => {
             let row = &equations.rows[row];
             let path = row.joint.map(|joint| loop_of(mechanism, equations, joint)).unwrap_or_default();
-            errors.error(row.span, messages::cannot_close(&row.of, row.what, &path, failure.residual));
+            // Of two points that should meet, the distance, not the larger component.
+            let components =
+                equations.rows.iter().filter(|own| own.joint.is_some() && own.joint == row.joint);
+            let components: Vec<_> =
+                components.filter(|own| matches!(own.what, "x" | "y")).map(|own| own.jet.value).collect();
+            let apart = if matches!(row.what, "x" | "y") {
+                point.set_q(&failure.q);
+                point.evaluate(&Ancestry::of(equations, components.iter().copied()));
+                components.iter().map(|node| point.get(*node).powi(2)).sum::<f64>().sqrt()
+            } else {
+                failure.amount
+            };
+            errors.error(row.span, messages::cannot_close(&row.of, row.what, &path, apart));
         }
         None => {
             let span = mechanism.start.iter().find(|start| start.exact).map(|start| start.span);
             let span = span.unwrap_or(mechanism.name.span);
-            errors.error(span, messages::cannot_meet_start(failure.residual));
+            errors.error(span, messages::cannot_meet_start(failure.amount));
         }
     }
 }

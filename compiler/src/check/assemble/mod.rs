@@ -48,8 +48,8 @@ pub fn assemble(
     point.set(&equations.symbols.parameters, &defaults);
 
     let problem = problem(mechanism, equations, &mut point);
-    let mut assembled = attempts::closed(mechanism, &problem, &mut point, errors)?;
-    attempts::settle_turns(equations, &mut point, &mut assembled);
+    let assembled = attempts::closed(mechanism, &problem, &mut point, errors)?;
+    let assembled = attempts::settle_turns(&problem, &mut point, assembled);
     let q = assembled.q;
     let phases = phases(mechanism, equations, &mut point, &q);
     point.set(&equations.symbols.phases, &phases);

@@ -25,8 +25,10 @@ pub struct Problem<'a> {
 #[derive(Clone, Debug)]
 pub struct Attempt {
     pub q: Vec<f64>,
-    /// Largest residual of constraints and conditions.
+    /// Largest residual of constraints and conditions, relative to the size of what they compare.
     pub residual: f64,
+    /// The same residual as it is: m, rad, m² of a distance.
+    pub amount: f64,
     /// Index in [`Equations::rows`] of the row with the largest residual, if a row has it.
     pub worst: Option<usize>,
     pub closed: bool,
@@ -34,7 +36,7 @@ pub struct Attempt {
     pub distance: f64,
 }
 
-/// Residuals below this close a loop (m or rad).
+/// Relative residuals below this close a loop.
 const CLOSED: f64 = 1e-12;
 const ITERATIONS: usize = 60;
 /// Weight of the step's own length beside the guesses.
@@ -78,14 +80,16 @@ impl<'a> Problem<'a> {
         let mut best = self.measure(point, q);
         let mut settled = 0;
         for _ in 0..ITERATIONS {
-            let (entries, rhs) = self.system(point, &best.q, n, unknowns);
+            let (entries, rhs) = self.system(point, &best.q, n, unknowns, &self.guesses);
             let step = Numeric::factor(&self.table, entries).solve(&rhs);
             let length = step[..n].iter().fold(0.0_f64, |longest, s| longest.max(s.abs()));
             if !length.is_finite() {
                 break;
             }
-            // Long steps leave the neighbourhood in which the linearisation means anything.
-            let mut scale = if length > 0.7 { 0.7 / length } else { 1.0 };
+            // Large turns leave the neighbourhood in which the linearisation means anything; lengths may be of any size.
+            let linear = self.equations.layout.linear.len();
+            let turn = step[linear..n].iter().fold(0.0_f64, |longest, s| longest.max(s.abs()));
+            let mut scale = if turn > 0.7 { 0.7 / turn } else { 1.0 };
             let mut next = None;
             for _ in 0..12 {
                 let increment: Vec<f64> = step[..n].iter().map(|s| s * scale).collect();
@@ -106,10 +110,11 @@ impl<'a> Problem<'a> {
         self.polish(point, best, n, unknowns)
     }
 
-    /// Full steps for as long as they bring the residual down, which is to rounding.
+    /// Full steps for as long as they bring the residual down, which is to rounding. Guesses have had their say: in the
+    /// least-squares sum they would outweigh what is left to correct.
     fn polish(&self, point: &mut Point, mut best: Attempt, n: usize, unknowns: usize) -> Attempt {
         while best.closed && best.residual > 0.0 {
-            let (entries, rhs) = self.system(point, &best.q, n, unknowns);
+            let (entries, rhs) = self.system(point, &best.q, n, unknowns, &[]);
             let step = Numeric::factor(&self.table, entries).solve(&rhs);
             let attempt = self.measure(point, retract(self.equations, &best.q, &step[..n]));
             if attempt.residual < 0.5 * best.residual {
@@ -121,7 +126,14 @@ impl<'a> Problem<'a> {
         best
     }
 
-    fn system(&self, point: &mut Point, q: &[f64], n: usize, unknowns: usize) -> (Entries, Vec<f64>) {
+    fn system(
+        &self,
+        point: &mut Point,
+        q: &[f64],
+        n: usize,
+        unknowns: usize,
+        guesses: &[(Condition, f64)],
+    ) -> (Entries, Vec<f64>) {
         point.set_q(q);
         point.evaluate(&self.ancestry);
         let mut entries: Entries = (0..n).map(|k| (k, k, STEP_WEIGHT)).collect();
@@ -137,7 +149,7 @@ impl<'a> Problem<'a> {
             entries.extend(columns.iter().map(|(k, column)| (first + at, *k, point.get(*column))));
             rhs[first + at] = -deviation(point, condition, *target);
         }
-        for (guess, target) in &self.guesses {
+        for (guess, target) in guesses {
             let columns: Vec<(usize, f64)> =
                 guess.jet.columns.iter().map(|(k, column)| (*k, point.get(*column))).collect();
             let deviation = deviation(point, guess, *target);
@@ -152,19 +164,20 @@ impl<'a> Problem<'a> {
     fn measure(&self, point: &mut Point, q: Vec<f64>) -> Attempt {
         point.set_q(&q);
         point.evaluate(&self.ancestry);
-        let mut attempt = Attempt { q, residual: 0.0, worst: None, closed: false, distance: 0.0 };
-        for row in &self.rows {
-            let residual = point.get(self.equations.rows[*row].jet.value).abs();
+        let sizes = self.sizes(point, &q);
+        let mut attempt =
+            Attempt { q, residual: 0.0, amount: 0.0, worst: None, closed: false, distance: 0.0 };
+        let rows = self.rows.iter().zip(&sizes.rows);
+        let rows =
+            rows.map(|(row, size)| (Some(*row), point.get(self.equations.rows[*row].jet.value), *size));
+        let conditions = self.conditions.iter().map(|(condition, target)| {
+            let size = if condition.angular { 1.0 } else { sizes.length };
+            (None, deviation(point, condition, *target), size)
+        });
+        for (row, amount, size) in rows.chain(conditions) {
+            let residual = amount.abs() / size;
             if residual > attempt.residual || residual.is_nan() {
-                attempt.residual = residual;
-                attempt.worst = Some(*row);
-            }
-        }
-        for (condition, target) in &self.conditions {
-            let residual = deviation(point, condition, *target).abs();
-            if residual > attempt.residual || residual.is_nan() {
-                attempt.residual = residual;
-                attempt.worst = None;
+                (attempt.residual, attempt.amount, attempt.worst) = (residual, amount.abs(), row);
             }
         }
         attempt.distance = self.guesses.iter().map(|(guess, t)| deviation(point, guess, *t).powi(2)).sum();
@@ -177,6 +190,47 @@ impl<'a> Problem<'a> {
         point.set_q(q);
         point.evaluate(&self.ancestry);
         self.equations.rows.iter().position(|row| row.upright.is_some_and(|cosine| point.get(cosine) < 0.0))
+    }
+}
+
+/// What residuals are compared with.
+struct Sizes {
+    /// Of the mechanism, m.
+    length: f64,
+    /// Per row: the length for what is measured in metres, its like for distances, and the row's own for the rest.
+    rows: Vec<f64>,
+}
+
+impl Problem<'_> {
+    /// Σ |D_rk| · (1 rad, or the size of the linear coordinate) is the lever arms that a row adds up.
+    fn sizes(&self, point: &Point, q: &[f64]) -> Sizes {
+        let linear = self.equations.layout.linear.len();
+        let own: Vec<f64> = self
+            .rows
+            .iter()
+            .map(|row| {
+                let columns = self.equations.rows[*row].jet.columns.iter();
+                let term = |(k, column): (&usize, &crate::symbolic::Node)| {
+                    point.get(*column).abs() * if *k < linear { q[*k].abs() } else { 1.0 }
+                };
+                columns.map(term).sum()
+            })
+            .collect();
+        let largest = |kinds: &[&str]| {
+            let rows = self.rows.iter().zip(&own);
+            let alike = rows.filter(|(row, _)| kinds.contains(&self.equations.rows[**row].what));
+            alike.fold(0.0_f64, |largest, (_, own)| largest.max(*own))
+        };
+        let or_one = |size: f64| if size > 0.0 { size } else { 1.0 };
+        let (length, square) = (largest(&["x", "y", "normal"]), largest(&["distance"]));
+        let length = or_one(if length > 0.0 { length } else { square.sqrt() });
+        let size = |(row, own): (&usize, &f64)| match self.equations.rows[*row].what {
+            "x" | "y" | "normal" => length,
+            "distance" => or_one(square),
+            "angle" => 1.0,
+            _ => or_one(*own),
+        };
+        Sizes { length, rows: self.rows.iter().zip(&own).map(size).collect() }
     }
 }
 

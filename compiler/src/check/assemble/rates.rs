@@ -36,7 +36,7 @@ pub fn rates(
         equations.mass.iter().map(|((i, j), node)| (*i, *j, point.get(*node))).collect();
     let largest = entries.iter().filter(|(i, j, _)| i == j).fold(0.0_f64, |m, (_, _, x)| m.max(*x));
     // A trace of mass everywhere decides between rates that cost no kinetic energy.
-    entries.extend((0..n).map(|k| (k, k, 1e-9 * largest.max(f64::MIN_POSITIVE))));
+    entries.extend((0..n).map(|k| (k, k, 1e-12 * largest.max(f64::MIN_POSITIVE))));
     let mut rhs = vec![0.0; n + jets.len()];
     for (at, jet) in jets.iter().enumerate() {
         structure.extend(jet.columns.keys().map(|column| (n + at, *column)));
@@ -46,10 +46,13 @@ pub fn rates(
     for (at, (_, rate)) in asked.iter().enumerate() {
         rhs[n + equations.rows.len() + at] += point.get(*rate);
     }
+    for (force, momentum) in rhs.iter_mut().zip(carried_momentum(equations, point)) {
+        *force -= momentum;
+    }
     let table = Table::new(n, jets.len(), structure);
     let factor = Numeric::factor(&table, entries);
     let mut v = factor.solve(&rhs)[..n].to_vec();
-    // One refinement: the trace of mass and the spread of masses cost digits.
+    // Two refinements: the trace of mass and the spread of masses cost digits.
     for _ in 0..2 {
         let mut residual = vec![0.0; rhs.len()];
         for (at, jet) in jets.iter().enumerate() {
@@ -71,6 +74,35 @@ pub fn rates(
         }
     }
     Some(v)
+}
+
+/// b of the kinetic energy ½ vᵀ M v + bᵀ v + c: places that move with time carry bodies along. From T itself, which is
+/// quadratic: b_k = T(e_k) − T(0) − ½ M_kk. The position must be set.
+fn carried_momentum(equations: &Equations, point: &mut Point) -> Vec<f64> {
+    let n = equations.symbols.v.len();
+    let ancestry = Ancestry::of(equations, [equations.kinetic_energy]);
+    let mut energy = |v: &[f64]| {
+        point.set_v(v);
+        point.evaluate(&ancestry);
+        point.get(equations.kinetic_energy)
+    };
+    let mut v = vec![0.0; n];
+    let at_rest = energy(&v);
+    if at_rest == 0.0 {
+        return v;
+    }
+    let mut momentum = Vec::new();
+    for k in 0..n {
+        v[k] = 1.0;
+        momentum.push(energy(&v) - at_rest);
+        v[k] = 0.0;
+    }
+    point.set_v(&v);
+    point.evaluate(&Ancestry::of(equations, equations.mass.values().copied()));
+    for (k, own) in momentum.iter_mut().enumerate() {
+        *own -= equations.mass.get(&(k, k)).map_or(0.0, |node| 0.5 * point.get(*node));
+    }
+    momentum
 }
 
 /// Velocities without mass of their own, the rows that hold them, and a weight for those rows.
