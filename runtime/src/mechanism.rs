@@ -163,12 +163,12 @@ pub trait Assemble<R: Real>: Mechanism<R> {
         residual: &mut Self::Conditions,
     );
     /// Angle: cos(θ − target); linear: 1.
-    fn condition_flipped(
+    fn condition_cosines(
         &self,
         time: R,
         q: &Self::Q,
         target: &Self::Conditions,
-        flipped: &mut Self::Conditions,
+        cosines: &mut Self::Conditions,
     );
     /// ∂(coordinate's rate)/∂v, not multiplied by any cosine.
     fn condition_jacobian(&self, time: R, q: &Self::Q, jacobian: &mut Self::ConditionJacobian);

@@ -82,8 +82,8 @@ fn emitted<M: Model>(model: &M, inputs: &Inputs, function: Function) -> Option<V
         Function::ConditionResidual => {
             written(|out: &mut M::Conditions| model.condition_residual(t, q, &target, out))
         }
-        Function::ConditionUpright => {
-            written(|out: &mut M::Conditions| model.condition_flipped(t, q, &target, out))
+        Function::ConditionCosines => {
+            written(|out: &mut M::Conditions| model.condition_cosines(t, q, &target, out))
         }
         Function::ConditionJacobian => {
             written(|out: &mut M::ConditionJacobian| model.condition_jacobian(t, q, out))

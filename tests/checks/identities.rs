@@ -120,7 +120,7 @@ fn conditions_have_their_rates<M: Model>() {
             let (time, q) = along(&at, h);
             let (mut residual, mut upright) = (M::Conditions::zero(), M::Conditions::zero());
             model.condition_residual(time, &q, target, &mut residual);
-            model.condition_flipped(time, &q, target, &mut upright);
+            model.condition_cosines(time, &q, target, &mut upright);
             let both = residual.as_slice().iter().zip(upright.as_slice()).zip(M::CONDITIONS);
             both.map(|((residual, upright), condition)| match condition.kind {
                 ConditionKind::Angle => residual.atan2(*upright),

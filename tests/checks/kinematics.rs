@@ -96,7 +96,7 @@ fn kinematics_follow_the_given_motion<M: Model>() {
 fn value<M: Model>(model: &M, time: f64, q: &M::Q) -> Vec<f64> {
     let (mut residual, mut upright) = (M::Conditions::zero(), M::Conditions::zero());
     model.condition_residual(time, q, &M::Conditions::zero(), &mut residual);
-    model.condition_flipped(time, q, &M::Conditions::zero(), &mut upright);
+    model.condition_cosines(time, q, &M::Conditions::zero(), &mut upright);
     let value = |&index: &u16| {
         let (residual, upright) = (residual.as_slice()[index as usize], upright.as_slice()[index as usize]);
         match M::CONDITIONS[index as usize].kind {

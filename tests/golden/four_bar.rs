@@ -48,7 +48,7 @@
 #[cfg_attr(doc, doc = "| `motions` | 41 | 8 | 23 | 10 | 0 | 0 | 0 | 0 | 5 |")]
 #[cfg_attr(doc, doc = "| `reactions` | 37 | 12 | 17 | 8 | 0 | 0 | 0 | 0 | 7 |")]
 #[cfg_attr(doc, doc = "| `condition_residual` | 4 | 0 | 1 | 1 | 0 | 0 | 0 | 2 | 3 |")]
-#[cfg_attr(doc, doc = "| `condition_upright` | 4 | 0 | 1 | 1 | 0 | 0 | 0 | 2 | 3 |")]
+#[cfg_attr(doc, doc = "| `condition_cosines` | 4 | 0 | 1 | 1 | 0 | 0 | 0 | 2 | 3 |")]
 #[cfg_attr(not(doc), doc = "Equations of motion of the planar mechanism `FourBar`.")]
 #[derive(
     ::core::clone::Clone,
@@ -815,7 +815,7 @@ const _: () = {
             let a3 = (-crank_cos).mul_add(a0, a2);
             *out = [a3];
         }
-        fn condition_flipped(
+        fn condition_cosines(
             &self,
             time: R,
             q: &Q<R>,

@@ -45,7 +45,7 @@
 #[cfg_attr(doc, doc = "| `motions` | 54 | 13 | 25 | 16 | 0 | 0 | 0 | 0 | 5 |")]
 #[cfg_attr(doc, doc = "| `reactions` | 47 | 8 | 19 | 20 | 0 | 0 | 0 | 0 | 7 |")]
 #[cfg_attr(doc, doc = "| `condition_residual` | 4 | 0 | 1 | 1 | 0 | 0 | 0 | 2 | 3 |")]
-#[cfg_attr(doc, doc = "| `condition_upright` | 4 | 0 | 1 | 1 | 0 | 0 | 0 | 2 | 3 |")]
+#[cfg_attr(doc, doc = "| `condition_cosines` | 4 | 0 | 1 | 1 | 0 | 0 | 0 | 2 | 3 |")]
 #[cfg_attr(doc, doc = "| `prepare` | 44 | 3 | 25 | 14 | 2 | 0 | 0 | 0 | 7 |")]
 #[cfg_attr(
     not(doc),
@@ -1373,7 +1373,7 @@ const _: () = {
             let a3 = (-crank_cos).mul_add(a0, a2);
             *out = [a3];
         }
-        fn condition_flipped(
+        fn condition_cosines(
             &self,
             time: R,
             q: &Q<R>,

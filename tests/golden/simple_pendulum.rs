@@ -33,7 +33,7 @@
 #[cfg_attr(doc, doc = "| `motions` | 8 | 1 | 5 | 2 | 0 | 0 | 0 | 0 | 3 |")]
 #[cfg_attr(doc, doc = "| `reactions` | 6 | 1 | 3 | 2 | 0 | 0 | 0 | 0 | 3 |")]
 #[cfg_attr(doc, doc = "| `condition_residual` | 4 | 0 | 1 | 1 | 0 | 0 | 0 | 2 | 3 |")]
-#[cfg_attr(doc, doc = "| `condition_upright` | 4 | 0 | 1 | 1 | 0 | 0 | 0 | 2 | 3 |")]
+#[cfg_attr(doc, doc = "| `condition_cosines` | 4 | 0 | 1 | 1 | 0 | 0 | 0 | 2 | 3 |")]
 #[cfg_attr(
     not(doc),
     doc = "Equations of motion of the planar mechanism `SimplePendulum`."
@@ -388,7 +388,7 @@ const _: () = {
             let a3 = (-arm_cos).mul_add(a0, a2);
             *out = [a3];
         }
-        fn condition_flipped(
+        fn condition_cosines(
             &self,
             time: R,
             q: &Q<R>,

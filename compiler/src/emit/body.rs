@@ -87,6 +87,7 @@ fn write_parts(program: &Program, names: &Names, helper: &str, cuts: &[usize], l
     let mut free: BTreeSet<usize> = BTreeSet::new();
     let mut size = 0;
     let mut parts = Vec::new();
+    let mut kept: BTreeSet<usize> = BTreeSet::new();
     for window in cuts.windows(2) {
         let (start, end) = (window[0], window[1]);
         let mut used = BTreeSet::new();
@@ -101,9 +102,9 @@ fn write_parts(program: &Program, names: &Names, helper: &str, cuts: &[usize], l
         }
         let taken: Vec<(usize, usize)> =
             used.iter().filter_map(|value| slot_of[*value].map(|slot| (*value, slot))).collect();
-        let dead: Vec<usize> =
-            (0..start).filter(|value| slot_of[*value].is_some() && last_use[*value] < end).collect();
+        let dead: Vec<usize> = kept.iter().copied().filter(|value| last_use[*value] < end).collect();
         for value in dead {
+            kept.remove(&value);
             free.extend(slot_of[value].take());
         }
         let mut given = Vec::new();
@@ -114,6 +115,7 @@ fn write_parts(program: &Program, names: &Names, helper: &str, cuts: &[usize], l
                     size - 1
                 });
                 slot_of[value] = Some(slot);
+                kept.insert(value);
                 given.push((value, slot));
             }
         }

@@ -135,7 +135,7 @@ impl<R: Real> Assemble<R> for @NAME@<R> {
     const ELIMINATION: Elimination = Elimination { order: &[], position: &[], row_start: &[], columns: &[] };
     type Conditions = @LIST@; type ConditionJacobian = @LIST@; type Factor = @LIST@; type System = @LIST@;
     fn condition_residual(&self, time: R, q: &@LIST@, target: &@LIST@, out: &mut @LIST@) {}
-    fn condition_flipped(&self, time: R, q: &@LIST@, target: &@LIST@, out: &mut @LIST@) {}
+    fn condition_cosines(&self, time: R, q: &@LIST@, target: &@LIST@, out: &mut @LIST@) {}
     fn condition_jacobian(&self, time: R, q: &@LIST@, out: &mut @LIST@) {}
     fn condition_bias(&self, time: R, q: &@LIST@, v: &@LIST@, out: &mut @LIST@) {}
     fn condition_drift(&self, time: R, q: &@LIST@, out: &mut @LIST@) {}

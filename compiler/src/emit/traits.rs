@@ -445,7 +445,7 @@ pub fn assemble(text: &mut String, emitter: &Emitter) {
     let targeted = [Constants, Time, Q, Target];
     let target = "time: R, q: &Q<R>, target: &Conditions<R>, out: &mut Conditions<R>";
     write(Function::ConditionResidual, &targeted, &format!("condition_residual(&self, {target})"), all);
-    write(Function::ConditionUpright, &targeted, &format!("condition_flipped(&self, {target})"), all);
+    write(Function::ConditionCosines, &targeted, &format!("condition_cosines(&self, {target})"), all);
     write(
         Function::ConditionJacobian,
         &position,

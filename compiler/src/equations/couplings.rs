@@ -7,7 +7,7 @@ use super::laws::Laws;
 use crate::model::{
     Constraint, ConstraintKind, Driver, Expr, Frame, JointId, JointKind, LoadKind, Mechanism, Quantity, Rotor,
 };
-use crate::symbolic::{Graph, Node, Unary};
+use crate::symbolic::{Graph, Node};
 use std::collections::BTreeSet;
 
 /// Couplings whose phase comes from the assembled start, by name, in order.
@@ -65,10 +65,7 @@ pub fn travel(g: &mut Graph, laws: &Laws, joint: JointId) -> Jet {
     };
     debug_assert!(joints::slides(&joint.kind));
     let along = laws.vector(g, axis);
-    let (xx, yy) = (g.mul(along[0], along[0]), g.mul(along[1], along[1]));
-    let square = g.add(xx, yy);
-    let length = g.unary(Unary::Sqrt, square);
-    let along = [g.div(along[0], length), g.div(along[1], length)];
+    let along = joints::normalized(g, along);
     let (frame, along) = match joint.first.frame {
         Frame::Ground => (GROUND, along),
         Frame::Body(body) => {

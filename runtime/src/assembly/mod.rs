@@ -20,6 +20,11 @@ use system::System;
 
 /// Assembly as methods of the model.
 pub trait AssembleExt<R: Real>: Assemble<R> + Sized {
+    /// The state assembled at expansion, for the default parameters, in the model's own scalars.
+    fn start(&self) -> State<Self::Q, Self::V> {
+        State { q: Self::start_q(), v: Self::start_v() }
+    }
+
     /// The state near `near` that fulfils what `start` states, with this model's parameters, at time zero.
     ///
     /// # Errors

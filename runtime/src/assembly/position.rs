@@ -157,7 +157,7 @@ impl<R: Real, L: Vector<R>, C: Vector<R>> Residual<R, L, C> {
 
         let (mut conditions, mut flipped) = (C::zero(), C::zero());
         model.condition_residual(time, q, targets, &mut conditions);
-        model.condition_flipped(time, q, targets, &mut flipped);
+        model.condition_cosines(time, q, targets, &mut flipped);
         for (i, entry) in conditions.as_mut_slice().iter_mut().enumerate() {
             let held = active.as_slice()[i] != R::ZERO;
             *entry = match M::CONDITIONS[i].kind {

@@ -22,7 +22,7 @@ use crate::vector::Vector;
 /// ```text
 /// let mut simulation = Simulation::new(&model, start)
 ///     .formulation(Baumgarte { alpha: 10.0, beta: 10.0 })   // default: LagrangeIndex1
-///     .inputs(Sampled(|time, _state| Inputs { drive: 2.0 * time }))
+///     .sampled(|time, state| Inputs { drive: -0.1 * state.v[0] + time.sin() })   // or `held`: once a step
 ///     .integrator(Rk4)                                      // the default
 ///     .step(1e-3);
 /// let end = simulation.run_until(10.0, |sample| record(sample.time, sample.outputs))?;

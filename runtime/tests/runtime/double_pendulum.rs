@@ -179,7 +179,7 @@ impl<R: Real> Assemble<R> for DoublePendulum<R> {
             residual[i] = q[2 * i + 1] * target[i].cos() - q[2 * i] * target[i].sin();
         }
     }
-    fn condition_flipped(&self, _time: R, q: &[R; 8], target: &[R; 2], flipped: &mut [R; 2]) {
+    fn condition_cosines(&self, _time: R, q: &[R; 8], target: &[R; 2], flipped: &mut [R; 2]) {
         for i in 0..2 {
             flipped[i] = q[2 * i] * target[i].cos() + q[2 * i + 1] * target[i].sin();
         }

@@ -270,7 +270,7 @@ impl Assemble<f64> for FourBar {
     fn condition_residual(&self, _time: f64, q: &Q, target: &[f64; 2], residual: &mut [f64; 2]) {
         *residual = [q[7] * target[0].cos() - q[6] * target[0].sin(), q[3] - target[1]];
     }
-    fn condition_flipped(&self, _time: f64, q: &Q, target: &[f64; 2], flipped: &mut [f64; 2]) {
+    fn condition_cosines(&self, _time: f64, q: &Q, target: &[f64; 2], flipped: &mut [f64; 2]) {
         *flipped = [q[6] * target[0].cos() + q[7] * target[0].sin(), 1.0];
     }
     fn condition_jacobian(&self, _time: f64, _q: &Q, jacobian: &mut [f64; 2]) {

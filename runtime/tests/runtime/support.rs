@@ -102,7 +102,7 @@ impl Assemble<f64> for Support {
     type System = [f64; 6];
 
     fn condition_residual(&self, _time: f64, _q: &[f64; 4], _target: &[f64; 0], _residual: &mut [f64; 0]) {}
-    fn condition_flipped(&self, _time: f64, _q: &[f64; 4], _target: &[f64; 0], _flipped: &mut [f64; 0]) {}
+    fn condition_cosines(&self, _time: f64, _q: &[f64; 4], _target: &[f64; 0], _flipped: &mut [f64; 0]) {}
     fn condition_jacobian(&self, _time: f64, _q: &[f64; 4], _jacobian: &mut [f64; 0]) {}
     fn condition_bias(&self, _time: f64, _q: &[f64; 4], _v: &[f64; 3], _bias: &mut [f64; 0]) {}
     fn condition_drift(&self, _time: f64, _q: &[f64; 4], _drift: &mut [f64; 0]) {}

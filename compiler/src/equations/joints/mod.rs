@@ -179,7 +179,7 @@ impl Carried {
 }
 
 /// A vector of length one.
-fn normalized(g: &mut Graph, u: [Node; 2]) -> [Node; 2] {
+pub(super) fn normalized(g: &mut Graph, u: [Node; 2]) -> [Node; 2] {
     let (xx, yy) = (g.mul(u[0], u[0]), g.mul(u[1], u[1]));
     let square = g.add(xx, yy);
     let length = g.unary(Unary::Sqrt, square);
