@@ -45,11 +45,33 @@ pub fn cannot_close(of: &str, what: &str, path: &[String], residual: f64) -> Str
     )
 }
 
-pub fn cannot_meet_start(residual: f64) -> String {
-    format!(
-        "no position meets all conditions of `start`: the nearest one found misses by {} (m or rad). Turn a \
-         condition into a guess (`~` instead of `=`), or correct its value",
+pub fn cannot_meet_start(residual: f64, drivers: Vec<(String, String, f64)>) -> String {
+    let mut text = format!(
+        "no position meets all conditions of `start`: the nearest one found misses by {} (m or rad)",
         number(residual)
+    );
+    for (driver, quantity, value) in drivers {
+        text += &format!("; the driver \"{driver}\" holds {quantity} at {value:.4} at time zero");
+    }
+    text + ". Turn a condition into a guess (`~` instead of `=`), or correct its value"
+}
+
+pub fn driver_against_rest(driver: &str, quantity: &str, value: f64, residual: f64) -> String {
+    format!(
+        "the driver \"{driver}\" wants {quantity} at {value:.4} at time zero, which the joints and the conditions of \
+         `start` do not allow: the nearest position found misses by {}. Let the law begin where `start` is, or make the \
+         condition in `start` a guess (`~` instead of `=`)",
+        number(residual)
+    )
+}
+
+pub fn too_many_drivers(drivers: Vec<String>, freedoms: usize) -> String {
+    let plural = if freedoms == 1 { "degree of freedom" } else { "degrees of freedom" };
+    format!(
+        "{} drivers ({}) act on {freedoms} {plural}, so they cannot all be followed: remove one, or give the mechanism \
+         another freedom",
+        drivers.len(),
+        drivers.join(", ")
     )
 }
 

@@ -1,5 +1,6 @@
 //! From which positions assembly is tried, and what to say when it fails or when a second assembly fits as well.
 
+use super::mobility::rank;
 use super::point::{Ancestry, Point};
 use super::{Attempt, Problem, messages};
 use crate::diagnostics::Diagnostics;
@@ -315,7 +316,26 @@ fn report_open(mechanism: &Mechanism, point: &mut Point, failure: Option<Attempt
         errors.error(mechanism.name.span, messages::cannot_start());
         return;
     };
+    if let Some(driver) = mechanism.drivers.first() {
+        // More drivers than freedoms can only disagree.
+        let undriven: Vec<usize> = (0..equations.rows.len() - mechanism.drivers.len()).collect();
+        let freedoms = equations.symbols.v.len() - rank(point, &undriven, &failure.q).rank;
+        if mechanism.drivers.len() > freedoms {
+            let names = mechanism.drivers.iter().map(|driver| driver.name.text.clone()).collect();
+            errors.error(driver.name.span, messages::too_many_drivers(names, freedoms));
+            return;
+        }
+    }
+    let first_driver = equations.rows.len() - mechanism.drivers.len();
     match failure.worst {
+        Some(row) if row >= first_driver => {
+            let (condition, node) = &equations.driven[row - first_driver];
+            point.evaluate(&Ancestry::of(equations, [*node]));
+            let row = &equations.rows[row];
+            let message =
+                messages::driver_against_rest(&row.of, &condition.of, point.get(*node), failure.amount);
+            errors.error(row.span, message);
+        }
         Some(row) => {
             let row = &equations.rows[row];
             let path = row.joint.map(|joint| loop_of(mechanism, equations, joint)).unwrap_or_default();
@@ -336,7 +356,13 @@ fn report_open(mechanism: &Mechanism, point: &mut Point, failure: Option<Attempt
         None => {
             let span = mechanism.start.iter().find(|start| start.exact).map(|start| start.span);
             let span = span.unwrap_or(mechanism.name.span);
-            errors.error(span, messages::cannot_meet_start(failure.amount));
+            let drivers =
+                equations.driven.iter().zip(&mechanism.drivers).map(|((condition, node), driver)| {
+                    point.evaluate(&Ancestry::of(equations, [*node]));
+                    (driver.name.text.clone(), condition.of.clone(), point.get(*node))
+                });
+            let drivers = drivers.collect();
+            errors.error(span, messages::cannot_meet_start(failure.amount, drivers));
         }
     }
 }
