@@ -6,7 +6,7 @@ use crate::registry::{Model, for_each};
 use crate::walking::walk;
 use linkwright::{
     Assemble, AssembleExt, AssemblyError, Condition, ConditionKind, Mechanism, Motion, Residual, State,
-    Vector,
+    Vector, retract,
 };
 use linkwright_models::four_bar::FourBar;
 use linkwright_models::general_four_bar::{ParametricFourBar, ParametricFourBarParameters};
@@ -44,7 +44,11 @@ fn changed_parameters_are_assembled() {
 /// Defaults assemble to the state that was computed at expansion.
 #[test]
 fn the_start_is_found_again() {
-    let state = ParametricFourBar::<f64>::default().assemble(&near()).expect("the defaults fit");
+    // From beside it: every body turned by a twentieth of a radian or more, at rest.
+    let mut beside = near();
+    retract(&<ParametricFourBar as Mechanism<f64>>::LAYOUT, &near().q, &[0.05, -0.08, 0.11], &mut beside.q);
+    beside.v = [0.0; 3];
+    let state = ParametricFourBar::<f64>::default().assemble(&beside).expect("the defaults fit");
     let (off, rates_off) = (state.q.plus(-1.0, &near().q).max_abs(), state.v.plus(-1.0, &near().v).max_abs());
     assert!(off < 1e-12 && rates_off < 1e-11, "{off:e} {rates_off:e}");
 }

@@ -103,7 +103,10 @@ where
     });
     assert_eq!(evaluated, 0, "{}: evaluate", M::NAME);
 
-    // Errors, too, are made without allocating, so their outcome does not matter here.
+    // The ways that succeed are those that are counted.
+    assert!(model.assemble(&start).is_ok(), "{}: {:?}", M::NAME, model.assemble(&start).err());
+    assert!(model.project(t, &start).is_ok(), "{}: {:?}", M::NAME, model.project(t, &start).err());
+    // Errors, too, are made without allocating.
     let assembled = allocations(|| {
         black_box(model.assemble(&start).is_ok());
         black_box(model.project(t, &start).is_ok());
@@ -122,6 +125,10 @@ where
     let start = State { q: M::start_q(), v: M::start_v() };
     let baumgarte = Baumgarte { alpha: R::from_f64(10.0), beta: R::from_f64(10.0) };
     let (h, end) = (R::from_f64(1e-4), R::from_f64(5e-4));
+    let none = |_: R, _: &State<M::Q, M::V>| M::Inputs::from_array(Vector::zero());
+    let first =
+        Simulation::new(model, start).formulation(baumgarte).sampled(none).step(h).advance().map(|_| ());
+    assert!(first.is_ok(), "{}: {:?}", M::NAME, first.err());
     let simulated = allocations(|| {
         let none = |_: R, _: &State<M::Q, M::V>| M::Inputs::from_array(Vector::zero());
         let mut simulation = Simulation::new(model, start).formulation(baumgarte).sampled(none).step(h);

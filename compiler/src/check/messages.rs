@@ -13,11 +13,17 @@ pub fn wrong_freedoms(expected: usize, found: usize, free: Vec<String>) -> Strin
 
 /// `what`: the rows of one joint or constraint that add nothing.
 pub fn dependent_rows(of: &str, what: &[&str], rows: usize, rank: usize) -> String {
+    let what = what.join(", ");
+    if rows == 1 {
+        return format!(
+            "the constraint equation of \"{of}\" ({what}) holds nothing at the start position: it is singular there \
+             (a dead centre), and the motion is undetermined. Start elsewhere"
+        );
+    }
     format!(
-        "{rows} constraint equations close the loops, and at the start position their rank is {rank}: \"{of}\" ({}) \
+        "{rows} constraint equations close the loops, and at the start position their rank is {rank}: \"{of}\" ({what}) \
          repeats what the others already fix. Either the joint is redundant: make it one that leaves more freedom; or \
-         the start is a singular position (links in line), where the motion is undetermined: start elsewhere",
-        what.join(", ")
+         the start is a singular position (links in line), where the motion is undetermined: start elsewhere"
     )
 }
 

@@ -1,6 +1,6 @@
 //! Degrees of freedom, lost ranks and the choice of independent coordinates, by the pivots of one factorisation.
 
-use super::point::{Ancestry, Point};
+use super::point::{Ancestry, Point, retract};
 use crate::equations::{Condition, Equations};
 use crate::solve::table::{DEPENDENT, Numeric, Table};
 
@@ -15,26 +15,37 @@ pub struct Rank {
 
 /// Rank of the given rows of D at `q`, with the increments of all velocities weighted alike.
 pub fn rank(point: &mut Point, rows: &[usize], q: &[f64]) -> Rank {
-    let equations = point.equations;
+    let n = point.equations.symbols.v.len();
+    let shares = shares(point, rows, q);
     let pivots = pivots(point, rows, &[], q);
-    let n = equations.symbols.v.len();
-    let lost = |(at, row): &(usize, &usize)| pivots[n + at] * share(point, **row) < DEPENDENT;
+    let lost = |(at, _): &(usize, &usize)| pivots[n + at] * shares[*at] < DEPENDENT;
     let dependent: Vec<usize> = rows.iter().enumerate().filter(lost).map(|(_, row)| *row).collect();
     Rank { rank: rows.len() - dependent.len(), dependent }
 }
 
-/// Square of a row of D relative to the larger one of the pair that holds two points together: with all links in one
-/// line along an axis one row of the pair vanishes, down to rounding, and its pivot with it, so that relative to its own
-/// terms alone the pivot would look sound.
-fn share(point: &Point, row: usize) -> f64 {
-    let rows = &point.equations.rows;
-    let square = |at: usize| rows[at].jet.columns.values().map(|node| point.get(*node).powi(2)).sum::<f64>();
-    let of_pair = |at: usize| rows[at].joint == rows[row].joint && matches!(rows[at].what, "x" | "y");
-    if rows[row].joint.is_none() || !of_pair(row) {
-        return 1.0;
-    }
-    let largest = (0..rows.len()).filter(|at| of_pair(*at)).map(square).fold(0.0, f64::max);
-    if largest > 0.0 { square(row) / largest } else { 0.0 }
+/// Square of each row of D relative to what it is with all bodies turned, one at most. Where a row vanishes, as with
+/// all links in one line along an axis, or a point driven along the line to its pivot, only rounding is left of it;
+/// relative to its own terms alone its pivot would look sound.
+fn shares(point: &mut Point, rows: &[usize], q: &[f64]) -> Vec<f64> {
+    let equations: &Equations = point.equations;
+    let ancestry = Ancestry::of_jets(equations, rows.iter().map(|row| &equations.rows[*row].jet));
+    let mut squares = |q: &[f64]| -> Vec<f64> {
+        point.set_q(q);
+        point.evaluate(&ancestry);
+        let square = |row: &usize| {
+            equations.rows[*row].jet.columns.values().map(|node| point.get(*node).powi(2)).sum::<f64>()
+        };
+        rows.iter().map(square).collect()
+    };
+    // Turned far, so that the row shows its full size, and by different amounts, so that not all stay in line.
+    let linear = equations.layout.linear.len();
+    let turn = |k: usize| if k < linear { 0.0 } else { 0.4 + 0.17 * (k % 7) as f64 };
+    let away: Vec<f64> = (0..equations.symbols.v.len()).map(turn).collect();
+    let (here, there) = (squares(q), squares(&retract(equations, q, &away)));
+    let share = |(here, there): (&f64, &f64)| {
+        if *here > 0.0 && *there > 0.0 { (here / there).min(1.0) } else { 0.0 }
+    };
+    here.iter().zip(&there).map(share).collect()
 }
 
 /// The first of `candidates`, in order, that together with all rows fix the position at `q`.
