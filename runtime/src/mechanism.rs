@@ -120,9 +120,9 @@ pub struct Condition {
 /// Whether a condition's values are equal up to whole turns.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum ConditionKind {
-    /// An angle, rad.
+    /// An angle on the circle, rad.
     Angle,
-    /// A travel or a position, m.
+    /// A travel or a position, m, or an angle whose turns are counted, rad.
     Linear,
 }
 
@@ -154,7 +154,7 @@ pub trait Assemble<R: Real>: Mechanism<R> {
     /// One entry for each unknown: velocities, constraint rows, conditions.
     type System: Vector<R>;
 
-    /// Angle: sin(θ − target); linear: value − target.
+    /// Angle: sin(θ − target); linear, which includes angles whose turns are counted: value − target.
     fn condition_residual(
         &self,
         time: R,

@@ -38,7 +38,8 @@ pub trait AssembleExt<R: Real>: Assemble<R> + Sized {
     }
 
     /// The motion of the whole mechanism from that of its independent coordinates, given in the order of
-    /// [`INDEPENDENT`](Assemble::INDEPENDENT); of several ways to assemble, the one near `near`.
+    /// [`INDEPENDENT`](Assemble::INDEPENDENT); of several ways to assemble, the one near `near`. Angles whose turns the
+    /// dynamics count (of gears, racks, drivers, torsion springs, laws) are given with their turns.
     ///
     /// # Errors
     /// [`WrongLength`](AssemblyError::WrongLength); otherwise as [`assemble_position`] and [`assemble_velocity`].

@@ -24,7 +24,7 @@ const HALVINGS: u32 = 20;
 ///
 /// Newton's iteration: each step is the least δ (½ δᵀ δ, metres and radians alike) with D̂ δ = −r, at most half a
 /// radian, halved until the residual's norm falls. Angles enter r as atan2(sin, cos), so a target may be far away and
-/// a joint assembled half a turn off is turned back. Done at 32 roundings of the coordinates' magnitude.
+/// a joint assembled half a turn off is turned back; angles whose turns the dynamics count enter with their turns. Done at 32 roundings of the coordinates' magnitude.
 ///
 /// # Errors
 /// [`NoConvergence`](AssemblyError::NoConvergence), [`RankDeficient`](AssemblyError::RankDeficient),

@@ -10,7 +10,7 @@ use crate::real::Real;
 use crate::vector::Vector;
 
 /// The velocities of least kinetic energy that satisfy the constraints and have the `rates` of the conditions
-/// `active`: \[M, D̂ᵀ; D̂, 0\] (v, μ) = (0, ν̂). Where massless bodies leave M singular, a tiny multiple of its largest
+/// `active`: \[M, D̂ᵀ; D̂, 0\] (v, μ) = (−b, ν̂), where T = ½ vᵀ M v + bᵀ v + c and b ≠ 0 only if places move with time. Where massless bodies leave M singular, a tiny multiple of its largest
 /// diagonal entry is added to the diagonal.
 ///
 /// # Errors

@@ -9,7 +9,7 @@ use crate::solve::Massless;
 use crate::solve::table::{DEPENDENT, Numeric, Table};
 use std::collections::BTreeSet;
 
-/// Rates that meet ν and what `start` asks, with the least kinetic energy: [M D̂ᵀ; D̂ 0] [v; μ] = [0; ν̂].
+/// Rates that meet ν and what `start` asks, with the least kinetic energy ½ vᵀ M v + bᵀ v + c: [M D̂ᵀ; D̂ 0] [v; μ] = [−b; ν̂].
 pub fn rates(
     mechanism: &Mechanism,
     equations: &Equations,
