@@ -1,6 +1,9 @@
 //! Which coordinates: as the definition says, or those whose default acceleration function takes fewer operations.
 
-use crate::check::assemble::{self, Assembly};
+use crate::check::{
+    self,
+    assemble::{self, Assembly},
+};
 use crate::diagnostics::Diagnostics;
 use crate::equations::{self, Equations, SpanningTree};
 use crate::functions::Function;
@@ -43,6 +46,12 @@ pub fn choose(
     asked: Coordinates,
     errors: &mut Diagnostics,
 ) -> Option<(Candidate, Choice)> {
+    let countable = check::absolute_can_count(mechanism);
+    if let (Coordinates::Absolute, Err((joint, message))) = (asked, &countable) {
+        errors.error(mechanism.joints[joint.0].name.span, message.clone());
+        return None;
+    }
+    let asked = if countable.is_err() { Coordinates::Tree } else { asked };
     if asked == Coordinates::Absolute {
         let absolute = absolute(mechanism, &tree, &assembly);
         let (candidate, counts) = solved(mechanism, absolute.0, absolute.1, errors)?;
@@ -72,9 +81,13 @@ pub fn choose(
 }
 
 fn absolute(mechanism: &Mechanism, tree: &Equations, assembly: &Assembly) -> (Equations, Assembly) {
-    let absolute = equations::derive(mechanism, SpanningTree::absolute(mechanism));
+    let absolute = equations::derive(mechanism, SpanningTree::absolute(mechanism), &[]);
     let state = assemble::carry_over(mechanism, tree, assembly, &absolute);
-    (absolute, state)
+    if assembly.dropped.is_empty() {
+        return (absolute, state);
+    }
+    let state = assemble::drop_redundant(mechanism, &absolute, state);
+    (equations::derive(mechanism, SpanningTree::absolute(mechanism), &state.dropped), state)
 }
 
 fn solved(

@@ -51,10 +51,15 @@ pub fn compile_model(
     check::check(&mechanism)?;
     // AFTER THIS POINT the parts are possible, each for itself.
     let mut errors = Diagnostics::new();
-    let mut tree = equations::derive(&mechanism, SpanningTree::spanning(&mechanism));
+    let spanning = SpanningTree::spanning(&mechanism);
+    check::counted_angles(&mechanism, &spanning)?;
+    let mut tree = equations::derive(&mechanism, spanning.clone(), &[]);
     let Some(assembly) = assemble::assemble(&mechanism, &mut tree, &mut errors) else {
         return Err(errors);
     };
+    if !assembly.dropped.is_empty() {
+        tree = equations::derive(&mechanism, spanning, &assembly.dropped);
+    }
     // AFTER THIS POINT a consistent start is known and the constraint rows are independent there.
     let asked = coordinates.unwrap_or(mechanism.options.coordinates);
     let as_defined = coordinates.is_none();

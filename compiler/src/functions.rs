@@ -20,6 +20,7 @@ pub enum Function {
     Acceleration,
     AccelerationBaumgarte,
     Outputs,
+    InverseDynamics,
     Powers,
     DriverEfforts,
     Motions,
@@ -37,7 +38,7 @@ pub enum Function {
 }
 
 impl Function {
-    pub const ALL: [Function; 24] = [
+    pub const ALL: [Function; 25] = [
         Function::MassMatrix,
         Function::Constraints,
         Function::ConstraintJacobian,
@@ -49,6 +50,7 @@ impl Function {
         Function::Acceleration,
         Function::AccelerationBaumgarte,
         Function::Outputs,
+        Function::InverseDynamics,
         Function::Powers,
         Function::DriverEfforts,
         Function::Motions,
@@ -80,6 +82,7 @@ impl Function {
             Function::Acceleration => "acceleration",
             Function::AccelerationBaumgarte => "acceleration_baumgarte",
             Function::Outputs => "outputs",
+            Function::InverseDynamics => "inverse_dynamics",
             Function::Powers => "powers",
             Function::DriverEfforts => "driver_efforts",
             Function::Motions => "motions",
@@ -115,6 +118,7 @@ pub fn outputs(equations: &Equations, solved: &Solved, function: Function) -> Ve
         Function::Acceleration => solution(&solved.index1),
         Function::AccelerationBaumgarte => solution(&solved.baumgarte),
         Function::Outputs => e.outputs.clone(),
+        Function::InverseDynamics => e.inverse.clone(),
         Function::Powers => e.powers.clone(),
         Function::DriverEfforts => e.driver_efforts.iter().chain(&e.driver_powers).copied().collect(),
         Function::Motions => e.motions.iter().flat_map(|motion| motion.flat()).collect(),

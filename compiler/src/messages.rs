@@ -1,6 +1,7 @@
 //! All texts of messages of the front end: what is wrong, why, and what to write instead.
 
 use crate::model::Use;
+use crate::syntax::{JointWord, Space};
 use crate::units::{self, Dimension, UnitError};
 
 // ---- Tokens and expressions -------------------------------------------------------------------------------------
@@ -18,7 +19,7 @@ pub(crate) fn too_long(limit: usize) -> String {
 }
 
 pub(crate) fn empty_macro() -> String {
-    "the definition is empty: write `planar Name { … }`".to_string()
+    "the definition is empty: write `planar Name { … }` or `spatial Name { … }`".to_string()
 }
 
 pub(crate) fn chained_comparison() -> String {
@@ -179,20 +180,12 @@ pub(crate) fn first_here(name: &str) -> String {
 
 // ---- Joints, constraints, loads ---------------------------------------------------------------------------------
 
-pub(crate) fn unknown_kind(what: &str, word: &str, known: &[&str]) -> String {
-    let later: &[&str] = match what {
-        "joint" => &[
-            "cylindrical",
-            "spherical",
-            "universal",
-            "planar",
-            "screw",
-            "constant_velocity",
-            "point_on_plane",
-        ],
-        _ => &["bushing", "friction", "contact", "mesh"],
-    };
-    if later.contains(&word) {
+pub(crate) fn unknown_kind(what: &str, word: &str, known: &[&str], space: Space) -> String {
+    if what == "joint" && JointWord::ALL.iter().any(|kind| kind.text() == word) {
+        debug_assert!(space == Space::Planar);
+        return format!("a {word} joint needs space: write `spatial` before the name of the mechanism");
+    }
+    if what == "load" && ["bushing", "friction", "contact", "mesh"].contains(&word) {
         return not_there_yet(word);
     }
     let hint = match closest(word, known.iter().copied()) {
@@ -210,14 +203,48 @@ pub(crate) fn load_without_law(kind: &str) -> String {
     format!("a {kind} has no law behind it, its arguments say all; write `;`")
 }
 
-pub(crate) fn force_without_direction() -> String {
-    "a force needs two components, `force(place) = (fx, fy)`, or a direction, `force(place, direction = (1, 0)) = law`"
+pub(crate) fn force_without_direction(space: Space) -> String {
+    match space {
+        Space::Planar => {
+            "a force needs two components, `force(place) = (fx, fy)`, or a direction, `force(place, direction = (1, 0)) \
+             = law`"
+        }
+        Space::Spatial => {
+            "a force needs three components, `force(place) = (fx, fy, fz)`, or a direction, \
+             `force(place, direction = (1, 0, 0)) = law`"
+        }
+    }
+    .to_string()
+}
+
+pub(crate) fn only_in_space(word: &str) -> String {
+    format!("`{word}` needs space: write `spatial` before the name of the mechanism")
+}
+
+pub(crate) fn marker_axes_mixed() -> String {
+    "the axes of a marker are given by directions (`axis`, `reference`) or by turns (`about_x`, `about_y`, `about_z`), not \
+     by both"
         .to_string()
 }
 
-pub(crate) fn missing_argument(kind: &str, name: &str) -> String {
-    let pair = matches!(name, "axis" | "direction");
-    let example = if pair { "(1, 0)" } else { "…" };
+pub(crate) fn reference_without_axis() -> String {
+    "a reference direction fixes the turn about the axis: write `axis = (…)` before it".to_string()
+}
+
+pub(crate) fn missing_axis(kind: &str) -> String {
+    format!(
+        "`{kind}` needs its axis: write `axis = (0, 0, 1)`, in the axes of both places, or let one of its places be a \
+         marker, whose axis it then takes"
+    )
+}
+
+pub(crate) fn missing_argument(kind: &str, name: &str, space: Space) -> String {
+    let vector = matches!(name, "axis" | "second_axis" | "direction");
+    let example = match (vector, space) {
+        (true, Space::Planar) => "(1, 0)",
+        (true, Space::Spatial) => "(0, 0, 1)",
+        (false, _) => "…",
+    };
     format!("`{kind}` needs its {name}: write `{name} = {example}`")
 }
 
@@ -355,13 +382,15 @@ pub(crate) fn rod_has_end(end: &str) -> String {
 
 // ---- Bodies and joints ------------------------------------------------------------------------------------------
 
-pub(crate) fn missing_property(shape: &str, body: &str, property: &str) -> String {
+pub(crate) fn missing_property(shape: &str, body: &str, property: &str, space: Space) -> String {
     let unit = match property {
         "mass" => "kg",
         "inertia" => "kg*m^2",
         _ => "m",
     };
-    format!("the {shape} `{body}` has no {property}: write `{property} [{unit}] = …;`")
+    let vector = property == "size" || (property == "inertia" && space == Space::Spatial);
+    let value = if vector { "(…, …, …)" } else { "…" };
+    format!("the {shape} `{body}` has no {property}: write `{property} [{unit}] = {value};`")
 }
 
 pub(crate) fn not_positive(property: &str, body: &str, metres: f64) -> String {
@@ -389,8 +418,65 @@ pub(crate) fn particle_turns(particle: &str) -> String {
     )
 }
 
-pub(crate) fn zero_direction(what: &str) -> String {
-    format!("the {what} is zero: it points nowhere; write for instance (1, 0)")
+pub(crate) fn zero_direction(what: &str, space: Space) -> String {
+    let example = if space == Space::Planar { "(1, 0)" } else { "(0, 0, 1)" };
+    format!("the {what} is zero: it points nowhere; write for instance {example}")
+}
+
+pub(crate) fn zero_quaternion() -> String {
+    "this quaternion is zero: no orientation has it; (1, 0, 0, 0) is the one in which body axes are world axes"
+        .to_string()
+}
+
+pub(crate) fn mass_and_density(body: &str) -> String {
+    format!("`{body}` is given both a mass and a density; leave one of them out")
+}
+
+pub(crate) fn density_needs_radius(body: &str) -> String {
+    format!(
+        "the mass of the rod `{body}` follows from its density only with a radius: write `radius [m] = …;`, or its `mass`"
+    )
+}
+
+pub(crate) fn products_without_inertia(body: &str) -> String {
+    format!("products of inertia of `{body}` need the moments beside them: write `inertia [kg*m^2] = (…, …, …);`")
+}
+
+pub(crate) fn unknown_marker(body: &str, name: &str, known: &[&str]) -> String {
+    match (closest(name, known.iter().copied()), known.is_empty()) {
+        (Some(similar), _) => format!("`{body}` has no marker called \"{name}\"; did you mean \"{similar}\"?"),
+        (None, true) => format!("`{body}` has no marker: declare `marker {name} [m] = (0, 0, 0), …;` in its braces"),
+        (None, false) => format!("`{body}` has no marker called \"{name}\"; it has {}", known.join(", ")),
+    }
+}
+
+pub(crate) fn joint_of_particle_kind(kind: &str, place: &str) -> String {
+    format!(
+        "a {kind} joint needs the orientation of both its bodies, and the particle at `{place}` has none; write \
+         `spherical`, `point_on_line`, `point_on_plane` or `distance`"
+    )
+}
+
+pub(crate) fn body_has_no_angle(body: &str) -> String {
+    format!(
+        "the orientation of `{body}` in space is no single angle: name the angle of a joint, or `{body}.rate.x`"
+    )
+}
+
+pub(crate) fn quantities_of_rate(body: &str) -> String {
+    format!("`{body}.rate` has the components x, y and z, in the axes of `{body}`")
+}
+
+pub(crate) fn which_angle(joint: &str, angles: &[&str]) -> String {
+    let exact = if angles.is_empty() { "none" } else { "more than one" };
+    format!("a single angle is needed here, and `{joint}` has {exact}; use a joint with exactly one, such as a revolute")
+}
+
+pub(crate) fn torque_of_components(name: &str) -> String {
+    format!(
+        "a torque on a body in space has three components, `torque({name}) = (tx, ty, tz)` in world axes; on a joint it \
+         has one"
+    )
 }
 
 pub(crate) fn spring_in_one_body(first: &str, second: &str) -> String {
@@ -399,10 +485,11 @@ pub(crate) fn spring_in_one_body(first: &str, second: &str) -> String {
 
 // ---- Quantities -------------------------------------------------------------------------------------------------
 
-pub(crate) fn joint_has(joint: &str, kind: &str, asked: &str, quantities: &[&str]) -> String {
+pub(crate) fn joint_has(joint: &str, kind: &str, asked: &str, quantities: &[&str], space: Space) -> String {
     if quantities.is_empty() {
+        let instead = if space == Space::Planar { "`body.angle`" } else { "`body.rate.x`" };
         return format!(
-            "the {kind} joint `{joint}` has no {asked}: it has no coordinate at all; use `body.angle` or a place"
+            "the {kind} joint `{joint}` has no {asked}: it has no coordinate at all; use {instead} or a place"
         );
     }
     format!("the {kind} joint `{joint}` has no {asked}; it has {}", quantities.join(", "))
@@ -431,12 +518,18 @@ pub(crate) fn part_as_value(name: &str, kind: &str) -> String {
     format!("`{name}` is {kind}, expected a value such as {example}")
 }
 
-pub(crate) fn place_without_axis(place: &str) -> String {
-    format!("`{place}` is a place, expected a value: write `{place}.x`, `{place}.y` or `{place}.velocity.x`")
+pub(crate) fn place_without_axis(place: &str, space: Space) -> String {
+    let third = if space == Space::Planar { String::new() } else { format!(", `{place}.z`") };
+    format!("`{place}` is a place, expected a value: write `{place}.x`, `{place}.y`{third} or `{place}.velocity.x`")
 }
 
-pub(crate) fn quantities_of_place(place: &str) -> String {
-    format!("the place `{place}` has x, y, velocity.x and velocity.y")
+pub(crate) fn quantities_of_place(place: &str, space: Space) -> String {
+    match space {
+        Space::Planar => format!("the place `{place}` has x, y, velocity.x and velocity.y"),
+        Space::Spatial => {
+            format!("the place `{place}` has x, y, z, velocity.x, velocity.y and velocity.z, in world axes")
+        }
+    }
 }
 
 pub(crate) fn quantities_of_driver(driver: &str) -> String {

@@ -126,6 +126,8 @@ impl Dimension {
     pub const SPEED: Self = Self::new(0, 1, -1, 0);
     /// m/s².
     pub const ACCELERATION: Self = Self::new(0, 1, -2, 0);
+    /// kg/m³.
+    pub const DENSITY: Self = Self::new(1, -3, 0, 0);
     /// kg m².
     pub const INERTIA: Self = Self::new(1, 2, 0, 0);
     /// N.
@@ -219,7 +221,7 @@ impl Dimension {
 
     /// `a length`, `a force`; a quantity without a name of its own is `a value in kg*m^3`.
     pub fn kind(self) -> String {
-        let known: [(Self, &str); 16] = [
+        let known: [(Self, &str); 17] = [
             (Self::ONE, "a plain number"),
             (Self::ANGLE, "an angle"),
             (Self::ANGULAR_RATE, "an angular rate"),
@@ -232,6 +234,7 @@ impl Dimension {
             (Self::SPEED, "a speed"),
             (Self::ACCELERATION, "an acceleration"),
             (Self::INERTIA, "a moment of inertia"),
+            (Self::DENSITY, "a density"),
             (Self::FORCE, "a force"),
             (Self::TORQUE, "a torque or energy"),
             (Self::POWER, "a power"),

@@ -16,6 +16,20 @@ pub mod quick_return;
 pub mod simple_pendulum;
 pub mod slider_crank;
 pub mod tree_pendulum;
+pub mod bricard;
+pub mod delta_robot;
+pub mod double_wishbone;
+pub mod flyball_governor;
+pub mod four_spherical_joints;
+pub mod free_rigid_body;
+pub mod heavy_top;
+pub mod iiwa14;
+pub mod panda;
+pub mod sarrus_linkage;
+pub mod spatial_four_bar;
+pub mod spatial_pendulums;
+pub mod spatial_slider_crank;
+pub mod stewart_platform;
 
 /// Calls a macro with every shipped model, `name: path::to::Type`, so that no test forgets one.
 ///
@@ -45,6 +59,36 @@ macro_rules! for_each_model {
             klann_leg: $crate::klann_leg::KlannLeg,
             car_axis: $crate::car_axis::CarAxis,
             tree_pendulum: $crate::tree_pendulum::TreePendulum,
+            heavy_top: $crate::heavy_top::HeavyTop,
+            free_rigid_body: $crate::free_rigid_body::FreeRigidBody,
+            revolute_pendulum: $crate::spatial_pendulums::RevolutePendulum,
+            spherical_pendulum: $crate::spatial_pendulums::SphericalPendulum,
+            vertical_cylindrical_pendulum: $crate::spatial_pendulums::VerticalCylindricalPendulum,
+            cylindrical_pendulum: $crate::spatial_pendulums::CylindricalPendulum,
+            prismatic_pendulum: $crate::spatial_pendulums::PrismaticPendulum,
+            universal_pendulum: $crate::spatial_pendulums::UniversalPendulum,
+            distance_pendulum: $crate::spatial_pendulums::DistancePendulum,
+            screw_pendulum: $crate::spatial_pendulums::ScrewPendulum,
+            planar_pendulum: $crate::spatial_pendulums::PlanarPendulum,
+            constant_velocity_pendulum: $crate::spatial_pendulums::ConstantVelocityPendulum,
+            point_on_line_pendulum: $crate::spatial_pendulums::PointOnLinePendulum,
+            point_on_plane_pendulum: $crate::spatial_pendulums::PointOnPlanePendulum,
+            four_spherical_joints: $crate::four_spherical_joints::FourSphericalJoints,
+            spatial_slider_crank_axial: $crate::spatial_slider_crank::SpatialSliderCrankAxial,
+            spatial_slider_crank_arm: $crate::spatial_slider_crank::SpatialSliderCrankArm,
+            spatial_slider_crank_third: $crate::spatial_slider_crank::SpatialSliderCrankThird,
+            spatial_slider_crank_balanced: $crate::spatial_slider_crank::SpatialSliderCrankBalanced,
+            fourbar_1: $crate::spatial_four_bar::Fourbar1,
+            fourbar_2: $crate::spatial_four_bar::Fourbar2,
+            bricard: $crate::bricard::Bricard,
+            sarrus_linkage: $crate::sarrus_linkage::SarrusLinkage,
+            flyball_governor: $crate::flyball_governor::FlyballGovernor,
+            iiwa14: $crate::iiwa14::Iiwa14,
+            iiwa14_parametric: $crate::iiwa14::Iiwa14Parametric,
+            panda: $crate::panda::Panda,
+            stewart_platform: $crate::stewart_platform::StewartPlatform,
+            delta_robot: $crate::delta_robot::DeltaRobot,
+            double_wishbone: $crate::double_wishbone::DoubleWishbone,
         }
     };
 }

@@ -1,9 +1,10 @@
 //! What bodies do and joints exert, as emitted functions report it, and the checks of a model's parameters.
 
 use crate::error::SettingError;
+use crate::quaternion::from_rotation_matrix;
 use crate::real::Real;
 
-/// Motion of one body at one time; position, velocity and acceleration are those of its centre of mass, world axes.
+/// Motion of one body in the plane at one time; position, velocity and acceleration are those of its centre of mass, world axes.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct BodyMotion<R = f64> {
     /// m.
@@ -28,13 +29,54 @@ impl<R: Real> BodyMotion<R> {
     }
 }
 
-/// What a joint exerts on the body of its second place.
+/// Motion of one body in space at one time; position, velocity and acceleration are those of its centre of mass, world
+/// axes.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct SpatialMotion<R = f64> {
+    /// m.
+    pub position: [R; 3],
+    /// A, row by row: world ← body axes; the identity for a particle.
+    pub orientation: [[R; 3]; 3],
+    /// m/s.
+    pub velocity: [R; 3],
+    /// ω, body axes, rad/s.
+    pub rate: [R; 3],
+    /// m/s².
+    pub acceleration: [R; 3],
+    /// ω̇, body axes, rad/s².
+    pub angular_acceleration: [R; 3],
+}
+
+impl<R: Real> SpatialMotion<R> {
+    /// World position of a point given in the body's axes from its centre of mass: r + A d, m.
+    pub fn point(&self, [x, y, z]: [R; 3]) -> [R; 3] {
+        let ([a, b, c], [px, py, pz]) = (self.orientation, self.position);
+        let along = |row: [R; 3]| row[0] * x + row[1] * y + row[2] * z;
+        [px + along(a), py + along(b), pz + along(c)]
+    }
+
+    /// The orientation as a unit quaternion (w, x, y, z), w ≥ 0.
+    pub fn quaternion(&self) -> [R; 4] {
+        from_rotation_matrix(&self.orientation)
+    }
+}
+
+/// What a joint in the plane exerts on the body of its second place.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Reaction<R = f64> {
     /// At the second place, world axes, N.
     pub force: [R; 2],
     /// About the second place, N m.
     pub torque: R,
+}
+
+/// What a joint in space exerts on the body of its second place; world axes.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct SpatialReaction<R = f64> {
+    /// At the second place, N.
+    pub force: [R; 3],
+    /// About the second place, N m.
+    pub torque: [R; 3],
 }
 
 /// A parameter must be finite.

@@ -37,6 +37,13 @@ pub enum AssemblyError {
         /// The row sin Δθ = 0 whose cosine is negative.
         row: Row,
     },
+    /// An orientation of the given position has no direction.
+    NoOrientation {
+        /// The name of its first entry.
+        what: &'static str,
+        /// The length of the pair or quaternion.
+        length: f64,
+    },
     /// The number of given values is not the number of coordinates.
     WrongLength {
         /// How many are needed.
@@ -92,6 +99,15 @@ pub enum SimulationError {
         position: f64,
         /// max |D v − ν|.
         velocity: f64,
+    },
+    /// An orientation of the start is not of length 1.
+    NotNormalised {
+        /// The time of the start, s.
+        time: f64,
+        /// The name of its first entry.
+        what: &'static str,
+        /// The length of the pair or quaternion.
+        length: f64,
     },
     /// A parameter of the formulation makes no sense.
     Setting(SettingError),
@@ -162,6 +178,11 @@ impl Display for AssemblyError {
                 "{row} was assembled half a turn away from its angle; start from a position that has the bodies \
                  about the right way round"
             ),
+            AssemblyError::NoOrientation { what, length } => write!(
+                f,
+                "the orientation that begins with `{what}` is of length {length:e} and so points nowhere; give a pair \
+                 (cos, sin) or a quaternion (w, x, y, z) of about length 1, such as (1, 0) or (1, 0, 0, 0)"
+            ),
             AssemblyError::WrongLength { needed, given } => write!(
                 f,
                 "{given} motions were given for {needed} independent coordinates; give one for each, in the order of \
@@ -199,6 +220,11 @@ impl Display for SimulationError {
                 "the start is not consistent at t = {time} s: {row} is off by {position:.3e}, velocities by \
                  {velocity:.3e}; make it so with `model.assemble(&state)` or `model.project(time, &state)`, or write \
                  `.accept_inconsistent_start()`"
+            ),
+            SimulationError::NotNormalised { time, what, length } => write!(
+                f,
+                "the orientation that begins with `{what}` is of length {length} at t = {time} s, not 1; divide its \
+                 entries by that length, or let `model.project(time, &state)` do it"
             ),
             SimulationError::Setting(error) => error.fmt(f),
             SimulationError::Breakdown { time, pivot, row } => write!(

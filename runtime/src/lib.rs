@@ -6,7 +6,7 @@
 //! | subject | module |
 //! |---|---|
 //! | scalars, vectors, named numbers | [`real`], [`vector`], [`fields`] |
-//! | positions that are no vector space | [`rotation`], [`layout`] |
+//! | positions that are no vector space | [`rotation`], [`quaternion`], [`layout`] |
 //! | the traits that emitted code implements | [`mechanism`] |
 //! | states that satisfy the constraints | [`assembly`], over the sparse factorisation [`ldl`] |
 //! | motion | [`formulation`], [`input`], [`integrator`], [`simulation`] |
@@ -33,6 +33,7 @@ pub mod integrator;
 pub mod layout;
 pub mod ldl;
 pub mod mechanism;
+pub mod quaternion;
 pub mod real;
 pub mod rotation;
 pub mod simulation;
@@ -43,13 +44,13 @@ pub use assembly::{
     AssembleExt, assemble_acceleration, assemble_position, assemble_velocity, project_position,
     project_velocity, smallest_pivot,
 };
-pub use body::{BodyMotion, Reaction};
+pub use body::{BodyMotion, Reaction, SpatialMotion, SpatialReaction};
 pub use error::{AssemblyError, SettingError, SimulationError};
 pub use fields::Fields;
 pub use formulation::{Baumgarte, Formulation, LagrangeIndex1};
 pub use input::{Held, InputSource, NoInputs, Sampled};
 pub use integrator::{Integrator, Rk4, SemiImplicitEuler};
-pub use layout::{Layout, MultiTurn, retract};
+pub use layout::{Layout, MultiTurn, inverse_differential, retract, retract_counting};
 pub use mechanism::{Assemble, Condition, ConditionKind, Elimination, Mechanism, Row};
 pub use real::Real;
 pub use rotation::unwrap_angle;
@@ -64,7 +65,8 @@ pub mod __private {
     pub mod v1 {
         pub use crate::assembly::AssembleExt;
         pub use crate::body::{
-            BodyMotion, Reaction, check_constants, check_finite, check_mass, check_setting,
+            BodyMotion, Reaction, SpatialMotion, SpatialReaction, check_constants, check_finite, check_mass,
+            check_setting,
         };
         pub use crate::error::{AssemblyError, SettingError, SimulationError};
         pub use crate::fields::Fields;

@@ -17,8 +17,8 @@ use crate::vector::Vector;
 pub struct Row {
     /// The joint, constraint or driver that the row belongs to.
     pub of: &'static str,
-    /// Which of its equations: `"x"`, `"y"`, `"angle"`, `"normal"`, `"distance"`, `"equation"`, `"gear"`, `"rack"`
-    /// or `"driver"`.
+    /// Which of its equations: `"x"`, `"y"`, `"z"`, `"angle"`, `"normal"`, `"normal_1"`, `"normal_2"`, `"axis_1"`,
+    /// `"axis_2"`, `"cross"`, `"twist"`, `"screw"`, `"distance"`, `"equation"`, `"gear"`, `"rack"` or `"driver"`.
     pub what: &'static str,
 }
 
@@ -29,7 +29,7 @@ pub struct Row {
 pub trait Mechanism<R: Real> {
     /// The mechanism's name.
     const NAME: &'static str;
-    /// Which entries of q and v are linear, rotations and multi-turn angles.
+    /// Which entries of q and v are linear, rotations, quaternions and multi-turn angles.
     const LAYOUT: Layout;
     /// The names of the m constraint rows, in order.
     const ROWS: &'static [Row];
@@ -140,7 +140,9 @@ pub trait Assemble<R: Real>: Mechanism<R> {
     const INDEPENDENT: &'static [u16];
     /// (row, column) of each stored entry of the conditions' Jacobian, in row-major order.
     const CONDITION_PATTERN: &'static [(u16, u16)];
-    /// Constraint rows of the form sin Δθ = 0, which must not end on the flipped root Δθ = π.
+    /// Constraint rows of the form sin Δθ = 0, which must not end on the flipped root Δθ = π, in ascending order. Rows
+    /// `"axis_1"` and `"axis_2"` of a joint side by side are taken as the two that make axes parallel, with one cosine,
+    /// and what follows them of that joint as its turn about these.
     const FLIPS: &'static [u16];
     /// The order of elimination and the pattern of the factor.
     const ELIMINATION: Elimination;

@@ -1,6 +1,7 @@
 //! Rotations in the plane: the exponential on SO(2), angles over several turns, unwrapping of outputs.
 //!
-//! Everything here works on single numbers; which entries of q are pairs or angles is said by `layout.rs`.
+//! Everything here works on single numbers; which entries of q are pairs or angles is said by `layout.rs`. Rotations in
+//! space are `quaternion.rs`.
 
 use crate::real::Real;
 
@@ -77,8 +78,15 @@ pub fn unwrap_angle<R: Real>(new: R, previous: R) -> R {
 /// (cos δ − 1, sin δ) for |δ| ≤ 1/2.
 #[inline(always)]
 fn versine<R: Real>(delta: R) -> (R, R) {
-    let k = R::from_f64;
     let z = delta * delta;
+    let (cosine, sine) = series(z);
+    (z * cosine, (delta * z).mul_add(sine, delta))
+}
+
+/// The series (c, s) in z = δ² ≤ 1/4 with cos δ = 1 + z c and sin δ = δ + δ z s.
+#[inline(always)]
+pub(crate) fn series<R: Real>(z: R) -> (R, R) {
+    let k = R::from_f64;
     let z2 = z * z;
     let z4 = z2 * z2;
     // sin δ = δ + δ z (−1/3! + z/5! − …), cos δ − 1 = z (−1/2! + z/4! − …)
@@ -92,7 +100,7 @@ fn versine<R: Real>(delta: R) -> (R, R) {
     let c_last = k(-1.0 / 87_178_291_200.0);
     let sine = z4.mul_add(z2.mul_add(s_last, s_high), z2.mul_add(s_mid, s_low));
     let cosine = z4.mul_add(z2.mul_add(c_last, c_high), z2.mul_add(c_mid, c_low));
-    (z * cosine, (delta * z).mul_add(sine, delta))
+    (cosine, sine)
 }
 
 /// The exponential of an increment above 1/2 in at least one lane.

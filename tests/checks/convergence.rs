@@ -93,30 +93,25 @@ fn walking_keeps_angles_and_pairs_together<M: Model>() {
     for at in &states {
         let outputs = model.outputs(at.time, &at.q, &at.v, &at.u).to_array();
         assert!(outputs.as_slice().iter().all(|output| output.is_finite()), "{}", M::NAME);
-        let Layout { linear, rotations, angles } = M::LAYOUT;
+        let Layout { linear, rotations, quaternions, angles } = M::LAYOUT;
+        let counts = linear + 2 * rotations + 4 * quaternions;
         let q = at.q.as_slice();
         for (angle, known) in compiled.equations.layout.angles.iter().zip(0..angles.len()) {
-            let pair = |rate: Option<usize>| match rate {
-                Some(rate) => q[linear + 2 * (rate - linear) + 1].atan2(q[linear + 2 * (rate - linear)]),
-                None => 0.0,
+            // In space a free body's ω is the rate of no angle.
+            if angle.rate.iter().any(|(rate, _)| !(linear..linear + rotations).contains(rate)) {
+                continue;
+            }
+            let angle_of = |q: &[f64]| -> f64 {
+                let pair = |rate: usize| q[2 * rate - linear + 1].atan2(q[2 * rate - linear]);
+                angle.rate.iter().map(|(rate, weight)| weight * pair(*rate)).sum()
             };
-            let counted =
-                TAU * q[linear + 2 * rotations + 2 * known] + q[linear + 2 * rotations + 2 * known + 1];
+            let counted = |q: &[f64]| TAU * q[counts + 2 * known] + q[counts + 2 * known + 1];
             // A constant lies between them: the frames' fixed angles, the same as at the start.
             let start = M::start_q();
             let start = start.as_slice();
-            let pair_then = |rate: Option<usize>| match rate {
-                Some(rate) => {
-                    start[linear + 2 * (rate - linear) + 1].atan2(start[linear + 2 * (rate - linear)])
-                }
-                None => 0.0,
-            };
-            let counted_then = TAU * start[linear + 2 * rotations + 2 * known]
-                + start[linear + 2 * rotations + 2 * known + 1];
-            let moved =
-                (pair(angle.plus) - pair(angle.minus)) - (pair_then(angle.plus) - pair_then(angle.minus));
-            let off = (counted - counted_then - moved + PI).rem_euclid(TAU) - PI;
-            assert!(off.abs() < 1e-9, "{}: {counted} against {moved}", M::NAME);
+            let moved = angle_of(q) - angle_of(start);
+            let off = (counted(q) - counted(start) - moved + PI).rem_euclid(TAU) - PI;
+            assert!(off.abs() < 1e-9, "{}: {} against {moved}", M::NAME, counted(q));
         }
     }
 }

@@ -26,6 +26,39 @@ pub trait Model: Assemble<f64, Inputs: Fields<f64>, Outputs: Fields<f64>> + Size
     fn flat_driver_efforts(&self, at: &At<Self>, lambda: &Self::Lambda) -> Vec<f64>;
 }
 
+/// All numbers of a motion or reaction, of the plane or of space.
+pub trait Flat {
+    fn flat(&self) -> Vec<f64>;
+}
+
+impl Flat for linkwright::BodyMotion {
+    fn flat(&self) -> Vec<f64> {
+        let [[x, y], [c, s], [vx, vy], [ax, ay]] =
+            [self.position, self.orientation, self.velocity, self.acceleration];
+        vec![x, y, c, s, vx, vy, self.rate, ax, ay, self.angular_acceleration]
+    }
+}
+
+impl Flat for linkwright::SpatialMotion {
+    fn flat(&self) -> Vec<f64> {
+        let turned = self.orientation.concat();
+        let rest = [self.velocity, self.rate, self.acceleration, self.angular_acceleration].concat();
+        [self.position.to_vec(), turned, rest].concat()
+    }
+}
+
+impl Flat for linkwright::Reaction {
+    fn flat(&self) -> Vec<f64> {
+        vec![self.force[0], self.force[1], self.torque]
+    }
+}
+
+impl Flat for linkwright::SpatialReaction {
+    fn flat(&self) -> Vec<f64> {
+        [self.force, self.torque].concat()
+    }
+}
+
 /// Time, state and inputs.
 pub struct At<M: Model> {
     pub time: f64,
@@ -55,12 +88,7 @@ macro_rules! model {
             }
             fn flat_motions(&self, time: f64, q: &Self::Q, v: &Self::V, a: &Self::V) -> Vec<f64> {
                 let motions = self.motions(time, q, v, a);
-                let flat = motions.iter().flat_map(|m| {
-                    let [[x, y], [c, s], [vx, vy], [ax, ay]] =
-                        [m.position, m.orientation, m.velocity, m.acceleration];
-                    [x, y, c, s, vx, vy, m.rate, ax, ay, m.angular_acceleration]
-                });
-                flat.collect()
+                motions.iter().flat_map($crate::registry::Flat::flat).collect()
             }
             fn flat_reactions(
                 &self,
@@ -69,7 +97,7 @@ macro_rules! model {
                 lambda: &Self::Lambda,
             ) -> Vec<f64> {
                 let reactions = self.reactions(at.time, &at.q, &at.v, &at.u, a, lambda);
-                reactions.iter().flat_map(|r| [r.force[0], r.force[1], r.torque]).collect()
+                reactions.iter().flat_map($crate::registry::Flat::flat).collect()
             }
             fn flat_powers(&self, at: &$crate::registry::At<Self>) -> Vec<f64> {
                 self.powers(at.time, &at.q, &at.v, &at.u).to_vec()
@@ -171,6 +199,11 @@ impl Random {
             let angle = 4.0 * self.next();
             q.extend([angle.cos(), angle.sin()]);
         }
+        for _ in 0..layout.quaternions {
+            let part = self.vector(4);
+            let length = part.iter().map(|x| x * x).sum::<f64>().sqrt().max(1e-3);
+            q.extend(part.iter().map(|x| x / length));
+        }
         for _ in layout.angles {
             q.extend([(5.0 * self.next()).round(), 3.0 * self.next()]);
         }
@@ -209,9 +242,14 @@ impl Random {
 
 /// The runtime's layout of a mechanism that was not emitted. Rates of angles are left out.
 fn layout(compiled: &Compiled) -> Layout {
-    const ANGLE: linkwright::MultiTurn = linkwright::MultiTurn { plus: None, minus: None };
+    const ANGLE: linkwright::MultiTurn = linkwright::MultiTurn { rate: &[] };
     const ANGLES: [linkwright::MultiTurn; 64] = [ANGLE; 64];
     let layout = &compiled.equations.layout;
     let angles = &const { &ANGLES }[..layout.angles.len()];
-    Layout { linear: layout.linear.len(), rotations: layout.rotations.len(), angles }
+    Layout {
+        linear: layout.linear.len(),
+        rotations: layout.rotations.len(),
+        quaternions: layout.quaternions.len(),
+        angles,
+    }
 }

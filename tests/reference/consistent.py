@@ -11,12 +11,17 @@ import numpy as np
 
 from coordinate_set import equations_evaluator, given
 from expressions import evaluate
+from magnitude import Evaluator
 
 CHUNK = 16  # dense systems held at a time
+NOISE = 1e-13  # entries below, relative to their terms, are zeros of a deficient system
+RANK = 1e-11  # singular values below, relative to the largest, are zeros
 
 
 class AbsoluteSystem:
     """The absolute equations of a model at states that are given body by body."""
+
+    evaluator_of = Evaluator
 
     def __init__(self, absolute):
         self.equations = absolute
@@ -26,6 +31,7 @@ class AbsoluteSystem:
         centers = ca.vertcat(*[self._arm(joint) for joint in self.model.joints.values()])
         quantities = [evaluate(driver["quantity"], kinematics) for driver in definition["drivers"]]
         energy = absolute.kinetic + absolute.potential
+        further = self._further()
         self.evaluator = equations_evaluator(
             absolute,
             {
@@ -36,13 +42,19 @@ class AbsoluteSystem:
                 "energy_explicit": kinematics.explicit_rate(energy),
                 "elastic_powers": ca.vertcat(*[ca.dot(load.elastic, load.w) for load in absolute.loads]),
                 "support_powers": ca.vertcat(*[ca.dot(load.f, load.explicit) for load in absolute.loads]),
+                **further,
             },
+            self.evaluator_of,
         )
         joints = list(self.model.joints)
         owners = [row.of for row in absolute.rows]
         self.joint_rows = [[k for k, of in enumerate(owners) if of == name] for name in joints]
         self.first_coupling = sum(len(rows) for rows in self.joint_rows)
         self.drivers = len(definition["drivers"])
+
+    def _further(self):
+        """Quantities that only some kinds need."""
+        return {}
 
     def evaluate(self, states, bodies, angles):
         """Quantities by name as (values, magnitudes), and (q, v, v̇) in absolute coordinates."""
@@ -59,8 +71,8 @@ class AbsoluteSystem:
             transfer, wrench = self._wrench(index, rows, quantities, jacobian, reactions[:, index])
             result[:, rows] = np.einsum("sij,sj->si", np.linalg.pinv(transfer), wrench)
             leftover[:, index, : wrench.shape[1]] = wrench - np.einsum("sij,sj->si", transfer, result[:, rows])
-            if wrench.shape[1] == 2:
-                leftover[:, index, 2] = reactions[:, index, 2]  # nothing can turn a particle
+            size = wrench.shape[1]
+            leftover[:, index, size:] = reactions[:, index, size:]  # nothing can turn a particle
         result[:, self.first_coupling :] = couplings
         return result, leftover
 
@@ -107,11 +119,21 @@ class AbsoluteSystem:
 
 
 class System:
-    """K z = b at all states, plain and equilibrated by one scaling for the whole model."""
+    """K z = b at all states, plain and equilibrated by one scaling for the whole model.
 
-    def __init__(self, quantities):
+    `deficient`: rows may be implied by others. K is then singular in the directions of λ that exert nothing; condition
+    and solution are those across these directions (pseudo-inverse). `background`: share of the terms of b that counts as
+    its size even where they cancel.
+    """
+
+    def __init__(self, quantities, deficient=False, background=0.0):
+        self.deficient = deficient
         self.mass, self.jacobian = quantities["mass"][0], quantities["jacobian"][0]
+        if deficient:
+            # A row that others imply altogether is nothing but rounding, which no scaling should bring to one.
+            self.jacobian = np.where(np.abs(self.jacobian) <= NOISE * quantities["jacobian"][1], 0.0, self.jacobian)
         self.right = np.hstack([quantities["forces"][0], quantities["gamma"][0]])
+        self.background = background * np.hstack([quantities["forces"][1], quantities["gamma"][1]])
         self.scaling = self._equilibrate()
 
     def matrices(self, scaling=None):
@@ -126,16 +148,20 @@ class System:
             yield chunk, k if scaling is None else k * scaling[:, None] * scaling[None, :]
 
     def backward_errors(self, solution):
-        """‖K z − b‖ / (‖K‖ ‖z‖ + ‖b‖) per state, plain and after scaling."""
+        """‖K z − b‖ / (‖K‖ ‖z‖ + ‖b‖ + background) per state, plain and after scaling."""
         plain = self._backward(solution, None)
         return plain, self._backward(solution / self.scaling, self.scaling)
 
     def conditions(self):
-        """‖K‖₁ ‖K⁻¹‖₁ per state after scaling."""
+        """‖K‖₁ ‖K⁻¹‖₁ per state after scaling; of a deficient one the ratio of singular values that are no zeros."""
         result = np.full(len(self.right), np.inf)
         for chunk, k in self.matrices(self.scaling):
             for index, matrix in enumerate(k):
                 if not np.all(np.isfinite(matrix)):
+                    continue
+                if self.deficient:
+                    singular = np.linalg.svd(matrix, compute_uv=False)
+                    result[chunk.start + index] = singular[0] / singular[singular > RANK * singular[0]][-1]
                     continue
                 try:
                     inverse = np.linalg.inv(matrix)
@@ -145,14 +171,15 @@ class System:
         return result
 
     def solve(self):
-        """z per state; NaN where K is singular."""
+        """z per state; NaN where K is singular without being meant to be."""
         result = np.full(self.right.shape, np.nan)
         for chunk, k in self.matrices(self.scaling):
             for index, matrix in enumerate(k):
                 right = self.scaling * self.right[chunk.start + index]
+                solve = np.linalg.solve if not self.deficient else _least_squares
                 try:
-                    scaled = np.linalg.solve(matrix, right)
-                    scaled += np.linalg.solve(matrix, right - matrix @ scaled)
+                    scaled = solve(matrix, right)
+                    scaled += solve(matrix, right - matrix @ scaled)
                     result[chunk.start + index] = self.scaling * scaled
                 except np.linalg.LinAlgError:
                     pass
@@ -165,7 +192,8 @@ class System:
             z = solution[chunk]
             residual = np.abs(np.einsum("sij,sj->si", k, z) - right).max(axis=1)
             norm = np.abs(k).sum(axis=2).max(axis=1)
-            scale = norm * np.abs(z).max(axis=1) + np.abs(right).max(axis=1)
+            background = self.background[chunk] if scaling is None else scaling * self.background[chunk]
+            scale = norm * np.abs(z).max(axis=1) + np.abs(right).max(axis=1) + background.max(axis=1)
             result[chunk] = np.where(residual == 0.0, 0.0, residual / np.where(scale == 0.0, 1.0, scale))
         return result
 
@@ -181,3 +209,7 @@ class System:
             peak = (largest * scaling[:, None] * scaling[None, :]).max(axis=1)
             scaling /= np.sqrt(np.where(peak == 0.0, 1.0, peak))
         return scaling
+
+
+def _least_squares(matrix, right):
+    return np.linalg.lstsq(matrix, right, rcond=RANK)[0]

@@ -9,12 +9,16 @@ import numpy as np
 import tree
 from energies import Energies
 from magnitude import MATRICES, Evaluator
+from motion import PLANE
 
 VECTORS = ("phi", "nu", "gamma", "forces", "powers")
 SCALARS = ("kinetic", "potential")
 
 
 class CoordinateSet:
+    motion = PLANE
+    evaluator_of = Evaluator
+
     def __init__(self, model, absolute, coordinates):
         self.model = model
         if coordinates["coordinates"] == "absolute":
@@ -40,15 +44,19 @@ class CoordinateSet:
         return {name: self._ordered(name, result.dense(), columns) for name, result in results.items()}
 
     def bodies(self, states, acceleration):
-        """[x y c s vx vy ω ax ay α] per body as (states, bodies, 10), values and magnitudes."""
+        """The entries of `motion` per body as (states, bodies, entries), values and magnitudes."""
         if self._bodies is None:
             kinematics = self.kinematics
             a = ca.SX.sym("a", kinematics.v.numel())
             arguments = [*symbols(self.model), kinematics.q, kinematics.v, a]
-            self._bodies = Evaluator(arguments, {"bodies": kinematics.bodies(a)})
+            self._bodies = self.evaluator_of(arguments, {"bodies": kinematics.bodies(a)})
         result = self._bodies(*given(states), states["q"], states["v"], acceleration)["bodies"]
-        shape = (len(acceleration), len(self.model.bodies), 10)
+        shape = (len(acceleration), len(self.model.bodies), self.motion.size)
         return tuple(part.reshape(shape) for part in result.dense())
+
+    def norms(self, q):
+        """Lengths that must be one, as (states, …); of planar pairs nothing is asked."""
+        return np.zeros((len(q), 0))
 
     def entry_name(self, quantity):
         """How the k-th entry of a vector quantity is called."""
@@ -88,12 +96,12 @@ class CoordinateSet:
         return dense
 
 
-def equations_evaluator(equations, further=None):
+def equations_evaluator(equations, further=None, evaluator_of=Evaluator):
     """All compared quantities of `Energies` as functions of (p, t, u, phases, q, v)."""
     outputs = {name: getattr(equations, name) for name in (*VECTORS, *SCALARS, *MATRICES)}
     kinematics = equations.kinematics
     arguments = [*symbols(equations.model), kinematics.q, kinematics.v]
-    return Evaluator(arguments, {**outputs, **(further or {})})
+    return evaluator_of(arguments, {**outputs, **(further or {})})
 
 
 def symbols(model):

@@ -19,6 +19,7 @@ class Place:
 
     body: str | None
     local: ca.SX
+    axes: ca.SX | None = None  # in space: of its marker, in body axes
 
 
 @dataclass
@@ -34,9 +35,10 @@ class Body:
     name: str
     particle: bool  # a particle has no orientation
     mass: ca.SX
-    inertia: ca.SX  # about the centre of mass
+    inertia: ca.SX  # about the centre of mass; in space a tensor
     center: ca.SX  # from the body's origin
     points: dict = field(default_factory=dict)  # name → from the body's origin
+    axes: dict = field(default_factory=dict)  # in space: of the markers by name
 
 
 @dataclass
@@ -53,9 +55,12 @@ class Joint:
 class Model:
     """Bodies, joints and gravity in SI; as symbols: parameters `p`, `time`, inputs `u` and `phases`."""
 
+    kind = "planar"
+    dimension = 2
+
     def __init__(self, definition):
-        if definition.get("linkwright") != 1 or definition.get("kind") != "planar":
-            raise ValueError("only version 1 of a planar definition is understood")
+        if definition.get("linkwright") != 1 or definition.get("kind") != self.kind:
+            raise ValueError(f"only version 1 of a {self.kind} definition is understood")
         self.definition = definition
         self.title = definition["name"]
         self.p = ca.SX.sym("p", len(definition["parameters"]))
@@ -73,7 +78,7 @@ class Model:
             if coupling["kind"] in ("gear", "rack") and coupling.get("phase") is None
         ]
         self.phases = ca.SX.sym("phase", len(self.free_phases))
-        self.gravity = pair(definition["gravity"], self) if definition.get("gravity") else ca.SX.zeros(2)
+        self.gravity = pair(definition["gravity"], self) if definition.get("gravity") else ca.SX.zeros(self.dimension)
         self.bodies = {body["name"]: self._body(body) for body in definition["bodies"]}
         self.lines = {
             f"{body['name']}.{line['name']}": line for body in definition["bodies"] for line in body.get("lines") or []
@@ -182,4 +187,4 @@ def _inertia_of_shape(kind, mass, given):
 
 
 def _unit(vector):
-    return vector / ca.sqrt(vector[0] ** 2 + vector[1] ** 2)
+    return vector / ca.sqrt(ca.dot(vector, vector))

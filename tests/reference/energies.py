@@ -50,7 +50,7 @@ class Energies:
         v = kinematics.v
         self.momentum = ca.gradient(self.kinetic, v)
         self.mass = ca.jacobian(self.momentum, v)
-        self.forces = self._applied() + self._slope(self.kinetic) - kinematics.rate(self.momentum)
+        self.forces = self._applied() + self._inertial()
 
         self.rows = kinematics.rows()
         self.phi = ca.vertcat(*[row.value for row in self.rows])
@@ -69,6 +69,10 @@ class Energies:
         along = ca.jtimes(value, self.kinematics.q, self.kinematics.q_rate(self.direction))
         return ca.gradient(along, self.direction)
 
+    def _inertial(self):
+        """∂T/∂π − (d/dt(∂T/∂v) at v̇ = 0)."""
+        return self._slope(self.kinetic) - self.kinematics.rate(self.momentum)
+
     def _kinetic(self):
         bodies, poses = self.model.bodies, self.kinematics.poses
         rates = self.kinematics.rate(ca.vertcat(*[c for name in bodies for c in (poses[name].x, poses[name].y)]))
@@ -82,7 +86,7 @@ class Energies:
         energy = ca.SX(0)
         for name, body in self.model.bodies.items():
             pose = self.kinematics.poses[name]
-            energy -= body.mass * (self.model.gravity[0] * pose.x + self.model.gravity[1] * pose.y)
+            energy -= body.mass * ca.dot(self.model.gravity, pose.position)
         for load in self.model.definition["loads"]:
             if load.get("stiffness"):
                 stiffness, deflection = self._spring(load)
@@ -129,7 +133,9 @@ class Energies:
             point = kinematics.position(self.model.place(load["place"]))
             force = self._force(load)
             explicit = kinematics.explicit_rate(point)
-            return Load(name, kinematics.rate(point), explicit, force, ca.SX.zeros(2))
+            return Load(name, kinematics.rate(point), explicit, force, ca.SX.zeros(self.model.dimension))
+        if kind == "torque" and load.get("components"):
+            return Load(name, kinematics.spin(load["on"]), ca.SX.zeros(3), self._force(load), ca.SX.zeros(3))
         if kind == "torque":
             torque = evaluate(load["value"], kinematics)
             return Load(name, kinematics.rotor_rate(load["on"]), ca.SX(0), torque, ca.SX(0))

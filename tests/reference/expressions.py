@@ -25,7 +25,7 @@ def entry(node, scope):
 
 
 def pair(node, scope, key="value"):
-    """The two values of `{"unit": …, "value": [EXPR, EXPR]}` as a column in SI.
+    """The values of `{"unit": …, "value": [EXPR, EXPR]}` (three of them in space) as a column in SI.
 
     A bare number beside a component that names a quantity could be meant in the unit or in SI; where the two
     differ, the definition is refused rather than guessed at.

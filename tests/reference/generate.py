@@ -32,25 +32,29 @@ def generate(definition, coordinates, tree, start, random=20, consistent=20, see
         "parameters_are_si": True,
         "definition_hash": "0" * 64,
         "random": random_part(own, states),
-        "consistent": consistent_part(own, absolute, free),
+        "consistent": consistent_part(own, AbsoluteSystem(absolute), free),
     }
 
 
 def draw(rng, own, count):
     layout, model = own.layout, own.model
-    nominal = [float(p["value"]["number"]) for p in model.definition["parameters"]]
+    at = np.array(nominal(model))
     angles = rng.uniform(-np.pi, np.pi, (count, len(layout.rotations)))
     linear = rng.normal(size=(count, len(layout.linear)))
     turns = rng.integers(-3, 4, (count, len(layout.angles)))
     remainder = rng.uniform(-np.pi, np.pi, turns.shape)
     return {
-        "parameters": np.array(nominal) * rng.uniform(0.7, 1.4, (count, len(nominal))),
+        "parameters": at * rng.uniform(0.7, 1.4, (count, len(at))),
         "time": rng.uniform(0, 2, (count, 1)),
         "inputs": rng.normal(size=(count, model.u.numel())),
         "phases": rng.normal(size=(count, model.phases.numel())),
         "q": pack(linear, angles, turns, remainder),
         "v": rng.normal(size=(count, len(layout.linear) + len(layout.rotations))),
     }
+
+
+def nominal(model):
+    return [float(p["value"]["number"]) for p in model.definition["parameters"]]
 
 
 def pack(linear, angles, turns, remainder):
@@ -101,9 +105,8 @@ def to_absolute(tree, own, states):
 def place(own, at, n):
     multi = np.zeros((len(at), len(own.layout.angles)))
     for k, angle in enumerate(own.layout.angles):
-        for sign, key in ((1.0, "plus"), (-1.0, "minus")):
-            if angle[key] is not None:
-                multi[:, k] += sign * at[:, angle[key]]
+        for index, weight in angle["rate"]:
+            multi[:, k] += weight * at[:, index]
     turns = np.round(multi / (2 * np.pi))
     return pack(at[:, :n], at[:, n:], turns, multi - 2 * np.pi * turns)
 
@@ -130,19 +133,13 @@ def triplets(matrix):
     return [[int(r), int(c), float(matrix[r, c])] for r, c in zip(*np.nonzero(matrix), strict=True)]
 
 
-def consistent_part(own, absolute, states):
-    """Absolute multipliers follow from the bodies' accelerations: Dᵀ λ = Q − M v̇."""
+def consistent_part(own, system, states, deficient=False):
     quantities = own.evaluate(states)
-    solution = System(quantities).solve()
+    solution = System(quantities, deficient).solve()
     n = states["v"].shape[1]
     bodies, _ = own.bodies(states, solution[:, :n])
-    system = AbsoluteSystem(absolute)
     parts, _, a = system.evaluate(states, bodies, own.layout.angle_values(states["q"]))
-    multipliers = np.zeros(parts["phi"][0].shape)
-    for k in range(len(a)):
-        missing = parts["forces"][0][k] - parts["mass"][0][k] @ a[k]
-        if multipliers.shape[1]:
-            multipliers[k] = np.linalg.lstsq(parts["jacobian"][0][k].T, missing, rcond=None)[0]
+    multipliers = absolute_multipliers(own, system, parts, a, solution[:, n:] if deficient else None)
     reactions = system.reactions(parts, multipliers)
     efforts = -multipliers[:, multipliers.shape[1] - system.drivers :]
     powers = efforts * parts["driver_rates"][0]
@@ -161,3 +158,21 @@ def consistent_part(own, absolute, states):
         energies = {name: derived[name] for name in ("kinetic", "potential", "powers")}
         result.append(given_part(states, k) | energies | {name: part.tolist() for name, part in solved.items()})
     return result
+
+
+def absolute_multipliers(own, system, parts, a, known=None):
+    """They follow from the bodies' accelerations: Dᵀ λ = Q − M v̇. Where λ is one of many, those of the set's own rows
+    are `known`."""
+    jacobian = parts["jacobian"][0]
+    multipliers = np.zeros(parts["phi"][0].shape)
+    names = [str(row) for row in system.equations.rows]
+    shared = [names.index(str(row)) for row in own.rows] if known is not None else []
+    rest = [k for k in range(len(names)) if k not in shared]
+    for k in range(len(a)):
+        missing = parts["forces"][0][k] - parts["mass"][0][k] @ a[k]
+        if shared:
+            multipliers[k, shared] = known[k]
+            missing -= jacobian[k, shared].T @ known[k]
+        if rest:
+            multipliers[k, rest] = np.linalg.lstsq(jacobian[k, rest].T, missing, rcond=None)[0]
+    return multipliers

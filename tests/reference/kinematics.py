@@ -23,6 +23,10 @@ class Pose:
     s: ca.SX
     omega: ca.SX
 
+    @property
+    def position(self):
+        return ca.vertcat(self.x, self.y)
+
     def turn(self, vector):
         """Body axes to world axes: A vector, A = [c −s; s c]."""
         return ca.vertcat(self.c * vector[0] - self.s * vector[1], self.s * vector[0] + self.c * vector[1])
@@ -44,6 +48,8 @@ GROUND = Pose(ca.SX(0), ca.SX(0), ca.SX(1), ca.SX(0), ca.SX(0))
 class Kinematics:
     """To be completed with `q`, `v`, `poses` (by body), `q_rate(v)` and `multi_turn(rotor)`."""
 
+    axes = ("x", "y")
+
     def __init__(self, model):
         self.model = model
         self.poses = {}
@@ -64,7 +70,7 @@ class Kinematics:
 
     def position(self, place):
         pose = self.pose(place.body)
-        return ca.vertcat(pose.x, pose.y) + pose.turn(place.local)
+        return pose.position + pose.turn(place.local)
 
     def rotor(self, name):
         """The bodies (turning, reference) of a rotor: a joint's second and first, or a body and the ground."""
@@ -104,8 +110,8 @@ class Kinematics:
             return self.multi_turn(owner)
         if owner in model.bodies and quantity == "rate":
             return self.rotor_rate(owner)
-        if quantity in ("x", "y"):
-            axis = 0 if quantity == "x" else 1
+        if quantity in self.axes:
+            axis = self.axes.index(quantity)
             if owner.endswith(".velocity"):
                 return self.rate(self.position(model.named_place(owner.removesuffix(".velocity"))))[axis]
             return self.position(model.named_place(owner))[axis]

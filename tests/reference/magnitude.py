@@ -10,8 +10,12 @@ of computing the same entry are measured in units of m.
 import casadi as ca
 import numpy as np
 
-# Quantities that stay matrices even with one column.
+# Quantities of every set that stay matrices even with one column.
 MATRICES = ("jacobian", "mass")
+
+
+def is_matrix(name):
+    return name in MATRICES or name.endswith("_jacobian")
 
 
 class Result:
@@ -49,25 +53,25 @@ class Evaluator:
             reads, writes = function.instruction_input(k), function.instruction_output(k)
             self.program.append((operation, reads, writes, constant))
 
-    def __call__(self, *arguments):
-        """`arguments` as (states, size) each; returns a `Result` by name."""
+    def __call__(self, *arguments, dtype=np.float64):
+        """`arguments` as (states, size) each; returns a `Result` by name, computed in numbers of `dtype`."""
         arguments = [np.atleast_2d(np.asarray(argument, float)) for argument in arguments]
         states = len(arguments[0])
         for k, argument in enumerate(arguments):
             if argument.shape != (states, self.function.numel_in(k)):
                 expected = (states, self.function.numel_in(k))
                 raise ValueError(f"argument {k} has the shape {argument.shape}, expected {expected}")
-        columns = [np.ascontiguousarray(argument.T) for argument in arguments]
+        columns = [np.ascontiguousarray(argument.T, dtype) for argument in arguments]
         absolutes = [np.abs(column) for column in columns]
-        results = {name: Result(output, states, name in MATRICES) for name, output in self.outputs.items()}
+        results = {name: Result(output, states, is_matrix(name)) for name, output in self.outputs.items()}
         ordered = list(results.values())
         value = [None] * self.function.sz_w()
         magnitude = [None] * self.function.sz_w()
         with np.errstate(all="ignore"):
             for operation, reads, writes, constant in self.program:
                 if operation == ca.OP_CONST:
-                    value[writes[0]] = np.full(states, constant)
-                    magnitude[writes[0]] = np.full(states, abs(constant))
+                    value[writes[0]] = np.full(states, constant, dtype)
+                    magnitude[writes[0]] = np.full(states, abs(constant), dtype)
                 elif operation == ca.OP_INPUT:
                     value[writes[0]] = columns[reads[0]][reads[1]]
                     magnitude[writes[0]] = absolutes[reads[0]][reads[1]]
@@ -97,7 +101,7 @@ def _choice(function):
     """Results 0 and 1, exact."""
 
     def rule(a, b):
-        result = function(a[0], b[0]).astype(float)
+        result = function(a[0], b[0]).astype(a[0].dtype)
         return result, result
 
     return rule
@@ -145,7 +149,7 @@ def _sign(a):
 
 
 def _not(a):
-    result = (a[0] == 0).astype(float)
+    result = (a[0] == 0).astype(a[0].dtype)
     return result, result
 
 

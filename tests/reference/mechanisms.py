@@ -23,10 +23,7 @@ def value(node, unit=None):
 
 
 def pair(x, y, unit="m", **more):
-    return {
-        "unit": unit,
-        "value": [x if isinstance(x, dict) else number(x), y if isinstance(y, dict) else number(y)],
-    } | more
+    return {"unit": unit, "value": [entry if isinstance(entry, dict) else number(entry) for entry in (x, y)]} | more
 
 
 def ground(x, y, unit="m"):
@@ -65,11 +62,14 @@ def joint(text, kind, first, second, **more):
 
 
 def definition(title, bodies, joints, **more):
-    empty = {
-        key: [] for key in ("constants", "parameters", "inputs", "constraints", "drivers", "loads", "start", "outputs")
-    }
-    head = {"linkwright": 1, "kind": "planar", "name": title, "gravity": None, "options": {}, "expect": {}}
-    return head | empty | {"bodies": bodies, "joints": joints} | more
+    empty = {key: [] for key in "constants parameters inputs constraints drivers loads start outputs".split()}
+    head = {"linkwright": 1, "kind": "planar", "name": title, "gravity": None, "options": {}, "expect": {}} | empty
+    return head | {"bodies": bodies, "joints": joints} | more
+
+
+def rate(plus, minus):
+    """v[plus] − v[minus], as far as there are such."""
+    return [[index, weight] for index, weight in ((plus, 1.0), (minus, -1.0)) if index is not None]
 
 
 MOVING = ground(number(-0.5, "m"), op("*", number(0.1, "m/s"), name("time")))
@@ -82,7 +82,7 @@ def tree_coordinates(branches, linear, rotations, rows, angles=()):
         "tree": [{"body": b, "joint": j, "parent": p} for b, j, p in branches],
         "linear": [{"kind": kind, "of": of} for kind, of in linear],
         "rotations": [{"body": of} for of in rotations],
-        "angles": [{"of": of, "plus": plus, "minus": minus} for of, plus, minus in angles],
+        "angles": [{"of": of, "rate": rate(plus, minus)} for of, plus, minus in angles],
         "rows": [{"of": of, "what": what} for of, what in rows],
     }
 
@@ -95,7 +95,7 @@ def absolute_coordinates(model, rows, angles=()):
         "tree": [{"body": b["name"], "joint": None, "parent": "ground"} for b in bodies],
         "linear": [{"kind": kind, "of": b["name"]} for b in bodies for kind in ("y", "x")],
         "rotations": [{"body": b["name"]} for b in bodies if b["kind"] != "particle"],
-        "angles": [{"of": of, "plus": plus, "minus": minus} for of, plus, minus in angles],
+        "angles": [{"of": of, "rate": rate(plus, minus)} for of, plus, minus in angles],
         "rows": [{"of": of, "what": what} for of, what in rows],
     }
 

@@ -128,9 +128,8 @@ class Identities(unittest.TestCase):
             angle = np.arctan2(q[:, n + 2 * k + 1], q[:, n + 2 * k]) + step * v[:, n + k]
             q[:, n + 2 * k], q[:, n + 2 * k + 1] = np.cos(angle), np.sin(angle)
         for k, angle in enumerate(layout.angles):
-            for sign, key in ((1, "plus"), (-1, "minus")):
-                if angle[key] is not None:
-                    q[:, n + 2 * r + 2 * k + 1] += sign * step * v[:, angle[key]]
+            for index, weight in angle["rate"]:
+                q[:, n + 2 * r + 2 * k + 1] += weight * step * v[:, index]
         return states | {"q": q, "time": states["time"] + step}
 
     def test_tree_is_the_projection_of_the_absolute_equations(self):

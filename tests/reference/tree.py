@@ -180,11 +180,7 @@ class Tree(Kinematics):
     def _check_angles(self):
         """The exported velocities of each multi-turn angle must be those of its rotor."""
         for angle in self.layout.angles:
-            rate = ca.SX(0)
-            if angle.get("plus") is not None:
-                rate += self.v[angle["plus"]]
-            if angle.get("minus") is not None:
-                rate -= self.v[angle["minus"]]
+            rate = sum((weight * self.v[index] for index, weight in angle["rate"]), ca.SX(0))
             difference = ca.evalf(ca.jacobian(rate - self.rotor_rate(angle["of"]), self.v))
             if np.any(np.asarray(difference.full()) != 0):
                 raise ValueError(f"{self.model.title}: the angle of `{angle['of']}` turns with other velocities")

@@ -27,6 +27,44 @@ pub fn dependent_rows(of: &str, what: &[&str], rows: usize, rank: usize) -> Stri
     )
 }
 
+/// A row that repeats, wherever the mechanism stands.
+pub fn redundant(of: &str, what: &str, rows: usize, rank: usize) -> String {
+    format!(
+        "the joints that close the loops give {rows} constraint equations of rank {rank}, all along the motion: \"{of}\" \
+         ({}) repeats what the others already fix. Write `options {{ redundant = drop; }}` to leave such equations out \
+         (some reactions are then not unique), or make \"{of}\" a joint that leaves more freedom, such as {}",
+        direction(what),
+        freer(what)
+    )
+}
+
+/// What a row holds, in words.
+fn direction(what: &str) -> &str {
+    match what {
+        "x" => "shifts along x",
+        "y" => "shifts along y",
+        "z" => "shifts along z",
+        "normal_1" => "shifts along x of its axes",
+        "normal_2" => "shifts along y of its axes",
+        "normal" => "shifts along its normal",
+        "axis_1" => "turns about y of its axes",
+        "axis_2" => "turns about x of its axes",
+        "angle" => "turns about its axis",
+        "cross" => "turns across both its axes",
+        "twist" => "turns along the shafts",
+        other => other,
+    }
+}
+
+fn freer(what: &str) -> &str {
+    match what {
+        "axis_1" | "axis_2" => "universal, spherical or point_on_line",
+        "angle" => "revolute or cylindrical",
+        "x" | "y" | "z" => "cylindrical, planar or point_on_line",
+        _ => "planar, spherical or point_on_plane",
+    }
+}
+
 pub fn not_independent(of: &str) -> String {
     format!(
         "\"{of}\" cannot be independent: the constraints and the coordinates before it already fix it at the start \
@@ -81,6 +119,21 @@ pub fn too_many_drivers(drivers: Vec<String>, freedoms: usize) -> String {
     )
 }
 
+pub fn counted_and_cut(joint: &str) -> String {
+    format!(
+        "the turns of \"{joint}\" are counted, because a law, driver, coupling or screw uses its angle, and in space only the \
+         angle of a joint that carries a body can be; name another joint in `options {{ cut = … }}`, or use an angle of \
+         a joint outside of this loop"
+    )
+}
+
+pub fn not_counted_in_absolute(joint: &str) -> String {
+    format!(
+        "the turns of \"{joint}\" are counted, which absolute coordinates in space can do only for one axis that is known at \
+         expansion; write `coordinates = tree`"
+    )
+}
+
 pub fn cannot_start() -> String {
     "no position was found that meets the constraints: check the lengths and places of the joints".to_string()
 }
@@ -92,11 +145,11 @@ pub fn flipped(of: &str) -> String {
     )
 }
 
-pub fn second_assembly(joint: &str, nearest: f64, next: f64) -> String {
+pub fn second_assembly(joint: &str, angle: &str, nearest: f64, next: f64) -> String {
     format!(
         "there are two ways to assemble this mechanism, and `start` does not say which: \"{joint}\" can be at \
-         {nearest:.4} rad or at {next:.4} rad. Write one of these in `start`: `{joint}.angle [rad] ~ {nearest:.4};` or \
-         `{joint}.angle [rad] ~ {next:.4};`"
+         {nearest:.4} rad or at {next:.4} rad. Write one of these in `start`: `{angle} [rad] ~ {nearest:.4};` or \
+         `{angle} [rad] ~ {next:.4};`"
     )
 }
 

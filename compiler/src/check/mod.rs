@@ -5,7 +5,8 @@ mod messages;
 pub mod rules;
 
 use crate::diagnostics::Diagnostics;
-use crate::model::Mechanism;
+use crate::equations::{SpanningTree, couplings, space};
+use crate::model::{JointId, Mechanism, Rotor, Space};
 use crate::schedule::{Function, Programs, count};
 
 /// The static rules.
@@ -13,6 +14,36 @@ pub fn check(mechanism: &Mechanism) -> Result<(), Diagnostics> {
     let mut errors = Diagnostics::new();
     rules::check(mechanism, &mut errors);
     errors.finish(())
+}
+
+/// In space the turns of an angle are counted along one velocity, so its joint has to carry a body.
+pub fn counted_angles(mechanism: &Mechanism, tree: &SpanningTree) -> Result<(), Diagnostics> {
+    let mut errors = Diagnostics::new();
+    if mechanism.space == Space::Spatial {
+        let carrying = tree.carrying(mechanism);
+        for rotor in couplings::multi_turn_rotors(mechanism) {
+            let Rotor::Joint(joint, _) = rotor else { continue };
+            let name = &mechanism.joints[joint.0].name;
+            if !carrying[joint.0] {
+                errors.error(name.span, messages::counted_and_cut(&name.text));
+            }
+        }
+    }
+    errors.finish(())
+}
+
+/// Whether absolute coordinates can count the angles that the dynamics use: their axes have to be known here, and a
+/// universal joint has two that move.
+pub fn absolute_can_count(mechanism: &Mechanism) -> Result<(), (JointId, String)> {
+    for rotor in couplings::multi_turn_rotors(mechanism) {
+        let Rotor::Joint(id, _) = rotor else { continue };
+        let joint = &mechanism.joints[id.0];
+        let known = |place| space::constant_axis(mechanism, joint, place).is_some();
+        if mechanism.space == Space::Spatial && !(known(&joint.first) && known(&joint.second)) {
+            return Err((id, messages::not_counted_in_absolute(&joint.name.text)));
+        }
+    }
+    Ok(())
 }
 
 /// Operations against `expect`.

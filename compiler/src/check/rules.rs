@@ -7,7 +7,7 @@ use crate::diagnostics::Diagnostics;
 use crate::messages;
 use crate::model::{
     BodyId, Condition, ConstraintKind, Expr, Frame, JointId, JointKind, LoadKind, Mechanism, Quantity, Rotor,
-    fold,
+    Vector, fold,
 };
 use std::collections::HashMap;
 
@@ -79,8 +79,8 @@ fn inertia_is_not_negative(mechanism: &Mechanism, diagnostics: &mut Diagnostics)
     for body in &mechanism.bodies {
         // A shape's inertia takes its sign from the mass, which has been judged.
         let follows = at_defaults(mechanism, &body.mass).is_some_and(|mass| mass < 0.0);
-        let inertia = at_defaults(mechanism, &body.inertia).filter(|inertia| *inertia < 0.0 && !follows);
-        if let Some(inertia) = inertia {
+        let moments = body.inertia.moments.iter().filter_map(|moment| at_defaults(mechanism, moment));
+        if let Some(inertia) = moments.into_iter().find(|inertia| *inertia < 0.0 && !follows) {
             let message = messages::negative("moment of inertia", &body.name.text, inertia, "kg*m^2");
             diagnostics.error(body.inertia_span, message);
         }
@@ -99,7 +99,7 @@ fn lines_have_two_ends(mechanism: &Mechanism, diagnostics: &mut Diagnostics) {
                 );
                 at_defaults(mechanism, &difference) == Some(0.0)
             };
-            if same(0) && same(1) {
+            if same(0) && same(1) && same(2) {
                 diagnostics.error(line.name.span, messages::line_without_length(&line.name.text));
             }
         }
@@ -117,7 +117,7 @@ fn lines_have_two_ends(mechanism: &Mechanism, diagnostics: &mut Diagnostics) {
     }
 }
 
-fn is_zero(mechanism: &Mechanism, direction: &[Expr; 2]) -> bool {
+fn is_zero(mechanism: &Mechanism, direction: &Vector) -> bool {
     direction.iter().all(|component| at_defaults(mechanism, component) == Some(0.0))
 }
 
@@ -126,7 +126,7 @@ fn axes_point_somewhere(mechanism: &Mechanism, diagnostics: &mut Diagnostics) {
     for joint in &mechanism.joints {
         let JointKind::Prismatic { axis, .. } = &joint.kind else { continue };
         if is_zero(mechanism, axis) {
-            diagnostics.error(joint.name.span, messages::zero_direction("axis"));
+            diagnostics.error(joint.name.span, messages::zero_direction("axis", mechanism.space));
         }
     }
 }
@@ -153,7 +153,7 @@ fn couplings_couple(mechanism: &Mechanism, diagnostics: &mut Diagnostics) {
         let (factor, what, same) = match &constraint.kind {
             ConstraintKind::Gear { first, second, ratio, .. } => (ratio, "ratio", first == second),
             ConstraintKind::Rack { pinion, rail, radius, .. } => {
-                (radius, "radius", *pinion == Rotor::Joint(*rail))
+                (radius, "radius", *pinion == Rotor::Joint(*rail, 0))
             }
             ConstraintKind::Equation { .. } => continue,
         };
@@ -247,6 +247,7 @@ fn touched(mechanism: &Mechanism) -> Vec<bool> {
     for load in &mechanism.loads {
         match &load.kind {
             LoadKind::Force { place, .. } => touch(&mut touched, place.frame),
+            LoadKind::BodyTorque { body, .. } => touch(&mut touched, Frame::Body(*body)),
             LoadKind::Torque { on, .. } | LoadKind::TorsionSpring { on, .. } => {
                 touch_rotor(&mut touched, *on)
             }
@@ -258,7 +259,7 @@ fn touched(mechanism: &Mechanism) -> Vec<bool> {
     }
     for quantity in quantities {
         match quantity {
-            Quantity::BodyAngle(body) | Quantity::BodyRate(body) => touch(&mut touched, Frame::Body(*body)),
+            Quantity::BodyAngle(body) | Quantity::BodyRate(body) | Quantity::BodyOmega(body, _) => touch(&mut touched, Frame::Body(*body)),
             Quantity::Position(place, _) | Quantity::Velocity(place, _) => touch(&mut touched, place.frame),
             Quantity::Distance(first, second) => {
                 touch(&mut touched, first.frame);
@@ -285,14 +286,14 @@ fn touch_rotor(touched: &mut [bool], rotor: Rotor) {
 
 /// Two quantities with the same key are the same.
 fn key(quantity: &Quantity) -> (u8, usize, String) {
-    let joint = |kind, JointId(index): JointId| (kind, index, String::new());
+    let joint = |kind, JointId(index): JointId, which: usize| (kind, index, which.to_string());
     match quantity {
         Quantity::BodyAngle(body) => (0, body.0, String::new()),
         Quantity::BodyRate(body) => (1, body.0, String::new()),
-        Quantity::JointAngle(id) => joint(2, *id),
-        Quantity::JointRate(id) => joint(3, *id),
-        Quantity::JointTravel(id) => joint(4, *id),
-        Quantity::JointSpeed(id) => joint(5, *id),
+        Quantity::JointAngle(id, which) => joint(2, *id, *which),
+        Quantity::JointRate(id, which) => joint(3, *id, *which),
+        Quantity::JointTravel(id, which) => joint(4, *id, *which),
+        Quantity::JointSpeed(id, which) => joint(5, *id, *which),
         Quantity::Position(place, axis) => (6, *axis, place.text.clone()),
         Quantity::Velocity(place, axis) => (7, *axis, place.text.clone()),
         other => (8, 0, format!("{other:?}")),

@@ -1,8 +1,8 @@
 //! What the entries of q and v and the constraint rows are, for tools that rebuild the mechanism from its definition.
 
 use crate::equations::coordinates::rotor_name;
-use crate::equations::{Equations, Linear};
-use crate::model::{Frame, Mechanism};
+use crate::equations::{Ball, Equations, Linear, Rotation};
+use crate::model::{Frame, Mechanism, Space};
 
 /// `{"coordinates":"tree","tree":[…],"linear":[…],"rotations":[…],"angles":[…],"rows":[…]}`.
 pub fn coordinates_json(mechanism: &Mechanism, equations: &Equations) -> String {
@@ -18,28 +18,53 @@ pub fn coordinates_json(mechanism: &Mechanism, equations: &Equations) -> String 
     });
     let linear = equations.layout.linear.iter().map(|linear| match linear {
         Linear::Center(id, axis) => {
-            format!("{{\"kind\":\"{}\",\"of\":{}}}", ["x", "y"][*axis], body(id.0))
+            format!("{{\"kind\":\"{}\",\"of\":{}}}", ["x", "y", "z"][*axis], body(id.0))
         }
-        Linear::Travel(id) => format!("{{\"kind\":\"travel\",\"of\":{}}}", joint(id.0)),
+        Linear::Travel(id, which) => {
+            let names = mechanism.joints[id.0].kind.word().coordinates(mechanism.space).travels;
+            format!("{{\"kind\":{},\"of\":{}}}", quoted(names[*which][0]), joint(id.0))
+        }
     });
-    let rotations = equations.layout.rotations.iter().map(|id| format!("{{\"body\":{}}}", body(id.0)));
-    let index = |index: Option<usize>| index.map_or("null".to_string(), |index| index.to_string());
+    let rotations = equations.layout.rotations.iter().map(|rotation| match rotation {
+        Rotation::Body(id) => format!("{{\"body\":{}}}", body(id.0)),
+        Rotation::Joint(id, which) => {
+            let names = mechanism.joints[id.0].kind.word().coordinates(mechanism.space).angles;
+            format!("{{\"joint\":{},\"angle\":{}}}", joint(id.0), quoted(names[*which][0]))
+        }
+    });
+    let quaternions = equations.layout.quaternions.iter().map(|ball| match ball {
+        Ball::Body(id) => format!("{{\"body\":{}}}", body(id.0)),
+        Ball::Joint(id) => format!("{{\"joint\":{}}}", joint(id.0)),
+    });
     let angles = equations.layout.angles.iter().map(|angle| {
         let of = quoted(rotor_name(mechanism, angle.rotor));
-        format!("{{\"of\":{of},\"plus\":{},\"minus\":{}}}", index(angle.plus), index(angle.minus))
+        let rate: Vec<String> =
+            angle.rate.iter().map(|(index, weight)| format!("[{index},{weight:?}]")).collect();
+        format!("{{\"of\":{of},\"rate\":[{}]}}", rate.join(","))
     });
     let rows = equations
         .rows
         .iter()
-        .map(|row| format!("{{\"of\":{},\"what\":{}}}", quoted(&row.of), quoted(row.what)));
+        .map(|row| {
+            let axes = match row.axes {
+                None => String::new(),
+                Some(Frame::Ground) => ",\"in\":\"ground\"".to_string(),
+                Some(Frame::Body(id)) => format!(",\"in\":{}", body(id.0)),
+            };
+            format!("{{\"of\":{},\"what\":{}{axes}}}", quoted(&row.of), quoted(row.what))
+        });
     let kind = if equations.tree.attachments.iter().all(|attachment| attachment.joint.is_none()) {
         "absolute"
     } else {
         "tree"
     };
     let list = |items: Vec<String>| items.join(",");
+    let quaternions = match mechanism.space {
+        Space::Planar => String::new(),
+        Space::Spatial => format!("\"quaternions\":[{}],", list(quaternions.collect())),
+    };
     format!(
-        "{{\"coordinates\":\"{kind}\",\"tree\":[{}],\"linear\":[{}],\"rotations\":[{}],\"angles\":[{}],\"rows\":[{}]}}",
+        "{{\"coordinates\":\"{kind}\",\"tree\":[{}],\"linear\":[{}],\"rotations\":[{}],{quaternions}\"angles\":[{}],\"rows\":[{}]}}",
         list(tree.collect()),
         list(linear.collect()),
         list(rotations.collect()),

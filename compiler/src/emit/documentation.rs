@@ -28,13 +28,24 @@ pub fn model(text: &mut String, emitter: &Emitter) {
         }
         more(&mut page, equations.rows.len());
     }
+    if !compiled.assembly.dropped.is_empty() {
+        page.push_str("\n# Redundant rows\n\nLeft out, because the others fix what they fix:");
+        for row in &compiled.assembly.dropped {
+            let _ = write!(page, " `{}` ({});", emitter.mechanism.joints[row.joint.0].name.text, row.what);
+        }
+        page.push_str(" the reactions of these joints are not unique:");
+        for joint in &compiled.assembly.shared {
+            let _ = write!(page, " `{}`", emitter.mechanism.joints[joint.0].name.text);
+        }
+        page.push('\n');
+    }
     page.push_str("\n# Operations\n\n");
     page.push_str(&operation_table(&compiled.programs));
     for line in page.lines() {
         let _ = writeln!(text, "#[cfg_attr(doc, doc = {})]", quoted(line));
     }
     // Without `cargo doc` one line is enough.
-    let summary = format!("Equations of motion of the planar mechanism `{}`.", emitter.name);
+    let summary = format!("Equations of motion of the {} mechanism `{}`.", emitter.mechanism.space.text(), emitter.name);
     let _ = writeln!(text, "#[cfg_attr(not(doc), doc = {})]", quoted(&summary));
 }
 
@@ -50,14 +61,20 @@ fn more(page: &mut String, length: usize) {
 fn coordinates(page: &mut String, mechanism: &Mechanism, emitter: &Emitter) {
     let layout = &emitter.compiled.equations.layout;
     let (q, v) = (layout.position_names(mechanism), layout.velocity_names(mechanism));
-    let linear = layout.linear.len();
+    let (linear, rotations) = (layout.linear.len(), layout.rotations.len());
     let lines = layout.velocities();
     for index in 0..lines.min(MOST) {
         let position = if index < linear {
             format!("`{}`", q[index])
-        } else {
+        } else if index < linear + rotations {
             let pair = layout.pair(index - linear);
             format!("`{}`, `{}`", q[pair], q[pair + 1])
+        } else {
+            // Four entries beside three rates.
+            let (ball, axis) = ((index - linear - rotations) / 3, (index - linear - rotations) % 3);
+            let at = layout.quaternion(ball);
+            let scalar = if axis == 0 { format!("`{}`, ", q[at]) } else { String::new() };
+            format!("{scalar}`{}`", q[at + 1 + axis])
         };
         let _ = writeln!(page, "| {index} | {position} | `{}` |", v[index]);
     }

@@ -139,5 +139,22 @@ fn constants(text: &mut String, emitter: &Emitter, source: &str) {
         &format!("LOADS: &'static [{string}]"),
         &format!("&{}", array(mechanism.loads.iter().map(|load| quoted(&load.name.text)))),
     );
+    let dropped = compiled.assembly.dropped.iter();
+    constant(
+        "Constraint rows left out because others fix what they fix: joint and row.",
+        &format!("DROPPED_ROWS: &'static [({string}, {string})]"),
+        &format!(
+            "&{}",
+            array(dropped.map(|row| {
+                format!("({}, {})", quoted(&mechanism.joints[row.joint.0].name.text), quoted(row.what))
+            }))
+        ),
+    );
+    let shared = compiled.assembly.shared.iter();
+    constant(
+        "Joints whose reactions are not unique, because constraint rows were left out.",
+        &format!("SHARED_REACTIONS: &'static [{string}]"),
+        &format!("&{}", array(shared.map(|joint| quoted(&mechanism.joints[joint.0].name.text)))),
+    );
     text.push_str("}\n");
 }

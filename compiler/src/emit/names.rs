@@ -243,7 +243,7 @@ pub fn inner(name: &str) -> String {
 
 /// Types, traits and variants that implementations have in scope: short names of arrays, what the runtime exports to
 /// emitted code, the prelude.
-const IN_SCOPE: [&str; 74] = [
+const IN_SCOPE: [&str; 76] = [
     "Constants",
     "Phases",
     "Q",
@@ -274,6 +274,8 @@ const IN_SCOPE: [&str; 74] = [
     "Elimination",
     "Mechanism",
     "Row",
+    "SpatialMotion",
+    "SpatialReaction",
     "Real",
     "Kinematics",
     "Motion",

@@ -65,7 +65,7 @@ fn constants(text: &mut String, header: &Header) {
     for constant in ["SOURCE", "DEFINITION", "COORDINATES"] {
         let _ = writeln!(text, "pub const {constant}: {str} = \"\";");
     }
-    for constant in ["BODIES", "JOINTS", "LOADS"] {
+    for constant in ["BODIES", "JOINTS", "LOADS", "SHARED_REACTIONS"] {
         let _ = writeln!(text, "pub const {constant}: &'static [{str}] = &[];");
     }
     text.push_str("}\n");
@@ -78,7 +78,13 @@ fn implementations(text: &mut String, header: &Header) {
     };
     let (inputs, outputs) = (given("input", "Inputs"), given("output", "Outputs"));
     let list = format!("[R; {MANY}]");
+    let (motion, reaction) = match header.spatial {
+        true => ("SpatialMotion", "SpatialReaction"),
+        false => ("BodyMotion", "Reaction"),
+    };
     let replaced = TEMPLATE
+        .replace("@MOTION@", motion)
+        .replace("@REACTION@", reaction)
         .replace("@NAME@", &name)
         .replace("@INPUTS@", &inputs)
         .replace("@OUTPUTS@", &outputs)
@@ -97,14 +103,15 @@ impl<R: Real> Default for @NAME@<R> { fn default() -> Self { loop {} } }
 impl<R: Real> @NAME@<R> {
     pub fn prepare(parameters: @NAME@Parameters<R>) -> Result<Self, SettingError> { loop {} }
     pub fn parameters(&self) -> &@NAME@Parameters<R> { loop {} }
-    pub fn motions(&self, time: R, q: &@LIST@, v: &@LIST@, a: &@LIST@) -> [BodyMotion<R>; @MANY@] { loop {} }
-    pub fn reactions(&self, time: R, q: &@LIST@, v: &@LIST@, u: &@INPUTS@, a: &@LIST@, l: &@LIST@) -> [Reaction<R>; @MANY@] { loop {} }
+    pub fn motions(&self, time: R, q: &@LIST@, v: &@LIST@, a: &@LIST@) -> [@MOTION@<R>; @MANY@] { loop {} }
+    pub fn reactions(&self, time: R, q: &@LIST@, v: &@LIST@, u: &@INPUTS@, a: &@LIST@, l: &@LIST@) -> [@REACTION@<R>; @MANY@] { loop {} }
+    pub fn inverse_dynamics(&self, time: R, q: &@LIST@, v: &@LIST@, u: &@INPUTS@, a: &@LIST@) -> @LIST@ { loop {} }
     pub fn powers(&self, time: R, q: &@LIST@, v: &@LIST@, u: &@INPUTS@) -> @LIST@ { loop {} }
     pub fn driver_efforts(&self, time: R, q: &@LIST@, v: &@LIST@, lambda: &@LIST@) -> [[R; 2]; @MANY@] { loop {} }
 }
 impl<R: Real> Mechanism<R> for @NAME@<R> {
     const NAME: &'static str = \"\";
-    const LAYOUT: Layout = Layout { linear: @MANY@, rotations: 0, angles: &[] };
+    const LAYOUT: Layout = Layout { linear: @MANY@, rotations: 0, quaternions: 0, angles: &[] };
     const ROWS: &'static [Row] = &[];
     const POSITION_NAMES: &'static [&'static str] = &[];
     const VELOCITY_NAMES: &'static [&'static str] = &[];

@@ -18,15 +18,15 @@ pub fn mass_pattern(emitter: &Emitter) -> String {
 
 pub fn layout(emitter: &Emitter) -> String {
     let layout = &emitter.compiled.equations.layout;
-    let index = |index: Option<usize>| index.map_or("None".to_string(), |index| format!("Some({index})"));
-    let angles = layout
-        .angles
-        .iter()
-        .map(|angle| format!("MultiTurn {{ plus: {}, minus: {} }}", index(angle.plus), index(angle.minus)));
+    let angles = layout.angles.iter().map(|angle| {
+        let rate = angle.rate.iter().map(|(index, weight)| format!("({index}, {weight:?})"));
+        format!("MultiTurn {{ rate: &{} }}", array(rate))
+    });
     format!(
-        "Layout {{ linear: {}, rotations: {}, angles: &{} }}",
+        "Layout {{ linear: {}, rotations: {}, quaternions: {}, angles: &{} }}",
         layout.linear.len(),
         layout.rotations.len(),
+        layout.quaternions.len(),
         array(angles)
     )
 }

@@ -3,7 +3,7 @@
 use super::body::{constant, literal};
 use super::names::{Argument, field};
 use super::{Emitter, array, quoted, tables};
-use crate::model::{Expr, Quantity, Rotor};
+use crate::model::{Expr, Quantity, Rotor, Space};
 use crate::schedule::{Function, Operand};
 use std::fmt::Write;
 
@@ -175,8 +175,44 @@ fn masses(text: &mut String, emitter: &Emitter) {
     }
 }
 
+/// `[a, b, c]` of texts.
+fn list(texts: &[String]) -> String {
+    array(texts.iter().cloned())
+}
+
+fn planar_motion(o: &[String]) -> String {
+    format!(
+        "BodyMotion {{ position: {}, orientation: {}, velocity: {}, rate: {}, acceleration: {}, angular_acceleration: {} }}",
+        list(&o[..2]),
+        list(&o[2..4]),
+        list(&o[4..6]),
+        o[6],
+        list(&o[7..9]),
+        o[9]
+    )
+}
+
+fn spatial_motion(o: &[String]) -> String {
+    format!(
+        "SpatialMotion {{ position: {}, orientation: [{}, {}, {}], velocity: {}, rate: {}, acceleration: {}, \
+         angular_acceleration: {} }}",
+        list(&o[..3]),
+        list(&o[3..6]),
+        list(&o[6..9]),
+        list(&o[9..12]),
+        list(&o[12..15]),
+        list(&o[15..18]),
+        list(&o[18..21]),
+        list(&o[21..])
+    )
+}
+
 fn motions(text: &mut String, helpers: &mut String, emitter: &Emitter) {
     let mechanism = emitter.mechanism;
+    let (motion, reaction) = match mechanism.space {
+        Space::Planar => ("BodyMotion", "Reaction"),
+        Space::Spatial => ("SpatialMotion", "SpatialReaction"),
+    };
     let (bodies, joints, loads, drivers) =
         (mechanism.bodies.len(), mechanism.joints.len(), mechanism.loads.len(), mechanism.drivers.len());
     text.push_str(
@@ -189,16 +225,10 @@ fn motions(text: &mut String, helpers: &mut String, emitter: &Emitter) {
         emitter,
         Function::Motions,
         &[Constants, Time, Q, V, Acceleration],
-        &format!("motions(&self, time: R, q: &Q<R>, v: &V<R>, a: &V<R>) -> [BodyMotion<R>; {bodies}]"),
-        |outputs| {
-            let motions = outputs.chunks(10).map(|o| {
-                format!(
-                    "BodyMotion {{ position: [{}, {}], orientation: [{}, {}], velocity: [{}, {}], rate: {}, \
-                     acceleration: [{}, {}], angular_acceleration: {} }}",
-                    o[0], o[1], o[2], o[3], o[4], o[5], o[6], o[7], o[8], o[9]
-                )
-            });
-            array(motions)
+        &format!("motions(&self, time: R, q: &Q<R>, v: &V<R>, a: &V<R>) -> [{motion}<R>; {bodies}]"),
+        |outputs| match mechanism.space {
+            Space::Planar => array(outputs.chunks(10).map(planar_motion)),
+            Space::Spatial => array(outputs.chunks(24).map(spatial_motion)),
         },
     );
     text.push_str(
@@ -213,13 +243,29 @@ fn motions(text: &mut String, helpers: &mut String, emitter: &Emitter) {
         &[Constants, Time, Q, V, Inputs, Acceleration, Lambda],
         &format!(
             "reactions(&self, time: R, q: &Q<R>, v: &V<R>, u: &Inputs<R>, a: &V<R>, lambda: &Lambda<R>) -> \
-             [Reaction<R>; {joints}]"
+             [{reaction}<R>; {joints}]"
         ),
-        |outputs| {
-            let reaction =
-                |o: &[String]| format!("Reaction {{ force: [{}, {}], torque: {} }}", o[0], o[1], o[2]);
-            array(outputs.chunks(3).map(reaction))
+        |outputs| match mechanism.space {
+            Space::Planar => array(outputs.chunks(3).map(|o| {
+                format!("Reaction {{ force: [{}, {}], torque: {} }}", o[0], o[1], o[2])
+            })),
+            Space::Spatial => array(outputs.chunks(6).map(|o| {
+                format!("SpatialReaction {{ force: {}, torque: {} }}", list(&o[..3]), list(&o[3..]))
+            })),
         },
+    );
+    text.push_str(
+        "/// M v̇ − Q: the forces that the accelerations `a` need beside loads and constraints, one for each velocity\n\
+         /// (N m or N). Of a tree without constraints these are the efforts of its joints (inverse dynamics).\npub ",
+    );
+    function(
+        text,
+        helpers,
+        emitter,
+        Function::InverseDynamics,
+        &[Constants, Time, Q, V, Inputs, Acceleration],
+        "inverse_dynamics(&self, time: R, q: &Q<R>, v: &V<R>, u: &Inputs<R>, a: &V<R>) -> V<R>",
+        |outputs| array(outputs.iter().cloned()),
     );
     text.push_str("/// Power of each load (W), in the order of `LOADS`, what springs store included.\npub ");
     function(
@@ -363,7 +409,7 @@ fn outputs(text: &mut String, helpers: &mut String, emitter: &Emitter) {
     // time from what `start` states.
     let unwrapped = mechanism.outputs.iter().zip(&fields).filter_map(|(output, field)| {
         let rotor = match &output.value {
-            Expr::Quantity(Quantity::JointAngle(joint)) => Rotor::Joint(*joint),
+            Expr::Quantity(Quantity::JointAngle(joint, which)) => Rotor::Joint(*joint, *which),
             Expr::Quantity(Quantity::BodyAngle(body)) => Rotor::Body(*body),
             _ => return None,
         };
@@ -383,7 +429,9 @@ fn outputs(text: &mut String, helpers: &mut String, emitter: &Emitter) {
             let at = conditions.position(|(condition, target)| {
                 target.position.is_some()
                     && match (&condition.quantity, rotor) {
-                        (Quantity::JointAngle(own), Rotor::Joint(joint)) => own == joint,
+                        (Quantity::JointAngle(own, which), Rotor::Joint(joint, angle)) => {
+                            own == joint && which == angle
+                        }
                         (Quantity::BodyAngle(own), Rotor::Body(body)) => own == body,
                         _ => false,
                     }

@@ -1,9 +1,9 @@
 //! Coordinates that can be held at a value: those that `start` states, and the independent ones.
 
-use super::coordinates::Symbols;
+use super::coordinates::{Symbols, angle_name, travel_name};
 use super::jet::Jet;
 use super::laws::Laws;
-use crate::model::{JointId, Mechanism, Quantity, Rotor};
+use crate::model::{Mechanism, Quantity, Rotor, StartOrientation};
 use crate::symbolic::{Class, Graph, Node, Unary};
 
 /// One coordinate as a row beside the constraints.
@@ -28,8 +28,13 @@ pub struct Condition {
 pub fn coordinate_of(quantity: &Quantity) -> Option<Quantity> {
     Some(match quantity {
         Quantity::BodyAngle(body) | Quantity::BodyRate(body) => Quantity::BodyAngle(*body),
-        Quantity::JointAngle(joint) | Quantity::JointRate(joint) => Quantity::JointAngle(*joint),
-        Quantity::JointTravel(joint) | Quantity::JointSpeed(joint) => Quantity::JointTravel(*joint),
+        Quantity::JointAngle(joint, which) | Quantity::JointRate(joint, which) => {
+            Quantity::JointAngle(*joint, *which)
+        }
+        Quantity::JointTravel(joint, which) | Quantity::JointSpeed(joint, which) => {
+            Quantity::JointTravel(*joint, *which)
+        }
+        Quantity::BodyOmega(body, axis) => Quantity::BodyOmega(*body, *axis),
         Quantity::Position(place, axis) | Quantity::Velocity(place, axis) => {
             Quantity::Position(place.clone(), *axis)
         }
@@ -43,8 +48,8 @@ pub fn is_position(quantity: &Quantity) -> bool {
     matches!(
         quantity,
         Quantity::BodyAngle(_)
-            | Quantity::JointAngle(_)
-            | Quantity::JointTravel(_)
+            | Quantity::JointAngle(..)
+            | Quantity::JointTravel(..)
             | Quantity::Position(..)
             | Quantity::Distance(..)
     )
@@ -52,12 +57,14 @@ pub fn is_position(quantity: &Quantity) -> bool {
 
 /// Name of a position coordinate, `crank_pin.angle`.
 pub fn name(mechanism: &Mechanism, quantity: &Quantity) -> String {
-    let joint = |joint: &JointId| &mechanism.joints[joint.0].name.text;
     match quantity {
         Quantity::BodyAngle(body) => format!("{}.angle", mechanism.bodies[body.0].name.text),
-        Quantity::JointAngle(id) => format!("{}.angle", joint(id)),
-        Quantity::JointTravel(id) => format!("{}.travel", joint(id)),
-        Quantity::Position(place, axis) => format!("{}.{}", place.text, ["x", "y"][*axis]),
+        Quantity::BodyOmega(body, axis) => {
+            format!("{}.rate.{}", mechanism.bodies[body.0].name.text, ["x", "y", "z"][*axis])
+        }
+        Quantity::JointAngle(id, which) => angle_name(mechanism, *id, *which, 0),
+        Quantity::JointTravel(id, which) => travel_name(mechanism, *id, *which, 0),
+        Quantity::Position(place, axis) => format!("{}.{}", place.text, ["x", "y", "z"][*axis]),
         Quantity::Distance(a, b) => format!("distance({}, {})", a.text, b.text),
         other => format!("{other:?}"),
     }
@@ -70,13 +77,13 @@ pub fn condition(g: &mut Graph, laws: &Laws, quantity: &Quantity) -> (Condition,
     let jet = laws.quantity(g, quantity);
     let rotor = match quantity {
         Quantity::BodyAngle(body) => Some(Rotor::Body(*body)),
-        Quantity::JointAngle(joint) => Some(Rotor::Joint(*joint)),
+        Quantity::JointAngle(joint, which) => Some(Rotor::Joint(*joint, *which)),
         _ => None,
     };
     let counted = rotor.is_some_and(|rotor| laws.is_counted(rotor));
     let (residual, upright) = match rotor.filter(|_| !counted) {
         Some(rotor) => {
-            let [cos, sin] = laws.rotor_pair(g, rotor);
+            let [cos, sin] = laws.kinematics().rotor_pair(g, laws, rotor);
             let (c, s) = (g.unary(Unary::Cos, target), g.unary(Unary::Sin, target));
             let (sc, cs) = (g.mul(sin, c), g.mul(cos, s));
             let (cc, ss) = (g.mul(cos, c), g.mul(sin, s));
@@ -108,12 +115,38 @@ pub struct StartTarget {
 /// The positions that `start` guesses, with the values guessed.
 pub fn guesses(g: &mut Graph, laws: &Laws) -> Vec<(Condition, Node)> {
     let guessed = laws.mechanism.start.iter().filter(|start| !start.exact && is_position(&start.quantity));
-    guessed
+    let mut guesses: Vec<(Condition, Node)> = guessed
         .map(|start| {
             let (condition, _) = condition(g, laws, &start.quantity);
             (condition, laws.value(g, &start.value))
         })
-        .collect()
+        .collect();
+    let zero = g.constant(0.0);
+    for start in laws.mechanism.orientations.iter().filter(|start| !start.exact) {
+        let rows = orientation(g, laws, start);
+        guesses.extend(rows.into_iter().map(|(condition, _)| (condition, zero)));
+    }
+    guesses
+}
+
+/// Three rows that hold a body in space at an orientation A₀: Σ ½ A₀ e_j × A e_j, the axis of the turn between them
+/// times its sine. Their targets are zero.
+pub fn orientation(g: &mut Graph, laws: &Laws, start: &StartOrientation) -> Vec<(Condition, Node)> {
+    let quaternion = [0, 1, 2, 3].map(|k| laws.value(g, &start.quaternion[k]));
+    let deviations = laws.kinematics().deviation(g, start.body, quaternion);
+    let body = &laws.mechanism.bodies[start.body.0].name.text;
+    let one = g.constant(1.0);
+    let mut rows = Vec::new();
+    for (axis, jet) in deviations.into_iter().enumerate() {
+        let of = format!("{body}.orientation.{}", ["x", "y", "z"][axis]);
+        let target = g.symbol(format!("target_{of}"), Class::Input);
+        let residual = g.sub(jet.value, target);
+        let quantity = Quantity::BodyOmega(start.body, axis);
+        let condition =
+            Condition { of, quantity, angular: false, counted: false, residual, upright: one, jet };
+        rows.push((condition, target));
+    }
+    rows
 }
 
 /// The conditions of `start`, in order of first mention, with the values asked.
@@ -142,6 +175,14 @@ pub fn start_conditions(
             targets[index].position = value;
         } else {
             targets[index].rate = value;
+        }
+    }
+    let zero = g.constant(0.0);
+    for start in laws.mechanism.orientations.iter().filter(|start| start.exact) {
+        for (condition, target) in orientation(g, laws, start) {
+            symbols.targets.push(target);
+            conditions.push(condition);
+            targets.push(StartTarget { position: Some(zero), rate: None });
         }
     }
     (conditions, targets)

@@ -1,63 +1,88 @@
-//! The coordinates of a mechanism and where they put its bodies.
+//! The coordinates of a mechanism: what the entries of q and v are, their names and their symbols. Where they put the
+//! bodies is left to `plane` and `space`.
 //!
-//! q = [linear coordinates | (cos, sin) per rotation | (turns, remainder) per multi-turn angle],
-//! v = [linear rates | ω per rotation].
+//! q = [linear coordinates | (cos, sin) per rotation | (w, x, y, z) per quaternion | (turns, remainder) per multi-turn
+//! angle], v = [linear rates | ω per rotation | ω along x, y, z of the turned axes per quaternion].
 
-use super::joints;
-use super::kinematics::{FrameId, GROUND, Kinematics, Placement, Position, TurningFrame};
-use super::laws::Laws;
-use super::spanning_tree::{Attachment, SpanningTree};
-use crate::model::{BodyId, BodyKind, Frame, JointId, Mechanism, Rotor};
+use crate::model::{BodyId, JointId, Mechanism, Rotor};
 use crate::symbolic::{Class, Graph, Node};
-use std::collections::BTreeMap;
 
 /// A coordinate that is a length.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Linear {
-    /// World x (0) or y (1) of the centre of mass of a free body.
+    /// World x (0), y (1) or z (2) of the centre of mass of a free body.
     Center(BodyId, usize),
-    /// Travel of a joint that carries a body.
-    Travel(JointId),
+    /// Travel of a joint that carries a body; which of its travels.
+    Travel(JointId, usize),
 }
 
-/// A multi-turn angle: its rate is `v[plus] − v[minus]`.
+/// A pair (cos, sin).
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Rotation {
+    /// Of a body in the plane.
+    Body(BodyId),
+    /// Of a joint in space that carries a body; which of its angles.
+    Joint(JointId, usize),
+}
+
+/// What a unit quaternion turns.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Ball {
+    /// A free body, relative to the ground.
+    Body(BodyId),
+    /// The body that a joint carries, relative to the one that carries it.
+    Joint(JointId),
+}
+
+/// A multi-turn angle: its rate is Σ weight · v[index].
+#[derive(Clone, Debug, PartialEq)]
 pub struct MultiTurn {
     pub rotor: Rotor,
-    pub plus: Option<usize>,
-    pub minus: Option<usize>,
+    pub rate: Vec<(usize, f64)>,
 }
 
 /// What each entry of q and v is.
 #[derive(Clone, Debug, Default)]
 pub struct Layout {
     pub linear: Vec<Linear>,
-    /// The body whose orientation each pair is.
-    pub rotations: Vec<BodyId>,
+    pub rotations: Vec<Rotation>,
+    pub quaternions: Vec<Ball>,
     pub angles: Vec<MultiTurn>,
 }
 
 impl Layout {
     pub fn velocities(&self) -> usize {
-        self.linear.len() + self.rotations.len()
+        self.linear.len() + self.rotations.len() + 3 * self.quaternions.len()
     }
     pub fn positions(&self) -> usize {
-        self.linear.len() + 2 * self.rotations.len() + 2 * self.angles.len()
+        self.turns(self.angles.len())
     }
     /// Index in q of the cosine of rotation `r`; the sine follows.
     pub fn pair(&self, r: usize) -> usize {
         self.linear.len() + 2 * r
     }
+    /// Index in q of the scalar part of quaternion `b`; the vector part follows.
+    pub fn quaternion(&self, b: usize) -> usize {
+        self.linear.len() + 2 * self.rotations.len() + 4 * b
+    }
+    /// Index in v of the first rate of quaternion `b`; two more follow.
+    pub fn omega(&self, b: usize) -> usize {
+        self.linear.len() + self.rotations.len() + 3 * b
+    }
     /// Index in q of the turns of multi-turn angle `a`; the remainder follows.
     pub fn turns(&self, a: usize) -> usize {
-        self.linear.len() + 2 * self.rotations.len() + 2 * a
+        self.linear.len() + 2 * self.rotations.len() + 4 * self.quaternions.len() + 2 * a
     }
     /// Names of the entries of q, `crank.cos`.
     pub fn position_names(&self, mechanism: &Mechanism) -> Vec<String> {
         let mut names: Vec<String> = self.linear.iter().map(|linear| linear.name(mechanism)).collect();
-        for body in &self.rotations {
-            let body = &mechanism.bodies[body.0].name.text;
-            names.extend([format!("{body}.cos"), format!("{body}.sin")]);
+        for rotation in &self.rotations {
+            let of = rotation.name(mechanism);
+            names.extend([format!("{of}.cos"), format!("{of}.sin")]);
+        }
+        for ball in &self.quaternions {
+            let of = ball.name(mechanism);
+            names.extend(["w", "x", "y", "z"].map(|part| format!("{of}.orientation.{part}")));
         }
         for angle in &self.angles {
             let rotor = rotor_name(mechanism, angle.rotor);
@@ -67,32 +92,114 @@ impl Layout {
     }
     /// Names of the entries of v, `crank.rate`.
     pub fn velocity_names(&self, mechanism: &Mechanism) -> Vec<String> {
-        let linear = self.linear.iter().map(|linear| match linear {
-            Linear::Center(body, axis) => {
-                format!("{}.center.velocity.{}", mechanism.bodies[body.0].name.text, ["x", "y"][*axis])
-            }
-            Linear::Travel(joint) => format!("{}.speed", mechanism.joints[joint.0].name.text),
-        });
-        let rotations =
-            self.rotations.iter().map(|body| format!("{}.rate", mechanism.bodies[body.0].name.text));
-        linear.chain(rotations).collect()
+        let mut names: Vec<String> = self.linear.iter().map(|linear| linear.rate_name(mechanism)).collect();
+        names.extend(self.rotations.iter().map(|rotation| rotation.rate_name(mechanism)));
+        for ball in &self.quaternions {
+            let of = ball.name(mechanism);
+            names.extend(["x", "y", "z"].map(|axis| format!("{of}.rate.{axis}")));
+        }
+        names
     }
+    /// Of each velocity the joint or body to which it belongs.
+    pub fn owners(&self, mechanism: &Mechanism) -> Vec<Owner> {
+        let mut owners: Vec<Owner> = self
+            .linear
+            .iter()
+            .map(|linear| match linear {
+                Linear::Center(body, _) => Owner::Body(*body),
+                Linear::Travel(joint, _) => Owner::Joint(*joint),
+            })
+            .collect();
+        owners.extend(self.rotations.iter().map(|rotation| match rotation {
+            Rotation::Body(body) => Owner::Body(*body),
+            Rotation::Joint(joint, _) => Owner::Joint(*joint),
+        }));
+        for ball in &self.quaternions {
+            let owner = match ball {
+                Ball::Body(body) => Owner::Body(*body),
+                Ball::Joint(joint) => Owner::Joint(*joint),
+            };
+            owners.extend([owner; 3]);
+        }
+        debug_assert_eq!(owners.len(), self.velocity_names(mechanism).len());
+        owners
+    }
+}
+
+/// What a velocity belongs to.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Owner {
+    Body(BodyId),
+    Joint(JointId),
 }
 
 impl Linear {
     fn name(&self, mechanism: &Mechanism) -> String {
         match self {
             Linear::Center(body, axis) => {
-                format!("{}.center.{}", mechanism.bodies[body.0].name.text, ["x", "y"][*axis])
+                format!("{}.center.{}", mechanism.bodies[body.0].name.text, ["x", "y", "z"][*axis])
             }
-            Linear::Travel(joint) => format!("{}.travel", mechanism.joints[joint.0].name.text),
+            Linear::Travel(joint, which) => travel_name(mechanism, *joint, *which, 0),
+        }
+    }
+
+    fn rate_name(&self, mechanism: &Mechanism) -> String {
+        match self {
+            Linear::Center(body, axis) => {
+                format!("{}.center.velocity.{}", mechanism.bodies[body.0].name.text, ["x", "y", "z"][*axis])
+            }
+            Linear::Travel(joint, which) => travel_name(mechanism, *joint, *which, 1),
         }
     }
 }
 
+impl Rotation {
+    fn name(&self, mechanism: &Mechanism) -> String {
+        match self {
+            Rotation::Body(body) => mechanism.bodies[body.0].name.text.clone(),
+            Rotation::Joint(joint, which) => match joint_angles(mechanism, *joint).len() {
+                1 => mechanism.joints[joint.0].name.text.clone(),
+                _ => angle_name(mechanism, *joint, *which, 0),
+            },
+        }
+    }
+
+    fn rate_name(&self, mechanism: &Mechanism) -> String {
+        match self {
+            Rotation::Body(body) => format!("{}.rate", mechanism.bodies[body.0].name.text),
+            Rotation::Joint(joint, which) => angle_name(mechanism, *joint, *which, 1),
+        }
+    }
+}
+
+impl Ball {
+    pub fn name<'m>(&self, mechanism: &'m Mechanism) -> &'m str {
+        match self {
+            Ball::Body(body) => &mechanism.bodies[body.0].name.text,
+            Ball::Joint(joint) => &mechanism.joints[joint.0].name.text,
+        }
+    }
+}
+
+fn joint_angles(mechanism: &Mechanism, joint: JointId) -> &'static [[&'static str; 2]] {
+    mechanism.joints[joint.0].kind.word().coordinates(mechanism.space).angles
+}
+
+/// `knee.angle`, or with `rate` 1 `knee.rate`.
+pub fn angle_name(mechanism: &Mechanism, joint: JointId, which: usize, rate: usize) -> String {
+    format!("{}.{}", mechanism.joints[joint.0].name.text, joint_angles(mechanism, joint)[which][rate])
+}
+
+/// `rail.travel`, or with `rate` 1 `rail.speed`.
+pub fn travel_name(mechanism: &Mechanism, joint: JointId, which: usize, rate: usize) -> String {
+    let joint = &mechanism.joints[joint.0];
+    let travels = joint.kind.word().coordinates(mechanism.space).travels;
+    format!("{}.{}", joint.name.text, travels[which][rate])
+}
+
 pub fn rotor_name(mechanism: &Mechanism, rotor: Rotor) -> &str {
     match rotor {
-        Rotor::Joint(joint) => &mechanism.joints[joint.0].name.text,
+        Rotor::Joint(joint, _) => &mechanism.joints[joint.0].name.text,
         Rotor::Body(body) => &mechanism.bodies[body.0].name.text,
     }
 }
@@ -116,140 +223,8 @@ pub struct Symbols {
     pub targets: Vec<Node>,
 }
 
-/// What `layout` reads off the tree: the frame and the travel of each body.
-struct Enumeration {
-    layout: Layout,
-    frames: Vec<FrameId>,
-    travels: BTreeMap<JointId, usize>,
-    centers: BTreeMap<BodyId, usize>,
-}
-
-fn enumerate(mechanism: &Mechanism, tree: &SpanningTree) -> Enumeration {
-    let mut found = Enumeration {
-        layout: Layout::default(),
-        frames: vec![GROUND; mechanism.bodies.len()],
-        travels: BTreeMap::new(),
-        centers: BTreeMap::new(),
-    };
-    for Attachment { body, joint } in &tree.attachments {
-        let rigid = mechanism.bodies[body.0].kind == BodyKind::Rigid;
-        let linear = &mut found.layout.linear;
-        let turns = match joint {
-            None => {
-                found.centers.insert(*body, linear.len());
-                linear.extend([Linear::Center(*body, 0), Linear::Center(*body, 1)]);
-                rigid
-            }
-            Some((joint, parent)) => {
-                let kind = &mechanism.joints[joint.0].kind;
-                if joints::slides(kind) {
-                    found.travels.insert(*joint, linear.len());
-                    linear.push(Linear::Travel(*joint));
-                }
-                if rigid && !joints::turns(kind) {
-                    found.frames[body.0] = match parent {
-                        Frame::Ground => GROUND,
-                        Frame::Body(parent) => found.frames[parent.0],
-                    };
-                }
-                rigid && joints::turns(kind)
-            }
-        };
-        if turns {
-            found.layout.rotations.push(*body);
-            found.frames[body.0] = found.layout.rotations.len();
-        }
-    }
-    found
-}
-
-/// Coordinates for a spanning tree: their layout, symbols for them, and the bodies' placements.
-pub fn coordinates(
-    g: &mut Graph,
-    mechanism: &Mechanism,
-    tree: &SpanningTree,
-    rotors: &[Rotor],
-) -> (Layout, Symbols, Kinematics) {
-    let Enumeration { mut layout, frames, travels, centers } = enumerate(mechanism, tree);
-    let linear = layout.linear.len();
-    let rate = |frame: Frame| match frame {
-        Frame::Ground => None,
-        Frame::Body(body) if frames[body.0] == GROUND => None,
-        Frame::Body(body) => Some(linear + frames[body.0] - 1),
-    };
-    layout.angles = rotors
-        .iter()
-        .map(|rotor| {
-            let (plus, minus) = match rotor {
-                Rotor::Body(body) => (rate(Frame::Body(*body)), None),
-                Rotor::Joint(joint) => {
-                    let joint = &mechanism.joints[joint.0];
-                    (rate(joint.second.frame), rate(joint.first.frame))
-                }
-            };
-            MultiTurn { rotor: *rotor, plus, minus }
-        })
-        .collect();
-
-    let symbols = symbols(g, mechanism, &layout);
-    let mut kinematics = Kinematics {
-        frames: vec![TurningFrame { cos: g.constant(1.0), sin: g.constant(0.0), rate: None }],
-        velocities: symbols.v.clone(),
-        bodies: Vec::new(),
-    };
-    for r in 0..layout.rotations.len() {
-        let (cos, sin) = (symbols.q[layout.pair(r)], symbols.q[layout.pair(r) + 1]);
-        kinematics.frames.push(TurningFrame { cos, sin, rate: Some(linear + r) });
-    }
-
-    let mut placements: Vec<Option<Placement>> = vec![None; mechanism.bodies.len()];
-    for Attachment { body, joint } in &tree.attachments {
-        let placement = match joint {
-            None => free(g, mechanism, &symbols, *body, frames[body.0], centers[body]),
-            Some((joint, parent)) => {
-                let travel = travels.get(joint).map(|index| (symbols.q[*index], *index));
-                let parent = ground_or(g, *parent, &placements);
-                let laws = Laws::constant(mechanism, &symbols);
-                joints::attach(g, &laws, *joint, *body, parent, frames[body.0], travel)
-            }
-        };
-        placements[body.0] = Some(placement);
-    }
-    kinematics.bodies = placements.into_iter().flatten().collect();
-    (layout, symbols, kinematics)
-}
-
-/// A free body: its coordinates are its centre of mass and its own rotation.
-fn free(
-    g: &mut Graph,
-    mechanism: &Mechanism,
-    symbols: &Symbols,
-    body: BodyId,
-    frame: FrameId,
-    index: usize,
-) -> Placement {
-    let (zero, one) = (g.constant(0.0), g.constant(1.0));
-    let mut center = Position::fixed(g, GROUND, [symbols.q[index], symbols.q[index + 1]]);
-    if let Some(vector) = center.parts.get_mut(&GROUND) {
-        vector.slides.insert(index, [one, zero]);
-        vector.slides.insert(index + 1, [zero, one]);
-    }
-    let laws = Laws::constant(mechanism, symbols);
-    let at = laws.vector(g, &mechanism.bodies[body.0].center);
-    let arm = Position::fixed(g, frame, at);
-    Placement { origin: center.sub(g, &arm), frame, offset: [one, zero] }
-}
-
-fn ground_or(g: &mut Graph, parent: Frame, placements: &[Option<Placement>]) -> Placement {
-    let ground =
-        Placement { origin: Position::default(), frame: GROUND, offset: [g.constant(1.0), g.constant(0.0)] };
-    match parent {
-        Frame::Ground => ground,
-        Frame::Body(parent) => placements[parent.0].clone().unwrap_or(ground),
-    }
-}
-
-fn symbols(g: &mut Graph, mechanism: &Mechanism, layout: &Layout) -> Symbols {
+/// New symbols for everything the equations depend on.
+pub fn symbols(g: &mut Graph, mechanism: &Mechanism, layout: &Layout) -> Symbols {
     let named = |g: &mut Graph, names: Vec<String>, class: Class| -> Vec<Node> {
         names.into_iter().map(|name| g.symbol(name, class)).collect()
     };

@@ -1,11 +1,9 @@
 //! Constraints between joint coordinates: gears, racks, general equations, and drivers.
 
 use super::jet::Jet;
-use super::joints;
-use super::kinematics::{GROUND, rotate};
 use super::laws::Laws;
 use crate::model::{
-    Constraint, ConstraintKind, Driver, Expr, Frame, JointId, JointKind, LoadKind, Mechanism, Quantity, Rotor,
+    Constraint, ConstraintKind, Driver, Expr, JointId, JointKind, LoadKind, Mechanism, Quantity, Rotor,
 };
 use crate::symbolic::{Graph, Node};
 use std::collections::BTreeSet;
@@ -42,7 +40,7 @@ pub fn row(g: &mut Graph, laws: &Laws, constraint: &Constraint, phase: Option<No
         }
         ConstraintKind::Rack { pinion, rail, radius, phase } => {
             let radius = laws.value(g, radius);
-            let (a, b) = (travel(g, laws, *rail), laws.angle(g, *pinion).scale(g, radius));
+            let (a, b) = (laws.kinematics().travel(g, laws, *rail, 0), laws.angle(g, *pinion).scale(g, radius));
             let difference = a.sub(g, &b);
             ("rack", shift(g, difference, phase))
         }
@@ -54,28 +52,6 @@ pub fn row(g: &mut Graph, laws: &Laws, constraint: &Constraint, phase: Option<No
 pub fn driver_row(g: &mut Graph, laws: &Laws, driver: &Driver) -> (&'static str, Jet) {
     let (quantity, law) = (laws.quantity(g, &driver.quantity), laws.jet(g, &driver.law));
     ("driver", quantity.sub(g, &law))
-}
-
-/// Travel of a joint: â·(p₂ − p₁).
-pub fn travel(g: &mut Graph, laws: &Laws, joint: JointId) -> Jet {
-    let joint = &laws.mechanism.joints[joint.0];
-    let (JointKind::Prismatic { axis, .. } | JointKind::PointOnLine { direction: axis }) = &joint.kind else {
-        let zero = g.constant(0.0);
-        return Jet::constant(g, zero);
-    };
-    debug_assert!(joints::slides(&joint.kind));
-    let along = laws.vector(g, axis);
-    let along = joints::normalized(g, along);
-    let (frame, along) = match joint.first.frame {
-        Frame::Ground => (GROUND, along),
-        Frame::Body(body) => {
-            let placement = &laws.kinematics().bodies[body.0];
-            (placement.frame, rotate(g, placement.offset, along))
-        }
-    };
-    let (first, second) = (laws.place(g, &joint.first), laws.place(g, &joint.second));
-    let delta = second.sub(g, &first);
-    laws.kinematics().project(g, frame, along, &delta)
 }
 
 /// The rotors whose angle the dynamics use, and which therefore carry it over several turns.
@@ -99,6 +75,9 @@ pub fn multi_turn_rotors(mechanism: &Mechanism) -> Vec<Rotor> {
                 components.iter().for_each(|component| angles_in(component, &mut rotors));
             }
             LoadKind::Torque { torque, .. } => angles_in(torque, &mut rotors),
+            LoadKind::BodyTorque { components, .. } => {
+                components.iter().for_each(|component| angles_in(component, &mut rotors));
+            }
             LoadKind::Spring { stiffness, length, damping, .. } => {
                 [stiffness, length, damping].into_iter().for_each(|law| angles_in(law, &mut rotors));
             }
@@ -106,6 +85,12 @@ pub fn multi_turn_rotors(mechanism: &Mechanism) -> Vec<Rotor> {
                 rotors.insert(*on);
                 [stiffness, rest, damping].into_iter().for_each(|law| angles_in(law, &mut rotors));
             }
+        }
+    }
+    // The travel of a screw is its counted angle times the pitch.
+    for (index, joint) in mechanism.joints.iter().enumerate() {
+        if matches!(joint.kind, JointKind::Screw { .. }) {
+            rotors.insert(Rotor::Joint(JointId(index), 0));
         }
     }
     rotors.into_iter().collect()
@@ -148,8 +133,8 @@ fn angles_of(quantity: &Quantity, rotors: &mut BTreeSet<Rotor>) {
         Quantity::BodyAngle(body) => {
             rotors.insert(Rotor::Body(*body));
         }
-        Quantity::JointAngle(joint) => {
-            rotors.insert(Rotor::Joint(*joint));
+        Quantity::JointAngle(joint, which) => {
+            rotors.insert(Rotor::Joint(*joint, *which));
         }
         _ => {}
     }

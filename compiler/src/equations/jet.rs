@@ -17,22 +17,27 @@ pub struct Jet {
     pub drift: Node,
     /// f̈ at v̇ = 0.
     pub bias: Node,
+    /// ḟ, where it has been found in fewer operations than J v + drift.
+    pub known_rate: Option<Node>,
 }
 
 impl Jet {
     pub fn constant(g: &mut Graph, value: Node) -> Self {
         let zero = g.constant(0.0);
-        Jet { value, columns: BTreeMap::new(), drift: zero, bias: zero }
+        Jet { value, columns: BTreeMap::new(), drift: zero, bias: zero, known_rate: None }
     }
 
     /// Time itself.
     pub fn time(g: &mut Graph, time: Node) -> Self {
         let (zero, one) = (g.constant(0.0), g.constant(1.0));
-        Jet { value: time, columns: BTreeMap::new(), drift: one, bias: zero }
+        Jet { value: time, columns: BTreeMap::new(), drift: one, bias: zero, known_rate: None }
     }
 
     /// ḟ = J v + drift.
     pub fn rate(&self, g: &mut Graph, velocities: &[Node]) -> Node {
+        if let Some(known) = self.known_rate {
+            return known;
+        }
         let terms: Vec<Node> =
             self.columns.iter().map(|(index, column)| g.mul(*column, velocities[*index])).collect();
         let sum = g.sum(terms);
@@ -72,12 +77,13 @@ impl Jet {
         let mut product = left.add(g, &right);
         product.value = g.mul(a, b);
         let rate = self.rate(g, velocities);
-        let cross = if self.value == other.value {
-            g.mul(rate, rate)
-        } else {
-            let other_rate = other.rate(g, velocities);
-            g.mul(rate, other_rate)
-        };
+        let other_rate = if self.value == other.value { rate } else { other.rate(g, velocities) };
+        let cross = g.mul(rate, other_rate);
+        // Either factor may have been known in few operations; the sum of both is then known in few.
+        product.known_rate = (self.known_rate.is_some() || other.known_rate.is_some()).then(|| {
+            let (left, right) = (g.mul(rate, b), g.mul(a, other_rate));
+            g.add(left, right)
+        });
         let two = g.constant(2.0);
         let cross = g.mul(two, cross);
         product.bias = g.add(product.bias, cross);
@@ -149,6 +155,7 @@ impl Jet {
             columns,
             drift: g.select(mask, then.drift, otherwise.drift),
             bias: g.select(mask, then.bias, otherwise.bias),
+            known_rate: None,
         }
     }
 
@@ -170,7 +177,8 @@ impl Jet {
                 columns.insert(*index, column);
             }
         }
-        Jet { value: f(g, self.value), columns, drift: f(g, self.drift), bias: f(g, self.bias) }
+        let known_rate = self.known_rate.map(|rate| f(g, rate));
+        Jet { value: f(g, self.value), columns, drift: f(g, self.drift), bias: f(g, self.bias), known_rate }
     }
 
     fn combine(
@@ -197,6 +205,7 @@ impl Jet {
             columns,
             drift: both(g, self.drift, other.drift),
             bias: both(g, self.bias, other.bias),
+            known_rate: self.known_rate.zip(other.known_rate).map(|(a, b)| both(g, a, b)),
         }
     }
 }

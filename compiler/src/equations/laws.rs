@@ -2,19 +2,19 @@
 
 use super::coordinates::{Layout, Symbols};
 use super::jet::Jet;
-use super::kinematics::{GROUND, Kinematics, LocalVector, Position, compose, inverse};
+use super::kinematics::Kinematics;
+use super::plane;
 use crate::model::{
-    BodyKind, Comparison, Condition, Expr, Frame, Function1, Function2, Mechanism, Place, Quantity, Rotor,
+    Comparison, Condition, Expr, Function1, Function2, Mechanism, Quantity, Rotor, Vector,
 };
 use crate::symbolic::{Compare, Graph, Node, Unary};
-use std::collections::BTreeMap;
 
 /// What expressions may refer to.
 #[derive(Clone, Copy)]
 pub struct Laws<'a> {
     pub mechanism: &'a Mechanism,
     pub symbols: &'a Symbols,
-    layout: &'a Layout,
+    pub layout: &'a Layout,
     kinematics: &'a Kinematics,
     totals: &'a Totals,
 }
@@ -31,9 +31,19 @@ pub struct Totals {
     pub driver_powers: Vec<Node>,
 }
 
-static NO_LAYOUT: Layout = Layout { linear: Vec::new(), rotations: Vec::new(), angles: Vec::new() };
-static NO_KINEMATICS: Kinematics =
-    Kinematics { frames: Vec::new(), velocities: Vec::new(), bodies: Vec::new() };
+static NO_LAYOUT: Layout = Layout {
+    linear: Vec::new(),
+    rotations: Vec::new(),
+    quaternions: Vec::new(),
+    angles: Vec::new(),
+};
+static NO_PLANE: plane::Kinematics =
+    plane::Kinematics { frames: Vec::new(), velocities: Vec::new(), bodies: Vec::new() };
+static NO_KINEMATICS: Kinematics = Kinematics::Plane(plane::Kinematics {
+    frames: Vec::new(),
+    velocities: Vec::new(),
+    bodies: Vec::new(),
+});
 static NO_TOTALS: Totals = Totals {
     kinetic: None,
     potential: None,
@@ -65,6 +75,14 @@ impl<'a> Laws<'a> {
 
     pub fn kinematics(&self) -> &'a Kinematics {
         self.kinematics
+    }
+
+    /// The kinematics of a planar mechanism.
+    pub fn plane(&self) -> &'a plane::Kinematics {
+        match self.kinematics {
+            Kinematics::Plane(plane) => plane,
+            Kinematics::Space(_) => &NO_PLANE,
+        }
     }
 
     pub fn value(&self, g: &mut Graph, expr: &Expr) -> Node {
@@ -105,7 +123,12 @@ impl<'a> Laws<'a> {
         }
     }
 
-    pub fn vector(&self, g: &mut Graph, vector: &[Expr; 2]) -> [Node; 2] {
+    pub fn vector(&self, g: &mut Graph, vector: &Vector) -> [Node; 3] {
+        [self.value(g, &vector[0]), self.value(g, &vector[1]), self.value(g, &vector[2])]
+    }
+
+    /// The components in the plane.
+    pub fn pair_of(&self, g: &mut Graph, vector: &Vector) -> [Node; 2] {
         [self.value(g, &vector[0]), self.value(g, &vector[1])]
     }
 
@@ -116,7 +139,7 @@ impl<'a> Laws<'a> {
     }
 
     pub fn jet(&self, g: &mut Graph, expr: &Expr) -> Jet {
-        let v = &self.kinematics.velocities;
+        let v = self.kinematics.velocities();
         match expr {
             Expr::Number(_) | Expr::Parameter(_) | Expr::Input(_) => {
                 let value = self.value(g, expr);
@@ -163,98 +186,9 @@ impl<'a> Laws<'a> {
         }
     }
 
-    /// A place of a body, or of the ground, which may move with time.
-    pub fn place(&self, g: &mut Graph, place: &Place) -> Position {
-        match place.frame {
-            Frame::Ground => self.ground(g, &place.at),
-            Frame::Body(body) => {
-                let at = self.vector(g, &place.at);
-                self.kinematics.point(g, body.0, at)
-            }
-        }
-    }
-
-    pub fn ground(&self, g: &mut Graph, at: &[Expr; 2]) -> Position {
-        let [x, y] = [self.jet(g, &at[0]), self.jet(g, &at[1])];
-        let vector = LocalVector {
-            at: [x.value, y.value],
-            slides: BTreeMap::new(),
-            drift: [x.drift, y.drift],
-            drift_rate: [x.bias, y.bias],
-        };
-        Position::of(GROUND, vector)
-    }
-
-    /// (cos, sin) of the orientation of a body, or of the ground.
-    fn orientation(&self, g: &mut Graph, frame: Frame) -> [Node; 2] {
-        match frame {
-            Frame::Ground => [g.constant(1.0), g.constant(0.0)],
-            Frame::Body(body) => self.kinematics.orientation(g, body.0),
-        }
-    }
-
-    /// Index of the rate of a body's orientation.
-    fn turning(&self, frame: Frame) -> Option<usize> {
-        match frame {
-            Frame::Ground => None,
-            Frame::Body(body) if self.mechanism.bodies[body.0].kind == BodyKind::Particle => None,
-            Frame::Body(body) => self.kinematics.frames[self.kinematics.bodies[body.0].frame].rate,
-        }
-    }
-
-    /// θ₂ − θ₁ − angle as (cos, sin), and the columns of its rate.
-    fn relative(
-        &self,
-        g: &mut Graph,
-        first: Frame,
-        second: Frame,
-        angle: [Node; 2],
-    ) -> ([Node; 2], BTreeMap<usize, Node>) {
-        let (a, b) = (self.orientation(g, first), self.orientation(g, second));
-        let a = compose(g, a, angle);
-        let a = inverse(g, a);
-        (compose(g, b, a), self.rate_columns(g, first, second))
-    }
-
-    fn rate_columns(&self, g: &mut Graph, first: Frame, second: Frame) -> BTreeMap<usize, Node> {
-        let (minus, plus) = (self.turning(first), self.turning(second));
-        let mut columns = BTreeMap::new();
-        if minus != plus {
-            let (one, minus_one) = (g.constant(1.0), g.constant(-1.0));
-            columns.extend(minus.map(|index| (index, minus_one)));
-            columns.extend(plus.map(|index| (index, one)));
-        }
-        columns
-    }
-
-    /// sin(θ₂ − θ₁ − angle) as a jet, and its cosine. With ṡ = c Δω:  s̈ = c Δα − s Δω².
-    pub fn sine_jet(&self, g: &mut Graph, first: Frame, second: Frame, angle: [Node; 2]) -> (Jet, Node) {
-        let ([cosine, sine], columns) = self.relative(g, first, second, angle);
-        let angle = self.turn_jet(g, sine, columns);
-        let minus_sine = g.neg(sine);
-        (angle.chain(g, sine, cosine, minus_sine, &self.kinematics.velocities), cosine)
-    }
-
-    fn turn_jet(&self, g: &mut Graph, value: Node, columns: BTreeMap<usize, Node>) -> Jet {
-        let zero = g.constant(0.0);
-        Jet { value, columns, drift: zero, bias: zero }
-    }
-
-    fn ends(&self, rotor: Rotor) -> (Frame, Frame) {
-        match rotor {
-            Rotor::Body(body) => (Frame::Ground, Frame::Body(body)),
-            Rotor::Joint(joint) => {
-                let joint = &self.mechanism.joints[joint.0];
-                (joint.first.frame, joint.second.frame)
-            }
-        }
-    }
-
-    /// (cos, sin) of a rotor's angle.
-    pub fn rotor_pair(&self, g: &mut Graph, rotor: Rotor) -> [Node; 2] {
-        let (first, second) = self.ends(rotor);
-        let none = [g.constant(1.0), g.constant(0.0)];
-        self.relative(g, first, second, none).0
+    /// A place of the ground in world axes, as a function of time.
+    pub fn ground(&self, g: &mut Graph, at: &Vector) -> [Jet; 3] {
+        [self.jet(g, &at[0]), self.jet(g, &at[1]), self.jet(g, &at[2])]
     }
 
     /// Whether the dynamics count a rotor's turns.
@@ -264,8 +198,6 @@ impl<'a> Laws<'a> {
 
     /// Angle of a rotor: the multi-turn coordinate if the dynamics carry one, else atan2 in (−π, π].
     pub fn angle(&self, g: &mut Graph, rotor: Rotor) -> Jet {
-        let (first, second) = self.ends(rotor);
-        let columns = self.rate_columns(g, first, second);
         let value = match self.layout.angles.iter().position(|angle| angle.rotor == rotor) {
             Some(index) => {
                 let at = self.layout.turns(index);
@@ -274,30 +206,27 @@ impl<'a> Laws<'a> {
                 g.add(whole, self.symbols.q[at + 1])
             }
             None => {
-                let [cosine, sine] = self.rotor_pair(g, rotor);
+                let [cosine, sine] = self.kinematics.rotor_pair(g, self, rotor);
                 g.atan2(sine, cosine)
             }
         };
-        self.turn_jet(g, value, columns)
+        Jet { value, ..self.kinematics.rotor_rate(g, self, rotor) }
     }
 
     pub fn quantity(&self, g: &mut Graph, quantity: &Quantity) -> Jet {
         match quantity {
             Quantity::BodyAngle(body) => self.angle(g, Rotor::Body(*body)),
-            Quantity::JointAngle(joint) => self.angle(g, Rotor::Joint(*joint)),
-            Quantity::JointTravel(joint) => super::couplings::travel(g, self, *joint),
-            Quantity::Position(place, axis) => {
-                let position = self.place(g, place);
-                let [x, y] = self.kinematics.world(g, &position);
-                if *axis == 0 { x } else { y }
-            }
+            Quantity::JointAngle(joint, which) => self.angle(g, Rotor::Joint(*joint, *which)),
+            Quantity::JointTravel(joint, which) => self.kinematics.travel(g, self, *joint, *which),
+            Quantity::Position(place, axis) => self.kinematics.world(g, self, place)[*axis].clone(),
+            Quantity::BodyOmega(body, axis) => self.kinematics.omega(g, *body, *axis),
             Quantity::Distance(a, b) => {
-                let (a, b) = (self.place(g, a), self.place(g, b));
-                let delta = b.sub(g, &a);
-                let v = &self.kinematics.velocities;
-                let [x, y] = self.kinematics.world(g, &delta);
-                let (xx, yy) = (x.mul(g, &x, v), y.mul(g, &y, v));
-                xx.add(g, &yy).unary(g, Unary::Sqrt, v)
+                let v = self.kinematics.velocities();
+                let delta = self.kinematics.between(g, self, a, b);
+                let squares: Vec<Jet> = delta.iter().map(|jet| jet.mul(g, jet, v)).collect();
+                let (first, rest) = squares.split_at(1);
+                let sum = rest.iter().fold(first[0].clone(), |sum, square| sum.add(g, square));
+                sum.unary(g, Unary::Sqrt, v)
             }
             _ => {
                 let value = self.quantity_value(g, quantity);
@@ -307,12 +236,17 @@ impl<'a> Laws<'a> {
     }
 
     fn quantity_value(&self, g: &mut Graph, quantity: &Quantity) -> Node {
-        let v = &self.kinematics.velocities;
+        let v = self.kinematics.velocities();
         let zero = g.constant(0.0);
         match quantity {
             Quantity::BodyRate(body) => self.quantity(g, &Quantity::BodyAngle(*body)).rate(g, v),
-            Quantity::JointRate(joint) => self.quantity(g, &Quantity::JointAngle(*joint)).rate(g, v),
-            Quantity::JointSpeed(joint) => self.quantity(g, &Quantity::JointTravel(*joint)).rate(g, v),
+            Quantity::BodyOmega(body, axis) => self.kinematics.omega(g, *body, *axis).rate(g, v),
+            Quantity::JointRate(joint, which) => {
+                self.quantity(g, &Quantity::JointAngle(*joint, *which)).rate(g, v)
+            }
+            Quantity::JointSpeed(joint, which) => {
+                self.quantity(g, &Quantity::JointTravel(*joint, *which)).rate(g, v)
+            }
             Quantity::Velocity(place, axis) => {
                 self.quantity(g, &Quantity::Position(place.clone(), *axis)).rate(g, v)
             }

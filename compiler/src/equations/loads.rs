@@ -2,7 +2,7 @@
 
 use super::jet::Jet;
 use super::laws::Laws;
-use crate::model::{Expr, Load, LoadKind, Place, Rotor};
+use crate::model::{Expr, Load, LoadKind, Place, Rotor, Vector};
 use crate::symbolic::{Graph, Node, Unary};
 
 /// What one load does.
@@ -23,6 +23,11 @@ pub fn terms(g: &mut Graph, laws: &Laws, load: &Load) -> LoadTerms {
             let angle = laws.angle(g, *on);
             along(g, laws, &angle, torque)
         }
+        LoadKind::BodyTorque { body, components } => {
+            let components = laws.vector(g, components);
+            let turning = laws.kinematics().turning(g, *body);
+            together(g, laws, &turning, &components)
+        }
         LoadKind::Spring { first, second, stiffness, length, damping } => {
             spring(g, laws, [first, second], stiffness, length, damping)
         }
@@ -35,18 +40,26 @@ pub fn terms(g: &mut Graph, laws: &Laws, load: &Load) -> LoadTerms {
 /// Force f along a scalar coordinate: Q += Jᵀ f, power f·(rate).
 fn along(g: &mut Graph, laws: &Laws, coordinate: &Jet, effort: Node) -> LoadTerms {
     let forces = coordinate.columns.iter().map(|(index, column)| (*index, g.mul(*column, effort))).collect();
-    let rate = coordinate.rate(g, &laws.kinematics().velocities);
+    let rate = coordinate.rate(g, laws.kinematics().velocities());
     LoadTerms { forces, power: g.mul(effort, rate), potential: g.constant(0.0) }
 }
 
-fn force(g: &mut Graph, laws: &Laws, place: &Place, components: &[Expr; 2]) -> LoadTerms {
-    let position = laws.place(g, place);
-    let [x, y] = laws.kinematics().world(g, &position);
-    let [fx, fy] = laws.vector(g, components);
-    let (mut a, b) = (along(g, laws, &x, fx), along(g, laws, &y, fy));
-    a.forces.extend(b.forces);
-    a.power = g.add(a.power, b.power);
-    a
+fn force(g: &mut Graph, laws: &Laws, place: &Place, components: &Vector) -> LoadTerms {
+    let position = laws.kinematics().world(g, laws, place);
+    let components = laws.vector(g, components);
+    together(g, laws, &position, &components)
+}
+
+/// Components of a force or torque along as many coordinates.
+fn together(g: &mut Graph, laws: &Laws, coordinates: &[Jet], efforts: &[Node]) -> LoadTerms {
+    let zero = g.constant(0.0);
+    let mut sum = LoadTerms { forces: Vec::new(), power: zero, potential: zero };
+    for (coordinate, effort) in coordinates.iter().zip(efforts) {
+        let terms = along(g, laws, coordinate, *effort);
+        sum.forces.extend(terms.forces);
+        sum.power = g.add(sum.power, terms.power);
+    }
+    sum
 }
 
 /// Tension T = k (l − l₀) + c l̇ with l = |Δ|: force −(T/l) Δ on the second place, V = ½ k (l − l₀)².
@@ -58,13 +71,11 @@ fn spring(
     length: &Expr,
     damping: &Expr,
 ) -> LoadTerms {
-    let v = &laws.kinematics().velocities;
-    let (first, second) = (laws.place(g, first), laws.place(g, second));
-    let delta = second.sub(g, &first);
-    let [x, y] = laws.kinematics().world(g, &delta);
+    let v = laws.kinematics().velocities();
+    let delta = laws.kinematics().between(g, laws, first, second);
     let (k, rest, c) = (laws.value(g, stiffness), laws.value(g, length), laws.value(g, damping));
-    let (xx, yy) = (g.mul(x.value, x.value), g.mul(y.value, y.value));
-    let square = g.add(xx, yy);
+    let squares: Vec<Node> = delta.iter().map(|d| g.mul(d.value, d.value)).collect();
+    let square = g.sum(squares);
     let distance = g.unary(Unary::Sqrt, square);
 
     // T/l, written so that a spring of no free length needs neither root nor division.
@@ -74,9 +85,12 @@ fn spring(
         let product = g.mul(k, shortening);
         ratio = g.sub(ratio, product);
     }
-    let (x_rate, y_rate) = (x.rate(g, v), y.rate(g, v));
-    let (px, py) = (g.mul(x.value, x_rate), g.mul(y.value, y_rate));
-    let stretching = g.add(px, py);
+    let mut products = Vec::new();
+    for component in &delta {
+        let rate = component.rate(g, v);
+        products.push(g.mul(component.value, rate));
+    }
+    let stretching = g.sum(products);
     if !g.is_zero(c) {
         let relative = g.div(stretching, square);
         let product = g.mul(c, relative);
@@ -84,7 +98,7 @@ fn spring(
     }
 
     let mut forces = Vec::new();
-    for component in [&x, &y] {
+    for component in &delta {
         let pull = g.mul(ratio, component.value);
         for (index, column) in &component.columns {
             let force = g.mul(*column, pull);
@@ -108,7 +122,7 @@ fn torsion_spring(
     let angle = laws.angle(g, on);
     let (k, rest, c) = (laws.value(g, stiffness), laws.value(g, rest), laws.value(g, damping));
     let deflection = g.sub(angle.value, rest);
-    let rate = angle.rate(g, &laws.kinematics().velocities);
+    let rate = angle.rate(g, laws.kinematics().velocities());
     let (elastic, viscous) = (g.mul(k, deflection), g.mul(c, rate));
     let torque = g.add(elastic, viscous);
     let torque = g.neg(torque);

@@ -1,34 +1,48 @@
 //! Equations of motion, symbolic: M v̇ + Dᵀλ = Q, D v = ν, D v̇ = γ, with energies, powers, reactions and outputs.
 //!
 //! One derivation serves both sets of coordinates: in absolute coordinates every body is free, in tree coordinates
-//! bodies hang on the joints of a spanning tree. How the linear system is solved is left to `solve`.
+//! bodies hang on the joints of a spanning tree. What differs between the plane and space stands in `plane` and `space`,
+//! under the same names. How the linear system is solved is left to `solve`.
 
-pub mod bodies;
 pub mod conditions;
 pub mod coordinates;
 pub mod couplings;
-mod inertia;
 mod jet;
-mod joints;
 mod kinematics;
 mod laws;
 mod loads;
+pub mod plane;
+pub mod space;
 mod spanning_tree;
 
-pub use bodies::BodyMotion;
 pub use conditions::{Condition, StartTarget};
-pub use coordinates::{Layout, Linear, MultiTurn, Symbols};
+pub use coordinates::{Ball, Layout, Linear, MultiTurn, Owner, Rotation, Symbols};
 pub use jet::Jet;
-pub use joints::Wrench;
 pub use kinematics::Kinematics;
 pub use laws::{Laws, Totals};
 pub use spanning_tree::{Attachment, SpanningTree};
 
-use crate::model::{BodyKind, JointId, JointKind, Mechanism, Quantity};
+use crate::model::{BodyKind, Frame, JointId, JointKind, Mechanism, Quantity, Space};
 use crate::symbolic::{Class, Graph, Node};
-use inertia::Massive;
 use proc_macro2::Span;
 use std::collections::BTreeMap;
+
+/// One row of a joint's constraint.
+#[derive(Clone, Debug)]
+pub struct JointRow {
+    pub what: &'static str,
+    pub jet: Jet,
+    /// For a direction row, such as sin(Δθ) = 0: what must be positive on the right root, such as cos(Δθ).
+    pub upright: Option<Node>,
+    /// For a component of a distance in space: the axes along which it is taken.
+    pub axes: Option<Frame>,
+}
+
+impl JointRow {
+    pub fn new(what: &'static str, jet: Jet) -> Self {
+        JointRow { what, jet, upright: None, axes: None }
+    }
+}
 
 /// One constraint row.
 #[derive(Clone, Debug)]
@@ -37,12 +51,69 @@ pub struct Row {
     pub of: String,
     pub span: Span,
     pub joint: Option<JointId>,
-    /// `x`, `y`, `angle`, `normal`, `distance`, `gear`, `rack`, `equation`, `driver`.
+    /// As in NOTATION.md.
     pub what: &'static str,
     /// Φ, D, −ν, −γ.
     pub jet: Jet,
     /// cos Δθ of a direction row, positive on the right root.
     pub upright: Option<Node>,
+    pub axes: Option<Frame>,
+}
+
+/// A row that is left out because others fix what it fixes.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Dropped {
+    pub joint: JointId,
+    pub what: &'static str,
+}
+
+/// Motion of a body: of its centre of mass in world axes, and its orientation. In the plane the pair (cos, sin), ω and ω̇;
+/// in space the rotation matrix row by row, and ω and ω̇ in body axes.
+#[derive(Clone, Debug)]
+pub struct BodyMotion {
+    pub position: Vec<Node>,
+    pub orientation: Vec<Node>,
+    pub velocity: Vec<Node>,
+    pub rate: Vec<Node>,
+    pub acceleration: Vec<Node>,
+    pub angular_acceleration: Vec<Node>,
+}
+
+impl BodyMotion {
+    /// All of it, in the order of the fields.
+    pub fn flat(&self) -> Vec<Node> {
+        let parts = [
+            &self.position,
+            &self.orientation,
+            &self.velocity,
+            &self.rate,
+            &self.acceleration,
+            &self.angular_acceleration,
+        ];
+        parts.into_iter().flatten().copied().collect()
+    }
+}
+
+/// What a joint exerts on the second place's body: force (world axes) at the second place, and torque about it.
+pub type Wrench = Vec<Node>;
+
+/// Inertia and gravity, before loads.
+pub struct Dynamics {
+    /// M, lower triangle.
+    pub mass: BTreeMap<(usize, usize), Node>,
+    /// Gyroscopic and gravity forces, with the sign of Q.
+    pub forces: Vec<Node>,
+    /// M v̇ less those.
+    pub inverse: Vec<Node>,
+    pub kinetic_energy: Node,
+    /// Of gravity.
+    pub potential_energy: Node,
+}
+
+/// What follows from v̇ and λ.
+pub struct Consequences {
+    pub motions: Vec<BodyMotion>,
+    pub reactions: Vec<Wrench>,
 }
 
 /// Everything about the motion as expressions on one graph.
@@ -57,6 +128,8 @@ pub struct Equations {
     pub mass: BTreeMap<(usize, usize), Node>,
     /// Q.
     pub forces: Vec<Node>,
+    /// M v̇ − Q with v̇ as given.
+    pub inverse: Vec<Node>,
     pub rows: Vec<Row>,
     /// ν and γ of the rows.
     pub nu: Vec<Node>,
@@ -85,17 +158,26 @@ pub struct Equations {
     pub driven: Vec<(Condition, Node)>,
 }
 
-/// Derives the equations in the coordinates of `tree`.
-pub fn derive(mechanism: &Mechanism, tree: SpanningTree) -> Equations {
+/// Derives the equations in the coordinates of `tree`, without the rows that are `dropped`.
+pub fn derive(mechanism: &Mechanism, tree: SpanningTree, dropped: &[Dropped]) -> Equations {
     let mut graph = Graph::new();
     let g = &mut graph;
     let rotors = couplings::multi_turn_rotors(mechanism);
-    let (layout, mut symbols, kinematics) = coordinates::coordinates(g, mechanism, &tree, &rotors);
+    let (layout, mut symbols, kinematics) = match mechanism.space {
+        Space::Planar => {
+            let (layout, symbols, plane) = plane::coordinates(g, mechanism, &tree, &rotors);
+            (layout, symbols, Kinematics::Plane(plane))
+        }
+        Space::Spatial => {
+            let (layout, symbols, space) = space::coordinates(g, mechanism, &tree, &rotors);
+            (layout, symbols, Kinematics::Space(space))
+        }
+    };
 
     // Constraint rows, and a multiplier for each.
     let laws = Laws::moving(mechanism, &symbols, &layout, &kinematics);
     let carrying = tree.carrying(mechanism);
-    let rows = rows(g, &laws, &carrying);
+    let rows = rows(g, &laws, &tree, &carrying, dropped);
     let lambda = rows
         .iter()
         .map(|row| format!("lambda_{}_{}", identifier(&row.of), row.what))
@@ -105,16 +187,17 @@ pub fn derive(mechanism: &Mechanism, tree: SpanningTree) -> Equations {
     let laws = Laws::moving(mechanism, &symbols, &layout, &kinematics);
 
     // Inertia, gravity and loads.
-    let massive = massive(g, &laws);
-    let gravity = mechanism.gravity.as_ref().map(|gravity| laws.vector(g, gravity));
-    let inertia::Inertia { mass, mut forces } = inertia::inertia(g, &kinematics, &massive, gravity);
-    let kinetic_energy = kinetic_energy(g, &kinematics, &massive);
-    let mut potential_energy = gravity_potential(g, &kinematics, &massive, gravity);
+    let dynamics = match mechanism.space {
+        Space::Planar => plane::dynamics(g, &laws),
+        Space::Spatial => space::dynamics(g, &laws),
+    };
+    let Dynamics { mass, mut forces, mut inverse, kinetic_energy, mut potential_energy } = dynamics;
     let mut powers = Vec::new();
     for load in &mechanism.loads {
         let terms = loads::terms(g, &laws, load);
         for (index, force) in terms.forces {
             forces[index] = g.add(forces[index], force);
+            inverse[index] = g.sub(inverse[index], force);
         }
         potential_energy = g.add(potential_energy, terms.potential);
         powers.push(terms.power);
@@ -135,11 +218,10 @@ pub fn derive(mechanism: &Mechanism, tree: SpanningTree) -> Equations {
         totals.efforts.push(effort);
         totals.driver_powers.push(g.mul(effort, rate));
     }
-    let motions = bodies::motions(g, &kinematics, &massive, &symbols);
-    let overlay = bodies::overlay(g, &laws, &motions);
-    let absolute = Laws::moving(mechanism, &symbols, &layout, &overlay);
-    let absolute_rows = self::rows(g, &absolute, &carrying);
-    let reactions = bodies::reactions(g, &laws, &absolute, &tree, &massive, &motions, &rows, &absolute_rows);
+    let Consequences { motions, reactions } = match mechanism.space {
+        Space::Planar => plane::consequences(g, &laws, &tree, &rows, dropped),
+        Space::Spatial => space::consequences(g, &laws, &tree, &rows, dropped),
+    };
 
     let outputs_laws = laws.with_totals(&totals);
     let outputs = mechanism.outputs.iter().map(|output| outputs_laws.value(g, &output.value)).collect();
@@ -147,21 +229,7 @@ pub fn derive(mechanism: &Mechanism, tree: SpanningTree) -> Equations {
     let mut with_targets = symbols.clone();
     let (conditions, start_targets) = conditions::start_conditions(g, &laws, &mut with_targets);
 
-    let mut masses = Vec::new();
-    for (body, massive) in mechanism.bodies.iter().zip(&massive) {
-        masses.push((format!("mass of \"{}\"", body.name.text), massive.mass));
-        masses.extend(massive.inertia.map(|inertia| (format!("inertia of \"{}\"", body.name.text), inertia)));
-    }
-    for body in &mechanism.bodies {
-        for (what, length) in &body.dimensions {
-            masses.push((format!("{what} of \"{}\"", body.name.text), laws.value(g, length)));
-        }
-    }
-    for joint in &mechanism.joints {
-        if let JointKind::Distance { length } = &joint.kind {
-            masses.push((format!("length of \"{}\"", joint.name.text), laws.value(g, length)));
-        }
-    }
+    let mut masses = masses(g, &laws);
     masses.retain(|(_, node)| g.class(*node) == Class::Parameter);
     let guesses = conditions::guesses(g, &laws);
     let driven = mechanism
@@ -180,6 +248,7 @@ pub fn derive(mechanism: &Mechanism, tree: SpanningTree) -> Equations {
         symbols: with_targets,
         mass,
         forces,
+        inverse,
         rows,
         kinetic_energy,
         potential_energy,
@@ -221,19 +290,76 @@ impl Equations {
     }
 }
 
+/// Masses, moments of inertia and lengths with their names.
+fn masses(g: &mut Graph, laws: &Laws) -> Vec<(String, Node)> {
+    let mut masses = Vec::new();
+    for body in &laws.mechanism.bodies {
+        let name = &body.name.text;
+        masses.push((format!("mass of \"{name}\""), laws.value(g, &body.mass)));
+        if body.kind == BodyKind::Rigid {
+            let moments = laws.vector(g, &body.inertia.moments);
+            match laws.mechanism.space {
+                Space::Planar => masses.push((format!("inertia of \"{name}\""), moments[2])),
+                Space::Spatial => masses.extend(
+                    ["x", "y", "z"].iter().zip(moments).map(|(axis, moment)| {
+                        (format!("moment of inertia of \"{name}\" about {axis}"), moment)
+                    }),
+                ),
+            }
+        }
+    }
+    for body in &laws.mechanism.bodies {
+        for (what, length) in &body.dimensions {
+            masses.push((format!("{what} of \"{}\"", body.name.text), laws.value(g, length)));
+        }
+    }
+    for joint in &laws.mechanism.joints {
+        if let JointKind::Distance { length } = &joint.kind {
+            masses.push((format!("length of \"{}\"", joint.name.text), laws.value(g, length)));
+        }
+    }
+    masses
+}
+
+/// Rows of each joint that has some, by index of joint.
+fn multipliers_of_joints(rows: &[Row]) -> BTreeMap<usize, Vec<usize>> {
+    let mut found: BTreeMap<usize, Vec<usize>> = BTreeMap::new();
+    for (index, row) in rows.iter().enumerate() {
+        if let Some(joint) = row.joint {
+            found.entry(joint.0).or_default().push(index);
+        }
+    }
+    found
+}
+
 /// The rows of all joints that carry nothing, of the constraints and of the drivers, in the order written.
-fn rows(g: &mut Graph, laws: &Laws, carrying: &[bool]) -> Vec<Row> {
+fn rows(
+    g: &mut Graph,
+    laws: &Laws,
+    tree: &SpanningTree,
+    carrying: &[bool],
+    dropped: &[Dropped],
+) -> Vec<Row> {
     let mechanism = laws.mechanism;
     let mut rows = Vec::new();
     for (index, joint) in mechanism.joints.iter().enumerate().filter(|(index, _)| !carrying[*index]) {
-        for row in joints::rows(g, laws, joint) {
+        let id = JointId(index);
+        let of_joint = match mechanism.space {
+            Space::Planar => plane::joints::rows(g, laws, joint),
+            Space::Spatial => space::joints::rows(g, laws, tree, id),
+        };
+        for row in of_joint {
+            if dropped.contains(&Dropped { joint: id, what: row.what }) {
+                continue;
+            }
             rows.push(Row {
                 of: joint.name.text.clone(),
                 span: joint.name.span,
-                joint: Some(JointId(index)),
+                joint: Some(id),
                 what: row.what,
                 jet: row.jet,
                 upright: row.upright,
+                axes: row.axes,
             });
         }
     }
@@ -242,69 +368,14 @@ fn rows(g: &mut Graph, laws: &Laws, carrying: &[bool]) -> Vec<Row> {
         let phase = if couplings::is_open(constraint) { phases.next() } else { None };
         let (what, jet) = couplings::row(g, laws, constraint, phase);
         let (of, span) = (constraint.name.text.clone(), constraint.name.span);
-        rows.push(Row { of, span, joint: None, what, jet, upright: None });
+        rows.push(Row { of, span, joint: None, what, jet, upright: None, axes: None });
     }
     for driver in &mechanism.drivers {
         let (what, jet) = couplings::driver_row(g, laws, driver);
         let (of, span) = (driver.name.text.clone(), driver.name.span);
-        rows.push(Row { of, span, joint: None, what, jet, upright: None });
+        rows.push(Row { of, span, joint: None, what, jet, upright: None, axes: None });
     }
     rows
-}
-
-fn massive(g: &mut Graph, laws: &Laws) -> Vec<Massive> {
-    let mut massive = Vec::new();
-    for (index, body) in laws.mechanism.bodies.iter().enumerate() {
-        let at = laws.vector(g, &body.center);
-        let rigid = body.kind == BodyKind::Rigid;
-        massive.push(Massive {
-            mass: laws.value(g, &body.mass),
-            inertia: rigid.then(|| laws.value(g, &body.inertia)),
-            center: laws.kinematics().point(g, index, at),
-            frame: laws.kinematics().bodies[index].frame,
-        });
-    }
-    massive
-}
-
-/// T = Σ ½ m |ẋ|² + ½ J ω².
-fn kinetic_energy(g: &mut Graph, kinematics: &Kinematics, bodies: &[Massive]) -> Node {
-    let mut twice = g.constant(0.0);
-    for body in bodies {
-        let v = &kinematics.velocities;
-        let [x, y] = kinematics.world(g, &body.center);
-        let (x, y) = (x.rate(g, v), y.rate(g, v));
-        let (xx, yy) = (g.mul(x, x), g.mul(y, y));
-        let square = g.add(xx, yy);
-        let translation = g.mul(body.mass, square);
-        twice = g.add(twice, translation);
-        if let (Some(inertia), Some(rate)) = (body.inertia, kinematics.frames[body.frame].rate) {
-            let square = g.mul(v[rate], v[rate]);
-            let rotation = g.mul(inertia, square);
-            twice = g.add(twice, rotation);
-        }
-    }
-    let half = g.constant(0.5);
-    g.mul(half, twice)
-}
-
-/// V = −Σ m g·r.
-fn gravity_potential(
-    g: &mut Graph,
-    kinematics: &Kinematics,
-    bodies: &[Massive],
-    gravity: Option<[Node; 2]>,
-) -> Node {
-    let mut sum = g.constant(0.0);
-    let Some(gravity) = gravity else { return sum };
-    for body in bodies {
-        let [x, y] = kinematics.world(g, &body.center);
-        let (gx, gy) = (g.mul(gravity[0], x.value), g.mul(gravity[1], y.value));
-        let height = g.add(gx, gy);
-        let weight = g.mul(body.mass, height);
-        sum = g.sub(sum, weight);
-    }
-    sum
 }
 
 /// A dotted or indexed name as an identifier.

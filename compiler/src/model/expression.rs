@@ -70,17 +70,19 @@ pub enum Quantity {
     BodyAngle(BodyId),
     /// rad/s.
     BodyRate(BodyId),
-    /// rad.
-    JointAngle(JointId),
+    /// ω of a body in space about its x (0), y (1) or z (2), rad/s.
+    BodyOmega(BodyId, usize),
+    /// rad; which of the joint's angles.
+    JointAngle(JointId, usize),
     /// rad/s.
-    JointRate(JointId),
-    /// m, of prismatic and point_on_line.
-    JointTravel(JointId),
+    JointRate(JointId, usize),
+    /// m; which of the joint's travels.
+    JointTravel(JointId, usize),
     /// m/s.
-    JointSpeed(JointId),
-    /// World x (0) or y (1) of a place, m.
+    JointSpeed(JointId, usize),
+    /// World x (0), y (1) or z (2) of a place, m.
     Position(Box<Place>, usize),
-    /// World x (0) or y (1) component of a place's velocity, m/s.
+    /// World x (0), y (1) or z (2) component of a place's velocity, m/s.
     Velocity(Box<Place>, usize),
     /// m.
     Distance(Box<Place>, Box<Place>),
@@ -101,6 +103,13 @@ pub enum Quantity {
 impl Quantity {
     /// Whether it is the rate of a position.
     pub fn is_rate(&self) -> bool {
-        matches!(self, Self::BodyRate(_) | Self::JointRate(_) | Self::JointSpeed(_) | Self::Velocity(..))
+        matches!(
+            self,
+            Self::BodyRate(_)
+                | Self::BodyOmega(..)
+                | Self::JointRate(..)
+                | Self::JointSpeed(..)
+                | Self::Velocity(..)
+        )
     }
 }

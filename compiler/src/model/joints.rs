@@ -3,43 +3,82 @@
 use super::fold;
 use super::lower::{Lowering, Use, name};
 use super::names::Part;
-use super::quantities::kind_text;
-use super::{BodyId, Expr, Frame, Function2, Joint, JointKind, Place};
+use super::{Axes, BodyId, Expr, Frame, Function2, Joint, JointKind, Place, Vector};
 use crate::messages;
-use crate::syntax::{self, Entry, JointTerm, LineTerm, Path};
+use crate::syntax::{self, Entry, FirstTerm, JointWord, LineTerm, Path, Space};
 use crate::units::Dimension;
 
 /// A line that a point may lie on.
 struct LowerLine {
     frame: Frame,
-    ends: [[Expr; 2]; 2],
+    ends: [Vector; 2],
     text: String,
 }
 
 impl<'d> Lowering<'d> {
     pub fn joint(&mut self, joint: &'d syntax::Joint) -> Option<Joint> {
-        let (first, kind) = match &joint.kind {
-            JointTerm::Fixed { first, angle } => {
-                let angle = self.joint_angle(angle.as_ref());
-                (self.place(first), angle.map(|angle| JointKind::Fixed { angle }))
-            }
-            JointTerm::Revolute { first } => (self.place(first), Some(JointKind::Revolute)),
-            JointTerm::Prismatic { first, axis, angle } => {
-                let angle = self.joint_angle(angle.as_ref());
-                let axis = self.direction(axis, "axis");
-                let kind = axis.zip(angle).map(|(axis, angle)| JointKind::Prismatic { axis, angle });
-                (self.place(first), kind)
-            }
-            JointTerm::PointOnLine { line } => self.on_line(line),
-            JointTerm::Distance { first, length } => {
-                let length = self.entry(length, Dimension::LENGTH, Use::LENGTH, "length");
-                (self.place(first), length.map(|length| JointKind::Distance { length }))
-            }
+        let (first, on_line) = match &joint.first {
+            FirstTerm::Place(place) => (self.place(place), None),
+            FirstTerm::Line(line) => self.on_line(line),
         };
         let second = self.place(&joint.second);
+        let kind = match (joint.kind, on_line) {
+            (JointWord::PointOnLine, on_line) => on_line,
+            (JointWord::Distance, _) => {
+                let length = joint.length.as_ref()?;
+                let length = self.entry(length, Dimension::LENGTH, Use::LENGTH, "length");
+                length.map(|length| JointKind::Distance { length })
+            }
+            (JointWord::Fixed, _) => {
+                let angle = self.joint_angle(joint.angle.as_ref());
+                angle.map(|angle| JointKind::Fixed { angle })
+            }
+            (JointWord::Spherical, _) => Some(JointKind::Spherical),
+            (JointWord::Universal, _) => {
+                let axis = self.direction(joint.axis.as_ref()?, "axis");
+                let second = self.direction(joint.second_axis.as_ref()?, "second axis");
+                axis.zip(second).map(|(axis, second_axis)| JointKind::Universal { axis, second_axis })
+            }
+            _ => self.with_axis(joint, first.as_ref(), second.as_ref()),
+        };
         let (first, second, kind) = (first?, second?, kind?);
         self.two_bodies(joint, &first, &second)?;
         Some(Joint { name: name(&joint.name), kind, first, second })
+    }
+
+    /// The kinds of joints that have one axis.
+    fn with_axis(
+        &mut self,
+        joint: &'d syntax::Joint,
+        first: Option<&Place>,
+        second: Option<&Place>,
+    ) -> Option<JointKind> {
+        let angle = self.joint_angle(joint.angle.as_ref());
+        let pitch = match &joint.pitch {
+            Some(entry) => self.entry(entry, Dimension::LENGTH, Use::COEFFICIENT, "pitch"),
+            None => None,
+        };
+        let axis = match &joint.axis {
+            Some(axis) => self.direction(axis, "axis")?,
+            None => {
+                let marked = [first?, second?].iter().any(|place| !matches!(place.axes, Axes::Parallel));
+                if self.definition.space == Space::Spatial && !marked {
+                    let message = messages::missing_axis(joint.kind.text());
+                    self.diagnostics.error(joint.name.region, message);
+                    return None;
+                }
+                [Expr::Number(0.0), Expr::Number(0.0), Expr::Number(1.0)]
+            }
+        };
+        Some(match joint.kind {
+            JointWord::Revolute => JointKind::Revolute { axis },
+            JointWord::Prismatic => JointKind::Prismatic { axis, angle: angle? },
+            JointWord::Cylindrical => JointKind::Cylindrical { axis },
+            JointWord::Screw => JointKind::Screw { axis, pitch: pitch? },
+            JointWord::Planar => JointKind::Planar { axis },
+            JointWord::ConstantVelocity => JointKind::ConstantVelocity { axis },
+            _ => JointKind::PointOnPlane { axis },
+        })
     }
 
     fn joint_angle(&mut self, angle: Option<&'d Entry>) -> Option<Expr> {
@@ -60,14 +99,19 @@ impl<'d> Lowering<'d> {
             self.diagnostics.error(region, message);
             return None;
         }
-        let holds_orientation = matches!(joint.kind, JointTerm::Fixed { .. } | JointTerm::Prismatic { .. });
-        let particle = [first, second].into_iter().find(|place| self.is_particle(place.frame));
-        if let (true, Some(place)) = (holds_orientation, particle) {
-            let message = messages::orientation_of_particle(kind_text(&joint.kind), &place.text);
-            self.diagnostics.error(region, message);
-            return None;
-        }
-        Some(())
+        let Some(place) = [first, second].into_iter().find(|place| self.is_particle(place.frame)) else {
+            return Some(());
+        };
+        use JointWord::{Distance, Fixed, PointOnLine, PointOnPlane, Prismatic, Spherical};
+        let message = match (self.definition.space, joint.kind) {
+            (Space::Planar, Fixed | Prismatic) => messages::orientation_of_particle(joint.kind.text(), &place.text),
+            (Space::Spatial, kind) if !matches!(kind, Spherical | PointOnLine | PointOnPlane | Distance) => {
+                messages::joint_of_particle_kind(kind.text(), &place.text)
+            }
+            _ => return Some(()),
+        };
+        self.diagnostics.error(region, message);
+        None
     }
 
     fn body_name(&self, body: BodyId) -> &'d str {
@@ -77,11 +121,11 @@ impl<'d> Lowering<'d> {
     /// The line's first point as the first place, and the way along it.
     fn on_line(&mut self, line: &'d LineTerm) -> (Option<Place>, Option<JointKind>) {
         let Some(LowerLine { frame, ends: [from, to], text }) = self.line(line) else { return (None, None) };
-        let [from_x, from_y] = from.clone();
-        let [to_x, to_y] = to;
-        let direction =
-            [fold::binary(Function2::Sub, to_x, from_x), fold::binary(Function2::Sub, to_y, from_y)];
-        let first = Place { frame, at: from, text, span: line.region().span() };
+        let [x, y, z] = from.clone();
+        let [to_x, to_y, to_z] = to;
+        let less = |a, b| fold::binary(Function2::Sub, a, b);
+        let direction = [less(to_x, x), less(to_y, y), less(to_z, z)];
+        let first = Place { frame, at: from, axes: Axes::Parallel, text, span: line.region().span() };
         (Some(first), Some(JointKind::PointOnLine { direction }))
     }
 

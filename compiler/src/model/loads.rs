@@ -2,9 +2,10 @@
 
 use super::fold;
 use super::lower::{Lowering, Use, name};
-use super::{Expr, Function1, Function2, Load, LoadKind, Place};
+use super::values::padded;
+use super::{Expr, Function1, Function2, Load, LoadKind, Place, Vector};
 use crate::messages;
-use crate::syntax::{self, Entry, LoadTerm, Pair, PlaceTerm};
+use crate::syntax::{self, Entry, LoadTerm, PlaceTerm, Tuple};
 use crate::units::Dimension;
 
 impl<'d> Lowering<'d> {
@@ -16,14 +17,13 @@ impl<'d> Lowering<'d> {
                 let value = self.value(value, Use::LOAD);
                 let value =
                     self.expect_dimension(value?, Dimension::FORCE, &messages::quoted(&load.name.text))?;
-                let [x, y] = direction?;
                 let along = |component| fold::binary(Function2::Mul, value.clone(), component);
-                LoadKind::Force { place: place?, components: [along(x), along(y)] }
+                LoadKind::Force { place: place?, components: direction?.map(along) }
             }
             LoadTerm::Components { place, components } => {
                 let place = self.place(place);
                 let components =
-                    self.pair(components, Dimension::FORCE, Use::LOAD, &messages::quoted(&load.name.text));
+                    self.vector(components, Dimension::FORCE, Use::LOAD, &messages::quoted(&load.name.text));
                 LoadKind::Force { place: place?, components: components? }
             }
             LoadTerm::Torque { on, value } => {
@@ -32,6 +32,12 @@ impl<'d> Lowering<'d> {
                 let torque =
                     self.expect_dimension(value?, Dimension::TORQUE, &messages::quoted(&load.name.text));
                 LoadKind::Torque { on: on?, torque: torque? }
+            }
+            LoadTerm::BodyTorque { on, components } => {
+                let body = self.turning_body(on);
+                let what = messages::quoted(&load.name.text);
+                let components = self.vector(components, Dimension::TORQUE, Use::LOAD, &what);
+                LoadKind::BodyTorque { body: body?, components: components? }
             }
             LoadTerm::Spring { first, second, stiffness, length, damping } => {
                 let places = self.spring_ends(first, second);
@@ -78,35 +84,38 @@ impl<'d> Lowering<'d> {
         Some((first, second))
     }
 
-    /// Two components of any one dimension, of which only the ratio matters; not both zero.
-    pub fn direction(&mut self, pair: &'d Pair, what: &str) -> Option<[Expr; 2]> {
-        let [x, y] = match &pair.unit {
-            Some(unit) => self.pair(pair, unit.unit.dimension, Use::DIRECTION, what)?,
+    /// Components of any one dimension, of which only the ratios matter; not all zero.
+    pub fn direction(&mut self, tuple: &'d Tuple, what: &str) -> Option<Vector> {
+        let direction = match &tuple.unit {
+            Some(unit) => self.vector(tuple, unit.unit.dimension, Use::DIRECTION, what)?,
             None => {
-                let x = self.value(&pair.values[0], Use::DIRECTION);
-                let y = self.value(&pair.values[1], Use::DIRECTION);
-                let (x, y) = (x?, y?);
-                self.same(&x, &y, &format!("the components of the {what}"))?;
-                [x.expr, y.expr]
+                let values: Vec<_> =
+                    tuple.values.iter().map(|value| self.value(value, Use::DIRECTION)).collect();
+                let values: Option<Vec<_>> = values.into_iter().collect();
+                let values = values?;
+                for value in &values[1..] {
+                    self.same(&values[0], value, &format!("the components of the {what}"))?;
+                }
+                padded(values.into_iter().map(|value| value.expr).collect())
             }
         };
-        if let (Expr::Number(x), Expr::Number(y)) = (&x, &y)
-            && libm::hypot(*x, *y) == 0.0
-        {
-            self.diagnostics.error(pair.region, messages::zero_direction(what));
+        if direction.iter().all(|component| matches!(component, Expr::Number(0.0))) {
+            self.diagnostics.error(tuple.region, messages::zero_direction(what, self.definition.space));
             return None;
         }
-        Some([x, y])
+        Some(direction)
     }
 }
 
-/// x/√(x² + y²), y/√(x² + y²).
-fn normalised([x, y]: [Expr; 2]) -> [Expr; 2] {
-    if let (Expr::Number(a), Expr::Number(b)) = (&x, &y) {
-        let length = libm::hypot(*a, *b);
-        return [Expr::Number(a / length), Expr::Number(b / length)];
+/// x/|x|.
+fn normalised(vector: Vector) -> Vector {
+    if let [Expr::Number(x), Expr::Number(y), Expr::Number(z)] = &vector {
+        let length = libm::hypot(libm::hypot(*x, *y), *z);
+        return [x, y, z].map(|component| Expr::Number(component / length));
     }
     let square = |value: &Expr| fold::binary(Function2::Mul, value.clone(), value.clone());
-    let length = fold::unary(Function1::Sqrt, fold::binary(Function2::Add, square(&x), square(&y)));
-    [fold::binary(Function2::Div, x, length.clone()), fold::binary(Function2::Div, y, length)]
+    let sum = |a, b| fold::binary(Function2::Add, a, b);
+    let length = sum(sum(square(&vector[0]), square(&vector[1])), square(&vector[2]));
+    let length = fold::unary(Function1::Sqrt, length);
+    vector.map(|component| fold::binary(Function2::Div, component, length.clone()))
 }

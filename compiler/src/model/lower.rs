@@ -7,8 +7,8 @@
 use super::fold;
 use super::names::Names;
 use super::{
-    Constraint, ConstraintKind, Driver, Expr, Function2, Input, Mechanism, Name, Output, Parameter,
-    StartCondition,
+    Axes, Constraint, ConstraintKind, Driver, Expr, Function2, Input, Mechanism, Name, Output, Parameter,
+    StartCondition, StartOrientation, Vector,
 };
 use crate::diagnostics::Diagnostics;
 use crate::messages;
@@ -27,13 +27,16 @@ pub fn lower(definition: &Definition) -> Result<Mechanism, Diagnostics> {
         constants: Vec::new(),
         bodies: Vec::new(),
         lines: Vec::new(),
+        markers: HashMap::new(),
     };
 
     lowering.constants();
     lowering.body_frames();
+    lowering.ground_markers();
     lowering.ground_lines();
     // AFTER THIS POINT every place can be resolved.
     let mechanism = Mechanism {
+        space: definition.space,
         name: name(&definition.name),
         visibility: definition.visibility.clone(),
         attributes: definition.attributes.clone(),
@@ -46,6 +49,7 @@ pub fn lower(definition: &Definition) -> Result<Mechanism, Diagnostics> {
         drivers: lowering.each(&definition.drivers, Lowering::driver),
         loads: lowering.each(&definition.loads, Lowering::load),
         start: lowering.each(&definition.start, Lowering::start_condition),
+        orientations: lowering.each(&definition.orientations, Lowering::start_orientation),
         options: lowering.options(),
         expect: lowering.expect(),
         outputs: lowering.each(&definition.outputs, Lowering::output),
@@ -62,16 +66,19 @@ pub(super) struct Lowering<'d> {
     pub constants: Vec<Option<f64>>,
     pub bodies: Vec<BodyFrame<'d>>,
     /// Lines of the ground, both ends; `None` after an error.
-    pub lines: Vec<Option<[[Expr; 2]; 2]>>,
+    pub lines: Vec<Option<[Vector; 2]>>,
+    /// Markers of the ground; `None` after an error.
+    pub markers: HashMap<&'d str, Option<(Vector, Axes)>>,
 }
 
 /// The named places of a body.
 #[derive(Default)]
 pub(super) struct BodyFrame<'d> {
-    pub center: Option<[Expr; 2]>,
+    pub center: Option<Vector>,
     /// `None` after an error.
-    pub points: HashMap<&'d str, Option<[Expr; 2]>>,
-    pub lines: HashMap<&'d str, Option<[[Expr; 2]; 2]>>,
+    pub points: HashMap<&'d str, Option<Vector>>,
+    pub markers: HashMap<&'d str, Option<(Vector, Axes)>>,
+    pub lines: HashMap<&'d str, Option<[Vector; 2]>>,
 }
 
 /// What an expression may depend on, and how its message calls it.
@@ -161,9 +168,9 @@ impl<'d> Lowering<'d> {
         })
     }
 
-    fn gravity(&mut self) -> Option<[Expr; 2]> {
-        let pair = self.definition.gravity.as_ref()?;
-        self.pair(pair, Dimension::ACCELERATION, Use::GRAVITY, "gravity")
+    fn gravity(&mut self) -> Option<Vector> {
+        let tuple = self.definition.gravity.as_ref()?;
+        self.vector(tuple, Dimension::ACCELERATION, Use::GRAVITY, "gravity")
     }
 
     fn constraint(&mut self, constraint: &'d syntax::Constraint) -> Option<Constraint> {
@@ -222,6 +229,18 @@ impl<'d> Lowering<'d> {
             exact: start.exact,
             span: region.span(),
         })
+    }
+
+    fn start_orientation(&mut self, start: &'d syntax::OrientationEntry) -> Option<StartOrientation> {
+        let body = self.oriented_body(&start.quantity)?;
+        let what = messages::quoted(&start.quantity.text);
+        let values = self.tuple(&start.value, Dimension::ONE, Use::START, &what)?;
+        let quaternion: [Expr; 4] = values.try_into().ok()?;
+        if quaternion.iter().all(|value| matches!(value, Expr::Number(0.0))) {
+            self.diagnostics.error(start.value.region, messages::zero_quaternion());
+            return None;
+        }
+        Some(StartOrientation { body, quaternion, exact: start.exact, span: start.quantity.region.span() })
     }
 
     fn output(&mut self, output: &'d syntax::Output) -> Option<Output> {

@@ -13,13 +13,16 @@ mod joints;
 mod loads;
 mod lower;
 mod names;
+mod places;
 mod quantities;
 mod settings;
+mod shapes;
 mod values;
 
 pub use expression::{Comparison, Condition, Expr, Function1, Function2, Quantity};
 pub(crate) use lower::Use;
 pub use lower::lower;
+pub use crate::syntax::{JointWord, Space};
 use proc_macro2::{Span, TokenStream};
 
 /// Index of a body in [`Mechanism::bodies`].
@@ -57,9 +60,16 @@ impl Name {
     }
 }
 
-/// A planar mechanism, all quantities in SI units.
+/// Components along x, y, z; in the plane the last is the number 0.
+pub type Vector = [Expr; 3];
+
+/// The vector 0.
+pub const ZERO: Vector = [Expr::Number(0.0), Expr::Number(0.0), Expr::Number(0.0)];
+
+/// A mechanism, all quantities in SI units.
 #[derive(Clone, Debug)]
 pub struct Mechanism {
+    pub space: Space,
     pub name: Name,
     /// Visibility as written (`pub`, `pub(crate)` or nothing).
     pub visibility: TokenStream,
@@ -68,7 +78,7 @@ pub struct Mechanism {
     pub parameters: Vec<Parameter>,
     pub inputs: Vec<Input>,
     /// World axes; `None` if no gravity was written.
-    pub gravity: Option<[Expr; 2]>,
+    pub gravity: Option<Vector>,
     pub bodies: Vec<Body>,
     pub joints: Vec<Joint>,
     /// Gears, racks and general equations, in the order written.
@@ -76,6 +86,7 @@ pub struct Mechanism {
     pub drivers: Vec<Driver>,
     pub loads: Vec<Load>,
     pub start: Vec<StartCondition>,
+    pub orientations: Vec<StartOrientation>,
     pub options: Options,
     pub expect: Expect,
     pub outputs: Vec<Output>,
@@ -110,13 +121,13 @@ pub struct Body {
     /// kg, of parameters only.
     pub mass: Expr,
     pub mass_span: Span,
-    /// kg m² about the centre of mass, of parameters only; zero for a particle.
-    pub inertia: Expr,
+    /// About the centre of mass; zero for a particle.
+    pub inertia: Inertia,
     pub inertia_span: Span,
     /// Lengths of its shape, m, by name: positive, whatever parameters make of them.
     pub dimensions: Vec<(&'static str, Expr)>,
     /// Centre of mass in the body's frame, m.
-    pub center: [Expr; 2],
+    pub center: Vector,
     /// Named points in the body's frame, m (shape points such as a rod's `start` included).
     pub points: Vec<NamedPoint>,
     pub lines: Vec<NamedLine>,
@@ -130,18 +141,39 @@ pub enum BodyKind {
     Particle,
 }
 
+/// The inertia tensor about the centre of mass, kg m², of parameters only.
+#[derive(Clone, Debug)]
+pub struct Inertia {
+    /// Ixx, Iyy, Izz; in the plane the last one.
+    pub moments: Vector,
+    /// Ixy, Ixz, Iyz, entries of the tensor: Ixy = −∫ x y dm.
+    pub products: Vector,
+    /// The axes in which they are given, in body axes.
+    pub axes: Axes,
+}
+
+/// Axes in the axes of a body or of the ground.
+#[derive(Clone, Debug)]
+pub enum Axes {
+    Parallel,
+    /// z along `axis`; x along `reference`, less its part along z, or as [`crate::equations::space`] chooses it.
+    Directed { axis: Vector, reference: Option<Vector> },
+    /// Turned about own axes, one after the other: axis (0, 1, 2) and angle, rad.
+    Turned(Vec<(usize, Expr)>),
+}
+
 #[derive(Clone, Debug)]
 pub struct NamedPoint {
     pub name: Name,
-    pub at: [Expr; 2],
+    pub at: Vector,
 }
 
 /// A line through two points of one body.
 #[derive(Clone, Debug)]
 pub struct NamedLine {
     pub name: Name,
-    pub from: [Expr; 2],
-    pub to: [Expr; 2],
+    pub from: Vector,
+    pub to: Vector,
 }
 
 /// What a place belongs to.
@@ -156,7 +188,9 @@ pub enum Frame {
 pub struct Place {
     pub frame: Frame,
     /// In the body's frame, of parameters only; on the ground in world axes and possibly a function of time.
-    pub at: [Expr; 2],
+    pub at: Vector,
+    /// Axes of the place in the axes of what it belongs to.
+    pub axes: Axes,
     /// As written: `crank.tip`, `ground(0, 0.2)`.
     pub text: String,
     pub span: Span,
@@ -178,15 +212,45 @@ pub enum JointKind {
     Fixed {
         angle: Expr,
     },
-    Revolute,
+    /// About `axis`, in the axes of both places; z in the plane.
+    Revolute {
+        axis: Vector,
+    },
     /// Translation along `axis` (in the first's frame, any length but zero); orientation stays `angle` (rad).
     Prismatic {
-        axis: [Expr; 2],
+        axis: Vector,
         angle: Expr,
+    },
+    /// Along and about `axis`.
+    Cylindrical {
+        axis: Vector,
+    },
+    /// Along and about `axis`, with a travel of `pitch` (m) for a turn.
+    Screw {
+        axis: Vector,
+        pitch: Expr,
+    },
+    /// About `axis` of the first, then `second_axis` of the second.
+    Universal {
+        axis: Vector,
+        second_axis: Vector,
+    },
+    Spherical,
+    /// Across and about `axis`.
+    Planar {
+        axis: Vector,
+    },
+    /// Shafts along `axis` of both places that meet, and turn by the same angle.
+    ConstantVelocity {
+        axis: Vector,
+    },
+    /// The second place stays on the plane through the first across `axis`.
+    PointOnPlane {
+        axis: Vector,
     },
     /// The second place stays on the line through the first along `direction` (in the first's frame, any length but zero).
     PointOnLine {
-        direction: [Expr; 2],
+        direction: Vector,
     },
     /// The places stay `length` (m, may depend on time) apart.
     Distance {
@@ -194,10 +258,31 @@ pub enum JointKind {
     },
 }
 
+impl JointKind {
+    /// The word for it.
+    pub fn word(&self) -> JointWord {
+        match self {
+            Self::Fixed { .. } => JointWord::Fixed,
+            Self::Revolute { .. } => JointWord::Revolute,
+            Self::Prismatic { .. } => JointWord::Prismatic,
+            Self::Cylindrical { .. } => JointWord::Cylindrical,
+            Self::Screw { .. } => JointWord::Screw,
+            Self::Universal { .. } => JointWord::Universal,
+            Self::Spherical => JointWord::Spherical,
+            Self::Planar { .. } => JointWord::Planar,
+            Self::ConstantVelocity { .. } => JointWord::ConstantVelocity,
+            Self::PointOnLine { .. } => JointWord::PointOnLine,
+            Self::PointOnPlane { .. } => JointWord::PointOnPlane,
+            Self::Distance { .. } => JointWord::Distance,
+        }
+    }
+}
+
 /// What turns: a joint (second relative to first) or a body (relative to the ground).
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Rotor {
-    Joint(JointId),
+    /// Which of its angles.
+    Joint(JointId, usize),
     Body(BodyId),
 }
 
@@ -236,9 +321,11 @@ pub struct Load {
 #[derive(Clone, Debug)]
 pub enum LoadKind {
     /// Force in world axes (N) at a place.
-    Force { place: Place, components: [Expr; 2] },
+    Force { place: Place, components: Vector },
     /// Torque (N m), counter-clockwise, on the rotor's body (on the second, and opposite on the first, for a joint).
     Torque { on: Rotor, torque: Expr },
+    /// Torque on a body in space, world axes (N m).
+    BodyTorque { body: BodyId, components: Vector },
     /// Tension stiffness · (distance − length) + damping · d(distance)/dt pulling the places together.
     Spring { first: Place, second: Place, stiffness: Expr, length: Expr, damping: Expr },
     /// Torque −stiffness · (angle − rest) − damping · rate on the rotor, with the multi-turn angle.
@@ -256,6 +343,23 @@ pub struct StartCondition {
     pub span: Span,
 }
 
+/// The orientation of a body at the start, or a guess of it.
+#[derive(Clone, Debug)]
+pub struct StartOrientation {
+    pub body: BodyId,
+    /// Unit quaternion, scalar first, of parameters only.
+    pub quaternion: [Expr; 4],
+    pub exact: bool,
+    pub span: Span,
+}
+
+/// What is done about constraint rows that repeat what others fix.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Redundant {
+    Refuse,
+    Drop,
+}
+
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Coordinates {
     Absolute,
@@ -266,6 +370,7 @@ pub enum Coordinates {
 #[derive(Clone, Debug)]
 pub struct Options {
     pub coordinates: Coordinates,
+    pub redundant: Redundant,
     /// Joints that the spanning tree must not use.
     pub cut: Vec<(JointId, Span)>,
     /// Position coordinates the user takes as independent (angles, travels); empty if the compiler chooses.

@@ -6,7 +6,7 @@ use super::values::Typed;
 use super::{BodyId, DriverId, Expr, Frame, JointId, LoadId, Place, Quantity, Rotor};
 use crate::diagnostics::Region;
 use crate::messages;
-use crate::syntax::{JointTerm, Label, LineTerm, Path, PlaceTerm, Shape, Term, TermKind};
+use crate::syntax::{FirstTerm, JointCoordinates, Label, LineTerm, Path, PlaceTerm, Shape, Space, Term, TermKind};
 use crate::units::Dimension;
 
 /// When a quantity is known.
@@ -175,10 +175,32 @@ impl<'d> Lowering<'d> {
                     self.diagnostics.error(path.region, messages::particle_turns(&path.parts[0].text));
                     return None;
                 }
+                "angle" | "orientation" if self.definition.space == Space::Spatial => {
+                    self.diagnostics.error(path.region, messages::body_has_no_angle(&path.parts[0].text));
+                    return None;
+                }
+                "rate" if self.definition.space == Space::Spatial => {
+                    self.diagnostics.error(path.region, messages::quantities_of_rate(&path.parts[0].text));
+                    return None;
+                }
                 "angle" => return Found::position(Quantity::BodyAngle(body), Dimension::ANGLE),
                 "rate" => return Found::velocity(Quantity::BodyRate(body), Dimension::ANGULAR_RATE),
                 _ => {}
             }
+        }
+        if let (Space::Spatial, "rate", [_, _, component]) =
+            (self.definition.space, quantity.text.as_str(), path.parts.as_slice())
+        {
+            if self.is_particle(Frame::Body(body)) {
+                self.diagnostics.error(path.region, messages::particle_turns(&path.parts[0].text));
+                return None;
+            }
+            let Some(axis) = axis_of(&component.text, 3) else {
+                let message = messages::quantities_of_rate(&path.parts[0].text);
+                self.diagnostics.error(component.region, message);
+                return None;
+            };
+            return Found::velocity(Quantity::BodyOmega(body, axis), Dimension::ANGULAR_RATE);
         }
         let point = Path {
             text: format!("{}.{}", path.parts[0].text, quantity.text),
@@ -189,18 +211,18 @@ impl<'d> Lowering<'d> {
         let place = self.place(&PlaceTerm::Named(point))?;
         let position = |axis| Quantity::Position(Box::new(place.clone()), axis);
         let velocity = |axis| Quantity::Velocity(Box::new(place.clone()), axis);
-        match rest.as_slice() {
-            ["x"] => Found::position(position(0), Dimension::LENGTH),
-            ["y"] => Found::position(position(1), Dimension::LENGTH),
-            ["velocity", "x"] => Found::velocity(velocity(0), Dimension::SPEED),
-            ["velocity", "y"] => Found::velocity(velocity(1), Dimension::SPEED),
-            [] => {
-                self.diagnostics.error(path.region, messages::place_without_axis(&path.text));
+        let space = self.definition.space;
+        let axis = rest.last().and_then(|component| axis_of(component, space.dimensions()));
+        match (rest.as_slice(), axis) {
+            ([_], Some(axis)) => Found::position(position(axis), Dimension::LENGTH),
+            (["velocity", _], Some(axis)) => Found::velocity(velocity(axis), Dimension::SPEED),
+            ([], _) => {
+                self.diagnostics.error(path.region, messages::place_without_axis(&path.text, space));
                 None
             }
             _ => {
                 let region = path.parts[2].region.to(path.region);
-                self.diagnostics.error(region, messages::quantities_of_place(&place.text));
+                self.diagnostics.error(region, messages::quantities_of_place(&place.text, space));
                 None
             }
         }
@@ -208,38 +230,40 @@ impl<'d> Lowering<'d> {
 
     fn of_joint(&mut self, joint: JointId, path: &Path) -> Option<Found> {
         let quantity = &path.parts[1];
-        let turns = self.turns(joint);
-        let slides = self.slides(joint);
-        match (quantity.text.as_str(), path.parts.len()) {
-            ("angle", 2) if turns => Found::position(Quantity::JointAngle(joint), Dimension::ANGLE),
-            ("rate", 2) if turns => Found::velocity(Quantity::JointRate(joint), Dimension::ANGULAR_RATE),
-            ("travel", 2) if slides => Found::position(Quantity::JointTravel(joint), Dimension::LENGTH),
-            ("speed", 2) if slides => Found::velocity(Quantity::JointSpeed(joint), Dimension::SPEED),
-            _ => {
-                let message = self.joint_has(joint, &quantity.text);
-                self.diagnostics.error(quantity.region, message);
-                None
-            }
+        let JointCoordinates { angles, travels } = self.coordinates(joint);
+        let find = |names: &[[&str; 2]], which: usize| {
+            let found = names.iter().position(|names| names[which] == quantity.text);
+            found.filter(|_| path.parts.len() == 2)
+        };
+        if let Some(index) = find(angles, 0) {
+            return Found::position(Quantity::JointAngle(joint, index), Dimension::ANGLE);
         }
+        if let Some(index) = find(angles, 1) {
+            return Found::velocity(Quantity::JointRate(joint, index), Dimension::ANGULAR_RATE);
+        }
+        if let Some(index) = find(travels, 0) {
+            return Found::position(Quantity::JointTravel(joint, index), Dimension::LENGTH);
+        }
+        if let Some(index) = find(travels, 1) {
+            return Found::velocity(Quantity::JointSpeed(joint, index), Dimension::SPEED);
+        }
+        let message = self.joint_has(joint, &quantity.text);
+        self.diagnostics.error(quantity.region, message);
+        None
     }
 
     /// What a joint has instead of the quantity asked for.
     fn joint_has(&self, joint: JointId, asked: &str) -> String {
         let term = &self.definition.joints[joint.0];
-        let mut quantities = Vec::new();
-        if self.turns(joint) {
-            quantities.extend(["angle", "rate"]);
-        }
-        if self.slides(joint) {
-            quantities.extend(["travel", "speed"]);
-        }
-        let of_particle = matches!(term.kind, JointTerm::Revolute { .. } | JointTerm::PointOnLine { .. })
-            && !self.turns(joint)
+        let JointCoordinates { angles, travels } = self.coordinates(joint);
+        let quantities: Vec<&str> = angles.iter().chain(travels).flatten().copied().collect();
+        let of_particle = angles.is_empty()
+            && !term.kind.coordinates(self.definition.space).angles.is_empty()
             && matches!(asked, "angle" | "rate");
         if of_particle {
             return messages::joint_of_particle(&term.name.text, asked);
         }
-        messages::joint_has(&term.name.text, kind_text(&term.kind), asked, &quantities)
+        messages::joint_has(&term.name.text, term.kind.text(), asked, &quantities, self.definition.space)
     }
 
     fn of_driver(&mut self, driver: DriverId, path: &Path) -> Option<Found> {
@@ -257,17 +281,29 @@ impl<'d> Lowering<'d> {
         }
     }
 
-    /// A joint or body that turns.
+    /// A joint with one angle, or in the plane a body that turns.
     pub fn rotor(&mut self, label: &'d Label) -> Option<Rotor> {
         match self.names.part(&label.text) {
             Some(Part::Body(index)) if self.is_particle(Frame::Body(BodyId(index))) => {
                 self.diagnostics.error(label.region, messages::particle_turns(&label.text));
                 None
             }
+            Some(Part::Body(_)) if self.definition.space == Space::Spatial => {
+                self.diagnostics.error(label.region, messages::body_has_no_angle(&label.text));
+                None
+            }
             Some(Part::Body(index)) => Some(Rotor::Body(BodyId(index))),
-            Some(Part::Joint(index)) if self.turns(JointId(index)) => Some(Rotor::Joint(JointId(index))),
             Some(Part::Joint(index)) => {
-                let message = self.joint_has(JointId(index), "angle");
+                let joint = JointId(index);
+                let JointCoordinates { angles, .. } = self.coordinates(joint);
+                if angles.len() == 1 {
+                    return Some(Rotor::Joint(joint, 0));
+                }
+                let names: Vec<&str> = angles.iter().map(|[angle, _]| *angle).collect();
+                let message = match self.definition.space {
+                    Space::Planar => self.joint_has(joint, "angle"),
+                    Space::Spatial => messages::which_angle(&label.text, &names),
+                };
                 self.diagnostics.error(label.region, message);
                 None
             }
@@ -282,10 +318,53 @@ impl<'d> Lowering<'d> {
         }
     }
 
-    /// A joint that slides.
+    /// A body in space that turns.
+    pub fn turning_body(&mut self, label: &'d Label) -> Option<BodyId> {
+        match self.names.part(&label.text) {
+            Some(Part::Body(index)) if self.is_particle(Frame::Body(BodyId(index))) => {
+                self.diagnostics.error(label.region, messages::particle_turns(&label.text));
+                None
+            }
+            Some(Part::Body(index)) => Some(BodyId(index)),
+            Some(Part::Joint(_)) => {
+                self.diagnostics.error(label.region, messages::torque_of_components("body"));
+                None
+            }
+            _ => {
+                let similar = self.names.similar_part(&label.text, |part| matches!(part, Part::Body(_)));
+                self.diagnostics.error(label.region, messages::unknown("body", &label.text, similar));
+                None
+            }
+        }
+    }
+
+    /// The body whose orientation `start` states.
+    pub fn oriented_body(&mut self, path: &Path) -> Option<BodyId> {
+        let head = &path.parts[0];
+        match self.names.part(&head.text) {
+            Some(Part::Body(_)) if self.definition.space == Space::Planar || path.parts.len() != 2 => {
+                self.diagnostics.error(path.region, messages::not_a_state(&path.text));
+                None
+            }
+            Some(Part::Body(index)) if self.is_particle(Frame::Body(BodyId(index))) => {
+                self.diagnostics.error(path.region, messages::particle_turns(&head.text));
+                None
+            }
+            Some(Part::Body(index)) => Some(BodyId(index)),
+            _ => {
+                let similar = self.names.similar_part(&head.text, |part| matches!(part, Part::Body(_)));
+                self.diagnostics.error(head.region, messages::unknown("body", &head.text, similar));
+                None
+            }
+        }
+    }
+
+    /// A joint that slides along one direction.
     pub fn slide(&mut self, label: &'d Label) -> Option<JointId> {
         match self.names.part(&label.text) {
-            Some(Part::Joint(index)) if self.slides(JointId(index)) => Some(JointId(index)),
+            Some(Part::Joint(index)) if self.coordinates(JointId(index)).travels.len() == 1 => {
+                Some(JointId(index))
+            }
             Some(Part::Joint(index)) => {
                 let message = self.joint_has(JointId(index), "travel");
                 self.diagnostics.error(label.region, message);
@@ -299,22 +378,20 @@ impl<'d> Lowering<'d> {
         }
     }
 
-    /// Whether a joint has an angle: of its kind, and of two things with an orientation.
-    fn turns(&self, joint: JointId) -> bool {
+    /// What a joint has: of its kind, and angles only between two things with an orientation.
+    fn coordinates(&self, joint: JointId) -> JointCoordinates {
         let term = &self.definition.joints[joint.0];
-        let first = match &term.kind {
-            JointTerm::Revolute { first } => self.head(first),
-            JointTerm::PointOnLine { line: LineTerm::Named(_) } => Some(Frame::Ground),
-            JointTerm::PointOnLine { line: LineTerm::Inline { from, .. } } => self.head(from),
-            _ => return false,
+        let all = term.kind.coordinates(self.definition.space);
+        let first = match &term.first {
+            FirstTerm::Place(first) => self.head(first),
+            FirstTerm::Line(LineTerm::Named(_)) => Some(Frame::Ground),
+            FirstTerm::Line(LineTerm::Inline { from, .. }) => self.head(from),
         };
         let second = self.head(&term.second);
-        ![first, second].into_iter().flatten().any(|frame| self.is_particle(frame))
-    }
-
-    fn slides(&self, joint: JointId) -> bool {
-        let kind = &self.definition.joints[joint.0].kind;
-        matches!(kind, JointTerm::Prismatic { .. } | JointTerm::PointOnLine { .. })
+        if [first, second].into_iter().flatten().any(|frame| self.is_particle(frame)) {
+            return JointCoordinates { angles: &[], ..all };
+        }
+        all
     }
 
     /// The body of a place, without any message.
@@ -337,13 +414,7 @@ impl<'d> Lowering<'d> {
     }
 }
 
-/// The word of a kind of joint.
-pub(super) fn kind_text(kind: &JointTerm) -> &'static str {
-    match kind {
-        JointTerm::Fixed { .. } => "fixed",
-        JointTerm::Revolute { .. } => "revolute",
-        JointTerm::Prismatic { .. } => "prismatic",
-        JointTerm::PointOnLine { .. } => "point_on_line",
-        JointTerm::Distance { .. } => "distance",
-    }
+/// Index of a component by its name.
+fn axis_of(name: &str, dimensions: usize) -> Option<usize> {
+    ["x", "y", "z"][..dimensions].iter().position(|known| *known == name)
 }

@@ -2,7 +2,7 @@
 
 use super::lower::Lowering;
 use super::names::Part;
-use super::{Coordinates, Expect, JointId, Options, Quantity};
+use super::{Coordinates, Expect, JointId, Options, Quantity, Redundant};
 use crate::messages;
 use crate::syntax::{ExpectEntry, Label, OptionEntry, Path};
 use proc_macro2::{Span, TokenStream};
@@ -10,6 +10,7 @@ use proc_macro2::{Span, TokenStream};
 impl<'d> Lowering<'d> {
     pub fn options(&mut self) -> Options {
         let mut coordinates = Coordinates::Auto;
+        let mut redundant = Redundant::Refuse;
         let (mut cut, mut independent) = (Vec::new(), Vec::new());
         let mut crate_path: Option<TokenStream> = None;
         for entry in &self.definition.options {
@@ -21,7 +22,7 @@ impl<'d> Lowering<'d> {
                         _ => Coordinates::Auto,
                     };
                 }
-                // `refuse` is the only choice so far.
+                OptionEntry::Redundant(word) if word.text == "drop" => redundant = Redundant::Drop,
                 OptionEntry::Redundant(_) => {}
                 OptionEntry::Cut(joints) => cut.extend(joints.iter().filter_map(|joint| self.cut(joint))),
                 OptionEntry::Independent(paths) => {
@@ -31,7 +32,7 @@ impl<'d> Lowering<'d> {
             }
         }
         self.options_twice();
-        Options { coordinates, cut, independent, crate_path }
+        Options { coordinates, redundant, cut, independent, crate_path }
     }
 
     fn options_twice(&mut self) {

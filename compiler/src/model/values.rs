@@ -3,10 +3,10 @@
 use super::fold;
 use super::lower::{Lowering, Use, declared};
 use super::names::Value;
-use super::{Expr, Function1, Function2, InputId, ParameterId};
+use super::{Expr, Function1, Function2, InputId, ParameterId, Vector};
 use crate::diagnostics::Region;
 use crate::messages;
-use crate::syntax::{Entry, Operator, Pair, Path, Term, TermKind, WrittenUnit};
+use crate::syntax::{Entry, Operator, Path, Term, TermKind, Tuple, WrittenUnit};
 use crate::units::Dimension;
 
 /// A checked expression.
@@ -36,26 +36,42 @@ impl Lowering<'_> {
         self.with_unit(&entry.value, entry.unit.as_ref(), expected, usage, what)
     }
 
-    /// Two values with one unit.
-    pub fn pair(&mut self, pair: &Pair, expected: Dimension, usage: Use, what: &str) -> Option<[Expr; 2]> {
-        self.two(&pair.values, pair.unit.as_ref(), expected, usage, what)
+    /// A vector; what the plane does not have is zero.
+    pub fn vector(&mut self, tuple: &Tuple, expected: Dimension, usage: Use, what: &str) -> Option<Vector> {
+        let values = self.tuple(tuple, expected, usage, what)?;
+        Some(padded(values))
     }
 
-    /// Two values with one unit.
-    pub fn two(
+    /// Values with one unit.
+    pub fn tuple(
         &mut self,
-        values: &[Term; 2],
+        tuple: &Tuple,
+        expected: Dimension,
+        usage: Use,
+        what: &str,
+    ) -> Option<Vec<Expr>> {
+        self.values(&tuple.values, tuple.unit.as_ref(), expected, usage, what)
+    }
+
+    /// Values with one unit.
+    pub fn values(
+        &mut self,
+        values: &[Term],
         unit: Option<&WrittenUnit>,
         expected: Dimension,
         usage: Use,
         what: &str,
-    ) -> Option<[Expr; 2]> {
-        let x = self.with_unit(&values[0], unit, expected, usage, what);
-        if x.is_none() && unit.is_some_and(|written| !written.unit.dimension.fits(expected)) {
-            return None;
+    ) -> Option<Vec<Expr>> {
+        let mut found = Vec::new();
+        for value in values {
+            let lowered = self.with_unit(value, unit, expected, usage, what);
+            if lowered.is_none() && unit.is_some_and(|written| !written.unit.dimension.fits(expected)) {
+                // The unit has been complained of, once for all.
+                return None;
+            }
+            found.push(lowered);
         }
-        let y = self.with_unit(&values[1], unit, expected, usage, what);
-        Some([x?, y?])
+        found.into_iter().collect()
     }
 
     /// Bare numbers take the unit only where the whole value names nothing and has no unit of its own.
@@ -275,6 +291,12 @@ impl Lowering<'_> {
             _ => Some(expr),
         }
     }
+}
+
+/// Components beyond those given are zero.
+pub(super) fn padded(values: Vec<Expr>) -> Vector {
+    let mut components = values.into_iter();
+    std::array::from_fn(|_| components.next().unwrap_or(Expr::Number(0.0)))
 }
 
 /// Whether a value names nothing and carries no unit.

@@ -1,19 +1,32 @@
 //! `body crank { mass [kg] = 1; point tip [m] = (1, 0); … }` and the shapes.
 
-use super::definition::{Body, Shape};
-use super::parser::{Parsed, Parser};
+use super::definition::{Body, Label, Marker, MarkerAxes, Shape, Space};
+use super::parser::{Failed, Parsed, Parser};
 use super::token::Cursor;
 use crate::messages;
 use proc_macro2::Delimiter;
 
-/// Properties that a shape may have.
-fn properties(shape: Shape) -> &'static [&'static str] {
-    match shape {
-        Shape::Body => &["mass", "inertia"],
-        Shape::Rod => &["mass", "length", "inertia"],
-        Shape::Disk => &["mass", "radius", "inertia"],
-        Shape::Box => &["mass", "width", "height", "inertia"],
-        Shape::Particle => &["mass"],
+/// Properties of one value that a shape may have.
+fn properties(shape: Shape, space: Space) -> &'static [&'static str] {
+    match (shape, space) {
+        (Shape::Body, Space::Planar) => &["mass", "inertia"],
+        (Shape::Rod, Space::Planar) => &["mass", "length", "inertia"],
+        (Shape::Disk, Space::Planar) => &["mass", "radius", "inertia"],
+        (Shape::Box, Space::Planar) => &["mass", "width", "height", "inertia"],
+        (Shape::Particle, _) | (Shape::Body, Space::Spatial) => &["mass"],
+        (Shape::Rod | Shape::Cylinder, _) => &["mass", "density", "length", "radius"],
+        (Shape::Disk, Space::Spatial) => &["mass", "radius"],
+        (Shape::Sphere, _) => &["mass", "density", "radius"],
+        (Shape::Box, Space::Spatial) => &["mass", "density"],
+    }
+}
+
+/// Properties of three values that a shape may have.
+fn vectors(shape: Shape, space: Space) -> &'static [&'static str] {
+    match (shape, space) {
+        (_, Space::Planar) | (Shape::Particle, _) => &[],
+        (Shape::Box, Space::Spatial) => &["size", "inertia", "products", "inertia_axes"],
+        _ => &["inertia", "products", "inertia_axes"],
     }
 }
 
@@ -22,8 +35,17 @@ impl Parser {
     pub fn body(&mut self, c: &mut Cursor, shape: Shape) -> Parsed<()> {
         let name = self.declared(c, "the name of the body")?;
         let mut inside = self.group(c, Delimiter::Brace)?;
-        let mut body =
-            Body { name, shape, properties: Vec::new(), center: None, points: Vec::new(), lines: Vec::new() };
+        let mut body = Body {
+            name,
+            shape,
+            properties: Vec::new(),
+            vectors: Vec::new(),
+            inertia_axes: None,
+            center: None,
+            points: Vec::new(),
+            markers: Vec::new(),
+            lines: Vec::new(),
+        };
         while !inside.is_done() {
             let before = inside.clone();
             if self.property(&mut inside, &mut body).is_err() {
@@ -37,17 +59,17 @@ impl Parser {
 
     fn property(&mut self, c: &mut Cursor, body: &mut Body) -> Parsed<()> {
         self.attributes(c)?;
-        let shape = body.shape;
-        let allowed = properties(shape);
+        let (shape, space) = (body.shape, self.definition.space);
+        let (allowed, vectors) = (properties(shape, space), vectors(shape, space));
         match c.word() {
-            Some("point" | "line") if shape == Shape::Particle => {
+            Some("point" | "line" | "marker") if shape == Shape::Particle => {
                 self.fail(c.region(), messages::particle_with_places(&body.name.text))
             }
             Some("point") => {
                 c.advance();
                 let (name, unit) = self.declared_with_unit(c, "the name of the point")?;
                 self.punct(c, '=')?;
-                let pair = self.pair(c, unit)?;
+                let pair = self.vector(c, unit)?;
                 self.semicolon(c)?;
                 body.points.push((name, pair));
                 Ok(())
@@ -58,6 +80,12 @@ impl Parser {
                 body.lines.push(line);
                 Ok(())
             }
+            Some("marker") => {
+                c.advance();
+                let marker = self.marker(c)?;
+                body.markers.push(marker);
+                Ok(())
+            }
             Some("center") if shape != Shape::Body => {
                 self.fail(c.region(), messages::center_of_shape(shape.text()))
             }
@@ -65,7 +93,7 @@ impl Parser {
                 let label = self.word(c, "`center`")?;
                 let unit = self.unit(c)?;
                 self.punct(c, '=')?;
-                let pair = self.pair(c, unit)?;
+                let pair = self.vector(c, unit)?;
                 self.semicolon(c)?;
                 if let Some((first, _)) = &body.center {
                     let message = messages::property_twice("center", &body.name.text);
@@ -92,11 +120,78 @@ impl Parser {
                 body.properties.push((label, entry));
                 Ok(())
             }
+            Some("inertia_axes") if vectors.contains(&"inertia_axes") => {
+                c.advance();
+                self.punct(c, '=')?;
+                body.inertia_axes = Some(self.declared(c, "the name of a marker of this body")?);
+                self.semicolon(c)
+            }
+            Some(word) if vectors.contains(&word) => {
+                let label = self.word(c, "a property")?;
+                let unit = self.unit(c)?;
+                self.punct(c, '=')?;
+                let tuple = self.vector(c, unit)?;
+                self.semicolon(c)?;
+                if let Some((first, _)) = body.vector(&label.text) {
+                    let message = messages::property_twice(&label.text, &body.name.text);
+                    let note = messages::first_here(&label.text);
+                    self.diagnostics.conflict(label.region, message, first.region, note);
+                }
+                body.vectors.push((label, tuple));
+                Ok(())
+            }
             Some(word) => {
-                let message = messages::unknown_property(shape.text(), word, allowed);
+                let allowed: Vec<&str> = allowed.iter().chain(vectors).copied().collect();
+                let message = messages::unknown_property(shape.text(), word, &allowed);
                 self.fail(c.region(), message)
             }
             None => self.expected(c, "a property of the body"),
         }
+    }
+
+    /// `name [unit] = (x, y, z), axis = (…), reference = (…);` or `…, about_x [deg] = 90, …;` after the word `marker`.
+    pub fn marker(&mut self, c: &mut Cursor) -> Parsed<Marker> {
+        const DIRECTIONS: [&str; 2] = ["axis", "reference"];
+        const ANGLES: [&str; 3] = ["about_x", "about_y", "about_z"];
+        if self.definition.space == Space::Planar {
+            return self.fail(c.previous(), messages::only_in_space("marker"));
+        }
+        let (name, unit) = self.declared_with_unit(c, "the name of the marker")?;
+        self.punct(c, '=')?;
+        let at = self.vector(c, unit)?;
+        let mut axes: Vec<(Label, MarkerAxes)> = Vec::new();
+        while c.eat_punct(',') {
+            let label = self.word(c, "`axis`, `reference`, `about_x`, `about_y` or `about_z`")?;
+            let unit = self.unit(c)?;
+            let angular = ANGLES.contains(&label.text.as_str());
+            if !angular && !DIRECTIONS.contains(&label.text.as_str()) {
+                let known: Vec<&str> = DIRECTIONS.into_iter().chain(ANGLES).collect();
+                return self.fail(label.region, messages::unknown_argument("marker", &label.text, &known));
+            }
+            let mixed = axes.iter().any(|(_, other)| matches!(other, MarkerAxes::Angle(_)) != angular);
+            if mixed {
+                return self.fail(label.region, messages::marker_axes_mixed());
+            }
+            if let Some((first, _)) = axes.iter().find(|(first, _)| !angular && first.text == label.text) {
+                let message = messages::property_twice(&label.text, &name.text);
+                let note = messages::first_here(&label.text);
+                self.diagnostics.conflict(label.region, message, first.region, note);
+                return Err(Failed);
+            }
+            let given = if angular {
+                MarkerAxes::Angle(self.entry(c, unit)?)
+            } else {
+                self.punct(c, '=')?;
+                MarkerAxes::Direction(self.vector(c, unit)?)
+            };
+            axes.push((label, given));
+        }
+        if let [(label, MarkerAxes::Direction(_))] = axes.as_slice()
+            && label.text == "reference"
+        {
+            return self.fail(label.region, messages::reference_without_axis());
+        }
+        self.semicolon(c)?;
+        Ok(Marker { name, at, axes })
     }
 }

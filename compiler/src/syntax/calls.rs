@@ -3,7 +3,8 @@
 //! A table says which arguments each kind takes; what the places are is left to `model`.
 
 use super::definition::{
-    Constraint, ConstraintTerm, Entry, Joint, JointTerm, Label, LineTerm, Load, LoadTerm, Pair, PlaceTerm,
+    Constraint, ConstraintTerm, Entry, FirstTerm, Joint, JointWord, Label, LineTerm, Load, LoadTerm, PlaceTerm,
+    Space, Tuple,
 };
 use super::expression::is_call;
 use super::parser::{Failed, Parsed, Parser};
@@ -29,16 +30,30 @@ struct Form {
     named: &'static [(&'static str, bool)],
 }
 
+const PLACES: &[Kind] = &[Kind::Place, Kind::Place];
+
 const JOINTS: [Form; 5] = [
-    Form { word: "fixed", positional: &[Kind::Place, Kind::Place], named: &[("angle", false)] },
-    Form { word: "revolute", positional: &[Kind::Place, Kind::Place], named: &[] },
-    Form {
-        word: "prismatic",
-        positional: &[Kind::Place, Kind::Place],
-        named: &[("axis", true), ("angle", false)],
-    },
+    Form { word: "fixed", positional: PLACES, named: &[("angle", false)] },
+    Form { word: "revolute", positional: PLACES, named: &[] },
+    Form { word: "prismatic", positional: PLACES, named: &[("axis", true), ("angle", false)] },
     Form { word: "point_on_line", positional: &[Kind::Line, Kind::Place], named: &[] },
-    Form { word: "distance", positional: &[Kind::Place, Kind::Place], named: &[("length", true)] },
+    Form { word: "distance", positional: PLACES, named: &[("length", true)] },
+];
+
+/// Whether an axis must be written depends on whether a place has one: that is left to `model`.
+const SPATIAL_JOINTS: [Form; 12] = [
+    Form { word: "fixed", positional: PLACES, named: &[] },
+    Form { word: "revolute", positional: PLACES, named: &[("axis", false)] },
+    Form { word: "prismatic", positional: PLACES, named: &[("axis", false)] },
+    Form { word: "cylindrical", positional: PLACES, named: &[("axis", false)] },
+    Form { word: "screw", positional: PLACES, named: &[("axis", false), ("pitch", true)] },
+    Form { word: "universal", positional: PLACES, named: &[("axis", true), ("second_axis", true)] },
+    Form { word: "spherical", positional: PLACES, named: &[] },
+    Form { word: "planar", positional: PLACES, named: &[("axis", false)] },
+    Form { word: "constant_velocity", positional: PLACES, named: &[("axis", false)] },
+    Form { word: "point_on_line", positional: &[Kind::Line, Kind::Place], named: &[] },
+    Form { word: "point_on_plane", positional: PLACES, named: &[("axis", false)] },
+    Form { word: "distance", positional: PLACES, named: &[("length", true)] },
 ];
 
 const COUPLINGS: [Form; 2] = [
@@ -77,7 +92,7 @@ struct Arguments {
     lines: Vec<LineTerm>,
     rotors: Vec<Label>,
     entries: Vec<(Label, Entry)>,
-    pairs: Vec<(Label, Pair)>,
+    tuples: Vec<(Label, Tuple)>,
 }
 
 impl Arguments {
@@ -98,8 +113,9 @@ impl Arguments {
         self.entry(name).ok_or(Failed)
     }
 
-    fn pair(&mut self) -> Option<Pair> {
-        self.pairs.pop().map(|(_, pair)| pair)
+    fn tuple(&mut self, name: &str) -> Option<Tuple> {
+        let index = self.tuples.iter().position(|(label, _)| label.text == name)?;
+        Some(self.tuples.remove(index).1)
     }
 }
 
@@ -108,21 +124,29 @@ impl Parser {
     pub fn joint(&mut self, c: &mut Cursor) -> Parsed<()> {
         let name = self.declared(c, "the name of the joint")?;
         self.punct(c, ':')?;
-        let (form, mut arguments) = self.call_of(c, &JOINTS, "joint")?;
+        let forms = match self.definition.space {
+            Space::Planar => JOINTS.as_slice(),
+            Space::Spatial => SPATIAL_JOINTS.as_slice(),
+        };
+        let (form, mut arguments) = self.call_of(c, forms, "joint")?;
         self.semicolon(c)?;
-        let kind = match form.word {
-            "point_on_line" => JointTerm::PointOnLine { line: arguments.lines.pop().ok_or(Failed)? },
-            "fixed" => JointTerm::Fixed { first: arguments.place()?, angle: arguments.entry("angle") },
-            "revolute" => JointTerm::Revolute { first: arguments.place()? },
-            "prismatic" => JointTerm::Prismatic {
-                first: arguments.place()?,
-                axis: arguments.pair().ok_or(Failed)?,
-                angle: arguments.entry("angle"),
-            },
-            _ => JointTerm::Distance { first: arguments.place()?, length: arguments.required("length")? },
+        let kind = JointWord::ALL.into_iter().find(|kind| kind.text() == form.word).ok_or(Failed)?;
+        let first = match arguments.lines.pop() {
+            Some(line) => FirstTerm::Line(line),
+            None => FirstTerm::Place(arguments.place()?),
         };
         let second = arguments.place()?;
-        self.definition.joints.push(Joint { name, kind, second });
+        self.definition.joints.push(Joint {
+            name,
+            kind,
+            first,
+            second,
+            axis: arguments.tuple("axis"),
+            second_axis: arguments.tuple("second_axis"),
+            angle: arguments.entry("angle"),
+            length: arguments.entry("length"),
+            pitch: arguments.entry("pitch"),
+        });
         Ok(())
     }
 
@@ -191,12 +215,20 @@ impl Parser {
         let kind = match form.word {
             "force" => {
                 let place = arguments.place()?;
-                match arguments.pair() {
+                match arguments.tuple("direction") {
                     Some(direction) => LoadTerm::Force { place, direction, value: self.expression(c)? },
                     None => LoadTerm::Components { place, components: self.components(c)? },
                 }
             }
-            "torque" => LoadTerm::Torque { on: arguments.rotor()?, value: self.expression(c)? },
+            "torque" => {
+                let on = arguments.rotor()?;
+                let several = c.inside(Delimiter::Parenthesis).is_some_and(|inside| inside.has_comma());
+                if several && self.definition.space == Space::Spatial {
+                    LoadTerm::BodyTorque { on, components: self.vector(c, None)? }
+                } else {
+                    LoadTerm::Torque { on, value: self.expression(c)? }
+                }
+            }
             "spring" => LoadTerm::Spring {
                 first: arguments.place()?,
                 second: arguments.place()?,
@@ -222,10 +254,10 @@ impl Parser {
     }
 
     /// `(fx, fy)`, the law of a force without a direction.
-    fn components(&mut self, c: &mut Cursor) -> Parsed<Pair> {
+    fn components(&mut self, c: &mut Cursor) -> Parsed<Tuple> {
         match c.inside(Delimiter::Parenthesis) {
-            Some(inside) if inside.has_comma() => self.pair(c, None),
-            _ => self.fail(c.region(), messages::force_without_direction()),
+            Some(inside) if inside.has_comma() => self.vector(c, None),
+            _ => self.fail(c.region(), messages::force_without_direction(self.definition.space)),
         }
     }
 
@@ -239,7 +271,7 @@ impl Parser {
         let kind = self.word(c, &format!("the kind of the {what}"))?;
         let Some(form) = forms.iter().find(|form| form.word == kind.text) else {
             let words: Vec<&str> = forms.iter().map(|form| form.word).collect();
-            return self.fail(kind.region, messages::unknown_kind(what, &kind.text, &words));
+            return self.fail(kind.region, messages::unknown_kind(what, &kind.text, &words, self.definition.space));
         };
         let mut inside = self.group(c, Delimiter::Parenthesis)?;
         let region = kind.region.to(c.previous());
@@ -252,9 +284,9 @@ impl Parser {
         }
         for (name, _) in form.named.iter().filter(|(_, required)| *required) {
             let given = arguments.entries.iter().any(|(label, _)| label.text == *name)
-                || arguments.pairs.iter().any(|(label, _)| label.text == *name);
+                || arguments.tuples.iter().any(|(label, _)| label.text == *name);
             if !given {
-                return self.fail(region, messages::missing_argument(form.word, name));
+                return self.fail(region, messages::missing_argument(form.word, name, self.definition.space));
             }
         }
         Ok((form, arguments))
@@ -321,7 +353,7 @@ impl Parser {
             return self.fail(label.region, message);
         }
         let earlier = arguments.entries.iter().map(|(label, _)| label);
-        let earlier = earlier.chain(arguments.pairs.iter().map(|(label, _)| label));
+        let earlier = earlier.chain(arguments.tuples.iter().map(|(label, _)| label));
         if let Some(first) = earlier.into_iter().find(|first| first.text == label.text) {
             let message = messages::property_twice(&label.text, form.word);
             let note = messages::first_here(&label.text);
@@ -329,10 +361,10 @@ impl Parser {
             return Err(Failed);
         }
         let unit = self.unit(c)?;
-        if matches!(label.text.as_str(), "axis" | "direction") {
+        if matches!(label.text.as_str(), "axis" | "second_axis" | "direction") {
             self.punct(c, '=')?;
-            let pair = self.pair(c, unit)?;
-            arguments.pairs.push((label, pair));
+            let tuple = self.vector(c, unit)?;
+            arguments.tuples.push((label, tuple));
         } else {
             let entry = self.entry(c, unit)?;
             arguments.entries.push((label, entry));

@@ -5,9 +5,35 @@ use crate::diagnostics::Region;
 use crate::units::Unit;
 use proc_macro2::TokenStream;
 
-/// One `planar Name { … }`.
+/// In how many dimensions a mechanism moves.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Space {
+    Planar,
+    Spatial,
+}
+
+impl Space {
+    /// As written.
+    pub fn text(self) -> &'static str {
+        match self {
+            Self::Planar => "planar",
+            Self::Spatial => "spatial",
+        }
+    }
+
+    /// Components of a vector.
+    pub fn dimensions(self) -> usize {
+        match self {
+            Self::Planar => 2,
+            Self::Spatial => 3,
+        }
+    }
+}
+
+/// One `planar Name { … }` or `spatial Name { … }`.
 #[derive(Clone, Debug)]
 pub struct Definition {
+    pub space: Space,
     pub name: Label,
     /// `pub`, `pub(crate)` or nothing.
     pub visibility: TokenStream,
@@ -16,15 +42,19 @@ pub struct Definition {
     pub constants: Vec<Constant>,
     pub parameters: Vec<Parameter>,
     pub inputs: Vec<Input>,
-    pub gravity: Option<Pair>,
+    pub gravity: Option<Tuple>,
     pub bodies: Vec<Body>,
     /// Lines of the ground.
     pub lines: Vec<Line>,
+    /// Markers of the ground.
+    pub markers: Vec<Marker>,
     pub joints: Vec<Joint>,
     pub constraints: Vec<Constraint>,
     pub drivers: Vec<Driver>,
     pub loads: Vec<Load>,
     pub start: Vec<StartEntry>,
+    /// Orientations that `start` states.
+    pub orientations: Vec<OrientationEntry>,
     pub options: Vec<OptionEntry>,
     pub expect: Vec<ExpectEntry>,
     pub outputs: Vec<Output>,
@@ -129,11 +159,11 @@ pub struct Entry {
     pub value: Term,
 }
 
-/// Two values beside the unit of both.
+/// Values in parentheses beside the unit of all: a vector of the plane or of space, or a quaternion.
 #[derive(Clone, Debug)]
-pub struct Pair {
+pub struct Tuple {
     pub unit: Option<WrittenUnit>,
-    pub values: [Term; 2],
+    pub values: Vec<Term>,
     pub region: Region,
 }
 
@@ -142,7 +172,7 @@ pub struct Pair {
 pub struct Ground {
     /// `ground(0, 0.2)`, without its unit.
     pub text: String,
-    pub at: [Term; 2],
+    pub at: Vec<Term>,
     pub unit: Option<WrittenUnit>,
     pub region: Region,
 }
@@ -195,6 +225,8 @@ pub enum Shape {
     Rod,
     Disk,
     Box,
+    Sphere,
+    Cylinder,
     Particle,
 }
 
@@ -206,6 +238,8 @@ impl Shape {
             Self::Rod => "rod",
             Self::Disk => "disk",
             Self::Box => "box",
+            Self::Sphere => "sphere",
+            Self::Cylinder => "cylinder",
             Self::Particle => "particle",
         }
     }
@@ -216,10 +250,15 @@ impl Shape {
 pub struct Body {
     pub name: Label,
     pub shape: Shape,
-    /// `mass`, `inertia`, `length`, `radius`, `width`, `height`: those written.
+    /// `mass`, `density`, `inertia` in the plane, `length`, `radius`, `width`, `height`: those written.
     pub properties: Vec<(Label, Entry)>,
-    pub center: Option<(Label, Pair)>,
-    pub points: Vec<(Label, Pair)>,
+    /// In space: `inertia`, `products`, `size`: those written.
+    pub vectors: Vec<(Label, Tuple)>,
+    /// The marker in whose axes the inertia is given.
+    pub inertia_axes: Option<Label>,
+    pub center: Option<(Label, Tuple)>,
+    pub points: Vec<(Label, Tuple)>,
+    pub markers: Vec<Marker>,
     pub lines: Vec<Line>,
 }
 
@@ -228,6 +267,27 @@ impl Body {
     pub fn property(&self, name: &str) -> Option<&(Label, Entry)> {
         self.properties.iter().find(|(label, _)| label.text == name)
     }
+
+    /// A property with several values that was written.
+    pub fn vector(&self, name: &str) -> Option<&(Label, Tuple)> {
+        self.vectors.iter().find(|(label, _)| label.text == name)
+    }
+}
+
+/// `marker hip [m] = (0, 0.1, 0), axis = (0, 1, 0), reference = (1, 0, 0);`: a place with axes of its own.
+#[derive(Clone, Debug)]
+pub struct Marker {
+    pub name: Label,
+    pub at: Tuple,
+    /// `axis`, `reference`, `about_x`, `about_y`, `about_z`, in the order written.
+    pub axes: Vec<(Label, MarkerAxes)>,
+}
+
+/// How the axes of a marker are given.
+#[derive(Clone, Debug)]
+pub enum MarkerAxes {
+    Direction(Tuple),
+    Angle(Entry),
 }
 
 /// `line slot = (guide.pivot, guide.tip);`
@@ -261,19 +321,99 @@ impl LineTerm {
 #[derive(Clone, Debug)]
 pub struct Joint {
     pub name: Label,
-    pub kind: JointTerm,
+    pub kind: JointWord,
+    pub first: FirstTerm,
     pub second: PlaceTerm,
+    pub axis: Option<Tuple>,
+    pub second_axis: Option<Tuple>,
+    pub angle: Option<Entry>,
+    pub length: Option<Entry>,
+    pub pitch: Option<Entry>,
 }
 
-/// The kinds of joints with what only they have; the first place among it.
+/// What a joint's first argument is.
 #[derive(Clone, Debug)]
-#[expect(clippy::large_enum_variant, reason = "there are few of them, and each lives in one vector")]
-pub enum JointTerm {
-    Fixed { first: PlaceTerm, angle: Option<Entry> },
-    Revolute { first: PlaceTerm },
-    Prismatic { first: PlaceTerm, axis: Pair, angle: Option<Entry> },
-    PointOnLine { line: LineTerm },
-    Distance { first: PlaceTerm, length: Entry },
+pub enum FirstTerm {
+    Place(PlaceTerm),
+    Line(LineTerm),
+}
+
+/// The kinds of joints.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum JointWord {
+    Fixed,
+    Revolute,
+    Prismatic,
+    Cylindrical,
+    Screw,
+    Universal,
+    Spherical,
+    Planar,
+    ConstantVelocity,
+    PointOnLine,
+    PointOnPlane,
+    Distance,
+}
+
+impl JointWord {
+    pub const ALL: [JointWord; 12] = [
+        Self::Fixed,
+        Self::Revolute,
+        Self::Prismatic,
+        Self::Cylindrical,
+        Self::Screw,
+        Self::Universal,
+        Self::Spherical,
+        Self::Planar,
+        Self::ConstantVelocity,
+        Self::PointOnLine,
+        Self::PointOnPlane,
+        Self::Distance,
+    ];
+
+    /// As written.
+    pub fn text(self) -> &'static str {
+        match self {
+            Self::Fixed => "fixed",
+            Self::Revolute => "revolute",
+            Self::Prismatic => "prismatic",
+            Self::Cylindrical => "cylindrical",
+            Self::Screw => "screw",
+            Self::Universal => "universal",
+            Self::Spherical => "spherical",
+            Self::Planar => "planar",
+            Self::ConstantVelocity => "constant_velocity",
+            Self::PointOnLine => "point_on_line",
+            Self::PointOnPlane => "point_on_plane",
+            Self::Distance => "distance",
+        }
+    }
+
+    /// Names of its coordinates and of their rates, angles first.
+    pub fn coordinates(self, space: Space) -> JointCoordinates {
+        const ANGLE: &[[&str; 2]] = &[["angle", "rate"]];
+        const TRAVEL: &[[&str; 2]] = &[["travel", "speed"]];
+        let (angles, travels): (&[[&str; 2]], &[[&str; 2]]) = match self {
+            Self::Revolute => (ANGLE, &[]),
+            Self::Prismatic => (&[], TRAVEL),
+            Self::Cylindrical | Self::Screw => (ANGLE, TRAVEL),
+            Self::Universal => (&[["angle_1", "rate_1"], ["angle_2", "rate_2"]], &[]),
+            Self::Planar => (ANGLE, &[["travel_1", "speed_1"], ["travel_2", "speed_2"]]),
+            Self::PointOnLine if space == Space::Planar => (ANGLE, TRAVEL),
+            Self::PointOnLine => (&[], TRAVEL),
+            Self::Fixed | Self::Spherical | Self::ConstantVelocity | Self::PointOnPlane | Self::Distance => {
+                (&[], &[])
+            }
+        };
+        JointCoordinates { angles, travels }
+    }
+}
+
+/// Names of the coordinates of a joint: [coordinate, its rate].
+#[derive(Clone, Copy, Debug)]
+pub struct JointCoordinates {
+    pub angles: &'static [[&'static str; 2]],
+    pub travels: &'static [[&'static str; 2]],
 }
 
 /// `constraint name: …;`
@@ -311,16 +451,21 @@ pub struct Load {
 pub enum LoadTerm {
     Force {
         place: PlaceTerm,
-        direction: Pair,
+        direction: Tuple,
         value: Term,
     },
     Components {
         place: PlaceTerm,
-        components: Pair,
+        components: Tuple,
     },
     Torque {
         on: Label,
         value: Term,
+    },
+    /// On a body in space, world axes.
+    BodyTorque {
+        on: Label,
+        components: Tuple,
     },
     Spring {
         first: PlaceTerm,
@@ -351,12 +496,20 @@ pub struct StartEntry {
     pub entry: Entry,
 }
 
+/// `top.orientation = (1, 0, 0, 0);` or `~` for a guess: a unit quaternion, scalar first.
+#[derive(Clone, Debug)]
+pub struct OrientationEntry {
+    pub quantity: Path,
+    pub exact: bool,
+    pub value: Tuple,
+}
+
 /// One line of `options { … }`.
 #[derive(Clone, Debug)]
 pub enum OptionEntry {
     /// `absolute`, `tree` or `auto`.
     Coordinates(Label),
-    /// `refuse`.
+    /// `refuse` or `drop`.
     Redundant(Label),
     Cut(Vec<Label>),
     Independent(Vec<Path>),

@@ -8,7 +8,7 @@ pub fn definition_json(definition: &Definition) -> String {
     let mut w = Writer { text: String::new() };
     w.object(|w| {
         w.key("linkwright").raw("1");
-        w.key("kind").string("planar");
+        w.key("kind").string(definition.space.text());
         w.key("name").string(&definition.name.text);
         w.key("constants").list(&definition.constants, |w, constant| {
             w.named_entry(&constant.name, &constant.entry);
@@ -23,8 +23,11 @@ pub fn definition_json(definition: &Definition) -> String {
             w.key("name").string(&input.name.text);
             w.key("unit").unit(input.unit.as_ref(), Some("1"));
         });
-        w.key("gravity").optional(definition.gravity.as_ref(), |w, pair| w.pair(pair, None));
-        w.key("bodies").list(&definition.bodies, Writer::body);
+        w.key("gravity").optional(definition.gravity.as_ref(), |w, tuple| w.tuple(tuple, None));
+        if definition.space == Space::Spatial {
+            w.key("markers").list(&definition.markers, Writer::marker);
+        }
+        w.key("bodies").list(&definition.bodies, |w, body| w.body(body, definition.space));
         w.key("joints").list(&definition.joints, |w, joint| w.joint(joint, definition));
         w.key("constraints").list(&definition.constraints, Writer::constraint);
         w.key("drivers").list(&definition.drivers, |w, driver| {
@@ -41,6 +44,13 @@ pub fn definition_json(definition: &Definition) -> String {
             w.key("exact").raw(if start.exact { "true" } else { "false" });
             w.entry_fields(&start.entry);
         });
+        if definition.space == Space::Spatial {
+            w.key("orientations").list(&definition.orientations, |w, start| {
+                w.key("quantity").name(&start.quantity.text);
+                w.key("exact").raw(if start.exact { "true" } else { "false" });
+                w.tuple_fields(&start.value, None);
+            });
+        }
         w.key("outputs").list(&definition.outputs, |w, output| w.named_entry(&output.name, &output.entry));
         w.key("options").object(|w| definition.options.iter().for_each(|option| w.option(option)));
         w.key("expect").object(|w| w.expectations(&definition.expect));
@@ -147,13 +157,20 @@ impl Writer {
         self.key("value").term(&entry.value);
     }
 
-    fn pair_fields(&mut self, pair: &Pair, default: Option<&str>) {
-        self.key("unit").unit(pair.unit.as_ref(), default);
-        self.key("value").array(&pair.values, Self::term);
+    fn tuple_fields(&mut self, tuple: &Tuple, default: Option<&str>) {
+        self.key("unit").unit(tuple.unit.as_ref(), default);
+        self.key("value").array(&tuple.values, Self::term);
     }
 
-    fn pair(&mut self, pair: &Pair, default: Option<&str>) {
-        self.object(|w| w.pair_fields(pair, default));
+    fn tuple(&mut self, tuple: &Tuple, default: Option<&str>) {
+        self.object(|w| w.tuple_fields(tuple, default));
+    }
+
+    /// Present only if it was written.
+    fn tuple_if(&mut self, key: &str, tuple: Option<&Tuple>, default: Option<&str>) {
+        if let Some(tuple) = tuple {
+            self.key(key).tuple(tuple, default);
+        }
     }
 
     fn place(&mut self, place: &PlaceTerm) {
@@ -195,7 +212,19 @@ impl Writer {
         }
     }
 
-    fn body(&mut self, body: &Body) {
+    fn marker(&mut self, marker: &Marker) {
+        self.key("name").string(&marker.name.text);
+        self.tuple_fields(&marker.at, None);
+        self.key("axes").list(&marker.axes, |w, (label, axes)| {
+            w.key("key").string(&label.text);
+            match axes {
+                MarkerAxes::Direction(tuple) => w.tuple_fields(tuple, None),
+                MarkerAxes::Angle(entry) => w.entry_fields(entry),
+            }
+        });
+    }
+
+    fn body(&mut self, body: &Body, space: Space) {
         self.key("name").string(&body.name.text);
         self.key("kind").string(body.shape.text());
         self.key("properties").object(|w| {
@@ -203,10 +232,19 @@ impl Writer {
                 w.key(&label.text).entry(entry);
             }
         });
-        self.key("center").optional(body.center.as_ref(), |w, (_, pair)| w.pair(pair, None));
-        self.key("points").list(&body.points, |w, (label, pair)| {
+        if space == Space::Spatial {
+            self.key("vectors").object(|w| {
+                for (label, tuple) in &body.vectors {
+                    w.key(&label.text).tuple(tuple, None);
+                }
+            });
+            self.key("inertia_axes").optional(body.inertia_axes.as_ref(), |w, label| w.string(&label.text));
+            self.key("markers").list(&body.markers, Self::marker);
+        }
+        self.key("center").optional(body.center.as_ref(), |w, (_, tuple)| w.tuple(tuple, None));
+        self.key("points").list(&body.points, |w, (label, tuple)| {
             w.key("name").string(&label.text);
-            w.pair_fields(pair, None);
+            w.tuple_fields(tuple, None);
         });
         self.key("lines").list(&body.lines, |w, line| {
             w.key("name").string(&line.name.text);
@@ -216,31 +254,19 @@ impl Writer {
     }
 
     fn joint(&mut self, joint: &Joint, definition: &Definition) {
-        let (kind, first) = match &joint.kind {
-            JointTerm::Fixed { first, .. } => ("fixed", Some(first)),
-            JointTerm::Revolute { first } => ("revolute", Some(first)),
-            JointTerm::Prismatic { first, .. } => ("prismatic", Some(first)),
-            JointTerm::PointOnLine { .. } => ("point_on_line", None),
-            JointTerm::Distance { first, .. } => ("distance", Some(first)),
-        };
         self.key("name").string(&joint.name.text);
-        self.key("kind").string(kind);
+        self.key("kind").string(joint.kind.text());
         self.key("first");
-        match (&joint.kind, first) {
-            (JointTerm::PointOnLine { line }, _) => self.line(line, definition),
-            (_, Some(first)) => self.place(first),
-            (_, None) => self.raw("null"),
+        match &joint.first {
+            FirstTerm::Line(line) => self.line(line, definition),
+            FirstTerm::Place(place) => self.place(place),
         }
         self.key("second").place(&joint.second);
-        match &joint.kind {
-            JointTerm::Prismatic { axis, angle, .. } => {
-                self.key("axis").pair(axis, Some("1"));
-                self.entry_if("angle", angle.as_ref());
-            }
-            JointTerm::Fixed { angle, .. } => self.entry_if("angle", angle.as_ref()),
-            JointTerm::Distance { length, .. } => self.key("length").entry(length),
-            JointTerm::Revolute { .. } | JointTerm::PointOnLine { .. } => {}
-        }
+        self.tuple_if("axis", joint.axis.as_ref(), Some("1"));
+        self.tuple_if("second_axis", joint.second_axis.as_ref(), Some("1"));
+        self.entry_if("angle", joint.angle.as_ref());
+        self.entry_if("length", joint.length.as_ref());
+        self.entry_if("pitch", joint.pitch.as_ref());
     }
 
     /// A line of the ground is written out, as only bodies carry lines in the file.
@@ -307,6 +333,11 @@ impl Writer {
                 self.key("on").string(&on.text);
                 self.key("value").term(value);
             }
+            LoadTerm::BodyTorque { on, components } => {
+                self.key("kind").string("torque");
+                self.key("on").string(&on.text);
+                self.key("components").array(&components.values, |w, value| w.with_unit(value, components));
+            }
             LoadTerm::Spring { first, second, stiffness, length, damping } => {
                 self.key("kind").string("spring");
                 self.key("first").place(first);
@@ -331,9 +362,9 @@ impl Writer {
         }
     }
 
-    /// A component whose unit stands behind the pair.
-    fn with_unit(&mut self, value: &Term, pair: &Pair) {
-        match &pair.unit {
+    /// A component whose unit stands behind the tuple.
+    fn with_unit(&mut self, value: &Term, tuple: &Tuple) {
+        match &tuple.unit {
             Some(unit) => self.object(|w| {
                 w.key("value").term(value);
                 w.key("unit").string(&unit.unit.text);

@@ -6,7 +6,7 @@
 //! ```
 //! Rust's own expression grammar gives `^`, `[…]`, `if` and `box` other meanings, so it is of no use here.
 
-use super::definition::{Entry, Ground, Operator, Pair, Path, PlaceTerm, Term, TermKind};
+use super::definition::{Entry, Ground, Operator, Path, PlaceTerm, Term, TermKind, Tuple};
 use super::parser::{Parsed, Parser};
 use super::token::{Cursor, DEEPEST, Kind};
 use crate::diagnostics::Region;
@@ -179,7 +179,7 @@ impl Parser {
     fn call(&mut self, c: &mut Cursor) -> Parsed<Term> {
         if c.at_word("ground") {
             let ground = self.ground(c)?;
-            let (region, height) = (ground.region, 1 + ground.at[0].height.max(ground.at[1].height));
+            let (region, height) = (ground.region, 1 + ground.at.iter().map(|term| term.height).max().unwrap_or(0));
             return Ok(Term { kind: TermKind::Ground(Box::new(ground)), region, height });
         }
         let function = self.word(c, "a function")?;
@@ -224,13 +224,25 @@ impl Parser {
         Ok(Entry { unit, value: self.expression(c)? })
     }
 
-    /// `(x, y)`, with the unit behind it unless one stands beside the name.
-    pub fn pair(&mut self, c: &mut Cursor, unit: Option<super::definition::WrittenUnit>) -> Parsed<Pair> {
+    /// A vector `(x, y)` or `(x, y, z)`, with the unit behind it unless one stands beside the name.
+    pub fn vector(&mut self, c: &mut Cursor, unit: Option<super::definition::WrittenUnit>) -> Parsed<Tuple> {
+        let example = ["`(x, y)`", "`(x, y, z)`"][self.definition.space.dimensions() - 2];
+        self.tuple(c, unit, self.definition.space.dimensions(), example)
+    }
+
+    /// So many values in parentheses, with the unit behind them unless one stands beside the name.
+    pub fn tuple(
+        &mut self,
+        c: &mut Cursor,
+        unit: Option<super::definition::WrittenUnit>,
+        count: usize,
+        example: &str,
+    ) -> Parsed<Tuple> {
         let mut region = c.region();
         let Some(inside) = c.enter(Delimiter::Parenthesis) else {
-            return self.expected(c, "`(x, y)`");
+            return self.expected(c, example);
         };
-        let values = self.two(inside)?;
+        let values = self.values(inside, count)?;
         let behind = self.unit(c)?;
         if behind.is_some() {
             region = region.to(c.previous());
@@ -238,19 +250,24 @@ impl Parser {
         if let (Some(_), Some(second)) = (&unit, &behind) {
             return self.fail(second.region, messages::two_units());
         }
-        Ok(Pair { unit: unit.or(behind), values, region })
+        Ok(Tuple { unit: unit.or(behind), values, region })
     }
 
-    /// Two expressions that fill the group.
-    fn two(&mut self, mut inside: Cursor) -> Parsed<[Term; 2]> {
-        let x = self.expression(&mut inside)?;
-        if !inside.eat_punct(',') {
-            return self.expected(&inside, "`,` and a second coordinate");
+    /// So many expressions that fill the group.
+    fn values(&mut self, mut inside: Cursor, count: usize) -> Parsed<Vec<Term>> {
+        const NEXT: [&str; 3] = ["second", "third", "fourth"];
+        const COUNT: [&str; 5] = ["no", "one", "two", "three", "four"];
+        let mut values = vec![self.expression(&mut inside)?];
+        while values.len() < count {
+            if !inside.eat_punct(',') {
+                let what = format!("`,` and a {} coordinate", NEXT[values.len() - 1]);
+                return self.expected(&inside, &what);
+            }
+            values.push(self.expression(&mut inside)?);
         }
-        let y = self.expression(&mut inside)?;
         inside.eat_punct(',');
-        self.end(&inside, "`)` after two coordinates")?;
-        Ok([x, y])
+        self.end(&inside, &format!("`)` after {} coordinates", COUNT[count]))?;
+        Ok(values)
     }
 
     /// `body.point` or `ground(x, y) [unit]`.
@@ -272,7 +289,7 @@ impl Parser {
         let start = self.word(c, "`ground`")?.region;
         let inside = self.group(c, Delimiter::Parenthesis)?;
         let text = format!("ground({})", inside.joined().replace(',', ", "));
-        let at = self.two(inside)?;
+        let at = self.values(inside, self.definition.space.dimensions())?;
         let unit = self.unit(c)?;
         Ok(Ground { text, at, unit, region: start.to(c.previous()) })
     }

@@ -60,6 +60,8 @@ const MOST_STATEMENTS: usize = 10_000;
 pub struct Header {
     /// `pub`, `pub(crate)` or nothing.
     pub visibility: TokenStream,
+    /// Whether it moves in space.
+    pub spatial: bool,
     /// The mechanism's name.
     pub name: proc_macro2::Ident,
     /// What is written between its braces.
@@ -135,11 +137,11 @@ pub fn header(tokens: TokenStream) -> Option<Header> {
                 TokenTree::Group(group) if group.delimiter() == Delimiter::Brace => Some(group.stream()),
                 _ => None,
             });
-            Some(Header { visibility, name, body: body.unwrap_or_default() })
+            Some(Header { visibility, spatial: kind == "spatial", name, body: body.unwrap_or_default() })
         }
         // The kind was forgotten: `pub FourBar { … }`.
         TokenTree::Group(group) if group.delimiter() == Delimiter::Brace => {
-            Some(Header { visibility, name: kind, body: group.stream() })
+            Some(Header { visibility, spatial: false, name: kind, body: group.stream() })
         }
         _ => None,
     }
@@ -147,6 +149,7 @@ pub fn header(tokens: TokenStream) -> Option<Header> {
 
 fn empty() -> Definition {
     Definition {
+        space: Space::Planar,
         name: Label { text: String::new(), region: Span::call_site().into() },
         visibility: TokenStream::new(),
         attributes: TokenStream::new(),
@@ -156,11 +159,13 @@ fn empty() -> Definition {
         gravity: None,
         bodies: Vec::new(),
         lines: Vec::new(),
+        markers: Vec::new(),
         joints: Vec::new(),
         constraints: Vec::new(),
         drivers: Vec::new(),
         loads: Vec::new(),
         start: Vec::new(),
+        orientations: Vec::new(),
         options: Vec::new(),
         expect: Vec::new(),
         outputs: Vec::new(),
@@ -182,10 +187,9 @@ impl Parser {
         }
         match c.word() {
             Some("planar") => {}
-            Some(word @ ("spatial" | "part" | "file")) => {
-                return self.fail(c.region(), messages::not_there_yet(word));
-            }
-            _ => return self.expected(c, "`planar`, the kind of the mechanism"),
+            Some("spatial") => self.definition.space = Space::Spatial,
+            Some(word @ ("part" | "file")) => return self.fail(c.region(), messages::not_there_yet(word)),
+            _ => return self.expected(c, "`planar` or `spatial`, the kind of the mechanism"),
         }
         c.advance();
         self.definition.name = self.word(c, "the name of the mechanism")?;

@@ -1,6 +1,6 @@
 //! The blocks `start`, `options` and `expect`.
 
-use super::definition::{ExpectEntry, Label, OptionEntry, Path, StartEntry};
+use super::definition::{ExpectEntry, Label, OptionEntry, OrientationEntry, Path, StartEntry};
 use super::parser::{Parsed, Parser};
 use super::token::{Cursor, Kind};
 use crate::diagnostics::Region;
@@ -20,6 +20,12 @@ impl Parser {
                 (false, true) => false,
                 _ => return parser.expected(c, "`=` (a condition) or `~` (a guess)"),
             };
+            if quantity.parts.last().is_some_and(|last| last.text == "orientation") {
+                let value = parser.tuple(c, unit, 4, "a quaternion `(w, x, y, z)`")?;
+                parser.semicolon(c)?;
+                parser.definition.orientations.push(OrientationEntry { quantity, exact, value });
+                return Ok(());
+            }
             let value = parser.expression(c)?;
             parser.semicolon(c)?;
             let entry = super::definition::Entry { unit, value };
@@ -75,10 +81,10 @@ impl Parser {
     }
 
     fn redundant(&mut self, c: &mut Cursor) -> Parsed<Label> {
-        if let Some(word @ ("drop" | "keep")) = c.word() {
+        if let Some(word @ "keep") = c.word() {
             return self.fail(c.region(), messages::not_there_yet(&format!("redundant = {word}")));
         }
-        self.choice(c, &["refuse"])
+        self.choice(c, &["refuse", "drop"])
     }
 
     /// One of a few words.

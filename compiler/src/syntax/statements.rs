@@ -1,14 +1,14 @@
 //! The statements of a mechanism, except those that look like calls (`calls`), bodies (`body`) and the blocks of
 //! conditions and options (`settings`). `repeat` reads its braces again for every round.
 
-use super::definition::{Constant, Driver, Input, Line, Output, Parameter, Shape};
+use super::definition::{Constant, Driver, Input, Line, Output, Parameter, Shape, Space};
 use super::parser::{Parsed, Parser};
 use super::token::Cursor;
 use crate::messages;
 use proc_macro2::{Delimiter, TokenStream};
 
 /// Words that begin a statement, for messages.
-const STATEMENTS: [&str; 25] = [
+const STATEMENTS: [&str; 28] = [
     "const",
     "param",
     "input",
@@ -17,7 +17,10 @@ const STATEMENTS: [&str; 25] = [
     "rod",
     "disk",
     "box",
+    "sphere",
+    "cylinder",
     "particle",
+    "marker",
     "line",
     "joint",
     "constraint",
@@ -67,6 +70,16 @@ impl Parser {
             "rod" => self.body(c, Shape::Rod),
             "disk" => self.body(c, Shape::Disk),
             "box" => self.body(c, Shape::Box),
+            "sphere" | "cylinder" if self.definition.space == Space::Planar => {
+                self.fail(at, messages::only_in_space(word))
+            }
+            "sphere" => self.body(c, Shape::Sphere),
+            "cylinder" => self.body(c, Shape::Cylinder),
+            "marker" => {
+                let marker = self.marker(c)?;
+                self.definition.markers.push(marker);
+                Ok(())
+            }
             "particle" => self.body(c, Shape::Particle),
             "line" => {
                 let line = self.line(c)?;
@@ -84,7 +97,7 @@ impl Parser {
             "expect" => self.expect(c),
             "repeat" => self.repeat(c),
             "table" | "state" | "rate" | "friction" | "contact" | "mesh" | "bushing" | "part" | "file"
-            | "beam" | "belt" | "screw" | "differential" | "sphere" | "cylinder" => {
+            | "beam" | "belt" | "screw" | "differential" => {
                 self.fail(at, messages::not_there_yet(word))
             }
             _ => self.fail(at, messages::unknown_statement(word, STATEMENTS.iter().copied())),
@@ -140,7 +153,7 @@ impl Parser {
         let word = c.previous();
         let unit = self.unit(c)?;
         self.punct(c, '=')?;
-        let pair = self.pair(c, unit)?;
+        let pair = self.vector(c, unit)?;
         self.semicolon(c)?;
         if self.definition.gravity.is_some() {
             return self.fail(word, messages::gravity_twice());

@@ -85,7 +85,7 @@ fn quick_return() {
     assert_eq!(m.joints[1].first.text, "ground(0, -0.2)");
     assert!(m.joints.iter().any(|joint| matches!(joint.kind, JointKind::Prismatic { .. })));
 
-    assert!(matches!(m.loads[0].kind, LoadKind::Torque { on: Rotor::Joint(_), torque: Expr::Input(_) }));
+    assert!(matches!(m.loads[0].kind, LoadKind::Torque { on: Rotor::Joint(..), torque: Expr::Input(_) }));
     let LoadKind::Force { components, .. } = &m.loads[1].kind else { panic!("a force") };
     assert!(matches!(components[0], Expr::Input(_)));
     assert_eq!(number(&components[1]), 0.0);
@@ -106,7 +106,7 @@ fn four_bar_in_degrees_and_rpm() {
     assert_eq!(number(&m.start[0].value), 90.0 * (core::f64::consts::PI / 180.0));
     assert!((number(&m.start[1].value) - core::f64::consts::PI).abs() < 1e-15);
     assert_eq!(number(&m.gravity.expect("gravity was written")[1]), -9.81);
-    assert_eq!(number(&m.bodies[1].inertia), 3.0 * 9.0 / 12.0);
+    assert_eq!(number(&m.bodies[1].inertia.moments[2]), 3.0 * 9.0 / 12.0);
 }
 
 #[test]
@@ -142,7 +142,7 @@ fn every_kind_of_body_joint_constraint_and_load() {
             output energy [J] = energy - kinetic_energy - potential_energy;
         }",
     );
-    let inertias: Vec<f64> = m.bodies.iter().map(|body| number(&body.inertia)).collect();
+    let inertias: Vec<f64> = m.bodies.iter().map(|body| number(&body.inertia.moments[2])).collect();
     assert_eq!(inertias, [0.25, 5.0, 0.1, 0.0, 0.1]);
     assert_eq!(m.bodies[3].kind, BodyKind::Particle);
     assert_eq!(number(&m.bodies[3].mass), 0.5);

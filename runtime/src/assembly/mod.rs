@@ -5,6 +5,7 @@
 
 mod position;
 mod rates;
+mod residual;
 pub(crate) mod system;
 
 pub use position::{assemble_position, project_position};

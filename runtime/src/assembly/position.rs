@@ -1,12 +1,13 @@
 //! Positions that satisfy the constraints: a damped Newton iteration on the group.
 //!
-//! Moves by [`retract`], so orientations stay on the circle; the linear algebra is `system.rs`. Velocities and
-//! accelerations, which are linear, are `rates.rs`.
+//! Moves by [`retract`], so orientations keep their length; what has to vanish is `residual.rs`, the linear algebra
+//! `system.rs`. Velocities and accelerations, which are linear, are `rates.rs`.
 
-use super::system::{System, name_unknown, rank_deficient};
+use super::residual::{Residual, ResidualOf};
+use super::system::{System, rank_deficient};
 use crate::error::AssemblyError;
-use crate::layout::retract;
-use crate::mechanism::{Assemble, ConditionKind, Mechanism};
+use crate::layout::{normalised, retract};
+use crate::mechanism::Assemble;
 use crate::real::Real;
 use crate::vector::Vector;
 
@@ -14,7 +15,7 @@ use crate::vector::Vector;
 const ITERATIONS: u32 = 50;
 /// Iterations at the largest turn besides, where counted angles have far to go: some thirty turns.
 const FAR: u32 = 400;
-/// The largest turn of one iteration, rad: Newton's linear picture of a rotation holds no further.
+/// The largest turn of one orientation in one iteration, rad: Newton's linear picture of a rotation holds no further.
 const LARGEST_TURN: f64 = 0.5;
 /// Halvings of a step that does not bring the residual down.
 const HALVINGS: u32 = 20;
@@ -25,8 +26,10 @@ const HALVINGS: u32 = 20;
 /// Newton's iteration: each step is the least δ (½ δᵀ δ, metres and radians alike) with D̂ δ = −r, at most half a
 /// radian, halved until the residual's norm falls. Angles enter r as atan2(sin, cos), so a target may be far away and
 /// a joint assembled half a turn off is turned back; angles whose turns the dynamics count enter with their turns. Done at 32 roundings of the coordinates' magnitude.
+/// Pairs and quaternions of `near` need not have length 1: they are normalised first.
 ///
 /// # Errors
+/// [`NoOrientation`](AssemblyError::NoOrientation),
 /// [`NoConvergence`](AssemblyError::NoConvergence), [`RankDeficient`](AssemblyError::RankDeficient),
 /// [`NonFinite`](AssemblyError::NonFinite), [`Flipped`](AssemblyError::Flipped),
 /// [`NoSuchCondition`](AssemblyError::NoSuchCondition).
@@ -38,7 +41,10 @@ pub fn assemble_position<R: Real, M: Assemble<R>>(
     active: &[u16],
 ) -> Result<M::Q, AssemblyError> {
     let mut system = System::new(model, active)?;
-    let mut q = *near;
+    let mut q = normalised(&M::LAYOUT, near).map_err(|(first, length)| AssemblyError::NoOrientation {
+        what: M::POSITION_NAMES.get(first).copied().unwrap_or(M::NAME),
+        length: length.to_f64(),
+    })?;
     let mut residual = Residual::at(model, time, &q, targets, &system.active);
     let (mut iteration, mut far) = (0, 0);
     while iteration < ITERATIONS && far < FAR {
@@ -49,7 +55,14 @@ pub fn assemble_position<R: Real, M: Assemble<R>>(
         system.evaluate(time, &q, Some(&residual.divisors));
         let pivot = system.factor_unit();
         if pivot.value < R::BREAKDOWN {
-            return Err(rank_deficient::<R, M>(pivot));
+            if !residual.at_right_angle::<M>() {
+                return Err(rank_deficient::<R, M>(pivot));
+            }
+            let from = q;
+            retract(&M::LAYOUT, &from, &nudge::<R, M>(), &mut q);
+            residual = Residual::at(model, time, &q, targets, &system.active);
+            iteration += 1;
+            continue;
         }
         let step = system.least(&M::V::zero(), &residual.rows, &residual.conditions).scaled(-R::ONE);
         let delta = limited::<R, M>(step);
@@ -107,12 +120,23 @@ fn shorten<R: Real, M: Assemble<R>>(
     None
 }
 
-/// δ, shortened so that nothing turns further than [`LARGEST_TURN`].
+/// δ, shortened so that no orientation turns further than [`LARGEST_TURN`].
 fn limited<R: Real, M: Assemble<R>>(delta: M::V) -> M::V {
-    let turns = &delta.as_slice()[M::LAYOUT.linear..];
-    let largest = turns.iter().fold(R::ZERO, |largest, turn| largest.max(turn.abs()));
+    let (planar, spatial) = delta.as_slice()[M::LAYOUT.linear..].split_at(M::LAYOUT.rotations);
+    let largest = planar.iter().fold(R::ZERO, |largest, turn| largest.max(turn.abs()));
+    let length = |turn: &[R; 3]| turn.iter().fold(R::ZERO, |sum, &entry| sum + entry * entry).sqrt();
+    let largest = spatial.as_chunks().0.iter().fold(largest, |largest, turn| largest.max(length(turn)));
     let limit = R::from_f64(LARGEST_TURN);
     if largest > limit { delta.scaled(limit / largest) } else { delta }
+}
+
+/// A small turn of every orientation, about no axis in particular: off a right angle, where a sine has no derivative.
+fn nudge<R: Real, M: Assemble<R>>() -> M::V {
+    let mut delta = M::V::zero();
+    for (k, entry) in delta.as_mut_slice()[M::LAYOUT.linear..].iter_mut().enumerate() {
+        *entry = R::from_f64(0.01 + 0.003 * (k % 5) as f64);
+    }
+    delta
 }
 
 /// What the residual's norm may be from rounding alone: constraints are products of at most two coordinates, and
@@ -124,78 +148,4 @@ fn tolerance<R: Real, M: Assemble<R>>(q: &M::Q) -> R {
     let magnitude = R::ONE + largest(plain);
     let turned = R::from_f64(core::f64::consts::TAU) * largest(angles);
     R::from_f64(32.0) * R::EPSILON * (magnitude * magnitude + turned)
-}
-
-/// The residual of the mechanism `M`.
-type ResidualOf<R, M> = Residual<R, <M as Mechanism<R>>::Lambda, <M as Assemble<R>>::Conditions>;
-
-/// The residual of all rows at one position.
-struct Residual<R, L, C> {
-    rows: L,
-    conditions: C,
-    /// What the rows of D must be divided by: cos Δθ where the residual is Δθ in place of sin Δθ.
-    divisors: L,
-    norm: R,
-}
-
-impl<R: Real, L: Vector<R>, C: Vector<R>> Residual<R, L, C> {
-    fn at<M>(model: &M, time: R, q: &M::Q, targets: &C, active: &C) -> Self
-    where
-        M: Assemble<R, Lambda = L, Conditions = C>,
-    {
-        let (mut rows, mut cosines, mut divisors) = (L::zero(), L::zero(), L::zero());
-        model.constraints(time, q, &mut rows);
-        model.row_cosines(time, q, &mut cosines);
-        divisors.as_mut_slice().fill(R::ONE);
-        for &row in M::FLIPS {
-            let (row, cosine) = (row as usize, cosines.as_slice()[row as usize]);
-            rows.as_mut_slice()[row] = rows.as_slice()[row].atan2(cosine);
-            // At a right angle the derivative of the sine vanishes; a small divisor lets the other rows move on.
-            let nonzero = R::from_f64(1e-3);
-            divisors.as_mut_slice()[row] = if cosine.abs() < nonzero { nonzero } else { cosine };
-        }
-
-        let (mut conditions, mut flipped) = (C::zero(), C::zero());
-        model.condition_residual(time, q, targets, &mut conditions);
-        model.condition_cosines(time, q, targets, &mut flipped);
-        for (i, entry) in conditions.as_mut_slice().iter_mut().enumerate() {
-            let held = active.as_slice()[i] != R::ZERO;
-            *entry = match M::CONDITIONS[i].kind {
-                _ if !held => R::ZERO,
-                ConditionKind::Angle => entry.atan2(flipped.as_slice()[i]),
-                ConditionKind::Linear => *entry,
-            };
-        }
-        let norm = (rows.norm_squared() + conditions.norm_squared()).sqrt();
-        Residual { rows, conditions, divisors, norm }
-    }
-
-    fn check_finite<M: Assemble<R>>(&self) -> Result<(), AssemblyError> {
-        let in_rows = self.rows.first_not_finite();
-        let unknown = in_rows.or_else(|| self.conditions.first_not_finite().map(|i| L::LEN + i));
-        match unknown {
-            Some(row) => Err(AssemblyError::NonFinite { row: name_unknown::<R, M>(M::V::LEN + row) }),
-            None => Ok(()),
-        }
-    }
-
-    fn check_flips<M: Assemble<R>>(&self) -> Result<(), AssemblyError> {
-        match M::FLIPS.iter().find(|&&row| self.divisors.as_slice()[row as usize] < R::ZERO) {
-            Some(&row) => Err(AssemblyError::Flipped { row: M::ROWS[row as usize] }),
-            None => Ok(()),
-        }
-    }
-
-    /// The error that names the worst row; a joint stuck on its flipped root is said to be that.
-    fn no_convergence<M: Assemble<R>>(&self, iterations: u32) -> AssemblyError {
-        let all = self.rows.as_slice().iter().chain(self.conditions.as_slice());
-        let (worst, residual) = all.enumerate().fold((0, R::ZERO), |(at, largest), (i, entry)| {
-            if entry.abs() > largest { (i, entry.abs()) } else { (at, largest) }
-        });
-        if M::FLIPS.contains(&(worst as u16)) && self.divisors.as_slice()[worst] < R::ZERO {
-            return AssemblyError::Flipped { row: M::ROWS[worst] };
-        }
-        let row = name_unknown::<R, M>(M::V::LEN + worst);
-        AssemblyError::NoConvergence { row, residual: residual.to_f64(), iterations }
-    }
 }

@@ -20,6 +20,8 @@ pub(super) struct System<'m, R: Real, M: Assemble<R>> {
     matrix: Ldl<R, M::Factor, M::System>,
     jacobian: M::Jacobian,
     conditions: M::ConditionJacobian,
+    /// 1 for the constraint rows that are let go, 0 for the others.
+    free: M::Lambda,
     /// 1 for the conditions that are held, 0 for the others.
     pub(super) active: M::Conditions,
 }
@@ -40,17 +42,23 @@ impl<'m, R: Real, M: Assemble<R>> System<'m, R, M> {
             matrix: Ldl::new(&M::ELIMINATION),
             jacobian: M::Jacobian::zero(),
             conditions: M::ConditionJacobian::zero(),
+            free: M::Lambda::zero(),
             active: mask,
         })
     }
 
-    /// Evaluates D̂ at (t, q), each constraint row divided by its entry of `divisors`.
+    /// Evaluates D̂ at (t, q), each constraint row divided by its entry of `divisors`, or left out where that is zero.
     pub(super) fn evaluate(&mut self, time: R, q: &M::Q, divisors: Option<&M::Lambda>) {
         self.model.constraint_jacobian(time, q, &mut self.jacobian);
         self.model.condition_jacobian(time, q, &mut self.conditions);
+        self.free = M::Lambda::zero();
         if let Some(divisors) = divisors {
             for (entry, &(row, _)) in self.jacobian.as_mut_slice().iter_mut().zip(M::JACOBIAN_PATTERN) {
-                *entry = *entry / divisors.as_slice()[row as usize];
+                let divisor = divisors.as_slice()[row as usize];
+                *entry = if divisor == R::ZERO { R::ZERO } else { *entry / divisor };
+            }
+            for (free, &divisor) in self.free.as_mut_slice().iter_mut().zip(divisors.as_slice()) {
+                *free = if divisor == R::ZERO { R::ONE } else { R::ZERO };
             }
         }
         for (entry, &(row, _)) in self.conditions.as_mut_slice().iter_mut().zip(M::CONDITION_PATTERN) {
@@ -68,8 +76,9 @@ impl<'m, R: Real, M: Assemble<R>> System<'m, R, M> {
         self.vanished_row().unwrap_or_else(|| self.matrix.factor())
     }
 
-    /// A row of a pair, x and y of two points held together, that has vanished beside the other: all links lie in one
-    /// line along an axis. Relative to its own terms, which are rounding, its pivot would look sound.
+    /// One of the rows x, y and z of two points held together that has vanished beside the others of its joint: all links
+    /// lie in one line along an axis, or in one plane. Relative to its own terms, which are rounding, its pivot would look
+    /// sound.
     fn vanished_row(&self) -> Option<Pivot<R>> {
         let mut squares = M::Lambda::zero();
         for (&entry, &(row, _)) in self.jacobian.as_slice().iter().zip(M::JACOBIAN_PATTERN) {
@@ -78,17 +87,18 @@ impl<'m, R: Real, M: Assemble<R>> System<'m, R, M> {
         }
         let rounding = R::from_f64(64.0) * R::EPSILON;
         let vanished = rounding * rounding;
-        let pairs = M::ROWS.windows(2).zip(squares.as_slice().windows(2)).enumerate();
-        for (row, (names, squares)) in pairs {
-            if names[0].of != names[1].of || names[0].what != "x" || names[1].what != "y" {
-                continue;
+        let component = |row: &Row| matches!(row.what, "x" | "y" | "z");
+        let mut first = 0;
+        for joint in M::ROWS.chunk_by(|a, b| a.of == b.of && component(a) && component(b)) {
+            let squares = &squares.as_slice()[first..first + joint.len()];
+            let most = squares.iter().fold(R::ZERO, |most, &square| most.max(square));
+            let least = |least: usize, row: usize| if squares[row] <= squares[least] { row } else { least };
+            let lost = (0..joint.len()).fold(0, least);
+            let share = if most > R::ZERO { squares[lost] / most } else { R::ZERO };
+            if joint.len() > 1 && share < vanished {
+                return Some(Pivot { value: share, unknown: M::V::LEN + first + lost });
             }
-            let (least, most) = (squares[0].min(squares[1]), squares[0].max(squares[1]));
-            let share = if most > R::ZERO { least / most } else { R::ZERO };
-            if share < vanished {
-                let lost = if squares[0] < squares[1] { row } else { row + 1 };
-                return Some(Pivot { value: share, unknown: M::V::LEN + lost });
-            }
+            first += joint.len();
         }
         None
     }
@@ -123,11 +133,15 @@ impl<'m, R: Real, M: Assemble<R>> System<'m, R, M> {
         if pivot.value >= R::BREAKDOWN { Ok(()) } else { Err(rank_deficient::<R, M>(pivot)) }
     }
 
-    /// Adds D̂ and, for each condition that is not held, −1 on the diagonal, which keeps its pivot harmless.
+    /// Adds D̂ and, for each row let go and each condition that is not held, −1 on the diagonal, which keeps its pivot
+    /// harmless.
     fn add_rows(&mut self) {
         let first_row = M::V::LEN;
         for (&entry, &(row, column)) in self.jacobian.as_slice().iter().zip(M::JACOBIAN_PATTERN) {
             self.matrix.add(first_row + row as usize, column as usize, entry);
+        }
+        for (i, &free) in self.free.as_slice().iter().enumerate() {
+            self.matrix.add(first_row + i, first_row + i, -free);
         }
         let first_condition = first_row + M::Lambda::LEN;
         for (&entry, &(row, column)) in self.conditions.as_slice().iter().zip(M::CONDITION_PATTERN) {

@@ -1,7 +1,8 @@
 //! Integrators: one step of time on the group of positions.
 //!
 //! A method sees a mechanism only as [`Dynamics`]: states in, accelerations out. Positions move by
-//! [`retract`](crate::layout::retract) with increments of the velocities' kind. Step control, inputs and errors are
+//! [`retract`](crate::layout::retract) with increments of the velocities' kind; methods above order 2 correct these by
+//! [`inverse_differential`](crate::layout::inverse_differential). Step control, inputs and errors are
 //! `simulation.rs`.
 
 mod rk4;
@@ -17,7 +18,7 @@ use crate::vector::Vector;
 
 /// What is integrated: v̇ = f(t, q, v), with q moving by v on the group.
 pub trait Dynamics<R: Real> {
-    /// Which entries of q are linear, rotations and multi-turn angles.
+    /// Which entries of q are linear, rotations, quaternions and multi-turn angles.
     const LAYOUT: Layout;
     /// Positions.
     type Q: Vector<R>;

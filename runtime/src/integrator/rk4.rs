@@ -1,7 +1,7 @@
-//! The classical Runge–Kutta method of order four.
+//! The classical Runge–Kutta method of order four, on the group of positions.
 
 use super::{Dynamics, Integrator};
-use crate::layout::retract;
+use crate::layout::{inverse_differential, retract_counting};
 use crate::real::Real;
 use crate::state::State;
 use crate::vector::Vector;
@@ -9,8 +9,11 @@ use crate::vector::Vector;
 /// The classical method of order 4 (Kutta 1901; Hairer, Nørsett, Wanner, *Solving Ordinary Differential Equations I*,
 /// II.1), four evaluations a step.
 ///
-/// On the group every stage starts from the step's own beginning: q_i = q ⊕ h Σ a_ij v_j. Rotations of the plane
-/// commute, so the Munthe-Kaas corrections vanish and the order is kept; a uniform rotation is exact.
+/// On the group every stage starts from the step's own beginning: q_i = q ⊕ u_i, u_i = h Σ a_ij k_j, where k_j is the rate
+/// of u that belongs to the stage's velocities, k_j = dexp⁻¹(u_j) v_j ([`inverse_differential`]); the result is
+/// q ⊕ h Σ b_j k_j (Munthe-Kaas 1999; Hairer, Lubich, Wanner, *Geometric Numerical Integration*, IV.8). Without the
+/// correction rotations in space would be followed to order 2. Rotations of the plane commute, so there k_j = v_j. A
+/// uniform rotation is exact. Counted angles have rates linear in v and take Σ a_ij v_j.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Rk4;
 
@@ -24,20 +27,29 @@ impl<R: Real> Integrator<R> for Rk4 {
         state: &State<D::Q, D::V>,
     ) -> State<D::Q, D::V> {
         let half = h * R::from_f64(0.5);
-        let stage = |h: R, v: &D::V, a: &D::V| {
+        // The state after `h` with the slopes k of u, v of counted angles, a of velocities, and the increment u.
+        let stage = |h: R, k: &D::V, v: &D::V, a: &D::V| {
             let mut q = D::Q::zero();
-            retract(&D::LAYOUT, &state.q, &v.scaled(h), &mut q);
-            State { q, v: state.v.plus(h, a) }
+            let u = k.scaled(h);
+            let integral = if D::LAYOUT.quaternions == 0 { u } else { v.scaled(h) };
+            retract_counting(&D::LAYOUT, &state.q, &u, &integral, &mut q);
+            (State { q, v: state.v.plus(h, a) }, u)
         };
+        let slope = |u: &D::V, v: &D::V| inverse_differential(&D::LAYOUT, u, v);
+        let v1 = &state.v;
         let a1 = dynamics.acceleration(time, state);
-        let second = stage(half, &state.v, &a1);
+        let (second, u2) = stage(half, v1, v1, &a1);
+        let (v2, k2) = (&second.v, slope(&u2, &second.v));
         let a2 = dynamics.acceleration(time + half, &second);
-        let third = stage(half, &second.v, &a2);
+        let (third, u3) = stage(half, &k2, v2, &a2);
+        let (v3, k3) = (&third.v, slope(&u3, &third.v));
         let a3 = dynamics.acceleration(time + half, &third);
-        let fourth = stage(h, &third.v, &a3);
+        let (fourth, u4) = stage(h, &k3, v3, &a3);
+        let (v4, k4) = (&fourth.v, slope(&u4, &fourth.v));
         let a4 = dynamics.acceleration(time + h, &fourth);
-        let v = mean(&state.v, &second.v, &third.v, &fourth.v);
-        stage(h, &v, &mean(&a1, &a2, &a3, &a4))
+        let v = mean(v1, v2, v3, v4);
+        let k = if D::LAYOUT.quaternions == 0 { v } else { mean(v1, &k2, &k3, &k4) };
+        stage(h, &k, &v, &mean(&a1, &a2, &a3, &a4)).0
     }
 }
 

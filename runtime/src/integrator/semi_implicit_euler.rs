@@ -7,7 +7,8 @@ use crate::state::State;
 use crate::vector::Vector;
 
 /// v₁ = v₀ + h v̇(t₀, q₀, v₀), then q₁ = q₀ ⊕ h v₁: order 1, one evaluation a step, symplectic where M is constant
-/// and forces do not depend on velocities (Hairer, Lubich, Wanner, *Geometric Numerical Integration*, I.1.2).
+/// and forces do not depend on velocities (Hairer, Lubich, Wanner, *Geometric Numerical Integration*, I.1.2). The order
+/// asks for no correction of the increments of orientations.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct SemiImplicitEuler;
 

@@ -51,8 +51,10 @@ struct Run<'m, R: Real, M: Mechanism<R>> {
     /// The outputs last sampled, which the next ones continue.
     outputs: Option<M::Outputs>,
     smallest_pivot: R,
-    /// Whether the start is known to satisfy the constraints, or need not.
+    /// Whether the start need not satisfy the constraints.
     start_accepted: bool,
+    /// Whether the start has been checked.
+    start_checked: bool,
 }
 
 /// Time as a beginning and a number of steps.
@@ -87,6 +89,7 @@ impl<'m, R: Real, M: Mechanism<R>> Simulation<'m, M, R> {
             outputs: None,
             smallest_pivot: R::ONE,
             start_accepted: false,
+            start_checked: false,
         };
         Simulation { formulation: LagrangeIndex1, source: NoInputs, integrator: Rk4, run }
     }
@@ -143,7 +146,8 @@ impl<'m, R: Real, M: Mechanism<R>, F, S, I> Simulation<'m, M, R, F, S, I> {
         self
     }
 
-    /// Takes a start that does not satisfy the constraints, which is otherwise an error of the first step.
+    /// Takes a start that does not satisfy the constraints, which is otherwise an error of the first step. Orientations
+    /// must be of length 1 all the same.
     pub fn accept_inconsistent_start(mut self) -> Self {
         self.run.start_accepted = true;
         self

@@ -8,13 +8,14 @@ use crate::error::SimulationError;
 use crate::formulation::Formulation;
 use crate::input::InputSource;
 use crate::integrator::{Dynamics, Integrator};
-use crate::layout::Layout;
+use crate::layout::{Layout, first_not_unit};
 use crate::mechanism::{Assemble, Mechanism, Row};
 use crate::real::Real;
 use crate::state::State;
 use crate::vector::Vector;
 
-/// A start further off the constraints than this, relative to its coordinates, is a mistake and not rounding.
+/// A start further off the constraints than this, relative to its coordinates, or with an orientation whose squared
+/// length is further from one, is a mistake and not rounding.
 const INCONSISTENT: f64 = 1e-6;
 
 /// A relative pivot of D Dᵀ above which the constraints are not to blame for a breakdown.
@@ -64,9 +65,12 @@ impl<'m, R: Real, M: Assemble<R>, F: Formulation<R>, S, I: Integrator<R>> Simula
     where
         S: InputSource<R, M>,
     {
-        if !self.run.start_accepted {
-            self.check_start()?;
-            self.run.start_accepted = true;
+        if !self.run.start_checked {
+            self.check_orientations()?;
+            if !self.run.start_accepted {
+                self.check_start()?;
+            }
+            self.run.start_checked = true;
         }
         let inputs = self.present_inputs();
         let time = self.time();
@@ -92,6 +96,20 @@ impl<'m, R: Real, M: Assemble<R>, F: Formulation<R>, S, I: Integrator<R>> Simula
         self.run.clock = clock;
         self.run.inputs = None;
         Ok(())
+    }
+
+    /// The start's pairs and quaternions must have length 1: equations take it for granted, and motion only keeps it.
+    #[cold]
+    fn check_orientations(&self) -> Result<(), SimulationError> {
+        let tolerance = R::from_f64(INCONSISTENT).max(R::EPSILON.sqrt());
+        match first_not_unit(&M::LAYOUT, &self.run.state.q, tolerance) {
+            None => Ok(()),
+            Some((first, length)) => Err(SimulationError::NotNormalised {
+                time: self.time().to_f64(),
+                what: position_name::<R, M>(first),
+                length: length.to_f64(),
+            }),
+        }
     }
 
     /// The start must satisfy the constraints: by position to [`INCONSISTENT`] of the size of the coordinates, by
@@ -164,9 +182,13 @@ impl<'m, R: Real, M: Assemble<R>, F: Formulation<R>, S, I: Integrator<R>> Simula
 /// The name of the first coordinate or velocity that is infinite or NaN.
 #[inline]
 fn not_finite<R: Real, M: Mechanism<R>>(state: &State<M::Q, M::V>) -> Option<&'static str> {
-    let name = |names: &'static [&'static str], i: usize| names.get(i).copied().unwrap_or(M::NAME);
-    let in_q = state.q.first_not_finite().map(|i| name(M::POSITION_NAMES, i));
-    in_q.or_else(|| state.v.first_not_finite().map(|i| name(M::VELOCITY_NAMES, i)))
+    let velocity_name = |i: usize| M::VELOCITY_NAMES.get(i).copied().unwrap_or(M::NAME);
+    let in_q = state.q.first_not_finite().map(position_name::<R, M>);
+    in_q.or_else(|| state.v.first_not_finite().map(velocity_name))
+}
+
+fn position_name<R: Real, M: Mechanism<R>>(index: usize) -> &'static str {
+    M::POSITION_NAMES.get(index).copied().unwrap_or(M::NAME)
 }
 
 /// The first stage whose relative pivot was below the breakdown.

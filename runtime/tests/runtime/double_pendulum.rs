@@ -62,7 +62,8 @@ impl<R: Real> Mechanism<R> for DoublePendulum<R> {
     const LAYOUT: Layout = Layout {
         linear: 0,
         rotations: 2,
-        angles: &[MultiTurn { plus: Some(0), minus: None }, MultiTurn { plus: Some(1), minus: Some(0) }],
+        quaternions: 0,
+        angles: &[MultiTurn { rate: &[(0, 1.0)] }, MultiTurn { rate: &[(1, 1.0), (0, -1.0)] }],
     };
     const ROWS: &'static [Row] = &[];
     const POSITION_NAMES: &'static [&'static str] = &[

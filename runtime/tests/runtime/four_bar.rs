@@ -103,7 +103,7 @@ const JACOBIAN_PATTERN: [(u16, u16); 24] = {
 impl Mechanism<f64> for FourBar {
     const NAME: &'static str = "FourBar";
     const LAYOUT: Layout =
-        Layout { linear: 6, rotations: 3, angles: &[MultiTurn { plus: Some(6), minus: None }] };
+        Layout { linear: 6, rotations: 3, quaternions: 0, angles: &[MultiTurn { rate: &[(6, 1.0)] }] };
     const ROWS: &'static [Row] = &[
         Row { of: "crank_pin", what: "x" },
         Row { of: "crank_pin", what: "y" },

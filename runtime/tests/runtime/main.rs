@@ -1,6 +1,7 @@
 //! The runtime on mechanisms written by hand: one binary, one module a subject.
 
 mod assembly;
+mod bracket;
 #[cfg(feature = "nalgebra")]
 mod dense;
 mod double_pendulum;
@@ -8,4 +9,5 @@ mod factorisation;
 mod four_bar;
 mod motion;
 mod solve;
+mod space;
 mod support;

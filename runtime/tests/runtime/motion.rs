@@ -67,8 +67,8 @@ fn a_uniform_rotation_is_exact() {
 
 #[test]
 fn turns_and_pair_agree_after_a_million_steps() {
-    static ANGLES: [MultiTurn; 1] = [MultiTurn { plus: Some(0), minus: None }];
-    let layout = Layout { linear: 0, rotations: 1, angles: &ANGLES };
+    static ANGLES: [MultiTurn; 1] = [MultiTurn { rate: &[(0, 1.0)] }];
+    let layout = Layout { linear: 0, rotations: 1, quaternions: 0, angles: &ANGLES };
     let mut q = [1.0, 0.0, 0.0, 0.0];
     for step in 0..1_000_000 {
         let delta = 0.05 + 0.04 * f64::from(step % 101) / 101.0;

@@ -11,7 +11,7 @@ pub struct Support {
 
 impl Mechanism<f64> for Support {
     const NAME: &'static str = "Support";
-    const LAYOUT: Layout = Layout { linear: 2, rotations: 1, angles: &[] };
+    const LAYOUT: Layout = Layout { linear: 2, rotations: 1, quaternions: 0, angles: &[] };
     const ROWS: &'static [Row] =
         &[Row { of: "weld", what: "x" }, Row { of: "weld", what: "y" }, Row { of: "weld", what: "angle" }];
     const POSITION_NAMES: &'static [&'static str] = &["body.x", "body.y", "body.cos", "body.sin"];

@@ -2,13 +2,15 @@
 
 use super::mobility::rank;
 use super::point::{Ancestry, Point};
-use super::{Attempt, Problem, messages};
+use super::{Attempt, Problem, initial, messages};
 use crate::diagnostics::Diagnostics;
-use crate::equations::{Attachment, Equations, Linear};
-use crate::model::{Frame, JointId, JointKind, Mechanism, Quantity, Rotor};
+use crate::equations::{Attachment, Equations, Linear, Rotation};
+use crate::model::{Frame, JointId, JointKind, Mechanism, Quantity, Rotor, Space};
 use std::collections::BTreeMap;
 use std::f64::consts::TAU;
 
+/// Turns by multiples of the golden angle never repeat.
+pub(super) const GOLDEN: f64 = 2.399963229728653;
 /// Guesses met this well leave nothing to compare.
 const MET: f64 = 1e-18;
 
@@ -26,7 +28,7 @@ pub fn closed(
     let mut failure: Option<Attempt> = None;
     let mut flipped = None;
     for number in 0..attempts {
-        let q = stated.initial(mechanism, equations, number);
+        let q = stated.initial(mechanism, equations, point, number);
         let attempt = problem.solve(point, q);
         if !attempt.closed {
             if failure.as_ref().is_none_or(|worst| attempt.residual < worst.residual) {
@@ -104,7 +106,7 @@ pub fn settle_turns(problem: &Problem, point: &mut Point, assembled: Attempt) ->
 fn stated_angle(equations: &Equations, point: &mut Point, rotor: Rotor) -> Option<f64> {
     let is = |quantity: &Quantity| match (quantity, rotor) {
         (Quantity::BodyAngle(body), Rotor::Body(own)) => *body == own,
-        (Quantity::JointAngle(joint), Rotor::Joint(own)) => *joint == own,
+        (Quantity::JointAngle(joint, which), Rotor::Joint(own, angle)) => *joint == own && *which == angle,
         _ => false,
     };
     let exact = equations.conditions.iter().zip(&equations.start_targets);
@@ -118,8 +120,16 @@ fn stated_angle(equations: &Equations, point: &mut Point, rotor: Rotor) -> Optio
 
 /// Whether two positions are one, whatever turns their angles have counted.
 fn same(equations: &Equations, a: &[f64], b: &[f64]) -> bool {
-    let counted = equations.layout.turns(0);
-    a.iter().zip(b).take(counted).all(|(a, b)| alike(*a, *b))
+    let layout = &equations.layout;
+    let plain = layout.quaternion(0);
+    let quaternions = (0..layout.quaternions.len()).map(|index| layout.quaternion(index));
+    // A quaternion and its negative are one orientation.
+    let same_quaternion = |at: usize| {
+        let product: f64 = (at..at + 4).map(|k| a[k] * b[k]).sum();
+        let sign = if product < 0.0 { -1.0 } else { 1.0 };
+        (at..at + 4).all(|k| alike(a[k], sign * b[k]))
+    };
+    a.iter().zip(b).take(plain).all(|(a, b)| alike(*a, *b)) && quaternions.into_iter().all(same_quaternion)
 }
 
 fn alike(a: f64, b: f64) -> bool {
@@ -127,11 +137,11 @@ fn alike(a: f64, b: f64) -> bool {
 }
 
 /// Values that `start` and the drivers give to coordinates.
-struct Stated {
-    angles: BTreeMap<JointId, f64>,
+pub(super) struct Stated {
+    pub angles: BTreeMap<(JointId, usize), f64>,
     bodies: BTreeMap<usize, f64>,
-    travels: BTreeMap<JointId, f64>,
-    centers: BTreeMap<(usize, usize), f64>,
+    pub travels: BTreeMap<(JointId, usize), f64>,
+    pub centers: BTreeMap<(usize, usize), f64>,
 }
 
 impl Stated {
@@ -150,14 +160,14 @@ impl Stated {
             point.evaluate(&Ancestry::of(equations, [node]));
             let value = point.get(node);
             match &condition.quantity {
-                Quantity::JointAngle(joint) => {
-                    stated.angles.insert(*joint, value);
+                Quantity::JointAngle(joint, which) => {
+                    stated.angles.insert((*joint, *which), value);
                 }
                 Quantity::BodyAngle(body) => {
                     stated.bodies.insert(body.0, value);
                 }
-                Quantity::JointTravel(joint) => {
-                    stated.travels.insert(*joint, value);
+                Quantity::JointTravel(joint, which) => {
+                    stated.travels.insert((*joint, *which), value);
                 }
                 Quantity::Position(place, axis) => {
                     if let Frame::Body(body) = place.frame {
@@ -172,21 +182,29 @@ impl Stated {
 
     /// Tree coordinates for attempt `number`: stated values where there are any, else zero at first and later turned
     /// by the golden angle, a different multiple for each body.
-    fn initial(&self, mechanism: &Mechanism, equations: &Equations, number: usize) -> Vec<f64> {
-        const GOLDEN: f64 = 2.399963229728653;
+    fn initial(
+        &self,
+        mechanism: &Mechanism,
+        equations: &Equations,
+        point: &mut Point,
+        number: usize,
+    ) -> Vec<f64> {
+        if mechanism.space == Space::Spatial {
+            return initial::in_space(self, mechanism, point, number);
+        }
         let layout = &equations.layout;
         let mut q = vec![0.0; layout.positions()];
         let mut angles = vec![0.0; mechanism.bodies.len()];
         let mut free = 0;
         for Attachment { body, joint } in &equations.tree.attachments {
-            let rotation = layout.rotations.iter().position(|own| own == body);
+            let rotation = layout.rotations.iter().position(|own| *own == Rotation::Body(*body));
             let parent = match joint {
                 Some((_, Frame::Body(parent))) => angles[parent.0],
                 _ => 0.0,
             };
             let relative = joint.and_then(|(id, _)| {
                 let second = mechanism.joints[id.0].second.frame == Frame::Body(*body);
-                self.angles.get(&id).map(|angle| if second { *angle } else { -angle })
+                self.angles.get(&(id, 0)).map(|angle| if second { *angle } else { -angle })
             });
             let stated = relative.map(|relative| parent + relative).or(self.bodies.get(&body.0).copied());
             let closing = || self.through_another_joint(mechanism, equations, *body, &angles);
@@ -218,7 +236,7 @@ impl Stated {
         for (index, linear) in layout.linear.iter().enumerate() {
             let stated = match linear {
                 Linear::Center(body, axis) => self.centers.get(&(body.0, *axis)),
-                Linear::Travel(joint) => self.travels.get(joint),
+                Linear::Travel(joint, which) => self.travels.get(&(*joint, *which)),
             };
             q[index] = stated.copied().unwrap_or(0.0);
         }
@@ -229,7 +247,7 @@ impl Stated {
             };
             let value = match angle.rotor {
                 Rotor::Body(body) => angles[body.0],
-                Rotor::Joint(joint) => {
+                Rotor::Joint(joint, _) => {
                     let joint = &mechanism.joints[joint.0];
                     orientation(joint.second.frame) - orientation(joint.first.frame)
                 }
@@ -251,7 +269,7 @@ impl Stated {
     ) -> Option<f64> {
         let carrying = equations.tree.carrying(mechanism);
         let own = Frame::Body(body);
-        self.angles.iter().filter(|(id, _)| !carrying[id.0]).find_map(|(id, angle)| {
+        self.angles.iter().filter(|((id, _), _)| !carrying[id.0]).find_map(|((id, _), angle)| {
             let joint = &mechanism.joints[id.0];
             let orientation = |frame: Frame| match frame {
                 Frame::Ground => 0.0,
@@ -267,10 +285,18 @@ impl Stated {
         })
     }
 
+    /// Whether `start` states an angle of a joint, and not only guesses it.
+    pub fn is_exact_angle(equations: &Equations, joint: JointId, which: usize) -> bool {
+        let exact = equations.conditions.iter().zip(&equations.start_targets);
+        exact.filter(|(_, start)| start.position.is_some()).any(|(condition, _)| {
+            matches!(condition.quantity, Quantity::JointAngle(own, angle) if own == joint && angle == which)
+        })
+    }
+
     fn is_exact(&self, equations: &Equations, joint: Option<(JointId, Frame)>, body: usize) -> bool {
         let exact = equations.conditions.iter().zip(&equations.start_targets);
         exact.filter(|(_, start)| start.position.is_some()).any(|(condition, _)| match &condition.quantity {
-            Quantity::JointAngle(own) => joint.is_some_and(|(joint, _)| joint == *own),
+            Quantity::JointAngle(own, _) => joint.is_some_and(|(joint, _)| joint == *own),
             Quantity::BodyAngle(own) => own.0 == body,
             _ => false,
         })
@@ -286,6 +312,10 @@ fn report_second(
     next: &Attempt,
     errors: &mut Diagnostics,
 ) {
+    if mechanism.space == Space::Spatial {
+        report_second_in_space(mechanism, problem, nearest, next, errors);
+        return;
+    }
     let mut widest: Option<(f64, usize, f64, f64)> = None;
     for (index, joint) in mechanism.joints.iter().enumerate() {
         let ends = [joint.first.frame, joint.second.frame].map(|frame| match frame {
@@ -295,7 +325,7 @@ fn report_second(
         let (a, b) =
             (problem.joint_angle(point, &nearest.q, ends), problem.joint_angle(point, &next.q, ends));
         let difference = (a - b - TAU * ((a - b) / TAU).round()).abs();
-        let turns = matches!(joint.kind, JointKind::Revolute | JointKind::PointOnLine { .. });
+        let turns = matches!(joint.kind, JointKind::Revolute { .. } | JointKind::PointOnLine { .. });
         if turns && difference > 1e-6 && widest.is_none_or(|(known, ..)| difference > known + 1e-9) {
             widest = Some((difference, index, a, b));
         }
@@ -304,7 +334,36 @@ fn report_second(
         None => errors.error(mechanism.name.span, messages::second_assembly_unnamed()),
         Some((_, index, a, b)) => {
             let joint = &mechanism.joints[index].name;
-            errors.error(joint.span, messages::second_assembly(&joint.text, a, b));
+            errors.error(joint.span, messages::second_assembly(&joint.text, &format!("{}.angle", joint.text), a, b));
+        }
+    }
+}
+
+/// In space: by the coordinates of the tree.
+fn report_second_in_space(
+    mechanism: &Mechanism,
+    problem: &Problem,
+    nearest: &Attempt,
+    next: &Attempt,
+    errors: &mut Diagnostics,
+) {
+    let layout = &problem.equations().layout;
+    let angle = |q: &[f64], r: usize| libm::atan2(q[layout.pair(r) + 1], q[layout.pair(r)]);
+    let mut widest: Option<(f64, JointId, String, f64, f64)> = None;
+    for (r, rotation) in layout.rotations.iter().enumerate() {
+        let Rotation::Joint(joint, which) = rotation else { continue };
+        let (a, b) = (angle(&nearest.q, r), angle(&next.q, r));
+        let difference = (a - b - TAU * ((a - b) / TAU).round()).abs();
+        if difference > 1e-6 && widest.as_ref().is_none_or(|(known, ..)| difference > known + 1e-9) {
+            let name = crate::equations::coordinates::angle_name(mechanism, *joint, *which, 0);
+            widest = Some((difference, *joint, name, a, b));
+        }
+    }
+    match widest {
+        None => errors.error(mechanism.name.span, messages::second_assembly_unnamed()),
+        Some((_, joint, angle, a, b)) => {
+            let joint = &mechanism.joints[joint.0].name;
+            errors.error(joint.span, messages::second_assembly(&joint.text, &angle, a, b));
         }
     }
 }
@@ -343,8 +402,8 @@ fn report_open(mechanism: &Mechanism, point: &mut Point, failure: Option<Attempt
             let components =
                 equations.rows.iter().filter(|own| own.joint.is_some() && own.joint == row.joint);
             let components: Vec<_> =
-                components.filter(|own| matches!(own.what, "x" | "y")).map(|own| own.jet.value).collect();
-            let apart = if matches!(row.what, "x" | "y") {
+                components.filter(|own| matches!(own.what, "x" | "y" | "z")).map(|own| own.jet.value).collect();
+            let apart = if matches!(row.what, "x" | "y" | "z") {
                 point.set_q(&failure.q);
                 point.evaluate(&Ancestry::of(equations, components.iter().copied()));
                 components.iter().map(|node| point.get(*node).powi(2)).sum::<f64>().sqrt()

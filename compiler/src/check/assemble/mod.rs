@@ -7,19 +7,23 @@
 //! to absolute coordinates where those are emitted.
 
 mod attempts;
+mod initial;
 mod mobility;
 mod point;
 mod position;
+mod quaternion;
 mod rates;
+mod redundancy;
 
 pub use point::{Ancestry, Point, retract};
 
 use super::messages;
 use crate::diagnostics::Diagnostics;
 use crate::equations::conditions::{self, coordinate_of};
-use crate::equations::{Condition, Equations, Laws, Linear};
-use crate::model::{BodyId, JointKind, Mechanism, Quantity};
+use crate::equations::{Ball, Condition, Dropped, Equations, Laws, Linear, Owner, Rotation};
+use crate::model::{BodyId, JointId, JointKind, Mechanism, Quantity, Space};
 use crate::solve::Massless;
+use crate::symbolic::Node;
 use position::{Attempt, Problem};
 
 /// What assembly found.
@@ -33,6 +37,12 @@ pub struct Assembly {
     pub degrees_of_freedom: usize,
     /// Coordinates that fix the position together with the constraints.
     pub independent: Vec<Quantity>,
+    /// Rows to leave out, because others fix what they fix all along the motion.
+    pub dropped: Vec<Dropped>,
+    /// Joints whose reactions are not unique, because of that.
+    pub shared: Vec<JointId>,
+    /// Positions near the start that the joints admit; of redundant mechanisms.
+    pub nearby: Vec<Vec<f64>>,
 }
 
 /// Puts the mechanism together; reports why if it cannot.
@@ -54,10 +64,23 @@ pub fn assemble(
     let phases = phases(mechanism, equations, &mut point, &q);
     point.set(&equations.symbols.phases, &phases);
 
-    let degrees_of_freedom = freedoms(mechanism, equations, &mut point, &q, &candidates, errors)?;
+    let (degrees_of_freedom, redundancy) =
+        freedoms(mechanism, equations, &mut point, &problem, &q, &candidates, errors)?;
     let independent = choose_independent(mechanism, &mut point, &candidates, &q, errors);
     let v = rates::rates(mechanism, equations, &mut point, &q, errors)?;
-    Some(Assembly { q, v, phases, degrees_of_freedom, independent })
+    let redundancy::Redundancy { dropped, shared, nearby } = redundancy;
+    Some(Assembly { q, v, phases, degrees_of_freedom, independent, dropped, shared, nearby })
+}
+
+/// The rows of absolute coordinates that repeat others, found at the positions near the start.
+pub fn drop_redundant(mechanism: &Mechanism, absolute: &Equations, assembly: Assembly) -> Assembly {
+    let mut point = Point::new(absolute);
+    let defaults: Vec<f64> = mechanism.parameters.iter().map(|parameter| parameter.default).collect();
+    point.set(&absolute.symbols.parameters, &defaults);
+    point.set(&absolute.symbols.phases, &assembly.phases);
+    let drivers = mechanism.drivers.len();
+    let found = redundancy::of_absolute(absolute, &mut point, drivers, &assembly.nearby);
+    Assembly { dropped: found.dropped, shared: found.shared, ..assembly }
 }
 
 /// Which velocities carry no mass, at the assembled position; an error if the constraints admit one of them.
@@ -87,25 +110,54 @@ pub fn carry_over(mechanism: &Mechanism, from: &Equations, assembly: &Assembly, 
     point.set(&from.symbols.phases, &assembly.phases);
     point.set_q(&assembly.q);
     point.set_v(&assembly.v);
-    point.evaluate(&Ancestry::of(from, from.motions.iter().flat_map(|motion| motion.flat())));
-    let motion = |body: BodyId| from.motions[body.0].flat().map(|node| point.get(node));
+    let ancestry = Ancestry::of(from, from.motions.iter().flat_map(|motion| motion.flat()));
+    let (q, v) = carry_state(from, to, &mut point, &ancestry, &assembly.q, &assembly.v);
+    let rest = vec![0.0; assembly.v.len()];
+    let carry = |near: &Vec<f64>| carry_state(from, to, &mut point, &ancestry, near, &rest).0;
+    let nearby: Vec<Vec<f64>> = assembly.nearby.iter().map(carry).collect();
+    Assembly { q, v, nearby, ..assembly.clone() }
+}
+
+/// One state in other coordinates.
+fn carry_state(
+    from: &Equations,
+    to: &Equations,
+    point: &mut Point,
+    ancestry: &Ancestry,
+    q: &[f64],
+    v: &[f64],
+) -> (Vec<f64>, Vec<f64>) {
+    point.set_q(q);
+    point.set_v(v);
+    point.evaluate(ancestry);
+    let values = |nodes: &[Node]| -> Vec<f64> { nodes.iter().map(|node| point.get(*node)).collect() };
+    let motion = |body: BodyId| &from.motions[body.0];
     let layout = &to.layout;
-    let (mut q, mut v) = (vec![0.0; layout.positions()], vec![0.0; layout.velocities()]);
+    let (mut moved, mut rates) = (vec![0.0; layout.positions()], vec![0.0; layout.velocities()]);
     for (index, linear) in layout.linear.iter().enumerate() {
         if let Linear::Center(body, axis) = linear {
-            (q[index], v[index]) = (motion(*body)[*axis], motion(*body)[4 + axis]);
+            moved[index] = values(&motion(*body).position)[*axis];
+            rates[index] = values(&motion(*body).velocity)[*axis];
         }
     }
-    for (r, body) in layout.rotations.iter().enumerate() {
-        let values = motion(*body);
-        (q[layout.pair(r)], q[layout.pair(r) + 1]) = (values[2], values[3]);
-        v[layout.linear.len() + r] = values[6];
+    for (r, rotation) in layout.rotations.iter().enumerate() {
+        let Rotation::Body(body) = rotation else { continue };
+        moved[layout.pair(r)..layout.pair(r) + 2].copy_from_slice(&values(&motion(*body).orientation));
+        rates[layout.linear.len() + r] = values(&motion(*body).rate)[0];
+    }
+    for (b, ball) in layout.quaternions.iter().enumerate() {
+        let Ball::Body(body) = ball else { continue };
+        let axes = values(&motion(*body).orientation);
+        let axes = [0, 1, 2].map(|i| [0, 1, 2].map(|j| axes[3 * i + j]));
+        let at = layout.quaternion(b);
+        moved[at..at + 4].copy_from_slice(&quaternion::of_matrix(axes));
+        rates[layout.omega(b)..layout.omega(b) + 3].copy_from_slice(&values(&motion(*body).rate));
     }
     for a in 0..layout.angles.len() {
         let (at, own) = (layout.turns(a), from.layout.turns(a));
-        q[at..at + 2].copy_from_slice(&assembly.q[own..own + 2]);
+        moved[at..at + 2].copy_from_slice(&q[own..own + 2]);
     }
-    Assembly { q, v, ..assembly.clone() }
+    (moved, rates)
 }
 
 fn problem<'a>(mechanism: &Mechanism, equations: &'a Equations, point: &mut Point) -> Problem<'a> {
@@ -151,10 +203,11 @@ fn freedoms(
     mechanism: &Mechanism,
     equations: &Equations,
     point: &mut Point,
+    problem: &Problem,
     q: &[f64],
     candidates: &[Condition],
     errors: &mut Diagnostics,
-) -> Option<usize> {
+) -> Option<(usize, redundancy::Redundancy)> {
     let n = equations.symbols.v.len();
     let driven = equations.rows.len() - mechanism.drivers.len();
     let undriven: Vec<usize> = (0..driven).collect();
@@ -163,8 +216,7 @@ fn freedoms(
     if let Some((expected, span)) = mechanism.expect.degrees_of_freedom
         && expected != freedoms
     {
-        let names = mobility::independent(point, candidates, q);
-        let names = names.iter().map(|at| candidates[*at].of.clone()).collect();
+        let names = free_names(mechanism, point, candidates, q);
         errors.error(span, messages::wrong_freedoms(expected, freedoms, names));
     }
     let mut dependent = rank.dependent;
@@ -172,6 +224,16 @@ fn freedoms(
         let all: Vec<usize> = (0..equations.rows.len()).collect();
         dependent = mobility::rank(point, &all, q).dependent;
     }
+    let redundancy = match redundancy::find(mechanism, point, problem, q, &dependent) {
+        redundancy::Finding::None => redundancy::Redundancy::default(),
+        redundancy::Finding::Dropped(redundancy) => return errors.is_empty().then_some((freedoms, redundancy)),
+        redundancy::Finding::Refused { rows, rank, of, what } => {
+            let span = equations.rows.iter().find(|row| row.of == of).map(|row| row.span);
+            let message = messages::redundant(&of, what, rows, rank);
+            errors.error(span.unwrap_or(mechanism.name.span), message);
+            return None;
+        }
+    };
     // One message for each joint, not for each of its rows.
     let (rows, rank) = (equations.rows.len(), equations.rows.len() - dependent.len());
     for rows_of_one in dependent.chunk_by(|a, b| equations.rows[*a].of == equations.rows[*b].of) {
@@ -179,7 +241,28 @@ fn freedoms(
         let what: Vec<&str> = rows_of_one.iter().map(|row| equations.rows[*row].what).collect();
         errors.error(first.span, messages::dependent_rows(&first.of, &what, rows, rank));
     }
-    if errors.is_empty() { Some(freedoms) } else { None }
+    errors.is_empty().then_some((freedoms, redundancy))
+}
+
+/// What can still move: the independent coordinates, and where those do not suffice the independent velocities.
+fn free_names(mechanism: &Mechanism, point: &mut Point, candidates: &[Condition], q: &[f64]) -> Vec<String> {
+    let equations = point.equations;
+    if equations.layout.quaternions.is_empty() {
+        let names = mobility::independent(point, candidates, q);
+        return names.iter().map(|at| candidates[*at].of.clone()).collect();
+    }
+    let owners = equations.layout.owners(mechanism);
+    let mut found: Vec<String> = Vec::new();
+    for velocity in mobility::independent_velocities(point, q) {
+        let name = match owners[velocity] {
+            Owner::Body(body) => &mechanism.bodies[body.0].name.text,
+            Owner::Joint(joint) => &mechanism.joints[joint.0].name.text,
+        };
+        if found.last() != Some(name) {
+            found.push(name.clone());
+        }
+    }
+    found
 }
 
 /// Coordinates that may serve as independent ones: as written, else `start`'s, else those of the tree.
@@ -188,17 +271,20 @@ fn candidates(mechanism: &Mechanism, equations: &mut Equations) -> Vec<Condition
     quantities.extend(mechanism.options.independent.iter().map(|(quantity, _)| quantity.clone()));
     if quantities.is_empty() {
         let exact = mechanism.start.iter().filter(|start| start.exact);
-        quantities.extend(exact.filter_map(|start| coordinate_of(&start.quantity)));
+        let stated = exact.filter_map(|start| coordinate_of(&start.quantity));
+        quantities.extend(stated.filter(conditions::is_position));
         for attachment in &equations.tree.attachments {
             quantities.extend(match attachment.joint {
+                None if mechanism.space == Space::Spatial => Vec::new(),
                 None => vec![Quantity::BodyAngle(attachment.body)],
+                Some((joint, _)) if mechanism.space == Space::Spatial => of_joint(mechanism, joint),
                 Some((joint, _)) => match mechanism.joints[joint.0].kind {
-                    JointKind::Prismatic { .. } => vec![Quantity::JointTravel(joint)],
+                    JointKind::Prismatic { .. } => vec![Quantity::JointTravel(joint, 0)],
                     JointKind::PointOnLine { .. } => {
-                        vec![Quantity::JointTravel(joint), Quantity::JointAngle(joint)]
+                        vec![Quantity::JointTravel(joint, 0), Quantity::JointAngle(joint, 0)]
                     }
-                    JointKind::Revolute => vec![Quantity::JointAngle(joint)],
-                    JointKind::Fixed { .. } | JointKind::Distance { .. } => Vec::new(),
+                    JointKind::Revolute { .. } => vec![Quantity::JointAngle(joint, 0)],
+                    _ => Vec::new(),
                 },
             });
         }
@@ -225,11 +311,19 @@ fn candidates(mechanism: &Mechanism, equations: &mut Equations) -> Vec<Condition
     found
 }
 
+/// The coordinates of a joint in space.
+fn of_joint(mechanism: &Mechanism, joint: JointId) -> Vec<Quantity> {
+    let names = mechanism.joints[joint.0].kind.word().coordinates(mechanism.space);
+    let travels = (0..names.travels.len()).map(|which| Quantity::JointTravel(joint, which));
+    travels.chain((0..names.angles.len()).map(|which| Quantity::JointAngle(joint, which))).collect()
+}
+
 fn center_place(mechanism: &Mechanism, body: BodyId) -> crate::model::Place {
     let definition = &mechanism.bodies[body.0];
     crate::model::Place {
         frame: crate::model::Frame::Body(body),
         at: definition.center.clone(),
+        axes: crate::model::Axes::Parallel,
         text: format!("{}.center", definition.name.text),
         span: definition.name.span,
     }

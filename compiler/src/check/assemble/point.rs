@@ -1,5 +1,6 @@
 //! The equations at one state, by interpreting their graph.
 
+use super::quaternion;
 use crate::equations::{Equations, Jet};
 use crate::symbolic::{Node, Op, evaluate_reachable};
 
@@ -61,8 +62,8 @@ impl<'a> Point<'a> {
     }
 }
 
-/// Moves q by an increment in the space of velocities: lengths add, pairs turn by the angle, multi-turn angles grow
-/// by the difference of theirs.
+/// Moves q by an increment in the space of velocities: lengths add, pairs turn by the angle, quaternions by the
+/// exponential of the triple, multi-turn angles grow by their rates.
 pub fn retract(equations: &Equations, q: &[f64], increment: &[f64]) -> Vec<f64> {
     let layout = &equations.layout;
     let mut moved = q.to_vec();
@@ -77,10 +78,15 @@ pub fn retract(equations: &Equations, q: &[f64], increment: &[f64]) -> Vec<f64> 
         let length = (x * x + y * y).sqrt();
         (moved[at], moved[at + 1]) = (x / length, y / length);
     }
+    for b in 0..layout.quaternions.len() {
+        let (at, omega) = (layout.quaternion(b), layout.omega(b));
+        let turned = quaternion::turn([0, 1, 2, 3].map(|k| q[at + k]), [0, 1, 2].map(|k| increment[omega + k]));
+        moved[at..at + 4].copy_from_slice(&turned);
+    }
     for (a, angle) in layout.angles.iter().enumerate() {
         let at = layout.turns(a);
-        let step = |index: Option<usize>| index.map_or(0.0, |index| increment[index]);
-        let sum = moved[at + 1] + step(angle.plus) - step(angle.minus);
+        let step: f64 = angle.rate.iter().map(|(index, weight)| weight * increment[*index]).sum();
+        let sum = moved[at + 1] + step;
         let whole = (sum / std::f64::consts::TAU).round();
         moved[at] += whole;
         moved[at + 1] = sum - whole * std::f64::consts::TAU;

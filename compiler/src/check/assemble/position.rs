@@ -36,6 +36,8 @@ pub struct Attempt {
     pub distance: f64,
 }
 
+/// Rows that are measured in metres.
+const LENGTHS: [&str; 6] = ["x", "y", "z", "normal", "normal_1", "normal_2"];
 /// Relative residuals below this close a loop.
 const CLOSED: f64 = 1e-12;
 const ITERATIONS: usize = 60;
@@ -71,6 +73,29 @@ impl<'a> Problem<'a> {
         }
         let table = Table::new(n, rows.len() + conditions.len(), entries);
         Problem { equations, rows, conditions, guesses, ancestry, table }
+    }
+
+    /// The same without drivers and without what `start` says: what the joints admit.
+    pub fn joints_only(&self, mechanism: &crate::model::Mechanism) -> Problem<'a> {
+        let undriven = self.equations.rows.len() - mechanism.drivers.len();
+        let rows = self.rows.iter().copied().filter(|row| *row < undriven).collect();
+        Problem::new(self.equations, rows, Vec::new(), Vec::new())
+    }
+
+    pub(super) fn table(&self) -> &Table {
+        &self.table
+    }
+
+    /// [1 Dᵀ; D 0] and a right-hand side of its size.
+    pub(super) fn unit_system(&self, point: &mut Point, q: &[f64]) -> (Vec<(usize, usize, f64)>, Vec<f64>) {
+        let n = self.equations.symbols.v.len();
+        let unknowns = n + self.rows.len() + self.conditions.len();
+        let (mut entries, rhs) = self.system(point, q, n, unknowns, &[]);
+        for (i, j, value) in entries.iter_mut().take(n) {
+            debug_assert_eq!(i, j);
+            *value = 1.0;
+        }
+        (entries, rhs)
     }
 
     /// Newton's method from `q`.
@@ -222,12 +247,12 @@ impl Problem<'_> {
             alike.fold(0.0_f64, |largest, (_, own)| largest.max(*own))
         };
         let or_one = |size: f64| if size > 0.0 { size } else { 1.0 };
-        let (length, square) = (largest(&["x", "y", "normal"]), largest(&["distance"]));
+        let (length, square) = (largest(&LENGTHS), largest(&["distance"]));
         let length = or_one(if length > 0.0 { length } else { square.sqrt() });
         let size = |(row, own): (&usize, &f64)| match self.equations.rows[*row].what {
-            "x" | "y" | "normal" => length,
+            what if LENGTHS.contains(&what) => length,
             "distance" => or_one(square),
-            "angle" => 1.0,
+            "angle" | "axis_1" | "axis_2" | "cross" | "twist" => 1.0,
             _ => or_one(*own),
         };
         Sizes { length, rows: self.rows.iter().zip(&own).map(size).collect() }
@@ -251,7 +276,11 @@ fn deviation(point: &Point, condition: &Condition, target: f64) -> f64 {
     difference - std::f64::consts::TAU * (difference / std::f64::consts::TAU).round()
 }
 
-impl Problem<'_> {
+impl<'p> Problem<'p> {
+    pub fn equations(&self) -> &'p Equations {
+        self.equations
+    }
+
     pub fn has_guesses(&self) -> bool {
         !self.guesses.is_empty()
     }
@@ -276,9 +305,9 @@ impl Problem<'_> {
 
     /// Angle of a joint at `q`, in (−π, π].
     pub fn joint_angle(&self, point: &mut Point, q: &[f64], joint: [Option<usize>; 2]) -> f64 {
-        let bodies = joint.map(|body| body.map(|body| self.equations.motions[body].orientation));
+        let bodies = joint.map(|body| body.map(|body| self.equations.motions[body].orientation.as_slice()));
         point.set_q(q);
-        point.evaluate(&Ancestry::of(self.equations, bodies.iter().flatten().flatten().copied()));
+        point.evaluate(&Ancestry::of(self.equations, bodies.iter().flatten().copied().flatten().copied()));
         let [first, second] =
             bodies.map(|pair| pair.map_or(0.0, |pair| libm::atan2(point.get(pair[1]), point.get(pair[0]))));
         let difference = second - first;

@@ -3,7 +3,7 @@
 use super::point::{Ancestry, Point};
 use super::{Assembly, messages};
 use crate::diagnostics::Diagnostics;
-use crate::equations::{Equations, Jet};
+use crate::equations::{Equations, Jet, Owner};
 use crate::model::Mechanism;
 use crate::solve::Massless;
 use crate::solve::table::{DEPENDENT, Numeric, Table};
@@ -146,10 +146,10 @@ pub fn massless(
     let weight = if largest > 0.0 { 2.0_f64.powi(largest.log2().round() as i32) } else { 1.0 };
 
     let loose = loose_velocities(&mut point, &mass, &rows, weight, n);
+    let (names, owners) = (equations.layout.velocity_names(mechanism), equations.layout.owners(mechanism));
     for velocity in &loose {
-        let name = equations.layout.velocity_names(mechanism).swap_remove(*velocity);
-        let body = body_of(mechanism, &name);
-        errors.error(body.mass_span, messages::massless(&body.name.text, &name));
+        let body = body_of(mechanism, equations, owners[*velocity]);
+        errors.error(body.mass_span, messages::massless(&body.name.text, &names[*velocity]));
     }
     Massless { velocities, rows, weight }
 }
@@ -178,15 +178,15 @@ fn loose_velocities(
     (0..n).filter(|k| pivots[*k] < DEPENDENT).collect()
 }
 
-fn body_of<'a>(mechanism: &'a Mechanism, velocity: &str) -> &'a crate::model::Body {
-    let owner = velocity.split('.').next().unwrap_or_default();
-    let body = mechanism.bodies.iter().find(|body| body.name.text == owner);
-    let carried = || {
-        let joint = mechanism.joints.iter().find(|joint| joint.name.text == owner)?;
-        match joint.second.frame {
-            crate::model::Frame::Body(body) => mechanism.bodies.get(body.0),
-            crate::model::Frame::Ground => None,
+/// The body itself, or the one that the joint carries.
+fn body_of<'a>(mechanism: &'a Mechanism, equations: &Equations, owner: Owner) -> &'a crate::model::Body {
+    let body = match owner {
+        Owner::Body(body) => Some(body),
+        Owner::Joint(joint) => {
+            let mut attachments = equations.tree.attachments.iter();
+            let own = attachments.find(|own| own.joint.is_some_and(|(carrying, _)| carrying == joint));
+            own.map(|attachment| attachment.body)
         }
     };
-    body.or_else(carried).unwrap_or(&mechanism.bodies[0])
+    &mechanism.bodies[body.map_or(0, |body| body.0)]
 }

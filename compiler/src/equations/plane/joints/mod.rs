@@ -1,7 +1,8 @@
 //! The joints, one file each with the same functions in the same order:
 //! `rows` (the constraint as jets), `attach` (where the joint carries a body), `reaction` (from multipliers).
 //!
-//! p₁, p₂ are the first and second place, θ₁, θ₂ the orientations of their bodies, Δ = p₂ − p₁.
+//! p₁, p₂ are the first and second place, θ₁, θ₂ the orientations of their bodies, Δ = p₂ − p₁. Kinds that need space do
+//! not arrive here: the language has no words for them in the plane.
 
 mod distance;
 mod fixed;
@@ -9,36 +10,20 @@ mod point_on_line;
 mod prismatic;
 mod revolute;
 
-use super::jet::Jet;
+use super::angles::ground;
 use super::kinematics::{FrameId, GROUND, LocalVector, Placement, Position, inverse, rotate};
-use super::laws::Laws;
+use crate::equations::JointRow;
+use crate::equations::jet::Jet;
+use crate::equations::laws::Laws;
 use crate::model::{BodyId, BodyKind, Frame, Joint, JointId, JointKind};
 use crate::symbolic::{Graph, Node, Unary};
-
-/// One row of a joint's constraint.
-#[derive(Clone, Debug)]
-pub struct JointRow {
-    pub what: &'static str,
-    pub jet: Jet,
-    /// For a direction row sin(Δθ) = 0: cos(Δθ), which must be positive.
-    pub upright: Option<Node>,
-}
-
-impl JointRow {
-    fn new(what: &'static str, jet: Jet) -> Self {
-        JointRow { what, jet, upright: None }
-    }
-}
 
 /// What a joint exerts on the second place's body: force (world axes) at the second place, and torque about it.
 pub type Wrench = [Node; 3];
 
 /// Whether a joint lets the carried body turn on its own.
 pub fn turns(kind: &JointKind) -> bool {
-    match kind {
-        JointKind::Revolute | JointKind::PointOnLine { .. } | JointKind::Distance { .. } => true,
-        JointKind::Fixed { .. } | JointKind::Prismatic { .. } => false,
-    }
+    matches!(kind, JointKind::Revolute { .. } | JointKind::PointOnLine { .. } | JointKind::Distance { .. })
 }
 
 /// Whether a joint has a travel.
@@ -51,10 +36,11 @@ pub fn rows(g: &mut Graph, laws: &Laws, joint: &Joint) -> Vec<JointRow> {
     let ends = Ends::of(g, laws, joint);
     match &joint.kind {
         JointKind::Fixed { angle } => fixed::rows(g, laws, &ends, angle),
-        JointKind::Revolute => revolute::rows(g, laws, &ends),
+        JointKind::Revolute { .. } => revolute::rows(g, laws, &ends),
         JointKind::Prismatic { axis, angle } => prismatic::rows(g, laws, &ends, axis, angle),
         JointKind::PointOnLine { direction } => point_on_line::rows(g, laws, &ends, direction),
         JointKind::Distance { length } => distance::rows(g, laws, &ends, length),
+        _ => Vec::new(),
     }
 }
 
@@ -63,10 +49,11 @@ pub fn reaction(g: &mut Graph, laws: &Laws, joint: &Joint, lambda: &[Node]) -> W
     let ends = Ends::of(g, laws, joint);
     match &joint.kind {
         JointKind::Fixed { angle } => fixed::reaction(g, laws, &ends, angle, lambda),
-        JointKind::Revolute => revolute::reaction(g, lambda),
+        JointKind::Revolute { .. } => revolute::reaction(g, lambda),
         JointKind::Prismatic { axis, angle } => prismatic::reaction(g, laws, &ends, axis, angle, lambda),
         JointKind::PointOnLine { direction } => point_on_line::reaction(g, laws, &ends, direction, lambda),
         JointKind::Distance { .. } => distance::reaction(g, laws, &ends, lambda),
+        _ => [g.constant(0.0); 3],
     }
 }
 
@@ -85,9 +72,9 @@ pub fn attach(
     let (near, far) =
         if child_is_second { (&joint.first, &joint.second) } else { (&joint.second, &joint.first) };
     let pivot = match near.frame {
-        Frame::Ground => laws.ground(g, &near.at),
+        Frame::Ground => ground(g, laws, &near.at),
         Frame::Body(_) => {
-            let at = laws.vector(g, &near.at);
+            let at = laws.pair_of(g, &near.at);
             let local = rotate(g, parent.offset, at);
             let arm = Position::fixed(g, parent.frame, local);
             parent.origin.add(g, &arm)
@@ -96,7 +83,7 @@ pub fn attach(
     let carried = Carried {
         parent,
         pivot,
-        at: laws.vector(g, &far.at),
+        at: laws.pair_of(g, &far.at),
         frame,
         travel,
         child_is_second,
@@ -104,9 +91,9 @@ pub fn attach(
     };
     match &joint.kind {
         JointKind::Fixed { angle } => fixed::attach(g, laws, carried, angle),
-        JointKind::Revolute | JointKind::Distance { .. } => revolute::attach(g, carried),
         JointKind::Prismatic { axis, angle } => prismatic::attach(g, laws, carried, axis, angle),
         JointKind::PointOnLine { direction } => point_on_line::attach(g, laws, carried, direction),
+        _ => revolute::attach(g, carried),
     }
 }
 
@@ -120,7 +107,7 @@ struct Ends {
 
 impl Ends {
     fn of(g: &mut Graph, laws: &Laws, joint: &Joint) -> Self {
-        let (first, second) = (laws.place(g, &joint.first), laws.place(g, &joint.second));
+        let (first, second) = (laws.plane().place(g, laws, &joint.first), laws.plane().place(g, laws, &joint.second));
         Ends { first: joint.first.frame, second: joint.second.frame, delta: second.sub(g, &first) }
     }
 
@@ -129,7 +116,7 @@ impl Ends {
         match self.first {
             Frame::Ground => (GROUND, u),
             Frame::Body(body) => {
-                let placement = &laws.kinematics().bodies[body.0];
+                let placement = &laws.plane().bodies[body.0];
                 (placement.frame, rotate(g, placement.offset, u))
             }
         }

@@ -6,7 +6,7 @@ use crate::model::Expr;
 use crate::symbolic::{Graph, Node};
 
 pub fn rows(g: &mut Graph, laws: &Laws, ends: &Ends, length: &Expr) -> Vec<JointRow> {
-    let kinematics = laws.kinematics();
+    let kinematics = laws.plane();
     let [x, y] = kinematics.world(g, &ends.delta);
     let length = laws.jet(g, length);
     let half = g.constant(0.5);
@@ -18,7 +18,7 @@ pub fn rows(g: &mut Graph, laws: &Laws, ends: &Ends, length: &Expr) -> Vec<Joint
 
 /// −Dᵀλ with ∂Φ/∂p₂ = Δ: force −λ Δ at the second place.
 pub fn reaction(g: &mut Graph, laws: &Laws, ends: &Ends, lambda: &[Node]) -> Wrench {
-    let [x, y] = laws.kinematics().world(g, &ends.delta);
+    let [x, y] = laws.plane().world(g, &ends.delta);
     let force = [x.value, y.value].map(|component| {
         let product = g.mul(component, lambda[0]);
         g.neg(product)

@@ -1,7 +1,7 @@
 //! Fixed (bracket): p₁ − p₂ = 0 and sin(θ₂ − θ₁ − angle) = 0 on its upright root.
 
 use super::{Carried, Ends, JointRow, Wrench, revolute};
-use crate::equations::kinematics::Placement;
+use crate::equations::plane::kinematics::Placement;
 use crate::equations::laws::Laws;
 use crate::model::Expr;
 use crate::symbolic::{Graph, Node};
@@ -26,14 +26,14 @@ pub fn reaction(g: &mut Graph, laws: &Laws, ends: &Ends, angle: &Expr, lambda: &
 /// sin(θ₂ − θ₁ − angle), shared with the prismatic joint.
 pub fn direction_row(g: &mut Graph, laws: &Laws, ends: &Ends, angle: &Expr) -> JointRow {
     let pair = laws.pair(g, angle);
-    let (sine, cosine) = laws.sine_jet(g, ends.first, ends.second, pair);
-    JointRow { what: "angle", jet: sine, upright: Some(cosine) }
+    let (sine, cosine) = laws.plane().sine_jet(g, laws, ends.first, ends.second, pair);
+    JointRow { upright: Some(cosine), ..JointRow::new("angle", sine) }
 }
 
 /// Torque on the second from the multiplier of [`direction_row`]: −cos(Δθ) λ.
 pub fn direction_torque(g: &mut Graph, laws: &Laws, ends: &Ends, angle: &Expr, lambda: Node) -> Node {
     let pair = laws.pair(g, angle);
-    let (_, cosine) = laws.sine_jet(g, ends.first, ends.second, pair);
+    let (_, cosine) = laws.plane().sine_jet(g, laws, ends.first, ends.second, pair);
     let torque = g.mul(cosine, lambda);
     g.neg(torque)
 }

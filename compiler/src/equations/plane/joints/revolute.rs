@@ -1,12 +1,12 @@
 //! Revolute: p₁ − p₂ = 0.
 
 use super::{Carried, Ends, JointRow, Wrench};
-use crate::equations::kinematics::Placement;
+use crate::equations::plane::kinematics::Placement;
 use crate::equations::laws::Laws;
 use crate::symbolic::{Graph, Node};
 
 pub fn rows(g: &mut Graph, laws: &Laws, ends: &Ends) -> Vec<JointRow> {
-    let [x, y] = laws.kinematics().world(g, &ends.delta);
+    let [x, y] = laws.plane().world(g, &ends.delta);
     vec![JointRow::new("x", x.neg(g)), JointRow::new("y", y.neg(g))]
 }
 

@@ -3,21 +3,19 @@
 //! In tree coordinates the joints that carry bodies have no multipliers; their reactions follow from the
 //! Newton–Euler equations of the bodies, from the leaves of the tree inwards.
 
-use super::Row;
-use super::coordinates::Symbols;
 use super::inertia::Massive;
 use super::joints::{self, Wrench};
 use super::kinematics::{GROUND, Kinematics, LocalVector, Placement, Position, TurningFrame};
-use super::laws::Laws;
-use super::loads;
-use super::spanning_tree::SpanningTree;
+use crate::equations::coordinates::Symbols;
+use crate::equations::laws::Laws;
+use crate::equations::spanning_tree::SpanningTree;
+use crate::equations::{BodyMotion, Row, loads, multipliers_of_joints};
 use crate::model::{BodyKind, Frame, JointKind, Mechanism};
 use crate::symbolic::{Graph, Node};
-use std::collections::BTreeMap;
 
 /// Motion of a body: centre of mass x, y; cos, sin of its orientation; their velocities and accelerations.
 #[derive(Clone, Copy, Debug)]
-pub struct BodyMotion {
+pub struct Motion {
     pub position: [Node; 2],
     pub orientation: [Node; 2],
     pub velocity: [Node; 2],
@@ -26,11 +24,16 @@ pub struct BodyMotion {
     pub angular_acceleration: Node,
 }
 
-impl BodyMotion {
-    /// x, y, cos, sin, vx, vy, ω, ax, ay, α.
-    pub fn flat(&self) -> [Node; 10] {
-        let BodyMotion { position: p, orientation: o, velocity: v, rate, acceleration: a, .. } = self;
-        [p[0], p[1], o[0], o[1], v[0], v[1], *rate, a[0], a[1], self.angular_acceleration]
+impl Motion {
+    pub fn flat(&self) -> BodyMotion {
+        BodyMotion {
+            position: self.position.to_vec(),
+            orientation: self.orientation.to_vec(),
+            velocity: self.velocity.to_vec(),
+            rate: vec![self.rate],
+            acceleration: self.acceleration.to_vec(),
+            angular_acceleration: vec![self.angular_acceleration],
+        }
     }
 }
 
@@ -40,13 +43,13 @@ pub fn motions(
     kinematics: &Kinematics,
     bodies: &[Massive],
     symbols: &Symbols,
-) -> Vec<BodyMotion> {
+) -> Vec<Motion> {
     let zero = g.constant(0.0);
     let mut motions = Vec::new();
     for (index, body) in bodies.iter().enumerate() {
         let [x, y] = kinematics.world(g, &body.center);
         let rate = kinematics.frames[body.frame].rate.filter(|_| body.inertia.is_some());
-        motions.push(BodyMotion {
+        motions.push(Motion {
             position: [x.value, y.value],
             orientation: kinematics.orientation(g, index),
             velocity: [x.rate(g, &symbols.v), y.rate(g, &symbols.v)],
@@ -62,7 +65,7 @@ pub fn motions(
 }
 
 /// The same bodies in absolute coordinates, whose values are those of `motions`.
-pub fn overlay(g: &mut Graph, laws: &Laws, motions: &[BodyMotion]) -> Kinematics {
+pub fn overlay(g: &mut Graph, laws: &Laws, motions: &[Motion]) -> Kinematics {
     let (zero, one) = (g.constant(0.0), g.constant(1.0));
     let mut overlay = Kinematics {
         frames: vec![TurningFrame { cos: one, sin: zero, rate: None }],
@@ -81,7 +84,7 @@ pub fn overlay(g: &mut Graph, laws: &Laws, motions: &[BodyMotion]) -> Kinematics
                 let [cos, sin] = motion.orientation;
                 overlay.frames.push(TurningFrame { cos, sin, rate: Some(3 * index + 2) });
                 let frame = overlay.frames.len() - 1;
-                let at = laws.vector(g, &body.center);
+                let at = laws.pair_of(g, &body.center);
                 let arm = Position::fixed(g, frame, at);
                 Placement { origin: center.sub(g, &arm), frame, offset: [one, zero] }
             }
@@ -99,7 +102,7 @@ pub fn reactions(
     absolute: &Laws,
     tree: &SpanningTree,
     bodies: &[Massive],
-    motions: &[BodyMotion],
+    motions: &[Motion],
     cut_rows: &[Row],
     absolute_rows: &[Row],
 ) -> Vec<Wrench> {
@@ -127,12 +130,12 @@ pub fn reactions(
             sum[2] = g.add(sum[2], moment);
         }
         let joint_definition = &mechanism.joints[joint.0];
-        let second = laws.place(g, &joint_definition.second);
-        let [x, y] = laws.kinematics().world(g, &second);
+        let second = laws.plane().place(g, laws, &joint_definition.second);
+        let [x, y] = laws.plane().world(g, &second);
         let arm = difference(g, motions[child].position, [x.value, y.value]);
         // What turns freely exerts no torque, by construction.
         let torque = match joint_definition.kind {
-            JointKind::Revolute | JointKind::PointOnLine { .. } => zero,
+            JointKind::Revolute { .. } | JointKind::PointOnLine { .. } => zero,
             _ => moment(g, arm, need),
         };
         let wrench = [need[0], need[1], torque];
@@ -142,28 +145,17 @@ pub fn reactions(
     wrenches
 }
 
-/// Rows of each cut joint, by index of joint.
-fn multipliers_of_joints(rows: &[Row]) -> BTreeMap<usize, Vec<usize>> {
-    let mut found: BTreeMap<usize, Vec<usize>> = BTreeMap::new();
-    for (index, row) in rows.iter().enumerate() {
-        if let Some(joint) = row.joint {
-            found.entry(joint.0).or_default().push(index);
-        }
-    }
-    found
-}
-
 /// m a − (loads + gravity + forces of the multipliers), per body, moments about its centre.
 fn inertia_less_applied(
     g: &mut Graph,
     absolute: &Laws,
     bodies: &[Massive],
-    motions: &[BodyMotion],
+    motions: &[Motion],
     absolute_rows: &[Row],
 ) -> Vec<Wrench> {
     let mechanism: &Mechanism = absolute.mechanism;
     let zero = g.constant(0.0);
-    let gravity = mechanism.gravity.as_ref().map(|gravity| absolute.vector(g, gravity));
+    let gravity = mechanism.gravity.as_ref().map(|gravity| absolute.pair_of(g, gravity));
     let mut needed = Vec::new();
     for (body, motion) in bodies.iter().zip(motions) {
         let mut acceleration = motion.acceleration;

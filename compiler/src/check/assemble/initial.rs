@@ -1,0 +1,105 @@
+//! Positions from which assembly is tried in space: the coordinates of the tree as `start` states or guesses them, the others
+//! at zero first and later turned by the golden angle, each by a different multiple.
+
+use super::attempts::{GOLDEN, Stated};
+use super::point::{Ancestry, Point};
+use super::quaternion;
+use crate::equations::{Attachment, Ball, Kinematics, Linear, Rotation};
+use crate::model::{BodyId, Frame, JointId, Mechanism, Rotor, fold};
+use crate::symbolic::Node;
+use std::f64::consts::TAU;
+
+/// q for attempt `number`.
+pub fn in_space(stated: &Stated, mechanism: &Mechanism, point: &mut Point, number: usize) -> Vec<f64> {
+    let equations = point.equations;
+    let layout = &equations.layout;
+    let mut q = vec![0.0; layout.positions()];
+    for (index, linear) in layout.linear.iter().enumerate() {
+        let value = match linear {
+            Linear::Center(body, axis) => stated.centers.get(&(body.0, *axis)),
+            Linear::Travel(joint, which) => stated.travels.get(&(*joint, *which)),
+        };
+        q[index] = value.copied().unwrap_or(0.0);
+    }
+    let mut free = 0;
+    let mut angles = Vec::new();
+    for (r, rotation) in layout.rotations.iter().enumerate() {
+        let Rotation::Joint(joint, which) = rotation else { continue };
+        let value = stated.angles.get(&(*joint, *which)).copied();
+        let mut angle = value.unwrap_or(0.0);
+        if value.is_none() || !Stated::is_exact_angle(equations, *joint, *which) {
+            free += 1;
+            angle += GOLDEN * (number * free) as f64;
+        }
+        q[layout.pair(r)] = libm::cos(angle);
+        q[layout.pair(r) + 1] = libm::sin(angle);
+        angles.push((Rotor::Joint(*joint, *which), angle));
+    }
+    for (b, ball) in layout.quaternions.iter().enumerate() {
+        let (given, exact) = match ball {
+            Ball::Body(body) => orientation(mechanism, *body),
+            Ball::Joint(joint) => carried(mechanism, point, &q, *joint),
+        };
+        let mut orientation = given;
+        if number > 0 && !exact {
+            free += 1;
+            // About a different axis each time.
+            let angle = GOLDEN * (number * free) as f64;
+            let axis = [libm::cos(angle), libm::sin(angle), libm::cos(0.5 * angle)];
+            let length = axis.iter().map(|x| x * x).sum::<f64>().sqrt();
+            let turned = angle - TAU * (angle / TAU).round();
+            orientation = quaternion::turn(given, axis.map(|x| x / length * turned));
+        }
+        q[layout.quaternion(b)..layout.quaternion(b) + 4].copy_from_slice(&orientation);
+    }
+    for (a, counted) in layout.angles.iter().enumerate() {
+        let value = angles.iter().find(|(rotor, _)| *rotor == counted.rotor).map_or(0.0, |(_, angle)| *angle);
+        let turns = (value / TAU).round();
+        q[layout.turns(a)] = turns;
+        q[layout.turns(a) + 1] = value - turns * TAU;
+    }
+    q
+}
+
+/// The turn of a ball that gives the carried body the orientation that `start` states: (A_n B_n)ᵀ A_f B_f. Balls are in
+/// the order of the tree, so the body that carries it has its orientation already.
+fn carried(mechanism: &Mechanism, point: &mut Point, q: &[f64], joint: JointId) -> ([f64; 4], bool) {
+    let none = ([1.0, 0.0, 0.0, 0.0], false);
+    let equations = point.equations;
+    let Kinematics::Space(kinematics) = &equations.kinematics else { return none };
+    let own = equations.tree.attachments.iter().find(|own| own.joint.is_some_and(|(id, _)| id == joint));
+    let Some(Attachment { body, joint: Some((_, parent)) }) = own else { return none };
+    if mechanism.orientations.iter().all(|start| start.body != *body) {
+        return none;
+    }
+    let (wanted, exact) = orientation(mechanism, *body);
+    let [near, far] = kinematics.balls[&joint];
+    let carrier = match parent {
+        Frame::Ground => Vec::new(),
+        Frame::Body(parent) => equations.motions[parent.0].orientation.clone(),
+    };
+    point.set_q(q);
+    let nodes = carrier.iter().chain(near.iter().flatten()).chain(far.iter().flatten());
+    point.evaluate(&Ancestry::of(equations, nodes.copied()));
+    let matrix = |m: &[[Node; 3]; 3]| quaternion::of_matrix(m.map(|row| row.map(|node| point.get(node))));
+    let (near, far) = (matrix(&near), matrix(&far));
+    let carrier = match carrier.as_slice() {
+        [] => [1.0, 0.0, 0.0, 0.0],
+        a => quaternion::of_matrix([0, 1, 2].map(|i| [0, 1, 2].map(|j| point.get(a[3 * i + j])))),
+    };
+    let carrying = quaternion::product(carrier, near);
+    let turned = quaternion::product(quaternion::conjugate(carrying), quaternion::product(wanted, far));
+    (quaternion::normalized(turned), exact)
+}
+
+/// What `start` says of a body's orientation, and whether it must be met.
+fn orientation(mechanism: &Mechanism, body: BodyId) -> ([f64; 4], bool) {
+    let defaults: Vec<f64> = mechanism.parameters.iter().map(|parameter| parameter.default).collect();
+    match mechanism.orientations.iter().find(|start| start.body == body) {
+        Some(start) => {
+            let value = |k: usize| fold::evaluate(&start.quaternion[k], &defaults).unwrap_or(0.0);
+            (quaternion::normalized([0, 1, 2, 3].map(value)), start.exact)
+        }
+        None => ([1.0, 0.0, 0.0, 0.0], false),
+    }
+}

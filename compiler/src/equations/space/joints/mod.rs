@@ -1,0 +1,214 @@
+//! The joints, one file each with the same functions in the same order: `motions` (how a body moves that the joint
+//! carries, from the first place to the second), `rows` (the constraint where it carries nothing).
+//!
+//! With E₁, E₂ the axes of the two places, turned so that z lies along the joint's axis, and Δ = p₂ − p₁. Rows are seen
+//! from the link of the first place, so that what is fixed there needs no turning. Reactions follow from the rows by
+//! virtual work, for all joints alike (`bodies`).
+
+mod constant_velocity;
+mod cylindrical;
+mod distance;
+mod fixed;
+mod planar;
+mod point_on_line;
+mod point_on_plane;
+mod prismatic;
+mod revolute;
+mod screw;
+mod spherical;
+mod universal;
+
+use super::axes;
+use super::kinematics::{Kinematics, Spot, axis_of};
+use super::links::GROUND;
+use super::vector::{self, Mat3, Vec3};
+use super::vector_jet::{Kind, VectorJet};
+use crate::equations::{Jet, JointRow, Laws, SpanningTree};
+use crate::model::{BodyKind, Frame, Joint, JointId, JointKind};
+use crate::symbolic::{Graph, Node};
+
+/// One elementary motion of a joint.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Elementary {
+    /// About z of a joint frame; which of the joint's angles.
+    Turn { frame: usize, which: usize },
+    /// Along an axis of the first joint frame; which of the joint's travels.
+    Slide { axis: usize, which: usize },
+    /// Along z of the first joint frame, by the pitch for each turn of the joint's angle.
+    Wind,
+    /// Any turn of the carried place's axes against those of the carrying place.
+    Ball,
+}
+
+pub fn motions(kind: &JointKind) -> Vec<Elementary> {
+    match kind {
+        JointKind::Fixed { .. } => fixed::motions(),
+        JointKind::Revolute { .. } => revolute::motions(),
+        JointKind::Prismatic { .. } => prismatic::motions(),
+        JointKind::Cylindrical { .. } => cylindrical::motions(),
+        JointKind::Screw { .. } => screw::motions(),
+        JointKind::Universal { .. } => universal::motions(),
+        JointKind::Spherical => spherical::motions(),
+        JointKind::Planar { .. } => planar::motions(),
+        JointKind::ConstantVelocity { .. } => constant_velocity::motions(),
+        JointKind::PointOnLine { .. } => point_on_line::motions(),
+        JointKind::PointOnPlane { .. } => point_on_plane::motions(),
+        JointKind::Distance { .. } => distance::motions(),
+    }
+}
+
+/// The joint frames that the motions refer to, in the axes of the places.
+pub fn frames(g: &mut Graph, laws: &Laws, kind: &JointKind) -> Vec<Mat3> {
+    match kind {
+        JointKind::Universal { axis, second_axis } => {
+            vec![axes::joint_frame(g, laws, axis), axes::joint_frame(g, laws, second_axis)]
+        }
+        JointKind::PointOnLine { direction } => vec![axes::joint_frame(g, laws, direction)],
+        kind => match axis_of(kind) {
+            Some(axis) => vec![axes::joint_frame(g, laws, axis)],
+            None => vec![vector::identity(g)],
+        },
+    }
+}
+
+/// Degrees of freedom that a joint leaves.
+pub fn freedoms(kind: &JointKind) -> usize {
+    match kind {
+        JointKind::Fixed { .. } => 0,
+        JointKind::Revolute { .. } | JointKind::Prismatic { .. } | JointKind::Screw { .. } => 1,
+        JointKind::Cylindrical { .. } | JointKind::Universal { .. } | JointKind::ConstantVelocity { .. } => 2,
+        JointKind::Spherical | JointKind::Planar { .. } => 3,
+        JointKind::PointOnLine { .. } => 4,
+        JointKind::PointOnPlane { .. } | JointKind::Distance { .. } => 5,
+    }
+}
+
+/// Constraint rows of a joint that carries nothing.
+pub fn rows(g: &mut Graph, laws: &Laws, tree: &SpanningTree, id: JointId) -> Vec<JointRow> {
+    let joint = &laws.mechanism.joints[id.0];
+    let Some(ends) = Ends::of(g, laws, tree, joint) else { return Vec::new() };
+    match &joint.kind {
+        JointKind::Fixed { .. } => fixed::rows(g, &ends),
+        JointKind::Revolute { .. } => revolute::rows(g, &ends),
+        JointKind::Prismatic { .. } => prismatic::rows(g, &ends),
+        JointKind::Cylindrical { .. } => cylindrical::rows(g, &ends),
+        JointKind::Screw { pitch, .. } => screw::rows(g, laws, &ends, id, pitch),
+        JointKind::Universal { axis, second_axis } => universal::rows(g, laws, &ends, axis, second_axis),
+        JointKind::Spherical => spherical::rows(g, &ends),
+        JointKind::Planar { .. } => planar::rows(g, &ends),
+        JointKind::ConstantVelocity { .. } => constant_velocity::rows(g, &ends),
+        JointKind::PointOnLine { .. } => point_on_line::rows(g, &ends),
+        JointKind::PointOnPlane { .. } => point_on_plane::rows(g, &ends),
+        JointKind::Distance { length } => distance::rows(g, laws, &ends, length),
+    }
+}
+
+/// The two ends of a joint in motion.
+struct Ends<'a> {
+    kinematics: &'a Kinematics,
+    velocities: &'a [Node],
+    first: Spot,
+    second: Spot,
+    /// E₁ and E₂ in the axes of their links.
+    e1: Mat3,
+    e2: Mat3,
+    /// The axes along which components of p₁ − p₂ are taken, and by which link they are seen.
+    seen_from: Frame,
+}
+
+impl<'a> Ends<'a> {
+    fn of(g: &mut Graph, laws: &Laws<'a>, tree: &SpanningTree, joint: &Joint) -> Option<Self> {
+        let crate::equations::Kinematics::Space(kinematics) = laws.kinematics() else { return None };
+        let (first, second) = (kinematics.spot(g, laws, &joint.first), kinematics.spot(g, laws, &joint.second));
+        let frame = frames(g, laws, &joint.kind)[0];
+        let (e1, e2) = (vector::product(g, &first.axes, &frame), vector::product(g, &second.axes, &frame));
+        let seen_from = meeting(laws, tree, joint);
+        Some(Ends { kinematics, velocities: &kinematics.velocities, first, second, e1, e2, seen_from })
+    }
+
+    /// p₁ − p₂ along the axes of the body where the two ways of the tree meet, or of the ground.
+    fn gap(&self, g: &mut Graph) -> [Jet; 3] {
+        let (link, axes) = match self.seen_from {
+            Frame::Ground => (GROUND, vector::identity(g)),
+            Frame::Body(body) => {
+                let placement = &self.kinematics.bodies[body.0];
+                (placement.link, placement.axes)
+            }
+        };
+        let kinematics = self.kinematics;
+        let a = kinematics.carry(g, self.first.at.clone(), self.first.link, link, Kind::Point);
+        let b = kinematics.carry(g, self.second.at.clone(), self.second.link, link, Kind::Point);
+        let gap = a.sub(g, &b);
+        // Body ← link.
+        let gap = gap.along(g, &vector::transposed(&axes));
+        gap.components(g)
+    }
+
+    /// Rows `x`, `y`, `z`: the two places coincide.
+    fn together(&self, g: &mut Graph) -> Vec<JointRow> {
+        let names = ["x", "y", "z"].into_iter().zip(self.gap(g));
+        names.map(|(what, jet)| JointRow { axes: Some(self.seen_from), ..JointRow::new(what, jet) }).collect()
+    }
+
+    /// Δ as seen from the link of the first place.
+    fn delta(&self, g: &mut Graph) -> VectorJet {
+        self.kinematics.delta(g, &self.first, &self.second)
+    }
+
+    /// Rows `normal_1`, `normal_2`: x₁·Δ and y₁·Δ.
+    fn on_axis(&self, g: &mut Graph) -> Vec<JointRow> {
+        let delta = self.delta(g);
+        let names = ["normal_1", "normal_2"].into_iter().enumerate();
+        names
+            .map(|(k, what)| JointRow::new(what, delta.project(g, vector::column(&self.e1, k))))
+            .collect()
+    }
+
+    /// Row `normal`: z₁·Δ.
+    fn on_plane(&self, g: &mut Graph) -> JointRow {
+        let delta = self.delta(g);
+        JointRow::new("normal", delta.project(g, vector::column(&self.e1, 2)))
+    }
+
+    /// An axis of E₂ as seen from the link of the first place.
+    fn second_axis(&self, g: &mut Graph, k: usize) -> VectorJet {
+        self.direction(g, vector::column(&self.e2, k))
+    }
+
+    fn direction(&self, g: &mut Graph, u: Vec3) -> VectorJet {
+        self.kinematics.direction(g, &self.first, &self.second, u)
+    }
+
+    /// Rows `axis_1`, `axis_2`: x₁·z₂ and y₁·z₂, with z₁·z₂ positive.
+    fn parallel(&self, g: &mut Graph) -> Vec<JointRow> {
+        let z = self.second_axis(g, 2);
+        let upright = vector::dot(g, vector::column(&self.e1, 2), z.value);
+        let names = ["axis_1", "axis_2"].into_iter().enumerate();
+        names
+            .map(|(k, what)| {
+                let jet = z.project(g, vector::column(&self.e1, k));
+                JointRow { upright: Some(upright), ..JointRow::new(what, jet) }
+            })
+            .collect()
+    }
+
+    /// Row `angle`: x₁·y₂, with y₁·y₂ positive.
+    fn unturned(&self, g: &mut Graph) -> JointRow {
+        let y = self.second_axis(g, 1);
+        let upright = vector::dot(g, vector::column(&self.e1, 1), y.value);
+        let jet = y.project(g, vector::column(&self.e1, 0));
+        JointRow { upright: Some(upright), ..JointRow::new("angle", jet) }
+    }
+}
+
+/// The body, or the ground, where the ways of the two ends along the tree meet.
+fn meeting(laws: &Laws, tree: &SpanningTree, joint: &Joint) -> Frame {
+    let first = tree.path(joint.first.frame);
+    let second = tree.path(joint.second.frame);
+    let meeting = second.into_iter().find(|frame| first.contains(frame)).unwrap_or(Frame::Ground);
+    match meeting {
+        // A particle has no axes.
+        Frame::Body(body) if laws.mechanism.bodies[body.0].kind == BodyKind::Particle => Frame::Ground,
+        meeting => meeting,
+    }
+}

@@ -1,0 +1,144 @@
+//! Links: frames that move one against the other by one elementary motion each.
+//!
+//! A vector with components x in the axes of a link has, in those of its parent,
+//!   x′ = at + axes (slide + R x),
+//! where `at` and `axes` are constant and the motion is a turn about the link's own z, a slide, or a ball. A joint with
+//! several freedoms is a chain of links without mass; constant folding leaves nothing of what does not move.
+
+use super::vector::{self, Mat3, Vec3};
+use crate::equations::Jet;
+use crate::symbolic::{Graph, Node};
+
+/// Index of a link in [`super::Kinematics::links`].
+pub type LinkId = usize;
+/// The link that does not move.
+pub const GROUND: LinkId = 0;
+
+/// How a link moves against its parent.
+#[derive(Clone, Copy, Debug)]
+pub enum Motion {
+    None,
+    /// R = Rz(θ) of (cos, sin), ω = sign · v\[rate\] along z.
+    Turn { cos: Node, sin: Node, rate: usize, sign: Node },
+    /// By `travel` along `axis`, with the speed factor · v\[rate\].
+    Slide { axis: Vec3, travel: Node, rate: usize, factor: Node },
+    /// R = `matrix`, ω = (v\[rate\], v\[rate + 1\], v\[rate + 2\]) along the link's own axes.
+    Ball { matrix: Mat3, rate: usize },
+}
+
+#[derive(Clone, Debug)]
+pub struct Link {
+    pub parent: LinkId,
+    pub at: Vec3,
+    /// ∂at/∂t and ∂²at/∂t²: places of the ground may move. Zero unless the parent is the ground.
+    pub at_drift: Vec3,
+    pub at_bias: Vec3,
+    /// Parent ← link before its motion; constant.
+    pub axes: Mat3,
+    pub motion: Motion,
+}
+
+/// Where a body is: on a link, its own axes turned and its origin shifted by constants.
+#[derive(Clone, Debug)]
+pub struct Placement {
+    pub link: LinkId,
+    /// Of the body's origin.
+    pub at: Vec3,
+    /// Link ← body.
+    pub axes: Mat3,
+}
+
+impl Link {
+    pub fn ground(g: &mut Graph) -> Self {
+        let (zero, axes) = (vector::zero(g), vector::identity(g));
+        Link { parent: GROUND, at: zero, at_drift: zero, at_bias: zero, axes, motion: Motion::None }
+    }
+
+    /// Whether its foot moves with time.
+    pub fn is_carried_by_time(&self, g: &Graph) -> bool {
+        !(vector::is_zero(g, self.at_drift) && vector::is_zero(g, self.at_bias))
+    }
+
+    /// R x.
+    pub fn turn(&self, g: &mut Graph, x: Vec3) -> Vec3 {
+        match &self.motion {
+            Motion::None | Motion::Slide { .. } => x,
+            Motion::Turn { cos, sin, .. } => vector::turn_z(g, *cos, *sin, x),
+            Motion::Ball { matrix, .. } => vector::apply(g, matrix, x),
+        }
+    }
+
+    /// Rᵀ x.
+    pub fn turn_back(&self, g: &mut Graph, x: Vec3) -> Vec3 {
+        match &self.motion {
+            Motion::None | Motion::Slide { .. } => x,
+            Motion::Turn { cos, sin, .. } => {
+                let sin = g.neg(*sin);
+                vector::turn_z(g, *cos, sin, x)
+            }
+            Motion::Ball { matrix, .. } => vector::apply_transposed(g, matrix, x),
+        }
+    }
+
+    /// A free vector in the axes of the parent.
+    pub fn up(&self, g: &mut Graph, x: Vec3) -> Vec3 {
+        let x = self.turn(g, x);
+        vector::apply(g, &self.axes, x)
+    }
+
+    /// A free vector of the parent in the link's own axes.
+    pub fn down(&self, g: &mut Graph, x: Vec3) -> Vec3 {
+        let x = vector::apply_transposed(g, &self.axes, x);
+        self.turn_back(g, x)
+    }
+
+    /// ω relative to the parent, in the link's own axes.
+    pub fn omega(&self, g: &mut Graph, v: &[Node]) -> Vec3 {
+        let zero = g.constant(0.0);
+        match &self.motion {
+            Motion::None | Motion::Slide { .. } => [zero; 3],
+            Motion::Turn { rate, sign, .. } => [zero, zero, g.mul(*sign, v[*rate])],
+            Motion::Ball { rate, .. } => [v[*rate], v[rate + 1], v[rate + 2]],
+        }
+    }
+
+    /// Index and axis of each velocity that turns the link, in its own axes.
+    pub fn turning(&self, g: &mut Graph) -> Vec<(usize, Vec3)> {
+        let zero = g.constant(0.0);
+        match &self.motion {
+            Motion::None | Motion::Slide { .. } => Vec::new(),
+            Motion::Turn { rate, sign, .. } => vec![(*rate, [zero, zero, *sign])],
+            Motion::Ball { rate, .. } => (0..3).map(|k| (rate + k, vector::unit(g, k))).collect(),
+        }
+    }
+
+    /// The slide's part of the offset from the parent, in the axes of the link before its motion.
+    pub fn slide(&self, g: &mut Graph) -> Vec3 {
+        match &self.motion {
+            Motion::Slide { axis, travel, .. } => vector::scale(g, *travel, *axis),
+            _ => vector::zero(g),
+        }
+    }
+
+    /// Index of the velocity that slides the link, and the way along which, in its own axes.
+    pub fn sliding(&self, g: &mut Graph) -> Option<(usize, Vec3)> {
+        match &self.motion {
+            Motion::Slide { axis, rate, factor, .. } => Some((*rate, vector::scale(g, *factor, *axis))),
+            _ => None,
+        }
+    }
+
+    /// From the parent's origin to the link's, in the axes of the parent.
+    pub fn offset(&self, g: &mut Graph) -> Vec3 {
+        let slide = self.slide(g);
+        let slide = vector::apply(g, &self.axes, slide);
+        vector::add(g, self.at, slide)
+    }
+
+    /// Puts the foot at a place of the ground that may move.
+    pub fn at_place(&mut self, place: &[Jet; 3]) {
+        self.at = [0, 1, 2].map(|k| place[k].value);
+        self.at_drift = [0, 1, 2].map(|k| place[k].drift);
+        self.at_bias = [0, 1, 2].map(|k| place[k].bias);
+    }
+}

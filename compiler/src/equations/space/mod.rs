@@ -1,0 +1,17 @@
+//! Spatial mechanisms: a tree of links, each moved against its parent by one elementary motion.
+
+mod axes;
+mod bodies;
+mod coordinates;
+mod dynamics;
+pub mod joints;
+mod kinematics;
+mod links;
+mod tensor;
+mod vector;
+mod vector_jet;
+
+pub use bodies::consequences;
+pub use coordinates::{constant_axis, coordinates};
+pub use dynamics::dynamics;
+pub use kinematics::Kinematics;

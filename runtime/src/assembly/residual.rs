@@ -1,0 +1,164 @@
+//! What has to vanish at a consistent position: constraint rows and conditions, angles by the whole angle.
+//!
+//! Rows that are sines have a second root half a turn away. Here they count as the angles themselves, so that Newton's
+//! iteration (`position.rs`) turns back what is on the wrong side. In space sines are products of two unit vectors and angles
+//! only where other rows hold: axes are therefore brought together first, by the angle between them, and the turn about
+//! them is let go until then.
+
+use super::system::name_unknown;
+use crate::error::AssemblyError;
+use crate::mechanism::{Assemble, ConditionKind, Mechanism};
+use crate::real::Real;
+use crate::vector::Vector;
+
+/// Axes further apart than this, rad, are brought together before bodies are turned about them.
+const ALIGNED: f64 = 0.1;
+
+/// The least divisor that stands for a cosine.
+const NEARLY_RIGHT: f64 = 1e-3;
+
+/// The residual of the mechanism `M`.
+pub(super) type ResidualOf<R, M> = Residual<R, <M as Mechanism<R>>::Lambda, <M as Assemble<R>>::Conditions>;
+
+/// The residual of all rows at one position.
+pub(super) struct Residual<R, L, C> {
+    pub(super) rows: L,
+    pub(super) conditions: C,
+    /// What the rows of D must be divided by: cos Δθ where the residual is Δθ in place of sin Δθ; zero for a row that is
+    /// let go for the time being.
+    pub(super) divisors: L,
+    pub(super) norm: R,
+}
+
+impl<R: Real, L: Vector<R>, C: Vector<R>> Residual<R, L, C> {
+    pub(super) fn at<M>(model: &M, time: R, q: &M::Q, targets: &C, active: &C) -> Self
+    where
+        M: Assemble<R, Lambda = L, Conditions = C>,
+    {
+        let (mut rows, mut cosines, mut divisors) = (L::zero(), L::zero(), L::zero());
+        model.constraints(time, q, &mut rows);
+        model.row_cosines(time, q, &mut cosines);
+        divisors.as_mut_slice().fill(R::ONE);
+        let mut let_go = R::ZERO;
+        for joint in M::FLIPS.chunk_by(|&a, &b| M::ROWS[a as usize].of == M::ROWS[b as usize].of) {
+            let what = |row: u16| M::ROWS[row as usize].what;
+            let (rows, divisors) = (rows.as_mut_slice(), divisors.as_mut_slice());
+            match *joint {
+                [first, second, ref turns @ ..] if what(first) == "axis_1" && what(second) == "axis_2" => {
+                    let axes = [first as usize, second as usize];
+                    let_go = let_go + axes_then_turns(axes, turns, cosines.as_slice(), rows, divisors);
+                }
+                ref turns => whole_angles(turns, cosines.as_slice(), rows, divisors),
+            }
+        }
+
+        let (mut conditions, mut flipped) = (C::zero(), C::zero());
+        model.condition_residual(time, q, targets, &mut conditions);
+        model.condition_cosines(time, q, targets, &mut flipped);
+        for (i, entry) in conditions.as_mut_slice().iter_mut().enumerate() {
+            let held = active.as_slice()[i] != R::ZERO;
+            *entry = match M::CONDITIONS[i].kind {
+                _ if !held => R::ZERO,
+                ConditionKind::Angle => entry.atan2(flipped.as_slice()[i]),
+                ConditionKind::Linear => *entry,
+            };
+        }
+        let norm = (rows.norm_squared() + conditions.norm_squared() + let_go).sqrt();
+        Residual { rows, conditions, divisors, norm }
+    }
+
+    pub(super) fn check_finite<M: Assemble<R>>(&self) -> Result<(), AssemblyError> {
+        let in_rows = self.rows.first_not_finite();
+        let unknown = in_rows.or_else(|| self.conditions.first_not_finite().map(|i| L::LEN + i));
+        match unknown {
+            Some(row) => Err(AssemblyError::NonFinite { row: name_unknown::<R, M>(M::V::LEN + row) }),
+            None => Ok(()),
+        }
+    }
+
+    pub(super) fn check_flips<M: Assemble<R>>(&self) -> Result<(), AssemblyError> {
+        match M::FLIPS.iter().find(|&&row| self.divisors.as_slice()[row as usize] < R::ZERO) {
+            Some(&row) => Err(AssemblyError::Flipped { row: M::ROWS[row as usize] }),
+            None => Ok(()),
+        }
+    }
+
+    /// Whether a row is at the place between its two roots where its derivative vanishes.
+    pub(super) fn at_right_angle<M: Assemble<R>>(&self) -> bool {
+        let divisor = |&row: &u16| self.divisors.as_slice()[row as usize];
+        M::FLIPS.iter().any(|row| divisor(row).abs() == R::from_f64(NEARLY_RIGHT))
+    }
+
+    /// The error that names the worst row; a joint stuck on its flipped root is said to be that.
+    pub(super) fn no_convergence<M: Assemble<R>>(&self, iterations: u32) -> AssemblyError {
+        let all = self.rows.as_slice().iter().chain(self.conditions.as_slice());
+        let (worst, residual) = all.enumerate().fold((0, R::ZERO), |(at, largest), (i, entry)| {
+            if entry.abs() > largest { (i, entry.abs()) } else { (at, largest) }
+        });
+        if M::FLIPS.contains(&(worst as u16)) && self.divisors.as_slice()[worst] < R::ZERO {
+            return AssemblyError::Flipped { row: M::ROWS[worst] };
+        }
+        let row = name_unknown::<R, M>(M::V::LEN + worst);
+        AssemblyError::NoConvergence { row, residual: residual.to_f64(), iterations }
+    }
+}
+
+/// Rows sin Δθ with their cosines: the residual is Δθ, whose derivative is that of the sine over the cosine.
+fn whole_angles<R: Real>(flips: &[u16], cosines: &[R], rows: &mut [R], divisors: &mut [R]) {
+    for &row in flips {
+        let (row, cosine) = (row as usize, cosines[row as usize]);
+        rows[row] = rows[row].atan2(cosine);
+        divisors[row] = away_from_zero(cosine);
+    }
+}
+
+/// Rows that make two axes parallel, and those of the turn about them; returns what the latter add to the squared norm
+/// while they are let go.
+fn axes_then_turns<R: Real>(
+    axes: [usize; 2],
+    turns: &[u16],
+    cosines: &[R],
+    rows: &mut [R],
+    divisors: &mut [R],
+) -> R {
+    let cosine = cosines[axes[0]];
+    let (angle, turn) = between_axes(axes.map(|row| rows[row]), cosine);
+    for (row, turn) in axes.into_iter().zip(turn) {
+        (rows[row], divisors[row]) = (turn, away_from_zero(cosine));
+    }
+    if angle <= R::from_f64(ALIGNED) {
+        whole_angles(turns, cosines, rows, divisors);
+        return R::ZERO;
+    }
+    for &row in turns {
+        (rows[row as usize], divisors[row as usize]) = (R::ZERO, R::ZERO);
+    }
+    // More than any angle, so that the norm falls when a row is taken up.
+    R::from_f64(core::f64::consts::PI * core::f64::consts::PI * turns.len() as f64)
+}
+
+/// The angle θ between two axes z₁ and z₂, and θ along the direction of s = (x₁·z₂, y₁·z₂), |s| = sin θ.
+///
+/// With the derivatives of s over cos θ, Newton's step is then the turn by θ that brings z₂ to z₁ on the shortest way.
+/// Taken one by one, a row whose sine is zero while the axes are opposite would ask for half a turn of its own.
+fn between_axes<R: Real>([x, y]: [R; 2], cosine: R) -> (R, [R; 2]) {
+    let sine = (x * x + y * y).sqrt();
+    let angle = sine.atan2(cosine);
+    if sine > R::ZERO {
+        let scale = angle / sine;
+        return (angle, [x * scale, y * scale]);
+    }
+    // Together, or opposite to rounding, where any direction will do.
+    (angle, if cosine < R::ZERO { [angle, R::ZERO] } else { [x, y] })
+}
+
+/// A cosine as a divisor, with its sign. At a right angle the derivative of the sine vanishes; a small divisor lets the
+/// other rows move on.
+fn away_from_zero<R: Real>(cosine: R) -> R {
+    let nonzero = R::from_f64(NEARLY_RIGHT);
+    match cosine {
+        _ if cosine.abs() >= nonzero => cosine,
+        _ if cosine < R::ZERO => -nonzero,
+        _ => nonzero,
+    }
+}

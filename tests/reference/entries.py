@@ -1,0 +1,80 @@
+"""States of a request as arrays, and random states compared entry by entry."""
+
+import numpy as np
+
+from comparison import numbers
+from coordinate_set import MATRICES, SCALARS, VECTORS
+
+
+def read_states(model, own, states):
+    """What a state is given by, as arrays (states, size)."""
+    sizes = {
+        "parameters": model.p.numel(),
+        "time": 1,
+        "inputs": model.u.numel(),
+        "phases": model.phases.numel(),
+        "q": own.kinematics.q.numel(),
+        "v": own.kinematics.v.numel(),
+    }
+    return {name: column(states, name, size) for name, size in sizes.items()}
+
+
+def column(states, name, *shape):
+    """One entry of all states as an array (states, …)."""
+    try:
+        return numbers([state[name] for state in states], (len(states), *shape))
+    except ValueError as error:
+        raise ValueError(f"`{name}` should have {shape} entries in every state") from error
+
+
+def compare_norms(comparison, own, states):
+    """Pairs and quaternions must be of length one: the equations compared mean something only there."""
+    norms = own.norms(states["q"])
+    one = np.ones(norms.shape)
+    comparison.terms("norms", norms, one, one, lambda k: f"pair or quaternion number {k}")
+
+
+def compare_random(comparison, own, states, quantities):
+    compare_energies(comparison, own, states, quantities)
+    for name in VECTORS:
+        if name != "powers":
+            value, scale = quantities[name]
+            comparison.terms(name, column(states, name, value.shape[1]), value, scale, own.entry_name(name))
+    for name in MATRICES:
+        compare_matrix(comparison, own, name, [state[name] for state in states], quantities[name])
+
+
+def compare_energies(comparison, own, states, quantities):
+    for name in SCALARS:
+        value, scale = quantities[name]
+        comparison.terms(name, column(states, name, 1), value, scale, own.entry_name(name))
+    value, scale = quantities["powers"]
+    comparison.terms("powers", column(states, "powers", value.shape[1]), value, scale, own.entry_name("powers"))
+
+
+def compare_matrix(comparison, own, name, triplets, quantity):
+    """Entries of a sparse matrix; a missing entry is a zero, an entry without terms is measured by its row."""
+    value, scale = quantity
+    dense = np.zeros(value.shape)
+    for state, entries in enumerate(triplets):
+        entries = numbers(entries, (-1, 3))
+        rows, columns = entries[:, 0].astype(int), entries[:, 1].astype(int)
+        if len(entries) and (rows.max() >= value.shape[1] or columns.max() >= value.shape[2]):
+            comparison.fail(name, f"an entry outside of {value.shape[1]} × {value.shape[2]}")
+            return
+        dense[state, rows, columns] = entries[:, 2]
+        if name == "mass":
+            dense[state, columns, rows] = entries[:, 2]
+    # Only entries that are there on one of the sides.
+    there = np.any((dense != 0.0) | (scale != 0.0), axis=0)
+    scale = np.where(scale == 0.0, scale.max(axis=2, keepdims=True, initial=0.0), scale)
+    if name == "mass":
+        there &= np.tri(len(there), dtype=bool)
+    rows, columns = np.nonzero(there)
+    comparison.terms(
+        name,
+        dense[:, rows, columns],
+        value[:, rows, columns],
+        scale[:, rows, columns],
+        lambda k: own.pair_name(name, rows[k], columns[k]),
+    )

@@ -1,0 +1,46 @@
+"""Equations of motion of spatial mechanisms: Lagrange's equations in the redundant q, projected with q̇ = N(q) v.
+
+    T(q, q̇, t) = Σ ½ m |ṙ|² + ½ tr(Ȧ S Ȧᵀ),   S = ½ tr(J) 1 − J = ∫ x xᵀ dm in body axes about the centre of mass,
+    M = Nᵀ (∂²T/∂q̇²) N,   Q = loads − Nᵀ ∂V/∂q − Nᵀ [(d/dt ∂T/∂q̇ at v̇ = 0) − ∂T/∂q].
+Ȧ is ∂A/∂q q̇, so no angular velocity occurs. Admissible variations are δq = N δπ, tangent to the unit circles and
+spheres of the pairs and quaternions, so that T may be continued off them in any way: the reactions of the norms'
+constraints point along q and Nᵀ q = 0 there. (Goldstein, Classical Mechanics, ch. 2.4: multipliers; the matrix S:
+García de Jalón & Bayo, 1994, ch. 4.2.) Loads, constraints and their derivatives are those of `energies`.
+"""
+
+import casadi as ca
+
+from energies import Energies
+from space_frames import cleaned
+
+
+class SpaceEnergies(Energies):
+    def _kinetic(self):
+        """T as a function of (q, v); keeps T(q, q̇, t)."""
+        kinematics, bodies = self.kinematics, self.model.bodies
+        self.q_dot = ca.SX.sym("q_dot", kinematics.q.numel())
+        poses = [kinematics.poses[name] for name in bodies]
+        place = ca.vertcat(*[ca.vertcat(pose.position, ca.vec(ca.SX(pose.matrix))) for pose in poses])
+        rates = ca.jtimes(place, kinematics.q, self.q_dot) + kinematics.explicit_rate(place)
+        energy = ca.SX(0)
+        for index, body in enumerate(bodies.values()):
+            own = rates[12 * index : 12 * index + 12]
+            energy += body.mass * ca.dot(own[:3], own[:3]) / 2
+            if not body.particle:
+                turning = ca.reshape(own[3:], 3, 3)
+                moments = cleaned(ca.trace(body.inertia) / 2 * ca.SX.eye(3) - body.inertia)
+                energy += ca.trace(ca.mtimes(ca.mtimes(turning, moments), turning.T)) / 2
+        self.redundant = energy
+        return ca.substitute(energy, self.q_dot, kinematics.q_rate(kinematics.v))
+
+    def _inertial(self):
+        """−Nᵀ [(d/dt ∂T/∂q̇ at v̇ = 0) − ∂T/∂q]."""
+        kinematics = self.kinematics
+        q, time, v = kinematics.q, self.model.time, kinematics.v
+        q_rate = kinematics.q_rate(v)
+        second = ca.jtimes(q_rate, q, q_rate)  # q̈ at v̇ = 0
+        momentum = ca.gradient(self.redundant, self.q_dot)
+        change = ca.jtimes(momentum, ca.vertcat(q, time, self.q_dot), ca.vertcat(q_rate, 1, second))
+        lagrange = ca.substitute(change - ca.gradient(self.redundant, q), self.q_dot, q_rate)
+        # Nᵀ as the transposed derivative of q̇ with respect to v.
+        return -ca.jtimes(q_rate, v, lagrange, True)
