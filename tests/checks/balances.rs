@@ -6,7 +6,10 @@ use crate::registry::{At, Model, Random, compiled, fields, for_each, vector};
 use crate::walking::walk;
 use crate::zoo::{Floating, FloatingState, Shaken};
 use linkwright::{AssembleExt, Mechanism, Simulation, Vector, retract};
-use linkwright_compiler::model::{Coordinates, Expr, JointKind, LoadKind};
+use linkwright_compiler::equations::space::constant_axis;
+use linkwright_compiler::model::{
+    Coordinates, Expr, Frame, Joint, JointKind, LoadKind, Mechanism as Mechanism_, Space,
+};
 use linkwright_compiler::schedule::{self, Function, Inputs};
 use linkwright_compiler::{Compiled, compile_model};
 
@@ -221,13 +224,50 @@ fn joints_exert_nothing_along_their_freedom<M: Model>() {
         model.acceleration(at.time, &at.q, &at.v, &at.u, &mut a, &mut lambda);
         let reactions = model.flat_reactions(&at, &a, &lambda);
         let largest = reactions.iter().fold(0.0_f64, |largest, reaction| largest.max(reaction.abs()));
+        if compiled.mechanism.space == Space::Spatial {
+            let motions = model.flat_motions(at.time, &at.q, &at.v, &a);
+            for (joint, reaction) in compiled.mechanism.joints.iter().zip(reactions.chunks(6)) {
+                for work in along_the_freedom(&compiled.mechanism, joint, reaction, &motions) {
+                    let name = &joint.name.text;
+                    assert!(work.abs() <= 1e-10 * largest, "{} {name}: {work} of {largest}", M::NAME);
+                }
+            }
+            continue;
+        }
         for (joint, reaction) in compiled.mechanism.joints.iter().zip(reactions.chunks(3)) {
-            if matches!(joint.kind, JointKind::Revolute | JointKind::PointOnLine { .. }) {
+            if matches!(joint.kind, JointKind::Revolute { .. } | JointKind::PointOnLine { .. }) {
                 let torque = reaction[2];
                 let name = &joint.name.text;
                 assert!(torque.abs() <= 1e-11 * largest, "{} {name}: {torque} of {largest}", M::NAME);
             }
         }
+    }
+}
+
+/// Components of a reaction in space along what its joint lets move: all of the torque of a ball, what lies along the axis
+/// of a revolute, prismatic, cylindrical or planar joint. Axes that depend on parameters are left to the reference.
+fn along_the_freedom(mechanism: &Mechanism_, joint: &Joint, reaction: &[f64], motions: &[f64]) -> Vec<f64> {
+    let (force, torque) = reaction.split_at(3);
+    let along = |direction: [f64; 3], vector: &[f64]| -> f64 {
+        direction.iter().zip(vector).map(|(a, b)| a * b).sum()
+    };
+    let axis = || -> Option<[f64; 3]> {
+        let axis = constant_axis(mechanism, joint, &joint.second)?;
+        let Frame::Body(body) = joint.second.frame else { return Some(axis) };
+        let turned = &motions[24 * body.0 + 3..24 * body.0 + 12];
+        Some([0, 1, 2].map(|row| along(axis, &turned[3 * row..])))
+    };
+    match joint.kind {
+        JointKind::Spherical | JointKind::PointOnLine { .. } | JointKind::PointOnPlane { .. } => torque.to_vec(),
+        JointKind::Distance { .. } => torque.to_vec(),
+        JointKind::Revolute { .. } | JointKind::Planar { .. } => {
+            axis().map(|axis| along(axis, torque)).into_iter().collect()
+        }
+        JointKind::Prismatic { .. } => axis().map(|axis| along(axis, force)).into_iter().collect(),
+        JointKind::Cylindrical { .. } => {
+            axis().map(|axis| [along(axis, force), along(axis, torque)]).into_iter().flatten().collect()
+        }
+        _ => Vec::new(),
     }
 }
 

@@ -74,6 +74,7 @@ fn emitted<M: Model>(model: &M, inputs: &Inputs, function: Function) -> Option<V
             model.acceleration_baumgarte(t, q, v, u, inputs.two_alpha, inputs.beta_squared, a, lambda)
         }),
         Function::Outputs => linkwright::Fields::to_array(&model.outputs(t, q, v, u)).as_slice().to_vec(),
+        Function::InverseDynamics => model.flat_inverse_dynamics(&at, &a),
         Function::Powers => model.flat_powers(&at),
         Function::DriverEfforts => model.flat_driver_efforts(&at, &lambda),
         Function::Motions => model.flat_motions(t, q, v, &a),

@@ -21,6 +21,7 @@ pub trait Model: Assemble<f64, Inputs: Fields<f64>, Outputs: Fields<f64>> + Size
     fn parameter_values(&self) -> Vec<f64>;
     fn flat_motions(&self, time: f64, q: &Self::Q, v: &Self::V, a: &Self::V) -> Vec<f64>;
     fn flat_reactions(&self, at: &At<Self>, a: &Self::V, lambda: &Self::Lambda) -> Vec<f64>;
+    fn flat_inverse_dynamics(&self, at: &At<Self>, a: &Self::V) -> Vec<f64>;
     fn flat_powers(&self, at: &At<Self>) -> Vec<f64>;
     /// Efforts, then powers.
     fn flat_driver_efforts(&self, at: &At<Self>, lambda: &Self::Lambda) -> Vec<f64>;
@@ -98,6 +99,9 @@ macro_rules! model {
             ) -> Vec<f64> {
                 let reactions = self.reactions(at.time, &at.q, &at.v, &at.u, a, lambda);
                 reactions.iter().flat_map($crate::registry::Flat::flat).collect()
+            }
+            fn flat_inverse_dynamics(&self, at: &$crate::registry::At<Self>, a: &Self::V) -> Vec<f64> {
+                self.inverse_dynamics(at.time, &at.q, &at.v, &at.u, a).to_vec()
             }
             fn flat_powers(&self, at: &$crate::registry::At<Self>) -> Vec<f64> {
                 self.powers(at.time, &at.q, &at.v, &at.u).to_vec()

@@ -122,8 +122,8 @@ class System:
     """K z = b at all states, plain and equilibrated by one scaling for the whole model.
 
     `deficient`: rows may be implied by others. K is then singular in the directions of λ that exert nothing; condition
-    and solution are those across these directions (pseudo-inverse). `background`: share of the terms of b that counts as
-    its size even where they cancel.
+    and solution are those across these directions (pseudo-inverse). `background`: share of the terms of b that counts
+    as its size even where they cancel.
     """
 
     def __init__(self, quantities, deficient=False, background=0.0):

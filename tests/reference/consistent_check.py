@@ -40,7 +40,8 @@ class ConsistentCheck:
         self.absolute, self.v, self.a = self.system.evaluate(self.states, placed, angles)
         self.multipliers, self.leftover = self.system.multipliers(self.absolute, self.reactions, self.couplings)
         self.absolute_equations, self.own_equations = (
-            System(quantities, self.keeps_redundant(), self.background) for quantities in (self.absolute, self.quantities)
+            System(quantities, self.keeps_redundant(), self.background)
+            for quantities in (self.absolute, self.quantities)
         )
         self.condition = self.absolute_equations.conditions()
         self.kept = self.condition <= CONDITION
@@ -70,7 +71,8 @@ class ConsistentCheck:
         rigid = [not body.particle for body in self.model.bodies.values()]
         names, motion = list(self.model.bodies), self.motion
         for quantity, entries in motion.groups.items():
-            chosen = [(body, k) for body in range(len(rigid)) for k in entries if rigid[body] or k not in motion.angular]
+            chosen = [(body, k) for body in range(len(names)) for k in entries]
+            chosen = [(body, k) for body, k in chosen if rigid[body] or k not in motion.angular]
             at = (slice(None), [body for body, _ in chosen], [k for _, k in chosen])
             self.comparison.terms(
                 quantity,
@@ -192,6 +194,7 @@ class ConsistentCheck:
         scale += terms["powers"].sum(axis=1) + terms["elastic_powers"].sum(axis=1)
         through = np.einsum("sij,sj->si", terms["jacobian"], np.abs(self.v)) + terms["nu"]
         scale += np.einsum("si,si->s", np.abs(self.multipliers), through)
+        scale += 1e-3 * self.background * terms["kinetic"][:, 0] * np.abs(self.v).max(axis=1, initial=0.0)
         self.comparison.terms(
             "power_balance",
             supplied[self.kept, None],

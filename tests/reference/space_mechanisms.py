@@ -5,6 +5,8 @@ and a rotation vector per quaternion, near an assembly. Values that could hide a
 coordinate axes, orders as declared) are avoided where nothing else is tested.
 """
 
+from functools import partial
+
 from mechanisms import call, definition, joint, name, name_value, number, op, parameter, place, spring, value
 
 ROWS = {
@@ -165,7 +167,8 @@ def top():
         [
             body("top", "cylinder", density=value(900, "kg/m^3"), length=0.3, radius=value(4, "cm"),
                  markers=[marker("tip", (-0.15, 0, 0), axis=triple(1, 2, 2, "1"), reference=triple(1, 0, 0, "1"))]),
-            body("rod", "rod", mass=0.4, length=0.5, markers=[marker("eye", (-0.25, 0, 0.01), axis=triple(-1, 3, 2, "1"))]),
+            body("rod", "rod", mass=0.4, length=0.5,
+                 markers=[marker("eye", (-0.25, 0, 0.01), axis=triple(-1, 3, 2, "1"))]),
             body("drop", "particle", mass=0.2),
         ],
         [
@@ -173,7 +176,8 @@ def top():
             joint("hang", "spherical", place("rod.eye"), place("top.end")),
             joint("hold", "spherical", place("drop.center"), place("rod.end")),
         ],
-        [marker("socket", (0.2, -0.1, 0.3), about_z=value(-50, "deg"), about_y=value(20, "deg"), about_x=value(1, "rad"))],
+        [marker("socket", (0.2, -0.1, 0.3),
+                about_z=value(-50, "deg"), about_y=value(20, "deg"), about_x=value(1, "rad"))],
         gravity=GRAVITY,
         loads=[spring("rope", MOVING, place("drop.center"), 20, 0.3, 0.7)],
     )  # fmt: skip
@@ -221,7 +225,8 @@ def slider_crank():
         [
             body("crank", "rod", mass=0.5, length=0.1, radius=0.01),
             body("coupler", "rod", mass=name_value("m"), length=0.4),
-            body("slider", "sphere", density=value(7800, "kg/m^3"), radius=0.03, markers=[marker("yoke", (0.02, 0, 0))]),
+            body("slider", "sphere", density=value(7800, "kg/m^3"), radius=0.03,
+                 markers=[marker("yoke", (0.02, 0, 0))]),
         ],
         [
             joint("pin", "revolute", ground(0, 0.1, 0.12), place("crank.start"), axis=triple(0, 1, 3, "1")),
@@ -238,8 +243,8 @@ def slider_crank():
     branches = [("crank", "pin", "ground"), ("slider", "rail", "ground"), ("coupler", "cross", "slider")]
     rotations = [("pin", "angle"), ("cross", "angle_1"), ("cross", "angle_2")]
     tree = tree_set(branches, [("travel", "rail")], rotations, [], rows_of(model, ["ball"], {"ball": "crank"}))
-    absolute = absolute_set(model, rows_of(model, ["ball", "rail", "cross", "pin"], {"ball": "coupler", "pin": "crank"}))
-    return model, tree, absolute, [0.45, 0.7, 0.3, -0.2]
+    rows = rows_of(model, ["ball", "rail", "cross", "pin"], {"ball": "coupler", "pin": "crank"})
+    return model, tree, absolute_set(model, rows), [0.45, 0.7, 0.3, -0.2]
 
 
 def carriers(backward=False):
@@ -250,7 +255,8 @@ def carriers(backward=False):
     tilted = triple(1, 2, -2, "1")
 
     def carried(text, **more):
-        return body(text, mass=0.7, vectors=inertia(0.05, 0.06, 0.08, 0.01, 0.002, -0.003), center=triple(0.02, 0.01, -0.03),
+        return body(text, mass=0.7, vectors=inertia(0.05, 0.06, 0.08, 0.01, 0.002, -0.003),
+                    center=triple(0.02, 0.01, -0.03),
                     markers=[marker("m", (0.1, -0.05, 0.02), about_x=value(40, "deg"), about_z=value(-0.3, "rad"))],
                     lines=[{"name": "edge", "from": place(f"{text}.m"), "to": place(f"{text}.center")}],
                     points=[point("p", -0.1, 0.1, 0.05)], **more)  # fmt: skip
@@ -269,7 +275,8 @@ def carriers(backward=False):
     joints += [
         joint("strut", "distance", place("on_point_on_line.p"), ground(0.1, 0.2, 0.3), length=value(0.9, "m")),
         joint("bond", "spherical", place("on_planar.p"), place("on_point_on_plane.p")),
-        joint("shaft", "constant_velocity", place("on_cylindrical.p"), place("on_spherical.p"), axis=triple(1, 1, 3, "1")),
+        joint("shaft", "constant_velocity", place("on_cylindrical.p"), place("on_spherical.p"),
+              axis=triple(1, 1, 3, "1")),
         joint("slot", "point_on_line", {"from": ground(0, 0, 0), "to": ground(1, 1, 0.5)}, place("bead.center")),
         joint("floor", "point_on_plane", ground(0, 0, 0.1), place("ball.center"), axis=triple(0.1, 0, 1, "1")),
         joint("stick", "distance", place("ball.center"), place("bead.center"), length=value(1.2, "m")),
@@ -294,17 +301,15 @@ def carriers(backward=False):
     frames |= {"j_fixed": "base", "j_spherical": "on_spherical"}
     rows = rows_of(model, [*cut, *[f"j_{kind}" for kind in reversed(kinds)], "slot", "floor"], frames)
     start = [0.7, 0.2, -0.3, 0.4, 0.1, -0.2, 0.15, 0.05, -0.1, 0.2, 0.1, -0.4, 0.3, 0.2, -0.5, 0.4]
-    return model, tree, absolute_set(model, rows), start + [0.1, 0.2, -0.1, 0.3, -0.2, 0.1, 0.2, 0.3, -0.2, -0.1, 0.2, 0.1]
-
-
-def backward_carriers():
-    return carriers(backward=True)
+    start += [0.1, 0.2, -0.1, 0.3, -0.2, 0.1, 0.2, 0.3, -0.2, -0.1, 0.2, 0.1]
+    return model, tree, absolute_set(model, rows), start
 
 
 def gears():
     """A screw geared to a driven shaft, a rack, a torsion spring on a cylindrical joint, an equation with a travel."""
     round_z, round_x = (0, 0, 1.0), (1.0, 0, 0)
     along_z, along_x = triple(0, 0, 2, "1"), triple(1, 0, 0, "1")
+    law = op("+", op("*", name("speed"), name("time")), op("*", number(0.2), call("sin", name("time"))))
     model = space(
         "ScrewAndGears",
         [
@@ -331,8 +336,7 @@ def gears():
             {"name": "follow", "kind": "equation", "left": name("line.travel"),
              "right": op("+", op("*", number(2), name("lead.travel")), op("^", name("roll.travel"), number(2)))},
         ],
-        drivers=[{"name": "motor", "quantity": name("main.angle"),
-                  "law": value(op("+", op("*", name("speed"), name("time")), op("*", number(0.2), call("sin", name("time")))))}],
+        drivers=[{"name": "motor", "quantity": name("main.angle"), "law": value(law)}],
         loads=[
             {"name": "bar_spring", "kind": "torsion_spring", "on": "roll", "stiffness": value(3, "N*m/rad"),
              "angle": value(20, "deg"), "damping": value(0.05, "N*m*s/rad")},
@@ -389,8 +393,6 @@ def four_bar(redundant="drop"):
     return model, tree, absolute, [1.0, -0.5, 1.4]
 
 
-def kept_four_bar():
-    return four_bar("keep")
-
-
+backward_carriers = partial(carriers, backward=True)
+kept_four_bar = partial(four_bar, "keep")
 ALL = (free_body, top, universals, slider_crank, carriers, backward_carriers, gears, four_bar)

@@ -62,7 +62,8 @@ class SpaceLayout:
         return np.hstack([np.linalg.norm(part.reshape(len(q), -1, size), axis=2) for part, size in parts])
 
     def velocity_names(self):
-        names = [f"{of} {kind}" for kind, of in self.linear] + [f"{joint} {angle} rate" for joint, angle in self.rotations]
+        names = [f"{of} {kind}" for kind, of in self.linear]
+        names += [f"{joint} {angle} rate" for joint, angle in self.rotations]
         return names + [f"{name} ω_{axis}" for _, name in self.quaternions for axis in "xyz"]
 
 

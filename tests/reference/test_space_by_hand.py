@@ -86,7 +86,8 @@ class Frames(unittest.TestCase):
         density, size = value(1000, "kg/m^3"), {"size": triple(0.1, 0.2, 0.3)}
         cases = (
             (body("b", "rod", mass=2, length=3), 2, (0, 1.5, 1.5)),
-            (body("b", "rod", density=density, length=3, radius=0.1), 94.24777960769379, (0.4712388980384690,) + 2 * (70.9214541547896,)),
+            (body("b", "rod", density=density, length=3, radius=0.1), 94.24777960769379,
+             (0.4712388980384690, 70.9214541547896, 70.9214541547896)),
             (body("b", "cylinder", mass=2, length=3, radius=0.5), 2, (0.25, 1.625, 1.625)),
             (body("b", "sphere", density=density, radius=0.1), 4.188790204786391, 3 * (0.016755160819145565,)),
             (body("b", "box", density=density, vectors=size), 6, (0.065, 0.05, 0.025)),
@@ -111,7 +112,8 @@ class Bodies(unittest.TestCase):
             gravity=triple(0, 0, op("neg", number("9.81")), "m/s^2"),
             loads=[{"name": "f", "kind": "force", "place": place("rock.corner"),
                     "components": [number(1), number(-2), number(3)]},
-                   {"name": "t", "kind": "torque", "on": "rock", "components": [number("0.1"), number("0.2"), number("-0.3")]}],
+                   {"name": "t", "kind": "torque", "on": "rock",
+                    "components": [number("0.1"), number("0.2"), number("-0.3")]}],
         )  # fmt: skip
         coordinates = space_mechanisms.absolute_set(model, [])
         coordinates["linear"] = [{"kind": kind, "of": "rock"} for kind in "xyz"]

@@ -112,9 +112,9 @@ impl VectorJet {
     /// From the axes of a link to those of its parent.
     fn up(&self, g: &mut Graph, link: &Link, v: &[Node], kind: Kind) -> Self {
         let mut jet = self.clone();
-        let omega = link.omega(g, v);
-        if !vector::is_zero(g, omega) {
-            for (velocity, axis) in link.turning(g) {
+        let (omega, turning) = (link.omega(g, v), link.turning(g));
+        if !turning.is_empty() {
+            for (velocity, axis) in turning {
                 let own = jet.columns.get(&velocity).copied().unwrap_or(vector::zero(g));
                 let turned = vector::cross(g, axis, self.value);
                 jet.columns.insert(velocity, vector::add(g, own, turned));
@@ -164,8 +164,8 @@ impl VectorJet {
             let speed = vector::scale(g, v[velocity], axis);
             jet.rate = vector::sub(g, jet.rate, speed);
         }
-        let omega = link.omega(g, v);
-        if !vector::is_zero(g, omega) {
+        let (omega, turning) = (link.omega(g, v), link.turning(g));
+        if !turning.is_empty() {
             jet = jet.map(g, |g, x| link.turn_back(g, x));
             let swept = vector::cross(g, omega, jet.value);
             // u̇, then 2 ω × u̇ + ω × (ω × u) = ω × (2 u̇ + ω × u)
@@ -175,7 +175,7 @@ impl VectorJet {
             let inner = vector::add(g, doubled, swept);
             let outer = vector::cross(g, omega, inner);
             jet.bias = vector::sub(g, jet.bias, outer);
-            for (velocity, axis) in link.turning(g) {
+            for (velocity, axis) in turning {
                 let own = jet.columns.get(&velocity).copied().unwrap_or(vector::zero(g));
                 let turned = vector::cross(g, axis, jet.value);
                 jet.columns.insert(velocity, vector::sub(g, own, turned));
