@@ -5,10 +5,9 @@ use crate::check::{
     assemble::{self, Assembly},
 };
 use crate::diagnostics::Diagnostics;
-use crate::equations::{self, Equations, SpanningTree};
-use crate::functions::Function;
-use crate::model::{Coordinates, Mechanism};
-use crate::schedule::{Counts, count_of};
+use crate::equations::{self, Equations, SpanningTree, space};
+use crate::model::{Coordinates, Mechanism, Space};
+use crate::schedule::Counts;
 use crate::solve::order::Strategy;
 use crate::solve::{self, Solved};
 
@@ -61,6 +60,9 @@ pub fn choose(
         let (candidate, counts) = solved(mechanism, tree, assembly, errors)?;
         return Some(taken(Coordinates::Tree, candidate, counts, None));
     }
+    if mechanism.space == Space::Spatial {
+        return choose_in_space(mechanism, tree, assembly, errors);
+    }
     let (absolute, state) = absolute(mechanism, &tree, &assembly);
     let (estimate, of_tree) = (solve::structural_operations(&absolute), solve::structural_operations(&tree));
     if of_tree > 4 * estimate {
@@ -72,6 +74,36 @@ pub fn choose(
     if estimate > 2 * counts.total() {
         return Some(taken(Coordinates::Tree, tree, counts, Some(Rejected::Estimated(estimate))));
     }
+    let (absolute, others) = solved(mechanism, absolute, state, errors)?;
+    Some(if others.score() < counts.score() {
+        taken(Coordinates::Absolute, absolute, others, Some(Rejected::Counted(counts)))
+    } else {
+        taken(Coordinates::Tree, tree, counts, Some(Rejected::Counted(others)))
+    })
+}
+
+/// In space absolute coordinates have many rows, which cost as much again as their elimination: they are not derived where
+/// the elimination alone takes more than all that the tree needs.
+fn choose_in_space(
+    mechanism: &Mechanism,
+    tree: Equations,
+    assembly: Assembly,
+    errors: &mut Diagnostics,
+) -> Option<(Candidate, Choice)> {
+    let estimate = space::absolute_operations(mechanism);
+    let of_tree = solve::structural_operations(&tree);
+    let (known, known_assembly) = (tree.clone(), assembly.clone());
+    // Long chains have a full mass matrix in tree coordinates.
+    if of_tree > 4 * estimate {
+        let (absolute, state) = absolute(mechanism, &known, &known_assembly);
+        let (candidate, counts) = solved(mechanism, absolute, state, errors)?;
+        return Some(taken(Coordinates::Absolute, candidate, counts, Some(Rejected::Estimated(of_tree))));
+    }
+    let (tree, counts) = solved(mechanism, tree, assembly, errors)?;
+    if estimate > counts.total() {
+        return Some(taken(Coordinates::Tree, tree, counts, Some(Rejected::Estimated(estimate))));
+    }
+    let (absolute, state) = absolute(mechanism, &known, &known_assembly);
     let (absolute, others) = solved(mechanism, absolute, state, errors)?;
     Some(if others.score() < counts.score() {
         taken(Coordinates::Absolute, absolute, others, Some(Rejected::Counted(counts)))
@@ -101,7 +133,7 @@ fn solved(
         return None;
     }
     let solved = solve::solve(&mut equations, massless);
-    let counts = count_of(&equations, &solved, Function::AccelerationBaumgarte);
+    let counts = solved.counts;
     Some((Candidate { equations, assembly, solved }, counts))
 }
 

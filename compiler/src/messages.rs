@@ -217,6 +217,11 @@ pub(crate) fn force_without_direction(space: Space) -> String {
     .to_string()
 }
 
+pub(crate) fn third_coordinate() -> String {
+    "a planar mechanism has two coordinates: leave the third out, or write `spatial` before the name of the mechanism"
+        .to_string()
+}
+
 pub(crate) fn only_in_space(word: &str) -> String {
     format!("`{word}` needs space: write `spatial` before the name of the mechanism")
 }
@@ -694,6 +699,49 @@ pub(crate) fn negative(what: &str, owner: &str, value: f64, unit: &str) -> Strin
     format!("the {what} of `{owner}` is negative: {value} {unit}")
 }
 
+/// Principal moments, ascending.
+pub(crate) fn inertia_of_no_body(body: &str, [a, b, c]: [f64; 3]) -> String {
+    format!(
+        "the inertia of `{body}` belongs to no real body: its principal moments are {}, {} and {} kg*m^2, and \
+         the sum of any two must be at least the third; check its numbers and the signs of its products, which are entries \
+         of the tensor, Ixy = -sum(x*y*m). If they are published so, write \
+         `options {{ inertia = accept; }}`",
+        number(a),
+        number(b),
+        number(c)
+    )
+}
+
+pub(crate) fn inertia_not_positive(body: &str, least: f64) -> String {
+    format!(
+        "the inertia of `{body}` is not positive: about one of its principal axes the moment is {} kg*m^2; its products \
+         are too large for its moments",
+        number(least)
+    )
+}
+
+pub(crate) fn not_perpendicular(degrees: f64) -> String {
+    format!(
+        "the two axes of a universal joint are perpendicular, and these are {degrees:.4} degrees apart; write a \
+         second_axis at right angles to the axis"
+    )
+}
+
+pub(crate) fn reference_along_axis() -> String {
+    "the reference points along the axis, so it fixes no turn about it; write a direction across the axis".to_string()
+}
+
+pub(crate) fn zero_pitch() -> String {
+    "a screw of no pitch does not advance; write `revolute` for one that only turns, or `cylindrical` for one that slides \
+     freely"
+        .to_string()
+}
+
+pub(crate) fn particle_carries(kind: &str, place: &str) -> String {
+    let what = if kind == "point_on_plane" { "plane" } else { "line" };
+    format!("a {what} turns with its body, and the particle at `{place}` has no orientation; name the particle second")
+}
+
 pub(crate) fn line_without_length(line: &str) -> String {
     format!("the two ends of `{line}` are the same point, so it has no direction")
 }
@@ -730,6 +778,16 @@ pub(crate) fn not_connected(body: &str) -> String {
     format!(
         "`{body}` is connected to nothing: no joint, constraint or load names it; add a joint or leave it out"
     )
+}
+
+/// Four digits behind the point, or powers of ten where those would say little.
+fn number(value: f64) -> String {
+    if value == 0.0 || (0.1..1e5).contains(&value.abs()) {
+        let text = format!("{value:.4}");
+        text.trim_end_matches('0').trim_end_matches('.').to_string()
+    } else {
+        format!("{value:.4e}")
+    }
 }
 
 // ---- Advice -----------------------------------------------------------------------------------------------------

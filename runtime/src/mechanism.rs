@@ -124,6 +124,8 @@ pub enum ConditionKind {
     Angle,
     /// A travel or a position, m, or an angle whose turns are counted, rad.
     Linear,
+    /// A rate without a coordinate, ω of a body in space, rad/s: a velocity can have it, a position cannot.
+    Rate,
 }
 
 /// What assembly needs beyond the equations of motion: conditions, what `start` states, the order of elimination.

@@ -112,7 +112,8 @@ fn gamma_is_the_derivative<M: Model>() {
     }
 }
 
-/// dc/dh = J v + drift and d(dc/dh)/dh = bias for every condition's coordinate c.
+/// dc/dh = J v + drift and d(dc/dh)/dh = bias for every condition's coordinate c; of a rate without a coordinate J v is ω
+/// of its body, as reported, in place of the first.
 fn conditions_have_their_rates<M: Model>() {
     for (model, at) in points::<M>(12) {
         // The angle from its value at h = 0 on, so that no whole turn comes between.
@@ -125,6 +126,8 @@ fn conditions_have_their_rates<M: Model>() {
             both.map(|((residual, upright), condition)| match condition.kind {
                 ConditionKind::Angle => residual.atan2(*upright),
                 ConditionKind::Linear => *residual,
+                // A rate without a coordinate has no value.
+                ConditionKind::Rate => 0.0,
             })
             .collect()
         };
@@ -143,9 +146,13 @@ fn conditions_have_their_rates<M: Model>() {
         let (rates, slopes) = (rate(0.0), derivative(|h| value(h, &here)));
         let (mut bias, second) = (M::Conditions::zero(), derivative(rate));
         model.condition_bias(at.time, &at.q, &at.v, &mut bias);
+        let motions = model.flat_motions(at.time, &at.q, &at.v, &M::V::zero());
         for (index, condition) in M::CONDITIONS.iter().enumerate() {
-            let (rate, slope) = (rates[index], slopes[index]);
             let of = condition.of;
+            let (rate, slope) = match condition.kind {
+                ConditionKind::Rate => (rates[index], reported_rate::<M>(of, &motions)),
+                ConditionKind::Angle | ConditionKind::Linear => (rates[index], slopes[index]),
+            };
             assert!(
                 (rate - slope).abs() <= 2e-7 * (1.0 + rate.abs()),
                 "{} {of}: rate {rate} {slope}",
@@ -159,6 +166,14 @@ fn conditions_have_their_rates<M: Model>() {
             );
         }
     }
+}
+
+/// The component of ω that `of` names, `nut.rate.x`, in what the bodies do.
+fn reported_rate<M: Model>(of: &str, motions: &[f64]) -> f64 {
+    let (body, axis) = of.split_once(".rate.").expect("only ω has no coordinate");
+    let body = M::BODIES.iter().position(|known| *known == body).expect("a body's");
+    let axis = ["x", "y", "z"].iter().position(|known| *known == axis).expect("an axis");
+    motions[motions.len() / M::BODIES.len() * body + 15 + axis]
 }
 
 /// vᵀ M v is the part of 2 T that is quadratic in v, T is never negative, and M has no negative pivot.
@@ -203,29 +218,59 @@ fn bodies_move_as_reported<M: Model>() {
     let mut random = Random::new(14);
     for (model, at) in points::<M>(14) {
         let a: M::V = vector(&random.vector(M::VELOCITY_NAMES.len()));
-        // Per body x, y, c, s, ẋ, ẏ, ω, ẍ, ÿ, ω̇, along v(h) = v + h v̇.
+        // Along v(h) = v + h v̇.
         let reported = |h: f64| {
             let (mut q, v) = (at.q, at.v.plus(h, &a));
             retract(&M::LAYOUT, &at.q, &at.v.scaled(h).plus(h * h / 2.0, &a), &mut q);
             model.flat_motions(at.time + h, &q, &v, &a)
         };
         let (here, slopes) = (reported(0.0), derivative(reported));
-        for (body, slope) in here.chunks(10).zip(slopes.chunks(10)) {
-            let [c, s, rate] = [body[2], body[3], body[6]];
-            assert!((c * c + s * s - 1.0).abs() < 1e-14, "{}: orientation ({c}, {s})", M::NAME);
-            let pairs = [
-                (slope[0], body[4]),
-                (slope[1], body[5]),
-                (slope[2], -s * rate),
-                (slope[3], c * rate),
-                (slope[4], body[7]),
-                (slope[5], body[8]),
-                (slope[6], body[9]),
-            ];
-            for (index, (slope, value)) in pairs.into_iter().enumerate() {
-                let tolerance = 1e-7 * (1.0 + value.abs());
+        let size = here.len() / M::BODIES.len();
+        for (body, slope) in here.chunks(size).zip(slopes.chunks(size)) {
+            let off = off_the_group(body);
+            assert!(off < 1e-14, "{}: an orientation is off by {off:e}", M::NAME);
+            for (index, value) in slopes_of(body) {
+                let (slope, tolerance) = (slope[index], 1e-7 * (1.0 + value.abs()));
                 assert!((slope - value).abs() <= tolerance, "{} [{index}]: {slope} {value}", M::NAME);
             }
         }
     }
+}
+
+/// How far the orientation of a body is from a rotation: of c² + s² from 1, of A Aᵀ from 1, of the third row of A from the
+/// cross product of the others.
+fn off_the_group(body: &[f64]) -> f64 {
+    if let [_, _, c, s, _, _, _, _, _, _] = body {
+        return (c * c + s * s - 1.0).abs();
+    }
+    let [x, y, z] = rows_of(body);
+    let dot = |a: [f64; 3], b: [f64; 3]| a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+    let cross = [x[1] * y[2] - x[2] * y[1], x[2] * y[0] - x[0] * y[2], x[0] * y[1] - x[1] * y[0]];
+    let lengths = [dot(x, x) - 1.0, dot(y, y) - 1.0, dot(z, z) - 1.0, dot(x, y), dot(y, z), dot(z, x)];
+    let handed = [cross[0] - z[0], cross[1] - z[1], cross[2] - z[2]];
+    lengths.iter().chain(&handed).fold(0.0, |worst, off| f64::max(worst, off.abs()))
+}
+
+/// The rows of A of a body in space.
+fn rows_of(body: &[f64]) -> [[f64; 3]; 3] {
+    [3, 6, 9].map(|at| [body[at], body[at + 1], body[at + 2]])
+}
+
+/// What the time derivatives of a body's position, orientation, velocity and ω are, by its other entries, each with its index.
+///
+/// In the plane a body has x, y, c, s, ẋ, ẏ, ω, ẍ, ÿ, ω̇; in space r, A row by row, ṙ, ω, r̈, ω̇, with Ȧ = A ω̃.
+pub fn slopes_of(body: &[f64]) -> Vec<(usize, f64)> {
+    if let [_, _, c, s, vx, vy, rate, ax, ay, angular] = *body {
+        let (dc, ds) = (-s * rate, c * rate);
+        return vec![(0, vx), (1, vy), (2, dc), (3, ds), (4, ax), (5, ay), (6, angular)];
+    }
+    assert_eq!(body.len(), 24);
+    let [wx, wy, wz] = [body[15], body[16], body[17]];
+    let same = |from: usize, to: usize| (0..3).map(move |k| (from + k, body[to + k]));
+    let turned = rows_of(body).into_iter().enumerate().flat_map(|(row, [x, y, z])| {
+        // A row of A times ω̃ = [0 −ω_z ω_y; ω_z 0 −ω_x; −ω_y ω_x 0].
+        let slopes = [y * wz - z * wy, z * wx - x * wz, x * wy - y * wx];
+        slopes.into_iter().enumerate().map(move |(column, slope)| (3 + 3 * row + column, slope))
+    });
+    same(0, 12).chain(turned).chain(same(12, 18)).chain(same(15, 21)).collect()
 }

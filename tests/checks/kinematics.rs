@@ -1,13 +1,14 @@
 //! Assembly at run time: changed parameters, given motions of the independent coordinates, and the typed errors of
 //! both and of `prepare`.
 
-use crate::identities::derivative_over;
+use crate::identities::{derivative_over, row_rates, slopes_of};
 use crate::registry::{Model, for_each};
 use crate::walking::walk;
 use linkwright::{
-    Assemble, AssembleExt, AssemblyError, Condition, ConditionKind, Mechanism, Motion, Residual, State,
-    Vector, retract,
+    Assemble, AssembleExt, AssemblyError, Condition, ConditionKind, Kinematics, Mechanism, Motion, Residual,
+    State, Vector, retract,
 };
+use linkwright_compiler::model::Space;
 use linkwright_models::four_bar::FourBar;
 use linkwright_models::general_four_bar::{ParametricFourBar, ParametricFourBarParameters};
 
@@ -55,44 +56,101 @@ fn the_start_is_found_again() {
 
 for_each!(kinematics_follow_the_given_motion);
 
-/// From given values of the independent coordinates: the state they came from is found again, and velocities and
+/// From given motions of the independent coordinates: the state they came from is found again, its position, velocities and
+/// accelerations satisfy the rows, and the coordinates move as given. Where these say everything, velocities and
 /// accelerations are the derivatives of the positions.
 fn kinematics_follow_the_given_motion<M: Model>() {
-    let (_, _, model, states) = walk::<M>(40, 5);
+    let (compiled, _, model, states) = walk::<M>(40, 5);
+    let freedoms = compiled.assembly.degrees_of_freedom - compiled.mechanism.drivers.len();
+    let complete = M::INDEPENDENT.len() == freedoms;
+    // An orientation in space is no coordinate that could be given.
+    let balls = compiled.mechanism.space == Space::Spatial && M::INDEPENDENT.len() < freedoms;
+    assert!(complete || balls, "{}: {freedoms} freedoms, {:?}", M::NAME, M::INDEPENDENT);
     for at in &states {
+        let values = value(&model, at.time, &at.q);
         // v̇ of no particular motion, made consistent by what `kinematics` itself asks.
         let motion = |index: usize, h: f64| {
             let (rate, acceleration) = (0.3 + 0.1 * index as f64, 0.2 - 0.1 * index as f64);
-            let position = value(&model, at.time, &at.q)[index];
             Motion {
-                position: position + h * rate + h * h / 2.0 * acceleration,
+                position: values[index] + h * rate + h * h / 2.0 * acceleration,
                 rate: rate + h * acceleration,
                 acceleration,
             }
         };
-        let solved = |h: f64| {
-            let given: Vec<Motion> = (0..M::INDEPENDENT.len()).map(|index| motion(index, h)).collect();
-            model.kinematics(at.time + h, &at.q, &given)
-        };
+        let given = |h: f64| (0..values.len()).map(|index| motion(index, h)).collect::<Vec<Motion<f64>>>();
+        let solved = |h: f64| model.kinematics(at.time + h, &at.q, &given(h));
         let here = solved(0.0).unwrap_or_else(|error| panic!("{}: {error}", M::NAME));
         let moved = here.q.plus(-1.0, &at.q).max_abs();
         assert!(moved < 1e-9, "{}: the state it came from is {moved} away", M::NAME);
-        let residual = Residual::of(&model, at.time, &State { q: here.q, v: here.v });
-        assert!(residual.velocity <= 1e-10 * (1.0 + here.v.max_abs()), "{}: {residual:?}", M::NAME);
+        assert_followed(&model, at.time, &here, &given(0.0));
 
+        let speed = here.v.max_abs() + here.a.max_abs().sqrt();
+        let step = 2e-4 / (1.0 + speed);
+        // Elsewhere, too: what is not given is then whatever is nearest.
+        let there = solved(step).unwrap_or_else(|error| panic!("{} at h = {step}: {error}", M::NAME));
+        assert_followed(&model, at.time + step, &there, &given(step));
+        if !complete {
+            // Of the balls' motion nothing is said; what is taken at one time is not the derivative of what is taken before.
+            continue;
+        }
         // Bodies' positions and velocities as functions of time; by bodies, because q is no vector.
         let bodies = |h: f64| {
             let there = solved(h).unwrap_or_else(|error| panic!("{} at h = {h}: {error}", M::NAME));
             model.flat_motions(at.time + h, &there.q, &there.v, &there.a)
         };
-        let speed = here.v.max_abs() + here.a.max_abs().sqrt();
-        let slopes = derivative_over(2e-4 / (1.0 + speed), bodies);
-        for (body, slope) in bodies(0.0).chunks(10).zip(slopes.chunks(10)) {
-            for (slope, value) in [(0, 4), (1, 5), (4, 7), (5, 8), (6, 9)].map(|(x, y)| (slope[x], body[y])) {
-                let tolerance = 1e-5 * (1.0 + speed + value.abs());
-                assert!((slope - value).abs() < tolerance, "{}: {slope} {value}", M::NAME);
+        let (slopes, bodies) = (derivative_over(step, bodies), bodies(0.0));
+        let size = bodies.len() / M::BODIES.len();
+        for (body, slope) in bodies.chunks(size).zip(slopes.chunks(size)) {
+            for (index, value) in slopes_of(body) {
+                let (slope, tolerance) = (slope[index], 1e-5 * (1.0 + speed + value.abs()));
+                assert!((slope - value).abs() < tolerance, "{} [{index}]: {slope} {value}", M::NAME);
             }
         }
+    }
+}
+
+/// Φ = 0, D v = ν, D v̇ = γ, and the independent coordinates, their rates and second derivatives are those given.
+fn assert_followed<M: Model>(model: &M, time: f64, found: &Kinematics<M::Q, M::V>, given: &[Motion<f64>]) {
+    let Kinematics { q, v, a } = found;
+    let residual = Residual::of(model, time, &State { q: *q, v: *v });
+    assert!(residual.position <= 1e-11, "{}: {residual:?}", M::NAME);
+    assert!(residual.velocity <= 1e-10 * (1.0 + v.max_abs()), "{}: {residual:?}", M::NAME);
+    let mut gamma = M::Lambda::zero();
+    model.gamma(time, q, v, &mut gamma);
+    // D v̇ − ν, of which ν is taken back.
+    let (asked, magnitudes) = row_rates(model, time, q, a);
+    let mut nu = M::Lambda::zero();
+    model.nu(time, q, &mut nu);
+    for (row, name) in M::ROWS.iter().enumerate() {
+        let (found, gamma) = (asked[row] + nu.as_slice()[row], gamma.as_slice()[row]);
+        let tolerance = 1e-10 * (1.0 + magnitudes[row] + gamma.abs());
+        assert!((found - gamma).abs() <= tolerance, "{} {name}: D v̇ {found}, γ {gamma}", M::NAME);
+    }
+
+    let positions = value(model, time, q);
+    let (mut jacobian, mut drift) = (M::ConditionJacobian::zero(), M::Conditions::zero());
+    let mut bias = M::Conditions::zero();
+    model.condition_jacobian(time, q, &mut jacobian);
+    model.condition_drift(time, q, &mut drift);
+    model.condition_bias(time, q, v, &mut bias);
+    for ((&index, position), given) in M::INDEPENDENT.iter().zip(positions).zip(given) {
+        let along = |of: &M::V| -> f64 {
+            let entries = M::CONDITION_PATTERN.iter().zip(jacobian.as_slice());
+            let own = entries.filter(|((row, _), _)| *row == index);
+            own.map(|((_, column), j)| j * of.as_slice()[*column as usize]).sum()
+        };
+        let condition = M::CONDITIONS[index as usize];
+        let off = match condition.kind {
+            ConditionKind::Angle => (position - given.position).sin(),
+            ConditionKind::Linear => position - given.position,
+            ConditionKind::Rate => panic!("{}: {} has no position", M::NAME, condition.of),
+        };
+        let rate = along(v) + drift.as_slice()[index as usize] - given.rate;
+        let acceleration = along(a) + bias.as_slice()[index as usize] - given.acceleration;
+        let size = 1.0 + v.max_abs() + a.max_abs();
+        assert!(off.abs() <= 1e-11 * (1.0 + position.abs()), "{} {}: {off:e}", M::NAME, condition.of);
+        assert!(rate.abs() <= 1e-10 * size, "{} {}: rate off by {rate:e}", M::NAME, condition.of);
+        assert!(acceleration.abs() <= 1e-10 * size * size, "{} {}: {acceleration:e}", M::NAME, condition.of);
     }
 }
 
@@ -106,6 +164,7 @@ fn value<M: Model>(model: &M, time: f64, q: &M::Q) -> Vec<f64> {
         match M::CONDITIONS[index as usize].kind {
             ConditionKind::Angle => residual.atan2(upright),
             ConditionKind::Linear => residual,
+            ConditionKind::Rate => panic!("{}: ω is no independent coordinate", M::NAME),
         }
     };
     M::INDEPENDENT.iter().map(value).collect()

@@ -11,6 +11,7 @@ use linkwright_compiler::{Compiled, compile};
 /// An emitted mechanism with what its inherent functions give, flattened.
 pub trait Model: Assemble<f64, Inputs: Fields<f64>, Outputs: Fields<f64>> + Sized {
     const SOURCE: &'static str;
+    const BODIES: &'static [&'static str];
     /// The same mechanism in single precision.
     type Single: Assemble<f32, Inputs: Fields<f32>, Outputs: Fields<f32>>;
 
@@ -73,6 +74,7 @@ macro_rules! model {
     ($($first:tt $(:: $segment:ident)*),* $(,)?) => { $(
         impl $crate::registry::Model for $first $(:: $segment)* <f64> {
             const SOURCE: &'static str = Self::SOURCE;
+            const BODIES: &'static [&'static str] = Self::BODIES;
             type Single = $first $(:: $segment)* <f32>;
 
             fn standard() -> Self {

@@ -1,6 +1,7 @@
 //! Texts of the messages about the assembled mechanism: what is wrong, why, with numbers, and what to write instead.
 
 use crate::messages::closest;
+use crate::model::Space;
 
 pub fn wrong_freedoms(expected: usize, found: usize, free: Vec<String>) -> String {
     let plural = |n: usize| if n == 1 { "degree of freedom" } else { "degrees of freedom" };
@@ -27,19 +28,25 @@ pub fn dependent_rows(of: &str, what: &[&str], rows: usize, rank: usize) -> Stri
     )
 }
 
-/// A row that repeats, wherever the mechanism stands.
-pub fn redundant(of: &str, what: &str, rows: usize, rank: usize) -> String {
+/// Rows of one joint that repeat, wherever the mechanism stands.
+pub fn redundant(of: &str, what: &[&str], rows: usize, rank: usize, space: Space) -> String {
+    let held: Vec<&str> = what.iter().map(|what| direction(what)).collect();
+    let repeats = if what.len() == 1 { "repeats" } else { "repeat" };
+    let freer = match space {
+        Space::Planar => "point_on_line",
+        Space::Spatial => freer(what),
+    };
     format!(
-        "the joints that close the loops give {rows} constraint equations of rank {rank}, all along the motion: \"{of}\" \
-         ({}) repeats what the others already fix. Write `options {{ redundant = drop; }}` to leave such equations out \
-         (some reactions are then not unique), or make \"{of}\" a joint that leaves more freedom, such as {}",
-        direction(what),
-        freer(what)
+        "the joints that close the loops give {rows} constraint equations of rank {rank}, all along the motion: those of \
+         \"{of}\" against {} {repeats} what the others already fix. Write `options {{ redundant = drop; }}` to leave such \
+         equations out (some reactions are then not unique), or make \"{of}\" a joint that leaves more freedom, such as \
+         {freer}",
+        held.join(", ")
     )
 }
 
 /// What a row holds, in words.
-fn direction(what: &str) -> &str {
+fn direction<'w>(what: &'w str) -> &'w str {
     match what {
         "x" => "shifts along x",
         "y" => "shifts along y",
@@ -56,12 +63,14 @@ fn direction(what: &str) -> &str {
     }
 }
 
-fn freer(what: &str) -> &str {
-    match what {
-        "axis_1" | "axis_2" => "universal, spherical or point_on_line",
-        "angle" => "revolute or cylindrical",
-        "x" | "y" | "z" => "cylindrical, planar or point_on_line",
-        _ => "planar, spherical or point_on_plane",
+/// Joints that do not hold what these rows hold.
+fn freer(what: &[&str]) -> &'static str {
+    let turns = what.iter().any(|what| matches!(*what, "axis_1" | "axis_2" | "angle" | "cross" | "twist"));
+    let shifts = what.iter().any(|what| !matches!(*what, "axis_1" | "axis_2" | "angle" | "cross" | "twist"));
+    match (turns, shifts) {
+        (true, false) => "universal or spherical",
+        (false, _) => "cylindrical or planar",
+        (true, true) => "spherical, point_on_line or point_on_plane",
     }
 }
 

@@ -7,16 +7,17 @@ use crate::diagnostics::Diagnostics;
 use crate::messages;
 use crate::model::{
     BodyId, Condition, ConstraintKind, Expr, Frame, JointId, JointKind, LoadKind, Mechanism, Quantity, Rotor,
-    Vector, fold,
+    Space, Vector, fold,
 };
 use std::collections::HashMap;
 
 /// The rules in the order they are reported.
-const RULES: [fn(&Mechanism, &mut Diagnostics); 13] = [
+const RULES: [fn(&Mechanism, &mut Diagnostics); 14] = [
     has_bodies,
     bounds_hold_the_default,
     mass_is_not_negative,
     inertia_is_not_negative,
+    inertia_belongs_to_a_body,
     lines_have_two_ends,
     axes_point_somewhere,
     lengths_are_positive,
@@ -85,6 +86,56 @@ fn inertia_is_not_negative(mechanism: &Mechanism, diagnostics: &mut Diagnostics)
             diagnostics.error(body.inertia_span, message);
         }
     }
+}
+
+// In space the inertia tensor is positive, and any two of its principal moments together are at least the third.
+fn inertia_belongs_to_a_body(mechanism: &Mechanism, diagnostics: &mut Diagnostics) {
+    if mechanism.space == Space::Planar {
+        return;
+    }
+    for body in &mechanism.bodies {
+        let value = |expr: &Expr| at_defaults(mechanism, expr);
+        let moments: Vec<f64> = body.inertia.moments.iter().filter_map(value).collect();
+        let products: Vec<f64> = body.inertia.products.iter().filter_map(value).collect();
+        let ([xx, yy, zz], [xy, xz, yz]) = (moments.as_slice(), products.as_slice()) else { continue };
+        if [xx, yy, zz].iter().any(|moment| **moment < 0.0) {
+            // Said already.
+            continue;
+        }
+        let [a, b, c] = principal_moments([[*xx, *xy, *xz], [*xy, *yy, *yz], [*xz, *yz, *zz]]);
+        // Rounding, and the digits to which data are printed.
+        let slack = 1e-6 * c;
+        let name = &body.name.text;
+        if a < -slack {
+            diagnostics.error(body.inertia_span, messages::inertia_not_positive(name, a));
+        } else if a + b < c - slack && !mechanism.options.accept_inertia {
+            diagnostics.error(body.inertia_span, messages::inertia_of_no_body(name, [a, b, c]));
+        }
+    }
+}
+
+/// Eigenvalues of a symmetric matrix, ascending, by Jacobi's rotations.
+fn principal_moments(mut m: [[f64; 3]; 3]) -> [f64; 3] {
+    for _ in 0..30 {
+        for (p, q) in [(0, 1), (0, 2), (1, 2)] {
+            if m[p][q] == 0.0 {
+                continue;
+            }
+            let theta = (m[q][q] - m[p][p]) / (2.0 * m[p][q]);
+            let t = theta.signum() / (theta.abs() + (theta * theta + 1.0).sqrt());
+            let c = 1.0 / (t * t + 1.0).sqrt();
+            let s = t * c;
+            for row in &mut m {
+                (row[p], row[q]) = (c * row[p] - s * row[q], s * row[p] + c * row[q]);
+            }
+            for k in 0..3 {
+                (m[p][k], m[q][k]) = (c * m[p][k] - s * m[q][k], s * m[p][k] + c * m[q][k]);
+            }
+        }
+    }
+    let mut moments = [m[0][0], m[1][1], m[2][2]];
+    moments.sort_by(f64::total_cmp);
+    moments
 }
 
 // A line goes through two different points.
@@ -247,6 +298,8 @@ fn touched(mechanism: &Mechanism) -> Vec<bool> {
     for load in &mechanism.loads {
         match &load.kind {
             LoadKind::Force { place, .. } => touch(&mut touched, place.frame),
+            // The bodies of a joint have been touched by it.
+            LoadKind::Push { .. } => {}
             LoadKind::BodyTorque { body, .. } => touch(&mut touched, Frame::Body(*body)),
             LoadKind::Torque { on, .. } | LoadKind::TorsionSpring { on, .. } => {
                 touch_rotor(&mut touched, *on)

@@ -45,7 +45,11 @@ pub fn strings(names: Vec<String>) -> String {
 
 pub fn conditions(emitter: &Emitter) -> String {
     let conditions = emitter.compiled.equations.conditions.iter().map(|condition| {
-        let kind = if condition.angular && !condition.counted { "Angle" } else { "Linear" };
+        let kind = match condition {
+            condition if condition.rate_only => "Rate",
+            condition if condition.angular && !condition.counted => "Angle",
+            _ => "Linear",
+        };
         format!("Condition {{ of: {}, kind: ConditionKind::{kind} }}", quoted(&condition.of))
     });
     format!("&{}", array(conditions))

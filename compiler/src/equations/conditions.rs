@@ -20,6 +20,8 @@ pub struct Condition {
     pub residual: Node,
     /// cos(θ − target), or 1.
     pub upright: Node,
+    /// A rate without a coordinate: ω of a body in space. It has no value.
+    pub rate_only: bool,
     /// Value (of an angle: atan2), columns and bias of the coordinate itself.
     pub jet: Jet,
 }
@@ -97,6 +99,7 @@ pub fn condition(g: &mut Graph, laws: &Laws, quantity: &Quantity) -> (Condition,
             quantity: quantity.clone(),
             angular: rotor.is_some(),
             counted,
+            rate_only: matches!(quantity, Quantity::BodyOmega(..)),
             residual,
             upright,
             jet,
@@ -143,7 +146,7 @@ pub fn orientation(g: &mut Graph, laws: &Laws, start: &StartOrientation) -> Vec<
         let residual = g.sub(jet.value, target);
         let quantity = Quantity::BodyOmega(start.body, axis);
         let condition =
-            Condition { of, quantity, angular: false, counted: false, residual, upright: one, jet };
+            Condition { of, quantity, angular: false, counted: false, rate_only: false, residual, upright: one, jet };
         rows.push((condition, target));
     }
     rows

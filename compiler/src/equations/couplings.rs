@@ -75,6 +75,7 @@ pub fn multi_turn_rotors(mechanism: &Mechanism) -> Vec<Rotor> {
                 components.iter().for_each(|component| angles_in(component, &mut rotors));
             }
             LoadKind::Torque { torque, .. } => angles_in(torque, &mut rotors),
+            LoadKind::Push { force, .. } => angles_in(force, &mut rotors),
             LoadKind::BodyTorque { components, .. } => {
                 components.iter().for_each(|component| angles_in(component, &mut rotors));
             }

@@ -23,6 +23,11 @@ pub fn terms(g: &mut Graph, laws: &Laws, load: &Load) -> LoadTerms {
             let angle = laws.angle(g, *on);
             along(g, laws, &angle, torque)
         }
+        LoadKind::Push { joint, force } => {
+            let force = laws.value(g, force);
+            let travel = laws.kinematics().travel(g, laws, *joint, 0);
+            along(g, laws, &travel, force)
+        }
         LoadKind::BodyTorque { body, components } => {
             let components = laws.vector(g, components);
             let turning = laws.kinematics().turning(g, *body);

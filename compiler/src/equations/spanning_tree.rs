@@ -3,8 +3,8 @@
 //! In absolute coordinates no joint carries anything: every body is free, and every joint gives constraint rows. In
 //! tree coordinates each body hangs on one joint of a spanning tree, and the other joints, cut, give the rows.
 
-use super::{couplings, space};
-use crate::model::{BodyId, BodyKind, Frame, JointId, JointKind, Mechanism, Rotor, Space};
+use super::space;
+use crate::model::{BodyId, BodyKind, Frame, JointId, JointKind, Mechanism, Space};
 use std::collections::{BTreeMap, BTreeSet};
 
 /// How one body is carried.
@@ -32,7 +32,7 @@ impl SpanningTree {
     /// the one that leaves the fewest freedoms, then the one declared first. `options { cut = … }` is obeyed.
     pub fn spanning(mechanism: &Mechanism) -> Self {
         if mechanism.space == Space::Spatial {
-            return Self::cheapest(mechanism);
+            return space::fewest_freedoms(mechanism);
         }
         let cut: BTreeSet<JointId> = mechanism.options.cut.iter().map(|(joint, _)| *joint).collect();
         let usable = |id: &JointId| !cut.contains(id);
@@ -80,65 +80,6 @@ impl SpanningTree {
         path
     }
 
-    /// In space, from the ground: the joint that leaves the fewest freedoms next, so that loops are cut where that costs
-    /// the fewest rows; of equals the one nearest to the ground, then the one declared first. Joints whose angle is
-    /// counted over its turns carry a body wherever they can. `options { cut = … }` is obeyed.
-    fn cheapest(mechanism: &Mechanism) -> Self {
-        let cut: BTreeSet<JointId> = mechanism.options.cut.iter().map(|(joint, _)| *joint).collect();
-        let counted: BTreeSet<JointId> = couplings::multi_turn_rotors(mechanism)
-            .into_iter()
-            .filter_map(|rotor| match rotor {
-                Rotor::Joint(joint, _) => Some(joint),
-                Rotor::Body(_) => None,
-            })
-            .collect();
-        let n = mechanism.bodies.len();
-        let mut depth: Vec<Option<usize>> = vec![None; n];
-        let mut attachments = Vec::new();
-        let depth_of = |depth: &[Option<usize>], frame: Frame| match frame {
-            Frame::Ground => Some(0),
-            Frame::Body(body) => depth[body.0],
-        };
-        let is_particle = |frame: Frame| match frame {
-            Frame::Ground => false,
-            Frame::Body(body) => mechanism.bodies[body.0].kind == BodyKind::Particle,
-        };
-        loop {
-            let mut best: Option<((bool, usize, usize, usize), JointId, BodyId, Frame)> = None;
-            for (index, joint) in mechanism.joints.iter().enumerate() {
-                let id = JointId(index);
-                if cut.contains(&id) || !carries_in_space(&joint.kind) {
-                    continue;
-                }
-                for (near, far) in
-                    [(joint.first.frame, joint.second.frame), (joint.second.frame, joint.first.frame)]
-                {
-                    let (Some(from), Frame::Body(child)) = (depth_of(&depth, near), far) else { continue };
-                    if depth[child.0].is_some() || is_particle(near) {
-                        continue;
-                    }
-                    let key = (!counted.contains(&id), space::joints::freedoms(&joint.kind), from, index);
-                    if best.as_ref().is_none_or(|(known, ..)| key < *known) {
-                        best = Some((key, id, child, near));
-                    }
-                }
-            }
-            match best {
-                Some(((.., from, _), joint, body, parent)) => {
-                    depth[body.0] = Some(from + 1);
-                    attachments.push(Attachment { body, joint: Some((joint, parent)) });
-                }
-                None => match depth.iter().position(|depth| depth.is_none()) {
-                    None => return SpanningTree { attachments },
-                    Some(free) => {
-                        depth[free] = Some(0);
-                        attachments.push(Attachment { body: BodyId(free), joint: None });
-                    }
-                },
-            }
-        }
-    }
-
     /// True for the joints that carry a body.
     pub fn carrying(&self, mechanism: &Mechanism) -> Vec<bool> {
         let mut carrying = vec![false; mechanism.joints.len()];
@@ -152,15 +93,6 @@ impl SpanningTree {
 /// Whether a joint can carry a body: a distance joint leaves no frame to measure from.
 fn carries(kind: &JointKind) -> bool {
     !matches!(kind, JointKind::Distance { .. })
-}
-
-/// Whether a joint can carry a body in space: where more than three freedoms are left and a turn among them is not a
-/// ball, a free body and rows are the better coordinates.
-fn carries_in_space(kind: &JointKind) -> bool {
-    !matches!(
-        kind,
-        JointKind::Distance { .. } | JointKind::ConstantVelocity { .. } | JointKind::PointOnPlane { .. }
-    )
 }
 
 fn freedoms(kind: &JointKind) -> usize {

@@ -37,7 +37,15 @@ impl<'d> Lowering<'d> {
             (JointWord::Universal, _) => {
                 let axis = self.direction(joint.axis.as_ref()?, "axis");
                 let second = self.direction(joint.second_axis.as_ref()?, "second axis");
-                axis.zip(second).map(|(axis, second_axis)| JointKind::Universal { axis, second_axis })
+                let (axis, second_axis) = axis.zip(second)?;
+                if let Some(degrees) = self.degrees_between(&axis, &second_axis)
+                    && (degrees - 90.0).abs() > 1e-6
+                {
+                    let region = joint.second_axis.as_ref()?.region;
+                    self.diagnostics.error(region, messages::not_perpendicular(degrees));
+                    return None;
+                }
+                Some(JointKind::Universal { axis, second_axis })
             }
             _ => self.with_axis(joint, first.as_ref(), second.as_ref()),
         };
@@ -55,7 +63,14 @@ impl<'d> Lowering<'d> {
     ) -> Option<JointKind> {
         let angle = self.joint_angle(joint.angle.as_ref());
         let pitch = match &joint.pitch {
-            Some(entry) => self.entry(entry, Dimension::LENGTH, Use::COEFFICIENT, "pitch"),
+            Some(entry) => {
+                let pitch = self.entry(entry, Dimension::LENGTH, Use::COEFFICIENT, "pitch");
+                if matches!(pitch, Some(Expr::Number(0.0))) {
+                    self.diagnostics.error(entry.value.region, messages::zero_pitch());
+                    return None;
+                }
+                pitch
+            }
             None => None,
         };
         let axis = match &joint.axis {
@@ -103,6 +118,10 @@ impl<'d> Lowering<'d> {
             return Some(());
         };
         use JointWord::{Distance, Fixed, PointOnLine, PointOnPlane, Prismatic, Spherical};
+        if first.frame == place.frame && joint.kind == PointOnPlane {
+            self.diagnostics.error(region, messages::particle_carries(joint.kind.text(), &place.text));
+            return None;
+        }
         let message = match (self.definition.space, joint.kind) {
             (Space::Planar, Fixed | Prismatic) => messages::orientation_of_particle(joint.kind.text(), &place.text),
             (Space::Spatial, kind) if !matches!(kind, Spherical | PointOnLine | PointOnPlane | Distance) => {
@@ -112,6 +131,20 @@ impl<'d> Lowering<'d> {
         };
         self.diagnostics.error(region, message);
         None
+    }
+
+    /// The angle between two directions at the defaults of parameters.
+    pub(super) fn degrees_between(&self, a: &Vector, b: &Vector) -> Option<f64> {
+        let defaults = self.defaults();
+        let value = |vector: &Vector| -> Option<[f64; 3]> {
+            let values: Vec<f64> = vector.iter().filter_map(|x| fold::evaluate(x, defaults)).collect();
+            values.try_into().ok()
+        };
+        let (a, b) = (value(a)?, value(b)?);
+        let dot: f64 = a.iter().zip(b).map(|(a, b)| a * b).sum();
+        let cross = [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]];
+        let across = libm::sqrt(cross.iter().map(|x| x * x).sum());
+        Some(libm::atan2(across, dot).to_degrees())
     }
 
     fn body_name(&self, body: BodyId) -> &'d str {

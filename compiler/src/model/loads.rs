@@ -2,10 +2,11 @@
 
 use super::fold;
 use super::lower::{Lowering, Use, name};
+use super::names::Part;
 use super::values::padded;
 use super::{Expr, Function1, Function2, Load, LoadKind, Place, Vector};
 use crate::messages;
-use crate::syntax::{self, Entry, LoadTerm, PlaceTerm, Tuple};
+use crate::syntax::{self, Entry, LoadTerm, PlaceTerm, Space, Tuple};
 use crate::units::Dimension;
 
 impl<'d> Lowering<'d> {
@@ -26,7 +27,17 @@ impl<'d> Lowering<'d> {
                     self.vector(components, Dimension::FORCE, Use::LOAD, &messages::quoted(&load.name.text));
                 LoadKind::Force { place: place?, components: components? }
             }
+            LoadTerm::Push { on, value } => {
+                let joint = self.slide(on);
+                let value = self.value(value, Use::LOAD);
+                let force = self.expect_dimension(value?, Dimension::FORCE, &messages::quoted(&load.name.text));
+                LoadKind::Push { joint: joint?, force: force? }
+            }
             LoadTerm::Torque { on, value } => {
+                if let (Space::Spatial, Some(Part::Body(_))) = (self.definition.space, self.names.part(&on.text)) {
+                    self.diagnostics.error(on.region, messages::torque_of_components(&on.text));
+                    return None;
+                }
                 let on = self.rotor(on);
                 let value = self.value(value, Use::LOAD);
                 let torque =

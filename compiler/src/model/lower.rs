@@ -28,9 +28,12 @@ pub fn lower(definition: &Definition) -> Result<Mechanism, Diagnostics> {
         bodies: Vec::new(),
         lines: Vec::new(),
         markers: HashMap::new(),
+        defaults: Vec::new(),
     };
 
     lowering.constants();
+    let parameters = lowering.each(&definition.parameters, Lowering::parameter);
+    lowering.defaults = parameters.iter().map(|parameter| parameter.default).collect();
     lowering.body_frames();
     lowering.ground_markers();
     lowering.ground_lines();
@@ -40,7 +43,7 @@ pub fn lower(definition: &Definition) -> Result<Mechanism, Diagnostics> {
         name: name(&definition.name),
         visibility: definition.visibility.clone(),
         attributes: definition.attributes.clone(),
-        parameters: lowering.each(&definition.parameters, Lowering::parameter),
+        parameters,
         inputs: lowering.each(&definition.inputs, Lowering::input),
         gravity: lowering.gravity(),
         bodies: lowering.each(&definition.bodies, Lowering::body),
@@ -69,6 +72,8 @@ pub(super) struct Lowering<'d> {
     pub lines: Vec<Option<[Vector; 2]>>,
     /// Markers of the ground; `None` after an error.
     pub markers: HashMap<&'d str, Option<(Vector, Axes)>>,
+    /// Of the parameters.
+    pub defaults: Vec<f64>,
 }
 
 /// The named places of a body.
@@ -137,6 +142,11 @@ impl<'d> Lowering<'d> {
     /// All elements that lower without an error.
     fn each<S, T>(&mut self, elements: &'d [S], lower: impl Fn(&mut Self, &'d S) -> Option<T>) -> Vec<T> {
         elements.iter().filter_map(|element| lower(self, element)).collect()
+    }
+
+    /// Defaults of all parameters, as far as they are numbers; errors are said where parameters are lowered.
+    pub(super) fn defaults(&self) -> &[f64] {
+        &self.defaults
     }
 
     fn parameter(&mut self, parameter: &'d syntax::Parameter) -> Option<Parameter> {

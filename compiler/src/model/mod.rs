@@ -322,6 +322,8 @@ pub struct Load {
 pub enum LoadKind {
     /// Force in world axes (N) at a place.
     Force { place: Place, components: Vector },
+    /// Force (N) along a joint's travel, on the second's body, and opposite on the first.
+    Push { joint: JointId, force: Expr },
     /// Torque (N m), counter-clockwise, on the rotor's body (on the second, and opposite on the first, for a joint).
     Torque { on: Rotor, torque: Expr },
     /// Torque on a body in space, world axes (N m).
@@ -371,6 +373,8 @@ pub enum Coordinates {
 pub struct Options {
     pub coordinates: Coordinates,
     pub redundant: Redundant,
+    /// Whether principal moments may be those of no real body, as in some published data.
+    pub accept_inertia: bool,
     /// Joints that the spanning tree must not use.
     pub cut: Vec<(JointId, Span)>,
     /// Position coordinates the user takes as independent (angles, travels); empty if the compiler chooses.

@@ -83,6 +83,15 @@ impl<'d> Lowering<'d> {
                 }
             }
         }
+        if let (Some(axis), Some(reference)) = (&axis, &reference)
+            && let Some(degrees) = self.degrees_between(axis, reference)
+            && !(1e-6..180.0 - 1e-6).contains(&degrees)
+        {
+            let given = marker.axes.iter().find(|(label, _)| label.text == "reference");
+            let region = given.map_or(marker.name.region, |(label, _)| label.region);
+            self.diagnostics.error(region, messages::reference_along_axis());
+            return None;
+        }
         let axes = match axis {
             Some(axis) => Axes::Directed { axis, reference },
             None if turns.is_empty() => Axes::Parallel,

@@ -11,6 +11,7 @@ impl<'d> Lowering<'d> {
     pub fn options(&mut self) -> Options {
         let mut coordinates = Coordinates::Auto;
         let mut redundant = Redundant::Refuse;
+        let mut accept_inertia = false;
         let (mut cut, mut independent) = (Vec::new(), Vec::new());
         let mut crate_path: Option<TokenStream> = None;
         for entry in &self.definition.options {
@@ -24,6 +25,7 @@ impl<'d> Lowering<'d> {
                 }
                 OptionEntry::Redundant(word) if word.text == "drop" => redundant = Redundant::Drop,
                 OptionEntry::Redundant(_) => {}
+                OptionEntry::Inertia(word) => accept_inertia = word.text == "accept",
                 OptionEntry::Cut(joints) => cut.extend(joints.iter().filter_map(|joint| self.cut(joint))),
                 OptionEntry::Independent(paths) => {
                     independent.extend(paths.iter().filter_map(|path| self.independent(path)));
@@ -32,13 +34,14 @@ impl<'d> Lowering<'d> {
             }
         }
         self.options_twice();
-        Options { coordinates, redundant, cut, independent, crate_path }
+        Options { coordinates, redundant, accept_inertia, cut, independent, crate_path }
     }
 
     fn options_twice(&mut self) {
         let written = |entry: &'d OptionEntry| match entry {
             OptionEntry::Coordinates(label) => Some(("coordinates", label)),
             OptionEntry::Redundant(label) => Some(("redundant", label)),
+            OptionEntry::Inertia(label) => Some(("inertia", label)),
             _ => None,
         };
         let mut seen: Vec<(&str, &Label)> = Vec::new();

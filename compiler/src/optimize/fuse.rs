@@ -24,23 +24,22 @@ pub fn fuse(graph: &Graph, outputs: &[Node], is_given: impl Fn(Node) -> bool) ->
     for output in outputs {
         fused.uses[output.index()] += 1;
     }
-    for (node, op) in graph.nodes().rev() {
-        if fused.uses[node.index()] == 0 {
-            continue;
-        }
-        let leaf = matches!(op, Op::Constant(_) | Op::Symbol(_)) || is_given(node);
+    let is_leaf = |node: Node| matches!(graph.op(node), Op::Constant(_) | Op::Symbol(_)) || is_given(node);
+    let order = graph.reachable_until(outputs.iter().copied(), is_leaf);
+    for node in &order {
+        let leaf = is_leaf(*node);
         fused.leaves[node.index()] = leaf;
         if !leaf {
-            op.operands().for_each(|operand| fused.uses[operand.index()] += 1);
+            graph.op(*node).operands().for_each(|operand| fused.uses[operand.index()] += 1);
         }
     }
 
     let mut sums_of: BTreeMap<Node, Vec<Node>> = BTreeMap::new();
-    for (node, op) in graph.nodes() {
-        if fused.uses[node.index()] == 0 || fused.leaves[node.index()] {
+    for node in order {
+        if fused.leaves[node.index()] {
             continue;
         }
-        let (Op::Add(a, b) | Op::Sub(a, b)) = op else { continue };
+        let (Op::Add(a, b) | Op::Sub(a, b)) = graph.op(node) else { continue };
         let single = [b, a].into_iter().find(|x| fused.is_product(graph, *x) && fused.uses[x.index()] == 1);
         match single {
             Some(product) => fused.absorbs[node.index()] = Some(product),

@@ -24,22 +24,9 @@ impl Hoisted {
 
     /// Hoists what `outputs` need: of each expression of parameters the outermost node.
     pub(super) fn hoist(&mut self, graph: &Graph, outputs: &[Node]) {
-        let mut needed = vec![false; graph.len()];
-        for output in outputs {
-            needed[output.index()] = true;
-        }
-        let mut found = Vec::new();
-        for (node, op) in graph.nodes().rev() {
-            if !needed[node.index()] {
-                continue;
-            }
-            if is_hoistable(graph, node) {
-                found.push(node);
-            } else {
-                op.operands().for_each(|operand| needed[operand.index()] = true);
-            }
-        }
-        for node in found.into_iter().rev() {
+        let hoistable = |node: Node| is_hoistable(graph, node);
+        let reached = graph.reachable_until(outputs.iter().copied(), hoistable);
+        for node in reached.into_iter().filter(|node| hoistable(*node)) {
             if !self.index.contains_key(&node) {
                 self.index.insert(node, self.nodes.len() as u32);
                 self.nodes.push(node);

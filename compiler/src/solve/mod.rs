@@ -8,6 +8,7 @@ pub mod table;
 
 use crate::equations::Equations;
 use crate::functions::Function;
+use crate::schedule::{Counts, count_of};
 use crate::symbolic::{Graph, Node, Unary};
 use elimination::{Entries, Factor};
 use order::{Order, Pattern};
@@ -27,6 +28,8 @@ pub struct Solved {
     pub index1: Solution,
     pub baumgarte: Solution,
     pub order: Order,
+    /// Of the default acceleration function.
+    pub counts: Counts,
     /// Rows added to M, see [`Massless`].
     pub massless: Massless,
 }
@@ -48,27 +51,33 @@ pub struct Massless {
 /// cheapest by structure, because writing out an elimination takes time.
 const COUNTED: usize = 60;
 
+/// Eliminations of so many operations by structure are written out and counted, whatever the others take.
+const LIKELY: usize = 500;
+
 /// Solves for v̇ and λ, without stabilisation and with Baumgarte's:
 /// D v̇ = γ − 2α (D v − ν) − β² Φ.
 pub fn solve(equations: &mut Equations, massless: Massless) -> Solved {
     let system = System::of(equations, massless);
     let pattern = Pattern::new(system.velocities, system.columns.len(), system.entries.keys().copied());
     if system.velocities + system.columns.len() > COUNTED {
-        return eliminate(equations, &system, system.without_prescribed(order::best(&pattern)));
+        return counted(equations, &system, system.without_prescribed(order::best(&pattern)));
     }
     // The structure does not see what constants save, so the small ones are written out and counted.
     let mut best: Option<(usize, Equations, Solved)> = None;
     let mut tried: Vec<Vec<usize>> = Vec::new();
-    for strategy in order::STRATEGIES {
-        let order = system.without_prescribed(order::order(&pattern, strategy));
-        if tried.contains(&order.sequence) {
+    let orders = order::STRATEGIES.map(|strategy| order::order(&pattern, strategy));
+    let least = orders.iter().map(|order| order.operations).min().unwrap_or(0);
+    for order in orders {
+        // What is far behind by structure is not written out to be counted.
+        let hopeless = order.operations > LIKELY && 4 * order.operations > 5 * least;
+        let order = system.without_prescribed(order);
+        if hopeless || tried.contains(&order.sequence) {
             continue;
         }
         tried.push(order.sequence.clone());
         let mut candidate = equations.clone();
-        let solved = eliminate(&mut candidate, &system, order);
-        let counts = crate::schedule::count_of(&candidate, &solved, Function::AccelerationBaumgarte);
-        let score = counts.score();
+        let solved = counted(&mut candidate, &system, order);
+        let score = solved.counts.score();
         if best.as_ref().is_none_or(|(least, ..)| score < *least) {
             best = Some((score, candidate, solved));
         }
@@ -78,7 +87,7 @@ pub fn solve(equations: &mut Equations, massless: Massless) -> Solved {
             *equations = candidate;
             solved
         }
-        None => eliminate(equations, &system, system.without_prescribed(order::best(&pattern))),
+        None => counted(equations, &system, system.without_prescribed(order::best(&pattern))),
     }
 }
 
@@ -181,6 +190,13 @@ fn prescribed(
     found
 }
 
+fn counted(equations: &mut Equations, system: &System, order: Order) -> Solved {
+    let mut solved = eliminate(equations, system, order);
+    solved.counts = count_of(equations, &solved, Function::AccelerationBaumgarte);
+    solved
+}
+
+/// Without the counts.
 fn eliminate(equations: &mut Equations, system: &System, order: Order) -> Solved {
     let System { velocities, columns, entries, massless, rho, .. } = system;
     let g = &mut equations.graph;
@@ -212,7 +228,7 @@ fn eliminate(equations: &mut Equations, system: &System, order: Order) -> Solved
     // Outputs that name drivers' efforts or powers take the multipliers of the plain solution.
     let solved = equations.symbols.lambda.iter().copied().zip(index1.lambda.iter().copied()).collect();
     equations.outputs = equations.graph.substitute(&equations.outputs, &solved);
-    Solved { index1, baumgarte, order, massless: massless.clone() }
+    Solved { index1, baumgarte, order, counts: Counts::default(), massless: massless.clone() }
 }
 
 /// v̇ and λ for [Q; −γ].

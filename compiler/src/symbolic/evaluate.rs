@@ -59,17 +59,34 @@ fn step(op: Op, symbols: &[f64], values: &[f64]) -> f64 {
 impl Graph {
     /// Everything that `outputs` depend on, operands before users.
     pub fn reachable(&self, outputs: impl IntoIterator<Item = Node>) -> Vec<Node> {
-        let mut needed = vec![false; self.len()];
-        for node in outputs {
-            needed[node.index()] = true;
-        }
-        for (node, op) in self.nodes().rev() {
-            if needed[node.index()] {
-                for operand in op.operands() {
-                    needed[operand.index()] = true;
-                }
+        self.reachable_until(outputs, |_| false)
+    }
+
+    /// The same, but nothing that only a node depends on at which to stop. Work grows with what is reached, not with the
+    /// graph: most functions of a large mechanism are small.
+    pub fn reachable_until(
+        &self,
+        outputs: impl IntoIterator<Item = Node>,
+        stop: impl Fn(Node) -> bool,
+    ) -> Vec<Node> {
+        let mut seen = vec![false; self.len()];
+        let mut waiting: Vec<Node> = Vec::new();
+        let mut found = Vec::new();
+        let mut reach = |node: Node, waiting: &mut Vec<Node>| {
+            if !seen[node.index()] {
+                seen[node.index()] = true;
+                waiting.push(node);
+            }
+        };
+        outputs.into_iter().for_each(|node| reach(node, &mut waiting));
+        while let Some(node) = waiting.pop() {
+            found.push(node);
+            if !stop(node) {
+                self.op(node).operands().for_each(|operand| reach(operand, &mut waiting));
             }
         }
-        self.nodes().map(|(node, _)| node).filter(|node| needed[node.index()]).collect()
+        // Operands are older than their users.
+        found.sort_unstable();
+        found
     }
 }

@@ -83,6 +83,8 @@ pub struct Graph {
     classes: Vec<Class>,
     symbols: Vec<(String, Class)>,
     known: HashMap<Op, Node, FastHash>,
+    /// Asked for at every turn.
+    zero: Option<Node>,
 }
 
 impl Graph {
@@ -121,7 +123,14 @@ impl Graph {
 
     pub fn constant(&mut self, value: f64) -> Node {
         // One zero: −0 would make equal expressions differ.
-        let value = if value == 0.0 { 0.0 } else { value };
+        if value == 0.0 {
+            if let Some(zero) = self.zero {
+                return zero;
+            }
+            let zero = self.intern(Op::Constant(0.0_f64.to_bits()));
+            self.zero = Some(zero);
+            return zero;
+        }
         self.intern(Op::Constant(value.to_bits()))
     }
 
@@ -138,7 +147,7 @@ impl Graph {
         }
     }
     pub fn is_zero(&self, node: Node) -> bool {
-        self.value(node) == Some(0.0)
+        self.zero == Some(node)
     }
     pub fn is_one(&self, node: Node) -> bool {
         self.value(node) == Some(1.0)

@@ -4,7 +4,7 @@
 
 use super::definition::{
     Constraint, ConstraintTerm, Entry, FirstTerm, Joint, JointWord, Label, LineTerm, Load, LoadTerm, PlaceTerm,
-    Space, Tuple,
+    Space, Term, TermKind, Tuple,
 };
 use super::expression::is_call;
 use super::parser::{Failed, Parsed, Parser};
@@ -56,16 +56,25 @@ const SPATIAL_JOINTS: [Form; 12] = [
     Form { word: "distance", positional: PLACES, named: &[("length", true)] },
 ];
 
-const COUPLINGS: [Form; 2] = [
+const ROTORS: &[Kind] = &[Kind::Rotor, Kind::Rotor];
+
+/// Bevel and worm gears are gears, whatever the axes; a belt is a gear by its radii, a screw a rack by its pitch, and a
+/// differential an equation.
+const COUPLINGS: [Form; 7] = [
+    Form { word: "gear", positional: ROTORS, named: &[("ratio", true), ("phase", false)] },
+    Form { word: "bevel", positional: ROTORS, named: &[("ratio", true), ("phase", false)] },
+    Form { word: "worm", positional: ROTORS, named: &[("ratio", true), ("phase", false)] },
     Form {
-        word: "gear",
-        positional: &[Kind::Rotor, Kind::Rotor],
-        named: &[("ratio", true), ("phase", false)],
+        word: "belt",
+        positional: ROTORS,
+        named: &[("radius", true), ("second_radius", true), ("phase", false)],
     },
+    Form { word: "rack", positional: ROTORS, named: &[("radius", true), ("phase", false)] },
+    Form { word: "screw", positional: ROTORS, named: &[("pitch", true), ("phase", false)] },
     Form {
-        word: "rack",
-        positional: &[Kind::Rotor, Kind::Rotor],
-        named: &[("radius", true), ("phase", false)],
+        word: "differential",
+        positional: &[Kind::Rotor, Kind::Rotor, Kind::Rotor],
+        named: &[],
     },
 ];
 
@@ -154,13 +163,8 @@ impl Parser {
     pub fn constraint(&mut self, c: &mut Cursor) -> Parsed<()> {
         let name = self.declared(c, "the name of the constraint")?;
         self.punct(c, ':')?;
-        let later = ["belt", "screw", "differential"];
-        match c.word() {
-            Some("gear" | "rack") if is_call(c) => return self.coupling_call(c, name),
-            Some(word) if later.contains(&word) && is_call(c) => {
-                return self.fail(c.region(), messages::not_there_yet(word));
-            }
-            _ => {}
+        if c.word().is_some_and(|word| COUPLINGS.iter().any(|form| form.word == word)) && is_call(c) {
+            return self.coupling_call(c, name);
         }
         let left = self.expression(c)?;
         if !c.eat_punct('=') {
@@ -172,7 +176,7 @@ impl Parser {
         Ok(())
     }
 
-    /// `name: gear(…);` after the word `gear` or `rack`.
+    /// `name: gear(…);` after the word of the coupling.
     pub fn coupling(&mut self, c: &mut Cursor, word: &str) -> Parsed<()> {
         let name = self.declared(c, "the name of the constraint")?;
         self.punct(c, ':')?;
@@ -184,13 +188,33 @@ impl Parser {
 
     fn coupling_call(&mut self, c: &mut Cursor, name: Label) -> Parsed<()> {
         let (form, mut arguments) = self.call_of(c, &COUPLINGS, "constraint")?;
+        let region = name.region.to(c.previous());
         self.semicolon(c)?;
         let (first, second) = (arguments.rotor()?, arguments.rotor()?);
         let phase = arguments.entry("phase");
-        let kind = if form.word == "gear" {
-            ConstraintTerm::Gear { first, second, ratio: arguments.required("ratio")?, phase }
-        } else {
-            ConstraintTerm::Rack { pinion: first, rail: second, radius: arguments.required("radius")?, phase }
+        let kind = match form.word {
+            "rack" => {
+                ConstraintTerm::Rack { pinion: first, rail: second, radius: arguments.required("radius")?, phase }
+            }
+            "screw" => {
+                // travel = pitch/(2π) · angle
+                let turn = number(region, "2").times(Term::name(region, "pi"));
+                let radius = arguments.required("pitch")?.term().over(turn);
+                ConstraintTerm::Rack { pinion: first, rail: second, radius: Entry::bare(radius), phase }
+            }
+            "belt" => {
+                // r₁ θ₁ = r₂ θ₂
+                let (own, other) = (arguments.required("radius")?, arguments.required("second_radius")?);
+                let ratio = Entry::bare(other.term().over(own.term()));
+                ConstraintTerm::Gear { first, second, ratio, phase }
+            }
+            "differential" => {
+                // The carrier turns by the mean of both wheels.
+                let angle = |label: &Label| Term::name(label.region, &format!("{}.angle", label.text));
+                let (carrier, a, b) = (angle(&first), angle(&second), angle(&arguments.rotor()?));
+                ConstraintTerm::Equation { left: a.plus(b), right: number(region, "2").times(carrier) }
+            }
+            _ => ConstraintTerm::Gear { first, second, ratio: arguments.required("ratio")?, phase },
         };
         self.definition.constraints.push(Constraint { name, kind });
         Ok(())
@@ -215,9 +239,15 @@ impl Parser {
         let kind = match form.word {
             "force" => {
                 let place = arguments.place()?;
-                match arguments.tuple("direction") {
-                    Some(direction) => LoadTerm::Force { place, direction, value: self.expression(c)? },
-                    None => LoadTerm::Components { place, components: self.components(c)? },
+                let several = c.inside(Delimiter::Parenthesis).is_some_and(|inside| inside.has_comma());
+                match (arguments.tuple("direction"), place) {
+                    (Some(direction), place) => {
+                        LoadTerm::Force { place, direction, value: self.expression(c)? }
+                    }
+                    (None, PlaceTerm::Named(path)) if path.parts.len() == 1 && !several => {
+                        LoadTerm::Push { on: path.parts[0].clone(), value: self.expression(c)? }
+                    }
+                    (None, place) => LoadTerm::Components { place, components: self.components(c)? },
                 }
             }
             "torque" => {
@@ -371,4 +401,9 @@ impl Parser {
         }
         self.argument_end(c)
     }
+}
+
+/// Digits as if written at `region`.
+fn number(region: Region, digits: &str) -> Term {
+    Term { kind: TermKind::Number { text: digits.to_string(), unit: None }, region, height: 0 }
 }

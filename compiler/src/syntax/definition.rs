@@ -109,6 +109,50 @@ pub enum TermKind {
     Measured(Box<Term>, WrittenUnit),
 }
 
+impl Term {
+    /// A name joined by dots, as if written at `region`.
+    pub fn name(region: Region, text: &str) -> Term {
+        let parts = text.split('.').map(|part| Label { text: part.to_string(), region }).collect();
+        let path = Path { text: text.to_string(), parts, region };
+        Term { kind: TermKind::Name(path), region, height: 0 }
+    }
+
+    fn joined(self, operator: Operator, other: Term) -> Term {
+        let (region, height) = (self.region, 1 + self.height.max(other.height));
+        Term { kind: TermKind::Operation(operator, vec![self, other]), region, height }
+    }
+
+    pub fn plus(self, other: Term) -> Term {
+        self.joined(Operator::Add, other)
+    }
+
+    pub fn times(self, other: Term) -> Term {
+        self.joined(Operator::Multiply, other)
+    }
+
+    pub fn over(self, other: Term) -> Term {
+        self.joined(Operator::Divide, other)
+    }
+}
+
+impl Entry {
+    /// A value without a unit beside its name.
+    pub fn bare(value: Term) -> Entry {
+        Entry { unit: None, value }
+    }
+
+    /// The value with its unit, to stand in an expression.
+    pub fn term(self) -> Term {
+        match self.unit {
+            None => self.value,
+            Some(unit) => {
+                let (region, height) = (self.value.region, self.value.height + 1);
+                Term { kind: TermKind::Measured(Box::new(self.value), unit), region, height }
+            }
+        }
+    }
+}
+
 /// Operators, all with one spelling.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Operator {
@@ -458,6 +502,11 @@ pub enum LoadTerm {
         place: PlaceTerm,
         components: Tuple,
     },
+    /// Along the travel of a joint.
+    Push {
+        on: Label,
+        value: Term,
+    },
     Torque {
         on: Label,
         value: Term,
@@ -511,6 +560,8 @@ pub enum OptionEntry {
     Coordinates(Label),
     /// `refuse` or `drop`.
     Redundant(Label),
+    /// `check` or `accept`.
+    Inertia(Label),
     Cut(Vec<Label>),
     Independent(Vec<Path>),
     Crate(TokenStream),

@@ -328,6 +328,11 @@ impl Writer {
                 self.key("place").place(place);
                 self.key("components").array(&components.values, |w, value| w.with_unit(value, components));
             }
+            LoadTerm::Push { on, value } => {
+                self.key("kind").string("push");
+                self.key("on").string(&on.text);
+                self.key("value").term(value);
+            }
             LoadTerm::Torque { on, value } => {
                 self.key("kind").string("torque");
                 self.key("on").string(&on.text);
@@ -377,6 +382,7 @@ impl Writer {
         match option {
             OptionEntry::Coordinates(word) => self.key("coordinates").string(&word.text),
             OptionEntry::Redundant(word) => self.key("redundant").string(&word.text),
+            OptionEntry::Inertia(word) => self.key("inertia").string(&word.text),
             OptionEntry::Cut(joints) => self.key("cut").array(joints, |w, joint| w.string(&joint.text)),
             OptionEntry::Independent(paths) => {
                 self.key("independent").array(paths, |w, path| w.name(&path.text));

@@ -266,6 +266,9 @@ impl Parser {
             values.push(self.expression(&mut inside)?);
         }
         inside.eat_punct(',');
+        if count == 2 && !inside.is_done() {
+            return self.fail(inside.region(), messages::third_coordinate());
+        }
         self.end(&inside, &format!("`)` after {} coordinates", COUNT[count]))?;
         Ok(values)
     }

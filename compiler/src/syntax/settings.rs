@@ -57,7 +57,7 @@ impl Parser {
 
     /// `{ coordinates = auto; cut = (joint, …); … }`
     pub fn options(&mut self, c: &mut Cursor) -> Parsed<()> {
-        const KNOWN: [&str; 5] = ["coordinates", "redundant", "cut", "independent", "crate"];
+        const KNOWN: [&str; 6] = ["coordinates", "redundant", "inertia", "cut", "independent", "crate"];
         self.block(c, |parser, c| {
             let option = parser.word(c, "an option")?;
             if option.text == "emit" {
@@ -70,6 +70,7 @@ impl Parser {
             let entry = match option.text.as_str() {
                 "coordinates" => OptionEntry::Coordinates(parser.choice(c, &["absolute", "tree", "auto"])?),
                 "redundant" => OptionEntry::Redundant(parser.redundant(c)?),
+                "inertia" => OptionEntry::Inertia(parser.choice(c, &["check", "accept"])?),
                 "cut" => OptionEntry::Cut(parser.list(c, |p, c| p.label(c, "the name of a joint"))?),
                 "independent" => OptionEntry::Independent(parser.list(c, |p, c| p.path(c, "a quantity"))?),
                 _ => OptionEntry::Crate(c.originals_to_semicolon()),

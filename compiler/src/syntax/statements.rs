@@ -8,7 +8,7 @@ use crate::messages;
 use proc_macro2::{Delimiter, TokenStream};
 
 /// Words that begin a statement, for messages.
-const STATEMENTS: [&str; 28] = [
+const STATEMENTS: [&str; 33] = [
     "const",
     "param",
     "input",
@@ -36,7 +36,12 @@ const STATEMENTS: [&str; 28] = [
     "output",
     "repeat",
     "gear",
+    "bevel",
+    "worm",
+    "belt",
     "rack",
+    "screw",
+    "differential",
 ];
 
 impl Parser {
@@ -88,7 +93,7 @@ impl Parser {
             }
             "joint" => self.joint(c),
             "constraint" => self.constraint(c),
-            "gear" | "rack" => self.coupling(c, word),
+            "gear" | "bevel" | "worm" | "belt" | "rack" | "screw" | "differential" => self.coupling(c, word),
             "drive" => self.driver(c),
             "force" | "torque" | "spring" | "damper" | "torsion_spring" => self.load(c, word),
             "output" => self.output(c, docs),
@@ -97,7 +102,7 @@ impl Parser {
             "expect" => self.expect(c),
             "repeat" => self.repeat(c),
             "table" | "state" | "rate" | "friction" | "contact" | "mesh" | "bushing" | "part" | "file"
-            | "beam" | "belt" | "screw" | "differential" => {
+            | "beam" => {
                 self.fail(at, messages::not_there_yet(word))
             }
             _ => self.fail(at, messages::unknown_statement(word, STATEMENTS.iter().copied())),

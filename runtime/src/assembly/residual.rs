@@ -61,6 +61,7 @@ impl<R: Real, L: Vector<R>, C: Vector<R>> Residual<R, L, C> {
                 _ if !held => R::ZERO,
                 ConditionKind::Angle => entry.atan2(flipped.as_slice()[i]),
                 ConditionKind::Linear => *entry,
+                ConditionKind::Rate => R::ZERO,
             };
         }
         let norm = (rows.norm_squared() + conditions.norm_squared() + let_go).sqrt();

@@ -227,10 +227,15 @@ fn freedoms(
     let redundancy = match redundancy::find(mechanism, point, problem, q, &dependent) {
         redundancy::Finding::None => redundancy::Redundancy::default(),
         redundancy::Finding::Dropped(redundancy) => return errors.is_empty().then_some((freedoms, redundancy)),
-        redundancy::Finding::Refused { rows, rank, of, what } => {
-            let span = equations.rows.iter().find(|row| row.of == of).map(|row| row.span);
-            let message = messages::redundant(&of, what, rows, rank);
-            errors.error(span.unwrap_or(mechanism.name.span), message);
+        redundancy::Finding::Refused { rows, mut dropped } => {
+            let rank = rows - dropped.len();
+            dropped.sort_unstable();
+            // One message for each joint, not for each of its rows.
+            for of_one in dropped.chunk_by(|a, b| equations.rows[*a].of == equations.rows[*b].of) {
+                let row = &equations.rows[of_one[0]];
+                let what: Vec<&str> = of_one.iter().map(|row| equations.rows[*row].what).collect();
+                errors.error(row.span, messages::redundant(&row.of, &what, rows, rank, mechanism.space));
+            }
             return None;
         }
     };

@@ -25,8 +25,8 @@ pub enum Finding {
     /// No redundancy; where rows are dependent nevertheless, the start is singular.
     None,
     Dropped(Redundancy),
-    /// Rows in all, their rank, and the row that would be dropped first.
-    Refused { rows: usize, rank: usize, of: String, what: &'static str },
+    /// How many rows there are, and those that would be dropped, indices into [`Equations::rows`].
+    Refused { rows: usize, dropped: Vec<usize> },
 }
 
 /// Rows that take part less than this are not blamed.
@@ -57,9 +57,7 @@ pub fn find(
     let droppable = |row: usize| equations.rows[row].joint.is_some();
     let Some(dropped) = choose(point, &rows, &nearby, droppable) else { return Finding::None };
     if mechanism.options.redundant == Redundant::Refuse {
-        let first = &equations.rows[dropped[0]];
-        let rank = rows.len() - dropped.len();
-        return Finding::Refused { rows: rows.len(), rank, of: first.of.clone(), what: first.what };
+        return Finding::Refused { rows: rows.len(), dropped };
     }
     let shared = joints_that_share(equations, &rows, &spaces);
     let dropped = dropped.into_iter().filter_map(|row| {

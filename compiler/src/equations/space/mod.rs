@@ -8,6 +8,7 @@ pub mod joints;
 mod kinematics;
 mod links;
 mod tensor;
+mod trees;
 mod vector;
 mod vector_jet;
 
@@ -15,3 +16,4 @@ pub use bodies::consequences;
 pub use coordinates::{constant_axis, coordinates};
 pub use dynamics::dynamics;
 pub use kinematics::Kinematics;
+pub use trees::{absolute_operations, fewest_freedoms};

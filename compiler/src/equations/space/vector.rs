@@ -37,11 +37,25 @@ pub fn scale(g: &mut Graph, factor: Node, a: Vec3) -> Vec3 {
 }
 
 pub fn dot(g: &mut Graph, a: Vec3, b: Vec3) -> Node {
-    let products = [g.mul(a[0], b[0]), g.mul(a[1], b[1]), g.mul(a[2], b[2])];
-    g.sum(products)
+    let mut sum = None;
+    for k in 0..3 {
+        // Most of what is multiplied is aligned with an axis.
+        if g.is_zero(a[k]) || g.is_zero(b[k]) {
+            continue;
+        }
+        let product = g.mul(a[k], b[k]);
+        sum = Some(match sum {
+            Some(sum) => g.add(sum, product),
+            None => product,
+        });
+    }
+    sum.unwrap_or_else(|| g.constant(0.0))
 }
 
 pub fn cross(g: &mut Graph, a: Vec3, b: Vec3) -> Vec3 {
+    if is_zero(g, a) || is_zero(g, b) {
+        return zero(g);
+    }
     std::array::from_fn(|k| {
         let (i, j) = ((k + 1) % 3, (k + 2) % 3);
         let (left, right) = (g.mul(a[i], b[j]), g.mul(a[j], b[i]));
@@ -51,6 +65,9 @@ pub fn cross(g: &mut Graph, a: Vec3, b: Vec3) -> Vec3 {
 
 /// m a.
 pub fn apply(g: &mut Graph, m: &Mat3, a: Vec3) -> Vec3 {
+    if is_zero(g, a) {
+        return a;
+    }
     [dot(g, m[0], a), dot(g, m[1], a), dot(g, m[2], a)]
 }
 

@@ -1,0 +1,193 @@
+//! Mechanisms in space that ship with nobody: together they have every kind of joint in both orders of its places, with the
+//! ground and between bodies, carrying and cut, with axes and markers that lie along no coordinate axis.
+//!
+//! They belong to the zoo (`zoo.rs`): every generic check runs on them, and the reference has them in both sets of
+//! coordinates, so that what carries in one is cut in the other.
+
+linkwright::mechanism! {
+    /// An arm on a tilted hinge, whose forearm carries the slide's first place; everything about its inertia is a parameter.
+    pub spatial Arm {
+        param weight [kg] = 1.3 in 0.5..3;
+        param product [kg*m^2] = 0.004;
+        param reach [m] = 0.4;
+        param stiffness [N*m/rad] = 2;
+        input drive [N*m];
+        input push [N];
+        gravity [m/s^2] = (0.3, -0.4, -9.81);
+        marker foot [m] = (0.1, -0.2, 0.05), axis = (1, 2, 2), reference = (0, 0, 1);
+        body upper { mass [kg] = weight; inertia [kg*m^2] = (0.02, 0.03, 0.035); products [kg*m^2] = (product, -0.002, 0.003);
+                     center [m] = (reach/2, 0.01, -0.02);
+                     marker hip [m] = (0.02, 0, 0.01), about_x [deg] = 30, about_z = -0.7 [rad];
+                     marker elbow [m] = (reach, 0.02, 0), axis = (1, 0.2, -0.3); }
+        box plate   { density [kg/m^3] = 800; size [m] = (0.2, 0.1, 0.05);
+                      marker corner [m] = (0.1, 0.05, 0.025), about_y [deg] = 40; }
+        body slide  { mass [kg] = 0.6; inertia [kg*m^2] = (0.004, weight*0.005 [m^2], 0.007); center [m] = (0.05, 0, 0.03);
+                      marker root [m] = (-0.1, 0.02, 0), axis = (0.4, 1, 0), reference = (1, 0, 1);
+                      point tip [m] = (0.2, -0.05, 0.04); }
+        rod hand    { mass [kg] = 0.3; length [m] = 0.25; radius [m] = 0.02; }
+
+        joint shoulder: revolute(foot, upper.hip);
+        joint weld:     fixed(upper.elbow, plate.corner);
+        joint extend:   prismatic(slide.root, upper.elbow);
+        joint wrist:    universal(slide.tip, hand.start, axis = (1, 2, 0), second_axis = (-1, 1, 3));
+
+        torsion_spring coil: torsion_spring(shoulder, stiffness = stiffness, angle = 20 [deg], damping = 0.05 [N*m*s/rad]);
+        spring rope:    spring(ground(0.5, 0.4, 0.9) [m], slide.root, stiffness = 30 [N/m], length = 0.2 [m], damping = 0.4 [N*s/m]);
+        torque motor:   torque(shoulder) = drive - 0.1 [N*m*s/rad] * shoulder.rate;
+        torque twist:   torque(hand) = (0.1 * drive, -0.02 [N*m*s/rad] * hand.rate.y, 0.03 [N*m] * cos(wrist.angle_1));
+        force wind:     force(hand.end, direction = (1, -1, 2)) = push - 0.3 [N/m] * extend.travel;
+
+        start { shoulder.angle [rad] = 0.4; shoulder.rate [rad/s] = 1; extend.travel [m] = 0.1; extend.speed [m/s] = -0.2;
+                wrist.angle_1 [rad] = 0.5; wrist.rate_1 [rad/s] = 0.6; wrist.angle_2 [deg] = -50; wrist.rate_2 [rad/s] = -1; }
+        options { coordinates = tree; }
+        expect { degrees_of_freedom = 4; }
+        output tip [m] = hand.end.z;
+        output turned [rad] = wrist.angle_2;
+        output loss [W] = power(coil) + power(twist);
+    }
+}
+
+linkwright::mechanism! {
+    /// A jack, from the hook up: the joints' second places are nearer to the ground.
+    pub spatial Jack {
+        param pitch [m] = 0.3;
+        param tilt [kg*m^2] = 0.002;
+        gravity [m/s^2] = (0, 0, -9.81);
+        marker column [m] = (0.2, 0.1, 0), about_z [deg] = 25, about_x [deg] = -15;
+        cylinder nut  { mass [kg] = 0.9; length [m] = 0.1; radius [m] = 0.06; marker bore [m] = (0.01, 0, 0.02), axis = (1, 0, 1); }
+        body spindle  { mass [kg] = 0.7; center [m] = (0.02, 0.01, 0.1);
+                        marker thread [m] = (0, 0.02, 0), axis = (0.2, 0, 1), reference = (0, 1, 0);
+                        marker principal [m] = (0, 0, 0), about_y [deg] = 35;
+                        inertia [kg*m^2] = (0.006, 0.007, 0.003); products [kg*m^2] = (tilt, 0, -0.001);
+                        inertia_axes = principal; point eye [m] = (0.03, -0.02, 0.25); }
+        sphere hook   { density [kg/m^3] = 2000; radius [m] = 0.05; marker pin [m] = (0.02, 0.03, 0.04), about_z [rad] = 0.8;
+                        point end [m] = (0, 0.05, -0.05); }
+        particle bob  { mass [kg] = 0.4; }
+
+        joint sleeve: cylindrical(nut.bore, column, axis = (0, 2, 1));
+        joint lead:   screw(spindle.thread, nut.start, axis = (1, -1, 0), pitch = pitch);
+        joint cross:  universal(hook.pin, spindle.eye, axis = (0, 1, 1), second_axis = (2, 0, 1));
+        joint hang:   distance(bob.center, hook.end, length = 0.3 [m]);
+
+        damper shock: damper(hook.end, ground(0.1, 0.1, 1) [m], damping = 2 [N*s/m]);
+        force weight: force(bob.center) = (0, 0.2 [N], -0.1 [N*s/m] * bob.center.velocity.z);
+        torque brake: torque(lead) = -0.02 [N*m*s/rad] * lead.rate;
+
+        start { sleeve.travel [m] = 0.1; sleeve.speed [m/s] = 0.3; sleeve.angle [rad] = 0.3; sleeve.rate [rad/s] = -0.4;
+                lead.angle [rad] = 7; lead.rate [rad/s] = 2; cross.angle_1 [rad] = 0.2; cross.angle_2 [rad] = 0.6;
+                cross.rate_1 [rad/s] = 0.1; cross.rate_2 [rad/s] = 1.5;
+                bob.center.x [m] = 0.3; bob.center.y [m] = 0; bob.center.z [m] ~ -1; }
+        options { coordinates = absolute; }
+        expect { degrees_of_freedom = 7; }
+        output travel [m] = lead.travel;
+        output angle [rad] = lead.angle;
+        output speed [m/s] = sleeve.speed;
+    }
+}
+
+linkwright::mechanism! {
+    /// A slab on a plane whose place moves, a ball joint on it, a bead on a wire of it.
+    pub spatial Table {
+        param stroke [m] = 0.1;
+        param slope [1] = 0.3;
+        gravity [m/s^2] = (0, 0, -9.81);
+        box slab  { mass [kg] = 2; size [m] = (0.6, 0.4, 0.05); marker below [m] = (0.05, 0.02, -0.025), axis = (0.1, 0, 1);
+                    point hole [m] = (0.1, 0.1, 0.1); line wire = (slab.hole, slab.below); }
+        body top  { mass [kg] = 0.5; inertia [kg*m^2] = (0.002, 0.003, 0.004); center [m] = (0.01, 0, 0.15);
+                    marker tip [m] = (0, 0.01, 0), about_x [deg] = 20, about_y [deg] = -30; }
+        particle bead { mass [kg] = 0.2; }
+        joint feet: planar(ground(stroke * sin(3 [rad/s] * time), 0.1, 0.05 [m] * cos(2 [rad/s] * time)), slab.below,
+                           axis = (slope, 0.2, 1));
+        joint ball: spherical(slab.hole, top.tip);
+        joint ride: point_on_line(slab.wire, bead.center);
+        spring tie: spring(ground(0.1 [m/s] * time, 0.3, 0.8), bead.center, stiffness = 15 [N/m], length = 0.3 [m], damping = 0.2 [N*s/m]);
+        damper rub: damper(top.center, bead.center, damping = 0.5 [N*s/m]);
+        torque swirl: torque(top) = (0.01 [N*m], -0.01 [N*m*s/rad] * top.rate.x, 0.02 [N*m]);
+        start { feet.travel_1 [m] = 0.1; feet.speed_1 [m/s] = 0.2; feet.travel_2 [m] = -0.05; feet.speed_2 [m/s] = 0.1;
+                feet.angle [rad] = 0.4; feet.rate [rad/s] = -1; top.orientation = (0.8, 0.36, -0.48, 0);
+                top.rate.x [rad/s] = 0.5; top.rate.y [rad/s] = -1; top.rate.z [rad/s] = 6;
+                ride.travel [m] = 0.05; ride.speed [m/s] = 0.1; }
+        expect { degrees_of_freedom = 7; }
+        output height [m] = top.center.z;
+        output gap [m] = distance(top.center, bead.center);
+    }
+}
+
+linkwright::mechanism! {
+    /// The same joints with the ground in the second place, a disk on a plane of the slab, a lid that carries its weld.
+    pub spatial Ceiling {
+        input pull [N];
+        gravity [m/s^2] = (1, 0, -9);
+        marker roof [m] = (0, 0.1, 1), axis = (1, -2, 4), reference = (1, 1, 0);
+        body slab { mass [kg] = 1.5; inertia [kg*m^2] = (0.04, 0.05, 0.07); products [kg*m^2] = (0.01, 0, 0.005);
+                    marker above [m] = (0.1, 0, 0.05), about_y [deg] = 60; marker side [m] = (0, 0.2, 0), axis = (0.3, 1, 0.2); }
+        body top  { mass [kg] = 0.5; inertia [kg*m^2] = (0.002, 0.003, 0.004); center [m] = (0.01, 0, 0.15);
+                    marker tip [m] = (0, 0.01, 0), about_z [deg] = 20, about_y [deg] = -30; }
+        disk wheel { mass [kg] = 0.4; radius [m] = 0.1; marker rim [m] = (0.1, 0, 0), about_x [rad] = 0.6; }
+        sphere lid { mass [kg] = 0.1; radius [m] = 0.03; marker below [m] = (0, 0, -0.03), about_z [deg] = 70; }
+        joint feet:  planar(slab.above, roof);
+        joint ball:  spherical(top.tip, slab.side);
+        joint slip:  point_on_plane(slab.side, wheel.rim);
+        joint weld:  fixed(lid.below, wheel.rim);
+        force draw:  force(lid.center) = (pull, -0.1 [N*s/m] * lid.center.velocity.y, 2 [N]);
+        torsion_spring hold: torsion_spring(feet, stiffness = 0.5 [N*m/rad]);
+        start { feet.travel_1 [m] = 0.1; feet.speed_1 [m/s] = 0.2; feet.travel_2 [m] = -0.05; feet.speed_2 [m/s] = 0.1;
+                feet.angle [rad] = 0.4; feet.rate [rad/s] = -1; top.orientation = (0.6, 0, 0.8, 0);
+                top.rate.x [rad/s] = 0.5; top.rate.y [rad/s] = -1; top.rate.z [rad/s] = 3;
+                lid.orientation = (0.5, 0.5, -0.5, 0.5); lid.center.x [m] = 0.1; lid.center.z [m] = 0.9;
+                lid.rate.x [rad/s] = 0.5; lid.rate.y [rad/s] = -1; lid.rate.z [rad/s] = 1;
+                wheel.rim.velocity.x [m/s] = 0.1; wheel.rim.velocity.y [m/s] = 0.3; }
+        options { coordinates = tree; }
+        expect { degrees_of_freedom = 11; }
+        output angle [rad] = feet.angle;
+        output slid [m] = feet.travel_2;
+    }
+}
+
+linkwright::mechanism! {
+    /// Two bodies on a wire and on a plane of their own, that hold each other by a wire and a strut, and a stray particle.
+    pub spatial Wires {
+        param length [m] = 0.8;
+        gravity [m/s^2] = (0, 0.2, -9.81);
+        line span = (ground(-0.2, 0, 0.1) [m], ground(1, 0.4, 0.3) [m]);
+        body runner { mass [kg] = 0.8; inertia [kg*m^2] = (0.01, 0.012, 0.008); center [m] = (0, 0.02, -0.1);
+                      point hook [m] = (0.01, 0, 0.02); point end [m] = (0.1, 0.1, -0.3); line edge = (runner.end, runner.center); }
+        body float  { mass [kg] = 0.5; inertia [kg*m^2] = (0.006, 0.004, 0.005); products [kg*m^2] = (0.001, 0.0005, -0.001);
+                      marker face [m] = (0, 0.03, 0), axis = (1, 3, 1); point eye [m] = (0.1, 0, 0.15); point side [m] = (-0.1, 0.1, 0); }
+        particle stray { mass [kg] = 0.1; }
+        joint trolley: point_on_line(span, runner.hook);
+        joint touch:   point_on_plane(float.face, ground(0.4, 0.7, 0.2) [m]);
+        joint slot:    point_on_line(runner.edge, float.eye);
+        joint strut:   distance(float.side, runner.hook, length = length);
+        joint net:     point_on_plane(ground(0, 0, -0.6) [m], stray.center, axis = (0.2, 0.1, -1));
+        spring band:   spring(stray.center, float.side, stiffness = 8 [N/m], length = 0.2 [m]);
+        start { trolley.travel [m] = 0.4; trolley.speed [m/s] = 0.5; runner.orientation ~ (0.9, 0.3, 0.3, -0.1); slot.travel [m] ~ 0.1;
+                float.orientation ~ (1, 0, 0.2, 0); stray.center.x [m] = 0.2; stray.center.y [m] = -0.1;
+                stray.center.velocity.x [m/s] = 0.3; stray.center.velocity.y [m/s] = 0.1; runner.rate.z [rad/s] = 1; }
+        expect { degrees_of_freedom = 8; }
+        output travel [m] = slot.travel;
+    }
+}
+
+linkwright::mechanism! {
+    /// A driven shaft through two constant-velocity joints, the second with its places the other way round.
+    pub spatial Shafts {
+        param speed [rad/s] = 3;
+        gravity [m/s^2] = (0, 0, -9.81);
+        marker entry [m] = (0, 0, 0), axis = (1, 0.2, 0.1);
+        marker leave [m] = (1, 0.25, 0), axis = (3, 1, 0), reference = (0, 0, 1);
+        cylinder first { mass [kg] = 0.5; length [m] = 0.3; radius [m] = 0.02; }
+        cylinder middle { mass [kg] = 0.7; length [m] = 0.5; radius [m] = 0.02; }
+        body last { mass [kg] = 0.9; inertia [kg*m^2] = (0.01, 0.02, 0.021); products [kg*m^2] = (0, 0.001, 0); center [m] = (0.1, 0, 0.01);
+                    marker bore [m] = (0.3, 0, 0), axis = (1, 0, 0.02), reference = (0, 0, 1); }
+        joint bearing: revolute(entry, first.start, axis = (0, 0, 1));
+        joint front:   constant_velocity(first.end, middle.start, axis = (1, 0, 0));
+        joint rear:    constant_velocity(last.origin, middle.end, axis = (1, 0.05, 0));
+        joint sleeve:  cylindrical(leave, last.bore);
+        drive motor:   bearing.angle = speed * time + 0.1 [rad] * sin(2 [rad/s] * time);
+        torsion_spring load: torsion_spring(last_turn, stiffness = 1 [N*m/rad], damping = 0.2 [N*m*s/rad]);
+        start { sleeve.travel [m] ~ -0.1; sleeve.angle [rad] ~ 0; middle.orientation ~ (1, 0, 0, 0); middle.center.x [m] ~ 0.5; }
+        expect { degrees_of_freedom = 1; }
+        output effort [N*m] = motor.effort;
+    }
+}
