@@ -3,12 +3,11 @@
 //! Source: Project Chrono, src/chrono_models/vehicle/hmmwv/suspension/HMMWV_DoubleWishbone.cpp (projectchrono/chrono
 //! @425dfa3e, BSD-3), front axle: hardpoints in inches from the middle between the lower arm's bearings, x forward, y left,
 //! z up; masses, moments of inertia (the arms' about axes with z across the arm and x from its rear to its front bearing;
-//! its 0.03 and 0.4 kg m² in the arms' planes are too little beside 0.06276 and 0.8938 across for any body, here they are
-//! half of these, as of flat arms).
+//! those across are more than any body's with so little in the plane, by 5 and 12 %, and are taken as they stand).
 //! Its table of spring forces is 167062 x + 3.6085392e7 x³ to all its digits; free length 0.339 m. Its damper has 71.5 and
-//! 128.25 lbf s/in in compression and rebound (12521.56 and 22460.01 N s/m). The chassis is the ground here; bump stops and
-//! the tie rod's mass are left out, as there. Expected: two degrees of freedom, of the wheel's travel and its spin; position,
-//! inclination and steering of the wheel over its travel as a separate computation of the loop has them.
+//! 128.25 lbf s/in in compression and rebound (12521.56 and 22460.01 N s/m). The chassis is the ground here; bump
+//! stops, the axle's inertia and the tie rod's mass are left out. Expected: two degrees of freedom, of the wheel's travel and
+//! its spin; position, inclination and steering of the wheel over its travel as a separate computation of the loop has them.
 
 linkwright::mechanism! {
     /// Double-wishbone suspension with the hardpoints of the HMMWV's left front wheel.
@@ -35,14 +34,14 @@ linkwright::mechanism! {
             mass [kg] = 5.813; center [m] = (-4.155*IN, 23.176*IN, 8.575*IN);
             marker plane [m] = (-4.155*IN, 23.176*IN, 8.575*IN),
                 axis = (-19.0644582, 9.5570152, 91.7921334), reference = (8.6732, -1.251, 1.9316);
-            inertia [kg*m^2] = (0.03138, 0.03138, 0.06276); inertia_axes = plane;
+            inertia [kg*m^2] = (0.03, 0.03, 0.06276); inertia_axes = plane;
             point front [m] = (-1.8864*IN, 17.5575*IN, 9.6308*IN);
             point ball [m] = (-2.088*IN, 28.17*IN, 8.484*IN);
         }
         body lower {
             mass [kg] = 23.965; center [m] = (0, 21.528*IN, -2.325*IN);
             marker plane [m] = (0, 21.528*IN, -2.325*IN), axis = (0, 81.747, 331.8225), reference = (1, 0, 0);
-            inertia [kg*m^2] = (0.4469, 0.4469, 0.8938); inertia_axes = plane;
+            inertia [kg*m^2] = (0.4, 0.4, 0.8938); inertia_axes = plane;
             point front [m] = (8.79*IN, 12.09*IN, 0);
             point ball [m] = (-1.4*IN, 30.965*IN, -4.65*IN);
             point strut [m] = (3.827*IN, 21.385*IN, -1.835*IN);
@@ -87,7 +86,8 @@ linkwright::mechanism! {
         start  { lower_bearing.angle [rad] = 0; lower_bearing.rate [rad/s] = 0;
                  hub.angle [rad] = 0; hub.rate [rad/s] = 0;
                  upper_bearing.angle [rad] ~ 0; upright.orientation ~ (1, 0, 0, 0); }
-        expect { degrees_of_freedom = 2; }
+        options { inertia = accept; }
+        expect  { degrees_of_freedom = 2; }
         output wheel_x [m] = spindle.center.x;
         output wheel_y [m] = spindle.center.y;
         output wheel_z [m] = spindle.center.z;

@@ -10,8 +10,7 @@
 //! f = \[M g + 6 m₁ g (ℓ/2) c²/L + 6 m₂ g (1 − (ℓ/2) c²/L)\]/(6 s), s and c the sine and cosine of the legs' slope, ℓ = ¾ L;
 //! with other thrusts the motion of a separate integration.
 //!
-//! A thrust pushes the upper leg along its axis. Its reaction on the lower leg runs through the universal joint and moves
-//! nothing; it is left to that joint.
+//! A thrust pushes the upper leg out of the lower one.
 
 linkwright::mechanism! {
     /// Stewart platform with six universal–prismatic–spherical legs; inputs are the thrusts in them.
@@ -72,10 +71,7 @@ linkwright::mechanism! {
                 joint slide[2*j+k]: prismatic(lower[2*j+k].origin, upper[2*j+k].end, axis = (1, 0, 0));
                 joint ball[2*j+k]:  spherical(upper[2*j+k].end, platform.ball[2*j+k]);
 
-                force push[2*j+k]: force(upper[2*j+k].end) = (
-                    thrust[2*j+k]*(upper[2*j+k].end.x - upper[2*j+k].start.x)/PART,
-                    thrust[2*j+k]*(upper[2*j+k].end.y - upper[2*j+k].start.y)/PART,
-                    thrust[2*j+k]*(upper[2*j+k].end.z - upper[2*j+k].start.z)/PART);
+                force push[2*j+k]: force(slide[2*j+k]) = thrust[2*j+k];
 
                 start { cross[2*j+k].angle_1 [rad] ~ 0; cross[2*j+k].angle_2 [rad] ~ 0;
                         slide[2*j+k].travel [m] ~ LEG; }

@@ -29,12 +29,12 @@ linkwright::mechanism! {
         joint shoulder: revolute(foot, upper.hip);
         joint weld:     fixed(upper.elbow, plate.corner);
         joint extend:   prismatic(slide.root, upper.elbow);
-        joint wrist:    universal(slide.tip, hand.start, axis = (1, 2, 0), second_axis = (-1, 1, 3));
+        joint wrist:    universal(slide.tip, hand.start, axis = (1, 2, 0), second_axis = (-2, 1, 3));
 
         torsion_spring coil: torsion_spring(shoulder, stiffness = stiffness, angle = 20 [deg], damping = 0.05 [N*m*s/rad]);
         spring rope:    spring(ground(0.5, 0.4, 0.9) [m], slide.root, stiffness = 30 [N/m], length = 0.2 [m], damping = 0.4 [N*s/m]);
         torque motor:   torque(shoulder) = drive - 0.1 [N*m*s/rad] * shoulder.rate;
-        torque twist:   torque(hand) = (0.1 * drive, -0.02 [N*m*s/rad] * hand.rate.y, 0.03 [N*m] * cos(wrist.angle_1));
+        torque twist:   torque(hand) = (0.1 * drive, -0.02 [N*m*s/rad] * hand.rate.y, 0.03 [N*m] * cos(shoulder.angle));
         force wind:     force(hand.end, direction = (1, -1, 2)) = push - 0.3 [N/m] * extend.travel;
 
         start { shoulder.angle [rad] = 0.4; shoulder.rate [rad/s] = 1; extend.travel [m] = 0.1; extend.speed [m/s] = -0.2;
@@ -58,7 +58,7 @@ linkwright::mechanism! {
         body spindle  { mass [kg] = 0.7; center [m] = (0.02, 0.01, 0.1);
                         marker thread [m] = (0, 0.02, 0), axis = (0.2, 0, 1), reference = (0, 1, 0);
                         marker principal [m] = (0, 0, 0), about_y [deg] = 35;
-                        inertia [kg*m^2] = (0.006, 0.007, 0.003); products [kg*m^2] = (tilt, 0, -0.001);
+                        inertia [kg*m^2] = (0.006, 0.007, 0.006); products [kg*m^2] = (tilt, 0, -0.001);
                         inertia_axes = principal; point eye [m] = (0.03, -0.02, 0.25); }
         sphere hook   { density [kg/m^3] = 2000; radius [m] = 0.05; marker pin [m] = (0.02, 0.03, 0.04), about_z [rad] = 0.8;
                         point end [m] = (0, 0.05, -0.05); }
@@ -66,7 +66,7 @@ linkwright::mechanism! {
 
         joint sleeve: cylindrical(nut.bore, column, axis = (0, 2, 1));
         joint lead:   screw(spindle.thread, nut.start, axis = (1, -1, 0), pitch = pitch);
-        joint cross:  universal(hook.pin, spindle.eye, axis = (0, 1, 1), second_axis = (2, 0, 1));
+        joint cross:  universal(hook.pin, spindle.eye, axis = (0, 1, 1), second_axis = (2, 1, -1));
         joint hang:   distance(bob.center, hook.end, length = 0.3 [m]);
 
         damper shock: damper(hook.end, ground(0.1, 0.1, 1) [m], damping = 2 [N*s/m]);
@@ -76,7 +76,7 @@ linkwright::mechanism! {
         start { sleeve.travel [m] = 0.1; sleeve.speed [m/s] = 0.3; sleeve.angle [rad] = 0.3; sleeve.rate [rad/s] = -0.4;
                 lead.angle [rad] = 7; lead.rate [rad/s] = 2; cross.angle_1 [rad] = 0.2; cross.angle_2 [rad] = 0.6;
                 cross.rate_1 [rad/s] = 0.1; cross.rate_2 [rad/s] = 1.5;
-                bob.center.x [m] = 0.3; bob.center.y [m] = 0; bob.center.z [m] ~ -1; }
+                bob.center.x [m] ~ 0.3; bob.center.y [m] ~ 0; bob.center.z [m] ~ -1; }
         options { coordinates = absolute; }
         expect { degrees_of_freedom = 7; }
         output travel [m] = lead.travel;
@@ -96,11 +96,11 @@ linkwright::mechanism! {
         body top  { mass [kg] = 0.5; inertia [kg*m^2] = (0.002, 0.003, 0.004); center [m] = (0.01, 0, 0.15);
                     marker tip [m] = (0, 0.01, 0), about_x [deg] = 20, about_y [deg] = -30; }
         particle bead { mass [kg] = 0.2; }
-        joint feet: planar(ground(stroke * sin(3 [rad/s] * time), 0.1, 0.05 [m] * cos(2 [rad/s] * time)), slab.below,
+        joint feet: planar(ground(stroke * sin(3 [rad/s] * time), 0.1 [m], 0.05 [m] * cos(2 [rad/s] * time)), slab.below,
                            axis = (slope, 0.2, 1));
         joint ball: spherical(slab.hole, top.tip);
         joint ride: point_on_line(slab.wire, bead.center);
-        spring tie: spring(ground(0.1 [m/s] * time, 0.3, 0.8), bead.center, stiffness = 15 [N/m], length = 0.3 [m], damping = 0.2 [N*s/m]);
+        spring tie: spring(ground(0.1 [m/s] * time, 0.3 [m], 0.8 [m]), bead.center, stiffness = 15 [N/m], length = 0.3 [m], damping = 0.2 [N*s/m]);
         damper rub: damper(top.center, bead.center, damping = 0.5 [N*s/m]);
         torque swirl: torque(top) = (0.01 [N*m], -0.01 [N*m*s/rad] * top.rate.x, 0.02 [N*m]);
         start { feet.travel_1 [m] = 0.1; feet.speed_1 [m/s] = 0.2; feet.travel_2 [m] = -0.05; feet.speed_2 [m/s] = 0.1;
@@ -176,18 +176,144 @@ linkwright::mechanism! {
         gravity [m/s^2] = (0, 0, -9.81);
         marker entry [m] = (0, 0, 0), axis = (1, 0.2, 0.1);
         marker leave [m] = (1, 0.25, 0), axis = (3, 1, 0), reference = (0, 0, 1);
-        cylinder first { mass [kg] = 0.5; length [m] = 0.3; radius [m] = 0.02; }
+        cylinder first { mass [kg] = 0.5; length [m] = 0.3; radius [m] = 0.02; marker journal [m] = (-0.15, 0, 0), axis = (1, 0.01, 0); }
         cylinder middle { mass [kg] = 0.7; length [m] = 0.5; radius [m] = 0.02; }
         body last { mass [kg] = 0.9; inertia [kg*m^2] = (0.01, 0.02, 0.021); products [kg*m^2] = (0, 0.001, 0); center [m] = (0.1, 0, 0.01);
                     marker bore [m] = (0.3, 0, 0), axis = (1, 0, 0.02), reference = (0, 0, 1); }
-        joint bearing: revolute(entry, first.start, axis = (0, 0, 1));
+        joint bearing: revolute(entry, first.journal);
         joint front:   constant_velocity(first.end, middle.start, axis = (1, 0, 0));
         joint rear:    constant_velocity(last.origin, middle.end, axis = (1, 0.05, 0));
         joint sleeve:  cylindrical(leave, last.bore);
         drive motor:   bearing.angle = speed * time + 0.1 [rad] * sin(2 [rad/s] * time);
-        torsion_spring load: torsion_spring(last_turn, stiffness = 1 [N*m/rad], damping = 0.2 [N*m*s/rad]);
+        torsion_spring load: torsion_spring(sleeve, stiffness = 1 [N*m/rad], damping = 0.2 [N*m*s/rad]);
         start { sleeve.travel [m] ~ -0.1; sleeve.angle [rad] ~ 0; middle.orientation ~ (1, 0, 0, 0); middle.center.x [m] ~ 0.5; }
         expect { degrees_of_freedom = 1; }
         output effort [N*m] = motor.effort;
+    }
+}
+
+linkwright::mechanism! {
+    /// A pinion drives a rack and a wheel, a screw follows by an equation; the second joint is the other way round.
+    pub spatial Mesh {
+        param radius [m] = 0.05;
+        input drive [N*m];
+        gravity [m/s^2] = (0, 0.5, -9.81);
+        marker bench [m] = (0, 0, 0.1), about_x [deg] = 20, about_y [deg] = -35;
+        disk pinion { mass [kg] = 1; radius [m] = 0.05; }
+        disk wheel  { mass [kg] = 0.6; radius [m] = 0.07; point rim [m] = (0.07, 0, 0.01); }
+        body rail   { mass [kg] = 0.8; inertia [kg*m^2] = (0.001, 0.01, 0.011); marker side [m] = (0, 0.02, 0), about_z [deg] = 15; }
+        body nut    { mass [kg] = 0.3; inertia [kg*m^2] = (0.002, 0.002, 0.003); center [m] = (0.01, 0.02, 0); }
+        joint axle:  revolute(bench, pinion.center);
+        joint stub:  revolute(wheel.center, ground(0.1, 0.05, 0.1) [m], axis = (1, 0, 2));
+        joint slide: prismatic(rail.side, bench, axis = (2, 1, 0));
+        joint lead:  screw(ground(-0.3, 0, 0) [m], nut.origin, axis = (-1, 0.5, 1), pitch = -0.2 [m]);
+        rack mesh:   rack(axle, slide, radius = radius);
+        gear teeth:  gear(stub, axle, ratio = -5/7);
+        constraint follow: lead.travel - 0.5 * slide.travel - 0.4 [m] * sin(axle.angle)^2 - 0.05 [m] * sin(2 [rad/s] * time) = 0;
+        torsion_spring coil: torsion_spring(stub, stiffness = 0.3 [N*m/rad], angle = 1 [rad], damping = 0.01 [N*m*s/rad]);
+        torque motor: torque(axle) = drive;
+        spring pull:  spring(ground(1, 0, 0.3) [m], wheel.rim, stiffness = 4 [N/m], length = 0.4 [m]);
+        start { axle.angle [rad] = 0.1; axle.rate [rad/s] = 20; }
+        expect { degrees_of_freedom = 1; }
+        output turned [rad] = axle.angle;
+        output lifted [m] = lead.travel;
+        output stub_rate [rad/s] = stub.rate;
+    }
+}
+
+linkwright::mechanism! {
+    /// A slider-crank whose rod is carried by neither of its ends as declared: the universal joint is cut, the slider counts.
+    pub spatial Crank {
+        param length [m] = 0.9;
+        param offset [kg*m^2] = 0.001;
+        input load [N];
+        gravity [m/s^2] = (0.2, 0, -9.81);
+        marker guide [m] = (0.3, 0.1, -0.1), axis = (1, 0.1, 0.2), reference = (0, 1, 0);
+        body crank  { mass [kg] = 0.5; inertia [kg*m^2] = (0.004, 0.005, 0.006); center [m] = (0, 0.1, 0.01);
+                      marker main [m] = (0, -0.02, 0), axis = (1, 0.3, 0.2); point pin [m] = (0.05, 0.3, 0); }
+        body rod    { mass [kg] = 0.4; inertia [kg*m^2] = (0.004, 0.03, 0.031); products [kg*m^2] = (offset, 0, 0.0005);
+                      point ball [m] = (-length/2, 0, 0); marker yoke [m] = (length/2, 0, 0), about_x [deg] = 30; }
+        box slider  { mass [kg] = 1; size [m] = (0.1, 0.06, 0.05); point ear [m] = (0.05, 0, 0.01); }
+        joint bearing: revolute(crank.main, ground(0, 0, 0.4) [m], axis = (0, 0, 1));
+        joint knuckle: spherical(rod.ball, crank.pin);
+        joint rail:    prismatic(guide, slider.center);
+        joint yoke:    universal(slider.ear, rod.yoke, axis = (0.1, 1, 0), second_axis = (1, -0.1, 2));
+        force cut:     force(slider.center, direction = (1, 0, 0.3)) = load - 2 [N*s/m] * rail.speed;
+        start  { bearing.angle [rad] = 0.4; bearing.rate [rad/s] = 3; rail.travel [m] ~ 0.9; }
+        options { cut = yoke; independent = rail.travel; }
+        expect { degrees_of_freedom = 1; }
+        output stroke [m] = rail.travel;
+        output swing [rad] = yoke.angle_1;
+    }
+}
+
+linkwright::mechanism! {
+    /// A four-bar in a slanting plane, three rows too many; its crank is driven.
+    pub spatial Slanted {
+        param rate [rad/s] = 4;
+        gravity [m/s^2] = (0, 0, -9.81);
+        marker left [m] = (0.1, 0.2, 0.3), axis = (1, 2, 2), reference = (2, -2, 1);
+        marker right [m] = (0.5, -0.2, 0.5), axis = (1, 2, 2), reference = (2, -2, 1);
+        body crank   { mass [kg] = 0.5; inertia [kg*m^2] = (0.001, 0.01, 0.011); point end [m] = (0.2, 0, 0); }
+        body coupler { mass [kg] = 0.8; inertia [kg*m^2] = (0.002, 0.03, 0.031); products [kg*m^2] = (0, 0.001, 0);
+                       marker start [m] = (-0.35, 0, 0); marker end [m] = (0.35, 0, 0); }
+        body rocker  { mass [kg] = 0.6; inertia [kg*m^2] = (0.002, 0.02, 0.021); center [m] = (0.2, 0, 0.02);
+                       marker end [m] = (0.4, 0, 0); }
+        joint crank_pin:  revolute(left, crank.origin);
+        joint knee:       revolute(coupler.start, crank.end, axis = (0, 0, 1));
+        joint wrist:      revolute(coupler.end, rocker.end, axis = (0, 0, 1));
+        joint rocker_pin: revolute(rocker.origin, right, axis = (0, 0, 1));
+        drive motor: crank_pin.angle = rate * time + 0.3 [rad];
+        spring brace: spring(coupler.center, ground(0.3, 0.3, 0.3) [m], stiffness = 10 [N/m], length = 0.1 [m]);
+        start  { rocker_pin.angle [deg] ~ -70; }
+        options { redundant = drop; }
+        expect { degrees_of_freedom = 1; }
+        output effort [N*m] = motor.effort;
+        output rocking [rad] = rocker_pin.angle;
+    }
+}
+
+linkwright::mechanism! {
+    /// A floating body that everything is held by, so that the joints with the ground are cut: a revolute and a prismatic.
+    pub spatial Hub {
+        gravity [m/s^2] = (0, 0, -9.81);
+        marker tilted [m] = (0.25, 0, 0.1), about_z [deg] = 50, about_x [deg] = -20;
+        body hub  { mass [kg] = 1; inertia [kg*m^2] = (0.02, 0.03, 0.025); products [kg*m^2] = (0.002, 0.001, -0.003);
+                    point one [m] = (-0.1, 0.05, 0); marker two [m] = (0.1, 0, 0.05), about_y [deg] = 30; }
+        body arm  { mass [kg] = 0.4; inertia [kg*m^2] = (0.002, 0.004, 0.003); marker axle [m] = (-0.2, 0, 0.03), axis = (0.2, 1, 0.1);
+                    point far [m] = (0.2, 0, 0); }
+        body shoe { mass [kg] = 0.5; inertia [kg*m^2] = (0.002, 0.001, 0.003); marker sole [m] = (0, 0.02, -0.05), about_z [rad] = 0.4; }
+        joint ball:  spherical(hub.one, arm.far);
+        joint cross: universal(shoe.sole, hub.two, axis = (0, 0, 1), second_axis = (1, 2, 0));
+        joint hinge: revolute(arm.axle, ground(-0.3, 0.1, 0) [m]);
+        joint rail:  prismatic(tilted, shoe.center, axis = (1, 1, 0));
+        spring hold: spring(hub.center, ground(0, 0.1, 0.6) [m], stiffness = 20 [N/m], length = 0.4 [m]);
+        start { hinge.angle [deg] ~ -90; rail.travel [m] ~ -0.1; hub.center.velocity.x [m/s] = 0.3; hub.orientation ~ (1, 0, 0, 0); }
+        options { cut = (hinge, rail); coordinates = tree; }
+        expect { degrees_of_freedom = 1; }
+        output height [m] = hub.center.z;
+    }
+}
+
+linkwright::mechanism! {
+    /// A bed on a screw and a sled on a wire, tied by a cut planar joint; a weight on a cut weld.
+    pub spatial Bench {
+        param pitch [m] = 0.4;
+        gravity [m/s^2] = (0, 0.3, -9.81);
+        marker post [m] = (0, 0.2, 0), axis = (0.1, 0.2, 1), reference = (1, 1, 0);
+        body bed   { mass [kg] = 1; inertia [kg*m^2] = (0.02, 0.03, 0.025); point thread [m] = (0.02, 0, 0.01);
+                     marker top [m] = (0.05, 0, 0.06), about_x [deg] = 70; }
+        body sled  { mass [kg] = 0.5; inertia [kg*m^2] = (0.002, 0.004, 0.003); marker below [m] = (0, 0.01, -0.04), about_y [deg] = -20;
+                     point end [m] = (0.2, 0.1, 0); }
+        joint lead:  screw(post, bed.thread, axis = (0, 0.1, 1), pitch = pitch);
+        joint glide: planar(bed.top, sled.below, axis = (0, 1, 1));
+        joint wire:  point_on_line(line(ground(0, 0, -0.05) [m], ground(1, 0.3, 0.15) [m]), sled.end);
+        joint weld:  fixed(weight.center, sled.end);
+        sphere weight { density [kg/m^3] = 3000; radius [m] = 0.03; }
+        damper rub:  damper(sled.center, bed.center, damping = 0.5 [N*s/m]);
+        start { lead.rate [rad/s] = 1; lead.angle [rad] = 0.2; wire.travel [m] = 0.3; wire.speed [m/s] = -0.1; sled.orientation ~ (1, 0, 0, 0); }
+        options { cut = (glide, weld); }
+        expect { degrees_of_freedom = 2; }
+        output raised [m] = lead.travel;
     }
 }

@@ -1,12 +1,15 @@
 //! The shipped models against closed forms and published runs. Data files are in `tests/data`, each with its source in
 //! its first line; single numbers are cited where they stand.
 
+mod adams;
 mod benchmarks;
 mod closed_forms;
 mod four_bars;
 mod gears;
 mod linkages;
 mod quick_return;
+mod robots;
+mod space;
 
 use linkwright::{Assemble, Baumgarte, Sample, SimulationError, State};
 
@@ -73,5 +76,21 @@ impl Worst {
     fn below(&self, bound: f64, what: &str) {
         println!("{what}: {:.2e} (bound {bound:.0e})", self.0);
         assert!(self.0 <= bound, "{what}: off by {:.3e}, more than {bound:.0e}", self.0);
+    }
+}
+
+/// A(q) of a unit quaternion (w, x, y, z).
+fn orientation([w, x, y, z]: [f64; 4]) -> [[f64; 3]; 3] {
+    [
+        [1.0 - 2.0 * (y * y + z * z), 2.0 * (x * y - w * z), 2.0 * (x * z + w * y)],
+        [2.0 * (x * y + w * z), 1.0 - 2.0 * (x * x + z * z), 2.0 * (y * z - w * x)],
+        [2.0 * (x * z - w * y), 2.0 * (y * z + w * x), 1.0 - 2.0 * (x * x + y * y)],
+    ]
+}
+
+/// The entries of two matrices, one against the other.
+fn see_matrix(worst: &mut Worst, found: [[f64; 3]; 3], expected: [[f64; 3]; 3]) {
+    for (found, expected) in found.iter().flatten().zip(expected.iter().flatten()) {
+        worst.see(*found, *expected);
     }
 }

@@ -1,7 +1,7 @@
 //! Mechanisms in space against closed forms and computed runs: tops and free bodies, loops with one degree of freedom,
 //! overconstrained ones, the governor. Robots and suspensions are in `robots.rs`, single joints in `adams.rs`.
 
-use super::{Table, Worst, baumgarte, run};
+use super::{Table, Worst, baumgarte, orientation, run, see_matrix};
 use linkwright::{Mechanism, Simulation};
 use linkwright_models::bricard::Bricard;
 use linkwright_models::flyball_governor::FlyballGovernor;
@@ -13,22 +13,6 @@ use linkwright_models::spatial_four_bar::{Fourbar1, Fourbar2};
 use linkwright_models::spatial_slider_crank::{
     SpatialSliderCrankArm, SpatialSliderCrankAxial, SpatialSliderCrankBalanced, SpatialSliderCrankThird,
 };
-
-/// A(q) of a unit quaternion (w, x, y, z).
-pub fn orientation([w, x, y, z]: [f64; 4]) -> [[f64; 3]; 3] {
-    [
-        [1.0 - 2.0 * (y * y + z * z), 2.0 * (x * y - w * z), 2.0 * (x * z + w * y)],
-        [2.0 * (x * y + w * z), 1.0 - 2.0 * (x * x + z * z), 2.0 * (y * z - w * x)],
-        [2.0 * (x * z - w * y), 2.0 * (y * z + w * x), 1.0 - 2.0 * (x * x + y * y)],
-    ]
-}
-
-/// The entries of two matrices, one against the other.
-pub fn see_matrix(worst: &mut Worst, found: [[f64; 3]; 3], expected: [[f64; 3]; 3]) {
-    for (found, expected) in found.iter().flatten().zip(expected.iter().flatten()) {
-        worst.see(*found, *expected);
-    }
-}
 
 /// A v.
 fn turned(a: [[f64; 3]; 3], v: [f64; 3]) -> [f64; 3] {
@@ -42,7 +26,8 @@ fn heavy_top() {
     let model = HeavyTop::<f64>::default();
     let mut simulation = Simulation::new(&model, HeavyTop::START).step(2e-5);
     let energy = simulation.energy();
-    let (mut angle, mut rate, mut kept) = (Worst::default(), Worst::default(), Worst::default());
+    let (mut angle, mut rate) = (Worst::default(), Worst::default());
+    let (mut kept, mut moments) = (Worst::default(), Worst::default());
     for row in 0..reference.rows.len() {
         let value = |name: &str| reference.get(row, name);
         simulation.advance_until(value("t")).expect("the top spins");
@@ -57,10 +42,16 @@ fn heavy_top() {
             angle.see(top.position[axis], value(name));
         }
         kept.see(simulation.energy(), energy);
+        // About the fixed point, in the top's axes: about z and about the axis of the top it stays what it was.
+        let [x, y, z] = top.rate;
+        let moment = [(0.234375 + 15.0) * x, 0.46875 * y, (0.234375 + 15.0) * z];
+        moments.see(turned(top.orientation, moment)[2], -4.61538 * (0.234375 + 15.0));
+        moments.see(moment[1], 0.46875 * 150.0);
     }
     angle.below(1e-9, "heavy top, orientation and centre to 2 s");
     rate.below(1e-8, "heavy top, rates to 2 s");
-    kept.below(1e-7, "heavy top, energy of 5436 J");
+    kept.below(1e-9, "heavy top, energy of 5436 J");
+    moments.below(1e-8, "heavy top, moment of momentum of 70 N m s about its axis and the vertical");
 
     // The quaternion that the literature's data lead to.
     let state = *simulation.state();
@@ -78,7 +69,7 @@ fn free_rigid_body() {
     let model = FreeRigidBody::<f64>::default();
     let (mut rate, mut angle, mut path) = (Worst::default(), Worst::default(), Worst::default());
     let (mut kept, mut moments) = (Worst::default(), Worst::default());
-    let mut simulation = Simulation::new(&model, FreeRigidBody::START).step(1e-4);
+    let mut simulation = Simulation::new(&model, FreeRigidBody::START).step(5e-4);
     let energy = simulation.energy();
     let inertia = [1e-3, 2e-3, 3e-3];
     for row in 0..reference.rows.len() {
@@ -101,12 +92,31 @@ fn free_rigid_body() {
             moments.see(found, start);
         }
     }
-    // Close to the separatrix an error in the energy counts ten thousandfold.
-    rate.below(1e-6, "free body, rates of 10 rad/s");
-    angle.below(1e-6, "free body, orientation");
-    path.below(1e-13, "free body, straight path");
-    kept.below(1e-11, "free body, energy of 0.1 J");
-    moments.below(1e-11, "free body, moment of momentum of 0.02 N m s");
+    // Close to the separatrix roundings count a millionfold.
+    rate.below(1e-7, "free body, rates of 10 rad/s");
+    angle.below(1e-8, "free body, orientation");
+    path.below(1e-11, "free body, straight path");
+    kept.below(1e-12, "free body, energy of 0.1 J");
+    moments.below(1e-12, "free body, moment of momentum of 0.02 N m s");
+}
+
+/// Half of its period from the start the body spins the other way; a period from the start as at the start.
+#[test]
+fn free_rigid_body_turns_over() {
+    const PERIOD: f64 = 4.66008834689;
+    let model = FreeRigidBody::<f64>::default();
+    let after = |time: f64| {
+        let end = Simulation::new(&model, FreeRigidBody::START).step(5e-4).advance_until(time);
+        let state = end.expect("nothing acts");
+        model.outputs(time, &state.q, &state.v, &())
+    };
+    let mut worst = Worst::default();
+    let end = after(PERIOD);
+    worst.see(end.rate_x, 0.02);
+    worst.see(end.rate_y, 10.0);
+    worst.see(end.rate_z, 0.03);
+    worst.see(after(0.5 * PERIOD).rate_y, -10.0);
+    worst.below(1e-7, "free body, period");
 }
 
 /// D is 12 × 18, the rest is a separate integration.
@@ -134,8 +144,8 @@ fn four_spherical_joints() {
         place.see(outputs.c_z, value("cz"));
         kept.see(simulation.energy(), energy);
     }
-    place.below(1e-7, "four spherical joints, B and C");
-    kept.below(1e-6, "four spherical joints, energy");
+    place.below(1e-10, "four spherical joints, B and C");
+    kept.below(1e-9, "four spherical joints, energy of 31 J");
 }
 
 /// One redundant row is dropped; P3 and energy at two step sizes.
@@ -144,7 +154,10 @@ fn bricard() {
     let reference = Table::new(include_str!("../../data/bricard_computed.csv"));
     assert_eq!(Bricard::<f64>::DEGREES_OF_FREEDOM, 1);
     let model = Bricard::<f64>::default();
-    for (step, bound) in [(1e-3, 1e-6), (5e-4, 1e-7)] {
+    assert!(Bricard::<f64>::OPERATIONS <= 900, "A04: {} operations", Bricard::<f64>::OPERATIONS);
+    assert_eq!(<Bricard as Mechanism<f64>>::ROWS.len(), 4, "one of the five rows of the hinge that closes the loop is dropped");
+    // The comparison is good to 3e-9.
+    for (step, bound) in [(1e-3, 1e-9), (5e-4, 1e-10)] {
         let mut simulation = Simulation::new(&model, Bricard::START).formulation(baumgarte(10.0)).step(step);
         let energy = simulation.energy();
         let (mut place, mut kept) = (Worst::default(), Worst::default());
@@ -157,9 +170,11 @@ fn bricard() {
             place.see(outputs.z, value("z"));
             kept.see(simulation.energy(), energy);
         }
-        place.below(bound, "A04, P3 over 10 s");
-        kept.below(10.0 * bound, "A04, energy");
-        assert!(simulation.constraint_residual().position < 1e-8, "the loop is closed");
+        place.below(5e-9, "A04, P3 over 10 s");
+        kept.below(bound, "A04, energy");
+        let mut closed = Worst::default();
+        closed.see(simulation.constraint_residual().position, 0.0);
+        closed.below(1e-11, "A04, the loop after 10 s");
     }
 }
 
@@ -178,9 +193,9 @@ fn flyball_governor() {
         swing.see(outputs.swing, value("beta"));
         speed.see(outputs.speed, value("w"));
     }
-    height.below(1e-8, "A05, s(t)");
-    swing.below(1e-8, "A05, angle of the rods");
-    speed.below(1e-7, "A05, speed of the shaft");
+    height.below(1e-11, "A05, s(t)");
+    swing.below(1e-11, "A05, angle of the rods");
+    speed.below(1e-10, "A05, speed of the shaft");
 }
 
 /// One redundant row; Lagrange's equation in the angle of the rods; the platform goes straight up and down.
@@ -188,6 +203,7 @@ fn flyball_governor() {
 fn sarrus_linkage() {
     let reference = Table::new(include_str!("../../data/sarrus_linkage_computed.csv"));
     let model = SarrusLinkage::<f64>::default();
+    let platform = SarrusLinkage::<f64>::BODIES.iter().position(|name| *name == "platform").expect("a platform");
     let mut simulation =
         Simulation::new(&model, SarrusLinkage::START).formulation(baumgarte(10.0)).step(1e-4);
     let (mut height, mut straight) = (Worst::default(), Worst::default());
@@ -200,9 +216,12 @@ fn sarrus_linkage() {
         height.see(outputs.angle, value("angle"));
         straight.see(outputs.sideways_x, 0.0);
         straight.see(outputs.sideways_y, 0.0);
+        let (state, a) = (*simulation.state(), simulation.acceleration());
+        let motions = model.motions(value("t"), &state.q, &state.v, &a);
+        see_matrix(&mut straight, motions[platform].orientation, orientation([1.0, 0.0, 0.0, 0.0]));
     }
-    height.below(1e-9, "Sarrus, height and angle");
-    straight.below(1e-11, "Sarrus, off the straight line");
+    height.below(1e-11, "Sarrus, height and angle");
+    straight.below(1e-12, "Sarrus, platform off the straight line and turned");
 }
 
 macro_rules! slider_crank {
@@ -224,12 +243,29 @@ macro_rules! slider_crank {
             })
             .expect("the crank turns");
             assert_eq!(rows, reference.rows.len());
-            angle.below(1e-6, concat!($prefix, " slider-crank, crank over eight turns"));
-            rate.below(1e-5, concat!($prefix, " slider-crank, rate of the crank"));
-            stroke.below(1e-7, concat!($prefix, " slider-crank, stroke"));
-            speed.below(1e-5, concat!($prefix, " slider-crank, speed"));
+            angle.below(1e-8, concat!($prefix, " slider-crank, crank over eight turns"));
+            rate.below(1e-7, concat!($prefix, " slider-crank, rate of the crank"));
+            stroke.below(1e-9, concat!($prefix, " slider-crank, stroke"));
+            speed.below(1e-8, concat!($prefix, " slider-crank, speed"));
         }
     };
+}
+
+/// The start that the library gives: slider at 0.2 m with 0.24 m/s, rod at (1.92, −0.96, 0.48) rad/s in world axes.
+#[test]
+fn start_of_the_slider_crank() {
+    let model = SpatialSliderCrankAxial::<f64>::default();
+    let mut simulation = Simulation::new(&model, SpatialSliderCrankAxial::START).step(1e-4);
+    let outputs = simulation.sample().outputs;
+    let mut worst = Worst::default();
+    worst.see(outputs.stroke, 0.2);
+    worst.see(outputs.speed, 0.24);
+    let (state, a) = (*simulation.state(), simulation.acceleration());
+    let [_, rod, _] = model.motions(0.0, &state.q, &state.v, &a);
+    for (found, published) in turned(rod.orientation, rod.rate).into_iter().zip([1.92, -0.96, 0.48]) {
+        worst.see(found, published);
+    }
+    worst.below(1e-13, "slider-crank, start");
 }
 
 slider_crank!(axial_slider_crank, SpatialSliderCrankAxial, "axial");
@@ -296,8 +332,8 @@ macro_rules! four_bar {
             .expect("the crank turns");
             assert_eq!(rows, reference.rows.len());
             last.below(1e-9, concat!(stringify!($model), ", crank at 5 s"));
-            angle.below(1e-9, concat!(stringify!($model), ", crank and slider"));
-            rate.below(1e-8, concat!(stringify!($model), ", rate of the crank"));
+            angle.below(1e-10, concat!(stringify!($model), ", crank and slider"));
+            rate.below(1e-9, concat!(stringify!($model), ", rate of the crank"));
         }
     };
 }
