@@ -782,7 +782,7 @@ pub(crate) fn not_connected(body: &str) -> String {
 
 /// Four digits behind the point, or powers of ten where those would say little.
 fn number(value: f64) -> String {
-    if value == 0.0 || (0.1..1e5).contains(&value.abs()) {
+    if value == 0.0 || (0.01..1e5).contains(&value.abs()) {
         let text = format!("{value:.4}");
         text.trim_end_matches('0').trim_end_matches('.').to_string()
     } else {

@@ -3,33 +3,33 @@
 #![warn(missing_docs)]
 
 pub mod andrews;
+pub mod bricard;
 pub mod car_axis;
 pub mod change_point_four_bar;
+pub mod delta_robot;
 pub mod double_pendulum;
+pub mod double_wishbone;
+pub mod flyball_governor;
 pub mod four_bar;
+pub mod four_spherical_joints;
+pub mod free_rigid_body;
 pub mod general_four_bar;
+pub mod heavy_top;
+pub mod iiwa14;
 pub mod jansen_leg;
 pub mod klann_leg;
 pub mod n_four_bar;
+pub mod panda;
 pub mod planetary_gear_train;
 pub mod quick_return;
+pub mod sarrus_linkage;
 pub mod simple_pendulum;
 pub mod slider_crank;
-pub mod tree_pendulum;
-pub mod bricard;
-pub mod delta_robot;
-pub mod double_wishbone;
-pub mod flyball_governor;
-pub mod four_spherical_joints;
-pub mod free_rigid_body;
-pub mod heavy_top;
-pub mod iiwa14;
-pub mod panda;
-pub mod sarrus_linkage;
 pub mod spatial_four_bar;
 pub mod spatial_pendulums;
 pub mod spatial_slider_crank;
 pub mod stewart_platform;
+pub mod tree_pendulum;
 
 /// Calls a macro with every shipped model, `name: path::to::Type`, so that no test forgets one.
 ///

@@ -14,6 +14,8 @@ mod no_alloc;
 mod published;
 mod reference;
 mod registry;
+mod space_convergence;
 mod starts;
 mod walking;
 mod zoo;
+mod zoo_space;

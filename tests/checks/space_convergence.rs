@@ -69,13 +69,19 @@ fn fourth_order() {
         ("free body", order(&FreeRigidBody::default(), index_1, 2.0, 200)),
         ("heavy top", order(&HeavyTop::default(), index_1, 0.1, 200)),
         ("point on a line, tree with a ball", order(&PointOnLinePendulum::default(), index_1, 0.5, 50)),
-        ("constant velocity, a body under constraints", order(&ConstantVelocityPendulum::default(), index_1, 1.0, 100)),
+        (
+            "constant velocity, a body under constraints",
+            order(&ConstantVelocityPendulum::default(), index_1, 1.0, 100),
+        ),
         ("four spherical joints, absolute", order(&FourSphericalJoints::default(), index_1, 0.5, 50)),
         ("spatial four-bar", order(&Fourbar1::default(), index_1, 1.0, 150)),
         ("spatial slider-crank", order(&SpatialSliderCrankAxial::default(), index_1, 0.5, 100)),
         ("Bricard, a row dropped", order(&Bricard::default(), index_1, 1.0, 50)),
         ("spatial four-bar, Baumgarte", order(&Fourbar1::default(), (BAUMGARTE, Rk4), 1.0, 150)),
-        ("four spherical joints, Baumgarte", order(&FourSphericalJoints::default(), (BAUMGARTE, Rk4), 0.5, 50)),
+        (
+            "four spherical joints, Baumgarte",
+            order(&FourSphericalJoints::default(), (BAUMGARTE, Rk4), 0.5, 50),
+        ),
         ("gyrostat, absolute with a counted angle", order(&Gyrostat::default(), index_1, 1.0, 100)),
     ] {
         println!("{name}: order {order:.3}");

@@ -1,5 +1,5 @@
 //! Mechanisms that ship with nobody: together they have every kind of body, joint, coupling, load and driver, in the
-//! combinations that shipped models avoid. Every generic check runs on them too.
+//! combinations that shipped models avoid. Every generic check runs on them too. Those in space are in `zoo_space.rs`.
 
 use crate::registry::model;
 
@@ -110,7 +110,7 @@ linkwright::mechanism! {
     }
 }
 
-/// As [`linkwright_models::for_each_model`], for the mechanisms here.
+/// As [`linkwright_models::for_each_model`], for the mechanisms here and in `zoo_space.rs`.
 macro_rules! for_each_in_zoo {
     ($callback:ident) => {
         $callback! {
@@ -119,6 +119,17 @@ macro_rules! for_each_in_zoo {
             gears: crate::zoo::Gears,
             shaken: crate::zoo::Shaken,
             floating: crate::zoo::Floating,
+            arm: crate::zoo_space::Arm,
+            jack: crate::zoo_space::Jack,
+            table: crate::zoo_space::Table,
+            ceiling: crate::zoo_space::Ceiling,
+            wires: crate::zoo_space::Wires,
+            shafts: crate::zoo_space::Shafts,
+            mesh: crate::zoo_space::Mesh,
+            crank: crate::zoo_space::Crank,
+            slanted: crate::zoo_space::Slanted,
+            hub: crate::zoo_space::Hub,
+            bench: crate::zoo_space::Bench,
         }
     };
 }

@@ -288,7 +288,8 @@ linkwright::mechanism! {
         joint hinge: revolute(arm.axle, ground(-0.3, 0.1, 0) [m]);
         joint rail:  prismatic(tilted, shoe.center, axis = (1, 1, 0));
         spring hold: spring(hub.center, ground(0, 0.1, 0.6) [m], stiffness = 20 [N/m], length = 0.4 [m]);
-        start { hinge.angle [deg] ~ -90; rail.travel [m] ~ -0.1; hub.center.velocity.x [m/s] = 0.3; hub.orientation ~ (1, 0, 0, 0); }
+        start { rail.travel [m] = 0.05;
+                hub.center.velocity.x [m/s] = 0.3; }
         options { cut = (hinge, rail); coordinates = tree; }
         expect { degrees_of_freedom = 1; }
         output height [m] = hub.center.z;
@@ -307,11 +308,11 @@ linkwright::mechanism! {
                      point end [m] = (0.2, 0.1, 0); }
         joint lead:  screw(post, bed.thread, axis = (0, 0.1, 1), pitch = pitch);
         joint glide: planar(bed.top, sled.below, axis = (0, 1, 1));
-        joint wire:  point_on_line(line(ground(0, 0, -0.05) [m], ground(1, 0.3, 0.15) [m]), sled.end);
+        joint wire:  point_on_line(line(ground(0, 0, -0.1) [m], ground(1, 0.3, 0.1) [m]), sled.end);
         joint weld:  fixed(weight.center, sled.end);
         sphere weight { density [kg/m^3] = 3000; radius [m] = 0.03; }
         damper rub:  damper(sled.center, bed.center, damping = 0.5 [N*s/m]);
-        start { lead.rate [rad/s] = 1; lead.angle [rad] = 0.2; wire.travel [m] = 0.3; wire.speed [m/s] = -0.1; sled.orientation ~ (1, 0, 0, 0); }
+        start { lead.rate [rad/s] = 1; lead.angle [rad] = 0.2; wire.travel [m] ~ 0.3; sled.orientation ~ (1, 0, 0, 0); }
         options { cut = (glide, weld); }
         expect { degrees_of_freedom = 2; }
         output raised [m] = lead.travel;

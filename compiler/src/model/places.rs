@@ -94,7 +94,7 @@ impl<'d> Lowering<'d> {
         }
         let axes = match axis {
             Some(axis) => Axes::Directed { axis, reference },
-            None if turns.is_empty() => Axes::Parallel,
+            // Without turns these are the axes of the body, but those of a marker, which a joint may take.
             None => Axes::Turned(turns),
         };
         Some((at?, axes))

@@ -130,7 +130,12 @@ impl Parser {
                 let label = self.word(c, "a property")?;
                 let unit = self.unit(c)?;
                 self.punct(c, '=')?;
-                let tuple = self.vector(c, unit)?;
+                let example = match label.text.as_str() {
+                    "inertia" => "the moments of inertia `(Ixx, Iyy, Izz)`",
+                    "products" => "the products of inertia `(Ixy, Ixz, Iyz)`",
+                    _ => "the three edges `(a, b, c)`",
+                };
+                let tuple = self.tuple(c, unit, 3, example)?;
                 self.semicolon(c)?;
                 if let Some((first, _)) = body.vector(&label.text) {
                     let message = messages::property_twice(&label.text, &body.name.text);

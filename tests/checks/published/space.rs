@@ -155,7 +155,11 @@ fn bricard() {
     assert_eq!(Bricard::<f64>::DEGREES_OF_FREEDOM, 1);
     let model = Bricard::<f64>::default();
     assert!(Bricard::<f64>::OPERATIONS <= 900, "A04: {} operations", Bricard::<f64>::OPERATIONS);
-    assert_eq!(<Bricard as Mechanism<f64>>::ROWS.len(), 4, "one of the five rows of the hinge that closes the loop is dropped");
+    assert_eq!(
+        <Bricard as Mechanism<f64>>::ROWS.len(),
+        4,
+        "one of the five rows of the hinge that closes the loop is dropped"
+    );
     // The comparison is good to 3e-9.
     for (step, bound) in [(1e-3, 1e-9), (5e-4, 1e-10)] {
         let mut simulation = Simulation::new(&model, Bricard::START).formulation(baumgarte(10.0)).step(step);
@@ -203,7 +207,8 @@ fn flyball_governor() {
 fn sarrus_linkage() {
     let reference = Table::new(include_str!("../../data/sarrus_linkage_computed.csv"));
     let model = SarrusLinkage::<f64>::default();
-    let platform = SarrusLinkage::<f64>::BODIES.iter().position(|name| *name == "platform").expect("a platform");
+    let platform =
+        SarrusLinkage::<f64>::BODIES.iter().position(|name| *name == "platform").expect("a platform");
     let mut simulation =
         Simulation::new(&model, SarrusLinkage::START).formulation(baumgarte(10.0)).step(1e-4);
     let (mut height, mut straight) = (Worst::default(), Worst::default());

@@ -40,6 +40,8 @@ pub struct Attempt {
 const LENGTHS: [&str; 6] = ["x", "y", "z", "normal", "normal_1", "normal_2"];
 /// Relative residuals below this close a loop.
 const CLOSED: f64 = 1e-12;
+/// Relative residuals below this are a solution's neighbourhood, where full steps converge.
+const NEAR: f64 = 1e-6;
 const ITERATIONS: usize = 60;
 /// Weight of the step's own length beside the guesses.
 const STEP_WEIGHT: f64 = 1e-4;
@@ -136,9 +138,9 @@ impl<'a> Problem<'a> {
     }
 
     /// Full steps for as long as they bring the residual down, which is to rounding. Guesses have had their say: in the
-    /// least-squares sum they would outweigh what is left to correct.
+    /// least-squares sum they outweigh what is left to correct, so that an attempt may come near without closing.
     fn polish(&self, point: &mut Point, mut best: Attempt, n: usize, unknowns: usize) -> Attempt {
-        while best.closed && best.residual > 0.0 {
+        while best.residual < NEAR && best.residual > 0.0 {
             let (entries, rhs) = self.system(point, &best.q, n, unknowns, &[]);
             let step = Numeric::factor(&self.table, entries).solve(&rhs);
             let attempt = self.measure(point, retract(self.equations, &best.q, &step[..n]));

@@ -1,0 +1,11 @@
+//! An angle of a joint that has none.
+
+linkwright::mechanism! {
+    spatial Wrong {
+        body arm { mass [kg] = 1; inertia [kg*m^2] = (0.1, 0.1, 0.1); point tip [m] = (1, 0, 0); }
+        joint ball: spherical(ground(0, 0, 0) [m], arm.origin);
+        start { ball.angle [deg] = 30; }
+    }
+}
+
+fn main() {}

@@ -1,0 +1,10 @@
+//! A universal joint whose axes are not at right angles.
+
+linkwright::mechanism! {
+    spatial Wrong {
+        body arm { mass [kg] = 1; inertia [kg*m^2] = (0.1, 0.1, 0.1); point tip [m] = (1, 0, 0); }
+        joint cross: universal(ground(0, 0, 0) [m], arm.origin, axis = (0, 0, 1), second_axis = (0, 1, 1));
+    }
+}
+
+fn main() {}

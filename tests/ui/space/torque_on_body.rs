@@ -1,0 +1,11 @@
+//! One component of a torque on a body.
+
+linkwright::mechanism! {
+    spatial Wrong {
+        body arm { mass [kg] = 1; inertia [kg*m^2] = (0.1, 0.1, 0.1); point tip [m] = (1, 0, 0); }
+        joint hinge: revolute(ground(0, 0, 0) [m], arm.origin, axis = (0, 0, 1));
+        torque motor: torque(arm) = 3 [N*m];
+    }
+}
+
+fn main() {}

@@ -1,0 +1,10 @@
+//! Inertia in the axes of a marker that does not exist.
+
+linkwright::mechanism! {
+    spatial Wrong {
+        body arm { mass [kg] = 1; inertia [kg*m^2] = (0.1, 0.1, 0.1); inertia_axes = tipp; marker tip [m] = (1, 0, 0); }
+        joint hinge: revolute(ground(0, 0, 0) [m], arm.origin, axis = (0, 0, 1));
+    }
+}
+
+fn main() {}
