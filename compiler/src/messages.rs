@@ -444,13 +444,19 @@ pub(crate) fn density_needs_radius(body: &str) -> String {
 }
 
 pub(crate) fn products_without_inertia(body: &str) -> String {
-    format!("products of inertia of `{body}` need the moments beside them: write `inertia [kg*m^2] = (…, …, …);`")
+    format!(
+        "products of inertia of `{body}` need the moments beside them: write `inertia [kg*m^2] = (…, …, …);`"
+    )
 }
 
 pub(crate) fn unknown_marker(body: &str, name: &str, known: &[&str]) -> String {
     match (closest(name, known.iter().copied()), known.is_empty()) {
-        (Some(similar), _) => format!("`{body}` has no marker called \"{name}\"; did you mean \"{similar}\"?"),
-        (None, true) => format!("`{body}` has no marker: declare `marker {name} [m] = (0, 0, 0), …;` in its braces"),
+        (Some(similar), _) => {
+            format!("`{body}` has no marker called \"{name}\"; did you mean \"{similar}\"?")
+        }
+        (None, true) => {
+            format!("`{body}` has no marker: declare `marker {name} [m] = (0, 0, 0), …;` in its braces")
+        }
         (None, false) => format!("`{body}` has no marker called \"{name}\"; it has {}", known.join(", ")),
     }
 }
@@ -474,7 +480,9 @@ pub(crate) fn quantities_of_rate(body: &str) -> String {
 
 pub(crate) fn which_angle(joint: &str, angles: &[&str]) -> String {
     let exact = if angles.is_empty() { "none" } else { "more than one" };
-    format!("a single angle is needed here, and `{joint}` has {exact}; use a joint with exactly one, such as a revolute")
+    format!(
+        "a single angle is needed here, and `{joint}` has {exact}; use a joint with exactly one, such as a revolute"
+    )
 }
 
 pub(crate) fn torque_of_components(name: &str) -> String {
@@ -525,7 +533,9 @@ pub(crate) fn part_as_value(name: &str, kind: &str) -> String {
 
 pub(crate) fn place_without_axis(place: &str, space: Space) -> String {
     let third = if space == Space::Planar { String::new() } else { format!(", `{place}.z`") };
-    format!("`{place}` is a place, expected a value: write `{place}.x`, `{place}.y`{third} or `{place}.velocity.x`")
+    format!(
+        "`{place}` is a place, expected a value: write `{place}.x`, `{place}.y`{third} or `{place}.velocity.x`"
+    )
 }
 
 pub(crate) fn quantities_of_place(place: &str, space: Space) -> String {
@@ -679,8 +689,9 @@ pub(crate) fn arguments(name: &str, expected: usize, found: usize) -> String {
 
 // ---- Rules of the model -----------------------------------------------------------------------------------------
 
-pub(crate) fn no_bodies(name: &str) -> String {
-    format!("`{name}` has no body: write `body crank {{ mass [kg] = …; inertia [kg*m^2] = …; }}`")
+pub(crate) fn no_bodies(name: &str, space: Space) -> String {
+    let inertia = if space == Space::Planar { "…" } else { "(…, …, …)" };
+    format!("`{name}` has no body: write `body crank {{ mass [kg] = …; inertia [kg*m^2] = {inertia}; }}`")
 }
 
 pub(crate) fn empty_bounds(name: &str) -> String {
@@ -728,7 +739,8 @@ pub(crate) fn not_perpendicular(degrees: f64) -> String {
 }
 
 pub(crate) fn reference_along_axis() -> String {
-    "the reference points along the axis, so it fixes no turn about it; write a direction across the axis".to_string()
+    "the reference points along the axis, so it fixes no turn about it; write a direction across the axis"
+        .to_string()
 }
 
 pub(crate) fn zero_pitch() -> String {
@@ -739,7 +751,9 @@ pub(crate) fn zero_pitch() -> String {
 
 pub(crate) fn particle_carries(kind: &str, place: &str) -> String {
     let what = if kind == "point_on_plane" { "plane" } else { "line" };
-    format!("a {what} turns with its body, and the particle at `{place}` has no orientation; name the particle second")
+    format!(
+        "a {what} turns with its body, and the particle at `{place}` has no orientation; name the particle second"
+    )
 }
 
 pub(crate) fn line_without_length(line: &str) -> String {

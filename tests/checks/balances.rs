@@ -258,7 +258,9 @@ fn along_the_freedom(mechanism: &Mechanism_, joint: &Joint, reaction: &[f64], mo
         Some([0, 1, 2].map(|row| along(axis, &turned[3 * row..])))
     };
     match joint.kind {
-        JointKind::Spherical | JointKind::PointOnLine { .. } | JointKind::PointOnPlane { .. } => torque.to_vec(),
+        JointKind::Spherical | JointKind::PointOnLine { .. } | JointKind::PointOnPlane { .. } => {
+            torque.to_vec()
+        }
         JointKind::Distance { .. } => torque.to_vec(),
         JointKind::Revolute { .. } | JointKind::Planar { .. } => {
             axis().map(|axis| along(axis, torque)).into_iter().collect()

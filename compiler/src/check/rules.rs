@@ -48,7 +48,7 @@ fn at_defaults(mechanism: &Mechanism, expr: &Expr) -> Option<f64> {
 // A mechanism has at least one body.
 fn has_bodies(mechanism: &Mechanism, diagnostics: &mut Diagnostics) {
     if mechanism.bodies.is_empty() {
-        diagnostics.error(mechanism.name.span, messages::no_bodies(&mechanism.name.text));
+        diagnostics.error(mechanism.name.span, messages::no_bodies(&mechanism.name.text, mechanism.space));
     }
 }
 
@@ -312,7 +312,9 @@ fn touched(mechanism: &Mechanism) -> Vec<bool> {
     }
     for quantity in quantities {
         match quantity {
-            Quantity::BodyAngle(body) | Quantity::BodyRate(body) | Quantity::BodyOmega(body, _) => touch(&mut touched, Frame::Body(*body)),
+            Quantity::BodyAngle(body) | Quantity::BodyRate(body) | Quantity::BodyOmega(body, _) => {
+                touch(&mut touched, Frame::Body(*body))
+            }
             Quantity::Position(place, _) | Quantity::Velocity(place, _) => touch(&mut touched, place.frame),
             Quantity::Distance(first, second) => {
                 touch(&mut touched, first.frame);

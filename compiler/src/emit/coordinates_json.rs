@@ -42,17 +42,14 @@ pub fn coordinates_json(mechanism: &Mechanism, equations: &Equations) -> String 
             angle.rate.iter().map(|(index, weight)| format!("[{index},{weight:?}]")).collect();
         format!("{{\"of\":{of},\"rate\":[{}]}}", rate.join(","))
     });
-    let rows = equations
-        .rows
-        .iter()
-        .map(|row| {
-            let axes = match row.axes {
-                None => String::new(),
-                Some(Frame::Ground) => ",\"in\":\"ground\"".to_string(),
-                Some(Frame::Body(id)) => format!(",\"in\":{}", body(id.0)),
-            };
-            format!("{{\"of\":{},\"what\":{}{axes}}}", quoted(&row.of), quoted(row.what))
-        });
+    let rows = equations.rows.iter().map(|row| {
+        let axes = match row.axes {
+            None => String::new(),
+            Some(Frame::Ground) => ",\"in\":\"ground\"".to_string(),
+            Some(Frame::Body(id)) => format!(",\"in\":{}", body(id.0)),
+        };
+        format!("{{\"of\":{},\"what\":{}{axes}}}", quoted(&row.of), quoted(row.what))
+    });
     let kind = if equations.tree.attachments.iter().all(|attachment| attachment.joint.is_none()) {
         "absolute"
     } else {

@@ -45,7 +45,11 @@ pub fn model(text: &mut String, emitter: &Emitter) {
         let _ = writeln!(text, "#[cfg_attr(doc, doc = {})]", quoted(line));
     }
     // Without `cargo doc` one line is enough.
-    let summary = format!("Equations of motion of the {} mechanism `{}`.", emitter.mechanism.space.text(), emitter.name);
+    let summary = format!(
+        "Equations of motion of the {} mechanism `{}`.",
+        emitter.mechanism.space.text(),
+        emitter.name
+    );
     let _ = writeln!(text, "#[cfg_attr(not(doc), doc = {})]", quoted(&summary));
 }
 

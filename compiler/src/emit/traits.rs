@@ -246,9 +246,11 @@ fn motions(text: &mut String, helpers: &mut String, emitter: &Emitter) {
              [{reaction}<R>; {joints}]"
         ),
         |outputs| match mechanism.space {
-            Space::Planar => array(outputs.chunks(3).map(|o| {
-                format!("Reaction {{ force: [{}, {}], torque: {} }}", o[0], o[1], o[2])
-            })),
+            Space::Planar => array(
+                outputs
+                    .chunks(3)
+                    .map(|o| format!("Reaction {{ force: [{}, {}], torque: {} }}", o[0], o[1], o[2])),
+            ),
             Space::Spatial => array(outputs.chunks(6).map(|o| {
                 format!("SpatialReaction {{ force: {}, torque: {} }}", list(&o[..3]), list(&o[3..]))
             })),

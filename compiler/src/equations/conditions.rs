@@ -145,8 +145,16 @@ pub fn orientation(g: &mut Graph, laws: &Laws, start: &StartOrientation) -> Vec<
         let target = g.symbol(format!("target_{of}"), Class::Input);
         let residual = g.sub(jet.value, target);
         let quantity = Quantity::BodyOmega(start.body, axis);
-        let condition =
-            Condition { of, quantity, angular: false, counted: false, rate_only: false, residual, upright: one, jet };
+        let condition = Condition {
+            of,
+            quantity,
+            angular: false,
+            counted: false,
+            rate_only: false,
+            residual,
+            upright: one,
+            jet,
+        };
         rows.push((condition, target));
     }
     rows

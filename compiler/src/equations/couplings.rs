@@ -40,7 +40,8 @@ pub fn row(g: &mut Graph, laws: &Laws, constraint: &Constraint, phase: Option<No
         }
         ConstraintKind::Rack { pinion, rail, radius, phase } => {
             let radius = laws.value(g, radius);
-            let (a, b) = (laws.kinematics().travel(g, laws, *rail, 0), laws.angle(g, *pinion).scale(g, radius));
+            let (a, b) =
+                (laws.kinematics().travel(g, laws, *rail, 0), laws.angle(g, *pinion).scale(g, radius));
             let difference = a.sub(g, &b);
             ("rack", shift(g, difference, phase))
         }

@@ -4,9 +4,7 @@ use super::coordinates::{Layout, Symbols};
 use super::jet::Jet;
 use super::kinematics::Kinematics;
 use super::plane;
-use crate::model::{
-    Comparison, Condition, Expr, Function1, Function2, Mechanism, Quantity, Rotor, Vector,
-};
+use crate::model::{Comparison, Condition, Expr, Function1, Function2, Mechanism, Quantity, Rotor, Vector};
 use crate::symbolic::{Compare, Graph, Node, Unary};
 
 /// What expressions may refer to.
@@ -31,19 +29,12 @@ pub struct Totals {
     pub driver_powers: Vec<Node>,
 }
 
-static NO_LAYOUT: Layout = Layout {
-    linear: Vec::new(),
-    rotations: Vec::new(),
-    quaternions: Vec::new(),
-    angles: Vec::new(),
-};
+static NO_LAYOUT: Layout =
+    Layout { linear: Vec::new(), rotations: Vec::new(), quaternions: Vec::new(), angles: Vec::new() };
 static NO_PLANE: plane::Kinematics =
     plane::Kinematics { frames: Vec::new(), velocities: Vec::new(), bodies: Vec::new() };
-static NO_KINEMATICS: Kinematics = Kinematics::Plane(plane::Kinematics {
-    frames: Vec::new(),
-    velocities: Vec::new(),
-    bodies: Vec::new(),
-});
+static NO_KINEMATICS: Kinematics =
+    Kinematics::Plane(plane::Kinematics { frames: Vec::new(), velocities: Vec::new(), bodies: Vec::new() });
 static NO_TOTALS: Totals = Totals {
     kinetic: None,
     potential: None,

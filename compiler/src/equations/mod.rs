@@ -300,11 +300,11 @@ fn masses(g: &mut Graph, laws: &Laws) -> Vec<(String, Node)> {
             let moments = laws.vector(g, &body.inertia.moments);
             match laws.mechanism.space {
                 Space::Planar => masses.push((format!("inertia of \"{name}\""), moments[2])),
-                Space::Spatial => masses.extend(
-                    ["x", "y", "z"].iter().zip(moments).map(|(axis, moment)| {
+                Space::Spatial => {
+                    masses.extend(["x", "y", "z"].iter().zip(moments).map(|(axis, moment)| {
                         (format!("moment of inertia of \"{name}\" about {axis}"), moment)
-                    }),
-                ),
+                    }))
+                }
             }
         }
     }
@@ -333,13 +333,7 @@ fn multipliers_of_joints(rows: &[Row]) -> BTreeMap<usize, Vec<usize>> {
 }
 
 /// The rows of all joints that carry nothing, of the constraints and of the drivers, in the order written.
-fn rows(
-    g: &mut Graph,
-    laws: &Laws,
-    tree: &SpanningTree,
-    carrying: &[bool],
-    dropped: &[Dropped],
-) -> Vec<Row> {
+fn rows(g: &mut Graph, laws: &Laws, tree: &SpanningTree, carrying: &[bool], dropped: &[Dropped]) -> Vec<Row> {
     let mechanism = laws.mechanism;
     let mut rows = Vec::new();
     for (index, joint) in mechanism.joints.iter().enumerate().filter(|(index, _)| !carrying[*index]) {

@@ -76,8 +76,7 @@ impl<'d> Lowering<'d> {
             (None, Some((label, entry))) => {
                 let density = self.entry(entry, Dimension::DENSITY, Use::PROPERTY, "density");
                 let volume = self.volume(body);
-                let mass =
-                    super::fold::binary(super::Function2::Mul, density?, volume?);
+                let mass = super::fold::binary(super::Function2::Mul, density?, volume?);
                 Some((mass, label.region.to(entry.value.region).span()))
             }
             (Some(_), Some((label, _))) => {

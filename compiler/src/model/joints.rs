@@ -123,7 +123,9 @@ impl<'d> Lowering<'d> {
             return None;
         }
         let message = match (self.definition.space, joint.kind) {
-            (Space::Planar, Fixed | Prismatic) => messages::orientation_of_particle(joint.kind.text(), &place.text),
+            (Space::Planar, Fixed | Prismatic) => {
+                messages::orientation_of_particle(joint.kind.text(), &place.text)
+            }
             (Space::Spatial, kind) if !matches!(kind, Spherical | PointOnLine | PointOnPlane | Distance) => {
                 messages::joint_of_particle_kind(kind.text(), &place.text)
             }

@@ -30,11 +30,14 @@ impl<'d> Lowering<'d> {
             LoadTerm::Push { on, value } => {
                 let joint = self.slide(on);
                 let value = self.value(value, Use::LOAD);
-                let force = self.expect_dimension(value?, Dimension::FORCE, &messages::quoted(&load.name.text));
+                let force =
+                    self.expect_dimension(value?, Dimension::FORCE, &messages::quoted(&load.name.text));
                 LoadKind::Push { joint: joint?, force: force? }
             }
             LoadTerm::Torque { on, value } => {
-                if let (Space::Spatial, Some(Part::Body(_))) = (self.definition.space, self.names.part(&on.text)) {
+                if let (Space::Spatial, Some(Part::Body(_))) =
+                    (self.definition.space, self.names.part(&on.text))
+                {
                     self.diagnostics.error(on.region, messages::torque_of_components(&on.text));
                     return None;
                 }

@@ -19,10 +19,10 @@ mod settings;
 mod shapes;
 mod values;
 
+pub use crate::syntax::{JointWord, Space};
 pub use expression::{Comparison, Condition, Expr, Function1, Function2, Quantity};
 pub(crate) use lower::Use;
 pub use lower::lower;
-pub use crate::syntax::{JointWord, Space};
 use proc_macro2::{Span, TokenStream};
 
 /// Index of a body in [`Mechanism::bodies`].
@@ -157,7 +157,10 @@ pub struct Inertia {
 pub enum Axes {
     Parallel,
     /// z along `axis`; x along `reference`, less its part along z, or as [`crate::equations::space`] chooses it.
-    Directed { axis: Vector, reference: Option<Vector> },
+    Directed {
+        axis: Vector,
+        reference: Option<Vector>,
+    },
     /// Turned about own axes, one after the other: axis (0, 1, 2) and angle, rad.
     Turned(Vec<(usize, Expr)>),
 }

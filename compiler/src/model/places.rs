@@ -78,7 +78,8 @@ impl<'d> Lowering<'d> {
                 }
                 MarkerAxes::Angle(entry) => {
                     let angle = self.entry(entry, Dimension::ANGLE, Use::PROPERTY, &label.text)?;
-                    let about = ["about_x", "about_y", "about_z"].iter().position(|word| *word == label.text)?;
+                    let about =
+                        ["about_x", "about_y", "about_z"].iter().position(|word| *word == label.text)?;
                     turns.push((about, angle));
                 }
             }
@@ -182,7 +183,13 @@ impl<'d> Lowering<'d> {
     fn place_of_ground(&mut self, ground: &Ground, usage: Use) -> Option<Place> {
         let at = self.values(&ground.at, ground.unit.as_ref(), Dimension::LENGTH, usage, "the place")?;
         let at = super::values::padded(at);
-        Some(Place { frame: Frame::Ground, at, axes: Axes::Parallel, text: ground.text.clone(), span: ground.region.span() })
+        Some(Place {
+            frame: Frame::Ground,
+            at,
+            axes: Axes::Parallel,
+            text: ground.text.clone(),
+            span: ground.region.span(),
+        })
     }
 
     fn place_of_body(&mut self, path: &Path) -> Option<Place> {

@@ -6,7 +6,9 @@ use super::values::Typed;
 use super::{BodyId, DriverId, Expr, Frame, JointId, LoadId, Place, Quantity, Rotor};
 use crate::diagnostics::Region;
 use crate::messages;
-use crate::syntax::{FirstTerm, JointCoordinates, Label, LineTerm, Path, PlaceTerm, Shape, Space, Term, TermKind};
+use crate::syntax::{
+    FirstTerm, JointCoordinates, Label, LineTerm, Path, PlaceTerm, Shape, Space, Term, TermKind,
+};
 use crate::units::Dimension;
 
 /// When a quantity is known.

@@ -43,13 +43,7 @@ impl Lowering<'_> {
     }
 
     /// Values with one unit.
-    pub fn tuple(
-        &mut self,
-        tuple: &Tuple,
-        expected: Dimension,
-        usage: Use,
-        what: &str,
-    ) -> Option<Vec<Expr>> {
+    pub fn tuple(&mut self, tuple: &Tuple, expected: Dimension, usage: Use, what: &str) -> Option<Vec<Expr>> {
         self.values(&tuple.values, tuple.unit.as_ref(), expected, usage, what)
     }
 

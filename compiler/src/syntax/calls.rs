@@ -3,8 +3,8 @@
 //! A table says which arguments each kind takes; what the places are is left to `model`.
 
 use super::definition::{
-    Constraint, ConstraintTerm, Entry, FirstTerm, Joint, JointWord, Label, LineTerm, Load, LoadTerm, PlaceTerm,
-    Space, Term, TermKind, Tuple,
+    Constraint, ConstraintTerm, Entry, FirstTerm, Joint, JointWord, Label, LineTerm, Load, LoadTerm,
+    PlaceTerm, Space, Term, TermKind, Tuple,
 };
 use super::expression::is_call;
 use super::parser::{Failed, Parsed, Parser};
@@ -71,11 +71,7 @@ const COUPLINGS: [Form; 7] = [
     },
     Form { word: "rack", positional: ROTORS, named: &[("radius", true), ("phase", false)] },
     Form { word: "screw", positional: ROTORS, named: &[("pitch", true), ("phase", false)] },
-    Form {
-        word: "differential",
-        positional: &[Kind::Rotor, Kind::Rotor, Kind::Rotor],
-        named: &[],
-    },
+    Form { word: "differential", positional: &[Kind::Rotor, Kind::Rotor, Kind::Rotor], named: &[] },
 ];
 
 const LOADS: [Form; 5] = [
@@ -193,9 +189,12 @@ impl Parser {
         let (first, second) = (arguments.rotor()?, arguments.rotor()?);
         let phase = arguments.entry("phase");
         let kind = match form.word {
-            "rack" => {
-                ConstraintTerm::Rack { pinion: first, rail: second, radius: arguments.required("radius")?, phase }
-            }
+            "rack" => ConstraintTerm::Rack {
+                pinion: first,
+                rail: second,
+                radius: arguments.required("radius")?,
+                phase,
+            },
             "screw" => {
                 // travel = pitch/(2π) · angle
                 let turn = number(region, "2").times(Term::name(region, "pi"));
@@ -301,7 +300,8 @@ impl Parser {
         let kind = self.word(c, &format!("the kind of the {what}"))?;
         let Some(form) = forms.iter().find(|form| form.word == kind.text) else {
             let words: Vec<&str> = forms.iter().map(|form| form.word).collect();
-            return self.fail(kind.region, messages::unknown_kind(what, &kind.text, &words, self.definition.space));
+            return self
+                .fail(kind.region, messages::unknown_kind(what, &kind.text, &words, self.definition.space));
         };
         let mut inside = self.group(c, Delimiter::Parenthesis)?;
         let region = kind.region.to(c.previous());

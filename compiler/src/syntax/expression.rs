@@ -179,7 +179,8 @@ impl Parser {
     fn call(&mut self, c: &mut Cursor) -> Parsed<Term> {
         if c.at_word("ground") {
             let ground = self.ground(c)?;
-            let (region, height) = (ground.region, 1 + ground.at.iter().map(|term| term.height).max().unwrap_or(0));
+            let (region, height) =
+                (ground.region, 1 + ground.at.iter().map(|term| term.height).max().unwrap_or(0));
             return Ok(Term { kind: TermKind::Ground(Box::new(ground)), region, height });
         }
         let function = self.word(c, "a function")?;

@@ -102,9 +102,7 @@ impl Parser {
             "expect" => self.expect(c),
             "repeat" => self.repeat(c),
             "table" | "state" | "rate" | "friction" | "contact" | "mesh" | "bushing" | "part" | "file"
-            | "beam" => {
-                self.fail(at, messages::not_there_yet(word))
-            }
+            | "beam" => self.fail(at, messages::not_there_yet(word)),
             _ => self.fail(at, messages::unknown_statement(word, STATEMENTS.iter().copied())),
         }
     }

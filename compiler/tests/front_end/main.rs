@@ -4,6 +4,7 @@ mod definitions;
 mod json;
 mod limits;
 mod mistakes;
+mod space;
 mod spans;
 mod values;
 

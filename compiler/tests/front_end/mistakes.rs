@@ -27,9 +27,12 @@ fn what_is_missing_is_said_once_each() {
 #[test]
 fn around_the_braces() {
     for (source, expected) in [
-        ("", "the definition is empty: write `planar Name { … }`"),
-        ("Name { }", "expected `planar`, the kind of the mechanism, found `Name`"),
-        ("spatial Arm { }", "`spatial` is not there yet in this version"),
+        ("", "the definition is empty: write `planar Name { … }` or `spatial Name { … }`"),
+        ("Name { }", "expected `planar` or `spatial`, the kind of the mechanism, found `Name`"),
+        (
+            "spatial Arm { }",
+            "`Arm` has no body: write `body crank { mass [kg] = …; inertia [kg*m^2] = (…, …, …); }`",
+        ),
         ("file = \"arm.mech\"", "`file` is not there yet in this version"),
         ("planar { }", "expected the name of the mechanism, found `{`"),
         ("planar Name;", "expected `{`, found `;`"),
@@ -204,7 +207,8 @@ const MISTAKES: &[(&str, &str)] = &[
     ),
     (
         "body b { mass [kg] = 1; inertia [kg*m^2] = 1; point p [m] = (0, 0, 0); }",
-        "expected `)` after two coordinates, found `0`",
+        "a planar mechanism has two coordinates: leave the third out, or write `spatial` before the name of the \
+         mechanism",
     ),
     (
         "body b { mass [kg] = 1; inertia [kg*m^2] = 1; line l = (crank.pin, b.center); }",
@@ -308,7 +312,10 @@ const MISTAKES: &[(&str, &str)] = &[
         "`time` is the time, but a direction may depend on constants and parameters only",
     ),
     ("joint j: revolut(crank.pin, link.end);", r#"no joint called "revolut"; did you mean `revolute`?"#),
-    ("joint j: spherical(crank.pin, link.end);", "`spherical` is not there yet in this version"),
+    (
+        "joint j: spherical(crank.pin, link.end);",
+        "a spherical joint needs space: write `spatial` before the name of the mechanism",
+    ),
     (
         "constraint c: base.angle == 3 [rad];",
         "expected `=` between the two sides of the constraint, found `;`",
@@ -340,7 +347,10 @@ const MISTAKES: &[(&str, &str)] = &[
         "the revolute joint `knee` has no travel; it has angle, rate",
     ),
     ("constraint c: rack(base, rail, radius = 0);", "the radius of `c` is zero: nothing would be passed on"),
-    ("constraint c: belt(base, knee);", "`belt` is not there yet in this version"),
+    (
+        "constraint c: belt(base, knee, radius [m] = 0.1);",
+        "`belt` needs its second_radius: write `second_radius = …`",
+    ),
     (
         "drive d: base.rate = 3 [rad/s];",
         "`base.rate` cannot be driven: only an angle, a travel or a position can",
@@ -408,7 +418,7 @@ const MISTAKES: &[(&str, &str)] = &[
     ),
     ("start { knee.travel [m] = 3; }", "the revolute joint `knee` has no travel; it has angle, rate"),
     ("options { coordinates = best; }", "expected `absolute` or `tree` or `auto`, found `best`"),
-    ("options { redundant = drop; }", "`redundant = drop` is not there yet in this version"),
+    ("options { redundant = keep; }", "`redundant = keep` is not there yet in this version"),
     ("options { emit = (penalty); }", "`emit` is not there yet in this version"),
     ("options { cuts = base; }", r#"nothing here is called "cuts"; did you mean `cut`?"#),
     ("options { cut = bas; }", r#"no joint called "bas"; did you mean "base"?"#),

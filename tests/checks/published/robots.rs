@@ -106,7 +106,8 @@ against_pinocchio!(panda, Panda, PandaInputs, "panda_dynamics_pinocchio.json", "
 /// The figure that is promised for one evaluation of the seven accelerations.
 #[test]
 fn panda_in_few_operations() {
-    assert!(Panda::<f64>::OPERATIONS <= 1150, "{} operations", Panda::<f64>::OPERATIONS);
+    let operations = Panda::<f64>::OPERATIONS;
+    assert!(operations <= 1150, "{operations} operations");
 }
 
 /// f = [M g + 6 m₁ g (ℓ/2) c²/L + 6 m₂ g (1 − (ℓ/2) c²/L)]/(6 s), computed.

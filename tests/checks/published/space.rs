@@ -154,7 +154,8 @@ fn bricard() {
     let reference = Table::new(include_str!("../../data/bricard_computed.csv"));
     assert_eq!(Bricard::<f64>::DEGREES_OF_FREEDOM, 1);
     let model = Bricard::<f64>::default();
-    assert!(Bricard::<f64>::OPERATIONS <= 900, "A04: {} operations", Bricard::<f64>::OPERATIONS);
+    let operations = Bricard::<f64>::OPERATIONS;
+    assert!(operations <= 900, "A04: {operations} operations");
     assert_eq!(
         <Bricard as Mechanism<f64>>::ROWS.len(),
         4,

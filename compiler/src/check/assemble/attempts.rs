@@ -334,7 +334,10 @@ fn report_second(
         None => errors.error(mechanism.name.span, messages::second_assembly_unnamed()),
         Some((_, index, a, b)) => {
             let joint = &mechanism.joints[index].name;
-            errors.error(joint.span, messages::second_assembly(&joint.text, &format!("{}.angle", joint.text), a, b));
+            errors.error(
+                joint.span,
+                messages::second_assembly(&joint.text, &format!("{}.angle", joint.text), a, b),
+            );
         }
     }
 }
@@ -401,8 +404,10 @@ fn report_open(mechanism: &Mechanism, point: &mut Point, failure: Option<Attempt
             // Of two points that should meet, the distance, not the larger component.
             let components =
                 equations.rows.iter().filter(|own| own.joint.is_some() && own.joint == row.joint);
-            let components: Vec<_> =
-                components.filter(|own| matches!(own.what, "x" | "y" | "z")).map(|own| own.jet.value).collect();
+            let components: Vec<_> = components
+                .filter(|own| matches!(own.what, "x" | "y" | "z"))
+                .map(|own| own.jet.value)
+                .collect();
             let apart = if matches!(row.what, "x" | "y" | "z") {
                 point.set_q(&failure.q);
                 point.evaluate(&Ancestry::of(equations, components.iter().copied()));

@@ -226,7 +226,9 @@ fn freedoms(
     }
     let redundancy = match redundancy::find(mechanism, point, problem, q, &dependent) {
         redundancy::Finding::None => redundancy::Redundancy::default(),
-        redundancy::Finding::Dropped(redundancy) => return errors.is_empty().then_some((freedoms, redundancy)),
+        redundancy::Finding::Dropped(redundancy) => {
+            return errors.is_empty().then_some((freedoms, redundancy));
+        }
         redundancy::Finding::Refused { rows, mut dropped } => {
             let rank = rows - dropped.len();
             dropped.sort_unstable();

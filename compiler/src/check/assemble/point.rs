@@ -80,7 +80,8 @@ pub fn retract(equations: &Equations, q: &[f64], increment: &[f64]) -> Vec<f64> 
     }
     for b in 0..layout.quaternions.len() {
         let (at, omega) = (layout.quaternion(b), layout.omega(b));
-        let turned = quaternion::turn([0, 1, 2, 3].map(|k| q[at + k]), [0, 1, 2].map(|k| increment[omega + k]));
+        let turned =
+            quaternion::turn([0, 1, 2, 3].map(|k| q[at + k]), [0, 1, 2].map(|k| increment[omega + k]));
         moved[at..at + 4].copy_from_slice(&turned);
     }
     for (a, angle) in layout.angles.iter().enumerate() {

@@ -62,7 +62,11 @@ mod tests {
         for q in [[1.0, 2.0, -3.0, 0.5], [0.1, 2.0, 0.3, 0.2], [0.1, 0.2, 2.0, -1.0], [0.0, 0.1, 0.2, 3.0]] {
             let q = normalized(q);
             let back = of_matrix(matrix(q));
-            let sign = if back[0] * q[0] + back[1] * q[1] + back[2] * q[2] + back[3] * q[3] < 0.0 { -1.0 } else { 1.0 };
+            let sign = if back[0] * q[0] + back[1] * q[1] + back[2] * q[2] + back[3] * q[3] < 0.0 {
+                -1.0
+            } else {
+                1.0
+            };
             for k in 0..4 {
                 assert!((sign * back[k] - q[k]).abs() < 1e-15, "{q:?} came back as {back:?}");
             }

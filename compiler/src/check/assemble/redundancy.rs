@@ -26,7 +26,10 @@ pub enum Finding {
     None,
     Dropped(Redundancy),
     /// How many rows there are, and those that would be dropped, indices into [`Equations::rows`].
-    Refused { rows: usize, dropped: Vec<usize> },
+    Refused {
+        rows: usize,
+        dropped: Vec<usize>,
+    },
 }
 
 /// Rows that take part less than this are not blamed.
@@ -68,7 +71,12 @@ pub fn find(
 }
 
 /// The rows of absolute coordinates to leave out, at positions that the tree has shown to be redundant.
-pub fn of_absolute(equations: &Equations, point: &mut Point, drivers: usize, nearby: &[Vec<f64>]) -> Redundancy {
+pub fn of_absolute(
+    equations: &Equations,
+    point: &mut Point,
+    drivers: usize,
+    nearby: &[Vec<f64>],
+) -> Redundancy {
     let rows: Vec<usize> = (0..equations.rows.len() - drivers).collect();
     let spaces: Vec<Vec<Vec<f64>>> = nearby.iter().map(|q| left_null_space(point, &rows, q)).collect();
     let droppable = |row: usize| equations.rows[row].joint.is_some();

@@ -97,7 +97,8 @@ impl Kinematics {
     /// Travel of a joint: â·(p₂ − p₁).
     pub fn travel(&self, g: &mut Graph, laws: &Laws, joint: JointId) -> Jet {
         let joint = &laws.mechanism.joints[joint.0];
-        let (JointKind::Prismatic { axis, .. } | JointKind::PointOnLine { direction: axis }) = &joint.kind else {
+        let (JointKind::Prismatic { axis, .. } | JointKind::PointOnLine { direction: axis }) = &joint.kind
+        else {
             let zero = g.constant(0.0);
             return Jet::constant(g, zero);
         };

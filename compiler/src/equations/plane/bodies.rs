@@ -38,12 +38,7 @@ impl Motion {
 }
 
 /// Motion of all bodies, with v̇ taken as given.
-pub fn motions(
-    g: &mut Graph,
-    kinematics: &Kinematics,
-    bodies: &[Massive],
-    symbols: &Symbols,
-) -> Vec<Motion> {
+pub fn motions(g: &mut Graph, kinematics: &Kinematics, bodies: &[Massive], symbols: &Symbols) -> Vec<Motion> {
     let zero = g.constant(0.0);
     let mut motions = Vec::new();
     for (index, body) in bodies.iter().enumerate() {

@@ -90,7 +90,9 @@ fn counted(mechanism: &Mechanism, layout: &Layout, rotor: Rotor) -> MultiTurn {
     let mut rate = Vec::new();
     for (place, sign) in [(&joint.first, -1.0), (&joint.second, 1.0)] {
         let Frame::Body(body) = place.frame else { continue };
-        let Some(ball) = layout.quaternions.iter().position(|ball| *ball == Ball::Body(body)) else { continue };
+        let Some(ball) = layout.quaternions.iter().position(|ball| *ball == Ball::Body(body)) else {
+            continue;
+        };
         let axis = constant_axis(mechanism, joint, place).unwrap_or_default();
         let weights = axis.into_iter().enumerate().filter(|(_, weight)| *weight != 0.0);
         rate.extend(weights.map(|(k, weight)| (layout.omega(ball) + k, sign * weight)));
@@ -219,7 +221,9 @@ impl Builder<'_> {
         let mut undone: Option<usize> = None;
         let particle = mechanism.bodies[child.0].kind == BodyKind::Particle;
         for elementary in motions {
-            let Some((frame, motion)) = self.motion(g, &laws, id, elementary, child_is_second) else { continue };
+            let Some((frame, motion)) = self.motion(g, &laws, id, elementary, child_is_second) else {
+                continue;
+            };
             if particle && matches!(elementary, Elementary::Ball) {
                 continue;
             }

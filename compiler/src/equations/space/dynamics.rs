@@ -24,7 +24,13 @@ pub fn dynamics(g: &mut Graph, laws: &Laws) -> Dynamics {
     let crate::equations::Kinematics::Space(kinematics) = laws.kinematics() else {
         let zero = g.constant(0.0);
         let (forces, inverse) = (Vec::new(), Vec::new());
-        return Dynamics { mass: BTreeMap::new(), forces, inverse, kinetic_energy: zero, potential_energy: zero };
+        return Dynamics {
+            mass: BTreeMap::new(),
+            forces,
+            inverse,
+            kinetic_energy: zero,
+            potential_energy: zero,
+        };
     };
     let gravity = match &laws.mechanism.gravity {
         Some(gravity) => laws.vector(g, gravity),
@@ -101,11 +107,12 @@ fn regrouped(g: &mut Graph, kinematics: &Kinematics, distributions: &[Distributi
                     inertia: [g.sub(xx, yy), zero, zz, xy, xz, yz],
                 },
             ),
-            Motion::Slide { .. } => (
-                Distribution { inertia: own.inertia, ..none },
-                Distribution { inertia: none.inertia, ..own },
-            ),
-            Motion::Ball { .. } => (Distribution { mass: own.mass, ..none }, Distribution { mass: zero, ..own }),
+            Motion::Slide { .. } => {
+                (Distribution { inertia: own.inertia, ..none }, Distribution { inertia: none.inertia, ..own })
+            }
+            Motion::Ball { .. } => {
+                (Distribution { mass: own.mass, ..none }, Distribution { mass: zero, ..own })
+            }
         };
         found[at] = kept;
         let given = given.turned(g, &link.axes);
@@ -226,8 +233,7 @@ pub fn motions(
     ground: Vec3,
 ) -> Vec<LinkMotion> {
     let zero = vector::zero(g);
-    let rest =
-        LinkMotion { omega: zero, alpha: zero, velocity: zero, acceleration: ground, spin: [zero; 3] };
+    let rest = LinkMotion { omega: zero, alpha: zero, velocity: zero, acceleration: ground, spin: [zero; 3] };
     let mut motions = vec![rest];
     for link in kinematics.links.iter().skip(1) {
         let motion = moved(g, kinematics, link, &motions[link.parent], accelerations);

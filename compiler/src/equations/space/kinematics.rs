@@ -197,8 +197,11 @@ impl Kinematics {
         if let JointKind::Universal { axis, second_axis } = &joint.kind {
             // The second's axis, seen from the first, has turned about the first's by the first angle; the other way round
             // for the second angle.
-            let (own, other, about, towards) =
-                if which == 0 { (first, second, axis, second_axis) } else { (second, first, second_axis, axis) };
+            let (own, other, about, towards) = if which == 0 {
+                (first, second, axis, second_axis)
+            } else {
+                (second, first, second_axis, axis)
+            };
             let (about, towards) = (laws.vector(g, about), laws.vector(g, towards));
             let (about, towards) = (axes::normalized(g, about), axes::normalized(g, towards));
             let far = vector::apply(g, &other.axes, towards);
@@ -229,8 +232,7 @@ impl Kinematics {
         }
         let joint = &laws.mechanism.joints[id.0];
         let [first, second] = self.joint_spots(g, laws, joint);
-        let (first_omega, second_omega) =
-            (self.link_omega(g, first.link), self.link_omega(g, second.link));
+        let (first_omega, second_omega) = (self.link_omega(g, first.link), self.link_omega(g, second.link));
         if let JointKind::Universal { axis, second_axis } = &joint.kind {
             // a₁·(ω₂ − ω₁), or b₂·(ω₂ − ω₁): as a product of what moves.
             let (own, own_omega, other, other_omega, axis) = if which == 0 {

@@ -19,11 +19,24 @@ pub const GROUND: LinkId = 0;
 pub enum Motion {
     None,
     /// R = Rz(θ) of (cos, sin), ω = sign · v\[rate\] along z.
-    Turn { cos: Node, sin: Node, rate: usize, sign: Node },
+    Turn {
+        cos: Node,
+        sin: Node,
+        rate: usize,
+        sign: Node,
+    },
     /// By `travel` along `axis`, with the speed factor · v\[rate\].
-    Slide { axis: Vec3, travel: Node, rate: usize, factor: Node },
+    Slide {
+        axis: Vec3,
+        travel: Node,
+        rate: usize,
+        factor: Node,
+    },
     /// R = `matrix`, ω = (v\[rate\], v\[rate + 1\], v\[rate + 2\]) along the link's own axes.
-    Ball { matrix: Mat3, rate: usize },
+    Ball {
+        matrix: Mat3,
+        rate: usize,
+    },
 }
 
 #[derive(Clone, Debug)]

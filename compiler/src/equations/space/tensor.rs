@@ -111,12 +111,5 @@ pub fn turned(g: &mut Graph, matrix: &Mat3, [xx, yy, zz, xy, xz, yz]: Symmetric)
     let tensor = [[xx, xy, xz], [xy, yy, yz], [xz, yz, zz]];
     let half = vector::product(g, matrix, &tensor);
     let entry = |g: &mut Graph, i: usize, j: usize| vector::dot(g, half[i], matrix[j]);
-    [
-        entry(g, 0, 0),
-        entry(g, 1, 1),
-        entry(g, 2, 2),
-        entry(g, 0, 1),
-        entry(g, 0, 2),
-        entry(g, 1, 2),
-    ]
+    [entry(g, 0, 0), entry(g, 1, 1), entry(g, 2, 2), entry(g, 0, 1), entry(g, 0, 2), entry(g, 1, 2)]
 }

@@ -1,8 +1,8 @@
 //! Fixed (bracket): p₁ − p₂ = 0 and sin(θ₂ − θ₁ − angle) = 0 on its upright root.
 
 use super::{Carried, Ends, JointRow, Wrench, revolute};
-use crate::equations::plane::kinematics::Placement;
 use crate::equations::laws::Laws;
+use crate::equations::plane::kinematics::Placement;
 use crate::model::Expr;
 use crate::symbolic::{Graph, Node};
 

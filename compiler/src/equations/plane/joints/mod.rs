@@ -107,7 +107,8 @@ struct Ends {
 
 impl Ends {
     fn of(g: &mut Graph, laws: &Laws, joint: &Joint) -> Self {
-        let (first, second) = (laws.plane().place(g, laws, &joint.first), laws.plane().place(g, laws, &joint.second));
+        let (first, second) =
+            (laws.plane().place(g, laws, &joint.first), laws.plane().place(g, laws, &joint.second));
         Ends { first: joint.first.frame, second: joint.second.frame, delta: second.sub(g, &first) }
     }
 

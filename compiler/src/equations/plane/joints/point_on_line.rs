@@ -1,8 +1,8 @@
 //! Point on line: n̂·Δ = 0 with n̂ normal to the line, which the first body carries.
 
 use super::{Carried, Ends, JointRow, Wrench, normalized, perpendicular};
-use crate::equations::plane::kinematics::{Placement, rotate};
 use crate::equations::laws::Laws;
+use crate::equations::plane::kinematics::{Placement, rotate};
 use crate::model::Vector;
 use crate::symbolic::{Graph, Node};
 

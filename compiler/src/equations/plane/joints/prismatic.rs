@@ -2,8 +2,8 @@
 
 use super::fixed::{direction_row, direction_torque};
 use super::{Carried, Ends, JointRow, Wrench, normalized, point_on_line};
-use crate::equations::plane::kinematics::{Placement, rotate};
 use crate::equations::laws::Laws;
+use crate::equations::plane::kinematics::{Placement, rotate};
 use crate::model::{Expr, Vector};
 use crate::symbolic::{Graph, Node};
 

@@ -1,8 +1,8 @@
 //! Revolute: p₁ − p₂ = 0.
 
 use super::{Carried, Ends, JointRow, Wrench};
-use crate::equations::plane::kinematics::Placement;
 use crate::equations::laws::Laws;
+use crate::equations::plane::kinematics::Placement;
 use crate::symbolic::{Graph, Node};
 
 pub fn rows(g: &mut Graph, laws: &Laws, ends: &Ends) -> Vec<JointRow> {

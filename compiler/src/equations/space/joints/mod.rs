@@ -119,7 +119,8 @@ struct Ends<'a> {
 impl<'a> Ends<'a> {
     fn of(g: &mut Graph, laws: &Laws<'a>, tree: &SpanningTree, joint: &Joint) -> Option<Self> {
         let crate::equations::Kinematics::Space(kinematics) = laws.kinematics() else { return None };
-        let (first, second) = (kinematics.spot(g, laws, &joint.first), kinematics.spot(g, laws, &joint.second));
+        let (first, second) =
+            (kinematics.spot(g, laws, &joint.first), kinematics.spot(g, laws, &joint.second));
         let frame = frames(g, laws, &joint.kind)[0];
         let (e1, e2) = (vector::product(g, &first.axes, &frame), vector::product(g, &second.axes, &frame));
         let seen_from = meeting(laws, tree, joint);
@@ -159,9 +160,7 @@ impl<'a> Ends<'a> {
     fn on_axis(&self, g: &mut Graph) -> Vec<JointRow> {
         let delta = self.delta(g);
         let names = ["normal_1", "normal_2"].into_iter().enumerate();
-        names
-            .map(|(k, what)| JointRow::new(what, delta.project(g, vector::column(&self.e1, k))))
-            .collect()
+        names.map(|(k, what)| JointRow::new(what, delta.project(g, vector::column(&self.e1, k)))).collect()
     }
 
     /// Row `normal`: z₁·Δ.
