@@ -119,7 +119,8 @@ fn absolute(mechanism: &Mechanism, tree: &Equations, assembly: &Assembly) -> (Eq
         return (absolute, state);
     }
     let state = assemble::drop_redundant(mechanism, &absolute, state);
-    (equations::derive(mechanism, SpanningTree::absolute(mechanism), &state.dropped), state)
+    let tree = SpanningTree::absolute(mechanism);
+    (equations::without_redundant(mechanism, tree, absolute, &state.dropped), state)
 }
 
 fn solved(

@@ -57,9 +57,7 @@ pub fn compile_model(
     let Some(assembly) = assemble::assemble(&mechanism, &mut tree, &mut errors) else {
         return Err(errors);
     };
-    if !assembly.dropped.is_empty() {
-        tree = equations::derive(&mechanism, spanning, &assembly.dropped);
-    }
+    tree = equations::without_redundant(&mechanism, spanning, tree, &assembly.dropped);
     // AFTER THIS POINT a consistent start is known and the constraint rows are independent there.
     let asked = coordinates.unwrap_or(mechanism.options.coordinates);
     let as_defined = coordinates.is_none();

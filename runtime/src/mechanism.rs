@@ -146,6 +146,9 @@ pub trait Assemble<R: Real>: Mechanism<R> {
     /// `"axis_1"` and `"axis_2"` of a joint side by side are taken as the two that make axes parallel, with one cosine,
     /// and what follows them of that joint as its turn about these.
     const FLIPS: &'static [u16];
+    /// Rows, ascending, that repeat what others fix and are kept: they vanish with the others, have the multiplier zero, and
+    /// take no part in factorisations.
+    const IDLE: &'static [u16] = &[];
     /// The order of elimination and the pattern of the factor.
     const ELIMINATION: Elimination;
 

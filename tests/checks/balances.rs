@@ -155,7 +155,7 @@ fn is_moved(load: &LoadKind) -> bool {
 fn power_is_balanced<M: Model>() {
     let (compiled, parameters, model, states) = walk::<M>(22, STATES);
     if compiled.mechanism.loads.iter().any(|load| is_moved(&load.kind)) {
-        assert_eq!(M::NAME, "CarAxis", "left to the reference");
+        assert!(["CarAxis", "Table"].contains(&M::NAME), "{}: left to the reference", M::NAME);
         return;
     }
     let weightless = weightless(&compiled);

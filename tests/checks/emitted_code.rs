@@ -8,6 +8,8 @@
 use crate::registry::{At, Model, Random, compiled, for_each, vector};
 use linkwright::Vector;
 use linkwright_compiler::Compiled;
+use linkwright_compiler::equations::Row;
+use linkwright_compiler::equations::couplings::is_open;
 use linkwright_compiler::model::Coordinates;
 use linkwright_compiler::schedule::{self, Function, Inputs};
 use linkwright_compiler::symbolic::{Graph, Node, Op, Unary, evaluate};
@@ -28,14 +30,27 @@ fn emitted_code_is_the_program<M: Model>() {
             inputs.parameters = compiled.mechanism.parameters.iter().map(|known| known.default).collect();
         }
         let model = M::prepared(&inputs.parameters).expect("parameters near their defaults");
-        let program = schedule::run(compiled.programs.get(Function::Prepare), &inputs);
-        inputs.prepared = program;
+        inputs.prepared = schedule::run(compiled.programs.get(Function::Prepare), &inputs);
+        fix_phases(&compiled, &mut inputs);
         for function in Function::ALL {
             let Some(emitted) = emitted(&model, &inputs, function) else { continue };
             let program = schedule::run(compiled.programs.get(function), &inputs);
             compare(M::NAME, function, &emitted, &program);
         }
     }
+}
+
+/// Phases that the start gives are taken from it with the parameters at hand, as `prepare` does.
+fn fix_phases(compiled: &Compiled, inputs: &mut Inputs) {
+    let start = Inputs { time: 0.0, q: compiled.assembly.q.clone(), ..inputs.clone() };
+    let phi = schedule::run(compiled.programs.get(Function::Constraints), &start);
+    let open = compiled.mechanism.constraints.iter().filter(|constraint| is_open(constraint));
+    for (phase, constraint) in open.enumerate() {
+        let own = |row: &Row| row.joint.is_none() && row.of == constraint.name.text;
+        let row = compiled.equations.rows.iter().position(own).expect("a coupling has a row");
+        inputs.phases[phase] += phi[row];
+    }
+    inputs.prepared = schedule::run(compiled.programs.get(Function::Prepare), inputs);
 }
 
 fn compare(name: &str, function: Function, emitted: &[f64], program: &[f64]) {

@@ -12,6 +12,7 @@ mod kinematics;
 mod language;
 mod no_alloc;
 mod published;
+mod redundant;
 mod reference;
 mod registry;
 mod space_convergence;

@@ -176,8 +176,8 @@ linkwright::mechanism! {
         gravity [m/s^2] = (0, 0, -9.81);
         marker entry [m] = (0, 0, 0), axis = (1, 0.2, 0.1);
         marker leave [m] = (1, 0.25, 0), axis = (3, 1, 0), reference = (0, 0, 1);
-        cylinder first { mass [kg] = 0.5; length [m] = 0.3; radius [m] = 0.02; marker journal [m] = (-0.15, 0, 0), axis = (1, 0.01, 0); }
-        cylinder middle { mass [kg] = 0.7; length [m] = 0.5; radius [m] = 0.02; }
+        cylinder first { mass [kg] = 0.5; length [m] = 0.3; radius [m] = 0.08; marker journal [m] = (-0.15, 0, 0), axis = (1, 0.01, 0); }
+        cylinder middle { mass [kg] = 0.7; length [m] = 0.5; radius [m] = 0.1; }
         body last { mass [kg] = 0.9; inertia [kg*m^2] = (0.01, 0.02, 0.021); products [kg*m^2] = (0, 0.001, 0); center [m] = (0.1, 0, 0.01);
                     marker bore [m] = (0.3, 0, 0), axis = (1, 0, 0.02), reference = (0, 0, 1); }
         joint bearing: revolute(entry, first.journal);

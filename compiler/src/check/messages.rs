@@ -46,7 +46,7 @@ pub fn redundant(of: &str, what: &[&str], rows: usize, rank: usize, space: Space
 }
 
 /// What a row holds, in words.
-fn direction<'w>(what: &'w str) -> &'w str {
+fn direction(what: &str) -> &str {
     match what {
         "x" => "shifts along x",
         "y" => "shifts along y",

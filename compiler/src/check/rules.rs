@@ -128,9 +128,9 @@ fn principal_moments(mut m: [[f64; 3]; 3]) -> [f64; 3] {
             for row in &mut m {
                 (row[p], row[q]) = (c * row[p] - s * row[q], s * row[p] + c * row[q]);
             }
-            for k in 0..3 {
-                (m[p][k], m[q][k]) = (c * m[p][k] - s * m[q][k], s * m[p][k] + c * m[q][k]);
-            }
+            let (one, other) = (m[p], m[q]);
+            m[p] = [0, 1, 2].map(|k| c * one[k] - s * other[k]);
+            m[q] = [0, 1, 2].map(|k| s * one[k] + c * other[k]);
         }
     }
     let mut moments = [m[0][0], m[1][1], m[2][2]];

@@ -29,7 +29,7 @@ pub fn model(text: &mut String, emitter: &Emitter) {
         more(&mut page, equations.rows.len());
     }
     if !compiled.assembly.dropped.is_empty() {
-        page.push_str("\n# Redundant rows\n\nLeft out, because the others fix what they fix:");
+        page.push_str("\n# Redundant rows\n\nThe others fix what these fix:");
         for row in &compiled.assembly.dropped {
             let _ = write!(page, " `{}` ({});", emitter.mechanism.joints[row.joint.0].name.text, row.what);
         }

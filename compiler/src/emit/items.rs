@@ -141,8 +141,8 @@ fn constants(text: &mut String, emitter: &Emitter, source: &str) {
     );
     let dropped = compiled.assembly.dropped.iter();
     constant(
-        "Constraint rows left out because others fix what they fix: joint and row.",
-        &format!("DROPPED_ROWS: &'static [({string}, {string})]"),
+        "Constraint rows that repeat what others fix: joint and row. They are left out, or kept with the multiplier zero.",
+        &format!("REDUNDANT_ROWS: &'static [({string}, {string})]"),
         &format!(
             "&{}",
             array(dropped.map(|row| {
@@ -152,7 +152,7 @@ fn constants(text: &mut String, emitter: &Emitter, source: &str) {
     );
     let shared = compiled.assembly.shared.iter();
     constant(
-        "Joints whose reactions are not unique, because constraint rows were left out.",
+        "Joints whose reactions are not unique, because constraint rows repeat what others fix.",
         &format!("SHARED_REACTIONS: &'static [{string}]"),
         &format!("&{}", array(shared.map(|joint| quoted(&mechanism.joints[joint.0].name.text)))),
     );

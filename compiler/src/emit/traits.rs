@@ -477,6 +477,10 @@ pub fn assemble(text: &mut String, emitter: &Emitter) {
     for (constant, list) in lists {
         let _ = writeln!(text, "const {constant}: &'static [u16] = {list};");
     }
+    if !equations.idle.is_empty() {
+        let idle = tables::indices(equations.idle.iter().copied());
+        let _ = writeln!(text, "const IDLE: &'static [u16] = {idle};");
+    }
     let jets = equations.conditions.iter().map(|condition| &condition.jet);
     let _ = writeln!(
         text,

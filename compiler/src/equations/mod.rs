@@ -22,10 +22,10 @@ pub use kinematics::Kinematics;
 pub use laws::{Laws, Totals};
 pub use spanning_tree::{Attachment, SpanningTree};
 
-use crate::model::{BodyKind, Frame, JointId, JointKind, Mechanism, Quantity, Space};
+use crate::model::{BodyKind, Frame, JointId, JointKind, Mechanism, Quantity, Redundant, Space};
 use crate::symbolic::{Class, Graph, Node};
 use proc_macro2::Span;
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 /// One row of a joint's constraint.
 #[derive(Clone, Debug)]
@@ -131,6 +131,8 @@ pub struct Equations {
     /// M v̇ − Q with v̇ as given.
     pub inverse: Vec<Node>,
     pub rows: Vec<Row>,
+    /// Rows that are kept though others fix what they fix: their multipliers are zero.
+    pub idle: BTreeSet<usize>,
     /// ν and γ of the rows.
     pub nu: Vec<Node>,
     pub gamma: Vec<Node>,
@@ -249,6 +251,7 @@ pub fn derive(mechanism: &Mechanism, tree: SpanningTree, dropped: &[Dropped]) ->
         mass,
         forces,
         inverse,
+        idle: BTreeSet::new(),
         rows,
         kinetic_energy,
         potential_energy,
@@ -270,7 +273,30 @@ pub fn derive(mechanism: &Mechanism, tree: SpanningTree, dropped: &[Dropped]) ->
     }
 }
 
+/// The equations as `options { redundant = … }` wants them, given those with all rows.
+pub fn without_redundant(
+    mechanism: &Mechanism,
+    tree: SpanningTree,
+    all: Equations,
+    redundant: &[Dropped],
+) -> Equations {
+    match mechanism.options.redundant {
+        _ if redundant.is_empty() => all,
+        Redundant::Keep => all.with_idle(redundant),
+        Redundant::Drop | Redundant::Refuse => derive(mechanism, tree, redundant),
+    }
+}
+
 impl Equations {
+    /// Keeps these rows without a part in the solution.
+    pub fn with_idle(mut self, redundant: &[Dropped]) -> Self {
+        let rows = self.rows.iter().enumerate().filter(|(_, row)| {
+            row.joint.is_some_and(|joint| redundant.contains(&Dropped { joint, what: row.what }))
+        });
+        self.idle = rows.map(|(index, _)| index).collect();
+        self
+    }
+
     /// Adds position coordinates to the conditions, unless they are there; gives their indices.
     pub fn add_conditions(&mut self, mechanism: &Mechanism, quantities: &[Quantity]) -> Vec<usize> {
         let mut indices = Vec::new();

@@ -322,6 +322,7 @@ pub struct Load {
 }
 
 #[derive(Clone, Debug)]
+#[expect(clippy::large_enum_variant, reason = "there are few of them, and each lives in one vector")]
 pub enum LoadKind {
     /// Force in world axes (N) at a place.
     Force { place: Place, components: Vector },
@@ -362,7 +363,10 @@ pub struct StartOrientation {
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Redundant {
     Refuse,
+    /// They are no rows of the mechanism.
     Drop,
+    /// They are rows, with the multiplier zero.
+    Keep,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

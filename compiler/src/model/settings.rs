@@ -23,8 +23,13 @@ impl<'d> Lowering<'d> {
                         _ => Coordinates::Auto,
                     };
                 }
-                OptionEntry::Redundant(word) if word.text == "drop" => redundant = Redundant::Drop,
-                OptionEntry::Redundant(_) => {}
+                OptionEntry::Redundant(word) => {
+                    redundant = match word.text.as_str() {
+                        "drop" => Redundant::Drop,
+                        "keep" => Redundant::Keep,
+                        _ => Redundant::Refuse,
+                    };
+                }
                 OptionEntry::Inertia(word) => accept_inertia = word.text == "accept",
                 OptionEntry::Cut(joints) => cut.extend(joints.iter().filter_map(|joint| self.cut(joint))),
                 OptionEntry::Independent(paths) => {

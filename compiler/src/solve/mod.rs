@@ -107,6 +107,8 @@ struct System {
     /// Without the prescribed velocities and their rows.
     entries: Entries,
     prescribed: Vec<Prescribed>,
+    /// Rows without a part in the solution.
+    idle: BTreeSet<usize>,
     massless: Massless,
     rho: Node,
 }
@@ -127,22 +129,26 @@ impl System {
         let velocities = equations.symbols.v.len();
         let columns: Vec<BTreeMap<usize, Node>> =
             equations.rows.iter().map(|row| row.jet.columns.clone()).collect();
+        let idle = equations.idle.clone();
         let g = &mut equations.graph;
         let rho = g.constant(massless.weight);
         let mut entries: Entries = equations.mass.clone();
         for row in &massless.rows {
             add_square(g, &mut entries, &columns[*row], rho);
         }
-        for (row, columns) in columns.iter().enumerate() {
+        for (row, columns) in columns.iter().enumerate().filter(|(row, _)| !idle.contains(row)) {
             entries.extend(columns.iter().map(|(velocity, column)| ((velocities + row, *velocity), *column)));
         }
-        let prescribed = prescribed(g, velocities, &columns, &mut entries);
-        System { velocities, columns, entries, prescribed, massless, rho }
+        let prescribed = prescribed(g, velocities, &columns, &idle, &mut entries);
+        System { velocities, columns, entries, prescribed, idle, massless, rho }
     }
 
     /// The unknowns that are left, in order.
     fn without_prescribed(&self, mut order: Order) -> Order {
         let known = |unknown: &usize| {
+            if unknown.checked_sub(self.velocities).is_some_and(|row| self.idle.contains(&row)) {
+                return true;
+            }
             self.prescribed.iter().any(|p| *unknown == p.velocity || *unknown == self.velocities + p.row)
         };
         order.sequence.retain(|unknown| !known(unknown));
@@ -155,10 +161,11 @@ fn prescribed(
     g: &mut Graph,
     velocities: usize,
     columns: &[BTreeMap<usize, Node>],
+    idle: &BTreeSet<usize>,
     entries: &mut Entries,
 ) -> Vec<Prescribed> {
     let mut found: Vec<Prescribed> = Vec::new();
-    for (row, columns) in columns.iter().enumerate() {
+    for (row, columns) in columns.iter().enumerate().filter(|(row, _)| !idle.contains(row)) {
         let (1, Some((velocity, d))) = (columns.len(), columns.first_key_value()) else { continue };
         let constant = g.value(*d).is_some_and(|d| d != 0.0);
         if constant && found.iter().all(|known| known.velocity != *velocity) {
@@ -259,7 +266,10 @@ fn solution(g: &mut Graph, factor: &Factor, system: &System, mut rhs: Vec<Node>)
         }
         x[n + prescribed.row] = g.mul(rest, prescribed.inverse);
     }
-    let lambda = x.split_off(n);
+    let mut lambda = x.split_off(n);
+    for row in &system.idle {
+        lambda[*row] = g.constant(0.0);
+    }
     Solution { acceleration: x, lambda, pivot: factor.pivot }
 }
 

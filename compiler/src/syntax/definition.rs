@@ -558,7 +558,7 @@ pub struct OrientationEntry {
 pub enum OptionEntry {
     /// `absolute`, `tree` or `auto`.
     Coordinates(Label),
-    /// `refuse` or `drop`.
+    /// `refuse`, `drop` or `keep`.
     Redundant(Label),
     /// `check` or `accept`.
     Inertia(Label),

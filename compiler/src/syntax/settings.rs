@@ -69,7 +69,7 @@ impl Parser {
             parser.punct(c, '=')?;
             let entry = match option.text.as_str() {
                 "coordinates" => OptionEntry::Coordinates(parser.choice(c, &["absolute", "tree", "auto"])?),
-                "redundant" => OptionEntry::Redundant(parser.redundant(c)?),
+                "redundant" => OptionEntry::Redundant(parser.choice(c, &["refuse", "drop", "keep"])?),
                 "inertia" => OptionEntry::Inertia(parser.choice(c, &["check", "accept"])?),
                 "cut" => OptionEntry::Cut(parser.list(c, |p, c| p.label(c, "the name of a joint"))?),
                 "independent" => OptionEntry::Independent(parser.list(c, |p, c| p.path(c, "a quantity"))?),
@@ -79,13 +79,6 @@ impl Parser {
             parser.definition.options.push(entry);
             Ok(())
         })
-    }
-
-    fn redundant(&mut self, c: &mut Cursor) -> Parsed<Label> {
-        if let Some(word @ "keep") = c.word() {
-            return self.fail(c.region(), messages::not_there_yet(&format!("redundant = {word}")));
-        }
-        self.choice(c, &["refuse", "drop"])
     }
 
     /// One of a few words.

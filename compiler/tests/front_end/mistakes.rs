@@ -418,7 +418,7 @@ const MISTAKES: &[(&str, &str)] = &[
     ),
     ("start { knee.travel [m] = 3; }", "the revolute joint `knee` has no travel; it has angle, rate"),
     ("options { coordinates = best; }", "expected `absolute` or `tree` or `auto`, found `best`"),
-    ("options { redundant = keep; }", "`redundant = keep` is not there yet in this version"),
+    ("options { redundant = most; }", "expected `refuse` or `drop` or `keep`, found `most`"),
     ("options { emit = (penalty); }", "`emit` is not there yet in this version"),
     ("options { cuts = base; }", r#"nothing here is called "cuts"; did you mean `cut`?"#),
     ("options { cut = bas; }", r#"no joint called "bas"; did you mean "base"?"#),

@@ -168,7 +168,7 @@ const MISTAKES: &[(&str, &str)] = &[
         "joint j: revolute(arm.tip, arm.end, axis = (0, 0, 1));",
         "`arm` has no point called \"end\"; it has center, origin, tip",
     ),
-    ("options { redundant = droop; }", "expected `refuse` or `drop`, found `droop`"),
+    ("options { redundant = droop; }", "expected `refuse` or `drop` or `keep`, found `droop`"),
 ];
 
 #[test]

@@ -61,6 +61,11 @@ impl<'m, R: Real, M: Assemble<R>> System<'m, R, M> {
                 *free = if divisor == R::ZERO { R::ONE } else { R::ZERO };
             }
         }
+        for (entry, &(row, _)) in self.jacobian.as_mut_slice().iter_mut().zip(M::JACOBIAN_PATTERN) {
+            if M::IDLE.contains(&row) {
+                *entry = R::ZERO;
+            }
+        }
         for (entry, &(row, _)) in self.conditions.as_mut_slice().iter_mut().zip(M::CONDITION_PATTERN) {
             *entry = *entry * self.active.as_slice()[row as usize];
         }
@@ -133,8 +138,8 @@ impl<'m, R: Real, M: Assemble<R>> System<'m, R, M> {
         if pivot.value >= R::BREAKDOWN { Ok(()) } else { Err(rank_deficient::<R, M>(pivot)) }
     }
 
-    /// Adds D̂ and, for each row let go and each condition that is not held, −1 on the diagonal, which keeps its pivot
-    /// harmless.
+    /// Adds D̂ and, for each row let go or idle and each condition that is not held, −1 on the diagonal, which keeps its
+    /// pivot harmless.
     fn add_rows(&mut self) {
         let first_row = M::V::LEN;
         for (&entry, &(row, column)) in self.jacobian.as_slice().iter().zip(M::JACOBIAN_PATTERN) {
@@ -142,6 +147,10 @@ impl<'m, R: Real, M: Assemble<R>> System<'m, R, M> {
         }
         for (i, &free) in self.free.as_slice().iter().enumerate() {
             self.matrix.add(first_row + i, first_row + i, -free);
+        }
+        for &row in M::IDLE {
+            let unknown = first_row + row as usize;
+            self.matrix.add(unknown, unknown, -R::ONE);
         }
         let first_condition = first_row + M::Lambda::LEN;
         for (&entry, &(row, column)) in self.conditions.as_slice().iter().zip(M::CONDITION_PATTERN) {

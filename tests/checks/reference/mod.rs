@@ -1,4 +1,4 @@
-//! Every shipped model, in both sets of coordinates, against a reference that knows nothing of the compiler: a Python
+//! Every shipped model and the zoo's, in both sets of coordinates, against a reference that knows nothing of the compiler: a Python
 //! script that rebuilds the model from its `DEFINITION` by energies and CasADi's automatic differentiation.
 //!
 //! With CasADi the script judges over a hundred random states and parameter sets of each kind. Without a network the
@@ -13,7 +13,7 @@ pub mod states;
 
 use linkwright_compiler::model::Coordinates;
 use linkwright_compiler::{Compiled, compile};
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 /// Name, `SOURCE` and `DEFINITION` of every shipped model.
 pub fn models() -> Vec<(&'static str, &'static str, &'static str)> {
@@ -23,6 +23,16 @@ pub fn models() -> Vec<(&'static str, &'static str, &'static str)> {
         }};
     }
     linkwright_models::for_each_model!(list)
+}
+
+/// The same of the zoo's mechanisms.
+fn zoo() -> Vec<(&'static str, &'static str, &'static str)> {
+    macro_rules! list {
+        ($($name:ident: $model:path),* $(,)?) => {{
+            vec![$({ use $model as Model; (stringify!($name), Model::SOURCE, Model::DEFINITION) }),*]
+        }};
+    }
+    crate::zoo::for_each_in_zoo!(list)
 }
 
 pub const SETS: [(Coordinates, &str); 2] = [(Coordinates::Absolute, "absolute"), (Coordinates::Tree, "tree")];
@@ -52,11 +62,22 @@ fn models_agree_with_casadi() {
         }
     };
     println!("comparing with CasADi itself");
-    let requests = casadi::target().join("requests");
+    let record = recorded::folder();
+    let mut arguments = vec!["--minimum", "100"];
+    if std::env::var_os("RECORD_CASADI").is_some() {
+        arguments.extend(["--record", record.to_str().unwrap(), "--states", "3"]);
+    }
+    compare(&python, &write_requests("requests", &models()), &arguments);
+    // Those of the zoo are not recorded.
+    compare(&python, &write_requests("zoo-requests", &zoo()), &["--minimum", "100"]);
+}
+
+/// Writes the requests of some mechanisms into a folder of their own.
+fn write_requests(folder: &str, models: &[(&str, &str, &str)]) -> PathBuf {
+    let requests = casadi::target().join(folder);
     let _ = std::fs::remove_dir_all(&requests);
     std::fs::create_dir_all(&requests).unwrap();
-    let models = models();
-    for (name, source, definition) in &models {
+    for (name, source, definition) in models {
         for (coordinates, set) in SETS {
             let compiled = compiled(source, coordinates);
             assert_eq!(compiled.definition, *definition, "{name}: the emitted definition is another");
@@ -64,13 +85,11 @@ fn models_agree_with_casadi() {
             std::fs::write(requests.join(format!("{name}.{set}.json")), text).unwrap();
         }
     }
-    let mut arguments = vec!["--minimum", "100"];
-    let record = recorded::folder();
-    let record = record.to_str().unwrap();
-    if std::env::var_os("RECORD_CASADI").is_some() {
-        arguments.extend(["--record", record, "--states", "3"]);
-    }
-    match casadi::check(&python, &requests, &arguments) {
+    requests
+}
+
+fn compare(python: &Path, requests: &Path, arguments: &[&str]) {
+    match casadi::check(python, requests, arguments) {
         Ok(report) => println!("{report}"),
         Err(report) => panic!("{report}"),
     }
@@ -106,22 +125,24 @@ fn every_definition_is_compared() {
     assert_eq!(written, compared);
 }
 
-/// Names of the mechanisms in a file: behind `planar`, or, where a macro of the file writes the definition, what its
-/// calls pass as the name.
+/// Names of the mechanisms in a file: behind `planar` or `spatial`, or, where a macro of the file writes the definition,
+/// what its calls pass as the name.
 fn names_written(text: &str) -> Vec<String> {
     let lines = text.lines().map(str::trim).filter(|line| !line.starts_with("//"));
     let code = lines.collect::<Vec<_>>().join("\n");
+    let name = |text: &str| -> String {
+        text.trim_start().chars().take_while(|letter| letter.is_alphanumeric() || *letter == '_').collect()
+    };
     let mut names = Vec::new();
-    for (at, _) in code.match_indices("planar ") {
-        let name = code[at + "planar ".len()..].split('{').next().unwrap().trim();
-        if !name.starts_with('$') {
-            names.push(name.to_string());
-            continue;
-        }
-        let own = code.split("macro_rules! ").nth(1).unwrap().split_whitespace().next().unwrap();
-        for call in code.split(&format!("\n{own}! {{")).skip(1) {
-            let body = call.split("\n}").next().unwrap();
-            names.push(body.split(',').next().unwrap().trim().to_string());
+    for word in ["planar ", "spatial "] {
+        for (at, _) in code.match_indices(word) {
+            let behind = &code[at + word.len()..];
+            if !behind.starts_with('$') {
+                names.push(name(behind));
+                continue;
+            }
+            let own = name(code.split("macro_rules! ").nth(1).unwrap());
+            names.extend(code.split(&format!("\n{own}! {{")).skip(1).map(name));
         }
     }
     names

@@ -3,8 +3,10 @@
 //! Every value comes with the magnitude of the terms that formed it; v̇ and λ are judged by the backward error of the
 //! recorded system.
 
+use super::request::sizes;
 use super::{SETS, casadi, compiled, hash, models};
 use linkwright_compiler::Compiled;
+use linkwright_compiler::model::{BodyKind, Space};
 use linkwright_compiler::schedule::{Function, Inputs, run};
 use linkwright_compiler::solve::order::Pattern;
 use linkwright_compiler::solve::table::{Numeric, Table};
@@ -309,14 +311,20 @@ fn what_follows(compiled: &Compiled, state: &State, inputs: &Inputs, evaluate: &
             .find(|(index, (e, f))| !skip(*index) && !within(**e - **f, tolerance * largest.max(1e-12)));
         wrong.map(|(index, (e, f))| format!("{name}[{index}] is {f:?}, the reference says {e:?}"))
     };
+    let (motion, reaction) = sizes(compiled);
+    // Orientation, ω and ω̇ of what has none.
     let particle = |index: usize| {
-        let body = &compiled.mechanism.bodies[index / 10];
-        body.kind == linkwright_compiler::model::BodyKind::Particle && matches!(index % 10, 2 | 3 | 6 | 9)
+        let body = &compiled.mechanism.bodies[index / motion];
+        let angular = match compiled.mechanism.space {
+            Space::Planar => matches!(index % motion, 2 | 3 | 6 | 9),
+            Space::Spatial => matches!(index % motion, 3..12 | 15..18 | 21..24),
+        };
+        body.kind == BodyKind::Particle && angular
     };
     let bodies = evaluate(Function::Motions, inputs);
     let reactions = evaluate(Function::Reactions, inputs);
-    close("bodies", &flat("bodies"), &bodies, 10, &particle)
-        .or_else(|| close("reactions", &flat("reactions"), &reactions, 3, &|_| false))
+    close("bodies", &flat("bodies"), &bodies, motion, &particle)
+        .or_else(|| close("reactions", &flat("reactions"), &reactions, reaction, &|_| false))
         .or_else(|| {
             let drivers = evaluate(Function::DriverEfforts, inputs);
             let mut expected = state.list("driver_efforts");

@@ -4,6 +4,7 @@ use super::random::Random;
 use super::states::Walker;
 use linkwright_compiler::Compiled;
 use linkwright_compiler::emit::coordinates_json;
+use linkwright_compiler::model::Space;
 use linkwright_compiler::schedule::{Function, Inputs, Program, run};
 use std::fmt::Write;
 
@@ -97,9 +98,10 @@ fn consistent_state(text: &mut String, compiled: &Compiled, mut inputs: Inputs, 
     let couplings = equations.rows.iter().position(|row| row.joint.is_none()).unwrap_or(rows);
     list(text, "multipliers", &inputs.lambda[couplings..]);
     text.push(',');
-    groups(text, "bodies", &evaluate(Function::Motions, &inputs), 10);
+    let (motion, reaction) = sizes(compiled);
+    groups(text, "bodies", &evaluate(Function::Motions, &inputs), motion);
     text.push(',');
-    groups(text, "reactions", &evaluate(Function::Reactions, &inputs), 3);
+    groups(text, "reactions", &evaluate(Function::Reactions, &inputs), reaction);
     text.push(',');
     let drivers = evaluate(Function::DriverEfforts, &inputs);
     let (efforts, powers) = drivers.split_at(drivers.len() / 2);
@@ -108,6 +110,14 @@ fn consistent_state(text: &mut String, compiled: &Compiled, mut inputs: Inputs, 
     list(text, "driver_powers", powers);
     text.push(',');
     energies(text, &inputs, evaluate);
+}
+
+/// How many numbers a body's motion and a joint's reaction have.
+pub fn sizes(compiled: &Compiled) -> (usize, usize) {
+    match compiled.mechanism.space {
+        Space::Planar => (10, 3),
+        Space::Spatial => (24, 6),
+    }
 }
 
 fn energies(text: &mut String, inputs: &Inputs, evaluate: &Evaluate) {

@@ -49,7 +49,7 @@ impl<'a> Walker<'a> {
         inputs.prepared = run(self.compiled.programs.get(Function::Prepare), inputs);
     }
 
-    /// Any state: unit pairs, everything else at random.
+    /// Any state: unit pairs and quaternions, everything else at random.
     pub fn anywhere(&self, random: &mut Random) -> Inputs {
         let layout = &self.compiled.equations.layout;
         let mut inputs = self.setting(random, 0.1);
@@ -58,6 +58,9 @@ impl<'a> Walker<'a> {
         for _ in &layout.rotations {
             let angle = random.between(-PI, PI);
             inputs.q.extend([angle.cos(), angle.sin()]);
+        }
+        for _ in &layout.quaternions {
+            inputs.q.extend(quaternion(random));
         }
         for _ in &layout.angles {
             inputs.q.extend([random.between(-2.0, 3.0).floor(), random.between(-PI, PI)]);
@@ -161,5 +164,16 @@ impl<'a> Walker<'a> {
             inputs.v.iter_mut().zip(step).for_each(|(v, step)| *v += step);
         }
         inputs.v.iter().all(|v| v.is_finite()).then_some(())
+    }
+}
+
+/// A unit quaternion, all directions alike: a point of the unit ball, brought to its surface.
+fn quaternion(random: &mut Random) -> Vec<f64> {
+    loop {
+        let point = random.vector(4, 1.0);
+        let length = point.iter().map(|x| x * x).sum::<f64>().sqrt();
+        if (0.1..=1.0).contains(&length) {
+            return point.iter().map(|x| x / length).collect();
+        }
     }
 }

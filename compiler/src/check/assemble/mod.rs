@@ -78,8 +78,7 @@ pub fn drop_redundant(mechanism: &Mechanism, absolute: &Equations, assembly: Ass
     let defaults: Vec<f64> = mechanism.parameters.iter().map(|parameter| parameter.default).collect();
     point.set(&absolute.symbols.parameters, &defaults);
     point.set(&absolute.symbols.phases, &assembly.phases);
-    let drivers = mechanism.drivers.len();
-    let found = redundancy::of_absolute(absolute, &mut point, drivers, &assembly.nearby);
+    let found = redundancy::of_absolute(mechanism, absolute, &mut point, &assembly.nearby);
     Assembly { dropped: found.dropped, shared: found.shared, ..assembly }
 }
 

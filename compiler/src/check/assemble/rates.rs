@@ -139,8 +139,8 @@ pub fn massless(
         velocities.extend(more);
     }
     let touches = |jet: &Jet| jet.columns.keys().any(|column| velocities.contains(column));
-    let rows: BTreeSet<usize> =
-        (0..equations.rows.len()).filter(|row| touches(&equations.rows[*row].jet)).collect();
+    let active = (0..equations.rows.len()).filter(|row| !equations.idle.contains(row));
+    let rows: BTreeSet<usize> = active.filter(|row| touches(&equations.rows[*row].jet)).collect();
     let largest = mass.iter().filter(|(i, j, _)| i == j).fold(0.0_f64, |m, (_, _, x)| m.max(*x));
     // A power of two, so that scaling by it rounds nothing.
     let weight = if largest > 0.0 { 2.0_f64.powi(largest.log2().round() as i32) } else { 1.0 };

@@ -8,8 +8,9 @@
 use super::point::{Ancestry, Point, retract};
 use super::position::Problem;
 use crate::equations::{Dropped, Equations};
-use crate::model::{JointId, Mechanism, Redundant};
+use crate::model::{Frame, JointId, Mechanism, Redundant};
 use crate::solve::table::Numeric;
+use std::collections::BTreeSet;
 
 /// What `redundant = drop` leaves out.
 #[derive(Clone, Debug, Default)]
@@ -62,7 +63,7 @@ pub fn find(
     if mechanism.options.redundant == Redundant::Refuse {
         return Finding::Refused { rows: rows.len(), dropped };
     }
-    let shared = joints_that_share(equations, &rows, &spaces);
+    let shared = joints_that_share(mechanism, equations, &rows, &spaces);
     let dropped = dropped.into_iter().filter_map(|row| {
         let row = &equations.rows[row];
         Some(Dropped { joint: row.joint?, what: row.what })
@@ -72,16 +73,16 @@ pub fn find(
 
 /// The rows of absolute coordinates to leave out, at positions that the tree has shown to be redundant.
 pub fn of_absolute(
+    mechanism: &Mechanism,
     equations: &Equations,
     point: &mut Point,
-    drivers: usize,
     nearby: &[Vec<f64>],
 ) -> Redundancy {
-    let rows: Vec<usize> = (0..equations.rows.len() - drivers).collect();
+    let rows: Vec<usize> = (0..equations.rows.len() - mechanism.drivers.len()).collect();
     let spaces: Vec<Vec<Vec<f64>>> = nearby.iter().map(|q| left_null_space(point, &rows, q)).collect();
     let droppable = |row: usize| equations.rows[row].joint.is_some();
     let dropped = choose(point, &rows, nearby, droppable).unwrap_or_default();
-    let shared = joints_that_share(equations, &rows, &spaces);
+    let shared = joints_that_share(mechanism, equations, &rows, &spaces);
     let dropped = dropped.into_iter().filter_map(|row| {
         let row = &equations.rows[row];
         Some(Dropped { joint: row.joint?, what: row.what })
@@ -120,17 +121,29 @@ fn choose(
     (!dropped.is_empty()).then_some(dropped)
 }
 
-fn joints_that_share(equations: &Equations, rows: &[usize], spaces: &[Vec<Vec<f64>>]) -> Vec<JointId> {
-    let mut joints: Vec<JointId> = Vec::new();
+/// The joints whose rows take part, and those of the tree on the loops that they close: a force that the loop holds against
+/// itself runs through all of them.
+fn joints_that_share(
+    mechanism: &Mechanism,
+    equations: &Equations,
+    rows: &[usize],
+    spaces: &[Vec<Vec<f64>>],
+) -> Vec<JointId> {
+    let tree = &equations.tree;
+    let mut joints: BTreeSet<JointId> = BTreeSet::new();
     for (at, row) in rows.iter().enumerate() {
         let takes_part = spaces.iter().flatten().any(|w| w[at] * w[at] > TAKES_PART);
-        if let (true, Some(joint)) = (takes_part, equations.rows[*row].joint)
-            && !joints.contains(&joint)
-        {
-            joints.push(joint);
+        let (true, Some(id)) = (takes_part, equations.rows[*row].joint) else { continue };
+        joints.insert(id);
+        let joint = &mechanism.joints[id.0];
+        let (one, other) = (tree.path(joint.first.frame), tree.path(joint.second.frame));
+        let around = one.iter().filter(|frame| !other.contains(frame));
+        for frame in around.chain(other.iter().filter(|frame| !one.contains(frame))) {
+            let own = tree.attachments.iter().find(|own| Frame::Body(own.body) == *frame);
+            joints.extend(own.and_then(|own| own.joint).map(|(joint, _)| joint));
         }
     }
-    joints
+    joints.into_iter().collect()
 }
 
 /// Positions a short way from the start, along velocities that the joints admit. The start itself is not among them if it
@@ -197,15 +210,15 @@ fn left_null_space(point: &mut Point, rows: &[usize], q: &[f64]) -> Vec<Vec<f64>
         }
         d.swap(rank, i);
         combination.swap(rank, i);
+        let (pivot, pivot_combination) = (d[rank].clone(), combination[rank].clone());
+        let subtract = |row: &mut [f64], factor: f64, other: &[f64]| {
+            row.iter_mut().zip(other).for_each(|(x, y)| *x -= factor * y);
+        };
         for below in rank + 1..m {
-            let factor = d[below][j] / d[rank][j];
+            let factor = d[below][j] / pivot[j];
             if factor != 0.0 {
-                for k in 0..n {
-                    d[below][k] -= factor * d[rank][k];
-                }
-                for k in 0..m {
-                    combination[below][k] -= factor * combination[rank][k];
-                }
+                subtract(&mut d[below], factor, &pivot);
+                subtract(&mut combination[below], factor, &pivot_combination);
             }
         }
         rank += 1;

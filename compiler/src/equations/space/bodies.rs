@@ -129,9 +129,9 @@ fn overlay(g: &mut Graph, laws: &Laws, motions: &[Moving]) -> Kinematics {
             parent
         };
         let mut last = GROUND;
-        for axis in 0..3 {
+        for (axis, direction) in identity.into_iter().enumerate() {
             let motion = Motion::Slide {
-                axis: identity[axis],
+                axis: direction,
                 travel: motion.position[axis],
                 rate: FREEDOMS * index + axis,
                 factor: one,

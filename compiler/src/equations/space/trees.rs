@@ -10,6 +10,9 @@ use crate::model::{BodyId, BodyKind, Frame, JointId, JointKind, Mechanism, Rotor
 use crate::solve::order::{Pattern, Strategy, order};
 use std::collections::BTreeSet;
 
+/// Whether the joint counts nothing, its freedoms, the depth it is reached at, its number.
+type Key = (bool, usize, usize, usize);
+
 /// From the ground, by Prim's algorithm: the joint that leaves the fewest freedoms next; of equals the one nearest to the
 /// ground, then the one declared first. Joints whose angle is counted over its turns carry a body wherever they can.
 /// `options { cut = … }` is obeyed.
@@ -27,7 +30,7 @@ pub fn fewest_freedoms(mechanism: &Mechanism) -> SpanningTree {
         Frame::Body(body) => mechanism.bodies[body.0].kind == BodyKind::Particle,
     };
     loop {
-        let mut best: Option<((bool, usize, usize, usize), JointId, BodyId, Frame)> = None;
+        let mut best: Option<(Key, JointId, BodyId, Frame)> = None;
         for (index, joint) in mechanism.joints.iter().enumerate() {
             let id = JointId(index);
             if cut.contains(&id) || !carries(&joint.kind) {
