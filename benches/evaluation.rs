@@ -1,8 +1,8 @@
 //! Time of one evaluation of v̇ and λ, Baumgarte's terms included: 64 states along the motion in rotation, median of
-//! 15 samples, f64.
+//! 15 samples, f64; for arms also of inverse dynamics and M.
 //!
 //! ```text
-//! cargo bench --bench evaluation
+//! cargo bench --bench evaluation [-- PART OF A MODEL'S NAME]
 //! benches/casadi/generate.sh && LINKWRIGHT_CASADI=target/casadi cargo bench --bench evaluation
 //! ```
 //! The second line also times C code that CasADi writes for the same mechanisms, in the same run and interleaved, so
@@ -14,7 +14,10 @@ mod harness;
 
 use casadi::Peer;
 use harness::median;
-use linkwright::{AssembleExt, Baumgarte, Mechanism, Simulation, State, Vector};
+use linkwright::{
+    Assemble, AssembleExt, Baumgarte, Fields, InputSource, Mechanism, Simulation, SpatialMotion, State,
+    Vector,
+};
 use linkwright_models as models;
 use std::hint::black_box;
 use std::time::Instant;
@@ -23,77 +26,193 @@ const STATES: usize = 64;
 const SAMPLES: usize = 15;
 const ALPHA: f64 = 10.0;
 
+/// Coordinates of a peer: angles, rates, accelerations.
+type Turns = [Vec<f64>; 3];
+
 fn main() {
     println!("{}", harness::machine());
     println!("ns per evaluation of v̇ and λ (Baumgarte), median of {SAMPLES} samples over {STATES} states\n");
     println!(
-        "{:<18}{:>12}{:>10}{:>14}{:>10}  accelerations agree to",
-        "model", "operations", "ns", "CasADi C, ns", "ratio"
+        "{:<28}{:>10}{:>9}  {:<22}{:>10}{:>9}{:>7}  accelerations agree to",
+        "model", "operations", "ns", "CasADi C", "operations", "ns", "ratio"
     );
+    let part = std::env::args().skip(1).find(|argument| !argument.starts_with('-')).unwrap_or_default();
 
-    // The bodies in the order of the peer's angles: cranks, then couplers.
+    // Step between the states in s, constant inputs, names of peers and the model's state in their coordinates.
     macro_rules! evaluate {
-        ($name:literal, $model:path, $step:expr, $order:expr) => {{
-            let model = <$model>::default();
-            let start = model.assemble(&<$model>::START).expect("the default start");
-            let states = along_the_motion(&model, start, $step);
-            let peer = Peer::open($name, &states, |state| {
-                let (a, _) = acceleration(&model, state);
-                let motions = model.motions(0.0, &state.q, &state.v, &a);
-                let order: Vec<usize> = $order(<$model>::BODIES);
+        ($name:literal, $model:path, $step:expr, $inputs:expr) => {
+            evaluate!($name, $model, $step, $inputs, [], |_, _, _| Default::default())
+        };
+        ($name:literal, $model:path, $step:expr, $inputs:expr, $peers:expr, $convert:expr) => {
+            if $name.contains(&part) {
+                let model = <$model>::default();
+                let start = model.assemble(&<$model>::START).expect("the default start");
+                let inputs = <<$model as Mechanism<f64>>::Inputs as Fields<f64>>::from_array($inputs);
+                let states = along_the_motion(&model, start, inputs, $step);
+                let names: &[&str] = &$peers;
+                let peers = names.iter().filter_map(|name| {
+                    Peer::open(name, &states, |state| {
+                        let (a, _) = acceleration(&model, state, &inputs);
+                        $convert(&model, state, &a)
+                    })
+                });
+                report($name, <$model>::OPERATIONS, &model, &states, &inputs, peers.collect());
+            }
+        };
+    }
+    // Rods in the plane in the order of the peer's angles: cranks, then couplers.
+    macro_rules! rods {
+        ($model:path) => {
+            |model: &$model, state: &State<_, _>, a: &_| {
+                let motions = model.motions(0.0, &state.q, &state.v, a);
+                let mut order: Vec<usize> = (0..motions.len()).collect();
+                order.sort_by_key(|at| <$model>::BODIES[*at].starts_with("coupler"));
                 let angles =
                     order.iter().map(|at| motions[*at].orientation[1].atan2(motions[*at].orientation[0]));
                 let rates = order.iter().map(|at| motions[*at].rate);
                 let accelerations = order.iter().map(|at| motions[*at].angular_acceleration);
                 [angles.collect(), rates.collect(), accelerations.collect()]
-            });
-            report($name, <$model>::OPERATIONS, &model, &states, peer);
-        }};
+            }
+        };
     }
-    let cranks_first = |bodies: &[&str]| {
-        let mut order: Vec<usize> = (0..bodies.len()).collect();
-        order.sort_by_key(|at| bodies[*at].starts_with("coupler"));
-        order
-    };
-    let none = |_: &[&str]| Vec::new();
-    evaluate!("double_pendulum", models::double_pendulum::DoublePendulum, 0.05, none);
-    evaluate!("four_bar", models::four_bar::FourBar, 0.05, cranks_first);
-    evaluate!("n_four_bar_10", models::n_four_bar::NFourBar10, 0.05, cranks_first);
-    evaluate!("n_four_bar_40", models::n_four_bar::NFourBar40, 0.05, cranks_first);
-    evaluate!("andrews", models::andrews::Andrews, 4e-4, none);
+    // Also the two functions that controllers call.
+    macro_rules! arm {
+        ($name:literal, $model:path, $peers:expr) => {
+            evaluate!($name, $model, 0.01, [0.0; 7], $peers, |_: &$model, state, a| arm(state, a));
+            if $name.contains(&part) {
+                let model = <$model>::default();
+                let start = model.assemble(&<$model>::START).expect("the default start");
+                let inputs = <<$model as Mechanism<f64>>::Inputs as Fields<f64>>::from_array([0.0; 7]);
+                let states = along_the_motion(&model, start, inputs, 0.01);
+                let function: fn(&$model, f64, &_, &_, &_, &_) -> _ = black_box(<$model>::inverse_dynamics);
+                alone("  inverse_dynamics", |at| {
+                    let State { q, v } = &states[at];
+                    black_box(function(&model, 0.0, q, v, &inputs, v));
+                });
+                type Mass = <$model as Mechanism<f64>>::Mass;
+                let function: fn(&$model, f64, &_, &mut Mass) =
+                    black_box(<$model as Mechanism<f64>>::mass_matrix);
+                let mut mass = Mass::zero();
+                alone("  mass_matrix", |at| {
+                    function(&model, 0.0, &states[at].q, &mut mass);
+                    black_box(&mass);
+                });
+            }
+        };
+    }
+    evaluate!("double_pendulum", models::double_pendulum::DoublePendulum, 0.05, []);
+    {
+        use models::four_bar::FourBar;
+        use models::n_four_bar::{NFourBar10, NFourBar40};
+        evaluate!("four_bar", FourBar, 0.05, [], ["four_bar"], rods!(FourBar));
+        evaluate!("n_four_bar_10", NFourBar10, 0.05, [], ["n_four_bar_10"], rods!(NFourBar10));
+        evaluate!("n_four_bar_40", NFourBar40, 0.05, [], ["n_four_bar_40"], rods!(NFourBar40));
+    }
+    evaluate!("andrews", models::andrews::Andrews, 4e-4, []);
+
+    arm!("panda", models::panda::Panda, ["panda_aba", "panda_aba_turns", "panda_ldl", "panda_ldl_turns"]);
+    arm!("iiwa14", models::iiwa14::Iiwa14, []);
+    arm!("iiwa14_parametric", models::iiwa14::Iiwa14Parametric, []);
+    {
+        use models::bricard::Bricard;
+        evaluate!(
+            "bricard",
+            Bricard,
+            0.05,
+            [],
+            ["bricard", "bricard_turns"],
+            |model: &Bricard, state: &State<_, _>, a: &_| {
+                bricard(&model.motions(0.0, &state.q, &state.v, a))
+            }
+        );
+    }
+    use models::spatial_slider_crank::SpatialSliderCrankAxial;
+    evaluate!("spatial_slider_crank_axial", SpatialSliderCrankAxial, 0.02, []);
+    evaluate!("fourbar_1", models::spatial_four_bar::Fourbar1, 0.02, []);
+    let thrusts = [4100.0, 4080.0, 4090.0, 4060.0, 4100.0, 4070.0];
+    evaluate!("stewart_platform", models::stewart_platform::StewartPlatform, 0.01, thrusts);
+    evaluate!("delta_robot", models::delta_robot::DeltaRobot, 0.005, [-15.0, -14.0, -16.0]);
+    evaluate!("double_wishbone", models::double_wishbone::DoubleWishbone, 0.01, [10e3, 20.0]);
+}
+
+/// Angles, rates and accelerations of a chain of revolutes in tree coordinates.
+fn arm<Q: Vector<f64>, V: Vector<f64>>(state: &State<Q, V>, a: &V) -> Turns {
+    let angles = state.q.as_slice().chunks(2).map(|turn| turn[1].atan2(turn[0]));
+    [angles.collect(), state.v.as_slice().to_vec(), a.as_slice().to_vec()]
+}
+
+/// The angles of hinges 1 and 2, then 6, 5 and 4, from the ground outwards; hinge 3 is cut. An angle is zero where the bodies'
+/// axes are parallel, so that a hinge's axis has the same components in both bodies' axes.
+fn bricard(rods: &[SpatialMotion<f64>]) -> Turns {
+    /// Bodies before and behind (none: the ground) and the number of the axis.
+    const HINGES: [(Option<usize>, Option<usize>, usize); 5] = [
+        (None, Some(0), 1),
+        (Some(0), Some(1), 2),
+        (None, Some(4), 0),
+        (Some(4), Some(3), 2),
+        (Some(3), Some(2), 1),
+    ];
+    const WORLD: [[f64; 3]; 3] = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
+    let mut turns = Turns::default();
+    for (before, behind, axis) in HINGES {
+        let [first, second] = [before, behind].map(|body| body.map(|at| &rods[at]));
+        let [a, b] = [first, second].map(|body| body.map_or(WORLD, |rod| rod.orientation));
+        let along =
+            |column: usize, other: usize| (0..3).map(|row| a[row][column] * b[row][other]).sum::<f64>();
+        let (x, y) = ((axis + 1) % 3, (axis + 2) % 3);
+        turns[0].push(along(y, x).atan2(along(x, x)));
+        let rate = |body: Option<&SpatialMotion<f64>>| body.map_or(0.0, |rod| rod.rate[axis]);
+        let change =
+            |body: Option<&SpatialMotion<f64>>| body.map_or(0.0, |rod| rod.angular_acceleration[axis]);
+        turns[1].push(rate(second) - rate(first));
+        turns[2].push(change(second) - change(first));
+    }
+    turns
+}
+
+/// Inputs that do not change.
+struct Constant<I>(I);
+
+impl<M: Mechanism<f64>> InputSource<f64, M> for Constant<M::Inputs> {
+    const HELD: bool = true;
+
+    fn sample(&mut self, _: f64, _: &State<M::Q, M::V>) -> M::Inputs {
+        self.0
+    }
 }
 
 /// States at equal distances in time.
-fn along_the_motion<M>(model: &M, start: State<M::Q, M::V>, step: f64) -> Vec<State<M::Q, M::V>>
-where
-    M: linkwright::Assemble<f64, Inputs = ()>,
-{
-    let mut simulation =
-        Simulation::new(model, start).formulation(Baumgarte { alpha: ALPHA, beta: ALPHA }).step(step / 50.0);
+fn along_the_motion<M: Assemble<f64>>(
+    model: &M,
+    start: State<M::Q, M::V>,
+    inputs: M::Inputs,
+    step: f64,
+) -> Vec<State<M::Q, M::V>> {
+    let mut simulation = Simulation::new(model, start)
+        .input_source(Constant(inputs))
+        .formulation(Baumgarte { alpha: ALPHA, beta: ALPHA })
+        .step(step / 50.0);
     (1..=STATES).map(|k| simulation.advance_until(step * k as f64).expect("a regular motion")).collect()
 }
 
-fn acceleration<M: Mechanism<f64, Inputs = ()>>(model: &M, state: &State<M::Q, M::V>) -> (M::V, M::Lambda) {
+fn acceleration<M: Mechanism<f64>>(
+    model: &M,
+    state: &State<M::Q, M::V>,
+    inputs: &M::Inputs,
+) -> (M::V, M::Lambda) {
     let (mut a, mut lambda) = (M::V::zero(), M::Lambda::zero());
-    model.acceleration_baumgarte(
-        0.0,
-        &state.q,
-        &state.v,
-        &(),
-        2.0 * ALPHA,
-        ALPHA * ALPHA,
-        &mut a,
-        &mut lambda,
-    );
+    let State { q, v } = state;
+    model.acceleration_baumgarte(0.0, q, v, inputs, 2.0 * ALPHA, ALPHA * ALPHA, &mut a, &mut lambda);
     (a, lambda)
 }
 
-fn report<M: Mechanism<f64, Inputs = ()>>(
+fn report<M: Mechanism<f64>>(
     name: &str,
     operations: usize,
     model: &M,
     states: &[State<M::Q, M::V>],
-    peer: Option<Peer>,
+    inputs: &M::Inputs,
+    mut peers: Vec<Peer>,
 ) {
     let (mut a, mut lambda) = (M::V::zero(), M::Lambda::zero());
     // Through a pointer, so that nothing is kept from one state to the next.
@@ -102,7 +221,7 @@ fn report<M: Mechanism<f64, Inputs = ()>>(
         f64,
         &<M as Mechanism<f64>>::Q,
         &<M as Mechanism<f64>>::V,
-        &(),
+        &<M as Mechanism<f64>>::Inputs,
         f64,
         f64,
         &mut <M as Mechanism<f64>>::V,
@@ -111,24 +230,34 @@ fn report<M: Mechanism<f64, Inputs = ()>>(
     let function: Function<M> = black_box(M::acceleration_baumgarte);
     let mut own = |at: usize| {
         let State { q, v } = &states[at];
-        let pivot = function(model, 0.0, q, v, &(), 2.0 * ALPHA, ALPHA * ALPHA, &mut a, &mut lambda);
+        let pivot = function(model, 0.0, q, v, inputs, 2.0 * ALPHA, ALPHA * ALPHA, &mut a, &mut lambda);
         black_box((pivot, &a, &lambda));
     };
     let rounds = rounds(&mut own);
-    let Some(mut peer) = peer else {
-        let own = median((0..SAMPLES).map(|_| sample(&mut own, rounds)).collect());
-        println!("{name:<18}{operations:>12}{own:>10.1}");
-        return;
-    };
-    let error = peer.error();
-    let (mut ours, mut theirs, mut ratios) = (Vec::new(), Vec::new(), Vec::new());
+    let errors: Vec<f64> = peers.iter_mut().map(Peer::error).collect();
+    let mut ours = Vec::new();
+    let mut theirs = vec![Vec::new(); peers.len()];
     for _ in 0..SAMPLES {
         ours.push(sample(&mut own, rounds));
-        theirs.push(sample(&mut |at| peer.call(at), rounds));
-        ratios.push(theirs[theirs.len() - 1] / ours[ours.len() - 1]);
+        for (peer, theirs) in peers.iter_mut().zip(&mut theirs) {
+            theirs.push(sample(&mut |at| peer.call(at), rounds));
+        }
     }
-    let (ours, theirs, ratio) = (median(ours), median(theirs), median(ratios));
-    println!("{name:<18}{operations:>12}{ours:>10.1}{theirs:>14.1}{ratio:>10.2}  {error:.1e}");
+    print!("{name:<28}{operations:>10}{:>9.1}", median(ours.clone()));
+    for (at, ((peer, theirs), error)) in peers.iter().zip(theirs).zip(errors).enumerate() {
+        let ratio = median(theirs.iter().zip(&ours).map(|(their, our)| their / our).collect());
+        let before = if at == 0 { String::new() } else { format!("\n{:47}", "") };
+        let (name, operations, ns) = (&peer.name, &peer.operations, median(theirs));
+        print!("{before}  {name:<22}{operations:>10}{ns:>9.1}{ratio:>7.2}  {error:.1e}");
+    }
+    println!();
+}
+
+/// A function of its own, without peers.
+fn alone(name: &str, mut call: impl FnMut(usize)) {
+    let rounds = rounds(&mut call);
+    let ns = median((0..SAMPLES).map(|_| sample(&mut call, rounds)).collect());
+    println!("{name:<38}{ns:>9.1}");
 }
 
 /// How many rotations over all states make a sample of about 10 ms.

@@ -1,6 +1,8 @@
-"""C code for the four-bar ladders, as an expert writes it around CasADi.
+"""C code for the four-bar ladders, as an expert writes it around CasADi; for space.py's mechanisms likewise.
 
     python benches/casadi/generate.py DIRECTORY
+
+Prints the operations of each function after common subexpressions have been found.
 
 Coordinates: the absolute angles of all rods, cranks first, then couplers (the couplers ride on their left cranks, so
 each window has one loop closure of two rows). M has blocks of two, inverted by hand; the Schur complement D M⁻¹ Dᵀ is
@@ -11,11 +13,15 @@ factored by CasADi's symbolic sparse LDLᵀ, in the natural order of the chain. 
 whose C is compiled by gcc -O3 -march=native. Rods of 1 m and 1 kg, pins 1 m apart, g = 9.81 m/s².
 """
 
+import itertools
 import pathlib
 import subprocess
 import sys
 
 import casadi as ca
+
+import space
+import trees
 
 
 def ladder(windows):
@@ -68,18 +74,30 @@ def function(name, windows):
     d, lt, p = ca.ldl(ca.mtimes(jacobian, spread), False)
     multipliers = ca.ldl_solve(ca.mtimes(jacobian, free) - target, d, lt, p)
     acceleration = free - ca.mtimes(spread, multipliers)
-    return ca.Function(name, [q, v, gains], [acceleration, multipliers])
+    return ca.Function(name, [q, v, gains], ca.cse([acceleration, multipliers]))
 
 
 def main():
     directory = pathlib.Path(sys.argv[1])
     directory.mkdir(parents=True, exist_ok=True)
-    for name, windows in (("four_bar", 1), ("n_four_bar_10", 10), ("n_four_bar_40", 40)):
-        function(name, windows).generate(f"{name}.c", {"with_header": False})
+    ladders = (("four_bar", 1), ("n_four_bar_10", 10), ("n_four_bar_40", 40))
+    for made in itertools.chain((function(*ladder) for ladder in ladders), space.functions()):
+        name = made.name()
+        made.generate(f"{name}.c", {"with_header": False})
         pathlib.Path(f"{name}.c").rename(directory / f"{name}.c")
         command = ["gcc", "-O3", "-march=native", "-shared", "-fPIC", f"{name}.c", "-o", f"{name}.so", "-lm"]
         subprocess.run(command, cwd=directory, check=True)
-        print(f"{directory / name}.so")
+        (directory / f"{name}.operations").write_text(str(report(made)))
+    for part in space.panda_parts():
+        report(part)
+
+
+def report(made):
+    """Prints the counts of a function; their sum."""
+    counts = trees.counts(made)
+    total = sum(counts.values())
+    print(f"{made.name():<18}{total:>6}  " + "  ".join(f"{kind} {n}" for kind, n in counts.items() if n))
+    return total
 
 
 if __name__ == "__main__":

@@ -17,10 +17,15 @@ type WorkSize = unsafe extern "C" fn(*mut i64, *mut i64, *mut i64, *mut i64) -> 
 
 /// A loaded function, its states and its memory.
 pub struct Peer {
+    pub name: String,
+    /// How many `generate.py` says it has: additions, multiplications, divisions, square roots, sines and cosines.
+    pub operations: String,
     function: Function,
-    /// Angles, rates, and accelerations as this project computes them.
+    /// Angles (or their cosines and sines), rates, and accelerations as this project computes them.
     states: Vec<[Vec<f64>; 3]>,
     gains: [f64; 2],
+    /// For arms, whose motors are off.
+    torques: Vec<f64>,
     acceleration: Vec<f64>,
     lambda: Vec<f64>,
     integers: Vec<i64>,
@@ -28,10 +33,13 @@ pub struct Peer {
 }
 
 impl Peer {
-    /// The function `name` of `name.so`, if there is one. `convert` gives angles, rates and accelerations of a state.
+    /// The function `name` of `name.so`, if there is one. `convert` gives angles, rates and accelerations of a state. A name
+    /// that ends in `_turns` takes cosine and sine of each angle instead of the angle.
     pub fn open<S>(name: &str, states: &[S], convert: impl Fn(&S) -> [Vec<f64>; 3]) -> Option<Self> {
-        let path = PathBuf::from(std::env::var_os("LINKWRIGHT_CASADI")?).join(format!("{name}.so"));
-        let path = std::fs::canonicalize(path).ok()?;
+        let folder = PathBuf::from(std::env::var_os("LINKWRIGHT_CASADI")?);
+        let path = std::fs::canonicalize(folder.join(format!("{name}.so"))).ok()?;
+        let operations =
+            std::fs::read_to_string(folder.join(format!("{name}.operations"))).unwrap_or_default();
         const NOW: c_int = 2;
         let symbol = |text: String| CString::new(text).ok();
         let file = symbol(path.to_str()?.to_string())?;
@@ -56,12 +64,20 @@ impl Peer {
         let [a, r, i, w] = &mut sizes;
         // SAFETY: four places to write to, as the signature says.
         unsafe { size(a, r, i, w) };
-        let states: Vec<[Vec<f64>; 3]> = states.iter().map(convert).collect();
+        let mut states: Vec<[Vec<f64>; 3]> = states.iter().map(convert).collect();
         let bodies = states[0][0].len();
+        if name.ends_with("_turns") {
+            for [angles, ..] in &mut states {
+                *angles = angles.iter().flat_map(|angle| [angle.cos(), angle.sin()]).collect();
+            }
+        }
         Some(Peer {
+            name: name.to_string(),
+            operations: operations.trim().to_string(),
             function,
             states,
             gains: [2.0 * super::ALPHA, super::ALPHA * super::ALPHA],
+            torques: vec![0.0; bodies],
             acceleration: vec![0.0; bodies],
             lambda: vec![0.0; bodies],
             integers: vec![0; sizes[2].max(1) as usize],
@@ -72,9 +88,10 @@ impl Peer {
     /// One evaluation.
     pub fn call(&mut self, at: usize) {
         let [angles, rates, _] = &self.states[at];
-        let arguments = [angles.as_ptr(), rates.as_ptr(), self.gains.as_ptr()];
+        let arguments = [angles.as_ptr(), rates.as_ptr(), self.gains.as_ptr(), self.torques.as_ptr()];
         let mut results = [self.acceleration.as_mut_ptr(), self.lambda.as_mut_ptr()];
-        // SAFETY: arrays of the sizes that `generate.py` gives the function; λ has one entry less than there are bodies.
+        // SAFETY: arrays of the sizes that `generate.py` gives the function; λ has fewer entries
+        // than there are bodies.
         unsafe {
             (self.function)(
                 arguments.as_ptr(),

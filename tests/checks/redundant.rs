@@ -7,7 +7,7 @@ use linkwright_compiler::model::Coordinates;
 
 /// A four-bar in space, of revolutes with parallel axes but for what the joints b, c and d are.
 macro_rules! four_bar {
-    ($name:ident, $redundant:ident, $b:ident($($b_axis:tt)*), $c:ident($($c_axis:tt)*)) => {
+    ($name:ident, $redundant:ident, $b:ident($($b_axis:tt)*), $c:ident($($c_axis:tt)*), { $($guess:tt)* }) => {
         mechanism! {
             spatial $name {
                 gravity [m/s^2] = (0, -9.81, 0);
@@ -18,7 +18,7 @@ macro_rules! four_bar {
                 joint b: $b(left.far, above.near $($b_axis)*);
                 joint c: $c(above.far, right.far $($c_axis)*);
                 joint d: revolute(ground(2, 0, 0) [m], right.near, axis = (0, 0, 1));
-                start { a.angle [deg] = 70; a.rate [rad/s] = 2; d.angle [deg] ~ 90; above.center.z [m] ~ 0; }
+                start { a.angle [deg] = 70; a.rate [rad/s] = 2; d.angle [deg] ~ 90; $($guess)* }
                 options { redundant = $redundant; }
                 expect { degrees_of_freedom = 1; }
                 output swing [rad] = d.angle;
@@ -27,10 +27,16 @@ macro_rules! four_bar {
         model!($name);
     };
 }
-four_bar!(Dropped, drop, revolute(, axis = (0, 0, 1)), revolute(, axis = (0, 0, 1)));
-four_bar!(Kept, keep, revolute(, axis = (0, 0, 1)), revolute(, axis = (0, 0, 1)));
+four_bar!(Dropped, drop, revolute(, axis = (0, 0, 1)), revolute(, axis = (0, 0, 1)), {});
+four_bar!(Kept, keep, revolute(, axis = (0, 0, 1)), revolute(, axis = (0, 0, 1)), {});
 // A universal joint and a spherical one leave what three rows too many held.
-four_bar!(Freer, refuse, universal(, axis = (0, 0, 1), second_axis = (0, 1, 0)), spherical());
+four_bar!(
+    Freer,
+    refuse,
+    universal(, axis = (0, 0, 1), second_axis = (0, 1, 0)),
+    spherical(),
+    { b.angle_1 [rad] ~ -0.95; b.angle_2 [rad] ~ 0; }
+);
 
 mechanism! {
     /// A third crank that repeats what two hold: every bar of a parallelogram in the plane.

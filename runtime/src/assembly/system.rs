@@ -97,11 +97,12 @@ impl<'m, R: Real, M: Assemble<R>> System<'m, R, M> {
         for joint in M::ROWS.chunk_by(|a, b| a.of == b.of && component(a) && component(b)) {
             let squares = &squares.as_slice()[first..first + joint.len()];
             let most = squares.iter().fold(R::ZERO, |most, &square| most.max(square));
-            let least = |least: usize, row: usize| if squares[row] <= squares[least] { row } else { least };
-            let lost = (0..joint.len()).fold(0, least);
-            let share = if most > R::ZERO { squares[lost] / most } else { R::ZERO };
-            if joint.len() > 1 && share < vanished {
-                return Some(Pivot { value: share, unknown: M::V::LEN + first + lost });
+            for (row, &square) in squares.iter().enumerate() {
+                let idle = M::IDLE.contains(&((first + row) as u16));
+                let share = if most > R::ZERO { square / most } else { R::ZERO };
+                if joint.len() > 1 && share < vanished && !idle {
+                    return Some(Pivot { value: share, unknown: M::V::LEN + first + row });
+                }
             }
             first += joint.len();
         }

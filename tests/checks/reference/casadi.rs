@@ -2,9 +2,15 @@
 
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
+use std::sync::OnceLock;
 
-/// Python with the pinned packages, or why there is none.
+/// Python with the pinned packages, or why there is none; installed by the first test that asks.
 pub fn python() -> Result<PathBuf, String> {
+    static PYTHON: OnceLock<Result<PathBuf, String>> = OnceLock::new();
+    PYTHON.get_or_init(installed).clone()
+}
+
+fn installed() -> Result<PathBuf, String> {
     let home = target().join("reference-venv");
     let python = home.join("bin/python");
     let requirements = scripts().join("requirements.txt");

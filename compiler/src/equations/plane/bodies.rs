@@ -104,10 +104,15 @@ pub fn reactions(
     let mechanism = laws.mechanism;
     let zero = g.constant(0.0);
     let mut wrenches = vec![[zero; 3]; mechanism.joints.len()];
-    let multipliers = multipliers_of_joints(cut_rows);
-    for (joint, rows) in &multipliers {
-        let lambda: Vec<Node> = rows.iter().map(|row| laws.symbols.lambda[*row]).collect();
-        wrenches[*joint] = joints::reaction(g, laws, &mechanism.joints[*joint], &lambda);
+    for (joint, rows) in multipliers_of_joints(cut_rows) {
+        let definition = &mechanism.joints[joint];
+        // A row that was left out has no multiplier.
+        let lambda: Vec<Node> = joints::rows(g, laws, definition)
+            .iter()
+            .map(|own| rows.iter().find(|row| cut_rows[**row].what == own.what))
+            .map(|row| row.map_or(zero, |row| laws.symbols.lambda[*row]))
+            .collect();
+        wrenches[joint] = joints::reaction(g, laws, definition, &lambda);
     }
 
     // What each body needs from the joint it hangs on: m a − applied + what its children need.
