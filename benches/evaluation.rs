@@ -141,8 +141,8 @@ fn arm<Q: Vector<f64>, V: Vector<f64>>(state: &State<Q, V>, a: &V) -> Turns {
     [angles.collect(), state.v.as_slice().to_vec(), a.as_slice().to_vec()]
 }
 
-/// The angles of hinges 1 and 2, then 6, 5 and 4, from the ground outwards; hinge 3 is cut. An angle is zero where the bodies'
-/// axes are parallel, so that a hinge's axis has the same components in both bodies' axes.
+/// The angles of hinges 1 and 2, then 6, 5 and 4, from the ground outwards; hinge 3 is cut. An angle is zero where the
+/// bodies' axes are parallel, so that a hinge's axis has the same components in both bodies' axes.
 fn bricard(rods: &[SpatialMotion<f64>]) -> Turns {
     /// Bodies before and behind (none: the ground) and the number of the axis.
     const HINGES: [(Option<usize>, Option<usize>, usize); 5] = [
@@ -191,7 +191,7 @@ fn along_the_motion<M: Assemble<f64>>(
     let mut simulation = Simulation::new(model, start)
         .input_source(Constant(inputs))
         .formulation(Baumgarte { alpha: ALPHA, beta: ALPHA })
-        .step(step / 50.0);
+        .step(step / 200.0);
     (1..=STATES).map(|k| simulation.advance_until(step * k as f64).expect("a regular motion")).collect()
 }
 

@@ -1,13 +1,13 @@
 //! What a definition costs at build time.
 //!
 //! ```text
-//! cargo bench --bench expansion
+//! cargo bench --bench expansion [-- PART OF A MODEL'S NAME]
 //! ```
 //! *Expansion*: seconds from tokens to tokens, measured inside rustc, in a default debug build, where the compiler of
 //! definitions is unoptimised as any procedural macro is. The bench generates a macro crate under `target/` that is
 //! the shipped one with a clock around it, and a crate that uses it; `cargo check` of that crate prints the times.
 //!
-//! *Release build*: wall time of `cargo build --release` for a crate that simulates N = 40 in f64, all dependencies
+//! *Release build*: wall time of `cargo build --release` for a crate that simulates a model in f64, all dependencies
 //! being built: expansion, type checking, code generation and linking.
 //!
 //! Both are medians of [`ROUNDS`] runs after one that is thrown away.
@@ -15,7 +15,9 @@
 mod harness;
 
 use harness::{median, seconds};
-use linkwright_models::{four_bar::FourBar, n_four_bar::NFourBar40};
+use linkwright_models::{
+    four_bar::FourBar, n_four_bar::NFourBar40, panda::Panda, stewart_platform::StewartPlatform,
+};
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::Command;
@@ -27,12 +29,31 @@ fn main() {
     let target = std::env::var_os("CARGO_TARGET_DIR").map_or(root.join("target"), PathBuf::from);
     let bench = Bench { root, folder: target.join("bench-expansion") };
     println!("{}\n", harness::machine());
+    let part = std::env::args().skip(1).find(|argument| !argument.starts_with('-')).unwrap_or_default();
     println!("expansion inside rustc, debug build:");
-    for (name, definition) in [("four_bar", FourBar::SOURCE), ("n_four_bar_40", NFourBar40::SOURCE)] {
-        println!("  {name:<16}{:>9.1} ms", 1e3 * bench.expansion(definition));
+    let definitions = [
+        ("four_bar", FourBar::SOURCE),
+        ("n_four_bar_40", NFourBar40::SOURCE),
+        ("panda", Panda::SOURCE),
+        ("stewart_platform", StewartPlatform::SOURCE),
+    ];
+    for (name, definition) in definitions.into_iter().filter(|(name, _)| name.contains(&part)) {
+        println!("  {name:<18}{:>9.1} ms", 1e3 * bench.expansion(definition));
     }
-    println!("release build of a crate that simulates n_four_bar_40, dependencies built:");
-    println!("  {:<16}{:>9.2} s", "", bench.release_build());
+    println!("release build of a crate that simulates, dependencies built:");
+    let programs = [
+        ("n_four_bar_40", "NFourBar40", NFourBar40::SOURCE, ""),
+        ("panda", "Panda", Panda::SOURCE, ".held(|_, _| linkwright::Fields::from_array([0.0; 7]))"),
+        (
+            "stewart_platform",
+            "StewartPlatform",
+            StewartPlatform::SOURCE,
+            ".held(|_, _| linkwright::Fields::from_array([4e3; 6]))",
+        ),
+    ];
+    for (name, model, definition, inputs) in programs.into_iter().filter(|(name, ..)| name.contains(&part)) {
+        println!("  {name:<18}{:>9.2} s", bench.release_build(model, definition, inputs));
+    }
 }
 
 struct Bench<'a> {
@@ -83,8 +104,8 @@ impl Bench<'_> {
         median((0..ROUNDS).map(|_| run()).collect())
     }
 
-    /// Median of wall times, s.
-    fn release_build(&self) -> f64 {
+    /// Median of wall times, s. `inputs` is the call that gives a simulation its inputs, if the model has any.
+    fn release_build(&self, model: &str, definition: &str, inputs: &str) -> f64 {
         let root = self.root.display();
         self.write(
             "simulates/Cargo.toml",
@@ -97,16 +118,15 @@ impl Bench<'_> {
             "simulates/src/main.rs",
             &format!(
                 "use linkwright::{{AssembleExt, Baumgarte, Simulation}};\n\
-                 linkwright::mechanism! {{ {} }}\n\
+                 linkwright::mechanism! {{ {definition} }}\n\
                  fn main() -> Result<(), Box<dyn std::error::Error>> {{\n\
-                 \x20   let model = NFourBar40::<f64>::default();\n\
-                 \x20   let start = model.assemble(&NFourBar40::START)?;\n\
+                 \x20   let model = {model}::<f64>::default();\n\
+                 \x20   let start = model.assemble(&{model}::START)?;\n\
                  \x20   let mut simulation = Simulation::new(&model, start)\n\
-                 \x20       .formulation(Baumgarte {{ alpha: 10.0, beta: 10.0 }}).step(1e-3);\n\
+                 \x20       .formulation(Baumgarte {{ alpha: 10.0, beta: 10.0 }}).step(1e-3){inputs};\n\
                  \x20   simulation.run_until(0.1, |sample| println!(\"{{}} {{}}\", sample.time, sample.energy()))?;\n\
                  \x20   Ok(())\n\
-                 }}\n",
-                NFourBar40::SOURCE
+                 }}\n"
             ),
         );
         self.lock("simulates");

@@ -8,7 +8,7 @@ models/src/bricard.rs of this project.
 
 import casadi as ca
 
-from trees import AXES, Link, Tree, add, cross, transposed, times
+from trees import AXES, Link, Tree, add, cross, transposed
 
 # The turn of URDF's rpy (±π/2, 0, 0): columns are the axes of the next joint.
 UP = [[1, 0, 0], [0, 0, 1], [0, -1, 0]]
@@ -93,7 +93,8 @@ BRICARD = [
 
 
 def bricard(name, turns):
-    """Hinge 3, between rods 2 and 3 about x at (1, −1, 0), is cut; of its rows y'·x'' = z'·x'' = 0 one follows from the others."""
+    """Hinge 3, between rods 2 and 3 about x at (1, −1, 0), is cut; of its two rows y'·x'' and z'·x'' the first, which
+    follows from the others, is left out."""
     symbols = Symbols(5, turns)
     v = symbols.v
     # Columns: the axes of a link's frame at angle zero in world axes, z along the hinge: a signed permutation.

@@ -1,12 +1,12 @@
 """Algorithms over trees of revolute links, as an expert writes them with CasADi's SX.
 
-Links are numbered outwards. The frame of a link has its origin on its joint and z along it, so that a link's transform is a
-constant rotation and translation, then a turn about z. Spatial vectors are pairs (angular, linear) of lists in the frame
-of the link; inertias are kept in 3×3 blocks [I, H; Hᵀ, M], I and M symmetric. Zeros and ones of constants vanish as CasADi
-builds the expression, so that only what the geometry needs is computed.
+Links are numbered outwards. The frame of a link has its origin on its joint and z along it, so that a link's
+transform is a constant rotation and translation, then a turn about z. Spatial vectors are pairs (angular, linear) of
+lists in the frame of the link; inertias are kept in 3×3 blocks [I, H; Hᵀ, M], I and M symmetric. Zeros and ones of
+constants vanish as CasADi builds the expression, so that only what the geometry needs is computed.
 
-Source: Featherstone, Rigid Body Dynamics Algorithms (2008): RNEA table 5.1, CRBA table 6.2, articulated bodies table 7.1,
-turns of inertias about z by appendix A.
+Source: Featherstone, Rigid Body Dynamics Algorithms (2008): RNEA table 5.1, CRBA table 6.2, articulated bodies table
+7.1, turns of inertias about z by appendix A.
 """
 
 import casadi as ca
@@ -48,7 +48,7 @@ def without(block, x, y):
 
 
 class Link:
-    """Mass, centre and tensor about it; place r of its frame in the parent's, columns of P its axes there at angle zero."""
+    """Mass, centre and tensor about it; place r of its frame in the parent's, its axes there at angle zero."""
 
     def __init__(self, parent, place, axes, mass, center, inertia, products=(0, 0, 0)):
         self.parent, self.r, self.axes = parent, list(place), axes

@@ -180,7 +180,7 @@ pub(crate) fn first_here(name: &str) -> String {
 
 // ---- Joints, constraints, loads ---------------------------------------------------------------------------------
 
-pub(crate) fn unknown_kind(what: &str, word: &str, known: &[&str], space: Space) -> String {
+pub(crate) fn unknown_kind(what: &str, word: &str, known: &[&'static str], space: Space) -> String {
     if what == "joint" && JointWord::ALL.iter().any(|kind| kind.text() == word) {
         debug_assert!(space == Space::Planar);
         return format!("a {word} joint needs space: write `spatial` before the name of the mechanism");
@@ -188,11 +188,33 @@ pub(crate) fn unknown_kind(what: &str, word: &str, known: &[&str], space: Space)
     if what == "load" && ["bushing", "friction", "contact", "mesh"].contains(&word) {
         return not_there_yet(word);
     }
-    let hint = match closest(word, known.iter().copied()) {
+    let likely = closest(word, known.iter().copied()).or_else(|| other_name(word, known));
+    let hint = match likely {
         Some(known) => format!("did you mean `{known}`?"),
         None => format!("there are {}", known.join(", ")),
     };
     format!("no {what} called \"{word}\"; {hint}")
+}
+
+/// The joint that other programs call so.
+fn other_name(word: &str, known: &[&'static str]) -> Option<&'static str> {
+    const OTHERS: [(&str, &str); 13] = [
+        ("hinge", "revolute"),
+        ("pin", "revolute"),
+        ("continuous", "revolute"),
+        ("slider", "prismatic"),
+        ("translational", "prismatic"),
+        ("ball", "spherical"),
+        ("ball_and_socket", "spherical"),
+        ("cardan", "universal"),
+        ("hooke", "universal"),
+        ("helical", "screw"),
+        ("weld", "fixed"),
+        ("rigid", "fixed"),
+        ("homokinetic", "constant_velocity"),
+    ];
+    let (_, ours) = OTHERS.into_iter().find(|(other, _)| *other == word)?;
+    known.iter().copied().find(|known| *known == ours)
 }
 
 pub(crate) fn other_load(word: &str, kind: &str) -> String {
@@ -215,6 +237,11 @@ pub(crate) fn force_without_direction(space: Space) -> String {
         }
     }
     .to_string()
+}
+
+pub(crate) fn one_number() -> String {
+    "a value here is one number; write the components one by one, such as `rod.rate.x [rad/s] = 1;`"
+        .to_owned()
 }
 
 pub(crate) fn third_coordinate() -> String {
@@ -498,13 +525,13 @@ pub(crate) fn spring_in_one_body(first: &str, second: &str) -> String {
 
 // ---- Quantities -------------------------------------------------------------------------------------------------
 
-pub(crate) fn joint_has(joint: &str, kind: &str, asked: &str, quantities: &[&str], space: Space) -> String {
-    if quantities.is_empty() {
-        let instead = if space == Space::Planar { "`body.angle`" } else { "`body.rate.x`" };
-        return format!(
-            "the {kind} joint `{joint}` has no {asked}: it has no coordinate at all; use {instead} or a place"
-        );
-    }
+pub(crate) fn joint_has_none(joint: &str, kind: &str, asked: &str, instead: &str) -> String {
+    format!(
+        "the {kind} joint `{joint}` has no {asked}: it has no coordinate at all; use {instead} or a place"
+    )
+}
+
+pub(crate) fn joint_has(joint: &str, kind: &str, asked: &str, quantities: &[&str]) -> String {
     format!("the {kind} joint `{joint}` has no {asked}; it has {}", quantities.join(", "))
 }
 

@@ -265,7 +265,19 @@ impl<'d> Lowering<'d> {
         if of_particle {
             return messages::joint_of_particle(&term.name.text, asked);
         }
-        messages::joint_has(&term.name.text, term.kind.text(), asked, &quantities, self.definition.space)
+        let (name, kind) = (&term.name.text, term.kind.text());
+        if !quantities.is_empty() {
+            return messages::joint_has(name, kind, asked, &quantities);
+        }
+        let body = match &term.second {
+            PlaceTerm::Named(path) => path.parts[0].text.as_str(),
+            PlaceTerm::Ground(_) => "body",
+        };
+        let instead = match self.definition.space {
+            Space::Planar => format!("`{body}.angle`"),
+            Space::Spatial => format!("`{body}.rate.x`"),
+        };
+        messages::joint_has_none(name, kind, asked, &instead)
     }
 
     fn of_driver(&mut self, driver: DriverId, path: &Path) -> Option<Found> {

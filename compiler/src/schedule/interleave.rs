@@ -7,7 +7,7 @@
 
 use super::program::{Instruction, Operand, Program};
 use std::cmp::Reverse;
-use std::collections::BTreeSet;
+use std::collections::{BinaryHeap, VecDeque};
 
 /// Programs shorter than this stay as they are.
 const LONG: usize = 500;
@@ -15,11 +15,15 @@ const LONG: usize = 500;
 const WIDTH: usize = 2;
 
 /// Cycles from operands to result, in round numbers.
+const FAST: usize = 4;
+const SLOW: usize = 13;
+
+fn is_slow(instruction: &Instruction) -> bool {
+    matches!(instruction, Instruction::Div(..) | Instruction::Unary(..) | Instruction::Atan2(..))
+}
+
 fn latency(instruction: &Instruction) -> usize {
-    match instruction {
-        Instruction::Div(..) | Instruction::Unary(..) | Instruction::Atan2(..) => 13,
-        _ => 4,
-    }
+    if is_slow(instruction) { SLOW } else { FAST }
 }
 
 pub fn interleave(program: Program) -> Program {
@@ -58,27 +62,32 @@ fn order(program: &Program) -> Vec<usize> {
             waiting[index] += 1;
         }
     }
-    let mut ready: BTreeSet<(Reverse<usize>, usize)> = (0..count)
+    let mut ready: BinaryHeap<(usize, Reverse<usize>)> = (0..count)
         .filter(|index| waiting[*index] == 0)
-        .map(|index| (Reverse(height[index]), index))
+        .map(|index| (height[index], Reverse(index)))
         .collect();
-    let mut under_way: BTreeSet<(usize, usize)> = BTreeSet::new();
+    // Results to come, by the cycle in which they are there; of one latency, in that order.
+    let (mut fast, mut slow) = (VecDeque::new(), VecDeque::new());
     let mut order = Vec::with_capacity(count);
     let mut cycle = 0;
     while order.len() < count {
-        while let Some((done, index)) = under_way.first().copied()
-            && done <= cycle
-        {
-            under_way.pop_first();
-            ready.insert((Reverse(height[index]), index));
+        for under_way in [&mut fast, &mut slow] {
+            while let Some((done, index)) = under_way.front().copied()
+                && done <= cycle
+            {
+                under_way.pop_front();
+                ready.push((height[index], Reverse(index)));
+            }
         }
         for _ in 0..WIDTH {
-            let Some((_, index)) = ready.pop_first() else { break };
+            let Some((_, Reverse(index))) = ready.pop() else { break };
             order.push(index);
+            let done = cycle + latency(&program.instructions[index]);
+            let under_way = if is_slow(&program.instructions[index]) { &mut slow } else { &mut fast };
             for user in &users[index] {
                 waiting[*user] -= 1;
                 if waiting[*user] == 0 {
-                    under_way.insert((cycle + latency(&program.instructions[index]), *user));
+                    under_way.push_back((done, *user));
                 }
             }
         }

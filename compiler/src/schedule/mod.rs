@@ -53,8 +53,11 @@ pub fn schedule(equations: &Equations, optimized: &Optimized) -> Programs {
 
 /// Operations of one function, as they will be emitted.
 pub fn count_of(equations: &Equations, solved: &Solved, function: Function) -> Counts {
-    let optimized = optimize_only(equations, solved, &[function]);
-    count(schedule(equations, &optimized).get(function))
+    let Optimized { functions, hoisted } = optimize_only(equations, solved, &[function]);
+    let sources = sources(equations);
+    // The order of the instructions does not count.
+    let select = |fused| select::select(&equations.graph, &sources, &hoisted, fused);
+    functions.first().map_or(Counts::default(), |(_, fused)| count(&select(fused)))
 }
 
 /// What each symbol of the graph stands for.

@@ -85,8 +85,11 @@ impl Graph {
                 self.op(node).operands().for_each(|operand| reach(operand, &mut waiting));
             }
         }
-        // Operands are older than their users.
-        found.sort_unstable();
-        found
+        // Operands are older than their users. Where much is reached, going through all is less work than sorting.
+        if found.len() < self.len() / 8 {
+            found.sort_unstable();
+            return found;
+        }
+        (0u32..).map(Node).zip(seen).filter_map(|(node, seen)| seen.then_some(node)).collect()
     }
 }

@@ -8,7 +8,7 @@ use std::collections::HashMap;
 
 /// A node of a [`Graph`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
-pub struct Node(u32);
+pub struct Node(pub(super) u32);
 
 impl Node {
     pub fn index(self) -> usize {

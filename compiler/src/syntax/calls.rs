@@ -128,7 +128,9 @@ impl Parser {
     /// `name: kind(…);` after the word `joint`.
     pub fn joint(&mut self, c: &mut Cursor) -> Parsed<()> {
         let name = self.declared(c, "the name of the joint")?;
-        self.punct(c, ':')?;
+        if !c.eat_punct(':') {
+            return self.expected(c, "`:` and what the joint is, such as `revolute(…);`");
+        }
         let forms = match self.definition.space {
             Space::Planar => JOINTS.as_slice(),
             Space::Spatial => SPATIAL_JOINTS.as_slice(),

@@ -27,6 +27,9 @@ impl Parser {
     /// An expression that fills the group.
     fn filling(&mut self, mut inside: Cursor) -> Parsed<Term> {
         let term = self.expression(&mut inside)?;
+        if inside.at_punct(',') {
+            return self.fail(inside.region(), messages::one_number());
+        }
         self.end(&inside, "an operator or `)`")?;
         Ok(term)
     }
