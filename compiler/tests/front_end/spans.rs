@@ -98,7 +98,7 @@ fn several_statements_at_once() {
         messages,
         [
             "expected the name of the parameter, found `=`",
-            "expected `:`, found `revolute`",
+            "expected `:` and what the joint is, such as `revolute(…);`, found `revolute`",
             "expected the name of the body, found `{`",
             "no unit called \"kgg\"; did you mean `kg`?",
             "expected a value, found `;`",
