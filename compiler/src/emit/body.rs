@@ -181,8 +181,11 @@ fn loads<'a>(
 }
 
 fn statement(text: &mut String, index: usize, instruction: &Instruction, names: &Names) {
-    let value = expression(instruction, names);
-    let _ = writeln!(text, "let {} = {value};", names.value(index as u32));
+    text.push_str("let ");
+    text.push_str(&names.value(index as u32));
+    text.push_str(" = ");
+    expression(text, instruction, names);
+    text.push_str(";\n");
 }
 
 fn operand(operand: Operand, names: &Names) -> String {
@@ -216,34 +219,37 @@ pub fn literal(value: f64) -> String {
     }
 }
 
-fn expression(instruction: &Instruction, names: &Names) -> String {
+fn expression(text: &mut String, instruction: &Instruction, names: &Names) {
     let get = |o: Operand| operand(o, names);
     let minus = |o: Operand| match o {
         Operand::Constant(value) => constant(-value),
         _ => format!("(-{})", operand(o, names)),
     };
+    let mut write = |parts: &[&str]| parts.iter().for_each(|part| text.push_str(part));
     match *instruction {
-        Instruction::Neg(a) => format!("-{}", get(a)),
-        Instruction::Add(a, b) => format!("{} + {}", get(a), get(b)),
-        Instruction::Sub(a, b) => format!("{} - {}", get(a), get(b)),
-        Instruction::Mul(a, b) => format!("{} * {}", get(a), get(b)),
+        Instruction::Neg(a) => write(&["-", &get(a)]),
+        Instruction::Add(a, b) => write(&[&get(a), " + ", &get(b)]),
+        Instruction::Sub(a, b) => write(&[&get(a), " - ", &get(b)]),
+        Instruction::Mul(a, b) => write(&[&get(a), " * ", &get(b)]),
         Instruction::MulAdd(a, b, c, minus_product, minus_addend) => {
             // The sign goes to a constant where there is one.
             let (a, b) = if matches!(b, Operand::Constant(_)) { (b, a) } else { (a, b) };
             let factor = if minus_product { minus(a) } else { get(a) };
             let addend = if minus_addend { minus(c) } else { get(c) };
-            format!("{factor}.mul_add({}, {addend})", get(b))
+            write(&[&factor, ".mul_add(", &get(b), ", ", &addend, ")"]);
         }
-        Instruction::Div(a, b) => format!("{} / {}", get(a), get(b)),
-        Instruction::Unary(Unary::Reciprocal, a) => format!("R::ONE / {}", get(a)),
-        Instruction::Unary(function, a) => format!("{}.{}()", get(a), function.method()),
-        Instruction::Min(a, b) => format!("{}.min({})", get(a), get(b)),
-        Instruction::Max(a, b) => format!("{}.max({})", get(a), get(b)),
-        Instruction::Atan2(a, b) => format!("{}.atan2({})", get(a), get(b)),
-        Instruction::Compare(comparison, a, b) => format!("{}.{}({})", get(a), comparison.method(), get(b)),
-        Instruction::And(a, b) => format!("{} & {}", get(a), get(b)),
-        Instruction::Or(a, b) => format!("{} | {}", get(a), get(b)),
-        Instruction::Not(a) => format!("!{}", get(a)),
-        Instruction::Select(m, a, b) => format!("R::select({}, {}, {})", get(m), get(a), get(b)),
+        Instruction::Div(a, b) => write(&[&get(a), " / ", &get(b)]),
+        Instruction::Unary(Unary::Reciprocal, a) => write(&["R::ONE / ", &get(a)]),
+        Instruction::Unary(function, a) => write(&[&get(a), ".", function.method(), "()"]),
+        Instruction::Min(a, b) => write(&[&get(a), ".min(", &get(b), ")"]),
+        Instruction::Max(a, b) => write(&[&get(a), ".max(", &get(b), ")"]),
+        Instruction::Atan2(a, b) => write(&[&get(a), ".atan2(", &get(b), ")"]),
+        Instruction::Compare(comparison, a, b) => {
+            write(&[&get(a), ".", comparison.method(), "(", &get(b), ")"]);
+        }
+        Instruction::And(a, b) => write(&[&get(a), " & ", &get(b)]),
+        Instruction::Or(a, b) => write(&[&get(a), " | ", &get(b)]),
+        Instruction::Not(a) => write(&["!", &get(a)]),
+        Instruction::Select(m, a, b) => write(&["R::select(", &get(m), ", ", &get(a), ", ", &get(b), ")"]),
     }
 }

@@ -113,7 +113,10 @@ impl Names {
 
     /// Name of an instruction's value.
     pub fn value(&self, index: u32) -> String {
-        self.results.get(&index).cloned().unwrap_or_else(|| format!("a{index}"))
+        match self.results.get(&index) {
+            Some(name) => name.clone(),
+            None => numbered('a', index),
+        }
     }
 
     pub fn name(&self, source: Source) -> String {
@@ -123,7 +126,7 @@ impl Names {
             Source::BetaSquared => "beta_squared".to_string(),
             Source::Prepared(index) => match self.names.get(&source) {
                 Some(name) => name.clone(),
-                None => format!("k{index}"),
+                None => numbered('k', index),
             },
             _ => self.names.get(&source).cloned().unwrap_or_default(),
         }
@@ -208,6 +211,12 @@ const RESERVED: [&str; 14] = [
     "w",
     "out",
 ];
+
+fn numbered(letter: char, index: u32) -> String {
+    let mut name = index.to_string();
+    name.insert(0, letter);
+    name
+}
 
 /// A name as an identifier that is no keyword and no name of an intermediate value.
 fn readable(name: &str) -> String {

@@ -88,8 +88,14 @@ impl Graph {
         // Operands are older than their users. Where much is reached, going through all is less work than sorting.
         if found.len() < self.len() / 8 {
             found.sort_unstable();
-            return found;
+        } else {
+            found.clear();
+            for (index, seen) in seen.into_iter().enumerate() {
+                if seen {
+                    found.push(Node(index as u32));
+                }
+            }
         }
-        (0u32..).map(Node).zip(seen).filter_map(|(node, seen)| seen.then_some(node)).collect()
+        found
     }
 }
