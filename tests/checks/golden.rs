@@ -1,4 +1,4 @@
-//! The expansions of three small models, formatted, against `tests/golden/*.rs`: a change of emitted code shows in
+//! The expansions of four small models, formatted, against `tests/golden/*.rs`: a change of emitted code shows in
 //! review as what a user would read. `UPDATE_GOLDEN=1 cargo test --test checks golden` writes them anew.
 
 use crate::registry::Model;
@@ -6,6 +6,7 @@ use linkwright_compiler::expand;
 use linkwright_models::four_bar::FourBar;
 use linkwright_models::general_four_bar::ParametricFourBar;
 use linkwright_models::simple_pendulum::SimplePendulum;
+use linkwright_models::spatial_pendulums::SphericalPendulum;
 use std::path::Path;
 
 #[test]
@@ -21,6 +22,11 @@ fn four_bar() {
 #[test]
 fn parametric_four_bar() {
     compare::<ParametricFourBar>("parametric_four_bar");
+}
+
+#[test]
+fn spherical_pendulum() {
+    compare::<SphericalPendulum>("spherical_pendulum");
 }
 
 fn compare<M: Model>(name: &str) {

@@ -15,6 +15,7 @@ for_each!(jacobian_is_the_derivative);
 for_each!(gamma_is_the_derivative);
 for_each!(conditions_have_their_rates);
 for_each!(mass_belongs_to_the_energy);
+for_each!(inverse_dynamics_is_what_motion_asks);
 for_each!(bodies_move_as_reported);
 
 /// Random states, and a model with random parameters for each.
@@ -225,6 +226,32 @@ fn mass_belongs_to_the_energy<M: Model>() {
                 let factor = row[k] / pivot[k];
                 row.iter_mut().zip(&pivot).for_each(|(entry, above)| *entry -= factor * above);
             }
+        }
+    }
+}
+
+/// `inverse_dynamics` is M v̇ − Q, for any v̇.
+fn inverse_dynamics_is_what_motion_asks<M: Model>() {
+    let mut random = Random::new(15);
+    for (model, at) in points::<M>(15) {
+        let a: M::V = vector(&random.vector(M::VELOCITY_NAMES.len()));
+        let (mut stored, mut forces) = (M::Mass::zero(), M::V::zero());
+        model.mass_matrix(at.time, &at.q, &mut stored);
+        model.forces(at.time, &at.q, &at.v, &at.u, &mut forces);
+        let mut asked: Vec<f64> = forces.as_slice().iter().map(|force| -force).collect();
+        let mut largest = forces.max_abs();
+        for (&(row, column), entry) in M::MASS_PATTERN.iter().zip(stored.as_slice()) {
+            let (row, column) = (row as usize, column as usize);
+            asked[row] += entry * a.as_slice()[column];
+            if row != column {
+                asked[column] += entry * a.as_slice()[row];
+            }
+            largest = largest.max(entry.abs());
+        }
+        let found = model.flat_inverse_dynamics(&at, &a);
+        assert_eq!(found.len(), asked.len());
+        for ((found, asked), name) in found.iter().zip(&asked).zip(M::VELOCITY_NAMES) {
+            assert!((found - asked).abs() <= 1e-12 * largest, "{} {name}: {found} {asked}", M::NAME);
         }
     }
 }

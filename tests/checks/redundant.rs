@@ -60,10 +60,7 @@ mechanism! {
 }
 model!(ThirdCrank);
 
-fn swing<M: Model>() -> (f64, f64)
-where
-    M: linkwright::Assemble<f64, Inputs = ()>,
-{
+fn swing<M: Model + linkwright::Assemble<f64, Inputs = ()>>() -> (f64, f64) {
     let model = M::standard();
     let start = model.assemble(&model.start()).unwrap_or_else(|error| panic!("{}: {error}", M::NAME));
     let mut simulation =

@@ -54,13 +54,15 @@ linkwright::mechanism! {
         param tilt [kg*m^2] = 0.002;
         gravity [m/s^2] = (0, 0, -9.81);
         marker column [m] = (0.2, 0.1, 0), about_z [deg] = 25, about_x [deg] = -15;
-        cylinder nut  { mass [kg] = 0.9; length [m] = 0.1; radius [m] = 0.06; marker bore [m] = (0.01, 0, 0.02), axis = (1, 0, 1); }
+        body nut      { mass [kg] = 0.9; inertia [kg*m^2] = (0.0016, 0.0018, 0.0023); products [kg*m^2] = (0.0002, 0.0001, -0.0003);
+                        point start [m] = (-0.05, 0, 0); marker bore [m] = (0.01, 0, 0.02), axis = (1, 0, 1); }
         body spindle  { mass [kg] = 0.7; center [m] = (0.02, 0.01, 0.1);
                         marker thread [m] = (0, 0.02, 0), axis = (0.2, 0, 1), reference = (0, 1, 0);
                         marker principal [m] = (0, 0, 0), about_y [deg] = 35;
                         inertia [kg*m^2] = (0.006, 0.007, 0.006); products [kg*m^2] = (tilt, 0, -0.001);
                         inertia_axes = principal; point eye [m] = (0.03, -0.02, 0.25); }
-        sphere hook   { density [kg/m^3] = 2000; radius [m] = 0.05; marker pin [m] = (0.02, 0.03, 0.04), about_z [rad] = 0.8;
+        body hook     { mass [kg] = 0.8; inertia [kg*m^2] = (0.001, 0.0012, 0.0015); products [kg*m^2] = (0.0001, 0, -0.0002);
+                        marker pin [m] = (0.02, 0.03, 0.04), about_z [rad] = 0.8;
                         point end [m] = (0, 0.05, -0.05); }
         particle bob  { mass [kg] = 0.4; }
 

@@ -45,6 +45,7 @@
     doc = "| `acceleration_baumgarte` | 85 | 6 | 31 | 43 | 4 | 0 | 1 | 0 | 18 |"
 )]
 #[cfg_attr(doc, doc = "| `outputs` | 1 | 0 | 0 | 0 | 0 | 0 | 0 | 1 | 1 |")]
+#[cfg_attr(doc, doc = "| `inverse_dynamics` | 18 | 0 | 9 | 9 | 0 | 0 | 0 | 0 | 7 |")]
 #[cfg_attr(doc, doc = "| `motions` | 41 | 8 | 23 | 10 | 0 | 0 | 0 | 0 | 5 |")]
 #[cfg_attr(doc, doc = "| `reactions` | 37 | 12 | 17 | 8 | 0 | 0 | 0 | 0 | 7 |")]
 #[cfg_attr(doc, doc = "| `condition_residual` | 4 | 0 | 1 | 1 | 0 | 0 | 0 | 2 | 3 |")]
@@ -122,6 +123,13 @@ impl FourBar<::core::primitive::f64> {
     ];
     ///Names of the loads, in the order of `powers`.
     pub const LOADS: &'static [&'static ::core::primitive::str] = &[];
+    ///Constraint rows that repeat what others fix: joint and row. They are left out, or kept with the multiplier zero.
+    pub const REDUNDANT_ROWS: &'static [(
+        &'static ::core::primitive::str,
+        &'static ::core::primitive::str,
+    )] = &[];
+    ///Joints whose reactions are not unique, because constraint rows repeat what others fix.
+    pub const SHARED_REACTIONS: &'static [&'static ::core::primitive::str] = &[];
 }
 #[allow(unused, non_snake_case, clippy::all)]
 const _: () = {
@@ -369,6 +377,46 @@ const _: () = {
                 },
             ]
         }
+        /// M v̇ − Q: the forces that the accelerations `a` need beside loads and constraints, one for each velocity
+        /// (N m or N). Of a tree without constraints these are the efforts of its joints (inverse dynamics).
+        pub fn inverse_dynamics(
+            &self,
+            time: R,
+            q: &Q<R>,
+            v: &V<R>,
+            u: &(),
+            a: &V<R>,
+        ) -> V<R> {
+            let crank_cos = q[0];
+            let crank_sin = q[1];
+            let rocker_cos = q[2];
+            let coupler_cos = q[4];
+            let coupler_sin = q[5];
+            let crank_rate = v[0];
+            let coupler_rate = v[2];
+            let crank_rate_dot = a[0];
+            let rocker_rate_dot = a[1];
+            let coupler_rate_dot = a[2];
+            let a0 = crank_cos * coupler_cos;
+            let a1 = crank_sin.mul_add(coupler_sin, a0);
+            let a2 = R::from_f64(0.5) * a1;
+            let a3 = coupler_rate * coupler_rate;
+            let a4 = crank_cos * coupler_sin;
+            let a5 = (-crank_sin).mul_add(coupler_cos, a4);
+            let a6 = R::from_f64(0.5) * a5;
+            let a7 = a3 * a6;
+            let a8 = R::from_f64(-14.715).mul_add(crank_cos, a7);
+            let a9 = R::from_f64(1.3333333333333333).mul_add(crank_rate_dot, (-a8));
+            let a10 = coupler_rate_dot.mul_add(a2, a9);
+            let a11 = R::from_f64(4.905) * rocker_cos;
+            let a12 = R::from_f64(0.3333333333333333).mul_add(rocker_rate_dot, a11);
+            let a13 = crank_rate * crank_rate;
+            let a14 = R::from_f64(4.905) * coupler_cos;
+            let a15 = a13.mul_add(a6, a14);
+            let a16 = crank_rate_dot.mul_add(a2, a15);
+            let a17 = R::from_f64(0.3333333333333333).mul_add(coupler_rate_dot, a16);
+            [a10, a12, a17]
+        }
         /// Power of each load (W), in the order of `LOADS`, what springs store included.
         pub fn powers(&self, time: R, q: &Q<R>, v: &V<R>, u: &()) -> [R; 0] {
             []
@@ -389,6 +437,7 @@ const _: () = {
         const LAYOUT: Layout = Layout {
             linear: 0,
             rotations: 3,
+            quaternions: 0,
             angles: &[],
         };
         const ROWS: &'static [Row] = &[

@@ -42,6 +42,7 @@
     doc = "| `acceleration_baumgarte` | 97 | 7 | 37 | 48 | 4 | 0 | 1 | 0 | 20 |"
 )]
 #[cfg_attr(doc, doc = "| `outputs` | 9 | 2 | 2 | 4 | 0 | 0 | 0 | 1 | 3 |")]
+#[cfg_attr(doc, doc = "| `inverse_dynamics` | 23 | 0 | 9 | 14 | 0 | 0 | 0 | 0 | 7 |")]
 #[cfg_attr(doc, doc = "| `motions` | 54 | 13 | 25 | 16 | 0 | 0 | 0 | 0 | 5 |")]
 #[cfg_attr(doc, doc = "| `reactions` | 47 | 8 | 19 | 20 | 0 | 0 | 0 | 0 | 7 |")]
 #[cfg_attr(doc, doc = "| `condition_residual` | 4 | 0 | 1 | 1 | 0 | 0 | 0 | 2 | 3 |")]
@@ -180,6 +181,13 @@ impl ParametricFourBar<::core::primitive::f64> {
     ];
     ///Names of the loads, in the order of `powers`.
     pub const LOADS: &'static [&'static ::core::primitive::str] = &[];
+    ///Constraint rows that repeat what others fix: joint and row. They are left out, or kept with the multiplier zero.
+    pub const REDUNDANT_ROWS: &'static [(
+        &'static ::core::primitive::str,
+        &'static ::core::primitive::str,
+    )] = &[];
+    ///Joints whose reactions are not unique, because constraint rows repeat what others fix.
+    pub const SHARED_REACTIONS: &'static [&'static ::core::primitive::str] = &[];
 }
 #[allow(unused, non_snake_case, clippy::all)]
 const _: () = {
@@ -737,6 +745,64 @@ const _: () = {
                 },
             ]
         }
+        /// M v̇ − Q: the forces that the accelerations `a` need beside loads and constraints, one for each velocity
+        /// (N m or N). Of a tree without constraints these are the efforts of its joints (inverse dynamics).
+        pub fn inverse_dynamics(
+            &self,
+            time: R,
+            q: &Q<R>,
+            v: &V<R>,
+            u: &(),
+            a: &V<R>,
+        ) -> V<R> {
+            let constants = &self.constants;
+            let crank_cos = q[0];
+            let crank_sin = q[1];
+            let rocker_cos = q[2];
+            let rocker_sin = q[3];
+            let coupler_cos = q[4];
+            let coupler_sin = q[5];
+            let crank_rate = v[0];
+            let coupler_rate = v[2];
+            let crank_rate_dot = a[0];
+            let rocker_rate_dot = a[1];
+            let coupler_rate_dot = a[2];
+            let k0 = constants[0];
+            let k1 = constants[1];
+            let k2 = constants[2];
+            let k3 = constants[3];
+            let k4 = constants[4];
+            let k10 = constants[10];
+            let k11 = constants[11];
+            let k12 = constants[12];
+            let k13 = constants[13];
+            let k14 = constants[14];
+            let k15 = constants[15];
+            let a0 = crank_cos * coupler_sin;
+            let a1 = (-crank_sin).mul_add(coupler_cos, a0);
+            let a2 = crank_cos * coupler_cos;
+            let a3 = crank_sin.mul_add(coupler_sin, a2);
+            let a4 = k1 * a3;
+            let a5 = (-k0).mul_add(a1, a4);
+            let a6 = coupler_rate * coupler_rate;
+            let a7 = k0 * a3;
+            let a8 = k1.mul_add(a1, a7);
+            let a9 = k10 * crank_cos;
+            let a10 = k11.mul_add(crank_sin, a9);
+            let a11 = a6.mul_add(a8, (-a10));
+            let a12 = k2.mul_add(crank_rate_dot, (-a11));
+            let a13 = coupler_rate_dot.mul_add(a5, a12);
+            let a14 = k14 * rocker_cos;
+            let a15 = k15.mul_add(rocker_sin, a14);
+            let a16 = k3.mul_add(rocker_rate_dot, a15);
+            let a17 = crank_rate * crank_rate;
+            let a18 = k12 * coupler_cos;
+            let a19 = k13.mul_add(coupler_sin, a18);
+            let a20 = a17.mul_add(a8, a19);
+            let a21 = crank_rate_dot.mul_add(a5, a20);
+            let a22 = k4.mul_add(coupler_rate_dot, a21);
+            [a13, a16, a22]
+        }
         /// Power of each load (W), in the order of `LOADS`, what springs store included.
         pub fn powers(&self, time: R, q: &Q<R>, v: &V<R>, u: &()) -> [R; 0] {
             []
@@ -757,6 +823,7 @@ const _: () = {
         const LAYOUT: Layout = Layout {
             linear: 0,
             rotations: 3,
+            quaternions: 0,
             angles: &[],
         };
         const ROWS: &'static [Row] = &[

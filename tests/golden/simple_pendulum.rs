@@ -30,6 +30,7 @@
     doc,
     doc = "| `acceleration_baumgarte` | 1 | 0 | 1 | 0 | 0 | 0 | 0 | 0 | 1 |"
 )]
+#[cfg_attr(doc, doc = "| `inverse_dynamics` | 1 | 0 | 0 | 1 | 0 | 0 | 0 | 0 | 1 |")]
 #[cfg_attr(doc, doc = "| `motions` | 8 | 1 | 5 | 2 | 0 | 0 | 0 | 0 | 3 |")]
 #[cfg_attr(doc, doc = "| `reactions` | 6 | 1 | 3 | 2 | 0 | 0 | 0 | 0 | 3 |")]
 #[cfg_attr(doc, doc = "| `condition_residual` | 4 | 0 | 1 | 1 | 0 | 0 | 0 | 2 | 3 |")]
@@ -101,6 +102,13 @@ impl SimplePendulum<::core::primitive::f64> {
     pub const JOINTS: &'static [&'static ::core::primitive::str] = &["pivot"];
     ///Names of the loads, in the order of `powers`.
     pub const LOADS: &'static [&'static ::core::primitive::str] = &[];
+    ///Constraint rows that repeat what others fix: joint and row. They are left out, or kept with the multiplier zero.
+    pub const REDUNDANT_ROWS: &'static [(
+        &'static ::core::primitive::str,
+        &'static ::core::primitive::str,
+    )] = &[];
+    ///Joints whose reactions are not unique, because constraint rows repeat what others fix.
+    pub const SHARED_REACTIONS: &'static [&'static ::core::primitive::str] = &[];
 }
 #[allow(unused, non_snake_case, clippy::all)]
 const _: () = {
@@ -238,6 +246,21 @@ const _: () = {
                 },
             ]
         }
+        /// M v̇ − Q: the forces that the accelerations `a` need beside loads and constraints, one for each velocity
+        /// (N m or N). Of a tree without constraints these are the efforts of its joints (inverse dynamics).
+        pub fn inverse_dynamics(
+            &self,
+            time: R,
+            q: &Q<R>,
+            v: &V<R>,
+            u: &(),
+            a: &V<R>,
+        ) -> V<R> {
+            let arm_cos = q[0];
+            let arm_rate_dot = a[0];
+            let a0 = R::from_f64(9.81).mul_add(arm_cos, arm_rate_dot);
+            [a0]
+        }
         /// Power of each load (W), in the order of `LOADS`, what springs store included.
         pub fn powers(&self, time: R, q: &Q<R>, v: &V<R>, u: &()) -> [R; 0] {
             []
@@ -258,6 +281,7 @@ const _: () = {
         const LAYOUT: Layout = Layout {
             linear: 0,
             rotations: 1,
+            quaternions: 0,
             angles: &[],
         };
         const ROWS: &'static [Row] = &[];

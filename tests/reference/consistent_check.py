@@ -8,7 +8,7 @@ from entries import column, compare_energies, read_states
 from motion import PLANE
 
 
-REST = 1e-5  # of the fastest velocity
+REST = 1e-5  # of the fastest velocity, and of a metre or a radian
 
 
 class ConsistentCheck:
@@ -92,7 +92,9 @@ class ConsistentCheck:
         # Where all that a row feels is at rest, its rate is rounding of the others' velocities.
         fastest = np.abs(v).max(axis=1, keepdims=True, initial=0.0)
         speed_terms = np.maximum(speed_terms, REST * terms.sum(axis=2) * fastest)
+        # A row without terms at these positions still feels their rounding, through D.
         phi, phi_terms = quantities["phi"]
+        phi_terms = np.maximum(phi_terms, REST * terms.sum(axis=2))
         zero, name = np.zeros(phi.shape), lambda k: f"row '{rows[k]}'"
         self.comparison.terms(f"residual_{which}", phi, zero, phi_terms, name, RESIDUAL)
         self.comparison.terms(f"residual_rate_{which}", speed, nu, speed_terms, name, RESIDUAL)

@@ -139,6 +139,10 @@ class Energies:
         if kind == "torque":
             torque = evaluate(load["value"], kinematics)
             return Load(name, kinematics.rotor_rate(load["on"]), ca.SX(0), torque, ca.SX(0))
+        if kind == "push":
+            travel = kinematics.travel(self.model.joints[load["on"]])
+            pushed = evaluate(load["value"], kinematics)
+            return Load(name, kinematics.rate(travel), kinematics.explicit_rate(travel), pushed, ca.SX(0))
         if kind == "spring":
             length = kinematics.distance(load["first"], load["second"])
             w, explicit = kinematics.rate(length), kinematics.explicit_rate(length)

@@ -5,6 +5,10 @@ what rounding does. Here it is bounded by the rounding that happens: all instruc
 precision, and the difference, in units of that precision, is the size of the terms as far as they matter. Of an entry
 the largest over the states counts, ten times, and at least a thousandth of the largest entry of its quantity, as any
 one difference may vanish by chance.
+
+No entry is smaller than a thousandth of the largest of its quantity in the same state, however small its own terms: in
+space a motion in a plane or about an axis has components that are rounding of the others, and the two derivations turn
+them in different ways.
 """
 
 import numpy as np
@@ -23,6 +27,10 @@ class RoundingEvaluator(Evaluator):
             if result.values.size:
                 bound = rounding_bound(result.values, coarse[name].values)
                 result.magnitudes = np.minimum(result.magnitudes, np.maximum(bound, np.abs(result.values)))
+                largest = result.magnitudes.max(axis=1, keepdims=True)
+                result.magnitudes = np.where(
+                    result.magnitudes > 0.0, np.maximum(result.magnitudes, LEAST * largest), 0.0
+                )
         return results
 
 

@@ -15,6 +15,9 @@ from motion import SPACE
 from rounding import RoundingEvaluator
 
 
+IMPLIED = 1e-3  # of a metre or a radian, and of the fastest velocity
+
+
 class SpaceAbsoluteSystem(AbsoluteSystem):
     evaluator_of = RoundingEvaluator
 
@@ -90,8 +93,12 @@ class SpaceConsistentCheck(ConsistentCheck):
             if not np.all(sides[:, k] > 0.0):
                 self.comparison.fail("sides", f"joint '{name}' stands on its flipped root")
         rows = self.system.kinematics.dropped
-        for quantity in ("dropped", "dropped_rate"):
+        # What is only implied holds as well as the rows that imply it, times their condition.
+        felt = IMPLIED * self.absolute["dropped_jacobian"][1].sum(axis=2)
+        fastest = np.abs(self.v).max(axis=1, keepdims=True, initial=0.0)
+        for quantity, least in (("dropped", felt), ("dropped_rate", felt * fastest)):
             value, terms = self.absolute[quantity]
+            terms = np.maximum(terms, least)
             zero = np.zeros(value.shape)
             self.comparison.terms(quantity, value, zero, terms, lambda k: f"row '{rows[k]}'", RESIDUAL)
         if rows:

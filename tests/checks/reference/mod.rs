@@ -25,6 +25,17 @@ pub fn models() -> Vec<(&'static str, &'static str, &'static str)> {
     linkwright_models::for_each_model!(list)
 }
 
+/// Mechanisms of the zoo whose values are recorded too, for the mutations: in space their axes lie anywhere, where those of
+/// shipped models are such that many a term vanishes.
+const RECORDED_OF_ZOO: [&str; 3] = ["crank", "jack", "shafts"];
+
+/// The models, and what is recorded of the zoo.
+fn recorded_models() -> Vec<(&'static str, &'static str, &'static str)> {
+    let mut all = models();
+    all.extend(zoo().into_iter().filter(|(name, ..)| RECORDED_OF_ZOO.contains(name)));
+    all
+}
+
 /// The same of the zoo's mechanisms.
 fn zoo() -> Vec<(&'static str, &'static str, &'static str)> {
     macro_rules! list {
@@ -61,14 +72,15 @@ fn models_agree_with_casadi() {
     if std::env::var_os("RECORD_CASADI").is_some() {
         arguments.extend(["--record", record.to_str().unwrap(), "--states", "3"]);
     }
-    compare(&python, &write_requests("requests", &models()), &arguments);
+    compare(&python, &write_requests("requests", &recorded_models()), &arguments);
 }
 
-/// The zoo's mechanisms are not recorded: without CasADi the other checks are all there is of them.
+/// The rest of the zoo is not recorded: without CasADi the other checks are all there is of it.
 #[test]
 fn the_zoo_agrees_with_casadi() {
     let Some(python) = python() else { return };
-    compare(&python, &write_requests("zoo-requests", &zoo()), &["--minimum", "100"]);
+    let rest: Vec<_> = zoo().into_iter().filter(|(name, ..)| !RECORDED_OF_ZOO.contains(name)).collect();
+    compare(&python, &write_requests("zoo-requests", &rest), &["--minimum", "100"]);
 }
 
 /// Python with CasADi; none where it is not to be had and need not be.

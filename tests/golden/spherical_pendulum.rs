@@ -1,0 +1,892 @@
+/// Bar on a spherical joint (Spherical_Case01), released from the horizontal.
+#[cfg_attr(doc, doc = "")]
+#[cfg_attr(doc, doc = "Degrees of freedom: 3; velocities: 3; constraint rows: 0.")]
+#[cfg_attr(doc, doc = "")]
+#[cfg_attr(
+    doc,
+    doc = "In tree coordinates (chosen by count: 16 operations, depth 7, against about 88 for the elimination alone in absolute coordinates); elimination order: minimum degree."
+)]
+#[cfg_attr(doc, doc = "")]
+#[cfg_attr(doc, doc = "# Coordinates")]
+#[cfg_attr(doc, doc = "")]
+#[cfg_attr(doc, doc = "| | q | v |")]
+#[cfg_attr(doc, doc = "|---|---|---|")]
+#[cfg_attr(
+    doc,
+    doc = "| 0 | `pivot.orientation.w`, `pivot.orientation.x` | `pivot.rate.x` |"
+)]
+#[cfg_attr(doc, doc = "| 1 | `pivot.orientation.y` | `pivot.rate.y` |")]
+#[cfg_attr(doc, doc = "| 2 | `pivot.orientation.z` | `pivot.rate.z` |")]
+#[cfg_attr(doc, doc = "")]
+#[cfg_attr(doc, doc = "# Operations")]
+#[cfg_attr(doc, doc = "")]
+#[cfg_attr(
+    doc,
+    doc = "| function | operations | + | × | fma | ÷ | √ | choices | sin, exp … | depth |"
+)]
+#[cfg_attr(doc, doc = "|---|---|---|---|---|---|---|---|---|---|")]
+#[cfg_attr(doc, doc = "| `forces` | 14 | 1 | 9 | 4 | 0 | 0 | 0 | 0 | 6 |")]
+#[cfg_attr(doc, doc = "| `kinetic_energy` | 7 | 0 | 5 | 2 | 0 | 0 | 0 | 0 | 5 |")]
+#[cfg_attr(doc, doc = "| `potential_energy` | 5 | 0 | 4 | 1 | 0 | 0 | 0 | 0 | 4 |")]
+#[cfg_attr(doc, doc = "| `acceleration` | 16 | 1 | 11 | 4 | 0 | 0 | 0 | 0 | 7 |")]
+#[cfg_attr(
+    doc,
+    doc = "| `acceleration_baumgarte` | 16 | 1 | 11 | 4 | 0 | 0 | 0 | 0 | 7 |"
+)]
+#[cfg_attr(doc, doc = "| `outputs` | 31 | 4 | 16 | 11 | 0 | 0 | 0 | 0 | 6 |")]
+#[cfg_attr(doc, doc = "| `inverse_dynamics` | 17 | 1 | 10 | 6 | 0 | 0 | 0 | 0 | 5 |")]
+#[cfg_attr(doc, doc = "| `motions` | 47 | 4 | 23 | 20 | 0 | 0 | 0 | 0 | 7 |")]
+#[cfg_attr(doc, doc = "| `reactions` | 70 | 8 | 30 | 32 | 0 | 0 | 0 | 0 | 10 |")]
+#[cfg_attr(doc, doc = "| `condition_residual` | 24 | 6 | 9 | 9 | 0 | 0 | 0 | 0 | 6 |")]
+#[cfg_attr(doc, doc = "| `condition_jacobian` | 31 | 5 | 16 | 10 | 0 | 0 | 0 | 0 | 6 |")]
+#[cfg_attr(doc, doc = "| `condition_bias` | 52 | 5 | 22 | 25 | 0 | 0 | 0 | 0 | 9 |")]
+#[cfg_attr(
+    not(doc),
+    doc = "Equations of motion of the spatial mechanism `SphericalPendulum`."
+)]
+#[derive(
+    ::core::clone::Clone,
+    ::core::marker::Copy,
+    ::core::fmt::Debug,
+    ::core::cmp::PartialEq
+)]
+pub struct SphericalPendulum<R = ::core::primitive::f64> {
+    parameters: SphericalPendulumParameters<R>,
+    phases: [R; 0],
+    constants: [R; 0],
+}
+///Parameters of [`SphericalPendulum`], in SI units.
+#[derive(
+    ::core::clone::Clone,
+    ::core::marker::Copy,
+    ::core::fmt::Debug,
+    ::core::cmp::PartialEq
+)]
+pub struct SphericalPendulumParameters<R = ::core::primitive::f64> {
+    #[doc(hidden)]
+    pub scalar: ::core::marker::PhantomData<R>,
+}
+///Outputs of [`SphericalPendulum`], in SI units.
+#[derive(
+    ::core::clone::Clone,
+    ::core::marker::Copy,
+    ::core::fmt::Debug,
+    ::core::cmp::PartialEq
+)]
+pub struct SphericalPendulumOutputs<R = ::core::primitive::f64> {
+    ///`m` (SI).
+    pub x: R,
+    ///`m` (SI).
+    pub y: R,
+    ///`m` (SI).
+    pub z: R,
+    ///`m/s` (SI).
+    pub velocity_x: R,
+    ///`m/s` (SI).
+    pub velocity_y: R,
+    ///`m/s` (SI).
+    pub velocity_z: R,
+}
+///Positions and velocities of [`SphericalPendulum`].
+pub type SphericalPendulumState<R = ::core::primitive::f64> = ::linkwright::__private::v1::State<
+    [R; 4],
+    [R; 3],
+>;
+#[allow(clippy::all)]
+impl SphericalPendulum<::core::primitive::f64> {
+    ///Consistent start state for the default parameters, assembled at compile time.
+    pub const START: SphericalPendulumState = ::linkwright::__private::v1::State {
+        q: [1.0, 0.0, 0.0, 0.0],
+        v: [0.0, 0.0, 0.0],
+    };
+    ///Degrees of freedom, drivers removed.
+    pub const DEGREES_OF_FREEDOM: ::core::primitive::usize = 3;
+    ///Operations of the default acceleration function (Baumgarte), a fused multiply-add counted once.
+    pub const OPERATIONS: ::core::primitive::usize = 16;
+    ///The definition as written.
+    pub const SOURCE: &'static ::core::primitive::str = "# [doc = r\" Bar on a spherical joint (Spherical_Case01), released from the horizontal.\"] pub spatial SphericalPendulum { gravity [m / s ^ 2] = (0 , 0 , - 9.80665) ; body bar { mass [kg] = 1 ; inertia [kg * m ^ 2] = (0.04 , 0.1 , 0.1) ; center [m] = (2 , 0 , 0) ; } joint pivot : spherical (ground (0 , 0 , 0) [m] , bar . origin) ; start { bar . orientation = (1 , 0 , 0 , 0) ; bar . rate . x [rad / s] = 0 ; bar . rate . y [rad / s] = 0 ; bar . rate . z [rad / s] = 0 ; } expect { degrees_of_freedom = 3 ; } output x [m] = bar . center . x ; output y [m] = bar . center . y ; output z [m] = bar . center . z ; output velocity_x [m / s] = bar . center . velocity . x ; output velocity_y [m / s] = bar . center . velocity . y ; output velocity_z [m / s] = bar . center . velocity . z ; }";
+    ///The definition as versioned JSON: kinds, shapes and units as written.
+    pub const DEFINITION: &'static ::core::primitive::str = "{\"linkwright\":1,\"kind\":\"spatial\",\"name\":\"SphericalPendulum\",\"constants\":[],\"parameters\":[],\"inputs\":[],\"gravity\":{\"unit\":\"m/s^2\",\"value\":[{\"number\":\"0\"},{\"number\":\"0\"},{\"op\":\"neg\",\"args\":[{\"number\":\"9.80665\"}]}]},\"markers\":[],\"bodies\":[{\"name\":\"bar\",\"kind\":\"body\",\"properties\":{\"mass\":{\"unit\":\"kg\",\"value\":{\"number\":\"1\"}}},\"vectors\":{\"inertia\":{\"unit\":\"kg*m^2\",\"value\":[{\"number\":\"0.04\"},{\"number\":\"0.1\"},{\"number\":\"0.1\"}]}},\"inertia_axes\":null,\"markers\":[],\"center\":{\"unit\":\"m\",\"value\":[{\"number\":\"2\"},{\"number\":\"0\"},{\"number\":\"0\"}]},\"points\":[],\"lines\":[]}],\"joints\":[{\"name\":\"pivot\",\"kind\":\"spherical\",\"first\":{\"ground\":[{\"number\":\"0\"},{\"number\":\"0\"},{\"number\":\"0\"}],\"unit\":\"m\"},\"second\":{\"place\":\"bar.origin\"}}],\"constraints\":[],\"drivers\":[],\"loads\":[],\"start\":[{\"quantity\":{\"name\":\"bar.rate.x\"},\"exact\":true,\"unit\":\"rad/s\",\"value\":{\"number\":\"0\"}},{\"quantity\":{\"name\":\"bar.rate.y\"},\"exact\":true,\"unit\":\"rad/s\",\"value\":{\"number\":\"0\"}},{\"quantity\":{\"name\":\"bar.rate.z\"},\"exact\":true,\"unit\":\"rad/s\",\"value\":{\"number\":\"0\"}}],\"orientations\":[{\"quantity\":{\"name\":\"bar.orientation\"},\"exact\":true,\"unit\":null,\"value\":[{\"number\":\"1\"},{\"number\":\"0\"},{\"number\":\"0\"},{\"number\":\"0\"}]}],\"outputs\":[{\"name\":\"x\",\"unit\":\"m\",\"value\":{\"name\":\"bar.center.x\"}},{\"name\":\"y\",\"unit\":\"m\",\"value\":{\"name\":\"bar.center.y\"}},{\"name\":\"z\",\"unit\":\"m\",\"value\":{\"name\":\"bar.center.z\"}},{\"name\":\"velocity_x\",\"unit\":\"m/s\",\"value\":{\"name\":\"bar.center.velocity.x\"}},{\"name\":\"velocity_y\",\"unit\":\"m/s\",\"value\":{\"name\":\"bar.center.velocity.y\"}},{\"name\":\"velocity_z\",\"unit\":\"m/s\",\"value\":{\"name\":\"bar.center.velocity.z\"}}],\"options\":{},\"expect\":{\"degrees_of_freedom\":3}}";
+    ///What the entries of q and v and the constraint rows are, as JSON.
+    pub const COORDINATES: &'static ::core::primitive::str = "{\"coordinates\":\"tree\",\"tree\":[{\"body\":\"bar\",\"joint\":\"pivot\",\"parent\":\"ground\"}],\"linear\":[],\"rotations\":[],\"quaternions\":[{\"joint\":\"pivot\"}],\"angles\":[],\"rows\":[]}";
+    ///Names of the bodies, in the order of `motions`.
+    pub const BODIES: &'static [&'static ::core::primitive::str] = &["bar"];
+    ///Names of the joints, in the order of `reactions`.
+    pub const JOINTS: &'static [&'static ::core::primitive::str] = &["pivot"];
+    ///Names of the loads, in the order of `powers`.
+    pub const LOADS: &'static [&'static ::core::primitive::str] = &[];
+    ///Constraint rows that repeat what others fix: joint and row. They are left out, or kept with the multiplier zero.
+    pub const REDUNDANT_ROWS: &'static [(
+        &'static ::core::primitive::str,
+        &'static ::core::primitive::str,
+    )] = &[];
+    ///Joints whose reactions are not unique, because constraint rows repeat what others fix.
+    pub const SHARED_REACTIONS: &'static [&'static ::core::primitive::str] = &[];
+}
+#[allow(unused, non_snake_case, clippy::all)]
+const _: () = {
+    use ::core::prelude::rust_2024::*;
+    use ::linkwright::__private::v1::*;
+    use ::core::primitive::{bool, f64, u16, u32, usize, str};
+    type Constants<R> = [R; 0];
+    type Phases<R> = [R; 0];
+    type Q<R> = [R; 4];
+    type V<R> = [R; 3];
+    type Lambda<R> = [R; 0];
+    type Mass<R> = [R; 3];
+    type Jacobian<R> = [R; 0];
+    type Conditions<R> = [R; 6];
+    type ConditionJacobian<R> = [R; 12];
+    type Factor<R> = [R; 24];
+    type System<R> = [R; 9];
+    type Parameters<R> = SphericalPendulumParameters<R>;
+    type Outputs<R> = SphericalPendulumOutputs<R>;
+    impl<R: Real> Fields<R> for Parameters<R> {
+        const NAMES: &'static [&'static str] = &[];
+        type Array = [R; 0];
+        fn from_array(values: [R; 0]) -> Self {
+            SphericalPendulumParameters {
+                scalar: ::core::marker::PhantomData,
+            }
+        }
+        fn to_array(&self) -> [R; 0] {
+            []
+        }
+    }
+    impl<R: Real> Fields<R> for Outputs<R> {
+        const NAMES: &'static [&'static str] = &[
+            "x",
+            "y",
+            "z",
+            "velocity_x",
+            "velocity_y",
+            "velocity_z",
+        ];
+        type Array = [R; 6];
+        fn from_array(values: [R; 6]) -> Self {
+            SphericalPendulumOutputs {
+                x: values[0],
+                y: values[1],
+                z: values[2],
+                velocity_x: values[3],
+                velocity_y: values[4],
+                velocity_z: values[5],
+            }
+        }
+        fn to_array(&self) -> [R; 6] {
+            [self.x, self.y, self.z, self.velocity_x, self.velocity_y, self.velocity_z]
+        }
+    }
+    impl<R: Real> Default for Parameters<R> {
+        fn default() -> Self {
+            SphericalPendulumParameters {
+                scalar: ::core::marker::PhantomData,
+            }
+        }
+    }
+    impl<R: Real> Default for SphericalPendulum<R> {
+        fn default() -> Self {
+            Self::with(Default::default(), [])
+        }
+    }
+    impl<R: Real> SphericalPendulum<R> {
+        /// The model with these parameters; what depends on nothing else is computed once, here.
+        ///
+        /// # Errors
+        /// A parameter that is not finite or out of its bounds, or a mass that is not positive.
+        pub fn prepare(parameters: Parameters<R>) -> Result<Self, SettingError> {
+            let model = Self::with(parameters, []);
+            check_constants(&model.constants)?;
+            Ok(model)
+        }
+        /// The parameters the model was prepared with.
+        pub fn parameters(&self) -> &Parameters<R> {
+            &self.parameters
+        }
+        fn with(parameters: Parameters<R>, phases: Phases<R>) -> Self {
+            Self {
+                parameters,
+                phases,
+                constants: [],
+            }
+        }
+        /// Position, velocity and acceleration of every body's centre of mass, in the order of `BODIES`,
+        /// from a state and its accelerations.
+        pub fn motions(
+            &self,
+            time: R,
+            q: &Q<R>,
+            v: &V<R>,
+            a: &V<R>,
+        ) -> [SpatialMotion<R>; 1] {
+            let pivot_orientation_w = q[0];
+            let pivot_orientation_x = q[1];
+            let pivot_orientation_y = q[2];
+            let pivot_orientation_z = q[3];
+            let pivot_rate_x = v[0];
+            let pivot_rate_y = v[1];
+            let pivot_rate_z = v[2];
+            let pivot_rate_x_dot = a[0];
+            let pivot_rate_y_dot = a[1];
+            let pivot_rate_z_dot = a[2];
+            let a0 = R::from_f64(2.0) * pivot_orientation_y;
+            let a1 = pivot_orientation_y * a0;
+            let a2 = R::from_f64(2.0) * pivot_orientation_z;
+            let a3 = pivot_orientation_z * a2;
+            let a4 = a1 + a3;
+            let a5 = R::ONE - a4;
+            let a6 = R::from_f64(2.0) * a5;
+            let a7 = pivot_orientation_x * a0;
+            let a8 = pivot_orientation_w.mul_add(a2, a7);
+            let a9 = R::from_f64(2.0) * a8;
+            let a10 = pivot_orientation_x * a2;
+            let a11 = (-pivot_orientation_w).mul_add(a0, a10);
+            let a12 = R::from_f64(2.0) * a11;
+            let a13 = (-pivot_orientation_w).mul_add(a2, a7);
+            let a14 = pivot_orientation_w.mul_add(a0, a10);
+            let a15 = R::from_f64(2.0) * pivot_orientation_x;
+            let a16 = pivot_orientation_x.mul_add(a15, a3);
+            let a17 = R::ONE - a16;
+            let a18 = pivot_orientation_y * a2;
+            let a19 = (-pivot_orientation_w).mul_add(a15, a18);
+            let a20 = pivot_orientation_w.mul_add(a15, a18);
+            let a21 = pivot_orientation_x.mul_add(a15, a1);
+            let a22 = R::ONE - a21;
+            let a23 = R::from_f64(2.0) * pivot_rate_y;
+            let a24 = R::from_f64(2.0) * pivot_rate_z;
+            let a25 = a13 * a24;
+            let a26 = (-a14).mul_add(a23, a25);
+            let a27 = a17 * a24;
+            let a28 = (-a19).mul_add(a23, a27);
+            let a29 = a20 * a24;
+            let a30 = (-a22).mul_add(a23, a29);
+            let a31 = pivot_rate_x.mul_add(pivot_rate_z, (-pivot_rate_y_dot));
+            let a32 = R::from_f64(2.0) * a31;
+            let a33 = pivot_rate_y * pivot_rate_y;
+            let a34 = pivot_rate_z.mul_add(pivot_rate_z, a33);
+            let a35 = R::from_f64(2.0) * a34;
+            let a36 = pivot_rate_x.mul_add(pivot_rate_y, pivot_rate_z_dot);
+            let a37 = R::from_f64(2.0) * a36;
+            let a38 = a13 * a37;
+            let a39 = (-a5).mul_add(a35, a38);
+            let a40 = a14.mul_add(a32, a39);
+            let a41 = a17 * a37;
+            let a42 = (-a8).mul_add(a35, a41);
+            let a43 = a19.mul_add(a32, a42);
+            let a44 = a20 * a37;
+            let a45 = (-a11).mul_add(a35, a44);
+            let a46 = a22.mul_add(a32, a45);
+            [
+                SpatialMotion {
+                    position: [a6, a9, a12],
+                    orientation: [[a5, a13, a14], [a8, a17, a19], [a11, a20, a22]],
+                    velocity: [a26, a28, a30],
+                    rate: [pivot_rate_x, pivot_rate_y, pivot_rate_z],
+                    acceleration: [a40, a43, a46],
+                    angular_acceleration: [
+                        pivot_rate_x_dot,
+                        pivot_rate_y_dot,
+                        pivot_rate_z_dot,
+                    ],
+                },
+            ]
+        }
+        /// Force and torque that each joint exerts on the body of its second place, in the order of `JOINTS`:
+        /// force in world axes at that place (N), torque about it (N m).
+        pub fn reactions(
+            &self,
+            time: R,
+            q: &Q<R>,
+            v: &V<R>,
+            u: &(),
+            a: &V<R>,
+            lambda: &Lambda<R>,
+        ) -> [SpatialReaction<R>; 1] {
+            let pivot_orientation_w = q[0];
+            let pivot_orientation_x = q[1];
+            let pivot_orientation_y = q[2];
+            let pivot_orientation_z = q[3];
+            let pivot_rate_x = v[0];
+            let pivot_rate_y = v[1];
+            let pivot_rate_z = v[2];
+            let pivot_rate_x_dot = a[0];
+            let pivot_rate_y_dot = a[1];
+            let pivot_rate_z_dot = a[2];
+            let a0 = R::from_f64(2.0) * pivot_orientation_y;
+            let a1 = R::from_f64(2.0) * pivot_orientation_z;
+            let a2 = pivot_orientation_x * a1;
+            let a3 = pivot_orientation_w.mul_add(a0, a2);
+            let a4 = pivot_rate_x.mul_add(pivot_rate_z, (-pivot_rate_y_dot));
+            let a5 = R::from_f64(2.0) * a4;
+            let a6 = pivot_orientation_y * a0;
+            let a7 = pivot_orientation_z * a1;
+            let a8 = a6 + a7;
+            let a9 = R::ONE - a8;
+            let a10 = pivot_rate_y * pivot_rate_y;
+            let a11 = pivot_rate_z.mul_add(pivot_rate_z, a10);
+            let a12 = R::from_f64(2.0) * a11;
+            let a13 = pivot_orientation_x * a0;
+            let a14 = (-pivot_orientation_w).mul_add(a1, a13);
+            let a15 = pivot_rate_x.mul_add(pivot_rate_y, pivot_rate_z_dot);
+            let a16 = R::from_f64(2.0) * a15;
+            let a17 = a14 * a16;
+            let a18 = (-a9).mul_add(a12, a17);
+            let a19 = a3.mul_add(a5, a18);
+            let a20 = R::from_f64(2.0) * pivot_orientation_x;
+            let a21 = pivot_orientation_y * a1;
+            let a22 = (-pivot_orientation_w).mul_add(a20, a21);
+            let a23 = pivot_orientation_w.mul_add(a1, a13);
+            let a24 = pivot_orientation_x.mul_add(a20, a7);
+            let a25 = R::ONE - a24;
+            let a26 = a25 * a16;
+            let a27 = (-a23).mul_add(a12, a26);
+            let a28 = a22.mul_add(a5, a27);
+            let a29 = pivot_orientation_x.mul_add(a20, a6);
+            let a30 = R::ONE - a29;
+            let a31 = (-pivot_orientation_w).mul_add(a0, a2);
+            let a32 = pivot_orientation_w.mul_add(a20, a21);
+            let a33 = a32 * a16;
+            let a34 = (-a31).mul_add(a12, a33);
+            let a35 = a30.mul_add(a5, a34);
+            let a36 = R::from_f64(9.80665) + a35;
+            let a37 = R::from_f64(0.04) * pivot_rate_x;
+            let a38 = R::from_f64(0.1) * pivot_rate_y;
+            let a39 = pivot_rate_x * a38;
+            let a40 = (-pivot_rate_y).mul_add(a37, a39);
+            let a41 = R::from_f64(0.1).mul_add(pivot_rate_z_dot, a40);
+            let a42 = R::from_f64(0.1) * pivot_rate_z;
+            let a43 = pivot_rate_z * a37;
+            let a44 = (-pivot_rate_x).mul_add(a42, a43);
+            let a45 = R::from_f64(0.1).mul_add(pivot_rate_y_dot, a44);
+            let a46 = pivot_rate_y * a42;
+            let a47 = (-pivot_rate_z).mul_add(a38, a46);
+            let a48 = R::from_f64(0.04).mul_add(pivot_rate_x_dot, a47);
+            let a49 = a9 * a48;
+            let a50 = a14.mul_add(a45, a49);
+            let a51 = a3.mul_add(a41, a50);
+            let a52 = R::from_f64(2.0) * a31;
+            let a53 = R::from_f64(2.0) * a23;
+            let a54 = a53 * a36;
+            let a55 = (-a52).mul_add(a28, a54);
+            let a56 = a51 + a55;
+            let a57 = a23 * a48;
+            let a58 = a25.mul_add(a45, a57);
+            let a59 = a22.mul_add(a41, a58);
+            let a60 = R::from_f64(2.0) * a9;
+            let a61 = a52 * a19;
+            let a62 = (-a60).mul_add(a36, a61);
+            let a63 = a59 + a62;
+            let a64 = a31 * a48;
+            let a65 = a32.mul_add(a45, a64);
+            let a66 = a30.mul_add(a41, a65);
+            let a67 = a60 * a28;
+            let a68 = (-a53).mul_add(a19, a67);
+            let a69 = a66 + a68;
+            [
+                SpatialReaction {
+                    force: [a19, a28, a36],
+                    torque: [a56, a63, a69],
+                },
+            ]
+        }
+        /// M v̇ − Q: the forces that the accelerations `a` need beside loads and constraints, one for each velocity
+        /// (N m or N). Of a tree without constraints these are the efforts of its joints (inverse dynamics).
+        pub fn inverse_dynamics(
+            &self,
+            time: R,
+            q: &Q<R>,
+            v: &V<R>,
+            u: &(),
+            a: &V<R>,
+        ) -> V<R> {
+            let pivot_orientation_w = q[0];
+            let pivot_orientation_x = q[1];
+            let pivot_orientation_y = q[2];
+            let pivot_orientation_z = q[3];
+            let pivot_rate_x = v[0];
+            let pivot_rate_y = v[1];
+            let pivot_rate_z = v[2];
+            let pivot_rate_x_dot = a[0];
+            let pivot_rate_y_dot = a[1];
+            let pivot_rate_z_dot = a[2];
+            let a0 = R::from_f64(0.04) * pivot_rate_x_dot;
+            let a1 = R::from_f64(2.0) * pivot_orientation_y;
+            let a2 = R::from_f64(2.0) * pivot_orientation_x;
+            let a3 = pivot_orientation_x * a2;
+            let a4 = pivot_orientation_y.mul_add(a1, a3);
+            let a5 = R::ONE - a4;
+            let a6 = pivot_rate_x * pivot_rate_z;
+            let a7 = R::from_f64(4.1) * pivot_rate_y_dot;
+            let a8 = R::from_f64(-4.06).mul_add(a6, a7);
+            let a9 = R::from_f64(-19.6133).mul_add(a5, a8);
+            let a10 = R::from_f64(2.0) * pivot_orientation_z;
+            let a11 = pivot_orientation_w * a2;
+            let a12 = pivot_orientation_y.mul_add(a10, a11);
+            let a13 = pivot_rate_x * pivot_rate_y;
+            let a14 = R::from_f64(4.06) * a13;
+            let a15 = R::from_f64(4.1).mul_add(pivot_rate_z_dot, a14);
+            let a16 = R::from_f64(19.6133).mul_add(a12, a15);
+            [a0, a9, a16]
+        }
+        /// Power of each load (W), in the order of `LOADS`, what springs store included.
+        pub fn powers(&self, time: R, q: &Q<R>, v: &V<R>, u: &()) -> [R; 0] {
+            []
+        }
+        /// Effort of each driver along its quantity (N m or N) and its power (W), from the multipliers.
+        pub fn driver_efforts(
+            &self,
+            time: R,
+            q: &Q<R>,
+            v: &V<R>,
+            lambda: &Lambda<R>,
+        ) -> [[R; 2]; 0] {
+            []
+        }
+    }
+    impl<R: Real> Mechanism<R> for SphericalPendulum<R> {
+        const NAME: &'static str = "SphericalPendulum";
+        const LAYOUT: Layout = Layout {
+            linear: 0,
+            rotations: 0,
+            quaternions: 1,
+            angles: &[],
+        };
+        const ROWS: &'static [Row] = &[];
+        const POSITION_NAMES: &'static [&'static str] = &[
+            "pivot.orientation.w",
+            "pivot.orientation.x",
+            "pivot.orientation.y",
+            "pivot.orientation.z",
+        ];
+        const VELOCITY_NAMES: &'static [&'static str] = &[
+            "pivot.rate.x",
+            "pivot.rate.y",
+            "pivot.rate.z",
+        ];
+        const MASS_PATTERN: &'static [(u16, u16)] = &[(0, 0), (1, 1), (2, 2)];
+        const JACOBIAN_PATTERN: &'static [(u16, u16)] = &[];
+        type Q = Q<R>;
+        type V = V<R>;
+        type Lambda = Lambda<R>;
+        type Mass = Mass<R>;
+        type Jacobian = Jacobian<R>;
+        type Inputs = ();
+        type Outputs = Outputs<R>;
+        fn mass_matrix(&self, time: R, q: &Q<R>, out: &mut Mass<R>) {
+            *out = [R::from_f64(0.04), R::from_f64(4.1), R::from_f64(4.1)];
+        }
+        fn constraints(&self, time: R, q: &Q<R>, out: &mut Lambda<R>) {
+            *out = [];
+        }
+        fn constraint_jacobian(&self, time: R, q: &Q<R>, out: &mut Jacobian<R>) {
+            *out = [];
+        }
+        fn nu(&self, time: R, q: &Q<R>, out: &mut Lambda<R>) {
+            *out = [];
+        }
+        fn gamma(&self, time: R, q: &Q<R>, v: &V<R>, out: &mut Lambda<R>) {
+            *out = [];
+        }
+        fn forces(&self, time: R, q: &Q<R>, v: &V<R>, u: &(), out: &mut V<R>) {
+            let pivot_orientation_w = q[0];
+            let pivot_orientation_x = q[1];
+            let pivot_orientation_y = q[2];
+            let pivot_orientation_z = q[3];
+            let pivot_rate_x = v[0];
+            let pivot_rate_y = v[1];
+            let pivot_rate_z = v[2];
+            let a0 = pivot_rate_x * pivot_rate_z;
+            let a1 = R::from_f64(2.0) * pivot_orientation_y;
+            let a2 = R::from_f64(2.0) * pivot_orientation_x;
+            let a3 = pivot_orientation_x * a2;
+            let a4 = pivot_orientation_y.mul_add(a1, a3);
+            let a5 = R::ONE - a4;
+            let a6 = R::from_f64(19.6133) * a5;
+            let force_pivot_rate_y = R::from_f64(4.06).mul_add(a0, a6);
+            let a8 = pivot_rate_x * pivot_rate_y;
+            let a9 = R::from_f64(2.0) * pivot_orientation_z;
+            let a10 = pivot_orientation_w * a2;
+            let a11 = pivot_orientation_y.mul_add(a9, a10);
+            let a12 = R::from_f64(19.6133) * a11;
+            let force_pivot_rate_z = R::from_f64(-4.06).mul_add(a8, (-a12));
+            *out = [R::ZERO, force_pivot_rate_y, force_pivot_rate_z];
+        }
+        fn kinetic_energy(&self, time: R, q: &Q<R>, v: &V<R>) -> R {
+            let pivot_rate_x = v[0];
+            let pivot_rate_y = v[1];
+            let pivot_rate_z = v[2];
+            let a0 = R::from_f64(4.1) * pivot_rate_z;
+            let a1 = R::from_f64(4.1) * pivot_rate_y;
+            let a2 = R::from_f64(0.04) * pivot_rate_x;
+            let a3 = pivot_rate_x * a2;
+            let a4 = pivot_rate_y.mul_add(a1, a3);
+            let a5 = pivot_rate_z.mul_add(a0, a4);
+            let a6 = R::from_f64(0.5) * a5;
+            a6
+        }
+        fn potential_energy(&self, time: R, q: &Q<R>) -> R {
+            let pivot_orientation_w = q[0];
+            let pivot_orientation_x = q[1];
+            let pivot_orientation_y = q[2];
+            let pivot_orientation_z = q[3];
+            let a0 = R::from_f64(2.0) * pivot_orientation_y;
+            let a1 = R::from_f64(2.0) * pivot_orientation_z;
+            let a2 = pivot_orientation_x * a1;
+            let a3 = (-pivot_orientation_w).mul_add(a0, a2);
+            let a4 = R::from_f64(19.6133) * a3;
+            a4
+        }
+        fn acceleration(
+            &self,
+            time: R,
+            q: &Q<R>,
+            v: &V<R>,
+            u: &(),
+            a_out: &mut V<R>,
+            lambda_out: &mut Lambda<R>,
+        ) -> R {
+            let pivot_orientation_w = q[0];
+            let pivot_orientation_x = q[1];
+            let pivot_orientation_y = q[2];
+            let pivot_orientation_z = q[3];
+            let pivot_rate_x = v[0];
+            let pivot_rate_y = v[1];
+            let pivot_rate_z = v[2];
+            let a0 = pivot_rate_x * pivot_rate_z;
+            let a1 = R::from_f64(2.0) * pivot_orientation_y;
+            let a2 = R::from_f64(2.0) * pivot_orientation_x;
+            let a3 = pivot_orientation_x * a2;
+            let a4 = pivot_orientation_y.mul_add(a1, a3);
+            let a5 = R::ONE - a4;
+            let a6 = R::from_f64(19.6133) * a5;
+            let a7 = R::from_f64(4.06).mul_add(a0, a6);
+            let pivot_rate_y_dot_ = R::from_f64(0.24390243902439027) * a7;
+            let a9 = pivot_rate_x * pivot_rate_y;
+            let a10 = R::from_f64(2.0) * pivot_orientation_z;
+            let a11 = pivot_orientation_w * a2;
+            let a12 = pivot_orientation_y.mul_add(a10, a11);
+            let a13 = R::from_f64(19.6133) * a12;
+            let a14 = R::from_f64(4.06).mul_add(a9, a13);
+            let pivot_rate_z_dot_ = R::from_f64(-0.24390243902439027) * a14;
+            *a_out = [R::ZERO, pivot_rate_y_dot_, pivot_rate_z_dot_];
+            *lambda_out = [];
+            R::ONE
+        }
+        fn acceleration_baumgarte(
+            &self,
+            time: R,
+            q: &Q<R>,
+            v: &V<R>,
+            u: &(),
+            two_alpha: R,
+            beta_squared: R,
+            a_out: &mut V<R>,
+            lambda_out: &mut Lambda<R>,
+        ) -> R {
+            let pivot_orientation_w = q[0];
+            let pivot_orientation_x = q[1];
+            let pivot_orientation_y = q[2];
+            let pivot_orientation_z = q[3];
+            let pivot_rate_x = v[0];
+            let pivot_rate_y = v[1];
+            let pivot_rate_z = v[2];
+            let a0 = pivot_rate_x * pivot_rate_z;
+            let a1 = R::from_f64(2.0) * pivot_orientation_y;
+            let a2 = R::from_f64(2.0) * pivot_orientation_x;
+            let a3 = pivot_orientation_x * a2;
+            let a4 = pivot_orientation_y.mul_add(a1, a3);
+            let a5 = R::ONE - a4;
+            let a6 = R::from_f64(19.6133) * a5;
+            let a7 = R::from_f64(4.06).mul_add(a0, a6);
+            let pivot_rate_y_dot_ = R::from_f64(0.24390243902439027) * a7;
+            let a9 = pivot_rate_x * pivot_rate_y;
+            let a10 = R::from_f64(2.0) * pivot_orientation_z;
+            let a11 = pivot_orientation_w * a2;
+            let a12 = pivot_orientation_y.mul_add(a10, a11);
+            let a13 = R::from_f64(19.6133) * a12;
+            let a14 = R::from_f64(4.06).mul_add(a9, a13);
+            let pivot_rate_z_dot_ = R::from_f64(-0.24390243902439027) * a14;
+            *a_out = [R::ZERO, pivot_rate_y_dot_, pivot_rate_z_dot_];
+            *lambda_out = [];
+            R::ONE
+        }
+        fn outputs(&self, time: R, q: &Q<R>, v: &V<R>, u: &()) -> Outputs<R> {
+            let pivot_orientation_w = q[0];
+            let pivot_orientation_x = q[1];
+            let pivot_orientation_y = q[2];
+            let pivot_orientation_z = q[3];
+            let pivot_rate_y = v[1];
+            let pivot_rate_z = v[2];
+            let a0 = R::from_f64(2.0) * pivot_orientation_y;
+            let a1 = pivot_orientation_y * a0;
+            let a2 = R::from_f64(2.0) * pivot_orientation_z;
+            let a3 = pivot_orientation_z * a2;
+            let a4 = a1 + a3;
+            let a5 = R::ONE - a4;
+            let x = R::from_f64(2.0) * a5;
+            let a7 = pivot_orientation_x * a0;
+            let a8 = pivot_orientation_w.mul_add(a2, a7);
+            let y = R::from_f64(2.0) * a8;
+            let a10 = pivot_orientation_x * a2;
+            let a11 = (-pivot_orientation_w).mul_add(a0, a10);
+            let z = R::from_f64(2.0) * a11;
+            let a13 = pivot_orientation_w.mul_add(a0, a10);
+            let a14 = R::from_f64(2.0) * pivot_rate_y;
+            let a15 = (-pivot_orientation_w).mul_add(a2, a7);
+            let a16 = R::from_f64(2.0) * pivot_rate_z;
+            let a17 = a15 * a16;
+            let velocity_x = (-a13).mul_add(a14, a17);
+            let a19 = R::from_f64(2.0) * pivot_orientation_x;
+            let a20 = pivot_orientation_y * a2;
+            let a21 = (-pivot_orientation_w).mul_add(a19, a20);
+            let a22 = pivot_orientation_x.mul_add(a19, a3);
+            let a23 = R::ONE - a22;
+            let a24 = a23 * a16;
+            let velocity_y = (-a21).mul_add(a14, a24);
+            let a26 = pivot_orientation_x.mul_add(a19, a1);
+            let a27 = R::ONE - a26;
+            let a28 = pivot_orientation_w.mul_add(a19, a20);
+            let a29 = a28 * a16;
+            let velocity_z = (-a27).mul_add(a14, a29);
+            SphericalPendulumOutputs {
+                x: x,
+                y: y,
+                z: z,
+                velocity_x: velocity_x,
+                velocity_y: velocity_y,
+                velocity_z: velocity_z,
+            }
+        }
+        fn unwrap(outputs: &mut Outputs<R>, previous: &Outputs<R>) {}
+    }
+    impl<R: Real> Assemble<R> for SphericalPendulum<R> {
+        const CONDITIONS: &'static [Condition] = &[
+            Condition {
+                of: "bar.rate.x",
+                kind: ConditionKind::Rate,
+            },
+            Condition {
+                of: "bar.rate.y",
+                kind: ConditionKind::Rate,
+            },
+            Condition {
+                of: "bar.rate.z",
+                kind: ConditionKind::Rate,
+            },
+            Condition {
+                of: "bar.orientation.x",
+                kind: ConditionKind::Linear,
+            },
+            Condition {
+                of: "bar.orientation.y",
+                kind: ConditionKind::Linear,
+            },
+            Condition {
+                of: "bar.orientation.z",
+                kind: ConditionKind::Linear,
+            },
+        ];
+        const START_CONDITIONS: &'static [u16] = &[3, 4, 5];
+        const START_RATES: &'static [u16] = &[0, 1, 2];
+        const INDEPENDENT: &'static [u16] = &[];
+        const FLIPS: &'static [u16] = &[];
+        const CONDITION_PATTERN: &'static [(u16, u16)] = &[
+            (0, 0),
+            (1, 1),
+            (2, 2),
+            (3, 0),
+            (3, 1),
+            (3, 2),
+            (4, 0),
+            (4, 1),
+            (4, 2),
+            (5, 0),
+            (5, 1),
+            (5, 2),
+        ];
+        const ELIMINATION: Elimination = Elimination {
+            order: &[0, 3, 1, 4, 2, 5, 6, 7, 8],
+            position: &[0, 2, 4, 1, 3, 5, 6, 7, 8],
+            row_start: &[0, 0, 1, 1, 2, 2, 3, 9, 16, 24],
+            columns: &[
+                0, 2, 4, 0, 1, 2, 3, 4, 5, 0, 1, 2, 3, 4, 5, 6, 0, 1, 2, 3, 4, 5, 6, 7,
+            ],
+        };
+        type Conditions = Conditions<R>;
+        type ConditionJacobian = ConditionJacobian<R>;
+        type Factor = Factor<R>;
+        type System = System<R>;
+        fn condition_residual(
+            &self,
+            time: R,
+            q: &Q<R>,
+            target: &Conditions<R>,
+            out: &mut Conditions<R>,
+        ) {
+            let pivot_orientation_w = q[0];
+            let pivot_orientation_x = q[1];
+            let pivot_orientation_y = q[2];
+            let pivot_orientation_z = q[3];
+            let target_bar_rate_x = target[0];
+            let target_bar_rate_y = target[1];
+            let target_bar_rate_z = target[2];
+            let target_bar_orientation_x = target[3];
+            let target_bar_orientation_y = target[4];
+            let target_bar_orientation_z = target[5];
+            let a0 = -target_bar_rate_x;
+            let a1 = -target_bar_rate_y;
+            let a2 = -target_bar_rate_z;
+            let a3 = R::from_f64(2.0) * pivot_orientation_x;
+            let a4 = R::from_f64(2.0) * pivot_orientation_z;
+            let a5 = pivot_orientation_y * a4;
+            let a6 = (-pivot_orientation_w).mul_add(a3, a5);
+            let a7 = pivot_orientation_w.mul_add(a3, a5);
+            let a8 = R::from_f64(0.5) * a7;
+            let a9 = R::from_f64(-0.5).mul_add(a6, a8);
+            let a10 = a9 - target_bar_orientation_x;
+            let a11 = R::from_f64(2.0) * pivot_orientation_y;
+            let a12 = pivot_orientation_x * a4;
+            let a13 = (-pivot_orientation_w).mul_add(a11, a12);
+            let a14 = pivot_orientation_w.mul_add(a11, a12);
+            let a15 = R::from_f64(0.5) * a14;
+            let a16 = R::from_f64(-0.5).mul_add(a13, a15);
+            let a17 = a16 - target_bar_orientation_y;
+            let a18 = pivot_orientation_x * a11;
+            let a19 = (-pivot_orientation_w).mul_add(a4, a18);
+            let a20 = pivot_orientation_w.mul_add(a4, a18);
+            let a21 = R::from_f64(0.5) * a20;
+            let a22 = R::from_f64(-0.5).mul_add(a19, a21);
+            let a23 = a22 - target_bar_orientation_z;
+            *out = [a0, a1, a2, a10, a17, a23];
+        }
+        fn condition_cosines(
+            &self,
+            time: R,
+            q: &Q<R>,
+            target: &Conditions<R>,
+            out: &mut Conditions<R>,
+        ) {
+            *out = [R::ONE, R::ONE, R::ONE, R::ONE, R::ONE, R::ONE];
+        }
+        fn condition_jacobian(&self, time: R, q: &Q<R>, out: &mut ConditionJacobian<R>) {
+            let pivot_orientation_w = q[0];
+            let pivot_orientation_x = q[1];
+            let pivot_orientation_y = q[2];
+            let pivot_orientation_z = q[3];
+            let a0 = R::from_f64(2.0) * pivot_orientation_x;
+            let a1 = R::from_f64(2.0) * pivot_orientation_y;
+            let a2 = pivot_orientation_y * a1;
+            let a3 = pivot_orientation_x.mul_add(a0, a2);
+            let a4 = R::ONE - a3;
+            let a5 = R::from_f64(2.0) * pivot_orientation_z;
+            let a6 = pivot_orientation_z * a5;
+            let a7 = pivot_orientation_x.mul_add(a0, a6);
+            let a8 = R::ONE - a7;
+            let a9 = R::from_f64(0.5) * a8;
+            let a10 = R::from_f64(0.5).mul_add(a4, a9);
+            let a11 = pivot_orientation_x * a1;
+            let a12 = pivot_orientation_w.mul_add(a5, a11);
+            let a13 = R::from_f64(-0.5) * a12;
+            let a14 = pivot_orientation_x * a5;
+            let a15 = (-pivot_orientation_w).mul_add(a1, a14);
+            let a16 = R::from_f64(-0.5) * a15;
+            let a17 = (-pivot_orientation_w).mul_add(a5, a11);
+            let a18 = R::from_f64(-0.5) * a17;
+            let a19 = a2 + a6;
+            let a20 = R::ONE - a19;
+            let a21 = R::from_f64(0.5) * a20;
+            let a22 = R::from_f64(0.5).mul_add(a4, a21);
+            let a23 = pivot_orientation_y * a5;
+            let a24 = pivot_orientation_w.mul_add(a0, a23);
+            let a25 = R::from_f64(-0.5) * a24;
+            let a26 = pivot_orientation_w.mul_add(a1, a14);
+            let a27 = R::from_f64(-0.5) * a26;
+            let a28 = (-pivot_orientation_w).mul_add(a0, a23);
+            let a29 = R::from_f64(-0.5) * a28;
+            let a30 = a9 + a21;
+            *out = [R::ONE, R::ONE, R::ONE, a10, a13, a16, a18, a22, a25, a27, a29, a30];
+        }
+        fn condition_bias(&self, time: R, q: &Q<R>, v: &V<R>, out: &mut Conditions<R>) {
+            let pivot_orientation_w = q[0];
+            let pivot_orientation_x = q[1];
+            let pivot_orientation_y = q[2];
+            let pivot_orientation_z = q[3];
+            let pivot_rate_x = v[0];
+            let pivot_rate_y = v[1];
+            let pivot_rate_z = v[2];
+            let a0 = R::from_f64(2.0) * pivot_orientation_x;
+            let a1 = R::from_f64(2.0) * pivot_orientation_z;
+            let a2 = pivot_orientation_y * a1;
+            let a3 = (-pivot_orientation_w).mul_add(a0, a2);
+            let a4 = pivot_rate_y * pivot_rate_y;
+            let a5 = pivot_rate_x.mul_add(pivot_rate_x, a4);
+            let a6 = pivot_orientation_z * a1;
+            let a7 = pivot_orientation_x.mul_add(a0, a6);
+            let a8 = R::ONE - a7;
+            let a9 = pivot_rate_y * pivot_rate_z;
+            let a10 = R::from_f64(2.0) * pivot_orientation_y;
+            let a11 = pivot_orientation_x * a10;
+            let a12 = pivot_orientation_w.mul_add(a1, a11);
+            let a13 = pivot_rate_x * pivot_rate_z;
+            let a14 = a12 * a13;
+            let a15 = a8.mul_add(a9, a14);
+            let a16 = (-a3).mul_add(a5, a15);
+            let a17 = pivot_orientation_y * a10;
+            let a18 = pivot_orientation_x.mul_add(a0, a17);
+            let a19 = R::ONE - a18;
+            let a20 = pivot_orientation_w.mul_add(a0, a2);
+            let a21 = pivot_rate_z * pivot_rate_z;
+            let a22 = pivot_rate_x.mul_add(pivot_rate_x, a21);
+            let a23 = pivot_orientation_x * a1;
+            let a24 = (-pivot_orientation_w).mul_add(a10, a23);
+            let a25 = pivot_rate_x * pivot_rate_y;
+            let a26 = a24 * a25;
+            let a27 = (-a20).mul_add(a22, a26);
+            let a28 = a19.mul_add(a9, a27);
+            let a29 = R::from_f64(0.5) * a28;
+            let a30 = R::from_f64(-0.5).mul_add(a16, a29);
+            let a31 = a4 + a21;
+            let a32 = a20 * a25;
+            let a33 = (-a24).mul_add(a31, a32);
+            let a34 = a19.mul_add(a13, a33);
+            let a35 = pivot_orientation_w.mul_add(a10, a23);
+            let a36 = (-pivot_orientation_w).mul_add(a1, a11);
+            let a37 = a17 + a6;
+            let a38 = R::ONE - a37;
+            let a39 = a38 * a13;
+            let a40 = a36.mul_add(a9, a39);
+            let a41 = (-a35).mul_add(a5, a40);
+            let a42 = R::from_f64(0.5) * a41;
+            let a43 = R::from_f64(-0.5).mul_add(a34, a42);
+            let a44 = a38 * a25;
+            let a45 = (-a36).mul_add(a22, a44);
+            let a46 = a35.mul_add(a9, a45);
+            let a47 = a8 * a25;
+            let a48 = (-a12).mul_add(a31, a47);
+            let a49 = a3.mul_add(a13, a48);
+            let a50 = R::from_f64(0.5) * a49;
+            let a51 = R::from_f64(-0.5).mul_add(a46, a50);
+            *out = [R::ZERO, R::ZERO, R::ZERO, a30, a43, a51];
+        }
+        fn condition_drift(&self, time: R, q: &Q<R>, out: &mut Conditions<R>) {
+            *out = [R::ZERO, R::ZERO, R::ZERO, R::ZERO, R::ZERO, R::ZERO];
+        }
+        fn row_cosines(&self, time: R, q: &Q<R>, out: &mut Lambda<R>) {
+            *out = [];
+        }
+        fn start_targets(
+            &self,
+            positions: &mut Conditions<R>,
+            rates: &mut Conditions<R>,
+        ) {
+            *positions = [R::ZERO, R::ZERO, R::ZERO, R::ZERO, R::ZERO, R::ZERO];
+            *rates = [R::ZERO, R::ZERO, R::ZERO, R::ZERO, R::ZERO, R::ZERO];
+        }
+        fn start_q() -> Q<R> {
+            [R::ONE, R::ZERO, R::ZERO, R::ZERO]
+        }
+        fn start_v() -> V<R> {
+            [R::ZERO, R::ZERO, R::ZERO]
+        }
+    }
+};
