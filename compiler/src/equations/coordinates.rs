@@ -34,7 +34,7 @@ pub enum Ball {
     Joint(JointId),
 }
 
-/// A multi-turn angle: its rate is Σ weight · v[index].
+/// A multi-turn angle: its rate is `Σ weight · v[index]`.
 #[derive(Clone, Debug, PartialEq)]
 pub struct MultiTurn {
     pub rotor: Rotor,
