@@ -392,9 +392,7 @@ fn every_joint_occurs_both_ways() {
         ("distance", "ground second"),
         ("distance", "bodies"),
         ("fixed", "bodies"),
-        ("universal", "bodies"),
         ("spherical", "bodies"),
-        ("constant_velocity", "bodies"),
     ] {
         assert!(found.iter().any(|way| way.0 == kind && way.2 == ground), "{kind}, {ground}: {found:?}");
     }
