@@ -81,12 +81,13 @@ pub fn transposed(m: &Mat3) -> Mat3 {
     std::array::from_fn(|i| std::array::from_fn(|j| m[j][i]))
 }
 
+/// a b.
 pub fn product(g: &mut Graph, a: &Mat3, b: &Mat3) -> Mat3 {
     let columns = transposed(b).map(|column| apply(g, a, column));
     transposed(&columns)
 }
 
-/// a bᵀ-like product of a with the transpose of b.
+/// a bᵀ.
 pub fn product_transposed(g: &mut Graph, a: &Mat3, b: &Mat3) -> Mat3 {
     let b = transposed(b);
     product(g, a, &b)
