@@ -26,22 +26,33 @@ pub use driver::{Compiled, compile, compile_model};
 
 use proc_macro2::TokenStream;
 
-/// The expansion of `mechanism! { … }`: the model's items, or errors and a stub in its place.
-pub fn expand(tokens: TokenStream) -> TokenStream {
-    let source = tokens.to_string();
+/// What `mechanism! { … }` stands for.
+#[derive(Clone, Debug)]
+pub enum Expansion {
+    /// The model's items, as Rust text.
+    ///
+    /// Text, because a macro hands it to rustc's own lexer at once: `proc_macro2` reads everything with its own lexer
+    /// first, which takes an unoptimised macro seven times as long.
+    Items(String),
+    /// Errors at their places, and a stub in the model's place.
+    Errors(TokenStream),
+}
+
+/// The expansion of `mechanism! { … }`.
+pub fn expand(tokens: TokenStream) -> Expansion {
     match compile(tokens.clone(), None) {
-        Ok(compiled) => match emit::emit(&compiled, &source) {
-            Ok(items) => items,
-            Err(error) => {
-                let mut errors = diagnostics::Diagnostics::new();
-                errors.error(compiled.mechanism.name.span, messages::unreadable_expansion(&error));
-                errors.into_compile_errors()
-            }
-        },
+        Ok(compiled) => Expansion::Items(emit::emit(&compiled, &tokens.to_string())),
         Err(errors) => {
             let mut stream = errors.into_compile_errors();
             stream.extend(emit::stub(tokens));
-            stream
+            Expansion::Errors(stream)
         }
     }
+}
+
+/// The error in place of items that cannot be read back, which is a mistake of this crate.
+pub fn unreadable(error: &str) -> TokenStream {
+    let mut errors = diagnostics::Diagnostics::new();
+    errors.error(proc_macro2::Span::call_site(), messages::unreadable_expansion(error));
+    errors.into_compile_errors()
 }

@@ -1,7 +1,8 @@
 //! The `mechanism!` macro: a shell around `linkwright-compiler`.
 #![warn(missing_docs)]
 
-use proc_macro::TokenStream;
+use linkwright_compiler::{Expansion, unreadable};
+use proc_macro::{LexError, TokenStream};
 
 /// Compiles a definition of a mechanism into its equations of motion.
 ///
@@ -18,5 +19,10 @@ use proc_macro::TokenStream;
 /// The language, and what is emitted, are described in the documentation of the crate `linkwright`.
 #[proc_macro]
 pub fn mechanism(tokens: TokenStream) -> TokenStream {
-    linkwright_compiler::expand(tokens.into()).into()
+    match linkwright_compiler::expand(tokens.into()) {
+        Expansion::Items(text) => {
+            text.parse().unwrap_or_else(|error: LexError| unreadable(&error.to_string()).into())
+        }
+        Expansion::Errors(tokens) => tokens.into(),
+    }
 }

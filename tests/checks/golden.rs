@@ -2,7 +2,7 @@
 //! review as what a user would read. `UPDATE_GOLDEN=1 cargo test --test checks golden` writes them anew.
 
 use crate::registry::Model;
-use linkwright_compiler::expand;
+use linkwright_compiler::{Expansion, expand};
 use linkwright_models::four_bar::FourBar;
 use linkwright_models::general_four_bar::ParametricFourBar;
 use linkwright_models::simple_pendulum::SimplePendulum;
@@ -50,7 +50,10 @@ fn compare<M: Model>(name: &str) {
 }
 
 fn expansion<M: Model>() -> String {
-    expand(M::SOURCE.parse().expect("the source was tokens")).to_string()
+    match expand(M::SOURCE.parse().expect("the source was tokens")) {
+        Expansion::Items(text) => text,
+        Expansion::Errors(errors) => panic!("{errors}"),
+    }
 }
 
 /// The first line, counted from one, in which two texts differ.
