@@ -26,24 +26,113 @@ pub struct Body {
     pub helpers: String,
 }
 
-/// Writes a program. `helper` is the prefix of the names of helper functions.
-pub fn body(program: &Program, names: &Names, helper: &str) -> Body {
-    if program.instructions.len() <= STRETCH {
-        let mut statements = String::new();
-        loads(&mut statements, program.instructions.iter(), &program.outputs, names);
-        for (index, instruction) in program.instructions.iter().enumerate() {
-            statement(&mut statements, index, instruction, names);
-        }
-        let outputs = program.outputs.iter().map(|output| operand(*output, names)).collect();
-        return Body { statements, outputs, helpers: String::new() };
-    }
-    cut(program, names, helper)
+/// The beginning that a program has in common with another.
+pub struct Front<'a> {
+    /// Instructions in common.
+    pub length: usize,
+    pub other: &'a Program,
+    /// Names in the helper functions it is cut into, and the prefix of theirs.
+    pub names: &'a Names,
+    pub helper: &'a str,
+    /// Whether its helper functions are to be written: by one of the two.
+    pub write: bool,
 }
 
-/// Cuts a long program where few values are live. Values that live on travel in an array.
-fn cut(program: &Program, names: &Names, helper: &str) -> Body {
+/// Writes a program. `helper` is the prefix of the names of helper functions.
+pub fn body(program: &Program, names: &Names, helper: &str, front: Option<&Front>) -> Body {
+    let cut = Cut::new(program, front);
+    let mut statements = String::new();
+    let mut helpers = String::new();
+    let size = front.map_or(0, |front| Cut::new(front.other, Some(front)).size).max(cut.size);
+    if cut.parts.len() > 1 {
+        let _ = writeln!(statements, "let mut w = [R::ZERO; {size}];");
+    }
+    let Some((last, before)) = cut.parts.split_last() else {
+        return Body { statements, outputs: Vec::new(), helpers };
+    };
+    for (index, part) in before.iter().enumerate() {
+        let front = front.filter(|front| part.end <= front.length);
+        let (names, helper) = front.map_or((names, helper), |front| (front.names, front.helper));
+        let _ = writeln!(statements, "{helper}_{index}({}, &mut w);", names.arguments());
+        if front.is_none_or(|front| front.write) {
+            let _ = writeln!(
+                helpers,
+                "#[inline(never)] fn {helper}_{index}<R: Real>({}, w: &mut [R; {size}]) {{",
+                names.signature()
+            );
+            part_of(&mut helpers, program, part, &[], names);
+            for (value, slot) in &part.given {
+                let _ = write!(helpers, "w[{slot}] = ");
+                names.push_value(&mut helpers, *value as u32);
+                helpers.push_str(";\n");
+            }
+            helpers.push_str("}\n");
+        }
+    }
+    part_of(&mut statements, program, last, &program.outputs, names);
+    let outputs = program.outputs.iter().map(|output| match output {
+        Operand::Value(value) if (*value as usize) < last.start => {
+            format!("w[{}]", cut.slots[*value as usize].unwrap_or(0))
+        }
+        _ => operand(*output, names),
+    });
+    Body { outputs: outputs.collect(), statements, helpers }
+}
+
+/// A stretch of a program: instructions and the values that it takes from the array and gives to it, with their slots.
+struct Part {
+    start: usize,
+    end: usize,
+    taken: Vec<(usize, usize)>,
+    given: Vec<(usize, usize)>,
+}
+
+/// A long program, cut where few values are live. Values that live on travel in an array.
+struct Cut {
+    parts: Vec<Part>,
+    /// Entries of the array.
+    size: usize,
+    /// Where the values are after the last part but one.
+    slots: Vec<Option<usize>>,
+}
+
+impl Cut {
+    fn new(program: &Program, front: Option<&Front>) -> Cut {
+        let count = program.instructions.len();
+        if front.is_none() && count <= STRETCH {
+            let part = Part { start: 0, end: count, taken: Vec::new(), given: Vec::new() };
+            return Cut { parts: vec![part], size: 0, slots: Vec::new() };
+        }
+        let mut last_use = last_uses(program);
+        let length = front.map_or(0, |front| {
+            // What either program needs later leaves the front of both.
+            let last_use_there = last_uses(front.other);
+            for value in (0..front.length).filter(|value| last_use_there[*value] >= front.length) {
+                last_use[value] = last_use[value].max(front.length);
+            }
+            front.length
+        });
+        let live = live(&last_use);
+        let mut cuts = vec![0];
+        for (start, end) in [(0, length), (length, count)] {
+            let parts = (end - start).div_ceil(STRETCH);
+            for part in 1..parts {
+                let (middle, reach) = (start + part * (end - start) / parts, (end - start) / parts / 3);
+                let best = (middle - reach..=middle + reach).min_by_key(|cut| (live[*cut], *cut));
+                cuts.extend(best);
+            }
+            if end > start {
+                cuts.push(end);
+            }
+        }
+        allot(program, &cuts, &last_use)
+    }
+}
+
+/// Where each value is used last; the outputs are used at the end.
+fn last_uses(program: &Program) -> Vec<usize> {
     let count = program.instructions.len();
-    let mut last_use = vec![0usize; count];
+    let mut last_use = vec![0; count];
     for (index, instruction) in program.instructions.iter().enumerate() {
         for operand in instruction.operands() {
             if let Operand::Value(value) = operand {
@@ -56,107 +145,79 @@ fn cut(program: &Program, names: &Names, helper: &str) -> Body {
             last_use[*value as usize] = count;
         }
     }
-    let mut difference = vec![0isize; count + 2];
+    last_use
+}
+
+/// How many values live on across each place between two instructions.
+fn live(last_use: &[usize]) -> Vec<isize> {
+    let mut difference = vec![0isize; last_use.len() + 2];
     for (value, last) in last_use.iter().enumerate() {
         difference[value + 1] += 1;
         difference[last + 1] -= 1;
     }
-    let mut live = vec![0isize; count + 1];
     let mut running = 0;
-    for (cut, live) in live.iter_mut().enumerate() {
-        running += difference[cut];
-        *live = running;
-    }
-
-    let mut cuts = vec![0];
-    let parts = count.div_ceil(STRETCH);
-    for part in 1..parts {
-        let (middle, reach) = (part * count / parts, count / parts / 3);
-        let best = (middle - reach..=middle + reach).min_by_key(|cut| (live[*cut], *cut));
-        cuts.extend(best);
-    }
-    cuts.push(count);
-
-    write_parts(program, names, helper, &cuts, &last_use)
+    difference[..=last_use.len()]
+        .iter()
+        .map(|step| {
+            running += step;
+            running
+        })
+        .collect()
 }
 
-fn write_parts(program: &Program, names: &Names, helper: &str, cuts: &[usize], last_use: &[usize]) -> Body {
-    // A value that leaves its stretch gets a slot, and keeps it until its last use.
+/// Parts between cuts. A value that leaves its part gets a slot, and keeps it until its last use.
+fn allot(program: &Program, cuts: &[usize], last_use: &[usize]) -> Cut {
     let count = program.instructions.len();
-    let mut slot_of: Vec<Option<usize>> = vec![None; count];
+    let mut slots: Vec<Option<usize>> = vec![None; count];
     let mut free: BTreeSet<usize> = BTreeSet::new();
     let mut size = 0;
     let mut parts = Vec::new();
-    let mut kept: BTreeSet<usize> = BTreeSet::new();
+    let mut kept: Vec<usize> = Vec::new();
     for window in cuts.windows(2) {
         let (start, end) = (window[0], window[1]);
-        let mut used = BTreeSet::new();
-        for instruction in &program.instructions[start..end] {
-            for operand in instruction.operands() {
-                if let Operand::Value(value) = operand
-                    && (value as usize) < start
-                {
-                    used.insert(value as usize);
-                }
-            }
-        }
-        let taken: Vec<(usize, usize)> =
-            used.iter().filter_map(|value| slot_of[*value].map(|slot| (*value, slot))).collect();
-        let dead: Vec<usize> = kept.iter().copied().filter(|value| last_use[*value] < end).collect();
-        for value in dead {
-            kept.remove(&value);
-            free.extend(slot_of[value].take());
-        }
+        let operands = program.instructions[start..end].iter().flat_map(|instruction| instruction.operands());
+        let mut used: Vec<usize> = operands
+            .filter_map(|operand| match operand {
+                Operand::Value(value) if (value as usize) < start => Some(value as usize),
+                _ => None,
+            })
+            .collect();
+        used.sort_unstable();
+        used.dedup();
+        let taken = used.iter().filter_map(|value| Some((*value, slots[*value]?))).collect();
         let mut given = Vec::new();
-        for value in start..end {
-            if last_use[value] >= end {
+        if end < count {
+            let (living, dead) = kept.into_iter().partition(|value| last_use[*value] >= end);
+            kept = living;
+            let dead: Vec<usize> = dead;
+            free.extend(dead.into_iter().filter_map(|value| slots[value]));
+            for value in (start..end).filter(|value| last_use[*value] >= end) {
                 let slot = free.pop_first().unwrap_or_else(|| {
                     size += 1;
                     size - 1
                 });
-                slot_of[value] = Some(slot);
-                kept.insert(value);
+                slots[value] = Some(slot);
+                kept.push(value);
                 given.push((value, slot));
             }
         }
-        parts.push((start, end, taken, given));
+        parts.push(Part { start, end, taken, given });
     }
+    Cut { parts, size, slots }
+}
 
-    let mut helpers = String::new();
-    let mut statements = format!("let mut w = [R::ZERO; {size}];\n");
-    let signature = names.signature();
-    for (part, (start, end, taken, given)) in parts.iter().enumerate() {
-        let _ = writeln!(statements, "{helper}_{part}({}, &mut w);", names.arguments());
-        let _ = writeln!(
-            helpers,
-            "#[inline(never)] fn {helper}_{part}<R: Real>({signature}, w: &mut [R; {size}]) {{"
-        );
-        let stretch = &program.instructions[*start..*end];
-        loads(&mut helpers, stretch.iter(), &[], names);
-        for (value, slot) in taken {
-            let _ = writeln!(helpers, "let {} = w[{slot}];", names.value(*value as u32));
-        }
-        for (offset, instruction) in stretch.iter().enumerate() {
-            statement(&mut helpers, start + offset, instruction, names);
-        }
-        for (value, slot) in given {
-            let _ = writeln!(helpers, "w[{slot}] = {};", names.value(*value as u32));
-        }
-        helpers.push_str("}\n");
+/// Loads, values taken from the array, and instructions of one part.
+fn part_of(text: &mut String, program: &Program, part: &Part, outputs: &[Operand], names: &Names) {
+    let instructions = &program.instructions[part.start..part.end];
+    loads(text, instructions.iter(), outputs, names);
+    for (value, slot) in &part.taken {
+        text.push_str("let ");
+        names.push_value(text, *value as u32);
+        let _ = writeln!(text, " = w[{slot}];");
     }
-    loads(&mut statements, [].iter(), &program.outputs, names);
-    let outputs = program
-        .outputs
-        .iter()
-        .map(|output| match output {
-            Operand::Value(value) => match slot_of[*value as usize] {
-                Some(slot) => format!("w[{slot}]"),
-                None => operand(*output, names),
-            },
-            _ => operand(*output, names),
-        })
-        .collect();
-    Body { statements, outputs, helpers }
+    for (offset, instruction) in instructions.iter().enumerate() {
+        statement(text, part.start + offset, instruction, names);
+    }
 }
 
 /// `let` for every source that the instructions or outputs name.
@@ -175,24 +236,45 @@ fn loads<'a>(
     }
     for source in used {
         if let Some(place) = names.place(source) {
-            let _ = writeln!(text, "let {} = {place};", names.name(source));
+            text.push_str("let ");
+            names.push_source(text, source);
+            let _ = writeln!(text, " = {place};");
         }
     }
 }
 
 fn statement(text: &mut String, index: usize, instruction: &Instruction, names: &Names) {
     text.push_str("let ");
-    text.push_str(&names.value(index as u32));
+    names.push_value(text, index as u32);
     text.push_str(" = ");
     expression(text, instruction, names);
     text.push_str(";\n");
 }
 
 fn operand(operand: Operand, names: &Names) -> String {
+    let mut text = String::new();
+    push(&mut text, operand, names);
+    text
+}
+
+/// Appends an operand.
+fn push(text: &mut String, operand: Operand, names: &Names) {
     match operand {
-        Operand::Constant(value) => constant(value),
-        Operand::Source(source) => names.name(source).to_string(),
-        Operand::Value(index) => names.value(index),
+        Operand::Constant(value) => text.push_str(&constant(value)),
+        Operand::Source(source) => names.push_source(text, source),
+        Operand::Value(index) => names.push_value(text, index),
+    }
+}
+
+/// Appends an operand with the other sign.
+fn push_minus(text: &mut String, operand: Operand, names: &Names) {
+    match operand {
+        Operand::Constant(value) => text.push_str(&constant(-value)),
+        _ => {
+            text.push_str("(-");
+            push(text, operand, names);
+            text.push(')');
+        }
     }
 }
 
@@ -220,36 +302,71 @@ pub fn literal(value: f64) -> String {
 }
 
 fn expression(text: &mut String, instruction: &Instruction, names: &Names) {
-    let get = |o: Operand| operand(o, names);
-    let minus = |o: Operand| match o {
-        Operand::Constant(value) => constant(-value),
-        _ => format!("(-{})", operand(o, names)),
+    // Written out piece by piece: this is most of the text of an expansion, and a macro runs unoptimised.
+    let push = |text: &mut String, operand: Operand| push(text, operand, names);
+    let infix = |text: &mut String, a: Operand, sign: &str, b: Operand| {
+        push(text, a);
+        text.push_str(sign);
+        push(text, b);
     };
-    let mut write = |parts: &[&str]| parts.iter().for_each(|part| text.push_str(part));
+    let method = |text: &mut String, a: Operand, name: &str, b: Operand| {
+        push(text, a);
+        text.push('.');
+        text.push_str(name);
+        text.push('(');
+        push(text, b);
+        text.push(')');
+    };
     match *instruction {
-        Instruction::Neg(a) => write(&["-", &get(a)]),
-        Instruction::Add(a, b) => write(&[&get(a), " + ", &get(b)]),
-        Instruction::Sub(a, b) => write(&[&get(a), " - ", &get(b)]),
-        Instruction::Mul(a, b) => write(&[&get(a), " * ", &get(b)]),
+        Instruction::Add(a, b) => infix(text, a, " + ", b),
+        Instruction::Sub(a, b) => infix(text, a, " - ", b),
+        Instruction::Mul(a, b) => infix(text, a, " * ", b),
+        Instruction::Div(a, b) => infix(text, a, " / ", b),
         Instruction::MulAdd(a, b, c, minus_product, minus_addend) => {
             // The sign goes to a constant where there is one.
             let (a, b) = if matches!(b, Operand::Constant(_)) { (b, a) } else { (a, b) };
-            let factor = if minus_product { minus(a) } else { get(a) };
-            let addend = if minus_addend { minus(c) } else { get(c) };
-            write(&[&factor, ".mul_add(", &get(b), ", ", &addend, ")"]);
+            let signed = |text: &mut String, operand: Operand, minus: bool| {
+                if minus { push_minus(text, operand, names) } else { push(text, operand) }
+            };
+            signed(text, a, minus_product);
+            text.push_str(".mul_add(");
+            push(text, b);
+            text.push_str(", ");
+            signed(text, c, minus_addend);
+            text.push(')');
         }
-        Instruction::Div(a, b) => write(&[&get(a), " / ", &get(b)]),
-        Instruction::Unary(Unary::Reciprocal, a) => write(&["R::ONE / ", &get(a)]),
-        Instruction::Unary(function, a) => write(&[&get(a), ".", function.method(), "()"]),
-        Instruction::Min(a, b) => write(&[&get(a), ".min(", &get(b), ")"]),
-        Instruction::Max(a, b) => write(&[&get(a), ".max(", &get(b), ")"]),
-        Instruction::Atan2(a, b) => write(&[&get(a), ".atan2(", &get(b), ")"]),
-        Instruction::Compare(comparison, a, b) => {
-            write(&[&get(a), ".", comparison.method(), "(", &get(b), ")"]);
+        Instruction::Neg(a) => {
+            text.push('-');
+            push(text, a);
         }
-        Instruction::And(a, b) => write(&[&get(a), " & ", &get(b)]),
-        Instruction::Or(a, b) => write(&[&get(a), " | ", &get(b)]),
-        Instruction::Not(a) => write(&["!", &get(a)]),
-        Instruction::Select(m, a, b) => write(&["R::select(", &get(m), ", ", &get(a), ", ", &get(b), ")"]),
+        Instruction::Unary(Unary::Reciprocal, a) => {
+            text.push_str("R::ONE / ");
+            push(text, a);
+        }
+        Instruction::Unary(function, a) => {
+            push(text, a);
+            text.push('.');
+            text.push_str(function.method());
+            text.push_str("()");
+        }
+        Instruction::Min(a, b) => method(text, a, "min", b),
+        Instruction::Max(a, b) => method(text, a, "max", b),
+        Instruction::Atan2(a, b) => method(text, a, "atan2", b),
+        Instruction::Compare(comparison, a, b) => method(text, a, comparison.method(), b),
+        Instruction::And(a, b) => infix(text, a, " & ", b),
+        Instruction::Or(a, b) => infix(text, a, " | ", b),
+        Instruction::Not(a) => {
+            text.push('!');
+            push(text, a);
+        }
+        Instruction::Select(m, a, b) => {
+            text.push_str("R::select(");
+            push(text, m);
+            text.push_str(", ");
+            push(text, a);
+            text.push_str(", ");
+            push(text, b);
+            text.push(')');
+        }
     }
 }

@@ -134,10 +134,26 @@ impl<'a> Emitter<'a> {
 
     /// A program in a function with these arguments; helper functions go to `helpers`.
     fn body(&self, function: Function, arguments: &[Argument], helpers: &mut String) -> body::Body {
-        let program = self.compiled.programs.get(function);
+        let programs = &self.compiled.programs;
+        let program = programs.get(function);
         let names = self.names.within(arguments, &self.input_fields);
         let names = names.with_results(&program.outputs, &self.labels(function));
-        let mut body = body::body(program, &names, &format!("{}_part", function.name()));
+        // What the two solutions have in common is set up and factored in functions that both call.
+        let common = self.names.within(&traits::SOLUTION, &self.input_fields);
+        let front = |other: Function, write: bool| body::Front {
+            length: programs.shared,
+            other: programs.get(other),
+            names: &common,
+            helper: "factored",
+            write,
+        };
+        let front = match function {
+            Function::Acceleration => Some(front(Function::AccelerationBaumgarte, true)),
+            Function::AccelerationBaumgarte => Some(front(Function::Acceleration, false)),
+            _ => None,
+        };
+        let front = front.filter(|front| front.length > 0);
+        let mut body = body::body(program, &names, &format!("{}_part", function.name()), front.as_ref());
         helpers.push_str(&std::mem::take(&mut body.helpers));
         body
     }

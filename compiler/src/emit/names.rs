@@ -15,7 +15,7 @@ pub struct Names {
     arguments: Vec<Argument>,
     taken: Rc<BTreeSet<String>>,
     /// Names of instructions that are results, by index.
-    results: BTreeMap<u32, String>,
+    results: Vec<Option<String>>,
 }
 
 /// An argument of an emitted function and its type.
@@ -80,7 +80,7 @@ impl Names {
             input_fields: Vec::new(),
             arguments: Vec::new(),
             taken: Rc::new(taken),
-            results: BTreeMap::new(),
+            results: Vec::new(),
         }
     }
 
@@ -92,7 +92,7 @@ impl Names {
             input_fields: input_fields.to_vec(),
             arguments: arguments.to_vec(),
             taken: Rc::clone(&self.taken),
-            results: BTreeMap::new(),
+            results: Vec::new(),
         }
     }
 
@@ -106,29 +106,30 @@ impl Names {
                 name.push('_');
             }
             used.insert(name.clone());
-            self.results.entry(*index).or_insert(name);
+            let index = *index as usize;
+            self.results.resize(self.results.len().max(index + 1), None);
+            self.results[index].get_or_insert(name);
         }
         self
     }
 
-    /// Name of an instruction's value.
-    pub fn value(&self, index: u32) -> String {
-        match self.results.get(&index) {
-            Some(name) => name.clone(),
-            None => numbered('a', index),
+    /// Appends the name of an instruction's value.
+    pub fn push_value(&self, text: &mut String, index: u32) {
+        match self.results.get(index as usize) {
+            Some(Some(name)) => text.push_str(name),
+            _ => push_numbered(text, 'a', index),
         }
     }
 
-    pub fn name(&self, source: Source) -> String {
-        match source {
-            Source::Time => "time".to_string(),
-            Source::TwoAlpha => "two_alpha".to_string(),
-            Source::BetaSquared => "beta_squared".to_string(),
-            Source::Prepared(index) => match self.names.get(&source) {
-                Some(name) => name.clone(),
-                None => numbered('k', index),
-            },
-            _ => self.names.get(&source).cloned().unwrap_or_default(),
+    /// Appends the name of a source.
+    pub fn push_source(&self, text: &mut String, source: Source) {
+        match (source, self.names.get(&source)) {
+            (_, Some(name)) => text.push_str(name),
+            (Source::Time, _) => text.push_str("time"),
+            (Source::TwoAlpha, _) => text.push_str("two_alpha"),
+            (Source::BetaSquared, _) => text.push_str("beta_squared"),
+            (Source::Prepared(index), _) => push_numbered(text, 'k', index),
+            (_, None) => {}
         }
     }
 
@@ -212,10 +213,9 @@ const RESERVED: [&str; 14] = [
     "out",
 ];
 
-fn numbered(letter: char, index: u32) -> String {
-    let mut name = index.to_string();
-    name.insert(0, letter);
-    name
+fn push_numbered(text: &mut String, letter: char, index: u32) {
+    text.push(letter);
+    text.push_str(&index.to_string());
 }
 
 /// A name as an identifier that is no keyword and no name of an intermediate value.

@@ -11,6 +11,9 @@ use Argument::{
     Acceleration, BetaSquared, Constants, Inputs, Lambda, Parameters, Phases, Q, Target, Time, TwoAlpha, V,
 };
 
+/// Arguments of the solution: of `acceleration`, and the first of `acceleration_baumgarte`.
+pub const SOLUTION: [Argument; 5] = [Constants, Time, Q, V, Inputs];
+
 /// Short names for the types of this mechanism.
 pub fn aliases(text: &mut String, emitter: &Emitter) {
     let name = &emitter.name;
@@ -367,7 +370,7 @@ pub fn mechanism(text: &mut String, emitter: &Emitter) {
         &mut helpers,
         emitter,
         Function::Acceleration,
-        &with_inputs,
+        &SOLUTION,
         "acceleration(&self, time: R, q: &Q<R>, v: &V<R>, u: &Inputs<R>, a_out: &mut V<R>, \
          lambda_out: &mut Lambda<R>) -> R",
         solution,

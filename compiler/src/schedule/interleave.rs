@@ -26,28 +26,23 @@ fn latency(instruction: &Instruction) -> usize {
     if is_slow(instruction) { SLOW } else { FAST }
 }
 
-pub fn interleave(program: Program) -> Program {
-    if program.instructions.len() < LONG {
+/// The program with its instructions in the order of execution, those before `start` before all others.
+pub fn interleave(program: Program, start: usize) -> Program {
+    let count = program.instructions.len();
+    if count < LONG {
         return program;
     }
-    let order = order(&program);
-    let mut position = vec![0u32; order.len()];
-    for (new, old) in order.iter().enumerate() {
-        position[*old] = new as u32;
-    }
-    let moved = |operand: Operand| match operand {
-        Operand::Value(value) => Operand::Value(position[value as usize]),
-        other => other,
-    };
-    let instructions = order.iter().map(|old| program.instructions[*old].map(moved)).collect();
-    Program { instructions, outputs: program.outputs.iter().map(|output| moved(*output)).collect() }
+    let mut order = order(&program.instructions[..start], 0);
+    order.extend(self::order(&program.instructions[start..], start));
+    program.in_order(&order)
 }
 
-fn order(program: &Program) -> Vec<usize> {
-    let count = program.instructions.len();
+/// Instructions of a program from `start` on, in the order of execution.
+fn order(instructions: &[Instruction], start: usize) -> Vec<usize> {
+    let count = instructions.len();
     let operands = |index: usize| {
-        program.instructions[index].operands().filter_map(|operand| match operand {
-            Operand::Value(value) => Some(value as usize),
+        instructions[index].operands().filter_map(|operand| match operand {
+            Operand::Value(value) => (value as usize).checked_sub(start),
             _ => None,
         })
     };
@@ -55,7 +50,7 @@ fn order(program: &Program) -> Vec<usize> {
     let mut waiting = vec![0usize; count];
     let mut users: Vec<Vec<usize>> = vec![Vec::new(); count];
     for index in (0..count).rev() {
-        let below = height[index] + latency(&program.instructions[index]);
+        let below = height[index] + latency(&instructions[index]);
         for operand in operands(index) {
             height[operand] = height[operand].max(below);
             users[operand].push(index);
@@ -81,9 +76,9 @@ fn order(program: &Program) -> Vec<usize> {
         }
         for _ in 0..WIDTH {
             let Some((_, Reverse(index))) = ready.pop() else { break };
-            order.push(index);
-            let done = cycle + latency(&program.instructions[index]);
-            let under_way = if is_slow(&program.instructions[index]) { &mut slow } else { &mut fast };
+            order.push(start + index);
+            let done = cycle + latency(&instructions[index]);
+            let under_way = if is_slow(&instructions[index]) { &mut slow } else { &mut fast };
             for user in &users[index] {
                 waiting[*user] -= 1;
                 if waiting[*user] == 0 {

@@ -7,6 +7,7 @@ mod evaluate;
 mod interleave;
 mod program;
 mod select;
+mod share;
 
 pub use crate::functions::{Function, outputs};
 pub use count::{Counts, count};
@@ -14,8 +15,9 @@ pub use evaluate::{Inputs, run};
 pub use program::{Instruction, Operand, Program, Source};
 
 use crate::equations::Equations;
-use crate::optimize::{Hoisted, Optimized, optimize_only};
+use crate::optimize::{Fused, Hoisted, Optimized, optimize_only};
 use crate::solve::Solved;
+use select::Selected;
 use crate::symbolic::Node;
 
 /// All programs of one mechanism.
@@ -25,6 +27,8 @@ pub struct Programs {
     pub functions: Vec<(Function, Program)>,
     /// Number of constants of the prepared model.
     pub prepared: usize,
+    /// How many instructions `acceleration` and `acceleration_baumgarte` begin with in common.
+    pub shared: usize,
 }
 
 impl Programs {
@@ -39,16 +43,24 @@ pub fn schedule(equations: &Equations, optimized: &Optimized) -> Programs {
     let sources = sources(equations);
     // `prepare` computes the constants that the others find in the prepared model.
     let none = Hoisted::default();
-    let functions = optimized
-        .functions
-        .iter()
-        .map(|(function, fused)| {
-            let hoisted = if *function == Function::Prepare { &none } else { &optimized.hoisted };
-            let program = select::select(&equations.graph, &sources, hoisted, fused);
-            (*function, interleave::interleave(program))
-        })
-        .collect();
-    Programs { functions, prepared: optimized.hoisted.len() }
+    let select = |(function, fused): &(Function, Fused)| {
+        let hoisted = if *function == Function::Prepare { &none } else { &optimized.hoisted };
+        (*function, select::select(&equations.graph, &sources, hoisted, fused))
+    };
+    let mut selected: Vec<(Function, Selected)> = optimized.functions.iter().map(select).collect();
+    let solves = |function: Function| {
+        matches!(function, Function::Acceleration | Function::AccelerationBaumgarte)
+    };
+    let mut pair = selected.iter_mut().filter(|(function, _)| solves(*function)).map(|(_, program)| program);
+    let shared = match (pair.next(), pair.next()) {
+        (Some(plain), Some(stabilised)) => share::share(plain, stabilised),
+        _ => 0,
+    };
+    let in_order = |(function, selected): (Function, Selected)| {
+        (function, interleave::interleave(selected.program, if solves(function) { shared } else { 0 }))
+    };
+    let functions = selected.into_iter().map(in_order).collect();
+    Programs { functions, prepared: optimized.hoisted.len(), shared }
 }
 
 /// Operations of one function, as they will be emitted.
@@ -57,7 +69,7 @@ pub fn count_of(equations: &Equations, solved: &Solved, function: Function) -> C
     let sources = sources(equations);
     // The order of the instructions does not count.
     let select = |fused| select::select(&equations.graph, &sources, &hoisted, fused);
-    functions.first().map_or(Counts::default(), |(_, fused)| count(&select(fused)))
+    functions.first().map_or(Counts::default(), |(_, fused)| count(&select(fused).program))
 }
 
 /// What each symbol of the graph stands for.

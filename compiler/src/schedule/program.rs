@@ -108,3 +108,19 @@ pub struct Program {
     pub instructions: Vec<Instruction>,
     pub outputs: Vec<Operand>,
 }
+
+impl Program {
+    /// The same program with its instructions in another order, given by their present indices.
+    pub fn in_order(&self, order: &[usize]) -> Program {
+        let mut position = vec![0u32; order.len()];
+        for (new, old) in order.iter().enumerate() {
+            position[*old] = new as u32;
+        }
+        let moved = |operand: Operand| match operand {
+            Operand::Value(value) => Operand::Value(position[value as usize]),
+            other => other,
+        };
+        let instructions = order.iter().map(|old| self.instructions[*old].map(moved)).collect();
+        Program { instructions, outputs: self.outputs.iter().map(|output| moved(*output)).collect() }
+    }
+}

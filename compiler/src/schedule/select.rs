@@ -11,17 +11,29 @@ struct Selection<'a> {
     fused: &'a Fused,
     values: Vec<Option<u32>>,
     instructions: Vec<Instruction>,
+    nodes: Vec<Node>,
+}
+
+/// A program, and what its instructions compute.
+pub struct Selected {
+    pub program: Program,
+    /// Node of each instruction.
+    pub nodes: Vec<Node>,
+    /// Instruction of each node.
+    pub values: Vec<Option<u32>>,
 }
 
 /// The function as instructions, operands first.
-pub fn select(graph: &Graph, sources: &[Source], hoisted: &Hoisted, fused: &Fused) -> Program {
+pub fn select(graph: &Graph, sources: &[Source], hoisted: &Hoisted, fused: &Fused) -> Selected {
     let values = vec![None; graph.len()];
-    let mut selection = Selection { graph, sources, hoisted, fused, values, instructions: Vec::new() };
+    let (instructions, nodes) = (Vec::new(), Vec::new());
+    let mut selection = Selection { graph, sources, hoisted, fused, values, instructions, nodes };
     for output in &fused.outputs {
         selection.compute(*output);
     }
     let outputs = fused.outputs.iter().map(|output| selection.operand(*output)).collect();
-    Program { instructions: selection.instructions, outputs }
+    let program = Program { instructions: selection.instructions, outputs };
+    Selected { program, nodes: selection.nodes, values: selection.values }
 }
 
 impl Selection<'_> {
@@ -37,6 +49,7 @@ impl Selection<'_> {
                 self.values[node.index()] = Some(self.instructions.len() as u32);
                 let instruction = self.build(node, instruction);
                 self.instructions.push(instruction);
+                self.nodes.push(node);
             } else {
                 stack.push((node, true));
                 // Pushed in reverse so that the first operand is computed first.

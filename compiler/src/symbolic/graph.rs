@@ -165,7 +165,7 @@ impl Graph {
     pub fn add(&mut self, a: Node, b: Node) -> Node {
         match (self.op(a), self.op(b)) {
             (Op::Constant(x), Op::Constant(y)) => {
-                return self.constant(f64::from_bits(x) + f64::from_bits(y));
+                return self.constant(settled_sum(f64::from_bits(x), f64::from_bits(y)));
             }
             (Op::Neg(x), Op::Neg(y)) => {
                 let sum = self.add(x, y);
@@ -209,7 +209,7 @@ impl Graph {
     pub fn sub(&mut self, a: Node, b: Node) -> Node {
         match (self.op(a), self.op(b)) {
             (Op::Constant(x), Op::Constant(y)) => {
-                return self.constant(f64::from_bits(x) - f64::from_bits(y));
+                return self.constant(settled_sum(f64::from_bits(x), -f64::from_bits(y)));
             }
             (Op::Neg(x), Op::Neg(y)) => return self.sub(y, x),
             (_, Op::Neg(y)) => return self.add(a, y),
@@ -491,3 +491,9 @@ impl Graph {
         node
     }
 }
+/// x + y; zero where they cancel but for rounding, which would otherwise go on through the equations as a number.
+fn settled_sum(x: f64, y: f64) -> f64 {
+    let sum = x + y;
+    if sum.abs() <= 4.0 * f64::EPSILON * x.abs().max(y.abs()) { 0.0 } else { sum }
+}
+

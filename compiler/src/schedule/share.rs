@@ -1,0 +1,53 @@
+//! What two programs compute alike, in front of both.
+//!
+//! The accelerations with and without Baumgarte's terms differ in one right-hand side: the equations are set up and
+//! factored alike. With that part in front, instruction for instruction, its text and its machine code are
+//! needed once.
+
+use super::program::{Instruction, Operand};
+use super::select::Selected;
+
+/// Programs of fewer instructions stay apart: one piece is faster than two, and text is not what they cost.
+const LONG: usize = 1000;
+
+/// Puts what they have in common in front of both programs; says how many instructions that is.
+pub fn share(one: &mut Selected, other: &mut Selected) -> usize {
+    if one.program.instructions.len() < LONG || other.program.instructions.len() < LONG {
+        return 0;
+    }
+    // For each instruction of `other` the same of `one`: same operation, operands in common.
+    let mut same: Vec<Option<u32>> = Vec::with_capacity(other.nodes.len());
+    for (instruction, node) in other.program.instructions.iter().zip(&other.nodes) {
+        let known = one.values[node.index()].filter(|known| {
+            in_common(instruction, &same).is_some_and(|moved| one.program.instructions[*known as usize] == moved)
+        });
+        same.push(known);
+    }
+    let shared: Vec<(usize, usize)> =
+        same.iter().enumerate().filter_map(|(b, a)| Some(((*a)? as usize, b))).collect();
+    let in_front = |count: usize, front: Vec<usize>| -> Vec<usize> {
+        let mut rest = vec![true; count];
+        front.iter().for_each(|index| rest[*index] = false);
+        let rest = (0..count).filter(|index| rest[*index]);
+        front.into_iter().chain(rest).collect()
+    };
+    let first = in_front(one.nodes.len(), shared.iter().map(|(a, _)| *a).collect());
+    let second = in_front(other.nodes.len(), shared.iter().map(|(_, b)| *b).collect());
+    one.program = one.program.in_order(&first);
+    other.program = other.program.in_order(&second);
+    shared.len()
+}
+
+/// The instruction on the operands of the other program; `None` if it has not got them.
+fn in_common(instruction: &Instruction, same: &[Option<u32>]) -> Option<Instruction> {
+    let known = |operand: Operand| match operand {
+        Operand::Value(value) => same[value as usize].is_some(),
+        _ => true,
+    };
+    instruction.operands().all(known).then(|| {
+        instruction.map(|operand| match operand {
+            Operand::Value(value) => Operand::Value(same[value as usize].unwrap_or(value)),
+            other => other,
+        })
+    })
+}
