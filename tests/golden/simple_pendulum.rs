@@ -358,11 +358,7 @@ const _: () = {
             a_out: &mut V<R>,
             lambda_out: &mut Lambda<R>,
         ) -> R {
-            let arm_cos = q[0];
-            let arm_rate_dot_ = R::from_f64(-9.81) * arm_cos;
-            *a_out = [arm_rate_dot_];
-            *lambda_out = [];
-            R::ONE
+            <Self as Mechanism<R>>::acceleration(self, time, q, v, u, a_out, lambda_out)
         }
         fn outputs(&self, time: R, q: &Q<R>, v: &V<R>, u: &()) -> Outputs<R> {
             let arm_cos = q[0];

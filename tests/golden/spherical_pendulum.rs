@@ -583,32 +583,7 @@ const _: () = {
             a_out: &mut V<R>,
             lambda_out: &mut Lambda<R>,
         ) -> R {
-            let pivot_orientation_w = q[0];
-            let pivot_orientation_x = q[1];
-            let pivot_orientation_y = q[2];
-            let pivot_orientation_z = q[3];
-            let pivot_rate_x = v[0];
-            let pivot_rate_y = v[1];
-            let pivot_rate_z = v[2];
-            let a0 = pivot_rate_x * pivot_rate_z;
-            let a1 = R::from_f64(2.0) * pivot_orientation_y;
-            let a2 = R::from_f64(2.0) * pivot_orientation_x;
-            let a3 = pivot_orientation_x * a2;
-            let a4 = pivot_orientation_y.mul_add(a1, a3);
-            let a5 = R::ONE - a4;
-            let a6 = R::from_f64(19.6133) * a5;
-            let a7 = R::from_f64(4.06).mul_add(a0, a6);
-            let pivot_rate_y_dot_ = R::from_f64(0.24390243902439027) * a7;
-            let a9 = pivot_rate_x * pivot_rate_y;
-            let a10 = R::from_f64(2.0) * pivot_orientation_z;
-            let a11 = pivot_orientation_w * a2;
-            let a12 = pivot_orientation_y.mul_add(a10, a11);
-            let a13 = R::from_f64(19.6133) * a12;
-            let a14 = R::from_f64(4.06).mul_add(a9, a13);
-            let pivot_rate_z_dot_ = R::from_f64(-0.24390243902439027) * a14;
-            *a_out = [R::ZERO, pivot_rate_y_dot_, pivot_rate_z_dot_];
-            *lambda_out = [];
-            R::ONE
+            <Self as Mechanism<R>>::acceleration(self, time, q, v, u, a_out, lambda_out)
         }
         fn outputs(&self, time: R, q: &Q<R>, v: &V<R>, u: &()) -> Outputs<R> {
             let pivot_orientation_w = q[0];

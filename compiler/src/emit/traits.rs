@@ -375,16 +375,26 @@ pub fn mechanism(text: &mut String, emitter: &Emitter) {
          lambda_out: &mut Lambda<R>) -> R",
         solution,
     );
-    function(
-        text,
-        &mut helpers,
-        emitter,
-        Function::AccelerationBaumgarte,
-        &[Constants, Time, Q, V, Inputs, TwoAlpha, BetaSquared],
-        "acceleration_baumgarte(&self, time: R, q: &Q<R>, v: &V<R>, u: &Inputs<R>, two_alpha: R, beta_squared: R, \
-         a_out: &mut V<R>, lambda_out: &mut Lambda<R>) -> R",
-        solution,
-    );
+    let stabilised = "acceleration_baumgarte(&self, time: R, q: &Q<R>, v: &V<R>, u: &Inputs<R>, two_alpha: R, \
+                      beta_squared: R, a_out: &mut V<R>, lambda_out: &mut Lambda<R>) -> R";
+    if emitter.rows() == 0 {
+        // Nothing to stabilise.
+        let _ = writeln!(
+            text,
+            "fn {stabilised} {{\n<Self as Mechanism<R>>::acceleration(self, time, q, v, u, a_out, lambda_out)\n}}"
+        );
+    } else {
+        let [constants, time, q, v, inputs] = SOLUTION;
+        function(
+            text,
+            &mut helpers,
+            emitter,
+            Function::AccelerationBaumgarte,
+            &[constants, time, q, v, inputs, TwoAlpha, BetaSquared],
+            stabilised,
+            solution,
+        );
+    }
     outputs(text, &mut helpers, emitter);
     text.push_str("}\n");
     text.push_str(&helpers);

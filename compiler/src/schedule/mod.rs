@@ -17,8 +17,8 @@ pub use program::{Instruction, Operand, Program, Source};
 use crate::equations::Equations;
 use crate::optimize::{Fused, Hoisted, Optimized, optimize_only};
 use crate::solve::Solved;
-use select::Selected;
 use crate::symbolic::Node;
+use select::Selected;
 
 /// All programs of one mechanism.
 #[derive(Clone, Debug)]
@@ -48,9 +48,8 @@ pub fn schedule(equations: &Equations, optimized: &Optimized) -> Programs {
         (*function, select::select(&equations.graph, &sources, hoisted, fused))
     };
     let mut selected: Vec<(Function, Selected)> = optimized.functions.iter().map(select).collect();
-    let solves = |function: Function| {
-        matches!(function, Function::Acceleration | Function::AccelerationBaumgarte)
-    };
+    let solves =
+        |function: Function| matches!(function, Function::Acceleration | Function::AccelerationBaumgarte);
     let mut pair = selected.iter_mut().filter(|(function, _)| solves(*function)).map(|(_, program)| program);
     let shared = match (pair.next(), pair.next()) {
         (Some(plain), Some(stabilised)) => share::share(plain, stabilised),

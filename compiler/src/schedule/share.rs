@@ -19,7 +19,8 @@ pub fn share(one: &mut Selected, other: &mut Selected) -> usize {
     let mut same: Vec<Option<u32>> = Vec::with_capacity(other.nodes.len());
     for (instruction, node) in other.program.instructions.iter().zip(&other.nodes) {
         let known = one.values[node.index()].filter(|known| {
-            in_common(instruction, &same).is_some_and(|moved| one.program.instructions[*known as usize] == moved)
+            in_common(instruction, &same)
+                .is_some_and(|moved| one.program.instructions[*known as usize] == moved)
         });
         same.push(known);
     }

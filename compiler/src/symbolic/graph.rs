@@ -496,4 +496,3 @@ fn settled_sum(x: f64, y: f64) -> f64 {
     let sum = x + y;
     if sum.abs() <= 4.0 * f64::EPSILON * x.abs().max(y.abs()) { 0.0 } else { sum }
 }
-
