@@ -9,6 +9,12 @@ pub fn median(mut samples: Vec<f64>) -> f64 {
     samples[samples.len() / 2]
 }
 
+/// The least of the samples.
+#[allow(dead_code)]
+pub fn least(samples: &[f64]) -> f64 {
+    samples.iter().copied().fold(f64::INFINITY, f64::min)
+}
+
 /// Seconds that a call takes.
 #[allow(dead_code)]
 pub fn seconds<T>(call: impl FnOnce() -> T) -> (T, f64) {

@@ -14,8 +14,10 @@ use crate::symbolic::Unary;
 use std::collections::BTreeSet;
 use std::fmt::Write;
 
-/// Longest stretch of instructions in one function: compilers are superlinear in the size of a function.
-const STRETCH: usize = 1000;
+/// Programs of more instructions are cut: compilers are superlinear in the size of a function.
+const LONG: usize = 1000;
+/// About how many instructions of a program that is cut go into one function.
+const STRETCH: usize = 500;
 
 /// The body of a function and the helper functions it was cut into.
 pub struct Body {
@@ -99,7 +101,7 @@ struct Cut {
 impl Cut {
     fn new(program: &Program, front: Option<&Front>) -> Cut {
         let count = program.instructions.len();
-        if front.is_none() && count <= STRETCH {
+        if front.is_none() && count <= LONG {
             let part = Part { start: 0, end: count, taken: Vec::new(), given: Vec::new() };
             return Cut { parts: vec![part], size: 0, slots: Vec::new() };
         }
