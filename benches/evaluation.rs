@@ -7,7 +7,7 @@
 //! ```
 //! The second line also times C code that CasADi writes for the same mechanisms, in the same run and interleaved, so
 //! that the ratio does not suffer from a clock that drifts. Both are called through a pointer.
-//! `RUSTFLAGS="-C target-cpu=native"` lets the fused multiply-adds be instructions; the C code has `-march=native`.
+//! `RUSTFLAGS="-C target-cpu=native"` lets the fused multiply-adds be instructions; the C code then has `-march=native`.
 
 mod casadi;
 mod harness;

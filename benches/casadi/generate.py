@@ -10,7 +10,7 @@ factored by CasADi's symbolic sparse LDLᵀ, in the natural order of the chain. 
 
     (angles, rates, (2α, β²)) -> (accelerations, multipliers)
 
-whose C is compiled by gcc -O3 -march=native. Rods of 1 m and 1 kg, pins 1 m apart, g = 9.81 m/s².
+whose C is compiled by gcc -O3, and into DIRECTORY/native by gcc -O3 -march=native. Rods of 1 m and 1 kg, pins 1 m apart, g = 9.81 m/s².
 """
 
 import itertools
@@ -79,14 +79,15 @@ def function(name, windows):
 
 def main():
     directory = pathlib.Path(sys.argv[1])
-    directory.mkdir(parents=True, exist_ok=True)
+    (directory / "native").mkdir(parents=True, exist_ok=True)
     ladders = (("four_bar", 1), ("n_four_bar_10", 10), ("n_four_bar_40", 40))
     for made in itertools.chain((function(*ladder) for ladder in ladders), space.functions()):
         name = made.name()
         made.generate(f"{name}.c", {"with_header": False})
         pathlib.Path(f"{name}.c").rename(directory / f"{name}.c")
-        command = ["gcc", "-O3", "-march=native", "-shared", "-fPIC", f"{name}.c", "-o", f"{name}.so", "-lm"]
-        subprocess.run(command, cwd=directory, check=True)
+        for target, flags in ((".", []), ("native", ["-march=native"])):
+            command = ["gcc", "-O3", *flags, "-shared", "-fPIC", f"{name}.c", "-o", f"{target}/{name}.so", "-lm"]
+            subprocess.run(command, cwd=directory, check=True)
         (directory / f"{name}.operations").write_text(str(report(made)))
     for part in space.panda_parts():
         report(part)

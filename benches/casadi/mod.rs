@@ -1,6 +1,7 @@
 //! C code written by CasADi, loaded at run time: `generate.py` says what it computes.
 //!
-//! Without the environment variable `LINKWRIGHT_CASADI`, a folder of shared libraries, there is no peer.
+//! Without the environment variable `LINKWRIGHT_CASADI`, a folder of shared libraries, there is no peer. Where this bench is compiled
+//! for a processor with fused multiply-adds, the peers are those that gcc has compiled for this processor.
 
 use std::ffi::{CString, c_char, c_int, c_void};
 use std::path::PathBuf;
@@ -37,7 +38,8 @@ impl Peer {
     /// that ends in `_turns` takes cosine and sine of each angle instead of the angle.
     pub fn open<S>(name: &str, states: &[S], convert: impl Fn(&S) -> [Vec<f64>; 3]) -> Option<Self> {
         let folder = PathBuf::from(std::env::var_os("LINKWRIGHT_CASADI")?);
-        let path = std::fs::canonicalize(folder.join(format!("{name}.so"))).ok()?;
+        let target = if cfg!(target_feature = "fma") { "native" } else { "." };
+        let path = std::fs::canonicalize(folder.join(target).join(format!("{name}.so"))).ok()?;
         let operations =
             std::fs::read_to_string(folder.join(format!("{name}.operations"))).unwrap_or_default();
         const NOW: c_int = 2;
