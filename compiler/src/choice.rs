@@ -93,8 +93,8 @@ fn choose_in_space(
     let estimate = space::absolute_operations(mechanism);
     let of_tree = solve::structural_operations(&tree);
     let (known, known_assembly) = (tree.clone(), assembly.clone());
-    // Long chains have a full mass matrix in tree coordinates.
-    if of_tree > 4 * estimate {
+    // Long chains that close have a full mass matrix in tree coordinates; open ones need none.
+    if of_tree > 4 * estimate && !tree.rows.is_empty() {
         let (absolute, state) = absolute(mechanism, &known, &known_assembly);
         let (candidate, counts) = solved(mechanism, absolute, state, errors)?;
         return Some(taken(Coordinates::Absolute, candidate, counts, Some(Rejected::Estimated(of_tree))));
@@ -156,9 +156,10 @@ impl Choice {
             _ => ("tree", "absolute"),
         };
         let order = match self.strategy {
-            Strategy::MinimumDegree => "minimum degree",
-            Strategy::MinimumFill => "minimum fill",
-            Strategy::Schur => "all velocities first (Schur complement)",
+            Strategy::MinimumDegree => "elimination order: minimum degree",
+            Strategy::MinimumFill => "elimination order: minimum fill",
+            Strategy::Schur => "elimination order: all velocities first (Schur complement)",
+            Strategy::ArticulatedBodies => "solved by articulated bodies",
         };
         let (operations, depth) = (self.counts.total(), self.counts.depth);
         let why = match &self.rejected {
@@ -173,6 +174,6 @@ impl Choice {
                  elimination alone in {rival} coordinates"
             ),
         };
-        format!("In {own} coordinates ({why}); elimination order: {order}.")
+        format!("In {own} coordinates ({why}); {order}.")
     }
 }

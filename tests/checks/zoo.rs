@@ -130,6 +130,7 @@ macro_rules! for_each_in_zoo {
             slanted: crate::zoo_space::Slanted,
             hub: crate::zoo_space::Hub,
             bench: crate::zoo_space::Bench,
+            snake: crate::zoo_space::Snake,
         }
     };
 }

@@ -6,6 +6,7 @@
 
 use crate::registry::{Model, compiled};
 use linkwright_compiler::model::{Coordinates, Frame, JointWord};
+use linkwright_compiler::solve::order::Strategy;
 use std::collections::BTreeSet;
 
 linkwright::mechanism! {
@@ -326,6 +327,56 @@ linkwright::mechanism! {
     }
 }
 
+linkwright::mechanism! {
+    /// A long tree without loops, which articulated bodies solve: turns and slides along no axis, balls both ways, two branches.
+    pub spatial Snake {
+        param weight [kg] = 0.8 in 0.3..2;
+        input drive [N*m];
+        gravity [m/s^2] = (0.2, 0.5, -9.81);
+        marker foot [m] = (0.1, 0.2, -0.1), axis = (1, 0, 2), reference = (0, 1, 0);
+        body first  { mass [kg] = weight; inertia [kg*m^2] = (0.02, 0.03, 0.035); products [kg*m^2] = (0.004, -0.002, 0.003);
+                      center [m] = (0.1, 0.02, -0.03); marker root [m] = (0, 0.02, 0.01), about_x [deg] = 20;
+                      marker end [m] = (0.3, 0, 0.05), about_y [deg] = 35, about_z [deg] = -10; }
+        body second { mass [kg] = 0.7; inertia [kg*m^2] = (0.01, 0.012, 0.009); products [kg*m^2] = (-0.001, 0.002, 0.001);
+                      center [m] = (0.12, -0.01, 0.02); marker root [m] = (0.01, 0, 0), about_z [deg] = 50;
+                      marker end [m] = (0.25, 0.03, -0.02), axis = (0.3, 1, 0.2), reference = (1, 0, 0);
+                      marker side [m] = (0.1, 0.1, 0), axis = (0, 1, 1), reference = (1, 0, 0); }
+        body third  { mass [kg] = 0.5; inertia [kg*m^2] = (0.006, 0.005, 0.008); products [kg*m^2] = (0.0005, 0.001, -0.0007);
+                      center [m] = (0.05, 0.02, 0.1); point root [m] = (0, -0.01, 0.02); point end [m] = (0.02, 0.04, 0.2); }
+        body fourth { mass [kg] = 0.6; inertia [kg*m^2] = (0.007, 0.006, 0.004); products [kg*m^2] = (0.001, 0, 0.0005);
+                      center [m] = (0, 0.1, 0.03); marker root [m] = (0.02, 0, -0.01), axis = (1, 1, 3), reference = (0, 1, 0);
+                      point end [m] = (0.03, 0.2, 0); }
+        body fifth  { mass [kg] = 0.4; inertia [kg*m^2] = (0.003, 0.004, 0.005); products [kg*m^2] = (0.0002, -0.0004, 0.0006);
+                      center [m] = (0.06, 0.01, 0); point root [m] = (-0.02, 0, 0.01); point tip [m] = (0.1, 0.02, 0.04); }
+        body twig   { mass [kg] = 0.3; inertia [kg*m^2] = (0.002, 0.0015, 0.0018); products [kg*m^2] = (0.0001, 0.0003, -0.0002);
+                      center [m] = (0.02, 0.05, 0.04); marker root [m] = (0, 0.01, 0), about_x [deg] = -40; point tip [m] = (0, 0.15, 0.1); }
+        particle leaf { mass [kg] = 0.1; }
+
+        joint hip:    revolute(foot, first.root);
+        joint reach:  prismatic(second.root, first.end, axis = (1, 2, 0));
+        joint socket: spherical(second.end, third.root);
+        joint sleeve: cylindrical(fourth.root, third.end, axis = (2, 0, 1));
+        joint neck:   spherical(fifth.root, fourth.end);
+        joint bud:    revolute(twig.root, second.side, axis = (1, 0, 3));
+        joint stem:   point_on_line(line(twig.tip, twig.root), leaf.center);
+
+        torque motor: torque(hip) = drive;
+        torsion_spring coil: torsion_spring(bud, stiffness = 2 [N*m/rad], angle = 0.3 [rad], damping = 0.05 [N*m*s/rad]);
+        spring rope:  spring(fifth.tip, ground(0.4, 0.3, 0.5) [m], stiffness = 20 [N/m], length = 0.3 [m], damping = 0.3 [N*s/m]);
+        force wind:   force(third.end) = (0.4 [N], -0.1 * drive / 1 [m], 0.2 [N]);
+
+        start { hip.angle [rad] = 0.3; hip.rate [rad/s] = 1; reach.travel [m] = 0.1; reach.speed [m/s] = 0.2;
+                third.orientation = (0.8, 0.36, -0.48, 0); third.rate.x [rad/s] = 0.5; third.rate.y [rad/s] = -1; third.rate.z [rad/s] = 2;
+                sleeve.angle [rad] = 0.5; sleeve.rate [rad/s] = -0.7; sleeve.travel [m] = 0.05; sleeve.speed [m/s] = 0.3;
+                fifth.orientation = (0.6, 0, 0.64, 0.48); fifth.rate.x [rad/s] = 0.4; fifth.rate.y [rad/s] = 1; fifth.rate.z [rad/s] = -0.3;
+                bud.angle [rad] = 0.2; bud.rate [rad/s] = -0.4; stem.travel [m] = 0.06; stem.speed [m/s] = 0.1; }
+        options { coordinates = tree; }
+        expect { degrees_of_freedom = 12; }
+        output height [m] = fifth.tip.z;
+        output speed [m/s] = leaf.center.velocity.x;
+    }
+}
+
 /// How the joints of a mechanism stand in its tree: kind, what it does there, where the ground is.
 fn ways<M: Model>() -> Vec<(&'static str, &'static str, &'static str)> {
     let compiled = compiled::<M>(Some(Coordinates::Tree));
@@ -348,6 +399,13 @@ fn ways<M: Model>() -> Vec<(&'static str, &'static str, &'static str)> {
     way.collect()
 }
 
+#[test]
+fn a_long_tree_is_solved_by_articulated_bodies() {
+    let strategy = |coordinates| compiled::<Snake>(Some(coordinates)).solved.order.strategy;
+    assert_eq!(strategy(Coordinates::Tree), Strategy::ArticulatedBodies);
+    assert_ne!(strategy(Coordinates::Absolute), Strategy::ArticulatedBodies);
+}
+
 /// The mechanisms above do what they were written for: no joint carries in one direction only, and each is cut somewhere
 /// (all are in absolute coordinates) with the ground on either side, or between bodies where it never is with the ground.
 #[test]
@@ -364,6 +422,7 @@ fn every_joint_occurs_both_ways() {
         ways::<Slanted>(),
         ways::<Hub>(),
         ways::<Bench>(),
+        ways::<Snake>(),
     ];
     let found: BTreeSet<_> = all.into_iter().flatten().collect();
     let has = |kind: &str, role: &str| found.iter().any(|way| way.0 == kind && way.1 == role);

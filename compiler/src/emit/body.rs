@@ -32,7 +32,6 @@ pub struct Body {
 pub struct Front<'a> {
     /// Instructions in common.
     pub length: usize,
-    pub other: &'a Program,
     /// Names in the helper functions it is cut into, and the prefix of theirs.
     pub names: &'a Names,
     pub helper: &'a str,
@@ -41,11 +40,10 @@ pub struct Front<'a> {
 }
 
 /// Writes a program. `helper` is the prefix of the names of helper functions.
-pub fn body(program: &Program, names: &Names, helper: &str, front: Option<&Front>) -> Body {
-    let cut = Cut::new(program, front);
+pub fn body(program: &Program, cut: &Cut, names: &Names, helper: &str, front: Option<&Front>) -> Body {
     let mut statements = String::new();
     let mut helpers = String::new();
-    let size = front.map_or(0, |front| Cut::new(front.other, Some(front)).size).max(cut.size);
+    let size = cut.size;
     if cut.parts.len() > 1 {
         let _ = writeln!(statements, "let mut w = [R::ZERO; {size}];");
     }
@@ -90,7 +88,7 @@ struct Part {
 }
 
 /// A long program, cut where few values are live. Values that live on travel in an array.
-struct Cut {
+pub struct Cut {
     parts: Vec<Part>,
     /// Entries of the array.
     size: usize,
@@ -99,36 +97,48 @@ struct Cut {
 }
 
 impl Cut {
-    fn new(program: &Program, front: Option<&Front>) -> Cut {
+    pub fn of(program: &Program) -> Cut {
         let count = program.instructions.len();
-        if front.is_none() && count <= LONG {
+        if count <= LONG {
             let part = Part { start: 0, end: count, taken: Vec::new(), given: Vec::new() };
             return Cut { parts: vec![part], size: 0, slots: Vec::new() };
         }
-        let mut last_use = last_uses(program);
-        let length = front.map_or(0, |front| {
+        allot(program, 0, &last_uses(program))
+    }
+
+    /// Two programs whose first instructions are the same, `length` of them: in these both are cut alike.
+    pub fn of_pair(programs: [&Program; 2], length: usize) -> [Cut; 2] {
+        let [mut one, mut other] = programs.map(last_uses);
+        for value in 0..length {
             // What either program needs later leaves the front of both.
-            let last_use_there = last_uses(front.other);
-            for value in (0..front.length).filter(|value| last_use_there[*value] >= front.length) {
-                last_use[value] = last_use[value].max(front.length);
-            }
-            front.length
-        });
-        let live = live(&last_use);
-        let mut cuts = vec![0];
-        for (start, end) in [(0, length), (length, count)] {
-            let parts = (end - start).div_ceil(STRETCH);
-            for part in 1..parts {
-                let (middle, reach) = (start + part * (end - start) / parts, (end - start) / parts / 3);
-                let best = (middle - reach..=middle + reach).min_by_key(|cut| (live[*cut], *cut));
-                cuts.extend(best);
-            }
-            if end > start {
-                cuts.push(end);
+            if one[value].max(other[value]) >= length {
+                one[value] = one[value].max(length);
+                other[value] = other[value].max(length);
             }
         }
-        allot(program, &cuts, &last_use)
+        let mut cuts = [allot(programs[0], length, &one), allot(programs[1], length, &other)];
+        let size = cuts[0].size.max(cuts[1].size);
+        cuts.iter_mut().for_each(|cut| cut.size = size);
+        cuts
     }
+}
+
+/// Where to cut: near the middles between what is equally long, and after the front.
+fn places(count: usize, front: usize, last_use: &[usize]) -> Vec<usize> {
+    let live = live(last_use);
+    let mut cuts = vec![0];
+    for (start, end) in [(0, front), (front, count)] {
+        let parts = (end - start).div_ceil(STRETCH);
+        for part in 1..parts {
+            let (middle, reach) = (start + part * (end - start) / parts, (end - start) / parts / 3);
+            let best = (middle - reach..=middle + reach).min_by_key(|cut| (live[*cut], *cut));
+            cuts.extend(best);
+        }
+        if end > start {
+            cuts.push(end);
+        }
+    }
+    cuts
 }
 
 /// Where each value is used last; the outputs are used at the end.
@@ -167,9 +177,10 @@ fn live(last_use: &[usize]) -> Vec<isize> {
         .collect()
 }
 
-/// Parts between cuts. A value that leaves its part gets a slot, and keeps it until its last use.
-fn allot(program: &Program, cuts: &[usize], last_use: &[usize]) -> Cut {
+/// Parts, and where their values are. A value that leaves its part gets a slot, and keeps it until its last use.
+fn allot(program: &Program, front: usize, last_use: &[usize]) -> Cut {
     let count = program.instructions.len();
+    let cuts = places(count, front, last_use);
     let mut slots: Vec<Option<usize>> = vec![None; count];
     let mut free: BTreeSet<usize> = BTreeSet::new();
     let mut size = 0;

@@ -77,11 +77,16 @@ struct Emitter<'a> {
     path: String,
     names: Names,
     input_fields: Vec<String>,
+    /// Of the two solutions, where they have something in common.
+    cuts: Option<[body::Cut; 2]>,
 }
 
 impl<'a> Emitter<'a> {
     fn new(compiled: &'a Compiled) -> Self {
         let mechanism = &compiled.mechanism;
+        let programs = &compiled.programs;
+        let pair =
+            [Function::Acceleration, Function::AccelerationBaumgarte].map(|function| programs.get(function));
         let path = mechanism.options.crate_path.as_ref().map(|path| path.to_string());
         Emitter {
             compiled,
@@ -92,6 +97,7 @@ impl<'a> Emitter<'a> {
             path: path.unwrap_or("::linkwright".to_string()),
             names: Names::new(&compiled.equations, &compiled.hoisted),
             input_fields: mechanism.inputs.iter().map(|input| field(&input.name.identifier())).collect(),
+            cuts: (programs.shared > 0).then(|| body::Cut::of_pair(pair, programs.shared)),
         }
     }
 
@@ -138,22 +144,19 @@ impl<'a> Emitter<'a> {
         let program = programs.get(function);
         let names = self.names.within(arguments, &self.input_fields);
         let names = names.with_results(&program.outputs, &self.labels(function));
-        // What the two solutions have in common is set up and factored in functions that both call.
-        let common = self.names.within(&traits::SOLUTION, &self.input_fields);
-        let front = |other: Function, write: bool| body::Front {
-            length: programs.shared,
-            other: programs.get(other),
-            names: &common,
-            helper: "factored",
-            write,
+        let helper = format!("{}_part", function.name());
+        let mut body = match (&self.cuts, function) {
+            (Some([plain, stabilised]), Function::Acceleration | Function::AccelerationBaumgarte) => {
+                // What both have in common is set up and factored in functions that both call.
+                let first = function == Function::Acceleration;
+                let common = self.names.within(&traits::SOLUTION, &self.input_fields);
+                let front =
+                    body::Front { length: programs.shared, names: &common, helper: "factored", write: first };
+                let cut = if first { plain } else { stabilised };
+                body::body(program, cut, &names, &helper, Some(&front))
+            }
+            _ => body::body(program, &body::Cut::of(program), &names, &helper, None),
         };
-        let front = match function {
-            Function::Acceleration => Some(front(Function::AccelerationBaumgarte, true)),
-            Function::AccelerationBaumgarte => Some(front(Function::Acceleration, false)),
-            _ => None,
-        };
-        let front = front.filter(|front| front.length > 0);
-        let mut body = body::body(program, &names, &format!("{}_part", function.name()), front.as_ref());
         helpers.push_str(&std::mem::take(&mut body.helpers));
         body
     }

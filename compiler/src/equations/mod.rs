@@ -108,6 +108,8 @@ pub struct Dynamics {
     pub kinetic_energy: Node,
     /// Of gravity.
     pub potential_energy: Node,
+    /// In space: the masses of the links that M is made of.
+    pub distributions: Vec<space::Distribution>,
 }
 
 /// What follows from v̇ and λ.
@@ -126,6 +128,8 @@ pub struct Equations {
     pub kinematics: Kinematics,
     /// M, lower triangle.
     pub mass: BTreeMap<(usize, usize), Node>,
+    /// In space: the masses of the links that M is made of.
+    pub distributions: Vec<space::Distribution>,
     /// Q.
     pub forces: Vec<Node>,
     /// M v̇ − Q with v̇ as given.
@@ -193,7 +197,8 @@ pub fn derive(mechanism: &Mechanism, tree: SpanningTree, dropped: &[Dropped]) ->
         Space::Planar => plane::dynamics(g, &laws),
         Space::Spatial => space::dynamics(g, &laws),
     };
-    let Dynamics { mass, mut forces, mut inverse, kinetic_energy, mut potential_energy } = dynamics;
+    let Dynamics { mass, mut forces, mut inverse, kinetic_energy, mut potential_energy, distributions } =
+        dynamics;
     let mut powers = Vec::new();
     for load in &mechanism.loads {
         let terms = loads::terms(g, &laws, load);
@@ -249,6 +254,7 @@ pub fn derive(mechanism: &Mechanism, tree: SpanningTree, dropped: &[Dropped]) ->
         one,
         symbols: with_targets,
         mass,
+        distributions,
         forces,
         inverse,
         idle: BTreeSet::new(),

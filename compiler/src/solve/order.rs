@@ -23,6 +23,8 @@ pub enum Strategy {
     MinimumFill,
     /// Least degree, all velocities before any row: the Schur complement of the mass matrix.
     Schur,
+    /// By articulated bodies, without M; the order is that of the least degree for whoever eliminates all the same.
+    ArticulatedBodies,
 }
 
 pub const STRATEGIES: [Strategy; 3] = [Strategy::MinimumDegree, Strategy::MinimumFill, Strategy::Schur];

@@ -27,7 +27,7 @@ pub fn models() -> Vec<(&'static str, &'static str, &'static str)> {
 
 /// Mechanisms of the zoo whose values are recorded too, for the mutations: in space their axes lie anywhere, where those of
 /// shipped models are such that many a term vanishes.
-const RECORDED_OF_ZOO: [&str; 3] = ["crank", "jack", "shafts"];
+const RECORDED_OF_ZOO: [&str; 4] = ["crank", "jack", "shafts", "snake"];
 
 /// The models, and what is recorded of the zoo.
 fn recorded_models() -> Vec<(&'static str, &'static str, &'static str)> {

@@ -32,7 +32,7 @@ pub fn dynamics(g: &mut Graph, laws: &Laws) -> Dynamics {
     }
     let kinetic_energy = kinetic_energy(g, kinematics, &massive);
     let potential_energy = gravity_potential(g, kinematics, &massive, gravity);
-    Dynamics { mass, forces, inverse, kinetic_energy, potential_energy }
+    Dynamics { mass, forces, inverse, kinetic_energy, potential_energy, distributions: Vec::new() }
 }
 
 /// Motions of the bodies and reactions of the joints.

@@ -23,11 +23,12 @@ use std::collections::BTreeMap;
 pub fn dynamics(g: &mut Graph, laws: &Laws) -> Dynamics {
     let crate::equations::Kinematics::Space(kinematics) = laws.kinematics() else {
         let zero = g.constant(0.0);
-        let (forces, inverse) = (Vec::new(), Vec::new());
+        let (forces, inverse, distributions) = (Vec::new(), Vec::new(), Vec::new());
         return Dynamics {
             mass: BTreeMap::new(),
             forces,
             inverse,
+            distributions,
             kinetic_energy: zero,
             potential_energy: zero,
         };
@@ -48,7 +49,8 @@ pub fn dynamics(g: &mut Graph, laws: &Laws) -> Dynamics {
     let inverse = newton_euler(g, kinematics, &regrouped, &moving);
     let kinetic_energy = kinetic_energy(g, kinematics, &regrouped);
     let height = vector::dot(g, gravity, composite[GROUND].first);
-    Dynamics { mass, forces, inverse, kinetic_energy, potential_energy: g.neg(height) }
+    let potential_energy = g.neg(height);
+    Dynamics { mass, forces, inverse, kinetic_energy, potential_energy, distributions: regrouped }
 }
 
 /// What the bodies on each link weigh.

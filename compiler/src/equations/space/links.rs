@@ -115,6 +115,15 @@ impl Link {
         }
     }
 
+    /// How many velocities move it against its parent.
+    pub fn freedoms(&self) -> usize {
+        match self.motion {
+            Motion::None => 0,
+            Motion::Turn { .. } | Motion::Slide { .. } => 1,
+            Motion::Ball { .. } => 3,
+        }
+    }
+
     /// Index and axis of each velocity that turns the link, in its own axes.
     pub fn turning(&self, g: &mut Graph) -> Vec<(usize, Vec3)> {
         let zero = g.constant(0.0);

@@ -1,5 +1,6 @@
 //! Spatial mechanisms: a tree of links, each moved against its parent by one elementary motion.
 
+pub mod articulated;
 mod axes;
 mod bodies;
 mod coordinates;
@@ -16,4 +17,5 @@ pub use bodies::consequences;
 pub use coordinates::{constant_axis, coordinates};
 pub use dynamics::dynamics;
 pub use kinematics::Kinematics;
+pub use tensor::Distribution;
 pub use trees::{absolute_operations, fewest_freedoms};

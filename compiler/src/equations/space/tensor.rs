@@ -83,27 +83,27 @@ impl Distribution {
         turned.shifted(g, link.at)
     }
 
-    /// With t = s (Ixx − Iyy) + 2 c Ixy:  Ixx′ = Ixx − s t, Iyy′ = Iyy + s t, Ixy′ = c t − Ixy.
     fn turned_about_z(&self, g: &mut Graph, cos: Node, sin: Node) -> Self {
-        let [xx, yy, zz, xy, xz, yz] = self.inertia;
-        let two = g.constant(2.0);
-        let difference = g.sub(xx, yy);
-        let doubled = g.mul(two, xy);
-        let (a, b) = (g.mul(sin, difference), g.mul(cos, doubled));
-        let t = g.add(a, b);
-        let (st, ct) = (g.mul(sin, t), g.mul(cos, t));
-        let [xz, yz, _] = vector::turn_z(g, cos, sin, [xz, yz, zz]);
-        Distribution {
-            mass: self.mass,
-            first: vector::turn_z(g, cos, sin, self.first),
-            inertia: [g.sub(xx, st), g.add(yy, st), zz, g.sub(ct, xy), xz, yz],
-        }
+        let inertia = turned_about_z(g, cos, sin, self.inertia);
+        Distribution { mass: self.mass, first: vector::turn_z(g, cos, sin, self.first), inertia }
     }
 }
 
 /// I a.
 pub fn apply(g: &mut Graph, [xx, yy, zz, xy, xz, yz]: Symmetric, a: Vec3) -> Vec3 {
     vector::apply(g, &[[xx, xy, xz], [xy, yy, yz], [xz, yz, zz]], a)
+}
+
+/// R I Rᵀ of a turn about z. With t = s (Ixx − Iyy) + 2 c Ixy:  Ixx′ = Ixx − s t, Iyy′ = Iyy + s t, Ixy′ = c t − Ixy.
+pub fn turned_about_z(g: &mut Graph, cos: Node, sin: Node, [xx, yy, zz, xy, xz, yz]: Symmetric) -> Symmetric {
+    let two = g.constant(2.0);
+    let difference = g.sub(xx, yy);
+    let doubled = g.mul(two, xy);
+    let (a, b) = (g.mul(sin, difference), g.mul(cos, doubled));
+    let t = g.add(a, b);
+    let (st, ct) = (g.mul(sin, t), g.mul(cos, t));
+    let [xz, yz, _] = vector::turn_z(g, cos, sin, [xz, yz, zz]);
+    [g.sub(xx, st), g.add(yy, st), zz, g.sub(ct, xy), xz, yz]
 }
 
 /// R I Rᵀ.

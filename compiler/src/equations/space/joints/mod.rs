@@ -1,8 +1,8 @@
 //! The joints, one file each with the same functions in the same order: `motions` (how a body moves that the joint
 //! carries, from the first place to the second), `rows` (the constraint where it carries nothing).
 //!
-//! With E₁, E₂ the axes of the two places, turned so that z lies along the joint's axis, and Δ = p₂ − p₁. Rows are seen
-//! from the link of the first place, so that what is fixed there needs no turning. Reactions follow from the rows by
+//! With E₁, E₂ the axes of the two places, turned so that z lies along the joint's axis, and Δ = p₂ − p₁. Directions are
+//! seen from the link of the first place, so that what is fixed there needs no turning; p₁ − p₂ as `view` says. Reactions follow from the rows by
 //! virtual work, for all joints alike (`bodies`).
 
 mod constant_velocity;
@@ -17,6 +17,7 @@ mod revolute;
 mod screw;
 mod spherical;
 mod universal;
+mod view;
 
 use super::axes;
 use super::kinematics::{Kinematics, Spot, axis_of};
@@ -24,7 +25,7 @@ use super::links::GROUND;
 use super::vector::{self, Mat3, Vec3};
 use super::vector_jet::{Kind, VectorJet};
 use crate::equations::{Jet, JointRow, Laws, SpanningTree};
-use crate::model::{BodyKind, Frame, Joint, JointId, JointKind};
+use crate::model::{Frame, Joint, JointId, JointKind};
 use crate::symbolic::{Graph, Node};
 
 /// One elementary motion of a joint.
@@ -123,11 +124,11 @@ impl<'a> Ends<'a> {
             (kinematics.spot(g, laws, &joint.first), kinematics.spot(g, laws, &joint.second));
         let frame = frames(g, laws, &joint.kind)[0];
         let (e1, e2) = (vector::product(g, &first.axes, &frame), vector::product(g, &second.axes, &frame));
-        let seen_from = meeting(laws, tree, joint);
+        let seen_from = view::seen_from(laws.mechanism, tree, joint);
         Some(Ends { kinematics, velocities: &kinematics.velocities, first, second, e1, e2, seen_from })
     }
 
-    /// p₁ − p₂ along the axes of the body where the two ways of the tree meet, or of the ground.
+    /// p₁ − p₂ along the axes of the body, or of the ground, by which it is seen.
     fn gap(&self, g: &mut Graph) -> [Jet; 3] {
         let (link, axes) = match self.seen_from {
             Frame::Ground => (GROUND, vector::identity(g)),
@@ -197,17 +198,5 @@ impl<'a> Ends<'a> {
         let upright = vector::dot(g, vector::column(&self.e1, 1), y.value);
         let jet = y.project(g, vector::column(&self.e1, 0));
         JointRow { upright: Some(upright), ..JointRow::new("angle", jet) }
-    }
-}
-
-/// The body, or the ground, where the ways of the two ends along the tree meet.
-fn meeting(laws: &Laws, tree: &SpanningTree, joint: &Joint) -> Frame {
-    let first = tree.path(joint.first.frame);
-    let second = tree.path(joint.second.frame);
-    let meeting = second.into_iter().find(|frame| first.contains(frame)).unwrap_or(Frame::Ground);
-    match meeting {
-        // A particle has no axes.
-        Frame::Body(body) if laws.mechanism.bodies[body.0].kind == BodyKind::Particle => Frame::Ground,
-        meeting => meeting,
     }
 }
