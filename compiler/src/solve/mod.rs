@@ -55,8 +55,8 @@ const COUNTED: usize = 60;
 /// Eliminations of so many operations by structure are written out and counted, whatever the others take.
 const LIKELY: usize = 500;
 
-/// Open trees of so many velocities are also solved by articulated bodies and counted. Two balls in a row take 144 operations that
-/// way against 199, five 819 against 1849; seven hinges 663 against 573, ten 1116 against 1151, sixteen 2019 against 2944.
+/// Open trees of so many velocities are also solved by articulated bodies and counted. Two balls in a row take 147 operations that
+/// way against 199, five 814 against 1849; seven hinges 662 against 573, ten 1109 against 1151, sixteen 2003 against 2944.
 const LONG_TREE: usize = 6;
 
 /// Solves for v̇ and λ, without stabilisation and with Baumgarte's:

@@ -225,6 +225,32 @@ pub fn applies(kinematics: &Kinematics) -> bool {
     moved == kinematics.velocities.len()
 }
 
+impl Step {
+    /// v̇, and the motion with it.
+    fn accelerated(&self, g: &mut Graph, motion: Six) -> (Node, Six) {
+        // Along an axis of coordinates S·U/d = 1 lets the motion so far cancel from what it becomes.
+        let mut others = motion;
+        let zero = g.constant(0.0);
+        let taken_out = |g: &Graph, axis: Vec3, part: &mut Vec3| {
+            let k = coordinate(g, axis)?;
+            Some((std::mem::replace(&mut part[k], zero), axis[k]))
+        };
+        let own = taken_out(g, self.axis.turning, &mut others.turning)
+            .or_else(|| taken_out(g, self.axis.sliding, &mut others.sliding));
+        if let Some((own, factor)) = own {
+            let before = g.div(own, factor);
+            let taken = self.over.dot(g, others);
+            let free = g.sub(self.rest, taken);
+            let along = self.axis.scale(g, free);
+            return (g.sub(free, before), others.add(g, along));
+        }
+        let taken = self.over.dot(g, motion);
+        let acceleration = g.sub(self.rest, taken);
+        let own = self.axis.scale(g, acceleration);
+        (acceleration, motion.add(g, own))
+    }
+}
+
 /// v̇ of M v̇ = Q, where [it applies](applies).
 pub fn accelerations(
     g: &mut Graph,
@@ -266,11 +292,9 @@ pub fn accelerations(
     for (at, link) in links.iter().enumerate().skip(1) {
         let mut motion = motions[link.parent].in_child(g, link);
         for step in steps[at].iter().rev() {
-            let taken = step.over.dot(g, motion);
-            let acceleration = g.sub(step.rest, taken);
+            let (acceleration, moved) = step.accelerated(g, motion);
             found[step.velocity] = acceleration;
-            let own = step.axis.scale(g, acceleration);
-            motion = motion.add(g, own);
+            motion = moved;
         }
         motions[at] = motion;
     }
