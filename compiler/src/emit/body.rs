@@ -9,13 +9,11 @@
 //! Text that is parsed once is ten times faster to produce than token streams.
 
 use super::names::Names;
-use crate::schedule::{Instruction, Operand, Program, Source};
+use crate::schedule::{Instruction, LONG, Operand, Program, Source};
 use crate::symbolic::Unary;
 use std::collections::BTreeSet;
 use std::fmt::Write;
 
-/// Programs of more instructions are cut: compilers are superlinear in the size of a function.
-const LONG: usize = 1000;
 /// About how many instructions of a program that is cut go into one function.
 const STRETCH: usize = 500;
 

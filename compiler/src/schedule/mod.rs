@@ -13,6 +13,7 @@ pub use crate::functions::{Function, outputs};
 pub use count::{Counts, count};
 pub use evaluate::{Inputs, run};
 pub use program::{Instruction, Operand, Program, Source};
+pub use share::LONG;
 
 use crate::equations::Equations;
 use crate::optimize::{Fused, Hoisted, Optimized, optimize_only};

@@ -7,12 +7,13 @@
 use super::program::{Instruction, Operand};
 use super::select::Selected;
 
-/// Programs of fewer instructions stay apart: one piece is faster than two, and text is not what they cost.
-const LONG: usize = 1000;
+/// Programs of more instructions are cut into several functions, and begin with what they share: compilers are superlinear
+/// in the size of a function. Shorter ones stay in one piece, which is faster than two.
+pub const LONG: usize = 1000;
 
 /// Puts what they have in common in front of both programs; says how many instructions that is.
 pub fn share(one: &mut Selected, other: &mut Selected) -> usize {
-    if one.program.instructions.len() < LONG || other.program.instructions.len() < LONG {
+    if one.program.instructions.len() <= LONG || other.program.instructions.len() <= LONG {
         return 0;
     }
     // For each instruction of `other` the same of `one`: same operation, operands in common.

@@ -12,39 +12,38 @@ use super::tensor::{self, Distribution, Symmetric};
 use super::vector::{self, Mat3, Vec3};
 use crate::symbolic::{Graph, Node, Unary};
 
-/// A vector of six: about or along the axes at a link's origin.
+/// A spatial vector (Featherstone 2008, chapter 2) at the origin of a link, in its axes: a wrench, a motion or an axis of motion.
 #[derive(Clone, Copy)]
-struct Six {
+struct SpatialVector {
     /// Moment, or angular acceleration.
-    turning: Vec3,
+    angular: Vec3,
     /// Force, or acceleration.
-    sliding: Vec3,
+    linear: Vec3,
 }
 
-impl Six {
+impl SpatialVector {
     fn zero(g: &mut Graph) -> Self {
-        Six { turning: vector::zero(g), sliding: vector::zero(g) }
+        SpatialVector { angular: vector::zero(g), linear: vector::zero(g) }
     }
-    fn add(self, g: &mut Graph, other: Six) -> Six {
-        Six {
-            turning: vector::add(g, self.turning, other.turning),
-            sliding: vector::add(g, self.sliding, other.sliding),
+    fn add(self, g: &mut Graph, other: SpatialVector) -> SpatialVector {
+        SpatialVector {
+            angular: vector::add(g, self.angular, other.angular),
+            linear: vector::add(g, self.linear, other.linear),
         }
     }
-    fn scale(self, g: &mut Graph, factor: Node) -> Six {
-        Six {
-            turning: vector::scale(g, factor, self.turning),
-            sliding: vector::scale(g, factor, self.sliding),
+    fn scale(self, g: &mut Graph, factor: Node) -> SpatialVector {
+        SpatialVector {
+            angular: vector::scale(g, factor, self.angular),
+            linear: vector::scale(g, factor, self.linear),
         }
     }
-    fn dot(self, g: &mut Graph, other: Six) -> Node {
-        let (a, b) =
-            (vector::dot(g, self.turning, other.turning), vector::dot(g, self.sliding, other.sliding));
+    fn dot(self, g: &mut Graph, other: SpatialVector) -> Node {
+        let (a, b) = (vector::dot(g, self.angular, other.angular), vector::dot(g, self.linear, other.linear));
         g.add(a, b)
     }
     /// The same wrench, whose part along an axis is known: S·f = `force`. That is an entry where S is an axis of coordinates.
-    fn with(mut self, g: &mut Graph, axis: Six, force: Node) -> Six {
-        for (own, axis) in [(&mut self.turning, axis.turning), (&mut self.sliding, axis.sliding)] {
+    fn with(mut self, g: &mut Graph, axis: SpatialVector, force: Node) -> SpatialVector {
+        for (own, axis) in [(&mut self.angular, axis.angular), (&mut self.linear, axis.linear)] {
             if let Some(k) = coordinate(g, axis) {
                 own[k] = g.div(force, axis[k]);
             }
@@ -52,18 +51,18 @@ impl Six {
         self
     }
     /// Wrench at the origin of the parent, in its axes.
-    fn in_parent(self, g: &mut Graph, link: &Link) -> Six {
-        let (moment, force) = (link.up(g, self.turning), link.up(g, self.sliding));
+    fn in_parent(self, g: &mut Graph, link: &Link) -> SpatialVector {
+        let (moment, force) = (link.up(g, self.angular), link.up(g, self.linear));
         let offset = link.offset(g);
         let arm = vector::cross(g, offset, force);
-        Six { turning: vector::add(g, moment, arm), sliding: force }
+        SpatialVector { angular: vector::add(g, moment, arm), linear: force }
     }
     /// Acceleration of the link's origin as part of its parent, in its own axes.
-    fn in_child(self, g: &mut Graph, link: &Link) -> Six {
+    fn in_child(self, g: &mut Graph, link: &Link) -> SpatialVector {
         let offset = link.offset(g);
-        let swung = vector::cross(g, self.turning, offset);
-        let acceleration = vector::add(g, self.sliding, swung);
-        Six { turning: link.down(g, self.turning), sliding: link.down(g, acceleration) }
+        let swung = vector::cross(g, self.angular, offset);
+        let acceleration = vector::add(g, self.linear, swung);
+        SpatialVector { angular: link.down(g, self.angular), linear: link.down(g, acceleration) }
     }
 }
 
@@ -84,12 +83,12 @@ impl Articulated {
         Articulated { moments: inertia, mixed, masses: [mass, mass, mass, zero, zero, zero] }
     }
 
-    fn apply(&self, g: &mut Graph, a: Six) -> Six {
-        let turning = tensor::apply(g, self.moments, a.turning);
-        let across = vector::apply(g, &self.mixed, a.sliding);
-        let back = vector::apply_transposed(g, &self.mixed, a.turning);
-        let sliding = tensor::apply(g, self.masses, a.sliding);
-        Six { turning: vector::add(g, turning, across), sliding: vector::add(g, back, sliding) }
+    fn apply(&self, g: &mut Graph, a: SpatialVector) -> SpatialVector {
+        let turning = tensor::apply(g, self.moments, a.angular);
+        let across = vector::apply(g, &self.mixed, a.linear);
+        let back = vector::apply_transposed(g, &self.mixed, a.angular);
+        let sliding = tensor::apply(g, self.masses, a.linear);
+        SpatialVector { angular: vector::add(g, turning, across), linear: vector::add(g, back, sliding) }
     }
 
     fn add(&self, g: &mut Graph, other: &Self) -> Self {
@@ -104,40 +103,38 @@ impl Articulated {
     }
 
     /// Less U (U/d)ᵀ.
-    fn less(&self, g: &mut Graph, u: Six, over: Six) -> Self {
+    fn less(&self, g: &mut Graph, u: SpatialVector, over: SpatialVector) -> Self {
         let entry = |g: &mut Graph, from: Node, a: Node, b: Node| {
             let product = g.mul(a, b);
             g.sub(from, product)
         };
         let symmetric = |g: &mut Graph, from: Symmetric, a: Vec3, b: Vec3| -> Symmetric {
-            let pairs = [(0, 0), (1, 1), (2, 2), (0, 1), (0, 2), (1, 2)];
-            std::array::from_fn(|k| entry(g, from[k], a[pairs[k].0], b[pairs[k].1]))
+            std::array::from_fn(|k| entry(g, from[k], a[tensor::ENTRIES[k].0], b[tensor::ENTRIES[k].1]))
         };
         Articulated {
-            moments: symmetric(g, self.moments, u.turning, over.turning),
+            moments: symmetric(g, self.moments, u.angular, over.angular),
             mixed: std::array::from_fn(|i| {
-                std::array::from_fn(|j| entry(g, self.mixed[i][j], u.turning[i], over.sliding[j]))
+                std::array::from_fn(|j| entry(g, self.mixed[i][j], u.angular[i], over.linear[j]))
             }),
-            masses: symmetric(g, self.masses, u.sliding, over.sliding),
+            masses: symmetric(g, self.masses, u.linear, over.linear),
         }
     }
 
     /// Nothing resists along an axis whose velocity has been eliminated. Where that is an axis of coordinates, entries are zero.
-    fn free_along(mut self, g: &mut Graph, axis: Six) -> Self {
+    fn free_along(mut self, g: &mut Graph, axis: SpatialVector) -> Self {
         let zero = g.constant(0.0);
-        let pairs = [(0, 0), (1, 1), (2, 2), (0, 1), (0, 2), (1, 2)];
         let clear = |symmetric: &mut Symmetric, k: usize| {
-            for (entry, (i, j)) in symmetric.iter_mut().zip(pairs) {
+            for (entry, (i, j)) in symmetric.iter_mut().zip(tensor::ENTRIES) {
                 if i == k || j == k {
                     *entry = zero;
                 }
             }
         };
-        if let Some(k) = coordinate(g, axis.turning) {
+        if let Some(k) = coordinate(g, axis.angular) {
             clear(&mut self.moments, k);
             self.mixed[k] = [zero; 3];
         }
-        if let Some(k) = coordinate(g, axis.sliding) {
+        if let Some(k) = coordinate(g, axis.linear) {
             clear(&mut self.masses, k);
             self.mixed.iter_mut().for_each(|row| row[k] = zero);
         }
@@ -194,9 +191,8 @@ impl Articulated {
         // (d̃ Hᵀ)ᵢⱼ = (d × row j of H)ᵢ,  (−H′ d̃)ᵢⱼ = (d × row i of H′)ⱼ.
         let near = self.mixed.map(|row| vector::cross(g, d, row));
         let far = mixed.map(|row| vector::cross(g, d, row));
-        let pairs = [(0, 0), (1, 1), (2, 2), (0, 1), (0, 2), (1, 2)];
         let moments = std::array::from_fn(|k| {
-            let (i, j) = pairs[k];
+            let (i, j) = tensor::ENTRIES[k];
             let both = g.add(near[j][i], far[i][j]);
             g.add(self.moments[k], both)
         });
@@ -213,9 +209,9 @@ fn coordinate(g: &Graph, axis: Vec3) -> Option<usize> {
 /// A velocity that has been eliminated.
 struct Step {
     velocity: usize,
-    axis: Six,
+    axis: SpatialVector,
     /// U/d and u/d.
-    over: Six,
+    over: SpatialVector,
     rest: Node,
 }
 
@@ -227,7 +223,7 @@ pub fn applies(kinematics: &Kinematics) -> bool {
 
 impl Step {
     /// v̇, and the motion with it.
-    fn accelerated(&self, g: &mut Graph, motion: Six) -> (Node, Six) {
+    fn accelerated(&self, g: &mut Graph, motion: SpatialVector) -> (Node, SpatialVector) {
         // Along an axis of coordinates S·U/d = 1 lets the motion so far cancel from what it becomes.
         let mut others = motion;
         let zero = g.constant(0.0);
@@ -235,8 +231,8 @@ impl Step {
             let k = coordinate(g, axis)?;
             Some((std::mem::replace(&mut part[k], zero), axis[k]))
         };
-        let own = taken_out(g, self.axis.turning, &mut others.turning)
-            .or_else(|| taken_out(g, self.axis.sliding, &mut others.sliding));
+        let own = taken_out(g, self.axis.angular, &mut others.angular)
+            .or_else(|| taken_out(g, self.axis.linear, &mut others.linear));
         if let Some((own, factor)) = own {
             let before = g.div(own, factor);
             let taken = self.over.dot(g, others);
@@ -261,7 +257,7 @@ pub fn accelerations(
     let links = &kinematics.links;
     let mut answers: Vec<Articulated> =
         distributions.iter().map(|distribution| Articulated::of(g, distribution)).collect();
-    let none = Six::zero(g);
+    let none = SpatialVector::zero(g);
     let mut wrenches = vec![none; links.len()];
     let mut steps: Vec<Vec<Step>> = links.iter().map(|_| Vec::new()).collect();
     for (at, link) in links.iter().enumerate().skip(1).rev() {
@@ -302,14 +298,14 @@ pub fn accelerations(
 }
 
 /// Velocities of a link and their axes, at its origin and in its axes.
-fn axes(g: &mut Graph, link: &Link) -> Vec<(usize, Six)> {
+fn axes(g: &mut Graph, link: &Link) -> Vec<(usize, SpatialVector)> {
     let none = vector::zero(g);
     let mut found = Vec::new();
     for (velocity, axis) in link.turning(g) {
-        found.push((velocity, Six { turning: axis, sliding: none }));
+        found.push((velocity, SpatialVector { angular: axis, linear: none }));
     }
     if let Some((velocity, axis)) = link.sliding(g) {
-        found.push((velocity, Six { turning: none, sliding: axis }));
+        found.push((velocity, SpatialVector { angular: none, linear: axis }));
     }
     found
 }

@@ -14,6 +14,8 @@ pub struct Distribution {
 
 /// xx, yy, zz, xy, xz, yz.
 pub type Symmetric = [Node; 6];
+/// Row and column of each.
+pub const ENTRIES: [(usize, usize); 6] = [(0, 0), (1, 1), (2, 2), (0, 1), (0, 2), (1, 2)];
 
 impl Distribution {
     pub fn none(g: &mut Graph) -> Self {
@@ -110,6 +112,5 @@ pub fn turned_about_z(g: &mut Graph, cos: Node, sin: Node, [xx, yy, zz, xy, xz, 
 pub fn turned(g: &mut Graph, matrix: &Mat3, [xx, yy, zz, xy, xz, yz]: Symmetric) -> Symmetric {
     let tensor = [[xx, xy, xz], [xy, yy, yz], [xz, yz, zz]];
     let half = vector::product(g, matrix, &tensor);
-    let entry = |g: &mut Graph, i: usize, j: usize| vector::dot(g, half[i], matrix[j]);
-    [entry(g, 0, 0), entry(g, 1, 1), entry(g, 2, 2), entry(g, 0, 1), entry(g, 0, 2), entry(g, 1, 2)]
+    ENTRIES.map(|(i, j)| vector::dot(g, half[i], matrix[j]))
 }
