@@ -65,9 +65,10 @@ pub fn compile_model(
         return Err(errors);
     };
     // AFTER THIS POINT no linear system is left.
-    let Candidate { mut equations, assembly, solved } = candidate;
+    let Candidate { mut equations, assembly, mut solved } = candidate;
+    solved.add(&mut equations, &mechanism.options.emit);
     let independent = equations.add_conditions(&mechanism, &assembly.independent);
-    let table = table(&equations);
+    let table = table(&equations, &solved);
     let optimized = optimize::optimize(&equations, &solved);
     let programs = schedule::schedule(&equations, &optimized);
     // AFTER THIS POINT there is no graph, only instructions.
@@ -92,7 +93,7 @@ pub fn compile_model(
 }
 
 /// Structure of [M D̂ᵀ; D̂ 0] with the conditions' rows, for the cold paths.
-fn table(equations: &Equations) -> Table {
+fn table(equations: &Equations, solved: &Solved) -> Table {
     let n = equations.layout.velocities();
     let rows = equations.rows.iter().map(|row| &row.jet);
     let jets: Vec<_> = rows.chain(equations.conditions.iter().map(|condition| &condition.jet)).collect();
@@ -100,5 +101,10 @@ fn table(equations: &Equations) -> Table {
         .iter()
         .enumerate()
         .flat_map(|(at, jet)| jet.columns.keys().map(move |column| (n + at, *column)).collect::<Vec<_>>());
-    Table::new(n, jets.len(), equations.mass.keys().copied().chain(entries))
+    // Of rows that hold massless velocities the square is added to M.
+    let held = solved.massless.rows.iter().flat_map(|row| {
+        let columns = &equations.rows[*row].jet.columns;
+        columns.keys().flat_map(|i| columns.range(..i).map(|(j, _)| (*i, *j))).collect::<Vec<_>>()
+    });
+    Table::new(n, jets.len(), equations.mass.keys().copied().chain(entries).chain(held))
 }

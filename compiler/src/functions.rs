@@ -35,10 +35,17 @@ pub enum Function {
     StartTargets,
     /// Masses and inertias that depend on parameters.
     Masses,
+    /// K(c) factored: what is kept, and the smallest relative pivot.
+    Factor,
+    /// The same with the right-hand sides of the penalty formulation: what is kept, Q, the rows, the pivot.
+    System,
+    /// a and λ of K(c) from what is kept and a right-hand side.
+    Solve,
 }
 
 impl Function {
-    pub const ALL: [Function; 25] = [
+    /// Every function; those that a mechanism does not emit compute nothing.
+    pub const ALL: [Function; 28] = [
         Function::MassMatrix,
         Function::Constraints,
         Function::ConstraintJacobian,
@@ -63,6 +70,9 @@ impl Function {
         Function::ConditionDrift,
         Function::StartTargets,
         Function::Masses,
+        Function::Factor,
+        Function::System,
+        Function::Solve,
         // Last: it computes what all others asked for.
         Function::Prepare,
     ];
@@ -95,6 +105,9 @@ impl Function {
             Function::ConditionDrift => "condition_drift",
             Function::StartTargets => "start_targets",
             Function::Masses => "masses",
+            Function::Factor => "factor",
+            Function::System => "system",
+            Function::Solve => "solve",
         }
     }
 }
@@ -105,6 +118,7 @@ pub fn outputs(equations: &Equations, solved: &Solved, function: Function) -> Ve
     let rows = || e.rows.iter();
     let conditions = || e.conditions.iter();
     let zero = e.zero;
+    let stored = || solved.stored.iter();
     match function {
         Function::Prepare => Vec::new(),
         Function::MassMatrix => e.mass.values().copied().collect(),
@@ -135,6 +149,13 @@ pub fn outputs(equations: &Equations, solved: &Solved, function: Function) -> Ve
             positions.chain(e.start_targets.iter().map(|start| target(start.rate))).collect()
         }
         Function::Masses => e.masses.iter().map(|(_, node)| *node).collect(),
+        Function::Factor => stored().flat_map(|s| s.kept.iter().chain([&s.pivot])).copied().collect(),
+        Function::System if !solved.emits_system => Vec::new(),
+        Function::System => stored()
+            .flat_map(|s| s.kept.iter().chain(&e.forces).chain(&s.rows).chain([&s.velocity_pivot]))
+            .copied()
+            .collect(),
+        Function::Solve => stored().flat_map(|s| s.solution.iter().copied()).collect(),
     }
 }
 

@@ -97,7 +97,10 @@ pub fn experiment() -> Result<Vec<Trial>, SimulationError> {
     Ok(trials)
 }
 
-fn trial(rate: Option<f64>, formulation: impl Formulation<f64>) -> Result<Trial, SimulationError> {
+fn trial(
+    rate: Option<f64>,
+    formulation: impl Formulation<f64, ClosedLoop>,
+) -> Result<Trial, SimulationError> {
     let model = ClosedLoop::default();
     let mut simulation = Simulation::new(&model, ClosedLoop::START).formulation(formulation).step(STEP);
     let start = simulation.energy();

@@ -3,7 +3,10 @@
 //! Each message has three parts: what is wrong, the numbers, what to do. Numbers are `f64` whatever the scalar, so
 //! that one error type serves all; names are those of the mechanism's definition. Where errors arise is elsewhere.
 
-use crate::mechanism::Row;
+use crate::integrator::Rejections;
+use crate::mechanism::{Assemble, Row};
+use crate::real::Real;
+use crate::vector::Vector;
 use core::error::Error;
 use core::fmt::{self, Display, Formatter};
 
@@ -129,6 +132,31 @@ pub enum SimulationError {
         /// The velocity without inertia.
         velocity: &'static str,
     },
+    /// The state at the end of a step could not be brought to the constraints.
+    Projection {
+        /// The time at the end of the step, s.
+        time: f64,
+        /// Why.
+        error: AssemblyError,
+    },
+    /// No step was small enough for the tolerances.
+    StepUnderflow {
+        /// The time at its beginning, s.
+        time: f64,
+        /// The last size tried, s.
+        step: f64,
+        /// Why sizes were given up.
+        rejections: Rejections,
+    },
+    /// The iteration of an implicit method did not converge.
+    NoConvergence {
+        /// The time at the beginning of the step, s.
+        time: f64,
+        /// Iterations made.
+        iterations: u32,
+        /// What the last of them changed, relative to what may remain.
+        residual: f64,
+    },
     /// A coordinate, velocity or acceleration became infinite or NaN.
     NonFinite {
         /// The time of the stage in which it was seen first, s.
@@ -136,6 +164,17 @@ pub enum SimulationError {
         /// The coordinate's name.
         what: &'static str,
     },
+}
+
+impl AssemblyError {
+    /// The iteration ended with these residuals.
+    #[cold]
+    pub(crate) fn worst<R: Real, M: Assemble<R>>(phi: &M::Lambda, iterations: u32) -> Self {
+        let worst = phi.as_slice().iter().enumerate().fold((0, R::ZERO), |(at, largest), (row, entry)| {
+            if entry.abs() <= largest { (at, largest) } else { (row, entry.abs()) }
+        });
+        AssemblyError::NoConvergence { row: M::ROWS[worst.0], residual: worst.1.to_f64(), iterations }
+    }
 }
 
 impl SimulationError {
@@ -237,6 +276,21 @@ impl Display for SimulationError {
                 "nothing with mass resists `{velocity}` at t = {time} s: relative pivot {pivot:.1e}; give the body a \
                  mass and an inertia, or constrain it"
             ),
+            SimulationError::Projection { time, error } => {
+                write!(f, "the step to t = {time} s ended off the constraints: {error}")
+            }
+            SimulationError::StepUnderflow { time, step, rejections } => write!(
+                f,
+                "no step from t = {time} s is small enough: {step:.1e} s was given up last, after {} trials for the \
+                 estimated error, {} for convergence and {} at singular positions; loosen the tolerances, or look for a jump in \
+                 forces or a singular position there",
+                rejections.error, rejections.convergence, rejections.breakdown
+            ),
+            SimulationError::NoConvergence { time, iterations, residual } => write!(
+                f,
+                "the step from t = {time} s did not converge: after {iterations} iterations the last changed the solution \
+                 by {residual:.1e} of what may remain; take a smaller step or allow more iterations"
+            ),
             SimulationError::NonFinite { time, what } => write!(
                 f,
                 "`{what}` became infinite or NaN at t = {time} s; check inputs and parameters, or take a smaller step"
@@ -251,6 +305,7 @@ impl Error for SimulationError {
     fn source(&self) -> Option<&(dyn Error + 'static)> {
         match self {
             SimulationError::Setting(error) => Some(error),
+            SimulationError::Projection { error, .. } => Some(error),
             _ => None,
         }
     }

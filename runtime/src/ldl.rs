@@ -34,6 +34,19 @@ pub struct Ldl<R, F, S> {
     scalar: PhantomData<R>,
 }
 
+/// The sum of the terms that formed a pivot, and the sum of their magnitudes.
+struct Terms<R> {
+    value: R,
+    magnitude: R,
+}
+
+impl<R: Real> Terms<R> {
+    /// How much of the terms is left; a pivot without any term is as lost as one that cancelled.
+    fn relative(&self) -> R {
+        if self.magnitude == R::ZERO { R::ZERO } else { self.value.abs() / self.magnitude }
+    }
+}
+
 /// The smallest pivot of a factorisation, relative to the sum of the magnitudes of the terms that formed it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Pivot<R> {
@@ -83,10 +96,8 @@ impl<R: Real, F: Vector<R>, S: Vector<R>> Ldl<R, F, S> {
         let mut smallest = Pivot { value: R::ONE, unknown: 0 };
         let mut work = S::zero();
         for (k, &unknown) in self.tables.order.iter().enumerate() {
-            let (value, magnitude) = self.factor_row(k, work.as_mut_slice());
-            self.diagonal.as_mut_slice()[k] = value;
-            // A pivot without any term is as lost as one that cancelled.
-            let relative = if magnitude == R::ZERO { R::ZERO } else { value.abs() / magnitude };
+            let terms = self.factor_row(k, work.as_mut_slice());
+            let relative = terms.relative();
             if k == 0 || relative < smallest.value {
                 smallest = Pivot { value: relative, unknown: unknown as usize };
             }
@@ -97,8 +108,31 @@ impl<R: Real, F: Vector<R>, S: Vector<R>> Ldl<R, F, S> {
         smallest
     }
 
-    /// One row of [`factor`](Ldl::factor): d_k and the sum of the magnitudes of its terms; leaves `work` cleared.
-    fn factor_row(&mut self, k: usize, work: &mut [R]) -> (R, R) {
+    /// As [`factor`](Ldl::factor), to the end whatever the pivots; of each unknown `magnitudes` receives the sum of the
+    /// terms that have the sign of its pivot in a K of full rank: positive of the velocities, those before `rows_from`,
+    /// negative of rows. The smallest relative pivot is that of the velocities.
+    pub(crate) fn factor_measured(&mut self, rows_from: usize, magnitudes: &mut S) -> Pivot<R> {
+        let mut smallest = Pivot { value: R::ONE, unknown: 0 };
+        let mut work = S::zero();
+        for (k, &unknown) in self.tables.order.iter().enumerate() {
+            let unknown = unknown as usize;
+            let terms = self.factor_row(k, work.as_mut_slice());
+            let value = if unknown < rows_from { terms.value } else { -terms.value };
+            magnitudes.as_mut_slice()[unknown] = R::from_f64(0.5) * (terms.magnitude + value);
+            if unknown < rows_from && terms.relative() < smallest.value {
+                smallest = Pivot { value: terms.relative(), unknown };
+            }
+        }
+        smallest
+    }
+
+    /// D, in the order of elimination.
+    pub(crate) fn pivots(&self) -> &[R] {
+        self.diagonal.as_slice()
+    }
+
+    /// One row of [`factor`](Ldl::factor): writes d_k and gives the terms that formed it; leaves `work` cleared.
+    fn factor_row(&mut self, k: usize, work: &mut [R]) -> Terms<R> {
         let tables = self.tables;
         let start = tables.row_start[k] as usize;
         let columns = self.columns(k);
@@ -127,7 +161,8 @@ impl<R: Real, F: Vector<R>, S: Vector<R>> Ldl<R, F, S> {
         for &j in columns {
             work[j as usize] = R::ZERO;
         }
-        (value, magnitude)
+        self.diagonal.as_mut_slice()[k] = value;
+        Terms { value, magnitude }
     }
 
     /// K⁻¹ · `right` after [`factor`](Ldl::factor): forward, diagonal, backward.

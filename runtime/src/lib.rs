@@ -8,7 +8,7 @@
 //! | scalars, vectors, named numbers | [`real`], [`vector`], [`fields`] |
 //! | positions that are no vector space | [`rotation`], [`quaternion`], [`layout`] |
 //! | the traits that emitted code implements | [`mechanism`] |
-//! | states that satisfy the constraints | [`assembly`], over the sparse factorisation [`ldl`] |
+//! | states that satisfy the constraints | [`assembly`], over the sparse factorisations [`ldl`] and [`tabled`] |
 //! | motion | [`formulation`], [`input`], [`integrator`], [`simulation`] |
 //! | what can go wrong | [`error`] |
 //!
@@ -38,6 +38,7 @@ pub mod real;
 pub mod rotation;
 pub mod simulation;
 pub mod state;
+pub mod tabled;
 pub mod vector;
 
 pub use assembly::{
@@ -47,14 +48,19 @@ pub use assembly::{
 pub use body::{BodyMotion, Reaction, SpatialMotion, SpatialReaction};
 pub use error::{AssemblyError, SettingError, SimulationError};
 pub use fields::Fields;
-pub use formulation::{Baumgarte, Formulation, LagrangeIndex1};
+pub use formulation::{
+    AugmentedLagrangian, Baumgarte, Evaluation, Formulation, LagrangeIndex1, Penalty, Projected, Settled,
+};
 pub use input::{Held, InputSource, NoInputs, Sampled};
-pub use integrator::{Integrator, Rk4, SemiImplicitEuler};
+pub use integrator::{
+    Dynamics, ExplicitTrapezoidal, Integrator, Method, Rejections, Rk4, SemiImplicitEuler, StepFailure,
+    Stepped,
+};
 pub use layout::{Layout, MultiTurn, inverse_differential, retract, retract_counting};
 pub use mechanism::{Assemble, Condition, ConditionKind, Elimination, Mechanism, Row};
 pub use real::Real;
 pub use rotation::unwrap_angle;
-pub use simulation::{Residual, Sample, Samples, Simulation};
+pub use simulation::{MechanismDynamics, NearSingular, Residual, Sample, Samples, Simulation, Step};
 pub use state::{Kinematics, Motion, State};
 pub use vector::Vector;
 
@@ -75,6 +81,7 @@ pub mod __private {
         pub use crate::real::Real;
         pub use crate::rotation::unwrap_angle;
         pub use crate::state::{Kinematics, Motion, State};
+        pub use crate::tabled;
         pub use crate::vector::Vector;
         pub use core;
     }

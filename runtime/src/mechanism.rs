@@ -8,9 +8,11 @@
 //! M v̇ + Dᵀ λ = Q, D v = ν, D v̇ = γ, where Φ(t, q) = 0 are the constraints and Φ̇ = D v − ν, so that D is the exact
 //! derivative of Φ also off the constraints. The force of the constraints on the mechanism is −Dᵀ λ. SI units.
 
+use crate::assembly::system::subtract_product;
 use crate::layout::Layout;
 use crate::real::Real;
 use crate::vector::Vector;
+use core::fmt::Debug;
 
 /// A constraint row of D, by the names its author knows.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -20,6 +22,17 @@ pub struct Row {
     /// Which of its equations: `"x"`, `"y"`, `"z"`, `"angle"`, `"normal"`, `"normal_1"`, `"normal_2"`, `"axis_1"`,
     /// `"axis_2"`, `"cross"`, `"twist"`, `"screw"`, `"distance"`, `"equation"`, `"gear"`, `"rack"` or `"driver"`.
     pub what: &'static str,
+}
+
+/// Whether two rows are components of one vector, so that one may be measured by the other.
+pub(crate) fn same_scale(a: &Row, b: &Row) -> bool {
+    let kind = |row: &Row| match row.what {
+        "x" | "y" | "z" => Some(0),
+        "normal_1" | "normal_2" => Some(1),
+        "axis_1" | "axis_2" => Some(2),
+        _ => None,
+    };
+    a.of == b.of && kind(a).is_some() && kind(a) == kind(b)
 }
 
 /// The equations of motion of one mechanism, evaluated in the scalars `R`.
@@ -149,6 +162,10 @@ pub trait Assemble<R: Real>: Mechanism<R> {
     /// Rows, ascending, that repeat what others fix and are kept: they vanish with the others, have the multiplier zero, and
     /// take no part in factorisations.
     const IDLE: &'static [u16] = &[];
+    /// Rows, ascending, that hold velocities without mass of their own.
+    const MASSLESS_ROWS: &'static [u16] = &[];
+    /// ρ with which Dᵀ D of these rows is added to M, kg.
+    const MASSLESS_WEIGHT: f64 = 0.0;
     /// The order of elimination and the pattern of the factor.
     const ELIMINATION: Elimination;
 
@@ -160,6 +177,55 @@ pub trait Assemble<R: Real>: Mechanism<R> {
     type Factor: Vector<R>;
     /// One entry for each unknown: velocities, constraint rows, conditions.
     type System: Vector<R>;
+    /// What [`factor`](Assemble::factor) keeps of a factorisation.
+    type Store: Copy + Debug;
+
+    /// An empty store.
+    fn store() -> Self::Store;
+    /// Factors K(c) = \[M, Dᵀ; D, −c\] at a position, c ≥ 0 the compliance of the constraints (1/kg); returns the smallest
+    /// relative pivot: of the rows P − N + c against 2 P_max − (P − N + c), where P − N is the pivot of D M⁻¹ Dᵀ as a difference
+    /// of two sums of squares and P_max the largest P among the components of one vector. With c = 0 it estimates the reciprocal
+    /// condition of D M⁻¹ Dᵀ.
+    fn factor(&self, time: R, q: &Self::Q, compliance: R, store: &mut Self::Store) -> R;
+    /// Factors K(c) and evaluates its right-hand sides Q and γ − 2α(D v − ν) − β² Φ; returns the smallest relative pivot of
+    /// the velocities where M alone is singular, else one.
+    #[allow(clippy::too_many_arguments)]
+    fn system(
+        &self,
+        time: R,
+        q: &Self::Q,
+        v: &Self::V,
+        u: &Self::Inputs,
+        two_alpha: R,
+        beta_squared: R,
+        compliance: R,
+        store: &mut Self::Store,
+        forces: &mut Self::V,
+        rows: &mut Self::Lambda,
+    ) -> R {
+        let pivot = self.factor(time, q, compliance, store);
+        self.forces(time, q, v, u, forces);
+        self.gamma(time, q, v, rows);
+        let (mut phi, mut rest) = (Self::Lambda::zero(), Self::Lambda::zero());
+        self.constraints(time, q, &mut phi);
+        self.nu(time, q, &mut rest);
+        let mut jacobian = Self::Jacobian::zero();
+        self.constraint_jacobian(time, q, &mut jacobian);
+        subtract_product(Self::JACOBIAN_PATTERN, jacobian.as_slice(), v.as_slice(), rest.as_mut_slice());
+        rows.axpy(two_alpha, &rest);
+        rows.axpy(-beta_squared, &phi);
+        // Softened rows have no pivot that could vanish.
+        if Self::MASSLESS_ROWS.is_empty() { R::ONE } else { pivot }
+    }
+    /// a and λ of M a + Dᵀ λ = `forces`, D a − c λ = `rows`, with the factor in `store`.
+    fn solve(
+        &self,
+        store: &Self::Store,
+        forces: &Self::V,
+        rows: &Self::Lambda,
+        a: &mut Self::V,
+        lambda: &mut Self::Lambda,
+    );
 
     /// Angle: sin(θ − target); linear, which includes angles whose turns are counted: value − target.
     fn condition_residual(

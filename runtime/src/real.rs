@@ -38,6 +38,9 @@ pub trait Real:
     /// cancellation to rounding is a few [`EPSILON`](Real::EPSILON); the bound lies some forty roundings above, so a
     /// pivot below it has no correct digit worth dividing by: `1e-14` for `f64`, `5e-6` for `f32`.
     const BREAKDOWN: Self;
+    /// The reciprocal condition of D M⁻¹ Dᵀ below which a position is reported as nearly singular: `1e-6` for `f64`,
+    /// `1e-3` for `f32`.
+    const NEAR_SINGULAR: Self;
 
     /// The nearest number to `value`.
     fn from_f64(value: f64) -> Self;
@@ -99,7 +102,7 @@ pub trait Real:
 /// `impl Real` for one primitive float; the functions of `libm` differ only in their names.
 macro_rules! impl_real {
     (
-        $float:ty, breakdown $breakdown:literal, sqrt $sqrt:path, floor $floor:path, sin $sin:path, cos $cos:path,
+        $float:ty, breakdown $breakdown:literal, near $near:literal, sqrt $sqrt:path, floor $floor:path, sin $sin:path, cos $cos:path,
         tan $tan:path, asin $asin:path, acos $acos:path, atan2 $atan2:path, exp $exp:path, ln $ln:path
     ) => {
         impl Real for $float {
@@ -109,6 +112,7 @@ macro_rules! impl_real {
             const ONE: Self = 1.0;
             const EPSILON: Self = <$float>::EPSILON;
             const BREAKDOWN: Self = $breakdown;
+            const NEAR_SINGULAR: Self = $near;
 
             #[inline(always)]
             fn from_f64(value: f64) -> Self {
@@ -239,11 +243,11 @@ macro_rules! impl_real {
 }
 
 impl_real!(
-    f64, breakdown 1e-14, sqrt libm::sqrt, floor libm::floor, sin libm::sin, cos libm::cos,
+    f64, breakdown 1e-14, near 1e-6, sqrt libm::sqrt, floor libm::floor, sin libm::sin, cos libm::cos,
     tan libm::tan, asin libm::asin, acos libm::acos, atan2 libm::atan2, exp libm::exp, ln libm::log
 );
 impl_real!(
-    f32, breakdown 5e-6, sqrt libm::sqrtf, floor libm::floorf, sin libm::sinf, cos libm::cosf,
+    f32, breakdown 5e-6, near 1e-3, sqrt libm::sqrtf, floor libm::floorf, sin libm::sinf, cos libm::cosf,
     tan libm::tanf, asin libm::asinf, acos libm::acosf, atan2 libm::atan2f, exp libm::expf, ln libm::logf
 );
 

@@ -4,18 +4,25 @@ use crate::registry::{Model, for_each};
 use crate::walking::walk;
 use crate::zoo::Gears;
 use linkwright::{
-    AssembleExt, Baumgarte, Fields, Integrator, LagrangeIndex1, Layout, Rk4, SemiImplicitEuler, Simulation,
-    State, Vector,
+    AssembleExt, Baumgarte, ExplicitTrapezoidal, Fields, Integrator, LagrangeIndex1, Layout,
+    MechanismDynamics, NoInputs, Rk4, SemiImplicitEuler, Simulation, State, Vector,
 };
 use linkwright_models::{double_pendulum::DoublePendulum, n_four_bar::NFourBar2};
 use std::f64::consts::{PI, TAU};
 
+/// An integrator of a model without inputs, by Lagrange's equations.
+trait Steps<M: Model<Inputs = ()>>:
+    for<'m> Integrator<f64, MechanismDynamics<'m, M, f64, LagrangeIndex1, NoInputs>>
+{
+}
+
+impl<M: Model<Inputs = ()>, I> Steps<M> for I where
+    I: for<'m> Integrator<f64, MechanismDynamics<'m, M, f64, LagrangeIndex1, NoInputs>>
+{
+}
+
 /// The state after `steps` steps to `end` from the start of the model.
-fn reached<M: Model<Inputs = ()>, I: Integrator<f64>>(
-    integrator: I,
-    end: f64,
-    steps: u32,
-) -> State<M::Q, M::V> {
+fn reached<M: Model<Inputs = ()>, I: Steps<M>>(integrator: I, end: f64, steps: u32) -> State<M::Q, M::V> {
     let model = M::standard();
     let start = State { q: M::start_q(), v: M::start_v() };
     let simulation = Simulation::new(&model, start).formulation(LagrangeIndex1).integrator(integrator);
@@ -24,7 +31,7 @@ fn reached<M: Model<Inputs = ()>, I: Integrator<f64>>(
 }
 
 /// log₂ of the ratio of the errors with `steps` and with twice as many.
-fn order<M: Model<Inputs = ()>, I: Integrator<f64> + Copy>(integrator: I, end: f64, steps: u32) -> f64 {
+fn order<M: Model<Inputs = ()>, I: Steps<M> + Copy>(integrator: I, end: f64, steps: u32) -> f64 {
     let exact = reached::<M, Rk4>(Rk4, end, 4000);
     // Velocities too: where the motion starts without acceleration, as the windows do, symplectic Euler has positions of
     // second order, because half a kick makes it Verlet's method.
@@ -35,12 +42,14 @@ fn order<M: Model<Inputs = ()>, I: Integrator<f64> + Copy>(integrator: I, end: f
     (error(steps) / error(2 * steps)).log2()
 }
 
-/// Fourth order and first, on an open chain and on a closed one.
+/// Fourth order, second and first, on an open chain and on a closed one.
 #[test]
 fn orders_of_convergence() {
     let orders = [
         ("double pendulum, RK4", order::<DoublePendulum, _>(Rk4, 0.5, 60), 4.0),
         ("two windows, RK4", order::<NFourBar2, _>(Rk4, 0.5, 60), 4.0),
+        ("double pendulum, trapezoidal", order::<DoublePendulum, _>(ExplicitTrapezoidal, 0.5, 200), 2.0),
+        ("two windows, trapezoidal", order::<NFourBar2, _>(ExplicitTrapezoidal, 0.5, 200), 2.0),
         ("double pendulum, Euler", order::<DoublePendulum, _>(SemiImplicitEuler, 0.5, 400), 1.0),
         ("two windows, Euler", order::<NFourBar2, _>(SemiImplicitEuler, 0.5, 400), 1.0),
     ];

@@ -37,6 +37,7 @@ fn emitted_code_is_the_program<M: Model>() {
             let program = schedule::run(compiled.programs.get(function), &inputs);
             compare(M::NAME, function, &emitted, &program);
         }
+        factorisation_is_the_program(&compiled, &model, inputs);
     }
 }
 
@@ -112,7 +113,46 @@ fn emitted<M: Model>(model: &M, inputs: &Inputs, function: Function) -> Option<V
             positions.as_slice().iter().chain(rates.as_slice()).copied().collect()
         }
         Function::Prepare | Function::Masses => return None,
+        // Compared together below.
+        Function::Factor | Function::System | Function::Solve => return None,
     })
+}
+
+/// The factorisation of K(c) where it is emitted: factored, and set up, then solved.
+fn factorisation_is_the_program<M: Model>(compiled: &Compiled, model: &M, mut inputs: Inputs) {
+    let Some(stored) = &compiled.solved.stored else { return };
+    let kept = stored.kept.len();
+    let at = At::<M>::of(&inputs);
+    let (mut store, compliance) = (M::store(), inputs.compliance);
+    let solved = |store: &M::Store, forces: &M::V, rows: &M::Lambda, pivot: f64| {
+        let (mut a, mut lambda) = (M::V::zero(), M::Lambda::zero());
+        model.solve(store, forces, rows, &mut a, &mut lambda);
+        a.as_slice().iter().chain(lambda.as_slice()).copied().chain([pivot]).collect::<Vec<f64>>()
+    };
+    let pivot = model.factor(at.time, &at.q, compliance, &mut store);
+    let emitted = solved(&store, &vector(&inputs.given_forces), &vector(&inputs.given_rows), pivot);
+    let factored = schedule::run(compiled.programs.get(Function::Factor), &inputs);
+    inputs.kept = factored[..kept].to_vec();
+    let mut program = schedule::run(compiled.programs.get(Function::Solve), &inputs);
+    program.push(factored[kept]);
+    compare(M::NAME, Function::Factor, &emitted, &program);
+    if !compiled.solved.emits_system {
+        return;
+    }
+    let (mut forces, mut rows) = (M::V::zero(), M::Lambda::zero());
+    let (two_alpha, beta_squared) = (inputs.two_alpha, inputs.beta_squared);
+    let At { time, q, v, u } = &at;
+    let pivot =
+        model.system(*time, q, v, u, two_alpha, beta_squared, compliance, &mut store, &mut forces, &mut rows);
+    let emitted = solved(&store, &forces, &rows, pivot);
+    let set_up = schedule::run(compiled.programs.get(Function::System), &inputs);
+    let (stored, rest) = set_up.split_at(kept);
+    inputs.kept = stored.to_vec();
+    inputs.given_forces = rest[..M::V::LEN].to_vec();
+    inputs.given_rows = rest[M::V::LEN..rest.len() - 1].to_vec();
+    let mut program = schedule::run(compiled.programs.get(Function::Solve), &inputs);
+    program.extend(rest.last());
+    compare(M::NAME, Function::System, &emitted, &program);
 }
 
 fn written<V: Vector<f64>>(write: impl FnOnce(&mut V)) -> Vec<f64> {

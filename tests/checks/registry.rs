@@ -241,6 +241,11 @@ impl Random {
             acceleration: self.vector(layout.velocities()),
             lambda: self.vector(e.rows.len()),
             targets: self.vector(e.conditions.len()),
+            compliance: 0.01 * (2.0 + self.next()),
+            given_forces: self.vector(layout.velocities()),
+            given_rows: self.vector(e.rows.len()),
+            // By `Function::Factor`.
+            kept: vec![0.0; e.symbols.kept.len()],
             prepared: Vec::new(),
         }
     }

@@ -2,8 +2,8 @@
 //! angle each, counted angles of bodies that tumble. Those of the plane are in `convergence.rs`.
 
 use linkwright::{
-    Assemble, Baumgarte, Formulation, Integrator, LagrangeIndex1, Layout, Mechanism, Rk4, SemiImplicitEuler,
-    Simulation, State, Vector,
+    Assemble, Baumgarte, ExplicitTrapezoidal, Formulation, Integrator, LagrangeIndex1, Layout, Mechanism,
+    MechanismDynamics, NoInputs, Rk4, SemiImplicitEuler, Simulation, State, Vector,
 };
 use linkwright_models::bricard::Bricard;
 use linkwright_models::four_spherical_joints::FourSphericalJoints;
@@ -34,8 +34,8 @@ linkwright::mechanism! {
 fn reached<M, F, I>(model: &M, (formulation, integrator): (F, I), end: f64, steps: u32) -> State<M::Q, M::V>
 where
     M: Assemble<f64, Inputs = ()>,
-    F: Formulation<f64>,
-    I: Integrator<f64>,
+    F: Formulation<f64, M>,
+    I: for<'m> Integrator<f64, MechanismDynamics<'m, M, f64, F, NoInputs>>,
 {
     let start = State { q: M::start_q(), v: M::start_v() };
     let simulation = Simulation::new(model, start).formulation(formulation).integrator(integrator);
@@ -47,8 +47,9 @@ where
 fn order<M, F, I>(model: &M, methods: (F, I), end: f64, steps: u32) -> f64
 where
     M: Assemble<f64, Inputs = ()>,
-    F: Formulation<f64> + Copy,
-    I: Integrator<f64> + Copy,
+    F: Formulation<f64, M> + Copy,
+    I: for<'m> Integrator<f64, MechanismDynamics<'m, M, f64, F, NoInputs>> + Copy,
+    Rk4: for<'m> Integrator<f64, MechanismDynamics<'m, M, f64, F, NoInputs>>,
 {
     let exact = reached(model, (methods.0, Rk4), end, 40 * steps.min(200));
     let error = |steps: u32| {
@@ -86,6 +87,21 @@ fn fourth_order() {
     ] {
         println!("{name}: order {order:.3}");
         assert!((order - 4.0).abs() < 0.2, "{name}: order {order}");
+    }
+}
+
+#[test]
+fn second_order() {
+    let trapezoidal = (LagrangeIndex1, ExplicitTrapezoidal);
+    for (name, order) in [
+        ("free body", order(&FreeRigidBody::default(), trapezoidal, 2.0, 800)),
+        ("heavy top", order(&HeavyTop::default(), trapezoidal, 0.05, 800)),
+        ("four spherical joints, absolute", order(&FourSphericalJoints::default(), trapezoidal, 0.3, 200)),
+        ("spatial four-bar", order(&Fourbar1::default(), trapezoidal, 0.3, 200)),
+        ("gyrostat, absolute with a counted angle", order(&Gyrostat::default(), trapezoidal, 1.0, 400)),
+    ] {
+        println!("{name}: order {order:.3}");
+        assert!((order - 2.0).abs() < 0.2, "{name}: order {order}");
     }
 }
 

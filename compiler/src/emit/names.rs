@@ -33,6 +33,10 @@ pub enum Argument {
     Acceleration,
     Lambda,
     Target,
+    Compliance,
+    GivenForces,
+    GivenRows,
+    Store,
 }
 
 impl Names {
@@ -56,6 +60,9 @@ impl Names {
         claim(&symbols.acceleration, Source::Acceleration);
         claim(&symbols.lambda, Source::Lambda);
         claim(&symbols.targets, Source::Target);
+        claim(&symbols.given_forces, Source::GivenForce);
+        claim(&symbols.given_rows, Source::GivenRow);
+        claim(&symbols.kept, Source::Kept);
         claim(&symbols.parameters, Source::Parameter);
         claim(&symbols.phases, Source::Phase);
         // A constant of the prepared model that is a parameter as it stands keeps the parameter's name.
@@ -128,6 +135,7 @@ impl Names {
             (Source::Time, _) => text.push_str("time"),
             (Source::TwoAlpha, _) => text.push_str("two_alpha"),
             (Source::BetaSquared, _) => text.push_str("beta_squared"),
+            (Source::Compliance, _) => text.push_str("compliance"),
             (Source::Prepared(index), _) => push_numbered(text, 'k', index),
             (_, None) => {}
         }
@@ -136,7 +144,7 @@ impl Names {
     /// Where a source is read from; `None` if it is an argument itself.
     pub fn place(&self, source: Source) -> Option<String> {
         Some(match source {
-            Source::Time | Source::TwoAlpha | Source::BetaSquared => return None,
+            Source::Time | Source::TwoAlpha | Source::BetaSquared | Source::Compliance => return None,
             Source::Parameter(index) => format!("parameters.{}", self.parameter_fields[index as usize]),
             Source::Phase(index) => format!("phases[{index}]"),
             Source::Q(index) => format!("q[{index}]"),
@@ -145,6 +153,9 @@ impl Names {
             Source::Acceleration(index) => format!("a[{index}]"),
             Source::Lambda(index) => format!("lambda[{index}]"),
             Source::Target(index) => format!("target[{index}]"),
+            Source::GivenForce(index) => format!("forces[{index}]"),
+            Source::GivenRow(index) => format!("rows[{index}]"),
+            Source::Kept(index) => format!("store[{index}]"),
             Source::Prepared(index) => format!("constants[{index}]"),
         })
     }
@@ -175,6 +186,10 @@ impl Argument {
             Argument::Acceleration => "a",
             Argument::Lambda => "lambda",
             Argument::Target => "target",
+            Argument::Compliance => "compliance",
+            Argument::GivenForces => "forces",
+            Argument::GivenRows => "rows",
+            Argument::Store => "store",
         }
     }
 
@@ -184,11 +199,12 @@ impl Argument {
             Argument::Constants => "&Constants<R>",
             Argument::Parameters => "&Parameters<R>",
             Argument::Phases => "&Phases<R>",
-            Argument::Time | Argument::TwoAlpha | Argument::BetaSquared => "R",
+            Argument::Time | Argument::TwoAlpha | Argument::BetaSquared | Argument::Compliance => "R",
             Argument::Q => "&Q<R>",
-            Argument::V | Argument::Acceleration => "&V<R>",
+            Argument::V | Argument::Acceleration | Argument::GivenForces => "&V<R>",
             Argument::Inputs => "&Inputs<R>",
-            Argument::Lambda => "&Lambda<R>",
+            Argument::Lambda | Argument::GivenRows => "&Lambda<R>",
+            Argument::Store => "&Store<R>",
             Argument::Target => "&Conditions<R>",
         };
         format!("{}: {kind}", self.name())
@@ -196,7 +212,7 @@ impl Argument {
 }
 
 /// Words that emitted functions use themselves.
-const RESERVED: [&str; 14] = [
+const RESERVED: [&str; 18] = [
     "time",
     "q",
     "v",
@@ -209,6 +225,10 @@ const RESERVED: [&str; 14] = [
     "phases",
     "two_alpha",
     "beta_squared",
+    "compliance",
+    "forces",
+    "rows",
+    "store",
     "w",
     "out",
 ];
@@ -252,7 +272,7 @@ pub fn inner(name: &str) -> String {
 
 /// Types, traits and variants that implementations have in scope: short names of arrays, what the runtime exports to
 /// emitted code, the prelude.
-const IN_SCOPE: [&str; 76] = [
+const IN_SCOPE: [&str; 77] = [
     "Constants",
     "Phases",
     "Q",
@@ -264,6 +284,7 @@ const IN_SCOPE: [&str; 76] = [
     "ConditionJacobian",
     "Factor",
     "System",
+    "Store",
     "Parameters",
     "Inputs",
     "Outputs",

@@ -141,6 +141,10 @@ impl<R: Real> Assemble<R> for @NAME@<R> {
     const FLIPS: &'static [u16] = &[];
     const ELIMINATION: Elimination = Elimination { order: &[], position: &[], row_start: &[], columns: &[] };
     type Conditions = @LIST@; type ConditionJacobian = @LIST@; type Factor = @LIST@; type System = @LIST@;
+    type Store = @LIST@;
+    fn store() -> @LIST@ { loop {} }
+    fn factor(&self, time: R, q: &@LIST@, compliance: R, store: &mut @LIST@) -> R { loop {} }
+    fn solve(&self, store: &@LIST@, forces: &@LIST@, rows: &@LIST@, a: &mut @LIST@, lambda: &mut @LIST@) {}
     fn condition_residual(&self, time: R, q: &@LIST@, target: &@LIST@, out: &mut @LIST@) {}
     fn condition_cosines(&self, time: R, q: &@LIST@, target: &@LIST@, out: &mut @LIST@) {}
     fn condition_jacobian(&self, time: R, q: &@LIST@, out: &mut @LIST@) {}

@@ -8,7 +8,8 @@ use crate::schedule::{Function, Operand};
 use std::fmt::Write;
 
 use Argument::{
-    Acceleration, BetaSquared, Constants, Inputs, Lambda, Parameters, Phases, Q, Target, Time, TwoAlpha, V,
+    Acceleration, BetaSquared, Compliance, Constants, GivenForces, GivenRows, Inputs, Lambda, Parameters,
+    Phases, Q, Store, Target, Time, TwoAlpha, V,
 };
 
 /// Arguments of the solution: of `acceleration`, and the first of `acceleration_baumgarte`.
@@ -31,8 +32,10 @@ pub fn aliases(text: &mut String, emitter: &Emitter) {
         ("ConditionJacobian", columns(equations.conditions.iter().map(|c| &c.jet).collect())),
         ("Factor", emitter.compiled.table.columns.len()),
         ("System", emitter.compiled.table.order.len()),
+        ("Store", emitter.compiled.solved.stored.as_ref().map_or(0, |stored| stored.kept.len())),
     ];
-    for (alias, length) in arrays {
+    let tabled = emitter.compiled.solved.stored.is_none();
+    for (alias, length) in arrays.into_iter().filter(|(alias, _)| !(tabled && *alias == "Store")) {
         let _ = writeln!(text, "type {alias}<R> = [R; {length}];");
     }
     let _ = writeln!(text, "type Parameters<R> = {name}Parameters<R>;");
@@ -494,6 +497,12 @@ pub fn assemble(text: &mut String, emitter: &Emitter) {
         let idle = tables::indices(equations.idle.iter().copied());
         let _ = writeln!(text, "const IDLE: &'static [u16] = {idle};");
     }
+    let massless = &compiled.solved.massless;
+    if !massless.rows.is_empty() {
+        let rows = tables::indices(massless.rows.iter().copied());
+        let _ = writeln!(text, "const MASSLESS_ROWS: &'static [u16] = {rows};");
+        let _ = writeln!(text, "const MASSLESS_WEIGHT: f64 = {};", literal(massless.weight));
+    }
     let jets = equations.conditions.iter().map(|condition| &condition.jet);
     let _ = writeln!(
         text,
@@ -542,6 +551,7 @@ pub fn assemble(text: &mut String, emitter: &Emitter) {
             format!("*positions = {};\n*rates = {};", list(positions), list(rates))
         },
     );
+    factorisation(text, &mut helpers, emitter);
     let numbers = |values: &[f64]| array(values.iter().map(|value| constant(*value)));
     let _ = writeln!(text, "fn start_q() -> Q<R> {{ {} }}", numbers(&compiled.assembly.q));
     let _ = writeln!(text, "fn start_v() -> V<R> {{ {} }}", numbers(&compiled.assembly.v));
@@ -558,6 +568,68 @@ pub fn assemble(text: &mut String, emitter: &Emitter) {
     }
     text.push_str("}\n");
     text.push_str(&helpers);
+}
+
+/// K(c), written out where that is asked for, else by tables.
+fn factorisation(text: &mut String, helpers: &mut String, emitter: &Emitter) {
+    let Some(stored) = &emitter.compiled.solved.stored else {
+        text.push_str(
+            "type Store = tabled::Store<R, Self>;\n\
+             fn store() -> Self::Store { tabled::store::<R, Self>() }\n\
+             fn factor(&self, time: R, q: &Q<R>, compliance: R, store: &mut Self::Store) -> R {\n\
+             tabled::factor::<R, Self>(self, time, q, compliance, store)\n}\n\
+             fn solve(&self, store: &Self::Store, forces: &V<R>, rows: &Lambda<R>, a: &mut V<R>, lambda: &mut Lambda<R>) {\n\
+             tabled::solve::<R, Self>(store, forces, rows, a, lambda)\n}\n",
+        );
+        return;
+    };
+    let (kept, velocities) = (stored.kept.len(), emitter.velocities());
+    let _ = writeln!(text, "type Store = Store<R>;\nfn store() -> Store<R> {{ [R::ZERO; {kept}] }}");
+    let list = |values: &[String]| array(values.iter().cloned());
+    function(
+        text,
+        helpers,
+        emitter,
+        Function::Factor,
+        &[Constants, Time, Q, Compliance],
+        "factor(&self, time: R, q: &Q<R>, compliance: R, store: &mut Store<R>) -> R",
+        |outputs| format!("*store = {};\n{}", list(&outputs[..kept]), outputs[kept]),
+    );
+    function(
+        text,
+        helpers,
+        emitter,
+        Function::Solve,
+        &[Constants, Compliance, Store, GivenForces, GivenRows],
+        "solve(&self, store: &Store<R>, forces: &V<R>, rows: &Lambda<R>, a_out: &mut V<R>, lambda_out: &mut Lambda<R>)",
+        |outputs| {
+            let (a, lambda) = outputs.split_at(velocities);
+            format!("*a_out = {};\n*lambda_out = {};", list(a), list(lambda))
+        },
+    );
+    if !emitter.compiled.solved.emits_system {
+        return;
+    }
+    let rows = kept + velocities;
+    function(
+        text,
+        helpers,
+        emitter,
+        Function::System,
+        &[Constants, Time, Q, V, Inputs, TwoAlpha, BetaSquared, Compliance],
+        "system(&self, time: R, q: &Q<R>, v: &V<R>, u: &Inputs<R>, two_alpha: R, beta_squared: R, compliance: R, \
+         store_out: &mut Store<R>, forces_out: &mut V<R>, rows_out: &mut Lambda<R>) -> R",
+        |outputs| {
+            let (rest, pivot) = outputs.split_at(outputs.len() - 1);
+            format!(
+                "*store_out = {};\n*forces_out = {};\n*rows_out = {};\n{}",
+                list(&rest[..kept]),
+                list(&rest[kept..rows]),
+                list(&rest[rows..]),
+                pivot[0]
+            )
+        },
+    );
 }
 
 /// Rows of the couplings whose phase comes from the assembled start.

@@ -216,11 +216,17 @@ pub struct Symbols {
     pub inputs: Vec<Node>,
     pub two_alpha: Node,
     pub beta_squared: Node,
+    /// c of K(c).
+    pub compliance: Node,
     /// v̇ and λ, for functions that take them as given.
     pub acceleration: Vec<Node>,
     pub lambda: Vec<Node>,
     /// Values asked of conditions.
     pub targets: Vec<Node>,
+    /// Right-hand sides of K(c), and what is kept of its factorisation.
+    pub given_forces: Vec<Node>,
+    pub given_rows: Vec<Node>,
+    pub kept: Vec<Node>,
 }
 
 /// New symbols for everything the equations depend on.
@@ -245,8 +251,12 @@ pub fn symbols(g: &mut Graph, mechanism: &Mechanism, layout: &Layout) -> Symbols
         inputs: named(g, inputs, Class::Input),
         two_alpha: g.symbol("two_alpha", Class::Input),
         beta_squared: g.symbol("beta_squared", Class::Input),
+        compliance: g.symbol("compliance", Class::Input),
         acceleration: named(g, acceleration_names, Class::Input),
         lambda: Vec::new(),
         targets: Vec::new(),
+        given_forces: Vec::new(),
+        given_rows: Vec::new(),
+        kept: Vec::new(),
     }
 }

@@ -386,8 +386,29 @@ pub struct Options {
     pub cut: Vec<(JointId, Span)>,
     /// Position coordinates the user takes as independent (angles, travels); empty if the compiler chooses.
     pub independent: Vec<(Quantity, Span)>,
+    pub emit: Emit,
     /// Path of the `linkwright` crate as seen by the user; `::linkwright` if `None`.
     pub crate_path: Option<TokenStream>,
+}
+
+/// What is emitted beyond the default, because it costs expansion and compilation.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Emit {
+    /// K(c) with the right-hand sides of the penalty family.
+    pub penalty: bool,
+    /// K(c) for projections.
+    pub projection: bool,
+}
+
+impl Emit {
+    /// Sets what one of the words says.
+    pub fn set(&mut self, word: &str) {
+        match word {
+            "penalty" => self.penalty = true,
+            "projection" => self.projection = true,
+            _ => {}
+        }
+    }
 }
 
 #[derive(Clone, Debug, Default)]

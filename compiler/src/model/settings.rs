@@ -2,7 +2,7 @@
 
 use super::lower::Lowering;
 use super::names::Part;
-use super::{Coordinates, Expect, JointId, Options, Quantity, Redundant};
+use super::{Coordinates, Emit, Expect, JointId, Options, Quantity, Redundant};
 use crate::messages;
 use crate::syntax::{ExpectEntry, Label, OptionEntry, Path};
 use proc_macro2::{Span, TokenStream};
@@ -14,6 +14,7 @@ impl<'d> Lowering<'d> {
         let mut accept_inertia = false;
         let (mut cut, mut independent) = (Vec::new(), Vec::new());
         let mut crate_path: Option<TokenStream> = None;
+        let mut emit = Emit::default();
         for entry in &self.definition.options {
             match entry {
                 OptionEntry::Coordinates(word) => {
@@ -35,11 +36,12 @@ impl<'d> Lowering<'d> {
                 OptionEntry::Independent(paths) => {
                     independent.extend(paths.iter().filter_map(|path| self.independent(path)));
                 }
+                OptionEntry::Emit(words) => words.iter().for_each(|word| emit.set(&word.text)),
                 OptionEntry::Crate(path) => crate_path = Some(path.clone()),
             }
         }
         self.options_twice();
-        Options { coordinates, redundant, accept_inertia, cut, independent, crate_path }
+        Options { coordinates, redundant, accept_inertia, cut, independent, emit, crate_path }
     }
 
     fn options_twice(&mut self) {

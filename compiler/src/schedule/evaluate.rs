@@ -18,6 +18,10 @@ pub struct Inputs {
     pub acceleration: Vec<f64>,
     pub lambda: Vec<f64>,
     pub targets: Vec<f64>,
+    pub compliance: f64,
+    pub given_forces: Vec<f64>,
+    pub given_rows: Vec<f64>,
+    pub kept: Vec<f64>,
     pub prepared: Vec<f64>,
 }
 
@@ -36,6 +40,10 @@ impl Inputs {
             Source::Acceleration(index) => at(&self.acceleration, index),
             Source::Lambda(index) => at(&self.lambda, index),
             Source::Target(index) => at(&self.targets, index),
+            Source::Compliance => self.compliance,
+            Source::GivenForce(index) => at(&self.given_forces, index),
+            Source::GivenRow(index) => at(&self.given_rows, index),
+            Source::Kept(index) => at(&self.kept, index),
             Source::Prepared(index) => at(&self.prepared, index),
         }
     }

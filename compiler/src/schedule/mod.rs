@@ -94,5 +94,9 @@ pub fn sources(equations: &Equations) -> Vec<Source> {
     assign(&symbols.acceleration, Source::Acceleration);
     assign(&symbols.lambda, Source::Lambda);
     assign(&symbols.targets, Source::Target);
+    assign(&[symbols.compliance], |_| Source::Compliance);
+    assign(&symbols.given_forces, Source::GivenForce);
+    assign(&symbols.given_rows, Source::GivenRow);
+    assign(&symbols.kept, Source::Kept);
     sources
 }

@@ -17,6 +17,11 @@ pub enum Source {
     Acceleration(u32),
     Lambda(u32),
     Target(u32),
+    Compliance,
+    /// Right-hand sides of K(c), and what is kept of its factorisation.
+    GivenForce(u32),
+    GivenRow(u32),
+    Kept(u32),
     /// A constant of the prepared model: computed once from parameters and phases.
     Prepared(u32),
 }

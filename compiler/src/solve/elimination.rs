@@ -12,8 +12,10 @@ pub type Entries = BTreeMap<(usize, usize), Node>;
 pub struct Factor {
     velocities: usize,
     steps: Vec<Step>,
-    /// Smallest relative pivot: min over the watched pivots of |d| / Σ |terms of d|; 1 if none needs watching.
+    /// Smallest relative pivot: min over the watched pivots of d/(2G − d); 1 if none needs watching.
     pub pivot: Node,
+    /// The same of the velocities alone.
+    pub velocity_pivot: Node,
 }
 
 #[derive(Clone, Debug)]
@@ -35,16 +37,25 @@ struct Diagonal {
     taken: Vec<Node>,
 }
 
-/// Factors K in the given order. Velocity pivots are those of M, positive with it, and are watched only on request;
-/// a row's pivot is the difference of two sums of squares, P − N, and is watched wherever there is an N:
-/// (P − N)/(P + N) = 1/(2 P/d − 1), so a product, its magnitude and a maximum watch it.
-pub fn factor(
-    g: &mut Graph,
-    entries: &Entries,
-    velocities: usize,
-    order: &Order,
-    watch_velocities: bool,
-) -> Factor {
+/// What of K the factorisation has to know besides its entries.
+pub struct Kind<'a> {
+    pub velocities: usize,
+    /// Whether velocity pivots are watched: those of M alone are positive with it.
+    pub watch_velocities: bool,
+    /// Rows that are components of one vector have the same number.
+    pub groups: &'a [Option<usize>],
+    /// c, of each row, where K has −c on the diagonal.
+    pub compliance: Option<&'a [Node]>,
+}
+
+/// Factors K in the given order.
+///
+/// A row's pivot is the difference of two sums of squares, d = P − N (+ c). It is watched wherever there is an N, or where
+/// the row is one of several components: it may vanish beside these, as in a flat parallelogram. With G = P, or the largest P
+/// of the components, d/(2G − d) = 1/(2 G/d − 1), which is (P − N)/(P + N) of a single row, so a product, its
+/// magnitude and a maximum watch it.
+pub fn factor(g: &mut Graph, entries: &Entries, order: &Order, kind: &Kind) -> Factor {
+    let velocities = kind.velocities;
     let unknowns = order.sequence.iter().map(|unknown| unknown + 1).max().unwrap_or(0);
     let mut diagonals: Vec<Diagonal> = vec![Diagonal::default(); unknowns];
     let mut rows: Vec<BTreeMap<usize, Node>> = vec![BTreeMap::new(); unknowns];
@@ -57,18 +68,19 @@ pub fn factor(
         }
     }
     let mut steps = Vec::new();
-    let mut watched: Option<Node> = None;
+    let mut watched: Vec<Watched> = Vec::new();
     for pivot in &order.sequence {
         let is_row = *pivot >= velocities;
         let Diagonal { own, taken } = std::mem::take(&mut diagonals[*pivot]);
         let positive = g.sum(own);
-        let magnitude = taken.iter().fold(positive, |sum, term| g.sub(sum, *term));
+        let mut magnitude = taken.iter().fold(positive, |sum, term| g.sub(sum, *term));
+        if let (true, Some(compliance)) = (is_row, kind.compliance) {
+            magnitude = g.add(magnitude, compliance[*pivot - velocities]);
+        }
         let inverse = g.unary(Unary::Reciprocal, magnitude);
-        if (is_row || watch_velocities) && !taken.is_empty() {
-            // Where a pivot has broken down its sign is that of rounding.
-            let ratio = g.mul(positive, inverse);
-            let ratio = g.unary(Unary::Abs, ratio);
-            watched = Some(watched.map_or(ratio, |worst| g.max(worst, ratio)));
+        let group = if is_row { kind.groups[*pivot - velocities] } else { None };
+        if group.is_some() || (is_row || kind.watch_velocities) && !taken.is_empty() {
+            watched.push(Watched { group, positive, inverse, is_row });
         }
         let reciprocal = if is_row { g.neg(inverse) } else { inverse };
         let around = std::mem::take(&mut rows[*pivot]);
@@ -98,17 +110,44 @@ pub fn factor(
         }
         steps.push(Step { unknown: *pivot, is_row, inverse, column });
     }
+    let of_velocities = watched.iter().filter(|watched| !watched.is_row);
+    let velocity_pivot = smallest_pivot(g, of_velocities.copied().collect(), kind.compliance.is_some());
+    let pivot = smallest_pivot(g, watched, kind.compliance.is_some());
+    Factor { velocities, steps, pivot, velocity_pivot }
+}
+
+/// A pivot to be watched.
+#[derive(Clone, Copy)]
+struct Watched {
+    group: Option<usize>,
+    /// P.
+    positive: Node,
+    /// 1/d.
+    inverse: Node,
+    is_row: bool,
+}
+
+/// min 1/(2 G/d − 1); `softened` pivots may be larger than G.
+fn smallest_pivot(g: &mut Graph, watched: Vec<Watched>, softened: bool) -> Node {
     let one = g.constant(1.0);
-    let pivot = match watched {
-        None => one,
-        Some(worst) => {
+    let mut worst = softened.then_some(one);
+    for Watched { group, positive, inverse, .. } in &watched {
+        let others = watched.iter().filter(|other| group.is_some() && other.group == *group);
+        let scale = others.fold(*positive, |scale, other| g.max(scale, other.positive));
+        // Where a pivot has broken down its sign is that of rounding.
+        let ratio = g.mul(scale, *inverse);
+        let ratio = g.unary(Unary::Abs, ratio);
+        worst = Some(worst.map_or(ratio, |worst| g.max(worst, ratio)));
+    }
+    match worst {
+        Some(worst) if !watched.is_empty() => {
             let two = g.constant(2.0);
             let twice = g.mul(two, worst);
             let sum = g.sub(twice, one);
             g.unary(Unary::Reciprocal, sum)
         }
-    };
-    Factor { velocities, steps, pivot }
+        _ => one,
+    }
 }
 
 impl Factor {

@@ -4,16 +4,20 @@
 
 pub mod elimination;
 pub mod order;
+mod stored;
 pub mod table;
 
 use crate::equations::space::articulated;
-use crate::equations::{Equations, Kinematics};
+use crate::equations::{Equations, Kinematics, Row, Symbols};
 use crate::functions::Function;
+use crate::model::Emit;
 use crate::schedule::{Counts, count_of};
 use crate::symbolic::{Graph, Node, Unary};
-use elimination::{Entries, Factor};
+use elimination::{Entries, Factor, Kind};
 use order::{Order, Pattern, Strategy};
 use std::collections::{BTreeMap, BTreeSet};
+
+pub use stored::{Stored, store};
 
 /// v̇ and λ, and the smallest relative pivot met on the way.
 #[derive(Clone, Debug)]
@@ -33,6 +37,20 @@ pub struct Solved {
     pub counts: Counts,
     /// Rows added to M, see [`Massless`].
     pub massless: Massless,
+    /// K(c), where it is emitted.
+    pub stored: Option<Stored>,
+    /// Whether K(c) is emitted together with the right-hand sides of the penalty formulation too.
+    pub emits_system: bool,
+}
+
+impl Solved {
+    /// Writes out what the definition asks to be emitted beyond the default.
+    pub fn add(&mut self, equations: &mut Equations, emit: &Emit) {
+        if emit.penalty || emit.projection {
+            self.stored = Some(store(equations, &self.massless));
+            self.emits_system = emit.penalty;
+        }
+    }
 }
 
 /// Velocities that carry no mass of their own. M is then singular, though positive definite on the admissible
@@ -227,6 +245,8 @@ fn by_articulated_bodies(equations: &Equations, pattern: &Pattern) -> Option<(Eq
         order: Order { strategy: Strategy::ArticulatedBodies, ..order },
         counts: Counts::default(),
         massless: Massless::default(),
+        stored: None,
+        emits_system: false,
     };
     solved.counts = count_of(&candidate, &solved, Function::AccelerationBaumgarte);
     Some((candidate, solved))
@@ -242,18 +262,16 @@ fn counted(equations: &mut Equations, system: &System, order: Order) -> Solved {
 fn eliminate(equations: &mut Equations, system: &System, order: Order) -> Solved {
     let System { velocities, columns, entries, massless, rho, .. } = system;
     let g = &mut equations.graph;
-    let factor = elimination::factor(g, entries, *velocities, &order, !massless.rows.is_empty());
+    let kind = Kind {
+        velocities: *velocities,
+        watch_velocities: !massless.rows.is_empty(),
+        groups: &groups(&equations.rows),
+        compliance: None,
+    };
+    let factor = elimination::factor(g, entries, &order, &kind);
 
-    // −γ, and −γ + 2α (D v − ν) + β² Φ.
     let plain: Vec<Node> = equations.rows.iter().map(|row| row.jet.bias).collect();
-    let mut stabilised = Vec::new();
-    for row in &equations.rows {
-        let rate = row.jet.rate(g, &equations.symbols.v);
-        let damping = g.mul(equations.symbols.two_alpha, rate);
-        let stiffness = g.mul(equations.symbols.beta_squared, row.jet.value);
-        let sum = g.add(row.jet.bias, damping);
-        stabilised.push(g.add(sum, stiffness));
-    }
+    let stabilised = stabilised(g, &equations.rows, &equations.symbols);
     let mut with = |minus_gamma: &[Node]| {
         let mut rhs = equations.forces.clone();
         for row in &massless.rows {
@@ -270,7 +288,44 @@ fn eliminate(equations: &mut Equations, system: &System, order: Order) -> Solved
     // Outputs that name drivers' efforts or powers take the multipliers of the plain solution.
     let solved = equations.symbols.lambda.iter().copied().zip(index1.lambda.iter().copied()).collect();
     equations.outputs = equations.graph.substitute(&equations.outputs, &solved);
-    Solved { index1, baumgarte, order, counts: Counts::default(), massless: massless.clone() }
+    Solved {
+        index1,
+        baumgarte,
+        order,
+        counts: Counts::default(),
+        massless: massless.clone(),
+        stored: None,
+        emits_system: false,
+    }
+}
+
+/// −γ + 2α (D v − ν) + β² Φ.
+fn stabilised(g: &mut Graph, rows: &[Row], symbols: &Symbols) -> Vec<Node> {
+    let mut terms = Vec::new();
+    for row in rows {
+        let rate = row.jet.rate(g, &symbols.v);
+        let damping = g.mul(symbols.two_alpha, rate);
+        let stiffness = g.mul(symbols.beta_squared, row.jet.value);
+        let sum = g.add(row.jet.bias, damping);
+        terms.push(g.add(sum, stiffness));
+    }
+    terms
+}
+
+/// Rows that are components of one vector, numbered alike; the runtime's `same_scale` says the same of their names.
+fn groups(rows: &[Row]) -> Vec<Option<usize>> {
+    let kind = |row: &Row| match row.what {
+        "x" | "y" | "z" => Some(0),
+        "normal_1" | "normal_2" => Some(1),
+        "axis_1" | "axis_2" => Some(2),
+        _ => None,
+    };
+    let same = |a: &Row, b: &Row| a.of == b.of && kind(a).is_some() && kind(a) == kind(b);
+    let mut groups = Vec::new();
+    for (number, group) in rows.chunk_by(same).enumerate() {
+        groups.extend(vec![(group.len() > 1).then_some(number); group.len()]);
+    }
+    groups
 }
 
 /// v̇ and λ for [Q; −γ].

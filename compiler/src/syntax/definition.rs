@@ -564,8 +564,13 @@ pub enum OptionEntry {
     Inertia(Label),
     Cut(Vec<Label>),
     Independent(Vec<Path>),
+    /// Words of [`EMITTED`].
+    Emit(Vec<Label>),
     Crate(TokenStream),
 }
+
+/// What can be emitted beyond the default.
+pub const EMITTED: [&str; 2] = ["penalty", "projection"];
 
 /// One line of `expect { … }`.
 #[derive(Clone, Debug)]

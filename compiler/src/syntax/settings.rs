@@ -1,6 +1,6 @@
 //! The blocks `start`, `options` and `expect`.
 
-use super::definition::{ExpectEntry, Label, OptionEntry, OrientationEntry, Path, StartEntry};
+use super::definition::{EMITTED, ExpectEntry, Label, OptionEntry, OrientationEntry, Path, StartEntry};
 use super::parser::{Parsed, Parser};
 use super::token::{Cursor, Kind};
 use crate::diagnostics::Region;
@@ -57,12 +57,10 @@ impl Parser {
 
     /// `{ coordinates = auto; cut = (joint, …); … }`
     pub fn options(&mut self, c: &mut Cursor) -> Parsed<()> {
-        const KNOWN: [&str; 6] = ["coordinates", "redundant", "inertia", "cut", "independent", "crate"];
+        const KNOWN: [&str; 7] =
+            ["coordinates", "redundant", "inertia", "cut", "independent", "emit", "crate"];
         self.block(c, |parser, c| {
             let option = parser.word(c, "an option")?;
-            if option.text == "emit" {
-                return parser.fail(option.region, messages::not_there_yet("emit"));
-            }
             if !KNOWN.contains(&option.text.as_str()) {
                 return parser.fail(option.region, messages::unknown_option(&option.text, &KNOWN));
             }
@@ -73,6 +71,7 @@ impl Parser {
                 "inertia" => OptionEntry::Inertia(parser.choice(c, &["check", "accept"])?),
                 "cut" => OptionEntry::Cut(parser.list(c, |p, c| p.label(c, "the name of a joint"))?),
                 "independent" => OptionEntry::Independent(parser.list(c, |p, c| p.path(c, "a quantity"))?),
+                "emit" => OptionEntry::Emit(parser.list(c, |p, c| p.choice(c, &EMITTED))?),
                 _ => OptionEntry::Crate(c.originals_to_semicolon()),
             };
             parser.semicolon(c)?;

@@ -2,19 +2,22 @@
 //!
 //! A method sees a mechanism only as [`Dynamics`]: states in, accelerations out. Positions move by
 //! [`retract`](crate::layout::retract) with increments of the velocities' kind; methods above order 2 correct these by
-//! [`inverse_differential`](crate::layout::inverse_differential). Step control, inputs and errors are
-//! `simulation.rs`.
+//! [`inverse_differential`](crate::layout::inverse_differential). Inputs, the clock and errors are `simulation`.
 
+mod explicit_trapezoidal;
 mod rk4;
 mod semi_implicit_euler;
 
+pub use explicit_trapezoidal::ExplicitTrapezoidal;
 pub use rk4::Rk4;
 pub use semi_implicit_euler::SemiImplicitEuler;
 
+use crate::error::SettingError;
 use crate::layout::Layout;
 use crate::real::Real;
 use crate::state::State;
 use crate::vector::Vector;
+use core::fmt::Debug;
 
 /// What is integrated: v̇ = f(t, q, v), with q moving by v on the group.
 pub trait Dynamics<R: Real> {
@@ -24,20 +27,106 @@ pub trait Dynamics<R: Real> {
     type Q: Vector<R>;
     /// Velocities and accelerations.
     type V: Vector<R>;
+    /// Multipliers of the constraints.
+    type Lambda: Vector<R>;
 
-    /// v̇ at a stage. The first call of a step must be at the step's own start, so that what was evaluated there
-    /// already (the inputs) is not evaluated again.
-    fn acceleration(&mut self, time: R, state: &State<Self::Q, Self::V>) -> Self::V;
+    /// v̇ at a stage, whose state may be brought to the constraints on the way. The first call of a step must be at the
+    /// step's own start, so that what was evaluated there already (the inputs) is not evaluated again.
+    fn acceleration(&mut self, time: R, state: &mut State<Self::Q, Self::V>) -> Self::V;
 }
 
-/// A one-step method.
-pub trait Integrator<R: Real> {
-    /// The state at `time + h` from the one at `time`, s.
-    fn step<D: Dynamics<R>>(
+/// A one-step method by itself: its parameters, and what it carries from step to step.
+pub trait Method<R: Real> {
+    /// What is carried from one step to the next, such as the last accelerations.
+    type Memory<Q: Vector<R>, V: Vector<R>, Lambda: Vector<R>>: Copy + Debug;
+
+    /// Whether the method chooses the size of its steps; the size asked for is then the largest.
+    const ADAPTIVE: bool = false;
+
+    /// What there is to carry before the first step.
+    fn memory<Q: Vector<R>, V: Vector<R>, Lambda: Vector<R>>(&self) -> Self::Memory<Q, V, Lambda>;
+
+    /// Whether the method's parameters make sense.
+    ///
+    /// # Errors
+    /// The parameter that does not.
+    fn check(&self) -> Result<(), SettingError> {
+        Ok(())
+    }
+}
+
+/// A one-step method for the dynamics `D`.
+pub trait Integrator<R: Real, D: Dynamics<R>>: Method<R> {
+    /// The state at `time + h` from the one at `time`, s; adaptive methods may take less.
+    ///
+    /// # Errors
+    /// Why no step was taken.
+    fn step(
         &self,
+        memory: &mut Self::Memory<D::Q, D::V, D::Lambda>,
         dynamics: &mut D,
         time: R,
         h: R,
         state: &State<D::Q, D::V>,
-    ) -> State<D::Q, D::V>;
+    ) -> Result<Stepped<R, D::Q, D::V>, StepFailure<R>>;
+}
+
+/// A step that was taken.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Stepped<R, Q, V> {
+    /// The state at its end.
+    pub state: State<Q, V>,
+    /// Its size, s.
+    pub size: R,
+    /// Iterations of an implicit method.
+    pub iterations: u32,
+    /// What the last of them changed, relative to what may remain.
+    pub residual: R,
+    /// Trials that were given up before.
+    pub rejections: Rejections,
+}
+
+impl<R: Real, Q, V> Stepped<R, Q, V> {
+    /// A step of size `h` without iterations or rejections.
+    #[inline]
+    pub fn explicit(h: R, state: State<Q, V>) -> Self {
+        Stepped { state, size: h, iterations: 0, residual: R::ZERO, rejections: Rejections::default() }
+    }
+}
+
+/// Trials of a step that were given up, by reason.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Rejections {
+    /// The estimated error was above the tolerance.
+    pub error: u32,
+    /// An iteration did not converge.
+    pub convergence: u32,
+    /// A stage was at a singular position, or not finite.
+    pub breakdown: u32,
+}
+
+impl Rejections {
+    /// All of them.
+    pub fn total(&self) -> u32 {
+        self.error + self.convergence + self.breakdown
+    }
+}
+
+/// Why a method took no step.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum StepFailure<R = f64> {
+    /// The step that the tolerances ask for is below the resolution of the time.
+    Underflow {
+        /// The last size tried, s.
+        size: R,
+        /// Why it was not accepted.
+        rejections: Rejections,
+    },
+    /// An iteration did not converge.
+    NoConvergence {
+        /// Iterations made.
+        iterations: u32,
+        /// What the last of them changed, relative to what may remain.
+        residual: R,
+    },
 }

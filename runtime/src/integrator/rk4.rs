@@ -1,6 +1,6 @@
 //! The classical Runge–Kutta method of order four, on the group of positions.
 
-use super::{Dynamics, Integrator};
+use super::{Dynamics, Integrator, Method, StepFailure, Stepped};
 use crate::layout::{inverse_differential, retract_counting};
 use crate::real::Real;
 use crate::state::State;
@@ -17,15 +17,22 @@ use crate::vector::Vector;
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Rk4;
 
-impl<R: Real> Integrator<R> for Rk4 {
+impl<R: Real> Method<R> for Rk4 {
+    type Memory<Q: Vector<R>, V: Vector<R>, Lambda: Vector<R>> = ();
+
+    fn memory<Q: Vector<R>, V: Vector<R>, Lambda: Vector<R>>(&self) {}
+}
+
+impl<R: Real, D: Dynamics<R>> Integrator<R, D> for Rk4 {
     #[inline]
-    fn step<D: Dynamics<R>>(
+    fn step(
         &self,
+        _memory: &mut (),
         dynamics: &mut D,
         time: R,
         h: R,
         state: &State<D::Q, D::V>,
-    ) -> State<D::Q, D::V> {
+    ) -> Result<Stepped<R, D::Q, D::V>, StepFailure<R>> {
         let half = h * R::from_f64(0.5);
         // The state after `h` with the slopes k of u, v of counted angles, a of velocities, and the increment u.
         let stage = |h: R, k: &D::V, v: &D::V, a: &D::V| {
@@ -36,20 +43,21 @@ impl<R: Real> Integrator<R> for Rk4 {
             (State { q, v: state.v.plus(h, a) }, u)
         };
         let slope = |u: &D::V, v: &D::V| inverse_differential(&D::LAYOUT, u, v);
-        let v1 = &state.v;
-        let a1 = dynamics.acceleration(time, state);
-        let (second, u2) = stage(half, v1, v1, &a1);
+        let mut first = *state;
+        let a1 = dynamics.acceleration(time, &mut first);
+        let v1 = &first.v;
+        let (mut second, u2) = stage(half, v1, v1, &a1);
+        let a2 = dynamics.acceleration(time + half, &mut second);
         let (v2, k2) = (&second.v, slope(&u2, &second.v));
-        let a2 = dynamics.acceleration(time + half, &second);
-        let (third, u3) = stage(half, &k2, v2, &a2);
+        let (mut third, u3) = stage(half, &k2, v2, &a2);
+        let a3 = dynamics.acceleration(time + half, &mut third);
         let (v3, k3) = (&third.v, slope(&u3, &third.v));
-        let a3 = dynamics.acceleration(time + half, &third);
-        let (fourth, u4) = stage(h, &k3, v3, &a3);
+        let (mut fourth, u4) = stage(h, &k3, v3, &a3);
+        let a4 = dynamics.acceleration(time + h, &mut fourth);
         let (v4, k4) = (&fourth.v, slope(&u4, &fourth.v));
-        let a4 = dynamics.acceleration(time + h, &fourth);
         let v = mean(v1, v2, v3, v4);
         let k = if D::LAYOUT.quaternions == 0 { v } else { mean(v1, &k2, &k3, &k4) };
-        stage(h, &k, &v, &mean(&a1, &a2, &a3, &a4)).0
+        Ok(Stepped::explicit(h, stage(h, &k, &v, &mean(&a1, &a2, &a3, &a4)).0))
     }
 }
 

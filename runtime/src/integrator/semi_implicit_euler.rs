@@ -1,6 +1,6 @@
 //! The semi-implicit (symplectic) Euler method.
 
-use super::{Dynamics, Integrator};
+use super::{Dynamics, Integrator, Method, StepFailure, Stepped};
 use crate::layout::retract;
 use crate::real::Real;
 use crate::state::State;
@@ -12,19 +12,27 @@ use crate::vector::Vector;
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct SemiImplicitEuler;
 
-impl<R: Real> Integrator<R> for SemiImplicitEuler {
+impl<R: Real> Method<R> for SemiImplicitEuler {
+    type Memory<Q: Vector<R>, V: Vector<R>, Lambda: Vector<R>> = ();
+
+    fn memory<Q: Vector<R>, V: Vector<R>, Lambda: Vector<R>>(&self) {}
+}
+
+impl<R: Real, D: Dynamics<R>> Integrator<R, D> for SemiImplicitEuler {
     #[inline]
-    fn step<D: Dynamics<R>>(
+    fn step(
         &self,
+        _memory: &mut (),
         dynamics: &mut D,
         time: R,
         h: R,
         state: &State<D::Q, D::V>,
-    ) -> State<D::Q, D::V> {
-        let a = dynamics.acceleration(time, state);
-        let v = state.v.plus(h, &a);
+    ) -> Result<Stepped<R, D::Q, D::V>, StepFailure<R>> {
+        let mut begin = *state;
+        let a = dynamics.acceleration(time, &mut begin);
+        let v = begin.v.plus(h, &a);
         let mut q = D::Q::zero();
-        retract(&D::LAYOUT, &state.q, &v.scaled(h), &mut q);
-        State { q, v }
+        retract(&D::LAYOUT, &begin.q, &v.scaled(h), &mut q);
+        Ok(Stepped::explicit(h, State { q, v }))
     }
 }

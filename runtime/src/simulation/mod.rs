@@ -3,19 +3,21 @@
 //! Joins a model, a formulation, an input source and an integrator, each a type of its own. What happens inside one
 //! step, and how its failure is named, is `step.rs`. Nothing here allocates.
 
+mod dynamics;
 mod sample;
 mod step;
 
+pub use dynamics::MechanismDynamics;
 pub use sample::{Residual, Sample, Samples};
+pub use step::{NearSingular, Step};
 
 use crate::error::SimulationError;
 use crate::formulation::{Formulation, LagrangeIndex1};
 use crate::input::{AtStages, Held, InputSource, NoInputs, OnceAStep, Sampled, Source, When};
-use crate::integrator::{Integrator, Rk4};
+use crate::integrator::{Integrator, Method, Rk4};
 use crate::mechanism::{Assemble, Mechanism};
 use crate::real::Real;
 use crate::state::State;
-use crate::vector::Vector;
 
 /// A mechanism in motion.
 ///
@@ -33,24 +35,24 @@ pub struct Simulation<'m, M, R = f64, F = LagrangeIndex1, S = NoInputs, I = Rk4>
 where
     R: Real,
     M: Mechanism<R>,
+    F: Formulation<R, M>,
+    I: Method<R>,
 {
-    formulation: F,
-    source: S,
+    dynamics: MechanismDynamics<'m, M, R, F, S>,
     integrator: I,
-    run: Run<'m, R, M>,
+    memory: I::Memory<M::Q, M::V, M::Lambda>,
+    run: Run<R, M>,
 }
 
 /// The part of a simulation that the choice of methods leaves alone.
-struct Run<'m, R: Real, M: Mechanism<R>> {
-    model: &'m M,
+struct Run<R: Real, M: Mechanism<R>> {
     step: Option<R>,
     clock: Clock<R>,
     state: State<M::Q, M::V>,
-    /// The inputs at the present time and state, once they have been asked for.
-    inputs: Option<M::Inputs>,
     /// The outputs last sampled, which the next ones continue.
     outputs: Option<M::Outputs>,
     smallest_pivot: R,
+    near_singular: Option<NearSingular<R>>,
     /// Whether the start need not satisfy the constraints.
     start_accepted: bool,
     /// Whether the start has been checked.
@@ -81,25 +83,27 @@ impl<'m, R: Real, M: Mechanism<R>> Simulation<'m, M, R> {
     /// to be given, and the inputs where the mechanism has any.
     pub fn new(model: &'m M, start: State<M::Q, M::V>) -> Self {
         let run = Run {
-            model,
             step: None,
             clock: Clock::at(R::ZERO),
             state: start,
-            inputs: None,
             outputs: None,
             smallest_pivot: R::ONE,
+            near_singular: None,
             start_accepted: false,
             start_checked: false,
         };
-        Simulation { formulation: LagrangeIndex1, source: NoInputs, integrator: Rk4, run }
+        let dynamics = MechanismDynamics::new(model, LagrangeIndex1, NoInputs);
+        Simulation { dynamics, integrator: Rk4, memory: (), run }
     }
 }
 
 /// Building.
-impl<'m, R: Real, M: Mechanism<R>, F, S, I> Simulation<'m, M, R, F, S, I> {
+impl<'m, R: Real, M: Mechanism<R>, F: Formulation<R, M>, S, I: Method<R>> Simulation<'m, M, R, F, S, I> {
     /// Replaces the formulation.
-    pub fn formulation<G: Formulation<R>>(self, formulation: G) -> Simulation<'m, M, R, G, S, I> {
-        Simulation { formulation, source: self.source, integrator: self.integrator, run: self.run }
+    pub fn formulation<G: Formulation<R, M>>(self, formulation: G) -> Simulation<'m, M, R, G, S, I> {
+        let Simulation { dynamics, integrator, run, .. } = self;
+        let memory = integrator.memory();
+        Simulation { dynamics: dynamics.with_formulation(formulation), integrator, memory, run }
     }
 
     /// Gives the inputs: [`Held`] once a step or [`Sampled`] at the stages.
@@ -130,16 +134,18 @@ impl<'m, R: Real, M: Mechanism<R>, F, S, I> Simulation<'m, M, R, F, S, I> {
 
     /// Gives the inputs by a source of one's own type.
     pub fn input_source<T: InputSource<R, M>>(self, source: T) -> Simulation<'m, M, R, F, T, I> {
-        let run = Run { inputs: None, ..self.run };
-        Simulation { formulation: self.formulation, source, integrator: self.integrator, run }
+        let Simulation { dynamics, integrator, run, .. } = self;
+        let memory = integrator.memory();
+        Simulation { dynamics: dynamics.with_source(source), integrator, memory, run }
     }
 
     /// Replaces the integrator.
-    pub fn integrator<J: Integrator<R>>(self, integrator: J) -> Simulation<'m, M, R, F, S, J> {
-        Simulation { formulation: self.formulation, source: self.source, integrator, run: self.run }
+    pub fn integrator<J: Method<R>>(self, integrator: J) -> Simulation<'m, M, R, F, S, J> {
+        let memory = integrator.memory();
+        Simulation { dynamics: self.dynamics, integrator, memory, run: self.run }
     }
 
-    /// The step size, s. Checked when the simulation is advanced.
+    /// The step size, s; of methods that choose their own, the largest. Checked when the simulation is advanced.
     pub fn step(mut self, seconds: R) -> Self {
         self.run.step = Some(seconds);
         self.run.clock = Clock::at(self.run.clock.time);
@@ -153,11 +159,19 @@ impl<'m, R: Real, M: Mechanism<R>, F, S, I> Simulation<'m, M, R, F, S, I> {
         self
     }
 
+    /// Steps over stages at which the factorisation breaks down, in place of stopping: such a stage takes the accelerations
+    /// of a position a ten-thousandth of the step further along its velocities (or a thousandth, or a hundredth). A
+    /// mechanism that meets a singular position keeps to the branch it came along. [`Step::stepped_over`] counts them.
+    pub fn step_over_breakdowns(mut self) -> Self {
+        self.dynamics.steps_over = true;
+        self
+    }
+
     /// The time at which the simulation starts, s; zero if not given. Where drivers or moving places depend on time, the
     /// start has to be consistent at this time: `model.project(seconds, &state)`.
     pub fn start_time(mut self, seconds: R) -> Self {
         self.run.clock = Clock::at(seconds);
-        self.run.inputs = None;
+        self.dynamics.inputs = None;
         self
     }
 
@@ -169,10 +183,10 @@ impl<'m, R: Real, M: Mechanism<R>, F, S, I> Simulation<'m, M, R, F, S, I> {
 }
 
 /// Looking.
-impl<'m, R: Real, M: Mechanism<R>, F, S, I> Simulation<'m, M, R, F, S, I> {
+impl<'m, R: Real, M: Mechanism<R>, F: Formulation<R, M>, S, I: Method<R>> Simulation<'m, M, R, F, S, I> {
     /// The model that moves.
     pub fn model(&self) -> &'m M {
-        self.run.model
+        self.dynamics.model
     }
 
     /// The present time, s.
@@ -187,13 +201,13 @@ impl<'m, R: Real, M: Mechanism<R>, F, S, I> Simulation<'m, M, R, F, S, I> {
 
     /// Kinetic and potential energy, J.
     pub fn energy(&self) -> R {
-        let (time, State { q, v }) = (self.time(), &self.run.state);
-        self.run.model.kinetic_energy(time, q, v) + self.run.model.potential_energy(time, q)
+        let (model, time, State { q, v }) = (self.model(), self.time(), &self.run.state);
+        model.kinetic_energy(time, q, v) + model.potential_energy(time, q)
     }
 
     /// How far positions and velocities are off the constraints.
     pub fn constraint_residual(&self) -> Residual<R> {
-        Residual::of(self.run.model, self.time(), &self.run.state)
+        Residual::of(self.model(), self.time(), &self.run.state)
     }
 
     /// The smallest relative pivot of all accelerations evaluated so far: one is well posed, zero is a breakdown.
@@ -201,22 +215,25 @@ impl<'m, R: Real, M: Mechanism<R>, F, S, I> Simulation<'m, M, R, F, S, I> {
         self.run.smallest_pivot
     }
 
+    /// The position nearest to a singular one that was met so far, if any was nearly singular.
+    pub fn near_singular(&self) -> Option<NearSingular<R>> {
+        self.run.near_singular
+    }
+
     /// Accelerations v̇ at the present state, m/s² and rad/s², with the inputs of the present time.
     pub fn acceleration(&mut self) -> M::V
     where
-        F: Formulation<R>,
         S: InputSource<R, M>,
     {
-        self.evaluate().0
+        self.dynamics.evaluate(self.run.clock.time, &self.run.state).0
     }
 
     /// Multipliers λ at the present state; the force of the constraints on the mechanism is −Dᵀ λ.
     pub fn multipliers(&mut self) -> M::Lambda
     where
-        F: Formulation<R>,
         S: InputSource<R, M>,
     {
-        self.evaluate().1
+        self.dynamics.evaluate(self.run.clock.time, &self.run.state).1
     }
 
     /// What is known now, outputs continued from the sample before.
@@ -224,8 +241,9 @@ impl<'m, R: Real, M: Mechanism<R>, F, S, I> Simulation<'m, M, R, F, S, I> {
     where
         S: InputSource<R, M>,
     {
-        let inputs = self.present_inputs();
-        let Run { model, clock, state, .. } = self.run;
+        let Run { clock, state, .. } = self.run;
+        let inputs = self.dynamics.present_inputs(clock.time, &state);
+        let model = self.model();
         let mut outputs = model.outputs(clock.time, &state.q, &state.v, &inputs);
         match &self.run.outputs {
             Some(previous) => M::unwrap(&mut outputs, previous),
@@ -234,52 +252,31 @@ impl<'m, R: Real, M: Mechanism<R>, F, S, I> Simulation<'m, M, R, F, S, I> {
         self.run.outputs = Some(outputs);
         Sample { time: clock.time, state, inputs, outputs, model }
     }
-
-    fn evaluate(&mut self) -> (M::V, M::Lambda)
-    where
-        F: Formulation<R>,
-        S: InputSource<R, M>,
-    {
-        let inputs = self.present_inputs();
-        let (mut a, mut lambda) = (M::V::zero(), M::Lambda::zero());
-        let Run { model, clock, state, .. } = self.run;
-        self.formulation.acceleration(model, clock.time, &state.q, &state.v, &inputs, &mut a, &mut lambda);
-        (a, lambda)
-    }
-
-    /// The inputs at the present time and state; the source is asked once, for the sample and the step that follows.
-    fn present_inputs(&mut self) -> M::Inputs
-    where
-        S: InputSource<R, M>,
-    {
-        let (time, state) = (self.run.clock.time, &self.run.state);
-        *self.run.inputs.get_or_insert_with(|| self.source.sample(time, state))
-    }
 }
 
 /// Moving.
-impl<'m, R: Real, M: Assemble<R>, F: Formulation<R>, S, I: Integrator<R>> Simulation<'m, M, R, F, S, I> {
-    /// One step of the given size; returns the new time, s.
+impl<'m, R, M, F, S, I> Simulation<'m, M, R, F, S, I>
+where
+    R: Real,
+    M: Assemble<R>,
+    F: Formulation<R, M>,
+    S: InputSource<R, M>,
+    I: Integrator<R, MechanismDynamics<'m, M, R, F, S>>,
+{
+    /// One step of the given size, and what happened in it.
     ///
     /// # Errors
     /// [`SimulationError`]; the state then stays what it was.
-    pub fn advance(&mut self) -> Result<R, SimulationError>
-    where
-        S: InputSource<R, M>,
-    {
+    pub fn advance(&mut self) -> Result<Step<R>, SimulationError> {
         let h = self.checked_step()?;
-        self.advance_by(h, self.run.clock.after(h))?;
-        Ok(self.time())
+        self.advance_by(h, self.run.clock.after(h))
     }
 
     /// Steps until `end` (s), without samples; the last step is shortened to land on it. Returns the state there.
     ///
     /// # Errors
     /// [`SimulationError`]; the simulation then stands at the last good state.
-    pub fn advance_until(&mut self, end: R) -> Result<State<M::Q, M::V>, SimulationError>
-    where
-        S: InputSource<R, M>,
-    {
+    pub fn advance_until(&mut self, end: R) -> Result<State<M::Q, M::V>, SimulationError> {
         let h = self.checked_run(end)?;
         while self.time() < end {
             self.advance_towards(end, h)?;
@@ -296,10 +293,7 @@ impl<'m, R: Real, M: Assemble<R>, F: Formulation<R>, S, I: Integrator<R>> Simula
         &mut self,
         end: R,
         mut show: impl FnMut(&Sample<'m, R, M>),
-    ) -> Result<State<M::Q, M::V>, SimulationError>
-    where
-        S: InputSource<R, M>,
-    {
+    ) -> Result<State<M::Q, M::V>, SimulationError> {
         let h = self.checked_run(end)?;
         show(&self.sample());
         while self.time() < end {
@@ -310,10 +304,7 @@ impl<'m, R: Real, M: Assemble<R>, F: Formulation<R>, S, I: Integrator<R>> Simula
     }
 
     /// As [`run_until`](Simulation::run_until), as an iterator; it ends at `end` or after the first error.
-    pub fn samples(&mut self, end: R) -> Samples<'_, 'm, M, R, F, S, I>
-    where
-        S: InputSource<R, M>,
-    {
+    pub fn samples(&mut self, end: R) -> Samples<'_, 'm, M, R, F, S, I> {
         Samples::new(self, end)
     }
 }

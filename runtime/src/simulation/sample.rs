@@ -1,11 +1,11 @@
 //! What is known of a simulation at one time, and the iterator over it.
 
-use super::Simulation;
+use super::{MechanismDynamics, Simulation};
 use crate::assembly::system::subtract_product;
 use crate::error::SimulationError;
 use crate::formulation::Formulation;
 use crate::input::InputSource;
-use crate::integrator::Integrator;
+use crate::integrator::{Integrator, Method};
 use crate::mechanism::{Assemble, Mechanism};
 use crate::real::Real;
 use crate::state::State;
@@ -80,7 +80,7 @@ impl<R: Real> Residual<R> {
 }
 
 /// The samples of a run, from its start to its end; made by [`Simulation::samples`].
-pub struct Samples<'s, 'm, M: Mechanism<R>, R: Real, F, S, I> {
+pub struct Samples<'s, 'm, M: Mechanism<R>, R: Real, F: Formulation<R, M>, S, I: Method<R>> {
     simulation: &'s mut Simulation<'m, M, R, F, S, I>,
     end: R,
     stage: Stage<R>,
@@ -93,7 +93,7 @@ enum Stage<R> {
     Done,
 }
 
-impl<'s, 'm, M: Mechanism<R>, R: Real, F, S, I> Samples<'s, 'm, M, R, F, S, I> {
+impl<'s, 'm, M: Mechanism<R>, R: Real, F: Formulation<R, M>, S, I: Method<R>> Samples<'s, 'm, M, R, F, S, I> {
     pub(super) fn new(simulation: &'s mut Simulation<'m, M, R, F, S, I>, end: R) -> Self {
         Samples { simulation, end, stage: Stage::New }
     }
@@ -103,9 +103,9 @@ impl<'m, M, R, F, S, I> Iterator for Samples<'_, 'm, M, R, F, S, I>
 where
     R: Real,
     M: Assemble<R>,
-    F: Formulation<R>,
+    F: Formulation<R, M>,
     S: InputSource<R, M>,
-    I: Integrator<R>,
+    I: Integrator<R, MechanismDynamics<'m, M, R, F, S>>,
 {
     type Item = Result<Sample<'m, R, M>, SimulationError>;
 
@@ -114,7 +114,7 @@ where
             Stage::Done => return None,
             Stage::New => self.simulation.checked_run(self.end).map(|h| self.stage = Stage::Running(h)),
             Stage::Running(_) if self.simulation.time() >= self.end => return None,
-            Stage::Running(h) => self.simulation.advance_towards(self.end, h),
+            Stage::Running(h) => self.simulation.advance_towards(self.end, h).map(|_| ()),
         };
         if outcome.is_err() {
             self.stage = Stage::Done;

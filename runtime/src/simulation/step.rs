@@ -1,14 +1,16 @@
-//! One step of a simulation: its checks, its stages, and the name of what went wrong.
+//! One step of a simulation: its checks, what happened in it, and the name of what went wrong.
 //!
-//! The methods themselves are in `integrator` and `formulation`; clock and samples are in `mod.rs` and `sample.rs`.
+//! The methods themselves are in `integrator` and `formulation`; clock and samples are in `mod.rs` and `sample.rs`, the
+//! stages in `dynamics.rs`.
 
-use super::{Clock, Residual, Simulation};
+use super::dynamics::{Stage, Watch};
+use super::{Clock, MechanismDynamics, Residual, Simulation};
 use crate::assembly::{singular_velocity, smallest_pivot};
 use crate::error::SimulationError;
 use crate::formulation::Formulation;
 use crate::input::InputSource;
-use crate::integrator::{Dynamics, Integrator};
-use crate::layout::{Layout, first_not_unit};
+use crate::integrator::{Integrator, Rejections, StepFailure};
+use crate::layout::first_not_unit;
 use crate::mechanism::{Assemble, Mechanism, Row};
 use crate::real::Real;
 use crate::state::State;
@@ -21,18 +23,65 @@ const INCONSISTENT: f64 = 1e-6;
 /// A relative pivot of D Dᵀ above which the constraints are not to blame for a breakdown.
 const WELL_POSED: f64 = 1e-8;
 
-impl<'m, R: Real, M: Assemble<R>, F: Formulation<R>, S, I: Integrator<R>> Simulation<'m, M, R, F, S, I> {
-    /// The step size, if it and the formulation make sense.
+/// What happened in a step.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Step<R = f64> {
+    /// The time at its end, s.
+    pub time: R,
+    /// Its size, s.
+    pub size: R,
+    /// The smallest relative pivot of the factorisations made: one is well posed, zero is a breakdown.
+    pub smallest_pivot: R,
+    /// The smallest estimate of the reciprocal condition of D M⁻¹ Dᵀ: over all stages, or where the formulation
+    /// softens the constraints, at the end of the step.
+    pub reciprocal_condition: R,
+    /// The position nearest to a singular one, if one was nearly singular.
+    pub near_singular: Option<NearSingular<R>>,
+    /// Iterations of formulation, integrator and projection together.
+    pub iterations: u32,
+    /// What the last iterations changed: of an acceleration relative to the largest, or relative to what may remain.
+    pub residual: R,
+    /// How far a projection moved a coordinate at most, m or rad.
+    pub moved: R,
+    /// Trials that were given up, by reason.
+    pub rejections: Rejections,
+    /// Stages that broke down and were stepped over.
+    pub stepped_over: u32,
+}
+
+/// A position near which the constraints lose rank: a change point, a dead centre of a mechanism with several degrees of
+/// freedom, a flat parallelogram. There the motion is hardly determined, and which branch is taken may be a matter of
+/// rounding.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct NearSingular<R = f64> {
+    /// The time, s.
+    pub time: R,
+    /// The row that depends on the others.
+    pub row: Row,
+    /// The estimate of the reciprocal condition of D M⁻¹ Dᵀ.
+    pub reciprocal_condition: R,
+}
+
+impl<'m, R, M, F, S, I> Simulation<'m, M, R, F, S, I>
+where
+    R: Real,
+    M: Assemble<R>,
+    F: Formulation<R, M>,
+    S: InputSource<R, M>,
+    I: Integrator<R, MechanismDynamics<'m, M, R, F, S>>,
+{
+    /// The step size, if it, the formulation and the integrator make sense.
     pub(super) fn checked_step(&self) -> Result<R, SimulationError> {
         let h = self.run.step.ok_or(SimulationError::StepMissing)?;
         if !(h > R::ZERO && h.is_finite()) {
             return Err(SimulationError::Step { step: h.to_f64() });
         }
-        self.formulation.check()?;
+        self.dynamics.formulation.check()?;
+        self.integrator.check()?;
         Ok(h)
     }
 
-    /// The step size, if it, the formulation and `end` make sense.
+    /// The step size, if it, the methods and `end` make sense.
     pub(super) fn checked_run(&self, end: R) -> Result<R, SimulationError> {
         let h = self.checked_step()?;
         let time = self.time();
@@ -44,10 +93,7 @@ impl<'m, R: Real, M: Assemble<R>, F: Formulation<R>, S, I: Integrator<R>> Simula
 
     /// One step of size `h`, or the shorter one that is left before `end`.
     #[inline]
-    pub(super) fn advance_towards(&mut self, end: R, h: R) -> Result<(), SimulationError>
-    where
-        S: InputSource<R, M>,
-    {
+    pub(super) fn advance_towards(&mut self, end: R, h: R) -> Result<Step<R>, SimulationError> {
         let time = self.time();
         let left = end - time;
         // A step may be longer by a millionth, or by the rounding of the clock, rather than leave a sliver.
@@ -61,10 +107,7 @@ impl<'m, R: Real, M: Assemble<R>, F: Formulation<R>, S, I: Integrator<R>> Simula
 
     /// One step of size `h`, after which the clock shows `clock`; an error leaves everything as it was.
     #[inline]
-    pub(super) fn advance_by(&mut self, h: R, clock: Clock<R>) -> Result<(), SimulationError>
-    where
-        S: InputSource<R, M>,
-    {
+    pub(super) fn advance_by(&mut self, h: R, clock: Clock<R>) -> Result<Step<R>, SimulationError> {
         if !self.run.start_checked {
             self.check_orientations()?;
             if !self.run.start_accepted {
@@ -72,30 +115,109 @@ impl<'m, R: Real, M: Assemble<R>, F: Formulation<R>, S, I: Integrator<R>> Simula
             }
             self.run.start_checked = true;
         }
-        let inputs = self.present_inputs();
-        let time = self.time();
-        let mut stages = Stages {
-            model: self.run.model,
-            formulation: &self.formulation,
-            source: &mut self.source,
-            inputs,
-            started: false,
-            smallest_pivot: self.run.smallest_pivot,
-            failure: None,
+        let (time, begin) = (self.time(), self.run.state);
+        let inputs = self.dynamics.present_inputs(time, &begin);
+        self.dynamics.watch = Watch::new(h);
+        let (before, mut memory) = (self.dynamics.memory, self.memory);
+        let outcome = self.integrator.step(&mut memory, &mut self.dynamics, time, h, &begin);
+        let failed = |simulation: &mut Self, error| {
+            simulation.dynamics.memory = before;
+            Err(error)
         };
-        let next = self.integrator.step(&mut stages, time, h, &self.run.state);
-        let (smallest_pivot, failure) = (stages.smallest_pivot, stages.failure);
-        if let Some(failure) = failure {
-            return Err(self.diagnose(&failure, &inputs));
+        let stepped = match outcome {
+            Ok(stepped) => stepped,
+            Err(failure) => {
+                let error = self.diagnose_failure(time, failure);
+                return failed(self, error);
+            }
+        };
+        if let Some(failure) = self.dynamics.watch.failure {
+            let error = self.diagnose(&failure, &inputs);
+            return failed(self, error);
         }
+        let clock = if stepped.size == h { clock } else { Clock::at(time + stepped.size) };
+        let mut next = stepped.state;
         if let Some(what) = not_finite::<R, M>(&next) {
-            return Err(self.diagnose_not_finite(time, clock.time, what));
+            let error = self.diagnose_not_finite(time, clock.time, what);
+            return failed(self, error);
         }
-        self.run.smallest_pivot = smallest_pivot;
-        self.run.state = next;
-        self.run.clock = clock;
-        self.run.inputs = None;
-        Ok(())
+        let settled = match self.dynamics.settle(clock.time, &mut next) {
+            Ok(settled) => settled,
+            Err(error) => {
+                let error = SimulationError::Projection { time: clock.time.to_f64(), error };
+                return failed(self, error);
+            }
+        };
+        let near_singular = self.near_singularity(clock.time, &next);
+        let watch = &self.dynamics.watch;
+        let step = Step {
+            time: clock.time,
+            size: stepped.size,
+            smallest_pivot: watch.smallest_pivot,
+            reciprocal_condition: near_singular.0,
+            near_singular: near_singular.1,
+            iterations: watch.iterations + stepped.iterations + settled.iterations,
+            residual: watch.residual.max(stepped.residual),
+            moved: settled.moved,
+            rejections: stepped.rejections,
+            stepped_over: watch.stepped_over,
+        };
+        let run = &mut self.run;
+        run.smallest_pivot = step.smallest_pivot.min(run.smallest_pivot);
+        if let Some(found) = step.near_singular
+            && run.near_singular.is_none_or(|known| found.reciprocal_condition < known.reciprocal_condition)
+        {
+            run.near_singular = Some(found);
+        }
+        run.state = next;
+        run.clock = clock;
+        self.memory = memory;
+        self.dynamics.inputs = None;
+        Ok(step)
+    }
+
+    /// The estimate of the reciprocal condition in the step that ends in `next`, and what it says if it is small.
+    #[inline]
+    fn near_singularity(&self, time: R, next: &State<M::Q, M::V>) -> (R, Option<NearSingular<R>>) {
+        if M::Lambda::LEN == 0 {
+            return (R::ONE, None);
+        }
+        if !F::PIVOT_SHOWS_CONDITION {
+            let condition = self.model().factor(time, &next.q, R::ZERO, &mut M::store());
+            if R::any(condition.greater_equal(R::NEAR_SINGULAR)) {
+                return (condition, None);
+            }
+            return (condition, Some(self.name_singularity(time, condition, &next.q)));
+        }
+        let watch = &self.dynamics.watch;
+        match &watch.worst {
+            None => (watch.smallest_pivot, None),
+            Some(stage) => {
+                let found = self.name_singularity(stage.time, stage.pivot, &stage.state.q);
+                (stage.pivot, Some(found))
+            }
+        }
+    }
+
+    #[cold]
+    fn name_singularity(&self, time: R, reciprocal_condition: R, q: &M::Q) -> NearSingular<R> {
+        let (_, row) = smallest_pivot(self.model(), time, q);
+        let row = row.map_or(Row { of: M::NAME, what: "constraints" }, |row| M::ROWS[row]);
+        NearSingular { time, row, reciprocal_condition }
+    }
+
+    /// Why the integrator took no step.
+    #[cold]
+    fn diagnose_failure(&self, time: R, failure: StepFailure<R>) -> SimulationError {
+        let time = time.to_f64();
+        match failure {
+            StepFailure::Underflow { size, rejections } => {
+                SimulationError::StepUnderflow { time, step: size.to_f64(), rejections }
+            }
+            StepFailure::NoConvergence { iterations, residual } => {
+                SimulationError::NoConvergence { time, iterations, residual: residual.to_f64() }
+            }
+        }
     }
 
     /// The start's pairs and quaternions must have length 1: equations take it for granted, and motion only keeps it.
@@ -116,7 +238,7 @@ impl<'m, R: Real, M: Assemble<R>, F: Formulation<R>, S, I: Integrator<R>> Simula
     /// velocity to the root of that.
     #[cold]
     fn check_start(&self) -> Result<(), SimulationError> {
-        let (model, time, state) = (self.run.model, self.time(), &self.run.state);
+        let (model, time, state) = (self.model(), self.time(), &self.run.state);
         let mut phi = M::Lambda::zero();
         model.constraints(time, &state.q, &mut phi);
         let residual = Residual::of(model, time, state);
@@ -143,7 +265,7 @@ impl<'m, R: Real, M: Assemble<R>, F: Formulation<R>, S, I: Integrator<R>> Simula
     /// A state without numbers: the joint, if the step began where the constraints lose rank, else the coordinate.
     #[cold]
     fn diagnose_not_finite(&self, begin: R, end: R, what: &'static str) -> SimulationError {
-        let (pivot, row) = smallest_pivot(self.run.model, begin, &self.run.state.q);
+        let (pivot, row) = smallest_pivot(self.model(), begin, &self.run.state.q);
         match row {
             Some(row) if pivot < R::BREAKDOWN => {
                 SimulationError::Breakdown { time: begin.to_f64(), pivot: pivot.to_f64(), row: M::ROWS[row] }
@@ -155,16 +277,18 @@ impl<'m, R: Real, M: Assemble<R>, F: Formulation<R>, S, I: Integrator<R>> Simula
     /// The error that names what failed: the joint whose row depends on others, the body without mass, or the
     /// coordinate that is no number.
     #[cold]
-    fn diagnose(&self, failure: &Failure<R, M::Q, M::V>, inputs: &M::Inputs) -> SimulationError {
-        let model = self.run.model;
-        let Failure { time: stage, pivot, state } = failure;
+    fn diagnose(&self, failure: &Stage<R, M::Q, M::V>, inputs: &M::Inputs) -> SimulationError {
+        let model = self.model();
+        let Stage { time: stage, pivot, state } = failure;
         let (time, pivot) = (stage.to_f64(), pivot.to_f64());
         if let Some(what) = not_finite::<R, M>(state) {
             return SimulationError::NonFinite { time, what };
         }
         if pivot.is_nan() {
             let (mut a, mut lambda) = (M::V::zero(), M::Lambda::zero());
-            self.formulation.acceleration(model, *stage, &state.q, &state.v, inputs, &mut a, &mut lambda);
+            let (mut memory, mut state) = (self.dynamics.memory, *state);
+            let formulation = &self.dynamics.formulation;
+            formulation.acceleration(&mut memory, model, *stage, &mut state, inputs, &mut a, &mut lambda);
             let velocity = a.first_not_finite().and_then(|i| M::VELOCITY_NAMES.get(i));
             return SimulationError::NonFinite { time, what: velocity.copied().unwrap_or(M::NAME) };
         }
@@ -189,48 +313,4 @@ fn not_finite<R: Real, M: Mechanism<R>>(state: &State<M::Q, M::V>) -> Option<&'s
 
 fn position_name<R: Real, M: Mechanism<R>>(index: usize) -> &'static str {
     M::POSITION_NAMES.get(index).copied().unwrap_or(M::NAME)
-}
-
-/// The first stage whose relative pivot was below the breakdown.
-struct Failure<R, Q, V> {
-    time: R,
-    pivot: R,
-    state: State<Q, V>,
-}
-
-/// The mechanism as an integrator sees it during one step.
-struct Stages<'s, R: Real, M: Mechanism<R>, F, S> {
-    model: &'s M,
-    formulation: &'s F,
-    source: &'s mut S,
-    inputs: M::Inputs,
-    started: bool,
-    smallest_pivot: R,
-    failure: Option<Failure<R, M::Q, M::V>>,
-}
-
-impl<R: Real, M: Mechanism<R>, F: Formulation<R>, S: InputSource<R, M>> Dynamics<R>
-    for Stages<'_, R, M, F, S>
-{
-    const LAYOUT: Layout = M::LAYOUT;
-    type Q = M::Q;
-    type V = M::V;
-
-    #[inline]
-    fn acceleration(&mut self, time: R, state: &State<M::Q, M::V>) -> M::V {
-        // The inputs at the step's start were sampled when the step before ended.
-        if self.started && !S::HELD {
-            self.inputs = self.source.sample(time, state);
-        }
-        self.started = true;
-        let (mut a, mut lambda) = (M::V::zero(), M::Lambda::zero());
-        let State { q, v } = state;
-        let pivot = self.formulation.acceleration(self.model, time, q, v, &self.inputs, &mut a, &mut lambda);
-        self.smallest_pivot = pivot.min(self.smallest_pivot);
-        // Written so that a NaN fails.
-        if !R::any(pivot.greater_equal(R::BREAKDOWN)) && self.failure.is_none() {
-            self.failure = Some(Failure { time, pivot, state: *state });
-        }
-        a
-    }
 }

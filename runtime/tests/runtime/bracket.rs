@@ -2,7 +2,7 @@
 
 use crate::solve::{baumgarte, equations_of_motion, full_columns, full_row_start, natural};
 use linkwright_runtime::quaternion::rotation_matrix;
-use linkwright_runtime::{Assemble, Condition, Elimination, Layout, Mechanism, Row};
+use linkwright_runtime::{Assemble, Condition, Elimination, Layout, Mechanism, Row, tabled};
 
 #[derive(Clone, Copy, Debug)]
 pub struct Bracket {
@@ -153,6 +153,24 @@ impl Assemble<f64> for Bracket {
     type ConditionJacobian = [f64; 0];
     type Factor = [f64; 66];
     type System = [f64; 12];
+    type Store = tabled::Store<f64, Self>;
+
+    fn store() -> Self::Store {
+        tabled::store::<f64, Self>()
+    }
+    fn factor(&self, time: f64, q: &Self::Q, compliance: f64, store: &mut Self::Store) -> f64 {
+        tabled::factor::<f64, Self>(self, time, q, compliance, store)
+    }
+    fn solve(
+        &self,
+        store: &Self::Store,
+        forces: &Self::V,
+        rows: &Self::Lambda,
+        a: &mut Self::V,
+        lambda: &mut Self::Lambda,
+    ) {
+        tabled::solve::<f64, Self>(store, forces, rows, a, lambda);
+    }
 
     fn condition_residual(&self, _time: f64, _q: &[f64; 7], _target: &[f64; 0], _residual: &mut [f64; 0]) {}
     fn condition_cosines(&self, _time: f64, _q: &[f64; 7], _target: &[f64; 0], _flipped: &mut [f64; 0]) {}

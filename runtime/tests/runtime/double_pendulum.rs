@@ -5,7 +5,7 @@
 //! k cos Δ θ̈₁ + M₂₂ θ̈₂ = k sin Δ ω₁² − m₂a₂ g cos θ₂, with k = m₂ l₁ a₂.
 
 use linkwright_runtime::{
-    Assemble, Condition, ConditionKind, Elimination, Layout, Mechanism, MultiTurn, Row,
+    Assemble, Condition, ConditionKind, Elimination, Layout, Mechanism, MultiTurn, Row, tabled,
 };
 use linkwright_runtime::{Real, unwrap_angle};
 
@@ -174,6 +174,24 @@ impl<R: Real> Assemble<R> for DoublePendulum<R> {
     type ConditionJacobian = [R; 2];
     type Factor = [R; 4];
     type System = [R; 4];
+    type Store = tabled::Store<R, Self>;
+
+    fn store() -> Self::Store {
+        tabled::store::<R, Self>()
+    }
+    fn factor(&self, time: R, q: &Self::Q, compliance: R, store: &mut Self::Store) -> R {
+        tabled::factor::<R, Self>(self, time, q, compliance, store)
+    }
+    fn solve(
+        &self,
+        store: &Self::Store,
+        forces: &Self::V,
+        rows: &Self::Lambda,
+        a: &mut Self::V,
+        lambda: &mut Self::Lambda,
+    ) {
+        tabled::solve::<R, Self>(store, forces, rows, a, lambda);
+    }
 
     fn condition_residual(&self, _time: R, q: &[R; 8], target: &[R; 2], residual: &mut [R; 2]) {
         for i in 0..2 {

@@ -5,7 +5,7 @@
 
 use crate::solve::{baumgarte, equations_of_motion, full_columns, full_row_start, natural};
 use linkwright_runtime::{
-    Assemble, Condition, ConditionKind, Elimination, Layout, Mechanism, MultiTurn, Row,
+    Assemble, Condition, ConditionKind, Elimination, Layout, Mechanism, MultiTurn, Row, tabled,
 };
 use linkwright_runtime::{State, unwrap_angle};
 
@@ -266,6 +266,24 @@ impl Assemble<f64> for FourBar {
     type ConditionJacobian = [f64; 2];
     type Factor = [f64; 171];
     type System = [f64; 19];
+    type Store = tabled::Store<f64, Self>;
+
+    fn store() -> Self::Store {
+        tabled::store::<f64, Self>()
+    }
+    fn factor(&self, time: f64, q: &Self::Q, compliance: f64, store: &mut Self::Store) -> f64 {
+        tabled::factor::<f64, Self>(self, time, q, compliance, store)
+    }
+    fn solve(
+        &self,
+        store: &Self::Store,
+        forces: &Self::V,
+        rows: &Self::Lambda,
+        a: &mut Self::V,
+        lambda: &mut Self::Lambda,
+    ) {
+        tabled::solve::<f64, Self>(store, forces, rows, a, lambda);
+    }
 
     fn condition_residual(&self, _time: f64, q: &Q, target: &[f64; 2], residual: &mut [f64; 2]) {
         *residual = [q[7] * target[0].cos() - q[6] * target[0].sin(), q[3] - target[1]];

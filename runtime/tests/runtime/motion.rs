@@ -6,8 +6,8 @@ use crate::support::Support;
 use core::f64::consts::TAU;
 use linkwright_runtime::layout::{Layout, MultiTurn, retract};
 use linkwright_runtime::{
-    AssembleExt, Baumgarte, Held, Integrator, LagrangeIndex1, Real, Rk4, Sampled, SemiImplicitEuler,
-    Simulation, SimulationError, State,
+    AssembleExt, Baumgarte, Held, InputSource, Integrator, LagrangeIndex1, MechanismDynamics, Real, Rk4,
+    SemiImplicitEuler, Simulation, SimulationError, State,
 };
 
 type Pendulum = State<[f64; 8], [f64; 2]>;
@@ -20,11 +20,24 @@ fn sine_of_triple(time: f64) -> f64 {
     (3.0 * time).sin()
 }
 
-fn swing<I: Integrator<f64>>(integrator: I, h: f64) -> Pendulum {
+/// A shoulder torque sin 3t.
+struct Shaking;
+
+impl InputSource<f64, DoublePendulum> for Shaking {
+    const HELD: bool = false;
+
+    fn sample(&mut self, time: f64, _state: &Pendulum) -> Torque {
+        Torque { shoulder: sine_of_triple(time) }
+    }
+}
+
+type Shaken<'m> = MechanismDynamics<'m, DoublePendulum, f64, LagrangeIndex1, Shaking>;
+
+fn swing<I: for<'m> Integrator<f64, Shaken<'m>>>(integrator: I, h: f64) -> Pendulum {
     let model = DoublePendulum::new();
     let start = pendulum_start(-1.0, -0.4, [1.0, -2.0]);
     Simulation::new(&model, start)
-        .inputs(Sampled(|time, _state| Torque { shoulder: sine_of_triple(time) }))
+        .input_source(Shaking)
         .integrator(integrator)
         .step(h)
         .advance_until(0.4)

@@ -5,8 +5,9 @@ use core::f64::consts::TAU;
 use linkwright_runtime::integrator::Dynamics;
 use linkwright_runtime::quaternion::{exponential, norm, product, rotation_matrix};
 use linkwright_runtime::{
-    AssembleExt, AssemblyError, Integrator, Layout, MultiTurn, Real, Residual, Rk4, SemiImplicitEuler,
-    Simulation, SimulationError, SpatialMotion, State, Vector, retract, smallest_pivot,
+    AssembleExt, AssemblyError, Integrator, Layout, Method, MultiTurn, Real, Residual, Rk4,
+    SemiImplicitEuler, Simulation, SimulationError, SpatialMotion, State, StepFailure, Stepped, Vector,
+    retract, smallest_pivot,
 };
 
 const ONE_BODY: Layout = Layout { linear: 0, rotations: 0, quaternions: 1, angles: &[] };
@@ -46,8 +47,9 @@ impl Dynamics<f64> for Top {
     const LAYOUT: Layout = ONE_BODY;
     type Q = [f64; 4];
     type V = [f64; 3];
+    type Lambda = [f64; 0];
 
-    fn acceleration(&mut self, _time: f64, state: &Turning) -> [f64; 3] {
+    fn acceleration(&mut self, _time: f64, state: &mut Turning) -> [f64; 3] {
         let gyroscopic = cross(self.spin(state.v), state.v);
         let [_, _, up] = rotation_matrix(state.q);
         let weight = cross(up, self.moment);
@@ -55,7 +57,7 @@ impl Dynamics<f64> for Top {
     }
 }
 
-fn run<D: Dynamics<f64>, I: Integrator<f64>>(
+fn run<D: Dynamics<f64>, I: Integrator<f64, D>>(
     mut dynamics: D,
     integrator: I,
     start: State<D::Q, D::V>,
@@ -63,7 +65,11 @@ fn run<D: Dynamics<f64>, I: Integrator<f64>>(
     steps: u32,
 ) -> State<D::Q, D::V> {
     let h = end / f64::from(steps);
-    (0..steps).fold(start, |state, k| integrator.step(&mut dynamics, f64::from(k) * h, h, &state))
+    let mut memory = integrator.memory();
+    (0..steps).fold(start, |state, k| {
+        let step = integrator.step(&mut memory, &mut dynamics, f64::from(k) * h, h, &state);
+        step.expect("a fixed step").state
+    })
 }
 
 /// The angle between two orientations, rad.
@@ -105,14 +111,21 @@ fn a_uniform_rotation_in_space_is_exact() {
 #[derive(Clone, Copy)]
 struct Uncorrected;
 
-impl Integrator<f64> for Uncorrected {
-    fn step<D: Dynamics<f64>>(
+impl Method<f64> for Uncorrected {
+    type Memory<Q: Vector<f64>, V: Vector<f64>, Lambda: Vector<f64>> = ();
+
+    fn memory<Q: Vector<f64>, V: Vector<f64>, Lambda: Vector<f64>>(&self) {}
+}
+
+impl<D: Dynamics<f64>> Integrator<f64, D> for Uncorrected {
+    fn step(
         &self,
+        _memory: &mut (),
         dynamics: &mut D,
         time: f64,
         h: f64,
         state: &State<D::Q, D::V>,
-    ) -> State<D::Q, D::V> {
+    ) -> Result<Stepped<f64, D::Q, D::V>, StepFailure> {
         let after = |h: f64, v: &D::V, a: &D::V| {
             let mut q = state.q;
             retract(&D::LAYOUT, &state.q, &v.scaled(h), &mut q);
@@ -121,21 +134,22 @@ impl Integrator<f64> for Uncorrected {
         let mean = |k1: &D::V, k2: &D::V, k3: &D::V, k4: &D::V| {
             k1.plus(2.0, k2).plus(2.0, k3).plus(1.0, k4).scaled(1.0 / 6.0)
         };
-        let a1 = dynamics.acceleration(time, state);
-        let second = after(0.5 * h, &state.v, &a1);
-        let a2 = dynamics.acceleration(time + 0.5 * h, &second);
-        let third = after(0.5 * h, &second.v, &a2);
-        let a3 = dynamics.acceleration(time + 0.5 * h, &third);
-        let fourth = after(h, &third.v, &a3);
-        let a4 = dynamics.acceleration(time + h, &fourth);
-        after(h, &mean(&state.v, &second.v, &third.v, &fourth.v), &mean(&a1, &a2, &a3, &a4))
+        let a1 = dynamics.acceleration(time, &mut state.clone());
+        let mut second = after(0.5 * h, &state.v, &a1);
+        let a2 = dynamics.acceleration(time + 0.5 * h, &mut second);
+        let mut third = after(0.5 * h, &second.v, &a2);
+        let a3 = dynamics.acceleration(time + 0.5 * h, &mut third);
+        let mut fourth = after(h, &third.v, &a3);
+        let a4 = dynamics.acceleration(time + h, &mut fourth);
+        let end = after(h, &mean(&state.v, &second.v, &third.v, &fourth.v), &mean(&a1, &a2, &a3, &a4));
+        Ok(Stepped::explicit(h, end))
     }
 }
 
 const TUMBLING: Turning = State { q: [1.0, 0.0, 0.0, 0.0], v: [0.4, 3.0, -0.7] };
 
 /// Observed orders of the final orientation with 100, 200 and 400 steps for 2 s of a tumbling body.
-fn orders<I: Integrator<f64> + Copy>(integrator: I) -> [f64; 2] {
+fn orders<I: Integrator<f64, Top> + Copy>(integrator: I) -> [f64; 2] {
     let exact = run(Top::free(), Rk4, TUMBLING, 2.0, 12_800).q;
     let errors = [100, 200, 400].map(|n| apart(run(Top::free(), integrator, TUMBLING, 2.0, n).q, exact));
     [(errors[0] / errors[1]).log2(), (errors[1] / errors[2]).log2()]
@@ -200,10 +214,11 @@ impl Dynamics<f64> for Counted {
         Layout { linear: 1, quaternions: 1, angles: &[MultiTurn { rate: &COUNTED }], ..ONE_BODY };
     type Q = [f64; 7];
     type V = [f64; 4];
+    type Lambda = [f64; 0];
 
-    fn acceleration(&mut self, time: f64, state: &State<[f64; 7], [f64; 4]>) -> [f64; 4] {
+    fn acceleration(&mut self, time: f64, state: &mut State<[f64; 7], [f64; 4]>) -> [f64; 4] {
         let ([_, q @ .., _, _], [_, v @ ..]) = (state.q, state.v);
-        let [x, y, z] = self.0.acceleration(time, &State { q, v });
+        let [x, y, z] = self.0.acceleration(time, &mut State { q, v });
         [0.8 * y - 0.6 * z, x, y, z]
     }
 }

@@ -100,6 +100,23 @@ impl Assemble<f64> for Support {
     type ConditionJacobian = [f64; 0];
     type Factor = [f64; 15];
     type System = [f64; 6];
+    type Store = linkwright_runtime::tabled::Store<f64, Self>;
+    fn store() -> Self::Store {
+        linkwright_runtime::tabled::store::<f64, Self>()
+    }
+    fn factor(&self, time: f64, q: &Self::Q, compliance: f64, store: &mut Self::Store) -> f64 {
+        linkwright_runtime::tabled::factor::<f64, Self>(self, time, q, compliance, store)
+    }
+    fn solve(
+        &self,
+        store: &Self::Store,
+        forces: &Self::V,
+        rows: &Self::Lambda,
+        a: &mut Self::V,
+        lambda: &mut Self::Lambda,
+    ) {
+        linkwright_runtime::tabled::solve::<f64, Self>(store, forces, rows, a, lambda);
+    }
 
     fn condition_residual(&self, _time: f64, _q: &[f64; 4], _target: &[f64; 0], _residual: &mut [f64; 0]) {}
     fn condition_cosines(&self, _time: f64, _q: &[f64; 4], _target: &[f64; 0], _flipped: &mut [f64; 0]) {}

@@ -1,0 +1,116 @@
+//! One factorisation, many right-hand sides: K(c) = [M Dᵀ; D −c] factored by one function and solved by another.
+//!
+//! The solution is written for right-hand sides that are symbols. What of it does not depend on these is computed with the
+//! factorisation and kept; the rest is the other function. So nothing has to be said about what a factor consists of.
+
+use super::elimination::{self, Entries, Kind};
+use super::order::{self, Pattern};
+use super::{Massless, add_square, groups, stabilised};
+use crate::equations::Equations;
+use crate::symbolic::{Class, Graph, Node, Unary};
+use std::collections::{BTreeMap, BTreeSet};
+
+/// K(c) factored, and its solution for any right-hand side.
+#[derive(Clone, Debug)]
+pub struct Stored {
+    /// What is kept of a factorisation.
+    pub kept: Vec<Node>,
+    /// The smallest relative pivot, and that of the velocities alone.
+    pub pivot: Node,
+    pub velocity_pivot: Node,
+    /// −γ + 2α (D v − ν) + β² Φ with the other sign: the rows of `system`.
+    pub rows: Vec<Node>,
+    /// a, then λ, in symbols for what is kept and for the right-hand sides.
+    pub solution: Vec<Node>,
+}
+
+/// Writes K(c) out. Where M alone is singular, ρ′ Dᵀ D of the rows that hold the massless velocities is added to M,
+/// ρ′ = ρ/(1 + ρ c), ρ′ Dᵀ γ to Q, c of these rows becomes c (1 + ρ c) and their multipliers are multiplied by 1 + ρ c: the
+/// solution is the same, because D v̇ = γ + c λ.
+pub fn store(equations: &mut Equations, massless: &Massless) -> Stored {
+    let n = equations.symbols.v.len();
+    let columns: Vec<BTreeMap<usize, Node>> =
+        equations.rows.iter().map(|row| row.jet.columns.clone()).collect();
+    let idle = equations.idle.clone();
+    let groups = groups(&equations.rows);
+    let compliance = equations.symbols.compliance;
+    let g = &mut equations.graph;
+    let (one, rho) = (g.constant(1.0), g.constant(massless.weight));
+    let product = g.mul(rho, compliance);
+    let stiffening = g.add(one, product);
+    let inverse = g.unary(Unary::Reciprocal, stiffening);
+    let weight = g.mul(rho, inverse);
+
+    let mut entries: Entries = equations.mass.clone();
+    for row in &massless.rows {
+        add_square(g, &mut entries, &columns[*row], weight);
+    }
+    for (row, columns) in columns.iter().enumerate().filter(|(row, _)| !idle.contains(row)) {
+        entries.extend(columns.iter().map(|(velocity, column)| ((n + row, *velocity), *column)));
+    }
+    let stiffer = g.mul(compliance, stiffening);
+    let own: Vec<Node> = (0..columns.len())
+        .map(|row| if massless.rows.contains(&row) { stiffer } else { compliance })
+        .collect();
+    let pattern = Pattern::new(n, columns.len(), entries.keys().copied());
+    let mut order = order::best(&pattern);
+    order.sequence.retain(|unknown| unknown.checked_sub(n).is_none_or(|row| !idle.contains(&row)));
+    let watch_velocities = !massless.rows.is_empty();
+    let kind = Kind { velocities: n, watch_velocities, groups: &groups, compliance: Some(&own) };
+    let factor = elimination::factor(g, &entries, &order, &kind);
+
+    // Right-hand sides as symbols; the elimination takes rows with the other sign.
+    let symbols = |g: &mut Graph, name: &str, count: usize| -> Vec<Node> {
+        (0..count).map(|index| g.symbol(format!("{name}_{index}"), Class::Input)).collect()
+    };
+    let (forces, rows) = (symbols(g, "force", n), symbols(g, "row", columns.len()));
+    let mut right = forces.clone();
+    for row in &massless.rows {
+        let weighted = g.mul(weight, rows[*row]);
+        for (velocity, column) in &columns[*row] {
+            let term = g.mul(*column, weighted);
+            right[*velocity] = g.add(right[*velocity], term);
+        }
+    }
+    right.extend(rows.iter().map(|row| g.neg(*row)));
+    let mut solution = factor.solve(g, &right);
+    for row in 0..columns.len() {
+        let lambda = &mut solution[n + row];
+        if idle.contains(&row) {
+            *lambda = g.constant(0.0);
+        } else if massless.rows.contains(&row) {
+            *lambda = g.mul(*lambda, stiffening);
+        }
+    }
+
+    let late = forces.iter().chain(&rows).copied().collect();
+    let kept = frontier(g, &solution, &late);
+    let stand_ins = symbols(g, "kept", kept.len());
+    let replaced = kept.iter().copied().zip(stand_ins.iter().copied()).collect();
+    let solution = g.substitute(&solution, &replaced);
+    let stabilised = stabilised(g, &equations.rows, &equations.symbols);
+    let stabilised = stabilised.into_iter().map(|row| equations.graph.neg(row)).collect();
+    equations.symbols.given_forces = forces;
+    equations.symbols.given_rows = rows;
+    equations.symbols.kept = stand_ins;
+    let (pivot, velocity_pivot) = (factor.pivot, factor.velocity_pivot);
+    Stored { kept, pivot, velocity_pivot, rows: stabilised, solution }
+}
+
+/// The nodes at which what depends on `late` symbols meets what does not, in order; what parameters alone decide is at hand
+/// anyway.
+fn frontier(g: &Graph, roots: &[Node], late: &BTreeSet<Node>) -> Vec<Node> {
+    let mut depends = BTreeSet::new();
+    let mut kept = BTreeSet::new();
+    for node in g.reachable(roots.iter().copied()) {
+        if late.contains(&node) || g.op(node).operands().any(|operand| depends.contains(&operand)) {
+            depends.insert(node);
+        }
+    }
+    let early = |node: &Node| !depends.contains(node) && g.class(*node) > Class::Parameter;
+    for node in &depends {
+        kept.extend(g.op(*node).operands().filter(early));
+    }
+    kept.extend(roots.iter().copied().filter(early));
+    kept.into_iter().collect()
+}

@@ -1,0 +1,56 @@
+//! Baumgarte's stabilisation.
+
+use super::{Evaluation, Formulation, not_negative};
+use crate::error::SettingError;
+use crate::mechanism::Mechanism;
+use crate::real::Real;
+use crate::state::State;
+
+/// Baumgarte's stabilisation: D v̇ = γ − 2α (D v − ν) − β² Φ.
+///
+/// Errors of the constraints then decay like those of a damped oscillator; α = β is critical damping. α and β must
+/// stay well below the inverse of the step size. Source: J. Baumgarte, Computer Methods in Applied Mechanics and
+/// Engineering 1 (1972) 1–16.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Baumgarte<R = f64> {
+    /// Damping of the constraint errors, 1/s.
+    pub alpha: R,
+    /// Their natural frequency, rad/s.
+    pub beta: R,
+}
+
+impl<R: Real> Baumgarte<R> {
+    /// Critical damping with the time constant `seconds`: α = β = 1/T.
+    pub fn time_constant(seconds: R) -> Self {
+        let rate = R::ONE / seconds;
+        Baumgarte { alpha: rate, beta: rate }
+    }
+}
+
+impl<R: Real, M: Mechanism<R>> Formulation<R, M> for Baumgarte<R> {
+    type Memory = ();
+
+    fn memory(&self) {}
+
+    #[inline]
+    fn acceleration(
+        &self,
+        _memory: &mut (),
+        model: &M,
+        time: R,
+        state: &mut State<M::Q, M::V>,
+        u: &M::Inputs,
+        a: &mut M::V,
+        lambda: &mut M::Lambda,
+    ) -> Evaluation<R> {
+        let (two_alpha, beta_squared) = (self.alpha + self.alpha, self.beta * self.beta);
+        let State { q, v } = state;
+        Evaluation::direct(model.acceleration_baumgarte(time, q, v, u, two_alpha, beta_squared, a, lambda))
+    }
+
+    fn check(&self) -> Result<(), SettingError> {
+        let must_be = "zero or positive, and finite (1/s)";
+        not_negative("Baumgarte's alpha", self.alpha, must_be)?;
+        not_negative("Baumgarte's beta", self.beta, must_be)
+    }
+}

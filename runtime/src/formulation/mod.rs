@@ -1,0 +1,123 @@
+//! Formulations: how the accelerations are made to follow the constraints.
+//!
+//! A formulation is a Rust type, so only the one in use is compiled. It chooses among the evaluations that the
+//! mechanism offers; the equations themselves are emitted, time stepping is `integrator`. What each of them is for, with
+//! measurements, is in `docs/formulations.md`.
+
+mod augmented_lagrangian;
+mod baumgarte;
+mod index1;
+mod penalty;
+mod projected;
+
+pub use augmented_lagrangian::AugmentedLagrangian;
+pub use baumgarte::Baumgarte;
+pub use index1::LagrangeIndex1;
+pub use penalty::Penalty;
+pub use projected::Projected;
+
+use crate::error::{AssemblyError, SettingError};
+use crate::mechanism::Mechanism;
+use crate::real::Real;
+use crate::state::State;
+use core::fmt::Debug;
+
+/// A way to obtain v̇ and λ from (t, q, v, u).
+pub trait Formulation<R: Real, M: Mechanism<R>> {
+    /// What is carried from one evaluation to the next, such as multipliers to begin an iteration with.
+    type Memory: Copy + Debug;
+
+    /// Whether the pivot of an evaluation estimates the reciprocal condition of D M⁻¹ Dᵀ. Where the constraints are
+    /// softened it does not, and the estimate is asked of the mechanism once a step.
+    const PIVOT_SHOWS_CONDITION: bool = true;
+
+    /// What there is to carry before the first evaluation.
+    fn memory(&self) -> Self::Memory;
+
+    /// Writes v̇ (shape n_v) and λ (shape m) at the state, which may be corrected on the way.
+    #[allow(clippy::too_many_arguments)]
+    fn acceleration(
+        &self,
+        memory: &mut Self::Memory,
+        model: &M,
+        time: R,
+        state: &mut State<M::Q, M::V>,
+        u: &M::Inputs,
+        a: &mut M::V,
+        lambda: &mut M::Lambda,
+    ) -> Evaluation<R>;
+
+    /// What is done to the state at the end of a step; nothing for most.
+    ///
+    /// # Errors
+    /// Why the state could not be brought to the constraints.
+    #[inline]
+    fn settle(
+        &self,
+        memory: &mut Self::Memory,
+        model: &M,
+        time: R,
+        state: &mut State<M::Q, M::V>,
+    ) -> Result<Settled<R>, AssemblyError> {
+        let _ = (memory, model, time, state);
+        Ok(Settled { iterations: 0, moved: R::ZERO })
+    }
+
+    /// Whether the formulation's parameters make sense.
+    ///
+    /// # Errors
+    /// The parameter that does not.
+    fn check(&self) -> Result<(), SettingError>;
+}
+
+/// What an evaluation says of itself.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Evaluation<R = f64> {
+    /// The smallest relative pivot of the factorisation; below [`Real::BREAKDOWN`] the accelerations mean nothing.
+    pub pivot: R,
+    /// Iterations made beyond the first solution.
+    pub iterations: u32,
+    /// The largest change of an acceleration in the last of them, relative to the largest acceleration.
+    pub residual: R,
+}
+
+impl<R: Real> Evaluation<R> {
+    /// An evaluation without iteration.
+    #[inline]
+    pub fn direct(pivot: R) -> Self {
+        Evaluation { pivot, iterations: 0, residual: R::ZERO }
+    }
+}
+
+/// What happened to a state at the end of a step.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Settled<R = f64> {
+    /// Iterations made.
+    pub iterations: u32,
+    /// The largest change of a coordinate, m or rad.
+    pub moved: R,
+}
+
+/// An error unless `value` is positive and finite.
+pub(crate) fn positive<R: Real>(
+    what: &'static str,
+    value: R,
+    must_be: &'static str,
+) -> Result<(), SettingError> {
+    if value > R::ZERO && value.is_finite() {
+        return Ok(());
+    }
+    Err(SettingError { what, value: value.to_f64(), must_be })
+}
+
+/// An error unless `value` is zero or positive, and finite.
+pub(crate) fn not_negative<R: Real>(
+    what: &'static str,
+    value: R,
+    must_be: &'static str,
+) -> Result<(), SettingError> {
+    if value >= R::ZERO && value.is_finite() {
+        return Ok(());
+    }
+    Err(SettingError { what, value: value.to_f64(), must_be })
+}

@@ -1,0 +1,151 @@
+//! Projection onto the constraints at the end of each step, after any formulation.
+
+use super::penalty::largest_mass;
+use super::{Evaluation, Formulation, Settled, positive};
+use crate::assembly::system::subtract_product;
+use crate::error::{AssemblyError, SettingError};
+use crate::layout::retract;
+use crate::mechanism::Assemble;
+use crate::real::Real;
+use crate::state::State;
+use crate::vector::Vector;
+
+/// A formulation whose positions and velocities are brought to the constraints at the end of each step, on the shortest way
+/// in the norm of the mass matrix:
+///
+/// ```text
+/// ⎡ M  Dᵀ ⎤ ⎡ δ ⎤   ⎡  0 ⎤                    ⎡ M  Dᵀ ⎤ ⎡ Δv ⎤   ⎡    0    ⎤
+/// ⎣ D  −c ⎦ ⎣ μ ⎦ = ⎣ −Φ ⎦,  q ← q ⊕ δ, …     ⎣ D  −c ⎦ ⎣ σ  ⎦ = ⎣ ν − D v ⎦,  v ← v + Δv
+/// ```
+/// δ is repeated until it vanishes; one factorisation serves all of it. c = 1/α is so small that at regular positions it
+/// only takes part in the speed of convergence, and so large that at singular ones the direction without a constraint is
+/// left alone.
+/// Source: Bayo, Ledesma, Nonlinear Dynamics 9 (1996) 113–130; García de Jalón, Bayo, *Kinematic and Dynamic Simulation of
+/// Multibody Systems*, 5.3.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Projected<F, R = f64> {
+    /// What gives the accelerations.
+    pub formulation: F,
+    /// α = 1/c as a multiple of the largest entry of M.
+    pub weight: R,
+    /// max |Φ| at which positions are good, m, rad or the row's own unit.
+    pub tolerance: R,
+    /// The most iterations made for positions.
+    pub iterations: u32,
+}
+
+impl<F, R: Real> Projected<F, R> {
+    /// Projection after `formulation`, to rounding: 10⁻¹⁴ in double precision.
+    pub fn after(formulation: F) -> Self {
+        let tolerance = R::from_f64(1e-14).max(R::from_f64(16.0) * R::EPSILON);
+        let weight = R::from_f64(1e10).min(R::ONE / (R::from_f64(100.0) * R::EPSILON));
+        Projected { formulation, weight, tolerance, iterations: 10 }
+    }
+
+    /// Positions; returns the iterations made and how far a coordinate moved.
+    fn position<M: Assemble<R>>(
+        &self,
+        model: &M,
+        store: &mut M::Store,
+        compliance: R,
+        time: R,
+        q: &mut M::Q,
+    ) -> Result<Settled<R>, AssemblyError> {
+        let mut settled = Settled { iterations: 0, moved: R::ZERO };
+        let mut phi = M::Lambda::zero();
+        let mut last = R::ZERO;
+        loop {
+            model.constraints(time, q, &mut phi);
+            if phi.first_not_finite().is_some() || settled.iterations == self.iterations {
+                return Err(AssemblyError::worst::<R, M>(&phi, settled.iterations));
+            }
+            if phi.max_abs() <= self.tolerance {
+                return Ok(settled);
+            }
+            let (mut delta, mut multipliers) = (M::V::zero(), M::Lambda::zero());
+            model.solve(store, &M::V::zero(), &phi.scaled(-R::ONE), &mut delta, &mut multipliers);
+            let moved = delta.max_abs();
+            // What rounding alone moves back and forth.
+            if settled.iterations > 0 && moved <= R::from_f64(16.0) * R::EPSILON * (R::ONE + q.max_abs()) {
+                return Ok(settled);
+            }
+            let from = *q;
+            retract(&M::LAYOUT, &from, &delta, q);
+            settled.iterations += 1;
+            settled.moved = settled.moved.max(moved);
+            // The factor of the first position serves as long as it is good.
+            if settled.iterations > 1 && moved > R::from_f64(0.1) * last {
+                model.factor(time, q, compliance, store);
+            }
+            last = moved;
+        }
+    }
+
+    /// Velocities, with the factor of a position that is the same but for what was corrected.
+    fn velocity<M: Assemble<R>>(&self, model: &M, store: &M::Store, time: R, state: &mut State<M::Q, M::V>) {
+        let (mut nu, mut jacobian) = (M::Lambda::zero(), M::Jacobian::zero());
+        model.nu(time, &state.q, &mut nu);
+        model.constraint_jacobian(time, &state.q, &mut jacobian);
+        for _ in 0..2 {
+            let mut rest = nu;
+            let columns = jacobian.as_slice();
+            subtract_product(M::JACOBIAN_PATTERN, columns, state.v.as_slice(), rest.as_mut_slice());
+            let (mut delta, mut multipliers) = (M::V::zero(), M::Lambda::zero());
+            model.solve(store, &M::V::zero(), &rest, &mut delta, &mut multipliers);
+            state.v.axpy(R::ONE, &delta);
+        }
+    }
+}
+
+impl<R: Real, M: Assemble<R>, F: Formulation<R, M>> Formulation<R, M> for Projected<F, R> {
+    type Memory = F::Memory;
+    const PIVOT_SHOWS_CONDITION: bool = F::PIVOT_SHOWS_CONDITION;
+
+    fn memory(&self) -> F::Memory {
+        self.formulation.memory()
+    }
+
+    #[inline]
+    fn acceleration(
+        &self,
+        memory: &mut F::Memory,
+        model: &M,
+        time: R,
+        state: &mut State<M::Q, M::V>,
+        u: &M::Inputs,
+        a: &mut M::V,
+        lambda: &mut M::Lambda,
+    ) -> Evaluation<R> {
+        self.formulation.acceleration(memory, model, time, state, u, a, lambda)
+    }
+
+    fn settle(
+        &self,
+        memory: &mut F::Memory,
+        model: &M,
+        time: R,
+        state: &mut State<M::Q, M::V>,
+    ) -> Result<Settled<R>, AssemblyError> {
+        let inner = self.formulation.settle(memory, model, time, state)?;
+        if M::Lambda::LEN == 0 {
+            return Ok(inner);
+        }
+        let compliance = R::ONE / (self.weight * largest_mass(model, time, &state.q));
+        let mut store = M::store();
+        model.factor(time, &state.q, compliance, &mut store);
+        let own = self.position(model, &mut store, compliance, time, &mut state.q)?;
+        self.velocity(model, &store, time, state);
+        Ok(Settled { iterations: inner.iterations + own.iterations, moved: inner.moved.max(own.moved) })
+    }
+
+    fn check(&self) -> Result<(), SettingError> {
+        self.formulation.check()?;
+        positive("the projection's weight", self.weight, "positive and finite, such as 1e10")?;
+        positive("the projection's tolerance", self.tolerance, "positive and finite (m), such as 1e-14")?;
+        if self.iterations == 0 {
+            let must_be = "at least 1";
+            return Err(SettingError { what: "the projection's iterations", value: 0.0, must_be });
+        }
+        Ok(())
+    }
+}

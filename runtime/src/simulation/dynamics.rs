@@ -1,0 +1,238 @@
+//! The mechanism as an integrator sees it: a model under a formulation, with its inputs, watched.
+
+use crate::error::AssemblyError;
+use crate::formulation::{Evaluation, Formulation, Settled};
+use crate::input::InputSource;
+use crate::integrator::Dynamics;
+use crate::layout::{Layout, retract};
+use crate::mechanism::Mechanism;
+use crate::real::Real;
+use crate::state::State;
+use crate::vector::Vector;
+
+/// How far a stage is moved along its velocities to step over a breakdown, as parts of the step; the next is tried where the
+/// one before breaks down as well.
+const OVER: [f64; 3] = [1e-4, 1e-3, 1e-2];
+
+/// A model under a formulation, with its inputs: what an [`Integrator`](crate::Integrator) moves.
+pub struct MechanismDynamics<'m, M: Mechanism<R>, R: Real, F: Formulation<R, M>, S> {
+    pub(super) model: &'m M,
+    pub(super) formulation: F,
+    pub(super) memory: F::Memory,
+    pub(super) source: S,
+    /// The inputs at the present time and state, once they have been asked for.
+    pub(super) inputs: Option<M::Inputs>,
+    /// Whether a stage that breaks down is stepped over.
+    pub(super) steps_over: bool,
+    pub(super) watch: Watch<R, M::Q, M::V>,
+}
+
+/// What was seen during one step.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Watch<R, Q, V> {
+    /// The size of the step.
+    h: R,
+    started: bool,
+    pub smallest_pivot: R,
+    pub iterations: u32,
+    pub residual: R,
+    pub stepped_over: u32,
+    /// The worst stage below [`Real::NEAR_SINGULAR`].
+    pub worst: Option<Stage<R, Q, V>>,
+    /// The first stage below [`Real::BREAKDOWN`].
+    pub failure: Option<Stage<R, Q, V>>,
+}
+
+/// A stage and the pivot found there.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Stage<R, Q, V> {
+    pub time: R,
+    pub pivot: R,
+    pub state: State<Q, V>,
+}
+
+impl<R: Real, Q, V> Watch<R, Q, V> {
+    pub fn new(h: R) -> Self {
+        Watch {
+            h,
+            started: false,
+            smallest_pivot: R::ONE,
+            iterations: 0,
+            residual: R::ZERO,
+            stepped_over: 0,
+            worst: None,
+            failure: None,
+        }
+    }
+}
+
+impl<'m, M: Mechanism<R>, R: Real, F: Formulation<R, M>, S> MechanismDynamics<'m, M, R, F, S> {
+    pub(super) fn new(model: &'m M, formulation: F, source: S) -> Self {
+        let memory = formulation.memory();
+        let watch = Watch::new(R::ZERO);
+        MechanismDynamics { model, formulation, memory, source, inputs: None, steps_over: false, watch }
+    }
+
+    /// The same with another formulation.
+    pub(super) fn with_formulation<G: Formulation<R, M>>(
+        self,
+        formulation: G,
+    ) -> MechanismDynamics<'m, M, R, G, S> {
+        let MechanismDynamics { model, source, inputs, steps_over, .. } = self;
+        MechanismDynamics { inputs, steps_over, ..MechanismDynamics::new(model, formulation, source) }
+    }
+
+    /// The same with other inputs.
+    pub(super) fn with_source<T>(self, source: T) -> MechanismDynamics<'m, M, R, F, T> {
+        let MechanismDynamics { model, formulation, steps_over, .. } = self;
+        MechanismDynamics { steps_over, ..MechanismDynamics::new(model, formulation, source) }
+    }
+
+    /// The inputs at the present time and state; the source is asked once, for the sample and the step that follows.
+    pub(super) fn present_inputs(&mut self, time: R, state: &State<M::Q, M::V>) -> M::Inputs
+    where
+        S: InputSource<R, M>,
+    {
+        *self.inputs.get_or_insert_with(|| self.source.sample(time, state))
+    }
+
+    /// v̇ and λ with the inputs of the present time; what the formulation remembers stays as it is.
+    pub(super) fn evaluate(&mut self, time: R, state: &State<M::Q, M::V>) -> (M::V, M::Lambda)
+    where
+        S: InputSource<R, M>,
+    {
+        let inputs = self.present_inputs(time, state);
+        let (mut memory, mut state) = (self.memory, *state);
+        let (mut a, mut lambda) = (M::V::zero(), M::Lambda::zero());
+        self.formulation.acceleration(
+            &mut memory,
+            self.model,
+            time,
+            &mut state,
+            &inputs,
+            &mut a,
+            &mut lambda,
+        );
+        (a, lambda)
+    }
+
+    /// The end of a step.
+    pub(super) fn settle(
+        &mut self,
+        time: R,
+        state: &mut State<M::Q, M::V>,
+    ) -> Result<Settled<R>, AssemblyError> {
+        self.formulation.settle(&mut self.memory, self.model, time, state)
+    }
+
+    /// The stage once more, a little further along its velocities.
+    #[cold]
+    fn step_over(
+        &mut self,
+        time: R,
+        state: &State<M::Q, M::V>,
+        inputs: &M::Inputs,
+        a: &mut M::V,
+        lambda: &mut M::Lambda,
+    ) -> Option<Evaluation<R>> {
+        for part in OVER {
+            let mut further = *state;
+            retract(&M::LAYOUT, &state.q, &state.v.scaled(R::from_f64(part) * self.watch.h), &mut further.q);
+            let evaluation = self.formulation.acceleration(
+                &mut self.memory,
+                self.model,
+                time,
+                &mut further,
+                inputs,
+                a,
+                lambda,
+            );
+            if sound(evaluation.pivot, a) {
+                self.watch.stepped_over += 1;
+                return Some(evaluation);
+            }
+        }
+        None
+    }
+}
+
+/// Whether accelerations mean something. Written so that a NaN fails.
+fn sound<R: Real, V: Vector<R>>(pivot: R, a: &V) -> bool {
+    R::any(pivot.greater_equal(R::BREAKDOWN)) && a.first_not_finite().is_none()
+}
+
+impl<M, R, F, S> Dynamics<R> for MechanismDynamics<'_, M, R, F, S>
+where
+    M: Mechanism<R>,
+    R: Real,
+    F: Formulation<R, M>,
+    S: InputSource<R, M>,
+{
+    const LAYOUT: Layout = M::LAYOUT;
+    type Q = M::Q;
+    type V = M::V;
+    type Lambda = M::Lambda;
+
+    #[inline]
+    fn acceleration(&mut self, time: R, state: &mut State<M::Q, M::V>) -> M::V {
+        // The inputs at the step's start were sampled when the step before ended.
+        let inputs = match self.inputs {
+            Some(inputs) if S::HELD || !self.watch.started => inputs,
+            _ => self.source.sample(time, state),
+        };
+        self.watch.started = true;
+        let (mut a, mut lambda) = (M::V::zero(), M::Lambda::zero());
+        let mut evaluation = self.formulation.acceleration(
+            &mut self.memory,
+            self.model,
+            time,
+            state,
+            &inputs,
+            &mut a,
+            &mut lambda,
+        );
+        // Written so that a NaN is seen.
+        if !R::any(evaluation.pivot.greater_equal(R::NEAR_SINGULAR)) {
+            self.see(time, state, &inputs, &mut evaluation, &mut a, &mut lambda);
+        }
+        let watch = &mut self.watch;
+        watch.smallest_pivot = evaluation.pivot.min(watch.smallest_pivot);
+        watch.iterations += evaluation.iterations;
+        watch.residual = watch.residual.max(evaluation.residual);
+        a
+    }
+}
+
+impl<M, R, F, S> MechanismDynamics<'_, M, R, F, S>
+where
+    M: Mechanism<R>,
+    R: Real,
+    F: Formulation<R, M>,
+{
+    /// A stage where the pivot is small: remembered, and stepped over if that is asked for.
+    #[cold]
+    fn see(
+        &mut self,
+        time: R,
+        state: &State<M::Q, M::V>,
+        inputs: &M::Inputs,
+        evaluation: &mut Evaluation<R>,
+        a: &mut M::V,
+        lambda: &mut M::Lambda,
+    ) {
+        let stage = Stage { time, pivot: evaluation.pivot, state: *state };
+        if self.watch.worst.is_none_or(|worst| !R::any(stage.pivot.greater_equal(worst.pivot))) {
+            self.watch.worst = Some(stage);
+        }
+        if R::any(stage.pivot.greater_equal(R::BREAKDOWN)) {
+            return;
+        }
+        if self.steps_over
+            && let Some(further) = self.step_over(time, state, inputs, a, lambda)
+        {
+            *evaluation = further;
+        } else if self.watch.failure.is_none() {
+            self.watch.failure = Some(stage);
+        }
+    }
+}

@@ -1,0 +1,142 @@
+//! K(c) = \[M, Dᵀ; D, −c\] by tables: the factorisation of mechanisms that do not write their own out.
+//!
+//! A mechanism whose definition asks for it (`options { emit = … }`) has `system`, `factor` and `solve` as straight-line
+//! code; for all others the emitted functions call these, which loop over the elimination of [`Assemble::ELIMINATION`]. Both
+//! solve the same system; this one takes some ten times longer.
+
+use crate::ldl::Ldl;
+use crate::mechanism::{Assemble, same_scale};
+use crate::real::Real;
+use crate::vector::Vector;
+
+/// What [`factor`] leaves for [`solve`].
+#[derive(Clone, Copy, Debug)]
+pub struct Tabled<R, F, S, J> {
+    ldl: Ldl<R, F, S>,
+    /// D, for rows that hold velocities without mass.
+    jacobian: J,
+    compliance: R,
+}
+
+/// The store of a mechanism without a factorisation of its own.
+pub type Store<R, M> =
+    Tabled<R, <M as Assemble<R>>::Factor, <M as Assemble<R>>::System, <M as crate::Mechanism<R>>::Jacobian>;
+
+/// An empty store.
+pub fn store<R: Real, M: Assemble<R>>() -> Store<R, M> {
+    Tabled { ldl: Ldl::new(&M::ELIMINATION), jacobian: M::Jacobian::zero(), compliance: R::ZERO }
+}
+
+/// Factors K(c); returns what [`Assemble::factor`] does.
+///
+/// Where M alone is singular, ρ′ Dᵀ D of the rows that hold the massless velocities is added, ρ′ = ρ/(1 + ρ c), and c of
+/// these rows becomes c (1 + ρ c): with ρ′ Dᵀ γ added to Q and λ of these rows multiplied by 1 + ρ c the solution is the
+/// same, because D v̇ = γ + c λ.
+pub fn factor<R: Real, M: Assemble<R>>(
+    model: &M,
+    time: R,
+    q: &M::Q,
+    compliance: R,
+    store: &mut Store<R, M>,
+) -> R {
+    fill(model, time, q, compliance, store);
+    let mut magnitudes = M::System::zero();
+    let velocities = store.ldl.factor_measured(M::V::LEN, &mut magnitudes);
+    let velocities = if M::MASSLESS_ROWS.is_empty() { R::ONE } else { velocities.value };
+    velocities.min(smallest_of_rows::<R, M>(store, &magnitudes))
+}
+
+/// K(c) in numbers.
+fn fill<R: Real, M: Assemble<R>>(model: &M, time: R, q: &M::Q, compliance: R, store: &mut Store<R, M>) {
+    let (n, m) = (M::V::LEN, M::Lambda::LEN);
+    let mut mass = M::Mass::zero();
+    model.mass_matrix(time, q, &mut mass);
+    model.constraint_jacobian(time, q, &mut store.jacobian);
+    store.compliance = compliance;
+    let idle = |row: u16| M::IDLE.contains(&row);
+    let matrix = &mut store.ldl;
+    matrix.clear();
+    for (&entry, &(i, j)) in mass.as_slice().iter().zip(M::MASS_PATTERN) {
+        matrix.add(i as usize, j as usize, entry);
+    }
+    let entries = || store.jacobian.as_slice().iter().zip(M::JACOBIAN_PATTERN);
+    for (&entry, &(row, column)) in entries().filter(|(_, (row, _))| !idle(*row)) {
+        matrix.add(n + row as usize, column as usize, entry);
+    }
+    let stiffening = R::ONE + R::from_f64(M::MASSLESS_WEIGHT) * compliance;
+    let weight = R::from_f64(M::MASSLESS_WEIGHT) / stiffening;
+    for &held in M::MASSLESS_ROWS {
+        for (&a, &(_, i)) in entries().filter(|(_, (row, _))| *row == held) {
+            for (&b, &(_, j)) in entries().filter(|(_, (row, j))| *row == held && *j <= i) {
+                matrix.add(i as usize, j as usize, weight * a * b);
+            }
+        }
+    }
+    for row in 0..m as u16 {
+        let own = if idle(row) { R::ONE } else { softness::<R, M>(row, compliance) };
+        matrix.add(n + row as usize, n + row as usize, -own);
+    }
+    // Conditions take no part.
+    for condition in n + m..M::System::LEN {
+        matrix.add(condition, condition, -R::ONE);
+    }
+}
+
+/// c of a row.
+fn softness<R: Real, M: Assemble<R>>(row: u16, compliance: R) -> R {
+    let stiffening = R::ONE + R::from_f64(M::MASSLESS_WEIGHT) * compliance;
+    if M::MASSLESS_ROWS.contains(&row) { compliance * stiffening } else { compliance }
+}
+
+/// The smallest pivot of a row, relative to the largest among the components of its vector.
+fn smallest_of_rows<R: Real, M: Assemble<R>>(store: &Store<R, M>, magnitudes: &M::System) -> R {
+    let pivots = store.ldl.pivots();
+    let positive =
+        |row: usize| magnitudes.as_slice()[M::V::LEN + row] - softness::<R, M>(row as u16, store.compliance);
+    let (mut smallest, mut first) = (R::ONE, 0);
+    for group in M::ROWS.chunk_by(same_scale) {
+        let rows = (first..first + group.len()).filter(|&row| !M::IDLE.contains(&(row as u16)));
+        let scale = rows.clone().fold(R::ZERO, |scale, row| positive(row).max(scale));
+        for row in rows {
+            let found = pivots[M::ELIMINATION.position[M::V::LEN + row] as usize].abs();
+            // Softened pivots may be larger than their scale.
+            let relative = R::ONE / ((scale + scale) / found - R::ONE).max(R::ONE);
+            smallest = if scale > R::ZERO { relative.min(smallest) } else { R::ZERO };
+        }
+        first += group.len();
+    }
+    smallest
+}
+
+/// a and λ of K(c) (a, λ) = (`forces`, `rows`).
+pub fn solve<R: Real, M: Assemble<R>>(
+    store: &Store<R, M>,
+    forces: &M::V,
+    rows: &M::Lambda,
+    a: &mut M::V,
+    lambda: &mut M::Lambda,
+) {
+    let (n, m) = (M::V::LEN, M::Lambda::LEN);
+    let stiffening = R::ONE + R::from_f64(M::MASSLESS_WEIGHT) * store.compliance;
+    let weight = R::from_f64(M::MASSLESS_WEIGHT) / stiffening;
+    let mut right = M::System::zero();
+    let entries = right.as_mut_slice();
+    entries[..n].copy_from_slice(forces.as_slice());
+    entries[n..n + m].copy_from_slice(rows.as_slice());
+    for &row in M::IDLE {
+        entries[n + row as usize] = R::ZERO;
+    }
+    for (&entry, &(row, column)) in store.jacobian.as_slice().iter().zip(M::JACOBIAN_PATTERN) {
+        if M::MASSLESS_ROWS.contains(&row) {
+            let force = &mut entries[column as usize];
+            *force = *force + weight * entry * rows.as_slice()[row as usize];
+        }
+    }
+    let solution = store.ldl.solve(&right);
+    a.as_mut_slice().copy_from_slice(&solution.as_slice()[..n]);
+    lambda.as_mut_slice().copy_from_slice(&solution.as_slice()[n..n + m]);
+    for &row in M::MASSLESS_ROWS {
+        let entry = &mut lambda.as_mut_slice()[row as usize];
+        *entry = *entry * stiffening;
+    }
+}
