@@ -444,6 +444,29 @@ const _: () = {
             *positions = [R::from_f64(3.141592653589793)];
             *rates = [R::ZERO];
         }
+        type Store = tabled::Store<R, Self>;
+        fn store() -> Self::Store {
+            tabled::store::<R, Self>()
+        }
+        fn factor(
+            &self,
+            time: R,
+            q: &Q<R>,
+            compliance: R,
+            store: &mut Self::Store,
+        ) -> R {
+            tabled::factor::<R, Self>(self, time, q, compliance, store)
+        }
+        fn solve(
+            &self,
+            store: &Self::Store,
+            forces: &V<R>,
+            rows: &Lambda<R>,
+            a: &mut V<R>,
+            lambda: &mut Lambda<R>,
+        ) {
+            tabled::solve::<R, Self>(store, forces, rows, a, lambda)
+        }
         fn start_q() -> Q<R> {
             [R::from_f64(-1.0), R::from_f64(1.2246467991473532e-16)]
         }

@@ -857,6 +857,29 @@ const _: () = {
             *positions = [R::ZERO, R::ZERO, R::ZERO, R::ZERO, R::ZERO, R::ZERO];
             *rates = [R::ZERO, R::ZERO, R::ZERO, R::ZERO, R::ZERO, R::ZERO];
         }
+        type Store = tabled::Store<R, Self>;
+        fn store() -> Self::Store {
+            tabled::store::<R, Self>()
+        }
+        fn factor(
+            &self,
+            time: R,
+            q: &Q<R>,
+            compliance: R,
+            store: &mut Self::Store,
+        ) -> R {
+            tabled::factor::<R, Self>(self, time, q, compliance, store)
+        }
+        fn solve(
+            &self,
+            store: &Self::Store,
+            forces: &V<R>,
+            rows: &Lambda<R>,
+            a: &mut V<R>,
+            lambda: &mut Lambda<R>,
+        ) {
+            tabled::solve::<R, Self>(store, forces, rows, a, lambda)
+        }
         fn start_q() -> Q<R> {
             [R::ONE, R::ZERO, R::ZERO, R::ZERO]
         }

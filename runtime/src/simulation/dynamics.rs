@@ -33,6 +33,8 @@ pub(super) struct Watch<R, Q, V> {
     /// The size of the step.
     h: R,
     started: bool,
+    /// The pivot at the step's beginning.
+    pub first_pivot: R,
     pub smallest_pivot: R,
     pub iterations: u32,
     pub residual: R,
@@ -56,6 +58,7 @@ impl<R: Real, Q, V> Watch<R, Q, V> {
         Watch {
             h,
             started: false,
+            first_pivot: R::ONE,
             smallest_pivot: R::ONE,
             iterations: 0,
             residual: R::ZERO,
@@ -180,6 +183,7 @@ where
             Some(inputs) if S::HELD || !self.watch.started => inputs,
             _ => self.source.sample(time, state),
         };
+        let first = !self.watch.started;
         self.watch.started = true;
         let (mut a, mut lambda) = (M::V::zero(), M::Lambda::zero());
         let mut evaluation = self.formulation.acceleration(
@@ -196,6 +200,9 @@ where
             self.see(time, state, &inputs, &mut evaluation, &mut a, &mut lambda);
         }
         let watch = &mut self.watch;
+        if first {
+            watch.first_pivot = evaluation.pivot;
+        }
         watch.smallest_pivot = evaluation.pivot.min(watch.smallest_pivot);
         watch.iterations += evaluation.iterations;
         watch.residual = watch.residual.max(evaluation.residual);

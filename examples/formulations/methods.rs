@@ -1,0 +1,45 @@
+//! The formulations compared.
+
+use crate::trial::{Setting, row, trial};
+use linkwright::{Assemble, AugmentedLagrangian, Baumgarte, Formulation, LagrangeIndex1, Penalty, Projected};
+
+const HEAD: &str = "| formulation | h, s | error at the end | energy drift, J | max Φ | max D v − ν | near singular | iterations \
+                    | time |\n|---|---|---|---|---|---|---|---|---|\n";
+
+/// All of them, one after the other, as a table. Frequencies are those of `rate` (1/s).
+pub fn table<M: Assemble<f64, Inputs = ()>>(setting: &Setting<'_, M>, rate: f64) -> String {
+    let mut text = HEAD.to_string();
+    let baumgarte = |factor: f64| Baumgarte { alpha: factor * rate, beta: factor * rate };
+    let penalty = |factor: f64| {
+        let customary = Penalty::customary(setting.model, 0.0, &setting.start.q, 1.0 / rate);
+        Penalty { alpha: factor * customary.alpha, omega: rate, mu: 1.0 }
+    };
+    add(&mut text, setting, "Lagrange, index 1", LagrangeIndex1);
+    for factor in [0.5, 1.0, 2.0] {
+        add(&mut text, setting, &format!("Baumgarte, α = β = {}/s", factor * rate), baumgarte(factor));
+    }
+    for factor in [1.0, 1e3, 1e5] {
+        add(&mut text, setting, &format!("penalty, α = {factor:e} × customary"), penalty(factor));
+    }
+    add(&mut text, setting, "augmented Lagrangian", AugmentedLagrangian::new(penalty(1.0)));
+    add(&mut text, setting, "index 1, projected", Projected::after(LagrangeIndex1));
+    add(&mut text, setting, "Baumgarte, projected", Projected::after(baumgarte(1.0)));
+    add(&mut text, setting, "penalty, projected", Projected::after(penalty(1.0)));
+    add(
+        &mut text,
+        setting,
+        "augmented Lagrangian, projected",
+        Projected::after(AugmentedLagrangian::new(penalty(1.0))),
+    );
+    text
+}
+
+fn add<M, F>(text: &mut String, setting: &Setting<'_, M>, name: &str, formulation: F)
+where
+    M: Assemble<f64, Inputs = ()>,
+    F: Formulation<f64, M> + Copy,
+{
+    for step in setting.steps {
+        text.push_str(&row::<M>(name, &trial(setting, formulation, *step)));
+    }
+}
