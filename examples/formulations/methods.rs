@@ -1,7 +1,10 @@
 //! The formulations compared.
 
 use crate::trial::{Setting, row, trial};
-use linkwright::{Assemble, AugmentedLagrangian, Baumgarte, Formulation, LagrangeIndex1, Penalty, Projected};
+use linkwright::{
+    Assemble, AugmentedLagrangian, Baumgarte, Formulation, LagrangeIndex1, NullSpace, Partitioned, Penalty,
+    Projected,
+};
 
 const HEAD: &str = "| formulation | h, s | error at the end | energy drift, J | max Φ | max D v − ν | near singular | iterations \
                     | time |\n|---|---|---|---|---|---|---|---|---|\n";
@@ -31,6 +34,9 @@ pub fn table<M: Assemble<f64, Inputs = ()>>(setting: &Setting<'_, M>, rate: f64)
         "augmented Lagrangian, projected",
         Projected::after(AugmentedLagrangian::new(penalty(1.0))),
     );
+    add(&mut text, setting, "null space", NullSpace);
+    add(&mut text, setting, "null space, projected", Projected::after(NullSpace));
+    add(&mut text, setting, "coordinate partitioning", Partitioned::default());
     text
 }
 

@@ -33,6 +33,7 @@ pub mod integrator;
 pub mod layout;
 pub mod ldl;
 pub mod mechanism;
+pub mod partition;
 pub mod quaternion;
 pub mod real;
 pub mod rotation;
@@ -49,7 +50,8 @@ pub use body::{BodyMotion, Reaction, SpatialMotion, SpatialReaction};
 pub use error::{AssemblyError, SettingError, SimulationError};
 pub use fields::Fields;
 pub use formulation::{
-    AugmentedLagrangian, Baumgarte, Evaluation, Formulation, LagrangeIndex1, Penalty, Projected, Settled,
+    AugmentedLagrangian, Baumgarte, Evaluation, Formulation, LagrangeIndex1, NullSpace, Partitioned, Penalty,
+    Projected, Settled,
 };
 pub use input::{Held, InputSource, NoInputs, Sampled};
 pub use integrator::{

@@ -272,7 +272,7 @@ pub fn inner(name: &str) -> String {
 
 /// Types, traits and variants that implementations have in scope: short names of arrays, what the runtime exports to
 /// emitted code, the prelude.
-const IN_SCOPE: [&str; 77] = [
+const IN_SCOPE: [&str; 80] = [
     "Constants",
     "Phases",
     "Q",
@@ -285,6 +285,9 @@ const IN_SCOPE: [&str; 77] = [
     "Factor",
     "System",
     "Store",
+    "Dense",
+    "Basis",
+    "Reduced",
     "Parameters",
     "Inputs",
     "Outputs",
