@@ -6,6 +6,7 @@ mod ceilings;
 mod convergence;
 mod emitted_code;
 mod every_operation;
+mod formulations;
 mod golden;
 mod identities;
 mod kinematics;

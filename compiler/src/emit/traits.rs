@@ -609,7 +609,7 @@ fn factorisation(text: &mut String, helpers: &mut String, emitter: &Emitter) {
         helpers,
         emitter,
         Function::Solve,
-        &[Constants, Compliance, Store, GivenForces, GivenRows],
+        &[Constants, Store, GivenForces, GivenRows],
         "solve(&self, store: &Store<R>, forces: &V<R>, rows: &Lambda<R>, a_out: &mut V<R>, lambda_out: &mut Lambda<R>)",
         |outputs| {
             let (a, lambda) = outputs.split_at(velocities);

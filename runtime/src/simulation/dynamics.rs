@@ -227,6 +227,10 @@ where
         a: &mut M::V,
         lambda: &mut M::Lambda,
     ) {
+        // A pivot that is exactly zero leaves 0 · ∞ behind.
+        if !evaluation.pivot.is_finite() && state.q.first_not_finite().is_none() {
+            evaluation.pivot = R::ZERO;
+        }
         let stage = Stage { time, pivot: evaluation.pivot, state: *state };
         if self.watch.worst.is_none_or(|worst| !R::any(stage.pivot.greater_equal(worst.pivot))) {
             self.watch.worst = Some(stage);
