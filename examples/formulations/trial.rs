@@ -88,6 +88,9 @@ pub fn row<M: Mechanism<f64>>(name: &str, trial: &Trial) -> String {
     let Trial { step, error, drift, position, velocity, seconds, .. } = trial;
     let error = match &trial.failure {
         None => format!("{error:.1e}"),
+        Some(SimulationError::NonFinite { time, .. } | SimulationError::Breakdown { time, .. }) => {
+            format!("stopped at {time:.2} s")
+        }
         Some(failure) => format!("stopped: {failure}"),
     };
     format!(

@@ -126,6 +126,9 @@ const _: () = {
     type ConditionJacobian<R> = [R; 1];
     type Factor<R> = [R; 1];
     type System<R> = [R; 2];
+    type Dense<R> = [R; 0];
+    type Basis<R> = [R; 1];
+    type Reduced<R> = [R; 1];
     type Parameters<R> = SimplePendulumParameters<R>;
     type Outputs<R> = SimplePendulumOutputs<R>;
     impl<R: Real> Fields<R> for Parameters<R> {
@@ -392,6 +395,13 @@ const _: () = {
         type ConditionJacobian = ConditionJacobian<R>;
         type Factor = Factor<R>;
         type System = System<R>;
+        type Dense = Dense<R>;
+        type Basis = Basis<R>;
+        type Reduced = Reduced<R>;
+        type Choice = [u16; 1];
+        fn choice() -> [u16; 1] {
+            [0; 1]
+        }
         fn condition_residual(
             &self,
             time: R,

@@ -139,6 +139,9 @@ const _: () = {
     type ConditionJacobian<R> = [R; 12];
     type Factor<R> = [R; 24];
     type System<R> = [R; 9];
+    type Dense<R> = [R; 0];
+    type Basis<R> = [R; 9];
+    type Reduced<R> = [R; 9];
     type Parameters<R> = SphericalPendulumParameters<R>;
     type Outputs<R> = SphericalPendulumOutputs<R>;
     impl<R: Real> Fields<R> for Parameters<R> {
@@ -691,6 +694,13 @@ const _: () = {
         type ConditionJacobian = ConditionJacobian<R>;
         type Factor = Factor<R>;
         type System = System<R>;
+        type Dense = Dense<R>;
+        type Basis = Basis<R>;
+        type Reduced = Reduced<R>;
+        type Choice = [u16; 3];
+        fn choice() -> [u16; 3] {
+            [0; 3]
+        }
         fn condition_residual(
             &self,
             time: R,
