@@ -180,7 +180,8 @@ mod tests {
                 &points,
             );
         }
-        let odd = [Unary::Abs, Unary::Sign, Unary::Sin, Unary::Cos, Unary::Tan, Unary::Exp, Unary::Reciprocal];
+        let odd =
+            [Unary::Abs, Unary::Sign, Unary::Sin, Unary::Cos, Unary::Tan, Unary::Exp, Unary::Reciprocal];
         for function in odd {
             check(|g, x, _| g.unary(function, x), &[[-0.6, 0.0]]);
         }
