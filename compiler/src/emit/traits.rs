@@ -81,7 +81,7 @@ pub fn fields(text: &mut String, emitter: &Emitter) {
 }
 
 /// One function: signature, loads, instructions, result.
-fn function(
+pub fn function(
     text: &mut String,
     helpers: &mut String,
     emitter: &Emitter,
@@ -100,7 +100,7 @@ fn function(
     let _ = writeln!(text, "{}\n}}", result(&body.outputs));
 }
 
-fn all(outputs: &[String]) -> String {
+pub fn all(outputs: &[String]) -> String {
     format!("*out = {};", array(outputs.iter().cloned()))
 }
 
