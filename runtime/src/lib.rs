@@ -58,8 +58,8 @@ pub use formulation::{
 };
 pub use input::{Held, InputSource, NoInputs, Sampled};
 pub use integrator::{
-    Dynamics, ExplicitTrapezoidal, Integrator, Method, Rejections, Rk4, SemiImplicitEuler, StepFailure,
-    Stepped,
+    Ali3p, Dynamics, ExplicitTrapezoidal, GeneralisedAlpha, ImplicitDynamics, ImplicitTrapezoidal,
+    Integrator, Method, Rejections, Rk4, SemiImplicitEuler, StepFailure, Stepped,
 };
 pub use layout::{Layout, MultiTurn, inverse_differential, retract, retract_counting};
 pub use linearisation::{

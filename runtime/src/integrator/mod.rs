@@ -4,11 +4,19 @@
 //! [`retract`](crate::layout::retract) with increments of the velocities' kind; methods above order 2 correct these by
 //! [`inverse_differential`](crate::layout::inverse_differential). Inputs, the clock and errors are `simulation`.
 
+mod ali3p;
 mod explicit_trapezoidal;
+mod generalised_alpha;
+mod implicit_trapezoidal;
+mod newmark;
 mod rk4;
 mod semi_implicit_euler;
 
+pub use ali3p::Ali3p;
 pub use explicit_trapezoidal::ExplicitTrapezoidal;
+pub use generalised_alpha::GeneralisedAlpha;
+pub use implicit_trapezoidal::ImplicitTrapezoidal;
+pub use newmark::{Carried, ImplicitDynamics, Level, Weights};
 pub use rk4::Rk4;
 pub use semi_implicit_euler::SemiImplicitEuler;
 
@@ -121,6 +129,11 @@ pub enum StepFailure<R = f64> {
         size: R,
         /// Why it was not accepted.
         rejections: Rejections,
+    },
+    /// The matrix of an iteration is singular.
+    Singular {
+        /// The time at the end of the step tried, s.
+        time: R,
     },
     /// An iteration did not converge.
     NoConvergence {

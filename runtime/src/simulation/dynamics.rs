@@ -99,6 +99,17 @@ impl<'m, M: Mechanism<R>, R: Real, F: Formulation<R, M>, S> MechanismDynamics<'m
         *self.inputs.get_or_insert_with(|| self.source.sample(time, state))
     }
 
+    /// The inputs at a stage: held ones are those of the step's beginning.
+    pub(super) fn inputs_at(&mut self, time: R, state: &State<M::Q, M::V>) -> M::Inputs
+    where
+        S: InputSource<R, M>,
+    {
+        match self.inputs {
+            Some(inputs) if S::HELD => inputs,
+            _ => self.source.sample(time, state),
+        }
+    }
+
     /// v̇ and λ with the inputs of the present time; what the formulation remembers stays as it is.
     pub(super) fn evaluate(&mut self, time: R, state: &State<M::Q, M::V>) -> (M::V, M::Lambda)
     where

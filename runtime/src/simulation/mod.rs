@@ -4,6 +4,7 @@
 //! step, and how its failure is named, is `step.rs`. Nothing here allocates.
 
 mod dynamics;
+mod implicit;
 mod sample;
 mod singularity;
 mod step;

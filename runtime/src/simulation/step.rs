@@ -212,6 +212,11 @@ where
             StepFailure::Underflow { size, rejections } => {
                 SimulationError::StepUnderflow { time, step: size.to_f64(), rejections }
             }
+            StepFailure::Singular { .. } => {
+                let row = tabled::weakest_row(self.model(), self.time(), &self.run.state.q);
+                let row = row.map_or(Row { of: M::NAME, what: "constraints" }, |row| M::ROWS[row]);
+                SimulationError::Breakdown { time, pivot: 0.0, row }
+            }
             StepFailure::NoConvergence { iterations, residual } => {
                 SimulationError::NoConvergence { time, iterations, residual: residual.to_f64() }
             }
