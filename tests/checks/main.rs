@@ -9,6 +9,7 @@ mod every_operation;
 mod formulations;
 mod golden;
 mod identities;
+mod implicit;
 mod kinematics;
 mod language;
 mod no_alloc;
