@@ -53,14 +53,17 @@ pub use formulation::{
 };
 pub use input::{Held, InputSource, NoInputs, Sampled};
 pub use integrator::{
-    Dynamics, ExplicitTrapezoidal, Integrator, Method, Rejections, Rk4, SemiImplicitEuler, StepFailure,
-    Stepped,
+    DormandPrince, DormandPrinceMemory, Dynamics, ExplicitTrapezoidal, Integrator, Interpolate, Method,
+    Rejections, Rk4, SemiImplicitEuler, StepFailure, Stepped,
 };
 pub use layout::{Layout, MultiTurn, inverse_differential, retract, retract_counting};
 pub use mechanism::{Assemble, Condition, ConditionKind, Elimination, Mechanism, Row};
 pub use real::Real;
 pub use rotation::unwrap_angle;
-pub use simulation::{MechanismDynamics, NearSingular, Residual, Sample, Samples, Simulation, Step};
+pub use simulation::{
+    Direction, Event, MechanismDynamics, NearSingular, Occurrence, Residual, Sample, Samples, Simulation,
+    Step,
+};
 pub use state::{Kinematics, Motion, State};
 pub use vector::Vector;
 

@@ -24,7 +24,18 @@ pub struct MechanismDynamics<'m, M: Mechanism<R>, R: Real, F: Formulation<R, M>,
     pub(super) inputs: Option<M::Inputs>,
     /// Whether a stage that breaks down is stepped over.
     pub(super) steps_over: bool,
+    /// The inputs that the last step began with.
+    pub(super) begun_with: Option<M::Inputs>,
     pub(super) watch: Watch<R, M::Q, M::V>,
+    /// What was known before the first trial of the step.
+    before_trials: Option<Known<Watch<R, M::Q, M::V>, F::Memory>>,
+}
+
+/// What was seen and remembered at one point of a step.
+#[derive(Clone, Copy)]
+struct Known<Watch, Memory> {
+    watch: Watch,
+    memory: Memory,
 }
 
 /// What was seen during one step.
@@ -69,8 +80,34 @@ impl<R: Real, Q, V> Watch<R, Q, V> {
 impl<'m, M: Mechanism<R>, R: Real, F: Formulation<R, M>, S> MechanismDynamics<'m, M, R, F, S> {
     pub(super) fn new(model: &'m M, formulation: F, source: S) -> Self {
         let memory = formulation.memory();
-        let watch = Watch::new(R::ZERO);
-        MechanismDynamics { model, formulation, memory, source, inputs: None, steps_over: false, watch }
+        MechanismDynamics {
+            model,
+            formulation,
+            memory,
+            source,
+            inputs: None,
+            steps_over: false,
+            begun_with: None,
+            watch: Watch::new(R::ZERO),
+            before_trials: None,
+        }
+    }
+
+    /// A step of size `h` begins.
+    pub(super) fn begin(&mut self, h: R) {
+        self.watch = Watch::new(h);
+        self.before_trials = None;
+    }
+
+    /// The inputs at a time and state within the last step, or at its end.
+    pub(super) fn inputs_within(&mut self, time: R, state: &State<M::Q, M::V>) -> M::Inputs
+    where
+        S: InputSource<R, M>,
+    {
+        match self.begun_with {
+            Some(inputs) if S::HELD => inputs,
+            _ => self.source.sample(time, state),
+        }
     }
 
     /// The same with another formulation.
@@ -200,6 +237,24 @@ where
         watch.iterations += evaluation.iterations;
         watch.residual = watch.residual.max(evaluation.residual);
         a
+    }
+
+    fn resume(&mut self) -> bool {
+        let holds = !S::HELD || size_of::<M::Inputs>() == 0;
+        self.watch.started |= holds;
+        holds
+    }
+
+    fn begin_trial(&mut self, size: R) {
+        let now = Known { watch: self.watch, memory: self.memory };
+        let Known { watch, memory } = *self.before_trials.get_or_insert(now);
+        // The work of trials given up is counted; what they saw is not part of the motion.
+        self.watch = Watch { h: size, iterations: self.watch.iterations, ..watch };
+        self.memory = memory;
+    }
+
+    fn broke_down(&self) -> bool {
+        self.watch.failure.is_some()
     }
 }
 
