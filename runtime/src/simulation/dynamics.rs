@@ -27,15 +27,10 @@ pub struct MechanismDynamics<'m, M: Mechanism<R>, R: Real, F: Formulation<R, M>,
     /// The inputs that the last step began with.
     pub(super) begun_with: Option<M::Inputs>,
     pub(super) watch: Watch<R, M::Q, M::V>,
-    /// What was known before the first trial of the step.
-    before_trials: Option<Known<Watch<R, M::Q, M::V>, F::Memory>>,
-}
-
-/// What was seen and remembered at one point of a step.
-#[derive(Clone, Copy)]
-struct Known<Watch, Memory> {
-    watch: Watch,
-    memory: Memory,
+    /// What was seen before the first trial of the step, once there was one.
+    before_trials: Option<Watch<R, M::Q, M::V>>,
+    /// What the formulation remembered then.
+    memory_before_trials: F::Memory,
 }
 
 /// What was seen during one step.
@@ -90,6 +85,7 @@ impl<'m, M: Mechanism<R>, R: Real, F: Formulation<R, M>, S> MechanismDynamics<'m
             begun_with: None,
             watch: Watch::new(R::ZERO),
             before_trials: None,
+            memory_before_trials: memory,
         }
     }
 
@@ -246,11 +242,16 @@ where
     }
 
     fn begin_trial(&mut self, size: R) {
-        let now = Known { watch: self.watch, memory: self.memory };
-        let Known { watch, memory } = *self.before_trials.get_or_insert(now);
+        let before = match self.before_trials {
+            Some(before) => before,
+            None => {
+                self.memory_before_trials = self.memory;
+                *self.before_trials.insert(self.watch)
+            }
+        };
         // The work of trials given up is counted; what they saw is not part of the motion.
-        self.watch = Watch { h: size, iterations: self.watch.iterations, ..watch };
-        self.memory = memory;
+        self.watch = Watch { h: size, iterations: self.watch.iterations, ..before };
+        self.memory = self.memory_before_trials;
     }
 
     fn broke_down(&self) -> bool {

@@ -1,6 +1,7 @@
 //! Dormand and Prince's method: its order, its steps, what it remembers, what lies between its steps.
 
 use crate::double_pendulum::{DoublePendulum, Torque};
+use crate::four_bar::FourBar;
 use crate::space::{Counted, TUMBLING, Top, Turning, apart, largest, run};
 use core::f64::consts::TAU;
 use linkwright_runtime::quaternion::{exponential, product};
@@ -246,6 +247,87 @@ fn what_is_not_finite_is_approached_and_then_an_error() {
     let mut nowhere = line(|_, _, _| f64::NAN);
     let failure = travel(&mut nowhere, DormandPrince::tolerance(1e-6), start, 1.0).unwrap_err();
     assert_eq!(failure, StepFailure::Breakdown);
+}
+
+/// A uniform motion whose equations have no solution at some times, or at some evaluations.
+struct Singular {
+    at: fn(f64, u32) -> bool,
+    failed: bool,
+    evaluations: u32,
+}
+
+impl Dynamics<f64> for Singular {
+    const LAYOUT: Layout = FREE;
+    type Q = [f64; 1];
+    type V = [f64; 1];
+    type Lambda = [f64; 0];
+
+    fn acceleration(&mut self, time: f64, _state: &mut Point) -> [f64; 1] {
+        self.evaluations += 1;
+        self.failed |= (self.at)(time, self.evaluations);
+        [0.0]
+    }
+    fn begin_trial(&mut self, _size: f64) {
+        self.failed = false;
+    }
+    fn broke_down(&self) -> bool {
+        self.failed
+    }
+}
+
+#[test]
+fn a_stage_that_breaks_down_is_tried_again() {
+    let singular = |at: fn(f64, u32) -> bool| Singular { at, failed: false, evaluations: 0 };
+    let start = State { q: [0.0], v: [1.0] };
+    let method = DormandPrince::tolerance(1e-6);
+    // Stage 4 of the second step.
+    let mut once = singular(|_, evaluation| evaluation == 2 + 6 + 3);
+    let (end, steps, rejections) = travel(&mut once, method, start, 1.0).unwrap();
+    assert!((end.q[0] - 1.0).abs() < 1e-15);
+    assert_eq!(rejections, Rejections { breakdown: 1, ..Rejections::default() });
+    assert_eq!(once.evaluations, 2 + 6 * steps + 3, "the trial ended where it broke down");
+
+    let mut wall = singular(|time, _| time > 0.3);
+    let failure = travel(&mut wall, method, start, 1.0).unwrap_err();
+    assert!(matches!(failure, StepFailure::Underflow { rejections, .. } if rejections.breakdown > 0));
+    let mut start_itself = singular(|_, _| true);
+    assert_eq!(travel(&mut start_itself, method, start, 1.0).unwrap_err(), StepFailure::Breakdown);
+    let mut fixed = singular(|time, _| time > 0.3);
+    let failure = travel(&mut fixed, DormandPrince::fixed(), start, 1.0).unwrap_err();
+    assert_eq!(failure, StepFailure::Breakdown);
+}
+
+#[test]
+fn a_singular_start_names_the_joint() {
+    let model = FourBar { lengths: [0.2, 0.4, 0.2], ground: 0.4, ..FourBar::new() };
+    let start = State { q: model.rough([0.0; 3]), v: [0.0; 9] };
+    for method in [DormandPrince::fixed(), DormandPrince::tolerance(1e-8)] {
+        let mut simulation = Simulation::new(&model, start).integrator(method).step(1e-3);
+        let error = simulation.advance().unwrap_err();
+        assert!(
+            matches!(error, SimulationError::Breakdown { time: 0.0, pivot, .. } if pivot < 1e-14),
+            "{error:?}"
+        );
+        assert_eq!((simulation.time(), simulation.state()), (0.0, &start));
+    }
+}
+
+/// An input that is no number from some time on is stepped to as near as the clock can tell.
+#[test]
+fn what_no_step_can_pass_is_an_error_with_its_reasons() {
+    let model = DoublePendulum::new();
+    let mut simulation = Simulation::new(&model, SWUNG)
+        .sampled(|time, _| Torque { shoulder: if time > 0.05 { f64::NAN } else { 0.0 } })
+        .integrator(DormandPrince::tolerance(1e-8))
+        .step(0.1);
+    let error = simulation.advance_until(1.0).unwrap_err();
+    let SimulationError::StepUnderflow { time, step, rejections } = error else { panic!("{error:?}") };
+    assert!((time - 0.05).abs() < 1e-12 && step < 1e-15 && rejections.breakdown > 0, "{error:?}");
+    assert!(error.to_string().contains("no step from t = 0.0"), "{error}");
+    assert_eq!(simulation.time(), time);
+    let mut simulation = simulation.sampled(|_, _| Torque { shoulder: f64::NAN });
+    let error = simulation.advance().unwrap_err();
+    assert!(matches!(error, SimulationError::NonFinite { .. }), "{error:?}");
 }
 
 #[test]

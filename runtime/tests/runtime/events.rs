@@ -194,7 +194,6 @@ fn a_jump_of_an_input_is_found() {
         .step(0.05);
     let found = held.run_until_event(1.0, &[event], |_| ()).unwrap().unwrap();
     assert!((found.time - 0.75).abs() < 2e-9, "{found:?}");
-    drop(held);
     assert_eq!(asked, 17, "16 steps, and the event");
 }
 
