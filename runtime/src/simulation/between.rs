@@ -4,7 +4,7 @@ use super::{MechanismDynamics, Sample, Simulation};
 use crate::error::SimulationError;
 use crate::formulation::{Formulation, positive};
 use crate::input::InputSource;
-use crate::integrator::{Integrator, Interpolate};
+use crate::integrator::{Integrator, Interpolate, Method};
 use crate::mechanism::{Assemble, Mechanism};
 use crate::real::Real;
 use crate::state::State;
@@ -13,7 +13,8 @@ use crate::state::State;
 const SAME: f64 = 1e-6;
 
 /// Looking back.
-impl<'m, R: Real, M: Mechanism<R>, F: Formulation<R, M>, S, I: Interpolate<R>> Simulation<'m, M, R, F, S, I> {
+// The extension is asked for at the methods, not at the implementation, so that the compiler says what to do without it.
+impl<'m, R: Real, M: Mechanism<R>, F: Formulation<R, M>, S, I: Method<R>> Simulation<'m, M, R, F, S, I> {
     /// The state at `time` (s) within the last step, by the continuous extension of the integrator; at the present time the
     /// present state.
     ///
@@ -22,7 +23,10 @@ impl<'m, R: Real, M: Mechanism<R>, F: Formulation<R, M>, S, I: Interpolate<R>> S
     ///
     /// # Errors
     /// [`SimulationError::NotCovered`] outside the last step, and before the first.
-    pub fn interpolate(&self, time: R) -> Result<State<M::Q, M::V>, SimulationError> {
+    pub fn interpolate(&self, time: R) -> Result<State<M::Q, M::V>, SimulationError>
+    where
+        I: Interpolate<R>,
+    {
         let now = self.time();
         if time == now {
             return Ok(self.run.state);
@@ -50,7 +54,7 @@ where
     M: Assemble<R>,
     F: Formulation<R, M>,
     S: InputSource<R, M>,
-    I: Integrator<R, MechanismDynamics<'m, M, R, F, S>> + Interpolate<R>,
+    I: Integrator<R, MechanismDynamics<'m, M, R, F, S>>,
 {
     /// Steps until `end` (s) and shows a sample now and every `interval` seconds, up to `end`, by
     /// [`interpolate`](Simulation::interpolate): the integrator's steps are as long as without samples. Returns the state at
@@ -67,7 +71,10 @@ where
         interval: R,
         end: R,
         mut show: impl FnMut(&Sample<'m, R, M>),
-    ) -> Result<State<M::Q, M::V>, SimulationError> {
+    ) -> Result<State<M::Q, M::V>, SimulationError>
+    where
+        I: Interpolate<R>,
+    {
         let h = self.checked_run(end)?;
         positive("the interval of the samples", interval, "positive and finite (s)")?;
         let begin = self.time();
