@@ -3,7 +3,7 @@
 use crate::check::{self, assemble, assemble::Assembly};
 use crate::choice::{self, Candidate, Choice};
 use crate::diagnostics::Diagnostics;
-use crate::equations::{self, Equations, SpanningTree};
+use crate::equations::{self, Equations, SpanningTree, Tangents};
 use crate::model::{self, Coordinates, Mechanism};
 use crate::schedule::{self, Programs};
 use crate::solve::Solved;
@@ -68,6 +68,13 @@ pub fn compile_model(
     let Candidate { mut equations, assembly, mut solved } = candidate;
     solved.add(&mut equations, &mechanism.options.emit);
     let independent = equations.add_conditions(&mechanism, &assembly.independent);
+    if mechanism.options.emit.tangent {
+        let further = assemble::completion(&mechanism, &mut equations, &assembly, &independent);
+        let mut states = independent.clone();
+        states.extend(equations.add_conditions(&mechanism, &further));
+        equations.tangents = Some(Tangents::new(&mut equations, states));
+    }
+    // AFTER THIS POINT every expression that a function computes is on the graph.
     let table = table(&equations, &solved);
     let optimized = optimize::optimize(&equations, &solved);
     let programs = schedule::schedule(&equations, &optimized);

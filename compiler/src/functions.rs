@@ -1,6 +1,7 @@
 //! The functions of a mechanism: what is optimised, scheduled, emitted, counted and interpreted, by one list.
 
-use crate::equations::Equations;
+use crate::equations::tangent::Matrix;
+use crate::equations::{Equations, Tangents};
 use crate::solve::Solved;
 use crate::symbolic::Node;
 
@@ -41,11 +42,23 @@ pub enum Function {
     System,
     /// a and λ of K(c) from what is kept and a right-hand side.
     Solve,
+    /// r = M a + Dᵀ λ − Q.
+    Residual,
+    /// ∂r/∂q, ∂r/∂v.
+    Tangent,
+    /// ∂(D a − γ)/∂q, ∂(D a − γ)/∂v.
+    RowTangent,
+    /// ∂(D v − ν)/∂q.
+    RateTangent,
+    InputTangent,
+    ParameterTangent,
+    OutputTangent,
+    CoordinateTangent,
 }
 
 impl Function {
     /// Every function; those that a mechanism does not emit compute nothing.
-    pub const ALL: [Function; 28] = [
+    pub const ALL: [Function; 36] = [
         Function::MassMatrix,
         Function::Constraints,
         Function::ConstraintJacobian,
@@ -73,6 +86,14 @@ impl Function {
         Function::Factor,
         Function::System,
         Function::Solve,
+        Function::Residual,
+        Function::Tangent,
+        Function::RowTangent,
+        Function::RateTangent,
+        Function::InputTangent,
+        Function::ParameterTangent,
+        Function::OutputTangent,
+        Function::CoordinateTangent,
         // Last: it computes what all others asked for.
         Function::Prepare,
     ];
@@ -108,6 +129,14 @@ impl Function {
             Function::Factor => "factor",
             Function::System => "system",
             Function::Solve => "solve",
+            Function::Residual => "residual",
+            Function::Tangent => "tangent",
+            Function::RowTangent => "row_tangent",
+            Function::RateTangent => "rate_tangent",
+            Function::InputTangent => "input_tangent",
+            Function::ParameterTangent => "parameter_tangent",
+            Function::OutputTangent => "output_tangent",
+            Function::CoordinateTangent => "coordinate_tangent",
         }
     }
 }
@@ -156,7 +185,21 @@ pub fn outputs(equations: &Equations, solved: &Solved, function: Function) -> Ve
             .copied()
             .collect(),
         Function::Solve => stored().flat_map(|s| s.solution.iter().copied()).collect(),
+        Function::Residual => e.tangents.iter().flat_map(|tangents| tangents.residual.clone()).collect(),
+        Function::Tangent => matrices(e, |tangents| vec![&tangents.stiffness, &tangents.damping]),
+        Function::RowTangent => matrices(e, |tangents| vec![&tangents.row_stiffness, &tangents.row_damping]),
+        Function::RateTangent => matrices(e, |tangents| vec![&tangents.rate]),
+        Function::InputTangent => matrices(e, |tangents| vec![&tangents.input]),
+        Function::ParameterTangent => matrices(e, |tangents| vec![&tangents.parameter]),
+        Function::OutputTangent => matrices(e, |tangents| vec![&tangents.output]),
+        Function::CoordinateTangent => matrices(e, |tangents| vec![&tangents.coordinate]),
     }
+}
+
+/// The stored entries of matrices, row by row; nothing where they are not asked for.
+fn matrices(equations: &Equations, of: fn(&Tangents) -> Vec<&Matrix>) -> Vec<Node> {
+    let rows = equations.tangents.iter().flat_map(of).flatten();
+    rows.flat_map(|row| row.values().copied()).collect()
 }
 
 fn solution(solution: &crate::solve::Solution) -> Vec<Node> {

@@ -9,6 +9,7 @@
 //! | positions that are no vector space | [`rotation`], [`quaternion`], [`layout`] |
 //! | the traits that emitted code implements | [`mechanism`] |
 //! | states that satisfy the constraints | [`assembly`], over the sparse factorisations [`ldl`] and [`tabled`] |
+//! | derivatives, and what follows from them | [`tangent`], [`linearisation`] |
 //! | motion | [`formulation`], [`input`], [`integrator`], [`simulation`] |
 //! | what can go wrong | [`error`] |
 //!
@@ -32,13 +33,16 @@ pub mod input;
 pub mod integrator;
 pub mod layout;
 pub mod ldl;
+pub mod linearisation;
 pub mod mechanism;
+pub mod partition;
 pub mod quaternion;
 pub mod real;
 pub mod rotation;
 pub mod simulation;
 pub mod state;
 pub mod tabled;
+pub mod tangent;
 pub mod vector;
 
 pub use assembly::{
@@ -46,10 +50,11 @@ pub use assembly::{
     project_velocity, smallest_pivot,
 };
 pub use body::{BodyMotion, Reaction, SpatialMotion, SpatialReaction};
-pub use error::{AssemblyError, SettingError, SimulationError};
+pub use error::{AssemblyError, LinearisationError, SettingError, SimulationError};
 pub use fields::Fields;
 pub use formulation::{
-    AugmentedLagrangian, Baumgarte, Evaluation, Formulation, LagrangeIndex1, Penalty, Projected, Settled,
+    AugmentedLagrangian, Baumgarte, Evaluation, Formulation, LagrangeIndex1, NullSpace, Partitioned, Penalty,
+    Projected, Settled,
 };
 pub use input::{Held, InputSource, NoInputs, Sampled};
 pub use integrator::{
@@ -57,6 +62,9 @@ pub use integrator::{
     Rejections, Rk4, SemiImplicitEuler, StepFailure, Stepped,
 };
 pub use layout::{Layout, MultiTurn, inverse_differential, retract, retract_counting};
+pub use linearisation::{
+    Actuation, ByParameters, Equilibrium, Linearisation, Response, StateSpace, actuation, equilibrium,
+};
 pub use mechanism::{Assemble, Condition, ConditionKind, Elimination, Mechanism, Row};
 pub use real::Real;
 pub use rotation::unwrap_angle;
@@ -65,6 +73,7 @@ pub use simulation::{
     Step,
 };
 pub use state::{Kinematics, Motion, State};
+pub use tangent::Tangent;
 pub use vector::Vector;
 
 /// What emitted code may name. A path of its own version, so that a later runtime can serve older code.
@@ -85,6 +94,7 @@ pub mod __private {
         pub use crate::rotation::unwrap_angle;
         pub use crate::state::{Kinematics, Motion, State};
         pub use crate::tabled;
+        pub use crate::tangent::Tangent;
         pub use crate::vector::Vector;
         pub use core;
     }

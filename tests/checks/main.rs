@@ -8,6 +8,7 @@ mod dormand_prince;
 mod emitted_code;
 mod events;
 mod every_operation;
+mod formulations;
 mod golden;
 mod identities;
 mod kinematics;

@@ -10,6 +10,7 @@
 //!     impl<R: Real> FourBar<R> { pub fn prepare(parameters: FourBarParameters<R>) -> Result<Self, SettingError> … }
 //!     impl<R: Real> Mechanism<R> for FourBar<R> { … }
 //!     impl<R: Real> Assemble<R> for FourBar<R> { … }
+//!     impl<R: Real> Tangent<R> for FourBar<R> { … } // with emit = (tangent)
 //! };
 //! ```
 
@@ -20,6 +21,7 @@ mod items;
 mod names;
 mod stub;
 mod tables;
+mod tangent;
 mod traits;
 
 pub use coordinates_json::coordinates_json;
@@ -51,6 +53,7 @@ pub fn emit(compiled: &Compiled, source: &str) -> String {
     traits::inherent(&mut implementations, &emitter);
     traits::mechanism(&mut implementations, &emitter);
     traits::assemble(&mut implementations, &emitter);
+    tangent::tangent(&mut text, &mut implementations, &emitter);
     // A type alias may not leave its scalar unused, so `()` stands for itself where nothing is given.
     if emitter.mechanism.inputs.is_empty() {
         implementations = replace_word(&implementations, "Inputs<R>", "()");

@@ -212,7 +212,7 @@ impl Argument {
 }
 
 /// Words that emitted functions use themselves.
-const RESERVED: [&str; 18] = [
+const RESERVED: [&str; 20] = [
     "time",
     "q",
     "v",
@@ -231,6 +231,8 @@ const RESERVED: [&str; 18] = [
     "store",
     "w",
     "out",
+    "stiffness_out",
+    "damping_out",
 ];
 
 fn push_numbered(text: &mut String, letter: char, index: u32) {
@@ -272,7 +274,7 @@ pub fn inner(name: &str) -> String {
 
 /// Types, traits and variants that implementations have in scope: short names of arrays, what the runtime exports to
 /// emitted code, the prelude.
-const IN_SCOPE: [&str; 77] = [
+const IN_SCOPE: [&str; 96] = [
     "Constants",
     "Phases",
     "Q",
@@ -285,6 +287,24 @@ const IN_SCOPE: [&str; 77] = [
     "Factor",
     "System",
     "Store",
+    "Dense",
+    "Basis",
+    "Reduced",
+    "Stiffness",
+    "Damping",
+    "RowStiffness",
+    "RowDamping",
+    "RateTangent",
+    "InputTangent",
+    "ParameterTangent",
+    "OutputTangent",
+    "CoordinateTangent",
+    "StateMatrix",
+    "InputMatrix",
+    "OutputMatrix",
+    "Feedthrough",
+    "Unknowns",
+    "Bordered",
     "Parameters",
     "Inputs",
     "Outputs",
@@ -304,6 +324,7 @@ const IN_SCOPE: [&str; 77] = [
     "Elimination",
     "Mechanism",
     "Row",
+    "Tangent",
     "SpatialMotion",
     "SpatialReaction",
     "Real",

@@ -91,7 +91,26 @@ fn implementations(text: &mut String, header: &Header) {
         .replace("@LIST@", &list)
         .replace("@MANY@", &MANY.to_string());
     text.push_str(&replaced);
+    for (word, suffix) in [("param", "Parameters"), ("input", "Inputs"), ("output", "Outputs")] {
+        if word == "param" || !header.declared(word).is_empty() {
+            let fields = FIELDS.replace("@STRUCT@", &format!("{name}{suffix}")).replace("@LIST@", &list);
+            text.push_str(&fields);
+        }
+    }
 }
+
+const FIELDS: &str = "
+const _: () = {
+use ::core::prelude::rust_2024::*;
+use ::linkwright::__private::v1::*;
+impl<R: Real> Fields<R> for @STRUCT@<R> {
+    const NAMES: &'static [&'static ::core::primitive::str] = &[];
+    type Array = @LIST@;
+    fn from_array(_: @LIST@) -> Self { loop {} }
+    fn to_array(&self) -> @LIST@ { loop {} }
+}
+};
+";
 
 const TEMPLATE: &str = "
 #[allow(unused, clippy::all)] const _: () = {
@@ -141,7 +160,8 @@ impl<R: Real> Assemble<R> for @NAME@<R> {
     const FLIPS: &'static [u16] = &[];
     const ELIMINATION: Elimination = Elimination { order: &[], position: &[], row_start: &[], columns: &[] };
     type Conditions = @LIST@; type ConditionJacobian = @LIST@; type Factor = @LIST@; type System = @LIST@;
-    type Store = @LIST@;
+    type Dense = @LIST@; type Basis = @LIST@; type Reduced = @LIST@; type Choice = [u16; @MANY@]; type Store = @LIST@;
+    fn choice() -> [u16; @MANY@] { loop {} }
     fn store() -> @LIST@ { loop {} }
     fn factor(&self, time: R, q: &@LIST@, compliance: R, store: &mut @LIST@) -> R { loop {} }
     fn solve(&self, store: &@LIST@, forces: &@LIST@, rows: &@LIST@, a: &mut @LIST@, lambda: &mut @LIST@) {}
@@ -154,6 +174,32 @@ impl<R: Real> Assemble<R> for @NAME@<R> {
     fn start_targets(&self, positions: &mut @LIST@, rates: &mut @LIST@) {}
     fn start_q() -> @LIST@ { loop {} }
     fn start_v() -> @LIST@ { loop {} }
+}
+impl<R: Real> Tangent<R> for @NAME@<R> {
+    const STATES: &'static [u16] = &[];
+    const STIFFNESS_PATTERN: &'static [(u16, u16)] = &[];
+    const DAMPING_PATTERN: &'static [(u16, u16)] = &[];
+    const ROW_STIFFNESS_PATTERN: &'static [(u16, u16)] = &[];
+    const ROW_DAMPING_PATTERN: &'static [(u16, u16)] = &[];
+    const RATE_PATTERN: &'static [(u16, u16)] = &[];
+    const INPUT_PATTERN: &'static [(u16, u16)] = &[];
+    const PARAMETER_PATTERN: &'static [(u16, u16)] = &[];
+    const OUTPUT_PATTERN: &'static [(u16, u16)] = &[];
+    const COORDINATE_PATTERN: &'static [(u16, u16)] = &[];
+    type Stiffness = @LIST@; type Damping = @LIST@; type RowStiffness = @LIST@; type RowDamping = @LIST@;
+    type RateTangent = @LIST@; type InputTangent = @LIST@; type ParameterTangent = @LIST@; type OutputTangent = @LIST@;
+    type CoordinateTangent = @LIST@; type StateMatrix = @LIST@; type InputMatrix = @LIST@; type OutputMatrix = @LIST@;
+    type Feedthrough = @LIST@; type Unknowns = @LIST@; type Bordered = @LIST@; type Parameters = @NAME@Parameters<R>;
+    type Order = [u16; @MANY@];
+    fn order() -> [u16; @MANY@] { loop {} }
+    fn residual(&self, time: R, q: &@LIST@, v: &@LIST@, u: &@INPUTS@, a: &@LIST@, lambda: &@LIST@, out: &mut @LIST@) {}
+    fn tangent(&self, time: R, q: &@LIST@, v: &@LIST@, u: &@INPUTS@, a: &@LIST@, lambda: &@LIST@, x: &mut @LIST@, y: &mut @LIST@) {}
+    fn row_tangent(&self, time: R, q: &@LIST@, v: &@LIST@, a: &@LIST@, x: &mut @LIST@, y: &mut @LIST@) {}
+    fn rate_tangent(&self, time: R, q: &@LIST@, v: &@LIST@, out: &mut @LIST@) {}
+    fn input_tangent(&self, time: R, q: &@LIST@, v: &@LIST@, u: &@INPUTS@, out: &mut @LIST@) {}
+    fn parameter_tangent(&self, time: R, q: &@LIST@, v: &@LIST@, u: &@INPUTS@, a: &@LIST@, lambda: &@LIST@, out: &mut @LIST@) {}
+    fn output_tangent(&self, time: R, q: &@LIST@, v: &@LIST@, u: &@INPUTS@, lambda: &@LIST@, out: &mut @LIST@) {}
+    fn coordinate_tangent(&self, time: R, q: &@LIST@, v: &@LIST@, a: &@LIST@, out: &mut @LIST@) {}
 }
 };
 ";

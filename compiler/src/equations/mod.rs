@@ -14,6 +14,7 @@ mod loads;
 pub mod plane;
 pub mod space;
 mod spanning_tree;
+pub mod tangent;
 
 pub use conditions::{Condition, StartTarget};
 pub use coordinates::{Ball, Layout, Linear, MultiTurn, Owner, Rotation, Symbols};
@@ -21,6 +22,7 @@ pub use jet::Jet;
 pub use kinematics::Kinematics;
 pub use laws::{Laws, Totals};
 pub use spanning_tree::{Attachment, SpanningTree};
+pub use tangent::Tangents;
 
 use crate::model::{BodyKind, Frame, JointId, JointKind, Mechanism, Quantity, Redundant, Space};
 use crate::symbolic::{Class, Graph, Node};
@@ -154,6 +156,8 @@ pub struct Equations {
     /// Per joint, functions of v̇ and λ.
     pub reactions: Vec<Wrench>,
     pub outputs: Vec<Node>,
+    /// The same with λ as given, where `outputs` has it solved for.
+    pub unsolved_outputs: Vec<Node>,
     pub conditions: Vec<Condition>,
     pub start_targets: Vec<StartTarget>,
     /// Masses, inertias and lengths that depend on parameters, `mass of "crank"`.
@@ -162,6 +166,8 @@ pub struct Equations {
     pub guesses: Vec<(Condition, Node)>,
     /// Drivers' quantities and the values of their laws.
     pub driven: Vec<(Condition, Node)>,
+    /// Derivatives, where they are to be emitted.
+    pub tangents: Option<Tangents>,
 }
 
 /// Derives the equations in the coordinates of `tree`, without the rows that are `dropped`.
@@ -231,7 +237,8 @@ pub fn derive(mechanism: &Mechanism, tree: SpanningTree, dropped: &[Dropped]) ->
     };
 
     let outputs_laws = laws.with_totals(&totals);
-    let outputs = mechanism.outputs.iter().map(|output| outputs_laws.value(g, &output.value)).collect();
+    let outputs: Vec<Node> =
+        mechanism.outputs.iter().map(|output| outputs_laws.value(g, &output.value)).collect();
 
     let mut with_targets = symbols.clone();
     let (conditions, start_targets) = conditions::start_conditions(g, &laws, &mut with_targets);
@@ -266,12 +273,14 @@ pub fn derive(mechanism: &Mechanism, tree: SpanningTree, dropped: &[Dropped]) ->
         driver_powers: totals.driver_powers,
         motions,
         reactions,
+        unsolved_outputs: outputs.clone(),
         outputs,
         conditions,
         start_targets,
         masses,
         guesses,
         driven,
+        tangents: None,
         tree,
         layout,
         kinematics,

@@ -398,6 +398,8 @@ pub struct Emit {
     pub penalty: bool,
     /// K(c) for projections.
     pub projection: bool,
+    /// Derivatives of the equations and outputs.
+    pub tangent: bool,
 }
 
 impl Emit {
@@ -406,6 +408,7 @@ impl Emit {
         match word {
             "penalty" => self.penalty = true,
             "projection" => self.projection = true,
+            "tangent" => self.tangent = true,
             _ => {}
         }
     }

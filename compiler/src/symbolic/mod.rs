@@ -1,12 +1,14 @@
-//! The symbolic core: one hash-consed graph of scalar operations, its operations as a closed table, and an
+//! The symbolic core: one hash-consed graph of scalar operations, its operations as a closed table, exact derivatives, and an
 //! interpreter. It knows nothing of mechanisms, tokens or Rust and imports nothing else of the crate.
 
+mod derivative;
 mod evaluate;
 mod graph;
 mod hash;
 mod operation;
 mod substitute;
 
+pub use derivative::Gradient;
 pub use evaluate::{evaluate, evaluate_reachable, evaluate_with};
 pub use graph::{Class, Graph, Node, Op};
 pub use operation::{Compare, Unary, max, min};

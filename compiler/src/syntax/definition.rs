@@ -570,7 +570,7 @@ pub enum OptionEntry {
 }
 
 /// What can be emitted beyond the default.
-pub const EMITTED: [&str; 2] = ["penalty", "projection"];
+pub const EMITTED: [&str; 3] = ["penalty", "projection", "tangent"];
 
 /// One line of `expect { … }`.
 #[derive(Clone, Debug)]

@@ -15,7 +15,7 @@ use crate::vector::Vector;
 const REGULARISATION: f64 = 1e-9;
 
 /// The rows of D̂ at one position, the matrix and its factor.
-pub(super) struct System<'m, R: Real, M: Assemble<R>> {
+pub(crate) struct System<'m, R: Real, M: Assemble<R>> {
     model: &'m M,
     matrix: Ldl<R, M::Factor, M::System>,
     jacobian: M::Jacobian,
@@ -23,12 +23,12 @@ pub(super) struct System<'m, R: Real, M: Assemble<R>> {
     /// 1 for the constraint rows that are let go, 0 for the others.
     free: M::Lambda,
     /// 1 for the conditions that are held, 0 for the others.
-    pub(super) active: M::Conditions,
+    pub(crate) active: M::Conditions,
 }
 
 impl<'m, R: Real, M: Assemble<R>> System<'m, R, M> {
     /// An empty system with the conditions `active` held.
-    pub(super) fn new(model: &'m M, active: &[u16]) -> Result<Self, AssemblyError> {
+    pub(crate) fn new(model: &'m M, active: &[u16]) -> Result<Self, AssemblyError> {
         let mut mask = M::Conditions::zero();
         for &index in active {
             let index = index as usize;
@@ -48,7 +48,7 @@ impl<'m, R: Real, M: Assemble<R>> System<'m, R, M> {
     }
 
     /// Evaluates D̂ at (t, q), each constraint row divided by its entry of `divisors`, or left out where that is zero.
-    pub(super) fn evaluate(&mut self, time: R, q: &M::Q, divisors: Option<&M::Lambda>) {
+    pub(crate) fn evaluate(&mut self, time: R, q: &M::Q, divisors: Option<&M::Lambda>) {
         self.model.constraint_jacobian(time, q, &mut self.jacobian);
         self.model.condition_jacobian(time, q, &mut self.conditions);
         self.free = M::Lambda::zero();
@@ -72,7 +72,7 @@ impl<'m, R: Real, M: Assemble<R>> System<'m, R, M> {
     }
 
     /// Factors with W = 1; the pivots are then those of −D̂ D̂ᵀ.
-    pub(super) fn factor_unit(&mut self) -> Pivot<R> {
+    pub(crate) fn factor_unit(&mut self) -> Pivot<R> {
         self.matrix.clear();
         for i in 0..M::V::LEN {
             self.matrix.add(i, i, R::ONE);
@@ -110,7 +110,7 @@ impl<'m, R: Real, M: Assemble<R>> System<'m, R, M> {
     }
 
     /// Factors with W = M + `shift`·max(M_ii)·1.
-    pub(super) fn factor_mass(&mut self, time: R, q: &M::Q, shift: R) -> Pivot<R> {
+    pub(crate) fn factor_mass(&mut self, time: R, q: &M::Q, shift: R) -> Pivot<R> {
         let mut mass = M::Mass::zero();
         self.model.mass_matrix(time, q, &mut mass);
         self.matrix.clear();
@@ -130,7 +130,7 @@ impl<'m, R: Real, M: Assemble<R>> System<'m, R, M> {
     }
 
     /// Factors with W = M, or with a little more on the diagonal where massless bodies leave M singular.
-    pub(super) fn factor_mass_or_shifted(&mut self, time: R, q: &M::Q) -> Result<(), AssemblyError> {
+    pub(crate) fn factor_mass_or_shifted(&mut self, time: R, q: &M::Q) -> Result<(), AssemblyError> {
         if self.factor_mass(time, q, R::ZERO).value >= R::BREAKDOWN {
             return Ok(());
         }
@@ -163,7 +163,7 @@ impl<'m, R: Real, M: Assemble<R>> System<'m, R, M> {
     }
 
     /// The δ of least ½ δᵀ W δ − `force`·δ with D̂ δ = (`rows`, `conditions`); conditions that are not held are left out.
-    pub(super) fn least(&self, force: &M::V, rows: &M::Lambda, conditions: &M::Conditions) -> M::V {
+    pub(crate) fn least(&self, force: &M::V, rows: &M::Lambda, conditions: &M::Conditions) -> M::V {
         let mut right = M::System::zero();
         let (to_velocities, rest) = right.as_mut_slice().split_at_mut(M::V::LEN);
         to_velocities.copy_from_slice(force.as_slice());
@@ -181,7 +181,7 @@ impl<'m, R: Real, M: Assemble<R>> System<'m, R, M> {
     }
 
     /// (`rows`, `conditions`) − D̂ x.
-    pub(super) fn remaining(
+    pub(crate) fn remaining(
         &self,
         rows: &M::Lambda,
         conditions: &M::Conditions,
@@ -222,6 +222,6 @@ pub(crate) fn name_unknown<R: Real, M: Assemble<R>>(unknown: usize) -> Row {
 }
 
 /// The error for a pivot below the breakdown.
-pub(super) fn rank_deficient<R: Real, M: Assemble<R>>(pivot: Pivot<R>) -> AssemblyError {
+pub(crate) fn rank_deficient<R: Real, M: Assemble<R>>(pivot: Pivot<R>) -> AssemblyError {
     AssemblyError::RankDeficient { row: name_unknown::<R, M>(pivot.unknown), pivot: pivot.value.to_f64() }
 }

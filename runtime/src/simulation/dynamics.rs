@@ -27,6 +27,8 @@ pub struct MechanismDynamics<'m, M: Mechanism<R>, R: Real, F: Formulation<R, M>,
     /// The inputs that the last step began with.
     pub(super) begun_with: Option<M::Inputs>,
     pub(super) watch: Watch<R, M::Q, M::V>,
+    /// The pivot of the last evaluation: that of the next step's beginning where it is not evaluated again.
+    pub(super) last_pivot: R,
     /// What was seen before the first trial of the step, once there was one.
     before_trials: Option<Watch<R, M::Q, M::V>>,
     /// What the formulation remembered then.
@@ -39,6 +41,8 @@ pub(super) struct Watch<R, Q, V> {
     /// The size of the step.
     h: R,
     started: bool,
+    /// The pivot at the step's beginning.
+    pub first_pivot: R,
     pub smallest_pivot: R,
     pub iterations: u32,
     pub residual: R,
@@ -62,6 +66,7 @@ impl<R: Real, Q, V> Watch<R, Q, V> {
         Watch {
             h,
             started: false,
+            first_pivot: R::ONE,
             smallest_pivot: R::ONE,
             iterations: 0,
             residual: R::ZERO,
@@ -84,6 +89,7 @@ impl<'m, M: Mechanism<R>, R: Real, F: Formulation<R, M>, S> MechanismDynamics<'m
             steps_over: false,
             begun_with: None,
             watch: Watch::new(R::ZERO),
+            last_pivot: R::ONE,
             before_trials: None,
             memory_before_trials: memory,
         }
@@ -213,6 +219,7 @@ where
             Some(inputs) if S::HELD || !self.watch.started => inputs,
             _ => self.source.sample(time, state),
         };
+        let first = !self.watch.started;
         self.watch.started = true;
         let (mut a, mut lambda) = (M::V::zero(), M::Lambda::zero());
         let mut evaluation = self.formulation.acceleration(
@@ -229,6 +236,10 @@ where
             self.see(time, state, &inputs, &mut evaluation, &mut a, &mut lambda);
         }
         let watch = &mut self.watch;
+        if first {
+            watch.first_pivot = evaluation.pivot;
+        }
+        self.last_pivot = evaluation.pivot;
         watch.smallest_pivot = evaluation.pivot.min(watch.smallest_pivot);
         watch.iterations += evaluation.iterations;
         watch.residual = watch.residual.max(evaluation.residual);
@@ -237,7 +248,10 @@ where
 
     fn resume(&mut self) -> bool {
         let holds = !S::HELD || size_of::<M::Inputs>() == 0;
-        self.watch.started |= holds;
+        if holds {
+            self.watch.started = true;
+            self.watch.first_pivot = self.last_pivot;
+        }
         holds
     }
 
@@ -276,6 +290,10 @@ where
         a: &mut M::V,
         lambda: &mut M::Lambda,
     ) {
+        // A pivot that is exactly zero leaves 0 · ∞ behind.
+        if !evaluation.pivot.is_finite() && state.q.first_not_finite().is_none() {
+            evaluation.pivot = R::ZERO;
+        }
         let stage = Stage { time, pivot: evaluation.pivot, state: *state };
         if self.watch.worst.is_none_or(|worst| !R::any(stage.pivot.greater_equal(worst.pivot))) {
             self.watch.worst = Some(stage);

@@ -12,16 +12,18 @@ use crate::real::Real;
 
 /// All of a simulation that a step changes.
 #[derive(Clone, Copy)]
-struct Standing<Run, Memory, Formulation, Inputs> {
+struct Standing<Real, Run, Memory, Formulation, Inputs> {
     run: Run,
     memory: Memory,
     formulation: Formulation,
     inputs: Option<Inputs>,
     begun_with: Option<Inputs>,
+    last_pivot: Real,
 }
 
 /// [`Standing`] of a simulation with these methods.
 type StandingOf<M, R, F, D, I> = Standing<
+    R,
     Run<R, M>,
     <I as crate::integrator::Method<R>>::Memory<
         <M as Mechanism<R>>::Q,
@@ -144,6 +146,7 @@ where
             formulation: self.dynamics.memory,
             inputs: self.dynamics.inputs,
             begun_with: self.dynamics.begun_with,
+            last_pivot: self.dynamics.last_pivot,
         }
     }
 
@@ -153,10 +156,13 @@ where
         self.dynamics.memory = standing.formulation;
         self.dynamics.inputs = standing.inputs;
         self.dynamics.begun_with = standing.begun_with;
+        self.dynamics.last_pivot = standing.last_pivot;
     }
 }
 
-impl<R: Real, M: Mechanism<R>, Memory, Formulation, Inputs> Standing<Run<R, M>, Memory, Formulation, Inputs> {
+impl<R: Real, M: Mechanism<R>, Memory, Formulation, Inputs>
+    Standing<R, Run<R, M>, Memory, Formulation, Inputs>
+{
     fn time(&self) -> R {
         self.run.clock.time
     }

@@ -9,12 +9,14 @@ mod dynamics;
 mod event;
 mod locate;
 mod sample;
+mod singularity;
 mod step;
 
 pub use dynamics::MechanismDynamics;
 pub use event::{Direction, Event, Occurrence};
 pub use sample::{Residual, Sample, Samples};
-pub use step::{NearSingular, Step};
+pub use singularity::NearSingular;
+pub use step::Step;
 
 use crate::error::SimulationError;
 use crate::formulation::{Formulation, LagrangeIndex1};
@@ -23,6 +25,7 @@ use crate::integrator::{Integrator, Method, Rk4};
 use crate::mechanism::{Assemble, Mechanism};
 use crate::real::Real;
 use crate::state::State;
+use singularity::Passage;
 
 /// A mechanism in motion.
 ///
@@ -58,6 +61,7 @@ struct Run<R: Real, M: Mechanism<R>> {
     outputs: Option<M::Outputs>,
     smallest_pivot: R,
     near_singular: Option<NearSingular<R>>,
+    passage: Passage<R>,
     /// Whether the start need not satisfy the constraints.
     start_accepted: bool,
     /// Whether the start has been checked.
@@ -103,6 +107,7 @@ impl<'m, R: Real, M: Mechanism<R>> Simulation<'m, M, R> {
             outputs: None,
             smallest_pivot: R::ONE,
             near_singular: None,
+            passage: Passage::new(),
             start_accepted: false,
             start_checked: false,
         };

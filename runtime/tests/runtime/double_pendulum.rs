@@ -186,8 +186,15 @@ impl<R: Real> Assemble<R> for DoublePendulum<R> {
     type ConditionJacobian = [R; 2];
     type Factor = [R; 4];
     type System = [R; 4];
+    type Dense = [R; 0];
+    type Basis = [R; 4];
+    type Reduced = [R; 4];
+    type Choice = [u16; 2];
     type Store = tabled::Store<R, Self>;
 
+    fn choice() -> [u16; 2] {
+        [0; 2]
+    }
     fn store() -> Self::Store {
         tabled::store::<R, Self>()
     }

@@ -51,7 +51,8 @@ fn shares(point: &mut Point, rows: &[usize], q: &[f64]) -> Vec<f64> {
 
 /// The first of `candidates`, in order, that together with all rows fix the position at `q`.
 pub fn independent(point: &mut Point, candidates: &[Condition], q: &[f64]) -> Vec<usize> {
-    let rows: Vec<usize> = (0..point.equations.rows.len()).collect();
+    let all = 0..point.equations.rows.len();
+    let rows: Vec<usize> = all.filter(|row| !point.equations.idle.contains(row)).collect();
     let pivots = pivots(point, &rows, candidates, q);
     let first = point.equations.symbols.v.len() + rows.len();
     (0..candidates.len()).filter(|at| pivots[first + at] >= DEPENDENT).collect()

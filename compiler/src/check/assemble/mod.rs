@@ -324,6 +324,43 @@ fn of_joint(mechanism: &Mechanism, joint: JointId) -> Vec<Quantity> {
     travels.chain((0..names.angles.len()).map(|which| Quantity::JointAngle(joint, which))).collect()
 }
 
+/// Quantities that complete the `independent` conditions to one for each degree of freedom: coordinates first, then, for
+/// what turns on balls and has none, rates. In the coordinates of `equations`.
+pub fn completion(
+    mechanism: &Mechanism,
+    equations: &mut Equations,
+    assembly: &Assembly,
+    independent: &[usize],
+) -> Vec<Quantity> {
+    let mut given: Vec<Condition> =
+        independent.iter().map(|index| equations.conditions[*index].clone()).collect();
+    let mut free = mechanism.clone();
+    free.options.independent.clear();
+    given.extend(candidates(&free, equations));
+    let carried = |joint: JointId| {
+        let mut attachments = equations.tree.attachments.iter();
+        attachments.find(|attachment| attachment.joint.as_ref().is_some_and(|(own, _)| *own == joint))
+    };
+    let turning = equations.layout.quaternions.iter().filter_map(|ball| match ball {
+        Ball::Body(body) => Some(*body),
+        Ball::Joint(joint) => carried(*joint).map(|attachment| attachment.body),
+    });
+    for body in turning.collect::<Vec<_>>() {
+        for axis in 0..3 {
+            let laws = Laws::moving(mechanism, &equations.symbols, &equations.layout, &equations.kinematics);
+            let quantity = Quantity::BodyOmega(body, axis);
+            given.push(conditions::condition(&mut equations.graph, &laws, &quantity).0);
+        }
+    }
+    let mut point = Point::new(equations);
+    let defaults: Vec<f64> = mechanism.parameters.iter().map(|parameter| parameter.default).collect();
+    point.set(&equations.symbols.parameters, &defaults);
+    point.set(&equations.symbols.phases, &assembly.phases);
+    let chosen = mobility::independent(&mut point, &given, &assembly.q);
+    let further = chosen.into_iter().filter(|at| *at >= independent.len());
+    further.map(|at| given[at].quantity.clone()).collect()
+}
+
 fn center_place(mechanism: &Mechanism, body: BodyId) -> crate::model::Place {
     let definition = &mechanism.bodies[body.0];
     crate::model::Place {

@@ -1,0 +1,251 @@
+//! What follows from the derivatives of the equations: those of the motion, state matrices, equilibria, actuation.
+//!
+//! The derivatives themselves are emitted ([`Tangent`]); here they are solved with, without allocation. The solution of the
+//! equations of motion is differentiated implicitly, not through its elimination: one factor, then one solve for each column.
+//!
+//! | | file |
+//! |---|---|
+//! | ∂v̇ and ∂λ by anything | this one |
+//! | motions that the constraints admit | `admissible.rs` |
+//! | ẋ = A x + B u, y = C x + D u | `state_space.rs` |
+//! | static positions | `equilibrium.rs`, over the dense factorisation `lu.rs` |
+//! | inputs for given accelerations | `actuation.rs` |
+
+mod actuation;
+mod admissible;
+mod equilibrium;
+pub(crate) mod lu;
+mod state_space;
+
+pub use actuation::{Actuation, actuation};
+pub use equilibrium::{Equilibrium, equilibrium};
+pub use state_space::{StateSpace, StateSpaceOf};
+
+use crate::assembly::{singular_velocity, smallest_pivot};
+use crate::error::LinearisationError;
+use crate::mechanism::Row;
+use crate::real::Real;
+use crate::state::State;
+use crate::tangent::Tangent;
+use crate::vector::Vector;
+
+/// A relative pivot of D Dᵀ above which the constraints are not to blame for a breakdown.
+const WELL_POSED: f64 = 1e-8;
+
+/// The derivative of the motion in one direction.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Response<V, L> {
+    /// ∂v̇, shape n_v.
+    pub acceleration: V,
+    /// ∂λ, shape m.
+    pub multipliers: L,
+}
+
+/// [`Response`] of a mechanism.
+pub type ResponseOf<R, M> = Response<<M as crate::Mechanism<R>>::V, <M as crate::Mechanism<R>>::Lambda>;
+
+/// The equations of motion at one state with all that is needed to differentiate their solution:
+///
+/// ```text
+/// ⎡ M  Dᵀ ⎤ ⎡ ∂v̇ ⎤     ⎡ ∂r         ⎤
+/// ⎣ D  0  ⎦ ⎣ ∂λ ⎦ = − ⎣ ∂(D a − γ) ⎦    at a = v̇, r = M a + Dᵀ λ − Q
+/// ```
+/// v̇ and λ are those of index 1, without stabilisation; at consistent states Baumgarte's are the same, their derivatives are
+/// not. Source: Brüls, Eberhard, *Sensitivity analysis for dynamic mechanical systems with finite rotations*, Int. J. Numer.
+/// Meth. Engng 74 (2008), for the derivatives along increments; the rest is the implicit function theorem.
+pub struct Linearisation<'m, R: Real, M: Tangent<R>> {
+    model: &'m M,
+    time: R,
+    q: M::Q,
+    v: M::V,
+    u: M::Inputs,
+    a: M::V,
+    lambda: M::Lambda,
+    store: M::Store,
+    stiffness: M::Stiffness,
+    damping: M::Damping,
+    row_stiffness: M::RowStiffness,
+    row_damping: M::RowDamping,
+    input: M::InputTangent,
+}
+
+impl<'m, R: Real, M: Tangent<R>> Linearisation<'m, R, M> {
+    /// Solves the equations of motion at a state, evaluates their derivatives and factors K(0).
+    ///
+    /// # Errors
+    /// [`Breakdown`](LinearisationError::Breakdown), [`SingularMass`](LinearisationError::SingularMass),
+    /// [`NonFinite`](LinearisationError::NonFinite).
+    pub fn at(
+        model: &'m M,
+        time: R,
+        state: &State<M::Q, M::V>,
+        u: &M::Inputs,
+    ) -> Result<Self, LinearisationError> {
+        let State { q, v } = state;
+        let (mut a, mut lambda, mut store) = (M::V::zero(), M::Lambda::zero(), M::store());
+        let pivot = model.acceleration(time, q, v, u, &mut a, &mut lambda);
+        let pivot = pivot.min(model.factor(time, q, R::ZERO, &mut store));
+        // Written so that a NaN fails.
+        if !R::any(pivot.greater_equal(R::BREAKDOWN)) {
+            return Err(broken_down(model, time, q, pivot));
+        }
+        if let Some(velocity) = a.first_not_finite() {
+            let what = M::VELOCITY_NAMES.get(velocity).copied().unwrap_or(M::NAME);
+            return Err(LinearisationError::NonFinite { time: time.to_f64(), what });
+        }
+        let (mut stiffness, mut damping) = (M::Stiffness::zero(), M::Damping::zero());
+        let (mut row_stiffness, mut row_damping) = (M::RowStiffness::zero(), M::RowDamping::zero());
+        let mut input = M::InputTangent::zero();
+        model.tangent(time, q, v, u, &a, &lambda, &mut stiffness, &mut damping);
+        model.row_tangent(time, q, v, &a, &mut row_stiffness, &mut row_damping);
+        model.input_tangent(time, q, v, u, &mut input);
+        let (q, v, u) = (*q, *v, *u);
+        Ok(Linearisation {
+            model,
+            time,
+            q,
+            v,
+            u,
+            a,
+            lambda,
+            store,
+            stiffness,
+            damping,
+            row_stiffness,
+            row_damping,
+            input,
+        })
+    }
+
+    /// v̇ at the state, shape n_v.
+    pub fn acceleration(&self) -> &M::V {
+        &self.a
+    }
+
+    /// λ at the state, shape m.
+    pub fn multipliers(&self) -> &M::Lambda {
+        &self.lambda
+    }
+
+    /// ∂v̇ and ∂λ along an increment δq of the positions (shape n_v, q ⊕ δq) and δv of the velocities:
+    /// (∂v̇/∂q) δq + (∂v̇/∂v) δv.
+    pub fn along(&self, dq: &M::V, dv: &M::V) -> ResponseOf<R, M> {
+        let (mut forces, mut rows) = (M::V::zero(), M::Lambda::zero());
+        let (to_forces, to_rows) = (forces.as_mut_slice(), rows.as_mut_slice());
+        let (dq, dv) = (dq.as_slice(), dv.as_slice());
+        add_block(M::STIFFNESS_PATTERN, self.stiffness.as_slice(), (0, 0), dq, to_forces);
+        add_block(M::DAMPING_PATTERN, self.damping.as_slice(), (0, 0), dv, to_forces);
+        add_block(M::ROW_STIFFNESS_PATTERN, self.row_stiffness.as_slice(), (0, 0), dq, to_rows);
+        add_block(M::ROW_DAMPING_PATTERN, self.row_damping.as_slice(), (0, 0), dv, to_rows);
+        self.response(&forces, &rows)
+    }
+
+    /// Column `index` of ∂v̇/∂q and ∂λ/∂q: by the increment of the coordinate with that velocity. Zero beyond n_v.
+    pub fn by_position(&self, index: usize) -> ResponseOf<R, M> {
+        self.along(&unit(index), &M::V::zero())
+    }
+
+    /// Column `index` of ∂v̇/∂v and ∂λ/∂v. Zero beyond n_v.
+    pub fn by_velocity(&self, index: usize) -> ResponseOf<R, M> {
+        self.along(&M::V::zero(), &unit(index))
+    }
+
+    /// Column `index` of ∂v̇/∂u and ∂λ/∂u, in the order of the inputs. Zero beyond n_u.
+    pub fn by_input(&self, index: usize) -> ResponseOf<R, M> {
+        let mut forces = M::V::zero();
+        add_column(M::INPUT_PATTERN, self.input.as_slice(), (0, index), forces.as_mut_slice());
+        self.response(&forces, &M::Lambda::zero())
+    }
+
+    /// ∂v̇/∂p and ∂λ/∂p, column by column; the derivatives by parameters are evaluated here.
+    pub fn by_parameters(&self) -> ByParameters<'_, 'm, R, M> {
+        let mut entries = M::ParameterTangent::zero();
+        let Linearisation { model, time, q, v, u, a, lambda, .. } = self;
+        model.parameter_tangent(*time, q, v, u, a, lambda, &mut entries);
+        ByParameters { at: self, entries }
+    }
+
+    /// −K(0)⁻¹ (∂r, ∂(D a − γ)).
+    fn response(&self, forces: &M::V, rows: &M::Lambda) -> ResponseOf<R, M> {
+        let (mut acceleration, mut multipliers) = (M::V::zero(), M::Lambda::zero());
+        let (forces, rows) = (forces.scaled(-R::ONE), rows.scaled(-R::ONE));
+        self.model.solve(&self.store, &forces, &rows, &mut acceleration, &mut multipliers);
+        Response { acceleration, multipliers }
+    }
+}
+
+/// Derivatives by the parameters at one state, in the order of [`Tangent::Parameters`]. Positions and the phases of couplings
+/// are held.
+pub struct ByParameters<'l, 'm, R: Real, M: Tangent<R>> {
+    at: &'l Linearisation<'m, R, M>,
+    entries: M::ParameterTangent,
+}
+
+impl<R: Real, M: Tangent<R>> ByParameters<'_, '_, R, M> {
+    /// Column `index` of ∂v̇/∂p and ∂λ/∂p. Zero beyond n_p.
+    pub fn column(&self, index: usize) -> ResponseOf<R, M> {
+        let (mut forces, mut rows) = (M::V::zero(), M::Lambda::zero());
+        self.add(index, 0, forces.as_mut_slice());
+        self.add(index, M::V::LEN, rows.as_mut_slice());
+        self.at.response(&forces, &rows)
+    }
+
+    /// Column `index` of ∂(D v − ν)/∂p.
+    pub fn rates(&self, index: usize) -> M::Lambda {
+        self.of_rows(index, M::V::LEN + M::Lambda::LEN)
+    }
+
+    /// Column `index` of ∂Φ/∂p.
+    pub fn constraints(&self, index: usize) -> M::Lambda {
+        self.of_rows(index, M::V::LEN + 2 * M::Lambda::LEN)
+    }
+
+    fn of_rows(&self, index: usize, first: usize) -> M::Lambda {
+        let mut rows = M::Lambda::zero();
+        self.add(index, first, rows.as_mut_slice());
+        rows
+    }
+
+    fn add(&self, column: usize, first: usize, to: &mut [R]) {
+        add_column(M::PARAMETER_PATTERN, self.entries.as_slice(), (first, column), to);
+    }
+}
+
+/// e_index, zero beyond the end.
+fn unit<R: Real, V: Vector<R>>(index: usize) -> V {
+    let mut unit = V::zero();
+    if let Some(entry) = unit.as_mut_slice().get_mut(index) {
+        *entry = R::ONE;
+    }
+    unit
+}
+
+/// y ← y + A x for the block A of a sparse matrix that begins at `from` = (row, column) and is as large as y and x say.
+fn add_block<R: Real>(pattern: &[(u16, u16)], entries: &[R], from: (usize, usize), x: &[R], y: &mut [R]) {
+    for (&entry, &(row, column)) in entries.iter().zip(pattern) {
+        let row = (row as usize).checked_sub(from.0).and_then(|row| y.get_mut(row));
+        let factor = (column as usize).checked_sub(from.1).and_then(|column| x.get(column));
+        if let (Some(to), Some(&factor)) = (row, factor) {
+            *to = *to + entry * factor;
+        }
+    }
+}
+
+/// y ← y + A e for the column of a sparse matrix that begins at `from`.
+fn add_column<R: Real>(pattern: &[(u16, u16)], entries: &[R], from: (usize, usize), y: &mut [R]) {
+    add_block(pattern, entries, from, &[R::ONE], y);
+}
+
+/// Why K(0) could not be factored.
+#[cold]
+fn broken_down<R: Real, M: Tangent<R>>(model: &M, time: R, q: &M::Q, pivot: R) -> LinearisationError {
+    let (constraints, row) = smallest_pivot(model, time, q);
+    let (at, pivot) = (time.to_f64(), pivot.to_f64());
+    if constraints > R::from_f64(WELL_POSED)
+        && let Some(velocity) = singular_velocity(model, time, q)
+    {
+        return LinearisationError::SingularMass { time: at, pivot, velocity: M::VELOCITY_NAMES[velocity] };
+    }
+    let row = row.map_or(Row { of: M::NAME, what: "constraints" }, |row| M::ROWS[row]);
+    LinearisationError::Breakdown { time: at, pivot, row }
+}

@@ -1,0 +1,200 @@
+//! ẋ = A x + B u, y = C x + D u: small motions about a state, in as many coordinates as there are degrees of freedom.
+
+use super::admissible::Admissible;
+use super::{Linearisation, add_block, add_column};
+use crate::error::LinearisationError;
+use crate::fields::Fields;
+use crate::mechanism::{Assemble, ConditionKind};
+use crate::real::Real;
+use crate::tangent::Tangent;
+use crate::vector::Vector;
+
+/// Matrices of a linearised mechanism, dense and row by row.
+///
+/// x = (δz, δż), f numbers each, δz in the order of [`Tangent::STATES`], m, rad, m/s, rad/s; u and y in the order of inputs and
+/// outputs, SI. About a motion they hold at one time; about an equilibrium they are constant and the eigenvalues of A tell
+/// stability.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct StateSpace<A, B, C, D> {
+    /// `[R; 2f·2f]`.
+    pub a: A,
+    /// `[R; 2f·n_u]`.
+    pub b: B,
+    /// `[R; n_y·2f]`.
+    pub c: C,
+    /// `[R; n_y·n_u]`.
+    pub d: D,
+}
+
+/// [`StateSpace`] of a mechanism.
+pub type StateSpaceOf<R, M> = StateSpace<
+    <M as Tangent<R>>::StateMatrix,
+    <M as Tangent<R>>::InputMatrix,
+    <M as Tangent<R>>::OutputMatrix,
+    <M as Tangent<R>>::Feedthrough,
+>;
+
+impl<'m, R: Real, M: Tangent<R>> Linearisation<'m, R, M> {
+    /// A, B, C and D at the state, which must satisfy the constraints.
+    ///
+    /// Column by column, from a motion that the constraints admit:
+    ///
+    /// ```text
+    /// z:  D δq = 0, B δq = e;   D δv = −∂(D v − ν)/∂q δq, B δv = −∂(B v)/∂q δq
+    /// ż:  δq = 0;               D δv = 0, B δv = e
+    /// then δv̇, δλ by K(0);      δz̈ = ∂(B a + b)/∂q δq + ∂(B a + b)/∂v δv + B δv̇
+    ///                           δy = ∂y/∂q δq + ∂y/∂v δv + ∂y/∂λ δλ
+    /// ```
+    /// with ż = B v (and more where places move with time), z̈ = B a + b. Where a coordinate is a component of ω, its δz is the
+    /// turn about that axis of the body, and δż is not the rate of δz but that rate and ω × δz (turned axes) apart.
+    ///
+    /// # Errors
+    /// [`Assembly`](LinearisationError::Assembly) where the coordinates do not move the whole at this position (a dead centre of
+    /// theirs), [`Incomplete`](LinearisationError::Incomplete).
+    pub fn state_space(&self) -> Result<StateSpaceOf<R, M>, LinearisationError> {
+        let columns = Columns::at(self)?;
+        let mut found = StateSpace {
+            a: M::StateMatrix::zero(),
+            b: M::InputMatrix::zero(),
+            c: M::OutputMatrix::zero(),
+            d: M::Feedthrough::zero(),
+        };
+        let (f, inputs) = (M::STATES.len(), M::Inputs::NAMES.len());
+        for state in 0..f {
+            let moved = columns.admissible.basis(state);
+            let (dq, dv) = (moved, columns.velocity(&moved));
+            columns.fill(state, &dq, &dv, &mut found);
+            columns.fill(f + state, &M::V::zero(), &moved, &mut found);
+        }
+        for input in 0..inputs {
+            columns.fill_input(input, &mut found);
+        }
+        Ok(found)
+    }
+}
+
+/// What the columns are made of.
+struct Columns<'l, 'm, R: Real, M: Tangent<R>> {
+    at: &'l Linearisation<'m, R, M>,
+    admissible: Admissible<'m, R, M>,
+    rate: M::RateTangent,
+    coordinate: M::CoordinateTangent,
+    output: M::OutputTangent,
+}
+
+impl<'l, 'm, R: Real, M: Tangent<R>> Columns<'l, 'm, R, M> {
+    fn at(at: &'l Linearisation<'m, R, M>) -> Result<Self, LinearisationError> {
+        let Linearisation { model, time, q, v, u, a, lambda, .. } = at;
+        let admissible = Admissible::at(*model, *time, q)?;
+        let (mut rate, mut coordinate) = (M::RateTangent::zero(), M::CoordinateTangent::zero());
+        let mut output = M::OutputTangent::zero();
+        model.rate_tangent(*time, q, v, &mut rate);
+        model.coordinate_tangent(*time, q, v, a, &mut coordinate);
+        model.output_tangent(*time, q, v, u, lambda, &mut output);
+        Ok(Columns { at, admissible, rate, coordinate, output })
+    }
+
+    /// δv that goes with δq where ż is as before.
+    fn velocity(&self, dq: &M::V) -> M::V {
+        let mut rows = M::Lambda::zero();
+        add_block(M::RATE_PATTERN, self.rate.as_slice(), (0, 0), dq.as_slice(), rows.as_mut_slice());
+        let mut states = M::Conditions::zero();
+        let states = &mut states.as_mut_slice()[..M::STATES.len()];
+        self.add_coordinates((0, 0), dq, states);
+        states.iter_mut().for_each(|entry| *entry = -*entry);
+        self.admissible.motion(&rows.scaled(-R::ONE), states)
+    }
+
+    /// `to` += the f rows of ∂(ż, z̈)/∂(q, v) from `from` on, times x.
+    fn add_coordinates(&self, from: (usize, usize), x: &M::V, to: &mut [R]) {
+        add_block(M::COORDINATE_PATTERN, self.coordinate.as_slice(), from, x.as_slice(), to);
+    }
+
+    /// One column of A and of C.
+    fn fill(&self, column: usize, dq: &M::V, dv: &M::V, found: &mut StateSpaceOf<R, M>) {
+        let (f, n) = (M::STATES.len(), M::V::LEN);
+        let response = self.at.along(dq, dv);
+        let mut states = M::Conditions::zero();
+        let lower = &mut states.as_mut_slice()[..f];
+        self.add_coordinates((f, 0), dq, lower);
+        self.add_coordinates((f, n), dv, lower);
+        self.add_coordinates((0, n), &response.acceleration, lower);
+        for (state, &entry) in lower.iter().enumerate() {
+            found.a.as_mut_slice()[(f + state) * 2 * f + column] = entry;
+        }
+        if column >= f {
+            found.a.as_mut_slice()[(column - f) * 2 * f + column] = R::ONE;
+        } else {
+            self.fill_rates(column, dq, found);
+        }
+        let mut outputs = <M::Outputs as Fields<R>>::Array::zero();
+        self.add_outputs(0, dq.as_slice(), outputs.as_mut_slice());
+        self.add_outputs(n, dv.as_slice(), outputs.as_mut_slice());
+        self.add_multipliers(&response.multipliers, outputs.as_mut_slice());
+        for (output, &entry) in outputs.as_slice().iter().enumerate() {
+            found.c.as_mut_slice()[output * 2 * f + column] = entry;
+        }
+    }
+
+    /// The rates of components of ω: d(B δq)/dt − δ(B v) = ∂(B δq)/∂q v − ∂(B v)/∂q δq + B (δq × ω), zero for coordinates.
+    fn fill_rates(&self, column: usize, dq: &M::V, found: &mut StateSpaceOf<R, M>) {
+        let kind = |state: usize| M::CONDITIONS[M::STATES[state] as usize].kind;
+        let f = M::STATES.len();
+        if (0..f).all(|state| kind(state) != ConditionKind::Rate) {
+            return;
+        }
+        let Linearisation { model, time, q, v, a, .. } = self.at;
+        let mut turned = M::CoordinateTangent::zero();
+        model.coordinate_tangent(*time, q, dq, a, &mut turned);
+        let mut states = M::Conditions::zero();
+        let rates = &mut states.as_mut_slice()[..f];
+        self.add_coordinates((0, 0), dq, rates);
+        rates.iter_mut().for_each(|entry| *entry = -*entry);
+        add_block(M::COORDINATE_PATTERN, turned.as_slice(), (0, 0), v.as_slice(), rates);
+        self.add_coordinates((0, M::V::LEN), &bracket::<R, M>(dq, v), rates);
+        for (state, &entry) in rates.iter().enumerate() {
+            if kind(state) == ConditionKind::Rate {
+                found.a.as_mut_slice()[state * 2 * f + column] = entry;
+            }
+        }
+    }
+
+    /// One column of B and of D.
+    fn fill_input(&self, input: usize, found: &mut StateSpaceOf<R, M>) {
+        let (f, n, inputs) = (M::STATES.len(), M::V::LEN, M::Inputs::NAMES.len());
+        let response = self.at.by_input(input);
+        let mut states = M::Conditions::zero();
+        let lower = &mut states.as_mut_slice()[..f];
+        self.add_coordinates((0, n), &response.acceleration, lower);
+        for (state, &entry) in lower.iter().enumerate() {
+            found.b.as_mut_slice()[(f + state) * inputs + input] = entry;
+        }
+        let mut outputs = <M::Outputs as Fields<R>>::Array::zero();
+        add_column(M::OUTPUT_PATTERN, self.output.as_slice(), (0, 2 * n + input), outputs.as_mut_slice());
+        self.add_multipliers(&response.multipliers, outputs.as_mut_slice());
+        for (output, &entry) in outputs.as_slice().iter().enumerate() {
+            found.d.as_mut_slice()[output * inputs + input] = entry;
+        }
+    }
+
+    fn add_outputs(&self, column: usize, x: &[R], to: &mut [R]) {
+        add_block(M::OUTPUT_PATTERN, self.output.as_slice(), (0, column), x, to);
+    }
+
+    fn add_multipliers(&self, multipliers: &M::Lambda, to: &mut [R]) {
+        self.add_outputs(2 * M::V::LEN + M::Inputs::NAMES.len(), multipliers.as_slice(), to);
+    }
+}
+
+/// δ × ω of each quaternion, zero elsewhere: along a motion, (δ of its turned axes)˙ = δω + δ × ω.
+fn bracket<R: Real, M: Assemble<R>>(dq: &M::V, v: &M::V) -> M::V {
+    let mut bracket = M::V::zero();
+    let first = M::LAYOUT.linear + M::LAYOUT.rotations;
+    let (deltas, rates) =
+        (dq.as_slice()[first..].as_chunks::<3>().0, v.as_slice()[first..].as_chunks::<3>().0);
+    let triples = bracket.as_mut_slice()[first..].as_chunks_mut::<3>().0;
+    for ((to, d), w) in triples.iter_mut().zip(deltas).zip(rates) {
+        *to = [d[1] * w[2] - d[2] * w[1], d[2] * w[0] - d[0] * w[2], d[0] * w[1] - d[1] * w[0]];
+    }
+    bracket
+}
