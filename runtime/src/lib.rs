@@ -58,8 +58,9 @@ pub use formulation::{
 };
 pub use input::{Held, InputSource, NoInputs, Sampled};
 pub use integrator::{
-    Ali3p, Dynamics, ExplicitTrapezoidal, GeneralisedAlpha, ImplicitDynamics, ImplicitTrapezoidal,
-    Integrator, Method, Rejections, Rk4, SemiImplicitEuler, StepFailure, Stepped,
+    Ali3p, DormandPrince, DormandPrinceMemory, Dynamics, ExplicitTrapezoidal, GeneralisedAlpha,
+    ImplicitDynamics, ImplicitTrapezoidal, Integrator, Interpolate, Method, Rejections, Rk4,
+    SemiImplicitEuler, StepFailure, Stepped,
 };
 pub use layout::{Layout, MultiTurn, inverse_differential, retract, retract_counting};
 pub use linearisation::{
@@ -68,7 +69,10 @@ pub use linearisation::{
 pub use mechanism::{Assemble, Condition, ConditionKind, Elimination, Mechanism, Row};
 pub use real::Real;
 pub use rotation::unwrap_angle;
-pub use simulation::{MechanismDynamics, NearSingular, Residual, Sample, Samples, Simulation, Step};
+pub use simulation::{
+    Direction, Event, MechanismDynamics, NearSingular, Occurrence, Residual, Sample, Samples, Simulation,
+    Step,
+};
 pub use state::{Kinematics, Motion, State};
 pub use tangent::Tangent;
 pub use vector::Vector;

@@ -24,7 +24,15 @@ pub struct MechanismDynamics<'m, M: Mechanism<R>, R: Real, F: Formulation<R, M>,
     pub(super) inputs: Option<M::Inputs>,
     /// Whether a stage that breaks down is stepped over.
     pub(super) steps_over: bool,
+    /// The inputs that the last step began with.
+    pub(super) begun_with: Option<M::Inputs>,
     pub(super) watch: Watch<R, M::Q, M::V>,
+    /// The pivot of the last evaluation: that of the next step's beginning where it is not evaluated again.
+    pub(super) last_pivot: R,
+    /// What was seen before the first trial of the step, once there was one.
+    before_trials: Option<Watch<R, M::Q, M::V>>,
+    /// What the formulation remembered then.
+    memory_before_trials: F::Memory,
 }
 
 /// What was seen during one step.
@@ -72,8 +80,36 @@ impl<R: Real, Q, V> Watch<R, Q, V> {
 impl<'m, M: Mechanism<R>, R: Real, F: Formulation<R, M>, S> MechanismDynamics<'m, M, R, F, S> {
     pub(super) fn new(model: &'m M, formulation: F, source: S) -> Self {
         let memory = formulation.memory();
-        let watch = Watch::new(R::ZERO);
-        MechanismDynamics { model, formulation, memory, source, inputs: None, steps_over: false, watch }
+        MechanismDynamics {
+            model,
+            formulation,
+            memory,
+            source,
+            inputs: None,
+            steps_over: false,
+            begun_with: None,
+            watch: Watch::new(R::ZERO),
+            last_pivot: R::ONE,
+            before_trials: None,
+            memory_before_trials: memory,
+        }
+    }
+
+    /// A step of size `h` begins.
+    pub(super) fn begin(&mut self, h: R) {
+        self.watch = Watch::new(h);
+        self.before_trials = None;
+    }
+
+    /// The inputs at a time and state within the last step, or at its end.
+    pub(super) fn inputs_within(&mut self, time: R, state: &State<M::Q, M::V>) -> M::Inputs
+    where
+        S: InputSource<R, M>,
+    {
+        match self.begun_with {
+            Some(inputs) if S::HELD => inputs,
+            _ => self.source.sample(time, state),
+        }
     }
 
     /// The same with another formulation.
@@ -214,10 +250,37 @@ where
         if first {
             watch.first_pivot = evaluation.pivot;
         }
+        self.last_pivot = evaluation.pivot;
         watch.smallest_pivot = evaluation.pivot.min(watch.smallest_pivot);
         watch.iterations += evaluation.iterations;
         watch.residual = watch.residual.max(evaluation.residual);
         a
+    }
+
+    fn resume(&mut self) -> bool {
+        let holds = !S::HELD || size_of::<M::Inputs>() == 0;
+        if holds {
+            self.watch.started = true;
+            self.watch.first_pivot = self.last_pivot;
+        }
+        holds
+    }
+
+    fn begin_trial(&mut self, size: R) {
+        let before = match self.before_trials {
+            Some(before) => before,
+            None => {
+                self.memory_before_trials = self.memory;
+                *self.before_trials.insert(self.watch)
+            }
+        };
+        // The work of trials given up is counted; what they saw is not part of the motion.
+        self.watch = Watch { h: size, iterations: self.watch.iterations, ..before };
+        self.memory = self.memory_before_trials;
+    }
+
+    fn broke_down(&self) -> bool {
+        self.watch.failure.is_some()
     }
 }
 

@@ -3,7 +3,7 @@
 //! The methods themselves are in `integrator` and `formulation`; clock and samples are in `mod.rs` and `sample.rs`, the
 //! stages in `dynamics.rs`.
 
-use super::dynamics::{Stage, Watch};
+use super::dynamics::Stage;
 use super::{Clock, MechanismDynamics, NearSingular, Residual, Simulation};
 use crate::assembly::{singular_velocity, smallest_pivot};
 use crate::error::SimulationError;
@@ -105,7 +105,7 @@ where
         }
         let (time, begin) = (self.time(), self.run.state);
         let inputs = self.dynamics.present_inputs(time, &begin);
-        self.dynamics.watch = Watch::new(h);
+        self.dynamics.begin(h);
         let (before, mut memory) = (self.dynamics.memory, self.memory);
         let outcome = self.integrator.step(&mut memory, &mut self.dynamics, time, h, &begin);
         let failed = |simulation: &mut Self, error| {
@@ -115,7 +115,7 @@ where
         let stepped = match outcome {
             Ok(stepped) => stepped,
             Err(failure) => {
-                let error = self.diagnose_failure(time, failure);
+                let error = self.diagnose_failure(time, failure, &inputs);
                 return failed(self, error);
             }
         };
@@ -161,6 +161,7 @@ where
         run.clock = clock;
         self.memory = memory;
         self.dynamics.inputs = None;
+        self.dynamics.begun_with = Some(inputs);
         Ok(step)
     }
 
@@ -206,9 +207,14 @@ where
 
     /// Why the integrator took no step.
     #[cold]
-    fn diagnose_failure(&self, time: R, failure: StepFailure<R>) -> SimulationError {
-        let time = time.to_f64();
+    fn diagnose_failure(&self, begin: R, failure: StepFailure<R>, inputs: &M::Inputs) -> SimulationError {
+        let time = begin.to_f64();
         match failure {
+            StepFailure::Breakdown => {
+                // Without a failure on record the pivots were good and the accelerations not finite.
+                let unknown = Stage { time: begin, pivot: R::from_f64(f64::NAN), state: self.run.state };
+                self.diagnose(self.dynamics.watch.failure.as_ref().unwrap_or(&unknown), inputs)
+            }
             StepFailure::Underflow { size, rejections } => {
                 SimulationError::StepUnderflow { time, step: size.to_f64(), rejections }
             }
