@@ -88,12 +88,13 @@ fn responses_are_the_derivatives<M: Model + Tangent<f64>>() {
         }
         let by_parameters = here.by_parameters();
         for k in 0..parameters.len() {
+            // Relative: there are inertias of grams and stiffnesses of kilonewtons.
+            let size = parameters[k].abs().max(1e-3);
             let with = |h: f64| {
                 let mut parameters = parameters.clone();
-                // Lengths and inertias of centimetres.
-                parameters[k] += 0.01 * h;
+                parameters[k] += size * h;
                 let model = M::prepared(&parameters).expect("parameters near their defaults");
-                solved(&model, time, q, v, u).iter().map(|entry| 100.0 * entry).collect::<Vec<_>>()
+                solved(&model, time, q, v, u).iter().map(|entry| entry / size).collect::<Vec<_>>()
             };
             check("parameter", k, by_parameters.column(k), &with);
         }
@@ -420,4 +421,25 @@ fn what_actuators_cannot_do_they_say() {
     let error =
         actuation(&model, at.time, &state(at), &more, &at.u, &["push", "twist"]).expect_err("two for nine");
     assert!(matches!(error, LinearisationError::Unactuated { actuators: 2, .. }), "{error}");
+}
+
+/// Of all links in one line the constraints lose rank, and nothing can be linearised.
+#[test]
+fn a_dead_centre_is_an_error() {
+    let model = Swing::<f64>::default();
+    let names = <Swing as Mechanism<f64>>::POSITION_NAMES;
+    let value = |name: &&str| match *name {
+        "one.center.x" => 0.5,
+        "two.center.x" => 1.5,
+        "three.center.x" => 2.5,
+        "table.center.x" => 2.0,
+        name if name.ends_with("cos") => 1.0,
+        _ => 0.0,
+    };
+    let q = vector(&names.iter().map(value).collect::<Vec<_>>());
+    let state = State { q, v: Swing::START.v.scaled(0.0) };
+    let u = fields(&[1.0, 2.0]);
+    let Err(error) = Linearisation::at(&model, 0.0, &state, &u) else { panic!("rank is lost") };
+    let LinearisationError::Breakdown { row, pivot, .. } = error else { panic!("{error}") };
+    assert!(pivot < 1e-14 && ["x", "y"].contains(&row.what), "{error}");
 }

@@ -75,14 +75,14 @@ linkwright::mechanism! {
                     center [m] = (0.01, offset, 0);
                     point foot [m] = (0.05, 0.02, 0.1); point bow [m] = (0.2, 0, -0.1);
                     point port [m] = (-0.1, 0.15, -0.1); point stern [m] = (-0.2, -0.1, -0.1); }
-        rod pole  { mass [kg] = 0.4; length [m] = 0.3; radius [m] = 0.02; }
+        rod pole  { mass [kg] = 0.4; length [m] = 0.3; radius [m] = 0.02; point arm [m] = (0.1, 0.15, 0.1); }
         joint ball: spherical(hull.foot, pole.start);
         spring fore:  spring(ground(0.5, 0, 0.6) [m], hull.bow, stiffness = stiffness, length = 0.3 [m], damping = 0.5 [N*s/m]);
         spring left:  spring(ground(-0.4, 0.5, 0.6) [m], hull.port, stiffness = stiffness, length = 0.3 [m], damping = 0.5 [N*s/m]);
         spring right: spring(ground(-0.4, -0.5, 0.6) [m], hull.stern, stiffness = 1.2 * stiffness, length = 0.3 [m]);
-        spring stay:  spring(ground(0.1, 0.1, 1.2) [m], pole.end, stiffness = 25 [N/m], length = 0.2 [m], damping = 0.2 [N*s/m]);
+        spring stay:  spring(ground(0.1, 0.3, 1.2) [m], pole.arm, stiffness = 25 [N/m], length = 0.2 [m], damping = 0.2 [N*s/m]);
         force draw:   force(hull.port, direction = (1, 0, 1)) = push;
-        torque turn:  torque(pole) = (0.01 [N*m], -0.02 [N*m*s/rad] * pole.rate.y, twist - 0.01 [N*m*s/rad] * pole.rate.x);
+        torque turn:  torque(pole) = (0, -0.02 [N*m*s/rad] * pole.rate.y, 0.03 * twist - 0.01 [N*m*s/rad] * pole.rate.x);
         start { hull.orientation = (0.98, 0.1, -0.1, 0.05); hull.center.z [m] = -0.1; hull.center.x [m] = 0; hull.center.y [m] = 0;
                 pole.orientation = (0.9, -0.1, -0.4, 0.1); hull.rate.x [rad/s] = 0.4; hull.rate.y [rad/s] = -0.7; hull.rate.z [rad/s] = 0.9;
                 pole.rate.y [rad/s] = 1.2; pole.rate.x [rad/s] = 0.5; pole.rate.z [rad/s] = 2; hull.center.velocity.x [m/s] = 0.3; }

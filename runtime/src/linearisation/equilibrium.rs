@@ -17,6 +17,8 @@ const STEPS: u32 = 300;
 const LARGEST_TURN: f64 = 0.5;
 /// The largest increment of the first step of the motion without inertia, m and rad.
 const FIRST_STEP: f64 = 0.1;
+/// What may be left of the forces behind it.
+const SETTLED: f64 = 1e-6;
 /// Halvings of a step that does not bring the next one down.
 const HALVINGS: u32 = 30;
 
@@ -159,46 +161,41 @@ impl<'m, R: Real, M: Tangent<R>> Search<'m, R, M> {
         None
     }
 
-    /// Moves with forces but without momentum until the steps have grown a thousandfold; `None` where they do not.
+    /// Moves with forces but without momentum until they are almost gone; `None` where nothing moves.
     fn settle(&mut self, from: PlaceOf<R, M>) -> Option<(PlaceOf<R, M>, u32)> {
         let (mut a, mut lambda) = (M::V::zero(), M::Lambda::zero());
         self.model.acceleration(self.time, &from.q, &M::V::zero(), self.u, &mut a, &mut lambda);
         // M/h², the first h such that the step h² a is small.
         let first = a.max_abs() / R::from_f64(FIRST_STEP);
-        let (mut at, mut residual, mut weight) = (from, self.residual(&from), first);
+        if !(first > R::ZERO && first.is_finite()) || self.factor(&from, first).is_err() {
+            return None;
+        }
+        let scale = self.rows;
+        let (mut at, mut residual, mut caution) = (from, self.residual(&from), R::ONE);
+        let start = weighed(&residual, &scale);
         for step in 1..=STEPS {
+            let left = weighed(&residual, &scale) / start;
             // Written so that a NaN fails.
-            if !(weight > R::ZERO && weight <= R::from_f64(1e6) * first) {
-                return None;
+            if !R::any(left.greater_equal(R::from_f64(SETTLED))) {
+                return Some((at, step));
             }
             let mut next = residual.scaled(-R::ONE);
-            let regular = self.factor(&at, weight).is_ok();
+            let regular = self.factor(&at, first * left * caution).is_ok();
             if regular {
                 self.lu().solve(next.as_mut_slice());
             }
             let parts = parts::<R, M>(&next);
             // Written so that a NaN fails.
             let little = R::any(largest_turn::<R, M>(&parts.0).less_equal(R::from_f64(LARGEST_TURN)));
-            if !(regular && little) {
-                weight = weight * R::from_f64(4.0);
-                continue;
-            }
-            at = further::<R, M>(&at, &parts, R::ONE);
-            let before = self.weighed(&residual);
-            residual = self.residual(&at);
-            let ratio = self.weighed(&residual) / before;
-            weight = weight * ratio.max(R::from_f64(0.2)).min(R::from_f64(2.0));
-            if weight <= R::from_f64(1e-6) * first {
-                return Some((at, step));
+            if regular && little {
+                at = further::<R, M>(&at, &parts, R::ONE);
+                residual = self.residual(&at);
+                caution = (R::from_f64(0.5) * caution).max(R::ONE);
+            } else {
+                caution = R::from_f64(4.0) * caution;
             }
         }
         Some((at, STEPS))
-    }
-
-    /// The norm of a residual, its rows scaled as those of the matrix.
-    fn weighed(&self, residual: &M::Unknowns) -> R {
-        let scaled = residual.as_slice().iter().zip(self.rows.as_slice());
-        scaled.fold(R::ZERO, |sum, (&entry, &scale)| sum + entry * scale * (entry * scale)).sqrt()
     }
 
     fn lu(&mut self) -> Lu<'_, R> {
@@ -286,6 +283,12 @@ fn further<R: Real, M: Tangent<R>>(
     let mut q = from.q;
     retract(&M::LAYOUT, &from.q, &dq.scaled(t), &mut q);
     Place { q, lambda: from.lambda.plus(t, dl) }
+}
+
+/// The norm of a residual with its rows scaled.
+fn weighed<R: Real, V: Vector<R>>(residual: &V, scale: &V) -> R {
+    let scaled = residual.as_slice().iter().zip(scale.as_slice());
+    scaled.fold(R::ZERO, |sum, (&entry, &scale)| sum + entry * scale * (entry * scale)).sqrt()
 }
 
 fn largest_turn<R: Real, M: Tangent<R>>(dq: &M::V) -> R {

@@ -128,7 +128,8 @@ impl Record {
 
     /// Consistent states with the derivatives of their solution, row by row.
     pub fn sensitivities(&self) -> Vec<(Inputs, Vec<Vec<f64>>)> {
-        let rows = |state: &State| state.values["sensitivity"].as_array().unwrap().iter().map(numbers).collect();
+        let rows =
+            |state: &State| state.values["sensitivity"].as_array().unwrap().iter().map(numbers).collect();
         self.consistent.iter().map(|state| (state.inputs.clone(), rows(state))).collect()
     }
 

@@ -37,7 +37,11 @@ fn write<M: Model + Tangent<f64>>(folder: &std::path::Path, name: &str) {
 
 fn compare_recorded<M: Model + Tangent<f64>>(name: &str) {
     let record = recorded::record(name, "tangent");
-    assert_eq!(record.hash, hash(&compiled::<M>(None).definition), "{name}: record it anew with RECORD_CASADI=1");
+    assert_eq!(
+        record.hash,
+        hash(&compiled::<M>(None).definition),
+        "{name}: record it anew with RECORD_CASADI=1"
+    );
     let states = record.sensitivities();
     assert!(!states.is_empty(), "{name}");
     for (inputs, expected) in states {
