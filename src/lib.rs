@@ -43,6 +43,8 @@
 //! - [`language`]: how a mechanism is written, and what a definition becomes.
 //! - [`Simulation`]: formulations, inputs, integrators, samples.
 //! - [`AssembleExt`]: consistent states, the motion of everything from that of the independent coordinates.
+//! - [`Linearisation`], [`equilibrium`], [`actuation`]: derivatives of the motion, state matrices, static positions, inputs for
+//!   given accelerations, of definitions that say `options { emit = (tangent); }`.
 //! - [`Mechanism`]: the equations, one function each, for use without a simulation.
 //!
 //! Without the default feature `std` everything works on bare metal, square roots then being `libm`'s.

@@ -6,7 +6,8 @@
 //! allow. That the equations are the right ones is the business of `identities.rs` and of the reference.
 
 use crate::registry::{At, Model, Random, compiled, for_each, vector};
-use linkwright::Vector;
+use crate::zoo_tangent::for_each_with_tangent;
+use linkwright::{Tangent, Vector};
 use linkwright_compiler::Compiled;
 use linkwright_compiler::equations::Row;
 use linkwright_compiler::equations::couplings::is_open;
@@ -20,6 +21,7 @@ const POINTS: usize = 20;
 
 for_each!(emitted_code_is_the_program);
 for_each!(programs_are_the_graph);
+for_each_with_tangent!(emitted_tangents_are_the_programs);
 
 fn emitted_code_is_the_program<M: Model>() {
     let compiled = compiled::<M>(None);
@@ -115,6 +117,15 @@ fn emitted<M: Model>(model: &M, inputs: &Inputs, function: Function) -> Option<V
         Function::Prepare | Function::Masses => return None,
         // Compared together below.
         Function::Factor | Function::System | Function::Solve => return None,
+        // Of mechanisms that emit them, below.
+        Function::Residual
+        | Function::Tangent
+        | Function::RowTangent
+        | Function::RateTangent
+        | Function::InputTangent
+        | Function::ParameterTangent
+        | Function::OutputTangent
+        | Function::CoordinateTangent => return None,
     })
 }
 
@@ -153,6 +164,54 @@ fn factorisation_is_the_program<M: Model>(compiled: &Compiled, model: &M, mut in
     let mut program = schedule::run(compiled.programs.get(Function::Solve), &inputs);
     program.extend(rest.last());
     compare(M::NAME, Function::System, &emitted, &program);
+}
+
+/// All functions of a mechanism that emits its derivatives.
+fn emitted_tangents_are_the_programs<M: Model + Tangent<f64>>() {
+    emitted_code_is_the_program::<M>();
+    let compiled = compiled::<M>(None);
+    assert!(compiled.equations.tangents.is_some(), "{}: nothing would be compared", M::NAME);
+    let mut random = Random::new(3);
+    for _ in 0..POINTS {
+        let mut inputs = random.point(&compiled);
+        let model = M::prepared(&inputs.parameters).expect("parameters near their defaults");
+        inputs.prepared = schedule::run(compiled.programs.get(Function::Prepare), &inputs);
+        fix_phases(&compiled, &mut inputs);
+        let At { time: t, q, v, u } = &At::<M>::of(&inputs);
+        let (t, a, lambda) = (*t, vector::<M::V>(&inputs.acceleration), vector::<M::Lambda>(&inputs.lambda));
+        let (a, lambda) = (&a, &lambda);
+        let check = |function: Function, emitted: Vec<f64>| {
+            let program = schedule::run(compiled.programs.get(function), &inputs);
+            compare(M::NAME, function, &emitted, &program);
+        };
+        check(Function::Residual, written(|out: &mut M::V| model.residual(t, q, v, u, a, lambda, out)));
+        check(Function::RateTangent, written(|out: &mut M::RateTangent| model.rate_tangent(t, q, v, out)));
+        check(
+            Function::InputTangent,
+            written(|out: &mut M::InputTangent| model.input_tangent(t, q, v, u, out)),
+        );
+        check(
+            Function::ParameterTangent,
+            written(|out: &mut M::ParameterTangent| model.parameter_tangent(t, q, v, u, a, lambda, out)),
+        );
+        check(
+            Function::OutputTangent,
+            written(|out: &mut M::OutputTangent| model.output_tangent(t, q, v, u, lambda, out)),
+        );
+        check(
+            Function::CoordinateTangent,
+            written(|out: &mut M::CoordinateTangent| model.coordinate_tangent(t, q, v, a, out)),
+        );
+        let mut second = M::Damping::zero();
+        let mut first =
+            written(|out: &mut M::Stiffness| model.tangent(t, q, v, u, a, lambda, out, &mut second));
+        first.extend(second.as_slice());
+        check(Function::Tangent, first);
+        let mut second = M::RowDamping::zero();
+        let mut first = written(|out: &mut M::RowStiffness| model.row_tangent(t, q, v, a, out, &mut second));
+        first.extend(second.as_slice());
+        check(Function::RowTangent, first);
+    }
 }
 
 fn written<V: Vector<f64>>(write: impl FnOnce(&mut V)) -> Vec<f64> {

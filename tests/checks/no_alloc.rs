@@ -3,9 +3,10 @@
 //! beside each other.
 
 use crate::registry::{Model, for_each};
+use crate::zoo_tangent::for_each_with_tangent;
 use linkwright::{
-    Assemble, AssembleExt, Baumgarte, DormandPrince, Event, Fields, Motion, Real, SemiImplicitEuler,
-    Simulation, State, Vector,
+    Assemble, AssembleExt, Baumgarte, DormandPrince, Event, Fields, Linearisation, Motion, Real,
+    SemiImplicitEuler, Simulation, State, Tangent, Vector, actuation, equilibrium,
 };
 use linkwright_models::{
     double_pendulum::DoublePendulum, four_spherical_joints::FourSphericalJoints, heavy_top::HeavyTop,
@@ -69,6 +70,29 @@ fn allocations_are_counted() {
 }
 
 for_each!(nothing_allocates);
+for_each_with_tangent!(no_derivative_allocates);
+
+fn no_derivative_allocates<M: Model<Single: Tangent<f32>> + Tangent<f64>>() {
+    nothing_allocates::<M>();
+    linearisations(&M::standard());
+    linearisations(&M::single());
+}
+
+fn linearisations<R: Real, M: Tangent<R>>(model: &M) {
+    let start = State { q: M::start_q(), v: M::start_v() };
+    let (t, u) = (R::ZERO, M::Inputs::from_array(Vector::zero()));
+    assert!(Linearisation::at(model, t, &start, &u).is_ok(), "{}", M::NAME);
+    let derived = allocations(|| {
+        let Ok(here) = Linearisation::at(model, t, &start, &u) else { return };
+        black_box((here.by_position(0), here.by_velocity(0), here.by_input(0)));
+        black_box(here.by_parameters().column(0));
+        black_box(here.state_space().is_ok());
+        black_box(equilibrium(model, t, &start.q, &u).is_ok());
+        black_box(actuation(model, t, &start, here.acceleration(), &u, M::Inputs::NAMES).is_ok());
+        black_box(actuation(model, t, &start, here.acceleration(), &u, &["none such"]).is_ok());
+    });
+    assert_eq!(derived, 0, "{}: linearise", M::NAME);
+}
 
 fn nothing_allocates<M: Model>() {
     let parameters = M::standard().parameter_values();

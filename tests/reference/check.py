@@ -17,6 +17,7 @@ import kinds
 from comparison import Comparison
 from entries import compare_norms, compare_random, read_states
 from record import consistent_records, random_records, write_record
+from sensitivity import compare_sensitivity
 
 
 def main(arguments=None):
@@ -93,8 +94,9 @@ def check_request(request, comparison, line, options):
         line["consistent"] = len(request["consistent"])
         check = kind.consistent_check(comparison, model, absolute, own, request["consistent"])
         check.run(line)
+        sensitivity = compare_sensitivity(check)
         if options.record:
-            records["consistent"] = consistent_records(check, options.states)
+            records["consistent"] = consistent_records(check, options.states, sensitivity)
     if options.record:
         write_record(options.record / f"{line['request']}.json", request, own, records)
 

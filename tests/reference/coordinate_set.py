@@ -27,7 +27,8 @@ class CoordinateSet:
         self.kinematics = tree.Tree(model, coordinates)
         self.layout = self.kinematics.layout
         self.absolute = absolute if coordinates["coordinates"] == "absolute" else None
-        equations = self.absolute or Energies(self.kinematics)
+        self.equations = None if self.absolute else Energies(self.kinematics)
+        equations = self.absolute or self.equations
         self.evaluator = equations_evaluator(equations)
         self.column_names = self.layout.velocity_names()
         self.rows = equations.rows if self.absolute is None else self._exported_rows(coordinates["rows"])

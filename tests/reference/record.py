@@ -43,7 +43,7 @@ def random_records(states, quantities, count):
     ]
 
 
-def consistent_records(check, count):
+def consistent_records(check, count, sensitivity=None):
     """Of well-conditioned states; accelerations and reactions as the reference solves for them."""
     chosen = np.flatnonzero(check.kept)[:count]
     n, absolute_n = check.states["v"].shape[1], check.v.shape[1]
@@ -62,6 +62,8 @@ def consistent_records(check, count):
         "driver_efforts": efforts,
         "driver_powers": efforts * check.absolute["driver_rates"][0],
     }
+    if sensitivity is not None:
+        solved["sensitivity"] = sensitivity
     return [
         given_part(check.states, k)
         | quantity_part(check.quantities, k, ("powers", *SCALARS, "forces", "nu", "gamma", *MATRICES))

@@ -24,10 +24,11 @@ import hand_four_bar
 import mechanisms
 import reference
 import units
-from consistent import AbsoluteSystem
+from consistent import AbsoluteSystem, System
 from coordinate_set import CoordinateSet
 from definition import Model
 from mechanisms import call, name, number, op
+from sensitivity import Sensitivity
 
 HERE = Path(__file__).parent
 
@@ -181,6 +182,34 @@ class Identities(unittest.TestCase):
                 value, scale = one[quantity]
                 close = np.abs(value - other[quantity][0]) <= 1e-14 * scale
                 self.assertTrue(close.all(), msg=(model.title, quantity))
+
+
+class Sensitivities(unittest.TestCase):
+    def test_against_differences_in_random_directions(self):
+        for make in mechanisms.ALL:
+            model, own, _, _ = next(sets(make))
+            rng = np.random.default_rng(9)
+            states = generate.draw(rng, own, 6)
+            n, parameters = states["v"].shape[1], states["parameters"]
+            sizes = (n, n, states["inputs"].shape[1], parameters.shape[1])
+            by_q, by_v, by_u, by_p = (rng.normal(size=(6, size)) for size in sizes)
+            by_p *= 0.1 * parameters
+
+            def solution(step):
+                along = Identities().moved(own, states | {"v": by_q}, step)
+                moved = states | {"q": along["q"], "v": states["v"] + step * by_v}
+                moved |= {"inputs": states["inputs"] + step * by_u, "parameters": parameters + step * by_p}
+                return System(own.evaluate(moved)).solve()
+
+            slopes = [(solution(h) - solution(-h)) / (2 * h) for h in (2e-4, 1e-4)]
+            expected, here = (4 * slopes[1] - slopes[0]) / 3, solution(0.0)
+            found = Sensitivity(own)(states, here[:, :n], here[:, n:])
+            found = np.einsum("sij,sj->si", found, np.hstack([by_q, by_v, by_u, by_p]))
+            with self.subTest(model=model.title):
+                regular = System(own.evaluate(states)).conditions() < 1e4
+                self.assertTrue(regular.any())
+                scale = 1 + np.abs(expected).max(axis=1, keepdims=True)
+                np.testing.assert_array_less((np.abs(found - expected) / scale)[regular], 1e-6)
 
 
 class Requests(unittest.TestCase):

@@ -1,6 +1,7 @@
-//! Static positions under loads: Newton's iteration on the exact tangent, on the group.
+//! Static positions under loads: Newton's iteration on the exact tangent, on the group, damped; from afar behind a motion
+//! without inertia.
 
-use super::lu::Lu;
+use super::lu::{Lu, NoPivot};
 use crate::error::{AssemblyError, LinearisationError};
 use crate::layout::{normalised, retract};
 use crate::mechanism::Row;
@@ -8,10 +9,16 @@ use crate::real::Real;
 use crate::tangent::Tangent;
 use crate::vector::Vector;
 
-/// Iterations before the search is given up.
+/// Newton's iterations before the search is given up.
 const ITERATIONS: u32 = 100;
+/// Steps of the motion without inertia that may come before.
+const STEPS: u32 = 300;
 /// The largest turn of one orientation in one iteration, rad: Newton's linear picture of a rotation holds no further.
 const LARGEST_TURN: f64 = 0.5;
+/// The largest increment of the first step of the motion without inertia, m and rad.
+const FIRST_STEP: f64 = 0.1;
+/// What may be left of the forces behind it.
+const SETTLED: f64 = 1e-6;
 /// Halvings of a step that does not bring the next one down.
 const HALVINGS: u32 = 30;
 
@@ -22,7 +29,7 @@ pub struct Equilibrium<Q, L> {
     pub q: Q,
     /// Multipliers, shape m; the force of the constraints is −Dᵀ λ.
     pub lambda: L,
-    /// Newton's iterations made.
+    /// Iterations made.
     pub iterations: u32,
 }
 
@@ -35,11 +42,14 @@ pub struct Equilibrium<Q, L> {
 /// ```
 /// with the largest t of 1, ½, ¼ … for which the step that the same matrix would make next is shorter (Deuflhard, *Newton Methods
 /// for Nonlinear Problems*, 3.3, the natural monotonicity test: it does not depend on how rows are scaled), and no orientation
-/// turning further than half a radian. λ begins with that of the motion from rest. Rows that depend on time are taken at
-/// `time`; in tree coordinates the inertia of bodies on places that move with time is among the loads. Pairs and quaternions of
-/// `near` need not have length 1.
+/// turning further than half a radian. Where that ends nowhere it begins anew behind a motion in which the mechanism is brought
+/// to rest again and again, with ∂r/∂q + M/h² in place of ∂r/∂q and h growing as the forces fall (pseudo-transient continuation:
+/// Kelley, Keyes, SIAM J. Numer. Anal. 35, 1998); it falls towards a stable position, which then is not the nearest.
 ///
-/// The dense matrix has (n_v + m)² entries, which lie on the stack.
+/// λ begins with that of the motion from rest. Rows that depend on time are taken at `time`; in tree coordinates the inertia of
+/// bodies on places that move with time is among the loads. Pairs and quaternions of `near` need not have length 1. Rows that
+/// repeat others ([`IDLE`](crate::Assemble::IDLE)) are left to these. The dense matrix has (n_v + m)² entries, which lie on the
+/// stack.
 ///
 /// # Errors
 /// [`Indifferent`](LinearisationError::Indifferent) where the matrix is singular: nothing decides about a coordinate, or rows
@@ -52,54 +62,199 @@ pub fn equilibrium<R: Real, M: Tangent<R>>(
     near: &M::Q,
     u: &M::Inputs,
 ) -> Result<Equilibrium<M::Q, M::Lambda>, LinearisationError> {
-    let mut q = normalised(&M::LAYOUT, near).map_err(|(first, length)| {
+    let q = normalised(&M::LAYOUT, near).map_err(|(first, length)| {
         let what = M::POSITION_NAMES.get(first).copied().unwrap_or(M::NAME);
         LinearisationError::Assembly(AssemblyError::NoOrientation { what, length: length.to_f64() })
     })?;
-    let mut lambda = multipliers_at_rest(model, time, &q, u);
-    let (mut entries, mut order) = (M::Bordered::zero(), M::order());
-    let (mut rows, mut columns) = (M::Unknowns::zero(), M::Unknowns::zero());
-    for iteration in 0..ITERATIONS {
-        let residual = residual(model, time, &q, u, &lambda);
-        if let Some(unknown) = residual.first_not_finite() {
-            let what = name::<R, M>(unknown).of;
-            return Err(LinearisationError::NonFinite { time: time.to_f64(), what });
-        }
-        fill(model, time, &q, u, &lambda, entries.as_mut_slice());
-        let mut lu = Lu {
-            entries: entries.as_mut_slice(),
-            rows: rows.as_mut_slice(),
-            columns: columns.as_mut_slice(),
-            order: order.as_mut(),
-        };
-        lu.factor().map_err(|found| LinearisationError::Indifferent {
-            time: time.to_f64(),
-            row: name::<R, M>(found.unknown),
-            pivot: found.pivot.to_f64(),
-            iterations: iteration,
-        })?;
-        let mut step = residual.scaled(-R::ONE);
-        let norm = lu.solve(step.as_mut_slice());
-        let (dq, dl) = parts::<R, M>(&step);
-        let moved = dq.max_abs();
-        if moved <= R::from_f64(64.0) * R::EPSILON * (R::ONE + q.max_abs()) {
-            let (q, lambda) = further::<R, M>(&q, &lambda, &dq, &dl, R::ONE);
-            return Ok(Equilibrium { q, lambda, iterations: iteration + 1 });
-        }
-        let next = shorten(model, time, u, (&q, &lambda), (&dq, &dl), |residual: &mut M::Unknowns, t| {
-            // Written so that a NaN fails.
-            lu.solve(residual.as_mut_slice()) <= (R::ONE - R::from_f64(0.25) * t) * norm
-        });
-        match next {
-            Some(next) => (q, lambda) = next,
-            // What is left is rounding.
-            None if moved <= R::from_f64(0.01) * R::EPSILON.sqrt() * (R::ONE + q.max_abs()) => {
-                return Ok(Equilibrium { q, lambda, iterations: iteration + 1 });
+    let mut search = Search::new(model, time, u);
+    let lambda = multipliers_at_rest(model, time, &q, u);
+    let error = match search.newton(Place { q, lambda }) {
+        Ok(found) => return Ok(found),
+        Err(error @ LinearisationError::NonFinite { .. }) => return Err(error),
+        Err(error) => error,
+    };
+    let Some((place, steps)) = search.settle(Place { q, lambda }) else { return Err(error) };
+    let found = search.newton(place)?;
+    Ok(Equilibrium { iterations: found.iterations + steps, ..found })
+}
+
+/// q and λ.
+#[derive(Clone, Copy)]
+struct Place<Q, L> {
+    q: Q,
+    lambda: L,
+}
+
+type PlaceOf<R, M> = Place<<M as crate::Mechanism<R>>::Q, <M as crate::Mechanism<R>>::Lambda>;
+
+/// The loads, and the matrix of one iteration after the other.
+struct Search<'m, R: Real, M: Tangent<R>> {
+    model: &'m M,
+    time: R,
+    u: &'m M::Inputs,
+    entries: M::Bordered,
+    rows: M::Unknowns,
+    columns: M::Unknowns,
+    order: M::Order,
+}
+
+impl<'m, R: Real, M: Tangent<R>> Search<'m, R, M> {
+    fn new(model: &'m M, time: R, u: &'m M::Inputs) -> Self {
+        let (rows, columns) = (M::Unknowns::zero(), M::Unknowns::zero());
+        Search { model, time, u, entries: M::Bordered::zero(), rows, columns, order: M::order() }
+    }
+
+    fn newton(&mut self, from: PlaceOf<R, M>) -> Result<Equilibrium<M::Q, M::Lambda>, LinearisationError> {
+        let mut at = from;
+        let mut residual = self.residual(&at);
+        for iteration in 0..ITERATIONS {
+            if let Some(unknown) = residual.first_not_finite() {
+                let what = name::<R, M>(unknown).of;
+                return Err(LinearisationError::NonFinite { time: self.time.to_f64(), what });
             }
-            None => return Err(no_equilibrium::<R, M>(time, &residual, iteration + 1)),
+            self.factor(&at, R::ZERO).map_err(|found| LinearisationError::Indifferent {
+                time: self.time.to_f64(),
+                row: name::<R, M>(found.unknown),
+                pivot: found.pivot.to_f64(),
+                iterations: iteration,
+            })?;
+            let mut step = residual.scaled(-R::ONE);
+            let norm = self.lu().solve(step.as_mut_slice());
+            let step = parts::<R, M>(&step);
+            let (moved, size) = (step.0.max_abs(), R::ONE + at.q.max_abs());
+            let iterations = iteration + 1;
+            if moved <= R::from_f64(64.0) * R::EPSILON * size {
+                let Place { q, lambda } = further::<R, M>(&at, &step, R::ONE);
+                return Ok(Equilibrium { q, lambda, iterations });
+            }
+            match self.shorten(&at, &step, norm) {
+                Some(next) => (at, residual) = next,
+                // What is left is rounding.
+                None if moved <= R::from_f64(0.01) * R::EPSILON.sqrt() * size => {
+                    return Ok(Equilibrium { q: at.q, lambda: at.lambda, iterations });
+                }
+                None => return Err(no_equilibrium::<R, M>(self.time, &residual, iterations)),
+            }
+        }
+        Err(no_equilibrium::<R, M>(self.time, &residual, ITERATIONS))
+    }
+
+    /// The first of the steps t, t/2, t/4 … that makes the next one shorter; t turns nothing further than [`LARGEST_TURN`].
+    fn shorten(
+        &mut self,
+        from: &PlaceOf<R, M>,
+        step: &(M::V, M::Lambda),
+        norm: R,
+    ) -> Option<(PlaceOf<R, M>, M::Unknowns)> {
+        let (largest, limit) = (largest_turn::<R, M>(&step.0), R::from_f64(LARGEST_TURN));
+        let mut t = if largest > limit { limit / largest } else { R::ONE };
+        for _ in 0..=HALVINGS {
+            let at = further::<R, M>(from, step, t);
+            let residual = self.residual(&at);
+            let mut next = residual;
+            // Written so that a NaN fails.
+            if self.lu().solve(next.as_mut_slice()) <= (R::ONE - R::from_f64(0.25) * t) * norm {
+                return Some((at, residual));
+            }
+            t = t * R::from_f64(0.5);
+        }
+        None
+    }
+
+    /// Moves with forces but without momentum until they are almost gone; `None` where nothing moves.
+    fn settle(&mut self, from: PlaceOf<R, M>) -> Option<(PlaceOf<R, M>, u32)> {
+        let (mut a, mut lambda) = (M::V::zero(), M::Lambda::zero());
+        self.model.acceleration(self.time, &from.q, &M::V::zero(), self.u, &mut a, &mut lambda);
+        // M/h², the first h such that the step h² a is small.
+        let first = a.max_abs() / R::from_f64(FIRST_STEP);
+        if !(first > R::ZERO && first.is_finite()) || self.factor(&from, first).is_err() {
+            return None;
+        }
+        let scale = self.rows;
+        let (mut at, mut residual, mut caution) = (from, self.residual(&from), R::ONE);
+        let start = weighed(&residual, &scale);
+        for step in 1..=STEPS {
+            let left = weighed(&residual, &scale) / start;
+            // Written so that a NaN fails.
+            if !R::any(left.greater_equal(R::from_f64(SETTLED))) {
+                return Some((at, step));
+            }
+            let mut next = residual.scaled(-R::ONE);
+            let regular = self.factor(&at, first * left * caution).is_ok();
+            if regular {
+                self.lu().solve(next.as_mut_slice());
+            }
+            let parts = parts::<R, M>(&next);
+            // Written so that a NaN fails.
+            let little = R::any(largest_turn::<R, M>(&parts.0).less_equal(R::from_f64(LARGEST_TURN)));
+            if regular && little {
+                at = further::<R, M>(&at, &parts, R::ONE);
+                residual = self.residual(&at);
+                caution = (R::from_f64(0.5) * caution).max(R::ONE);
+            } else {
+                caution = R::from_f64(4.0) * caution;
+            }
+        }
+        Some((at, STEPS))
+    }
+
+    fn lu(&mut self) -> Lu<'_, R> {
+        Lu {
+            entries: self.entries.as_mut_slice(),
+            rows: self.rows.as_mut_slice(),
+            columns: self.columns.as_mut_slice(),
+            order: self.order.as_mut(),
         }
     }
-    Err(no_equilibrium::<R, M>(time, &residual(model, time, &q, u, &lambda), ITERATIONS))
+
+    /// Factors \[∂r/∂q + w M, Dᵀ; D, 0\].
+    fn factor(&mut self, at: &PlaceOf<R, M>, weight: R) -> Result<(), NoPivot<R>> {
+        let (model, time, rest) = (self.model, self.time, M::V::zero());
+        let (mut stiffness, mut damping) = (M::Stiffness::zero(), M::Damping::zero());
+        let (mut jacobian, mut mass) = (M::Jacobian::zero(), M::Mass::zero());
+        model.tangent(time, &at.q, &rest, self.u, &rest, &at.lambda, &mut stiffness, &mut damping);
+        model.constraint_jacobian(time, &at.q, &mut jacobian);
+        let (n, size, entries) = (M::V::LEN, M::Unknowns::LEN, self.entries.as_mut_slice());
+        entries.fill(R::ZERO);
+        for (&entry, &(row, column)) in stiffness.as_slice().iter().zip(M::STIFFNESS_PATTERN) {
+            entries[row as usize * size + column as usize] = entry;
+        }
+        if weight > R::ZERO {
+            model.mass_matrix(time, &at.q, &mut mass);
+            for (&entry, &(row, column)) in mass.as_slice().iter().zip(M::MASS_PATTERN) {
+                let (row, column) = (row as usize, column as usize);
+                entries[row * size + column] = entries[row * size + column] + weight * entry;
+                if row != column {
+                    entries[column * size + row] = entries[column * size + row] + weight * entry;
+                }
+            }
+        }
+        for (&entry, &(row, column)) in jacobian.as_slice().iter().zip(M::JACOBIAN_PATTERN) {
+            let (unknown, column, idle) = (n + row as usize, column as usize, M::IDLE.contains(&row));
+            entries[column * size + unknown] = entry;
+            entries[unknown * size + column] = if idle { R::ZERO } else { entry };
+        }
+        for &row in M::IDLE {
+            let unknown = n + row as usize;
+            entries[unknown * size + unknown] = R::ONE;
+        }
+        self.lu().factor()
+    }
+
+    /// (r, Φ) at rest; of a row that repeats others its multiplier, which is to be zero.
+    fn residual(&self, at: &PlaceOf<R, M>) -> M::Unknowns {
+        let (rest, mut forces, mut phi) = (M::V::zero(), M::V::zero(), M::Lambda::zero());
+        self.model.residual(self.time, &at.q, &rest, self.u, &rest, &at.lambda, &mut forces);
+        self.model.constraints(self.time, &at.q, &mut phi);
+        for &row in M::IDLE {
+            phi.as_mut_slice()[row as usize] = at.lambda.as_slice()[row as usize];
+        }
+        let mut residual = M::Unknowns::zero();
+        let (to_forces, to_rows) = residual.as_mut_slice().split_at_mut(M::V::LEN);
+        to_forces.copy_from_slice(forces.as_slice());
+        to_rows.copy_from_slice(phi.as_slice());
+        residual
+    }
 }
 
 /// λ of the motion from rest, zero where there is none.
@@ -108,58 +263,6 @@ fn multipliers_at_rest<R: Real, M: Tangent<R>>(model: &M, time: R, q: &M::Q, u: 
     let pivot = model.acceleration(time, q, &M::V::zero(), u, &mut a, &mut lambda);
     let sound = R::any(pivot.greater_equal(R::BREAKDOWN)) && lambda.first_not_finite().is_none();
     if sound { lambda } else { M::Lambda::zero() }
-}
-
-/// (r, Φ) at rest; of a row that repeats others its multiplier, which is to be zero.
-fn residual<R: Real, M: Tangent<R>>(
-    model: &M,
-    time: R,
-    q: &M::Q,
-    u: &M::Inputs,
-    lambda: &M::Lambda,
-) -> M::Unknowns {
-    let rest = M::V::zero();
-    let (mut forces, mut phi) = (M::V::zero(), M::Lambda::zero());
-    model.residual(time, q, &rest, u, &rest, lambda, &mut forces);
-    model.constraints(time, q, &mut phi);
-    for &row in M::IDLE {
-        phi.as_mut_slice()[row as usize] = lambda.as_slice()[row as usize];
-    }
-    let mut residual = M::Unknowns::zero();
-    let (to_forces, to_rows) = residual.as_mut_slice().split_at_mut(M::V::LEN);
-    to_forces.copy_from_slice(forces.as_slice());
-    to_rows.copy_from_slice(phi.as_slice());
-    residual
-}
-
-/// \[∂r/∂q, Dᵀ; D, 0\], row by row.
-fn fill<R: Real, M: Tangent<R>>(
-    model: &M,
-    time: R,
-    q: &M::Q,
-    u: &M::Inputs,
-    lambda: &M::Lambda,
-    entries: &mut [R],
-) {
-    let rest = M::V::zero();
-    let (mut stiffness, mut damping) = (M::Stiffness::zero(), M::Damping::zero());
-    let mut jacobian = M::Jacobian::zero();
-    model.tangent(time, q, &rest, u, &rest, lambda, &mut stiffness, &mut damping);
-    model.constraint_jacobian(time, q, &mut jacobian);
-    let (n, size) = (M::V::LEN, M::Unknowns::LEN);
-    entries.fill(R::ZERO);
-    for (&entry, &(row, column)) in stiffness.as_slice().iter().zip(M::STIFFNESS_PATTERN) {
-        entries[row as usize * size + column as usize] = entry;
-    }
-    for (&entry, &(row, column)) in jacobian.as_slice().iter().zip(M::JACOBIAN_PATTERN) {
-        let (unknown, column, idle) = (n + row as usize, column as usize, M::IDLE.contains(&row));
-        entries[column * size + unknown] = entry;
-        entries[unknown * size + column] = if idle { R::ZERO } else { entry };
-    }
-    for &row in M::IDLE {
-        let unknown = n + row as usize;
-        entries[unknown * size + unknown] = R::ONE;
-    }
 }
 
 /// δq and δλ.
@@ -173,39 +276,24 @@ fn parts<R: Real, M: Tangent<R>>(step: &M::Unknowns) -> (M::V, M::Lambda) {
 
 /// (q ⊕ t δq, λ + t δλ).
 fn further<R: Real, M: Tangent<R>>(
-    q: &M::Q,
-    lambda: &M::Lambda,
-    dq: &M::V,
-    dl: &M::Lambda,
+    from: &PlaceOf<R, M>,
+    (dq, dl): &(M::V, M::Lambda),
     t: R,
-) -> (M::Q, M::Lambda) {
-    let mut moved = *q;
-    retract(&M::LAYOUT, q, &dq.scaled(t), &mut moved);
-    (moved, lambda.plus(t, dl))
+) -> PlaceOf<R, M> {
+    let mut q = from.q;
+    retract(&M::LAYOUT, &from.q, &dq.scaled(t), &mut q);
+    Place { q, lambda: from.lambda.plus(t, dl) }
 }
 
-/// The first of the steps t, t/2, t/4 … that is accepted; t turns nothing further than [`LARGEST_TURN`].
-fn shorten<R: Real, M: Tangent<R>>(
-    model: &M,
-    time: R,
-    u: &M::Inputs,
-    (q, lambda): (&M::Q, &M::Lambda),
-    (dq, dl): (&M::V, &M::Lambda),
-    mut accepted: impl FnMut(&mut M::Unknowns, R) -> bool,
-) -> Option<(M::Q, M::Lambda)> {
+/// The norm of a residual with its rows scaled.
+fn weighed<R: Real, V: Vector<R>>(residual: &V, scale: &V) -> R {
+    let scaled = residual.as_slice().iter().zip(scale.as_slice());
+    scaled.fold(R::ZERO, |sum, (&entry, &scale)| sum + entry * scale * (entry * scale)).sqrt()
+}
+
+fn largest_turn<R: Real, M: Tangent<R>>(dq: &M::V) -> R {
     let turns = &dq.as_slice()[M::LAYOUT.linear..];
-    let largest = turns.iter().fold(R::ZERO, |largest, turn| largest.max(turn.abs()));
-    let limit = R::from_f64(LARGEST_TURN);
-    let mut t = if largest > limit { limit / largest } else { R::ONE };
-    for _ in 0..=HALVINGS {
-        let (q, lambda) = further::<R, M>(q, lambda, dq, dl, t);
-        let mut residual = residual(model, time, &q, u, &lambda);
-        if accepted(&mut residual, t) {
-            return Some((q, lambda));
-        }
-        t = t * R::from_f64(0.5);
-    }
-    None
+    turns.iter().fold(R::ZERO, |largest, turn| largest.max(turn.abs()))
 }
 
 /// The name of an unknown, or of the equation of the same number.

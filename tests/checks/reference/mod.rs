@@ -9,6 +9,7 @@ mod mutation;
 pub mod random;
 mod recorded;
 mod request;
+mod sensitivity;
 pub mod states;
 
 use linkwright_compiler::model::Coordinates;

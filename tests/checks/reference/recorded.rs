@@ -46,7 +46,7 @@ pub fn compare_all() {
 
 /// One recorded file.
 pub struct Record {
-    hash: String,
+    pub hash: String,
     random: Vec<State>,
     consistent: Vec<State>,
 }
@@ -124,6 +124,13 @@ impl Record {
         };
         let states = if consistent { &self.consistent } else { &self.random };
         states.iter().map(state).collect()
+    }
+
+    /// Consistent states with the derivatives of their solution, row by row.
+    pub fn sensitivities(&self) -> Vec<(Inputs, Vec<Vec<f64>>)> {
+        let rows =
+            |state: &State| state.values["sensitivity"].as_array().unwrap().iter().map(numbers).collect();
+        self.consistent.iter().map(|state| (state.inputs.clone(), rows(state))).collect()
     }
 
     /// The first disagreement, if there is one.

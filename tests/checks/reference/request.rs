@@ -11,8 +11,21 @@ use std::fmt::Write;
 /// States of each kind in a request.
 pub const STATES: usize = 112;
 
+/// ∂(v̇, λ) at a consistent state, row by row, where it is to be compared.
+pub type Sensitivity<'a> = dyn Fn(&Inputs) -> Option<Vec<Vec<f64>>> + 'a;
+
 /// The request as JSON text.
 pub fn request(compiled: &Compiled, hash: &str, change: &dyn Fn(Function) -> Option<Program>) -> String {
+    request_with(compiled, hash, change, &|_| None)
+}
+
+/// The same with derivatives of the solution.
+pub fn request_with(
+    compiled: &Compiled,
+    hash: &str,
+    change: &dyn Fn(Function) -> Option<Program>,
+    sensitivity: &Sensitivity,
+) -> String {
     let walker = Walker::new(compiled);
     let mut random = Random::named(&compiled.mechanism.name.text);
     let coordinates = coordinates_json(&compiled.mechanism, &compiled.equations);
@@ -37,6 +50,10 @@ pub fn request(compiled: &Compiled, hash: &str, change: &dyn Fn(Function) -> Opt
         tries += 1;
         let Some(inputs) = walker.consistent(&mut random) else { continue };
         text.push_str(if found == 0 { "{" } else { ",\n{" });
+        if let Some(rows) = sensitivity(&inputs) {
+            groups(&mut text, "sensitivity", &rows.concat(), rows.first().map_or(1, Vec::len).max(1));
+            text.push(',');
+        }
         consistent_state(&mut text, compiled, inputs, &evaluate);
         text.push('}');
         found += 1;
