@@ -106,7 +106,17 @@ impl Peer {
         std::hint::black_box((&self.acceleration, &self.lambda));
     }
 
+    /// Accelerations at one state.
+    #[allow(dead_code)]
+    pub fn evaluate(&mut self, angles: &[f64], rates: &[f64]) -> &[f64] {
+        self.states[0][0].copy_from_slice(angles);
+        self.states[0][1].copy_from_slice(rates);
+        self.call(0);
+        &self.acceleration
+    }
+
     /// Largest difference to this project's accelerations, relative to the largest of them at that state.
+    #[allow(dead_code)]
     pub fn error(&mut self) -> f64 {
         let mut worst = 0.0_f64;
         for at in 0..self.states.len() {

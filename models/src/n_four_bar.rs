@@ -7,7 +7,7 @@
 //! (0.328458111540815379, 0.944518538178600962) m, velocity (1.423051470206944, −0.494868845487043) m/s (exact).
 
 macro_rules! n_four_bar {
-    ($(#[$documentation:meta])* $name:ident, $windows:literal) => {
+    ($(#[$documentation:meta])* $name:ident, $windows:literal $(, emit = $emit:tt)?) => {
         linkwright::mechanism! {
             $(#[$documentation])*
             pub planar $name {
@@ -24,6 +24,7 @@ macro_rules! n_four_bar {
                     start { coupler[i].angle [rad] ~ 0; pin[i+1].angle [deg] ~ 90; }
                 }
                 start  { pin[0].angle [deg] = 90; pin[0].rate [rad/s] = -1; }
+                $(options { emit = $emit; })?
                 expect { degrees_of_freedom = 1; }
                 output x [m] = crank[0].end.x;
                 output y [m] = crank[0].end.y;
@@ -36,12 +37,12 @@ macro_rules! n_four_bar {
 
 n_four_bar! {
     /// Two windows of unit rods (IFToMM A02).
-    NFourBar2, 2
+    NFourBar2, 2, emit = (penalty, projection)
 }
 
 n_four_bar! {
     /// Ten windows of unit rods (IFToMM A02).
-    NFourBar10, 10
+    NFourBar10, 10, emit = (penalty, projection)
 }
 
 n_four_bar! {

@@ -157,6 +157,24 @@ pub enum SimulationError {
         /// What the last of them changed, relative to what may remain.
         residual: f64,
     },
+    /// A state was asked for outside the last step.
+    NotCovered {
+        /// The time that was asked for, s.
+        time: f64,
+        /// The beginning of the last step, s.
+        from: f64,
+        /// Its end, the present time, s.
+        to: f64,
+    },
+    /// An event is of an output that the mechanism does not have.
+    NoSuchOutput {
+        /// The name that was given.
+        name: &'static str,
+        /// The outputs there are.
+        known: &'static [&'static str],
+        /// The one that is spelled most like it.
+        nearest: Option<&'static str>,
+    },
     /// A coordinate, velocity or acceleration became infinite or NaN.
     NonFinite {
         /// The time of the stage in which it was seen first, s.
@@ -374,8 +392,8 @@ impl Display for SimulationError {
             SimulationError::StepUnderflow { time, step, rejections } => write!(
                 f,
                 "no step from t = {time} s is small enough: {step:.1e} s was given up last, after {} trials for the \
-                 estimated error, {} for convergence and {} at singular positions; loosen the tolerances, or look for a jump in \
-                 forces or a singular position there",
+                 estimated error, {} for convergence and {} at stages that were singular or not finite; loosen the tolerances, or \
+                 look for a jump in forces or a singular position there",
                 rejections.error, rejections.convergence, rejections.breakdown
             ),
             SimulationError::NoConvergence { time, iterations, residual } => write!(
@@ -383,6 +401,25 @@ impl Display for SimulationError {
                 "the step from t = {time} s did not converge: after {iterations} iterations the last changed the solution \
                  by {residual:.1e} of what may remain; take a smaller step or allow more iterations"
             ),
+            SimulationError::NotCovered { time, from, to } => write!(
+                f,
+                "the state at {time} s is not known: the last step went from {from} s to {to} s; ask within it, or run to that \
+                 time"
+            ),
+            SimulationError::NoSuchOutput { name, known, nearest } => {
+                write!(f, "the mechanism has no output `{name}` to watch; ")?;
+                if let Some(nearest) = nearest {
+                    write!(f, "perhaps `{nearest}` is meant; ")?;
+                }
+                if known.is_empty() {
+                    return write!(f, "it has none: add `output {name} [unit] = …;` to its definition");
+                }
+                write!(f, "its outputs are ")?;
+                for (i, output) in known.iter().enumerate() {
+                    write!(f, "{}`{output}`", if i == 0 { "" } else { ", " })?;
+                }
+                Ok(())
+            }
             SimulationError::NonFinite { time, what } => write!(
                 f,
                 "`{what}` became infinite or NaN at t = {time} s; check inputs and parameters, or take a smaller step"

@@ -165,6 +165,26 @@ pub fn inverse_differential<R: Real, V: Vector<R>>(layout: &Layout, u: &V, v: &V
     rate
 }
 
+/// dexp₋ᵤ of a quaternion turned by u, row by row: an increment δu of u turns it by dexp₋ᵤ δu in its own axes.
+///
+/// dexp₋ᵤ = Σ (−û)ᵏ/(k+1)! = 1 − û/2 + û²/6 − û³/24 + û⁴/120 − …, here to û⁴: it is the matrix of a Newton iteration.
+pub(crate) fn differential<R: Real>(u: [R; 3]) -> [[R; 3]; 3] {
+    let mut columns = [[R::ZERO; 3]; 3];
+    for (k, column) in columns.iter_mut().enumerate() {
+        let mut unit = [R::ZERO; 3];
+        unit[k] = R::ONE;
+        // Horner's scheme: x − u×/2 (x − u×/3 (x − u×/4 (x − u×/5 x))).
+        let mut value = unit;
+        for divisor in [5.0, 4.0, 3.0, 2.0] {
+            let turned = cross(u, value);
+            let scale = R::from_f64(-1.0 / divisor);
+            value = [0, 1, 2].map(|i| unit[i] + scale * turned[i]);
+        }
+        *column = value;
+    }
+    [0, 1, 2].map(|row| [0, 1, 2].map(|column| columns[column][row]))
+}
+
 /// a × b.
 #[inline(always)]
 fn cross<R: Real>(a: [R; 3], b: [R; 3]) -> [R; 3] {
@@ -234,6 +254,22 @@ mod tests {
             // |u|⁴|ω|/720 and h².
             assert!((found[2 + i] - du[i]).abs() < 3e-8, "{found:?}");
             assert!((v[2 + i] - du[i]).abs() > 1e-4, "the correction is not small");
+        }
+    }
+
+    #[test]
+    fn the_differential_is_the_inverse_of_its_inverse() {
+        let (u, du) = ([0.02, -0.01, 0.03], [0.7, 1.1, -0.4]);
+        let turned = differential(u).map(|row| row[0] * du[0] + row[1] * du[1] + row[2] * du[2]);
+        let back = inverse_differential(
+            &LAYOUT,
+            &[9.0, 9.0, u[0], u[1], u[2]],
+            &[0.0, 0.0, turned[0], turned[1], turned[2]],
+        );
+        for i in 0..3 {
+            // |u|⁴|δ|/720.
+            assert!((back[2 + i] - du[i]).abs() < 1e-8, "{back:?}");
+            assert!((turned[i] - du[i]).abs() > 1e-3, "{turned:?}");
         }
     }
 

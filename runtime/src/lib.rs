@@ -35,6 +35,7 @@ pub mod layout;
 pub mod ldl;
 pub mod linearisation;
 pub mod mechanism;
+pub mod partition;
 pub mod quaternion;
 pub mod real;
 pub mod rotation;
@@ -52,12 +53,14 @@ pub use body::{BodyMotion, Reaction, SpatialMotion, SpatialReaction};
 pub use error::{AssemblyError, LinearisationError, SettingError, SimulationError};
 pub use fields::Fields;
 pub use formulation::{
-    AugmentedLagrangian, Baumgarte, Evaluation, Formulation, LagrangeIndex1, Penalty, Projected, Settled,
+    AugmentedLagrangian, Baumgarte, Evaluation, Formulation, LagrangeIndex1, NullSpace, Partitioned, Penalty,
+    Projected, Settled,
 };
 pub use input::{Held, InputSource, NoInputs, Sampled};
 pub use integrator::{
-    Dynamics, ExplicitTrapezoidal, Integrator, Method, Rejections, Rk4, SemiImplicitEuler, StepFailure,
-    Stepped,
+    Ali3p, DormandPrince, DormandPrinceMemory, Dynamics, ExplicitTrapezoidal, GeneralisedAlpha,
+    ImplicitDynamics, ImplicitTrapezoidal, Integrator, Interpolate, Method, Rejections, Rk4,
+    SemiImplicitEuler, StepFailure, Stepped,
 };
 pub use layout::{Layout, MultiTurn, inverse_differential, retract, retract_counting};
 pub use linearisation::{
@@ -66,7 +69,10 @@ pub use linearisation::{
 pub use mechanism::{Assemble, Condition, ConditionKind, Elimination, Mechanism, Row};
 pub use real::Real;
 pub use rotation::unwrap_angle;
-pub use simulation::{MechanismDynamics, NearSingular, Residual, Sample, Samples, Simulation, Step};
+pub use simulation::{
+    Direction, Event, MechanismDynamics, NearSingular, Occurrence, Residual, Sample, Samples, Simulation,
+    Step,
+};
 pub use state::{Kinematics, Motion, State};
 pub use tangent::Tangent;
 pub use vector::Vector;

@@ -177,9 +177,19 @@ pub trait Assemble<R: Real>: Mechanism<R> {
     type Factor: Vector<R>;
     /// One entry for each unknown: velocities, constraint rows, conditions.
     type System: Vector<R>;
+    /// D as a full matrix, m n_v entries.
+    type Dense: Vector<R>;
+    /// A basis of the null space of D, n_v entries for each degree of freedom.
+    type Basis: Vector<R>;
+    /// A square matrix of the size of the degrees of freedom.
+    type Reduced: Vector<R>;
+    /// A whole number for each velocity.
+    type Choice: Copy + Debug + AsRef<[u16]> + AsMut<[u16]>;
     /// What [`factor`](Assemble::factor) keeps of a factorisation.
     type Store: Copy + Debug;
 
+    /// Zeros.
+    fn choice() -> Self::Choice;
     /// An empty store.
     fn store() -> Self::Store;
     /// Factors K(c) = \[M, Dᵀ; D, −c\] at a position, c ≥ 0 the compliance of the constraints (1/kg); returns the smallest

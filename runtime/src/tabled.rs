@@ -90,10 +90,36 @@ fn softness<R: Real, M: Assemble<R>>(row: u16, compliance: R) -> R {
 
 /// The smallest pivot of a row, relative to the largest among the components of its vector.
 fn smallest_of_rows<R: Real, M: Assemble<R>>(store: &Store<R, M>, magnitudes: &M::System) -> R {
+    let mut smallest = R::ONE;
+    each_row::<R, M>(store, magnitudes, |_, relative| smallest = relative.min(smallest));
+    smallest
+}
+
+/// The row with the smallest relative pivot of D M⁻¹ Dᵀ; `None` without rows.
+pub(crate) fn weakest_row<R: Real, M: Assemble<R>>(model: &M, time: R, q: &M::Q) -> Option<usize> {
+    let mut store = store::<R, M>();
+    fill(model, time, q, R::ZERO, &mut store);
+    let mut magnitudes = M::System::zero();
+    store.ldl.factor_measured(M::V::LEN, &mut magnitudes);
+    let mut weakest: Option<(usize, R)> = None;
+    each_row::<R, M>(&store, &magnitudes, |row, relative| {
+        if weakest.is_none_or(|(_, least)| relative < least) {
+            weakest = Some((row, relative));
+        }
+    });
+    weakest.map(|(row, _)| row)
+}
+
+/// Shows the relative pivot of each row.
+fn each_row<R: Real, M: Assemble<R>>(
+    store: &Store<R, M>,
+    magnitudes: &M::System,
+    mut show: impl FnMut(usize, R),
+) {
     let pivots = store.ldl.pivots();
     let positive =
         |row: usize| magnitudes.as_slice()[M::V::LEN + row] - softness::<R, M>(row as u16, store.compliance);
-    let (mut smallest, mut first) = (R::ONE, 0);
+    let mut first = 0;
     for group in M::ROWS.chunk_by(same_scale) {
         let rows = (first..first + group.len()).filter(|&row| !M::IDLE.contains(&(row as u16)));
         let scale = rows.clone().fold(R::ZERO, |scale, row| positive(row).max(scale));
@@ -101,11 +127,10 @@ fn smallest_of_rows<R: Real, M: Assemble<R>>(store: &Store<R, M>, magnitudes: &M
             let found = pivots[M::ELIMINATION.position[M::V::LEN + row] as usize].abs();
             // Softened pivots may be larger than their scale.
             let relative = R::ONE / ((scale + scale) / found - R::ONE).max(R::ONE);
-            smallest = if scale > R::ZERO { relative.min(smallest) } else { R::ZERO };
+            show(row, if scale > R::ZERO { relative } else { R::ZERO });
         }
         first += group.len();
     }
-    smallest
 }
 
 /// a and λ of K(c) (a, λ) = (`forces`, `rows`).

@@ -4,7 +4,7 @@ use crate::registry::{Model, for_each};
 use crate::walking::walk;
 use crate::zoo::Gears;
 use linkwright::{
-    AssembleExt, Baumgarte, ExplicitTrapezoidal, Fields, Integrator, LagrangeIndex1, Layout,
+    AssembleExt, Baumgarte, DormandPrince, ExplicitTrapezoidal, Fields, Integrator, LagrangeIndex1, Layout,
     MechanismDynamics, NoInputs, Rk4, SemiImplicitEuler, Simulation, State, Vector,
 };
 use linkwright_models::{double_pendulum::DoublePendulum, n_four_bar::NFourBar2};
@@ -42,18 +42,21 @@ fn order<M: Model<Inputs = ()>, I: Steps<M> + Copy>(integrator: I, end: f64, ste
     (error(steps) / error(2 * steps)).log2()
 }
 
-/// Fourth order, second and first, on an open chain and on a closed one.
+/// Fifth order, fourth, second and first, on an open chain and on a closed one.
 #[test]
 fn orders_of_convergence() {
     let orders = [
         ("double pendulum, RK4", order::<DoublePendulum, _>(Rk4, 0.5, 60), 4.0),
         ("two windows, RK4", order::<NFourBar2, _>(Rk4, 0.5, 60), 4.0),
+        ("double pendulum, Dormand–Prince", order::<DoublePendulum, _>(DormandPrince::fixed(), 0.5, 16), 5.0),
+        ("two windows, Dormand–Prince", order::<NFourBar2, _>(DormandPrince::fixed(), 0.5, 20), 5.0),
         ("double pendulum, trapezoidal", order::<DoublePendulum, _>(ExplicitTrapezoidal, 0.5, 200), 2.0),
         ("two windows, trapezoidal", order::<NFourBar2, _>(ExplicitTrapezoidal, 0.5, 200), 2.0),
         ("double pendulum, Euler", order::<DoublePendulum, _>(SemiImplicitEuler, 0.5, 400), 1.0),
         ("two windows, Euler", order::<NFourBar2, _>(SemiImplicitEuler, 0.5, 400), 1.0),
     ];
     for (name, order, expected) in orders {
+        println!("{name}: order {order:.3}");
         assert!((order - expected).abs() < 0.2, "{name}: order {order}");
     }
 }

@@ -5,8 +5,12 @@
 use crate::registry::{Model, for_each};
 use crate::zoo_tangent::for_each_with_tangent;
 use linkwright::{
-    Assemble, AssembleExt, Baumgarte, Fields, Linearisation, Motion, Real, SemiImplicitEuler, Simulation,
-    State, Tangent, Vector, actuation, equilibrium,
+    Assemble, AssembleExt, Baumgarte, DormandPrince, Event, Fields, Linearisation, Motion, Real,
+    SemiImplicitEuler, Simulation, State, Tangent, Vector, actuation, equilibrium,
+};
+use linkwright_models::{
+    double_pendulum::DoublePendulum, four_spherical_joints::FourSphericalJoints, heavy_top::HeavyTop,
+    slider_crank::SliderCrank,
 };
 use std::alloc::{GlobalAlloc, Layout, System};
 use std::cell::Cell;
@@ -100,6 +104,66 @@ fn nothing_allocates<M: Model>() {
     evaluations(&M::single());
     simulations(&M::standard());
     simulations(&M::single());
+}
+
+/// Steps of the method's choice, samples and states between them, events, and their errors, on a tree, a loop, a body in
+/// space and a mechanism with inputs.
+#[test]
+fn adaptive_runs_and_events_do_not_allocate() {
+    adaptive_runs(&DoublePendulum::<f64>::default());
+    adaptive_runs(&DoublePendulum::<f32>::default());
+    adaptive_runs(&FourSphericalJoints::<f64>::default());
+    adaptive_runs(&FourSphericalJoints::<f32>::default());
+    adaptive_runs(&HeavyTop::<f64>::default());
+    adaptive_runs(&HeavyTop::<f32>::default());
+    adaptive_runs(&SliderCrank::<f64>::default());
+    adaptive_runs(&SliderCrank::<f32>::default());
+}
+
+fn adaptive_runs<R: Real, M>(model: &M)
+where
+    M: Assemble<R, Inputs: Fields<R>, Outputs: Fields<R>>,
+{
+    let start = State { q: M::start_q(), v: M::start_v() };
+    let output = M::Outputs::NAMES[0];
+    let (h, end) = (R::from_f64(0.01), R::from_f64(0.1));
+    let mut happened = 0;
+    let ran = allocations(|| {
+        let ones = |_: R, _: &State<M::Q, M::V>| {
+            let mut values = <M::Inputs as Fields<R>>::Array::zero();
+            values.as_mut_slice().fill(R::ONE);
+            M::Inputs::from_array(values)
+        };
+        let method = DormandPrince::tolerance(R::from_f64(1e-4));
+        let mut simulation = Simulation::new(model, start).sampled(ones).integrator(method).step(h);
+        let mut count = 0;
+        let run = simulation.run_every(R::from_f64(0.03), end, |sample| {
+            black_box(sample.energy());
+            count += 1;
+        });
+        assert!(run.is_ok() && count == 4, "{}: {:?}", M::NAME, run.err());
+        black_box(simulation.interpolate(end - R::from_f64(1e-4)).is_ok());
+        // A level between its values at two times is crossed.
+        let value = |simulation: &mut Simulation<'_, M, R, _, _, _>| {
+            simulation.sample().outputs.to_array().as_slice()[0]
+        };
+        let begun = value(&mut simulation);
+        let mut further = Simulation::new(model, *simulation.state())
+            .sampled(ones)
+            .integrator(method)
+            .step(h)
+            .start_time(end)
+            .accept_inconsistent_start()
+            .unwrap_from(simulation.sample().outputs);
+        assert!(further.advance_until(end + h).is_ok());
+        let level = (begun + value(&mut further)) * R::from_f64(0.5);
+        let event = Event::of(output).level(level).tolerance(R::from_f64(1e-5));
+        let found = simulation.run_until_event(end + h, &[event], |sample| _ = black_box(sample.energy()));
+        happened += usize::from(matches!(found, Ok(Some(_))));
+        let wrong = simulation.run_until_event(end + h, &[Event::of("no such output")], |_| ());
+        assert!(wrong.is_err());
+    });
+    assert_eq!((ran, happened), (0, 1), "{}: run adaptively", M::NAME);
 }
 
 fn evaluations<R: Real, M>(model: &M)

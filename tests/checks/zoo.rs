@@ -40,6 +40,7 @@ linkwright::mechanism! {
         start { crank_pin.angle [rad] = 1; crank_pin.rate [rad/s] = 4; guide_pin.angle [rad] ~ -1;
                 coupler.angle [rad] ~ 0; ride.travel [m] = 0.5; ride.speed [m/s] = 0.1;
                 bob.center.x [m] ~ -0.5; bob.center.y [m] ~ 0; }
+        options { emit = (penalty, projection); }
         output loss_power [W] = power(shock) + power(brake);
         output gap [m] = distance(plate.center, bob.center);
         output ride_travel [m] = ride.travel;

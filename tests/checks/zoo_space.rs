@@ -247,7 +247,7 @@ linkwright::mechanism! {
         joint yoke:    universal(slider.ear, rod.yoke, axis = (0.1, 1, 0), second_axis = (1, -0.1, 2));
         force cut:     force(slider.center, direction = (1, 0, 0.3)) = load - 2 [N*s/m] * rail.speed;
         start  { bearing.angle [rad] = 0.4; bearing.rate [rad/s] = 3; rail.travel [m] ~ 0.9; }
-        options { cut = yoke; independent = rail.travel; }
+        options { cut = yoke; independent = rail.travel; emit = projection; }
         expect { degrees_of_freedom = 1; }
         output stroke [m] = rail.travel;
         output swing [rad] = yoke.angle_1;

@@ -4,7 +4,7 @@
 #[cfg_attr(doc, doc = "")]
 #[cfg_attr(
     doc,
-    doc = "In tree coordinates (chosen by count: 97 operations, depth 20, against about 230 for the elimination alone in absolute coordinates); elimination order: minimum degree."
+    doc = "In tree coordinates (chosen by count: 99 operations, depth 20, against about 230 for the elimination alone in absolute coordinates); elimination order: minimum degree."
 )]
 #[cfg_attr(doc, doc = "")]
 #[cfg_attr(doc, doc = "# Coordinates")]
@@ -36,10 +36,10 @@
 #[cfg_attr(doc, doc = "| `forces` | 16 | 0 | 8 | 8 | 0 | 0 | 0 | 0 | 5 |")]
 #[cfg_attr(doc, doc = "| `kinetic_energy` | 38 | 0 | 22 | 16 | 0 | 0 | 0 | 0 | 12 |")]
 #[cfg_attr(doc, doc = "| `potential_energy` | 29 | 6 | 10 | 13 | 0 | 0 | 0 | 0 | 8 |")]
-#[cfg_attr(doc, doc = "| `acceleration` | 81 | 1 | 35 | 40 | 4 | 0 | 1 | 0 | 21 |")]
+#[cfg_attr(doc, doc = "| `acceleration` | 83 | 1 | 35 | 40 | 4 | 0 | 3 | 0 | 21 |")]
 #[cfg_attr(
     doc,
-    doc = "| `acceleration_baumgarte` | 97 | 7 | 37 | 48 | 4 | 0 | 1 | 0 | 20 |"
+    doc = "| `acceleration_baumgarte` | 99 | 7 | 37 | 48 | 4 | 0 | 3 | 0 | 20 |"
 )]
 #[cfg_attr(doc, doc = "| `outputs` | 9 | 2 | 2 | 4 | 0 | 0 | 0 | 1 | 3 |")]
 #[cfg_attr(doc, doc = "| `inverse_dynamics` | 23 | 0 | 9 | 14 | 0 | 0 | 0 | 0 | 7 |")]
@@ -159,7 +159,7 @@ impl ParametricFourBar<::core::primitive::f64> {
     ///Degrees of freedom, drivers removed.
     pub const DEGREES_OF_FREEDOM: ::core::primitive::usize = 1;
     ///Operations of the default acceleration function (Baumgarte), a fused multiply-add counted once.
-    pub const OPERATIONS: ::core::primitive::usize = 97;
+    pub const OPERATIONS: ::core::primitive::usize = 99;
     ///The definition as written.
     pub const SOURCE: &'static ::core::primitive::str = "# [doc = \" Four-bar of which every number is a parameter; its defaults are the literals of [`GeneralFourBar`].\"] pub planar ParametricFourBar { param gravity_x [m / s ^ 2] = 0.31 ; param gravity_y [m / s ^ 2] = - 9.73 ; param crank_x [m] = - 0.15 ; param crank_y [m] = 0.24 ; param rocker_x [m] = 0.93 ; param rocker_y [m] = 0.45 ; param crank_length [m] = 0.4 in 0.01 .. 10 ; param crank_mass [kg] = 0.71 ; param crank_inertia [kg * m ^ 2] = 0.013 ; param crank_center_x [m] = 0.17 ; param crank_center_y [m] = 0.033 ; param coupler_length [m] = 1.0 in 0.01 .. 10 ; param coupler_mass [kg] = 1.93 ; param coupler_inertia [kg * m ^ 2] = 0.187 ; param coupler_center_x [m] = 0.43 ; param coupler_center_y [m] = - 0.12 ; param tracer_x [m] = 0.62 ; param tracer_y [m] = 0.29 ; param rocker_length [m] = 0.9 in 0.01 .. 10 ; param rocker_mass [kg] = 1.37 ; param rocker_inertia [kg * m ^ 2] = 0.091 ; param rocker_center_x [m] = 0.52 ; param rocker_center_y [m] = 0.071 ; param start_angle [deg] = 40 ; param start_rate [rad / s] = 3 ; gravity [m / s ^ 2] = (gravity_x , gravity_y) ; body crank { mass [kg] = crank_mass ; inertia [kg * m ^ 2] = crank_inertia ; center [m] = (crank_center_x , crank_center_y) ; point tip [m] = (crank_length , 0) ; } body coupler { mass [kg] = coupler_mass ; inertia [kg * m ^ 2] = coupler_inertia ; center [m] = (coupler_center_x , coupler_center_y) ; point tip [m] = (coupler_length , 0) ; point tracer [m] = (tracer_x , tracer_y) ; } body rocker { mass [kg] = rocker_mass ; inertia [kg * m ^ 2] = rocker_inertia ; center [m] = (rocker_center_x , rocker_center_y) ; point tip [m] = (rocker_length , 0) ; } joint crank_pin : revolute (ground (crank_x , crank_y) [m] , crank . origin) ; joint rocker_pin : revolute (ground (rocker_x , rocker_y) [m] , rocker . origin) ; joint left : revolute (crank . tip , coupler . origin) ; joint right : revolute (coupler . tip , rocker . tip) ; start { crank_pin . angle [rad] = start_angle ; crank_pin . rate [rad / s] = start_rate ; rocker_pin . angle [deg] ~ 100 ; coupler . angle [deg] ~ 40 ; } expect { degrees_of_freedom = 1 ; } output trace_x [m] = coupler . tracer . x ; output trace_y [m] = coupler . tracer . y ; output rocking [rad] = rocker_pin . angle ; }";
     ///The definition as versioned JSON: kinds, shapes and units as written.
@@ -205,6 +205,9 @@ const _: () = {
     type ConditionJacobian<R> = [R; 1];
     type Factor<R> = [R; 11];
     type System<R> = [R; 6];
+    type Dense<R> = [R; 6];
+    type Basis<R> = [R; 3];
+    type Reduced<R> = [R; 1];
     type Parameters<R> = ParametricFourBarParameters<R>;
     type Outputs<R> = ParametricFourBarOutputs<R>;
     impl<R: Real> Fields<R> for Parameters<R> {
@@ -1222,10 +1225,12 @@ const _: () = {
             let a74 = a19.mul_add(lambda_right_x_, a73);
             let rocker_rate_dot_ = a30.mul_add(lambda_right_y_, (-a74));
             let coupler_rate_dot_ = -a68;
-            let a77 = a33 * a35;
-            let a78 = a77.abs();
-            let a79 = R::from_f64(2.0).mul_add(a78, R::from_f64(-1.0));
-            let smallest_pivot = R::ONE / a79;
+            let a77 = a26.max(a33);
+            let a78 = a35.abs();
+            let a79 = a27.max(a78);
+            let a80 = a77 * a79;
+            let a81 = R::from_f64(2.0).mul_add(a80, R::from_f64(-1.0));
+            let smallest_pivot = R::ONE / a81;
             *a_out = [crank_rate_dot_, rocker_rate_dot_, coupler_rate_dot_];
             *lambda_out = [lambda_right_x_, lambda_right_y_];
             smallest_pivot
@@ -1362,10 +1367,12 @@ const _: () = {
             let a90 = a19.mul_add(lambda_right_x_, a89);
             let rocker_rate_dot_ = a30.mul_add(lambda_right_y_, (-a90));
             let coupler_rate_dot_ = -a84;
-            let a93 = a33 * a35;
-            let a94 = a93.abs();
-            let a95 = R::from_f64(2.0).mul_add(a94, R::from_f64(-1.0));
-            let smallest_pivot = R::ONE / a95;
+            let a93 = a26.max(a33);
+            let a94 = a35.abs();
+            let a95 = a27.max(a94);
+            let a96 = a93 * a95;
+            let a97 = R::from_f64(2.0).mul_add(a96, R::from_f64(-1.0));
+            let smallest_pivot = R::ONE / a97;
             *a_out = [crank_rate_dot_, rocker_rate_dot_, coupler_rate_dot_];
             *lambda_out = [lambda_right_x_, lambda_right_y_];
             smallest_pivot
@@ -1424,6 +1431,13 @@ const _: () = {
         type ConditionJacobian = ConditionJacobian<R>;
         type Factor = Factor<R>;
         type System = System<R>;
+        type Dense = Dense<R>;
+        type Basis = Basis<R>;
+        type Reduced = Reduced<R>;
+        type Choice = [u16; 3];
+        fn choice() -> [u16; 3] {
+            [0; 3]
+        }
         fn condition_residual(
             &self,
             time: R,
@@ -1478,6 +1492,29 @@ const _: () = {
             let start_rate = constants[41];
             *positions = [start_angle];
             *rates = [start_rate];
+        }
+        type Store = tabled::Store<R, Self>;
+        fn store() -> Self::Store {
+            tabled::store::<R, Self>()
+        }
+        fn factor(
+            &self,
+            time: R,
+            q: &Q<R>,
+            compliance: R,
+            store: &mut Self::Store,
+        ) -> R {
+            tabled::factor::<R, Self>(self, time, q, compliance, store)
+        }
+        fn solve(
+            &self,
+            store: &Self::Store,
+            forces: &V<R>,
+            rows: &Lambda<R>,
+            a: &mut V<R>,
+            lambda: &mut Lambda<R>,
+        ) {
+            tabled::solve::<R, Self>(store, forces, rows, a, lambda)
         }
         fn start_q() -> Q<R> {
             [

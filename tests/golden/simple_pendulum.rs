@@ -126,6 +126,9 @@ const _: () = {
     type ConditionJacobian<R> = [R; 1];
     type Factor<R> = [R; 1];
     type System<R> = [R; 2];
+    type Dense<R> = [R; 0];
+    type Basis<R> = [R; 1];
+    type Reduced<R> = [R; 1];
     type Parameters<R> = SimplePendulumParameters<R>;
     type Outputs<R> = SimplePendulumOutputs<R>;
     impl<R: Real> Fields<R> for Parameters<R> {
@@ -392,6 +395,13 @@ const _: () = {
         type ConditionJacobian = ConditionJacobian<R>;
         type Factor = Factor<R>;
         type System = System<R>;
+        type Dense = Dense<R>;
+        type Basis = Basis<R>;
+        type Reduced = Reduced<R>;
+        type Choice = [u16; 1];
+        fn choice() -> [u16; 1] {
+            [0; 1]
+        }
         fn condition_residual(
             &self,
             time: R,
@@ -443,6 +453,29 @@ const _: () = {
         ) {
             *positions = [R::from_f64(3.141592653589793)];
             *rates = [R::ZERO];
+        }
+        type Store = tabled::Store<R, Self>;
+        fn store() -> Self::Store {
+            tabled::store::<R, Self>()
+        }
+        fn factor(
+            &self,
+            time: R,
+            q: &Q<R>,
+            compliance: R,
+            store: &mut Self::Store,
+        ) -> R {
+            tabled::factor::<R, Self>(self, time, q, compliance, store)
+        }
+        fn solve(
+            &self,
+            store: &Self::Store,
+            forces: &V<R>,
+            rows: &Lambda<R>,
+            a: &mut V<R>,
+            lambda: &mut Lambda<R>,
+        ) {
+            tabled::solve::<R, Self>(store, forces, rows, a, lambda)
         }
         fn start_q() -> Q<R> {
             [R::from_f64(-1.0), R::from_f64(1.2246467991473532e-16)]

@@ -139,6 +139,9 @@ const _: () = {
     type ConditionJacobian<R> = [R; 12];
     type Factor<R> = [R; 24];
     type System<R> = [R; 9];
+    type Dense<R> = [R; 0];
+    type Basis<R> = [R; 9];
+    type Reduced<R> = [R; 9];
     type Parameters<R> = SphericalPendulumParameters<R>;
     type Outputs<R> = SphericalPendulumOutputs<R>;
     impl<R: Real> Fields<R> for Parameters<R> {
@@ -691,6 +694,13 @@ const _: () = {
         type ConditionJacobian = ConditionJacobian<R>;
         type Factor = Factor<R>;
         type System = System<R>;
+        type Dense = Dense<R>;
+        type Basis = Basis<R>;
+        type Reduced = Reduced<R>;
+        type Choice = [u16; 3];
+        fn choice() -> [u16; 3] {
+            [0; 3]
+        }
         fn condition_residual(
             &self,
             time: R,
@@ -856,6 +866,29 @@ const _: () = {
         ) {
             *positions = [R::ZERO, R::ZERO, R::ZERO, R::ZERO, R::ZERO, R::ZERO];
             *rates = [R::ZERO, R::ZERO, R::ZERO, R::ZERO, R::ZERO, R::ZERO];
+        }
+        type Store = tabled::Store<R, Self>;
+        fn store() -> Self::Store {
+            tabled::store::<R, Self>()
+        }
+        fn factor(
+            &self,
+            time: R,
+            q: &Q<R>,
+            compliance: R,
+            store: &mut Self::Store,
+        ) -> R {
+            tabled::factor::<R, Self>(self, time, q, compliance, store)
+        }
+        fn solve(
+            &self,
+            store: &Self::Store,
+            forces: &V<R>,
+            rows: &Lambda<R>,
+            a: &mut V<R>,
+            lambda: &mut Lambda<R>,
+        ) {
+            tabled::solve::<R, Self>(store, forces, rows, a, lambda)
         }
         fn start_q() -> Q<R> {
             [R::ONE, R::ZERO, R::ZERO, R::ZERO]

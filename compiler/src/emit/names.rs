@@ -274,7 +274,7 @@ pub fn inner(name: &str) -> String {
 
 /// Types, traits and variants that implementations have in scope: short names of arrays, what the runtime exports to
 /// emitted code, the prelude.
-const IN_SCOPE: [&str; 93] = [
+const IN_SCOPE: [&str; 96] = [
     "Constants",
     "Phases",
     "Q",
@@ -287,6 +287,9 @@ const IN_SCOPE: [&str; 93] = [
     "Factor",
     "System",
     "Store",
+    "Dense",
+    "Basis",
+    "Reduced",
     "Stiffness",
     "Damping",
     "RowStiffness",

@@ -160,7 +160,8 @@ impl<R: Real> Assemble<R> for @NAME@<R> {
     const FLIPS: &'static [u16] = &[];
     const ELIMINATION: Elimination = Elimination { order: &[], position: &[], row_start: &[], columns: &[] };
     type Conditions = @LIST@; type ConditionJacobian = @LIST@; type Factor = @LIST@; type System = @LIST@;
-    type Store = @LIST@;
+    type Dense = @LIST@; type Basis = @LIST@; type Reduced = @LIST@; type Choice = [u16; @MANY@]; type Store = @LIST@;
+    fn choice() -> [u16; @MANY@] { loop {} }
     fn store() -> @LIST@ { loop {} }
     fn factor(&self, time: R, q: &@LIST@, compliance: R, store: &mut @LIST@) -> R { loop {} }
     fn solve(&self, store: &@LIST@, forces: &@LIST@, rows: &@LIST@, a: &mut @LIST@, lambda: &mut @LIST@) {}

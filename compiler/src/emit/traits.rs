@@ -20,6 +20,7 @@ pub fn aliases(text: &mut String, emitter: &Emitter) {
     let name = &emitter.name;
     let equations = &emitter.compiled.equations;
     let columns = |jets: Vec<&crate::equations::Jet>| jets.iter().map(|jet| jet.columns.len()).sum::<usize>();
+    let freedoms = emitter.velocities() + equations.idle.len() - emitter.rows();
     let arrays = [
         ("Constants", emitter.compiled.programs.prepared),
         ("Phases", equations.symbols.phases.len()),
@@ -32,6 +33,9 @@ pub fn aliases(text: &mut String, emitter: &Emitter) {
         ("ConditionJacobian", columns(equations.conditions.iter().map(|c| &c.jet).collect())),
         ("Factor", emitter.compiled.table.columns.len()),
         ("System", emitter.compiled.table.order.len()),
+        ("Dense", emitter.rows() * emitter.velocities()),
+        ("Basis", freedoms * emitter.velocities()),
+        ("Reduced", freedoms * freedoms),
         ("Store", emitter.compiled.solved.stored.as_ref().map_or(0, |stored| stored.kept.len())),
     ];
     let tabled = emitter.compiled.solved.stored.is_none();
@@ -510,9 +514,14 @@ pub fn assemble(text: &mut String, emitter: &Emitter) {
         tables::jacobian_pattern(jets)
     );
     let _ = writeln!(text, "const ELIMINATION: Elimination = {};", tables::elimination(emitter));
-    for alias in ["Conditions", "ConditionJacobian", "Factor", "System"] {
+    for alias in ["Conditions", "ConditionJacobian", "Factor", "System", "Dense", "Basis", "Reduced"] {
         let _ = writeln!(text, "type {alias} = {alias}<R>;");
     }
+    let velocities = emitter.velocities();
+    let _ = writeln!(
+        text,
+        "type Choice = [u16; {velocities}];\nfn choice() -> [u16; {velocities}] {{ [0; {velocities}] }}"
+    );
     let mut write =
         |which: Function, arguments: &[Argument], signature: &str, result: fn(&[String]) -> String| {
             function(text, &mut helpers, emitter, which, arguments, signature, result);
@@ -600,7 +609,7 @@ fn factorisation(text: &mut String, helpers: &mut String, emitter: &Emitter) {
         helpers,
         emitter,
         Function::Solve,
-        &[Constants, Compliance, Store, GivenForces, GivenRows],
+        &[Constants, Store, GivenForces, GivenRows],
         "solve(&self, store: &Store<R>, forces: &V<R>, rows: &Lambda<R>, a_out: &mut V<R>, lambda_out: &mut Lambda<R>)",
         |outputs| {
             let (a, lambda) = outputs.split_at(velocities);

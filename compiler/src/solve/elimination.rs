@@ -80,7 +80,7 @@ pub fn factor(g: &mut Graph, entries: &Entries, order: &Order, kind: &Kind) -> F
         let inverse = g.unary(Unary::Reciprocal, magnitude);
         let group = if is_row { kind.groups[*pivot - velocities] } else { None };
         if group.is_some() || (is_row || kind.watch_velocities) && !taken.is_empty() {
-            watched.push(Watched { group, positive, inverse, is_row });
+            watched.push(Watched { group, positive, inverse, is_row, is_difference: !taken.is_empty() });
         }
         let reciprocal = if is_row { g.neg(inverse) } else { inverse };
         let around = std::mem::take(&mut rows[*pivot]);
@@ -125,18 +125,25 @@ struct Watched {
     /// 1/d.
     inverse: Node,
     is_row: bool,
+    /// Whether d is a difference: where it has broken down its sign is that of rounding.
+    is_difference: bool,
 }
 
 /// min 1/(2 G/d − 1); `softened` pivots may be larger than G.
 fn smallest_pivot(g: &mut Graph, watched: Vec<Watched>, softened: bool) -> Node {
     let one = g.constant(1.0);
     let mut worst = softened.then_some(one);
-    for Watched { group, positive, inverse, .. } in &watched {
-        let others = watched.iter().filter(|other| group.is_some() && other.group == *group);
-        let scale = others.fold(*positive, |scale, other| g.max(scale, other.positive));
-        // Where a pivot has broken down its sign is that of rounding.
-        let ratio = g.mul(scale, *inverse);
-        let ratio = g.unary(Unary::Abs, ratio);
+    for (at, first) in watched.iter().enumerate() {
+        let together = |other: &&Watched| first.group.is_some() && other.group == first.group;
+        if watched[..at].iter().any(|earlier| together(&earlier)) {
+            continue;
+        }
+        let (mut scale, mut inverse) = (first.positive, first.magnitude(g));
+        for other in watched[at + 1..].iter().filter(together) {
+            let magnitude = other.magnitude(g);
+            (scale, inverse) = (g.max(scale, other.positive), g.max(inverse, magnitude));
+        }
+        let ratio = g.mul(scale, inverse);
         worst = Some(worst.map_or(ratio, |worst| g.max(worst, ratio)));
     }
     match worst {
@@ -147,6 +154,13 @@ fn smallest_pivot(g: &mut Graph, watched: Vec<Watched>, softened: bool) -> Node 
             g.unary(Unary::Reciprocal, sum)
         }
         _ => one,
+    }
+}
+
+impl Watched {
+    /// |1/d|.
+    fn magnitude(&self, g: &mut Graph) -> Node {
+        if self.is_difference { g.unary(Unary::Abs, self.inverse) } else { self.inverse }
     }
 }
 

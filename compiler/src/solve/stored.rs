@@ -7,7 +7,7 @@ use super::elimination::{self, Entries, Kind};
 use super::order::{self, Pattern};
 use super::{Massless, add_square, groups, stabilised};
 use crate::equations::Equations;
-use crate::symbolic::{Class, Graph, Node, Unary};
+use crate::symbolic::{Class, Compare, Graph, Node, Unary};
 use std::collections::{BTreeMap, BTreeSet};
 
 /// K(c) factored, and its solution for any right-hand side.
@@ -93,8 +93,19 @@ pub fn store(equations: &mut Equations, massless: &Massless) -> Stored {
     equations.symbols.given_forces = forces;
     equations.symbols.given_rows = rows;
     equations.symbols.kept = stand_ins;
-    let (pivot, velocity_pivot) = (factor.pivot, factor.velocity_pivot);
+    let velocity_pivot = factor.velocity_pivot;
+    let pivot = not_nan(&mut equations.graph, factor.pivot);
     Stored { kept, pivot, velocity_pivot, rows: stabilised, solution }
+}
+
+/// Zero where a pivot was zero and left 0 · ∞ behind.
+fn not_nan(g: &mut Graph, pivot: Node) -> Node {
+    if g.value(pivot).is_some() {
+        return pivot;
+    }
+    let zero = g.constant(0.0);
+    let is_number = g.compare(Compare::LessEqual, zero, pivot);
+    g.select(is_number, pivot, zero)
 }
 
 /// The nodes at which what depends on `late` symbols meets what does not, in order; what parameters alone decide is at hand

@@ -388,8 +388,8 @@ impl Writer {
                 self.key("independent").array(paths, |w, path| w.name(&path.text));
             }
             // Where the crate is found is no fact about the mechanism.
-            OptionEntry::Emit(words) => self.key("emit").array(words, |w, word| w.string(&word.text)),
-            OptionEntry::Crate(_) => {}
+            // No property of the mechanism.
+            OptionEntry::Emit(_) | OptionEntry::Crate(_) => {}
         }
     }
 

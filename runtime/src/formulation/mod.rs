@@ -7,12 +7,16 @@
 mod augmented_lagrangian;
 mod baumgarte;
 mod index1;
+mod null_space;
+mod partitioned;
 mod penalty;
 mod projected;
 
 pub use augmented_lagrangian::AugmentedLagrangian;
 pub use baumgarte::Baumgarte;
 pub use index1::LagrangeIndex1;
+pub use null_space::NullSpace;
+pub use partitioned::Partitioned;
 pub use penalty::Penalty;
 pub use projected::Projected;
 

@@ -18,12 +18,13 @@ use crate::vector::Vector;
 /// after elimination of λ, and this is what is factored, in the order of Lagrange's equations: no digits are lost to a
 /// large α, and there is a solution at singular positions and with redundant rows as well.
 ///
-/// - α, kg (kg m² for rows in rad): what an error of the acceleration costs. The constraints are violated by about
-///   1/(α σ) of what they carry, σ an eigenvalue of D M⁻¹ Dᵀ. Customary: 10⁷ times the largest entry of M.
+/// - α, kg (kg m² for rows in rad): what an error of the acceleration costs. The constraints carry less than they should
+///   by the part 1/(1 + α σ), σ an eigenvalue of D M⁻¹ Dᵀ; near a singular position, where σ is small, they give way. Where
+///   M + Dᵀ α D itself is factored, α loses digits, and 10⁷ times the largest entry of M is customary; here it may be as large as
+///   it needs to be.
 /// - Ω, rad/s: the frequency with which errors of position are brought back; Ω h must stay well below one.
 /// - μ: the damping ratio of that; 1 is critical.
 ///
-/// The larger α Ω², the less a load moves the constraints; a step of time sees only Ω.
 /// Source: Bayo, García de Jalón, Serna, Computer Methods in Applied Mechanics and Engineering 71 (1988) 183–195;
 /// García de Jalón, Bayo, *Kinematic and Dynamic Simulation of Multibody Systems*, 5.1.4; S. Bai, lecture *Dynamics*, equation
 /// (2.18).
@@ -43,8 +44,15 @@ impl<R: Real> Penalty<R> {
         Penalty { alpha, omega: R::from_f64(10.0), mu: R::ONE }
     }
 
-    /// What is customary for a mechanism and a step of `h` seconds: α = 10⁷ times the largest entry of M at `q`, μ = 1,
-    /// Ω = 10 rad/s or, for steps above a hundredth of a second, 1/(10 h).
+    /// What suits a mechanism and a step of `h` seconds: α is the largest entry of M at `q` times ε^(−3/4), 5.5·10¹¹ in double
+    /// and 1.6·10⁵ in single precision; Ω = 10 rad/s or, for steps above a hundredth of a second, 1/(10 h); μ = 1.
+    pub fn for_model<M: Mechanism<R>>(model: &M, time: R, q: &M::Q, h: R) -> Self {
+        let root = R::EPSILON.sqrt();
+        let weight = R::ONE / (root * root.sqrt());
+        Penalty { alpha: weight * largest_mass(model, time, q), ..Self::customary(model, time, q, h) }
+    }
+
+    /// As [`for_model`](Penalty::for_model), with the customary α of 10⁷ times the largest entry of M.
     pub fn customary<M: Mechanism<R>>(model: &M, time: R, q: &M::Q, h: R) -> Self {
         let ten = R::from_f64(10.0);
         let omega = (R::ONE / (ten * h)).min(ten);

@@ -4,11 +4,23 @@
 //! [`retract`](crate::layout::retract) with increments of the velocities' kind; methods above order 2 correct these by
 //! [`inverse_differential`](crate::layout::inverse_differential). Inputs, the clock and errors are `simulation`.
 
+mod ali3p;
+mod dormand_prince;
 mod explicit_trapezoidal;
+mod generalised_alpha;
+mod implicit_trapezoidal;
+mod interpolate;
+mod newmark;
 mod rk4;
 mod semi_implicit_euler;
 
+pub use ali3p::Ali3p;
+pub use dormand_prince::{DormandPrince, DormandPrinceMemory};
 pub use explicit_trapezoidal::ExplicitTrapezoidal;
+pub use generalised_alpha::GeneralisedAlpha;
+pub use implicit_trapezoidal::ImplicitTrapezoidal;
+pub use interpolate::Interpolate;
+pub use newmark::{Carried, ImplicitDynamics, Level, Weights};
 pub use rk4::Rk4;
 pub use semi_implicit_euler::SemiImplicitEuler;
 
@@ -31,8 +43,27 @@ pub trait Dynamics<R: Real> {
     type Lambda: Vector<R>;
 
     /// v̇ at a stage, whose state may be brought to the constraints on the way. The first call of a step must be at the
-    /// step's own start, so that what was evaluated there already (the inputs) is not evaluated again.
+    /// step's own start, so that what was evaluated there already (the inputs) is not evaluated again; where that call is
+    /// left out, [`resume`](Dynamics::resume) stands for it.
     fn acceleration(&mut self, time: R, state: &mut State<Self::Q, Self::V>) -> Self::V;
+
+    /// Begins a step in place of the evaluation at its start, with the accelerations found there at the end of the step
+    /// before; whether they still hold. They do not where inputs are held and may have changed with the step.
+    fn resume(&mut self) -> bool {
+        true
+    }
+
+    /// A trial of this size (s) begins, after the evaluation at the step's start: what broke down in the trials before it is
+    /// forgotten. Methods that try a step once need not say so.
+    fn begin_trial(&mut self, size: R) {
+        let _ = size;
+    }
+
+    /// Whether a stage of this trial, or of the step if there are no trials, was at a singular position, so that its
+    /// accelerations mean nothing.
+    fn broke_down(&self) -> bool {
+        false
+    }
 }
 
 /// A one-step method by itself: its parameters, and what it carries from step to step.
@@ -122,6 +153,13 @@ pub enum StepFailure<R = f64> {
         /// Why it was not accepted.
         rejections: Rejections,
     },
+    /// The matrix of an iteration is singular.
+    Singular {
+        /// The time at the end of the step tried, s.
+        time: R,
+    },
+    /// A stage was at a singular position, or not finite, and no other size of step would help or may be tried.
+    Breakdown,
     /// An iteration did not converge.
     NoConvergence {
         /// Iterations made.

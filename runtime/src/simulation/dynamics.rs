@@ -24,7 +24,15 @@ pub struct MechanismDynamics<'m, M: Mechanism<R>, R: Real, F: Formulation<R, M>,
     pub(super) inputs: Option<M::Inputs>,
     /// Whether a stage that breaks down is stepped over.
     pub(super) steps_over: bool,
+    /// The inputs that the last step began with.
+    pub(super) begun_with: Option<M::Inputs>,
     pub(super) watch: Watch<R, M::Q, M::V>,
+    /// The pivot of the last evaluation: that of the next step's beginning where it is not evaluated again.
+    pub(super) last_pivot: R,
+    /// What was seen before the first trial of the step, once there was one.
+    before_trials: Option<Watch<R, M::Q, M::V>>,
+    /// What the formulation remembered then.
+    memory_before_trials: F::Memory,
 }
 
 /// What was seen during one step.
@@ -33,6 +41,8 @@ pub(super) struct Watch<R, Q, V> {
     /// The size of the step.
     h: R,
     started: bool,
+    /// The pivot at the step's beginning.
+    pub first_pivot: R,
     pub smallest_pivot: R,
     pub iterations: u32,
     pub residual: R,
@@ -56,6 +66,7 @@ impl<R: Real, Q, V> Watch<R, Q, V> {
         Watch {
             h,
             started: false,
+            first_pivot: R::ONE,
             smallest_pivot: R::ONE,
             iterations: 0,
             residual: R::ZERO,
@@ -69,8 +80,36 @@ impl<R: Real, Q, V> Watch<R, Q, V> {
 impl<'m, M: Mechanism<R>, R: Real, F: Formulation<R, M>, S> MechanismDynamics<'m, M, R, F, S> {
     pub(super) fn new(model: &'m M, formulation: F, source: S) -> Self {
         let memory = formulation.memory();
-        let watch = Watch::new(R::ZERO);
-        MechanismDynamics { model, formulation, memory, source, inputs: None, steps_over: false, watch }
+        MechanismDynamics {
+            model,
+            formulation,
+            memory,
+            source,
+            inputs: None,
+            steps_over: false,
+            begun_with: None,
+            watch: Watch::new(R::ZERO),
+            last_pivot: R::ONE,
+            before_trials: None,
+            memory_before_trials: memory,
+        }
+    }
+
+    /// A step of size `h` begins.
+    pub(super) fn begin(&mut self, h: R) {
+        self.watch = Watch::new(h);
+        self.before_trials = None;
+    }
+
+    /// The inputs at a time and state within the last step, or at its end.
+    pub(super) fn inputs_within(&mut self, time: R, state: &State<M::Q, M::V>) -> M::Inputs
+    where
+        S: InputSource<R, M>,
+    {
+        match self.begun_with {
+            Some(inputs) if S::HELD => inputs,
+            _ => self.source.sample(time, state),
+        }
     }
 
     /// The same with another formulation.
@@ -94,6 +133,17 @@ impl<'m, M: Mechanism<R>, R: Real, F: Formulation<R, M>, S> MechanismDynamics<'m
         S: InputSource<R, M>,
     {
         *self.inputs.get_or_insert_with(|| self.source.sample(time, state))
+    }
+
+    /// The inputs at a stage: held ones are those of the step's beginning.
+    pub(super) fn inputs_at(&mut self, time: R, state: &State<M::Q, M::V>) -> M::Inputs
+    where
+        S: InputSource<R, M>,
+    {
+        match self.inputs {
+            Some(inputs) if S::HELD => inputs,
+            _ => self.source.sample(time, state),
+        }
     }
 
     /// v̇ and λ with the inputs of the present time; what the formulation remembers stays as it is.
@@ -180,6 +230,7 @@ where
             Some(inputs) if S::HELD || !self.watch.started => inputs,
             _ => self.source.sample(time, state),
         };
+        let first = !self.watch.started;
         self.watch.started = true;
         let (mut a, mut lambda) = (M::V::zero(), M::Lambda::zero());
         let mut evaluation = self.formulation.acceleration(
@@ -196,10 +247,40 @@ where
             self.see(time, state, &inputs, &mut evaluation, &mut a, &mut lambda);
         }
         let watch = &mut self.watch;
+        if first {
+            watch.first_pivot = evaluation.pivot;
+        }
+        self.last_pivot = evaluation.pivot;
         watch.smallest_pivot = evaluation.pivot.min(watch.smallest_pivot);
         watch.iterations += evaluation.iterations;
         watch.residual = watch.residual.max(evaluation.residual);
         a
+    }
+
+    fn resume(&mut self) -> bool {
+        let holds = !S::HELD || size_of::<M::Inputs>() == 0;
+        if holds {
+            self.watch.started = true;
+            self.watch.first_pivot = self.last_pivot;
+        }
+        holds
+    }
+
+    fn begin_trial(&mut self, size: R) {
+        let before = match self.before_trials {
+            Some(before) => before,
+            None => {
+                self.memory_before_trials = self.memory;
+                *self.before_trials.insert(self.watch)
+            }
+        };
+        // The work of trials given up is counted; what they saw is not part of the motion.
+        self.watch = Watch { h: size, iterations: self.watch.iterations, ..before };
+        self.memory = self.memory_before_trials;
+    }
+
+    fn broke_down(&self) -> bool {
+        self.watch.failure.is_some()
     }
 }
 
@@ -220,6 +301,10 @@ where
         a: &mut M::V,
         lambda: &mut M::Lambda,
     ) {
+        // A pivot that is exactly zero leaves 0 · ∞ behind.
+        if !evaluation.pivot.is_finite() && state.q.first_not_finite().is_none() {
+            evaluation.pivot = R::ZERO;
+        }
         let stage = Stage { time, pivot: evaluation.pivot, state: *state };
         if self.watch.worst.is_none_or(|worst| !R::any(stage.pivot.greater_equal(worst.pivot))) {
             self.watch.worst = Some(stage);

@@ -1,15 +1,23 @@
 //! Time stepping of one mechanism: the builder, the clock, what is known at a sample.
 //!
 //! Joins a model, a formulation, an input source and an integrator, each a type of its own. What happens inside one
-//! step, and how its failure is named, is `step.rs`. Nothing here allocates.
+//! step, and how its failure is named, is `step.rs`; dense output is `between.rs`, events are `event.rs` and `locate.rs`.
+//! Nothing here allocates.
 
+mod between;
 mod dynamics;
+mod event;
+mod implicit;
+mod locate;
 mod sample;
+mod singularity;
 mod step;
 
 pub use dynamics::MechanismDynamics;
+pub use event::{Direction, Event, Occurrence};
 pub use sample::{Residual, Sample, Samples};
-pub use step::{NearSingular, Step};
+pub use singularity::NearSingular;
+pub use step::Step;
 
 use crate::error::SimulationError;
 use crate::formulation::{Formulation, LagrangeIndex1};
@@ -18,6 +26,7 @@ use crate::integrator::{Integrator, Method, Rk4};
 use crate::mechanism::{Assemble, Mechanism};
 use crate::real::Real;
 use crate::state::State;
+use singularity::Passage;
 
 /// A mechanism in motion.
 ///
@@ -53,11 +62,21 @@ struct Run<R: Real, M: Mechanism<R>> {
     outputs: Option<M::Outputs>,
     smallest_pivot: R,
     near_singular: Option<NearSingular<R>>,
+    passage: Passage<R>,
     /// Whether the start need not satisfy the constraints.
     start_accepted: bool,
     /// Whether the start has been checked.
     start_checked: bool,
 }
+
+// Derived implementations would ask that the mechanism be `Copy`.
+impl<R: Real, M: Mechanism<R>> Clone for Run<R, M> {
+    fn clone(&self) -> Self {
+        *self
+    }
+}
+
+impl<R: Real, M: Mechanism<R>> Copy for Run<R, M> {}
 
 /// Time as a beginning and a number of steps.
 #[derive(Clone, Copy, Debug)]
@@ -89,6 +108,7 @@ impl<'m, R: Real, M: Mechanism<R>> Simulation<'m, M, R> {
             outputs: None,
             smallest_pivot: R::ONE,
             near_singular: None,
+            passage: Passage::new(),
             start_accepted: false,
             start_checked: false,
         };
@@ -243,14 +263,19 @@ impl<'m, R: Real, M: Mechanism<R>, F: Formulation<R, M>, S, I: Method<R>> Simula
     {
         let Run { clock, state, .. } = self.run;
         let inputs = self.dynamics.present_inputs(clock.time, &state);
+        self.sample_at(clock.time, state, inputs)
+    }
+
+    /// What is known of a state, outputs continued from the sample before.
+    fn sample_at(&mut self, time: R, state: State<M::Q, M::V>, inputs: M::Inputs) -> Sample<'m, R, M> {
         let model = self.model();
-        let mut outputs = model.outputs(clock.time, &state.q, &state.v, &inputs);
+        let mut outputs = model.outputs(time, &state.q, &state.v, &inputs);
         match &self.run.outputs {
             Some(previous) => M::unwrap(&mut outputs, previous),
             None => model.unwrap_start(&mut outputs),
         }
         self.run.outputs = Some(outputs);
-        Sample { time: clock.time, state, inputs, outputs, model }
+        Sample { time, state, inputs, outputs, model }
     }
 }
 

@@ -3,8 +3,8 @@
 //! The methods themselves are in `integrator` and `formulation`; clock and samples are in `mod.rs` and `sample.rs`, the
 //! stages in `dynamics.rs`.
 
-use super::dynamics::{Stage, Watch};
-use super::{Clock, MechanismDynamics, Residual, Simulation};
+use super::dynamics::Stage;
+use super::{Clock, MechanismDynamics, NearSingular, Residual, Simulation};
 use crate::assembly::{singular_velocity, smallest_pivot};
 use crate::error::SimulationError;
 use crate::formulation::Formulation;
@@ -14,6 +14,7 @@ use crate::layout::first_not_unit;
 use crate::mechanism::{Assemble, Mechanism, Row};
 use crate::real::Real;
 use crate::state::State;
+use crate::tabled;
 use crate::vector::Vector;
 
 /// A start further off the constraints than this, relative to its coordinates, or with an orientation whose squared
@@ -33,9 +34,9 @@ pub struct Step<R = f64> {
     /// The smallest relative pivot of the factorisations made: one is well posed, zero is a breakdown.
     pub smallest_pivot: R,
     /// The smallest estimate of the reciprocal condition of D M⁻¹ Dᵀ: over all stages, or where the formulation
-    /// softens the constraints, at the end of the step.
+    /// softens the constraints, at the end of the step; or what a parabola through the last steps has between them.
     pub reciprocal_condition: R,
-    /// The position nearest to a singular one, if one was nearly singular.
+    /// The position nearest to a singular one, if one was nearly singular or was passed within the last two steps.
     pub near_singular: Option<NearSingular<R>>,
     /// Iterations of formulation, integrator and projection together.
     pub iterations: u32,
@@ -47,19 +48,6 @@ pub struct Step<R = f64> {
     pub rejections: Rejections,
     /// Stages that broke down and were stepped over.
     pub stepped_over: u32,
-}
-
-/// A position near which the constraints lose rank: a change point, a dead centre of a mechanism with several degrees of
-/// freedom, a flat parallelogram. There the motion is hardly determined, and which branch is taken may be a matter of
-/// rounding.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct NearSingular<R = f64> {
-    /// The time, s.
-    pub time: R,
-    /// The row that depends on the others.
-    pub row: Row,
-    /// The estimate of the reciprocal condition of D M⁻¹ Dᵀ.
-    pub reciprocal_condition: R,
 }
 
 impl<'m, R, M, F, S, I> Simulation<'m, M, R, F, S, I>
@@ -117,7 +105,7 @@ where
         }
         let (time, begin) = (self.time(), self.run.state);
         let inputs = self.dynamics.present_inputs(time, &begin);
-        self.dynamics.watch = Watch::new(h);
+        self.dynamics.begin(h);
         let (before, mut memory) = (self.dynamics.memory, self.memory);
         let outcome = self.integrator.step(&mut memory, &mut self.dynamics, time, h, &begin);
         let failed = |simulation: &mut Self, error| {
@@ -127,7 +115,7 @@ where
         let stepped = match outcome {
             Ok(stepped) => stepped,
             Err(failure) => {
-                let error = self.diagnose_failure(time, failure);
+                let error = self.diagnose_failure(time, failure, &inputs);
                 return failed(self, error);
             }
         };
@@ -148,7 +136,7 @@ where
                 return failed(self, error);
             }
         };
-        let near_singular = self.near_singularity(clock.time, &next);
+        let near_singular = self.near_singularity(time, (clock.time, &next));
         let watch = &self.dynamics.watch;
         let step = Step {
             time: clock.time,
@@ -173,46 +161,67 @@ where
         run.clock = clock;
         self.memory = memory;
         self.dynamics.inputs = None;
+        self.dynamics.begun_with = Some(inputs);
         Ok(step)
     }
 
-    /// The estimate of the reciprocal condition in the step that ends in `next`, and what it says if it is small.
+    /// The estimate of the reciprocal condition in the step from `begin` to `next`, and what it says if it is small.
     #[inline]
-    fn near_singularity(&self, time: R, next: &State<M::Q, M::V>) -> (R, Option<NearSingular<R>>) {
+    fn near_singularity(
+        &mut self,
+        begin: R,
+        (time, next): (R, &State<M::Q, M::V>),
+    ) -> (R, Option<NearSingular<R>>) {
         if M::Lambda::LEN == 0 {
             return (R::ONE, None);
         }
-        if !F::PIVOT_SHOWS_CONDITION {
-            let condition = self.model().factor(time, &next.q, R::ZERO, &mut M::store());
-            if R::any(condition.greater_equal(R::NEAR_SINGULAR)) {
-                return (condition, None);
-            }
-            return (condition, Some(self.name_singularity(time, condition, &next.q)));
-        }
         let watch = &self.dynamics.watch;
-        match &watch.worst {
-            None => (watch.smallest_pivot, None),
-            Some(stage) => {
-                let found = self.name_singularity(stage.time, stage.pivot, &stage.state.q);
-                (stage.pivot, Some(found))
-            }
+        let (at, condition, smallest) = if F::PIVOT_SHOWS_CONDITION {
+            (begin, watch.first_pivot, watch.smallest_pivot)
+        } else {
+            let condition = self.model().factor(time, &next.q, R::ZERO, &mut M::store());
+            (time, condition, condition)
+        };
+        let worst = watch.worst.filter(|_| F::PIVOT_SHOWS_CONDITION);
+        // Written so that a NaN is seen.
+        if let Some(stage) = worst {
+            self.run.passage.see(at, condition);
+            return (smallest, Some(self.name_singularity(stage.time, stage.pivot, &stage.state.q)));
+        }
+        if !R::any(smallest.greater_equal(R::NEAR_SINGULAR)) {
+            self.run.passage.see(at, condition);
+            return (smallest, Some(self.name_singularity(time, smallest, &next.q)));
+        }
+        match self.run.passage.see(at, condition) {
+            None => (smallest, None),
+            Some((passed, least)) => (least, Some(self.name_singularity(passed, least, &next.q))),
         }
     }
 
     #[cold]
     fn name_singularity(&self, time: R, reciprocal_condition: R, q: &M::Q) -> NearSingular<R> {
-        let (_, row) = smallest_pivot(self.model(), time, q);
+        let row = tabled::weakest_row(self.model(), time, q);
         let row = row.map_or(Row { of: M::NAME, what: "constraints" }, |row| M::ROWS[row]);
         NearSingular { time, row, reciprocal_condition }
     }
 
     /// Why the integrator took no step.
     #[cold]
-    fn diagnose_failure(&self, time: R, failure: StepFailure<R>) -> SimulationError {
-        let time = time.to_f64();
+    fn diagnose_failure(&self, begin: R, failure: StepFailure<R>, inputs: &M::Inputs) -> SimulationError {
+        let time = begin.to_f64();
         match failure {
+            StepFailure::Breakdown => {
+                // Without a failure on record the pivots were good and the accelerations not finite.
+                let unknown = Stage { time: begin, pivot: R::from_f64(f64::NAN), state: self.run.state };
+                self.diagnose(self.dynamics.watch.failure.as_ref().unwrap_or(&unknown), inputs)
+            }
             StepFailure::Underflow { size, rejections } => {
                 SimulationError::StepUnderflow { time, step: size.to_f64(), rejections }
+            }
+            StepFailure::Singular { .. } => {
+                let row = tabled::weakest_row(self.model(), self.time(), &self.run.state.q);
+                let row = row.map_or(Row { of: M::NAME, what: "constraints" }, |row| M::ROWS[row]);
+                SimulationError::Breakdown { time, pivot: 0.0, row }
             }
             StepFailure::NoConvergence { iterations, residual } => {
                 SimulationError::NoConvergence { time, iterations, residual: residual.to_f64() }

@@ -153,8 +153,15 @@ impl Assemble<f64> for Bracket {
     type ConditionJacobian = [f64; 0];
     type Factor = [f64; 66];
     type System = [f64; 12];
+    type Dense = [f64; 36];
+    type Basis = [f64; 0];
+    type Reduced = [f64; 0];
+    type Choice = [u16; 6];
     type Store = tabled::Store<f64, Self>;
 
+    fn choice() -> [u16; 6] {
+        [0; 6]
+    }
     fn store() -> Self::Store {
         tabled::store::<f64, Self>()
     }

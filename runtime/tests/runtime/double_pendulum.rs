@@ -5,7 +5,7 @@
 //! k cos Δ θ̈₁ + M₂₂ θ̈₂ = k sin Δ ω₁² − m₂a₂ g cos θ₂, with k = m₂ l₁ a₂.
 
 use linkwright_runtime::{
-    Assemble, Condition, ConditionKind, Elimination, Layout, Mechanism, MultiTurn, Row, tabled,
+    Assemble, Condition, ConditionKind, Elimination, Fields, Layout, Mechanism, MultiTurn, Row, tabled,
 };
 use linkwright_runtime::{Real, unwrap_angle};
 
@@ -55,6 +55,18 @@ pub struct Torque<R = f64> {
 pub struct Outputs<R = f64> {
     pub upper: R,
     pub torque: R,
+}
+
+impl<R: Real> Fields<R> for Outputs<R> {
+    const NAMES: &'static [&'static str] = &["upper", "torque"];
+    type Array = [R; 2];
+
+    fn from_array([upper, torque]: [R; 2]) -> Self {
+        Outputs { upper, torque }
+    }
+    fn to_array(&self) -> [R; 2] {
+        [self.upper, self.torque]
+    }
 }
 
 impl<R: Real> Mechanism<R> for DoublePendulum<R> {
@@ -174,8 +186,15 @@ impl<R: Real> Assemble<R> for DoublePendulum<R> {
     type ConditionJacobian = [R; 2];
     type Factor = [R; 4];
     type System = [R; 4];
+    type Dense = [R; 0];
+    type Basis = [R; 4];
+    type Reduced = [R; 4];
+    type Choice = [u16; 2];
     type Store = tabled::Store<R, Self>;
 
+    fn choice() -> [u16; 2] {
+        [0; 2]
+    }
     fn store() -> Self::Store {
         tabled::store::<R, Self>()
     }

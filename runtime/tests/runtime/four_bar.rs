@@ -266,8 +266,15 @@ impl Assemble<f64> for FourBar {
     type ConditionJacobian = [f64; 2];
     type Factor = [f64; 171];
     type System = [f64; 19];
+    type Dense = [f64; 72];
+    type Basis = [f64; 9];
+    type Reduced = [f64; 1];
+    type Choice = [u16; 9];
     type Store = tabled::Store<f64, Self>;
 
+    fn choice() -> [u16; 9] {
+        [0; 9]
+    }
     fn store() -> Self::Store {
         tabled::store::<f64, Self>()
     }

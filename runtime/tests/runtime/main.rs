@@ -4,7 +4,9 @@ mod assembly;
 mod bracket;
 #[cfg(feature = "nalgebra")]
 mod dense;
+mod dormand_prince;
 mod double_pendulum;
+mod events;
 mod factorisation;
 mod four_bar;
 mod motion;

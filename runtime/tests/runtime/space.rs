@@ -12,18 +12,18 @@ use linkwright_runtime::{
 
 const ONE_BODY: Layout = Layout { linear: 0, rotations: 0, quaternions: 1, angles: &[] };
 
-type Turning = State<[f64; 4], [f64; 3]>;
+pub type Turning = State<[f64; 4], [f64; 3]>;
 
 /// A body about a fixed point: J ω̇ = Jω × ω + r × Aᵀ F.
-struct Top {
+pub struct Top {
     /// Principal moments about the fixed point.
-    inertia: [f64; 3],
+    pub inertia: [f64; 3],
     /// m g r, which turns where gravity points along −z.
-    moment: [f64; 3],
+    pub moment: [f64; 3],
 }
 
 impl Top {
-    fn free() -> Self {
+    pub fn free() -> Self {
         Top { inertia: [1.0, 2.0, 3.0], moment: [0.0; 3] }
     }
 
@@ -36,7 +36,7 @@ impl Top {
         rotation_matrix(state.q).map(|row| row.iter().zip(self.spin(state.v)).map(|(a, l)| a * l).sum())
     }
 
-    fn energy(&self, state: &Turning) -> f64 {
+    pub fn energy(&self, state: &Turning) -> f64 {
         let [_, _, up] = rotation_matrix(state.q);
         let kinetic: f64 = self.spin(state.v).iter().zip(state.v).map(|(l, omega)| 0.5 * l * omega).sum();
         kinetic + up.iter().zip(self.moment).map(|(a, m)| a * m).sum::<f64>()
@@ -57,7 +57,7 @@ impl Dynamics<f64> for Top {
     }
 }
 
-fn run<D: Dynamics<f64>, I: Integrator<f64, D>>(
+pub fn run<D: Dynamics<f64>, I: Integrator<f64, D>>(
     mut dynamics: D,
     integrator: I,
     start: State<D::Q, D::V>,
@@ -73,12 +73,12 @@ fn run<D: Dynamics<f64>, I: Integrator<f64, D>>(
 }
 
 /// The angle between two orientations, rad.
-fn apart(p: [f64; 4], [w, x, y, z]: [f64; 4]) -> f64 {
+pub fn apart(p: [f64; 4], [w, x, y, z]: [f64; 4]) -> f64 {
     let [_, x, y, z] = product([w, -x, -y, -z], p);
     2.0 * (x * x + y * y + z * z).sqrt().asin()
 }
 
-fn largest(a: &[f64], b: &[f64]) -> f64 {
+pub fn largest(a: &[f64], b: &[f64]) -> f64 {
     a.iter().zip(b).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max)
 }
 
@@ -146,7 +146,7 @@ impl<D: Dynamics<f64>> Integrator<f64, D> for Uncorrected {
     }
 }
 
-const TUMBLING: Turning = State { q: [1.0, 0.0, 0.0, 0.0], v: [0.4, 3.0, -0.7] };
+pub const TUMBLING: Turning = State { q: [1.0, 0.0, 0.0, 0.0], v: [0.4, 3.0, -0.7] };
 
 /// Observed orders of the final orientation with 100, 200 and 400 steps for 2 s of a tumbling body.
 fn orders<I: Integrator<f64, Top> + Copy>(integrator: I) -> [f64; 2] {
@@ -205,7 +205,7 @@ fn the_heavy_top() {
 }
 
 /// A body whose rate about an axis is also kept as the speed of a linear coordinate and as a counted angle.
-struct Counted(Top);
+pub struct Counted(pub Top);
 
 const COUNTED: [(u32, f64); 2] = [(2, 0.8), (3, -0.6)];
 

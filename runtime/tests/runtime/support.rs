@@ -100,7 +100,14 @@ impl Assemble<f64> for Support {
     type ConditionJacobian = [f64; 0];
     type Factor = [f64; 15];
     type System = [f64; 6];
+    type Dense = [f64; 9];
+    type Basis = [f64; 0];
+    type Reduced = [f64; 0];
+    type Choice = [u16; 3];
     type Store = linkwright_runtime::tabled::Store<f64, Self>;
+    fn choice() -> [u16; 3] {
+        [0; 3]
+    }
     fn store() -> Self::Store {
         linkwright_runtime::tabled::store::<f64, Self>()
     }

@@ -1,0 +1,51 @@
+//! The formulations compared.
+
+use crate::trial::{Setting, row, trial};
+use linkwright::{
+    Assemble, AugmentedLagrangian, Baumgarte, Formulation, LagrangeIndex1, NullSpace, Partitioned, Penalty,
+    Projected,
+};
+
+const HEAD: &str = "| formulation | h, s | error at the end | energy drift, J | max Φ | max D v − ν | near singular | iterations \
+                    | time |\n|---|---|---|---|---|---|---|---|---|\n";
+
+/// All of them, one after the other, as a table. Frequencies are those of `rate` (1/s).
+pub fn table<M: Assemble<f64, Inputs = ()>>(setting: &Setting<'_, M>, rate: f64) -> String {
+    let mut text = HEAD.to_string();
+    let baumgarte = |factor: f64| Baumgarte { alpha: factor * rate, beta: factor * rate };
+    let stiff = Penalty::for_model(setting.model, 0.0, &setting.start.q, 1.0 / rate);
+    let stiff = Penalty { omega: rate, ..stiff };
+    add(&mut text, setting, "Lagrange, index 1", LagrangeIndex1);
+    for factor in [0.5, 1.0, 2.0] {
+        add(&mut text, setting, &format!("Baumgarte, α = β = {}/s", factor * rate), baumgarte(factor));
+    }
+    let soft = Penalty::customary(setting.model, 0.0, &setting.start.q, 1.0 / rate);
+    let soft = Penalty { omega: rate, ..soft };
+    add(&mut text, setting, "penalty, 10⁷ M", soft);
+    add(&mut text, setting, "penalty", stiff);
+    add(&mut text, setting, "augmented Lagrangian, 10⁷ M", AugmentedLagrangian::new(soft));
+    add(&mut text, setting, "augmented Lagrangian", AugmentedLagrangian::new(stiff));
+    add(&mut text, setting, "index 1, projected", Projected::after(LagrangeIndex1));
+    add(&mut text, setting, "Baumgarte, projected", Projected::after(baumgarte(1.0)));
+    add(&mut text, setting, "penalty, projected", Projected::after(stiff));
+    add(
+        &mut text,
+        setting,
+        "augmented Lagrangian, projected",
+        Projected::after(AugmentedLagrangian::new(stiff)),
+    );
+    add(&mut text, setting, "null space", NullSpace);
+    add(&mut text, setting, "null space, projected", Projected::after(NullSpace));
+    add(&mut text, setting, "coordinate partitioning", Partitioned::default());
+    text
+}
+
+fn add<M, F>(text: &mut String, setting: &Setting<'_, M>, name: &str, formulation: F)
+where
+    M: Assemble<f64, Inputs = ()>,
+    F: Formulation<f64, M> + Copy,
+{
+    for step in setting.steps {
+        text.push_str(&row::<M>(name, &trial(setting, formulation, *step)));
+    }
+}

@@ -1,0 +1,101 @@
+//! One run and its row of a table.
+
+use linkwright::{
+    Assemble, Formulation, Mechanism, Residual, Rk4, Sample, Simulation, SimulationError, State,
+};
+use std::time::Instant;
+
+/// A benchmark: how long it runs, and how a sample is judged.
+pub struct Setting<'m, M: Assemble<f64, Inputs = ()>> {
+    pub model: &'m M,
+    pub start: State<M::Q, M::V>,
+    pub end: f64,
+    pub steps: &'static [f64],
+    /// T + V, without the work of loads.
+    pub energy: fn(&Sample<'_, f64, M>) -> f64,
+    /// The error at the end of the run.
+    pub error: fn(&Sample<'_, f64, M>) -> f64,
+}
+
+/// What came out of a run.
+#[derive(Clone, Copy, Debug)]
+pub struct Trial {
+    pub step: f64,
+    pub error: f64,
+    pub drift: f64,
+    pub position: f64,
+    pub velocity: f64,
+    /// The first time near a singular position.
+    pub near_singular: Option<f64>,
+    pub iterations: u32,
+    pub seconds: f64,
+    pub failure: Option<SimulationError>,
+}
+
+/// Runs one formulation with one step.
+pub fn trial<M: Assemble<f64, Inputs = ()>, F: Formulation<f64, M>>(
+    setting: &Setting<'_, M>,
+    formulation: F,
+    step: f64,
+) -> Trial {
+    let mut simulation =
+        Simulation::new(setting.model, setting.start).formulation(formulation).integrator(Rk4).step(step);
+    let begin = (setting.energy)(&simulation.sample());
+    let mut trial = Trial {
+        step,
+        error: f64::NAN,
+        drift: 0.0,
+        position: 0.0,
+        velocity: 0.0,
+        near_singular: None,
+        iterations: 0,
+        seconds: 0.0,
+        failure: None,
+    };
+    let clock = Instant::now();
+    let mut looked = 0.0;
+    let count = (setting.end / step).round() as u64;
+    for _ in 0..count {
+        match simulation.advance() {
+            Ok(taken) => {
+                trial.iterations += taken.iterations;
+                if trial.near_singular.is_none() {
+                    trial.near_singular = taken.near_singular.map(|found| found.time);
+                }
+            }
+            Err(error) => {
+                trial.failure = Some(error);
+                break;
+            }
+        }
+        let begun = Instant::now();
+        let sample = simulation.sample();
+        trial.drift = trial.drift.max(((setting.energy)(&sample) - begin).abs());
+        let Residual { position, velocity, .. } = simulation.constraint_residual();
+        (trial.position, trial.velocity) = (trial.position.max(position), trial.velocity.max(velocity));
+        looked += begun.elapsed().as_secs_f64();
+    }
+    trial.seconds = clock.elapsed().as_secs_f64() - looked;
+    if trial.failure.is_none() {
+        trial.error = (setting.error)(&simulation.sample());
+    }
+    trial
+}
+
+/// The row of a table.
+pub fn row<M: Mechanism<f64>>(name: &str, trial: &Trial) -> String {
+    let near = trial.near_singular.map_or("–".to_string(), |time| format!("{time:.4} s"));
+    let Trial { step, error, drift, position, velocity, seconds, .. } = trial;
+    let error = match &trial.failure {
+        None => format!("{error:.1e}"),
+        Some(SimulationError::NonFinite { time, .. } | SimulationError::Breakdown { time, .. }) => {
+            format!("stopped at {time:.2} s")
+        }
+        Some(failure) => format!("stopped: {failure}"),
+    };
+    format!(
+        "| {name} | {step} | {error} | {drift:.1e} | {position:.1e} | {velocity:.1e} | {near} | {} | {:.1} ms |\n",
+        trial.iterations,
+        1e3 * seconds
+    )
+}

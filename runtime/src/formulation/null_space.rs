@@ -1,0 +1,169 @@
+//! The equations of motion in independent velocities: the null space of D, or matrix R.
+
+use super::{Evaluation, Formulation, Settled};
+use crate::error::{AssemblyError, SettingError};
+use crate::mechanism::Assemble;
+use crate::partition::{Partition, PartitionOf};
+use crate::real::Real;
+use crate::state::State;
+use crate::vector::Vector;
+
+/// The null-space formulation (matrix R): v = R ż + S ν, with ż the independent velocities and D R = 0, so that
+///
+/// ```text
+/// (Rᵀ M R) z̈ = Rᵀ (Q − M S γ),    v̇ = R z̈ + S γ,    D_dᵀ λ = (Q − M v̇)_d
+/// ```
+/// without multipliers in what is integrated. At every stage and at the end of a step the dependent velocities are computed
+/// from the independent ones, so velocities satisfy the constraints to rounding; positions drift slowly, unless it is
+/// [`Projected`](super::Projected). The independent set is kept while its pivots are good, and chosen anew by pivoting
+/// where they degrade (a dead centre of the coordinate taken as independent); M may be singular where the
+/// constraints make up for it.
+///
+/// Source: García de Jalón, Bayo, *Kinematic and Dynamic Simulation of Multibody Systems*, 5.2.3 (matrix R) and 3.5 (choice by
+/// pivoting); Liang, Lance, Journal of Mechanisms, Transmissions and Automation in Design 109 (1987) 398–405.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct NullSpace;
+
+impl<R: Real, M: Assemble<R>> Formulation<R, M> for NullSpace {
+    /// The independent set.
+    type Memory = PartitionOf<R, M>;
+    const PIVOT_SHOWS_CONDITION: bool = false;
+
+    fn memory(&self) -> Self::Memory {
+        Partition::new::<M>()
+    }
+
+    #[inline]
+    fn acceleration(
+        &self,
+        partition: &mut Self::Memory,
+        model: &M,
+        time: R,
+        state: &mut State<M::Q, M::V>,
+        u: &M::Inputs,
+        a: &mut M::V,
+        lambda: &mut M::Lambda,
+    ) -> Evaluation<R> {
+        let pivot = partition.factor(model, time, &state.q);
+        follow(partition, model, time, state);
+        let mut gamma = M::Lambda::zero();
+        model.gamma(time, &state.q, &state.v, &mut gamma);
+        let mut forces = M::V::zero();
+        model.forces(time, &state.q, &state.v, u, &mut forces);
+        let mut mass = M::Mass::zero();
+        model.mass_matrix(time, &state.q, &mut mass);
+
+        // Sγ: accelerations that satisfy the rows with z̈ = 0.
+        *a = M::V::zero();
+        partition.dependent::<M>(&gamma, a);
+        let rest = forces.plus(-R::ONE, &times::<R, M>(&mass, a));
+
+        // R, column by column, and Rᵀ M R, Rᵀ (Q − M S γ).
+        let (n, freedoms) = (M::V::LEN, M::V::LEN - M::Lambda::LEN + M::IDLE.len());
+        let mut basis = M::Basis::zero();
+        let mut reduced = M::Reduced::zero();
+        let mut right = M::V::zero();
+        for (at, velocity) in partition.independent().enumerate() {
+            let mut column = M::V::zero();
+            column.as_mut_slice()[velocity] = R::ONE;
+            partition.dependent::<M>(&M::Lambda::zero(), &mut column);
+            basis.as_mut_slice()[at * n..][..n].copy_from_slice(column.as_slice());
+            let product = times::<R, M>(&mass, &column);
+            for (other, known) in basis.as_slice().chunks_exact(n).enumerate().take(at + 1) {
+                reduced.as_mut_slice()[at * freedoms + other] = dot(known, product.as_slice());
+            }
+            right.as_mut_slice()[at] = dot(column.as_slice(), rest.as_slice());
+        }
+        let regular = cholesky(reduced.as_mut_slice(), freedoms, right.as_mut_slice());
+        for (at, column) in basis.as_slice().chunks_exact(n.max(1)).enumerate().take(freedoms) {
+            let rate = right.as_slice()[at];
+            for (entry, &r) in a.as_mut_slice().iter_mut().zip(column) {
+                *entry = r.mul_add(rate, *entry);
+            }
+        }
+        let rest = forces.plus(-R::ONE, &times::<R, M>(&mass, a));
+        partition.multipliers::<M>(&rest, lambda);
+        Evaluation::direct(regular.min(pivot))
+    }
+
+    fn settle(
+        &self,
+        partition: &mut Self::Memory,
+        model: &M,
+        time: R,
+        state: &mut State<M::Q, M::V>,
+    ) -> Result<Settled<R>, AssemblyError> {
+        partition.factor(model, time, &state.q);
+        follow(partition, model, time, state);
+        Ok(Settled { iterations: 0, moved: R::ZERO })
+    }
+
+    fn check(&self) -> Result<(), SettingError> {
+        Ok(())
+    }
+}
+
+/// The dependent velocities from the independent ones: D v = ν.
+pub(super) fn follow<R: Real, M: Assemble<R>>(
+    partition: &PartitionOf<R, M>,
+    model: &M,
+    time: R,
+    state: &mut State<M::Q, M::V>,
+) {
+    let mut nu = M::Lambda::zero();
+    model.nu(time, &state.q, &mut nu);
+    partition.dependent::<M>(&nu, &mut state.v);
+}
+
+/// M x.
+fn times<R: Real, M: Assemble<R>>(mass: &M::Mass, x: &M::V) -> M::V {
+    let mut product = M::V::zero();
+    let (p, x) = (product.as_mut_slice(), x.as_slice());
+    for (&entry, &(i, j)) in mass.as_slice().iter().zip(M::MASS_PATTERN) {
+        let (i, j) = (i as usize, j as usize);
+        p[i] = entry.mul_add(x[j], p[i]);
+        if i != j {
+            p[j] = entry.mul_add(x[i], p[j]);
+        }
+    }
+    product
+}
+
+fn dot<R: Real>(a: &[R], b: &[R]) -> R {
+    a.iter().zip(b).fold(R::ZERO, |sum, (&a, &b)| a.mul_add(b, sum))
+}
+
+/// Solves A x = b in place, A symmetric and positive definite by its lower triangle, row by row (Golub, Van Loan, *Matrix
+/// Computations*, 4.2); returns the smallest pivot relative to its diagonal entry.
+fn cholesky<R: Real>(matrix: &mut [R], size: usize, b: &mut [R]) -> R {
+    let mut smallest = R::ONE;
+    for i in 0..size {
+        let own = matrix[i * size + i];
+        for j in 0..=i {
+            let mut entry = matrix[i * size + j];
+            for k in 0..j {
+                entry = entry - matrix[i * size + k] * matrix[j * size + k];
+            }
+            matrix[i * size + j] = if i == j {
+                let relative = if own > R::ZERO { entry / own } else { R::ZERO };
+                smallest = relative.min(smallest);
+                entry.max(R::ZERO).sqrt()
+            } else {
+                entry / matrix[j * size + j]
+            };
+        }
+        let mut rest = b[i];
+        for k in 0..i {
+            rest = rest - matrix[i * size + k] * b[k];
+        }
+        b[i] = rest / matrix[i * size + i];
+    }
+    for i in (0..size).rev() {
+        let mut rest = b[i];
+        for k in i + 1..size {
+            rest = rest - matrix[k * size + i] * b[k];
+        }
+        b[i] = rest / matrix[i * size + i];
+    }
+    smallest
+}

@@ -1,0 +1,126 @@
+//! Coordinate partitioning: dependent positions and velocities follow from independent ones.
+
+use super::null_space::follow;
+use super::{Evaluation, Formulation, Settled, positive};
+use crate::error::{AssemblyError, SettingError};
+use crate::layout::retract;
+use crate::mechanism::Assemble;
+use crate::partition::{Partition, PartitionOf};
+use crate::real::Real;
+use crate::state::State;
+use crate::vector::Vector;
+
+/// Generalised coordinate partitioning: at every stage and at the end of a step the dependent positions are brought to the
+/// constraints by Newton's iteration with the independent ones held, D_d δ_d = −Φ, δ_i = 0, and the dependent velocities
+/// follow from D v = ν; accelerations are those of Lagrange's equations there. Only independent coordinates are
+/// integrated, whatever the integrator; the error of the constraints is that of the iteration.
+///
+/// The independent set is kept while its pivots are good, and chosen anew by pivoting where they degrade.
+/// Source: Wehage, Haug, Journal of Mechanical Design 104 (1982) 247–255.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Partitioned<R = f64> {
+    /// max |Φ| at which positions are good, m, rad or the row's own unit.
+    pub tolerance: R,
+    /// The most iterations made.
+    pub iterations: u32,
+}
+
+impl<R: Real> Default for Partitioned<R> {
+    /// To rounding: 10⁻¹⁴ in double precision, at most ten iterations.
+    fn default() -> Self {
+        let tolerance = R::from_f64(1e-14).max(R::from_f64(16.0) * R::EPSILON);
+        Partitioned { tolerance, iterations: 10 }
+    }
+}
+
+impl<R: Real> Partitioned<R> {
+    /// Brings the dependent positions and velocities after the independent ones; returns the pivot of the partition too.
+    fn bring<M: Assemble<R>>(
+        &self,
+        partition: &mut PartitionOf<R, M>,
+        model: &M,
+        time: R,
+        state: &mut State<M::Q, M::V>,
+    ) -> (R, Result<Settled<R>, AssemblyError>) {
+        let mut settled = Settled { iterations: 0, moved: R::ZERO };
+        let mut pivot = partition.factor(model, time, &state.q);
+        let mut phi = M::Lambda::zero();
+        let mut last = R::ZERO;
+        let outcome = loop {
+            model.constraints(time, &state.q, &mut phi);
+            if phi.max_abs() <= self.tolerance && phi.first_not_finite().is_none() {
+                break Ok(settled);
+            }
+            if phi.first_not_finite().is_some() || settled.iterations == self.iterations {
+                break Err(AssemblyError::worst::<R, M>(&phi, settled.iterations));
+            }
+            let mut delta = M::V::zero();
+            partition.dependent::<M>(&phi.scaled(-R::ONE), &mut delta);
+            let moved = delta.max_abs();
+            // What rounding alone moves back and forth.
+            let rounding = R::from_f64(16.0) * R::EPSILON * (R::ONE + state.q.max_abs());
+            if settled.iterations > 0 && moved <= rounding {
+                break Ok(settled);
+            }
+            let from = state.q;
+            retract(&M::LAYOUT, &from, &delta, &mut state.q);
+            settled.iterations += 1;
+            settled.moved = settled.moved.max(moved);
+            if settled.iterations > 1 && moved > R::from_f64(0.1) * last {
+                pivot = partition.factor(model, time, &state.q).min(pivot);
+            }
+            last = moved;
+        };
+        if settled.moved > R::ZERO {
+            pivot = partition.factor(model, time, &state.q).min(pivot);
+        }
+        follow(partition, model, time, state);
+        (pivot, outcome)
+    }
+}
+
+impl<R: Real, M: Assemble<R>> Formulation<R, M> for Partitioned<R> {
+    /// The independent set.
+    type Memory = PartitionOf<R, M>;
+
+    fn memory(&self) -> Self::Memory {
+        Partition::new::<M>()
+    }
+
+    #[inline]
+    fn acceleration(
+        &self,
+        partition: &mut Self::Memory,
+        model: &M,
+        time: R,
+        state: &mut State<M::Q, M::V>,
+        u: &M::Inputs,
+        a: &mut M::V,
+        lambda: &mut M::Lambda,
+    ) -> Evaluation<R> {
+        // A stage that was not brought to the constraints entirely still has accelerations; the end of the step tells.
+        let (_, outcome) = self.bring(partition, model, time, state);
+        let iterations = outcome.map_or(self.iterations, |settled| settled.iterations);
+        let pivot = model.acceleration(time, &state.q, &state.v, u, a, lambda);
+        Evaluation { pivot, iterations, residual: R::ZERO }
+    }
+
+    fn settle(
+        &self,
+        partition: &mut Self::Memory,
+        model: &M,
+        time: R,
+        state: &mut State<M::Q, M::V>,
+    ) -> Result<Settled<R>, AssemblyError> {
+        self.bring(partition, model, time, state).1
+    }
+
+    fn check(&self) -> Result<(), SettingError> {
+        positive("the partitioning's tolerance", self.tolerance, "positive and finite (m), such as 1e-14")?;
+        if self.iterations == 0 {
+            let must_be = "at least 1";
+            return Err(SettingError { what: "the partitioning's iterations", value: 0.0, must_be });
+        }
+        Ok(())
+    }
+}

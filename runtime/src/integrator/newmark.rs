@@ -1,0 +1,284 @@
+//! One implicit step of Newmark's family on the group: what generalised-α, the trapezoidal rule and ALI3-P share.
+
+use super::{Dynamics, Rejections, StepFailure, Stepped};
+use crate::layout::retract_counting;
+use crate::linearisation::lu::Lu;
+use crate::real::Real;
+use crate::state::State;
+use crate::vector::Vector;
+use core::fmt::Debug;
+
+/// Dynamics whose residual and exact tangent an implicit method can ask for.
+///
+/// Implemented for every mechanism that emits its [`Tangent`](crate::Tangent).
+#[diagnostic::on_unimplemented(
+    message = "implicit methods need the tangent of the mechanism",
+    label = "it is not emitted",
+    note = "add `options {{ emit = (tangent); }}` to the definition of the mechanism"
+)]
+pub trait ImplicitDynamics<R: Real>: Dynamics<R> {
+    /// One entry for each velocity, then for each row.
+    type Unknowns: Vector<R>;
+    /// A square matrix of that size, row by row.
+    type Bordered: Vector<R>;
+    /// A whole number for each unknown.
+    type Order: Copy + Debug + AsRef<[u16]> + AsMut<[u16]>;
+
+    /// An order to be written.
+    fn order() -> Self::Order;
+    /// (M a + Dᵀ λ − Q, Φ or D v − ν) at a state, with the inputs there.
+    fn residual(
+        &mut self,
+        time: R,
+        state: &State<Self::Q, Self::V>,
+        a: &Self::V,
+        lambda: &Self::Lambda,
+        level: Level,
+    ) -> Self::Unknowns;
+    /// \[m M + d C + K, Dᵀ; D′, −c\] at a state, K = ∂(M a + Dᵀ λ − Q)/∂q and C = ∂(…)/∂v, by increments along which v̇ changes by
+    /// `weights.mass`, v by `weights.damping` times the increment, with D′ = D or, of rows at the level of velocities,
+    /// d D + ∂(D v − ν)/∂q. K and the derivatives of rows by positions are taken along `u`: of a quaternion turned by u the
+    /// increment δu turns it by dexp₋ᵤ δu.
+    fn matrix(
+        &mut self,
+        time: R,
+        state: &State<Self::Q, Self::V>,
+        a: &Self::V,
+        lambda: &Self::Lambda,
+        u: &Self::V,
+        weights: &Weights<R>,
+        entries: &mut Self::Bordered,
+    );
+    /// ν and γ at a state.
+    fn rates(&mut self, time: R, state: &State<Self::Q, Self::V>) -> (Self::Lambda, Self::Lambda);
+    /// Looks how near a singular position the state is.
+    fn observe(&mut self, time: R, state: &State<Self::Q, Self::V>);
+}
+
+/// At which level a method holds the constraints.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Level {
+    /// Φ = 0.
+    Position,
+    /// D v = ν.
+    Velocity,
+}
+
+/// What the parts of [`ImplicitDynamics::matrix`] are multiplied with.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Weights<R> {
+    /// m, 1/s².
+    pub mass: R,
+    /// d, 1/s.
+    pub damping: R,
+    /// 1 for K, 0 to leave it out.
+    pub stiffness: R,
+    /// c, the compliance of the rows.
+    pub compliance: R,
+    /// The level of the rows.
+    pub level: Level,
+}
+
+/// What is carried from step to step: the accelerations at its end, v̇ and the method's own a, and λ.
+#[derive(Clone, Copy, Debug)]
+pub struct Carried<V, Lambda> {
+    pub(super) known: Option<Known<V, Lambda>>,
+}
+
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Known<V, Lambda> {
+    /// v̇ of the equations of motion.
+    pub v_dot: V,
+    /// a of the method.
+    pub a: V,
+    pub lambda: Lambda,
+}
+
+/// The coefficients of a method:
+///
+/// ```text
+/// (1 − α_m) a₁ + α_m a₀ = (1 − α_f) v̇₁ + α_f v̇₀
+/// u = h v₀ + h² (½ − β) a₀ + h² β a₁,   q₁ = q₀ ⊕ u
+/// v₁ = v₀ + h (1 − γ) a₀ + h γ a₁
+/// ```
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Scheme<R> {
+    pub alpha_m: R,
+    pub alpha_f: R,
+    pub beta: R,
+    pub gamma: R,
+    pub level: Level,
+    /// The part of a penalty's compliance, and whether its multipliers are iterated.
+    pub compliance: R,
+    /// The change of a coordinate at which the iteration ends, relative to 1 + the largest coordinate.
+    pub tolerance: R,
+    /// The most iterations made.
+    pub iterations: u32,
+}
+
+/// The end of a step under iteration.
+struct Trial<Q, V, Lambda> {
+    u: V,
+    state: State<Q, V>,
+    v_dot: V,
+    a: V,
+    lambda: Lambda,
+}
+
+/// The matrix of the last iterations, factored.
+pub(super) struct Factored<R: Real, D: ImplicitDynamics<R>> {
+    pub entries: D::Bordered,
+    rows: D::Unknowns,
+    columns: D::Unknowns,
+    order: D::Order,
+}
+
+impl<R: Real, D: ImplicitDynamics<R>> Factored<R, D> {
+    pub fn new() -> Self {
+        let (rows, columns) = (D::Unknowns::zero(), D::Unknowns::zero());
+        Factored { entries: D::Bordered::zero(), rows, columns, order: D::order() }
+    }
+
+    pub fn lu(&mut self) -> Lu<'_, R> {
+        Lu {
+            entries: self.entries.as_mut_slice(),
+            rows: self.rows.as_mut_slice(),
+            columns: self.columns.as_mut_slice(),
+            order: self.order.as_mut(),
+        }
+    }
+}
+
+impl<R: Real> Scheme<R> {
+    /// One step; also gives what the next begins with. The penalty's multipliers are `lambda` of what is carried.
+    pub fn step<D: ImplicitDynamics<R>>(
+        &self,
+        carried: &mut Carried<D::V, D::Lambda>,
+        dynamics: &mut D,
+        time: R,
+        h: R,
+        state: &State<D::Q, D::V>,
+    ) -> Result<Stepped<R, D::Q, D::V>, StepFailure<R>> {
+        let known = match carried.known {
+            Some(known) => known,
+            None => {
+                let v_dot = dynamics.acceleration(time, &mut state.clone());
+                Known { v_dot, a: v_dot, lambda: D::Lambda::zero() }
+            }
+        };
+        let end = time + h;
+        let Scheme { alpha_m, alpha_f, beta, gamma, .. } = *self;
+        let mass = (R::ONE - alpha_m) / (h * h * beta * (R::ONE - alpha_f));
+        let weights = Weights {
+            mass,
+            damping: gamma / (h * beta),
+            stiffness: R::ONE,
+            compliance: self.compliance,
+            level: self.level,
+        };
+        let mut trial = self.predicted::<D>(h, state, &known);
+        let mut multipliers = known.lambda;
+        let mut factored = Factored::<R, D>::new();
+        let (mut iterations, mut last) = (0, R::ZERO);
+        loop {
+            let mut residual = dynamics.residual(end, &trial.state, &trial.v_dot, &trial.lambda, self.level);
+            // A penalty's row is Φ − (λ − λ*)/α.
+            let rows = residual.as_mut_slice()[D::V::LEN..].iter_mut();
+            for (row, (&lambda, &before)) in
+                rows.zip(trial.lambda.as_slice().iter().zip(multipliers.as_slice()))
+            {
+                *row = *row - self.compliance * (lambda - before);
+            }
+            if residual.first_not_finite().is_some() {
+                return Err(StepFailure::NoConvergence { iterations, residual: residual.max_abs() });
+            }
+            // The matrix of the first iteration serves as long as it is good.
+            if iterations < 2 || last > R::from_f64(1e-3) {
+                let Trial { state, v_dot, lambda, u, .. } = &trial;
+                dynamics.matrix(end, state, v_dot, lambda, u, &weights, &mut factored.entries);
+                if factored.lu().factor().is_err() {
+                    return Err(StepFailure::Singular { time: end });
+                }
+            }
+            let mut step = residual.scaled(-R::ONE);
+            factored.lu().solve(step.as_mut_slice());
+            let (du, dlambda) = step.as_slice().split_at(D::V::LEN);
+            let mut increment = D::V::zero();
+            increment.as_mut_slice().copy_from_slice(du);
+            for (entry, &delta) in trial.lambda.as_mut_slice().iter_mut().zip(dlambda) {
+                *entry = *entry + delta;
+            }
+            trial.v_dot.axpy(mass, &increment);
+            self.close::<D>(h, state, &known, &mut trial);
+            iterations += 1;
+            let size = R::ONE + trial.state.q.max_abs();
+            last = increment.max_abs() / size;
+            if last <= self.tolerance {
+                // Of a penalty the multipliers too.
+                let change = trial.lambda.plus(-R::ONE, &multipliers).max_abs();
+                let settled = change * self.compliance <= self.tolerance * size;
+                multipliers = trial.lambda;
+                if settled {
+                    break;
+                }
+            }
+            // Near singular positions multipliers without meaning are long in coming, with next to nothing to move.
+            let moves_little = self.compliance > R::ZERO && last <= self.tolerance.sqrt();
+            if iterations >= self.iterations && moves_little {
+                break;
+            }
+            // Written so that a NaN fails.
+            if iterations >= self.iterations || !R::any(last.less(R::from_f64(1e6))) {
+                return Err(StepFailure::NoConvergence { iterations, residual: last / self.tolerance });
+            }
+        }
+        let Trial { state, v_dot, a, lambda, .. } = trial;
+        carried.known = Some(Known { v_dot, a, lambda });
+        dynamics.observe(end, &state);
+        Ok(Stepped {
+            state,
+            size: h,
+            iterations,
+            residual: last / self.tolerance,
+            rejections: Rejections::default(),
+        })
+    }
+
+    /// The step with the accelerations of its beginning.
+    fn predicted<D: Dynamics<R>>(
+        &self,
+        h: R,
+        state: &State<D::Q, D::V>,
+        known: &Known<D::V, D::Lambda>,
+    ) -> Trial<D::Q, D::V, D::Lambda> {
+        let Known { v_dot, a, lambda } = *known;
+        let mut trial = Trial { u: D::V::zero(), state: *state, v_dot, a, lambda };
+        self.close::<D>(h, state, known, &mut trial);
+        trial
+    }
+
+    /// a, u, q and v that belong to v̇ at the end.
+    fn close<D: Dynamics<R>>(
+        &self,
+        h: R,
+        begin: &State<D::Q, D::V>,
+        known: &Known<D::V, D::Lambda>,
+        trial: &mut Trial<D::Q, D::V, D::Lambda>,
+    ) {
+        let Scheme { alpha_m, alpha_f, beta, gamma, .. } = *self;
+        let half = R::from_f64(0.5);
+        let mut a = trial.v_dot.scaled(R::ONE - alpha_f);
+        a.axpy(alpha_f, &known.v_dot);
+        a.axpy(-alpha_m, &known.a);
+        trial.a = a.scaled(R::ONE / (R::ONE - alpha_m));
+        let mut u = begin.v.scaled(h);
+        u.axpy(h * h * (half - beta), &known.a);
+        u.axpy(h * h * beta, &trial.a);
+        trial.u = u;
+        let mut v = begin.v.plus(h * (R::ONE - gamma), &known.a);
+        v.axpy(h * gamma, &trial.a);
+        // Counted angles take ∫ v dt, which for this method is u itself.
+        retract_counting(&D::LAYOUT, &begin.q, &u, &u, &mut trial.state.q);
+        trial.state.v = v;
+    }
+}

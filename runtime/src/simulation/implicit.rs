@@ -1,0 +1,172 @@
+//! The mechanism as an implicit integrator sees it: residuals and exact tangents of the equations of motion.
+
+use super::dynamics::{MechanismDynamics, Stage};
+use crate::assembly::system::subtract_product;
+use crate::formulation::Formulation;
+use crate::input::InputSource;
+use crate::integrator::{ImplicitDynamics, Level, Weights};
+use crate::layout::differential;
+use crate::real::Real;
+use crate::state::State;
+use crate::tangent::Tangent;
+use crate::vector::Vector;
+
+impl<M, R, F, S> ImplicitDynamics<R> for MechanismDynamics<'_, M, R, F, S>
+where
+    M: Tangent<R>,
+    R: Real,
+    F: Formulation<R, M>,
+    S: InputSource<R, M>,
+{
+    type Unknowns = M::Unknowns;
+    type Bordered = M::Bordered;
+    type Order = M::Order;
+
+    fn order() -> M::Order {
+        M::order()
+    }
+
+    fn residual(
+        &mut self,
+        time: R,
+        state: &State<M::Q, M::V>,
+        a: &M::V,
+        lambda: &M::Lambda,
+        level: Level,
+    ) -> M::Unknowns {
+        let inputs = self.inputs_at(time, state);
+        let State { q, v } = state;
+        let (mut forces, mut rows) = (M::V::zero(), M::Lambda::zero());
+        self.model.residual(time, q, v, &inputs, a, lambda, &mut forces);
+        match level {
+            Level::Position => self.model.constraints(time, q, &mut rows),
+            Level::Velocity => {
+                let mut jacobian = M::Jacobian::zero();
+                self.model.constraint_jacobian(time, q, &mut jacobian);
+                self.model.nu(time, q, &mut rows);
+                subtract_product(M::JACOBIAN_PATTERN, jacobian.as_slice(), v.as_slice(), rows.as_mut_slice());
+                rows = rows.scaled(-R::ONE);
+            }
+        }
+        // Rows that repeat others have the multiplier zero.
+        for &row in M::IDLE {
+            rows.as_mut_slice()[row as usize] = lambda.as_slice()[row as usize];
+        }
+        let mut residual = M::Unknowns::zero();
+        let (to_forces, to_rows) = residual.as_mut_slice().split_at_mut(M::V::LEN);
+        to_forces.copy_from_slice(forces.as_slice());
+        to_rows.copy_from_slice(rows.as_slice());
+        residual
+    }
+
+    fn matrix(
+        &mut self,
+        time: R,
+        state: &State<M::Q, M::V>,
+        a: &M::V,
+        lambda: &M::Lambda,
+        u: &M::V,
+        weights: &Weights<R>,
+        matrix: &mut M::Bordered,
+    ) {
+        let inputs = self.inputs_at(time, state);
+        let (model, State { q, v }) = (self.model, state);
+        let (mut stiffness, mut damping) = (M::Stiffness::zero(), M::Damping::zero());
+        model.tangent(time, q, v, &inputs, a, lambda, &mut stiffness, &mut damping);
+        let (mut mass, mut jacobian) = (M::Mass::zero(), M::Jacobian::zero());
+        model.mass_matrix(time, q, &mut mass);
+        model.constraint_jacobian(time, q, &mut jacobian);
+        let (n, size) = (M::V::LEN, M::Unknowns::LEN);
+        let entries = matrix.as_mut_slice();
+        entries.fill(R::ZERO);
+        let mut add = |row: usize, column: usize, value: R| {
+            let entry = &mut entries[row * size + column];
+            *entry = *entry + value;
+        };
+        let idle = |row: u16| M::IDLE.contains(&row);
+        let rows = || jacobian.as_slice().iter().zip(M::JACOBIAN_PATTERN).filter(|(_, (row, _))| !idle(*row));
+
+        // What depends on positions, by increments of positions.
+        for (&entry, &(row, column)) in stiffness.as_slice().iter().zip(M::STIFFNESS_PATTERN) {
+            add(row as usize, column as usize, weights.stiffness * entry);
+        }
+        match weights.level {
+            Level::Position => {
+                for (&entry, &(row, column)) in rows() {
+                    add(n + row as usize, column as usize, entry);
+                }
+            }
+            Level::Velocity => {
+                let mut rate = M::RateTangent::zero();
+                model.rate_tangent(time, q, v, &mut rate);
+                let rates = rate.as_slice().iter().zip(M::RATE_PATTERN);
+                for (&entry, &(row, column)) in rates.filter(|(_, (row, _))| !idle(*row)) {
+                    add(n + row as usize, column as usize, weights.stiffness * entry);
+                }
+            }
+        }
+        turn_columns(&M::LAYOUT, u, entries, size);
+
+        let mut add = |row: usize, column: usize, value: R| {
+            let entry = &mut entries[row * size + column];
+            *entry = *entry + value;
+        };
+        for (&entry, &(row, column)) in mass.as_slice().iter().zip(M::MASS_PATTERN) {
+            let (row, column) = (row as usize, column as usize);
+            add(row, column, weights.mass * entry);
+            if row != column {
+                add(column, row, weights.mass * entry);
+            }
+        }
+        for (&entry, &(row, column)) in damping.as_slice().iter().zip(M::DAMPING_PATTERN) {
+            add(row as usize, column as usize, weights.damping * entry);
+        }
+        for (&entry, &(row, column)) in rows() {
+            let (row, column) = (n + row as usize, column as usize);
+            add(column, row, entry);
+            if weights.level == Level::Velocity {
+                add(row, column, weights.damping * entry);
+            }
+        }
+        for row in 0..M::Lambda::LEN {
+            let own = if idle(row as u16) { R::ONE } else { -weights.compliance };
+            add(n + row, n + row, own);
+        }
+    }
+
+    fn rates(&mut self, time: R, State { q, v }: &State<M::Q, M::V>) -> (M::Lambda, M::Lambda) {
+        let (mut nu, mut gamma) = (M::Lambda::zero(), M::Lambda::zero());
+        self.model.nu(time, q, &mut nu);
+        self.model.gamma(time, q, v, &mut gamma);
+        for &row in M::IDLE {
+            (nu.as_mut_slice()[row as usize], gamma.as_mut_slice()[row as usize]) = (R::ZERO, R::ZERO);
+        }
+        (nu, gamma)
+    }
+
+    fn observe(&mut self, time: R, state: &State<M::Q, M::V>) {
+        if M::Lambda::LEN == 0 {
+            return;
+        }
+        let pivot = self.model.factor(time, &state.q, R::ZERO, &mut M::store());
+        (self.watch.first_pivot, self.watch.smallest_pivot) = (pivot, pivot);
+        self.watch.worst =
+            (!R::any(pivot.greater_equal(R::NEAR_SINGULAR))).then_some(Stage { time, pivot, state: *state });
+    }
+}
+
+/// Columns by increments of positions become columns by increments of u: for a quaternion turned by u, times dexp₋ᵤ.
+fn turn_columns<R: Real, V: Vector<R>>(layout: &crate::Layout, u: &V, entries: &mut [R], size: usize) {
+    let first = layout.linear + layout.rotations;
+    for ball in 0..layout.quaternions {
+        let at = first + 3 * ball;
+        let u = &u.as_slice()[at..at + 3];
+        let turn = differential([u[0], u[1], u[2]]);
+        for row in entries.chunks_exact_mut(size) {
+            let old = [row[at], row[at + 1], row[at + 2]];
+            for (k, entry) in row[at..at + 3].iter_mut().enumerate() {
+                *entry = old[0] * turn[0][k] + old[1] * turn[1][k] + old[2] * turn[2][k];
+            }
+        }
+    }
+}

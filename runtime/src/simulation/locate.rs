@@ -1,0 +1,238 @@
+//! The search for events: steps, and the step that crossed a level repeated from its beginning.
+
+use super::event::Watched;
+use super::{Clock, Event, MechanismDynamics, Occurrence, Run, Sample, Simulation};
+use crate::error::SimulationError;
+use crate::fields::Fields;
+use crate::formulation::Formulation;
+use crate::input::InputSource;
+use crate::integrator::Integrator;
+use crate::mechanism::{Assemble, Mechanism};
+use crate::real::Real;
+
+/// All of a simulation that a step changes.
+#[derive(Clone, Copy)]
+struct Standing<Real, Run, Memory, Formulation, Inputs> {
+    run: Run,
+    memory: Memory,
+    formulation: Formulation,
+    inputs: Option<Inputs>,
+    begun_with: Option<Inputs>,
+    last_pivot: Real,
+}
+
+/// [`Standing`] of a simulation with these methods.
+type StandingOf<M, R, F, D, I> = Standing<
+    R,
+    Run<R, M>,
+    <I as crate::integrator::Method<R>>::Memory<
+        <M as Mechanism<R>>::Q,
+        <M as Mechanism<R>>::V,
+        <M as Mechanism<R>>::Lambda,
+    >,
+    <F as Formulation<R, M>>::Memory,
+    D,
+>;
+
+/// Moving, until something happens.
+impl<'m, R, M, F, S, I> Simulation<'m, M, R, F, S, I>
+where
+    R: Real,
+    M: Assemble<R>,
+    M::Outputs: Fields<R>,
+    F: Formulation<R, M>,
+    S: InputSource<R, M>,
+    I: Integrator<R, MechanismDynamics<'m, M, R, F, S>>,
+{
+    /// Steps until the first of the `events`, or until `end` (s) if none happens; shows a sample now, after each step, and at
+    /// the event. The simulation then stands at the event and can go on.
+    ///
+    /// Outputs are compared at the ends of the steps: a step must be shorter than the time in which an output crosses its
+    /// level twice. The step in which one crossed is repeated from its beginning with shorter sizes, which serves every
+    /// integrator and keeps its order, until the crossing is known to the least of the tolerances: the ITP method (Oliveira,
+    /// Takahashi, ACM Trans. Math. Softw. 47 (2021) 5), which asks for at most one step more than bisection,
+    /// log₂(h/tolerance) + 1. Of several events in a step the earliest is found. One whose output is exactly at its level
+    /// where the run begins has happened before: going on from an event does not find it again.
+    ///
+    /// Held inputs are kept while a step is repeated, and asked for again at the event; sampled ones are asked for in every
+    /// repetition. Angles among the outputs are continued without jumps, so that a whole turn crosses nothing.
+    ///
+    /// # Errors
+    /// [`SimulationError`]; the simulation then stands at the last good state. An output that does not exist, a tolerance that
+    /// is not positive, a level that is not finite.
+    pub fn run_until_event(
+        &mut self,
+        end: R,
+        events: &[Event<R>],
+        mut show: impl FnMut(&Sample<'m, R, M>),
+    ) -> Result<Option<Occurrence<R>>, SimulationError> {
+        let h = self.checked_run(end)?;
+        let watched = Watched::new::<M::Outputs>(events)?;
+        let sample = self.sample();
+        show(&sample);
+        let mut before = sample.outputs;
+        while self.time() < end {
+            let begin = self.standing();
+            self.advance_towards(end, h)?;
+            let after = self.outputs_after(&before);
+            let found = match watched.any(&before, &after) {
+                true => self.locate(&watched, begin, before, after)?,
+                false => None,
+            };
+            // After a search that found nothing the simulation stands at the step's end again.
+            show(&self.sample());
+            if found.is_some() {
+                return Ok(found);
+            }
+            before = after;
+        }
+        Ok(None)
+    }
+
+    /// The first event between two ends of a step that have one between them; the simulation is left standing there.
+    #[cold]
+    fn locate(
+        &mut self,
+        watched: &Watched<'_, R>,
+        begin: StandingOf<M, R, F, M::Inputs, I>,
+        before: M::Outputs,
+        after: M::Outputs,
+    ) -> Result<Option<Occurrence<R>>, SimulationError> {
+        let (mut base, mut low, mut high) = ((begin, before), (begin.time(), before), (self.time(), after));
+        let mut found = self.standing();
+        let resolution = R::from_f64(4.0) * R::EPSILON * (low.0.abs() + high.0.abs());
+        let tolerance = watched.tolerance.max(resolution);
+        let mut search = Search::new(high.0 - low.0, tolerance);
+        while high.0 - low.0 > tolerance {
+            let Some(part) = watched.expected(&low.1, &high.1) else { break };
+            let time = search.next(low.0, high.0, part);
+            self.stand(base.0);
+            if let Err(error) = self.advance_by(time - self.time(), Clock::at(time)) {
+                self.stand(begin);
+                return Err(error);
+            }
+            // A method that chooses its steps may have stopped before.
+            let reached = (self.time(), self.outputs_after(&before));
+            if reached.0 <= low.0 {
+                low = (base.0.time(), base.1);
+            }
+            if watched.any(&low.1, &reached.1) {
+                high = reached;
+                found = self.standing();
+            } else {
+                low = reached;
+                if reached.0 < time {
+                    base = (self.standing(), reached.1);
+                }
+            }
+        }
+        self.stand(found);
+        Ok(watched.occurrence(high.0, &low.1, &high.1))
+    }
+
+    /// The outputs at the end of the last step, with the inputs held over it, continued from `previous`.
+    fn outputs_after(&mut self, previous: &M::Outputs) -> M::Outputs {
+        let (time, state) = (self.time(), self.run.state);
+        let inputs = self.dynamics.inputs_within(time, &state);
+        let mut outputs = self.model().outputs(time, &state.q, &state.v, &inputs);
+        M::unwrap(&mut outputs, previous);
+        outputs
+    }
+
+    fn standing(&self) -> StandingOf<M, R, F, M::Inputs, I> {
+        Standing {
+            run: self.run,
+            memory: self.memory,
+            formulation: self.dynamics.memory,
+            inputs: self.dynamics.inputs,
+            begun_with: self.dynamics.begun_with,
+            last_pivot: self.dynamics.last_pivot,
+        }
+    }
+
+    fn stand(&mut self, standing: StandingOf<M, R, F, M::Inputs, I>) {
+        self.run = standing.run;
+        self.memory = standing.memory;
+        self.dynamics.memory = standing.formulation;
+        self.dynamics.inputs = standing.inputs;
+        self.dynamics.begun_with = standing.begun_with;
+        self.dynamics.last_pivot = standing.last_pivot;
+    }
+}
+
+impl<R: Real, M: Mechanism<R>, Memory, Formulation, Inputs>
+    Standing<R, Run<R, M>, Memory, Formulation, Inputs>
+{
+    fn time(&self) -> R {
+        self.run.clock.time
+    }
+}
+
+/// The choice of the next time in a bracket: regula falsi, held to the bracket that bisection would have by now.
+struct Search<R> {
+    /// ε 2ⁿ⁻ʲ, half the widest bracket that is allowed after the next trial.
+    radius: R,
+    /// κ₁ of the truncation κ₁ (b − a)², 1/s.
+    truncation: R,
+    margin: R,
+}
+
+impl<R: Real> Search<R> {
+    fn new(width: R, tolerance: R) -> Self {
+        let two = R::from_f64(2.0);
+        // ε 2ⁿ with n one more than bisection needs.
+        let mut radius = tolerance;
+        while radius < width {
+            radius = radius * two;
+        }
+        Search { radius, truncation: R::from_f64(0.2) / width, margin: tolerance * R::from_f64(0.25) }
+    }
+
+    /// A time between `low` and `high`, near the part of it that is given.
+    fn next(&mut self, low: R, high: R, part: R) -> R {
+        let half = R::from_f64(0.5);
+        let width = high - low;
+        let middle = low + half * width;
+        let off = (part - half) * width;
+        // Towards the middle, so that the bracket shrinks from both sides.
+        let truncation = self.truncation * width * width;
+        let off = off.sign() * (off.abs() - truncation).max(R::ZERO);
+        let radius = (self.radius - half * width).max(R::ZERO).min(half * width - self.margin);
+        self.radius = self.radius * half;
+        middle + off.max(-radius).min(radius)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Trials until the bracket of a root is shorter than `tolerance`, and the bracket.
+    fn trials(value: impl Fn(f64) -> f64, tolerance: f64) -> (u32, f64, f64) {
+        let (mut low, mut high) = (0.0, 1.0);
+        let mut search = Search::new(high - low, tolerance);
+        let mut count = 0;
+        while high - low > tolerance {
+            let (a, b) = (value(low), value(high));
+            let time = search.next(low, high, a / (a - b));
+            assert!(low < time && time < high, "{low} {time} {high}");
+            if value(time) >= 0.0 {
+                high = time
+            } else {
+                low = time
+            }
+            count += 1;
+        }
+        (count, low, high)
+    }
+
+    #[test]
+    fn a_smooth_root_takes_few_trials_and_a_jump_those_of_bisection() {
+        let (count, low, high) = trials(|x| x * x * x - 0.2, 1e-12);
+        assert!(count <= 10 && low < 0.2_f64.cbrt() && 0.2_f64.cbrt() <= high, "{count}");
+        let (count, ..) = trials(|x| if x < 0.7123 { -1.0 } else { 1e6 }, 1e-12);
+        assert!(count <= 41, "{count}");
+        let (count, ..) = trials(|x| libm::pow(x, 25.0) - 1e-9, 1e-12);
+        assert!(count <= 41, "{count}");
+    }
+}

@@ -1,0 +1,269 @@
+//! Every formulation on every model at random states, against the equations it stands for.
+
+use crate::identities::product;
+use crate::registry::{At, Model, Random, for_each, vector};
+use crate::walking::walk;
+use linkwright::{
+    AugmentedLagrangian, Formulation, LagrangeIndex1, NullSpace, Partitioned, Penalty, Projected, State,
+    Vector, retract,
+};
+use linkwright_compiler::compile;
+use linkwright_compiler::model::Coordinates;
+use linkwright_compiler::schedule::{Function, Inputs, run};
+
+const STATES: usize = 6;
+
+for_each!(softened_constraints_are_solved);
+for_each!(written_out_factorisations_solve);
+for_each!(null_space_and_iteration_agree_with_lagrange);
+for_each!(projection_reaches_the_constraints_along_the_mass);
+
+/// M a + Dᵀ λ − f and D a − c λ − r, each divided by the magnitude of its terms; the largest of all.
+fn backward_error(
+    mass: &[((usize, usize), f64)],
+    jacobian: &[((usize, usize), f64)],
+    compliance: &[f64],
+    (a, lambda): (&[f64], &[f64]),
+    (forces, rows): (&[f64], &[f64]),
+) -> f64 {
+    let mut rest = vec![(0.0, 0.0); a.len() + lambda.len()];
+    let mut add = |at: usize, term: f64| {
+        rest[at].0 += term;
+        rest[at].1 += term.abs();
+    };
+    for &((i, j), entry) in mass {
+        add(i, entry * a[j]);
+        if i != j {
+            add(j, entry * a[i]);
+        }
+    }
+    for &((row, column), entry) in jacobian {
+        add(column, entry * lambda[row]);
+        add(a.len() + row, entry * a[column]);
+    }
+    for (row, (c, lambda)) in compliance.iter().zip(lambda).enumerate() {
+        add(a.len() + row, -c * lambda);
+    }
+    for (at, given) in forces.iter().chain(rows).enumerate() {
+        add(at, -given);
+    }
+    let relative = rest.iter().map(|(value, size)| if *size > 0.0 { value.abs() / size } else { 0.0 });
+    relative.fold(0.0, |worst: f64, value| if value.is_nan() { f64::INFINITY } else { worst.max(value) })
+}
+
+fn pairs(pattern: &[(u16, u16)], values: &[f64]) -> Vec<((usize, usize), f64)> {
+    let at = |&(i, j): &(u16, u16)| (usize::from(i), usize::from(j));
+    pattern.iter().map(at).zip(values.iter().copied()).collect()
+}
+
+/// K(c) of the emitted model, by whatever factorisation it has.
+fn softened_constraints_are_solved<M: Model>() {
+    let (_, _, model, states) = walk::<M>(7, STATES);
+    let mut random = Random::new(8);
+    for at in &states {
+        let At { time, q, .. } = at;
+        let (mut mass, mut jacobian) = (M::Mass::zero(), M::Jacobian::zero());
+        model.mass_matrix(*time, q, &mut mass);
+        model.constraint_jacobian(*time, q, &mut jacobian);
+        let idle = |row: u16| M::IDLE.contains(&row);
+        let jacobian: Vec<_> = pairs(M::JACOBIAN_PATTERN, jacobian.as_slice())
+            .into_iter()
+            .filter(|((row, _), _)| !idle(*row as u16))
+            .collect();
+        for compliance in [0.0, 1e-9, 1e-3, 10.0] {
+            let mut store = M::store();
+            let pivot = model.factor(*time, q, compliance, &mut store);
+            assert!(pivot > 1e-9, "{}: pivot {pivot:e} at c = {compliance:e}", M::NAME);
+            let forces: M::V = vector(&random.vector(M::V::LEN));
+            let mut rows: M::Lambda = vector(&random.vector(M::Lambda::LEN));
+            M::IDLE.iter().for_each(|row| rows.as_mut_slice()[usize::from(*row)] = 0.0);
+            let (mut a, mut lambda) = (M::V::zero(), M::Lambda::zero());
+            model.solve(&store, &forces, &rows, &mut a, &mut lambda);
+            let softness = vec![compliance; M::Lambda::LEN];
+            let error = backward_error(
+                &pairs(M::MASS_PATTERN, mass.as_slice()),
+                &jacobian,
+                &softness,
+                (a.as_slice(), lambda.as_slice()),
+                (forces.as_slice(), rows.as_slice()),
+            );
+            assert!(error < 1e-9, "{}: {error:e} at c = {compliance:e}", M::NAME);
+            assert!(M::IDLE.iter().all(|row| lambda.as_slice()[usize::from(*row)] == 0.0));
+        }
+    }
+}
+
+/// K(c) as it is written out where a definition asks for it, in both sets of coordinates: the programs by the interpreter.
+fn written_out_factorisations_solve<M: Model>() {
+    let source = M::SOURCE.trim_end().strip_suffix('}').expect("a definition ends in a brace");
+    let source = format!("{source} options {{ emit = (penalty, projection); }} }}");
+    for coordinates in [Coordinates::Tree, Coordinates::Absolute] {
+        let tokens = source.parse().expect("tokens");
+        let Ok(compiled) = compile(tokens, Some(coordinates)) else {
+            // Some angles cannot be counted in absolute coordinates.
+            assert_eq!(coordinates, Coordinates::Absolute, "{}", M::NAME);
+            continue;
+        };
+        let stored = compiled.solved.stored.as_ref().expect("it was asked for");
+        let (n, kept) = (compiled.equations.layout.velocities(), stored.kept.len());
+        let mut random = Random::new(9);
+        for _ in 0..STATES {
+            let mut inputs = random.point(&compiled);
+            // Where M is singular by itself, the rows in a random position need not make up for it.
+            if !compiled.solved.massless.rows.is_empty() {
+                inputs.q = compiled.assembly.q.clone();
+            }
+            let program = |function: Function, inputs: &Inputs| run(compiled.programs.get(function), inputs);
+            inputs.prepared = program(Function::Prepare, &inputs);
+            let entries = |keys: Vec<(usize, usize)>, values: Vec<f64>| -> Vec<_> {
+                keys.into_iter().zip(values).collect()
+            };
+            let mass = entries(
+                compiled.equations.mass.keys().copied().collect(),
+                program(Function::MassMatrix, &inputs),
+            );
+            let rows = compiled.equations.rows.iter().enumerate();
+            let keys = rows.flat_map(|(row, r)| r.jet.columns.keys().map(move |column| (row, *column)));
+            let mut jacobian = entries(keys.collect(), program(Function::ConstraintJacobian, &inputs));
+            let idle = &compiled.equations.idle;
+            jacobian.retain(|((row, _), _)| !idle.contains(row));
+            idle.iter().for_each(|row| inputs.given_rows[*row] = 0.0);
+
+            let system = program(Function::System, &inputs);
+            let factored = program(Function::Factor, &inputs);
+            assert_eq!(system[..kept], factored[..kept], "{}: one factorisation", M::NAME);
+            assert_eq!(system[kept..kept + n], program(Function::Forces, &inputs), "{}", M::NAME);
+            let count = compiled.equations.rows.len();
+            assert_eq!(system.len(), kept + n + count + 1);
+            inputs.kept = factored[..kept].to_vec();
+            let solution = program(Function::Solve, &inputs);
+            let error = backward_error(
+                &mass,
+                &jacobian,
+                &vec![inputs.compliance; count],
+                solution.split_at(n),
+                (&inputs.given_forces, &inputs.given_rows),
+            );
+            assert!(error < 1e-9, "{} in {coordinates:?}: {error:e}", M::NAME);
+
+            // The rows are γ − 2α (D v − ν) − β² Φ.
+            let (gamma, phi) = (program(Function::Gamma, &inputs), program(Function::Constraints, &inputs));
+            let mut rest = program(Function::Nu, &inputs);
+            let all = program(Function::ConstraintJacobian, &inputs);
+            let rows = compiled.equations.rows.iter().enumerate();
+            let keys = rows.flat_map(|(row, r)| r.jet.columns.keys().map(move |column| (row, *column)));
+            for ((row, column), entry) in keys.zip(all) {
+                rest[row] -= entry * inputs.v[column];
+            }
+            for (row, found) in system[kept + n..kept + n + count].iter().enumerate() {
+                let terms = [gamma[row], inputs.two_alpha * rest[row], -inputs.beta_squared * phi[row]];
+                let (sum, size): (f64, f64) = (terms.iter().sum(), terms.iter().map(|term| term.abs()).sum());
+                assert!((found - sum).abs() <= 1e-11 * (1.0 + size), "{}: row {row}: {found} {sum}", M::NAME);
+            }
+        }
+    }
+}
+
+/// v̇ and λ of a formulation at a state.
+fn accelerations<M: Model, F: Formulation<f64, M>>(
+    model: &M,
+    formulation: F,
+    at: &At<M>,
+) -> (M::V, M::Lambda) {
+    let (mut a, mut lambda) = (M::V::zero(), M::Lambda::zero());
+    let mut state = State { q: at.q, v: at.v };
+    let mut memory = formulation.memory();
+    formulation.acceleration(&mut memory, model, at.time, &mut state, &at.u, &mut a, &mut lambda);
+    (a, lambda)
+}
+
+/// At consistent states all accelerations are those of Lagrange's equations, whatever the formulation; so are the multipliers,
+/// except of rows that are kept though redundant.
+fn null_space_and_iteration_agree_with_lagrange<M: Model>() {
+    let (_, _, model, states) = walk::<M>(11, STATES);
+    for at in &states {
+        let (a, lambda) = accelerations(&model, LagrangeIndex1, at);
+        let size = 1.0 + a.max_abs();
+        let compare = |name: &str, found: (M::V, M::Lambda), bound: f64| {
+            let error = found.0.plus(-1.0, &a).max_abs() / size;
+            assert!(error < bound, "{}, {name}: accelerations off by {error:e}", M::NAME);
+            let reaction = |lambda: &M::Lambda| {
+                let mut jacobian = M::Jacobian::zero();
+                model.constraint_jacobian(at.time, &at.q, &mut jacobian);
+                let mut force = vec![0.0; M::V::LEN];
+                for (&(row, column), d) in M::JACOBIAN_PATTERN.iter().zip(jacobian.as_slice()) {
+                    force[usize::from(column)] += d * lambda.as_slice()[usize::from(row)];
+                }
+                force
+            };
+            let (found, known) = (reaction(&found.1), reaction(&lambda));
+            let most = 1.0 + known.iter().fold(0.0_f64, |most, force| most.max(force.abs()));
+            let error = found.iter().zip(&known).map(|(a, b)| (a - b).abs() / most).fold(0.0, f64::max);
+            assert!(error < bound, "{}, {name}: reactions off by {error:e}", M::NAME);
+        };
+        compare("null space", accelerations(&model, NullSpace, at), 1e-8);
+        compare("partitioned", accelerations(&model, Partitioned::default(), at), 1e-8);
+        let penalty = Penalty::for_model(&model, at.time, &at.q, 1e-3);
+        compare("augmented Lagrangian", accelerations(&model, AugmentedLagrangian::new(penalty), at), 1e-8);
+        compare("penalty", accelerations(&model, penalty, at), 1e-4);
+    }
+}
+
+/// A position and velocity off the constraints are brought back; the way is orthogonal, in the norm of M, to what the constraints
+/// allow.
+fn projection_reaches_the_constraints_along_the_mass<M: Model>() {
+    let (_, _, model, states) = walk::<M>(13, STATES);
+    let mut random = Random::new(14);
+    for at in &states {
+        let off = vector::<M::V>(&random.vector(M::V::LEN)).scaled(1e-6);
+        let mut q = at.q;
+        retract(&M::LAYOUT, &at.q, &off, &mut q);
+        let kick = vector::<M::V>(&random.vector(M::V::LEN)).scaled(1e-3);
+        let mut state = State { q, v: at.v.plus(1.0, &kick) };
+        let before = state;
+        let projected = Projected::after(LagrangeIndex1);
+        let settled = Formulation::<f64, M>::settle(&projected, &mut (), &model, at.time, &mut state);
+        settled.unwrap_or_else(|error| panic!("{}: {error}", M::NAME));
+        let mut phi = M::Lambda::zero();
+        model.constraints(at.time, &state.q, &mut phi);
+        let size = 1.0 + state.q.max_abs();
+        assert!(phi.max_abs() < 1e-13 * size * size, "{}: positions {:e}", M::NAME, phi.max_abs());
+        let mut jacobian = M::Jacobian::zero();
+        model.constraint_jacobian(at.time, &state.q, &mut jacobian);
+        let mut nu = M::Lambda::zero();
+        model.nu(at.time, &state.q, &mut nu);
+        let rate = product::<M>(&jacobian, &state.v, false);
+        let terms = product::<M>(&jacobian, &state.v, true);
+        for (row, ((rate, nu), size)) in rate.iter().zip(nu.as_slice()).zip(terms).enumerate() {
+            assert!((rate - nu).abs() < 1e-11 * (1.0 + size), "{}: velocity of row {row}", M::NAME);
+        }
+        // wᵀ M Δv = 0 for every w with D w = 0.
+        let change = state.v.plus(-1.0, &before.v);
+        let free = State { q: state.q, v: vector(&random.vector(M::V::LEN)) };
+        let mut mass = M::Mass::zero();
+        model.mass_matrix(at.time, &state.q, &mut mass);
+        let mut store = M::store();
+        model.factor(at.time, &state.q, 0.0, &mut store);
+        let allowed = {
+            let mut rows = M::Lambda::zero();
+            let d = product::<M>(&jacobian, &free.v, false);
+            for (row, d) in rows.as_mut_slice().iter_mut().zip(d) {
+                *row = -d;
+            }
+            M::IDLE.iter().for_each(|row| rows.as_mut_slice()[usize::from(*row)] = 0.0);
+            let (mut w, mut lambda) = (M::V::zero(), M::Lambda::zero());
+            model.solve(&store, &M::V::zero(), &rows, &mut w, &mut lambda);
+            w.plus(1.0, &free.v)
+        };
+        let (mut work, mut size) = (0.0, 0.0_f64);
+        for (&(i, j), entry) in M::MASS_PATTERN.iter().zip(mass.as_slice()) {
+            let (i, j) = (usize::from(i), usize::from(j));
+            let twice = if i == j { 0.0 } else { allowed.as_slice()[j] * entry * change.as_slice()[i] };
+            let term = allowed.as_slice()[i] * entry * change.as_slice()[j] + twice;
+            work += term;
+            size += term.abs();
+        }
+        // The factor belongs to the position before the correction of 1e-6.
+        assert!(work.abs() < 1e-4 * (size + 1e-12), "{}: {work:e} of {size:e}", M::NAME);
+    }
+}

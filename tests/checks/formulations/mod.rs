@@ -1,0 +1,6 @@
+//! Formulations: each against the equations it stands for, on every model; all of them on published runs.
+
+mod equations;
+mod runs;
+mod settings;
+mod singular;

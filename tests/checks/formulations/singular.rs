@@ -1,0 +1,218 @@
+//! Singular positions: how near they are, who gets over them, on which branch.
+
+use crate::registry::Model;
+use crate::walking::walk;
+use linkwright::{
+    Assemble, AugmentedLagrangian, Baumgarte, Formulation, LagrangeIndex1, Mechanism, NullSpace, Penalty,
+    Projected, Simulation, SimulationError, State, Vector,
+};
+use linkwright_models::andrews::Andrews;
+use linkwright_models::bricard::Bricard;
+use linkwright_models::change_point_four_bar::ChangePointFourBar;
+use linkwright_models::four_bar::FourBar;
+use linkwright_models::n_four_bar::NFourBar2;
+use linkwright_models::slider_crank::SliderCrank;
+use std::f64::consts::PI;
+
+/// The smallest and largest eigenvalue of a symmetric matrix, by Jacobi's rotations.
+fn extreme_eigenvalues(mut a: Vec<Vec<f64>>) -> (f64, f64) {
+    let n = a.len();
+    for _ in 0..60 {
+        for p in 0..n {
+            for q in p + 1..n {
+                if a[p][q].abs() < 1e-300 {
+                    continue;
+                }
+                let theta = (a[q][q] - a[p][p]) / (2.0 * a[p][q]);
+                let t = theta.signum() / (theta.abs() + (theta * theta + 1.0).sqrt());
+                let t = if theta == 0.0 { 1.0 } else { t };
+                let c = 1.0 / (t * t + 1.0).sqrt();
+                let s = t * c;
+                for row in a.iter_mut() {
+                    (row[p], row[q]) = (c * row[p] - s * row[q], s * row[p] + c * row[q]);
+                }
+                let (above, below) = a.split_at_mut(q);
+                for (x, y) in above[p].iter_mut().zip(below[0].iter_mut()) {
+                    (*x, *y) = (c * *x - s * *y, s * *x + c * *y);
+                }
+            }
+        }
+    }
+    let diagonal = (0..n).map(|i| a[i][i]);
+    (diagonal.clone().fold(f64::INFINITY, f64::min), diagonal.fold(0.0, f64::max))
+}
+
+/// The reciprocal condition of D M⁻¹ Dᵀ, the components of each vector scaled alike so that the largest diagonal entry is one.
+fn reciprocal_condition<M: Model>(model: &M, time: f64, q: &M::Q) -> f64 {
+    let mut jacobian = M::Jacobian::zero();
+    model.constraint_jacobian(time, q, &mut jacobian);
+    let m = M::Lambda::LEN;
+    let row = |of: usize| {
+        let mut row = M::V::zero();
+        for (&(r, column), d) in M::JACOBIAN_PATTERN.iter().zip(jacobian.as_slice()) {
+            if usize::from(r) == of {
+                row.as_mut_slice()[usize::from(column)] = *d;
+            }
+        }
+        row
+    };
+    // M⁻¹ dᵀ by a very soft K(c), whose rows then carry nothing.
+    let mut store = M::store();
+    model.factor(time, q, 1e30, &mut store);
+    let mut matrix = vec![vec![0.0; m]; m];
+    for i in 0..m {
+        let (mut x, mut lambda) = (M::V::zero(), M::Lambda::zero());
+        model.solve(&store, &row(i), &M::Lambda::zero(), &mut x, &mut lambda);
+        for (j, entries) in matrix.iter_mut().enumerate() {
+            entries[i] = row(j).as_slice().iter().zip(x.as_slice()).map(|(d, x)| d * x).sum();
+        }
+    }
+    let mut scale = vec![0.0; m];
+    for i in 0..m {
+        let same = |j: &usize| M::ROWS[*j].of == M::ROWS[i].of;
+        let most = (0..m).filter(same).map(|j| matrix[j][j]).fold(0.0, f64::max);
+        scale[i] = 1.0 / most.sqrt();
+    }
+    for i in 0..m {
+        for j in 0..m {
+            matrix[i][j] *= scale[i] * scale[j];
+        }
+    }
+    let (least, most) = extreme_eigenvalues(matrix);
+    least / most
+}
+
+/// The estimate from the pivots is the reciprocal condition to a small factor, from well posed positions to flat ones.
+#[test]
+fn pivots_estimate_the_condition() {
+    fn check<M: Model>(factor: f64) {
+        let (_, _, model, states) = walk::<M>(21, 40);
+        let (mut least, mut most) = (f64::INFINITY, 0.0_f64);
+        let mut smallest = 1.0_f64;
+        for at in &states {
+            let exact = reciprocal_condition(&model, at.time, &at.q);
+            let found = model.factor(at.time, &at.q, 0.0, &mut M::store());
+            (least, most) = (least.min(found / exact), most.max(found / exact));
+            smallest = smallest.min(exact);
+        }
+        println!("{}: estimate / exact {least:.2} to {most:.2}, down to {smallest:.1e}", M::NAME);
+        assert!(least > 1.0 / factor && most < factor, "{}: {least} {most}", M::NAME);
+    }
+    check::<FourBar>(4.0);
+    check::<NFourBar2>(4.0);
+    check::<SliderCrank>(4.0);
+    check::<ChangePointFourBar>(4.0);
+    check::<Andrews>(4.0);
+
+    // Up to a flat position, and at it.
+    let model = NFourBar2::<f64>::default();
+    for angle in [1e-1, 1e-2, 1e-3, 1e-4, 0.0_f64] {
+        let (c, s) = (angle.cos(), angle.sin());
+        let q = [c, s, c, s, c, s, 1.0, 0.0, 1.0, 0.0];
+        let found = model.factor(0.0, &q, 0.0, &mut <NFourBar2 as Assemble<f64>>::store());
+        assert!(found <= 2.0 * s * s && found >= 0.05 * s * s, "{found:e} at {angle}");
+    }
+}
+
+/// A flat position of the two windows: all rods along x, turning as parallelograms do.
+fn flat() -> State<[f64; 10], [f64; 5]> {
+    State { q: [1.0, 0.0, 1.0, 0.0, 1.0, 0.0, 1.0, 0.0, 1.0, 0.0], v: [-3.0, -3.0, -3.0, 0.0, 0.0] }
+}
+
+#[test]
+fn a_breakdown_stops_or_is_stepped_over() {
+    let model = NFourBar2::<f64>::default();
+    let baumgarte = Baumgarte { alpha: 10.0, beta: 10.0 };
+    let mut simulation = Simulation::new(&model, flat()).formulation(baumgarte).step(1e-3);
+    let error = simulation.advance().unwrap_err();
+    let SimulationError::Breakdown { time, pivot, row } = error else { panic!("{error}") };
+    assert!(time == 0.0 && pivot < 1e-14 && row.of.starts_with("right["), "{error}");
+    assert_eq!((simulation.time(), simulation.state()), (0.0, &flat()));
+
+    // Stepped over, it goes on along the branch it came.
+    let mut simulation =
+        Simulation::new(&model, flat()).formulation(baumgarte).step(1e-3).step_over_breakdowns();
+    let begin = simulation.energy();
+    let first = simulation.advance().expect("stepped over");
+    assert!(first.stepped_over == 1, "{first:?}");
+    let near = first.near_singular.expect("it is singular");
+    assert!(
+        near.time == 0.0 && near.reciprocal_condition < 1e-14 && near.row.of.starts_with("right["),
+        "{near:?}"
+    );
+    simulation.advance_until(0.5).expect("it runs");
+    assert!((simulation.energy() - begin).abs() < 1e-5, "{:e}", simulation.energy() - begin);
+    let q = simulation.state().q;
+    assert!((q[6] - 1.0).abs() < 1e-6 && (q[8] - 1.0).abs() < 1e-6, "the couplers stay level: {q:?}");
+}
+
+/// Penalty, augmented Lagrangian and their projections have accelerations at the singular position itself, and keep to the branch.
+#[test]
+fn softened_constraints_pass_the_singular_position_itself() {
+    fn passes<F: Formulation<f64, NFourBar2<f64>>>(name: &str, formulation: F) {
+        let model = NFourBar2::<f64>::default();
+        let mut simulation = Simulation::new(&model, flat()).formulation(formulation).step(1e-3);
+        let begin = simulation.energy();
+        let first = simulation.advance().unwrap_or_else(|error| panic!("{name}: {error}"));
+        assert!(first.stepped_over == 0 && first.smallest_pivot == 1.0, "{name}: {first:?}");
+        simulation.advance_until(0.5).unwrap_or_else(|error| panic!("{name}: {error}"));
+        let drift = (simulation.energy() - begin).abs();
+        let q = simulation.state().q;
+        println!("{name}: energy {drift:.1e} J, coupler {:.1e} rad", q[7]);
+        assert!(drift < 1e-4, "{name}: {drift:e}");
+        assert!(q[7].abs() < 1e-4 && q[9].abs() < 1e-4, "{name}: the couplers stay level: {q:?}");
+    }
+    let model = NFourBar2::<f64>::default();
+    let penalty = Penalty::for_model(&model, 0.0, &flat().q, 1e-3);
+    passes("penalty", penalty);
+    passes("augmented Lagrangian", AugmentedLagrangian::new(penalty));
+    passes("penalty, projected", Projected::after(penalty));
+    passes("augmented Lagrangian, projected", Projected::after(AugmentedLagrangian::new(penalty)));
+}
+
+/// Where the four links of the change-point four-bar lie in one line, at 0.366 s, the rocker could turn either way.
+#[test]
+fn a_change_point_is_passed_and_reported() {
+    fn passes<F: Formulation<f64, ChangePointFourBar<f64>>>(name: &str, formulation: F, h: f64, energy: f64) {
+        let model = ChangePointFourBar::<f64>::default();
+        let mut simulation =
+            Simulation::new(&model, ChangePointFourBar::START).formulation(formulation).step(h);
+        let begin = simulation.energy();
+        let mut near = None;
+        while simulation.time() < 0.6 {
+            let step = simulation.advance().unwrap_or_else(|error| panic!("{name}: {error}"));
+            near = near.or(step.near_singular);
+            simulation.sample();
+        }
+        let near = near.unwrap_or_else(|| panic!("{name}: nothing reported"));
+        let drift = (simulation.energy() - begin).abs();
+        let outputs = simulation.sample().outputs;
+        println!("{name}: {near:?}, energy {drift:.1e} J, rocker at {:.3} rad", outputs.rocker_angle);
+        assert!((near.time - 0.3664).abs() < 1e-3 && near.row.of == "right", "{name}: {near:?}");
+        assert!(drift < energy, "{name}: {drift:e} J");
+        // The crank went on, and the rocker with it, to the other side of the line.
+        assert!(outputs.crank_angle > PI && outputs.rocker_angle > PI, "{name}: {outputs:?}");
+    }
+    let model = ChangePointFourBar::<f64>::default();
+    let penalty = Penalty::for_model(&model, 0.0, &ChangePointFourBar::START.q, 1e-3);
+    passes("Baumgarte", Baumgarte { alpha: 20.0, beta: 20.0 }, 1e-4, 1e-5);
+    passes("penalty", penalty, 1e-4, 1e-4);
+    passes("augmented Lagrangian", AugmentedLagrangian::new(penalty), 1e-4, 1e-4);
+    passes("index 1, projected", Projected::after(LagrangeIndex1), 1e-3, 1e-4);
+    passes("penalty, projected", Projected::after(penalty), 1e-3, 1e-3);
+    passes("null space, projected", Projected::after(NullSpace), 1e-4, 1e-2);
+}
+
+/// A row that repeats others is no singular position: it is left out of the estimate.
+#[test]
+fn redundant_rows_are_not_singular() {
+    let model = Bricard::<f64>::default();
+    let mut simulation = Simulation::new(&model, Bricard::START).step(1e-3);
+    let step = simulation.advance().expect("it runs");
+    assert!(step.near_singular.is_none() && step.reciprocal_condition > 1e-3, "{step:?}");
+    assert_eq!(<Bricard as Mechanism<f64>>::ROWS.len(), step_rows());
+}
+
+fn step_rows() -> usize {
+    <Bricard as Mechanism<f64>>::Lambda::LEN
+}
