@@ -3,7 +3,7 @@
 
 use linkwright::{
     AssemblyError, AugmentedLagrangian, DormandPrince, Evaluation, Formulation, LagrangeIndex1, Mechanism,
-    Penalty, Projected, Residual, SettingError, Settled, Simulation, State, Vector,
+    NullSpace, Partitioned, Penalty, Projected, Residual, SettingError, Settled, Simulation, State, Vector,
 };
 use linkwright_models::andrews::Andrews;
 use linkwright_models::four_spherical_joints::FourSphericalJoints;
@@ -188,7 +188,9 @@ fn other_formulations_have_adaptive_steps_too() {
     let lagrange = build().advance_until(1.0).expect("it falls");
     let augmented = AugmentedLagrangian::new(Penalty { alpha: 1e7, omega: 10.0, mu: 1.0 });
     let augmented = build().formulation(augmented).advance_until(1.0).expect("it falls");
-    for found in [lagrange, augmented] {
+    let null_space = build().formulation(NullSpace).advance_until(1.0).expect("it falls");
+    let partitioned = build().formulation(Partitioned::default()).advance_until(1.0).expect("it falls");
+    for found in [lagrange, augmented, null_space, partitioned] {
         let error = apart(found.q.as_slice(), exact.q.as_slice());
         println!("off by {error:.1e}");
         assert!(error < 1e-7, "{error:e}");

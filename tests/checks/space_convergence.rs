@@ -3,7 +3,8 @@
 
 use linkwright::{
     Assemble, Baumgarte, DormandPrince, ExplicitTrapezoidal, Formulation, Integrator, LagrangeIndex1, Layout,
-    Mechanism, MechanismDynamics, NoInputs, Rk4, SemiImplicitEuler, Simulation, State, Vector,
+    Mechanism, MechanismDynamics, NoInputs, NullSpace, Partitioned, Rk4, SemiImplicitEuler, Simulation,
+    State, Vector,
 };
 use linkwright_models::bricard::Bricard;
 use linkwright_models::four_spherical_joints::FourSphericalJoints;
@@ -110,6 +111,14 @@ fn fifth_order() {
         ("Bricard, a row dropped", order(&Bricard::default(), index_1, 0.5, 40)),
         ("spatial four-bar, Baumgarte", order(&Fourbar1::default(), baumgarte, 0.3, 80)),
         ("four spherical joints, Baumgarte", order(&FourSphericalJoints::default(), baumgarte, 0.3, 80)),
+        (
+            "spatial four-bar, null space",
+            order(&Fourbar1::default(), (NullSpace, DormandPrince::fixed()), 0.3, 80),
+        ),
+        (
+            "spatial four-bar, partitioned",
+            order(&Fourbar1::default(), (Partitioned::default(), DormandPrince::fixed()), 0.3, 80),
+        ),
         ("gyrostat, absolute with a counted angle", order(&Gyrostat::default(), index_1, 1.0, 50)),
     ] {
         println!("{name}: order {order:.3}");
