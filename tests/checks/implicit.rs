@@ -143,10 +143,11 @@ fn orders_of_convergence() {
 /// The exact tangent lets Newton's iteration end after two or three: with a wrong sign anywhere in it there would be many.
 #[test]
 fn newton_converges_at_once() {
-    fn iterations<M: Tangent<f64, Inputs = ()> + Default, I: for<'m> Integrator<f64, Plain<'m, M>>>(
-        integrator: I,
-        h: f64,
-    ) -> u32 {
+    fn iterations<M, I>(integrator: I, h: f64) -> u32
+    where
+        M: Tangent<f64, Inputs = ()> + Default,
+        I: for<'m> Integrator<f64, Plain<'m, M>>,
+    {
         let model = M::default();
         let mut simulation = Simulation::new(&model, model.start()).integrator(integrator).step(h);
         (0..20).map(|_| simulation.advance().expect("it runs").iterations).max().expect("steps")

@@ -5,10 +5,12 @@ use crate::identities::derivative_over;
 use crate::registry::{At, Model, Random, fields, vector};
 use crate::walking::walk;
 use crate::zoo_tangent::for_each_with_tangent;
-use crate::zoo_tangent::{Bar, Buoy, Gripper, GripperInputs, Rocker, Spring, SpringInputs, Swing, Winch};
+use crate::zoo_tangent::{
+    Bar, Buoy, Flail, Gripper, GripperInputs, Rocker, Spring, SpringInputs, Swing, Winch,
+};
 use linkwright::{
     AssembleExt, ConditionKind, Fields, Linearisation, LinearisationError, Mechanism, Motion, State, Tangent,
-    Vector, actuation, equilibrium, retract,
+    Vector, actuation, equilibrium, project_position, project_velocity, retract,
 };
 
 const STATES: usize = 4;
@@ -225,47 +227,49 @@ fn difference<M: Model>(q: &M::Q, other: &M::Q) -> M::V {
 }
 
 /// Where states are components of ω: (B δq, δ(B v)) of neighbouring motions moves as A says.
-#[test]
-fn state_matrices_move_neighbouring_motions() {
-    type M = Buoy;
+fn state_matrices_move_neighbouring_motions<M: Model + Tangent<f64>>(rates_among_states: usize) {
     let (_, _, model, states) = walk::<M>(52, STATES);
-    let f = <M as Tangent<f64>>::STATES.len();
-    assert_eq!(f, 9);
-    let kind = |state: usize| {
-        <M as linkwright::Assemble<f64>>::CONDITIONS[<M as Tangent<f64>>::STATES[state] as usize].kind
-    };
-    assert_eq!((0..f).filter(|state| kind(*state) == ConditionKind::Rate).count(), 6);
+    let (f, n) = (M::STATES.len(), M::V::LEN);
+    let kind = |state: &&u16| M::CONDITIONS[**state as usize].kind == ConditionKind::Rate;
+    assert_eq!(M::STATES.iter().filter(kind).count(), rates_among_states);
     for at in &states {
-        let found = linearised(&model, at).state_space().expect("a tree");
+        let found = linearised(&model, at).state_space().expect("a regular position");
         // The motion through a state, to second order.
-        let ahead = |q: &<M as Mechanism<f64>>::Q, v: &<M as Mechanism<f64>>::V, h: f64| {
-            let a: <M as Mechanism<f64>>::V = vector(&solved(&model, at.time, q, v, &at.u));
+        let ahead = |q: &M::Q, v: &M::V, h: f64| {
+            let a: M::V = vector(&solved(&model, at.time, q, v, &at.u)[..n]);
             (moved::<M>(q, &v.scaled(h).plus(h * h / 2.0, &a)), v.plus(h, &a))
         };
-        for k in 0..18 {
+        for k in 0..2 * n {
             let epsilon = 1e-5;
-            let near = |sign: f64| match k < 9 {
-                true => (moved::<M>(&at.q, &along(k, sign * epsilon)), at.v),
-                false => (at.q, at.v.plus(1.0, &along(k - 9, sign * epsilon))),
+            let near = |sign: f64| {
+                let wish = at.v.plus(1.0, &along(k % n, if k < n { 0.0 } else { sign * epsilon }));
+                let q = moved::<M>(&at.q, &along(k % n, if k < n { sign * epsilon } else { 0.0 }));
+                let q = project_position(&model, at.time, &q).expect("near");
+                (q, project_velocity(&model, at.time, &q, &wish).expect("near"))
             };
             let (more, less) = (near(1.0), near(-1.0));
             let x = |h: f64| -> Vec<f64> {
                 let (q, _) = ahead(&at.q, &at.v, h);
                 let (more, less) = (ahead(&more.0, &more.1, h), ahead(&less.0, &less.1, h));
                 let apart = difference::<M>(&q, &more.0).plus(-1.0, &difference::<M>(&q, &less.0));
-                let none = <M as linkwright::Assemble<f64>>::Conditions::zero();
-                let first = rates(&model, at.time, &q, &apart, &none);
+                let first = rates(&model, at.time, &q, &apart, &M::Conditions::zero());
                 let second = velocities(&model, at.time, &more.0, &more.1);
                 let third = velocities(&model, at.time, &less.0, &less.1);
                 let second = second.iter().zip(&third).map(|(more, less)| more - less);
                 first.into_iter().chain(second).map(|entry| entry / (2.0 * epsilon)).collect()
             };
             let (here, expected) = (x(0.0), derivative_over(1e-3, x));
-            let row = |row: usize| (0..2 * f).map(|j| found.a[row * 2 * f + j] * here[j]).sum();
+            let row = |row: usize| (0..2 * f).map(|j| found.a.as_slice()[row * 2 * f + j] * here[j]).sum();
             let product: Vec<f64> = (0..2 * f).map(row).collect();
-            assert_close(&format!("direction {k}"), &product, &expected, 1e-5);
+            assert_close(&format!("{}: direction {k}", M::NAME), &product, &expected, 1e-5);
         }
     }
+}
+
+#[test]
+fn state_matrices_belong_to_rates_without_coordinates() {
+    state_matrices_move_neighbouring_motions::<Buoy>(6);
+    state_matrices_move_neighbouring_motions::<Flail>(2);
 }
 
 /// From a position some way off, also off the constraints: r = 0 and Φ = 0 at rest.

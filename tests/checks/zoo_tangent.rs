@@ -95,6 +95,28 @@ linkwright::mechanism! {
 }
 
 linkwright::mechanism! {
+    /// Two bars on balls as free bodies: rows besides orientations without coordinates.
+    pub spatial Flail {
+        param length [m] = 0.5;
+        input twist [N*m];
+        gravity [m/s^2] = (0, 0.2, -9.81);
+        rod handle { mass [kg] = 0.7; length [m] = length; radius [m] = 0.03; point side [m] = (0.1, 0.15, 0.05); }
+        body head  { mass [kg] = 1.1; inertia [kg*m^2] = (0.006, 0.005, 0.004); products [kg*m^2] = (0.001, 0, 0.0005);
+                     center [m] = (0.2, 0.01, -0.03); point tip [m] = (0.3, 0.05, 0.02); }
+        joint hold: spherical(ground(0.1, 0, 0.2) [m], handle.start);
+        joint link: spherical(handle.end, head.origin);
+        spring rope: spring(ground(0.2, 0.5, 0.9) [m], head.tip, stiffness = 30 [N/m], length = 0.3 [m], damping = 0.4 [N*s/m]);
+        spring band: spring(ground(0.5, -0.3, 0.8) [m], handle.side, stiffness = 25 [N/m], length = 0.3 [m]);
+        torque turn: torque(handle) = (0.05 * twist, -0.02 [N*m*s/rad] * handle.rate.x, 0);
+        start { handle.orientation = (0.9, 0.1, -0.3, 0.2); head.orientation ~ (0.8, 0.3, 0.4, -0.1); head.rate.x [rad/s] = 2;
+                handle.rate.y [rad/s] = 1; head.rate.z [rad/s] = -1; }
+        options { emit = (tangent); coordinates = absolute; }
+        expect { degrees_of_freedom = 6; }
+        output height [m] = head.tip.z;
+    }
+}
+
+linkwright::mechanism! {
     /// A crank that turns a rocker through a ball-ended rod, a screw behind it: a loop in space with a counted angle.
     pub spatial Rocker {
         param pitch [m] = 0.2;
@@ -184,7 +206,7 @@ macro_rules! for_each_with_tangent {
     ($check:ident) => {
         mod $check {
             $crate::zoo_tangent::for_each_with_tangent! { @ $check
-                gripper: Gripper, winch: Winch, buoy: Buoy, rocker: Rocker, swing: Swing, spring: Spring
+                gripper: Gripper, winch: Winch, buoy: Buoy, flail: Flail, rocker: Rocker, swing: Swing, spring: Spring
             }
         }
     };
@@ -197,4 +219,4 @@ macro_rules! for_each_with_tangent {
 }
 pub(crate) use for_each_with_tangent;
 
-model!(Gripper, Winch, Buoy, Rocker, Swing, Spring, Bar);
+model!(Gripper, Winch, Buoy, Flail, Rocker, Swing, Spring, Bar);

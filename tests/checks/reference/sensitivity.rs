@@ -3,7 +3,7 @@
 
 use super::{casadi, compare, hash, python, recorded, request};
 use crate::registry::{At, Model, compiled};
-use crate::zoo_tangent::{Buoy, Gripper, Rocker, Spring, Winch};
+use crate::zoo_tangent::{Buoy, Flail, Gripper, Rocker, Spring, Winch};
 use linkwright::{Fields, Linearisation, Response, State, Tangent, Vector};
 use linkwright_compiler::schedule::Inputs;
 
@@ -69,6 +69,7 @@ fn derivatives_agree_with_casadi() {
     write::<Gripper>(&folder, "gripper");
     write::<Winch>(&folder, "winch");
     write::<Buoy>(&folder, "buoy");
+    write::<Flail>(&folder, "flail");
     write::<Rocker>(&folder, "rocker");
     write::<Spring>(&folder, "spring");
     let record = recorded::folder();
@@ -86,6 +87,7 @@ fn derivatives_agree_with_the_recorded_values() {
         compare_recorded::<Gripper>("gripper");
         compare_recorded::<Winch>("winch");
         compare_recorded::<Buoy>("buoy");
+        compare_recorded::<Flail>("flail");
         compare_recorded::<Rocker>("rocker");
         compare_recorded::<Spring>("spring");
     }
