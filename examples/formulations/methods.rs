@@ -1,17 +1,14 @@
 //! The formulations compared.
 
-use crate::trial::{Setting, row, trial};
+use crate::trial::{Setting, Trial, head, row, trial};
 use linkwright::{
     Ali3p, Assemble, AugmentedLagrangian, Baumgarte, Formulation, GeneralisedAlpha, ImplicitTrapezoidal,
     LagrangeIndex1, NullSpace, Partitioned, Penalty, Projected, Rk4, Tangent,
 };
 
-const HEAD: &str = "| method | h, s | error at the end | energy drift, J | max Φ | max D v − ν | near singular | iterations \
-                    | time |\n|---|---|---|---|---|---|---|---|---|\n";
-
 /// All of them, one after the other, as a table. Frequencies are those of `rate` (1/s).
 pub fn table<M: Assemble<f64, Inputs = ()>>(setting: &Setting<'_, M>, rate: f64) -> String {
-    let mut text = HEAD.to_string();
+    let mut text = head(setting.steps);
     let baumgarte = |factor: f64| Baumgarte { alpha: factor * rate, beta: factor * rate };
     let stiff = Penalty::for_model(setting.model, 0.0, &setting.start.q, 1.0 / rate);
     let stiff = Penalty { omega: rate, ..stiff };
@@ -42,12 +39,12 @@ pub fn table<M: Assemble<f64, Inputs = ()>>(setting: &Setting<'_, M>, rate: f64)
 
 /// The implicit methods, which hold the constraints themselves.
 pub fn implicit<M: Tangent<f64, Inputs = ()>>(setting: &Setting<'_, M>) -> String {
-    let mut text = HEAD.to_string();
+    let mut text = head(setting.steps);
     macro_rules! add {
         ($name:literal, $formulation:expr, $integrator:expr) => {
-            for step in setting.steps {
-                text.push_str(&row::<M>($name, &trial(setting, ($formulation, $integrator), *step)));
-            }
+            let trials: Vec<Trial> =
+                setting.steps.iter().map(|step| trial(setting, ($formulation, $integrator), *step)).collect();
+            text.push_str(&row($name, &trials, setting.end));
         };
     }
     let projected = Projected::after(LagrangeIndex1);
@@ -64,7 +61,7 @@ where
     M: Assemble<f64, Inputs = ()>,
     F: Formulation<f64, M> + Copy,
 {
-    for step in setting.steps {
-        text.push_str(&row::<M>(name, &trial(setting, (formulation, Rk4), *step)));
-    }
+    let steps = setting.steps.iter();
+    let trials: Vec<Trial> = steps.map(|step| trial(setting, (formulation, Rk4), *step)).collect();
+    text.push_str(&row(name, &trials, setting.end));
 }

@@ -1,7 +1,7 @@
 //! One run and its row of a table.
 
 use linkwright::{
-    Assemble, Formulation, Integrator, Mechanism, MechanismDynamics, NoInputs, Residual, Sample, Simulation,
+    Assemble, Formulation, Integrator, MechanismDynamics, NoInputs, Residual, Sample, Simulation,
     SimulationError, State,
 };
 use std::time::Instant;
@@ -15,7 +15,7 @@ pub struct Setting<'m, M: Assemble<f64, Inputs = ()>> {
     /// T + V, without the work of loads.
     pub energy: fn(&Sample<'_, f64, M>) -> f64,
     /// The error at the end of the run.
-    pub error: fn(&Sample<'_, f64, M>) -> f64,
+    pub error: &'m dyn Fn(&Sample<'_, f64, M>) -> f64,
 }
 
 /// What came out of a run.
@@ -86,20 +86,44 @@ where
     trial
 }
 
-/// The row of a table.
-pub fn row<M: Mechanism<f64>>(name: &str, trial: &Trial) -> String {
-    let near = trial.near_singular.map_or("–".to_string(), |time| format!("{time:.4} s"));
-    let Trial { step, error, drift, position, velocity, seconds, .. } = trial;
-    let error = match &trial.failure {
-        None => format!("{error:.1e}"),
+/// The head of a table for these steps.
+pub fn head(steps: &[f64]) -> String {
+    let errors: Vec<String> = steps.iter().map(|step| format!("error at {:e} s", step)).collect();
+    let columns = errors.len() + 7;
+    format!(
+        "| method | {} | energy drift, J | max Φ | max D v − ν | near singular, s | iterations a step | µs a step |\n|{}\n",
+        errors.join(" | "),
+        "---|".repeat(columns)
+    )
+}
+
+/// The row of a table: errors of all trials, the rest of the one with the smallest step.
+pub fn row(name: &str, trials: &[Trial], end: f64) -> String {
+    let errors: Vec<String> = trials.iter().map(error).collect();
+    let Some(trial) = trials.last() else { return String::new() };
+    let near = trial.near_singular.map_or("–".to_string(), |time| format!("{time:.4}"));
+    let steps = (end / trial.step).round();
+    let done = match trial.failure {
+        Some(SimulationError::NonFinite { time, .. }) => (time / trial.step).max(1.0),
+        _ => steps,
+    };
+    let Trial { drift, position, velocity, iterations, seconds, .. } = trial;
+    format!(
+        "| {name} | {} | {drift:.1e} | {position:.1e} | {velocity:.1e} | {near} | {:.2} | {:.2} |\n",
+        errors.join(" | "),
+        f64::from(*iterations) / done,
+        1e6 * seconds / done
+    )
+}
+
+/// The error, or where the run stopped.
+fn error(trial: &Trial) -> String {
+    match &trial.failure {
+        None => format!("{:.1e}", trial.error),
         Some(SimulationError::NonFinite { time, .. } | SimulationError::Breakdown { time, .. }) => {
             format!("stopped at {time:.2} s")
         }
+        Some(SimulationError::NoConvergence { time, .. }) => format!("no convergence at {time:.2} s"),
         Some(failure) => format!("stopped: {failure}"),
-    };
-    format!(
-        "| {name} | {step} | {error} | {drift:.1e} | {position:.1e} | {velocity:.1e} | {near} | {} | {:.1} ms |\n",
-        trial.iterations,
-        1e3 * seconds
-    )
+    }
 }

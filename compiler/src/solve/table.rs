@@ -57,6 +57,8 @@ pub struct Numeric<'a> {
     table: &'a Table,
     lower: Vec<f64>,
     diagonal: Vec<f64>,
+    /// d, by unknown.
+    pub pivots: Vec<f64>,
     /// |d| / Σ |terms of d|, by unknown.
     pub relative_pivots: Vec<f64>,
 }
@@ -72,6 +74,7 @@ impl<'a> Numeric<'a> {
         let n = table.order.len();
         let mut lower = vec![0.0; table.columns.len()];
         let mut diagonal = vec![0.0; n];
+        let mut pivots = vec![0.0; n];
         let mut relative_pivots = vec![1.0; n];
         for (a, b, value) in entries {
             let (i, j) = (table.position[a].max(table.position[b]), table.position[a].min(table.position[b]));
@@ -106,10 +109,11 @@ impl<'a> Numeric<'a> {
                 work[*j] = 0.0;
             }
             let relative = if magnitude > 0.0 { pivot.abs() / magnitude } else { 0.0 };
+            pivots[table.order[k]] = pivot;
             relative_pivots[table.order[k]] = relative;
             diagonal[k] = if relative < DEPENDENT { 0.0 } else { pivot };
         }
-        Numeric { table, lower, diagonal, relative_pivots }
+        Numeric { table, lower, diagonal, pivots, relative_pivots }
     }
 
     pub fn solve(&self, rhs: &[f64]) -> Vec<f64> {
