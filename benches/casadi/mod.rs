@@ -17,6 +17,7 @@ type Function =
 type WorkSize = unsafe extern "C" fn(*mut i64, *mut i64, *mut i64, *mut i64) -> c_int;
 
 /// A loaded function, its states and its memory.
+#[allow(dead_code)]
 pub struct Peer {
     pub name: String,
     /// How many `generate.py` says it has: additions, multiplications, divisions, square roots, sines and cosines.

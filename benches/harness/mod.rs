@@ -4,6 +4,7 @@ use std::process::Command;
 use std::time::Instant;
 
 /// The middle one.
+#[allow(dead_code)]
 pub fn median(mut samples: Vec<f64>) -> f64 {
     samples.sort_by(f64::total_cmp);
     samples[samples.len() / 2]

@@ -1,6 +1,6 @@
 //! What is run: problems A02 and A03 of the IFToMM library of computational benchmark problems.
 
-use crate::methods::table;
+use crate::methods::{implicit, table};
 use crate::trial::Setting;
 use linkwright::mechanism;
 use linkwright_models::andrews::Andrews;
@@ -12,9 +12,14 @@ pub struct Benchmark {
     pub run: fn() -> String,
 }
 
-pub const ALL: [Benchmark; 6] = [
+pub const ALL: [Benchmark; 8] = [
     Benchmark { name: "A02, two windows, tree coordinates, 10 s", run: a02_tree },
     Benchmark { name: "A02, two windows, absolute coordinates, 10 s", run: a02_absolute },
+    Benchmark { name: "A02, two windows, implicit methods, tree coordinates, 10 s", run: implicit_tree },
+    Benchmark {
+        name: "A02, two windows, implicit methods, absolute coordinates, 10 s",
+        run: implicit_absolute,
+    },
     Benchmark { name: "the lecture's example 4, 100 s", run: closed_loop },
     Benchmark { name: "Andrews' squeezer, 0.03 s", run: andrews },
     Benchmark { name: "A02, forty windows, tree coordinates, 10 s", run: ladder },
@@ -56,7 +61,7 @@ fn closed_loop() -> String {
 const B0: [f64; 2] = [0.328_458_111_540_815_4, 0.944_518_538_178_601];
 
 macro_rules! windows {
-    ($name:ident, $windows:literal, $coordinates:ident) => {
+    ($name:ident, $windows:literal, $coordinates:ident $(, $tangent:ident)?) => {
         mechanism! {
             /// Windows of unit rods (IFToMM A02).
             planar $name {
@@ -73,7 +78,7 @@ macro_rules! windows {
                     start { coupler[i].angle [rad] ~ 0; pin[i+1].angle [deg] ~ 90; }
                 }
                 start   { pin[0].angle [deg] = 90; pin[0].rate [rad/s] = -1; }
-                options { coordinates = $coordinates; emit = (penalty, projection); }
+                options { coordinates = $coordinates; emit = (penalty, projection $(, $tangent)?); }
                 output x [m] = crank[0].end.x;
                 output y [m] = crank[0].end.y;
             }
@@ -81,12 +86,12 @@ macro_rules! windows {
     };
 }
 
-windows!(TwoWindows, 2, tree);
-windows!(TwoWindowsAbsolute, 2, absolute);
+windows!(TwoWindows, 2, tree, tangent);
+windows!(TwoWindowsAbsolute, 2, absolute, tangent);
 windows!(FortyWindows, 40, tree);
 
 macro_rules! a02 {
-    ($function:ident, $model:ident, $exact:expr, $steps:expr) => {
+    ($function:ident, $model:ident, $exact:expr, $steps:expr, $table:expr) => {
         fn $function() -> String {
             let model = $model::<f64>::default();
             let setting = Setting {
@@ -97,15 +102,17 @@ macro_rules! a02 {
                 energy: |sample| sample.energy(),
                 error: |sample| (sample.outputs.x - $exact[0]).hypot(sample.outputs.y - $exact[1]),
             };
-            table(&setting, 10.0)
+            $table(&setting)
         }
     };
 }
 
 const STEPS: [f64; 4] = [0.01, 0.005, 0.002, 0.001];
-a02!(a02_tree, TwoWindows, B0, STEPS);
-a02!(a02_absolute, TwoWindowsAbsolute, B0, STEPS);
-a02!(ladder, FortyWindows, ladder_end(), [0.005, 0.001]);
+a02!(a02_tree, TwoWindows, B0, STEPS, |setting| table(setting, 10.0));
+a02!(a02_absolute, TwoWindowsAbsolute, B0, STEPS, |setting| table(setting, 10.0));
+a02!(implicit_tree, TwoWindows, B0, STEPS, implicit);
+a02!(implicit_absolute, TwoWindowsAbsolute, B0, STEPS, implicit);
+a02!(ladder, FortyWindows, ladder_end(), [0.005, 0.001], |setting| table(setting, 10.0));
 
 /// B0 at 10 s: the windows move alike, so one crank moves as a pendulum,
 /// ((N+1)/3 + N) θ̈ = −((N+1)/2 + N) g cos θ.

@@ -2,11 +2,11 @@
 
 use crate::trial::{Setting, row, trial};
 use linkwright::{
-    Assemble, AugmentedLagrangian, Baumgarte, Formulation, LagrangeIndex1, NullSpace, Partitioned, Penalty,
-    Projected,
+    Ali3p, Assemble, AugmentedLagrangian, Baumgarte, Formulation, GeneralisedAlpha, ImplicitTrapezoidal,
+    LagrangeIndex1, NullSpace, Partitioned, Penalty, Projected, Rk4, Tangent,
 };
 
-const HEAD: &str = "| formulation | h, s | error at the end | energy drift, J | max Φ | max D v − ν | near singular | iterations \
+const HEAD: &str = "| method | h, s | error at the end | energy drift, J | max Φ | max D v − ν | near singular | iterations \
                     | time |\n|---|---|---|---|---|---|---|---|---|\n";
 
 /// All of them, one after the other, as a table. Frequencies are those of `rate` (1/s).
@@ -40,12 +40,31 @@ pub fn table<M: Assemble<f64, Inputs = ()>>(setting: &Setting<'_, M>, rate: f64)
     text
 }
 
+/// The implicit methods, which hold the constraints themselves.
+pub fn implicit<M: Tangent<f64, Inputs = ()>>(setting: &Setting<'_, M>) -> String {
+    let mut text = HEAD.to_string();
+    macro_rules! add {
+        ($name:literal, $formulation:expr, $integrator:expr) => {
+            for step in setting.steps {
+                text.push_str(&row::<M>($name, &trial(setting, ($formulation, $integrator), *step)));
+            }
+        };
+    }
+    let projected = Projected::after(LagrangeIndex1);
+    add!("generalised-α, ρ = 0.8", LagrangeIndex1, GeneralisedAlpha::new(0.8));
+    add!("generalised-α, ρ = 0.8, projected", projected, GeneralisedAlpha::new(0.8));
+    add!("implicit trapezoidal, index 2", LagrangeIndex1, ImplicitTrapezoidal::default());
+    add!("implicit trapezoidal, projected", projected, ImplicitTrapezoidal::default());
+    add!("ALI3-P, α = 10⁷", LagrangeIndex1, Ali3p::new(1e7));
+    text
+}
+
 fn add<M, F>(text: &mut String, setting: &Setting<'_, M>, name: &str, formulation: F)
 where
     M: Assemble<f64, Inputs = ()>,
     F: Formulation<f64, M> + Copy,
 {
     for step in setting.steps {
-        text.push_str(&row::<M>(name, &trial(setting, formulation, *step)));
+        text.push_str(&row::<M>(name, &trial(setting, (formulation, Rk4), *step)));
     }
 }

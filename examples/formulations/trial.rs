@@ -1,7 +1,8 @@
 //! One run and its row of a table.
 
 use linkwright::{
-    Assemble, Formulation, Mechanism, Residual, Rk4, Sample, Simulation, SimulationError, State,
+    Assemble, Formulation, Integrator, Mechanism, MechanismDynamics, NoInputs, Residual, Sample, Simulation,
+    SimulationError, State,
 };
 use std::time::Instant;
 
@@ -32,14 +33,17 @@ pub struct Trial {
     pub failure: Option<SimulationError>,
 }
 
-/// Runs one formulation with one step.
-pub fn trial<M: Assemble<f64, Inputs = ()>, F: Formulation<f64, M>>(
-    setting: &Setting<'_, M>,
-    formulation: F,
-    step: f64,
-) -> Trial {
-    let mut simulation =
-        Simulation::new(setting.model, setting.start).formulation(formulation).integrator(Rk4).step(step);
+/// Runs one formulation and integrator with one step.
+pub fn trial<M, F, I>(setting: &Setting<'_, M>, (formulation, integrator): (F, I), step: f64) -> Trial
+where
+    M: Assemble<f64, Inputs = ()>,
+    F: Formulation<f64, M>,
+    I: for<'m> Integrator<f64, MechanismDynamics<'m, M, f64, F, NoInputs>>,
+{
+    let mut simulation = Simulation::new(setting.model, setting.start)
+        .formulation(formulation)
+        .integrator(integrator)
+        .step(step);
     let begin = (setting.energy)(&simulation.sample());
     let mut trial = Trial {
         step,

@@ -197,6 +197,27 @@ fn other_formulations_have_adaptive_steps_too() {
     }
 }
 
+/// The windows fall flat at 0.714 s. The pivot at a step's beginning, which tells what was passed, is that of the end of the
+/// step before.
+#[test]
+fn a_singular_position_is_seen_between_steps() {
+    let model = NFourBar2::<f64>::default();
+    let build = || Simulation::new(&model, NFourBar2::START).step(2e-3);
+    let mut classical = build();
+    classical.advance_until(1.0).expect("it falls");
+    let known = classical.near_singular().expect("it passes the flat position");
+    for integrator in [DormandPrince::fixed(), DormandPrince::tolerance(1e-9)] {
+        let mut simulation = build().integrator(integrator);
+        simulation.advance_until(1.0).expect("it falls");
+        let found = simulation.near_singular().expect("it passes the flat position");
+        println!("{} s by Runge and Kutta, {} s, {:.1e}", known.time, found.time, found.reciprocal_condition);
+        assert!(
+            (found.time - known.time).abs() < 1e-3 && found.row.of == known.row.of,
+            "{found:?} {known:?}"
+        );
+    }
+}
+
 /// Samples at even times lie on the motion, and cost no evaluation.
 #[test]
 fn samples_between_the_steps_cost_nothing() {

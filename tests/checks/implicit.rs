@@ -78,7 +78,7 @@ linkwright::mechanism! {
         joint track: prismatic(ground(0, 1) [m], cart.center, axis = (1, 0));
         spring hard: spring(ground(-1, 0) [m], sled.center, stiffness = stiffness, length = 1 [m]);
         spring soft: spring(ground(-2, 1) [m], cart.center, stiffness = 4 [N/m], length = 2 [m]);
-        start   { rail.travel [m] = 1e-6; track.travel [m] = 0.1; }
+        start   { rail.travel [m] = 1e-9; track.travel [m] = 0.1; }
         options { emit = tangent; coordinates = tree; }
     }
 }
@@ -167,9 +167,9 @@ fn stiff_vibrations_do_not_matter() {
     let model = Stiff::<f64>::default();
     let exact = 0.1 * (2.0_f64 * 3.0).cos();
     let State { q, .. } = reached(&model, GeneralisedAlpha::new(0.5), 3.0, 300);
-    assert!(q[0].abs() < 1e-12 && (q[1] - exact).abs() < 1e-4, "{q:?} {exact}");
+    assert!(q[0].abs() < 1e-15 && (q[1] - exact).abs() < 1e-4, "{q:?} {exact}");
     let State { q, .. } = reached(&model, ImplicitTrapezoidal::<f64>::default(), 3.0, 300);
-    assert!(q[0].abs() < 1.1e-6 && (q[1] - exact).abs() < 1e-4, "{q:?} {exact}");
+    assert!(q[0].abs() < 1.1e-9 && (q[1] - exact).abs() < 1e-4, "{q:?} {exact}");
     let simulation = Simulation::new(&model, Stiff::START).integrator(Rk4).step(1e-2).advance_until(3.0);
     assert!(simulation.is_err());
 }
@@ -245,13 +245,12 @@ fn settings_and_failures() {
         assert!(message.contains(expected), "{message}");
     }
 
-    // A step far beyond what Newton's iteration can do.
-    let mut simulation = Simulation::new(&model, TreeWindows::START).integrator(alpha).step(2.0);
+    // A step for which one of Newton's iterations is not enough.
+    let mut simulation = Simulation::new(&model, TreeWindows::START)
+        .integrator(GeneralisedAlpha { iterations: 1, ..alpha })
+        .step(0.1);
     let error = simulation.advance().unwrap_err();
-    assert!(
-        matches!(error, SimulationError::NoConvergence { .. } | SimulationError::Breakdown { .. }),
-        "{error}"
-    );
+    assert!(matches!(error, SimulationError::NoConvergence { iterations: 1, .. }), "{error}");
     assert_eq!((simulation.time(), simulation.state()), (0.0, &TreeWindows::START));
 
     // The same start, by another formulation, is where it was.

@@ -3,14 +3,17 @@
 //! beside each other.
 
 use crate::registry::{Model, for_each};
+use crate::zoo::Workshop;
 use crate::zoo_tangent::for_each_with_tangent;
 use linkwright::{
-    Assemble, AssembleExt, Baumgarte, DormandPrince, Event, Fields, Linearisation, Motion, Real,
-    SemiImplicitEuler, Simulation, State, Tangent, Vector, actuation, equilibrium,
+    Ali3p, Assemble, AssembleExt, AugmentedLagrangian, Baumgarte, DormandPrince, Event, ExplicitTrapezoidal,
+    Fields, Formulation, GeneralisedAlpha, ImplicitTrapezoidal, InputSource, Integrator, LagrangeIndex1,
+    Linearisation, Mechanism, MechanismDynamics, Motion, NullSpace, Partitioned, Penalty, Projected, Real,
+    Rk4, SemiImplicitEuler, Simulation, State, Tangent, Vector, actuation, equilibrium,
 };
 use linkwright_models::{
-    double_pendulum::DoublePendulum, four_spherical_joints::FourSphericalJoints, heavy_top::HeavyTop,
-    slider_crank::SliderCrank,
+    bricard::Bricard, double_pendulum::DoublePendulum, four_spherical_joints::FourSphericalJoints,
+    heavy_top::HeavyTop, n_four_bar::NFourBar2, slider_crank::SliderCrank,
 };
 use std::alloc::{GlobalAlloc, Layout, System};
 use std::cell::Cell;
@@ -76,6 +79,14 @@ fn no_derivative_allocates<M: Model<Single: Tangent<f32>> + Tangent<f64>>() {
     nothing_allocates::<M>();
     linearisations(&M::standard());
     linearisations(&M::single());
+    implicit(&M::standard());
+    implicit(&M::single());
+}
+
+fn implicit<R: Real, M: Tangent<R>>(model: &M) {
+    steps(model, "generalised-alpha", LagrangeIndex1, GeneralisedAlpha::new(R::from_f64(0.8)));
+    steps(model, "implicit trapezoidal", LagrangeIndex1, ImplicitTrapezoidal::<R>::default());
+    steps(model, "ALI3-P", LagrangeIndex1, Ali3p::new(R::from_f64(1e5)));
 }
 
 fn linearisations<R: Real, M: Tangent<R>>(model: &M) {
@@ -104,6 +115,72 @@ fn nothing_allocates<M: Model>() {
     evaluations(&M::single());
     simulations(&M::standard());
     simulations(&M::single());
+}
+
+/// Every formulation and integrator, on loops with and without a factorisation of their own, with massless bodies, in space.
+#[test]
+fn formulations_and_integrators_do_not_allocate() {
+    formulations(&NFourBar2::<f64>::default());
+    formulations(&NFourBar2::<f32>::default());
+    formulations(&Workshop::<f64>::default());
+    formulations(&Workshop::<f32>::default());
+    formulations(&Bricard::<f64>::default());
+    formulations(&FourSphericalJoints::<f64>::default());
+    formulations(&FourSphericalJoints::<f32>::default());
+}
+
+fn formulations<R: Real, M>(model: &M)
+where
+    M: Assemble<R, Inputs: Fields<R>>,
+{
+    let h = R::from_f64(1e-3);
+    let penalty = Penalty::for_model(model, R::ZERO, &M::start_q(), h);
+    let iterated = AugmentedLagrangian::new(penalty);
+    steps(model, "index 1", LagrangeIndex1, Rk4);
+    steps(model, "penalty", penalty, Rk4);
+    steps(model, "augmented Lagrangian", iterated, ExplicitTrapezoidal);
+    steps(model, "index 1, projected", Projected::after(LagrangeIndex1), ExplicitTrapezoidal);
+    steps(model, "null space", NullSpace, Rk4);
+    steps(model, "partitioned", Partitioned::default(), SemiImplicitEuler);
+}
+
+/// Steps that succeed, and one that does not.
+fn steps<R, M, F, I>(model: &M, name: &str, formulation: F, integrator: I)
+where
+    R: Real,
+    M: Assemble<R, Inputs: Fields<R>>,
+    F: Formulation<R, M> + Copy,
+    I: for<'m> Integrator<R, MechanismDynamics<'m, M, R, F, Still>> + Copy,
+{
+    let h = R::from_f64(1e-3);
+    let (mut taken, mut refused) = (0, false);
+    let stepped = allocations(|| {
+        let start = State { q: M::start_q(), v: M::start_v() };
+        let simulation = Simulation::new(model, start).input_source(Still).formulation(formulation);
+        let mut simulation = simulation.integrator(integrator).step(h).step_over_breakdowns();
+        for _ in 0..3 {
+            taken += u32::from(black_box(simulation.advance()).is_ok());
+        }
+        black_box((simulation.near_singular(), simulation.multipliers()));
+        let mut broken = State { q: M::start_q(), v: M::start_v() };
+        broken.v.as_mut_slice().fill(R::ZERO / R::ZERO);
+        let simulation = Simulation::new(model, broken).input_source(Still).formulation(formulation);
+        let mut simulation = simulation.integrator(integrator).step(h).accept_inconsistent_start();
+        refused = black_box(simulation.advance()).is_err();
+    });
+    assert_eq!((stepped, taken, refused), (0, 3, true), "{}: {name}", M::NAME);
+}
+
+/// No inputs, or zeros.
+#[derive(Clone, Copy)]
+struct Still;
+
+impl<R: Real, M: Mechanism<R, Inputs: Fields<R>>> InputSource<R, M> for Still {
+    const HELD: bool = true;
+
+    fn sample(&mut self, _time: R, _state: &State<M::Q, M::V>) -> M::Inputs {
+        M::Inputs::from_array(Vector::zero())
+    }
 }
 
 /// Steps of the method's choice, samples and states between them, events, and their errors, on a tree, a loop, a body in

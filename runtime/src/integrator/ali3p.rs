@@ -98,7 +98,7 @@ impl<R: Real, D: ImplicitDynamics<R>> Integrator<R, D> for Ali3p<R> {
         let u = D::V::zero();
         dynamics.matrix(end, &at, &known.v_dot, &known.lambda, &u, &weights, &mut factored.entries);
         let plain = factored.entries;
-        if factored.lu().factor().is_err() {
+        if factored.lu().factor_above(R::ZERO).is_err() {
             return Err(StepFailure::Singular { time: end });
         }
         let mut project = |x: &mut D::V, rows: &D::Lambda| {

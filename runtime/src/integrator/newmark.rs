@@ -196,7 +196,7 @@ impl<R: Real> Scheme<R> {
             if iterations < 2 || last > R::from_f64(1e-3) {
                 let Trial { state, v_dot, lambda, u, .. } = &trial;
                 dynamics.matrix(end, state, v_dot, lambda, u, &weights, &mut factored.entries);
-                if factored.lu().factor().is_err() {
+                if factored.lu().factor_above(R::ZERO).is_err() {
                     return Err(StepFailure::Singular { time: end });
                 }
             }

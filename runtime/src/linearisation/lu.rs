@@ -27,6 +27,11 @@ pub(crate) struct NoPivot<R> {
 impl<R: Real> Lu<'_, R> {
     /// Scales and factors in place.
     pub(crate) fn factor(&mut self) -> Result<(), NoPivot<R>> {
+        self.factor_above(R::BREAKDOWN)
+    }
+
+    /// The same with another bound for pivots: zero where an iteration shows by itself whether the factors are good.
+    pub(crate) fn factor_above(&mut self, least: R) -> Result<(), NoPivot<R>> {
         let n = self.order.len();
         self.scale(n)?;
         for k in 0..n {
@@ -36,7 +41,7 @@ impl<R: Real> Lu<'_, R> {
             });
             let pivot = self.entries[at(largest)];
             // Written so that a NaN fails.
-            if !R::any(pivot.abs().greater_equal(R::BREAKDOWN)) {
+            if pivot == R::ZERO || !R::any(pivot.abs().greater_equal(least)) {
                 return Err(NoPivot { unknown: k, pivot: pivot.abs() });
             }
             self.order[k] = largest as u16;

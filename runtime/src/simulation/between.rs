@@ -31,10 +31,10 @@ impl<'m, R: Real, M: Mechanism<R>, F: Formulation<R, M>, S, I: Method<R>> Simula
         if time == now {
             return Ok(self.run.state);
         }
-        let rounding = R::from_f64(8.0) * R::EPSILON * now.abs();
+        let rounding = |from: R| R::from_f64(8.0) * R::EPSILON * (from.abs() + now.abs());
         // A step that ended elsewhere is of another start time.
         let from = match I::covers(&self.memory) {
-            Some((from, to)) if (to - now).abs() <= rounding => from,
+            Some((from, to)) if (to - now).abs() <= rounding(from) => from,
             _ => now,
         };
         if time >= from

@@ -177,7 +177,7 @@ where
         }
         let watch = &self.dynamics.watch;
         let (at, condition, smallest) = if F::PIVOT_SHOWS_CONDITION {
-            (begin, watch.first_pivot, watch.smallest_pivot)
+            (watch.observed.unwrap_or(begin), watch.first_pivot, watch.smallest_pivot)
         } else {
             let condition = self.model().factor(time, &next.q, R::ZERO, &mut M::store());
             (time, condition, condition)

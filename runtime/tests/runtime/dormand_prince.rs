@@ -228,6 +228,17 @@ fn a_jump_is_stepped_to_and_passed() {
     assert!(rejections.error > 3, "{rejections:?}");
 }
 
+/// Slopes whose norm overflows propose no step; the least one is taken, and grows.
+#[test]
+fn a_first_step_is_found_for_huge_slopes() {
+    for huge in [1e200, -1e300] {
+        let start = State { q: [0.0], v: [0.0] };
+        let mut fast = line(|_, _, _| huge);
+        let (end, steps, _) = travel(&mut fast, DormandPrince::tolerance(1e-8), start, 1.0).unwrap();
+        assert!((end.q[0] / huge - 0.5).abs() < 1e-14 && steps < 30, "{end:?} in {steps}");
+    }
+}
+
 #[test]
 fn what_is_not_finite_is_approached_and_then_an_error() {
     let mut wall = line(|_, x, _| if x < 1.0 { 0.0 } else { f64::NAN });
@@ -403,6 +414,10 @@ fn states_between_the_steps() {
         assert!(largest(&found.q, &expected.q) < 1e-7 && largest(&found.v, &expected.v) < 1e-7, "{part}");
     }
     assert_eq!(simulation.interpolate(to).unwrap(), *simulation.state());
+    // A step that ends at zero, where the time has no rounding of its own.
+    let mut before = build().step(0.1).start_time(-0.3);
+    before.advance_until(0.0).unwrap();
+    assert!(before.interpolate(-1e-3).is_ok(), "{:?}", before.interpolate(-1e-3));
     for outside in [from - 1e-9, to + 1e-9, f64::NAN] {
         let error = simulation.interpolate(outside).unwrap_err();
         assert!(matches!(error, SimulationError::NotCovered { .. }), "{error:?}");

@@ -184,6 +184,18 @@ fn a_jump_of_an_input_is_found() {
     let mut sampled = Simulation::new(&model, START).sampled(torque).step(0.05);
     let found = sampled.run_until_event(1.0, &[event], |_| ()).unwrap().unwrap();
     assert!((found.time - 0.7371).abs() < 1e-9, "{found:?}");
+    // A jump that is felt: the steps are shortened before it, in the search too.
+    for tolerance in [1e-4, 1e-7, 1e-10] {
+        let heavy = DoublePendulum::new();
+        let mut felt = Simulation::new(&heavy, START)
+            .sampled(|time, _| Torque { shoulder: if time < 0.7371 { -20.0 } else { 40.0 * time } })
+            .integrator(DormandPrince::tolerance(tolerance))
+            .step(0.1);
+        let event = Event::of("torque").tolerance(1e-11);
+        let found = felt.run_until_event(1.0, &[event], |_| ()).unwrap().unwrap();
+        assert!((found.time - 0.7371).abs() < 1.1e-11, "{found:?}");
+        assert_eq!(felt.run_until_event(1.0, &[event], |_| ()), Ok(None));
+    }
     // Held over the steps, it changes at the beginning of the first one after.
     let mut asked = 0;
     let mut held = Simulation::new(&model, START)

@@ -210,8 +210,9 @@ impl<R: Real, D: Dynamics<R>> Integrator<R, D> for DormandPrince<R> {
         };
         // A hundredth longer rather than leave a sliver.
         let shortened = proposed * R::from_f64(1.01) >= h;
-        let mut size = if shortened { h } else { proposed };
         let resolution = R::from_f64(4.0) * R::EPSILON * (time.abs() + h);
+        // Slopes so large that their norm overflows propose nothing.
+        let mut size = if shortened { h } else { proposed.max(resolution + resolution).min(h) };
         let mut rejections = Rejections::default();
         loop {
             dynamics.begin_trial(size);
