@@ -1,7 +1,8 @@
-//! The expansions of four small models, formatted, against `tests/golden/*.rs`: a change of emitted code shows in
+//! The expansions of small models, one of them with its derivatives, formatted, against `tests/golden/*.rs`: a change of emitted code shows in
 //! review as what a user would read. `UPDATE_GOLDEN=1 cargo test --test checks golden` writes them anew.
 
 use crate::registry::Model;
+use crate::zoo_tangent::Gripper;
 use linkwright_compiler::{Expansion, expand};
 use linkwright_models::four_bar::FourBar;
 use linkwright_models::general_four_bar::ParametricFourBar;
@@ -27,6 +28,11 @@ fn parametric_four_bar() {
 #[test]
 fn spherical_pendulum() {
     compare::<SphericalPendulum>("spherical_pendulum");
+}
+
+#[test]
+fn gripper() {
+    compare::<Gripper>("gripper");
 }
 
 fn compare<M: Model>(name: &str) {
