@@ -28,6 +28,8 @@ pub struct Compiled {
     pub table: Table,
     /// Independent coordinates, indices into the conditions.
     pub independent: Vec<usize>,
+    /// The dependent velocity of each row that is not idle.
+    pub dependent: Vec<Option<usize>>,
     /// Masses and inertias that depend on parameters, and whether they must be positive.
     pub masses: Vec<(String, bool)>,
     pub choice: Choice,
@@ -83,6 +85,7 @@ pub fn compile_model(
         // Limits of the definition hold for the coordinates of the definition.
         check::budget(&mechanism, &programs, &mut errors);
     }
+    let dependent = assemble::dependent(&mechanism, &equations, &assembly);
     let masses = assemble::positive_masses(&mechanism, &equations);
     errors.finish(Compiled {
         mechanism,
@@ -94,6 +97,7 @@ pub fn compile_model(
         hoisted: optimized.hoisted.nodes,
         table,
         independent,
+        dependent,
         masses,
         choice,
     })

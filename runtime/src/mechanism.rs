@@ -162,6 +162,9 @@ pub trait Assemble<R: Real>: Mechanism<R> {
     /// Rows, ascending, that repeat what others fix and are kept: they vanish with the others, have the multiplier zero, and
     /// take no part in factorisations.
     const IDLE: &'static [u16] = &[];
+    /// The dependent velocity of each row, chosen at the start; `u16::MAX` of rows that are [`IDLE`](Assemble::IDLE). Empty if
+    /// nothing is chosen.
+    const DEPENDENT: &'static [u16] = &[];
     /// Rows, ascending, that hold velocities without mass of their own.
     const MASSLESS_ROWS: &'static [u16] = &[];
     /// ρ with which Dᵀ D of these rows is added to M, kg.

@@ -34,11 +34,15 @@ pub struct Partition<D, C, R> {
 pub type PartitionOf<R, M> = Partition<<M as Assemble<R>>::Dense, <M as Assemble<R>>::Choice, R>;
 
 impl<R: Real, D: Vector<R>, C: Copy + AsRef<[u16]> + AsMut<[u16]>> Partition<D, C, R> {
-    /// No choice made yet.
+    /// The choice made at expansion, if there is one; nothing factored yet.
     pub fn new<M: Assemble<R, Dense = D, Choice = C>>() -> Self {
         let mut none = M::choice();
         none.as_mut().fill(NONE);
-        Partition { rows: D::zero(), columns: none, places: none, pivot: R::ONE, changes: 0 }
+        let mut columns = none;
+        for (column, &chosen) in columns.as_mut().iter_mut().zip(M::DEPENDENT) {
+            *column = chosen;
+        }
+        Partition { rows: D::zero(), columns, places: none, pivot: R::ONE, changes: 0 }
     }
 
     /// Whether a velocity is an independent one.

@@ -501,6 +501,11 @@ pub fn assemble(text: &mut String, emitter: &Emitter) {
         let idle = tables::indices(equations.idle.iter().copied());
         let _ = writeln!(text, "const IDLE: &'static [u16] = {idle};");
     }
+    if !compiled.dependent.is_empty() {
+        let none = usize::from(u16::MAX);
+        let dependent = tables::indices(compiled.dependent.iter().map(|column| column.unwrap_or(none)));
+        let _ = writeln!(text, "const DEPENDENT: &'static [u16] = {dependent};");
+    }
     let massless = &compiled.solved.massless;
     if !massless.rows.is_empty() {
         let rows = tables::indices(massless.rows.iter().copied());

@@ -9,12 +9,14 @@
 mod attempts;
 mod initial;
 mod mobility;
+mod partition;
 mod point;
 mod position;
 mod quaternion;
 mod rates;
 mod redundancy;
 
+pub use partition::dependent;
 pub use point::{Ancestry, Point, retract};
 
 use super::messages;
