@@ -61,16 +61,19 @@ enum Of {
     Coordinates,
 }
 
+/// q and δ → q ⊕ δ.
+type Moved<'a> = dyn Fn(&[f64], &[f64]) -> Vec<f64> + 'a;
+
 struct Checked<'a> {
     compiled: &'a Compiled,
     /// q ⊕ δ.
-    moved: &'a dyn Fn(&[f64], &[f64]) -> Vec<f64>,
+    moved: &'a Moved<'a>,
     /// What the outputs need, operands first.
     outputs: Vec<Node>,
 }
 
 impl<'a> Checked<'a> {
-    fn of(compiled: &'a Compiled, moved: &'a dyn Fn(&[f64], &[f64]) -> Vec<f64>) -> Self {
+    fn of(compiled: &'a Compiled, moved: &'a Moved<'a>) -> Self {
         let equations = &compiled.equations;
         let outputs = equations.graph.reachable(equations.unsolved_outputs.iter().copied());
         Checked { compiled, moved, outputs }
