@@ -108,7 +108,8 @@ impl<'a> Judge<'a> {
         match source {
             Source::Acceleration(index) => inputs.acceleration.get(index as usize).copied().unwrap_or(0.0),
             Source::Lambda(index) => inputs.lambda.get(index as usize).copied().unwrap_or(0.0),
-            Source::Target(_) => 0.0,
+            // Of functions that are not judged here.
+            Source::Target(_) | Source::GivenForce(_) | Source::GivenRow(_) | Source::Kept(_) => 0.0,
             other => inputs.get(other),
         }
     }
