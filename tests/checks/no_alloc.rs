@@ -163,7 +163,7 @@ where
         }
         black_box((simulation.near_singular(), simulation.multipliers()));
         let mut broken = State { q: M::start_q(), v: M::start_v() };
-        broken.v.as_mut_slice().fill(R::ZERO / R::ZERO);
+        broken.v.as_mut_slice().fill(R::from_f64(f64::NAN));
         let simulation = Simulation::new(model, broken).input_source(Still).formulation(formulation);
         let mut simulation = simulation.integrator(integrator).step(h).accept_inconsistent_start();
         refused = black_box(simulation.advance()).is_err();

@@ -39,6 +39,7 @@ pub trait ImplicitDynamics<R: Real>: Dynamics<R> {
     /// `weights.mass`, v by `weights.damping` times the increment, with D′ = D or, of rows at the level of velocities,
     /// d D + ∂(D v − ν)/∂q. K and the derivatives of rows by positions are taken along `u`: of a quaternion turned by u the
     /// increment δu turns it by dexp₋ᵤ δu.
+    #[allow(clippy::too_many_arguments)]
     fn matrix(
         &mut self,
         time: R,

@@ -73,7 +73,7 @@ where
                 let drift = (simulation.energy() - begin).abs();
                 run.drift = run.drift.max(drift);
                 // Written so that a NaN counts.
-                if !(drift < 1e-3) && run.left.is_none() {
+                if (drift.is_nan() || drift >= 1e-3) && run.left.is_none() {
                     run.left = Some(time);
                 }
                 run.near_singular = run.near_singular.or(near_singular.map(|found| found.time));

@@ -67,16 +67,15 @@ fn reciprocal_condition<M: Model>(model: &M, time: f64, q: &M::Q) -> f64 {
             entries[i] = row(j).as_slice().iter().zip(x.as_slice()).map(|(d, x)| d * x).sum();
         }
     }
-    let mut scale = vec![0.0; m];
-    for i in 0..m {
-        let same = |j: &usize| M::ROWS[*j].of == M::ROWS[i].of;
-        let most = (0..m).filter(same).map(|j| matrix[j][j]).fold(0.0, f64::max);
-        scale[i] = 1.0 / most.sqrt();
-    }
-    for i in 0..m {
-        for j in 0..m {
-            matrix[i][j] *= scale[i] * scale[j];
-        }
+    let scale: Vec<f64> = (0..m)
+        .map(|i| {
+            let same = |j: &usize| M::ROWS[*j].of == M::ROWS[i].of;
+            let most = (0..m).filter(same).map(|j| matrix[j][j]).fold(0.0, f64::max);
+            1.0 / most.sqrt()
+        })
+        .collect();
+    for (row, own) in matrix.iter_mut().zip(&scale) {
+        row.iter_mut().zip(&scale).for_each(|(entry, other)| *entry *= own * other);
     }
     let (least, most) = extreme_eigenvalues(matrix);
     least / most
