@@ -134,8 +134,7 @@ impl<'m, M: Assemble<f64>, S, D> Equations<'m, M, S, D> {
 
     /// Whether a pivot is none; remembered if so.
     pub(crate) fn breaks_down(&self, time: f64, state: &StateOf<M>, pivot: f64) -> bool {
-        // Written so that a NaN fails.
-        let broken = !(pivot >= <f64 as Real>::BREAKDOWN);
+        let broken = pivot.is_nan() || pivot < <f64 as Real>::BREAKDOWN;
         if broken && state.q.first_not_finite().is_none() {
             let (_, row) = smallest_pivot(self.model, time, &state.q);
             let row = row.map_or(Row { of: M::NAME, what: "constraints" }, |row| M::ROWS[row]);

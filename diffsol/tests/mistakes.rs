@@ -102,7 +102,7 @@ fn inputs_that_are_no_numbers() {
             panic!("{method:?}: {error:?}")
         };
         assert!((time - 0.005).abs() < 1e-3, "{method:?}: {time}");
-        assert_eq!(problem.eqn().failure().is_some(), true);
+        assert!(problem.eqn().failure().is_some());
     }
 }
 
