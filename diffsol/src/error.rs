@@ -22,6 +22,13 @@ pub enum Error {
         /// The time, s.
         time: f64,
     },
+    /// The solver took as many steps as it may and is not at the end.
+    TooManySteps {
+        /// The time it came to, s.
+        time: f64,
+        /// The steps taken.
+        steps: usize,
+    },
     /// The solver gave up, without fault of the equations.
     Solver(DiffsolError),
 }
@@ -37,6 +44,11 @@ impl Display for Error {
                 f,
                 "time {index} of those asked for, {time} s, is not finite or before the one before it; give times in \
                  ascending order from the start on"
+            ),
+            Error::TooManySteps { time, steps } => write!(
+                f,
+                "after {steps} steps the solver is at t = {time} s; loosen the tolerances, choose an implicit method if the \
+                 motion is stiff, or allow more steps"
             ),
             Error::Solver(error) => write!(
                 f,

@@ -21,8 +21,8 @@ pub struct Settings {
     pub relative: f64,
     /// Error per step of each entry of y, m, rad, m/s, rad/s.
     pub absolute: f64,
-    /// The first step that the solver tries, s.
-    pub first_step: f64,
+    /// More steps than these [`solve`](crate::solve) and [`sensitivities`](crate::sensitivities) do not take in one run.
+    pub most_steps: usize,
     /// Stabilisation of the constraints; both coefficients zero: index 1.
     pub baumgarte: Baumgarte<f64>,
     /// κ, 1/s: the rate at which an orientation's length returns to one. Nothing but the length depends on it.
@@ -32,12 +32,12 @@ pub struct Settings {
 }
 
 impl Default for Settings {
-    /// Relative 10⁻⁸, absolute 10⁻¹⁰, first step 1 ms, Baumgarte's coefficients 10/s, κ = 1/s.
+    /// Relative 10⁻⁸, absolute 10⁻¹⁰, a million steps, Baumgarte's coefficients 10/s, κ = 1/s.
     fn default() -> Self {
         Settings {
             relative: 1e-8,
             absolute: 1e-10,
-            first_step: 1e-3,
+            most_steps: 1_000_000,
             baumgarte: Baumgarte { alpha: 10.0, beta: 10.0 },
             length_rate: 1.0,
             accept_inconsistent_start: false,
@@ -52,7 +52,6 @@ impl Settings {
         {
             check(what, value, value > 0.0, "positive and finite")?;
         }
-        check("the first step", self.first_step, self.first_step > 0.0, "positive and finite (s)")?;
         for (what, value) in [
             ("Baumgarte's alpha", self.baumgarte.alpha),
             ("Baumgarte's beta", self.baumgarte.beta),
@@ -134,7 +133,6 @@ where
     }
     let problem = OdeBuilder::<NalgebraMat<f64>>::new()
         .t0(time)
-        .h0(settings.first_step)
         .rtol(settings.relative)
         .atol([settings.absolute])
         .p(vec![0.0; D::PARAMETERS])

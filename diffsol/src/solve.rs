@@ -1,9 +1,7 @@
 //! The usual case: states, and their derivatives by the parameters, at given times.
 
 use crate::{Derivatives, Error, Exact, Problem, StateOf};
-use diffsol::{
-    DiffsolError, MatrixCommon, NalgebraLU, NalgebraMat, OdeSolverMethod, SensitivitiesOdeSolverMethod,
-};
+use diffsol::{NalgebraLU, NalgebraVec, OdeEquations, OdeSolverMethod, OdeSolverStopReason, Vector as _};
 use linkwright::{Assemble, Mechanism, SimulationError, Tangent, Vector};
 
 /// A solver of `diffsol`.
@@ -32,8 +30,8 @@ pub struct Sensitivity<V> {
 /// The states of a problem at `times` (s), ascending from the start on.
 ///
 /// # Errors
-/// [`Error::Time`]; [`Error::Mechanism`] where the solver stopped because the equations have no solution, else
-/// [`Error::Solver`].
+/// [`Error::Time`]; [`Error::TooManySteps`]; [`Error::Mechanism`] where the solver stopped because the equations have no
+/// solution, else [`Error::Solver`].
 pub fn solve<M, S, D>(
     problem: &Problem<'_, M, S, D>,
     method: Method,
@@ -50,20 +48,18 @@ where
     if later.is_empty() {
         return Ok(states);
     }
-    let solved = || -> Result<_, DiffsolError> {
-        let (matrix, _) = match method {
-            Method::Bdf => problem.bdf::<Lu>()?.solve_dense(later)?,
-            Method::TrBdf2 => problem.tr_bdf2::<Lu>()?.solve_dense(later)?,
-            Method::Esdirk34 => problem.esdirk34::<Lu>()?.solve_dense(later)?,
-            Method::Tsit45 => problem.tsit45()?.solve_dense(later)?,
-        };
-        Ok(matrix)
+    let show = |y: &NalgebraVec<f64>, _: Option<&NalgebraVec<f64>>, time| {
+        states.push(finite::<M>(time, equations.state_of(&y.clone_as_vec()))?);
+        Ok(())
     };
-    let matrix = solved().map_err(|error| reason(problem, error))?;
-    for (index, &time) in later.iter().enumerate() {
-        let state = equations.state_of(&column(&matrix, index));
-        states.push(finite::<M>(time, state)?);
-    }
+    let march = March { times: later, most_steps: equations.most_steps, show };
+    let marched = || match method {
+        Method::Bdf => march.of(problem.bdf::<Lu>()?),
+        Method::TrBdf2 => march.of(problem.tr_bdf2::<Lu>()?),
+        Method::Esdirk34 => march.of(problem.esdirk34::<Lu>()?),
+        Method::Tsit45 => march.of(problem.tsit45()?),
+    };
+    marched().map_err(|error| reason(problem, error))?;
     Ok(states)
 }
 
@@ -95,26 +91,68 @@ where
     if later.is_empty() {
         return Ok((states, derivatives));
     }
-    let solved = || -> Result<_, DiffsolError> {
-        let (matrix, columns, _) = match method {
-            Method::Bdf => problem.bdf_sens::<Lu>()?.solve_dense_sensitivities(later)?,
-            Method::TrBdf2 => problem.tr_bdf2_sens::<Lu>()?.solve_dense_sensitivities(later)?,
-            Method::Esdirk34 => problem.esdirk34_sens::<Lu>()?.solve_dense_sensitivities(later)?,
-            Method::Tsit45 => problem.tsit45_sens()?.solve_dense_sensitivities(later)?,
-        };
-        Ok((matrix, columns))
-    };
-    let (matrix, by_parameter) = solved().map_err(|error| reason(problem, error))?;
-    for (index, &time) in later.iter().enumerate() {
-        let y = column(&matrix, index);
+    let show = |y: &NalgebraVec<f64>, motions: Option<&NalgebraVec<f64>>, time| {
+        let y = y.clone_as_vec();
         states.push(finite::<M>(time, equations.state_of(&y))?);
-        let of = |motions: &NalgebraMat<f64>| {
-            let (q, v) = equations.increments(&y, &column(motions, index));
+        // One lane for each parameter.
+        let motions = motions.map_or(Vec::new(), |motions| motions.clone_as_vec());
+        let of = |motion| {
+            let (q, v) = equations.increments(&y, motion);
             Sensitivity { q, v }
         };
-        derivatives.push(by_parameter.iter().map(of).collect());
-    }
+        derivatives.push(motions.chunks_exact(y.len()).map(of).collect());
+        Ok(())
+    };
+    let march = March { times: later, most_steps: equations.most_steps, show };
+    let marched = || match method {
+        Method::Bdf => march.of(problem.bdf_sens::<Lu>()?),
+        Method::TrBdf2 => march.of(problem.tr_bdf2_sens::<Lu>()?),
+        Method::Esdirk34 => march.of(problem.esdirk34_sens::<Lu>()?),
+        Method::Tsit45 => march.of(problem.tsit45_sens()?),
+    };
+    marched().map_err(|error| reason(problem, error))?;
     Ok((states, derivatives))
+}
+
+/// A run to the last of some times. `diffsol`'s own panics where rounding puts the last of its steps before the end, and takes
+/// any number of steps.
+struct March<'t, F> {
+    times: &'t [f64],
+    most_steps: usize,
+    show: F,
+}
+
+impl<F> March<'_, F>
+where
+    F: FnMut(&NalgebraVec<f64>, Option<&NalgebraVec<f64>>, f64) -> Result<(), Error>,
+{
+    fn of<'p, E, S>(mut self, mut solver: S) -> Result<(), Error>
+    where
+        E: OdeEquations<T = f64, V = NalgebraVec<f64>> + 'p,
+        S: OdeSolverMethod<'p, E>,
+    {
+        let mut pending = self.times;
+        let Some(&end) = pending.last() else { return Ok(()) };
+        solver.set_stop_time(end)?;
+        for _ in 0..self.most_steps {
+            let ended = matches!(solver.step()?, OdeSolverStopReason::TstopReached);
+            let now = solver.state().t;
+            while let [time, rest @ ..] = pending
+                && (ended || *time <= now)
+            {
+                let at = time.min(now);
+                let y = solver.interpolate(at)?;
+                let motions =
+                    if solver.state().s.is_empty() { None } else { Some(solver.interpolate_sens(at)?) };
+                (self.show)(&y, motions.as_ref(), *time)?;
+                pending = rest;
+            }
+            if ended {
+                return Ok(());
+            }
+        }
+        Err(Error::TooManySteps { time: solver.state().t, steps: self.most_steps })
+    }
 }
 
 /// The states at those of the times that are the start's, and the later times.
@@ -141,14 +179,17 @@ where
     Ok((vec![*equations.start(); at_start], &times[at_start..]))
 }
 
-/// What the equations say of a solver's error.
-fn reason<M, S, D>(problem: &Problem<'_, M, S, D>, error: DiffsolError) -> Error
+/// What the equations say where a solver gave up.
+fn reason<M, S, D>(problem: &Problem<'_, M, S, D>, error: Error) -> Error
 where
     M: Assemble<f64>,
     S: Fn(f64, &StateOf<M>) -> M::Inputs,
     D: Derivatives<M>,
 {
-    problem.eqn().failure().map_or(Error::Solver(error), Error::Mechanism)
+    match (problem.eqn().failure(), error) {
+        (Some(failure), Error::Solver(_)) => Error::Mechanism(failure),
+        (_, error) => error,
+    }
 }
 
 /// Written numbers are numbers.
@@ -158,8 +199,4 @@ fn finite<M: Mechanism<f64>>(time: f64, state: StateOf<M>) -> Result<StateOf<M>,
         Some(what) => Err(SimulationError::NonFinite { time, what }),
         None => Ok(state),
     }
-}
-
-fn column(matrix: &NalgebraMat<f64>, index: usize) -> Vec<f64> {
-    (0..matrix.nrows()).map(|row| matrix[(row, index)]).collect()
 }

@@ -126,7 +126,6 @@ fn andrews_squeezer() {
     let settings = Settings {
         relative: 1e-9,
         absolute: 1e-9,
-        first_step: 1e-6,
         baumgarte: Baumgarte { alpha: 100.0, beta: 100.0 },
         ..Settings::default()
     };

@@ -58,9 +58,9 @@ fn drive(time: f64, state: &State<[f64; Loop::START.q.len()], [f64; Loop::START.
 const STIFF: Settings = Settings {
     relative: 1e-10,
     absolute: 1e-10,
-    first_step: 1e-3,
     baumgarte: Baumgarte { alpha: 5.0, beta: 7.0 },
     length_rate: 3.0,
+    most_steps: 100_000,
     accept_inconsistent_start: false,
 };
 

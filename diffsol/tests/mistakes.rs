@@ -23,7 +23,6 @@ fn settings() {
         Settings { relative: 0.0, ..good },
         Settings { relative: f64::NAN, ..good },
         Settings { absolute: -1.0, ..good },
-        Settings { first_step: f64::INFINITY, ..good },
         Settings { baumgarte: Baumgarte { alpha: -1.0, beta: 0.0 }, ..good },
         Settings { baumgarte: Baumgarte { alpha: 0.0, beta: f64::NAN }, ..good },
         Settings { length_rate: -1.0, ..good },
@@ -78,6 +77,18 @@ fn times() {
     let twice = solve(&problem, Method::Bdf, &[1.0, 1.1, 1.1]).expect("it moves");
     assert_eq!(twice[1], twice[2]);
     assert_ne!(twice[0], twice[1]);
+}
+
+/// A stiff problem under an explicit method does not run for ever.
+#[test]
+fn too_many_steps() {
+    let model = FourBar::default();
+    let settings =
+        Settings { baumgarte: Baumgarte { alpha: 1e6, beta: 1e6 }, most_steps: 2000, ..Settings::default() };
+    let problem = problem(&model, 0.0, &FourBar::START, |_, _| (), &settings).expect("a problem");
+    let error = solve(&problem, Method::Tsit45, &[0.1]).expect_err("it is too stiff");
+    assert!(matches!(error, Error::TooManySteps { steps: 2000, time } if time < 0.1), "{error:?}");
+    assert!(solve(&problem, Method::Bdf, &[0.1]).is_ok());
 }
 
 /// Inputs that are no numbers, from the start or later on.
