@@ -17,9 +17,10 @@ const INCONSISTENT: f64 = 1e-6;
 /// Tolerances and stabilisation.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Settings {
-    /// Error per step relative to each entry of y.
+    /// Error per step relative to each entry of y, and to each of its derivatives by a parameter where these are solved.
     pub relative: f64,
-    /// Error per step of each entry of y, m, rad, m/s, rad/s.
+    /// Error per step of each entry of y, m, rad, m/s, rad/s, and of each of its derivatives, the same per unit of the
+    /// parameter.
     pub absolute: f64,
     /// More steps than these [`solve`](crate::solve) and [`sensitivities`](crate::sensitivities) do not take in one run.
     pub most_steps: usize,
@@ -135,6 +136,8 @@ where
         .t0(time)
         .rtol(settings.relative)
         .atol([settings.absolute])
+        .sens_rtol(settings.relative)
+        .sens_atol([settings.absolute])
         .p(vec![0.0; D::PARAMETERS])
         .build_from_eqn(equations)?;
     Ok(problem)
