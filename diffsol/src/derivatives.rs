@@ -1,0 +1,255 @@
+//! Derivatives of v̇ along increments of the coordinates: by differences, or exact.
+
+use crate::{Equations, StateOf};
+use linkwright::{Assemble, Fields, State, Tangent, Vector, retract};
+
+/// Where the derivatives of v̇ come from: [`Differences`] or [`Exact`].
+pub trait Derivatives<M: Assemble<f64>>: Sized + sealed::Sealed {
+    /// The number of parameters by which there are derivatives.
+    #[doc(hidden)]
+    const PARAMETERS: usize;
+    /// What is evaluated once at a state.
+    #[doc(hidden)]
+    type At;
+
+    /// The state, made ready; nothing where the equations cannot be solved.
+    #[doc(hidden)]
+    fn at<S>(equations: &Equations<'_, M, S, Self>, time: f64, state: &StateOf<M>) -> Option<Self::At>
+    where
+        S: Fn(f64, &StateOf<M>) -> M::Inputs;
+
+    /// (∂v̇/∂q) δq + (∂v̇/∂v) δv, including what the inputs do.
+    #[doc(hidden)]
+    fn along<S>(equations: &Equations<'_, M, S, Self>, at: &Self::At, dq: &M::V, dv: &M::V) -> M::V
+    where
+        S: Fn(f64, &StateOf<M>) -> M::Inputs;
+}
+
+mod sealed {
+    pub trait Sealed {}
+    impl Sealed for super::Differences {}
+    impl Sealed for super::Exact {}
+}
+
+/// Central differences of v̇, for any mechanism.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Differences;
+
+/// The emitted derivatives, of a mechanism that says `options { emit = (tangent); }`.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Exact;
+
+/// Two states, a little back and a little ahead along an increment, and the inverse of what lies between.
+fn around<M: Assemble<f64>>(
+    state: &StateOf<M>,
+    dq: &M::V,
+    dv: &M::V,
+) -> Option<(StateOf<M>, StateOf<M>, f64)> {
+    let size = dq.max_abs().max(dv.max_abs() / (1.0 + state.v.max_abs()));
+    // The error of central differences is least about the third root of rounding.
+    let step = f64::EPSILON.cbrt() / size;
+    if !step.is_finite() {
+        return None;
+    }
+    let moved = |step: f64| {
+        let mut moved = *state;
+        retract(&M::LAYOUT, &state.q, &dq.scaled(step), &mut moved.q);
+        moved.v.axpy(step, dv);
+        moved
+    };
+    Some((moved(-step), moved(step), 0.5 / step))
+}
+
+impl<M: Assemble<f64>> Derivatives<M> for Differences {
+    const PARAMETERS: usize = 0;
+    type At = (f64, StateOf<M>);
+
+    fn at<S>(_: &Equations<'_, M, S, Self>, time: f64, state: &StateOf<M>) -> Option<Self::At>
+    where
+        S: Fn(f64, &StateOf<M>) -> M::Inputs,
+    {
+        Some((time, *state))
+    }
+
+    fn along<S>(equations: &Equations<'_, M, S, Self>, (time, state): &Self::At, dq: &M::V, dv: &M::V) -> M::V
+    where
+        S: Fn(f64, &StateOf<M>) -> M::Inputs,
+    {
+        let Some((before, after, scale)) = around::<M>(state, dq, dv) else { return M::V::zero() };
+        let [(before, _), (after, _)] = [before, after].map(|state| equations.acceleration(*time, &state));
+        after.plus(-1.0, &before).scaled(scale)
+    }
+}
+
+/// The equations of motion with Baumgarte's terms at one state, factored, and their derivatives:
+///
+/// ```text
+/// ⎡ M  Dᵀ ⎤ ⎡ ∂v̇ ⎤     ⎡ ∂r                                  ⎤
+/// ⎣ D  0  ⎦ ⎣ ∂λ ⎦ = − ⎣ ∂(D a − γ) + 2α ∂(D v − ν) + β² ∂Φ ⎦    r = M a + Dᵀ λ − Q
+/// ```
+/// with ∂Φ/∂q = ∂(D v − ν)/∂v = D; as `linkwright::Linearisation`, which is of index 1.
+#[doc(hidden)]
+pub struct Linearised<M: Tangent<f64>> {
+    time: f64,
+    state: StateOf<M>,
+    a: M::V,
+    lambda: M::Lambda,
+    store: M::Store,
+    stiffness: M::Stiffness,
+    damping: M::Damping,
+    row_stiffness: M::RowStiffness,
+    row_damping: M::RowDamping,
+    rate: M::RateTangent,
+    jacobian: M::Jacobian,
+    input: M::InputTangent,
+}
+
+impl<M: Tangent<f64>> Derivatives<M> for Exact {
+    const PARAMETERS: usize = <M::Parameters as Fields<f64>>::NAMES.len();
+    type At = Linearised<M>;
+
+    fn at<S>(equations: &Equations<'_, M, S, Self>, time: f64, state: &StateOf<M>) -> Option<Linearised<M>>
+    where
+        S: Fn(f64, &StateOf<M>) -> M::Inputs,
+    {
+        let model = equations.model();
+        let (q, v, u) = (&state.q, &state.v, (equations.inputs)(time, state));
+        let (a, lambda) = equations.acceleration(time, state);
+        let mut store = M::store();
+        let pivot = model.factor(time, q, 0.0, &mut store);
+        if a.first_not_finite().is_some() || equations.breaks_down(time, state, pivot) {
+            return None;
+        }
+        let mut at = Linearised {
+            time,
+            state: *state,
+            a,
+            lambda,
+            store,
+            stiffness: M::Stiffness::zero(),
+            damping: M::Damping::zero(),
+            row_stiffness: M::RowStiffness::zero(),
+            row_damping: M::RowDamping::zero(),
+            rate: M::RateTangent::zero(),
+            jacobian: M::Jacobian::zero(),
+            input: M::InputTangent::zero(),
+        };
+        model.tangent(time, q, v, &u, &a, &lambda, &mut at.stiffness, &mut at.damping);
+        model.row_tangent(time, q, v, &a, &mut at.row_stiffness, &mut at.row_damping);
+        model.rate_tangent(time, q, v, &mut at.rate);
+        model.constraint_jacobian(time, q, &mut at.jacobian);
+        model.input_tangent(time, q, v, &u, &mut at.input);
+        Some(at)
+    }
+
+    fn along<S>(equations: &Equations<'_, M, S, Self>, at: &Linearised<M>, dq: &M::V, dv: &M::V) -> M::V
+    where
+        S: Fn(f64, &StateOf<M>) -> M::Inputs,
+    {
+        let (mut forces, mut rows) = (M::V::zero(), M::Lambda::zero());
+        add_product(M::STIFFNESS_PATTERN, &at.stiffness, 1.0, dq, &mut forces);
+        add_product(M::DAMPING_PATTERN, &at.damping, 1.0, dv, &mut forces);
+        add_product(M::ROW_STIFFNESS_PATTERN, &at.row_stiffness, 1.0, dq, &mut rows);
+        add_product(M::ROW_DAMPING_PATTERN, &at.row_damping, 1.0, dv, &mut rows);
+        let (two_alpha, beta_squared) = equations.baumgarte();
+        add_product(M::RATE_PATTERN, &at.rate, two_alpha, dq, &mut rows);
+        add_product(M::JACOBIAN_PATTERN, &at.jacobian, two_alpha, dv, &mut rows);
+        add_product(M::JACOBIAN_PATTERN, &at.jacobian, beta_squared, dq, &mut rows);
+        if let Some((before, after, scale)) = around::<M>(&at.state, dq, dv) {
+            let [before, after] = [before, after].map(|state| (equations.inputs)(at.time, &state).to_array());
+            let along = after.plus(-1.0, &before).scaled(scale);
+            add_product(M::INPUT_PATTERN, &at.input, 1.0, &along, &mut forces);
+        }
+        at.response(equations.model(), &forces, &rows).0
+    }
+}
+
+impl<M: Tangent<f64>> Linearised<M> {
+    /// −K⁻¹ (∂r, ∂(rows)).
+    fn response(&self, model: &M, forces: &M::V, rows: &M::Lambda) -> (M::V, M::Lambda) {
+        let (mut a, mut lambda) = (M::V::zero(), M::Lambda::zero());
+        model.solve(&self.store, &forces.scaled(-1.0), &rows.scaled(-1.0), &mut a, &mut lambda);
+        (a, lambda)
+    }
+
+    fn by_parameters<S>(&self, equations: &Equations<'_, M, S, Exact>) -> M::ParameterTangent
+    where
+        S: Fn(f64, &StateOf<M>) -> M::Inputs,
+    {
+        let u = (equations.inputs)(self.time, &self.state);
+        let mut entries = M::ParameterTangent::zero();
+        let State { q, v } = &self.state;
+        equations.model().parameter_tangent(self.time, q, v, &u, &self.a, &self.lambda, &mut entries);
+        entries
+    }
+
+    /// ∂v̇/∂p, one vector for each parameter.
+    pub(crate) fn accelerations_by_parameters<S>(&self, equations: &Equations<'_, M, S, Exact>) -> Vec<M::V>
+    where
+        S: Fn(f64, &StateOf<M>) -> M::Inputs,
+    {
+        let (two_alpha, beta_squared) = equations.baumgarte();
+        let (n, m) = (M::V::LEN, M::Lambda::LEN);
+        let entries = self.by_parameters(equations);
+        let column = |parameter| {
+            let (mut forces, mut rows) = (M::V::zero(), M::Lambda::zero());
+            add_column::<M, _>(&entries, parameter, 0, 1.0, &mut forces);
+            add_column::<M, _>(&entries, parameter, n, 1.0, &mut rows);
+            add_column::<M, _>(&entries, parameter, n + m, two_alpha, &mut rows);
+            add_column::<M, _>(&entries, parameter, n + 2 * m, beta_squared, &mut rows);
+            self.response(equations.model(), &forces, &rows).0
+        };
+        (0..<Exact as Derivatives<M>>::PARAMETERS).map(column).collect()
+    }
+
+    /// ∂q/∂p as increments and ∂v/∂p of the nearest state on the constraints, one pair for each parameter:
+    /// D δq = −∂Φ/∂p and D δv = −∂(D v − ν)/∂p − ∂(D v − ν)/∂q δq, both least in the norm of M.
+    pub(crate) fn states_by_parameters<S>(&self, equations: &Equations<'_, M, S, Exact>) -> Vec<(M::V, M::V)>
+    where
+        S: Fn(f64, &StateOf<M>) -> M::Inputs,
+    {
+        let (n, m) = (M::V::LEN, M::Lambda::LEN);
+        let (model, entries) = (equations.model(), self.by_parameters(equations));
+        let column = |parameter| {
+            let (mut phi, mut rates) = (M::Lambda::zero(), M::Lambda::zero());
+            add_column::<M, _>(&entries, parameter, n + 2 * m, 1.0, &mut phi);
+            let dq = self.response(model, &M::V::zero(), &phi).0;
+            add_column::<M, _>(&entries, parameter, n + m, 1.0, &mut rates);
+            add_product(M::RATE_PATTERN, &self.rate, 1.0, &dq, &mut rates);
+            let dv = self.response(model, &M::V::zero(), &rates).0;
+            (dq, dv)
+        };
+        (0..<Exact as Derivatives<M>>::PARAMETERS).map(column).collect()
+    }
+}
+
+/// y ← y + scale A x of a sparse A.
+fn add_product<A, X, Y>(pattern: &[(u16, u16)], entries: &A, scale: f64, x: &X, y: &mut Y)
+where
+    A: Vector<f64>,
+    X: Vector<f64>,
+    Y: Vector<f64>,
+{
+    let (x, y) = (x.as_slice(), y.as_mut_slice());
+    for (&(row, column), entry) in pattern.iter().zip(entries.as_slice()) {
+        y[row as usize] += scale * entry * x[column as usize];
+    }
+}
+
+/// y ← y + scale × a column of the derivatives by parameters, from row `first` on.
+fn add_column<M: Tangent<f64>, Y: Vector<f64>>(
+    entries: &M::ParameterTangent,
+    parameter: usize,
+    first: usize,
+    scale: f64,
+    y: &mut Y,
+) {
+    for (&(row, column), entry) in M::PARAMETER_PATTERN.iter().zip(entries.as_slice()) {
+        let row = (row as usize).checked_sub(first).and_then(|row| y.as_mut_slice().get_mut(row));
+        if let Some(to) = row
+            && column as usize == parameter
+        {
+            *to += scale * entry;
+        }
+    }
+}

@@ -1,0 +1,411 @@
+//! The mechanism as `diffsol` sees it: ẏ = F(t, y), y(t₀), and their derivatives.
+
+use crate::coordinates;
+use crate::derivatives::{Derivatives, Exact};
+use crate::{Sensitivity, Settings, StateOf};
+use core::cell::{Cell, RefCell};
+use core::marker::PhantomData;
+use diffsol::op::OpStatistics;
+use diffsol::{
+    ConstantOp, ConstantOpSens, Matrix, NalgebraContext, NalgebraMat, NalgebraVec, NonLinearOp,
+    NonLinearOpJacobian, NonLinearOpSens, OdeEquations, OdeEquationsRef, Op, ParameterisedOp, UnitCallable,
+    Vector as _,
+};
+use linkwright::{Assemble, Mechanism, Real, Row, SimulationError, State, Tangent, Vector, smallest_pivot};
+
+/// The equations of motion of a mechanism in y, with inputs `S` and derivatives `D`; made by
+/// [`problem`](crate::problem) and [`exact_problem`](crate::exact_problem).
+pub struct Equations<'m, M: Mechanism<f64>, S, D> {
+    model: &'m M,
+    pub(crate) inputs: S,
+    start_time: f64,
+    start: StateOf<M>,
+    two_alpha: f64,
+    beta_squared: f64,
+    length_rate: f64,
+    pub(crate) most_steps: usize,
+    context: NalgebraContext,
+    statistics: RefCell<OpStatistics>,
+    failure: Cell<Option<SimulationError>>,
+    sign: Cell<f64>,
+    derivatives: PhantomData<D>,
+}
+
+/// What a solver gets in place of numbers that there are not. Its error estimates take NaN for no error at all, and a constant
+/// for a motion they follow exactly; a large number whose sign changes from call to call makes it reject the step.
+const UNSOLVABLE: f64 = 1e30;
+
+/// What is not there.
+type Nothing<'a> = ParameterisedOp<'a, UnitCallable<NalgebraMat<f64>>>;
+
+impl<'m, M: Assemble<f64>, S, D> Equations<'m, M, S, D> {
+    pub(crate) fn new(model: &'m M, time: f64, start: StateOf<M>, inputs: S, settings: &Settings) -> Self {
+        Equations {
+            model,
+            inputs,
+            start_time: time,
+            start,
+            two_alpha: 2.0 * settings.baumgarte.alpha,
+            beta_squared: settings.baumgarte.beta * settings.baumgarte.beta,
+            length_rate: settings.length_rate,
+            most_steps: settings.most_steps,
+            context: NalgebraContext::default(),
+            statistics: RefCell::new(OpStatistics::default()),
+            failure: Cell::new(None),
+            sign: Cell::new(1.0),
+            derivatives: PhantomData,
+        }
+    }
+
+    /// The model that moves.
+    pub fn model(&self) -> &'m M {
+        self.model
+    }
+
+    /// The time of the start, s.
+    pub fn start_time(&self) -> f64 {
+        self.start_time
+    }
+
+    /// The state at the start.
+    pub fn start(&self) -> &StateOf<M> {
+        &self.start
+    }
+
+    /// The state that `y` holds, orientations of length one; nothing if `y` has not as many entries as the equations.
+    pub fn state(&self, y: &NalgebraVec<f64>) -> Option<StateOf<M>> {
+        let y = y.clone_as_vec();
+        (y.len() == self.length()).then(|| self.state_of(&y))
+    }
+
+    /// The y that holds a state.
+    pub fn entries(&self, state: &StateOf<M>) -> NalgebraVec<f64> {
+        NalgebraVec::from_vec(self.entries_of(state), self.context)
+    }
+
+    /// Why the equations could not be solved where a solver asked last, if so.
+    pub fn failure(&self) -> Option<SimulationError> {
+        self.failure.get()
+    }
+
+    pub(crate) fn forget_failure(&self) {
+        self.failure.set(None);
+    }
+
+    /// 2α and β².
+    pub(crate) fn baumgarte(&self) -> (f64, f64) {
+        (self.two_alpha, self.beta_squared)
+    }
+
+    pub(crate) fn length(&self) -> usize {
+        coordinates::positions(&M::LAYOUT) + M::V::LEN
+    }
+
+    pub(crate) fn state_of(&self, y: &[f64]) -> StateOf<M> {
+        let (q, v) = y.split_at(coordinates::positions(&M::LAYOUT));
+        let mut velocities = M::V::zero();
+        velocities.as_mut_slice().copy_from_slice(v);
+        State { q: coordinates::from_entries(&M::LAYOUT, &self.start.q, q), v: velocities }
+    }
+
+    fn entries_of(&self, state: &StateOf<M>) -> Vec<f64> {
+        let mut y = vec![0.0; self.length()];
+        let (q, v) = y.split_at_mut(coordinates::positions(&M::LAYOUT));
+        coordinates::to_entries(&M::LAYOUT, &self.start.q, &state.q, q);
+        v.copy_from_slice(state.v.as_slice());
+        y
+    }
+
+    /// The entries' motion that belongs to an increment of the positions and of the velocities.
+    fn motion(&self, y: &[f64], dq: &M::V, dv: &M::V) -> Vec<f64> {
+        let mut motion = vec![0.0; self.length()];
+        let positions = coordinates::positions(&M::LAYOUT);
+        let (q, v) = motion.split_at_mut(positions);
+        coordinates::entries_along(&M::LAYOUT, &y[..positions], dq.as_slice(), q);
+        v.copy_from_slice(dv.as_slice());
+        motion
+    }
+
+    /// The increments of positions and velocities in a motion of the entries.
+    pub(crate) fn increments(&self, y: &[f64], motion: &[f64]) -> (M::V, M::V) {
+        let positions = coordinates::positions(&M::LAYOUT);
+        let mut dv = M::V::zero();
+        dv.as_mut_slice().copy_from_slice(&motion[positions..]);
+        (coordinates::increment(&M::LAYOUT, &y[..positions], &motion[..positions]), dv)
+    }
+
+    /// Whether a pivot is none; remembered if so.
+    pub(crate) fn breaks_down(&self, time: f64, state: &StateOf<M>, pivot: f64) -> bool {
+        let broken = pivot.is_nan() || pivot < <f64 as Real>::BREAKDOWN;
+        if broken && state.q.first_not_finite().is_none() {
+            let (_, row) = smallest_pivot(self.model, time, &state.q);
+            let row = row.map_or(Row { of: M::NAME, what: "constraints" }, |row| M::ROWS[row]);
+            let pivot = if pivot.is_nan() { 0.0 } else { pivot };
+            self.failure.set(Some(SimulationError::Breakdown { time, pivot, row }));
+        }
+        broken
+    }
+}
+
+impl<M, S, D> Equations<'_, M, S, D>
+where
+    M: Assemble<f64>,
+    S: Fn(f64, &StateOf<M>) -> M::Inputs,
+{
+    /// v̇ and λ; NaN where they are not to be had, with the reason remembered.
+    pub(crate) fn acceleration(&self, time: f64, state: &StateOf<M>) -> (M::V, M::Lambda) {
+        let (mut a, mut lambda) = (M::V::zero(), M::Lambda::zero());
+        let inputs = (self.inputs)(time, state);
+        let State { q, v } = state;
+        let (two_alpha, beta_squared) = self.baumgarte();
+        let pivot = self.model.acceleration_baumgarte(
+            time,
+            q,
+            v,
+            &inputs,
+            two_alpha,
+            beta_squared,
+            &mut a,
+            &mut lambda,
+        );
+        if self.breaks_down(time, state, pivot) {
+            a.as_mut_slice().fill(f64::NAN);
+        } else if let Some(entry) = a.first_not_finite()
+            && q.first_not_finite().is_none()
+            && v.first_not_finite().is_none()
+        {
+            self.failure.set(Some(SimulationError::NonFinite { time, what: M::VELOCITY_NAMES[entry] }));
+        }
+        (a, lambda)
+    }
+
+    /// F(t, y).
+    fn rates(&self, time: f64, y: &[f64], to: &mut [f64]) {
+        let positions = coordinates::positions(&M::LAYOUT);
+        let ((q, v), (to_q, to_v)) = (y.split_at(positions), to.split_at_mut(positions));
+        coordinates::entries_along(&M::LAYOUT, q, v, to_q);
+        coordinates::add_pull(&M::LAYOUT, self.length_rate, q, to_q);
+        to_v.copy_from_slice(self.acceleration(time, &self.state_of(y)).0.as_slice());
+        if to.iter().any(|rate| !rate.is_finite()) {
+            self.sign.set(-self.sign.get());
+            to.fill(self.sign.get() * UNSOLVABLE);
+        }
+    }
+}
+
+impl<M, S, D> Equations<'_, M, S, D>
+where
+    M: Assemble<f64>,
+    S: Fn(f64, &StateOf<M>) -> M::Inputs,
+    D: Derivatives<M>,
+{
+    /// (∂F/∂y) w with what was evaluated at y; zero where F has no value, for the step will be rejected.
+    fn rates_along(&self, at: Option<&D::At>, y: &[f64], along: &[f64], to: &mut [f64]) {
+        let Some(at) = at else { return to.fill(0.0) };
+        let positions = coordinates::positions(&M::LAYOUT);
+        let ((q, v), (dq, dv)) = (y.split_at(positions), along.split_at(positions));
+        let (to_q, to_v) = to.split_at_mut(positions);
+        coordinates::entries_along(&M::LAYOUT, q, dv, to_q);
+        coordinates::add_turned(&M::LAYOUT, dq, v, to_q);
+        coordinates::add_pull_along(&M::LAYOUT, self.length_rate, q, dq, to_q);
+        let (dq, dv) = self.increments(y, along);
+        to_v.copy_from_slice(D::along(self, at, &dq, &dv).as_slice());
+        if to.iter().any(|rate| !rate.is_finite()) {
+            to.fill(0.0);
+        }
+    }
+
+    fn at(&self, time: f64, y: &[f64]) -> Option<D::At> {
+        D::at(self, time, &self.state_of(y))
+    }
+}
+
+impl<M, S> Equations<'_, M, S, Exact>
+where
+    M: Tangent<f64>,
+    S: Fn(f64, &StateOf<M>) -> M::Inputs,
+{
+    /// The derivatives of the start by the parameters; none where they are not to be had.
+    pub(crate) fn start_sensitivities(&self) -> Vec<Sensitivity<M::V>> {
+        let at = Exact::at(self, self.start_time, &self.start);
+        let by_parameters = at.map_or(Vec::new(), |at| at.states_by_parameters(self));
+        by_parameters.into_iter().map(|(q, v)| Sensitivity { q, v }).collect()
+    }
+}
+
+impl<M, S, D> Op for Equations<'_, M, S, D>
+where
+    M: Assemble<f64>,
+    D: Derivatives<M>,
+{
+    type T = f64;
+    type V = NalgebraVec<f64>;
+    type M = NalgebraMat<f64>;
+    type C = NalgebraContext;
+
+    fn context(&self) -> &NalgebraContext {
+        &self.context
+    }
+    fn nstates(&self) -> usize {
+        self.length()
+    }
+    fn nout(&self) -> usize {
+        self.length()
+    }
+    fn nparams(&self) -> usize {
+        D::PARAMETERS
+    }
+    fn statistics(&self) -> OpStatistics {
+        self.statistics.borrow().clone()
+    }
+}
+
+impl<M, S, D> NonLinearOp for Equations<'_, M, S, D>
+where
+    M: Assemble<f64>,
+    S: Fn(f64, &StateOf<M>) -> M::Inputs,
+    D: Derivatives<M>,
+{
+    fn call_inplace(&self, y: &NalgebraVec<f64>, time: f64, to: &mut NalgebraVec<f64>) {
+        self.statistics.borrow_mut().increment_call();
+        to.for_each_batch_host([y], |to, [y], _| self.rates(time, y, to));
+    }
+}
+
+impl<M, S, D> NonLinearOpJacobian for Equations<'_, M, S, D>
+where
+    M: Assemble<f64>,
+    S: Fn(f64, &StateOf<M>) -> M::Inputs,
+    D: Derivatives<M>,
+{
+    // `along` and `to` hold one lane for each parameter when sensitivities are solved, all at the same y.
+    fn jac_mul_inplace(
+        &self,
+        y: &NalgebraVec<f64>,
+        time: f64,
+        along: &NalgebraVec<f64>,
+        to: &mut NalgebraVec<f64>,
+    ) {
+        self.statistics.borrow_mut().increment_jac_mul();
+        let y = y.clone_as_vec();
+        let at = self.at(time, &y);
+        to.for_each_batch_host([along], |to, [along], _| self.rates_along(at.as_ref(), &y, along, to));
+    }
+
+    fn jacobian_inplace(&self, y: &NalgebraVec<f64>, time: f64, to: &mut NalgebraMat<f64>) {
+        self.statistics.borrow_mut().increment_matrix();
+        let y = y.clone_as_vec();
+        let at = self.at(time, &y);
+        let mut unit = vec![0.0; y.len()];
+        for column in 0..y.len() {
+            let mut entries = vec![0.0; y.len()];
+            unit[column] = 1.0;
+            self.rates_along(at.as_ref(), &y, &unit, &mut entries);
+            unit[column] = 0.0;
+            to.set_column(column, &NalgebraVec::from_vec(entries, self.context));
+        }
+    }
+}
+
+impl<M, S> NonLinearOpSens for Equations<'_, M, S, Exact>
+where
+    M: Tangent<f64>,
+    S: Fn(f64, &StateOf<M>) -> M::Inputs,
+{
+    fn sens_mul_inplace(
+        &self,
+        y: &NalgebraVec<f64>,
+        time: f64,
+        along: &NalgebraVec<f64>,
+        to: &mut NalgebraVec<f64>,
+    ) {
+        let mut matrix = NalgebraMat::zeros(self.length(), self.nparams(), self.context);
+        NonLinearOpSens::sens_inplace(self, y, time, &mut matrix);
+        matrix.gemv(1.0, along, 0.0, to);
+    }
+
+    fn sens_inplace(&self, y: &NalgebraVec<f64>, time: f64, to: &mut NalgebraMat<f64>) {
+        let y = y.clone_as_vec();
+        let columns = match self.at(time, &y) {
+            Some(at) => at.accelerations_by_parameters(self),
+            None => vec![M::V::zero(); self.nparams()],
+        };
+        let positions = coordinates::positions(&M::LAYOUT);
+        for (index, column) in columns.iter().enumerate() {
+            let mut entries = vec![0.0; positions];
+            entries.extend_from_slice(column.as_slice());
+            to.set_column(index, &NalgebraVec::from_vec(entries, self.context));
+        }
+    }
+}
+
+impl<M, S, D> ConstantOp for Equations<'_, M, S, D>
+where
+    M: Assemble<f64>,
+    D: Derivatives<M>,
+{
+    fn call_inplace(&self, _time: f64, to: &mut NalgebraVec<f64>) {
+        to.copy_from(&self.entries(&self.start));
+    }
+}
+
+impl<M, S> ConstantOpSens for Equations<'_, M, S, Exact>
+where
+    M: Tangent<f64>,
+    S: Fn(f64, &StateOf<M>) -> M::Inputs,
+{
+    fn sens_mul_inplace(&self, time: f64, along: &NalgebraVec<f64>, to: &mut NalgebraVec<f64>) {
+        let mut matrix = NalgebraMat::zeros(self.length(), self.nparams(), self.context);
+        ConstantOpSens::sens_inplace(self, time, &mut matrix);
+        matrix.gemv(1.0, along, 0.0, to);
+    }
+
+    fn sens_inplace(&self, _time: f64, to: &mut NalgebraMat<f64>) {
+        let y = self.entries_of(&self.start);
+        let columns: Vec<Vec<f64>> = match self.at(self.start_time, &y) {
+            Some(at) => {
+                at.states_by_parameters(self).iter().map(|(dq, dv)| self.motion(&y, dq, dv)).collect()
+            }
+            None => vec![vec![0.0; self.length()]; self.nparams()],
+        };
+        for (index, column) in columns.into_iter().enumerate() {
+            to.set_column(index, &NalgebraVec::from_vec(column, self.context));
+        }
+    }
+}
+
+impl<'a, M, S, D> OdeEquationsRef<'a> for Equations<'_, M, S, D>
+where
+    M: Assemble<f64>,
+    S: Fn(f64, &StateOf<M>) -> M::Inputs,
+    D: Derivatives<M>,
+{
+    type Rhs = &'a Self;
+    type Init = &'a Self;
+    type Mass = Nothing<'a>;
+    type Root = Nothing<'a>;
+    type Out = Nothing<'a>;
+    type Reset = Nothing<'a>;
+}
+
+impl<M, S, D> OdeEquations for Equations<'_, M, S, D>
+where
+    M: Assemble<f64>,
+    S: Fn(f64, &StateOf<M>) -> M::Inputs,
+    D: Derivatives<M>,
+{
+    fn rhs(&self) -> &Self {
+        self
+    }
+    fn mass(&self) -> Option<Nothing<'_>> {
+        None
+    }
+    fn init(&self) -> &Self {
+        self
+    }
+    /// The parameters are in the model.
+    fn set_params(&mut self, _p: &NalgebraVec<f64>) {}
+    fn get_params(&self, p: &mut NalgebraVec<f64>) {
+        p.fill(0.0);
+    }
+}

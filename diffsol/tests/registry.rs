@@ -1,0 +1,39 @@
+//! Every shipped mechanism under diffsol's explicit and implicit solvers against Linkwright's RK4, over a short time.
+
+use linkwright::{Assemble, Baumgarte, Fields, Simulation, State, Vector};
+use linkwright_diffsol::{Method, Settings, StateOf, problem, solve};
+
+const END: f64 = 0.005;
+
+/// Both inputs are zero; positions agree to the tolerance, velocities relative to the largest.
+fn moves_alike<M: Assemble<f64>>(name: &str, model: &M)
+where
+    M::Inputs: Fields<f64>,
+{
+    let start = State { q: M::start_q(), v: M::start_v() };
+    let inputs = |_: f64, _: &StateOf<M>| M::Inputs::from_array(Vector::zero());
+    let baumgarte = Baumgarte { alpha: 10.0, beta: 10.0 };
+    let mut simulation = Simulation::new(model, start).formulation(baumgarte).sampled(inputs).step(1e-5);
+    let expected = simulation.advance_until(END).unwrap_or_else(|error| panic!("{name}: {error}"));
+    let settings = Settings { relative: 1e-8, absolute: 1e-8, baumgarte, ..Settings::default() };
+    let problem =
+        problem(model, 0.0, &start, inputs, &settings).unwrap_or_else(|error| panic!("{name}: {error}"));
+    for method in [Method::Tsit45, Method::Bdf] {
+        let states = solve(&problem, method, &[END]);
+        let found = states.unwrap_or_else(|error| panic!("{name} {method:?}: {error}"))[0];
+        let position = found.q.plus(-1.0, &expected.q).max_abs();
+        let velocity = found.v.plus(-1.0, &expected.v).max_abs() / (1.0 + expected.v.max_abs());
+        println!("{name} {method:?}: {position:.1e} {velocity:.1e}");
+        assert!(position < 1e-6 && velocity < 1e-6, "{name} {method:?}: {position:.1e} {velocity:.1e}");
+    }
+}
+
+macro_rules! all {
+    ($($name:ident: $model:path),* $(,)?) => {
+        $(#[test] fn $name() {
+            moves_alike(stringify!($name), &<$model>::default());
+        })*
+    };
+}
+
+linkwright_models::for_each_model!(all);
