@@ -285,14 +285,17 @@ where
     R: Real,
     M: Assemble<R>,
     F: Formulation<R, M>,
-    S: InputSource<R, M>,
-    I: Integrator<R, MechanismDynamics<'m, M, R, F, S>>,
+    I: Method<R>,
 {
     /// One step of the given size, and what happened in it.
     ///
     /// # Errors
     /// [`SimulationError`]; the state then stays what it was.
-    pub fn advance(&mut self) -> Result<Step<R>, SimulationError> {
+    pub fn advance(&mut self) -> Result<Step<R>, SimulationError>
+    where
+        S: InputSource<R, M>,
+        I: Integrator<R, MechanismDynamics<'m, M, R, F, S>>,
+    {
         let h = self.checked_step()?;
         self.advance_by(h, self.run.clock.after(h))
     }
@@ -301,7 +304,11 @@ where
     ///
     /// # Errors
     /// [`SimulationError`]; the simulation then stands at the last good state.
-    pub fn advance_until(&mut self, end: R) -> Result<State<M::Q, M::V>, SimulationError> {
+    pub fn advance_until(&mut self, end: R) -> Result<State<M::Q, M::V>, SimulationError>
+    where
+        S: InputSource<R, M>,
+        I: Integrator<R, MechanismDynamics<'m, M, R, F, S>>,
+    {
         let h = self.checked_run(end)?;
         while self.time() < end {
             self.advance_towards(end, h)?;
@@ -318,7 +325,11 @@ where
         &mut self,
         end: R,
         mut show: impl FnMut(&Sample<'m, R, M>),
-    ) -> Result<State<M::Q, M::V>, SimulationError> {
+    ) -> Result<State<M::Q, M::V>, SimulationError>
+    where
+        S: InputSource<R, M>,
+        I: Integrator<R, MechanismDynamics<'m, M, R, F, S>>,
+    {
         let h = self.checked_run(end)?;
         show(&self.sample());
         while self.time() < end {
@@ -329,7 +340,11 @@ where
     }
 
     /// As [`run_until`](Simulation::run_until), as an iterator; it ends at `end` or after the first error.
-    pub fn samples(&mut self, end: R) -> Samples<'_, 'm, M, R, F, S, I> {
+    pub fn samples(&mut self, end: R) -> Samples<'_, 'm, M, R, F, S, I>
+    where
+        S: InputSource<R, M>,
+        I: Integrator<R, MechanismDynamics<'m, M, R, F, S>>,
+    {
         Samples::new(self, end)
     }
 }
