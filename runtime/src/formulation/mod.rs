@@ -8,6 +8,7 @@ mod augmented_lagrangian;
 mod baumgarte;
 mod index1;
 mod null_space;
+mod onto_constraints;
 mod partitioned;
 mod penalty;
 mod projected;

@@ -1,9 +1,9 @@
 //! Coordinate partitioning: dependent positions and velocities follow from independent ones.
 
 use super::null_space::follow;
+use super::onto_constraints::{Ask, Bounds, onto_constraints};
 use super::{Evaluation, Formulation, Settled, positive};
 use crate::error::{AssemblyError, SettingError};
-use crate::layout::retract;
 use crate::mechanism::Assemble;
 use crate::partition::{Partition, PartitionOf};
 use crate::real::Real;
@@ -42,36 +42,18 @@ impl<R: Real> Partitioned<R> {
         time: R,
         state: &mut State<M::Q, M::V>,
     ) -> (R, Result<Settled<R>, AssemblyError>) {
-        let mut settled = Settled { iterations: 0, moved: R::ZERO };
         let mut pivot = partition.factor(model, time, &state.q);
-        let mut phi = M::Lambda::zero();
-        let mut last = R::ZERO;
-        let outcome = loop {
-            model.constraints(time, &state.q, &mut phi);
-            if phi.max_abs() <= self.tolerance && phi.first_not_finite().is_none() {
-                break Ok(settled);
-            }
-            if phi.first_not_finite().is_some() || settled.iterations == self.iterations {
-                break Err(AssemblyError::worst::<R, M>(&phi, settled.iterations));
-            }
+        let bounds = Bounds { tolerance: self.tolerance, iterations: self.iterations };
+        let before = state.q;
+        let outcome = onto_constraints(model, time, &mut state.q, &bounds, |ask, q, phi| {
             let mut delta = M::V::zero();
-            partition.dependent::<M>(&phi.scaled(-R::ONE), &mut delta);
-            let moved = delta.max_abs();
-            // What rounding alone moves back and forth.
-            let rounding = R::from_f64(16.0) * R::EPSILON * (R::ONE + state.q.max_abs());
-            if settled.iterations > 0 && moved <= rounding {
-                break Ok(settled);
+            match ask {
+                Ask::Factor => pivot = partition.factor(model, time, q).min(pivot),
+                Ask::Step => partition.dependent::<M>(&phi.scaled(-R::ONE), &mut delta),
             }
-            let from = state.q;
-            retract(&M::LAYOUT, &from, &delta, &mut state.q);
-            settled.iterations += 1;
-            settled.moved = settled.moved.max(moved);
-            if settled.iterations > 1 && moved > R::from_f64(0.1) * last {
-                pivot = partition.factor(model, time, &state.q).min(pivot);
-            }
-            last = moved;
-        };
-        if settled.moved > R::ZERO {
+            delta
+        });
+        if state.q != before {
             pivot = partition.factor(model, time, &state.q).min(pivot);
         }
         follow(partition, model, time, state);

@@ -48,15 +48,19 @@ impl<R: Real> Penalty<R> {
     /// and 1.6·10⁵ in single precision; Ω = 10 rad/s or, for steps above a hundredth of a second, 1/(10 h); μ = 1.
     pub fn for_model<M: Mechanism<R>>(model: &M, time: R, q: &M::Q, h: R) -> Self {
         let root = R::EPSILON.sqrt();
-        let weight = R::ONE / (root * root.sqrt());
-        Penalty { alpha: weight * largest_mass(model, time, q), ..Self::customary(model, time, q, h) }
+        Self::weighted(model, time, q, h, R::ONE / (root * root.sqrt()))
     }
 
     /// As [`for_model`](Penalty::for_model), with the customary α of 10⁷ times the largest entry of M.
     pub fn customary<M: Mechanism<R>>(model: &M, time: R, q: &M::Q, h: R) -> Self {
+        Self::weighted(model, time, q, h, R::from_f64(1e7))
+    }
+
+    /// α = `weight` times the largest entry of M; Ω and μ as in [`for_model`](Penalty::for_model).
+    fn weighted<M: Mechanism<R>>(model: &M, time: R, q: &M::Q, h: R, weight: R) -> Self {
         let ten = R::from_f64(10.0);
         let omega = (R::ONE / (ten * h)).min(ten);
-        Penalty { alpha: R::from_f64(1e7) * largest_mass(model, time, q), omega, mu: R::ONE }
+        Penalty { alpha: weight * largest_mass(model, time, q), omega, mu: R::ONE }
     }
 
     pub(super) fn checked(&self) -> Result<(), SettingError> {

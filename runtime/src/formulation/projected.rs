@@ -1,10 +1,10 @@
 //! Projection onto the constraints at the end of each step, after any formulation.
 
+use super::onto_constraints::{Ask, Bounds, onto_constraints};
 use super::penalty::largest_mass;
 use super::{Evaluation, Formulation, Settled, positive};
 use crate::assembly::system::subtract_product;
 use crate::error::{AssemblyError, SettingError};
-use crate::layout::retract;
 use crate::mechanism::Assemble;
 use crate::real::Real;
 use crate::state::State;
@@ -51,34 +51,18 @@ impl<F, R: Real> Projected<F, R> {
         time: R,
         q: &mut M::Q,
     ) -> Result<Settled<R>, AssemblyError> {
-        let mut settled = Settled { iterations: 0, moved: R::ZERO };
-        let mut phi = M::Lambda::zero();
-        let mut last = R::ZERO;
-        loop {
-            model.constraints(time, q, &mut phi);
-            if phi.first_not_finite().is_some() || settled.iterations == self.iterations {
-                return Err(AssemblyError::worst::<R, M>(&phi, settled.iterations));
+        let bounds = Bounds { tolerance: self.tolerance, iterations: self.iterations };
+        onto_constraints(model, time, q, &bounds, |ask, q, phi| {
+            let mut delta = M::V::zero();
+            match ask {
+                Ask::Factor => _ = model.factor(time, q, compliance, store),
+                Ask::Step => {
+                    let rows = phi.scaled(-R::ONE);
+                    model.solve(store, &M::V::zero(), &rows, &mut delta, &mut M::Lambda::zero());
+                }
             }
-            if phi.max_abs() <= self.tolerance {
-                return Ok(settled);
-            }
-            let (mut delta, mut multipliers) = (M::V::zero(), M::Lambda::zero());
-            model.solve(store, &M::V::zero(), &phi.scaled(-R::ONE), &mut delta, &mut multipliers);
-            let moved = delta.max_abs();
-            // What rounding alone moves back and forth.
-            if settled.iterations > 0 && moved <= R::from_f64(16.0) * R::EPSILON * (R::ONE + q.max_abs()) {
-                return Ok(settled);
-            }
-            let from = *q;
-            retract(&M::LAYOUT, &from, &delta, q);
-            settled.iterations += 1;
-            settled.moved = settled.moved.max(moved);
-            // The factor of the first position serves as long as it is good.
-            if settled.iterations > 1 && moved > R::from_f64(0.1) * last {
-                model.factor(time, q, compliance, store);
-            }
-            last = moved;
-        }
+            delta
+        })
     }
 
     /// Velocities, with the factor of a position that is the same but for what was corrected.

@@ -71,9 +71,6 @@ pub trait Method<R: Real> {
     /// What is carried from one step to the next, such as the last accelerations.
     type Memory<Q: Vector<R>, V: Vector<R>, Lambda: Vector<R>>: Copy + Debug;
 
-    /// Whether the method chooses the size of its steps; the size asked for is then the largest.
-    const ADAPTIVE: bool = false;
-
     /// What there is to carry before the first step.
     fn memory<Q: Vector<R>, V: Vector<R>, Lambda: Vector<R>>(&self) -> Self::Memory<Q, V, Lambda>;
 

@@ -109,7 +109,7 @@ pub(super) struct Scheme<R> {
     pub beta: R,
     pub gamma: R,
     pub level: Level,
-    /// The part of a penalty's compliance, and whether its multipliers are iterated.
+    /// 1/α of a penalty, whose multipliers are iterated; 0 where the constraints are held as they are.
     pub compliance: R,
     /// The change of a coordinate at which the iteration ends, relative to 1 + the largest coordinate.
     pub tolerance: R,
@@ -151,7 +151,7 @@ impl<R: Real, D: ImplicitDynamics<R>> Factored<R, D> {
 }
 
 impl<R: Real> Scheme<R> {
-    /// One step; also gives what the next begins with. The penalty's multipliers are `lambda` of what is carried.
+    /// One step; leaves what the next begins with in `carried`, the multipliers among it.
     pub fn step<D: ImplicitDynamics<R>>(
         &self,
         carried: &mut Carried<D::V, D::Lambda>,

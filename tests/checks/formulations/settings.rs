@@ -108,5 +108,4 @@ fn an_inconsistent_start_is_projected() {
     assert!(error.contains("3.0") && error.contains("model.project"), "{error}");
     let project: State<_, _> = linkwright::AssembleExt::project(&model, 0.0, &off).expect("it is near");
     assert!(Simulation::new(&model, project).step(1e-3).advance().is_ok());
-    assert!(project.v.first_not_finite().is_none());
 }

@@ -148,7 +148,6 @@ impl<R: Real, Q: Vector<R>, V: Vector<R>> DormandPrinceMemory<R, Q, V> {
 
 impl<R: Real> Method<R> for DormandPrince<R> {
     type Memory<Q: Vector<R>, V: Vector<R>, Lambda: Vector<R>> = DormandPrinceMemory<R, Q, V>;
-    const ADAPTIVE: bool = true;
 
     fn memory<Q: Vector<R>, V: Vector<R>, Lambda: Vector<R>>(&self) -> DormandPrinceMemory<R, Q, V> {
         DormandPrinceMemory { size: None, error: R::from_f64(LEAST_ERROR), end: None, segment: None }
