@@ -3,7 +3,7 @@
 use super::runs::AbsoluteWindows;
 use linkwright::{
     AugmentedLagrangian, Formulation, LagrangeIndex1, Partitioned, Penalty, Projected, Simulation,
-    SimulationError, State, Vector,
+    SimulationError, State,
 };
 use linkwright_models::n_four_bar::NFourBar2;
 
