@@ -38,7 +38,7 @@ linkwright::mechanism! {
         joint left: revolute(crank.end, coupler.start);
         joint right: revolute(coupler.end, rocker.end);
         start { crank_pin.angle [deg] = 90; crank_pin.rate [rad/s] = -1; rocker_pin.angle [deg] ~ 90; coupler.angle [rad] ~ 0; }
-        options { emit = (penalty, projection); }
+        options { emit = (penalty, projection, null_space); }
     }
 }
 
@@ -58,7 +58,7 @@ linkwright::mechanism! {
             start { coupler[i].angle [rad] ~ 0; pin[i+1].angle [deg] ~ 90; }
         }
         start { pin[0].angle [deg] = 90; pin[0].rate [rad/s] = -1; }
-        options { emit = (penalty, projection); }
+        options { emit = (penalty, projection, null_space); }
     }
 }
 

@@ -1,6 +1,7 @@
 //! The stages in order.
 
-use crate::check::{self, assemble, assemble::Assembly};
+use crate::check::assemble::{Assembly, Partition};
+use crate::check::{self, assemble};
 use crate::choice::{self, Candidate, Choice};
 use crate::diagnostics::Diagnostics;
 use crate::equations::{self, Equations, SpanningTree, Tangents};
@@ -29,7 +30,7 @@ pub struct Compiled {
     /// Independent coordinates, indices into the conditions.
     pub independent: Vec<usize>,
     /// The dependent velocity of each row that is not idle.
-    pub dependent: Vec<Option<usize>>,
+    pub partition: Partition,
     /// Masses and inertias that depend on parameters, and whether they must be positive.
     pub masses: Vec<(String, bool)>,
     pub choice: Choice,
@@ -68,8 +69,9 @@ pub fn compile_model(
     };
     // AFTER THIS POINT no linear system is left.
     let Candidate { mut equations, assembly, mut solved } = candidate;
-    solved.add(&mut equations, &mechanism.options.emit);
     let independent = equations.add_conditions(&mechanism, &assembly.independent);
+    let partition = assemble::partition(&mechanism, &equations, &assembly, &independent);
+    solved.add(&mut equations, &mechanism.options.emit, &partition);
     if mechanism.options.emit.tangent {
         let further = assemble::completion(&mechanism, &mut equations, &assembly, &independent);
         let mut states = independent.clone();
@@ -85,7 +87,6 @@ pub fn compile_model(
         // Limits of the definition hold for the coordinates of the definition.
         check::budget(&mechanism, &programs, &mut errors);
     }
-    let dependent = assemble::dependent(&mechanism, &equations, &assembly);
     let masses = assemble::positive_masses(&mechanism, &equations);
     errors.finish(Compiled {
         mechanism,
@@ -97,7 +98,7 @@ pub fn compile_model(
         hoisted: optimized.hoisted.nodes,
         table,
         independent,
-        dependent,
+        partition,
         masses,
         choice,
     })

@@ -42,6 +42,12 @@ pub enum Function {
     System,
     /// a and λ of K(c) from what is kept and a right-hand side.
     Solve,
+    /// D = L U: what is kept, and the smallest pivot squared.
+    FactorJacobian,
+    /// Velocities with D v = rows from what is kept, the rows, and the independent velocities.
+    DependentVelocities,
+    /// Velocities with D v = ν, v̇, λ and the smallest pivot, in independent velocities.
+    NullSpace,
     /// r = M a + Dᵀ λ − Q.
     Residual,
     /// ∂r/∂q, ∂r/∂v.
@@ -58,7 +64,7 @@ pub enum Function {
 
 impl Function {
     /// Every function; those that a mechanism does not emit compute nothing.
-    pub const ALL: [Function; 36] = [
+    pub const ALL: [Function; 39] = [
         Function::MassMatrix,
         Function::Constraints,
         Function::ConstraintJacobian,
@@ -86,6 +92,9 @@ impl Function {
         Function::Factor,
         Function::System,
         Function::Solve,
+        Function::FactorJacobian,
+        Function::DependentVelocities,
+        Function::NullSpace,
         Function::Residual,
         Function::Tangent,
         Function::RowTangent,
@@ -129,6 +138,9 @@ impl Function {
             Function::Factor => "factor",
             Function::System => "system",
             Function::Solve => "solve",
+            Function::FactorJacobian => "factor_jacobian",
+            Function::DependentVelocities => "dependent_velocities",
+            Function::NullSpace => "null_space",
             Function::Residual => "residual",
             Function::Tangent => "tangent",
             Function::RowTangent => "row_tangent",
@@ -148,6 +160,7 @@ pub fn outputs(equations: &Equations, solved: &Solved, function: Function) -> Ve
     let conditions = || e.conditions.iter();
     let zero = e.zero;
     let stored = || solved.stored.iter();
+    let independent = || solved.null_space.iter();
     match function {
         Function::Prepare => Vec::new(),
         Function::MassMatrix => e.mass.values().copied().collect(),
@@ -185,6 +198,14 @@ pub fn outputs(equations: &Equations, solved: &Solved, function: Function) -> Ve
             .copied()
             .collect(),
         Function::Solve => stored().flat_map(|s| s.solution.iter().copied()).collect(),
+        Function::FactorJacobian => {
+            independent().flat_map(|n| n.kept.iter().chain([&n.partition_pivot])).copied().collect()
+        }
+        Function::DependentVelocities => independent().flat_map(|n| n.dependent.iter().copied()).collect(),
+        Function::NullSpace => independent()
+            .flat_map(|n| n.velocity.iter().chain(&n.acceleration).chain(&n.lambda).chain([&n.pivot]))
+            .copied()
+            .collect(),
         Function::Residual => e.tangents.iter().flat_map(|tangents| tangents.residual.clone()).collect(),
         Function::Tangent => matrices(e, |tangents| vec![&tangents.stiffness, &tangents.damping]),
         Function::RowTangent => matrices(e, |tangents| vec![&tangents.row_stiffness, &tangents.row_damping]),

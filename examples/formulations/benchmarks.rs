@@ -40,7 +40,7 @@ mechanism! {
         joint right:      revolute(coupler.end, rocker.end);
         start { crank_pin.angle [deg] = 60; crank_pin.rate [rad/s] = 15;
                 rocker_pin.angle [deg] ~ 80; coupler.angle [deg] ~ 20; }
-        options { coordinates = absolute; emit = (penalty, projection); }
+        options { coordinates = absolute; emit = (penalty, projection, null_space); }
     }
 }
 
@@ -79,7 +79,7 @@ macro_rules! windows {
                     start { coupler[i].angle [rad] ~ 0; pin[i+1].angle [deg] ~ 90; }
                 }
                 start   { pin[0].angle [deg] = 90; pin[0].rate [rad/s] = -1; }
-                options { coordinates = $coordinates; emit = (penalty, projection $(, $tangent)?); }
+                options { coordinates = $coordinates; emit = (penalty, projection, null_space $(, $tangent)?); }
                 output x [m] = crank[0].end.x;
                 output y [m] = crank[0].end.y;
             }

@@ -47,7 +47,7 @@ macro_rules! andrews {
                 start  { o.angle [rad] = $beta; o.rate [rad/s] = 0;
                          f.angle [rad] ~ 0; triangle.angle [rad] ~ 0.455; g.angle [rad] ~ 0.223;
                          upper.angle [rad] ~ 0.487; h.angle [rad] ~ -0.223; lower.angle [rad] ~ 1.231; }
-                options { emit = (penalty, projection); }
+                options { emit = (penalty, projection, null_space); }
                 expect { degrees_of_freedom = 1; }
                 output beta [rad] = o.angle;
                 output theta [rad] = f.angle;

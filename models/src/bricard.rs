@@ -29,7 +29,7 @@ linkwright::mechanism! {
         start   { hinge_1.angle [rad] = 0; hinge_1.rate [rad/s] = 0;
                   hinge_2.angle [rad] ~ 0; hinge_3.angle [rad] ~ 0; hinge_4.angle [rad] ~ 0;
                   hinge_5.angle [rad] ~ 0; hinge_6.angle [rad] ~ 0; }
-        options { redundant = drop; emit = (penalty, projection); }
+        options { redundant = drop; emit = (penalty, projection, null_space); }
         expect  { degrees_of_freedom = 1; }
         output x [m] = rod_2.to.x;
         output y [m] = rod_2.to.y;

@@ -21,7 +21,7 @@ linkwright::mechanism! {
         joint right: revolute(coupler.end, rocker.end);
         start  { crank_pin.angle [deg] = 90; crank_pin.rate [rad/s] = 4;
                  rocker_pin.angle [deg] ~ 145; coupler.angle [deg] ~ 20; }
-        options { emit = (penalty, projection); }
+        options { emit = (penalty, projection, null_space); }
         expect { degrees_of_freedom = 1; }
         output crank_angle [rad] = crank_pin.angle;
         output rocker_angle [rad] = rocker_pin.angle;

@@ -37,12 +37,12 @@ macro_rules! n_four_bar {
 
 n_four_bar! {
     /// Two windows of unit rods (IFToMM A02).
-    NFourBar2, 2, emit = (penalty, projection)
+    NFourBar2, 2, emit = (penalty, projection, null_space)
 }
 
 n_four_bar! {
     /// Ten windows of unit rods (IFToMM A02).
-    NFourBar10, 10, emit = (penalty, projection)
+    NFourBar10, 10, emit = (penalty, projection, null_space)
 }
 
 n_four_bar! {

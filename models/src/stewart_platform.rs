@@ -84,6 +84,7 @@ linkwright::mechanism! {
                  platform.center.velocity.x [m/s] = 0; platform.center.velocity.y [m/s] = 0;
                  platform.center.velocity.z [m/s] = 0;
                  platform.rate.x [rad/s] = 0; platform.rate.y [rad/s] = 0; platform.rate.z [rad/s] = 0; }
+        options { emit = (null_space); }
         expect { degrees_of_freedom = 6; }
         output x [m] = platform.center.x;
         output y [m] = platform.center.y;

@@ -54,7 +54,7 @@ pub use error::{AssemblyError, LinearisationError, SettingError, SimulationError
 pub use fields::Fields;
 pub use formulation::{
     AugmentedLagrangian, Baumgarte, Evaluation, Formulation, LagrangeIndex1, NullSpace, Partitioned, Penalty,
-    Projected, Settled,
+    PivotOf, Projected, Settled,
 };
 pub use input::{Held, InputSource, NoInputs, Sampled};
 pub use integrator::{

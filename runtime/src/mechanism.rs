@@ -162,9 +162,12 @@ pub trait Assemble<R: Real>: Mechanism<R> {
     /// Rows, ascending, that repeat what others fix and are kept: they vanish with the others, have the multiplier zero, and
     /// take no part in factorisations.
     const IDLE: &'static [u16] = &[];
-    /// The dependent velocity of each row, chosen at the start; `u16::MAX` of rows that are [`IDLE`](Assemble::IDLE). Empty if
-    /// nothing is chosen.
-    const DEPENDENT: &'static [u16] = &[];
+    /// (row, dependent velocity) of each row that is not [`IDLE`](Assemble::IDLE), in the order in which D is factored: chosen at
+    /// the start position. The velocity is `u16::MAX` where none is chosen.
+    const DEPENDENT: &'static [(u16, u16)] = &[];
+    /// What the entries of each column of D are multiplied by before they are compared, because columns have different units;
+    /// empty if all of them are one.
+    const SCALES: &'static [f64] = &[];
     /// Rows, ascending, that hold velocities without mass of their own.
     const MASSLESS_ROWS: &'static [u16] = &[];
     /// ρ with which Dᵀ D of these rows is added to M, kg.
@@ -190,11 +193,45 @@ pub trait Assemble<R: Real>: Mechanism<R> {
     type Choice: Copy + Debug + AsRef<[u16]> + AsMut<[u16]>;
     /// What [`factor`](Assemble::factor) keeps of a factorisation.
     type Store: Copy + Debug;
+    /// What [`factor_jacobian`](Assemble::factor_jacobian) keeps of one; `()` where it is not written out.
+    type Lu: Copy + Debug;
 
     /// Zeros.
     fn choice() -> Self::Choice;
     /// An empty store.
     fn store() -> Self::Store;
+    /// An empty D = L U.
+    fn lu() -> Self::Lu;
+    /// Factors D at a position for the velocities of [`DEPENDENT`](Assemble::DEPENDENT); returns the square of the smallest pivot,
+    /// relative to the largest scaled entry that its row had at the start. Zero where it is not written out
+    /// (`options { emit = (null_space) }`): the runtime then factors by tables, as it does where a pivot is too small.
+    fn factor_jacobian(&self, time: R, q: &Self::Q, lu: &mut Self::Lu) -> R {
+        let _ = (time, q, lu);
+        R::ZERO
+    }
+    /// The velocities with D v = `rows` whose independent entries are those of `v`, with the factors in `lu`; never called
+    /// where [`factor_jacobian`](Assemble::factor_jacobian) returned zero.
+    fn dependent_velocities(&self, lu: &Self::Lu, rows: &Self::Lambda, v: &Self::V, out: &mut Self::V) {
+        let _ = (lu, rows);
+        *out = *v;
+    }
+    /// The equations of motion in independent velocities: the velocities with D v = ν whose independent entries are those of
+    /// `v`, and v̇ and λ there. Returns the smallest pivot, as [`factor_jacobian`](Assemble::factor_jacobian) does; zero where it
+    /// is not written out, and then nothing is computed.
+    #[allow(clippy::too_many_arguments)]
+    fn null_space(
+        &self,
+        time: R,
+        q: &Self::Q,
+        v: &Self::V,
+        u: &Self::Inputs,
+        velocity: &mut Self::V,
+        a: &mut Self::V,
+        lambda: &mut Self::Lambda,
+    ) -> R {
+        let _ = (time, q, v, u, velocity, a, lambda);
+        R::ZERO
+    }
     /// Factors K(c) = \[M, Dᵀ; D, −c\] at a position, c ≥ 0 the compliance of the constraints (1/kg); returns the smallest
     /// relative pivot: of the rows P − N + c against 2 P_max − (P − N + c), where P − N is the pivot of D M⁻¹ Dᵀ as a difference
     /// of two sums of squares and P_max the largest P among the components of one vector. With c = 0 it estimates the reciprocal

@@ -1,8 +1,9 @@
 //! Dependent and independent velocities: a factorisation of D that chooses them, and the null space it gives.
 //!
 //! D v = rows is solved for m dependent velocities, given the others. Which ones these are is kept from one position to the
-//! next for as long as their pivots are good, and chosen anew where they are not. Formulations in independent coordinates are
-//! `formulation/null_space.rs` and `partitioned.rs`.
+//! next for as long as their pivots are good, and chosen anew where they are not. Mechanisms whose definition says
+//! `options { emit = (null_space); }` factor D by straight-line code for the velocities chosen at expansion; tables take over where
+//! one of its pivots is too small. Formulations in independent coordinates are `formulation/null_space.rs` and `partitioned.rs`.
 
 use crate::mechanism::Assemble;
 use crate::real::Real;
@@ -14,40 +15,60 @@ const GOOD: f64 = 0.1;
 /// The place of a velocity that depends on no row.
 const NONE: u16 = u16::MAX;
 
-/// D = L U with a dependent velocity for each row: U has the pivot of row i in column `columns[i]`, L is stored where U is
-/// zero.
+/// The square of a written-out pivot, relative to its row at the start, below which D is factored by tables: two digits lost.
+const WRITTEN_OUT: f64 = 1e-4;
+
+/// D = L U with a dependent velocity for each row: written out for the velocities of [`Assemble::DEPENDENT`], else by tables for
+/// those that serve best. In these U has the pivot of the k-th row in column `columns[k]`, and L is stored where U is zero.
 #[derive(Clone, Copy, Debug)]
-pub struct Partition<D, C, R> {
+pub struct Partition<D, C, L, R> {
     /// m × n_v, row by row.
     rows: D,
-    /// The dependent velocity of each row.
+    /// The dependent velocity of the k-th row of [`Assemble::DEPENDENT`].
     columns: C,
-    /// The row of each velocity, or [`NONE`].
+    /// The place in `columns` of each velocity, or [`NONE`].
     places: C,
-    /// The smallest pivot, relative to the largest entry of its row before elimination.
-    pivot: R,
+    /// The written-out factors.
+    lu: L,
+    /// Whether these are the ones in use.
+    is_written_out: bool,
+    /// The square of the smallest pivot, relative to its row.
+    pub(crate) pivot: R,
     /// How often a dependent velocity was replaced since the beginning.
     pub changes: u32,
 }
 
 /// The partition of a mechanism.
-pub type PartitionOf<R, M> = Partition<<M as Assemble<R>>::Dense, <M as Assemble<R>>::Choice, R>;
+pub type PartitionOf<R, M> =
+    Partition<<M as Assemble<R>>::Dense, <M as Assemble<R>>::Choice, <M as Assemble<R>>::Lu, R>;
 
-impl<R: Real, D: Vector<R>, C: Copy + AsRef<[u16]> + AsMut<[u16]>> Partition<D, C, R> {
-    /// The choice made at expansion, if there is one; nothing factored yet.
-    pub fn new<M: Assemble<R, Dense = D, Choice = C>>() -> Self {
-        let mut none = M::choice();
-        none.as_mut().fill(NONE);
-        let mut columns = none;
-        for (column, &chosen) in columns.as_mut().iter_mut().zip(M::DEPENDENT) {
-            *column = chosen;
-        }
-        Partition { rows: D::zero(), columns, places: none, pivot: R::ONE, changes: 0 }
+impl<R: Real, D: Vector<R>, C: Copy + AsRef<[u16]> + AsMut<[u16]>, L: Copy> Partition<D, C, L, R> {
+    /// The choice made at expansion; nothing factored yet.
+    pub fn new<M: Assemble<R, Dense = D, Choice = C, Lu = L>>() -> Self {
+        debug_assert_eq!(M::DEPENDENT.len() + M::IDLE.len(), M::Lambda::LEN, "each row has its velocity");
+        let mut partition = Partition {
+            rows: D::zero(),
+            columns: M::choice(),
+            places: M::choice(),
+            lu: M::lu(),
+            is_written_out: false,
+            pivot: R::ONE,
+            changes: 0,
+        };
+        partition.choose::<M>();
+        partition
     }
 
-    /// Whether a velocity is an independent one.
-    pub fn is_independent(&self, velocity: usize) -> bool {
-        self.places.as_ref()[velocity] == NONE
+    /// Takes the velocities chosen at expansion.
+    fn choose<M: Assemble<R, Dense = D, Choice = C, Lu = L>>(&mut self) {
+        self.columns.as_mut().fill(NONE);
+        self.places.as_mut().fill(NONE);
+        for (k, &(_, chosen)) in M::DEPENDENT.iter().enumerate() {
+            self.columns.as_mut()[k] = chosen;
+            if let Some(place) = self.places.as_mut().get_mut(chosen as usize) {
+                *place = k as u16;
+            }
+        }
     }
 
     /// The independent velocities, ascending.
@@ -58,11 +79,32 @@ impl<R: Real, D: Vector<R>, C: Copy + AsRef<[u16]> + AsMut<[u16]>> Partition<D, 
 
     /// Factors D at a position; returns the square of the smallest pivot relative to its row, which like the other pivots
     /// vanishes with the square of the distance from a singular position.
-    ///
+    pub fn factor<M: Assemble<R, Dense = D, Choice = C, Lu = L>>(
+        &mut self,
+        model: &M,
+        time: R,
+        q: &M::Q,
+    ) -> R {
+        self.pivot = model.factor_jacobian(time, q, &mut self.lu);
+        self.is_written_out = serves(self.pivot);
+        if self.is_written_out {
+            self.choose::<M>();
+        } else {
+            self.factor_by_tables(model, time, q);
+        }
+        self.pivot
+    }
+
     /// Row by row: what earlier pivots have is taken off, then the velocity that depended on the row before stays dependent if its
     /// entry is a tenth of the largest, else that of the largest takes its place (partial pivoting by columns).
-    pub fn factor<M: Assemble<R, Dense = D, Choice = C>>(&mut self, model: &M, time: R, q: &M::Q) -> R {
+    pub(crate) fn factor_by_tables<M: Assemble<R, Dense = D, Choice = C, Lu = L>>(
+        &mut self,
+        model: &M,
+        time: R,
+        q: &M::Q,
+    ) {
         let n = M::V::LEN;
+        self.is_written_out = false;
         let mut jacobian = M::Jacobian::zero();
         model.constraint_jacobian(time, q, &mut jacobian);
         self.rows = D::zero();
@@ -71,63 +113,89 @@ impl<R: Real, D: Vector<R>, C: Copy + AsRef<[u16]> + AsMut<[u16]>> Partition<D, 
         }
         let before = self.columns;
         self.places.as_mut().fill(NONE);
-        self.pivot = R::ONE;
-        for row in (0..M::Lambda::LEN).filter(|&row| !M::IDLE.contains(&(row as u16))) {
-            let (above, rest) = self.rows.as_mut_slice().split_at_mut(row * n);
-            let entries = &mut rest[..n];
-            let size = largest(entries, |_| true).1;
-            for (k, upper) in above.chunks_exact(n).enumerate() {
+        let mut smallest = R::ONE;
+        for (at, &(row, _)) in M::DEPENDENT.iter().enumerate() {
+            let (size, own) = (self.largest::<M>(row, |_| true).1, row as usize * n);
+            for (k, &(above, _)) in M::DEPENDENT[..at].iter().enumerate() {
                 let column = self.columns.as_ref()[k] as usize;
-                if column >= n || M::IDLE.contains(&(k as u16)) || entries[column] == R::ZERO {
+                let (rows, above) = (self.rows.as_mut_slice(), above as usize * n);
+                if rows[own + column] == R::ZERO {
                     continue;
                 }
-                let l = entries[column] / upper[column];
-                for (j, (entry, &u)) in entries.iter_mut().zip(upper).enumerate() {
-                    // Where an earlier row has its pivot, `upper` holds L.
-                    let eliminated = self.places.as_ref()[j];
-                    if eliminated == NONE || usize::from(eliminated) > k {
-                        *entry = *entry - l * u;
+                let l = rows[own + column] / rows[above + column];
+                for (j, &place) in self.places.as_ref().iter().enumerate() {
+                    // Where an earlier row has its pivot, the row above holds L.
+                    if place == NONE || usize::from(place) > k {
+                        rows[own + j] = rows[own + j] - l * rows[above + j];
                     }
                 }
-                entries[column] = l;
+                rows[own + column] = l;
             }
-            let places = self.places.as_ref();
-            let (best, most) = largest(entries, |column| places[column] == NONE);
-            let kept = before.as_ref()[row] as usize;
-            let good = kept < n && places[kept] == NONE && entries[kept].abs() >= R::from_f64(GOOD) * most;
+            let places = self.places;
+            let free = |column: usize| places.as_ref()[column] == NONE;
+            let (best, most) = self.largest::<M>(row, free);
+            let kept = before.as_ref()[at] as usize;
+            let good = kept < n && free(kept) && self.scaled::<M>(row, kept) >= R::from_f64(GOOD) * most;
             let chosen = if good { kept } else { best };
             if !good && kept < n {
                 self.changes += 1;
             }
-            self.columns.as_mut()[row] = chosen as u16;
-            self.places.as_mut()[chosen] = row as u16;
-            let relative = if size > R::ZERO { entries[chosen].abs() / size } else { R::ZERO };
-            self.pivot = relative.min(self.pivot);
+            self.columns.as_mut()[at] = chosen as u16;
+            self.places.as_mut()[chosen] = at as u16;
+            let relative = if size > R::ZERO { self.scaled::<M>(row, chosen) / size } else { R::ZERO };
+            smallest = relative.min(smallest);
         }
-        self.pivot * self.pivot
+        self.pivot = smallest * smallest;
+    }
+
+    /// The magnitude of an entry, to be compared with others of its row.
+    fn scaled<M: Assemble<R, Dense = D, Choice = C, Lu = L>>(&self, row: u16, column: usize) -> R {
+        let entry = self.rows.as_slice()[usize::from(row) * M::V::LEN + column].abs();
+        M::SCALES.get(column).map_or(entry, |&scale| entry * R::from_f64(scale))
+    }
+
+    /// Place and scaled magnitude of the largest entry of a row among those that count.
+    fn largest<M: Assemble<R, Dense = D, Choice = C, Lu = L>>(
+        &self,
+        row: u16,
+        counts: impl Fn(usize) -> bool,
+    ) -> (usize, R) {
+        let mut found: Option<(usize, R)> = None;
+        for column in (0..M::V::LEN).filter(|&column| counts(column)) {
+            let size = self.scaled::<M>(row, column);
+            if found.is_none_or(|(_, largest)| size > largest) {
+                found = Some((column, size));
+            }
+        }
+        found.unwrap_or((0, R::ZERO))
     }
 
     /// The dependent entries of `v` such that D v = `rows`, given the independent ones.
-    pub fn dependent<M: Assemble<R, Dense = D, Choice = C>>(&self, rows: &M::Lambda, v: &mut M::V) {
-        let n = M::V::LEN;
+    pub fn dependent<M: Assemble<R, Dense = D, Choice = C, Lu = L>>(
+        &self,
+        model: &M,
+        rows: &M::Lambda,
+        v: &mut M::V,
+    ) {
+        if self.is_written_out {
+            let given = *v;
+            return model.dependent_velocities(&self.lu, rows, &given, v);
+        }
         let (columns, places) = (self.columns.as_ref(), self.places.as_ref());
-        let mut y = *rows;
-        let live = |row: usize| !M::IDLE.contains(&(row as u16));
-        let y = y.as_mut_slice();
-        for row in (0..y.len()).filter(|&row| live(row)) {
-            let entries = &self.rows.as_slice()[row * n..][..n];
-            for k in (0..row).filter(|&k| live(k)) {
-                y[row] = y[row] - entries[columns[k] as usize] * y[k];
+        let entries = |row: u16| &self.rows.as_slice()[usize::from(row) * M::V::LEN..][..M::V::LEN];
+        let (mut rest, v) = (*rows, v.as_mut_slice());
+        let y = rest.as_mut_slice();
+        for (at, &(row, _)) in M::DEPENDENT.iter().enumerate() {
+            for (k, &(above, _)) in M::DEPENDENT[..at].iter().enumerate() {
+                y[row as usize] = y[row as usize] - entries(row)[columns[k] as usize] * y[above as usize];
             }
         }
-        let v = v.as_mut_slice();
-        for row in (0..y.len()).rev().filter(|&row| live(row)) {
-            let entries = &self.rows.as_slice()[row * n..][..n];
-            let pivot = columns[row] as usize;
-            let mut rest = y[row];
+        for (at, &(row, _)) in M::DEPENDENT.iter().enumerate().rev() {
+            let (entries, pivot) = (entries(row), columns[at] as usize);
+            let mut rest = y[row as usize];
             for (j, &entry) in entries.iter().enumerate() {
-                // NONE is above all rows: independent velocities count among the later ones.
-                if usize::from(places[j]) > row {
+                // NONE is above all places: independent velocities count among the later ones.
+                if usize::from(places[j]) > at {
                     rest = rest - entry * v[j];
                 }
             }
@@ -135,38 +203,34 @@ impl<R: Real, D: Vector<R>, C: Copy + AsRef<[u16]> + AsMut<[u16]>> Partition<D, 
         }
     }
 
-    /// λ of D_dᵀ λ = `forces` in the dependent velocities; idle rows have none.
-    pub fn multipliers<M: Assemble<R, Dense = D, Choice = C>>(&self, forces: &M::V, lambda: &mut M::Lambda) {
-        let n = M::V::LEN;
+    /// λ of D_dᵀ λ = `forces` in the dependent velocities, factored by tables; idle rows have none.
+    pub(crate) fn multipliers<M: Assemble<R, Dense = D, Choice = C, Lu = L>>(
+        &self,
+        forces: &M::V,
+        lambda: &mut M::Lambda,
+    ) {
         let columns = self.columns.as_ref();
-        let live = |row: usize| !M::IDLE.contains(&(row as u16));
+        let entry =
+            |row: u16, column: u16| self.rows.as_slice()[usize::from(row) * M::V::LEN + usize::from(column)];
         *lambda = M::Lambda::zero();
         let y = lambda.as_mut_slice();
         // Uᵀ y = forces, then Lᵀ λ = y.
-        for row in (0..y.len()).filter(|&row| live(row)) {
-            let column = columns[row] as usize;
-            let mut rest = forces.as_slice()[column];
-            for k in (0..row).filter(|&k| live(k)) {
-                rest = rest - self.rows.as_slice()[k * n + column] * y[k];
+        for (at, &(row, _)) in M::DEPENDENT.iter().enumerate() {
+            let mut rest = forces.as_slice()[columns[at] as usize];
+            for &(above, _) in &M::DEPENDENT[..at] {
+                rest = rest - entry(above, columns[at]) * y[above as usize];
             }
-            y[row] = rest / self.rows.as_slice()[row * n + column];
+            y[row as usize] = rest / entry(row, columns[at]);
         }
-        for row in (0..y.len()).rev().filter(|&row| live(row)) {
-            let entries = &self.rows.as_slice()[row * n..][..n];
-            for k in (0..row).filter(|&k| live(k)) {
-                y[k] = y[k] - entries[columns[k] as usize] * y[row];
+        for (at, &(row, _)) in M::DEPENDENT.iter().enumerate().rev() {
+            for (k, &(above, _)) in M::DEPENDENT[..at].iter().enumerate() {
+                y[above as usize] = y[above as usize] - entry(row, columns[k]) * y[row as usize];
             }
         }
     }
 }
 
-/// Place and magnitude of the largest entry among those that count.
-fn largest<R: Real>(entries: &[R], counts: impl Fn(usize) -> bool) -> (usize, R) {
-    let mut found = (0, R::ZERO);
-    for (column, entry) in entries.iter().enumerate().filter(|(column, _)| counts(*column)) {
-        if entry.abs() > found.1 || !counts(found.0) {
-            found = (column, entry.abs());
-        }
-    }
-    found
+/// Whether written-out factors with this pivot are good enough. Written so that a NaN is not.
+pub(crate) fn serves<R: Real>(pivot: R) -> bool {
+    R::any(pivot.greater_equal(R::from_f64(WRITTEN_OUT)))
 }

@@ -3,7 +3,8 @@
 
 use linkwright::{
     AssemblyError, AugmentedLagrangian, DormandPrince, Evaluation, Formulation, LagrangeIndex1, Mechanism,
-    NullSpace, Partitioned, Penalty, Projected, Residual, SettingError, Settled, Simulation, State, Vector,
+    NullSpace, Partitioned, Penalty, PivotOf, Projected, Residual, SettingError, Settled, Simulation, State,
+    Vector,
 };
 use linkwright_models::andrews::Andrews;
 use linkwright_models::four_spherical_joints::FourSphericalJoints;
@@ -17,7 +18,7 @@ struct Counting<'c, F>(F, &'c Cell<u32>);
 
 impl<M: Mechanism<f64>, F: Formulation<f64, M>> Formulation<f64, M> for Counting<'_, F> {
     type Memory = F::Memory;
-    const PIVOT_SHOWS_CONDITION: bool = F::PIVOT_SHOWS_CONDITION;
+    const PIVOT: PivotOf = F::PIVOT;
 
     fn memory(&self) -> F::Memory {
         self.0.memory()

@@ -39,6 +39,7 @@ fn emitted_code_is_the_program<M: Model>() {
             let program = schedule::run(compiled.programs.get(function), &inputs);
             compare(M::NAME, function, &emitted, &program);
         }
+        null_space_is_the_program(&compiled, &model, inputs.clone());
         factorisation_is_the_program(&compiled, &model, inputs);
     }
 }
@@ -117,6 +118,7 @@ fn emitted<M: Model>(model: &M, inputs: &Inputs, function: Function) -> Option<V
         Function::Prepare | Function::Masses => return None,
         // Compared together below.
         Function::Factor | Function::System | Function::Solve => return None,
+        Function::FactorJacobian | Function::DependentVelocities | Function::NullSpace => return None,
         // Of mechanisms that emit them, below.
         Function::Residual
         | Function::Tangent
@@ -164,6 +166,31 @@ fn factorisation_is_the_program<M: Model>(compiled: &Compiled, model: &M, mut in
     let mut program = schedule::run(compiled.programs.get(Function::Solve), &inputs);
     program.extend(rest.last());
     compare(M::NAME, Function::System, &emitted, &program);
+}
+
+/// The equations in independent velocities where they are emitted: D factored, then solved; and the whole.
+fn null_space_is_the_program<M: Model>(compiled: &Compiled, model: &M, mut inputs: Inputs) {
+    let Some(written) = &compiled.solved.null_space else { return };
+    let At { time, q, v, u } = &At::<M>::of(&inputs);
+    let (mut lu, mut velocity) = (M::lu(), M::V::zero());
+    let pivot = model.factor_jacobian(*time, q, &mut lu);
+    model.dependent_velocities(&lu, &vector(&inputs.given_rows), v, &mut velocity);
+    let emitted: Vec<f64> = velocity.as_slice().iter().copied().chain([pivot]).collect();
+    let factored = schedule::run(compiled.programs.get(Function::FactorJacobian), &inputs);
+    inputs.lu = factored[..written.kept.len()].to_vec();
+    let mut program = schedule::run(compiled.programs.get(Function::DependentVelocities), &inputs);
+    program.extend(factored.last());
+    compare(M::NAME, Function::DependentVelocities, &emitted, &program);
+
+    let (mut a, mut lambda) = (M::V::zero(), M::Lambda::zero());
+    let pivot = model.null_space(*time, q, v, u, &mut velocity, &mut a, &mut lambda);
+    let all = [velocity.as_slice(), a.as_slice(), lambda.as_slice(), &[pivot]].concat();
+    compare(
+        M::NAME,
+        Function::NullSpace,
+        &all,
+        &schedule::run(compiled.programs.get(Function::NullSpace), &inputs),
+    );
 }
 
 /// All functions of a mechanism that emits its derivatives.

@@ -246,6 +246,8 @@ impl Random {
             given_rows: self.vector(e.rows.len()),
             // By `Function::Factor`.
             kept: vec![0.0; e.symbols.kept.len()],
+            // By `Function::FactorJacobian`.
+            lu: vec![0.0; e.symbols.lu.len()],
             prepared: Vec::new(),
         }
     }

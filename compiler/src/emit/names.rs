@@ -37,6 +37,7 @@ pub enum Argument {
     GivenForces,
     GivenRows,
     Store,
+    Lu,
 }
 
 impl Names {
@@ -63,6 +64,7 @@ impl Names {
         claim(&symbols.given_forces, Source::GivenForce);
         claim(&symbols.given_rows, Source::GivenRow);
         claim(&symbols.kept, Source::Kept);
+        claim(&symbols.lu, Source::Lu);
         claim(&symbols.parameters, Source::Parameter);
         claim(&symbols.phases, Source::Phase);
         // A constant of the prepared model that is a parameter as it stands keeps the parameter's name.
@@ -156,6 +158,7 @@ impl Names {
             Source::GivenForce(index) => format!("forces[{index}]"),
             Source::GivenRow(index) => format!("rows[{index}]"),
             Source::Kept(index) => format!("store[{index}]"),
+            Source::Lu(index) => format!("lu[{index}]"),
             Source::Prepared(index) => format!("constants[{index}]"),
         })
     }
@@ -190,6 +193,7 @@ impl Argument {
             Argument::GivenForces => "forces",
             Argument::GivenRows => "rows",
             Argument::Store => "store",
+            Argument::Lu => "lu",
         }
     }
 
@@ -205,6 +209,7 @@ impl Argument {
             Argument::Inputs => "&Inputs<R>",
             Argument::Lambda | Argument::GivenRows => "&Lambda<R>",
             Argument::Store => "&Store<R>",
+            Argument::Lu => "&Lu<R>",
             Argument::Target => "&Conditions<R>",
         };
         format!("{}: {kind}", self.name())
@@ -212,7 +217,7 @@ impl Argument {
 }
 
 /// Words that emitted functions use themselves.
-const RESERVED: [&str; 20] = [
+const RESERVED: [&str; 21] = [
     "time",
     "q",
     "v",
@@ -229,6 +234,7 @@ const RESERVED: [&str; 20] = [
     "forces",
     "rows",
     "store",
+    "lu",
     "w",
     "out",
     "stiffness_out",
@@ -274,7 +280,7 @@ pub fn inner(name: &str) -> String {
 
 /// Types, traits and variants that implementations have in scope: short names of arrays, what the runtime exports to
 /// emitted code, the prelude.
-const IN_SCOPE: [&str; 96] = [
+const IN_SCOPE: [&str; 97] = [
     "Constants",
     "Phases",
     "Q",
@@ -287,6 +293,7 @@ const IN_SCOPE: [&str; 96] = [
     "Factor",
     "System",
     "Store",
+    "Lu",
     "Dense",
     "Basis",
     "Reduced",

@@ -161,6 +161,8 @@ impl<R: Real> Assemble<R> for @NAME@<R> {
     const ELIMINATION: Elimination = Elimination { order: &[], position: &[], row_start: &[], columns: &[] };
     type Conditions = @LIST@; type ConditionJacobian = @LIST@; type Factor = @LIST@; type System = @LIST@;
     type Dense = @LIST@; type Basis = @LIST@; type Reduced = @LIST@; type Choice = [u16; @MANY@]; type Store = @LIST@;
+    type Lu = @LIST@;
+    fn lu() -> @LIST@ { loop {} }
     fn choice() -> [u16; @MANY@] { loop {} }
     fn store() -> @LIST@ { loop {} }
     fn factor(&self, time: R, q: &@LIST@, compliance: R, store: &mut @LIST@) -> R { loop {} }

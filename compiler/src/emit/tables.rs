@@ -5,15 +5,11 @@ use crate::equations::Jet;
 
 /// (row, column) of the structural non-zeros of a list of jets, row by row.
 pub fn jacobian_pattern<'a>(jets: impl Iterator<Item = &'a Jet>) -> String {
-    let pairs = jets.enumerate().flat_map(|(row, jet)| {
-        jet.columns.keys().map(move |column| format!("({row}, {column})")).collect::<Vec<_>>()
-    });
-    format!("&{}", array(pairs))
+    pairs(jets.enumerate().flat_map(|(row, jet)| jet.columns.keys().map(move |column| (row, *column))))
 }
 
 pub fn mass_pattern(emitter: &Emitter) -> String {
-    let keys = emitter.compiled.equations.mass.keys();
-    format!("&{}", array(keys.map(|(row, column)| format!("({row}, {column})"))))
+    pairs(emitter.compiled.equations.mass.keys().copied())
 }
 
 pub fn layout(emitter: &Emitter) -> String {
@@ -57,6 +53,10 @@ pub fn conditions(emitter: &Emitter) -> String {
 
 pub fn indices(indices: impl IntoIterator<Item = usize>) -> String {
     format!("&{}", array(indices.into_iter().map(|index| index.to_string())))
+}
+
+pub fn pairs(pairs: impl Iterator<Item = (usize, usize)>) -> String {
+    format!("&{}", array(pairs.map(|(row, column)| format!("({row}, {column})"))))
 }
 
 pub fn elimination(emitter: &Emitter) -> String {

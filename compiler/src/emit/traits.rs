@@ -8,7 +8,7 @@ use crate::schedule::{Function, Operand};
 use std::fmt::Write;
 
 use Argument::{
-    Acceleration, BetaSquared, Compliance, Constants, GivenForces, GivenRows, Inputs, Lambda, Parameters,
+    Acceleration, BetaSquared, Compliance, Constants, GivenForces, GivenRows, Inputs, Lambda, Lu, Parameters,
     Phases, Q, Store, Target, Time, TwoAlpha, V,
 };
 
@@ -37,9 +37,13 @@ pub fn aliases(text: &mut String, emitter: &Emitter) {
         ("Basis", freedoms * emitter.velocities()),
         ("Reduced", freedoms * freedoms),
         ("Store", emitter.compiled.solved.stored.as_ref().map_or(0, |stored| stored.kept.len())),
+        ("Lu", emitter.compiled.solved.null_space.as_ref().map_or(0, |written| written.kept.len())),
     ];
-    let tabled = emitter.compiled.solved.stored.is_none();
-    for (alias, length) in arrays.into_iter().filter(|(alias, _)| !(tabled && *alias == "Store")) {
+    let solved = &emitter.compiled.solved;
+    let absent = |alias: &str| {
+        alias == "Store" && solved.stored.is_none() || alias == "Lu" && solved.null_space.is_none()
+    };
+    for (alias, length) in arrays.into_iter().filter(|(alias, _)| !absent(alias)) {
         let _ = writeln!(text, "type {alias}<R> = [R; {length}];");
     }
     let _ = writeln!(text, "type Parameters<R> = {name}Parameters<R>;");
@@ -501,10 +505,13 @@ pub fn assemble(text: &mut String, emitter: &Emitter) {
         let idle = tables::indices(equations.idle.iter().copied());
         let _ = writeln!(text, "const IDLE: &'static [u16] = {idle};");
     }
-    if !compiled.dependent.is_empty() {
-        let none = usize::from(u16::MAX);
-        let dependent = tables::indices(compiled.dependent.iter().map(|column| column.unwrap_or(none)));
-        let _ = writeln!(text, "const DEPENDENT: &'static [u16] = {dependent};");
+    if !compiled.partition.pivots.is_empty() {
+        let pivots = tables::pairs(compiled.partition.pivots.iter().map(|pivot| (pivot.row, pivot.velocity)));
+        let _ = writeln!(text, "const DEPENDENT: &'static [(u16, u16)] = {pivots};");
+    }
+    if compiled.partition.scales.iter().any(|scale| *scale != 1.0) {
+        let scales = array(compiled.partition.scales.iter().map(|scale| literal(*scale)));
+        let _ = writeln!(text, "const SCALES: &'static [f64] = &{scales};");
     }
     let massless = &compiled.solved.massless;
     if !massless.rows.is_empty() {
@@ -566,6 +573,7 @@ pub fn assemble(text: &mut String, emitter: &Emitter) {
         },
     );
     factorisation(text, &mut helpers, emitter);
+    null_space(text, &mut helpers, emitter);
     let numbers = |values: &[f64]| array(values.iter().map(|value| constant(*value)));
     let _ = writeln!(text, "fn start_q() -> Q<R> {{ {} }}", numbers(&compiled.assembly.q));
     let _ = writeln!(text, "fn start_v() -> V<R> {{ {} }}", numbers(&compiled.assembly.v));
@@ -640,6 +648,56 @@ fn factorisation(text: &mut String, helpers: &mut String, emitter: &Emitter) {
                 list(&rest[..kept]),
                 list(&rest[kept..rows]),
                 list(&rest[rows..]),
+                pivot[0]
+            )
+        },
+    );
+}
+
+/// The equations in independent velocities, where they are asked for; the runtime has them by tables.
+fn null_space(text: &mut String, helpers: &mut String, emitter: &Emitter) {
+    let Some(written) = &emitter.compiled.solved.null_space else {
+        text.push_str("type Lu = ();\nfn lu() {}\n");
+        return;
+    };
+    let (kept, velocities) = (written.kept.len(), emitter.velocities());
+    let _ = writeln!(text, "type Lu = Lu<R>;\nfn lu() -> Lu<R> {{ [R::ZERO; {kept}] }}");
+    let list = |values: &[String]| array(values.iter().cloned());
+    function(
+        text,
+        helpers,
+        emitter,
+        Function::FactorJacobian,
+        &[Constants, Time, Q],
+        "factor_jacobian(&self, time: R, q: &Q<R>, lu: &mut Lu<R>) -> R",
+        |outputs| format!("*lu = {};\n{}", list(&outputs[..kept]), outputs[kept]),
+    );
+    function(
+        text,
+        helpers,
+        emitter,
+        Function::DependentVelocities,
+        &[Constants, Lu, GivenRows, V],
+        "dependent_velocities(&self, lu: &Lu<R>, rows: &Lambda<R>, v: &V<R>, out: &mut V<R>)",
+        all,
+    );
+    function(
+        text,
+        helpers,
+        emitter,
+        Function::NullSpace,
+        &[Constants, Time, Q, V, Inputs],
+        "null_space(&self, time: R, q: &Q<R>, v: &V<R>, u: &Inputs<R>, v_out: &mut V<R>, a_out: &mut V<R>, \
+         lambda_out: &mut Lambda<R>) -> R",
+        |outputs| {
+            let (v, rest) = outputs.split_at(velocities);
+            let (a, rest) = rest.split_at(velocities);
+            let (lambda, pivot) = rest.split_at(rest.len() - 1);
+            format!(
+                "*v_out = {};\n*a_out = {};\n*lambda_out = {};\n{}",
+                list(v),
+                list(a),
+                list(lambda),
                 pivot[0]
             )
         },

@@ -227,6 +227,8 @@ pub struct Symbols {
     pub given_forces: Vec<Node>,
     pub given_rows: Vec<Node>,
     pub kept: Vec<Node>,
+    /// What is kept of D = L U.
+    pub lu: Vec<Node>,
 }
 
 /// New symbols for everything the equations depend on.
@@ -258,5 +260,6 @@ pub fn symbols(g: &mut Graph, mechanism: &Mechanism, layout: &Layout) -> Symbols
         given_forces: Vec::new(),
         given_rows: Vec::new(),
         kept: Vec::new(),
+        lu: Vec::new(),
     }
 }

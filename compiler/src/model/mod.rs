@@ -398,6 +398,8 @@ pub struct Emit {
     pub penalty: bool,
     /// K(c) for projections.
     pub projection: bool,
+    /// The equations in independent velocities.
+    pub null_space: bool,
     /// Derivatives of the equations and outputs.
     pub tangent: bool,
 }
@@ -408,6 +410,7 @@ impl Emit {
         match word {
             "penalty" => self.penalty = true,
             "projection" => self.projection = true,
+            "null_space" => self.null_space = true,
             "tangent" => self.tangent = true,
             _ => {}
         }

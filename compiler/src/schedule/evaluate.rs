@@ -22,6 +22,7 @@ pub struct Inputs {
     pub given_forces: Vec<f64>,
     pub given_rows: Vec<f64>,
     pub kept: Vec<f64>,
+    pub lu: Vec<f64>,
     pub prepared: Vec<f64>,
 }
 
@@ -44,6 +45,7 @@ impl Inputs {
             Source::GivenForce(index) => at(&self.given_forces, index),
             Source::GivenRow(index) => at(&self.given_rows, index),
             Source::Kept(index) => at(&self.kept, index),
+            Source::Lu(index) => at(&self.lu, index),
             Source::Prepared(index) => at(&self.prepared, index),
         }
     }

@@ -98,5 +98,6 @@ pub fn sources(equations: &Equations) -> Vec<Source> {
     assign(&symbols.given_forces, Source::GivenForce);
     assign(&symbols.given_rows, Source::GivenRow);
     assign(&symbols.kept, Source::Kept);
+    assign(&symbols.lu, Source::Lu);
     sources
 }

@@ -3,10 +3,12 @@
 //! AFTER THIS POINT there is no linear system left, only expressions.
 
 pub mod elimination;
+mod null_space;
 pub mod order;
 mod stored;
 pub mod table;
 
+use crate::check::assemble::Partition;
 use crate::equations::space::articulated;
 use crate::equations::{Equations, Kinematics, Row, Symbols};
 use crate::functions::Function;
@@ -17,6 +19,7 @@ use elimination::{Entries, Factor, Kind};
 use order::{Order, Pattern, Strategy};
 use std::collections::{BTreeMap, BTreeSet};
 
+pub use null_space::{NullSpace, null_space};
 pub use stored::{Stored, store};
 
 /// v̇ and λ, and the smallest relative pivot met on the way.
@@ -41,14 +44,20 @@ pub struct Solved {
     pub stored: Option<Stored>,
     /// Whether K(c) is emitted together with the right-hand sides of the penalty formulation too.
     pub emits_system: bool,
+    /// The equations in independent velocities, where they are emitted.
+    pub null_space: Option<NullSpace>,
 }
 
 impl Solved {
     /// Writes out what the definition asks to be emitted beyond the default.
-    pub fn add(&mut self, equations: &mut Equations, emit: &Emit) {
+    pub fn add(&mut self, equations: &mut Equations, emit: &Emit, partition: &Partition) {
         if emit.penalty || emit.projection {
             self.stored = Some(store(equations, &self.massless));
             self.emits_system = emit.penalty;
+        }
+        if emit.null_space {
+            let massless = !self.massless.rows.is_empty();
+            self.null_space = Some(null_space(equations, partition, massless));
         }
     }
 }
@@ -247,6 +256,7 @@ fn by_articulated_bodies(equations: &Equations, pattern: &Pattern) -> Option<(Eq
         massless: Massless::default(),
         stored: None,
         emits_system: false,
+        null_space: None,
     };
     solved.counts = count_of(&candidate, &solved, Function::AccelerationBaumgarte);
     Some((candidate, solved))
@@ -296,6 +306,7 @@ fn eliminate(equations: &mut Equations, system: &System, order: Order) -> Solved
         massless: massless.clone(),
         stored: None,
         emits_system: false,
+        null_space: None,
     }
 }
 

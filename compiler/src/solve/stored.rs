@@ -99,7 +99,7 @@ pub fn store(equations: &mut Equations, massless: &Massless) -> Stored {
 }
 
 /// Zero where a pivot was zero and left 0 · ∞ behind.
-fn not_nan(g: &mut Graph, pivot: Node) -> Node {
+pub(super) fn not_nan(g: &mut Graph, pivot: Node) -> Node {
     if g.value(pivot).is_some() {
         return pivot;
     }
@@ -110,7 +110,7 @@ fn not_nan(g: &mut Graph, pivot: Node) -> Node {
 
 /// The nodes at which what depends on `late` symbols meets what does not, in order; what parameters alone decide is at hand
 /// anyway.
-fn frontier(g: &Graph, roots: &[Node], late: &BTreeSet<Node>) -> Vec<Node> {
+pub(super) fn frontier(g: &Graph, roots: &[Node], late: &BTreeSet<Node>) -> Vec<Node> {
     let mut depends = BTreeSet::new();
     let mut kept = BTreeSet::new();
     for node in g.reachable(roots.iter().copied()) {

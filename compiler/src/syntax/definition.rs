@@ -570,7 +570,7 @@ pub enum OptionEntry {
 }
 
 /// What can be emitted beyond the default.
-pub const EMITTED: [&str; 3] = ["penalty", "projection", "tangent"];
+pub const EMITTED: [&str; 4] = ["penalty", "projection", "null_space", "tangent"];
 
 /// One line of `expect { … }`.
 #[derive(Clone, Debug)]

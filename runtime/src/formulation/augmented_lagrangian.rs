@@ -1,6 +1,6 @@
 //! The augmented Lagrangian formulation of index 1: penalties that iterate until the constraints hold.
 
-use super::{Evaluation, Formulation, Penalty, positive};
+use super::{Evaluation, Formulation, Penalty, PivotOf, positive};
 use crate::error::SettingError;
 use crate::mechanism::Assemble;
 use crate::real::Real;
@@ -42,7 +42,7 @@ impl<R: Real> AugmentedLagrangian<R> {
 impl<R: Real, M: Assemble<R>> Formulation<R, M> for AugmentedLagrangian<R> {
     /// λ of the evaluation before.
     type Memory = M::Lambda;
-    const PIVOT_SHOWS_CONDITION: bool = false;
+    const PIVOT: PivotOf = PivotOf::Velocities;
 
     fn memory(&self) -> M::Lambda {
         M::Lambda::zero()

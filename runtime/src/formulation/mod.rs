@@ -32,9 +32,8 @@ pub trait Formulation<R: Real, M: Mechanism<R>> {
     /// What is carried from one evaluation to the next, such as multipliers to begin an iteration with.
     type Memory: Copy + Debug;
 
-    /// Whether the pivot of an evaluation estimates the reciprocal condition of D M⁻¹ Dᵀ. Where the constraints are
-    /// softened it does not, and the estimate is asked of the mechanism once a step.
-    const PIVOT_SHOWS_CONDITION: bool = true;
+    /// What the pivot of an evaluation tells of the constraints.
+    const PIVOT: PivotOf = PivotOf::Rows;
 
     /// What there is to carry before the first evaluation.
     fn memory(&self) -> Self::Memory;
@@ -73,6 +72,19 @@ pub trait Formulation<R: Real, M: Mechanism<R>> {
     /// # Errors
     /// The parameter that does not.
     fn check(&self) -> Result<(), SettingError>;
+}
+
+/// What the pivot of an evaluation is one of. Where it does not estimate the reciprocal condition of D M⁻¹ Dᵀ, that is asked of
+/// the mechanism once a step.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum PivotOf {
+    /// Of D M⁻¹ Dᵀ: it estimates the reciprocal condition.
+    Rows,
+    /// Of D = L U, squared. Where it is large the constraints are far from losing rank; where it is small they may be, or
+    /// only the independent velocities serve badly.
+    Jacobian,
+    /// Of the velocities; the constraints are softened and lose nothing.
+    Velocities,
 }
 
 /// What an evaluation says of itself.

@@ -1,9 +1,9 @@
 //! The equations of motion in independent velocities: the null space of D, or matrix R.
 
-use super::{Evaluation, Formulation, Settled};
+use super::{Evaluation, Formulation, PivotOf, Settled};
 use crate::error::{AssemblyError, SettingError};
 use crate::mechanism::Assemble;
-use crate::partition::{Partition, PartitionOf};
+use crate::partition::{Partition, PartitionOf, serves};
 use crate::real::Real;
 use crate::state::State;
 use crate::vector::Vector;
@@ -27,7 +27,7 @@ pub struct NullSpace;
 impl<R: Real, M: Assemble<R>> Formulation<R, M> for NullSpace {
     /// The independent set.
     type Memory = PartitionOf<R, M>;
-    const PIVOT_SHOWS_CONDITION: bool = false;
+    const PIVOT: PivotOf = PivotOf::Jacobian;
 
     fn memory(&self) -> Self::Memory {
         Partition::new::<M>()
@@ -44,46 +44,13 @@ impl<R: Real, M: Assemble<R>> Formulation<R, M> for NullSpace {
         a: &mut M::V,
         lambda: &mut M::Lambda,
     ) -> Evaluation<R> {
-        let pivot = partition.factor(model, time, &state.q);
-        follow(partition, model, time, state);
-        let mut gamma = M::Lambda::zero();
-        model.gamma(time, &state.q, &state.v, &mut gamma);
-        let mut forces = M::V::zero();
-        model.forces(time, &state.q, &state.v, u, &mut forces);
-        let mut mass = M::Mass::zero();
-        model.mass_matrix(time, &state.q, &mut mass);
-
-        // Sγ: accelerations that satisfy the rows with z̈ = 0.
-        *a = M::V::zero();
-        partition.dependent::<M>(&gamma, a);
-        let rest = forces.plus(-R::ONE, &times::<R, M>(&mass, a));
-
-        // R, column by column, and Rᵀ M R, Rᵀ (Q − M S γ).
-        let (n, freedoms) = (M::V::LEN, M::V::LEN - M::Lambda::LEN + M::IDLE.len());
-        let mut basis = M::Basis::zero();
-        let mut reduced = M::Reduced::zero();
-        let mut right = M::V::zero();
-        for (at, velocity) in partition.independent().enumerate() {
-            let mut column = M::V::zero();
-            column.as_mut_slice()[velocity] = R::ONE;
-            partition.dependent::<M>(&M::Lambda::zero(), &mut column);
-            basis.as_mut_slice()[at * n..][..n].copy_from_slice(column.as_slice());
-            let product = times::<R, M>(&mass, &column);
-            for (other, known) in basis.as_slice().chunks_exact(n).enumerate().take(at + 1) {
-                reduced.as_mut_slice()[at * freedoms + other] = dot(known, product.as_slice());
-            }
-            right.as_mut_slice()[at] = dot(column.as_slice(), rest.as_slice());
+        let mut velocity = M::V::zero();
+        let pivot = model.null_space(time, &state.q, &state.v, u, &mut velocity, a, lambda);
+        if serves(pivot) {
+            state.v = velocity;
+            return Evaluation::direct(pivot);
         }
-        let regular = cholesky(reduced.as_mut_slice(), freedoms, right.as_mut_slice());
-        for (at, column) in basis.as_slice().chunks_exact(n.max(1)).enumerate().take(freedoms) {
-            let rate = right.as_slice()[at];
-            for (entry, &r) in a.as_mut_slice().iter_mut().zip(column) {
-                *entry = r.mul_add(rate, *entry);
-            }
-        }
-        let rest = forces.plus(-R::ONE, &times::<R, M>(&mass, a));
-        partition.multipliers::<M>(&rest, lambda);
-        Evaluation::direct(regular.min(pivot))
+        by_tables(partition, model, time, state, u, a, lambda)
     }
 
     fn settle(
@@ -103,6 +70,58 @@ impl<R: Real, M: Assemble<R>> Formulation<R, M> for NullSpace {
     }
 }
 
+/// Where the solution is not written out, or one of its pivots is too small.
+fn by_tables<R: Real, M: Assemble<R>>(
+    partition: &mut PartitionOf<R, M>,
+    model: &M,
+    time: R,
+    state: &mut State<M::Q, M::V>,
+    u: &M::Inputs,
+    a: &mut M::V,
+    lambda: &mut M::Lambda,
+) -> Evaluation<R> {
+    partition.factor_by_tables(model, time, &state.q);
+    follow(partition, model, time, state);
+    let mut gamma = M::Lambda::zero();
+    model.gamma(time, &state.q, &state.v, &mut gamma);
+    let mut forces = M::V::zero();
+    model.forces(time, &state.q, &state.v, u, &mut forces);
+    let mut mass = M::Mass::zero();
+    model.mass_matrix(time, &state.q, &mut mass);
+
+    // Sγ: accelerations that satisfy the rows with z̈ = 0.
+    *a = M::V::zero();
+    partition.dependent(model, &gamma, a);
+    let rest = forces.plus(-R::ONE, &times::<R, M>(&mass, a));
+
+    // R, column by column, and Rᵀ M R, Rᵀ (Q − M S γ).
+    let (n, freedoms) = (M::V::LEN, M::V::LEN - M::Lambda::LEN + M::IDLE.len());
+    let mut basis = M::Basis::zero();
+    let mut reduced = M::Reduced::zero();
+    let mut right = M::V::zero();
+    for (at, velocity) in partition.independent().enumerate() {
+        let mut column = M::V::zero();
+        column.as_mut_slice()[velocity] = R::ONE;
+        partition.dependent(model, &M::Lambda::zero(), &mut column);
+        basis.as_mut_slice()[at * n..][..n].copy_from_slice(column.as_slice());
+        let product = times::<R, M>(&mass, &column);
+        for (other, known) in basis.as_slice().chunks_exact(n).enumerate().take(at + 1) {
+            reduced.as_mut_slice()[at * freedoms + other] = dot(known, product.as_slice());
+        }
+        right.as_mut_slice()[at] = dot(column.as_slice(), rest.as_slice());
+    }
+    let regular = cholesky(reduced.as_mut_slice(), freedoms, right.as_mut_slice());
+    for (at, column) in basis.as_slice().chunks_exact(n.max(1)).enumerate().take(freedoms) {
+        let rate = right.as_slice()[at];
+        for (entry, &r) in a.as_mut_slice().iter_mut().zip(column) {
+            *entry = r.mul_add(rate, *entry);
+        }
+    }
+    let rest = forces.plus(-R::ONE, &times::<R, M>(&mass, a));
+    partition.multipliers::<M>(&rest, lambda);
+    Evaluation::direct(regular.min(partition.pivot))
+}
+
 /// The dependent velocities from the independent ones: D v = ν.
 pub(super) fn follow<R: Real, M: Assemble<R>>(
     partition: &PartitionOf<R, M>,
@@ -112,7 +131,7 @@ pub(super) fn follow<R: Real, M: Assemble<R>>(
 ) {
     let mut nu = M::Lambda::zero();
     model.nu(time, &state.q, &mut nu);
-    partition.dependent::<M>(&nu, &mut state.v);
+    partition.dependent(model, &nu, &mut state.v);
 }
 
 /// M x.

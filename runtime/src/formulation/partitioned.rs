@@ -49,7 +49,7 @@ impl<R: Real> Partitioned<R> {
             let mut delta = M::V::zero();
             match ask {
                 Ask::Factor => pivot = partition.factor(model, time, q).min(pivot),
-                Ask::Step => partition.dependent::<M>(&phi.scaled(-R::ONE), &mut delta),
+                Ask::Step => partition.dependent(model, &phi.scaled(-R::ONE), &mut delta),
             }
             delta
         });

@@ -1,6 +1,6 @@
 //! The penalty formulation: constraints as stiff spring-dampers in the directions of their rows.
 
-use super::{Evaluation, Formulation, not_negative, positive};
+use super::{Evaluation, Formulation, PivotOf, not_negative, positive};
 use crate::error::SettingError;
 use crate::mechanism::{Assemble, Mechanism};
 use crate::real::Real;
@@ -96,7 +96,7 @@ impl<R: Real> Penalty<R> {
 
 impl<R: Real, M: Assemble<R>> Formulation<R, M> for Penalty<R> {
     type Memory = ();
-    const PIVOT_SHOWS_CONDITION: bool = false;
+    const PIVOT: PivotOf = PivotOf::Velocities;
 
     fn memory(&self) {}
 

@@ -2,7 +2,7 @@
 
 use super::onto_constraints::{Ask, Bounds, onto_constraints};
 use super::penalty::largest_mass;
-use super::{Evaluation, Formulation, Settled, positive};
+use super::{Evaluation, Formulation, PivotOf, Settled, positive};
 use crate::assembly::system::subtract_product;
 use crate::error::{AssemblyError, SettingError};
 use crate::mechanism::Assemble;
@@ -83,7 +83,7 @@ impl<F, R: Real> Projected<F, R> {
 
 impl<R: Real, M: Assemble<R>, F: Formulation<R, M>> Formulation<R, M> for Projected<F, R> {
     type Memory = F::Memory;
-    const PIVOT_SHOWS_CONDITION: bool = F::PIVOT_SHOWS_CONDITION;
+    const PIVOT: PivotOf = F::PIVOT;
 
     fn memory(&self) -> F::Memory {
         self.formulation.memory()

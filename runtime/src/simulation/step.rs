@@ -4,10 +4,11 @@
 //! stages in `dynamics.rs`.
 
 use super::dynamics::Stage;
+use super::singularity::Passage;
 use super::{Clock, MechanismDynamics, NearSingular, Residual, Simulation};
 use crate::assembly::{singular_velocity, smallest_pivot};
 use crate::error::SimulationError;
-use crate::formulation::Formulation;
+use crate::formulation::{Formulation, PivotOf};
 use crate::input::InputSource;
 use crate::integrator::{Integrator, Rejections, StepFailure};
 use crate::layout::first_not_unit;
@@ -24,6 +25,9 @@ const INCONSISTENT: f64 = 1e-6;
 /// A relative pivot of D Dᵀ above which the constraints are not to blame for a breakdown.
 const WELL_POSED: f64 = 1e-8;
 
+/// D whose pivots have squares above this, relative to their rows, is far from losing rank.
+const FAR_FROM_SINGULAR: f64 = 1e-2;
+
 /// What happened in a step.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Step<R = f64> {
@@ -34,7 +38,8 @@ pub struct Step<R = f64> {
     /// The smallest relative pivot of the factorisations made: one is well posed, zero is a breakdown.
     pub smallest_pivot: R,
     /// The smallest estimate of the reciprocal condition of D M⁻¹ Dᵀ: over all stages, or where the formulation
-    /// softens the constraints, at the end of the step; or what a parabola through the last steps has between them.
+    /// softens the constraints, at the end of the step; or what a parabola through the last steps has between them. In
+    /// independent velocities the pivot of D, squared, while that is far from zero.
     pub reciprocal_condition: R,
     /// The position nearest to a singular one, if one was nearly singular or was passed within the last two steps.
     pub near_singular: Option<NearSingular<R>>,
@@ -176,13 +181,20 @@ where
             return (R::ONE, None);
         }
         let watch = &self.dynamics.watch;
-        let (at, condition, smallest) = if F::PIVOT_SHOWS_CONDITION {
+        let estimates = F::PIVOT == PivotOf::Rows;
+        if F::PIVOT == PivotOf::Jacobian
+            && R::any(watch.smallest_pivot.greater_equal(R::from_f64(FAR_FROM_SINGULAR)))
+        {
+            self.run.passage = Passage::new();
+            return (watch.smallest_pivot, None);
+        }
+        let (at, condition, smallest) = if estimates {
             (watch.observed.unwrap_or(begin), watch.first_pivot, watch.smallest_pivot)
         } else {
             let condition = self.model().factor(time, &next.q, R::ZERO, &mut M::store());
             (time, condition, condition)
         };
-        let worst = watch.worst.filter(|_| F::PIVOT_SHOWS_CONDITION);
+        let worst = watch.worst.filter(|_| estimates);
         // Written so that a NaN is seen.
         if let Some(stage) = worst {
             self.run.passage.see(at, condition);

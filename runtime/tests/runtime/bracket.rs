@@ -158,10 +158,12 @@ impl Assemble<f64> for Bracket {
     type Reduced = [f64; 0];
     type Choice = [u16; 6];
     type Store = tabled::Store<f64, Self>;
+    type Lu = ();
 
     fn choice() -> [u16; 6] {
         [0; 6]
     }
+    fn lu() {}
     fn store() -> Self::Store {
         tabled::store::<f64, Self>()
     }

@@ -191,10 +191,12 @@ impl<R: Real> Assemble<R> for DoublePendulum<R> {
     type Reduced = [R; 4];
     type Choice = [u16; 2];
     type Store = tabled::Store<R, Self>;
+    type Lu = ();
 
     fn choice() -> [u16; 2] {
         [0; 2]
     }
+    fn lu() {}
     fn store() -> Self::Store {
         tabled::store::<R, Self>()
     }

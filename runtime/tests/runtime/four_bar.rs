@@ -271,10 +271,12 @@ impl Assemble<f64> for FourBar {
     type Reduced = [f64; 1];
     type Choice = [u16; 9];
     type Store = tabled::Store<f64, Self>;
+    type Lu = ();
 
     fn choice() -> [u16; 9] {
         [0; 9]
     }
+    fn lu() {}
     fn store() -> Self::Store {
         tabled::store::<f64, Self>()
     }

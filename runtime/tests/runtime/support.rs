@@ -105,9 +105,11 @@ impl Assemble<f64> for Support {
     type Reduced = [f64; 0];
     type Choice = [u16; 3];
     type Store = linkwright_runtime::tabled::Store<f64, Self>;
+    type Lu = ();
     fn choice() -> [u16; 3] {
         [0; 3]
     }
+    fn lu() {}
     fn store() -> Self::Store {
         linkwright_runtime::tabled::store::<f64, Self>()
     }

@@ -15,10 +15,12 @@ const STATES: usize = 6;
 
 for_each!(softened_constraints_are_solved);
 for_each!(written_out_factorisations_solve);
+for_each!(written_out_null_spaces_solve);
 for_each!(null_space_and_iteration_agree_with_lagrange);
 for_each!(projection_reaches_the_constraints_along_the_mass);
 
-/// M a + Dᵀ λ − f and D a − c λ − r, each divided by the magnitude of its terms; the largest of all.
+/// M a + Dᵀ λ − f and D a − c λ − r, each divided by the magnitude of its terms, or a millionth of the largest of all of them;
+/// the largest of all.
 fn backward_error(
     mass: &[((usize, usize), f64)],
     jacobian: &[((usize, usize), f64)],
@@ -47,7 +49,9 @@ fn backward_error(
     for (at, given) in forces.iter().chain(rows).enumerate() {
         add(at, -given);
     }
-    let relative = rest.iter().map(|(value, size)| if *size > 0.0 { value.abs() / size } else { 0.0 });
+    let least = 1e-6 * rest.iter().fold(0.0_f64, |most, (_, size)| most.max(*size));
+    let relative =
+        rest.iter().map(|(value, size)| if *size > 0.0 { value.abs() / size.max(least) } else { 0.0 });
     relative.fold(0.0, |worst: f64, value| if value.is_nan() { f64::INFINITY } else { worst.max(value) })
 }
 
@@ -161,6 +165,79 @@ fn written_out_factorisations_solve<M: Model>() {
                 assert!((found - sum).abs() <= 1e-11 * (1.0 + size), "{}: row {row}: {found} {sum}", M::NAME);
             }
         }
+    }
+}
+
+/// The equations in independent velocities as they are written out where a definition asks for it, in both sets of coordinates:
+/// D v = ν, D v̇ = γ and M v̇ + Dᵀ λ = Q hold where the programs say so, by the interpreter.
+fn written_out_null_spaces_solve<M: Model>() {
+    let source = M::SOURCE.trim_end().strip_suffix('}').expect("a definition ends in a brace");
+    let source = format!("{source} options {{ emit = (null_space); }} }}");
+    for coordinates in [Coordinates::Tree, Coordinates::Absolute] {
+        let Ok(compiled) = compile(source.parse().expect("tokens"), Some(coordinates)) else {
+            // Some angles cannot be counted in absolute coordinates.
+            assert_eq!(coordinates, Coordinates::Absolute, "{}", M::NAME);
+            continue;
+        };
+        let equations = &compiled.equations;
+        let (n, count) = (equations.layout.velocities(), equations.rows.len());
+        let idle = &equations.idle;
+        let written = compiled.solved.null_space.as_ref().expect("it was asked for");
+        let mut random = Random::new(10);
+        let mut solved = 0;
+        for _ in 0..STATES {
+            let mut inputs = random.point(&compiled);
+            // Where M is singular by itself, the rows in a random position need not make up for it.
+            if !compiled.solved.massless.rows.is_empty() {
+                inputs.q = compiled.assembly.q.clone();
+            }
+            let program = |function: Function, inputs: &Inputs| run(compiled.programs.get(function), inputs);
+            inputs.prepared = program(Function::Prepare, &inputs);
+            let mass: Vec<_> =
+                equations.mass.keys().copied().zip(program(Function::MassMatrix, &inputs)).collect();
+            let rows = equations.rows.iter().enumerate();
+            let keys = rows.flat_map(|(row, r)| r.jet.columns.keys().map(move |column| (row, *column)));
+            let mut jacobian: Vec<_> = keys.zip(program(Function::ConstraintJacobian, &inputs)).collect();
+            jacobian.retain(|((row, _), _)| !idle.contains(row));
+            let of = |values: Vec<f64>| -> Vec<f64> {
+                let live = |(row, value)| if idle.contains(&row) { 0.0 } else { value };
+                values.into_iter().enumerate().map(live).collect()
+            };
+            let none = vec![0.0; n.max(count)];
+            // D v = rows, of which D M⁻¹ Dᵀ is no part: M = 0 and λ = 0 leave the rows alone.
+            let rows_hold = |v: &[f64], rows: &[f64]| {
+                let (zeros, nothing) = (&none[..n], &none[..count]);
+                backward_error(&[], &jacobian, nothing, (v, nothing), (zeros, rows))
+            };
+            let factored = program(Function::FactorJacobian, &inputs);
+            let (kept, pivot) = factored.split_at(written.kept.len());
+            inputs.given_rows = of(inputs.given_rows.clone());
+            inputs.lu = kept.to_vec();
+            // A random position may be one in which other velocities had better be dependent.
+            if pivot[0] < 1e-6 {
+                continue;
+            }
+            solved += 1;
+            let bound = 1e-12 / pivot[0].sqrt();
+            let error = rows_hold(&program(Function::DependentVelocities, &inputs), &inputs.given_rows);
+            assert!(error < bound, "{} in {coordinates:?}: dependent velocities {error:e}", M::NAME);
+
+            let all = program(Function::NullSpace, &inputs);
+            let (v, rest) = all.split_at(n);
+            let (solution, smallest) = rest.split_at(n + count);
+            assert!(smallest[0] <= pivot[0] && pivot[0] <= 1.0, "{}: {smallest:?} {pivot:?}", M::NAME);
+            let dependent: Vec<usize> =
+                compiled.partition.pivots.iter().map(|pivot| pivot.velocity).collect();
+            assert!((0..n).all(|i| dependent.contains(&i) || v[i] == inputs.v[i]), "{}", M::NAME);
+            let error = rows_hold(v, &of(program(Function::Nu, &inputs)));
+            assert!(error < bound, "{} in {coordinates:?}: velocities {error:e}", M::NAME);
+            inputs.v = v.to_vec();
+            let (forces, gamma) = (program(Function::Forces, &inputs), of(program(Function::Gamma, &inputs)));
+            let error =
+                backward_error(&mass, &jacobian, &none[..count], solution.split_at(n), (&forces, &gamma));
+            assert!(error < 1e3 * bound, "{} in {coordinates:?}: {error:e}, pivot {pivot:?}", M::NAME);
+        }
+        assert!(2 * solved >= STATES, "{} in {coordinates:?}: only {solved} states", M::NAME);
     }
 }
 

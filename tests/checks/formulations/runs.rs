@@ -7,8 +7,8 @@
 //! constants elsewhere, not the order.
 
 use linkwright::{
-    Assemble, AugmentedLagrangian, Baumgarte, ExplicitTrapezoidal, Formulation, LagrangeIndex1, NullSpace,
-    Partitioned, Penalty, Projected, Sample, Simulation, SimulationError, State, Step,
+    Assemble, AugmentedLagrangian, Baumgarte, ExplicitTrapezoidal, Formulation, LagrangeIndex1, Mechanism,
+    NullSpace, Partitioned, Penalty, Projected, Sample, Simulation, SimulationError, State, Step, Vector,
 };
 use linkwright_models::andrews::Andrews;
 use linkwright_models::n_four_bar::{NFourBar2, NFourBar40};
@@ -234,6 +234,48 @@ linkwright::mechanism! {
         start   { pin.angle [rad] = 0; pin.rate [rad/s] = 2; }
         options { coordinates = absolute; }
     }
+}
+
+linkwright::mechanism! {
+    /// The slider's position is the independent coordinate, and has two dead centres in every turn.
+    planar ByTheSlider {
+        gravity [m/s^2] = (0, -9.81);
+        rod crank { mass [kg] = 2; length [m] = 0.2; }
+        rod coupler { mass [kg] = 1; length [m] = 0.5; }
+        body slider { mass [kg] = 1; inertia [kg*m^2] = 0.01; }
+        joint pin: revolute(ground(0, 0) [m], crank.start);
+        joint knee: revolute(crank.end, coupler.start);
+        joint wrist: revolute(coupler.end, slider.center);
+        joint rail: prismatic(ground(0, 0) [m], slider.center, axis = (1, 0));
+        start   { pin.angle [deg] = 60; pin.rate [rad/s] = 20; rail.travel [m] ~ 0.6; }
+        options { coordinates = absolute; independent = rail.travel; emit = (null_space); }
+    }
+}
+
+/// What is written out serves between the dead centres; there tables take over, and nothing is lost.
+#[test]
+fn tables_take_over_where_written_out_pivots_are_small() {
+    let model = ByTheSlider::<f64>::default();
+    let slider = ByTheSlider::<f64>::VELOCITY_NAMES
+        .iter()
+        .position(|name| name.contains("slider") && name.contains('x'));
+    let slider = slider.expect("a velocity of the slider") as u16;
+    assert!(<ByTheSlider as Assemble<f64>>::DEPENDENT.iter().all(|(_, velocity)| *velocity != slider));
+    let mut simulation = Simulation::new(&model, ByTheSlider::START).formulation(NullSpace).step(1e-4);
+    let (begin, mut by_tables, mut steps) = (simulation.energy(), 0, 0);
+    while simulation.time() < 1.0 {
+        let step = simulation.advance().expect("it turns");
+        let State { q, v } = *simulation.state();
+        let (mut velocity, mut a, mut lambda) = (v, v, <ByTheSlider as Mechanism<f64>>::Lambda::zero());
+        let pivot = model.null_space(simulation.time(), &q, &v, &(), &mut velocity, &mut a, &mut lambda);
+        by_tables += u32::from(pivot < 1e-4);
+        steps += 1;
+        assert!(step.smallest_pivot >= 1e-4, "{step:?}");
+        assert!(simulation.residual().velocity < 1e-11, "{:?}", simulation.residual());
+    }
+    println!("{by_tables} of {steps} steps by tables");
+    assert!(0 < by_tables && by_tables < steps / 10, "{by_tables} of {steps}");
+    assert!((simulation.energy() / begin - 1.0).abs() < 1e-9, "{:e}", simulation.energy() / begin - 1.0);
 }
 
 /// What was chosen at the start does not serve all around: the set changes, and pivots stay good.

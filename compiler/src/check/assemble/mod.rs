@@ -16,7 +16,7 @@ mod quaternion;
 mod rates;
 mod redundancy;
 
-pub use partition::dependent;
+pub use partition::{Partition, partition};
 pub use point::{Ancestry, Point, retract};
 
 use super::messages;
