@@ -505,8 +505,8 @@ pub fn assemble(text: &mut String, emitter: &Emitter) {
         let idle = tables::indices(equations.idle.iter().copied());
         let _ = writeln!(text, "const IDLE: &'static [u16] = {idle};");
     }
-    if !compiled.partition.pivots.is_empty() {
-        let pivots = tables::pairs(compiled.partition.pivots.iter().map(|pivot| (pivot.row, pivot.velocity)));
+    if compiled.partition.pivots().next().is_some() {
+        let pivots = tables::pairs(compiled.partition.pivots().map(|pivot| (pivot.row, pivot.velocity)));
         let _ = writeln!(text, "const DEPENDENT: &'static [(u16, u16)] = {pivots};");
     }
     if compiled.partition.scales.iter().any(|scale| *scale != 1.0) {

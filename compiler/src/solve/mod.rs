@@ -324,7 +324,7 @@ fn stabilised(g: &mut Graph, rows: &[Row], symbols: &Symbols) -> Vec<Node> {
 }
 
 /// Rows that are components of one vector, numbered alike; the runtime's `same_scale` says the same of their names.
-fn groups(rows: &[Row]) -> Vec<Option<usize>> {
+pub fn groups(rows: &[Row]) -> Vec<Option<usize>> {
     let kind = |row: &Row| match row.what {
         "x" | "y" | "z" => Some(0),
         "normal_1" | "normal_2" => Some(1),

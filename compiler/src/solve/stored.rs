@@ -99,7 +99,7 @@ pub fn store(equations: &mut Equations, massless: &Massless) -> Stored {
 }
 
 /// Zero where a pivot was zero and left 0 · ∞ behind.
-pub(super) fn not_nan(g: &mut Graph, pivot: Node) -> Node {
+fn not_nan(g: &mut Graph, pivot: Node) -> Node {
     if g.value(pivot).is_some() {
         return pivot;
     }

@@ -419,7 +419,10 @@ const MISTAKES: &[(&str, &str)] = &[
     ("start { knee.travel [m] = 3; }", "the revolute joint `knee` has no travel; it has angle, rate"),
     ("options { coordinates = best; }", "expected `absolute` or `tree` or `auto`, found `best`"),
     ("options { redundant = most; }", "expected `refuse` or `drop` or `keep`, found `most`"),
-    ("options { emit = (tangents); }", "expected `penalty` or `projection` or `null_space` or `tangent`, found `tangents`"),
+    (
+        "options { emit = (tangents); }",
+        "expected `penalty` or `projection` or `null_space` or `tangent`, found `tangents`",
+    ),
     ("options { cuts = base; }", r#"nothing here is called "cuts"; did you mean `cut`?"#),
     ("options { cut = bas; }", r#"no joint called "bas"; did you mean "base"?"#),
     ("options { cut = (base, base); }", "`base` is cut twice"),

@@ -226,8 +226,7 @@ fn written_out_null_spaces_solve<M: Model>() {
             let (v, rest) = all.split_at(n);
             let (solution, smallest) = rest.split_at(n + count);
             assert!(smallest[0] <= pivot[0] && pivot[0] <= 1.0, "{}: {smallest:?} {pivot:?}", M::NAME);
-            let dependent: Vec<usize> =
-                compiled.partition.pivots.iter().map(|pivot| pivot.velocity).collect();
+            let dependent: Vec<usize> = compiled.partition.pivots().map(|pivot| pivot.velocity).collect();
             assert!((0..n).all(|i| dependent.contains(&i) || v[i] == inputs.v[i]), "{}", M::NAME);
             let error = rows_hold(v, &of(program(Function::Nu, &inputs)));
             assert!(error < bound, "{} in {coordinates:?}: velocities {error:e}", M::NAME);

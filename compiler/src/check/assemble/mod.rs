@@ -16,7 +16,7 @@ mod quaternion;
 mod rates;
 mod redundancy;
 
-pub use partition::{Partition, partition};
+pub use partition::{Partition, Pivot, partition};
 pub use point::{Ancestry, Point, retract};
 
 use super::messages;

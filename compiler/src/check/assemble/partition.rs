@@ -3,6 +3,7 @@
 use super::{Ancestry, Assembly, Point};
 use crate::equations::Equations;
 use crate::model::Mechanism;
+use crate::solve::groups;
 use std::collections::{BTreeMap, BTreeSet};
 
 /// An entry of this part of the largest of its row is good enough for a pivot.
@@ -14,8 +15,8 @@ const DEARER: f64 = 1.25;
 /// D factored at the start: which velocity each row gives, in an order in which little fills in.
 #[derive(Clone, Debug, Default)]
 pub struct Partition {
-    /// In order of elimination.
-    pub pivots: Vec<Pivot>,
+    /// In order of elimination: one list for each joint's vector of rows, or row by itself.
+    pub blocks: Vec<Vec<Pivot>>,
     /// One over the largest entry of each column of D at the start, to a power of two: entries are compared after
     /// multiplication by it, because columns have different units.
     pub scales: Vec<f64>,
@@ -60,8 +61,15 @@ pub fn partition(
         columns.keys().next().copied().filter(|_| columns.len() == 1)
     });
     let velocities = equations.layout.velocities();
-    let sparing = choose(rows.clone(), velocities, &alone.collect());
-    let free = choose(rows, velocities, &BTreeSet::new());
+    let mut blocks: BTreeMap<(usize, usize), Vec<usize>> = BTreeMap::new();
+    for (row, group) in
+        groups(&equations.rows).into_iter().enumerate().filter(|(row, _)| rows.contains_key(row))
+    {
+        blocks.entry(group.map_or((1, row), |group| (0, group))).or_default().push(row);
+    }
+    let blocks: Vec<Vec<usize>> = blocks.into_values().collect();
+    let sparing = choose(rows.clone(), blocks.clone(), velocities, &alone.collect());
+    let free = choose(rows, blocks, velocities, &BTreeSet::new());
     if sparing.operations as f64 <= DEARER * free.operations as f64 { sparing } else { free }
 }
 
@@ -73,10 +81,11 @@ struct Active {
     scales: Vec<f64>,
 }
 
-/// Row by row, the shortest first; of its good entries the one whose column is shortest (Markowitz, Management Science 3 (1957)
-/// 255–269, with threshold pivoting). Those to be spared only where nothing else is good.
+/// Block by block, the shortest first; in it row by row, of the good entries the one whose column is shortest (Markowitz,
+/// Management Science 3 (1957) 255–269, with threshold pivoting). Those to be spared only where nothing else is good.
 fn choose(
     rows: BTreeMap<usize, BTreeMap<usize, f64>>,
+    mut waiting: Vec<Vec<usize>>,
     velocities: usize,
     spared: &BTreeSet<usize>,
 ) -> Partition {
@@ -95,18 +104,37 @@ fn choose(
     };
     let sizes: BTreeMap<usize, f64> = rows.iter().map(|(row, entries)| (*row, size(entries))).collect();
     let mut active = Active { rows, holders, scales: scales.clone() };
-    let (mut pivots, mut operations) = (Vec::new(), 0);
-    while let Some((row, velocity)) = active.next(spared) {
-        operations += active.eliminate(row, velocity);
-        pivots.push(Pivot { row, velocity, size: sizes[&row] / scales[velocity] });
+    let (mut blocks, mut operations) = (Vec::new(), 0);
+    while let Some(at) = (0..waiting.len()).min_by_key(|at| active.length(&waiting[*at])) {
+        let mut rows = waiting.remove(at);
+        let mut block = Vec::new();
+        while let Some((row, velocity)) = active.next(&rows, spared) {
+            operations += active.eliminate(row, velocity);
+            rows.retain(|other| *other != row);
+            block.push(Pivot { row, velocity, size: sizes[&row] / scales[velocity] });
+        }
+        blocks.push(block);
     }
-    Partition { pivots, scales, operations }
+    Partition { blocks, scales, operations }
+}
+
+impl Partition {
+    /// All pivots, in order.
+    pub fn pivots(&self) -> impl Iterator<Item = &Pivot> {
+        self.blocks.iter().flatten()
+    }
 }
 
 impl Active {
-    /// The next pivot; `None` at the end.
-    fn next(&self, spared: &BTreeSet<usize>) -> Option<(usize, usize)> {
-        let (row, entries) = self.rows.iter().min_by_key(|(_, entries)| entries.len())?;
+    /// Entries of the longest row of a block.
+    fn length(&self, block: &[usize]) -> usize {
+        block.iter().map(|row| self.rows[row].len()).max().unwrap_or(0)
+    }
+
+    /// The next pivot of a block; `None` at its end.
+    fn next(&self, block: &[usize], spared: &BTreeSet<usize>) -> Option<(usize, usize)> {
+        let row = block.iter().min_by_key(|row| self.rows[*row].len())?;
+        let entries = &self.rows[row];
         let scaled = |(column, entry): (&usize, &f64)| (*column, entry.abs() * self.scales[*column]);
         let most = entries.iter().map(scaled).map(|(_, size)| size).fold(0.0, f64::max);
         let good = entries.iter().map(scaled).filter(|(_, size)| *size >= GOOD * most);
