@@ -9,10 +9,11 @@
 //! that the ratio does not suffer from a clock that drifts. Both are called through a pointer.
 //! `RUSTFLAGS="-C target-cpu=native"` lets the fused multiply-adds be instructions; the C code then has `-march=native`.
 
+#[macro_use]
 mod casadi;
 mod harness;
 
-use casadi::Peer;
+use casadi::{Peer, Turns};
 use harness::median;
 use linkwright::{
     Assemble, AssembleExt, Baumgarte, Fields, InputSource, Mechanism, Simulation, SpatialMotion, State,
@@ -25,9 +26,6 @@ use std::time::Instant;
 const STATES: usize = 64;
 const SAMPLES: usize = 15;
 const ALPHA: f64 = 10.0;
-
-/// Coordinates of a peer: angles, rates, accelerations.
-type Turns = [Vec<f64>; 3];
 
 fn main() {
     println!("{}", harness::machine());
@@ -51,27 +49,12 @@ fn main() {
                 let states = along_the_motion(&model, start, inputs, $step);
                 let names: &[&str] = &$peers;
                 let peers = names.iter().filter_map(|name| {
-                    Peer::open(name, &states, |state| {
+                    Peer::open(name, ALPHA, &states, |state| {
                         let (a, _) = acceleration(&model, state, &inputs);
                         $convert(&model, state, &a)
                     })
                 });
                 report($name, <$model>::OPERATIONS, &model, &states, &inputs, peers.collect());
-            }
-        };
-    }
-    // Rods in the plane in the order of the peer's angles: cranks, then couplers.
-    macro_rules! rods {
-        ($model:path) => {
-            |model: &$model, state: &State<_, _>, a: &_| {
-                let motions = model.motions(0.0, &state.q, &state.v, a);
-                let mut order: Vec<usize> = (0..motions.len()).collect();
-                order.sort_by_key(|at| <$model>::BODIES[*at].starts_with("coupler"));
-                let angles =
-                    order.iter().map(|at| motions[*at].orientation[1].atan2(motions[*at].orientation[0]));
-                let rates = order.iter().map(|at| motions[*at].rate);
-                let accelerations = order.iter().map(|at| motions[*at].angular_acceleration);
-                [angles.collect(), rates.collect(), accelerations.collect()]
             }
         };
     }
@@ -104,11 +87,15 @@ fn main() {
     {
         use models::four_bar::FourBar;
         use models::n_four_bar::{NFourBar10, NFourBar40};
-        evaluate!("four_bar", FourBar, 0.05, [], ["four_bar"], rods!(FourBar));
-        evaluate!("n_four_bar_10", NFourBar10, 0.05, [], ["n_four_bar_10"], rods!(NFourBar10));
-        evaluate!("n_four_bar_40", NFourBar40, 0.05, [], ["n_four_bar_40"], rods!(NFourBar40));
+        evaluate!("four_bar", FourBar, 0.05, [], ["four_bar"], bodies!(FourBar));
+        evaluate!("n_four_bar_10", NFourBar10, 0.05, [], ["n_four_bar_10"], bodies!(NFourBar10));
+        evaluate!("n_four_bar_40", NFourBar40, 0.05, [], ["n_four_bar_40"], bodies!(NFourBar40));
     }
-    evaluate!("andrews", models::andrews::Andrews, 4e-4, []);
+    {
+        use models::andrews::Andrews;
+        let peers = ["andrews_ldl", "andrews_ldl_turns", "andrews_crank", "andrews_crank_turns"];
+        evaluate!("andrews", Andrews, 4e-4, [], peers, bodies!(Andrews));
+    }
 
     arm!("panda", models::panda::Panda, ["panda_aba", "panda_aba_turns", "panda_ldl", "panda_ldl_turns"]);
     arm!("iiwa14", models::iiwa14::Iiwa14, []);

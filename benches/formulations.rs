@@ -8,14 +8,15 @@
 //! Samples of all formulations are interleaved, so that a clock that drifts does not matter to the ratios. In brackets: the
 //! largest drift of the energy (J) and the largest violation of the constraints (m) of the run timed.
 
+#[macro_use]
 mod casadi;
 mod harness;
 
-use casadi::Peer;
-use harness::median;
+use casadi::{Peer, Turns};
+use harness::{largest, median};
 use linkwright::{
     Assemble, AugmentedLagrangian, Baumgarte, Formulation, LagrangeIndex1, NullSpace, Partitioned, Penalty,
-    Projected, Simulation, State,
+    Projected, Simulation, State, Vector,
 };
 use std::hint::black_box;
 use std::time::Instant;
@@ -23,8 +24,10 @@ use std::time::Instant;
 const SAMPLES: usize = 9;
 /// Steps of a sample; shorter runs are repeated.
 const STEPS: usize = 10_000;
-/// Baumgarte's coefficients here and of the peers, 1/s.
-const ALPHA: f64 = 20.0;
+/// States along a run at which a peer's accelerations are compared before it is timed, and how far they may be off,
+/// relative to the largest: states close to the ladders' flat positions are among them.
+const COMPARED: usize = 10;
+const AGREEMENT: f64 = 1e-8;
 
 linkwright::mechanism! {
     /// Four-bar of unit rods (IFToMM A02 with one window), with what the formulations ask for written out.
@@ -73,23 +76,24 @@ fn main() {
     let part = std::env::args().skip(1).find(|argument| !argument.starts_with('-')).unwrap_or_default();
     if "four_bar".contains(&part) {
         let model = FourBar::<f64>::default();
-        let timed = formulations(&model, FourBar::START, (1e-3, 0.6), ALPHA, true);
+        let timed = formulations(&model, FourBar::START, (1e-3, 0.6), 20.0, true);
         report("four_bar, h = 1 ms, 0.6 s", timed);
-        let [angle, rate] = [std::f64::consts::FRAC_PI_2, -1.0];
-        beside("four_bar", &model, FourBar::START, vec![angle, angle, 0.0], vec![rate, rate, 0.0]);
+        let run = Run { model: &model, start: FourBar::START, span: (1e-3, 10.0), rate: 20.0 };
+        beside(&["four_bar"], &run, bodies!(FourBar));
     }
     if "n_four_bar_40".contains(&part) {
         let model = Ladder::<f64>::default();
-        let timed = formulations(&model, Ladder::START, (1e-3, 0.6), ALPHA, false);
+        let timed = formulations(&model, Ladder::START, (1e-3, 0.6), 20.0, false);
         report("n_four_bar_40, h = 1 ms, 0.6 s", timed);
-        let (mut angles, mut rates) = (vec![std::f64::consts::FRAC_PI_2; 41], vec![-1.0; 41]);
-        angles.extend([0.0; 40]);
-        rates.extend([0.0; 40]);
-        beside("n_four_bar_40", &model, Ladder::START, angles, rates);
+        let run = Run { model: &model, start: Ladder::START, span: (1e-3, 10.0), rate: 20.0 };
+        beside(&["n_four_bar_40"], &run, bodies!(Ladder));
     }
     if "andrews".contains(&part) {
         let model = Andrews::<f64>::default();
-        report("andrews, h = 10 µs, 0.03 s", formulations(&model, Andrews::START, (1e-5, 0.03), 100.0, true));
+        let timed = formulations(&model, Andrews::START, (1e-5, 0.03), 100.0, true);
+        report("andrews, h = 10 µs, 0.03 s", timed);
+        let run = Run { model: &model, start: Andrews::START, span: (1e-5, 0.03), rate: 100.0 };
+        beside(&["andrews_ldl", "andrews_crank"], &run, bodies!(Andrews));
     }
 }
 
@@ -174,64 +178,126 @@ fn report(title: &str, mut timed: Vec<Timed<'_>>) {
     println!();
 }
 
-/// Wall time per simulated second under Baumgarte's stabilisation, and that of CasADi's function in the same method.
-fn beside<M: Assemble<f64, Inputs = ()>>(
-    name: &str,
-    model: &M,
+/// A run under Baumgarte's stabilisation: step and end in s, α = β in 1/s.
+struct Run<'m, M: Assemble<f64>> {
+    model: &'m M,
     start: State<M::Q, M::V>,
-    angles: Vec<f64>,
-    rates: Vec<f64>,
-) {
-    let (h, end) = (1e-3, 10.0);
-    let accelerations = vec![0.0; angles.len()];
-    let states = [[angles, rates, accelerations]];
-    let Some(mut peer) = Peer::open(name, &states, Clone::clone) else { return };
-    let mut own = run(model, start, Baumgarte { alpha: ALPHA, beta: ALPHA }, (h, end));
-    let (mut ours, mut theirs, mut found) = (Vec::new(), Vec::new(), [0.0; 2]);
-    for _ in 0..SAMPLES {
-        let [seconds, drift, off] = own();
-        found = [drift, off];
-        ours.push(seconds);
-        theirs.push(peer_run(&mut peer, &states[0], h, end));
-    }
-    let ratio = median(theirs.iter().zip(&ours).map(|(their, our)| their / our).collect());
-    let per_second = |samples: Vec<f64>| 1e3 * median(samples) / h;
-    println!(
-        "  Baumgarte, per second of a run of 10 s: {:.3} ms [{:.0e} J; {:.0e} m], CasADi's C {:.3} ms, ratio {ratio:.2}\n",
-        per_second(ours),
-        found[0],
-        found[1],
-        per_second(theirs)
-    );
+    span: (f64, f64),
+    rate: f64,
 }
 
-/// Seconds a step of the same method in CasADi's coordinates.
-fn peer_run(peer: &mut Peer, [angles, rates, _]: &[Vec<f64>; 3], h: f64, end: f64) -> f64 {
-    let (mut q, mut v) = (angles.clone(), rates.clone());
-    let n = q.len();
-    let (mut at, mut speed) = (q.clone(), v.clone());
-    let mut slopes = vec![vec![0.0; 2 * n]; 4];
-    let steps = (end / h).round() as usize;
-    let clock = Instant::now();
-    for _ in 0..steps {
-        for stage in 0..4 {
-            let part = [0.0, 0.5 * h, 0.5 * h, h][stage];
-            for i in 0..n {
-                let before = stage.max(1) - 1;
-                at[i] = q[i] + part * slopes[before][i];
-                speed[i] = v[i] + part * slopes[before][n + i];
-            }
-            let accelerations = peer.evaluate(&at, &speed);
-            slopes[stage][n..].copy_from_slice(accelerations);
-            slopes[stage][..n].copy_from_slice(&speed);
-        }
-        for i in 0..n {
-            let mean =
-                |i: usize| h / 6.0 * (slopes[0][i] + 2.0 * slopes[1][i] + 2.0 * slopes[2][i] + slopes[3][i]);
-            let (dq, dv) = (mean(i), mean(n + i));
-            (q[i], v[i]) = (q[i] + dq, v[i] + dv);
+impl<M: Assemble<f64, Inputs = ()>> Run<'_, M> {
+    /// The start and states at equal distances to the end, in the coordinates of `convert`.
+    fn states(&self, convert: impl Fn(&M, &State<M::Q, M::V>, &M::V) -> Turns) -> Vec<Turns> {
+        let (model, rate, (h, end)) = (self.model, self.rate, self.span);
+        let simulation =
+            Simulation::new(model, self.start).formulation(Baumgarte { alpha: rate, beta: rate });
+        let mut simulation = simulation.step(h).step_over_breakdowns();
+        let later = (1..=COMPARED).map(|k| {
+            simulation.advance_until(end * k as f64 / COMPARED as f64).expect("a run that is timed below")
+        });
+        let states = std::iter::once(self.start).chain(later);
+        let turns = |state: State<M::Q, M::V>| {
+            let (mut a, mut lambda) = (M::V::zero(), M::Lambda::zero());
+            let State { q, v } = &state;
+            model.acceleration_baumgarte(0.0, q, v, &(), 2.0 * rate, rate * rate, &mut a, &mut lambda);
+            convert(model, &state, &a)
+        };
+        states.map(turns).collect()
+    }
+}
+
+/// Wall time per simulated second, and that of CasADi's functions in the same method, after a look whether they compute the
+/// same accelerations.
+fn beside<M: Assemble<f64, Inputs = ()>>(
+    names: &[&str],
+    timed: &Run<'_, M>,
+    convert: impl Fn(&M, &State<M::Q, M::V>, &M::V) -> Turns,
+) {
+    let states = timed.states(convert);
+    // At the ladders' start all accelerations are zero.
+    let compared = &states[1..];
+    let mut peers: Vec<Peer> =
+        names.iter().filter_map(|name| Peer::open(name, timed.rate, compared, Clone::clone)).collect();
+    if peers.is_empty() {
+        return;
+    }
+    let errors: Vec<f64> = peers.iter_mut().map(Peer::error).collect();
+    for (peer, error) in peers.iter().zip(&errors) {
+        assert!(*error < AGREEMENT, "{}: accelerations are {error:.1e} off, not to be timed", peer.name);
+    }
+    let baumgarte = Baumgarte { alpha: timed.rate, beta: timed.rate };
+    let mut own = run(timed.model, timed.start, baumgarte, timed.span);
+    let (mut ours, mut theirs, mut off) = (Vec::new(), vec![Vec::new(); peers.len()], [0.0; 2]);
+    let mut ends = vec![0.0; peers.len()];
+    for _ in 0..SAMPLES {
+        let [seconds, found @ ..] = own();
+        off = found;
+        ours.push(seconds);
+        for (at, peer) in peers.iter_mut().enumerate() {
+            let (seconds, end) = peer_run(peer, &states[0], timed.span);
+            theirs[at].push(seconds);
+            ends[at] = apart(&end, &states[COMPARED][0]);
         }
     }
-    black_box((&q, &v));
-    clock.elapsed().as_secs_f64() / steps as f64
+    let (h, end) = timed.span;
+    let per_second = |samples: &[f64]| 1e3 * median(samples.to_vec()) / h;
+    let rate = timed.rate;
+    println!("  ms per second of a run of {end} s, Baumgarte {rate}/s");
+    println!("  {:<34}{:>10.3} ms{:>12}[{:.0e}; {:.0e}]", "ours", per_second(&ours), "", off[0], off[1]);
+    for (at, peer) in peers.iter().enumerate() {
+        let ratio = median(theirs[at].iter().zip(&ours).map(|(their, our)| their / our).collect());
+        println!(
+            "  {:<34}{:>10.3} ms{ratio:>8.2}   accelerations agree to {:.0e}, ends to {:.0e} rad",
+            format!("CasADi's C, {}", peer.name),
+            per_second(&theirs[at]),
+            errors[at],
+            ends[at]
+        );
+    }
+    println!();
+}
+
+/// Largest difference between angles, whole turns aside.
+fn apart(angles: &[f64], others: &[f64]) -> f64 {
+    largest(angles.iter().zip(others).map(|(a, b)| 2.0 * (0.5 * (a - b)).sin().abs()))
+}
+
+/// Seconds a step of the same method in CasADi's coordinates, and the last angles.
+fn peer_run(peer: &mut Peer, [angles, rates, _]: &Turns, (h, end): (f64, f64)) -> (f64, Vec<f64>) {
+    let steps = (end / h).round() as usize;
+    let repeats = (STEPS / steps).max(1);
+    let (mut last, mut seconds) = (Vec::new(), 0.0);
+    for _ in 0..repeats {
+        let mut state = [angles.as_slice(), rates].concat();
+        let clock = Instant::now();
+        rk4(peer, &mut state, h, steps);
+        seconds += clock.elapsed().as_secs_f64();
+        last = black_box(state);
+    }
+    last.truncate(angles.len());
+    (seconds / (repeats * steps) as f64, last)
+}
+
+/// As one writes it by hand for a vector of angles and rates.
+fn rk4(peer: &mut Peer, state: &mut [f64], h: f64, steps: usize) {
+    let half = state.len() / 2;
+    let mut slopes = vec![0.0; state.len()];
+    let (mut at, mut sum) = (slopes.clone(), slopes.clone());
+    for _ in 0..steps {
+        at.copy_from_slice(state);
+        sum.fill(0.0);
+        for (weight, part) in [(1.0, 0.5 * h), (2.0, 0.5 * h), (2.0, h), (1.0, 0.0)] {
+            let (angles, rates) = at.split_at(half);
+            slopes[half..].copy_from_slice(peer.evaluate(angles, rates));
+            slopes[..half].copy_from_slice(rates);
+            for (((at, sum), state), slope) in at.iter_mut().zip(&mut sum).zip(&*state).zip(&slopes) {
+                *sum += weight * slope;
+                *at = state + part * slope;
+            }
+        }
+        for (state, sum) in state.iter_mut().zip(&sum) {
+            *state += h / 6.0 * sum;
+        }
+    }
 }

@@ -16,6 +16,12 @@ pub fn least(samples: &[f64]) -> f64 {
     samples.iter().copied().fold(f64::INFINITY, f64::min)
 }
 
+/// The largest of values that are not negative; NaN if one is.
+#[allow(dead_code)]
+pub fn largest(values: impl Iterator<Item = f64>) -> f64 {
+    values.fold(0.0, |most, value| if value > most || value.is_nan() { value } else { most })
+}
+
 /// Seconds that a call takes.
 #[allow(dead_code)]
 pub fn seconds<T>(call: impl FnOnce() -> T) -> (T, f64) {
