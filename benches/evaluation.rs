@@ -193,7 +193,7 @@ fn acceleration<M: Mechanism<f64>>(
     (a, lambda)
 }
 
-fn report<M: Mechanism<f64>>(
+fn report<M: Assemble<f64>>(
     name: &str,
     operations: usize,
     model: &M,
@@ -238,6 +238,42 @@ fn report<M: Mechanism<f64>>(
         print!("{before}  {name:<22}{operations:>10}{ns:>9.1}{ratio:>7.2}  {error:.1e}");
     }
     println!();
+    in_independent_velocities(model, states, inputs, &mut own, rounds);
+}
+
+/// The equations in independent velocities where they are written out: index 1 without Baumgarte's terms, beside `other`.
+fn in_independent_velocities<M: Assemble<f64>>(
+    model: &M,
+    states: &[State<M::Q, M::V>],
+    inputs: &M::Inputs,
+    other: &mut impl FnMut(usize),
+    rounds: usize,
+) {
+    let (mut a, mut lambda) = (M::V::zero(), M::Lambda::zero());
+    let State { q, v } = &states[0];
+    if model.null_space(0.0, q, v, inputs, &mut a, &mut lambda) == 0.0 {
+        return;
+    }
+    type Function<M> = fn(
+        &M,
+        f64,
+        &<M as Mechanism<f64>>::Q,
+        &<M as Mechanism<f64>>::V,
+        &<M as Mechanism<f64>>::Inputs,
+        &mut <M as Mechanism<f64>>::V,
+        &mut <M as Mechanism<f64>>::Lambda,
+    ) -> f64;
+    let function: Function<M> = black_box(M::null_space);
+    let mut own = |at: usize| {
+        let State { q, v } = &states[at];
+        let pivot = function(model, 0.0, q, v, inputs, &mut a, &mut lambda);
+        black_box((pivot, &a, &lambda));
+    };
+    let pairs: Vec<(f64, f64)> =
+        (0..SAMPLES).map(|_| (sample(&mut own, rounds), sample(other, rounds))).collect();
+    let ns = median(pairs.iter().map(|pair| pair.0).collect());
+    let ratio = median(pairs.iter().map(|(own, other)| other / own).collect());
+    println!("{:<38}{ns:>9.1}  {ratio:.2} times as fast", "  in independent velocities");
 }
 
 /// A function of its own, without peers.

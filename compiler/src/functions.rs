@@ -46,7 +46,7 @@ pub enum Function {
     FactorJacobian,
     /// Velocities with D v = rows from what is kept, the rows, and the independent velocities.
     DependentVelocities,
-    /// Velocities with D v = ν, v̇, λ and the smallest pivot, in independent velocities.
+    /// v̇, λ and the smallest pivot, in independent velocities.
     NullSpace,
     /// r = M a + Dᵀ λ − Q.
     Residual,
@@ -203,7 +203,7 @@ pub fn outputs(equations: &Equations, solved: &Solved, function: Function) -> Ve
         }
         Function::DependentVelocities => independent().flat_map(|n| n.dependent.iter().copied()).collect(),
         Function::NullSpace => independent()
-            .flat_map(|n| n.velocity.iter().chain(&n.acceleration).chain(&n.lambda).chain([&n.pivot]))
+            .flat_map(|n| n.acceleration.iter().chain(&n.lambda).chain([&n.pivot]))
             .copied()
             .collect(),
         Function::Residual => e.tangents.iter().flat_map(|tangents| tangents.residual.clone()).collect(),

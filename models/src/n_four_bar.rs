@@ -47,5 +47,5 @@ n_four_bar! {
 
 n_four_bar! {
     /// Forty windows of unit rods (IFToMM A02).
-    NFourBar40, 40
+    NFourBar40, 40, emit = (null_space)
 }

@@ -215,21 +215,18 @@ pub trait Assemble<R: Real>: Mechanism<R> {
         let _ = (lu, rows);
         *out = *v;
     }
-    /// The equations of motion in independent velocities: the velocities with D v = ν whose independent entries are those of
-    /// `v`, and v̇ and λ there. Returns the smallest pivot, as [`factor_jacobian`](Assemble::factor_jacobian) does; zero where it
-    /// is not written out, and then nothing is computed.
-    #[allow(clippy::too_many_arguments)]
+    /// v̇ and λ of M v̇ + Dᵀ λ = Q, D v̇ = γ, by way of independent velocities. Returns the smallest pivot, as
+    /// [`factor_jacobian`](Assemble::factor_jacobian) does; zero where it is not written out, and then nothing is computed.
     fn null_space(
         &self,
         time: R,
         q: &Self::Q,
         v: &Self::V,
         u: &Self::Inputs,
-        velocity: &mut Self::V,
         a: &mut Self::V,
         lambda: &mut Self::Lambda,
     ) -> R {
-        let _ = (time, q, v, u, velocity, a, lambda);
+        let _ = (time, q, v, u, a, lambda);
         R::ZERO
     }
     /// Factors K(c) = \[M, Dᵀ; D, −c\] at a position, c ≥ 0 the compliance of the constraints (1/kg); returns the smallest

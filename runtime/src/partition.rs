@@ -5,7 +5,7 @@
 //! `options { emit = (null_space); }` factor D by straight-line code for the velocities chosen at expansion; tables take over where
 //! one of its pivots is too small. Formulations in independent coordinates are `formulation/null_space.rs` and `partitioned.rs`.
 
-use crate::mechanism::Assemble;
+use crate::mechanism::{Assemble, same_scale};
 use crate::real::Real;
 use crate::vector::Vector;
 
@@ -15,7 +15,8 @@ const GOOD: f64 = 0.1;
 /// The place of a velocity that depends on no row.
 const NONE: u16 = u16::MAX;
 
-/// The square of a written-out pivot, relative to its row at the start, below which D is factored by tables: two digits lost.
+/// The square of a written-out pivot, relative to its row at the start, below which accelerations are computed by tables: two
+/// digits lost.
 const WRITTEN_OUT: f64 = 1e-4;
 
 /// D = L U with a dependent velocity for each row: written out for the velocities of [`Assemble::DEPENDENT`], else by tables for
@@ -86,7 +87,7 @@ impl<R: Real, D: Vector<R>, C: Copy + AsRef<[u16]> + AsMut<[u16]>, L: Copy> Part
         q: &M::Q,
     ) -> R {
         self.pivot = model.factor_jacobian(time, q, &mut self.lu);
-        self.is_written_out = serves(self.pivot);
+        self.is_written_out = R::any(self.pivot.greater_equal(R::from_f64(GOOD * GOOD)));
         if self.is_written_out {
             self.choose::<M>();
         } else {
@@ -111,11 +112,12 @@ impl<R: Real, D: Vector<R>, C: Copy + AsRef<[u16]> + AsMut<[u16]>, L: Copy> Part
         for (&entry, &(row, column)) in jacobian.as_slice().iter().zip(M::JACOBIAN_PATTERN) {
             self.rows.as_mut_slice()[row as usize * n + column as usize] = entry;
         }
+        let sizes = self.sizes::<M>();
         let before = self.columns;
         self.places.as_mut().fill(NONE);
         let mut smallest = R::ONE;
         for (at, &(row, _)) in M::DEPENDENT.iter().enumerate() {
-            let (size, own) = (self.largest::<M>(row, |_| true).1, row as usize * n);
+            let (size, own) = (sizes.as_slice()[row as usize], row as usize * n);
             for (k, &(above, _)) in M::DEPENDENT[..at].iter().enumerate() {
                 let column = self.columns.as_ref()[k] as usize;
                 let (rows, above) = (self.rows.as_mut_slice(), above as usize * n);
@@ -146,6 +148,19 @@ impl<R: Real, D: Vector<R>, C: Copy + AsRef<[u16]> + AsMut<[u16]>, L: Copy> Part
             smallest = relative.min(smallest);
         }
         self.pivot = smallest * smallest;
+    }
+
+    /// The largest scaled entry of each row, or of all rows that are components of the same vector: beside these it may vanish.
+    fn sizes<M: Assemble<R, Dense = D, Choice = C, Lu = L>>(&self) -> M::Lambda {
+        let mut sizes = M::Lambda::zero();
+        let mut first = 0;
+        for group in M::ROWS.chunk_by(same_scale) {
+            let own = (first..first + group.len()).map(|row| self.largest::<M>(row as u16, |_| true).1);
+            let size = own.fold(R::ZERO, |size, own| own.max(size));
+            sizes.as_mut_slice()[first..first + group.len()].fill(size);
+            first += group.len();
+        }
+        sizes
     }
 
     /// The magnitude of an entry, to be compared with others of its row.
@@ -230,7 +245,7 @@ impl<R: Real, D: Vector<R>, C: Copy + AsRef<[u16]> + AsMut<[u16]>, L: Copy> Part
     }
 }
 
-/// Whether written-out factors with this pivot are good enough. Written so that a NaN is not.
+/// Whether written-out accelerations with this pivot are good enough. Written so that a NaN is not.
 pub(crate) fn serves<R: Real>(pivot: R) -> bool {
     R::any(pivot.greater_equal(R::from_f64(WRITTEN_OUT)))
 }

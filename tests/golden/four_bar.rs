@@ -844,7 +844,7 @@ const _: () = {
         const START_RATES: &'static [u16] = &[0];
         const INDEPENDENT: &'static [u16] = &[0];
         const FLIPS: &'static [u16] = &[];
-        const DEPENDENT: &'static [u16] = &[0, 2];
+        const DEPENDENT: &'static [(u16, u16)] = &[(0, 1), (1, 2)];
         const CONDITION_PATTERN: &'static [(u16, u16)] = &[(0, 0)];
         const ELIMINATION: Elimination = Elimination {
             order: &[1, 2, 0, 3, 4, 5],
@@ -938,6 +938,8 @@ const _: () = {
         ) {
             tabled::solve::<R, Self>(store, forces, rows, a, lambda)
         }
+        type Lu = ();
+        fn lu() {}
         fn start_q() -> Q<R> {
             [
                 R::from_f64(6.123233995736766e-17),

@@ -1420,7 +1420,8 @@ const _: () = {
         const START_RATES: &'static [u16] = &[0];
         const INDEPENDENT: &'static [u16] = &[0];
         const FLIPS: &'static [u16] = &[];
-        const DEPENDENT: &'static [u16] = &[1, 2];
+        const DEPENDENT: &'static [(u16, u16)] = &[(0, 1), (1, 2)];
+        const SCALES: &'static [f64] = &[4.0, 1.0, 1.0];
         const CONDITION_PATTERN: &'static [(u16, u16)] = &[(0, 0)];
         const ELIMINATION: Elimination = Elimination {
             order: &[1, 2, 0, 3, 4, 5],
@@ -1517,6 +1518,8 @@ const _: () = {
         ) {
             tabled::solve::<R, Self>(store, forces, rows, a, lambda)
         }
+        type Lu = ();
+        fn lu() {}
         fn start_q() -> Q<R> {
             [
                 R::from_f64(0.7660444431189781),

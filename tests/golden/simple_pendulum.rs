@@ -477,6 +477,8 @@ const _: () = {
         ) {
             tabled::solve::<R, Self>(store, forces, rows, a, lambda)
         }
+        type Lu = ();
+        fn lu() {}
         fn start_q() -> Q<R> {
             [R::from_f64(-1.0), R::from_f64(1.2246467991473532e-16)]
         }

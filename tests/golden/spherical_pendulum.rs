@@ -890,6 +890,8 @@ const _: () = {
         ) {
             tabled::solve::<R, Self>(store, forces, rows, a, lambda)
         }
+        type Lu = ();
+        fn lu() {}
         fn start_q() -> Q<R> {
             [R::ONE, R::ZERO, R::ZERO, R::ZERO]
         }

@@ -365,17 +365,7 @@ pub fn mechanism(text: &mut String, emitter: &Emitter) {
     write(Function::KineticEnergy, &state, "kinetic_energy(&self, time: R, q: &Q<R>, v: &V<R>) -> R", one);
     write(Function::PotentialEnergy, &position, "potential_energy(&self, time: R, q: &Q<R>) -> R", one);
 
-    let velocities = emitter.velocities();
-    let solution = |outputs: &[String]| {
-        let (a, rest) = outputs.split_at(velocities);
-        let (lambda, pivot) = rest.split_at(rest.len() - 1);
-        format!(
-            "*a_out = {};\n*lambda_out = {};\n{}",
-            array(a.iter().cloned()),
-            array(lambda.iter().cloned()),
-            pivot[0]
-        )
-    };
+    let solution = solution_of(emitter.velocities());
     function(
         text,
         &mut helpers,
@@ -384,7 +374,7 @@ pub fn mechanism(text: &mut String, emitter: &Emitter) {
         &SOLUTION,
         "acceleration(&self, time: R, q: &Q<R>, v: &V<R>, u: &Inputs<R>, a_out: &mut V<R>, \
          lambda_out: &mut Lambda<R>) -> R",
-        solution,
+        &solution,
     );
     let stabilised = "acceleration_baumgarte(&self, time: R, q: &Q<R>, v: &V<R>, u: &Inputs<R>, two_alpha: R, \
                       beta_squared: R, a_out: &mut V<R>, lambda_out: &mut Lambda<R>) -> R";
@@ -686,22 +676,25 @@ fn null_space(text: &mut String, helpers: &mut String, emitter: &Emitter) {
         helpers,
         emitter,
         Function::NullSpace,
-        &[Constants, Time, Q, V, Inputs],
-        "null_space(&self, time: R, q: &Q<R>, v: &V<R>, u: &Inputs<R>, v_out: &mut V<R>, a_out: &mut V<R>, \
+        &SOLUTION,
+        "null_space(&self, time: R, q: &Q<R>, v: &V<R>, u: &Inputs<R>, a_out: &mut V<R>, \
          lambda_out: &mut Lambda<R>) -> R",
-        |outputs| {
-            let (v, rest) = outputs.split_at(velocities);
-            let (a, rest) = rest.split_at(velocities);
-            let (lambda, pivot) = rest.split_at(rest.len() - 1);
-            format!(
-                "*v_out = {};\n*a_out = {};\n*lambda_out = {};\n{}",
-                list(v),
-                list(a),
-                list(lambda),
-                pivot[0]
-            )
-        },
+        solution_of(velocities),
     );
+}
+
+/// v̇ and λ to where they go, the pivot as the result.
+fn solution_of(velocities: usize) -> impl Fn(&[String]) -> String {
+    move |outputs| {
+        let (a, rest) = outputs.split_at(velocities);
+        let (lambda, pivot) = rest.split_at(rest.len() - 1);
+        format!(
+            "*a_out = {};\n*lambda_out = {};\n{}",
+            array(a.iter().cloned()),
+            array(lambda.iter().cloned()),
+            pivot[0]
+        )
+    }
 }
 
 /// Rows of the couplings whose phase comes from the assembled start.

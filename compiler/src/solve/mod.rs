@@ -3,6 +3,7 @@
 //! AFTER THIS POINT there is no linear system left, only expressions.
 
 pub mod elimination;
+mod lu;
 mod null_space;
 pub mod order;
 mod stored;

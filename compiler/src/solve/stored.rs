@@ -60,9 +60,6 @@ pub fn store(equations: &mut Equations, massless: &Massless) -> Stored {
     let factor = elimination::factor(g, &entries, &order, &kind);
 
     // Right-hand sides as symbols; the elimination takes rows with the other sign.
-    let symbols = |g: &mut Graph, name: &str, count: usize| -> Vec<Node> {
-        (0..count).map(|index| g.symbol(format!("{name}_{index}"), Class::Input)).collect()
-    };
     let (forces, rows) = (symbols(g, "force", n), symbols(g, "row", columns.len()));
     let mut right = forces.clone();
     for row in &massless.rows {
@@ -106,6 +103,11 @@ fn not_nan(g: &mut Graph, pivot: Node) -> Node {
     let zero = g.constant(0.0);
     let is_number = g.compare(Compare::LessEqual, zero, pivot);
     g.select(is_number, pivot, zero)
+}
+
+/// New symbols for what is given with a call.
+pub(super) fn symbols(g: &mut Graph, name: &str, count: usize) -> Vec<Node> {
+    (0..count).map(|index| g.symbol(format!("{name}_{index}"), Class::Input)).collect()
 }
 
 /// The nodes at which what depends on `late` symbols meets what does not, in order; what parameters alone decide is at hand

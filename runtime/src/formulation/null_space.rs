@@ -13,11 +13,13 @@ use crate::vector::Vector;
 /// ```text
 /// (Rᵀ M R) z̈ = Rᵀ (Q − M S γ),    v̇ = R z̈ + S γ,    D_dᵀ λ = (Q − M v̇)_d
 /// ```
-/// without multipliers in what is integrated. At every stage and at the end of a step the dependent velocities are computed
-/// from the independent ones, so velocities satisfy the constraints to rounding; positions drift slowly, unless it is
-/// [`Projected`](super::Projected). The independent set is kept while its pivots are good, and chosen anew by pivoting
-/// where they degrade (a dead centre of the coordinate taken as independent); M may be singular where the
-/// constraints make up for it.
+/// without multipliers in what is solved. At the end of a step the dependent velocities are computed from the independent ones, so
+/// velocities satisfy the constraints to rounding; positions drift slowly, unless it is [`Projected`](super::Projected). The
+/// independent set is kept while its pivots are good, and chosen anew by pivoting where they degrade (a dead centre of the
+/// coordinate taken as independent); M may be singular where the constraints make up for it.
+///
+/// All velocities are integrated, not the independent ones alone: near a dead centre R is large, z̈ steep, and a method that sees z
+/// only loses its order there (a slider-crank led by its slider at 0.1 ms: an energy error of 5·10⁻⁶ against 10⁻¹⁰).
 ///
 /// Source: García de Jalón, Bayo, *Kinematic and Dynamic Simulation of Multibody Systems*, 5.2.3 (matrix R) and 3.5 (choice by
 /// pivoting); Liang, Lance, Journal of Mechanisms, Transmissions and Automation in Design 109 (1987) 398–405.
@@ -44,10 +46,8 @@ impl<R: Real, M: Assemble<R>> Formulation<R, M> for NullSpace {
         a: &mut M::V,
         lambda: &mut M::Lambda,
     ) -> Evaluation<R> {
-        let mut velocity = M::V::zero();
-        let pivot = model.null_space(time, &state.q, &state.v, u, &mut velocity, a, lambda);
+        let pivot = model.null_space(time, &state.q, &state.v, u, a, lambda);
         if serves(pivot) {
-            state.v = velocity;
             return Evaluation::direct(pivot);
         }
         by_tables(partition, model, time, state, u, a, lambda)
@@ -75,13 +75,12 @@ fn by_tables<R: Real, M: Assemble<R>>(
     partition: &mut PartitionOf<R, M>,
     model: &M,
     time: R,
-    state: &mut State<M::Q, M::V>,
+    state: &State<M::Q, M::V>,
     u: &M::Inputs,
     a: &mut M::V,
     lambda: &mut M::Lambda,
 ) -> Evaluation<R> {
     partition.factor_by_tables(model, time, &state.q);
-    follow(partition, model, time, state);
     let mut gamma = M::Lambda::zero();
     model.gamma(time, &state.q, &state.v, &mut gamma);
     let mut forces = M::V::zero();

@@ -29,8 +29,8 @@ pub struct Partition {
 pub struct Pivot {
     pub row: usize,
     pub velocity: usize,
-    /// The largest scaled entry of the row at the start, in units of the pivot: what it is measured by.
-    pub size: f64,
+    /// The largest scaled entry of the row at the start: what its pivot is measured by.
+    pub row_size: f64,
 }
 
 /// Chooses the dependent velocities at the start. Of those that carry an independent coordinate (conditions by index) none is
@@ -111,7 +111,7 @@ fn choose(
         while let Some((row, velocity)) = active.next(&rows, spared) {
             operations += active.eliminate(row, velocity);
             rows.retain(|other| *other != row);
-            block.push(Pivot { row, velocity, size: sizes[&row] / scales[velocity] });
+            block.push(Pivot { row, velocity, row_size: sizes[&row] });
         }
         blocks.push(block);
     }

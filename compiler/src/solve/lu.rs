@@ -1,0 +1,264 @@
+//! D = L U by blocks, written into the graph, for the dependent velocities chosen at the start.
+//!
+//! U has unit blocks on its diagonal (Crout), so that a right-hand side costs one product for each entry of L and of U and a small
+//! square for each block.
+
+use super::null_space::{Sparse, zeros};
+use crate::check::assemble::{Partition, Pivot};
+use crate::symbolic::{Graph, Node, Unary};
+use std::collections::BTreeSet;
+
+/// D = L U by blocks.
+pub struct Lu {
+    steps: Vec<Step>,
+    pub is_dependent: Vec<bool>,
+    /// The square of the smallest pivot, relative to its rows at the start.
+    pub pivot: Node,
+}
+
+/// A pivot: one entry of D, or the square block of two or three rows and their velocities, with its inverse. Entries of such a
+/// block vanish one by one where the mechanism is regular, as a rod turns past an axis; its determinant does not.
+struct Step {
+    rows: Vec<usize>,
+    velocities: Vec<usize>,
+    /// The inverse of the block: `inverse[velocity][row]`.
+    inverse: Vec<Vec<Node>>,
+    /// Columns of U beside the unit block.
+    upper: Vec<(usize, Vec<Node>)>,
+    /// Rows of L below the block.
+    lower: Vec<(usize, Vec<Node>)>,
+}
+
+/// Factors D, given by its rows.
+pub fn factor(g: &mut Graph, mut rows: Vec<Sparse>, velocities: usize, partition: &Partition) -> Lu {
+    let mut is_dependent = vec![false; velocities];
+    let mut left: Vec<usize> = partition.pivots().map(|pivot| pivot.row).collect();
+    let (mut steps, mut watched) = (Vec::new(), Vec::new());
+    for block in &partition.blocks {
+        let mut block = block.clone();
+        while !block.is_empty() {
+            let taken = next(&mut block, &rows);
+            left.retain(|other| taken.iter().all(|pivot| pivot.row != *other));
+            taken.iter().for_each(|pivot| is_dependent[pivot.velocity] = true);
+            let step = eliminate(g, &mut rows, &left, &taken, &partition.scales, &mut watched);
+            steps.push(step);
+        }
+    }
+    let one = g.constant(1.0);
+    let worst = watched.into_iter().fold(one, |worst, ratio| {
+        let squared = g.mul(ratio, ratio);
+        g.max(worst, squared)
+    });
+    Lu { steps, is_dependent, pivot: g.unary(Unary::Reciprocal, worst) }
+}
+
+/// What of a block is taken next: an entry that is alone in its row or column of the block, a factor of the determinant; else all.
+fn next(block: &mut Vec<Pivot>, rows: &[Sparse]) -> Vec<Pivot> {
+    let has = |row: usize, velocity: usize| rows[row].contains_key(&velocity);
+    for (at, row) in block.iter().enumerate() {
+        for (other, column) in block.iter().enumerate().filter(|(_, column)| has(row.row, column.velocity)) {
+            let in_row = block.iter().filter(|pivot| has(row.row, pivot.velocity)).count();
+            let in_column = block.iter().filter(|pivot| has(pivot.row, column.velocity)).count();
+            if in_row > 1 && in_column > 1 {
+                continue;
+            }
+            // What is left keeps its rows and velocities, paired anew.
+            let alone = Pivot { velocity: column.velocity, ..*row };
+            block[other].velocity = row.velocity;
+            block.remove(at);
+            return vec![alone];
+        }
+    }
+    std::mem::take(block)
+}
+
+/// Takes a block of pivots out of the rows that are left.
+fn eliminate(
+    g: &mut Graph,
+    rows: &mut [Sparse],
+    left: &[usize],
+    pivots: &[Pivot],
+    scales: &[f64],
+    watched: &mut Vec<Node>,
+) -> Step {
+    let velocities: Vec<usize> = pivots.iter().map(|pivot| pivot.velocity).collect();
+    let zero = g.constant(0.0);
+    let take = |row: &mut Sparse| -> Option<Vec<Node>> {
+        let entries: Vec<Option<Node>> = velocities.iter().map(|velocity| row.remove(velocity)).collect();
+        let some = entries.iter().any(Option::is_some);
+        some.then(|| entries.into_iter().map(|entry| entry.unwrap_or(zero)).collect())
+    };
+    let mut own: Vec<Sparse> = pivots.iter().map(|pivot| std::mem::take(&mut rows[pivot.row])).collect();
+    let square: Vec<Vec<Node>> =
+        own.iter_mut().map(|row| take(row).unwrap_or_else(|| vec![zero; pivots.len()])).collect();
+    let (determinant, inverse) = invert(g, &square);
+    if g.value(determinant).is_none() {
+        let size = pivots.iter().map(|pivot| pivot.row_size / scales[pivot.velocity]).product();
+        let size = g.constant(size);
+        let reciprocal = g.unary(Unary::Reciprocal, determinant);
+        watched.push(g.mul(reciprocal, size));
+    }
+    let columns: BTreeSet<usize> = own.iter().flat_map(|row| row.keys().copied()).collect();
+    let upper: Vec<(usize, Vec<Node>)> = columns
+        .into_iter()
+        .map(|column| {
+            let entries: Vec<Node> =
+                own.iter().map(|row| row.get(&column).copied().unwrap_or(zero)).collect();
+            (column, inverse.iter().map(|row| product(g, row, &entries)).collect())
+        })
+        .collect();
+    let mut lower = Vec::new();
+    for other in left {
+        let Some(below) = take(&mut rows[*other]) else { continue };
+        for (column, entries) in &upper {
+            let taken = product(g, &below, entries);
+            let entry = rows[*other].get(column).copied().unwrap_or(zero);
+            let updated = g.sub(entry, taken);
+            if g.value(updated) == Some(0.0) {
+                rows[*other].remove(column);
+            } else {
+                rows[*other].insert(*column, updated);
+            }
+        }
+        lower.push((*other, below));
+    }
+    Step { rows: pivots.iter().map(|pivot| pivot.row).collect(), velocities, inverse, upper, lower }
+}
+
+/// Determinant and inverse of a matrix of one, two or three rows, by cofactors.
+fn invert(g: &mut Graph, a: &[Vec<Node>]) -> (Node, Vec<Vec<Node>>) {
+    let size = a.len();
+    let cofactor = |g: &mut Graph, row: usize, column: usize| match size {
+        1 => g.constant(1.0),
+        2 => {
+            let entry = a[1 - row][1 - column];
+            if row == column { entry } else { g.neg(entry) }
+        }
+        _ => {
+            // Cyclic, so that the sign is that of the determinant.
+            let ((r, s), (c, d)) = (((row + 1) % 3, (row + 2) % 3), ((column + 1) % 3, (column + 2) % 3));
+            let (plus, minus) = (g.mul(a[r][c], a[s][d]), g.mul(a[r][d], a[s][c]));
+            g.sub(plus, minus)
+        }
+    };
+    let cofactors: Vec<Vec<Node>> =
+        (0..size).map(|row| (0..size).map(|column| cofactor(g, row, column)).collect()).collect();
+    let determinant = product(g, &a[0], &cofactors[0]);
+    let reciprocal = g.unary(Unary::Reciprocal, determinant);
+    let transposed = |velocity: usize| -> Vec<Node> { cofactors.iter().map(|row| row[velocity]).collect() };
+    let inverse = (0..size)
+        .map(|velocity| {
+            transposed(velocity).into_iter().map(|cofactor| g.mul(cofactor, reciprocal)).collect()
+        })
+        .collect();
+    (determinant, inverse)
+}
+
+/// Σ aᵢ bᵢ.
+fn product(g: &mut Graph, a: &[Node], b: &[Node]) -> Node {
+    let terms: Vec<Node> = a.iter().zip(b).map(|(a, b)| g.mul(*a, *b)).collect();
+    g.sum(terms)
+}
+
+fn pick(values: &[Node], places: &[usize]) -> Vec<Node> {
+    places.iter().map(|place| values[*place]).collect()
+}
+
+impl Lu {
+    /// `v` with its dependent entries such that D v = `rows`.
+    pub fn dependent(&self, g: &mut Graph, rows: &[Node], v: &[Node]) -> Vec<Node> {
+        let (mut y, mut v) = (rows.to_vec(), v.to_vec());
+        for step in &self.steps {
+            let given = pick(&y, &step.rows);
+            // From here on y has, at the rows of a step, what belongs to its velocities.
+            let own: Vec<Node> = step.inverse.iter().map(|row| product(g, row, &given)).collect();
+            for (row, value) in step.rows.iter().zip(&own) {
+                y[*row] = *value;
+            }
+            for (other, below) in &step.lower {
+                let taken = product(g, below, &own);
+                y[*other] = g.sub(y[*other], taken);
+            }
+        }
+        for step in self.steps.iter().rev() {
+            for (k, velocity) in step.velocities.iter().enumerate() {
+                let mut rest = y[step.rows[k]];
+                for (column, entries) in &step.upper {
+                    let term = g.mul(entries[k], v[*column]);
+                    rest = g.sub(rest, term);
+                }
+                v[*velocity] = rest;
+            }
+        }
+        v
+    }
+
+    /// The column of R that belongs to an independent velocity: 1 there, dependent entries with D R = 0.
+    pub fn column(&self, g: &mut Graph, independent: usize) -> Sparse {
+        let mut column = Sparse::from([(independent, g.constant(1.0))]);
+        for step in self.steps.iter().rev() {
+            for (k, velocity) in step.velocities.iter().enumerate() {
+                let mut rest = g.constant(0.0);
+                for (other, entries) in &step.upper {
+                    let Some(known) = column.get(other) else { continue };
+                    let term = g.mul(entries[k], *known);
+                    rest = g.sub(rest, term);
+                }
+                if g.value(rest) != Some(0.0) {
+                    column.insert(*velocity, rest);
+                }
+            }
+        }
+        column
+    }
+
+    /// R z + S rows, by R or by U, whichever has fewer entries; the independent entries of `z` count.
+    pub fn combine(
+        &self,
+        g: &mut Graph,
+        basis: &[Sparse],
+        rows: &[Node],
+        independent: &[usize],
+        z: &[Node],
+    ) -> Vec<Node> {
+        let in_basis: usize = basis.iter().map(|column| column.len() - 1).sum();
+        let in_upper: usize = self.steps.iter().map(|step| step.upper.len() * step.rows.len()).sum();
+        if in_upper < in_basis {
+            return self.dependent(g, rows, z);
+        }
+        let none = zeros(g, z.len());
+        let mut sum = self.dependent(g, rows, &none);
+        for (velocity, column) in independent.iter().zip(basis) {
+            for (at, entry) in column {
+                let product = g.mul(*entry, z[*velocity]);
+                sum[*at] = g.add(sum[*at], product);
+            }
+        }
+        sum
+    }
+
+    /// λ of D_dᵀ λ = `forces` in the dependent velocities: Uᵀ, then Lᵀ.
+    pub fn multipliers(&self, g: &mut Graph, mut forces: Vec<Node>, mut lambda: Vec<Node>) -> Vec<Node> {
+        for step in &self.steps {
+            let own = pick(&forces, &step.velocities);
+            for (column, entries) in step.upper.iter().filter(|(column, _)| self.is_dependent[*column]) {
+                let taken = product(g, entries, &own);
+                forces[*column] = g.sub(forces[*column], taken);
+            }
+        }
+        for step in self.steps.iter().rev() {
+            let mut rest = pick(&forces, &step.velocities);
+            for (other, below) in &step.lower {
+                for (rest, entry) in rest.iter_mut().zip(below) {
+                    let taken = g.mul(*entry, lambda[*other]);
+                    *rest = g.sub(*rest, taken);
+                }
+            }
+            for (k, row) in step.rows.iter().enumerate() {
+                let column: Vec<Node> = step.inverse.iter().map(|inverse| inverse[k]).collect();
+                lambda[*row] = product(g, &column, &rest);
+            }
+        }
+        lambda
+    }
+}
