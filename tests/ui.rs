@@ -2,10 +2,11 @@
 //! sorted by kind and named after the mistake.
 //!
 //! `TRYBUILD=overwrite cargo test --test ui` writes the answers anew; read them before keeping them. The texts stand
-//! in the `messages.rs` of the compiler; spans and texts one by one are also tested in `compiler/tests/front_end`.
+//! in `compiler/src/messages/` and `compiler/src/check/messages.rs`; spans and texts one by one are also tested in `compiler/tests/front_end`.
 
 #[test]
 fn mistakes() {
     let cases = trybuild::TestCases::new();
     cases.compile_fail("tests/ui/*/*.rs");
+    cases.pass("tests/pass/*.rs");
 }

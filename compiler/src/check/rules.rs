@@ -26,7 +26,7 @@ const RULES: [fn(&Mechanism, &mut Diagnostics); 14] = [
     drivers_differ,
     start_is_said_once,
     cuts_differ,
-    bodies_are_connected,
+    loads_act_on_bodies,
 ];
 
 /// Applies all rules.
@@ -37,7 +37,7 @@ pub fn check(mechanism: &Mechanism, diagnostics: &mut Diagnostics) {
 }
 
 /// The value of an expression of parameters at their defaults.
-fn at_defaults(mechanism: &Mechanism, expr: &Expr) -> Option<f64> {
+pub(super) fn at_defaults(mechanism: &Mechanism, expr: &Expr) -> Option<f64> {
     if let Expr::Number(value) = expr {
         return Some(*value);
     }
@@ -262,21 +262,18 @@ fn cuts_differ(mechanism: &Mechanism, diagnostics: &mut Diagnostics) {
     }
 }
 
-// In a mechanism with joints every body has a joint, a constraint or a load on it.
-fn bodies_are_connected(mechanism: &Mechanism, diagnostics: &mut Diagnostics) {
-    if mechanism.joints.is_empty() {
-        return;
-    }
-    let touched = touched(mechanism);
-    for (body, touched) in mechanism.bodies.iter().zip(touched) {
-        if !touched {
-            diagnostics.error(body.name.span, messages::not_connected(&body.name.text));
+// A force acts on a body.
+fn loads_act_on_bodies(mechanism: &Mechanism, diagnostics: &mut Diagnostics) {
+    for load in &mechanism.loads {
+        let LoadKind::Force { place, .. } = &load.kind else { continue };
+        if place.frame == Frame::Ground {
+            diagnostics.error(place.span, messages::force_on_ground(&load.name.text, &place.text));
         }
     }
 }
 
 /// Which bodies anything acts on.
-fn touched(mechanism: &Mechanism) -> Vec<bool> {
+pub(super) fn touched(mechanism: &Mechanism) -> Vec<bool> {
     let mut touched = vec![false; mechanism.bodies.len()];
     for joint in &mechanism.joints {
         touch(&mut touched, joint.first.frame);

@@ -3,6 +3,7 @@
 use super::fold;
 use super::lower::{Lowering, Use, name};
 use super::names::Part;
+use super::unused::Scope;
 use super::{Axes, BodyId, Expr, Frame, Function2, Joint, JointKind, Place, Vector};
 use crate::messages;
 use crate::syntax::{self, Entry, FirstTerm, JointWord, LineTerm, Path, Space};
@@ -160,7 +161,7 @@ impl<'d> Lowering<'d> {
         let [to_x, to_y, to_z] = to;
         let less = |a, b| fold::binary(Function2::Sub, a, b);
         let direction = [less(to_x, x), less(to_y, y), less(to_z, z)];
-        let first = Place { frame, at: from, axes: Axes::Parallel, text, span: line.region().span() };
+        let first = Place { frame, at: from, axes: Axes::Parallel, text, span: line.region() };
         (Some(first), Some(JointKind::PointOnLine { direction }))
     }
 
@@ -178,6 +179,7 @@ impl<'d> Lowering<'d> {
     fn line_of_ground(&mut self, path: &'d Path) -> Option<LowerLine> {
         match self.names.part(&path.text) {
             Some(Part::Line(index)) => {
+                self.used.insert((Scope::Ground, &self.definition.lines[index].name.text));
                 let ends = self.lines[index].clone()?;
                 Some(LowerLine { frame: Frame::Ground, ends, text: path.text.clone() })
             }
@@ -201,7 +203,7 @@ impl<'d> Lowering<'d> {
             return None;
         };
         let slot = &path.parts[1];
-        let Some(ends) = self.bodies[index].lines.get(slot.text.as_str()) else {
+        let Some(ends) = self.body_line_named(index, &slot.text) else {
             let is_point = self.bodies[index].points.contains_key(slot.text.as_str());
             let mut known: Vec<&str> = self.bodies[index].lines.keys().copied().collect();
             known.sort_unstable();
@@ -209,7 +211,7 @@ impl<'d> Lowering<'d> {
             self.diagnostics.error(slot.region, message);
             return None;
         };
-        let ends = ends.clone()?;
+        let ends = ends?;
         Some(LowerLine { frame: Frame::Body(BodyId(index)), ends, text: path.text.clone() })
     }
 }

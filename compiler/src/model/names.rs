@@ -1,5 +1,5 @@
 //! Who is called what: one table for values (constants, parameters, inputs) and one for parts (bodies, joints,
-//! constraints, drivers, loads, lines of the ground). Names that are free twice are refused, both places shown.
+//! constraints, drivers, loads, lines and markers of the ground). Names that are free twice are refused, both places shown.
 
 use crate::diagnostics::Diagnostics;
 use crate::messages;
@@ -23,6 +23,8 @@ pub(super) enum Part {
     Driver(usize),
     Load(usize),
     Line(usize),
+    /// Of the ground.
+    Marker(usize),
 }
 
 impl Part {
@@ -35,6 +37,7 @@ impl Part {
             Self::Driver(_) => "a driver",
             Self::Load(_) => "a load",
             Self::Line(_) => "a line",
+            Self::Marker(_) => "a marker of the ground",
         }
     }
 }
@@ -98,6 +101,7 @@ impl<'d> Names<'d> {
         let mut parts = Table::new(&BUILT_IN);
         enter(&mut parts, &definition.bodies, |b| &b.name, Part::Body, diagnostics);
         enter(&mut parts, &definition.lines, |l| &l.name, Part::Line, diagnostics);
+        enter(&mut parts, &definition.markers, |m| &m.name, Part::Marker, diagnostics);
         enter(&mut parts, &definition.joints, |j| &j.name, Part::Joint, diagnostics);
         enter(&mut parts, &definition.constraints, |c| &c.name, Part::Constraint, diagnostics);
         enter(&mut parts, &definition.drivers, |d| &d.name, Part::Driver, diagnostics);
@@ -108,6 +112,7 @@ impl<'d> Names<'d> {
             let mut points = Table::new(&OF_BODIES);
             enter(&mut points, &body.points, |(label, _)| label, |index| index, diagnostics);
             enter(&mut points, &body.lines, |line| &line.name, |index| index, diagnostics);
+            enter(&mut points, &body.markers, |marker| &marker.name, |index| index, diagnostics);
         }
         Self { values: values.found, parts: parts.found }
     }

@@ -3,6 +3,7 @@
 use super::fold;
 use super::lower::{Lowering, Use, declared};
 use super::names::Value;
+use super::unused::Scope;
 use super::{Expr, Function1, Function2, InputId, ParameterId, Vector};
 use crate::diagnostics::Region;
 use crate::messages;
@@ -173,15 +174,18 @@ impl Lowering<'_> {
         if path.parts.len() == 1 {
             match self.names.value(&path.text) {
                 Some(Value::Constant(index)) => {
+                    self.used.insert((Scope::Value, &self.definition.constants[index].name.text));
                     let dimension = declared(self.definition.constants[index].entry.unit.as_ref());
                     return typed(Expr::Number(self.constants[index]?), dimension);
                 }
                 Some(Value::Parameter(index)) => {
+                    self.used.insert((Scope::Value, &self.definition.parameters[index].name.text));
                     self.permit(usage.parameters, path, "a parameter", usage)?;
                     let dimension = declared(self.definition.parameters[index].entry.unit.as_ref());
                     return typed(Expr::Parameter(ParameterId(index)), dimension);
                 }
                 Some(Value::Input(index)) => {
+                    self.used.insert((Scope::Value, &self.definition.inputs[index].name.text));
                     self.permit(usage.inputs, path, "an input", usage)?;
                     let dimension = declared(self.definition.inputs[index].unit.as_ref());
                     return typed(Expr::Input(InputId(index)), dimension);

@@ -1,5 +1,6 @@
 //! `body crank { mass [kg] = 1; point tip [m] = (1, 0); … }` and the shapes.
 
+use super::attributes::Bearer;
 use super::definition::{Body, Label, Marker, MarkerAxes, Shape, Space};
 use super::parser::{Failed, Parsed, Parser};
 use super::token::Cursor;
@@ -10,12 +11,12 @@ use proc_macro2::Delimiter;
 fn properties(shape: Shape, space: Space) -> &'static [&'static str] {
     match (shape, space) {
         (Shape::Body, Space::Planar) => &["mass", "inertia"],
-        (Shape::Rod, Space::Planar) => &["mass", "length", "inertia"],
-        (Shape::Disk, Space::Planar) => &["mass", "radius", "inertia"],
-        (Shape::Box, Space::Planar) => &["mass", "width", "height", "inertia"],
+        (Shape::Rod, Space::Planar) => &["mass", "density", "length", "radius", "inertia"],
+        (Shape::Disk, Space::Planar) => &["mass", "density", "radius", "thickness", "inertia"],
+        (Shape::Box, Space::Planar) => &["mass", "density", "width", "height", "thickness", "inertia"],
         (Shape::Particle, _) | (Shape::Body, Space::Spatial) => &["mass"],
         (Shape::Rod | Shape::Cylinder, _) => &["mass", "density", "length", "radius"],
-        (Shape::Disk, Space::Spatial) => &["mass", "radius"],
+        (Shape::Disk, Space::Spatial) => &["mass", "density", "radius", "thickness"],
         (Shape::Sphere, _) => &["mass", "density", "radius"],
         (Shape::Box, Space::Spatial) => &["mass", "density"],
     }
@@ -58,7 +59,14 @@ impl Parser {
     }
 
     fn property(&mut self, c: &mut Cursor, body: &mut Body) -> Parsed<()> {
-        self.attributes(c)?;
+        let start = c.region();
+        let attributes = self.attributes(c, Bearer::Part)?;
+        let read = self.property_after(c, body);
+        self.allow(&attributes.allowed, start.to(c.behind()));
+        read
+    }
+
+    fn property_after(&mut self, c: &mut Cursor, body: &mut Body) -> Parsed<()> {
         let (shape, space) = (body.shape, self.definition.space);
         let (allowed, vectors) = (properties(shape, space), vectors(shape, space));
         match c.word() {

@@ -31,6 +31,7 @@
 //!
 //! Looking names up, units of values and all meaning are left to `model`.
 
+mod attributes;
 mod body;
 mod calls;
 mod definition;
@@ -45,11 +46,12 @@ mod token;
 pub use definition::*;
 pub use definition_json::definition_json;
 
-use crate::diagnostics::Diagnostics;
+use crate::diagnostics::{Allowed, Diagnostics};
 use crate::messages;
+use attributes::Bearer;
 use parser::{Failed, Parsed, Parser};
 use proc_macro2::{Delimiter, Span, TokenStream, TokenTree};
-use std::collections::HashMap;
+use std::collections::{BTreeSet, HashMap};
 use token::Cursor;
 
 /// `repeat` may unroll to this many rounds and statements.
@@ -153,6 +155,8 @@ fn empty() -> Definition {
         name: Label { text: String::new(), region: Span::call_site().into() },
         visibility: TokenStream::new(),
         attributes: TokenStream::new(),
+        allowed: Allowed::default(),
+        counted: BTreeSet::new(),
         constants: Vec::new(),
         parameters: Vec::new(),
         inputs: Vec::new(),
@@ -178,7 +182,9 @@ impl Parser {
         if c.is_done() {
             return self.fail(c.region(), messages::empty_macro());
         }
-        self.definition.attributes = self.attributes(c)?;
+        let start = c.region();
+        let attributes = self.attributes(c, Bearer::Item)?;
+        self.definition.attributes = attributes.handed_through;
         if c.at_word("pub") {
             self.definition.visibility.extend(c.advance().map(|token| token.original.clone()));
             if c.inside(Delimiter::Parenthesis).is_some() {
@@ -194,6 +200,7 @@ impl Parser {
         c.advance();
         self.definition.name = self.word(c, "the name of the mechanism")?;
         let inside = self.group(c, Delimiter::Brace)?;
+        self.allow(&attributes.allowed, start.to(inside.end()));
         self.constants_first(inside.clone());
         self.statements(inside);
         self.end(c, "the end: one mechanism for each macro")
@@ -203,8 +210,8 @@ impl Parser {
     fn constants_first(&mut self, mut c: Cursor) {
         while !c.is_done() {
             let before = c.clone();
-            let attributes = self.attributes(&mut c);
-            let Err(Failed) = self.constant_ahead(&mut c, attributes.is_ok()) else { continue };
+            let readable = c.skip_attributes();
+            let Err(Failed) = self.constant_ahead(&mut c, readable) else { continue };
             // Not a constant, or a constant with an error: on to the next statement.
             c = before;
             c.skip_statement();

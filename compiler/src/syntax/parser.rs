@@ -8,7 +8,7 @@ use super::token::{Cursor, Kind, Token};
 use crate::diagnostics::{Diagnostics, Region};
 use crate::messages;
 use crate::units::{self, UnitError};
-use proc_macro2::{Delimiter, TokenStream};
+use proc_macro2::Delimiter;
 use std::collections::HashMap;
 
 /// The error has been pushed.
@@ -165,21 +165,6 @@ impl Parser {
                 self.fail(narrow.unwrap_or(region), messages::unit(&error))
             }
         }
-    }
-
-    /// Attributes and doc comments in front of an item.
-    pub fn attributes(&mut self, c: &mut Cursor) -> Parsed<TokenStream> {
-        let mut stream = TokenStream::new();
-        while c.at_punct('#') {
-            let mut ahead = c.clone();
-            ahead.advance();
-            if ahead.inside(Delimiter::Bracket).is_none() {
-                return self.expected(&ahead, "an attribute in `[ ]`");
-            }
-            stream.extend(c.advance().map(|token| token.original.clone()));
-            stream.extend(c.advance().map(|token| token.original.clone()));
-        }
-        Ok(stream)
     }
 }
 

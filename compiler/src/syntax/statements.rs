@@ -1,6 +1,7 @@
 //! The statements of a mechanism, except those that look like calls (`calls`), bodies (`body`) and the blocks of
 //! conditions and options (`settings`). `repeat` reads its braces again for every round.
 
+use super::attributes::Bearer;
 use super::definition::{Constant, Driver, Input, Line, Output, Parameter, Shape, Space};
 use super::parser::{Parsed, Parser};
 use super::token::Cursor;
@@ -57,7 +58,15 @@ impl Parser {
     }
 
     fn statement(&mut self, c: &mut Cursor) -> Parsed<()> {
-        let docs = self.attributes(c)?;
+        let start = c.region();
+        let bearer = if c.clone().declares_field() { Bearer::Field } else { Bearer::Part };
+        let attributes = self.attributes(c, bearer)?;
+        let read = self.statement_after(c, attributes.handed_through);
+        self.allow(&attributes.allowed, start.to(c.behind()));
+        read
+    }
+
+    fn statement_after(&mut self, c: &mut Cursor, docs: TokenStream) -> Parsed<()> {
         let at = c.region();
         let Some(word) = c.word() else { return self.expected(c, "a statement") };
         if word == "const" && self.indices.is_empty() {

@@ -127,6 +127,15 @@ impl<'t> Cursor<'t> {
         }
     }
 
+    /// The end of what has been read, closing delimiter included.
+    pub fn behind(&self) -> Region {
+        match self.at.checked_sub(1).and_then(|before| self.tokens.get(before)) {
+            Some(Token { kind: Kind::Group(.., close), .. }) => *close,
+            Some(token) => token.region,
+            None => self.close,
+        }
+    }
+
     /// The word that comes next.
     pub fn word(&self) -> Option<&'t str> {
         match &self.peek()?.kind {
@@ -199,6 +208,21 @@ impl<'t> Cursor<'t> {
                 return;
             }
         }
+    }
+
+    /// Over attributes in front of a statement; whether they can be read.
+    pub fn skip_attributes(&mut self) -> bool {
+        while self.eat_punct('#') {
+            if self.enter(Delimiter::Bracket).is_none() {
+                return false;
+            }
+        }
+        true
+    }
+
+    /// The closing delimiter.
+    pub fn end(&self) -> Region {
+        self.close
     }
 
     /// The tokens up to the next `;`, as received.

@@ -168,8 +168,16 @@ const MISTAKES: &[(&str, &str)] = &[
     ("rod b { mass [kg] = 1; }", "the rod `b` has no length: write `length [m] = …;`"),
     ("rod b { mass [kg] = 1; length [m] = -1; }", "the length of `b` must be positive, found -1 m"),
     (
-        "rod b { mass [kg] = 1; radius [m] = 1; }",
-        "a rod has no `radius`; it has mass, length, inertia, and points and lines",
+        "rod b { mass [kg] = 1; width [m] = 1; }",
+        "a rod has no `width`; it has mass, density, length, radius, inertia, and points and lines",
+    ),
+    (
+        "disk b { density [kg/m^3] = 1; radius [m] = 1; }",
+        "the mass of the disk `b` follows from its density only with a thickness: write `thickness [m] = …;`, or its `mass`",
+    ),
+    (
+        "box b { density [kg/m^3] = 1; width [m] = 1; height [m] = 1; thickness [m] = -1; }",
+        "the thickness of `b` must be positive, found -1 m",
     ),
     (
         "rod b { mass [kg] = 1; length [m] = 1; center [m] = (0, 0); }",
@@ -221,10 +229,6 @@ const MISTAKES: &[(&str, &str)] = &[
     (
         "body b { mass [kg] = 1; inertia [kg*m^2] = 1; line l = (b.center, b.origin); } joint jb: revolute(crank.pin, b.center);",
         "the two ends of `l` are the same point, so it has no direction",
-    ),
-    (
-        "body b { mass [kg] = 1; inertia [kg*m^2] = 1; }",
-        "`b` is connected to nothing: no joint, constraint or load names it; add a joint or leave it out",
     ),
     (
         "body b[i] { mass [kg] = 1; inertia [kg*m^2] = 1; }",
@@ -368,6 +372,24 @@ const MISTAKES: &[(&str, &str)] = &[
     (
         "force f: force(crank.pin, direction = (1, 0)) = 3;",
         "`f` is given a plain number: expected N; write the unit, as in `3 [N]`",
+    ),
+    (
+        "force f: force(ground(0, 0)) = (1, 0) [N];",
+        "`f` acts at `ground(0, 0)`, a place of the ground, which nothing moves: write a place of a body, `body.point`",
+    ),
+    (
+        "#[allow(unusd)] body b { mass [kg] = 1; inertia [kg*m^2] = 1; }",
+        r#"no warning called "unusd"; did you mean `unused`?"#,
+    ),
+    (
+        "#[inline] body b { mass [kg] = 1; inertia [kg*m^2] = 1; }",
+        "`#[inline]` has no effect here: doc comments and `#[allow(unused)]`, `no_effect` or `outside` may stand before any \
+         statement, other attributes before the mechanism, parameters, inputs and outputs",
+    ),
+    (
+        "#[cfg(feature = \"wheel\")] body b { mass [kg] = 1; inertia [kg*m^2] = 1; }",
+        "`#[cfg]` has no effect within a mechanism, whose equations have all of its parts: put it before the whole \
+         `mechanism!`",
     ),
     (
         "force f: force(crank.pin) = 3 [N];",

@@ -66,6 +66,12 @@ fn shapes_have_the_inertia_of_the_books() {
     assert!(near(moments(&m, 5)[0], block * (0.04 + 0.09) / 12.0));
     assert!(near(moments(&m, 5)[2], block * (0.01 + 0.04) / 12.0));
     assert_eq!(moments(&m, 6), [0.25, 0.25, 0.5]);
+    let thick = "spatial A { disk b { density [kg/m^3] = 1000; radius [m] = 0.5; thickness [m] = 0.1; } }";
+    let mass = 25.0 * std::f64::consts::PI;
+    let expected = [mass * 0.76 / 12.0, mass * 0.76 / 12.0, mass / 8.0];
+    assert!(
+        moments(&good(thick), 0).into_iter().zip(expected).all(|(found, expected)| near(found, expected))
+    );
     assert_eq!(moments(&m, 7), [0.0; 3]);
 }
 
