@@ -211,9 +211,13 @@ impl Diagnostics {
         self.found.iter()
     }
 
-    /// The end of a stage: `value` if there was no error.
-    pub fn finish<T>(self, value: T) -> Result<T, Diagnostics> {
-        if self.is_empty() { Ok(value) } else { Err(self) }
+    /// The end of a stage: `value` if there was no error. Errors come in the order of the source.
+    pub fn finish<T>(mut self, value: T) -> Result<T, Diagnostics> {
+        if self.is_empty() {
+            return Ok(value);
+        }
+        self.found.sort_by_key(|found| found.region.tokens.0);
+        Err(self)
     }
 
     /// Keeps those that are shown.

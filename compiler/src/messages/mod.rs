@@ -1,12 +1,14 @@
 //! All texts of messages of the front end: what is wrong, why, and what to write instead. One file a subject; those of
 //! the assembled mechanism stand in `check/messages.rs`.
 
+mod habits;
 mod names;
 mod parts;
 mod values;
 mod warnings;
 mod writing;
 
+pub(crate) use habits::*;
 pub(crate) use names::*;
 pub(crate) use parts::*;
 pub(crate) use values::*;

@@ -1,6 +1,6 @@
 //! Texts about names: of values, places, lines and quantities, and what may depend on them.
 
-use super::closest;
+use super::{closest, is_ground, other_value};
 use crate::model::Use;
 use crate::syntax::Space;
 
@@ -23,10 +23,25 @@ pub(crate) fn reserved(word: &str) -> String {
 
 /// `kind` is what was looked for: a body, a joint, a value.
 pub(crate) fn unknown(kind: &str, name: &str, similar: Option<&str>) -> String {
-    match similar {
-        Some(similar) => format!("no {kind} called \"{name}\"; did you mean \"{similar}\"?"),
-        None => format!("no {kind} called \"{name}\""),
+    let foreign = match kind {
+        "value" => other_value(name).map(str::to_string),
+        "body" if is_ground(name) => Some("the ground is written with a place, `ground(0, 0)`".to_string()),
+        _ => None,
+    };
+    match (foreign, similar) {
+        (Some(advice), _) => format!("no {kind} called \"{name}\"; {advice}"),
+        (None, Some(similar)) => format!("no {kind} called \"{name}\"; did you mean \"{similar}\"?"),
+        (None, None) => format!("no {kind} called \"{name}\""),
     }
+}
+
+/// `first` and `last` are names with indices, as `name` is.
+pub(crate) fn unknown_index(name: &str, first: &str, last: &str) -> String {
+    format!("no \"{name}\": indices go from \"{first}\" to \"{last}\"")
+}
+
+pub(crate) fn declared_by_rounds(name: &str) -> String {
+    format!("every round of `repeat` declares `{name}`: give it the index of the round, such as `{name}[i]`")
 }
 
 pub(crate) fn cyclic_constant(name: &str, other: &str) -> String {
@@ -87,6 +102,10 @@ pub(crate) fn unknown_line(body: &str, name: &str, is_point: bool, known: &[&str
     }
 }
 
+pub(crate) fn line_comes_first(line: &str, place: &str) -> String {
+    format!("the line comes first and then the point on it: write `point_on_line({line}, {place})`")
+}
+
 pub(crate) fn not_a_line(name: &str, kind: &str) -> String {
     format!("`{name}` is {kind}, expected a line such as `{name}.slot` or `line(place, place)`")
 }
@@ -122,12 +141,21 @@ pub(crate) fn no_quantities(name: &str, kind: &str) -> String {
 pub(crate) fn part_as_value(name: &str, kind: &str) -> String {
     let example = match kind {
         "a body" => format!("`{name}.angle` or `{name}.center.x`"),
-        "a joint" => format!("`{name}.angle` or `{name}.travel`"),
         "a load" => format!("`power({name})`"),
         "a driver" => format!("`{name}.effort`"),
         _ => return format!("`{name}` is {kind}, expected a value"),
     };
     format!("`{name}` is {kind}, expected a value such as {example}")
+}
+
+/// `coordinates`: angles and travels of the joint.
+pub(crate) fn joint_as_value(name: &str, coordinates: &[&str]) -> String {
+    let written: Vec<String> =
+        coordinates.iter().map(|coordinate| format!("`{name}.{coordinate}`")).collect();
+    match written.is_empty() {
+        true => format!("`{name}` is a joint without coordinates, expected a value"),
+        false => format!("`{name}` is a joint, expected a value: write {}", written.join(" or ")),
+    }
 }
 
 pub(crate) fn place_without_axis(place: &str, space: Space) -> String {
@@ -159,7 +187,11 @@ pub(crate) fn power_of_driver(driver: &str) -> String {
 }
 
 pub(crate) fn not_a_position(name: &str, verb: &str) -> String {
-    format!("`{name}` cannot {verb}: only an angle, a travel or a position can")
+    let hint = match verb {
+        "be driven" => "; a rate is driven through its angle or travel, such as `angle = 3 [rad/s]*time`",
+        _ => "",
+    };
+    format!("`{name}` cannot {verb}: only an angle, a travel or a position can{hint}")
 }
 
 pub(crate) fn not_a_state(name: &str) -> String {

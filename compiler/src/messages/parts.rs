@@ -1,6 +1,6 @@
 //! Texts about bodies, joints and loads, and the rules that they obey.
 
-use super::{closest, not_there_yet, number};
+use super::{closest, not_there_yet, number, other_argument};
 use crate::syntax::{JointWord, Space};
 
 // ---- Joints, constraints, loads --------------------------------------------------------------------------------------
@@ -65,7 +65,8 @@ pub(crate) fn force_without_direction(space: Space) -> String {
 }
 
 pub(crate) fn one_number() -> String {
-    "a value here is one number; write the components one by one, such as `rod.rate.x [rad/s] = 1;`"
+    "one number is expected here, and these parentheses hold several: components are given one by one, such as \
+     `rod.rate.x [rad/s] = 1;`, and a vector stands only where places, axes and forces are"
         .to_owned()
 }
 
@@ -106,7 +107,8 @@ pub(crate) fn missing_argument(kind: &str, name: &str, space: Space) -> String {
 }
 
 pub(crate) fn unknown_argument(kind: &str, name: &str, known: &[&str]) -> String {
-    let hint = match (closest(name, known.iter().copied()), known.is_empty()) {
+    let likely = other_argument(name, known).or_else(|| closest(name, known.iter().copied()));
+    let hint = match (likely, known.is_empty()) {
         (Some(known), _) => format!("did you mean `{known}`?"),
         (None, true) => "it takes none".to_string(),
         (None, false) => format!("it takes {}", known.join(", ")),
@@ -114,11 +116,32 @@ pub(crate) fn unknown_argument(kind: &str, name: &str, known: &[&str]) -> String
     format!("`{kind}` has no argument called \"{name}\"; {hint}")
 }
 
-pub(crate) fn missing_place(kind: &str, count: usize, given: usize) -> String {
+/// `places`: whether the arguments are places, not names.
+pub(crate) fn missing_place(kind: &str, count: usize, given: usize, places: bool) -> String {
+    let hint = match (kind, places) {
+        ("spring" | "damper", _) => "; between the bodies of a joint write `torsion_spring(joint, …)`",
+        (_, true) => "; a place of the ground is written `ground(x, y) [m]`",
+        (_, false) => "",
+    };
     format!(
-        "`{kind}` needs {count} unnamed argument{} first, found {given}",
+        "`{kind}` needs {count} unnamed argument{} first, found {given}{hint}",
         if count == 1 { "" } else { "s" }
     )
+}
+
+pub(crate) fn named_arguments(names: &[&str]) -> String {
+    match names {
+        [] => "there are no further arguments".to_string(),
+        [first, ..] => format!("what follows the unnamed arguments has a name: `{first} = …`"),
+    }
+}
+
+pub(crate) fn direction_and_components() -> String {
+    "a force with a direction has one value: leave the direction out, or write one number".to_string()
+}
+
+pub(crate) fn names_without_point() -> &'static str {
+    "joints and bodies are named here without a point"
 }
 
 pub(crate) fn too_many_places(kind: &str, count: usize) -> String {
@@ -264,7 +287,7 @@ pub(crate) fn default_out_of_bounds(name: &str, default: f64, minimum: f64, maxi
 }
 
 pub(crate) fn negative(what: &str, owner: &str, value: f64, unit: &str) -> String {
-    format!("the {what} of `{owner}` is negative: {value} {unit}")
+    format!("the {what} of `{owner}` is negative: {value} {unit}; it must be zero or more")
 }
 
 /// Principal moments, ascending.

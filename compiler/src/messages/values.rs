@@ -1,6 +1,6 @@
 //! Texts about values: dimensions, functions.
 
-use super::closest;
+use super::{closest, number, other_function};
 use crate::units::Dimension;
 
 // ---- Dimensions ------------------------------------------------------------------------------------------------------
@@ -15,13 +15,28 @@ pub(crate) fn wrong_unit(what: &str, expected: Dimension, found: Dimension) -> S
     format!("{what} is given {}: expected {expected}, found {found}{hint}", found.kind())
 }
 
-pub(crate) fn wrong_dimension(what: &str, expected: Dimension, found: Dimension) -> String {
+/// `value`: where it is known.
+pub(crate) fn wrong_dimension(
+    what: &str,
+    expected: Dimension,
+    found: Dimension,
+    value: Option<f64>,
+) -> String {
     if found == Dimension::ONE {
+        let example = value.map_or("3".to_string(), number);
         return format!(
-            "{what} is given a plain number: expected {expected}; write the unit, as in `3 [{expected}]`"
+            "{what} is given a plain number: expected {expected}; write the unit, as in `{example} [{expected}]`"
         );
     }
     wrong_unit(what, expected, found)
+}
+
+/// Of a declaration without a unit, whose value has one.
+pub(crate) fn unit_left_out(kind: &str, name: &str, found: Dimension) -> String {
+    format!(
+        "`{name}` is declared without a unit, as a plain number, and is given {}: write `{kind} {name} [{found}] = …`",
+        found.kind()
+    )
 }
 
 pub(crate) fn different_dimensions(what: &str, left: Dimension, right: Dimension) -> String {
@@ -86,9 +101,10 @@ pub(crate) fn value_as_condition() -> String {
 }
 
 pub(crate) fn unknown_function<'a>(name: &str, known: impl Iterator<Item = &'a str>) -> String {
-    match closest(name, known) {
-        Some(similar) => format!("no function called \"{name}\"; did you mean \"{similar}\"?"),
-        None => format!("no function called \"{name}\""),
+    match (other_function(name), closest(name, known)) {
+        (Some(advice), _) => format!("no function called \"{name}\"; {advice}"),
+        (None, Some(similar)) => format!("no function called \"{name}\"; did you mean \"{similar}\"?"),
+        (None, None) => format!("no function called \"{name}\""),
     }
 }
 

@@ -1,12 +1,16 @@
 //! Texts about how a definition is written: tokens, expressions, indices, statements, settings.
 
-use super::closest;
+use super::{closest, foreign_statement, other_option};
 use crate::units::{self, UnitError};
 
 // ---- Tokens and expressions ------------------------------------------------------------------------------------------
 
 pub(crate) fn expected(what: &str, found: &str) -> String {
     format!("expected {what}, found {found}")
+}
+
+pub(crate) fn expected_and_advice(what: &str, found: &str, advice: &str) -> String {
+    format!("expected {what}, found {found}; {advice}")
 }
 
 pub(crate) fn too_deep(limit: usize) -> String {
@@ -55,17 +59,38 @@ pub(crate) fn not_a_place(name: &str) -> String {
     format!("`{name}(…)` is not a place: write `body.point` or `ground(x, y) [m]`")
 }
 
+/// Units that are converted by hand.
+fn foreign_unit(name: &str) -> Option<String> {
+    let (one, is) = match name {
+        "inch" | "inches" | "in" => ("inch", "25.4 [mm]"),
+        "ft" | "foot" | "feet" => ("foot", "0.3048 [m]"),
+        "lb" | "lbs" | "lbm" | "pound" => ("pound", "0.45359237 [kg]"),
+        "lbf" => ("pound-force", "4.4482216152605 [N]"),
+        "kgf" | "kp" => ("kilogram-force", "9.80665 [N]"),
+        "psi" => ("psi", "6894.757293168 [Pa]"),
+        "hp" | "PS" => ("horsepower", "745.7 [W], metric 735.49875 [W]"),
+        _ => return None,
+    };
+    Some(format!("one {one} is {is}"))
+}
+
 pub(crate) fn unit(error: &UnitError) -> String {
     match error {
         UnitError::Empty => "the unit is missing: write `[1]` for a plain number".to_string(),
         UnitError::Unknown(name) => match units::suggest(name) {
             Some(unit) => format!("no unit called \"{name}\"; did you mean `{unit}`?"),
+            None if foreign_unit(name).is_some() => {
+                format!("no unit called \"{name}\"; {}", foreign_unit(name).unwrap_or_default())
+            }
             None => format!(
                 "no unit called \"{name}\"; units are m g s N Pa J W Hz with prefixes, kg rad deg rev rpm min h t bar"
             ),
         },
         UnitError::Prefix(prefix, unit) => {
             format!("`{unit}` takes no prefix: write the factor that `{prefix}` stands for into the number")
+        }
+        UnitError::Malformed(piece) if piece.starts_with(['.', '·', '⋅']) => {
+            format!("not a unit at `{piece}`: products of units are written with `*`, such as `N*m`")
         }
         UnitError::Malformed(piece) => {
             format!(
@@ -129,9 +154,10 @@ pub(crate) fn not_there_yet(word: &str) -> String {
 }
 
 pub(crate) fn unknown_statement<'a>(word: &str, known: impl Iterator<Item = &'a str>) -> String {
-    let hint = match closest(word, known) {
-        Some(known) => format!("; did you mean `{known}`?"),
-        None => {
+    let hint = match (foreign_statement(word), closest(word, known)) {
+        (Some(advice), _) => format!("; {advice}"),
+        (None, Some(known)) => format!("; did you mean `{known}`?"),
+        (None, None) => {
             "; statements begin with const, param, input, body, joint, force, start and the like".to_string()
         }
     };
@@ -144,11 +170,49 @@ pub(crate) fn input_with_value(name: &str) -> String {
     )
 }
 
+pub(crate) fn parameter_without_default(name: &str) -> String {
+    format!(
+        "the parameter `{name}` has no default: write `param {name} [unit] = value;`, or `input {name} [unit];` for what changes \
+         at every call"
+    )
+}
+
+pub(crate) fn bounds_as_range() -> &'static str {
+    "bounds are written `least..most`"
+}
+
+pub(crate) fn bounds_are_inclusive() -> &'static str {
+    "bounds are inclusive already: write `least..most`"
+}
+
+pub(crate) fn rounds_stop_before() -> &'static str {
+    "`repeat` stops before the number behind `..`: write one more"
+}
+
+pub(crate) fn output_without_name() -> &'static str {
+    "an output has a name of its own: `output name [unit] = value;`"
+}
+
+pub(crate) fn planar_inertia() -> String {
+    "the inertia of a planar body is one number, about its centre of mass and across the plane: write `inertia [kg*m^2] = …;`"
+        .to_string()
+}
+
 pub(crate) fn gravity_twice() -> String {
     "gravity is given twice; write it once".to_string()
 }
 
-pub(crate) fn unknown_property(shape: &str, word: &str, allowed: &[&str]) -> String {
+pub(crate) fn unknown_property(
+    shape: &str,
+    word: &str,
+    allowed: &[&str],
+    known_statements: &[&str],
+) -> String {
+    if known_statements.contains(&word) && !["point", "line", "marker"].contains(&word) {
+        return format!(
+            "`{word}` begins a statement of the mechanism, not of a {shape}: close the braces of the {shape} first"
+        );
+    }
     let places = if shape == "particle" { "" } else { ", and points and lines" };
     let hint = match closest(word, allowed.iter().copied().chain(["point", "line", "center"])) {
         Some(known) => format!("; did you mean `{known}`?"),
@@ -202,8 +266,13 @@ pub(crate) fn one_of(words: &[&str]) -> String {
     words.iter().map(|word| format!("`{word}`")).collect::<Vec<_>>().join(" or ")
 }
 
+pub(crate) fn list_in_parentheses() -> &'static str {
+    "several stand in parentheses: `(one, other)`"
+}
+
 pub(crate) fn unknown_option(word: &str, known: &[&str]) -> String {
-    let hint = match closest(word, known.iter().copied()) {
+    let likely = other_option(word).filter(|ours| known.contains(ours));
+    let hint = match likely.or_else(|| closest(word, known.iter().copied())) {
         Some(known) => format!("did you mean `{known}`?"),
         None => format!("there are {}", known.join(", ")),
     };

@@ -18,6 +18,15 @@ struct LowerLine {
 
 impl<'d> Lowering<'d> {
     pub fn joint(&mut self, joint: &'d syntax::Joint) -> Option<Joint> {
+        if let (FirstTerm::Line(LineTerm::Named(first)), syntax::PlaceTerm::Named(second)) =
+            (&joint.first, &joint.second)
+            && self.is_line(second)
+            && !self.is_line(first)
+        {
+            let region = first.region.to(second.region);
+            self.diagnostics.error(region, messages::line_comes_first(&second.text, &first.text));
+            return None;
+        }
         let (first, on_line) = match &joint.first {
             FirstTerm::Place(place) => (self.place(place), None),
             FirstTerm::Line(line) => self.on_line(line),
@@ -173,6 +182,15 @@ impl<'d> Lowering<'d> {
             }
             LineTerm::Named(path) if path.parts.len() == 1 => self.line_of_ground(path),
             LineTerm::Named(path) => self.line_of_body(path),
+        }
+    }
+
+    /// Whether a name is that of a line.
+    fn is_line(&self, path: &Path) -> bool {
+        match (path.parts.as_slice(), self.names.part(&path.parts[0].text)) {
+            ([_], part) => matches!(part, Some(Part::Line(_))),
+            ([_, line], Some(Part::Body(index))) => self.bodies[index].lines.contains_key(line.text.as_str()),
+            _ => false,
         }
     }
 

@@ -160,7 +160,7 @@ impl<'d> Lowering<'d> {
     fn parameter(&mut self, parameter: &'d syntax::Parameter) -> Option<Parameter> {
         let dimension = declared(parameter.entry.unit.as_ref());
         let what = &messages::quoted(&parameter.name.text);
-        let default = self.number(&parameter.entry, dimension, what);
+        let default = self.declared_number("param", &parameter.name.text, &parameter.entry);
         let bound = |this: &mut Self, value: &syntax::Term| {
             let entry = Entry { unit: parameter.entry.unit.clone(), value: value.clone() };
             this.number(&entry, dimension, what)
@@ -262,9 +262,7 @@ impl<'d> Lowering<'d> {
     }
 
     fn output(&mut self, output: &'d syntax::Output) -> Option<Output> {
-        let dimension = declared(output.entry.unit.as_ref());
-        let value =
-            self.entry(&output.entry, dimension, Use::OUTPUT, &messages::quoted(&output.name.text))?;
+        let value = self.declaration("output", &output.name.text, &output.entry, Use::OUTPUT)?;
         Some(Output {
             name: name(&output.name),
             unit: unit_text(output.entry.unit.as_ref()),

@@ -130,6 +130,17 @@ impl<'d> Names<'d> {
         messages::closest(name, sorted(self.values.keys().copied().chain(BUILT_IN)).into_iter())
     }
 
+    /// The first and the last of the parts that differ from this name in the last index only.
+    pub fn indices_beside(&self, name: &str) -> Option<(String, String)> {
+        let (base, _) = name.strip_suffix(']')?.rsplit_once('[')?;
+        let index = |part: &str| -> Option<usize> {
+            part.strip_prefix(base)?.strip_prefix('[')?.strip_suffix(']')?.parse().ok()
+        };
+        let indices: Vec<usize> = self.parts.keys().filter_map(|part| index(part)).collect();
+        let with = |index: &usize| format!("{base}[{index}]");
+        Some((with(indices.iter().min()?), with(indices.iter().max()?)))
+    }
+
     /// The nearest of the parts that `fits` accepts.
     pub fn similar_part(&self, name: &str, fits: impl Fn(Part) -> bool) -> Option<&str> {
         let fitting = self.parts.iter().filter(|(_, part)| fits(**part)).map(|(name, _)| *name);
@@ -172,6 +183,9 @@ fn enter<'d, E, T>(
         }
         let identifier = label.text.replace('[', "_").replace(']', "");
         match table.identifiers.get(&identifier) {
+            Some(first) if first.region.serials() == label.region.serials() && first.text == label.text => {
+                diagnostics.error(label.region, messages::declared_by_rounds(&label.text));
+            }
             Some(first) => {
                 let message = messages::duplicate(&label.text, &first.text);
                 diagnostics.conflict(label.region, message, first.region, messages::first_here(&first.text));

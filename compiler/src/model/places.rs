@@ -224,6 +224,14 @@ impl<'d> Lowering<'d> {
             let message = match self.names.part(&head.text) {
                 Some(part) => messages::no_places(&head.text, part.kind()),
                 None if self.diagnostics.is_full() => return None,
+                None if path.parts.len() == 1
+                    && let Some(body) = self.body_with(&head.text) =>
+                {
+                    messages::point_without_body(body, &head.text)
+                }
+                None if let Some((first, last)) = self.names.indices_beside(&head.text) => {
+                    messages::unknown_index(&head.text, &first, &last)
+                }
                 None => {
                     let similar = self.names.similar_part(&head.text, |part| matches!(part, Part::Body(_)));
                     messages::unknown("body", &head.text, similar)
@@ -263,6 +271,13 @@ impl<'d> Lowering<'d> {
                 None
             }
         }
+    }
+
+    /// A body with a place of this name.
+    fn body_with(&self, place: &str) -> Option<&'d str> {
+        let has = |frame: &BodyFrame| frame.points.contains_key(place) || frame.markers.contains_key(place);
+        let index = self.bodies.iter().position(has)?;
+        Some(&self.definition.bodies[index].name.text)
     }
 
     fn no_such_point(&mut self, index: usize, body: &str, point: &str, region: Region) {

@@ -160,6 +160,11 @@ impl<'d> Lowering<'d> {
             "potential_energy" => Found::result(Quantity::PotentialEnergy, Dimension::TORQUE),
             text => {
                 let message = match self.names.part(text) {
+                    Some(Part::Joint(index)) => {
+                        let JointCoordinates { angles, travels } = self.coordinates(JointId(index));
+                        let names: Vec<&str> = angles.iter().chain(travels).map(|[name, _]| *name).collect();
+                        messages::joint_as_value(text, &names)
+                    }
                     Some(part) => messages::part_as_value(text, part.kind()),
                     None => messages::unknown("value", text, self.names.similar_value(text)),
                 };

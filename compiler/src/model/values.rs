@@ -19,10 +19,45 @@ pub(super) struct Typed {
     pub region: Region,
 }
 
+impl Typed {
+    /// Its value, where that is known.
+    pub fn number(&self) -> Option<f64> {
+        match self.expr {
+            Expr::Number(value) => Some(value),
+            _ => None,
+        }
+    }
+}
+
 impl Lowering<'_> {
+    /// The value of a declaration `kind name [unit] = value`.
+    pub fn declaration(&mut self, kind: &str, name: &str, entry: &Entry, usage: Use) -> Option<Expr> {
+        let (dimension, what) = (declared(entry.unit.as_ref()), messages::quoted(name));
+        if entry.unit.is_some() {
+            return self.entry(entry, dimension, usage, &what);
+        }
+        let typed = self.value(&entry.value, usage)?;
+        if !typed.dimension.is_one() {
+            self.diagnostics.error(typed.region, messages::unit_left_out(kind, name, typed.dimension));
+            return None;
+        }
+        Some(typed.expr)
+    }
+
     /// An entry that must be a number at expansion.
     pub fn number(&mut self, entry: &Entry, expected: Dimension, what: &str) -> Option<f64> {
-        match self.entry(entry, expected, Use::CONSTANT, what)? {
+        let expr = self.entry(entry, expected, Use::CONSTANT, what)?;
+        self.folded(expr, entry, what)
+    }
+
+    /// The value of a constant or the default of a parameter.
+    pub fn declared_number(&mut self, kind: &str, name: &str, entry: &Entry) -> Option<f64> {
+        let expr = self.declaration(kind, name, entry, Use::CONSTANT)?;
+        self.folded(expr, entry, &messages::quoted(name))
+    }
+
+    fn folded(&mut self, expr: Expr, entry: &Entry, what: &str) -> Option<f64> {
+        match expr {
             Expr::Number(value) => Some(value),
             // `if` is the only thing that does not fold.
             _ => {
@@ -112,7 +147,7 @@ impl Lowering<'_> {
         if typed.zero || typed.dimension.fits(expected) {
             return Some(typed.expr);
         }
-        let message = messages::wrong_dimension(what, expected, typed.dimension);
+        let message = messages::wrong_dimension(what, expected, typed.dimension, typed.number());
         self.diagnostics.error(typed.region, message);
         None
     }

@@ -3,6 +3,7 @@
 use super::attributes::Bearer;
 use super::definition::{Body, Label, Marker, MarkerAxes, Shape, Space};
 use super::parser::{Failed, Parsed, Parser};
+use super::statements::STATEMENTS;
 use super::token::Cursor;
 use crate::messages;
 use proc_macro2::Delimiter;
@@ -29,6 +30,15 @@ fn vectors(shape: Shape, space: Space) -> &'static [&'static str] {
         (Shape::Box, Space::Spatial) => &["size", "inertia", "products", "inertia_axes"],
         _ => &["inertia", "products", "inertia_axes"],
     }
+}
+
+/// Whether several values in parentheses stand so many tokens ahead.
+fn is_vector(c: &Cursor, ahead: usize) -> bool {
+    let mut c = c.clone();
+    for _ in 0..ahead {
+        c.advance();
+    }
+    c.inside(Delimiter::Parenthesis).is_some_and(|inside| inside.has_comma())
 }
 
 impl Parser {
@@ -118,6 +128,9 @@ impl Parser {
             Some(word) if allowed.contains(&word) => {
                 let label = self.word(c, "a property")?;
                 let unit = self.unit(c)?;
+                if label.text == "inertia" && c.at_punct('=') && is_vector(c, 1) {
+                    return self.fail(c.region(), messages::planar_inertia());
+                }
                 let entry = self.entry(c, unit)?;
                 self.semicolon(c)?;
                 if let Some((first, _)) = body.property(&label.text) {
@@ -155,7 +168,7 @@ impl Parser {
             }
             Some(word) => {
                 let allowed: Vec<&str> = allowed.iter().chain(vectors).copied().collect();
-                let message = messages::unknown_property(shape.text(), word, &allowed);
+                let message = messages::unknown_property(shape.text(), word, &allowed, &STATEMENTS);
                 self.fail(c.region(), message)
             }
             None => self.expected(c, "a property of the body"),

@@ -37,6 +37,7 @@ mod calls;
 mod definition;
 mod definition_json;
 mod expression;
+mod habits;
 mod index;
 mod parser;
 mod settings;
@@ -195,7 +196,14 @@ impl Parser {
             Some("planar") => {}
             Some("spatial") => self.definition.space = Space::Spatial,
             Some(word @ ("part" | "file")) => return self.fail(c.region(), messages::not_there_yet(word)),
-            _ => return self.expected(c, "`planar` or `spatial`, the kind of the mechanism"),
+            word => {
+                let what = "`planar` or `spatial`, the kind of the mechanism";
+                let advice = word.and_then(|word| messages::kind_of_mechanism(word, &statements::STATEMENTS));
+                return match advice {
+                    Some(advice) => self.advised(c, what, &advice),
+                    None => self.expected(c, what),
+                };
+            }
         }
         c.advance();
         self.definition.name = self.word(c, "the name of the mechanism")?;

@@ -4,6 +4,7 @@
 //! one is read, so that one mistake gives one message and several mistakes give several.
 
 use super::definition::{Definition, Label, Path, Term, WrittenUnit};
+use super::habits::habit;
 use super::token::{Cursor, Kind, Token};
 use crate::diagnostics::{Diagnostics, Region};
 use crate::messages;
@@ -41,7 +42,18 @@ impl Parser {
 
     /// Gives up because something else stands here.
     pub fn expected<T>(&mut self, c: &Cursor, what: &str) -> Parsed<T> {
-        let message = messages::expected(what, &found(c.peek()));
+        match habit(c, what) {
+            Some(habit) => self.advised(c, what, &habit.advice()),
+            None => {
+                let message = messages::expected(what, &found(c.peek()));
+                self.fail(c.region(), message)
+            }
+        }
+    }
+
+    /// The same, with what to write instead.
+    pub fn advised<T>(&mut self, c: &Cursor, what: &str, advice: &str) -> Parsed<T> {
+        let message = messages::expected_and_advice(what, &found(c.peek()), advice);
         self.fail(c.region(), message)
     }
 

@@ -9,7 +9,7 @@ use crate::messages;
 use proc_macro2::{Delimiter, TokenStream};
 
 /// Words that begin a statement, for messages.
-const STATEMENTS: [&str; 33] = [
+pub(super) const STATEMENTS: [&str; 33] = [
     "const",
     "param",
     "input",
@@ -127,11 +127,17 @@ impl Parser {
     /// `name [unit] = value in minimum..maximum;`
     fn parameter(&mut self, c: &mut Cursor, docs: TokenStream) -> Parsed<()> {
         let (name, unit) = self.declared_with_unit(c, "the name of the parameter")?;
+        if c.is_done() || c.at_punct(';') {
+            return self.fail(name.region, messages::parameter_without_default(&name.text));
+        }
         let entry = self.entry(c, unit)?;
         let mut bounds = None;
         if c.eat_word("in") {
+            if c.inside(Delimiter::Parenthesis).is_some_and(|inside| inside.has_comma()) {
+                return self.advised(c, "the bounds", messages::bounds_as_range());
+            }
             let minimum = self.expression(c)?;
-            self.dots(c)?;
+            self.dots(c, messages::bounds_are_inclusive())?;
             bounds = Some((minimum, self.expression(c)?));
         }
         self.semicolon(c)?;
@@ -140,12 +146,15 @@ impl Parser {
     }
 
     /// `..`
-    fn dots(&mut self, c: &mut Cursor) -> Parsed<()> {
+    fn dots(&mut self, c: &mut Cursor, with_equals: &str) -> Parsed<()> {
         if !c.at_puncts('.', '.') {
             return self.expected(c, "`..`");
         }
         c.advance();
         c.advance();
+        if c.at_punct('=') {
+            return self.advised(c, "a value", with_equals);
+        }
         Ok(())
     }
 
@@ -203,6 +212,9 @@ impl Parser {
     /// `name [unit] = value;`
     fn output(&mut self, c: &mut Cursor, docs: TokenStream) -> Parsed<()> {
         let (name, unit) = self.declared_with_unit(c, "the name of the output")?;
+        if c.at_punct('.') {
+            return self.advised(c, "`=`", messages::output_without_name());
+        }
         let entry = self.entry(c, unit)?;
         self.semicolon(c)?;
         self.definition.outputs.push(Output { name, docs, entry });
@@ -221,7 +233,7 @@ impl Parser {
         let start = c.region();
         let first = self.expression(c)?;
         let first = self.integer(&first)?;
-        self.dots(c)?;
+        self.dots(c, messages::rounds_stop_before())?;
         let behind = self.expression(c)?;
         let region = start.to(behind.region);
         let behind = self.integer(&behind)?;
