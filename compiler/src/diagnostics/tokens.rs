@@ -53,16 +53,11 @@ impl Diagnostics {
 
 /// Something deprecated and, at the place of the warning, its use.
 fn deprecated(region: Region, name: &str, message: &str) -> TokenStream {
-    let text = format!("mod linkwright {{ #[deprecated(note = {message:?})] pub fn {name}() {{}} }} let _ =");
-    let mut stream = spanned(&text, region.start);
-    stream.extend([
-        word("linkwright", region.start),
-        punct(':', Spacing::Joint, region.start),
-        punct(':', Spacing::Alone, region.start),
-        word(name, region.end),
-        punct(';', Spacing::Alone, region.end),
-    ]);
-    stream
+    let text = format!(
+        "mod linkwright {{ #[deprecated(note = {message:?})] pub fn {name}() {{}} }} let _ = linkwright::{name};"
+    );
+    // rustc points at the last name only, so its one token has to have the whole place.
+    spanned(&text, region.span())
 }
 
 /// Tokens of this crate's own text, all at one place.

@@ -38,6 +38,7 @@ mod definition;
 mod definition_json;
 mod expression;
 mod habits;
+mod header;
 mod index;
 mod parser;
 mod settings;
@@ -46,56 +47,18 @@ mod token;
 
 pub use definition::*;
 pub use definition_json::definition_json;
+pub use header::{Header, header};
 
 use crate::diagnostics::{Allowed, Diagnostics};
 use crate::messages;
 use attributes::Bearer;
 use parser::{Failed, Parsed, Parser};
-use proc_macro2::{Delimiter, Span, TokenStream, TokenTree};
+use proc_macro2::{Delimiter, Span, TokenStream};
 use std::collections::{BTreeSet, HashMap};
-use token::Cursor;
+use token::{Cursor, Token};
 
 /// `repeat` may unroll to this many rounds and statements.
 const MOST_STATEMENTS: usize = 10_000;
-
-/// What stands before the braces: enough for an item that takes the mechanism's place after an error.
-#[derive(Clone, Debug)]
-pub struct Header {
-    /// `pub`, `pub(crate)` or nothing.
-    pub visibility: TokenStream,
-    /// Whether it moves in space.
-    pub spatial: bool,
-    /// The mechanism's name.
-    pub name: proc_macro2::Ident,
-    /// What is written between its braces.
-    body: TokenStream,
-}
-
-impl Header {
-    /// Names declared by a statement `word NAME …` at the top of the braces, however broken the rest may be.
-    pub fn declared(&self, word: &str) -> Vec<String> {
-        let mut names: Vec<String> = Vec::new();
-        let mut statement = true;
-        let mut tokens = self.body.clone().into_iter().peekable();
-        while let Some(token) = tokens.next() {
-            if let (true, TokenTree::Ident(ident), Some(TokenTree::Ident(name))) =
-                (statement, &token, tokens.peek())
-                && *ident == word
-            {
-                let name = name.to_string();
-                if !names.contains(&name) {
-                    names.push(name);
-                }
-            }
-            statement = match &token {
-                TokenTree::Punct(punct) => punct.as_char() == ';',
-                TokenTree::Group(group) => group.delimiter() == Delimiter::Brace,
-                _ => false,
-            };
-        }
-        names
-    }
-}
 
 /// Reads a definition. All syntax errors are reported, one for each statement.
 pub fn parse(tokens: TokenStream) -> Result<Definition, Diagnostics> {
@@ -105,49 +68,24 @@ pub fn parse(tokens: TokenStream) -> Result<Definition, Diagnostics> {
         // Groups are missing, and what is missing must not be reported a second time.
         return Err(diagnostics);
     }
+    let (definition, found) = read(&tokens, false);
+    found.finish(definition)
+}
+
+/// What can be read of tokens, however wrong; `patient`: every round of a `repeat` too, where the first has an error.
+fn read(tokens: &[Token], patient: bool) -> (Definition, Diagnostics) {
     let mut parser = Parser {
-        diagnostics,
+        diagnostics: Diagnostics::new(),
         definition: empty(),
         constants: HashMap::new(),
         indices: Vec::new(),
         budget: MOST_STATEMENTS,
         depth: 0,
+        patient,
     };
-    let mut cursor = Cursor::new(&tokens, Span::call_site().into());
+    let mut cursor = Cursor::new(tokens, Span::call_site().into());
     let _: Parsed<()> = parser.item(&mut cursor);
-    let Parser { diagnostics, definition, .. } = parser;
-    diagnostics.finish(definition)
-}
-
-/// The name and visibility of a definition that may be full of errors.
-pub fn header(tokens: TokenStream) -> Option<Header> {
-    let mut tokens = tokens.into_iter().peekable();
-    while matches!(tokens.peek(), Some(TokenTree::Punct(punct)) if punct.as_char() == '#') {
-        tokens.next();
-        tokens.next();
-    }
-    let mut visibility = TokenStream::new();
-    if matches!(tokens.peek(), Some(TokenTree::Ident(ident)) if *ident == "pub") {
-        visibility.extend(tokens.next());
-        if matches!(tokens.peek(), Some(TokenTree::Group(group)) if group.delimiter() != Delimiter::Brace) {
-            visibility.extend(tokens.next());
-        }
-    }
-    let TokenTree::Ident(kind) = tokens.next()? else { return None };
-    match tokens.next()? {
-        TokenTree::Ident(name) => {
-            let body = tokens.find_map(|token| match token {
-                TokenTree::Group(group) if group.delimiter() == Delimiter::Brace => Some(group.stream()),
-                _ => None,
-            });
-            Some(Header { visibility, spatial: kind == "spatial", name, body: body.unwrap_or_default() })
-        }
-        // The kind was forgotten: `pub FourBar { … }`.
-        TokenTree::Group(group) if group.delimiter() == Delimiter::Brace => {
-            Some(Header { visibility, spatial: false, name: kind, body: group.stream() })
-        }
-        _ => None,
-    }
+    (parser.definition, parser.diagnostics)
 }
 
 fn empty() -> Definition {

@@ -31,6 +31,8 @@ pub(super) struct Parser {
     pub budget: usize,
     /// Nesting of the expression being read.
     pub depth: usize,
+    /// Whether the rounds after one with an error are read too.
+    pub patient: bool,
 }
 
 impl Parser {

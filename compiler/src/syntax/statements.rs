@@ -252,7 +252,7 @@ impl Parser {
             self.statements(inside.clone());
             self.indices.pop();
             // A mistake of one round is a mistake of all.
-            if self.diagnostics.iter().count() > errors || self.diagnostics.is_full() {
+            if !self.patient && (self.diagnostics.iter().count() > errors || self.diagnostics.is_full()) {
                 break;
             }
         }
