@@ -63,10 +63,12 @@ pub enum Lint {
     NoEffect,
     /// A place outside of the shape that it belongs to.
     Outside,
+    /// A stiffness or damping below zero.
+    Negative,
 }
 
 impl Lint {
-    pub const ALL: [Lint; 3] = [Self::Unused, Self::NoEffect, Self::Outside];
+    pub const ALL: [Lint; 4] = [Self::Unused, Self::NoEffect, Self::Outside, Self::Negative];
 
     /// As in `#[allow(unused)]`.
     pub fn word(self) -> &'static str {
@@ -74,6 +76,7 @@ impl Lint {
             Self::Unused => "unused",
             Self::NoEffect => "no_effect",
             Self::Outside => "outside",
+            Self::Negative => "negative",
         }
     }
 }

@@ -12,10 +12,11 @@ use crate::model::{
 use std::collections::HashMap;
 
 /// The rules in the order they are reported.
-const RULES: [fn(&Mechanism, &mut Diagnostics); 14] = [
+const RULES: [fn(&Mechanism, &mut Diagnostics); 16] = [
     has_bodies,
     bounds_hold_the_default,
     mass_is_not_negative,
+    dimensions_are_positive,
     inertia_is_not_negative,
     inertia_belongs_to_a_body,
     lines_have_two_ends,
@@ -25,6 +26,7 @@ const RULES: [fn(&Mechanism, &mut Diagnostics); 14] = [
     equations_move,
     drivers_differ,
     start_is_said_once,
+    expectations_are_said_once,
     cuts_differ,
     loads_act_on_bodies,
 ];
@@ -71,6 +73,18 @@ fn mass_is_not_negative(mechanism: &Mechanism, diagnostics: &mut Diagnostics) {
     for body in &mechanism.bodies {
         if let Some(mass) = at_defaults(mechanism, &body.mass).filter(|mass| *mass < 0.0) {
             diagnostics.error(body.mass_span, messages::negative("mass", &body.name.text, mass, "kg"));
+        }
+    }
+}
+
+// The lengths of a shape are positive at the defaults of parameters; numbers have been judged where they are written.
+fn dimensions_are_positive(mechanism: &Mechanism, diagnostics: &mut Diagnostics) {
+    for body in &mechanism.bodies {
+        for (what, length) in &body.dimensions {
+            if let Some(length) = at_defaults(mechanism, length).filter(|length| *length <= 0.0) {
+                let message = messages::not_positive(what, &body.name.text, length);
+                diagnostics.error(body.name.span, message);
+            }
         }
     }
 }
@@ -247,6 +261,27 @@ fn start_is_said_once(mechanism: &Mechanism, diagnostics: &mut Diagnostics) {
         if let Some(first) = seen.insert(key(&start.quantity), start.span) {
             let message = messages::start_twice(&start.text);
             diagnostics.conflict(start.span, message, first, messages::first_here(&start.text));
+        }
+    }
+}
+
+// One number of degrees of freedom is expected, and one start of an orientation given.
+fn expectations_are_said_once(mechanism: &Mechanism, diagnostics: &mut Diagnostics) {
+    let expected = &mechanism.expect.degrees_of_freedom_again;
+    if let (Some((_, first)), Some(again)) = (mechanism.expect.degrees_of_freedom, expected) {
+        let (message, note) = (messages::expected_twice(), messages::first_here("degrees_of_freedom"));
+        diagnostics.conflict(*again, message, first, note);
+    }
+    let mut seen = HashMap::new();
+    for start in &mechanism.orientations {
+        if let Some(first) = seen.insert(start.body, start.span) {
+            let text = format!("{}.orientation", mechanism.bodies[start.body.0].name.text);
+            diagnostics.conflict(
+                start.span,
+                messages::start_twice(&text),
+                first,
+                messages::first_here(&text),
+            );
         }
     }
 }

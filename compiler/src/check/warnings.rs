@@ -12,11 +12,12 @@ use crate::model::{
 };
 
 /// The warnings in the order they are reported.
-const WARNINGS: [fn(&Mechanism, &mut Wanted); 5] = [
+const WARNINGS: [fn(&Mechanism, &mut Wanted); 6] = [
     declarations_are_used,
     bodies_are_connected,
     gravity_pulls,
     loads_have_an_effect,
+    springs_pull_back,
     places_are_on_their_bodies,
 ];
 
@@ -148,6 +149,23 @@ fn nothing_moved(mechanism: &Mechanism, load: &Load, rigid: &Groups, parallel: &
         LoadKind::Spring { first, second, .. } => {
             let still = rigid.same(first.frame, second.frame);
             still.then(|| messages::spring_between_held(name, &first.text, &second.text))
+        }
+    }
+}
+
+// Stiffness and damping are not negative.
+fn springs_pull_back(mechanism: &Mechanism, wanted: &mut Wanted) {
+    for load in &mechanism.loads {
+        let (LoadKind::Spring { stiffness, damping, .. }
+        | LoadKind::TorsionSpring { stiffness, damping, .. }) = &load.kind
+        else {
+            continue;
+        };
+        for (what, value) in [("stiffness", stiffness), ("damping", damping)] {
+            if let Some(value) = at_defaults(mechanism, value).filter(|value| *value < 0.0) {
+                let message = messages::negative_coefficient(what, &load.name.text, value);
+                wanted.push(Lint::Negative, load.name.span, message);
+            }
         }
     }
 }

@@ -41,6 +41,10 @@ pub(crate) enum Habit {
     VectorWithoutParentheses,
     /// `[1, 0]` for `(1, 0)`.
     VectorInBrackets,
+    /// `};` behind a block.
+    SemicolonBehindBlock,
+    /// `point p = a.start`.
+    NameForVector,
     /// `axis = z`, among these letters.
     AxisByLetter(String, &'static [&'static str]),
 }
@@ -77,6 +81,8 @@ impl Habit {
             Self::VectorInBrackets => {
                 "vectors stand in parentheses, brackets are for units and indices".to_string()
             }
+            Self::SemicolonBehindBlock => "a block ends with `}`, without `;`".to_string(),
+            Self::NameForVector => "its components are written out, in parentheses".to_string(),
             Self::AxisByLetter(letter, letters) => {
                 let components = letters.iter().map(|axis| if axis == letter { "1" } else { "0" });
                 let vector = components.collect::<Vec<_>>().join(", ");

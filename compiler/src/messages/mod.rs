@@ -22,7 +22,8 @@ pub(crate) fn closest<'a>(word: &str, known: impl Iterator<Item = &'a str>) -> O
     let most = (word.chars().count() / 3).max(1);
     known
         .map(|candidate| (distance(word, candidate), candidate))
-        .filter(|(edits, _)| *edits <= most)
+        // Of a single letter nothing would be left.
+        .filter(|(edits, _)| *edits <= most && *edits < word.chars().count())
         .min_by_key(|(edits, _)| *edits)
         .map(|(_, candidate)| candidate)
 }
@@ -57,10 +58,11 @@ pub(crate) fn angle_without_unit(function: &str, text: &str) -> String {
     )
 }
 
-/// Four digits behind the point, or powers of ten where those would say little.
+/// Five digits, or powers of ten where there would be many zeros.
 pub(crate) fn number(value: f64) -> String {
-    if value == 0.0 || (0.01..1e5).contains(&value.abs()) {
-        let text = format!("{value:.4}");
+    if value == 0.0 || (1e-3..1e5).contains(&value.abs()) {
+        let before = if value == 0.0 { 0 } else { libm::floor(libm::log10(value.abs())) as i32 };
+        let text = format!("{value:.*}", usize::try_from(4 - before).unwrap_or(0).max(1));
         text.trim_end_matches('0').trim_end_matches('.').to_string()
     } else {
         format!("{value:.4e}")

@@ -35,6 +35,10 @@ pub(crate) fn unknown(kind: &str, name: &str, similar: Option<&str>) -> String {
     }
 }
 
+pub(crate) fn other_kind(name: &str, kind: &str, expected: &str) -> String {
+    format!("`{name}` is {kind}, expected the name of a {expected}")
+}
+
 /// `first` and `last` are names with indices, as `name` is.
 pub(crate) fn unknown_index(name: &str, first: &str, last: &str) -> String {
     format!("no \"{name}\": indices go from \"{first}\" to \"{last}\"")

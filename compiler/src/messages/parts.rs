@@ -14,6 +14,12 @@ pub(crate) fn unknown_kind(what: &str, word: &str, known: &[&'static str], space
         return not_there_yet(word);
     }
     let likely = closest(word, known.iter().copied()).or_else(|| other_name(word, known));
+    let in_space = || other_name(word, &JointWord::ALL.map(JointWord::text));
+    if let (None, "joint", Space::Planar, Some(ours)) = (likely, what, space, in_space()) {
+        return format!(
+            "a {word} joint is `{ours}`, which needs space: write `spatial` before the name of the mechanism"
+        );
+    }
     let hint = match likely {
         Some(known) => format!("did you mean `{known}`?"),
         None => format!("there are {}", known.join(", ")),
@@ -362,6 +368,10 @@ pub(crate) fn driven_twice(driver: &str, first: &str) -> String {
 
 pub(crate) fn start_twice(quantity: &str) -> String {
     format!("the start of `{quantity}` is given twice")
+}
+
+pub(crate) fn expected_twice() -> String {
+    "the degrees of freedom are expected twice; write one number".to_string()
 }
 
 pub(crate) fn cut_twice(joint: &str) -> String {

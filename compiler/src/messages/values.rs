@@ -23,12 +23,18 @@ pub(crate) fn wrong_dimension(
     value: Option<f64>,
 ) -> String {
     if found == Dimension::ONE {
-        let example = value.map_or("3".to_string(), number);
-        return format!(
-            "{what} is given a plain number: expected {expected}; write the unit, as in `{example} [{expected}]`"
-        );
+        let advice = unit_advice(expected, value);
+        return format!("{what} is given a plain number: expected {expected}; write {advice}");
     }
     wrong_unit(what, expected, found)
+}
+
+/// How a value gets its unit: digits by brackets, all else by a factor.
+fn unit_advice(unit: Dimension, value: Option<f64>) -> String {
+    match value {
+        Some(value) => format!("the unit, as in `{} [{unit}]`", number(value)),
+        None => format!("its unit as a factor, `… * 1 [{unit}]`"),
+    }
 }
 
 /// Of a declaration without a unit, whose value has one.
@@ -39,14 +45,18 @@ pub(crate) fn unit_left_out(kind: &str, name: &str, found: Dimension) -> String 
     )
 }
 
-pub(crate) fn different_dimensions(what: &str, left: Dimension, right: Dimension) -> String {
+/// `value`: the number that lacks a unit, where it is written.
+pub(crate) fn different_dimensions(
+    what: &str,
+    left: Dimension,
+    right: Dimension,
+    value: Option<f64>,
+) -> String {
     let (left_one, right_one) = (left == Dimension::ONE, right == Dimension::ONE);
     if left_one != right_one {
         let other = if left_one { right } else { left };
-        return format!(
-            "{what} do not fit: a plain number meets {}; write its unit, as in `3 [{other}]`",
-            other.kind()
-        );
+        let advice = unit_advice(other, value);
+        return format!("{what} do not fit: a plain number meets {}; write {advice}", other.kind());
     }
     let hint =
         if rate_hint(left, right).is_empty() { rate_hint(right, left) } else { rate_hint(left, right) };

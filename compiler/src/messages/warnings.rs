@@ -76,6 +76,17 @@ pub(crate) fn spring_between_held(load: &str, first: &str, second: &str) -> Stri
     )
 }
 
+/// SI units, at the defaults of parameters.
+pub(crate) fn negative_coefficient(what: &str, load: &str, value: f64) -> String {
+    let does =
+        if what == "damping" { "drives the motion it should damp" } else { "pushes where it should pull" };
+    format!(
+        "the {what} of `{load}` is negative, {} in SI units, so it {does}: change its sign, or write `#[allow(negative)]` \
+         before it",
+        number(value)
+    )
+}
+
 /// Metres; `along`: in which direction, and how far out.
 pub(crate) fn outside(place: &str, shape: Shape, body: &str, along: (&str, f64), limit: f64) -> String {
     let (direction, out) = along;

@@ -77,12 +77,10 @@ fn foreign_unit(name: &str) -> Option<String> {
 pub(crate) fn unit(error: &UnitError) -> String {
     match error {
         UnitError::Empty => "the unit is missing: write `[1]` for a plain number".to_string(),
-        UnitError::Unknown(name) => match units::suggest(name) {
-            Some(unit) => format!("no unit called \"{name}\"; did you mean `{unit}`?"),
-            None if foreign_unit(name).is_some() => {
-                format!("no unit called \"{name}\"; {}", foreign_unit(name).unwrap_or_default())
-            }
-            None => format!(
+        UnitError::Unknown(name) => match (foreign_unit(name), units::suggest(name)) {
+            (Some(advice), _) => format!("no unit called \"{name}\"; {advice}"),
+            (None, Some(unit)) => format!("no unit called \"{name}\"; did you mean `{unit}`?"),
+            (None, None) => format!(
                 "no unit called \"{name}\"; units are m g s N Pa J W Hz with prefixes, kg rad deg rev rpm min h t bar"
             ),
         },
@@ -212,6 +210,9 @@ pub(crate) fn unknown_property(
         return format!(
             "`{word}` begins a statement of the mechanism, not of a {shape}: close the braces of the {shape} first"
         );
+    }
+    if word == "density" {
+        return format!("the volume of a {shape} is not known, so it has no `density`: write its `mass`");
     }
     let places = if shape == "particle" { "" } else { ", and points and lines" };
     let hint = match closest(word, allowed.iter().copied().chain(["point", "line", "center"])) {

@@ -80,8 +80,10 @@ impl<'d> Lowering<'d> {
                 let mass = super::fold::binary(super::Function2::Mul, density?, volume?);
                 Some((mass, entry.value.region))
             }
-            (Some(_), Some((label, _))) => {
-                self.diagnostics.error(label.region, messages::mass_and_density(&body.name.text));
+            (Some((mass, _)), Some((density, _))) => {
+                let (message, note) =
+                    (messages::mass_and_density(&body.name.text), messages::first_here("mass"));
+                self.diagnostics.conflict(density.region, message, mass.region, note);
                 None
             }
             (None, None) => {

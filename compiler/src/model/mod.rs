@@ -433,6 +433,8 @@ impl Emit {
 #[derive(Clone, Debug, Default)]
 pub struct Expect {
     pub degrees_of_freedom: Option<(usize, Region)>,
+    /// Where they are expected a second time.
+    pub degrees_of_freedom_again: Option<Region>,
     /// (function, or `None` for the default acceleration function; limit; where written).
     pub operations: Vec<(Option<String>, usize, Region)>,
 }

@@ -141,6 +141,14 @@ impl<'d> Names<'d> {
         Some((with(indices.iter().min()?), with(indices.iter().max()?)))
     }
 
+    /// Why a name is not that of a part that `fits` accepts, called `what`: it is another kind of part, or none.
+    pub fn not_found(&self, what: &str, name: &str, fits: impl Fn(Part) -> bool) -> String {
+        match self.part(name) {
+            Some(part) => messages::other_kind(name, part.kind(), what),
+            None => messages::unknown(what, name, self.similar_part(name, fits)),
+        }
+    }
+
     /// The nearest of the parts that `fits` accepts.
     pub fn similar_part(&self, name: &str, fits: impl Fn(Part) -> bool) -> Option<&str> {
         let fitting = self.parts.iter().filter(|(_, part)| fits(**part)).map(|(name, _)| *name);

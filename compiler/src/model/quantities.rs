@@ -89,8 +89,8 @@ impl<'d> Lowering<'d> {
                 None
             }
             _ => {
-                let similar = self.names.similar_part(&path.text, |part| matches!(part, Part::Load(_)));
-                self.diagnostics.error(path.region, messages::unknown("load", &path.text, similar));
+                let message = self.names.not_found("load", &path.text, |part| matches!(part, Part::Load(_)));
+                self.diagnostics.error(path.region, message);
                 None
             }
         }
@@ -327,11 +327,9 @@ impl<'d> Lowering<'d> {
                 None
             }
             _ => {
-                let similar = self
-                    .names
-                    .similar_part(&label.text, |part| matches!(part, Part::Body(_) | Part::Joint(_)));
-                self.diagnostics
-                    .error(label.region, messages::unknown("joint or body", &label.text, similar));
+                let fits = |part| matches!(part, Part::Body(_) | Part::Joint(_));
+                let message = self.names.not_found("joint or body", &label.text, fits);
+                self.diagnostics.error(label.region, message);
                 None
             }
         }
@@ -350,8 +348,8 @@ impl<'d> Lowering<'d> {
                 None
             }
             _ => {
-                let similar = self.names.similar_part(&label.text, |part| matches!(part, Part::Body(_)));
-                self.diagnostics.error(label.region, messages::unknown("body", &label.text, similar));
+                let message = self.names.not_found("body", &label.text, |part| matches!(part, Part::Body(_)));
+                self.diagnostics.error(label.region, message);
                 None
             }
         }
@@ -371,8 +369,8 @@ impl<'d> Lowering<'d> {
             }
             Some(Part::Body(index)) => Some(BodyId(index)),
             _ => {
-                let similar = self.names.similar_part(&head.text, |part| matches!(part, Part::Body(_)));
-                self.diagnostics.error(head.region, messages::unknown("body", &head.text, similar));
+                let message = self.names.not_found("body", &head.text, |part| matches!(part, Part::Body(_)));
+                self.diagnostics.error(head.region, message);
                 None
             }
         }
@@ -390,8 +388,9 @@ impl<'d> Lowering<'d> {
                 None
             }
             _ => {
-                let similar = self.names.similar_part(&label.text, |part| matches!(part, Part::Joint(_)));
-                self.diagnostics.error(label.region, messages::unknown("joint", &label.text, similar));
+                let message =
+                    self.names.not_found("joint", &label.text, |part| matches!(part, Part::Joint(_)));
+                self.diagnostics.error(label.region, message);
                 None
             }
         }

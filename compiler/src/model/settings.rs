@@ -69,8 +69,8 @@ impl<'d> Lowering<'d> {
         if let Some(Part::Joint(index)) = self.names.part(&joint.text) {
             return Some((JointId(index), joint.region));
         }
-        let similar = self.names.similar_part(&joint.text, |part| matches!(part, Part::Joint(_)));
-        self.diagnostics.error(joint.region, messages::unknown("joint", &joint.text, similar));
+        let message = self.names.not_found("joint", &joint.text, |part| matches!(part, Part::Joint(_)));
+        self.diagnostics.error(joint.region, message);
         None
     }
 
@@ -84,6 +84,10 @@ impl<'d> Lowering<'d> {
         for entry in &self.definition.expect {
             match entry {
                 ExpectEntry::DegreesOfFreedom(count, region) => {
+                    if expect.degrees_of_freedom.is_some() {
+                        expect.degrees_of_freedom_again = Some(*region);
+                        continue;
+                    }
                     expect.degrees_of_freedom = Some((*count, *region));
                 }
                 ExpectEntry::Operations(function, limit, region) => {

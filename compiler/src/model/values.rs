@@ -20,10 +20,11 @@ pub(super) struct Typed {
 }
 
 impl Typed {
-    /// Its value, where that is known.
+    /// Its value, where that is written: digits, with a sign or without.
     pub fn number(&self) -> Option<f64> {
+        let (first, last) = self.region.serials();
         match self.expr {
-            Expr::Number(value) => Some(value),
+            Expr::Number(value) if last <= first + 1 => Some(value),
             _ => None,
         }
     }
@@ -166,7 +167,9 @@ impl Lowering<'_> {
             (false, true) => right.region,
             _ => left.region.to(right.region),
         };
-        self.diagnostics.error(region, messages::different_dimensions(what, left.dimension, right.dimension));
+        let bare = if left.dimension == Dimension::ONE { left } else { right };
+        let message = messages::different_dimensions(what, left.dimension, right.dimension, bare.number());
+        self.diagnostics.error(region, message);
         None
     }
 

@@ -22,6 +22,9 @@ pub(super) fn habit(c: &Cursor, what: &str) -> Option<Habit> {
         }
         ("a value", Kind::Punct('=')) if matches!(before, Some(Kind::Punct('='))) => Habit::EqualsTwice,
         ("a value", Kind::Word(word)) if word == "if" => Habit::RustIf,
+        ("a statement" | "the end: one mechanism for each macro", Kind::Punct(';')) => {
+            Habit::SemicolonBehindBlock
+        }
         ("a property of the body" | "a statement", Kind::Group(Delimiter::Bracket, ..)) => {
             Habit::UnitBeforeName
         }
@@ -30,7 +33,10 @@ pub(super) fn habit(c: &Cursor, what: &str) -> Option<Habit> {
             Kind::Group(Delimiter::Bracket, ..) => Habit::VectorInBrackets,
             Kind::Word(word) => {
                 let letters: &[&str] = if vector.contains('z') { &["x", "y", "z"] } else { &["x", "y"] };
-                return letters.contains(&word.as_str()).then(|| Habit::AxisByLetter(word.clone(), letters));
+                match letters.contains(&word.as_str()) {
+                    true => Habit::AxisByLetter(word.clone(), letters),
+                    false => Habit::NameForVector,
+                }
             }
             _ => return None,
         },

@@ -96,7 +96,8 @@ fn fields(read: Vec<&Label>, body: &TokenStream, word: &str) -> Vec<String> {
     let (mut statement, mut attribute) = (true, false);
     let mut tokens = body.clone().into_iter().peekable();
     while let Some(token) = tokens.next() {
-        if let (true, TokenTree::Ident(ident), Some(TokenTree::Ident(name))) = (statement, &token, tokens.peek())
+        if let (true, TokenTree::Ident(ident), Some(TokenTree::Ident(name))) =
+            (statement, &token, tokens.peek())
             && *ident == word
         {
             add(name.to_string());

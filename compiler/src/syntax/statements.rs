@@ -3,7 +3,7 @@
 
 use super::attributes::Bearer;
 use super::definition::{Constant, Driver, Input, Line, Output, Parameter, Shape, Space};
-use super::parser::{Parsed, Parser};
+use super::parser::{Failed, Parsed, Parser};
 use super::token::Cursor;
 use crate::messages;
 use proc_macro2::{Delimiter, TokenStream};
@@ -176,8 +176,10 @@ impl Parser {
         self.punct(c, '=')?;
         let pair = self.vector(c, unit)?;
         self.semicolon(c)?;
-        if self.definition.gravity.is_some() {
-            return self.fail(word, messages::gravity_twice());
+        if let Some(first) = &self.definition.gravity {
+            let (first, note) = (first.region, messages::first_here("gravity"));
+            self.diagnostics.conflict(word, messages::gravity_twice(), first, note);
+            return Err(Failed);
         }
         self.definition.gravity = Some(pair);
         Ok(())

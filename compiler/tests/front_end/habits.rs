@@ -29,6 +29,53 @@ fn words_before_the_name() {
     }
 }
 
+#[test]
+fn words_of_others() {
+    for (more, advice) in [
+        ("parameter p [m] = 1;", "write `param name [unit] = value;`"),
+        ("if base.angle > 0 { }", "within expressions a choice is `if(condition, value, other)`"),
+        ("struct B { }", "a mechanism has no items of Rust; write those beside `mechanism!`"),
+        ("assert { }", "write `expect { … }`"),
+        ("initial { }", "write `start { … }`"),
+        ("bar b { }", "write `rod`"),
+        ("wheel w { }", "write `disk`"),
+        ("ball b { }", "write `sphere`, or `joint name: spherical(…)`"),
+        ("cube c { }", "write `box`"),
+        ("point_mass p { }", "write `particle`"),
+        ("sensor s = base.angle;", "write `output name [unit] = value;`"),
+        ("import \"arm\";", "a mechanism stands in one macro as a whole"),
+        ("output o [1] = log(2);", "the natural logarithm is `ln`"),
+        ("output o [1] = log10(2);", "write `ln(x)/ln(10)`, or with 2"),
+        ("output o [rad] = arcsin(1);", "write `asin`"),
+        ("output o [rad] = arccos(1);", "write `acos`"),
+        ("output o [1] = fabs(1);", "write `abs`"),
+        ("output o [1] = hypot(1, 2);", "write `sqrt(x^2 + y^2)`, or `distance(place, place)`"),
+        ("output o [1] = sin(radians(30));", "write the unit: `30 [deg]`"),
+        ("output o [1] = heaviside(1);", "write `if(x > 0, 1, 0)`"),
+        ("output o [1] = floor(1);", "there is none whose value jumps by itself; write `if(…)`"),
+        ("output o [1] = tanh(1);", "write it with `exp`"),
+        ("output o [m/s^2] = g;", "declare it: `const g [m/s^2] = 9.81;`"),
+        ("output o [1] = e;", "write `exp(1)`"),
+        ("const A [lb] = 1;", "one pound is 0.45359237 [kg]"),
+        ("const A [lbf] = 1;", "one pound-force is 4.4482216152605 [N]"),
+        ("const A [kgf] = 1;", "one kilogram-force is 9.80665 [N]"),
+        ("const A [psi] = 1;", "one psi is 6894.757293168 [Pa]"),
+        ("const A [hp] = 1;", "one horsepower is 745.7 [W], metric 735.49875 [W]"),
+        ("rod b { mass [kg] = 1; length [m] = 1; };", "a block ends with `}`, without `;`"),
+        ("gravity [m/s^2] = down;", "its components are written out, in parentheses"),
+        ("quark q;", "statements begin with const, param, input, body, joint, force, start and the like"),
+        (
+            "joint j: ball(crank.pin, link.end);",
+            "a ball joint is `spherical`, which needs space: write `spatial` before the name of the mechanism",
+        ),
+        ("options { redundant_constraints = drop; }", "did you mean `redundant`?"),
+    ] {
+        let text = bad(&slider_crank(more)).to_string();
+        assert!(text.trim_end().ends_with(advice), "{more}: {text}");
+        assert_eq!(text.lines().count(), 1, "{more}: {text}");
+    }
+}
+
 /// Statements added to the slider-crank, and the only message they give.
 const HABITS: &[(&str, &str)] = &[
     (

@@ -105,7 +105,7 @@ const MISTAKES: &[(&str, &str)] = &[
         "`block` is a particle and has no orientation; write `body`, `rod`, `disk` or `box` for one that turns",
     ),
     ("output o [1] = drive.effort;", r#"no body, joint or driver called "drive""#),
-    ("output o [W] = power(crank);", r#"no load called "crank""#),
+    ("output o [W] = power(crank);", "`crank` is a body, expected the name of a load"),
     (
         "output o [deg] = acos(0.5);",
         "the value is an angle in rad already and would be converted a second time by [deg]; write [rad]",
@@ -347,7 +347,7 @@ const MISTAKES: &[(&str, &str)] = &[
     ),
     (
         "constraint c: base.angle = 3;",
-        "the two sides of the constraint do not fit: a plain number meets an angle; write its unit, as in `3 [rad]`",
+        "the two sides of the constraint do not fit: a plain number meets an angle; write the unit, as in `3 [rad]`",
     ),
     ("constraint c: heavy = 3 [kg];", "the constraint `c` names nothing that can move, such as `knee.angle`"),
     ("constraint c: gear(base, base, ratio = 2);", "`c` couples something with itself"),
@@ -490,4 +490,64 @@ const MISTAKES: &[(&str, &str)] = &[
     ("table T: rad -> m = [];", "`table` is not there yet in this version"),
     ("jiont j: revolute(crank.pin, link.end);", "no statement begins with `jiont`; did you mean `joint`?"),
     ("3;", "expected a statement, found `3`"),
+    ("output o [1] = sin(30);", "sin of a bare number: write its unit, `sin(30 [deg])` or `sin(30 [rad])`"),
+    (
+        "output o [1] = distance(crank.pin.x, ground(0, 0));",
+        "`crank.pin.x` is not a place: a place is written `body.point`",
+    ),
+    (
+        "line l = (crank.pin, crank.center);",
+        "a line of a body stands inside the braces of the body; out here lines go through places of the ground",
+    ),
+    (
+        "joint j: point_on_line(crank, link.end);",
+        "`crank` is a body, expected a line such as `crank.slot` or `line(place, place)`",
+    ),
+    ("output o [W] = motor.power;", "a load has no quantities but its power: write `power(motor)`"),
+    ("output o [m] = way.x;", "`way` is a line and has no quantities"),
+    (
+        "joint j: distance(crank.pin, link.end, length [m] = 1); output o [m] = j;",
+        "`j` is a joint without coordinates, expected a value",
+    ),
+    ("drive d: base.angle = 1 [rad/s]*time; output o [W] = d.force;", "the driver `d` has effort and power"),
+    ("output o [W] = power(3);", "`power` takes the name of a load"),
+    (
+        "drive d: base.angle = 1 [rad/s]*time; output o [W] = power(d);",
+        "the power of a driver is written `d.power`",
+    ),
+    (
+        "start { base.rate [rad/s] = (1, 2); }",
+        "one number is expected here, and these parentheses hold several: components are given one by one, such as \
+         `rod.rate.x [rad/s] = 1;`, and a vector stands only where places, axes and forces are",
+    ),
+    (
+        "sphere s { mass [kg] = 1; radius [m] = 1; }",
+        "`sphere` needs space: write `spatial` before the name of the mechanism",
+    ),
+    ("output o [m] = heavy/2 + 1 [m];", "the summands do not fit: a mass (kg) meets a length (m)"),
+    (
+        "output o [m] = (1 + pi)/2 + link.end.x;",
+        "the summands do not fit: a plain number meets a length; write its unit as a factor, `… * 1 [m]`",
+    ),
+    ("output o [1] = link.end.x^0.1234567;", "a length to the power 0.1234567 has no unit"),
+    (
+        "quark q;",
+        "no statement begins with `quark`; statements begin with const, param, input, body, joint, force, start and the like",
+    ),
+    ("const A [1] = exp(1000);", "this has no value: it is infinite"),
+    ("output o [1] = if(1 < 2 || 2 < 3, 1, 2);", "`|` is no operator: write `or`"),
+    ("output o [1] = if(!(1 < 2), 1, 2);", "`!` is no operator: write `not`"),
+    (
+        "joint j: revolute(place(0, 0), link.end);",
+        "`place(…)` is not a place: write `body.point` or `ground(x, y) [m]`",
+    ),
+    ("output o[] [m] = 1;", "the index is missing"),
+    (
+        "start { repeat i in 0..2 { base.angle [deg] = 3; } }",
+        "`repeat` goes around the block: write `repeat i in 0..N { start { … } }`",
+    ),
+    (
+        "body b { density [kg/m^3] = 1; inertia [kg*m^2] = 1; }",
+        "the volume of a body is not known, so it has no `density`: write its `mass`",
+    ),
 ];

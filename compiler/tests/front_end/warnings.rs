@@ -84,6 +84,59 @@ fn loads_without_effect() {
 }
 
 #[test]
+fn what_to_write_instead() {
+    let held = "rod post { mass [kg] = 1; length [m] = 1; } joint weld: fixed(ground(0, 1) [m], post.start);
+                rod mast { mass [kg] = 1; length [m] = 1; } joint foot: fixed(ground(0, 2) [m], mast.start);";
+    for (more, expected) in [
+        (
+            "spring f: spring(crank.pin, link.end, stiffness [N/m] = 0, length [m] = 1);",
+            "`f` has neither stiffness nor damping, so it pulls at nothing: give it one of them, or a parameter, or leave it \
+             out, or write `#[allow(no_effect)]` before it",
+        ),
+        (
+            "joint bolt: revolute(post.end, mast.start); torque f: torque(bolt) = 1 [N*m];",
+            "`f` acts along `bolt`, which cannot move: other joints hold its two bodies together. Name a joint that moves, or \
+             write `#[allow(no_effect)]` before it",
+        ),
+        (
+            "joint bolt: prismatic(post.end, mast.start, axis = (1, 0)); force f: force(bolt) = 1 [N];",
+            "`f` acts along `bolt`, which cannot move: other joints hold its two bodies together. Name a joint that moves, or \
+             write `#[allow(no_effect)]` before it",
+        ),
+        (
+            "damper f: damper(post.end, mast.end, damping [N*s/m] = 1);",
+            "`f` pulls `post.end` and `mast.end` together, which fixed joints hold apart: it moves nothing. Name a place that \
+             moves, or write `#[allow(no_effect)]` before it",
+        ),
+    ] {
+        let found = warnings(&slider_crank(&format!("{held} {more}")));
+        let found: Vec<_> = found.iter().map(|warning| warning.message.as_str()).collect();
+        assert_eq!(found, [expected], "{more}");
+    }
+}
+
+#[test]
+fn springs_that_push() {
+    for (load, expected) in [
+        (
+            "spring f: spring(crank.pin, link.end, stiffness [N/m] = -1, length [m] = 1);",
+            "the stiffness of `f` is negative, -1 in SI units, so it pushes where it should pull",
+        ),
+        (
+            "damper f: damper(crank.pin, link.end, damping [N*s/m] = -heavy/1 [s]);",
+            "the damping of `f` is negative, -2 in SI units, so it drives the motion it should damp",
+        ),
+        (
+            "torsion_spring f: torsion_spring(base, stiffness [N*m] = 1, damping [N*m*s] = -0.005);",
+            "the damping of `f` is negative, -0.005 in SI units, so it drives the motion it should damp",
+        ),
+    ] {
+        warns(load, &[expected]);
+        warns(&format!("#[allow(negative)] {load}"), &[]);
+    }
+}
+
+#[test]
 fn places_outside_of_their_shape() {
     for (shape, expected) in [
         (
@@ -93,7 +146,7 @@ fn places_outside_of_their_shape() {
         ("rod b { mass [kg] = 1; length [m] = 1; point p [m] = (0.5, 0.1); }", None),
         (
             "disk b { mass [kg] = 1; radius [m] = 0.1; point p [m] = (0.1, 0.1); }",
-            Some("`p` lies outside of the disk `b`: 0.1414 m off its axis, and the disk ends at 0.1 m"),
+            Some("`p` lies outside of the disk `b`: 0.14142 m off its axis, and the disk ends at 0.1 m"),
         ),
         (
             "box b { mass [kg] = 1; width [m] = 1; height [m] = 2; point p [m] = (0, -1.1); }",
