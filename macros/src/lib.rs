@@ -4,6 +4,8 @@
 use linkwright_compiler::diagnostics::Region;
 use linkwright_compiler::{Expansion, unreadable};
 use proc_macro::{LexError, TokenStream};
+use std::ffi::OsStr;
+use std::path::Path;
 
 /// Compiles a definition of a mechanism into its equations of motion.
 ///
@@ -33,13 +35,33 @@ pub fn mechanism(tokens: TokenStream) -> TokenStream {
     }
 }
 
-/// Whether a place is in a file that the user may change, and not in one that cargo has fetched: a definition can come
-/// out of a macro of somebody else's.
+/// Whether a place is in a file that the user may change: a definition can come out of a macro of somebody else's.
 fn is_of_the_user(region: Region) -> bool {
-    let file = region.start.unwrap().local_file().unwrap_or_default();
-    let folders: Vec<_> = file.components().map(|part| part.as_os_str().to_os_string()).collect();
-    let fetched = |pair: &[std::ffi::OsString]| {
-        (pair[0] == "registry" && pair[1] == "src") || (pair[0] == "git" && pair[1] == "checkouts")
-    };
-    !folders.windows(2).any(fetched)
+    region.start.unwrap().local_file().is_none_or(|file| !is_fetched(&file))
+}
+
+/// Whether cargo has fetched a file, from a registry or a repository.
+fn is_fetched(file: &Path) -> bool {
+    let folders: Vec<&OsStr> = file.components().map(|part| part.as_os_str()).collect();
+    let pairs = [["registry", "src"], ["git", "checkouts"]];
+    folders.windows(2).any(|pair| pairs.iter().any(|fetched| pair == fetched))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::is_fetched;
+    use std::path::Path;
+
+    #[test]
+    fn what_cargo_has_fetched() {
+        for file in [
+            "/home/user/.cargo/registry/src/index-1949/arms-0.1.0/src/lib.rs",
+            "/cargo/git/checkouts/arms-1/2/src/lib.rs",
+        ] {
+            assert!(is_fetched(Path::new(file)), "{file}");
+        }
+        for file in ["src/main.rs", "/home/user/registry/arms/src/lib.rs", "/home/user/git/arms/src/lib.rs"] {
+            assert!(!is_fetched(Path::new(file)), "{file}");
+        }
+    }
 }

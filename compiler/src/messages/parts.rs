@@ -270,7 +270,9 @@ pub(crate) fn torque_of_components(name: &str) -> String {
 }
 
 pub(crate) fn spring_in_one_body(first: &str, second: &str) -> String {
-    format!("`{first}` and `{second}` never move apart, so nothing between them does anything")
+    format!(
+        "`{first}` and `{second}` never move apart, so nothing between them does anything: name a place of another body, or leave it out"
+    )
 }
 
 // ---- Rules of the model ----------------------------------------------------------------------------------------------

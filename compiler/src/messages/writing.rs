@@ -257,6 +257,10 @@ pub(crate) fn property_twice(property: &str, owner: &str) -> String {
     format!("`{property}` of `{owner}` is given twice")
 }
 
+pub(crate) fn property_here(name: &str) -> String {
+    format!("its `{name}` is here")
+}
+
 pub(crate) fn first_here(name: &str) -> String {
     format!("the first `{name}` is here")
 }

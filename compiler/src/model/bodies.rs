@@ -82,7 +82,7 @@ impl<'d> Lowering<'d> {
             }
             (Some((mass, _)), Some((density, _))) => {
                 let (message, note) =
-                    (messages::mass_and_density(&body.name.text), messages::first_here("mass"));
+                    (messages::mass_and_density(&body.name.text), messages::property_here("mass"));
                 self.diagnostics.conflict(density.region, message, mass.region, note);
                 None
             }

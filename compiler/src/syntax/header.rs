@@ -92,13 +92,17 @@ fn fields(read: Vec<&Label>, body: &TokenStream, word: &str) -> Vec<String> {
             names.push(name);
         }
     };
-    read.into_iter().for_each(|label| add(label.text.replace('[', "_").replace(']', "")));
+    let has_index = |name: &str| {
+        read.iter().any(|label| label.text.split_once('[').is_some_and(|(base, _)| base == name))
+    };
+    read.iter().for_each(|label| add(label.text.replace('[', "_").replace(']', "")));
     let (mut statement, mut attribute) = (true, false);
     let mut tokens = body.clone().into_iter().peekable();
     while let Some(token) = tokens.next() {
         if let (true, TokenTree::Ident(ident), Some(TokenTree::Ident(name))) =
             (statement, &token, tokens.peek())
             && *ident == word
+            && !has_index(&name.to_string())
         {
             add(name.to_string());
         }

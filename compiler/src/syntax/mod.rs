@@ -18,7 +18,7 @@
 //!             "repeat" i "in" expr ".." expr "{" statement* "}"
 //!             "start" "{" (quantity unit? ("=" | "~") expr ";")* "}"
 //!             "options" "{" … "}"      "expect" "{" … "}"
-//! property    ("mass" | "inertia" | "length" | "radius" | "width" | "height") unit? "=" expr ";"
+//! property    ("mass" | "density" | "inertia" | "length" | "radius" | "width" | "height" | "thickness") unit? "=" expr ";"
 //!             "center" unit? "=" pair ";"     "point" name unit? "=" pair ";"     "line" …
 //! LOAD        force(place, direction = pair) "=" expr     force(place) "=" pair      torque(a) "=" expr
 //!             spring(p, q, stiffness = …, length = …, damping = …)      damper(p, q, damping = …)
@@ -27,6 +27,7 @@
 //! ```
 //! A load is declared by the word `force` or by its own: `force s: spring(…)` and `spring s: spring(…)` are the same.
 //! Named arguments take their unit beside the name or beside the number: `length [mm] = 3`, `length = 3 [mm]`.
+//! Before statements and properties doc comments and `#[allow(unused)]` may stand.
 //! Names may carry indices, `upright[i+1]`; a declared name with an index and a unit has the unit last.
 //!
 //! Looking names up, units of values and all meaning are left to `model`.

@@ -422,7 +422,7 @@ const MISTAKES: &[(&str, &str)] = &[
     ),
     (
         "force f: spring(crank.pin, crank.center, stiffness = 3 [N/m], length = 1 [m]);",
-        "`crank.pin` and `crank.center` never move apart, so nothing between them does anything",
+        "`crank.pin` and `crank.center` never move apart, so nothing between them does anything: name a place of another body, or leave it out",
     ),
     (
         "force f: spring(crank.pin, link.end, stiffness = 3 [N/m], length = -1 [m]);",
