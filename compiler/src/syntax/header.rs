@@ -66,14 +66,12 @@ pub fn header(tokens: TokenStream) -> Option<Header> {
         parameters: known(definition.parameters.iter().map(|it| &it.name).collect(), "param"),
         inputs: known(definition.inputs.iter().map(|it| &it.name).collect(), "input"),
         outputs: known(definition.outputs.iter().map(|it| &it.name).collect(), "output"),
-        counts: found.is_empty().then(|| {
-            [
-                definition.bodies.len(),
-                definition.joints.len(),
-                definition.loads.len(),
-                definition.drivers.len(),
-            ]
-        }),
+        counts: found.is_empty().then_some([
+            definition.bodies.len(),
+            definition.joints.len(),
+            definition.loads.len(),
+            definition.drivers.len(),
+        ]),
     })
 }
 
