@@ -27,7 +27,8 @@ fn language_page_example_is_a_definition() {
     let rest = page.split_once("mechanism! {").expect("an example").1;
     let definition = rest.split_once("\n}\n```").expect("its end").0;
     let compiled = linkwright_compiler::compile(definition.parse().unwrap(), None);
-    assert!(compiled.is_ok(), "{}", compiled.unwrap_err());
+    let compiled = compiled.unwrap_or_else(|errors| panic!("{errors}"));
+    assert!(compiled.warnings.is_empty(), "{}", compiled.warnings);
 }
 
 /// Every word of the language page's tables is known: joints, loads and functions are refused only for their arguments.
@@ -52,10 +53,43 @@ fn language_page_names_what_there_is() {
     }
 }
 
+/// The messages of `docs/messages.md` are those of the pairs in `tests/ui` that stand before them.
+#[test]
+fn message_page_shows_what_is_printed() {
+    let page = read("docs/messages.md");
+    let mut expected = String::new();
+    let mut shown = 0;
+    for (index, section) in page.split("\n## ").enumerate() {
+        if index == 0 {
+            expected += section;
+            continue;
+        }
+        let (text, _) = section.split_once("```text\n").expect("a message");
+        let pair =
+            text.split('`').find(|name| name.starts_with("tests/ui/")).expect("the pair that it is of");
+        let message = read(&pair.replace(".rs", ".stderr"));
+        expected += &format!("\n## {text}```text\n{message}```\n");
+        shown += 1;
+    }
+    assert!(shown >= 10, "{shown} messages");
+    if std::env::var_os("UPDATE_MESSAGES").is_some() {
+        fs::write(root().join("docs/messages.md"), &expected).expect("docs can be written");
+        return;
+    }
+    assert_eq!(page, expected, "write it anew with UPDATE_MESSAGES=1");
+}
+
 /// Every file and folder that the documents name exists.
 #[test]
 fn documents_name_what_exists() {
-    for document in ["README.md", "ARCHITECTURE.md", "NOTATION.md", "CONTRIBUTING.md", "benches/RESULTS.md"] {
+    for document in [
+        "README.md",
+        "ARCHITECTURE.md",
+        "NOTATION.md",
+        "CONTRIBUTING.md",
+        "benches/RESULTS.md",
+        "docs/messages.md",
+    ] {
         let text = read(document);
         let names = text.split('`').skip(1).step_by(2);
         let is_path = |name: &&str| {

@@ -1,13 +1,16 @@
-//! Errors of a stage, collected: a region of the source, a text, and notes that point at other places.
+//! Errors of a stage, and warnings, collected: a region of the source, a text, and notes that point at other places.
 //!
-//! A stage pushes every error it finds and its caller stops at the stage's end ([`Diagnostics::finish`]).
-//! The texts themselves stand in `messages`.
+//! A stage pushes every error it finds and its caller stops at the stage's end ([`Diagnostics::finish`]). Warnings have a
+//! collection of their own, which lives as long as the compilation. The texts themselves stand in `messages`, what
+//! rustc is told in `tokens`.
 
-use proc_macro2::{Delimiter, Group, Ident, Literal, Punct, Spacing, Span, TokenStream, TokenTree};
+mod tokens;
+
+use proc_macro2::Span;
 use std::collections::BTreeSet;
 use std::fmt;
 
-/// Errors beyond this many are counted, not kept.
+/// Those beyond this many are counted, not kept.
 const MOST: usize = 50;
 
 /// A stretch of the source, from the start of one token to the end of another.
@@ -34,6 +37,11 @@ impl Region {
         Region { start: self.start, end: last.end, tokens: (self.tokens.0, last.tokens.1) }
     }
 
+    /// What the rounds of a `repeat` have in common.
+    pub(crate) fn serials(self) -> (u32, u32) {
+        self.tokens
+    }
+
     /// One span: the whole region where spans can be joined, else its start.
     pub fn span(self) -> Span {
         self.start.join(self.end).unwrap_or(self.start)
@@ -46,9 +54,62 @@ impl From<Span> for Region {
     }
 }
 
-/// One error.
+/// What a warning is of: the word that `#[allow(…)]` takes.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Lint {
+    /// Declared, and named by nothing.
+    Unused,
+    /// A load or the like that changes nothing.
+    NoEffect,
+    /// A place outside of the shape that it belongs to.
+    Outside,
+    /// A stiffness or damping below zero.
+    Negative,
+}
+
+impl Lint {
+    pub const ALL: [Lint; 4] = [Self::Unused, Self::NoEffect, Self::Outside, Self::Negative];
+
+    /// As in `#[allow(unused)]`.
+    pub fn word(self) -> &'static str {
+        match self {
+            Self::Unused => "unused",
+            Self::NoEffect => "no_effect",
+            Self::Outside => "outside",
+            Self::Negative => "negative",
+        }
+    }
+}
+
+/// Where which warnings are not wanted, because `#[allow(…)]` says so.
+#[derive(Clone, Debug, Default)]
+pub struct Allowed(BTreeSet<(Lint, (u32, u32))>);
+
+impl Allowed {
+    /// Within this stretch of the source.
+    pub(crate) fn add(&mut self, lint: Lint, within: Region) {
+        self.0.insert((lint, within.tokens));
+    }
+
+    /// Whether a warning at this place is not wanted.
+    pub(crate) fn covers(&self, lint: Lint, at: Region) -> bool {
+        let (first, last) = at.tokens;
+        let covers = |(start, end): (u32, u32)| first != 0 && start <= first && last <= end;
+        self.0.iter().any(|(allowed, within)| *allowed == lint && covers(*within))
+    }
+}
+
+/// How grave it is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Severity {
+    Error,
+    Warning(Lint),
+}
+
+/// One error or warning.
 #[derive(Clone, Debug)]
 pub struct Diagnostic {
+    pub severity: Severity,
     /// Where.
     pub region: Region,
     /// What is wrong, why, and what to write instead.
@@ -66,24 +127,39 @@ pub struct Note {
     pub message: String,
 }
 
-/// The errors of a stage, in the order found.
+/// The errors of a stage, or the warnings of all, in the order found.
 #[derive(Clone, Debug, Default)]
 #[must_use]
 pub struct Diagnostics {
-    errors: Vec<Diagnostic>,
+    found: Vec<Diagnostic>,
     beyond: usize,
     known: BTreeSet<String>,
 }
 
 impl Diagnostics {
-    /// No errors.
+    /// Nothing found.
     pub fn new() -> Self {
         Self::default()
     }
 
     /// Adds an error at a place.
     pub fn error(&mut self, at: impl Into<Region>, message: impl Into<String>) {
-        self.push(Diagnostic { region: at.into(), message: message.into(), notes: Vec::new() });
+        self.push(Diagnostic {
+            severity: Severity::Error,
+            region: at.into(),
+            message: message.into(),
+            notes: Vec::new(),
+        });
+    }
+
+    /// Adds a warning at a place.
+    pub fn warning(&mut self, lint: Lint, at: impl Into<Region>, message: impl Into<String>) {
+        self.push(Diagnostic {
+            severity: Severity::Warning(lint),
+            region: at.into(),
+            message: message.into(),
+            notes: Vec::new(),
+        });
     }
 
     /// Adds an error that also points at a second place.
@@ -95,71 +171,70 @@ impl Diagnostics {
         note: impl Into<String>,
     ) {
         let notes = vec![Note { region: other.into(), message: note.into() }];
-        self.push(Diagnostic { region: at.into(), message: message.into(), notes });
+        self.push(Diagnostic {
+            severity: Severity::Error,
+            region: at.into(),
+            message: message.into(),
+            notes,
+        });
     }
 
-    /// Adds an error unless the same place already has it: the rounds of a `repeat` give one message.
-    pub fn push(&mut self, error: Diagnostic) {
-        if !self.known.insert(identity(&error)) {
+    /// Adds it unless the same place already has it: the rounds of a `repeat` give one message.
+    pub fn push(&mut self, diagnostic: Diagnostic) {
+        if !self.known.insert(identity(&diagnostic)) {
             return;
         }
-        if self.errors.len() < MOST {
-            self.errors.push(error);
+        if self.found.len() < MOST {
+            self.found.push(diagnostic);
         } else {
             self.beyond += 1;
         }
     }
 
-    /// Takes over all errors of another collection.
+    /// Takes over all of another collection.
     pub fn append(&mut self, other: Diagnostics) {
         self.beyond += other.beyond;
-        for error in other.errors {
+        for error in other.found {
             self.push(error);
         }
     }
 
     /// Whether nothing was found.
     pub fn is_empty(&self) -> bool {
-        self.errors.is_empty()
+        self.found.is_empty()
     }
 
     /// Whether so many were found that no more are kept; costly advice can then be spared.
     pub fn is_full(&self) -> bool {
-        self.errors.len() >= MOST
+        self.found.len() >= MOST
     }
 
-    /// The errors, in the order found.
+    /// Errors and warnings, in the order found.
     pub fn iter(&self) -> impl Iterator<Item = &Diagnostic> {
-        self.errors.iter()
+        self.found.iter()
     }
 
-    /// The end of a stage: `value` if there was no error.
-    pub fn finish<T>(self, value: T) -> Result<T, Diagnostics> {
-        if self.is_empty() { Ok(value) } else { Err(self) }
-    }
-
-    /// One `::core::compile_error! { "…" }` per error and per note, each at its place.
-    pub fn into_compile_errors(self) -> TokenStream {
-        let mut stream = TokenStream::new();
-        let last = self.errors.len().saturating_sub(1);
-        for (index, mut error) in self.errors.into_iter().enumerate() {
-            if index == last && self.beyond > 0 {
-                error.message.push_str(&format!("\n(and {} more errors)", self.beyond));
-            }
-            compile_error(&mut stream, error.region, &error.message);
-            for note in error.notes {
-                compile_error(&mut stream, note.region, &note.message);
-            }
+    /// The end of a stage: `value` if there was no error. Errors come in the order of the source.
+    pub fn finish<T>(mut self, value: T) -> Result<T, Diagnostics> {
+        if self.is_empty() {
+            return Ok(value);
         }
-        stream
+        self.found.sort_by_key(|found| found.region.tokens.0);
+        Err(self)
+    }
+
+    /// Keeps those that are shown.
+    pub fn retain(&mut self, shown: impl Fn(&Diagnostic) -> bool) {
+        self.found.retain(shown);
     }
 }
 
-/// One line per error, its notes indented below it.
+/// One line each, its notes indented below it.
 impl fmt::Display for Diagnostics {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        for error in &self.errors {
-            writeln!(f, "error: {}", error.message)?;
+        for error in &self.found {
+            let grave = if error.severity == Severity::Error { "error" } else { "warning" };
+            writeln!(f, "{grave}: {}", error.message)?;
             for note in &error.notes {
                 writeln!(f, "  note: {}", note.message)?;
             }
@@ -186,28 +261,4 @@ fn identity(error: &Diagnostic) -> String {
         text.push_str(if is_index { &piece[inside.len()..] } else { piece });
     }
     format!("{:?} {text}", region.start)
-}
-
-/// `::core::compile_error! { "message" }`: the compiler underlines from the first token's span to the last one's.
-fn compile_error(stream: &mut TokenStream, region: Region, message: &str) {
-    let punct = |character, spacing| {
-        let mut punct = Punct::new(character, spacing);
-        punct.set_span(region.start);
-        TokenTree::Punct(punct)
-    };
-    let word = |text| TokenTree::Ident(Ident::new(text, region.start));
-    let mut literal = Literal::string(message);
-    literal.set_span(region.end);
-    let mut group = Group::new(Delimiter::Brace, TokenTree::Literal(literal).into());
-    group.set_span(region.end);
-    stream.extend([
-        punct(':', Spacing::Joint),
-        punct(':', Spacing::Alone),
-        word("core"),
-        punct(':', Spacing::Joint),
-        punct(':', Spacing::Alone),
-        word("compile_error"),
-        punct('!', Spacing::Alone),
-        TokenTree::Group(group),
-    ]);
 }

@@ -34,6 +34,8 @@ pub struct Compiled {
     /// Masses and inertias that depend on parameters, and whether they must be positive.
     pub masses: Vec<(String, bool)>,
     pub choice: Choice,
+    /// What is possible and probably not meant.
+    pub warnings: Diagnostics,
 }
 
 /// tokens → programs. `coordinates` overrides what the definition says.
@@ -53,6 +55,7 @@ pub fn compile_model(
 ) -> Result<Compiled, Diagnostics> {
     check::check(&mechanism)?;
     // AFTER THIS POINT the parts are possible, each for itself.
+    let warnings = check::warnings(&mechanism);
     let mut errors = Diagnostics::new();
     let spanning = SpanningTree::spanning(&mechanism);
     check::counted_angles(&mechanism, &spanning)?;
@@ -101,6 +104,7 @@ pub fn compile_model(
         partition,
         masses,
         choice,
+        warnings,
     })
 }
 

@@ -24,16 +24,17 @@ pub mod symbolic;
 pub use choice::{Choice, Rejected};
 pub use driver::{Compiled, compile, compile_model};
 
+use diagnostics::{Diagnostics, Region};
 use proc_macro2::TokenStream;
 
 /// What `mechanism! { … }` stands for.
 #[derive(Clone, Debug)]
 pub enum Expansion {
-    /// The model's items, as Rust text.
+    /// The model's items, as Rust text; warnings, and the name of the mechanism they are of.
     ///
     /// Text, because a macro hands it to rustc's own lexer at once: `proc_macro2` reads everything with its own lexer
     /// first, which takes an unoptimised macro seven times as long.
-    Items(String),
+    Items { text: String, warnings: Diagnostics, name: Region },
     /// Errors at their places, and a stub in the model's place.
     Errors(TokenStream),
 }
@@ -41,7 +42,11 @@ pub enum Expansion {
 /// The expansion of `mechanism! { … }`.
 pub fn expand(tokens: TokenStream) -> Expansion {
     match compile(tokens.clone(), None) {
-        Ok(compiled) => Expansion::Items(emit::emit(&compiled, &tokens.to_string())),
+        Ok(compiled) => Expansion::Items {
+            text: emit::emit(&compiled, &tokens.to_string()),
+            name: compiled.mechanism.name.span,
+            warnings: compiled.warnings,
+        },
         Err(errors) => {
             let mut stream = errors.into_compile_errors();
             stream.extend(emit::stub(tokens));

@@ -57,7 +57,7 @@ fn compare<M: Model>(name: &str) {
 
 fn expansion<M: Model>() -> String {
     match expand(M::SOURCE.parse().expect("the source was tokens")) {
-        Expansion::Items(text) => text,
+        Expansion::Items { text, .. } => text,
         Expansion::Errors(errors) => panic!("{errors}"),
     }
 }

@@ -99,7 +99,7 @@ linkwright::mechanism! {
         param slope [1] = 0.3;
         gravity [m/s^2] = (0, 0, -9.81);
         box slab  { mass [kg] = 2; size [m] = (0.6, 0.4, 0.05); marker below [m] = (0.05, 0.02, -0.025), axis = (0.1, 0, 1);
-                    point hole [m] = (0.1, 0.1, 0.1); line wire = (slab.hole, slab.below); }
+                    #[allow(outside)] point hole [m] = (0.1, 0.1, 0.1); line wire = (slab.hole, slab.below); }
         body top  { mass [kg] = 0.5; inertia [kg*m^2] = (0.002, 0.003, 0.004); center [m] = (0.01, 0, 0.15);
                     marker tip [m] = (0, 0.01, 0), about_x [deg] = 20, about_y [deg] = -30; }
         particle bead { mass [kg] = 0.2; }

@@ -75,7 +75,7 @@ linkwright::mechanism! {
                     center [m] = (0.01, offset, 0);
                     point foot [m] = (0.05, 0.02, 0.1); point bow [m] = (0.2, 0, -0.1);
                     point port [m] = (-0.1, 0.15, -0.1); point stern [m] = (-0.2, -0.1, -0.1); }
-        rod pole  { mass [kg] = 0.4; length [m] = 0.3; radius [m] = 0.02; point arm [m] = (0.1, 0.15, 0.1); }
+        rod pole  { mass [kg] = 0.4; length [m] = 0.3; radius [m] = 0.02; #[allow(outside)] point arm [m] = (0.1, 0.15, 0.1); }
         joint ball: spherical(hull.foot, pole.start);
         spring fore:  spring(ground(0.5, 0, 0.6) [m], hull.bow, stiffness = stiffness, length = 0.3 [m], damping = 0.5 [N*s/m]);
         spring left:  spring(ground(-0.4, 0.5, 0.6) [m], hull.port, stiffness = stiffness, length = 0.3 [m], damping = 0.5 [N*s/m]);
@@ -100,7 +100,7 @@ linkwright::mechanism! {
         param length [m] = 0.5;
         input twist [N*m];
         gravity [m/s^2] = (0, 0.2, -9.81);
-        rod handle { mass [kg] = 0.7; length [m] = length; radius [m] = 0.03; point side [m] = (0.1, 0.15, 0.05); }
+        rod handle { mass [kg] = 0.7; length [m] = length; radius [m] = 0.03; #[allow(outside)] point side [m] = (0.1, 0.15, 0.05); }
         body head  { mass [kg] = 1.1; inertia [kg*m^2] = (0.006, 0.005, 0.004); products [kg*m^2] = (0.001, 0, 0.0005);
                      center [m] = (0.2, 0.01, -0.03); point tip [m] = (0.3, 0.05, 0.02); }
         joint hold: spherical(ground(0.1, 0, 0.2) [m], handle.start);

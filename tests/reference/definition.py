@@ -138,7 +138,7 @@ class Model:
         if kind == "rod":
             points["start"] = ca.vertcat(-given["length"] / 2, 0)
             points["end"] = ca.vertcat(given["length"] / 2, 0)
-        mass = given["mass"]
+        mass = given["mass"] if "mass" in given else given["density"] * _volume(kind, given)
         inertia = given["inertia"] if "inertia" in given else _inertia_of_shape(kind, mass, given)
         return Body(body["name"], kind == "particle", mass, inertia, center, points)
 
@@ -174,9 +174,19 @@ def rotors_in_use(model):
     return list(dict.fromkeys(found))
 
 
+def _volume(kind, given):
+    if kind == "rod":
+        return ca.pi * given["radius"] ** 2 * given["length"]
+    if kind == "disk":
+        return ca.pi * given["radius"] ** 2 * given["thickness"]
+    if kind == "box":
+        return given["width"] * given["height"] * given["thickness"]
+    raise ValueError(f"a body of kind `{kind}` has no volume")
+
+
 def _inertia_of_shape(kind, mass, given):
     if kind == "rod":
-        return mass * given["length"] ** 2 / 12
+        return mass * (given["length"] ** 2 + 3 * given.get("radius", 0) ** 2) / 12
     if kind == "disk":
         return mass * given["radius"] ** 2 / 2
     if kind == "box":

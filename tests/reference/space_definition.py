@@ -145,6 +145,8 @@ def _volume(kind, given, vectors):
     if kind == "box":
         a, b, c = (vectors["size"][k] for k in range(3))
         return a * b * c
+    if kind == "disk":
+        return ca.pi * given["radius"] ** 2 * given["thickness"]
     raise ValueError(f"a body of kind `{kind}` has no volume")
 
 
@@ -165,5 +167,6 @@ def _moments(kind, mass, given, vectors):
         return mass / 12 * ca.vertcat(b + c, a + c, a + b)
     if kind == "disk":
         square = mass * given["radius"] ** 2
-        return ca.vertcat(square / 4, square / 4, square / 2)
+        across = square / 4 + mass * given.get("thickness", 0) ** 2 / 12
+        return ca.vertcat(across, across, square / 2)
     raise ValueError(f"a body of kind `{kind}` needs its inertia written")

@@ -92,6 +92,8 @@ class Frames(unittest.TestCase):
             (body("b", "sphere", density=density, radius=0.1), 4.188790204786391, 3 * (0.016755160819145565,)),
             (body("b", "box", density=density, vectors=size), 6, (0.065, 0.05, 0.025)),
             (body("b", "disk", mass=4, radius=0.5), 4, (0.25, 0.25, 0.5)),
+            (body("b", "disk", density=density, radius=0.5, thickness=0.1), 78.53981633974483,
+             (4.97418836818384, 4.97418836818384, 9.817477042468104)),
             (body("b", "box", mass=4, vectors=size | inertia(1, 2, 3)), 4, (1, 2, 3)),
         )  # fmt: skip
         for shape, mass, moments in cases:

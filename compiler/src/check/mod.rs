@@ -3,6 +3,9 @@
 pub mod assemble;
 mod messages;
 pub mod rules;
+mod warnings;
+
+pub use warnings::warnings;
 
 use crate::diagnostics::Diagnostics;
 use crate::equations::{SpanningTree, couplings, space};

@@ -12,10 +12,11 @@ use crate::model::{
 use std::collections::HashMap;
 
 /// The rules in the order they are reported.
-const RULES: [fn(&Mechanism, &mut Diagnostics); 14] = [
+const RULES: [fn(&Mechanism, &mut Diagnostics); 16] = [
     has_bodies,
     bounds_hold_the_default,
     mass_is_not_negative,
+    dimensions_are_positive,
     inertia_is_not_negative,
     inertia_belongs_to_a_body,
     lines_have_two_ends,
@@ -25,8 +26,9 @@ const RULES: [fn(&Mechanism, &mut Diagnostics); 14] = [
     equations_move,
     drivers_differ,
     start_is_said_once,
+    expectations_are_said_once,
     cuts_differ,
-    bodies_are_connected,
+    loads_act_on_bodies,
 ];
 
 /// Applies all rules.
@@ -37,7 +39,7 @@ pub fn check(mechanism: &Mechanism, diagnostics: &mut Diagnostics) {
 }
 
 /// The value of an expression of parameters at their defaults.
-fn at_defaults(mechanism: &Mechanism, expr: &Expr) -> Option<f64> {
+pub(super) fn at_defaults(mechanism: &Mechanism, expr: &Expr) -> Option<f64> {
     if let Expr::Number(value) = expr {
         return Some(*value);
     }
@@ -71,6 +73,18 @@ fn mass_is_not_negative(mechanism: &Mechanism, diagnostics: &mut Diagnostics) {
     for body in &mechanism.bodies {
         if let Some(mass) = at_defaults(mechanism, &body.mass).filter(|mass| *mass < 0.0) {
             diagnostics.error(body.mass_span, messages::negative("mass", &body.name.text, mass, "kg"));
+        }
+    }
+}
+
+// The lengths of a shape are positive at the defaults of parameters; numbers have been judged where they are written.
+fn dimensions_are_positive(mechanism: &Mechanism, diagnostics: &mut Diagnostics) {
+    for body in &mechanism.bodies {
+        for (what, length) in &body.dimensions {
+            if let Some(length) = at_defaults(mechanism, length).filter(|length| *length <= 0.0) {
+                let message = messages::not_positive(what, &body.name.text, length);
+                diagnostics.error(body.name.span, message);
+            }
         }
     }
 }
@@ -251,6 +265,27 @@ fn start_is_said_once(mechanism: &Mechanism, diagnostics: &mut Diagnostics) {
     }
 }
 
+// One number of degrees of freedom is expected, and one start of an orientation given.
+fn expectations_are_said_once(mechanism: &Mechanism, diagnostics: &mut Diagnostics) {
+    let expected = &mechanism.expect.degrees_of_freedom_again;
+    if let (Some((_, first)), Some(again)) = (mechanism.expect.degrees_of_freedom, expected) {
+        let (message, note) = (messages::expected_twice(), messages::first_here("degrees_of_freedom"));
+        diagnostics.conflict(*again, message, first, note);
+    }
+    let mut seen = HashMap::new();
+    for start in &mechanism.orientations {
+        if let Some(first) = seen.insert(start.body, start.span) {
+            let text = format!("{}.orientation", mechanism.bodies[start.body.0].name.text);
+            diagnostics.conflict(
+                start.span,
+                messages::start_twice(&text),
+                first,
+                messages::first_here(&text),
+            );
+        }
+    }
+}
+
 // A joint is cut once.
 fn cuts_differ(mechanism: &Mechanism, diagnostics: &mut Diagnostics) {
     let mut seen = HashMap::new();
@@ -262,21 +297,18 @@ fn cuts_differ(mechanism: &Mechanism, diagnostics: &mut Diagnostics) {
     }
 }
 
-// In a mechanism with joints every body has a joint, a constraint or a load on it.
-fn bodies_are_connected(mechanism: &Mechanism, diagnostics: &mut Diagnostics) {
-    if mechanism.joints.is_empty() {
-        return;
-    }
-    let touched = touched(mechanism);
-    for (body, touched) in mechanism.bodies.iter().zip(touched) {
-        if !touched {
-            diagnostics.error(body.name.span, messages::not_connected(&body.name.text));
+// A force acts on a body.
+fn loads_act_on_bodies(mechanism: &Mechanism, diagnostics: &mut Diagnostics) {
+    for load in &mechanism.loads {
+        let LoadKind::Force { place, .. } = &load.kind else { continue };
+        if place.frame == Frame::Ground {
+            diagnostics.error(place.span, messages::force_on_ground(&load.name.text, &place.text));
         }
     }
 }
 
 /// Which bodies anything acts on.
-fn touched(mechanism: &Mechanism) -> Vec<bool> {
+pub(super) fn touched(mechanism: &Mechanism) -> Vec<bool> {
     let mut touched = vec![false; mechanism.bodies.len()];
     for joint in &mechanism.joints {
         touch(&mut touched, joint.first.frame);

@@ -18,7 +18,15 @@ pub fn stub(tokens: TokenStream) -> TokenStream {
     structs(&mut text, &header);
     constants(&mut text, &header);
     implementations(&mut text, &header);
-    text.parse().unwrap_or_default()
+    let path = header.crate_path.as_ref().map_or("::linkwright".to_string(), TokenStream::to_string);
+    text.replace("@CRATE@", &path).parse().unwrap_or_default()
+}
+
+impl Header {
+    /// Fields of the parameters, inputs and outputs, and the end of the name of their struct.
+    fn structs(&self) -> [(&[String], &'static str); 3] {
+        [(&self.parameters, "Parameters"), (&self.inputs, "Inputs"), (&self.outputs, "Outputs")]
+    }
 }
 
 fn structs(text: &mut String, header: &Header) {
@@ -27,10 +35,10 @@ fn structs(text: &mut String, header: &Header) {
                    ::core::fmt::Debug, ::core::cmp::PartialEq)]";
     let f64 = "::core::primitive::f64";
     let scalar = "scalar: ::core::marker::PhantomData<R>";
-    let _ = writeln!(text, "{derives} {visibility} struct {name}<R = {f64}> {{ {scalar} }}");
-    for (word, suffix) in [("param", "Parameters"), ("input", "Inputs"), ("output", "Outputs")] {
-        let fields = header.declared(word);
-        if fields.is_empty() && word != "param" {
+    let attributes = header.attributes.to_string();
+    let _ = writeln!(text, "{attributes} {derives} {visibility} struct {name}<R = {f64}> {{ {scalar} }}");
+    for (fields, suffix) in header.structs() {
+        if fields.is_empty() && suffix != "Parameters" {
             continue;
         }
         let mut list: Vec<String> = fields.iter().map(|name| format!("pub {}: R", field(name))).collect();
@@ -46,7 +54,7 @@ fn structs(text: &mut String, header: &Header) {
     let _ = writeln!(
         text,
         "#[allow(missing_docs, dead_code)] {visibility} type {name}State<R = {f64}> = \
-         ::linkwright::__private::v1::State<[R; {MANY}], [R; {MANY}]>;"
+         @CRATE@::__private::v1::State<[R; {MANY}], [R; {MANY}]>;"
     );
 }
 
@@ -57,7 +65,7 @@ fn constants(text: &mut String, header: &Header) {
     let _ = writeln!(text, "#[allow(missing_docs, dead_code)] impl {name}<::core::primitive::f64> {{");
     let _ = writeln!(
         text,
-        "pub const START: {name}State = ::linkwright::__private::v1::State {{ q: {zeros}, v: {zeros} }};"
+        "pub const START: {name}State = @CRATE@::__private::v1::State {{ q: {zeros}, v: {zeros} }};"
     );
     for constant in ["DEGREES_OF_FREEDOM", "OPERATIONS"] {
         let _ = writeln!(text, "pub const {constant}: {usize} = 1;");
@@ -66,23 +74,29 @@ fn constants(text: &mut String, header: &Header) {
         let _ = writeln!(text, "pub const {constant}: {str} = \"\";");
     }
     for constant in ["BODIES", "JOINTS", "LOADS", "SHARED_REACTIONS"] {
-        let _ = writeln!(text, "pub const {constant}: &'static [{str}] = &[];");
+        let _ = writeln!(text, "pub const {constant}: &'static [{str}] = &[\"\"; {MANY}];");
     }
+    let _ = writeln!(text, "pub const REDUNDANT_ROWS: &'static [({str}, {str})] = &[(\"\", \"\"); {MANY}];");
     text.push_str("}\n");
 }
 
 fn implementations(text: &mut String, header: &Header) {
     let name = header.name.to_string();
-    let given = |word: &str, suffix: &str| {
-        if header.declared(word).is_empty() { "()".to_string() } else { format!("{name}{suffix}<R>") }
+    let given = |(fields, suffix): (&[String], &str)| {
+        if fields.is_empty() { "()".to_string() } else { format!("{name}{suffix}<R>") }
     };
-    let (inputs, outputs) = (given("input", "Inputs"), given("output", "Outputs"));
+    let [_, inputs, outputs] = header.structs().map(given);
+    let [bodies, joints, loads, drivers] = header.counts.unwrap_or([MANY; 4]).map(|count| count.to_string());
     let list = format!("[R; {MANY}]");
     let (motion, reaction) = match header.spatial {
         true => ("SpatialMotion", "SpatialReaction"),
         false => ("BodyMotion", "Reaction"),
     };
     let replaced = TEMPLATE
+        .replace("@BODIES@", &bodies)
+        .replace("@JOINTS@", &joints)
+        .replace("@LOADS@", &loads)
+        .replace("@DRIVERS@", &drivers)
         .replace("@MOTION@", motion)
         .replace("@REACTION@", reaction)
         .replace("@NAME@", &name)
@@ -91,8 +105,8 @@ fn implementations(text: &mut String, header: &Header) {
         .replace("@LIST@", &list)
         .replace("@MANY@", &MANY.to_string());
     text.push_str(&replaced);
-    for (word, suffix) in [("param", "Parameters"), ("input", "Inputs"), ("output", "Outputs")] {
-        if word == "param" || !header.declared(word).is_empty() {
+    for (fields, suffix) in header.structs() {
+        if suffix == "Parameters" || !fields.is_empty() {
             let fields = FIELDS.replace("@STRUCT@", &format!("{name}{suffix}")).replace("@LIST@", &list);
             text.push_str(&fields);
         }
@@ -102,7 +116,7 @@ fn implementations(text: &mut String, header: &Header) {
 const FIELDS: &str = "
 const _: () = {
 use ::core::prelude::rust_2024::*;
-use ::linkwright::__private::v1::*;
+use @CRATE@::__private::v1::*;
 impl<R: Real> Fields<R> for @STRUCT@<R> {
     const NAMES: &'static [&'static ::core::primitive::str] = &[];
     type Array = @LIST@;
@@ -115,18 +129,18 @@ impl<R: Real> Fields<R> for @STRUCT@<R> {
 const TEMPLATE: &str = "
 #[allow(unused, clippy::all)] const _: () = {
 use ::core::prelude::rust_2024::*;
-use ::linkwright::__private::v1::*;
+use @CRATE@::__private::v1::*;
 use ::core::primitive::{bool, f64, u16, u32, usize, str};
 impl<R: Real> Default for @NAME@Parameters<R> { fn default() -> Self { loop {} } }
 impl<R: Real> Default for @NAME@<R> { fn default() -> Self { loop {} } }
 impl<R: Real> @NAME@<R> {
     pub fn prepare(parameters: @NAME@Parameters<R>) -> Result<Self, SettingError> { loop {} }
     pub fn parameters(&self) -> &@NAME@Parameters<R> { loop {} }
-    pub fn motions(&self, time: R, q: &@LIST@, v: &@LIST@, a: &@LIST@) -> [@MOTION@<R>; @MANY@] { loop {} }
-    pub fn reactions(&self, time: R, q: &@LIST@, v: &@LIST@, u: &@INPUTS@, a: &@LIST@, l: &@LIST@) -> [@REACTION@<R>; @MANY@] { loop {} }
+    pub fn motions(&self, time: R, q: &@LIST@, v: &@LIST@, a: &@LIST@) -> [@MOTION@<R>; @BODIES@] { loop {} }
+    pub fn reactions(&self, time: R, q: &@LIST@, v: &@LIST@, u: &@INPUTS@, a: &@LIST@, l: &@LIST@) -> [@REACTION@<R>; @JOINTS@] { loop {} }
     pub fn inverse_dynamics(&self, time: R, q: &@LIST@, v: &@LIST@, u: &@INPUTS@, a: &@LIST@) -> @LIST@ { loop {} }
-    pub fn powers(&self, time: R, q: &@LIST@, v: &@LIST@, u: &@INPUTS@) -> @LIST@ { loop {} }
-    pub fn driver_efforts(&self, time: R, q: &@LIST@, v: &@LIST@, lambda: &@LIST@) -> [[R; 2]; @MANY@] { loop {} }
+    pub fn powers(&self, time: R, q: &@LIST@, v: &@LIST@, u: &@INPUTS@) -> [R; @LOADS@] { loop {} }
+    pub fn driver_efforts(&self, time: R, q: &@LIST@, v: &@LIST@, lambda: &@LIST@) -> [[R; 2]; @DRIVERS@] { loop {} }
 }
 impl<R: Real> Mechanism<R> for @NAME@<R> {
     const NAME: &'static str = \"\";

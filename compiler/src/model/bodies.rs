@@ -5,13 +5,13 @@ use super::lower::{Lowering, Use, name};
 use super::names::Part;
 use super::places::has_ends;
 use super::{Axes, Body, BodyKind, Expr, Inertia, NamedLine, NamedPoint, Vector, ZERO};
+use crate::diagnostics::Region;
 use crate::messages;
 use crate::syntax::{self, Line, Shape, Space};
 use crate::units::Dimension;
-use proc_macro2::Span;
 
 /// Lengths of shapes, in the order in which they are checked.
-const LENGTHS: [&str; 4] = ["length", "radius", "width", "height"];
+const LENGTHS: [&str; 5] = ["length", "radius", "width", "height", "thickness"];
 const SIZES: [&str; 3] = ["size along x", "size along y", "size along z"];
 
 impl<'d> Lowering<'d> {
@@ -35,9 +35,8 @@ impl<'d> Lowering<'d> {
                 self.missing(body, "inertia");
                 None
             }
-            None => shape.map(|moments| {
-                (Inertia { moments, products: ZERO, axes: Axes::Parallel }, body.name.region.span())
-            }),
+            None => shape
+                .map(|moments| (Inertia { moments, products: ZERO, axes: Axes::Parallel }, body.name.region)),
         };
         let index = match self.names.part(&body.name.text)? {
             Part::Body(index) => index,
@@ -56,31 +55,35 @@ impl<'d> Lowering<'d> {
             dimensions,
             name: name(&body.name),
             kind: if body.shape == Shape::Particle { BodyKind::Particle } else { BodyKind::Rigid },
+            shape: body.shape,
             mass,
             mass_span,
             inertia,
             inertia_span,
             center: self.bodies[index].center.clone()?,
             points,
+            markers: self.named_markers(index, body)?,
             lines,
         })
     }
 
     /// As written, or by the density of the shape.
-    fn mass(&mut self, body: &'d syntax::Body) -> Option<(Expr, Span)> {
+    fn mass(&mut self, body: &'d syntax::Body) -> Option<(Expr, Region)> {
         match (body.property("mass"), body.property("density")) {
-            (Some((label, entry)), None) => {
+            (Some((_, entry)), None) => {
                 let mass = self.entry(entry, Dimension::MASS, Use::PROPERTY, "mass")?;
-                Some((mass, label.region.to(entry.value.region).span()))
+                Some((mass, entry.value.region))
             }
-            (None, Some((label, entry))) => {
+            (None, Some((_, entry))) => {
                 let density = self.entry(entry, Dimension::DENSITY, Use::PROPERTY, "density");
                 let volume = self.volume(body);
                 let mass = super::fold::binary(super::Function2::Mul, density?, volume?);
-                Some((mass, label.region.to(entry.value.region).span()))
+                Some((mass, entry.value.region))
             }
-            (Some(_), Some((label, _))) => {
-                self.diagnostics.error(label.region, messages::mass_and_density(&body.name.text));
+            (Some((mass, _)), Some((density, _))) => {
+                let (message, note) =
+                    (messages::mass_and_density(&body.name.text), messages::property_here("mass"));
+                self.diagnostics.conflict(density.region, message, mass.region, note);
                 None
             }
             (None, None) => {
@@ -91,25 +94,27 @@ impl<'d> Lowering<'d> {
     }
 
     /// The moment as written; `Some(None)` after an error, `None` if there is none.
-    fn planar_inertia(&mut self, body: &'d syntax::Body) -> Option<Option<(Inertia, Span)>> {
-        let (label, entry) = body.property("inertia")?;
-        let region = label.region.to(entry.value.region);
+    fn planar_inertia(&mut self, body: &'d syntax::Body) -> Option<Option<(Inertia, Region)>> {
+        let (_, entry) = body.property("inertia")?;
+        let region = entry.value.region;
         let value = self.entry(entry, Dimension::INERTIA, Use::PROPERTY, "inertia");
         let moments = |value| [Expr::Number(0.0), Expr::Number(0.0), value];
-        Some(value.map(|value| {
-            (Inertia { moments: moments(value), products: ZERO, axes: Axes::Parallel }, region.span())
-        }))
+        Some(
+            value.map(|value| {
+                (Inertia { moments: moments(value), products: ZERO, axes: Axes::Parallel }, region)
+            }),
+        )
     }
 
     /// The tensor as written; `Some(None)` after an error, `None` if there is none.
-    fn spatial_inertia(&mut self, body: &'d syntax::Body) -> Option<Option<(Inertia, Span)>> {
-        let Some((label, tuple)) = body.vector("inertia") else {
+    fn spatial_inertia(&mut self, body: &'d syntax::Body) -> Option<Option<(Inertia, Region)>> {
+        let Some((_, tuple)) = body.vector("inertia") else {
             let beside = body.vector("products").map(|(label, _)| label).or(body.inertia_axes.as_ref())?;
             let message = messages::products_without_inertia(&body.name.text);
             self.diagnostics.error(beside.region, message);
             return Some(None);
         };
-        let region = label.region.to(tuple.region);
+        let region = tuple.region;
         let moments = self.vector(tuple, Dimension::INERTIA, Use::PROPERTY, "inertia");
         let products = match body.vector("products") {
             Some((_, tuple)) => self.vector(tuple, Dimension::INERTIA, Use::PROPERTY, "products"),
@@ -120,13 +125,13 @@ impl<'d> Lowering<'d> {
             None => Some(Axes::Parallel),
         };
         let inertia = moments.zip(products).zip(axes);
-        Some(inertia.map(|((moments, products), axes)| (Inertia { moments, products, axes }, region.span())))
+        Some(inertia.map(|((moments, products), axes)| (Inertia { moments, products, axes }, region)))
     }
 
     /// Points in the order written, those of the shape first.
     fn named_points(&self, index: usize, body: &'d syntax::Body) -> Option<Vec<NamedPoint>> {
         let own = if has_ends(body.shape) { ["start", "end"].as_slice() } else { &[] };
-        let span = body.name.region.span();
+        let span = body.name.region;
         let own = own.iter().map(|text| super::Name { text: (*text).to_string(), span });
         let written = body.points.iter().map(|(label, _)| name(label));
         own.chain(written)
@@ -135,6 +140,14 @@ impl<'d> Lowering<'d> {
                 Some(NamedPoint { name, at })
             })
             .collect()
+    }
+
+    fn named_markers(&mut self, index: usize, body: &'d syntax::Body) -> Option<Vec<NamedPoint>> {
+        let markers = body.markers.iter().map(|marker| {
+            let (at, _) = self.bodies[index].markers.get(marker.name.text.as_str())?.clone()?;
+            Some(NamedPoint { name: name(&marker.name), at })
+        });
+        markers.collect()
     }
 
     fn named_lines(&self, index: usize, body: &'d syntax::Body) -> Option<Vec<NamedLine>> {

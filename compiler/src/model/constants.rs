@@ -1,6 +1,6 @@
 //! Constants: values at expansion, in an order in which each stands after those it names.
 
-use super::lower::{Lowering, declared};
+use super::lower::Lowering;
 use super::names::Value;
 use crate::messages;
 use crate::syntax::{Path, Term, TermKind};
@@ -11,9 +11,7 @@ impl Lowering<'_> {
         self.constants = vec![None; self.definition.constants.len()];
         for index in self.order_of_constants() {
             let constant = &self.definition.constants[index];
-            let dimension = declared(constant.entry.unit.as_ref());
-            self.constants[index] =
-                self.number(&constant.entry, dimension, &messages::quoted(&constant.name.text));
+            self.constants[index] = self.declared_number("const", &constant.name.text, &constant.entry);
         }
     }
 

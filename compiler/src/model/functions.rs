@@ -88,7 +88,8 @@ impl Lowering<'_> {
     fn angular(&mut self, function: &str, x: &Typed) -> Option<Dimension> {
         let fits = x.dimension.fits(Dimension::ANGLE) || x.dimension.is_one();
         if !fits {
-            let message = messages::wrong_dimension(&argument_of(function), Dimension::ANGLE, x.dimension);
+            let message =
+                messages::wrong_dimension(&argument_of(function), Dimension::ANGLE, x.dimension, x.number());
             self.diagnostics.error(x.region, message);
         }
         fits.then_some(Dimension::ONE)
@@ -97,7 +98,8 @@ impl Lowering<'_> {
     fn plain(&mut self, function: &str, x: &Typed) -> Option<()> {
         let fits = x.dimension.is_one();
         if !fits {
-            let message = messages::wrong_dimension(&argument_of(function), Dimension::ONE, x.dimension);
+            let message =
+                messages::wrong_dimension(&argument_of(function), Dimension::ONE, x.dimension, x.number());
             self.diagnostics.error(x.region, message);
         }
         fits.then_some(())

@@ -3,6 +3,7 @@
 use super::fold;
 use super::lower::{Lowering, Use, name};
 use super::names::Part;
+use super::unused::Scope;
 use super::{Axes, BodyId, Expr, Frame, Function2, Joint, JointKind, Place, Vector};
 use crate::messages;
 use crate::syntax::{self, Entry, FirstTerm, JointWord, LineTerm, Path, Space};
@@ -17,6 +18,15 @@ struct LowerLine {
 
 impl<'d> Lowering<'d> {
     pub fn joint(&mut self, joint: &'d syntax::Joint) -> Option<Joint> {
+        if let (FirstTerm::Line(LineTerm::Named(first)), syntax::PlaceTerm::Named(second)) =
+            (&joint.first, &joint.second)
+            && self.is_line(second)
+            && !self.is_line(first)
+        {
+            let region = first.region.to(second.region);
+            self.diagnostics.error(region, messages::line_comes_first(&second.text, &first.text));
+            return None;
+        }
         let (first, on_line) = match &joint.first {
             FirstTerm::Place(place) => (self.place(place), None),
             FirstTerm::Line(line) => self.on_line(line),
@@ -160,7 +170,7 @@ impl<'d> Lowering<'d> {
         let [to_x, to_y, to_z] = to;
         let less = |a, b| fold::binary(Function2::Sub, a, b);
         let direction = [less(to_x, x), less(to_y, y), less(to_z, z)];
-        let first = Place { frame, at: from, axes: Axes::Parallel, text, span: line.region().span() };
+        let first = Place { frame, at: from, axes: Axes::Parallel, text, span: line.region() };
         (Some(first), Some(JointKind::PointOnLine { direction }))
     }
 
@@ -175,9 +185,19 @@ impl<'d> Lowering<'d> {
         }
     }
 
+    /// Whether a name is that of a line.
+    fn is_line(&self, path: &Path) -> bool {
+        match (path.parts.as_slice(), self.names.part(&path.parts[0].text)) {
+            ([_], part) => matches!(part, Some(Part::Line(_))),
+            ([_, line], Some(Part::Body(index))) => self.bodies[index].lines.contains_key(line.text.as_str()),
+            _ => false,
+        }
+    }
+
     fn line_of_ground(&mut self, path: &'d Path) -> Option<LowerLine> {
         match self.names.part(&path.text) {
             Some(Part::Line(index)) => {
+                self.used.insert((Scope::Ground, &self.definition.lines[index].name.text));
                 let ends = self.lines[index].clone()?;
                 Some(LowerLine { frame: Frame::Ground, ends, text: path.text.clone() })
             }
@@ -201,7 +221,7 @@ impl<'d> Lowering<'d> {
             return None;
         };
         let slot = &path.parts[1];
-        let Some(ends) = self.bodies[index].lines.get(slot.text.as_str()) else {
+        let Some(ends) = self.body_line_named(index, &slot.text) else {
             let is_point = self.bodies[index].points.contains_key(slot.text.as_str());
             let mut known: Vec<&str> = self.bodies[index].lines.keys().copied().collect();
             known.sort_unstable();
@@ -209,7 +229,7 @@ impl<'d> Lowering<'d> {
             self.diagnostics.error(slot.region, message);
             return None;
         };
-        let ends = ends.clone()?;
+        let ends = ends?;
         Some(LowerLine { frame: Frame::Body(BodyId(index)), ends, text: path.text.clone() })
     }
 }

@@ -6,6 +6,7 @@
 
 use super::fold;
 use super::names::Names;
+use super::unused::{self, Scope};
 use super::{
     Axes, Constraint, ConstraintKind, Driver, Expr, Function2, Input, Mechanism, Name, Output, Parameter,
     StartCondition, StartOrientation, Vector,
@@ -14,7 +15,7 @@ use crate::diagnostics::Diagnostics;
 use crate::messages;
 use crate::syntax::{self, ConstraintTerm, Definition, Entry, Label};
 use crate::units::Dimension;
-use std::collections::HashMap;
+use std::collections::{HashMap, HashSet};
 
 /// Lowers a definition. All errors are reported.
 pub fn lower(definition: &Definition) -> Result<Mechanism, Diagnostics> {
@@ -29,6 +30,7 @@ pub fn lower(definition: &Definition) -> Result<Mechanism, Diagnostics> {
         lines: Vec::new(),
         markers: HashMap::new(),
         defaults: Vec::new(),
+        used: HashSet::new(),
     };
 
     lowering.constants();
@@ -38,7 +40,7 @@ pub fn lower(definition: &Definition) -> Result<Mechanism, Diagnostics> {
     lowering.ground_markers();
     lowering.ground_lines();
     // AFTER THIS POINT every place can be resolved.
-    let mechanism = Mechanism {
+    let mut mechanism = Mechanism {
         space: definition.space,
         name: name(&definition.name),
         visibility: definition.visibility.clone(),
@@ -46,6 +48,7 @@ pub fn lower(definition: &Definition) -> Result<Mechanism, Diagnostics> {
         parameters,
         inputs: lowering.each(&definition.inputs, Lowering::input),
         gravity: lowering.gravity(),
+        gravity_span: definition.gravity.as_ref().map(|tuple| tuple.region),
         bodies: lowering.each(&definition.bodies, Lowering::body),
         joints: lowering.each(&definition.joints, Lowering::joint),
         constraints: lowering.each(&definition.constraints, Lowering::constraint),
@@ -56,7 +59,10 @@ pub fn lower(definition: &Definition) -> Result<Mechanism, Diagnostics> {
         options: lowering.options(),
         expect: lowering.expect(),
         outputs: lowering.each(&definition.outputs, Lowering::output),
+        unused: Vec::new(),
+        allowed: definition.allowed.clone(),
     };
+    mechanism.unused = unused::unused(definition, &lowering.used);
     lowering.diagnostics.finish(mechanism)
 }
 
@@ -74,6 +80,8 @@ pub(super) struct Lowering<'d> {
     pub markers: HashMap<&'d str, Option<(Vector, Axes)>>,
     /// Of the parameters.
     pub defaults: Vec<f64>,
+    /// What has been named so far.
+    pub used: HashSet<(Scope, &'d str)>,
 }
 
 /// The named places of a body.
@@ -125,7 +133,7 @@ impl Use {
 
 /// The name of a label.
 pub(super) fn name(label: &Label) -> Name {
-    Name { text: label.text.clone(), span: label.region.span() }
+    Name { text: label.text.clone(), span: label.region }
 }
 
 /// The unit as written, `1` if none.
@@ -152,7 +160,7 @@ impl<'d> Lowering<'d> {
     fn parameter(&mut self, parameter: &'d syntax::Parameter) -> Option<Parameter> {
         let dimension = declared(parameter.entry.unit.as_ref());
         let what = &messages::quoted(&parameter.name.text);
-        let default = self.number(&parameter.entry, dimension, what);
+        let default = self.declared_number("param", &parameter.name.text, &parameter.entry);
         let bound = |this: &mut Self, value: &syntax::Term| {
             let entry = Entry { unit: parameter.entry.unit.clone(), value: value.clone() };
             this.number(&entry, dimension, what)
@@ -237,7 +245,7 @@ impl<'d> Lowering<'d> {
             text: start.quantity.text.clone(),
             value,
             exact: start.exact,
-            span: region.span(),
+            span: region,
         })
     }
 
@@ -250,13 +258,11 @@ impl<'d> Lowering<'d> {
             self.diagnostics.error(start.value.region, messages::zero_quaternion());
             return None;
         }
-        Some(StartOrientation { body, quaternion, exact: start.exact, span: start.quantity.region.span() })
+        Some(StartOrientation { body, quaternion, exact: start.exact, span: start.quantity.region })
     }
 
     fn output(&mut self, output: &'d syntax::Output) -> Option<Output> {
-        let dimension = declared(output.entry.unit.as_ref());
-        let value =
-            self.entry(&output.entry, dimension, Use::OUTPUT, &messages::quoted(&output.name.text))?;
+        let value = self.declaration("output", &output.name.text, &output.entry, Use::OUTPUT)?;
         Some(Output {
             name: name(&output.name),
             unit: unit_text(output.entry.unit.as_ref()),

@@ -17,13 +17,16 @@ mod places;
 mod quantities;
 mod settings;
 mod shapes;
+mod unused;
 mod values;
 
-pub use crate::syntax::{JointWord, Space};
+use crate::diagnostics::{Allowed, Region};
+pub use crate::syntax::{JointWord, Shape, Space};
 pub use expression::{Comparison, Condition, Expr, Function1, Function2, Quantity};
 pub(crate) use lower::Use;
 pub use lower::lower;
-use proc_macro2::{Span, TokenStream};
+use proc_macro2::TokenStream;
+pub use unused::{Declared, Unused};
 
 /// Index of a body in [`Mechanism::bodies`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -50,7 +53,7 @@ pub struct Name {
     /// As the user wrote it, `upright[3]`.
     pub text: String,
     /// Where.
-    pub span: Span,
+    pub span: Region,
 }
 
 impl Name {
@@ -58,6 +61,11 @@ impl Name {
     pub fn identifier(&self) -> String {
         self.text.replace('[', "_").replace(']', "")
     }
+}
+
+/// The value of an expression of parameters, given theirs; `None` if it depends on anything else.
+pub fn value_at(expr: &Expr, parameters: &[f64]) -> Option<f64> {
+    fold::evaluate(expr, parameters)
 }
 
 /// Components along x, y, z; in the plane the last is the number 0.
@@ -79,6 +87,7 @@ pub struct Mechanism {
     pub inputs: Vec<Input>,
     /// World axes; `None` if no gravity was written.
     pub gravity: Option<Vector>,
+    pub gravity_span: Option<Region>,
     pub bodies: Vec<Body>,
     pub joints: Vec<Joint>,
     /// Gears, racks and general equations, in the order written.
@@ -90,6 +99,10 @@ pub struct Mechanism {
     pub options: Options,
     pub expect: Expect,
     pub outputs: Vec<Output>,
+    /// What is declared and named by nothing.
+    pub unused: Vec<Unused>,
+    /// Warnings that are not wanted.
+    pub allowed: Allowed,
 }
 
 /// A value that may change when parameters are set.
@@ -118,18 +131,21 @@ pub struct Input {
 pub struct Body {
     pub name: Name,
     pub kind: BodyKind,
+    pub shape: Shape,
     /// kg, of parameters only.
     pub mass: Expr,
-    pub mass_span: Span,
+    pub mass_span: Region,
     /// About the centre of mass; zero for a particle.
     pub inertia: Inertia,
-    pub inertia_span: Span,
+    pub inertia_span: Region,
     /// Lengths of its shape, m, by name: positive, whatever parameters make of them.
     pub dimensions: Vec<(&'static str, Expr)>,
     /// Centre of mass in the body's frame, m.
     pub center: Vector,
     /// Named points in the body's frame, m (shape points such as a rod's `start` included).
     pub points: Vec<NamedPoint>,
+    /// Where its markers are, likewise.
+    pub markers: Vec<NamedPoint>,
     pub lines: Vec<NamedLine>,
 }
 
@@ -196,7 +212,7 @@ pub struct Place {
     pub axes: Axes,
     /// As written: `crank.tip`, `ground(0, 0.2)`.
     pub text: String,
-    pub span: Span,
+    pub span: Region,
 }
 
 /// A joint between two places. Its coordinate, rate, travel and torque are those of the second place's body
@@ -346,7 +362,7 @@ pub struct StartCondition {
     pub text: String,
     pub value: Expr,
     pub exact: bool,
-    pub span: Span,
+    pub span: Region,
 }
 
 /// The orientation of a body at the start, or a guess of it.
@@ -356,7 +372,7 @@ pub struct StartOrientation {
     /// Unit quaternion, scalar first, of parameters only.
     pub quaternion: [Expr; 4],
     pub exact: bool,
-    pub span: Span,
+    pub span: Region,
 }
 
 /// What is done about constraint rows that repeat what others fix.
@@ -383,9 +399,9 @@ pub struct Options {
     /// Whether principal moments may be those of no real body, as in some published data.
     pub accept_inertia: bool,
     /// Joints that the spanning tree must not use.
-    pub cut: Vec<(JointId, Span)>,
+    pub cut: Vec<(JointId, Region)>,
     /// Position coordinates the user takes as independent (angles, travels); empty if the compiler chooses.
-    pub independent: Vec<(Quantity, Span)>,
+    pub independent: Vec<(Quantity, Region)>,
     pub emit: Emit,
     /// Path of the `linkwright` crate as seen by the user; `::linkwright` if `None`.
     pub crate_path: Option<TokenStream>,
@@ -419,9 +435,11 @@ impl Emit {
 
 #[derive(Clone, Debug, Default)]
 pub struct Expect {
-    pub degrees_of_freedom: Option<(usize, Span)>,
+    pub degrees_of_freedom: Option<(usize, Region)>,
+    /// Where they are expected a second time.
+    pub degrees_of_freedom_again: Option<Region>,
     /// (function, or `None` for the default acceleration function; limit; where written).
-    pub operations: Vec<(Option<String>, usize, Span)>,
+    pub operations: Vec<(Option<String>, usize, Region)>,
 }
 
 #[derive(Clone, Debug)]

@@ -1,5 +1,5 @@
 //! Who is called what: one table for values (constants, parameters, inputs) and one for parts (bodies, joints,
-//! constraints, drivers, loads, lines of the ground). Names that are free twice are refused, both places shown.
+//! constraints, drivers, loads, lines and markers of the ground). Names that are free twice are refused, both places shown.
 
 use crate::diagnostics::Diagnostics;
 use crate::messages;
@@ -23,6 +23,8 @@ pub(super) enum Part {
     Driver(usize),
     Load(usize),
     Line(usize),
+    /// Of the ground.
+    Marker(usize),
 }
 
 impl Part {
@@ -35,6 +37,7 @@ impl Part {
             Self::Driver(_) => "a driver",
             Self::Load(_) => "a load",
             Self::Line(_) => "a line",
+            Self::Marker(_) => "a marker of the ground",
         }
     }
 }
@@ -98,6 +101,7 @@ impl<'d> Names<'d> {
         let mut parts = Table::new(&BUILT_IN);
         enter(&mut parts, &definition.bodies, |b| &b.name, Part::Body, diagnostics);
         enter(&mut parts, &definition.lines, |l| &l.name, Part::Line, diagnostics);
+        enter(&mut parts, &definition.markers, |m| &m.name, Part::Marker, diagnostics);
         enter(&mut parts, &definition.joints, |j| &j.name, Part::Joint, diagnostics);
         enter(&mut parts, &definition.constraints, |c| &c.name, Part::Constraint, diagnostics);
         enter(&mut parts, &definition.drivers, |d| &d.name, Part::Driver, diagnostics);
@@ -108,6 +112,7 @@ impl<'d> Names<'d> {
             let mut points = Table::new(&OF_BODIES);
             enter(&mut points, &body.points, |(label, _)| label, |index| index, diagnostics);
             enter(&mut points, &body.lines, |line| &line.name, |index| index, diagnostics);
+            enter(&mut points, &body.markers, |marker| &marker.name, |index| index, diagnostics);
         }
         Self { values: values.found, parts: parts.found }
     }
@@ -123,6 +128,25 @@ impl<'d> Names<'d> {
     /// The nearest of the values and built-in names.
     pub fn similar_value(&self, name: &str) -> Option<&str> {
         messages::closest(name, sorted(self.values.keys().copied().chain(BUILT_IN)).into_iter())
+    }
+
+    /// The first and the last of the parts that differ from this name in the last index only.
+    pub fn indices_beside(&self, name: &str) -> Option<(String, String)> {
+        let (base, _) = name.strip_suffix(']')?.rsplit_once('[')?;
+        let index = |part: &str| -> Option<usize> {
+            part.strip_prefix(base)?.strip_prefix('[')?.strip_suffix(']')?.parse().ok()
+        };
+        let indices: Vec<usize> = self.parts.keys().filter_map(|part| index(part)).collect();
+        let with = |index: &usize| format!("{base}[{index}]");
+        Some((with(indices.iter().min()?), with(indices.iter().max()?)))
+    }
+
+    /// Why a name is not that of a part that `fits` accepts, called `what`: it is another kind of part, or none.
+    pub fn not_found(&self, what: &str, name: &str, fits: impl Fn(Part) -> bool) -> String {
+        match self.part(name) {
+            Some(part) => messages::other_kind(name, part.kind(), what),
+            None => messages::unknown(what, name, self.similar_part(name, fits)),
+        }
     }
 
     /// The nearest of the parts that `fits` accepts.
@@ -167,6 +191,9 @@ fn enter<'d, E, T>(
         }
         let identifier = label.text.replace('[', "_").replace(']', "");
         match table.identifiers.get(&identifier) {
+            Some(first) if first.region.serials() == label.region.serials() && first.text == label.text => {
+                diagnostics.error(label.region, messages::declared_by_rounds(&label.text));
+            }
             Some(first) => {
                 let message = messages::duplicate(&label.text, &first.text);
                 diagnostics.conflict(label.region, message, first.region, messages::first_here(&first.text));

@@ -3,6 +3,7 @@
 use super::fold;
 use super::lower::{BodyFrame, Lowering, Use};
 use super::names::Part;
+use super::unused::Scope;
 use super::{Axes, BodyId, Expr, Frame, Function2, Place, Vector, ZERO};
 use crate::diagnostics::Region;
 use crate::messages;
@@ -101,9 +102,26 @@ impl<'d> Lowering<'d> {
         Some((at?, axes))
     }
 
+    /// Remembers that a place or line of a body has been named.
+    fn use_of_body(&mut self, index: usize, text: &str) {
+        let BodyFrame { points, markers, lines, .. } = &self.bodies[index];
+        let key = points.get_key_value(text).map(|(key, _)| *key);
+        let key = key.or_else(|| markers.get_key_value(text).map(|(key, _)| *key));
+        if let Some(key) = key.or_else(|| lines.get_key_value(text).map(|(key, _)| *key)) {
+            self.used.insert((Scope::Body(index), key));
+        }
+    }
+
+    /// The line of a body with this name.
+    pub fn body_line_named(&mut self, index: usize, text: &str) -> Option<Option<[Vector; 2]>> {
+        self.use_of_body(index, text);
+        self.bodies[index].lines.get(text).cloned()
+    }
+
     /// The axes of a marker of this body.
     pub fn axes_of_marker(&mut self, body: &'d syntax::Body, label: &'d syntax::Label) -> Option<Axes> {
         let Some(Part::Body(index)) = self.names.part(&body.name.text) else { return None };
+        self.use_of_body(index, &label.text);
         if let Some(marker) = self.bodies[index].markers.get(label.text.as_str()) {
             return marker.clone().map(|(_, axes)| axes);
         }
@@ -188,23 +206,32 @@ impl<'d> Lowering<'d> {
             at,
             axes: Axes::Parallel,
             text: ground.text.clone(),
-            span: ground.region.span(),
+            span: ground.region,
         })
     }
 
     fn place_of_body(&mut self, path: &Path) -> Option<Place> {
         let head = &path.parts[0];
         if path.parts.len() == 1
-            && let Some(marker) = self.markers.get(path.text.as_str())
+            && let Some((name, marker)) = self.markers.get_key_value(path.text.as_str())
         {
+            self.used.insert((Scope::Ground, name));
             let (at, axes) = marker.clone()?;
-            let (text, span) = (path.text.clone(), path.region.span());
+            let (text, span) = (path.text.clone(), path.region);
             return Some(Place { frame: Frame::Ground, at, axes, text, span });
         }
         let Some(Part::Body(index)) = self.names.part(&head.text) else {
             let message = match self.names.part(&head.text) {
                 Some(part) => messages::no_places(&head.text, part.kind()),
                 None if self.diagnostics.is_full() => return None,
+                None if path.parts.len() == 1
+                    && let Some(body) = self.body_with(&head.text) =>
+                {
+                    messages::point_without_body(body, &head.text)
+                }
+                None if let Some((first, last)) = self.names.indices_beside(&head.text) => {
+                    messages::unknown_index(&head.text, &first, &last)
+                }
                 None => {
                     let similar = self.names.similar_part(&head.text, |part| matches!(part, Part::Body(_)));
                     messages::unknown("body", &head.text, similar)
@@ -213,9 +240,12 @@ impl<'d> Lowering<'d> {
             self.diagnostics.error(head.region, message);
             return None;
         };
+        if let [_, point] = path.parts.as_slice() {
+            self.use_of_body(index, &point.text);
+        }
         let with_axes = |at: Vector, axes: Axes| {
             let frame = Frame::Body(BodyId(index));
-            Some(Place { frame, at, axes, text: path.text.clone(), span: path.region.span() })
+            Some(Place { frame, at, axes, text: path.text.clone(), span: path.region })
         };
         let place = |at: Vector| with_axes(at, Axes::Parallel);
         match path.parts.as_slice() {
@@ -241,6 +271,13 @@ impl<'d> Lowering<'d> {
                 None
             }
         }
+    }
+
+    /// A body with a place of this name.
+    fn body_with(&self, place: &str) -> Option<&'d str> {
+        let has = |frame: &BodyFrame| frame.points.contains_key(place) || frame.markers.contains_key(place);
+        let index = self.bodies.iter().position(has)?;
+        Some(&self.definition.bodies[index].name.text)
     }
 
     fn no_such_point(&mut self, index: usize, body: &str, point: &str, region: Region) {

@@ -89,8 +89,8 @@ impl<'d> Lowering<'d> {
                 None
             }
             _ => {
-                let similar = self.names.similar_part(&path.text, |part| matches!(part, Part::Load(_)));
-                self.diagnostics.error(path.region, messages::unknown("load", &path.text, similar));
+                let message = self.names.not_found("load", &path.text, |part| matches!(part, Part::Load(_)));
+                self.diagnostics.error(path.region, message);
                 None
             }
         }
@@ -160,6 +160,11 @@ impl<'d> Lowering<'d> {
             "potential_energy" => Found::result(Quantity::PotentialEnergy, Dimension::TORQUE),
             text => {
                 let message = match self.names.part(text) {
+                    Some(Part::Joint(index)) => {
+                        let JointCoordinates { angles, travels } = self.coordinates(JointId(index));
+                        let names: Vec<&str> = angles.iter().chain(travels).map(|[name, _]| *name).collect();
+                        messages::joint_as_value(text, &names)
+                    }
                     Some(part) => messages::part_as_value(text, part.kind()),
                     None => messages::unknown("value", text, self.names.similar_value(text)),
                 };
@@ -322,11 +327,9 @@ impl<'d> Lowering<'d> {
                 None
             }
             _ => {
-                let similar = self
-                    .names
-                    .similar_part(&label.text, |part| matches!(part, Part::Body(_) | Part::Joint(_)));
-                self.diagnostics
-                    .error(label.region, messages::unknown("joint or body", &label.text, similar));
+                let fits = |part| matches!(part, Part::Body(_) | Part::Joint(_));
+                let message = self.names.not_found("joint or body", &label.text, fits);
+                self.diagnostics.error(label.region, message);
                 None
             }
         }
@@ -345,8 +348,8 @@ impl<'d> Lowering<'d> {
                 None
             }
             _ => {
-                let similar = self.names.similar_part(&label.text, |part| matches!(part, Part::Body(_)));
-                self.diagnostics.error(label.region, messages::unknown("body", &label.text, similar));
+                let message = self.names.not_found("body", &label.text, |part| matches!(part, Part::Body(_)));
+                self.diagnostics.error(label.region, message);
                 None
             }
         }
@@ -366,8 +369,8 @@ impl<'d> Lowering<'d> {
             }
             Some(Part::Body(index)) => Some(BodyId(index)),
             _ => {
-                let similar = self.names.similar_part(&head.text, |part| matches!(part, Part::Body(_)));
-                self.diagnostics.error(head.region, messages::unknown("body", &head.text, similar));
+                let message = self.names.not_found("body", &head.text, |part| matches!(part, Part::Body(_)));
+                self.diagnostics.error(head.region, message);
                 None
             }
         }
@@ -385,8 +388,9 @@ impl<'d> Lowering<'d> {
                 None
             }
             _ => {
-                let similar = self.names.similar_part(&label.text, |part| matches!(part, Part::Joint(_)));
-                self.diagnostics.error(label.region, messages::unknown("joint", &label.text, similar));
+                let message =
+                    self.names.not_found("joint", &label.text, |part| matches!(part, Part::Joint(_)));
+                self.diagnostics.error(label.region, message);
                 None
             }
         }

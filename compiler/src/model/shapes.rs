@@ -1,8 +1,9 @@
 //! What follows from the shape of a body: moments of inertia about the centre of mass, and the volume.
 //!
-//! In the plane: rod m L²/12, disk m r²/2, box m (w² + h²)/12, particle 0, about z.
-//! In space, along body axes: rod and cylinder along x, (m r²/2, m (3 r² + L²)/12, the same); a rod without radius has
-//! r = 0; disk across z, (m r²/4, m r²/4, m r²/2); sphere 2 m r²/5; box m (b² + c²)/12 and so on.
+//! In the plane: rod m (3 r² + L²)/12, disk m r²/2, box m (w² + h²)/12, particle 0, about z.
+//! In space, along body axes: rod and cylinder along x, (m r²/2, m (3 r² + L²)/12, the same); disk across z,
+//! (m (3 r² + t²)/12, the same, m r²/2); sphere 2 m r²/5; box m (b² + c²)/12 and so on. A rod without radius has r = 0, a
+//! disk without thickness t = 0.
 
 use super::lower::{Lowering, Use};
 use super::{Expr, Function2, Vector, ZERO, fold};
@@ -59,9 +60,19 @@ impl<'d> Lowering<'d> {
         let (squares, divisor) = match body.shape {
             Shape::Body | Shape::Sphere | Shape::Cylinder => return None,
             Shape::Particle => return Some(ZERO),
-            Shape::Rod => (square(self.shape_length(body, "length", true)?), 12.0),
-            Shape::Disk => (square(self.shape_length(body, "radius", true)?), 2.0),
+            Shape::Rod => {
+                let (length, radius) =
+                    (self.shape_length(body, "length", true), self.if_given(body, "radius"));
+                (across(length?, radius?), 12.0)
+            }
+            Shape::Disk => {
+                let (radius, thickness) =
+                    (self.shape_length(body, "radius", true), self.if_given(body, "thickness"));
+                thickness?;
+                (square(radius?), 2.0)
+            }
             Shape::Box => {
+                self.if_given(body, "thickness")?;
                 let (width, height) =
                     (self.shape_length(body, "width", true), self.shape_length(body, "height", true));
                 (add(square(width?), square(height?)), 12.0)
@@ -77,17 +88,24 @@ impl<'d> Lowering<'d> {
             Shape::Particle => ZERO,
             Shape::Rod | Shape::Cylinder => {
                 let length = self.shape_length(body, "length", true);
-                let slender = body.shape == Shape::Rod && body.property("radius").is_none();
-                let radius =
-                    if slender { Some(Expr::Number(0.0)) } else { self.shape_length(body, "radius", true) };
-                let (length, radius, mass) = (square(length?), square(radius?), mass?);
-                let across = part(mass, add(times(Expr::Number(3.0), radius.clone()), length), 12.0);
-                [part(mass, radius, 2.0), across.clone(), across]
+                let radius = match body.shape {
+                    Shape::Rod => self.if_given(body, "radius"),
+                    _ => self.shape_length(body, "radius", true),
+                };
+                let (length, radius, mass) = (length?, radius?, mass?);
+                let along = part(mass, square(radius.clone()), 2.0);
+                let across = part(mass, across(length, radius), 12.0);
+                [along, across.clone(), across]
             }
             Shape::Disk => {
-                let radius = square(self.shape_length(body, "radius", true)?);
-                let across = part(mass?, radius.clone(), 4.0);
-                [across.clone(), across, part(mass?, radius, 2.0)]
+                let (radius, thickness) =
+                    (self.shape_length(body, "radius", true), self.if_given(body, "thickness"));
+                let (radius, thickness, mass) = (radius?, thickness?, mass?);
+                let across = match thickness {
+                    Expr::Number(0.0) => part(mass, square(radius.clone()), 4.0),
+                    thickness => part(mass, across(thickness, radius.clone()), 12.0),
+                };
+                [across.clone(), across, part(mass, square(radius), 2.0)]
             }
             Shape::Sphere => {
                 let radius = square(self.shape_length(body, "radius", true)?);
@@ -110,9 +128,10 @@ impl<'d> Lowering<'d> {
     pub fn volume(&mut self, body: &'d syntax::Body) -> Option<Expr> {
         let pi = |factor: f64| Expr::Number(factor * core::f64::consts::PI);
         match body.shape {
-            Shape::Rod if body.property("radius").is_none() => {
-                self.diagnostics.error(body.name.region, messages::density_needs_radius(&body.name.text));
-                None
+            Shape::Rod if body.property("radius").is_none() => self.no_volume(body, "radius"),
+            Shape::Disk if body.property("thickness").is_none() => self.no_volume(body, "thickness"),
+            Shape::Box if self.definition.space == Space::Planar && body.property("thickness").is_none() => {
+                self.no_volume(body, "thickness")
             }
             Shape::Rod | Shape::Cylinder => {
                 let (length, radius) =
@@ -123,13 +142,43 @@ impl<'d> Lowering<'d> {
                 let radius = self.shape_length(body, "radius", false)?;
                 Some(times(pi(4.0 / 3.0), times(radius.clone(), square(radius))))
             }
+            Shape::Disk => {
+                let (radius, thickness) =
+                    (self.shape_length(body, "radius", false)?, self.shape_length(body, "thickness", false)?);
+                Some(times(times(pi(1.0), square(radius)), thickness))
+            }
+            Shape::Box if self.definition.space == Space::Planar => {
+                let edges = ["width", "height", "thickness"].map(|edge| self.shape_length(body, edge, false));
+                let [a, b, c] = edges;
+                Some(times(times(a?, b?), c?))
+            }
             Shape::Box => {
                 let [a, b, c] = self.size(body, false)?;
                 Some(times(times(a, b), c))
             }
-            Shape::Body | Shape::Disk | Shape::Particle => None,
+            Shape::Body | Shape::Particle => None,
         }
     }
+
+    /// What a density alone does not say.
+    fn no_volume(&mut self, body: &'d syntax::Body, missing: &str) -> Option<Expr> {
+        let message = messages::density_needs(body.shape.text(), &body.name.text, missing);
+        self.diagnostics.error(body.name.region, message);
+        None
+    }
+
+    /// A length that may be left out, and is then zero.
+    fn if_given(&mut self, body: &'d syntax::Body, property: &str) -> Option<Expr> {
+        match body.property(property) {
+            Some(_) => self.shape_length(body, property, true),
+            None => Some(Expr::Number(0.0)),
+        }
+    }
+}
+
+/// 3 r² + L², twelve times a cylinder's inertia across its axis for a mass of one.
+fn across(length: Expr, radius: Expr) -> Expr {
+    add(times(Expr::Number(3.0), square(radius)), square(length))
 }
 
 fn square(length: Expr) -> Expr {

@@ -3,6 +3,7 @@
 use super::fold;
 use super::lower::{Lowering, Use, declared};
 use super::names::Value;
+use super::unused::Scope;
 use super::{Expr, Function1, Function2, InputId, ParameterId, Vector};
 use crate::diagnostics::Region;
 use crate::messages;
@@ -18,10 +19,46 @@ pub(super) struct Typed {
     pub region: Region,
 }
 
+impl Typed {
+    /// Its value, where that is written: digits, with a sign or without.
+    pub fn number(&self) -> Option<f64> {
+        let (first, last) = self.region.serials();
+        match self.expr {
+            Expr::Number(value) if last <= first + 1 => Some(value),
+            _ => None,
+        }
+    }
+}
+
 impl Lowering<'_> {
+    /// The value of a declaration `kind name [unit] = value`.
+    pub fn declaration(&mut self, kind: &str, name: &str, entry: &Entry, usage: Use) -> Option<Expr> {
+        let (dimension, what) = (declared(entry.unit.as_ref()), messages::quoted(name));
+        if entry.unit.is_some() {
+            return self.entry(entry, dimension, usage, &what);
+        }
+        let typed = self.value(&entry.value, usage)?;
+        if !typed.dimension.is_one() {
+            self.diagnostics.error(typed.region, messages::unit_left_out(kind, name, typed.dimension));
+            return None;
+        }
+        Some(typed.expr)
+    }
+
     /// An entry that must be a number at expansion.
     pub fn number(&mut self, entry: &Entry, expected: Dimension, what: &str) -> Option<f64> {
-        match self.entry(entry, expected, Use::CONSTANT, what)? {
+        let expr = self.entry(entry, expected, Use::CONSTANT, what)?;
+        self.folded(expr, entry, what)
+    }
+
+    /// The value of a constant or the default of a parameter.
+    pub fn declared_number(&mut self, kind: &str, name: &str, entry: &Entry) -> Option<f64> {
+        let expr = self.declaration(kind, name, entry, Use::CONSTANT)?;
+        self.folded(expr, entry, &messages::quoted(name))
+    }
+
+    fn folded(&mut self, expr: Expr, entry: &Entry, what: &str) -> Option<f64> {
+        match expr {
             Expr::Number(value) => Some(value),
             // `if` is the only thing that does not fold.
             _ => {
@@ -111,7 +148,7 @@ impl Lowering<'_> {
         if typed.zero || typed.dimension.fits(expected) {
             return Some(typed.expr);
         }
-        let message = messages::wrong_dimension(what, expected, typed.dimension);
+        let message = messages::wrong_dimension(what, expected, typed.dimension, typed.number());
         self.diagnostics.error(typed.region, message);
         None
     }
@@ -130,7 +167,9 @@ impl Lowering<'_> {
             (false, true) => right.region,
             _ => left.region.to(right.region),
         };
-        self.diagnostics.error(region, messages::different_dimensions(what, left.dimension, right.dimension));
+        let bare = if left.dimension == Dimension::ONE { left } else { right };
+        let message = messages::different_dimensions(what, left.dimension, right.dimension, bare.number());
+        self.diagnostics.error(region, message);
         None
     }
 
@@ -173,15 +212,18 @@ impl Lowering<'_> {
         if path.parts.len() == 1 {
             match self.names.value(&path.text) {
                 Some(Value::Constant(index)) => {
+                    self.used.insert((Scope::Value, &self.definition.constants[index].name.text));
                     let dimension = declared(self.definition.constants[index].entry.unit.as_ref());
                     return typed(Expr::Number(self.constants[index]?), dimension);
                 }
                 Some(Value::Parameter(index)) => {
+                    self.used.insert((Scope::Value, &self.definition.parameters[index].name.text));
                     self.permit(usage.parameters, path, "a parameter", usage)?;
                     let dimension = declared(self.definition.parameters[index].entry.unit.as_ref());
                     return typed(Expr::Parameter(ParameterId(index)), dimension);
                 }
                 Some(Value::Input(index)) => {
+                    self.used.insert((Scope::Value, &self.definition.inputs[index].name.text));
                     self.permit(usage.inputs, path, "an input", usage)?;
                     let dimension = declared(self.definition.inputs[index].unit.as_ref());
                     return typed(Expr::Input(InputId(index)), dimension);

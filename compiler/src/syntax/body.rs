@@ -1,7 +1,9 @@
 //! `body crank { mass [kg] = 1; point tip [m] = (1, 0); … }` and the shapes.
 
+use super::attributes::Bearer;
 use super::definition::{Body, Label, Marker, MarkerAxes, Shape, Space};
 use super::parser::{Failed, Parsed, Parser};
+use super::statements::STATEMENTS;
 use super::token::Cursor;
 use crate::messages;
 use proc_macro2::Delimiter;
@@ -10,12 +12,12 @@ use proc_macro2::Delimiter;
 fn properties(shape: Shape, space: Space) -> &'static [&'static str] {
     match (shape, space) {
         (Shape::Body, Space::Planar) => &["mass", "inertia"],
-        (Shape::Rod, Space::Planar) => &["mass", "length", "inertia"],
-        (Shape::Disk, Space::Planar) => &["mass", "radius", "inertia"],
-        (Shape::Box, Space::Planar) => &["mass", "width", "height", "inertia"],
+        (Shape::Rod, Space::Planar) => &["mass", "density", "length", "radius", "inertia"],
+        (Shape::Disk, Space::Planar) => &["mass", "density", "radius", "thickness", "inertia"],
+        (Shape::Box, Space::Planar) => &["mass", "density", "width", "height", "thickness", "inertia"],
         (Shape::Particle, _) | (Shape::Body, Space::Spatial) => &["mass"],
         (Shape::Rod | Shape::Cylinder, _) => &["mass", "density", "length", "radius"],
-        (Shape::Disk, Space::Spatial) => &["mass", "radius"],
+        (Shape::Disk, Space::Spatial) => &["mass", "density", "radius", "thickness"],
         (Shape::Sphere, _) => &["mass", "density", "radius"],
         (Shape::Box, Space::Spatial) => &["mass", "density"],
     }
@@ -28,6 +30,15 @@ fn vectors(shape: Shape, space: Space) -> &'static [&'static str] {
         (Shape::Box, Space::Spatial) => &["size", "inertia", "products", "inertia_axes"],
         _ => &["inertia", "products", "inertia_axes"],
     }
+}
+
+/// Whether several values in parentheses stand so many tokens ahead.
+fn is_vector(c: &Cursor, ahead: usize) -> bool {
+    let mut c = c.clone();
+    for _ in 0..ahead {
+        c.advance();
+    }
+    c.inside(Delimiter::Parenthesis).is_some_and(|inside| inside.has_comma())
 }
 
 impl Parser {
@@ -58,7 +69,14 @@ impl Parser {
     }
 
     fn property(&mut self, c: &mut Cursor, body: &mut Body) -> Parsed<()> {
-        self.attributes(c)?;
+        let start = c.region();
+        let attributes = self.attributes(c, Bearer::Part)?;
+        let read = self.property_after(c, body);
+        self.allow(&attributes.allowed, start.to(c.behind()));
+        read
+    }
+
+    fn property_after(&mut self, c: &mut Cursor, body: &mut Body) -> Parsed<()> {
         let (shape, space) = (body.shape, self.definition.space);
         let (allowed, vectors) = (properties(shape, space), vectors(shape, space));
         match c.word() {
@@ -110,6 +128,9 @@ impl Parser {
             Some(word) if allowed.contains(&word) => {
                 let label = self.word(c, "a property")?;
                 let unit = self.unit(c)?;
+                if label.text == "inertia" && c.at_punct('=') && is_vector(c, 1) {
+                    return self.fail(c.region(), messages::planar_inertia());
+                }
                 let entry = self.entry(c, unit)?;
                 self.semicolon(c)?;
                 if let Some((first, _)) = body.property(&label.text) {
@@ -147,7 +168,7 @@ impl Parser {
             }
             Some(word) => {
                 let allowed: Vec<&str> = allowed.iter().chain(vectors).copied().collect();
-                let message = messages::unknown_property(shape.text(), word, &allowed);
+                let message = messages::unknown_property(shape.text(), word, &allowed, &STATEMENTS);
                 self.fail(c.region(), message)
             }
             None => self.expected(c, "a property of the body"),

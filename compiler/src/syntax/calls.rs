@@ -4,13 +4,13 @@
 
 use super::definition::{
     Constraint, ConstraintTerm, Entry, FirstTerm, Joint, JointWord, Label, LineTerm, Load, LoadTerm,
-    PlaceTerm, Space, Term, TermKind, Tuple,
+    Operator, PlaceTerm, Space, Term, TermKind, Tuple,
 };
 use super::expression::is_call;
 use super::parser::{Failed, Parsed, Parser};
 use super::token::Cursor;
 use crate::diagnostics::Region;
-use crate::messages;
+use crate::messages::{self, Habit};
 use proc_macro2::Delimiter;
 
 /// What a positional argument is.
@@ -166,7 +166,13 @@ impl Parser {
         }
         let left = self.expression(c)?;
         if !c.eat_punct('=') {
-            return self.expected(c, "`=` between the two sides of the constraint");
+            let what = "`=` between the two sides of the constraint";
+            return match left.kind {
+                TermKind::Operation(Operator::Equal, _) => {
+                    self.advised(c, what, &Habit::EqualsTwice.advice())
+                }
+                _ => self.expected(c, what),
+            };
         }
         let right = self.expression(c)?;
         self.semicolon(c)?;
@@ -242,6 +248,9 @@ impl Parser {
                 let place = arguments.place()?;
                 let several = c.inside(Delimiter::Parenthesis).is_some_and(|inside| inside.has_comma());
                 match (arguments.tuple("direction"), place) {
+                    (Some(_), _) if several => {
+                        return self.fail(c.region(), messages::direction_and_components());
+                    }
                     (Some(direction), place) => {
                         LoadTerm::Force { place, direction, value: self.expression(c)? }
                     }
@@ -335,13 +344,21 @@ impl Parser {
     ) -> Parsed<()> {
         let mut ahead = c.clone();
         ahead.advance();
+        while ahead.enter(Delimiter::Bracket).is_some() {}
         if c.is_done() || ahead.at_punct('=') {
-            return self.fail(region, messages::missing_place(form.word, form.positional.len(), index));
+            let message =
+                messages::missing_place(form.word, form.positional.len(), index, kind == Kind::Place);
+            return self.fail(region, message);
         }
         match kind {
             Kind::Place => arguments.places.push(self.place(c)?),
             Kind::Line => arguments.lines.push(self.line_argument(c)?),
-            Kind::Rotor => arguments.rotors.push(self.label(c, "the name of a joint or body")?),
+            Kind::Rotor => {
+                arguments.rotors.push(self.label(c, "the name of a joint or body")?);
+                if c.at_punct('.') {
+                    return self.advised(c, "`,` or `)`", messages::names_without_point());
+                }
+            }
         }
         if c.is_done() { Ok(()) } else { self.argument_end(c) }
     }
@@ -373,6 +390,10 @@ impl Parser {
 
     /// `name [unit] = value`.
     fn named(&mut self, c: &mut Cursor, form: &Form, arguments: &mut Arguments) -> Parsed<()> {
+        if c.word().is_none() {
+            let names: Vec<&str> = form.named.iter().map(|(name, _)| *name).collect();
+            return self.advised(c, "a named argument", &messages::named_arguments(&names));
+        }
         let label = self.word(c, "a named argument")?;
         let known = form.named.iter().any(|(name, _)| *name == label.text);
         if !known {

@@ -1,9 +1,10 @@
 //! What was written: names, expressions and units as the user put them, `repeat` unrolled, nothing looked up
 //! and nothing converted. Every part keeps its place in the source.
 
-use crate::diagnostics::Region;
+use crate::diagnostics::{Allowed, Region};
 use crate::units::Unit;
 use proc_macro2::TokenStream;
+use std::collections::BTreeSet;
 
 /// In how many dimensions a mechanism moves.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -39,6 +40,10 @@ pub struct Definition {
     pub visibility: TokenStream,
     /// Doc comments and other attributes before it.
     pub attributes: TokenStream,
+    /// What `#[allow(…)]` says, and where.
+    pub allowed: Allowed,
+    /// Constants that indices, bounds and counts name.
+    pub counted: BTreeSet<String>,
     pub constants: Vec<Constant>,
     pub parameters: Vec<Parameter>,
     pub inputs: Vec<Input>,
@@ -294,7 +299,7 @@ impl Shape {
 pub struct Body {
     pub name: Label,
     pub shape: Shape,
-    /// `mass`, `density`, `inertia` in the plane, `length`, `radius`, `width`, `height`: those written.
+    /// `mass`, `density`, `inertia` in the plane, `length`, `radius`, `width`, `height`, `thickness`: those written.
     pub properties: Vec<(Label, Entry)>,
     /// In space: `inertia`, `products`, `size`: those written.
     pub vectors: Vec<(Label, Tuple)>,

@@ -137,6 +137,7 @@ impl Parser {
         match &token.kind {
             Kind::Number(digits) => self.number(c, digits),
             Kind::Word(_) if is_call(c) => self.call(c),
+            Kind::Word(word) if word == "if" => self.expected(c, "a value"),
             Kind::Word(word) => self.name(c, word),
             Kind::Group(Delimiter::Parenthesis | Delimiter::None, ..) => self.parenthesised(c),
             Kind::Punct('+') => self.fail(token.region, messages::unary_plus()),

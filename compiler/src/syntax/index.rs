@@ -39,6 +39,7 @@ impl Parser {
                     let is_unit = in_brackets && units::parse(&path.text).is_ok();
                     return self.fail(region, messages::not_an_index(&path.text, is_unit));
                 };
+                self.definition.counted.insert(path.text.clone());
                 if depth > DEEPEST_CONSTANT {
                     return self.fail(region, messages::index_too_deep(&path.text));
                 }

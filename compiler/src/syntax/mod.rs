@@ -18,7 +18,7 @@
 //!             "repeat" i "in" expr ".." expr "{" statement* "}"
 //!             "start" "{" (quantity unit? ("=" | "~") expr ";")* "}"
 //!             "options" "{" … "}"      "expect" "{" … "}"
-//! property    ("mass" | "inertia" | "length" | "radius" | "width" | "height") unit? "=" expr ";"
+//! property    ("mass" | "density" | "inertia" | "length" | "radius" | "width" | "height" | "thickness") unit? "=" expr ";"
 //!             "center" unit? "=" pair ";"     "point" name unit? "=" pair ";"     "line" …
 //! LOAD        force(place, direction = pair) "=" expr     force(place) "=" pair      torque(a) "=" expr
 //!             spring(p, q, stiffness = …, length = …, damping = …)      damper(p, q, damping = …)
@@ -27,15 +27,19 @@
 //! ```
 //! A load is declared by the word `force` or by its own: `force s: spring(…)` and `spring s: spring(…)` are the same.
 //! Named arguments take their unit beside the name or beside the number: `length [mm] = 3`, `length = 3 [mm]`.
+//! Before statements and properties doc comments and `#[allow(unused)]` may stand.
 //! Names may carry indices, `upright[i+1]`; a declared name with an index and a unit has the unit last.
 //!
 //! Looking names up, units of values and all meaning are left to `model`.
 
+mod attributes;
 mod body;
 mod calls;
 mod definition;
 mod definition_json;
 mod expression;
+mod habits;
+mod header;
 mod index;
 mod parser;
 mod settings;
@@ -44,55 +48,18 @@ mod token;
 
 pub use definition::*;
 pub use definition_json::definition_json;
+pub use header::{Header, header};
 
-use crate::diagnostics::Diagnostics;
+use crate::diagnostics::{Allowed, Diagnostics};
 use crate::messages;
+use attributes::Bearer;
 use parser::{Failed, Parsed, Parser};
-use proc_macro2::{Delimiter, Span, TokenStream, TokenTree};
-use std::collections::HashMap;
-use token::Cursor;
+use proc_macro2::{Delimiter, Span, TokenStream};
+use std::collections::{BTreeSet, HashMap};
+use token::{Cursor, Token};
 
 /// `repeat` may unroll to this many rounds and statements.
 const MOST_STATEMENTS: usize = 10_000;
-
-/// What stands before the braces: enough for an item that takes the mechanism's place after an error.
-#[derive(Clone, Debug)]
-pub struct Header {
-    /// `pub`, `pub(crate)` or nothing.
-    pub visibility: TokenStream,
-    /// Whether it moves in space.
-    pub spatial: bool,
-    /// The mechanism's name.
-    pub name: proc_macro2::Ident,
-    /// What is written between its braces.
-    body: TokenStream,
-}
-
-impl Header {
-    /// Names declared by a statement `word NAME …` at the top of the braces, however broken the rest may be.
-    pub fn declared(&self, word: &str) -> Vec<String> {
-        let mut names: Vec<String> = Vec::new();
-        let mut statement = true;
-        let mut tokens = self.body.clone().into_iter().peekable();
-        while let Some(token) = tokens.next() {
-            if let (true, TokenTree::Ident(ident), Some(TokenTree::Ident(name))) =
-                (statement, &token, tokens.peek())
-                && *ident == word
-            {
-                let name = name.to_string();
-                if !names.contains(&name) {
-                    names.push(name);
-                }
-            }
-            statement = match &token {
-                TokenTree::Punct(punct) => punct.as_char() == ';',
-                TokenTree::Group(group) => group.delimiter() == Delimiter::Brace,
-                _ => false,
-            };
-        }
-        names
-    }
-}
 
 /// Reads a definition. All syntax errors are reported, one for each statement.
 pub fn parse(tokens: TokenStream) -> Result<Definition, Diagnostics> {
@@ -102,49 +69,24 @@ pub fn parse(tokens: TokenStream) -> Result<Definition, Diagnostics> {
         // Groups are missing, and what is missing must not be reported a second time.
         return Err(diagnostics);
     }
+    let (definition, found) = read(&tokens, false);
+    found.finish(definition)
+}
+
+/// What can be read of tokens, however wrong; `patient`: every round of a `repeat` too, where the first has an error.
+fn read(tokens: &[Token], patient: bool) -> (Definition, Diagnostics) {
     let mut parser = Parser {
-        diagnostics,
+        diagnostics: Diagnostics::new(),
         definition: empty(),
         constants: HashMap::new(),
         indices: Vec::new(),
         budget: MOST_STATEMENTS,
         depth: 0,
+        patient,
     };
-    let mut cursor = Cursor::new(&tokens, Span::call_site().into());
+    let mut cursor = Cursor::new(tokens, Span::call_site().into());
     let _: Parsed<()> = parser.item(&mut cursor);
-    let Parser { diagnostics, definition, .. } = parser;
-    diagnostics.finish(definition)
-}
-
-/// The name and visibility of a definition that may be full of errors.
-pub fn header(tokens: TokenStream) -> Option<Header> {
-    let mut tokens = tokens.into_iter().peekable();
-    while matches!(tokens.peek(), Some(TokenTree::Punct(punct)) if punct.as_char() == '#') {
-        tokens.next();
-        tokens.next();
-    }
-    let mut visibility = TokenStream::new();
-    if matches!(tokens.peek(), Some(TokenTree::Ident(ident)) if *ident == "pub") {
-        visibility.extend(tokens.next());
-        if matches!(tokens.peek(), Some(TokenTree::Group(group)) if group.delimiter() != Delimiter::Brace) {
-            visibility.extend(tokens.next());
-        }
-    }
-    let TokenTree::Ident(kind) = tokens.next()? else { return None };
-    match tokens.next()? {
-        TokenTree::Ident(name) => {
-            let body = tokens.find_map(|token| match token {
-                TokenTree::Group(group) if group.delimiter() == Delimiter::Brace => Some(group.stream()),
-                _ => None,
-            });
-            Some(Header { visibility, spatial: kind == "spatial", name, body: body.unwrap_or_default() })
-        }
-        // The kind was forgotten: `pub FourBar { … }`.
-        TokenTree::Group(group) if group.delimiter() == Delimiter::Brace => {
-            Some(Header { visibility, spatial: false, name: kind, body: group.stream() })
-        }
-        _ => None,
-    }
+    (parser.definition, parser.diagnostics)
 }
 
 fn empty() -> Definition {
@@ -153,6 +95,8 @@ fn empty() -> Definition {
         name: Label { text: String::new(), region: Span::call_site().into() },
         visibility: TokenStream::new(),
         attributes: TokenStream::new(),
+        allowed: Allowed::default(),
+        counted: BTreeSet::new(),
         constants: Vec::new(),
         parameters: Vec::new(),
         inputs: Vec::new(),
@@ -178,7 +122,9 @@ impl Parser {
         if c.is_done() {
             return self.fail(c.region(), messages::empty_macro());
         }
-        self.definition.attributes = self.attributes(c)?;
+        let start = c.region();
+        let attributes = self.attributes(c, Bearer::Item)?;
+        self.definition.attributes = attributes.handed_through;
         if c.at_word("pub") {
             self.definition.visibility.extend(c.advance().map(|token| token.original.clone()));
             if c.inside(Delimiter::Parenthesis).is_some() {
@@ -189,11 +135,19 @@ impl Parser {
             Some("planar") => {}
             Some("spatial") => self.definition.space = Space::Spatial,
             Some(word @ ("part" | "file")) => return self.fail(c.region(), messages::not_there_yet(word)),
-            _ => return self.expected(c, "`planar` or `spatial`, the kind of the mechanism"),
+            word => {
+                let what = "`planar` or `spatial`, the kind of the mechanism";
+                let advice = word.and_then(|word| messages::kind_of_mechanism(word, &statements::STATEMENTS));
+                return match advice {
+                    Some(advice) => self.advised(c, what, &advice),
+                    None => self.expected(c, what),
+                };
+            }
         }
         c.advance();
         self.definition.name = self.word(c, "the name of the mechanism")?;
         let inside = self.group(c, Delimiter::Brace)?;
+        self.allow(&attributes.allowed, start.to(inside.end()));
         self.constants_first(inside.clone());
         self.statements(inside);
         self.end(c, "the end: one mechanism for each macro")
@@ -203,8 +157,8 @@ impl Parser {
     fn constants_first(&mut self, mut c: Cursor) {
         while !c.is_done() {
             let before = c.clone();
-            let attributes = self.attributes(&mut c);
-            let Err(Failed) = self.constant_ahead(&mut c, attributes.is_ok()) else { continue };
+            let readable = c.skip_attributes();
+            let Err(Failed) = self.constant_ahead(&mut c, readable) else { continue };
             // Not a constant, or a constant with an error: on to the next statement.
             c = before;
             c.skip_statement();

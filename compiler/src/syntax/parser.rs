@@ -4,11 +4,12 @@
 //! one is read, so that one mistake gives one message and several mistakes give several.
 
 use super::definition::{Definition, Label, Path, Term, WrittenUnit};
+use super::habits::habit;
 use super::token::{Cursor, Kind, Token};
 use crate::diagnostics::{Diagnostics, Region};
 use crate::messages;
 use crate::units::{self, UnitError};
-use proc_macro2::{Delimiter, TokenStream};
+use proc_macro2::Delimiter;
 use std::collections::HashMap;
 
 /// The error has been pushed.
@@ -30,6 +31,8 @@ pub(super) struct Parser {
     pub budget: usize,
     /// Nesting of the expression being read.
     pub depth: usize,
+    /// Whether the rounds after one with an error are read too.
+    pub patient: bool,
 }
 
 impl Parser {
@@ -41,7 +44,18 @@ impl Parser {
 
     /// Gives up because something else stands here.
     pub fn expected<T>(&mut self, c: &Cursor, what: &str) -> Parsed<T> {
-        let message = messages::expected(what, &found(c.peek()));
+        match habit(c, what) {
+            Some(habit) => self.advised(c, what, &habit.advice()),
+            None => {
+                let message = messages::expected(what, &found(c.peek()));
+                self.fail(c.region(), message)
+            }
+        }
+    }
+
+    /// The same, with what to write instead.
+    pub fn advised<T>(&mut self, c: &Cursor, what: &str, advice: &str) -> Parsed<T> {
+        let message = messages::expected_and_advice(what, &found(c.peek()), advice);
         self.fail(c.region(), message)
     }
 
@@ -165,21 +179,6 @@ impl Parser {
                 self.fail(narrow.unwrap_or(region), messages::unit(&error))
             }
         }
-    }
-
-    /// Attributes and doc comments in front of an item.
-    pub fn attributes(&mut self, c: &mut Cursor) -> Parsed<TokenStream> {
-        let mut stream = TokenStream::new();
-        while c.at_punct('#') {
-            let mut ahead = c.clone();
-            ahead.advance();
-            if ahead.inside(Delimiter::Bracket).is_none() {
-                return self.expected(&ahead, "an attribute in `[ ]`");
-            }
-            stream.extend(c.advance().map(|token| token.original.clone()));
-            stream.extend(c.advance().map(|token| token.original.clone()));
-        }
-        Ok(stream)
     }
 }
 

@@ -95,7 +95,13 @@ impl Parser {
         c: &mut Cursor,
         element: impl Fn(&mut Self, &mut Cursor) -> Parsed<T>,
     ) -> Parsed<Vec<T>> {
-        let Some(mut inside) = c.enter(Delimiter::Parenthesis) else { return Ok(vec![element(self, c)?]) };
+        let Some(mut inside) = c.enter(Delimiter::Parenthesis) else {
+            let only = element(self, c)?;
+            if c.at_punct(',') {
+                return self.advised(c, "`;`", messages::list_in_parentheses());
+            }
+            return Ok(vec![only]);
+        };
         let mut elements = Vec::new();
         while !inside.is_done() {
             elements.push(element(self, &mut inside)?);

@@ -1,14 +1,15 @@
 //! The statements of a mechanism, except those that look like calls (`calls`), bodies (`body`) and the blocks of
 //! conditions and options (`settings`). `repeat` reads its braces again for every round.
 
+use super::attributes::Bearer;
 use super::definition::{Constant, Driver, Input, Line, Output, Parameter, Shape, Space};
-use super::parser::{Parsed, Parser};
+use super::parser::{Failed, Parsed, Parser};
 use super::token::Cursor;
 use crate::messages;
 use proc_macro2::{Delimiter, TokenStream};
 
 /// Words that begin a statement, for messages.
-const STATEMENTS: [&str; 33] = [
+pub(super) const STATEMENTS: [&str; 33] = [
     "const",
     "param",
     "input",
@@ -57,7 +58,15 @@ impl Parser {
     }
 
     fn statement(&mut self, c: &mut Cursor) -> Parsed<()> {
-        let docs = self.attributes(c)?;
+        let start = c.region();
+        let bearer = if c.clone().declares_field() { Bearer::Field } else { Bearer::Part };
+        let attributes = self.attributes(c, bearer)?;
+        let read = self.statement_after(c, attributes.handed_through);
+        self.allow(&attributes.allowed, start.to(c.behind()));
+        read
+    }
+
+    fn statement_after(&mut self, c: &mut Cursor, docs: TokenStream) -> Parsed<()> {
         let at = c.region();
         let Some(word) = c.word() else { return self.expected(c, "a statement") };
         if word == "const" && self.indices.is_empty() {
@@ -118,11 +127,17 @@ impl Parser {
     /// `name [unit] = value in minimum..maximum;`
     fn parameter(&mut self, c: &mut Cursor, docs: TokenStream) -> Parsed<()> {
         let (name, unit) = self.declared_with_unit(c, "the name of the parameter")?;
+        if c.is_done() || c.at_punct(';') {
+            return self.fail(name.region, messages::parameter_without_default(&name.text));
+        }
         let entry = self.entry(c, unit)?;
         let mut bounds = None;
         if c.eat_word("in") {
+            if c.inside(Delimiter::Parenthesis).is_some_and(|inside| inside.has_comma()) {
+                return self.advised(c, "the bounds", messages::bounds_as_range());
+            }
             let minimum = self.expression(c)?;
-            self.dots(c)?;
+            self.dots(c, messages::bounds_are_inclusive())?;
             bounds = Some((minimum, self.expression(c)?));
         }
         self.semicolon(c)?;
@@ -131,12 +146,15 @@ impl Parser {
     }
 
     /// `..`
-    fn dots(&mut self, c: &mut Cursor) -> Parsed<()> {
+    fn dots(&mut self, c: &mut Cursor, with_equals: &str) -> Parsed<()> {
         if !c.at_puncts('.', '.') {
             return self.expected(c, "`..`");
         }
         c.advance();
         c.advance();
+        if c.at_punct('=') {
+            return self.advised(c, "a value", with_equals);
+        }
         Ok(())
     }
 
@@ -158,8 +176,10 @@ impl Parser {
         self.punct(c, '=')?;
         let pair = self.vector(c, unit)?;
         self.semicolon(c)?;
-        if self.definition.gravity.is_some() {
-            return self.fail(word, messages::gravity_twice());
+        if let Some(first) = &self.definition.gravity {
+            let (first, note) = (first.region, messages::first_here("gravity"));
+            self.diagnostics.conflict(word, messages::gravity_twice(), first, note);
+            return Err(Failed);
         }
         self.definition.gravity = Some(pair);
         Ok(())
@@ -194,6 +214,9 @@ impl Parser {
     /// `name [unit] = value;`
     fn output(&mut self, c: &mut Cursor, docs: TokenStream) -> Parsed<()> {
         let (name, unit) = self.declared_with_unit(c, "the name of the output")?;
+        if c.at_punct('.') {
+            return self.advised(c, "`=`", messages::output_without_name());
+        }
         let entry = self.entry(c, unit)?;
         self.semicolon(c)?;
         self.definition.outputs.push(Output { name, docs, entry });
@@ -212,7 +235,7 @@ impl Parser {
         let start = c.region();
         let first = self.expression(c)?;
         let first = self.integer(&first)?;
-        self.dots(c)?;
+        self.dots(c, messages::rounds_stop_before())?;
         let behind = self.expression(c)?;
         let region = start.to(behind.region);
         let behind = self.integer(&behind)?;
@@ -231,7 +254,7 @@ impl Parser {
             self.statements(inside.clone());
             self.indices.pop();
             // A mistake of one round is a mistake of all.
-            if self.diagnostics.iter().count() > errors || self.diagnostics.is_full() {
+            if !self.patient && (self.diagnostics.iter().count() > errors || self.diagnostics.is_full()) {
                 break;
             }
         }

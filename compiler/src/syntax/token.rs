@@ -127,6 +127,20 @@ impl<'t> Cursor<'t> {
         }
     }
 
+    /// The token this many before the position.
+    pub fn back(&self, by: usize) -> Option<&'t Token> {
+        self.tokens.get(self.at.checked_sub(by)?)
+    }
+
+    /// The end of what has been read, closing delimiter included.
+    pub fn behind(&self) -> Region {
+        match self.at.checked_sub(1).and_then(|before| self.tokens.get(before)) {
+            Some(Token { kind: Kind::Group(.., close), .. }) => *close,
+            Some(token) => token.region,
+            None => self.close,
+        }
+    }
+
     /// The word that comes next.
     pub fn word(&self) -> Option<&'t str> {
         match &self.peek()?.kind {
@@ -195,10 +209,31 @@ impl<'t> Cursor<'t> {
     /// After an error: to behind the next `;` or braces of this level.
     pub fn skip_statement(&mut self) {
         while let Some(token) = self.advance() {
-            if matches!(token.kind, Kind::Punct(';') | Kind::Group(Delimiter::Brace, ..)) {
-                return;
+            match token.kind {
+                Kind::Punct(';') => return,
+                // `if … { … } else { … };` of Rust is one statement.
+                Kind::Group(Delimiter::Brace, ..) if !self.at_word("else") => {
+                    self.eat_punct(';');
+                    return;
+                }
+                _ => {}
             }
         }
+    }
+
+    /// Over attributes in front of a statement; whether they can be read.
+    pub fn skip_attributes(&mut self) -> bool {
+        while self.eat_punct('#') {
+            if self.enter(Delimiter::Bracket).is_none() {
+                return false;
+            }
+        }
+        true
+    }
+
+    /// The closing delimiter.
+    pub fn end(&self) -> Region {
+        self.close
     }
 
     /// The tokens up to the next `;`, as received.

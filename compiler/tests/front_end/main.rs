@@ -1,12 +1,15 @@
 //! The front end: tokens → definition → model → static rules, and the exported definition.
 
+mod coverage;
 mod definitions;
+mod habits;
 mod json;
 mod limits;
 mod mistakes;
 mod space;
 mod spans;
 mod values;
+mod warnings;
 
 use linkwright_compiler::diagnostics::{Diagnostics, Region};
 use linkwright_compiler::model::{self, Mechanism};
@@ -31,6 +34,11 @@ fn bad(source: &str) -> Diagnostics {
     front_end(source).map(|_| ()).expect_err("the source has a mistake")
 }
 
+/// The warnings of a definition without errors.
+fn warnings(source: &str) -> Diagnostics {
+    check::warnings(&good(source))
+}
+
 /// The source line of a region, and below it a line of `~` under the region.
 fn underlined(source: &str, region: Region) -> String {
     let (start, end) = (region.start.start(), region.end.end());
@@ -47,7 +55,7 @@ fn slider_crank(more: &str) -> String {
     const R [m] = 0.1;
     param heavy [kg] = 2.0 in 0.5..10.0;
     input drive [N*m];
-    body crank {{ mass [kg] = 1; inertia [kg*m^2] = 0.01; point pin [m] = (R, 0); line arm = (crank.origin, crank.pin); }}
+    body crank {{ mass [kg] = 1; inertia [kg*m^2] = 0.01; point pin [m] = (R, 0); #[allow(unused)] line arm = (crank.origin, crank.pin); }}
     rod link {{ mass [kg] = 0.5; length [m] = 0.4; }}
     particle block {{ mass [kg] = heavy; }}
     line way = (ground(0, 0), ground(1, 0) [m]);

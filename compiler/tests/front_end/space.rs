@@ -66,6 +66,12 @@ fn shapes_have_the_inertia_of_the_books() {
     assert!(near(moments(&m, 5)[0], block * (0.04 + 0.09) / 12.0));
     assert!(near(moments(&m, 5)[2], block * (0.01 + 0.04) / 12.0));
     assert_eq!(moments(&m, 6), [0.25, 0.25, 0.5]);
+    let thick = "spatial A { disk b { density [kg/m^3] = 1000; radius [m] = 0.5; thickness [m] = 0.1; } }";
+    let mass = 25.0 * std::f64::consts::PI;
+    let expected = [mass * 0.76 / 12.0, mass * 0.76 / 12.0, mass / 8.0];
+    assert!(
+        moments(&good(thick), 0).into_iter().zip(expected).all(|(found, expected)| near(found, expected))
+    );
     assert_eq!(moments(&m, 7), [0.0; 3]);
 }
 
@@ -132,6 +138,23 @@ fn couplings_in_other_words() {
 /// Statements added to a pendulum in space, and the only message they give.
 const MISTAKES: &[(&str, &str)] = &[
     (
+        "force f: force(arm.tip) = 3 [N];",
+        "a force needs three components, `force(place) = (fx, fy, fz)`, or a direction, \
+         `force(place, direction = (1, 0, 0)) = law`",
+    ),
+    (
+        "body b { mass [kg] = 1; inertia [kg*m^2] = (1, 1, 1); inertia_axes = hip; }",
+        "`b` has no marker: declare `marker hip [m] = (0, 0, 0), …;` in its braces",
+    ),
+    (
+        "particle p { mass [kg] = 1; } joint j: point_on_plane(p.center, arm.tip, axis = (0, 0, 1));",
+        "a plane turns with its body, and the particle at `p.center` has no orientation; name the particle second",
+    ),
+    (
+        "disk wheel { density [kg/m^3] = 1; radius [m] = 1; }",
+        "the mass of the disk `wheel` follows from its density only with a thickness: write `thickness [m] = …;`, or its `mass`",
+    ),
+    (
         "output o [m] = arm.tip.w;",
         "the place `arm.tip` has x, y, z, velocity.x, velocity.y and velocity.z, in world axes",
     ),
@@ -185,4 +208,15 @@ fn one_message_for_each_mistake() {
         let found: Vec<&str> = diagnostics.iter().map(|error| error.message.as_str()).collect();
         assert_eq!(found, [*expected], "{more}");
     }
+}
+
+#[test]
+fn an_orientation_said_twice() {
+    let source = "spatial A { body b { mass [kg] = 1; inertia [kg*m^2] = (1, 1, 1); }
+        start { b.orientation = (1, 0, 0, 0); b.orientation ~ (0, 1, 0, 0); } }";
+    let text = bad(source).to_string();
+    assert_eq!(
+        text,
+        "error: the start of `b.orientation` is given twice\n  note: the first `b.orientation` is here\n"
+    );
 }

@@ -49,7 +49,7 @@ fn units() {
 fn expressions() {
     points_at(
         "output o [m] = link.end.x + 3;",
-        "the summands do not fit: a plain number meets a length; write its unit, as in `3 [m]`",
+        "the summands do not fit: a plain number meets a length; write the unit, as in `3 [m]`",
         "output o [m] = link.end.x + 3;
                             ~",
     );
@@ -78,6 +78,114 @@ fn two_places() {
     let marked = underlined(&source, error.notes[0].region);
     assert!(marked.ends_with("\n         ~~~~~"), "{marked}");
     assert_eq!(error.notes[0].region.start.start().line, 5);
+}
+
+/// Checks a conflict: the message's place, and that of its note, both without the indentation of the line.
+#[track_caller]
+fn points_at_two(more: &str, message: &str, marked: &str, note: &str, other: &str) {
+    let source = slider_crank(more);
+    let diagnostics = bad(&source);
+    let errors: Vec<_> = diagnostics.iter().collect();
+    assert_eq!(errors.len(), 1, "{diagnostics}");
+    assert_eq!((errors[0].message.as_str(), errors[0].notes[0].message.as_str()), (message, note));
+    assert_eq!(underlined(&source, errors[0].region), marked);
+    assert_eq!(underlined(&source, errors[0].notes[0].region), other);
+}
+
+#[test]
+fn what_is_said_twice() {
+    points_at_two(
+        "gravity [m/s^2] = (0, -9.81); gravity [m/s^2] = (0, -1.62);",
+        "gravity is given twice; write it once",
+        "gravity [m/s^2] = (0, -9.81); gravity [m/s^2] = (0, -1.62);
+                              ~~~~~~~",
+        "the first `gravity` is here",
+        "gravity [m/s^2] = (0, -9.81); gravity [m/s^2] = (0, -1.62);
+                  ~~~~~~~~~~",
+    );
+    points_at_two(
+        "expect { degrees_of_freedom = 1; degrees_of_freedom = 2; }",
+        "the degrees of freedom are expected twice; write one number",
+        "expect { degrees_of_freedom = 1; degrees_of_freedom = 2; }
+                                 ~~~~~~~~~~~~~~~~~~~~~~",
+        "the first `degrees_of_freedom` is here",
+        "expect { degrees_of_freedom = 1; degrees_of_freedom = 2; }
+         ~~~~~~~~~~~~~~~~~~~~~~",
+    );
+    points_at_two(
+        "start { base.rate [rad/s] = 1; base.rate [rad/s] = 2; }",
+        "the start of `base.rate` is given twice",
+        "start { base.rate [rad/s] = 1; base.rate [rad/s] = 2; }
+                               ~~~~~~~~~",
+        "the first `base.rate` is here",
+        "start { base.rate [rad/s] = 1; base.rate [rad/s] = 2; }
+        ~~~~~~~~~",
+    );
+}
+
+#[test]
+fn values_of_properties() {
+    points_at(
+        "body b { mass [kg] = 1 - 2; inertia [kg*m^2] = 1; } joint j: revolute(b.center, link.end);",
+        "the mass of `b` is negative: -1 kg; it must be zero or more",
+        "body b { mass [kg] = 1 - 2; inertia [kg*m^2] = 1; } joint j: revolute(b.center, link.end);
+                     ~~~~~",
+    );
+    points_at(
+        "param none [m] = 0; rod b { mass [kg] = 1; length [m] = none; } joint j: revolute(b.center, link.end);",
+        "the length of `b` must be positive, found 0 m",
+        "param none [m] = 0; rod b { mass [kg] = 1; length [m] = none; } joint j: revolute(b.center, link.end);
+                        ~",
+    );
+}
+
+#[test]
+fn arguments() {
+    points_at(
+        "joint j: point_on_line(link.end, way);",
+        "the line comes first and then the point on it: write `point_on_line(way, link.end)`",
+        "joint j: point_on_line(link.end, way);
+                       ~~~~~~~~~~~~~",
+    );
+    points_at(
+        "force f: force(ground(0, 0)) = (1, 0) [N];",
+        "`f` acts at `ground(0, 0)`, a place of the ground, which nothing moves: write a place of a body, `body.point`",
+        "force f: force(ground(0, 0)) = (1, 0) [N];
+               ~~~~~~~~~~~~",
+    );
+    points_at(
+        "spring s: spring(crank.pin, link.end, k [N/m] = 1);",
+        "`spring` has no argument called \"k\"; did you mean `stiffness`?",
+        "spring s: spring(crank.pin, link.end, k [N/m] = 1);
+                                      ~",
+    );
+    points_at(
+        "#[allow(unusd)] const A [m] = 1;",
+        "no warning called \"unusd\"; did you mean `unused`?",
+        "#[allow(unusd)] const A [m] = 1;
+        ~~~~~",
+    );
+}
+
+#[test]
+fn names_with_indices() {
+    points_at(
+        "repeat i in 0..2 { rod a[i] { mass [kg] = 1; length [m] = 1; } joint j[i]: revolute(a[i].end, a[i+1].start); }",
+        "no \"a[2]\": indices go from \"a[0]\" to \"a[1]\"",
+        "repeat i in 0..2 { rod a[i] { mass [kg] = 1; length [m] = 1; } joint j[i]: revolute(a[i].end, a[i+1].start); }
+                                                                                              ~~~~~~",
+    );
+}
+
+#[test]
+fn errors_come_in_the_order_of_the_source() {
+    let source = slider_crank(
+        "rod b { mass = 1; length = 1; } output o [m] = nothing; joint j: revolute(b.end, crnk.pin);",
+    );
+    let diagnostics = bad(&source);
+    let places: Vec<_> = diagnostics.iter().map(|error| error.region.start.start()).collect();
+    assert_eq!(places.len(), 4, "{diagnostics}");
+    assert!(places.is_sorted(), "{diagnostics}");
 }
 
 #[test]

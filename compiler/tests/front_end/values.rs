@@ -88,3 +88,42 @@ fn constants_in_any_order() {
     );
     assert_eq!(good(&source).parameters[0].default, 2000.0);
 }
+
+/// Mass and moment of inertia of a planar shape.
+fn shape(shape: &str) -> (f64, f64) {
+    let mechanism = good(&format!("planar V {{ param r [m] = 0.5; {shape} }}"));
+    let defaults = [0.5];
+    let number = |expr| linkwright_compiler::model::value_at(expr, &defaults).expect("of parameters");
+    (number(&mechanism.bodies[0].mass), number(&mechanism.bodies[0].inertia.moments[2]))
+}
+
+#[test]
+fn planar_shapes_have_mass_by_density() {
+    let pi = std::f64::consts::PI;
+    for (written, mass, inertia) in [
+        ("rod b { mass [kg] = 2; length [m] = 3; }", 2.0, 1.5),
+        (
+            "rod b { density [kg/m^3] = 1000; length [m] = 3; radius [m] = 0.1; }",
+            30.0 * pi,
+            30.0 * pi * 9.03 / 12.0,
+        ),
+        (
+            "disk b { density [kg/m^3] = 1000; radius [m] = r; thickness [m] = 0.1; }",
+            25.0 * pi,
+            25.0 * pi / 8.0,
+        ),
+        (
+            "box b { density [kg/m^3] = 1000; width [m] = 0.1; height [m] = 0.2; thickness [m] = 0.3; }",
+            6.0,
+            0.025,
+        ),
+        (
+            "box b { density [kg/m^3] = 1000; width [m] = 1; height [m] = 1; thickness [m] = 1; inertia [kg*m^2] = 7; }",
+            1000.0,
+            7.0,
+        ),
+    ] {
+        let (m, i) = shape(written);
+        assert!((m / mass - 1.0).abs() < 1e-14 && (i / inertia - 1.0).abs() < 1e-14, "{written}: {m}, {i}");
+    }
+}

@@ -1,0 +1,258 @@
+//! What is possible and probably not meant: declarations that nothing names, loads that change nothing, places outside of
+//! the shape they belong to. One function a warning; the comment above it is the rule as the user could read it.
+//!
+//! Warnings never stop the compilation, and `#[allow(…)]` before a declaration takes them back.
+
+use super::rules::{at_defaults, touched};
+use crate::diagnostics::{Allowed, Diagnostics, Lint, Region};
+use crate::messages;
+use crate::model::{
+    Body, BodyId, Declared, Expr, Frame, JointKind, Load, LoadKind, Mechanism, NamedPoint, Rotor, Shape,
+    Vector,
+};
+
+/// The warnings in the order they are reported.
+const WARNINGS: [fn(&Mechanism, &mut Wanted); 6] = [
+    declarations_are_used,
+    bodies_are_connected,
+    gravity_pulls,
+    loads_have_an_effect,
+    springs_pull_back,
+    places_are_on_their_bodies,
+];
+
+/// All warnings of a mechanism without errors.
+pub fn warnings(mechanism: &Mechanism) -> Diagnostics {
+    let mut wanted = Wanted { allowed: &mechanism.allowed, found: Diagnostics::new() };
+    for warning in WARNINGS {
+        warning(mechanism, &mut wanted);
+    }
+    wanted.found
+}
+
+/// Warnings, but those that `#[allow(…)]` takes back.
+struct Wanted<'a> {
+    allowed: &'a Allowed,
+    found: Diagnostics,
+}
+
+impl Wanted<'_> {
+    fn push(&mut self, lint: Lint, at: Region, message: String) {
+        if !self.allowed.covers(lint, at) {
+            self.found.warning(lint, at, message);
+        }
+    }
+}
+
+// A constant, parameter, input, point, marker or line is named by something.
+fn declarations_are_used(mechanism: &Mechanism, wanted: &mut Wanted) {
+    for unused in &mechanism.unused {
+        let kind = match unused.kind {
+            Declared::Constant => "constant",
+            Declared::Parameter => "parameter",
+            Declared::Input => "input",
+            Declared::Point => "point",
+            Declared::Marker => "marker",
+            Declared::Line => "line",
+        };
+        let message = messages::unused(kind, &unused.name.text, unused.body.as_deref());
+        wanted.push(Lint::Unused, unused.name.span, message);
+    }
+}
+
+// In a mechanism that connects anything every body has a joint, a constraint or a load on it.
+fn bodies_are_connected(mechanism: &Mechanism, wanted: &mut Wanted) {
+    let touched = touched(mechanism);
+    if mechanism.joints.is_empty() && !touched.contains(&true) {
+        return;
+    }
+    for (body, touched) in mechanism.bodies.iter().zip(touched) {
+        if !touched && !body.name.text.starts_with('_') {
+            wanted.push(Lint::Unused, body.name.span, messages::not_connected(&body.name.text));
+        }
+    }
+}
+
+// Gravity that is written is not zero.
+fn gravity_pulls(mechanism: &Mechanism, wanted: &mut Wanted) {
+    let Some((components, region)) = mechanism.gravity.as_ref().zip(mechanism.gravity_span) else { return };
+    if is_zero(components) {
+        wanted.push(Lint::NoEffect, region, messages::zero_gravity());
+    }
+}
+
+// A load has a force, and something that it can move.
+fn loads_have_an_effect(mechanism: &Mechanism, wanted: &mut Wanted) {
+    let rigid = Groups::of(mechanism, |kind| matches!(kind, JointKind::Fixed { .. }));
+    let parallel =
+        Groups::of(mechanism, |kind| matches!(kind, JointKind::Fixed { .. } | JointKind::Prismatic { .. }));
+    for load in &mechanism.loads {
+        if let Some(message) =
+            nothing_from(load).or_else(|| nothing_moved(mechanism, load, &rigid, &parallel))
+        {
+            wanted.push(Lint::NoEffect, load.name.span, message);
+        }
+    }
+}
+
+/// Of a load that is zero whatever parameters, inputs and positions are.
+fn nothing_from(load: &Load) -> Option<String> {
+    let name = &load.name.text;
+    let zero = |expr: &Expr| matches!(expr, Expr::Number(0.0));
+    match &load.kind {
+        LoadKind::Force { components, .. } | LoadKind::BodyTorque { components, .. } => {
+            is_zero(components).then(|| messages::zero_load(name))
+        }
+        LoadKind::Push { force, .. } => zero(force).then(|| messages::zero_load(name)),
+        LoadKind::Torque { torque, .. } => zero(torque).then(|| messages::zero_load(name)),
+        LoadKind::Spring { stiffness, damping, .. } | LoadKind::TorsionSpring { stiffness, damping, .. }
+            if zero(stiffness) && zero(damping) =>
+        {
+            Some(messages::spring_of_nothing(name))
+        }
+        // A damper has a length of zero, which a spring without stiffness seldom has.
+        LoadKind::Spring { stiffness, length, .. } if zero(stiffness) && !zero(length) => {
+            Some(messages::spring_that_damps(name))
+        }
+        LoadKind::Spring { .. } | LoadKind::TorsionSpring { .. } => None,
+    }
+}
+
+/// Of a load on what joints hold, in `rigid` groups altogether and in `parallel` ones against turning.
+fn nothing_moved(mechanism: &Mechanism, load: &Load, rigid: &Groups, parallel: &Groups) -> Option<String> {
+    let name = &load.name.text;
+    let body = |id: BodyId| &mechanism.bodies[id.0].name.text;
+    let held = |frame| rigid.same(frame, Frame::Ground);
+    let turns_with = |one, other| parallel.same(one, other);
+    match &load.kind {
+        LoadKind::Force { place, .. } => match place.frame {
+            Frame::Body(id) if held(place.frame) => Some(messages::load_on_held(name, body(id))),
+            _ => None,
+        },
+        LoadKind::BodyTorque { body: id, .. }
+        | LoadKind::Torque { on: Rotor::Body(id), .. }
+        | LoadKind::TorsionSpring { on: Rotor::Body(id), .. } => {
+            let still = turns_with(Frame::Body(*id), Frame::Ground);
+            still.then(|| messages::torque_on_held(name, body(*id)))
+        }
+        LoadKind::Torque { on: Rotor::Joint(id, _), .. }
+        | LoadKind::TorsionSpring { on: Rotor::Joint(id, _), .. } => {
+            let joint = &mechanism.joints[id.0];
+            let still = turns_with(joint.first.frame, joint.second.frame);
+            still.then(|| messages::load_on_locked(name, &joint.name.text))
+        }
+        LoadKind::Push { joint: id, .. } => {
+            let joint = &mechanism.joints[id.0];
+            let still = rigid.same(joint.first.frame, joint.second.frame);
+            still.then(|| messages::load_on_locked(name, &joint.name.text))
+        }
+        LoadKind::Spring { first, second, .. } => {
+            let still = rigid.same(first.frame, second.frame);
+            still.then(|| messages::spring_between_held(name, &first.text, &second.text))
+        }
+    }
+}
+
+// Stiffness and damping are not negative.
+fn springs_pull_back(mechanism: &Mechanism, wanted: &mut Wanted) {
+    for load in &mechanism.loads {
+        let (LoadKind::Spring { stiffness, damping, .. }
+        | LoadKind::TorsionSpring { stiffness, damping, .. }) = &load.kind
+        else {
+            continue;
+        };
+        for (what, value) in [("stiffness", stiffness), ("damping", damping)] {
+            if let Some(value) = at_defaults(mechanism, value).filter(|value| *value < 0.0) {
+                let message = messages::negative_coefficient(what, &load.name.text, value);
+                wanted.push(Lint::Negative, load.name.span, message);
+            }
+        }
+    }
+}
+
+/// Bodies, and the ground, that joints of some kinds hold together.
+struct Groups(Vec<usize>);
+
+impl Groups {
+    fn of(mechanism: &Mechanism, holds: impl Fn(&JointKind) -> bool) -> Self {
+        // The ground is the last member; each group is called by one of its members.
+        let mut group: Vec<usize> = (0..=mechanism.bodies.len()).collect();
+        let own = |groups: &[usize], mut member: usize| {
+            while groups[member] != member {
+                member = groups[member];
+            }
+            member
+        };
+        for joint in mechanism.joints.iter().filter(|joint| holds(&joint.kind)) {
+            let ends = [joint.first.frame, joint.second.frame];
+            let [one, other] = ends.map(|frame| own(&group, member(frame, mechanism.bodies.len())));
+            group[one.min(other)] = one.max(other);
+        }
+        Groups((0..group.len()).map(|member| own(&group, member)).collect())
+    }
+
+    fn same(&self, one: Frame, other: Frame) -> bool {
+        let ground = self.0.len() - 1;
+        self.0[member(one, ground)] == self.0[member(other, ground)]
+    }
+}
+
+fn member(frame: Frame, ground: usize) -> usize {
+    match frame {
+        Frame::Ground => ground,
+        Frame::Body(body) => body.0,
+    }
+}
+
+// A point or marker of a shape lies in it, as far as its dimensions are given.
+fn places_are_on_their_bodies(mechanism: &Mechanism, wanted: &mut Wanted) {
+    for body in &mechanism.bodies {
+        for place in body.points.iter().chain(&body.markers) {
+            // A shape's own points stand where its name does.
+            if place.name.span.serials() == body.name.span.serials() {
+                continue;
+            }
+            if let Some((along, least)) = beyond(mechanism, body, place) {
+                let message = messages::outside(&place.name.text, body.shape, &body.name.text, along, least);
+                wanted.push(Lint::Outside, place.name.span, message);
+            }
+        }
+    }
+}
+
+/// How far out a place is, and how far the shape goes there: (direction, distance), limit.
+fn beyond(mechanism: &Mechanism, body: &Body, place: &NamedPoint) -> Option<((&'static str, f64), f64)> {
+    let value = |expr: &Expr| at_defaults(mechanism, expr);
+    let length = |name: &str| {
+        let (_, length) = body.dimensions.iter().find(|(known, _)| *known == name)?;
+        value(length)
+    };
+    let half = |name: &str| length(name).map(|length| length / 2.0);
+    let [x, y, z] = [value(&place.at[0])?, value(&place.at[1])?, value(&place.at[2])?];
+    let limits = match body.shape {
+        Shape::Body | Shape::Particle => return None,
+        Shape::Rod | Shape::Cylinder => {
+            vec![("along x", x.abs(), half("length")), ("off its axis", libm::hypot(y, z), length("radius"))]
+        }
+        Shape::Disk => {
+            vec![
+                ("off its axis", libm::hypot(x, y), length("radius")),
+                ("along z", z.abs(), half("thickness")),
+            ]
+        }
+        Shape::Sphere => {
+            vec![("from its centre", libm::hypot(libm::hypot(x, y), z), length("radius"))]
+        }
+        Shape::Box => vec![
+            ("along x", x.abs(), half("width").or(half("size along x"))),
+            ("along y", y.abs(), half("height").or(half("size along y"))),
+            ("along z", z.abs(), half("thickness").or(half("size along z"))),
+        ],
+    };
+    let mut outside = limits.into_iter().filter_map(|(along, out, limit)| Some(((along, out), limit?)));
+    outside.find(|((_, out), limit)| *out > limit * (1.0 + 1e-6))
+}
+
+fn is_zero(vector: &Vector) -> bool {
+    vector.iter().all(|component| matches!(component, Expr::Number(0.0)))
+}

@@ -1,0 +1,78 @@
+//! All texts of messages of the front end: what is wrong, why, and what to write instead. One file a subject; those of
+//! the assembled mechanism stand in `check/messages.rs`.
+
+mod habits;
+mod names;
+mod parts;
+mod values;
+mod warnings;
+mod writing;
+
+pub(crate) use habits::*;
+pub(crate) use names::*;
+pub(crate) use parts::*;
+pub(crate) use values::*;
+pub(crate) use warnings::*;
+pub(crate) use writing::*;
+
+// ---- Advice -----------------------------------------------------------------------------------------------------
+
+/// The known word nearest to a misspelt one, if near enough to be meant.
+pub(crate) fn closest<'a>(word: &str, known: impl Iterator<Item = &'a str>) -> Option<&'a str> {
+    let most = (word.chars().count() / 3).max(1);
+    known
+        .map(|candidate| (distance(word, candidate), candidate))
+        // Of a single letter nothing would be left.
+        .filter(|(edits, _)| *edits <= most && *edits < word.chars().count())
+        .min_by_key(|(edits, _)| *edits)
+        .map(|(_, candidate)| candidate)
+}
+
+/// Edits (insert, delete, replace, swap neighbours) from one word to another; letter case does not count.
+fn distance(a: &str, b: &str) -> usize {
+    let (a, b): (Vec<char>, Vec<char>) =
+        (a.to_lowercase().chars().collect(), b.to_lowercase().chars().collect());
+    let mut rows = vec![vec![0; b.len() + 1]; a.len() + 1];
+    for (i, row) in rows.iter_mut().enumerate() {
+        row[0] = i;
+    }
+    for (j, first) in rows[0].iter_mut().enumerate() {
+        *first = j;
+    }
+    for i in 1..=a.len() {
+        for j in 1..=b.len() {
+            let replaced = rows[i - 1][j - 1] + usize::from(a[i - 1] != b[j - 1]);
+            let mut best = replaced.min(rows[i - 1][j] + 1).min(rows[i][j - 1] + 1);
+            if i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1] {
+                best = best.min(rows[i - 2][j - 2] + 1);
+            }
+            rows[i][j] = best;
+        }
+    }
+    rows[a.len()][b.len()]
+}
+
+pub(crate) fn angle_without_unit(function: &str, text: &str) -> String {
+    format!(
+        "{function} of a bare number: write its unit, `{function}({text} [deg])` or `{function}({text} [rad])`"
+    )
+}
+
+/// Five digits, or powers of ten where there would be many zeros.
+pub(crate) fn number(value: f64) -> String {
+    if value == 0.0 || (1e-3..1e5).contains(&value.abs()) {
+        let before = if value == 0.0 { 0 } else { libm::floor(libm::log10(value.abs())) as i32 };
+        let text = format!("{value:.*}", usize::try_from(4 - before).unwrap_or(0).max(1));
+        text.trim_end_matches('0').trim_end_matches('.').to_string()
+    } else {
+        format!("{value:.4e}")
+    }
+}
+
+// ---- The compiler itself ----------------------------------------------------------------------------------------
+
+pub(crate) fn unreadable_expansion(error: &str) -> String {
+    format!(
+        "the generated code could not be read back ({error}); this is a mistake of Linkwright: please report it with this definition"
+    )
+}

@@ -1,0 +1,230 @@
+//! Texts about names: of values, places, lines and quantities, and what may depend on them.
+
+use super::{closest, is_ground, other_value};
+use crate::model::Use;
+use crate::syntax::Space;
+
+// ---- Names -----------------------------------------------------------------------------------------------------------
+
+pub(crate) fn duplicate(name: &str, first: &str) -> String {
+    if name == first {
+        return format!("`{name}` is declared twice; rename one of them");
+    }
+    format!("`{name}` and `{first}` become the same name in Rust; rename one of them")
+}
+
+pub(crate) fn keyword(word: &str) -> String {
+    format!("`{word}` is a word of Rust and cannot be a name; choose another")
+}
+
+pub(crate) fn reserved(word: &str) -> String {
+    format!("`{word}` has a meaning of its own here; choose another name")
+}
+
+/// `kind` is what was looked for: a body, a joint, a value.
+pub(crate) fn unknown(kind: &str, name: &str, similar: Option<&str>) -> String {
+    let foreign = match kind {
+        "value" => other_value(name).map(str::to_string),
+        "body" if is_ground(name) => Some("the ground is written with a place, `ground(0, 0)`".to_string()),
+        _ => None,
+    };
+    match (foreign, similar) {
+        (Some(advice), _) => format!("no {kind} called \"{name}\"; {advice}"),
+        (None, Some(similar)) => format!("no {kind} called \"{name}\"; did you mean \"{similar}\"?"),
+        (None, None) => format!("no {kind} called \"{name}\""),
+    }
+}
+
+pub(crate) fn other_kind(name: &str, kind: &str, expected: &str) -> String {
+    format!("`{name}` is {kind}, expected the name of a {expected}")
+}
+
+/// `first` and `last` are names with indices, as `name` is.
+pub(crate) fn unknown_index(name: &str, first: &str, last: &str) -> String {
+    format!("no \"{name}\": indices go from \"{first}\" to \"{last}\"")
+}
+
+pub(crate) fn declared_by_rounds(name: &str) -> String {
+    format!("every round of `repeat` declares `{name}`: give it the index of the round, such as `{name}[i]`")
+}
+
+pub(crate) fn cyclic_constant(name: &str, other: &str) -> String {
+    if name == other {
+        return format!("the constant `{name}` is defined by itself");
+    }
+    format!("the constants `{name}` and `{other}` are defined by each other")
+}
+
+// ---- Places ----------------------------------------------------------------------------------------------------------
+
+pub(crate) fn unknown_point(body: &str, point: &str, known: &[&str]) -> String {
+    match closest(point, known.iter().copied()) {
+        Some(similar) => format!("`{body}` has no point called \"{point}\"; did you mean \"{similar}\"?"),
+        None => format!("`{body}` has no point called \"{point}\"; it has {}", known.join(", ")),
+    }
+}
+
+pub(crate) fn body_as_place(body: &str) -> String {
+    format!("a place is a point of a body: write `{body}.center` or another point of it")
+}
+
+pub(crate) fn not_a_place_name(name: &str) -> String {
+    format!("`{name}` is not a place: a place is written `body.point`")
+}
+
+pub(crate) fn no_places(name: &str, kind: &str) -> String {
+    format!("`{name}` is {kind} and has no points; places belong to bodies or to the ground")
+}
+
+pub(crate) fn point_without_body(body: &str, point: &str) -> String {
+    format!("a place is written with its body: `{body}.{point}`")
+}
+
+pub(crate) fn line_leaves_body(place: &str, body: &str) -> String {
+    format!("a line of `{body}` goes through two places of `{body}`, but `{place}` is none of them")
+}
+
+pub(crate) fn line_between_bodies(from: &str, to: &str) -> String {
+    format!("a line goes through two places of one body, but `{from}` and `{to}` belong to different ones")
+}
+
+pub(crate) fn line_outside_body() -> String {
+    "a line of a body stands inside the braces of the body; out here lines go through places of the ground"
+        .to_string()
+}
+
+pub(crate) fn unknown_line(body: &str, name: &str, is_point: bool, known: &[&str]) -> String {
+    if is_point {
+        return format!(
+            "`{body}.{name}` is a point; the first argument is a line, such as `line({body}.{name}, …)`"
+        );
+    }
+    match (closest(name, known.iter().copied()), known.is_empty()) {
+        (Some(similar), _) => format!("`{body}` has no line called \"{name}\"; did you mean \"{similar}\"?"),
+        (None, true) => format!("`{body}` has no line: declare `line {name} = (…, …);` in its braces"),
+        (None, false) => format!("`{body}` has no line called \"{name}\"; it has {}", known.join(", ")),
+    }
+}
+
+pub(crate) fn line_comes_first(line: &str, place: &str) -> String {
+    format!("the line comes first and then the point on it: write `point_on_line({line}, {place})`")
+}
+
+pub(crate) fn not_a_line(name: &str, kind: &str) -> String {
+    format!("`{name}` is {kind}, expected a line such as `{name}.slot` or `line(place, place)`")
+}
+
+pub(crate) fn rod_has_end(end: &str) -> String {
+    format!("a rod has a point `{end}` of its own; choose another name")
+}
+
+// ---- Quantities ------------------------------------------------------------------------------------------------------
+
+pub(crate) fn joint_has_none(joint: &str, kind: &str, asked: &str, instead: &str) -> String {
+    format!(
+        "the {kind} joint `{joint}` has no {asked}: it has no coordinate at all; use {instead} or a place"
+    )
+}
+
+pub(crate) fn joint_has(joint: &str, kind: &str, asked: &str, quantities: &[&str]) -> String {
+    format!("the {kind} joint `{joint}` has no {asked}; it has {}", quantities.join(", "))
+}
+
+pub(crate) fn joint_of_particle(joint: &str, asked: &str) -> String {
+    format!("`{joint}` has no {asked}: one of its two bodies is a particle, which has no orientation")
+}
+
+pub(crate) fn quantity_of_load(load: &str) -> String {
+    format!("a load has no quantities but its power: write `power({load})`")
+}
+
+pub(crate) fn no_quantities(name: &str, kind: &str) -> String {
+    format!("`{name}` is {kind} and has no quantities")
+}
+
+pub(crate) fn part_as_value(name: &str, kind: &str) -> String {
+    let example = match kind {
+        "a body" => format!("`{name}.angle` or `{name}.center.x`"),
+        "a load" => format!("`power({name})`"),
+        "a driver" => format!("`{name}.effort`"),
+        _ => return format!("`{name}` is {kind}, expected a value"),
+    };
+    format!("`{name}` is {kind}, expected a value such as {example}")
+}
+
+/// `coordinates`: angles and travels of the joint.
+pub(crate) fn joint_as_value(name: &str, coordinates: &[&str]) -> String {
+    let written: Vec<String> =
+        coordinates.iter().map(|coordinate| format!("`{name}.{coordinate}`")).collect();
+    match written.is_empty() {
+        true => format!("`{name}` is a joint without coordinates, expected a value"),
+        false => format!("`{name}` is a joint, expected a value: write {}", written.join(" or ")),
+    }
+}
+
+pub(crate) fn place_without_axis(place: &str, space: Space) -> String {
+    let third = if space == Space::Planar { String::new() } else { format!(", `{place}.z`") };
+    format!(
+        "`{place}` is a place, expected a value: write `{place}.x`, `{place}.y`{third} or `{place}.velocity.x`"
+    )
+}
+
+pub(crate) fn quantities_of_place(place: &str, space: Space) -> String {
+    match space {
+        Space::Planar => format!("the place `{place}` has x, y, velocity.x and velocity.y"),
+        Space::Spatial => {
+            format!("the place `{place}` has x, y, z, velocity.x, velocity.y and velocity.z, in world axes")
+        }
+    }
+}
+
+pub(crate) fn quantities_of_driver(driver: &str) -> String {
+    format!("the driver `{driver}` has effort and power")
+}
+
+pub(crate) fn power_of_what() -> String {
+    "`power` takes the name of a load".to_string()
+}
+
+pub(crate) fn power_of_driver(driver: &str) -> String {
+    format!("the power of a driver is written `{driver}.power`")
+}
+
+pub(crate) fn not_a_position(name: &str, verb: &str) -> String {
+    let hint = match verb {
+        "be driven" => "; a rate is driven through its angle or travel, such as `angle = 3 [rad/s]*time`",
+        _ => "",
+    };
+    format!("`{name}` cannot {verb}: only an angle, a travel or a position can{hint}")
+}
+
+pub(crate) fn not_a_state(name: &str) -> String {
+    format!("`{name}` cannot be given at the start: only angles, travels, positions and their rates can")
+}
+
+pub(crate) fn guessed_rate(name: &str) -> String {
+    format!(
+        "`{name}` cannot be guessed: write `=` for a rate that is to be met, or leave it out; rates that are not stated \
+         are those of least kinetic energy"
+    )
+}
+
+pub(crate) fn distance_in_one_body() -> String {
+    "the distance of two places of one body never changes".to_string()
+}
+
+pub(crate) fn not_permitted(name: &str, kind: &str, usage: &Use) -> String {
+    let mut allowed = vec!["constants"];
+    let kinds = [
+        (usage.parameters, "parameters"),
+        (usage.time, "time"),
+        (usage.inputs, "inputs"),
+        (usage.positions, "positions"),
+        (usage.velocities, "velocities"),
+    ];
+    allowed.extend(kinds.iter().filter(|(permitted, _)| *permitted).map(|(_, name)| *name));
+    let last = allowed.pop().unwrap_or_default();
+    let list =
+        if allowed.is_empty() { last.to_string() } else { format!("{} and {last}", allowed.join(", ")) };
+    format!("`{name}` is {kind}, but {} may depend on {list} only", usage.what)
+}

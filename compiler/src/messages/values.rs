@@ -1,0 +1,123 @@
+//! Texts about values: dimensions, functions.
+
+use super::{closest, number, other_function};
+use crate::units::Dimension;
+
+// ---- Dimensions ------------------------------------------------------------------------------------------------------
+
+/// What the unit of a frequency is meant to say where an angular rate is expected.
+fn rate_hint(expected: Dimension, found: Dimension) -> &'static str {
+    if expected.fits(Dimension::ANGULAR_RATE) && found.is_frequency() { "; write rad/s or rpm" } else { "" }
+}
+
+pub(crate) fn wrong_unit(what: &str, expected: Dimension, found: Dimension) -> String {
+    let hint = rate_hint(expected, found);
+    format!("{what} is given {}: expected {expected}, found {found}{hint}", found.kind())
+}
+
+/// `value`: where it is known.
+pub(crate) fn wrong_dimension(
+    what: &str,
+    expected: Dimension,
+    found: Dimension,
+    value: Option<f64>,
+) -> String {
+    if found == Dimension::ONE {
+        let advice = unit_advice(expected, value);
+        return format!("{what} is given a plain number: expected {expected}; write {advice}");
+    }
+    wrong_unit(what, expected, found)
+}
+
+/// How a value gets its unit: digits by brackets, all else by a factor.
+fn unit_advice(unit: Dimension, value: Option<f64>) -> String {
+    match value {
+        Some(value) => format!("the unit, as in `{} [{unit}]`", number(value)),
+        None => format!("its unit as a factor, `… * 1 [{unit}]`"),
+    }
+}
+
+/// Of a declaration without a unit, whose value has one.
+pub(crate) fn unit_left_out(kind: &str, name: &str, found: Dimension) -> String {
+    format!(
+        "`{name}` is declared without a unit, as a plain number, and is given {}: write `{kind} {name} [{found}] = …`",
+        found.kind()
+    )
+}
+
+/// `value`: the number that lacks a unit, where it is written.
+pub(crate) fn different_dimensions(
+    what: &str,
+    left: Dimension,
+    right: Dimension,
+    value: Option<f64>,
+) -> String {
+    let (left_one, right_one) = (left == Dimension::ONE, right == Dimension::ONE);
+    if left_one != right_one {
+        let other = if left_one { right } else { left };
+        let advice = unit_advice(other, value);
+        return format!("{what} do not fit: a plain number meets {}; write {advice}", other.kind());
+    }
+    let hint =
+        if rate_hint(left, right).is_empty() { rate_hint(right, left) } else { rate_hint(left, right) };
+    format!("{what} do not fit: {} ({left}) meets {} ({right}){hint}", left.kind(), right.kind())
+}
+
+pub(crate) fn not_bare(found: Dimension, unit: &str) -> String {
+    format!(
+        "the value is {} in {found} already and would be converted a second time by [{unit}]; write [{found}]",
+        found.kind()
+    )
+}
+
+pub(crate) fn exponent() -> String {
+    "an exponent must be a number known here; for others write `exp(b*ln(a))`".to_string()
+}
+
+pub(crate) fn power_of_dimension(dimension: Dimension, exponent: f64) -> String {
+    format!("{} to the power {exponent} has no unit", dimension.kind())
+}
+
+/// A name of the user's at the beginning of a message.
+pub(crate) fn quoted(name: &str) -> String {
+    format!("`{name}`")
+}
+
+// ---- Values ----------------------------------------------------------------------------------------------------------
+
+pub(crate) fn not_constant(what: &str) -> String {
+    format!("the value of {what} must be known at expansion")
+}
+
+pub(crate) fn not_finite(value: f64) -> String {
+    let why = if value.is_nan() { "it is not defined" } else { "it is infinite" };
+    format!("this has no value: {why}")
+}
+
+pub(crate) fn place_as_value() -> String {
+    "a place is no value; `distance(a.p, ground(0, 0))` is one".to_string()
+}
+
+pub(crate) fn value_as_place() -> String {
+    "expected a place: `body.point` or `ground(x, y) [m]`".to_string()
+}
+
+pub(crate) fn condition_as_value() -> String {
+    "a condition is no value: write `if(condition, value, other)`".to_string()
+}
+
+pub(crate) fn value_as_condition() -> String {
+    "expected a condition, such as `a < b`".to_string()
+}
+
+pub(crate) fn unknown_function<'a>(name: &str, known: impl Iterator<Item = &'a str>) -> String {
+    match (other_function(name), closest(name, known)) {
+        (Some(advice), _) => format!("no function called \"{name}\"; {advice}"),
+        (None, Some(similar)) => format!("no function called \"{name}\"; did you mean \"{similar}\"?"),
+        (None, None) => format!("no function called \"{name}\""),
+    }
+}
+
+pub(crate) fn arguments(name: &str, expected: usize, found: usize) -> String {
+    format!("`{name}` takes {expected} argument{}, found {found}", if expected == 1 { "" } else { "s" })
+}

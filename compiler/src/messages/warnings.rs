@@ -1,0 +1,100 @@
+//! Texts of warnings: what is possible and probably not meant. Each says how it is taken back.
+
+use super::number;
+use crate::syntax::Shape;
+
+/// `kind`: a constant, parameter, input, point, marker or line.
+pub(crate) fn unused(kind: &str, name: &str, body: Option<&str>) -> String {
+    let of = body.map(|body| format!(" of `{body}`")).unwrap_or_default();
+    let dropped = match kind {
+        "parameter" | "input" => "so no equation depends on it",
+        "constant" => "so it stands for nothing",
+        _ => "so no joint, load, start value or output is there",
+    };
+    format!(
+        "nothing names the {kind} `{name}`{of}, {dropped}: use it or leave it out, or write `#[allow(unused)]` before it"
+    )
+}
+
+pub(crate) fn not_connected(body: &str) -> String {
+    format!(
+        "`{body}` is connected to nothing, and moves by itself: no joint, constraint or load names it. Add a joint or leave \
+         it out, or write `#[allow(unused)]` before it"
+    )
+}
+
+pub(crate) fn zero_gravity() -> String {
+    "this gravity is zero: leave it out, there is none where none is written".to_string()
+}
+
+pub(crate) fn zero_load(load: &str) -> String {
+    format!(
+        "`{load}` is zero at all times: give it a law of inputs, parameters or time, or leave it out, or write \
+         `#[allow(no_effect)]` before it"
+    )
+}
+
+pub(crate) fn spring_of_nothing(load: &str) -> String {
+    format!(
+        "`{load}` has neither stiffness nor damping, so it pulls at nothing: give it one of them, or a parameter, or leave it \
+         out, or write `#[allow(no_effect)]` before it"
+    )
+}
+
+pub(crate) fn spring_that_damps(load: &str) -> String {
+    format!(
+        "the stiffness of `{load}` is zero, so its length says nothing: write `damper(place, place, damping = …)` if it only \
+         damps, or `#[allow(no_effect)]` before it"
+    )
+}
+
+pub(crate) fn load_on_held(load: &str, body: &str) -> String {
+    format!(
+        "`{load}` acts on `{body}`, which fixed joints hold to the ground: it changes their reactions and no motion. Name \
+         another body, or write `#[allow(no_effect)]` before it"
+    )
+}
+
+pub(crate) fn torque_on_held(load: &str, body: &str) -> String {
+    format!(
+        "`{load}` would turn `{body}`, which cannot turn: there are only fixed and prismatic joints between it and the \
+         ground. Name a body or joint that turns, or write `#[allow(no_effect)]` before it"
+    )
+}
+
+pub(crate) fn load_on_locked(load: &str, joint: &str) -> String {
+    format!(
+        "`{load}` acts along `{joint}`, which cannot move: other joints hold its two bodies together. Name a joint that \
+         moves, or write `#[allow(no_effect)]` before it"
+    )
+}
+
+pub(crate) fn spring_between_held(load: &str, first: &str, second: &str) -> String {
+    format!(
+        "`{load}` pulls `{first}` and `{second}` together, which fixed joints hold apart: it moves nothing. Name a place that \
+         moves, or write `#[allow(no_effect)]` before it"
+    )
+}
+
+/// SI units, at the defaults of parameters.
+pub(crate) fn negative_coefficient(what: &str, load: &str, value: f64) -> String {
+    let does =
+        if what == "damping" { "drives the motion it should damp" } else { "pushes where it should pull" };
+    format!(
+        "the {what} of `{load}` is negative, {} in SI units, so it {does}: change its sign, or write `#[allow(negative)]` \
+         before it",
+        number(value)
+    )
+}
+
+/// Metres; `along`: in which direction, and how far out.
+pub(crate) fn outside(place: &str, shape: Shape, body: &str, along: (&str, f64), limit: f64) -> String {
+    let (direction, out) = along;
+    let shape = shape.text();
+    format!(
+        "`{place}` lies outside of the {shape} `{body}`: {} m {direction}, and the {shape} ends at {} m. Correct the place or \
+         the dimensions, or write `#[allow(outside)]` before it",
+        number(out),
+        number(limit)
+    )
+}

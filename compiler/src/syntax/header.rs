@@ -1,0 +1,114 @@
+//! What can be said of a definition that may be full of errors: enough for items that take the mechanism's place.
+
+use super::definition::{Definition, Label, OptionEntry};
+use super::{read, token};
+use crate::diagnostics::Diagnostics;
+use proc_macro2::{Delimiter, Ident, TokenStream, TokenTree};
+
+/// What stands before the braces, and the names that become fields.
+#[derive(Clone, Debug)]
+pub struct Header {
+    /// `pub`, `pub(crate)` or nothing.
+    pub visibility: TokenStream,
+    /// Doc comments and attributes of the item.
+    pub attributes: TokenStream,
+    /// Whether it moves in space.
+    pub spatial: bool,
+    /// The mechanism's name.
+    pub name: Ident,
+    /// Path of the crate, as `options` say.
+    pub crate_path: Option<TokenStream>,
+    /// Fields of the parameters, inputs and outputs.
+    pub parameters: Vec<String>,
+    pub inputs: Vec<String>,
+    pub outputs: Vec<String>,
+    /// How many bodies, joints, loads and drivers there are, where no statement was given up.
+    pub counts: Option<[usize; 4]>,
+}
+
+/// The header of a definition; nothing if not even a name was written.
+pub fn header(tokens: TokenStream) -> Option<Header> {
+    let mut diagnostics = Diagnostics::new();
+    let converted = token::convert(tokens.clone(), &mut diagnostics);
+    let (definition, found) = read(&converted, true);
+    let mut tokens = tokens.into_iter().peekable();
+    while matches!(tokens.peek(), Some(TokenTree::Punct(punct)) if punct.as_char() == '#') {
+        tokens.next();
+        tokens.next();
+    }
+    let mut visibility = TokenStream::new();
+    if matches!(tokens.peek(), Some(TokenTree::Ident(ident)) if *ident == "pub") {
+        visibility.extend(tokens.next());
+        if matches!(tokens.peek(), Some(TokenTree::Group(group)) if group.delimiter() != Delimiter::Brace) {
+            visibility.extend(tokens.next());
+        }
+    }
+    let TokenTree::Ident(kind) = tokens.next()? else { return None };
+    let (name, spatial, body) = match tokens.next()? {
+        TokenTree::Ident(name) => {
+            let body = tokens.find_map(|token| match token {
+                TokenTree::Group(group) if group.delimiter() == Delimiter::Brace => Some(group.stream()),
+                _ => None,
+            });
+            (name, kind == "spatial", body.unwrap_or_default())
+        }
+        // The kind was forgotten: `pub FourBar { … }`.
+        TokenTree::Group(group) if group.delimiter() == Delimiter::Brace => (kind, false, group.stream()),
+        _ => return None,
+    };
+    let known = |labels: Vec<&Label>, word| fields(labels, &body, word);
+    Some(Header {
+        visibility,
+        attributes: definition.attributes.clone(),
+        spatial,
+        name,
+        crate_path: crate_path(&definition),
+        parameters: known(definition.parameters.iter().map(|it| &it.name).collect(), "param"),
+        inputs: known(definition.inputs.iter().map(|it| &it.name).collect(), "input"),
+        outputs: known(definition.outputs.iter().map(|it| &it.name).collect(), "output"),
+        counts: found.is_empty().then_some([
+            definition.bodies.len(),
+            definition.joints.len(),
+            definition.loads.len(),
+            definition.drivers.len(),
+        ]),
+    })
+}
+
+fn crate_path(definition: &Definition) -> Option<TokenStream> {
+    definition.options.iter().find_map(|option| match option {
+        OptionEntry::Crate(path) => Some(path.clone()),
+        _ => None,
+    })
+}
+
+/// Names of what has been read, rounds of `repeat` included, and of statements `word NAME …` that could not be read.
+fn fields(read: Vec<&Label>, body: &TokenStream, word: &str) -> Vec<String> {
+    let mut names: Vec<String> = Vec::new();
+    let mut add = |name: String| {
+        if !names.contains(&name) {
+            names.push(name);
+        }
+    };
+    let has_index = |name: &str| {
+        read.iter().any(|label| label.text.split_once('[').is_some_and(|(base, _)| base == name))
+    };
+    read.iter().for_each(|label| add(label.text.replace('[', "_").replace(']', "")));
+    let (mut statement, mut attribute) = (true, false);
+    let mut tokens = body.clone().into_iter().peekable();
+    while let Some(token) = tokens.next() {
+        if let (true, TokenTree::Ident(ident), Some(TokenTree::Ident(name))) =
+            (statement, &token, tokens.peek())
+            && *ident == word
+            && !has_index(&name.to_string())
+        {
+            add(name.to_string());
+        }
+        (statement, attribute) = match &token {
+            TokenTree::Punct(punct) => (punct.as_char() == ';', punct.as_char() == '#'),
+            TokenTree::Group(group) => (attribute || group.delimiter() == Delimiter::Brace, false),
+            _ => (false, false),
+        };
+    }
+    names
+}

@@ -1,0 +1,113 @@
+//! Every text of a message is what some test sees: of each literal in the sources of the messages, a piece stands in a
+//! pair of `tests/ui` or in a test of this folder.
+
+use std::fs;
+use std::path::{Path, PathBuf};
+
+/// Shorter pieces say nothing.
+const TELLING: usize = 12;
+
+/// Texts that no test can reach: limits of this crate against its own mistakes.
+const UNREACHABLE: [&str; 2] = ["the generated code could not be read back (", " must be known at expansion"];
+
+#[test]
+fn every_text_is_seen_by_a_test() {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR"));
+    let mut seen = String::new();
+    for file in files(&root.join("../tests/ui"), "stderr") {
+        seen += &read(&file);
+    }
+    for file in files(&root.join("tests/front_end"), "rs") {
+        for text in literals(&read(&file)) {
+            seen += &text;
+            seen.push('\n');
+        }
+    }
+    let mut unseen = Vec::new();
+    for file in files(&root.join("src/messages"), "rs") {
+        for text in literals(&read(&file)) {
+            let pieces = pieces(&text);
+            let known = pieces.iter().any(|piece| UNREACHABLE.contains(&piece.as_str()));
+            if !pieces.is_empty() && !known && !pieces.iter().any(|piece| seen.contains(piece.as_str())) {
+                unseen.push(format!("{}: {text}", file.file_name().unwrap_or_default().display()));
+            }
+        }
+    }
+    assert!(unseen.is_empty(), "no test sees these texts:\n{}", unseen.join("\n"));
+}
+
+fn read(path: &Path) -> String {
+    fs::read_to_string(path).unwrap_or_else(|error| panic!("{}: {error}", path.display()))
+}
+
+/// All files with this extension below a folder, in a fixed order.
+fn files(folder: &Path, extension: &str) -> Vec<PathBuf> {
+    let mut found = Vec::new();
+    for entry in fs::read_dir(folder).unwrap_or_else(|error| panic!("{}: {error}", folder.display())) {
+        let path = entry.expect("it can be listed").path();
+        if path.is_dir() {
+            found.extend(files(&path, extension));
+        } else if path.extension().is_some_and(|own| own == extension) {
+            found.push(path);
+        }
+    }
+    found.sort();
+    found
+}
+
+/// The strings of a source file, comments left out, as they read when they run.
+fn literals(source: &str) -> Vec<String> {
+    let is_comment = |line: &&str| !line.trim_start().starts_with("//");
+    let source: String = source.lines().filter(is_comment).map(|line| format!("{line}\n")).collect();
+    let tokens: proc_macro2::TokenStream = source.parse().expect("a source file");
+    let mut found = Vec::new();
+    collect(tokens, &mut found);
+    found
+}
+
+fn collect(tokens: proc_macro2::TokenStream, found: &mut Vec<String>) {
+    for token in tokens {
+        match token {
+            proc_macro2::TokenTree::Group(group) => collect(group.stream(), found),
+            proc_macro2::TokenTree::Literal(literal) => found.extend(content(&literal.to_string())),
+            _ => {}
+        }
+    }
+}
+
+/// What is between the quotes of a string.
+fn content(literal: &str) -> Option<String> {
+    if let Some(raw) = literal.strip_prefix("r#\"") {
+        return raw.strip_suffix("\"#").map(str::to_string);
+    }
+    let inside = literal.strip_prefix('"')?.strip_suffix('"')?;
+    let mut text = String::new();
+    let mut rest = inside.chars().peekable();
+    while let Some(character) = rest.next() {
+        match (character, rest.peek()) {
+            ('\\', Some('\n')) => while rest.next_if(|next| next.is_whitespace()).is_some() {},
+            ('\\', Some('n')) => {
+                rest.next();
+                text.push('\n');
+            }
+            ('\\', Some(_)) => text.extend(rest.next()),
+            _ => text.push(character),
+        }
+    }
+    Some(text)
+}
+
+/// The telling parts of a format string between what is filled in.
+fn pieces(format: &str) -> Vec<String> {
+    let whole = format.replace("{{", "\u{1}").replace("}}", "\u{2}");
+    let mut pieces = Vec::new();
+    for (index, piece) in whole.split('{').enumerate() {
+        let fixed = if index == 0 { piece } else { piece.split_once('}').map_or("", |(_, fixed)| fixed) };
+        let fixed = fixed.replace('\u{1}', "{").replace('\u{2}', "}");
+        // What has no space is a word of a table.
+        if fixed.chars().count() >= TELLING && fixed.trim().contains(' ') {
+            pieces.push(fixed);
+        }
+    }
+    pieces
+}

@@ -1,0 +1,11 @@
+//! A declaration of Rust.
+
+linkwright::mechanism! {
+    planar Pendulum {
+        rod arm { mass [kg] = 1; length [m] = 1; }
+        joint pivot: revolute(ground(0, 0), arm.start);
+        let LENGTH [m] = 1;
+    }
+}
+
+fn main() {}

@@ -1,0 +1,11 @@
+//! Units as in a text.
+
+linkwright::mechanism! {
+    planar Pendulum {
+        rod arm { mass [kg] = 1; length [m] = 1; }
+        joint pivot: revolute(ground(0, 0), arm.start);
+        rod link { mass = 1 kg; length = 250 mm; }
+    }
+}
+
+fn main() {}

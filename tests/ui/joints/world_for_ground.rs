@@ -1,0 +1,11 @@
+//! The ground by another name.
+
+linkwright::mechanism! {
+    planar Pendulum {
+        rod arm { mass [kg] = 1; length [m] = 1; }
+        joint pivot: revolute(ground(0, 0), arm.start);
+        joint stop: revolute(world, arm.end);
+    }
+}
+
+fn main() {}

@@ -1,0 +1,11 @@
+//! A body where a joint is expected.
+
+linkwright::mechanism! {
+    planar Pendulum {
+        rod arm { mass [kg] = 1; length [m] = 1; }
+        joint pivot: revolute(ground(0, 0), arm.start);
+        options { cut = arm; }
+    }
+}
+
+fn main() {}

@@ -1,0 +1,11 @@
+//! A parameter without its default.
+
+linkwright::mechanism! {
+    planar Pendulum {
+        rod arm { mass [kg] = 1; length [m] = 1; }
+        joint pivot: revolute(ground(0, 0), arm.start);
+        param payload [kg];
+    }
+}
+
+fn main() {}
