@@ -321,6 +321,30 @@ pub(crate) fn unknown_option(word: &str, known: &[&str]) -> String {
     format!("nothing here is called \"{word}\"; {hint}")
 }
 
+// ---- Expectations -----------------------------------------------------------------------------------------------
+
+pub(crate) fn unknown_expectation(word: &str, known: &[&str]) -> String {
+    let hint = match closest(word, known.iter().copied()) {
+        Some(known) => format!("did you mean `{known}`?"),
+        None => format!("there are {} and ranges such as `knee.angle in 10..170 [deg]`", known.join(", ")),
+    };
+    format!("nothing that can be expected is called \"{word}\"; {hint}")
+}
+
+pub(crate) fn motion_in_space(what: &str) -> String {
+    format!(
+        "`{what}` in `expect` is not there yet for spatial mechanisms: the range of motion is found for planar ones with one \
+         degree of freedom"
+    )
+}
+
+pub(crate) fn range_upside_down(from: f64, to: f64, unit: &str) -> String {
+    format!(
+        "the range is upside down: from {from} to {to} {unit}; write the lower end first, and add a turn to an upper end that \
+         lies beyond half a turn"
+    )
+}
+
 // ---- Names ------------------------------------------------------------------------------------------------------
 
 pub(crate) fn duplicate(name: &str, first: &str) -> String {

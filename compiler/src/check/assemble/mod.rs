@@ -10,12 +10,14 @@ mod attempts;
 mod initial;
 mod mobility;
 mod partition;
+pub(crate) mod pins;
 mod point;
 mod position;
 mod quaternion;
 mod rates;
 mod redundancy;
 
+pub use mobility::{full_squares, rank};
 pub use partition::dependent;
 pub use point::{Ancestry, Point, retract};
 

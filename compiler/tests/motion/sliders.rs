@@ -1,0 +1,1 @@
+//! Slider-cranks, the quick return and racks against closed forms.
