@@ -1,8 +1,8 @@
 //! `options` and `expect`.
 
 use super::lower::Lowering;
-use super::names::Part;
 use super::lower::Use;
+use super::names::Part;
 use super::{
     Coordinates, Emit, Expect, Expr, JointId, Options, Quantity, Redundant, Rotor, Space, Turning, Within,
 };
@@ -141,9 +141,10 @@ impl<'d> Lowering<'d> {
         };
         let (from, to) = (end(&range.from)?, end(&range.to)?);
         let si = if dimension == Dimension::ANGLE { "rad" } else { "m" };
-        let unit = range.unit.as_ref().map_or((si.to_string(), 1.0), |written| {
-            (written.unit.text.clone(), written.unit.scale)
-        });
+        let unit = range
+            .unit
+            .as_ref()
+            .map_or((si.to_string(), 1.0), |written| (written.unit.text.clone(), written.unit.scale));
         if from >= to {
             let message = messages::range_upside_down(from / unit.1, to / unit.1, &unit.0);
             self.diagnostics.error(range.from.region.to(range.to.region), message);

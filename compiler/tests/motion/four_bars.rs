@@ -12,7 +12,8 @@ type Lengths = [f64; 4];
 fn definition([ground, crank, coupler, rocker]: Lengths, angle: f64, side: f64, more: &str) -> String {
     let [x, y] = [crank * angle.cos() - ground, crank * angle.sin()];
     let diagonal = x.hypot(y);
-    let at_rocker = ((diagonal * diagonal + rocker * rocker - coupler * coupler) / (2.0 * diagonal * rocker)).acos();
+    let at_rocker =
+        ((diagonal * diagonal + rocker * rocker - coupler * coupler) / (2.0 * diagonal * rocker)).acos();
     let rocker_angle = y.atan2(x) - side * at_rocker;
     let end = [ground + rocker * rocker_angle.cos(), rocker * rocker_angle.sin()];
     let coupler_angle = (end[1] - crank * angle.sin()).atan2(end[0] - crank * angle.cos());

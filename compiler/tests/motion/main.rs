@@ -1,8 +1,8 @@
 //! Mobility and range of motion against closed forms.
 
 mod four_bars;
-mod sliders;
 mod scratch;
+mod sliders;
 
 use linkwright_compiler::check::motion::{Motion, Range};
 use linkwright_compiler::{Compiled, compile};

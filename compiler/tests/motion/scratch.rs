@@ -2,7 +2,10 @@ use crate::*;
 #[test]
 fn scratch() {
     let dir = std::env::var("UIDIR").unwrap_or("motion".into());
-    let mut files: Vec<_> = std::fs::read_dir(format!("{}/../tests/ui/{dir}", env!("CARGO_MANIFEST_DIR"))).unwrap().map(|e| e.unwrap().path()).collect();
+    let mut files: Vec<_> = std::fs::read_dir(format!("{}/../tests/ui/{dir}", env!("CARGO_MANIFEST_DIR")))
+        .unwrap()
+        .map(|e| e.unwrap().path())
+        .collect();
     files.sort();
     for file in files.into_iter().filter(|f| f.extension().is_some_and(|e| e == "rs")) {
         let text = std::fs::read_to_string(&file).unwrap();
@@ -13,6 +16,9 @@ fn scratch() {
         let t = std::time::Instant::now();
         let found = compile(tokens, None);
         println!("{} {:?}", file.file_stem().unwrap().to_string_lossy(), t.elapsed());
-        match found { Ok(_) => println!("   OK"), Err(e) => println!("   {e}") }
+        match found {
+            Ok(_) => println!("   OK"),
+            Err(e) => println!("   {e}"),
+        }
     }
 }

@@ -1,9 +1,8 @@
 //! Degrees of freedom, lost ranks and the choice of independent coordinates, by the pivots of one factorisation.
 
 use super::point::{Ancestry, Point, retract};
-use crate::equations::{Condition, Equations, Jet};
+use crate::equations::{Condition, Equations};
 use crate::solve::table::{DEPENDENT, Numeric, Table};
-use std::collections::BTreeMap;
 
 /// What the pivots of D say at one position.
 #[derive(Clone, Debug, Default)]
@@ -76,34 +75,12 @@ pub fn independent(point: &mut Point, candidates: &[Condition], q: &[f64]) -> Ve
     (0..candidates.len()).filter(|at| pivots[first + at] >= DEPENDENT).collect()
 }
 
-/// The first velocities, in order, that together with all rows fix the motion at `q`.
-pub fn independent_velocities(point: &mut Point, q: &[f64]) -> Vec<usize> {
-    let equations: &Equations = point.equations;
-    let rows: Vec<usize> = (0..equations.rows.len()).collect();
-    let unit = |k: usize| Jet {
-        value: equations.zero,
-        columns: BTreeMap::from([(k, equations.one)]),
-        drift: equations.zero,
-        bias: equations.zero,
-        known_rate: None,
-    };
-    let jets: Vec<Jet> = (0..equations.symbols.v.len()).map(unit).collect();
-    let pivots = pivots_of(point, &rows, &jets.iter().collect::<Vec<_>>(), q);
-    let first = equations.symbols.v.len() + rows.len();
-    (0..jets.len()).filter(|at| pivots[first + at] >= DEPENDENT).collect()
-}
-
 /// Relative pivots of [1 D̂ᵀ; D̂ 0], the candidates eliminated last and in order.
 fn pivots(point: &mut Point, rows: &[usize], candidates: &[Condition], q: &[f64]) -> Vec<f64> {
-    let candidates: Vec<&Jet> = candidates.iter().map(|candidate| &candidate.jet).collect();
-    pivots_of(point, rows, &candidates, q)
-}
-
-fn pivots_of(point: &mut Point, rows: &[usize], candidates: &[&Jet], q: &[f64]) -> Vec<f64> {
     let equations: &Equations = point.equations;
     let n = equations.symbols.v.len();
-    let jets: Vec<_> =
-        rows.iter().map(|row| &equations.rows[*row].jet).chain(candidates.iter().copied()).collect();
+    let candidates = candidates.iter().map(|candidate| &candidate.jet);
+    let jets: Vec<_> = rows.iter().map(|row| &equations.rows[*row].jet).chain(candidates).collect();
     point.set_q(q);
     point.evaluate(&Ancestry::of_jets(equations, jets.iter().copied()));
     let structure = |jets: &[&crate::equations::Jet]| -> Vec<(usize, usize)> {

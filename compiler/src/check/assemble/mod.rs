@@ -7,7 +7,10 @@
 //! to absolute coordinates where those are emitted.
 
 mod attempts;
+mod freedoms;
+mod geometry;
 mod initial;
+pub mod loose;
 mod mobility;
 mod partition;
 pub(crate) mod pins;
@@ -16,7 +19,9 @@ mod position;
 mod quaternion;
 mod rates;
 mod redundancy;
+mod world;
 
+pub use freedoms::Mobility;
 pub use mobility::{full_squares, rank};
 pub use partition::dependent;
 pub use point::{Ancestry, Point, retract};
@@ -24,10 +29,11 @@ pub use point::{Ancestry, Point, retract};
 use super::messages;
 use crate::diagnostics::Diagnostics;
 use crate::equations::conditions::{self, coordinate_of};
-use crate::equations::{Ball, Condition, Dropped, Equations, Laws, Linear, Owner, Rotation};
+use crate::equations::{Ball, Condition, Dropped, Equations, Laws, Linear, Rotation};
 use crate::model::{BodyId, JointId, JointKind, Mechanism, Quantity, Space};
 use crate::solve::Massless;
 use crate::symbolic::Node;
+use freedoms::Assembled;
 use position::{Attempt, Problem};
 
 /// What assembly found.
@@ -37,8 +43,8 @@ pub struct Assembly {
     pub v: Vec<f64>,
     /// Phases of couplings that take them from the start.
     pub phases: Vec<f64>,
-    /// With drivers removed.
-    pub degrees_of_freedom: usize,
+    /// Degrees of freedom, counted and true.
+    pub mobility: Mobility,
     /// Coordinates that fix the position together with the constraints.
     pub independent: Vec<Quantity>,
     /// Rows to leave out, because others fix what they fix all along the motion.
@@ -68,12 +74,12 @@ pub fn assemble(
     let phases = phases(mechanism, equations, &mut point, &q);
     point.set(&equations.symbols.phases, &phases);
 
-    let (degrees_of_freedom, redundancy) =
-        freedoms(mechanism, equations, &mut point, &problem, &q, &candidates, errors)?;
     let independent = choose_independent(mechanism, &mut point, &candidates, &q, errors);
+    let at = Assembled { mechanism, problem: &problem, q: &q, phases: &phases, independent: &independent };
+    let (mobility, redundancy) = freedoms::judge(&at, &mut point, errors)?;
     let v = rates::rates(mechanism, equations, &mut point, &q, errors)?;
     let redundancy::Redundancy { dropped, shared, nearby } = redundancy;
-    Some(Assembly { q, v, phases, degrees_of_freedom, independent, dropped, shared, nearby })
+    Some(Assembly { q, v, phases, mobility, independent, dropped, shared, nearby })
 }
 
 /// The rows of absolute coordinates that repeat others, found at the positions near the start.
@@ -201,80 +207,6 @@ fn phases(mechanism: &Mechanism, equations: &Equations, point: &mut Point, q: &[
     rows.iter().map(|row| point.get(row.jet.value)).collect()
 }
 
-/// Degrees of freedom against `expect`, and independence of the rows.
-fn freedoms(
-    mechanism: &Mechanism,
-    equations: &Equations,
-    point: &mut Point,
-    problem: &Problem,
-    q: &[f64],
-    candidates: &[Condition],
-    errors: &mut Diagnostics,
-) -> Option<(usize, redundancy::Redundancy)> {
-    let n = equations.symbols.v.len();
-    let driven = equations.rows.len() - mechanism.drivers.len();
-    let undriven: Vec<usize> = (0..driven).collect();
-    let rank = mobility::rank(point, &undriven, q);
-    let freedoms = n - rank.rank;
-    if let Some((expected, span)) = mechanism.expect.degrees_of_freedom
-        && expected != freedoms
-    {
-        let names = free_names(mechanism, point, candidates, q);
-        errors.error(span, messages::wrong_freedoms(expected, freedoms, names));
-    }
-    let mut dependent = rank.dependent;
-    if dependent.is_empty() && !mechanism.drivers.is_empty() {
-        let all: Vec<usize> = (0..equations.rows.len()).collect();
-        dependent = mobility::rank(point, &all, q).dependent;
-    }
-    let redundancy = match redundancy::find(mechanism, point, problem, q, &dependent) {
-        redundancy::Finding::None => redundancy::Redundancy::default(),
-        redundancy::Finding::Dropped(redundancy) => {
-            return errors.is_empty().then_some((freedoms, redundancy));
-        }
-        redundancy::Finding::Refused { rows, mut dropped } => {
-            let rank = rows - dropped.len();
-            dropped.sort_unstable();
-            // One message for each joint, not for each of its rows.
-            for of_one in dropped.chunk_by(|a, b| equations.rows[*a].of == equations.rows[*b].of) {
-                let row = &equations.rows[of_one[0]];
-                let what: Vec<&str> = of_one.iter().map(|row| equations.rows[*row].what).collect();
-                errors.error(row.span, messages::redundant(&row.of, &what, rows, rank, mechanism.space));
-            }
-            return None;
-        }
-    };
-    // One message for each joint, not for each of its rows.
-    let (rows, rank) = (equations.rows.len(), equations.rows.len() - dependent.len());
-    for rows_of_one in dependent.chunk_by(|a, b| equations.rows[*a].of == equations.rows[*b].of) {
-        let first = &equations.rows[rows_of_one[0]];
-        let what: Vec<&str> = rows_of_one.iter().map(|row| equations.rows[*row].what).collect();
-        errors.error(first.span, messages::dependent_rows(&first.of, &what, rows, rank));
-    }
-    errors.is_empty().then_some((freedoms, redundancy))
-}
-
-/// What can still move: the independent coordinates, and where those do not suffice the independent velocities.
-fn free_names(mechanism: &Mechanism, point: &mut Point, candidates: &[Condition], q: &[f64]) -> Vec<String> {
-    let equations = point.equations;
-    if equations.layout.quaternions.is_empty() {
-        let names = mobility::independent(point, candidates, q);
-        return names.iter().map(|at| candidates[*at].of.clone()).collect();
-    }
-    let owners = equations.layout.owners(mechanism);
-    let mut found: Vec<String> = Vec::new();
-    for velocity in mobility::independent_velocities(point, q) {
-        let name = match owners[velocity] {
-            Owner::Body(body) => &mechanism.bodies[body.0].name.text,
-            Owner::Joint(joint) => &mechanism.joints[joint.0].name.text,
-        };
-        if found.last() != Some(name) {
-            found.push(name.clone());
-        }
-    }
-    found
-}
-
 /// Coordinates that may serve as independent ones: as written, else `start`'s, else those of the tree.
 fn candidates(mechanism: &Mechanism, equations: &mut Equations) -> Vec<Condition> {
     let mut quantities: Vec<Quantity> = Vec::new();
@@ -384,9 +316,10 @@ fn choose_independent(
     errors: &mut Diagnostics,
 ) -> Vec<Quantity> {
     let chosen = mobility::independent(point, candidates, q);
+    let names: Vec<&str> = chosen.iter().map(|at| candidates[*at].of.as_str()).collect();
     for (at, (_, span)) in mechanism.options.independent.iter().enumerate() {
         if !chosen.contains(&at) && at < candidates.len() {
-            errors.error(*span, messages::not_independent(&candidates[at].of));
+            errors.error(*span, messages::not_independent(&candidates[at].of, &names));
         }
     }
     chosen.into_iter().map(|at| candidates[at].quantity.clone()).collect()

@@ -1,8 +1,9 @@
 //! The pins of a planar mechanism in the world, and what their places say: which links lie in one line, and the links of
 //! a four-bar.
 
-use super::point::{Ancestry, Point};
-use crate::model::{Expr, Frame, JointId, JointKind, Mechanism, Place, Space, fold};
+use super::point::Point;
+use super::world::World;
+use crate::model::{Frame, Joint, JointId, JointKind, Mechanism, Space};
 
 /// A revolute joint in the plane.
 #[derive(Clone, Copy, Debug)]
@@ -21,31 +22,14 @@ pub fn pins(mechanism: &Mechanism, point: &mut Point, q: &[f64]) -> Vec<Pin> {
     if mechanism.space != Space::Planar {
         return Vec::new();
     }
-    let equations = point.equations;
-    let motions = equations.motions.iter();
-    let nodes = motions.flat_map(|motion| motion.position.iter().chain(&motion.orientation).copied());
-    point.set_q(q);
-    point.evaluate(&Ancestry::of(equations, nodes.collect::<Vec<_>>()));
+    let world = World::at(mechanism, point, q);
     let revolute = mechanism.joints.iter().enumerate();
     let revolute = revolute.filter(|(_, joint)| matches!(joint.kind, JointKind::Revolute { .. }));
-    let pin = |(index, joint): (usize, &crate::model::Joint)| {
-        let at = world(mechanism, point, &joint.first)?;
-        Some(Pin { joint: JointId(index), links: [joint.first.frame, joint.second.frame], at })
+    let pin = |(index, joint): (usize, &Joint)| {
+        let [x, y, _] = world.place(&joint.first)?;
+        Some(Pin { joint: JointId(index), links: [joint.first.frame, joint.second.frame], at: [x, y] })
     };
     revolute.filter_map(pin).collect()
-}
-
-/// Where a place is; `None` on a ground that moves.
-fn world(mechanism: &Mechanism, point: &Point, place: &Place) -> Option<[f64; 2]> {
-    let defaults: Vec<f64> = mechanism.parameters.iter().map(|parameter| parameter.default).collect();
-    let number = |expr: &Expr| fold::evaluate(expr, &defaults);
-    let at = [number(&place.at[0])?, number(&place.at[1])?];
-    let Frame::Body(body) = place.frame else { return Some(at) };
-    let motion = &point.equations.motions[body.0];
-    let center = &mechanism.bodies[body.0].center;
-    let [x, y] = [at[0] - number(&center[0])?, at[1] - number(&center[1])?];
-    let [c, s] = [point.get(motion.orientation[0]), point.get(motion.orientation[1])];
-    Some([point.get(motion.position[0]) + c * x - s * y, point.get(motion.position[1]) + s * x + c * y])
 }
 
 /// Names of the links that lie in one line with a neighbour: links with two pins, joined at another pin than `but`.

@@ -1,5 +1,6 @@
 //! Velocities of the start, and the mass matrix at the assembled position.
 
+use super::loose::{self, Loose, Way};
 use super::point::{Ancestry, Point};
 use super::{Assembly, messages};
 use crate::diagnostics::Diagnostics;
@@ -146,12 +147,34 @@ pub fn massless(
     let weight = if largest > 0.0 { 2.0_f64.powi(largest.log2().round() as i32) } else { 1.0 };
 
     let loose = loose_velocities(&mut point, &mass, &rows, weight, n);
-    let (names, owners) = (equations.layout.velocity_names(mechanism), equations.layout.owners(mechanism));
-    for velocity in &loose {
-        let body = body_of(mechanism, equations, owners[*velocity]);
-        errors.error(body.mass_span, messages::massless(&body.name.text, &names[*velocity]));
-    }
+    report_loose(mechanism, equations, assembly, &loose, errors);
     Massless { velocities, rows, weight }
+}
+
+/// Names the bodies, and those that spin alone as what they are.
+fn report_loose(
+    mechanism: &Mechanism,
+    equations: &Equations,
+    assembly: &Assembly,
+    velocities: &[usize],
+    errors: &mut Diagnostics,
+) {
+    if velocities.is_empty() {
+        return;
+    }
+    let alone = loose::find(mechanism, equations, &assembly.q, &assembly.phases);
+    let (names, owners) = (equations.layout.velocity_names(mechanism), equations.layout.owners(mechanism));
+    for velocity in velocities {
+        let body = body_of(mechanism, equations, owners[*velocity]);
+        let spins = |loose: &&Loose| {
+            matches!(loose.way, Way::Spinning { .. }) && loose.bodies.contains(&body.name.text)
+        };
+        let message = match alone.iter().find(spins) {
+            Some(loose) => messages::massless_spin(loose),
+            None => messages::massless(&body.name.text, &names[*velocity]),
+        };
+        errors.error(body.mass_span, message);
+    }
 }
 
 /// Velocities that neither mass nor constraints hold: zero pivots of M + ρ Dᵀ D.

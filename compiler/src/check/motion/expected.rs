@@ -5,7 +5,9 @@ use super::{End, Motion, Range, sweep};
 use crate::check::assemble::{Assembly, pins};
 use crate::diagnostics::Diagnostics;
 use crate::equations::Equations;
-use crate::model::{BodyId, Frame, Joint, JointId, Mechanism, MotionExpected, Quantity, Rotor, Turning, Within};
+use crate::model::{
+    BodyId, Frame, Joint, JointId, Mechanism, MotionExpected, Quantity, Rotor, Turning, Within,
+};
 use std::f64::consts::TAU;
 
 /// Follows the motion if `expect` asks about it; silent where it is as expected.
@@ -59,7 +61,8 @@ fn turns(
         return;
     }
     if motion.end != End::Closed {
-        return errors.error(expected.span, messages::undecided(&format!("rotates = {}", expected.name), motion));
+        return errors
+            .error(expected.span, messages::undecided(&format!("rotates = {}", expected.name), motion));
     }
     let mut in_line: Vec<&[String]> = Vec::new();
     for limit in motion.limits.iter().filter(|limit| limit.of == index && !limit.in_line.is_empty()) {
@@ -103,7 +106,8 @@ fn stays(motion: &Motion, (index, range): (usize, &Range), expected: &Within, er
 fn on_ground(mechanism: &Mechanism, body: BodyId) -> Option<JointId> {
     let ends = |joint: &Joint| [joint.first.frame, joint.second.frame];
     let pair = [Frame::Ground, Frame::Body(body)];
-    let index = mechanism.joints.iter().position(|joint| pair.iter().all(|frame| ends(joint).contains(frame)));
+    let index =
+        mechanism.joints.iter().position(|joint| pair.iter().all(|frame| ends(joint).contains(frame)));
     index.map(JointId)
 }
 

@@ -1,12 +1,14 @@
 //! Texts of the messages about the range of motion: what is wrong, why, with numbers, and what to write instead.
 
 use super::{End, MOST_STEPS, Motion, Range, Singular, Unswept};
+use crate::check::messages::list;
 use crate::model::Within;
 
 pub fn unswept(why: Unswept) -> String {
     match why {
         Unswept::InSpace => {
-            "the range of motion is not there yet for spatial mechanisms: leave this out of `expect`".to_string()
+            "the range of motion is not there yet for spatial mechanisms: leave this out of `expect`"
+                .to_string()
         }
         Unswept::Freedoms(0) => {
             "nothing can be expected of the motion: the mechanism has no degree of freedom".to_string()
@@ -114,11 +116,8 @@ fn grashof(links: &[(String, f64); 4]) -> String {
     let mut sorted: Vec<&(String, f64)> = links.iter().collect();
     sorted.sort_by(|a, b| a.1.total_cmp(&b.1));
     let (ends, middle) = (sorted[0].1 + sorted[3].1, sorted[1].1 + sorted[2].1);
-    let sums = format!(
-        "Shortest + longest link = {} m, the other two = {} m: ",
-        number(ends),
-        number(middle)
-    );
+    let sums =
+        format!("Shortest + longest link = {} m, the other two = {} m: ", number(ends), number(middle));
     let verdict = if (ends - middle).abs() <= 1e-9 * middle {
         "at this limit all links can lie in one line; change one of them".to_string()
     } else if ends > middle {
@@ -127,28 +126,23 @@ fn grashof(links: &[(String, f64); 4]) -> String {
             sorted[0].0, sorted[3].0
         )
     } else {
-        format!("by Grashof's rule only the shortest link, \"{}\", turns fully against the others", sorted[0].0)
+        format!(
+            "by Grashof's rule only the shortest link, \"{}\", turns fully against the others",
+            sorted[0].0
+        )
     };
     sums + &verdict
 }
 
 /// `crank_pin.angle = 31.2 deg`
 fn position(reference: &Range, value: f64) -> String {
-    let value = if reference.angular { format!("{} deg", degrees(value)) } else { format!("{} m", number(value)) };
+    let value =
+        if reference.angular { format!("{} deg", degrees(value)) } else { format!("{} m", number(value)) };
     format!("{} = {value}", reference.of)
 }
 
 fn degrees(angle: f64) -> String {
     format!("{:.1}", angle.to_degrees())
-}
-
-/// `crank`, `crank and coupler`, `crank, coupler and rocker`.
-fn list(names: &[String]) -> String {
-    match names {
-        [] => String::new(),
-        [only] => only.clone(),
-        [first @ .., last] => format!("{} and {last}", first.join(", ")),
-    }
 }
 
 /// Four digits, without zeros at the end.

@@ -118,8 +118,8 @@ pub fn sweep(
     if mechanism.space == Space::Spatial {
         return Err(Unswept::InSpace);
     }
-    if assembly.degrees_of_freedom != 1 {
-        return Err(Unswept::Freedoms(assembly.degrees_of_freedom));
+    if assembly.mobility.generic != 1 {
+        return Err(Unswept::Freedoms(assembly.mobility.generic));
     }
     // Coordinates that are watched need nodes of their own.
     let mut equations = equations.clone();

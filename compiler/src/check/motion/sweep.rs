@@ -145,12 +145,9 @@ impl<'s, 'p> Sweep<'s, 'p> {
         }
         let tangent = &self.start.tangent;
         let square = self.path.inner(tangent, tangent);
-        let ahead = |path: &Path, q: &[f64]| {
-            path.inner(tangent, &path.difference(&self.start.q, q)) / square
-        };
-        let near = |path: &Path, q: &[f64], bound: f64| {
-            path.length(&path.difference(&self.start.q, q)) < bound
-        };
+        let ahead = |path: &Path, q: &[f64]| path.inner(tangent, &path.difference(&self.start.q, q)) / square;
+        let near =
+            |path: &Path, q: &[f64], bound: f64| path.length(&path.difference(&self.start.q, q)) < bound;
         let missing = -ahead(self.path, &self.here.q);
         if missing <= 0.0 || ahead(self.path, &next.q) < 0.0 || !near(self.path, &next.q, 2.0 * distance) {
             return None;
