@@ -1,5 +1,6 @@
 //! The stages in order.
 
+use crate::check::assemble::loose::{self, Loose};
 use crate::check::motion::{self, Motion, Unswept};
 use crate::check::{self, assemble, assemble::Assembly};
 use crate::choice::{self, Candidate, Choice};
@@ -40,6 +41,11 @@ impl Compiled {
     /// The range of motion of all joints, for those who ask; expansion itself follows the motion only where `expect` does.
     pub fn motion(&self) -> Result<Motion, Unswept> {
         motion::sweep(&self.mechanism, &self.equations, &self.assembly, &motion::of_joints(&self.mechanism))
+    }
+
+    /// The bodies that can move while all others stand still: loose ones, and idle freedoms.
+    pub fn loose(&self) -> Vec<Loose> {
+        loose::find(&self.mechanism, &self.equations, &self.assembly.q, &self.assembly.phases)
     }
 }
 

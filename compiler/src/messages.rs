@@ -338,11 +338,14 @@ pub(crate) fn motion_in_space(what: &str) -> String {
     )
 }
 
-pub(crate) fn range_upside_down(from: f64, to: f64, unit: &str) -> String {
-    format!(
-        "the range is upside down: from {from} to {to} {unit}; write the lower end first, and add a turn to an upper end that \
-         lies beyond half a turn"
-    )
+/// `turn`: of an angle, in its unit.
+pub(crate) fn range_upside_down(from: f64, to: f64, unit: &str, turn: Option<f64>) -> String {
+    let [from, to, beyond] = [from, to, to + turn.unwrap_or(0.0)].map(|x| (x * 1e9).round() / 1e9);
+    let further = match turn {
+        Some(_) => format!(", or `{from}..{beyond} [{unit}]` if it goes on past half a turn"),
+        None => String::new(),
+    };
+    format!("the range is upside down: from {from} to {to} {unit}; write `{to}..{from} [{unit}]`{further}")
 }
 
 // ---- Names ------------------------------------------------------------------------------------------------------

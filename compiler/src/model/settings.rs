@@ -146,7 +146,8 @@ impl<'d> Lowering<'d> {
             .as_ref()
             .map_or((si.to_string(), 1.0), |written| (written.unit.text.clone(), written.unit.scale));
         if from >= to {
-            let message = messages::range_upside_down(from / unit.1, to / unit.1, &unit.0);
+            let turn = (dimension == Dimension::ANGLE).then_some(std::f64::consts::TAU / unit.1);
+            let message = messages::range_upside_down(from / unit.1, to / unit.1, &unit.0, turn);
             self.diagnostics.error(range.from.region.to(range.to.region), message);
             return None;
         }

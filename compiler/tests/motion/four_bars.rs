@@ -122,3 +122,112 @@ fn ranges_follow_from_the_rule_of_cosines() {
     // Double rockers, double cranks and crank-rockers of both hands were among them.
     assert!(kinds.iter().all(|count| *count > 2), "{kinds:?}");
 }
+
+/// At the limit of Grashof's rule the links can lie in one line, and the motion goes straight on there.
+#[test]
+fn change_points_are_found_and_passed() {
+    let motion = motion(&definition([4.0, 1.0, 2.0, 3.0], 1.0, 1.0, ""));
+    assert_eq!(motion.end, End::Closed);
+    let at: Vec<f64> = motion.singular.iter().map(|singular| singular.reference).collect();
+    // Both branches, one after the other: the cycle closes after two turns of the crank.
+    assert_eq!(at.len(), 2, "{at:?}");
+    assert!((at[0] - PI).abs() < 1e-8 && (at[1] - 3.0 * PI).abs() < 1e-8, "{at:?}");
+    for singular in &motion.singular {
+        assert_eq!(singular.lost, ["right"]);
+        assert_eq!(singular.in_line, ["crank", "coupler", "rocker"]);
+    }
+    let crank = range(&motion, "crank_pin.angle");
+    assert!((crank.to - crank.from - 2.0 * TAU).abs() < 1e-9, "{crank:?}");
+    // cos of the rocker's angle against the ground, crank and coupler in line: (16 + 9 − 9)/24.
+    let rocker = range(&motion, "rocker_pin.angle");
+    let swing = (16.0_f64 / 24.0).acos();
+    assert!(
+        (rocker.from - (PI - swing)).abs() < 1e-9 && (rocker.to - (PI + swing)).abs() < 1e-9,
+        "{rocker:?}"
+    );
+}
+
+/// A little to either side of the limit the links come near to one line, turn sharply, and stay on their branch.
+#[test]
+fn near_misses_of_change_points_follow_grashof() {
+    for exponent in 2..=9 {
+        let little = 10f64.powi(-exponent);
+        for (rocker, turns) in [(3.0 + little, true), (3.0 - little, false)] {
+            let lengths = [4.0, 1.0, 2.0, rocker];
+            let motion = motion(&definition(lengths, 1.0, 1.0, ""));
+            assert_eq!((motion.end, motion.singular.len()), (End::Closed, 0), "{rocker}");
+            let crank = range(&motion, "crank_pin.angle");
+            assert_eq!(crank.turns, turns, "{rocker}: {crank:?}");
+            if let Some((_, most)) = between([1.0, 4.0], [2.0, rocker]) {
+                assert!(
+                    (crank.to - most).abs() < 1e-6 && (crank.from + most).abs() < 1e-6,
+                    "{rocker}: {crank:?}"
+                );
+            }
+        }
+    }
+}
+
+#[test]
+fn parallelograms_stay_parallelograms() {
+    let motion = motion(&definition([2.0, 1.0, 2.0, 1.0], 1.2, 1.0, ""));
+    assert_eq!((motion.end, motion.singular.len()), (End::Closed, 2));
+    assert!(["crank_pin.angle", "rocker_pin.angle"].iter().all(|of| range(&motion, of).turns));
+    let [crank, rocker] = ["crank_pin.angle", "rocker_pin.angle"].map(|of| range(&motion, of));
+    assert!((crank.from - rocker.from).abs() < 1e-9 && (crank.to - rocker.to).abs() < 1e-9);
+}
+
+/// Where two loops lose rank at once no determinant changes its sign.
+#[test]
+fn ladders_lose_rank_in_all_windows_at_once() {
+    for windows in [2, 3, 8] {
+        let source = format!(
+            "planar Ladder {{
+                const N = {windows};
+                repeat i in 0..N+1 {{
+                    rod upright[i] {{ mass [kg] = 1; length [m] = 1; }}
+                    joint pin[i]: revolute(ground(i, 0) [m], upright[i].start);
+                }}
+                repeat i in 0..N {{
+                    rod bar[i] {{ mass [kg] = 1; length [m] = 1; }}
+                    joint left[i]:  revolute(upright[i].end, bar[i].start);
+                    joint right[i]: revolute(bar[i].end, upright[i+1].end);
+                    start {{ bar[i].angle [rad] ~ 0; pin[i+1].angle [deg] ~ 70; }}
+                }}
+                start {{ pin[0].angle [deg] = 70; }}
+            }}"
+        );
+        let motion = motion(&source);
+        assert_eq!((motion.end, motion.singular.len()), (End::Closed, 2), "{windows}");
+        for singular in &motion.singular {
+            assert_eq!(singular.lost.len(), windows);
+        }
+        assert!(range(&motion, &format!("pin[{windows}].angle")).turns);
+    }
+}
+
+#[test]
+fn what_is_as_expected_is_silent() {
+    let more = "expect { degrees_of_freedom = 1; rotates = (crank_pin, crank); no_singularity; right.angle in 28..118 [deg];
+                         rocker_pin.angle [rad] in 1..3; coupler.center.y in -100..1300 [mm]; }";
+    motion(&definition([2.0, 1.0, 2.0, 1.5], 1.0, 1.0, more));
+    // The same range a turn further.
+    motion(&definition([2.0, 1.0, 2.0, 1.5], 1.0, 1.0, "expect { right.angle in 388 [deg]..8.4 [rad]; }"));
+}
+
+#[test]
+fn what_is_not_as_expected_is_said_once_each() {
+    let more = "expect { rotates = (rocker_pin, left); right.angle in 30..110 [deg]; crank_pin.angle in 0..90 [deg]; }";
+    let errors = errors(&definition([2.0, 1.0, 2.0, 1.5], 1.0, 1.0, more));
+    let beginnings = [
+        "error: expected rocker_pin to turn fully, but it moves between 62.7 and 151.0 deg: dead centres there (crank and \
+         coupler in line). Shortest + longest link = 3 m, the other two = 3.5 m: by Grashof's rule only the shortest link, \
+         \"crank\", turns fully",
+        "error: expected right.angle in 30..110 deg, but it moves between 28.96 and 117.3 deg, most at crank_pin.angle",
+        "error: expected crank_pin.angle in 0..90 deg, but it turns fully",
+    ];
+    assert_eq!(errors.lines().count(), beginnings.len(), "{errors}");
+    for (line, beginning) in errors.lines().zip(beginnings) {
+        assert!(line.starts_with(beginning), "{line}\nshould begin with\n{beginning}");
+    }
+}

@@ -177,6 +177,9 @@ fn report_loose(
     }
 }
 
+/// Entries of D below this, in parts of the largest of their row, are rounding.
+const ROUNDING: f64 = 1e-13;
+
 /// Velocities that neither mass nor constraints hold: zero pivots of M + ρ Dᵀ D.
 fn loose_velocities(
     point: &mut Point,
@@ -190,10 +193,13 @@ fn loose_velocities(
     point.evaluate(&Ancestry::of_jets(equations, jets.iter().copied()));
     let mut entries = mass.to_vec();
     for jet in &jets {
-        for (a, x) in &jet.columns {
-            for (b, y) in jet.columns.range(..=a) {
-                entries.push((*a, *b, weight * point.get(*x) * point.get(*y)));
-            }
+        let columns: Vec<(usize, f64)> =
+            jet.columns.iter().map(|(column, node)| (*column, point.get(*node))).collect();
+        let largest = columns.iter().fold(0.0_f64, |largest, (_, x)| largest.max(x.abs()));
+        // What is rounding beside the rest of its row holds nothing: alone its square would look like a sound pivot.
+        let hold = |x: f64| if x.abs() < ROUNDING * largest { 0.0 } else { x };
+        for (at, (a, x)) in columns.iter().enumerate() {
+            entries.extend(columns[..=at].iter().map(|(b, y)| (*a, *b, weight * hold(*x) * hold(*y))));
         }
     }
     let table = Table::new(n, 0, entries.iter().map(|(i, j, _)| (*i, *j)));
