@@ -17,7 +17,7 @@ pub fn wrong_freedoms(
         text += &format!(": {}", counted(mobility));
         return text
             + &format!(
-                "; write `degrees_of_freedom = {found};` if that is meant, or joints that leave more"
+                "; write `degrees_of_freedom = {found};` if that is meant, or let the joints leave more"
             );
     }
     let known: usize = loose.iter().map(|loose| loose.freedoms).sum();

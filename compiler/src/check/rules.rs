@@ -41,8 +41,7 @@ fn at_defaults(mechanism: &Mechanism, expr: &Expr) -> Option<f64> {
     if let Expr::Number(value) = expr {
         return Some(*value);
     }
-    let defaults: Vec<f64> = mechanism.parameters.iter().map(|parameter| parameter.default).collect();
-    fold::evaluate(expr, &defaults)
+    fold::evaluate(expr, &mechanism.defaults())
 }
 
 // A mechanism has at least one body.

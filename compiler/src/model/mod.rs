@@ -93,6 +93,11 @@ pub struct Mechanism {
 }
 
 impl Mechanism {
+    /// Defaults of the parameters.
+    pub fn defaults(&self) -> Vec<f64> {
+        self.parameters.iter().map(|parameter| parameter.default).collect()
+    }
+
     /// Name of a body, or `ground`.
     pub fn frame_name(&self, frame: Frame) -> &str {
         match frame {

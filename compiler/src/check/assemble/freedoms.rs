@@ -169,11 +169,12 @@ fn report_dependent(
     errors: &mut Diagnostics,
 ) {
     let equations = point.equations;
-    let Some(row) = dependent.first().map(|row| &equations.rows[*row]) else { return };
+    let mut rows = dependent.iter().map(|row| &equations.rows[*row]);
     if shaky {
+        let Some(row) = rows.next() else { return };
         let in_line = pins::in_line(at.mechanism, &pins::pins(at.mechanism, point, at.q), None);
         errors.error(row.span, messages::shaky(&row.of, &in_line));
-    } else {
+    } else if let Some(row) = rows.find(|row| row.joint.is_none()).or(equations.rows.last()) {
         errors.error(row.span, messages::repeated_coupling(&row.of));
     }
 }

@@ -65,17 +65,9 @@ pub fn find(mechanism: &Mechanism, equations: &Equations, q: &[f64], phases: &[f
     let absolute = derive(mechanism, SpanningTree::absolute(mechanism), &[]);
     let ancestry = Ancestry::of(equations, equations.motions.iter().flat_map(|motion| motion.flat()));
     let rest = vec![0.0; equations.layout.velocities()];
-    let mut point = ready(mechanism, equations, phases);
+    let mut point = Point::at_defaults(mechanism, equations, phases);
     let (q, _) = carry_state(equations, &absolute, &mut point, &ancestry, q, &rest);
     Free::new(mechanism, &absolute, &q, phases).loose()
-}
-
-fn ready<'a>(mechanism: &Mechanism, equations: &'a Equations, phases: &[f64]) -> Point<'a> {
-    let mut point = Point::new(equations);
-    let defaults: Vec<f64> = mechanism.parameters.iter().map(|parameter| parameter.default).collect();
-    point.set(&equations.symbols.parameters, &defaults);
-    point.set(&equations.symbols.phases, phases);
-    point
 }
 
 /// All bodies free, with the rows that join them.
@@ -91,7 +83,7 @@ struct Free<'a> {
 
 impl<'a> Free<'a> {
     fn new(mechanism: &'a Mechanism, equations: &'a Equations, q: &[f64], phases: &[f64]) -> Self {
-        let mut point = ready(mechanism, equations, phases);
+        let mut point = Point::at_defaults(mechanism, equations, phases);
         let world = World::at(mechanism, &mut point, q);
         let rows = &equations.rows[..equations.rows.len() - mechanism.drivers.len()];
         point.evaluate(&Ancestry::of_jets(equations, rows.iter().map(|row| &row.jet)));

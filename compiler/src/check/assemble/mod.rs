@@ -63,9 +63,7 @@ pub fn assemble(
 ) -> Option<Assembly> {
     let candidates = candidates(mechanism, equations);
     let equations = &*equations;
-    let mut point = Point::new(equations);
-    let defaults: Vec<f64> = mechanism.parameters.iter().map(|parameter| parameter.default).collect();
-    point.set(&equations.symbols.parameters, &defaults);
+    let mut point = Point::at_defaults(mechanism, equations, &[]);
 
     let problem = problem(mechanism, equations, &mut point);
     let assembled = attempts::closed(mechanism, &problem, &mut point, errors)?;
@@ -84,10 +82,7 @@ pub fn assemble(
 
 /// The rows of absolute coordinates that repeat others, found at the positions near the start.
 pub fn drop_redundant(mechanism: &Mechanism, absolute: &Equations, assembly: Assembly) -> Assembly {
-    let mut point = Point::new(absolute);
-    let defaults: Vec<f64> = mechanism.parameters.iter().map(|parameter| parameter.default).collect();
-    point.set(&absolute.symbols.parameters, &defaults);
-    point.set(&absolute.symbols.phases, &assembly.phases);
+    let mut point = Point::at_defaults(mechanism, absolute, &assembly.phases);
     let found = redundancy::of_absolute(mechanism, absolute, &mut point, &assembly.nearby);
     Assembly { dropped: found.dropped, shared: found.shared, ..assembly }
 }
@@ -104,19 +99,14 @@ pub fn massless(
 
 /// Masses and inertias that depend on parameters, and whether their default is positive and must stay so.
 pub fn positive_masses(mechanism: &Mechanism, equations: &Equations) -> Vec<(String, bool)> {
-    let mut point = Point::new(equations);
-    let defaults: Vec<f64> = mechanism.parameters.iter().map(|parameter| parameter.default).collect();
-    point.set(&equations.symbols.parameters, &defaults);
+    let mut point = Point::at_defaults(mechanism, equations, &[]);
     point.evaluate(&Ancestry::of(equations, equations.masses.iter().map(|(_, node)| *node)));
     equations.masses.iter().map(|(what, node)| (what.clone(), point.get(*node) > 0.0)).collect()
 }
 
 /// The assembled state in another set of coordinates of the same mechanism.
 pub fn carry_over(mechanism: &Mechanism, from: &Equations, assembly: &Assembly, to: &Equations) -> Assembly {
-    let mut point = Point::new(from);
-    let defaults: Vec<f64> = mechanism.parameters.iter().map(|parameter| parameter.default).collect();
-    point.set(&from.symbols.parameters, &defaults);
-    point.set(&from.symbols.phases, &assembly.phases);
+    let mut point = Point::at_defaults(mechanism, from, &assembly.phases);
     point.set_q(&assembly.q);
     point.set_v(&assembly.v);
     let ancestry = Ancestry::of(from, from.motions.iter().flat_map(|motion| motion.flat()));
@@ -288,10 +278,7 @@ pub fn completion(
             given.push(conditions::condition(&mut equations.graph, &laws, &quantity).0);
         }
     }
-    let mut point = Point::new(equations);
-    let defaults: Vec<f64> = mechanism.parameters.iter().map(|parameter| parameter.default).collect();
-    point.set(&equations.symbols.parameters, &defaults);
-    point.set(&equations.symbols.phases, &assembly.phases);
+    let mut point = Point::at_defaults(mechanism, equations, &assembly.phases);
     let chosen = mobility::independent(&mut point, &given, &assembly.q);
     let further = chosen.into_iter().filter(|at| *at >= independent.len());
     further.map(|at| given[at].quantity.clone()).collect()

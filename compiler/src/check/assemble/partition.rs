@@ -8,10 +8,7 @@ use std::collections::{BTreeMap, BTreeSet};
 /// The dependent velocity of each row, `None` of rows that are kept though redundant: at the start, row by row, what earlier rows
 /// leave of a row is largest there. The runtime keeps the choice while it is good, and chooses in the same way where it is not.
 pub fn dependent(mechanism: &Mechanism, equations: &Equations, assembly: &Assembly) -> Vec<Option<usize>> {
-    let mut point = Point::new(equations);
-    let defaults: Vec<f64> = mechanism.parameters.iter().map(|parameter| parameter.default).collect();
-    point.set(&equations.symbols.parameters, &defaults);
-    point.set(&equations.symbols.phases, &assembly.phases);
+    let mut point = Point::at_defaults(mechanism, equations, &assembly.phases);
     point.set_q(&assembly.q);
     let columns = equations.rows.iter().flat_map(|row| row.jet.columns.values().copied());
     point.evaluate(&Ancestry::of(equations, columns));

@@ -114,10 +114,7 @@ pub fn massless(
     errors: &mut Diagnostics,
 ) -> Massless {
     let n = equations.symbols.v.len();
-    let mut point = Point::new(equations);
-    let defaults: Vec<f64> = mechanism.parameters.iter().map(|parameter| parameter.default).collect();
-    point.set(&equations.symbols.parameters, &defaults);
-    point.set(&equations.symbols.phases, &assembly.phases);
+    let mut point = Point::at_defaults(mechanism, equations, &assembly.phases);
     point.set_q(&assembly.q);
     point.evaluate(&Ancestry::of(equations, equations.mass.values().copied()));
     let mass: Vec<(usize, usize, f64)> =

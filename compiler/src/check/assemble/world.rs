@@ -30,8 +30,7 @@ impl<'a> World<'a> {
             };
             (center, axes)
         });
-        let defaults = mechanism.parameters.iter().map(|parameter| parameter.default).collect();
-        World { mechanism, defaults, bodies: bodies.collect() }
+        World { mechanism, defaults: mechanism.defaults(), bodies: bodies.collect() }
     }
 
     /// `None` of places that move with time.

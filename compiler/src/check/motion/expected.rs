@@ -2,7 +2,7 @@
 
 use super::messages::{self, Outside};
 use super::{End, Motion, Range, sweep};
-use crate::check::assemble::{Assembly, pins};
+use crate::check::assemble::{Assembly, Point, pins};
 use crate::diagnostics::Diagnostics;
 use crate::equations::Equations;
 use crate::model::{
@@ -118,7 +118,7 @@ fn of_four_bar(
     assembly: &Assembly,
     joint: Option<JointId>,
 ) -> Option<[(String, f64); 4]> {
-    let mut point = super::ready(mechanism, equations, assembly);
+    let mut point = Point::at_defaults(mechanism, equations, &assembly.phases);
     let pins = pins::pins(mechanism, &mut point, &assembly.q);
     let joints = pins.iter().map(|pin| pin.joint).filter(|own| joint.is_none_or(|joint| joint == *own));
     let links = joints.collect::<Vec<_>>().into_iter().find_map(|joint| pins::four_bar(&pins, joint))?;

@@ -1,6 +1,6 @@
 //! Texts of the messages about the range of motion: what is wrong, why, with numbers, and what to write instead.
 
-use super::{End, MOST_STEPS, Motion, Range, Singular, Unswept};
+use super::{End, Motion, Range, Singular, Unswept};
 use crate::check::messages::list;
 use crate::model::Within;
 
@@ -105,7 +105,7 @@ pub fn undecided(expectation: &str, motion: &Motion) -> String {
     let why = match motion.end {
         End::Closed => "the motion was followed to its end".to_string(),
         End::Unlimited => "a travel has no limit".to_string(),
-        End::Bounded => format!("after {MOST_STEPS} steps the motion is not back at its start"),
+        End::Bounded => format!("after {} steps the motion is not back at its start", motion.steps),
         End::Stuck => "the motion could not be followed through a singular position".to_string(),
     };
     format!("`{expectation}` could not be decided: {why}; leave it out of `expect`")

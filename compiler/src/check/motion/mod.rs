@@ -1,7 +1,7 @@
 //! The range of motion of a planar mechanism with one degree of freedom: it is moved at expansion, by interpreting its
 //! graph, from the start until it returns there.
 //!
-//! Work is bounded by [`MOST_STEPS`]. Drivers are left out, parameters have their defaults, and places that move with
+//! Work is bounded ([`MOST_STEPS`]). Drivers are left out, parameters have their defaults, and places that move with
 //! time stand where they are at time zero. Only what `expect` or a tool asks about is followed.
 
 mod expected;
@@ -18,8 +18,10 @@ use crate::model::{JointId, Mechanism, Quantity, Space};
 use path::{Path, Place};
 use std::f64::consts::TAU;
 
-/// Steps in either direction before the sweep gives up.
+/// Steps in either direction before the sweep gives up, of mechanisms with up to [`SMALL`] velocities and rows; of larger ones
+/// so many fewer that the work is the same.
 pub const MOST_STEPS: usize = 2000;
+const SMALL: usize = 40;
 
 /// A motion from the start until it returns there.
 #[derive(Clone, Debug)]
@@ -44,7 +46,7 @@ pub enum End {
     Closed,
     /// A travel has no limit.
     Unlimited,
-    /// Not at the start after [`MOST_STEPS`].
+    /// Not at the start when the steps were used up.
     Bounded,
     /// At a position that the motion cannot be followed through: ranges are those up to there.
     Stuck,
@@ -125,11 +127,17 @@ pub fn sweep(
     let mut equations = equations.clone();
     let (watched, reference) = watched(mechanism, &mut equations, assembly, quantities);
     let (equations, q) = (&equations, assembly.q.as_slice());
-    let length = pins::longest_link(&pins::pins(mechanism, &mut ready(mechanism, equations, assembly), q));
+    let length = pins::longest_link(&pins::pins(
+        mechanism,
+        &mut Point::at_defaults(mechanism, equations, &assembly.phases),
+        q,
+    ));
     let mut path = Path::new(mechanism, equations, &assembly.phases, watched.clone(), length, q);
     let start = start(&mut path, equations, q, reference).ok_or(Unswept::NoDirection)?;
     let stated = stated(mechanism, &watched, &start);
-    let (swept, end) = sweep::sweep(&mut path, start, length);
+    let size = equations.symbols.v.len() + equations.rows.len();
+    let most = MOST_STEPS * SMALL / size.max(SMALL);
+    let (swept, end) = sweep::sweep(&mut path, start, length, most);
     let range = |((condition, (from, to)), turns): ((&Condition, &(f64, f64)), &f64)| Range {
         of: condition.of.clone(),
         quantity: condition.quantity.clone(),
@@ -139,7 +147,7 @@ pub fn sweep(
         turns: condition.angular && to - from > TAU - 1e-6,
     };
     let ranges = watched.iter().zip(&swept.ranges).zip(&stated).map(range).collect();
-    let mut point = ready(mechanism, equations, assembly);
+    let mut point = Point::at_defaults(mechanism, equations, &assembly.phases);
     let limits = swept.limits.into_iter().map(|(limit, place)| Limit {
         value: limit.value + stated[limit.of],
         reference: place.values[reference] + stated[reference],
@@ -156,15 +164,6 @@ pub fn sweep(
         singular.push(Singular { reference: values[reference] + stated[reference], lost, in_line });
     }
     Ok(Motion { end, ranges, limits, singular, reference, steps: swept.steps })
-}
-
-/// The interpreter with what stays the same along the motion.
-fn ready<'a>(mechanism: &Mechanism, equations: &'a Equations, assembly: &Assembly) -> Point<'a> {
-    let mut point = Point::new(equations);
-    let defaults: Vec<f64> = mechanism.parameters.iter().map(|parameter| parameter.default).collect();
-    point.set(&equations.symbols.parameters, &defaults);
-    point.set(&equations.symbols.phases, &assembly.phases);
-    point
 }
 
 /// The quantities as coordinates, and the index of the one by which positions are told: the independent one.
@@ -202,7 +201,7 @@ fn start(path: &mut Path, equations: &Equations, q: &[f64], reference: usize) ->
 
 /// Whole turns (rad) by which `start` counts further than the place does.
 fn stated(mechanism: &Mechanism, watched: &[Condition], place: &Place) -> Vec<f64> {
-    let defaults: Vec<f64> = mechanism.parameters.iter().map(|parameter| parameter.default).collect();
+    let defaults = mechanism.defaults();
     let turns = |(condition, value): (&Condition, &f64)| {
         let stated = mechanism.start.iter().filter(|start| condition.angular && start.text == condition.of);
         let mut stated = stated.filter_map(|start| crate::model::fold::evaluate(&start.value, &defaults));

@@ -53,10 +53,7 @@ impl<'a> Path<'a> {
         length: f64,
         q: &[f64],
     ) -> Self {
-        let mut point = Point::new(equations);
-        let defaults: Vec<f64> = mechanism.parameters.iter().map(|parameter| parameter.default).collect();
-        point.set(&equations.symbols.parameters, &defaults);
-        point.set(&equations.symbols.phases, phases);
+        let mut point = Point::at_defaults(mechanism, equations, phases);
         let undriven = 0..equations.rows.len() - mechanism.drivers.len();
         let rows: Vec<usize> = undriven.filter(|row| !equations.idle.contains(row)).collect();
         let jets = rows.iter().map(|row| &equations.rows[*row].jet);
@@ -75,6 +72,11 @@ impl<'a> Path<'a> {
 
     pub fn rows(&self) -> &[usize] {
         &self.rows
+    }
+
+    /// How many of the coordinates are lengths, those that come first.
+    pub fn lengths(&self) -> usize {
+        self.equations().layout.linear.len()
     }
 
     fn equations(&self) -> &'a Equations {

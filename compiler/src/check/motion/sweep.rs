@@ -6,7 +6,7 @@
 //! tangent, which stays on the same branch.
 
 use super::path::{Path, Place};
-use super::{End, Limit, MOST_STEPS};
+use super::{End, Limit};
 use std::f64::consts::{PI, TAU};
 
 /// Of the first step, and of the longest: no joint angle changes by half a turn in one.
@@ -37,16 +37,16 @@ pub struct Swept {
 }
 
 /// The whole motion: forward, and if that does not return to the start also backward.
-pub fn sweep(path: &mut Path, start: Place, length: f64) -> (Swept, End) {
+pub fn sweep(path: &mut Path, start: Place, length: f64, most: usize) -> (Swept, End) {
     let ranges = start.values.iter().map(|value| (*value, *value)).collect();
     let mut swept = Swept { ranges, ..Swept::default() };
-    let end = Sweep::new(path, &start, length, &mut swept).run();
+    let end = Sweep::new(path, &start, length, &mut swept).run(most);
     if end == End::Closed {
         return (swept, end);
     }
     let mut back = start;
     back.tangent.iter_mut().chain(&mut back.rates).for_each(|x| *x = -*x);
-    let other = Sweep::new(path, &back, length, &mut swept).run();
+    let other = Sweep::new(path, &back, length, &mut swept).run(most);
     (swept, if other == End::Closed { other } else { end })
 }
 
@@ -60,19 +60,17 @@ struct Sweep<'s, 'p> {
     before: Option<(f64, f64)>,
     step: f64,
     travelled: f64,
-    /// Steps of this direction.
-    steps: usize,
 }
 
 impl<'s, 'p> Sweep<'s, 'p> {
     fn new(path: &'s mut Path<'p>, start: &'s Place, length: f64, swept: &'s mut Swept) -> Self {
         let here = start.clone();
-        Sweep { path, start, length, swept, here, before: None, step: FIRST, travelled: 0.0, steps: 0 }
+        Sweep { path, start, length, swept, here, before: None, step: FIRST, travelled: 0.0 }
     }
 
-    fn run(mut self) -> End {
-        while self.steps < MOST_STEPS {
-            self.steps += 1;
+    /// At most so many steps.
+    fn run(mut self, most: usize) -> End {
+        for _ in 0..most {
             self.swept.steps += 1;
             let left = self.way_left();
             if self.here.regularity < SINGULAR {
@@ -223,9 +221,7 @@ impl<'s, 'p> Sweep<'s, 'p> {
     }
 
     fn is_unlimited(&self) -> bool {
-        let watched = self.path.watched.iter().zip(&self.here.values).zip(&self.start.values);
-        watched
-            .filter(|((condition, _), _)| !condition.angular)
-            .any(|((_, here), start)| (here - start).abs() > UNLIMITED * self.length)
+        let lengths = self.here.q.iter().zip(&self.start.q).take(self.path.lengths());
+        lengths.map(|(here, start)| here - start).any(|way| way.abs() > UNLIMITED * self.length)
     }
 }
