@@ -192,7 +192,7 @@ fn repeats(count: usize) -> &'static str {
 }
 
 /// `a`, `a and b`, `a, b and c`.
-pub(super) fn list(names: &[String]) -> String {
+pub(in crate::check) fn list(names: &[String]) -> String {
     match names {
         [] => String::new(),
         [only] => only.clone(),

@@ -2,7 +2,6 @@
 
 mod four_bars;
 mod mobility;
-mod scratch;
 mod sliders;
 
 use linkwright_compiler::check::motion::{Motion, Range};

@@ -83,6 +83,21 @@ fn loose_bodies_and_idle_freedoms() {
     }
 }
 
+/// At its return point the slider of a quick return stands still while the crank turns on: for an instant, which is no
+/// freedom of the crank.
+#[test]
+fn dead_centres_are_no_idle_freedoms() {
+    let source = "planar QuickReturn {
+            rod crank { mass [kg] = 1; length [m] = 0.15; }
+            rod guide { mass [kg] = 1; length [m] = 0.4; line slot = (guide.start, guide.end); }
+            joint crank_pin: revolute(ground(0, 0) [m], crank.start);
+            joint guide_pin: revolute(ground(0, -0.2) [m], guide.start);
+            joint block:     point_on_line(guide.slot, crank.end);
+            start { crank_pin.angle [rad] = 360 [deg] - asin(3/4); guide_pin.angle [deg] ~ 50; }
+        }";
+    assert!(compiled(source).loose().is_empty());
+}
+
 /// A roller that turns about its pin while the rest stands still, and a bob on a slide.
 #[test]
 fn loose_bodies_in_the_plane() {

@@ -1,14 +1,15 @@
 //! Why joints in space repeat each other: what is special about the axes of a loop.
 
+use super::messages::list;
 use super::point::Point;
 use super::world::{Vec3, World, cross, dot, length, sub};
 use crate::equations::space::constant_axis;
 use crate::model::{JointId, JointKind, Mechanism, Space};
 use std::collections::BTreeSet;
 
-/// A joint that turns about one axis, in the world.
+/// A joint that turns about one axis, or slides along it, in the world.
 struct Axis {
-    joint: JointId,
+    slides: bool,
     through: Vec3,
     along: Vec3,
 }
@@ -16,7 +17,7 @@ struct Axis {
 /// Sines, and distances by the largest of them, below this are zero.
 const NONE: f64 = 1e-7;
 
-/// One sentence for each loop that redundant rows close, where its axes have something in common.
+/// What makes the loops special that redundant rows close: what their axes have in common, or that it is nothing so simple.
 pub fn reasons(mechanism: &Mechanism, point: &mut Point, q: &[f64], rows: &[usize]) -> Vec<String> {
     if mechanism.space != Space::Spatial || rows.is_empty() {
         return Vec::new();
@@ -24,27 +25,36 @@ pub fn reasons(mechanism: &Mechanism, point: &mut Point, q: &[f64], rows: &[usiz
     let equations = point.equations;
     let world = World::at(mechanism, point, q);
     let cut: BTreeSet<JointId> = rows.iter().filter_map(|row| equations.rows[*row].joint).collect();
-    cut.into_iter()
-        .filter_map(|joint| {
-            let mut around = equations.tree.around(mechanism, joint);
-            around.sort_unstable();
-            of_loop(mechanism, &world, &around)
-        })
-        .collect()
+    let of_loop = |joint: JointId| {
+        let mut around = equations.tree.around(mechanism, joint);
+        around.sort_unstable();
+        let names = around.iter().map(|joint| mechanism.joints[joint.0].name.text.clone());
+        let axes: Option<Vec<Axis>> = around.iter().map(|joint| axis(mechanism, &world, *joint)).collect();
+        special(&list(&names.collect::<Vec<_>>()), axes.as_deref().unwrap_or_default())
+    };
+    cut.into_iter().map(of_loop).collect()
 }
 
-fn of_loop(mechanism: &Mechanism, world: &World, around: &[JointId]) -> Option<String> {
-    let axes: Option<Vec<Axis>> = around.iter().map(|joint| axis(mechanism, world, *joint)).collect();
-    let axes = axes?;
-    let names: Vec<&str> =
-        axes.iter().map(|axis| mechanism.joints[axis.joint.0].name.text.as_str()).collect();
-    let (last, others) = names.split_last()?;
-    let names = format!("{} and {last}", others.join(", "));
-    let first = axes.first()?;
-    if axes.iter().all(|axis| length(cross(first.along, axis.along)) < NONE) {
-        return Some(format!("the axes of {names} are parallel, so that the loop moves in a plane"));
+fn special(joints: &str, axes: &[Axis]) -> String {
+    let (slides, turns): (Vec<&Axis>, Vec<&Axis>) = axes.iter().partition(|axis| axis.slides);
+    let parallel = |a: &Axis, b: &Axis| length(cross(a.along, b.along)) < NONE;
+    match turns.first() {
+        Some(first) if turns.iter().all(|axis| parallel(first, axis)) => {
+            if slides.is_empty() {
+                return format!("the axes of {joints} are parallel, so that the loop moves in a plane");
+            }
+            if slides.iter().all(|slide| dot(first.along, slide.along).abs() < NONE) {
+                return format!(
+                    "{joints} turn about parallel axes and slide across them, so that the loop moves in a plane"
+                );
+            }
+        }
+        Some(_) if slides.is_empty() && meet(axes) => {
+            return format!("the axes of {joints} meet in one point, so that the loop moves on a sphere");
+        }
+        _ => {}
     }
-    meet(&axes).then(|| format!("the axes of {names} meet in one point, so that the loop moves on a sphere"))
+    format!("the loop of {joints} moves only where its joints have just these places and directions")
 }
 
 /// Whether all lines go through one point.
@@ -64,10 +74,12 @@ fn meet(axes: &[Axis]) -> bool {
 
 fn axis(mechanism: &Mechanism, world: &World, joint: JointId) -> Option<Axis> {
     let definition = &mechanism.joints[joint.0];
-    if !matches!(definition.kind, JointKind::Revolute { .. }) {
-        return None;
-    }
+    let slides = match definition.kind {
+        JointKind::Revolute { .. } => false,
+        JointKind::Prismatic { .. } => true,
+        _ => return None,
+    };
     let along = constant_axis(mechanism, definition, &definition.first)?;
     let along = world.turned(definition.first.frame, along);
-    Some(Axis { joint, through: world.place(&definition.first)?, along })
+    Some(Axis { slides, through: world.place(&definition.first)?, along })
 }

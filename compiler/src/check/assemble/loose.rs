@@ -2,10 +2,11 @@
 //! have an idle freedom nevertheless, as a rod that spins between two spherical joints.
 //!
 //! A group of bodies is moved as one (its twist: the velocity of a point and an angular velocity), the rest held: it is
-//! loose if the rows of D in absolute coordinates admit that. Groups are single bodies with what is fixed to them, and
+//! loose if the rows of D in absolute coordinates admit that; held by several joints, also if they are still met when it has moved,
+//! for at a dead centre there is a velocity that leads nowhere. Groups are single bodies with what is fixed to them, and
 //! chains of such with two joints each, as the two halves of a leg.
 
-use super::point::{Ancestry, Point};
+use super::point::{Ancestry, Point, retract};
 use super::world::{Vec3, World, add, cross, dot, length, sub};
 use super::{carry_state, messages};
 use crate::equations::{Ball, Equations, Linear, Rotation, SpanningTree, derive};
@@ -53,6 +54,10 @@ impl fmt::Display for Loose {
 const CHAIN: usize = 4;
 /// Pivots of rows of length one below this are rounding.
 const NONE: f64 = 1e-9;
+/// How far a body is moved, rad or m.
+const FINITE: f64 = 0.1;
+/// What a row may miss then, in parts of what it would at first.
+const LEFT: f64 = 1e-4;
 /// Distances from an axis, by the distance of places, below this are zero.
 const ON_AXIS: f64 = 1e-6;
 
@@ -75,14 +80,17 @@ struct Free<'a> {
     mechanism: &'a Mechanism,
     equations: &'a Equations,
     world: World<'a>,
-    /// D, rows of length one.
+    q: &'a [f64],
+    phases: &'a [f64],
+    /// D, rows of length one, and their lengths.
     rows: Vec<BTreeMap<usize, f64>>,
+    lengths: Vec<f64>,
     /// Bodies that are fixed to each other.
     groups: Vec<Vec<BodyId>>,
 }
 
 impl<'a> Free<'a> {
-    fn new(mechanism: &'a Mechanism, equations: &'a Equations, q: &[f64], phases: &[f64]) -> Self {
+    fn new(mechanism: &'a Mechanism, equations: &'a Equations, q: &'a [f64], phases: &'a [f64]) -> Self {
         let mut point = Point::at_defaults(mechanism, equations, phases);
         let world = World::at(mechanism, &mut point, q);
         let rows = &equations.rows[..equations.rows.len() - mechanism.drivers.len()];
@@ -92,10 +100,10 @@ impl<'a> Free<'a> {
             let mut columns: BTreeMap<usize, f64> = columns.collect();
             let length = columns.values().map(|x| x * x).sum::<f64>().sqrt();
             columns.values_mut().for_each(|x| *x /= length.max(f64::MIN_POSITIVE));
-            columns
+            (columns, length)
         };
-        let rows = rows.iter().map(in_numbers).collect();
-        Free { mechanism, equations, world, rows, groups: groups(mechanism) }
+        let (rows, lengths) = rows.iter().map(in_numbers).unzip();
+        Free { mechanism, equations, world, q, phases, rows, lengths, groups: groups(mechanism) }
     }
 
     fn loose(&self) -> Vec<Loose> {
@@ -184,6 +192,9 @@ impl<'a> Free<'a> {
             .filter(|twist| twist.iter().zip(&still).any(|(x, still)| !still && *x != 0.0))
             .collect();
         let joints = self.joints(moved);
+        let leads_away =
+            |twist: &Vec<f64>| joints.len() < 2 || self.is_finite(&bodies, pole, full(basis, twist));
+        let admitted: Vec<Vec<f64>> = admitted.into_iter().filter(leads_away).collect();
         let way = self.way(&joints, pole, basis, &admitted)?;
         let names = |body: &BodyId| self.mechanism.bodies[body.0].name.text.clone();
         let joint_names = match way {
@@ -217,6 +228,40 @@ impl<'a> Free<'a> {
                 }
             }
         })
+    }
+
+    /// Whether the rows are still met when the bodies have moved along the twist by a finite angle or way: centres on their
+    /// arcs, ω constant in body axes.
+    fn is_finite(&self, bodies: &[BodyId], pole: Vec3, [velocity, omega]: [Vec3; 2]) -> bool {
+        let rate = length(omega);
+        let layout = &self.equations.layout;
+        let mut increment = vec![0.0; layout.velocities()];
+        for (component, x) in velocity.into_iter().chain(omega).enumerate() {
+            for (column, own) in self.increment(bodies, pole, component) {
+                increment[column] += FINITE * x * own;
+            }
+        }
+        for (index, linear) in layout.linear.iter().enumerate() {
+            let Linear::Center(body, axis) = linear else { continue };
+            if rate > 0.0 && bodies.contains(body) {
+                // ∫ exp(ω̂ t) u dt with u the velocity at first.
+                let u = add(velocity, cross(omega, sub(self.world.bodies[body.0].0, pole)));
+                let (once, twice) = (cross(omega, u), cross(omega, cross(omega, u)));
+                let angle = rate * FINITE;
+                let across = (1.0 - libm::cos(angle)) / (rate * rate);
+                let back = (angle - libm::sin(angle)) / (rate * rate * rate);
+                increment[index] = FINITE * u[*axis] + across * once[*axis] + back * twice[*axis];
+            }
+        }
+        let moved = retract(self.equations, self.q, &increment);
+        let mut point = Point::at_defaults(self.mechanism, self.equations, self.phases);
+        point.set_q(&moved);
+        let rows = &self.equations.rows[..self.rows.len()];
+        point.evaluate(&Ancestry::of(self.equations, rows.iter().map(|row| row.jet.value)));
+        let met = |(row, length): (&crate::equations::Row, &f64)| {
+            point.get(row.jet.value).abs() <= LEFT * FINITE * length
+        };
+        rows.iter().zip(&self.lengths).all(met)
     }
 
     /// The joints whose place the twist leaves where it is.
