@@ -51,6 +51,35 @@ fn redundant_equations_explain_the_difference() {
     }
 }
 
+/// Sarrus' linkage: Grübler counts nothing, and it moves, because its axes have but two directions.
+#[test]
+fn two_directions_of_axes() {
+    let leg = |name: &str, base: &str, head: &str| {
+        format!(
+            "rod lower_{name} {{ mass [kg] = 0.4; length [m] = 0.5; }} rod upper_{name} {{ mass [kg] = 0.4; length [m] = 0.5; }}
+             joint foot_{name}: revolute({base}, lower_{name}.start, axis = (0, -1, 0));
+             joint knee_{name}: revolute(lower_{name}.end, upper_{name}.start, axis = (0, -1, 0));
+             joint head_{name}: revolute(upper_{name}.end, {head}, axis = (0, -1, 0));
+             start {{ foot_{name}.angle [deg] ~ 60; knee_{name}.angle [deg] ~ 60; head_{name}.angle [deg] ~ -120; }}"
+        )
+    };
+    let (one, other) = (leg("a", "ground(0.3, 0, 0) [m]", "platform.a"), leg("b", "base_b", "platform.b"));
+    let source = format!(
+        "spatial Sarrus {{
+            box platform {{ mass [kg] = 1; size [m] = (0.6, 0.6, 0.02);
+                           point a [m] = (0.3, 0, 0); marker b [m] = (0, 0.3, 0), about_z [deg] = 90; }}
+            marker base_b [m] = (0, 0.3, 0), about_z [deg] = 90;
+            {one} {other}
+            options {{ redundant = drop; }}
+        }}"
+    );
+    let mobility = compiled(&source).assembly.mobility;
+    assert_eq!((mobility.counted(), mobility.generic, mobility.redundant.len()), (0, 1, 1));
+    let reason =
+        "the axes of foot_a, knee_a and head_a are parallel, and so are those of foot_b, knee_b and head_b";
+    assert_eq!(mobility.reasons, [reason]);
+}
+
 /// In either set of coordinates the same bodies move alone.
 #[test]
 fn loose_bodies_and_idle_freedoms() {

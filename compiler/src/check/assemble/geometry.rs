@@ -9,6 +9,7 @@ use std::collections::BTreeSet;
 
 /// A joint that turns about one axis, or slides along it, in the world.
 struct Axis {
+    name: String,
     slides: bool,
     through: Vec3,
     along: Vec3,
@@ -37,7 +38,9 @@ pub fn reasons(mechanism: &Mechanism, point: &mut Point, q: &[f64], rows: &[usiz
 
 fn special(joints: &str, axes: &[Axis]) -> String {
     let (slides, turns): (Vec<&Axis>, Vec<&Axis>) = axes.iter().partition(|axis| axis.slides);
-    let parallel = |a: &Axis, b: &Axis| length(cross(a.along, b.along)) < NONE;
+    if let (true, Some([one, other])) = (slides.is_empty(), directions(&turns)) {
+        return format!("the axes of {one} are parallel, and so are those of {other}");
+    }
     match turns.first() {
         Some(first) if turns.iter().all(|axis| parallel(first, axis)) => {
             if slides.is_empty() {
@@ -55,6 +58,20 @@ fn special(joints: &str, axes: &[Axis]) -> String {
         _ => {}
     }
     format!("the loop of {joints} moves only where its joints have just these places and directions")
+}
+
+/// The joints of two directions, where there are no others and no joint is the only one of its direction.
+fn directions(turns: &[&Axis]) -> Option<[String; 2]> {
+    let first = turns.first()?;
+    let (one, others): (Vec<&Axis>, Vec<&Axis>) = turns.iter().partition(|axis| parallel(first, axis));
+    let second = others.first()?;
+    let names = |axes: &[&Axis]| list(&axes.iter().map(|axis| axis.name.clone()).collect::<Vec<_>>());
+    let two = one.len() > 1 && others.len() > 1 && others.iter().all(|axis| parallel(second, axis));
+    two.then(|| [names(&one), names(&others)])
+}
+
+fn parallel(a: &Axis, b: &Axis) -> bool {
+    length(cross(a.along, b.along)) < NONE
 }
 
 /// Whether all lines go through one point.
@@ -81,5 +98,5 @@ fn axis(mechanism: &Mechanism, world: &World, joint: JointId) -> Option<Axis> {
     };
     let along = constant_axis(mechanism, definition, &definition.first)?;
     let along = world.turned(definition.first.frame, along);
-    Some(Axis { slides, through: world.place(&definition.first)?, along })
+    Some(Axis { name: definition.name.text.clone(), slides, through: world.place(&definition.first)?, along })
 }

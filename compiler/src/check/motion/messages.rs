@@ -68,6 +68,9 @@ pub fn leaves_range(expected: &Within, outside: &Outside) -> String {
         return text + "but nothing limits it; leave this out of `expect`, or add what stops it";
     }
     let (from, to) = (outside.from / scale, outside.to / scale);
+    if to - from <= 1e-9 * from.abs() {
+        return text + &format!("but it stays at {} {unit}", number(from));
+    }
     text += &format!("but it moves between {} and {} {unit}", number(from), number(to));
     if let Some((reference, value)) = outside.at {
         let what = if outside.low { "least" } else { "most" };

@@ -27,7 +27,7 @@ const SMALL: usize = 40;
 #[derive(Clone, Debug)]
 pub struct Motion {
     pub end: End,
-    /// Of the coordinates asked about.
+    /// Of the coordinates asked about, and last of the one by which positions are told, unless it is among them.
     pub ranges: Vec<Range>,
     /// Where coordinates turn back, in the order met: dead centres of a motor that acts there.
     pub limits: Vec<Limit>,
