@@ -574,6 +574,7 @@ pub const EMITTED: [&str; 3] = ["penalty", "projection", "tangent"];
 
 /// One line of `expect { … }`.
 #[derive(Clone, Debug)]
+#[expect(clippy::large_enum_variant, reason = "there are few of them, and each lives in one vector")]
 pub enum ExpectEntry {
     DegreesOfFreedom(usize, Region),
     /// Function, or `None` for the default acceleration function; limit; where.

@@ -1,6 +1,6 @@
 //! Degrees of freedom, counted and true, and what moves alone.
 
-use crate::compiled;
+use crate::{compiled, errors};
 
 const PLANAR_FOUR_BAR: &str = "rod crank { mass [kg] = 1; length [m] = 1; }
     rod coupler { mass [kg] = 1; length [m] = 2; } rod rocker { mass [kg] = 1; length [m] = 1.5; }
@@ -141,4 +141,49 @@ fn loose_bodies_in_the_plane() {
         loose,
         ["\"roller\" can turn freely about \"pin\"", "\"bead\" can slide freely along \"way\""]
     );
+}
+
+/// A start that is singular beside redundancy is told apart from it, and so is one that no motion leaves.
+#[test]
+fn singular_starts_are_told_from_redundancy() {
+    let flat = "spatial Flat {
+            box crank { mass [kg] = 1; size [m] = (1, 0.1, 0.1); point tip [m] = (1, 0, 0); }
+            box coupler { mass [kg] = 1; size [m] = (2, 0.1, 0.1); point near [m] = (-1, 0, 0); point far [m] = (1, 0, 0); }
+            box rocker { mass [kg] = 1; size [m] = (1, 0.1, 0.1); point tip [m] = (1, 0, 0); }
+            joint a: revolute(ground(0, 0, 0) [m], crank.origin, axis = (0, 0, 1));
+            joint d: revolute(ground(2, 0, 0) [m], rocker.origin, axis = (0, 0, 1));
+            joint b: revolute(crank.tip, coupler.near, axis = (0, 0, 1));
+            joint c: revolute(coupler.far, rocker.tip, axis = (0, 0, 1));
+            start { a.angle [deg] = 0; d.angle [deg] ~ 0; b.angle [deg] ~ 0; }
+            expect { degrees_of_freedom = 1; }
+            options { redundant = drop; }
+        }";
+    let text = errors(flat);
+    assert_eq!(text.lines().count(), 1, "{text}");
+    assert!(
+        text.starts_with("error: at the start position the constraints lose rank (singular position"),
+        "{text}"
+    );
+    assert!(text.contains("it is 1 there and 2 a little further on"), "{text}");
+    let refused = errors(&flat.replace("drop", "refuse"));
+    assert!(
+        refused.starts_with("error: 4 joints give 20 constraint equations of rank 17, all along the motion"),
+        "{refused}"
+    );
+    // 2 m of ground, and links of 1 m that just reach: they shake and cannot move; a little longer they are rigid.
+    let two_links = |length: f64| {
+        format!(
+            "planar TwoLinks {{
+                rod one {{ mass [kg] = 1; length [m] = 1; }} rod two {{ mass [kg] = 1; length [m] = {length}; }}
+                joint a: revolute(ground(0, 0) [m], one.start);
+                joint b: revolute(one.end, two.start);
+                joint c: revolute(two.end, ground(2, 0) [m]);
+                start {{ a.angle [deg] ~ 10; b.angle [deg] ~ -10; }}
+            }}"
+        )
+    };
+    let text = errors(&two_links(1.0));
+    assert!(text.contains("no motion but an infinitesimal one (one and two in line)"), "{text}");
+    let rigid = compiled(&two_links(1.1)).assembly.mobility;
+    assert_eq!((rigid.counted(), rigid.generic), (0, 0));
 }

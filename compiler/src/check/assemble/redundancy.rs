@@ -48,15 +48,15 @@ const RETURNED: f64 = 1e-3;
 /// Judges the rows of joints and constraints, given that some are dependent at `q`.
 pub fn find(mechanism: &Mechanism, point: &mut Point, problem: &Problem, q: &[f64]) -> Finding {
     let equations = point.equations;
-    let (nearby, shaky) = positions(mechanism, point, problem, q);
-    if shaky {
-        return Finding { shaky, ..Finding::default() };
-    }
-    let beyond = nearby.clone();
-    let nearby = if nearby.is_empty() { vec![q.to_vec()] } else { nearby };
+    let Nearby { found: beyond, back, open } = positions(mechanism, point, problem, q);
+    let nearby = if beyond.is_empty() { vec![q.to_vec()] } else { beyond.clone() };
     let rows: Vec<usize> = (0..equations.rows.len() - mechanism.drivers.len()).collect();
     let spaces: Vec<Vec<Vec<f64>>> = nearby.iter().map(|q| left_null_space(point, &rows, q)).collect();
     let deficiency = spaces.iter().map(Vec::len).min().unwrap_or(0);
+    // Rank is lost and no way leads on: neither one that was tried, nor rows that repeat others exactly.
+    if beyond.is_empty() && !open && (back || deficiency == 0) {
+        return Finding { shaky: true, ..Finding::default() };
+    }
     let droppable = |row: usize| equations.rows[row].joint.is_some();
     let chosen = if deficiency > 0 { choose(point, &rows, &nearby, droppable) } else { None };
     let Some(repeated) = chosen else {
@@ -68,7 +68,7 @@ pub fn find(mechanism: &Mechanism, point: &mut Point, problem: &Problem, q: &[f6
         Some(Dropped { joint: row.joint?, what: row.what })
     });
     let redundancy = Redundancy { dropped: dropped.collect(), shared, nearby };
-    Finding { repeated, redundancy, beyond, shaky, coupled: false }
+    Finding { repeated, redundancy, beyond, shaky: false, coupled: false }
 }
 
 /// The rows of absolute coordinates to leave out, at positions that the tree has shown to be redundant.
@@ -139,19 +139,23 @@ fn joints_that_share(
     joints.into_iter().collect()
 }
 
-/// Positions a short way from the start, along velocities that the joints admit, and whether there are such velocities
-/// but no such positions.
-fn positions(
-    mechanism: &Mechanism,
-    point: &mut Point,
-    problem: &Problem,
-    q: &[f64],
-) -> (Vec<Vec<f64>>, bool) {
+/// Where velocities that the joints admit lead.
+#[derive(Default)]
+struct Nearby {
+    /// Positions a short way from the start.
+    found: Vec<Vec<f64>>,
+    /// Some way led back to the start.
+    back: bool,
+    /// Some way was not followed to a position.
+    open: bool,
+}
+
+/// Follows a few velocities that the joints admit.
+fn positions(mechanism: &Mechanism, point: &mut Point, problem: &Problem, q: &[f64]) -> Nearby {
     let equations = point.equations;
     let joints = problem.joints_only(mechanism);
     let n = equations.symbols.v.len();
-    let mut found = Vec::new();
-    let mut back = false;
+    let mut nearby = Nearby::default();
     for number in 1..=POSITIONS {
         // Any direction, different for each.
         let wish: Vec<f64> = (0..n).map(|k| libm::sin((number * (3 * k + 2)) as f64)).collect();
@@ -165,12 +169,12 @@ fn positions(
         let attempt = joints.solve(point, retract(equations, q, &step));
         let moved = attempt.q.iter().zip(q).fold(0.0_f64, |most, (a, b)| most.max((a - b).abs()));
         match attempt.closed {
-            true if moved > RETURNED * length => found.push(attempt.q),
-            closed => back |= closed,
+            true if moved > RETURNED * length => nearby.found.push(attempt.q),
+            true => nearby.back = true,
+            false => nearby.open = true,
         }
     }
-    let shaky = found.is_empty() && back;
-    (found, shaky)
+    nearby
 }
 
 /// An orthonormal basis of the w with wᵀ D = 0, rows of D brought to length one.
