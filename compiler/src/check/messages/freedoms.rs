@@ -21,7 +21,7 @@ pub fn wrong_freedoms(
             );
     }
     let known: usize = loose.iter().map(|loose| loose.freedoms).sum();
-    let mut parts: Vec<String> = loose.iter().map(loose_sentence).collect();
+    let mut parts: Vec<String> = loose.iter().map(self::loose).collect();
     if known < found - expected && !independent.is_empty() {
         parts
             .push(format!("`independent = ({})` are coordinates that can be chosen", independent.join(", ")));
@@ -30,7 +30,8 @@ pub fn wrong_freedoms(
         text += &format!(": {}", parts.join("; "));
     }
     if mobility.counted() != found as isize {
-        text += &format!(". {}", capital(&counted(mobility)));
+        let reasons: String = mobility.reasons.iter().map(|reason| format!("; {reason}")).collect();
+        text += &format!(". {}{reasons}", capital(&counted(mobility)));
     }
     text + &format!("; write `degrees_of_freedom = {found};` if that is meant, or change the joints")
 }
@@ -64,11 +65,8 @@ fn counted(mobility: &Mobility) -> String {
     )
 }
 
+/// What moves alone, and how.
 pub fn loose(loose: &Loose) -> String {
-    loose_sentence(loose)
-}
-
-fn loose_sentence(loose: &Loose) -> String {
     let several = if loose.freedoms > 1 { format!(" ({} freedoms)", loose.freedoms) } else { String::new() };
     format!("{}{several}", how(loose))
 }
@@ -238,6 +236,6 @@ pub fn massless_spin(loose: &Loose) -> String {
     format!(
         "{}, and nothing has inertia about that axis, so its acceleration is undetermined. Make one of these joints universal, \
          or give it a radius or an inertia about its axis",
-        loose_sentence(loose)
+        self::loose(loose)
     )
 }
