@@ -26,7 +26,7 @@ mechanism! {
         force motor: torque(crank_pin) = drive;
 
         start  { crank_pin.angle [deg] = 90; crank_pin.rate [rpm] = 60; rocker_pin.angle [deg] ~ 70; }
-        expect { degrees_of_freedom = 1; }
+        expect { degrees_of_freedom = 1; rotates = crank_pin; no_singularity; }
         output swing [rad] = rocker_pin.angle;
     }
 }

@@ -1,6 +1,8 @@
 //! The stages in order.
 
+use crate::check::assemble::loose::{self, Loose};
 use crate::check::assemble::{Assembly, Partition};
+use crate::check::motion::{self, Motion, Unswept};
 use crate::check::{self, assemble};
 use crate::choice::{self, Candidate, Choice};
 use crate::diagnostics::Diagnostics;
@@ -38,6 +40,18 @@ pub struct Compiled {
     pub warnings: Diagnostics,
 }
 
+impl Compiled {
+    /// The range of motion of all joints, for those who ask; expansion itself follows the motion only where `expect` does.
+    pub fn motion(&self) -> Result<Motion, Unswept> {
+        motion::sweep(&self.mechanism, &self.equations, &self.assembly, &motion::of_joints(&self.mechanism))
+    }
+
+    /// The bodies that can move while all others stand still: loose ones, and idle freedoms.
+    pub fn loose(&self) -> Vec<Loose> {
+        loose::find(&self.mechanism, &self.equations, &self.assembly.q, &self.assembly.phases)
+    }
+}
+
 /// tokens → programs. `coordinates` overrides what the definition says.
 pub fn compile(tokens: TokenStream, coordinates: Option<Coordinates>) -> Result<Compiled, Diagnostics> {
     let definition = syntax::parse(tokens)?;
@@ -65,6 +79,11 @@ pub fn compile_model(
     };
     tree = equations::without_redundant(&mechanism, spanning, tree, &assembly.dropped);
     // AFTER THIS POINT a consistent start is known and the constraint rows are independent there.
+    motion::check(&mechanism, &tree, &assembly, &mut errors);
+    if !errors.is_empty() {
+        return Err(errors);
+    }
+    // AFTER THIS POINT the motion is what `expect` says of it.
     let asked = coordinates.unwrap_or(mechanism.options.coordinates);
     let as_defined = coordinates.is_none();
     let Some((candidate, choice)) = choice::choose(&mechanism, tree, assembly, asked, &mut errors) else {

@@ -22,7 +22,7 @@ linkwright::mechanism! {
         start  { crank_pin.angle [deg] = 90; crank_pin.rate [rad/s] = 4;
                  rocker_pin.angle [deg] ~ 145; coupler.angle [deg] ~ 20; }
         options { emit = (penalty, projection, null_space); }
-        expect { degrees_of_freedom = 1; }
+        expect { degrees_of_freedom = 1; rotates = crank_pin; }
         output crank_angle [rad] = crank_pin.angle;
         output rocker_angle [rad] = rocker_pin.angle;
     }

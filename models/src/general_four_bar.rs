@@ -24,7 +24,7 @@ linkwright::mechanism! {
         joint right: revolute(coupler.tip, rocker.tip);
         start  { crank_pin.angle [deg] = 40; crank_pin.rate [rad/s] = 3;
                  rocker_pin.angle [deg] ~ 100; coupler.angle [deg] ~ 40; }
-        expect { degrees_of_freedom = 1; }
+        expect { degrees_of_freedom = 1; rotates = crank_pin; no_singularity; }
         output tracer_x [m] = coupler.tracer.x;
         output tracer_y [m] = coupler.tracer.y;
         output rocking [rad] = rocker_pin.angle;

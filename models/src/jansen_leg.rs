@@ -78,7 +78,7 @@ linkwright::mechanism! {
 
         start  { thigh.angle [deg] ~ 70; strut.angle [deg] ~ -74; upper_link.angle [deg] ~ 141;
                  lower_link.angle [deg] ~ -133; shin.angle [deg] ~ -67; foot.angle [deg] ~ 152; }
-        expect { degrees_of_freedom = 1; }
+        expect { degrees_of_freedom = 1; rotates = crank_pin; no_singularity; }
         output toe_x [m] = foot.toe.x;
         output toe_y [m] = foot.toe.y;
         output knee_x [m] = foot.knee.x;

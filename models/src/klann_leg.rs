@@ -60,7 +60,7 @@ linkwright::mechanism! {
 
         start  { pin_15.angle [deg] = 0; pin_15.rate [rad/s] = 2; pin_11.angle [deg] ~ 33; pin_9.angle [deg] ~ 135;
                  coupler.angle [deg] ~ 174; leg.angle [deg] ~ -90; }
-        expect { degrees_of_freedom = 1; }
+        expect { degrees_of_freedom = 1; rotates = pin_15; no_singularity; }
         output foot_x [m] = leg.pin_33.x;
         output foot_y [m] = leg.pin_33.y;
         output hip_x [m] = leg.origin.x;

@@ -47,7 +47,7 @@ linkwright::mechanism! {
         start   { crank_pin.angle [rad] = 360 [deg] - asin(3/4); crank_pin.rate [rad/s] = 15;
                   guide_pin.angle [rad] ~ 0.7; coupler.angle [rad] ~ -0.4; rail.travel [m] ~ -0.02; }
         options { coordinates = auto; redundant = refuse; }
-        expect  { degrees_of_freedom = 1; }
+        expect  { degrees_of_freedom = 1; rotates = crank_pin; no_singularity; guide_pin.angle in 41..139 [deg]; }
         output angle [rad] = crank_pin.angle;
         output rate [rad/s] = crank_pin.rate;
         output stroke [m] = slider.center.x;

@@ -30,7 +30,7 @@ linkwright::mechanism! {
         force load:  force(piston.center, direction = (-1, 0)) = gas;
 
         start  { main.angle [deg] = 30; main.rate [rpm] = 1200; bore.travel [mm] ~ 170; }
-        expect { degrees_of_freedom = 1; }
+        expect { degrees_of_freedom = 1; rotates = main; no_singularity; bore.travel in 100..180 [mm]; }
         output angle [rad] = main.angle;
         output stroke [m] = bore.travel;
         output speed [m/s] = bore.speed;

@@ -61,7 +61,7 @@ for_each!(kinematics_follow_the_given_motion);
 /// accelerations are the derivatives of the positions.
 fn kinematics_follow_the_given_motion<M: Model>() {
     let (compiled, _, model, states) = walk::<M>(40, 5);
-    let freedoms = compiled.assembly.degrees_of_freedom - compiled.mechanism.drivers.len();
+    let freedoms = compiled.assembly.mobility.generic - compiled.mechanism.drivers.len();
     let complete = M::INDEPENDENT.len() == freedoms;
     // An orientation in space is no coordinate that could be given.
     let balls = compiled.mechanism.space == Space::Spatial && M::INDEPENDENT.len() < freedoms;

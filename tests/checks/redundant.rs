@@ -109,7 +109,7 @@ fn absolute_coordinates_drop_as_many() {
         let absolute = compile(tokens(), Some(Coordinates::Absolute)).expect("in other coordinates");
         assert_eq!(tree.assembly.dropped.len(), absolute.assembly.dropped.len());
         assert_eq!(tree.assembly.shared, absolute.assembly.shared);
-        assert_eq!(absolute.assembly.degrees_of_freedom, 1);
+        assert_eq!(absolute.assembly.mobility.generic, 1);
     }
 }
 

@@ -1,87 +1,50 @@
 //! Texts of the messages about the assembled mechanism: what is wrong, why, with numbers, and what to write instead.
 
+mod freedoms;
+
+pub use freedoms::*;
+
 use crate::messages::closest;
-use crate::model::Space;
 
-pub fn wrong_freedoms(expected: usize, found: usize, free: Vec<String>) -> String {
-    let plural = |n: usize| if n == 1 { "degree of freedom" } else { "degrees of freedom" };
-    let mut text = format!("expected {expected} {}, found {found}", plural(expected));
-    if found > expected && !free.is_empty() {
-        text += &format!(": {} can still move", free.join(", "));
-    }
-    text + &format!("; write `degrees_of_freedom = {found};` if that is meant, or change the joints")
-}
-
-/// `what`: the rows of one joint or constraint that add nothing.
-pub fn dependent_rows(of: &str, what: &[&str], rows: usize, rank: usize) -> String {
-    let what = what.join(", ");
-    if rows == 1 {
-        return format!(
-            "the constraint equation of \"{of}\" ({what}) holds nothing at the start position: it is singular there \
-             (a dead centre), and the motion is undetermined. Start elsewhere"
-        );
-    }
-    format!(
-        "{rows} constraint equations close the loops, and at the start position their rank is {rank}: \"{of}\" ({what}) \
-         repeats what the others already fix. Either the joint is redundant: make it one that leaves more freedom; or \
-         the start is a singular position (links in line), where the motion is undetermined: start elsewhere"
-    )
-}
-
-/// Rows of one joint that repeat, wherever the mechanism stands.
-pub fn redundant(of: &str, what: &[&str], rows: usize, rank: usize, space: Space) -> String {
-    let held: Vec<&str> = what.iter().map(|what| direction(what)).collect();
-    let repeats = if what.len() == 1 { "repeats" } else { "repeat" };
-    let freer = match space {
-        Space::Planar => "point_on_line",
-        Space::Spatial => freer(what),
+/// `others`: those that are.
+pub fn not_independent(of: &str, others: &[&str]) -> String {
+    let instead = match others {
+        [] => "leave it out of `independent`".to_string(),
+        [only] => format!("write `options {{ independent = {only}; }}`"),
+        several => format!("write `options {{ independent = ({}); }}`", several.join(", ")),
     };
     format!(
-        "the joints that close the loops give {rows} constraint equations of rank {rank}, all along the motion: those of \
-         \"{of}\" against {} {repeats} what the others already fix. Write `options {{ redundant = drop; }}` to leave such \
-         equations out (some reactions are then not unique), or make \"{of}\" a joint that leaves more freedom, such as \
-         {freer}",
-        held.join(", ")
-    )
-}
-
-/// What a row holds, in words.
-fn direction(what: &str) -> &str {
-    match what {
-        "x" => "shifts along x",
-        "y" => "shifts along y",
-        "z" => "shifts along z",
-        "normal_1" => "shifts along x of its axes",
-        "normal_2" => "shifts along y of its axes",
-        "normal" => "shifts along its normal",
-        "axis_1" => "turns about y of its axes",
-        "axis_2" => "turns about x of its axes",
-        "angle" => "turns about its axis",
-        "cross" => "turns across both its axes",
-        "twist" => "turns along the shafts",
-        other => other,
-    }
-}
-
-/// Joints that do not hold what these rows hold.
-fn freer(what: &[&str]) -> &'static str {
-    let turns = what.iter().any(|what| matches!(*what, "axis_1" | "axis_2" | "angle" | "cross" | "twist"));
-    let shifts = what.iter().any(|what| !matches!(*what, "axis_1" | "axis_2" | "angle" | "cross" | "twist"));
-    match (turns, shifts) {
-        (true, false) => "universal or spherical",
-        (false, _) => "cylindrical or planar",
-        (true, true) => "spherical, point_on_line or point_on_plane",
-    }
-}
-
-pub fn not_independent(of: &str) -> String {
-    format!(
         "\"{of}\" cannot be independent: the constraints and the coordinates before it already fix it at the start \
-         position; leave it out of `independent`"
+         position; {instead}"
     )
 }
 
-pub fn cannot_close(of: &str, what: &str, path: &[String], residual: f64) -> String {
+/// `start` gives more coordinates than there are freedoms: those to keep, and those that could be guesses.
+pub struct Overgiven {
+    pub freedoms: usize,
+    pub keep: Vec<String>,
+    pub guess: Vec<String>,
+}
+
+fn overgiven(overgiven: Option<Overgiven>) -> Option<String> {
+    let Overgiven { freedoms: count, keep, guess } = overgiven?;
+    let quoted = |names: &[String]| list(&names.iter().map(|name| format!("`{name}`")).collect::<Vec<_>>());
+    let kept = if keep.is_empty() { String::new() } else { format!("keep {} and ", quoted(&keep)) };
+    Some(format!(
+        "`start` gives {} coordinates of a mechanism with {}: {kept}make {} a guess (`~` instead of `=`)",
+        keep.len() + guess.len(),
+        freedoms(count),
+        quoted(&guess)
+    ))
+}
+
+pub fn cannot_close(
+    of: &str,
+    what: &str,
+    path: &[String],
+    residual: f64,
+    start: Option<Overgiven>,
+) -> String {
     let (amount, apart) = match what {
         "x" | "y" | "normal" => (format!("{residual:.3} m"), "apart"),
         "angle" => (format!("{:.3} rad", residual.min(1.0).asin()), "off its direction"),
@@ -92,13 +55,18 @@ pub fn cannot_close(of: &str, what: &str, path: &[String], residual: f64) -> Str
     } else {
         format!("the loop {} cannot close", path.join(" - "))
     };
-    format!(
-        "{chain}: at the nearest position found \"{of}\" is still {amount} {apart}. Check the lengths and the places \
-         of its joints, or the conditions in `start`"
-    )
+    let advice = match overgiven(start) {
+        Some(start) => start,
+        None => "Check the lengths and the places of its joints, or the conditions in `start`".to_string(),
+    };
+    format!("{chain}: at the nearest position found \"{of}\" is still {amount} {apart}. {advice}")
 }
 
-pub fn cannot_meet_start(residual: f64, drivers: Vec<(String, String, f64)>) -> String {
+pub fn cannot_meet_start(
+    residual: f64,
+    drivers: Vec<(String, String, f64)>,
+    start: Option<Overgiven>,
+) -> String {
     let mut text = format!(
         "no position meets all conditions of `start`: the nearest one found misses by {} (m or rad)",
         number(residual)
@@ -106,7 +74,10 @@ pub fn cannot_meet_start(residual: f64, drivers: Vec<(String, String, f64)>) -> 
     for (driver, quantity, value) in drivers {
         text += &format!("; the driver \"{driver}\" holds {quantity} at {value:.4} at time zero");
     }
-    text + ". Turn a condition into a guess (`~` instead of `=`), or correct its value"
+    match overgiven(start) {
+        Some(start) => format!("{text}. {start}"),
+        None => text + ". Turn a condition into a guess (`~` instead of `=`), or correct its value",
+    }
 }
 
 pub fn driver_against_rest(driver: &str, quantity: &str, value: f64, residual: f64) -> String {
@@ -198,6 +169,19 @@ pub fn unknown_function(function: &str, known: &[&str]) -> String {
             format!("there is no function \"{function}\" to count; the functions are {}", known.join(", "))
         }
     }
+}
+
+/// `a`, `a and b`, `a, b and c`.
+pub(in crate::check) fn list(names: &[String]) -> String {
+    match names {
+        [] => String::new(),
+        [only] => only.clone(),
+        [first @ .., last] => format!("{} and {last}", first.join(", ")),
+    }
+}
+
+fn freedoms(count: usize) -> String {
+    format!("{count} {}", if count == 1 { "degree of freedom" } else { "degrees of freedom" })
 }
 
 /// Three digits behind the point, or powers of ten where those would say nothing.

@@ -2,6 +2,7 @@
 
 pub mod assemble;
 mod messages;
+pub mod motion;
 pub mod rules;
 mod warnings;
 

@@ -26,7 +26,7 @@ const RULES: [fn(&Mechanism, &mut Diagnostics); 16] = [
     equations_move,
     drivers_differ,
     start_is_said_once,
-    expectations_are_said_once,
+    orientations_are_said_once,
     cuts_differ,
     loads_act_on_bodies,
 ];
@@ -43,8 +43,7 @@ pub(super) fn at_defaults(mechanism: &Mechanism, expr: &Expr) -> Option<f64> {
     if let Expr::Number(value) = expr {
         return Some(*value);
     }
-    let defaults: Vec<f64> = mechanism.parameters.iter().map(|parameter| parameter.default).collect();
-    fold::evaluate(expr, &defaults)
+    fold::evaluate(expr, &mechanism.defaults())
 }
 
 // A mechanism has at least one body.
@@ -265,13 +264,8 @@ fn start_is_said_once(mechanism: &Mechanism, diagnostics: &mut Diagnostics) {
     }
 }
 
-// One number of degrees of freedom is expected, and one start of an orientation given.
-fn expectations_are_said_once(mechanism: &Mechanism, diagnostics: &mut Diagnostics) {
-    let expected = &mechanism.expect.degrees_of_freedom_again;
-    if let (Some((_, first)), Some(again)) = (mechanism.expect.degrees_of_freedom, expected) {
-        let (message, note) = (messages::expected_twice(), messages::first_here("degrees_of_freedom"));
-        diagnostics.conflict(*again, message, first, note);
-    }
+// One start of an orientation is given.
+fn orientations_are_said_once(mechanism: &Mechanism, diagnostics: &mut Diagnostics) {
     let mut seen = HashMap::new();
     for start in &mechanism.orientations {
         if let Some(first) = seen.insert(start.body, start.span) {

@@ -13,8 +13,8 @@ pub fn model(text: &mut String, emitter: &Emitter) {
     let _ = writeln!(
         page,
         "\n{} of freedom: {}; velocities: {}; constraint rows: {}.\n",
-        if compiled.assembly.degrees_of_freedom == 1 { "Degree" } else { "Degrees" },
-        compiled.assembly.degrees_of_freedom,
+        if compiled.assembly.mobility.generic == 1 { "Degree" } else { "Degrees" },
+        compiled.assembly.mobility.generic,
         equations.layout.velocities(),
         equations.rows.len()
     );

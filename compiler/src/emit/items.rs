@@ -106,7 +106,7 @@ fn constants(text: &mut String, emitter: &Emitter, source: &str) {
     constant(
         "Degrees of freedom, drivers removed.",
         &format!("DEGREES_OF_FREEDOM: {usize}"),
-        &compiled.assembly.degrees_of_freedom.to_string(),
+        &compiled.assembly.mobility.generic.to_string(),
     );
     constant(
         "Operations of the default acceleration function (Baumgarte), a fused multiply-add counted once.",

@@ -80,6 +80,19 @@ impl SpanningTree {
         path
     }
 
+    /// The joints of the loop that a cut joint closes, itself first.
+    pub fn around(&self, mechanism: &Mechanism, cut: JointId) -> Vec<JointId> {
+        let joint = &mechanism.joints[cut.0];
+        let (one, other) = (self.path(joint.first.frame), self.path(joint.second.frame));
+        let mut around = vec![cut];
+        let own = one.iter().filter(|frame| !other.contains(frame));
+        for frame in own.chain(other.iter().filter(|frame| !one.contains(frame))) {
+            let own = self.attachments.iter().find(|own| Frame::Body(own.body) == *frame);
+            around.extend(own.and_then(|own| own.joint).map(|(joint, _)| joint));
+        }
+        around
+    }
+
     /// True for the joints that carry a body.
     pub fn carrying(&self, mechanism: &Mechanism) -> Vec<bool> {
         let mut carrying = vec![false; mechanism.joints.len()];

@@ -372,10 +372,6 @@ pub(crate) fn start_twice(quantity: &str) -> String {
     format!("the start of `{quantity}` is given twice")
 }
 
-pub(crate) fn expected_twice() -> String {
-    "the degrees of freedom are expected twice; write one number".to_string()
-}
-
 pub(crate) fn cut_twice(joint: &str) -> String {
     format!("`{joint}` is cut twice")
 }

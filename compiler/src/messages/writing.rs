@@ -283,3 +283,31 @@ pub(crate) fn unknown_option(word: &str, known: &[&str]) -> String {
     };
     format!("nothing here is called \"{word}\"; {hint}")
 }
+
+// ---- Expectations ----------------------------------------------------------------------------------------------------
+
+pub(crate) fn unknown_expectation(word: &str, known: &[&str]) -> String {
+    let likely = other_option(word).filter(|ours| known.contains(ours));
+    let hint = match likely.or_else(|| closest(word, known.iter().copied())) {
+        Some(known) => format!("did you mean `{known}`?"),
+        None => format!("there are {} and ranges such as `knee.angle in 10..170 [deg]`", known.join(", ")),
+    };
+    format!("nothing that can be expected is called \"{word}\"; {hint}")
+}
+
+pub(crate) fn motion_in_space(what: &str) -> String {
+    format!(
+        "`{what}` in `expect` is not there yet for spatial mechanisms: the range of motion is found for planar ones with one \
+         degree of freedom"
+    )
+}
+
+/// `turn`: of an angle, in its unit.
+pub(crate) fn range_upside_down(from: f64, to: f64, unit: &str, turn: Option<f64>) -> String {
+    let [from, to, beyond] = [from, to, to + turn.unwrap_or(0.0)].map(|x| (x * 1e9).round() / 1e9);
+    let further = match turn {
+        Some(_) => format!(", or `{from}..{beyond} [{unit}]` if it goes on past half a turn"),
+        None => String::new(),
+    };
+    format!("the range is upside down: from {from} to {to} {unit}; write `{to}..{from} [{unit}]`{further}")
+}

@@ -121,6 +121,7 @@ impl Use {
     pub const COEFFICIENT: Self = Self { what: "this argument", ..Self::PROPERTY };
     pub const DIRECTION: Self = Self { what: "a direction", ..Self::PROPERTY };
     pub const GRAVITY: Self = Self { what: "gravity", ..Self::PROPERTY };
+    pub const RANGE: Self = Self { what: "an expected range", ..Self::CONSTANT };
     pub const START: Self = Self { what: "a start value", ..Self::PROPERTY };
     pub const GROUND: Self = Self { what: "a place of the ground", time: true, ..Self::PROPERTY };
     pub const LENGTH: Self = Self { what: "the length of a distance joint", ..Self::GROUND };

@@ -105,6 +105,21 @@ pub struct Mechanism {
     pub allowed: Allowed,
 }
 
+impl Mechanism {
+    /// Defaults of the parameters.
+    pub fn defaults(&self) -> Vec<f64> {
+        self.parameters.iter().map(|parameter| parameter.default).collect()
+    }
+
+    /// Name of a body, or `ground`.
+    pub fn frame_name(&self, frame: Frame) -> &str {
+        match frame {
+            Frame::Ground => "ground",
+            Frame::Body(body) => &self.bodies[body.0].name.text,
+        }
+    }
+}
+
 /// A value that may change when parameters are set.
 #[derive(Clone, Debug)]
 pub struct Parameter {
@@ -223,6 +238,17 @@ pub struct Joint {
     pub kind: JointKind,
     pub first: Place,
     pub second: Place,
+}
+
+impl Joint {
+    /// Whether one of its places is a body without orientation: the joint then has no angle.
+    pub fn has_particle(&self, mechanism: &Mechanism) -> bool {
+        let is_particle = |frame: Frame| match frame {
+            Frame::Ground => false,
+            Frame::Body(body) => mechanism.bodies[body.0].kind == BodyKind::Particle,
+        };
+        is_particle(self.first.frame) || is_particle(self.second.frame)
+    }
 }
 
 #[derive(Clone, Debug)]
@@ -436,10 +462,49 @@ impl Emit {
 #[derive(Clone, Debug, Default)]
 pub struct Expect {
     pub degrees_of_freedom: Option<(usize, Region)>,
-    /// Where they are expected a second time.
-    pub degrees_of_freedom_again: Option<Region>,
     /// (function, or `None` for the default acceleration function; limit; where written).
     pub operations: Vec<(Option<String>, usize, Region)>,
+    pub motion: MotionExpected,
+}
+
+/// What is expected of the motion of a mechanism with one degree of freedom.
+#[derive(Clone, Debug, Default)]
+pub struct MotionExpected {
+    /// Angles that take every value.
+    pub rotates: Vec<Turning>,
+    pub within: Vec<Within>,
+    pub no_singularity: Option<Region>,
+}
+
+impl MotionExpected {
+    /// Where something is expected first.
+    pub fn span(&self) -> Option<Region> {
+        let turning = self.rotates.iter().map(|expected| expected.span);
+        turning.chain(self.within.iter().map(|expected| expected.span)).chain(self.no_singularity).next()
+    }
+}
+
+/// `rotates = crank_pin;`
+#[derive(Clone, Debug)]
+pub struct Turning {
+    pub rotor: Rotor,
+    pub name: String,
+    pub span: Region,
+}
+
+/// `knee.angle in 10..170 [deg];`
+#[derive(Clone, Debug)]
+pub struct Within {
+    /// A position coordinate.
+    pub quantity: Quantity,
+    /// As written, `knee.angle`.
+    pub text: String,
+    /// SI.
+    pub from: f64,
+    pub to: f64,
+    /// The unit it is written in, and that unit in SI.
+    pub unit: (String, f64),
+    pub span: Region,
 }
 
 #[derive(Clone, Debug)]

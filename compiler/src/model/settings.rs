@@ -1,11 +1,15 @@
 //! `options` and `expect`.
 
 use super::lower::Lowering;
+use super::lower::Use;
 use super::names::Part;
-use super::{Coordinates, Emit, Expect, JointId, Options, Quantity, Redundant};
+use super::{
+    Coordinates, Emit, Expect, Expr, JointId, Options, Quantity, Redundant, Rotor, Space, Turning, Within,
+};
 use crate::diagnostics::Region;
 use crate::messages;
-use crate::syntax::{ExpectEntry, Label, OptionEntry, Path};
+use crate::syntax::{ExpectEntry, Label, OptionEntry, Path, RangeTerm};
+use crate::units::Dimension;
 use proc_macro2::TokenStream;
 
 impl<'d> Lowering<'d> {
@@ -84,18 +88,89 @@ impl<'d> Lowering<'d> {
         for entry in &self.definition.expect {
             match entry {
                 ExpectEntry::DegreesOfFreedom(count, region) => {
-                    if expect.degrees_of_freedom.is_some() {
-                        expect.degrees_of_freedom_again = Some(*region);
-                        continue;
-                    }
                     expect.degrees_of_freedom = Some((*count, *region));
                 }
                 ExpectEntry::Operations(function, limit, region) => {
                     let function = function.as_ref().map(|label| label.text.clone());
                     expect.operations.push((function, *limit, *region));
                 }
+                ExpectEntry::Rotates(labels) => {
+                    expect.motion.rotates.extend(labels.iter().filter_map(|label| self.turning(label)));
+                }
+                ExpectEntry::NoSingularity(region) => {
+                    if self.can_be_swept("no_singularity", *region) {
+                        expect.motion.no_singularity = Some(*region);
+                    }
+                }
+                ExpectEntry::Within(path, range) => expect.motion.within.extend(self.within(path, range)),
             }
         }
+        self.expectations_twice();
         expect
+    }
+
+    /// The motion is followed at expansion in the plane only.
+    fn can_be_swept(&mut self, what: &str, at: Region) -> bool {
+        let planar = self.definition.space == Space::Planar;
+        if !planar {
+            self.diagnostics.error(at, messages::motion_in_space(what));
+        }
+        planar
+    }
+
+    fn turning(&mut self, label: &'d Label) -> Option<Turning> {
+        if !self.can_be_swept("rotates", label.region) {
+            return None;
+        }
+        let rotor: Rotor = self.rotor(label)?;
+        Some(Turning { rotor, name: label.text.clone(), span: label.region })
+    }
+
+    fn within(&mut self, path: &'d Path, range: &'d RangeTerm) -> Option<Within> {
+        if !self.can_be_swept("a range", path.region) {
+            return None;
+        }
+        let (quantity, dimension) = self.position_quantity(path, "be expected in a range")?;
+        let what = messages::quoted(&path.text);
+        let mut end = |term| match self.with_unit(term, range.unit.as_ref(), dimension, Use::RANGE, &what)? {
+            Expr::Number(value) => Some(value),
+            _ => {
+                self.diagnostics.error(term.region, messages::not_constant(&what));
+                None
+            }
+        };
+        let (from, to) = (end(&range.from)?, end(&range.to)?);
+        let si = if dimension == Dimension::ANGLE { "rad" } else { "m" };
+        let unit = range
+            .unit
+            .as_ref()
+            .map_or((si.to_string(), 1.0), |written| (written.unit.text.clone(), written.unit.scale));
+        if from >= to {
+            let turn = (dimension == Dimension::ANGLE).then_some(std::f64::consts::TAU / unit.1);
+            let message = messages::range_upside_down(from / unit.1, to / unit.1, &unit.0, turn);
+            self.diagnostics.error(range.from.region.to(range.to.region), message);
+            return None;
+        }
+        Some(Within { quantity, text: path.text.clone(), from, to, unit, span: path.region })
+    }
+
+    /// One range for a coordinate, one number of freedoms.
+    fn expectations_twice(&mut self) {
+        let mut seen: Vec<(&str, Region)> = Vec::new();
+        for entry in &self.definition.expect {
+            let (name, region) = match entry {
+                ExpectEntry::DegreesOfFreedom(_, region) => ("degrees_of_freedom", *region),
+                ExpectEntry::Within(path, _) => (path.text.as_str(), path.region),
+                ExpectEntry::NoSingularity(region) => ("no_singularity", *region),
+                _ => continue,
+            };
+            match seen.iter().find(|(known, _)| *known == name) {
+                Some((_, first)) => {
+                    let message = messages::property_twice(name, "expect");
+                    self.diagnostics.conflict(region, message, *first, messages::first_here(name));
+                }
+                None => seen.push((name, region)),
+            }
+        }
     }
 }

@@ -106,7 +106,7 @@ impl Lowering<'_> {
     }
 
     /// Bare numbers take the unit only where the whole value names nothing and has no unit of its own.
-    fn with_unit(
+    pub fn with_unit(
         &mut self,
         term: &Term,
         unit: Option<&WrittenUnit>,

@@ -579,10 +579,26 @@ pub const EMITTED: [&str; 4] = ["penalty", "projection", "null_space", "tangent"
 
 /// One line of `expect { … }`.
 #[derive(Clone, Debug)]
+#[expect(clippy::large_enum_variant, reason = "there are few of them, and each lives in one vector")]
 pub enum ExpectEntry {
     DegreesOfFreedom(usize, Region),
     /// Function, or `None` for the default acceleration function; limit; where.
     Operations(Option<Label>, usize, Region),
+    /// Joints and bodies that turn fully.
+    Rotates(Vec<Label>),
+    /// No singular position all along the motion.
+    NoSingularity(Region),
+    /// A coordinate that stays in a range.
+    Within(Path, RangeTerm),
+}
+
+/// `10..170 [deg]`
+#[derive(Clone, Debug)]
+pub struct RangeTerm {
+    /// Of both ends: beside the name, or behind the upper end.
+    pub unit: Option<WrittenUnit>,
+    pub from: Term,
+    pub to: Term,
 }
 
 /// `output stroke [m] = slider.center.x;`

@@ -403,13 +403,41 @@ impl Writer {
             .iter()
             .filter_map(|entry| match entry {
                 ExpectEntry::Operations(function, count, _) => Some((function.as_ref(), *count)),
-                ExpectEntry::DegreesOfFreedom(..) => None,
+                _ => None,
             })
             .collect();
         if !operations.is_empty() {
             self.key("operations").list(&operations, |w, (function, count)| {
                 w.key("of").optional(*function, |w, label| w.string(&label.text));
                 w.key("at_most").raw(&count.to_string());
+            });
+        }
+        self.motion_expectations(expect);
+    }
+
+    fn motion_expectations(&mut self, expect: &[ExpectEntry]) {
+        let rotates = expect.iter().filter_map(|entry| match entry {
+            ExpectEntry::Rotates(labels) => Some(labels),
+            _ => None,
+        });
+        let rotates: Vec<&Label> = rotates.flatten().collect();
+        if !rotates.is_empty() {
+            self.key("rotates").array(&rotates, |w, label| w.string(&label.text));
+        }
+        if expect.iter().any(|entry| matches!(entry, ExpectEntry::NoSingularity(_))) {
+            self.key("no_singularity").raw("true");
+        }
+        let ranges = expect.iter().filter_map(|entry| match entry {
+            ExpectEntry::Within(quantity, range) => Some((quantity, range)),
+            _ => None,
+        });
+        let ranges: Vec<(&Path, &RangeTerm)> = ranges.collect();
+        if !ranges.is_empty() {
+            self.key("ranges").list(&ranges, |w, (quantity, range)| {
+                w.key("quantity").name(&quantity.text);
+                w.key("from").term(&range.from);
+                w.key("to").term(&range.to);
+                w.key("unit").optional(range.unit.as_ref(), |w, unit| w.string(&unit.unit.text));
             });
         }
     }

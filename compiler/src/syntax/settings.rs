@@ -1,6 +1,9 @@
 //! The blocks `start`, `options` and `expect`.
 
-use super::definition::{EMITTED, ExpectEntry, Label, OptionEntry, OrientationEntry, Path, StartEntry};
+use super::definition::{
+    EMITTED, ExpectEntry, Label, Operator, OptionEntry, OrientationEntry, Path, RangeTerm, StartEntry, Term,
+    TermKind, WrittenUnit,
+};
 use super::parser::{Parsed, Parser};
 use super::token::{Cursor, Kind};
 use crate::diagnostics::Region;
@@ -35,7 +38,7 @@ impl Parser {
     }
 
     /// `guide_pin.angle [rad]`: the last bracket is the unit, those before it are indices.
-    fn start_quantity(&mut self, c: &mut Cursor) -> Parsed<(Path, Option<super::definition::WrittenUnit>)> {
+    fn start_quantity(&mut self, c: &mut Cursor) -> Parsed<(Path, Option<WrittenUnit>)> {
         let first = self.declared(c, "a quantity such as `crank_pin.angle`")?;
         let (mut text, mut region) = (first.text.clone(), first.region);
         let mut parts = vec![first];
@@ -112,12 +115,24 @@ impl Parser {
         Ok(elements)
     }
 
-    /// `{ degrees_of_freedom = 1; operations <= 400; operations(mass_matrix) <= 40; }`
+    /// `{ degrees_of_freedom = 1; operations <= 400; operations(mass_matrix) <= 40; rotates = crank_pin; no_singularity;
+    /// knee.angle in 10..170 [deg]; }`
     pub fn expect(&mut self, c: &mut Cursor) -> Parsed<()> {
-        const KNOWN: [&str; 2] = ["degrees_of_freedom", "operations"];
+        const KNOWN: [&str; 4] = ["degrees_of_freedom", "operations", "rotates", "no_singularity"];
         self.block(c, |parser, c| {
-            let fact = parser.word(c, "`degrees_of_freedom` or `operations`")?;
+            if is_dotted(c) {
+                let entry = parser.within(c)?;
+                parser.semicolon(c)?;
+                parser.definition.expect.push(entry);
+                return Ok(());
+            }
+            let fact = parser.word(c, "`degrees_of_freedom`, `operations`, `rotates` or `no_singularity`")?;
             let entry = match fact.text.as_str() {
+                "rotates" => {
+                    parser.punct(c, '=')?;
+                    ExpectEntry::Rotates(parser.list(c, |p, c| p.label(c, "the name of a joint or body"))?)
+                }
+                "no_singularity" => ExpectEntry::NoSingularity(fact.region),
                 "degrees_of_freedom" => {
                     parser.punct(c, '=')?;
                     let (count, end) = parser.count(c)?;
@@ -137,12 +152,29 @@ impl Parser {
                     let (count, end) = parser.count(c)?;
                     ExpectEntry::Operations(function, count, fact.region.to(end))
                 }
-                word => return parser.fail(fact.region, messages::unknown_option(word, &KNOWN)),
+                word => return parser.fail(fact.region, messages::unknown_expectation(word, &KNOWN)),
             };
             parser.semicolon(c)?;
             parser.definition.expect.push(entry);
             Ok(())
         })
+    }
+
+    /// `knee.angle in 10..170 [deg]`, or `knee.angle [deg] in 10..170`.
+    fn within(&mut self, c: &mut Cursor) -> Parsed<ExpectEntry> {
+        let (quantity, beside) = self.start_quantity(c)?;
+        if !c.eat_word("in") {
+            return self.expected(c, "`in` and a range such as `10..170 [deg]`");
+        }
+        let from = self.expression(c)?;
+        if !c.at_puncts('.', '.') {
+            return self.expected(c, "`..`");
+        }
+        c.advance();
+        c.advance();
+        let mut to = self.expression(c)?;
+        let unit = beside.or_else(|| take_unit(&mut to));
+        Ok(ExpectEntry::Within(quantity, RangeTerm { unit, from, to }))
     }
 
     /// A whole number, or an expression of constants.
@@ -171,6 +203,22 @@ impl Parser {
         }
         Ok(())
     }
+}
+
+/// The unit of a number, taken off it.
+fn take_unit(term: &mut Term) -> Option<WrittenUnit> {
+    match &mut term.kind {
+        TermKind::Number { unit, .. } => unit.take(),
+        TermKind::Operation(Operator::Negate, operands) => take_unit(operands.first_mut()?),
+        // Stays where it is: only what names nothing takes the unit of both ends.
+        TermKind::Measured(_, unit) => Some(unit.clone()),
+        _ => None,
+    }
+}
+
+/// Whether a name joined to another by a dot comes next.
+fn is_dotted(c: &Cursor) -> bool {
+    c.word().is_some() && is_inner(c)
 }
 
 /// Whether a name with its brackets is followed by a dot: the brackets are then all indices.

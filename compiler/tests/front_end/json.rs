@@ -57,6 +57,15 @@ fn indices_calls_and_units_are_kept() {
     }
 }
 
+#[test]
+fn expectations_of_the_motion() {
+    let text = json(
+        "planar K { expect { rotates = (a, b[1+1]); no_singularity; knee.angle in 10..-2*5 [deg]; x.y.z [m] in 0..1; } }",
+    );
+    let expected = r#""expect":{"rotates":["a","b[2]"],"no_singularity":true,"ranges":[{"quantity":{"name":"knee.angle"},"from":{"number":"10"},"to":{"op":"*","args":[{"op":"neg","args":[{"number":"2"}]},{"number":"5","unit":"deg"}]},"unit":null},{"quantity":{"name":"x.y.z"},"from":{"number":"0"},"to":{"number":"1"},"unit":"m"}]}"#;
+    assert!(text.contains(expected), "missing {expected}\nin {text}");
+}
+
 /// Balanced, and no comma out of place: enough of a grammar to notice a writer gone wrong.
 #[test]
 fn the_text_is_well_formed() {

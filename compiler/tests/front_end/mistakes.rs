@@ -466,7 +466,49 @@ const MISTAKES: &[(&str, &str)] = &[
         "options { independent = base.rate; }",
         "`base.rate` cannot be an independent coordinate: only an angle, a travel or a position can",
     ),
-    ("expect { freedom = 1; }", r#"nothing here is called "freedom"; did you mean `degrees_of_freedom`?"#),
+    (
+        "expect { freedom = 1; }",
+        r#"nothing that can be expected is called "freedom"; there are degrees_of_freedom, operations, rotates, no_singularity and ranges such as `knee.angle in 10..170 [deg]`"#,
+    ),
+    (
+        "expect { rotates = rail; }",
+        r#"`rail` has no angle: one of its two bodies is a particle, which has no orientation"#,
+    ),
+    (
+        "expect { rotates = block; }",
+        r#"`block` is a particle and has no orientation; write `body`, `rod`, `disk` or `box` for one that turns"#,
+    ),
+    ("expect { rotates = (base, knees); }", r#"no joint or body called "knees"; did you mean "knee"?"#),
+    ("expect { rotates; }", "expected `=`, found `;`"),
+    ("expect { no_singularity = 1; }", "expected `;`, found `=`"),
+    ("expect { knee.angle = 1; }", "expected `in` and a range such as `10..170 [deg]`, found `=`"),
+    ("expect { knee.angle in 1 [rad]; }", "expected `..`, found `;`"),
+    (
+        "expect { knee.angle in 170..10 [deg]; }",
+        r#"the range is upside down: from 170 to 10 deg; write `10..170 [deg]`, or `170..370 [deg]` if it goes on past half a turn"#,
+    ),
+    (
+        "expect { knee.angle in 0..heavy*1 [rad/kg]; }",
+        r#"`heavy` is a parameter, but an expected range may depend on constants only"#,
+    ),
+    (
+        "expect { knee.angle in 0..base.angle; }",
+        r#"`base.angle` is a position, but an expected range may depend on constants only"#,
+    ),
+    (
+        "expect { knee.angle [deg] in 10..170 [m]; }",
+        r#"`knee.angle` is given a length: expected rad, found m"#,
+    ),
+    ("expect { rail.travel in 10..20 [deg]; }", r#"`rail.travel` is given an angle: expected m, found rad"#),
+    (
+        "expect { knee.rate in 1..2 [rad/s]; }",
+        r#"`knee.rate` cannot be expected in a range: only an angle, a travel or a position can"#,
+    ),
+    (
+        "expect { energy in 1..2 [J]; }",
+        r#"nothing that can be expected is called "energy"; there are degrees_of_freedom, operations, rotates, no_singularity and ranges such as `knee.angle in 10..170 [deg]`"#,
+    ),
+    ("expect { no_singularity; no_singularity; }", r#"`no_singularity` of `expect` is given twice"#),
     ("expect { operations = 3; }", "expected `<=`, found `=`"),
     ("expect { degrees_of_freedom = -1; }", "-1 is negative; indices and counts start at 0"),
     (

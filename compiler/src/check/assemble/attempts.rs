@@ -1,6 +1,6 @@
 //! From which positions assembly is tried, and what to say when it fails or when a second assembly fits as well.
 
-use super::mobility::rank;
+use super::mobility::{independent, rank};
 use super::point::{Ancestry, Point};
 use super::{Attempt, Problem, initial, messages};
 use crate::diagnostics::Diagnostics;
@@ -415,7 +415,8 @@ fn report_open(mechanism: &Mechanism, point: &mut Point, failure: Option<Attempt
             } else {
                 failure.amount
             };
-            errors.error(row.span, messages::cannot_close(&row.of, row.what, &path, apart));
+            let start = overgiven(mechanism, point, &failure.q);
+            errors.error(row.span, messages::cannot_close(&row.of, row.what, &path, apart, start));
         }
         None => {
             let span = mechanism.start.iter().find(|start| start.exact).map(|start| start.span);
@@ -426,9 +427,31 @@ fn report_open(mechanism: &Mechanism, point: &mut Point, failure: Option<Attempt
                     (driver.name.text.clone(), condition.of.clone(), point.get(*node))
                 });
             let drivers = drivers.collect();
-            errors.error(span, messages::cannot_meet_start(failure.amount, drivers));
+            let start = overgiven(mechanism, point, &failure.q);
+            errors.error(span, messages::cannot_meet_start(failure.amount, drivers, start));
         }
     }
+}
+
+/// Whether `start` gives more coordinates than the joints leave free; drivers give theirs.
+fn overgiven(mechanism: &Mechanism, point: &mut Point, q: &[f64]) -> Option<messages::Overgiven> {
+    let equations = point.equations;
+    let given = equations.conditions.iter().zip(&equations.start_targets);
+    let given = given.filter(|(_, target)| target.position.is_some());
+    let given: Vec<_> = given.map(|(condition, _)| condition.clone()).collect();
+    let undriven: Vec<usize> = (0..equations.rows.len() - mechanism.drivers.len()).collect();
+    let freedoms = equations.symbols.v.len() - rank(point, &undriven, q).rank;
+    let kept = independent(point, &given, q);
+    let names = |keep: bool| -> Vec<String> {
+        let named = given.iter().enumerate().filter(|(at, _)| kept.contains(at) == keep);
+        named.map(|(_, condition)| condition.of.clone()).collect()
+    };
+    let guess = names(false);
+    (given.len() > freedoms && !guess.is_empty()).then(|| messages::Overgiven {
+        freedoms,
+        keep: names(true),
+        guess,
+    })
 }
 
 /// The bodies on the loop that a cut joint closes, by the tree.

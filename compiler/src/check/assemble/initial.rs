@@ -94,7 +94,7 @@ fn carried(mechanism: &Mechanism, point: &mut Point, q: &[f64], joint: JointId) 
 
 /// What `start` says of a body's orientation, and whether it must be met.
 fn orientation(mechanism: &Mechanism, body: BodyId) -> ([f64; 4], bool) {
-    let defaults: Vec<f64> = mechanism.parameters.iter().map(|parameter| parameter.default).collect();
+    let defaults = mechanism.defaults();
     match mechanism.orientations.iter().find(|start| start.body == body) {
         Some(start) => {
             let value = |k: usize| fold::evaluate(&start.quaternion[k], &defaults).unwrap_or(0.0);

@@ -1,9 +1,8 @@
 //! Degrees of freedom, lost ranks and the choice of independent coordinates, by the pivots of one factorisation.
 
 use super::point::{Ancestry, Point, retract};
-use crate::equations::{Condition, Equations, Jet};
+use crate::equations::{Condition, Equations};
 use crate::solve::table::{DEPENDENT, Numeric, Table};
-use std::collections::BTreeMap;
 
 /// What the pivots of D say at one position.
 #[derive(Clone, Debug, Default)]
@@ -28,25 +27,43 @@ pub fn rank(point: &mut Point, rows: &[usize], q: &[f64]) -> Rank {
 /// all links in one line along an axis, or a point driven along the line to its pivot, only rounding is left of it;
 /// relative to its own terms alone its pivot would look sound.
 fn shares(point: &mut Point, rows: &[usize], q: &[f64]) -> Vec<f64> {
-    let equations: &Equations = point.equations;
-    let ancestry = Ancestry::of_jets(equations, rows.iter().map(|row| &equations.rows[*row].jet));
-    let mut squares = |q: &[f64]| -> Vec<f64> {
-        point.set_q(q);
-        point.evaluate(&ancestry);
-        let square = |row: &usize| {
-            equations.rows[*row].jet.columns.values().map(|node| point.get(*node).powi(2)).sum::<f64>()
-        };
-        rows.iter().map(square).collect()
-    };
-    // Turned far, so that the row shows its full size, and by different amounts, so that not all stay in line.
-    let linear = equations.layout.linear.len();
-    let turn = |k: usize| if k < linear { 0.0 } else { 0.4 + 0.17 * (k % 7) as f64 };
-    let away: Vec<f64> = (0..equations.symbols.v.len()).map(turn).collect();
-    let (here, there) = (squares(q), squares(&retract(equations, q, &away)));
+    let ancestry = ancestry(point, rows);
+    let (here, away) = (squares(point, &ancestry, rows, q), turned(point, q));
+    let there = squares(point, &ancestry, rows, &away);
     let share = |(here, there): (&f64, &f64)| {
         if *here > 0.0 && *there > 0.0 { (here / there).min(1.0) } else { 0.0 }
     };
     here.iter().zip(&there).map(share).collect()
+}
+
+/// Square of each row of D with all bodies turned: far, so that the row shows its full size, and by different amounts, so
+/// that not all stay in line.
+pub fn full_squares(point: &mut Point, rows: &[usize], q: &[f64]) -> Vec<f64> {
+    let (ancestry, away) = (ancestry(point, rows), turned(point, q));
+    squares(point, &ancestry, rows, &away)
+}
+
+fn turned(point: &Point, q: &[f64]) -> Vec<f64> {
+    let equations = point.equations;
+    let linear = equations.layout.linear.len();
+    let turn = |k: usize| if k < linear { 0.0 } else { 0.4 + 0.17 * (k % 7) as f64 };
+    let away: Vec<f64> = (0..equations.symbols.v.len()).map(turn).collect();
+    retract(equations, q, &away)
+}
+
+fn ancestry(point: &Point, rows: &[usize]) -> Ancestry {
+    let equations = point.equations;
+    Ancestry::of_jets(equations, rows.iter().map(|row| &equations.rows[*row].jet))
+}
+
+fn squares(point: &mut Point, ancestry: &Ancestry, rows: &[usize], q: &[f64]) -> Vec<f64> {
+    let equations = point.equations;
+    point.set_q(q);
+    point.evaluate(ancestry);
+    let square = |row: &usize| {
+        equations.rows[*row].jet.columns.values().map(|node| point.get(*node).powi(2)).sum::<f64>()
+    };
+    rows.iter().map(square).collect()
 }
 
 /// The first of `candidates`, in order, that together with all rows fix the position at `q`.
@@ -58,34 +75,12 @@ pub fn independent(point: &mut Point, candidates: &[Condition], q: &[f64]) -> Ve
     (0..candidates.len()).filter(|at| pivots[first + at] >= DEPENDENT).collect()
 }
 
-/// The first velocities, in order, that together with all rows fix the motion at `q`.
-pub fn independent_velocities(point: &mut Point, q: &[f64]) -> Vec<usize> {
-    let equations: &Equations = point.equations;
-    let rows: Vec<usize> = (0..equations.rows.len()).collect();
-    let unit = |k: usize| Jet {
-        value: equations.zero,
-        columns: BTreeMap::from([(k, equations.one)]),
-        drift: equations.zero,
-        bias: equations.zero,
-        known_rate: None,
-    };
-    let jets: Vec<Jet> = (0..equations.symbols.v.len()).map(unit).collect();
-    let pivots = pivots_of(point, &rows, &jets.iter().collect::<Vec<_>>(), q);
-    let first = equations.symbols.v.len() + rows.len();
-    (0..jets.len()).filter(|at| pivots[first + at] >= DEPENDENT).collect()
-}
-
 /// Relative pivots of [1 D̂ᵀ; D̂ 0], the candidates eliminated last and in order.
 fn pivots(point: &mut Point, rows: &[usize], candidates: &[Condition], q: &[f64]) -> Vec<f64> {
-    let candidates: Vec<&Jet> = candidates.iter().map(|candidate| &candidate.jet).collect();
-    pivots_of(point, rows, &candidates, q)
-}
-
-fn pivots_of(point: &mut Point, rows: &[usize], candidates: &[&Jet], q: &[f64]) -> Vec<f64> {
     let equations: &Equations = point.equations;
     let n = equations.symbols.v.len();
-    let jets: Vec<_> =
-        rows.iter().map(|row| &equations.rows[*row].jet).chain(candidates.iter().copied()).collect();
+    let candidates = candidates.iter().map(|candidate| &candidate.jet);
+    let jets: Vec<_> = rows.iter().map(|row| &equations.rows[*row].jet).chain(candidates).collect();
     point.set_q(q);
     point.evaluate(&Ancestry::of_jets(equations, jets.iter().copied()));
     let structure = |jets: &[&crate::equations::Jet]| -> Vec<(usize, usize)> {

@@ -7,25 +7,33 @@
 //! to absolute coordinates where those are emitted.
 
 mod attempts;
+mod freedoms;
+mod geometry;
 mod initial;
+pub mod loose;
 mod mobility;
 mod partition;
+pub(crate) mod pins;
 mod point;
 mod position;
 mod quaternion;
 mod rates;
 mod redundancy;
+mod world;
 
+pub use freedoms::Mobility;
+pub use mobility::{full_squares, rank};
 pub use partition::{Partition, Pivot, partition};
 pub use point::{Ancestry, Point, retract};
 
 use super::messages;
 use crate::diagnostics::Diagnostics;
 use crate::equations::conditions::{self, coordinate_of};
-use crate::equations::{Ball, Condition, Dropped, Equations, Laws, Linear, Owner, Rotation};
+use crate::equations::{Ball, Condition, Dropped, Equations, Laws, Linear, Rotation};
 use crate::model::{BodyId, JointId, JointKind, Mechanism, Quantity, Space};
 use crate::solve::Massless;
 use crate::symbolic::Node;
+use freedoms::Assembled;
 use position::{Attempt, Problem};
 
 /// What assembly found.
@@ -35,8 +43,8 @@ pub struct Assembly {
     pub v: Vec<f64>,
     /// Phases of couplings that take them from the start.
     pub phases: Vec<f64>,
-    /// With drivers removed.
-    pub degrees_of_freedom: usize,
+    /// Degrees of freedom, counted and true.
+    pub mobility: Mobility,
     /// Coordinates that fix the position together with the constraints.
     pub independent: Vec<Quantity>,
     /// Rows to leave out, because others fix what they fix all along the motion.
@@ -55,9 +63,7 @@ pub fn assemble(
 ) -> Option<Assembly> {
     let candidates = candidates(mechanism, equations);
     let equations = &*equations;
-    let mut point = Point::new(equations);
-    let defaults: Vec<f64> = mechanism.parameters.iter().map(|parameter| parameter.default).collect();
-    point.set(&equations.symbols.parameters, &defaults);
+    let mut point = Point::at_defaults(mechanism, equations, &[]);
 
     let problem = problem(mechanism, equations, &mut point);
     let assembled = attempts::closed(mechanism, &problem, &mut point, errors)?;
@@ -66,20 +72,17 @@ pub fn assemble(
     let phases = phases(mechanism, equations, &mut point, &q);
     point.set(&equations.symbols.phases, &phases);
 
-    let (degrees_of_freedom, redundancy) =
-        freedoms(mechanism, equations, &mut point, &problem, &q, &candidates, errors)?;
     let independent = choose_independent(mechanism, &mut point, &candidates, &q, errors);
+    let at = Assembled { mechanism, problem: &problem, q: &q, phases: &phases, independent: &independent };
+    let (mobility, redundancy) = freedoms::judge(&at, &mut point, errors)?;
     let v = rates::rates(mechanism, equations, &mut point, &q, errors)?;
     let redundancy::Redundancy { dropped, shared, nearby } = redundancy;
-    Some(Assembly { q, v, phases, degrees_of_freedom, independent, dropped, shared, nearby })
+    Some(Assembly { q, v, phases, mobility, independent, dropped, shared, nearby })
 }
 
 /// The rows of absolute coordinates that repeat others, found at the positions near the start.
 pub fn drop_redundant(mechanism: &Mechanism, absolute: &Equations, assembly: Assembly) -> Assembly {
-    let mut point = Point::new(absolute);
-    let defaults: Vec<f64> = mechanism.parameters.iter().map(|parameter| parameter.default).collect();
-    point.set(&absolute.symbols.parameters, &defaults);
-    point.set(&absolute.symbols.phases, &assembly.phases);
+    let mut point = Point::at_defaults(mechanism, absolute, &assembly.phases);
     let found = redundancy::of_absolute(mechanism, absolute, &mut point, &assembly.nearby);
     Assembly { dropped: found.dropped, shared: found.shared, ..assembly }
 }
@@ -96,19 +99,14 @@ pub fn massless(
 
 /// Masses and inertias that depend on parameters, and whether their default is positive and must stay so.
 pub fn positive_masses(mechanism: &Mechanism, equations: &Equations) -> Vec<(String, bool)> {
-    let mut point = Point::new(equations);
-    let defaults: Vec<f64> = mechanism.parameters.iter().map(|parameter| parameter.default).collect();
-    point.set(&equations.symbols.parameters, &defaults);
+    let mut point = Point::at_defaults(mechanism, equations, &[]);
     point.evaluate(&Ancestry::of(equations, equations.masses.iter().map(|(_, node)| *node)));
     equations.masses.iter().map(|(what, node)| (what.clone(), point.get(*node) > 0.0)).collect()
 }
 
 /// The assembled state in another set of coordinates of the same mechanism.
 pub fn carry_over(mechanism: &Mechanism, from: &Equations, assembly: &Assembly, to: &Equations) -> Assembly {
-    let mut point = Point::new(from);
-    let defaults: Vec<f64> = mechanism.parameters.iter().map(|parameter| parameter.default).collect();
-    point.set(&from.symbols.parameters, &defaults);
-    point.set(&from.symbols.phases, &assembly.phases);
+    let mut point = Point::at_defaults(mechanism, from, &assembly.phases);
     point.set_q(&assembly.q);
     point.set_v(&assembly.v);
     let ancestry = Ancestry::of(from, from.motions.iter().flat_map(|motion| motion.flat()));
@@ -199,80 +197,6 @@ fn phases(mechanism: &Mechanism, equations: &Equations, point: &mut Point, q: &[
     rows.iter().map(|row| point.get(row.jet.value)).collect()
 }
 
-/// Degrees of freedom against `expect`, and independence of the rows.
-fn freedoms(
-    mechanism: &Mechanism,
-    equations: &Equations,
-    point: &mut Point,
-    problem: &Problem,
-    q: &[f64],
-    candidates: &[Condition],
-    errors: &mut Diagnostics,
-) -> Option<(usize, redundancy::Redundancy)> {
-    let n = equations.symbols.v.len();
-    let driven = equations.rows.len() - mechanism.drivers.len();
-    let undriven: Vec<usize> = (0..driven).collect();
-    let rank = mobility::rank(point, &undriven, q);
-    let freedoms = n - rank.rank;
-    if let Some((expected, span)) = mechanism.expect.degrees_of_freedom
-        && expected != freedoms
-    {
-        let names = free_names(mechanism, point, candidates, q);
-        errors.error(span, messages::wrong_freedoms(expected, freedoms, names));
-    }
-    let mut dependent = rank.dependent;
-    if dependent.is_empty() && !mechanism.drivers.is_empty() {
-        let all: Vec<usize> = (0..equations.rows.len()).collect();
-        dependent = mobility::rank(point, &all, q).dependent;
-    }
-    let redundancy = match redundancy::find(mechanism, point, problem, q, &dependent) {
-        redundancy::Finding::None => redundancy::Redundancy::default(),
-        redundancy::Finding::Dropped(redundancy) => {
-            return errors.is_empty().then_some((freedoms, redundancy));
-        }
-        redundancy::Finding::Refused { rows, mut dropped } => {
-            let rank = rows - dropped.len();
-            dropped.sort_unstable();
-            // One message for each joint, not for each of its rows.
-            for of_one in dropped.chunk_by(|a, b| equations.rows[*a].of == equations.rows[*b].of) {
-                let row = &equations.rows[of_one[0]];
-                let what: Vec<&str> = of_one.iter().map(|row| equations.rows[*row].what).collect();
-                errors.error(row.span, messages::redundant(&row.of, &what, rows, rank, mechanism.space));
-            }
-            return None;
-        }
-    };
-    // One message for each joint, not for each of its rows.
-    let (rows, rank) = (equations.rows.len(), equations.rows.len() - dependent.len());
-    for rows_of_one in dependent.chunk_by(|a, b| equations.rows[*a].of == equations.rows[*b].of) {
-        let first = &equations.rows[rows_of_one[0]];
-        let what: Vec<&str> = rows_of_one.iter().map(|row| equations.rows[*row].what).collect();
-        errors.error(first.span, messages::dependent_rows(&first.of, &what, rows, rank));
-    }
-    errors.is_empty().then_some((freedoms, redundancy))
-}
-
-/// What can still move: the independent coordinates, and where those do not suffice the independent velocities.
-fn free_names(mechanism: &Mechanism, point: &mut Point, candidates: &[Condition], q: &[f64]) -> Vec<String> {
-    let equations = point.equations;
-    if equations.layout.quaternions.is_empty() {
-        let names = mobility::independent(point, candidates, q);
-        return names.iter().map(|at| candidates[*at].of.clone()).collect();
-    }
-    let owners = equations.layout.owners(mechanism);
-    let mut found: Vec<String> = Vec::new();
-    for velocity in mobility::independent_velocities(point, q) {
-        let name = match owners[velocity] {
-            Owner::Body(body) => &mechanism.bodies[body.0].name.text,
-            Owner::Joint(joint) => &mechanism.joints[joint.0].name.text,
-        };
-        if found.last() != Some(name) {
-            found.push(name.clone());
-        }
-    }
-    found
-}
-
 /// Coordinates that may serve as independent ones: as written, else `start`'s, else those of the tree.
 fn candidates(mechanism: &Mechanism, equations: &mut Equations) -> Vec<Condition> {
     let mut quantities: Vec<Quantity> = Vec::new();
@@ -354,10 +278,7 @@ pub fn completion(
             given.push(conditions::condition(&mut equations.graph, &laws, &quantity).0);
         }
     }
-    let mut point = Point::new(equations);
-    let defaults: Vec<f64> = mechanism.parameters.iter().map(|parameter| parameter.default).collect();
-    point.set(&equations.symbols.parameters, &defaults);
-    point.set(&equations.symbols.phases, &assembly.phases);
+    let mut point = Point::at_defaults(mechanism, equations, &assembly.phases);
     let chosen = mobility::independent(&mut point, &given, &assembly.q);
     let further = chosen.into_iter().filter(|at| *at >= independent.len());
     further.map(|at| given[at].quantity.clone()).collect()
@@ -382,9 +303,10 @@ fn choose_independent(
     errors: &mut Diagnostics,
 ) -> Vec<Quantity> {
     let chosen = mobility::independent(point, candidates, q);
+    let names: Vec<&str> = chosen.iter().map(|at| candidates[*at].of.as_str()).collect();
     for (at, (_, span)) in mechanism.options.independent.iter().enumerate() {
         if !chosen.contains(&at) && at < candidates.len() {
-            errors.error(*span, messages::not_independent(&candidates[at].of));
+            errors.error(*span, messages::not_independent(&candidates[at].of, &names));
         }
     }
     chosen.into_iter().map(|at| candidates[at].quantity.clone()).collect()

@@ -41,10 +41,7 @@ pub fn partition(
     assembly: &Assembly,
     independent: &[usize],
 ) -> Partition {
-    let mut point = Point::new(equations);
-    let defaults: Vec<f64> = mechanism.parameters.iter().map(|parameter| parameter.default).collect();
-    point.set(&equations.symbols.parameters, &defaults);
-    point.set(&equations.symbols.phases, &assembly.phases);
+    let mut point = Point::at_defaults(mechanism, equations, &assembly.phases);
     point.set_q(&assembly.q);
     let columns = equations.rows.iter().flat_map(|row| row.jet.columns.values().copied());
     point.evaluate(&Ancestry::of(equations, columns));

@@ -2,6 +2,7 @@
 
 use super::quaternion;
 use crate::equations::{Equations, Jet};
+use crate::model::Mechanism;
 use crate::symbolic::{Node, Op, evaluate_reachable};
 
 /// Values of the symbols, and of the nodes asked for.
@@ -32,6 +33,14 @@ impl<'a> Point<'a> {
     /// All symbols zero.
     pub fn new(equations: &'a Equations) -> Self {
         Point { equations, symbols: vec![0.0; equations.graph.symbol_count()], values: Vec::new() }
+    }
+
+    /// Parameters at their defaults, and the phases of couplings; the rest zero.
+    pub fn at_defaults(mechanism: &Mechanism, equations: &'a Equations, phases: &[f64]) -> Self {
+        let mut point = Point::new(equations);
+        point.set(&equations.symbols.parameters, &mechanism.defaults());
+        point.set(&equations.symbols.phases, phases);
+        point
     }
 
     pub fn set(&mut self, nodes: &[Node], values: &[f64]) {

@@ -1,5 +1,6 @@
 //! Velocities of the start, and the mass matrix at the assembled position.
 
+use super::loose::{self, Loose, Way};
 use super::point::{Ancestry, Point};
 use super::{Assembly, messages};
 use crate::diagnostics::Diagnostics;
@@ -113,10 +114,7 @@ pub fn massless(
     errors: &mut Diagnostics,
 ) -> Massless {
     let n = equations.symbols.v.len();
-    let mut point = Point::new(equations);
-    let defaults: Vec<f64> = mechanism.parameters.iter().map(|parameter| parameter.default).collect();
-    point.set(&equations.symbols.parameters, &defaults);
-    point.set(&equations.symbols.phases, &assembly.phases);
+    let mut point = Point::at_defaults(mechanism, equations, &assembly.phases);
     point.set_q(&assembly.q);
     point.evaluate(&Ancestry::of(equations, equations.mass.values().copied()));
     let mass: Vec<(usize, usize, f64)> =
@@ -146,13 +144,38 @@ pub fn massless(
     let weight = if largest > 0.0 { 2.0_f64.powi(largest.log2().round() as i32) } else { 1.0 };
 
     let loose = loose_velocities(&mut point, &mass, &rows, weight, n);
-    let (names, owners) = (equations.layout.velocity_names(mechanism), equations.layout.owners(mechanism));
-    for velocity in &loose {
-        let body = body_of(mechanism, equations, owners[*velocity]);
-        errors.error(body.mass_span, messages::massless(&body.name.text, &names[*velocity]));
-    }
+    report_loose(mechanism, equations, assembly, &loose, errors);
     Massless { velocities, rows, weight }
 }
+
+/// Names the bodies, and those that spin alone as what they are.
+fn report_loose(
+    mechanism: &Mechanism,
+    equations: &Equations,
+    assembly: &Assembly,
+    velocities: &[usize],
+    errors: &mut Diagnostics,
+) {
+    if velocities.is_empty() {
+        return;
+    }
+    let alone = loose::find(mechanism, equations, &assembly.q, &assembly.phases);
+    let (names, owners) = (equations.layout.velocity_names(mechanism), equations.layout.owners(mechanism));
+    for velocity in velocities {
+        let body = body_of(mechanism, equations, owners[*velocity]);
+        let spins = |loose: &&Loose| {
+            matches!(loose.way, Way::Spinning { .. }) && loose.bodies.contains(&body.name.text)
+        };
+        let message = match alone.iter().find(spins) {
+            Some(loose) => messages::massless_spin(loose),
+            None => messages::massless(&body.name.text, &names[*velocity]),
+        };
+        errors.error(body.mass_span, message);
+    }
+}
+
+/// Entries of D below this, in parts of the largest of their row, are rounding.
+const ROUNDING: f64 = 1e-13;
 
 /// Velocities that neither mass nor constraints hold: zero pivots of M + ρ Dᵀ D.
 fn loose_velocities(
@@ -167,10 +190,13 @@ fn loose_velocities(
     point.evaluate(&Ancestry::of_jets(equations, jets.iter().copied()));
     let mut entries = mass.to_vec();
     for jet in &jets {
-        for (a, x) in &jet.columns {
-            for (b, y) in jet.columns.range(..=a) {
-                entries.push((*a, *b, weight * point.get(*x) * point.get(*y)));
-            }
+        let columns: Vec<(usize, f64)> =
+            jet.columns.iter().map(|(column, node)| (*column, point.get(*node))).collect();
+        let largest = columns.iter().fold(0.0_f64, |largest, (_, x)| largest.max(x.abs()));
+        // What is rounding beside the rest of its row holds nothing: alone its square would look like a sound pivot.
+        let hold = |x: f64| if x.abs() < ROUNDING * largest { 0.0 } else { x };
+        for (at, (a, x)) in columns.iter().enumerate() {
+            entries.extend(columns[..=at].iter().map(|(b, y)| (*a, *b, weight * hold(*x) * hold(*y))));
         }
     }
     let table = Table::new(n, 0, entries.iter().map(|(i, j, _)| (*i, *j)));

@@ -1,14 +1,15 @@
 //! Constraint rows that repeat what others fix, not only at the start but all along the motion.
 //!
 //! Judged at a few positions near the start that the joints admit: a rank that is lost at all of them is redundancy; one
-//! that is lost at the start alone is a singular position, which is left to the caller. Of the left null space of D with
+//! that is lost at the start alone is a singular position, and one from which every way leads back to the start moves only
+//! infinitesimally; what to say of those is left to the caller. Of the left null space of D with
 //! an orthonormal basis N, |N_i|² says how much row i takes part in the repetition (1: it vanishes; 0: it has nothing to
 //! do with it). The row that takes part most at the position where it takes part least can be left out for longest.
 
 use super::point::{Ancestry, Point, retract};
 use super::position::Problem;
 use crate::equations::{Dropped, Equations};
-use crate::model::{Frame, JointId, Mechanism, Redundant};
+use crate::model::{JointId, Mechanism};
 use crate::solve::table::Numeric;
 use std::collections::BTreeSet;
 
@@ -22,15 +23,18 @@ pub struct Redundancy {
 }
 
 /// What was found.
-pub enum Finding {
-    /// No redundancy; where rows are dependent nevertheless, the start is singular.
-    None,
-    Dropped(Redundancy),
-    /// How many rows there are, and those that would be dropped, indices into [`Equations::rows`].
-    Refused {
-        rows: usize,
-        dropped: Vec<usize>,
-    },
+#[derive(Default)]
+pub struct Finding {
+    /// Rows that repeat others at all positions, indices into [`Equations::rows`].
+    pub repeated: Vec<usize>,
+    /// What `redundant = drop` or `keep` makes of them.
+    pub redundancy: Redundancy,
+    /// Positions nearby.
+    pub beyond: Vec<Vec<f64>>,
+    /// The start has directions of motion, but none leads away from it.
+    pub shaky: bool,
+    /// Rank is lost at all positions, and not only by rows of joints: couplings contradict or repeat each other.
+    pub coupled: bool,
 }
 
 /// Rows that take part less than this are not blamed.
@@ -38,37 +42,33 @@ const TAKES_PART: f64 = 1e-6;
 /// A pivot of normalised rows below this is rounding.
 const VANISHED: f64 = 1e-9;
 const POSITIONS: usize = 5;
+/// A position this near to the start, in parts of the step that was tried, is the start again.
+const RETURNED: f64 = 1e-3;
 
 /// Judges the rows of joints and constraints, given that some are dependent at `q`.
-pub fn find(
-    mechanism: &Mechanism,
-    point: &mut Point,
-    problem: &Problem,
-    q: &[f64],
-    dependent: &[usize],
-) -> Finding {
-    if dependent.is_empty() {
-        return Finding::None;
-    }
+pub fn find(mechanism: &Mechanism, point: &mut Point, problem: &Problem, q: &[f64]) -> Finding {
     let equations = point.equations;
-    let nearby = positions(mechanism, point, problem, q);
+    let Nearby { found: beyond, back, open } = positions(mechanism, point, problem, q);
+    let nearby = if beyond.is_empty() { vec![q.to_vec()] } else { beyond.clone() };
     let rows: Vec<usize> = (0..equations.rows.len() - mechanism.drivers.len()).collect();
     let spaces: Vec<Vec<Vec<f64>>> = nearby.iter().map(|q| left_null_space(point, &rows, q)).collect();
     let deficiency = spaces.iter().map(Vec::len).min().unwrap_or(0);
-    if deficiency == 0 {
-        return Finding::None;
+    // Rank is lost and no way leads on: neither one that was tried, nor rows that repeat others exactly.
+    if beyond.is_empty() && !open && (back || deficiency == 0) {
+        return Finding { shaky: true, ..Finding::default() };
     }
     let droppable = |row: usize| equations.rows[row].joint.is_some();
-    let Some(dropped) = choose(point, &rows, &nearby, droppable) else { return Finding::None };
-    if mechanism.options.redundant == Redundant::Refuse {
-        return Finding::Refused { rows: rows.len(), dropped };
-    }
+    let chosen = if deficiency > 0 { choose(point, &rows, &nearby, droppable) } else { None };
+    let Some(repeated) = chosen else {
+        return Finding { beyond, coupled: deficiency > 0, ..Finding::default() };
+    };
     let shared = joints_that_share(mechanism, equations, &rows, &spaces);
-    let dropped = dropped.into_iter().filter_map(|row| {
-        let row = &equations.rows[row];
+    let dropped = repeated.iter().filter_map(|row| {
+        let row = &equations.rows[*row];
         Some(Dropped { joint: row.joint?, what: row.what })
     });
-    Finding::Dropped(Redundancy { dropped: dropped.collect(), shared, nearby })
+    let redundancy = Redundancy { dropped: dropped.collect(), shared, nearby };
+    Finding { repeated, redundancy, beyond, shaky: false, coupled: false }
 }
 
 /// The rows of absolute coordinates to leave out, at positions that the tree has shown to be redundant.
@@ -134,25 +134,28 @@ fn joints_that_share(
     for (at, row) in rows.iter().enumerate() {
         let takes_part = spaces.iter().flatten().any(|w| w[at] * w[at] > TAKES_PART);
         let (true, Some(id)) = (takes_part, equations.rows[*row].joint) else { continue };
-        joints.insert(id);
-        let joint = &mechanism.joints[id.0];
-        let (one, other) = (tree.path(joint.first.frame), tree.path(joint.second.frame));
-        let around = one.iter().filter(|frame| !other.contains(frame));
-        for frame in around.chain(other.iter().filter(|frame| !one.contains(frame))) {
-            let own = tree.attachments.iter().find(|own| Frame::Body(own.body) == *frame);
-            joints.extend(own.and_then(|own| own.joint).map(|(joint, _)| joint));
-        }
+        joints.extend(tree.around(mechanism, id));
     }
     joints.into_iter().collect()
 }
 
-/// Positions a short way from the start, along velocities that the joints admit. The start itself is not among them if it
-/// can be left.
-fn positions(mechanism: &Mechanism, point: &mut Point, problem: &Problem, q: &[f64]) -> Vec<Vec<f64>> {
+/// Where velocities that the joints admit lead.
+#[derive(Default)]
+struct Nearby {
+    /// Positions a short way from the start.
+    found: Vec<Vec<f64>>,
+    /// Some way led back to the start.
+    back: bool,
+    /// Some way was not followed to a position.
+    open: bool,
+}
+
+/// Follows a few velocities that the joints admit.
+fn positions(mechanism: &Mechanism, point: &mut Point, problem: &Problem, q: &[f64]) -> Nearby {
     let equations = point.equations;
     let joints = problem.joints_only(mechanism);
     let n = equations.symbols.v.len();
-    let mut found = Vec::new();
+    let mut nearby = Nearby::default();
     for number in 1..=POSITIONS {
         // Any direction, different for each.
         let wish: Vec<f64> = (0..n).map(|k| libm::sin((number * (3 * k + 2)) as f64)).collect();
@@ -164,14 +167,14 @@ fn positions(mechanism: &Mechanism, point: &mut Point, problem: &Problem, q: &[f
         let length = 0.05 + 0.04 * number as f64;
         let step: Vec<f64> = step.iter().map(|x| x * length / largest).collect();
         let attempt = joints.solve(point, retract(equations, q, &step));
-        if attempt.closed {
-            found.push(attempt.q);
+        let moved = attempt.q.iter().zip(q).fold(0.0_f64, |most, (a, b)| most.max((a - b).abs()));
+        match attempt.closed {
+            true if moved > RETURNED * length => nearby.found.push(attempt.q),
+            true => nearby.back = true,
+            false => nearby.open = true,
         }
     }
-    if found.is_empty() {
-        found.push(q.to_vec());
-    }
-    found
+    nearby
 }
 
 /// An orthonormal basis of the w with wᵀ D = 0, rows of D brought to length one.

@@ -1,0 +1,240 @@
+//! Degrees of freedom: as counted by Grübler and Kutzbach, at the start, and near it; and why they differ.
+//!
+//! A rank that is lost wherever the mechanism stands is redundancy, and adds to the count. One that is lost at the start
+//! alone is a singular position (a change point, a dead centre of a driver). One that is lost at the start without a way to
+//! leave it belongs to a structure that moves only infinitesimally.
+
+use super::mobility::{self, Rank};
+use super::point::{Ancestry, Point};
+use super::position::Problem;
+use super::redundancy::{self, Finding, Redundancy};
+use super::{geometry, loose, messages, pins};
+use crate::diagnostics::Diagnostics;
+use crate::equations::conditions;
+use crate::model::{BodyKind, Mechanism, Quantity, Redundant, Space};
+use std::fmt;
+
+/// How a mechanism can move, drivers removed.
+#[derive(Clone, Debug)]
+pub struct Mobility {
+    /// Freedoms of all bodies apart from each other.
+    pub apart: usize,
+    pub bodies: usize,
+    pub joints: usize,
+    /// Gears, racks and equations.
+    pub couplings: usize,
+    /// Equations of all joints and couplings.
+    pub equations: usize,
+    /// At the start.
+    pub at_start: usize,
+    /// Near the start: the degrees of freedom.
+    pub generic: usize,
+    /// Rows that repeat what others fix all along the motion, by joint or coupling and direction.
+    pub redundant: Vec<(String, &'static str)>,
+    /// What makes them repeat, where it is known: "the axes of a, b and c are parallel".
+    pub reasons: Vec<String>,
+}
+
+impl Mobility {
+    /// The number of Grübler and Kutzbach, which knows nothing of where the joints are.
+    pub fn counted(&self) -> isize {
+        self.apart as isize - self.equations as isize
+    }
+}
+
+/// In sentences.
+impl fmt::Display for Mobility {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(&messages::mobility(self))
+    }
+}
+
+/// The mechanism put together.
+pub struct Assembled<'a> {
+    pub mechanism: &'a Mechanism,
+    pub problem: &'a Problem<'a>,
+    pub q: &'a [f64],
+    pub phases: &'a [f64],
+    pub independent: &'a [Quantity],
+}
+
+/// Degrees of freedom against `expect`, and independence of the rows.
+pub fn judge(at: &Assembled, point: &mut Point, errors: &mut Diagnostics) -> Option<(Mobility, Redundancy)> {
+    let equations = point.equations;
+    let undriven: Vec<usize> = (0..equations.rows.len() - at.mechanism.drivers.len()).collect();
+    let rank = mobility::rank(point, &undriven, at.q);
+    let finding = match rank.dependent.is_empty() {
+        true => Finding::default(),
+        false => redundancy::find(at.mechanism, point, at.problem, at.q),
+    };
+    let mobility = mobility(at, point, &rank, &finding);
+    expected(at, point, &mobility, errors);
+    if finding.coupled || finding.shaky {
+        report_dependent(at, point, &rank.dependent, finding.shaky, errors);
+        return None;
+    }
+    if !finding.repeated.is_empty() && at.mechanism.options.redundant == Redundant::Refuse {
+        report_redundant(at, point, &mobility, &finding.repeated, errors);
+        return None;
+    }
+    let left: Vec<usize> = undriven.into_iter().filter(|row| !finding.repeated.contains(row)).collect();
+    let lost = match finding.repeated.is_empty() {
+        true => rank.dependent,
+        false => mobility::rank(point, &left, at.q).dependent,
+    };
+    if !lost.is_empty() {
+        report_singular(at, point, &left, &lost, &finding.beyond, errors);
+    } else if !at.mechanism.drivers.is_empty() {
+        stuck_driver(at, point, left, errors);
+    }
+    errors.is_empty().then_some((mobility, finding.redundancy))
+}
+
+fn mobility(at: &Assembled, point: &mut Point, rank: &Rank, finding: &Finding) -> Mobility {
+    let (mechanism, equations) = (at.mechanism, point.equations);
+    let (velocities, rows) = (equations.symbols.v.len(), equations.rows.len() - mechanism.drivers.len());
+    let freedoms = |kind: BodyKind| match (mechanism.space, kind) {
+        (Space::Planar, BodyKind::Particle) => 2,
+        (Space::Planar, BodyKind::Rigid) | (Space::Spatial, BodyKind::Particle) => 3,
+        (Space::Spatial, BodyKind::Rigid) => 6,
+    };
+    let apart: usize = mechanism.bodies.iter().map(|body| freedoms(body.kind)).sum();
+    let mut repeated = finding.repeated.clone();
+    repeated.sort_unstable();
+    let names = repeated.iter().map(|row| (equations.rows[*row].of.clone(), equations.rows[*row].what));
+    let at_start = velocities - rank.rank;
+    let generic = match () {
+        _ if rank.dependent.is_empty() || finding.coupled => at_start,
+        _ if finding.shaky => 0,
+        _ => velocities + repeated.len() - rows,
+    };
+    Mobility {
+        apart,
+        bodies: mechanism.bodies.len(),
+        joints: mechanism.joints.len(),
+        couplings: mechanism.constraints.len(),
+        // What the joints of the tree hold is no row any more.
+        equations: apart + rows - velocities,
+        at_start,
+        generic,
+        redundant: names.collect(),
+        reasons: geometry::reasons(mechanism, point, at.q, &repeated),
+    }
+}
+
+/// The number of `expect`.
+fn expected(at: &Assembled, point: &Point, mobility: &Mobility, errors: &mut Diagnostics) {
+    let Some((expected, span)) = at.mechanism.expect.degrees_of_freedom else { return };
+    if expected == mobility.generic {
+        return;
+    }
+    let loose = match mobility.generic > expected {
+        true => loose::find(at.mechanism, point.equations, at.q, at.phases),
+        false => Vec::new(),
+    };
+    let independent: Vec<String> =
+        at.independent.iter().map(|quantity| conditions::name(at.mechanism, quantity)).collect();
+    errors.error(span, messages::wrong_freedoms(expected, mobility, &loose, &independent));
+}
+
+/// One message for each joint, not for each of its rows.
+fn report_redundant(
+    at: &Assembled,
+    point: &Point,
+    mobility: &Mobility,
+    repeated: &[usize],
+    errors: &mut Diagnostics,
+) {
+    let rows = &point.equations.rows;
+    let mut repeated = repeated.to_vec();
+    repeated.sort_unstable();
+    for of_one in repeated.chunk_by(|a, b| rows[*a].of == rows[*b].of) {
+        let row = &rows[of_one[0]];
+        let what: Vec<&str> = of_one.iter().map(|row| rows[*row].what).collect();
+        let Some(joint) = row.joint else { continue };
+        let kind = at.mechanism.joints[joint.0].kind.word();
+        let whole = what.len() == rows.iter().filter(|own| own.joint == Some(joint)).count();
+        let repeated = messages::Repeated { joint: &row.of, kind, what: &what, whole };
+        errors.error(row.span, messages::redundant(&repeated, mobility, at.mechanism.space));
+    }
+}
+
+/// Rank that is lost wherever the mechanism can be: in a structure that shakes, or by couplings.
+fn report_dependent(
+    at: &Assembled,
+    point: &mut Point,
+    dependent: &[usize],
+    shaky: bool,
+    errors: &mut Diagnostics,
+) {
+    let equations = point.equations;
+    let mut rows = dependent.iter().map(|row| &equations.rows[*row]);
+    if shaky {
+        let Some(row) = rows.next() else { return };
+        let in_line = pins::in_line(at.mechanism, &pins::pins(at.mechanism, point, at.q), None);
+        errors.error(row.span, messages::shaky(&row.of, &in_line));
+    } else if let Some(row) = rows.find(|row| row.joint.is_none()).or(equations.rows.last()) {
+        errors.error(row.span, messages::repeated_coupling(&row.of));
+    }
+}
+
+/// The start is a singular position; where there is one nearby that is not, it is named.
+fn report_singular(
+    at: &Assembled,
+    point: &mut Point,
+    rows: &[usize],
+    lost: &[usize],
+    beyond: &[Vec<f64>],
+    errors: &mut Diagnostics,
+) {
+    let equations = point.equations;
+    let in_line = pins::in_line(at.mechanism, &pins::pins(at.mechanism, point, at.q), None);
+    let mut of: Vec<String> = lost.iter().map(|row| equations.rows[*row].of.clone()).collect();
+    of.dedup();
+    let elsewhere = elsewhere(at, point, beyond);
+    let stated = at.mechanism.start.iter().find(|start| conditions::is_position(&start.quantity));
+    let span = stated.map_or(equations.rows[lost[0]].span, |start| start.span);
+    let rank = (rows.len() - lost.len(), rows.len());
+    errors.error(span, messages::singular_start(rank, &of, &in_line, elsewhere));
+}
+
+/// What `start` could say of its first coordinate to be at another position, `crank_pin.angle [rad] = 0.09;`: of those
+/// known the one where the coordinate has moved most.
+fn elsewhere(at: &Assembled, point: &mut Point, beyond: &[Vec<f64>]) -> Option<String> {
+    let equations = point.equations;
+    let stated = equations.conditions.iter().zip(&equations.start_targets);
+    let stated = stated.filter(|(_, target)| target.position.is_some()).map(|(condition, _)| condition);
+    let guessed = equations.guesses.iter().map(|(condition, _)| condition);
+    let condition = stated.chain(guessed).find(|condition| !condition.rate_only)?;
+    let ancestry = Ancestry::of(equations, [condition.jet.value]);
+    let mut value = |q: &[f64]| {
+        point.set_q(q);
+        point.evaluate(&ancestry);
+        point.get(condition.jet.value)
+    };
+    let here = value(at.q);
+    let values = beyond.iter().map(|q| value(q));
+    let furthest = values.max_by(|a, b| (a - here).abs().total_cmp(&(b - here).abs()))?;
+    let unit = if condition.angular { "rad" } else { "m" };
+    let exact = at.mechanism.start.iter().any(|start| start.exact && start.text == condition.of);
+    let sign = if exact { '=' } else { '~' };
+    Some(format!("{} [{unit}] {sign} {furthest:.3};", condition.of))
+}
+
+/// The first driver that holds nothing at the start, though the joints leave it freedom.
+fn stuck_driver(at: &Assembled, point: &mut Point, mut rows: Vec<usize>, errors: &mut Diagnostics) {
+    let equations = point.equations;
+    let first = equations.rows.len() - at.mechanism.drivers.len();
+    rows.extend(first..equations.rows.len());
+    while rows.last().is_some_and(|row| *row >= first) {
+        if mobility::rank(point, &rows, at.q).dependent.is_empty() {
+            return;
+        }
+        let Some(driver) = rows.pop() else { return };
+        if mobility::rank(point, &rows, at.q).dependent.is_empty() {
+            let row = &equations.rows[driver];
+            let quantity = &equations.driven[driver - first].0.of;
+            errors.error(row.span, messages::stuck_driver(&row.of, quantity));
+        }
+    }
+}

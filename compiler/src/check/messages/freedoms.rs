@@ -1,0 +1,241 @@
+//! Texts about degrees of freedom: counted and true, redundant equations, singular starts, bodies that move alone.
+
+use super::{freedoms, list};
+use crate::check::assemble::Mobility;
+use crate::check::assemble::loose::{Loose, Way};
+use crate::model::{JointWord, Space};
+
+pub fn wrong_freedoms(
+    expected: usize,
+    mobility: &Mobility,
+    loose: &[Loose],
+    independent: &[String],
+) -> String {
+    let found = mobility.generic;
+    let mut text = format!("expected {}, found {found}", freedoms(expected));
+    if found < expected {
+        text += &format!(": {}", counted(mobility));
+        return text
+            + &format!(
+                "; write `degrees_of_freedom = {found};` if that is meant, or let the joints leave more"
+            );
+    }
+    let known: usize = loose.iter().map(|loose| loose.freedoms).sum();
+    let mut parts: Vec<String> = loose.iter().map(self::loose).collect();
+    if known < found - expected && !independent.is_empty() {
+        parts
+            .push(format!("`independent = ({})` are coordinates that can be chosen", independent.join(", ")));
+    }
+    if !parts.is_empty() {
+        text += &format!(": {}", parts.join("; "));
+    }
+    if mobility.counted() != found as isize {
+        let reasons: String = mobility.reasons.iter().map(|reason| format!("; {reason}")).collect();
+        text += &format!(". {}{reasons}", capital(&counted(mobility)));
+    }
+    text + &format!("; write `degrees_of_freedom = {found};` if that is meant, or change the joints")
+}
+
+/// The freedoms in sentences, for those who ask.
+pub fn mobility(mobility: &Mobility) -> String {
+    let mut text = format!("{}; {}.", freedoms(mobility.generic), counted(mobility));
+    for (of, what) in &mobility.redundant {
+        text += &format!(" \"{of}\" repeats what others fix: {}.", direction(what));
+    }
+    for reason in &mobility.reasons {
+        text += &format!(" {}.", capital(reason));
+    }
+    text
+}
+
+/// `Grübler's count is 6 freedoms of 2 bodies less 4 equations of 2 joints, 2`
+fn counted(mobility: &Mobility) -> String {
+    let plural =
+        |count: usize, one: &str, more: &str| format!("{count} {}", if count == 1 { one } else { more });
+    let mut joints = plural(mobility.joints, "joint", "joints");
+    if mobility.couplings > 0 {
+        joints += &format!(" and {}", plural(mobility.couplings, "coupling", "couplings"));
+    }
+    format!(
+        "Grübler's count is {} of {} less {} of {joints}, {}",
+        plural(mobility.apart, "freedom", "freedoms"),
+        plural(mobility.bodies, "body", "bodies"),
+        plural(mobility.equations, "equation", "equations"),
+        mobility.counted()
+    )
+}
+
+/// What moves alone, and how.
+pub fn loose(loose: &Loose) -> String {
+    let several = if loose.freedoms > 1 { format!(" ({} freedoms)", loose.freedoms) } else { String::new() };
+    format!("{}{several}", how(loose))
+}
+
+fn how(loose: &Loose) -> String {
+    let bodies: Vec<String> = loose.bodies.iter().map(|body| format!("\"{body}\"")).collect();
+    let who = list(&bodies);
+    let joints: Vec<String> = loose.joints.iter().map(|joint| format!("\"{joint}\"")).collect();
+    let at = list(&joints);
+    let own = if loose.bodies.len() == 1 { "its" } else { "their" };
+    match loose.way {
+        Way::Floating => {
+            format!("{who} can move freely: no joint holds {}", if own == "its" { "it" } else { "them" })
+        }
+        Way::Hanging(JointWord::Revolute | JointWord::Spherical | JointWord::Universal) => {
+            format!("{who} can turn freely about {at}")
+        }
+        Way::Hanging(JointWord::Prismatic) => format!("{who} can slide freely along {at}"),
+        Way::Hanging(JointWord::Cylindrical) => format!("{who} can turn about and slide along {at}"),
+        Way::Hanging(_) => format!("{who} can move freely at {at}"),
+        Way::Spinning { spherical: true } => {
+            format!("{who} can spin about {own} own axis between {own} two spherical joints {at}")
+        }
+        Way::Spinning { spherical: false } => format!("{who} can spin about {own} own axis between {at}"),
+        Way::Turning => format!("{who} can turn about {at} while all else stands still"),
+        Way::Sliding => format!("{who} can slide between {at} while all else stands still"),
+        Way::Otherwise => format!("{who} can move between {at} while all else stands still"),
+    }
+}
+
+/// Rank that is lost at the start alone. `rank`: there, and a little further on.
+pub fn singular_start(
+    rank: (usize, usize),
+    of: &[String],
+    in_line: &[String],
+    elsewhere: Option<String>,
+) -> String {
+    let why = if in_line.is_empty() {
+        let of: Vec<String> = of.iter().map(|of| format!("\"{of}\"")).collect();
+        format!("singular position: {} {} what the others fix", list(&of), repeats(of.len()))
+    } else {
+        format!("change point: {} in line", list(in_line))
+    };
+    let mut text = format!(
+        "at the start position the constraints lose rank ({why}): it is {} there and {} a little further on. Several motions \
+         meet there and none is determined; start elsewhere",
+        rank.0, rank.1
+    );
+    if let Some(elsewhere) = elsewhere {
+        text += &format!(", for example at `{elsewhere}`");
+    }
+    text
+}
+
+/// A structure whose velocities lead nowhere.
+pub fn shaky(of: &str, in_line: &[String]) -> String {
+    let why = if in_line.is_empty() { String::new() } else { format!(" ({} in line)", list(in_line)) };
+    format!(
+        "the joints leave no motion but an infinitesimal one{why}: \"{of}\" repeats what the others fix at the start position, \
+         the only one there is. Change a length, so that the mechanism can move or is rigid"
+    )
+}
+
+pub fn repeated_coupling(of: &str) -> String {
+    format!(
+        "\"{of}\" repeats what the joints and the couplings before it already fix, all along the motion: remove it"
+    )
+}
+
+/// `quantity`: what the driver moves.
+pub fn stuck_driver(of: &str, quantity: &str) -> String {
+    format!(
+        "the driver \"{of}\" cannot move the mechanism from its start position: {quantity} is at a dead centre there, where \
+         its rate is zero whatever else moves, or others hold it. Start elsewhere, or drive another coordinate"
+    )
+}
+
+/// Rows of one joint that repeat, wherever the mechanism stands.
+pub struct Repeated<'a> {
+    pub joint: &'a str,
+    pub kind: JointWord,
+    pub what: &'a [&'a str],
+    /// Whether these are all rows of the joint.
+    pub whole: bool,
+}
+
+pub fn redundant(repeated: &Repeated, mobility: &Mobility, space: Space) -> String {
+    let Repeated { joint, kind, what, whole } = *repeated;
+    let held: Vec<String> = what.iter().map(|what| direction(what).to_string()).collect();
+    let (equations, rank) = (mobility.equations, mobility.equations - mobility.redundant.len());
+    let joints = if mobility.joints == 1 {
+        "1 joint gives".to_string()
+    } else {
+        format!("{} joints give", mobility.joints)
+    };
+    let why = match mobility.reasons.as_slice() {
+        [] => String::new(),
+        reasons => format!(", because {}", reasons.join("; ")),
+    };
+    let instead = match freer(space, kind, what) {
+        _ if whole => format!("or leave \"{joint}\" out"),
+        Some(freer) => format!("or make \"{joint}\" a joint that leaves more freedom: {freer}"),
+        None => format!("or let the joints of its loop leave {} more freedoms", what.len()),
+    };
+    format!(
+        "{joints} {equations} constraint equations of rank {rank}, all along the motion: \"{joint}\" ({}) repeats what the \
+         others already fix{why}. Grübler's count is {}, the mechanism has {}. Write `options {{ redundant = drop; }}` to \
+         leave such equations out (some reactions are then not unique) or `keep` to keep them without a part, {instead}",
+        list(&held),
+        mobility.counted(),
+        freedoms(mobility.generic)
+    )
+}
+
+fn repeats(count: usize) -> &'static str {
+    if count == 1 { "repeats" } else { "repeat" }
+}
+
+fn capital(text: &str) -> String {
+    let mut characters = text.chars();
+    characters.next().map_or(String::new(), |first| first.to_uppercase().chain(characters).collect())
+}
+
+/// What a row holds, in words.
+fn direction(what: &str) -> &str {
+    match what {
+        "x" => "shifts along x",
+        "y" => "shifts along y",
+        "z" => "shifts along z",
+        "normal_1" => "shifts along x of its axes",
+        "normal_2" => "shifts along y of its axes",
+        "normal" => "shifts along its normal",
+        "axis_1" => "turns about y of its axes",
+        "axis_2" => "turns about x of its axes",
+        "angle" => "turns about its axis",
+        "cross" => "turns across both its axes",
+        "twist" => "turns along the shafts",
+        other => other,
+    }
+}
+
+/// A joint that holds what another holds but for these rows, if there is one.
+fn freer(space: Space, kind: JointWord, what: &[&str]) -> Option<&'static str> {
+    let is_turn = |what: &&&str| matches!(**what, "axis_1" | "axis_2" | "angle" | "cross" | "twist");
+    let turns = what.iter().filter(is_turn).count();
+    Some(match (space, kind, turns, what.len() - turns) {
+        (Space::Planar, JointWord::Fixed, 1, 0) => "revolute",
+        (Space::Planar, JointWord::Revolute, 0, 1) | (Space::Planar, JointWord::Prismatic, 1, 0) => {
+            "point_on_line"
+        }
+        (Space::Planar, ..) => return None,
+        (_, JointWord::Fixed, 1, 0) => "revolute",
+        (_, JointWord::Fixed, 2, 0) | (_, JointWord::Revolute, 1, 0) => "universal",
+        (_, JointWord::Fixed, 3, 0) | (_, JointWord::Revolute, 2, 0) | (_, JointWord::Universal, 1, 0) => {
+            "spherical"
+        }
+        (_, JointWord::Revolute, 0, 1) | (_, JointWord::Prismatic, 1, 0) => "cylindrical",
+        (_, JointWord::Revolute, 2, 1) => "point_on_line along its axis",
+        (_, JointWord::Prismatic, 3, 0) | (_, JointWord::Cylindrical, 2, 0) => "point_on_line",
+        (_, JointWord::Planar, 2, 0) => "point_on_plane",
+        _ => return None,
+    })
+}
+
+/// A body that spins without inertia about the axis of its spin.
+pub fn massless_spin(loose: &Loose) -> String {
+    format!(
+        "{}, and nothing has inertia about that axis, so its acceleration is undetermined. Make one of these joints universal, \
+         or give it a radius or an inertia about its axis",
+        self::loose(loose)
+    )
+}

@@ -1,0 +1,220 @@
+//! The range of motion of a planar mechanism with one degree of freedom: it is moved at expansion, by interpreting its
+//! graph, from the start until it returns there.
+//!
+//! Work is bounded ([`MOST_STEPS`]). Drivers are left out, parameters have their defaults, and places that move with
+//! time stand where they are at time zero. Only what `expect` or a tool asks about is followed.
+
+mod expected;
+mod messages;
+mod path;
+mod sweep;
+
+pub use expected::check;
+
+use super::assemble::{Assembly, Point, pins, rank};
+use crate::equations::conditions;
+use crate::equations::{Condition, Equations, Laws};
+use crate::model::{JointId, Mechanism, Quantity, Space};
+use path::{Path, Place};
+use std::f64::consts::TAU;
+
+/// Steps in either direction before the sweep gives up, of mechanisms with up to [`SMALL`] velocities and rows; of larger ones
+/// so many fewer that the work is the same.
+pub const MOST_STEPS: usize = 2000;
+const SMALL: usize = 40;
+
+/// A motion from the start until it returns there.
+#[derive(Clone, Debug)]
+pub struct Motion {
+    pub end: End,
+    /// Of the coordinates asked about, and last of the one by which positions are told, unless it is among them.
+    pub ranges: Vec<Range>,
+    /// Where coordinates turn back, in the order met: dead centres of a motor that acts there.
+    pub limits: Vec<Limit>,
+    /// Where the constraints lose rank, in the order met: change points, through which the motion was followed
+    /// straight on.
+    pub singular: Vec<Singular>,
+    /// Index in `ranges` of the coordinate by which positions are told.
+    pub reference: usize,
+    pub steps: usize,
+}
+
+/// How following the motion ended.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum End {
+    /// At the start again.
+    Closed,
+    /// A travel has no limit.
+    Unlimited,
+    /// Not at the start when the steps were used up.
+    Bounded,
+    /// At a position that the motion cannot be followed through: ranges are those up to there.
+    Stuck,
+}
+
+/// What a coordinate goes through: rad or m, angles over several turns and counted from the value that `start` gives.
+#[derive(Clone, Debug)]
+pub struct Range {
+    /// `crank_pin.angle`.
+    pub of: String,
+    pub quantity: Quantity,
+    pub angular: bool,
+    pub from: f64,
+    pub to: f64,
+    /// An angle that takes every value.
+    pub turns: bool,
+}
+
+/// A coordinate turns back.
+#[derive(Clone, Debug)]
+pub struct Limit {
+    /// Index in [`Motion::ranges`].
+    pub of: usize,
+    pub value: f64,
+    /// Of the reference coordinate.
+    pub reference: f64,
+    /// Links that lie in one line there, which is why.
+    pub in_line: Vec<String>,
+}
+
+/// The constraints lose rank.
+#[derive(Clone, Debug)]
+pub struct Singular {
+    /// Of the reference coordinate.
+    pub reference: f64,
+    /// Joints and constraints whose rows repeat others there.
+    pub lost: Vec<String>,
+    pub in_line: Vec<String>,
+}
+
+/// Why there is no range of motion to find.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Unswept {
+    /// Not there yet.
+    InSpace,
+    /// Not there yet, or nothing moves.
+    Freedoms(usize),
+    /// No direction of motion was found at the start.
+    NoDirection,
+}
+
+/// All angles and travels of joints.
+pub fn of_joints(mechanism: &Mechanism) -> Vec<Quantity> {
+    let mut found = Vec::new();
+    for (index, joint) in mechanism.joints.iter().enumerate() {
+        let names = joint.kind.word().coordinates(mechanism.space);
+        let angles = if joint.has_particle(mechanism) { 0 } else { names.angles.len() };
+        found.extend((0..angles).map(|which| Quantity::JointAngle(JointId(index), which)));
+        found.extend((0..names.travels.len()).map(|which| Quantity::JointTravel(JointId(index), which)));
+    }
+    found
+}
+
+/// Follows the motion and watches these quantities, which are position coordinates.
+pub fn sweep(
+    mechanism: &Mechanism,
+    equations: &Equations,
+    assembly: &Assembly,
+    quantities: &[Quantity],
+) -> Result<Motion, Unswept> {
+    if mechanism.space == Space::Spatial {
+        return Err(Unswept::InSpace);
+    }
+    if assembly.mobility.generic != 1 {
+        return Err(Unswept::Freedoms(assembly.mobility.generic));
+    }
+    // Coordinates that are watched need nodes of their own.
+    let mut equations = equations.clone();
+    let (watched, reference) = watched(mechanism, &mut equations, assembly, quantities);
+    let (equations, q) = (&equations, assembly.q.as_slice());
+    let length = pins::longest_link(&pins::pins(
+        mechanism,
+        &mut Point::at_defaults(mechanism, equations, &assembly.phases),
+        q,
+    ));
+    let mut path = Path::new(mechanism, equations, &assembly.phases, watched.clone(), length, q);
+    let start = start(&mut path, equations, q, reference).ok_or(Unswept::NoDirection)?;
+    let stated = stated(mechanism, &watched, &start);
+    let size = equations.symbols.v.len() + equations.rows.len();
+    let most = MOST_STEPS * SMALL / size.max(SMALL);
+    let (swept, end) = sweep::sweep(&mut path, start, length, most);
+    let range = |((condition, (from, to)), turns): ((&Condition, &(f64, f64)), &f64)| Range {
+        of: condition.of.clone(),
+        quantity: condition.quantity.clone(),
+        angular: condition.angular,
+        from: from + turns,
+        to: to + turns,
+        turns: condition.angular && to - from > TAU - 1e-6,
+    };
+    let ranges = watched.iter().zip(&swept.ranges).zip(&stated).map(range).collect();
+    let mut point = Point::at_defaults(mechanism, equations, &assembly.phases);
+    let limits = swept.limits.into_iter().map(|(limit, place)| Limit {
+        value: limit.value + stated[limit.of],
+        reference: place.values[reference] + stated[reference],
+        in_line: in_line(mechanism, &mut point, &place.q, &watched[limit.of].quantity),
+        ..limit
+    });
+    let limits = limits.collect();
+    let mut singular: Vec<Singular> = Vec::new();
+    for (values, q) in &swept.singular {
+        let lost = rank(&mut point, path.rows(), q).dependent;
+        let mut lost: Vec<String> = lost.iter().map(|row| equations.rows[*row].of.clone()).collect();
+        lost.dedup();
+        let in_line = pins::in_line(mechanism, &pins::pins(mechanism, &mut point, q), None);
+        singular.push(Singular { reference: values[reference] + stated[reference], lost, in_line });
+    }
+    Ok(Motion { end, ranges, limits, singular, reference, steps: swept.steps })
+}
+
+/// The quantities as coordinates, and the index of the one by which positions are told: the independent one.
+fn watched(
+    mechanism: &Mechanism,
+    equations: &mut Equations,
+    assembly: &Assembly,
+    quantities: &[Quantity],
+) -> (Vec<Condition>, usize) {
+    let mut watched: Vec<Condition> = Vec::new();
+    let mut reference = 0;
+    for (index, quantity) in quantities.iter().chain(assembly.independent.first()).enumerate() {
+        let laws = Laws::moving(mechanism, &equations.symbols, &equations.layout, &equations.kinematics);
+        let (condition, _) = conditions::condition(&mut equations.graph, &laws, quantity);
+        let known = watched.iter().position(|known| known.of == condition.of);
+        reference = known.unwrap_or(watched.len());
+        if known.is_none() || index < quantities.len() {
+            watched.push(condition);
+        }
+    }
+    (watched, reference)
+}
+
+/// The start, and t so that the reference coordinate grows.
+fn start(path: &mut Path, equations: &Equations, q: &[f64], reference: usize) -> Option<Place> {
+    let n = equations.symbols.v.len();
+    // Any direction; a second one where the first is across the motion.
+    let wish = |number: usize| (0..n).map(|k| libm::sin((number * (3 * k + 2)) as f64)).collect::<Vec<f64>>();
+    let mut place = (1..=4).find_map(|number| path.at(q.to_vec(), &wish(number)))?;
+    if place.rates.get(reference).is_some_and(|rate| *rate < 0.0) {
+        place.tangent.iter_mut().chain(&mut place.rates).for_each(|x| *x = -*x);
+    }
+    Some(place)
+}
+
+/// Whole turns (rad) by which `start` counts further than the place does.
+fn stated(mechanism: &Mechanism, watched: &[Condition], place: &Place) -> Vec<f64> {
+    let defaults = mechanism.defaults();
+    let turns = |(condition, value): (&Condition, &f64)| {
+        let stated = mechanism.start.iter().filter(|start| condition.angular && start.text == condition.of);
+        let mut stated = stated.filter_map(|start| crate::model::fold::evaluate(&start.value, &defaults));
+        stated.next().map_or(0.0, |stated| TAU * ((stated - value) / TAU).round())
+    };
+    watched.iter().zip(&place.values).map(turns).collect()
+}
+
+/// The links in one line where a coordinate turns back, but for those that its own joint brings there.
+fn in_line(mechanism: &Mechanism, point: &mut Point, q: &[f64], of: &Quantity) -> Vec<String> {
+    let own = match of {
+        Quantity::JointAngle(joint, _) | Quantity::JointTravel(joint, _) => Some(*joint),
+        _ => None,
+    };
+    pins::in_line(mechanism, &pins::pins(mechanism, point, q), own)
+}
