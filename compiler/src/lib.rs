@@ -15,6 +15,7 @@ pub mod emit;
 pub mod equations;
 pub mod model;
 pub mod optimize;
+pub mod page;
 pub mod schedule;
 pub mod solve;
 pub mod syntax;
@@ -23,6 +24,7 @@ pub mod symbolic;
 
 pub use choice::{Choice, Rejected};
 pub use driver::{Compiled, compile, compile_model};
+pub use page::page;
 
 use proc_macro2::TokenStream;
 
@@ -47,6 +49,15 @@ pub fn expand(tokens: TokenStream) -> Expansion {
             stream.extend(emit::stub(tokens));
             Expansion::Errors(stream)
         }
+    }
+}
+
+/// The page of documentation of what [`expand`] expands.
+pub fn expand_page(tokens: TokenStream) -> String {
+    match compile(tokens, None) {
+        Ok(compiled) => page(&compiled),
+        // The definition has said so already, at the places of its mistakes.
+        Err(_) => String::new(),
     }
 }
 

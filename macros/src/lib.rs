@@ -1,8 +1,8 @@
-//! The `mechanism!` macro: a shell around `linkwright-compiler`.
+//! The `mechanism!` macro, and the one that writes its documentation: shells around `linkwright-compiler`.
 #![warn(missing_docs)]
 
 use linkwright_compiler::{Expansion, unreadable};
-use proc_macro::{LexError, TokenStream};
+use proc_macro::{LexError, Literal, TokenStream, TokenTree};
 
 /// Compiles a definition of a mechanism into its equations of motion.
 ///
@@ -25,4 +25,12 @@ pub fn mechanism(tokens: TokenStream) -> TokenStream {
         }
         Expansion::Errors(tokens) => tokens.into(),
     }
+}
+
+/// The page of a mechanism, as a string. [`mechanism!`] puts it where only a build with `cfg(doc)` expands it.
+#[doc(hidden)]
+#[proc_macro]
+pub fn mechanism_page(tokens: TokenStream) -> TokenStream {
+    let page = linkwright_compiler::expand_page(tokens.into());
+    TokenTree::from(Literal::string(&page)).into()
 }

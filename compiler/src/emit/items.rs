@@ -13,7 +13,7 @@ const F64: &str = "::core::primitive::f64";
 pub fn items(text: &mut String, emitter: &Emitter, source: &str) {
     let Emitter { name, visibility, path, mechanism, compiled, .. } = emitter;
     let _ = writeln!(text, "{}", mechanism.attributes);
-    documentation::model(text, emitter);
+    documentation::model(text, emitter, source);
     let _ = writeln!(
         text,
         "{DERIVES} {visibility} struct {name}<R = {F64}> {{ parameters: {name}Parameters<R>, phases: [R; {}], \

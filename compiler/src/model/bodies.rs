@@ -55,6 +55,7 @@ impl<'d> Lowering<'d> {
         Some(Body {
             dimensions,
             name: name(&body.name),
+            shape: body.shape,
             kind: if body.shape == Shape::Particle { BodyKind::Particle } else { BodyKind::Rigid },
             mass,
             mass_span,

@@ -19,7 +19,7 @@ mod settings;
 mod shapes;
 mod values;
 
-pub use crate::syntax::{JointWord, Space};
+pub use crate::syntax::{JointWord, Shape, Space};
 pub use expression::{Comparison, Condition, Expr, Function1, Function2, Quantity};
 pub(crate) use lower::Use;
 pub use lower::lower;
@@ -117,6 +117,8 @@ pub struct Input {
 #[derive(Clone, Debug)]
 pub struct Body {
     pub name: Name,
+    /// As declared: what a drawing shows, and the points it has of its own.
+    pub shape: Shape,
     pub kind: BodyKind,
     /// kg, of parameters only.
     pub mass: Expr,

@@ -15,6 +15,7 @@ mod vector_jet;
 
 pub use bodies::consequences;
 pub use coordinates::{constant_axis, coordinates};
+pub use axes::matrix as place_axes;
 pub use dynamics::dynamics;
 pub use kinematics::Kinematics;
 pub use tensor::Distribution;

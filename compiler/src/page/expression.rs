@@ -1,0 +1,469 @@
+//! Expressions of the graph as text: sums and products in one line, angles under their cosines and sines, and what is long
+//! and occurs again under a name of its own.
+
+use super::text::decimal;
+use crate::equations::Equations;
+use crate::model::Mechanism;
+use crate::symbolic::{Compare, Graph, Node, Op, Unary};
+use std::collections::{BTreeMap, HashMap};
+
+/// Something that is multiplied.
+#[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
+enum Factor {
+    Node(Node),
+    /// Sine or cosine of Σ weight · angle, by index of rotation.
+    Turned { is_sine: bool, angle: Vec<(usize, i32)> },
+    /// An angle over several turns, by its index.
+    Counted(usize),
+}
+
+/// A coefficient and powers of factors.
+#[derive(Clone, Debug, PartialEq)]
+struct Term {
+    coefficient: f64,
+    factors: BTreeMap<Factor, i32>,
+}
+
+/// Sums of more terms are not searched for cosines of sums.
+const SEARCHED: usize = 60;
+/// What occurs again gets a name from this size on.
+const NAMED: usize = 9;
+/// What is larger gets one anyway, so that no line is endless.
+const ENDLESS: usize = 60;
+
+pub struct Writer<'a> {
+    graph: &'a Graph,
+    symbols: HashMap<Node, String>,
+    /// Rotation, and whether it is the sine.
+    turned: HashMap<Node, (usize, bool)>,
+    /// Multi-turn angle, and whether it is the remainder.
+    counted: HashMap<Node, (usize, bool)>,
+    angles: Vec<String>,
+    counted_angles: Vec<String>,
+    terms: HashMap<Node, Vec<Term>>,
+    /// Nodes that are written by name; no name yet where they have not been met.
+    named: HashMap<Node, Option<String>>,
+    count: usize,
+}
+
+impl<'a> Writer<'a> {
+    pub fn new(mechanism: &Mechanism, equations: &'a Equations) -> Self {
+        let layout = &equations.layout;
+        let (q, v) = (layout.position_names(mechanism), layout.velocity_names(mechanism));
+        let symbols = &equations.symbols;
+        let known = symbols.q.iter().zip(q.iter()).chain(symbols.v.iter().zip(v.iter()));
+        let stem = |at: usize| q[at].rsplit_once('.').map_or(q[at].clone(), |(stem, _)| stem.to_string());
+        let mut writer = Writer {
+            graph: &equations.graph,
+            symbols: known.map(|(node, name)| (*node, name.clone())).collect(),
+            turned: HashMap::new(),
+            counted: HashMap::new(),
+            angles: (0..layout.rotations.len()).map(|r| stem(layout.pair(r))).collect(),
+            counted_angles: (0..layout.angles.len()).map(|a| format!("{}.angle", stem(layout.turns(a)))).collect(),
+            terms: HashMap::new(),
+            named: HashMap::new(),
+            count: 0,
+        };
+        for r in 0..layout.rotations.len() {
+            let at = layout.pair(r);
+            writer.turned.insert(symbols.q[at], (r, false));
+            writer.turned.insert(symbols.q[at + 1], (r, true));
+        }
+        for a in 0..layout.angles.len() {
+            let at = layout.turns(a);
+            writer.counted.insert(symbols.q[at], (a, false));
+            writer.counted.insert(symbols.q[at + 1], (a, true));
+        }
+        writer
+    }
+
+    /// Decides what of these expressions is written by name.
+    pub fn share(&mut self, roots: &[Node]) {
+        let mut uses: HashMap<Node, usize> = HashMap::new();
+        let mut waiting: Vec<Node> = Vec::new();
+        for root in roots {
+            meet(&mut uses, &mut waiting, *root);
+        }
+        let mut met = Vec::new();
+        while let Some(node) = waiting.pop() {
+            met.push(node);
+            if !self.is_short(node) && !self.named.contains_key(&node) {
+                self.graph.op(node).operands().for_each(|operand| meet(&mut uses, &mut waiting, operand));
+            }
+        }
+        met.sort_unstable();
+        // Operands are older than their users.
+        let mut sizes: HashMap<Node, usize> = HashMap::new();
+        for node in met {
+            let operands = self.graph.op(node).operands();
+            let size = if self.is_short(node) || self.named.contains_key(&node) {
+                1
+            } else {
+                1 + operands.map(|operand| sizes.get(&operand).copied().unwrap_or(1)).sum::<usize>()
+            };
+            let is_again = uses[&node] > 1 && size >= NAMED;
+            if is_again || (size >= ENDLESS && !roots.contains(&node)) {
+                self.named.insert(node, None);
+                sizes.insert(node, 1);
+            } else {
+                sizes.insert(node, size);
+            }
+        }
+        self.terms.clear();
+    }
+
+    /// A cosine or sine of some angle, or a leaf.
+    fn is_short(&mut self, node: Node) -> bool {
+        match self.graph.op(node) {
+            Op::Constant(_) | Op::Symbol(_) => true,
+            Op::Add(..) | Op::Sub(..) => {
+                let terms = self.sum(node);
+                matches!(&terms[..], [only] if only.factors.len() == 1)
+            }
+            _ => false,
+        }
+    }
+
+    /// An expression, after the definitions that it needs and that have not been given yet.
+    pub fn lines(&mut self, root: Node) -> (Vec<(String, String)>, String) {
+        let mut definitions = Vec::new();
+        for node in self.needed(root) {
+            self.count += 1;
+            let name = format!("h{}", self.count);
+            let text = self.written(node);
+            self.named.insert(node, Some(name.clone()));
+            self.terms.clear();
+            definitions.push((name, text));
+        }
+        let text = match self.named.get(&root) {
+            Some(Some(name)) => name.clone(),
+            _ => self.written(root),
+        };
+        (definitions, text)
+    }
+
+    /// How many definitions an expression still needs.
+    pub fn wanting(&self, root: Node) -> usize {
+        self.needed(root).len()
+    }
+
+    /// Nodes to be named before an expression can be written, in order.
+    fn needed(&self, root: Node) -> Vec<Node> {
+        let is_given = |node: Node| matches!(self.named.get(&node), Some(Some(_)));
+        let reached = self.graph.reachable_until([root], is_given);
+        reached.into_iter().filter(|node| matches!(self.named.get(node), Some(None))).collect()
+    }
+
+    fn written(&mut self, node: Node) -> String {
+        // Its own name would say nothing.
+        let own = self.named.remove(&node);
+        let terms = self.sum(node);
+        let text = self.sum_text(&terms);
+        if let Some(own) = own {
+            self.named.insert(node, own);
+        }
+        text
+    }
+
+    fn sum(&mut self, node: Node) -> Vec<Term> {
+        if let Some(known) = self.terms.get(&node) {
+            return known.clone();
+        }
+        let terms = match self.graph.op(node) {
+            _ if self.named.contains_key(&node) => vec![self.atom(node)],
+            Op::Add(a, b) => self.joined(a, b, 1.0),
+            Op::Sub(a, b) => self.joined(a, b, -1.0),
+            Op::Neg(a) => self.sum(a).into_iter().map(|term| term.times(-1.0)).collect(),
+            _ => vec![self.product(node)],
+        };
+        self.terms.insert(node, terms.clone());
+        terms
+    }
+
+    fn joined(&mut self, a: Node, b: Node, sign: f64) -> Vec<Term> {
+        let mut terms = self.sum(a);
+        let others = self.sum(b);
+        terms.extend(others.into_iter().map(|term| term.times(sign)));
+        if terms.len() <= SEARCHED { merged(terms) } else { terms }
+    }
+
+    fn atom(&self, node: Node) -> Term {
+        let factor = match (self.turned.get(&node), self.counted.get(&node)) {
+            (Some((rotation, is_sine)), _) => Factor::Turned { is_sine: *is_sine, angle: vec![(*rotation, 1)] },
+            _ => Factor::Node(node),
+        };
+        let mut term = Term { coefficient: 1.0, factors: BTreeMap::from([(factor, 1)]) };
+        // 2π · turns + remainder is the angle; the remainder stands for it, and the turns for nothing.
+        if let Some((angle, is_remainder)) = self.counted.get(&node) {
+            term.factors = BTreeMap::from([(Factor::Counted(*angle), 1)]);
+            term.coefficient = if *is_remainder { 1.0 } else { 0.0 };
+        }
+        term
+    }
+
+    fn product(&mut self, node: Node) -> Term {
+        if self.named.contains_key(&node) {
+            return self.atom(node);
+        }
+        match self.graph.op(node) {
+            Op::Constant(bits) => Term { coefficient: f64::from_bits(bits), factors: BTreeMap::new() },
+            Op::Neg(a) => self.product(a).times(-1.0),
+            Op::Mul(a, b) => {
+                let (a, b) = (self.product(a), self.product(b));
+                a.by(&b, 1)
+            }
+            Op::Div(a, b) => {
+                let (a, b) = (self.product(a), self.product(b));
+                a.by(&b, -1)
+            }
+            Op::Unary(Unary::Reciprocal, a) => {
+                let one = Term { coefficient: 1.0, factors: BTreeMap::new() };
+                one.by(&self.product(a), -1)
+            }
+            Op::Add(..) | Op::Sub(..) => match &self.sum(node)[..] {
+                [only] => only.clone(),
+                _ => self.atom(node),
+            },
+            _ => self.atom(node),
+        }
+    }
+
+    fn sum_text(&mut self, terms: &[Term]) -> String {
+        let mut text = String::new();
+        for term in terms.iter().filter(|term| term.coefficient != 0.0) {
+            let is_negative = term.coefficient < 0.0;
+            match (text.is_empty(), is_negative) {
+                (true, true) => text.push('−'),
+                (true, false) => {}
+                (false, true) => text.push_str(" − "),
+                (false, false) => text.push_str(" + "),
+            }
+            text.push_str(&self.term_text(term));
+        }
+        if text.is_empty() { "0".to_string() } else { text }
+    }
+
+    /// Without its sign.
+    fn term_text(&mut self, term: &Term) -> String {
+        let size = term.coefficient.abs();
+        let mut factors: Vec<(&Factor, i32)> = term.factors.iter().map(|(factor, power)| (factor, *power)).collect();
+        // Numbers, then parameters, then what moves slowly.
+        factors.sort_by_key(|(factor, _)| match factor {
+            Factor::Node(node) => (self.graph.class(*node), 1),
+            Factor::Turned { .. } => (crate::symbolic::Class::Position, 0),
+            Factor::Counted(_) => (crate::symbolic::Class::Position, 2),
+        });
+        let (mut above, mut below) = (Vec::new(), Vec::new());
+        for (factor, power) in factors {
+            let text = self.factor_text(factor, power.abs());
+            if power > 0 { above.push(text) } else { below.push(text) }
+        }
+        if size != 1.0 || above.is_empty() {
+            above.insert(0, decimal(size));
+        }
+        match below.len() {
+            0 => above.join("·"),
+            1 => format!("{}/{}", above.join("·"), below[0]),
+            _ => format!("{}/({})", above.join("·"), below.join("·")),
+        }
+    }
+
+    fn factor_text(&mut self, factor: &Factor, power: i32) -> String {
+        let text = match factor {
+            Factor::Node(node) => self.node_text(*node),
+            Factor::Counted(angle) => self.counted_angles[*angle].clone(),
+            Factor::Turned { is_sine, angle } => {
+                let function = if *is_sine { "sin" } else { "cos" };
+                return format!("{function}{}({})", raised(power), self.angle_text(angle));
+            }
+        };
+        format!("{text}{}", raised(power))
+    }
+
+    fn angle_text(&self, angle: &[(usize, i32)]) -> String {
+        let mut text = String::new();
+        // What is added first.
+        let positive = angle.iter().filter(|(_, weight)| *weight > 0);
+        for (rotation, weight) in positive.chain(angle.iter().filter(|(_, weight)| *weight < 0)) {
+            if !text.is_empty() {
+                text.push_str(if *weight > 0 { " + " } else { " − " });
+            } else if *weight < 0 {
+                text.push('−');
+            }
+            if weight.abs() > 1 {
+                text.push_str(&weight.abs().to_string());
+                text.push(' ');
+            }
+            text.push_str(&self.angles[*rotation]);
+        }
+        text
+    }
+
+    fn node_text(&mut self, node: Node) -> String {
+        if let Some(name) = self.named.get(&node) {
+            return name.clone().unwrap_or_else(|| "…".to_string());
+        }
+        if let Some(name) = self.symbols.get(&node) {
+            return name.clone();
+        }
+        let graph = self.graph;
+        let mut call = |name: &str, operands: &[Node]| {
+            let operands: Vec<String> = operands.iter().map(|operand| self.whole(*operand)).collect();
+            format!("{name}({})", operands.join(", "))
+        };
+        match graph.op(node) {
+            Op::Symbol(symbol) => graph.symbol_name(symbol).to_string(),
+            Op::Unary(Unary::Sqrt, a) => call("√", &[a]),
+            Op::Unary(function, a) => call(function.method(), &[a]),
+            Op::Min(a, b) => call("min", &[a, b]),
+            Op::Max(a, b) => call("max", &[a, b]),
+            Op::Atan2(a, b) => call("atan2", &[a, b]),
+            Op::Select(mask, a, b) => call("if", &[mask, a, b]),
+            Op::And(a, b) => format!("({} and {})", self.whole(a), self.whole(b)),
+            Op::Or(a, b) => format!("({} or {})", self.whole(a), self.whole(b)),
+            Op::Not(a) => format!("not {}", self.whole(a)),
+            Op::Compare(comparison, a, b) => {
+                let sign = match comparison {
+                    Compare::Less => "<",
+                    Compare::LessEqual => "≤",
+                    Compare::Equal => "=",
+                };
+                format!("{} {sign} {}", self.whole(a), self.whole(b))
+            }
+            _ => format!("({})", self.whole(node)),
+        }
+    }
+
+    fn whole(&mut self, node: Node) -> String {
+        let terms = self.sum(node);
+        self.sum_text(&terms)
+    }
+}
+
+fn meet(uses: &mut HashMap<Node, usize>, waiting: &mut Vec<Node>, node: Node) {
+    let count = uses.entry(node).or_insert(0);
+    *count += 1;
+    if *count == 1 {
+        waiting.push(node);
+    }
+}
+
+fn raised(power: i32) -> String {
+    match power {
+        1 => String::new(),
+        2 => "²".to_string(),
+        3 => "³".to_string(),
+        _ => format!("^{power}"),
+    }
+}
+
+impl Term {
+    fn times(mut self, factor: f64) -> Term {
+        self.coefficient *= factor;
+        self
+    }
+
+    /// Times another to the power of one or minus one.
+    fn by(mut self, other: &Term, power: i32) -> Term {
+        self.coefficient *= if power > 0 { other.coefficient } else { 1.0 / other.coefficient };
+        for (factor, exponent) in &other.factors {
+            let own = self.factors.entry(factor.clone()).or_insert(0);
+            *own += power * exponent;
+            if *own == 0 {
+                self.factors.remove(factor);
+            }
+        }
+        self
+    }
+
+    /// What is left of the factors without those of another.
+    fn without(&self, other: &Term) -> Vec<(Factor, i32)> {
+        let mut rest = Vec::new();
+        for (factor, power) in &self.factors {
+            let less = power - other.factors.get(factor).copied().unwrap_or(0);
+            if less != 0 {
+                rest.push((factor.clone(), less));
+            }
+        }
+        rest.extend(
+            other.factors.iter().filter(|(factor, _)| !self.factors.contains_key(*factor)).map(|(f, p)| (f.clone(), -p)),
+        );
+        rest
+    }
+}
+
+/// cos a cos b ± sin a sin b = cos(a ∓ b) and sin a cos b ± cos a sin b = sin(a ± b), whatever both are multiplied by;
+/// terms that differ in their coefficient alone are one.
+fn merged(mut terms: Vec<Term>) -> Vec<Term> {
+    'again: loop {
+        for i in 0..terms.len() {
+            for j in i + 1..terms.len() {
+                if let Some(one) = together(&terms[i], &terms[j]) {
+                    terms[i] = one;
+                    terms.remove(j);
+                    continue 'again;
+                }
+            }
+        }
+        return terms;
+    }
+}
+
+fn together(a: &Term, b: &Term) -> Option<Term> {
+    let rest = a.without(b);
+    if rest.is_empty() {
+        return Some(Term { coefficient: a.coefficient + b.coefficient, factors: a.factors.clone() });
+    }
+    let ratio = b.coefficient / a.coefficient;
+    if rest.len() != 4 || !ratio.is_finite() || (ratio.abs() - 1.0).abs() > 1e-14 {
+        return None;
+    }
+    let side = |power: i32| -> Option<[(bool, Vec<(usize, i32)>); 2]> {
+        let found = rest.iter().filter(|(_, own)| *own == power).filter_map(|(factor, _)| match factor {
+            Factor::Turned { is_sine, angle } => Some((*is_sine, angle.clone())),
+            _ => None,
+        });
+        found.collect::<Vec<_>>().try_into().ok()
+    };
+    let ([(sine_a, x), (sine_b, y)], [(sine_c, z), (sine_d, w)]) = (side(1)?, side(-1)?);
+    // The same two angles on both sides, each once as a sine and once as a cosine.
+    let swapped = (sine_a != sine_c && x == z && sine_b != sine_d && y == w)
+        || (sine_a != sine_d && x == w && sine_b != sine_c && y == z);
+    if !swapped || x == y {
+        return None;
+    }
+    let sign = if ratio > 0.0 { 1 } else { -1 };
+    let (is_sine, (angle, factor)) = match (sine_a, sine_b) {
+        // cos x cos y ± sin x sin y; sin x sin y ± cos x cos y = ±(cos x cos y ± sin x sin y).
+        (false, false) => (false, (added(&x, &y, -sign), 1.0)),
+        (true, true) => (false, (added(&x, &y, -sign), f64::from(sign))),
+        (true, false) => (true, (added(&x, &y, sign), 1.0)),
+        (false, true) => (true, (added(&y, &x, sign), 1.0)),
+    };
+    let leading = angle.first().is_some_and(|(_, weight)| *weight < 0);
+    let (angle, factor) = match leading {
+        true => (angle.iter().map(|(r, w)| (*r, -w)).collect(), if is_sine { -factor } else { factor }),
+        false => (angle, factor),
+    };
+    let mut one = a.clone();
+    one.coefficient *= factor;
+    for (own, power) in rest.iter().filter(|(_, power)| *power > 0) {
+        let left = one.factors.get(own).copied().unwrap_or(0) - power;
+        if left == 0 {
+            one.factors.remove(own);
+        } else {
+            one.factors.insert(own.clone(), left);
+        }
+    }
+    *one.factors.entry(Factor::Turned { is_sine, angle }).or_insert(0) += 1;
+    Some(one)
+}
+
+/// a ± b, without what cancels.
+fn added(a: &[(usize, i32)], b: &[(usize, i32)], sign: i32) -> Vec<(usize, i32)> {
+    let mut sum: BTreeMap<usize, i32> = a.iter().copied().collect();
+    for (rotation, weight) in b {
+        *sum.entry(*rotation).or_insert(0) += sign * weight;
+    }
+    sum.into_iter().filter(|(_, weight)| *weight != 0).collect()
+}
