@@ -9,7 +9,7 @@ use std::fmt::Write;
 /// Longest listing of one matrix or vector, lines.
 const MOST: usize = 48;
 /// Of an entry that needs more definitions than this nothing can be read.
-const DEFINITIONS: usize = 12;
+const DEFINITIONS: usize = 8;
 /// Width of a line.
 const WIDTH: usize = 108;
 
@@ -28,8 +28,12 @@ pub fn equations(page: &mut String, compiled: &Compiled) {
         false => "M v̇ + Dᵀ λ = Q, D v̇ = γ, on Φ = 0 and D v = ν, where\n",
     });
     let mut writer = Writer::new(&compiled.mechanism, &compiled.equations);
+    let begin = page.len();
     for section in sections(compiled).iter().filter(|section| !section.entries.is_empty()) {
         listing(page, &mut writer, section);
+    }
+    if page[begin..].contains("  h1 =") {
+        page.push_str("\nWhat occurs again stands before its first use: h1, h2 and so on.\n");
     }
 }
 
@@ -94,16 +98,24 @@ fn listing(page: &mut String, writer: &mut Writer, section: &Section) {
     page.push_str("```\n");
 }
 
-/// Breaks a long line before a sign.
+/// Breaks a long line before a sign, outside of parentheses where there is one.
 fn wrap(lines: &mut Vec<String>, text: &str, indent: usize) {
     let indent = indent.min(40);
-    let mut line = String::new();
-    for (index, piece) in text.split_inclusive(' ').enumerate() {
-        let is_sign = matches!(piece.trim_end(), "+" | "−");
-        if index > 0 && is_sign && line.chars().count() > WIDTH - 24 {
+    let pieces: Vec<&str> = text.split_inclusive(' ').collect();
+    let is_sign = |piece: &str| matches!(piece.trim_end(), "+" | "−");
+    let (mut line, mut open) = (String::new(), 0);
+    for (index, piece) in pieces.iter().enumerate() {
+        let length = line.chars().count();
+        // To the next sign.
+        let next: usize =
+            pieces[index + 1..].iter().take_while(|it| !is_sign(it)).map(|it| it.chars().count()).sum();
+        let is_full = length + 2 + next > WIDTH;
+        if is_sign(piece) && length > indent && is_full && (open == 0 || 4 * length > 3 * WIDTH) {
             lines.push(line.trim_end().to_string());
             line = " ".repeat(indent);
         }
+        open += piece.matches('(').count();
+        open -= piece.matches(')').count().min(open);
         line.push_str(piece);
     }
     lines.push(line.trim_end().to_string());

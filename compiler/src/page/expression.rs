@@ -11,8 +11,13 @@ use std::collections::{BTreeMap, HashMap};
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
 enum Factor {
     Node(Node),
+    /// A sum all of whose terms are negative, with the other sign.
+    Opposite(Node),
     /// Sine or cosine of Σ weight · angle, by index of rotation.
-    Turned { is_sine: bool, angle: Vec<(usize, i32)> },
+    Turned {
+        is_sine: bool,
+        angle: Vec<(usize, i32)>,
+    },
     /// An angle over several turns, by its index.
     Counted(usize),
 }
@@ -59,7 +64,9 @@ impl<'a> Writer<'a> {
             turned: HashMap::new(),
             counted: HashMap::new(),
             angles: (0..layout.rotations.len()).map(|r| stem(layout.pair(r))).collect(),
-            counted_angles: (0..layout.angles.len()).map(|a| format!("{}.angle", stem(layout.turns(a)))).collect(),
+            counted_angles: (0..layout.angles.len())
+                .map(|a| format!("{}.angle", stem(layout.turns(a))))
+                .collect(),
             terms: HashMap::new(),
             named: HashMap::new(),
             count: 0,
@@ -79,9 +86,11 @@ impl<'a> Writer<'a> {
 
     /// Decides what of these expressions is written by name.
     pub fn share(&mut self, roots: &[Node]) {
+        // A sign before a whole expression is no user of it.
+        let roots: Vec<Node> = roots.iter().map(|root| self.without_sign(*root)).collect();
         let mut uses: HashMap<Node, usize> = HashMap::new();
         let mut waiting: Vec<Node> = Vec::new();
-        for root in roots {
+        for root in &roots {
             meet(&mut uses, &mut waiting, *root);
         }
         let mut met = Vec::new();
@@ -110,6 +119,13 @@ impl<'a> Writer<'a> {
             }
         }
         self.terms.clear();
+    }
+
+    fn without_sign(&self, node: Node) -> Node {
+        match self.graph.op(node) {
+            Op::Neg(a) => a,
+            _ => node,
+        }
     }
 
     /// A cosine or sine of some angle, or a leaf.
@@ -189,7 +205,9 @@ impl<'a> Writer<'a> {
 
     fn atom(&self, node: Node) -> Term {
         let factor = match (self.turned.get(&node), self.counted.get(&node)) {
-            (Some((rotation, is_sine)), _) => Factor::Turned { is_sine: *is_sine, angle: vec![(*rotation, 1)] },
+            (Some((rotation, is_sine)), _) => {
+                Factor::Turned { is_sine: *is_sine, angle: vec![(*rotation, 1)] }
+            }
             _ => Factor::Node(node),
         };
         let mut term = Term { coefficient: 1.0, factors: BTreeMap::from([(factor, 1)]) };
@@ -222,6 +240,9 @@ impl<'a> Writer<'a> {
             }
             Op::Add(..) | Op::Sub(..) => match &self.sum(node)[..] {
                 [only] => only.clone(),
+                terms if terms.iter().all(|term| term.coefficient < 0.0) => {
+                    Term { coefficient: -1.0, factors: BTreeMap::from([(Factor::Opposite(node), 1)]) }
+                }
                 _ => self.atom(node),
             },
             _ => self.atom(node),
@@ -230,7 +251,7 @@ impl<'a> Writer<'a> {
 
     fn sum_text(&mut self, terms: &[Term]) -> String {
         let mut text = String::new();
-        for term in terms.iter().filter(|term| term.coefficient != 0.0) {
+        for term in in_order(terms) {
             let is_negative = term.coefficient < 0.0;
             match (text.is_empty(), is_negative) {
                 (true, true) => text.push('−'),
@@ -246,10 +267,11 @@ impl<'a> Writer<'a> {
     /// Without its sign.
     fn term_text(&mut self, term: &Term) -> String {
         let size = term.coefficient.abs();
-        let mut factors: Vec<(&Factor, i32)> = term.factors.iter().map(|(factor, power)| (factor, *power)).collect();
+        let mut factors: Vec<(&Factor, i32)> =
+            term.factors.iter().map(|(factor, power)| (factor, *power)).collect();
         // Numbers, then parameters, then what moves slowly.
         factors.sort_by_key(|(factor, _)| match factor {
-            Factor::Node(node) => (self.graph.class(*node), 1),
+            Factor::Node(node) | Factor::Opposite(node) => (self.graph.class(*node), 1),
             Factor::Turned { .. } => (crate::symbolic::Class::Position, 0),
             Factor::Counted(_) => (crate::symbolic::Class::Position, 2),
         });
@@ -271,6 +293,10 @@ impl<'a> Writer<'a> {
     fn factor_text(&mut self, factor: &Factor, power: i32) -> String {
         let text = match factor {
             Factor::Node(node) => self.node_text(*node),
+            Factor::Opposite(node) => {
+                let terms: Vec<Term> = self.sum(*node).into_iter().map(|term| term.times(-1.0)).collect();
+                format!("({})", self.sum_text(&terms))
+            }
             Factor::Counted(angle) => self.counted_angles[*angle].clone(),
             Factor::Turned { is_sine, angle } => {
                 let function = if *is_sine { "sin" } else { "cos" };
@@ -348,6 +374,19 @@ fn meet(uses: &mut HashMap<Node, usize>, waiting: &mut Vec<Node>, node: Node) {
     }
 }
 
+/// Numbers last, and first what has no sign.
+fn in_order(terms: &[Term]) -> Vec<&Term> {
+    let (numbers, mut terms): (Vec<&Term>, Vec<&Term>) =
+        terms.iter().filter(|term| term.coefficient != 0.0).partition(|term| term.factors.is_empty());
+    if let Some(first) = terms.iter().position(|term| term.coefficient > 0.0) {
+        terms[..=first].rotate_right(1);
+    } else if numbers.first().is_some_and(|number| number.coefficient > 0.0) {
+        return numbers.into_iter().chain(terms).collect();
+    }
+    terms.extend(numbers);
+    terms
+}
+
 fn raised(power: i32) -> String {
     match power {
         1 => String::new(),
@@ -386,7 +425,11 @@ impl Term {
             }
         }
         rest.extend(
-            other.factors.iter().filter(|(factor, _)| !self.factors.contains_key(*factor)).map(|(f, p)| (f.clone(), -p)),
+            other
+                .factors
+                .iter()
+                .filter(|(factor, _)| !self.factors.contains_key(*factor))
+                .map(|(f, p)| (f.clone(), -p)),
         );
         rest
     }

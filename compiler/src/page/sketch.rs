@@ -4,8 +4,8 @@
 use crate::Compiled;
 use crate::equations::{Laws, space};
 use crate::model::{
-    Axes, Body, ConstraintKind, Frame, Joint, JointKind, JointWord, Load, LoadKind, Place, Rotor, Shape, Space,
-    Vector,
+    Axes, Body, ConstraintKind, Frame, Joint, JointKind, JointWord, Load, LoadKind, Place, Rotor, Shape,
+    Space, Vector,
 };
 use crate::symbolic::{Graph, Node, Op, evaluate_reachable};
 
@@ -68,10 +68,30 @@ pub struct Effort {
 #[derive(Clone, Debug)]
 pub enum EffortKind {
     /// Along a unit vector.
-    Force { at: Point, along: Point },
-    Torque { at: Point, about: Point },
-    Spring { from: Point, to: Point, is_elastic: bool, is_damped: bool },
-    TorsionSpring { at: Point, about: Point },
+    Force {
+        at: Point,
+        along: Point,
+    },
+    Torque {
+        at: Point,
+        about: Point,
+    },
+    Spring {
+        ends: [End; 2],
+        is_elastic: bool,
+        is_damped: bool,
+    },
+    TorsionSpring {
+        at: Point,
+        about: Point,
+    },
+}
+
+/// An end of a spring.
+#[derive(Clone, Copy, Debug)]
+pub struct End {
+    pub at: Point,
+    pub is_grounded: bool,
 }
 
 /// The pitch circle of a gear wheel or pinion.
@@ -88,8 +108,11 @@ impl Hinge {
         self.first_on == Frame::Ground || self.second_on == Frame::Ground
     }
 
-    /// Two long parts slide in each other somewhere between their ends.
+    /// Two long parts slide in each other somewhere between their ends; a distance is between its places.
     fn settle(&mut self, parts: &[Part]) {
+        if self.kind == JointWord::Distance {
+            self.at = sum(self.first, self.second).map(|x| x / 2.0);
+        }
         let slides = matches!(self.kind, JointWord::Prismatic | JointWord::Cylindrical | JointWord::Screw);
         if let (true, Frame::Body(_), Frame::Body(second)) = (slides, self.first_on, self.second_on)
             && parts[second.0].spots.len() > 1
@@ -347,8 +370,9 @@ impl<'a> Stand<'a> {
                 else {
                     return None;
                 };
-                let (from, to) = (self.place(first), self.place(second));
-                EffortKind::Spring { from, to, is_elastic: k != 0.0, is_damped: c != 0.0 }
+                let ends = [first, second]
+                    .map(|place| End { at: self.place(place), is_grounded: place.frame == Frame::Ground });
+                EffortKind::Spring { ends, is_elastic: k != 0.0, is_damped: c != 0.0 }
             }
             LoadKind::TorsionSpring { on, .. } => {
                 let (at, about) = self.rotor(*on, hinges);
@@ -417,7 +441,8 @@ impl<'a> Stand<'a> {
 impl Wheel {
     fn is(&self, other: &Wheel) -> bool {
         let near = |a: f64, b: f64| (a - b).abs() <= 1e-6 * b.abs();
-        length(difference(self.center, other.center)) <= 1e-6 * other.radius && near(self.radius, other.radius)
+        length(difference(self.center, other.center)) <= 1e-6 * other.radius
+            && near(self.radius, other.radius)
     }
 }
 

@@ -38,8 +38,13 @@ fn patterns(compiled: &Compiled) -> Vec<Pattern> {
     let (n, rows) = (equations.layout.velocities(), equations.rows.len());
     let lower = equations.mass.keys().copied();
     let symmetric = lower.flat_map(|(i, j)| [(i, j), (j, i)]).collect();
-    let mut patterns =
-        vec![Pattern { title: "M".to_string(), rows: n, columns: n, entries: symmetric, fill: BTreeSet::new() }];
+    let mut patterns = vec![Pattern {
+        title: "M".to_string(),
+        rows: n,
+        columns: n,
+        entries: symmetric,
+        fill: BTreeSet::new(),
+    }];
     if rows > 0 {
         let entries = equations.rows.iter().enumerate();
         let entries = entries.flat_map(|(row, own)| own.jet.columns.keys().map(move |column| (row, *column)));

@@ -13,7 +13,15 @@ use std::collections::BTreeSet;
 
 pub fn bodies(page: &mut String, compiled: &Compiled) {
     let mechanism = &compiled.mechanism;
-    let mut table = Table::new(&["body", "shape", "mass, kg", "inertia, kg m²", "products, kg m²", "centre, m", "hangs on"]);
+    let mut table = Table::new(&[
+        "body",
+        "shape",
+        "mass, kg",
+        "inertia, kg m²",
+        "products, kg m²",
+        "centre, m",
+        "hangs on",
+    ]);
     for (index, body) in mechanism.bodies.iter().enumerate() {
         let attachment = compiled.equations.tree.attachments.iter().find(|it| it.body.0 == index);
         let carrier = attachment.and_then(|it| it.joint);
@@ -22,13 +30,18 @@ pub fn bodies(page: &mut String, compiled: &Compiled) {
             body.shape.text().to_string(),
             value(mechanism, &body.mass),
             inertia(mechanism, body),
-            if is_zero(&body.inertia.products) { String::new() } else { vector(mechanism, &body.inertia.products, 3) },
+            if is_zero(&body.inertia.products) {
+                String::new()
+            } else {
+                vector(mechanism, &body.inertia.products, 3)
+            },
             if is_zero(&body.center) {
                 String::new()
             } else {
                 vector(mechanism, &body.center, mechanism.space.dimensions())
             },
-            carrier.map_or_else(|| "nothing: free".to_string(), |(joint, _)| code(joint_name(mechanism, joint))),
+            carrier
+                .map_or_else(|| "nothing: free".to_string(), |(joint, _)| code(joint_name(mechanism, joint))),
         ]);
     }
     table.write(page, "Bodies");
@@ -53,14 +66,20 @@ fn is_zero(vector: &Vector) -> bool {
 pub fn joints(page: &mut String, compiled: &Compiled) {
     let mechanism = &compiled.mechanism;
     let equations = &compiled.equations;
-    let mut table = Table::new(&["joint", "kind", "first place", "second place", "quantities", "in the equations"]);
+    let mut table =
+        Table::new(&["joint", "kind", "first place", "second place", "quantities", "in the equations"]);
     for (index, joint) in mechanism.joints.iter().enumerate() {
         let names = joint.kind.word().coordinates(mechanism.space);
         let quantities = names.angles.iter().chain(names.travels);
         let quantities: Vec<String> = quantities.map(|[quantity, _]| code(quantity)).collect();
-        let rows: Vec<&str> =
-            equations.rows.iter().filter(|row| row.joint == Some(JointId(index))).map(|row| row.what).collect();
-        let carried = equations.tree.attachments.iter().find(|it| it.joint.is_some_and(|(own, _)| own.0 == index));
+        let rows: Vec<&str> = equations
+            .rows
+            .iter()
+            .filter(|row| row.joint == Some(JointId(index)))
+            .map(|row| row.what)
+            .collect();
+        let carried =
+            equations.tree.attachments.iter().find(|it| it.joint.is_some_and(|(own, _)| own.0 == index));
         let part = match carried {
             Some(attachment) => format!("carries {}", code(&mechanism.bodies[attachment.body.0].name.text)),
             None if rows.is_empty() => "none of its rows is needed".to_string(),
@@ -120,7 +139,8 @@ pub fn loads(page: &mut String, compiled: &Compiled) {
             }
             LoadKind::Spring { first, second, stiffness, length, damping } => {
                 let on = format!("{}, {}", code(&first.text), code(&second.text));
-                let data = [("stiffness", stiffness, "N/m"), ("length", length, "m"), ("damping", damping, "N s/m")];
+                let data =
+                    [("stiffness", stiffness, "N/m"), ("length", length, "m"), ("damping", damping, "N s/m")];
                 ("spring", on, data_of(mechanism, &data))
             }
             LoadKind::TorsionSpring { on, stiffness, rest, damping } => {
@@ -189,7 +209,11 @@ pub fn settings(page: &mut String, compiled: &Compiled) {
 pub fn coordinates(page: &mut String, compiled: &Compiled) {
     let layout = &compiled.equations.layout;
     let (q, v) = (layout.position_names(&compiled.mechanism), layout.velocity_names(&compiled.mechanism));
-    let (at, rate) = (&compiled.assembly.q, &compiled.assembly.v);
+    // What is left of a zero by rounding is one.
+    let settled = |values: &[f64]| -> Vec<f64> {
+        values.iter().map(|value| if value.abs() < 1e-12 { 0.0 } else { *value }).collect()
+    };
+    let (at, rate) = (settled(&compiled.assembly.q), settled(&compiled.assembly.v));
     let (linear, rotations) = (layout.linear.len(), layout.rotations.len());
     let mut table = Table::new(&["#", "q", "at the start", "v", "at the start "]);
     for index in 0..linear {

@@ -17,11 +17,16 @@ pub fn decimal(value: f64) -> String {
     if (-4..7).contains(&exponent) {
         let digits = (5 - exponent).clamp(0, 9) as usize;
         let text = format!("{value:.digits$}");
-        return minus(if text.contains('.') { text.trim_end_matches('0').trim_end_matches('.') } else { &text });
+        return minus(if text.contains('.') {
+            text.trim_end_matches('0').trim_end_matches('.')
+        } else {
+            &text
+        });
     }
     let text = format!("{value:.5e}");
     let (mantissa, power) = text.split_once('e').unwrap_or((&text, "0"));
-    let mantissa = if mantissa.contains('.') { mantissa.trim_end_matches('0').trim_end_matches('.') } else { mantissa };
+    let mantissa =
+        if mantissa.contains('.') { mantissa.trim_end_matches('0').trim_end_matches('.') } else { mantissa };
     minus(&format!("{mantissa}e{power}"))
 }
 

@@ -13,9 +13,9 @@ mod trees;
 mod vector;
 mod vector_jet;
 
+pub use axes::matrix as place_axes;
 pub use bodies::consequences;
 pub use coordinates::{constant_axis, coordinates};
-pub use axes::matrix as place_axes;
 pub use dynamics::dynamics;
 pub use kinematics::Kinematics;
 pub use tensor::Distribution;

@@ -89,7 +89,9 @@ impl Group {
 
 impl Pen {
     fn attributes(self) -> String {
-        let line = |colour: &str, width: f64| format!("fill=\"none\" stroke=\"{colour}\" stroke-width=\"{}\"", number(width));
+        let line = |colour: &str, width: f64| {
+            format!("fill=\"none\" stroke=\"{colour}\" stroke-width=\"{}\"", number(width))
+        };
         match self {
             Pen::Line(width) => line("currentColor", width),
             Pen::Broken(width) => format!("{} stroke-dasharray=\"9 3 2 3\"", line("currentColor", width)),

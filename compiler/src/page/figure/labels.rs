@@ -42,6 +42,8 @@ const HEIGHT: f64 = 12.0;
 /// Free room around what a name stands beside, px.
 const DISTANCES: [f64; 5] = [2.0, 7.0, 13.0, 20.0, 29.0];
 const DIRECTIONS: u32 = 16;
+/// Of more names only those are written that need no line.
+const MANY: usize = 40;
 /// From here on a line leads from the name to what it names.
 const LED: f64 = 12.0;
 
@@ -65,11 +67,11 @@ pub fn write(svg: &mut String, labels: &[Label], blocked: &[Area], width: f64, h
     let mut left_out = 0;
     for label in labels {
         match place(label, &taken, blocked, width, height) {
-            Some((area, distance)) => {
+            Some((area, distance)) if distance <= LED || labels.len() <= MANY => {
                 text(svg, label, &area, distance);
                 taken.push(area);
             }
-            None => left_out += 1,
+            _ => left_out += 1,
         }
     }
     left_out

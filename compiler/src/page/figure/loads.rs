@@ -1,10 +1,10 @@
 //! Loads, and the pitch circles of gears: arrows, zigzags, dashpots, spirals.
 
-use super::{Drawing, JOINTS, LOADS};
 use super::canvas::{Group, Pen};
 use super::labels::Kind;
-use super::shapes::{away, circle, heading, middle, ring, shifted};
+use super::shapes::{away, circle, ground_line, heading, middle, ring, shifted};
 use super::view::Spot;
+use super::{Drawing, JOINTS, LOADS};
 use crate::page::sketch::{Effort, EffortKind, Point, Wheel, cross, dot};
 
 const LINE: f64 = 1.4;
@@ -26,11 +26,17 @@ pub fn effort(drawing: &mut Drawing, effort: &Effort) {
             drawing.block(view.spot(*at), 3.6 * unit, 3.6 * unit);
             (view.spot(*at), 4.4 * unit)
         }
-        EffortKind::Spring { from, to, is_elastic, is_damped } => {
-            let (a, b) = (view.spot(*from), view.spot(*to));
+        EffortKind::Spring { ends, is_elastic, is_damped } => {
+            let [a, b] = ends.map(|end| view.spot(end.at));
+            for (end, from, to) in [(ends[0], b, a), (ends[1], a, b)] {
+                if let (true, Some(e)) = (end.is_grounded, heading(from, to)) {
+                    let across = [-2.6 * unit * e[1], 2.6 * unit * e[0]];
+                    ground_line(&mut group, shifted(to, -1.0, across), shifted(to, 1.0, across), e, unit);
+                }
+            }
             spring(&mut group, a, b, (*is_elastic, *is_damped), unit);
             drawing.block_path(&[a, b], false);
-            (middle(a, b), 2.5 * unit)
+            (middle(a, b), if *is_elastic && *is_damped { 3.4 * unit } else { 2.0 * unit })
         }
         EffortKind::TorsionSpring { at, about } => {
             let spiral: Vec<Spot> = (0..40)
@@ -84,7 +90,7 @@ fn spring(group: &mut Group, a: Spot, b: Spot, (elastic, damped): (bool, bool), 
     }
     let (from, to) = if aside > 0.0 { (0.2, 0.8) } else { (0.0, 1.0) };
     if elastic {
-        let turns = 7;
+        let turns = (size / (3.4 * unit)).clamp(4.0, 14.0) as u32;
         let mut path = vec![at(from, -aside)];
         let lead = if aside > 0.0 { 0.04 } else { 0.12 };
         for k in 0..=2 * turns {
@@ -105,7 +111,8 @@ fn spring(group: &mut Group, a: Spot, b: Spot, (elastic, damped): (bool, bool), 
         let (cup, piston) = (from + 0.35 * (to - from), from + 0.55 * (to - from));
         let end = from + 0.75 * (to - from);
         group.line(at(from, aside), at(cup, aside), Pen::Load(1.1));
-        let walls = [at(end, aside - half), at(cup, aside - half), at(cup, aside + half), at(end, aside + half)];
+        let walls =
+            [at(end, aside - half), at(cup, aside - half), at(cup, aside + half), at(end, aside + half)];
         group.path(&walls, false, Pen::Load(1.1));
         group.line(at(piston, aside - 0.8 * half), at(piston, aside + 0.8 * half), Pen::Load(1.6));
         group.line(at(piston, aside), at(to, aside), Pen::Load(1.1));

@@ -11,8 +11,8 @@ mod view;
 
 pub use canvas::{escaped, number};
 
-use super::sketch::{Point, Sketch, along};
-use crate::model::Space;
+use super::sketch::{Point, Sketch, along, sum};
+use crate::model::{Frame, JointWord, Space};
 use canvas::{Group, Pen};
 use labels::{Area, Kind, Label};
 use shapes::{away, heading, shifted};
@@ -20,11 +20,12 @@ use std::fmt::Write;
 use view::{Spot, View};
 
 /// Layers, from the back to the front.
-const GROUND: usize = 0;
-const BLOCKS: usize = 1;
-const BODIES: usize = 2;
-const JOINTS: usize = 3;
-const LOADS: usize = 4;
+const SHAPES: usize = 0;
+const GROUND: usize = 1;
+const BLOCKS: usize = 2;
+const BODIES: usize = 3;
+const JOINTS: usize = 4;
+const LOADS: usize = 5;
 
 /// The sheet while it is being drawn.
 struct Drawing {
@@ -70,14 +71,24 @@ pub fn figure(name: &str, sketch: &Sketch) -> Figure {
 /// Every point that must be in the picture.
 fn extent(sketch: &Sketch) -> Vec<Point> {
     let of_parts = sketch.parts.iter().flat_map(parts::extent);
-    let of_joints = sketch.hinges.iter().flat_map(|hinge| [hinge.first, hinge.second]);
+    let of_joints = sketch.hinges.iter().flat_map(|hinge| match hinge.kind {
+        JointWord::PointOnLine => vec![hinge.first, hinge.second, sum(hinge.first, hinge.axis)],
+        // A rail of the ground is drawn as far as it is used.
+        JointWord::Prismatic if hinge.first_on == Frame::Ground => vec![hinge.second],
+        _ => vec![hinge.first, hinge.second],
+    });
     let of_wheels = sketch.wheels.iter().flat_map(|wheel| {
         let [u, v] = shapes::across(wheel.about);
         let r = wheel.radius;
-        [along(wheel.center, r, u), along(wheel.center, -r, u), along(wheel.center, r, v), along(wheel.center, -r, v)]
+        [
+            along(wheel.center, r, u),
+            along(wheel.center, -r, u),
+            along(wheel.center, r, v),
+            along(wheel.center, -r, v),
+        ]
     });
     let of_springs = sketch.efforts.iter().flat_map(|effort| match effort.kind {
-        super::sketch::EffortKind::Spring { from, to, .. } => vec![from, to],
+        super::sketch::EffortKind::Spring { ends, .. } => ends.map(|end| end.at).to_vec(),
         _ => Vec::new(),
     });
     of_parts.chain(of_joints).chain(of_wheels).chain(of_springs).collect()

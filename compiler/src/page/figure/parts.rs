@@ -1,12 +1,12 @@
 //! Bodies: the shape that was declared, and bars and plates between the places where something acts on them.
 
-use super::{BODIES, Drawing};
 use super::canvas::{Group, Pen};
 use super::labels::Kind;
 use super::shapes::{THIN, away, block, circle, heading, hull, middle, plate, rectangle};
 use super::view::Spot;
+use super::{BODIES, Drawing, SHAPES};
 use crate::model::{Shape, Space};
-use crate::page::sketch::{Part, Point, along, difference, dot};
+use crate::page::sketch::{Part, Point, along, difference, dot, length};
 
 pub fn part(drawing: &mut Drawing, part: &Part) {
     let view = &drawing.view;
@@ -15,10 +15,20 @@ pub fn part(drawing: &mut Drawing, part: &Part) {
     let mut group = Group::new(BODIES, nearness(drawing, part), part.name.clone());
     let shape = shape(drawing, &mut group, part);
     let corners = skeleton(center, &spots, shape.as_ref().map(|shape| shape.reach), drawing.unit);
+    if view.space == Space::Planar && shape.is_some() {
+        // Wheels and plates behind arms.
+        let arms = Group::new(BODIES, 0.0, part.name.clone());
+        let mut back = std::mem::replace(&mut group, arms);
+        back.layer = SHAPES;
+        back.nearness =
+            -extent(part).iter().map(|point| length(difference(*point, part.center))).fold(0.0, f64::max);
+        drawing.add(back);
+    }
     let half = 0.9 * drawing.unit;
-    if corners.len() >= 2 {
+    let is_bare = part.joints < 2 || spots.is_empty();
+    if corners.len() >= 2 && (is_bare || spots.len() > 1) {
         plate(&mut group, &corners, half);
-    } else if shape.is_none() && !part.is_block {
+    } else if shape.is_none() && !part.is_block && is_bare {
         mass(&mut group, center, drawing.unit, part.shape);
     }
     if let (1, [_], [_, end]) = (part.joints, &spots[..], &corners[..]) {
@@ -117,9 +127,7 @@ fn touches(part: &Part, spot: Point) -> bool {
         local.iter().zip(halves).all(|(x, half)| x.abs() <= half * 0.5 + 1e-6 * largest)
     };
     match (part.shape, &part.lengths[..]) {
-        (Shape::Disk | Shape::Sphere, [radius, ..]) => {
-            dot(local, local).sqrt() <= radius * (1.0 + 1e-6)
-        }
+        (Shape::Disk | Shape::Sphere, [radius, ..]) => dot(local, local).sqrt() <= radius * (1.0 + 1e-6),
         (Shape::Box, lengths) => within(lengths),
         _ => false,
     }
@@ -132,9 +140,13 @@ pub fn extent(part: &Part) -> Vec<Point> {
     let [x, y, z] = part.axes;
     match (part.shape, &part.lengths[..]) {
         (Shape::Disk | Shape::Sphere, [radius, ..]) => {
-            points.extend([x, y, z].iter().flat_map(|axis| [-1.0, 1.0].map(|k| along(part.center, k * radius, *axis))));
+            points.extend(
+                [x, y, z].iter().flat_map(|axis| [-1.0, 1.0].map(|k| along(part.center, k * radius, *axis))),
+            );
         }
-        (Shape::Box, [a, b]) => points.extend(corners(part.center, [scaled(a / 2.0, x), scaled(b / 2.0, y), [0.0; 3]])),
+        (Shape::Box, [a, b]) => {
+            points.extend(corners(part.center, [scaled(a / 2.0, x), scaled(b / 2.0, y), [0.0; 3]]))
+        }
         (Shape::Box, [a, b, c]) => {
             points.extend(corners(part.center, [scaled(a / 2.0, x), scaled(b / 2.0, y), scaled(c / 2.0, z)]));
         }
@@ -192,4 +204,3 @@ pub fn size(drawing_scale: f64, part: &Part) -> f64 {
     let longest = spots.iter().flat_map(|a| spots.iter().map(|b| difference(*a, *b)));
     drawing_scale * longest.map(|way| dot(way, way).sqrt()).fold(0.0, f64::max)
 }
-

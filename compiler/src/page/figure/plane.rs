@@ -1,9 +1,9 @@
 //! Symbols of planar joints.
 
-use super::{BLOCKS, Drawing, GROUND, JOINTS};
 use super::canvas::{Group, Pen};
 use super::shapes::{THIN, away, ground_line, heading, plate, rectangle, shifted};
 use super::view::Spot;
+use super::{BLOCKS, Drawing, GROUND, JOINTS};
 use crate::model::{Frame, JointWord};
 use crate::page::sketch::Hinge;
 
@@ -70,7 +70,10 @@ fn pin_support(group: &mut Group, at: Spot, unit: f64) {
 fn slider(behind: &mut Group, before: &mut Group, hinge: &Hinge, [first, second, e]: [Spot; 3], unit: f64) {
     let n = if e[0] >= 0.0 { [-e[1], e[0]] } else { [e[1], -e[0]] };
     let far = (second[0] - first[0]) * e[0] + (second[1] - first[1]) * e[1];
-    let (least, most) = (far.min(0.0) - 7.0 * unit, far.max(0.0) + 7.0 * unit);
+    let (least, most) = match hinge.is_grounded() {
+        true => (far - 9.0 * unit, far + 9.0 * unit),
+        false => (far.min(0.0) - 7.0 * unit, far.max(0.0) + 7.0 * unit),
+    };
     let rail = |from: f64, aside: f64| shifted(shifted(first, from, e), aside, n);
     if hinge.first_on == Frame::Ground {
         let below = 1.8 * unit;

@@ -67,7 +67,9 @@ pub fn ring(view: &View, center: Point, axis: Point, radius: f64, from: f64, to:
         let (sin, cos) = (libm::sin(angle), libm::cos(angle));
         view.spot(along(along(center, size * cos, u), size * sin, v))
     };
-    (0..=32).map(|k| at(from + (to - from) * f64::from(k) / 32.0)).collect()
+    // Corners that the eye does not see.
+    let steps = (2 * radius as u32).clamp(24, 96);
+    (0..=steps).map(|k| at(from + (to - from) * f64::from(k) / f64::from(steps))).collect()
 }
 
 pub fn circle(view: &View, center: Point, axis: Point, radius: f64) -> Vec<Spot> {

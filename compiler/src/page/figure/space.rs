@@ -1,11 +1,11 @@
 //! Symbols of joints in space: hinges are cylinders about their axes, slides are blocks along them, balls are circles.
 
-use super::{BLOCKS, Drawing, JOINTS};
 use super::canvas::{Group, Pen};
 use super::shapes::{THIN, across, block, circle, cylinder, ground_line, plate, ring, shifted};
 use super::view::{Spot, View};
+use super::{BLOCKS, Drawing, JOINTS};
 use crate::model::{Frame, JointWord};
-use crate::page::sketch::{Hinge, Point, along, difference, dot, unit as of_length_one};
+use crate::page::sketch::{Hinge, Point, along, difference, dot};
 
 pub fn joint(drawing: &mut Drawing, hinge: &Hinge) {
     let unit = drawing.unit;
@@ -16,14 +16,15 @@ pub fn joint(drawing: &mut Drawing, hinge: &Hinge) {
     let mut before = Group::new(JOINTS, nearness, hinge.name.clone());
     for (place, on) in [(hinge.first, hinge.first_on), (hinge.second, hinge.second_on)] {
         if on == Frame::Ground {
-            support(&mut before, view.spot(place), unit);
+            let foot = if on == hinge.first_on { rail_foot(&view, hinge, unit) } else { place };
+            support(&mut before, view.spot(foot), unit);
         }
     }
     symbol(&mut behind, &mut before, &view, hinge, at, unit);
     drawing.add(behind);
     drawing.add(before);
     if hinge.kind == JointWord::Distance {
-        drawing.block_path(&[view.spot(hinge.first), at], false);
+        drawing.block_path(&[view.spot(hinge.first), view.spot(hinge.second)], false);
     }
     drawing.block(at, 2.0 * unit, 2.0 * unit);
     if hinge.is_grounded() {
@@ -77,13 +78,12 @@ fn symbol(behind: &mut Group, before: &mut Group, view: &View, hinge: &Hinge, at
         JointWord::PointOnLine => {
             let end = along(hinge.first, 1.0, axis);
             plate(behind, &[view.spot(hinge.first), view.spot(end)], 0.5 * unit);
-            rail(behind, view, &Hinge { axis: of_length_one(axis), ..hinge.clone() }, unit);
             ball(before, at, unit);
         }
         JointWord::Distance => {
-            plate(before, &[view.spot(hinge.first), at], 0.45 * unit);
-            ball(before, view.spot(hinge.first), 0.7 * unit);
-            ball(before, at, 0.7 * unit);
+            let ends = [view.spot(hinge.first), view.spot(hinge.second)];
+            plate(before, &ends, 0.45 * unit);
+            ends.into_iter().for_each(|end| ball(before, end, 0.7 * unit));
         }
         JointWord::Fixed => {
             let halves = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
@@ -99,13 +99,30 @@ fn ball(group: &mut Group, at: Spot, unit: f64) {
     group.circle(at, 0.8 * unit, Pen::Solid);
 }
 
-/// From the first place along the axis to the second; past both where it is the ground's, or too short to be seen.
+/// Length of a rail on either side of what slides on the ground, or of what would else be too short to be seen, units.
+const RAIL: f64 = 9.0;
+
+/// Along the axis: from the first place to the second, or around the second.
 fn rail(group: &mut Group, view: &View, hinge: &Hinge, unit: f64) {
     let far = dot(difference(hinge.second, hinge.first), hinge.axis);
-    let is_short = far.abs() * view.scale < 8.0 * unit;
-    let beyond = if hinge.is_grounded() || is_short { 6.0 * unit / view.scale } else { 0.0 };
+    let around = RAIL * unit / view.scale;
+    let (from, to) = match hinge.is_grounded() || far.abs() < around {
+        true => (far - around, far + around),
+        false => (0.0, far),
+    };
     let end = |k: f64| view.spot(along(hinge.first, k, hinge.axis));
-    plate(group, &[end(far.min(0.0) - beyond), end(far.max(0.0) + beyond)], 0.5 * unit);
+    plate(group, &[end(from), end(to)], 0.5 * unit);
+}
+
+/// Where the ground holds the first place: its own, or the end of a rail that does not reach it.
+fn rail_foot(view: &View, hinge: &Hinge, unit: f64) -> Point {
+    let slides = matches!(hinge.kind, JointWord::Prismatic | JointWord::Cylindrical | JointWord::Screw);
+    let far = dot(difference(hinge.second, hinge.first), hinge.axis);
+    let around = RAIL * unit / view.scale;
+    if slides && far.abs() > around {
+        return along(hinge.first, far - around * far.signum(), hinge.axis);
+    }
+    hinge.first
 }
 
 /// A piece of the plane across an axis.

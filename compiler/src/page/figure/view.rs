@@ -40,7 +40,8 @@ impl View {
         };
         let right = unit(cross(up, toward));
         let rise = cross(toward, right);
-        let mut view = View { space, right, rise, toward, scale: 1.0, origin: [0.0; 2], width: 0.0, height: 0.0 };
+        let mut view =
+            View { space, right, rise, toward, scale: 1.0, origin: [0.0; 2], width: 0.0, height: 0.0 };
         let (mut least, mut most) = ([f64::INFINITY; 2], [f64::NEG_INFINITY; 2]);
         for at in points.iter().map(|point| view.spot(*point)) {
             for k in 0..2 {
