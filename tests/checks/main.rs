@@ -16,6 +16,7 @@ mod kinematics;
 mod language;
 mod linearisation;
 mod no_alloc;
+mod page;
 mod published;
 mod redundant;
 mod reference;

@@ -4,13 +4,14 @@ use super::{Emitter, quoted};
 use std::fmt::Write;
 
 /// ```text
-/// #[doc = "\nEquations of motion of the planar mechanism `FourBar`."]
+/// #[doc = ""]
+/// #[doc = "Equations of motion of the planar mechanism `FourBar`."]
 /// #[cfg_attr(doc, doc = ::linkwright::__private::v1::mechanism_page! { pub planar FourBar { … } })]
 /// ```
 /// A macro in an attribute is expanded only where the attribute is kept, so that other builds do not pay for the page.
 pub fn model(text: &mut String, emitter: &Emitter, source: &str) {
     let Emitter { name, path, mechanism, .. } = emitter;
-    let summary = format!("\nEquations of motion of the {} mechanism `{name}`.", mechanism.space.text());
-    let _ = writeln!(text, "#[doc = {}]", quoted(&summary));
+    let summary = format!("Equations of motion of the {} mechanism `{name}`.", mechanism.space.text());
+    let _ = writeln!(text, "#[doc = \"\"] #[doc = {}]", quoted(&summary));
     let _ = writeln!(text, "#[cfg_attr(doc, doc = {path}::__private::v1::mechanism_page! {{ {source} }})]");
 }

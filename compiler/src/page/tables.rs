@@ -72,12 +72,8 @@ pub fn joints(page: &mut String, compiled: &Compiled) {
         let names = joint.kind.word().coordinates(mechanism.space);
         let quantities = names.angles.iter().chain(names.travels);
         let quantities: Vec<String> = quantities.map(|[quantity, _]| code(quantity)).collect();
-        let rows: Vec<&str> = equations
-            .rows
-            .iter()
-            .filter(|row| row.joint == Some(JointId(index)))
-            .map(|row| row.what)
-            .collect();
+        let own = equations.rows.iter().filter(|row| row.joint == Some(JointId(index)));
+        let rows: Vec<String> = own.map(|row| code(row.what)).collect();
         let carried =
             equations.tree.attachments.iter().find(|it| it.joint.is_some_and(|(own, _)| own.0 == index));
         let part = match carried {
@@ -87,7 +83,7 @@ pub fn joints(page: &mut String, compiled: &Compiled) {
         };
         table.row(vec![
             code(&joint.name.text),
-            joint.kind.word().text().to_string(),
+            code(joint.kind.word().text()),
             code(&joint.first.text),
             code(&joint.second.text),
             quantities.join(", "),
@@ -260,12 +256,12 @@ pub fn rows(page: &mut String, compiled: &Compiled) {
             Some(Frame::Ground) => "the world".to_string(),
             Some(Frame::Body(body)) => code(&mechanism.bodies[body.0].name.text),
         };
-        table.row(vec![index.to_string(), code(&row.of), row.what.to_string(), axes]);
+        table.row(vec![index.to_string(), code(&row.of), code(row.what), axes]);
     }
     table.write(page, "Constraint rows");
     let mut table = Table::new(&["redundant row of", "row"]);
     for row in &compiled.assembly.dropped {
-        table.row(vec![code(joint_name(mechanism, row.joint)), row.what.to_string()]);
+        table.row(vec![code(joint_name(mechanism, row.joint)), code(row.what)]);
     }
     table.write(page, "Redundant rows");
     if !compiled.assembly.shared.is_empty() {

@@ -44,6 +44,10 @@ impl Group {
         Group { layer, nearness, title: title.into(), text: String::new() }
     }
 
+    pub fn is_empty(&self) -> bool {
+        self.text.is_empty()
+    }
+
     pub fn line(&mut self, a: Spot, b: Spot, pen: Pen) {
         self.path(&[a, b], false, pen);
     }

@@ -104,8 +104,11 @@ fn unit(view: &View, sketch: &Sketch) -> f64 {
 }
 
 impl Drawing {
+    /// Of a body that its joints hide there is the name at least.
     fn add(&mut self, group: Group) {
-        self.groups.push(group);
+        if group.layer == BODIES || !group.is_empty() {
+            self.groups.push(group);
+        }
     }
 
     fn label(&mut self, text: &str, anchor: Spot, reach: f64, kind: Kind) {
