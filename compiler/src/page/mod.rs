@@ -10,9 +10,12 @@ mod figure;
 mod operations;
 mod sketch;
 mod sparsity;
+mod stand;
 mod table;
 mod tables;
+mod terms;
 mod text;
+mod vector;
 
 use crate::Compiled;
 use sketch::Sketch;

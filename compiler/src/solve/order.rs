@@ -85,7 +85,7 @@ impl Pattern {
 
     /// Removes an unknown that is known otherwise.
     pub(super) fn remove(&mut self, unknown: usize) {
-        for a in members(&self.row(unknown).to_vec()) {
+        for a in members(self.row(unknown)) {
             self.bits[a * self.words + unknown / 64] &= !(1 << (unknown % 64));
         }
         self.bits[unknown * self.words..(unknown + 1) * self.words].fill(0);

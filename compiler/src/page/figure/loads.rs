@@ -5,7 +5,8 @@ use super::labels::Kind;
 use super::shapes::{away, circle, ground_line, heading, middle, ring, shifted};
 use super::view::Spot;
 use super::{Drawing, JOINTS, LOADS};
-use crate::page::sketch::{Effort, EffortKind, Point, Wheel, cross, dot};
+use crate::page::sketch::{Effort, EffortKind, Wheel};
+use crate::page::vector::Point;
 
 const LINE: f64 = 1.4;
 
@@ -58,7 +59,6 @@ pub fn effort(drawing: &mut Drawing, effort: &Effort) {
 /// In the basis of a ring about an axis, the angle of its highest point in the picture.
 fn angle_of_top(drawing: &Drawing, about: Point) -> f64 {
     let [u, v] = super::shapes::across(about).map(|e| drawing.view.way(e));
-    debug_assert!(dot(cross(about, about), about) == 0.0);
     libm::atan2(-v[1], -u[1])
 }
 

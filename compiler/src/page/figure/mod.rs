@@ -11,7 +11,8 @@ mod view;
 
 pub use canvas::{escaped, number};
 
-use super::sketch::{Point, Sketch, along, sum};
+use super::sketch::{EffortKind, Sketch};
+use super::vector::{Point, along, sum};
 use crate::model::{Frame, JointWord, Space};
 use canvas::{Group, Pen};
 use labels::{Area, Kind, Label};
@@ -88,7 +89,7 @@ fn extent(sketch: &Sketch) -> Vec<Point> {
         ]
     });
     let of_springs = sketch.efforts.iter().flat_map(|effort| match effort.kind {
-        super::sketch::EffortKind::Spring { ends, .. } => ends.map(|end| end.at).to_vec(),
+        EffortKind::Spring { ends, .. } => ends.map(|end| end.at).to_vec(),
         _ => Vec::new(),
     });
     of_parts.chain(of_joints).chain(of_wheels).chain(of_springs).collect()

@@ -6,7 +6,8 @@ use super::shapes::{THIN, away, block, circle, heading, hull, middle, plate, rec
 use super::view::Spot;
 use super::{BODIES, Drawing, SHAPES};
 use crate::model::{Shape, Space};
-use crate::page::sketch::{Part, Point, along, difference, dot, length};
+use crate::page::sketch::Part;
+use crate::page::vector::{Point, along, difference, dot, length};
 
 pub fn part(drawing: &mut Drawing, part: &Part) {
     let view = &drawing.view;

@@ -2,7 +2,7 @@
 
 use super::canvas::{Group, Pen};
 use super::view::{Spot, View};
-use crate::page::sketch::{Point, along, cross, dot, unit};
+use crate::page::vector::{Point, along, cross, dot, unit};
 
 /// Width of thin lines, px.
 pub const THIN: f64 = 1.2;

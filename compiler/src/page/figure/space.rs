@@ -5,7 +5,8 @@ use super::shapes::{THIN, across, block, circle, cylinder, ground_line, plate, r
 use super::view::{Spot, View};
 use super::{BLOCKS, Drawing, JOINTS};
 use crate::model::{Frame, JointWord};
-use crate::page::sketch::{Hinge, Point, along, difference, dot};
+use crate::page::sketch::Hinge;
+use crate::page::vector::{Point, along, difference, dot};
 
 pub fn joint(drawing: &mut Drawing, hinge: &Hinge) {
     let unit = drawing.unit;
