@@ -56,8 +56,8 @@ pub fn expand(tokens: TokenStream) -> Expansion {
 pub fn expand_page(tokens: TokenStream) -> String {
     match compile(tokens, None) {
         Ok(compiled) => page(&compiled),
-        // The definition has said so already, at the places of its mistakes.
-        Err(_) => String::new(),
+        // What was compiled before cannot be read again: the page says so, and documentation is built all the same.
+        Err(errors) => format!("```text\nNo page: {errors}\n```\n"),
     }
 }
 

@@ -44,9 +44,14 @@ fn compare<M: Model>(name: &str) {
 
 /// A text against the file of `tests/golden` that holds what it was.
 pub fn compare_text(name: &str, text: &str) {
-    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/golden").join(name);
+    compare_file(&format!("tests/golden/{name}"), text);
+}
+
+/// The same with any file of the workspace.
+pub fn compare_file(name: &str, text: &str) {
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join(name);
     if std::env::var_os("UPDATE_GOLDEN").is_some() {
-        std::fs::write(&path, text).expect("tests/golden can be written");
+        std::fs::write(&path, text).expect("golden files can be written");
     }
     let golden = std::fs::read_to_string(&path).unwrap_or_default();
     if let Some((number, (old, new))) = first_difference(&golden, text) {

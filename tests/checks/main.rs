@@ -17,6 +17,7 @@ mod language;
 mod linearisation;
 mod no_alloc;
 mod page;
+mod page_equations;
 mod published;
 mod redundant;
 mod reference;

@@ -2,7 +2,7 @@
 //! and nothing of it becomes a link or a test. Two pages, one of the plane and one of space, are golden files:
 //! `UPDATE_GOLDEN=1 cargo test --test checks page` writes them anew.
 
-use crate::golden::compare_text;
+use crate::golden::{compare_file, compare_text};
 use crate::registry::{Model, compiled};
 use linkwright_compiler::{Compiled, page};
 
@@ -30,6 +30,17 @@ fn of_the_plane() {
 fn of_space() {
     let compiled = compiled::<linkwright_models::spatial_slider_crank::SpatialSliderCrankArm>(None);
     compare_text("spatial_slider_crank_arm.md", &page(&compiled));
+}
+
+/// The picture of README.md, on paper of its own, because it stands alone.
+#[test]
+fn of_the_front_page() {
+    let page = page(&compiled::<linkwright_models::quick_return::QuickReturn>(None));
+    let on_paper = drawings(&page)[0]
+        .replace("var(--main-background-color,Canvas)", "#fff")
+        .replace("currentColor", "#111")
+        .replacen("height:auto", "height:auto;background:#fff", 1);
+    compare_file("docs/quick_return.svg", &(on_paper + "\n"));
 }
 
 /// Expressions read as in a textbook: angles under their cosines, of sums and differences too, and no 2π · turns.

@@ -54,6 +54,9 @@ fn sections(compiled: &Compiled) -> Vec<Section> {
     };
     let forces = v.iter().cloned().zip(equations.forces.iter().copied());
     let nu = if equations.nu.iter().all(is_zero) { Vec::new() } else { of_rows(&equations.nu) };
+    let outputs = compiled.mechanism.outputs.iter().map(|output| output.name.text.clone());
+    let energies = [("T", equations.kinetic_energy), ("V", equations.potential_energy)];
+    let energies = energies.into_iter().filter(|(_, node)| !is_zero(node));
     vec![
         Section { heading: "Φ, m or rad", entries: phi.collect(), ending: " = 0" },
         Section { heading: "D", entries: jacobian.collect(), ending: "" },
@@ -61,6 +64,16 @@ fn sections(compiled: &Compiled) -> Vec<Section> {
         Section { heading: "Q", entries: forces.collect(), ending: "" },
         Section { heading: "ν", entries: nu, ending: "" },
         Section { heading: "γ", entries: of_rows(&equations.gamma), ending: "" },
+        Section {
+            heading: "Kinetic and potential energy, J",
+            entries: energies.map(|(name, node)| (name.to_string(), node)).collect(),
+            ending: "",
+        },
+        Section {
+            heading: "Outputs",
+            entries: outputs.zip(equations.unsolved_outputs.iter().copied()).collect(),
+            ending: "",
+        },
     ]
 }
 

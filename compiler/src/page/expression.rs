@@ -1,7 +1,7 @@
 //! Expressions of the graph as text: sums and products in one line, angles under their cosines and sines, and what is long
 //! and occurs again under a name of its own.
 
-use super::terms::{Factor, Term, in_order, merged};
+use super::terms::{Angle, Factor, Term, in_order, merged};
 use super::text::decimal;
 use crate::equations::Equations;
 use crate::model::Mechanism;
@@ -13,7 +13,7 @@ const SEARCHED: usize = 60;
 /// What occurs again gets a name from this size on.
 const NAMED: usize = 9;
 /// What is larger gets one anyway, so that no line is endless.
-const ENDLESS: usize = 60;
+const ENDLESS: usize = 100;
 
 pub struct Writer<'a> {
     graph: &'a Graph,
@@ -37,9 +37,19 @@ impl<'a> Writer<'a> {
         let symbols = &equations.symbols;
         let known = symbols.q.iter().zip(q.iter()).chain(symbols.v.iter().zip(v.iter()));
         let stem = |at: usize| q[at].rsplit_once('.').map_or(q[at].clone(), |(stem, _)| stem.to_string());
+        let parameters = mechanism.parameters.iter().map(|parameter| parameter.name.text.clone());
+        let inputs = mechanism.inputs.iter().map(|input| input.name.text.clone());
+        let settings = symbols.parameters.iter().copied().zip(parameters);
+        let settings = settings.chain(symbols.inputs.iter().copied().zip(inputs));
+        let multipliers = symbols.lambda.iter().zip(&equations.rows);
+        let multipliers = multipliers.map(|(node, row)| (*node, format!("λ({}.{})", row.of, row.what)));
         let mut writer = Writer {
             graph: &equations.graph,
-            symbols: known.map(|(node, name)| (*node, name.clone())).collect(),
+            symbols: known
+                .map(|(node, name)| (*node, name.clone()))
+                .chain(settings)
+                .chain(multipliers)
+                .collect(),
             turned: HashMap::new(),
             counted: HashMap::new(),
             angles: (0..layout.rotations.len()).map(|r| stem(layout.pair(r))).collect(),
@@ -304,12 +314,37 @@ impl<'a> Writer<'a> {
         text
     }
 
+    /// atan2(sin a, cos a), in (−π, π].
+    fn angle_of(&mut self, y: Node, x: Node) -> Option<String> {
+        let (sine, cosine) = (self.sum(y), self.sum(x));
+        let ([sine], [cosine]) = (&sine[..], &cosine[..]) else { return None };
+        let turned = |term: &Term, is_sine: bool| match term.factors.first_key_value()? {
+            (Factor::Turned { is_sine: own, angle }, 1) if *own == is_sine && term.factors.len() == 1 => {
+                Some(angle.clone())
+            }
+            _ => None,
+        };
+        let angle = turned(sine, true).filter(|angle| Some(angle) == turned(cosine, false).as_ref())?;
+        let sign = match (sine.coefficient, cosine.coefficient) {
+            (1.0, 1.0) => 1,
+            (-1.0, 1.0) => -1,
+            _ => return None,
+        };
+        let angle: Angle = angle.iter().map(|(rotation, weight)| (*rotation, sign * weight)).collect();
+        Some(format!("angle({})", self.angle_text(&angle)))
+    }
+
     fn node_text(&mut self, node: Node) -> String {
         if let Some(name) = self.named.get(&node) {
             return name.clone().unwrap_or_else(|| "…".to_string());
         }
         if let Some(name) = self.symbols.get(&node) {
             return name.clone();
+        }
+        if let Op::Atan2(y, x) = self.graph.op(node)
+            && let Some(angle) = self.angle_of(y, x)
+        {
+            return angle;
         }
         let graph = self.graph;
         let mut call = |name: &str, operands: &[Node]| {

@@ -102,12 +102,13 @@ impl Hinge {
         self.first_on == Frame::Ground || self.second_on == Frame::Ground
     }
 
-    /// Two long parts slide in each other somewhere between their ends; a distance is between its places.
-    fn settle(&mut self, parts: &[Part]) {
+    /// In space two long parts slide in each other somewhere between their ends; a distance is between its places.
+    fn settle(&mut self, parts: &[Part], space: Space) {
         if self.kind == JointWord::Distance {
             self.at = sum(self.first, self.second).map(|x| x / 2.0);
         }
-        let slides = matches!(self.kind, JointWord::Prismatic | JointWord::Cylindrical | JointWord::Screw);
+        let slides = matches!(self.kind, JointWord::Prismatic | JointWord::Cylindrical | JointWord::Screw)
+            && space == Space::Spatial;
         if let (true, Frame::Body(_), Frame::Body(second)) = (slides, self.first_on, self.second_on)
             && parts[second.0].spots.len() > 1
         {
@@ -152,7 +153,7 @@ impl Sketch {
             }
         }
         for hinge in &mut hinges {
-            hinge.settle(&parts);
+            hinge.settle(&parts, mechanism.space);
         }
         let efforts = mechanism.loads.iter().filter_map(|load| stand.effort(load, &hinges)).collect();
         let wheels = stand.wheels(&hinges);

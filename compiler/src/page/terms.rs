@@ -48,6 +48,14 @@ impl Term {
         self
     }
 
+    /// Takes a power of a factor away.
+    fn lower(&mut self, factor: &Factor, power: i32) {
+        let left = self.factors.remove(factor).unwrap_or(0) - power;
+        if left != 0 {
+            self.factors.insert(factor.clone(), left);
+        }
+    }
+
     /// What is left of the factors without those of another.
     fn without(&self, other: &Term) -> Vec<(Factor, i32)> {
         let mut rest = Vec::new();
@@ -68,7 +76,7 @@ impl Term {
     }
 }
 
-/// cos a cos b ± sin a sin b = cos(a ∓ b) and sin a cos b ± cos a sin b = sin(a ± b), whatever both are multiplied by;
+/// cos² a + sin² a = 1, cos a cos b ± sin a sin b = cos(a ∓ b) and sin a cos b ± cos a sin b = sin(a ± b), whatever both are multiplied by;
 /// terms that differ in their coefficient alone are one.
 pub fn merged(mut terms: Vec<Term>) -> Vec<Term> {
     'again: loop {
@@ -91,6 +99,17 @@ fn together(a: &Term, b: &Term) -> Option<Term> {
         return Some(Term { coefficient: a.coefficient + b.coefficient, factors: a.factors.clone() });
     }
     let ratio = b.coefficient / a.coefficient;
+    if let [
+        (Factor::Turned { is_sine: a_sine, angle: x }, m),
+        (Factor::Turned { is_sine: b_sine, angle: y }, n),
+    ] = &rest[..]
+        && (a_sine != b_sine && x == y && m.abs() == 2 && *m == -*n && (ratio - 1.0).abs() <= 1e-14)
+    {
+        let (own, _) = rest.iter().find(|(_, power)| *power == 2)?;
+        let mut one = a.clone();
+        one.lower(own, 2);
+        return Some(one);
+    }
     if rest.len() != 4 || !ratio.is_finite() || (ratio.abs() - 1.0).abs() > 1e-14 {
         return None;
     }
@@ -113,8 +132,8 @@ fn together(a: &Term, b: &Term) -> Option<Term> {
         // cos x cos y ± sin x sin y; sin x sin y ± cos x cos y = ±(cos x cos y ± sin x sin y).
         (false, false) => (false, (added(&x, &y, -sign), 1.0)),
         (true, true) => (false, (added(&x, &y, -sign), f64::from(sign))),
-        (true, false) => (true, (added(&x, &y, sign), 1.0)),
-        (false, true) => (true, (added(&y, &x, sign), 1.0)),
+        // Cosines stand before sines.
+        _ => (true, (added(&y, &x, sign), 1.0)),
     };
     let leading = angle.first().is_some_and(|(_, weight)| *weight < 0);
     let (angle, factor) = match leading {
@@ -124,12 +143,7 @@ fn together(a: &Term, b: &Term) -> Option<Term> {
     let mut one = a.clone();
     one.coefficient *= factor;
     for (own, power) in rest.iter().filter(|(_, power)| *power > 0) {
-        let left = one.factors.get(own).copied().unwrap_or(0) - power;
-        if left == 0 {
-            one.factors.remove(own);
-        } else {
-            one.factors.insert(own.clone(), left);
-        }
+        one.lower(own, *power);
     }
     *one.factors.entry(Factor::Turned { is_sine, angle }).or_insert(0) += 1;
     Some(one)

@@ -41,7 +41,14 @@ pub fn joint(drawing: &mut Drawing, hinge: &Hinge) {
             }
             before.path(&rectangle(second, [1.0, 0.0], 1.2 * unit, 1.2 * unit), true, Pen::Solid);
         }
-        _ => {
+        JointWord::Revolute
+        | JointWord::Cylindrical
+        | JointWord::Screw
+        | JointWord::Universal
+        | JointWord::Spherical
+        | JointWord::Planar
+        | JointWord::ConstantVelocity
+        | JointWord::PointOnPlane => {
             if hinge.is_grounded() {
                 pin_support(&mut behind, second, unit);
             }

@@ -13,8 +13,9 @@ const ELEVATION: f64 = 0.44;
 /// Least and largest size of what is drawn, px.
 const WIDTH: f64 = 580.0;
 const HEIGHT: f64 = 380.0;
-/// Around it, for symbols and names.
-const MARGIN: f64 = 60.0;
+/// Around it, for symbols and names; below it, for axes and scale.
+const MARGIN: f64 = 56.0;
+const LEGEND: f64 = 28.0;
 
 #[derive(Clone, Debug)]
 pub struct View {
@@ -55,9 +56,9 @@ impl View {
         let fit = (WIDTH / size[0]).min(HEIGHT / size[1]);
         view.scale = if fit.is_finite() { fit } else { 100.0 };
         view.width = (view.scale * size[0]).max(160.0) + 2.0 * MARGIN;
-        view.height = (view.scale * size[1]).max(60.0) + 2.0 * MARGIN;
+        view.height = (view.scale * size[1]).max(60.0) + 2.0 * MARGIN + LEGEND;
         let middle = [0, 1].map(|k| view.scale * (least[k] + most[k]) / 2.0);
-        view.origin = [view.width / 2.0 - middle[0], view.height / 2.0 - middle[1]];
+        view.origin = [view.width / 2.0 - middle[0], (view.height - LEGEND) / 2.0 - middle[1]];
         view
     }
 
