@@ -59,5 +59,12 @@ pub use linkwright_runtime::*;
 #[doc = include_str!("../docs/language.md")]
 pub mod language {}
 
+/// What emitted code may name: the runtime's, and the macro that writes its documentation.
 #[doc(hidden)]
-pub use linkwright_runtime::__private;
+pub mod __private {
+    /// The first version.
+    pub mod v1 {
+        pub use linkwright_macros::mechanism_page;
+        pub use linkwright_runtime::__private::v1::*;
+    }
+}

@@ -15,6 +15,7 @@ pub mod emit;
 pub mod equations;
 pub mod model;
 pub mod optimize;
+pub mod page;
 pub mod schedule;
 pub mod solve;
 pub mod syntax;
@@ -23,6 +24,7 @@ pub mod symbolic;
 
 pub use choice::{Choice, Rejected};
 pub use driver::{Compiled, compile, compile_model};
+pub use page::page;
 
 use diagnostics::{Diagnostics, Region};
 use proc_macro2::TokenStream;
@@ -52,6 +54,15 @@ pub fn expand(tokens: TokenStream) -> Expansion {
             stream.extend(emit::stub(tokens));
             Expansion::Errors(stream)
         }
+    }
+}
+
+/// The page of documentation of what [`expand`] expands.
+pub fn expand_page(tokens: TokenStream) -> String {
+    match compile(tokens, None) {
+        Ok(compiled) => page(&compiled),
+        // What was compiled before cannot be read again: the page says so, and documentation is built all the same.
+        Err(errors) => format!("```text\nNo page: {errors}\n```\n"),
     }
 }
 

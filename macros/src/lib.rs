@@ -1,9 +1,9 @@
-//! The `mechanism!` macro: a shell around `linkwright-compiler`.
+//! The `mechanism!` macro, and the one that writes its documentation: shells around `linkwright-compiler`.
 #![warn(missing_docs)]
 
 use linkwright_compiler::diagnostics::Region;
 use linkwright_compiler::{Expansion, unreadable};
-use proc_macro::{LexError, TokenStream};
+use proc_macro::{LexError, Literal, TokenStream, TokenTree};
 use std::ffi::OsStr;
 use std::path::Path;
 
@@ -33,6 +33,14 @@ pub fn mechanism(tokens: TokenStream) -> TokenStream {
         }
         Expansion::Errors(tokens) => tokens.into(),
     }
+}
+
+/// The page of a mechanism, as a string. [`mechanism!`] puts it where only a build with `cfg(doc)` expands it.
+#[doc(hidden)]
+#[proc_macro]
+pub fn mechanism_page(tokens: TokenStream) -> TokenStream {
+    let page = linkwright_compiler::expand_page(tokens.into());
+    TokenTree::from(Literal::string(&page)).into()
 }
 
 /// Whether a place is in a file that the user may change: a definition can come out of a macro of somebody else's.

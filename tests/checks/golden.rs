@@ -39,16 +39,24 @@ fn compare<M: Model>(name: &str) {
     let expansion = expansion::<M>();
     assert_eq!(expansion, self::expansion::<M>(), "{name}: the same definition expands to the same bytes");
     let file = syn::parse_file(&expansion).expect("the expansion is a list of items");
-    let formatted = prettyplease::unparse(&file);
+    compare_text(&format!("{name}.rs"), &prettyplease::unparse(&file));
+}
 
-    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/golden").join(name).with_extension("rs");
+/// A text against the file of `tests/golden` that holds what it was.
+pub fn compare_text(name: &str, text: &str) {
+    compare_file(&format!("tests/golden/{name}"), text);
+}
+
+/// The same with any file of the workspace.
+pub fn compare_file(name: &str, text: &str) {
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join(name);
     if std::env::var_os("UPDATE_GOLDEN").is_some() {
-        std::fs::write(&path, &formatted).expect("tests/golden can be written");
+        std::fs::write(&path, text).expect("golden files can be written");
     }
     let golden = std::fs::read_to_string(&path).unwrap_or_default();
-    if let Some((number, (old, new))) = first_difference(&golden, &formatted) {
+    if let Some((number, (old, new))) = first_difference(&golden, text) {
         panic!(
-            "the expansion of {name} has changed, first in line {number} of {}:\n- {old}\n+ {new}\n\
+            "{name} has changed, first in line {number} of {}:\n- {old}\n+ {new}\n\
              if that is meant, write it anew with UPDATE_GOLDEN=1 and read the difference",
             path.display()
         );

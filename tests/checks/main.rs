@@ -16,6 +16,8 @@ mod kinematics;
 mod language;
 mod linearisation;
 mod no_alloc;
+mod page;
+mod page_equations;
 mod published;
 mod redundant;
 mod reference;

@@ -2,55 +2,26 @@
 ///
 /// Three uniform rods of 1 m and 1 kg, g = 9.81 m/s², cranks upright and turning at −1 rad/s. The cranks move as a
 /// pendulum with θ̈ = −(6/5)(g/L) cos θ.
-#[cfg_attr(doc, doc = "")]
-#[cfg_attr(doc, doc = "Degree of freedom: 1; velocities: 3; constraint rows: 2.")]
-#[cfg_attr(doc, doc = "")]
+///
+///Equations of motion of the planar mechanism `FourBar`.
 #[cfg_attr(
     doc,
-    doc = "In tree coordinates (chosen by count: 87 operations, depth 18, against about 230 for the elimination alone in absolute coordinates); elimination order: minimum degree."
+    doc = ::linkwright::__private::v1::mechanism_page!{#[doc = " Four-bar of unit rods (IFToMM A02 with one window)."]#[doc = ""]#[doc = " Three uniform rods of 1 m and 1 kg, g = 9.81 m/s², cranks upright and turning at −1 rad/s. The cranks move as a"]#[doc = " pendulum with θ\u{308} = −(6/5)(g/L) cos θ."]pub
+    planar
+    FourBar{gravity[m/s^2]= (0, -9.81);rod
+    crank{mass[kg]= 1;length[m]= 1;}rod
+    coupler{mass[kg]= 1;length[m]= 1;}rod
+    rocker{mass[kg]= 1;length[m]= 1;}joint
+    crank_pin:revolute(ground(0, 0)[m], crank.start);joint
+    rocker_pin:revolute(ground(1, 0)[m], rocker.start);joint
+    left:revolute(crank.end, coupler.start);joint
+    right:revolute(
+        coupler.end,
+        rocker.end
+    );start{crank_pin.angle[deg]= 90;crank_pin.rate[rad/s]= -1;rocker_pin.angle[deg]~90;coupler.angle[rad]~0;}expect{degrees_of_freedom = 1;operations<= 100;}output
+    x[m]= crank.end.x;output
+    angle[rad]= rocker_pin.angle;}}
 )]
-#[cfg_attr(doc, doc = "")]
-#[cfg_attr(doc, doc = "# Coordinates")]
-#[cfg_attr(doc, doc = "")]
-#[cfg_attr(doc, doc = "| | q | v |")]
-#[cfg_attr(doc, doc = "|---|---|---|")]
-#[cfg_attr(doc, doc = "| 0 | `crank.cos`, `crank.sin` | `crank.rate` |")]
-#[cfg_attr(doc, doc = "| 1 | `rocker.cos`, `rocker.sin` | `rocker.rate` |")]
-#[cfg_attr(doc, doc = "| 2 | `coupler.cos`, `coupler.sin` | `coupler.rate` |")]
-#[cfg_attr(doc, doc = "")]
-#[cfg_attr(doc, doc = "# Constraint rows")]
-#[cfg_attr(doc, doc = "")]
-#[cfg_attr(doc, doc = "| # | joint | row |")]
-#[cfg_attr(doc, doc = "|---|---|---|")]
-#[cfg_attr(doc, doc = "| 0 | `right` | x |")]
-#[cfg_attr(doc, doc = "| 1 | `right` | y |")]
-#[cfg_attr(doc, doc = "")]
-#[cfg_attr(doc, doc = "# Operations")]
-#[cfg_attr(doc, doc = "")]
-#[cfg_attr(
-    doc,
-    doc = "| function | operations | + | × | fma | ÷ | √ | choices | sin, exp … | depth |"
-)]
-#[cfg_attr(doc, doc = "|---|---|---|---|---|---|---|---|---|---|")]
-#[cfg_attr(doc, doc = "| `mass_matrix` | 3 | 0 | 2 | 1 | 0 | 0 | 0 | 0 | 3 |")]
-#[cfg_attr(doc, doc = "| `constraints` | 7 | 7 | 0 | 0 | 0 | 0 | 0 | 0 | 4 |")]
-#[cfg_attr(doc, doc = "| `constraint_jacobian` | 3 | 3 | 0 | 0 | 0 | 0 | 0 | 0 | 1 |")]
-#[cfg_attr(doc, doc = "| `gamma` | 9 | 0 | 5 | 4 | 0 | 0 | 0 | 0 | 4 |")]
-#[cfg_attr(doc, doc = "| `forces` | 10 | 0 | 7 | 3 | 0 | 0 | 0 | 0 | 5 |")]
-#[cfg_attr(doc, doc = "| `kinetic_energy` | 29 | 2 | 19 | 8 | 0 | 0 | 0 | 0 | 10 |")]
-#[cfg_attr(doc, doc = "| `potential_energy` | 4 | 0 | 1 | 3 | 0 | 0 | 0 | 0 | 3 |")]
-#[cfg_attr(doc, doc = "| `acceleration` | 72 | 1 | 29 | 35 | 4 | 0 | 3 | 0 | 19 |")]
-#[cfg_attr(
-    doc,
-    doc = "| `acceleration_baumgarte` | 87 | 6 | 31 | 43 | 4 | 0 | 3 | 0 | 18 |"
-)]
-#[cfg_attr(doc, doc = "| `outputs` | 1 | 0 | 0 | 0 | 0 | 0 | 0 | 1 | 1 |")]
-#[cfg_attr(doc, doc = "| `inverse_dynamics` | 18 | 0 | 9 | 9 | 0 | 0 | 0 | 0 | 7 |")]
-#[cfg_attr(doc, doc = "| `motions` | 41 | 8 | 23 | 10 | 0 | 0 | 0 | 0 | 5 |")]
-#[cfg_attr(doc, doc = "| `reactions` | 37 | 12 | 17 | 8 | 0 | 0 | 0 | 0 | 7 |")]
-#[cfg_attr(doc, doc = "| `condition_residual` | 4 | 0 | 1 | 1 | 0 | 0 | 0 | 2 | 3 |")]
-#[cfg_attr(doc, doc = "| `condition_cosines` | 4 | 0 | 1 | 1 | 0 | 0 | 0 | 2 | 3 |")]
-#[cfg_attr(not(doc), doc = "Equations of motion of the planar mechanism `FourBar`.")]
 #[derive(
     ::core::clone::Clone,
     ::core::marker::Copy,
@@ -103,11 +74,20 @@ impl FourBar<::core::primitive::f64> {
     ///Operations of the default acceleration function (Baumgarte), a fused multiply-add counted once.
     pub const OPERATIONS: ::core::primitive::usize = 87;
     ///The definition as written.
-    pub const SOURCE: &'static ::core::primitive::str = "# [doc = \" Four-bar of unit rods (IFToMM A02 with one window).\"] # [doc = \"\"] # [doc = \" Three uniform rods of 1 m and 1 kg, g = 9.81 m/s², cranks upright and turning at −1 rad/s. The cranks move as a\"] # [doc = \" pendulum with θ\\u{308} = −(6/5)(g/L) cos θ.\"] pub planar FourBar { gravity [m / s ^ 2] = (0 , - 9.81) ; rod crank { mass [kg] = 1 ; length [m] = 1 ; } rod coupler { mass [kg] = 1 ; length [m] = 1 ; } rod rocker { mass [kg] = 1 ; length [m] = 1 ; } joint crank_pin : revolute (ground (0 , 0) [m] , crank . start) ; joint rocker_pin : revolute (ground (1 , 0) [m] , rocker . start) ; joint left : revolute (crank . end , coupler . start) ; joint right : revolute (coupler . end , rocker . end) ; start { crank_pin . angle [deg] = 90 ; crank_pin . rate [rad / s] = - 1 ; rocker_pin . angle [deg] ~ 90 ; coupler . angle [rad] ~ 0 ; } expect { degrees_of_freedom = 1 ; operations <= 100 ; } output x [m] = crank . end . x ; output angle [rad] = rocker_pin . angle ; }";
+    pub const SOURCE: &'static ::core::primitive::str = (
+        "# [doc = \" Four-bar of unit rods (IFToMM A02 with one window).\"] # [doc = \"\"] # [doc = \" Three uniform rods of 1 m and 1 kg, g = 9.81 m/s², cranks upright and turning at −1 rad/s. The cranks move as a\"] # [doc = \" pendulum with θ\\u{308} = −(6/5)(g/L) cos θ.\"] pub planar FourBar { gravity [m / s ^ 2] = (0 , - 9.81) ; rod crank { mass [kg] = 1 ; length [m] = 1 ; } rod coupler { mass [kg] = 1 ; length [m] = 1 ; } rod rocker { mass [kg] = 1 ; length [m] = 1 ; } joint crank_pin : revolute (ground (0 , 0) [m] , crank . start) ; joint rocker_pin : revolute (ground (1 , 0) [m] , rocker . start) ; joint left : revolute (crank . end , coupler . start) ; joint right : revolute (coupler . end , rocker . end) ; start { crank_pin . angle [deg] = 90 ; crank_pin . rate [rad / s] = - 1 ; rocker_pin . angle [deg] ~ 90 ; coupler . angle [rad] ~ 0 ; } expect { degrees_of_freedom = 1 ; operations <= 100 ; } output x [m] = crank . end . x ; output angle [rad] = rocker_pin . angle ; }",
+    )
+        .0;
     ///The definition as versioned JSON: kinds, shapes and units as written.
-    pub const DEFINITION: &'static ::core::primitive::str = "{\"linkwright\":1,\"kind\":\"planar\",\"name\":\"FourBar\",\"constants\":[],\"parameters\":[],\"inputs\":[],\"gravity\":{\"unit\":\"m/s^2\",\"value\":[{\"number\":\"0\"},{\"op\":\"neg\",\"args\":[{\"number\":\"9.81\"}]}]},\"bodies\":[{\"name\":\"crank\",\"kind\":\"rod\",\"properties\":{\"mass\":{\"unit\":\"kg\",\"value\":{\"number\":\"1\"}},\"length\":{\"unit\":\"m\",\"value\":{\"number\":\"1\"}}},\"center\":null,\"points\":[],\"lines\":[]},{\"name\":\"coupler\",\"kind\":\"rod\",\"properties\":{\"mass\":{\"unit\":\"kg\",\"value\":{\"number\":\"1\"}},\"length\":{\"unit\":\"m\",\"value\":{\"number\":\"1\"}}},\"center\":null,\"points\":[],\"lines\":[]},{\"name\":\"rocker\",\"kind\":\"rod\",\"properties\":{\"mass\":{\"unit\":\"kg\",\"value\":{\"number\":\"1\"}},\"length\":{\"unit\":\"m\",\"value\":{\"number\":\"1\"}}},\"center\":null,\"points\":[],\"lines\":[]}],\"joints\":[{\"name\":\"crank_pin\",\"kind\":\"revolute\",\"first\":{\"ground\":[{\"number\":\"0\"},{\"number\":\"0\"}],\"unit\":\"m\"},\"second\":{\"place\":\"crank.start\"}},{\"name\":\"rocker_pin\",\"kind\":\"revolute\",\"first\":{\"ground\":[{\"number\":\"1\"},{\"number\":\"0\"}],\"unit\":\"m\"},\"second\":{\"place\":\"rocker.start\"}},{\"name\":\"left\",\"kind\":\"revolute\",\"first\":{\"place\":\"crank.end\"},\"second\":{\"place\":\"coupler.start\"}},{\"name\":\"right\",\"kind\":\"revolute\",\"first\":{\"place\":\"coupler.end\"},\"second\":{\"place\":\"rocker.end\"}}],\"constraints\":[],\"drivers\":[],\"loads\":[],\"start\":[{\"quantity\":{\"name\":\"crank_pin.angle\"},\"exact\":true,\"unit\":\"deg\",\"value\":{\"number\":\"90\"}},{\"quantity\":{\"name\":\"crank_pin.rate\"},\"exact\":true,\"unit\":\"rad/s\",\"value\":{\"op\":\"neg\",\"args\":[{\"number\":\"1\"}]}},{\"quantity\":{\"name\":\"rocker_pin.angle\"},\"exact\":false,\"unit\":\"deg\",\"value\":{\"number\":\"90\"}},{\"quantity\":{\"name\":\"coupler.angle\"},\"exact\":false,\"unit\":\"rad\",\"value\":{\"number\":\"0\"}}],\"outputs\":[{\"name\":\"x\",\"unit\":\"m\",\"value\":{\"name\":\"crank.end.x\"}},{\"name\":\"angle\",\"unit\":\"rad\",\"value\":{\"name\":\"rocker_pin.angle\"}}],\"options\":{},\"expect\":{\"degrees_of_freedom\":1,\"operations\":[{\"of\":null,\"at_most\":100}]}}";
+    pub const DEFINITION: &'static ::core::primitive::str = (
+        "{\"linkwright\":1,\"kind\":\"planar\",\"name\":\"FourBar\",\"constants\":[],\"parameters\":[],\"inputs\":[],\"gravity\":{\"unit\":\"m/s^2\",\"value\":[{\"number\":\"0\"},{\"op\":\"neg\",\"args\":[{\"number\":\"9.81\"}]}]},\"bodies\":[{\"name\":\"crank\",\"kind\":\"rod\",\"properties\":{\"mass\":{\"unit\":\"kg\",\"value\":{\"number\":\"1\"}},\"length\":{\"unit\":\"m\",\"value\":{\"number\":\"1\"}}},\"center\":null,\"points\":[],\"lines\":[]},{\"name\":\"coupler\",\"kind\":\"rod\",\"properties\":{\"mass\":{\"unit\":\"kg\",\"value\":{\"number\":\"1\"}},\"length\":{\"unit\":\"m\",\"value\":{\"number\":\"1\"}}},\"center\":null,\"points\":[],\"lines\":[]},{\"name\":\"rocker\",\"kind\":\"rod\",\"properties\":{\"mass\":{\"unit\":\"kg\",\"value\":{\"number\":\"1\"}},\"length\":{\"unit\":\"m\",\"value\":{\"number\":\"1\"}}},\"center\":null,\"points\":[],\"lines\":[]}],\"joints\":[{\"name\":\"crank_pin\",\"kind\":\"revolute\",\"first\":{\"ground\":[{\"number\":\"0\"},{\"number\":\"0\"}],\"unit\":\"m\"},\"second\":{\"place\":\"crank.start\"}},{\"name\":\"rocker_pin\",\"kind\":\"revolute\",\"first\":{\"ground\":[{\"number\":\"1\"},{\"number\":\"0\"}],\"unit\":\"m\"},\"second\":{\"place\":\"rocker.start\"}},{\"name\":\"left\",\"kind\":\"revolute\",\"first\":{\"place\":\"crank.end\"},\"second\":{\"place\":\"coupler.start\"}},{\"name\":\"right\",\"kind\":\"revolute\",\"first\":{\"place\":\"coupler.end\"},\"second\":{\"place\":\"rocker.end\"}}],\"constraints\":[],\"drivers\":[],\"loads\":[],\"start\":[{\"quantity\":{\"name\":\"crank_pin.angle\"},\"exact\":true,\"unit\":\"deg\",\"value\":{\"number\":\"90\"}},{\"quantity\":{\"name\":\"crank_pin.rate\"},\"exact\":true,\"unit\":\"rad/s\",\"value\":{\"op\":\"neg\",\"args\":[{\"number\":\"1\"}]}},{\"quantity\":{\"name\":\"rocker_pin.angle\"},\"exact\":false,\"unit\":\"deg\",\"value\":{\"number\":\"90\"}},{\"quantity\":{\"name\":\"coupler.angle\"},\"exact\":false,\"unit\":\"rad\",\"value\":{\"number\":\"0\"}}],\"outputs\":[{\"name\":\"x\",\"unit\":\"m\",\"value\":{\"name\":\"crank.end.x\"}},{\"name\":\"angle\",\"unit\":\"rad\",\"value\":{\"name\":\"rocker_pin.angle\"}}],\"options\":{},\"expect\":{\"degrees_of_freedom\":1,\"operations\":[{\"of\":null,\"at_most\":100}]}}",
+    )
+        .0;
     ///What the entries of q and v and the constraint rows are, as JSON.
-    pub const COORDINATES: &'static ::core::primitive::str = "{\"coordinates\":\"tree\",\"tree\":[{\"body\":\"crank\",\"joint\":\"crank_pin\",\"parent\":\"ground\"},{\"body\":\"rocker\",\"joint\":\"rocker_pin\",\"parent\":\"ground\"},{\"body\":\"coupler\",\"joint\":\"left\",\"parent\":\"crank\"}],\"linear\":[],\"rotations\":[{\"body\":\"crank\"},{\"body\":\"rocker\"},{\"body\":\"coupler\"}],\"angles\":[],\"rows\":[{\"of\":\"right\",\"what\":\"x\"},{\"of\":\"right\",\"what\":\"y\"}]}";
+    pub const COORDINATES: &'static ::core::primitive::str = (
+        "{\"coordinates\":\"tree\",\"tree\":[{\"body\":\"crank\",\"joint\":\"crank_pin\",\"parent\":\"ground\"},{\"body\":\"rocker\",\"joint\":\"rocker_pin\",\"parent\":\"ground\"},{\"body\":\"coupler\",\"joint\":\"left\",\"parent\":\"crank\"}],\"linear\":[],\"rotations\":[{\"body\":\"crank\"},{\"body\":\"rocker\"},{\"body\":\"coupler\"}],\"angles\":[],\"rows\":[{\"of\":\"right\",\"what\":\"x\"},{\"of\":\"right\",\"what\":\"y\"}]}",
+    )
+        .0;
     ///Names of the bodies, in the order of `motions`.
     pub const BODIES: &'static [&'static ::core::primitive::str] = &[
         "crank",

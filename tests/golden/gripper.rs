@@ -1,62 +1,43 @@
 /// A four-bar that a torsion spring holds, with more inputs than it needs.
-#[cfg_attr(doc, doc = "")]
-#[cfg_attr(doc, doc = "Degree of freedom: 1; velocities: 3; constraint rows: 2.")]
-#[cfg_attr(doc, doc = "")]
+///
+///Equations of motion of the planar mechanism `Gripper`.
 #[cfg_attr(
     doc,
-    doc = "In tree coordinates (chosen by count: 106 operations, depth 19, against about 230 for the elimination alone in absolute coordinates); elimination order: minimum degree."
+    doc = ::linkwright::__private::v1::mechanism_page!{#[doc = " A four-bar that a torsion spring holds, with more inputs than it needs."]pub
+    planar
+    Gripper{param
+    stiffness[N*m/rad]= 6;param
+    length[m]= 0.9;param
+    weight[kg]= 1.2
+    in
+    0.1..10;input
+    drive[N*m];input
+    pull[N];gravity[m/s^2]= (0, -9.81);rod
+    crank{mass[kg]= weight;length[m]= 0.4;}rod
+    coupler{mass[kg]= 0.8;length[m]= length;}rod
+    rocker{mass[kg]= 0.6;length[m]= 0.7;}joint
+    a:revolute(ground(0, 0)[m], crank.start);joint
+    b:revolute(crank.end, coupler.start);joint
+    c:revolute(coupler.end, rocker.end);joint
+    d:revolute(ground(0.8, 0)[m], rocker.start);torsion_spring
+    coil:torsion_spring(
+        a,
+        stiffness = stiffness,
+        angle = 40[deg],
+        damping = 0.2[N*m*s/rad]
+    );torque
+    motor:torque(a)= drive;force
+    rope:force(
+        coupler.center,
+        direction = (1, 2)
+    )= pull;start{a.angle[deg]= 70;a.rate[rad/s]= 1;d.angle[deg]~80;coupler.angle[rad]~0.3;}options{emit = (
+        tangent
+    );}expect{degrees_of_freedom = 1;}output
+    reach[m]= coupler.center.x;output
+    swing[rad]= d.angle;output
+    swinging[rad/s]= d.rate;output
+    stored[J]= potential_energy;}}
 )]
-#[cfg_attr(doc, doc = "")]
-#[cfg_attr(doc, doc = "# Coordinates")]
-#[cfg_attr(doc, doc = "")]
-#[cfg_attr(doc, doc = "| | q | v |")]
-#[cfg_attr(doc, doc = "|---|---|---|")]
-#[cfg_attr(doc, doc = "| 0 | `crank.cos`, `crank.sin` | `crank.rate` |")]
-#[cfg_attr(doc, doc = "| 1 | `rocker.cos`, `rocker.sin` | `rocker.rate` |")]
-#[cfg_attr(doc, doc = "| 2 | `coupler.cos`, `coupler.sin` | `coupler.rate` |")]
-#[cfg_attr(doc, doc = "| | `a.turns`, `a.remainder` | |")]
-#[cfg_attr(doc, doc = "")]
-#[cfg_attr(doc, doc = "# Constraint rows")]
-#[cfg_attr(doc, doc = "")]
-#[cfg_attr(doc, doc = "| # | joint | row |")]
-#[cfg_attr(doc, doc = "|---|---|---|")]
-#[cfg_attr(doc, doc = "| 0 | `c` | x |")]
-#[cfg_attr(doc, doc = "| 1 | `c` | y |")]
-#[cfg_attr(doc, doc = "")]
-#[cfg_attr(doc, doc = "# Operations")]
-#[cfg_attr(doc, doc = "")]
-#[cfg_attr(
-    doc,
-    doc = "| function | operations | + | × | fma | ÷ | √ | choices | sin, exp … | depth |"
-)]
-#[cfg_attr(doc, doc = "|---|---|---|---|---|---|---|---|---|---|")]
-#[cfg_attr(doc, doc = "| `mass_matrix` | 3 | 0 | 2 | 1 | 0 | 0 | 0 | 0 | 3 |")]
-#[cfg_attr(doc, doc = "| `constraints` | 6 | 0 | 1 | 5 | 0 | 0 | 0 | 0 | 3 |")]
-#[cfg_attr(doc, doc = "| `constraint_jacobian` | 7 | 1 | 6 | 0 | 0 | 0 | 0 | 0 | 2 |")]
-#[cfg_attr(doc, doc = "| `gamma` | 15 | 0 | 11 | 4 | 0 | 0 | 0 | 0 | 4 |")]
-#[cfg_attr(doc, doc = "| `forces` | 26 | 3 | 14 | 9 | 0 | 0 | 0 | 0 | 9 |")]
-#[cfg_attr(doc, doc = "| `kinetic_energy` | 32 | 0 | 22 | 10 | 0 | 0 | 0 | 0 | 11 |")]
-#[cfg_attr(doc, doc = "| `potential_energy` | 9 | 1 | 3 | 5 | 0 | 0 | 0 | 0 | 5 |")]
-#[cfg_attr(doc, doc = "| `acceleration` | 91 | 3 | 40 | 41 | 4 | 0 | 3 | 0 | 19 |")]
-#[cfg_attr(
-    doc,
-    doc = "| `acceleration_baumgarte` | 106 | 8 | 42 | 49 | 4 | 0 | 3 | 0 | 19 |"
-)]
-#[cfg_attr(doc, doc = "| `outputs` | 12 | 1 | 4 | 6 | 0 | 0 | 0 | 1 | 5 |")]
-#[cfg_attr(doc, doc = "| `inverse_dynamics` | 34 | 3 | 16 | 15 | 0 | 0 | 0 | 0 | 11 |")]
-#[cfg_attr(doc, doc = "| `powers` | 19 | 2 | 12 | 5 | 0 | 0 | 0 | 0 | 6 |")]
-#[cfg_attr(doc, doc = "| `motions` | 43 | 8 | 25 | 10 | 0 | 0 | 0 | 0 | 5 |")]
-#[cfg_attr(doc, doc = "| `reactions` | 42 | 7 | 21 | 14 | 0 | 0 | 0 | 0 | 9 |")]
-#[cfg_attr(doc, doc = "| `condition_residual` | 2 | 1 | 0 | 1 | 0 | 0 | 0 | 0 | 2 |")]
-#[cfg_attr(doc, doc = "| `residual` | 44 | 3 | 20 | 21 | 0 | 0 | 0 | 0 | 13 |")]
-#[cfg_attr(doc, doc = "| `tangent` | 43 | 2 | 23 | 18 | 0 | 0 | 0 | 0 | 11 |")]
-#[cfg_attr(doc, doc = "| `row_tangent` | 34 | 4 | 24 | 6 | 0 | 0 | 0 | 0 | 3 |")]
-#[cfg_attr(doc, doc = "| `rate_tangent` | 16 | 4 | 12 | 0 | 0 | 0 | 0 | 0 | 3 |")]
-#[cfg_attr(doc, doc = "| `input_tangent` | 4 | 0 | 2 | 2 | 0 | 0 | 0 | 0 | 2 |")]
-#[cfg_attr(doc, doc = "| `parameter_tangent` | 37 | 2 | 21 | 14 | 0 | 0 | 0 | 0 | 10 |")]
-#[cfg_attr(doc, doc = "| `output_tangent` | 9 | 2 | 5 | 2 | 0 | 0 | 0 | 0 | 3 |")]
-#[cfg_attr(doc, doc = "| `prepare` | 19 | 2 | 14 | 2 | 1 | 0 | 0 | 0 | 4 |")]
-#[cfg_attr(not(doc), doc = "Equations of motion of the planar mechanism `Gripper`.")]
 #[derive(
     ::core::clone::Clone,
     ::core::marker::Copy,
@@ -139,11 +120,20 @@ impl Gripper<::core::primitive::f64> {
     ///Operations of the default acceleration function (Baumgarte), a fused multiply-add counted once.
     pub const OPERATIONS: ::core::primitive::usize = 106;
     ///The definition as written.
-    pub const SOURCE: &'static ::core::primitive::str = "# [doc = \" A four-bar that a torsion spring holds, with more inputs than it needs.\"] pub planar Gripper { param stiffness [N * m / rad] = 6 ; param length [m] = 0.9 ; param weight [kg] = 1.2 in 0.1 .. 10 ; input drive [N * m] ; input pull [N] ; gravity [m / s ^ 2] = (0 , - 9.81) ; rod crank { mass [kg] = weight ; length [m] = 0.4 ; } rod coupler { mass [kg] = 0.8 ; length [m] = length ; } rod rocker { mass [kg] = 0.6 ; length [m] = 0.7 ; } joint a : revolute (ground (0 , 0) [m] , crank . start) ; joint b : revolute (crank . end , coupler . start) ; joint c : revolute (coupler . end , rocker . end) ; joint d : revolute (ground (0.8 , 0) [m] , rocker . start) ; torsion_spring coil : torsion_spring (a , stiffness = stiffness , angle = 40 [deg] , damping = 0.2 [N * m * s / rad]) ; torque motor : torque (a) = drive ; force rope : force (coupler . center , direction = (1 , 2)) = pull ; start { a . angle [deg] = 70 ; a . rate [rad / s] = 1 ; d . angle [deg] ~ 80 ; coupler . angle [rad] ~ 0.3 ; } options { emit = (tangent) ; } expect { degrees_of_freedom = 1 ; } output reach [m] = coupler . center . x ; output swing [rad] = d . angle ; output swinging [rad / s] = d . rate ; output stored [J] = potential_energy ; }";
+    pub const SOURCE: &'static ::core::primitive::str = (
+        "# [doc = \" A four-bar that a torsion spring holds, with more inputs than it needs.\"] pub planar Gripper { param stiffness [N * m / rad] = 6 ; param length [m] = 0.9 ; param weight [kg] = 1.2 in 0.1 .. 10 ; input drive [N * m] ; input pull [N] ; gravity [m / s ^ 2] = (0 , - 9.81) ; rod crank { mass [kg] = weight ; length [m] = 0.4 ; } rod coupler { mass [kg] = 0.8 ; length [m] = length ; } rod rocker { mass [kg] = 0.6 ; length [m] = 0.7 ; } joint a : revolute (ground (0 , 0) [m] , crank . start) ; joint b : revolute (crank . end , coupler . start) ; joint c : revolute (coupler . end , rocker . end) ; joint d : revolute (ground (0.8 , 0) [m] , rocker . start) ; torsion_spring coil : torsion_spring (a , stiffness = stiffness , angle = 40 [deg] , damping = 0.2 [N * m * s / rad]) ; torque motor : torque (a) = drive ; force rope : force (coupler . center , direction = (1 , 2)) = pull ; start { a . angle [deg] = 70 ; a . rate [rad / s] = 1 ; d . angle [deg] ~ 80 ; coupler . angle [rad] ~ 0.3 ; } options { emit = (tangent) ; } expect { degrees_of_freedom = 1 ; } output reach [m] = coupler . center . x ; output swing [rad] = d . angle ; output swinging [rad / s] = d . rate ; output stored [J] = potential_energy ; }",
+    )
+        .0;
     ///The definition as versioned JSON: kinds, shapes and units as written.
-    pub const DEFINITION: &'static ::core::primitive::str = "{\"linkwright\":1,\"kind\":\"planar\",\"name\":\"Gripper\",\"constants\":[],\"parameters\":[{\"name\":\"stiffness\",\"unit\":\"N*m/rad\",\"value\":{\"number\":\"6\"},\"min\":null,\"max\":null},{\"name\":\"length\",\"unit\":\"m\",\"value\":{\"number\":\"0.9\"},\"min\":null,\"max\":null},{\"name\":\"weight\",\"unit\":\"kg\",\"value\":{\"number\":\"1.2\"},\"min\":{\"number\":\"0.1\"},\"max\":{\"number\":\"10\"}}],\"inputs\":[{\"name\":\"drive\",\"unit\":\"N*m\"},{\"name\":\"pull\",\"unit\":\"N\"}],\"gravity\":{\"unit\":\"m/s^2\",\"value\":[{\"number\":\"0\"},{\"op\":\"neg\",\"args\":[{\"number\":\"9.81\"}]}]},\"bodies\":[{\"name\":\"crank\",\"kind\":\"rod\",\"properties\":{\"mass\":{\"unit\":\"kg\",\"value\":{\"name\":\"weight\"}},\"length\":{\"unit\":\"m\",\"value\":{\"number\":\"0.4\"}}},\"center\":null,\"points\":[],\"lines\":[]},{\"name\":\"coupler\",\"kind\":\"rod\",\"properties\":{\"mass\":{\"unit\":\"kg\",\"value\":{\"number\":\"0.8\"}},\"length\":{\"unit\":\"m\",\"value\":{\"name\":\"length\"}}},\"center\":null,\"points\":[],\"lines\":[]},{\"name\":\"rocker\",\"kind\":\"rod\",\"properties\":{\"mass\":{\"unit\":\"kg\",\"value\":{\"number\":\"0.6\"}},\"length\":{\"unit\":\"m\",\"value\":{\"number\":\"0.7\"}}},\"center\":null,\"points\":[],\"lines\":[]}],\"joints\":[{\"name\":\"a\",\"kind\":\"revolute\",\"first\":{\"ground\":[{\"number\":\"0\"},{\"number\":\"0\"}],\"unit\":\"m\"},\"second\":{\"place\":\"crank.start\"}},{\"name\":\"b\",\"kind\":\"revolute\",\"first\":{\"place\":\"crank.end\"},\"second\":{\"place\":\"coupler.start\"}},{\"name\":\"c\",\"kind\":\"revolute\",\"first\":{\"place\":\"coupler.end\"},\"second\":{\"place\":\"rocker.end\"}},{\"name\":\"d\",\"kind\":\"revolute\",\"first\":{\"ground\":[{\"number\":\"0.8\"},{\"number\":\"0\"}],\"unit\":\"m\"},\"second\":{\"place\":\"rocker.start\"}}],\"constraints\":[],\"drivers\":[],\"loads\":[{\"name\":\"coil\",\"kind\":\"torsion_spring\",\"on\":\"a\",\"stiffness\":{\"unit\":null,\"value\":{\"name\":\"stiffness\"}},\"angle\":{\"unit\":null,\"value\":{\"number\":\"40\",\"unit\":\"deg\"}},\"damping\":{\"unit\":null,\"value\":{\"number\":\"0.2\",\"unit\":\"N*m*s/rad\"}}},{\"name\":\"motor\",\"kind\":\"torque\",\"on\":\"a\",\"value\":{\"name\":\"drive\"}},{\"name\":\"rope\",\"kind\":\"force\",\"place\":{\"place\":\"coupler.center\"},\"direction\":[{\"number\":\"1\"},{\"number\":\"2\"}],\"value\":{\"name\":\"pull\"}}],\"start\":[{\"quantity\":{\"name\":\"a.angle\"},\"exact\":true,\"unit\":\"deg\",\"value\":{\"number\":\"70\"}},{\"quantity\":{\"name\":\"a.rate\"},\"exact\":true,\"unit\":\"rad/s\",\"value\":{\"number\":\"1\"}},{\"quantity\":{\"name\":\"d.angle\"},\"exact\":false,\"unit\":\"deg\",\"value\":{\"number\":\"80\"}},{\"quantity\":{\"name\":\"coupler.angle\"},\"exact\":false,\"unit\":\"rad\",\"value\":{\"number\":\"0.3\"}}],\"outputs\":[{\"name\":\"reach\",\"unit\":\"m\",\"value\":{\"name\":\"coupler.center.x\"}},{\"name\":\"swing\",\"unit\":\"rad\",\"value\":{\"name\":\"d.angle\"}},{\"name\":\"swinging\",\"unit\":\"rad/s\",\"value\":{\"name\":\"d.rate\"}},{\"name\":\"stored\",\"unit\":\"J\",\"value\":{\"name\":\"potential_energy\"}}],\"options\":{},\"expect\":{\"degrees_of_freedom\":1}}";
+    pub const DEFINITION: &'static ::core::primitive::str = (
+        "{\"linkwright\":1,\"kind\":\"planar\",\"name\":\"Gripper\",\"constants\":[],\"parameters\":[{\"name\":\"stiffness\",\"unit\":\"N*m/rad\",\"value\":{\"number\":\"6\"},\"min\":null,\"max\":null},{\"name\":\"length\",\"unit\":\"m\",\"value\":{\"number\":\"0.9\"},\"min\":null,\"max\":null},{\"name\":\"weight\",\"unit\":\"kg\",\"value\":{\"number\":\"1.2\"},\"min\":{\"number\":\"0.1\"},\"max\":{\"number\":\"10\"}}],\"inputs\":[{\"name\":\"drive\",\"unit\":\"N*m\"},{\"name\":\"pull\",\"unit\":\"N\"}],\"gravity\":{\"unit\":\"m/s^2\",\"value\":[{\"number\":\"0\"},{\"op\":\"neg\",\"args\":[{\"number\":\"9.81\"}]}]},\"bodies\":[{\"name\":\"crank\",\"kind\":\"rod\",\"properties\":{\"mass\":{\"unit\":\"kg\",\"value\":{\"name\":\"weight\"}},\"length\":{\"unit\":\"m\",\"value\":{\"number\":\"0.4\"}}},\"center\":null,\"points\":[],\"lines\":[]},{\"name\":\"coupler\",\"kind\":\"rod\",\"properties\":{\"mass\":{\"unit\":\"kg\",\"value\":{\"number\":\"0.8\"}},\"length\":{\"unit\":\"m\",\"value\":{\"name\":\"length\"}}},\"center\":null,\"points\":[],\"lines\":[]},{\"name\":\"rocker\",\"kind\":\"rod\",\"properties\":{\"mass\":{\"unit\":\"kg\",\"value\":{\"number\":\"0.6\"}},\"length\":{\"unit\":\"m\",\"value\":{\"number\":\"0.7\"}}},\"center\":null,\"points\":[],\"lines\":[]}],\"joints\":[{\"name\":\"a\",\"kind\":\"revolute\",\"first\":{\"ground\":[{\"number\":\"0\"},{\"number\":\"0\"}],\"unit\":\"m\"},\"second\":{\"place\":\"crank.start\"}},{\"name\":\"b\",\"kind\":\"revolute\",\"first\":{\"place\":\"crank.end\"},\"second\":{\"place\":\"coupler.start\"}},{\"name\":\"c\",\"kind\":\"revolute\",\"first\":{\"place\":\"coupler.end\"},\"second\":{\"place\":\"rocker.end\"}},{\"name\":\"d\",\"kind\":\"revolute\",\"first\":{\"ground\":[{\"number\":\"0.8\"},{\"number\":\"0\"}],\"unit\":\"m\"},\"second\":{\"place\":\"rocker.start\"}}],\"constraints\":[],\"drivers\":[],\"loads\":[{\"name\":\"coil\",\"kind\":\"torsion_spring\",\"on\":\"a\",\"stiffness\":{\"unit\":null,\"value\":{\"name\":\"stiffness\"}},\"angle\":{\"unit\":null,\"value\":{\"number\":\"40\",\"unit\":\"deg\"}},\"damping\":{\"unit\":null,\"value\":{\"number\":\"0.2\",\"unit\":\"N*m*s/rad\"}}},{\"name\":\"motor\",\"kind\":\"torque\",\"on\":\"a\",\"value\":{\"name\":\"drive\"}},{\"name\":\"rope\",\"kind\":\"force\",\"place\":{\"place\":\"coupler.center\"},\"direction\":[{\"number\":\"1\"},{\"number\":\"2\"}],\"value\":{\"name\":\"pull\"}}],\"start\":[{\"quantity\":{\"name\":\"a.angle\"},\"exact\":true,\"unit\":\"deg\",\"value\":{\"number\":\"70\"}},{\"quantity\":{\"name\":\"a.rate\"},\"exact\":true,\"unit\":\"rad/s\",\"value\":{\"number\":\"1\"}},{\"quantity\":{\"name\":\"d.angle\"},\"exact\":false,\"unit\":\"deg\",\"value\":{\"number\":\"80\"}},{\"quantity\":{\"name\":\"coupler.angle\"},\"exact\":false,\"unit\":\"rad\",\"value\":{\"number\":\"0.3\"}}],\"outputs\":[{\"name\":\"reach\",\"unit\":\"m\",\"value\":{\"name\":\"coupler.center.x\"}},{\"name\":\"swing\",\"unit\":\"rad\",\"value\":{\"name\":\"d.angle\"}},{\"name\":\"swinging\",\"unit\":\"rad/s\",\"value\":{\"name\":\"d.rate\"}},{\"name\":\"stored\",\"unit\":\"J\",\"value\":{\"name\":\"potential_energy\"}}],\"options\":{},\"expect\":{\"degrees_of_freedom\":1}}",
+    )
+        .0;
     ///What the entries of q and v and the constraint rows are, as JSON.
-    pub const COORDINATES: &'static ::core::primitive::str = "{\"coordinates\":\"tree\",\"tree\":[{\"body\":\"crank\",\"joint\":\"a\",\"parent\":\"ground\"},{\"body\":\"rocker\",\"joint\":\"d\",\"parent\":\"ground\"},{\"body\":\"coupler\",\"joint\":\"b\",\"parent\":\"crank\"}],\"linear\":[],\"rotations\":[{\"body\":\"crank\"},{\"body\":\"rocker\"},{\"body\":\"coupler\"}],\"angles\":[{\"of\":\"a\",\"rate\":[[0,1.0]]}],\"rows\":[{\"of\":\"c\",\"what\":\"x\"},{\"of\":\"c\",\"what\":\"y\"}]}";
+    pub const COORDINATES: &'static ::core::primitive::str = (
+        "{\"coordinates\":\"tree\",\"tree\":[{\"body\":\"crank\",\"joint\":\"a\",\"parent\":\"ground\"},{\"body\":\"rocker\",\"joint\":\"d\",\"parent\":\"ground\"},{\"body\":\"coupler\",\"joint\":\"b\",\"parent\":\"crank\"}],\"linear\":[],\"rotations\":[{\"body\":\"crank\"},{\"body\":\"rocker\"},{\"body\":\"coupler\"}],\"angles\":[{\"of\":\"a\",\"rate\":[[0,1.0]]}],\"rows\":[{\"of\":\"c\",\"what\":\"x\"},{\"of\":\"c\",\"what\":\"y\"}]}",
+    )
+        .0;
     ///Names of the bodies, in the order of `motions`.
     pub const BODIES: &'static [&'static ::core::primitive::str] = &[
         "crank",

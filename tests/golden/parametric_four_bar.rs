@@ -1,56 +1,68 @@
 /// Four-bar of which every number is a parameter; its defaults are the literals of [`GeneralFourBar`].
-#[cfg_attr(doc, doc = "")]
-#[cfg_attr(doc, doc = "Degree of freedom: 1; velocities: 3; constraint rows: 2.")]
-#[cfg_attr(doc, doc = "")]
+///
+///Equations of motion of the planar mechanism `ParametricFourBar`.
 #[cfg_attr(
     doc,
-    doc = "In tree coordinates (chosen by count: 99 operations, depth 20, against about 230 for the elimination alone in absolute coordinates); elimination order: minimum degree."
-)]
-#[cfg_attr(doc, doc = "")]
-#[cfg_attr(doc, doc = "# Coordinates")]
-#[cfg_attr(doc, doc = "")]
-#[cfg_attr(doc, doc = "| | q | v |")]
-#[cfg_attr(doc, doc = "|---|---|---|")]
-#[cfg_attr(doc, doc = "| 0 | `crank.cos`, `crank.sin` | `crank.rate` |")]
-#[cfg_attr(doc, doc = "| 1 | `rocker.cos`, `rocker.sin` | `rocker.rate` |")]
-#[cfg_attr(doc, doc = "| 2 | `coupler.cos`, `coupler.sin` | `coupler.rate` |")]
-#[cfg_attr(doc, doc = "")]
-#[cfg_attr(doc, doc = "# Constraint rows")]
-#[cfg_attr(doc, doc = "")]
-#[cfg_attr(doc, doc = "| # | joint | row |")]
-#[cfg_attr(doc, doc = "|---|---|---|")]
-#[cfg_attr(doc, doc = "| 0 | `right` | x |")]
-#[cfg_attr(doc, doc = "| 1 | `right` | y |")]
-#[cfg_attr(doc, doc = "")]
-#[cfg_attr(doc, doc = "# Operations")]
-#[cfg_attr(doc, doc = "")]
-#[cfg_attr(
-    doc,
-    doc = "| function | operations | + | × | fma | ÷ | √ | choices | sin, exp … | depth |"
-)]
-#[cfg_attr(doc, doc = "|---|---|---|---|---|---|---|---|---|---|")]
-#[cfg_attr(doc, doc = "| `mass_matrix` | 6 | 0 | 3 | 3 | 0 | 0 | 0 | 0 | 4 |")]
-#[cfg_attr(doc, doc = "| `constraints` | 6 | 0 | 0 | 6 | 0 | 0 | 0 | 0 | 3 |")]
-#[cfg_attr(doc, doc = "| `constraint_jacobian` | 9 | 3 | 6 | 0 | 0 | 0 | 0 | 0 | 2 |")]
-#[cfg_attr(doc, doc = "| `gamma` | 15 | 0 | 11 | 4 | 0 | 0 | 0 | 0 | 4 |")]
-#[cfg_attr(doc, doc = "| `forces` | 16 | 0 | 8 | 8 | 0 | 0 | 0 | 0 | 5 |")]
-#[cfg_attr(doc, doc = "| `kinetic_energy` | 38 | 0 | 22 | 16 | 0 | 0 | 0 | 0 | 12 |")]
-#[cfg_attr(doc, doc = "| `potential_energy` | 29 | 6 | 10 | 13 | 0 | 0 | 0 | 0 | 8 |")]
-#[cfg_attr(doc, doc = "| `acceleration` | 83 | 1 | 35 | 40 | 4 | 0 | 3 | 0 | 21 |")]
-#[cfg_attr(
-    doc,
-    doc = "| `acceleration_baumgarte` | 99 | 7 | 37 | 48 | 4 | 0 | 3 | 0 | 20 |"
-)]
-#[cfg_attr(doc, doc = "| `outputs` | 9 | 2 | 2 | 4 | 0 | 0 | 0 | 1 | 3 |")]
-#[cfg_attr(doc, doc = "| `inverse_dynamics` | 23 | 0 | 9 | 14 | 0 | 0 | 0 | 0 | 7 |")]
-#[cfg_attr(doc, doc = "| `motions` | 54 | 13 | 25 | 16 | 0 | 0 | 0 | 0 | 5 |")]
-#[cfg_attr(doc, doc = "| `reactions` | 47 | 8 | 19 | 20 | 0 | 0 | 0 | 0 | 7 |")]
-#[cfg_attr(doc, doc = "| `condition_residual` | 4 | 0 | 1 | 1 | 0 | 0 | 0 | 2 | 3 |")]
-#[cfg_attr(doc, doc = "| `condition_cosines` | 4 | 0 | 1 | 1 | 0 | 0 | 0 | 2 | 3 |")]
-#[cfg_attr(doc, doc = "| `prepare` | 44 | 3 | 25 | 14 | 2 | 0 | 0 | 0 | 7 |")]
-#[cfg_attr(
-    not(doc),
-    doc = "Equations of motion of the planar mechanism `ParametricFourBar`."
+    doc = ::linkwright::__private::v1::mechanism_page!{#[doc = " Four-bar of which every number is a parameter; its defaults are the literals of [`GeneralFourBar`]."]pub
+    planar
+    ParametricFourBar{param
+    gravity_x[m/s^2]= 0.31;param
+    gravity_y[m/s^2]= -9.73;param
+    crank_x[m]= -0.15;param
+    crank_y[m]= 0.24;param
+    rocker_x[m]= 0.93;param
+    rocker_y[m]= 0.45;param
+    crank_length[m]= 0.4
+    in
+    0.01..10;param
+    crank_mass[kg]= 0.71;param
+    crank_inertia[kg*m^2]= 0.013;param
+    crank_center_x[m]= 0.17;param
+    crank_center_y[m]= 0.033;param
+    coupler_length[m]= 1.0
+    in
+    0.01..10;param
+    coupler_mass[kg]= 1.93;param
+    coupler_inertia[kg*m^2]= 0.187;param
+    coupler_center_x[m]= 0.43;param
+    coupler_center_y[m]= -0.12;param
+    tracer_x[m]= 0.62;param
+    tracer_y[m]= 0.29;param
+    rocker_length[m]= 0.9
+    in
+    0.01..10;param
+    rocker_mass[kg]= 1.37;param
+    rocker_inertia[kg*m^2]= 0.091;param
+    rocker_center_x[m]= 0.52;param
+    rocker_center_y[m]= 0.071;param
+    start_angle[deg]= 40;param
+    start_rate[rad/s]= 3;gravity[m/s^2]= (gravity_x, gravity_y);body
+    crank{mass[kg]= crank_mass;inertia[kg*m^2]= crank_inertia;center[m]= (
+        crank_center_x,
+        crank_center_y
+    );point
+    tip[m]= (crank_length, 0);}body
+    coupler{mass[kg]= coupler_mass;inertia[kg*m^2]= coupler_inertia;center[m]= (
+        coupler_center_x,
+        coupler_center_y
+    );point
+    tip[m]= (coupler_length, 0);point
+    tracer[m]= (tracer_x, tracer_y);}body
+    rocker{mass[kg]= rocker_mass;inertia[kg*m^2]= rocker_inertia;center[m]= (
+        rocker_center_x,
+        rocker_center_y
+    );point
+    tip[m]= (rocker_length, 0);}joint
+    crank_pin:revolute(ground(crank_x, crank_y)[m], crank.origin);joint
+    rocker_pin:revolute(ground(rocker_x, rocker_y)[m], rocker.origin);joint
+    left:revolute(crank.tip, coupler.origin);joint
+    right:revolute(
+        coupler.tip,
+        rocker.tip
+    );start{crank_pin.angle[rad]= start_angle;crank_pin.rate[rad/s]= start_rate;rocker_pin.angle[deg]~100;coupler.angle[deg]~40;}expect{degrees_of_freedom = 1;}output
+    trace_x[m]= coupler.tracer.x;output
+    trace_y[m]= coupler.tracer.y;output
+    rocking[rad]= rocker_pin.angle;}}
 )]
 #[derive(
     ::core::clone::Clone,
@@ -161,11 +173,20 @@ impl ParametricFourBar<::core::primitive::f64> {
     ///Operations of the default acceleration function (Baumgarte), a fused multiply-add counted once.
     pub const OPERATIONS: ::core::primitive::usize = 99;
     ///The definition as written.
-    pub const SOURCE: &'static ::core::primitive::str = "# [doc = \" Four-bar of which every number is a parameter; its defaults are the literals of [`GeneralFourBar`].\"] pub planar ParametricFourBar { param gravity_x [m / s ^ 2] = 0.31 ; param gravity_y [m / s ^ 2] = - 9.73 ; param crank_x [m] = - 0.15 ; param crank_y [m] = 0.24 ; param rocker_x [m] = 0.93 ; param rocker_y [m] = 0.45 ; param crank_length [m] = 0.4 in 0.01 .. 10 ; param crank_mass [kg] = 0.71 ; param crank_inertia [kg * m ^ 2] = 0.013 ; param crank_center_x [m] = 0.17 ; param crank_center_y [m] = 0.033 ; param coupler_length [m] = 1.0 in 0.01 .. 10 ; param coupler_mass [kg] = 1.93 ; param coupler_inertia [kg * m ^ 2] = 0.187 ; param coupler_center_x [m] = 0.43 ; param coupler_center_y [m] = - 0.12 ; param tracer_x [m] = 0.62 ; param tracer_y [m] = 0.29 ; param rocker_length [m] = 0.9 in 0.01 .. 10 ; param rocker_mass [kg] = 1.37 ; param rocker_inertia [kg * m ^ 2] = 0.091 ; param rocker_center_x [m] = 0.52 ; param rocker_center_y [m] = 0.071 ; param start_angle [deg] = 40 ; param start_rate [rad / s] = 3 ; gravity [m / s ^ 2] = (gravity_x , gravity_y) ; body crank { mass [kg] = crank_mass ; inertia [kg * m ^ 2] = crank_inertia ; center [m] = (crank_center_x , crank_center_y) ; point tip [m] = (crank_length , 0) ; } body coupler { mass [kg] = coupler_mass ; inertia [kg * m ^ 2] = coupler_inertia ; center [m] = (coupler_center_x , coupler_center_y) ; point tip [m] = (coupler_length , 0) ; point tracer [m] = (tracer_x , tracer_y) ; } body rocker { mass [kg] = rocker_mass ; inertia [kg * m ^ 2] = rocker_inertia ; center [m] = (rocker_center_x , rocker_center_y) ; point tip [m] = (rocker_length , 0) ; } joint crank_pin : revolute (ground (crank_x , crank_y) [m] , crank . origin) ; joint rocker_pin : revolute (ground (rocker_x , rocker_y) [m] , rocker . origin) ; joint left : revolute (crank . tip , coupler . origin) ; joint right : revolute (coupler . tip , rocker . tip) ; start { crank_pin . angle [rad] = start_angle ; crank_pin . rate [rad / s] = start_rate ; rocker_pin . angle [deg] ~ 100 ; coupler . angle [deg] ~ 40 ; } expect { degrees_of_freedom = 1 ; } output trace_x [m] = coupler . tracer . x ; output trace_y [m] = coupler . tracer . y ; output rocking [rad] = rocker_pin . angle ; }";
+    pub const SOURCE: &'static ::core::primitive::str = (
+        "# [doc = \" Four-bar of which every number is a parameter; its defaults are the literals of [`GeneralFourBar`].\"] pub planar ParametricFourBar { param gravity_x [m / s ^ 2] = 0.31 ; param gravity_y [m / s ^ 2] = - 9.73 ; param crank_x [m] = - 0.15 ; param crank_y [m] = 0.24 ; param rocker_x [m] = 0.93 ; param rocker_y [m] = 0.45 ; param crank_length [m] = 0.4 in 0.01 .. 10 ; param crank_mass [kg] = 0.71 ; param crank_inertia [kg * m ^ 2] = 0.013 ; param crank_center_x [m] = 0.17 ; param crank_center_y [m] = 0.033 ; param coupler_length [m] = 1.0 in 0.01 .. 10 ; param coupler_mass [kg] = 1.93 ; param coupler_inertia [kg * m ^ 2] = 0.187 ; param coupler_center_x [m] = 0.43 ; param coupler_center_y [m] = - 0.12 ; param tracer_x [m] = 0.62 ; param tracer_y [m] = 0.29 ; param rocker_length [m] = 0.9 in 0.01 .. 10 ; param rocker_mass [kg] = 1.37 ; param rocker_inertia [kg * m ^ 2] = 0.091 ; param rocker_center_x [m] = 0.52 ; param rocker_center_y [m] = 0.071 ; param start_angle [deg] = 40 ; param start_rate [rad / s] = 3 ; gravity [m / s ^ 2] = (gravity_x , gravity_y) ; body crank { mass [kg] = crank_mass ; inertia [kg * m ^ 2] = crank_inertia ; center [m] = (crank_center_x , crank_center_y) ; point tip [m] = (crank_length , 0) ; } body coupler { mass [kg] = coupler_mass ; inertia [kg * m ^ 2] = coupler_inertia ; center [m] = (coupler_center_x , coupler_center_y) ; point tip [m] = (coupler_length , 0) ; point tracer [m] = (tracer_x , tracer_y) ; } body rocker { mass [kg] = rocker_mass ; inertia [kg * m ^ 2] = rocker_inertia ; center [m] = (rocker_center_x , rocker_center_y) ; point tip [m] = (rocker_length , 0) ; } joint crank_pin : revolute (ground (crank_x , crank_y) [m] , crank . origin) ; joint rocker_pin : revolute (ground (rocker_x , rocker_y) [m] , rocker . origin) ; joint left : revolute (crank . tip , coupler . origin) ; joint right : revolute (coupler . tip , rocker . tip) ; start { crank_pin . angle [rad] = start_angle ; crank_pin . rate [rad / s] = start_rate ; rocker_pin . angle [deg] ~ 100 ; coupler . angle [deg] ~ 40 ; } expect { degrees_of_freedom = 1 ; } output trace_x [m] = coupler . tracer . x ; output trace_y [m] = coupler . tracer . y ; output rocking [rad] = rocker_pin . angle ; }",
+    )
+        .0;
     ///The definition as versioned JSON: kinds, shapes and units as written.
-    pub const DEFINITION: &'static ::core::primitive::str = "{\"linkwright\":1,\"kind\":\"planar\",\"name\":\"ParametricFourBar\",\"constants\":[],\"parameters\":[{\"name\":\"gravity_x\",\"unit\":\"m/s^2\",\"value\":{\"number\":\"0.31\"},\"min\":null,\"max\":null},{\"name\":\"gravity_y\",\"unit\":\"m/s^2\",\"value\":{\"op\":\"neg\",\"args\":[{\"number\":\"9.73\"}]},\"min\":null,\"max\":null},{\"name\":\"crank_x\",\"unit\":\"m\",\"value\":{\"op\":\"neg\",\"args\":[{\"number\":\"0.15\"}]},\"min\":null,\"max\":null},{\"name\":\"crank_y\",\"unit\":\"m\",\"value\":{\"number\":\"0.24\"},\"min\":null,\"max\":null},{\"name\":\"rocker_x\",\"unit\":\"m\",\"value\":{\"number\":\"0.93\"},\"min\":null,\"max\":null},{\"name\":\"rocker_y\",\"unit\":\"m\",\"value\":{\"number\":\"0.45\"},\"min\":null,\"max\":null},{\"name\":\"crank_length\",\"unit\":\"m\",\"value\":{\"number\":\"0.4\"},\"min\":{\"number\":\"0.01\"},\"max\":{\"number\":\"10\"}},{\"name\":\"crank_mass\",\"unit\":\"kg\",\"value\":{\"number\":\"0.71\"},\"min\":null,\"max\":null},{\"name\":\"crank_inertia\",\"unit\":\"kg*m^2\",\"value\":{\"number\":\"0.013\"},\"min\":null,\"max\":null},{\"name\":\"crank_center_x\",\"unit\":\"m\",\"value\":{\"number\":\"0.17\"},\"min\":null,\"max\":null},{\"name\":\"crank_center_y\",\"unit\":\"m\",\"value\":{\"number\":\"0.033\"},\"min\":null,\"max\":null},{\"name\":\"coupler_length\",\"unit\":\"m\",\"value\":{\"number\":\"1.0\"},\"min\":{\"number\":\"0.01\"},\"max\":{\"number\":\"10\"}},{\"name\":\"coupler_mass\",\"unit\":\"kg\",\"value\":{\"number\":\"1.93\"},\"min\":null,\"max\":null},{\"name\":\"coupler_inertia\",\"unit\":\"kg*m^2\",\"value\":{\"number\":\"0.187\"},\"min\":null,\"max\":null},{\"name\":\"coupler_center_x\",\"unit\":\"m\",\"value\":{\"number\":\"0.43\"},\"min\":null,\"max\":null},{\"name\":\"coupler_center_y\",\"unit\":\"m\",\"value\":{\"op\":\"neg\",\"args\":[{\"number\":\"0.12\"}]},\"min\":null,\"max\":null},{\"name\":\"tracer_x\",\"unit\":\"m\",\"value\":{\"number\":\"0.62\"},\"min\":null,\"max\":null},{\"name\":\"tracer_y\",\"unit\":\"m\",\"value\":{\"number\":\"0.29\"},\"min\":null,\"max\":null},{\"name\":\"rocker_length\",\"unit\":\"m\",\"value\":{\"number\":\"0.9\"},\"min\":{\"number\":\"0.01\"},\"max\":{\"number\":\"10\"}},{\"name\":\"rocker_mass\",\"unit\":\"kg\",\"value\":{\"number\":\"1.37\"},\"min\":null,\"max\":null},{\"name\":\"rocker_inertia\",\"unit\":\"kg*m^2\",\"value\":{\"number\":\"0.091\"},\"min\":null,\"max\":null},{\"name\":\"rocker_center_x\",\"unit\":\"m\",\"value\":{\"number\":\"0.52\"},\"min\":null,\"max\":null},{\"name\":\"rocker_center_y\",\"unit\":\"m\",\"value\":{\"number\":\"0.071\"},\"min\":null,\"max\":null},{\"name\":\"start_angle\",\"unit\":\"deg\",\"value\":{\"number\":\"40\"},\"min\":null,\"max\":null},{\"name\":\"start_rate\",\"unit\":\"rad/s\",\"value\":{\"number\":\"3\"},\"min\":null,\"max\":null}],\"inputs\":[],\"gravity\":{\"unit\":\"m/s^2\",\"value\":[{\"name\":\"gravity_x\"},{\"name\":\"gravity_y\"}]},\"bodies\":[{\"name\":\"crank\",\"kind\":\"body\",\"properties\":{\"mass\":{\"unit\":\"kg\",\"value\":{\"name\":\"crank_mass\"}},\"inertia\":{\"unit\":\"kg*m^2\",\"value\":{\"name\":\"crank_inertia\"}}},\"center\":{\"unit\":\"m\",\"value\":[{\"name\":\"crank_center_x\"},{\"name\":\"crank_center_y\"}]},\"points\":[{\"name\":\"tip\",\"unit\":\"m\",\"value\":[{\"name\":\"crank_length\"},{\"number\":\"0\"}]}],\"lines\":[]},{\"name\":\"coupler\",\"kind\":\"body\",\"properties\":{\"mass\":{\"unit\":\"kg\",\"value\":{\"name\":\"coupler_mass\"}},\"inertia\":{\"unit\":\"kg*m^2\",\"value\":{\"name\":\"coupler_inertia\"}}},\"center\":{\"unit\":\"m\",\"value\":[{\"name\":\"coupler_center_x\"},{\"name\":\"coupler_center_y\"}]},\"points\":[{\"name\":\"tip\",\"unit\":\"m\",\"value\":[{\"name\":\"coupler_length\"},{\"number\":\"0\"}]},{\"name\":\"tracer\",\"unit\":\"m\",\"value\":[{\"name\":\"tracer_x\"},{\"name\":\"tracer_y\"}]}],\"lines\":[]},{\"name\":\"rocker\",\"kind\":\"body\",\"properties\":{\"mass\":{\"unit\":\"kg\",\"value\":{\"name\":\"rocker_mass\"}},\"inertia\":{\"unit\":\"kg*m^2\",\"value\":{\"name\":\"rocker_inertia\"}}},\"center\":{\"unit\":\"m\",\"value\":[{\"name\":\"rocker_center_x\"},{\"name\":\"rocker_center_y\"}]},\"points\":[{\"name\":\"tip\",\"unit\":\"m\",\"value\":[{\"name\":\"rocker_length\"},{\"number\":\"0\"}]}],\"lines\":[]}],\"joints\":[{\"name\":\"crank_pin\",\"kind\":\"revolute\",\"first\":{\"ground\":[{\"name\":\"crank_x\"},{\"name\":\"crank_y\"}],\"unit\":\"m\"},\"second\":{\"place\":\"crank.origin\"}},{\"name\":\"rocker_pin\",\"kind\":\"revolute\",\"first\":{\"ground\":[{\"name\":\"rocker_x\"},{\"name\":\"rocker_y\"}],\"unit\":\"m\"},\"second\":{\"place\":\"rocker.origin\"}},{\"name\":\"left\",\"kind\":\"revolute\",\"first\":{\"place\":\"crank.tip\"},\"second\":{\"place\":\"coupler.origin\"}},{\"name\":\"right\",\"kind\":\"revolute\",\"first\":{\"place\":\"coupler.tip\"},\"second\":{\"place\":\"rocker.tip\"}}],\"constraints\":[],\"drivers\":[],\"loads\":[],\"start\":[{\"quantity\":{\"name\":\"crank_pin.angle\"},\"exact\":true,\"unit\":\"rad\",\"value\":{\"name\":\"start_angle\"}},{\"quantity\":{\"name\":\"crank_pin.rate\"},\"exact\":true,\"unit\":\"rad/s\",\"value\":{\"name\":\"start_rate\"}},{\"quantity\":{\"name\":\"rocker_pin.angle\"},\"exact\":false,\"unit\":\"deg\",\"value\":{\"number\":\"100\"}},{\"quantity\":{\"name\":\"coupler.angle\"},\"exact\":false,\"unit\":\"deg\",\"value\":{\"number\":\"40\"}}],\"outputs\":[{\"name\":\"trace_x\",\"unit\":\"m\",\"value\":{\"name\":\"coupler.tracer.x\"}},{\"name\":\"trace_y\",\"unit\":\"m\",\"value\":{\"name\":\"coupler.tracer.y\"}},{\"name\":\"rocking\",\"unit\":\"rad\",\"value\":{\"name\":\"rocker_pin.angle\"}}],\"options\":{},\"expect\":{\"degrees_of_freedom\":1}}";
+    pub const DEFINITION: &'static ::core::primitive::str = (
+        "{\"linkwright\":1,\"kind\":\"planar\",\"name\":\"ParametricFourBar\",\"constants\":[],\"parameters\":[{\"name\":\"gravity_x\",\"unit\":\"m/s^2\",\"value\":{\"number\":\"0.31\"},\"min\":null,\"max\":null},{\"name\":\"gravity_y\",\"unit\":\"m/s^2\",\"value\":{\"op\":\"neg\",\"args\":[{\"number\":\"9.73\"}]},\"min\":null,\"max\":null},{\"name\":\"crank_x\",\"unit\":\"m\",\"value\":{\"op\":\"neg\",\"args\":[{\"number\":\"0.15\"}]},\"min\":null,\"max\":null},{\"name\":\"crank_y\",\"unit\":\"m\",\"value\":{\"number\":\"0.24\"},\"min\":null,\"max\":null},{\"name\":\"rocker_x\",\"unit\":\"m\",\"value\":{\"number\":\"0.93\"},\"min\":null,\"max\":null},{\"name\":\"rocker_y\",\"unit\":\"m\",\"value\":{\"number\":\"0.45\"},\"min\":null,\"max\":null},{\"name\":\"crank_length\",\"unit\":\"m\",\"value\":{\"number\":\"0.4\"},\"min\":{\"number\":\"0.01\"},\"max\":{\"number\":\"10\"}},{\"name\":\"crank_mass\",\"unit\":\"kg\",\"value\":{\"number\":\"0.71\"},\"min\":null,\"max\":null},{\"name\":\"crank_inertia\",\"unit\":\"kg*m^2\",\"value\":{\"number\":\"0.013\"},\"min\":null,\"max\":null},{\"name\":\"crank_center_x\",\"unit\":\"m\",\"value\":{\"number\":\"0.17\"},\"min\":null,\"max\":null},{\"name\":\"crank_center_y\",\"unit\":\"m\",\"value\":{\"number\":\"0.033\"},\"min\":null,\"max\":null},{\"name\":\"coupler_length\",\"unit\":\"m\",\"value\":{\"number\":\"1.0\"},\"min\":{\"number\":\"0.01\"},\"max\":{\"number\":\"10\"}},{\"name\":\"coupler_mass\",\"unit\":\"kg\",\"value\":{\"number\":\"1.93\"},\"min\":null,\"max\":null},{\"name\":\"coupler_inertia\",\"unit\":\"kg*m^2\",\"value\":{\"number\":\"0.187\"},\"min\":null,\"max\":null},{\"name\":\"coupler_center_x\",\"unit\":\"m\",\"value\":{\"number\":\"0.43\"},\"min\":null,\"max\":null},{\"name\":\"coupler_center_y\",\"unit\":\"m\",\"value\":{\"op\":\"neg\",\"args\":[{\"number\":\"0.12\"}]},\"min\":null,\"max\":null},{\"name\":\"tracer_x\",\"unit\":\"m\",\"value\":{\"number\":\"0.62\"},\"min\":null,\"max\":null},{\"name\":\"tracer_y\",\"unit\":\"m\",\"value\":{\"number\":\"0.29\"},\"min\":null,\"max\":null},{\"name\":\"rocker_length\",\"unit\":\"m\",\"value\":{\"number\":\"0.9\"},\"min\":{\"number\":\"0.01\"},\"max\":{\"number\":\"10\"}},{\"name\":\"rocker_mass\",\"unit\":\"kg\",\"value\":{\"number\":\"1.37\"},\"min\":null,\"max\":null},{\"name\":\"rocker_inertia\",\"unit\":\"kg*m^2\",\"value\":{\"number\":\"0.091\"},\"min\":null,\"max\":null},{\"name\":\"rocker_center_x\",\"unit\":\"m\",\"value\":{\"number\":\"0.52\"},\"min\":null,\"max\":null},{\"name\":\"rocker_center_y\",\"unit\":\"m\",\"value\":{\"number\":\"0.071\"},\"min\":null,\"max\":null},{\"name\":\"start_angle\",\"unit\":\"deg\",\"value\":{\"number\":\"40\"},\"min\":null,\"max\":null},{\"name\":\"start_rate\",\"unit\":\"rad/s\",\"value\":{\"number\":\"3\"},\"min\":null,\"max\":null}],\"inputs\":[],\"gravity\":{\"unit\":\"m/s^2\",\"value\":[{\"name\":\"gravity_x\"},{\"name\":\"gravity_y\"}]},\"bodies\":[{\"name\":\"crank\",\"kind\":\"body\",\"properties\":{\"mass\":{\"unit\":\"kg\",\"value\":{\"name\":\"crank_mass\"}},\"inertia\":{\"unit\":\"kg*m^2\",\"value\":{\"name\":\"crank_inertia\"}}},\"center\":{\"unit\":\"m\",\"value\":[{\"name\":\"crank_center_x\"},{\"name\":\"crank_center_y\"}]},\"points\":[{\"name\":\"tip\",\"unit\":\"m\",\"value\":[{\"name\":\"crank_length\"},{\"number\":\"0\"}]}],\"lines\":[]},{\"name\":\"coupler\",\"kind\":\"body\",\"properties\":{\"mass\":{\"unit\":\"kg\",\"value\":{\"name\":\"coupler_mass\"}},\"inertia\":{\"unit\":\"kg*m^2\",\"value\":{\"name\":\"coupler_inertia\"}}},\"center\":{\"unit\":\"m\",\"value\":[{\"name\":\"coupler_center_x\"},{\"name\":\"coupler_center_y\"}]},\"points\":[{\"name\":\"tip\",\"unit\":\"m\",\"value\":[{\"name\":\"coupler_length\"},{\"number\":\"0\"}]},{\"name\":\"tracer\",\"unit\":\"m\",\"value\":[{\"name\":\"tracer_x\"},{\"name\":\"tracer_y\"}]}],\"lines\":[]},{\"name\":\"rocker\",\"kind\":\"body\",\"properties\":{\"mass\":{\"unit\":\"kg\",\"value\":{\"name\":\"rocker_mass\"}},\"inertia\":{\"unit\":\"kg*m^2\",\"value\":{\"name\":\"rocker_inertia\"}}},\"center\":{\"unit\":\"m\",\"value\":[{\"name\":\"rocker_center_x\"},{\"name\":\"rocker_center_y\"}]},\"points\":[{\"name\":\"tip\",\"unit\":\"m\",\"value\":[{\"name\":\"rocker_length\"},{\"number\":\"0\"}]}],\"lines\":[]}],\"joints\":[{\"name\":\"crank_pin\",\"kind\":\"revolute\",\"first\":{\"ground\":[{\"name\":\"crank_x\"},{\"name\":\"crank_y\"}],\"unit\":\"m\"},\"second\":{\"place\":\"crank.origin\"}},{\"name\":\"rocker_pin\",\"kind\":\"revolute\",\"first\":{\"ground\":[{\"name\":\"rocker_x\"},{\"name\":\"rocker_y\"}],\"unit\":\"m\"},\"second\":{\"place\":\"rocker.origin\"}},{\"name\":\"left\",\"kind\":\"revolute\",\"first\":{\"place\":\"crank.tip\"},\"second\":{\"place\":\"coupler.origin\"}},{\"name\":\"right\",\"kind\":\"revolute\",\"first\":{\"place\":\"coupler.tip\"},\"second\":{\"place\":\"rocker.tip\"}}],\"constraints\":[],\"drivers\":[],\"loads\":[],\"start\":[{\"quantity\":{\"name\":\"crank_pin.angle\"},\"exact\":true,\"unit\":\"rad\",\"value\":{\"name\":\"start_angle\"}},{\"quantity\":{\"name\":\"crank_pin.rate\"},\"exact\":true,\"unit\":\"rad/s\",\"value\":{\"name\":\"start_rate\"}},{\"quantity\":{\"name\":\"rocker_pin.angle\"},\"exact\":false,\"unit\":\"deg\",\"value\":{\"number\":\"100\"}},{\"quantity\":{\"name\":\"coupler.angle\"},\"exact\":false,\"unit\":\"deg\",\"value\":{\"number\":\"40\"}}],\"outputs\":[{\"name\":\"trace_x\",\"unit\":\"m\",\"value\":{\"name\":\"coupler.tracer.x\"}},{\"name\":\"trace_y\",\"unit\":\"m\",\"value\":{\"name\":\"coupler.tracer.y\"}},{\"name\":\"rocking\",\"unit\":\"rad\",\"value\":{\"name\":\"rocker_pin.angle\"}}],\"options\":{},\"expect\":{\"degrees_of_freedom\":1}}",
+    )
+        .0;
     ///What the entries of q and v and the constraint rows are, as JSON.
-    pub const COORDINATES: &'static ::core::primitive::str = "{\"coordinates\":\"tree\",\"tree\":[{\"body\":\"crank\",\"joint\":\"crank_pin\",\"parent\":\"ground\"},{\"body\":\"rocker\",\"joint\":\"rocker_pin\",\"parent\":\"ground\"},{\"body\":\"coupler\",\"joint\":\"left\",\"parent\":\"crank\"}],\"linear\":[],\"rotations\":[{\"body\":\"crank\"},{\"body\":\"rocker\"},{\"body\":\"coupler\"}],\"angles\":[],\"rows\":[{\"of\":\"right\",\"what\":\"x\"},{\"of\":\"right\",\"what\":\"y\"}]}";
+    pub const COORDINATES: &'static ::core::primitive::str = (
+        "{\"coordinates\":\"tree\",\"tree\":[{\"body\":\"crank\",\"joint\":\"crank_pin\",\"parent\":\"ground\"},{\"body\":\"rocker\",\"joint\":\"rocker_pin\",\"parent\":\"ground\"},{\"body\":\"coupler\",\"joint\":\"left\",\"parent\":\"crank\"}],\"linear\":[],\"rotations\":[{\"body\":\"crank\"},{\"body\":\"rocker\"},{\"body\":\"coupler\"}],\"angles\":[],\"rows\":[{\"of\":\"right\",\"what\":\"x\"},{\"of\":\"right\",\"what\":\"y\"}]}",
+    )
+        .0;
     ///Names of the bodies, in the order of `motions`.
     pub const BODIES: &'static [&'static ::core::primitive::str] = &[
         "crank",

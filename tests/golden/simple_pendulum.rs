@@ -1,43 +1,20 @@
 /// Simple pendulum: a point mass on a massless arm (IFToMM A01).
 ///
 /// 1 kg, 1 m, g = 9.81 m/s², from (−1, 0) at rest. Period 2.367841947576237449 s.
-#[cfg_attr(doc, doc = "")]
-#[cfg_attr(doc, doc = "Degree of freedom: 1; velocities: 1; constraint rows: 0.")]
-#[cfg_attr(doc, doc = "")]
+///
+///Equations of motion of the planar mechanism `SimplePendulum`.
 #[cfg_attr(
     doc,
-    doc = "In tree coordinates (chosen by count: 1 operations, depth 1, against about 31 for the elimination alone in absolute coordinates); elimination order: minimum degree."
-)]
-#[cfg_attr(doc, doc = "")]
-#[cfg_attr(doc, doc = "# Coordinates")]
-#[cfg_attr(doc, doc = "")]
-#[cfg_attr(doc, doc = "| | q | v |")]
-#[cfg_attr(doc, doc = "|---|---|---|")]
-#[cfg_attr(doc, doc = "| 0 | `arm.cos`, `arm.sin` | `arm.rate` |")]
-#[cfg_attr(doc, doc = "")]
-#[cfg_attr(doc, doc = "# Operations")]
-#[cfg_attr(doc, doc = "")]
-#[cfg_attr(
-    doc,
-    doc = "| function | operations | + | × | fma | ÷ | √ | choices | sin, exp … | depth |"
-)]
-#[cfg_attr(doc, doc = "|---|---|---|---|---|---|---|---|---|---|")]
-#[cfg_attr(doc, doc = "| `forces` | 1 | 0 | 1 | 0 | 0 | 0 | 0 | 0 | 1 |")]
-#[cfg_attr(doc, doc = "| `kinetic_energy` | 5 | 0 | 4 | 1 | 0 | 0 | 0 | 0 | 4 |")]
-#[cfg_attr(doc, doc = "| `potential_energy` | 1 | 0 | 1 | 0 | 0 | 0 | 0 | 0 | 1 |")]
-#[cfg_attr(doc, doc = "| `acceleration` | 1 | 0 | 1 | 0 | 0 | 0 | 0 | 0 | 1 |")]
-#[cfg_attr(
-    doc,
-    doc = "| `acceleration_baumgarte` | 1 | 0 | 1 | 0 | 0 | 0 | 0 | 0 | 1 |"
-)]
-#[cfg_attr(doc, doc = "| `inverse_dynamics` | 1 | 0 | 0 | 1 | 0 | 0 | 0 | 0 | 1 |")]
-#[cfg_attr(doc, doc = "| `motions` | 8 | 1 | 5 | 2 | 0 | 0 | 0 | 0 | 3 |")]
-#[cfg_attr(doc, doc = "| `reactions` | 6 | 1 | 3 | 2 | 0 | 0 | 0 | 0 | 3 |")]
-#[cfg_attr(doc, doc = "| `condition_residual` | 4 | 0 | 1 | 1 | 0 | 0 | 0 | 2 | 3 |")]
-#[cfg_attr(doc, doc = "| `condition_cosines` | 4 | 0 | 1 | 1 | 0 | 0 | 0 | 2 | 3 |")]
-#[cfg_attr(
-    not(doc),
-    doc = "Equations of motion of the planar mechanism `SimplePendulum`."
+    doc = ::linkwright::__private::v1::mechanism_page!{#[doc = " Simple pendulum: a point mass on a massless arm (IFToMM A01)."]#[doc = ""]#[doc = " 1 kg, 1 m, g = 9.81 m/s², from (−1, 0) at rest. Period 2.367841947576237449 s."]pub
+    planar
+    SimplePendulum{gravity[m/s^2]= (0, -9.81);body
+    arm{mass[kg]= 1;inertia[kg*m^2]= 0;center[m]= (1, 0);}joint
+    pivot:revolute(
+        ground(0, 0)[m],
+        arm.origin
+    );start{pivot.angle[deg]= 180;pivot.rate[rad/s]= 0;}expect{degrees_of_freedom = 1;}output
+    x[m]= arm.center.x;output
+    y[m]= arm.center.y;}}
 )]
 #[derive(
     ::core::clone::Clone,
@@ -91,11 +68,20 @@ impl SimplePendulum<::core::primitive::f64> {
     ///Operations of the default acceleration function (Baumgarte), a fused multiply-add counted once.
     pub const OPERATIONS: ::core::primitive::usize = 1;
     ///The definition as written.
-    pub const SOURCE: &'static ::core::primitive::str = "# [doc = \" Simple pendulum: a point mass on a massless arm (IFToMM A01).\"] # [doc = \"\"] # [doc = \" 1 kg, 1 m, g = 9.81 m/s², from (−1, 0) at rest. Period 2.367841947576237449 s.\"] pub planar SimplePendulum { gravity [m / s ^ 2] = (0 , - 9.81) ; body arm { mass [kg] = 1 ; inertia [kg * m ^ 2] = 0 ; center [m] = (1 , 0) ; } joint pivot : revolute (ground (0 , 0) [m] , arm . origin) ; start { pivot . angle [deg] = 180 ; pivot . rate [rad / s] = 0 ; } expect { degrees_of_freedom = 1 ; } output x [m] = arm . center . x ; output y [m] = arm . center . y ; }";
+    pub const SOURCE: &'static ::core::primitive::str = (
+        "# [doc = \" Simple pendulum: a point mass on a massless arm (IFToMM A01).\"] # [doc = \"\"] # [doc = \" 1 kg, 1 m, g = 9.81 m/s², from (−1, 0) at rest. Period 2.367841947576237449 s.\"] pub planar SimplePendulum { gravity [m / s ^ 2] = (0 , - 9.81) ; body arm { mass [kg] = 1 ; inertia [kg * m ^ 2] = 0 ; center [m] = (1 , 0) ; } joint pivot : revolute (ground (0 , 0) [m] , arm . origin) ; start { pivot . angle [deg] = 180 ; pivot . rate [rad / s] = 0 ; } expect { degrees_of_freedom = 1 ; } output x [m] = arm . center . x ; output y [m] = arm . center . y ; }",
+    )
+        .0;
     ///The definition as versioned JSON: kinds, shapes and units as written.
-    pub const DEFINITION: &'static ::core::primitive::str = "{\"linkwright\":1,\"kind\":\"planar\",\"name\":\"SimplePendulum\",\"constants\":[],\"parameters\":[],\"inputs\":[],\"gravity\":{\"unit\":\"m/s^2\",\"value\":[{\"number\":\"0\"},{\"op\":\"neg\",\"args\":[{\"number\":\"9.81\"}]}]},\"bodies\":[{\"name\":\"arm\",\"kind\":\"body\",\"properties\":{\"mass\":{\"unit\":\"kg\",\"value\":{\"number\":\"1\"}},\"inertia\":{\"unit\":\"kg*m^2\",\"value\":{\"number\":\"0\"}}},\"center\":{\"unit\":\"m\",\"value\":[{\"number\":\"1\"},{\"number\":\"0\"}]},\"points\":[],\"lines\":[]}],\"joints\":[{\"name\":\"pivot\",\"kind\":\"revolute\",\"first\":{\"ground\":[{\"number\":\"0\"},{\"number\":\"0\"}],\"unit\":\"m\"},\"second\":{\"place\":\"arm.origin\"}}],\"constraints\":[],\"drivers\":[],\"loads\":[],\"start\":[{\"quantity\":{\"name\":\"pivot.angle\"},\"exact\":true,\"unit\":\"deg\",\"value\":{\"number\":\"180\"}},{\"quantity\":{\"name\":\"pivot.rate\"},\"exact\":true,\"unit\":\"rad/s\",\"value\":{\"number\":\"0\"}}],\"outputs\":[{\"name\":\"x\",\"unit\":\"m\",\"value\":{\"name\":\"arm.center.x\"}},{\"name\":\"y\",\"unit\":\"m\",\"value\":{\"name\":\"arm.center.y\"}}],\"options\":{},\"expect\":{\"degrees_of_freedom\":1}}";
+    pub const DEFINITION: &'static ::core::primitive::str = (
+        "{\"linkwright\":1,\"kind\":\"planar\",\"name\":\"SimplePendulum\",\"constants\":[],\"parameters\":[],\"inputs\":[],\"gravity\":{\"unit\":\"m/s^2\",\"value\":[{\"number\":\"0\"},{\"op\":\"neg\",\"args\":[{\"number\":\"9.81\"}]}]},\"bodies\":[{\"name\":\"arm\",\"kind\":\"body\",\"properties\":{\"mass\":{\"unit\":\"kg\",\"value\":{\"number\":\"1\"}},\"inertia\":{\"unit\":\"kg*m^2\",\"value\":{\"number\":\"0\"}}},\"center\":{\"unit\":\"m\",\"value\":[{\"number\":\"1\"},{\"number\":\"0\"}]},\"points\":[],\"lines\":[]}],\"joints\":[{\"name\":\"pivot\",\"kind\":\"revolute\",\"first\":{\"ground\":[{\"number\":\"0\"},{\"number\":\"0\"}],\"unit\":\"m\"},\"second\":{\"place\":\"arm.origin\"}}],\"constraints\":[],\"drivers\":[],\"loads\":[],\"start\":[{\"quantity\":{\"name\":\"pivot.angle\"},\"exact\":true,\"unit\":\"deg\",\"value\":{\"number\":\"180\"}},{\"quantity\":{\"name\":\"pivot.rate\"},\"exact\":true,\"unit\":\"rad/s\",\"value\":{\"number\":\"0\"}}],\"outputs\":[{\"name\":\"x\",\"unit\":\"m\",\"value\":{\"name\":\"arm.center.x\"}},{\"name\":\"y\",\"unit\":\"m\",\"value\":{\"name\":\"arm.center.y\"}}],\"options\":{},\"expect\":{\"degrees_of_freedom\":1}}",
+    )
+        .0;
     ///What the entries of q and v and the constraint rows are, as JSON.
-    pub const COORDINATES: &'static ::core::primitive::str = "{\"coordinates\":\"tree\",\"tree\":[{\"body\":\"arm\",\"joint\":\"pivot\",\"parent\":\"ground\"}],\"linear\":[],\"rotations\":[{\"body\":\"arm\"}],\"angles\":[],\"rows\":[]}";
+    pub const COORDINATES: &'static ::core::primitive::str = (
+        "{\"coordinates\":\"tree\",\"tree\":[{\"body\":\"arm\",\"joint\":\"pivot\",\"parent\":\"ground\"}],\"linear\":[],\"rotations\":[{\"body\":\"arm\"}],\"angles\":[],\"rows\":[]}",
+    )
+        .0;
     ///Names of the bodies, in the order of `motions`.
     pub const BODIES: &'static [&'static ::core::primitive::str] = &["arm"];
     ///Names of the joints, in the order of `reactions`.

@@ -1,48 +1,27 @@
 /// Bar on a spherical joint (Spherical_Case01), released from the horizontal.
-#[cfg_attr(doc, doc = "")]
-#[cfg_attr(doc, doc = "Degrees of freedom: 3; velocities: 3; constraint rows: 0.")]
-#[cfg_attr(doc, doc = "")]
+///
+///Equations of motion of the spatial mechanism `SphericalPendulum`.
 #[cfg_attr(
     doc,
-    doc = "In tree coordinates (chosen by count: 16 operations, depth 7, against about 88 for the elimination alone in absolute coordinates); elimination order: minimum degree."
-)]
-#[cfg_attr(doc, doc = "")]
-#[cfg_attr(doc, doc = "# Coordinates")]
-#[cfg_attr(doc, doc = "")]
-#[cfg_attr(doc, doc = "| | q | v |")]
-#[cfg_attr(doc, doc = "|---|---|---|")]
-#[cfg_attr(
-    doc,
-    doc = "| 0 | `pivot.orientation.w`, `pivot.orientation.x` | `pivot.rate.x` |"
-)]
-#[cfg_attr(doc, doc = "| 1 | `pivot.orientation.y` | `pivot.rate.y` |")]
-#[cfg_attr(doc, doc = "| 2 | `pivot.orientation.z` | `pivot.rate.z` |")]
-#[cfg_attr(doc, doc = "")]
-#[cfg_attr(doc, doc = "# Operations")]
-#[cfg_attr(doc, doc = "")]
-#[cfg_attr(
-    doc,
-    doc = "| function | operations | + | × | fma | ÷ | √ | choices | sin, exp … | depth |"
-)]
-#[cfg_attr(doc, doc = "|---|---|---|---|---|---|---|---|---|---|")]
-#[cfg_attr(doc, doc = "| `forces` | 14 | 1 | 9 | 4 | 0 | 0 | 0 | 0 | 6 |")]
-#[cfg_attr(doc, doc = "| `kinetic_energy` | 7 | 0 | 5 | 2 | 0 | 0 | 0 | 0 | 5 |")]
-#[cfg_attr(doc, doc = "| `potential_energy` | 5 | 0 | 4 | 1 | 0 | 0 | 0 | 0 | 4 |")]
-#[cfg_attr(doc, doc = "| `acceleration` | 16 | 1 | 11 | 4 | 0 | 0 | 0 | 0 | 7 |")]
-#[cfg_attr(
-    doc,
-    doc = "| `acceleration_baumgarte` | 16 | 1 | 11 | 4 | 0 | 0 | 0 | 0 | 7 |"
-)]
-#[cfg_attr(doc, doc = "| `outputs` | 31 | 4 | 16 | 11 | 0 | 0 | 0 | 0 | 6 |")]
-#[cfg_attr(doc, doc = "| `inverse_dynamics` | 17 | 1 | 10 | 6 | 0 | 0 | 0 | 0 | 5 |")]
-#[cfg_attr(doc, doc = "| `motions` | 47 | 4 | 23 | 20 | 0 | 0 | 0 | 0 | 7 |")]
-#[cfg_attr(doc, doc = "| `reactions` | 70 | 8 | 30 | 32 | 0 | 0 | 0 | 0 | 10 |")]
-#[cfg_attr(doc, doc = "| `condition_residual` | 24 | 6 | 9 | 9 | 0 | 0 | 0 | 0 | 6 |")]
-#[cfg_attr(doc, doc = "| `condition_jacobian` | 31 | 5 | 16 | 10 | 0 | 0 | 0 | 0 | 6 |")]
-#[cfg_attr(doc, doc = "| `condition_bias` | 52 | 5 | 22 | 25 | 0 | 0 | 0 | 0 | 9 |")]
-#[cfg_attr(
-    not(doc),
-    doc = "Equations of motion of the spatial mechanism `SphericalPendulum`."
+    doc = ::linkwright::__private::v1::mechanism_page!{#[doc = r" Bar on a spherical joint (Spherical_Case01), released from the horizontal."]pub
+    spatial
+    SphericalPendulum{gravity[m/s^2]= (0, 0, -9.80665);body
+    bar{mass[kg]= 1;inertia[kg*m^2]= (0.04, 0.1, 0.1);center[m]= (2, 0, 0);}joint
+    pivot:spherical(
+        ground(0, 0, 0)[m],
+        bar.origin
+    );start{bar.orientation = (
+        1,
+        0,
+        0,
+        0
+    );bar.rate.x[rad/s]= 0;bar.rate.y[rad/s]= 0;bar.rate.z[rad/s]= 0;}expect{degrees_of_freedom = 3;}output
+    x[m]= bar.center.x;output
+    y[m]= bar.center.y;output
+    z[m]= bar.center.z;output
+    velocity_x[m/s]= bar.center.velocity.x;output
+    velocity_y[m/s]= bar.center.velocity.y;output
+    velocity_z[m/s]= bar.center.velocity.z;}}
 )]
 #[derive(
     ::core::clone::Clone,
@@ -104,11 +83,20 @@ impl SphericalPendulum<::core::primitive::f64> {
     ///Operations of the default acceleration function (Baumgarte), a fused multiply-add counted once.
     pub const OPERATIONS: ::core::primitive::usize = 16;
     ///The definition as written.
-    pub const SOURCE: &'static ::core::primitive::str = "# [doc = r\" Bar on a spherical joint (Spherical_Case01), released from the horizontal.\"] pub spatial SphericalPendulum { gravity [m / s ^ 2] = (0 , 0 , - 9.80665) ; body bar { mass [kg] = 1 ; inertia [kg * m ^ 2] = (0.04 , 0.1 , 0.1) ; center [m] = (2 , 0 , 0) ; } joint pivot : spherical (ground (0 , 0 , 0) [m] , bar . origin) ; start { bar . orientation = (1 , 0 , 0 , 0) ; bar . rate . x [rad / s] = 0 ; bar . rate . y [rad / s] = 0 ; bar . rate . z [rad / s] = 0 ; } expect { degrees_of_freedom = 3 ; } output x [m] = bar . center . x ; output y [m] = bar . center . y ; output z [m] = bar . center . z ; output velocity_x [m / s] = bar . center . velocity . x ; output velocity_y [m / s] = bar . center . velocity . y ; output velocity_z [m / s] = bar . center . velocity . z ; }";
+    pub const SOURCE: &'static ::core::primitive::str = (
+        "# [doc = r\" Bar on a spherical joint (Spherical_Case01), released from the horizontal.\"] pub spatial SphericalPendulum { gravity [m / s ^ 2] = (0 , 0 , - 9.80665) ; body bar { mass [kg] = 1 ; inertia [kg * m ^ 2] = (0.04 , 0.1 , 0.1) ; center [m] = (2 , 0 , 0) ; } joint pivot : spherical (ground (0 , 0 , 0) [m] , bar . origin) ; start { bar . orientation = (1 , 0 , 0 , 0) ; bar . rate . x [rad / s] = 0 ; bar . rate . y [rad / s] = 0 ; bar . rate . z [rad / s] = 0 ; } expect { degrees_of_freedom = 3 ; } output x [m] = bar . center . x ; output y [m] = bar . center . y ; output z [m] = bar . center . z ; output velocity_x [m / s] = bar . center . velocity . x ; output velocity_y [m / s] = bar . center . velocity . y ; output velocity_z [m / s] = bar . center . velocity . z ; }",
+    )
+        .0;
     ///The definition as versioned JSON: kinds, shapes and units as written.
-    pub const DEFINITION: &'static ::core::primitive::str = "{\"linkwright\":1,\"kind\":\"spatial\",\"name\":\"SphericalPendulum\",\"constants\":[],\"parameters\":[],\"inputs\":[],\"gravity\":{\"unit\":\"m/s^2\",\"value\":[{\"number\":\"0\"},{\"number\":\"0\"},{\"op\":\"neg\",\"args\":[{\"number\":\"9.80665\"}]}]},\"markers\":[],\"bodies\":[{\"name\":\"bar\",\"kind\":\"body\",\"properties\":{\"mass\":{\"unit\":\"kg\",\"value\":{\"number\":\"1\"}}},\"vectors\":{\"inertia\":{\"unit\":\"kg*m^2\",\"value\":[{\"number\":\"0.04\"},{\"number\":\"0.1\"},{\"number\":\"0.1\"}]}},\"inertia_axes\":null,\"markers\":[],\"center\":{\"unit\":\"m\",\"value\":[{\"number\":\"2\"},{\"number\":\"0\"},{\"number\":\"0\"}]},\"points\":[],\"lines\":[]}],\"joints\":[{\"name\":\"pivot\",\"kind\":\"spherical\",\"first\":{\"ground\":[{\"number\":\"0\"},{\"number\":\"0\"},{\"number\":\"0\"}],\"unit\":\"m\"},\"second\":{\"place\":\"bar.origin\"}}],\"constraints\":[],\"drivers\":[],\"loads\":[],\"start\":[{\"quantity\":{\"name\":\"bar.rate.x\"},\"exact\":true,\"unit\":\"rad/s\",\"value\":{\"number\":\"0\"}},{\"quantity\":{\"name\":\"bar.rate.y\"},\"exact\":true,\"unit\":\"rad/s\",\"value\":{\"number\":\"0\"}},{\"quantity\":{\"name\":\"bar.rate.z\"},\"exact\":true,\"unit\":\"rad/s\",\"value\":{\"number\":\"0\"}}],\"orientations\":[{\"quantity\":{\"name\":\"bar.orientation\"},\"exact\":true,\"unit\":null,\"value\":[{\"number\":\"1\"},{\"number\":\"0\"},{\"number\":\"0\"},{\"number\":\"0\"}]}],\"outputs\":[{\"name\":\"x\",\"unit\":\"m\",\"value\":{\"name\":\"bar.center.x\"}},{\"name\":\"y\",\"unit\":\"m\",\"value\":{\"name\":\"bar.center.y\"}},{\"name\":\"z\",\"unit\":\"m\",\"value\":{\"name\":\"bar.center.z\"}},{\"name\":\"velocity_x\",\"unit\":\"m/s\",\"value\":{\"name\":\"bar.center.velocity.x\"}},{\"name\":\"velocity_y\",\"unit\":\"m/s\",\"value\":{\"name\":\"bar.center.velocity.y\"}},{\"name\":\"velocity_z\",\"unit\":\"m/s\",\"value\":{\"name\":\"bar.center.velocity.z\"}}],\"options\":{},\"expect\":{\"degrees_of_freedom\":3}}";
+    pub const DEFINITION: &'static ::core::primitive::str = (
+        "{\"linkwright\":1,\"kind\":\"spatial\",\"name\":\"SphericalPendulum\",\"constants\":[],\"parameters\":[],\"inputs\":[],\"gravity\":{\"unit\":\"m/s^2\",\"value\":[{\"number\":\"0\"},{\"number\":\"0\"},{\"op\":\"neg\",\"args\":[{\"number\":\"9.80665\"}]}]},\"markers\":[],\"bodies\":[{\"name\":\"bar\",\"kind\":\"body\",\"properties\":{\"mass\":{\"unit\":\"kg\",\"value\":{\"number\":\"1\"}}},\"vectors\":{\"inertia\":{\"unit\":\"kg*m^2\",\"value\":[{\"number\":\"0.04\"},{\"number\":\"0.1\"},{\"number\":\"0.1\"}]}},\"inertia_axes\":null,\"markers\":[],\"center\":{\"unit\":\"m\",\"value\":[{\"number\":\"2\"},{\"number\":\"0\"},{\"number\":\"0\"}]},\"points\":[],\"lines\":[]}],\"joints\":[{\"name\":\"pivot\",\"kind\":\"spherical\",\"first\":{\"ground\":[{\"number\":\"0\"},{\"number\":\"0\"},{\"number\":\"0\"}],\"unit\":\"m\"},\"second\":{\"place\":\"bar.origin\"}}],\"constraints\":[],\"drivers\":[],\"loads\":[],\"start\":[{\"quantity\":{\"name\":\"bar.rate.x\"},\"exact\":true,\"unit\":\"rad/s\",\"value\":{\"number\":\"0\"}},{\"quantity\":{\"name\":\"bar.rate.y\"},\"exact\":true,\"unit\":\"rad/s\",\"value\":{\"number\":\"0\"}},{\"quantity\":{\"name\":\"bar.rate.z\"},\"exact\":true,\"unit\":\"rad/s\",\"value\":{\"number\":\"0\"}}],\"orientations\":[{\"quantity\":{\"name\":\"bar.orientation\"},\"exact\":true,\"unit\":null,\"value\":[{\"number\":\"1\"},{\"number\":\"0\"},{\"number\":\"0\"},{\"number\":\"0\"}]}],\"outputs\":[{\"name\":\"x\",\"unit\":\"m\",\"value\":{\"name\":\"bar.center.x\"}},{\"name\":\"y\",\"unit\":\"m\",\"value\":{\"name\":\"bar.center.y\"}},{\"name\":\"z\",\"unit\":\"m\",\"value\":{\"name\":\"bar.center.z\"}},{\"name\":\"velocity_x\",\"unit\":\"m/s\",\"value\":{\"name\":\"bar.center.velocity.x\"}},{\"name\":\"velocity_y\",\"unit\":\"m/s\",\"value\":{\"name\":\"bar.center.velocity.y\"}},{\"name\":\"velocity_z\",\"unit\":\"m/s\",\"value\":{\"name\":\"bar.center.velocity.z\"}}],\"options\":{},\"expect\":{\"degrees_of_freedom\":3}}",
+    )
+        .0;
     ///What the entries of q and v and the constraint rows are, as JSON.
-    pub const COORDINATES: &'static ::core::primitive::str = "{\"coordinates\":\"tree\",\"tree\":[{\"body\":\"bar\",\"joint\":\"pivot\",\"parent\":\"ground\"}],\"linear\":[],\"rotations\":[],\"quaternions\":[{\"joint\":\"pivot\"}],\"angles\":[],\"rows\":[]}";
+    pub const COORDINATES: &'static ::core::primitive::str = (
+        "{\"coordinates\":\"tree\",\"tree\":[{\"body\":\"bar\",\"joint\":\"pivot\",\"parent\":\"ground\"}],\"linear\":[],\"rotations\":[],\"quaternions\":[{\"joint\":\"pivot\"}],\"angles\":[],\"rows\":[]}",
+    )
+        .0;
     ///Names of the bodies, in the order of `motions`.
     pub const BODIES: &'static [&'static ::core::primitive::str] = &["bar"];
     ///Names of the joints, in the order of `reactions`.

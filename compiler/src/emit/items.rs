@@ -13,7 +13,7 @@ const F64: &str = "::core::primitive::f64";
 pub fn items(text: &mut String, emitter: &Emitter, source: &str) {
     let Emitter { name, visibility, path, mechanism, compiled, .. } = emitter;
     let _ = writeln!(text, "{}", mechanism.attributes);
-    documentation::model(text, emitter);
+    documentation::model(text, emitter, source);
     let _ = writeln!(
         text,
         "{DERIVES} {visibility} struct {name}<R = {F64}> {{ parameters: {name}Parameters<R>, phases: [R; {}], \
@@ -113,16 +113,18 @@ fn constants(text: &mut String, emitter: &Emitter, source: &str) {
         &format!("OPERATIONS: {usize}"),
         &operations.to_string(),
     );
-    constant("The definition as written.", &format!("SOURCE: {string}"), &quoted(source));
+    // Taken out of a tuple, because rustdoc prints a literal in full and of other expressions `_`.
+    let unprinted = |text: &str| format!("({},).0", quoted(text));
+    constant("The definition as written.", &format!("SOURCE: {string}"), &unprinted(source));
     constant(
         "The definition as versioned JSON: kinds, shapes and units as written.",
         &format!("DEFINITION: {string}"),
-        &quoted(&compiled.definition),
+        &unprinted(&compiled.definition),
     );
     constant(
         "What the entries of q and v and the constraint rows are, as JSON.",
         &format!("COORDINATES: {string}"),
-        &quoted(&coordinates_json(mechanism, &compiled.equations)),
+        &unprinted(&coordinates_json(mechanism, &compiled.equations)),
     );
     constant(
         "Names of the bodies, in the order of `motions`.",

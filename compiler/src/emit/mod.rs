@@ -25,7 +25,6 @@ mod tangent;
 mod traits;
 
 pub use coordinates_json::coordinates_json;
-pub use documentation::operation_table;
 pub use stub::stub;
 
 use crate::Compiled;

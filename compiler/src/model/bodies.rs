@@ -54,8 +54,8 @@ impl<'d> Lowering<'d> {
         Some(Body {
             dimensions,
             name: name(&body.name),
-            kind: if body.shape == Shape::Particle { BodyKind::Particle } else { BodyKind::Rigid },
             shape: body.shape,
+            kind: if body.shape == Shape::Particle { BodyKind::Particle } else { BodyKind::Rigid },
             mass,
             mass_span,
             inertia,

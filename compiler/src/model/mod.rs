@@ -145,8 +145,9 @@ pub struct Input {
 #[derive(Clone, Debug)]
 pub struct Body {
     pub name: Name,
-    pub kind: BodyKind,
+    /// As declared: what a drawing shows, and the points it has of its own.
     pub shape: Shape,
+    pub kind: BodyKind,
     /// kg, of parameters only.
     pub mass: Expr,
     pub mass_span: Region,

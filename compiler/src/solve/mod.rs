@@ -140,6 +140,46 @@ pub fn structural_operations(equations: &Equations) -> usize {
     order::order(&pattern, order::Strategy::MinimumDegree).operations
 }
 
+/// Entries below a diagonal, by row and column.
+pub type Positions = BTreeSet<(usize, usize)>;
+
+/// The pattern of L below its diagonal, rows and columns in the order of elimination: entries of K, and what fills in.
+pub fn factor_pattern(equations: &Equations, solved: &Solved) -> (Positions, Positions) {
+    let n = equations.layout.velocities();
+    let is_active = |row: &usize| !equations.idle.contains(row);
+    let rows = (0..equations.rows.len()).filter(is_active);
+    let of_rows =
+        rows.flat_map(|row| equations.rows[row].jet.columns.keys().map(move |column| (n + row, *column)));
+    let squares = solved.massless.rows.iter().flat_map(|row| {
+        let columns = &equations.rows[*row].jet.columns;
+        columns.keys().flat_map(|i| columns.keys().map(move |j| (*i, *j)))
+    });
+    let own: BTreeSet<(usize, usize)> = equations
+        .mass
+        .keys()
+        .copied()
+        .chain(of_rows)
+        .chain(squares)
+        .flat_map(|(i, j)| [(i, j), (j, i)])
+        .collect();
+    let mut pattern = Pattern::new(n, equations.rows.len(), own.iter().copied());
+    // Prescribed velocities and their rows are no part of it.
+    let sequence = &solved.order.sequence;
+    let place: BTreeMap<usize, usize> =
+        sequence.iter().enumerate().map(|(at, unknown)| (*unknown, at)).collect();
+    let (mut entries, mut fill) = (BTreeSet::new(), BTreeSet::new());
+    for unknown in (0..n + equations.rows.len()).filter(|unknown| !place.contains_key(unknown)) {
+        pattern.remove(unknown);
+    }
+    for (column, pivot) in sequence.iter().enumerate() {
+        for unknown in pattern.eliminate(*pivot) {
+            let set = if own.contains(&(unknown, *pivot)) { &mut entries } else { &mut fill };
+            set.insert((place[&unknown], column));
+        }
+    }
+    (entries, fill)
+}
+
 /// K and what its right-hand sides need.
 struct System {
     velocities: usize,

@@ -83,6 +83,14 @@ impl Pattern {
         around
     }
 
+    /// Removes an unknown that is known otherwise.
+    pub(super) fn remove(&mut self, unknown: usize) {
+        for a in members(self.row(unknown)) {
+            self.bits[a * self.words + unknown / 64] &= !(1 << (unknown % 64));
+        }
+        self.bits[unknown * self.words..(unknown + 1) * self.words].fill(0);
+    }
+
     /// Pairs of neighbours that are not neighbours of each other.
     fn fill(&self, unknown: usize) -> usize {
         let own = self.row(unknown);

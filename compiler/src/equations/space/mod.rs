@@ -13,6 +13,7 @@ mod trees;
 mod vector;
 mod vector_jet;
 
+pub use axes::matrix as place_axes;
 pub use bodies::consequences;
 pub use coordinates::{constant_axis, coordinates};
 pub use dynamics::dynamics;

@@ -1,0 +1,223 @@
+//! The drawing of a mechanism at its start, as SVG: in the plane to scale, in space along a fixed direction.
+
+mod canvas;
+mod labels;
+mod loads;
+mod parts;
+mod plane;
+mod shapes;
+mod space;
+mod view;
+
+pub use canvas::{escaped, number};
+
+use super::sketch::{EffortKind, Sketch};
+use super::vector::{Point, along, sum};
+use crate::model::{Frame, JointWord, Space};
+use canvas::{Group, Pen};
+use labels::{Area, Kind, Label};
+use shapes::{away, heading, shifted};
+use std::fmt::Write;
+use view::{Spot, View};
+
+/// Layers, from the back to the front.
+const SHAPES: usize = 0;
+const GROUND: usize = 1;
+const BLOCKS: usize = 2;
+const BODIES: usize = 3;
+const JOINTS: usize = 4;
+const LOADS: usize = 5;
+
+/// The sheet while it is being drawn.
+struct Drawing {
+    view: View,
+    /// Radius of a pin, px.
+    unit: f64,
+    groups: Vec<Group>,
+    labels: Vec<Label>,
+    /// Where names would hide something.
+    blocked: Vec<Area>,
+}
+
+/// A drawing, and how many names found no place in it.
+pub struct Figure {
+    pub svg: String,
+    pub left_out: usize,
+}
+
+pub fn figure(name: &str, sketch: &Sketch) -> Figure {
+    let view = View::of(sketch.space, sketch.up, &extent(sketch));
+    let unit = unit(&view, sketch);
+    let mut drawing = Drawing { view, unit, groups: Vec::new(), labels: Vec::new(), blocked: Vec::new() };
+    for part in &sketch.parts {
+        parts::part(&mut drawing, part);
+    }
+    for wheel in &sketch.wheels {
+        loads::wheel(&mut drawing, wheel);
+    }
+    for hinge in &sketch.hinges {
+        match sketch.space {
+            Space::Planar => plane::joint(&mut drawing, hinge),
+            Space::Spatial => space::joint(&mut drawing, hinge),
+        }
+        let anchor = drawing.view.spot(hinge.at);
+        drawing.label(&hinge.name, anchor, 2.0 * unit, Kind::Joint);
+    }
+    for effort in &sketch.efforts {
+        loads::effort(&mut drawing, effort);
+    }
+    drawing.write(name, sketch.space)
+}
+
+/// Every point that must be in the picture.
+fn extent(sketch: &Sketch) -> Vec<Point> {
+    let of_parts = sketch.parts.iter().flat_map(parts::extent);
+    let of_joints = sketch.hinges.iter().flat_map(|hinge| match hinge.kind {
+        JointWord::PointOnLine => vec![hinge.first, hinge.second, sum(hinge.first, hinge.axis)],
+        // A rail of the ground is drawn as far as it is used.
+        JointWord::Prismatic if hinge.first_on == Frame::Ground => vec![hinge.second],
+        _ => vec![hinge.first, hinge.second],
+    });
+    let of_wheels = sketch.wheels.iter().flat_map(|wheel| {
+        let [u, v] = shapes::across(wheel.about);
+        let r = wheel.radius;
+        [
+            along(wheel.center, r, u),
+            along(wheel.center, -r, u),
+            along(wheel.center, r, v),
+            along(wheel.center, -r, v),
+        ]
+    });
+    let of_springs = sketch.efforts.iter().flat_map(|effort| match effort.kind {
+        EffortKind::Spring { ends, .. } => ends.map(|end| end.at).to_vec(),
+        _ => Vec::new(),
+    });
+    of_parts.chain(of_joints).chain(of_wheels).chain(of_springs).collect()
+}
+
+/// Small where bodies are small, so that symbols leave something of them.
+fn unit(view: &View, sketch: &Sketch) -> f64 {
+    let mut sizes: Vec<f64> = sketch.parts.iter().map(|part| parts::size(view.scale, part)).collect();
+    sizes.retain(|size| *size > 0.0);
+    sizes.sort_by(f64::total_cmp);
+    let median = sizes.get(sizes.len() / 2).copied().unwrap_or(100.0);
+    (0.06 * median).clamp(1.5, 5.0)
+}
+
+impl Drawing {
+    /// Of a body that its joints hide there is the name at least.
+    fn add(&mut self, group: Group) {
+        if group.layer == BODIES || !group.is_empty() {
+            self.groups.push(group);
+        }
+    }
+
+    fn label(&mut self, text: &str, anchor: Spot, reach: f64, kind: Kind) {
+        self.labels.push(Label { text: text.to_string(), anchor, reach, kind });
+    }
+
+    fn block(&mut self, center: Spot, x: f64, y: f64) {
+        self.blocked.push(Area { center, half: [x, y] });
+    }
+
+    /// A line, as a row of squares.
+    fn block_path(&mut self, points: &[Spot], is_closed: bool) {
+        let half = self.unit + 0.5;
+        let closing = is_closed.then(|| points.first()).flatten();
+        let ends = points.iter().skip(1).chain(closing);
+        for (a, b) in points.iter().zip(ends) {
+            let count = (away(*a, *b) / (2.0 * half)).ceil().max(1.0);
+            for k in 0..=count as usize {
+                let at = |j: usize| a[j] + (b[j] - a[j]) * k as f64 / count;
+                self.block([at(0), at(1)], half, half);
+            }
+        }
+    }
+
+    fn write(mut self, name: &str, space: Space) -> Figure {
+        let View { width, height, .. } = self.view;
+        let mut svg = format!(
+            "<svg xmlns=\"http://www.w3.org/2000/svg\" role=\"img\" width=\"{0}\" height=\"{1}\" viewBox=\"0 0 {0} {1}\" \
+             font-family=\"sans-serif\" font-size=\"12\" stroke-linecap=\"round\" stroke-linejoin=\"round\" \
+             style=\"max-width:100%;height:auto\">\n<title>{2}, {3} mechanism at its start</title>\n",
+            number(width),
+            number(height),
+            escaped(name),
+            space.text(),
+        );
+        let legend = self.legend();
+        self.groups.sort_by(|a, b| a.layer.cmp(&b.layer).then(a.nearness.total_cmp(&b.nearness)));
+        self.groups.iter().for_each(|group| group.write(&mut svg));
+        svg.push_str(&legend);
+        // Bodies first: they have most freedom of place and matter most.
+        let mut labels = std::mem::take(&mut self.labels);
+        labels.sort_by_key(|label| label.kind);
+        let left_out = labels::write(&mut svg, &labels, &self.blocked, width, height);
+        svg.push_str("</svg>");
+        Figure { svg, left_out }
+    }
+
+    /// Axes of the world at the lower left, a scale at the lower right.
+    fn legend(&mut self) -> String {
+        let View { width, height, scale, space, .. } = self.view;
+        let mut svg = String::new();
+        let corner = [30.0, height - 26.0];
+        let mut axes = Group::new(GROUND, 0.0, "axes of the world");
+        let mut names = String::new();
+        for (k, axis) in ["x", "y", "z"].iter().enumerate().take(space.dimensions()) {
+            let mut e = [0.0; 3];
+            e[k] = 1.0;
+            let way = self.view.way(e);
+            let end = shifted(corner, 26.0 / scale, way);
+            axes.arrow(corner, end, Pen::Line(1.0), Pen::Solid);
+            if let Some(e) = heading(corner, end) {
+                let at = shifted(end, 7.0, e);
+                let _ = writeln!(
+                    names,
+                    "<text x=\"{}\" y=\"{}\" text-anchor=\"middle\" fill=\"currentColor\" font-size=\"11\">{axis}</text>",
+                    number(at[0]),
+                    number(at[1] + 4.0)
+                );
+            }
+        }
+        axes.write(&mut svg);
+        svg.push_str(&names);
+        self.block([corner[0] + 8.0, corner[1] - 8.0], 28.0, 28.0);
+
+        let (length, text) = scale_bar(scale);
+        let right = [width - 18.0, height - 16.0];
+        let left = [right[0] - length * scale, right[1]];
+        let mut bar = Group::new(GROUND, 0.0, "scale");
+        bar.line(left, right, Pen::Line(1.4));
+        for end in [left, right] {
+            bar.line(shifted(end, -4.0, [0.0, 1.0]), shifted(end, 4.0, [0.0, 1.0]), Pen::Line(1.4));
+        }
+        bar.write(&mut svg);
+        let middle = shapes::middle(left, right);
+        let _ = writeln!(
+            svg,
+            "<text x=\"{}\" y=\"{}\" text-anchor=\"middle\" fill=\"currentColor\" font-size=\"11\">{text}</text>",
+            number(middle[0]),
+            number(middle[1] - 6.0)
+        );
+        self.block([middle[0], middle[1] - 6.0], length * scale / 2.0 + 4.0, 14.0);
+        svg
+    }
+}
+
+/// A round length of about a hundred pixels, m, and how it is called.
+fn scale_bar(scale: f64) -> (f64, String) {
+    let wanted = 110.0 / scale;
+    let mut power = libm::pow(10.0, wanted.log10().floor());
+    if power > wanted {
+        power /= 10.0;
+    }
+    let digit = [5.0, 2.0, 1.0].into_iter().find(|digit| digit * power <= wanted).unwrap_or(1.0);
+    let length = digit * power;
+    let text = if length >= 1.0 { format!("{length:.0} m") } else { in_millimetres(1e3 * length) };
+    (length, text)
+}
+
+fn in_millimetres(length: f64) -> String {
+    if length >= 1.0 { format!("{length:.0} mm") } else { format!("{} mm", super::text::decimal(length)) }
+}

@@ -1,0 +1,63 @@
+//! The page of a mechanism: a drawing of it, what it consists of, its equations, what they cost and why they are as they
+//! are. Markdown with SVG between its lines, for rustdoc and for whoever else shows Markdown.
+//!
+//! Nothing of it may become a test or a link: blocks of text are fenced as `text`, names with brackets stand in code, and
+//! no blank line interrupts a drawing.
+
+mod equations;
+mod expression;
+mod figure;
+mod operations;
+mod sketch;
+mod sparsity;
+mod stand;
+mod table;
+mod tables;
+mod terms;
+mod text;
+mod vector;
+
+use crate::Compiled;
+use sketch::Sketch;
+use std::fmt::Write;
+use text::count;
+
+/// The page, without a title.
+pub fn page(compiled: &Compiled) -> String {
+    let mut page = String::new();
+    drawing(&mut page, compiled);
+    summary(&mut page, compiled);
+    tables::bodies(&mut page, compiled);
+    tables::joints(&mut page, compiled);
+    tables::couplings(&mut page, compiled);
+    tables::loads(&mut page, compiled);
+    tables::settings(&mut page, compiled);
+    tables::coordinates(&mut page, compiled);
+    tables::rows(&mut page, compiled);
+    equations::equations(&mut page, compiled);
+    sparsity::sparsity(&mut page, compiled);
+    page.push_str("\n# Operations\n\n");
+    page.push_str(&operations::operation_table(&compiled.programs));
+    page
+}
+
+fn drawing(page: &mut String, compiled: &Compiled) {
+    let figure = figure::figure(&compiled.mechanism.name.text, &Sketch::of(compiled));
+    let _ = writeln!(page, "<div>\n{}\n</div>\n", figure.svg);
+    if figure.left_out > 0 {
+        let names = count(figure.left_out, "name found", "names found");
+        let _ = writeln!(page, "{names} no place in the drawing; the tables have all of them.\n");
+    }
+}
+
+fn summary(page: &mut String, compiled: &Compiled) {
+    let equations = &compiled.equations;
+    let _ = writeln!(
+        page,
+        "{}; {}; {}.\n",
+        count(compiled.assembly.mobility.generic, "degree of freedom", "degrees of freedom"),
+        count(equations.layout.velocities(), "velocity", "velocities"),
+        count(equations.rows.len(), "constraint row", "constraint rows"),
+    );
+    let _ = writeln!(page, "{}", compiled.choice.explanation());
+}

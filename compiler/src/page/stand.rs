@@ -1,0 +1,280 @@
+//! Numbers of the mechanism as it stands at its start, from which the sketch is made.
+
+use super::sketch::{Effort, EffortKind, End, Hinge, Part, Wheel};
+use super::vector::{Point, apply, cross, difference, dot, length, pad, sum, unit};
+use crate::Compiled;
+use crate::equations::{Laws, space};
+use crate::model::{
+    Axes, Body, ConstraintKind, Frame, Joint, JointKind, Load, LoadKind, Place, Rotor, Space, Vector,
+};
+use crate::symbolic::{Graph, Node, Op, evaluate_reachable};
+
+/// The mechanism at its start: default parameters, time 0, all inputs 1, so that loads have a direction.
+pub struct Stand<'a> {
+    compiled: &'a Compiled,
+    /// The equations' graph, to which what is asked is added.
+    graph: Graph,
+    symbols: Vec<f64>,
+    values: Vec<f64>,
+    /// Centre and axes of each body.
+    poses: Vec<(Point, [Point; 3])>,
+}
+
+impl<'a> Stand<'a> {
+    pub fn of(compiled: &'a Compiled) -> Self {
+        let (equations, assembly) = (&compiled.equations, &compiled.assembly);
+        let graph = equations.graph.clone();
+        let mut symbols = vec![0.0; graph.symbol_count()];
+        let mut set = |nodes: &[Node], values: &mut dyn Iterator<Item = f64>| {
+            for (node, value) in nodes.iter().zip(values) {
+                if let Op::Symbol(symbol) = graph.op(*node) {
+                    symbols[symbol as usize] = value;
+                }
+            }
+        };
+        let known = &equations.symbols;
+        set(&known.parameters, &mut compiled.mechanism.parameters.iter().map(|it| it.default));
+        set(&known.phases, &mut assembly.phases.iter().copied());
+        set(&known.q, &mut assembly.q.iter().copied());
+        set(&known.v, &mut assembly.v.iter().copied());
+        set(&known.inputs, &mut std::iter::repeat(1.0));
+        let mut stand = Stand { compiled, graph, symbols, values: Vec::new(), poses: Vec::new() };
+        for motion in &equations.motions {
+            let center = pad(&stand.numbers(&motion.position));
+            let turned = stand.numbers(&motion.orientation);
+            let axes = match turned[..] {
+                [c, s] => [[c, s, 0.0], [-s, c, 0.0], [0.0, 0.0, 1.0]],
+                _ => [0, 1, 2].map(|column| [0, 1, 2].map(|row| turned[3 * row + column])),
+            };
+            stand.poses.push((center, axes));
+        }
+        stand
+    }
+
+    fn numbers(&mut self, nodes: &[Node]) -> Vec<f64> {
+        let order = self.graph.reachable(nodes.iter().copied());
+        evaluate_reachable(&self.graph, &order, &self.symbols, &mut self.values);
+        nodes.iter().map(|node| self.values[node.index()]).collect()
+    }
+
+    /// Values of what is built on the graph.
+    fn built(&mut self, build: impl FnOnce(&mut Graph, &Laws) -> Vec<Node>) -> Vec<f64> {
+        let equations = &self.compiled.equations;
+        let mechanism = &self.compiled.mechanism;
+        let laws = Laws::moving(mechanism, &equations.symbols, &equations.layout, &equations.kinematics);
+        let nodes = build(&mut self.graph, &laws);
+        self.numbers(&nodes)
+    }
+
+    fn vector(&mut self, vector: &Vector) -> Point {
+        pad(&self.built(|g, laws| laws.vector(g, vector).to_vec()))
+    }
+
+    pub fn up(&mut self) -> Point {
+        if self.compiled.mechanism.space == Space::Planar {
+            return [0.0, 1.0, 0.0];
+        }
+        let gravity = match &self.compiled.mechanism.gravity {
+            Some(gravity) => self.vector(gravity),
+            None => [0.0; 3],
+        };
+        // The axis that is nearest to it.
+        let nearest = (0..3).fold(2, |best, k| if gravity[k].abs() > gravity[best].abs() { k } else { best });
+        let mut up = [0.0; 3];
+        up[nearest] = if gravity[nearest] > 0.0 { -1.0 } else { 1.0 };
+        up
+    }
+
+    /// A vector in the axes of what a place belongs to, in world axes.
+    fn turned(&self, frame: Frame, vector: Point) -> Point {
+        match frame {
+            Frame::Ground => vector,
+            Frame::Body(body) => apply(&self.poses[body.0].1, vector),
+        }
+    }
+
+    pub fn place(&mut self, place: &Place) -> Point {
+        let at = self.vector(&place.at);
+        let Frame::Body(body) = place.frame else { return at };
+        let definition = &self.compiled.mechanism.bodies[body.0];
+        let center = self.vector(&definition.center);
+        sum(self.poses[body.0].0, self.turned(place.frame, difference(at, center)))
+    }
+
+    /// A direction in the axes of a place.
+    fn direction(&mut self, place: &Place, vector: &Vector) -> Point {
+        let own = self.vector(vector);
+        let own = match &place.axes {
+            Axes::Parallel => own,
+            axes => {
+                let matrix = self.built(|g, laws| space::place_axes(g, laws, axes).concat());
+                [0, 1, 2].map(|row| (0..3).map(|column| matrix[3 * row + column] * own[column]).sum())
+            }
+        };
+        self.turned(place.frame, own)
+    }
+
+    pub fn hinge(&mut self, joint: &Joint) -> Hinge {
+        let z = [0.0, 0.0, 1.0];
+        let axis = match &joint.kind {
+            JointKind::Revolute { .. } if self.compiled.mechanism.space == Space::Planar => z,
+            JointKind::Revolute { axis }
+            | JointKind::Prismatic { axis, .. }
+            | JointKind::Cylindrical { axis }
+            | JointKind::Screw { axis, .. }
+            | JointKind::Universal { axis, .. }
+            | JointKind::Planar { axis }
+            | JointKind::ConstantVelocity { axis }
+            | JointKind::PointOnPlane { axis } => unit(self.direction(&joint.first, axis)),
+            JointKind::PointOnLine { direction } => self.direction(&joint.first, direction),
+            JointKind::Fixed { .. } | JointKind::Spherical | JointKind::Distance { .. } => z,
+        };
+        let second_axis = match &joint.kind {
+            JointKind::Universal { second_axis, .. } => unit(self.direction(&joint.second, second_axis)),
+            _ => axis,
+        };
+        let second = self.place(&joint.second);
+        Hinge {
+            name: joint.name.text.clone(),
+            kind: joint.kind.word(),
+            first: self.place(&joint.first),
+            second,
+            at: second,
+            first_on: joint.first.frame,
+            second_on: joint.second.frame,
+            axis,
+            second_axis,
+        }
+    }
+
+    pub fn part(&mut self, index: usize, body: &Body) -> Part {
+        let (center, axes) = self.poses[index];
+        let own = self.vector(&body.center);
+        let lengths = self.built(|g, laws| body.dimensions.iter().map(|(_, it)| laws.value(g, it)).collect());
+        let mut part = Part {
+            name: body.name.text.clone(),
+            shape: body.shape,
+            center,
+            axes,
+            lengths,
+            spots: Vec::new(),
+            joints: 0,
+            is_block: false,
+        };
+        for point in &body.points {
+            let at = self.vector(&point.at);
+            part.touch(sum(center, apply(&axes, difference(at, own))));
+        }
+        part
+    }
+
+    pub fn effort(&mut self, load: &Load, hinges: &[Hinge]) -> Option<Effort> {
+        let kind = match &load.kind {
+            LoadKind::Force { place, components } => {
+                let along = self.vector(components);
+                EffortKind::Force { at: self.place(place), along }
+            }
+            LoadKind::Push { joint, force } => {
+                let sign = self.built(|g, laws| vec![laws.value(g, force)])[0];
+                let hinge = &hinges[joint.0];
+                EffortKind::Force { at: hinge.second, along: hinge.axis.map(|x| sign * x) }
+            }
+            LoadKind::Torque { on, torque } => {
+                let sign = self.built(|g, laws| vec![laws.value(g, torque)])[0];
+                let (at, about) = self.rotor(*on, hinges);
+                EffortKind::Torque { at, about: about.map(|x| sign * x) }
+            }
+            LoadKind::BodyTorque { body, components } => {
+                EffortKind::Torque { at: self.poses[body.0].0, about: self.vector(components) }
+            }
+            LoadKind::Spring { first, second, stiffness, damping, .. } => {
+                let [k, c] = self.built(|g, laws| vec![laws.value(g, stiffness), laws.value(g, damping)])[..]
+                else {
+                    return None;
+                };
+                let ends = [first, second]
+                    .map(|place| End { at: self.place(place), is_grounded: place.frame == Frame::Ground });
+                EffortKind::Spring { ends, is_elastic: k != 0.0, is_damped: c != 0.0 }
+            }
+            LoadKind::TorsionSpring { on, .. } => {
+                let (at, about) = self.rotor(*on, hinges);
+                EffortKind::TorsionSpring { at, about }
+            }
+        };
+        // What is zero at the start, or nothing yet, has no direction to be drawn in.
+        let kind = match kind {
+            EffortKind::Force { at, along } => {
+                EffortKind::Force { at, along: Some(unit(along)).filter(|it| *it != [0.0; 3])? }
+            }
+            EffortKind::Torque { at, about } => {
+                EffortKind::Torque { at, about: Some(unit(about)).filter(|it| *it != [0.0; 3])? }
+            }
+            other => other,
+        };
+        Some(Effort { name: load.name.text.clone(), kind })
+    }
+
+    /// Centre and axis of what turns.
+    fn rotor(&self, rotor: Rotor, hinges: &[Hinge]) -> (Point, Point) {
+        match rotor {
+            Rotor::Joint(joint, which) => {
+                let hinge = &hinges[joint.0];
+                (hinge.second, if which == 0 { hinge.axis } else { hinge.second_axis })
+            }
+            Rotor::Body(body) => (self.poses[body.0].0, [0.0, 0.0, 1.0]),
+        }
+    }
+
+    /// Pitch circles that follow from ratio and distance of the axes, or from a pinion's radius.
+    pub fn wheels(&mut self, hinges: &[Hinge]) -> Vec<Wheel> {
+        let (mut wheels, mut inner): (Vec<Wheel>, Vec<[Wheel; 2]>) = (Vec::new(), Vec::new());
+        for constraint in &self.compiled.mechanism.constraints {
+            let of = &constraint.name.text;
+            match &constraint.kind {
+                ConstraintKind::Gear { first, second, ratio, .. } => {
+                    let ratio = self.built(|g, laws| vec![laws.value(g, ratio)])[0];
+                    let rotors = [first, second].map(|it| self.rotor(*it, hinges));
+                    match mesh(of, rotors, ratio) {
+                        Some(pair) if ratio < 0.0 => wheels.extend(pair),
+                        Some(pair) => inner.push(pair),
+                        None => {}
+                    }
+                }
+                ConstraintKind::Rack { pinion, radius, .. } => {
+                    let radius = self.built(|g, laws| vec![laws.value(g, radius)])[0].abs();
+                    let (center, about) = self.rotor(*pinion, hinges);
+                    wheels.push(Wheel { of: of.clone(), center, about, radius });
+                }
+                ConstraintKind::Equation { .. } => {}
+            }
+        }
+        // A positive ratio may be a ring gear's or a belt's: a ring's where it agrees with a wheel that is known.
+        for pair in inner {
+            let known = |own: &Wheel| wheels.iter().any(|wheel| wheel.is(own));
+            if pair.iter().any(known) {
+                wheels.extend(pair);
+            }
+        }
+        wheels.retain(|wheel| wheel.radius.is_finite() && wheel.radius > 0.0);
+        wheels
+    }
+}
+
+impl Wheel {
+    fn is(&self, other: &Wheel) -> bool {
+        let near = |a: f64, b: f64| (a - b).abs() <= 1e-6 * b.abs();
+        length(difference(self.center, other.center)) <= 1e-6 * other.radius
+            && near(self.radius, other.radius)
+    }
+}
+
+/// The circles of two wheels on parallel axes that turn as ω_a = ratio ω_b: r_b = |ratio| r_a, and r_a + r_b, of a ring
+/// gear their difference, is the distance of the axes.
+fn mesh(of: &str, [(a, about), (b, other)]: [(Point, Point); 2], ratio: f64) -> Option<[Wheel; 2]> {
+    let between = difference(b, a);
+    let is_beside = length(cross(about, other)) < 1e-6 && dot(between, about).abs() < 1e-9;
+    let radius = length(between) / (1.0 - ratio).abs();
+    let wheel = |center, radius| Wheel { of: of.to_string(), center, about, radius };
+    (is_beside && radius > 0.0 && radius.is_finite())
+        .then(|| [wheel(a, radius), wheel(b, ratio.abs() * radius)])
+}

@@ -1,0 +1,327 @@
+//! What a mechanism consists of, as tables: bodies, joints, couplings, drivers, loads, parameters, inputs, outputs,
+//! coordinates and where they start, constraint rows.
+
+use super::table::{Table, code};
+use super::text::decimal;
+use crate::Compiled;
+use crate::equations::conditions;
+use crate::equations::coordinates::rotor_name;
+use crate::model::{
+    Body, BodyKind, Condition, ConstraintKind, Expr, Frame, JointId, LoadKind, Mechanism, Space, Vector, fold,
+};
+use std::collections::BTreeSet;
+
+pub fn bodies(page: &mut String, compiled: &Compiled) {
+    let mechanism = &compiled.mechanism;
+    let mut table = Table::new(&[
+        "body",
+        "shape",
+        "mass, kg",
+        "inertia, kg m²",
+        "products, kg m²",
+        "centre, m",
+        "hangs on",
+    ]);
+    for (index, body) in mechanism.bodies.iter().enumerate() {
+        let attachment = compiled.equations.tree.attachments.iter().find(|it| it.body.0 == index);
+        let carrier = attachment.and_then(|it| it.joint);
+        table.row(vec![
+            code(&body.name.text),
+            body.shape.text().to_string(),
+            value(mechanism, &body.mass),
+            inertia(mechanism, body),
+            if is_zero(&body.inertia.products) {
+                String::new()
+            } else {
+                vector(mechanism, &body.inertia.products, 3)
+            },
+            if is_zero(&body.center) {
+                String::new()
+            } else {
+                vector(mechanism, &body.center, mechanism.space.dimensions())
+            },
+            carrier
+                .map_or_else(|| "nothing: free".to_string(), |(joint, _)| code(joint_name(mechanism, joint))),
+        ]);
+    }
+    table.write(page, "Bodies");
+}
+
+fn joint_name(mechanism: &Mechanism, joint: JointId) -> &str {
+    &mechanism.joints[joint.0].name.text
+}
+
+fn inertia(mechanism: &Mechanism, body: &Body) -> String {
+    match (body.kind, mechanism.space) {
+        (BodyKind::Particle, _) => String::new(),
+        (_, Space::Planar) => value(mechanism, &body.inertia.moments[2]),
+        (_, Space::Spatial) => vector(mechanism, &body.inertia.moments, 3),
+    }
+}
+
+fn is_zero(vector: &Vector) -> bool {
+    vector.iter().all(|x| matches!(x, Expr::Number(0.0)))
+}
+
+pub fn joints(page: &mut String, compiled: &Compiled) {
+    let mechanism = &compiled.mechanism;
+    let equations = &compiled.equations;
+    let mut table =
+        Table::new(&["joint", "kind", "first place", "second place", "quantities", "in the equations"]);
+    for (index, joint) in mechanism.joints.iter().enumerate() {
+        let names = joint.kind.word().coordinates(mechanism.space);
+        let quantities = names.angles.iter().chain(names.travels);
+        let quantities: Vec<String> = quantities.map(|[quantity, _]| code(quantity)).collect();
+        let own = equations.rows.iter().filter(|row| row.joint == Some(JointId(index)));
+        let rows: Vec<String> = own.map(|row| code(row.what)).collect();
+        let carried =
+            equations.tree.attachments.iter().find(|it| it.joint.is_some_and(|(own, _)| own.0 == index));
+        let part = match carried {
+            Some(attachment) => format!("carries {}", code(&mechanism.bodies[attachment.body.0].name.text)),
+            None if rows.is_empty() => "none of its rows is needed".to_string(),
+            None => format!("rows {}", rows.join(", ")),
+        };
+        table.row(vec![
+            code(&joint.name.text),
+            code(joint.kind.word().text()),
+            code(&joint.first.text),
+            code(&joint.second.text),
+            quantities.join(", "),
+            part,
+        ]);
+    }
+    table.write(page, "Joints");
+}
+
+pub fn couplings(page: &mut String, compiled: &Compiled) {
+    let mechanism = &compiled.mechanism;
+    let mut table = Table::new(&["coupling", "what it holds"]);
+    for constraint in &mechanism.constraints {
+        let rotor = |rotor| code(&format!("{}.angle", rotor_name(mechanism, rotor)));
+        let holds = match &constraint.kind {
+            ConstraintKind::Gear { first, second, ratio, .. } => {
+                format!("{} = {} · {} + phase", rotor(*first), value(mechanism, ratio), rotor(*second))
+            }
+            ConstraintKind::Rack { pinion, rail, radius, .. } => {
+                let travel = code(&format!("{}.travel", joint_name(mechanism, *rail)));
+                format!("{travel} = {} m · {} + phase", value(mechanism, radius), rotor(*pinion))
+            }
+            ConstraintKind::Equation { .. } => "an equation; its row stands under Φ".to_string(),
+        };
+        table.row(vec![code(&constraint.name.text), holds]);
+    }
+    for driver in &mechanism.drivers {
+        let quantity = code(&conditions::name(mechanism, &driver.quantity));
+        table.row(vec![code(&driver.name.text), format!("{quantity} follows a law of time")]);
+    }
+    table.write(page, "Couplings and drivers");
+}
+
+pub fn loads(page: &mut String, compiled: &Compiled) {
+    let mechanism = &compiled.mechanism;
+    let mut table = Table::new(&["load", "kind", "on", "data"]);
+    for load in &mechanism.loads {
+        let joint = |joint: JointId| code(joint_name(mechanism, joint));
+        let (kind, on, data) = match &load.kind {
+            LoadKind::Force { place, components } => ("force", code(&place.text), law(mechanism, components)),
+            LoadKind::Push { joint: id, force } => {
+                ("force along the travel", joint(*id), law(mechanism, std::slice::from_ref(force)))
+            }
+            LoadKind::Torque { on, torque } => {
+                ("torque", code(rotor_name(mechanism, *on)), law(mechanism, std::slice::from_ref(torque)))
+            }
+            LoadKind::BodyTorque { body, components } => {
+                ("torque", code(&mechanism.bodies[body.0].name.text), law(mechanism, components))
+            }
+            LoadKind::Spring { first, second, stiffness, length, damping } => {
+                let on = format!("{}, {}", code(&first.text), code(&second.text));
+                let data =
+                    [("stiffness", stiffness, "N/m"), ("length", length, "m"), ("damping", damping, "N s/m")];
+                ("spring", on, data_of(mechanism, &data))
+            }
+            LoadKind::TorsionSpring { on, stiffness, rest, damping } => {
+                let data =
+                    [("stiffness", stiffness, "N m"), ("angle", rest, "rad"), ("damping", damping, "N m s")];
+                ("torsion spring", code(rotor_name(mechanism, *on)), data_of(mechanism, &data))
+            }
+        };
+        let kind = match &load.kind {
+            LoadKind::Spring { stiffness: Expr::Number(0.0), .. } => "damper",
+            _ => kind,
+        };
+        table.row(vec![code(&load.name.text), kind.to_string(), on, data]);
+    }
+    table.write(page, "Loads");
+}
+
+fn data_of(mechanism: &Mechanism, data: &[(&str, &Expr, &str)]) -> String {
+    let given = data.iter().filter(|(_, expr, _)| !matches!(expr, Expr::Number(0.0)));
+    let texts: Vec<String> =
+        given.map(|(what, expr, unit)| format!("{what} {} {unit}", value(mechanism, expr))).collect();
+    texts.join(", ")
+}
+
+/// What a law depends on.
+fn law(mechanism: &Mechanism, components: &[Expr]) -> String {
+    let (mut names, mut moves) = (BTreeSet::new(), false);
+    components.iter().for_each(|expr| named(mechanism, expr, &mut names, &mut moves));
+    let mut names: Vec<String> = names.into_iter().map(|name| code(&name)).collect();
+    if moves {
+        names.push("the motion".to_string());
+    }
+    if names.is_empty() {
+        let values: Vec<String> = components.iter().map(|expr| value(mechanism, expr)).collect();
+        return format!("constant, {}", values.join(", "));
+    }
+    format!("a law of {}", names.join(", "))
+}
+
+pub fn settings(page: &mut String, compiled: &Compiled) {
+    let mechanism = &compiled.mechanism;
+    let mut table = Table::new(&["parameter", "unit as written", "default, SI", "bounds, SI"]);
+    for parameter in &mechanism.parameters {
+        let bounds = parameter.bounds.map(|(least, most)| format!("{} to {}", decimal(least), decimal(most)));
+        table.row(vec![
+            code(&parameter.name.text),
+            code(&parameter.unit),
+            decimal(parameter.default),
+            bounds.unwrap_or_default(),
+        ]);
+    }
+    table.write(page, "Parameters");
+    let mut table = Table::new(&["input", "unit as written, given in SI"]);
+    for input in &mechanism.inputs {
+        table.row(vec![code(&input.name.text), code(&input.unit)]);
+    }
+    table.write(page, "Inputs");
+    let mut table = Table::new(&["output", "unit as written, given in SI"]);
+    for output in &mechanism.outputs {
+        table.row(vec![code(&output.name.text), code(&output.unit)]);
+    }
+    table.write(page, "Outputs");
+}
+
+/// q beside v, with their values at the start.
+pub fn coordinates(page: &mut String, compiled: &Compiled) {
+    let layout = &compiled.equations.layout;
+    let (q, v) = (layout.position_names(&compiled.mechanism), layout.velocity_names(&compiled.mechanism));
+    // What is left of a zero by rounding is one.
+    let settled = |values: &[f64]| -> Vec<f64> {
+        values.iter().map(|value| if value.abs() < 1e-12 { 0.0 } else { *value }).collect()
+    };
+    let (at, rate) = (settled(&compiled.assembly.q), settled(&compiled.assembly.v));
+    let (linear, rotations) = (layout.linear.len(), layout.rotations.len());
+    let mut table = Table::new(&["#", "q", "at the start", "v", "at the start "]);
+    for index in 0..linear {
+        let row = [q[index].clone(), format!("{} m", decimal(at[index]))];
+        table.row(coordinate(index, row, &v[index], format!("{} m/s", decimal(rate[index]))));
+    }
+    for r in 0..rotations {
+        let (index, pair) = (linear + r, layout.pair(r));
+        let degrees = libm::atan2(at[pair + 1], at[pair]).to_degrees();
+        let row = [format!("{}`, `{}", q[pair], q[pair + 1]), format!("{}°", decimal(degrees))];
+        table.row(coordinate(index, row, &v[index], format!("{} rad/s", decimal(rate[index]))));
+    }
+    for b in 0..layout.quaternions.len() {
+        let (first, omega) = (layout.quaternion(b), layout.omega(b));
+        for axis in 0..3 {
+            // Four entries beside three rates.
+            let own = if axis == 0 { first..first + 2 } else { first + 1 + axis..first + 2 + axis };
+            let values: Vec<String> = own.clone().map(|k| decimal(at[k])).collect();
+            let row = [q[own].join("`, `"), values.join(", ")];
+            let index = omega + axis;
+            table.row(coordinate(index, row, &v[index], format!("{} rad/s", decimal(rate[index]))));
+        }
+    }
+    for a in 0..layout.angles.len() {
+        let turns = layout.turns(a);
+        let value = format!("{}, {} rad", decimal(at[turns]), decimal(at[turns + 1]));
+        let name = format!("`{}`, `{}`", q[turns], q[turns + 1]);
+        table.row(vec![String::new(), name, value, String::new(), String::new()]);
+    }
+    table.write(page, "Coordinates");
+}
+
+fn coordinate(index: usize, [q, at]: [String; 2], v: &str, rate: String) -> Vec<String> {
+    vec![index.to_string(), format!("`{q}`"), at, code(v), rate]
+}
+
+/// Constraint rows, and those that are left out.
+pub fn rows(page: &mut String, compiled: &Compiled) {
+    let mechanism = &compiled.mechanism;
+    let mut table = Table::new(&["#", "of", "row", "components along"]);
+    for (index, row) in compiled.equations.rows.iter().enumerate() {
+        let axes = match row.axes {
+            None => String::new(),
+            Some(Frame::Ground) => "the world".to_string(),
+            Some(Frame::Body(body)) => code(&mechanism.bodies[body.0].name.text),
+        };
+        table.row(vec![index.to_string(), code(&row.of), code(row.what), axes]);
+    }
+    table.write(page, "Constraint rows");
+    let mut table = Table::new(&["redundant row of", "row"]);
+    for row in &compiled.assembly.dropped {
+        table.row(vec![code(joint_name(mechanism, row.joint)), code(row.what)]);
+    }
+    table.write(page, "Redundant rows");
+    if !compiled.assembly.shared.is_empty() {
+        let shared: Vec<String> =
+            compiled.assembly.shared.iter().map(|joint| code(joint_name(mechanism, *joint))).collect();
+        page.push_str(&format!(
+            "\nThe others fix what these fix; the reactions of {} are not unique.\n",
+            shared.join(", ")
+        ));
+    }
+}
+
+fn vector(mechanism: &Mechanism, vector: &Vector, dimensions: usize) -> String {
+    let values: Vec<String> = vector.iter().take(dimensions).map(|x| value(mechanism, x)).collect();
+    format!("({})", values.join(", "))
+}
+
+/// The value at the defaults, and the parameters that it depends on.
+fn value(mechanism: &Mechanism, expr: &Expr) -> String {
+    let defaults: Vec<f64> = mechanism.parameters.iter().map(|parameter| parameter.default).collect();
+    let value = fold::evaluate(expr, &defaults).map(decimal);
+    let (mut names, mut moves) = (BTreeSet::new(), false);
+    named(mechanism, expr, &mut names, &mut moves);
+    let names: Vec<String> = names.into_iter().map(|name| code(&name)).collect();
+    match (value, names.is_empty()) {
+        (Some(value), true) => value,
+        (Some(value), false) => format!("{value} by {}", names.join(", ")),
+        (None, _) => format!("by {}", names.join(", ")),
+    }
+}
+
+/// Parameters, inputs and time in an expression, and whether it depends on the motion.
+fn named(mechanism: &Mechanism, expr: &Expr, names: &mut BTreeSet<String>, moves: &mut bool) {
+    match expr {
+        Expr::Number(_) => {}
+        Expr::Parameter(id) => {
+            names.insert(mechanism.parameters[id.0].name.text.clone());
+        }
+        Expr::Input(id) => {
+            names.insert(mechanism.inputs[id.0].name.text.clone());
+        }
+        Expr::Time => {
+            names.insert("time".to_string());
+        }
+        Expr::Quantity(_) => *moves = true,
+        Expr::Unary(_, a) | Expr::Power(a, _) => named(mechanism, a, names, moves),
+        Expr::Binary(_, a, b) => [a, b].into_iter().for_each(|it| named(mechanism, it, names, moves)),
+        Expr::If(condition, a, b) => {
+            named_in(mechanism, condition, names, moves);
+            [a, b].into_iter().for_each(|it| named(mechanism, it, names, moves));
+        }
+    }
+}
+
+fn named_in(mechanism: &Mechanism, condition: &Condition, names: &mut BTreeSet<String>, moves: &mut bool) {
+    match condition {
+        Condition::Compare(_, a, b) => [a, b].into_iter().for_each(|it| named(mechanism, it, names, moves)),
+        Condition::And(a, b) | Condition::Or(a, b) => {
+            [a, b].into_iter().for_each(|it| named_in(mechanism, it, names, moves));
+        }
+        Condition::Not(a) => named_in(mechanism, a, names, moves),
+    }
+}
