@@ -29,14 +29,14 @@ impl Region {
         Self { start: span, end: span, tokens: (serial, serial) }
     }
 
+    /// Serial numbers of its first and last token, zero where it is none: the end of the definition.
+    pub(crate) fn tokens(self) -> (usize, usize) {
+        (self.tokens.0 as usize, self.tokens.1 as usize)
+    }
+
     /// From the start of `self` to the end of `last`.
     pub fn to(self, last: Region) -> Region {
         Region { start: self.start, end: last.end, tokens: (self.tokens.0, last.tokens.1) }
-    }
-
-    /// One span: the whole region where spans can be joined, else its start.
-    pub fn span(self) -> Span {
-        self.start.join(self.end).unwrap_or(self.start)
     }
 }
 
@@ -138,14 +138,18 @@ impl Diagnostics {
         if self.is_empty() { Ok(value) } else { Err(self) }
     }
 
+    /// The errors, in the order found; the last one says how many were not kept.
+    pub fn into_errors(mut self) -> Vec<Diagnostic> {
+        if let (Some(last), true) = (self.errors.last_mut(), self.beyond > 0) {
+            last.message.push_str(&format!("\n(and {} more errors)", self.beyond));
+        }
+        self.errors
+    }
+
     /// One `::core::compile_error! { "…" }` per error and per note, each at its place.
     pub fn into_compile_errors(self) -> TokenStream {
         let mut stream = TokenStream::new();
-        let last = self.errors.len().saturating_sub(1);
-        for (index, mut error) in self.errors.into_iter().enumerate() {
-            if index == last && self.beyond > 0 {
-                error.message.push_str(&format!("\n(and {} more errors)", self.beyond));
-            }
+        for error in self.into_errors() {
             compile_error(&mut stream, error.region, &error.message);
             for note in error.notes {
                 compile_error(&mut stream, note.region, &note.message);
@@ -173,19 +177,8 @@ impl fmt::Display for Diagnostics {
 
 /// What two errors of different rounds of a `repeat` have in common: the place, and the text without indices.
 fn identity(error: &Diagnostic) -> String {
-    let region = error.region;
-    if region.tokens != (0, 0) {
-        let text: String = error.message.chars().filter(|c| !c.is_ascii_digit()).collect();
-        return format!("{:?} {text}", region.tokens);
-    }
-    // Spans cannot be compared, but their debug form tells them apart where they have places at all.
-    let mut text = String::new();
-    for (index, piece) in error.message.split('[').enumerate() {
-        let inside = piece.split(']').next().unwrap_or_default();
-        let is_index = index > 0 && inside.len() < piece.len() && inside.bytes().all(|b| b.is_ascii_digit());
-        text.push_str(if is_index { &piece[inside.len()..] } else { piece });
-    }
-    format!("{:?} {text}", region.start)
+    let text: String = error.message.chars().filter(|c| !c.is_ascii_digit()).collect();
+    format!("{:?} {text}", error.region.tokens)
 }
 
 /// `::core::compile_error! { "message" }`: the compiler underlines from the first token's span to the last one's.

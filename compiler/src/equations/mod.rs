@@ -24,9 +24,9 @@ pub use laws::{Laws, Totals};
 pub use spanning_tree::{Attachment, SpanningTree};
 pub use tangent::Tangents;
 
+use crate::diagnostics::Region;
 use crate::model::{BodyKind, Frame, JointId, JointKind, Mechanism, Quantity, Redundant, Space};
 use crate::symbolic::{Class, Graph, Node};
-use proc_macro2::Span;
 use std::collections::{BTreeMap, BTreeSet};
 
 /// One row of a joint's constraint.
@@ -51,7 +51,7 @@ impl JointRow {
 pub struct Row {
     /// Name of the joint, constraint or driver.
     pub of: String,
-    pub span: Span,
+    pub span: Region,
     pub joint: Option<JointId>,
     /// As in NOTATION.md.
     pub what: &'static str,

@@ -5,10 +5,10 @@ use super::lower::{Lowering, Use, name};
 use super::names::Part;
 use super::places::has_ends;
 use super::{Axes, Body, BodyKind, Expr, Inertia, NamedLine, NamedPoint, Vector, ZERO};
+use crate::diagnostics::Region;
 use crate::messages;
 use crate::syntax::{self, Line, Shape, Space};
 use crate::units::Dimension;
-use proc_macro2::Span;
 
 /// Lengths of shapes, in the order in which they are checked.
 const LENGTHS: [&str; 4] = ["length", "radius", "width", "height"];
@@ -35,9 +35,8 @@ impl<'d> Lowering<'d> {
                 self.missing(body, "inertia");
                 None
             }
-            None => shape.map(|moments| {
-                (Inertia { moments, products: ZERO, axes: Axes::Parallel }, body.name.region.span())
-            }),
+            None => shape
+                .map(|moments| (Inertia { moments, products: ZERO, axes: Axes::Parallel }, body.name.region)),
         };
         let index = match self.names.part(&body.name.text)? {
             Part::Body(index) => index,
@@ -67,17 +66,17 @@ impl<'d> Lowering<'d> {
     }
 
     /// As written, or by the density of the shape.
-    fn mass(&mut self, body: &'d syntax::Body) -> Option<(Expr, Span)> {
+    fn mass(&mut self, body: &'d syntax::Body) -> Option<(Expr, Region)> {
         match (body.property("mass"), body.property("density")) {
             (Some((label, entry)), None) => {
                 let mass = self.entry(entry, Dimension::MASS, Use::PROPERTY, "mass")?;
-                Some((mass, label.region.to(entry.value.region).span()))
+                Some((mass, label.region.to(entry.value.region)))
             }
             (None, Some((label, entry))) => {
                 let density = self.entry(entry, Dimension::DENSITY, Use::PROPERTY, "density");
                 let volume = self.volume(body);
                 let mass = super::fold::binary(super::Function2::Mul, density?, volume?);
-                Some((mass, label.region.to(entry.value.region).span()))
+                Some((mass, label.region.to(entry.value.region)))
             }
             (Some(_), Some((label, _))) => {
                 self.diagnostics.error(label.region, messages::mass_and_density(&body.name.text));
@@ -91,18 +90,20 @@ impl<'d> Lowering<'d> {
     }
 
     /// The moment as written; `Some(None)` after an error, `None` if there is none.
-    fn planar_inertia(&mut self, body: &'d syntax::Body) -> Option<Option<(Inertia, Span)>> {
+    fn planar_inertia(&mut self, body: &'d syntax::Body) -> Option<Option<(Inertia, Region)>> {
         let (label, entry) = body.property("inertia")?;
         let region = label.region.to(entry.value.region);
         let value = self.entry(entry, Dimension::INERTIA, Use::PROPERTY, "inertia");
         let moments = |value| [Expr::Number(0.0), Expr::Number(0.0), value];
-        Some(value.map(|value| {
-            (Inertia { moments: moments(value), products: ZERO, axes: Axes::Parallel }, region.span())
-        }))
+        Some(
+            value.map(|value| {
+                (Inertia { moments: moments(value), products: ZERO, axes: Axes::Parallel }, region)
+            }),
+        )
     }
 
     /// The tensor as written; `Some(None)` after an error, `None` if there is none.
-    fn spatial_inertia(&mut self, body: &'d syntax::Body) -> Option<Option<(Inertia, Span)>> {
+    fn spatial_inertia(&mut self, body: &'d syntax::Body) -> Option<Option<(Inertia, Region)>> {
         let Some((label, tuple)) = body.vector("inertia") else {
             let beside = body.vector("products").map(|(label, _)| label).or(body.inertia_axes.as_ref())?;
             let message = messages::products_without_inertia(&body.name.text);
@@ -120,13 +121,13 @@ impl<'d> Lowering<'d> {
             None => Some(Axes::Parallel),
         };
         let inertia = moments.zip(products).zip(axes);
-        Some(inertia.map(|((moments, products), axes)| (Inertia { moments, products, axes }, region.span())))
+        Some(inertia.map(|((moments, products), axes)| (Inertia { moments, products, axes }, region)))
     }
 
     /// Points in the order written, those of the shape first.
     fn named_points(&self, index: usize, body: &'d syntax::Body) -> Option<Vec<NamedPoint>> {
         let own = if has_ends(body.shape) { ["start", "end"].as_slice() } else { &[] };
-        let span = body.name.region.span();
+        let span = body.name.region;
         let own = own.iter().map(|text| super::Name { text: (*text).to_string(), span });
         let written = body.points.iter().map(|(label, _)| name(label));
         own.chain(written)

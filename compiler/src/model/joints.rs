@@ -160,7 +160,7 @@ impl<'d> Lowering<'d> {
         let [to_x, to_y, to_z] = to;
         let less = |a, b| fold::binary(Function2::Sub, a, b);
         let direction = [less(to_x, x), less(to_y, y), less(to_z, z)];
-        let first = Place { frame, at: from, axes: Axes::Parallel, text, span: line.region().span() };
+        let first = Place { frame, at: from, axes: Axes::Parallel, text, span: line.region() };
         (Some(first), Some(JointKind::PointOnLine { direction }))
     }
 

@@ -125,7 +125,7 @@ impl Use {
 
 /// The name of a label.
 pub(super) fn name(label: &Label) -> Name {
-    Name { text: label.text.clone(), span: label.region.span() }
+    Name { text: label.text.clone(), span: label.region }
 }
 
 /// The unit as written, `1` if none.
@@ -237,7 +237,7 @@ impl<'d> Lowering<'d> {
             text: start.quantity.text.clone(),
             value,
             exact: start.exact,
-            span: region.span(),
+            span: region,
         })
     }
 
@@ -250,7 +250,7 @@ impl<'d> Lowering<'d> {
             self.diagnostics.error(start.value.region, messages::zero_quaternion());
             return None;
         }
-        Some(StartOrientation { body, quaternion, exact: start.exact, span: start.quantity.region.span() })
+        Some(StartOrientation { body, quaternion, exact: start.exact, span: start.quantity.region })
     }
 
     fn output(&mut self, output: &'d syntax::Output) -> Option<Output> {

@@ -19,11 +19,12 @@ mod settings;
 mod shapes;
 mod values;
 
+use crate::diagnostics::Region;
 pub use crate::syntax::{JointWord, Space};
 pub use expression::{Comparison, Condition, Expr, Function1, Function2, Quantity};
 pub(crate) use lower::Use;
 pub use lower::lower;
-use proc_macro2::{Span, TokenStream};
+use proc_macro2::TokenStream;
 
 /// Index of a body in [`Mechanism::bodies`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -50,7 +51,7 @@ pub struct Name {
     /// As the user wrote it, `upright[3]`.
     pub text: String,
     /// Where.
-    pub span: Span,
+    pub span: Region,
 }
 
 impl Name {
@@ -120,10 +121,10 @@ pub struct Body {
     pub kind: BodyKind,
     /// kg, of parameters only.
     pub mass: Expr,
-    pub mass_span: Span,
+    pub mass_span: Region,
     /// About the centre of mass; zero for a particle.
     pub inertia: Inertia,
-    pub inertia_span: Span,
+    pub inertia_span: Region,
     /// Lengths of its shape, m, by name: positive, whatever parameters make of them.
     pub dimensions: Vec<(&'static str, Expr)>,
     /// Centre of mass in the body's frame, m.
@@ -196,7 +197,7 @@ pub struct Place {
     pub axes: Axes,
     /// As written: `crank.tip`, `ground(0, 0.2)`.
     pub text: String,
-    pub span: Span,
+    pub span: Region,
 }
 
 /// A joint between two places. Its coordinate, rate, travel and torque are those of the second place's body
@@ -346,7 +347,7 @@ pub struct StartCondition {
     pub text: String,
     pub value: Expr,
     pub exact: bool,
-    pub span: Span,
+    pub span: Region,
 }
 
 /// The orientation of a body at the start, or a guess of it.
@@ -356,7 +357,7 @@ pub struct StartOrientation {
     /// Unit quaternion, scalar first, of parameters only.
     pub quaternion: [Expr; 4],
     pub exact: bool,
-    pub span: Span,
+    pub span: Region,
 }
 
 /// What is done about constraint rows that repeat what others fix.
@@ -383,9 +384,9 @@ pub struct Options {
     /// Whether principal moments may be those of no real body, as in some published data.
     pub accept_inertia: bool,
     /// Joints that the spanning tree must not use.
-    pub cut: Vec<(JointId, Span)>,
+    pub cut: Vec<(JointId, Region)>,
     /// Position coordinates the user takes as independent (angles, travels); empty if the compiler chooses.
-    pub independent: Vec<(Quantity, Span)>,
+    pub independent: Vec<(Quantity, Region)>,
     pub emit: Emit,
     /// Path of the `linkwright` crate as seen by the user; `::linkwright` if `None`.
     pub crate_path: Option<TokenStream>,
@@ -416,9 +417,9 @@ impl Emit {
 
 #[derive(Clone, Debug, Default)]
 pub struct Expect {
-    pub degrees_of_freedom: Option<(usize, Span)>,
+    pub degrees_of_freedom: Option<(usize, Region)>,
     /// (function, or `None` for the default acceleration function; limit; where written).
-    pub operations: Vec<(Option<String>, usize, Span)>,
+    pub operations: Vec<(Option<String>, usize, Region)>,
 }
 
 #[derive(Clone, Debug)]

@@ -188,7 +188,7 @@ impl<'d> Lowering<'d> {
             at,
             axes: Axes::Parallel,
             text: ground.text.clone(),
-            span: ground.region.span(),
+            span: ground.region,
         })
     }
 
@@ -198,7 +198,7 @@ impl<'d> Lowering<'d> {
             && let Some(marker) = self.markers.get(path.text.as_str())
         {
             let (at, axes) = marker.clone()?;
-            let (text, span) = (path.text.clone(), path.region.span());
+            let (text, span) = (path.text.clone(), path.region);
             return Some(Place { frame: Frame::Ground, at, axes, text, span });
         }
         let Some(Part::Body(index)) = self.names.part(&head.text) else {
@@ -215,7 +215,7 @@ impl<'d> Lowering<'d> {
         };
         let with_axes = |at: Vector, axes: Axes| {
             let frame = Frame::Body(BodyId(index));
-            Some(Place { frame, at, axes, text: path.text.clone(), span: path.region.span() })
+            Some(Place { frame, at, axes, text: path.text.clone(), span: path.region })
         };
         let place = |at: Vector| with_axes(at, Axes::Parallel);
         match path.parts.as_slice() {

@@ -3,9 +3,10 @@
 use super::lower::Lowering;
 use super::names::Part;
 use super::{Coordinates, Emit, Expect, JointId, Options, Quantity, Redundant};
+use crate::diagnostics::Region;
 use crate::messages;
 use crate::syntax::{ExpectEntry, Label, OptionEntry, Path};
-use proc_macro2::{Span, TokenStream};
+use proc_macro2::TokenStream;
 
 impl<'d> Lowering<'d> {
     pub fn options(&mut self) -> Options {
@@ -64,18 +65,18 @@ impl<'d> Lowering<'d> {
         }
     }
 
-    fn cut(&mut self, joint: &'d Label) -> Option<(JointId, Span)> {
+    fn cut(&mut self, joint: &'d Label) -> Option<(JointId, Region)> {
         if let Some(Part::Joint(index)) = self.names.part(&joint.text) {
-            return Some((JointId(index), joint.region.span()));
+            return Some((JointId(index), joint.region));
         }
         let similar = self.names.similar_part(&joint.text, |part| matches!(part, Part::Joint(_)));
         self.diagnostics.error(joint.region, messages::unknown("joint", &joint.text, similar));
         None
     }
 
-    fn independent(&mut self, path: &'d Path) -> Option<(Quantity, Span)> {
+    fn independent(&mut self, path: &'d Path) -> Option<(Quantity, Region)> {
         let (quantity, _) = self.position_quantity(path, "be an independent coordinate")?;
-        Some((quantity, path.region.span()))
+        Some((quantity, path.region))
     }
 
     pub fn expect(&mut self) -> Expect {
@@ -83,11 +84,11 @@ impl<'d> Lowering<'d> {
         for entry in &self.definition.expect {
             match entry {
                 ExpectEntry::DegreesOfFreedom(count, region) => {
-                    expect.degrees_of_freedom = Some((*count, region.span()));
+                    expect.degrees_of_freedom = Some((*count, *region));
                 }
                 ExpectEntry::Operations(function, limit, region) => {
                     let function = function.as_ref().map(|label| label.text.clone());
-                    expect.operations.push((function, *limit, region.span()));
+                    expect.operations.push((function, *limit, *region));
                 }
             }
         }
