@@ -182,7 +182,7 @@ fn identity(error: &Diagnostic) -> String {
 }
 
 /// `::core::compile_error! { "message" }`: the compiler underlines from the first token's span to the last one's.
-fn compile_error(stream: &mut TokenStream, region: Region, message: &str) {
+pub(crate) fn compile_error(stream: &mut TokenStream, region: Region, message: &str) {
     let punct = |character, spacing| {
         let mut punct = Punct::new(character, spacing);
         punct.set_span(region.start);

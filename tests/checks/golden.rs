@@ -56,7 +56,7 @@ fn compare<M: Model>(name: &str) {
 }
 
 fn expansion<M: Model>() -> String {
-    match expand(M::SOURCE.parse().expect("the source was tokens")) {
+    match expand(M::SOURCE.parse().expect("the source was tokens"), |_| None) {
         Expansion::Items(text) => text,
         Expansion::Errors(errors) => panic!("{errors}"),
     }

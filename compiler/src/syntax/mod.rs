@@ -44,6 +44,7 @@ mod token;
 
 pub use definition::*;
 pub use definition_json::definition_json;
+pub(crate) use token::DEEPEST;
 
 use crate::diagnostics::Diagnostics;
 use crate::messages;
@@ -114,6 +115,13 @@ pub fn parse(tokens: TokenStream) -> Result<Definition, Diagnostics> {
     let _: Parsed<()> = parser.item(&mut cursor);
     let Parser { diagnostics, definition, .. } = parser;
     diagnostics.finish(definition)
+}
+
+/// Whether a macro is called here.
+fn is_macro(c: &Cursor) -> bool {
+    let mut ahead = c.clone();
+    ahead.advance();
+    ahead.at_punct('!')
 }
 
 /// The name and visibility of a definition that may be full of errors.
@@ -188,7 +196,9 @@ impl Parser {
         match c.word() {
             Some("planar") => {}
             Some("spatial") => self.definition.space = Space::Spatial,
-            Some(word @ ("part" | "file")) => return self.fail(c.region(), messages::not_there_yet(word)),
+            Some("part") => return self.fail(c.region(), messages::not_there_yet("part")),
+            Some("file") => return self.fail(c.region(), messages::file_in_file()),
+            Some("mechanism") if is_macro(c) => return self.fail(c.region(), messages::macro_in_file()),
             _ => return self.expected(c, "`planar` or `spatial`, the kind of the mechanism"),
         }
         c.advance();

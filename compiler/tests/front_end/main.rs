@@ -1,6 +1,7 @@
 //! The front end: tokens → definition → model → static rules, and the exported definition.
 
 mod definitions;
+mod files;
 mod json;
 mod limits;
 mod mistakes;

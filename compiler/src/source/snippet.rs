@@ -1,0 +1,75 @@
+//! Errors of a file as text, for messages that have no place of their own in it: file, line, column, and the line with its
+//! underline.
+//!
+//! ```text
+//! no body called "crnk"; did you mean "crank"?
+//!   --> arm.mech:12:26
+//!    |
+//! 12 | joint knee: revolute(crnk.end, coupler.start);
+//!    |                      ^^^^
+//! ```
+
+use super::{Located, Source};
+use crate::diagnostics::compile_error;
+use proc_macro2::{Span, TokenStream};
+use std::fmt::Write;
+use std::ops::Range;
+
+/// Longest part of a line that is shown, and how much of it stands before the place.
+const MOST: usize = 140;
+const BEFORE: usize = 60;
+
+/// One compile error for each error of the file, its notes included, at a span outside of it.
+pub fn compile_errors(source: &Source, errors: &[Located], span: Span) -> TokenStream {
+    let mut stream = TokenStream::new();
+    for error in errors {
+        compile_error(&mut stream, span.into(), &text(source, error));
+    }
+    stream
+}
+
+/// An error and its notes.
+fn text(source: &Source, error: &Located) -> String {
+    let notes = error.notes.iter().map(|(range, _)| range);
+    let last =
+        std::iter::once(&error.range).chain(notes).map(|range| source.position(range.start).line).max();
+    let width = last.unwrap_or(1).to_string().len();
+    let mut text = error.message.clone();
+    snippet(&mut text, source, &error.range, '^', width);
+    for (range, message) in &error.notes {
+        let _ = write!(text, "\nnote: {message}");
+        snippet(&mut text, source, range, '~', width);
+    }
+    text
+}
+
+/// The place and its line, underlined as far as the region goes on it.
+fn snippet(text: &mut String, source: &Source, range: &Range<usize>, mark: char, width: usize) {
+    let position = source.position(range.start);
+    let (line, start) = source.line(position.line);
+    let from = (range.start - start).min(line.len());
+    let to = (range.end - start).clamp(from, line.len());
+    let [mut before, marked, after] = [&line[..from], &line[from..to], &line[to..]].map(spaced);
+    if line.chars().count() > MOST
+        && let Some((cut, _)) = before.char_indices().rev().nth(BEFORE)
+    {
+        before = format!("…{}", &before[cut..]);
+    }
+    let shown = MOST.saturating_sub(before.chars().count()).max(1);
+    let marks = mark.to_string().repeat(marked.chars().count().clamp(1, shown));
+    let mut rest: String = marked.chars().chain(after.chars()).collect();
+    if let Some((cut, _)) = rest.char_indices().nth(shown) {
+        rest.truncate(cut);
+        rest.push('…');
+    }
+    let (column, indent) = (position.column, " ".repeat(before.chars().count()));
+    let gutter = " ".repeat(width);
+    let _ = write!(text, "\n{gutter}--> {}:{}:{column}", source.name, position.line);
+    let _ =
+        write!(text, "\n{gutter} |\n{:>width$} | {before}{rest}\n{gutter} | {indent}{marks}", position.line);
+}
+
+/// Tabs as spaces, and nothing invisible.
+fn spaced(text: &str) -> String {
+    text.replace('\t', "    ").replace('\u{feff}', "")
+}
