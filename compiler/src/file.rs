@@ -52,17 +52,23 @@ pub fn read(name: &str, caller: Option<&Path>) -> Result<Source, String> {
         }
         None => (manifest.as_path(), messages::beside_manifest(&manifest.display().to_string())),
     };
-    read_path(&folder.join(name), &beside)
+    open_from(&folder.join(name), &beside)
 }
 
-/// The text of a file; `beside` says where its path begins.
-fn read_path(path: &Path, beside: &str) -> Result<Source, String> {
+/// The file of that path as seen from where the program runs.
+pub fn open(path: &Path) -> Result<Source, String> {
+    let here = std::env::current_dir().map(|folder| folder.display().to_string()).unwrap_or_default();
+    open_from(path, &messages::from_folder(&here))
+}
+
+/// `from` says where the path begins.
+fn open_from(path: &Path, from: &str) -> Result<Source, String> {
     let shown = path.display().to_string();
     if path.is_dir() {
         return Err(messages::is_directory(&shown));
     }
     let bytes = std::fs::read(path).map_err(|error| match error.kind() {
-        ErrorKind::NotFound => messages::no_file(&shown, beside, similar(path).as_deref()),
+        ErrorKind::NotFound => messages::no_file(&shown, from, similar(path).as_deref()),
         _ => messages::unreadable_file(&shown, &error.to_string()),
     })?;
     text(&shown, bytes)
@@ -107,7 +113,7 @@ pub(crate) fn expand(named: &Named, caller: Option<PathBuf>) -> Expansion {
     else {
         return failed(messages::path_not_unicode(&source.name));
     };
-    let (tokens, mut errors) = source::definition(&source, span);
+    let (tokens, mut errors) = source::definition_at(&source, span);
     if errors.is_empty() {
         match driver::compile(tokens.stream.clone(), None) {
             Ok(compiled) => {

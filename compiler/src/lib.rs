@@ -4,6 +4,7 @@
 //! order, are the modules below; `driver` chains them.
 
 mod choice;
+pub mod counts;
 pub mod diagnostics;
 mod driver;
 pub mod file;

@@ -946,13 +946,13 @@ pub(crate) fn macro_in_file() -> String {
     "a file holds what stands inside of `mechanism! { … }`: leave `mechanism! {` and its `}` out".to_string()
 }
 
-/// `beside` says where it was looked for.
-pub(crate) fn no_file(path: &str, beside: &str, similar: Option<&str>) -> String {
+/// `from` says where its path begins.
+pub(crate) fn no_file(path: &str, from: &str, similar: Option<&str>) -> String {
     let hint = match similar {
         Some(similar) => format!("; did you mean \"{similar}\"?"),
         None => ".".to_string(),
     };
-    format!("there is no file `{path}`{hint} Paths are taken {beside}")
+    format!("there is no file `{path}`{hint} Paths are taken {from}")
 }
 
 pub(crate) fn is_directory(path: &str) -> String {
@@ -973,6 +973,10 @@ pub(crate) fn path_not_unicode(path: &str) -> String {
 
 pub(crate) fn beside_caller(file: &str) -> String {
     format!("beside the file that names them, here `{file}`")
+}
+
+pub(crate) fn from_folder(folder: &str) -> String {
+    format!("from the folder `{folder}`")
 }
 
 pub(crate) fn beside_manifest(folder: &str) -> String {

@@ -13,6 +13,7 @@ mod tokens;
 pub use invocations::{Invocation, invocations, is_rust};
 pub use snippet::compile_errors;
 pub use tokens::{Tokens, definition};
+pub(crate) use tokens::definition_at;
 
 use std::ops::Range;
 

@@ -2,14 +2,14 @@
 
 use super::lexer::{Kind, Lexeme, lex};
 use super::{Located, Source, delimiters};
-use crate::diagnostics::Diagnostics;
+use crate::diagnostics::{Diagnostics, Region};
 use crate::messages;
 use crate::syntax::DEEPEST;
 use proc_macro2::{Delimiter, Group, Ident, Literal, Punct, Spacing, Span, TokenStream, TokenTree};
 use std::ops::Range;
 
 /// The tokens of a definition and where they stand.
-#[derive(Clone, Debug, Default)]
+#[derive(Clone, Debug)]
 pub struct Tokens {
     pub stream: TokenStream,
     /// By serial number, as [`crate::syntax`] counts them: one for a token, a second one for the end of a group. Number 0
@@ -17,25 +17,40 @@ pub struct Tokens {
     places: Vec<Range<usize>>,
 }
 
+impl Default for Tokens {
+    /// None, at the beginning of the text.
+    fn default() -> Self {
+        Self { stream: TokenStream::new(), places: vec![0..0] }
+    }
+}
+
 impl Tokens {
+    /// Where a region of these tokens stands.
+    pub fn place(&self, region: Region) -> Range<usize> {
+        let (first, last) = region.tokens();
+        let (first, last) = (&self.places[first], &self.places[last]);
+        first.start..last.end.max(first.end)
+    }
+
     /// The errors at their places.
     pub fn locate(&self, errors: Diagnostics) -> Vec<Located> {
-        let place = |(first, last): (usize, usize)| {
-            let (first, last) = (&self.places[first], &self.places[last]);
-            first.start..last.end.max(first.end)
-        };
         let located = errors.into_errors().into_iter().map(|error| Located {
-            range: place(error.region.tokens()),
+            range: self.place(error.region),
             message: error.message,
-            notes: error.notes.into_iter().map(|note| (place(note.region.tokens()), note.message)).collect(),
+            notes: error.notes.into_iter().map(|note| (self.place(note.region), note.message)).collect(),
         });
         located.collect()
     }
 }
 
-/// The tokens of a text that is one definition. All of them have the given span. After errors the tokens are those that
-/// could be read, for the item that takes the mechanism's place.
-pub fn definition(source: &Source, span: Span) -> (Tokens, Vec<Located>) {
+/// The tokens of a text that is one definition. After errors they are those that could be read, for the item that takes the
+/// mechanism's place.
+pub fn definition(source: &Source) -> (Tokens, Vec<Located>) {
+    definition_at(source, Span::call_site())
+}
+
+/// The same with a span for all tokens: where rustc is to show what it has to say of them.
+pub(crate) fn definition_at(source: &Source, span: Span) -> (Tokens, Vec<Located>) {
     let mut errors = Vec::new();
     let lexemes = lex(&source.text, &mut errors);
     if errors.is_empty() {
@@ -218,7 +233,7 @@ mod tests {
     #[track_caller]
     fn same_tokens(name: &str, text: &str) {
         let source = Source::new(name, text);
-        let (tokens, errors) = definition(&source, Span::call_site());
+        let (tokens, errors) = definition(&source);
         assert_eq!(errors, [], "{name}");
         let (mut ours, mut theirs) = (Vec::new(), Vec::new());
         flat(tokens.stream, &mut ours, false);

@@ -4,12 +4,11 @@
 use crate::slider_crank;
 use linkwright_compiler::source::{self, Located, Source};
 use linkwright_compiler::{Expansion, compile, file};
-use proc_macro2::Span;
 
 /// The errors of a file that holds this text.
 fn errors(text: &str) -> (Source, Vec<Located>) {
     let source = Source::new("arm.mech", text);
-    let (tokens, mut errors) = source::definition(&source, Span::call_site());
+    let (tokens, mut errors) = source::definition(&source);
     if errors.is_empty() {
         errors =
             compile(tokens.stream.clone(), None).map_or_else(|found| tokens.locate(found), |_| Vec::new());
