@@ -26,7 +26,8 @@ fn a_file_is_a_source_of_its_crate() {
     let (_, path) = newest.expect("the models are built for the tests");
     let sources = std::fs::read_to_string(&path).expect("a list of sources");
     for source in ["panda.rs", "panda.mech"] {
-        let found = sources.lines().any(|line| line.trim_end_matches(':').ends_with(&format!("models/src/{source}")));
+        let found =
+            sources.lines().any(|line| line.trim_end_matches(':').ends_with(&format!("models/src/{source}")));
         assert!(found, "{} does not name {source}", path.display());
     }
 }

@@ -82,7 +82,9 @@ pub fn parse(arguments: impl IntoIterator<Item = OsString>) -> Result<Asked, Str
             other => return Err(other.unexpected().to_string()),
         }
     }
-    let Some(command) = command else { return Err("no command is given: write check, explain or counts".into()) };
+    let Some(command) = command else {
+        return Err("no command is given: write check, explain or counts".into());
+    };
     match (command, files.len()) {
         (_, 0) => Err(format!("{} needs a file: write its path, or `-` for standard input", command.text())),
         (Command::Explain | Command::Counts, 2..) => {

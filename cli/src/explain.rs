@@ -50,6 +50,8 @@ pub struct Joint {
 #[derive(Clone, Debug)]
 pub struct Explanation {
     pub name: String,
+    /// As versioned JSON, kinds and units as written.
+    pub definition: String,
     pub space: &'static str,
     pub parameters: Vec<Parameter>,
     /// Name and unit.
@@ -95,9 +97,14 @@ pub fn explain(definition: &Definition, compiled: &Compiled) -> Explanation {
     let state = start::state(definition, compiled);
     Explanation {
         name: mechanism.name.text.clone(),
+        definition: compiled.definition.clone(),
         space: mechanism.space.text(),
         parameters: parameters(definition, mechanism),
-        inputs: definition.inputs.iter().map(|i| [i.name.text.clone(), unit(i.unit.as_ref().map(|u| &u.unit))]).collect(),
+        inputs: definition
+            .inputs
+            .iter()
+            .map(|i| [i.name.text.clone(), unit(i.unit.as_ref().map(|u| &u.unit))])
+            .collect(),
         bodies: state.bodies,
         joints: joints(compiled),
         couplings: couplings(mechanism),

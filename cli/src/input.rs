@@ -59,7 +59,8 @@ fn whole(source: Rc<Source>) -> Found {
 
 /// The definition that a macro holds, or that the file holds which it names.
 fn resolve(source: &Rc<Source>, Invocation { range, tokens, errors }: Invocation) -> Found {
-    let here = |errors| Found { source: source.clone(), range: range.clone(), tokens: tokens.clone(), errors };
+    let here =
+        |errors| Found { source: source.clone(), range: range.clone(), tokens: tokens.clone(), errors };
     match file::named(&tokens.stream) {
         _ if !errors.is_empty() => here(errors),
         None => here(Vec::new()),

@@ -82,9 +82,9 @@ pub fn explanation(e: &Explanation) -> Value {
         let Quantity { name, value, unit } = &parameter.default;
         json!({ "name": name, "default": value, "unit": unit, "bounds": parameter.bounds })
     });
-    let bodies = e.bodies.iter().map(|body| {
-        json!({ "name": body.name, "shape": body.shape, "mass": body.mass, "moments": body.moments })
-    });
+    let bodies = e.bodies.iter().map(
+        |body| json!({ "name": body.name, "shape": body.shape, "mass": body.mass, "moments": body.moments }),
+    );
     let joints = e.joints.iter().map(|joint| {
         json!({ "name": joint.name, "kind": joint.kind, "places": joint.places, "carries": joint.carries })
     });
@@ -93,6 +93,7 @@ pub fn explanation(e: &Explanation) -> Value {
         json!({ "name": name, "value": value, "unit": unit, "given": found.given.text() })
     });
     json!({
+        "definition": serde_json::from_str::<Value>(&e.definition).unwrap_or_default(),
         "space": e.space,
         "parameters": parameters.collect::<Vec<_>>(),
         "inputs": e.inputs.iter().map(|[name, unit]| json!({ "name": name, "unit": unit })).collect::<Vec<_>>(),

@@ -45,7 +45,8 @@ struct Run<'j> {
 
 impl<'j> Run<'j> {
     fn new(job: &'j Job) -> Self {
-        let colours = stderr().is_terminal() && std::env::var_os("NO_COLOR").is_none_or(|value| value.is_empty());
+        let colours =
+            stderr().is_terminal() && std::env::var_os("NO_COLOR").is_none_or(|value| value.is_empty());
         Run {
             job,
             renderer: report::renderer(colours),
@@ -112,13 +113,15 @@ impl<'j> Run<'j> {
     }
 
     fn finish(self) -> ExitCode {
-        let plural = |count: usize, what: &str| format!("{count} {what}{}", if count == 1 { "" } else { "s" });
+        let plural =
+            |count: usize, what: &str| format!("{count} {what}{}", if count == 1 { "" } else { "s" });
         let mut text = self.text;
         if self.job.json {
             text = json::document(self.job.command, self.mechanisms, &self.unreadable);
         } else if self.job.command == Command::Check && self.definitions > 0 {
             let checked = plural(self.definitions, "definition");
-            let verdict = if self.wrong == 0 { "all well".to_string() } else { format!("{} with errors", self.wrong) };
+            let verdict =
+                if self.wrong == 0 { "all well".to_string() } else { format!("{} with errors", self.wrong) };
             text = format!("{checked} checked, {verdict}\n");
         } else if self.definitions == 0 && self.unreadable.is_empty() {
             eprint!("{}", report::plain(&self.renderer, "there is no definition in what was given"));
@@ -139,10 +142,7 @@ fn place(found: &Found) -> String {
 }
 
 /// The stages, errors at their places.
-fn compiled(
-    found: &Found,
-    coordinates: Option<Coordinates>,
-) -> Result<(Definition, Compiled), Vec<Located>> {
+fn compiled(found: &Found, coordinates: Option<Coordinates>) -> Result<(Definition, Compiled), Vec<Located>> {
     if !found.errors.is_empty() {
         return Err(found.errors.clone());
     }
@@ -162,7 +162,8 @@ fn counts(
     coordinates: Option<Coordinates>,
 ) -> Result<Vec<Row>, Vec<Located>> {
     compiled(found, coordinates)?;
-    let asked = counts::COORDINATES.into_iter().filter(|(_, set)| coordinates.is_none_or(|asked| asked == *set));
+    let asked =
+        counts::COORDINATES.into_iter().filter(|(_, set)| coordinates.is_none_or(|asked| asked == *set));
     let sets = asked.map(|set| counts::rows(name.unwrap_or_default(), found.tokens.stream.clone(), set));
     let (rows, errors): (Vec<_>, Vec<_>) = sets.partition(Result::is_ok);
     let rows: Vec<Row> = rows.into_iter().flatten().flatten().collect();

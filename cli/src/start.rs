@@ -22,7 +22,7 @@ impl Given {
     pub fn text(self) -> &'static str {
         match self {
             Given::Stated => "stated",
-            Given::Guessed => "guessed",
+            Given::Guessed => "near its guess",
             Given::Nothing => "found",
         }
     }
@@ -96,7 +96,10 @@ fn asked(definition: &Definition, mechanism: &Mechanism) -> Vec<Asked> {
     for start in mechanism.start.iter().filter(|start| conditions::coordinate_of(&start.quantity).is_some()) {
         let written = definition.start.iter().find(|written| written.quantity.text == start.text);
         let own = written.and_then(|written| written.entry.unit.as_ref()).map(|unit| &unit.unit);
-        let unit = own.map_or_else(|| unit(definition, dimension(&start.quantity)), |unit| (unit.text.clone(), unit.scale));
+        let unit = own.map_or_else(
+            || unit(definition, dimension(&start.quantity)),
+            |unit| (unit.text.clone(), unit.scale),
+        );
         let given = if start.exact { Given::Stated } else { Given::Guessed };
         asked.push(Asked { name: start.text.clone(), quantity: start.quantity.clone(), given, unit });
     }
@@ -131,7 +134,8 @@ fn dimension(quantity: &Quantity) -> Dimension {
 
 /// The first unit of `start` for this dimension and its SI value, else that of the SI.
 fn unit(definition: &Definition, dimension: Dimension) -> (String, f64) {
-    let mut units = definition.start.iter().filter_map(|start| start.entry.unit.as_ref()).map(|unit| &unit.unit);
+    let mut units =
+        definition.start.iter().filter_map(|start| start.entry.unit.as_ref()).map(|unit| &unit.unit);
     let found: Option<&Unit> = units.find(|unit| unit.dimension == dimension);
     found.map_or_else(|| (dimension.to_string(), 1.0), |unit| (unit.text.clone(), unit.scale))
 }

@@ -13,16 +13,17 @@ pub fn explanation(e: &Explanation, place: &str) -> String {
     let mut text = format!("{} {}  ({place})\n", e.space, e.name);
     let parameters = e.parameters.iter().map(|parameter| {
         let value = &parameter.default;
-        let bounds = parameter.bounds.map_or(String::new(), |[least, most]| {
-            format!("in {}..{}", number(least), number(most))
-        });
+        let bounds = parameter
+            .bounds
+            .map_or(String::new(), |[least, most]| format!("in {}..{}", number(least), number(most)));
         vec![value.name.clone(), format!("{} {}", number(value.value), value.unit), bounds]
     });
     table(&mut text, "Parameters", parameters.collect());
     table(&mut text, "Inputs", e.inputs.iter().map(|input| input.to_vec()).collect());
     let bodies = e.bodies.iter().map(|body| {
         let moments: Vec<String> = body.moments.iter().map(|moment| number(*moment)).collect();
-        let inertia = if moments.is_empty() { String::new() } else { format!("{} kg*m^2", moments.join(", ")) };
+        let inertia =
+            if moments.is_empty() { String::new() } else { format!("{} kg*m^2", moments.join(", ")) };
         vec![body.name.clone(), body.shape.to_string(), format!("{} kg", number(body.mass)), inertia]
     });
     table(&mut text, "Bodies", bodies.collect());
@@ -32,7 +33,11 @@ pub fn explanation(e: &Explanation, place: &str) -> String {
     freedoms(&mut text, e);
     coordinates(&mut text, e);
     let start = |Found { value, given }: &Found| {
-        vec![value.name.clone(), format!("= {} {}", number(value.value), value.unit), given.text().to_string()]
+        vec![
+            value.name.clone(),
+            format!("= {} {}", number(value.value), value.unit),
+            given.text().to_string(),
+        ]
     };
     table(&mut text, "Start", e.start.iter().map(start).collect());
     let outputs = e.outputs.iter().map(|value| {
@@ -57,13 +62,14 @@ fn joint(e: &Explanation, joint: &Joint) -> Vec<String> {
 fn freedoms(text: &mut String, e: &Explanation) {
     let (freedoms, gruebler) = (e.degrees_of_freedom, e.gruebler);
     let plural = if freedoms == 1 { "degree" } else { "degrees" };
-    let _ = writeln!(text, "\nFreedoms\n  {freedoms} {plural} of freedom, drivers removed; Grübler's count gives {gruebler}");
-    if freedoms as i64 != gruebler {
-        let _ = writeln!(
-            text,
-            "  the joints fix {} of their directions more than once",
-            freedoms as i64 - gruebler
-        );
+    let _ = writeln!(
+        text,
+        "\nFreedoms\n  {freedoms} {plural} of freedom, drivers removed; Grübler's count gives {gruebler}"
+    );
+    let repeated = freedoms as i64 - gruebler;
+    if repeated > 0 {
+        let rows = if repeated == 1 { "row repeats" } else { "rows repeat" };
+        let _ = writeln!(text, "  {repeated} constraint {rows} what others fix");
     }
     if !e.independent.is_empty() {
         let _ = writeln!(text, "  independent: {}", e.independent.join(", "));
@@ -74,10 +80,15 @@ fn coordinates(text: &mut String, e: &Explanation) {
     let _ = writeln!(text, "\nCoordinates\n  {}", e.choice);
     for (name, entries) in [("q", &e.positions), ("v", &e.velocities)] {
         let shown = entries.iter().take(MOST).cloned().collect::<Vec<_>>().join(", ");
-        let more = if entries.len() > MOST { format!(", and {} more", entries.len() - MOST) } else { String::new() };
+        let more =
+            if entries.len() > MOST { format!(", and {} more", entries.len() - MOST) } else { String::new() };
         let _ = writeln!(text, "  {name} ({}): {shown}{more}", entries.len());
     }
-    let rows = e.rows.iter().enumerate().map(|(index, [of, what])| vec![index.to_string(), of.clone(), what.clone()]);
+    let rows = e
+        .rows
+        .iter()
+        .enumerate()
+        .map(|(index, [of, what])| vec![index.to_string(), of.clone(), what.clone()]);
     table(text, "Constraint rows", rows.collect());
     if !e.redundant.is_empty() {
         let what = if e.keeps_redundant { "kept with the multiplier zero" } else { "left out" };
@@ -110,10 +121,42 @@ pub fn number(value: f64) -> String {
     if value.abs() < 1e-12 {
         return "0".to_string();
     }
-    let digits = 5 - value.abs().log10().floor() as i32;
-    if !(0..=9).contains(&digits) {
-        return format!("{value:.5e}");
+    if !value.is_finite() {
+        return value.to_string();
     }
-    let text = format!("{value:.*}", digits as usize);
-    if text.contains('.') { text.trim_end_matches('0').trim_end_matches('.').to_string() } else { text }
+    let digits = 5 - value.abs().log10().floor() as i32;
+    let (text, exponent) = match usize::try_from(digits).ok().filter(|digits| *digits <= 9) {
+        Some(digits) => (format!("{value:.digits$}"), String::new()),
+        None => {
+            let text = format!("{value:.5e}");
+            let (mantissa, exponent) = text.split_once('e').unwrap_or((&text, "0"));
+            (mantissa.to_string(), format!("e{exponent}"))
+        }
+    };
+    let short = if text.contains('.') { text.trim_end_matches('0').trim_end_matches('.') } else { &text };
+    format!("{short}{exponent}")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::number;
+
+    #[test]
+    fn numbers_have_six_digits() {
+        let cases = [
+            (0.0, "0"),
+            (-3e-17, "0"),
+            (90.0, "90"),
+            (-0.061713890, "-0.0617139"),
+            (123456.7, "123457"),
+            (1234567.0, "1.23457e6"),
+            (2.194e-6, "2.194e-6"),
+            (1e-4, "0.0001"),
+            (f64::NAN, "NaN"),
+            (f64::INFINITY, "inf"),
+        ];
+        for (value, text) in cases {
+            assert_eq!(number(value), text);
+        }
+    }
 }

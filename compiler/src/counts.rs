@@ -92,8 +92,12 @@ pub fn as_tables(rows: &[Row]) -> String {
         let heads = COLUMNS.map(|(head, width)| format!("{head:>width$}")).concat();
         let _ = writeln!(text, "  {:<24}{heads}", "function");
         for row in table.iter().filter(|row| row.counts.total() > 0) {
-            let counts: String =
-                row.named().iter().zip(COLUMNS).map(|((_, count), (_, width))| format!("{count:>width$}")).collect();
+            let counts: String = row
+                .named()
+                .iter()
+                .zip(COLUMNS)
+                .map(|((_, count), (_, width))| format!("{count:>width$}"))
+                .collect();
             let _ = writeln!(text, "  {:<24}{counts}", row.function);
         }
         text.push('\n');

@@ -929,6 +929,17 @@ pub(crate) fn closes_askew((opening, closing): (&str, &str), line: usize) -> Str
     )
 }
 
+pub(crate) fn written_by_macro() -> String {
+    "in what this macro writes".to_string()
+}
+
+pub(crate) fn macro_not_followed(name: &str) -> String {
+    format!(
+        "what `{name}!` writes here cannot be told without rustc, so the definition in it is not checked: no rule of it fits, \
+         or it takes more than `ident`, `tt`, `literal`, `meta`, `lifetime`, `vis`, `block` and `expr`"
+    )
+}
+
 pub(crate) fn file_without_name() -> String {
     "a definition in a file is named by a string: write `mechanism!(file = \"arm.mech\")`".to_string()
 }

@@ -7,13 +7,14 @@
 mod delimiters;
 mod invocations;
 mod lexer;
+mod macro_rules;
 mod snippet;
 mod tokens;
 
 pub use invocations::{Invocation, invocations, is_rust};
 pub use snippet::compile_errors;
-pub use tokens::{Tokens, definition};
 pub(crate) use tokens::definition_at;
+pub use tokens::{Tokens, definition};
 
 use std::ops::Range;
 

@@ -15,12 +15,14 @@ pub struct Tokens {
     /// By serial number, as [`crate::syntax`] counts them: one for a token, a second one for the end of a group. Number 0
     /// is what stands behind the definition.
     places: Vec<Range<usize>>,
+    /// The call of the macro that has put them together: tokens side by side may then stand far apart.
+    pub(super) call: Option<Range<usize>>,
 }
 
 impl Default for Tokens {
     /// None, at the beginning of the text.
     fn default() -> Self {
-        Self { stream: TokenStream::new(), places: vec![0..0] }
+        Self { stream: TokenStream::new(), places: vec![0..0], call: None }
     }
 }
 
@@ -28,16 +30,21 @@ impl Tokens {
     /// Where a region of these tokens stands.
     pub fn place(&self, region: Region) -> Range<usize> {
         let (first, last) = region.tokens();
-        let (first, last) = (&self.places[first], &self.places[last]);
+        let (first, last) =
+            (&self.places[first], &self.places[if self.call.is_some() { first } else { last }]);
         first.start..last.end.max(first.end)
     }
 
     /// The errors at their places.
     pub fn locate(&self, errors: Diagnostics) -> Vec<Located> {
-        let located = errors.into_errors().into_iter().map(|error| Located {
-            range: self.place(error.region),
-            message: error.message,
-            notes: error.notes.into_iter().map(|note| (self.place(note.region), note.message)).collect(),
+        let call = self.call.iter().map(|call| (call.clone(), messages::written_by_macro()));
+        let located = errors.into_errors().into_iter().map(|error| {
+            let notes = error.notes.into_iter().map(|note| (self.place(note.region), note.message));
+            Located {
+                range: self.place(error.region),
+                message: error.message,
+                notes: notes.chain(call.clone()).collect(),
+            }
         });
         located.collect()
     }
@@ -57,46 +64,67 @@ pub(crate) fn definition_at(source: &Source, span: Span) -> (Tokens, Vec<Located
         // A string that never ends takes delimiters along.
         errors.extend(delimiters::unbalanced(source, &lexemes));
     }
+    let pieces = pieces(source, &lexemes, span, &mut errors);
     let end = source.text.trim_end().len();
-    let tokens = convert(source, &lexemes, end..end, span, &mut errors);
-    (tokens, errors)
+    (tokens(pieces, end..end, span, &mut errors), errors)
 }
 
-/// The tokens of some lexemes, behind which `end` stands.
-pub(super) fn convert(
+/// A token, or one end of a group, with its place.
+#[derive(Clone, Debug)]
+pub(super) struct Piece {
+    pub what: What,
+    pub place: Range<usize>,
+}
+
+#[derive(Clone, Debug)]
+pub(super) enum What {
+    Leaf(TokenTree),
+    Open(Delimiter),
+    Close(Delimiter),
+}
+
+/// Lexemes as tokens with this span.
+pub(super) fn pieces(
     source: &Source,
     lexemes: &[Lexeme],
-    end: Range<usize>,
     span: Span,
     errors: &mut Vec<Located>,
-) -> Tokens {
-    let mut builder =
-        Builder { source, span, groups: Vec::new(), trees: Vec::new(), places: vec![end.clone()] };
+) -> Vec<Piece> {
+    let mut writer = Writer { span, pieces: Vec::with_capacity(lexemes.len()) };
     for (index, lexeme) in lexemes.iter().enumerate() {
-        match lexeme.kind {
-            Kind::Open(_) if builder.groups.len() >= DEEPEST => {
-                errors.push(Located::new(lexeme.range.clone(), messages::too_deep(DEEPEST)));
-                break;
-            }
-            Kind::Open(delimiter) => builder.open(delimiter, &lexeme.range),
-            Kind::Close(_) => builder.close(&lexeme.range),
-            _ => {
-                let joint = matches!(lexemes.get(index + 1), Some(Lexeme { kind: Kind::Punct(_), range })
-                    if range.start == lexeme.range.end);
-                if let Err(error) = builder.token(lexeme, joint) {
-                    errors.push(error);
-                }
-            }
+        let joint = matches!(lexemes.get(index + 1), Some(Lexeme { kind: Kind::Punct(_), range })
+            if range.start == lexeme.range.end);
+        if let Err(message) = writer.lexeme(lexeme, &source.text[lexeme.range.clone()], joint) {
+            errors.push(Located::new(lexeme.range.clone(), message));
         }
     }
-    while !builder.groups.is_empty() {
-        builder.close(&end);
-    }
-    Tokens { stream: builder.trees.into_iter().collect(), places: builder.places }
+    writer.pieces
 }
 
-struct Builder<'s> {
-    source: &'s Source,
+/// Nests them. Behind them stands `end`; what closes nothing is left out, and what is open at the end is closed there.
+pub(super) fn tokens(pieces: Vec<Piece>, end: Range<usize>, span: Span, errors: &mut Vec<Located>) -> Tokens {
+    let mut nest = Nest { span, groups: Vec::new(), trees: Vec::new(), places: vec![end.clone()] };
+    for Piece { what, place } in pieces {
+        match what {
+            What::Leaf(tree) => {
+                nest.trees.push(tree);
+                nest.places.push(place);
+            }
+            What::Open(_) if nest.groups.len() >= DEEPEST => {
+                errors.push(Located::new(place, messages::too_deep(DEEPEST)));
+                break;
+            }
+            What::Open(delimiter) => nest.open(delimiter, place),
+            What::Close(_) => nest.close(place),
+        }
+    }
+    while !nest.groups.is_empty() {
+        nest.close(end.clone());
+    }
+    Tokens { stream: nest.trees.into_iter().collect(), places: nest.places, call: None }
+}
+
+struct Nest {
     span: Span,
     /// The groups that are open: delimiter, serial number, and the tokens before it.
     groups: Vec<(Delimiter, usize, Vec<TokenTree>)>,
@@ -105,74 +133,128 @@ struct Builder<'s> {
     places: Vec<Range<usize>>,
 }
 
-impl Builder<'_> {
-    fn push(&mut self, tree: impl Into<TokenTree>, place: &Range<usize>) {
-        let mut tree = tree.into();
-        tree.set_span(self.span);
-        self.trees.push(tree);
-        self.places.push(place.clone());
-    }
-
-    fn open(&mut self, delimiter: Delimiter, place: &Range<usize>) {
+impl Nest {
+    fn open(&mut self, delimiter: Delimiter, place: Range<usize>) {
         self.groups.push((delimiter, self.places.len(), std::mem::take(&mut self.trees)));
-        self.places.push(place.clone());
+        self.places.push(place);
     }
 
-    fn close(&mut self, place: &Range<usize>) {
+    fn close(&mut self, place: Range<usize>) {
         let Some((delimiter, serial, before)) = self.groups.pop() else { return };
         let inside = std::mem::replace(&mut self.trees, before);
         let mut group = Group::new(delimiter, inside.into_iter().collect());
         group.set_span(self.span);
         self.trees.push(group.into());
-        self.places[serial].end = place.end;
-        self.places.push(place.clone());
+        self.places[serial].end = place.end.max(self.places[serial].end);
+        self.places.push(place);
+    }
+}
+
+struct Writer {
+    span: Span,
+    pieces: Vec<Piece>,
+}
+
+impl Writer {
+    fn leaf(&mut self, tree: impl Into<TokenTree>, place: &Range<usize>) {
+        let mut tree = tree.into();
+        tree.set_span(self.span);
+        self.pieces.push(Piece { what: What::Leaf(tree), place: place.clone() });
     }
 
-    fn token(&mut self, lexeme: &Lexeme, joint: bool) -> Result<(), Located> {
+    fn lexeme(&mut self, lexeme: &Lexeme, text: &str, joint: bool) -> Result<(), String> {
         let range = &lexeme.range;
-        let text = &self.source.text[range.clone()];
-        let wrong = |message| Located::new(range.clone(), message);
         match lexeme.kind {
-            Kind::Word => self.push(Ident::new(text, self.span), range),
+            Kind::Word => self.leaf(Ident::new(text, self.span), range),
             Kind::RawWord => {
                 let word = &text["r#".len()..];
                 if ["self", "Self", "super", "crate", "_"].contains(&word) {
-                    return Err(wrong(messages::keyword(word)));
+                    return Err(messages::keyword(word));
                 }
-                self.push(Ident::new_raw(word, self.span), range);
+                self.leaf(Ident::new_raw(word, self.span), range);
             }
-            Kind::Number if !is_number(text) => return Err(wrong(messages::not_decimal(text))),
+            Kind::Number if !is_number(text) => return Err(messages::not_decimal(text)),
             Kind::Number | Kind::Text => {
-                let literal: Literal = text.parse().map_err(|_| wrong(messages::not_a_literal(text)))?;
-                self.push(literal, range);
+                let literal: Literal = text.parse().map_err(|_| messages::not_a_literal(text))?;
+                self.leaf(literal, range);
             }
             Kind::Lifetime => {
                 let name = range.start + 1;
-                self.push(Punct::new('\'', Spacing::Joint), &(range.start..name));
-                self.push(Ident::new(&text[1..], self.span), &(name..range.end));
+                self.leaf(Punct::new('\'', Spacing::Joint), &(range.start..name));
+                self.leaf(Ident::new(&text[1..], self.span), &(name..range.end));
             }
             Kind::Punct(character) => {
                 let spacing = if joint { Spacing::Joint } else { Spacing::Alone };
-                self.push(Punct::new(character, spacing), range);
+                self.leaf(Punct::new(character, spacing), range);
             }
             Kind::Doc { inner, ahead, behind } => self.doc(range, inner, &text[ahead..text.len() - behind]),
-            Kind::Open(_) | Kind::Close(_) => {}
+            Kind::Open(delimiter) => {
+                self.pieces.push(Piece { what: What::Open(delimiter), place: range.clone() })
+            }
+            Kind::Close(delimiter) => {
+                self.pieces.push(Piece { what: What::Close(delimiter), place: range.clone() })
+            }
         }
         Ok(())
     }
 
     /// `/// text` is `#[doc = " text"]`.
     fn doc(&mut self, place: &Range<usize>, inner: bool, text: &str) {
-        self.push(Punct::new('#', Spacing::Alone), place);
+        self.leaf(Punct::new('#', Spacing::Alone), place);
         if inner {
-            self.push(Punct::new('!', Spacing::Alone), place);
+            self.leaf(Punct::new('!', Spacing::Alone), place);
         }
-        self.open(Delimiter::Bracket, place);
-        self.push(Ident::new("doc", self.span), place);
-        self.push(Punct::new('=', Spacing::Alone), place);
-        self.push(Literal::string(text), place);
-        self.close(place);
+        self.pieces.push(Piece { what: What::Open(Delimiter::Bracket), place: place.clone() });
+        self.leaf(Ident::new("doc", self.span), place);
+        self.leaf(Punct::new('=', Spacing::Alone), place);
+        self.leaf(Literal::string(text), place);
+        self.pieces.push(Piece { what: What::Close(Delimiter::Bracket), place: place.clone() });
     }
+}
+
+impl Piece {
+    /// Whether it is this word or character.
+    pub fn is(&self, text: &str) -> bool {
+        match &self.what {
+            What::Leaf(TokenTree::Ident(word)) => *word == text,
+            What::Leaf(TokenTree::Punct(punct)) => text.len() == 1 && text.starts_with(punct.as_char()),
+            _ => false,
+        }
+    }
+
+    /// The word that it is.
+    pub fn word(&self) -> Option<String> {
+        match &self.what {
+            What::Leaf(TokenTree::Ident(word)) => Some(word.to_string()),
+            _ => None,
+        }
+    }
+
+    pub fn is_literal(&self) -> bool {
+        matches!(&self.what, What::Leaf(TokenTree::Literal(_))) || self.is("true") || self.is("false")
+    }
+}
+
+/// How many pieces the token tree that comes first has: 0 where none comes, and where its group is not closed.
+pub(super) fn tree(pieces: &[Piece]) -> usize {
+    let mut depth = 0;
+    for (index, piece) in pieces.iter().enumerate() {
+        match piece.what {
+            What::Open(_) => depth += 1,
+            What::Close(_) if depth == 0 => return 0,
+            What::Close(_) => depth -= 1,
+            What::Leaf(_) => {}
+        }
+        if depth == 0 {
+            return index + 1;
+        }
+    }
+    0
+}
+
+/// The same if it is a group, else 0.
+pub(super) fn group(pieces: &[Piece]) -> usize {
+    if matches!(pieces.first(), Some(Piece { what: What::Open(_), .. })) { tree(pieces) } else { 0 }
 }
 
 /// Whether Rust reads it as a number, whatever its suffix.
