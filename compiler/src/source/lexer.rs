@@ -200,18 +200,12 @@ impl<'t> Lexer<'t, '_> {
     /// `'a'`, or `'name`.
     fn quote(&mut self) -> Option<Kind> {
         let start = self.at;
-        let line = self.rest()[1..].lines().next().unwrap_or_default();
-        let first = line.chars().next();
-        // A backslash takes the character behind it along, whatever it is.
-        let least = line.chars().take(if first == Some('\\') { 2 } else { 1 }).map(char::len_utf8).sum();
-        let rest = &line[least..];
-        let length = if first == Some('\\') { rest.find('\'') } else { rest.starts_with('\'').then_some(0) };
-        if let (Some(length), true) = (length, first != Some('\'')) {
-            self.at += 1 + least + length + 1;
+        if let Some(length) = character_length(self.rest()) {
+            self.at += length;
             return Some(Kind::Text);
         }
         self.at += 1;
-        if first.is_some_and(|c| c == '_' || is_xid_start(c)) {
+        if self.peek().is_some_and(|c| c == '_' || is_xid_start(c)) {
             self.take_while(is_xid_continue);
             return Some(Kind::Lifetime);
         }
@@ -258,7 +252,7 @@ impl<'t> Lexer<'t, '_> {
                 self.at = start;
                 self.raw_string(length, hashes)
             }
-            ("b", Some('\'')) if hashes == 0 => self.quote(),
+            ("b", Some('\'')) if hashes == 0 && character_length(rest).is_some() => self.quote(),
             ("r", Some(next)) if hashes == 1 && (next == '_' || is_xid_start(next)) => {
                 self.at += 1;
                 self.take_while(is_xid_continue);
@@ -267,4 +261,15 @@ impl<'t> Lexer<'t, '_> {
             _ => Some(Kind::Word),
         }
     }
+}
+
+/// Length of the character literal that begins here with its quote.
+fn character_length(text: &str) -> Option<usize> {
+    let line = text[1..].lines().next().unwrap_or_default();
+    let first = line.chars().next().filter(|first| *first != '\'')?;
+    // A backslash takes the character behind it along, whatever it is.
+    let least = line.chars().take(if first == '\\' { 2 } else { 1 }).map(char::len_utf8).sum();
+    let rest = &line[least..];
+    let length = if first == '\\' { rest.find('\'')? } else { rest.starts_with('\'').then_some(0)? };
+    Some(1 + least + length + 1)
 }

@@ -104,6 +104,8 @@ fn what_is_no_token() {
             "1:29 `\\` the character '\\\\' has no meaning here: leave it out",
         ],
     );
+    // The prefix of a byte without its end.
+    finds("planar A { param b'x [m] = 1; }", &["1:19 `'` expected `=`, found `'`"]);
     let number = |digits: &str| format!("planar A {{ const B = {digits}; }}");
     for digits in ["1e", "3em", "0x", "0b2", "0o_"] {
         finds(
