@@ -936,7 +936,7 @@ pub(crate) fn written_by_macro() -> String {
 pub(crate) fn macro_not_followed(name: &str) -> String {
     format!(
         "what `{name}!` writes here cannot be told without rustc, so the definition in it is not checked: no rule of it fits, \
-         or it takes more than `ident`, `tt`, `literal`, `meta`, `lifetime`, `vis`, `block` and `expr`"
+         it takes more than `ident`, `tt`, `literal`, `meta`, `lifetime`, `vis`, `block` and `expr`, or it calls itself too often"
     )
 }
 

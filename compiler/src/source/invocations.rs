@@ -10,8 +10,9 @@ use proc_macro2::Span;
 use std::collections::BTreeMap;
 use std::ops::Range;
 
-/// Macros that call one another are followed so deep.
+/// Macros that call one another are followed so deep, and so often in one file.
 const DEEPEST_CALL: usize = 16;
+const MOST_CALLS: usize = 1000;
 
 /// One `mechanism! { … }`.
 #[derive(Clone, Debug)]
@@ -41,7 +42,7 @@ pub fn invocations(source: &Source) -> Result<Vec<Invocation>, Located> {
         return Err(errors.into_iter().next().unwrap_or(error));
     }
     let pieces = pieces(source, &lexemes, Span::call_site(), &mut errors);
-    let mut search = Search { errors, macros: BTreeMap::new(), found: Vec::new() };
+    let mut search = Search { errors, macros: BTreeMap::new(), calls: 0, found: Vec::new() };
     search.search(&pieces, &[]);
     Ok(search.found)
 }
@@ -51,6 +52,8 @@ struct Search {
     errors: Vec<Located>,
     /// Those that write definitions, by name.
     macros: BTreeMap<String, MacroRules>,
+    /// Calls that have been followed.
+    calls: usize,
     found: Vec<Invocation>,
 }
 
@@ -84,10 +87,13 @@ impl Search {
                 let end = rest[ahead + length - 1].place.clone();
                 self.definition(inside.to_vec(), range, end, callers);
             } else if let Some(rules) = self.macros.get(&name) {
-                let written = rules.expand(inside).filter(|_| callers.len() < 2 * DEEPEST_CALL);
+                let endless = callers.len() >= 2 * DEEPEST_CALL || self.calls >= MOST_CALLS;
+                let written = rules.expand(inside).filter(|_| !endless);
+                self.calls += 1;
                 let callers = [callers, &[range.clone(), rules.range.clone()]].concat();
                 match written {
                     Some(written) => self.search(&written, &callers),
+                    None if self.calls > MOST_CALLS + 1 => {}
                     None => self.unclear(&name, callers[0].clone()),
                 }
             } else {

@@ -267,3 +267,31 @@ fn definitions_in_rust_files() {
     );
     assert!(!source::is_rust(&Source::new("arm", "planar mechanism { }")));
 }
+
+#[test]
+fn macros_that_write_definitions() {
+    let text = "macro_rules! one { ($(#[$d:meta])* $v:vis $n:ident, $l:literal $(, $k:ident = $t:tt)*; $e:expr) => { mechanism! { \
+                $(#[$d])* $v planar $n { const L = $l; const E = $e*2; $(const $k = $t;)* } } };\n\
+                ($n:ident) => { one! { pub $n, -1.5, A = (1), B = 2; 3 + 4 } } }\n\
+                one! { /// Doc.\n    First, 1; x }\nfn f() { one!(Second); one!(3); }\n\
+                macro_rules! many { () => { many! {} many! {} mechanism! {} } }\nmany!();";
+    let source = Source::new("a.rs", text);
+    let found = source::invocations(&source).expect("balanced");
+    let written = |index: usize| found[index].tokens.stream.to_string();
+    assert_eq!(written(0), "# [doc = \" Doc.\"] planar First { const L = 1 ; const E = x * 2 ; }",);
+    let second: String = written(1).split_whitespace().collect();
+    assert_eq!(second, "pubplanarSecond{constL=-1.5;constE=3+4*2;constA=(1);constB=2;}");
+    // The sum of the call is one operand, as rustc reads it.
+    let sum = found[1].tokens.stream.clone().into_iter().last().map(|body| match body {
+        proc_macro2::TokenTree::Group(body) => body.stream().into_iter().nth(8),
+        _ => None,
+    });
+    assert!(
+        matches!(sum.flatten(), Some(proc_macro2::TokenTree::Group(sum)) if sum.stream().to_string() == "3 + 4")
+    );
+    assert_eq!(source.position(found[0].range.start).line, 3);
+    assert_eq!(source.position(found[1].range.start).line, 5);
+    assert!(found[2].errors[0].message.starts_with("what `one!` writes here cannot be told without rustc"));
+    // One that calls itself for ever is left at some time.
+    assert!((4..3000).contains(&found.len()), "{}", found.len());
+}
