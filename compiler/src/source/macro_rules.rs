@@ -5,6 +5,7 @@
 //! `vis`, `block` and `expr`. A rule with another one fits nothing.
 
 use super::tokens::{Piece, What, group, tree};
+use crate::syntax::DEEPEST;
 use proc_macro2::Delimiter;
 use std::collections::BTreeMap;
 use std::ops::Range;
@@ -31,6 +32,9 @@ impl MacroRules {
     /// `(matcher) => { text }; …`
     pub fn new(mut inside: &[Piece], range: Range<usize>) -> Self {
         let mut rules = Vec::new();
+        if depth(inside) > DEEPEST {
+            return Self { range, rules };
+        }
         loop {
             let matcher = group(inside);
             let text = group(inside.get(matcher + 2..).unwrap_or_default());
@@ -177,12 +181,9 @@ fn fragment(kind: &str, call: &[Piece]) -> Option<usize> {
         "vis" => return Some(0),
         // `name`, `name(…)`, `name = value`; both end where their group ends, or where only these may follow.
         "meta" | "expr" => {
+            let ends = |rest: &[Piece]| rest[0].is(",") || rest[0].is(";") || (kind == "expr" && arrow(rest));
             let mut at = 0;
-            while tree(&call[at..]) > 0
-                && !call[at].is(",")
-                && !call[at].is(";")
-                && !(kind == "expr" && arrow(&call[at..]))
-            {
+            while tree(&call[at..]) > 0 && !ends(&call[at..]) {
                 at += tree(&call[at..]);
             }
             at
@@ -212,6 +213,20 @@ fn same(expected: &Piece, found: &Piece) -> bool {
     }
 }
 
+/// How deep groups are nested.
+fn depth(pieces: &[Piece]) -> usize {
+    let (mut depth, mut most) = (0usize, 0);
+    for piece in pieces {
+        match piece.what {
+            What::Open(_) => depth += 1,
+            What::Close(_) => depth = depth.saturating_sub(1),
+            What::Leaf(_) => {}
+        }
+        most = most.max(depth);
+    }
+    most
+}
+
 /// The text of a rule with its variables filled in; nothing if their repetitions do not fit.
 fn write(mut text: &[Piece], bindings: &Bindings) -> Option<Vec<Piece>> {
     let mut written = Vec::new();
@@ -225,18 +240,21 @@ fn write(mut text: &[Piece], bindings: &Bindings) -> Option<Vec<Piece>> {
                 None => written.extend(text[..length].iter().cloned()),
             },
             Step::Repeat(inside, separator, _) => {
+                let names = variables(inside);
                 let repeated = |name: &String| match bindings.get(name) {
                     Some(Bound::Rounds(rounds)) => Some(rounds.len()),
                     _ => None,
                 };
-                let count = variables(inside).iter().filter_map(repeated).max()?;
+                let count = names.iter().filter_map(repeated).max()?;
                 for round in 0..count {
-                    let mut inner = bindings.clone();
-                    for (name, bound) in bindings {
-                        if let Bound::Rounds(rounds) = bound {
-                            inner.extend(rounds.get(round).map(|own| (name.clone(), own.clone())));
-                        }
-                    }
+                    let of_round = |name: &String| {
+                        let bound = match bindings.get(name)? {
+                            Bound::Rounds(rounds) => rounds.get(round)?,
+                            one => one,
+                        };
+                        Some((name.clone(), bound.clone()))
+                    };
+                    let inner: Bindings = names.iter().filter_map(of_round).collect();
                     written.extend(separator.filter(|_| round > 0).cloned());
                     written.extend(write(inside, &inner)?);
                 }

@@ -22,7 +22,7 @@ pub struct Tokens {
 impl Default for Tokens {
     /// None, at the beginning of the text.
     fn default() -> Self {
-        Self { stream: TokenStream::new(), places: vec![0..0], call: None }
+        Self { stream: TokenStream::new(), places: std::iter::once(0..0).collect(), call: None }
     }
 }
 

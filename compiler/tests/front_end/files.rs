@@ -294,4 +294,15 @@ fn macros_that_write_definitions() {
     assert!(found[2].errors[0].message.starts_with("what `one!` writes here cannot be told without rustc"));
     // One that calls itself for ever is left at some time.
     assert!((4..3000).contains(&found.len()), "{}", found.len());
+    // Long calls and deep rules take no time and no stack.
+    let long = format!(
+        "{}one!(L, 1; x {});",
+        &text[..text.find("one! { ///").expect("a call")],
+        "+ 1 ".repeat(20_000)
+    );
+    assert_eq!(source::invocations(&Source::new("a.rs", long)).expect("balanced").len(), 1);
+    let matcher = "$(".repeat(50_000) + &")*".repeat(50_000);
+    let deep = format!("macro_rules! d {{ ({matcher}) => {{ mechanism! {{}} }} }} d!();");
+    let found = source::invocations(&Source::new("a.rs", deep)).expect("balanced");
+    assert!(found[0].errors[0].message.starts_with("what `d!` writes"));
 }
