@@ -272,3 +272,60 @@ fn shipped_models_are_found_and_well() {
         assert_eq!(found[name], exported, "{name}");
     }
 }
+
+fn document(path: &str) -> String {
+    std::fs::read_to_string(Path::new(env!("CARGO_MANIFEST_DIR")).join("..").join(path)).expect(path)
+}
+
+/// What the front page shows of the program is what it writes.
+#[test]
+fn the_front_page_shows_real_output() {
+    let page = document("README.md");
+    let shown = |command: &str| -> Vec<String> {
+        let rest = page.split_once(&format!("$ linkwright {command}\n")).expect(command).1;
+        let block =
+            rest.split("\n$ ").next().and_then(|block| block.split("\n```").next()).unwrap_or_default();
+        block.lines().filter(|line| !line.is_empty() && *line != "…").map(str::to_string).collect()
+    };
+    let explained = ran(&["explain", "../../../examples/crank_rocker.rs"]).out;
+    let checked = ran(&["check", "several.rs"]).err;
+    for (command, output) in [("explain crank_rocker.rs", explained), ("check several.rs", checked)] {
+        let lines = shown(command);
+        assert!(lines.len() >= 5, "{command}");
+        for line in lines {
+            assert!(output.lines().any(|written| written == line), "{command}: {line}\n{output}");
+        }
+    }
+}
+
+/// Every field of the answers is described.
+#[test]
+fn the_format_is_described() {
+    fn keys(value: &Value, found: &mut std::collections::BTreeSet<String>) {
+        match value {
+            // Described by its own version, where the constant is.
+            Value::Object(object) => {
+                object.iter().filter(|(key, _)| *key != "definition").for_each(|(key, value)| {
+                    found.insert(key.clone());
+                    keys(value, found);
+                })
+            }
+            Value::Array(list) => list.iter().for_each(|value| keys(value, found)),
+            _ => {}
+        }
+    }
+    let page = document("docs/command-line.md");
+    let mut found = std::collections::BTreeSet::from(["definition".to_string()]);
+    for arguments in [
+        &["explain", "--json", "good.mech"],
+        &["check", "--json", "several.rs"],
+        &["counts", "--json", "good.mech"],
+        &["check", "--json", "nowhere.mech"],
+    ] {
+        keys(&json(arguments).0, &mut found);
+    }
+    assert!(found.len() > 40, "{found:?}");
+    for key in found {
+        assert!(page.contains(&format!("`{key}`")), "docs/command-line.md does not describe `{key}`");
+    }
+}

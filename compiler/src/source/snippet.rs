@@ -73,3 +73,40 @@ fn snippet(text: &mut String, source: &Source, range: &Range<usize>, mark: char,
 fn spaced(text: &str) -> String {
     text.replace('\t', "    ").replace('\u{feff}', "")
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// The error at the only `here` of a text.
+    fn shown(text: &str) -> String {
+        let source = Source::new("a.mech", text);
+        let at = text.find("here").expect("a place");
+        super::text(&source, &Located::new(at..at + 4, "wrong"))
+    }
+
+    #[test]
+    fn tabs_and_other_characters_keep_the_underline_in_place() {
+        assert_eq!(
+            shown("one\n\tgröße = here;\r\n"),
+            "wrong\n --> a.mech:2:10\n  |\n2 |     größe = here;\n  |             ^^^^"
+        );
+    }
+
+    #[test]
+    fn long_lines_are_cut_around_the_place() {
+        let text = shown(&format!("{}here{}", "é".repeat(5000), "+".repeat(5000)));
+        let lines: Vec<&str> = text.lines().collect();
+        assert_eq!(lines[1], " --> a.mech:1:5001");
+        assert!(lines[3].starts_with("1 | …é") && lines[3].ends_with("+…"), "{text}");
+        assert!(lines[3].chars().count() < 160, "{text}");
+        let column = |line: &str, mark: char| line.chars().position(|c| c == mark);
+        assert_eq!(column(lines[3], 'h'), column(lines[4], '^'), "{text}");
+    }
+
+    #[test]
+    fn regions_of_several_lines_are_underlined_on_the_first() {
+        let source = Source::new("a.mech", "a b\nc");
+        assert!(super::text(&source, &Located::new(2..5, "wrong")).ends_with("1 | a b\n  |   ^"));
+    }
+}
