@@ -85,7 +85,7 @@ impl Bench<'_> {
             "#[proc_macro]\n\
              pub fn mechanism(tokens: proc_macro::TokenStream) -> proc_macro::TokenStream {\n\
              \x20   let start = std::time::Instant::now();\n\
-             \x20   let linkwright_compiler::Expansion::Items { text, .. } = linkwright_compiler::expand(tokens.into()) else {\n\
+             \x20   let linkwright_compiler::Expansion::Items { text, .. } = linkwright_compiler::expand(tokens.into(), |_| None) else {\n\
              \x20       panic!(\"the definition is wrong\")\n\
              \x20   };\n\
              \x20   let items: proc_macro::TokenStream = text.parse().unwrap();\n\

@@ -23,3 +23,25 @@ fn shipped_models_give_no_warnings() {
         assert!(warnings.is_empty(), "{name}: {warnings}");
     }
 }
+
+/// Cargo builds a crate anew when a file changes that rustc names among its sources: the definition in a file is one.
+#[test]
+fn a_file_is_a_source_of_its_crate() {
+    let test = std::env::current_exe().expect("this test runs");
+    let folder = test.parent().expect("it lies beside what it was built from");
+    let mut newest = None;
+    for entry in std::fs::read_dir(folder).expect("a folder").map(|entry| entry.expect("it can be listed")) {
+        let name = entry.file_name().into_string().unwrap_or_default();
+        if name.starts_with("linkwright_models-") && name.ends_with(".d") {
+            let changed = entry.metadata().and_then(|metadata| metadata.modified()).expect("its time");
+            newest = newest.max(Some((changed, entry.path())));
+        }
+    }
+    let (_, path) = newest.expect("the models are built for the tests");
+    let sources = std::fs::read_to_string(&path).expect("a list of sources");
+    for source in ["panda.rs", "panda.mech"] {
+        let found =
+            sources.lines().any(|line| line.trim_end_matches(':').ends_with(&format!("models/src/{source}")));
+        assert!(found, "{} does not name {source}", path.display());
+    }
+}

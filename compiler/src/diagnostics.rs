@@ -6,6 +6,8 @@
 
 mod tokens;
 
+pub(crate) use tokens::compile_error;
+
 use proc_macro2::Span;
 use std::collections::BTreeSet;
 use std::fmt;
@@ -30,6 +32,11 @@ impl Region {
     /// The region of the token with this serial number (from 1).
     pub(crate) fn of_token(span: Span, serial: u32) -> Self {
         Self { start: span, end: span, tokens: (serial, serial) }
+    }
+
+    /// Serial numbers of its first and last token, zero where it is none: the end of the definition.
+    pub(crate) fn tokens(self) -> (usize, usize) {
+        (self.tokens.0 as usize, self.tokens.1 as usize)
     }
 
     /// From the start of `self` to the end of `last`.
@@ -223,6 +230,14 @@ impl Diagnostics {
         Err(self)
     }
 
+    /// The findings, in order; the last one says how many were not kept.
+    pub fn into_found(mut self) -> Vec<Diagnostic> {
+        if let (Some(last), true) = (self.found.last_mut(), self.beyond > 0) {
+            last.message.push_str(&format!("\n(and {} more errors)", self.beyond));
+        }
+        self.found
+    }
+
     /// Keeps those that are shown.
     pub fn retain(&mut self, shown: impl Fn(&Diagnostic) -> bool) {
         self.found.retain(shown);
@@ -248,17 +263,6 @@ impl fmt::Display for Diagnostics {
 
 /// What two errors of different rounds of a `repeat` have in common: the place, and the text without indices.
 fn identity(error: &Diagnostic) -> String {
-    let region = error.region;
-    if region.tokens != (0, 0) {
-        let text: String = error.message.chars().filter(|c| !c.is_ascii_digit()).collect();
-        return format!("{:?} {text}", region.tokens);
-    }
-    // Spans cannot be compared, but their debug form tells them apart where they have places at all.
-    let mut text = String::new();
-    for (index, piece) in error.message.split('[').enumerate() {
-        let inside = piece.split(']').next().unwrap_or_default();
-        let is_index = index > 0 && inside.len() < piece.len() && inside.bytes().all(|b| b.is_ascii_digit());
-        text.push_str(if is_index { &piece[inside.len()..] } else { piece });
-    }
-    format!("{:?} {text}", region.start)
+    let text: String = error.message.chars().filter(|c| !c.is_ascii_digit()).collect();
+    format!("{:?} {text}", error.region.tokens)
 }

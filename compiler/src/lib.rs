@@ -4,10 +4,13 @@
 //! order, are the modules below; `driver` chains them.
 
 mod choice;
+pub mod counts;
 pub mod diagnostics;
 mod driver;
+pub mod file;
 mod functions;
 mod messages;
+pub mod source;
 pub mod units;
 
 pub mod check;
@@ -27,7 +30,8 @@ pub use driver::{Compiled, compile, compile_model};
 pub use page::page;
 
 use diagnostics::{Diagnostics, Region};
-use proc_macro2::TokenStream;
+use proc_macro2::{Span, TokenStream};
+use std::path::PathBuf;
 
 /// What `mechanism! { … }` stands for.
 #[derive(Clone, Debug)]
@@ -41,8 +45,17 @@ pub enum Expansion {
     Errors(TokenStream),
 }
 
-/// The expansion of `mechanism! { … }`.
-pub fn expand(tokens: TokenStream) -> Expansion {
+/// The expansion of `mechanism! { … }` or `mechanism!(file = "…")`. `file_of` gives the Rust file that a token stands in,
+/// where it is known.
+pub fn expand(tokens: TokenStream, file_of: impl Fn(Span) -> Option<PathBuf>) -> Expansion {
+    match file::named(&tokens) {
+        None => expand_definition(tokens),
+        Some(Ok(named)) => file::expand(&named, file_of(named.region.start)),
+        Some(Err(errors)) => Expansion::Errors(errors.into_compile_errors()),
+    }
+}
+
+fn expand_definition(tokens: TokenStream) -> Expansion {
     match compile(tokens.clone(), None) {
         Ok(compiled) => Expansion::Items {
             text: emit::emit(&compiled, &tokens.to_string()),
@@ -69,6 +82,6 @@ pub fn expand_page(tokens: TokenStream) -> String {
 /// The error in place of items that cannot be read back, which is a mistake of this crate.
 pub fn unreadable(error: &str) -> TokenStream {
     let mut errors = diagnostics::Diagnostics::new();
-    errors.error(proc_macro2::Span::call_site(), messages::unreadable_expansion(error));
+    errors.error(Span::call_site(), messages::unreadable_expansion(error));
     errors.into_compile_errors()
 }

@@ -19,10 +19,16 @@ use std::path::Path;
 ///     }
 /// }
 /// ```
+/// A definition may also stand in a file of its own, beside the Rust file that names it, which holds what stands in the
+/// braces above:
+///
+/// ```text
+/// mechanism!(file = "pendulum.mech");
+/// ```
 /// The language, and what is emitted, are described in the documentation of the crate `linkwright`.
 #[proc_macro]
 pub fn mechanism(tokens: TokenStream) -> TokenStream {
-    match linkwright_compiler::expand(tokens.into()) {
+    match linkwright_compiler::expand(tokens.into(), |span| span.unwrap().local_file()) {
         Expansion::Items { text, mut warnings, name } => {
             let items = text.parse();
             let mut items: TokenStream =

@@ -64,7 +64,7 @@ pub fn compare_file(name: &str, text: &str) {
 }
 
 fn expansion<M: Model>() -> String {
-    match expand(M::SOURCE.parse().expect("the source was tokens")) {
+    match expand(M::SOURCE.parse().expect("the source was tokens"), |_| None) {
         Expansion::Items { text, .. } => text,
         Expansion::Errors(errors) => panic!("{errors}"),
     }

@@ -22,11 +22,7 @@ impl Diagnostics {
     /// One `::core::compile_error! { "…" }` per error and per note, each at its place.
     pub fn into_compile_errors(self) -> TokenStream {
         let mut stream = TokenStream::new();
-        let last = self.found.len().saturating_sub(1);
-        for (index, mut error) in self.found.into_iter().enumerate() {
-            if index == last && self.beyond > 0 {
-                error.message.push_str(&format!("\n(and {} more errors)", self.beyond));
-            }
+        for error in self.into_found() {
             compile_error(&mut stream, error.region, &error.message);
             for note in error.notes {
                 compile_error(&mut stream, note.region, &note.message);
@@ -91,7 +87,7 @@ fn punct(character: char, spacing: Spacing, span: Span) -> TokenTree {
 }
 
 /// `::core::compile_error! { "message" }`: the compiler underlines from the first token's span to the last one's.
-fn compile_error(stream: &mut TokenStream, region: Region, message: &str) {
+pub(crate) fn compile_error(stream: &mut TokenStream, region: Region, message: &str) {
     let mut literal = Literal::string(message);
     literal.set_span(region.end);
     let mut group = Group::new(Delimiter::Brace, TokenTree::Literal(literal).into());

@@ -65,6 +65,11 @@ pub fn emit(compiled: &Compiled, source: &str) -> String {
     text
 }
 
+/// What makes cargo build the crate anew when this file changes.
+pub fn depends_on(path: &str) -> String {
+    format!("const _: &'static [::core::primitive::u8] = ::core::include_bytes!({});\n", quoted(path))
+}
+
 /// What emitting needs at hand.
 struct Emitter<'a> {
     compiled: &'a Compiled,

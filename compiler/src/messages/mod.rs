@@ -1,6 +1,7 @@
 //! All texts of messages of the front end: what is wrong, why, and what to write instead. One file a subject; those of
 //! the assembled mechanism stand in `check/messages.rs`.
 
+mod files;
 mod habits;
 mod names;
 mod parts;
@@ -8,6 +9,7 @@ mod values;
 mod warnings;
 mod writing;
 
+pub(crate) use files::*;
 pub(crate) use habits::*;
 pub(crate) use names::*;
 pub(crate) use parts::*;

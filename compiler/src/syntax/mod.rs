@@ -49,6 +49,7 @@ mod token;
 pub use definition::*;
 pub use definition_json::definition_json;
 pub use header::{Header, header};
+pub(crate) use token::DEEPEST;
 
 use crate::diagnostics::{Allowed, Diagnostics};
 use crate::messages;
@@ -87,6 +88,13 @@ fn read(tokens: &[Token], patient: bool) -> (Definition, Diagnostics) {
     let mut cursor = Cursor::new(tokens, Span::call_site().into());
     let _: Parsed<()> = parser.item(&mut cursor);
     (parser.definition, parser.diagnostics)
+}
+
+/// Whether a macro is called here.
+fn is_macro(c: &Cursor) -> bool {
+    let mut ahead = c.clone();
+    ahead.advance();
+    ahead.at_punct('!')
 }
 
 fn empty() -> Definition {
@@ -134,7 +142,9 @@ impl Parser {
         match c.word() {
             Some("planar") => {}
             Some("spatial") => self.definition.space = Space::Spatial,
-            Some(word @ ("part" | "file")) => return self.fail(c.region(), messages::not_there_yet(word)),
+            Some("part") => return self.fail(c.region(), messages::not_there_yet("part")),
+            Some("file") => return self.fail(c.region(), messages::file_in_file()),
+            Some("mechanism") if is_macro(c) => return self.fail(c.region(), messages::macro_in_file()),
             word => {
                 let what = "`planar` or `spatial`, the kind of the mechanism";
                 let advice = word.and_then(|word| messages::kind_of_mechanism(word, &statements::STATEMENTS));

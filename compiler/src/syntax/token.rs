@@ -6,7 +6,7 @@ use crate::messages;
 use proc_macro2::{Delimiter, TokenStream, TokenTree};
 
 /// Groups nested deeper than this are refused, and so are expressions.
-pub(super) const DEEPEST: usize = 96;
+pub(crate) const DEEPEST: usize = 96;
 
 /// One token with its place.
 #[derive(Debug)]

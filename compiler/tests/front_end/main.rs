@@ -2,6 +2,7 @@
 
 mod coverage;
 mod definitions;
+mod files;
 mod habits;
 mod json;
 mod limits;

@@ -1,0 +1,203 @@
+//! What the compiler found out about a mechanism, gathered for people and for machines: its parts, its freedoms, the
+//! coordinates and why, the start in the units of its author.
+
+use crate::motion;
+use crate::start;
+use linkwright_compiler::counts::Row;
+use linkwright_compiler::equations::conditions;
+use linkwright_compiler::model::{
+    BodyKind, ConstraintKind, Coordinates, Frame, JointId, LoadKind, Mechanism, Quantity, Redundant,
+};
+use linkwright_compiler::schedule::{Function, count};
+use linkwright_compiler::syntax::Definition;
+use linkwright_compiler::{Compiled, units::Unit};
+
+/// A number in the unit of its author.
+#[derive(Clone, Debug)]
+pub struct Value {
+    pub name: String,
+    pub value: f64,
+    pub unit: String,
+}
+
+/// A parameter, its default and bounds in its unit.
+#[derive(Clone, Debug)]
+pub struct Parameter {
+    pub default: Value,
+    pub bounds: Option<[f64; 2]>,
+}
+
+/// A body; masses in kg, moments about the centre of mass in kg m², for the default parameters.
+#[derive(Clone, Debug)]
+pub struct Body {
+    pub name: String,
+    pub shape: &'static str,
+    pub mass: f64,
+    /// One in the plane, three in space, none of a particle.
+    pub moments: Vec<f64>,
+}
+
+/// A joint between two places.
+#[derive(Clone, Debug)]
+pub struct Joint {
+    pub name: String,
+    pub kind: &'static str,
+    pub places: [String; 2],
+    /// The body that hangs on it in the spanning tree.
+    pub carries: Option<String>,
+}
+
+/// All that `explain` tells.
+#[derive(Clone, Debug)]
+pub struct Explanation {
+    pub name: String,
+    /// As versioned JSON, kinds and units as written.
+    pub definition: String,
+    pub space: &'static str,
+    pub parameters: Vec<Parameter>,
+    /// Name and unit.
+    pub inputs: Vec<[String; 2]>,
+    pub bodies: Vec<Body>,
+    pub joints: Vec<Joint>,
+    /// Name and kind of couplings and drivers.
+    pub couplings: Vec<[String; 2]>,
+    pub loads: Vec<[String; 2]>,
+    /// Drivers removed.
+    pub degrees_of_freedom: usize,
+    /// Both numbers of freedoms in sentences, and why they differ.
+    pub mobility: String,
+    /// The range of motion, line by line.
+    pub motion: Vec<String>,
+    /// Freedoms of the bodies less the rows of all joints and couplings.
+    pub gruebler: i64,
+    pub independent: Vec<String>,
+    pub coordinates: &'static str,
+    pub choice: String,
+    pub positions: Vec<String>,
+    pub velocities: Vec<String>,
+    /// Joint, coupling or driver, and the row.
+    pub rows: Vec<[String; 2]>,
+    pub redundant: Vec<[String; 2]>,
+    pub keeps_redundant: bool,
+    pub shared_reactions: Vec<String>,
+    pub start: Vec<start::Found>,
+    /// At the start, all inputs zero.
+    pub outputs: Vec<Value>,
+    pub functions: Vec<Row>,
+}
+
+/// Gathers it.
+pub fn explain(definition: &Definition, compiled: &Compiled) -> Explanation {
+    let Compiled { mechanism, equations, assembly, choice, .. } = compiled;
+    let layout = &equations.layout;
+    let coordinates = if choice.coordinates == Coordinates::Absolute { "absolute" } else { "tree" };
+    let row = |function: Function| Row {
+        model: mechanism.name.text.clone(),
+        coordinates,
+        function: function.name(),
+        counts: count(compiled.programs.get(function)),
+    };
+    let joint = |id: JointId| mechanism.joints[id.0].name.text.clone();
+    let name = |quantity: &Quantity| conditions::name(mechanism, quantity);
+    let state = start::state(definition, compiled);
+    Explanation {
+        name: mechanism.name.text.clone(),
+        definition: compiled.definition.clone(),
+        space: mechanism.space.text(),
+        parameters: parameters(definition, mechanism),
+        inputs: definition
+            .inputs
+            .iter()
+            .map(|i| [i.name.text.clone(), unit(i.unit.as_ref().map(|u| &u.unit))])
+            .collect(),
+        bodies: state.bodies,
+        joints: joints(compiled),
+        couplings: couplings(mechanism),
+        loads: loads(mechanism),
+        degrees_of_freedom: assembly.mobility.generic,
+        gruebler: assembly.mobility.counted() as i64,
+        mobility: assembly.mobility.to_string(),
+        motion: motion::motion(compiled),
+        independent: assembly.independent.iter().map(name).collect(),
+        coordinates,
+        choice: choice.explanation(),
+        positions: layout.position_names(mechanism),
+        velocities: layout.velocity_names(mechanism),
+        rows: equations.rows.iter().map(|row| [row.of.clone(), row.what.to_string()]).collect(),
+        redundant: assembly.dropped.iter().map(|row| [joint(row.joint), row.what.to_string()]).collect(),
+        keeps_redundant: mechanism.options.redundant == Redundant::Keep,
+        shared_reactions: assembly.shared.iter().map(|id| joint(*id)).collect(),
+        start: state.found,
+        outputs: state.outputs,
+        functions: Function::ALL.map(row).into(),
+    }
+}
+
+/// A unit as written.
+fn unit(unit: Option<&Unit>) -> String {
+    unit.map_or("1".to_string(), |unit| unit.text.clone())
+}
+
+fn parameters(definition: &Definition, mechanism: &Mechanism) -> Vec<Parameter> {
+    let both = definition.parameters.iter().zip(&mechanism.parameters);
+    both.map(|(written, known)| {
+        let of = written.entry.unit.as_ref().map(|written| &written.unit);
+        let scale = of.map_or(1.0, |unit| unit.scale);
+        let default = Value { name: known.name.text.clone(), value: known.default / scale, unit: unit(of) };
+        Parameter { default, bounds: known.bounds.map(|(least, most)| [least / scale, most / scale]) }
+    })
+    .collect()
+}
+
+fn joints(compiled: &Compiled) -> Vec<Joint> {
+    let Compiled { mechanism, equations, .. } = compiled;
+    let carries = |index: usize| {
+        let mut attachments = equations.tree.attachments.iter();
+        let of_joint = |joint: Option<(JointId, Frame)>| joint.is_some_and(|(id, _)| id.0 == index);
+        let body = attachments.find(|attachment| of_joint(attachment.joint))?.body;
+        Some(mechanism.bodies[body.0].name.text.clone())
+    };
+    let joint = |(index, joint): (usize, &linkwright_compiler::model::Joint)| Joint {
+        name: joint.name.text.clone(),
+        kind: joint.kind.word().text(),
+        places: [joint.first.text.clone(), joint.second.text.clone()],
+        carries: carries(index),
+    };
+    mechanism.joints.iter().enumerate().map(joint).collect()
+}
+
+fn couplings(mechanism: &Mechanism) -> Vec<[String; 2]> {
+    let couplings = mechanism.constraints.iter().map(|constraint| {
+        let kind = match constraint.kind {
+            ConstraintKind::Gear { .. } => "gear",
+            ConstraintKind::Rack { .. } => "rack",
+            ConstraintKind::Equation { .. } => "equation",
+        };
+        [constraint.name.text.clone(), kind.to_string()]
+    });
+    let drivers = mechanism.drivers.iter().map(|driver| {
+        [driver.name.text.clone(), format!("driver of {}", conditions::name(mechanism, &driver.quantity))]
+    });
+    couplings.chain(drivers).collect()
+}
+
+fn loads(mechanism: &Mechanism) -> Vec<[String; 2]> {
+    let load = |load: &linkwright_compiler::model::Load| {
+        let kind = match load.kind {
+            LoadKind::Force { .. } | LoadKind::Push { .. } => "force",
+            LoadKind::Torque { .. } | LoadKind::BodyTorque { .. } => "torque",
+            LoadKind::Spring { .. } => "spring or damper",
+            LoadKind::TorsionSpring { .. } => "torsion spring",
+        };
+        [load.name.text.clone(), kind.to_string()]
+    };
+    mechanism.loads.iter().map(load).collect()
+}
+
+/// Whether a body has an orientation.
+pub fn turns(mechanism: &Mechanism, frame: Frame) -> bool {
+    match frame {
+        Frame::Ground => true,
+        Frame::Body(body) => mechanism.bodies[body.0].kind == BodyKind::Rigid,
+    }
+}

@@ -1,0 +1,122 @@
+//! Results for machines: one object, versioned, described in `docs/command-line.md`.
+
+use crate::arguments::Command;
+use crate::explain::{Explanation, Value as Quantity};
+use crate::input::Found;
+use linkwright_compiler::counts::Row;
+use linkwright_compiler::diagnostics::Severity;
+use linkwright_compiler::source::{Located, Source};
+use serde_json::{Map, Value, json};
+use std::ops::Range;
+
+/// Raised when a field changes its meaning or goes.
+pub const VERSION: u32 = 1;
+
+/// The whole answer.
+pub fn document(command: Command, mechanisms: Vec<Value>, unreadable: &[(String, String)]) -> String {
+    let unreadable: Vec<Value> =
+        unreadable.iter().map(|(file, message)| json!({ "file": file, "message": message })).collect();
+    let document = json!({
+        "version": VERSION,
+        "command": command.text(),
+        "mechanisms": mechanisms,
+        "unreadable": unreadable,
+    });
+    format!("{document:#}\n")
+}
+
+/// A definition: name, place, errors and warnings.
+pub fn mechanism(found: &Found, name: Option<&str>, errors: &[Located]) -> Value {
+    let source = &found.source;
+    let errors: Vec<Value> = errors.iter().map(|error| diagnostic(source, error)).collect();
+    let mut object = place(source, &found.range);
+    object.insert("name".into(), json!(name));
+    object.insert("diagnostics".into(), Value::Array(errors));
+    Value::Object(object)
+}
+
+fn diagnostic(source: &Source, error: &Located) -> Value {
+    let message = |range: &Range<usize>, message: &str| {
+        let mut object = place(source, range);
+        object.insert("message".into(), json!(message));
+        object
+    };
+    let notes = error.notes.iter().map(|(range, text)| Value::Object(message(range, text)));
+    let mut object = message(&error.range, &error.message);
+    let severity = if error.severity == Severity::Error { "error" } else { "warning" };
+    object.insert("severity".into(), json!(severity));
+    object.insert("notes".into(), notes.collect());
+    Value::Object(object)
+}
+
+/// File, bytes from 0, lines and columns from 1.
+fn place(source: &Source, range: &Range<usize>) -> Map<String, Value> {
+    let end = |byte: usize| {
+        let at = source.position(byte);
+        json!({ "byte": byte, "line": at.line, "column": at.column })
+    };
+    let fields = [("file", json!(source.name)), ("start", end(range.start)), ("end", end(range.end))];
+    fields.into_iter().map(|(name, value)| (name.to_string(), value)).collect()
+}
+
+/// Operations, one object for each function.
+pub fn counts(rows: &[Row]) -> Value {
+    rows.iter()
+        .map(|row| {
+            let mut object: Map<String, Value> =
+                row.named().into_iter().map(|(name, count)| (name.to_string(), json!(count))).collect();
+            object.insert("coordinates".into(), json!(row.coordinates));
+            object.insert("function".into(), json!(row.function));
+            Value::Object(object)
+        })
+        .collect()
+}
+
+/// What `explain` tells.
+pub fn explanation(e: &Explanation) -> Value {
+    let value = |value: &Quantity| json!({ "name": value.name, "value": value.value, "unit": value.unit });
+    let named = |parts: &[[String; 2]]| -> Value {
+        parts.iter().map(|[name, kind]| json!({ "name": name, "kind": kind })).collect()
+    };
+    let rows = |rows: &[[String; 2]]| -> Value {
+        rows.iter().map(|[of, what]| json!({ "of": of, "what": what })).collect()
+    };
+    let parameters = e.parameters.iter().map(|parameter| {
+        let Quantity { name, value, unit } = &parameter.default;
+        json!({ "name": name, "default": value, "unit": unit, "bounds": parameter.bounds })
+    });
+    let bodies = e.bodies.iter().map(
+        |body| json!({ "name": body.name, "shape": body.shape, "mass": body.mass, "moments": body.moments }),
+    );
+    let joints = e.joints.iter().map(|joint| {
+        json!({ "name": joint.name, "kind": joint.kind, "places": joint.places, "carries": joint.carries })
+    });
+    let start = e.start.iter().map(|found| {
+        let Quantity { name, value, unit } = &found.value;
+        json!({ "name": name, "value": value, "unit": unit, "given": found.given.text() })
+    });
+    json!({
+        "definition": serde_json::from_str::<Value>(&e.definition).unwrap_or_default(),
+        "space": e.space,
+        "parameters": parameters.collect::<Vec<_>>(),
+        "inputs": e.inputs.iter().map(|[name, unit]| json!({ "name": name, "unit": unit })).collect::<Vec<_>>(),
+        "bodies": bodies.collect::<Vec<_>>(),
+        "joints": joints.collect::<Vec<_>>(),
+        "couplings": named(&e.couplings),
+        "loads": named(&e.loads),
+        "degrees_of_freedom": e.degrees_of_freedom,
+        "gruebler": e.gruebler,
+        "mobility": e.mobility,
+        "motion": e.motion,
+        "independent": e.independent,
+        "coordinates": e.coordinates,
+        "choice": e.choice,
+        "positions": e.positions,
+        "velocities": e.velocities,
+        "rows": rows(&e.rows),
+        "redundant": { "rows": rows(&e.redundant), "kept": e.keeps_redundant, "shared_reactions": e.shared_reactions },
+        "start": start.collect::<Vec<_>>(),
+        "outputs": e.outputs.iter().map(value).collect::<Vec<_>>(),
+        "counts": counts(&e.functions),
+    })
+}

@@ -1,0 +1,72 @@
+//! The range of motion, in words: what each joint goes through, where it turns back, where the constraints lose rank.
+
+use linkwright_compiler::Compiled;
+use linkwright_compiler::check::motion::{End, Motion, Range, Unswept};
+
+/// One line for each thing found; of mechanisms that cannot be followed, why.
+pub fn motion(compiled: &Compiled) -> Vec<String> {
+    match compiled.motion() {
+        Ok(motion) => found(&motion),
+        Err(Unswept::InSpace) => vec!["found for planar mechanisms only".to_string()],
+        Err(Unswept::Freedoms(count)) => {
+            vec![format!("found for one degree of freedom only, and there are {count}")]
+        }
+        Err(Unswept::NoDirection) => vec!["no direction of motion was found at the start".to_string()],
+    }
+}
+
+fn found(motion: &Motion) -> Vec<String> {
+    let reference = &motion.ranges[motion.reference];
+    let at = |value: f64| format!("at {} = {}", reference.of, number(value, reference.angular));
+    let mut lines: Vec<String> = motion.ranges.iter().map(range).collect();
+    for limit in &motion.limits {
+        let of = &motion.ranges[limit.of];
+        let line = in_line(&limit.in_line);
+        lines.push(format!(
+            "{} turns back at {}{line}, {}",
+            of.of,
+            number(limit.value, of.angular),
+            at(limit.reference)
+        ));
+    }
+    for singular in &motion.singular {
+        lines.push(format!("change point {}{}", at(singular.reference), in_line(&singular.in_line)));
+    }
+    lines.push(match motion.end {
+        End::Closed => "it returns to the start".to_string(),
+        End::Unlimited => "a travel has no limit".to_string(),
+        End::Bounded => {
+            format!("not at the start again after {} steps: ranges are those up to there", motion.steps)
+        }
+        End::Stuck => {
+            "it cannot be followed through its last position: ranges are those up to there".to_string()
+        }
+    });
+    lines
+}
+
+fn range(range: &Range) -> String {
+    if range.turns {
+        return format!("{} turns fully", range.of);
+    }
+    let unit = if range.angular { "deg" } else { "m" };
+    let [from, to] = [range.from, range.to].map(|value| plain(value, range.angular));
+    format!("{} from {from} to {to} {unit}", range.of)
+}
+
+fn in_line(links: &[String]) -> String {
+    if links.is_empty() { String::new() } else { format!(", {} in line", links.join(" and ")) }
+}
+
+fn number(value: f64, angular: bool) -> String {
+    format!("{} {}", plain(value, angular), if angular { "deg" } else { "m" })
+}
+
+/// Degrees and metres to six digits.
+fn plain(value: f64, angular: bool) -> String {
+    let value = if angular { value.to_degrees() } else { value };
+    let digits = (5 - value.abs().max(1e-3).log10().floor() as i32).clamp(0, 9) as usize;
+    let text = format!("{value:.digits$}");
+    let text = if text.contains('.') { text.trim_end_matches('0').trim_end_matches('.') } else { &text };
+    if text == "-0" { "0".to_string() } else { text.to_string() }
+}

@@ -1,0 +1,211 @@
+//! The assembled start in the units of its author: what `start` states, all coordinates of joints, the centres of the bodies,
+//! outputs; and the masses that the default parameters give. All by interpreting the equations there.
+
+use crate::explain::{Body, Value, turns};
+use linkwright_compiler::Compiled;
+use linkwright_compiler::check::assemble::{Ancestry, Point};
+use linkwright_compiler::equations::{Equations, Laws, conditions};
+use linkwright_compiler::model::{BodyId, BodyKind, JointId, Mechanism, Quantity, Space};
+use linkwright_compiler::symbolic::Node;
+use linkwright_compiler::syntax::Definition;
+use linkwright_compiler::units::{Dimension, Unit};
+
+/// What `start` says of a value.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Given {
+    Stated,
+    Guessed,
+    Nothing,
+}
+
+impl Given {
+    pub fn text(self) -> &'static str {
+        match self {
+            Given::Stated => "stated",
+            Given::Guessed => "near its guess",
+            Given::Nothing => "found",
+        }
+    }
+}
+
+/// A quantity at the start.
+#[derive(Clone, Debug)]
+pub struct Found {
+    pub value: Value,
+    pub given: Given,
+}
+
+/// What the equations say at the start.
+pub struct State {
+    pub bodies: Vec<Body>,
+    pub found: Vec<Found>,
+    pub outputs: Vec<Value>,
+}
+
+/// A coordinate or rate that is asked for.
+struct Asked {
+    name: String,
+    quantity: Quantity,
+    given: Given,
+    unit: (String, f64),
+}
+
+/// Evaluates it all.
+pub fn state(definition: &Definition, compiled: &Compiled) -> State {
+    let mechanism = &compiled.mechanism;
+    let asked = asked(definition, mechanism);
+    let mut equations = compiled.equations.clone();
+    let coordinates: Vec<Quantity> =
+        asked.iter().filter_map(|asked| conditions::coordinate_of(&asked.quantity)).collect();
+    let conditions = equations.add_conditions(mechanism, &coordinates);
+    let masses = masses(mechanism, &mut equations);
+    let mut point = point(compiled, &equations);
+    let jets = conditions.iter().map(|index| &equations.conditions[*index].jet);
+    point.evaluate(&Ancestry::of_jets(&equations, jets));
+    let found = asked.into_iter().zip(&conditions).map(|(asked, index)| {
+        let jet = &equations.conditions[*index].jet;
+        let si = if conditions::is_position(&asked.quantity) {
+            point.get(jet.value)
+        } else {
+            let moved = jet.columns.iter().map(|(k, node)| point.get(*node) * compiled.assembly.v[*k]);
+            moved.sum::<f64>() + point.get(jet.drift)
+        };
+        let (unit, scale) = asked.unit;
+        Found { value: Value { name: asked.name, value: si / scale, unit }, given: asked.given }
+    });
+    let mut found: Vec<Found> = found.collect();
+    found.extend(centers(definition, compiled, &equations, &mut point, &found));
+    let outputs = outputs(definition, &equations, &mut point);
+    State { bodies: bodies(definition, mechanism, &mut point, &masses), found, outputs }
+}
+
+/// The start as a point of the equations.
+fn point<'e>(compiled: &Compiled, equations: &'e Equations) -> Point<'e> {
+    let mut point = Point::new(equations);
+    let defaults: Vec<f64> = compiled.mechanism.parameters.iter().map(|known| known.default).collect();
+    point.set(&equations.symbols.parameters, &defaults);
+    point.set(&equations.symbols.phases, &compiled.assembly.phases);
+    point.set_q(&compiled.assembly.q);
+    point.set_v(&compiled.assembly.v);
+    point
+}
+
+/// What `start` mentions, then all other coordinates of joints.
+fn asked(definition: &Definition, mechanism: &Mechanism) -> Vec<Asked> {
+    let mut asked: Vec<Asked> = Vec::new();
+    for start in mechanism.start.iter().filter(|start| conditions::coordinate_of(&start.quantity).is_some()) {
+        let written = definition.start.iter().find(|written| written.quantity.text == start.text);
+        let own = written.and_then(|written| written.entry.unit.as_ref()).map(|unit| &unit.unit);
+        let unit = own.map_or_else(
+            || unit(definition, dimension(&start.quantity)),
+            |unit| (unit.text.clone(), unit.scale),
+        );
+        let given = if start.exact { Given::Stated } else { Given::Guessed };
+        asked.push(Asked { name: start.text.clone(), quantity: start.quantity.clone(), given, unit });
+    }
+    for (index, joint) in mechanism.joints.iter().enumerate() {
+        let names = joint.kind.word().coordinates(mechanism.space);
+        let angles = if [joint.first.frame, joint.second.frame].iter().all(|frame| turns(mechanism, *frame)) {
+            names.angles.len()
+        } else {
+            0
+        };
+        let angles = (0..angles).map(|which| Quantity::JointAngle(JointId(index), which));
+        let travels = (0..names.travels.len()).map(|which| Quantity::JointTravel(JointId(index), which));
+        for quantity in angles.chain(travels) {
+            let name = conditions::name(mechanism, &quantity);
+            if asked.iter().all(|known| known.name != name) {
+                let unit = unit(definition, dimension(&quantity));
+                asked.push(Asked { name, quantity, given: Given::Nothing, unit });
+            }
+        }
+    }
+    asked
+}
+
+fn dimension(quantity: &Quantity) -> Dimension {
+    match quantity {
+        Quantity::BodyAngle(_) | Quantity::JointAngle(..) => Dimension::ANGLE,
+        Quantity::BodyRate(_) | Quantity::JointRate(..) | Quantity::BodyOmega(..) => Dimension::ANGULAR_RATE,
+        Quantity::JointSpeed(..) | Quantity::Velocity(..) => Dimension::SPEED,
+        _ => Dimension::LENGTH,
+    }
+}
+
+/// The first unit of `start` for this dimension and its SI value, else that of the SI.
+fn unit(definition: &Definition, dimension: Dimension) -> (String, f64) {
+    let mut units =
+        definition.start.iter().filter_map(|start| start.entry.unit.as_ref()).map(|unit| &unit.unit);
+    let found: Option<&Unit> = units.find(|unit| unit.dimension == dimension);
+    found.map_or_else(|| (dimension.to_string(), 1.0), |unit| (unit.text.clone(), unit.scale))
+}
+
+/// Centres of mass, unless `start` mentions them.
+fn centers(
+    definition: &Definition,
+    compiled: &Compiled,
+    equations: &Equations,
+    point: &mut Point,
+    known: &[Found],
+) -> Vec<Found> {
+    let (unit, scale) = unit(definition, Dimension::LENGTH);
+    let mut found = Vec::new();
+    let axes = compiled.mechanism.space.dimensions();
+    for (body, motion) in compiled.mechanism.bodies.iter().zip(&equations.motions) {
+        point.evaluate(&Ancestry::of(equations, motion.position.iter().copied()));
+        for (axis, node) in ["x", "y", "z"].iter().zip(&motion.position).take(axes) {
+            let name = format!("{}.center.{axis}", body.name.text);
+            if known.iter().all(|known| known.value.name != name) {
+                let value = Value { name, value: point.get(*node) / scale, unit: unit.clone() };
+                found.push(Found { value, given: Given::Nothing });
+            }
+        }
+    }
+    found
+}
+
+fn outputs(definition: &Definition, equations: &Equations, point: &mut Point) -> Vec<Value> {
+    point.evaluate(&Ancestry::of(equations, equations.outputs.iter().copied()));
+    let both = definition.outputs.iter().zip(&equations.outputs);
+    both.map(|(output, node)| {
+        let unit = output.entry.unit.as_ref().map(|written| &written.unit);
+        let (text, scale) = unit.map_or(("1".to_string(), 1.0), |unit| (unit.text.clone(), unit.scale));
+        Value { name: output.name.text.clone(), value: point.get(*node) / scale, unit: text }
+    })
+    .collect()
+}
+
+/// Of each body the nodes of its mass and moments.
+fn masses(mechanism: &Mechanism, equations: &mut Equations) -> Vec<Vec<Node>> {
+    let laws = Laws::moving(mechanism, &equations.symbols, &equations.layout, &equations.kinematics);
+    let graph = &mut equations.graph;
+    let nodes = mechanism.bodies.iter().map(|body| {
+        let mut nodes = vec![laws.value(graph, &body.mass)];
+        if body.kind == BodyKind::Rigid {
+            let moments = laws.vector(graph, &body.inertia.moments);
+            nodes.extend(if mechanism.space == Space::Planar { &moments[2..] } else { &moments[..] });
+        }
+        nodes
+    });
+    nodes.collect()
+}
+
+fn bodies(
+    definition: &Definition,
+    mechanism: &Mechanism,
+    point: &mut Point,
+    masses: &[Vec<Node>],
+) -> Vec<Body> {
+    point.evaluate(&Ancestry::of(point.equations, masses.iter().flatten().copied()));
+    let body = |(index, nodes): (usize, &Vec<Node>)| {
+        let values: Vec<f64> = nodes.iter().map(|node| point.get(*node)).collect();
+        let BodyId(index) = BodyId(index);
+        Body {
+            name: mechanism.bodies[index].name.text.clone(),
+            shape: definition.bodies[index].shape.text(),
+            mass: values[0],
+            moments: values[1..].to_vec(),
+        }
+    };
+    masses.iter().enumerate().map(body).collect()
+}

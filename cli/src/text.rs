@@ -1,0 +1,153 @@
+//! An explanation for people.
+
+use crate::explain::{Explanation, Joint};
+use crate::start::Found;
+use linkwright_compiler::counts;
+use std::fmt::Write;
+
+/// Longest table; what is behind it is only counted.
+const MOST: usize = 60;
+
+/// The whole page; `place` says where the definition stands.
+pub fn explanation(e: &Explanation, place: &str) -> String {
+    let mut text = format!("{} {}  ({place})\n", e.space, e.name);
+    let parameters = e.parameters.iter().map(|parameter| {
+        let value = &parameter.default;
+        let bounds = parameter
+            .bounds
+            .map_or(String::new(), |[least, most]| format!("in {}..{}", number(least), number(most)));
+        vec![value.name.clone(), format!("{} {}", number(value.value), value.unit), bounds]
+    });
+    table(&mut text, "Parameters", parameters.collect());
+    table(&mut text, "Inputs", e.inputs.iter().map(|input| input.to_vec()).collect());
+    let bodies = e.bodies.iter().map(|body| {
+        let moments: Vec<String> = body.moments.iter().map(|moment| number(*moment)).collect();
+        let inertia =
+            if moments.is_empty() { String::new() } else { format!("{} kg*m^2", moments.join(", ")) };
+        vec![body.name.clone(), body.shape.to_string(), format!("{} kg", number(body.mass)), inertia]
+    });
+    table(&mut text, "Bodies", bodies.collect());
+    table(&mut text, "Joints", e.joints.iter().map(|joint| self::joint(e, joint)).collect());
+    table(&mut text, "Couplings and drivers", e.couplings.iter().map(|one| one.to_vec()).collect());
+    table(&mut text, "Loads", e.loads.iter().map(|one| one.to_vec()).collect());
+    freedoms(&mut text, e);
+    coordinates(&mut text, e);
+    let start = |Found { value, given }: &Found| {
+        vec![
+            value.name.clone(),
+            format!("= {} {}", number(value.value), value.unit),
+            given.text().to_string(),
+        ]
+    };
+    table(&mut text, "Start", e.start.iter().map(start).collect());
+    let outputs = e.outputs.iter().map(|value| {
+        let unit = if value.unit == "1" { "" } else { &value.unit };
+        vec![value.name.clone(), format!("= {} {unit}", number(value.value))]
+    });
+    table(&mut text, "Outputs at the start, inputs zero", outputs.collect());
+    text.push_str("\nOperations\n");
+    text.push_str(&counts::as_tables(&e.functions));
+    text
+}
+
+fn joint(e: &Explanation, joint: &Joint) -> Vec<String> {
+    let part = match &joint.carries {
+        Some(body) => format!("carries {body}"),
+        None if e.coordinates == "tree" => "closes a loop".to_string(),
+        None => String::new(),
+    };
+    vec![joint.name.clone(), joint.kind.to_string(), joint.places.join(", "), part]
+}
+
+fn freedoms(text: &mut String, e: &Explanation) {
+    let _ = writeln!(text, "\nFreedoms (drivers removed)\n  {}", e.mobility);
+    if !e.independent.is_empty() {
+        let _ = writeln!(text, "  independent: {}", e.independent.join(", "));
+    }
+    let _ = writeln!(text, "\nMotion\n  {}", e.motion.join("\n  "));
+}
+
+fn coordinates(text: &mut String, e: &Explanation) {
+    let _ = writeln!(text, "\nCoordinates\n  {}", e.choice);
+    for (name, entries) in [("q", &e.positions), ("v", &e.velocities)] {
+        let shown = entries.iter().take(MOST).cloned().collect::<Vec<_>>().join(", ");
+        let more =
+            if entries.len() > MOST { format!(", and {} more", entries.len() - MOST) } else { String::new() };
+        let _ = writeln!(text, "  {name} ({}): {shown}{more}", entries.len());
+    }
+    let rows = e
+        .rows
+        .iter()
+        .enumerate()
+        .map(|(index, [of, what])| vec![index.to_string(), of.clone(), what.clone()]);
+    table(text, "Constraint rows", rows.collect());
+    if !e.redundant.is_empty() {
+        let what = if e.keeps_redundant { "kept with the multiplier zero" } else { "left out" };
+        table(text, &format!("Redundant rows, {what}"), e.redundant.iter().map(|row| row.to_vec()).collect());
+        let _ = writeln!(text, "  reactions are not unique in {}", e.shared_reactions.join(", "));
+    }
+}
+
+/// Rows under a heading, their columns aligned; nothing where there are none.
+fn table(text: &mut String, heading: &str, rows: Vec<Vec<String>>) {
+    if rows.is_empty() {
+        return;
+    }
+    let _ = writeln!(text, "\n{heading} ({})", rows.len());
+    let columns = rows[0].len();
+    let width = |column: usize| rows.iter().map(|row| row[column].chars().count()).max().unwrap_or(0);
+    let widths: Vec<usize> = (0..columns).map(width).collect();
+    for row in rows.iter().take(MOST) {
+        let cells: Vec<String> =
+            row.iter().zip(&widths).map(|(cell, width)| format!("{cell:<width$}", width = *width)).collect();
+        let _ = writeln!(text, "  {}", cells.join("  ").trim_end());
+    }
+    if rows.len() > MOST {
+        let _ = writeln!(text, "  and {} more", rows.len() - MOST);
+    }
+}
+
+/// Six digits; what is only rounding of a zero among lengths and angles is zero.
+pub fn number(value: f64) -> String {
+    if value.abs() < 1e-12 {
+        return "0".to_string();
+    }
+    if !value.is_finite() {
+        return value.to_string();
+    }
+    let digits = 5 - value.abs().log10().floor() as i32;
+    let (text, exponent) = match usize::try_from(digits).ok().filter(|digits| *digits <= 9) {
+        Some(digits) => (format!("{value:.digits$}"), String::new()),
+        None => {
+            let text = format!("{value:.5e}");
+            let (mantissa, exponent) = text.split_once('e').unwrap_or((&text, "0"));
+            (mantissa.to_string(), format!("e{exponent}"))
+        }
+    };
+    let short = if text.contains('.') { text.trim_end_matches('0').trim_end_matches('.') } else { &text };
+    format!("{short}{exponent}")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::number;
+
+    #[test]
+    fn numbers_have_six_digits() {
+        let cases = [
+            (0.0, "0"),
+            (-3e-17, "0"),
+            (90.0, "90"),
+            (-0.061713890, "-0.0617139"),
+            (123456.7, "123457"),
+            (1234567.0, "1.23457e6"),
+            (2.194e-6, "2.194e-6"),
+            (1e-4, "0.0001"),
+            (f64::NAN, "NaN"),
+            (f64::INFINITY, "inf"),
+        ];
+        for (value, text) in cases {
+            assert_eq!(number(value), text);
+        }
+    }
+}

@@ -1,0 +1,5 @@
+//! Two places of a file in one message.
+
+linkwright::mechanism!(file = "declared_twice.mech");
+
+fn main() {}

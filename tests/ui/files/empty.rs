@@ -1,0 +1,5 @@
+//! An empty file.
+
+linkwright::mechanism!(file = "empty.mech");
+
+fn main() {}

@@ -1,0 +1,5 @@
+//! A folder.
+
+linkwright::mechanism!(file = "../files");
+
+fn main() {}

@@ -1,0 +1,5 @@
+//! A string that never ends.
+
+linkwright::mechanism!(file = "string_unterminated.mech");
+
+fn main() {}
