@@ -1,0 +1,24 @@
+//! The cases of a run: each is known by the seed of the run and its number.
+
+use super::random::Random;
+use super::seeds::Seed;
+use super::{mutate, soup, tokens};
+
+/// The text of a case.
+pub fn case(seeds: &[Seed], seed: u64, number: u64) -> String {
+    let mut random = Random::of_case(seed, number);
+    if random.once_in(12) {
+        return tokens::text(&tokens::balanced(soup::soup(&mut random)));
+    }
+    let mut definition = small(&mut random, seeds).to_vec();
+    let other = small(&mut random, seeds);
+    mutate::mutate(&mut random, &mut definition, other);
+    tokens::text(&tokens::balanced(definition))
+}
+
+/// A seed; the smaller of two, since large ones take long and say nothing else.
+fn small<'a>(random: &mut Random, seeds: &'a [Seed]) -> &'a [String] {
+    let (a, b) = (random.below(seeds.len()), random.below(seeds.len()));
+    let least = if seeds[a].tokens.len() < seeds[b].tokens.len() { a } else { b };
+    &seeds[least].tokens
+}
