@@ -22,6 +22,14 @@ pub(crate) fn empty_macro() -> String {
     "the definition is empty: write `planar Name { … }` or `spatial Name { … }`".to_string()
 }
 
+pub(crate) fn visibility() -> String {
+    "a visibility is `pub`, `pub(crate)`, `pub(self)`, `pub(super)` or `pub(in path)`".to_string()
+}
+
+pub(crate) fn crate_path(found: &str) -> String {
+    format!("expected the path of this crate, such as `::my_crate::linkwright`, found `{found}`")
+}
+
 pub(crate) fn chained_comparison() -> String {
     "comparisons do not chain: write `a < b and b < c`".to_string()
 }
@@ -685,6 +693,13 @@ pub(crate) fn not_constant(what: &str) -> String {
 pub(crate) fn not_finite(value: f64) -> String {
     let why = if value.is_nan() { "it is not defined" } else { "it is infinite" };
     format!("this has no value: {why}")
+}
+
+pub(crate) fn out_of_range(value: f64, least: f64, most: f64) -> String {
+    format!(
+        "{value:e} (SI units) is out of range: a value is 0 or its magnitude lies between {least:e} and {most:e}; check its \
+         exponent and its unit"
+    )
 }
 
 pub(crate) fn place_as_value() -> String {

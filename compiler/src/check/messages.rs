@@ -81,6 +81,13 @@ pub fn not_independent(of: &str) -> String {
     )
 }
 
+pub fn no_value_at_start(of: &str) -> String {
+    format!(
+        "\"{of}\" has no value at the start: a number in what it is made of is too large or too small, a divisor is zero, \
+         or a function is not defined there"
+    )
+}
+
 pub fn cannot_close(of: &str, what: &str, path: &[String], residual: f64) -> String {
     let (amount, apart) = match what {
         "x" | "y" | "normal" => (format!("{residual:.3} m"), "apart"),

@@ -110,7 +110,9 @@ pub fn parse(tokens: TokenStream) -> Result<Definition, Diagnostics> {
         budget: MOST_STATEMENTS,
         depth: 0,
     };
-    let mut cursor = Cursor::new(&tokens, Span::call_site().into());
+    // What is missing at the end is missing behind the last token.
+    let end = tokens.last().map_or(Span::call_site().into(), |last| last.region);
+    let mut cursor = Cursor::new(&tokens, end);
     let _: Parsed<()> = parser.item(&mut cursor);
     let Parser { diagnostics, definition, .. } = parser;
     diagnostics.finish(definition)
@@ -127,7 +129,11 @@ pub fn header(tokens: TokenStream) -> Option<Header> {
     if matches!(tokens.peek(), Some(TokenTree::Ident(ident)) if *ident == "pub") {
         visibility.extend(tokens.next());
         if matches!(tokens.peek(), Some(TokenTree::Group(group)) if group.delimiter() != Delimiter::Brace) {
-            visibility.extend(tokens.next());
+            let restriction = token::convert(tokens.next().into_iter().collect(), &mut Diagnostics::new());
+            let inside = Cursor::new(&restriction, Span::call_site().into()).inside(Delimiter::Parenthesis);
+            if inside.is_some_and(|inside| inside.is_restriction()) {
+                visibility.extend(restriction.into_iter().map(|token| token.original));
+            }
         }
     }
     let TokenTree::Ident(kind) = tokens.next()? else { return None };
@@ -181,7 +187,10 @@ impl Parser {
         self.definition.attributes = self.attributes(c)?;
         if c.at_word("pub") {
             self.definition.visibility.extend(c.advance().map(|token| token.original.clone()));
-            if c.inside(Delimiter::Parenthesis).is_some() {
+            if let Some(inside) = c.inside(Delimiter::Parenthesis) {
+                if !inside.is_restriction() {
+                    return self.fail(c.region(), messages::visibility());
+                }
                 self.definition.visibility.extend(c.advance().map(|token| token.original.clone()));
             }
         }

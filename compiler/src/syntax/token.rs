@@ -192,6 +192,36 @@ impl<'t> Cursor<'t> {
             .any(|token| matches!(token.kind, Kind::Punct(',')))
     }
 
+    /// Whether what stands here up to the end may stand in `pub(…)`.
+    pub fn is_restriction(&self) -> bool {
+        let mut c = self.clone();
+        if c.eat_word("in") {
+            return c.is_path();
+        }
+        (c.eat_word("crate") || c.eat_word("self") || c.eat_word("super")) && c.is_done()
+    }
+
+    /// Whether a path stands here up to the end: words with `::` between them, and perhaps before the first.
+    pub fn is_path(&self) -> bool {
+        let mut c = self.clone();
+        let colons = |c: &mut Cursor| c.eat_punct(':') && c.eat_punct(':');
+        if c.at_punct(':') && !colons(&mut c) {
+            return false;
+        }
+        loop {
+            if c.word().is_none() {
+                return false;
+            }
+            c.advance();
+            if c.is_done() {
+                return true;
+            }
+            if !colons(&mut c) {
+                return false;
+            }
+        }
+    }
+
     /// After an error: to behind the next `;` or braces of this level.
     pub fn skip_statement(&mut self) {
         while let Some(token) = self.advance() {
@@ -201,13 +231,17 @@ impl<'t> Cursor<'t> {
         }
     }
 
-    /// The tokens up to the next `;`, as received.
-    pub fn originals_to_semicolon(&mut self) -> TokenStream {
-        let mut stream = TokenStream::new();
-        while !self.is_done() && !self.at_punct(';') {
-            stream.extend(self.advance().map(|token| token.original.clone()));
-        }
-        stream
+    /// The tokens up to the next `;`.
+    pub fn to_semicolon(&mut self) -> Cursor<'t> {
+        let rest = &self.tokens[self.at.min(self.tokens.len())..];
+        let length = rest.iter().take_while(|token| !matches!(token.kind, Kind::Punct(';'))).count();
+        self.at += length;
+        Cursor::new(&rest[..length], self.region())
+    }
+
+    /// All tokens of this group, as received.
+    pub fn originals(&self) -> TokenStream {
+        self.tokens.iter().map(|token| token.original.clone()).collect()
     }
 
     /// The tokens from here to the end without spaces, and their region.

@@ -16,9 +16,15 @@ pub fn case(seeds: &[Seed], seed: u64, number: u64) -> String {
     tokens::text(&tokens::balanced(definition))
 }
 
-/// A seed; the smaller of two, since large ones take long and say nothing else.
+/// A seed; the smaller of two, since large ones take long and say nothing else, and seldom one with a mistake of its own.
 fn small<'a>(random: &mut Random, seeds: &'a [Seed]) -> &'a [String] {
-    let (a, b) = (random.below(seeds.len()), random.below(seeds.len()));
-    let least = if seeds[a].tokens.len() < seeds[b].tokens.len() { a } else { b };
-    &seeds[least].tokens
+    let wrong = random.once_in(5);
+    let mut pick = || loop {
+        let seed = &seeds[random.below(seeds.len())];
+        if wrong || !seed.is_mistake() {
+            break &seed.tokens;
+        }
+    };
+    let (a, b) = (pick(), pick());
+    if a.len() < b.len() { a } else { b }
 }

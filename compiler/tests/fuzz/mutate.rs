@@ -8,7 +8,7 @@ use std::ops::Range;
 type Mutation = fn(&mut Random, &mut Vec<String>, &[String]);
 
 /// Each as often as it stands here. The last argument is another definition.
-const MUTATIONS: [Mutation; 32] = [
+const MUTATIONS: [Mutation; 36] = [
     delete_statement,
     duplicate_statement,
     swap_statements,
@@ -27,7 +27,11 @@ const MUTATIONS: [Mutation; 32] = [
     rename,
     number,
     number,
-    number,
+    nudge,
+    nudge,
+    nudge,
+    to_parameter,
+    to_parameter,
     number_to_expression,
     number_to_expression,
     negate,
@@ -269,6 +273,24 @@ fn some_number(random: &mut Random) -> String {
 fn number(random: &mut Random, tokens: &mut Vec<String>, _: &[String]) {
     let Some(at) = position(random, tokens, is_number) else { return };
     tokens[at] = some_number(random);
+}
+
+/// A number nearly as large: most of what was right is right still.
+fn nudge(random: &mut Random, tokens: &mut Vec<String>, _: &[String]) {
+    let Some(at) = position(random, tokens, is_number) else { return };
+    if let Ok(value) = tokens[at].parse::<f64>() {
+        tokens[at] = format!("{}", value * (0.9 + 0.01 * random.below(21) as f64));
+    }
+}
+
+/// A number, as the default of a parameter.
+fn to_parameter(random: &mut Random, tokens: &mut Vec<String>, _: &[String]) {
+    let (Some(at), Some(open)) = (position(random, tokens, is_number), tokens.iter().position(|t| t == "{")) else {
+        return;
+    };
+    let value = std::mem::replace(&mut tokens[at], format!("number * 1 [{}]", random.word("m kg rad N 1 1")));
+    let declaration = format!("param number [ 1 ] = {value} ;");
+    tokens.splice(open + 1..open + 1, declaration.split(' ').map(str::to_string));
 }
 
 fn negate(random: &mut Random, tokens: &mut Vec<String>, _: &[String]) {

@@ -15,6 +15,13 @@ pub struct Seed {
     pub tokens: Vec<String>,
 }
 
+impl Seed {
+    /// Whether it is there for the message that it gives.
+    pub fn is_mistake(&self) -> bool {
+        self.file.components().any(|part| part.as_os_str() == "ui" || part.as_os_str() == "corpus")
+    }
+}
+
 /// All seeds, in the order of their files.
 pub fn all() -> Vec<Seed> {
     let root = Path::new(env!("CARGO_MANIFEST_DIR"));

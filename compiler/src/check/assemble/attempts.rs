@@ -400,6 +400,10 @@ fn report_open(mechanism: &Mechanism, point: &mut Point, failure: Option<Attempt
         }
         Some(row) => {
             let row = &equations.rows[row];
+            if !failure.amount.is_finite() {
+                errors.error(row.span, messages::no_value_at_start(&row.of));
+                return;
+            }
             let path = row.joint.map(|joint| loop_of(mechanism, equations, joint)).unwrap_or_default();
             // Of two points that should meet, the distance, not the larger component.
             let components =
