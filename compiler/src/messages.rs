@@ -26,6 +26,10 @@ pub(crate) fn visibility() -> String {
     "a visibility is `pub`, `pub(crate)`, `pub(self)`, `pub(super)` or `pub(in path)`".to_string()
 }
 
+pub(crate) fn attribute() -> String {
+    "this is no attribute: write a path, and behind it nothing, `(…)` or `= value`".to_string()
+}
+
 pub(crate) fn crate_path(found: &str) -> String {
     format!("expected the path of this crate, such as `::my_crate::linkwright`, found `{found}`")
 }

@@ -173,8 +173,11 @@ impl Parser {
         while c.at_punct('#') {
             let mut ahead = c.clone();
             ahead.advance();
-            if ahead.inside(Delimiter::Bracket).is_none() {
+            let Some(inside) = ahead.inside(Delimiter::Bracket) else {
                 return self.expected(&ahead, "an attribute in `[ ]`");
+            };
+            if !inside.is_attribute() {
+                return self.fail(ahead.region(), messages::attribute());
             }
             stream.extend(c.advance().map(|token| token.original.clone()));
             stream.extend(c.advance().map(|token| token.original.clone()));

@@ -3,7 +3,7 @@
 
 use crate::diagnostics::{Diagnostics, Region};
 use crate::messages;
-use proc_macro2::{Delimiter, TokenStream, TokenTree};
+use proc_macro2::{Delimiter, Spacing, TokenStream, TokenTree};
 
 /// Groups nested deeper than this are refused, and so are expressions.
 pub(super) const DEEPEST: usize = 96;
@@ -204,7 +204,8 @@ impl<'t> Cursor<'t> {
     /// Whether a path stands here up to the end: words with `::` between them, and perhaps before the first.
     pub fn is_path(&self) -> bool {
         let mut c = self.clone();
-        let colons = |c: &mut Cursor| c.eat_punct(':') && c.eat_punct(':');
+        // `: :` is not `::` to Rust.
+        let colons = |c: &mut Cursor| c.at_joint(':') && c.eat_punct(':') && c.eat_punct(':');
         if c.at_punct(':') && !colons(&mut c) {
             return false;
         }
@@ -220,6 +221,33 @@ impl<'t> Cursor<'t> {
                 return false;
             }
         }
+    }
+
+    /// Whether what stands here up to the end may stand in `#[…]`: a path, then nothing, a group or `= value`.
+    pub fn is_attribute(&self) -> bool {
+        let is_value = |token: &Token| !matches!(token.kind, Kind::Punct(_));
+        let length = self.tokens.iter().take_while(|token| matches!(token.kind, Kind::Word(_) | Kind::Punct(':')));
+        let (path, rest) = self.tokens.split_at(length.count());
+        let rest_fits = match rest {
+            [] => true,
+            [group] => matches!(group.kind, Kind::Group(..)),
+            [equals, value] => is_punct(Some(equals), '=') && is_value(value),
+            // `doc = include_str!("…")`
+            [equals, name, bang, arguments] => {
+                is_punct(Some(equals), '=')
+                    && matches!(name.kind, Kind::Word(_))
+                    && is_punct(Some(bang), '!')
+                    && matches!(arguments.kind, Kind::Group(..))
+            }
+            _ => false,
+        };
+        rest_fits && Cursor::new(path, self.close).is_path()
+    }
+
+    /// Whether this character comes next and the one behind it belongs to it.
+    fn at_joint(&self, character: char) -> bool {
+        let joint = |token: &Token| matches!(&token.original, TokenTree::Punct(punct) if punct.spacing() == Spacing::Joint);
+        self.at_punct(character) && self.peek().is_some_and(joint)
     }
 
     /// After an error: to behind the next `;` or braces of this level.

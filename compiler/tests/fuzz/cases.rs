@@ -16,7 +16,7 @@ pub fn case(seeds: &[Seed], seed: u64, number: u64) -> String {
     tokens::text(&tokens::balanced(definition))
 }
 
-/// A seed; the smaller of two, since large ones take long and say nothing else, and seldom one with a mistake of its own.
+/// A seed; the smallest of four, since large ones take long and say nothing else, and seldom one with a mistake of its own.
 fn small<'a>(random: &mut Random, seeds: &'a [Seed]) -> &'a [String] {
     let wrong = random.once_in(5);
     let mut pick = || loop {
@@ -25,6 +25,12 @@ fn small<'a>(random: &mut Random, seeds: &'a [Seed]) -> &'a [String] {
             break &seed.tokens;
         }
     };
-    let (a, b) = (pick(), pick());
-    if a.len() < b.len() { a } else { b }
+    let mut least = pick();
+    for _ in 0..3 {
+        let other = pick();
+        if other.len() < least.len() {
+            least = other;
+        }
+    }
+    least
 }

@@ -2,7 +2,7 @@
 //!
 //! Groups without delimiters, which a macro's fragments arrive in, are written `«` and `»`.
 
-use proc_macro2::{Delimiter, Group, TokenStream, TokenTree};
+use proc_macro2::{Delimiter, Group, Spacing, TokenStream, TokenTree};
 use std::ops::Range;
 use std::str::FromStr;
 
@@ -58,7 +58,7 @@ fn without_delimiters(stream: TokenStream) -> TokenStream {
 }
 
 fn flatten(stream: TokenStream, tokens: &mut Vec<String>) {
-    let mut quote = false;
+    let (mut quote, mut colon) = (false, false);
     for token in stream {
         match token {
             TokenTree::Group(group) => {
@@ -73,9 +73,19 @@ fn flatten(stream: TokenStream, tokens: &mut Vec<String>) {
                 quote = true;
                 continue;
             }
+            // `::` is one token to Rust.
+            TokenTree::Punct(punct) if punct.as_char() == ':' && tokens.last().is_some_and(|last| last == "::" && colon) => {
+                colon = false;
+                continue;
+            }
+            TokenTree::Punct(punct) if punct.as_char() == ':' && punct.spacing() == Spacing::Joint => {
+                tokens.push("::".to_string());
+                colon = true;
+                continue;
+            }
             token => tokens.push(token.to_string()),
         }
-        quote = false;
+        (quote, colon) = (false, false);
     }
 }
 
