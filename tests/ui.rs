@@ -8,4 +8,6 @@
 fn mistakes() {
     let cases = trybuild::TestCases::new();
     cases.compile_fail("tests/ui/*/*.rs");
+    // Unkind surroundings, each a crate of its own: they compile without a warning and run.
+    cases.pass("tests/hygiene/*.rs");
 }

@@ -706,6 +706,10 @@ pub(crate) fn out_of_range(value: f64, least: f64, most: f64) -> String {
     )
 }
 
+pub(crate) fn place_not_known_yet(place: &str) -> String {
+    format!("`{place}` is not known here: bodies are placed after their own points and lines are read")
+}
+
 pub(crate) fn place_as_value() -> String {
     "a place is no value; `distance(a.p, ground(0, 0))` is one".to_string()
 }
@@ -749,6 +753,13 @@ pub(crate) fn default_out_of_bounds(name: &str, default: f64, minimum: f64, maxi
     format!(
         "the default of `{name}` lies outside of its bounds: {default} is not in {minimum}..{maximum} (SI units); \
          widen the bounds or change the default"
+    )
+}
+
+pub(crate) fn too_many(what: &str, count: usize, most: usize, first: &str) -> String {
+    format!(
+        "{count} {what} are too many: from `{first}` on they are beyond {most}, and the equations of all are written out in \
+         full; take a smaller mechanism"
     )
 }
 

@@ -112,7 +112,11 @@ impl Run {
         let done: u64 = self.counts.values().sum();
         if done.is_multiple_of(1000) {
             let seconds = self.begin.elapsed().as_secs_f64();
-            eprint!("\r{done} of {} cases, {} kinds of faults, {seconds:.0} s ", self.total, self.faults.len());
+            eprint!(
+                "\r{done} of {} cases, {} kinds of faults, {seconds:.0} s ",
+                self.total,
+                self.faults.len()
+            );
         }
     }
 

@@ -42,6 +42,10 @@ impl Found {
 impl<'d> Lowering<'d> {
     /// A quantity that may stand in an expression of this use.
     pub fn permitted_quantity(&mut self, path: &Path, usage: Use) -> Option<(Quantity, Dimension)> {
+        if self.bodies.len() < self.definition.bodies.len() && path.parts.len() > 1 {
+            // Values that bodies are made of are read before any place is known.
+            self.permit(false, path, "a quantity of the motion", usage)?;
+        }
         let found = self.find(path)?;
         let (permitted, kind) = match found.level {
             Level::Position => (usage.positions, "a position"),

@@ -97,6 +97,7 @@ impl Header {
 /// Reads a definition. All syntax errors are reported, one for each statement.
 pub fn parse(tokens: TokenStream) -> Result<Definition, Diagnostics> {
     let mut diagnostics = Diagnostics::new();
+    let whole = tokens.clone().into_iter().next().map_or(Span::call_site(), |token| token.span());
     let tokens = token::convert(tokens, &mut diagnostics);
     if !diagnostics.is_empty() {
         // Groups are missing, and what is missing must not be reported a second time.
@@ -111,7 +112,7 @@ pub fn parse(tokens: TokenStream) -> Result<Definition, Diagnostics> {
         depth: 0,
     };
     // What is missing at the end is missing behind the last token.
-    let end = tokens.last().map_or(Span::call_site().into(), |last| last.region);
+    let end = tokens.last().map_or(whole.into(), |last| last.region);
     let mut cursor = Cursor::new(&tokens, end);
     let _: Parsed<()> = parser.item(&mut cursor);
     let Parser { diagnostics, definition, .. } = parser;

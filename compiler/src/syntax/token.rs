@@ -226,7 +226,8 @@ impl<'t> Cursor<'t> {
     /// Whether what stands here up to the end may stand in `#[…]`: a path, then nothing, a group or `= value`.
     pub fn is_attribute(&self) -> bool {
         let is_value = |token: &Token| !matches!(token.kind, Kind::Punct(_));
-        let length = self.tokens.iter().take_while(|token| matches!(token.kind, Kind::Word(_) | Kind::Punct(':')));
+        let length =
+            self.tokens.iter().take_while(|token| matches!(token.kind, Kind::Word(_) | Kind::Punct(':')));
         let (path, rest) = self.tokens.split_at(length.count());
         let rest_fits = match rest {
             [] => true,

@@ -21,6 +21,7 @@ pub enum Verdict {
 static PANIC: Mutex<String> = Mutex::new(String::new());
 
 /// Panics are kept for the report and not printed.
+#[allow(dead_code)] // Only the example prints what it finds.
 pub fn keep_panics() {
     std::panic::set_hook(Box::new(|panic| {
         if let Ok(mut last) = PANIC.lock() {
@@ -48,9 +49,10 @@ fn readable(source: &str, items: &str) -> Result<(), String> {
     syn::parse_file(items).map_err(|error| format!("unreadable expansion: {error}"))?;
     for word in ["inf", "NaN"] {
         let outside = |piece: &str| !piece.ends_with(|c: char| c.is_alphanumeric() || c == '_');
-        let found = items.split(word).collect::<Vec<_>>().windows(2).any(|pair| {
-            outside(pair[0]) && !pair[1].starts_with(|c: char| c.is_alphanumeric() || c == '_')
-        });
+        let found =
+            items.split(word).collect::<Vec<_>>().windows(2).any(|pair| {
+                outside(pair[0]) && !pair[1].starts_with(|c: char| c.is_alphanumeric() || c == '_')
+            });
         if found && !source.contains(word) {
             return Err(format!("`{word}` is emitted"));
         }
@@ -63,7 +65,8 @@ fn messages(source: &str, errors: TokenStream, empty: bool) -> Result<(), String
     let tokens: Vec<TokenTree> = errors.clone().into_iter().collect();
     let mut count = 0;
     for at in (0..tokens.len()).filter(|at| tokens[*at].to_string() == "compile_error") {
-        let (first, Some(TokenTree::Group(group))) = (&tokens[at.saturating_sub(5)], tokens.get(at + 2)) else {
+        let (first, Some(TokenTree::Group(group))) = (&tokens[at.saturating_sub(5)], tokens.get(at + 2))
+        else {
             return Err("a message without its text".to_string());
         };
         let Some(TokenTree::Literal(text)) = group.stream().into_iter().next() else {
@@ -74,7 +77,8 @@ fn messages(source: &str, errors: TokenStream, empty: bool) -> Result<(), String
             return Err(format!("a message at no place: {text}"));
         }
         let words = text.to_string();
-        let not_finite = words.split(|c: char| !c.is_alphanumeric()).find(|word| matches!(*word, "NaN" | "inf"));
+        let not_finite =
+            words.split(|c: char| !c.is_alphanumeric()).find(|word| matches!(*word, "NaN" | "inf"));
         if not_finite.is_some_and(|word| !source.contains(word)) {
             return Err(format!("a message with a number that is none: {text}"));
         }

@@ -163,7 +163,9 @@ fn filled(random: &mut Random, tokens: &[String], piece: &str) -> Vec<String> {
     match piece {
         "J" => vec![one(random, &joints())],
         "B" => vec![one(random, &bodies())],
-        "L" => vec![one(random, &declared(tokens, &["force", "torque", "spring", "damper", "torsion_spring"]))],
+        "L" => {
+            vec![one(random, &declared(tokens, &["force", "torque", "spring", "damper", "torsion_spring"]))]
+        }
         "X" => vec![one(random, &declared(tokens, &["param", "input", "const"]))],
         "#" => vec![some_number(random)],
         "P" if random.once_in(5) => split("ground ( 0 , 0.5 ) [ m ]".to_string()),
@@ -175,7 +177,8 @@ fn filled(random: &mut Random, tokens: &[String], piece: &str) -> Vec<String> {
         }
         "Q" if random.once_in(3) => split(format!("{} . angle", one(random, &bodies()))),
         "Q" => {
-            let quantity = random.word("angle angle rate travel speed angle_1 rate_2 center.x center.velocity.y");
+            let quantity =
+                random.word("angle angle rate travel speed angle_1 rate_2 center.x center.velocity.y");
             split(format!("{} . {}", one(random, &joints()), quantity.replace('.', " . ")))
         }
         _ => vec![piece.to_string()],
@@ -285,7 +288,8 @@ fn nudge(random: &mut Random, tokens: &mut Vec<String>, _: &[String]) {
 
 /// A number, as the default of a parameter.
 fn to_parameter(random: &mut Random, tokens: &mut Vec<String>, _: &[String]) {
-    let (Some(at), Some(open)) = (position(random, tokens, is_number), tokens.iter().position(|t| t == "{")) else {
+    let (Some(at), Some(open)) = (position(random, tokens, is_number), tokens.iter().position(|t| t == "{"))
+    else {
         return;
     };
     let value = std::mem::replace(&mut tokens[at], format!("number * 1 [{}]", random.word("m kg rad N 1 1")));
@@ -374,7 +378,8 @@ fn deepen(random: &mut Random, tokens: &mut Vec<String>, _: &[String]) {
     let Some(at) = position(random, tokens, is_number) else { return };
     let levels = [1, 10, 94, 97, 200, 3000][random.below(6)];
     let (open, close) =
-        [("(", ")"), ("«", "»"), ("{", "}"), ("[", "]"), ("-", ""), ("sin (", ")"), ("2 ^", "")][random.below(7)];
+        [("(", ")"), ("«", "»"), ("{", "}"), ("[", "]"), ("-", ""), ("sin (", ")"), ("2 ^", "")]
+            [random.below(7)];
     let repeated = |text: &str| format!("{text} ").repeat(levels);
     tokens.splice(at + 1..at + 1, repeated(close).split_whitespace().map(str::to_string));
     tokens.splice(at..at, repeated(open).split_whitespace().map(str::to_string));

@@ -7,7 +7,8 @@ use std::path::{Path, PathBuf};
 use std::str::FromStr;
 
 /// Where definitions stand: models, mistakes with their messages, tests of unusual parts.
-const PLACES: [&str; 4] = ["../models/src", "../tests/ui", "../tests/checks", "../examples"];
+const PLACES: [&str; 5] =
+    ["../models/src", "../tests/ui", "../tests/hygiene", "../tests/checks", "../examples"];
 
 /// One definition and where it comes from.
 pub struct Seed {

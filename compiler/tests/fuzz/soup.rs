@@ -16,7 +16,8 @@ const WORDS: &str = "planar spatial pub const param input gravity body rod disk 
 const NUMBERS: &str = "0 1 2 3 10 96 1000000 9223372036854775807 99999999999999999999999 0.5 1e308 1e-308 5e-324 1e400 \
     0.1f32 0x10 1_000 4.9e-162";
 
-const MARKS: &str = "; ; ; ; , , = = : : . . .. ~ + - * / ^ < > <= == != ! & | % # $ @ ? -> ( ) ( ) [ ] [ ] { } { } « »";
+const MARKS: &str =
+    "; ; ; ; , , = = : : . . .. ~ + - * / ^ < > <= == != ! & | % # $ @ ? -> ( ) ( ) [ ] [ ] { } { } « »";
 
 const OTHERS: &str = "\"text\" 'c' 'lifetime b\"bytes\" r\"raw\" 1.";
 

@@ -74,7 +74,9 @@ fn flatten(stream: TokenStream, tokens: &mut Vec<String>) {
                 continue;
             }
             // `::` is one token to Rust.
-            TokenTree::Punct(punct) if punct.as_char() == ':' && tokens.last().is_some_and(|last| last == "::" && colon) => {
+            TokenTree::Punct(punct)
+                if punct.as_char() == ':' && tokens.last().is_some_and(|last| last == "::" && colon) =>
+            {
                 colon = false;
                 continue;
             }
