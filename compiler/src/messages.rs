@@ -27,7 +27,7 @@ pub(crate) fn visibility() -> String {
 }
 
 pub(crate) fn attribute() -> String {
-    "this is no attribute: write a path, and behind it nothing, `(…)` or `= value`".to_string()
+    "this is no attribute: write a path, and behind it nothing, `(…)` or `= literal`".to_string()
 }
 
 pub(crate) fn crate_path(found: &str) -> String {

@@ -43,7 +43,7 @@ fn the_deepest_expressions_are_compiled() {
     for (open, close, levels) in [
         ("sin(", " * 1 [rad])", 45),
         ("-(", ")", 45),
-        ("k*(1 + ", ")", 45),
+        ("k*(1 + ", ")", 30),
         ("if(k > 0.5, ", ", 1)", 90),
         ("min(k, ", ")", 90),
         ("(", "^2)", 90),

@@ -47,7 +47,15 @@ fn main() -> ExitCode {
         worker::work(seed, from, cases);
         return ExitCode::SUCCESS;
     }
-    let mut run = Run { seed, total: cases, begin: Instant::now(), ..Run::default() };
+    let mut run = Run {
+        seed,
+        total: cases,
+        seeds: seeds::all(),
+        begin: Instant::now(),
+        counts: BTreeMap::new(),
+        slowest: (Duration::ZERO, 0),
+        faults: BTreeMap::new(),
+    };
     run.all(from, from + cases);
     run.end()
 }
@@ -60,24 +68,13 @@ fn number(name: &str, default: u64) -> u64 {
 struct Run {
     seed: u64,
     total: u64,
+    /// As they were when the run began.
+    seeds: Vec<seeds::Seed>,
     begin: Instant,
     counts: BTreeMap<String, u64>,
     slowest: (Duration, u64),
     /// Faults by what they say, with the numbers of their cases.
     faults: BTreeMap<String, Vec<u64>>,
-}
-
-impl Default for Run {
-    fn default() -> Self {
-        Run {
-            seed: 0,
-            total: 0,
-            begin: Instant::now(),
-            counts: BTreeMap::new(),
-            slowest: (Duration::ZERO, 0),
-            faults: BTreeMap::new(),
-        }
-    }
 }
 
 impl Run {
@@ -127,7 +124,7 @@ impl Run {
         cases.push(case);
         if cases.len() == 1 {
             println!("\ncase {case}: {fault}");
-            let text = cases::case(&seeds::all(), self.seed, case);
+            let text = cases::case(&self.seeds, self.seed, case);
             let signature: String = fault.chars().take(60).collect();
             let least = minimise::minimise(&text, |text| {
                 worker::judged(text, BOUND).is_some_and(|other| other.starts_with(&signature))

@@ -44,6 +44,7 @@ mod token;
 
 pub use definition::*;
 pub use definition_json::definition_json;
+pub(crate) use token::KEYWORDS;
 
 use crate::diagnostics::Diagnostics;
 use crate::messages;

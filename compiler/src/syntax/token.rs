@@ -8,6 +8,15 @@ use proc_macro2::{Delimiter, Spacing, TokenStream, TokenTree};
 /// Groups nested deeper than this are refused, and so are expressions.
 pub(super) const DEEPEST: usize = 96;
 
+/// The keywords of Rust, which cannot be names in the generated code.
+pub(crate) const KEYWORDS: [&str; 53] = [
+    "Self", "abstract", "as", "async", "await", "become", "box", "break", "const", "continue", "crate", "do",
+    "dyn", "else", "enum", "extern", "false", "final", "fn", "for", "gen", "if", "impl", "in", "let", "loop",
+    "macro", "match", "mod", "move", "mut", "override", "priv", "pub", "ref", "return", "self", "static",
+    "struct", "super", "trait", "true", "try", "type", "typeof", "union", "unsafe", "unsized", "use",
+    "virtual", "where", "while", "yield",
+];
+
 /// One token with its place.
 #[derive(Debug)]
 pub(super) struct Token {
@@ -210,7 +219,8 @@ impl<'t> Cursor<'t> {
             return false;
         }
         loop {
-            if c.word().is_none() {
+            let step = |word: &str| matches!(word, "crate" | "self" | "super") || !KEYWORDS.contains(&word);
+            if !c.word().is_some_and(step) {
                 return false;
             }
             c.advance();
@@ -225,7 +235,11 @@ impl<'t> Cursor<'t> {
 
     /// Whether what stands here up to the end may stand in `#[…]`: a path, then nothing, a group or `= value`.
     pub fn is_attribute(&self) -> bool {
-        let is_value = |token: &Token| !matches!(token.kind, Kind::Punct(_));
+        let is_value = |token: &Token| match &token.kind {
+            Kind::Number(_) | Kind::Text(_) | Kind::Group(Delimiter::None, ..) => true,
+            Kind::Word(word) => matches!(word.as_str(), "true" | "false"),
+            _ => false,
+        };
         let length =
             self.tokens.iter().take_while(|token| matches!(token.kind, Kind::Word(_) | Kind::Punct(':')));
         let (path, rest) = self.tokens.split_at(length.count());

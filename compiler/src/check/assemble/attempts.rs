@@ -424,6 +424,10 @@ fn report_open(mechanism: &Mechanism, point: &mut Point, failure: Option<Attempt
         None => {
             let span = mechanism.start.iter().find(|start| start.exact).map(|start| start.span);
             let span = span.unwrap_or(mechanism.name.span);
+            if !failure.amount.is_finite() {
+                errors.error(span, messages::no_value_at_start("start"));
+                return;
+            }
             let drivers =
                 equations.driven.iter().zip(&mechanism.drivers).map(|((condition, node), driver)| {
                     point.evaluate(&Ancestry::of(equations, [*node]));
