@@ -46,9 +46,9 @@ fn the_deepest_expressions_are_compiled() {
         ("k*(1 + ", ")", 30),
         ("if(k > 0.5, ", ", 1)", 90),
         ("min(k, ", ")", 90),
-        ("(", "^2)", 90),
+        ("(", "^2)", 8),
     ] {
-        let law = format!("{}pivot.angle/1 [rad]{}", open.repeat(levels), close.repeat(levels));
+        let law = format!("{}sin(pivot.angle){}", open.repeat(levels), close.repeat(levels));
         let source = pendulum(&format!(
             "torque motor: torque(pivot) = {law} * 1 [N*m]; output o [1] = {law}; options {{ emit = (tangent); }}"
         ));

@@ -3,10 +3,11 @@
 //! ```text
 //! cargo run --profile fuzz -p linkwright-compiler --example fuzz -- [--cases 100000] [--seed 1] [--from 0]
 //! cargo run --profile fuzz -p linkwright-compiler --example fuzz -- --judge < FILE
+//! cargo run --profile fuzz -p linkwright-compiler --example fuzz -- --print [--seed 1] [--from 0]
 //! ```
 //! The first generates and judges cases in a process of its own, on a thread with 2 MB of stack, so that overflows and
 //! endless loops are found too. A fault is cut down and printed, to be kept in `compiler/tests/fuzz/corpus`. The second
-//! judges one text. The profile `fuzz` is optimised and checks overflows as a macro in a debug build does.
+//! judges one text, the third prints one case. The profile `fuzz` is optimised and checks overflows as a macro in a debug build does.
 
 #[path = "../../tests/fuzz/cases.rs"]
 mod cases;
@@ -45,6 +46,10 @@ fn main() -> ExitCode {
     let (seed, from, cases) = (number("--seed", 1), number("--from", 0), number("--cases", 100_000));
     if flag("--worker") {
         worker::work(seed, from, cases);
+        return ExitCode::SUCCESS;
+    }
+    if flag("--print") {
+        println!("{}", cases::case(&seeds::all(), seed, from));
         return ExitCode::SUCCESS;
     }
     let mut run = Run {

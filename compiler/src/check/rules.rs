@@ -62,6 +62,8 @@ fn is_of_a_size_to_write_out(mechanism: &Mechanism, diagnostics: &mut Diagnostic
     fn names<'a>(names: impl Iterator<Item = &'a Name> + 'a) -> Vec<&'a Name> {
         names.collect()
     }
+    // Many more than three of them for each body can only repeat one another, and finding out which takes their cube.
+    let most_constraints = MOST_CONSTRAINTS.min(3 * mechanism.bodies.len() + 32);
     let joints = mechanism.joints.iter().map(|joint| &joint.name);
     let constraints = mechanism.constraints.iter().map(|constraint| &constraint.name);
     let drivers = mechanism.drivers.iter().map(|driver| &driver.name);
@@ -73,7 +75,7 @@ fn is_of_a_size_to_write_out(mechanism: &Mechanism, diagnostics: &mut Diagnostic
         (
             "joints, constraints and drivers",
             names(joints.chain(constraints).chain(drivers)),
-            MOST_CONSTRAINTS,
+            most_constraints,
         ),
         ("loads", names(mechanism.loads.iter().map(|load| &load.name)), MOST_LOADS),
         ("parameters, inputs and outputs", names(parameters.chain(inputs).chain(outputs)), MOST_VALUES),

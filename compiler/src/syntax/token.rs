@@ -218,11 +218,14 @@ impl<'t> Cursor<'t> {
         if c.at_punct(':') && !colons(&mut c) {
             return false;
         }
+        let mut inner = false;
         loop {
-            let step = |word: &str| matches!(word, "crate" | "self" | "super") || !KEYWORDS.contains(&word);
-            if !c.word().is_some_and(step) {
+            let special = |word: &str| matches!(word, "crate" | "self" | "super");
+            let fits = |word: &str| !KEYWORDS.contains(&word) || (!inner && special(word)) || word == "super";
+            if !c.word().is_some_and(fits) {
                 return false;
             }
+            inner = true;
             c.advance();
             if c.is_done() {
                 return true;
