@@ -82,7 +82,7 @@ impl Parser {
 
     /// A path, as received.
     fn crate_path(&mut self, c: &mut Cursor) -> Parsed<TokenStream> {
-        let path = c.to_semicolon();
+        let path = c.until_semicolon();
         if path.is_path() {
             return Ok(path.originals());
         }

@@ -278,7 +278,7 @@ impl<'t> Cursor<'t> {
     }
 
     /// The tokens up to the next `;`.
-    pub fn to_semicolon(&mut self) -> Cursor<'t> {
+    pub fn until_semicolon(&mut self) -> Cursor<'t> {
         let rest = &self.tokens[self.at.min(self.tokens.len())..];
         let length = rest.iter().take_while(|token| !matches!(token.kind, Kind::Punct(';'))).count();
         self.at += length;

@@ -376,7 +376,7 @@ fn wrap(random: &mut Random, tokens: &mut Vec<String>, _: &[String]) {
 /// One token, nested.
 fn deepen(random: &mut Random, tokens: &mut Vec<String>, _: &[String]) {
     let Some(at) = position(random, tokens, is_number) else { return };
-    let levels = [1, 10, 94, 97, 200, 3000][random.below(6)];
+    let levels = [1, 10, 94, 97, 200, 1000][random.below(6)];
     let (open, close) =
         [("(", ")"), ("«", "»"), ("{", "}"), ("[", "]"), ("-", ""), ("sin (", ")"), ("2 ^", "")]
             [random.below(7)];
