@@ -1,5 +1,7 @@
 //! Changes to a definition: of tokens, of statements, and statements that a mechanism might have had.
 
+#![allow(clippy::ptr_arg)] // All mutations have one type.
+
 use super::random::Random;
 use super::soup;
 use super::tokens::{groups, statements};

@@ -154,8 +154,9 @@ pub fn statements(tokens: &[String]) -> Vec<Range<usize>> {
     let mut found = Vec::new();
     for group in groups(tokens).into_iter().filter(|group| tokens[group.start] == "{") {
         let (mut start, mut depth) = (group.start + 1, 0_usize);
-        for at in group.start + 1..group.end - 1 {
-            let token = tokens[at].as_str();
+        let inside = tokens.iter().enumerate().take(group.end - 1).skip(group.start + 1);
+        for (at, token) in inside {
+            let token = token.as_str();
             depth += usize::from(closing(token).is_some());
             depth -= usize::from(closes(token));
             if depth == 0 && matches!(token, ";" | "}") {
