@@ -7,6 +7,9 @@
 //! definitions is unoptimised as any procedural macro is. The bench generates a macro crate under `target/` that is
 //! the shipped one with a clock around it, and a crate that uses it; `cargo check` of that crate prints the times.
 //!
+//! *Half typed*: the same of a definition that is cut behind each of its tokens in turn, as an editor has it, median over the
+//! places of the cut.
+//!
 //! *Release build*: wall time of `cargo build --release` for a crate that simulates a model in f64, all dependencies
 //! being built: expansion, type checking, code generation and linking.
 //!
@@ -39,12 +42,11 @@ fn main() {
         ("stewart_platform", StewartPlatform::SOURCE),
     ];
     for (name, definition) in definitions.into_iter().filter(|(name, _)| name.contains(&part)) {
-        let times = bench.expansion(definition);
-        println!(
-            "  {name:<18}{:>9.1} ms, least {:>7.1} ms",
-            1e3 * median(times.clone()),
-            1e3 * least(&times)
-        );
+        print_times(name, &bench.expansion("mechanism", definition));
+    }
+    if "half_typed".contains(&part) {
+        print_times("half_typed", &bench.expansion("half_typed", FourBar::SOURCE));
+        print_times("half_typed, most", &bench.expansion("half_typed_longest", FourBar::SOURCE));
     }
     println!("release build of a crate that simulates, dependencies built:");
     let programs = [
@@ -63,6 +65,79 @@ fn main() {
     }
 }
 
+fn print_times(name: &str, times: &[f64]) {
+    println!("  {name:<18}{:>9.1} ms, least {:>7.1} ms", 1e3 * median(times.to_vec()), 1e3 * least(times));
+}
+
+/// The macros with a clock.
+const CLOCK: &str = r#"
+use linkwright_compiler::{Expansion, expand};
+use proc_macro::{Group, TokenStream, TokenTree};
+use std::time::Instant;
+
+#[proc_macro]
+pub fn mechanism(tokens: TokenStream) -> TokenStream {
+    let start = Instant::now();
+    let Expansion::Items(text) = expand(tokens.into()) else { panic!("the definition is wrong") };
+    let items: TokenStream = text.parse().unwrap();
+    eprintln!("expansion took {} s", start.elapsed().as_secs_f64());
+    items
+}
+
+#[proc_macro]
+pub fn half_typed(tokens: TokenStream) -> TokenStream {
+    let times = of_all_cuts(tokens);
+    eprintln!("expansion took {} s", times[times.len() / 2]);
+    TokenStream::new()
+}
+
+#[proc_macro]
+pub fn half_typed_longest(tokens: TokenStream) -> TokenStream {
+    let times = of_all_cuts(tokens);
+    eprintln!("expansion took {} s", times[times.len() - 1]);
+    TokenStream::new()
+}
+
+fn of_all_cuts(tokens: TokenStream) -> Vec<f64> {
+    let mut all = usize::MAX;
+    first(tokens.clone(), &mut all);
+    let mut times: Vec<f64> = (1..usize::MAX - all).map(|mut kept| time(first(tokens.clone(), &mut kept))).collect();
+    times.sort_by(f64::total_cmp);
+    times
+}
+
+fn time(tokens: TokenStream) -> f64 {
+    let start = Instant::now();
+    let expansion: TokenStream = match expand(tokens.into()) {
+        Expansion::Items(text) => text.parse().unwrap(),
+        Expansion::Errors(errors) => errors.into(),
+    };
+    let time = start.elapsed().as_secs_f64();
+    assert!(!expansion.is_empty());
+    time
+}
+
+/// The first tokens, groups that are begun closed.
+fn first(tokens: TokenStream, left: &mut usize) -> TokenStream {
+    let mut kept = Vec::new();
+    for token in tokens {
+        if *left == 0 {
+            break;
+        }
+        *left -= 1;
+        kept.push(match token {
+            TokenTree::Group(group) => {
+                let mut cut = Group::new(group.delimiter(), first(group.stream(), left));
+                cut.set_span(group.span());
+                TokenTree::Group(cut)
+            }
+            token => token,
+        });
+    }
+    kept.into_iter().collect()
+}
+"#;
+
 struct Bench<'a> {
     root: &'a Path,
     /// Where the generated crates live.
@@ -70,8 +145,8 @@ struct Bench<'a> {
 }
 
 impl Bench<'_> {
-    /// Times that the clocked macro prints for one definition, s.
-    fn expansion(&self, definition: &str) -> Vec<f64> {
+    /// Times that a clocked macro prints for one definition, s.
+    fn expansion(&self, name: &str, definition: &str) -> Vec<f64> {
         let root = self.root.display();
         self.write(
             "clock/Cargo.toml",
@@ -80,19 +155,7 @@ impl Bench<'_> {
                  [dependencies]\nlinkwright-compiler = {{ path = \"{root}/compiler\" }}\n[workspace]\n"
             ),
         );
-        self.write(
-            "clock/src/lib.rs",
-            "#[proc_macro]\n\
-             pub fn mechanism(tokens: proc_macro::TokenStream) -> proc_macro::TokenStream {\n\
-             \x20   let start = std::time::Instant::now();\n\
-             \x20   let linkwright_compiler::Expansion::Items { text, .. } = linkwright_compiler::expand(tokens.into(), |_| None) else {\n\
-             \x20       panic!(\"the definition is wrong\")\n\
-             \x20   };\n\
-             \x20   let items: proc_macro::TokenStream = text.parse().unwrap();\n\
-             \x20   eprintln!(\"expansion took {} s\", start.elapsed().as_secs_f64());\n\
-             \x20   items\n\
-             }\n",
-        );
+        self.write("clock/src/lib.rs", CLOCK);
         self.write(
             "user/Cargo.toml",
             &format!(
@@ -100,7 +163,7 @@ impl Bench<'_> {
                  linkwright = {{ path = \"{root}\" }}\nclock = {{ path = \"../clock\" }}\n[workspace]\n"
             ),
         );
-        self.write("user/src/lib.rs", &format!("clock::mechanism! {{ {definition} }}\n"));
+        self.write("user/src/lib.rs", &format!("clock::{name}! {{ {definition} }}\n"));
         self.lock("user");
         let run = || {
             self.touch("user/src/lib.rs");

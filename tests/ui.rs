@@ -11,6 +11,8 @@ fn mistakes() {
     let cases = trybuild::TestCases::new();
     cases.compile_fail("tests/ui/*/*.rs");
     cases.pass("tests/pass/*.rs");
+    // Unkind surroundings, each a crate of its own: they compile without a warning and run.
+    cases.pass("tests/hygiene/*.rs");
 }
 
 /// What ships is free of warnings, or says why not.

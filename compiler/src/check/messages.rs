@@ -19,6 +19,13 @@ pub fn not_independent(of: &str, others: &[&str]) -> String {
     )
 }
 
+pub fn no_value_at_start(of: &str) -> String {
+    format!(
+        "\"{of}\" has no value at the start: a number in what it is made of is too large or too small, a divisor is zero, \
+         or a function is not defined there"
+    )
+}
+
 /// `start` gives more coordinates than there are freedoms: those to keep, and those that could be guesses.
 pub struct Overgiven {
     pub freedoms: usize,

@@ -6,14 +6,15 @@
 use crate::diagnostics::Diagnostics;
 use crate::messages;
 use crate::model::{
-    BodyId, Condition, ConstraintKind, Expr, Frame, JointId, JointKind, LoadKind, Mechanism, Quantity, Rotor,
-    Space, Vector, fold,
+    BodyId, Condition, ConstraintKind, Expr, Frame, JointId, JointKind, LoadKind, Mechanism, Name, Quantity,
+    Rotor, Space, Vector, fold,
 };
 use std::collections::HashMap;
 
 /// The rules in the order they are reported.
-const RULES: [fn(&Mechanism, &mut Diagnostics); 16] = [
+const RULES: [fn(&Mechanism, &mut Diagnostics); 17] = [
     has_bodies,
+    is_of_a_size_to_write_out,
     bounds_hold_the_default,
     mass_is_not_negative,
     dimensions_are_positive,
@@ -50,6 +51,39 @@ pub(super) fn at_defaults(mechanism: &Mechanism, expr: &Expr) -> Option<f64> {
 fn has_bodies(mechanism: &Mechanism, diagnostics: &mut Diagnostics) {
     if mechanism.bodies.is_empty() {
         diagnostics.error(mechanism.name.span, messages::no_bodies(&mechanism.name.text, mechanism.space));
+    }
+}
+
+// What is written out in full has a bounded size, or the build would not end.
+fn is_of_a_size_to_write_out(mechanism: &Mechanism, diagnostics: &mut Diagnostics) {
+    const MOST_BODIES: usize = 256;
+    const MOST_CONSTRAINTS: usize = 512;
+    const MOST_LOADS: usize = 1024;
+    const MOST_VALUES: usize = 1024;
+    fn names<'a>(names: impl Iterator<Item = &'a Name> + 'a) -> Vec<&'a Name> {
+        names.collect()
+    }
+    // Many more than three of them for each body can only repeat one another, and finding out which takes their cube.
+    let most_constraints = MOST_CONSTRAINTS.min(3 * mechanism.bodies.len() + 32);
+    let joints = mechanism.joints.iter().map(|joint| &joint.name);
+    let constraints = mechanism.constraints.iter().map(|constraint| &constraint.name);
+    let drivers = mechanism.drivers.iter().map(|driver| &driver.name);
+    let parameters = mechanism.parameters.iter().map(|parameter| &parameter.name);
+    let inputs = mechanism.inputs.iter().map(|input| &input.name);
+    let outputs = mechanism.outputs.iter().map(|output| &output.name);
+    for (what, names, most) in [
+        ("bodies", names(mechanism.bodies.iter().map(|body| &body.name)), MOST_BODIES),
+        (
+            "joints, constraints and drivers",
+            names(joints.chain(constraints).chain(drivers)),
+            most_constraints,
+        ),
+        ("loads", names(mechanism.loads.iter().map(|load| &load.name)), MOST_LOADS),
+        ("parameters, inputs and outputs", names(parameters.chain(inputs).chain(outputs)), MOST_VALUES),
+    ] {
+        if let Some(first) = names.get(most) {
+            diagnostics.error(first.span, messages::too_many(what, names.len(), most, &first.text));
+        }
     }
 }
 

@@ -264,6 +264,11 @@ const KEYWORDS: [&str; 51] = [
     "unsized", "virtual",
 ];
 
+/// Whether a word is Rust's own.
+pub fn is_keyword(name: &str) -> bool {
+    KEYWORDS.contains(&name) || name == "_"
+}
+
 /// A field of an emitted struct: the user's name, raw if it is a keyword.
 pub fn field(name: &str) -> String {
     match name {

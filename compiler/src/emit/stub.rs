@@ -3,7 +3,7 @@
 //! Every name that other code may use exists, with the types it would have as far as the broken definition tells; the
 //! functions do nothing. None of it can run, because the crate does not compile.
 
-use super::names::field;
+use super::names::{field, is_keyword};
 use crate::syntax::{self, Header};
 use proc_macro2::TokenStream;
 use std::fmt::Write;
@@ -14,6 +14,9 @@ const MANY: usize = 1024;
 /// Items with the model's names; nothing if not even a name was written.
 pub fn stub(tokens: TokenStream) -> TokenStream {
     let Some(header) = syntax::header(tokens) else { return TokenStream::new() };
+    if is_keyword(&header.name.to_string()) {
+        return TokenStream::new();
+    }
     let mut text = String::new();
     structs(&mut text, &header);
     constants(&mut text, &header);

@@ -294,6 +294,13 @@ pub(crate) fn default_out_of_bounds(name: &str, default: f64, minimum: f64, maxi
     )
 }
 
+pub(crate) fn too_many(what: &str, count: usize, most: usize, first: &str) -> String {
+    format!(
+        "{count} {what} are too many: from `{first}` on they are beyond {most}, and the equations of all are written out in \
+         full; take a smaller mechanism"
+    )
+}
+
 pub(crate) fn negative(what: &str, owner: &str, value: f64, unit: &str) -> String {
     format!("the {what} of `{owner}` is negative: {value} {unit}; it must be zero or more")
 }

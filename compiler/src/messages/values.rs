@@ -89,6 +89,17 @@ pub(crate) fn not_constant(what: &str) -> String {
     format!("the value of {what} must be known at expansion")
 }
 
+pub(crate) fn out_of_range(value: f64, least: f64, most: f64) -> String {
+    format!(
+        "{value:e} (SI units) is out of range: a value is 0 or its magnitude lies between {least:e} and {most:e}; check its \
+         exponent and its unit"
+    )
+}
+
+pub(crate) fn place_not_known_yet(place: &str) -> String {
+    format!("`{place}` is not known here: bodies are placed after their own points and lines are read")
+}
+
 pub(crate) fn not_finite(value: f64) -> String {
     let why = if value.is_nan() { "it is not defined" } else { "it is infinite" };
     format!("this has no value: {why}")

@@ -25,6 +25,18 @@ pub(crate) fn empty_macro() -> String {
     "the definition is empty: write `planar Name { … }` or `spatial Name { … }`".to_string()
 }
 
+pub(crate) fn visibility() -> String {
+    "a visibility is `pub`, `pub(crate)`, `pub(self)`, `pub(super)` or `pub(in path)`".to_string()
+}
+
+pub(crate) fn attribute() -> String {
+    "this is no attribute: write a path, and behind it nothing, `(…)` or `= literal`".to_string()
+}
+
+pub(crate) fn crate_path(found: &str) -> String {
+    format!("expected the path of this crate, such as `::my_crate::linkwright`, found `{found}`")
+}
+
 pub(crate) fn chained_comparison() -> String {
     "comparisons do not chain: write `a < b and b < c`".to_string()
 }

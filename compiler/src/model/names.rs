@@ -3,7 +3,7 @@
 
 use crate::diagnostics::Diagnostics;
 use crate::messages;
-use crate::syntax::{Definition, Label};
+use crate::syntax::{Definition, KEYWORDS, Label};
 use std::collections::HashMap;
 
 /// A value by name; indices into the definition.
@@ -76,15 +76,6 @@ pub(super) const BUILT_IN: [&str; 27] = [
 /// Points and quantities that every body has.
 const OF_BODIES: [&str; 5] = ["center", "origin", "angle", "rate", "velocity"];
 
-/// The keywords of Rust, which cannot be names in the generated code.
-const KEYWORDS: [&str; 53] = [
-    "Self", "abstract", "as", "async", "await", "become", "box", "break", "const", "continue", "crate", "do",
-    "dyn", "else", "enum", "extern", "false", "final", "fn", "for", "gen", "if", "impl", "in", "let", "loop",
-    "macro", "match", "mod", "move", "mut", "override", "priv", "pub", "ref", "return", "self", "static",
-    "struct", "super", "trait", "true", "try", "type", "typeof", "union", "unsafe", "unsized", "use",
-    "virtual", "where", "while", "yield",
-];
-
 /// The tables of a definition.
 pub(super) struct Names<'d> {
     values: HashMap<&'d str, Value>,
@@ -98,6 +89,7 @@ impl<'d> Names<'d> {
         enter(&mut values, &definition.constants, |c| &c.name, Value::Constant, diagnostics);
         enter(&mut values, &definition.parameters, |p| &p.name, Value::Parameter, diagnostics);
         enter(&mut values, &definition.inputs, |i| &i.name, Value::Input, diagnostics);
+        allowed(&definition.name, &[], diagnostics);
         let mut parts = Table::new(&BUILT_IN);
         enter(&mut parts, &definition.bodies, |b| &b.name, Part::Body, diagnostics);
         enter(&mut parts, &definition.lines, |l| &l.name, Part::Line, diagnostics);

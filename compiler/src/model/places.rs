@@ -240,9 +240,14 @@ impl<'d> Lowering<'d> {
             self.diagnostics.error(head.region, message);
             return None;
         };
+        if self.bodies.get(index).is_none() {
+            self.diagnostics.error(path.region, messages::place_not_known_yet(&path.text));
+            return None;
+        }
         if let [_, point] = path.parts.as_slice() {
             self.use_of_body(index, &point.text);
         }
+        let body = &self.bodies[index];
         let with_axes = |at: Vector, axes: Axes| {
             let frame = Frame::Body(BodyId(index));
             Some(Place { frame, at, axes, text: path.text.clone(), span: path.region })
@@ -250,11 +255,11 @@ impl<'d> Lowering<'d> {
         let place = |at: Vector| with_axes(at, Axes::Parallel);
         match path.parts.as_slice() {
             [_, point] if point.text == "origin" => place(ZERO),
-            [_, point] if point.text == "center" => place(self.bodies[index].center.clone()?),
-            [_, point] => match self.bodies[index].points.get(point.text.as_str()) {
+            [_, point] if point.text == "center" => place(body.center.clone()?),
+            [_, point] => match body.points.get(point.text.as_str()) {
                 Some(at) => place(at.clone()?),
-                None if self.bodies[index].markers.contains_key(point.text.as_str()) => {
-                    let (at, axes) = self.bodies[index].markers[point.text.as_str()].clone()?;
+                None if body.markers.contains_key(point.text.as_str()) => {
+                    let (at, axes) = body.markers[point.text.as_str()].clone()?;
                     with_axes(at, axes)
                 }
                 None => {

@@ -42,6 +42,12 @@ impl Found {
 impl<'d> Lowering<'d> {
     /// A quantity that may stand in an expression of this use.
     pub fn permitted_quantity(&mut self, path: &Path, usage: Use) -> Option<(Quantity, Dimension)> {
+        if let (Some(Part::Body(index)), 2..) = (self.names.part(&path.parts[0].text), path.parts.len())
+            && index >= self.bodies.len()
+        {
+            // What bodies are made of is read before any place is known.
+            self.permit(false, path, "a position or velocity", usage)?;
+        }
         let found = self.find(path)?;
         let (permitted, kind) = match found.level {
             Level::Position => (usage.positions, "a position"),

@@ -10,6 +10,10 @@ use crate::messages;
 use crate::syntax::{Entry, Operator, Path, Term, TermKind, Tuple, WrittenUnit};
 use crate::units::Dimension;
 
+/// Values of a definition lie between these in SI units, or are zero: products of five are still finite.
+const LEAST: f64 = 1e-60;
+const MOST: f64 = 1e60;
+
 /// A checked expression.
 pub(super) struct Typed {
     pub expr: Expr,
@@ -122,9 +126,22 @@ impl Lowering<'_> {
             }
         }
         let typed = self.value(term, usage)?;
-        match unit {
+        let region = typed.region;
+        let expr = match unit {
             Some(written) if is_bare(term) => self.scaled(typed, written),
             _ => self.expect_dimension(typed, expected, what),
+        };
+        self.in_range(expr?, region)
+    }
+
+    /// What is known at expansion can be squared and multiplied without overflow.
+    fn in_range(&mut self, expr: Expr, region: Region) -> Option<Expr> {
+        match expr {
+            Expr::Number(value) if value != 0.0 && !(LEAST..=MOST).contains(&value.abs()) => {
+                self.diagnostics.error(region, messages::out_of_range(value, LEAST, MOST));
+                None
+            }
+            _ => Some(expr),
         }
     }
 

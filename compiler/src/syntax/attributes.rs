@@ -35,6 +35,9 @@ impl Parser {
             let Some(inside) = ahead.inside(Delimiter::Bracket) else {
                 return self.expected(&ahead, "an attribute in `[ ]`");
             };
+            if !inside.is_attribute() {
+                return self.fail(ahead.region(), messages::attribute());
+            }
             let brackets = ahead.advance();
             if !self.is_of_the_language(inside, bearer, &mut found.allowed)? {
                 found

@@ -1,9 +1,10 @@
 //! What can be said of a definition that may be full of errors: enough for items that take the mechanism's place.
 
 use super::definition::{Definition, Label, OptionEntry};
+use super::token::Cursor;
 use super::{read, token};
 use crate::diagnostics::Diagnostics;
-use proc_macro2::{Delimiter, Ident, TokenStream, TokenTree};
+use proc_macro2::{Delimiter, Ident, Span, TokenStream, TokenTree};
 
 /// What stands before the braces, and the names that become fields.
 #[derive(Clone, Debug)]
@@ -30,7 +31,7 @@ pub struct Header {
 pub fn header(tokens: TokenStream) -> Option<Header> {
     let mut diagnostics = Diagnostics::new();
     let converted = token::convert(tokens.clone(), &mut diagnostics);
-    let (definition, found) = read(&converted, true);
+    let (definition, found) = read(&converted, Span::call_site().into(), true);
     let mut tokens = tokens.into_iter().peekable();
     while matches!(tokens.peek(), Some(TokenTree::Punct(punct)) if punct.as_char() == '#') {
         tokens.next();
@@ -40,7 +41,11 @@ pub fn header(tokens: TokenStream) -> Option<Header> {
     if matches!(tokens.peek(), Some(TokenTree::Ident(ident)) if *ident == "pub") {
         visibility.extend(tokens.next());
         if matches!(tokens.peek(), Some(TokenTree::Group(group)) if group.delimiter() != Delimiter::Brace) {
-            visibility.extend(tokens.next());
+            let restriction = token::convert(tokens.next().into_iter().collect(), &mut Diagnostics::new());
+            let inside = Cursor::new(&restriction, Span::call_site().into()).inside(Delimiter::Parenthesis);
+            if inside.is_some_and(|inside| inside.is_restriction()) {
+                visibility.extend(restriction.into_iter().map(|token| token.original));
+            }
         }
     }
     let TokenTree::Ident(kind) = tokens.next()? else { return None };

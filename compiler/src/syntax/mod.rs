@@ -49,9 +49,9 @@ mod token;
 pub use definition::*;
 pub use definition_json::definition_json;
 pub use header::{Header, header};
-pub(crate) use token::DEEPEST;
+pub(crate) use token::{DEEPEST, KEYWORDS};
 
-use crate::diagnostics::{Allowed, Diagnostics};
+use crate::diagnostics::{Allowed, Diagnostics, Region};
 use crate::messages;
 use attributes::Bearer;
 use parser::{Failed, Parsed, Parser};
@@ -65,17 +65,18 @@ const MOST_STATEMENTS: usize = 10_000;
 /// Reads a definition. All syntax errors are reported, one for each statement.
 pub fn parse(tokens: TokenStream) -> Result<Definition, Diagnostics> {
     let mut diagnostics = Diagnostics::new();
+    let whole = tokens.clone().into_iter().next().map_or(Span::call_site(), |token| token.span());
     let tokens = token::convert(tokens, &mut diagnostics);
     if !diagnostics.is_empty() {
         // Groups are missing, and what is missing must not be reported a second time.
         return Err(diagnostics);
     }
-    let (definition, found) = read(&tokens, false);
+    let (definition, found) = read(&tokens, whole.into(), false);
     found.finish(definition)
 }
 
-/// What can be read of tokens, however wrong; `patient`: every round of a `repeat` too, where the first has an error.
-fn read(tokens: &[Token], patient: bool) -> (Definition, Diagnostics) {
+/// What can be read of tokens, however wrong; `whole`: where they stand if there are none; `patient`: every round of a `repeat` too, where the first has an error.
+fn read(tokens: &[Token], whole: Region, patient: bool) -> (Definition, Diagnostics) {
     let mut parser = Parser {
         diagnostics: Diagnostics::new(),
         definition: empty(),
@@ -85,7 +86,9 @@ fn read(tokens: &[Token], patient: bool) -> (Definition, Diagnostics) {
         depth: 0,
         patient,
     };
-    let mut cursor = Cursor::new(tokens, Span::call_site().into());
+    // What is missing at the end is missing behind the last token.
+    let end = tokens.last().map_or(whole, |last| last.region);
+    let mut cursor = Cursor::new(tokens, end);
     let _: Parsed<()> = parser.item(&mut cursor);
     (parser.definition, parser.diagnostics)
 }
@@ -135,7 +138,10 @@ impl Parser {
         self.definition.attributes = attributes.handed_through;
         if c.at_word("pub") {
             self.definition.visibility.extend(c.advance().map(|token| token.original.clone()));
-            if c.inside(Delimiter::Parenthesis).is_some() {
+            if let Some(inside) = c.inside(Delimiter::Parenthesis) {
+                if !inside.is_restriction() {
+                    return self.fail(c.region(), messages::visibility());
+                }
                 self.definition.visibility.extend(c.advance().map(|token| token.original.clone()));
             }
         }

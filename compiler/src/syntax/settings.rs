@@ -8,7 +8,7 @@ use super::parser::{Parsed, Parser};
 use super::token::{Cursor, Kind};
 use crate::diagnostics::Region;
 use crate::messages;
-use proc_macro2::Delimiter;
+use proc_macro2::{Delimiter, TokenStream};
 
 impl Parser {
     /// `{ quantity [unit] = value; quantity [unit] ~ guess; }`
@@ -75,12 +75,21 @@ impl Parser {
                 "cut" => OptionEntry::Cut(parser.list(c, |p, c| p.label(c, "the name of a joint"))?),
                 "independent" => OptionEntry::Independent(parser.list(c, |p, c| p.path(c, "a quantity"))?),
                 "emit" => OptionEntry::Emit(parser.list(c, |p, c| p.choice(c, &EMITTED))?),
-                _ => OptionEntry::Crate(c.originals_to_semicolon()),
+                _ => OptionEntry::Crate(parser.crate_path(c)?),
             };
             parser.semicolon(c)?;
             parser.definition.options.push(entry);
             Ok(())
         })
+    }
+
+    /// A path, as received.
+    fn crate_path(&mut self, c: &mut Cursor) -> Parsed<TokenStream> {
+        let path = c.until_semicolon();
+        if path.is_path() {
+            return Ok(path.originals());
+        }
+        self.fail(path.whole(), messages::crate_path(&path.joined()))
     }
 
     /// One of a few words.

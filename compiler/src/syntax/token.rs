@@ -3,10 +3,19 @@
 
 use crate::diagnostics::{Diagnostics, Region};
 use crate::messages;
-use proc_macro2::{Delimiter, TokenStream, TokenTree};
+use proc_macro2::{Delimiter, Spacing, TokenStream, TokenTree};
 
 /// Groups nested deeper than this are refused, and so are expressions.
 pub(crate) const DEEPEST: usize = 96;
+
+/// The keywords of Rust, which cannot be names in the generated code.
+pub(crate) const KEYWORDS: [&str; 53] = [
+    "Self", "abstract", "as", "async", "await", "become", "box", "break", "const", "continue", "crate", "do",
+    "dyn", "else", "enum", "extern", "false", "final", "fn", "for", "gen", "if", "impl", "in", "let", "loop",
+    "macro", "match", "mod", "move", "mut", "override", "priv", "pub", "ref", "return", "self", "static",
+    "struct", "super", "trait", "true", "try", "type", "typeof", "union", "unsafe", "unsized", "use",
+    "virtual", "where", "while", "yield",
+];
 
 /// One token with its place.
 #[derive(Debug)]
@@ -206,6 +215,73 @@ impl<'t> Cursor<'t> {
             .any(|token| matches!(token.kind, Kind::Punct(',')))
     }
 
+    /// Whether what stands here up to the end may stand in `pub(…)`.
+    pub fn is_restriction(&self) -> bool {
+        let mut c = self.clone();
+        if c.eat_word("in") {
+            return c.is_path();
+        }
+        (c.eat_word("crate") || c.eat_word("self") || c.eat_word("super")) && c.is_done()
+    }
+
+    /// Whether a path stands here up to the end: words with `::` between them, and perhaps before the first.
+    pub fn is_path(&self) -> bool {
+        let mut c = self.clone();
+        // `: :` is not `::` to Rust.
+        let colons = |c: &mut Cursor| c.at_joint(':') && c.eat_punct(':') && c.eat_punct(':');
+        if c.at_punct(':') && !colons(&mut c) {
+            return false;
+        }
+        let mut inner = false;
+        loop {
+            let special = |word: &str| matches!(word, "crate" | "self" | "super");
+            let fits = |word: &str| !KEYWORDS.contains(&word) || (!inner && special(word)) || word == "super";
+            if !c.word().is_some_and(fits) {
+                return false;
+            }
+            inner = true;
+            c.advance();
+            if c.is_done() {
+                return true;
+            }
+            if !colons(&mut c) {
+                return false;
+            }
+        }
+    }
+
+    /// Whether what stands here up to the end may stand in `#[…]`: a path, then nothing, a group or `= value`.
+    pub fn is_attribute(&self) -> bool {
+        let is_value = |token: &Token| match &token.kind {
+            Kind::Number(_) | Kind::Text(_) | Kind::Group(Delimiter::None, ..) => true,
+            Kind::Word(word) => matches!(word.as_str(), "true" | "false"),
+            _ => false,
+        };
+        let length =
+            self.tokens.iter().take_while(|token| matches!(token.kind, Kind::Word(_) | Kind::Punct(':')));
+        let (path, rest) = self.tokens.split_at(length.count());
+        let rest_fits = match rest {
+            [] => true,
+            [group] => matches!(group.kind, Kind::Group(..)),
+            [equals, value] => is_punct(Some(equals), '=') && is_value(value),
+            // `doc = include_str!("…")`
+            [equals, name, bang, arguments] => {
+                is_punct(Some(equals), '=')
+                    && matches!(name.kind, Kind::Word(_))
+                    && is_punct(Some(bang), '!')
+                    && matches!(arguments.kind, Kind::Group(..))
+            }
+            _ => false,
+        };
+        rest_fits && Cursor::new(path, self.close).is_path()
+    }
+
+    /// Whether this character comes next and the one behind it belongs to it.
+    fn at_joint(&self, character: char) -> bool {
+        let joint = |token: &Token| matches!(&token.original, TokenTree::Punct(punct) if punct.spacing() == Spacing::Joint);
+        self.at_punct(character) && self.peek().is_some_and(joint)
+    }
+
     /// After an error: to behind the next `;` or braces of this level.
     pub fn skip_statement(&mut self) {
         while let Some(token) = self.advance() {
@@ -236,13 +312,17 @@ impl<'t> Cursor<'t> {
         self.close
     }
 
-    /// The tokens up to the next `;`, as received.
-    pub fn originals_to_semicolon(&mut self) -> TokenStream {
-        let mut stream = TokenStream::new();
-        while !self.is_done() && !self.at_punct(';') {
-            stream.extend(self.advance().map(|token| token.original.clone()));
-        }
-        stream
+    /// The tokens up to the next `;`.
+    pub fn until_semicolon(&mut self) -> Cursor<'t> {
+        let rest = &self.tokens[self.at.min(self.tokens.len())..];
+        let length = rest.iter().take_while(|token| !matches!(token.kind, Kind::Punct(';'))).count();
+        self.at += length;
+        Cursor::new(&rest[..length], self.region())
+    }
+
+    /// All tokens of this group, as received.
+    pub fn originals(&self) -> TokenStream {
+        self.tokens.iter().map(|token| token.original.clone()).collect()
     }
 
     /// The tokens from here to the end without spaces, and their region.

@@ -400,6 +400,10 @@ fn report_open(mechanism: &Mechanism, point: &mut Point, failure: Option<Attempt
         }
         Some(row) => {
             let row = &equations.rows[row];
+            if !failure.amount.is_finite() {
+                errors.error(row.span, messages::no_value_at_start(&row.of));
+                return;
+            }
             let path = row.joint.map(|joint| loop_of(mechanism, equations, joint)).unwrap_or_default();
             // Of two points that should meet, the distance, not the larger component.
             let components =
@@ -421,6 +425,10 @@ fn report_open(mechanism: &Mechanism, point: &mut Point, failure: Option<Attempt
         None => {
             let span = mechanism.start.iter().find(|start| start.exact).map(|start| start.span);
             let span = span.unwrap_or(mechanism.name.span);
+            if !failure.amount.is_finite() {
+                errors.error(span, messages::no_value_at_start("start"));
+                return;
+            }
             let drivers =
                 equations.driven.iter().zip(&mechanism.drivers).map(|((condition, node), driver)| {
                     point.evaluate(&Ancestry::of(equations, [*node]));

@@ -1,0 +1,95 @@
+//! The whole compiler, unoptimised, at the bounds of what it admits: on a thread as small as rustc's, in bounded time.
+
+use linkwright_compiler::{Expansion, expand};
+use std::time::{Duration, Instant};
+
+/// What a thread has at least.
+const STACK: usize = 2 << 20;
+
+fn expanded_on(stack: usize, source: String) -> Result<String, String> {
+    let run = move || match expand(source.parse().expect("tokens")) {
+        Expansion::Items(text) => Ok(text),
+        Expansion::Errors(tokens) => Err(tokens.to_string()),
+    };
+    let thread = std::thread::Builder::new().stack_size(stack).spawn(run).expect("a thread");
+    thread.join().expect("neither a panic nor an overflow")
+}
+
+/// Of a long expansion.
+fn beginning(expansion: Result<String, String>) -> String {
+    expansion.unwrap_or_else(|errors| errors).chars().take(400).collect()
+}
+
+/// A pendulum with more statements.
+fn pendulum(more: &str) -> String {
+    format!(
+        "planar Pendulum {{ gravity [m/s^2] = (0, -9.81); param k [1] = 1; rod arm {{ mass [kg] = 1; length [m] = 1; }}
+         joint pivot: revolute(ground(0, 0) [m], arm.start); start {{ pivot.angle [rad] = 0.5; }} {more} }}"
+    )
+}
+
+/// `bodies` rods in a row.
+fn chain(bodies: usize) -> String {
+    format!(
+        "planar Chain {{ const N = {bodies}; rod link[0] {{ mass [kg] = 1; length [m] = 1; }}
+         joint pin[0]: revolute(ground(0, 0) [m], link[0].start);
+         repeat i in 1..N {{ rod link[i] {{ mass [kg] = 1; length [m] = 1; }}
+                             joint pin[i]: revolute(link[i-1].end, link[i].start); }} }}"
+    )
+}
+
+#[test]
+fn the_deepest_expressions_are_compiled() {
+    for (open, close, levels) in [
+        ("sin(", " * 1 [rad])", 45),
+        ("-(", ")", 45),
+        ("k*(1 + ", ")", 30),
+        ("if(k > 0.5, ", ", 1)", 90),
+        ("min(k, ", ")", 90),
+        ("(", "^2)", 8),
+    ] {
+        let law = format!("{}sin(pivot.angle){}", open.repeat(levels), close.repeat(levels));
+        let source = pendulum(&format!(
+            "torque motor: torque(pivot) = {law} * 1 [N*m]; output o [1] = {law}; options {{ emit = (tangent); }}"
+        ));
+        let expansion = expanded_on(STACK, source);
+        assert!(expansion.is_ok(), "{open}: {}", beginning(expansion));
+    }
+}
+
+#[test]
+fn ten_thousand_terms_in_a_row_are_refused_and_in_parentheses_compiled() {
+    let row = vec!["pivot.angle"; 10_000].join(" + ");
+    let refused =
+        expanded_on(STACK, pendulum(&format!("output o [rad] = {row};"))).expect_err("it is too long");
+    assert!(refused.contains("more than 96 operations in a row"), "{refused:.300}");
+
+    let ten = |term: String| format!("({})", vec![term; 10].join(" + "));
+    let all = ten(ten(ten(ten("pivot.angle*time".to_string()))));
+    let source = pendulum(&format!("output o [rad*s] = {all};"));
+    let expansion = expanded_on(STACK, source);
+    assert!(expansion.is_ok(), "{}", beginning(expansion));
+}
+
+/// A quarter of the bodies that are admitted on a quarter of the stack: nothing may grow with their number.
+#[test]
+fn long_chains_need_no_stack() {
+    let expansion = expanded_on(STACK / 4, chain(64));
+    assert!(expansion.is_ok(), "{}", beginning(expansion));
+}
+
+#[test]
+fn too_large_a_mechanism_is_refused_at_once() {
+    let begin = Instant::now();
+    let refused = expanded_on(STACK, chain(3000)).expect_err("it is too large");
+    for text in ["3000 bodies are too many", "beyond 256", "`link[256]`", "beyond 512", "`pin[512]`"] {
+        assert!(refused.contains(text), "no {text}: {refused:.600}");
+    }
+    let loads = "repeat i in 0..2000 { force f[i]: force(arm.end) = (1, 0) [N]; }";
+    let refused = expanded_on(STACK, pendulum(loads)).expect_err("it is too large");
+    assert!(refused.contains("2000 loads are too many"), "{refused:.600}");
+    let outputs = "repeat i in 0..2000 { output o[i] [m] = arm.end.x; }";
+    let refused = expanded_on(STACK, pendulum(outputs)).expect_err("it is too large");
+    assert!(refused.contains("2001 parameters, inputs and outputs are too many"), "{refused:.600}");
+    assert!(begin.elapsed() < Duration::from_secs(30), "{:?}", begin.elapsed());
+}
