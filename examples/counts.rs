@@ -8,10 +8,11 @@
 //! Counted are the instructions of the scheduled programs, from which the code is emitted one to one: the watch over
 //! the pivots is part of the acceleration functions. A fused multiply-add is one operation, so is a division, a square
 //! root, a choice (min, max, abs, sign, comparison, logic, select) and a call of sin or the like. Depth is the longest
-//! chain of operations that wait for one another.
+//! chain of operations that wait for one another. Live is the largest number of results that are alive at once, in the
+//! order of the code; true use of registers and stack is decided by the target's compiler.
 
 use linkwright_compiler::model::Coordinates;
-use linkwright_compiler::schedule::{Counts, Function, count};
+use linkwright_compiler::schedule::{Counts, Function, count, live_values};
 use std::fmt::Write as _;
 use std::io::Write as _;
 use std::process::ExitCode;
@@ -31,6 +32,7 @@ struct Row {
     coordinates: &'static str,
     function: &'static str,
     counts: Counts,
+    live: usize,
 }
 
 fn main() -> ExitCode {
@@ -51,11 +53,12 @@ fn main() -> ExitCode {
         for (coordinates, asked) in COORDINATES {
             eprintln!("{model}, {coordinates} coordinates");
             match functions(source, asked) {
-                Ok(functions) => rows.extend(functions.into_iter().map(|(function, counts)| Row {
+                Ok(functions) => rows.extend(functions.into_iter().map(|(function, counts, live)| Row {
                     model,
                     coordinates,
                     function,
                     counts,
+                    live,
                 })),
                 Err(message) => {
                     eprintln!("{model}: {message}");
@@ -75,20 +78,24 @@ fn main() -> ExitCode {
 }
 
 /// Compiles a definition in one coordinate set and counts its functions.
-fn functions(source: &str, coordinates: Coordinates) -> Result<Vec<(&'static str, Counts)>, String> {
+fn functions(source: &str, coordinates: Coordinates) -> Result<Vec<(&'static str, Counts, usize)>, String> {
     let tokens = source.parse().map_err(|error| format!("{error}"))?;
     let compiled =
         linkwright_compiler::compile(tokens, Some(coordinates)).map_err(|errors| errors.to_string())?;
-    Ok(Function::ALL.map(|function| (function.name(), count(compiled.programs.get(function)))).into())
+    let of = |function: Function| {
+        let program = compiled.programs.get(function);
+        (function.name(), count(program), live_values(program))
+    };
+    Ok(Function::ALL.map(of).into())
 }
 
 fn as_json(rows: &[Row]) -> String {
     let objects: Vec<String> = rows
         .iter()
-        .map(|Row { model, coordinates, function, counts: c }| {
+        .map(|Row { model, coordinates, function, counts: c, live }| {
             format!(
                 "{{\"model\":\"{model}\",\"coordinates\":\"{coordinates}\",\"function\":\"{function}\",\
-                 \"operations\":{},\"depth\":{},\"additions\":{},\"multiplications\":{},\
+                 \"operations\":{},\"depth\":{},\"live_values\":{live},\"additions\":{},\"multiplications\":{},\
                  \"fused_multiply_adds\":{},\"divisions\":{},\"square_roots\":{},\"choices\":{},\
                  \"transcendentals\":{}}}",
                 c.total(),
@@ -113,13 +120,13 @@ fn as_tables(rows: &[Row]) -> String {
         let _ = writeln!(text, "{}, {} coordinates", table[0].model, table[0].coordinates);
         let _ = writeln!(
             text,
-            "  {:<24}{:>7}{:>7}{:>6}{:>6}{:>6}{:>7}{:>6}{:>6}{:>7}",
-            "function", "total", "depth", "add", "mul", "fma", "div", "sqrt", "min..", "sin.."
+            "  {:<24}{:>7}{:>7}{:>6}{:>6}{:>6}{:>6}{:>7}{:>6}{:>6}{:>7}",
+            "function", "total", "depth", "live", "add", "mul", "fma", "div", "sqrt", "min..", "sin.."
         );
-        for Row { function, counts: c, .. } in table.iter().filter(|row| row.counts.total() > 0) {
+        for Row { function, counts: c, live, .. } in table.iter().filter(|row| row.counts.total() > 0) {
             let _ = writeln!(
                 text,
-                "  {function:<24}{:>7}{:>7}{:>6}{:>6}{:>6}{:>7}{:>6}{:>6}{:>7}",
+                "  {function:<24}{:>7}{:>7}{live:>6}{:>6}{:>6}{:>6}{:>7}{:>6}{:>6}{:>7}",
                 c.total(),
                 c.depth,
                 c.additions,
@@ -134,7 +141,7 @@ fn as_tables(rows: &[Row]) -> String {
         text.push('\n');
     }
     text.push_str(
-        "add: additions, subtractions, negations; min..: min, max, abs, sign, comparisons, logic, select; sin..: \
+        "live: results alive at once; add: additions, subtractions, negations; min..: min, max, abs, sign, comparisons, logic, select; sin..: \
          calls of sin and the like\n",
     );
     text

@@ -83,12 +83,8 @@ pub fn compile_model(
     let optimized = optimize::optimize(&equations, &solved);
     let programs = schedule::schedule(&equations, &optimized);
     // AFTER THIS POINT there is no graph, only instructions.
-    if as_defined {
-        // Limits of the definition hold for the coordinates of the definition.
-        check::budget(&mechanism, &programs, &mut errors);
-    }
     let masses = assemble::positive_masses(&mechanism, &equations);
-    errors.finish(Compiled {
+    let compiled = Compiled {
         mechanism,
         definition,
         equations,
@@ -101,7 +97,12 @@ pub fn compile_model(
         partition,
         masses,
         choice,
-    })
+    };
+    if as_defined {
+        // Limits of the definition hold for the coordinates of the definition.
+        check::budget(&compiled, &mut errors);
+    }
+    errors.finish(compiled)
 }
 
 /// Structure of [M D̂ᵀ; D̂ 0] with the conditions' rows, for the cold paths.

@@ -19,7 +19,7 @@ mod settings;
 mod shapes;
 mod values;
 
-pub use crate::syntax::{JointWord, Space};
+pub use crate::syntax::{Budgeted, JointWord, Space};
 pub use expression::{Comparison, Condition, Expr, Function1, Function2, Quantity};
 pub(crate) use lower::Use;
 pub use lower::lower;
@@ -387,6 +387,8 @@ pub struct Options {
     /// Position coordinates the user takes as independent (angles, travels); empty if the compiler chooses.
     pub independent: Vec<(Quantity, Span)>,
     pub emit: Emit,
+    /// Whether the compiler checks its own work: thoroughly, not at all, or, where nothing is written, in passing.
+    pub self_check: Option<bool>,
     /// Path of the `linkwright` crate as seen by the user; `::linkwright` if `None`.
     pub crate_path: Option<TokenStream>,
 }
@@ -420,8 +422,17 @@ impl Emit {
 #[derive(Clone, Debug, Default)]
 pub struct Expect {
     pub degrees_of_freedom: Option<(usize, Span)>,
-    /// (function, or `None` for the default acceleration function; limit; where written).
-    pub operations: Vec<(Option<String>, usize, Span)>,
+    pub budgets: Vec<Budget>,
+}
+
+/// A limit on what a function takes.
+#[derive(Clone, Debug)]
+pub struct Budget {
+    pub of: Budgeted,
+    /// `None` for the default acceleration function.
+    pub function: Option<String>,
+    pub limit: usize,
+    pub span: Span,
 }
 
 #[derive(Clone, Debug)]

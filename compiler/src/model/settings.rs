@@ -2,7 +2,7 @@
 
 use super::lower::Lowering;
 use super::names::Part;
-use super::{Coordinates, Emit, Expect, JointId, Options, Quantity, Redundant};
+use super::{Budget, Coordinates, Emit, Expect, JointId, Options, Quantity, Redundant};
 use crate::messages;
 use crate::syntax::{ExpectEntry, Label, OptionEntry, Path};
 use proc_macro2::{Span, TokenStream};
@@ -15,6 +15,7 @@ impl<'d> Lowering<'d> {
         let (mut cut, mut independent) = (Vec::new(), Vec::new());
         let mut crate_path: Option<TokenStream> = None;
         let mut emit = Emit::default();
+        let mut self_check = None;
         for entry in &self.definition.options {
             match entry {
                 OptionEntry::Coordinates(word) => {
@@ -37,11 +38,12 @@ impl<'d> Lowering<'d> {
                     independent.extend(paths.iter().filter_map(|path| self.independent(path)));
                 }
                 OptionEntry::Emit(words) => words.iter().for_each(|word| emit.set(&word.text)),
+                OptionEntry::SelfCheck(word) => self_check = Some(word.text == "on"),
                 OptionEntry::Crate(path) => crate_path = Some(path.clone()),
             }
         }
         self.options_twice();
-        Options { coordinates, redundant, accept_inertia, cut, independent, emit, crate_path }
+        Options { coordinates, redundant, accept_inertia, cut, independent, emit, self_check, crate_path }
     }
 
     fn options_twice(&mut self) {
@@ -49,6 +51,7 @@ impl<'d> Lowering<'d> {
             OptionEntry::Coordinates(label) => Some(("coordinates", label)),
             OptionEntry::Redundant(label) => Some(("redundant", label)),
             OptionEntry::Inertia(label) => Some(("inertia", label)),
+            OptionEntry::SelfCheck(label) => Some(("self_check", label)),
             _ => None,
         };
         let mut seen: Vec<(&str, &Label)> = Vec::new();
@@ -85,9 +88,10 @@ impl<'d> Lowering<'d> {
                 ExpectEntry::DegreesOfFreedom(count, region) => {
                     expect.degrees_of_freedom = Some((*count, region.span()));
                 }
-                ExpectEntry::Operations(function, limit, region) => {
-                    let function = function.as_ref().map(|label| label.text.clone());
-                    expect.operations.push((function, *limit, region.span()));
+                ExpectEntry::Budget(written) => {
+                    let function = written.function.as_ref().map(|label| label.text.clone());
+                    let (of, limit, span) = (written.of, written.limit, written.region.span());
+                    expect.budgets.push(Budget { of, function, limit, span });
                 }
             }
         }

@@ -1,6 +1,8 @@
 //! The blocks `start`, `options` and `expect`.
 
-use super::definition::{EMITTED, ExpectEntry, Label, OptionEntry, OrientationEntry, Path, StartEntry};
+use super::definition::{
+    Budget, Budgeted, EMITTED, ExpectEntry, Label, OptionEntry, OrientationEntry, Path, StartEntry,
+};
 use super::parser::{Parsed, Parser};
 use super::token::{Cursor, Kind};
 use crate::diagnostics::Region;
@@ -57,8 +59,8 @@ impl Parser {
 
     /// `{ coordinates = auto; cut = (joint, …); … }`
     pub fn options(&mut self, c: &mut Cursor) -> Parsed<()> {
-        const KNOWN: [&str; 7] =
-            ["coordinates", "redundant", "inertia", "cut", "independent", "emit", "crate"];
+        const KNOWN: [&str; 8] =
+            ["coordinates", "redundant", "inertia", "cut", "independent", "emit", "self_check", "crate"];
         self.block(c, |parser, c| {
             let option = parser.word(c, "an option")?;
             if !KNOWN.contains(&option.text.as_str()) {
@@ -72,6 +74,7 @@ impl Parser {
                 "cut" => OptionEntry::Cut(parser.list(c, |p, c| p.label(c, "the name of a joint"))?),
                 "independent" => OptionEntry::Independent(parser.list(c, |p, c| p.path(c, "a quantity"))?),
                 "emit" => OptionEntry::Emit(parser.list(c, |p, c| p.choice(c, &EMITTED))?),
+                "self_check" => OptionEntry::SelfCheck(parser.choice(c, &["on", "off"])?),
                 _ => OptionEntry::Crate(c.originals_to_semicolon()),
             };
             parser.semicolon(c)?;
@@ -106,37 +109,41 @@ impl Parser {
         Ok(elements)
     }
 
-    /// `{ degrees_of_freedom = 1; operations <= 400; operations(mass_matrix) <= 40; }`
+    /// `{ degrees_of_freedom = 1; operations <= 400; live_values(mass_matrix) <= 40; }`
     pub fn expect(&mut self, c: &mut Cursor) -> Parsed<()> {
-        const KNOWN: [&str; 2] = ["degrees_of_freedom", "operations"];
+        const KNOWN: [&str; 3] = ["degrees_of_freedom", "operations", "live_values"];
         self.block(c, |parser, c| {
-            let fact = parser.word(c, "`degrees_of_freedom` or `operations`")?;
-            let entry = match fact.text.as_str() {
-                "degrees_of_freedom" => {
+            let fact = parser.word(c, "`degrees_of_freedom`, `operations` or `live_values`")?;
+            let budgeted = Budgeted::ALL.into_iter().find(|of| of.word() == fact.text);
+            let entry = match budgeted {
+                Some(of) => ExpectEntry::Budget(parser.budget(c, of, fact.region)?),
+                None if fact.text == "degrees_of_freedom" => {
                     parser.punct(c, '=')?;
                     let (count, end) = parser.count(c)?;
                     ExpectEntry::DegreesOfFreedom(count, fact.region.to(end))
                 }
-                "operations" => {
-                    let mut function = None;
-                    if let Some(mut inside) = c.enter(Delimiter::Parenthesis) {
-                        function = Some(parser.word(&mut inside, "the name of a function")?);
-                        parser.end(&inside, "`)`")?;
-                    }
-                    if !c.at_puncts('<', '=') {
-                        return parser.expected(c, "`<=`");
-                    }
-                    c.advance();
-                    c.advance();
-                    let (count, end) = parser.count(c)?;
-                    ExpectEntry::Operations(function, count, fact.region.to(end))
-                }
-                word => return parser.fail(fact.region, messages::unknown_option(word, &KNOWN)),
+                None => return parser.fail(fact.region, messages::unknown_option(&fact.text, &KNOWN)),
             };
             parser.semicolon(c)?;
             parser.definition.expect.push(entry);
             Ok(())
         })
+    }
+
+    /// `(mass_matrix) <= 40` behind the word.
+    fn budget(&mut self, c: &mut Cursor, of: Budgeted, start: Region) -> Parsed<Budget> {
+        let mut function = None;
+        if let Some(mut inside) = c.enter(Delimiter::Parenthesis) {
+            function = Some(self.word(&mut inside, "the name of a function")?);
+            self.end(&inside, "`)`")?;
+        }
+        if !c.at_puncts('<', '=') {
+            return self.expected(c, "`<=`");
+        }
+        c.advance();
+        c.advance();
+        let (limit, end) = self.count(c)?;
+        Ok(Budget { of, function, limit, region: start.to(end) })
     }
 
     /// A whole number, or an expression of constants.

@@ -94,7 +94,7 @@ fn quick_return() {
     assert_eq!(m.start[3].text, "rail.travel");
     assert_eq!(m.options.coordinates, Coordinates::Auto);
     assert_eq!(m.expect.degrees_of_freedom.map(|(count, _)| count), Some(1));
-    assert_eq!(m.expect.operations[0].1, 400);
+    assert_eq!(m.expect.budgets[0].limit, 400);
     assert!(
         matches!(&m.outputs[0].value, Expr::Quantity(Quantity::Position(place, 0)) if place.text == "slider.center")
     );
@@ -160,7 +160,7 @@ fn every_kind_of_body_joint_constraint_and_load() {
     assert_eq!((number(&components[0]), number(&components[1])), (6.0, 8.0));
     assert_eq!(m.options.crate_path.expect("a path").to_string().replace(' ', ""), "::other::path");
     assert_eq!(m.options.cut.len(), 2);
-    assert_eq!(m.expect.operations[0].0.as_deref(), Some("mass_matrix"));
+    assert_eq!(m.expect.budgets[0].function.as_deref(), Some("mass_matrix"));
     assert!(matches!(m.outputs[0].value, Expr::Quantity(Quantity::DriverEffort(_))));
 }
 

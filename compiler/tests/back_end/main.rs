@@ -1,0 +1,11 @@
+//! The back end: budgets of what comes out, and the compiler's check of its own work.
+
+mod budgets;
+mod mechanisms;
+
+use linkwright_compiler::diagnostics::Diagnostics;
+use linkwright_compiler::{Compiled, compile};
+
+fn compiled(source: &str) -> Result<Compiled, Diagnostics> {
+    compile(source.parse().expect("the source consists of tokens"), None)
+}
