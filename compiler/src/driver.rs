@@ -10,7 +10,8 @@ use crate::schedule::{self, Programs};
 use crate::solve::Solved;
 use crate::solve::table::Table;
 use crate::symbolic::Node;
-use crate::{optimize, syntax};
+use crate::self_check::{self, Extent};
+use crate::{messages, optimize, syntax};
 use proc_macro2::TokenStream;
 
 /// A mechanism after all stages but the last.
@@ -102,6 +103,11 @@ pub fn compile_model(
         // Limits of the definition hold for the coordinates of the definition.
         check::budget(&compiled, &mut errors);
     }
+    let extent = Extent::asked(compiled.mechanism.options.self_check);
+    if let Some(contradiction) = self_check::self_check(&compiled, extent).first() {
+        errors.error(compiled.mechanism.name.span, messages::contradiction(contradiction));
+    }
+    // AFTER THIS POINT the programs are what was derived, as far as that can be seen at a few states.
     errors.finish(compiled)
 }
 

@@ -16,6 +16,7 @@ pub mod equations;
 pub mod model;
 pub mod optimize;
 pub mod schedule;
+pub mod self_check;
 pub mod solve;
 pub mod syntax;
 

@@ -1,5 +1,6 @@
 //! All texts of messages of the front end: what is wrong, why, and what to write instead.
 
+use crate::self_check::Contradiction;
 use crate::model::Use;
 use crate::syntax::{JointWord, Space};
 use crate::units::{self, Dimension, UnitError};
@@ -878,5 +879,16 @@ pub(crate) fn angle_without_unit(function: &str, text: &str) -> String {
 pub(crate) fn unreadable_expansion(error: &str) -> String {
     format!(
         "the generated code could not be read back ({error}); this is a mistake of Linkwright: please report it with this definition"
+    )
+}
+
+/// The compiler has found a mistake of its own.
+pub(crate) fn contradiction(contradiction: &Contradiction) -> String {
+    let Contradiction { check, at, found, expected, margin, state } = contradiction;
+    format!(
+        "Linkwright contradicts itself, so there is no model: this is a mistake of Linkwright, not of the definition. It \
+         compared {} and found at {at} {found:e} in place of {expected:e} (to within {margin:.1e}), with {state}. Please report \
+         this message with the definition; `options {{ self_check = off; }}` takes the model unchecked",
+        check.text()
     )
 }

@@ -114,15 +114,13 @@ pub struct Dynamics {
     pub distributions: Vec<space::Distribution>,
 }
 
-/// What Q and V consist of.
+/// What Q consists of.
 #[derive(Clone, Debug)]
 pub struct Contributions {
     /// Gyroscopic and gravity forces, with the sign of Q.
     pub inertia_and_gravity: Vec<Node>,
     /// Per load, what it adds to entries of Q.
     pub loads: Vec<Vec<Node>>,
-    /// V of gravity alone.
-    pub gravity_energy: Node,
 }
 
 /// What follows from v̇ and λ.
@@ -217,11 +215,7 @@ pub fn derive(mechanism: &Mechanism, tree: SpanningTree, dropped: &[Dropped]) ->
     };
     let Dynamics { mass, mut forces, mut inverse, kinetic_energy, mut potential_energy, distributions } =
         dynamics;
-    let mut contributions = Contributions {
-        inertia_and_gravity: forces.clone(),
-        loads: Vec::new(),
-        gravity_energy: potential_energy,
-    };
+    let mut contributions = Contributions { inertia_and_gravity: forces.clone(), loads: Vec::new() };
     let mut powers = Vec::new();
     for load in &mechanism.loads {
         let terms = loads::terms(g, &laws, load);

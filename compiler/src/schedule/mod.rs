@@ -2,6 +2,7 @@
 //!
 //! AFTER THIS POINT there is no graph, only instructions in order.
 
+mod bounds;
 mod count;
 mod evaluate;
 mod interleave;
@@ -11,6 +12,7 @@ mod select;
 mod share;
 
 pub use crate::functions::{Function, outputs};
+pub use bounds::{Bounded, run_bounded};
 pub use count::{Counts, count};
 pub use evaluate::{Inputs, run};
 pub use liveness::{last_uses, live, live_values};

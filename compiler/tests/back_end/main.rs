@@ -2,6 +2,8 @@
 
 mod budgets;
 mod mechanisms;
+mod self_check;
+mod shipped;
 
 use linkwright_compiler::diagnostics::Diagnostics;
 use linkwright_compiler::{Compiled, compile};
@@ -9,3 +11,5 @@ use linkwright_compiler::{Compiled, compile};
 fn compiled(source: &str) -> Result<Compiled, Diagnostics> {
     compile(source.parse().expect("the source consists of tokens"), None)
 }
+mod scratch;
+mod mutation;
