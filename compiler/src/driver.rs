@@ -7,11 +7,11 @@ use crate::diagnostics::Diagnostics;
 use crate::equations::{self, Equations, SpanningTree, Tangents};
 use crate::model::{self, Coordinates, Mechanism};
 use crate::schedule::{self, Programs};
+use crate::self_check::{self, Extent};
 use crate::solve::Solved;
 use crate::solve::table::Table;
 use crate::symbolic::Node;
-use crate::self_check::{self, Extent};
-use crate::{messages, optimize, syntax};
+use crate::{optimize, syntax};
 use proc_macro2::TokenStream;
 
 /// A mechanism after all stages but the last.
@@ -105,7 +105,7 @@ pub fn compile_model(
     }
     let extent = Extent::asked(compiled.mechanism.options.self_check);
     if let Some(contradiction) = self_check::self_check(&compiled, extent).first() {
-        errors.error(compiled.mechanism.name.span, messages::contradiction(contradiction));
+        errors.error(compiled.mechanism.name.span, contradiction.to_string());
     }
     // AFTER THIS POINT the programs are what was derived, as far as that can be seen at a few states.
     errors.finish(compiled)

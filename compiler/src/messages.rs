@@ -1,7 +1,7 @@
 //! All texts of messages of the front end: what is wrong, why, and what to write instead.
 
-use crate::self_check::Contradiction;
 use crate::model::Use;
+use crate::self_check::Contradiction;
 use crate::syntax::{JointWord, Space};
 use crate::units::{self, Dimension, UnitError};
 

@@ -18,29 +18,42 @@ pub struct Bounded {
 /// Constants are results of folding, whose rounding nobody kept: so many units.
 const FOLDED: f64 = 16.0 * f64::EPSILON;
 
-impl Bounded {
-    pub fn exact(value: f64) -> Self {
-        Bounded { value, error: 0.0 }
+/// The errors of inputs that programs computed; nothing written, none.
+#[derive(Clone, Debug, Default)]
+pub struct Errors {
+    pub prepared: Vec<f64>,
+    pub kept: Vec<f64>,
+    pub lu: Vec<f64>,
+}
+
+impl Errors {
+    fn of(&self, source: Source) -> f64 {
+        let (errors, index) = match source {
+            Source::Prepared(index) => (&self.prepared, index),
+            Source::Kept(index) => (&self.kept, index),
+            Source::Lu(index) => (&self.lu, index),
+            _ => return 0.0,
+        };
+        errors.get(index as usize).copied().unwrap_or(0.0)
     }
 }
 
-/// Outputs of a program, unfused. `prepared` are the constants of the prepared model.
-pub fn run_bounded(program: &Program, inputs: &Inputs, prepared: &[Bounded]) -> Vec<Bounded> {
+/// Outputs of a program, unfused.
+pub fn run_bounded(program: &Program, inputs: &Inputs, errors: &Errors) -> Vec<Bounded> {
     let mut values: Vec<Bounded> = Vec::with_capacity(program.instructions.len());
     for instruction in &program.instructions {
-        let get = |operand: Operand| get(operand, inputs, prepared, &values);
+        let get = |operand: Operand| get(operand, inputs, errors, &values);
         let value = step(instruction, |operand| get(operand).value);
         let error = f64::EPSILON * value.abs() + passed_on(instruction, value, get);
         values.push(Bounded { value, error: if error.is_nan() { f64::INFINITY } else { error } });
     }
-    program.outputs.iter().map(|output| get(*output, inputs, prepared, &values)).collect()
+    program.outputs.iter().map(|output| get(*output, inputs, errors, &values)).collect()
 }
 
-fn get(operand: Operand, inputs: &Inputs, prepared: &[Bounded], values: &[Bounded]) -> Bounded {
+fn get(operand: Operand, inputs: &Inputs, errors: &Errors, values: &[Bounded]) -> Bounded {
     match operand {
         Operand::Constant(value) => Bounded { value, error: FOLDED * value.abs() },
-        Operand::Source(Source::Prepared(index)) => prepared[index as usize],
-        Operand::Source(source) => Bounded::exact(inputs.get(source)),
+        Operand::Source(source) => Bounded { value: inputs.get(source), error: errors.of(source) },
         Operand::Value(index) => values[index as usize],
     }
 }
@@ -70,7 +83,8 @@ fn passed_on(instruction: &Instruction, result: f64, get: impl Fn(Operand) -> Bo
             let (y, x) = (get(a), get(b));
             // At the cut a whole turn is at stake.
             let turned = certain(x.value > 0.0 || y.value.abs() > y.error);
-            (y.error * x.value.abs() + x.error * y.value.abs()) / (x.value * x.value + y.value * y.value) + turned
+            (y.error * x.value.abs() + x.error * y.value.abs()) / (x.value * x.value + y.value * y.value)
+                + turned
         }
         Instruction::Compare(_, a, b) => {
             let (a, b) = (get(a), get(b));

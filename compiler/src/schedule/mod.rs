@@ -12,7 +12,7 @@ mod select;
 mod share;
 
 pub use crate::functions::{Function, outputs};
-pub use bounds::{Bounded, run_bounded};
+pub use bounds::{Bounded, Errors, run_bounded};
 pub use count::{Counts, count};
 pub use evaluate::{Inputs, run};
 pub use liveness::{last_uses, live, live_values};

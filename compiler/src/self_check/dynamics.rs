@@ -73,52 +73,63 @@ fn energy(machine: &Machine, report: &mut Report) {
 /// Whether no support moves by itself: it would work on what it carries.
 pub fn stands_still(machine: &Machine) -> bool {
     let equations = &machine.compiled.equations;
-    let springs = machine.compiled.mechanism.loads.iter().enumerate().filter(|(_, load)| {
-        matches!(load.kind, LoadKind::Spring { .. } | LoadKind::TorsionSpring { .. })
-    });
+    let springs =
+        machine.compiled.mechanism.loads.iter().enumerate().filter(|(_, load)| {
+            matches!(load.kind, LoadKind::Spring { .. } | LoadKind::TorsionSpring { .. })
+        });
     let of_springs = springs.flat_map(|(index, _)| {
         equations.contributions.loads[index].iter().chain([&equations.powers[index]]).copied()
     });
-    let places = equations.motions.iter().flat_map(|motion| motion.position.iter().chain(&motion.orientation));
+    let places =
+        equations.motions.iter().flat_map(|motion| motion.position.iter().chain(&motion.orientation));
     let nodes: Vec<Node> = of_springs.chain(places.copied()).collect();
     !equations.graph.reachable(nodes).contains(&equations.symbols.time)
 }
 
 /// M v̇ + Dᵀ λ = Q, D v̇ = γ, or D v̇ = γ − 2α (D v − ν) − β² Φ.
 fn solution(machine: &Machine, report: &mut Report, function: Function) {
-    let (inputs, equations) = (report.inputs, &machine.compiled.equations);
-    let n = inputs.v.len();
-    let solution = machine.run(function, inputs);
-    let (acceleration, rest) = solution.split_at(n);
-    let check = if function == Function::Acceleration { Check::Solution } else { Check::Baumgarte };
+    let inputs = report.inputs;
+    let mut right = [Function::Forces, Function::Gamma].map(|function| machine.run(function, inputs));
+    let stabilised = function == Function::AccelerationBaumgarte;
+    if stabilised {
+        let phi = machine.run(Function::Constraints, inputs);
+        let terms = rows::rates(machine, inputs).into_iter().zip(phi);
+        for (right, (rate, phi)) in right[1].iter_mut().zip(terms) {
+            *right = *right - rate * inputs.two_alpha - phi * inputs.beta_squared;
+        }
+    }
+    let check = if stabilised { Check::Baumgarte } else { Check::Solution };
+    residuals(machine, report, check, inputs, &machine.run(function, inputs), &right, 0.0);
+}
+
+/// M v̇ + Dᵀ λ and D v̇ − c λ of a solution, v̇ then λ, against right-hand sides.
+pub fn residuals(
+    machine: &Machine,
+    report: &mut Report,
+    check: Check,
+    inputs: &Inputs,
+    solution: &[Quantity],
+    [forces, rates]: &[Vec<Quantity>; 2],
+    compliance: f64,
+) {
+    let (acceleration, lambda) = solution.split_at(inputs.v.len());
     let jacobian = machine.jacobian(inputs);
     let mut sums = machine.mass_times(inputs, acceleration);
-    for (row, lambda) in jacobian.iter().zip(rest) {
+    for (row, lambda) in jacobian.iter().zip(lambda) {
         for (column, entry) in row {
             sums[*column] = sums[*column] + *entry * *lambda;
         }
     }
-    for (k, (sum, force)) in sums.into_iter().zip(machine.run(Function::Forces, inputs)).enumerate() {
-        report.compare(check, || velocity(machine, k), sum, force);
+    for (k, (sum, force)) in sums.into_iter().zip(forces).enumerate() {
+        report.compare(check, || velocity(machine, k), sum, *force);
     }
-    if jacobian.is_empty() {
-        return;
-    }
-    let mut right = machine.run(Function::Gamma, inputs);
-    if function == Function::AccelerationBaumgarte {
-        let phi = machine.run(Function::Constraints, inputs);
-        let terms = rows::rates(machine, inputs).into_iter().zip(phi);
-        for (right, (rate, phi)) in right.iter_mut().zip(terms) {
-            *right = *right - rate * inputs.two_alpha - phi * inputs.beta_squared;
-        }
-    }
-    for (row, (columns, right)) in jacobian.iter().zip(right).enumerate() {
+    for (row, (columns, right)) in jacobian.iter().zip(rates).enumerate() {
         // A row that others replace holds at consistent states only.
-        if !equations.idle.contains(&row) {
-            let sum = columns
-                .iter()
-                .fold(Quantity::default(), |sum, (column, entry)| sum + *entry * acceleration[*column]);
-            report.compare(check, || rows::name(machine, row), sum, right);
+        if !machine.compiled.equations.idle.contains(&row) {
+            let softened = lambda[row] * -compliance;
+            let sum =
+                columns.iter().fold(softened, |sum, (column, entry)| sum + *entry * acceleration[*column]);
+            report.compare(check, || rows::name(machine, row), sum, *right);
         }
     }
 }

@@ -3,24 +3,41 @@
 use super::quantity::Quantity;
 use crate::Compiled;
 use crate::check::assemble::retract;
-use crate::schedule::{Bounded, Function, Inputs, run, run_bounded};
+use crate::schedule::{Bounded, Errors, Function, Inputs, run, run_bounded};
 
-/// Programs, and the constants that they find prepared.
+/// Programs, and the errors of what some prepare for others.
 pub struct Machine<'a> {
     pub compiled: &'a Compiled,
-    prepared: Vec<Bounded>,
+    errors: Errors,
 }
 
 impl<'a> Machine<'a> {
     /// The machine, and `inputs` with what it prepared from their parameters.
     pub fn new(compiled: &'a Compiled, inputs: &mut Inputs) -> Self {
-        let prepared = run_bounded(compiled.programs.get(Function::Prepare), inputs, &[]);
-        inputs.prepared = prepared.iter().map(|constant| constant.value).collect();
-        Machine { compiled, prepared }
+        let mut machine = Machine { compiled, errors: Errors::default() };
+        (inputs.prepared, machine.errors.prepared) = machine.apart(Function::Prepare, inputs);
+        machine
     }
 
-    pub fn bounded(&self, function: Function, inputs: &Inputs) -> Vec<Bounded> {
-        run_bounded(self.compiled.programs.get(function), inputs, &self.prepared)
+    /// The same with what K(c) and D were factored into at this state; an empty list where they are not written out.
+    pub fn factored(&self, inputs: &Inputs) -> (Machine<'a>, Inputs) {
+        let (mut inputs, mut errors) = (inputs.clone(), self.errors.clone());
+        let kept = (inputs.kept.len(), inputs.lu.len());
+        (inputs.kept, errors.kept) = self.apart(Function::Factor, &inputs);
+        (inputs.lu, errors.lu) = self.apart(Function::FactorJacobian, &inputs);
+        // The pivots stand behind what is kept.
+        inputs.kept.truncate(kept.0);
+        inputs.lu.truncate(kept.1);
+        (Machine { compiled: self.compiled, errors }, inputs)
+    }
+
+    /// Values and errors of a function that others take up.
+    fn apart(&self, function: Function, inputs: &Inputs) -> (Vec<f64>, Vec<f64>) {
+        self.bounded(function, inputs).into_iter().map(|bounded| (bounded.value, bounded.error)).unzip()
+    }
+
+    fn bounded(&self, function: Function, inputs: &Inputs) -> Vec<Bounded> {
+        run_bounded(self.compiled.programs.get(function), inputs, &self.errors)
     }
 
     pub fn run(&self, function: Function, inputs: &Inputs) -> Vec<Quantity> {
@@ -51,12 +68,16 @@ impl<'a> Machine<'a> {
         product
     }
 
+    /// q ⊕ h δ.
+    pub fn displaced(&self, inputs: &Inputs, h: f64, direction: &[f64]) -> Inputs {
+        let increment: Vec<f64> = direction.iter().map(|x| h * x).collect();
+        Inputs { q: retract(&self.compiled.equations, &inputs.q, &increment), ..inputs.clone() }
+    }
+
     /// (t + h, q ⊕ h v, v + h v̇).
     pub fn moved(&self, inputs: &Inputs, h: f64, acceleration: &[f64]) -> Inputs {
-        let increment: Vec<f64> = inputs.v.iter().map(|v| h * v).collect();
-        let mut moved = inputs.clone();
+        let mut moved = self.displaced(inputs, h, &inputs.v);
         moved.time += h;
-        moved.q = retract(&self.compiled.equations, &inputs.q, &increment);
         moved.v.iter_mut().zip(acceleration).for_each(|(v, a)| *v += h * a);
         moved
     }
@@ -122,11 +143,15 @@ fn any_state(compiled: &Compiled, random: &mut Random, reach: f64, vary: bool) -
         let (least, most) = parameter.bounds.unwrap_or((f64::NEG_INFINITY, f64::INFINITY));
         if vary { varied.clamp(least, most) } else { parameter.default }
     });
+    let mut q = retract(equations, &assembly.q, &increment);
+    for angle in 0..equations.layout.angles.len() {
+        q[equations.layout.turns(angle)] += (3.0 * random.next()).round();
+    }
     Inputs {
         parameters: parameters.collect(),
         phases: assembly.phases.clone(),
         time: 0.5 + 0.5 * random.next(),
-        q: retract(equations, &assembly.q, &increment),
+        q,
         v: sized(random, 1.0),
         inputs: random.vector(equations.symbols.inputs.len()),
         two_alpha: 10.0 + random.next(),
@@ -143,17 +168,23 @@ fn any_state(compiled: &Compiled, random: &mut Random, reach: f64, vary: bool) -
     }
 }
 
-/// The largest coordinate of a centre of mass at the start, m.
-fn size(compiled: &Compiled) -> f64 {
-    let start = Inputs {
+/// The assembled start, at the default parameters.
+pub fn start(compiled: &Compiled) -> Inputs {
+    Inputs {
         parameters: compiled.mechanism.parameters.iter().map(|parameter| parameter.default).collect(),
         phases: compiled.assembly.phases.clone(),
         q: compiled.assembly.q.clone(),
         v: compiled.assembly.v.clone(),
         acceleration: vec![0.0; compiled.assembly.v.len()],
+        inputs: vec![0.0; compiled.mechanism.inputs.len()],
+        lambda: vec![0.0; compiled.equations.rows.len()],
         ..Inputs::default()
-    };
-    let mut start = start;
+    }
+}
+
+/// The largest coordinate of a centre of mass at the start, m.
+pub fn size(compiled: &Compiled) -> f64 {
+    let mut start = start(compiled);
     let machine = Machine::new(compiled, &mut start);
     let motions = machine.plain(Function::Motions, &start);
     let bodies = compiled.equations.motions.iter();

@@ -1,12 +1,23 @@
 //! Constraint rows: D is the derivative of Φ, γ that of D v − ν with the other sign.
 
-use super::machine::Machine;
+use super::machine::{self, Machine};
 use super::quantity::{Along, Quantity};
 use super::{Check, Report};
 use crate::schedule::{Function, Inputs};
 
 /// Step of differences, s along velocities of order one.
 const STEP: f64 = 1e-3;
+
+/// What an assembled start may be off by, in sizes of the mechanism.
+const CLOSED: f64 = 1e-7;
+
+/// Φ = 0 where the mechanism was assembled, by other expressions if these are absolute coordinates.
+pub fn at_the_start(machine: &Machine, report: &mut Report) {
+    let closed = Quantity { value: 0.0, margin: CLOSED * (1.0 + machine::size(machine.compiled)) };
+    for (row, phi) in machine.run(Function::Constraints, report.inputs).into_iter().enumerate() {
+        report.compare(Check::Start, || name(machine, row), phi, closed);
+    }
+}
 
 pub fn check(machine: &Machine, report: &mut Report) {
     let rows = &machine.compiled.equations.rows;
@@ -40,7 +51,8 @@ pub fn check(machine: &Machine, report: &mut Report) {
 pub fn rates(machine: &Machine, inputs: &Inputs) -> Vec<Quantity> {
     let nu = machine.run(Function::Nu, inputs);
     let rows = machine.jacobian(inputs).into_iter().zip(nu);
-    rows.map(|(row, nu)| row.iter().fold(-nu, |sum, (column, entry)| sum + *entry * inputs.v[*column])).collect()
+    rows.map(|(row, nu)| row.iter().fold(-nu, |sum, (column, entry)| sum + *entry * inputs.v[*column]))
+        .collect()
 }
 
 /// The row's name, as its joint and what it holds.

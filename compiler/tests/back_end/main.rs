@@ -3,7 +3,6 @@
 mod budgets;
 mod mechanisms;
 mod self_check;
-mod shipped;
 
 use linkwright_compiler::diagnostics::Diagnostics;
 use linkwright_compiler::{Compiled, compile};
@@ -11,5 +10,3 @@ use linkwright_compiler::{Compiled, compile};
 fn compiled(source: &str) -> Result<Compiled, Diagnostics> {
     compile(source.parse().expect("the source consists of tokens"), None)
 }
-mod scratch;
-mod mutation;

@@ -433,9 +433,13 @@ const MISTAKES: &[(&str, &str)] = &[
     ),
     (
         "expect { freedom = 1; }",
-        r#"nothing here is called "freedom"; there are degrees_of_freedom, operations"#,
+        r#"nothing here is called "freedom"; there are degrees_of_freedom, operations, live_values"#,
     ),
     ("expect { operations = 3; }", "expected `<=`, found `=`"),
+    ("expect { live_values(mass_matrix) < 3; }", "expected `<=`, found `<`"),
+    ("expect { live_value <= 3; }", r#"nothing here is called "live_value"; did you mean `live_values`?"#),
+    ("options { self_check = maybe; }", "expected `on` or `off`, found `maybe`"),
+    ("options { self_check = on; self_check = off; }", "`self_check` of `options` is given twice"),
     ("expect { degrees_of_freedom = -1; }", "-1 is negative; indices and counts start at 0"),
     (
         "repeat i in 0..N { }",
