@@ -143,12 +143,13 @@ fn any_state(compiled: &Compiled, random: &mut Random, reach: f64, vary: bool) -
         let (least, most) = parameter.bounds.unwrap_or((f64::NEG_INFINITY, f64::INFINITY));
         if vary { varied.clamp(least, most) } else { parameter.default }
     });
+    let parameters = parameters.collect();
     let mut q = retract(equations, &assembly.q, &increment);
     for angle in 0..equations.layout.angles.len() {
         q[equations.layout.turns(angle)] += (3.0 * random.next()).round();
     }
     Inputs {
-        parameters: parameters.collect(),
+        parameters,
         phases: assembly.phases.clone(),
         time: 0.5 + 0.5 * random.next(),
         q,
