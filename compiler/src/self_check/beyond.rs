@@ -126,8 +126,8 @@ fn null_space(machine: &Machine, report: &mut Report) {
     let v: Vec<f64> = velocity.iter().map(|v| v.value).collect();
     let inputs = Inputs { v, ..report.inputs.clone() };
     let margin = velocity.iter().fold(0.0_f64, |largest, v| largest.max(v.margin));
+    let columns = machine.jacobian(&inputs);
     for (row, rate) in rows::rates(machine, &inputs).into_iter().enumerate() {
-        let columns = machine.jacobian(&inputs);
         let slope: f64 = columns[row].iter().map(|(_, entry)| entry.value.abs()).sum();
         let zero = Quantity { value: 0.0, margin: margin * slope };
         report.compare(Check::NullSpace, || rows::name(machine, row), rate, zero);
