@@ -235,10 +235,9 @@ fn instead(function: &str, found: usize, what: &str, remedies: &[(Remedy, usize)
     } else {
         format!("({function})")
     };
-    let mut text = format!("\nwrite `{what}{of} <= {found};` if that may be, or let the mechanism do less");
-    if !remedies.is_empty() {
-        text += "; less is taken";
-    }
+    let otherwise =
+        if remedies.is_empty() { "let the mechanism do less" } else { "take one of these that need less:" };
+    let mut text = format!("\nwrite `{what}{of} <= {found};` if that may be, or {otherwise}");
     for (remedy, count) in remedies {
         text += &match remedy {
             Remedy::Coordinates(word) => {

@@ -248,7 +248,6 @@ fn a_contradiction_names_the_case() {
     ] {
         assert!(message.contains(part), "{part} is missing in\n{message}");
     }
-    println!("{message}");
     assert!(self_check(&mutant, Extent::Off).is_empty());
 }
 
