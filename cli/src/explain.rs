@@ -8,7 +8,7 @@ use linkwright_compiler::equations::conditions;
 use linkwright_compiler::model::{
     BodyKind, ConstraintKind, Coordinates, Frame, JointId, LoadKind, Mechanism, Quantity, Redundant,
 };
-use linkwright_compiler::schedule::{Function, count};
+use linkwright_compiler::schedule::{Function, count, live_values};
 use linkwright_compiler::syntax::Definition;
 use linkwright_compiler::{Compiled, units::Unit};
 
@@ -96,6 +96,7 @@ pub fn explain(definition: &Definition, compiled: &Compiled) -> Explanation {
         coordinates,
         function: function.name(),
         counts: count(compiled.programs.get(function)),
+        live: live_values(compiled.programs.get(function)),
     };
     let joint = |id: JointId| mechanism.joints[id.0].name.text.clone();
     let name = |quantity: &Quantity| conditions::name(mechanism, quantity);

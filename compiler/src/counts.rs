@@ -3,12 +3,13 @@
 //! Counted are the instructions of the scheduled programs, from which the code is emitted one to one: the watch over
 //! the pivots is part of the acceleration functions. A fused multiply-add is one operation, so is a division, a square
 //! root, a choice (min, max, abs, sign, comparison, logic, select) and a call of sin or the like. Depth is the longest
-//! chain of operations that wait for one another.
+//! chain of operations that wait for one another. Live is the largest number of results that are alive at once, in the
+//! order of the code; true use of registers and stack is decided by the target's compiler.
 
 use crate::compile;
 use crate::diagnostics::Diagnostics;
 use crate::model::Coordinates;
-use crate::schedule::{Counts, Function, count};
+use crate::schedule::{Counts, Function, count, live_values};
 use proc_macro2::TokenStream;
 use std::fmt::Write;
 
@@ -23,15 +24,18 @@ pub struct Row {
     pub coordinates: &'static str,
     pub function: &'static str,
     pub counts: Counts,
+    /// The largest number of results alive at once.
+    pub live: usize,
 }
 
 impl Row {
     /// The counts by name, operations and depth first.
-    pub fn named(&self) -> [(&'static str, usize); 9] {
+    pub fn named(&self) -> [(&'static str, usize); 10] {
         let c = &self.counts;
         [
             ("operations", c.total()),
             ("depth", c.depth),
+            ("live_values", self.live),
             ("additions", c.additions),
             ("multiplications", c.multiplications),
             ("fused_multiply_adds", c.fused_multiply_adds),
@@ -55,6 +59,7 @@ pub fn rows(
         coordinates,
         function: function.name(),
         counts: count(compiled.programs.get(function)),
+        live: live_values(compiled.programs.get(function)),
     };
     Ok(Function::ALL.map(row).into())
 }
@@ -72,9 +77,10 @@ pub fn as_json(rows: &[Row]) -> String {
 }
 
 /// Heads of the columns and their widths, in the order of [`Row::named`].
-const COLUMNS: [(&str, usize); 9] = [
+const COLUMNS: [(&str, usize); 10] = [
     ("total", 7),
     ("depth", 7),
+    ("live", 6),
     ("add", 6),
     ("mul", 6),
     ("fma", 6),
@@ -103,7 +109,7 @@ pub fn as_tables(rows: &[Row]) -> String {
         text.push('\n');
     }
     text.push_str(
-        "add: additions, subtractions, negations; min..: min, max, abs, sign, comparisons, logic, select; sin..: \
+        "live: results alive at once; add: additions, subtractions, negations; min..: min, max, abs, sign, comparisons, logic, select; sin..: \
          calls of sin and the like\n",
     );
     text

@@ -9,6 +9,7 @@ use crate::diagnostics::Diagnostics;
 use crate::equations::{self, Equations, SpanningTree, Tangents};
 use crate::model::{self, Coordinates, Mechanism};
 use crate::schedule::{self, Programs};
+use crate::self_check::{self, Extent};
 use crate::solve::Solved;
 use crate::solve::table::Table;
 use crate::symbolic::Node;
@@ -105,12 +106,8 @@ pub fn compile_model(
     let optimized = optimize::optimize(&equations, &solved);
     let programs = schedule::schedule(&equations, &optimized);
     // AFTER THIS POINT there is no graph, only instructions.
-    if as_defined {
-        // Limits of the definition hold for the coordinates of the definition.
-        check::budget(&mechanism, &programs, &mut errors);
-    }
     let masses = assemble::positive_masses(&mechanism, &equations);
-    errors.finish(Compiled {
+    let compiled = Compiled {
         mechanism,
         definition,
         equations,
@@ -124,7 +121,17 @@ pub fn compile_model(
         masses,
         choice,
         warnings,
-    })
+    };
+    if as_defined {
+        // Limits of the definition hold for the coordinates of the definition.
+        check::budget(&compiled, &mut errors);
+    }
+    let extent = Extent::asked(compiled.mechanism.options.self_check);
+    if let Some(contradiction) = self_check::self_check(&compiled, extent).first() {
+        errors.error(compiled.mechanism.name.span, contradiction.to_string());
+    }
+    // AFTER THIS POINT the programs are what was derived, as far as that can be seen at a few states.
+    errors.finish(compiled)
 }
 
 /// Structure of [M D̂ᵀ; D̂ 0] with the conditions' rows, for the cold paths.

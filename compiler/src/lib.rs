@@ -20,6 +20,7 @@ pub mod model;
 pub mod optimize;
 pub mod page;
 pub mod schedule;
+pub mod self_check;
 pub mod solve;
 pub mod syntax;
 

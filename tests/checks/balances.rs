@@ -125,7 +125,7 @@ impl<M: Model> Ahead<M> {
 fn weightless(compiled: &Compiled) -> Compiled {
     let mut mechanism = compiled.mechanism.clone();
     mechanism.gravity = None;
-    mechanism.expect.operations.clear();
+    mechanism.expect.budgets.clear();
     let coordinates = compiled.choice.coordinates;
     compile_model(mechanism, compiled.definition.clone(), Some(coordinates)).expect("gravity moves no joint")
 }

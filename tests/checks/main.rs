@@ -22,6 +22,7 @@ mod published;
 mod redundant;
 mod reference;
 mod registry;
+mod self_check;
 mod space_convergence;
 mod starts;
 mod tangent;

@@ -9,7 +9,7 @@
 //! Text that is parsed once is ten times faster to produce than token streams.
 
 use super::names::Names;
-use crate::schedule::{Instruction, LONG, Operand, Program, Source};
+use crate::schedule::{Instruction, LONG, Operand, Program, Source, last_uses, live};
 use crate::symbolic::Unary;
 use std::collections::BTreeSet;
 use std::fmt::Write;
@@ -137,42 +137,6 @@ fn places(count: usize, front: usize, last_use: &[usize]) -> Vec<usize> {
         }
     }
     cuts
-}
-
-/// Where each value is used last; the outputs are used at the end.
-fn last_uses(program: &Program) -> Vec<usize> {
-    let count = program.instructions.len();
-    let mut last_use = vec![0; count];
-    for (index, instruction) in program.instructions.iter().enumerate() {
-        for operand in instruction.operands() {
-            if let Operand::Value(value) = operand {
-                last_use[value as usize] = index;
-            }
-        }
-    }
-    for output in &program.outputs {
-        if let Operand::Value(value) = output {
-            last_use[*value as usize] = count;
-        }
-    }
-    last_use
-}
-
-/// How many values live on across each place between two instructions.
-fn live(last_use: &[usize]) -> Vec<isize> {
-    let mut difference = vec![0isize; last_use.len() + 2];
-    for (value, last) in last_use.iter().enumerate() {
-        difference[value + 1] += 1;
-        difference[last + 1] -= 1;
-    }
-    let mut running = 0;
-    difference[..=last_use.len()]
-        .iter()
-        .map(|step| {
-            running += step;
-            running
-        })
-        .collect()
 }
 
 /// Parts, and where their values are. A value that leaves its part gets a slot, and keeps it until its last use.

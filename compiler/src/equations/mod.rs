@@ -114,6 +114,17 @@ pub struct Dynamics {
     pub distributions: Vec<space::Distribution>,
 }
 
+/// What Q and V consist of.
+#[derive(Clone, Debug)]
+pub struct Contributions {
+    /// Gyroscopic and gravity forces, with the sign of Q.
+    pub inertia_and_gravity: Vec<Node>,
+    /// Per load, what it adds to entries of Q.
+    pub loads: Vec<Vec<Node>>,
+    /// Per load, the energy it stores.
+    pub potentials: Vec<Node>,
+}
+
 /// What follows from v̇ and λ.
 pub struct Consequences {
     pub motions: Vec<BodyMotion>,
@@ -134,6 +145,7 @@ pub struct Equations {
     pub distributions: Vec<space::Distribution>,
     /// Q.
     pub forces: Vec<Node>,
+    pub contributions: Contributions,
     /// M v̇ − Q with v̇ as given.
     pub inverse: Vec<Node>,
     pub rows: Vec<Row>,
@@ -205,9 +217,13 @@ pub fn derive(mechanism: &Mechanism, tree: SpanningTree, dropped: &[Dropped]) ->
     };
     let Dynamics { mass, mut forces, mut inverse, kinetic_energy, mut potential_energy, distributions } =
         dynamics;
+    let mut contributions =
+        Contributions { inertia_and_gravity: forces.clone(), loads: Vec::new(), potentials: Vec::new() };
     let mut powers = Vec::new();
     for load in &mechanism.loads {
         let terms = loads::terms(g, &laws, load);
+        contributions.loads.push(terms.forces.iter().map(|(_, force)| *force).collect());
+        contributions.potentials.push(terms.potential);
         for (index, force) in terms.forces {
             forces[index] = g.add(forces[index], force);
             inverse[index] = g.sub(inverse[index], force);
@@ -263,6 +279,7 @@ pub fn derive(mechanism: &Mechanism, tree: SpanningTree, dropped: &[Dropped]) ->
         mass,
         distributions,
         forces,
+        contributions,
         inverse,
         idle: BTreeSet::new(),
         rows,

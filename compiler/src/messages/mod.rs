@@ -17,6 +17,8 @@ pub(crate) use values::*;
 pub(crate) use warnings::*;
 pub(crate) use writing::*;
 
+use crate::self_check::Contradiction;
+
 // ---- Advice -----------------------------------------------------------------------------------------------------
 
 /// The known word nearest to a misspelt one, if near enough to be meant.
@@ -76,5 +78,16 @@ pub(crate) fn number(value: f64) -> String {
 pub(crate) fn unreadable_expansion(error: &str) -> String {
     format!(
         "the generated code could not be read back ({error}); this is a mistake of Linkwright: please report it with this definition"
+    )
+}
+
+/// The compiler has found a mistake of its own.
+pub(crate) fn contradiction(contradiction: &Contradiction) -> String {
+    let Contradiction { check, at, found, expected, margin, state } = contradiction;
+    format!(
+        "Linkwright contradicts itself, so there is no model: this is a mistake of Linkwright, not of the definition. It \
+         compared {} and found at {at} {found:e} in place of {expected:e} (to within {margin:.1e}), with {state}. Please report \
+         this message with the definition; `options {{ self_check = off; }}` takes the model unchecked",
+        check.text()
     )
 }

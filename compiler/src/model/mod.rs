@@ -21,7 +21,7 @@ mod unused;
 mod values;
 
 use crate::diagnostics::{Allowed, Region};
-pub use crate::syntax::{JointWord, Shape, Space};
+pub use crate::syntax::{Budgeted, JointWord, Shape, Space};
 pub use expression::{Comparison, Condition, Expr, Function1, Function2, Quantity};
 pub(crate) use lower::Use;
 pub use lower::lower;
@@ -430,6 +430,8 @@ pub struct Options {
     /// Position coordinates the user takes as independent (angles, travels); empty if the compiler chooses.
     pub independent: Vec<(Quantity, Region)>,
     pub emit: Emit,
+    /// Whether the compiler checks its own work: thoroughly, not at all, or, where nothing is written, in passing.
+    pub self_check: Option<bool>,
     /// Path of the `linkwright` crate as seen by the user; `::linkwright` if `None`.
     pub crate_path: Option<TokenStream>,
 }
@@ -463,8 +465,7 @@ impl Emit {
 #[derive(Clone, Debug, Default)]
 pub struct Expect {
     pub degrees_of_freedom: Option<(usize, Region)>,
-    /// (function, or `None` for the default acceleration function; limit; where written).
-    pub operations: Vec<(Option<String>, usize, Region)>,
+    pub budgets: Vec<Budget>,
     pub motion: MotionExpected,
 }
 
@@ -505,6 +506,16 @@ pub struct Within {
     pub to: f64,
     /// The unit it is written in, and that unit in SI.
     pub unit: (String, f64),
+    pub span: Region,
+}
+
+/// A limit on what a function takes.
+#[derive(Clone, Debug)]
+pub struct Budget {
+    pub of: Budgeted,
+    /// `None` for the default acceleration function.
+    pub function: Option<String>,
+    pub limit: usize,
     pub span: Region,
 }
 

@@ -4,7 +4,8 @@ use super::lower::Lowering;
 use super::lower::Use;
 use super::names::Part;
 use super::{
-    Coordinates, Emit, Expect, Expr, JointId, Options, Quantity, Redundant, Rotor, Space, Turning, Within,
+    Budget, Coordinates, Emit, Expect, Expr, JointId, Options, Quantity, Redundant, Rotor, Space, Turning,
+    Within,
 };
 use crate::diagnostics::Region;
 use crate::messages;
@@ -20,6 +21,7 @@ impl<'d> Lowering<'d> {
         let (mut cut, mut independent) = (Vec::new(), Vec::new());
         let mut crate_path: Option<TokenStream> = None;
         let mut emit = Emit::default();
+        let mut self_check = None;
         for entry in &self.definition.options {
             match entry {
                 OptionEntry::Coordinates(word) => {
@@ -42,11 +44,12 @@ impl<'d> Lowering<'d> {
                     independent.extend(paths.iter().filter_map(|path| self.independent(path)));
                 }
                 OptionEntry::Emit(words) => words.iter().for_each(|word| emit.set(&word.text)),
+                OptionEntry::SelfCheck(word) => self_check = Some(word.text == "on"),
                 OptionEntry::Crate(path) => crate_path = Some(path.clone()),
             }
         }
         self.options_twice();
-        Options { coordinates, redundant, accept_inertia, cut, independent, emit, crate_path }
+        Options { coordinates, redundant, accept_inertia, cut, independent, emit, self_check, crate_path }
     }
 
     fn options_twice(&mut self) {
@@ -54,6 +57,7 @@ impl<'d> Lowering<'d> {
             OptionEntry::Coordinates(label) => Some(("coordinates", label)),
             OptionEntry::Redundant(label) => Some(("redundant", label)),
             OptionEntry::Inertia(label) => Some(("inertia", label)),
+            OptionEntry::SelfCheck(label) => Some(("self_check", label)),
             _ => None,
         };
         let mut seen: Vec<(&str, &Label)> = Vec::new();
@@ -90,9 +94,10 @@ impl<'d> Lowering<'d> {
                 ExpectEntry::DegreesOfFreedom(count, region) => {
                     expect.degrees_of_freedom = Some((*count, *region));
                 }
-                ExpectEntry::Operations(function, limit, region) => {
-                    let function = function.as_ref().map(|label| label.text.clone());
-                    expect.operations.push((function, *limit, *region));
+                ExpectEntry::Budget(written) => {
+                    let function = written.function.as_ref().map(|label| label.text.clone());
+                    let (of, limit, span) = (written.of, written.limit, written.region);
+                    expect.budgets.push(Budget { of, function, limit, span });
                 }
                 ExpectEntry::Rotates(labels) => {
                     expect.motion.rotates.extend(labels.iter().filter_map(|label| self.turning(label)));

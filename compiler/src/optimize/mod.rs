@@ -14,6 +14,7 @@ pub use hoist::Hoisted;
 use crate::equations::Equations;
 use crate::functions::{Function, outputs};
 use crate::solve::Solved;
+use crate::symbolic::{Graph, Node};
 
 /// What each function computes.
 #[derive(Clone, Debug)]
@@ -27,6 +28,11 @@ pub struct Optimized {
 /// All passes, for all functions.
 pub fn optimize(equations: &Equations, solved: &Solved) -> Optimized {
     optimize_only(equations, solved, &Function::ALL)
+}
+
+/// All passes, for one function that is not in the list, where only its operations matter.
+pub fn fuse_alone(graph: &Graph, outputs: &[Node]) -> Fused {
+    fuse(graph, outputs, |node| hoist::is_hoistable(graph, node))
 }
 
 /// All passes, for some functions: enough to count them.

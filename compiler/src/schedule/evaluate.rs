@@ -69,7 +69,7 @@ fn get(operand: Operand, inputs: &Inputs, values: &[f64]) -> f64 {
     }
 }
 
-fn step(instruction: &Instruction, get: impl Fn(Operand) -> f64) -> f64 {
+pub(super) fn step(instruction: &Instruction, get: impl Fn(Operand) -> f64) -> f64 {
     let mask = |value: bool| if value { 1.0 } else { 0.0 };
     match *instruction {
         Instruction::Neg(a) => -get(a),

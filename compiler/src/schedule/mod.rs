@@ -2,21 +2,25 @@
 //!
 //! AFTER THIS POINT there is no graph, only instructions in order.
 
+mod bounds;
 mod count;
 mod evaluate;
 mod interleave;
+mod liveness;
 mod program;
 mod select;
 mod share;
 
 pub use crate::functions::{Function, outputs};
+pub use bounds::{Bounded, Errors, run_bounded};
 pub use count::{Counts, count};
 pub use evaluate::{Inputs, run};
+pub use liveness::{last_uses, live, live_values};
 pub use program::{Instruction, Operand, Program, Source};
 pub use share::LONG;
 
 use crate::equations::Equations;
-use crate::optimize::{Fused, Hoisted, Optimized, optimize_only};
+use crate::optimize::{self, Fused, Hoisted, Optimized, optimize_only};
 use crate::solve::Solved;
 use crate::symbolic::Node;
 use select::Selected;
@@ -70,6 +74,20 @@ pub fn count_of(equations: &Equations, solved: &Solved, function: Function) -> C
     // The order of the instructions does not count.
     let select = |fused| select::select(&equations.graph, &sources, &hoisted, fused);
     functions.first().map_or(Counts::default(), |(_, fused)| count(&select(fused).program))
+}
+
+/// What the instructions of one function compute, in no particular order.
+pub fn nodes_of(equations: &Equations, solved: &Solved, function: Function) -> Vec<Node> {
+    let Optimized { functions, hoisted } = optimize_only(equations, solved, &[function]);
+    let sources = sources(equations);
+    let fused = functions.first().map(|(_, fused)| fused);
+    fused.map_or(Vec::new(), |fused| select::select(&equations.graph, &sources, &hoisted, fused).nodes)
+}
+
+/// Operations of a function with these outputs.
+pub fn operations_of(equations: &Equations, outputs: &[Node]) -> usize {
+    let fused = optimize::fuse_alone(&equations.graph, outputs);
+    select::select(&equations.graph, &sources(equations), &Hoisted::default(), &fused).nodes.len()
 }
 
 /// What each symbol of the graph stands for.

@@ -165,6 +165,12 @@ impl Watched {
 }
 
 impl Factor {
+    /// All that was computed for it.
+    pub fn nodes(&self) -> Vec<Node> {
+        let columns = self.steps.iter().flat_map(|step| step.column.iter().map(|(_, l)| *l));
+        columns.chain(self.steps.iter().map(|step| step.inverse)).collect()
+    }
+
     /// K x = [Q; γ], given Q and, for the rows, −γ: with that sign no multiplier has to be negated at the end.
     pub fn solve(&self, g: &mut Graph, forces_and_minus_gamma: &[Node]) -> Vec<Node> {
         let mut x = forces_and_minus_gamma.to_vec();

@@ -37,6 +37,8 @@ pub struct Solved {
     pub index1: Solution,
     pub baumgarte: Solution,
     pub order: Order,
+    /// What the factorisation of K computed: pivots and columns of L.
+    pub factored: Vec<Node>,
     /// Of the default acceleration function.
     pub counts: Counts,
     /// Rows added to M, see [`Massless`].
@@ -293,6 +295,7 @@ fn by_articulated_bodies(equations: &Equations, pattern: &Pattern) -> Option<(Eq
         index1: solution.clone(),
         baumgarte: solution,
         order: Order { strategy: Strategy::ArticulatedBodies, ..order },
+        factored: Vec::new(),
         counts: Counts::default(),
         massless: Massless::default(),
         stored: None,
@@ -343,6 +346,7 @@ fn eliminate(equations: &mut Equations, system: &System, order: Order) -> Solved
         index1,
         baumgarte,
         order,
+        factored: factor.nodes(),
         counts: Counts::default(),
         massless: massless.clone(),
         stored: None,
@@ -352,7 +356,7 @@ fn eliminate(equations: &mut Equations, system: &System, order: Order) -> Solved
 }
 
 /// −γ + 2α (D v − ν) + β² Φ.
-fn stabilised(g: &mut Graph, rows: &[Row], symbols: &Symbols) -> Vec<Node> {
+pub fn stabilised(g: &mut Graph, rows: &[Row], symbols: &Symbols) -> Vec<Node> {
     let mut terms = Vec::new();
     for row in rows {
         let rate = row.jet.rate(g, &symbols.v);

@@ -106,6 +106,12 @@ impl Graph {
     pub fn nodes(&self) -> impl DoubleEndedIterator<Item = (Node, Op)> + '_ {
         self.ops.iter().enumerate().map(|(index, op)| (Node(index as u32), *op))
     }
+    /// The same graph with one node computed by another operation on older nodes: for tests that must notice.
+    pub fn with(&self, node: Node, op: Op) -> Graph {
+        let mut changed = self.clone();
+        changed.ops[node.index()] = op;
+        changed
+    }
     /// Name and class of a symbol.
     pub fn symbol_name(&self, symbol: u32) -> &str {
         &self.symbols[symbol as usize].0

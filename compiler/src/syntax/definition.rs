@@ -571,6 +571,8 @@ pub enum OptionEntry {
     Independent(Vec<Path>),
     /// Words of [`EMITTED`].
     Emit(Vec<Label>),
+    /// `on` or `off`.
+    SelfCheck(Label),
     Crate(TokenStream),
 }
 
@@ -582,8 +584,7 @@ pub const EMITTED: [&str; 4] = ["penalty", "projection", "null_space", "tangent"
 #[expect(clippy::large_enum_variant, reason = "there are few of them, and each lives in one vector")]
 pub enum ExpectEntry {
     DegreesOfFreedom(usize, Region),
-    /// Function, or `None` for the default acceleration function; limit; where.
-    Operations(Option<Label>, usize, Region),
+    Budget(Budget),
     /// Joints and bodies that turn fully.
     Rotates(Vec<Label>),
     /// No singular position all along the motion.
@@ -599,6 +600,35 @@ pub struct RangeTerm {
     pub unit: Option<WrittenUnit>,
     pub from: Term,
     pub to: Term,
+}
+
+/// `operations <= 400;`, `live_values(mass_matrix) <= 40;`
+#[derive(Clone, Debug)]
+pub struct Budget {
+    pub of: Budgeted,
+    /// `None` for the default acceleration function.
+    pub function: Option<Label>,
+    pub limit: usize,
+    pub region: Region,
+}
+
+/// What of a function a budget limits.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Budgeted {
+    Operations,
+    /// The largest number of results that are alive at once.
+    LiveValues,
+}
+
+impl Budgeted {
+    pub const ALL: [Budgeted; 2] = [Budgeted::Operations, Budgeted::LiveValues];
+
+    pub fn word(self) -> &'static str {
+        match self {
+            Budgeted::Operations => "operations",
+            Budgeted::LiveValues => "live_values",
+        }
+    }
 }
 
 /// `output stroke [m] = slider.center.x;`

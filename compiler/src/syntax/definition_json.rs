@@ -389,7 +389,7 @@ impl Writer {
             }
             // Where the crate is found is no fact about the mechanism.
             // No property of the mechanism.
-            OptionEntry::Emit(_) | OptionEntry::Crate(_) => {}
+            OptionEntry::Emit(_) | OptionEntry::SelfCheck(_) | OptionEntry::Crate(_) => {}
         }
     }
 
@@ -399,18 +399,20 @@ impl Writer {
                 self.key("degrees_of_freedom").raw(&count.to_string());
             }
         }
-        let operations: Vec<(Option<&Label>, usize)> = expect
-            .iter()
-            .filter_map(|entry| match entry {
-                ExpectEntry::Operations(function, count, _) => Some((function.as_ref(), *count)),
-                _ => None,
-            })
-            .collect();
-        if !operations.is_empty() {
-            self.key("operations").list(&operations, |w, (function, count)| {
-                w.key("of").optional(*function, |w, label| w.string(&label.text));
-                w.key("at_most").raw(&count.to_string());
-            });
+        for of in Budgeted::ALL {
+            let budgets: Vec<&Budget> = expect
+                .iter()
+                .filter_map(|entry| match entry {
+                    ExpectEntry::Budget(budget) if budget.of == of => Some(budget),
+                    _ => None,
+                })
+                .collect();
+            if !budgets.is_empty() {
+                self.key(of.word()).list(&budgets, |w, budget| {
+                    w.key("of").optional(budget.function.as_ref(), |w, label| w.string(&label.text));
+                    w.key("at_most").raw(&budget.limit.to_string());
+                });
+            }
         }
         self.motion_expectations(expect);
     }

@@ -1,8 +1,8 @@
 //! The blocks `start`, `options` and `expect`.
 
 use super::definition::{
-    EMITTED, ExpectEntry, Label, Operator, OptionEntry, OrientationEntry, Path, RangeTerm, StartEntry, Term,
-    TermKind, WrittenUnit,
+    Budget, Budgeted, EMITTED, ExpectEntry, Label, Operator, OptionEntry, OrientationEntry, Path, RangeTerm,
+    StartEntry, Term, TermKind, WrittenUnit,
 };
 use super::parser::{Parsed, Parser};
 use super::token::{Cursor, Kind};
@@ -60,8 +60,8 @@ impl Parser {
 
     /// `{ coordinates = auto; cut = (joint, …); … }`
     pub fn options(&mut self, c: &mut Cursor) -> Parsed<()> {
-        const KNOWN: [&str; 7] =
-            ["coordinates", "redundant", "inertia", "cut", "independent", "emit", "crate"];
+        const KNOWN: [&str; 8] =
+            ["coordinates", "redundant", "inertia", "cut", "independent", "emit", "self_check", "crate"];
         self.block(c, |parser, c| {
             let option = parser.word(c, "an option")?;
             if !KNOWN.contains(&option.text.as_str()) {
@@ -75,6 +75,7 @@ impl Parser {
                 "cut" => OptionEntry::Cut(parser.list(c, |p, c| p.label(c, "the name of a joint"))?),
                 "independent" => OptionEntry::Independent(parser.list(c, |p, c| p.path(c, "a quantity"))?),
                 "emit" => OptionEntry::Emit(parser.list(c, |p, c| p.choice(c, &EMITTED))?),
+                "self_check" => OptionEntry::SelfCheck(parser.choice(c, &["on", "off"])?),
                 _ => OptionEntry::Crate(parser.crate_path(c)?),
             };
             parser.semicolon(c)?;
@@ -124,10 +125,11 @@ impl Parser {
         Ok(elements)
     }
 
-    /// `{ degrees_of_freedom = 1; operations <= 400; operations(mass_matrix) <= 40; rotates = crank_pin; no_singularity;
+    /// `{ degrees_of_freedom = 1; operations <= 400; live_values(mass_matrix) <= 40; rotates = crank_pin; no_singularity;
     /// knee.angle in 10..170 [deg]; }`
     pub fn expect(&mut self, c: &mut Cursor) -> Parsed<()> {
-        const KNOWN: [&str; 4] = ["degrees_of_freedom", "operations", "rotates", "no_singularity"];
+        const KNOWN: [&str; 5] =
+            ["degrees_of_freedom", "operations", "live_values", "rotates", "no_singularity"];
         self.block(c, |parser, c| {
             if is_dotted(c) {
                 let entry = parser.within(c)?;
@@ -135,7 +137,14 @@ impl Parser {
                 parser.definition.expect.push(entry);
                 return Ok(());
             }
-            let fact = parser.word(c, "`degrees_of_freedom`, `operations`, `rotates` or `no_singularity`")?;
+            let known = "`degrees_of_freedom`, `operations`, `live_values`, `rotates` or `no_singularity`";
+            let fact = parser.word(c, known)?;
+            if let Some(of) = Budgeted::ALL.into_iter().find(|of| of.word() == fact.text) {
+                let budget = parser.budget(c, of, fact.region)?;
+                parser.semicolon(c)?;
+                parser.definition.expect.push(ExpectEntry::Budget(budget));
+                return Ok(());
+            }
             let entry = match fact.text.as_str() {
                 "rotates" => {
                     parser.punct(c, '=')?;
@@ -146,20 +155,6 @@ impl Parser {
                     parser.punct(c, '=')?;
                     let (count, end) = parser.count(c)?;
                     ExpectEntry::DegreesOfFreedom(count, fact.region.to(end))
-                }
-                "operations" => {
-                    let mut function = None;
-                    if let Some(mut inside) = c.enter(Delimiter::Parenthesis) {
-                        function = Some(parser.word(&mut inside, "the name of a function")?);
-                        parser.end(&inside, "`)`")?;
-                    }
-                    if !c.at_puncts('<', '=') {
-                        return parser.expected(c, "`<=`");
-                    }
-                    c.advance();
-                    c.advance();
-                    let (count, end) = parser.count(c)?;
-                    ExpectEntry::Operations(function, count, fact.region.to(end))
                 }
                 word => return parser.fail(fact.region, messages::unknown_expectation(word, &KNOWN)),
             };
@@ -184,6 +179,22 @@ impl Parser {
         let mut to = self.expression(c)?;
         let unit = beside.or_else(|| take_unit(&mut to));
         Ok(ExpectEntry::Within(quantity, RangeTerm { unit, from, to }))
+    }
+
+    /// `(mass_matrix) <= 40` behind the word.
+    fn budget(&mut self, c: &mut Cursor, of: Budgeted, start: Region) -> Parsed<Budget> {
+        let mut function = None;
+        if let Some(mut inside) = c.enter(Delimiter::Parenthesis) {
+            function = Some(self.word(&mut inside, "the name of a function")?);
+            self.end(&inside, "`)`")?;
+        }
+        if !c.at_puncts('<', '=') {
+            return self.expected(c, "`<=`");
+        }
+        c.advance();
+        c.advance();
+        let (limit, end) = self.count(c)?;
+        Ok(Budget { of, function, limit, region: start.to(end) })
     }
 
     /// A whole number, or an expression of constants.

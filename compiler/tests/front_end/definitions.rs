@@ -2,7 +2,8 @@
 
 use crate::good;
 use linkwright_compiler::model::{
-    BodyKind, Constraint, ConstraintKind, Coordinates, Expr, Frame, JointKind, LoadKind, Quantity, Rotor,
+    BodyKind, Budgeted, Constraint, ConstraintKind, Coordinates, Expr, Frame, JointKind, LoadKind, Quantity,
+    Rotor,
 };
 
 /// The first example of the language.
@@ -94,7 +95,7 @@ fn quick_return() {
     assert_eq!(m.start[3].text, "rail.travel");
     assert_eq!(m.options.coordinates, Coordinates::Auto);
     assert_eq!(m.expect.degrees_of_freedom.map(|(count, _)| count), Some(1));
-    assert_eq!(m.expect.operations[0].1, 400);
+    assert_eq!(m.expect.budgets[0].limit, 400);
     assert!(
         matches!(&m.outputs[0].value, Expr::Quantity(Quantity::Position(place, 0)) if place.text == "slider.center")
     );
@@ -136,7 +137,7 @@ fn every_kind_of_body_joint_constraint_and_load() {
             force g: force(arm.tip) = (1, 2) [N];
             torque m: torque(arm) = -0.1 [N*m*s] * arm.rate;
             options { coordinates = tree; cut = (string, track); independent = (hub.angle, rail.travel); crate = ::other::path; }
-            expect { operations(mass_matrix) <= 40; }
+            expect { operations(mass_matrix) <= 40; live_values <= 64; }
             output effort [N*m] = turn.effort;
             output power [W] = turn.power + power(s);
             output energy [J] = energy - kinetic_energy - potential_energy;
@@ -160,7 +161,8 @@ fn every_kind_of_body_joint_constraint_and_load() {
     assert_eq!((number(&components[0]), number(&components[1])), (6.0, 8.0));
     assert_eq!(m.options.crate_path.expect("a path").to_string().replace(' ', ""), "::other::path");
     assert_eq!(m.options.cut.len(), 2);
-    assert_eq!(m.expect.operations[0].0.as_deref(), Some("mass_matrix"));
+    assert_eq!(m.expect.budgets[0].function.as_deref(), Some("mass_matrix"));
+    assert_eq!((m.expect.budgets[1].of, m.expect.budgets[1].limit), (Budgeted::LiveValues, 64));
     assert!(matches!(m.outputs[0].value, Expr::Quantity(Quantity::DriverEffort(_))));
 }
 

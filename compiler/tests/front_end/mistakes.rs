@@ -468,7 +468,7 @@ const MISTAKES: &[(&str, &str)] = &[
     ),
     (
         "expect { freedom = 1; }",
-        r#"nothing that can be expected is called "freedom"; there are degrees_of_freedom, operations, rotates, no_singularity and ranges such as `knee.angle in 10..170 [deg]`"#,
+        r#"nothing that can be expected is called "freedom"; there are degrees_of_freedom, operations, live_values, rotates, no_singularity and ranges such as `knee.angle in 10..170 [deg]`"#,
     ),
     (
         "expect { rotates = rail; }",
@@ -506,10 +506,17 @@ const MISTAKES: &[(&str, &str)] = &[
     ),
     (
         "expect { energy in 1..2 [J]; }",
-        r#"nothing that can be expected is called "energy"; there are degrees_of_freedom, operations, rotates, no_singularity and ranges such as `knee.angle in 10..170 [deg]`"#,
+        r#"nothing that can be expected is called "energy"; there are degrees_of_freedom, operations, live_values, rotates, no_singularity and ranges such as `knee.angle in 10..170 [deg]`"#,
     ),
     ("expect { no_singularity; no_singularity; }", r#"`no_singularity` of `expect` is given twice"#),
     ("expect { operations = 3; }", "expected `<=`, found `=`"),
+    ("expect { live_values(mass_matrix) < 3; }", "expected `<=`, found `<`"),
+    (
+        "expect { live_value <= 3; }",
+        r#"nothing that can be expected is called "live_value"; did you mean `live_values`?"#,
+    ),
+    ("options { self_check = maybe; }", "expected `on` or `off`, found `maybe`"),
+    ("options { self_check = on; self_check = off; }", "`self_check` of `options` is given twice"),
     ("expect { degrees_of_freedom = -1; }", "-1 is negative; indices and counts start at 0"),
     (
         "repeat i in 0..N { }",

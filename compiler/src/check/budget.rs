@@ -1,0 +1,117 @@
+//! Budgets of `expect` against what the functions take: where it goes, and what would take less.
+//!
+//! Advice is counted, not guessed: the mechanism is compiled or counted again as advised, and what takes no less is not
+//! mentioned. All that happens only where a budget is exceeded.
+
+use super::expenses::expenses;
+use super::messages::{self, Remedy};
+use crate::Compiled;
+use crate::diagnostics::Diagnostics;
+use crate::driver::compile_model;
+use crate::functions::{Function, outputs};
+use crate::model::{Budgeted, Coordinates};
+use crate::schedule::{Program, count, live_values, operations_of};
+use crate::solve;
+
+/// Functions against `expect`.
+pub fn budget(compiled: &Compiled, errors: &mut Diagnostics) {
+    let programs = &compiled.programs;
+    for budget in &compiled.mechanism.expect.budgets {
+        let name = budget.function.as_deref().unwrap_or(Function::AccelerationBaumgarte.name());
+        let Some((function, program)) =
+            programs.functions.iter().find(|(function, _)| function.name() == name)
+        else {
+            let known: Vec<&str> = programs.functions.iter().map(|(function, _)| function.name()).collect();
+            errors.error(budget.span, messages::unknown_function(name, &known));
+            continue;
+        };
+        let found = taken(budget.of, program);
+        if found <= budget.limit {
+            continue;
+        }
+        let remedies = remedies(compiled, *function, budget.of, found);
+        errors.error(
+            budget.span,
+            match budget.of {
+                Budgeted::Operations => {
+                    let table = expenses(compiled, *function);
+                    messages::too_many_operations(name, budget.limit, found, &table, &remedies)
+                }
+                Budgeted::LiveValues => {
+                    let results = program.outputs.len();
+                    messages::too_many_live_values(name, budget.limit, found, results, &remedies)
+                }
+            },
+        );
+    }
+}
+
+fn taken(of: Budgeted, program: &Program) -> usize {
+    match of {
+        Budgeted::Operations => count(program).total(),
+        Budgeted::LiveValues => live_values(program),
+    }
+}
+
+/// What would take less, with what it would take, the least first.
+fn remedies(compiled: &Compiled, function: Function, of: Budgeted, found: usize) -> Vec<(Remedy, usize)> {
+    let mut remedies: Vec<(Remedy, usize)> = Vec::new();
+    if let Some((coordinates, other)) = in_other_coordinates(compiled) {
+        remedies.push((Remedy::Coordinates(coordinates), taken(of, other.programs.get(function))));
+    }
+    if function == Function::AccelerationBaumgarte {
+        let plain = taken(of, compiled.programs.get(Function::Acceleration));
+        remedies.push((Remedy::WithoutBaumgarte, plain));
+    }
+    if of == Budgeted::Operations {
+        remedies.extend(with_constants(compiled, function).map(|count| (Remedy::Constants, count)));
+        let accelerations = [Function::Acceleration, Function::AccelerationBaumgarte];
+        if accelerations.contains(&function) {
+            remedies.extend(in_independent_velocities(compiled).map(|count| (Remedy::NullSpace, count)));
+        }
+    }
+    remedies.retain(|(_, count)| *count < found);
+    remedies.sort_by_key(|(_, count)| *count);
+    remedies
+}
+
+/// The mechanism in the coordinates that were not taken, unless they are known to be out of the question.
+fn in_other_coordinates(compiled: &Compiled) -> Option<(&'static str, Compiled)> {
+    if matches!(compiled.choice.rejected, Some(crate::Rejected::Estimated(_))) {
+        return None;
+    }
+    let (word, other) = match compiled.choice.coordinates {
+        Coordinates::Absolute => ("tree", Coordinates::Tree),
+        _ => ("absolute", Coordinates::Absolute),
+    };
+    let mut mechanism = compiled.mechanism.clone();
+    mechanism.options.self_check = Some(false);
+    let other = compile_model(mechanism, compiled.definition.clone(), Some(other)).ok()?;
+    Some((word, other))
+}
+
+/// Operations if every parameter were a constant, with its default as value.
+fn with_constants(compiled: &Compiled, function: Function) -> Option<usize> {
+    let parameters = &compiled.mechanism.parameters;
+    if parameters.is_empty() {
+        return None;
+    }
+    let mut equations = compiled.equations.clone();
+    let defaults = parameters.iter().map(|parameter| equations.graph.constant(parameter.default));
+    let replaced = compiled.equations.symbols.parameters.iter().copied().zip(defaults).collect();
+    let nodes = outputs(&equations, &compiled.solved, function);
+    let nodes = equations.graph.substitute(&nodes, &replaced);
+    Some(operations_of(&equations, &nodes))
+}
+
+/// Operations of the accelerations that `emit = (null_space)` adds.
+fn in_independent_velocities(compiled: &Compiled) -> Option<usize> {
+    let closed = !compiled.equations.rows.is_empty() && compiled.solved.null_space.is_none();
+    closed.then(|| {
+        let mut equations = compiled.equations.clone();
+        let mut solved = compiled.solved.clone();
+        let massless = !solved.massless.rows.is_empty();
+        solved.null_space = Some(solve::null_space(&mut equations, &compiled.partition, massless));
+        operations_of(&equations, &outputs(&equations, &solved, Function::NullSpace))
+    })
+}

@@ -1,0 +1,127 @@
+//! The interpreter of programs with a bound of the rounding beside each value: what tells a mistake from a rounding.
+//!
+//! Running error analysis to first order (Higham, Accuracy and Stability of Numerical Algorithms, section 3.3): each operation
+//! adds half a unit of its result, and passes on the errors of its operands times its derivatives. A choice that rounding could
+//! turn has no bound.
+
+use super::evaluate::{Inputs, step};
+use super::program::{Instruction, Operand, Program, Source};
+use crate::symbolic::Unary;
+
+/// A value, and what rounding may have made of it.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Bounded {
+    pub value: f64,
+    pub error: f64,
+}
+
+/// Constants are results of folding, whose rounding nobody kept: so many units.
+const FOLDED: f64 = 16.0 * f64::EPSILON;
+
+/// The errors of inputs that programs computed; nothing written, none.
+#[derive(Clone, Debug, Default)]
+pub struct Errors {
+    pub prepared: Vec<f64>,
+    pub kept: Vec<f64>,
+    pub lu: Vec<f64>,
+}
+
+impl Errors {
+    fn of(&self, source: Source) -> f64 {
+        let (errors, index) = match source {
+            Source::Prepared(index) => (&self.prepared, index),
+            Source::Kept(index) => (&self.kept, index),
+            Source::Lu(index) => (&self.lu, index),
+            _ => return 0.0,
+        };
+        errors.get(index as usize).copied().unwrap_or(0.0)
+    }
+}
+
+/// Outputs of a program, unfused.
+pub fn run_bounded(program: &Program, inputs: &Inputs, errors: &Errors) -> Vec<Bounded> {
+    let mut values: Vec<Bounded> = Vec::with_capacity(program.instructions.len());
+    for instruction in &program.instructions {
+        let get = |operand: Operand| get(operand, inputs, errors, &values);
+        let value = step(instruction, |operand| get(operand).value);
+        let error = f64::EPSILON * value.abs() + passed_on(instruction, value, get);
+        values.push(Bounded { value, error: if error.is_nan() { f64::INFINITY } else { error } });
+    }
+    program.outputs.iter().map(|output| get(*output, inputs, errors, &values)).collect()
+}
+
+fn get(operand: Operand, inputs: &Inputs, errors: &Errors, values: &[Bounded]) -> Bounded {
+    match operand {
+        Operand::Constant(value) => Bounded { value, error: FOLDED * value.abs() },
+        Operand::Source(source) => Bounded { value: inputs.get(source), error: errors.of(source) },
+        Operand::Value(index) => values[index as usize],
+    }
+}
+
+/// What the errors of the operands make of the result.
+fn passed_on(instruction: &Instruction, result: f64, get: impl Fn(Operand) -> Bounded) -> f64 {
+    let certain = |clear: bool| if clear { 0.0 } else { f64::INFINITY };
+    match *instruction {
+        Instruction::Neg(a) => get(a).error,
+        Instruction::Add(a, b) | Instruction::Sub(a, b) => get(a).error + get(b).error,
+        Instruction::Mul(a, b) => of_product(get(a), get(b)),
+        Instruction::MulAdd(a, b, c, ..) => {
+            let (a, b) = (get(a), get(b));
+            // The product is rounded for itself, too.
+            of_product(a, b) + f64::EPSILON * (a.value * b.value).abs() + get(c).error
+        }
+        Instruction::Div(a, b) => {
+            let (a, b) = (get(a), get(b));
+            (a.error + result.abs() * b.error) / b.value.abs()
+        }
+        Instruction::Unary(function, a) => {
+            let a = get(a);
+            if a.error == 0.0 { 0.0 } else { slope(function, a) * a.error }
+        }
+        Instruction::Min(a, b) | Instruction::Max(a, b) => get(a).error.max(get(b).error),
+        Instruction::Atan2(a, b) => {
+            let (y, x) = (get(a), get(b));
+            // At the cut a whole turn is at stake.
+            let turned = certain(x.value > 0.0 || y.value.abs() > y.error);
+            (y.error * x.value.abs() + x.error * y.value.abs()) / (x.value * x.value + y.value * y.value)
+                + turned
+        }
+        Instruction::Compare(_, a, b) => {
+            let (a, b) = (get(a), get(b));
+            let exact = a.error == 0.0 && b.error == 0.0;
+            certain(exact || (a.value - b.value).abs() > 4.0 * (a.error + b.error))
+        }
+        Instruction::And(a, b) | Instruction::Or(a, b) => get(a).error + get(b).error,
+        Instruction::Not(a) => get(a).error,
+        Instruction::Select(mask, a, b) => {
+            let mask = get(mask);
+            mask.error + get(if mask.value != 0.0 { a } else { b }).error
+        }
+    }
+}
+
+fn of_product(a: Bounded, b: Bounded) -> f64 {
+    // Without ∞ · 0.
+    let part = |error: f64, factor: f64| if factor == 0.0 { 0.0 } else { error * factor.abs() };
+    part(a.error, b.value) + part(b.error, a.value)
+}
+
+/// |df/dx|.
+fn slope(function: Unary, x: Bounded) -> f64 {
+    let x = x.value;
+    let slope = match function {
+        Unary::Reciprocal => 1.0 / (x * x),
+        Unary::Sqrt => 0.5 / x.sqrt(),
+        Unary::Abs => 1.0,
+        // Rounding may turn it only at zero.
+        Unary::Sign if x == 0.0 => f64::INFINITY,
+        Unary::Sign => 0.0,
+        Unary::Sin => libm::cos(x),
+        Unary::Cos => libm::sin(x),
+        Unary::Tan => 1.0 / (libm::cos(x) * libm::cos(x)),
+        Unary::Asin | Unary::Acos => 1.0 / (1.0 - x * x).sqrt(),
+        Unary::Exp => libm::exp(x),
+        Unary::Ln => 1.0 / x,
+    };
+    slope.abs()
+}

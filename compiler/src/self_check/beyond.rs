@@ -1,0 +1,209 @@
+//! The thorough check: what an expansion has no time for at every keystroke, and what definitions ask for beyond the default.
+
+use super::dynamics::{self, stands_still, velocity};
+use super::machine::Machine;
+use super::quantity::{Along, Quantity, dot};
+use super::{Check, Report, rows};
+use crate::equations::tangent::Matrix;
+use crate::model::LoadKind;
+use crate::schedule::{Function, Inputs, sources};
+use crate::symbolic::evaluate_reachable;
+
+/// Step of differences along velocities of order one.
+const STEP: f64 = 1e-3;
+
+pub fn check(machine: &Machine, report: &mut Report) {
+    motions(machine, report);
+    if stands_still(machine) {
+        springs(machine, report);
+    }
+    factorisation(machine, report);
+    null_space(machine, report);
+    tangent(machine, report);
+}
+
+/// Velocities of bodies are the derivatives of their positions and orientations, accelerations those of velocities.
+fn motions(machine: &Machine, report: &mut Report) {
+    let inputs = report.inputs;
+    let along =
+        Along::of(STEP, |h| machine.run(Function::Motions, &machine.moved(inputs, h, &inputs.acceleration)));
+    let (here, rates) = (&along.at[2], along.derivatives());
+    let compiled = machine.compiled;
+    let mut at = 0;
+    for (body, motion) in compiled.mechanism.bodies.iter().zip(&compiled.equations.motions) {
+        let name = &body.name.text;
+        let (places, turned, turns) = (motion.position.len(), motion.orientation.len(), motion.rate.len());
+        let orientation = at + places;
+        let (velocity, rate) = (orientation + turned, orientation + turned + places);
+        let acceleration = rate + turns;
+        let rates_of = |from: usize, count: usize| &rates[from..from + count];
+        let own = |from: usize, count: usize| &here[from..from + count];
+        let turning = turning(own(orientation, turned), own(rate, turns));
+        let pairs = [
+            ("the velocity", own(velocity, places), rates_of(at, places)),
+            ("the turning", &turning, rates_of(orientation, turned)),
+            ("the acceleration", own(acceleration, places), rates_of(velocity, places)),
+            ("the angular acceleration", own(acceleration + places, turns), rates_of(rate, turns)),
+        ];
+        for (what, stated, difference) in pairs {
+            for (stated, difference) in stated.iter().zip(difference) {
+                report.compare(Check::Motions, || format!("{what} of \"{name}\""), *stated, *difference);
+            }
+        }
+        at = acceleration + places + turns;
+    }
+}
+
+/// (c, s)˙ = ω (−s, c) in the plane, Ȧ = A ω̃ in space, ω in body axes.
+fn turning(orientation: &[Quantity], rate: &[Quantity]) -> Vec<Quantity> {
+    match (orientation, rate) {
+        ([c, s], [omega]) => vec![-*s * *omega, *c * *omega],
+        (axes, [x, y, z]) => axes
+            .chunks(3)
+            .flat_map(|a| [a[1] * *z - a[2] * *y, a[2] * *x - a[0] * *z, a[0] * *y - a[1] * *x])
+            .collect(),
+        _ => Vec::new(),
+    }
+}
+
+/// What a spring takes, the part of its power that is odd in v, is what it stores.
+fn springs(machine: &Machine, report: &mut Report) {
+    let (compiled, inputs) = (machine.compiled, report.inputs);
+    let equations = &compiled.equations;
+    let potentials = &equations.contributions.potentials;
+    let order = equations.graph.reachable(potentials.iter().copied());
+    let sources = sources(equations);
+    let rest = vec![0.0; inputs.v.len()];
+    let stored = Along::of(STEP, |h| {
+        let moved = machine.moved(inputs, h, &rest);
+        let symbols: Vec<f64> = sources.iter().map(|source| moved.get(*source)).collect();
+        let mut values = Vec::new();
+        evaluate_reachable(&equations.graph, &order, &symbols, &mut values);
+        // Squares of sums of a few terms.
+        let rounded = |value: f64| Quantity { value, margin: 1e-9 * value.abs().max(1e-9) };
+        potentials.iter().map(|node| rounded(values[node.index()])).collect()
+    });
+    let stored = stored.derivatives();
+    let back = Inputs { v: inputs.v.iter().map(|v| -v).collect(), ..inputs.clone() };
+    let powers = [inputs, &back].map(|inputs| machine.run(Function::Powers, inputs));
+    for (index, load) in compiled.mechanism.loads.iter().enumerate() {
+        if matches!(load.kind, LoadKind::Spring { .. } | LoadKind::TorsionSpring { .. }) {
+            let taken = (powers[0][index] - powers[1][index]) * 0.5;
+            report.compare(Check::Springs, || format!("\"{}\"", load.name.text), taken, -stored[index]);
+        }
+    }
+}
+
+/// M a + Dᵀ λ = forces, D a − c λ = rows.
+fn factorisation(machine: &Machine, report: &mut Report) {
+    let compiled = machine.compiled;
+    if compiled.solved.stored.is_none() {
+        return;
+    }
+    let (machine, inputs) = machine.factored(report.inputs);
+    let solution = machine.run(Function::Solve, &inputs);
+    let right = [&inputs.given_forces, &inputs.given_rows]
+        .map(|given| given.iter().map(|value| Quantity::exact(*value)).collect::<Vec<_>>());
+    dynamics::residuals(
+        &machine,
+        report,
+        Check::Factorisation,
+        &inputs,
+        &solution,
+        &right,
+        inputs.compliance,
+    );
+}
+
+/// D v = rows with the factors of D; D v = ν, and the equations of motion at these velocities.
+fn null_space(machine: &Machine, report: &mut Report) {
+    let compiled = machine.compiled;
+    let Some(written) = &compiled.solved.null_space else { return };
+    let n = report.inputs.v.len();
+    let all = machine.run(Function::NullSpace, report.inputs);
+    let (velocity, solution) = all.split_at(n);
+    // Their rounding is no part of what follows from them: the velocities count as they are.
+    let v: Vec<f64> = velocity.iter().map(|v| v.value).collect();
+    let inputs = Inputs { v, ..report.inputs.clone() };
+    let margin = velocity.iter().fold(0.0_f64, |largest, v| largest.max(v.margin));
+    let columns = machine.jacobian(&inputs);
+    for (row, rate) in rows::rates(machine, &inputs).into_iter().enumerate() {
+        let slope: f64 = columns[row].iter().map(|(_, entry)| entry.value.abs()).sum();
+        let zero = Quantity { value: 0.0, margin: margin * slope };
+        report.compare(Check::NullSpace, || rows::name(machine, row), rate, zero);
+    }
+    let right = [Function::Forces, Function::Gamma].map(|function| machine.run(function, &inputs));
+    dynamics::residuals(machine, report, Check::NullSpace, &inputs, solution, &right, 0.0);
+
+    let (machine, inputs) = machine.factored(report.inputs);
+    let dependent = machine.run(Function::DependentVelocities, &inputs);
+    debug_assert_eq!(dependent.len(), written.dependent.len());
+    for (row, columns) in machine.jacobian(&inputs).iter().enumerate() {
+        let sum = columns.iter().fold(Quantity::default(), |sum, (k, entry)| sum + *entry * dependent[*k]);
+        let right = Quantity::exact(inputs.given_rows[row]);
+        if !machine.compiled.equations.idle.contains(&row) {
+            report.compare(Check::NullSpace, || rows::name(&machine, row), sum, right);
+        }
+    }
+}
+
+/// Derivatives of r = M a + Dᵀ λ − Q and of D a − γ along one increment, of q and of v.
+fn tangent(machine: &Machine, report: &mut Report) {
+    let inputs = report.inputs;
+    let Some(tangents) = &machine.compiled.equations.tangents else { return };
+    // Any direction.
+    let direction = &inputs.acceleration;
+    let by_position = |f: &dyn Fn(&Inputs) -> Vec<Quantity>| {
+        Along::of(STEP, |h| f(&machine.displaced(inputs, h, direction))).derivatives()
+    };
+    let by_velocity = |f: &dyn Fn(&Inputs) -> Vec<Quantity>| {
+        let faster = |h: f64| inputs.v.iter().zip(direction).map(|(v, x)| v + h * x).collect();
+        Along::of(STEP, |h| f(&Inputs { v: faster(h), ..inputs.clone() })).derivatives()
+    };
+    let residual = |at: &Inputs| machine.run(Function::Residual, at);
+    let row_residual = |at: &Inputs| {
+        let gamma = machine.run(Function::Gamma, at);
+        let rows = machine.jacobian(at).into_iter().zip(gamma);
+        let sum = |(row, gamma): (Vec<(usize, Quantity)>, Quantity)| {
+            row.iter().fold(-gamma, |sum, (k, entry)| sum + *entry * at.acceleration[*k])
+        };
+        rows.map(sum).collect::<Vec<_>>()
+    };
+    let entries = machine.run(Function::Tangent, inputs);
+    let (stiffness, damping) = products(&entries, &tangents.stiffness, &tangents.damping, direction);
+    let entries = machine.run(Function::RowTangent, inputs);
+    let (row_stiffness, row_damping) =
+        products(&entries, &tangents.row_stiffness, &tangents.row_damping, direction);
+    let of_velocity = |k: usize| velocity(machine, k);
+    let of_row = |row: usize| rows::name(machine, row);
+    let mut judge = |stated: Vec<Quantity>, expected: Vec<Quantity>, name: &dyn Fn(usize) -> String| {
+        for (index, (stated, expected)) in stated.into_iter().zip(expected).enumerate() {
+            report.compare(Check::Tangent, || name(index), stated, expected);
+        }
+    };
+    judge(stiffness, by_position(&residual), &of_velocity);
+    judge(damping, by_velocity(&residual), &of_velocity);
+    judge(row_stiffness, by_position(&row_residual), &of_row);
+    judge(row_damping, by_velocity(&row_residual), &of_row);
+}
+
+/// Two sparse matrices, stored one behind the other, times a vector.
+fn products(
+    entries: &[Quantity],
+    first: &Matrix,
+    second: &Matrix,
+    direction: &[f64],
+) -> (Vec<Quantity>, Vec<Quantity>) {
+    let mut entries = entries.iter();
+    let mut product = |matrix: &Matrix| -> Vec<Quantity> {
+        matrix
+            .iter()
+            .map(|row| {
+                let (own, x): (Vec<Quantity>, Vec<f64>) =
+                    row.keys().filter_map(|k| Some((*entries.next()?, direction[*k]))).unzip();
+                dot(&own, &x)
+            })
+            .collect()
+    };
+    (product(first), product(second))
+}

@@ -1,0 +1,12 @@
+//! The back end: budgets of what comes out, and the compiler's check of its own work.
+
+mod budgets;
+mod mechanisms;
+mod self_check;
+
+use linkwright_compiler::diagnostics::Diagnostics;
+use linkwright_compiler::{Compiled, compile};
+
+fn compiled(source: &str) -> Result<Compiled, Diagnostics> {
+    compile(source.parse().expect("the source consists of tokens"), None)
+}
