@@ -78,7 +78,7 @@ use std::time::Instant;
 #[proc_macro]
 pub fn mechanism(tokens: TokenStream) -> TokenStream {
     let start = Instant::now();
-    let Expansion::Items(text) = expand(tokens.into()) else { panic!("the definition is wrong") };
+    let Expansion::Items { text, .. } = expand(tokens.into(), |_| None) else { panic!("the definition is wrong") };
     let items: TokenStream = text.parse().unwrap();
     eprintln!("expansion took {} s", start.elapsed().as_secs_f64());
     items
@@ -108,8 +108,8 @@ fn of_all_cuts(tokens: TokenStream) -> Vec<f64> {
 
 fn time(tokens: TokenStream) -> f64 {
     let start = Instant::now();
-    let expansion: TokenStream = match expand(tokens.into()) {
-        Expansion::Items(text) => text.parse().unwrap(),
+    let expansion: TokenStream = match expand(tokens.into(), |_| None) {
+        Expansion::Items { text, .. } => text.parse().unwrap(),
         Expansion::Errors(errors) => errors.into(),
     };
     let time = start.elapsed().as_secs_f64();

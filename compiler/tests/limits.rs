@@ -7,8 +7,8 @@ use std::time::{Duration, Instant};
 const STACK: usize = 2 << 20;
 
 fn expanded_on(stack: usize, source: String) -> Result<String, String> {
-    let run = move || match expand(source.parse().expect("tokens")) {
-        Expansion::Items(text) => Ok(text),
+    let run = move || match expand(source.parse().expect("tokens"), |_| None) {
+        Expansion::Items { text, .. } => Ok(text),
         Expansion::Errors(tokens) => Err(tokens.to_string()),
     };
     let thread = std::thread::Builder::new().stack_size(stack).spawn(run).expect("a thread");

@@ -115,25 +115,14 @@ fn factorisation(machine: &Machine, report: &mut Report) {
     );
 }
 
-/// D v = rows with the factors of D; D v = ν, and the equations of motion at these velocities.
+/// The equations of motion, and D v = rows with the factors of D.
 fn null_space(machine: &Machine, report: &mut Report) {
     let compiled = machine.compiled;
     let Some(written) = &compiled.solved.null_space else { return };
-    let n = report.inputs.v.len();
-    let all = machine.run(Function::NullSpace, report.inputs);
-    let (velocity, solution) = all.split_at(n);
-    // Their rounding is no part of what follows from them: the velocities count as they are.
-    let v: Vec<f64> = velocity.iter().map(|v| v.value).collect();
-    let inputs = Inputs { v, ..report.inputs.clone() };
-    let margin = velocity.iter().fold(0.0_f64, |largest, v| largest.max(v.margin));
-    let columns = machine.jacobian(&inputs);
-    for (row, rate) in rows::rates(machine, &inputs).into_iter().enumerate() {
-        let slope: f64 = columns[row].iter().map(|(_, entry)| entry.value.abs()).sum();
-        let zero = Quantity { value: 0.0, margin: margin * slope };
-        report.compare(Check::NullSpace, || rows::name(machine, row), rate, zero);
-    }
-    let right = [Function::Forces, Function::Gamma].map(|function| machine.run(function, &inputs));
-    dynamics::residuals(machine, report, Check::NullSpace, &inputs, solution, &right, 0.0);
+    let inputs = report.inputs;
+    let all = machine.run(Function::NullSpace, inputs);
+    let right = [Function::Forces, Function::Gamma].map(|function| machine.run(function, inputs));
+    dynamics::residuals(machine, report, Check::NullSpace, inputs, &all, &right, 0.0);
 
     let (machine, inputs) = machine.factored(report.inputs);
     let dependent = machine.run(Function::DependentVelocities, &inputs);

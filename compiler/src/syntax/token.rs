@@ -252,6 +252,10 @@ impl<'t> Cursor<'t> {
 
     /// Whether what stands here up to the end may stand in `#[…]`: a path, then nothing, a group or `= value`.
     pub fn is_attribute(&self) -> bool {
+        // `$meta` of a macro.
+        if let [Token { kind: Kind::Group(Delimiter::None, inner, ..), .. }] = self.tokens {
+            return Cursor::new(inner, self.close).is_attribute();
+        }
         let is_value = |token: &Token| match &token.kind {
             Kind::Number(_) | Kind::Text(_) | Kind::Group(Delimiter::None, ..) => true,
             Kind::Word(word) => matches!(word.as_str(), "true" | "false"),

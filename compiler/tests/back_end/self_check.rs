@@ -130,7 +130,7 @@ fn is_solution(compiled: &Compiled, node: Node) -> bool {
     }
     nodes.extend(solved.stored.iter().flat_map(|stored| stored.kept.iter().chain(&stored.solution)));
     nodes.extend(solved.null_space.iter().flat_map(|written| {
-        let solution = written.acceleration.iter().chain(&written.lambda).chain(&written.velocity);
+        let solution = written.acceleration.iter().chain(&written.lambda);
         solution.chain(&written.kept).chain(&written.dependent)
     }));
     compiled.equations.graph.reachable(nodes).contains(&node)

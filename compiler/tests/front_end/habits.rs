@@ -268,7 +268,10 @@ const HABITS: &[(&str, &str)] = &[
         "options { emit = tangent, penalty; }",
         "expected `;`, found `,`; several stand in parentheses: `(one, other)`",
     ),
-    ("expect { dof = 1; }", r#"nothing here is called "dof"; did you mean `degrees_of_freedom`?"#),
+    (
+        "expect { dof = 1; }",
+        r#"nothing that can be expected is called "dof"; did you mean `degrees_of_freedom`?"#,
+    ),
     (
         "expect { degrees_of_freedom == 1; }",
         "expected a value, found `=`; one `=` is enough here, `==` only compares",

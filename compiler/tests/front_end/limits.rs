@@ -108,3 +108,34 @@ fn a_ladder_of_81_bodies_is_fast() {
     // Some tens of milliseconds at worst; the bound leaves room for a busy machine.
     assert!(start.elapsed().as_millis() < 500, "{:?} for {} bytes", start.elapsed(), text.len());
 }
+
+/// What the generated code could not hold, or could not be.
+#[test]
+fn values_places_and_attributes_out_of_bounds() {
+    for (source, message) in [
+        (
+            slider_crank("const A [kg] = 1e70;"),
+            "1e70 (SI units) is out of range: a value is 0 or its magnitude lies between 1e-60 and 1e60; check its exponent \
+             and its unit",
+        ),
+        (
+            "pub(in pub) planar A { }".to_string(),
+            "a visibility is `pub`, `pub(crate)`, `pub(self)`, `pub(super)` or `pub(in path)`",
+        ),
+        (
+            "#[1] planar A { }".to_string(),
+            "this is no attribute: write a path, and behind it nothing, `(…)` or `= literal`",
+        ),
+        (
+            slider_crank("repeat i in 0..300 { rod more[i] { mass [kg] = 1; length [m] = 1; } }"),
+            ", and the equations of all are written out in full; take a smaller mechanism",
+        ),
+        (
+            slider_crank("options { crate = a b; }"),
+            "expected the path of this crate, such as `::my_crate::linkwright`, found `ab`",
+        ),
+    ] {
+        let text = bad(&source).to_string();
+        assert!(text.contains(message), "{text}");
+    }
+}

@@ -468,7 +468,7 @@ const MISTAKES: &[(&str, &str)] = &[
     ),
     (
         "expect { freedom = 1; }",
-        r#"nothing that can be expected is called "freedom"; there are degrees_of_freedom, operations, live_values, rotates, no_singularity and ranges such as `knee.angle in 10..170 [deg]`"#,
+        r#"nothing that can be expected is called "freedom"; did you mean `degrees_of_freedom`?"#,
     ),
     (
         "expect { rotates = rail; }",

@@ -105,7 +105,7 @@ fn what_is_said_twice() {
     );
     points_at_two(
         "expect { degrees_of_freedom = 1; degrees_of_freedom = 2; }",
-        "the degrees of freedom are expected twice; write one number",
+        "`degrees_of_freedom` of `expect` is given twice",
         "expect { degrees_of_freedom = 1; degrees_of_freedom = 2; }
                                  ~~~~~~~~~~~~~~~~~~~~~~",
         "the first `degrees_of_freedom` is here",

@@ -36,10 +36,10 @@ pub fn judge(text: &str) -> Result<Verdict, String> {
     proc_macro2::extra::invalidate_current_thread_spans();
     let Some(stream) = tokens::stream(text) else { return Ok(Verdict::Unread) };
     let empty = stream.is_empty();
-    let expansion = catch_unwind(AssertUnwindSafe(|| linkwright_compiler::expand(stream)))
+    let expansion = catch_unwind(AssertUnwindSafe(|| linkwright_compiler::expand(stream, |_| None)))
         .map_err(|_| PANIC.lock().map_or_else(|_| "panicked".to_string(), |last| last.clone()))?;
     match expansion {
-        Expansion::Items(items) => readable(text, &items).map(|()| Verdict::Items),
+        Expansion::Items { text: items, .. } => readable(text, &items).map(|()| Verdict::Items),
         Expansion::Errors(errors) => messages(text, errors, empty).map(|()| Verdict::Errors),
     }
 }
