@@ -116,7 +116,10 @@ fn change_point() {
             Err(errors) => {
                 let messages: Vec<&str> = errors.iter().map(|error| error.message.as_str()).collect();
                 assert!(
-                    refused && messages.iter().any(|text| text.contains("links in line")),
+                    refused
+                        && messages
+                            .iter()
+                            .any(|text| text.contains("change point: crank, coupler and rocker in line")),
                     "{messages:#?}"
                 );
             }
