@@ -18,7 +18,7 @@ use crate::model::{JointId, Mechanism, Quantity, Space};
 use path::{Path, Place};
 use std::f64::consts::TAU;
 
-/// Steps in either direction before the sweep gives up, of mechanisms with up to [`SMALL`] velocities and rows; of larger ones
+/// Steps in either direction before the sweep gives up, of mechanisms with up to `SMALL` velocities and rows; of larger ones
 /// so many fewer that the work is the same.
 pub const MOST_STEPS: usize = 2000;
 const SMALL: usize = 40;
