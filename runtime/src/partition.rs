@@ -88,11 +88,10 @@ impl<R: Real, D: Vector<R>, C: Copy + AsRef<[u16]> + AsMut<[u16]>, L: Copy> Part
     ) -> R {
         self.pivot = model.factor_jacobian(time, q, &mut self.lu);
         self.is_written_out = R::any(self.pivot.greater_equal(R::from_f64(GOOD * GOOD)));
-        if self.is_written_out {
-            self.choose::<M>();
-        } else {
-            self.factor_by_tables(model, time, q);
+        if !self.is_written_out {
+            return self.factor_by_tables(model, time, q);
         }
+        self.choose::<M>();
         self.pivot
     }
 
@@ -103,7 +102,7 @@ impl<R: Real, D: Vector<R>, C: Copy + AsRef<[u16]> + AsMut<[u16]>, L: Copy> Part
         model: &M,
         time: R,
         q: &M::Q,
-    ) {
+    ) -> R {
         let n = M::V::LEN;
         self.is_written_out = false;
         let mut jacobian = M::Jacobian::zero();
@@ -148,6 +147,7 @@ impl<R: Real, D: Vector<R>, C: Copy + AsRef<[u16]> + AsMut<[u16]>, L: Copy> Part
             smallest = relative.min(smallest);
         }
         self.pivot = smallest * smallest;
+        self.pivot
     }
 
     /// The largest scaled entry of each row, or of all rows that are components of the same vector: beside these it may vanish.
