@@ -235,7 +235,8 @@ impl<'t> Cursor<'t> {
         let mut inner = false;
         loop {
             let special = |word: &str| matches!(word, "crate" | "self" | "super");
-            let fits = |word: &str| !KEYWORDS.contains(&word) || (!inner && special(word)) || word == "super";
+            let is_name = |word: &str| word != "_" && !KEYWORDS.contains(&word);
+            let fits = |word: &str| is_name(word) || (!inner && special(word)) || word == "super";
             if !c.word().is_some_and(fits) {
                 return false;
             }
