@@ -110,7 +110,8 @@ impl<'d> Lowering<'d> {
                 for value in &values[1..] {
                     self.same(&values[0], value, &format!("the components of the {what}"))?;
                 }
-                padded(values.into_iter().map(|value| value.expr).collect())
+                let components = values.into_iter().map(|value| self.in_range(value.expr, value.region));
+                padded(components.collect::<Option<_>>()?)
             }
         };
         if direction.iter().all(|component| matches!(component, Expr::Number(0.0))) {

@@ -135,7 +135,7 @@ impl Lowering<'_> {
     }
 
     /// What is known at expansion can be squared and multiplied without overflow.
-    fn in_range(&mut self, expr: Expr, region: Region) -> Option<Expr> {
+    pub fn in_range(&mut self, expr: Expr, region: Region) -> Option<Expr> {
         match expr {
             Expr::Number(value) if value != 0.0 && !(LEAST..=MOST).contains(&value.abs()) => {
                 self.diagnostics.error(region, messages::out_of_range(value, LEAST, MOST));
