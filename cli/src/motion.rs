@@ -1,5 +1,6 @@
 //! The range of motion, in words: what each joint goes through, where it turns back, where the constraints lose rank.
 
+use crate::text;
 use linkwright_compiler::Compiled;
 use linkwright_compiler::check::motion::{End, Motion, Range, Unswept};
 
@@ -62,11 +63,8 @@ fn number(value: f64, angular: bool) -> String {
     format!("{} {}", plain(value, angular), if angular { "deg" } else { "m" })
 }
 
-/// Degrees and metres to six digits.
+/// Degrees and metres to six digits, and to no more places than following the motion is good for.
 fn plain(value: f64, angular: bool) -> String {
     let value = if angular { value.to_degrees() } else { value };
-    let digits = (5 - value.abs().max(1e-3).log10().floor() as i32).clamp(0, 9) as usize;
-    let text = format!("{value:.digits$}");
-    let text = if text.contains('.') { text.trim_end_matches('0').trim_end_matches('.') } else { &text };
-    if text == "-0" { "0".to_string() } else { text.to_string() }
+    text::number((value * 1e9).round() / 1e9)
 }

@@ -29,7 +29,8 @@ struct Step {
     lower: Vec<(usize, Vec<Node>)>,
 }
 
-/// Factors D, given by its rows.
+/// Factors D (m × n_v, by its rows) in the order of the partition: for each block of pivots P with the columns U and the rows A
+/// beside it, U ← P⁻¹ U and D ← D − A U. Rows that the partition leaves out (kept though redundant) take no part.
 pub fn factor(g: &mut Graph, mut rows: Vec<Sparse>, velocities: usize, partition: &Partition) -> Lu {
     let mut is_dependent = vec![false; velocities];
     let mut left: Vec<usize> = partition.pivots().map(|pivot| pivot.row).collect();
@@ -125,7 +126,7 @@ fn eliminate(
     Step { rows: pivots.iter().map(|pivot| pivot.row).collect(), velocities, inverse, upper, lower }
 }
 
-/// Determinant and inverse of a matrix of one, two or three rows, by cofactors.
+/// Determinant and inverse of a matrix of one, two or three rows: a⁻¹ = adj(a)/det(a).
 fn invert(g: &mut Graph, a: &[Vec<Node>]) -> (Node, Vec<Vec<Node>>) {
     let size = a.len();
     let cofactor = |g: &mut Graph, row: usize, column: usize| match size {

@@ -30,7 +30,14 @@ pub struct NullSpace {
     pub pivot: Node,
 }
 
-/// Writes it out.
+/// Writes out, with the n_v velocities split into dependent ones (D_d, m × m) and f = n_v − m independent ones, R (n_v × f) with
+/// D R = 0 and 1 at the independent velocities, and S γ the accelerations with D S γ = γ and 0 there:
+///
+/// ```text
+/// (Rᵀ M R) z̈ = Rᵀ (Q − M S γ),    v̇ = R z̈ + S γ,    D_dᵀ λ = (Q − M v̇)_d
+/// ```
+/// v̇ in m/s² and rad/s², λ in N or N m. `massless`: M alone is singular, so that the pivots of Rᵀ M R are watched.
+/// Source: García de Jalón, Bayo, *Kinematic and Dynamic Simulation of Multibody Systems*, 5.2.3.
 pub fn null_space(equations: &mut Equations, partition: &Partition, massless: bool) -> NullSpace {
     let velocities = equations.layout.velocities();
     let rows = equations.rows.iter().map(|row| row.jet.columns.clone()).collect();

@@ -1,18 +1,10 @@
 //! Habits of Rust, of other programs and of plain writing: each is answered once, in the words of the language.
 
-use crate::{bad, slider_crank};
+use crate::{bad, each_has_one_message, slider_crank};
 
 #[test]
 fn one_answer_for_each_habit() {
-    let mut others = Vec::new();
-    for (more, expected) in HABITS {
-        let diagnostics = bad(&slider_crank(more));
-        let found: Vec<String> = diagnostics.iter().map(|error| error.message.clone()).collect();
-        if found != [*expected] {
-            others.push(format!("{more}\n  expected {expected:?}\n     found {found:?}"));
-        }
-    }
-    assert!(others.is_empty(), "{}", others.join("\n"));
+    each_has_one_message(HABITS);
 }
 
 #[test]

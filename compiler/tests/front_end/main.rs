@@ -69,3 +69,16 @@ fn slider_crank(more: &str) -> String {
 }}"
     )
 }
+
+/// Statements of the slider-crank, each with the one message that it gives.
+fn each_has_one_message(cases: &[(&str, &str)]) {
+    let mut others = Vec::new();
+    for (more, expected) in cases {
+        let diagnostics = bad(&slider_crank(more));
+        let found: Vec<String> = diagnostics.iter().map(|error| error.message.clone()).collect();
+        if found != [*expected] {
+            others.push(format!("{more}\n  expected {expected:?}\n     found {found:?}"));
+        }
+    }
+    assert!(others.is_empty(), "{}", others.join("\n"));
+}

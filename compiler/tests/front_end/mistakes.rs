@@ -1,18 +1,10 @@
 //! Mistakes and what is said about them, one message each.
 
-use crate::{bad, slider_crank};
+use crate::{bad, each_has_one_message, slider_crank};
 
 #[test]
 fn one_message_for_each_mistake() {
-    let mut others = Vec::new();
-    for (more, expected) in MISTAKES {
-        let diagnostics = bad(&slider_crank(more));
-        let found: Vec<String> = diagnostics.iter().map(|error| error.message.clone()).collect();
-        if found != [*expected] {
-            others.push(format!("{more}\n  expected {expected:?}\n     found {found:?}"));
-        }
-    }
-    assert!(others.is_empty(), "{}", others.join("\n"));
+    each_has_one_message(MISTAKES);
 }
 
 #[test]
