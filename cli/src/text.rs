@@ -3,6 +3,7 @@
 use crate::explain::{Explanation, Joint};
 use crate::start::Found;
 use linkwright_compiler::counts;
+use linkwright_compiler::numbers::significant;
 use std::fmt::Write;
 
 /// Longest table; what is behind it is only counted.
@@ -112,20 +113,7 @@ pub fn number(value: f64) -> String {
     if value.abs() < 1e-12 {
         return "0".to_string();
     }
-    if !value.is_finite() {
-        return value.to_string();
-    }
-    let digits = 5 - value.abs().log10().floor() as i32;
-    let (text, exponent) = match usize::try_from(digits).ok().filter(|digits| *digits <= 9) {
-        Some(digits) => (format!("{value:.digits$}"), String::new()),
-        None => {
-            let text = format!("{value:.5e}");
-            let (mantissa, exponent) = text.split_once('e').unwrap_or((&text, "0"));
-            (mantissa.to_string(), format!("e{exponent}"))
-        }
-    };
-    let short = if text.contains('.') { text.trim_end_matches('0').trim_end_matches('.') } else { &text };
-    format!("{short}{exponent}")
+    significant(value, 6)
 }
 
 #[cfg(test)]

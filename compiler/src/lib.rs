@@ -10,6 +10,7 @@ mod driver;
 pub mod file;
 mod functions;
 mod messages;
+pub mod numbers;
 pub mod source;
 pub mod units;
 

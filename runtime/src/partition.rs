@@ -87,12 +87,17 @@ impl<R: Real, D: Vector<R>, C: Copy + AsRef<[u16]> + AsMut<[u16]>, L: Copy> Part
         q: &M::Q,
     ) -> R {
         self.pivot = model.factor_jacobian(time, q, &mut self.lu);
-        self.is_written_out = R::any(self.pivot.greater_equal(R::from_f64(GOOD * GOOD)));
+        self.is_written_out = self.is_good();
         if !self.is_written_out {
             return self.factor_by_tables(model, time, q);
         }
         self.choose::<M>();
         self.pivot
+    }
+
+    /// Whether the pivots are as good as those that a choice is kept for. Written so that a NaN is not.
+    pub(crate) fn is_good(&self) -> bool {
+        R::any(self.pivot.greater_equal(R::from_f64(GOOD * GOOD)))
     }
 
     /// Row by row: what earlier pivots have is taken off, then the velocity that depended on the row before stays dependent if its

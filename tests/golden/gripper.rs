@@ -1763,3 +1763,6 @@ const _: () = {
         }
     }
 };
+const _: ::core::option::Option<&'static ::core::primitive::str> = ::core::option_env!(
+    "LINKWRIGHT_SELF_CHECK"
+);

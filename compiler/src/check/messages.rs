@@ -6,7 +6,7 @@ pub use freedoms::*;
 
 use super::expenses::Expense;
 use crate::functions::Function;
-use crate::messages::closest;
+use crate::messages::{closest, number};
 
 /// `others`: those that are.
 pub fn not_independent(of: &str, others: &[&str]) -> String {
@@ -55,8 +55,8 @@ pub fn cannot_close(
     start: Option<Overgiven>,
 ) -> String {
     let (amount, apart) = match what {
-        "x" | "y" | "normal" => (format!("{residual:.3} m"), "apart"),
-        "angle" => (format!("{:.3} rad", residual.min(1.0).asin()), "off its direction"),
+        "x" | "y" | "normal" => (format!("{} m", number(residual)), "apart"),
+        "angle" => (format!("{} rad", number(residual.min(1.0).asin())), "off its direction"),
         _ => (format!("{} (SI)", number(residual)), "off"),
     };
     let chain = if path.is_empty() {
@@ -81,7 +81,7 @@ pub fn cannot_meet_start(
         number(residual)
     );
     for (driver, quantity, value) in drivers {
-        text += &format!("; the driver \"{driver}\" holds {quantity} at {value:.4} at time zero");
+        text += &format!("; the driver \"{driver}\" holds {quantity} at {} at time zero", number(value));
     }
     match overgiven(start) {
         Some(start) => format!("{text}. {start}"),
@@ -91,9 +91,10 @@ pub fn cannot_meet_start(
 
 pub fn driver_against_rest(driver: &str, quantity: &str, value: f64, residual: f64) -> String {
     format!(
-        "the driver \"{driver}\" wants {quantity} at {value:.4} at time zero, which the joints and the conditions of \
+        "the driver \"{driver}\" wants {quantity} at {} at time zero, which the joints and the conditions of \
          `start` do not allow: the nearest position found misses by {}. Let the law begin where `start` is, or make the \
          condition in `start` a guess (`~` instead of `=`)",
+        number(value),
         number(residual)
     )
 }
@@ -135,10 +136,11 @@ pub fn flipped(of: &str) -> String {
 }
 
 pub fn second_assembly(joint: &str, angle: &str, nearest: f64, next: f64) -> String {
+    let (nearest, next) = (number(nearest), number(next));
     format!(
         "there are two ways to assemble this mechanism, and `start` does not say which: \"{joint}\" can be at \
-         {nearest:.4} rad or at {next:.4} rad. Write one of these in `start`: `{angle} [rad] ~ {nearest:.4};` or \
-         `{angle} [rad] ~ {next:.4};`"
+         {nearest} rad or at {next} rad. Write one of these in `start`: `{angle} [rad] ~ {nearest};` or \
+         `{angle} [rad] ~ {next};`"
     )
 }
 
@@ -258,9 +260,4 @@ pub(in crate::check) fn list(names: &[String]) -> String {
 
 fn freedoms(count: usize) -> String {
     format!("{count} {}", if count == 1 { "degree of freedom" } else { "degrees of freedom" })
-}
-
-/// Three digits behind the point, or powers of ten where those would say nothing.
-fn number(value: f64) -> String {
-    if (1e-2..1e5).contains(&value.abs()) { format!("{value:.3}") } else { format!("{value:.2e}") }
 }

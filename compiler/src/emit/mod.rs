@@ -14,15 +14,20 @@
 //! };
 //! ```
 
+mod assemble;
 mod body;
 mod coordinates_json;
 mod documentation;
+mod function;
+mod inherent;
 mod items;
+mod mechanism;
 mod names;
+mod solutions;
 mod stub;
 mod tables;
 mod tangent;
-mod traits;
+mod types;
 
 pub use coordinates_json::coordinates_json;
 pub use stub::stub;
@@ -30,6 +35,7 @@ pub use stub::stub;
 use crate::Compiled;
 use crate::model::Mechanism;
 use crate::schedule::Function;
+use crate::self_check;
 use names::{Argument, Names, field};
 use std::fmt::Write;
 
@@ -47,11 +53,11 @@ pub fn emit(compiled: &Compiled, source: &str) -> String {
     let _ = writeln!(text, "use {}::__private::v1::*;", emitter.path);
     let _ = writeln!(text, "use ::core::primitive::{{bool, f64, u16, u32, usize, str}};");
     let mut implementations = String::new();
-    traits::aliases(&mut text, &emitter);
-    traits::fields(&mut implementations, &emitter);
-    traits::inherent(&mut implementations, &emitter);
-    traits::mechanism(&mut implementations, &emitter);
-    traits::assemble(&mut implementations, &emitter);
+    types::aliases(&mut text, &emitter);
+    types::fields(&mut implementations, &emitter);
+    inherent::inherent(&mut implementations, &emitter);
+    mechanism::mechanism(&mut implementations, &emitter);
+    assemble::assemble(&mut implementations, &emitter);
     tangent::tangent(&mut text, &mut implementations, &emitter);
     // A type alias may not leave its scalar unused, so `()` stands for itself where nothing is given.
     if emitter.mechanism.inputs.is_empty() {
@@ -62,7 +68,18 @@ pub fn emit(compiled: &Compiled, source: &str) -> String {
     }
     text.push_str(&implementations);
     text.push_str("};\n");
+    if emitter.mechanism.options.self_check.is_none() {
+        text.push_str(&depends_on_variable(self_check::VARIABLE));
+    }
     text
+}
+
+/// What makes cargo build the crate anew when this variable of the environment changes.
+fn depends_on_variable(name: &str) -> String {
+    format!(
+        "const _: ::core::option::Option<&'static ::core::primitive::str> = ::core::option_env!({});\n",
+        quoted(name)
+    )
 }
 
 /// What makes cargo build the crate anew when this file changes.
@@ -156,7 +173,7 @@ impl<'a> Emitter<'a> {
             (Some([plain, stabilised]), Function::Acceleration | Function::AccelerationBaumgarte) => {
                 // What both have in common is set up and factored in functions that both call.
                 let first = function == Function::Acceleration;
-                let common = self.names.within(&traits::SOLUTION, &self.input_fields);
+                let common = self.names.within(&function::SOLUTION, &self.input_fields);
                 let front =
                     body::Front { length: programs.shared, names: &common, helper: "factored", write: first };
                 let cut = if first { plain } else { stabilised };

@@ -8,8 +8,9 @@
 //! }
 //! ```
 
+use super::function::{all, function, list};
 use super::names::Argument;
-use super::{Emitter, array, tables, traits};
+use super::{Emitter, array, tables};
 use crate::equations::Tangents;
 use crate::equations::tangent::Matrix;
 use crate::schedule::Function;
@@ -85,7 +86,7 @@ fn functions(text: &mut String, helpers: &mut String, emitter: &Emitter, tangent
     let point = "time: R, q: &Q<R>, v: &V<R>";
     let solved = "u: &Inputs<R>, a: &V<R>, lambda: &Lambda<R>";
     let mut write = |which: Function, arguments: &[Argument], signature: &str| {
-        traits::function(text, helpers, emitter, which, arguments, signature, traits::all);
+        function(text, helpers, emitter, which, arguments, signature, all);
     };
     write(Function::Residual, &everything, &format!("residual(&self, {point}, {solved}, out: &mut V<R>)"));
     write(
@@ -117,9 +118,8 @@ fn functions(text: &mut String, helpers: &mut String, emitter: &Emitter, tangent
     );
     // Two matrices each.
     let mut pair = |which: Function, arguments: &[Argument], first: usize, signature: &str| {
-        traits::function(text, helpers, emitter, which, arguments, signature, |outputs| {
+        function(text, helpers, emitter, which, arguments, signature, |outputs| {
             let (stiffness, damping) = outputs.split_at(first);
-            let list = |values: &[String]| array(values.iter().cloned());
             format!("*stiffness_out = {};\n*damping_out = {};", list(stiffness), list(damping))
         });
     };

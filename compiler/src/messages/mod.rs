@@ -62,15 +62,9 @@ pub(crate) fn angle_without_unit(function: &str, text: &str) -> String {
     )
 }
 
-/// Five digits, or powers of ten where there would be many zeros.
+/// As messages show it.
 pub(crate) fn number(value: f64) -> String {
-    if value == 0.0 || (1e-3..1e5).contains(&value.abs()) {
-        let before = if value == 0.0 { 0 } else { libm::floor(libm::log10(value.abs())) as i32 };
-        let text = format!("{value:.*}", usize::try_from(4 - before).unwrap_or(0).max(1));
-        text.trim_end_matches('0').trim_end_matches('.').to_string()
-    } else {
-        format!("{value:.4e}")
-    }
+    crate::numbers::significant(value, 5)
 }
 
 // ---- The compiler itself ----------------------------------------------------------------------------------------

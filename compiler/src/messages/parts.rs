@@ -328,8 +328,9 @@ pub(crate) fn inertia_not_positive(body: &str, least: f64) -> String {
 
 pub(crate) fn not_perpendicular(degrees: f64) -> String {
     format!(
-        "the two axes of a universal joint are perpendicular, and these are {degrees:.4} degrees apart; write a \
-         second_axis at right angles to the axis"
+        "the two axes of a universal joint are perpendicular, and these are {} degrees apart; write a \
+         second_axis at right angles to the axis",
+        number(degrees)
     )
 }
 

@@ -1,5 +1,7 @@
 //! Numbers and names as a reader wants them.
 
+use crate::numbers::{significant, trimmed};
+
 /// What rounding does to a number, relative to it.
 const NEAR: f64 = 4.0 * f64::EPSILON;
 
@@ -13,29 +15,12 @@ pub fn decimal(value: f64) -> String {
     let rounded = format!("{value:.6}");
     let is_same = |text: &str| text.parse().is_ok_and(|other: f64| (other - value).abs() <= NEAR * scale);
     if scale < 1e4 && is_same(&rounded) {
-        return minus(rounded.trim_end_matches('0').trim_end_matches('.'));
+        return minus(trimmed(&rounded));
     }
     if let Some(fraction) = fraction(value) {
         return minus(&fraction);
     }
-    if !scale.is_finite() {
-        return shortest;
-    }
-    let exponent = libm::floor(libm::log10(scale)) as i32;
-    if (-4..7).contains(&exponent) {
-        let digits = (5 - exponent).clamp(0, 9) as usize;
-        let text = format!("{value:.digits$}");
-        return minus(if text.contains('.') {
-            text.trim_end_matches('0').trim_end_matches('.')
-        } else {
-            &text
-        });
-    }
-    let text = format!("{value:.5e}");
-    let (mantissa, power) = text.split_once('e').unwrap_or((&text, "0"));
-    let mantissa =
-        if mantissa.contains('.') { mantissa.trim_end_matches('0').trim_end_matches('.') } else { mantissa };
-    minus(&format!("{mantissa}e{power}"))
+    minus(&significant(value, 6))
 }
 
 /// A number whose digits do not end, as a fraction with a small denominator.

@@ -2,6 +2,7 @@
 
 use super::{Evaluation, Formulation, PivotOf, Settled};
 use crate::error::{AssemblyError, SettingError};
+use crate::layout::retract;
 use crate::mechanism::Assemble;
 use crate::partition::{Partition, PartitionOf, serves};
 use crate::real::Real;
@@ -13,10 +14,11 @@ use crate::vector::Vector;
 /// ```text
 /// (Rᵀ M R) z̈ = Rᵀ (Q − M S γ),    v̇ = R z̈ + S γ,    D_dᵀ λ = (Q − M v̇)_d
 /// ```
-/// without multipliers in what is solved. At the end of a step the dependent velocities are computed from the independent ones, so
-/// velocities satisfy the constraints to rounding; positions drift slowly, unless it is [`Projected`](super::Projected). The
-/// independent set is kept while its pivots are good, and chosen anew by pivoting where they degrade (a dead centre of the
-/// coordinate taken as independent); M may be singular where the constraints make up for it.
+/// without multipliers in what is solved. At the end of a step the dependent velocities follow from the independent ones, and the
+/// dependent positions go a tenth of Newton's step towards the constraints, by the same factors: velocities then satisfy these to
+/// about what the positions moved, and positions to some ten times the error of one step, without drift. To rounding both
+/// are [`Projected`](super::Projected). The independent set is kept while its pivots are good, and chosen anew by pivoting where
+/// they degrade (a dead centre of the coordinate taken as independent); M may be singular where the constraints make up for it.
 ///
 /// All velocities are integrated, not the independent ones alone: near a dead centre R is large, z̈ steep, and a method that sees z
 /// only loses its order there (a slider-crank led by its slider at 0.1 ms: an energy error of 5·10⁻⁶ against 10⁻¹⁰).
@@ -61,8 +63,10 @@ impl<R: Real, M: Assemble<R>> Formulation<R, M> for NullSpace {
         state: &mut State<M::Q, M::V>,
     ) -> Result<Settled<R>, AssemblyError> {
         partition.factor(model, time, &state.q);
+        let moved =
+            if partition.is_good() { approach(partition, model, time, &mut state.q) } else { R::ZERO };
         follow(partition, model, time, state);
-        Ok(Settled { iterations: 0, moved: R::ZERO })
+        Ok(Settled { iterations: 0, moved })
     }
 
     fn check(&self) -> Result<(), SettingError> {
@@ -119,6 +123,22 @@ fn by_tables<R: Real, M: Assemble<R>>(
     let rest = forces.plus(-R::ONE, &times::<R, M>(&mass, a));
     partition.multipliers::<M>(&rest, lambda);
     Evaluation::direct(regular.min(partition.pivot))
+}
+
+/// The part of Newton's step that is taken at the end of each step. With the whole of it what a single passage of a singular
+/// position is off goes into the motion at once (two windows flat at 1 ms: 2·10⁻⁷ m in place of 2·10⁻¹⁰); with a
+/// fiftieth drift grows faster than it is taken back where steps are coarse (the same at 10 ms).
+const PART: f64 = 0.1;
+
+/// q ← q ⊕ δ with D_d δ_d = −Φ/10, δ_i = 0; returns how far a coordinate moved.
+fn approach<R: Real, M: Assemble<R>>(partition: &PartitionOf<R, M>, model: &M, time: R, q: &mut M::Q) -> R {
+    let mut phi = M::Lambda::zero();
+    model.constraints(time, q, &mut phi);
+    let mut delta = M::V::zero();
+    partition.dependent(model, &phi.scaled(R::from_f64(-PART)), &mut delta);
+    let from = *q;
+    retract(&M::LAYOUT, &from, &delta, q);
+    delta.max_abs()
 }
 
 /// The dependent velocities from the independent ones: D v = ν.

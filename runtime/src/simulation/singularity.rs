@@ -35,6 +35,11 @@ impl<R: Real> Passage<R> {
         Passage { known: [None; 2] }
     }
 
+    /// Whether nothing was taken yet.
+    pub fn is_new(&self) -> bool {
+        self.known[1].is_none()
+    }
+
     /// Takes the value at a time; gives time and value of the minimum passed since the last but one, if it cannot be told from
     /// a singular position.
     pub fn see(&mut self, time: R, value: R) -> Option<(R, R)> {

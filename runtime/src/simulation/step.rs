@@ -182,32 +182,42 @@ where
         }
         let watch = &self.dynamics.watch;
         let estimates = F::PIVOT == PivotOf::Rows;
-        if F::PIVOT == PivotOf::Jacobian
-            && R::any(watch.smallest_pivot.greater_equal(R::from_f64(FAR_FROM_SINGULAR)))
-        {
-            self.run.passage = Passage::new();
+        let is_far = F::PIVOT == PivotOf::Jacobian
+            && R::any(watch.smallest_pivot.greater_equal(R::from_f64(FAR_FROM_SINGULAR)));
+        if is_far && self.run.passage.is_new() {
             return (watch.smallest_pivot, None);
         }
         let (at, condition, smallest) = if estimates {
             (watch.observed.unwrap_or(begin), watch.first_pivot, watch.smallest_pivot)
         } else {
-            let condition = self.model().factor(time, &next.q, R::ZERO, &mut M::store());
+            let condition = self.condition(time, &next.q);
             (time, condition, condition)
         };
         let worst = watch.worst.filter(|_| estimates);
+        if !estimates && self.run.passage.is_new() {
+            // Of the steps that are near a parabola takes also the one before.
+            let before = self.condition(begin, &self.run.state.q);
+            self.run.passage.see(begin, before);
+        }
+        let passed = self.run.passage.see(at, condition);
+        if is_far {
+            self.run.passage = Passage::new();
+        }
         // Written so that a NaN is seen.
         if let Some(stage) = worst {
-            self.run.passage.see(at, condition);
-            return (smallest, Some(self.name_singularity(stage.time, stage.pivot, &stage.state.q)));
+            (smallest, Some(self.name_singularity(stage.time, stage.pivot, &stage.state.q)))
+        } else if !R::any(smallest.greater_equal(R::NEAR_SINGULAR)) {
+            (smallest, Some(self.name_singularity(time, smallest, &next.q)))
+        } else if let Some((time, least)) = passed {
+            (least, Some(self.name_singularity(time, least, &next.q)))
+        } else {
+            (smallest, None)
         }
-        if !R::any(smallest.greater_equal(R::NEAR_SINGULAR)) {
-            self.run.passage.see(at, condition);
-            return (smallest, Some(self.name_singularity(time, smallest, &next.q)));
-        }
-        match self.run.passage.see(at, condition) {
-            None => (smallest, None),
-            Some((passed, least)) => (least, Some(self.name_singularity(passed, least, &next.q))),
-        }
+    }
+
+    /// The estimate of the reciprocal condition of D M⁻¹ Dᵀ at a position.
+    fn condition(&self, time: R, q: &M::Q) -> R {
+        self.model().factor(time, q, R::ZERO, &mut M::store())
     }
 
     #[cold]

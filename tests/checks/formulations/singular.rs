@@ -199,7 +199,8 @@ fn a_change_point_is_passed_and_reported() {
     passes("augmented Lagrangian", AugmentedLagrangian::new(penalty), 1e-4, 1e-4);
     passes("index 1, projected", Projected::after(LagrangeIndex1), 1e-3, 1e-4);
     passes("penalty, projected", Projected::after(penalty), 1e-3, 1e-3);
-    passes("null space, projected", Projected::after(NullSpace), 1e-4, 1e-2);
+    passes("null space", NullSpace, 1e-4, 1e-4);
+    passes("null space, projected", Projected::after(NullSpace), 1e-3, 1e-4);
 }
 
 /// A row that repeats others is no singular position: it is left out of the estimate.

@@ -19,6 +19,7 @@ mod position;
 mod quaternion;
 mod rates;
 mod redundancy;
+mod refusals;
 mod world;
 
 pub use freedoms::Mobility;

@@ -3,6 +3,7 @@
 use super::{End, Motion, Range, Singular, Unswept};
 use crate::check::messages::list;
 use crate::model::Within;
+use crate::numbers::significant;
 
 pub fn unswept(why: Unswept) -> String {
     match why {
@@ -59,7 +60,7 @@ pub struct Outside<'r> {
 
 pub fn leaves_range(expected: &Within, outside: &Outside) -> String {
     let (unit, scale) = (&expected.unit.0, expected.unit.1);
-    let (least, most) = (plain(expected.from / scale), plain(expected.to / scale));
+    let (least, most) = (significant(expected.from / scale, 9), significant(expected.to / scale, 9));
     let mut text = format!("expected {} in {least}..{most} {unit}, ", expected.text);
     if outside.turns {
         return text + "but it turns fully; write `rotates` for its joint if that is meant";
@@ -78,7 +79,7 @@ pub fn leaves_range(expected: &Within, outside: &Outside) -> String {
     }
     let step = 10f64.powf((to - from).log10().floor() - 1.0);
     let (low, high) = ((from / step).floor() * step, (to / step).ceil() * step);
-    let range = format!("{} in {}..{} [{unit}]", expected.text, plain(low), plain(high));
+    let range = format!("{} in {}..{} [{unit}]", expected.text, significant(low, 9), significant(high, 9));
     text + &format!("; write `{range}` if that is meant, or change the lengths")
 }
 
@@ -148,21 +149,7 @@ fn degrees(angle: f64) -> String {
     format!("{:.1}", angle.to_degrees())
 }
 
-/// Four digits, without zeros at the end.
+/// As the results of a sweep are known.
 fn number(value: f64) -> String {
-    if value == 0.0 {
-        return "0".to_string();
-    }
-    let digits = (3 - value.abs().log10().floor() as i32).clamp(0, 12) as usize;
-    trimmed(format!("{value:.digits$}"))
-}
-
-/// As one would write it.
-fn plain(value: f64) -> String {
-    trimmed(format!("{value:.9}"))
-}
-
-fn trimmed(text: String) -> String {
-    let text = if text.contains('.') { text.trim_end_matches('0').trim_end_matches('.') } else { &text };
-    if text == "-0" { "0".to_string() } else { text.to_string() }
+    significant(value, 4)
 }

@@ -1,16 +1,16 @@
 //! Positions from which assembly is tried in space: the coordinates of the tree as `start` states or guesses them, the others
 //! at zero first and later turned by the golden angle, each by a different multiple.
 
-use super::attempts::{GOLDEN, Stated};
-use super::point::{Ancestry, Point};
-use super::quaternion;
+use super::{GOLDEN, Stated};
+use crate::check::assemble::point::{Ancestry, Point};
+use crate::check::assemble::quaternion;
 use crate::equations::{Attachment, Ball, Kinematics, Linear, Rotation};
 use crate::model::{BodyId, Frame, JointId, Mechanism, Rotor, fold};
 use crate::symbolic::Node;
 use std::f64::consts::TAU;
 
 /// q for attempt `number`.
-pub fn in_space(stated: &Stated, mechanism: &Mechanism, point: &mut Point, number: usize) -> Vec<f64> {
+pub fn initial(stated: &Stated, mechanism: &Mechanism, point: &mut Point, number: usize) -> Vec<f64> {
     let equations = point.equations;
     let layout = &equations.layout;
     let mut q = vec![0.0; layout.positions()];

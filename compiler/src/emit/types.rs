@@ -1,0 +1,74 @@
+//! The short names of this mechanism's types, and `Fields` of its parameters, inputs and outputs.
+
+use super::names::field;
+use super::{Emitter, array, tables};
+use std::fmt::Write;
+
+/// Short names for the types of this mechanism.
+pub fn aliases(text: &mut String, emitter: &Emitter) {
+    let name = &emitter.name;
+    let equations = &emitter.compiled.equations;
+    let columns = |jets: Vec<&crate::equations::Jet>| jets.iter().map(|jet| jet.columns.len()).sum::<usize>();
+    let freedoms = emitter.velocities() + equations.idle.len() - emitter.rows();
+    let arrays = [
+        ("Constants", emitter.compiled.programs.prepared),
+        ("Phases", equations.symbols.phases.len()),
+        ("Q", emitter.positions()),
+        ("V", emitter.velocities()),
+        ("Lambda", emitter.rows()),
+        ("Mass", equations.mass.len()),
+        ("Jacobian", columns(equations.rows.iter().map(|row| &row.jet).collect())),
+        ("Conditions", emitter.conditions()),
+        ("ConditionJacobian", columns(equations.conditions.iter().map(|c| &c.jet).collect())),
+        ("Factor", emitter.compiled.table.columns.len()),
+        ("System", emitter.compiled.table.order.len()),
+        ("Dense", emitter.rows() * emitter.velocities()),
+        ("Basis", freedoms * emitter.velocities()),
+        ("Reduced", freedoms * freedoms),
+        ("Store", emitter.compiled.solved.stored.as_ref().map_or(0, |stored| stored.kept.len())),
+        ("Lu", emitter.compiled.solved.null_space.as_ref().map_or(0, |written| written.kept.len())),
+    ];
+    let solved = &emitter.compiled.solved;
+    let absent = |alias: &str| {
+        alias == "Store" && solved.stored.is_none() || alias == "Lu" && solved.null_space.is_none()
+    };
+    for (alias, length) in arrays.into_iter().filter(|(alias, _)| !absent(alias)) {
+        let _ = writeln!(text, "type {alias}<R> = [R; {length}];");
+    }
+    let _ = writeln!(text, "type Parameters<R> = {name}Parameters<R>;");
+    if !emitter.mechanism.inputs.is_empty() {
+        let _ = writeln!(text, "type Inputs<R> = {name}Inputs<R>;");
+    }
+    if !emitter.mechanism.outputs.is_empty() {
+        let _ = writeln!(text, "type Outputs<R> = {name}Outputs<R>;");
+    }
+}
+
+/// `Fields` of the parameters, and of the inputs and outputs where there are any.
+pub fn fields(text: &mut String, emitter: &Emitter) {
+    let Emitter { name, mechanism, .. } = emitter;
+    let parameters = mechanism.parameters.iter().map(|parameter| &parameter.name).collect::<Vec<_>>();
+    let inputs = mechanism.inputs.iter().map(|input| &input.name).collect();
+    let outputs = mechanism.outputs.iter().map(|output| &output.name).collect();
+    for (of, names) in [("Parameters", parameters), ("Inputs", inputs), ("Outputs", outputs)] {
+        if names.is_empty() && of != "Parameters" {
+            continue;
+        }
+        let n = names.len();
+        let fields: Vec<String> = names.iter().map(|name| field(&name.identifier())).collect();
+        let scalar = if names.is_empty() { "scalar: ::core::marker::PhantomData" } else { "" };
+        let given: Vec<String> =
+            fields.iter().enumerate().map(|(index, field)| format!("{field}: values[{index}]")).collect();
+        let _ = writeln!(
+            text,
+            "impl<R: Real> Fields<R> for {of}<R> {{\n\
+             const NAMES: &'static [&'static str] = {};\n\
+             type Array = [R; {n}];\n\
+             fn from_array(values: [R; {n}]) -> Self {{ {name}{of} {{ {}{scalar} }} }}\n\
+             fn to_array(&self) -> [R; {n}] {{ {} }}\n}}",
+            tables::strings(names.iter().map(|name| name.text.clone()).collect()),
+            given.join(", "),
+            array(fields.iter().map(|field| format!("self.{field}")))
+        );
+    }
+}
