@@ -125,9 +125,9 @@ fn by_tables<R: Real, M: Assemble<R>>(
     Evaluation::direct(regular.min(partition.pivot))
 }
 
-/// The part of Newton's step that is taken at the end of each step. With the whole of it what a single passage of a singular
-/// position is off goes into the motion at once (two windows flat at 1 ms: 2·10⁻⁷ m in place of 2·10⁻¹⁰); with a
-/// fiftieth drift grows faster than it is taken back where steps are coarse (the same at 10 ms).
+/// The part of Newton's step that is taken at the end of each step. With the whole of it what the passage of a singular position
+/// is off goes into the motion at once (A02 with two windows in absolute coordinates at 1 ms: 8·10⁻⁹ m in place of 2·10⁻¹⁰); with
+/// a fiftieth drift grows faster than it is taken back where steps are coarse (the same leaves its branch at 10 ms).
 const PART: f64 = 0.1;
 
 /// q ← q ⊕ δ with D_d δ_d = −Φ/10, δ_i = 0; returns how far a coordinate moved.
