@@ -15,53 +15,50 @@ const GOOD: f64 = 0.1;
 /// The place of a velocity that depends on no row.
 const NONE: u16 = u16::MAX;
 
-/// The square of a written-out pivot, relative to its row at the start, below which accelerations are computed by tables: two
-/// digits lost.
+/// The square of a written-out pivot, relative to its row at the start, below which tables take over: two digits lost.
 const WRITTEN_OUT: f64 = 1e-4;
 
-/// D = L U with a dependent velocity for each row: written out for the velocities of [`Assemble::DEPENDENT`], else by tables for
-/// those that serve best. In these U has the pivot of the k-th row in column `columns[k]`, and L is stored where U is zero.
+/// The dependent velocity of each row: those of [`Assemble::DEPENDENT`], until others serve better. What is kept from one position
+/// to the next; the factors are not.
+///
+/// By tables U has the pivot of the k-th row in column `columns[k]`, and L is stored where U is zero.
 #[derive(Clone, Copy, Debug)]
-pub struct Partition<D, C, L, R> {
-    /// m × n_v, row by row.
-    rows: D,
+pub struct Partition<C> {
     /// The dependent velocity of the k-th row of [`Assemble::DEPENDENT`].
     columns: C,
     /// The place in `columns` of each velocity, or [`NONE`].
     places: C,
-    /// The written-out factors.
-    lu: L,
-    /// Whether these are the ones in use.
-    is_written_out: bool,
-    /// The square of the smallest pivot, relative to its row.
-    pub(crate) pivot: R,
     /// How often a dependent velocity was replaced since the beginning.
     pub changes: u32,
 }
 
 /// The partition of a mechanism.
-pub type PartitionOf<R, M> =
-    Partition<<M as Assemble<R>>::Dense, <M as Assemble<R>>::Choice, <M as Assemble<R>>::Lu, R>;
+pub type PartitionOf<R, M> = Partition<<M as Assemble<R>>::Choice>;
 
-impl<R: Real, D: Vector<R>, C: Copy + AsRef<[u16]> + AsMut<[u16]>, L: Copy> Partition<D, C, L, R> {
-    /// The choice made at expansion; nothing factored yet.
-    pub fn new<M: Assemble<R, Dense = D, Choice = C, Lu = L>>() -> Self {
+/// The written-out factors of D for the velocities of [`Assemble::DEPENDENT`], and the square of their smallest pivot relative to
+/// its row at the start; nothing where that is too small.
+pub(crate) fn written_out<R: Real, M: Assemble<R>>(model: &M, time: R, q: &M::Q) -> Option<(M::Lu, R)> {
+    let mut lu = M::lu();
+    let pivot = model.factor_jacobian(time, q, &mut lu);
+    serves(pivot).then_some((lu, pivot))
+}
+
+/// Whether the square of a pivot is that of one that a choice is kept for. Written so that a NaN is not.
+pub(crate) fn is_good<R: Real>(pivot: R) -> bool {
+    R::any(pivot.greater_equal(R::from_f64(GOOD * GOOD)))
+}
+
+impl<C: Copy + AsRef<[u16]> + AsMut<[u16]>> Partition<C> {
+    /// The choice made at expansion.
+    pub fn new<R: Real, M: Assemble<R, Choice = C>>() -> Self {
         debug_assert_eq!(M::DEPENDENT.len() + M::IDLE.len(), M::Lambda::LEN, "each row has its velocity");
-        let mut partition = Partition {
-            rows: D::zero(),
-            columns: M::choice(),
-            places: M::choice(),
-            lu: M::lu(),
-            is_written_out: false,
-            pivot: R::ONE,
-            changes: 0,
-        };
-        partition.choose::<M>();
+        let mut partition = Partition { columns: M::choice(), places: M::choice(), changes: 0 };
+        partition.reset::<R, M>();
         partition
     }
 
     /// Takes the velocities chosen at expansion.
-    fn choose<M: Assemble<R, Dense = D, Choice = C, Lu = L>>(&mut self) {
+    pub(crate) fn reset<R: Real, M: Assemble<R, Choice = C>>(&mut self) {
         self.columns.as_mut().fill(NONE);
         self.places.as_mut().fill(NONE);
         for (k, &(_, chosen)) in M::DEPENDENT.iter().enumerate() {
@@ -78,45 +75,28 @@ impl<R: Real, D: Vector<R>, C: Copy + AsRef<[u16]> + AsMut<[u16]>, L: Copy> Part
         places.filter(|(_, place)| **place == NONE).map(|(velocity, _)| velocity)
     }
 
-    /// Factors D at a position; returns the square of the smallest pivot relative to its row, which like the other pivots
-    /// vanishes with the square of the distance from a singular position.
-    pub fn factor<M: Assemble<R, Dense = D, Choice = C, Lu = L>>(
+    /// Factors D at a position into `factors` (m × n_v), row by row: what earlier pivots have is taken off, then the velocity that
+    /// depended on the row before stays dependent if its entry is a tenth of the largest, else that of the largest takes its place
+    /// (partial pivoting by columns).
+    ///
+    /// Returns the square of the smallest pivot relative to its row, which like the other pivots vanishes with the square of the
+    /// distance from a singular position.
+    pub fn factor<R: Real, M: Assemble<R, Choice = C>>(
         &mut self,
         model: &M,
         time: R,
         q: &M::Q,
-    ) -> R {
-        self.pivot = model.factor_jacobian(time, q, &mut self.lu);
-        self.is_written_out = self.is_good();
-        if !self.is_written_out {
-            return self.factor_by_tables(model, time, q);
-        }
-        self.choose::<M>();
-        self.pivot
-    }
-
-    /// Whether the pivots are as good as those that a choice is kept for. Written so that a NaN is not.
-    pub(crate) fn is_good(&self) -> bool {
-        R::any(self.pivot.greater_equal(R::from_f64(GOOD * GOOD)))
-    }
-
-    /// Row by row: what earlier pivots have is taken off, then the velocity that depended on the row before stays dependent if its
-    /// entry is a tenth of the largest, else that of the largest takes its place (partial pivoting by columns).
-    pub(crate) fn factor_by_tables<M: Assemble<R, Dense = D, Choice = C, Lu = L>>(
-        &mut self,
-        model: &M,
-        time: R,
-        q: &M::Q,
+        factors: &mut M::Dense,
     ) -> R {
         let n = M::V::LEN;
-        self.is_written_out = false;
         let mut jacobian = M::Jacobian::zero();
         model.constraint_jacobian(time, q, &mut jacobian);
-        self.rows = D::zero();
+        *factors = M::Dense::zero();
+        let rows = factors.as_mut_slice();
         for (&entry, &(row, column)) in jacobian.as_slice().iter().zip(M::JACOBIAN_PATTERN) {
-            self.rows.as_mut_slice()[row as usize * n + column as usize] = entry;
+            rows[row as usize * n + column as usize] = entry;
         }
-        let sizes = self.sizes::<M>();
+        let sizes = sizes::<R, M>(rows);
         let before = self.columns;
         self.places.as_mut().fill(NONE);
         let mut smallest = R::ONE;
@@ -124,7 +104,7 @@ impl<R: Real, D: Vector<R>, C: Copy + AsRef<[u16]> + AsMut<[u16]>, L: Copy> Part
             let (size, own) = (sizes.as_slice()[row as usize], row as usize * n);
             for (k, &(above, _)) in M::DEPENDENT[..at].iter().enumerate() {
                 let column = self.columns.as_ref()[k] as usize;
-                let (rows, above) = (self.rows.as_mut_slice(), above as usize * n);
+                let above = above as usize * n;
                 if rows[own + column] == R::ZERO {
                     continue;
                 }
@@ -137,73 +117,34 @@ impl<R: Real, D: Vector<R>, C: Copy + AsRef<[u16]> + AsMut<[u16]>, L: Copy> Part
                 }
                 rows[own + column] = l;
             }
-            let places = self.places;
-            let free = |column: usize| places.as_ref()[column] == NONE;
-            let (best, most) = self.largest::<M>(row, free);
+            let own = &rows[own..own + n];
+            let places = self.places.as_ref();
+            let free = |column: usize| places[column] == NONE;
+            let (best, most) = largest::<R, M>(own, free);
             let kept = before.as_ref()[at] as usize;
-            let good = kept < n && free(kept) && self.scaled::<M>(row, kept) >= R::from_f64(GOOD) * most;
+            let good = kept < n && free(kept) && scaled::<R, M>(own, kept) >= R::from_f64(GOOD) * most;
             let chosen = if good { kept } else { best };
+            let relative = if size > R::ZERO { scaled::<R, M>(own, chosen) / size } else { R::ZERO };
+            smallest = relative.min(smallest);
             if !good && kept < n {
                 self.changes += 1;
             }
             self.columns.as_mut()[at] = chosen as u16;
             self.places.as_mut()[chosen] = at as u16;
-            let relative = if size > R::ZERO { self.scaled::<M>(row, chosen) / size } else { R::ZERO };
-            smallest = relative.min(smallest);
         }
-        self.pivot = smallest * smallest;
-        self.pivot
+        smallest * smallest
     }
 
-    /// The largest scaled entry of each row, or of all rows that are components of the same vector: beside these it may vanish.
-    fn sizes<M: Assemble<R, Dense = D, Choice = C, Lu = L>>(&self) -> M::Lambda {
-        let mut sizes = M::Lambda::zero();
-        let mut first = 0;
-        for group in M::ROWS.chunk_by(same_scale) {
-            let own = (first..first + group.len()).map(|row| self.largest::<M>(row as u16, |_| true).1);
-            let size = own.fold(R::ZERO, |size, own| own.max(size));
-            sizes.as_mut_slice()[first..first + group.len()].fill(size);
-            first += group.len();
-        }
-        sizes
-    }
-
-    /// The magnitude of an entry, to be compared with others of its row.
-    fn scaled<M: Assemble<R, Dense = D, Choice = C, Lu = L>>(&self, row: u16, column: usize) -> R {
-        let entry = self.rows.as_slice()[usize::from(row) * M::V::LEN + column].abs();
-        M::SCALES.get(column).map_or(entry, |&scale| entry * R::from_f64(scale))
-    }
-
-    /// Place and scaled magnitude of the largest entry of a row among those that count.
-    fn largest<M: Assemble<R, Dense = D, Choice = C, Lu = L>>(
+    /// The dependent entries of `v` such that D v = `right`, given the independent ones.
+    pub fn dependent<R: Real, M: Assemble<R, Choice = C>>(
         &self,
-        row: u16,
-        counts: impl Fn(usize) -> bool,
-    ) -> (usize, R) {
-        let mut found: Option<(usize, R)> = None;
-        for column in (0..M::V::LEN).filter(|&column| counts(column)) {
-            let size = self.scaled::<M>(row, column);
-            if found.is_none_or(|(_, largest)| size > largest) {
-                found = Some((column, size));
-            }
-        }
-        found.unwrap_or((0, R::ZERO))
-    }
-
-    /// The dependent entries of `v` such that D v = `rows`, given the independent ones.
-    pub fn dependent<M: Assemble<R, Dense = D, Choice = C, Lu = L>>(
-        &self,
-        model: &M,
-        rows: &M::Lambda,
+        factors: &M::Dense,
+        right: &M::Lambda,
         v: &mut M::V,
     ) {
-        if self.is_written_out {
-            let given = *v;
-            return model.dependent_velocities(&self.lu, rows, &given, v);
-        }
         let (columns, places) = (self.columns.as_ref(), self.places.as_ref());
-        let entries = |row: u16| &self.rows.as_slice()[usize::from(row) * M::V::LEN..][..M::V::LEN];
-        let (mut rest, v) = (*rows, v.as_mut_slice());
+        let entries = |row: u16| &factors.as_slice()[usize::from(row) * M::V::LEN..][..M::V::LEN];
+        let (mut rest, v) = (*right, v.as_mut_slice());
         let y = rest.as_mut_slice();
         for (at, &(row, _)) in M::DEPENDENT.iter().enumerate() {
             for (k, &(above, _)) in M::DEPENDENT[..at].iter().enumerate() {
@@ -223,15 +164,16 @@ impl<R: Real, D: Vector<R>, C: Copy + AsRef<[u16]> + AsMut<[u16]>, L: Copy> Part
         }
     }
 
-    /// λ of D_dᵀ λ = `forces` in the dependent velocities, factored by tables; idle rows have none.
-    pub(crate) fn multipliers<M: Assemble<R, Dense = D, Choice = C, Lu = L>>(
+    /// λ of D_dᵀ λ = `forces` in the dependent velocities; idle rows have none.
+    pub(crate) fn multipliers<R: Real, M: Assemble<R, Choice = C>>(
         &self,
+        factors: &M::Dense,
         forces: &M::V,
         lambda: &mut M::Lambda,
     ) {
         let columns = self.columns.as_ref();
         let entry =
-            |row: u16, column: u16| self.rows.as_slice()[usize::from(row) * M::V::LEN + usize::from(column)];
+            |row: u16, column: u16| factors.as_slice()[usize::from(row) * M::V::LEN + usize::from(column)];
         *lambda = M::Lambda::zero();
         let y = lambda.as_mut_slice();
         // Uᵀ y = forces, then Lᵀ λ = y.
@@ -248,6 +190,39 @@ impl<R: Real, D: Vector<R>, C: Copy + AsRef<[u16]> + AsMut<[u16]>, L: Copy> Part
             }
         }
     }
+}
+
+/// The largest scaled entry of each row of D, or of all rows that are components of the same vector: beside these it may vanish.
+fn sizes<R: Real, M: Assemble<R>>(rows: &[R]) -> M::Lambda {
+    let mut sizes = M::Lambda::zero();
+    let mut first = 0;
+    for group in M::ROWS.chunk_by(same_scale) {
+        let own = first..first + group.len();
+        let entries = |row: usize| &rows[row * M::V::LEN..][..M::V::LEN];
+        let size = own.clone().map(|row| largest::<R, M>(entries(row), |_| true).1);
+        let size = size.fold(R::ZERO, |size, own| own.max(size));
+        sizes.as_mut_slice()[own].fill(size);
+        first += group.len();
+    }
+    sizes
+}
+
+/// The magnitude of an entry of a row, to be compared with others of it.
+fn scaled<R: Real, M: Assemble<R>>(row: &[R], column: usize) -> R {
+    let entry = row[column].abs();
+    M::SCALES.get(column).map_or(entry, |&scale| entry * R::from_f64(scale))
+}
+
+/// Place and scaled magnitude of the largest entry of a row among those that count.
+fn largest<R: Real, M: Assemble<R>>(row: &[R], counts: impl Fn(usize) -> bool) -> (usize, R) {
+    let mut found: Option<(usize, R)> = None;
+    for column in (0..row.len()).filter(|&column| counts(column)) {
+        let size = scaled::<R, M>(row, column);
+        if found.is_none_or(|(_, largest)| size > largest) {
+            found = Some((column, size));
+        }
+    }
+    found.unwrap_or((0, R::ZERO))
 }
 
 /// Whether written-out accelerations with this pivot are good enough. Written so that a NaN is not.

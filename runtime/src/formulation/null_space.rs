@@ -4,7 +4,7 @@ use super::{Evaluation, Formulation, PivotOf, Settled};
 use crate::error::{AssemblyError, SettingError};
 use crate::layout::retract;
 use crate::mechanism::Assemble;
-use crate::partition::{Partition, PartitionOf, serves};
+use crate::partition::{Partition, PartitionOf, is_good, serves, written_out};
 use crate::real::Real;
 use crate::state::State;
 use crate::vector::Vector;
@@ -34,7 +34,7 @@ impl<R: Real, M: Assemble<R>> Formulation<R, M> for NullSpace {
     const PIVOT: PivotOf = PivotOf::Jacobian;
 
     fn memory(&self) -> Self::Memory {
-        Partition::new::<M>()
+        Partition::new::<R, M>()
     }
 
     #[inline]
@@ -62,10 +62,17 @@ impl<R: Real, M: Assemble<R>> Formulation<R, M> for NullSpace {
         time: R,
         state: &mut State<M::Q, M::V>,
     ) -> Result<Settled<R>, AssemblyError> {
-        partition.factor(model, time, &state.q);
-        let moved =
-            if partition.is_good() { approach(partition, model, time, &mut state.q) } else { R::ZERO };
-        follow(partition, model, time, state);
+        let moved = match written_out(model, time, &state.q) {
+            Some((lu, pivot)) => {
+                partition.reset::<R, M>();
+                let dependent = |right: &M::Lambda, v: &mut M::V| {
+                    let given = *v;
+                    model.dependent_velocities(&lu, right, &given, v);
+                };
+                follow(model, time, state, is_good(pivot), dependent)
+            }
+            None => follow_by_tables(partition, model, time, state),
+        };
         Ok(Settled { iterations: 0, moved })
     }
 
@@ -75,6 +82,7 @@ impl<R: Real, M: Assemble<R>> Formulation<R, M> for NullSpace {
 }
 
 /// Where the solution is not written out, or one of its pivots is too small.
+#[inline(never)]
 fn by_tables<R: Real, M: Assemble<R>>(
     partition: &mut PartitionOf<R, M>,
     model: &M,
@@ -84,7 +92,8 @@ fn by_tables<R: Real, M: Assemble<R>>(
     a: &mut M::V,
     lambda: &mut M::Lambda,
 ) -> Evaluation<R> {
-    partition.factor_by_tables(model, time, &state.q);
+    let mut factors = M::Dense::zero();
+    let pivot = partition.factor(model, time, &state.q, &mut factors);
     let mut gamma = M::Lambda::zero();
     model.gamma(time, &state.q, &state.v, &mut gamma);
     let mut forces = M::V::zero();
@@ -94,7 +103,7 @@ fn by_tables<R: Real, M: Assemble<R>>(
 
     // Sγ: accelerations that satisfy the rows with z̈ = 0.
     *a = M::V::zero();
-    partition.dependent(model, &gamma, a);
+    partition.dependent::<R, M>(&factors, &gamma, a);
     let rest = forces.plus(-R::ONE, &times::<R, M>(&mass, a));
 
     // R, column by column, and Rᵀ M R, Rᵀ (Q − M S γ).
@@ -105,7 +114,7 @@ fn by_tables<R: Real, M: Assemble<R>>(
     for (at, velocity) in partition.independent().enumerate() {
         let mut column = M::V::zero();
         column.as_mut_slice()[velocity] = R::ONE;
-        partition.dependent(model, &M::Lambda::zero(), &mut column);
+        partition.dependent::<R, M>(&factors, &M::Lambda::zero(), &mut column);
         basis.as_mut_slice()[at * n..][..n].copy_from_slice(column.as_slice());
         let product = times::<R, M>(&mass, &column);
         for (other, known) in basis.as_slice().chunks_exact(n).enumerate().take(at + 1) {
@@ -121,8 +130,8 @@ fn by_tables<R: Real, M: Assemble<R>>(
         }
     }
     let rest = forces.plus(-R::ONE, &times::<R, M>(&mass, a));
-    partition.multipliers::<M>(&rest, lambda);
-    Evaluation::direct(regular.min(partition.pivot))
+    partition.multipliers::<R, M>(&factors, &rest, lambda);
+    Evaluation::direct(regular.min(pivot))
 }
 
 /// The part of Newton's step that is taken at the end of each step. With the whole of it what the passage of a singular position
@@ -130,27 +139,44 @@ fn by_tables<R: Real, M: Assemble<R>>(
 /// a fiftieth drift grows faster than it is taken back where steps are coarse (the same leaves its branch at 10 ms).
 const PART: f64 = 0.1;
 
-/// q ← q ⊕ δ with D_d δ_d = −Φ/10, δ_i = 0; returns how far a coordinate moved.
-fn approach<R: Real, M: Assemble<R>>(partition: &PartitionOf<R, M>, model: &M, time: R, q: &mut M::Q) -> R {
-    let mut phi = M::Lambda::zero();
-    model.constraints(time, q, &mut phi);
-    let mut delta = M::V::zero();
-    partition.dependent(model, &phi.scaled(R::from_f64(-PART)), &mut delta);
-    let from = *q;
-    retract(&M::LAYOUT, &from, &delta, q);
-    delta.max_abs()
-}
-
-/// The dependent velocities from the independent ones: D v = ν.
-pub(super) fn follow<R: Real, M: Assemble<R>>(
-    partition: &PartitionOf<R, M>,
+/// Dependent positions towards the constraints where pivots are good, q ← q ⊕ δ with D_d δ_d = −Φ/10, δ_i = 0; then the
+/// dependent velocities, D v = ν. `dependent` solves D x = right for these, given the independent entries of x. Returns how far
+/// a coordinate moved.
+#[inline]
+fn follow<R: Real, M: Assemble<R>>(
     model: &M,
     time: R,
     state: &mut State<M::Q, M::V>,
-) {
+    good: bool,
+    dependent: impl Fn(&M::Lambda, &mut M::V),
+) -> R {
+    let mut moved = R::ZERO;
+    if good {
+        let (mut phi, mut delta) = (M::Lambda::zero(), M::V::zero());
+        model.constraints(time, &state.q, &mut phi);
+        dependent(&phi.scaled(R::from_f64(-PART)), &mut delta);
+        let from = state.q;
+        retract(&M::LAYOUT, &from, &delta, &mut state.q);
+        moved = delta.max_abs();
+    }
     let mut nu = M::Lambda::zero();
     model.nu(time, &state.q, &mut nu);
-    partition.dependent(model, &nu, &mut state.v);
+    dependent(&nu, &mut state.v);
+    moved
+}
+
+#[cold]
+#[inline(never)]
+fn follow_by_tables<R: Real, M: Assemble<R>>(
+    partition: &mut PartitionOf<R, M>,
+    model: &M,
+    time: R,
+    state: &mut State<M::Q, M::V>,
+) -> R {
+    let mut factors = M::Dense::zero();
+    let pivot = partition.factor(model, time, &state.q, &mut factors);
+    let dependent = |right: &M::Lambda, v: &mut M::V| partition.dependent::<R, M>(&factors, right, v);
+    follow(model, time, state, is_good(pivot), dependent)
 }
 
 /// M x.

@@ -1,6 +1,5 @@
 //! Coordinate partitioning: dependent positions and velocities follow from independent ones.
 
-use super::null_space::follow;
 use super::onto_constraints::{Ask, Bounds, onto_constraints};
 use super::{Evaluation, Formulation, Settled, positive};
 use crate::error::{AssemblyError, SettingError};
@@ -43,21 +42,24 @@ impl<R: Real> Partitioned<R> {
         time: R,
         state: &mut State<M::Q, M::V>,
     ) -> (R, Result<Settled<R>, AssemblyError>) {
-        let mut pivot = partition.factor_by_tables(model, time, &state.q);
+        let mut factors = M::Dense::zero();
+        let mut pivot = partition.factor(model, time, &state.q, &mut factors);
         let bounds = Bounds { tolerance: self.tolerance, iterations: self.iterations };
         let before = state.q;
         let outcome = onto_constraints(model, time, &mut state.q, &bounds, |ask, q, phi| {
             let mut delta = M::V::zero();
             match ask {
-                Ask::Factor => pivot = partition.factor_by_tables(model, time, q).min(pivot),
-                Ask::Step => partition.dependent(model, &phi.scaled(-R::ONE), &mut delta),
+                Ask::Factor => pivot = partition.factor(model, time, q, &mut factors).min(pivot),
+                Ask::Step => partition.dependent::<R, M>(&factors, &phi.scaled(-R::ONE), &mut delta),
             }
             delta
         });
         if state.q != before {
-            pivot = partition.factor_by_tables(model, time, &state.q).min(pivot);
+            pivot = partition.factor(model, time, &state.q, &mut factors).min(pivot);
         }
-        follow(partition, model, time, state);
+        let mut nu = M::Lambda::zero();
+        model.nu(time, &state.q, &mut nu);
+        partition.dependent::<R, M>(&factors, &nu, &mut state.v);
         (pivot, outcome)
     }
 }
@@ -67,7 +69,7 @@ impl<R: Real, M: Assemble<R>> Formulation<R, M> for Partitioned<R> {
     type Memory = PartitionOf<R, M>;
 
     fn memory(&self) -> Self::Memory {
-        Partition::new::<M>()
+        Partition::new::<R, M>()
     }
 
     #[inline]
