@@ -15,7 +15,8 @@ const GOOD: f64 = 0.1;
 /// The place of a velocity that depends on no row.
 const NONE: u16 = u16::MAX;
 
-/// The square of a written-out pivot, relative to its row at the start, below which tables take over: two digits lost.
+/// The square of a written-out pivot, relative to its row at the start, below which accelerations are computed by tables: two
+/// digits lost.
 const WRITTEN_OUT: f64 = 1e-4;
 
 /// The dependent velocity of each row: those of [`Assemble::DEPENDENT`], until others serve better. What is kept from one position
@@ -35,12 +36,11 @@ pub struct Partition<C> {
 /// The partition of a mechanism.
 pub type PartitionOf<R, M> = Partition<<M as Assemble<R>>::Choice>;
 
-/// The written-out factors of D for the velocities of [`Assemble::DEPENDENT`], and the square of their smallest pivot relative to
-/// its row at the start; nothing where that is too small.
-pub(crate) fn written_out<R: Real, M: Assemble<R>>(model: &M, time: R, q: &M::Q) -> Option<(M::Lu, R)> {
+/// The written-out factors of D for the velocities of [`Assemble::DEPENDENT`], where their pivots are good.
+pub(crate) fn written_out<R: Real, M: Assemble<R>>(model: &M, time: R, q: &M::Q) -> Option<M::Lu> {
     let mut lu = M::lu();
     let pivot = model.factor_jacobian(time, q, &mut lu);
-    serves(pivot).then_some((lu, pivot))
+    is_good(pivot).then_some(lu)
 }
 
 /// Whether the square of a pivot is that of one that a choice is kept for. Written so that a NaN is not.

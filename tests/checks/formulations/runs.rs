@@ -124,9 +124,9 @@ fn two_windows_in_tree_coordinates() {
         "penalty", penalty, 1e-3, 1e-7;
         "augmented Lagrangian", AugmentedLagrangian::new(penalty), 1e-3, 1e-8;
         "augmented Lagrangian, α = 1e7 kg", AugmentedLagrangian::new(Penalty { alpha: 1e7, ..penalty }), 2e-3, 1e-7;
-        "null space", NullSpace, 1e-3, 1e-8;
+        "null space", NullSpace, 1e-3, 5e-9;
         "null space", NullSpace, 1e-2, 1e-5;
-        "null space, projected", Projected::after(NullSpace), 1e-3, 1e-8;
+        "null space, projected", Projected::after(NullSpace), 1e-3, 1e-9;
         "coordinate partitioning", Partitioned::default(), 1e-3, 1e-6;
     );
 }
@@ -141,9 +141,9 @@ fn two_windows_in_absolute_coordinates() {
         "index 1, projected", Projected::after(LagrangeIndex1), 1e-2, 1e-5;
         "penalty", penalty, 1e-3, 2e-6;
         "augmented Lagrangian", AugmentedLagrangian::new(penalty), 1e-3, 2e-8;
-        "null space", NullSpace, 1e-3, 1e-8;
+        "null space", NullSpace, 1e-3, 5e-9;
         "null space", NullSpace, 1e-2, 1e-5;
-        "null space, projected", Projected::after(NullSpace), 1e-3, 2e-8;
+        "null space, projected", Projected::after(NullSpace), 1e-3, 1e-9;
         "coordinate partitioning", Partitioned::default(), 1e-3, 2e-6;
     );
 }
@@ -273,11 +273,11 @@ fn tables_take_over_where_written_out_pivots_are_small() {
         steps += 1;
         assert!(step.smallest_pivot >= 1e-4 && step.near_singular.is_none(), "{step:?}");
         let residual = Residual::of(&model, simulation.time(), simulation.state());
-        assert!(residual.velocity < 1e-11, "{residual:?}");
+        assert!(residual.position < 1e-12 && residual.velocity < 1e-10, "{residual:?}");
     }
     println!("{by_tables} of {steps} steps by tables");
     assert!(0 < by_tables && by_tables < steps / 10, "{by_tables} of {steps}");
-    assert!((simulation.energy() / begin - 1.0).abs() < 1e-9, "{:e}", simulation.energy() / begin - 1.0);
+    assert!((simulation.energy() / begin - 1.0).abs() < 2e-9, "{:e}", simulation.energy() / begin - 1.0);
 }
 
 /// What was chosen at the start does not serve all around: the set changes, and pivots stay good.
