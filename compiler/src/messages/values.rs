@@ -2,6 +2,7 @@
 
 use super::{closest, number, other_function};
 use crate::units::Dimension;
+use std::f64::consts::TAU;
 
 // ---- Dimensions ------------------------------------------------------------------------------------------------------
 
@@ -29,9 +30,12 @@ pub(crate) fn wrong_dimension(
     wrong_unit(what, expected, found)
 }
 
-/// How a value gets its unit: digits by brackets, all else by a factor.
+/// How a value gets its unit: digits by brackets, all else by a factor. Angles beyond a turn are hardly meant in radians.
 fn unit_advice(unit: Dimension, value: Option<f64>) -> String {
     match value {
+        Some(value) if unit == Dimension::ANGLE && value.abs() > TAU => {
+            format!("the unit, as in `{} [deg]`", number(value))
+        }
         Some(value) => format!("the unit, as in `{} [{unit}]`", number(value)),
         None => format!("its unit as a factor, `… * 1 [{unit}]`"),
     }

@@ -68,6 +68,10 @@ pub(crate) fn ground_without_place() -> String {
 }
 
 pub(crate) fn not_a_place(name: &str) -> String {
+    if name == "line" {
+        return "a line is not a place; a joint that has one takes it first: `point_on_line(line, place)`"
+            .to_string();
+    }
     format!("`{name}(…)` is not a place: write `body.point` or `ground(x, y) [m]`")
 }
 

@@ -308,9 +308,9 @@ impl Parser {
         forms: &'f [Form],
         what: &str,
     ) -> Parsed<(&'f Form, Arguments)> {
-        let kind = self.word(c, &format!("the kind of the {what}"))?;
+        let words: Vec<&str> = forms.iter().map(|form| form.word).collect();
+        let kind = self.word(c, &format!("the kind of the {what} ({})", words.join(", ")))?;
         let Some(form) = forms.iter().find(|form| form.word == kind.text) else {
-            let words: Vec<&str> = forms.iter().map(|form| form.word).collect();
             return self
                 .fail(kind.region, messages::unknown_kind(what, &kind.text, &words, self.definition.space));
         };

@@ -64,6 +64,18 @@ const MISTAKES: &[(&str, &str)] = &[
         "`link.end` is a place, expected a value: write `link.end.x`, `link.end.y` or `link.end.velocity.x`",
     ),
     ("output o [m] = nothing;", r#"no value called "nothing""#),
+    (
+        "spring s: (link.end, base.end, stiffness [N/m] = 1);",
+        "expected the kind of the load (force, torque, spring, damper, torsion_spring), found `(`",
+    ),
+    (
+        "joint extra: point_on_line(link.end, line(ground(0, 0), ground(1, 0)));",
+        "a line is not a place; a joint that has one takes it first: `point_on_line(line, place)`",
+    ),
+    (
+        "start { base.angle = 30; }",
+        "`base.angle` is given a plain number: expected rad; write the unit, as in `30 [deg]`",
+    ),
     ("output o [1] = sine(1);", r#"no function called "sine"; did you mean "sin"?"#),
     ("output o [1] = atan2(1);", "`atan2` takes 2 arguments, found 1"),
     ("output o [1] = sin(link.end.x);", "the argument of `sin` is given a length: expected rad, found m"),
