@@ -3,7 +3,7 @@
 use crate::explain::{Explanation, Joint};
 use crate::start::Found;
 use linkwright_compiler::counts;
-use linkwright_compiler::numbers::significant;
+use linkwright_compiler::numbers::coordinate;
 use std::fmt::Write;
 
 /// Longest table; what is behind it is only counted.
@@ -108,12 +108,9 @@ fn table(text: &mut String, heading: &str, rows: Vec<Vec<String>>) {
     }
 }
 
-/// Six digits; what is only rounding of a zero among lengths and angles is zero.
+/// Six digits.
 pub fn number(value: f64) -> String {
-    if value.abs() < 1e-12 {
-        return "0".to_string();
-    }
-    significant(value, 6)
+    coordinate(value, 6)
 }
 
 #[cfg(test)]

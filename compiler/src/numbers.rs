@@ -18,6 +18,11 @@ pub fn significant(value: f64, digits: usize) -> String {
     }
 }
 
+/// The same of a length, an angle or a rate in SI units: what is only rounding of a zero among these is zero.
+pub fn coordinate(value: f64, digits: usize) -> String {
+    significant(if value.abs() < 1e-12 { 0.0 } else { value }, digits)
+}
+
 /// Without zeros at the end of a fraction.
 pub fn trimmed(text: &str) -> &str {
     if text.contains('.') { text.trim_end_matches('0').trim_end_matches('.') } else { text }
@@ -25,7 +30,14 @@ pub fn trimmed(text: &str) -> &str {
 
 #[cfg(test)]
 mod tests {
-    use super::significant;
+    use super::{coordinate, significant};
+
+    #[test]
+    fn rounding_of_a_zero_is_zero() {
+        for (value, text) in [(-3e-17, "0"), (1e-9, "1e-9"), (-0.25, "-0.25"), (f64::NAN, "NaN")] {
+            assert_eq!(coordinate(value, 4), text, "{value:?}");
+        }
+    }
 
     #[test]
     fn digits_are_those_that_say_something() {

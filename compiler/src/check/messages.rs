@@ -7,6 +7,7 @@ pub use freedoms::*;
 use super::expenses::Expense;
 use crate::functions::Function;
 use crate::messages::{closest, number};
+use crate::numbers::coordinate;
 
 /// `others`: those that are.
 pub fn not_independent(of: &str, others: &[&str]) -> String {
@@ -81,7 +82,8 @@ pub fn cannot_meet_start(
         number(residual)
     );
     for (driver, quantity, value) in drivers {
-        text += &format!("; the driver \"{driver}\" holds {quantity} at {} at time zero", number(value));
+        text +=
+            &format!("; the driver \"{driver}\" holds {quantity} at {} at time zero", coordinate(value, 5));
     }
     match overgiven(start) {
         Some(start) => format!("{text}. {start}"),
@@ -94,7 +96,7 @@ pub fn driver_against_rest(driver: &str, quantity: &str, value: f64, residual: f
         "the driver \"{driver}\" wants {quantity} at {} at time zero, which the joints and the conditions of \
          `start` do not allow: the nearest position found misses by {}. Let the law begin where `start` is, or make the \
          condition in `start` a guess (`~` instead of `=`)",
-        number(value),
+        coordinate(value, 5),
         number(residual)
     )
 }
@@ -136,7 +138,7 @@ pub fn flipped(of: &str) -> String {
 }
 
 pub fn second_assembly(joint: &str, angle: &str, nearest: f64, next: f64) -> String {
-    let (nearest, next) = (number(nearest), number(next));
+    let (nearest, next) = (coordinate(nearest, 5), coordinate(next, 5));
     format!(
         "there are two ways to assemble this mechanism, and `start` does not say which: \"{joint}\" can be at \
          {nearest} rad or at {next} rad. Write one of these in `start`: `{angle} [rad] ~ {nearest};` or \

@@ -12,7 +12,7 @@ use super::{geometry, loose, messages, pins};
 use crate::diagnostics::Diagnostics;
 use crate::equations::conditions;
 use crate::model::{BodyKind, Mechanism, Quantity, Redundant, Space};
-use crate::numbers::significant;
+use crate::numbers::coordinate;
 use std::fmt;
 
 /// How a mechanism can move, drivers removed.
@@ -219,7 +219,7 @@ fn elsewhere(at: &Assembled, point: &mut Point, beyond: &[Vec<f64>]) -> Option<S
     let unit = if condition.angular { "rad" } else { "m" };
     let exact = at.mechanism.start.iter().any(|start| start.exact && start.text == condition.of);
     let sign = if exact { '=' } else { '~' };
-    Some(format!("{} [{unit}] {sign} {};", condition.of, significant(furthest, 3)))
+    Some(format!("{} [{unit}] {sign} {};", condition.of, coordinate(furthest, 3)))
 }
 
 /// The first driver that holds nothing at the start, though the joints leave it freedom.

@@ -3,7 +3,7 @@
 use super::{End, Motion, Range, Singular, Unswept};
 use crate::check::messages::list;
 use crate::model::Within;
-use crate::numbers::significant;
+use crate::numbers::{coordinate, significant};
 
 pub fn unswept(why: Unswept) -> String {
     match why {
@@ -151,5 +151,5 @@ fn degrees(angle: f64) -> String {
 
 /// As the results of a sweep are known.
 fn number(value: f64) -> String {
-    significant(value, 4)
+    coordinate(value, 4)
 }
