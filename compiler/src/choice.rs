@@ -5,7 +5,7 @@ use crate::check::{
     assemble::{self, Assembly},
 };
 use crate::diagnostics::Diagnostics;
-use crate::equations::{self, Equations, SpanningTree, space};
+use crate::equations::{self, Equations, Omitted, SpanningTree, space};
 use crate::model::{Coordinates, Mechanism, Space};
 use crate::schedule::Counts;
 use crate::solve::order::Strategy;
@@ -52,7 +52,7 @@ pub fn choose(
     }
     let asked = if countable.is_err() { Coordinates::Tree } else { asked };
     if asked == Coordinates::Absolute {
-        let absolute = absolute(mechanism, &tree, &assembly);
+        let absolute = absolute(mechanism, &tree, &assembly, errors)?;
         let (candidate, counts) = solved(mechanism, absolute.0, absolute.1, errors)?;
         return Some(taken(Coordinates::Absolute, candidate, counts, None));
     }
@@ -63,7 +63,7 @@ pub fn choose(
     if mechanism.space == Space::Spatial {
         return choose_in_space(mechanism, tree, assembly, errors);
     }
-    let (absolute, state) = absolute(mechanism, &tree, &assembly);
+    let (absolute, state) = absolute(mechanism, &tree, &assembly, errors)?;
     let (estimate, of_tree) = (solve::structural_operations(&absolute), solve::structural_operations(&tree));
     if of_tree > 4 * estimate {
         // Long chains: the mass matrix of a tree is full, and writing out its elimination would take minutes.
@@ -95,7 +95,7 @@ fn choose_in_space(
     let (known, known_assembly) = (tree.clone(), assembly.clone());
     // Long chains that close have a full mass matrix in tree coordinates; open ones need none.
     if of_tree > 4 * estimate && !tree.rows.is_empty() {
-        let (absolute, state) = absolute(mechanism, &known, &known_assembly);
+        let (absolute, state) = absolute(mechanism, &known, &known_assembly, errors)?;
         let (candidate, counts) = solved(mechanism, absolute, state, errors)?;
         return Some(taken(Coordinates::Absolute, candidate, counts, Some(Rejected::Estimated(of_tree))));
     }
@@ -103,7 +103,7 @@ fn choose_in_space(
     if estimate > counts.total() {
         return Some(taken(Coordinates::Tree, tree, counts, Some(Rejected::Estimated(estimate))));
     }
-    let (absolute, state) = absolute(mechanism, &known, &known_assembly);
+    let (absolute, state) = absolute(mechanism, &known, &known_assembly, errors)?;
     let (absolute, others) = solved(mechanism, absolute, state, errors)?;
     Some(if others.score() < counts.score() {
         taken(Coordinates::Absolute, absolute, others, Some(Rejected::Counted(counts)))
@@ -112,15 +112,23 @@ fn choose_in_space(
     })
 }
 
-fn absolute(mechanism: &Mechanism, tree: &Equations, assembly: &Assembly) -> (Equations, Assembly) {
-    let absolute = equations::derive(mechanism, SpanningTree::absolute(mechanism), &[]);
+fn absolute(
+    mechanism: &Mechanism,
+    tree: &Equations,
+    assembly: &Assembly,
+    errors: &mut Diagnostics,
+) -> Option<(Equations, Assembly)> {
+    let absolute = equations::derive(mechanism, SpanningTree::absolute(mechanism), &Omitted::default());
     let state = assemble::carry_over(mechanism, tree, assembly, &absolute);
-    if assembly.dropped.is_empty() {
-        return (absolute, state);
+    if assembly.omitted.is_empty() {
+        return Some((absolute, state));
     }
-    let state = assemble::drop_redundant(mechanism, &absolute, state);
+    let state = assemble::drop_redundant(mechanism, &absolute, state, errors);
+    if !errors.is_empty() {
+        return None;
+    }
     let tree = SpanningTree::absolute(mechanism);
-    (equations::without_redundant(mechanism, tree, absolute, &state.dropped), state)
+    Some((equations::without_redundant(mechanism, tree, absolute, &state.omitted), state))
 }
 
 fn solved(
@@ -133,7 +141,8 @@ fn solved(
     if !errors.is_empty() {
         return None;
     }
-    let solved = solve::solve(&mut equations, massless);
+    let scales = assemble::row_scales(mechanism, &mut equations, &assembly, &massless);
+    let solved = solve::solve(&mut equations, massless, scales);
     let counts = solved.counts;
     Some((Candidate { equations, assembly, solved }, counts))
 }

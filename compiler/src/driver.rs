@@ -6,7 +6,7 @@ use crate::check::motion::{self, Motion, Unswept};
 use crate::check::{self, assemble};
 use crate::choice::{self, Candidate, Choice};
 use crate::diagnostics::Diagnostics;
-use crate::equations::{self, Equations, SpanningTree, Tangents};
+use crate::equations::{self, Equations, Omitted, SpanningTree, Tangents};
 use crate::model::{self, Coordinates, Mechanism};
 use crate::schedule::{self, Programs};
 use crate::self_check::{self, Extent};
@@ -74,11 +74,11 @@ pub fn compile_model(
     let mut errors = Diagnostics::new();
     let spanning = SpanningTree::spanning(&mechanism);
     check::counted_angles(&mechanism, &spanning)?;
-    let mut tree = equations::derive(&mechanism, spanning.clone(), &[]);
+    let mut tree = equations::derive(&mechanism, spanning.clone(), &Omitted::default());
     let Some(assembly) = assemble::assemble(&mechanism, &mut tree, &mut errors) else {
         return Err(errors);
     };
-    tree = equations::without_redundant(&mechanism, spanning, tree, &assembly.dropped);
+    tree = equations::without_redundant(&mechanism, spanning, tree, &assembly.omitted);
     // AFTER THIS POINT a consistent start is known and the constraint rows are independent there.
     motion::check(&mechanism, &tree, &assembly, &mut errors);
     if !errors.is_empty() {

@@ -36,6 +36,8 @@ pub enum Function {
     StartTargets,
     /// Masses and inertias that depend on parameters.
     Masses,
+    /// What the pivots of rows are measured by.
+    RowScales,
     /// K(c) factored: what is kept, and the smallest relative pivot.
     Factor,
     /// The same with the right-hand sides of the penalty formulation: what is kept, Q, the rows, the pivot.
@@ -64,7 +66,7 @@ pub enum Function {
 
 impl Function {
     /// Every function; those that a mechanism does not emit compute nothing.
-    pub const ALL: [Function; 39] = [
+    pub const ALL: [Function; 40] = [
         Function::MassMatrix,
         Function::Constraints,
         Function::ConstraintJacobian,
@@ -89,6 +91,7 @@ impl Function {
         Function::ConditionDrift,
         Function::StartTargets,
         Function::Masses,
+        Function::RowScales,
         Function::Factor,
         Function::System,
         Function::Solve,
@@ -135,6 +138,7 @@ impl Function {
             Function::ConditionDrift => "condition_drift",
             Function::StartTargets => "start_targets",
             Function::Masses => "masses",
+            Function::RowScales => "row_scales",
             Function::Factor => "factor",
             Function::System => "system",
             Function::Solve => "solve",
@@ -191,6 +195,7 @@ pub fn outputs(equations: &Equations, solved: &Solved, function: Function) -> Ve
             positions.chain(e.start_targets.iter().map(|start| target(start.rate))).collect()
         }
         Function::Masses => e.masses.iter().map(|(_, node)| *node).collect(),
+        Function::RowScales => solved.row_scales.clone(),
         Function::Factor => stored().flat_map(|s| s.kept.iter().chain([&s.pivot])).copied().collect(),
         Function::System if !solved.emits_system => Vec::new(),
         Function::System => stored()

@@ -24,6 +24,7 @@ extern crate std;
 
 pub mod assembly;
 pub mod body;
+pub mod condition;
 #[cfg(feature = "nalgebra")]
 pub mod dense;
 pub mod error;
@@ -50,6 +51,7 @@ pub use assembly::{
     project_velocity, smallest_pivot,
 };
 pub use body::{BodyMotion, Reaction, SpatialMotion, SpatialReaction};
+pub use condition::reciprocal_condition;
 pub use error::{AssemblyError, LinearisationError, SettingError, SimulationError};
 pub use fields::Fields;
 pub use formulation::{

@@ -20,19 +20,9 @@ pub struct Row {
     /// The joint, constraint or driver that the row belongs to.
     pub of: &'static str,
     /// Which of its equations: `"x"`, `"y"`, `"z"`, `"angle"`, `"normal"`, `"normal_1"`, `"normal_2"`, `"axis_1"`,
-    /// `"axis_2"`, `"cross"`, `"twist"`, `"screw"`, `"distance"`, `"equation"`, `"gear"`, `"rack"` or `"driver"`.
+    /// `"axis_2"`, `"cross"`, `"twist"`, `"screw"`, `"distance"`, `"equation"`, `"gear"`, `"rack"` or `"driver"`; of redundant joints of
+    /// which different equations are taken at different positions `"switched_1"` and so on, and `"idle_1"` for those that are not.
     pub what: &'static str,
-}
-
-/// Whether two rows are components of one vector, so that one may be measured by the other.
-pub(crate) fn same_scale(a: &Row, b: &Row) -> bool {
-    let kind = |row: &Row| match row.what {
-        "x" | "y" | "z" => Some(0),
-        "normal_1" | "normal_2" => Some(1),
-        "axis_1" | "axis_2" => Some(2),
-        _ => None,
-    };
-    a.of == b.of && kind(a).is_some() && kind(a) == kind(b)
 }
 
 /// The equations of motion of one mechanism, evaluated in the scalars `R`.
@@ -168,6 +158,9 @@ pub trait Assemble<R: Real>: Mechanism<R> {
     /// What the entries of each column of D are multiplied by before they are compared, because columns have different units;
     /// empty if all of them are one.
     const SCALES: &'static [f64] = &[];
+    /// The largest entry of each row of D along the motion, after multiplication by [`SCALES`](Assemble::SCALES): what pivots of D are
+    /// measured by.
+    const ROW_SIZES: &'static [f64];
     /// Rows, ascending, that hold velocities without mass of their own.
     const MASSLESS_ROWS: &'static [u16] = &[];
     /// ρ with which Dᵀ D of these rows is added to M, kg.
@@ -203,7 +196,7 @@ pub trait Assemble<R: Real>: Mechanism<R> {
     /// An empty D = L U.
     fn lu() -> Self::Lu;
     /// Factors D at a position for the velocities of [`DEPENDENT`](Assemble::DEPENDENT); returns the square of the smallest pivot,
-    /// relative to the largest scaled entry that its row had at the start. Zero where it is not written out
+    /// relative to the size of its row ([`ROW_SIZES`](Assemble::ROW_SIZES)). Zero where it is not written out
     /// (`options { emit = (null_space) }`): the runtime then factors by tables, as it does where a pivot is too small.
     fn factor_jacobian(&self, time: R, q: &Self::Q, lu: &mut Self::Lu) -> R {
         let _ = (time, q, lu);
@@ -229,10 +222,12 @@ pub trait Assemble<R: Real>: Mechanism<R> {
         let _ = (time, q, v, u, a, lambda);
         R::ZERO
     }
+    /// Sᵢ of each row, twice the largest Dᵢ M⁻¹ Dᵢᵀ along the motion (1/kg of a row in m, 1/(kg m²) of one in rad): what pivots of D M⁻¹ Dᵀ
+    /// are measured by, the same at all positions, so that a row that vanishes as a whole is seen to vanish.
+    fn row_scales(&self, scales: &mut Self::Lambda);
     /// Factors K(c) = \[M, Dᵀ; D, −c\] at a position, c ≥ 0 the compliance of the constraints (1/kg); returns the smallest
-    /// relative pivot: of the rows P − N + c against 2 P_max − (P − N + c), where P − N is the pivot of D M⁻¹ Dᵀ as a difference
-    /// of two sums of squares and P_max the largest P among the components of one vector. With c = 0 it estimates the reciprocal
-    /// condition of D M⁻¹ Dᵀ.
+    /// relative pivot: of the rows (d + c)/Sᵢ, d the pivot of D M⁻¹ Dᵀ and Sᵢ that of [`row_scales`](Assemble::row_scales). With c = 0
+    /// it is a pivot of D M⁻¹ Dᵀ with its rows brought to length one, never below its least eigenvalue.
     fn factor(&self, time: R, q: &Self::Q, compliance: R, store: &mut Self::Store) -> R;
     /// Factors K(c) and evaluates its right-hand sides Q and γ − 2α(D v − ν) − β² Φ; returns the smallest relative pivot of
     /// the velocities where M alone is singular, else one.

@@ -5,7 +5,7 @@
 //! `options { emit = (null_space); }` factor D by straight-line code for the velocities chosen at expansion; tables take over where
 //! one of its pivots is too small. Formulations in independent coordinates are `formulation/null_space.rs` and `partitioned.rs`.
 
-use crate::mechanism::{Assemble, same_scale};
+use crate::mechanism::Assemble;
 use crate::real::Real;
 use crate::vector::Vector;
 
@@ -15,7 +15,7 @@ const GOOD: f64 = 0.1;
 /// The place of a velocity that depends on no row.
 const NONE: u16 = u16::MAX;
 
-/// The square of a written-out pivot, relative to its row at the start, below which accelerations are computed by tables: two
+/// The square of a written-out pivot, relative to the size of its row, below which accelerations are computed by tables: two
 /// digits lost.
 const WRITTEN_OUT: f64 = 1e-4;
 
@@ -79,8 +79,8 @@ impl<C: Copy + AsRef<[u16]> + AsMut<[u16]>> Partition<C> {
     /// depended on the row before stays dependent if its entry is a tenth of the largest, else that of the largest takes its place
     /// (partial pivoting by columns).
     ///
-    /// Returns the square of the smallest pivot relative to its row, which like the other pivots vanishes with the square of the
-    /// distance from a singular position.
+    /// Returns the square of the smallest pivot relative to the size of its row along the motion, which like the other pivots vanishes
+    /// with the square of the distance from a singular position.
     pub fn factor<R: Real, M: Assemble<R, Choice = C>>(
         &mut self,
         model: &M,
@@ -96,12 +96,12 @@ impl<C: Copy + AsRef<[u16]> + AsMut<[u16]>> Partition<C> {
         for (&entry, &(row, column)) in jacobian.as_slice().iter().zip(M::JACOBIAN_PATTERN) {
             rows[row as usize * n + column as usize] = entry;
         }
-        let sizes = sizes::<R, M>(rows);
         let before = self.columns;
         self.places.as_mut().fill(NONE);
         let mut smallest = R::ONE;
         for (at, &(row, _)) in M::DEPENDENT.iter().enumerate() {
-            let (size, own) = (sizes.as_slice()[row as usize], row as usize * n);
+            let size = M::ROW_SIZES.get(row as usize).map_or(R::ONE, |&size| R::from_f64(size));
+            let own = row as usize * n;
             for (k, &(above, _)) in M::DEPENDENT[..at].iter().enumerate() {
                 let column = self.columns.as_ref()[k] as usize;
                 let above = above as usize * n;
@@ -124,8 +124,7 @@ impl<C: Copy + AsRef<[u16]> + AsMut<[u16]>> Partition<C> {
             let kept = before.as_ref()[at] as usize;
             let good = kept < n && free(kept) && scaled::<R, M>(own, kept) >= R::from_f64(GOOD) * most;
             let chosen = if good { kept } else { best };
-            let relative = if size > R::ZERO { scaled::<R, M>(own, chosen) / size } else { R::ZERO };
-            smallest = relative.min(smallest);
+            smallest = (scaled::<R, M>(own, chosen) / size).min(smallest);
             if !good && kept < n {
                 self.changes += 1;
             }
@@ -190,21 +189,6 @@ impl<C: Copy + AsRef<[u16]> + AsMut<[u16]>> Partition<C> {
             }
         }
     }
-}
-
-/// The largest scaled entry of each row of D, or of all rows that are components of the same vector: beside these it may vanish.
-fn sizes<R: Real, M: Assemble<R>>(rows: &[R]) -> M::Lambda {
-    let mut sizes = M::Lambda::zero();
-    let mut first = 0;
-    for group in M::ROWS.chunk_by(same_scale) {
-        let own = first..first + group.len();
-        let entries = |row: usize| &rows[row * M::V::LEN..][..M::V::LEN];
-        let size = own.clone().map(|row| largest::<R, M>(entries(row), |_| true).1);
-        let size = size.fold(R::ZERO, |size, own| own.max(size));
-        sizes.as_mut_slice()[own].fill(size);
-        first += group.len();
-    }
-    sizes
 }
 
 /// The magnitude of an entry of a row, to be compared with others of it.

@@ -5,7 +5,7 @@
 //! solve the same system; with this one a step under the penalty takes five times as long.
 
 use crate::ldl::Ldl;
-use crate::mechanism::{Assemble, same_scale};
+use crate::mechanism::Assemble;
 use crate::real::Real;
 use crate::vector::Vector;
 
@@ -43,7 +43,9 @@ pub fn factor<R: Real, M: Assemble<R>>(
     let mut magnitudes = M::System::zero();
     let velocities = store.ldl.factor_measured(M::V::LEN, &mut magnitudes);
     let velocities = if M::MASSLESS_ROWS.is_empty() { R::ONE } else { velocities.value };
-    velocities.min(smallest_of_rows::<R, M>(store, &magnitudes))
+    let mut smallest = velocities;
+    each_row(model, store, |_, relative| smallest = relative.min(smallest));
+    smallest
 }
 
 /// K(c) in numbers.
@@ -88,13 +90,6 @@ fn softness<R: Real, M: Assemble<R>>(row: u16, compliance: R) -> R {
     if M::MASSLESS_ROWS.contains(&row) { compliance * stiffening } else { compliance }
 }
 
-/// The smallest pivot of a row, relative to the largest among the components of its vector.
-fn smallest_of_rows<R: Real, M: Assemble<R>>(store: &Store<R, M>, magnitudes: &M::System) -> R {
-    let mut smallest = R::ONE;
-    each_row::<R, M>(store, magnitudes, |_, relative| smallest = relative.min(smallest));
-    smallest
-}
-
 /// The row with the smallest relative pivot of D M⁻¹ Dᵀ; `None` without rows.
 pub(crate) fn weakest_row<R: Real, M: Assemble<R>>(model: &M, time: R, q: &M::Q) -> Option<usize> {
     let mut store = store::<R, M>();
@@ -102,34 +97,25 @@ pub(crate) fn weakest_row<R: Real, M: Assemble<R>>(model: &M, time: R, q: &M::Q)
     let mut magnitudes = M::System::zero();
     store.ldl.factor_measured(M::V::LEN, &mut magnitudes);
     let mut weakest: Option<(usize, R)> = None;
-    each_row::<R, M>(&store, &magnitudes, |row, relative| {
-        if weakest.is_none_or(|(_, least)| relative < least) {
+    each_row(model, &store, |row, relative| {
+        // Written so that a NaN is the weakest.
+        if weakest.is_none_or(|(_, least)| !R::any(relative.greater_equal(least))) {
             weakest = Some((row, relative));
         }
     });
     weakest.map(|(row, _)| row)
 }
 
-/// Shows the relative pivot of each row.
-fn each_row<R: Real, M: Assemble<R>>(
-    store: &Store<R, M>,
-    magnitudes: &M::System,
-    mut show: impl FnMut(usize, R),
-) {
-    let pivots = store.ldl.pivots();
-    let positive =
-        |row: usize| magnitudes.as_slice()[M::V::LEN + row] - softness::<R, M>(row as u16, store.compliance);
-    let mut first = 0;
-    for group in M::ROWS.chunk_by(same_scale) {
-        let rows = (first..first + group.len()).filter(|&row| !M::IDLE.contains(&(row as u16)));
-        let scale = rows.clone().fold(R::ZERO, |scale, row| positive(row).max(scale));
-        for row in rows {
-            let found = pivots[M::ELIMINATION.position[M::V::LEN + row] as usize].abs();
-            // Softened pivots may be larger than their scale.
-            let relative = R::ONE / ((scale + scale) / found - R::ONE).max(R::ONE);
-            show(row, if scale > R::ZERO { relative } else { R::ZERO });
+/// Shows the pivot of each row relative to its size along the motion.
+fn each_row<R: Real, M: Assemble<R>>(model: &M, store: &Store<R, M>, mut show: impl FnMut(usize, R)) {
+    let mut scales = M::Lambda::zero();
+    model.row_scales(&mut scales);
+    let (pivots, positions) = (store.ldl.pivots(), M::ELIMINATION.position.iter().skip(M::V::LEN));
+    for (row, (&scale, &position)) in scales.as_slice().iter().zip(positions).enumerate() {
+        let idle = M::IDLE.contains(&(row as u16));
+        if let Some(pivot) = pivots.get(position as usize).filter(|_| !idle) {
+            show(row, pivot.abs() / scale);
         }
-        first += group.len();
     }
 }
 

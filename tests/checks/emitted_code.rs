@@ -115,6 +115,7 @@ fn emitted<M: Model>(model: &M, inputs: &Inputs, function: Function) -> Option<V
             model.start_targets(&mut positions, &mut rates);
             positions.as_slice().iter().chain(rates.as_slice()).copied().collect()
         }
+        Function::RowScales => written(|out: &mut M::Lambda| model.row_scales(out)),
         Function::Prepare | Function::Masses => return None,
         // Compared together below.
         Function::Factor | Function::System | Function::Solve => return None,

@@ -40,6 +40,8 @@ pub fn assemble(text: &mut String, emitter: &Emitter) {
         let pivots = tables::pairs(compiled.partition.pivots().map(|pivot| (pivot.row, pivot.velocity)));
         let _ = writeln!(text, "const DEPENDENT: &'static [(u16, u16)] = {pivots};");
     }
+    let sizes = array(compiled.partition.row_sizes.iter().map(|size| literal(*size)));
+    let _ = writeln!(text, "const ROW_SIZES: &'static [f64] = &{sizes};");
     if compiled.partition.scales.iter().any(|scale| *scale != 1.0) {
         let scales = array(compiled.partition.scales.iter().map(|scale| literal(*scale)));
         let _ = writeln!(text, "const SCALES: &'static [f64] = &{scales};");
@@ -93,6 +95,7 @@ pub fn assemble(text: &mut String, emitter: &Emitter) {
         all,
     );
     write(Function::RowCosines, &position, "row_cosines(&self, time: R, q: &Q<R>, out: &mut Lambda<R>)", all);
+    write(Function::RowScales, &[Constants], "row_scales(&self, out: &mut Lambda<R>)", all);
     write(
         Function::StartTargets,
         &[Constants],

@@ -175,11 +175,13 @@ impl<R: Real> Assemble<R> for @NAME@<R> {
     const INDEPENDENT: &'static [u16] = &[];
     const CONDITION_PATTERN: &'static [(u16, u16)] = &[];
     const FLIPS: &'static [u16] = &[];
+    const ROW_SIZES: &'static [f64] = &[];
     const ELIMINATION: Elimination = Elimination { order: &[], position: &[], row_start: &[], columns: &[] };
     type Conditions = @LIST@; type ConditionJacobian = @LIST@; type Factor = @LIST@; type System = @LIST@;
     type Dense = @LIST@; type Basis = @LIST@; type Reduced = @LIST@; type Choice = [u16; @MANY@]; type Store = @LIST@;
     type Lu = @LIST@;
     fn lu() -> @LIST@ { loop {} }
+    fn row_scales(&self, out: &mut @LIST@) {}
     fn choice() -> [u16; @MANY@] { loop {} }
     fn store() -> @LIST@ { loop {} }
     fn factor(&self, time: R, q: &@LIST@, compliance: R, store: &mut @LIST@) -> R { loop {} }

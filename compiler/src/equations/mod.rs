@@ -14,6 +14,7 @@ mod loads;
 pub mod plane;
 pub mod space;
 mod spanning_tree;
+mod switch;
 pub mod tangent;
 
 pub use conditions::{Condition, StartTarget};
@@ -22,6 +23,7 @@ pub use jet::Jet;
 pub use kinematics::Kinematics;
 pub use laws::{Laws, Totals};
 pub use spanning_tree::{Attachment, SpanningTree};
+pub use switch::{Omitted, Sized, Switch};
 pub use tangent::Tangents;
 
 use crate::diagnostics::Region;
@@ -182,8 +184,9 @@ pub struct Equations {
     pub tangents: Option<Tangents>,
 }
 
-/// Derives the equations in the coordinates of `tree`, without the rows that are `dropped`.
-pub fn derive(mechanism: &Mechanism, tree: SpanningTree, dropped: &[Dropped]) -> Equations {
+/// Derives the equations in the coordinates of `tree`, without the rows that are `omitted`; where redundant rows are kept, the slots
+/// of switches that are not taken are rows without a part in the solution.
+pub fn derive(mechanism: &Mechanism, tree: SpanningTree, omitted: &Omitted) -> Equations {
     let mut graph = Graph::new();
     let g = &mut graph;
     let rotors = couplings::multi_turn_rotors(mechanism);
@@ -201,7 +204,11 @@ pub fn derive(mechanism: &Mechanism, tree: SpanningTree, dropped: &[Dropped]) ->
     // Constraint rows, and a multiplier for each.
     let laws = Laws::moving(mechanism, &symbols, &layout, &kinematics);
     let carrying = tree.carrying(mechanism);
-    let rows = rows(g, &laws, &tree, &carrying, dropped);
+    let keeps = mechanism.options.redundant == Redundant::Keep;
+    let dropped: &[Dropped] = if keeps { &[] } else { &omitted.dropped };
+    let all = rows(g, &laws, &tree, &carrying, dropped);
+    let chosen = switch::choose(g, &all, &omitted.switches, &omitted.columns);
+    let rows = switch::apply(g, &all, &omitted.switches, &chosen, keeps);
     let lambda = rows
         .iter()
         .map(|row| format!("lambda_{}_{}", identifier(&row.of), row.what))
@@ -247,9 +254,11 @@ pub fn derive(mechanism: &Mechanism, tree: SpanningTree, dropped: &[Dropped]) ->
         totals.efforts.push(effort);
         totals.driver_powers.push(g.mul(effort, rate));
     }
+    // Each joint exerts what its own rows do, whichever of them are taken.
+    let lambda = switch::multipliers(g, &all, &rows, &symbols.lambda, &omitted.switches, &chosen);
     let Consequences { motions, reactions } = match mechanism.space {
-        Space::Planar => plane::consequences(g, &laws, &tree, &rows, dropped),
-        Space::Spatial => space::consequences(g, &laws, &tree, &rows, dropped),
+        Space::Planar => plane::consequences(g, &laws, &tree, &all, &lambda, dropped),
+        Space::Spatial => space::consequences(g, &laws, &tree, &all, &lambda, dropped),
     };
 
     let outputs_laws = laws.with_totals(&totals);
@@ -281,7 +290,7 @@ pub fn derive(mechanism: &Mechanism, tree: SpanningTree, dropped: &[Dropped]) ->
         forces,
         contributions,
         inverse,
-        idle: BTreeSet::new(),
+        idle: idle(&rows, omitted, keeps),
         rows,
         kinetic_energy,
         potential_energy,
@@ -310,25 +319,29 @@ pub fn without_redundant(
     mechanism: &Mechanism,
     tree: SpanningTree,
     all: Equations,
-    redundant: &[Dropped],
+    omitted: &Omitted,
 ) -> Equations {
     match mechanism.options.redundant {
-        _ if redundant.is_empty() => all,
-        Redundant::Keep => all.with_idle(redundant),
-        Redundant::Drop | Redundant::Refuse => derive(mechanism, tree, redundant),
+        _ if omitted.is_empty() => all,
+        Redundant::Keep if omitted.switches.is_empty() => {
+            let idle = idle(&all.rows, omitted, true);
+            Equations { idle, ..all }
+        }
+        _ => derive(mechanism, tree, omitted),
     }
 }
 
-impl Equations {
-    /// Keeps these rows without a part in the solution.
-    pub fn with_idle(mut self, redundant: &[Dropped]) -> Self {
-        let rows = self.rows.iter().enumerate().filter(|(_, row)| {
-            row.joint.is_some_and(|joint| redundant.contains(&Dropped { joint, what: row.what }))
-        });
-        self.idle = rows.map(|(index, _)| index).collect();
-        self
-    }
+/// The rows without a part in the solution, where those that repeat others are kept.
+fn idle(rows: &[Row], omitted: &Omitted, keeps: bool) -> BTreeSet<usize> {
+    let is_idle = |row: &Row| {
+        let dropped = |joint: JointId| omitted.dropped.contains(&Dropped { joint, what: row.what });
+        switch::is_idle(row) || row.joint.is_some_and(dropped)
+    };
+    let rows = rows.iter().enumerate().filter(|(_, row)| keeps && is_idle(row));
+    rows.map(|(index, _)| index).collect()
+}
 
+impl Equations {
     /// Adds position coordinates to the conditions, unless they are there; gives their indices.
     pub fn add_conditions(&mut self, mechanism: &Mechanism, quantities: &[Quantity]) -> Vec<usize> {
         let mut indices = Vec::new();

@@ -12,7 +12,7 @@ pub type Entries = BTreeMap<(usize, usize), Node>;
 pub struct Factor {
     velocities: usize,
     steps: Vec<Step>,
-    /// Smallest relative pivot: min over the watched pivots of d/(2G − d); 1 if none needs watching.
+    /// Smallest relative pivot: of rows d/S, of velocities d/P with P the sum of its positive terms; 1 if none needs watching.
     pub pivot: Node,
     /// The same of the velocities alone.
     pub velocity_pivot: Node,
@@ -42,18 +42,17 @@ pub struct Kind<'a> {
     pub velocities: usize,
     /// Whether velocity pivots are watched: those of M alone are positive with it.
     pub watch_velocities: bool,
-    /// Rows that are components of one vector have the same number.
-    pub groups: &'a [Option<usize>],
+    /// Sᵢ of each row: what its pivot is measured by, the same all along the motion.
+    pub scales: &'a [Node],
     /// c, of each row, where K has −c on the diagonal.
     pub compliance: Option<&'a [Node]>,
 }
 
 /// Factors K in the given order.
 ///
-/// A row's pivot is the difference of two sums of squares, d = P − N (+ c). It is watched wherever there is an N, or where
-/// the row is one of several components: it may vanish beside these, as in a flat parallelogram. With G = P, or the largest P
-/// of the components, d/(2G − d) = 1/(2 G/d − 1), which is (P − N)/(P + N) of a single row, so a product, its
-/// magnitude and a maximum watch it.
+/// A row's pivot is the difference of two sums of squares, d = P − N (+ c), and may vanish by cancellation, as in a flat
+/// parallelogram, or as a whole, as along a distance that nothing can change. Relative to Sᵢ, the largest it can be along the motion, it
+/// is a pivot of D M⁻¹ Dᵀ with its rows brought to length one: a product, its magnitude and a maximum watch it.
 pub fn factor(g: &mut Graph, entries: &Entries, order: &Order, kind: &Kind) -> Factor {
     let velocities = kind.velocities;
     let unknowns = order.sequence.iter().map(|unknown| unknown + 1).max().unwrap_or(0);
@@ -78,9 +77,10 @@ pub fn factor(g: &mut Graph, entries: &Entries, order: &Order, kind: &Kind) -> F
             magnitude = g.add(magnitude, compliance[*pivot - velocities]);
         }
         let inverse = g.unary(Unary::Reciprocal, magnitude);
-        let group = if is_row { kind.groups[*pivot - velocities] } else { None };
-        if group.is_some() || (is_row || kind.watch_velocities) && !taken.is_empty() {
-            watched.push(Watched { group, positive, inverse, is_row, is_difference: !taken.is_empty() });
+        let is_difference = !taken.is_empty();
+        if g.value(magnitude).is_none() && (is_row || kind.watch_velocities && is_difference) {
+            let scale = if is_row { kind.scales[*pivot - velocities] } else { positive };
+            watched.push(Watched { scale, inverse, is_row, is_difference });
         }
         let reciprocal = if is_row { g.neg(inverse) } else { inverse };
         let around = std::mem::take(&mut rows[*pivot]);
@@ -111,17 +111,16 @@ pub fn factor(g: &mut Graph, entries: &Entries, order: &Order, kind: &Kind) -> F
         steps.push(Step { unknown: *pivot, is_row, inverse, column });
     }
     let of_velocities = watched.iter().filter(|watched| !watched.is_row);
-    let velocity_pivot = smallest_pivot(g, of_velocities.copied().collect(), kind.compliance.is_some());
-    let pivot = smallest_pivot(g, watched, kind.compliance.is_some());
+    let velocity_pivot = smallest_pivot(g, of_velocities.copied().collect());
+    let pivot = smallest_pivot(g, watched);
     Factor { velocities, steps, pivot, velocity_pivot }
 }
 
 /// A pivot to be watched.
 #[derive(Clone, Copy)]
 struct Watched {
-    group: Option<usize>,
-    /// P.
-    positive: Node,
+    /// What d is measured by.
+    scale: Node,
     /// 1/d.
     inverse: Node,
     is_row: bool,
@@ -129,31 +128,25 @@ struct Watched {
     is_difference: bool,
 }
 
-/// min 1/(2 G/d − 1); `softened` pivots may be larger than G.
-fn smallest_pivot(g: &mut Graph, watched: Vec<Watched>, softened: bool) -> Node {
-    let one = g.constant(1.0);
-    let mut worst = softened.then_some(one);
+/// min d/S, as 1/max(S/d); rows of the same S are compared before they are measured.
+fn smallest_pivot(g: &mut Graph, watched: Vec<Watched>) -> Node {
+    let mut worst: Option<Node> = None;
     for (at, first) in watched.iter().enumerate() {
-        let together = |other: &&Watched| first.group.is_some() && other.group == first.group;
-        if watched[..at].iter().any(|earlier| together(&earlier)) {
+        let alike = |other: &&Watched| other.scale == first.scale;
+        if watched[..at].iter().any(|earlier| alike(&earlier)) {
             continue;
         }
-        let (mut scale, mut inverse) = (first.positive, first.magnitude(g));
-        for other in watched[at + 1..].iter().filter(together) {
+        let mut inverse = first.magnitude(g);
+        for other in watched[at + 1..].iter().filter(alike) {
             let magnitude = other.magnitude(g);
-            (scale, inverse) = (g.max(scale, other.positive), g.max(inverse, magnitude));
+            inverse = g.max(inverse, magnitude);
         }
-        let ratio = g.mul(scale, inverse);
+        let ratio = g.mul(first.scale, inverse);
         worst = Some(worst.map_or(ratio, |worst| g.max(worst, ratio)));
     }
     match worst {
-        Some(worst) if !watched.is_empty() => {
-            let two = g.constant(2.0);
-            let twice = g.mul(two, worst);
-            let sum = g.sub(twice, one);
-            g.unary(Unary::Reciprocal, sum)
-        }
-        _ => one,
+        Some(worst) => g.unary(Unary::Reciprocal, worst),
+        None => g.constant(1.0),
     }
 }
 

@@ -12,7 +12,7 @@ use std::collections::BTreeSet;
 pub struct Lu {
     steps: Vec<Step>,
     pub is_dependent: Vec<bool>,
-    /// The square of the smallest pivot, relative to its rows at the start.
+    /// The square of the smallest pivot, relative to the sizes of its rows.
     pub pivot: Node,
 }
 
@@ -41,7 +41,7 @@ pub fn factor(g: &mut Graph, mut rows: Vec<Sparse>, velocities: usize, partition
             let taken = next(&mut block, &rows);
             left.retain(|other| taken.iter().all(|pivot| pivot.row != *other));
             taken.iter().for_each(|pivot| is_dependent[pivot.velocity] = true);
-            let step = eliminate(g, &mut rows, &left, &taken, &partition.scales, &mut watched);
+            let step = eliminate(g, &mut rows, &left, &taken, partition, &mut watched);
             steps.push(step);
         }
     }
@@ -79,7 +79,7 @@ fn eliminate(
     rows: &mut [Sparse],
     left: &[usize],
     pivots: &[Pivot],
-    scales: &[f64],
+    partition: &Partition,
     watched: &mut Vec<Node>,
 ) -> Step {
     let velocities: Vec<usize> = pivots.iter().map(|pivot| pivot.velocity).collect();
@@ -94,7 +94,7 @@ fn eliminate(
         own.iter_mut().map(|row| take(row).unwrap_or_else(|| vec![zero; pivots.len()])).collect();
     let (determinant, inverse) = invert(g, &square);
     if g.value(determinant).is_none() {
-        let size = pivots.iter().map(|pivot| pivot.row_size / scales[pivot.velocity]).product();
+        let size = pivots.iter().map(|pivot| partition.row_sizes[pivot.row] / partition.scales[pivot.velocity]).product();
         let size = g.constant(size);
         let reciprocal = g.unary(Unary::Reciprocal, determinant);
         watched.push(g.mul(reciprocal, size));

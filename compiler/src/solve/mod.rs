@@ -43,6 +43,8 @@ pub struct Solved {
     pub counts: Counts,
     /// Rows added to M, see [`Massless`].
     pub massless: Massless,
+    /// What the pivots of rows are measured by, expressions of the parameters.
+    pub row_scales: Vec<Node>,
     /// K(c), where it is emitted.
     pub stored: Option<Stored>,
     /// Whether K(c) is emitted together with the right-hand sides of the penalty formulation too.
@@ -55,7 +57,7 @@ impl Solved {
     /// Writes out what the definition asks to be emitted beyond the default.
     pub fn add(&mut self, equations: &mut Equations, emit: &Emit, partition: &Partition) {
         if emit.penalty || emit.projection {
-            self.stored = Some(store(equations, &self.massless));
+            self.stored = Some(store(equations, &self.massless, &self.row_scales));
             self.emits_system = emit.penalty;
         }
         if emit.null_space {
@@ -91,8 +93,8 @@ const LONG_TREE: usize = 6;
 
 /// Solves for v̇ and λ, without stabilisation and with Baumgarte's:
 /// D v̇ = γ − 2α (D v − ν) − β² Φ.
-pub fn solve(equations: &mut Equations, massless: Massless) -> Solved {
-    let system = System::of(equations, massless);
+pub fn solve(equations: &mut Equations, massless: Massless, row_scales: Vec<Node>) -> Solved {
+    let system = System::of(equations, massless, row_scales);
     let pattern = Pattern::new(system.velocities, system.columns.len(), system.entries.keys().copied());
     let mut best: Option<(usize, Equations, Solved)> = None;
     if let Some((candidate, solved)) = by_articulated_bodies(equations, &pattern) {
@@ -193,6 +195,8 @@ struct System {
     idle: BTreeSet<usize>,
     massless: Massless,
     rho: Node,
+    /// What the pivots of rows are measured by.
+    scales: Vec<Node>,
 }
 
 /// A velocity that one row gives on its own, d v̇ = γ with a constant d ≠ 0: a driver's. Nothing has to be eliminated, and
@@ -207,7 +211,7 @@ struct Prescribed {
 }
 
 impl System {
-    fn of(equations: &mut Equations, massless: Massless) -> Self {
+    fn of(equations: &mut Equations, massless: Massless, scales: Vec<Node>) -> Self {
         let velocities = equations.symbols.v.len();
         let columns: Vec<BTreeMap<usize, Node>> =
             equations.rows.iter().map(|row| row.jet.columns.clone()).collect();
@@ -222,7 +226,7 @@ impl System {
             entries.extend(columns.iter().map(|(velocity, column)| ((velocities + row, *velocity), *column)));
         }
         let prescribed = prescribed(g, velocities, &columns, &idle, &mut entries);
-        System { velocities, columns, entries, prescribed, idle, massless, rho }
+        System { velocities, columns, entries, prescribed, idle, massless, rho, scales }
     }
 
     /// The unknowns that are left, in order.
@@ -298,6 +302,7 @@ fn by_articulated_bodies(equations: &Equations, pattern: &Pattern) -> Option<(Eq
         factored: Vec::new(),
         counts: Counts::default(),
         massless: Massless::default(),
+        row_scales: Vec::new(),
         stored: None,
         emits_system: false,
         null_space: None,
@@ -314,12 +319,12 @@ fn counted(equations: &mut Equations, system: &System, order: Order) -> Solved {
 
 /// Without the counts.
 fn eliminate(equations: &mut Equations, system: &System, order: Order) -> Solved {
-    let System { velocities, columns, entries, massless, rho, .. } = system;
+    let System { velocities, columns, entries, massless, rho, scales, .. } = system;
     let g = &mut equations.graph;
     let kind = Kind {
         velocities: *velocities,
         watch_velocities: !massless.rows.is_empty(),
-        groups: &groups(&equations.rows),
+        scales,
         compliance: None,
     };
     let factor = elimination::factor(g, entries, &order, &kind);
@@ -349,6 +354,7 @@ fn eliminate(equations: &mut Equations, system: &System, order: Order) -> Solved
         factored: factor.nodes(),
         counts: Counts::default(),
         massless: massless.clone(),
+        row_scales: scales.clone(),
         stored: None,
         emits_system: false,
         null_space: None,
@@ -368,7 +374,7 @@ pub fn stabilised(g: &mut Graph, rows: &[Row], symbols: &Symbols) -> Vec<Node> {
     terms
 }
 
-/// Rows that are components of one vector, numbered alike; the runtime's `same_scale` says the same of their names.
+/// Rows that are components of one vector, numbered alike.
 pub fn groups(rows: &[Row]) -> Vec<Option<usize>> {
     let kind = |row: &Row| match row.what {
         "x" | "y" | "z" => Some(0),

@@ -20,7 +20,7 @@ pub(super) type Sparse = BTreeMap<usize, Node>;
 pub struct NullSpace {
     /// What is kept of D = L U.
     pub kept: Vec<Node>,
-    /// The square of the smallest pivot, relative to its row at the start.
+    /// The square of the smallest pivot, relative to the size of its row.
     pub partition_pivot: Node,
     /// Velocities with D v = rows, in symbols for what is kept, for the rows, and for v, whose independent entries count.
     pub dependent: Vec<Node>,
@@ -58,7 +58,7 @@ pub fn null_space(equations: &mut Equations, partition: &Partition, massless: bo
     let reduced = reduced(g, &mass, &basis);
     let order = order::best(&Pattern::new(independent.len(), 0, reduced.keys().copied()));
     let kind =
-        Kind { velocities: independent.len(), watch_velocities: massless, groups: &[], compliance: None };
+        Kind { velocities: independent.len(), watch_velocities: massless, scales: &[], compliance: None };
     let factor = elimination::factor(g, &reduced, &order, &kind);
 
     // v̇ = R z̈ + S γ, D_dᵀ λ = (Q − M v̇)_d

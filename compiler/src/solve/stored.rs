@@ -5,7 +5,7 @@
 
 use super::elimination::{self, Entries, Kind};
 use super::order::{self, Pattern};
-use super::{Massless, add_square, groups, stabilised};
+use super::{Massless, add_square, stabilised};
 use crate::equations::Equations;
 use crate::symbolic::{Class, Compare, Graph, Node, Unary};
 use std::collections::{BTreeMap, BTreeSet};
@@ -27,12 +27,11 @@ pub struct Stored {
 /// Writes K(c) out. Where M alone is singular, ρ′ Dᵀ D of the rows that hold the massless velocities is added to M,
 /// ρ′ = ρ/(1 + ρ c), ρ′ Dᵀ γ to Q, c of these rows becomes c (1 + ρ c) and their multipliers are multiplied by 1 + ρ c: the
 /// solution is the same, because D v̇ = γ + c λ.
-pub fn store(equations: &mut Equations, massless: &Massless) -> Stored {
+pub fn store(equations: &mut Equations, massless: &Massless, row_scales: &[Node]) -> Stored {
     let n = equations.symbols.v.len();
     let columns: Vec<BTreeMap<usize, Node>> =
         equations.rows.iter().map(|row| row.jet.columns.clone()).collect();
     let idle = equations.idle.clone();
-    let groups = groups(&equations.rows);
     let compliance = equations.symbols.compliance;
     let g = &mut equations.graph;
     let (one, rho) = (g.constant(1.0), g.constant(massless.weight));
@@ -56,7 +55,7 @@ pub fn store(equations: &mut Equations, massless: &Massless) -> Stored {
     let mut order = order::best(&pattern);
     order.sequence.retain(|unknown| unknown.checked_sub(n).is_none_or(|row| !idle.contains(&row)));
     let watch_velocities = !massless.rows.is_empty();
-    let kind = Kind { velocities: n, watch_velocities, groups: &groups, compliance: Some(&own) };
+    let kind = Kind { velocities: n, watch_velocities, scales: row_scales, compliance: Some(&own) };
     let factor = elimination::factor(g, &entries, &order, &kind);
 
     // Right-hand sides as symbols; the elimination takes rows with the other sign.

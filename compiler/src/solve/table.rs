@@ -116,6 +116,22 @@ impl<'a> Numeric<'a> {
         Numeric { table, lower, diagonal, pivots, relative_pivots }
     }
 
+    /// xᵀ K⁻¹ x.
+    pub fn inverse_square(&self, x: &[f64]) -> f64 {
+        let table = self.table;
+        let mut y: Vec<f64> = table.order.iter().map(|unknown| x[*unknown]).collect();
+        let mut sum = 0.0;
+        for k in 0..y.len() {
+            for (at, j) in table.row(k).iter().enumerate() {
+                y[k] -= self.lower[table.row_start[k] + at] * y[*j];
+            }
+            if self.diagonal[k] != 0.0 {
+                sum += y[k] * y[k] / self.diagonal[k];
+            }
+        }
+        sum
+    }
+
     pub fn solve(&self, rhs: &[f64]) -> Vec<f64> {
         let table = self.table;
         let n = table.order.len();

@@ -81,32 +81,31 @@ impl<'m, R: Real, M: Assemble<R>> System<'m, R, M> {
         self.vanished_row().unwrap_or_else(|| self.matrix.factor())
     }
 
-    /// One of the rows x, y and z of two points held together that has vanished beside the others of its joint: all links
-    /// lie in one line along an axis, or in one plane. Relative to its own terms, which are rounding, its pivot would look
-    /// sound.
+    /// A row that has vanished as a whole: all links lie in one line along an axis, or nothing can change a distance.
+    /// Relative to its own terms, which are rounding, its pivot would look sound.
     fn vanished_row(&self) -> Option<Pivot<R>> {
-        let mut squares = M::Lambda::zero();
-        for (&entry, &(row, _)) in self.jacobian.as_slice().iter().zip(M::JACOBIAN_PATTERN) {
-            let square = &mut squares.as_mut_slice()[row as usize];
-            *square = *square + entry * entry;
+        let mut largest = M::Lambda::zero();
+        for (entry, &(row, column)) in self.jacobian.as_slice().iter().zip(M::JACOBIAN_PATTERN) {
+            let scale = M::SCALES.get(column as usize).map_or(R::ONE, |&scale| R::from_f64(scale));
+            if let Some(most) = largest.as_mut_slice().get_mut(row as usize) {
+                *most = most.max(entry.abs() * scale);
+            }
         }
         let rounding = R::from_f64(64.0) * R::EPSILON;
-        let vanished = rounding * rounding;
-        let component = |row: &Row| matches!(row.what, "x" | "y" | "z");
-        let mut first = 0;
-        for joint in M::ROWS.chunk_by(|a, b| a.of == b.of && component(a) && component(b)) {
-            let squares = &squares.as_slice()[first..first + joint.len()];
-            let most = squares.iter().fold(R::ZERO, |most, &square| most.max(square));
-            for (row, &square) in squares.iter().enumerate() {
-                let idle = M::IDLE.contains(&((first + row) as u16));
-                let share = if most > R::ZERO { square / most } else { R::ZERO };
-                if joint.len() > 1 && share < vanished && !idle {
-                    return Some(Pivot { value: share, unknown: M::V::LEN + first + row });
-                }
+        let held = |row: usize| !M::IDLE.contains(&(row as u16)) && self.is_held(row);
+        let rows = largest.as_slice().iter().zip(M::ROW_SIZES).enumerate().filter(|(row, _)| held(*row));
+        for (row, (&most, &size)) in rows {
+            let share = most / R::from_f64(size);
+            if share < rounding {
+                return Some(Pivot { value: share * share, unknown: M::V::LEN + row });
             }
-            first += joint.len();
         }
         None
+    }
+
+    /// Whether a constraint row has not been let go.
+    fn is_held(&self, row: usize) -> bool {
+        self.free.as_slice().get(row).is_none_or(|&free| free == R::ZERO)
     }
 
     /// Factors with W = M + `shift`·max(M_ii)·1.

@@ -83,7 +83,7 @@ impl<R: Real, M: Assemble<R>> Formulation<R, M> for NullSpace {
 
 /// Where the solution is not written out, or one of its pivots is too small.
 #[inline(never)]
-fn by_tables<R: Real, M: Assemble<R>>(
+pub(super) fn by_tables<R: Real, M: Assemble<R>>(
     partition: &mut PartitionOf<R, M>,
     model: &M,
     time: R,

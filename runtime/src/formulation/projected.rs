@@ -1,11 +1,13 @@
 //! Projection onto the constraints at the end of each step, after any formulation.
 
 use super::onto_constraints::{Ask, Bounds, onto_constraints};
+use super::null_space::by_tables;
 use super::penalty::largest_mass;
 use super::{Evaluation, Formulation, PivotOf, Settled, positive};
 use crate::assembly::system::subtract_product;
 use crate::error::{AssemblyError, SettingError};
 use crate::mechanism::Assemble;
+use crate::partition::Partition;
 use crate::real::Real;
 use crate::state::State;
 use crate::vector::Vector;
@@ -20,6 +22,9 @@ use crate::vector::Vector;
 /// δ is repeated until it vanishes; one factorisation serves all of it. c = 1/α is so small that at regular positions it
 /// only takes part in the speed of convergence, and so large that at singular ones the direction without a constraint is
 /// left alone.
+///
+/// Where a stage is so near a singular position that pivots of D M⁻¹ Dᵀ have lost half of their digits, its accelerations are computed in
+/// independent velocities: pivots of D vanish with the distance from the singular position, not with its square, and lose half as many.
 /// Source: Bayo, Ledesma, Nonlinear Dynamics 9 (1996) 113–130; García de Jalón, Bayo, *Kinematic and Dynamic Simulation of
 /// Multibody Systems*, 5.3.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -100,7 +105,12 @@ impl<R: Real, M: Assemble<R>, F: Formulation<R, M>> Formulation<R, M> for Projec
         a: &mut M::V,
         lambda: &mut M::Lambda,
     ) -> Evaluation<R> {
-        self.formulation.acceleration(memory, model, time, state, u, a, lambda)
+        let evaluation = self.formulation.acceleration(memory, model, time, state, u, a, lambda);
+        // Written so that a NaN is seen.
+        if F::PIVOT == PivotOf::Rows && !R::any(evaluation.pivot.greater_equal(R::from_f64(10.0) * R::NEAR_SINGULAR)) {
+            return near_singular(model, time, state, u, a, lambda, evaluation);
+        }
+        evaluation
     }
 
     fn settle(
@@ -132,4 +142,25 @@ impl<R: Real, M: Assemble<R>, F: Formulation<R, M>> Formulation<R, M> for Projec
         }
         Ok(())
     }
+}
+
+/// The accelerations of Lagrange's equations by way of independent velocities, where they can be had; the pivot stays that of the rows,
+/// which says how near the singular position is.
+#[cold]
+fn near_singular<R: Real, M: Assemble<R>>(
+    model: &M,
+    time: R,
+    state: &State<M::Q, M::V>,
+    u: &M::Inputs,
+    a: &mut M::V,
+    lambda: &mut M::Lambda,
+    evaluation: Evaluation<R>,
+) -> Evaluation<R> {
+    let (mut better, mut multipliers) = (M::V::zero(), M::Lambda::zero());
+    let mut partition = Partition::new::<R, M>();
+    by_tables(&mut partition, model, time, state, u, &mut better, &mut multipliers);
+    if better.first_not_finite().is_none() {
+        (*a, *lambda) = (better, multipliers);
+    }
+    evaluation
 }

@@ -7,6 +7,7 @@ use super::dynamics::Stage;
 use super::singularity::Passage;
 use super::{Clock, MechanismDynamics, NearSingular, Residual, Simulation};
 use crate::assembly::{singular_velocity, smallest_pivot};
+use crate::condition::{far, reciprocal_condition};
 use crate::error::SimulationError;
 use crate::formulation::{Formulation, PivotOf};
 use crate::input::InputSource;
@@ -37,9 +38,10 @@ pub struct Step<R = f64> {
     pub size: R,
     /// The smallest relative pivot of the factorisations made: one is well posed, zero is a breakdown.
     pub smallest_pivot: R,
-    /// The smallest estimate of the reciprocal condition of D M⁻¹ Dᵀ: over all stages, or where the formulation
-    /// softens the constraints, at the end of the step; or what a parabola through the last steps has between them. In
-    /// independent velocities the pivot of D, squared, while that is far from zero.
+    /// The smallest estimate of the reciprocal condition of D M⁻¹ Dᵀ, its rows brought to length one
+    /// ([`reciprocal_condition`](crate::reciprocal_condition)): at the step's beginning, or where the formulation softens the constraints at
+    /// its end; or a smaller pivot of a stage; or what a parabola through the last steps has between them. Where a pivot is large it
+    /// stands for the condition: in independent velocities the pivot of D, squared.
     pub reciprocal_condition: R,
     /// The position nearest to a singular one, if one was nearly singular or was passed within the last two steps.
     pub near_singular: Option<NearSingular<R>>,
@@ -188,7 +190,13 @@ where
             return (watch.smallest_pivot, None);
         }
         let (at, condition, smallest) = if estimates {
-            (watch.observed.unwrap_or(begin), watch.first_pivot, watch.smallest_pivot)
+            let (observed, smallest) = (watch.observed, watch.smallest_pivot);
+            let mut least = smallest;
+            if !R::any(watch.first_pivot.greater_equal(far())) {
+                let q = if observed.is_some() { &next.q } else { &self.run.state.q };
+                least = self.condition(observed.unwrap_or(begin), q).min(smallest);
+            }
+            (observed.unwrap_or(begin), watch.first_pivot, least)
         } else {
             let condition = self.condition(time, &next.q);
             (time, condition, condition)
@@ -216,8 +224,9 @@ where
     }
 
     /// The estimate of the reciprocal condition of D M⁻¹ Dᵀ at a position.
+    #[cold]
     fn condition(&self, time: R, q: &M::Q) -> R {
-        self.model().factor(time, q, R::ZERO, &mut M::store())
+        reciprocal_condition(self.model(), time, q)
     }
 
     #[cold]

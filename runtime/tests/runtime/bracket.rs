@@ -143,6 +143,7 @@ impl Assemble<f64> for Bracket {
     const INDEPENDENT: &'static [u16] = &[];
     const CONDITION_PATTERN: &'static [(u16, u16)] = &[];
     const FLIPS: &'static [u16] = &[3, 4, 5];
+    const ROW_SIZES: &'static [f64] = &[1.0; 6];
     const ELIMINATION: Elimination = Elimination {
         order: &natural::<12>(),
         position: &natural::<12>(),
@@ -166,6 +167,11 @@ impl Assemble<f64> for Bracket {
     fn lu() {}
     fn store() -> Self::Store {
         tabled::store::<f64, Self>()
+    }
+    fn row_scales(&self, scales: &mut [f64; 6]) {
+        let turned: f64 = self.inertia.iter().map(|inertia| 1.0 / inertia).sum();
+        let moved = 1.0 / self.mass;
+        *scales = [moved, moved, self.weight * self.weight * moved, turned, turned, turned];
     }
     fn factor(&self, time: f64, q: &Self::Q, compliance: f64, store: &mut Self::Store) -> f64 {
         tabled::factor::<f64, Self>(self, time, q, compliance, store)

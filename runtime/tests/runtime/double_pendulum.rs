@@ -176,6 +176,7 @@ impl<R: Real> Assemble<R> for DoublePendulum<R> {
     const INDEPENDENT: &'static [u16] = &[0, 1];
     const CONDITION_PATTERN: &'static [(u16, u16)] = &[(0, 0), (1, 1)];
     const FLIPS: &'static [u16] = &[];
+    const ROW_SIZES: &'static [f64] = &[];
     const ELIMINATION: Elimination = Elimination {
         order: &[0, 2, 1, 3],
         position: &[0, 2, 1, 3],
@@ -199,6 +200,9 @@ impl<R: Real> Assemble<R> for DoublePendulum<R> {
     fn lu() {}
     fn store() -> Self::Store {
         tabled::store::<R, Self>()
+    }
+    fn row_scales(&self, scales: &mut [R; 0]) {
+        *scales = [];
     }
     fn factor(&self, time: R, q: &Self::Q, compliance: R, store: &mut Self::Store) -> R {
         tabled::factor::<R, Self>(self, time, q, compliance, store)

@@ -256,6 +256,7 @@ impl Assemble<f64> for FourBar {
     const INDEPENDENT: &'static [u16] = &[0];
     const CONDITION_PATTERN: &'static [(u16, u16)] = &[(0, 6), (1, 3)];
     const FLIPS: &'static [u16] = &[];
+    const ROW_SIZES: &'static [f64] = &[1.0; 8];
     const ELIMINATION: Elimination = Elimination {
         order: &natural::<19>(),
         position: &natural::<19>(),
@@ -279,6 +280,11 @@ impl Assemble<f64> for FourBar {
     fn lu() {}
     fn store() -> Self::Store {
         tabled::store::<f64, Self>()
+    }
+    fn row_scales(&self, scales: &mut [f64; 8]) {
+        // A pin moves with the centre of its rod, 1/m, and with the turn about it, (l/2)²/(m l²/12) = 3/m.
+        let lightest = self.masses.iter().fold(f64::INFINITY, |least, mass| least.min(*mass));
+        *scales = [4.0 / lightest; 8];
     }
     fn factor(&self, time: f64, q: &Self::Q, compliance: f64, store: &mut Self::Store) -> f64 {
         tabled::factor::<f64, Self>(self, time, q, compliance, store)

@@ -90,6 +90,7 @@ impl Assemble<f64> for Support {
     const INDEPENDENT: &'static [u16] = &[];
     const CONDITION_PATTERN: &'static [(u16, u16)] = &[];
     const FLIPS: &'static [u16] = &[2];
+    const ROW_SIZES: &'static [f64] = &[1.0; 3];
     const ELIMINATION: Elimination = Elimination {
         order: &natural::<6>(),
         position: &natural::<6>(),
@@ -112,6 +113,9 @@ impl Assemble<f64> for Support {
     fn lu() {}
     fn store() -> Self::Store {
         linkwright_runtime::tabled::store::<f64, Self>()
+    }
+    fn row_scales(&self, scales: &mut [f64; 3]) {
+        *scales = [1.0; 3];
     }
     fn factor(&self, time: f64, q: &Self::Q, compliance: f64, store: &mut Self::Store) -> f64 {
         linkwright_runtime::tabled::factor::<f64, Self>(self, time, q, compliance, store)

@@ -78,6 +78,10 @@ pub fn judge(at: &Assembled, point: &mut Point, errors: &mut Diagnostics) -> Opt
         report_redundant(at, point, &mobility, &finding.repeated, errors);
         return None;
     }
+    if finding.without_choice.is_some() {
+        redundancy::report_no_choice(at.mechanism, finding.without_choice, errors);
+        return None;
+    }
     let left: Vec<usize> = undriven.into_iter().filter(|row| !finding.repeated.contains(row)).collect();
     let lost = match finding.repeated.is_empty() {
         true => rank.dependent,

@@ -9,7 +9,7 @@
 use super::point::{Ancestry, Point, retract};
 use super::world::{Vec3, World, add, cross, dot, length, sub};
 use super::{carry_state, messages};
-use crate::equations::{Ball, Equations, Linear, Rotation, SpanningTree, derive};
+use crate::equations::{Ball, Equations, Linear, Omitted, Rotation, SpanningTree, derive};
 use crate::model::{BodyId, Frame, Joint, JointId, JointKind, Mechanism, Space};
 use std::collections::{BTreeMap, BTreeSet};
 use std::fmt;
@@ -67,7 +67,7 @@ pub fn find(mechanism: &Mechanism, equations: &Equations, q: &[f64], phases: &[f
     if is_absolute {
         return Free::new(mechanism, equations, q, phases).loose();
     }
-    let absolute = derive(mechanism, SpanningTree::absolute(mechanism), &[]);
+    let absolute = derive(mechanism, SpanningTree::absolute(mechanism), &Omitted::default());
     let ancestry = Ancestry::of(equations, equations.motions.iter().flat_map(|motion| motion.flat()));
     let rest = vec![0.0; equations.layout.velocities()];
     let mut point = Point::at_defaults(mechanism, equations, phases);

@@ -6,7 +6,9 @@
 //! Assembly works in tree coordinates, which are few and cannot come apart along the tree; the state is carried over
 //! to absolute coordinates where those are emitted.
 
+mod along;
 mod attempts;
+mod charts;
 mod freedoms;
 mod geometry;
 mod initial;
@@ -20,20 +22,23 @@ mod quaternion;
 mod rates;
 mod redundancy;
 mod refusals;
+mod scales;
 mod world;
 
 pub use freedoms::Mobility;
 pub use mobility::{full_squares, rank};
 pub use partition::{Partition, Pivot, partition};
 pub use point::{Ancestry, Point, retract};
+pub use scales::{row_scales, row_sizes};
 
 use super::messages;
 use crate::diagnostics::Diagnostics;
 use crate::equations::conditions::{self, coordinate_of};
-use crate::equations::{Ball, Condition, Dropped, Equations, Laws, Linear, Rotation};
+use crate::equations::{Ball, Condition, Dropped, Equations, Laws, Linear, Omitted, Rotation};
 use crate::model::{BodyId, JointId, JointKind, Mechanism, Quantity, Space};
 use crate::solve::Massless;
 use crate::symbolic::Node;
+use along::Walk;
 use freedoms::Assembled;
 use position::{Attempt, Problem};
 
@@ -48,12 +53,14 @@ pub struct Assembly {
     pub mobility: Mobility,
     /// Coordinates that fix the position together with the constraints.
     pub independent: Vec<Quantity>,
-    /// Rows to leave out, because others fix what they fix all along the motion.
+    /// Rows that repeat what others fix, by joint and direction; as many are left out at each position.
     pub dropped: Vec<Dropped>,
+    /// What is left out of the rows where.
+    pub omitted: Omitted,
     /// Joints whose reactions are not unique, because of that.
     pub shared: Vec<JointId>,
-    /// Positions near the start that the joints admit; of redundant mechanisms.
-    pub nearby: Vec<Vec<f64>>,
+    /// Positions along the motion that the joints admit, the start first.
+    pub along: Vec<Vec<f64>>,
 }
 
 /// Puts the mechanism together; reports why if it cannot.
@@ -77,15 +84,33 @@ pub fn assemble(
     let at = Assembled { mechanism, problem: &problem, q: &q, phases: &phases, independent: &independent };
     let (mobility, redundancy) = freedoms::judge(&at, &mut point, errors)?;
     let v = rates::rates(mechanism, equations, &mut point, &q, errors)?;
-    let redundancy::Redundancy { dropped, shared, nearby } = redundancy;
-    Some(Assembly { q, v, phases, mobility, independent, dropped, shared, nearby })
+    let redundancy::Redundancy { dropped, omitted, shared, mut along } = redundancy;
+    if along.is_empty() {
+        let joints = problem.joints_only(mechanism);
+        along = along::positions(&mut point, &joints, &q, Walk::far(equations));
+    }
+    Some(Assembly { q, v, phases, mobility, independent, dropped, omitted, shared, along })
 }
 
-/// The rows of absolute coordinates that repeat others, found at the positions near the start.
-pub fn drop_redundant(mechanism: &Mechanism, absolute: &Equations, assembly: Assembly) -> Assembly {
+/// The rows of absolute coordinates that repeat others, found at the positions along the motion; an error where no choice of
+/// them holds there.
+pub fn drop_redundant(
+    mechanism: &Mechanism,
+    absolute: &Equations,
+    assembly: Assembly,
+    errors: &mut Diagnostics,
+) -> Assembly {
     let mut point = Point::at_defaults(mechanism, absolute, &assembly.phases);
-    let found = redundancy::of_absolute(mechanism, absolute, &mut point, &assembly.nearby);
-    Assembly { dropped: found.dropped, shared: found.shared, ..assembly }
+    let found = redundancy::of_absolute(mechanism, &mut point, &assembly.along);
+    match found {
+        Ok(found) => {
+            Assembly { dropped: found.dropped, omitted: found.omitted, shared: found.shared, ..assembly }
+        }
+        Err(joint) => {
+            redundancy::report_no_choice(mechanism, joint, errors);
+            assembly
+        }
+    }
 }
 
 /// Which velocities carry no mass, at the assembled position; an error if the constraints admit one of them.
@@ -113,9 +138,9 @@ pub fn carry_over(mechanism: &Mechanism, from: &Equations, assembly: &Assembly, 
     let ancestry = Ancestry::of(from, from.motions.iter().flat_map(|motion| motion.flat()));
     let (q, v) = carry_state(from, to, &mut point, &ancestry, &assembly.q, &assembly.v);
     let rest = vec![0.0; assembly.v.len()];
-    let carry = |near: &Vec<f64>| carry_state(from, to, &mut point, &ancestry, near, &rest).0;
-    let nearby: Vec<Vec<f64>> = assembly.nearby.iter().map(carry).collect();
-    Assembly { q, v, nearby, ..assembly.clone() }
+    let carry = |place: &Vec<f64>| carry_state(from, to, &mut point, &ancestry, place, &rest).0;
+    let along: Vec<Vec<f64>> = assembly.along.iter().map(carry).collect();
+    Assembly { q, v, along, ..assembly.clone() }
 }
 
 /// One state in other coordinates.

@@ -1,6 +1,6 @@
 //! Which velocities are taken as dependent ones, where a formulation works with independent ones.
 
-use super::{Ancestry, Assembly, Point};
+use super::{Ancestry, Assembly, Point, row_sizes};
 use crate::equations::Equations;
 use crate::model::Mechanism;
 use crate::solve::groups;
@@ -20,6 +20,8 @@ pub struct Partition {
     /// One over the largest entry of each column of D at the start, to a power of two: entries are compared after
     /// multiplication by it, because columns have different units.
     pub scales: Vec<f64>,
+    /// The largest scaled entry of each row along the motion: what its pivot is measured by.
+    pub row_sizes: Vec<f64>,
     /// Operations of the elimination, by structure.
     operations: usize,
 }
@@ -29,8 +31,6 @@ pub struct Partition {
 pub struct Pivot {
     pub row: usize,
     pub velocity: usize,
-    /// The largest scaled entry of the row at the start: what its pivot is measured by.
-    pub row_size: f64,
 }
 
 /// Chooses the dependent velocities at the start. Of those that carry an independent coordinate (conditions by index) none is
@@ -67,7 +67,9 @@ pub fn partition(
     let blocks: Vec<Vec<usize>> = blocks.into_values().collect();
     let sparing = choose(rows.clone(), blocks.clone(), velocities, &alone.collect());
     let free = choose(rows, blocks, velocities, &BTreeSet::new());
-    if sparing.operations as f64 <= DEARER * free.operations as f64 { sparing } else { free }
+    let chosen = if sparing.operations as f64 <= DEARER * free.operations as f64 { sparing } else { free };
+    let row_sizes = row_sizes(mechanism, equations, assembly, &chosen.scales);
+    Partition { row_sizes, ..chosen }
 }
 
 /// D while it is eliminated.
@@ -96,10 +98,6 @@ fn choose(
     }
     let scale = |size: &f64| if *size > 0.0 { libm::exp2(-libm::round(libm::log2(*size))) } else { 1.0 };
     let scales: Vec<f64> = largest.iter().map(scale).collect();
-    let size = |entries: &BTreeMap<usize, f64>| {
-        entries.iter().map(|(column, entry)| entry.abs() * scales[*column]).fold(0.0, f64::max)
-    };
-    let sizes: BTreeMap<usize, f64> = rows.iter().map(|(row, entries)| (*row, size(entries))).collect();
     let mut active = Active { rows, holders, scales: scales.clone() };
     let (mut blocks, mut operations) = (Vec::new(), 0);
     while let Some(at) = (0..waiting.len()).min_by_key(|at| active.length(&waiting[*at])) {
@@ -108,11 +106,11 @@ fn choose(
         while let Some((row, velocity)) = active.next(&rows, spared) {
             operations += active.eliminate(row, velocity);
             rows.retain(|other| *other != row);
-            block.push(Pivot { row, velocity, row_size: sizes[&row] });
+            block.push(Pivot { row, velocity });
         }
         blocks.push(block);
     }
-    Partition { blocks, scales, operations }
+    Partition { blocks, scales, row_sizes: Vec::new(), operations }
 }
 
 impl Partition {

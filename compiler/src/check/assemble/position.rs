@@ -229,6 +229,13 @@ struct Sizes {
 }
 
 impl Problem<'_> {
+    /// The size of the mechanism at `q`, m.
+    pub(super) fn length(&self, point: &mut Point, q: &[f64]) -> f64 {
+        point.set_q(q);
+        point.evaluate(&self.ancestry);
+        self.sizes(point, q).length
+    }
+
     /// Σ |D_rk| · (1 rad, or the size of the linear coordinate) is the lever arms that a row adds up.
     fn sizes(&self, point: &Point, q: &[f64]) -> Sizes {
         let linear = self.equations.layout.linear.len();

@@ -2,24 +2,34 @@
 //!
 //! Judged at a few positions near the start that the joints admit: a rank that is lost at all of them is redundancy; one
 //! that is lost at the start alone is a singular position, and one from which every way leads back to the start moves only
-//! infinitesimally; what to say of those is left to the caller. Of the left null space of D with
-//! an orthonormal basis N, |N_i|² says how much row i takes part in the repetition (1: it vanishes; 0: it has nothing to
-//! do with it). The row that takes part most at the position where it takes part least can be left out for longest.
+//! infinitesimally; what to say of those is left to the caller. Which rows are left out is decided along the whole motion
+//! (`along`), for each group of rows that repeat each other by itself, by the left null space of D there (`charts`).
 
+use super::along::{self, Walk};
+use super::charts::{self, Charts};
+use super::messages;
 use super::point::{Ancestry, Point, retract};
 use super::position::Problem;
-use crate::equations::{Dropped, Equations};
+use crate::diagnostics::Diagnostics;
+use crate::equations::{Dropped, Equations, Omitted, Sized, Switch};
 use crate::model::{JointId, Mechanism};
 use crate::solve::table::Numeric;
 use std::collections::BTreeSet;
 
+/// Orthonormal vectors.
+pub type Basis = Vec<Vec<f64>>;
+
 /// What `redundant = drop` leaves out.
 #[derive(Clone, Debug, Default)]
 pub struct Redundancy {
+    /// Rows that repeat others.
     pub dropped: Vec<Dropped>,
+    /// Which rows are left out where.
+    pub omitted: Omitted,
     /// Joints whose reactions are not unique.
     pub shared: Vec<JointId>,
-    pub nearby: Vec<Vec<f64>>,
+    /// Positions along the motion.
+    pub along: Vec<Vec<f64>>,
 }
 
 /// What was found.
@@ -35,12 +45,14 @@ pub struct Finding {
     pub shaky: bool,
     /// Rank is lost at all positions, and not only by rows of joints: couplings contradict or repeat each other.
     pub coupled: bool,
+    /// A joint whose rows repeat others so that no choice of them serves all along the motion.
+    pub without_choice: Option<JointId>,
 }
 
 /// Rows that take part less than this are not blamed.
-const TAKES_PART: f64 = 1e-6;
+pub const TAKES_PART: f64 = 1e-6;
 /// A pivot of normalised rows below this is rounding.
-const VANISHED: f64 = 1e-9;
+const VANISHED: f64 = 1e-8;
 const POSITIONS: usize = 5;
 /// A position this near to the start, in parts of the step that was tried, is the start again.
 const RETURNED: f64 = 1e-3;
@@ -49,76 +61,161 @@ const RETURNED: f64 = 1e-3;
 pub fn find(mechanism: &Mechanism, point: &mut Point, problem: &Problem, q: &[f64]) -> Finding {
     let equations = point.equations;
     let Nearby { found: beyond, back, open } = positions(mechanism, point, problem, q);
-    let nearby = if beyond.is_empty() { vec![q.to_vec()] } else { beyond.clone() };
+    let near = if beyond.is_empty() { vec![q.to_vec()] } else { beyond.clone() };
     let rows: Vec<usize> = (0..equations.rows.len() - mechanism.drivers.len()).collect();
-    let spaces: Vec<Vec<Vec<f64>>> = nearby.iter().map(|q| left_null_space(point, &rows, q)).collect();
-    let deficiency = spaces.iter().map(Vec::len).min().unwrap_or(0);
+    let deficiency = Repetition::of(point, &rows, &near).spaces.iter().map(Vec::len).min().unwrap_or(0);
     // Rank is lost and no way leads on: neither one that was tried, nor rows that repeat others exactly.
     if beyond.is_empty() && !open && (back || deficiency == 0) {
         return Finding { shaky: true, ..Finding::default() };
     }
-    let droppable = |row: usize| equations.rows[row].joint.is_some();
-    let chosen = if deficiency > 0 { choose(point, &rows, &nearby, droppable) } else { None };
-    let Some(repeated) = chosen else {
-        return Finding { beyond, coupled: deficiency > 0, ..Finding::default() };
+    if deficiency == 0 {
+        return Finding { beyond, ..Finding::default() };
+    }
+    let along = match beyond.is_empty() {
+        true => near,
+        false => along::positions(point, &problem.joints_only(mechanism), q, Walk::around()),
     };
-    let shared = joints_that_share(mechanism, equations, &rows, &spaces);
-    let dropped = repeated.iter().filter_map(|row| {
-        let row = &equations.rows[*row];
-        Some(Dropped { joint: row.joint?, what: row.what })
-    });
-    let redundancy = Redundancy { dropped: dropped.collect(), shared, nearby };
-    Finding { repeated, redundancy, beyond, shaky: false, coupled: false }
+    match redundancy(mechanism, point, &rows, along) {
+        Some(Choice { repeated, redundancy, without }) => {
+            Finding { repeated, redundancy, beyond, without_choice: without, ..Finding::default() }
+        }
+        None => Finding { beyond, coupled: true, ..Finding::default() },
+    }
 }
 
-/// The rows of absolute coordinates to leave out, at positions that the tree has shown to be redundant.
+/// The rows of absolute coordinates to leave out, at positions along the motion; the joint whose rows leave no choice that holds.
 pub fn of_absolute(
     mechanism: &Mechanism,
-    equations: &Equations,
     point: &mut Point,
-    nearby: &[Vec<f64>],
-) -> Redundancy {
-    let rows: Vec<usize> = (0..equations.rows.len() - mechanism.drivers.len()).collect();
-    let spaces: Vec<Vec<Vec<f64>>> = nearby.iter().map(|q| left_null_space(point, &rows, q)).collect();
-    let droppable = |row: usize| equations.rows[row].joint.is_some();
-    let dropped = choose(point, &rows, nearby, droppable).unwrap_or_default();
-    let shared = joints_that_share(mechanism, equations, &rows, &spaces);
-    let dropped = dropped.into_iter().filter_map(|row| {
-        let row = &equations.rows[row];
-        Some(Dropped { joint: row.joint?, what: row.what })
-    });
-    Redundancy { dropped: dropped.collect(), shared, nearby: nearby.to_vec() }
+    along: &[Vec<f64>],
+) -> Result<Redundancy, Option<JointId>> {
+    let rows: Vec<usize> = (0..point.equations.rows.len() - mechanism.drivers.len()).collect();
+    match redundancy(mechanism, point, &rows, along.to_vec()) {
+        Some(Choice { redundancy, without: None, .. }) => Ok(redundancy),
+        Some(Choice { without, .. }) => Err(without),
+        None => Err(None),
+    }
 }
 
-/// Rows to leave out, one after the other, until the rest is independent at all positions.
-fn choose(
-    point: &mut Point,
-    rows: &[usize],
-    nearby: &[Vec<f64>],
-    droppable: impl Fn(usize) -> bool,
-) -> Option<Vec<usize>> {
-    let mut left = rows.to_vec();
-    let mut dropped = Vec::new();
-    loop {
-        let spaces: Vec<Vec<Vec<f64>>> = nearby.iter().map(|q| left_null_space(point, &left, q)).collect();
-        if spaces.iter().map(Vec::len).min().unwrap_or(0) == 0 {
-            break;
+/// What is left out.
+struct Choice {
+    repeated: Vec<usize>,
+    redundancy: Redundancy,
+    without: Option<JointId>,
+}
+
+/// Chooses among the rows; `None` where not only rows of joints repeat.
+fn redundancy(mechanism: &Mechanism, point: &mut Point, rows: &[usize], along: Vec<Vec<f64>>) -> Option<Choice> {
+    let equations = point.equations;
+    let repetition = Repetition::of(point, rows, &along);
+    let droppable = |at: usize| equations.rows[rows[at]].joint.is_some();
+    let sized = |at: usize| {
+        let row = &equations.rows[rows[at]];
+        row.joint.map(|joint| Sized { row: Dropped { joint, what: row.what }, size: repetition.sizes[at] })
+    };
+    let (mut repeated, mut omitted, mut without) = (Vec::new(), Omitted::default(), None);
+    for component in components(&repetition.spaces, rows.len()) {
+        let spaces: Vec<Basis> = repetition.spaces.iter().map(|space| restricted(space, &component)).collect();
+        let charts = charts::choose(&spaces, component.len(), |at| droppable(component[at]))?;
+        repeated.extend(charts.sets[0].iter().map(|at| rows[component[*at]]));
+        if !charts.hold() {
+            without = charts.sets[0].first().and_then(|at| equations.rows[rows[component[*at]]].joint);
         }
-        let share = |at: usize| {
-            let shares = spaces.iter().map(|space| space.iter().map(|w| w[at] * w[at]).sum::<f64>());
-            shares.fold(f64::INFINITY, f64::min)
+        leave_out(&mut omitted, &charts, |at| sized(component[at]), component.len());
+    }
+    if repeated.is_empty() {
+        return None;
+    }
+    omitted.columns = repetition.columns.clone();
+    let shared = joints_that_share(mechanism, equations, rows, &repetition.spaces);
+    let name = |row: &usize| {
+        let row = &equations.rows[*row];
+        Some(Dropped { joint: row.joint?, what: row.what })
+    };
+    let dropped = repeated.iter().filter_map(name).collect();
+    let redundancy = Redundancy { dropped, omitted, shared, along };
+    Some(Choice { repeated, redundancy, without })
+}
+
+/// One set for good, or slots for several.
+fn leave_out(omitted: &mut Omitted, charts: &Charts, sized: impl Fn(usize) -> Option<Sized>, rows: usize) {
+    let in_all = |at: &usize| charts.sets.iter().all(|set| set.contains(at));
+    let in_some = |at: &usize| charts.sets.iter().any(|set| set.contains(at));
+    omitted.dropped.extend((0..rows).filter(in_all).filter_map(&sized).map(|sized| sized.row));
+    if charts.sets.len() == 1 {
+        return;
+    }
+    let slots = |taken: bool| {
+        let of = |set: &Vec<usize>| -> Vec<usize> {
+            (0..rows).filter(|at| in_some(at) && !in_all(at) && set.contains(at) != taken).collect()
         };
-        let mut best: Option<(f64, usize)> = None;
-        for at in (0..left.len()).filter(|at| droppable(left[*at])) {
-            let share = share(at);
-            // Rounding must not decide between rows that share alike.
-            if share > TAKES_PART && best.is_none_or(|(known, _)| share > known + 1e-9) {
-                best = Some((share, at));
+        let first = of(&charts.sets[0]);
+        let aligned = charts.sets.iter().map(|set| {
+            let own = of(set);
+            let mut new = own.iter().copied().filter(|at| !first.contains(at)).collect::<Vec<_>>().into_iter();
+            // What stands in a slot of the first chart stays there.
+            let slot = |at: &usize| if own.contains(at) { Some(*at) } else { new.next() };
+            first.iter().filter_map(slot).filter_map(&sized).collect::<Vec<_>>()
+        });
+        aligned.collect::<Vec<_>>()
+    };
+    let (taken, idle) = (slots(true), slots(false));
+    let common = (0..rows).filter(|at| !in_some(at)).filter_map(&sized).collect();
+    omitted.switches.push(Switch { common, taken, idle });
+}
+
+/// Groups of rows that repeat each other, apart from all others.
+fn components(spaces: &[Basis], rows: usize) -> Vec<Vec<usize>> {
+    let mut group: Vec<usize> = (0..rows).collect();
+    for space in spaces {
+        for i in 0..rows {
+            for j in 0..i {
+                let shared: f64 = space.iter().map(|w| w[i] * w[j]).sum();
+                if shared.abs() > TAKES_PART && group[i] != group[j] {
+                    let (from, to) = (group[i].max(group[j]), group[i].min(group[j]));
+                    group.iter_mut().filter(|own| **own == from).for_each(|own| *own = to);
+                }
             }
         }
-        dropped.push(left.remove(best?.1));
     }
-    (!dropped.is_empty()).then_some(dropped)
+    let takes_part = |row: usize| {
+        spaces.iter().any(|space| space.iter().map(|w| w[row] * w[row]).sum::<f64>() > TAKES_PART)
+    };
+    let of = |first: usize| (0..rows).filter(|row| group[*row] == first && takes_part(*row)).collect::<Vec<_>>();
+    (0..rows).map(of).filter(|component| !component.is_empty()).collect()
+}
+
+/// What a space has in the rows of a component: a basis of it, because what takes part in different components is orthogonal.
+fn restricted(space: &Basis, component: &[usize]) -> Basis {
+    // Columns of the projection onto the space, of which as many are independent as the component repeats.
+    let columns = component.iter().map(|j| -> Vec<f64> {
+        component.iter().map(|i| space.iter().map(|w| w[*i] * w[*j]).sum()).collect()
+    });
+    let mut columns: Vec<Vec<f64>> = columns.collect();
+    let mut basis: Basis = Vec::new();
+    loop {
+        let square = |column: &Vec<f64>| column.iter().map(|x| x * x).sum::<f64>();
+        let longest = (0..columns.len()).max_by(|a, b| square(&columns[*a]).total_cmp(&square(&columns[*b])));
+        let Some(longest) = longest.filter(|at| square(&columns[*at]) > TAKES_PART * TAKES_PART) else { break };
+        let length = square(&columns[longest]).sqrt();
+        let unit: Vec<f64> = columns[longest].iter().map(|x| x / length).collect();
+        for column in &mut columns {
+            let along: f64 = column.iter().zip(&unit).map(|(a, b)| a * b).sum();
+            column.iter_mut().zip(&unit).for_each(|(x, u)| *x -= along * u);
+        }
+        basis.push(unit);
+        if basis.len() == component.len() {
+            break;
+        }
+    }
+    orthonormal(basis)
+}
+
+/// The rows of a joint repeat others, but no choice of them serves all along the motion.
+pub fn report_no_choice(mechanism: &Mechanism, joint: Option<JointId>, errors: &mut Diagnostics) {
+    let joint = joint.map(|joint| &mechanism.joints[joint.0].name);
+    let (name, span) = joint.map_or((&mechanism.name.text, mechanism.name.span), |name| (&name.text, name.span));
+    errors.error(span, messages::no_choice(name));
 }
 
 /// The joints whose rows take part, and those of the tree on the loops that they close: a force that the loop holds against
@@ -177,23 +274,51 @@ fn positions(mechanism: &Mechanism, point: &mut Point, problem: &Problem, q: &[f
     nearby
 }
 
-/// An orthonormal basis of the w with wᵀ D = 0, rows of D brought to length one.
-fn left_null_space(point: &mut Point, rows: &[usize], q: &[f64]) -> Vec<Vec<f64>> {
-    let equations = point.equations;
-    let jets: Vec<_> = rows.iter().map(|row| &equations.rows[*row].jet).collect();
-    point.set_q(q);
-    point.evaluate(&Ancestry::of_jets(equations, jets.iter().copied()));
-    let (n, m) = (equations.symbols.v.len(), rows.len());
-    let mut d = vec![vec![0.0; n]; m];
-    for (row, jet) in d.iter_mut().zip(&jets) {
-        for (column, node) in &jet.columns {
-            row[*column] = point.get(*node);
+/// What the rows repeat at some positions.
+struct Repetition {
+    /// An orthonormal basis of the w with wᵀ D = 0 at each of them, rows of D brought to one size that is the same at all.
+    spaces: Vec<Basis>,
+    /// The sizes of the rows, powers of two.
+    sizes: Vec<f64>,
+    /// One over the largest entry of each column, a power of two.
+    columns: Vec<f64>,
+}
+
+impl Repetition {
+    fn of(point: &mut Point, rows: &[usize], positions: &[Vec<f64>]) -> Self {
+        let equations = point.equations;
+        let jets: Vec<_> = rows.iter().map(|row| &equations.rows[*row].jet).collect();
+        let ancestry = Ancestry::of_jets(equations, jets.iter().copied());
+        let n = equations.symbols.v.len();
+        let mut found: Vec<Vec<Vec<f64>>> = Vec::new();
+        for q in positions {
+            point.set_q(q);
+            point.evaluate(&ancestry);
+            let dense = |jet: &&crate::equations::Jet| {
+                let mut row = vec![0.0; n];
+                jet.columns.iter().for_each(|(column, node)| row[*column] = point.get(*node));
+                row
+            };
+            found.push(jets.iter().map(dense).collect());
         }
-        let length = row.iter().map(|x| x * x).sum::<f64>().sqrt();
-        if length > 0.0 {
-            row.iter_mut().for_each(|x| *x /= length);
+        let power = |size: f64| if size > 0.0 { libm::exp2(libm::round(libm::log2(size))) } else { 1.0 };
+        let length = |row: &Vec<f64>| row.iter().map(|x| x * x).sum::<f64>().sqrt();
+        let most = |of: &dyn Fn(&Vec<Vec<f64>>) -> f64| found.iter().map(of).fold(0.0_f64, f64::max);
+        let sizes: Vec<f64> = (0..rows.len()).map(|at| power(most(&|d| length(&d[at])))).collect();
+        let entries = |column: usize| move |d: &Vec<Vec<f64>>| d.iter().map(|row| row[column].abs()).fold(0.0, f64::max);
+        let columns = (0..n).map(|column| 1.0 / power(most(&entries(column)))).collect();
+        for d in &mut found {
+            for (row, size) in d.iter_mut().zip(&sizes) {
+                row.iter_mut().for_each(|x| *x /= size);
+            }
         }
+        Repetition { spaces: found.into_iter().map(left_null_space).collect(), sizes, columns }
     }
+}
+
+/// An orthonormal basis of the w with wᵀ D = 0.
+fn left_null_space(mut d: Vec<Vec<f64>>) -> Basis {
+    let m = d.len();
     // Elimination with complete pivoting, of D beside the unit matrix.
     let mut combination: Vec<Vec<f64>> =
         (0..m).map(|i| (0..m).map(|j| if i == j { 1.0 } else { 0.0 }).collect()).collect();

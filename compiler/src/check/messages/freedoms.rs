@@ -136,6 +136,14 @@ pub fn repeated_coupling(of: &str) -> String {
     )
 }
 
+/// Rows of a joint repeat others, but nowhere the same ones.
+pub fn no_choice(of: &str) -> String {
+    format!(
+        "\"{of}\" repeats what the others fix, but which of its equations do so changes along the motion, and no few choices of \
+         them hold everywhere. Give a joint of the loop more freedom (`spherical`, `cylindrical`, `universal`), so that nothing repeats"
+    )
+}
+
 /// `quantity`: what the driver moves.
 pub fn stuck_driver(of: &str, quantity: &str) -> String {
     format!(

@@ -99,6 +99,7 @@ pub fn reactions(
     bodies: &[Massive],
     motions: &[Motion],
     cut_rows: &[Row],
+    multipliers: &[Node],
     absolute_rows: &[Row],
 ) -> Vec<Wrench> {
     let mechanism = laws.mechanism;
@@ -110,13 +111,13 @@ pub fn reactions(
         let lambda: Vec<Node> = joints::rows(g, laws, definition)
             .iter()
             .map(|own| rows.iter().find(|row| cut_rows[**row].what == own.what))
-            .map(|row| row.map_or(zero, |row| laws.symbols.lambda[*row]))
+            .map(|row| row.map_or(zero, |row| multipliers[*row]))
             .collect();
         wrenches[joint] = joints::reaction(g, laws, definition, &lambda);
     }
 
     // What each body needs from the joint it hangs on: m a − applied + what its children need.
-    let mut needed = inertia_less_applied(g, absolute, bodies, motions, absolute_rows);
+    let mut needed = inertia_less_applied(g, absolute, bodies, motions, absolute_rows, multipliers);
     for attachment in tree.attachments.iter().rev() {
         let Some((joint, parent)) = attachment.joint else { continue };
         let child = attachment.body.0;
@@ -152,6 +153,7 @@ fn inertia_less_applied(
     bodies: &[Massive],
     motions: &[Motion],
     absolute_rows: &[Row],
+    multipliers: &[Node],
 ) -> Vec<Wrench> {
     let mechanism: &Mechanism = absolute.mechanism;
     let zero = g.constant(0.0);
@@ -175,7 +177,7 @@ fn inertia_less_applied(
             *entry = g.sub(*entry, force);
         }
     }
-    for (row, lambda) in absolute_rows.iter().zip(&absolute.symbols.lambda) {
+    for (row, lambda) in absolute_rows.iter().zip(multipliers) {
         for (index, column) in &row.jet.columns {
             let force = g.mul(*column, *lambda);
             let entry = &mut needed[index / 3][index % 3];

@@ -41,6 +41,7 @@ pub fn consequences(
     laws: &Laws,
     tree: &SpanningTree,
     rows: &[Row],
+    lambda: &[Node],
     dropped: &[Dropped],
 ) -> Consequences {
     let massive = massive(g, laws);
@@ -48,7 +49,7 @@ pub fn consequences(
     let overlay = super::Kinematics::Plane(bodies::overlay(g, laws, &motions));
     let absolute = Laws::moving(laws.mechanism, laws.symbols, laws.layout, &overlay);
     let absolute_rows = super::rows(g, &absolute, tree, &tree.carrying(laws.mechanism), dropped);
-    let reactions = bodies::reactions(g, laws, &absolute, tree, &massive, &motions, rows, &absolute_rows);
+    let reactions = bodies::reactions(g, laws, &absolute, tree, &massive, &motions, rows, lambda, &absolute_rows);
     Consequences {
         motions: motions.iter().map(bodies::Motion::flat).collect(),
         reactions: reactions.into_iter().map(|wrench| wrench.to_vec()).collect(),

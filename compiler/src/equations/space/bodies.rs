@@ -41,6 +41,7 @@ pub fn consequences(
     laws: &Laws,
     tree: &SpanningTree,
     rows: &[Row],
+    lambda: &[Node],
     dropped: &[Dropped],
 ) -> Consequences {
     let crate::equations::Kinematics::Space(kinematics) = laws.kinematics() else {
@@ -50,7 +51,7 @@ pub fn consequences(
     let overlay = crate::equations::Kinematics::Space(overlay(g, laws, &moving));
     let absolute = Laws::moving(laws.mechanism, laws.symbols, laws.layout, &overlay);
     let absolute_rows = crate::equations::rows(g, &absolute, tree, &tree.carrying(laws.mechanism), dropped);
-    let reactions = reactions(g, &absolute, tree, &moving, rows, &absolute_rows);
+    let reactions = reactions(g, &absolute, tree, &moving, rows, lambda, &absolute_rows);
     Consequences { motions: moving.iter().map(Moving::flat).collect(), reactions }
 }
 
@@ -154,6 +155,7 @@ fn reactions(
     tree: &SpanningTree,
     motions: &[Moving],
     rows: &[Row],
+    multipliers: &[Node],
     absolute_rows: &[Row],
 ) -> Vec<Vec<Node>> {
     let mechanism = absolute.mechanism;
@@ -168,14 +170,14 @@ fn reactions(
         let Frame::Body(body) = frame else { continue };
         let mut load = Load { force: [zero; 3], moment: [zero; 3] };
         for row in own_rows {
-            let lambda = g.neg(absolute.symbols.lambda[row]);
+            let lambda = g.neg(multipliers[row]);
             load = add_row(g, load, &motions[body.0], body.0, &absolute_rows[row].jet, lambda);
         }
         wrenches[joint] = at_second(g, absolute, motions, joint, body.0, load, sign);
     }
 
     // What each body needs from the joint it hangs on: m a − applied + what its children need.
-    let mut needed = inertia_less_applied(g, absolute, motions, absolute_rows);
+    let mut needed = inertia_less_applied(g, absolute, motions, absolute_rows, multipliers);
     for attachment in tree.attachments.iter().rev() {
         let Some((joint, parent)) = attachment.joint else { continue };
         let child = attachment.body.0;
@@ -226,7 +228,13 @@ fn add_row(g: &mut Graph, load: Load, motion: &Moving, body: usize, jet: &Jet, e
 }
 
 /// m a and J α + ω × J ω, less loads, gravity and the forces of the multipliers, per body.
-fn inertia_less_applied(g: &mut Graph, absolute: &Laws, motions: &[Moving], rows: &[Row]) -> Vec<Load> {
+fn inertia_less_applied(
+    g: &mut Graph,
+    absolute: &Laws,
+    motions: &[Moving],
+    rows: &[Row],
+    multipliers: &[Node],
+) -> Vec<Load> {
     let mechanism = absolute.mechanism;
     let gravity = mechanism.gravity.as_ref().map(|gravity| absolute.vector(g, gravity));
     let mut needed = Vec::new();
@@ -261,7 +269,7 @@ fn inertia_less_applied(g: &mut Graph, absolute: &Laws, motions: &[Moving], rows
             needed[body] = add_row(g, needed[body], motion, body, &columns, minus_one);
         }
     }
-    for (row, lambda) in rows.iter().zip(&absolute.symbols.lambda) {
+    for (row, lambda) in rows.iter().zip(multipliers) {
         for (body, motion) in motions.iter().enumerate() {
             needed[body] = add_row(g, needed[body], motion, body, &row.jet, *lambda);
         }
