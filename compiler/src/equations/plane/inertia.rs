@@ -10,8 +10,8 @@
 
 use super::kinematics::{FrameId, GROUND, Kinematics, LocalVector, Position};
 use crate::symbolic::{Graph, Node};
-use std::collections::hash_map::Entry;
-use std::collections::{BTreeMap, HashMap};
+use std::collections::BTreeMap;
+use std::collections::btree_map::Entry;
 
 /// A body for this purpose.
 pub struct Massive {
@@ -29,7 +29,7 @@ pub struct Inertia {
 }
 
 /// What multiplies a local acceleration vector.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 enum Factor {
     /// ω² of the frame.
     Centripetal,
@@ -69,8 +69,8 @@ pub fn inertia(
     bodies: &[Massive],
     gravity: Option<[Node; 2]>,
 ) -> Inertia {
-    let mut masses: HashMap<(usize, usize), Sum> = HashMap::new();
-    let mut biases: HashMap<(usize, FrameId, Factor), Sum> = HashMap::new();
+    let mut masses: BTreeMap<(usize, usize), Sum> = BTreeMap::new();
+    let mut biases: BTreeMap<(usize, FrameId, Factor), Sum> = BTreeMap::new();
     let mut rotary: BTreeMap<usize, Node> = BTreeMap::new();
     for body in bodies {
         if let (Some(inertia), Some(rate)) = (body.inertia, kinematics.frames[body.frame].rate) {
@@ -81,7 +81,14 @@ pub fn inertia(
         let accelerations = accelerations(g, kinematics, &body.center, gravity);
         for (at, k) in columns.iter().enumerate() {
             for l in &columns[..=at] {
-                accumulate(g, masses.entry((k.velocity, l.velocity)), (k.frame, l.frame), body.mass, k.u, l.u);
+                accumulate(
+                    g,
+                    masses.entry((k.velocity, l.velocity)),
+                    (k.frame, l.frame),
+                    body.mass,
+                    k.u,
+                    l.u,
+                );
             }
             for (frame, factor, w) in &accelerations {
                 let entry = biases.entry((k.velocity, *frame, *factor));
@@ -91,7 +98,7 @@ pub fn inertia(
     }
 
     let mut mass = BTreeMap::new();
-    for ((k, l), Sum { frames, products, .. }) in in_order(masses) {
+    for ((k, l), Sum { frames, products, .. }) in masses {
         let entry = turned(g, kinematics, frames, products);
         if !g.is_zero(entry) {
             mass.insert((k, l), entry);
@@ -107,7 +114,7 @@ pub fn inertia(
 
     let zero = g.constant(0.0);
     let mut forces = vec![zero; kinematics.velocities.len()];
-    for ((k, frame, factor), Sum { frames, products, .. }) in in_order(biases) {
+    for ((k, frame, factor), Sum { frames, products, .. }) in biases {
         let coefficient = turned(g, kinematics, frames, products);
         let factor = factor_value(g, kinematics, frame, factor);
         let force = g.mul(coefficient, factor);
@@ -188,7 +195,7 @@ fn plus(g: &mut Graph, a: Products, b: Products) -> Products {
 }
 
 /// Adds m u·w and m u×w of one body.
-fn accumulate<K>(
+fn accumulate<K: Ord>(
     g: &mut Graph,
     entry: Entry<K, Sum>,
     frames: (FrameId, FrameId),
@@ -209,13 +216,6 @@ fn accumulate<K>(
             sum.products = plus(g, sum.products, sum.last.3);
         }
     }
-}
-
-/// Entries by ascending keys.
-fn in_order<K: Ord, V>(map: HashMap<K, V>) -> Vec<(K, V)> {
-    let mut entries: Vec<(K, V)> = map.into_iter().collect();
-    entries.sort_by(|(a, _), (b, _)| a.cmp(b));
-    entries
 }
 
 /// c Σ m u·w − s Σ m u×w with (c, s) of θ_l − θ_k.
