@@ -75,6 +75,12 @@ pub fn compile_model(
     let spanning = SpanningTree::spanning(&mechanism);
     check::counted_angles(&mechanism, &spanning)?;
     let mut tree = equations::derive(&mechanism, spanning.clone(), &Omitted::default());
+    let asked = coordinates.unwrap_or(mechanism.options.coordinates);
+    check::size(&mechanism, &tree, asked, &mut errors);
+    if !errors.is_empty() {
+        return Err(errors);
+    }
+    // AFTER THIS POINT what will be written out is of a size to be read.
     let Some(assembly) = assemble::assemble(&mechanism, &mut tree, &mut errors) else {
         return Err(errors);
     };
@@ -85,7 +91,6 @@ pub fn compile_model(
         return Err(errors);
     }
     // AFTER THIS POINT the motion is what `expect` says of it.
-    let asked = coordinates.unwrap_or(mechanism.options.coordinates);
     let as_defined = coordinates.is_none();
     let Some((candidate, choice)) = choice::choose(&mechanism, tree, assembly, asked, &mut errors) else {
         return Err(errors);
@@ -144,7 +149,7 @@ fn table(equations: &Equations, solved: &Solved) -> Table {
         .enumerate()
         .flat_map(|(at, jet)| jet.columns.keys().map(move |column| (n + at, *column)).collect::<Vec<_>>());
     // Of rows that hold massless velocities the square is added to M.
-    let held = solved.massless.rows.iter().flat_map(|row| {
+    let held = solved.massless.rows.keys().flat_map(|row| {
         let columns = &equations.rows[*row].jet.columns;
         columns.keys().flat_map(|i| columns.range(..i).map(|(j, _)| (*i, *j))).collect::<Vec<_>>()
     });

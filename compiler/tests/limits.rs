@@ -78,6 +78,52 @@ fn long_chains_need_no_stack() {
     assert!(expansion.is_ok(), "{}", beginning(expansion));
 }
 
+/// Rods on pins of their own, and equations that name all of them; in groups of fifty terms.
+fn tied(rods: usize, equations: usize) -> String {
+    use std::fmt::Write;
+    let (mut text, mut start) = (String::from("planar Tied { gravity [m/s^2] = (0, -9.81);"), String::new());
+    let angle = |i: usize| ((i * 37 + 11) % 100) as f64 / 50.0 - 1.0;
+    for i in 0..rods {
+        let _ = write!(text, " rod r{i} {{ mass [kg] = 1; length [m] = 1; }}");
+        let _ = write!(text, " joint p{i}: revolute(ground({i}, 0) [m], r{i}.start);");
+        let _ = write!(start, " p{i}.angle [rad] ~ {};", angle(i));
+    }
+    for k in 0..equations {
+        let factor = |i: usize| ((i * 61 + k * 89 + i * k * 7) % 97 + 3) as f64 / 100.0;
+        let of_group = |group: usize| {
+            let terms = (group..rods.min(group + 50)).map(|i| format!("r{i}.end.y*{}", factor(i)));
+            format!("({})", terms.collect::<Vec<_>>().join(" + "))
+        };
+        let groups: Vec<String> = (0..rods).step_by(50).map(of_group).collect();
+        let right: f64 = (0..rods).map(|i| factor(i) * angle(i).sin()).sum();
+        let _ = write!(text, " constraint c{k}: {} = {right} [m];", groups.join(" + "));
+    }
+    format!("{text} start {{ {start} }} }}")
+}
+
+/// Fewer parts than the limits and more work than a build can bear.
+#[test]
+fn too_long_an_elimination_is_refused_at_once() {
+    let begin = Instant::now();
+    let refused = expanded_on(STACK, tied(120, 80)).expect_err("it is too large");
+    for text in [
+        "is too large to be written out",
+        "120 velocities and 80 rows",
+        "more than 300000",
+        "c0",
+        "fewer coordinates",
+    ] {
+        assert!(refused.contains(text), "no {text}: {refused:.900}");
+    }
+    let in_tree = chain(128).replace("const N", "options { coordinates = tree; } const N");
+    let refused = expanded_on(STACK, in_tree).expect_err("it is too large");
+    for text in ["128 velocities and 0 rows", "hang on one another", "options { coordinates = absolute; }"] {
+        assert!(refused.contains(text), "no {text}: {refused:.900}");
+    }
+    // Seconds, of an unoptimised compiler on a machine that may do much else; written out it would take many minutes.
+    assert!(begin.elapsed() < Duration::from_secs(240), "{:?}", begin.elapsed());
+}
+
 #[test]
 fn too_large_a_mechanism_is_refused_at_once() {
     let begin = Instant::now();
@@ -88,6 +134,9 @@ fn too_large_a_mechanism_is_refused_at_once() {
     let loads = "repeat i in 0..2000 { force f[i]: force(arm.end) = (1, 0) [N]; }";
     let refused = expanded_on(STACK, pendulum(loads)).expect_err("it is too large");
     assert!(refused.contains("2000 loads are too many"), "{refused:.600}");
+    let outputs: String = (0..10_000).map(|i| format!("output o{i} [m] = arm.end.x;")).collect();
+    let refused = expanded_on(STACK, pendulum(&outputs)).expect_err("it is too large");
+    assert!(refused.contains("10001 parameters, inputs and outputs are too many"), "{refused:.600}");
     let outputs = "repeat i in 0..2000 { output o[i] [m] = arm.end.x; }";
     let refused = expanded_on(STACK, pendulum(outputs)).expect_err("it is too large");
     assert!(refused.contains("2001 parameters, inputs and outputs are too many"), "{refused:.600}");

@@ -163,8 +163,8 @@ pub trait Assemble<R: Real>: Mechanism<R> {
     const ROW_SIZES: &'static [f64];
     /// Rows, ascending, that hold velocities without mass of their own.
     const MASSLESS_ROWS: &'static [u16] = &[];
-    /// ρ with which Dᵀ D of these rows is added to M, kg.
-    const MASSLESS_WEIGHT: f64 = 0.0;
+    /// ρ of each of these rows, with which its dᵀ d is added to M, kg.
+    const MASSLESS_WEIGHTS: &'static [f64] = &[];
     /// The order of elimination and the pattern of the factor.
     const ELIMINATION: Elimination;
 

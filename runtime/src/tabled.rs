@@ -65,9 +65,8 @@ fn fill<R: Real, M: Assemble<R>>(model: &M, time: R, q: &M::Q, compliance: R, st
     for (&entry, &(row, column)) in entries().filter(|(_, (row, _))| !idle(*row)) {
         matrix.add(n + row as usize, column as usize, entry);
     }
-    let stiffening = R::ONE + R::from_f64(M::MASSLESS_WEIGHT) * compliance;
-    let weight = R::from_f64(M::MASSLESS_WEIGHT) / stiffening;
-    for &held in M::MASSLESS_ROWS {
+    for (held, rho) in massless::<R, M>() {
+        let weight = rho / (R::ONE + rho * compliance);
         for (&a, &(_, i)) in entries().filter(|(_, (row, _))| *row == held) {
             for (&b, &(_, j)) in entries().filter(|(_, (row, j))| *row == held && *j <= i) {
                 matrix.add(i as usize, j as usize, weight * a * b);
@@ -86,8 +85,17 @@ fn fill<R: Real, M: Assemble<R>>(model: &M, time: R, q: &M::Q, compliance: R, st
 
 /// c of a row.
 fn softness<R: Real, M: Assemble<R>>(row: u16, compliance: R) -> R {
-    let stiffening = R::ONE + R::from_f64(M::MASSLESS_WEIGHT) * compliance;
-    if M::MASSLESS_ROWS.contains(&row) { compliance * stiffening } else { compliance }
+    compliance * (R::ONE + rho::<R, M>(row) * compliance)
+}
+
+/// The rows that hold massless velocities, each with its ρ.
+fn massless<R: Real, M: Assemble<R>>() -> impl Iterator<Item = (u16, R)> {
+    M::MASSLESS_ROWS.iter().zip(M::MASSLESS_WEIGHTS).map(|(&row, &rho)| (row, R::from_f64(rho)))
+}
+
+/// ρ of a row; zero of those that hold no massless velocity.
+fn rho<R: Real, M: Assemble<R>>(row: u16) -> R {
+    massless::<R, M>().find(|(held, _)| *held == row).map_or(R::ZERO, |(_, rho)| rho)
 }
 
 /// The row with the smallest relative pivot of D M⁻¹ Dᵀ; `None` without rows.
@@ -128,8 +136,6 @@ pub fn solve<R: Real, M: Assemble<R>>(
     lambda: &mut M::Lambda,
 ) {
     let (n, m) = (M::V::LEN, M::Lambda::LEN);
-    let stiffening = R::ONE + R::from_f64(M::MASSLESS_WEIGHT) * store.compliance;
-    let weight = R::from_f64(M::MASSLESS_WEIGHT) / stiffening;
     let mut right = M::System::zero();
     let entries = right.as_mut_slice();
     entries[..n].copy_from_slice(forces.as_slice());
@@ -138,16 +144,17 @@ pub fn solve<R: Real, M: Assemble<R>>(
         entries[n + row as usize] = R::ZERO;
     }
     for (&entry, &(row, column)) in store.jacobian.as_slice().iter().zip(M::JACOBIAN_PATTERN) {
-        if M::MASSLESS_ROWS.contains(&row) {
-            let force = &mut entries[column as usize];
+        let rho = rho::<R, M>(row);
+        if rho > R::ZERO {
+            let (force, weight) = (&mut entries[column as usize], rho / (R::ONE + rho * store.compliance));
             *force = *force + weight * entry * rows.as_slice()[row as usize];
         }
     }
     let solution = store.ldl.solve(&right);
     a.as_mut_slice().copy_from_slice(&solution.as_slice()[..n]);
     lambda.as_mut_slice().copy_from_slice(&solution.as_slice()[n..n + m]);
-    for &row in M::MASSLESS_ROWS {
+    for (row, rho) in massless::<R, M>() {
         let entry = &mut lambda.as_mut_slice()[row as usize];
-        *entry = *entry * stiffening;
+        *entry = *entry * (R::ONE + rho * store.compliance);
     }
 }

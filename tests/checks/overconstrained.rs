@@ -172,8 +172,10 @@ fn energy_converges_with_the_step() {
 #[test]
 fn index_1_converges_too() {
     let model = Bennett::<f64>::default();
-    let (coarse, fine) =
-        (loss("Bennett", &model, LagrangeIndex1, 1e-3, 2.5), loss("Bennett", &model, LagrangeIndex1, 2.5e-4, 2.5));
+    let (coarse, fine) = (
+        loss("Bennett", &model, LagrangeIndex1, 1e-3, 2.5),
+        loss("Bennett", &model, LagrangeIndex1, 2.5e-4, 2.5),
+    );
     assert!(fine < 1e-7 && fine < coarse / 16.0, "{coarse:e} {fine:e}");
 }
 

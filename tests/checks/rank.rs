@@ -22,7 +22,14 @@ fn rank_along_the_motion<M: Model>() {
     let model = M::standard();
     let cycle = cycle(&model);
     let off = compare(&model, &cycle);
-    println!("{}: {} positions, estimate / exact {:.2} to {:.2}, down to {:.1e}", M::NAME, cycle.len(), off.least, off.most, off.smallest);
+    println!(
+        "{}: {} positions, estimate / exact {:.2} to {:.2}, down to {:.1e}",
+        M::NAME,
+        cycle.len(),
+        off.least,
+        off.most,
+        off.smallest
+    );
     assert!(off.least > 1.0 / FACTOR && off.most < FACTOR, "{}: {} to {}", M::NAME, off.least, off.most);
 }
 
@@ -75,10 +82,10 @@ fn gram<M: Model>(model: &M, time: f64, q: &M::Q) -> Matrix {
     for (&(i, j), entry) in M::MASS_PATTERN.iter().zip(mass.as_slice()) {
         (a[usize::from(i)][usize::from(j)], a[usize::from(j)][usize::from(i)]) = (*entry, *entry);
     }
-    for &row in M::MASSLESS_ROWS {
+    for (&row, rho) in M::MASSLESS_ROWS.iter().zip(M::MASSLESS_WEIGHTS) {
         let d = &d[usize::from(row)];
         for (i, entries) in a.iter_mut().enumerate() {
-            entries.iter_mut().zip(d).for_each(|(entry, x)| *entry += M::MASSLESS_WEIGHT * d[i] * x);
+            entries.iter_mut().zip(d).for_each(|(entry, x)| *entry += rho * d[i] * x);
         }
     }
     let l = cholesky(&a);
@@ -167,7 +174,9 @@ pub fn cycle<M: Model>(model: &M) -> Vec<(f64, M::Q)> {
             let Ok(q) = project_position(model, time, &ahead) else { break };
             state.q = q;
             wish = v.scaled(1.0 / largest).as_slice().to_vec();
-            wish.iter_mut().enumerate().for_each(|(k, x)| *x += 0.03 * (0.9 * (number * (k + 1)) as f64).sin());
+            wish.iter_mut()
+                .enumerate()
+                .for_each(|(k, x)| *x += 0.03 * (0.9 * (number * (k + 1)) as f64).sin());
         }
     }
     found

@@ -263,3 +263,43 @@ pub(in crate::check) fn list(names: &[String]) -> String {
 fn freedoms(count: usize) -> String {
     format!("{count} {}", if count == 1 { "degree of freedom" } else { "degrees of freedom" })
 }
+
+/// An elimination that is too long to be written out.
+pub struct Oversize {
+    pub velocities: usize,
+    pub rows: usize,
+    /// Entries of M's lower triangle.
+    pub mass: usize,
+    pub operations: usize,
+    pub most: usize,
+    /// Whose rows have how many velocities, the most first.
+    pub densest: Vec<(String, usize)>,
+    /// Coordinates in which it would do.
+    pub other: Option<(&'static str, usize)>,
+}
+
+pub fn oversize(name: &str, size: &Oversize) -> String {
+    let Oversize { velocities, rows, mass, operations, most, densest, other } = size;
+    // Most of the fill comes from where most is full already.
+    let widest = densest.first().map_or(0, |(_, count)| *count);
+    let of_rows: usize = densest.iter().map(|(_, count)| count).sum();
+    let cause = if of_rows >= *mass && widest > 0 {
+        let shown: Vec<String> =
+            densest.iter().take(3).map(|(of, count)| format!("\"{of}\" ({count})")).collect();
+        format!("the rows with most velocities are those of {}", shown.join(", "))
+    } else {
+        format!("its mass matrix alone has {mass} entries, because many bodies hang on one another")
+    };
+    let instead = match other {
+        Some((coordinates, less)) => {
+            format!("write `options {{ coordinates = {coordinates}; }}`, which takes about {less}")
+        }
+        None => "split it into mechanisms of fewer bodies, cut long ways from the ground with a joint in the middle, or let \
+                 each equation name fewer coordinates"
+            .to_string(),
+    };
+    format!(
+        "\"{name}\" is too large to be written out: eliminating {velocities} velocities and {rows} rows takes about {operations} \
+         operations, more than {most}; {cause}. The build would take minutes and gigabytes: {instead}"
+    )
+}

@@ -6,11 +6,13 @@ mod expenses;
 mod messages;
 pub mod motion;
 pub mod rules;
+mod size;
 mod warnings;
 
 pub use warnings::warnings;
 
 pub use budget::budget;
+pub use size::size;
 
 use crate::diagnostics::Diagnostics;
 use crate::equations::{SpanningTree, couplings, space};

@@ -48,9 +48,10 @@ pub fn assemble(text: &mut String, emitter: &Emitter) {
     }
     let massless = &compiled.solved.massless;
     if !massless.rows.is_empty() {
-        let rows = tables::indices(massless.rows.iter().copied());
+        let rows = tables::indices(massless.rows.keys().copied());
         let _ = writeln!(text, "const MASSLESS_ROWS: &'static [u16] = {rows};");
-        let _ = writeln!(text, "const MASSLESS_WEIGHT: f64 = {};", literal(massless.weight));
+        let weights = array(massless.rows.values().map(|rho| literal(*rho)));
+        let _ = writeln!(text, "const MASSLESS_WEIGHTS: &'static [f64] = &{weights};");
     }
     let jets = equations.conditions.iter().map(|condition| &condition.jet);
     let _ = writeln!(

@@ -186,7 +186,9 @@ pub fn multipliers(
             let slot = rows.iter().position(|named| named.is(row));
             let own = slot.and_then(|slot| {
                 let first = &switch.taken[0][slot];
-                let at = taken.iter().position(|other| other.joint == Some(first.row.joint) && other.what == TAKEN[slot])?;
+                let at = taken
+                    .iter()
+                    .position(|other| other.joint == Some(first.row.joint) && other.what == TAKEN[slot])?;
                 let scale = g.constant(1.0 / rows[slot].size);
                 Some(g.mul(scale, lambda[at]))
             });
@@ -251,7 +253,13 @@ impl Switch {
                 upright = g.select(*mask, cosine, upright);
             }
             let upright = g.value(upright).is_none().then_some(upright);
-            slots.push(Row { what: names[slot.min(names.len() - 1)], jet, upright, axes: None, ..stands.clone() });
+            slots.push(Row {
+                what: names[slot.min(names.len() - 1)],
+                jet,
+                upright,
+                axes: None,
+                ..stands.clone()
+            });
         }
         slots
     }

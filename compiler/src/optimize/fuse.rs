@@ -7,7 +7,7 @@ use std::collections::BTreeMap;
 #[derive(Clone, Debug)]
 pub struct Fused {
     pub outputs: Vec<Node>,
-    /// How often each node is used.
+    /// How often each node is used, up to the newest that the function needs; so of all lists.
     pub uses: Vec<u32>,
     /// Nodes taken as given: constants, symbols and what is hoisted.
     pub leaves: Vec<bool>,
@@ -18,14 +18,15 @@ pub struct Fused {
 /// Decides which sums absorb which products. A sum absorbs one; a product is no operation of its own only if all its
 /// uses absorb it, so a product with several uses is fused into all of them or into none.
 pub fn fuse(graph: &Graph, outputs: &[Node], is_given: impl Fn(Node) -> bool) -> Fused {
-    let n = graph.len();
+    let is_leaf = |node: Node| matches!(graph.op(node), Op::Constant(_) | Op::Symbol(_)) || is_given(node);
+    let order = graph.reachable_until(outputs.iter().copied(), is_leaf);
+    // Most functions need the older part of the graph alone: what follows is the elimination.
+    let n = order.last().map_or(0, |newest| newest.index() + 1);
     let mut fused =
         Fused { outputs: outputs.to_vec(), uses: vec![0; n], leaves: vec![false; n], absorbs: vec![None; n] };
     for output in outputs {
         fused.uses[output.index()] += 1;
     }
-    let is_leaf = |node: Node| matches!(graph.op(node), Op::Constant(_) | Op::Symbol(_)) || is_given(node);
-    let order = graph.reachable_until(outputs.iter().copied(), is_leaf);
     for node in &order {
         let leaf = is_leaf(*node);
         fused.leaves[node.index()] = leaf;

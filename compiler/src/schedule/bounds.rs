@@ -6,7 +6,7 @@
 
 use super::evaluate::{Inputs, step};
 use super::program::{Instruction, Operand, Program, Source};
-use crate::symbolic::Unary;
+use crate::symbolic::{Graph, of_quotient, passed_on as unary_passed_on};
 
 /// A value, and what rounding may have made of it.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -14,9 +14,6 @@ pub struct Bounded {
     pub value: f64,
     pub error: f64,
 }
-
-/// Constants are results of folding, whose rounding nobody kept: so many units.
-const FOLDED: f64 = 16.0 * f64::EPSILON;
 
 /// The errors of inputs that programs computed; nothing written, none.
 #[derive(Clone, Debug, Default)]
@@ -38,21 +35,21 @@ impl Errors {
     }
 }
 
-/// Outputs of a program, unfused.
-pub fn run_bounded(program: &Program, inputs: &Inputs, errors: &Errors) -> Vec<Bounded> {
+/// Outputs of a program, unfused. `graph` is the one it was written from, which knows how constants were rounded.
+pub fn run_bounded(program: &Program, graph: &Graph, inputs: &Inputs, errors: &Errors) -> Vec<Bounded> {
     let mut values: Vec<Bounded> = Vec::with_capacity(program.instructions.len());
     for instruction in &program.instructions {
-        let get = |operand: Operand| get(operand, inputs, errors, &values);
+        let get = |operand: Operand| get(operand, graph, inputs, errors, &values);
         let value = step(instruction, |operand| get(operand).value);
         let error = f64::EPSILON * value.abs() + passed_on(instruction, value, get);
         values.push(Bounded { value, error: if error.is_nan() { f64::INFINITY } else { error } });
     }
-    program.outputs.iter().map(|output| get(*output, inputs, errors, &values)).collect()
+    program.outputs.iter().map(|output| get(*output, graph, inputs, errors, &values)).collect()
 }
 
-fn get(operand: Operand, inputs: &Inputs, errors: &Errors, values: &[Bounded]) -> Bounded {
+fn get(operand: Operand, graph: &Graph, inputs: &Inputs, errors: &Errors, values: &[Bounded]) -> Bounded {
     match operand {
-        Operand::Constant(value) => Bounded { value, error: FOLDED * value.abs() },
+        Operand::Constant(value) => Bounded { value, error: graph.rounding(value) },
         Operand::Source(source) => Bounded { value: inputs.get(source), error: errors.of(source) },
         Operand::Value(index) => values[index as usize],
     }
@@ -72,11 +69,11 @@ fn passed_on(instruction: &Instruction, result: f64, get: impl Fn(Operand) -> Bo
         }
         Instruction::Div(a, b) => {
             let (a, b) = (get(a), get(b));
-            (a.error + result.abs() * b.error) / b.value.abs()
+            of_quotient(a.error, result, b.value, b.error)
         }
         Instruction::Unary(function, a) => {
             let a = get(a);
-            if a.error == 0.0 { 0.0 } else { slope(function, a) * a.error }
+            unary_passed_on(function, a.value, a.error)
         }
         Instruction::Min(a, b) | Instruction::Max(a, b) => get(a).error.max(get(b).error),
         Instruction::Atan2(a, b) => {
@@ -104,24 +101,4 @@ fn of_product(a: Bounded, b: Bounded) -> f64 {
     // Without ∞ · 0.
     let part = |error: f64, factor: f64| if factor == 0.0 { 0.0 } else { error * factor.abs() };
     part(a.error, b.value) + part(b.error, a.value)
-}
-
-/// |df/dx|.
-fn slope(function: Unary, x: Bounded) -> f64 {
-    let x = x.value;
-    let slope = match function {
-        Unary::Reciprocal => 1.0 / (x * x),
-        Unary::Sqrt => 0.5 / x.sqrt(),
-        Unary::Abs => 1.0,
-        // Rounding may turn it only at zero.
-        Unary::Sign if x == 0.0 => f64::INFINITY,
-        Unary::Sign => 0.0,
-        Unary::Sin => libm::cos(x),
-        Unary::Cos => libm::sin(x),
-        Unary::Tan => 1.0 / (libm::cos(x) * libm::cos(x)),
-        Unary::Asin | Unary::Acos => 1.0 / (1.0 - x * x).sqrt(),
-        Unary::Exp => libm::exp(x),
-        Unary::Ln => 1.0 / x,
-    };
-    slope.abs()
 }

@@ -19,13 +19,13 @@ pub struct Selected {
     pub program: Program,
     /// Node of each instruction.
     pub nodes: Vec<Node>,
-    /// Instruction of each node.
+    /// Instruction of each node, up to the newest that is needed.
     pub values: Vec<Option<u32>>,
 }
 
 /// The function as instructions, operands first.
 pub fn select(graph: &Graph, sources: &[Source], hoisted: &Hoisted, fused: &Fused) -> Selected {
-    let values = vec![None; graph.len()];
+    let values = vec![None; fused.leaves.len()];
     let (instructions, nodes) = (Vec::new(), Vec::new());
     let mut selection = Selection { graph, sources, hoisted, fused, values, instructions, nodes };
     for output in &fused.outputs {

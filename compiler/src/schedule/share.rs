@@ -19,7 +19,7 @@ pub fn share(one: &mut Selected, other: &mut Selected) -> usize {
     // For each instruction of `other` the same of `one`: same operation, operands in common.
     let mut same: Vec<Option<u32>> = Vec::with_capacity(other.nodes.len());
     for (instruction, node) in other.program.instructions.iter().zip(&other.nodes) {
-        let known = one.values[node.index()].filter(|known| {
+        let known = one.values.get(node.index()).copied().flatten().filter(|known| {
             in_common(instruction, &same)
                 .is_some_and(|moved| one.program.instructions[*known as usize] == moved)
         });

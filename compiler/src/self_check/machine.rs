@@ -37,7 +37,8 @@ impl<'a> Machine<'a> {
     }
 
     fn bounded(&self, function: Function, inputs: &Inputs) -> Vec<Bounded> {
-        run_bounded(self.compiled.programs.get(function), inputs, &self.errors)
+        let compiled = self.compiled;
+        run_bounded(compiled.programs.get(function), &compiled.equations.graph, inputs, &self.errors)
     }
 
     pub fn run(&self, function: Function, inputs: &Inputs) -> Vec<Quantity> {

@@ -94,7 +94,10 @@ fn eliminate(
         own.iter_mut().map(|row| take(row).unwrap_or_else(|| vec![zero; pivots.len()])).collect();
     let (determinant, inverse) = invert(g, &square);
     if g.value(determinant).is_none() {
-        let size = pivots.iter().map(|pivot| partition.row_sizes[pivot.row] / partition.scales[pivot.velocity]).product();
+        let size = pivots
+            .iter()
+            .map(|pivot| partition.row_sizes[pivot.row] / partition.scales[pivot.velocity])
+            .product();
         let size = g.constant(size);
         let reciprocal = g.unary(Unary::Reciprocal, determinant);
         watched.push(g.mul(reciprocal, size));

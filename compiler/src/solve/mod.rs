@@ -68,16 +68,15 @@ impl Solved {
 }
 
 /// Velocities that carry no mass of their own. M is then singular, though positive definite on the admissible
-/// velocities; with ρ Dᵀ D of the rows that hold those velocities added to M, and ρ Dᵀ γ to Q, the solution is
+/// velocities; with ρ Dᵀ D of the rows that hold those velocities added to M, and ρ Dᵀ γ to Q (ρ: one for each row), the solution is
 /// the same to the last digit in exact arithmetic, because D v̇ = γ, and every pivot is regular.
 /// (García de Jalón & Bayo, Kinematic and Dynamic Simulation of Multibody Systems, section 5.1.4: the matrix of the
 /// penalty method, here without its approximation.)
 #[derive(Clone, Debug, Default)]
 pub struct Massless {
     pub velocities: BTreeSet<usize>,
-    pub rows: BTreeSet<usize>,
-    /// ρ.
-    pub weight: f64,
+    /// The rows that hold them, each with its ρ.
+    pub rows: BTreeMap<usize, f64>,
 }
 
 /// Mechanisms of at most so many unknowns are eliminated in every order and counted; larger ones in the one that is
@@ -154,7 +153,7 @@ pub fn factor_pattern(equations: &Equations, solved: &Solved) -> (Positions, Pos
     let rows = (0..equations.rows.len()).filter(is_active);
     let of_rows =
         rows.flat_map(|row| equations.rows[row].jet.columns.keys().map(move |column| (n + row, *column)));
-    let squares = solved.massless.rows.iter().flat_map(|row| {
+    let squares = solved.massless.rows.keys().flat_map(|row| {
         let columns = &equations.rows[*row].jet.columns;
         columns.keys().flat_map(|i| columns.keys().map(move |j| (*i, *j)))
     });
@@ -194,7 +193,8 @@ struct System {
     /// Rows without a part in the solution.
     idle: BTreeSet<usize>,
     massless: Massless,
-    rho: Node,
+    /// The rows that hold massless velocities, each with its ρ.
+    rho: BTreeMap<usize, Node>,
     /// What the pivots of rows are measured by.
     scales: Vec<Node>,
 }
@@ -217,10 +217,11 @@ impl System {
             equations.rows.iter().map(|row| row.jet.columns.clone()).collect();
         let idle = equations.idle.clone();
         let g = &mut equations.graph;
-        let rho = g.constant(massless.weight);
+        let rho: BTreeMap<usize, Node> =
+            massless.rows.iter().map(|(row, rho)| (*row, g.constant(*rho))).collect();
         let mut entries: Entries = equations.mass.clone();
-        for row in &massless.rows {
-            add_square(g, &mut entries, &columns[*row], rho);
+        for (row, rho) in &rho {
+            add_square(g, &mut entries, &columns[*row], *rho);
         }
         for (row, columns) in columns.iter().enumerate().filter(|(row, _)| !idle.contains(row)) {
             entries.extend(columns.iter().map(|(velocity, column)| ((velocities + row, *velocity), *column)));
@@ -333,7 +334,7 @@ fn eliminate(equations: &mut Equations, system: &System, order: Order) -> Solved
     let stabilised = stabilised(g, &equations.rows, &equations.symbols);
     let mut with = |minus_gamma: &[Node]| {
         let mut rhs = equations.forces.clone();
-        for row in &massless.rows {
+        for (row, rho) in rho {
             let weighted = g.mul(*rho, minus_gamma[*row]);
             for (velocity, column) in &columns[*row] {
                 let term = g.mul(*column, weighted);

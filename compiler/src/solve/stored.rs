@@ -34,22 +34,19 @@ pub fn store(equations: &mut Equations, massless: &Massless, row_scales: &[Node]
     let idle = equations.idle.clone();
     let compliance = equations.symbols.compliance;
     let g = &mut equations.graph;
-    let (one, rho) = (g.constant(1.0), g.constant(massless.weight));
-    let product = g.mul(rho, compliance);
-    let stiffening = g.add(one, product);
-    let inverse = g.unary(Unary::Reciprocal, stiffening);
-    let weight = g.mul(rho, inverse);
+    // 1 + ρ c and ρ′.
+    let held: BTreeMap<usize, (Node, Node)> =
+        massless.rows.iter().map(|(row, rho)| (*row, softened(g, *rho, compliance))).collect();
 
     let mut entries: Entries = equations.mass.clone();
-    for row in &massless.rows {
-        add_square(g, &mut entries, &columns[*row], weight);
+    for (row, (_, weight)) in &held {
+        add_square(g, &mut entries, &columns[*row], *weight);
     }
     for (row, columns) in columns.iter().enumerate().filter(|(row, _)| !idle.contains(row)) {
         entries.extend(columns.iter().map(|(velocity, column)| ((n + row, *velocity), *column)));
     }
-    let stiffer = g.mul(compliance, stiffening);
     let own: Vec<Node> = (0..columns.len())
-        .map(|row| if massless.rows.contains(&row) { stiffer } else { compliance })
+        .map(|row| held.get(&row).map_or(compliance, |(stiffening, _)| g.mul(compliance, *stiffening)))
         .collect();
     let pattern = Pattern::new(n, columns.len(), entries.keys().copied());
     let mut order = order::best(&pattern);
@@ -61,8 +58,8 @@ pub fn store(equations: &mut Equations, massless: &Massless, row_scales: &[Node]
     // Right-hand sides as symbols; the elimination takes rows with the other sign.
     let (forces, rows) = (symbols(g, "force", n), symbols(g, "row", columns.len()));
     let mut right = forces.clone();
-    for row in &massless.rows {
-        let weighted = g.mul(weight, rows[*row]);
+    for (row, (_, weight)) in &held {
+        let weighted = g.mul(*weight, rows[*row]);
         for (velocity, column) in &columns[*row] {
             let term = g.mul(*column, weighted);
             right[*velocity] = g.add(right[*velocity], term);
@@ -74,8 +71,8 @@ pub fn store(equations: &mut Equations, massless: &Massless, row_scales: &[Node]
         let lambda = &mut solution[n + row];
         if idle.contains(&row) {
             *lambda = g.constant(0.0);
-        } else if massless.rows.contains(&row) {
-            *lambda = g.mul(*lambda, stiffening);
+        } else if let Some((stiffening, _)) = held.get(&row) {
+            *lambda = g.mul(*lambda, *stiffening);
         }
     }
 
@@ -92,6 +89,15 @@ pub fn store(equations: &mut Equations, massless: &Massless, row_scales: &[Node]
     let velocity_pivot = factor.velocity_pivot;
     let pivot = not_nan(&mut equations.graph, factor.pivot);
     Stored { kept, pivot, velocity_pivot, rows: stabilised, solution }
+}
+
+/// 1 + ρ c and ρ/(1 + ρ c).
+fn softened(g: &mut Graph, rho: f64, compliance: Node) -> (Node, Node) {
+    let (one, rho) = (g.constant(1.0), g.constant(rho));
+    let product = g.mul(rho, compliance);
+    let stiffening = g.add(one, product);
+    let inverse = g.unary(Unary::Reciprocal, stiffening);
+    (stiffening, g.mul(rho, inverse))
 }
 
 /// Zero where a pivot was zero and left 0 · ∞ behind.

@@ -69,7 +69,10 @@ impl Graph {
         outputs: impl IntoIterator<Item = Node>,
         stop: impl Fn(Node) -> bool,
     ) -> Vec<Node> {
-        let mut seen = vec![false; self.len()];
+        let outputs: Vec<Node> = outputs.into_iter().collect();
+        // Operands are older than their users: nothing newer than the newest output is reached.
+        let end = outputs.iter().map(|node| node.index() + 1).max().unwrap_or(0);
+        let mut seen = vec![false; end];
         let mut waiting: Vec<Node> = Vec::new();
         let mut found = Vec::new();
         let mut reach = |node: Node, waiting: &mut Vec<Node>| {
@@ -86,7 +89,7 @@ impl Graph {
             }
         }
         // Operands are older than their users. Where much is reached, going through all is less work than sorting.
-        if found.len() < self.len() / 8 {
+        if found.len() < end / 8 {
             found.sort_unstable();
         } else {
             found.clear();

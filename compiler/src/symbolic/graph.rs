@@ -3,6 +3,7 @@
 //! that are equal up to sign meet. Nothing is ever expanded.
 
 use super::hash::FastHash;
+use super::rounding::Roundings;
 use super::{Compare, Unary};
 use std::collections::HashMap;
 
@@ -85,6 +86,7 @@ pub struct Graph {
     known: HashMap<Op, Node, FastHash>,
     /// Asked for at every turn.
     zero: Option<Node>,
+    pub(super) roundings: Roundings,
 }
 
 impl Graph {
@@ -140,6 +142,10 @@ impl Graph {
         self.intern(Op::Constant(value.to_bits()))
     }
 
+    pub(super) fn has_constant(&self, value: f64) -> bool {
+        self.known.contains_key(&Op::Constant(value.to_bits()))
+    }
+
     /// The node of a symbol.
     pub(super) fn symbol_node(&mut self, symbol: u32) -> Node {
         self.intern(Op::Symbol(symbol))
@@ -171,7 +177,7 @@ impl Graph {
     pub fn add(&mut self, a: Node, b: Node) -> Node {
         match (self.op(a), self.op(b)) {
             (Op::Constant(x), Op::Constant(y)) => {
-                return self.constant(settled_sum(f64::from_bits(x), f64::from_bits(y)));
+                return self.folded_sum(f64::from_bits(x), f64::from_bits(y));
             }
             (Op::Neg(x), Op::Neg(y)) => {
                 let sum = self.add(x, y);
@@ -215,7 +221,7 @@ impl Graph {
     pub fn sub(&mut self, a: Node, b: Node) -> Node {
         match (self.op(a), self.op(b)) {
             (Op::Constant(x), Op::Constant(y)) => {
-                return self.constant(settled_sum(f64::from_bits(x), -f64::from_bits(y)));
+                return self.folded_sum(f64::from_bits(x), -f64::from_bits(y));
             }
             (Op::Neg(x), Op::Neg(y)) => return self.sub(y, x),
             (_, Op::Neg(y)) => return self.add(a, y),
@@ -280,7 +286,7 @@ impl Graph {
         };
         if let Some(x) = self.value(a) {
             if let Some(y) = self.value(b) {
-                return self.constant(x * y);
+                return self.folded_product(x, y);
             }
             if x == 0.0 {
                 return a;
@@ -326,7 +332,7 @@ impl Graph {
 
     pub fn div(&mut self, a: Node, b: Node) -> Node {
         if let (Some(x), Some(y)) = (self.value(a), self.value(b)) {
-            return self.constant(x / y);
+            return self.folded_quotient(x, y);
         }
         if self.is_zero(a) || self.is_one(b) {
             return a;
@@ -335,7 +341,7 @@ impl Graph {
             return self.constant(1.0);
         }
         if let Some(y) = self.value(b) {
-            let reciprocal = self.constant(1.0 / y);
+            let reciprocal = self.folded_quotient(1.0, y);
             return self.mul(reciprocal, a);
         }
         match (self.op(a), self.op(b)) {
@@ -359,7 +365,7 @@ impl Graph {
 
     pub fn unary(&mut self, function: Unary, a: Node) -> Node {
         if let Some(x) = self.value(a) {
-            return self.constant(function.value(x));
+            return self.folded_unary(function, x);
         }
         match (function, self.op(a)) {
             (Unary::Reciprocal, Op::Unary(Unary::Reciprocal, x)) => return x,
@@ -496,9 +502,4 @@ impl Graph {
         self.known.insert(op, node);
         node
     }
-}
-/// x + y; zero where they cancel but for rounding, which would otherwise go on through the equations as a number.
-fn settled_sum(x: f64, y: f64) -> f64 {
-    let sum = x + y;
-    if sum.abs() <= 4.0 * f64::EPSILON * x.abs().max(y.abs()) { 0.0 } else { sum }
 }

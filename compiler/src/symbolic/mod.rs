@@ -6,9 +6,11 @@ mod evaluate;
 mod graph;
 mod hash;
 mod operation;
+mod rounding;
 mod substitute;
 
 pub use derivative::Gradient;
 pub use evaluate::{evaluate, evaluate_reachable, evaluate_with};
 pub use graph::{Class, Graph, Node, Op};
 pub use operation::{Compare, Unary, max, min};
+pub use rounding::{of_quotient, passed_on};

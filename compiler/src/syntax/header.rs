@@ -5,6 +5,7 @@ use super::token::Cursor;
 use super::{read, token};
 use crate::diagnostics::Diagnostics;
 use proc_macro2::{Delimiter, Ident, Span, TokenStream, TokenTree};
+use std::collections::HashSet;
 
 /// What stands before the braces, and the names that become fields.
 #[derive(Clone, Debug)]
@@ -90,14 +91,14 @@ fn crate_path(definition: &Definition) -> Option<TokenStream> {
 /// Names of what has been read, rounds of `repeat` included, and of statements `word NAME …` that could not be read.
 fn fields(read: Vec<&Label>, body: &TokenStream, word: &str) -> Vec<String> {
     let mut names: Vec<String> = Vec::new();
+    let mut known: HashSet<String> = HashSet::new();
     let mut add = |name: String| {
-        if !names.contains(&name) {
+        if known.insert(name.clone()) {
             names.push(name);
         }
     };
-    let has_index = |name: &str| {
-        read.iter().any(|label| label.text.split_once('[').is_some_and(|(base, _)| base == name))
-    };
+    let indexed: HashSet<&str> =
+        read.iter().filter_map(|label| Some(label.text.split_once('[')?.0)).collect();
     read.iter().for_each(|label| add(label.text.replace('[', "_").replace(']', "")));
     let (mut statement, mut attribute) = (true, false);
     let mut tokens = body.clone().into_iter().peekable();
@@ -105,7 +106,7 @@ fn fields(read: Vec<&Label>, body: &TokenStream, word: &str) -> Vec<String> {
         if let (true, TokenTree::Ident(ident), Some(TokenTree::Ident(name))) =
             (statement, &token, tokens.peek())
             && *ident == word
-            && !has_index(&name.to_string())
+            && !indexed.contains(name.to_string().as_str())
         {
             add(name.to_string());
         }

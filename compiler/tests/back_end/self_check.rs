@@ -47,6 +47,15 @@ fn expressions(source: &str, options: &str, every: usize, checks: &[Check]) {
     }
 }
 
+/// How many mutants there are, and how many of them the check notices.
+pub fn noticed(sound: &Compiled) -> (usize, usize) {
+    let mutants = mutations(sound);
+    let is_noticed = |(node, op, _): &(Node, Op, _)| {
+        !self_check(&with_node(sound, *node, *op), Extent::Thorough).is_empty()
+    };
+    (mutants.len(), mutants.iter().filter(|mutant| is_noticed(mutant)).count())
+}
+
 #[test]
 fn wrong_expressions_are_noticed_in_tree_coordinates() {
     use Check::*;

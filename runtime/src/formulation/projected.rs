@@ -1,7 +1,7 @@
 //! Projection onto the constraints at the end of each step, after any formulation.
 
-use super::onto_constraints::{Ask, Bounds, onto_constraints};
 use super::null_space::by_tables;
+use super::onto_constraints::{Ask, Bounds, onto_constraints};
 use super::penalty::largest_mass;
 use super::{Evaluation, Formulation, PivotOf, Settled, positive};
 use crate::assembly::system::subtract_product;
@@ -107,7 +107,9 @@ impl<R: Real, M: Assemble<R>, F: Formulation<R, M>> Formulation<R, M> for Projec
     ) -> Evaluation<R> {
         let evaluation = self.formulation.acceleration(memory, model, time, state, u, a, lambda);
         // Written so that a NaN is seen.
-        if F::PIVOT == PivotOf::Rows && !R::any(evaluation.pivot.greater_equal(R::from_f64(10.0) * R::NEAR_SINGULAR)) {
+        if F::PIVOT == PivotOf::Rows
+            && !R::any(evaluation.pivot.greater_equal(R::from_f64(10.0) * R::NEAR_SINGULAR))
+        {
             return near_singular(model, time, state, u, a, lambda, evaluation);
         }
         evaluation

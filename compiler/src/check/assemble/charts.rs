@@ -135,10 +135,8 @@ fn subsets(candidates: &[usize], count: usize) -> Vec<Vec<usize>> {
 /// The least singular value of the rows `set` of a basis: the root of the least eigenvalue of N_K N_Kᵀ, by Jacobi's rotations.
 fn least_singular(space: &Basis, set: &[usize]) -> f64 {
     let size = set.len();
-    let mut a: Vec<Vec<f64>> = set
-        .iter()
-        .map(|i| set.iter().map(|j| space.iter().map(|w| w[*i] * w[*j]).sum()).collect())
-        .collect();
+    let mut a: Vec<Vec<f64>> =
+        set.iter().map(|i| set.iter().map(|j| space.iter().map(|w| w[*i] * w[*j]).sum()).collect()).collect();
     for _ in 0..SWEEPS {
         let mut off = 0.0;
         for p in 0..size {

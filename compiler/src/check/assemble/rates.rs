@@ -6,9 +6,13 @@ use super::{Assembly, messages};
 use crate::diagnostics::Diagnostics;
 use crate::equations::{Equations, Jet, Owner};
 use crate::model::Mechanism;
-use crate::solve::Massless;
 use crate::solve::table::{DEPENDENT, Numeric, Table};
-use std::collections::BTreeSet;
+use crate::solve::{Massless, groups};
+use std::collections::{BTreeMap, BTreeSet};
+
+/// A trace of mass everywhere, in parts of the largest, decides between rates that cost no kinetic energy. More of it where masses
+/// are so far apart that rounding takes the rows of the light parts for dependent: what holds comes before what is least.
+const TRACES: [f64; 3] = [1e-12, 1e-8, 1e-4];
 
 /// Rates that meet ν and what `start` asks, with the least kinetic energy ½ vᵀ M v + bᵀ v + c: [M D̂ᵀ; D̂ 0] [v; μ] = [−b; ν̂].
 pub fn rates(
@@ -36,8 +40,6 @@ pub fn rates(
     let mut entries: Vec<(usize, usize, f64)> =
         equations.mass.iter().map(|((i, j), node)| (*i, *j, point.get(*node))).collect();
     let largest = entries.iter().filter(|(i, j, _)| i == j).fold(0.0_f64, |m, (_, _, x)| m.max(*x));
-    // A trace of mass everywhere decides between rates that cost no kinetic energy.
-    entries.extend((0..n).map(|k| (k, k, 1e-12 * largest.max(f64::MIN_POSITIVE))));
     let mut rhs = vec![0.0; n + jets.len()];
     for (at, jet) in jets.iter().enumerate() {
         structure.extend(jet.columns.keys().map(|column| (n + at, *column)));
@@ -51,30 +53,39 @@ pub fn rates(
         *force -= momentum;
     }
     let table = Table::new(n, jets.len(), structure);
-    let factor = Numeric::factor(&table, entries);
-    let mut v = factor.solve(&rhs)[..n].to_vec();
-    // Two refinements: the trace of mass and the spread of masses cost digits.
-    for _ in 0..2 {
-        let mut residual = vec![0.0; rhs.len()];
-        for (at, jet) in jets.iter().enumerate() {
-            let product: f64 = jet.columns.iter().map(|(column, node)| point.get(*node) * v[*column]).sum();
-            residual[n + at] = rhs[n + at] - product;
+    let missing = |v: &[f64]| -> Vec<f64> {
+        let product = |jet: &Jet| -> f64 {
+            jet.columns.iter().map(|(column, node)| point.get(*node) * v[*column]).sum()
+        };
+        jets.iter().zip(&rhs[n..]).map(|(jet, right)| right - product(jet)).collect()
+    };
+    let with_trace = |trace: f64| -> Vec<f64> {
+        let trace = (0..n).map(|k| (k, k, trace * largest.max(f64::MIN_POSITIVE)));
+        let factor = Numeric::factor(&table, entries.iter().copied().chain(trace));
+        let mut v = factor.solve(&rhs)[..n].to_vec();
+        // Two refinements: the trace of mass and the spread of masses cost digits.
+        for _ in 0..2 {
+            let residual: Vec<f64> = vec![0.0; n].into_iter().chain(missing(&v)).collect();
+            v.iter_mut().zip(factor.solve(&residual)).for_each(|(own, step)| *own += step);
         }
-        for (own, step) in v.iter_mut().zip(factor.solve(&residual)) {
-            *own += step;
-        }
+        v
+    };
+    let mut missed = None;
+    for trace in TRACES {
+        let v = with_trace(trace);
+        let misses = missing(&v).into_iter().zip(&rhs[n..]).map(|(miss, right)| (miss.abs(), right.abs()));
+        let Some((at, (miss, _))) =
+            misses.enumerate().find(|(_, (miss, right))| *miss > 1e-9 * (1.0 + right))
+        else {
+            return Some(v);
+        };
+        missed.get_or_insert((at, miss));
     }
-    for (at, jet) in jets.iter().enumerate() {
-        let product: f64 = jet.columns.iter().map(|(column, node)| point.get(*node) * v[*column]).sum();
-        let miss = (product - rhs[n + at]).abs();
-        if miss > 1e-9 * (1.0 + rhs[n + at].abs()) {
-            let asked_for = at.checked_sub(equations.rows.len()).map(|at| asked[at].0.of.clone());
-            let span = mechanism.start.iter().find(|start| start.exact).map(|start| start.span);
-            errors.error(span.unwrap_or(mechanism.name.span), messages::rates_conflict(asked_for, miss));
-            return None;
-        }
-    }
-    Some(v)
+    let (at, miss) = missed?;
+    let asked_for = at.checked_sub(equations.rows.len()).map(|at| asked[at].0.of.clone());
+    let span = mechanism.start.iter().find(|start| start.exact).map(|start| start.span);
+    errors.error(span.unwrap_or(mechanism.name.span), messages::rates_conflict(asked_for, miss));
+    None
 }
 
 /// b of the kinetic energy ½ vᵀ M v + bᵀ v + c: places that move with time carry bodies along. From T itself, which is
@@ -106,7 +117,15 @@ fn carried_momentum(equations: &Equations, point: &mut Point) -> Vec<f64> {
     momentum
 }
 
-/// Velocities without mass of their own, the rows that hold them, and a weight for those rows.
+/// How much lighter than the heaviest part of the mechanism a row's own mass may be before its ρ follows it: so many times less
+/// costs three digits, and one ρ for all rows saves operations.
+const LIGHTER: f64 = 1024.0;
+
+/// Velocities without mass of their own, the rows that hold them, and the weights of those rows.
+///
+/// Beside a ρ much larger than the mass that the row holds, that mass is lost in rounding; with a much smaller one the row's
+/// pivot is. So where the row's own mass 1/Σ d²/m over the velocities that have mass, least among the components of its vector,
+/// is far less than the mechanism's, it is the row's ρ.
 pub fn massless(
     mechanism: &Mechanism,
     equations: &Equations,
@@ -140,12 +159,28 @@ pub fn massless(
     let active = (0..equations.rows.len()).filter(|row| !equations.idle.contains(row));
     let rows: BTreeSet<usize> = active.filter(|row| touches(&equations.rows[*row].jet)).collect();
     let largest = mass.iter().filter(|(i, j, _)| i == j).fold(0.0_f64, |m, (_, _, x)| m.max(*x));
-    // A power of two, so that scaling by it rounds nothing.
-    let weight = if largest > 0.0 { 2.0_f64.powi(largest.log2().round() as i32) } else { 1.0 };
+    let largest = if largest > 0.0 { largest } else { 1.0 };
+    point.evaluate(&Ancestry::of_jets(equations, rows.iter().map(|row| &equations.rows[*row].jet)));
+    let own: BTreeMap<usize, f64> =
+        mass.iter().filter(|(i, j, _)| i == j && !zero.contains(i)).map(|(k, _, m)| (*k, *m)).collect();
+    let mobility = |row: usize| -> f64 {
+        let columns = equations.rows[row].jet.columns.iter();
+        columns.filter_map(|(k, d)| own.get(k).map(|m| point.get(*d).powi(2) / m)).sum()
+    };
+    let groups = groups(&equations.rows);
+    let weight = |row: usize| {
+        let together =
+            |other: &usize| *other == row || groups[row].is_some() && groups[*other] == groups[row];
+        let most = rows.iter().copied().filter(together).map(mobility).fold(0.0, f64::max);
+        let mass = if largest * most > LIGHTER { 1.0 / most } else { largest };
+        // A power of two, so that scaling by it rounds nothing.
+        2.0_f64.powi(mass.log2().round() as i32)
+    };
+    let rows: BTreeMap<usize, f64> = rows.iter().map(|row| (*row, weight(*row))).collect();
 
-    let loose = loose_velocities(&mut point, &mass, &rows, weight, n);
+    let loose = loose_velocities(&mut point, &mass, &rows, n);
     report_loose(mechanism, equations, assembly, &loose, errors);
-    Massless { velocities, rows, weight }
+    Massless { velocities, rows }
 }
 
 /// Names the bodies, and those that spin alone as what they are.
@@ -177,19 +212,17 @@ fn report_loose(
 /// Entries of D below this, in parts of the largest of their row, are rounding.
 const ROUNDING: f64 = 1e-13;
 
-/// Velocities that neither mass nor constraints hold: zero pivots of M + ρ Dᵀ D.
+/// Velocities that neither mass nor constraints hold: zero pivots of M + Dᵀ ρ D.
 fn loose_velocities(
     point: &mut Point,
     mass: &[(usize, usize, f64)],
-    rows: &BTreeSet<usize>,
-    weight: f64,
+    rows: &BTreeMap<usize, f64>,
     n: usize,
 ) -> Vec<usize> {
     let equations = point.equations;
-    let jets: Vec<&Jet> = rows.iter().map(|row| &equations.rows[*row].jet).collect();
-    point.evaluate(&Ancestry::of_jets(equations, jets.iter().copied()));
     let mut entries = mass.to_vec();
-    for jet in &jets {
+    for (row, weight) in rows {
+        let jet = &equations.rows[*row].jet;
         let columns: Vec<(usize, f64)> =
             jet.columns.iter().map(|(column, node)| (*column, point.get(*node))).collect();
         let largest = columns.iter().fold(0.0_f64, |largest, (_, x)| largest.max(x.abs()));

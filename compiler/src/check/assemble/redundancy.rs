@@ -105,7 +105,12 @@ struct Choice {
 }
 
 /// Chooses among the rows; `None` where not only rows of joints repeat.
-fn redundancy(mechanism: &Mechanism, point: &mut Point, rows: &[usize], along: Vec<Vec<f64>>) -> Option<Choice> {
+fn redundancy(
+    mechanism: &Mechanism,
+    point: &mut Point,
+    rows: &[usize],
+    along: Vec<Vec<f64>>,
+) -> Option<Choice> {
     let equations = point.equations;
     let repetition = Repetition::of(point, rows, &along);
     let droppable = |at: usize| equations.rows[rows[at]].joint.is_some();
@@ -115,7 +120,8 @@ fn redundancy(mechanism: &Mechanism, point: &mut Point, rows: &[usize], along: V
     };
     let (mut repeated, mut omitted, mut without) = (Vec::new(), Omitted::default(), None);
     for component in components(&repetition.spaces, rows.len()) {
-        let spaces: Vec<Basis> = repetition.spaces.iter().map(|space| restricted(space, &component)).collect();
+        let spaces: Vec<Basis> =
+            repetition.spaces.iter().map(|space| restricted(space, &component)).collect();
         let charts = charts::choose(&spaces, component.len(), |at| droppable(component[at]))?;
         repeated.extend(charts.sets[0].iter().map(|at| rows[component[*at]]));
         if !charts.hold() {
@@ -152,7 +158,8 @@ fn leave_out(omitted: &mut Omitted, charts: &Charts, sized: impl Fn(usize) -> Op
         let first = of(&charts.sets[0]);
         let aligned = charts.sets.iter().map(|set| {
             let own = of(set);
-            let mut new = own.iter().copied().filter(|at| !first.contains(at)).collect::<Vec<_>>().into_iter();
+            let mut new =
+                own.iter().copied().filter(|at| !first.contains(at)).collect::<Vec<_>>().into_iter();
             // What stands in a slot of the first chart stays there.
             let slot = |at: &usize| if own.contains(at) { Some(*at) } else { new.next() };
             first.iter().filter_map(slot).filter_map(&sized).collect::<Vec<_>>()
@@ -181,7 +188,8 @@ fn components(spaces: &[Basis], rows: usize) -> Vec<Vec<usize>> {
     let takes_part = |row: usize| {
         spaces.iter().any(|space| space.iter().map(|w| w[row] * w[row]).sum::<f64>() > TAKES_PART)
     };
-    let of = |first: usize| (0..rows).filter(|row| group[*row] == first && takes_part(*row)).collect::<Vec<_>>();
+    let of =
+        |first: usize| (0..rows).filter(|row| group[*row] == first && takes_part(*row)).collect::<Vec<_>>();
     (0..rows).map(of).filter(|component| !component.is_empty()).collect()
 }
 
@@ -196,7 +204,9 @@ fn restricted(space: &Basis, component: &[usize]) -> Basis {
     loop {
         let square = |column: &Vec<f64>| column.iter().map(|x| x * x).sum::<f64>();
         let longest = (0..columns.len()).max_by(|a, b| square(&columns[*a]).total_cmp(&square(&columns[*b])));
-        let Some(longest) = longest.filter(|at| square(&columns[*at]) > TAKES_PART * TAKES_PART) else { break };
+        let Some(longest) = longest.filter(|at| square(&columns[*at]) > TAKES_PART * TAKES_PART) else {
+            break;
+        };
         let length = square(&columns[longest]).sqrt();
         let unit: Vec<f64> = columns[longest].iter().map(|x| x / length).collect();
         for column in &mut columns {
@@ -214,7 +224,8 @@ fn restricted(space: &Basis, component: &[usize]) -> Basis {
 /// The rows of a joint repeat others, but no choice of them serves all along the motion.
 pub fn report_no_choice(mechanism: &Mechanism, joint: Option<JointId>, errors: &mut Diagnostics) {
     let joint = joint.map(|joint| &mechanism.joints[joint.0].name);
-    let (name, span) = joint.map_or((&mechanism.name.text, mechanism.name.span), |name| (&name.text, name.span));
+    let (name, span) =
+        joint.map_or((&mechanism.name.text, mechanism.name.span), |name| (&name.text, name.span));
     errors.error(span, messages::no_choice(name));
 }
 
@@ -305,7 +316,9 @@ impl Repetition {
         let length = |row: &Vec<f64>| row.iter().map(|x| x * x).sum::<f64>().sqrt();
         let most = |of: &dyn Fn(&Vec<Vec<f64>>) -> f64| found.iter().map(of).fold(0.0_f64, f64::max);
         let sizes: Vec<f64> = (0..rows.len()).map(|at| power(most(&|d| length(&d[at])))).collect();
-        let entries = |column: usize| move |d: &Vec<Vec<f64>>| d.iter().map(|row| row[column].abs()).fold(0.0, f64::max);
+        let entries = |column: usize| {
+            move |d: &Vec<Vec<f64>>| d.iter().map(|row| row[column].abs()).fold(0.0, f64::max)
+        };
         let columns = (0..n).map(|column| 1.0 / power(most(&entries(column)))).collect();
         for d in &mut found {
             for (row, size) in d.iter_mut().zip(&sizes) {

@@ -64,8 +64,9 @@ fn largest(
     }
     let columns = |row: usize| equations.rows[row].jet.columns.iter();
     let entries = rows.iter().flat_map(|row| columns(*row).map(|(_, node)| *node));
-    let ancestry = Ancestry::of(equations, entries.chain(equations.mass.values().copied()).collect::<Vec<_>>());
-    let squares = massless.rows.iter().flat_map(|row| {
+    let ancestry =
+        Ancestry::of(equations, entries.chain(equations.mass.values().copied()).collect::<Vec<_>>());
+    let squares = massless.rows.keys().flat_map(|row| {
         let keys: Vec<usize> = columns(*row).map(|(column, _)| *column).collect();
         keys.iter().flat_map(|i| keys.iter().map(|j| (*i, *j))).collect::<Vec<_>>()
     });
@@ -76,10 +77,10 @@ fn largest(
         point.evaluate(&ancestry);
         let mass = equations.mass.iter().map(|((i, j), node)| (*i, *j, point.get(*node)));
         let mut matrix: Vec<(usize, usize, f64)> = mass.collect();
-        for row in &massless.rows {
+        for (row, rho) in &massless.rows {
             for (i, a) in columns(*row) {
                 let below = columns(*row).filter(|(j, _)| *j <= i);
-                let squares = below.map(|(j, b)| (*i, *j, massless.weight * point.get(*a) * point.get(*b)));
+                let squares = below.map(|(j, b)| (*i, *j, rho * point.get(*a) * point.get(*b)));
                 matrix.extend(squares);
             }
         }
@@ -111,8 +112,8 @@ fn varying(
         return None;
     }
     let columns: Vec<(usize, Node)> = of(&equations.rows[row].jet);
-    let held: Vec<Vec<(usize, Node)>> =
-        massless.rows.iter().map(|row| of(&equations.rows[*row].jet)).collect();
+    let held: Vec<(f64, Vec<(usize, Node)>)> =
+        massless.rows.iter().map(|(row, rho)| (*rho, of(&equations.rows[*row].jet))).collect();
     let (positions, time) = (equations.symbols.q.clone(), equations.symbols.time);
     let mass: Vec<Option<Node>> =
         columns.iter().map(|(column, _)| equations.mass.get(&(*column, *column)).copied()).collect();
@@ -122,13 +123,14 @@ fn varying(
         here.insert(symbol, g.constant(*value));
     }
     here.insert(time, g.constant(0.0));
-    let rho = g.constant(massless.weight);
     let mut terms = Vec::new();
     for ((column, entry), mass) in columns.iter().zip(mass) {
         let mut inertia: Vec<Node> = mass.into_iter().collect();
-        for (_, entry) in held.iter().flatten().filter(|(other, _)| other == column) {
-            let square = g.mul(*entry, *entry);
-            inertia.push(g.mul(rho, square));
+        for (rho, entries) in &held {
+            for (_, entry) in entries.iter().filter(|(other, _)| other == column) {
+                let (rho, square) = (g.constant(*rho), g.mul(*entry, *entry));
+                inertia.push(g.mul(rho, square));
+            }
         }
         let inertia = g.sum(inertia);
         let square = g.mul(*entry, *entry);
@@ -176,7 +178,8 @@ pub fn row_sizes(
         point.evaluate(&ancestry);
         for (size, row) in sizes.iter_mut().zip(&equations.rows) {
             let entries = row.jet.columns.iter();
-            *size = entries.map(|(column, node)| point.get(*node).abs() * scales[*column]).fold(*size, f64::max);
+            *size =
+                entries.map(|(column, node)| point.get(*node).abs() * scales[*column]).fold(*size, f64::max);
         }
     }
     sizes.into_iter().map(|size| if size > 0.0 && size.is_finite() { size } else { 1.0 }).collect()

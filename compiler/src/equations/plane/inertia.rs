@@ -11,6 +11,7 @@
 use super::kinematics::{FrameId, GROUND, Kinematics, LocalVector, Position};
 use crate::symbolic::{Graph, Node};
 use std::collections::BTreeMap;
+use std::collections::btree_map::Entry;
 
 /// A body for this purpose.
 pub struct Massive {
@@ -47,6 +48,14 @@ struct Products {
     cross: Node,
 }
 
+/// A sum over bodies of products m u·w and m u×w, and the last of these: bodies behind one joint have the same vectors in all frames
+/// before it, and their products, if their masses are equal, too.
+struct Sum {
+    frames: (FrameId, FrameId),
+    products: Products,
+    last: (Node, [Node; 2], [Node; 2], Products),
+}
+
 struct Column {
     velocity: usize,
     frame: FrameId,
@@ -60,8 +69,8 @@ pub fn inertia(
     bodies: &[Massive],
     gravity: Option<[Node; 2]>,
 ) -> Inertia {
-    let mut masses: BTreeMap<(usize, usize), (FrameId, FrameId, Products)> = BTreeMap::new();
-    let mut biases: BTreeMap<(usize, FrameId, Factor), (FrameId, Products)> = BTreeMap::new();
+    let mut masses: BTreeMap<(usize, usize), Sum> = BTreeMap::new();
+    let mut biases: BTreeMap<(usize, FrameId, Factor), Sum> = BTreeMap::new();
     let mut rotary: BTreeMap<usize, Node> = BTreeMap::new();
     for body in bodies {
         if let (Some(inertia), Some(rate)) = (body.inertia, kinematics.frames[body.frame].rate) {
@@ -72,28 +81,25 @@ pub fn inertia(
         let accelerations = accelerations(g, kinematics, &body.center, gravity);
         for (at, k) in columns.iter().enumerate() {
             for l in &columns[..=at] {
-                let products = weighted(g, body.mass, k.u, l.u);
-                let key = (k.velocity, l.velocity);
-                accumulate_pair(g, masses.entry(key), (k.frame, l.frame), products);
+                accumulate(
+                    g,
+                    masses.entry((k.velocity, l.velocity)),
+                    (k.frame, l.frame),
+                    body.mass,
+                    k.u,
+                    l.u,
+                );
             }
             for (frame, factor, w) in &accelerations {
-                let products = weighted(g, body.mass, k.u, *w);
                 let entry = biases.entry((k.velocity, *frame, *factor));
-                let sum = match entry {
-                    std::collections::btree_map::Entry::Vacant(vacant) => {
-                        vacant.insert((k.frame, products));
-                        continue;
-                    }
-                    std::collections::btree_map::Entry::Occupied(occupied) => occupied.into_mut(),
-                };
-                sum.1 = plus(g, sum.1, products);
+                accumulate(g, entry, (k.frame, *frame), body.mass, k.u, *w);
             }
         }
     }
 
     let mut mass = BTreeMap::new();
-    for ((k, l), (frame_k, frame_l, products)) in masses {
-        let entry = turned(g, kinematics, frame_k, frame_l, products);
+    for ((k, l), Sum { frames, products, .. }) in masses {
+        let entry = turned(g, kinematics, frames, products);
         if !g.is_zero(entry) {
             mass.insert((k, l), entry);
         }
@@ -108,8 +114,8 @@ pub fn inertia(
 
     let zero = g.constant(0.0);
     let mut forces = vec![zero; kinematics.velocities.len()];
-    for ((k, frame, factor), (frame_k, products)) in biases {
-        let coefficient = turned(g, kinematics, frame_k, frame, products);
+    for ((k, frame, factor), Sum { frames, products, .. }) in biases {
+        let coefficient = turned(g, kinematics, frames, products);
         let factor = factor_value(g, kinematics, frame, factor);
         let force = g.mul(coefficient, factor);
         forces[k] = g.sub(forces[k], force);
@@ -188,25 +194,32 @@ fn plus(g: &mut Graph, a: Products, b: Products) -> Products {
     Products { dot: g.add(a.dot, b.dot), cross: g.add(a.cross, b.cross) }
 }
 
-fn accumulate_pair(
+/// Adds m u·w and m u×w of one body.
+fn accumulate<K: Ord>(
     g: &mut Graph,
-    entry: std::collections::btree_map::Entry<(usize, usize), (FrameId, FrameId, Products)>,
+    entry: Entry<K, Sum>,
     frames: (FrameId, FrameId),
-    products: Products,
+    mass: Node,
+    u: [Node; 2],
+    w: [Node; 2],
 ) {
     match entry {
-        std::collections::btree_map::Entry::Vacant(vacant) => {
-            vacant.insert((frames.0, frames.1, products));
+        Entry::Vacant(vacant) => {
+            let products = weighted(g, mass, u, w);
+            vacant.insert(Sum { frames, products, last: (mass, u, w, products) });
         }
-        std::collections::btree_map::Entry::Occupied(mut occupied) => {
-            let sum = plus(g, occupied.get().2, products);
-            occupied.get_mut().2 = sum;
+        Entry::Occupied(mut occupied) => {
+            let sum = occupied.get_mut();
+            if (sum.last.0, sum.last.1, sum.last.2) != (mass, u, w) {
+                sum.last = (mass, u, w, weighted(g, mass, u, w));
+            }
+            sum.products = plus(g, sum.products, sum.last.3);
         }
     }
 }
 
 /// c Σ m u·w − s Σ m u×w with (c, s) of θ_l − θ_k.
-fn turned(g: &mut Graph, kinematics: &Kinematics, k: FrameId, l: FrameId, products: Products) -> Node {
+fn turned(g: &mut Graph, kinematics: &Kinematics, (k, l): (FrameId, FrameId), products: Products) -> Node {
     let [cos, sin] = kinematics.relative(g, k, l);
     let (a, b) = (g.mul(cos, products.dot), g.mul(sin, products.cross));
     g.sub(a, b)

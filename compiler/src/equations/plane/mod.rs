@@ -49,7 +49,8 @@ pub fn consequences(
     let overlay = super::Kinematics::Plane(bodies::overlay(g, laws, &motions));
     let absolute = Laws::moving(laws.mechanism, laws.symbols, laws.layout, &overlay);
     let absolute_rows = super::rows(g, &absolute, tree, &tree.carrying(laws.mechanism), dropped);
-    let reactions = bodies::reactions(g, laws, &absolute, tree, &massive, &motions, rows, lambda, &absolute_rows);
+    let reactions =
+        bodies::reactions(g, laws, &absolute, tree, &massive, &motions, rows, lambda, &absolute_rows);
     Consequences {
         motions: motions.iter().map(bodies::Motion::flat).collect(),
         reactions: reactions.into_iter().map(|wrench| wrench.to_vec()).collect(),
