@@ -45,7 +45,8 @@
 //! - [`AssembleExt`]: consistent states, the motion of everything from that of the independent coordinates.
 //! - [`Linearisation`], [`equilibrium`], [`actuation`]: derivatives of the motion, state matrices, static positions, inputs for
 //!   given accelerations, of definitions that say `options { emit = (tangent); }`.
-//! - [`Mechanism`]: the equations, one function each, for use without a simulation.
+//! - [`Mechanism`]: the equations, one function each, for use without a simulation; [`functions`]: all that a model can
+//!   compute, with signatures, orders and examples.
 //!
 //! Without the default feature `std` everything works on bare metal, square roots then being `libm`'s.
 #![no_std]
@@ -83,6 +84,19 @@ macro_rules! mechanism {
 #[cfg(doc)]
 #[doc = include_str!("../docs/language.md")]
 pub mod language {}
+
+#[cfg(doc)]
+#[doc = include_str!("../docs/functions.md")]
+pub mod functions {}
+
+/// The examples of further documents.
+#[cfg(doctest)]
+mod documents {
+    #[doc = include_str!("../docs/formulations.md")]
+    struct Formulations;
+    #[doc = include_str!("../docs/linearisation.md")]
+    struct Linearisation;
+}
 
 /// What emitted code may name: the runtime's, and the macro that writes its documentation; and the one that `mechanism!` calls.
 #[doc(hidden)]

@@ -10,7 +10,7 @@ use crate::diagnostics::{Diagnostics, Region};
 use crate::messages;
 use crate::units::{self, UnitError};
 use proc_macro2::Delimiter;
-use std::collections::HashMap;
+use std::collections::{BTreeMap, HashMap};
 
 /// The error has been pushed.
 #[derive(Debug)]
@@ -27,6 +27,8 @@ pub(super) struct Parser {
     pub constants: HashMap<String, Term>,
     /// Variables of the `repeat`s around, innermost last.
     pub indices: Vec<(String, i64)>,
+    /// The `repeat`s whose bounds stand the wrong way round, by their tokens; nothing of those that made a round within another one.
+    pub backwards: BTreeMap<(u32, u32), Option<(Region, String)>>,
     /// Rounds and statements that `repeat` may still unroll to.
     pub budget: usize,
     /// Nesting of the expression being read.

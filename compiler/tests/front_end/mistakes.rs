@@ -155,8 +155,20 @@ const MISTAKES: &[(&str, &str)] = &[
         "an input has no value here, it is given at every call; write `param u …` for a value that stays",
     ),
     ("input u [];", "the unit is missing: write `[1]` for a plain number"),
-    ("const A [m] = B; const B [m] = A;", "the constants `B` and `A` are defined by each other"),
-    ("const A [m] = A;", "the constant `A` is defined by itself"),
+    (
+        "const A [m] = B; const B [m] = A;",
+        "the constants stand in a circle: `A` is defined by `B`, that by `A`. Give one of them a value",
+    ),
+    (
+        "const A [m] = B; const B [m] = 2 * C; const C [m] = D - A; const D [m] = 1;",
+        "the constants stand in a circle: `A` is defined by `B`, that by `C`, that by `A`. Give one of them a value",
+    ),
+    ("const A [m] = A;", "the constant `A` is defined by itself: give it a value"),
+    (
+        "drive d: distance(crank.pin, link.end) = 0.4 [m];",
+        "a driver moves one coordinate, such as `crank_pin.angle`; a distance of two places that follows a law is a joint: \
+         `joint d: distance(one, other, length [m] = …);`",
+    ),
     ("const A [Nm] = 1;", r#"no unit called "Nm"; did you mean `N*m`?"#),
     ("const A [mrad] = 1;", "`rad` takes no prefix: write the factor that `m` stands for into the number"),
     ("const A [m2] = 1;", r#"no unit called "m2"; did you mean `m^2`?"#),

@@ -7,6 +7,7 @@
 //! to absolute coordinates where those are emitted.
 
 mod attempts;
+mod drivers;
 mod freedoms;
 mod geometry;
 mod initial;
