@@ -134,7 +134,7 @@ pub(crate) fn not_an_index(name: &str, is_unit: bool) -> String {
 }
 
 pub(crate) fn index_too_deep(name: &str) -> String {
-    format!("the constant `{name}` refers to itself, or to others too many levels deep")
+    format!("the constant `{name}` refers to others too many levels deep; write its value")
 }
 
 pub(crate) fn not_an_integer() -> String {

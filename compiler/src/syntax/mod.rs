@@ -81,6 +81,7 @@ fn read(tokens: &[Token], whole: Region, patient: bool) -> (Definition, Diagnost
         diagnostics: Diagnostics::new(),
         definition: empty(),
         constants: HashMap::new(),
+        integers: HashMap::new(),
         indices: Vec::new(),
         backwards: BTreeMap::new(),
         budget: MOST_STATEMENTS,

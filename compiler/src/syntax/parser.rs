@@ -25,6 +25,8 @@ pub(super) struct Parser {
     pub definition: Definition,
     /// Values of constants, for indices and bounds of `repeat`.
     pub constants: HashMap<String, Term>,
+    /// Those that have been counted with: each is evaluated once, however often others name it.
+    pub integers: HashMap<String, i64>,
     /// Variables of the `repeat`s around, innermost last.
     pub indices: Vec<(String, i64)>,
     /// The `repeat`s whose bounds stand the wrong way round, by their tokens; nothing of those that made a round within another one.

@@ -165,6 +165,10 @@ const MISTAKES: &[(&str, &str)] = &[
     ),
     ("const A [m] = A;", "the constant `A` is defined by itself: give it a value"),
     (
+        "const A = 2 * B; const B = C / 2; const C = A; repeat i in 0..A { output o[i] [1] = i; }",
+        "the constants stand in a circle: `A` is defined by `B`, that by `C`, that by `A`. Give one of them a value",
+    ),
+    (
         "drive d: distance(crank.pin, link.end) = 0.4 [m];",
         "a driver moves one coordinate, such as `crank_pin.angle`; a distance of two places that follows a law is a joint: \
          `joint d: distance(one, other, length [m] = …);`",
@@ -393,7 +397,10 @@ const MISTAKES: &[(&str, &str)] = &[
         "drive d: base.angle = base.angle;",
         "`base.angle` is a position, but the law of a driver may depend on constants, parameters and time only",
     ),
-    ("drive d: base.angle = 1 [rad]; drive e: base.angle = 2 [rad];", "`e` drives what `d` drives already"),
+    (
+        "drive d: base.angle = 1 [rad]; drive e: base.angle = 2 [rad];",
+        "`e` drives what `d` drives already: remove one of them",
+    ),
     (
         "force f: force(crank.pin, direction = (0, 0)) = 3 [N];",
         "the direction is zero: it points nowhere; write for instance (1, 0)",
