@@ -45,26 +45,65 @@
 //! - [`AssembleExt`]: consistent states, the motion of everything from that of the independent coordinates.
 //! - [`Linearisation`], [`equilibrium`], [`actuation`]: derivatives of the motion, state matrices, static positions, inputs for
 //!   given accelerations, of definitions that say `options { emit = (tangent); }`.
-//! - [`Mechanism`]: the equations, one function each, for use without a simulation.
+//! - [`Mechanism`]: the equations, one function each, for use without a simulation; [`functions`]: all that a model can
+//!   compute, with signatures, orders and examples.
 //!
 //! Without the default feature `std` everything works on bare metal, square roots then being `libm`'s.
 #![no_std]
 #![forbid(unsafe_code)]
 #![warn(missing_docs)]
 
-pub use linkwright_macros::mechanism;
 pub use linkwright_runtime::*;
+
+/// Compiles a definition of a mechanism into its equations of motion.
+///
+/// ```text
+/// mechanism! {
+///     pub planar Pendulum {
+///         gravity [m/s^2] = (0, -9.81);
+///         rod arm { mass [kg] = 1; length [m] = 1; }
+///         joint pivot: revolute(ground(0, 0) [m], arm.start);
+///         start { pivot.angle [rad] = 0.5; }
+///     }
+/// }
+/// ```
+/// A definition may also stand in a file of its own, beside the Rust file that names it, which holds what stands in the
+/// braces above:
+///
+/// ```text
+/// mechanism!(file = "pendulum.mech");
+/// ```
+/// The language, and what is emitted, are described in [`language`]. What is emitted finds this crate under whatever name it has
+/// where the macro is called: renamed in `Cargo.toml`, or re-exported by another crate.
+// Only `$crate` says which crate this is, whatever it is called there.
+#[macro_export]
+macro_rules! mechanism {
+    ($($definition:tt)*) => { $crate::__private::v1::mechanism! { ($crate) $($definition)* } };
+}
 
 #[cfg(doc)]
 #[doc = include_str!("../docs/language.md")]
 pub mod language {}
 
-/// What emitted code may name: the runtime's, and the macro that writes its documentation.
+#[cfg(doc)]
+#[doc = include_str!("../docs/functions.md")]
+pub mod functions {}
+
+/// The examples of further documents.
+#[cfg(doctest)]
+mod documents {
+    #[doc = include_str!("../docs/formulations.md")]
+    struct Formulations;
+    #[doc = include_str!("../docs/linearisation.md")]
+    struct Linearisation;
+}
+
+/// What emitted code may name: the runtime's, and the macro that writes its documentation; and the one that `mechanism!` calls.
 #[doc(hidden)]
 pub mod __private {
     /// The first version.
     pub mod v1 {
-        pub use linkwright_macros::mechanism_page;
+        pub use linkwright_macros::{mechanism, mechanism_page};
         pub use linkwright_runtime::__private::v1::*;
     }
 }

@@ -79,6 +79,42 @@ fn message_page_shows_what_is_printed() {
     assert_eq!(page, expected, "write it anew with UPDATE_MESSAGES=1");
 }
 
+/// What the tables of formulations and integrators name is written out below them, where it is compiled as an example.
+#[test]
+fn formulations_page_compiles_what_it_names() {
+    let page = read("docs/formulations.md");
+    let code =
+        page.split("```rust\n").skip(1).filter_map(|rest| rest.split_once("```")).map(|(code, _)| code);
+    let code = code.max_by_key(|code| code.len()).expect("an example");
+    let rows = page.lines().take_while(|line| !line.starts_with("## What the settings mean"));
+    let cells = rows.filter_map(|line| line.strip_prefix("| `")?.split_once([':', ' ', '`', '(']));
+    let names: Vec<&str> = cells.map(|(name, _)| name).collect();
+    assert!(names.len() >= 14, "{names:?}");
+    for name in names {
+        assert!(code.contains(name), "`{name}` is in no example");
+    }
+}
+
+/// Every document whose Rust is to be compiled hands it to rustdoc, and no block of Rust is left without a language.
+#[test]
+fn rust_in_documents_is_compiled() {
+    let library = read("src/lib.rs");
+    for entry in fs::read_dir(root().join("docs")).expect("a folder") {
+        let path = entry.expect("it can be listed").path();
+        let name = path.file_name().and_then(|name| name.to_str()).expect("a name").to_string();
+        if !name.ends_with(".md") {
+            continue;
+        }
+        let page = read(&format!("docs/{name}"));
+        let fences = page.lines().filter(|line| line.starts_with("```")).step_by(2);
+        for fence in fences {
+            assert!(["```text", "```rust"].contains(&fence), "{name} has a block of `{fence}`");
+        }
+        let compiled = library.contains(&format!("include_str!(\"../docs/{name}\")"));
+        assert!(compiled || !page.contains("```rust"), "src/lib.rs does not include docs/{name}");
+    }
+}
+
 /// Every file and folder that the documents name exists.
 #[test]
 fn documents_name_what_exists() {
@@ -88,6 +124,7 @@ fn documents_name_what_exists() {
         "NOTATION.md",
         "CONTRIBUTING.md",
         "benches/RESULTS.md",
+        "docs/functions.md",
         "docs/messages.md",
     ] {
         let text = read(document);

@@ -72,10 +72,13 @@ pub enum Lint {
     Outside,
     /// A stiffness or damping below zero.
     Negative,
+    /// A moment of inertia that mass and size cannot have.
+    Proportion,
 }
 
 impl Lint {
-    pub const ALL: [Lint; 4] = [Self::Unused, Self::NoEffect, Self::Outside, Self::Negative];
+    pub const ALL: [Lint; 5] =
+        [Self::Unused, Self::NoEffect, Self::Outside, Self::Negative, Self::Proportion];
 
     /// As in `#[allow(unused)]`.
     pub fn word(self) -> &'static str {
@@ -84,6 +87,7 @@ impl Lint {
             Self::NoEffect => "no_effect",
             Self::Outside => "outside",
             Self::Negative => "negative",
+            Self::Proportion => "proportion",
         }
     }
 }

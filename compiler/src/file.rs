@@ -2,6 +2,7 @@
 //! wrong with it, and what is emitted so that the crate is built anew when the file changes.
 
 use crate::diagnostics::{Diagnostics, Region};
+use crate::emit::Home;
 use crate::messages;
 use crate::source::{self, Source, Tokens};
 use crate::{Expansion, driver, emit};
@@ -97,7 +98,7 @@ fn similar(path: &Path) -> Option<String> {
 
 /// The expansion of a macro that names a file: what the same definition in the macro would become. Errors stand at the name
 /// and tell their place in the file themselves.
-pub(crate) fn expand(named: &Named, caller: Option<PathBuf>) -> Expansion {
+pub(crate) fn expand(named: &Named, caller: Option<PathBuf>, home: &Home) -> Expansion {
     let span = named.region.start;
     let failed = |message: String| {
         let mut errors = Diagnostics::new();
@@ -117,16 +118,17 @@ pub(crate) fn expand(named: &Named, caller: Option<PathBuf>) -> Expansion {
     if errors.is_empty() {
         match driver::compile(tokens.stream.clone(), None) {
             Ok(compiled) => {
-                let text = emit::emit(&compiled, &source.text) + &emit::depends_on(&path);
+                let (import, mut text) = emit::emit(&compiled, &source.text, home);
+                text.push_str(&emit::depends_on(&path));
                 let warnings = tokens.locate(compiled.warnings);
                 let warnings = source::warnings(&source, &warnings, named.region);
-                return Expansion::Items { text, warnings, name: named.region };
+                return Expansion::Items { import, text, warnings, name: named.region };
             }
             Err(found) => errors = tokens.locate(found),
         }
     }
     let Tokens { stream, .. } = tokens;
     let mut errors = source::compile_errors(&source, &errors, span);
-    errors.extend(emit::stub(stream));
+    errors.extend(emit::stub(stream, home));
     Expansion::Errors(errors)
 }

@@ -32,41 +32,43 @@ pub use driver::{Compiled, compile, compile_model};
 pub use page::page;
 
 use diagnostics::{Diagnostics, Region};
+use emit::Home;
 use proc_macro2::{Span, TokenStream};
 use std::path::PathBuf;
 
 /// What `mechanism! { … }` stands for.
 #[derive(Clone, Debug)]
 pub enum Expansion {
-    /// The model's items, as Rust text; warnings, and the name of the mechanism they are of.
+    /// The model's items, as Rust text, and what has to stand before it; warnings, and the name of the mechanism they are of.
     ///
     /// Text, because a macro hands it to rustc's own lexer at once: `proc_macro2` reads everything with its own lexer
     /// first, which takes an unoptimised macro seven times as long.
-    Items { text: String, warnings: Diagnostics, name: Region },
+    Items { import: TokenStream, text: String, warnings: Diagnostics, name: Region },
     /// Errors at their places, and a stub in the model's place.
     Errors(TokenStream),
 }
 
-/// The expansion of `mechanism! { … }` or `mechanism!(file = "…")`. `file_of` gives the Rust file that a token stands in,
+/// The expansion of `mechanism! { … }` or `mechanism!(file = "…")`, before which `($crate)` may stand. `file_of` gives the Rust file that a token stands in,
 /// where it is known.
 pub fn expand(tokens: TokenStream, file_of: impl Fn(Span) -> Option<PathBuf>) -> Expansion {
+    let (home, tokens) = Home::split(tokens);
     match file::named(&tokens) {
-        None => expand_definition(tokens),
-        Some(Ok(named)) => file::expand(&named, file_of(named.region.start)),
+        None => expand_definition(tokens, &home),
+        Some(Ok(named)) => file::expand(&named, file_of(named.region.start), &home),
         Some(Err(errors)) => Expansion::Errors(errors.into_compile_errors()),
     }
 }
 
-fn expand_definition(tokens: TokenStream) -> Expansion {
+fn expand_definition(tokens: TokenStream, home: &Home) -> Expansion {
     match compile(tokens.clone(), None) {
-        Ok(compiled) => Expansion::Items {
-            text: emit::emit(&compiled, &tokens.to_string()),
-            name: compiled.mechanism.name.span,
-            warnings: compiled.warnings,
-        },
+        Ok(compiled) => {
+            let (import, text) = emit::emit(&compiled, &tokens.to_string(), home);
+            let name = compiled.mechanism.name.span;
+            Expansion::Items { import, text, warnings: compiled.warnings, name }
+        }
         Err(errors) => {
             let mut stream = errors.into_compile_errors();
-            stream.extend(emit::stub(tokens));
+            stream.extend(emit::stub(tokens, home));
             Expansion::Errors(stream)
         }
     }

@@ -7,32 +7,14 @@ use proc_macro::{LexError, Literal, TokenStream, TokenTree};
 use std::ffi::OsStr;
 use std::path::Path;
 
-/// Compiles a definition of a mechanism into its equations of motion.
-///
-/// ```text
-/// mechanism! {
-///     pub planar Pendulum {
-///         gravity [m/s^2] = (0, -9.81);
-///         rod arm { mass [kg] = 1; length [m] = 1; }
-///         joint pivot: revolute(ground(0, 0) [m], arm.start);
-///         start { pivot.angle [rad] = 0.5; }
-///     }
-/// }
-/// ```
-/// A definition may also stand in a file of its own, beside the Rust file that names it, which holds what stands in the
-/// braces above:
-///
-/// ```text
-/// mechanism!(file = "pendulum.mech");
-/// ```
-/// The language, and what is emitted, are described in the documentation of the crate `linkwright`.
+/// What `linkwright::mechanism!` calls, with `($crate)` before the definition. Called without it, it takes the crate for `::linkwright`.
 #[proc_macro]
 pub fn mechanism(tokens: TokenStream) -> TokenStream {
     match linkwright_compiler::expand(tokens.into(), |span| span.unwrap().local_file()) {
-        Expansion::Items { text, mut warnings, name } => {
-            let items = text.parse();
-            let mut items: TokenStream =
-                items.unwrap_or_else(|error: LexError| unreadable(&error.to_string()).into());
+        Expansion::Items { import, text, mut warnings, name } => {
+            let mut items = TokenStream::from(import);
+            let read = text.parse::<TokenStream>();
+            items.extend(read.unwrap_or_else(|error: LexError| unreadable(&error.to_string()).into()));
             warnings.retain(|warning| is_of_the_user(warning.region));
             items.extend(TokenStream::from(warnings.into_warnings(name)));
             items

@@ -1,5 +1,6 @@
 //! Mechanisms that ship with Linkwright: textbook systems and published benchmarks, one file each, with source, data
 //! and expected result.
+#![no_std]
 #![warn(missing_docs)]
 
 pub mod andrews;

@@ -9,7 +9,7 @@
 //! The laws below are plain functions, for a crank that turns at a constant speed.
 
 use core::f64::consts::{PI, TAU};
-use linkwright::{AssembleExt, AssemblyError, Kinematics, Motion};
+use linkwright::{AssembleExt, AssemblyError, Kinematics, Motion, Real};
 
 linkwright::mechanism! {
     /// Quick-return mechanism, rigid parts.
@@ -69,19 +69,24 @@ const PARTS: [(f64, f64); 4] = [(0.368, 0.0), (0.551, 0.00735), (0.105, 0.00107)
 pub fn slider_force(time: f64, crank_speed: f64) -> f64 {
     const LEAST: f64 = 0.1;
     const MOST: f64 = 100.0;
-    let since = time.rem_euclid(TAU / crank_speed);
-    let active = (PI + 2.0 * 0.75_f64.asin()) / crank_speed;
+    let since = modulo(time, TAU / crank_speed);
+    let active = (PI + 2.0 * Real::asin(0.75_f64)) / crank_speed;
     let (rise, fall) = (0.15 * active, 0.25 * active);
     let share = if since < rise {
-        0.5 * (1.0 - (PI * since / rise).cos())
+        0.5 * (1.0 - Real::cos(PI * since / rise))
     } else if since <= active - fall {
         1.0
     } else if since <= active {
-        0.5 * (1.0 + (PI * (since - (active - fall)) / fall).cos())
+        0.5 * (1.0 + Real::cos(PI * (since - (active - fall)) / fall))
     } else {
         0.0
     };
     LEAST + (MOST - LEAST) * share
+}
+
+/// What is left of `value` after whole periods, from zero to the period: by functions that bare metal has.
+fn modulo(value: f64, period: f64) -> f64 {
+    value - period * Real::floor(value / period)
 }
 
 /// The mechanism with its crank turning at a constant speed from [`START_ANGLE`] on: its motion and the torque it needs.
@@ -126,8 +131,8 @@ impl<'m> ConstantSpeed<'m> {
         let target = START_ANGLE + self.crank_speed * time;
         let (from, mut near) = self.near;
         // The position repeats itself: the short way round will do.
-        let turn = (target - from + PI).rem_euclid(TAU) - PI;
-        let parts = (turn.abs() / LARGEST_TURN).ceil().max(1.0);
+        let turn = modulo(target - from + PI, TAU) - PI;
+        let parts = Real::floor(turn.abs() / LARGEST_TURN) + 1.0;
         for part in 1..parts as u32 {
             let position = target - turn * (1.0 - f64::from(part) / parts);
             let motion = Motion { position, rate: self.crank_speed, acceleration: 0.0 };

@@ -6,7 +6,7 @@
 ///Equations of motion of the planar mechanism `FourBar`.
 #[cfg_attr(
     doc,
-    doc = ::linkwright::__private::v1::mechanism_page!{#[doc = " Four-bar of unit rods (IFToMM A02 with one window)."]#[doc = ""]#[doc = " Three uniform rods of 1 m and 1 kg, g = 9.81 m/s², cranks upright and turning at −1 rad/s. The cranks move as a"]#[doc = " pendulum with θ\u{308} = −(6/5)(g/L) cos θ."]pub
+    doc = ::linkwright::__private::v1::mechanism_page!{#[doc = r" Four-bar of unit rods (IFToMM A02 with one window)."]#[doc = r""]#[doc = r" Three uniform rods of 1 m and 1 kg, g = 9.81 m/s², cranks upright and turning at −1 rad/s. The cranks move as a"]#[doc = r" pendulum with θ̈ = −(6/5)(g/L) cos θ."]pub
     planar
     FourBar{gravity[m/s^2]= (0, -9.81);rod
     crank{mass[kg]= 1;length[m]= 1;}rod
@@ -75,7 +75,7 @@ impl FourBar<::core::primitive::f64> {
     pub const OPERATIONS: ::core::primitive::usize = 87;
     ///The definition as written.
     pub const SOURCE: &'static ::core::primitive::str = (
-        "# [doc = \" Four-bar of unit rods (IFToMM A02 with one window).\"] # [doc = \"\"] # [doc = \" Three uniform rods of 1 m and 1 kg, g = 9.81 m/s², cranks upright and turning at −1 rad/s. The cranks move as a\"] # [doc = \" pendulum with θ\\u{308} = −(6/5)(g/L) cos θ.\"] pub planar FourBar { gravity [m / s ^ 2] = (0 , - 9.81) ; rod crank { mass [kg] = 1 ; length [m] = 1 ; } rod coupler { mass [kg] = 1 ; length [m] = 1 ; } rod rocker { mass [kg] = 1 ; length [m] = 1 ; } joint crank_pin : revolute (ground (0 , 0) [m] , crank . start) ; joint rocker_pin : revolute (ground (1 , 0) [m] , rocker . start) ; joint left : revolute (crank . end , coupler . start) ; joint right : revolute (coupler . end , rocker . end) ; start { crank_pin . angle [deg] = 90 ; crank_pin . rate [rad / s] = - 1 ; rocker_pin . angle [deg] ~ 90 ; coupler . angle [rad] ~ 0 ; } expect { degrees_of_freedom = 1 ; operations <= 100 ; } output x [m] = crank . end . x ; output angle [rad] = rocker_pin . angle ; }",
+        "# [doc = r\" Four-bar of unit rods (IFToMM A02 with one window).\"] # [doc = r\"\"] # [doc = r\" Three uniform rods of 1 m and 1 kg, g = 9.81 m/s², cranks upright and turning at −1 rad/s. The cranks move as a\"] # [doc = r\" pendulum with θ\u{308} = −(6/5)(g/L) cos θ.\"] pub planar FourBar { gravity [m / s ^ 2] = (0 , - 9.81) ; rod crank { mass [kg] = 1 ; length [m] = 1 ; } rod coupler { mass [kg] = 1 ; length [m] = 1 ; } rod rocker { mass [kg] = 1 ; length [m] = 1 ; } joint crank_pin : revolute (ground (0 , 0) [m] , crank . start) ; joint rocker_pin : revolute (ground (1 , 0) [m] , rocker . start) ; joint left : revolute (crank . end , coupler . start) ; joint right : revolute (coupler . end , rocker . end) ; start { crank_pin . angle [deg] = 90 ; crank_pin . rate [rad / s] = - 1 ; rocker_pin . angle [deg] ~ 90 ; coupler . angle [rad] ~ 0 ; } expect { degrees_of_freedom = 1 ; operations <= 100 ; } output x [m] = crank . end . x ; output angle [rad] = rocker_pin . angle ; }",
     )
         .0;
     ///The definition as versioned JSON: kinds, shapes and units as written.

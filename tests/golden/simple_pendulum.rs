@@ -5,7 +5,7 @@
 ///Equations of motion of the planar mechanism `SimplePendulum`.
 #[cfg_attr(
     doc,
-    doc = ::linkwright::__private::v1::mechanism_page!{#[doc = " Simple pendulum: a point mass on a massless arm (IFToMM A01)."]#[doc = ""]#[doc = " 1 kg, 1 m, g = 9.81 m/s², from (−1, 0) at rest. Period 2.367841947576237449 s."]pub
+    doc = ::linkwright::__private::v1::mechanism_page!{#[doc = r" Simple pendulum: a point mass on a massless arm (IFToMM A01)."]#[doc = r""]#[doc = r" 1 kg, 1 m, g = 9.81 m/s², from (−1, 0) at rest. Period 2.367841947576237449 s."]pub
     planar
     SimplePendulum{gravity[m/s^2]= (0, -9.81);body
     arm{mass[kg]= 1;inertia[kg*m^2]= 0;center[m]= (1, 0);}joint
@@ -69,7 +69,7 @@ impl SimplePendulum<::core::primitive::f64> {
     pub const OPERATIONS: ::core::primitive::usize = 1;
     ///The definition as written.
     pub const SOURCE: &'static ::core::primitive::str = (
-        "# [doc = \" Simple pendulum: a point mass on a massless arm (IFToMM A01).\"] # [doc = \"\"] # [doc = \" 1 kg, 1 m, g = 9.81 m/s², from (−1, 0) at rest. Period 2.367841947576237449 s.\"] pub planar SimplePendulum { gravity [m / s ^ 2] = (0 , - 9.81) ; body arm { mass [kg] = 1 ; inertia [kg * m ^ 2] = 0 ; center [m] = (1 , 0) ; } joint pivot : revolute (ground (0 , 0) [m] , arm . origin) ; start { pivot . angle [deg] = 180 ; pivot . rate [rad / s] = 0 ; } expect { degrees_of_freedom = 1 ; } output x [m] = arm . center . x ; output y [m] = arm . center . y ; }",
+        "# [doc = r\" Simple pendulum: a point mass on a massless arm (IFToMM A01).\"] # [doc = r\"\"] # [doc = r\" 1 kg, 1 m, g = 9.81 m/s², from (−1, 0) at rest. Period 2.367841947576237449 s.\"] pub planar SimplePendulum { gravity [m / s ^ 2] = (0 , - 9.81) ; body arm { mass [kg] = 1 ; inertia [kg * m ^ 2] = 0 ; center [m] = (1 , 0) ; } joint pivot : revolute (ground (0 , 0) [m] , arm . origin) ; start { pivot . angle [deg] = 180 ; pivot . rate [rad / s] = 0 ; } expect { degrees_of_freedom = 1 ; } output x [m] = arm . center . x ; output y [m] = arm . center . y ; }",
     )
         .0;
     ///The definition as versioned JSON: kinds, shapes and units as written.

@@ -101,16 +101,6 @@ pub fn driver_against_rest(driver: &str, quantity: &str, value: f64, residual: f
     )
 }
 
-pub fn too_many_drivers(drivers: Vec<String>, freedoms: usize) -> String {
-    let plural = if freedoms == 1 { "degree of freedom" } else { "degrees of freedom" };
-    format!(
-        "{} drivers ({}) act on {freedoms} {plural}, so they cannot all be followed: remove one, or give the mechanism \
-         another freedom",
-        drivers.len(),
-        drivers.join(", ")
-    )
-}
-
 pub fn counted_and_cut(joint: &str) -> String {
     format!(
         "the turns of \"{joint}\" are counted, because a law, driver, coupling or screw uses its angle, and in space only the \

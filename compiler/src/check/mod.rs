@@ -5,10 +5,12 @@ mod budget;
 mod expenses;
 mod messages;
 pub mod motion;
+mod proportion;
 pub mod rules;
 mod size;
 mod warnings;
 
+pub(crate) use proportion::Disproportion;
 pub use warnings::warnings;
 
 pub use budget::budget;

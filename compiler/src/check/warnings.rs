@@ -1,8 +1,9 @@
 //! What is possible and probably not meant: declarations that nothing names, loads that change nothing, places outside of
-//! the shape they belong to. One function a warning; the comment above it is the rule as the user could read it.
+//! the shape they belong to, inertia without proportion. One function a warning; the comment above it is the rule as the user could read it.
 //!
 //! Warnings never stop the compilation, and `#[allow(…)]` before a declaration takes them back.
 
+use super::proportion::disproportion;
 use super::rules::{at_defaults, touched};
 use crate::diagnostics::{Allowed, Diagnostics, Lint, Region};
 use crate::messages;
@@ -12,13 +13,14 @@ use crate::model::{
 };
 
 /// The warnings in the order they are reported.
-const WARNINGS: [fn(&Mechanism, &mut Wanted); 6] = [
+const WARNINGS: [fn(&Mechanism, &mut Wanted); 7] = [
     declarations_are_used,
     bodies_are_connected,
     gravity_pulls,
     loads_have_an_effect,
     springs_pull_back,
     places_are_on_their_bodies,
+    inertia_fits_mass_and_size,
 ];
 
 /// All warnings of a mechanism without errors.
@@ -251,6 +253,20 @@ fn beyond(mechanism: &Mechanism, body: &Body, place: &NamedPoint) -> Option<((&'
     };
     let mut outside = limits.into_iter().filter_map(|(along, out, limit)| Some(((along, out), limit?)));
     outside.find(|((_, out), limit)| *out > limit * (1.0 + 1e-6))
+}
+
+// A moment of inertia belongs to a body of about the mass and size that are given.
+fn inertia_fits_mass_and_size(mechanism: &Mechanism, wanted: &mut Wanted) {
+    // Published moments that no real body has are the definition's own business.
+    if mechanism.options.accept_inertia {
+        return;
+    }
+    for (index, body) in mechanism.bodies.iter().enumerate() {
+        if let Some(found) = disproportion(mechanism, BodyId(index)) {
+            let message = messages::out_of_proportion(&body.name.text, &found);
+            wanted.push(Lint::Proportion, body.inertia_span, message);
+        }
+    }
 }
 
 fn is_zero(vector: &Vector) -> bool {

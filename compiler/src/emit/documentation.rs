@@ -13,5 +13,5 @@ pub fn model(text: &mut String, emitter: &Emitter, source: &str) {
     let Emitter { name, path, mechanism, .. } = emitter;
     let summary = format!("Equations of motion of the {} mechanism `{name}`.", mechanism.space.text());
     let _ = writeln!(text, "#[doc = \"\"] #[doc = {}]", quoted(&summary));
-    let _ = writeln!(text, "#[cfg_attr(doc, doc = {path}::__private::v1::mechanism_page! {{ {source} }})]");
+    let _ = writeln!(text, "#[cfg_attr(doc, doc = {path}::mechanism_page! {{ {source} }})]");
 }

@@ -27,7 +27,7 @@ pub fn items(text: &mut String, emitter: &Emitter, source: &str) {
     let _ = writeln!(
         text,
         "#[doc = \"Positions and velocities of [`{name}`].\"] {visibility} type {name}State<R = {F64}> = \
-         {path}::__private::v1::State<[R; {}], [R; {}]>;",
+         {path}::State<[R; {}], [R; {}]>;",
         emitter.positions(),
         emitter.velocities()
     );
@@ -97,7 +97,7 @@ fn constants(text: &mut String, emitter: &Emitter, source: &str) {
         "Consistent start state for the default parameters, assembled at compile time.",
         &format!("START: {name}State"),
         &format!(
-            "{path}::__private::v1::State {{ q: {}, v: {} }}",
+            "{path}::State {{ q: {}, v: {} }}",
             numbers(&compiled.assembly.q),
             numbers(&compiled.assembly.v)
         ),

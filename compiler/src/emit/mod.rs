@@ -19,6 +19,7 @@ mod body;
 mod coordinates_json;
 mod documentation;
 mod function;
+mod home;
 mod inherent;
 mod items;
 mod mechanism;
@@ -30,6 +31,7 @@ mod tangent;
 mod types;
 
 pub use coordinates_json::coordinates_json;
+pub use home::Home;
 pub use stub::stub;
 
 use crate::Compiled;
@@ -37,28 +39,34 @@ use crate::model::Mechanism;
 use crate::schedule::Function;
 use crate::self_check;
 use names::{Argument, Names, field};
+use proc_macro2::TokenStream;
 use std::fmt::Write;
 
-/// Everything the macro expands to.
-pub fn emit(compiled: &Compiled, source: &str) -> String {
-    let emitter = Emitter::new(compiled);
+/// Everything the macro expands to: an import, if the text needs one, and the text.
+pub fn emit(compiled: &Compiled, source: &str, home: &Home) -> (TokenStream, String) {
+    let mechanism = &compiled.mechanism;
+    let runtime = home.runtime(mechanism.options.crate_path.as_ref(), &mechanism.name.text);
+    (runtime.import, text(&Emitter::new(compiled, runtime.path), source))
+}
+
+fn text(emitter: &Emitter, source: &str) -> String {
     let mut text = String::new();
-    items::items(&mut text, &emitter, source);
+    items::items(&mut text, emitter, source);
     if emitter.inner != emitter.name {
         let _ = writeln!(text, "type {}<R> = {}<R>;", emitter.inner, emitter.name);
     }
     let _ = writeln!(text, "#[allow(unused, non_snake_case, clippy::all)] const _: () = {{");
     // The user's names must not reach in here, whatever they are.
     let _ = writeln!(text, "use ::core::prelude::rust_2024::*;");
-    let _ = writeln!(text, "use {}::__private::v1::*;", emitter.path);
+    let _ = writeln!(text, "use {}::*;", emitter.path);
     let _ = writeln!(text, "use ::core::primitive::{{bool, f64, u16, u32, usize, str}};");
     let mut implementations = String::new();
-    types::aliases(&mut text, &emitter);
-    types::fields(&mut implementations, &emitter);
-    inherent::inherent(&mut implementations, &emitter);
-    mechanism::mechanism(&mut implementations, &emitter);
-    assemble::assemble(&mut implementations, &emitter);
-    tangent::tangent(&mut text, &mut implementations, &emitter);
+    types::aliases(&mut text, emitter);
+    types::fields(&mut implementations, emitter);
+    inherent::inherent(&mut implementations, emitter);
+    mechanism::mechanism(&mut implementations, emitter);
+    assemble::assemble(&mut implementations, emitter);
+    tangent::tangent(&mut text, &mut implementations, emitter);
     // A type alias may not leave its scalar unused, so `()` stands for itself where nothing is given.
     if emitter.mechanism.inputs.is_empty() {
         implementations = replace_word(&implementations, "Inputs<R>", "()");
@@ -97,7 +105,7 @@ struct Emitter<'a> {
     inner: String,
     /// `pub`, `pub(crate)` or nothing.
     visibility: String,
-    /// `::linkwright`.
+    /// Of what emitted code may name, as `::linkwright::__private::v1`.
     path: String,
     names: Names,
     input_fields: Vec<String>,
@@ -106,19 +114,18 @@ struct Emitter<'a> {
 }
 
 impl<'a> Emitter<'a> {
-    fn new(compiled: &'a Compiled) -> Self {
+    fn new(compiled: &'a Compiled, path: String) -> Self {
         let mechanism = &compiled.mechanism;
         let programs = &compiled.programs;
         let pair =
             [Function::Acceleration, Function::AccelerationBaumgarte].map(|function| programs.get(function));
-        let path = mechanism.options.crate_path.as_ref().map(|path| path.to_string());
         Emitter {
             compiled,
             mechanism,
             name: mechanism.name.text.clone(),
             inner: names::inner(&mechanism.name.text),
             visibility: mechanism.visibility.to_string(),
-            path: path.unwrap_or("::linkwright".to_string()),
+            path,
             names: Names::new(&compiled.equations, &compiled.hoisted),
             input_fields: mechanism.inputs.iter().map(|input| field(&input.name.identifier())).collect(),
             cuts: (programs.shared > 0).then(|| body::Cut::of_pair(pair, programs.shared)),

@@ -3,6 +3,7 @@
 //! Every name that other code may use exists, with the types it would have as far as the broken definition tells; the
 //! functions do nothing. None of it can run, because the crate does not compile.
 
+use super::home::Home;
 use super::names::{field, is_keyword};
 use crate::syntax::{self, Header};
 use proc_macro2::TokenStream;
@@ -12,7 +13,7 @@ use std::fmt::Write;
 const MANY: usize = 1024;
 
 /// Items with the model's names; nothing if not even a name was written.
-pub fn stub(tokens: TokenStream) -> TokenStream {
+pub fn stub(tokens: TokenStream, home: &Home) -> TokenStream {
     let Some(header) = syntax::header(tokens) else { return TokenStream::new() };
     if is_keyword(&header.name.to_string()) {
         return TokenStream::new();
@@ -21,8 +22,10 @@ pub fn stub(tokens: TokenStream) -> TokenStream {
     structs(&mut text, &header);
     constants(&mut text, &header);
     implementations(&mut text, &header);
-    let path = header.crate_path.as_ref().map_or("::linkwright".to_string(), TokenStream::to_string);
-    text.replace("@CRATE@", &path).parse().unwrap_or_default()
+    let runtime = home.runtime(header.crate_path.as_ref(), &header.name.to_string());
+    let mut items = runtime.import;
+    items.extend(text.replace("@RUNTIME@", &runtime.path).parse::<TokenStream>());
+    items
 }
 
 impl Header {
@@ -57,7 +60,7 @@ fn structs(text: &mut String, header: &Header) {
     let _ = writeln!(
         text,
         "#[allow(missing_docs, dead_code)] {visibility} type {name}State<R = {f64}> = \
-         @CRATE@::__private::v1::State<[R; {MANY}], [R; {MANY}]>;"
+         @RUNTIME@::State<[R; {MANY}], [R; {MANY}]>;"
     );
 }
 
@@ -66,10 +69,7 @@ fn constants(text: &mut String, header: &Header) {
     let zeros = format!("[0.0; {MANY}]");
     let (usize, str) = ("::core::primitive::usize", "&'static ::core::primitive::str");
     let _ = writeln!(text, "#[allow(missing_docs, dead_code)] impl {name}<::core::primitive::f64> {{");
-    let _ = writeln!(
-        text,
-        "pub const START: {name}State = @CRATE@::__private::v1::State {{ q: {zeros}, v: {zeros} }};"
-    );
+    let _ = writeln!(text, "pub const START: {name}State = @RUNTIME@::State {{ q: {zeros}, v: {zeros} }};");
     for constant in ["DEGREES_OF_FREEDOM", "OPERATIONS"] {
         let _ = writeln!(text, "pub const {constant}: {usize} = 1;");
     }
@@ -119,7 +119,7 @@ fn implementations(text: &mut String, header: &Header) {
 const FIELDS: &str = "
 const _: () = {
 use ::core::prelude::rust_2024::*;
-use @CRATE@::__private::v1::*;
+use @RUNTIME@::*;
 impl<R: Real> Fields<R> for @STRUCT@<R> {
     const NAMES: &'static [&'static ::core::primitive::str] = &[];
     type Array = @LIST@;
@@ -132,7 +132,7 @@ impl<R: Real> Fields<R> for @STRUCT@<R> {
 const TEMPLATE: &str = "
 #[allow(unused, clippy::all)] const _: () = {
 use ::core::prelude::rust_2024::*;
-use @CRATE@::__private::v1::*;
+use @RUNTIME@::*;
 use ::core::primitive::{bool, f64, u16, u32, usize, str};
 impl<R: Real> Default for @NAME@Parameters<R> { fn default() -> Self { loop {} } }
 impl<R: Real> Default for @NAME@<R> { fn default() -> Self { loop {} } }

@@ -48,11 +48,25 @@ pub(crate) fn declared_by_rounds(name: &str) -> String {
     format!("every round of `repeat` declares `{name}`: give it the index of the round, such as `{name}[i]`")
 }
 
-pub(crate) fn cyclic_constant(name: &str, other: &str) -> String {
-    if name == other {
-        return format!("the constant `{name}` is defined by itself");
+/// `cycle`: each is defined by the next, the last by the first.
+pub(crate) fn cyclic_constants(cycle: &[&str]) -> String {
+    const MOST: usize = 8;
+    let named = |name: &&str| format!("`{name}`");
+    match cycle {
+        [] => String::new(),
+        [only] => format!("the constant `{only}` is defined by itself: give it a value"),
+        [first, rest @ ..] => {
+            let mut way: Vec<String> = rest.iter().take(MOST).map(named).collect();
+            if rest.len() > MOST {
+                way.push(format!("{} more", rest.len() - MOST));
+            }
+            way.push(named(first));
+            format!(
+                "the constants stand in a circle: `{first}` is defined by {}. Give one of them a value",
+                way.join(", that by ")
+            )
+        }
     }
-    format!("the constants `{name}` and `{other}` are defined by each other")
 }
 
 // ---- Places ----------------------------------------------------------------------------------------------------------

@@ -373,7 +373,7 @@ pub(crate) fn nothing_moves(constraint: &str) -> String {
 }
 
 pub(crate) fn driven_twice(driver: &str, first: &str) -> String {
-    format!("`{driver}` drives what `{first}` drives already")
+    format!("`{driver}` drives what `{first}` drives already: remove one of them")
 }
 
 pub(crate) fn start_twice(quantity: &str) -> String {

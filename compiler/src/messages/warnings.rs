@@ -1,6 +1,7 @@
 //! Texts of warnings: what is possible and probably not meant. Each says how it is taken back.
 
 use super::number;
+use crate::check::Disproportion;
 use crate::syntax::Shape;
 
 /// `kind`: a constant, parameter, input, point, marker or line.
@@ -96,5 +97,21 @@ pub(crate) fn outside(place: &str, shape: Shape, body: &str, along: (&str, f64),
          the dimensions, or write `#[allow(outside)]` before it",
         number(out),
         number(limit)
+    )
+}
+
+/// SI units, at the defaults of parameters.
+pub(crate) fn out_of_proportion(body: &str, found: &Disproportion) -> String {
+    let Disproportion { moment, mass, gyration, reach, unit } = found;
+    let most = mass * reach * reach;
+    format!(
+        "`{body}` has a moment of inertia of {} kg*m^2 and a mass of {} kg, a radius of gyration of {} m, but nothing of it is farther \
+         than {} m from its centre of mass: a body of that size and mass has up to {} kg*m^2. Correct the number or the unit, which \
+         `[{unit}]` would fit, or write `#[allow(proportion)]` before it",
+        number(*moment),
+        number(*mass),
+        number(*gyration),
+        number(*reach),
+        number(most)
     )
 }

@@ -134,7 +134,7 @@ pub(crate) fn not_an_index(name: &str, is_unit: bool) -> String {
 }
 
 pub(crate) fn index_too_deep(name: &str) -> String {
-    format!("the constant `{name}` refers to itself, or to others too many levels deep")
+    format!("the constant `{name}` refers to others too many levels deep; write its value")
 }
 
 pub(crate) fn not_an_integer() -> String {
@@ -151,6 +151,20 @@ pub(crate) fn index_shadowed(name: &str) -> String {
 
 pub(crate) fn too_many_rounds(rounds: usize, limit: usize) -> String {
     format!("{rounds} rounds are too many: `repeat` may unroll to {limit} rounds and statements in all")
+}
+
+pub(crate) fn repeat_backwards(first: i64, behind: i64, variable: &str) -> String {
+    let why = format!(
+        "`repeat` counts upwards and stops before the number behind `..`, so from {first} to {behind} there is no round"
+    );
+    if behind < 0 {
+        return format!("{why}: write the smaller number first");
+    }
+    let (past, sum) = (first.saturating_add(1), first.saturating_add(behind));
+    format!(
+        "{why}: write `{behind}..{past}` for the numbers from {behind} to {first}, and `{sum} - {variable}` in place of `{variable}` to \
+         count them downwards"
+    )
 }
 
 pub(crate) fn constant_in_repeat() -> String {
@@ -176,6 +190,13 @@ pub(crate) fn unknown_statement<'a>(word: &str, known: impl Iterator<Item = &'a 
         }
     };
     format!("no statement begins with `{word}`{hint}")
+}
+
+pub(crate) fn driven_distance(name: &str) -> String {
+    format!(
+        "a driver moves one coordinate, such as `crank_pin.angle`; a distance of two places that follows a law is a joint: \
+         `joint {name}: distance(one, other, length [m] = …);`"
+    )
 }
 
 pub(crate) fn input_with_value(name: &str) -> String {

@@ -50,8 +50,13 @@ impl Lowering<'_> {
                     Some(next) if marks[next] == Mark::Open => {
                         // Left out of the order, so that nothing is said about the value.
                         marks[index] = Mark::Done;
-                        let (one, other) = (&constants[index].name, &constants[next].name);
-                        self.diagnostics.error(one.region, messages::cyclic_constant(&one.text, &other.text));
+                        let open = stack.iter().map(|(index, _)| &constants[*index].name);
+                        let cycle: Vec<_> =
+                            open.skip_while(|name| name.text != constants[next].name.text).collect();
+                        let names: Vec<&str> = cycle.iter().map(|name| name.text.as_str()).collect();
+                        if let Some(first) = cycle.first() {
+                            self.diagnostics.error(first.region, messages::cyclic_constants(&names));
+                        }
                     }
                     Some(_) => {}
                 }

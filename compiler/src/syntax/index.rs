@@ -18,7 +18,7 @@ impl Parser {
         }
         let term = self.expression(&mut inside)?;
         self.end(&inside, "an operator or `]`")?;
-        let value = self.evaluate(&term, true, 0)?;
+        let value = self.evaluate(&term, true, &mut Vec::new())?;
         if value < 0 {
             return self.fail(term.region, messages::negative_index(value));
         }
@@ -27,10 +27,11 @@ impl Parser {
 
     /// The value of an expression of integers, constants and variables of `repeat`.
     pub fn integer(&mut self, term: &Term) -> Parsed<i64> {
-        self.evaluate(term, false, 0)
+        self.evaluate(term, false, &mut Vec::new())
     }
 
-    fn evaluate(&mut self, term: &Term, in_brackets: bool, depth: usize) -> Parsed<i64> {
+    /// `within`: the constants that are being evaluated, each named by the one before.
+    fn evaluate(&mut self, term: &Term, in_brackets: bool, within: &mut Vec<String>) -> Parsed<i64> {
         let region = term.region;
         let value = match &term.kind {
             TermKind::Number { text, unit: None } => whole_number(text),
@@ -40,17 +41,28 @@ impl Parser {
                     return self.fail(region, messages::not_an_index(&path.text, is_unit));
                 };
                 self.definition.counted.insert(path.text.clone());
-                if depth > DEEPEST_CONSTANT {
+                if let Some(value) = self.integers.get(&path.text) {
+                    return Ok(*value);
+                }
+                if let Some(first) = within.iter().position(|name| *name == path.text) {
+                    let cycle: Vec<&str> = within[first..].iter().map(String::as_str).collect();
+                    return self.fail(region, messages::cyclic_constants(&cycle));
+                }
+                if within.len() > DEEPEST_CONSTANT {
                     return self.fail(region, messages::index_too_deep(&path.text));
                 }
                 // An error inside the constant is shown where it is used.
                 constant.region = region;
-                Some(self.evaluate(&constant, in_brackets, depth + 1)?)
+                within.push(path.text.clone());
+                let value = self.evaluate(&constant, in_brackets, within)?;
+                within.pop();
+                self.integers.insert(path.text.clone(), value);
+                Some(value)
             }
             TermKind::Operation(operator, operands) => {
                 let mut values = Vec::with_capacity(2);
                 for operand in operands {
-                    values.push(self.evaluate(operand, in_brackets, depth)?);
+                    values.push(self.evaluate(operand, in_brackets, within)?);
                 }
                 if *operator == Operator::Divide && values[1] == 0 {
                     return self.fail(region, messages::division_by_zero());

@@ -56,7 +56,7 @@ use crate::messages;
 use attributes::Bearer;
 use parser::{Failed, Parsed, Parser};
 use proc_macro2::{Delimiter, Span, TokenStream};
-use std::collections::{BTreeSet, HashMap};
+use std::collections::{BTreeMap, BTreeSet, HashMap};
 use token::{Cursor, Token};
 
 /// `repeat` may unroll to this many rounds and statements.
@@ -81,7 +81,9 @@ fn read(tokens: &[Token], whole: Region, patient: bool) -> (Definition, Diagnost
         diagnostics: Diagnostics::new(),
         definition: empty(),
         constants: HashMap::new(),
+        integers: HashMap::new(),
         indices: Vec::new(),
+        backwards: BTreeMap::new(),
         budget: MOST_STATEMENTS,
         depth: 0,
         patient,
@@ -90,6 +92,9 @@ fn read(tokens: &[Token], whole: Region, patient: bool) -> (Definition, Diagnost
     let end = tokens.last().map_or(whole, |last| last.region);
     let mut cursor = Cursor::new(tokens, end);
     let _: Parsed<()> = parser.item(&mut cursor);
+    for (region, message) in std::mem::take(&mut parser.backwards).into_values().flatten() {
+        parser.diagnostics.error(region, message);
+    }
     (parser.definition, parser.diagnostics)
 }
 

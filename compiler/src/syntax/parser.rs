@@ -10,7 +10,7 @@ use crate::diagnostics::{Diagnostics, Region};
 use crate::messages;
 use crate::units::{self, UnitError};
 use proc_macro2::Delimiter;
-use std::collections::HashMap;
+use std::collections::{BTreeMap, HashMap};
 
 /// The error has been pushed.
 #[derive(Debug)]
@@ -25,8 +25,12 @@ pub(super) struct Parser {
     pub definition: Definition,
     /// Values of constants, for indices and bounds of `repeat`.
     pub constants: HashMap<String, Term>,
+    /// Those that have been counted with: each is evaluated once, however often others name it.
+    pub integers: HashMap<String, i64>,
     /// Variables of the `repeat`s around, innermost last.
     pub indices: Vec<(String, i64)>,
+    /// The `repeat`s whose bounds stand the wrong way round, by their tokens; nothing of those that made a round within another one.
+    pub backwards: BTreeMap<(u32, u32), Option<(Region, String)>>,
     /// Rounds and statements that `repeat` may still unroll to.
     pub budget: usize,
     /// Nesting of the expression being read.

@@ -203,7 +203,11 @@ impl Parser {
     fn driver(&mut self, c: &mut Cursor) -> Parsed<()> {
         let name = self.declared(c, "the name of the driver")?;
         self.punct(c, ':')?;
+        let call = c.at_word("distance").then(|| c.region());
         let quantity = self.path(c, "the quantity that is driven, such as `crank_pin.angle`")?;
+        if let (Some(at), true) = (call, c.inside(Delimiter::Parenthesis).is_some()) {
+            return self.fail(at.to(c.region()), messages::driven_distance(&name.text));
+        }
         self.punct(c, '=')?;
         let law = self.expression(c)?;
         self.semicolon(c)?;
@@ -223,7 +227,7 @@ impl Parser {
         Ok(())
     }
 
-    /// `i in first..behind_last { … }`
+    /// `i in first..behind_last { … }`; as many rounds as there are numbers, which may be none: `0..N` of a chain without links.
     fn repeat(&mut self, c: &mut Cursor) -> Parsed<()> {
         let variable = self.word(c, "the variable of `repeat`")?;
         if self.indices.iter().any(|(name, _)| *name == variable.text) {
@@ -239,6 +243,14 @@ impl Parser {
         let behind = self.expression(c)?;
         let region = start.to(behind.region);
         let behind = self.integer(&behind)?;
+        // Of pairs, `repeat j in i + 1..N`, the last round of `i` may have none; but some round has.
+        let backwards = self.backwards.entry(region.serials());
+        if behind < first {
+            let message = messages::repeat_backwards(first, behind, &variable.text);
+            backwards.or_insert(Some((region, message)));
+        } else {
+            backwards.and_modify(|error| *error = None).or_insert(None);
+        }
         let inside = self.group(c, Delimiter::Brace)?;
         let rounds = behind.saturating_sub(first).max(0) as usize;
         let statements = rounds.saturating_mul(1 + inside.count_statements());

@@ -196,6 +196,20 @@ fn repeat_unrolls_with_integer_indices() {
     );
 }
 
+/// A range without numbers has no rounds, as of a chain without links, or of the last of the pairs i < j.
+#[test]
+fn repeat_without_rounds() {
+    let empty = good(
+        "planar A { const N = 0; repeat i in 0..N { rod gone[i] { mass [kg] = 1; } } rod r { mass [kg] = 1; length [m] = 1; } }",
+    );
+    assert_eq!(empty.bodies.len(), 1);
+    let pairs = "planar A {
+        repeat i in 0..3 { rod r[i] { mass [kg] = 1; length [m] = 1; } }
+        repeat i in 0..3 { repeat j in i + 1..2 { joint pin[i][j]: revolute(r[i].end, r[j].end); } }
+    }";
+    assert_eq!(good(pairs).joints.len(), 1);
+}
+
 #[test]
 fn nested_repeats_and_indexed_declarations() {
     let m = good(

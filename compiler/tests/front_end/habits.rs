@@ -273,6 +273,16 @@ const HABITS: &[(&str, &str)] = &[
         "expected a value, found `=`; `repeat` stops before the number behind `..`: write one more",
     ),
     (
+        "repeat i in 3..1 { output o[i] [1] = i; }",
+        "`repeat` counts upwards and stops before the number behind `..`, so from 3 to 1 there is no round: write `1..4` for the \
+         numbers from 1 to 3, and `4 - i` in place of `i` to count them downwards",
+    ),
+    (
+        "const N = 0; repeat i in 0..N - 1 { output o[i] [1] = i; }",
+        "`repeat` counts upwards and stops before the number behind `..`, so from 0 to -1 there is no round: write the smaller \
+         number first",
+    ),
+    (
         "repeat i in 0..2 { rod a { mass [kg] = 1; length [m] = 1; } }",
         "every round of `repeat` declares `a`: give it the index of the round, such as `a[i]`",
     ),

@@ -33,6 +33,15 @@ fn nesting_just_below_the_limit_is_lowered() {
     });
 }
 
+/// A constant that others name twice over, and these others again, is counted with once.
+#[test]
+fn constants_are_evaluated_once() {
+    let begin = Instant::now();
+    let chain: String = (1..31).map(|i| format!("const A{i} = A{} + A{};", i - 1, i - 1)).collect();
+    good(&slider_crank(&format!("const A0 = 0; {chain} repeat i in 0..A30 {{ output o[i] [1] = i; }}")));
+    assert!(begin.elapsed().as_secs() < 5, "{:?}", begin.elapsed());
+}
+
 #[test]
 fn long_sums_are_an_error() {
     on_small_stack(|| {

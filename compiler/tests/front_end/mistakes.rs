@@ -155,8 +155,24 @@ const MISTAKES: &[(&str, &str)] = &[
         "an input has no value here, it is given at every call; write `param u …` for a value that stays",
     ),
     ("input u [];", "the unit is missing: write `[1]` for a plain number"),
-    ("const A [m] = B; const B [m] = A;", "the constants `B` and `A` are defined by each other"),
-    ("const A [m] = A;", "the constant `A` is defined by itself"),
+    (
+        "const A [m] = B; const B [m] = A;",
+        "the constants stand in a circle: `A` is defined by `B`, that by `A`. Give one of them a value",
+    ),
+    (
+        "const A [m] = B; const B [m] = 2 * C; const C [m] = D - A; const D [m] = 1;",
+        "the constants stand in a circle: `A` is defined by `B`, that by `C`, that by `A`. Give one of them a value",
+    ),
+    ("const A [m] = A;", "the constant `A` is defined by itself: give it a value"),
+    (
+        "const A = 2 * B; const B = C / 2; const C = A; repeat i in 0..A { output o[i] [1] = i; }",
+        "the constants stand in a circle: `A` is defined by `B`, that by `C`, that by `A`. Give one of them a value",
+    ),
+    (
+        "drive d: distance(crank.pin, link.end) = 0.4 [m];",
+        "a driver moves one coordinate, such as `crank_pin.angle`; a distance of two places that follows a law is a joint: \
+         `joint d: distance(one, other, length [m] = …);`",
+    ),
     ("const A [Nm] = 1;", r#"no unit called "Nm"; did you mean `N*m`?"#),
     ("const A [mrad] = 1;", "`rad` takes no prefix: write the factor that `m` stands for into the number"),
     ("const A [m2] = 1;", r#"no unit called "m2"; did you mean `m^2`?"#),
@@ -381,7 +397,10 @@ const MISTAKES: &[(&str, &str)] = &[
         "drive d: base.angle = base.angle;",
         "`base.angle` is a position, but the law of a driver may depend on constants, parameters and time only",
     ),
-    ("drive d: base.angle = 1 [rad]; drive e: base.angle = 2 [rad];", "`e` drives what `d` drives already"),
+    (
+        "drive d: base.angle = 1 [rad]; drive e: base.angle = 2 [rad];",
+        "`e` drives what `d` drives already: remove one of them",
+    ),
     (
         "force f: force(crank.pin, direction = (0, 0)) = 3 [N];",
         "the direction is zero: it points nowhere; write for instance (1, 0)",

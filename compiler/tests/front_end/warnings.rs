@@ -208,3 +208,52 @@ fn rustc_is_told_at_the_place_of_the_warning() {
     let none = warnings(&slider_crank(""));
     assert!(none.into_warnings(home).is_empty(), "nothing is emitted where nothing is to say");
 }
+
+/// The sixth body of the slider-crank, which reaches 0.2 m, with a moment of inertia.
+fn arm(more: &str) -> String {
+    format!("body b {{ mass [kg] = 1.2; {more} point p [m] = (0.2, 0); }} joint j: revolute(link.end, b.p);")
+}
+
+#[test]
+fn inertia_out_of_proportion() {
+    let found = warnings(&slider_crank(&arm("inertia [kg*m^2] = 4000;")));
+    let found: Vec<_> = found.iter().map(|warning| warning.message.as_str()).collect();
+    let expected = "`b` has a moment of inertia of 4000 kg*m^2 and a mass of 1.2 kg, a radius of gyration of 57.735 m, but nothing of it \
+                    is farther than 0.2 m from its centre of mass: a body of that size and mass has up to 0.048 kg*m^2. Correct the \
+                    number or the unit, which `[kg*mm^2]` would fit, or write `#[allow(proportion)]` before it";
+    assert_eq!(found, [expected]);
+    let source = slider_crank(&arm("inertia [kg*m^2] = 4000;"));
+    let region = warnings(&source).iter().next().expect("a warning").region;
+    assert!(underlined(&source, region).contains("~~~~"));
+    for (inertia, unit) in [("160", "kg*cm^2"), ("1.6e5", "g*cm^2"), ("1.6e7", "g*mm^2")] {
+        let found = warnings(&slider_crank(&arm(&format!("inertia [kg*m^2] = {inertia};"))));
+        let found: String = found.iter().map(|warning| warning.message.clone()).collect();
+        assert!(found.contains(&format!("which `[{unit}]` would fit")), "{inertia}: {found}");
+    }
+    warns(&arm("#[allow(proportion)] inertia [kg*m^2] = 4000;"), &[]);
+    warns(&format!("{} options {{ inertia = accept; }}", arm("inertia [kg*m^2] = 4000;")), &[]);
+}
+
+/// What is sensible, however unlike a plate of the size of its places.
+#[test]
+fn inertia_in_proportion() {
+    for body in [
+        // A plate; the same in the right unit; a point; a massless frame.
+        "mass [kg] = 1.2; inertia [kg*m^2] = 0.016;",
+        "mass [kg] = 1.2; inertia [kg*mm^2] = 16000;",
+        "mass [kg] = 1.2; inertia [kg*m^2] = 0;",
+        "mass [kg] = 0; inertia [kg*m^2] = 1;",
+        // A flywheel of 1 m on a crank of 0.2 m; a motor of 2e-5 kg m² behind a gear of 160.
+        "mass [kg] = 200; inertia [kg*m^2] = 100;",
+        "mass [kg] = 1.2; inertia [kg*m^2] = 0.5;",
+        // A ball of 1 cm on a wire of 0.2 m.
+        "mass [kg] = 1.2; inertia [kg*m^2] = 4.8e-5;",
+    ] {
+        let more = format!("body b {{ {body} point p [m] = (0.2, 0); }} joint j: revolute(link.end, b.p);");
+        warns(&more, &[]);
+    }
+    // The disk of a rotor, 10 µm off its shaft; one that has no place but its centre.
+    let disk = "body b { mass [kg] = 5; inertia [kg*m^2] = 0.1; point p [um] = (10, 0); } joint j: revolute(link.end, b.p);";
+    warns(disk, &[]);
+    warns("body b { mass [kg] = 1; inertia [kg*m^2] = 4000; } joint j: revolute(link.end, b.center);", &[]);
+}

@@ -4,12 +4,13 @@
 //! alone is a singular position (a change point, a dead centre of a driver). One that is lost at the start without a way to
 //! leave it belongs to a structure that moves only infinitesimally.
 
+use super::loose::Loose;
 use super::mobility::{self, Rank};
 use super::point::{Ancestry, Point};
 use super::position::Problem;
 use super::redundancy::{self, Finding, Redundancy};
-use super::{geometry, loose, messages, pins};
-use crate::diagnostics::Diagnostics;
+use super::{drivers, geometry, loose, messages, pins};
+use crate::diagnostics::{Diagnostic, Diagnostics, Note, Region, Severity};
 use crate::equations::conditions;
 use crate::model::{BodyKind, Mechanism, Quantity, Redundant, Space};
 use crate::numbers::coordinate;
@@ -90,7 +91,7 @@ pub fn judge(at: &Assembled, point: &mut Point, errors: &mut Diagnostics) -> Opt
     if !lost.is_empty() {
         report_singular(at, point, &left, &lost, &finding.beyond, errors);
     } else if !at.mechanism.drivers.is_empty() {
-        stuck_driver(at, point, left, errors);
+        drivers::judge(at, point, left, errors);
     }
     errors.is_empty().then_some((mobility, finding.redundancy))
 }
@@ -139,7 +140,25 @@ fn expected(at: &Assembled, point: &Point, mobility: &Mobility, errors: &mut Dia
     };
     let independent: Vec<String> =
         at.independent.iter().map(|quantity| conditions::name(at.mechanism, quantity)).collect();
-    errors.error(span, messages::wrong_freedoms(expected, mobility, &loose, &independent));
+    let message =
+        messages::wrong_freedoms(expected, mobility, &loose, &independent, at.mechanism.drivers.len());
+    // What moves alone is shown where it should be held; the number where it stands.
+    let mut places = loose.iter().map(|loose| (place(at.mechanism, loose), messages::loose(loose)));
+    let Some((region, _)) = places.next() else { return errors.error(span, message) };
+    let mut notes: Vec<Note> = places.map(|(region, message)| Note { region, message }).collect();
+    notes.push(Note { region: span, message: messages::freedoms_expected(expected, mobility.generic) });
+    errors.push(Diagnostic { severity: Severity::Error, region, message, notes });
+}
+
+/// The joint that a body hangs on; of what several joints hold, or none, the body.
+fn place(mechanism: &Mechanism, loose: &Loose) -> Region {
+    let joint = match loose.joints.as_slice() {
+        [only] => mechanism.joints.iter().map(|joint| &joint.name).find(|name| name.text == *only),
+        _ => None,
+    };
+    let mut bodies = mechanism.bodies.iter().map(|body| &body.name);
+    let name = joint.or_else(|| bodies.find(|name| loose.bodies.contains(&name.text)));
+    name.unwrap_or(&mechanism.name).span
 }
 
 /// One message for each joint, not for each of its rows.
@@ -224,22 +243,4 @@ fn elsewhere(at: &Assembled, point: &mut Point, beyond: &[Vec<f64>]) -> Option<S
     let exact = at.mechanism.start.iter().any(|start| start.exact && start.text == condition.of);
     let sign = if exact { '=' } else { '~' };
     Some(format!("{} [{unit}] {sign} {};", condition.of, coordinate(furthest, 3)))
-}
-
-/// The first driver that holds nothing at the start, though the joints leave it freedom.
-fn stuck_driver(at: &Assembled, point: &mut Point, mut rows: Vec<usize>, errors: &mut Diagnostics) {
-    let equations = point.equations;
-    let first = equations.rows.len() - at.mechanism.drivers.len();
-    rows.extend(first..equations.rows.len());
-    while rows.last().is_some_and(|row| *row >= first) {
-        if mobility::rank(point, &rows, at.q).dependent.is_empty() {
-            return;
-        }
-        let Some(driver) = rows.pop() else { return };
-        if mobility::rank(point, &rows, at.q).dependent.is_empty() {
-            let row = &equations.rows[driver];
-            let quantity = &equations.driven[driver - first].0.of;
-            errors.error(row.span, messages::stuck_driver(&row.of, quantity));
-        }
-    }
 }

@@ -9,6 +9,7 @@
 mod along;
 mod attempts;
 mod charts;
+mod drivers;
 mod freedoms;
 mod geometry;
 mod initial;

@@ -247,6 +247,11 @@ fn joints_that_share(
     joints.into_iter().collect()
 }
 
+/// Positions a short way from `q`, drivers removed.
+pub fn nearby(mechanism: &Mechanism, point: &mut Point, problem: &Problem, q: &[f64]) -> Vec<Vec<f64>> {
+    positions(mechanism, point, problem, q).found
+}
+
 /// Where velocities that the joints admit lead.
 #[derive(Default)]
 struct Nearby {

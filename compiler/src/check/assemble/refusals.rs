@@ -2,7 +2,7 @@
 
 use super::mobility::{independent, rank};
 use super::point::{Ancestry, Point};
-use super::{Attempt, Problem, messages};
+use super::{Attempt, Problem, drivers, messages};
 use crate::diagnostics::Diagnostics;
 use crate::equations::{Equations, Rotation};
 use crate::model::{Frame, JointId, JointKind, Mechanism, Space};
@@ -83,15 +83,8 @@ pub fn open(mechanism: &Mechanism, point: &mut Point, failure: Option<Attempt>, 
         errors.error(mechanism.name.span, messages::cannot_start());
         return;
     };
-    if let Some(driver) = mechanism.drivers.first() {
-        // More drivers than freedoms can only disagree.
-        let undriven: Vec<usize> = (0..equations.rows.len() - mechanism.drivers.len()).collect();
-        let freedoms = equations.symbols.v.len() - rank(point, &undriven, &failure.q).rank;
-        if mechanism.drivers.len() > freedoms {
-            let names = mechanism.drivers.iter().map(|driver| driver.name.text.clone()).collect();
-            errors.error(driver.name.span, messages::too_many_drivers(names, freedoms));
-            return;
-        }
+    if drivers::too_many(point, mechanism.drivers.len(), &failure.q, errors) {
+        return;
     }
     let first_driver = equations.rows.len() - mechanism.drivers.len();
     match failure.worst {

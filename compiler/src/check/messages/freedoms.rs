@@ -10,6 +10,7 @@ pub fn wrong_freedoms(
     mobility: &Mobility,
     loose: &[Loose],
     independent: &[String],
+    drivers: usize,
 ) -> String {
     let found = mobility.generic;
     let mut text = format!("expected {}, found {found}", freedoms(expected));
@@ -33,7 +34,15 @@ pub fn wrong_freedoms(
         let reasons: String = mobility.reasons.iter().map(|reason| format!("; {reason}")).collect();
         text += &format!(". {}{reasons}", capital(&counted(mobility)));
     }
-    text + &format!("; write `degrees_of_freedom = {found};` if that is meant, or change the joints")
+    if drivers > 0 && expected + drivers == found {
+        text += ". Drivers are not counted: these are the freedoms that they move";
+    }
+    let hangs = |loose: &Loose| matches!(loose.way, Way::Floating | Way::Hanging(_));
+    let missing = match loose.iter().any(hangs) {
+        true => "or add the joint or gear that is missing",
+        false => "or change the joints",
+    };
+    text + &format!("; write `degrees_of_freedom = {found};` if that is meant, {missing}")
 }
 
 /// The freedoms in sentences, for those who ask.
@@ -148,8 +157,58 @@ pub fn no_choice(of: &str) -> String {
 pub fn stuck_driver(of: &str, quantity: &str) -> String {
     format!(
         "the driver \"{of}\" cannot move the mechanism from its start position: {quantity} is at a dead centre there, where \
-         its rate is zero whatever else moves, or others hold it. Start elsewhere, or drive another coordinate"
+         its rate is zero whatever else moves. Start elsewhere, or drive another coordinate"
     )
+}
+
+/// A coordinate that never moves.
+pub fn held_driver(of: &str, quantity: &str) -> String {
+    format!(
+        "the driver \"{of}\" cannot move {quantity}: the joints hold it wherever the mechanism stands. Drive a coordinate that \
+         they leave free, or change the joints"
+    )
+}
+
+/// No freedom at all.
+pub fn nothing_to_drive(of: &str) -> String {
+    format!(
+        "the driver \"{of}\" has nothing to move: the joints leave the mechanism no degree of freedom, so that it is a rigid \
+         structure. Remove the driver, or let the joints leave a freedom"
+    )
+}
+
+/// Drivers by their names and what they move: the first follows from the others.
+pub fn drives_the_same((of, quantity): (&str, &str), others: &[(&str, &str)]) -> String {
+    let names: Vec<String> = others.iter().map(|(of, _)| format!("\"{of}\"")).collect();
+    let quantities: Vec<String> = others.iter().map(|(_, quantity)| quantity.to_string()).collect();
+    let (moves, why) = match others {
+        [(_, other)] if *other == quantity => (repeated_verb(1), format!("both drive {quantity}")),
+        _ => (repeated_verb(others.len()), format!("{quantity} follows from {}", list(&quantities))),
+    };
+    format!(
+        "the driver \"{of}\" moves what {} {moves} already: {why}. Remove one of the {} drivers, or give the mechanism another \
+         freedom",
+        list(&names),
+        others.len() + 1
+    )
+}
+
+fn repeated_verb(count: usize) -> &'static str {
+    if count == 1 { "moves" } else { "together move" }
+}
+
+/// The note at one of the others.
+pub fn drives_too((of, quantity): (&str, &str), (rival, _): (&str, &str)) -> String {
+    format!("the driver \"{of}\" is here: it moves {quantity}, and so what \"{rival}\" moves")
+}
+
+/// The note at `expect`.
+pub fn freedoms_expected(expected: usize, found: usize) -> String {
+    format!("{} expected here, and {found} found", freedoms_are(expected))
+}
+
+fn freedoms_are(count: usize) -> String {
+    format!("{} {}", freedoms(count), if count == 1 { "is" } else { "are" })
 }
 
 /// Rows of one joint that repeat, wherever the mechanism stands.

@@ -1,0 +1,18 @@
+//! A driver taken for a joint.
+
+linkwright::mechanism! {
+    planar FourBar {
+        rod crank   { mass [kg] = 1; length [m] = 1; }
+        rod coupler { mass [kg] = 1; length [m] = 2; }
+        rod rocker  { mass [kg] = 1; length [m] = 1.5; }
+        joint crank_pin:  revolute(ground(0, 0) [m], crank.start);
+        joint rocker_pin: revolute(ground(2, 0) [m], rocker.start);
+        joint left:       revolute(crank.end, coupler.start);
+        joint right:      revolute(coupler.end, rocker.end);
+        drive motor: crank_pin.angle = 1 [rad] + 2 [rad/s] * time;
+        start { rocker_pin.angle [deg] ~ 90; }
+        expect { degrees_of_freedom = 0; }
+    }
+}
+
+fn main() {}
