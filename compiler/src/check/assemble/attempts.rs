@@ -1,7 +1,9 @@
-//! How often assembly is tried, and which of the positions found is the one.
+//! How often assembly is tried, and which of the positions found is the one. A few quick attempts close most mechanisms; what
+//! they do not is searched for.
 
-use super::initial::Stated;
+use super::initial::{Stated, Variation};
 use super::point::{Ancestry, Point};
+use super::search::Search;
 use super::{Attempt, Problem, messages, refusals};
 use crate::diagnostics::Diagnostics;
 use crate::equations::Equations;
@@ -11,7 +13,41 @@ use std::f64::consts::TAU;
 /// Guesses met this well leave nothing to compare.
 const MET: f64 = 1e-18;
 
-/// Bounded work: tries from `start` as written, then from a few positions spread over the circle.
+/// The positions that were found.
+#[derive(Default)]
+pub struct Solutions {
+    /// All different.
+    found: Vec<Attempt>,
+    /// A row on the wrong side of the best that was found on it.
+    flipped: Option<usize>,
+}
+
+impl Solutions {
+    /// Keeps it unless it is known; whether nothing can be nearer to the guesses, or there is nothing to compare.
+    pub fn push(&mut self, problem: &Problem, point: &mut Point, attempt: Attempt) -> bool {
+        if let Some(row) = problem.flipped(point, &attempt.q) {
+            self.flipped = Some(row);
+            return false;
+        }
+        let met = attempt.distance < MET && problem.has_guesses();
+        // Coordinates that nothing decides come out anywhere; the guesses then tell one assembly from another.
+        let decided = problem.is_decided(point, &attempt.q);
+        let equations = point.equations;
+        let known = |known: &Attempt| {
+            same(equations, &known.q, &attempt.q) || (!decided && alike(known.distance, attempt.distance))
+        };
+        if !self.found.iter().any(known) {
+            self.found.push(attempt);
+        }
+        met || problem.is_free(point, &self.found[0].q)
+    }
+
+    pub fn is_empty(&self) -> bool {
+        self.found.is_empty()
+    }
+}
+
+/// Bounded work: tries from `start` as written, then from a few positions spread over the circle; then a search.
 pub fn closed(
     mechanism: &Mechanism,
     problem: &Problem,
@@ -21,53 +57,36 @@ pub fn closed(
     let equations = point.equations;
     let stated = Stated::of(equations, point);
     let attempts = (240 / (equations.symbols.v.len() + equations.rows.len()).max(1)).clamp(3, 8);
-    let mut solutions: Vec<Attempt> = Vec::new();
-    let mut failure: Option<Attempt> = None;
-    let mut flipped = None;
+    let mut solutions = Solutions::default();
     for number in 0..attempts {
-        let q = stated.initial(mechanism, point, number);
+        let q = stated.initial(mechanism, point, Variation::Few(number));
         let attempt = problem.solve(point, q);
-        if !attempt.closed {
-            if failure.as_ref().is_none_or(|worst| attempt.residual < worst.residual) {
-                failure = Some(attempt);
-            }
-            continue;
-        }
-        if let Some(row) = problem.flipped(point, &attempt.q) {
-            flipped = Some(row);
-            continue;
-        }
-        let met = attempt.distance < MET && problem.has_guesses();
-        // Coordinates that nothing decides come out anywhere; the guesses then tell one assembly from another.
-        let decided = problem.is_decided(point, &attempt.q);
-        let known = |known: &Attempt| {
-            same(equations, &known.q, &attempt.q) || (!decided && alike(known.distance, attempt.distance))
-        };
-        if !solutions.iter().any(known) {
-            solutions.push(attempt);
-        }
-        // Nothing can be nearer to guesses than one that meets them; with nothing to find there is nothing to compare.
-        if met || problem.is_free(point, &solutions[0].q) {
+        if attempt.closed && solutions.push(problem, point, attempt) {
             break;
         }
     }
-    solutions.sort_by(|a, b| a.distance.total_cmp(&b.distance));
-    match (solutions.as_slice(), failure, flipped) {
-        ([only], ..) => Some(only.clone()),
-        ([nearest, next, ..], ..) => {
+    let mut searched = 0;
+    if solutions.is_empty() {
+        searched = Search::new(mechanism, problem, point, &stated).closed(point, &mut solutions);
+    }
+    let Solutions { mut found, flipped } = solutions;
+    found.sort_by(|a, b| a.distance.total_cmp(&b.distance));
+    match (found.as_slice(), flipped) {
+        ([only], _) => Some(only.clone()),
+        ([nearest, next, ..], _) => {
             if problem.has_guesses() && nearest.distance <= 0.25 * next.distance {
                 return Some(nearest.clone());
             }
             refusals::second(mechanism, problem, point, nearest, next, errors);
             None
         }
-        ([], _, Some(row)) => {
+        ([], Some(row)) => {
             let row = &equations.rows[row];
             errors.error(row.span, messages::flipped(&row.of));
             None
         }
-        ([], failure, None) => {
-            refusals::open(mechanism, point, failure, errors);
+        ([], None) => {
+            refusals::open(mechanism, problem, &stated, point, attempts + searched, errors);
             None
         }
     }

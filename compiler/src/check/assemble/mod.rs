@@ -7,6 +7,7 @@
 //! to absolute coordinates where those are emitted.
 
 mod attempts;
+mod descent;
 mod freedoms;
 mod geometry;
 mod initial;
@@ -20,6 +21,7 @@ mod quaternion;
 mod rates;
 mod redundancy;
 mod refusals;
+mod search;
 mod world;
 
 pub use freedoms::Mobility;

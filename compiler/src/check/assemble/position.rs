@@ -4,8 +4,11 @@
 //! sparse factorisation that is also emitted, with ε there only to keep steps short (Nocedal & Wright, Numerical
 //! Optimization, section 18.1). Conditions on angles are compared on the circle.
 
+use super::descent::Residual;
 use super::point::{Ancestry, Point, retract};
+use super::world::World;
 use crate::equations::{Condition, Equations};
+use crate::model::Mechanism;
 use crate::solve::table::{Numeric, Table};
 
 /// The problem, set up once for all attempts.
@@ -135,6 +138,13 @@ impl<'a> Problem<'a> {
             }
         }
         self.polish(point, best, n, unknowns)
+    }
+
+    /// A position found by other means, measured and brought to rounding.
+    pub fn settled(&self, point: &mut Point, q: Vec<f64>) -> Attempt {
+        let n = self.equations.symbols.v.len();
+        let found = self.measure(point, q);
+        self.polish(point, found, n, n + self.rows.len() + self.conditions.len())
     }
 
     /// Full steps for as long as they bring the residual down, which is to rounding. Guesses have had their say: in the
@@ -281,6 +291,66 @@ fn deviation(point: &Point, condition: &Condition, target: f64) -> f64 {
 impl<'p> Problem<'p> {
     pub fn equations(&self) -> &'p Equations {
         self.equations
+    }
+
+    pub fn guesses(&self) -> &[(Condition, f64)] {
+        &self.guesses
+    }
+
+    /// Rows, conditions and guesses, each divided by its size, and the length of the mechanism. Sizes are the largest of
+    /// those at `q` and with all bodies turned.
+    pub fn residuals(
+        &self,
+        mechanism: &Mechanism,
+        point: &mut Point,
+        q: &[f64],
+    ) -> (Vec<Residual>, f64) {
+        let mut sizes: Option<Sizes> = None;
+        for number in 0..3 {
+            let turn = |k: usize| number as f64 * (0.4 + 0.17 * (k % 7) as f64);
+            let linear = self.equations.layout.linear.len();
+            let away = (0..self.equations.symbols.v.len()).map(|k| if k < linear { 0.0 } else { turn(k) });
+            let q = retract(self.equations, q, &away.collect::<Vec<_>>());
+            point.set_q(&q);
+            point.evaluate(&self.ancestry);
+            let own = self.sizes(point, &q);
+            sizes = Some(match sizes {
+                None => own,
+                Some(known) => Sizes {
+                    length: known.length.max(own.length),
+                    rows: known.rows.iter().zip(&own.rows).map(|(a, b)| a.max(*b)).collect(),
+                },
+            });
+        }
+        let Some(Sizes { length, rows: sizes }) = sizes else { return (Vec::new(), 1.0) };
+        let world = World::at(mechanism, point, q);
+        point.evaluate(&self.ancestry);
+        let row = |(row, size): (&usize, &f64)| {
+            let row = &self.equations.rows[*row];
+            let plain = Residual { jet: row.jet.clone(), target: 0.0, angular: false, size: *size, length: None };
+            let apart = row.joint.filter(|_| row.what == "distance").and_then(|joint| {
+                let joint = &mechanism.joints[joint.0];
+                Some(super::world::length(super::world::sub(world.place(&joint.first)?, world.place(&joint.second)?)))
+            });
+            match apart {
+                None => plain,
+                Some(apart) => {
+                    let square = apart * apart - 2.0 * point.get(row.jet.value);
+                    Residual { size: length, length: Some(square.max(0.0).sqrt()), ..plain }
+                }
+            }
+        };
+        let held = |(condition, target): &(Condition, f64)| Residual {
+            jet: condition.jet.clone(),
+            target: *target,
+            angular: condition.angular,
+            size: if condition.angular { 1.0 } else { length },
+            length: None,
+        };
+        let guess = |guess: &(Condition, f64)| Residual { size: 1.0, ..held(guess) };
+        let rows = self.rows.iter().zip(&sizes).map(row);
+        let held = self.conditions.iter().map(held);
+        (rows.chain(held).chain(self.guesses.iter().map(guess)).collect(), length)
     }
 
     pub fn has_guesses(&self) -> bool {

@@ -1,5 +1,6 @@
 //! What to say when no assembly is found, or a second one fits as well.
 
+use super::initial::Stated;
 use super::mobility::{independent, rank};
 use super::point::{Ancestry, Point};
 use super::{Attempt, Problem, messages};
@@ -77,8 +78,17 @@ fn second_in_space(
 }
 
 /// No assembly: names the joint that stays open, and the loop it closes.
-pub fn open(mechanism: &Mechanism, point: &mut Point, failure: Option<Attempt>, errors: &mut Diagnostics) {
+pub fn open(
+    mechanism: &Mechanism,
+    problem: &Problem,
+    stated: &Stated,
+    point: &mut Point,
+    _searched: usize,
+    errors: &mut Diagnostics,
+) {
     let equations = point.equations;
+    let q = stated.initial(mechanism, point, super::initial::Variation::Few(0));
+    let failure = Some(problem.solve(point, q));
     let Some(failure) = failure else {
         errors.error(mechanism.name.span, messages::cannot_start());
         return;
