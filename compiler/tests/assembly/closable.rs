@@ -27,7 +27,8 @@ struct Chain {
     joints: &'static [(usize, usize)],
 }
 
-const FOUR_BAR: Chain = Chain { names: &["ground", "crank", "coupler", "rocker"], joints: &[(0, 1), (1, 2), (2, 3), (0, 3)] };
+const FOUR_BAR: Chain =
+    Chain { names: &["ground", "crank", "coupler", "rocker"], joints: &[(0, 1), (1, 2), (2, 3), (0, 3)] };
 /// Two ternary links that meet.
 const WATT: Chain = Chain {
     names: &["t1", "t2", "a", "b", "c", "d"],
@@ -60,7 +61,8 @@ fn planar(chain: &Chain, ground: usize, said: impl Fn(usize) -> Said, random: &m
     let mut joints = String::new();
     let mut start = String::new();
     for (body, name) in chain.names.iter().enumerate().filter(|(body, _)| *body != ground) {
-        let own: Vec<usize> = (0..places.len()).filter(|j| chain.joints[*j].0 == body || chain.joints[*j].1 == body).collect();
+        let own: Vec<usize> =
+            (0..places.len()).filter(|j| chain.joints[*j].0 == body || chain.joints[*j].1 == body).collect();
         let origin = places[own[0]];
         let _ = write!(text, "    body {name} {{ mass [kg] = 1; inertia [kg*m^2] = 0.1;");
         for joint in own {
@@ -205,7 +207,11 @@ fn slider_crank(case: usize, random: &mut Random) -> Closable {
         0 => ("slider-crank, crank guessed", format!("bearing.angle [rad] ~ {:.17};", guess(angle, ROUGH))),
         1 => (
             "slider-crank, both guessed",
-            format!("bearing.angle [rad] ~ {:.17}; rail.travel [m] ~ {:.17};", guess(angle, ROUGH), guess(travel, 0.3)),
+            format!(
+                "bearing.angle [rad] ~ {:.17}; rail.travel [m] ~ {:.17};",
+                guess(angle, ROUGH),
+                guess(travel, 0.3)
+            ),
         ),
         _ => (
             "slider-crank, crank stated",
@@ -247,4 +253,27 @@ fn what_closes_is_put_together() {
         println!("{sorts:?}");
     }
     println!("{:?}", clock.elapsed());
+}
+
+#[test]
+#[ignore]
+fn show() {
+    for case in std::env::var("CASE").map_or(0..60, |c| {
+        let c: usize = c.parse().unwrap();
+        c..c + 1
+    }) {
+        let mut random = Random::of_case(case);
+        let closable = match case % 3 {
+            0 => four_bar(case / 3, &mut random),
+            1 => six_bar(case / 3, &mut random),
+            _ => slider_crank(case / 3, &mut random),
+        };
+        if let Err(message) = put_together(&closable.source) {
+            println!(
+                "{case} {}\n   {}\n   {message}",
+                closable.kind,
+                closable.source.lines().find(|l| l.contains("start {")).unwrap()
+            );
+        }
+    }
 }

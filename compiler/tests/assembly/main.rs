@@ -10,6 +10,7 @@
 //! brute force that share nothing with the compiler.
 
 mod closable;
+mod open;
 mod random;
 
 use linkwright_compiler::{Start, start};

@@ -11,7 +11,7 @@ use crate::model::{Mechanism, Quantity, Rotor};
 use std::f64::consts::TAU;
 
 /// Guesses met this well leave nothing to compare.
-const MET: f64 = 1e-18;
+pub(super) const MET: f64 = 1e-18;
 
 /// The positions that were found.
 #[derive(Default)]
@@ -66,8 +66,16 @@ pub fn closed(
         }
     }
     let mut searched = 0;
-    if solutions.is_empty() {
+    if solutions.found.is_empty() {
         searched = Search::new(mechanism, problem, point, &stated).closed(point, &mut solutions);
+    } else if problem.has_guesses() && solutions.found.iter().any(Attempt::is_on_its_way) {
+        let mut search = Search::new(mechanism, problem, point, &stated);
+        let mut nearer = Solutions::default();
+        for attempt in solutions.found {
+            let attempt = if attempt.is_on_its_way() { search.nearer(point, attempt) } else { attempt };
+            nearer.push(problem, point, attempt);
+        }
+        solutions = Solutions { flipped: solutions.flipped, ..nearer };
     }
     let Solutions { mut found, flipped } = solutions;
     found.sort_by(|a, b| a.distance.total_cmp(&b.distance));

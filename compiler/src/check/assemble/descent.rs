@@ -65,13 +65,16 @@ const FIRST_DAMPING: f64 = 1e-3;
 const LEAST_DAMPING: f64 = 1e-9;
 const MOST_DAMPING: f64 = 1e8;
 /// Compliance of hard residuals.
-const STIFF: f64 = 1e-12;
+const STIFF: f64 = 1e-16;
 /// Sums below this are zero: residuals of 1e-15.
 const ZERO: f64 = 1e-30;
-/// Half the sum of squares of hard residuals that are met.
-const MET: f64 = 1e-22;
+/// Half the sum of squares of hard residuals that are met: as well as can be, and well enough where rounding allows no better.
+const MET: f64 = 1e-28;
+const MET_ROUGHLY: f64 = 1e-22;
 /// Steps below this are too short for sums to tell whether they were good.
 const SHORT: f64 = 1e-5;
+/// Steps below this that bring the sum no further down are rounding.
+const ROUNDING: f64 = 1e-8;
 const STANDS: f64 = 1e-12;
 
 impl<'a> Descent<'a> {
@@ -117,7 +120,7 @@ impl<'a> Descent<'a> {
                     }
                     (here, last) = (there, size);
                 }
-                _ if size < SHORT || damping > MOST_DAMPING => break,
+                _ if size < ROUNDING || damping > MOST_DAMPING => break,
                 _ => damping *= 8.0,
             }
         }
@@ -137,9 +140,8 @@ impl<'a> Descent<'a> {
         let linear = self.linearise(point, &q);
         let here = match self.cost(&linear, &held) {
             met if met < MET => Here { rest: Rest { q, cost: 0.0 }, linear },
-            _ if held == roles => Here { rest: Rest { q, cost: 0.0 }, linear },
             _ => {
-                let rest = self.descend(point, q, &held).filter(|rest| rest.cost < MET)?;
+                let rest = self.descend(point, q, &held).filter(|rest| rest.cost < MET_ROUGHLY)?;
                 let linear = self.linearise(point, &rest.q);
                 Here { rest, linear }
             }

@@ -7,8 +7,10 @@
 //! to absolute coordinates where those are emitted.
 
 mod attempts;
+mod blame;
 mod descent;
 mod freedoms;
+mod gap;
 mod geometry;
 mod initial;
 pub mod loose;
@@ -24,7 +26,9 @@ mod refusals;
 mod search;
 mod world;
 
+pub use blame::Blame;
 pub use freedoms::Mobility;
+pub use gap::Gap;
 pub use mobility::{full_squares, rank};
 pub use partition::{Partition, Pivot, partition};
 pub use point::{Ancestry, Point, retract};

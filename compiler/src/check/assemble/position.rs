@@ -37,14 +37,18 @@ pub struct Attempt {
     pub closed: bool,
     /// Σ (value − guess)².
     pub distance: f64,
+    /// The last step was short: no nearer position is next to this one.
+    pub settled: bool,
 }
 
 /// Rows that are measured in metres.
-const LENGTHS: [&str; 6] = ["x", "y", "z", "normal", "normal_1", "normal_2"];
+pub(super) const LENGTHS: [&str; 6] = ["x", "y", "z", "normal", "normal_1", "normal_2"];
 /// Relative residuals below this close a loop.
 const CLOSED: f64 = 1e-12;
 /// Relative residuals below this are a solution's neighbourhood, where full steps converge.
 const NEAR: f64 = 1e-6;
+/// The last step of an iteration that has converged is shorter.
+const SETTLED: f64 = 1e-9;
 const ITERATIONS: usize = 60;
 /// Weight of the step's own length beside the guesses.
 const STEP_WEIGHT: f64 = 1e-4;
@@ -108,7 +112,6 @@ impl<'a> Problem<'a> {
         let n = self.equations.symbols.v.len();
         let unknowns = n + self.rows.len() + self.conditions.len();
         let mut best = self.measure(point, q);
-        let mut settled = 0;
         for _ in 0..ITERATIONS {
             let (entries, rhs) = self.system(point, &best.q, n, unknowns, &self.guesses);
             let step = Numeric::factor(&self.table, entries).solve(&rhs);
@@ -132,8 +135,8 @@ impl<'a> Problem<'a> {
             }
             let Some(attempt) = next else { break };
             best = attempt;
-            settled = if best.closed && length * scale < 1e-13 { settled + 1 } else { 0 };
-            if settled == 1 {
+            best.settled = best.closed && length * scale < SETTLED;
+            if best.closed && length * scale < 1e-13 {
                 break;
             }
         }
@@ -155,7 +158,7 @@ impl<'a> Problem<'a> {
             let step = Numeric::factor(&self.table, entries).solve(&rhs);
             let attempt = self.measure(point, retract(self.equations, &best.q, &step[..n]));
             if attempt.residual < 0.5 * best.residual {
-                best = attempt;
+                best = Attempt { settled: best.settled, ..attempt };
             } else {
                 break;
             }
@@ -202,8 +205,15 @@ impl<'a> Problem<'a> {
         point.set_q(&q);
         point.evaluate(&self.ancestry);
         let sizes = self.sizes(point, &q);
-        let mut attempt =
-            Attempt { q, residual: 0.0, amount: 0.0, worst: None, closed: false, distance: 0.0 };
+        let mut attempt = Attempt {
+            q,
+            residual: 0.0,
+            amount: 0.0,
+            worst: None,
+            closed: false,
+            distance: 0.0,
+            settled: false,
+        };
         let rows = self.rows.iter().zip(&sizes.rows);
         let rows =
             rows.map(|(row, size)| (Some(*row), point.get(self.equations.rows[*row].jet.value), *size));
@@ -274,6 +284,11 @@ impl Problem<'_> {
 type Entries = Vec<(usize, usize, f64)>;
 
 impl Attempt {
+    /// Whether the guesses may be nearer than they are here.
+    pub fn is_on_its_way(&self) -> bool {
+        !self.settled && self.distance >= super::attempts::MET
+    }
+
     fn merit(&self) -> f64 {
         if self.residual.is_nan() { f64::INFINITY } else { self.residual }
     }
@@ -293,18 +308,22 @@ impl<'p> Problem<'p> {
         self.equations
     }
 
+    /// Rows that take part, indices into [`Equations::rows`].
+    pub fn rows(&self) -> &[usize] {
+        &self.rows
+    }
+
+    pub fn conditions(&self) -> &[(Condition, f64)] {
+        &self.conditions
+    }
+
     pub fn guesses(&self) -> &[(Condition, f64)] {
         &self.guesses
     }
 
     /// Rows, conditions and guesses, each divided by its size, and the length of the mechanism. Sizes are the largest of
     /// those at `q` and with all bodies turned.
-    pub fn residuals(
-        &self,
-        mechanism: &Mechanism,
-        point: &mut Point,
-        q: &[f64],
-    ) -> (Vec<Residual>, f64) {
+    pub fn residuals(&self, mechanism: &Mechanism, point: &mut Point, q: &[f64]) -> (Vec<Residual>, f64) {
         let mut sizes: Option<Sizes> = None;
         for number in 0..3 {
             let turn = |k: usize| number as f64 * (0.4 + 0.17 * (k % 7) as f64);
@@ -327,10 +346,14 @@ impl<'p> Problem<'p> {
         point.evaluate(&self.ancestry);
         let row = |(row, size): (&usize, &f64)| {
             let row = &self.equations.rows[*row];
-            let plain = Residual { jet: row.jet.clone(), target: 0.0, angular: false, size: *size, length: None };
+            let plain =
+                Residual { jet: row.jet.clone(), target: 0.0, angular: false, size: *size, length: None };
             let apart = row.joint.filter(|_| row.what == "distance").and_then(|joint| {
                 let joint = &mechanism.joints[joint.0];
-                Some(super::world::length(super::world::sub(world.place(&joint.first)?, world.place(&joint.second)?)))
+                Some(super::world::length(super::world::sub(
+                    world.place(&joint.first)?,
+                    world.place(&joint.second)?,
+                )))
             });
             match apart {
                 None => plain,

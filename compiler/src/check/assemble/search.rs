@@ -8,11 +8,11 @@ use super::attempts::Solutions;
 use super::descent::{Descent, Role};
 use super::initial::{Stated, Variation};
 use super::point::Point;
-use super::position::Problem;
+use super::position::{Attempt, Problem};
 use crate::model::Mechanism;
 
 /// Positions that a search begins with, at most.
-const BEGINNINGS: usize = 96;
+const BEGINNINGS: usize = 48;
 /// Beginnings after the first that closed: what is found from one may not be the nearest to the guesses.
 const FURTHER: usize = 8;
 /// Steps of descent times unknowns: some 0.1 s unoptimised for a four-bar, a second for hundreds of bodies.
@@ -67,10 +67,7 @@ impl<'a, 'p> Search<'a, 'p> {
             if !attempt.closed {
                 continue;
             }
-            let attempt = self.towards_guesses(point, attempt.q);
-            if !attempt.closed {
-                continue;
-            }
+            let attempt = self.nearer(point, attempt);
             let enough = solutions.push(self.problem, point, attempt);
             if enough {
                 break;
@@ -83,8 +80,7 @@ impl<'a, 'p> Search<'a, 'p> {
     }
 
     /// The position nearest to the guesses that can be reached from a closed one.
-    fn towards_guesses(&mut self, point: &mut Point, q: Vec<f64>) -> super::Attempt {
-        let closed = self.problem.settled(point, q);
+    pub fn nearer(&mut self, point: &mut Point, closed: Attempt) -> Attempt {
         if self.guesses == 0 {
             return closed;
         }

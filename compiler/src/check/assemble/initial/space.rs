@@ -9,12 +9,7 @@ use crate::symbolic::Node;
 use std::f64::consts::TAU;
 
 /// Tree coordinates.
-pub fn initial(
-    stated: &Stated,
-    mechanism: &Mechanism,
-    point: &mut Point,
-    mut offsets: Offsets,
-) -> Vec<f64> {
+pub fn initial(stated: &Stated, mechanism: &Mechanism, point: &mut Point, mut offsets: Offsets) -> Vec<f64> {
     let equations = point.equations;
     let layout = &equations.layout;
     let mut q = vec![0.0; layout.positions()];
@@ -25,9 +20,7 @@ pub fn initial(
         let Rotation::Joint(joint, which) = rotation else { continue };
         let value = stated.angles.get(&(*joint, *which)).copied();
         let mut angle = value.unwrap_or(0.0);
-        let is_own = |quantity: &Quantity| {
-            matches!(quantity, Quantity::JointAngle(own, angle) if own == joint && angle == which)
-        };
+        let is_own = |quantity: &Quantity| matches!(quantity, Quantity::JointAngle(own, angle) if own == joint && angle == which);
         if offsets.varies(value.is_some() && is_exact(equations, is_own)) {
             angle += offsets.turn(value.is_some());
         }
