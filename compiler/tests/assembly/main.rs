@@ -10,7 +10,9 @@
 //! brute force that share nothing with the compiler.
 
 mod closable;
+mod nearest;
 mod open;
+mod overconstrained;
 mod random;
 
 use linkwright_compiler::{Start, start};

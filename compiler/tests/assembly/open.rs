@@ -17,7 +17,7 @@ struct Unclosable {
 }
 
 /// Bars in a ring, the first of them the ground; what `start` says.
-fn ring(lengths: &[f64], start: &str) -> String {
+pub fn ring(lengths: &[f64], start: &str) -> String {
     let mut text = String::from("planar Open {\n");
     for (bar, length) in lengths.iter().enumerate().skip(1) {
         let _ = writeln!(text, "    rod bar_{bar} {{ mass [kg] = 1; length [m] = {length:.17}; }}");

@@ -13,6 +13,9 @@ use std::f64::consts::TAU;
 /// Guesses met this well leave nothing to compare.
 pub(super) const MET: f64 = 1e-18;
 
+/// What is nearer by less than this part is as near.
+const NEARER: f64 = 1e-6;
+
 /// The positions that were found.
 #[derive(Default)]
 pub struct Solutions {
@@ -41,10 +44,6 @@ impl Solutions {
         }
         met || problem.is_free(point, &self.found[0].q)
     }
-
-    pub fn is_empty(&self) -> bool {
-        self.found.is_empty()
-    }
 }
 
 /// Bounded work: tries from `start` as written, then from a few positions spread over the circle; then a search.
@@ -58,31 +57,41 @@ pub fn closed(
     let stated = Stated::of(equations, point);
     let attempts = (240 / (equations.symbols.v.len() + equations.rows.len()).max(1)).clamp(3, 8);
     let mut solutions = Solutions::default();
+    let (mut led_on, mut enough) = (false, false);
     for number in 0..attempts {
         let q = stated.initial(mechanism, point, Variation::Few(number));
         let attempt = problem.solve(point, q);
-        if attempt.closed && solutions.push(problem, point, attempt) {
+        led_on |= number == 0 && attempt.closed;
+        enough = attempt.closed && solutions.push(problem, point, attempt);
+        if enough {
             break;
         }
     }
     let mut searched = 0;
-    if solutions.found.is_empty() {
-        searched = Search::new(mechanism, problem, point, &stated).closed(point, &mut solutions);
-    } else if problem.has_guesses() && solutions.found.iter().any(Attempt::is_on_its_way) {
+    // Where the way from the guesses themselves led to nothing, what others found may not be the nearest.
+    let lost = !enough && (!led_on || solutions.found.is_empty());
+    if lost || problem.has_guesses() && solutions.found.iter().any(Attempt::is_on_its_way) {
         let mut search = Search::new(mechanism, problem, point, &stated);
-        let mut nearer = Solutions::default();
-        for attempt in solutions.found {
-            let attempt = if attempt.is_on_its_way() { search.nearer(point, attempt) } else { attempt };
-            nearer.push(problem, point, attempt);
+        if lost {
+            searched = search.closed(point, &mut solutions);
         }
-        solutions = Solutions { flipped: solutions.flipped, ..nearer };
+        let Solutions { found, flipped } = std::mem::take(&mut solutions);
+        solutions.flipped = flipped;
+        for attempt in found {
+            let attempt = if attempt.is_on_its_way() { search.nearer(point, attempt) } else { attempt };
+            solutions.push(problem, point, attempt);
+        }
     }
     let Solutions { mut found, flipped } = solutions;
     found.sort_by(|a, b| a.distance.total_cmp(&b.distance));
     match (found.as_slice(), flipped) {
         ([only], _) => Some(only.clone()),
         ([nearest, next, ..], _) => {
-            if problem.has_guesses() && nearest.distance <= 0.25 * next.distance {
+            // Guesses as many as freedoms, or fewer, choose where along its motion the mechanism stands; more of them have to tell one
+            // assembly from another, and clearly.
+            let choose = problem.guesses().len() <= problem.freedoms(point, &nearest.q);
+            let clearly = if choose { 1.0 - NEARER } else { 0.25 };
+            if problem.has_guesses() && nearest.distance <= clearly * next.distance {
                 return Some(nearest.clone());
             }
             refusals::second(mechanism, problem, point, nearest, next, errors);

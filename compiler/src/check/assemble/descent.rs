@@ -56,6 +56,10 @@ struct Linear {
     entries: Vec<(usize, usize, f64)>,
 }
 
+/// For a descent whose position matters, and not only its sum.
+pub const TO_THE_END: f64 = 0.0;
+/// A step that takes less than this part of the sum away does not end at zero.
+pub const HOPELESS: f64 = 1e-3;
 /// Steps of one descent.
 const ITERATIONS: usize = 60;
 /// The largest turn of a step, rad: beyond, the linear picture means nothing.
@@ -89,8 +93,9 @@ impl<'a> Descent<'a> {
         Descent { equations, residuals, ancestry, table, steps }
     }
 
-    /// The least sum near `q`; `None` where hard residuals cannot be met from there, or something has no value.
-    pub fn descend(&mut self, point: &mut Point, q: Vec<f64>, roles: &[Role]) -> Option<Rest> {
+    /// The least sum near `q`, until a step takes no more than the part `least` of it away; `None` where hard residuals cannot be
+    /// met from there, or something has no value.
+    pub fn descend(&mut self, point: &mut Point, q: Vec<f64>, roles: &[Role], least: f64) -> Option<Rest> {
         let mut here = self.restored(point, q, roles)?;
         let mut damping = FIRST_DAMPING;
         let mut last = f64::INFINITY;
@@ -118,7 +123,11 @@ impl<'a> Descent<'a> {
                     if size > SHORT {
                         damping = lacking.clamp(0.1 * damping, 10.0 * damping).max(LEAST_DAMPING);
                     }
+                    let taken = here.rest.cost - there.rest.cost;
                     (here, last) = (there, size);
+                    if taken.max(expected) < least * here.rest.cost {
+                        break;
+                    }
                 }
                 _ if size < ROUNDING || damping > MOST_DAMPING => break,
                 _ => damping *= 8.0,
@@ -141,7 +150,8 @@ impl<'a> Descent<'a> {
         let here = match self.cost(&linear, &held) {
             met if met < MET => Here { rest: Rest { q, cost: 0.0 }, linear },
             _ => {
-                let rest = self.descend(point, q, &held).filter(|rest| rest.cost < MET_ROUGHLY)?;
+                let rest =
+                    self.descend(point, q, &held, TO_THE_END).filter(|rest| rest.cost < MET_ROUGHLY)?;
                 let linear = self.linearise(point, &rest.q);
                 Here { rest, linear }
             }

@@ -6,7 +6,7 @@
 //! angle by which its axes are off while they do. Neither depends on how metres and radians are weighed. The least of
 //! descents from many positions (`descent.rs`) is taken.
 
-use super::descent::{Descent, Rest, Role};
+use super::descent::{Descent, HOPELESS, Rest, Role};
 use super::initial::{Stated, Variation};
 use super::point::Point;
 use super::position::{LENGTHS, Problem};
@@ -46,15 +46,18 @@ pub enum Gap {
     Off(f64),
 }
 
-/// Positions that a descent begins with.
-pub const BEGINNINGS: usize = 24;
+/// Positions that descents begin with, at most.
+const BEGINNINGS: usize = 48;
 /// Steps times unknowns of one question.
 const WORK: usize = 12_000;
 const LEAST_STEPS: usize = 120;
 /// Sums of squares of what closes.
 const CLOSED: f64 = 1e-20;
-/// Beginnings that may end at the same least gap before it is believed.
-const AGREEING: usize = 4;
+/// A step that takes less than this part of a sum away ends the descent.
+const ACCURACY: f64 = 1e-6;
+/// A least gap is believed where so many descents of so many have ended at it, and none below.
+const AGREEING: usize = 6;
+const OF: usize = 24;
 
 pub struct Gaps<'a, 'p> {
     mechanism: &'a Mechanism,
@@ -109,6 +112,9 @@ impl<'a, 'p> Gaps<'a, 'p> {
                 miss: misses[*worst].abs(),
             });
         }
+        if conditions.is_empty() && drivers.is_empty() {
+            return Fault::Unknown;
+        }
         let mut joints = groups.concat();
         joints.extend(&drivers);
         let Some(nearest) = self.least(point, &conditions, &joints) else { return Fault::Unknown };
@@ -120,13 +126,16 @@ impl<'a, 'p> Gaps<'a, 'p> {
 
     /// The first joint that does not close while `held` and those before it do; alone, if it does not even then.
     fn open(&mut self, point: &mut Point, groups: &[Vec<usize>], held: &[usize]) -> Option<Open> {
-        let mut found: Option<(usize, Vec<usize>)> = None;
+        // One alone is known not to close.
+        let mut found = (groups.len() == 1).then(|| (0, held.to_vec()));
         for at in 0..groups.len() {
+            if found.is_some() {
+                break;
+            }
             let mut alone = held.to_vec();
             alone.extend(&groups[at]);
             if self.closing(point, &alone).is_none() {
                 found = Some((at, held.to_vec()));
-                break;
             }
         }
         for at in 1..groups.len() {
@@ -171,12 +180,18 @@ impl<'a, 'p> Gaps<'a, 'p> {
 
     /// A position where all of these vanish.
     fn closing(&mut self, point: &mut Point, soft: &[usize]) -> Option<Vec<f64>> {
-        let least = self.least(point, soft, &[])?;
+        let least = self.best(point, soft, &[], false)?;
         (least.cost < CLOSED).then_some(least.q)
     }
 
     /// The least sum of squares of some residuals while others vanish.
     fn least(&mut self, point: &mut Point, soft: &[usize], hard: &[usize]) -> Option<Rest> {
+        self.best(point, soft, hard, true)
+    }
+
+    /// Of many descents; only one to zero will do if it is not `least` that is asked for.
+    fn best(&mut self, point: &mut Point, soft: &[usize], hard: &[usize], least: bool) -> Option<Rest> {
+        let accuracy = if least { ACCURACY } else { HOPELESS };
         let mut roles = vec![Role::Absent; self.residuals];
         soft.iter().for_each(|at| roles[*at] = Role::Soft);
         hard.iter().for_each(|at| roles[*at] = Role::Hard);
@@ -187,7 +202,7 @@ impl<'a, 'p> Gaps<'a, 'p> {
             let dimensions = point.equations.symbols.v.len();
             let variation = Variation::Many { number, dimensions, length: self.length, stated: true };
             let q = self.stated.initial(self.mechanism, point, variation);
-            let Some(rest) = self.descent.descend(point, q, &roles) else { continue };
+            let Some(rest) = self.descent.descend(point, q, &roles, accuracy) else { continue };
             let known = best.as_ref().map_or(f64::INFINITY, |best| best.cost);
             agreeing = match () {
                 _ if rest.cost < known * (1.0 - 1e-6) => 1,
@@ -198,7 +213,8 @@ impl<'a, 'p> Gaps<'a, 'p> {
                 best = Some(rest);
             }
             let closed = best.as_ref().is_some_and(|best| best.cost < CLOSED);
-            if closed || (agreeing >= AGREEING && number >= BEGINNINGS / 2) || self.descent.steps == 0 {
+            let believed = least && agreeing >= AGREEING && number >= OF;
+            if closed || believed || self.descent.steps == 0 {
                 break;
             }
         }

@@ -382,11 +382,16 @@ impl<'p> Problem<'p> {
 
     /// Whether constraints and conditions leave the position open and no guess decides.
     pub fn is_free(&self, point: &mut Point, q: &[f64]) -> bool {
+        self.guesses.is_empty() && self.freedoms(point, q) > 0
+    }
+
+    /// Freedoms that constraints and conditions leave.
+    pub fn freedoms(&self, point: &mut Point, q: &[f64]) -> usize {
         let n = self.equations.symbols.v.len();
         let held: Vec<Condition> = self.conditions.iter().map(|(condition, _)| condition.clone()).collect();
         let rank = super::mobility::rank(point, &self.rows, q).rank;
         let fixed = super::mobility::independent(point, &held, q).len();
-        rank + fixed < n && self.guesses.is_empty()
+        n.saturating_sub(rank + fixed)
     }
 
     /// Whether constraints, conditions and guesses together decide every coordinate.

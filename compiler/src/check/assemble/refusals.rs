@@ -175,7 +175,8 @@ fn missed(problem: &Problem, point: &mut Point, q: &[f64]) -> Vec<messages::Miss
     ));
     let values = problem.conditions().iter().map(|(condition, stated)| {
         let value = point.get(condition.jet.value);
-        let turns = if condition.angular { ((value - stated) / TAU).round() } else { 0.0 };
+        // Half a turn off is one thing from either side.
+        let turns = if condition.angular { ((value - stated) / TAU * (1.0 - 1e-9)).round() } else { 0.0 };
         let (of, unit) = (condition.of.clone(), unit(condition));
         messages::Missed { of, stated: *stated, nearest: value - TAU * turns, unit }
     });

@@ -5,7 +5,7 @@
 //! closed. The descent is `descent.rs`, the positions to begin with are those of `initial`.
 
 use super::attempts::Solutions;
-use super::descent::{Descent, Role};
+use super::descent::{Descent, HOPELESS, Role, TO_THE_END};
 use super::initial::{Stated, Variation};
 use super::point::Point;
 use super::position::{Attempt, Problem};
@@ -62,7 +62,7 @@ impl<'a, 'p> Search<'a, 'p> {
             let q = self.beginning(point, number, false);
             number += 1;
             let roles = self.roles.clone();
-            let Some(rest) = self.descent.descend(point, q, &roles) else { continue };
+            let Some(rest) = self.descent.descend(point, q, &roles, HOPELESS) else { continue };
             let attempt = self.problem.settled(point, rest.q);
             if !attempt.closed {
                 continue;
@@ -72,9 +72,7 @@ impl<'a, 'p> Search<'a, 'p> {
             if enough {
                 break;
             }
-            if !solutions.is_empty() {
-                last = last.min(number + FURTHER);
-            }
+            last = last.min(number + FURTHER);
         }
         number
     }
@@ -87,9 +85,10 @@ impl<'a, 'p> Search<'a, 'p> {
         let held = self.roles.len() - self.guesses;
         let role = |at: usize| if at < held { Role::Hard } else { Role::Soft };
         let roles: Vec<Role> = (0..self.roles.len()).map(role).collect();
-        let nearer = self.descent.descend(point, closed.q.clone(), &roles);
+        let nearer = self.descent.descend(point, closed.q.clone(), &roles, TO_THE_END);
         let nearer = nearer.map(|rest| self.problem.settled(point, rest.q));
-        nearer.filter(|nearer| nearer.closed).unwrap_or(closed)
+        let nearest = nearer.filter(|nearer| nearer.closed).unwrap_or(closed);
+        Attempt { settled: true, ..nearest }
     }
 
     fn beginning(&self, point: &mut Point, number: usize, stated: bool) -> Vec<f64> {
