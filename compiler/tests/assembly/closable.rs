@@ -109,7 +109,7 @@ fn four_bar(case: usize, random: &mut Random) -> Closable {
         2 => ("four-bar, crank guessed", |body| if body == 1 { Said::Guess } else { Said::Nothing }),
         _ => ("four-bar, crank stated", |body| if body == 1 { Said::Exactly } else { Said::Guess }),
     };
-    Closable { kind, source: planar(&FOUR_BAR, 0, said, random), decided: case % 2 == 0 }
+    Closable { kind, source: planar(&FOUR_BAR, 0, said, random), decided: case.is_multiple_of(2) }
 }
 
 fn six_bar(case: usize, random: &mut Random) -> Closable {
@@ -214,7 +214,7 @@ fn slider_crank(case: usize, random: &mut Random) -> Closable {
     // The rod lies along x, turned by R_y(angle_1) R_z(angle_2).
     let tip = parts.tip(angle);
     let [x, y, z] = [0, 1, 2].map(|k| (tip[k] - parts.rail[k] - travel * parts.along[k]) / rod);
-    let universal = case % 2 == 0;
+    let universal = case.is_multiple_of(2);
     let cross = match universal {
         true => format!(
             " cross.angle_1 [rad] ~ {:.17}; cross.angle_2 [rad] ~ {:.17};",
@@ -235,7 +235,7 @@ fn slider_crank(case: usize, random: &mut Random) -> Closable {
             format!("bearing.angle [rad] = {angle:.17}; rail.travel [m] ~ {near:.17};{cross}"),
         ),
     };
-    Closable { kind, source: parts.source(rod, universal, &start), decided: case % 3 == 0 }
+    Closable { kind, source: parts.source(rod, universal, &start), decided: case.is_multiple_of(3) }
 }
 
 /// What a definition that closes was answered.

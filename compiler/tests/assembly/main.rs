@@ -9,6 +9,7 @@
 //! (and a quarter as many that cannot close). What is true of them is known from how they were made, or by closed forms and
 //! brute force that share nothing with the compiler.
 
+mod blame;
 mod closable;
 mod nearest;
 mod open;

@@ -13,6 +13,8 @@ use std::f64::consts::TAU;
 /// Guesses met this well leave nothing to compare.
 pub(super) const MET: f64 = 1e-18;
 
+/// Half as far: the sum of squares is a quarter.
+const CLEARLY: f64 = 0.25;
 /// What is nearer by less than this part is as near.
 const NEARER: f64 = 1e-6;
 
@@ -46,6 +48,17 @@ impl Solutions {
     }
 }
 
+impl Solutions {
+    /// Whether the nearest could be nearer, or another that is not clearly further off.
+    fn may_be_nearer(&self) -> bool {
+        let Some(nearest) = self.found.iter().map(|own| own.distance).min_by(f64::total_cmp) else {
+            return false;
+        };
+        let near = |own: &&Attempt| own.distance == nearest || CLEARLY * own.distance < nearest;
+        self.found.iter().filter(near).any(Attempt::is_on_its_way)
+    }
+}
+
 /// Bounded work: tries from `start` as written, then from a few positions spread over the circle; then a search.
 pub fn closed(
     mechanism: &Mechanism,
@@ -70,7 +83,7 @@ pub fn closed(
     let mut searched = 0;
     // Where the way from the guesses themselves led to nothing, what others found may not be the nearest.
     let lost = !enough && (!led_on || solutions.found.is_empty());
-    if lost || problem.has_guesses() && solutions.found.iter().any(Attempt::is_on_its_way) {
+    if lost || solutions.may_be_nearer() {
         let mut search = Search::new(mechanism, problem, point, &stated);
         if lost {
             searched = search.closed(point, &mut solutions);
@@ -90,7 +103,7 @@ pub fn closed(
             // Guesses as many as freedoms, or fewer, choose where along its motion the mechanism stands; more of them have to tell one
             // assembly from another, and clearly.
             let choose = problem.guesses().len() <= problem.freedoms(point, &nearest.q);
-            let clearly = if choose { 1.0 - NEARER } else { 0.25 };
+            let clearly = if choose { 1.0 - NEARER } else { CLEARLY };
             if problem.has_guesses() && nearest.distance <= clearly * next.distance {
                 return Some(nearest.clone());
             }

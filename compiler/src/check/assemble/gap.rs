@@ -128,27 +128,20 @@ impl<'a, 'p> Gaps<'a, 'p> {
     fn open(&mut self, point: &mut Point, groups: &[Vec<usize>], held: &[usize]) -> Option<Open> {
         // One alone is known not to close.
         let mut found = (groups.len() == 1).then(|| (0, held.to_vec()));
-        for at in 0..groups.len() {
-            if found.is_some() {
-                break;
-            }
-            let mut alone = held.to_vec();
-            alone.extend(&groups[at]);
-            if self.closing(point, &alone).is_none() {
+        for (at, group) in groups.iter().enumerate() {
+            let alone = [held, group].concat();
+            if found.is_none() && self.closing(point, &alone).is_none() {
                 found = Some((at, held.to_vec()));
             }
         }
-        for at in 1..groups.len() {
-            if found.is_some() {
-                break;
+        let mut before = held.to_vec();
+        for (at, group) in groups.iter().enumerate() {
+            let together = [before.as_slice(), group].concat();
+            // The first was asked alone.
+            if found.is_none() && at > 0 && self.closing(point, &together).is_none() {
+                found = Some((at, before.clone()));
             }
-            let mut before = held.to_vec();
-            before.extend(groups[..at].iter().flatten());
-            let mut together = before.clone();
-            together.extend(&groups[at]);
-            if self.closing(point, &together).is_none() {
-                found = Some((at, before));
-            }
+            before = together;
         }
         let (at, hard) = found?;
         let (gap, q) = self.gap(point, &groups[at], &hard)?;
