@@ -23,6 +23,7 @@ mod quaternion;
 mod rates;
 mod redundancy;
 mod refusals;
+mod residuals;
 mod search;
 mod world;
 
