@@ -62,29 +62,51 @@ pub fn compile(tokens: TokenStream, coordinates: Option<Coordinates>) -> Result<
     compile_model(mechanism, syntax::definition_json(&definition), coordinates)
 }
 
+/// A mechanism put together, in the coordinates of its tree and with all rows.
+#[derive(Clone, Debug)]
+pub struct Start {
+    pub mechanism: Mechanism,
+    pub equations: Equations,
+    pub assembly: Assembly,
+}
+
+/// tokens → a consistent start: the stages up to assembly, for those who ask for nothing else.
+pub fn start(tokens: TokenStream) -> Result<Start, Diagnostics> {
+    let mechanism = model::lower(&syntax::parse(tokens)?)?;
+    let asked = mechanism.options.coordinates;
+    start_of_model(mechanism, asked)
+}
+
+fn start_of_model(mechanism: Mechanism, asked: Coordinates) -> Result<Start, Diagnostics> {
+    check::check(&mechanism)?;
+    // AFTER THIS POINT the parts are possible, each for itself.
+    let mut errors = Diagnostics::new();
+    let spanning = SpanningTree::spanning(&mechanism);
+    check::counted_angles(&mechanism, &spanning)?;
+    let mut equations = equations::derive(&mechanism, spanning, &Omitted::default());
+    check::size(&mechanism, &equations, asked, &mut errors);
+    if !errors.is_empty() {
+        return Err(errors);
+    }
+    // AFTER THIS POINT what will be written out is of a size to be read.
+    match assemble::assemble(&mechanism, &mut equations, &mut errors) {
+        Some(assembly) => Ok(Start { mechanism, equations, assembly }),
+        None => Err(errors),
+    }
+}
+
 /// model → programs: where every front end arrives.
 pub fn compile_model(
     mechanism: Mechanism,
     definition: String,
     coordinates: Option<Coordinates>,
 ) -> Result<Compiled, Diagnostics> {
-    check::check(&mechanism)?;
-    // AFTER THIS POINT the parts are possible, each for itself.
+    let asked = coordinates.unwrap_or(mechanism.options.coordinates);
+    let Start { mechanism, equations: tree, assembly } = start_of_model(mechanism, asked)?;
     let warnings = check::warnings(&mechanism);
     let mut errors = Diagnostics::new();
-    let spanning = SpanningTree::spanning(&mechanism);
-    check::counted_angles(&mechanism, &spanning)?;
-    let mut tree = equations::derive(&mechanism, spanning.clone(), &Omitted::default());
-    let asked = coordinates.unwrap_or(mechanism.options.coordinates);
-    check::size(&mechanism, &tree, asked, &mut errors);
-    if !errors.is_empty() {
-        return Err(errors);
-    }
-    // AFTER THIS POINT what will be written out is of a size to be read.
-    let Some(assembly) = assemble::assemble(&mechanism, &mut tree, &mut errors) else {
-        return Err(errors);
-    };
-    tree = equations::without_redundant(&mechanism, spanning, tree, &assembly.omitted);
+    let spanning = tree.tree.clone();
+    let tree = equations::without_redundant(&mechanism, spanning, tree, &assembly.omitted);
     // AFTER THIS POINT a consistent start is known and the constraint rows are independent there.
     motion::check(&mechanism, &tree, &assembly, &mut errors);
     if !errors.is_empty() {

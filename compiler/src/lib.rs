@@ -28,7 +28,7 @@ pub mod syntax;
 pub mod symbolic;
 
 pub use choice::{Choice, Rejected};
-pub use driver::{Compiled, compile, compile_model};
+pub use driver::{Compiled, Start, compile, compile_model, start};
 pub use page::page;
 
 use diagnostics::{Diagnostics, Region};

@@ -1,7 +1,9 @@
 //! Texts of the messages about the assembled mechanism: what is wrong, why, with numbers, and what to write instead.
 
+mod closing;
 mod freedoms;
 
+pub use closing::*;
 pub use freedoms::*;
 
 use super::expenses::Expense;
@@ -29,75 +31,13 @@ pub fn no_value_at_start(of: &str) -> String {
     )
 }
 
-/// `start` gives more coordinates than there are freedoms: those to keep, and those that could be guesses.
-pub struct Overgiven {
-    pub freedoms: usize,
-    pub keep: Vec<String>,
-    pub guess: Vec<String>,
-}
-
-fn overgiven(overgiven: Option<Overgiven>) -> Option<String> {
-    let Overgiven { freedoms: count, keep, guess } = overgiven?;
-    let quoted = |names: &[String]| list(&names.iter().map(|name| format!("`{name}`")).collect::<Vec<_>>());
-    let kept = if keep.is_empty() { String::new() } else { format!("keep {} and ", quoted(&keep)) };
-    Some(format!(
-        "`start` gives {} coordinates of a mechanism with {}: {kept}make {} a guess (`~` instead of `=`)",
-        keep.len() + guess.len(),
-        freedoms(count),
-        quoted(&guess)
-    ))
-}
-
-pub fn cannot_close(
-    of: &str,
-    what: &str,
-    path: &[String],
-    residual: f64,
-    start: Option<Overgiven>,
-) -> String {
-    let (amount, apart) = match what {
-        "x" | "y" | "normal" => (format!("{} m", number(residual)), "apart"),
-        "angle" => (format!("{} rad", number(residual.min(1.0).asin())), "off its direction"),
-        _ => (format!("{} (SI)", number(residual)), "off"),
-    };
-    let chain = if path.is_empty() {
-        "the mechanism cannot be assembled".to_string()
-    } else {
-        format!("the loop {} cannot close", path.join(" - "))
-    };
-    let advice = match overgiven(start) {
-        Some(start) => start,
-        None => "Check the lengths and the places of its joints, or the conditions in `start`".to_string(),
-    };
-    format!("{chain}: at the nearest position found \"{of}\" is still {amount} {apart}. {advice}")
-}
-
-pub fn cannot_meet_start(
-    residual: f64,
-    drivers: Vec<(String, String, f64)>,
-    start: Option<Overgiven>,
-) -> String {
-    let mut text = format!(
-        "no position meets all conditions of `start`: the nearest one found misses by {} (m or rad)",
-        number(residual)
-    );
-    for (driver, quantity, value) in drivers {
-        text +=
-            &format!("; the driver \"{driver}\" holds {quantity} at {} at time zero", coordinate(value, 5));
-    }
-    match overgiven(start) {
-        Some(start) => format!("{text}. {start}"),
-        None => text + ". Turn a condition into a guess (`~` instead of `=`), or correct its value",
-    }
-}
-
-pub fn driver_against_rest(driver: &str, quantity: &str, value: f64, residual: f64) -> String {
+pub fn driver_against_rest(driver: &str, quantity: &str, value: f64, miss: f64, unit: &str) -> String {
     format!(
         "the driver \"{driver}\" wants {quantity} at {} at time zero, which the joints and the conditions of \
-         `start` do not allow: the nearest position found misses by {}. Let the law begin where `start` is, or make the \
+         `start` do not allow: the nearest position found misses by {} {unit}. Let the law begin where `start` is, or make the \
          condition in `start` a guess (`~` instead of `=`)",
         coordinate(value, 5),
-        number(residual)
+        number(miss)
     )
 }
 
@@ -116,10 +56,6 @@ pub fn not_counted_in_absolute(joint: &str) -> String {
     )
 }
 
-pub fn cannot_start() -> String {
-    "no position was found that meets the constraints: check the lengths and places of the joints".to_string()
-}
-
 pub fn flipped(of: &str) -> String {
     format!(
         "\"{of}\" can only be assembled the wrong way round (turned by 180 degrees): guess the angles of its bodies in \
@@ -127,11 +63,19 @@ pub fn flipped(of: &str) -> String {
     )
 }
 
-pub fn second_assembly(joint: &str, angle: &str, nearest: f64, next: f64) -> String {
+/// `guessed`: there are guesses, and they are about as far from one as from the other.
+pub fn second_assembly(joint: &str, angle: &str, nearest: f64, next: f64, guessed: bool) -> String {
     let (nearest, next) = (coordinate(nearest, 5), coordinate(next, 5));
+    let (which, write) = match guessed {
+        true => (
+            "the guesses of `start` are about as far from one as from the other",
+            "Guess closer, or write one of these in place of the guesses",
+        ),
+        false => ("`start` does not say which", "Write one of these in `start`"),
+    };
     format!(
-        "there are two ways to assemble this mechanism, and `start` does not say which: \"{joint}\" can be at \
-         {nearest} rad or at {next} rad. Write one of these in `start`: `{angle} [rad] ~ {nearest};` or \
+        "there are two ways to assemble this mechanism, and {which}: \"{joint}\" can be at \
+         {nearest} rad or at {next} rad. {write}: `{angle} [rad] ~ {nearest};` or \
          `{angle} [rad] ~ {next};`"
     )
 }

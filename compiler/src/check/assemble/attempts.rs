@@ -1,7 +1,9 @@
-//! How often assembly is tried, and which of the positions found is the one.
+//! How often assembly is tried, and which of the positions found is the one. A few quick attempts close most mechanisms; what
+//! they do not is searched for.
 
-use super::initial::Stated;
+use super::initial::{Stated, Variation};
 use super::point::{Ancestry, Point};
+use super::search::Search;
 use super::{Attempt, Problem, messages, refusals};
 use crate::diagnostics::Diagnostics;
 use crate::equations::Equations;
@@ -9,9 +11,55 @@ use crate::model::{Mechanism, Quantity, Rotor};
 use std::f64::consts::TAU;
 
 /// Guesses met this well leave nothing to compare.
-const MET: f64 = 1e-18;
+pub(super) const MET: f64 = 1e-18;
 
-/// Bounded work: tries from `start` as written, then from a few positions spread over the circle.
+/// Half as far: the sum of squares is a quarter.
+const CLEARLY: f64 = 0.25;
+/// What is nearer by less than this part is as near.
+const NEARER: f64 = 1e-6;
+
+/// The positions that were found.
+#[derive(Default)]
+pub struct Solutions {
+    /// All different.
+    found: Vec<Attempt>,
+    /// A row on the wrong side of the best that was found on it.
+    flipped: Option<usize>,
+}
+
+impl Solutions {
+    /// Keeps it unless it is known; whether nothing can be nearer to the guesses, or there is nothing to compare.
+    pub fn push(&mut self, problem: &Problem, point: &mut Point, attempt: Attempt) -> bool {
+        if let Some(row) = problem.flipped(point, &attempt.q) {
+            self.flipped = Some(row);
+            return false;
+        }
+        let met = attempt.distance < MET && problem.has_guesses();
+        // Coordinates that nothing decides come out anywhere; the guesses then tell one assembly from another.
+        let decided = problem.is_decided(point, &attempt.q);
+        let equations = point.equations;
+        let known = |known: &Attempt| {
+            same(equations, &known.q, &attempt.q) || (!decided && alike(known.distance, attempt.distance))
+        };
+        if !self.found.iter().any(known) {
+            self.found.push(attempt);
+        }
+        met || problem.is_free(point, &self.found[0].q)
+    }
+}
+
+impl Solutions {
+    /// Whether the nearest could be nearer, or another that is not clearly further off.
+    fn may_be_nearer(&self) -> bool {
+        let Some(nearest) = self.found.iter().map(|own| own.distance).min_by(f64::total_cmp) else {
+            return false;
+        };
+        let near = |own: &&Attempt| own.distance == nearest || CLEARLY * own.distance < nearest;
+        self.found.iter().filter(near).any(Attempt::is_on_its_way)
+    }
+}
+
+/// Bounded work: tries from `start` as written, then from a few positions spread over the circle; then a search.
 pub fn closed(
     mechanism: &Mechanism,
     problem: &Problem,
@@ -21,53 +69,54 @@ pub fn closed(
     let equations = point.equations;
     let stated = Stated::of(equations, point);
     let attempts = (240 / (equations.symbols.v.len() + equations.rows.len()).max(1)).clamp(3, 8);
-    let mut solutions: Vec<Attempt> = Vec::new();
-    let mut failure: Option<Attempt> = None;
-    let mut flipped = None;
+    let mut solutions = Solutions::default();
+    let (mut led_on, mut enough) = (false, false);
     for number in 0..attempts {
-        let q = stated.initial(mechanism, point, number);
+        let q = stated.initial(mechanism, point, Variation::Few(number));
         let attempt = problem.solve(point, q);
-        if !attempt.closed {
-            if failure.as_ref().is_none_or(|worst| attempt.residual < worst.residual) {
-                failure = Some(attempt);
-            }
-            continue;
-        }
-        if let Some(row) = problem.flipped(point, &attempt.q) {
-            flipped = Some(row);
-            continue;
-        }
-        let met = attempt.distance < MET && problem.has_guesses();
-        // Coordinates that nothing decides come out anywhere; the guesses then tell one assembly from another.
-        let decided = problem.is_decided(point, &attempt.q);
-        let known = |known: &Attempt| {
-            same(equations, &known.q, &attempt.q) || (!decided && alike(known.distance, attempt.distance))
-        };
-        if !solutions.iter().any(known) {
-            solutions.push(attempt);
-        }
-        // Nothing can be nearer to guesses than one that meets them; with nothing to find there is nothing to compare.
-        if met || problem.is_free(point, &solutions[0].q) {
+        led_on |= number == 0 && attempt.closed;
+        enough = attempt.closed && solutions.push(problem, point, attempt);
+        if enough {
             break;
         }
     }
-    solutions.sort_by(|a, b| a.distance.total_cmp(&b.distance));
-    match (solutions.as_slice(), failure, flipped) {
-        ([only], ..) => Some(only.clone()),
-        ([nearest, next, ..], ..) => {
-            if problem.has_guesses() && nearest.distance <= 0.25 * next.distance {
+    let mut searched = 0;
+    // Where the way from the guesses themselves led to nothing, what others found may not be the nearest.
+    let lost = !enough && (!led_on || solutions.found.is_empty());
+    if lost || solutions.may_be_nearer() {
+        let mut search = Search::new(mechanism, problem, point, &stated);
+        if lost {
+            searched = search.closed(point, &mut solutions);
+        }
+        let Solutions { found, flipped } = std::mem::take(&mut solutions);
+        solutions.flipped = flipped;
+        for attempt in found {
+            let attempt = if attempt.is_on_its_way() { search.nearer(point, attempt) } else { attempt };
+            solutions.push(problem, point, attempt);
+        }
+    }
+    let Solutions { mut found, flipped } = solutions;
+    found.sort_by(|a, b| a.distance.total_cmp(&b.distance));
+    match (found.as_slice(), flipped) {
+        ([only], _) => Some(only.clone()),
+        ([nearest, next, ..], _) => {
+            // Guesses as many as freedoms, or fewer, choose where along its motion the mechanism stands; more of them have to tell one
+            // assembly from another, and clearly.
+            let choose = problem.guesses().len() <= problem.freedoms(point, &nearest.q);
+            let clearly = if choose { 1.0 - NEARER } else { CLEARLY };
+            if problem.has_guesses() && nearest.distance <= clearly * next.distance {
                 return Some(nearest.clone());
             }
             refusals::second(mechanism, problem, point, nearest, next, errors);
             None
         }
-        ([], _, Some(row)) => {
+        ([], Some(row)) => {
             let row = &equations.rows[row];
             errors.error(row.span, messages::flipped(&row.of));
             None
         }
-        ([], failure, None) => {
-            refusals::open(mechanism, point, failure, errors);
+        ([], None) => {
+            refusals::open(mechanism, problem, &stated, point, attempts + searched, errors);
             None
         }
     }

@@ -8,9 +8,12 @@
 
 mod along;
 mod attempts;
+mod blame;
 mod charts;
+mod descent;
 mod drivers;
 mod freedoms;
+mod gap;
 mod geometry;
 mod initial;
 pub mod loose;
@@ -23,10 +26,14 @@ mod quaternion;
 mod rates;
 mod redundancy;
 mod refusals;
+mod residuals;
 mod scales;
+mod search;
 mod world;
 
+pub use blame::Blame;
 pub use freedoms::Mobility;
+pub use gap::Gap;
 pub use mobility::{full_squares, rank};
 pub use partition::{Partition, Pivot, partition};
 pub use point::{Ancestry, Point, retract};

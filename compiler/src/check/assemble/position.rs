@@ -10,14 +10,14 @@ use crate::solve::table::{Numeric, Table};
 
 /// The problem, set up once for all attempts.
 pub struct Problem<'a> {
-    equations: &'a Equations,
+    pub(super) equations: &'a Equations,
     /// Rows of constraints that take part (those of couplings with an open phase do not).
-    rows: Vec<usize>,
+    pub(super) rows: Vec<usize>,
     /// Exact conditions and their values.
-    conditions: Vec<(Condition, f64)>,
+    pub(super) conditions: Vec<(Condition, f64)>,
     /// Guesses and their values.
-    guesses: Vec<(Condition, f64)>,
-    ancestry: Ancestry,
+    pub(super) guesses: Vec<(Condition, f64)>,
+    pub(super) ancestry: Ancestry,
     table: Table,
 }
 
@@ -34,14 +34,18 @@ pub struct Attempt {
     pub closed: bool,
     /// Σ (value − guess)².
     pub distance: f64,
+    /// The last step was short: no nearer position is next to this one.
+    pub settled: bool,
 }
 
 /// Rows that are measured in metres.
-const LENGTHS: [&str; 6] = ["x", "y", "z", "normal", "normal_1", "normal_2"];
+pub(super) const LENGTHS: [&str; 6] = ["x", "y", "z", "normal", "normal_1", "normal_2"];
 /// Relative residuals below this close a loop.
 const CLOSED: f64 = 1e-12;
 /// Relative residuals below this are a solution's neighbourhood, where full steps converge.
 const NEAR: f64 = 1e-6;
+/// The last step of an iteration that has converged is shorter.
+const SETTLED: f64 = 1e-9;
 const ITERATIONS: usize = 60;
 /// Weight of the step's own length beside the guesses.
 const STEP_WEIGHT: f64 = 1e-4;
@@ -105,7 +109,6 @@ impl<'a> Problem<'a> {
         let n = self.equations.symbols.v.len();
         let unknowns = n + self.rows.len() + self.conditions.len();
         let mut best = self.measure(point, q);
-        let mut settled = 0;
         for _ in 0..ITERATIONS {
             let (entries, rhs) = self.system(point, &best.q, n, unknowns, &self.guesses);
             let step = Numeric::factor(&self.table, entries).solve(&rhs);
@@ -129,12 +132,19 @@ impl<'a> Problem<'a> {
             }
             let Some(attempt) = next else { break };
             best = attempt;
-            settled = if best.closed && length * scale < 1e-13 { settled + 1 } else { 0 };
-            if settled == 1 {
+            best.settled = best.closed && length * scale < SETTLED;
+            if best.closed && length * scale < 1e-13 {
                 break;
             }
         }
         self.polish(point, best, n, unknowns)
+    }
+
+    /// A position found by other means, measured and brought to rounding.
+    pub fn settled(&self, point: &mut Point, q: Vec<f64>) -> Attempt {
+        let n = self.equations.symbols.v.len();
+        let found = self.measure(point, q);
+        self.polish(point, found, n, n + self.rows.len() + self.conditions.len())
     }
 
     /// Full steps for as long as they bring the residual down, which is to rounding. Guesses have had their say: in the
@@ -145,7 +155,7 @@ impl<'a> Problem<'a> {
             let step = Numeric::factor(&self.table, entries).solve(&rhs);
             let attempt = self.measure(point, retract(self.equations, &best.q, &step[..n]));
             if attempt.residual < 0.5 * best.residual {
-                best = attempt;
+                best = Attempt { settled: best.settled, ..attempt };
             } else {
                 break;
             }
@@ -192,8 +202,15 @@ impl<'a> Problem<'a> {
         point.set_q(&q);
         point.evaluate(&self.ancestry);
         let sizes = self.sizes(point, &q);
-        let mut attempt =
-            Attempt { q, residual: 0.0, amount: 0.0, worst: None, closed: false, distance: 0.0 };
+        let mut attempt = Attempt {
+            q,
+            residual: 0.0,
+            amount: 0.0,
+            worst: None,
+            closed: false,
+            distance: 0.0,
+            settled: false,
+        };
         let rows = self.rows.iter().zip(&sizes.rows);
         let rows =
             rows.map(|(row, size)| (Some(*row), point.get(self.equations.rows[*row].jet.value), *size));
@@ -221,11 +238,11 @@ impl<'a> Problem<'a> {
 }
 
 /// What residuals are compared with.
-struct Sizes {
+pub(super) struct Sizes {
     /// Of the mechanism, m.
-    length: f64,
+    pub(super) length: f64,
     /// Per row: the length for what is measured in metres, its like for distances, and the row's own for the rest.
-    rows: Vec<f64>,
+    pub(super) rows: Vec<f64>,
 }
 
 impl Problem<'_> {
@@ -237,7 +254,7 @@ impl Problem<'_> {
     }
 
     /// Σ |D_rk| · (1 rad, or the size of the linear coordinate) is the lever arms that a row adds up.
-    fn sizes(&self, point: &Point, q: &[f64]) -> Sizes {
+    pub(super) fn sizes(&self, point: &Point, q: &[f64]) -> Sizes {
         let linear = self.equations.layout.linear.len();
         let own: Vec<f64> = self
             .rows
@@ -271,6 +288,11 @@ impl Problem<'_> {
 type Entries = Vec<(usize, usize, f64)>;
 
 impl Attempt {
+    /// Whether the guesses may be nearer than they are here.
+    pub fn is_on_its_way(&self) -> bool {
+        !self.settled && self.distance >= super::attempts::MET
+    }
+
     fn merit(&self) -> f64 {
         if self.residual.is_nan() { f64::INFINITY } else { self.residual }
     }
@@ -290,17 +312,31 @@ impl<'p> Problem<'p> {
         self.equations
     }
 
-    pub fn has_guesses(&self) -> bool {
-        !self.guesses.is_empty()
+    /// Rows that take part, indices into [`Equations::rows`].
+    pub fn rows(&self) -> &[usize] {
+        &self.rows
+    }
+
+    pub fn conditions(&self) -> &[(Condition, f64)] {
+        &self.conditions
+    }
+
+    pub fn guesses(&self) -> &[(Condition, f64)] {
+        &self.guesses
     }
 
     /// Whether constraints and conditions leave the position open and no guess decides.
     pub fn is_free(&self, point: &mut Point, q: &[f64]) -> bool {
+        self.guesses.is_empty() && self.freedoms(point, q) > 0
+    }
+
+    /// Freedoms that constraints and conditions leave.
+    pub fn freedoms(&self, point: &mut Point, q: &[f64]) -> usize {
         let n = self.equations.symbols.v.len();
         let held: Vec<Condition> = self.conditions.iter().map(|(condition, _)| condition.clone()).collect();
         let rank = super::mobility::rank(point, &self.rows, q).rank;
         let fixed = super::mobility::independent(point, &held, q).len();
-        rank + fixed < n && self.guesses.is_empty()
+        n.saturating_sub(rank + fixed)
     }
 
     /// Whether constraints, conditions and guesses together decide every coordinate.

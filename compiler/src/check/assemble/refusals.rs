@@ -1,10 +1,12 @@
 //! What to say when no assembly is found, or a second one fits as well.
 
+use super::gap::{Fault, Gaps, Open};
+use super::initial::{Stated, Variation};
 use super::mobility::{independent, rank};
 use super::point::{Ancestry, Point};
-use super::{Attempt, Problem, drivers, messages};
-use crate::diagnostics::Diagnostics;
-use crate::equations::{Equations, Rotation};
+use super::{Attempt, Problem, blame, drivers, messages};
+use crate::diagnostics::{Diagnostics, Region};
+use crate::equations::{Condition, Equations, Rotation};
 use crate::model::{Frame, JointId, JointKind, Mechanism, Space};
 use std::f64::consts::TAU;
 
@@ -41,7 +43,13 @@ pub fn second(
             let joint = &mechanism.joints[index].name;
             errors.error(
                 joint.span,
-                messages::second_assembly(&joint.text, &format!("{}.angle", joint.text), a, b),
+                messages::second_assembly(
+                    &joint.text,
+                    &format!("{}.angle", joint.text),
+                    a,
+                    b,
+                    problem.has_guesses(),
+                ),
             );
         }
     }
@@ -71,72 +79,109 @@ fn second_in_space(
         None => errors.error(mechanism.name.span, messages::second_assembly_unnamed()),
         Some((_, joint, angle, a, b)) => {
             let joint = &mechanism.joints[joint.0].name;
-            errors.error(joint.span, messages::second_assembly(&joint.text, &angle, a, b));
+            errors.error(
+                joint.span,
+                messages::second_assembly(&joint.text, &angle, a, b, problem.has_guesses()),
+            );
         }
     }
 }
 
-/// No assembly: names the joint that stays open, and the loop it closes.
-pub fn open(mechanism: &Mechanism, point: &mut Point, failure: Option<Attempt>, errors: &mut Diagnostics) {
+/// No assembly: names what is in the way, after a search from so many positions.
+pub fn open(
+    mechanism: &Mechanism,
+    problem: &Problem,
+    stated: &Stated,
+    point: &mut Point,
+    searched: usize,
+    errors: &mut Diagnostics,
+) {
     let equations = point.equations;
-    let Some(failure) = failure else {
-        errors.error(mechanism.name.span, messages::cannot_start());
-        return;
-    };
-    if drivers::too_many(point, mechanism.drivers.len(), &failure.q, errors) {
+    let initial = stated.initial(mechanism, point, Variation::Few(0));
+    let first = problem.solve(point, initial.clone());
+    if !first.amount.is_finite() {
+        let row = first.worst.map(|row| &equations.rows[row]);
+        let (of, span) = row.map_or(("start", stated_span(mechanism)), |row| (row.of.as_str(), row.span));
+        errors.error(span, messages::no_value_at_start(of));
         return;
     }
-    let first_driver = equations.rows.len() - mechanism.drivers.len();
-    match failure.worst {
-        Some(row) if row >= first_driver => {
-            let (condition, node) = &equations.driven[row - first_driver];
-            point.evaluate(&Ancestry::of(equations, [*node]));
-            let row = &equations.rows[row];
-            let message =
-                messages::driver_against_rest(&row.of, &condition.of, point.get(*node), failure.amount);
-            errors.error(row.span, message);
-        }
-        Some(row) => {
-            let row = &equations.rows[row];
-            if !failure.amount.is_finite() {
-                errors.error(row.span, messages::no_value_at_start(&row.of));
-                return;
-            }
+    let mut gaps = Gaps::new(mechanism, problem, point, stated);
+    let closed = gaps.closed(point);
+    let at = closed.as_ref().unwrap_or(&initial);
+    if drivers::too_many(point, mechanism.drivers.len(), at, errors) {
+        return;
+    }
+    match gaps.fault(point, closed.as_ref()) {
+        Fault::Loop(open) => {
+            let row = &equations.rows[open.rows[0]];
+            let blames = row.joint.map(|joint| blame::of_loop(mechanism, point, joint, &open.q));
             let path = row.joint.map(|joint| loop_of(mechanism, equations, joint)).unwrap_or_default();
-            // Of two points that should meet, the distance, not the larger component.
-            let components =
-                equations.rows.iter().filter(|own| own.joint.is_some() && own.joint == row.joint);
-            let components: Vec<_> = components
-                .filter(|own| matches!(own.what, "x" | "y" | "z"))
-                .map(|own| own.jet.value)
-                .collect();
-            let apart = if matches!(row.what, "x" | "y" | "z") {
-                point.set_q(&failure.q);
-                point.evaluate(&Ancestry::of(equations, components.iter().copied()));
-                components.iter().map(|node| point.get(*node).powi(2)).sum::<f64>().sqrt()
-            } else {
-                failure.amount
-            };
-            let start = overgiven(mechanism, point, &failure.q);
-            errors.error(row.span, messages::cannot_close(&row.of, row.what, &path, apart, start));
+            let open = stays_open(&row.of, &path, &open, searched);
+            errors.error(row.span, messages::cannot_close(&open, &blames.unwrap_or_default()));
         }
-        None => {
-            let span = mechanism.start.iter().find(|start| start.exact).map(|start| start.span);
-            let span = span.unwrap_or(mechanism.name.span);
-            if !failure.amount.is_finite() {
-                errors.error(span, messages::no_value_at_start("start"));
-                return;
-            }
-            let drivers =
-                equations.driven.iter().zip(&mechanism.drivers).map(|((condition, node), driver)| {
-                    point.evaluate(&Ancestry::of(equations, [*node]));
-                    (driver.name.text.clone(), condition.of.clone(), point.get(*node))
-                });
-            let drivers = drivers.collect();
-            let start = overgiven(mechanism, point, &failure.q);
-            errors.error(span, messages::cannot_meet_start(failure.amount, drivers, start));
+        Fault::Driver { driver, miss } => {
+            let (condition, node) = &equations.driven[driver];
+            point.evaluate(&Ancestry::of(equations, [*node]));
+            let (value, name) = (point.get(*node), &mechanism.drivers[driver].name);
+            let message =
+                messages::driver_against_rest(&name.text, &condition.of, value, miss, unit(condition));
+            errors.error(name.span, message);
         }
+        Fault::Start { nearest, open } => {
+            let start = closed.as_ref().and_then(|closed| overgiven(mechanism, point, closed));
+            let missed = missed(problem, point, &nearest);
+            let drivers = equations.driven.iter().zip(&mechanism.drivers);
+            let drivers = drivers.map(|((condition, node), driver)| {
+                point.evaluate(&Ancestry::of(equations, [*node]));
+                (driver.name.text.clone(), condition.of.clone(), point.get(*node))
+            });
+            let drivers: Vec<_> = drivers.collect();
+            let row = open.as_ref().map(|open| &equations.rows[open.rows[0]]);
+            let path = row.and_then(|row| row.joint).map(|joint| loop_of(mechanism, equations, joint));
+            let path = path.unwrap_or_default();
+            let open = open.as_ref().zip(row).map(|(open, row)| stays_open(&row.of, &path, open, searched));
+            let message = messages::cannot_meet_start(&missed, open.as_ref(), drivers, start.as_ref());
+            errors.error(row.map_or(stated_span(mechanism), |row| row.span), message);
+        }
+        Fault::Unknown => errors.error(mechanism.name.span, messages::cannot_start(searched)),
     }
+}
+
+fn stays_open<'a>(of: &'a str, path: &'a [String], open: &Open, searched: usize) -> messages::StaysOpen<'a> {
+    messages::StaysOpen { of, path, gap: open.gap, with_others: open.with_others, searched }
+}
+
+fn stated_span(mechanism: &Mechanism) -> Region {
+    let stated = mechanism.start.iter().find(|start| start.exact);
+    stated.map_or(mechanism.name.span, |start| start.span)
+}
+
+fn unit(condition: &Condition) -> &'static str {
+    if condition.angular { "rad" } else { "m" }
+}
+
+/// The conditions of `start` that `q` misses.
+fn missed(problem: &Problem, point: &mut Point, q: &[f64]) -> Vec<messages::Missed> {
+    point.set_q(q);
+    point.evaluate(&Ancestry::of_jets(
+        point.equations,
+        problem.conditions().iter().map(|(condition, _)| &condition.jet),
+    ));
+    let values = problem.conditions().iter().map(|(condition, stated)| {
+        let value = point.get(condition.jet.value);
+        // Half a turn off is one thing from either side.
+        let turns = if condition.angular { ((value - stated) / TAU * (1.0 - 1e-9)).round() } else { 0.0 };
+        let (of, unit) = (condition.of.clone(), unit(condition));
+        messages::Missed { of, stated: *stated, nearest: value - TAU * turns, unit }
+    });
+    values.filter(|missed| (missed.nearest - missed.stated).abs() > 1e-6).collect()
+}
+
+/// Freedoms that the joints leave at `q`.
+fn freedoms(mechanism: &Mechanism, point: &mut Point, q: &[f64]) -> usize {
+    let equations = point.equations;
+    let undriven: Vec<usize> = (0..equations.rows.len() - mechanism.drivers.len()).collect();
+    equations.symbols.v.len() - rank(point, &undriven, q).rank
 }
 
 /// Whether `start` gives more coordinates than the joints leave free; drivers give theirs.
@@ -145,8 +190,7 @@ fn overgiven(mechanism: &Mechanism, point: &mut Point, q: &[f64]) -> Option<mess
     let given = equations.conditions.iter().zip(&equations.start_targets);
     let given = given.filter(|(_, target)| target.position.is_some());
     let given: Vec<_> = given.map(|(condition, _)| condition.clone()).collect();
-    let undriven: Vec<usize> = (0..equations.rows.len() - mechanism.drivers.len()).collect();
-    let freedoms = equations.symbols.v.len() - rank(point, &undriven, q).rank;
+    let freedoms = freedoms(mechanism, point, q);
     let kept = independent(point, &given, q);
     let names = |keep: bool| -> Vec<String> {
         let named = given.iter().enumerate().filter(|(at, _)| kept.contains(at) == keep);

@@ -1,27 +1,27 @@
 //! In the plane: orientations along the tree, then whatever follows from them.
 
-use super::{GOLDEN, Stated};
-use crate::equations::{Attachment, Equations, Linear, Rotation};
+use super::{Offsets, Stated, is_exact};
+use crate::equations::{Attachment, Equations, Rotation};
 use crate::model::{BodyId, Frame, JointId, Mechanism, Quantity, Rotor};
 use std::f64::consts::TAU;
 
-/// Tree coordinates for attempt `number`.
-pub fn initial(given: &Stated, mechanism: &Mechanism, equations: &Equations, number: usize) -> Vec<f64> {
+/// Tree coordinates.
+pub fn initial(
+    given: &Stated,
+    mechanism: &Mechanism,
+    equations: &Equations,
+    mut offsets: Offsets,
+) -> Vec<f64> {
     let layout = &equations.layout;
     let mut q = vec![0.0; layout.positions()];
-    let angles = orientations(given, mechanism, equations, number);
+    let angles = orientations(given, mechanism, equations, &mut offsets);
     for (r, rotation) in layout.rotations.iter().enumerate() {
         let Rotation::Body(body) = rotation else { continue };
         q[layout.pair(r)] = libm::cos(angles[body.0]);
         q[layout.pair(r) + 1] = libm::sin(angles[body.0]);
     }
-    for (index, linear) in layout.linear.iter().enumerate() {
-        let stated = match linear {
-            Linear::Center(body, axis) => given.centers.get(&(body.0, *axis)),
-            Linear::Travel(joint, which) => given.travels.get(&(*joint, *which)),
-        };
-        q[index] = stated.copied().unwrap_or(0.0);
-    }
+    let lengths = given.lengths(equations, &mut offsets);
+    q[..lengths.len()].copy_from_slice(&lengths);
     for (a, angle) in layout.angles.iter().enumerate() {
         let value = match angle.rotor {
             Rotor::Body(body) => angles[body.0],
@@ -45,13 +45,13 @@ fn of_frame(frame: Frame, angles: &[f64]) -> f64 {
 }
 
 /// Orientations of the bodies, each behind its parent in the tree.
-fn orientations(given: &Stated, mechanism: &Mechanism, equations: &Equations, number: usize) -> Vec<f64> {
+fn orientations(
+    given: &Stated,
+    mechanism: &Mechanism,
+    equations: &Equations,
+    offsets: &mut Offsets,
+) -> Vec<f64> {
     let mut angles = vec![0.0; mechanism.bodies.len()];
-    let mut free = 0;
-    let mut turned = || {
-        free += 1;
-        GOLDEN * (number * free) as f64
-    };
     for Attachment { body, joint } in &equations.tree.attachments {
         let parent = joint.map_or(0.0, |(_, frame)| of_frame(frame, &angles));
         if !equations.layout.rotations.contains(&Rotation::Body(*body)) {
@@ -65,10 +65,10 @@ fn orientations(given: &Stated, mechanism: &Mechanism, equations: &Equations, nu
         let stated = relative.map(|relative| parent + relative).or(given.bodies.get(&body.0).copied());
         let closing = || through_another_joint(given, mechanism, equations, *body, &angles);
         angles[body.0] = match stated.or_else(closing) {
-            None => turned(),
+            None => offsets.turn(false),
             // What is only guessed is varied too, so that other assemblies are found.
-            Some(angle) if number > 0 && stated.is_some() && !is_exact(equations, *joint, *body) => {
-                angle + turned()
+            Some(angle) if stated.is_some() && offsets.varies(is_stated(equations, *joint, *body)) => {
+                angle + offsets.turn(true)
             }
             Some(angle) => angle,
         };
@@ -99,9 +99,8 @@ fn through_another_joint(
 }
 
 /// Whether `start` states the angle of a body or of the joint that carries it, and not only guesses it.
-fn is_exact(equations: &Equations, joint: Option<(JointId, Frame)>, body: BodyId) -> bool {
-    let exact = equations.conditions.iter().zip(&equations.start_targets);
-    exact.filter(|(_, start)| start.position.is_some()).any(|(condition, _)| match &condition.quantity {
+fn is_stated(equations: &Equations, joint: Option<(JointId, Frame)>, body: BodyId) -> bool {
+    is_exact(equations, |quantity| match quantity {
         Quantity::JointAngle(own, _) => joint.is_some_and(|(joint, _)| joint == *own),
         Quantity::BodyAngle(own) => *own == body,
         _ => false,

@@ -1,35 +1,28 @@
-//! Positions from which assembly is tried in space: the coordinates of the tree as `start` states or guesses them, the others
-//! at zero first and later turned by the golden angle, each by a different multiple.
+//! In space: the coordinates of the tree one by one.
 
-use super::{GOLDEN, Stated};
+use super::{Offsets, Stated, is_exact};
 use crate::check::assemble::point::{Ancestry, Point};
 use crate::check::assemble::quaternion;
-use crate::equations::{Attachment, Ball, Kinematics, Linear, Rotation};
-use crate::model::{BodyId, Frame, JointId, Mechanism, Rotor, fold};
+use crate::equations::{Attachment, Ball, Kinematics, Rotation};
+use crate::model::{BodyId, Frame, JointId, Mechanism, Quantity, Rotor, fold};
 use crate::symbolic::Node;
 use std::f64::consts::TAU;
 
-/// q for attempt `number`.
-pub fn initial(stated: &Stated, mechanism: &Mechanism, point: &mut Point, number: usize) -> Vec<f64> {
+/// Tree coordinates.
+pub fn initial(stated: &Stated, mechanism: &Mechanism, point: &mut Point, mut offsets: Offsets) -> Vec<f64> {
     let equations = point.equations;
     let layout = &equations.layout;
     let mut q = vec![0.0; layout.positions()];
-    for (index, linear) in layout.linear.iter().enumerate() {
-        let value = match linear {
-            Linear::Center(body, axis) => stated.centers.get(&(body.0, *axis)),
-            Linear::Travel(joint, which) => stated.travels.get(&(*joint, *which)),
-        };
-        q[index] = value.copied().unwrap_or(0.0);
-    }
-    let mut free = 0;
+    let lengths = stated.lengths(equations, &mut offsets);
+    q[..lengths.len()].copy_from_slice(&lengths);
     let mut angles = Vec::new();
     for (r, rotation) in layout.rotations.iter().enumerate() {
         let Rotation::Joint(joint, which) = rotation else { continue };
         let value = stated.angles.get(&(*joint, *which)).copied();
         let mut angle = value.unwrap_or(0.0);
-        if value.is_none() || !Stated::is_exact_angle(equations, *joint, *which) {
-            free += 1;
-            angle += GOLDEN * (number * free) as f64;
+        let is_own = |quantity: &Quantity| matches!(quantity, Quantity::JointAngle(own, angle) if own == joint && angle == which);
+        if offsets.varies(value.is_some() && is_exact(equations, is_own)) {
+            angle += offsets.turn(value.is_some());
         }
         q[layout.pair(r)] = libm::cos(angle);
         q[layout.pair(r) + 1] = libm::sin(angle);
@@ -41,10 +34,9 @@ pub fn initial(stated: &Stated, mechanism: &Mechanism, point: &mut Point, number
             Ball::Joint(joint) => carried(mechanism, point, &q, *joint),
         };
         let mut orientation = given;
-        if number > 0 && !exact {
-            free += 1;
+        if offsets.varies(exact) {
             // About a different axis each time.
-            let angle = GOLDEN * (number * free) as f64;
+            let angle = offsets.turn(false);
             let axis = [libm::cos(angle), libm::sin(angle), libm::cos(0.5 * angle)];
             let length = axis.iter().map(|x| x * x).sum::<f64>().sqrt();
             let turned = angle - TAU * (angle / TAU).round();
