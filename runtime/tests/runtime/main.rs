@@ -13,3 +13,4 @@ mod motion;
 mod solve;
 mod space;
 mod support;
+mod ticks;
