@@ -79,8 +79,8 @@ impl<R: Real, M: Mechanism<R>, F: Formulation<R, M>, S, I: Method<R>> Simulation
     }
 
     fn course(&self, goal: Clock<R>, h: R) -> Result<Course<R>, SimulationError> {
-        check_moves(goal.time(), h)?;
         check_count("steps", (self.run.clock.until(&goal) / h).to_f64(), MOST_STEPS)?;
+        check_moves(goal.time(), h)?;
         Ok(Course { goal, h, steps: self.integrator.most_steps() })
     }
 }
