@@ -50,9 +50,9 @@ use crate::vector::Vector;
 /// h_least = 4 ε max(|t|, 1 µs), at most 1 µs, at least 2⁻²⁰ ε |t|
 /// ```
 /// (ε = 2.2·10⁻¹⁶, in single precision 1.2·10⁻⁷) unless [`least_step`](DormandPrince::least_step) says otherwise; it does not depend on
-/// the largest. A step is tried at most 100 times, 6 evaluations each, and the start of the first one twice. A run
-/// (`advance_until` and its like) takes at most 10⁷ steps, unless [`most_steps`](DormandPrince::most_steps) says otherwise; it can be
-/// gone on with from there.
+/// the largest. A step is tried at most 100 times, which takes at most 602 evaluations: 6 a trial, one at the start, one for the
+/// size of the first step. A run (`advance_until` and its like) takes at most 10⁷ steps, unless
+/// [`most_steps`](DormandPrince::most_steps) says otherwise; it can be gone on with from there.
 ///
 /// # Between the steps
 /// [`Interpolate`]: the continuous extension of order 4, of u and v (II.6), at no further evaluation.
