@@ -468,11 +468,11 @@ impl Display for SimulationError {
             ),
             SimulationError::TimeNotFinite { time } => write!(
                 f,
-                "the time would be {time} s; give `.start_time(seconds)` a finite number, and steps and durations that lead to one"
+                "the time would be {time:?} s; give `.start_time(seconds)` a finite number, and steps and durations that lead to one"
             ),
             SimulationError::TimeStands { time, step, least } => write!(
                 f,
-                "time stands: at t = {time} s neighbouring times are so far apart that {step:e} s is nothing beside them; take steps \
+                "time stands: at t = {time:?} s neighbouring times are so far apart that {step:?} s is nothing beside them; take steps \
                  and durations of at least {least:.1e} s, or count time from a later origin by `.start_time(seconds)`"
             ),
             SimulationError::TooMany { what, count, most } => write!(
@@ -482,7 +482,7 @@ impl Display for SimulationError {
             ),
             SimulationError::TooManySteps { time, end, steps } => write!(
                 f,
-                "{steps} steps led no farther than t = {time} s on the way to {end} s; run again to go on from there, allow more by \
+                "{steps} steps led no farther than t = {time:?} s on the way to {end:?} s; run again to go on from there, allow more by \
                  `.most_steps(count)`, loosen the tolerances, or take an implicit method if forces are stiff"
             ),
             SimulationError::EventNotLocated { time, width, trials } => write!(

@@ -45,6 +45,33 @@ fn no_motion_is_skipped_in_single_precision() {
     }
 }
 
+/// A pendulum swings as it does from time zero in double precision, whatever the time is and however it is advanced.
+#[test]
+fn a_pendulum_swings_the_same_at_every_time() {
+    let start = |upper: f64| [upper.cos(), upper.sin(), upper.cos(), upper.sin(), 0.0, upper, 0.0, 0.0];
+    let (tick, h, ticks) = (1e-3_f32, 1e-4_f32, 1000);
+    let model = DoublePendulum::<f64>::new();
+    let mut exact = Simulation::new(&model, State { q: start(0.7), v: [0.0; 2] })
+        .sampled(|_, _| Torque { shoulder: 0.0 })
+        .step(h.into());
+    let model = DoublePendulum::<f32>::new();
+    let expected = exact.advance_for(ticks as f64 * f64::from(tick)).unwrap();
+    for begin in [0.0_f32, 300.0, 1000.0, 3600.0, 86_400.0, 604_800.0] {
+        let start = State { q: start(0.7).map(|x| x as f32), v: [0.0; 2] };
+        let mut simulation = Simulation::new(&model, start)
+            .sampled(|_, _| Torque { shoulder: 0.0_f32 })
+            .start_time(begin)
+            .step(h);
+        for _ in 0..ticks {
+            simulation.advance_for(tick).unwrap();
+        }
+        let found = simulation.state();
+        for (found, expected) in found.v.iter().zip(&expected.v) {
+            assert!((f64::from(*found) - expected).abs() < 2e-3, "from {begin} s: {found} {expected}");
+        }
+    }
+}
+
 #[test]
 fn no_motion_is_skipped_at_large_times() {
     // Times near 1e17 s are 16 s apart.

@@ -22,7 +22,7 @@ pub(super) const AFTER_BREAKDOWN: f64 = 0.25;
 /// The most trials of one step. The first size that is tried is the one proposed; a jump in the forces takes some thirty trials.
 pub(super) const MOST_TRIALS: u32 = 100;
 /// The most steps of a run, if not said otherwise.
-pub(super) const MOST_STEPS: u64 = 10_000_000;
+pub(super) const MOST_STEPS: u64 = 1_000_000;
 /// Times below this, s, are taken to be this by the least step.
 const LEAST_TIME: f64 = 1e-6;
 /// The largest of the least steps, s, as long as the clock does not ask for more.

@@ -51,7 +51,7 @@ use crate::vector::Vector;
 /// ```
 /// (ε = 2.2·10⁻¹⁶, in single precision 1.2·10⁻⁷) unless [`least_step`](DormandPrince::least_step) says otherwise; it does not depend on
 /// the largest. A step is tried at most 100 times, which takes at most 602 evaluations: 6 a trial, one at the start, one for the
-/// size of the first step. A run (`advance_until` and its like) takes at most 10⁷ steps, unless
+/// size of the first step. A run (`advance_until` and its like) takes at most 10⁶ steps, unless
 /// [`most_steps`](DormandPrince::most_steps) says otherwise; it can be gone on with from there.
 ///
 /// # Between the steps
@@ -97,7 +97,7 @@ impl<R: Real> DormandPrince<R> {
         DormandPrince { least: Some(seconds), ..self }
     }
 
-    /// With at most so many steps in a run, in place of 10⁷.
+    /// With at most so many steps in a run, in place of 10⁶.
     pub fn most_steps(self, steps: u64) -> Self {
         DormandPrince { steps, ..self }
     }
