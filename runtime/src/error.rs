@@ -182,6 +182,48 @@ pub enum SimulationError {
         /// The coordinate's name.
         what: &'static str,
     },
+    /// The time at which the simulation starts is infinite or NaN, or a step or a duration leads beyond the largest number.
+    TimeNotFinite {
+        /// That time, s.
+        time: f64,
+    },
+    /// A step, or a duration, is so short beside the time that the clock would stand: below 2⁻²⁰ of the distance of
+    /// neighbouring times.
+    TimeStands {
+        /// The time, or that of the end of the run, s.
+        time: f64,
+        /// The step, s.
+        step: f64,
+        /// The least that is possible at that time, s.
+        least: f64,
+    },
+    /// A run would take more steps or samples than are allowed.
+    TooMany {
+        /// `"steps"` or `"samples"`.
+        what: &'static str,
+        /// How many.
+        count: f64,
+        /// How many are allowed.
+        most: f64,
+    },
+    /// A method that chooses its steps took as many as a run may have, and is not at its end. The run can be gone on with.
+    TooManySteps {
+        /// The time at which the simulation stands, s.
+        time: f64,
+        /// The end that was asked for, s.
+        end: f64,
+        /// The steps taken.
+        steps: u64,
+    },
+    /// An event lies in a step, and was not found in as many trials as are allowed.
+    EventNotLocated {
+        /// The time at the beginning of the step, at which the simulation stands, s.
+        time: f64,
+        /// How far the time of the event is known, s.
+        width: f64,
+        /// The trials made.
+        trials: u32,
+    },
 }
 
 /// Why a mechanism could not be linearised, brought to rest or driven.
@@ -392,8 +434,8 @@ impl Display for SimulationError {
             SimulationError::StepUnderflow { time, step, rejections } => write!(
                 f,
                 "no step from t = {time} s is small enough: {step:.1e} s was given up last, after {} trials for the \
-                 estimated error, {} for convergence and {} at stages that were singular or not finite; loosen the tolerances, or \
-                 look for a jump in forces or a singular position there",
+                 estimated error, {} for convergence and {} at stages that were singular or not finite; loosen the tolerances, \
+                 look for a jump in forces or a singular position there, or allow smaller steps by `.least_step(seconds)`",
                 rejections.error, rejections.convergence, rejections.breakdown
             ),
             SimulationError::NoConvergence { time, iterations, residual } => write!(
@@ -423,6 +465,30 @@ impl Display for SimulationError {
             SimulationError::NonFinite { time, what } => write!(
                 f,
                 "`{what}` became infinite or NaN at t = {time} s; check inputs and parameters, or take a smaller step"
+            ),
+            SimulationError::TimeNotFinite { time } => write!(
+                f,
+                "the time would be {time:?} s; give `.start_time(seconds)` a finite number, and steps and durations that lead to one"
+            ),
+            SimulationError::TimeStands { time, step, least } => write!(
+                f,
+                "time stands: at t = {time:?} s neighbouring times are so far apart that {step:?} s is nothing beside them; take steps \
+                 and durations of at least {least:.1e} s, or count time from a later origin by `.start_time(seconds)`"
+            ),
+            SimulationError::TooMany { what, count, most } => write!(
+                f,
+                "the run would take {count:.1e} {what}, more than {most:.1e}; take a nearer end, or {}",
+                if *what == "samples" { "a longer interval" } else { "longer steps" }
+            ),
+            SimulationError::TooManySteps { time, end, steps } => write!(
+                f,
+                "{steps} steps led no farther than t = {time:?} s on the way to {end:?} s; run again to go on from there, allow more by \
+                 `.most_steps(count)`, loosen the tolerances, or take an implicit method if forces are stiff"
+            ),
+            SimulationError::EventNotLocated { time, width, trials } => write!(
+                f,
+                "an event lies in the step from t = {time} s, but {trials} trials located it no better than {width:.1e} s; \
+                 give it a larger tolerance, or the integrator looser tolerances"
             ),
         }
     }

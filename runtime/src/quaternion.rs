@@ -78,7 +78,7 @@ fn unit<R: Real>((u, [x, y, z]): (R, [R; 3])) -> [R; 4] {
     [R::ONE + u, x, y, z]
 }
 
-/// The exponential of an increment above 1 in at least one lane.
+/// The exponential of an increment above 1 in at least one lane, by at most 64 halvings: above 2⁶⁴ rad no digit of an angle is left.
 #[cold]
 fn exponential_by_halving<R: Real>(delta: [R; 3]) -> [R; 4] {
     let mut small = delta;

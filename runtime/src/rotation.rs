@@ -103,7 +103,7 @@ pub(crate) fn series<R: Real>(z: R) -> (R, R) {
     (cosine, sine)
 }
 
-/// The exponential of an increment above 1/2 in at least one lane.
+/// The exponential of an increment above 1/2 in at least one lane, by at most 64 halvings: above 2⁶³ rad no digit of an angle is left.
 #[cold]
 fn exponential_by_halving<R: Real>(delta: R) -> (R, R) {
     let half = R::from_f64(0.5);

@@ -239,6 +239,7 @@ where
         happened += usize::from(matches!(found, Ok(Some(_))));
         let wrong = simulation.run_until_event(end + h, &[Event::of("no such output")], |_| ());
         assert!(wrong.is_err());
+        assert!(simulation.advance_for(h).is_ok() && simulation.advance_steps(2).is_ok());
     });
     assert_eq!((ran, happened), (0, 1), "{}: run adaptively", M::NAME);
 }

@@ -19,16 +19,14 @@ use crate::vector::Vector;
             lands on the end"
 )]
 pub trait Interpolate<R: Real>: Method<R> {
-    /// The beginning and the end of the last step, s; none before the first.
-    fn covers<Q: Vector<R>, V: Vector<R>, Lambda: Vector<R>>(
-        memory: &Self::Memory<Q, V, Lambda>,
-    ) -> Option<(R, R)>;
+    /// The size of the last step, s; none before the first.
+    fn size<Q: Vector<R>, V: Vector<R>, Lambda: Vector<R>>(memory: &Self::Memory<Q, V, Lambda>) -> Option<R>;
 
-    /// The state at `time` (s) within the last step; none before the first. Outside the step the extension is
+    /// The state `elapsed` (s) after the beginning of the last step; none before the first. Outside the step the extension is
     /// extrapolated and soon of no use.
     fn at<Q: Vector<R>, V: Vector<R>, Lambda: Vector<R>>(
         memory: &Self::Memory<Q, V, Lambda>,
         layout: &Layout,
-        time: R,
+        elapsed: R,
     ) -> Option<State<Q, V>>;
 }

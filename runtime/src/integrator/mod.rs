@@ -81,11 +81,18 @@ pub trait Method<R: Real> {
     fn check(&self) -> Result<(), SettingError> {
         Ok(())
     }
+
+    /// The most steps that a run may take by this method. One that takes every step as it is asked to needs no bound: the run then
+    /// takes (end − time)/h of them.
+    fn most_steps(&self) -> u64 {
+        u64::MAX
+    }
 }
 
 /// A one-step method for the dynamics `D`.
 pub trait Integrator<R: Real, D: Dynamics<R>>: Method<R> {
-    /// The state at `time + h` from the one at `time`, s; adaptive methods may take less.
+    /// The state at `time + h` from the one at `time`, s; adaptive methods may take less, but more than nothing. `time` is the
+    /// clock rounded once, and so may be the same in several steps, where these are short beside it.
     ///
     /// # Errors
     /// Why no step was taken.
@@ -143,7 +150,7 @@ impl Rejections {
 /// Why a method took no step.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum StepFailure<R = f64> {
-    /// The step that the tolerances ask for is below the resolution of the time.
+    /// The step that the tolerances ask for is below the least one, or was not found in the trials that are allowed.
     Underflow {
         /// The last size tried, s.
         size: R,

@@ -45,6 +45,7 @@ pub struct Equilibrium<Q, L> {
 /// turning further than half a radian. Where that ends nowhere it begins anew behind a motion in which the mechanism is brought
 /// to rest again and again, with ∂r/∂q + M/h² in place of ∂r/∂q and h growing as the forces fall (pseudo-transient continuation:
 /// Kelley, Keyes, SIAM J. Numer. Anal. 35, 1998); it falls towards a stable position, which then is not the nearest.
+/// There are at most 100 iterations, of 31 trials each, before that motion and behind it, and 300 steps of it.
 ///
 /// λ begins with that of the motion from rest. Rows that depend on time are taken at `time`; in tree coordinates the inertia of
 /// bodies on places that move with time is among the loads. Pairs and quaternions of `near` need not have length 1. Rows that

@@ -1,7 +1,9 @@
 //! What lies between the steps: states and samples by dense output.
 
+use super::clock::Clock;
+use super::course::{SLIVER, check_count};
 use super::{MechanismDynamics, Sample, Simulation};
-use crate::error::SimulationError;
+use crate::error::{SettingError, SimulationError};
 use crate::formulation::{Formulation, positive};
 use crate::input::InputSource;
 use crate::integrator::{Integrator, Interpolate, Method};
@@ -9,8 +11,8 @@ use crate::mechanism::{Assemble, Mechanism};
 use crate::real::Real;
 use crate::state::State;
 
-/// A time closer to another than this part of the distance between samples is the same.
-const SAME: f64 = 1e-6;
+/// The most samples of a run at even times: 2³².
+const MOST_SAMPLES: f64 = 4_294_967_296.0;
 
 /// Looking back.
 // The extension is asked for at the methods, not at the implementation, so that the compiler says what to do without it.
@@ -31,19 +33,23 @@ impl<'m, R: Real, M: Mechanism<R>, F: Formulation<R, M>, S, I: Method<R>> Simula
         if time == now {
             return Ok(self.run.state);
         }
-        let rounding = |from: R| R::from_f64(8.0) * R::EPSILON * (from.abs() + now.abs());
-        // A step that ended elsewhere is of another start time.
-        let from = match I::covers(&self.memory) {
-            Some((from, to)) if (to - now).abs() <= rounding(from) => from,
-            _ => now,
-        };
+        let from = I::size(&self.memory).map_or(now, |size| self.run.clock.after(-size).time());
         if time >= from
             && time < now
-            && let Some(state) = I::at(&self.memory, &M::LAYOUT, time)
+            && let Some(state) = self.within(&Clock::at(time))
         {
             return Ok(state);
         }
         Err(SimulationError::NotCovered { time: time.to_f64(), from: from.to_f64(), to: now.to_f64() })
+    }
+
+    /// The state at a time within the last step.
+    fn within(&self, time: &Clock<R>) -> Option<State<M::Q, M::V>>
+    where
+        I: Interpolate<R>,
+    {
+        let elapsed = I::size(&self.memory)? - time.until(&self.run.clock);
+        I::at(&self.memory, &M::LAYOUT, elapsed.max(R::ZERO))
     }
 }
 
@@ -63,9 +69,11 @@ where
     /// A sample within a step has the inputs that were held over it, or those of its own time. Angles among the outputs are
     /// continued over the steps, so that they may turn by more than half a turn from sample to sample.
     ///
+    /// A sample that is due within a hundredth of the interval of `end` is the one at `end`.
+    ///
     /// # Errors
-    /// [`SimulationError`]; the simulation then stands at the last good state. An interval that is not positive and finite
-    /// is a [`SettingError`](crate::SettingError).
+    /// [`SimulationError`]; the simulation then stands at the last good state. An interval that is not positive and finite, or so
+    /// short that samples would have the same time, is a [`SettingError`]; more than 2³² samples are refused.
     pub fn run_every(
         &mut self,
         interval: R,
@@ -75,30 +83,35 @@ where
     where
         I: Interpolate<R>,
     {
-        let h = self.checked_run(end)?;
+        let mut course = self.course_until(end)?;
         positive("the interval of the samples", interval, "positive and finite (s)")?;
-        let begin = self.time();
-        let mut count = 0_u64;
-        // The next time, counted from the beginning; what rounding puts beside the end is the end.
-        let mut next = || {
-            count += 1;
-            let time = begin + R::from_f64(count as f64) * interval;
-            if (time - end).abs() <= R::from_f64(SAME) * interval { end } else { time }
+        let begin = self.run.clock;
+        if interval < R::EPSILON * begin.time().abs().max(end.abs()) {
+            let (what, value) = ("the interval of the samples", interval.to_f64());
+            let must_be = "at least a rounding of the times, or samples coincide";
+            return Err(SettingError { what, value, must_be }.into());
+        }
+        check_count("samples", (begin.until(&course.goal) / interval).to_f64(), MOST_SAMPLES)?;
+        // What rounding puts beside the end is the end.
+        let goal = course.goal;
+        let after = |due: Clock<R>| {
+            let due = due.after(interval);
+            if due.until(&goal).abs() <= R::from_f64(SLIVER) * interval { goal } else { due }
         };
         show(&self.sample());
-        let mut due = next();
-        while self.time() < end {
-            self.advance_towards(end, h)?;
-            while due < self.time() {
-                let state = self.interpolate(due)?;
-                let inputs = self.dynamics.inputs_within(due, &state);
-                show(&self.sample_at(due, state, inputs));
-                due = next();
+        let mut due = after(begin);
+        while self.is_under_way(&course) {
+            self.advance_along(&mut course)?;
+            while due.is_before(&self.run.clock) {
+                let state = self.within(&due).unwrap_or(self.run.state);
+                let inputs = self.dynamics.inputs_within(due.time(), &state);
+                show(&self.sample_at(due.time(), state, inputs));
+                due = after(due);
             }
             let sample = self.sample();
-            if due == sample.time {
+            if !self.run.clock.is_before(&due) {
                 show(&sample);
-                due = next();
+                due = after(due);
             }
         }
         Ok(self.run.state)

@@ -64,7 +64,8 @@ impl<R: Real> Event<R> {
         Event { direction: Direction::Either, ..self }
     }
 
-    /// How far the time found may lie after the crossing, s; what is less than the resolution of the time is that.
+    /// How far the time found may lie after the crossing, s; what is less than four roundings of the step is that. The
+    /// time that is told of it is rounded as times are.
     pub fn tolerance(self, seconds: R) -> Self {
         Event { tolerance: seconds, ..self }
     }
@@ -84,7 +85,7 @@ pub struct Occurrence<R = f64> {
     pub event: usize,
     /// The output's name.
     pub output: &'static str,
-    /// The time at which the simulation stands, s.
+    /// The time at which the simulation stands, s: the exact one, rounded once.
     pub time: R,
     /// Whether the output rose.
     pub rising: bool,

@@ -1,7 +1,7 @@
 //! The search for events: steps, and the step that crossed a level repeated from its beginning.
 
 use super::event::Watched;
-use super::{Clock, Event, MechanismDynamics, Occurrence, Run, Sample, Simulation};
+use super::{Event, MechanismDynamics, Occurrence, Run, Sample, Simulation};
 use crate::error::SimulationError;
 use crate::fields::Fields;
 use crate::formulation::Formulation;
@@ -9,6 +9,10 @@ use crate::input::InputSource;
 use crate::integrator::Integrator;
 use crate::mechanism::{Assemble, Mechanism};
 use crate::real::Real;
+
+/// The most trials of one search: those of the ITP method are at most 54 in double precision; the others are for methods that
+/// shorten the repeated steps.
+const TRIALS: u32 = 1000;
 
 /// All of a simulation that a step changes.
 #[derive(Clone, Copy)]
@@ -49,9 +53,10 @@ where
     ///
     /// Outputs are compared at the ends of the steps: a step must be shorter than the time in which an output crosses its
     /// level twice. The step in which one crossed is repeated from its beginning with shorter sizes, which serves every
-    /// integrator and keeps its order, until the crossing is known to the least of the tolerances: the ITP method (Oliveira,
-    /// Takahashi, ACM Trans. Math. Softw. 47 (2021) 5), which asks for at most one step more than bisection,
-    /// log₂(h/tolerance) + 1. Of several events in a step the earliest is found. One whose output is exactly at its level
+    /// integrator and keeps its order, until the crossing is known to the least of the tolerances, or to four roundings of the step:
+    /// the ITP method (Oliveira, Takahashi, ACM Trans. Math. Softw. 47 (2021) 5), which asks for at most one step more than
+    /// bisection, log₂(h/tolerance) + 1; at most 1000 where a method shortens the repeated steps, and then
+    /// [`EventNotLocated`](SimulationError::EventNotLocated). Of several events in a step the earliest is found. One whose output is exactly at its level
     /// where the run begins has happened before: going on from an event does not find it again.
     ///
     /// Held inputs are kept while a step is repeated, and asked for again at the event; sampled ones are asked for in every
@@ -66,17 +71,17 @@ where
         events: &[Event<R>],
         mut show: impl FnMut(&Sample<'m, R, M>),
     ) -> Result<Option<Occurrence<R>>, SimulationError> {
-        let h = self.checked_run(end)?;
+        let mut course = self.course_until(end)?;
         let watched = Watched::new::<M::Outputs>(events)?;
         let sample = self.sample();
         show(&sample);
         let mut before = sample.outputs;
-        while self.time() < end {
+        while self.is_under_way(&course) {
             let begin = self.standing();
-            self.advance_towards(end, h)?;
+            let size = self.advance_along(&mut course)?.size;
             let after = self.outputs_after(&before);
             let found = match watched.any(&before, &after) {
-                true => self.locate(&watched, begin, before, after)?,
+                true => self.locate(&watched, begin, size, before, after)?,
                 false => None,
             };
             // After a search that found nothing the simulation stands at the step's end again.
@@ -89,45 +94,60 @@ where
         Ok(None)
     }
 
-    /// The first event between two ends of a step that have one between them; the simulation is left standing there.
+    /// The first event between two ends of a step of size `size` that have one between them; the simulation is left standing there.
+    ///
+    /// Times are counted from the beginning of the step, so that what the clock cannot name is found too.
     #[cold]
     fn locate(
         &mut self,
         watched: &Watched<'_, R>,
         begin: StandingOf<M, R, F, M::Inputs, I>,
+        size: R,
         before: M::Outputs,
         after: M::Outputs,
     ) -> Result<Option<Occurrence<R>>, SimulationError> {
-        let (mut base, mut low, mut high) = ((begin, before), (begin.time(), before), (self.time(), after));
+        let mut base = (R::ZERO, before, begin);
+        let (mut low, mut high) = ((R::ZERO, before), (size, after));
         let mut found = self.standing();
-        let resolution = R::from_f64(4.0) * R::EPSILON * (low.0.abs() + high.0.abs());
-        let tolerance = watched.tolerance.max(resolution);
-        let mut search = Search::new(high.0 - low.0, tolerance);
+        let tolerance = watched.tolerance.max(R::from_f64(4.0) * R::EPSILON * size);
+        let mut search = Search::new(size, tolerance);
+        let mut trials = 0;
         while high.0 - low.0 > tolerance {
             let Some(part) = watched.expected(&low.1, &high.1) else { break };
-            let time = search.next(low.0, high.0, part);
-            self.stand(base.0);
-            if let Err(error) = self.advance_by(time - self.time(), Clock::at(time)) {
+            if trials == TRIALS {
                 self.stand(begin);
-                return Err(error);
+                let (time, width) = (self.time().to_f64(), (high.0 - low.0).to_f64());
+                return Err(SimulationError::EventNotLocated { time, width, trials });
             }
+            trials += 1;
+            let at = search.next(low.0, high.0, part);
+            self.stand(base.2);
+            let step = at - base.0;
+            let stepped = match self.advance_by(step, self.run.clock.after(step)) {
+                Ok(stepped) => stepped.size,
+                Err(error) => {
+                    self.stand(begin);
+                    return Err(error);
+                }
+            };
             // A method that chooses its steps may have stopped before.
-            let reached = (self.time(), self.outputs_after(&before));
+            let stopped = stepped != step;
+            let reached = (if stopped { base.0 + stepped } else { at }, self.outputs_after(&before));
             if reached.0 <= low.0 {
-                low = (base.0.time(), base.1);
+                low = (base.0, base.1);
             }
             if watched.any(&low.1, &reached.1) {
                 high = reached;
                 found = self.standing();
             } else {
                 low = reached;
-                if reached.0 < time {
-                    base = (self.standing(), reached.1);
+                if stopped {
+                    base = (reached.0, reached.1, self.standing());
                 }
             }
         }
         self.stand(found);
-        Ok(watched.occurrence(high.0, &low.1, &high.1))
+        Ok(watched.occurrence(self.time(), &low.1, &high.1))
     }
 
     /// The outputs at the end of the last step, with the inputs held over it, continued from `previous`.
@@ -160,14 +180,6 @@ where
     }
 }
 
-impl<R: Real, M: Mechanism<R>, Memory, Formulation, Inputs>
-    Standing<R, Run<R, M>, Memory, Formulation, Inputs>
-{
-    fn time(&self) -> R {
-        self.run.clock.time
-    }
-}
-
 /// The choice of the next time in a bracket: regula falsi, held to the bracket that bisection would have by now.
 struct Search<R> {
     /// ε 2ⁿ⁻ʲ, half the widest bracket that is allowed after the next trial.
@@ -178,6 +190,7 @@ struct Search<R> {
 }
 
 impl<R: Real> Search<R> {
+    /// For a bracket at most 1/4ε times as wide as the tolerance: as many doublings as that takes, 51 in double precision.
     fn new(width: R, tolerance: R) -> Self {
         let two = R::from_f64(2.0);
         // ε 2ⁿ with n one more than bisection needs.

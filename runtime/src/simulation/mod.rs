@@ -1,10 +1,12 @@
-//! Time stepping of one mechanism: the builder, the clock, what is known at a sample.
+//! Time stepping of one mechanism: the builder, what is known at a sample, the calls that move.
 //!
 //! Joins a model, a formulation, an input source and an integrator, each a type of its own. What happens inside one
-//! step, and how its failure is named, is `step.rs`; dense output is `between.rs`, events are `event.rs` and `locate.rs`.
-//! Nothing here allocates.
+//! step, and how its failure is named, is `step.rs`; the clock is `clock.rs`, runs and their bounds `course.rs`, dense output
+//! `between.rs`, events are `event.rs` and `locate.rs`. Nothing here allocates.
 
 mod between;
+mod clock;
+mod course;
 mod dynamics;
 mod event;
 mod implicit;
@@ -13,6 +15,7 @@ mod sample;
 mod singularity;
 mod step;
 
+pub(crate) use clock::least_step;
 pub use dynamics::MechanismDynamics;
 pub use event::{Direction, Event, Occurrence};
 pub use sample::{Residual, Sample, Samples};
@@ -26,6 +29,8 @@ use crate::integrator::{Integrator, Method, Rk4};
 use crate::mechanism::{Assemble, Mechanism};
 use crate::real::Real;
 use crate::state::State;
+use clock::Clock;
+use course::{Course, MOST_STEPS, check_count};
 use singularity::Passage;
 
 /// A mechanism in motion.
@@ -38,8 +43,23 @@ use singularity::Passage;
 ///     .step(1e-3);
 /// let end = simulation.run_until(10.0, |sample| record(sample.time, sample.outputs))?;
 /// ```
-/// Steps are counted, time = start + k·h, so that the clock does not drift. After an error the simulation still
-/// stands at its last good state.
+/// # Time
+/// The clock is the exact sum of the steps that were taken; what is integrated is what it shows, in single precision too, for days
+/// of ticks. [`time`](Simulation::time) is that sum rounded once, and so is what laws of time, drivers and inputs see at the ends
+/// of a step; at a stage they see it plus the stage's part of the step, rounded again. A step may thus be shorter than the distance
+/// of neighbouring times, 8 ms for `f32` after a day: motion goes on, and laws of time see it in steps of 8 ms. A step
+/// below 2⁻²⁰ of that distance is refused, because time would stand.
+///
+/// Where `end` cannot name the next tick, [`advance_for`](Simulation::advance_for) advances by a duration and
+/// [`advance_steps`](Simulation::advance_steps) by a number of steps.
+///
+/// A run (`advance_until`, `run_until`, `samples`, `run_every`, `run_until_event`, `advance_for`) takes steps of the given size and a
+/// last one of what is left, a hundredth longer rather than a sliver after it: at most (end − time)/h + 1 steps, and one that would
+/// need more than 2⁵³ is refused at once. A method that chooses its steps takes more, as many as
+/// [`DormandPrince::most_steps`](crate::DormandPrince::most_steps) says.
+///
+/// # Errors
+/// After an error the simulation still stands at its last good state, and can go on from it.
 pub struct Simulation<'m, M, R = f64, F = LagrangeIndex1, S = NoInputs, I = Rk4>
 where
     R: Real,
@@ -77,25 +97,6 @@ impl<R: Real, M: Mechanism<R>> Clone for Run<R, M> {
 }
 
 impl<R: Real, M: Mechanism<R>> Copy for Run<R, M> {}
-
-/// Time as a beginning and a number of steps.
-#[derive(Clone, Copy, Debug)]
-struct Clock<R> {
-    origin: R,
-    count: u64,
-    time: R,
-}
-
-impl<R: Real> Clock<R> {
-    fn at(time: R) -> Self {
-        Clock { origin: time, count: 0, time }
-    }
-
-    fn after(self, h: R) -> Self {
-        let count = self.count + 1;
-        Clock { origin: self.origin, count, time: self.origin + R::from_f64(count as f64) * h }
-    }
-}
 
 impl<'m, R: Real, M: Mechanism<R>> Simulation<'m, M, R> {
     /// A simulation of `model` from `start` at time zero, with [`LagrangeIndex1`] and [`Rk4`]; the step size is still
@@ -168,7 +169,6 @@ impl<'m, R: Real, M: Mechanism<R>, F: Formulation<R, M>, S, I: Method<R>> Simula
     /// The step size, s; of methods that choose their own, the largest. Checked when the simulation is advanced.
     pub fn step(mut self, seconds: R) -> Self {
         self.run.step = Some(seconds);
-        self.run.clock = Clock::at(self.run.clock.time);
         self
     }
 
@@ -188,9 +188,13 @@ impl<'m, R: Real, M: Mechanism<R>, F: Formulation<R, M>, S, I: Method<R>> Simula
     }
 
     /// The time at which the simulation starts, s; zero if not given. Where drivers or moving places depend on time, the
-    /// start has to be consistent at this time: `model.project(seconds, &state)`.
+    /// start has to be consistent at this time: `model.project(seconds, &state)`. Checked when the simulation is advanced: it must be
+    /// finite, and not so large that a step would leave it standing.
     pub fn start_time(mut self, seconds: R) -> Self {
         self.run.clock = Clock::at(seconds);
+        self.run.passage = Passage::new();
+        // What was known of a step that ended at another time.
+        self.memory = self.integrator.memory();
         self.dynamics.inputs = None;
         self
     }
@@ -209,9 +213,9 @@ impl<'m, R: Real, M: Mechanism<R>, F: Formulation<R, M>, S, I: Method<R>> Simula
         self.dynamics.model
     }
 
-    /// The present time, s.
+    /// The present time, s: the exact sum of the steps, rounded once.
     pub fn time(&self) -> R {
-        self.run.clock.time
+        self.run.clock.time()
     }
 
     /// The present state.
@@ -245,7 +249,7 @@ impl<'m, R: Real, M: Mechanism<R>, F: Formulation<R, M>, S, I: Method<R>> Simula
     where
         S: InputSource<R, M>,
     {
-        self.dynamics.evaluate(self.run.clock.time, &self.run.state).0
+        self.dynamics.evaluate(self.time(), &self.run.state).0
     }
 
     /// Multipliers λ at the present state; the force of the constraints on the mechanism is −Dᵀ λ.
@@ -253,7 +257,7 @@ impl<'m, R: Real, M: Mechanism<R>, F: Formulation<R, M>, S, I: Method<R>> Simula
     where
         S: InputSource<R, M>,
     {
-        self.dynamics.evaluate(self.run.clock.time, &self.run.state).1
+        self.dynamics.evaluate(self.time(), &self.run.state).1
     }
 
     /// What is known now, outputs continued from the sample before.
@@ -261,9 +265,9 @@ impl<'m, R: Real, M: Mechanism<R>, F: Formulation<R, M>, S, I: Method<R>> Simula
     where
         S: InputSource<R, M>,
     {
-        let Run { clock, state, .. } = self.run;
-        let inputs = self.dynamics.present_inputs(clock.time, &state);
-        self.sample_at(clock.time, state, inputs)
+        let (time, state) = (self.time(), self.run.state);
+        let inputs = self.dynamics.present_inputs(time, &state);
+        self.sample_at(time, state, inputs)
     }
 
     /// What is known of a state, outputs continued from the sample before.
@@ -300,7 +304,41 @@ where
         self.advance_by(h, self.run.clock.after(h))
     }
 
-    /// Steps until `end` (s), without samples; the last step is shortened to land on it. Returns the state there.
+    /// So many steps of the given size, as by [`advance`](Simulation::advance). Returns the state there.
+    ///
+    /// # Errors
+    /// [`SimulationError`]; the simulation then stands at the last good state. More than 2⁵³ steps are refused.
+    pub fn advance_steps(&mut self, count: u64) -> Result<State<M::Q, M::V>, SimulationError>
+    where
+        S: InputSource<R, M>,
+        I: Integrator<R, MechanismDynamics<'m, M, R, F, S>>,
+    {
+        check_count("steps", count as f64, MOST_STEPS)?;
+        for _ in 0..count {
+            self.advance()?;
+        }
+        Ok(self.run.state)
+    }
+
+    /// Steps for a duration (s), without samples; the last step is what is left of it. Returns the state there.
+    ///
+    /// The clock then stands at the exact sum of the durations, however many there were and whether or not a number of this
+    /// precision can name it.
+    ///
+    /// # Errors
+    /// [`SimulationError`]; the simulation then stands at the last good state. A duration that is negative, not finite, or so short
+    /// that time would stand.
+    pub fn advance_for(&mut self, seconds: R) -> Result<State<M::Q, M::V>, SimulationError>
+    where
+        S: InputSource<R, M>,
+        I: Integrator<R, MechanismDynamics<'m, M, R, F, S>>,
+    {
+        let course = self.course_for(seconds)?;
+        self.advance_to_the_end(course)
+    }
+
+    /// Steps until `end` (s), without samples; the last step is what is left, so that the clock shows `end` exactly. Returns the
+    /// state there.
     ///
     /// # Errors
     /// [`SimulationError`]; the simulation then stands at the last good state.
@@ -309,15 +347,23 @@ where
         S: InputSource<R, M>,
         I: Integrator<R, MechanismDynamics<'m, M, R, F, S>>,
     {
-        let h = self.checked_run(end)?;
-        while self.time() < end {
-            self.advance_towards(end, h)?;
+        let course = self.course_until(end)?;
+        self.advance_to_the_end(course)
+    }
+
+    fn advance_to_the_end(&mut self, mut course: Course<R>) -> Result<State<M::Q, M::V>, SimulationError>
+    where
+        S: InputSource<R, M>,
+        I: Integrator<R, MechanismDynamics<'m, M, R, F, S>>,
+    {
+        while self.is_under_way(&course) {
+            self.advance_along(&mut course)?;
         }
         Ok(self.run.state)
     }
 
-    /// Steps until `end` (s) and shows a sample at the start and after each step; the last step is shortened to land
-    /// on `end`. Returns the state there.
+    /// Steps until `end` (s) and shows a sample at the start and after each step; the last step is what is left
+    /// to `end`. Returns the state there.
     ///
     /// # Errors
     /// [`SimulationError`]; the simulation then stands at the last good state, whose sample was shown.
@@ -330,10 +376,10 @@ where
         S: InputSource<R, M>,
         I: Integrator<R, MechanismDynamics<'m, M, R, F, S>>,
     {
-        let h = self.checked_run(end)?;
+        let mut course = self.course_until(end)?;
         show(&self.sample());
-        while self.time() < end {
-            self.advance_towards(end, h)?;
+        while self.is_under_way(&course) {
+            self.advance_along(&mut course)?;
             show(&self.sample());
         }
         Ok(self.run.state)

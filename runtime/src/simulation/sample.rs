@@ -1,5 +1,6 @@
 //! What is known of a simulation at one time, and the iterator over it.
 
+use super::course::Course;
 use super::{MechanismDynamics, Simulation};
 use crate::assembly::system::subtract_product;
 use crate::error::SimulationError;
@@ -13,7 +14,7 @@ use crate::vector::Vector;
 
 /// A simulation at one time. What costs an evaluation is a method.
 pub struct Sample<'m, R: Real, M: Mechanism<R>> {
-    /// The time, s.
+    /// The time, s: the exact one, rounded once.
     pub time: R,
     /// Positions and velocities.
     pub state: State<M::Q, M::V>,
@@ -86,10 +87,10 @@ pub struct Samples<'s, 'm, M: Mechanism<R>, R: Real, F: Formulation<R, M>, S, I:
     stage: Stage<R>,
 }
 
-/// Where the iterator stands; holds the step size once it has been checked.
+/// Where the iterator stands; holds the run once it has been checked.
 enum Stage<R> {
     New,
-    Running(R),
+    Running(Course<R>),
     Done,
 }
 
@@ -110,11 +111,13 @@ where
     type Item = Result<Sample<'m, R, M>, SimulationError>;
 
     fn next(&mut self) -> Option<Self::Item> {
-        let outcome = match self.stage {
+        let outcome = match &mut self.stage {
             Stage::Done => return None,
-            Stage::New => self.simulation.checked_run(self.end).map(|h| self.stage = Stage::Running(h)),
-            Stage::Running(_) if self.simulation.time() >= self.end => return None,
-            Stage::Running(h) => self.simulation.advance_towards(self.end, h).map(|_| ()),
+            Stage::New => {
+                self.simulation.course_until(self.end).map(|course| self.stage = Stage::Running(course))
+            }
+            Stage::Running(course) if !self.simulation.is_under_way(course) => return None,
+            Stage::Running(course) => self.simulation.advance_along(course).map(|_| ()),
         };
         if outcome.is_err() {
             self.stage = Stage::Done;

@@ -1,11 +1,12 @@
 //! One step of a simulation: its checks, what happened in it, and the name of what went wrong.
 //!
-//! The methods themselves are in `integrator` and `formulation`; clock and samples are in `mod.rs` and `sample.rs`, the
-//! stages in `dynamics.rs`.
+//! The methods themselves are in `integrator` and `formulation`; which steps a run takes is `course.rs`, the clock `clock.rs`,
+//! samples are `sample.rs`, the stages `dynamics.rs`.
 
+use super::clock::Clock;
 use super::dynamics::Stage;
 use super::singularity::Passage;
-use super::{Clock, MechanismDynamics, NearSingular, Residual, Simulation};
+use super::{MechanismDynamics, NearSingular, Residual, Simulation};
 use crate::assembly::{singular_velocity, smallest_pivot};
 use crate::condition::{far, reciprocal_condition};
 use crate::error::SimulationError;
@@ -32,9 +33,9 @@ const FAR_FROM_SINGULAR: f64 = 1e-2;
 /// What happened in a step.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Step<R = f64> {
-    /// The time at its end, s.
+    /// The time at its end, s: the exact sum of the steps, rounded once.
     pub time: R,
-    /// Its size, s.
+    /// Its size, s: what was integrated.
     pub size: R,
     /// The smallest relative pivot of the factorisations made: one is well posed, zero is a breakdown.
     pub smallest_pivot: R,
@@ -65,41 +66,6 @@ where
     S: InputSource<R, M>,
     I: Integrator<R, MechanismDynamics<'m, M, R, F, S>>,
 {
-    /// The step size, if it, the formulation and the integrator make sense.
-    pub(super) fn checked_step(&self) -> Result<R, SimulationError> {
-        let h = self.run.step.ok_or(SimulationError::StepMissing)?;
-        if !(h > R::ZERO && h.is_finite()) {
-            return Err(SimulationError::Step { step: h.to_f64() });
-        }
-        self.dynamics.formulation.check()?;
-        self.integrator.check()?;
-        Ok(h)
-    }
-
-    /// The step size, if it, the methods and `end` make sense.
-    pub(super) fn checked_run(&self, end: R) -> Result<R, SimulationError> {
-        let h = self.checked_step()?;
-        let time = self.time();
-        if !(end >= time && end.is_finite()) {
-            return Err(SimulationError::End { time: time.to_f64(), end: end.to_f64() });
-        }
-        Ok(h)
-    }
-
-    /// One step of size `h`, or the shorter one that is left before `end`.
-    #[inline]
-    pub(super) fn advance_towards(&mut self, end: R, h: R) -> Result<Step<R>, SimulationError> {
-        let time = self.time();
-        let left = end - time;
-        // A step may be longer by a millionth, or by the rounding of the clock, rather than leave a sliver.
-        let slack = h * R::from_f64(1e-6) + (time.abs() + end.abs()) * (R::EPSILON + R::EPSILON);
-        if left > h + slack {
-            return self.advance_by(h, self.run.clock.after(h));
-        }
-        let h = if (left - h).abs() <= slack { h } else { left };
-        self.advance_by(h, Clock::at(end))
-    }
-
     /// One step of size `h`, after which the clock shows `clock`; an error leaves everything as it was.
     #[inline]
     pub(super) fn advance_by(&mut self, h: R, clock: Clock<R>) -> Result<Step<R>, SimulationError> {
@@ -130,23 +96,31 @@ where
             let error = self.diagnose(&failure, &inputs);
             return failed(self, error);
         }
-        let clock = if stepped.size == h { clock } else { Clock::at(time + stepped.size) };
+        let clock = match stepped.size {
+            size if size == h => clock,
+            size if size > R::ZERO && size < h => self.run.clock.after(size),
+            // No method may stand still, or go farther than it was asked to: no run would end, or end where it should.
+            size => {
+                let (time, step, rejections) = (time.to_f64(), size.to_f64(), stepped.rejections);
+                return failed(self, SimulationError::StepUnderflow { time, step, rejections });
+            }
+        };
         let mut next = stepped.state;
         if let Some(what) = not_finite::<R, M>(&next) {
-            let error = self.diagnose_not_finite(time, clock.time, what);
+            let error = self.diagnose_not_finite(time, clock.time(), what);
             return failed(self, error);
         }
-        let settled = match self.dynamics.settle(clock.time, &mut next) {
+        let settled = match self.dynamics.settle(clock.time(), &mut next) {
             Ok(settled) => settled,
             Err(error) => {
-                let error = SimulationError::Projection { time: clock.time.to_f64(), error };
+                let error = SimulationError::Projection { time: clock.time().to_f64(), error };
                 return failed(self, error);
             }
         };
-        let near_singular = self.near_singularity(time, (clock.time, &next));
+        let near_singular = self.near_singularity(time, (clock.time(), &next));
         let watch = &self.dynamics.watch;
         let step = Step {
-            time: clock.time,
+            time: clock.time(),
             size: stepped.size,
             smallest_pivot: watch.smallest_pivot,
             reciprocal_condition: near_singular.0,

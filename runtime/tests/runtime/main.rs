@@ -1,6 +1,7 @@
 //! The runtime on mechanisms written by hand: one binary, one module a subject.
 
 mod assembly;
+mod bounds;
 mod bracket;
 #[cfg(feature = "nalgebra")]
 mod dense;
@@ -13,3 +14,4 @@ mod motion;
 mod solve;
 mod space;
 mod support;
+mod ticks;

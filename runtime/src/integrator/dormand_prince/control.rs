@@ -2,6 +2,7 @@
 
 use crate::layout::Layout;
 use crate::real::Real;
+use crate::simulation::least_step;
 use crate::state::State;
 use crate::vector::Vector;
 
@@ -17,6 +18,22 @@ const FACTORS: [f64; 2] = [0.2, 10.0];
 pub(super) const LEAST_ERROR: f64 = 1e-4;
 /// The factor of the size after a stage that broke down.
 pub(super) const AFTER_BREAKDOWN: f64 = 0.25;
+
+/// The most trials of one step. The first size that is tried is the one proposed; a jump in the forces takes some thirty trials.
+pub(super) const MOST_TRIALS: u32 = 100;
+/// The most steps of a run, if not said otherwise.
+pub(super) const MOST_STEPS: u64 = 1_000_000;
+/// Times below this, s, are taken to be this by the least step.
+const LEAST_TIME: f64 = 1e-6;
+/// The largest of the least steps, s, as long as the clock does not ask for more.
+const LARGEST_LEAST: f64 = 1e-6;
+
+/// The least step at a time, if not said otherwise, s: four roundings of the time, which is taken to be at least 1 µs; at most 1 µs.
+pub(super) fn least_size<R: Real>(time: R) -> R {
+    let roundings = R::from_f64(4.0) * R::EPSILON * time.abs().max(R::from_f64(LEAST_TIME));
+    // In this order a NaN is left behind.
+    least_step(time).max(roundings.min(R::from_f64(LARGEST_LEAST)))
+}
 
 /// xᵖ for x ≥ 0.
 fn power<R: Real>(x: R, p: f64) -> R {
@@ -123,6 +140,16 @@ mod tests {
         assert!(after_acceptance(0.5, 0.1, false) < after_acceptance(0.5, 0.5, false));
         assert_eq!(after_rejection(1e30), 0.2);
         assert!(after_rejection(1.0 + 1e-12) <= 0.9 && after_rejection(f64::MAX) >= 0.2);
+    }
+
+    #[test]
+    fn the_least_step_is_four_roundings() {
+        assert_eq!(least_size(1.0), 4.0 * f64::EPSILON);
+        assert_eq!(least_size(-100.0), 400.0 * f64::EPSILON);
+        assert!(least_size(0.0) > 0.0 && least_size(0.0) < 1e-20 && least_size(f64::NAN) == least_size(0.0));
+        // After a day in single precision times are 8 ms apart.
+        assert_eq!((least_size(1e12), least_size(86_400.0_f32)), (1e-6, 1e-6));
+        assert!(least_size(1e9_f32) > 5e-5);
     }
 
     #[test]

@@ -48,10 +48,9 @@ pub(super) struct Slopes<V> {
     pub others: [V; 6],
 }
 
-/// The last step: where it began, and u, ∫v dt and v − v₀ along it.
+/// The last step: the state it began with, and u, ∫v dt and v − v₀ along it.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Segment<R, Q, V> {
-    time: R,
     size: R,
     begin: State<Q, V>,
     positions: Polynomial<V>,
@@ -61,15 +60,9 @@ pub(super) struct Segment<R, Q, V> {
 
 impl<R: Real, Q: Vector<R>, V: Vector<R>> Segment<R, Q, V> {
     /// From the increments over the step and the slopes of u, ∫v dt and v.
-    pub fn new(
-        (time, size): (R, R),
-        begin: &State<Q, V>,
-        [u, integral, dv]: [V; 3],
-        [k, v, a]: [&Slopes<V>; 3],
-    ) -> Self {
+    pub fn new(size: R, begin: &State<Q, V>, [u, integral, dv]: [V; 3], [k, v, a]: [&Slopes<V>; 3]) -> Self {
         let polynomial = |y: V, slopes: &Slopes<V>| Polynomial::new(size, y, &slopes.first, &slopes.others);
         Segment {
-            time,
             size,
             begin: *begin,
             positions: polynomial(u, k),
@@ -78,14 +71,13 @@ impl<R: Real, Q: Vector<R>, V: Vector<R>> Segment<R, Q, V> {
         }
     }
 
-    /// The beginning and the end, s.
-    pub fn covers(&self) -> (R, R) {
-        (self.time, self.time + self.size)
+    pub fn size(&self) -> R {
+        self.size
     }
 
-    /// q₀ ⊕ u(θ) and v(θ), θ = (`time` − t₀)/h.
-    pub fn at(&self, layout: &Layout, time: R) -> State<Q, V> {
-        let part = (time - self.time) / self.size;
+    /// q₀ ⊕ u(θ) and v(θ), θ = `elapsed`/h.
+    pub fn at(&self, layout: &Layout, elapsed: R) -> State<Q, V> {
+        let part = elapsed / self.size;
         let mut q = Q::zero();
         let (u, integral) = (self.positions.at(part), self.integral.at(part));
         retract_counting(layout, &self.begin.q, &u, &integral, &mut q);

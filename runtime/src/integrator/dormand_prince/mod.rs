@@ -4,7 +4,7 @@ mod control;
 mod dense;
 mod tableau;
 
-use self::control::{AFTER_BREAKDOWN, LEAST_ERROR, Scale};
+use self::control::{AFTER_BREAKDOWN, LEAST_ERROR, MOST_STEPS, MOST_TRIALS, Scale};
 use self::dense::{Segment, Slopes};
 use self::tableau::{A, C, ESTIMATE};
 use super::{Dynamics, Integrator, Interpolate, Method, Rejections, StepFailure, Stepped};
@@ -43,12 +43,25 @@ use crate::vector::Vector;
 ///
 /// A trial with a stage at a singular position, or not finite, is repeated with a quarter of the size.
 ///
+/// # Bounds
+/// The least step is four roundings of the time t,
+///
+/// ```text
+/// h_least = 4 ε max(|t|, 1 µs), at most 1 µs, at least 2⁻²⁰ ε |t|
+/// ```
+/// (ε = 2.2·10⁻¹⁶, in single precision 1.2·10⁻⁷) unless [`least_step`](DormandPrince::least_step) says otherwise; it does not depend on
+/// the largest. A step is tried at most 100 times, which takes at most 602 evaluations: 6 a trial, one at the start, one for the
+/// size of the first step. A run (`advance_until` and its like) takes at most 10⁶ steps, unless
+/// [`most_steps`](DormandPrince::most_steps) says otherwise; it can be gone on with from there.
+///
 /// # Between the steps
 /// [`Interpolate`]: the continuous extension of order 4, of u and v (II.6), at no further evaluation.
 ///
 /// # Errors
-/// [`StepFailure::Underflow`] where the size falls below four roundings of the time, [`StepFailure::Breakdown`] where the
-/// start itself breaks down; a tolerance that is not positive and finite is a [`SettingError`].
+/// [`StepFailure::Underflow`] where the size falls below the least one, or after 100 trials, [`StepFailure::Breakdown`] where the
+/// start itself breaks down or is not finite; [`SimulationError::TooManySteps`](crate::SimulationError::TooManySteps) of a run. A
+/// [`SettingError`] is a tolerance that is not positive and finite, two that are both below ε², where only rounding would
+/// be measured, a least step that is not positive and finite, and a bound of no steps.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct DormandPrince<R = f64> {
     /// The error of a step that is allowed whatever the size of a coordinate: m, rad, m/s and rad/s.
@@ -57,12 +70,16 @@ pub struct DormandPrince<R = f64> {
     pub relative: R,
     /// Whether the method chooses its steps; otherwise every step is as long as asked for, and the tolerances mean nothing.
     pub adaptive: bool,
+    /// The least step of its own choice, s; none for four roundings of the time.
+    pub least: Option<R>,
+    /// The most steps of its own choice in a run.
+    pub steps: u64,
 }
 
 impl<R: Real> DormandPrince<R> {
     /// Steps of its own choice with these tolerances.
     pub fn tolerances(absolute: R, relative: R) -> Self {
-        DormandPrince { absolute, relative, adaptive: true }
+        DormandPrince { absolute, relative, adaptive: true, least: None, steps: MOST_STEPS }
     }
 
     /// Steps of its own choice with one number as absolute and relative tolerance.
@@ -72,7 +89,17 @@ impl<R: Real> DormandPrince<R> {
 
     /// Steps as long as asked for, without control of the error.
     pub fn fixed() -> Self {
-        DormandPrince { absolute: R::ONE, relative: R::ONE, adaptive: false }
+        DormandPrince { adaptive: false, ..Self::tolerances(R::ONE, R::ONE) }
+    }
+
+    /// With this least step, s, in place of four roundings of the time.
+    pub fn least_step(self, seconds: R) -> Self {
+        DormandPrince { least: Some(seconds), ..self }
+    }
+
+    /// With at most so many steps in a run, in place of 10⁶.
+    pub fn most_steps(self, steps: u64) -> Self {
+        DormandPrince { steps, ..self }
     }
 
     /// The size of the first step, s: Hairer, Nørsett, Wanner, II.4.
@@ -116,7 +143,8 @@ pub struct DormandPrinceMemory<R, Q, V> {
 /// Where the last step ended, and the slopes there.
 #[derive(Clone, Copy, Debug)]
 struct End<R, Q, V> {
-    time: R,
+    /// When it began and ended, s, rounded.
+    times: [R; 2],
     state: State<Q, V>,
     first: First<V>,
 }
@@ -132,8 +160,10 @@ impl<R: Real, Q: Vector<R>, V: Vector<R>> DormandPrinceMemory<R, Q, V> {
     /// The slopes at this time and state, if the last step ended there and nothing was changed since.
     fn known(&self, time: R, state: &State<Q, V>) -> Option<First<V>> {
         let end = self.end.as_ref()?;
-        let rounding = R::from_f64(8.0) * R::EPSILON * (time.abs() + end.time.abs());
-        ((time - end.time).abs() <= rounding && end.state == *state).then_some(end.first)
+        // Near zero the time has the rounding that it began with.
+        let [from, to] = end.times;
+        let rounding = R::from_f64(8.0) * R::EPSILON * (from.abs() + to.abs());
+        ((time - to).abs() <= rounding && end.state == *state).then_some(end.first)
     }
 
     /// Remembers a step that was taken.
@@ -141,8 +171,8 @@ impl<R: Real, Q: Vector<R>, V: Vector<R>> DormandPrinceMemory<R, Q, V> {
         let Trial { end, last, increments, rates, velocities, accelerations } = trial;
         let velocities = velocities.as_ref().unwrap_or(rates);
         let slopes = [rates, velocities, accelerations];
-        self.segment = Some(Segment::new((time, h), begin, *increments, slopes));
-        self.end = Some(End { time: time + h, state: *end, first: *last });
+        self.segment = Some(Segment::new(h, begin, *increments, slopes));
+        self.end = Some(End { times: [time, time + h], state: *end, first: *last });
     }
 }
 
@@ -156,23 +186,41 @@ impl<R: Real> Method<R> for DormandPrince<R> {
     fn check(&self) -> Result<(), SettingError> {
         let must_be = "positive and finite, such as 1e-8";
         positive("Dormand and Prince's absolute tolerance", self.absolute, must_be)?;
-        positive("Dormand and Prince's relative tolerance", self.relative, must_be)
+        positive("Dormand and Prince's relative tolerance", self.relative, must_be)?;
+        let larger = self.absolute.max(self.relative);
+        if larger < R::EPSILON * R::EPSILON {
+            let (what, value) = ("the larger of Dormand and Prince's tolerances", larger.to_f64());
+            let must_be = "at least a rounding of a rounding, ε² = 4.9e-32 or in single precision 1.4e-14, such as 1e-8";
+            return Err(SettingError { what, value, must_be });
+        }
+        if let Some(least) = self.least {
+            positive("Dormand and Prince's least step", least, "positive and finite (s), such as 1e-9")?;
+        }
+        if self.steps == 0 {
+            let (what, must_be) = ("the most steps of Dormand and Prince's method", "at least 1");
+            return Err(SettingError { what, value: 0.0, must_be });
+        }
+        Ok(())
+    }
+
+    fn most_steps(&self) -> u64 {
+        if self.adaptive { self.steps } else { u64::MAX }
     }
 }
 
 impl<R: Real> Interpolate<R> for DormandPrince<R> {
-    fn covers<Q: Vector<R>, V: Vector<R>, Lambda: Vector<R>>(
+    fn size<Q: Vector<R>, V: Vector<R>, Lambda: Vector<R>>(
         memory: &DormandPrinceMemory<R, Q, V>,
-    ) -> Option<(R, R)> {
-        memory.segment.as_ref().map(Segment::covers)
+    ) -> Option<R> {
+        memory.segment.as_ref().map(Segment::size)
     }
 
     fn at<Q: Vector<R>, V: Vector<R>, Lambda: Vector<R>>(
         memory: &DormandPrinceMemory<R, Q, V>,
         layout: &Layout,
-        time: R,
+        elapsed: R,
     ) -> Option<State<Q, V>> {
-        memory.segment.as_ref().map(|segment| segment.at(layout, time))
+        memory.segment.as_ref().map(|segment| segment.at(layout, elapsed))
     }
 }
 
@@ -194,7 +242,8 @@ impl<R: Real, D: Dynamics<R>> Integrator<R, D> for DormandPrince<R> {
                 First { v: begin.v, a }
             }
         };
-        if dynamics.broke_down() || first.a.first_not_finite().is_some() {
+        let finite = first.v.first_not_finite().or(first.a.first_not_finite()).is_none();
+        if dynamics.broke_down() || !finite {
             return Err(StepFailure::Breakdown);
         }
         if !self.adaptive {
@@ -209,11 +258,11 @@ impl<R: Real, D: Dynamics<R>> Integrator<R, D> for DormandPrince<R> {
         };
         // A hundredth longer rather than leave a sliver.
         let shortened = proposed * R::from_f64(1.01) >= h;
-        let resolution = R::from_f64(4.0) * R::EPSILON * (time.abs() + h);
+        let least = self.least.unwrap_or_else(|| control::least_size(time));
         // Slopes so large that their norm overflows propose nothing.
-        let mut size = if shortened { h } else { proposed.max(resolution + resolution).min(h) };
+        let mut size = if shortened { h } else { proposed.max(least).min(h) };
         let mut rejections = Rejections::default();
-        loop {
+        for _ in 0..MOST_TRIALS {
             dynamics.begin_trial(size);
             let trial = Trial::new(dynamics, time, size, state, &first);
             let error = trial.as_ref().map(|trial| trial.error(self, &D::LAYOUT, size, state));
@@ -239,10 +288,12 @@ impl<R: Real, D: Dynamics<R>> Integrator<R, D> for DormandPrince<R> {
                     size = size * R::from_f64(AFTER_BREAKDOWN);
                 }
             }
-            if size <= resolution {
-                return Err(StepFailure::Underflow { size, rejections });
+            // Written so that a NaN ends it.
+            if !R::any(size.greater_equal(least)) {
+                break;
             }
         }
+        Err(StepFailure::Underflow { size, rejections })
     }
 }
 
