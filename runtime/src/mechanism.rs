@@ -24,6 +24,12 @@ pub struct Row {
     pub what: &'static str,
 }
 
+/// The row of this index, or what stands for all of them.
+pub(crate) fn name_row<R: Real, M: Mechanism<R>>(index: Option<usize>) -> Row {
+    let row = index.and_then(|index| M::ROWS.get(index).copied());
+    row.unwrap_or(Row { of: M::NAME, what: "constraints" })
+}
+
 /// Whether two rows are components of one vector, so that one may be measured by the other.
 pub(crate) fn same_scale(a: &Row, b: &Row) -> bool {
     let kind = |row: &Row| match row.what {

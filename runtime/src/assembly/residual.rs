@@ -73,6 +73,10 @@ impl<R: Real, L: Vector<R>, C: Vector<R>> Residual<R, L, C> {
         let unknown = in_rows.or_else(|| self.conditions.first_not_finite().map(|i| L::LEN + i));
         match unknown {
             Some(row) => Err(AssemblyError::NonFinite { row: name_unknown::<R, M>(M::V::LEN + row) }),
+            // Squares overflow before numbers do.
+            None if !self.norm.is_finite() => {
+                Err(AssemblyError::NonFinite { row: name_unknown::<R, M>(M::V::LEN + self.worst().0) })
+            }
             None => Ok(()),
         }
     }
@@ -92,15 +96,21 @@ impl<R: Real, L: Vector<R>, C: Vector<R>> Residual<R, L, C> {
 
     /// The error that names the worst row; a joint stuck on its flipped root is said to be that.
     pub(super) fn no_convergence<M: Assemble<R>>(&self, iterations: u32) -> AssemblyError {
-        let all = self.rows.as_slice().iter().chain(self.conditions.as_slice());
-        let (worst, residual) = all.enumerate().fold((0, R::ZERO), |(at, largest), (i, entry)| {
-            if entry.abs() > largest { (i, entry.abs()) } else { (at, largest) }
-        });
-        if M::FLIPS.contains(&(worst as u16)) && self.divisors.as_slice()[worst] < R::ZERO {
-            return AssemblyError::Flipped { row: M::ROWS[worst] };
-        }
+        let (worst, residual) = self.worst();
         let row = name_unknown::<R, M>(M::V::LEN + worst);
+        let flipped = self.divisors.as_slice().get(worst).is_some_and(|&divisor| divisor < R::ZERO);
+        if flipped && M::FLIPS.contains(&(worst as u16)) {
+            return AssemblyError::Flipped { row };
+        }
         AssemblyError::NoConvergence { row, residual: residual.to_f64(), iterations }
+    }
+
+    /// Index and magnitude of the largest residual; conditions are counted after rows.
+    fn worst(&self) -> (usize, R) {
+        let all = self.rows.as_slice().iter().chain(self.conditions.as_slice());
+        all.enumerate().fold((0, R::ZERO), |(at, largest), (i, entry)| {
+            if entry.abs() > largest { (i, entry.abs()) } else { (at, largest) }
+        })
     }
 }
 

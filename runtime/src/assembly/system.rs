@@ -81,6 +81,33 @@ impl<'m, R: Real, M: Assemble<R>> System<'m, R, M> {
         self.vanished_row().unwrap_or_else(|| self.matrix.factor())
     }
 
+    /// Shows row, or after the rows condition, column and value of each entry of D̂ that takes part.
+    pub(super) fn each_entry(&self, mut show: impl FnMut(usize, usize, R)) {
+        for (&entry, &(row, column)) in self.jacobian.as_slice().iter().zip(M::JACOBIAN_PATTERN) {
+            show(row as usize, column as usize, entry);
+        }
+        for (&entry, &(row, column)) in self.conditions.as_slice().iter().zip(M::CONDITION_PATTERN) {
+            show(M::Lambda::LEN + row as usize, column as usize, entry);
+        }
+    }
+
+    /// Factors with W = diag(`weights`) to the end; the pivots, by unknown, are written into `pivots`.
+    pub(super) fn factor_weighted(&mut self, weights: &M::V, pivots: &mut M::System) {
+        self.matrix.clear();
+        for (i, &weight) in weights.as_slice().iter().enumerate() {
+            self.matrix.add(i, i, weight);
+        }
+        self.add_rows();
+        let mut magnitudes = M::System::zero();
+        self.matrix.factor_measured(M::V::LEN, &mut magnitudes);
+        let pivots = pivots.as_mut_slice();
+        for (&pivot, &unknown) in self.matrix.pivots().iter().zip(M::ELIMINATION.order) {
+            if let Some(to) = pivots.get_mut(unknown as usize) {
+                *to = pivot;
+            }
+        }
+    }
+
     /// One of the rows x, y and z of two points held together that has vanished beside the others of its joint: all links
     /// lie in one line along an axis, or in one plane. Relative to its own terms, which are rounding, its pivot would look
     /// sound.
