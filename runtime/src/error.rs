@@ -187,7 +187,8 @@ pub enum SimulationError {
         /// The coordinate's name.
         what: &'static str,
     },
-    /// A step near a singular position ended with more kinetic energy than anything can have brought.
+    /// A step near a singular position ended with more kinetic energy than loads, drivers and springs can have brought, or with
+    /// less than they can have taken.
     Unresolved {
         /// The time at its beginning, s.
         time: f64,
@@ -195,10 +196,10 @@ pub enum SimulationError {
         row: Row,
         /// The estimate of the reciprocal condition of D M⁻¹ Dᵀ.
         reciprocal_condition: f64,
-        /// The kinetic energy at its end, J.
-        energy: f64,
-        /// What loads, drivers and the state at its beginning account for at most, J.
-        most: f64,
+        /// The kinetic energy at its beginning, J.
+        before: f64,
+        /// The kinetic energy at its end, J, for which loads and drivers do not account.
+        after: f64,
     },
     /// The state at the end of a step has nothing to do with the constraints any more.
     LeftConstraints {
@@ -458,12 +459,12 @@ impl Display for SimulationError {
                 f,
                 "`{what}` became infinite or NaN at t = {time} s; check inputs and parameters, or take a smaller step"
             ),
-            SimulationError::Unresolved { time, row, reciprocal_condition, energy, most } => write!(
+            SimulationError::Unresolved { time, row, reciprocal_condition, before, after } => write!(
                 f,
                 "the step from t = {time} s cannot be resolved beside a singular position: {row} depends on the other rows there \
-                 (reciprocal condition {reciprocal_condition:.1e}), and the kinetic energy would become {energy:.3e} J where loads and \
-                 drivers account for {most:.3e} J; start further from that position, take a smaller step, or pass it with \
-                 `Projected::after(NullSpace)`"
+                 (reciprocal condition {reciprocal_condition:.1e}), and the kinetic energy would go from {before:.3e} J to \
+                 {after:.3e} J, for which no load or driver accounts; start further from that position, take a smaller step, or \
+                 pass it with `Projected::after(NullSpace)`"
             ),
             SimulationError::LeftConstraints { time, row, residual, singular } => {
                 write!(f, "the step to t = {time} s left the constraints: {row} is off by {residual:.3e}")?;

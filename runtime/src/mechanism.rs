@@ -13,6 +13,7 @@ use crate::layout::Layout;
 use crate::real::Real;
 use crate::vector::Vector;
 use core::fmt::Debug;
+use core::ops::Range;
 
 /// A constraint row of D, by the names its author knows.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -28,6 +29,22 @@ pub struct Row {
 pub(crate) fn name_row<R: Real, M: Mechanism<R>>(index: Option<usize>) -> Row {
     let row = index.and_then(|index| M::ROWS.get(index).copied());
     row.unwrap_or(Row { of: M::NAME, what: "constraints" })
+}
+
+/// Neighbours that are the same, as ranges of indices; unlike `chunk_by` of slices without a panic to be linked.
+pub(crate) fn groups<T>(items: &[T], same: impl Fn(&T, &T) -> bool) -> impl Iterator<Item = Range<usize>> {
+    let mut end = 0;
+    core::iter::from_fn(move || {
+        let begin = end;
+        items.get(begin)?;
+        end += 1;
+        while let (Some(last), Some(next)) = (items.get(end - 1), items.get(end))
+            && same(last, next)
+        {
+            end += 1;
+        }
+        Some(begin..end)
+    })
 }
 
 /// Whether two rows are components of one vector, so that one may be measured by the other.

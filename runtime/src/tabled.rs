@@ -5,9 +5,9 @@
 //! solve the same system; with this one a step under the penalty takes five times as long.
 
 use crate::ldl::Ldl;
-use crate::mechanism::{Assemble, same_scale};
+use crate::mechanism::{Assemble, groups, same_scale};
 use crate::real::Real;
-use crate::vector::Vector;
+use crate::vector::{Vector, at, put};
 
 /// What [`factor`] leaves for [`solve`].
 #[derive(Clone, Copy, Debug)]
@@ -117,19 +117,19 @@ fn each_row<R: Real, M: Assemble<R>>(
     mut show: impl FnMut(usize, R),
 ) {
     let pivots = store.ldl.pivots();
-    let positive =
-        |row: usize| magnitudes.as_slice()[M::V::LEN + row] - softness::<R, M>(row as u16, store.compliance);
-    let mut first = 0;
-    for group in M::ROWS.chunk_by(same_scale) {
-        let rows = (first..first + group.len()).filter(|&row| !M::IDLE.contains(&(row as u16)));
+    let positive = |row: usize| {
+        at(magnitudes.as_slice(), M::V::LEN + row) - softness::<R, M>(row as u16, store.compliance)
+    };
+    for group in groups(M::ROWS, same_scale) {
+        let rows = group.filter(|&row| !M::IDLE.contains(&(row as u16)));
         let scale = rows.clone().fold(R::ZERO, |scale, row| positive(row).max(scale));
         for row in rows {
-            let found = pivots[M::ELIMINATION.position[M::V::LEN + row] as usize].abs();
+            let place = M::ELIMINATION.position.get(M::V::LEN + row).copied().unwrap_or_default();
+            let found = at(pivots, place as usize).abs();
             // Softened pivots may be larger than their scale.
             let relative = R::ONE / ((scale + scale) / found - R::ONE).max(R::ONE);
             show(row, if scale > R::ZERO { relative } else { R::ZERO });
         }
-        first += group.len();
     }
 }
 
@@ -141,27 +141,31 @@ pub fn solve<R: Real, M: Assemble<R>>(
     a: &mut M::V,
     lambda: &mut M::Lambda,
 ) {
-    let (n, m) = (M::V::LEN, M::Lambda::LEN);
+    let n = M::V::LEN;
     let stiffening = R::ONE + R::from_f64(M::MASSLESS_WEIGHT) * store.compliance;
     let weight = R::from_f64(M::MASSLESS_WEIGHT) / stiffening;
     let mut right = M::System::zero();
     let entries = right.as_mut_slice();
-    entries[..n].copy_from_slice(forces.as_slice());
-    entries[n..n + m].copy_from_slice(rows.as_slice());
+    let given = forces.as_slice().iter().chain(rows.as_slice());
+    for (entry, &value) in entries.iter_mut().zip(given) {
+        *entry = value;
+    }
     for &row in M::IDLE {
-        entries[n + row as usize] = R::ZERO;
+        put(entries, n + row as usize, R::ZERO);
     }
     for (&entry, &(row, column)) in store.jacobian.as_slice().iter().zip(M::JACOBIAN_PATTERN) {
         if M::MASSLESS_ROWS.contains(&row) {
-            let force = &mut entries[column as usize];
-            *force = *force + weight * entry * rows.as_slice()[row as usize];
+            let force = at(entries, column as usize) + weight * entry * at(rows.as_slice(), row as usize);
+            put(entries, column as usize, force);
         }
     }
     let solution = store.ldl.solve(&right);
-    a.as_mut_slice().copy_from_slice(&solution.as_slice()[..n]);
-    lambda.as_mut_slice().copy_from_slice(&solution.as_slice()[n..n + m]);
+    let found = a.as_mut_slice().iter_mut().chain(lambda.as_mut_slice());
+    for (entry, &value) in found.zip(solution.as_slice()) {
+        *entry = value;
+    }
     for &row in M::MASSLESS_ROWS {
-        let entry = &mut lambda.as_mut_slice()[row as usize];
-        *entry = *entry * stiffening;
+        let stiffened = at(lambda.as_slice(), row as usize) * stiffening;
+        put(lambda.as_mut_slice(), row as usize, stiffened);
     }
 }

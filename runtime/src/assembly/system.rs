@@ -5,9 +5,9 @@
 
 use crate::error::AssemblyError;
 use crate::ldl::{Ldl, Pivot};
-use crate::mechanism::{Assemble, Row};
+use crate::mechanism::{Assemble, Row, groups};
 use crate::real::Real;
-use crate::vector::Vector;
+use crate::vector::{Vector, at, put};
 
 /// What is added to a singular mass matrix, relative to its largest diagonal entry. Small enough to leave the motion
 /// of the bodies that have mass alone, large enough to keep half of the digits; a correction with the exact D̂
@@ -54,7 +54,7 @@ impl<'m, R: Real, M: Assemble<R>> System<'m, R, M> {
         self.free = M::Lambda::zero();
         if let Some(divisors) = divisors {
             for (entry, &(row, _)) in self.jacobian.as_mut_slice().iter_mut().zip(M::JACOBIAN_PATTERN) {
-                let divisor = divisors.as_slice()[row as usize];
+                let divisor = at(divisors.as_slice(), row as usize);
                 *entry = if divisor == R::ZERO { R::ZERO } else { *entry / divisor };
             }
             for (free, &divisor) in self.free.as_mut_slice().iter_mut().zip(divisors.as_slice()) {
@@ -67,7 +67,7 @@ impl<'m, R: Real, M: Assemble<R>> System<'m, R, M> {
             }
         }
         for (entry, &(row, _)) in self.conditions.as_mut_slice().iter_mut().zip(M::CONDITION_PATTERN) {
-            *entry = *entry * self.active.as_slice()[row as usize];
+            *entry = *entry * at(self.active.as_slice(), row as usize);
         }
     }
 
@@ -114,15 +114,16 @@ impl<'m, R: Real, M: Assemble<R>> System<'m, R, M> {
     fn vanished_row(&self) -> Option<Pivot<R>> {
         let mut squares = M::Lambda::zero();
         for (&entry, &(row, _)) in self.jacobian.as_slice().iter().zip(M::JACOBIAN_PATTERN) {
-            let square = &mut squares.as_mut_slice()[row as usize];
-            *square = *square + entry * entry;
+            if let Some(square) = squares.as_mut_slice().get_mut(row as usize) {
+                *square = *square + entry * entry;
+            }
         }
         let rounding = R::from_f64(64.0) * R::EPSILON;
         let vanished = rounding * rounding;
         let component = |row: &Row| matches!(row.what, "x" | "y" | "z");
-        let mut first = 0;
-        for joint in M::ROWS.chunk_by(|a, b| a.of == b.of && component(a) && component(b)) {
-            let squares = &squares.as_slice()[first..first + joint.len()];
+        for joint in groups(M::ROWS, |a, b| a.of == b.of && component(a) && component(b)) {
+            let first = joint.start;
+            let squares = squares.as_slice().get(joint.clone()).unwrap_or_default();
             let most = squares.iter().fold(R::ZERO, |most, &square| most.max(square));
             for (row, &square) in squares.iter().enumerate() {
                 let idle = M::IDLE.contains(&((first + row) as u16));
@@ -131,7 +132,6 @@ impl<'m, R: Real, M: Assemble<R>> System<'m, R, M> {
                     return Some(Pivot { value: share, unknown: M::V::LEN + first + row });
                 }
             }
-            first += joint.len();
         }
         None
     }
@@ -192,18 +192,17 @@ impl<'m, R: Real, M: Assemble<R>> System<'m, R, M> {
     /// The δ of least ½ δᵀ W δ − `force`·δ with D̂ δ = (`rows`, `conditions`); conditions that are not held are left out.
     pub(crate) fn least(&self, force: &M::V, rows: &M::Lambda, conditions: &M::Conditions) -> M::V {
         let mut right = M::System::zero();
-        let (to_velocities, rest) = right.as_mut_slice().split_at_mut(M::V::LEN);
-        to_velocities.copy_from_slice(force.as_slice());
-        let (to_rows, to_conditions) = rest.split_at_mut(M::Lambda::LEN);
-        to_rows.copy_from_slice(rows.as_slice());
-        for ((to, &value), &active) in
-            to_conditions.iter_mut().zip(conditions.as_slice()).zip(self.active.as_slice())
-        {
-            *to = value * active;
+        let held = conditions.as_slice().iter().zip(self.active.as_slice());
+        let given = force.as_slice().iter().chain(rows.as_slice()).copied();
+        let given = given.chain(held.map(|(&value, &active)| value * active));
+        for (to, value) in right.as_mut_slice().iter_mut().zip(given) {
+            *to = value;
         }
         let solution = self.matrix.solve(&right);
         let mut delta = M::V::zero();
-        delta.as_mut_slice().copy_from_slice(&solution.as_slice()[..M::V::LEN]);
+        for (to, &value) in delta.as_mut_slice().iter_mut().zip(solution.as_slice()) {
+            *to = value;
+        }
         delta
     }
 
@@ -229,7 +228,8 @@ impl<'m, R: Real, M: Assemble<R>> System<'m, R, M> {
 /// `y ← y − A x` for a sparse A.
 pub(crate) fn subtract_product<R: Real>(pattern: &[(u16, u16)], entries: &[R], x: &[R], y: &mut [R]) {
     for (&entry, &(row, column)) in entries.iter().zip(pattern) {
-        y[row as usize] = y[row as usize] - entry * x[column as usize];
+        let rest = at(y, row as usize) - entry * at(x, column as usize);
+        put(y, row as usize, rest);
     }
 }
 

@@ -3,9 +3,9 @@
 //! Near singular positions accelerations divide by what is hardly known, and a step may end finite, Ok and absurd. Two
 //! things tell that apart from a coarse but healthy step, whatever the formulation:
 //!
-//! - **Energy from nowhere.** Constraints at rest do no work, so that in the norm |v|² = vᵀ M v a step can add to the velocities
+//! - **Energy from nowhere**, or gone. Constraints at rest do no work, so that in the norm |v|² = vᵀ M v a step can add to the velocities
 //!   what the loads add without constraints, what moving places and drivers prescribe, and what taking back Φ within the step
-//!   needs: |v₁| ≤ |v₀| + h |M⁻¹ Q| + |v_ν| + |v_Φ|/h; or it is what potential energy has become.
+//!   needs, or take as much: ||v₁| − |v₀|| ≤ h |M⁻¹ Q| + |v_ν| + |v_Φ|/h; or the difference is what potential energy gave or took.
 //! - **Constraints left behind.** A row is off by more than a tenth of a radian of the turns that it holds, or D v − ν is more than
 //!   the largest velocity that the run has had so far would make of any position.
 //!
@@ -30,7 +30,7 @@ const EVERY: u32 = 64;
 /// The turn by which a row may be off, rad.
 const TURN: f64 = 0.1;
 
-/// What may be had of the energy that a step can have brought at most: that takes Q and M at its beginning.
+/// By what part energy may be more, or less: the bound takes Q and M at the step's beginning.
 const MORE: f64 = 1.25;
 
 /// The reciprocal condition below which energy may come from nowhere between two steps whose ends are not nearly singular.
@@ -116,21 +116,29 @@ impl<'m, R: Real, M: Assemble<R>, F: Formulation<R, M>, S, I: Method<R>> Simulat
         S: InputSource<R, M>,
     {
         let (model, State { q, v }) = (self.dynamics.model, self.run.state);
-        let energy = model.kinetic_energy(end, &next.q, &next.v);
-        let became = model.potential_energy(begin, &q) - model.potential_energy(end, &next.q);
-        let more = R::from_f64(MORE);
-        let mut most = (model.kinetic_energy(begin, &q, &v) + became.abs()) * more;
-        // Written so that a NaN fails.
-        if R::any(energy.less_equal(most)) {
-            return Ok(());
-        }
-        most = most.max(more * self.energy_at_most((begin, h), inputs, inputs));
-        if !S::HELD && !R::any(energy.less_equal(most)) {
+        let before = model.kinetic_energy(begin, &q, &v);
+        let after = model.kinetic_energy(end, &next.q, &next.v);
+        let became = (model.potential_energy(begin, &q) - model.potential_energy(end, &next.q)).abs();
+        // What is off at an accepted start may be taken from the energy at once.
+        let may_lose = self.run.start_accepted;
+        let accounted = |least: R, most: R| {
+            let (least, most) = (least / R::from_f64(MORE), most * R::from_f64(MORE));
+            // Written so that a NaN fails.
+            R::any(after.less_equal(most)) && (may_lose || R::any(after.greater_equal(least)))
+        };
+        let exchanged = |given: R| {
+            let own = before.max(R::ZERO).sqrt();
+            let (least, most) = ((own - given).max(R::ZERO), own + given);
+            accounted(least * least, most * most)
+        };
+        if accounted(before - became, before + became)
+            || exchanged(self.given_in((begin, h), inputs, inputs))
             // Inputs may have come in the step.
-            let last = self.dynamics.source.sample(end, next);
-            most = most.max(more * self.energy_at_most((begin, h), inputs, &last));
-        }
-        if R::any(energy.less_equal(most)) {
+            || !S::HELD && {
+                let last = self.dynamics.source.sample(end, next);
+                exchanged(self.given_in((begin, h), inputs, &last))
+            }
+        {
             return Ok(());
         }
         let near = near.unwrap_or_else(|| name_singularity(model, begin, condition, &q));
@@ -138,8 +146,8 @@ impl<'m, R: Real, M: Assemble<R>, F: Formulation<R, M>, S, I: Method<R>> Simulat
             time: begin.to_f64(),
             row: near.row,
             reciprocal_condition: near.reciprocal_condition.to_f64(),
-            energy: energy.to_f64(),
-            most: most.to_f64(),
+            before: before.to_f64(),
+            after: after.to_f64(),
         })
     }
 
@@ -167,8 +175,8 @@ impl<'m, R: Real, M: Assemble<R>, F: Formulation<R, M>, S, I: Method<R>> Simulat
         })
     }
 
-    /// The kinetic energy that a step of `h` can end with, J.
-    fn energy_at_most(&self, (begin, h): (R, R), first: &M::Inputs, last: &M::Inputs) -> R {
+    /// The velocities that loads, drivers and Φ can give in a step of `h`, as the root of their kinetic energy, √J.
+    fn given_in(&self, (begin, h): (R, R), first: &M::Inputs, last: &M::Inputs) -> R {
         let (model, State { q, v }) = (self.dynamics.model, &self.run.state);
         // Constraints as soft as the masses are heavy: what they take off the loads is at most what rigid ones do, and nothing is
         // divided by what vanishes at singular positions.
@@ -194,11 +202,7 @@ impl<'m, R: Real, M: Assemble<R>, F: Formulation<R, M>, S, I: Method<R>> Simulat
             let velocity = solved(&M::V::zero(), &rows);
             model.kinetic_energy(begin, q, &velocity.scaled(R::from_f64(2.0))).max(R::ZERO).sqrt()
         });
-        let sum = model.kinetic_energy(begin, q, v).max(R::ZERO).sqrt()
-            + pushed[0].max(pushed[1])
-            + prescribed[0]
-            + prescribed[1];
-        sum * sum
+        pushed[0].max(pushed[1]) + prescribed[0] + prescribed[1]
     }
 }
 
