@@ -15,10 +15,14 @@ mod implicit;
 mod kinematics;
 mod language;
 mod linearisation;
+#[path = "../runtime_fuzz/methods.rs"]
+mod methods;
 mod no_alloc;
 mod page;
 mod page_equations;
 mod published;
+#[path = "../runtime_fuzz/random.rs"]
+mod random;
 mod redundant;
 mod reference;
 mod registry;
