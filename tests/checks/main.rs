@@ -21,6 +21,7 @@ mod no_alloc;
 mod page;
 mod page_equations;
 mod published;
+#[allow(dead_code)] // Numbers for `methods`; cases are of the random tester alone.
 #[path = "../runtime_fuzz/random.rs"]
 mod random;
 mod redundant;

@@ -67,7 +67,9 @@ pub fn judge(seed: u64, number: u64) -> Result<Verdict, String> {
     });
     match catch_unwind(run) {
         Ok(verdict) => verdict,
-        Err(thrown) if thrown.is::<Endless>() && !CLOCK && ADAPTIVE.get() => Ok(Verdict { endless: 1, ..Verdict::default() }),
+        Err(thrown) if thrown.is::<Endless>() && !CLOCK && ADAPTIVE.get() => {
+            Ok(Verdict { endless: 1, ..Verdict::default() })
+        }
         Err(thrown) if thrown.is::<Endless>() => {
             Err(format!("more than {EVALUATIONS} evaluations in one call"))
         }
@@ -193,7 +195,12 @@ fn moved<M: Subject, const P: u8>(
         if matches!(call, 3 | 4) && !ADAPTIVE.get() && most.is_finite() && shown as f64 > most + 3.0 {
             return Err(format!("{shown} samples of {most} steps of {h:e} from {time:e} to {end:e}"));
         }
-        if CLOCK && matches!(call, 2..=4) && most >= 9_007_199_254_740_992.0 && outcome.is_ok() && count.get() > 0 {
+        if CLOCK
+            && matches!(call, 2..=4)
+            && most >= 9_007_199_254_740_992.0
+            && outcome.is_ok()
+            && count.get() > 0
+        {
             return Err(format!("{most} steps were not refused"));
         }
         let now = simulation.state();

@@ -159,13 +159,16 @@ where
         }
         let clock = if stepped.size == h { clock } else { Clock::at(time + stepped.size) };
         let mut next = stepped.state;
-        if let Some(what) = not_finite::<R, M>(&next) {
-            return Err(self.diagnose_not_finite(time, clock.time, what));
-        }
-        let settled = self.dynamics.settle(clock.time, &mut next);
-        let settled =
-            settled.map_err(|error| SimulationError::Projection { time: clock.time.to_f64(), error })?;
-        // What brings a state to the constraints divides, too.
+        let settled = match self.dynamics.settle(clock.time, &mut next) {
+            Ok(settled) => settled,
+            Err(error) => {
+                return Err(match not_finite::<R, M>(&stepped.state) {
+                    Some(what) => self.diagnose_not_finite(time, clock.time, what),
+                    None => SimulationError::Projection { time: clock.time.to_f64(), error },
+                });
+            }
+        };
+        // Once for both: what brings a state to the constraints divides, too.
         if let Some(what) = not_finite::<R, M>(&next) {
             return Err(self.diagnose_not_finite(time, clock.time, what));
         }
