@@ -325,7 +325,10 @@ impl SimulationError {
             SimulationError::Breakdown { row, .. }
             | SimulationError::Inconsistent { row, .. }
             | SimulationError::Unresolved { row, .. }
-            | SimulationError::LeftConstraints { row, .. } => Some(row.of),
+            | SimulationError::LeftConstraints { row, .. }
+            | SimulationError::Projection { error: AssemblyError::NoConvergence { row, .. }, .. } => {
+                Some(row.of)
+            }
             _ => None,
         }
     }
