@@ -133,7 +133,7 @@ pub fn run(crank_speed: f64) -> Result<Run, Box<dyn Error>> {
         recorder.step(&powers, [outputs.rate, outputs.stroke, sample.inputs.drive, without_inertia]);
         recorder.residual = recorder.residual.max(sample.constraint_residual().position);
         if count % STEPS == 0 {
-            let (a, lambda) = (simulation.acceleration(), simulation.multipliers());
+            let (a, lambda) = (simulation.acceleration()?, simulation.multipliers()?);
             let motions = model.motions(sample.time, q, v, &a);
             let reactions = model.reactions(sample.time, q, v, &sample.inputs, &a, &lambda);
             let [motor, cut] = [sample.inputs.drive, sample.inputs.cutting];

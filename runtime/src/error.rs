@@ -4,7 +4,7 @@
 //! that one error type serves all; names are those of the mechanism's definition. Where errors arise is elsewhere.
 
 use crate::integrator::Rejections;
-use crate::mechanism::{Assemble, Row};
+use crate::mechanism::{Assemble, Row, name_row};
 use crate::real::Real;
 use crate::vector::Vector;
 use core::error::Error;
@@ -39,6 +39,11 @@ pub enum AssemblyError {
     Flipped {
         /// The row sin Δθ = 0 whose cosine is negative.
         row: Row,
+    },
+    /// A number that was given is infinite or NaN.
+    GivenNotFinite {
+        /// The coordinate, velocity or held quantity; `"time"`.
+        what: &'static str,
     },
     /// An orientation of the given position has no direction.
     NoOrientation {
@@ -224,6 +229,31 @@ pub enum SimulationError {
         /// The trials made.
         trials: u32,
     },
+    /// A step near a singular position ended with more kinetic energy than loads, drivers and springs can have brought, or with
+    /// less than they can have taken.
+    Unresolved {
+        /// The time at its beginning, s.
+        time: f64,
+        /// The row that depends on the others.
+        row: Row,
+        /// The estimate of the reciprocal condition of D M⁻¹ Dᵀ.
+        reciprocal_condition: f64,
+        /// The kinetic energy at its beginning, J.
+        before: f64,
+        /// The kinetic energy at its end, J, for which loads and drivers do not account.
+        after: f64,
+    },
+    /// The state at the end of a step has nothing to do with the constraints any more.
+    LeftConstraints {
+        /// The time at the end of the step, s.
+        time: f64,
+        /// The row that is off.
+        row: Row,
+        /// Its residual: Φ in m, rad or the row's own unit, or where velocities are off D v − ν.
+        residual: f64,
+        /// Time (s) and row of the position nearest to a singular one, if one was passed.
+        singular: Option<(f64, Row)>,
+    },
 }
 
 /// Why a mechanism could not be linearised, brought to rest or driven.
@@ -325,7 +355,8 @@ impl AssemblyError {
         let worst = phi.as_slice().iter().enumerate().fold((0, R::ZERO), |(at, largest), (row, entry)| {
             if entry.abs() <= largest { (at, largest) } else { (row, entry.abs()) }
         });
-        AssemblyError::NoConvergence { row: M::ROWS[worst.0], residual: worst.1.to_f64(), iterations }
+        let row = name_row::<R, M>(Some(worst.0));
+        AssemblyError::NoConvergence { row, residual: worst.1.to_f64(), iterations }
     }
 }
 
@@ -333,7 +364,11 @@ impl SimulationError {
     /// The joint, constraint or driver that the error is about.
     pub fn joint(&self) -> Option<&'static str> {
         match self {
-            SimulationError::Breakdown { row, .. } | SimulationError::Inconsistent { row, .. } => {
+            SimulationError::Breakdown { row, .. }
+            | SimulationError::Inconsistent { row, .. }
+            | SimulationError::Unresolved { row, .. }
+            | SimulationError::LeftConstraints { row, .. }
+            | SimulationError::Projection { error: AssemblyError::NoConvergence { row, .. }, .. } => {
                 Some(row.of)
             }
             _ => None,
@@ -369,6 +404,9 @@ impl Display for AssemblyError {
                 "{row} was assembled half a turn away from its angle; start from a position that has the bodies \
                  about the right way round"
             ),
+            AssemblyError::GivenNotFinite { what } => {
+                write!(f, "`{what}` was given as infinite or NaN; give a finite number")
+            }
             AssemblyError::NoOrientation { what, length } => write!(
                 f,
                 "the orientation that begins with `{what}` is of length {length:e} and so points nowhere; give a pair \
@@ -490,6 +528,23 @@ impl Display for SimulationError {
                 "an event lies in the step from t = {time} s, but {trials} trials located it no better than {width:.1e} s; \
                  give it a larger tolerance, or the integrator looser tolerances"
             ),
+            SimulationError::Unresolved { time, row, reciprocal_condition, before, after } => write!(
+                f,
+                "the step from t = {time} s cannot be resolved beside a singular position: {row} depends on the other rows there \
+                 (reciprocal condition {reciprocal_condition:.1e}), and the kinetic energy would go from {before:.3e} J to \
+                 {after:.3e} J, for which no load or driver accounts; start further from that position, take a smaller step, or \
+                 pass it with `Projected::after(NullSpace)`"
+            ),
+            SimulationError::LeftConstraints { time, row, residual, singular } => {
+                write!(f, "the step to t = {time} s left the constraints: {row} is off by {residual:.3e}")?;
+                if let Some((time, row)) = singular {
+                    write!(f, ", after the singular position of {row} near t = {time} s")?;
+                }
+                write!(
+                    f,
+                    "; take a smaller step, or a formulation that keeps to the constraints, such as `Projected::after(NullSpace)`"
+                )
+            }
         }
     }
 }

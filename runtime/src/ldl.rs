@@ -6,7 +6,7 @@
 
 use crate::mechanism::Elimination;
 use crate::real::Real;
-use crate::vector::Vector;
+use crate::vector::{Vector, at, put};
 use core::marker::PhantomData;
 
 /// A symmetric matrix K = L D Lᵀ in the pattern of an [`Elimination`]: first its entries, then in place its factor.
@@ -71,18 +71,18 @@ impl<R: Real, F: Vector<R>, S: Vector<R>> Ldl<R, F, S> {
 
     /// K(i, j) and K(j, i) += `value`, once for the pair; an entry outside the pattern is a fault of the tables.
     pub fn add(&mut self, i: usize, j: usize, value: R) {
-        let (i, j) = (self.tables.position[i], self.tables.position[j]);
+        let position = |unknown: usize| self.tables.position.get(unknown).copied().unwrap_or_default();
+        let (i, j) = (position(i), position(j));
         let (early, late) = if i < j { (i, j) } else { (j, i) };
-        if early == late {
-            let entry = &mut self.diagonal.as_mut_slice()[late as usize];
-            *entry = *entry + value;
-            return;
-        }
-        let start = self.tables.row_start[late as usize] as usize;
-        let found = self.columns(late as usize).binary_search(&early);
-        debug_assert!(found.is_ok(), "the entry ({i}, {j}) is not in the pattern of the factor");
-        if let Ok(offset) = found {
-            let entry = &mut self.lower.as_mut_slice()[start + offset];
+        let entry = if early == late {
+            self.diagonal.as_mut_slice().get_mut(late as usize)
+        } else {
+            let (start, columns) = row(self.tables, late as usize);
+            let found = columns.binary_search(&early);
+            debug_assert!(found.is_ok(), "the entry ({i}, {j}) is not in the pattern of the factor");
+            found.ok().and_then(|offset| self.lower.as_mut_slice().get_mut(start + offset))
+        };
+        if let Some(entry) = entry {
             *entry = *entry + value;
         }
     }
@@ -118,7 +118,7 @@ impl<R: Real, F: Vector<R>, S: Vector<R>> Ldl<R, F, S> {
             let unknown = unknown as usize;
             let terms = self.factor_row(k, work.as_mut_slice());
             let value = if unknown < rows_from { terms.value } else { -terms.value };
-            magnitudes.as_mut_slice()[unknown] = R::from_f64(0.5) * (terms.magnitude + value);
+            put(magnitudes.as_mut_slice(), unknown, R::from_f64(0.5) * (terms.magnitude + value));
             if unknown < rows_from && terms.relative() < smallest.value {
                 smallest = Pivot { value: terms.relative(), unknown };
             }
@@ -134,34 +134,34 @@ impl<R: Real, F: Vector<R>, S: Vector<R>> Ldl<R, F, S> {
     /// One row of [`factor`](Ldl::factor): writes d_k and gives the terms that formed it; leaves `work` cleared.
     fn factor_row(&mut self, k: usize, work: &mut [R]) -> Terms<R> {
         let tables = self.tables;
-        let start = tables.row_start[k] as usize;
-        let columns = self.columns(k);
-        let (done, row) = self.lower.as_mut_slice().split_at_mut(start);
-        for (&j, &entry) in columns.iter().zip(row.iter()) {
-            work[j as usize] = entry;
+        let (start, columns) = row(tables, k);
+        let Some((done, own)) = self.lower.as_mut_slice().split_at_mut_checked(start) else {
+            return Terms { value: R::ZERO, magnitude: R::ZERO };
+        };
+        for (&j, &entry) in columns.iter().zip(own.iter()) {
+            put(work, j as usize, entry);
         }
 
-        let diagonal = self.diagonal.as_slice();
-        let mut value = diagonal[k];
+        let diagonal = self.diagonal.as_mut_slice();
+        let mut value = at(diagonal, k);
         let mut magnitude = value.abs();
-        for (&j, entry) in columns.iter().zip(row.iter_mut()) {
+        for (&j, entry) in columns.iter().zip(own.iter_mut()) {
             let j = j as usize;
-            let begin = tables.row_start[j] as usize;
-            let mut w = work[j];
-            for (&i, &l) in tables.columns[begin..tables.row_start[j + 1] as usize].iter().zip(&done[begin..])
-            {
-                w = w - l * work[i as usize];
+            let (begin, above) = row(tables, j);
+            let mut w = at(work, j);
+            for (&i, &l) in above.iter().zip(done.get(begin..).unwrap_or_default()) {
+                w = w - l * at(work, i as usize);
             }
-            work[j] = w;
-            let l = w / diagonal[j];
+            put(work, j, w);
+            let l = w / at(diagonal, j);
             *entry = l;
             value = value - l * w;
             magnitude = magnitude + (l * w).abs();
         }
         for &j in columns {
-            work[j as usize] = R::ZERO;
+            put(work, j as usize, R::ZERO);
         }
-        self.diagonal.as_mut_slice()[k] = value;
+        put(diagonal, k, value);
         Terms { value, magnitude }
     }
 
@@ -172,32 +172,38 @@ impl<R: Real, F: Vector<R>, S: Vector<R>> Ldl<R, F, S> {
         let mut permuted = S::zero();
         let x = permuted.as_mut_slice();
         for (entry, &unknown) in x.iter_mut().zip(tables.order) {
-            *entry = right.as_slice()[unknown as usize];
+            *entry = at(right.as_slice(), unknown as usize);
         }
         for k in 0..x.len() {
-            let start = tables.row_start[k] as usize;
-            for (&j, &l) in self.columns(k).iter().zip(&lower[start..]) {
-                x[k] = x[k] - l * x[j as usize];
+            let (start, columns) = row(tables, k);
+            let mut rest = at(x, k);
+            for (&j, &l) in columns.iter().zip(lower.get(start..).unwrap_or_default()) {
+                rest = rest - l * at(x, j as usize);
             }
+            put(x, k, rest);
         }
         for (entry, &d) in x.iter_mut().zip(diagonal) {
             *entry = *entry / d;
         }
         for k in (0..x.len()).rev() {
-            let start = tables.row_start[k] as usize;
-            for (&j, &l) in self.columns(k).iter().zip(&lower[start..]) {
-                x[j as usize] = x[j as usize] - l * x[k];
+            let (start, columns) = row(tables, k);
+            let own = at(x, k);
+            for (&j, &l) in columns.iter().zip(lower.get(start..).unwrap_or_default()) {
+                put(x, j as usize, at(x, j as usize) - l * own);
             }
         }
         let mut solution = S::zero();
         for (&entry, &unknown) in permuted.as_slice().iter().zip(tables.order) {
-            solution.as_mut_slice()[unknown as usize] = entry;
+            put(solution.as_mut_slice(), unknown as usize, entry);
         }
         solution
     }
+}
 
-    /// The columns of row k of L.
-    fn columns(&self, k: usize) -> &'static [u16] {
-        &self.tables.columns[self.tables.row_start[k] as usize..self.tables.row_start[k + 1] as usize]
-    }
+/// Where row k of L begins, and its columns.
+#[inline]
+fn row(tables: &Elimination, k: usize) -> (usize, &'static [u16]) {
+    let begins = |k: usize| tables.row_start.get(k).map_or(0, |&start| start as usize);
+    let start = begins(k);
+    (start, tables.columns.get(start..begins(k + 1)).unwrap_or_default())
 }

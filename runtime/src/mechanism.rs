@@ -13,6 +13,7 @@ use crate::layout::Layout;
 use crate::real::Real;
 use crate::vector::Vector;
 use core::fmt::Debug;
+use core::ops::Range;
 
 /// A constraint row of D, by the names its author knows.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -23,6 +24,28 @@ pub struct Row {
     /// `"axis_2"`, `"cross"`, `"twist"`, `"screw"`, `"distance"`, `"equation"`, `"gear"`, `"rack"` or `"driver"`; of redundant joints of
     /// which different equations are taken at different positions `"switched_1"` and so on, and `"idle_1"` for those that are not.
     pub what: &'static str,
+}
+
+/// The row of this index, or what stands for all of them.
+pub(crate) fn name_row<R: Real, M: Mechanism<R>>(index: Option<usize>) -> Row {
+    let row = index.and_then(|index| M::ROWS.get(index).copied());
+    row.unwrap_or(Row { of: M::NAME, what: "constraints" })
+}
+
+/// Neighbours that are the same, as ranges of indices; unlike `chunk_by` of slices without a panic to be linked.
+pub(crate) fn groups<T>(items: &[T], same: impl Fn(&T, &T) -> bool) -> impl Iterator<Item = Range<usize>> {
+    let mut end = 0;
+    core::iter::from_fn(move || {
+        let begin = end;
+        items.get(begin)?;
+        end += 1;
+        while let (Some(last), Some(next)) = (items.get(end - 1), items.get(end))
+            && same(last, next)
+        {
+            end += 1;
+        }
+        Some(begin..end)
+    })
 }
 
 /// The equations of motion of one mechanism, evaluated in the scalars `R`.

@@ -7,7 +7,7 @@
 
 use crate::mechanism::Assemble;
 use crate::real::Real;
-use crate::vector::Vector;
+use crate::vector::{Vector, at, put};
 
 /// A pivot of this part of the largest entry of its row is good enough to keep the velocity that was dependent before.
 const GOOD: f64 = 0.1;
@@ -62,7 +62,9 @@ impl<C: Copy + AsRef<[u16]> + AsMut<[u16]>> Partition<C> {
         self.columns.as_mut().fill(NONE);
         self.places.as_mut().fill(NONE);
         for (k, &(_, chosen)) in M::DEPENDENT.iter().enumerate() {
-            self.columns.as_mut()[k] = chosen;
+            if let Some(column) = self.columns.as_mut().get_mut(k) {
+                *column = chosen;
+            }
             if let Some(place) = self.places.as_mut().get_mut(chosen as usize) {
                 *place = k as u16;
             }
@@ -94,42 +96,48 @@ impl<C: Copy + AsRef<[u16]> + AsMut<[u16]>> Partition<C> {
         *factors = M::Dense::zero();
         let rows = factors.as_mut_slice();
         for (&entry, &(row, column)) in jacobian.as_slice().iter().zip(M::JACOBIAN_PATTERN) {
-            rows[row as usize * n + column as usize] = entry;
+            put(rows, row as usize * n + column as usize, entry);
         }
         let before = self.columns;
         self.places.as_mut().fill(NONE);
         let mut smallest = R::ONE;
-        for (at, &(row, _)) in M::DEPENDENT.iter().enumerate() {
+        for (step, &(row, _)) in M::DEPENDENT.iter().enumerate() {
             let size = M::ROW_SIZES.get(row as usize).map_or(R::ONE, |&size| R::from_f64(size));
             let own = row as usize * n;
-            for (k, &(above, _)) in M::DEPENDENT[..at].iter().enumerate() {
-                let column = self.columns.as_ref()[k] as usize;
-                let above = above as usize * n;
-                if rows[own + column] == R::ZERO {
+            for (k, (&(above, _), &column)) in
+                M::DEPENDENT.iter().zip(self.columns.as_ref()).take(step).enumerate()
+            {
+                let (above, column) = (above as usize * n, column as usize);
+                let entry = at(rows, own + column);
+                if entry == R::ZERO {
                     continue;
                 }
-                let l = rows[own + column] / rows[above + column];
+                let l = entry / at(rows, above + column);
                 for (j, &place) in self.places.as_ref().iter().enumerate() {
                     // Where an earlier row has its pivot, the row above holds L.
                     if place == NONE || usize::from(place) > k {
-                        rows[own + j] = rows[own + j] - l * rows[above + j];
+                        put(rows, own + j, at(rows, own + j) - l * at(rows, above + j));
                     }
                 }
-                rows[own + column] = l;
+                put(rows, own + column, l);
             }
-            let own = &rows[own..own + n];
+            let own = rows.get(own..own + n).unwrap_or_default();
             let places = self.places.as_ref();
-            let free = |column: usize| places[column] == NONE;
+            let free = |column: usize| places.get(column) == Some(&NONE);
             let (best, most) = largest::<R, M>(own, free);
-            let kept = before.as_ref()[at] as usize;
+            let kept = before.as_ref().get(step).map_or(n, |&kept| kept as usize);
             let good = kept < n && free(kept) && scaled::<R, M>(own, kept) >= R::from_f64(GOOD) * most;
             let chosen = if good { kept } else { best };
             smallest = (scaled::<R, M>(own, chosen) / size).min(smallest);
             if !good && kept < n {
                 self.changes += 1;
             }
-            self.columns.as_mut()[at] = chosen as u16;
-            self.places.as_mut()[chosen] = at as u16;
+            if let Some(column) = self.columns.as_mut().get_mut(step) {
+                *column = chosen as u16;
+            }
+            if let Some(place) = self.places.as_mut().get_mut(chosen) {
+                *place = step as u16;
+            }
         }
         smallest * smallest
     }
@@ -142,24 +150,27 @@ impl<C: Copy + AsRef<[u16]> + AsMut<[u16]>> Partition<C> {
         v: &mut M::V,
     ) {
         let (columns, places) = (self.columns.as_ref(), self.places.as_ref());
-        let entries = |row: u16| &factors.as_slice()[usize::from(row) * M::V::LEN..][..M::V::LEN];
+        let n = M::V::LEN;
+        let entries = |row: u16| factors.as_slice().get(usize::from(row) * n..).unwrap_or_default();
         let (mut rest, v) = (*right, v.as_mut_slice());
         let y = rest.as_mut_slice();
-        for (at, &(row, _)) in M::DEPENDENT.iter().enumerate() {
-            for (k, &(above, _)) in M::DEPENDENT[..at].iter().enumerate() {
-                y[row as usize] = y[row as usize] - entries(row)[columns[k] as usize] * y[above as usize];
+        for (step, &(row, _)) in M::DEPENDENT.iter().enumerate() {
+            let (own, mut rest) = (entries(row), at(y, row as usize));
+            for (&(above, _), &column) in M::DEPENDENT.iter().zip(columns).take(step) {
+                rest = rest - at(own, column as usize) * at(y, above as usize);
             }
+            put(y, row as usize, rest);
         }
-        for (at, &(row, _)) in M::DEPENDENT.iter().enumerate().rev() {
-            let (entries, pivot) = (entries(row), columns[at] as usize);
-            let mut rest = y[row as usize];
-            for (j, &entry) in entries.iter().enumerate() {
+        for (step, (&(row, _), &pivot)) in M::DEPENDENT.iter().zip(columns).enumerate().rev() {
+            let (own, pivot) = (entries(row), pivot as usize);
+            let mut rest = at(y, row as usize);
+            for ((&entry, &place), &v) in own.iter().zip(places).zip(v.iter()) {
                 // NONE is above all places: independent velocities count among the later ones.
-                if usize::from(places[j]) > at {
-                    rest = rest - entry * v[j];
+                if usize::from(place) > step {
+                    rest = rest - entry * v;
                 }
             }
-            v[pivot] = rest / entries[pivot];
+            put(v, pivot, rest / at(own, pivot));
         }
     }
 
@@ -171,21 +182,22 @@ impl<C: Copy + AsRef<[u16]> + AsMut<[u16]>> Partition<C> {
         lambda: &mut M::Lambda,
     ) {
         let columns = self.columns.as_ref();
-        let entry =
-            |row: u16, column: u16| factors.as_slice()[usize::from(row) * M::V::LEN + usize::from(column)];
+        let place = |row: u16, column: u16| usize::from(row) * M::V::LEN + usize::from(column);
+        let entry = |row: u16, column: u16| at(factors.as_slice(), place(row, column));
         *lambda = M::Lambda::zero();
         let y = lambda.as_mut_slice();
         // Uᵀ y = forces, then Lᵀ λ = y.
-        for (at, &(row, _)) in M::DEPENDENT.iter().enumerate() {
-            let mut rest = forces.as_slice()[columns[at] as usize];
-            for &(above, _) in &M::DEPENDENT[..at] {
-                rest = rest - entry(above, columns[at]) * y[above as usize];
+        for (step, (&(row, _), &column)) in M::DEPENDENT.iter().zip(columns).enumerate() {
+            let mut rest = at(forces.as_slice(), column as usize);
+            for &(above, _) in M::DEPENDENT.iter().take(step) {
+                rest = rest - entry(above, column) * at(y, above as usize);
             }
-            y[row as usize] = rest / entry(row, columns[at]);
+            put(y, row as usize, rest / entry(row, column));
         }
-        for (at, &(row, _)) in M::DEPENDENT.iter().enumerate().rev() {
-            for (k, &(above, _)) in M::DEPENDENT[..at].iter().enumerate() {
-                y[above as usize] = y[above as usize] - entry(row, columns[k]) * y[row as usize];
+        for (step, &(row, _)) in M::DEPENDENT.iter().enumerate().rev() {
+            let own = at(y, row as usize);
+            for (&(above, _), &column) in M::DEPENDENT.iter().zip(columns).take(step) {
+                put(y, above as usize, at(y, above as usize) - entry(row, column) * own);
             }
         }
     }
@@ -193,7 +205,7 @@ impl<C: Copy + AsRef<[u16]> + AsMut<[u16]>> Partition<C> {
 
 /// The magnitude of an entry of a row, to be compared with others of it.
 fn scaled<R: Real, M: Assemble<R>>(row: &[R], column: usize) -> R {
-    let entry = row[column].abs();
+    let entry = at(row, column).abs();
     M::SCALES.get(column).map_or(entry, |&scale| entry * R::from_f64(scale))
 }
 

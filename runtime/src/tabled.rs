@@ -7,7 +7,7 @@
 use crate::ldl::Ldl;
 use crate::mechanism::Assemble;
 use crate::real::Real;
-use crate::vector::Vector;
+use crate::vector::{Vector, at, put};
 
 /// What [`factor`] leaves for [`solve`].
 #[derive(Clone, Copy, Debug)]
@@ -135,26 +135,31 @@ pub fn solve<R: Real, M: Assemble<R>>(
     a: &mut M::V,
     lambda: &mut M::Lambda,
 ) {
-    let (n, m) = (M::V::LEN, M::Lambda::LEN);
+    let n = M::V::LEN;
     let mut right = M::System::zero();
     let entries = right.as_mut_slice();
-    entries[..n].copy_from_slice(forces.as_slice());
-    entries[n..n + m].copy_from_slice(rows.as_slice());
+    let given = forces.as_slice().iter().chain(rows.as_slice());
+    for (entry, &value) in entries.iter_mut().zip(given) {
+        *entry = value;
+    }
     for &row in M::IDLE {
-        entries[n + row as usize] = R::ZERO;
+        put(entries, n + row as usize, R::ZERO);
     }
     for (&entry, &(row, column)) in store.jacobian.as_slice().iter().zip(M::JACOBIAN_PATTERN) {
         let rho = rho::<R, M>(row);
         if rho > R::ZERO {
-            let (force, weight) = (&mut entries[column as usize], rho / (R::ONE + rho * store.compliance));
-            *force = *force + weight * entry * rows.as_slice()[row as usize];
+            let weight = rho / (R::ONE + rho * store.compliance);
+            let force = at(entries, column as usize) + weight * entry * at(rows.as_slice(), row as usize);
+            put(entries, column as usize, force);
         }
     }
     let solution = store.ldl.solve(&right);
-    a.as_mut_slice().copy_from_slice(&solution.as_slice()[..n]);
-    lambda.as_mut_slice().copy_from_slice(&solution.as_slice()[n..n + m]);
+    let found = a.as_mut_slice().iter_mut().chain(lambda.as_mut_slice());
+    for (entry, &value) in found.zip(solution.as_slice()) {
+        *entry = value;
+    }
     for (row, rho) in massless::<R, M>() {
-        let entry = &mut lambda.as_mut_slice()[row as usize];
-        *entry = *entry * (R::ONE + rho * store.compliance);
+        let stiffened = at(lambda.as_slice(), row as usize) * (R::ONE + rho * store.compliance);
+        put(lambda.as_mut_slice(), row as usize, stiffened);
     }
 }

@@ -7,6 +7,21 @@
 use crate::real::Real;
 use core::fmt::Debug;
 
+/// Entry `index`, zero beyond the end. Indices come from tables made at expansion and lie within; this way no image that the runtime
+/// is linked into has to hold the message of a panic that cannot happen, and the comparison costs the same.
+#[inline(always)]
+pub(crate) fn at<R: Real>(entries: &[R], index: usize) -> R {
+    entries.get(index).copied().unwrap_or(R::ZERO)
+}
+
+/// Writes entry `index`; nothing beyond the end.
+#[inline(always)]
+pub(crate) fn put<R: Real>(entries: &mut [R], index: usize, value: R) {
+    if let Some(entry) = entries.get_mut(index) {
+        *entry = value;
+    }
+}
+
 /// A vector of fixed length over the scalars `R`; implemented for `[R; N]`.
 pub trait Vector<R: Real>: Copy + Debug + PartialEq + 'static {
     /// The number of entries.

@@ -9,6 +9,7 @@ use linkwright::{
     State, Vector, retract,
 };
 use linkwright_compiler::model::Space;
+use linkwright_models::change_point_four_bar::ChangePointFourBar;
 use linkwright_models::four_bar::FourBar;
 use linkwright_models::general_four_bar::{ParametricFourBar, ParametricFourBarParameters};
 
@@ -237,10 +238,54 @@ fn impossible_positions_are_named() {
     assert_eq!(error, AssemblyError::WrongLength { needed: 1, given: 2 });
     let nan = [Motion { position: f64::NAN, ..motion }];
     let error = model.kinematics(0.0, &near().q, &nan).expect_err("NaN is no angle");
-    assert!(matches!(error, AssemblyError::NonFinite { row } if row.of == "crank_pin.angle"), "{error}");
+    assert_eq!(error, AssemblyError::GivenNotFinite { what: "crank_pin.angle" });
     let mut lost = near();
     lost.q[0] = f64::INFINITY;
-    assert!(matches!(model.assemble(&lost), Err(AssemblyError::NonFinite { .. })));
+    assert!(matches!(model.assemble(&lost), Err(AssemblyError::GivenNotFinite { .. })));
+    let mut fast = near();
+    fast.v[0] = f64::NAN;
+    assert!(matches!(model.project(0.0, &fast), Err(AssemblyError::GivenNotFinite { .. })));
+    assert_eq!(model.project(f64::NAN, &near()), Err(AssemblyError::GivenNotFinite { what: "time" }));
+}
+
+/// Beside a change point the crank determines nothing: an error that names the row; at some distance velocities are right.
+#[test]
+fn beside_a_change_point_kinematics_are_right_or_an_error() {
+    let model = ChangePointFourBar::<f64>::default();
+    // The branch on which the rods pass the line: rates at a distance converge to those at it.
+    let rates = |distance: f64| {
+        let mut q = ChangePointFourBar::START.q;
+        let begin = std::f64::consts::FRAC_PI_2;
+        let mut found = Err(AssemblyError::WrongLength { needed: 1, given: 0 });
+        for step in 0..=20 {
+            let position = begin + (begin - distance) * f64::from(step) / 20.0;
+            found = model.kinematics(0.0, &q, &[Motion { position, rate: 4.0, acceleration: 0.0 }]);
+            match found {
+                Ok(found) => q = found.q,
+                Err(_) => break,
+            }
+        }
+        found.map(|found| found.v)
+    };
+    let limit = rates(1e-3).expect("far enough");
+    for distance in [1e-1, 1e-2, 1e-3, 1e-4, 1e-5, 1e-6, 1e-7, 1e-8, 1e-12, 0.0] {
+        match rates(distance) {
+            Ok(v) => {
+                let off = v.iter().zip(limit).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
+                assert!(distance >= 1e-4 && off < 0.05 * distance.max(1e-3), "{distance:e}: {v:?}");
+            }
+            Err(AssemblyError::RankDeficient { row, .. }) => {
+                assert!(distance < 2e-4 && row.of == "right", "{distance:e}: {row}");
+            }
+            Err(error) => panic!("{distance:e}: {error}"),
+        }
+    }
+    // Nothing is asked of the others where all rests.
+    let rest = Motion { position: std::f64::consts::PI - 1e-6, rate: 0.0, acceleration: 0.0 };
+    assert_eq!(
+        model.kinematics(0.0, &ChangePointFourBar::START.q, &[rest]).map(|found| found.v),
+        Ok([0.0; 3])
+    );
 }
 
 linkwright::mechanism! {

@@ -15,11 +15,16 @@ mod implicit;
 mod kinematics;
 mod language;
 mod linearisation;
+#[path = "../runtime_fuzz/methods.rs"]
+mod methods;
 mod no_alloc;
 mod overconstrained;
 mod page;
 mod page_equations;
 mod published;
+#[allow(dead_code)] // Numbers for `methods`; cases are of the random tester alone.
+#[path = "../runtime_fuzz/random.rs"]
+mod random;
 mod rank;
 mod redundant;
 mod reference;

@@ -24,6 +24,8 @@ pub trait Model: Assemble<f64, Inputs: Fields<f64>, Outputs: Fields<f64>> + Size
     fn flat_reactions(&self, at: &At<Self>, a: &Self::V, lambda: &Self::Lambda) -> Vec<f64>;
     fn flat_inverse_dynamics(&self, at: &At<Self>, a: &Self::V) -> Vec<f64>;
     fn flat_powers(&self, at: &At<Self>) -> Vec<f64>;
+    /// Whether motions, reactions, inverse dynamics and powers are finite; found without allocation.
+    fn derived_finite(&self, at: &At<Self>, a: &Self::V, lambda: &Self::Lambda) -> bool;
     /// Efforts, then powers.
     fn flat_driver_efforts(&self, at: &At<Self>, lambda: &Self::Lambda) -> Vec<f64>;
 }
@@ -31,6 +33,12 @@ pub trait Model: Assemble<f64, Inputs: Fields<f64>, Outputs: Fields<f64>> + Size
 /// All numbers of a motion or reaction, of the plane or of space.
 pub trait Flat {
     fn flat(&self) -> Vec<f64>;
+    /// Whether all of them are finite.
+    fn finite(&self) -> bool;
+}
+
+fn all_finite(parts: &[&[f64]]) -> bool {
+    parts.iter().all(|part| part.iter().all(|number| number.is_finite()))
 }
 
 impl Flat for linkwright::BodyMotion {
@@ -38,6 +46,10 @@ impl Flat for linkwright::BodyMotion {
         let [[x, y], [c, s], [vx, vy], [ax, ay]] =
             [self.position, self.orientation, self.velocity, self.acceleration];
         vec![x, y, c, s, vx, vy, self.rate, ax, ay, self.angular_acceleration]
+    }
+    fn finite(&self) -> bool {
+        let turning = [self.rate, self.angular_acceleration];
+        all_finite(&[&self.position, &self.orientation, &self.velocity, &self.acceleration, &turning])
     }
 }
 
@@ -47,17 +59,28 @@ impl Flat for linkwright::SpatialMotion {
         let rest = [self.velocity, self.rate, self.acceleration, self.angular_acceleration].concat();
         [self.position.to_vec(), turned, rest].concat()
     }
+    fn finite(&self) -> bool {
+        let turning = [&self.rate[..], &self.angular_acceleration];
+        all_finite(&[&self.position, self.orientation.as_flattened(), &self.velocity, &self.acceleration])
+            && all_finite(&turning)
+    }
 }
 
 impl Flat for linkwright::Reaction {
     fn flat(&self) -> Vec<f64> {
         vec![self.force[0], self.force[1], self.torque]
     }
+    fn finite(&self) -> bool {
+        all_finite(&[&self.force, &[self.torque]])
+    }
 }
 
 impl Flat for linkwright::SpatialReaction {
     fn flat(&self) -> Vec<f64> {
         [self.force, self.torque].concat()
+    }
+    fn finite(&self) -> bool {
+        all_finite(&[&self.force, &self.torque])
     }
 }
 
@@ -107,6 +130,19 @@ macro_rules! model {
             }
             fn flat_powers(&self, at: &$crate::registry::At<Self>) -> Vec<f64> {
                 self.powers(at.time, &at.q, &at.v, &at.u).to_vec()
+            }
+            fn derived_finite(
+                &self,
+                at: &$crate::registry::At<Self>,
+                a: &Self::V,
+                lambda: &Self::Lambda,
+            ) -> bool {
+                use $crate::registry::Flat;
+                let $crate::registry::At { time, q, v, u } = at;
+                self.motions(*time, q, v, a).iter().all(Flat::finite)
+                    && self.reactions(*time, q, v, u, a, lambda).iter().all(Flat::finite)
+                    && self.inverse_dynamics(*time, q, v, u, a).iter().all(|x| x.is_finite())
+                    && self.powers(*time, q, v, u).iter().all(|x| x.is_finite())
             }
             fn flat_driver_efforts(
                 &self,

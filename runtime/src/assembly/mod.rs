@@ -3,6 +3,8 @@
 //! The numerical work of one `assemble` is here, allocation-free and fit for a microcontroller; which quantities
 //! `start` states and in which order the unknowns are eliminated was decided at expansion ([`Assemble`]).
 
+pub(crate) mod determinacy;
+mod given;
 mod position;
 mod rates;
 mod residual;
@@ -42,6 +44,10 @@ pub trait AssembleExt<R: Real>: Assemble<R> + Sized {
     /// [`INDEPENDENT`](Assemble::INDEPENDENT); of several ways to assemble, the one near `near`. Angles whose turns the
     /// dynamics count (of gears, racks, drivers, torsion springs, laws) are given with their turns.
     ///
+    /// At a dead centre of an independent coordinate, or so near to one that less than half of the digits of the velocities would
+    /// mean anything (in a simple one within some 10⁻⁴ rad, in single precision 10⁻² rad), the motion of the others is not determined
+    /// by it: that is [`RankDeficient`](AssemblyError::RankDeficient), unless all rests.
+    ///
     /// # Errors
     /// [`WrongLength`](AssemblyError::WrongLength); otherwise as [`assemble_position`] and [`assemble_velocity`].
     fn kinematics(
@@ -63,8 +69,8 @@ pub trait AssembleExt<R: Real>: Assemble<R> + Sized {
         };
         let held = Self::INDEPENDENT;
         let q = assemble_position(self, time, near, &targets(|motion| motion.position), held)?;
-        let v = assemble_velocity(self, time, &q, &targets(|motion| motion.rate), held)?;
-        let a = assemble_acceleration(self, time, &q, &v, &targets(|motion| motion.acceleration), held)?;
+        let (rates, accelerations) = (targets(|motion| motion.rate), targets(|motion| motion.acceleration));
+        let (v, a) = rates::assemble_rates(self, time, &q, &rates, &accelerations, held)?;
         Ok(Kinematics { q, v, a })
     }
 

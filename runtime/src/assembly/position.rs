@@ -3,11 +3,12 @@
 //! Moves by [`retract`], so orientations keep their length; what has to vanish is `residual.rs`, the linear algebra
 //! `system.rs`. Velocities and accelerations, which are linear, are `rates.rs`.
 
+use super::given::{given_finite, given_targets, given_time};
 use super::residual::{Residual, ResidualOf};
 use super::system::{System, rank_deficient};
 use crate::error::AssemblyError;
 use crate::layout::{normalised, retract};
-use crate::mechanism::Assemble;
+use crate::mechanism::{Assemble, Row};
 use crate::real::Real;
 use crate::vector::Vector;
 
@@ -29,7 +30,7 @@ const HALVINGS: u32 = 20;
 /// Pairs and quaternions of `near` need not have length 1: they are normalised first.
 ///
 /// # Errors
-/// [`NoOrientation`](AssemblyError::NoOrientation),
+/// [`GivenNotFinite`](AssemblyError::GivenNotFinite), [`NoOrientation`](AssemblyError::NoOrientation),
 /// [`NoConvergence`](AssemblyError::NoConvergence), [`RankDeficient`](AssemblyError::RankDeficient),
 /// [`NonFinite`](AssemblyError::NonFinite), [`Flipped`](AssemblyError::Flipped),
 /// [`NoSuchCondition`](AssemblyError::NoSuchCondition).
@@ -41,6 +42,9 @@ pub fn assemble_position<R: Real, M: Assemble<R>>(
     active: &[u16],
 ) -> Result<M::Q, AssemblyError> {
     let mut system = System::new(model, active)?;
+    given_time(time)?;
+    given_finite(near, M::POSITION_NAMES, M::NAME)?;
+    given_targets::<R, M>(targets, active)?;
     let mut q = normalised(&M::LAYOUT, near).map_err(|(first, length)| AssemblyError::NoOrientation {
         what: M::POSITION_NAMES.get(first).copied().unwrap_or(M::NAME),
         length: length.to_f64(),
@@ -50,7 +54,7 @@ pub fn assemble_position<R: Real, M: Assemble<R>>(
     while iteration < ITERATIONS && far < FAR {
         residual.check_finite::<M>()?;
         if residual.norm <= tolerance::<R, M>(&q) {
-            return residual.check_flips::<M>().map(|()| q);
+            return residual.check_flips::<M>().and_then(|()| found::<R, M>(q));
         }
         system.evaluate(time, &q, Some(&residual.divisors));
         let pivot = system.factor_unit();
@@ -74,15 +78,28 @@ pub fn assemble_position<R: Real, M: Assemble<R>>(
         match shorten(model, time, &q, &delta, targets, &system.active, residual.norm) {
             Some((next, next_residual)) => (q, residual) = (next, next_residual),
             None if residual.norm <= R::from_f64(64.0) * tolerance::<R, M>(&q) => {
-                return residual.check_flips::<M>().map(|()| q);
+                return residual.check_flips::<M>().and_then(|()| found::<R, M>(q));
             }
             None => return Err(residual.no_convergence::<M>(iteration)),
         }
     }
     if residual.norm <= tolerance::<R, M>(&q) {
-        return residual.check_flips::<M>().map(|()| q);
+        return residual.check_flips::<M>().and_then(|()| found::<R, M>(q));
     }
     Err(residual.no_convergence::<M>(iteration + far))
+}
+
+/// The position, if no coordinate overflowed on the way, nor what is left to rounding.
+fn found<R: Real, M: Assemble<R>>(q: M::Q) -> Result<M::Q, AssemblyError> {
+    let largest = || q.as_slice().iter().position(|entry| entry.abs() == q.max_abs());
+    let unbounded = if tolerance::<R, M>(&q).is_finite() { None } else { largest() };
+    match q.first_not_finite().or(unbounded) {
+        None => Ok(q),
+        Some(index) => {
+            let of = M::POSITION_NAMES.get(index).copied().unwrap_or(M::NAME);
+            Err(AssemblyError::NonFinite { row: Row { of, what: "position" } })
+        }
+    }
 }
 
 /// The position nearest to `near` that satisfies the constraints; nothing else is held.

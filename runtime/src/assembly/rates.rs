@@ -1,8 +1,11 @@
 //! Velocities and accelerations that satisfy the constraints: one linear system each.
 //!
 //! Of all that satisfy the rows the one of least kinetic energy is taken (Gauss's principle for corrections). The
-//! position must already be consistent (`position.rs`); the linear algebra is `system.rs`.
+//! position must already be consistent (`position.rs`); the linear algebra is `system.rs`, whether what is held determines the
+//! motion `determinacy.rs`.
 
+use super::determinacy::check_determined;
+use super::given::{given_finite, given_targets, given_time};
 use super::system::System;
 use crate::error::AssemblyError;
 use crate::mechanism::Assemble;
@@ -13,9 +16,12 @@ use crate::vector::Vector;
 /// `active`: \[M, D̂ᵀ; D̂, 0\] (v, μ) = (−b, ν̂), where T = ½ vᵀ M v + bᵀ v + c and b ≠ 0 only if places move with time. Where massless bodies leave M singular, a tiny multiple of its largest
 /// diagonal entry is added to the diagonal.
 ///
+/// Where velocities other than zero are asked for by `active` near a singular position of these and the constraints, less than half
+/// of their digits would mean anything: that is [`RankDeficient`](AssemblyError::RankDeficient) too.
+///
 /// # Errors
-/// [`RankDeficient`](AssemblyError::RankDeficient), [`NonFinite`](AssemblyError::NonFinite),
-/// [`NoSuchCondition`](AssemblyError::NoSuchCondition).
+/// [`RankDeficient`](AssemblyError::RankDeficient), [`GivenNotFinite`](AssemblyError::GivenNotFinite),
+/// [`NonFinite`](AssemblyError::NonFinite), [`NoSuchCondition`](AssemblyError::NoSuchCondition).
 pub fn assemble_velocity<R: Real, M: Assemble<R>>(
     model: &M,
     time: R,
@@ -23,6 +29,35 @@ pub fn assemble_velocity<R: Real, M: Assemble<R>>(
     rates: &M::Conditions,
     active: &[u16],
 ) -> Result<M::V, AssemblyError> {
+    let v = held_velocity(model, time, q, rates, active)?;
+    check_determined(model, time, q, active, v.max_abs())?;
+    Ok(v)
+}
+
+/// [`assemble_velocity`] and [`assemble_acceleration`] at one position, which is judged once.
+pub(super) fn assemble_rates<R: Real, M: Assemble<R>>(
+    model: &M,
+    time: R,
+    q: &M::Q,
+    rates: &M::Conditions,
+    accelerations: &M::Conditions,
+    active: &[u16],
+) -> Result<(M::V, M::V), AssemblyError> {
+    let v = held_velocity(model, time, q, rates, active)?;
+    let a = held_acceleration(model, time, q, &v, accelerations, active)?;
+    check_determined(model, time, q, active, v.max_abs() + a.max_abs())?;
+    Ok((v, a))
+}
+
+fn held_velocity<R: Real, M: Assemble<R>>(
+    model: &M,
+    time: R,
+    q: &M::Q,
+    rates: &M::Conditions,
+    active: &[u16],
+) -> Result<M::V, AssemblyError> {
+    check_position::<R, M>(time, q)?;
+    given_targets::<R, M>(rates, active)?;
     let momentum = carried_momentum(model, time, q);
     let mut system = System::new(model, active)?;
     let (nu, targets) = asked(model, time, q, rates);
@@ -64,7 +99,14 @@ pub fn project_velocity<R: Real, M: Assemble<R>>(
     q: &M::Q,
     v: &M::V,
 ) -> Result<M::V, AssemblyError> {
+    check_position::<R, M>(time, q)?;
+    given_finite(v, M::VELOCITY_NAMES, M::NAME)?;
     correct_velocity(model, time, q, v, &M::Conditions::zero(), &[])
+}
+
+fn check_position<R: Real, M: Assemble<R>>(time: R, q: &M::Q) -> Result<(), AssemblyError> {
+    given_time(time)?;
+    given_finite(q, M::POSITION_NAMES, M::NAME)
 }
 
 /// The accelerations of least ½ aᵀ M a that satisfy the constraints and give the coordinates of the conditions
@@ -80,6 +122,22 @@ pub fn assemble_acceleration<R: Real, M: Assemble<R>>(
     accelerations: &M::Conditions,
     active: &[u16],
 ) -> Result<M::V, AssemblyError> {
+    let a = held_acceleration(model, time, q, v, accelerations, active)?;
+    check_determined(model, time, q, active, a.max_abs())?;
+    Ok(a)
+}
+
+fn held_acceleration<R: Real, M: Assemble<R>>(
+    model: &M,
+    time: R,
+    q: &M::Q,
+    v: &M::V,
+    accelerations: &M::Conditions,
+    active: &[u16],
+) -> Result<M::V, AssemblyError> {
+    check_position::<R, M>(time, q)?;
+    given_finite(v, M::VELOCITY_NAMES, M::NAME)?;
+    given_targets::<R, M>(accelerations, active)?;
     let mut system = System::new(model, active)?;
     let mut gamma = M::Lambda::zero();
     model.gamma(time, q, v, &mut gamma);

@@ -7,9 +7,9 @@
 
 use super::system::name_unknown;
 use crate::error::AssemblyError;
-use crate::mechanism::{Assemble, ConditionKind, Mechanism};
+use crate::mechanism::{Assemble, ConditionKind, Mechanism, groups, name_row};
 use crate::real::Real;
-use crate::vector::Vector;
+use crate::vector::{Vector, at, put};
 
 /// Axes further apart than this, rad, are brought together before bodies are turned about them.
 const ALIGNED: f64 = 0.1;
@@ -40,10 +40,11 @@ impl<R: Real, L: Vector<R>, C: Vector<R>> Residual<R, L, C> {
         model.row_cosines(time, q, &mut cosines);
         divisors.as_mut_slice().fill(R::ONE);
         let mut let_go = R::ZERO;
-        for joint in M::FLIPS.chunk_by(|&a, &b| M::ROWS[a as usize].of == M::ROWS[b as usize].of) {
-            let what = |row: u16| M::ROWS[row as usize].what;
+        let row = |row: u16| name_row::<R, M>(Some(row.into()));
+        for joint in groups(M::FLIPS, |&a, &b| row(a).of == row(b).of) {
+            let what = |index: u16| row(index).what;
             let (rows, divisors) = (rows.as_mut_slice(), divisors.as_mut_slice());
-            match *joint {
+            match *M::FLIPS.get(joint).unwrap_or_default() {
                 [first, second, ref turns @ ..] if what(first) == "axis_1" && what(second) == "axis_2" => {
                     let axes = [first as usize, second as usize];
                     let_go = let_go + axes_then_turns(axes, turns, cosines.as_slice(), rows, divisors);
@@ -56,12 +57,11 @@ impl<R: Real, L: Vector<R>, C: Vector<R>> Residual<R, L, C> {
         model.condition_residual(time, q, targets, &mut conditions);
         model.condition_cosines(time, q, targets, &mut flipped);
         for (i, entry) in conditions.as_mut_slice().iter_mut().enumerate() {
-            let held = active.as_slice()[i] != R::ZERO;
-            *entry = match M::CONDITIONS[i].kind {
-                _ if !held => R::ZERO,
-                ConditionKind::Angle => entry.atan2(flipped.as_slice()[i]),
-                ConditionKind::Linear => *entry,
-                ConditionKind::Rate => R::ZERO,
+            let held = at(active.as_slice(), i) != R::ZERO;
+            *entry = match M::CONDITIONS.get(i).map(|condition| condition.kind) {
+                Some(ConditionKind::Angle) if held => entry.atan2(at(flipped.as_slice(), i)),
+                Some(ConditionKind::Linear) if held => *entry,
+                _ => R::ZERO,
             };
         }
         let norm = (rows.norm_squared() + conditions.norm_squared() + let_go).sqrt();
@@ -73,43 +73,53 @@ impl<R: Real, L: Vector<R>, C: Vector<R>> Residual<R, L, C> {
         let unknown = in_rows.or_else(|| self.conditions.first_not_finite().map(|i| L::LEN + i));
         match unknown {
             Some(row) => Err(AssemblyError::NonFinite { row: name_unknown::<R, M>(M::V::LEN + row) }),
+            // Squares overflow before numbers do.
+            None if !self.norm.is_finite() => {
+                Err(AssemblyError::NonFinite { row: name_unknown::<R, M>(M::V::LEN + self.worst().0) })
+            }
             None => Ok(()),
         }
     }
 
     pub(super) fn check_flips<M: Assemble<R>>(&self) -> Result<(), AssemblyError> {
-        match M::FLIPS.iter().find(|&&row| self.divisors.as_slice()[row as usize] < R::ZERO) {
-            Some(&row) => Err(AssemblyError::Flipped { row: M::ROWS[row as usize] }),
+        match M::FLIPS.iter().find(|&&row| at(self.divisors.as_slice(), row.into()) < R::ZERO) {
+            Some(&row) => Err(AssemblyError::Flipped { row: name_row::<R, M>(Some(row.into())) }),
             None => Ok(()),
         }
     }
 
     /// Whether a row is at the place between its two roots where its derivative vanishes.
     pub(super) fn at_right_angle<M: Assemble<R>>(&self) -> bool {
-        let divisor = |&row: &u16| self.divisors.as_slice()[row as usize];
+        let divisor = |&row: &u16| at(self.divisors.as_slice(), row.into());
         M::FLIPS.iter().any(|row| divisor(row).abs() == R::from_f64(NEARLY_RIGHT))
     }
 
     /// The error that names the worst row; a joint stuck on its flipped root is said to be that.
     pub(super) fn no_convergence<M: Assemble<R>>(&self, iterations: u32) -> AssemblyError {
-        let all = self.rows.as_slice().iter().chain(self.conditions.as_slice());
-        let (worst, residual) = all.enumerate().fold((0, R::ZERO), |(at, largest), (i, entry)| {
-            if entry.abs() > largest { (i, entry.abs()) } else { (at, largest) }
-        });
-        if M::FLIPS.contains(&(worst as u16)) && self.divisors.as_slice()[worst] < R::ZERO {
-            return AssemblyError::Flipped { row: M::ROWS[worst] };
-        }
+        let (worst, residual) = self.worst();
         let row = name_unknown::<R, M>(M::V::LEN + worst);
+        let flipped = self.divisors.as_slice().get(worst).is_some_and(|&divisor| divisor < R::ZERO);
+        if flipped && M::FLIPS.contains(&(worst as u16)) {
+            return AssemblyError::Flipped { row };
+        }
         AssemblyError::NoConvergence { row, residual: residual.to_f64(), iterations }
+    }
+
+    /// Index and magnitude of the largest residual; conditions are counted after rows.
+    fn worst(&self) -> (usize, R) {
+        let all = self.rows.as_slice().iter().chain(self.conditions.as_slice());
+        all.enumerate().fold((0, R::ZERO), |(at, largest), (i, entry)| {
+            if entry.abs() > largest { (i, entry.abs()) } else { (at, largest) }
+        })
     }
 }
 
 /// Rows sin Δθ with their cosines: the residual is Δθ, whose derivative is that of the sine over the cosine.
 fn whole_angles<R: Real>(flips: &[u16], cosines: &[R], rows: &mut [R], divisors: &mut [R]) {
     for &row in flips {
-        let (row, cosine) = (row as usize, cosines[row as usize]);
-        rows[row] = rows[row].atan2(cosine);
-        divisors[row] = away_from_zero(cosine);
+        let (row, cosine) = (row as usize, at(cosines, row.into()));
+        put(rows, row, at(rows, row).atan2(cosine));
+        put(divisors, row, away_from_zero(cosine));
     }
 }
 
@@ -122,17 +132,19 @@ fn axes_then_turns<R: Real>(
     rows: &mut [R],
     divisors: &mut [R],
 ) -> R {
-    let cosine = cosines[axes[0]];
-    let (angle, turn) = between_axes(axes.map(|row| rows[row]), cosine);
+    let cosine = at(cosines, axes[0]);
+    let (angle, turn) = between_axes(axes.map(|row| at(rows, row)), cosine);
     for (row, turn) in axes.into_iter().zip(turn) {
-        (rows[row], divisors[row]) = (turn, away_from_zero(cosine));
+        put(rows, row, turn);
+        put(divisors, row, away_from_zero(cosine));
     }
     if angle <= R::from_f64(ALIGNED) {
         whole_angles(turns, cosines, rows, divisors);
         return R::ZERO;
     }
     for &row in turns {
-        (rows[row as usize], divisors[row as usize]) = (R::ZERO, R::ZERO);
+        put(rows, row.into(), R::ZERO);
+        put(divisors, row.into(), R::ZERO);
     }
     // More than any angle, so that the norm falls when a row is taken up.
     R::from_f64(core::f64::consts::PI * core::f64::consts::PI * turns.len() as f64)

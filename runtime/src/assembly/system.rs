@@ -7,7 +7,7 @@ use crate::error::AssemblyError;
 use crate::ldl::{Ldl, Pivot};
 use crate::mechanism::{Assemble, Row};
 use crate::real::Real;
-use crate::vector::Vector;
+use crate::vector::{Vector, at, put};
 
 /// What is added to a singular mass matrix, relative to its largest diagonal entry. Small enough to leave the motion
 /// of the bodies that have mass alone, large enough to keep half of the digits; a correction with the exact D̂
@@ -54,7 +54,7 @@ impl<'m, R: Real, M: Assemble<R>> System<'m, R, M> {
         self.free = M::Lambda::zero();
         if let Some(divisors) = divisors {
             for (entry, &(row, _)) in self.jacobian.as_mut_slice().iter_mut().zip(M::JACOBIAN_PATTERN) {
-                let divisor = divisors.as_slice()[row as usize];
+                let divisor = at(divisors.as_slice(), row as usize);
                 *entry = if divisor == R::ZERO { R::ZERO } else { *entry / divisor };
             }
             for (free, &divisor) in self.free.as_mut_slice().iter_mut().zip(divisors.as_slice()) {
@@ -67,7 +67,7 @@ impl<'m, R: Real, M: Assemble<R>> System<'m, R, M> {
             }
         }
         for (entry, &(row, _)) in self.conditions.as_mut_slice().iter_mut().zip(M::CONDITION_PATTERN) {
-            *entry = *entry * self.active.as_slice()[row as usize];
+            *entry = *entry * at(self.active.as_slice(), row as usize);
         }
     }
 
@@ -79,6 +79,33 @@ impl<'m, R: Real, M: Assemble<R>> System<'m, R, M> {
         }
         self.add_rows();
         self.vanished_row().unwrap_or_else(|| self.matrix.factor())
+    }
+
+    /// Shows row, or after the rows condition, column and value of each entry of D̂ that takes part.
+    pub(super) fn each_entry(&self, mut show: impl FnMut(usize, usize, R)) {
+        for (&entry, &(row, column)) in self.jacobian.as_slice().iter().zip(M::JACOBIAN_PATTERN) {
+            show(row as usize, column as usize, entry);
+        }
+        for (&entry, &(row, column)) in self.conditions.as_slice().iter().zip(M::CONDITION_PATTERN) {
+            show(M::Lambda::LEN + row as usize, column as usize, entry);
+        }
+    }
+
+    /// Factors with W = diag(`weights`) to the end; the pivots, by unknown, are written into `pivots`.
+    pub(super) fn factor_weighted(&mut self, weights: &M::V, pivots: &mut M::System) {
+        self.matrix.clear();
+        for (i, &weight) in weights.as_slice().iter().enumerate() {
+            self.matrix.add(i, i, weight);
+        }
+        self.add_rows();
+        let mut magnitudes = M::System::zero();
+        self.matrix.factor_measured(M::V::LEN, &mut magnitudes);
+        let pivots = pivots.as_mut_slice();
+        for (&pivot, &unknown) in self.matrix.pivots().iter().zip(M::ELIMINATION.order) {
+            if let Some(to) = pivots.get_mut(unknown as usize) {
+                *to = pivot;
+            }
+        }
     }
 
     /// A row that has vanished as a whole: all links lie in one line along an axis, or nothing can change a distance.
@@ -164,18 +191,17 @@ impl<'m, R: Real, M: Assemble<R>> System<'m, R, M> {
     /// The δ of least ½ δᵀ W δ − `force`·δ with D̂ δ = (`rows`, `conditions`); conditions that are not held are left out.
     pub(crate) fn least(&self, force: &M::V, rows: &M::Lambda, conditions: &M::Conditions) -> M::V {
         let mut right = M::System::zero();
-        let (to_velocities, rest) = right.as_mut_slice().split_at_mut(M::V::LEN);
-        to_velocities.copy_from_slice(force.as_slice());
-        let (to_rows, to_conditions) = rest.split_at_mut(M::Lambda::LEN);
-        to_rows.copy_from_slice(rows.as_slice());
-        for ((to, &value), &active) in
-            to_conditions.iter_mut().zip(conditions.as_slice()).zip(self.active.as_slice())
-        {
-            *to = value * active;
+        let held = conditions.as_slice().iter().zip(self.active.as_slice());
+        let given = force.as_slice().iter().chain(rows.as_slice()).copied();
+        let given = given.chain(held.map(|(&value, &active)| value * active));
+        for (to, value) in right.as_mut_slice().iter_mut().zip(given) {
+            *to = value;
         }
         let solution = self.matrix.solve(&right);
         let mut delta = M::V::zero();
-        delta.as_mut_slice().copy_from_slice(&solution.as_slice()[..M::V::LEN]);
+        for (to, &value) in delta.as_mut_slice().iter_mut().zip(solution.as_slice()) {
+            *to = value;
+        }
         delta
     }
 
@@ -201,7 +227,8 @@ impl<'m, R: Real, M: Assemble<R>> System<'m, R, M> {
 /// `y ← y − A x` for a sparse A.
 pub(crate) fn subtract_product<R: Real>(pattern: &[(u16, u16)], entries: &[R], x: &[R], y: &mut [R]) {
     for (&entry, &(row, column)) in entries.iter().zip(pattern) {
-        y[row as usize] = y[row as usize] - entry * x[column as usize];
+        let rest = at(y, row as usize) - entry * at(x, column as usize);
+        put(y, row as usize, rest);
     }
 }
 

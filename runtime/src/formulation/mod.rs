@@ -19,6 +19,7 @@ pub use index1::LagrangeIndex1;
 pub use null_space::NullSpace;
 pub use partitioned::Partitioned;
 pub use penalty::Penalty;
+pub(crate) use penalty::largest_mass;
 pub use projected::Projected;
 
 use crate::error::{AssemblyError, SettingError};

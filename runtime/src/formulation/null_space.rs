@@ -7,7 +7,7 @@ use crate::mechanism::Assemble;
 use crate::partition::{Partition, PartitionOf, is_good, serves, written_out};
 use crate::real::Real;
 use crate::state::State;
-use crate::vector::Vector;
+use crate::vector::{Vector, at, put};
 
 /// The null-space formulation (matrix R): v = R ż + S ν, with ż the independent velocities and D R = 0, so that
 ///
@@ -111,20 +111,21 @@ pub(super) fn by_tables<R: Real, M: Assemble<R>>(
     let mut basis = M::Basis::zero();
     let mut reduced = M::Reduced::zero();
     let mut right = M::V::zero();
-    for (at, velocity) in partition.independent().enumerate() {
+    for (place, velocity) in partition.independent().enumerate() {
         let mut column = M::V::zero();
-        column.as_mut_slice()[velocity] = R::ONE;
+        put(column.as_mut_slice(), velocity, R::ONE);
         partition.dependent::<R, M>(&factors, &M::Lambda::zero(), &mut column);
-        basis.as_mut_slice()[at * n..][..n].copy_from_slice(column.as_slice());
-        let product = times::<R, M>(&mass, &column);
-        for (other, known) in basis.as_slice().chunks_exact(n).enumerate().take(at + 1) {
-            reduced.as_mut_slice()[at * freedoms + other] = dot(known, product.as_slice());
+        if let Some(own) = basis.as_mut_slice().chunks_exact_mut(n.max(1)).nth(place) {
+            own.iter_mut().zip(column.as_slice()).for_each(|(entry, &value)| *entry = value);
         }
-        right.as_mut_slice()[at] = dot(column.as_slice(), rest.as_slice());
+        let product = times::<R, M>(&mass, &column);
+        for (other, known) in basis.as_slice().chunks_exact(n.max(1)).enumerate().take(place + 1) {
+            put(reduced.as_mut_slice(), place * freedoms + other, dot(known, product.as_slice()));
+        }
+        put(right.as_mut_slice(), place, dot(column.as_slice(), rest.as_slice()));
     }
     let regular = cholesky(reduced.as_mut_slice(), freedoms, right.as_mut_slice());
-    for (at, column) in basis.as_slice().chunks_exact(n.max(1)).enumerate().take(freedoms) {
-        let rate = right.as_slice()[at];
+    for (column, &rate) in basis.as_slice().chunks_exact(n.max(1)).zip(right.as_slice()).take(freedoms) {
         for (entry, &r) in a.as_mut_slice().iter_mut().zip(column) {
             *entry = r.mul_add(rate, *entry);
         }
@@ -189,9 +190,9 @@ fn times<R: Real, M: Assemble<R>>(mass: &M::Mass, x: &M::V) -> M::V {
     let (p, x) = (product.as_mut_slice(), x.as_slice());
     for (&entry, &(i, j)) in mass.as_slice().iter().zip(M::MASS_PATTERN) {
         let (i, j) = (i as usize, j as usize);
-        p[i] = entry.mul_add(x[j], p[i]);
+        put(p, i, entry.mul_add(at(x, j), at(p, i)));
         if i != j {
-            p[j] = entry.mul_add(x[i], p[j]);
+            put(p, j, entry.mul_add(at(x, i), at(p, j)));
         }
     }
     product
@@ -206,32 +207,33 @@ fn dot<R: Real>(a: &[R], b: &[R]) -> R {
 fn cholesky<R: Real>(matrix: &mut [R], size: usize, b: &mut [R]) -> R {
     let mut smallest = R::ONE;
     for i in 0..size {
-        let own = matrix[i * size + i];
+        let own = at(matrix, i * size + i);
         for j in 0..=i {
-            let mut entry = matrix[i * size + j];
+            let mut entry = at(matrix, i * size + j);
             for k in 0..j {
-                entry = entry - matrix[i * size + k] * matrix[j * size + k];
+                entry = entry - at(matrix, i * size + k) * at(matrix, j * size + k);
             }
-            matrix[i * size + j] = if i == j {
+            let factor = if i == j {
                 let relative = if own > R::ZERO { entry / own } else { R::ZERO };
                 smallest = relative.min(smallest);
                 entry.max(R::ZERO).sqrt()
             } else {
-                entry / matrix[j * size + j]
+                entry / at(matrix, j * size + j)
             };
+            put(matrix, i * size + j, factor);
         }
-        let mut rest = b[i];
+        let mut rest = at(b, i);
         for k in 0..i {
-            rest = rest - matrix[i * size + k] * b[k];
+            rest = rest - at(matrix, i * size + k) * at(b, k);
         }
-        b[i] = rest / matrix[i * size + i];
+        put(b, i, rest / at(matrix, i * size + i));
     }
     for i in (0..size).rev() {
-        let mut rest = b[i];
+        let mut rest = at(b, i);
         for k in i + 1..size {
-            rest = rest - matrix[k * size + i] * b[k];
+            rest = rest - at(matrix, k * size + i) * at(b, k);
         }
-        b[i] = rest / matrix[i * size + i];
+        put(b, i, rest / at(matrix, i * size + i));
     }
     smallest
 }

@@ -123,7 +123,7 @@ impl<R: Real, M: Assemble<R>> Formulation<R, M> for Penalty<R> {
 }
 
 /// The largest diagonal entry of M, or one if there is none.
-pub(super) fn largest_mass<R: Real, M: Mechanism<R>>(model: &M, time: R, q: &M::Q) -> R {
+pub(crate) fn largest_mass<R: Real, M: Mechanism<R>>(model: &M, time: R, q: &M::Q) -> R {
     let mut mass = M::Mass::zero();
     model.mass_matrix(time, q, &mut mass);
     let diagonal = mass.as_slice().iter().zip(M::MASS_PATTERN).filter(|(_, (i, j))| i == j);

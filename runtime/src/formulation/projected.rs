@@ -2,8 +2,7 @@
 
 use super::null_space::by_tables;
 use super::onto_constraints::{Ask, Bounds, onto_constraints};
-use super::penalty::largest_mass;
-use super::{Evaluation, Formulation, PivotOf, Settled, positive};
+use super::{Evaluation, Formulation, PivotOf, Settled, largest_mass, positive};
 use crate::assembly::system::subtract_product;
 use crate::error::{AssemblyError, SettingError};
 use crate::mechanism::Assemble;

@@ -1,10 +1,11 @@
 //! Inverse dynamics with loops: the inputs that give the accelerations asked for.
 
 use super::admissible::Admissible;
-use super::broken_down;
+use super::{broken_down, check_finite, check_given};
 use crate::assembly::system::subtract_product;
 use crate::error::LinearisationError;
 use crate::fields::Fields;
+use crate::mechanism::name_row;
 use crate::real::Real;
 use crate::state::State;
 use crate::tangent::Tangent;
@@ -55,6 +56,8 @@ pub fn actuation<R: Real, M: Tangent<R>>(
 ) -> Result<Actuation<M::Inputs, M::Lambda>, LinearisationError> {
     let State { q, v } = state;
     let acting = acting::<R, M>(actuators)?;
+    check_given::<R, M>(time, q, v, u)?;
+    check_finite(time, a.as_slice(), |index| M::VELOCITY_NAMES.get(index).copied())?;
     check_accelerations(model, time, state, a)?;
     let admissible = Admissible::at(model, time, q)?;
     let mut values = u.to_array();
@@ -71,6 +74,8 @@ pub fn actuation<R: Real, M: Tangent<R>>(
         if done {
             let inputs = M::Inputs::from_array(values);
             let lambda = multipliers(model, time, (q, v), a, &inputs)?;
+            check_finite(time, values.as_slice(), |index| M::Inputs::NAMES.get(index).copied())?;
+            check_finite(time, lambda.as_slice(), |row| M::ROWS.get(row).map(|row| row.of))?;
             return Ok(Actuation { inputs, lambda });
         }
     }
@@ -115,7 +120,7 @@ fn check_accelerations<R: Real, M: Tangent<R>>(
     let off = left.as_slice().iter().position(|entry| !R::any(entry.abs().less_equal(bound)));
     off.map_or(Ok(()), |row| {
         let residual = left.as_slice()[row].to_f64();
-        Err(LinearisationError::Inconsistent { row: M::ROWS[row], residual })
+        Err(LinearisationError::Inconsistent { row: name_row::<R, M>(Some(row)), residual })
     })
 }
 

@@ -2,6 +2,7 @@
 //! without inertia.
 
 use super::lu::{Lu, NoPivot};
+use super::{check_finite, check_given};
 use crate::error::{AssemblyError, LinearisationError};
 use crate::layout::{normalised, retract};
 use crate::mechanism::Row;
@@ -63,6 +64,7 @@ pub fn equilibrium<R: Real, M: Tangent<R>>(
     near: &M::Q,
     u: &M::Inputs,
 ) -> Result<Equilibrium<M::Q, M::Lambda>, LinearisationError> {
+    check_given::<R, M>(time, near, &M::V::zero(), u)?;
     let q = normalised(&M::LAYOUT, near).map_err(|(first, length)| {
         let what = M::POSITION_NAMES.get(first).copied().unwrap_or(M::NAME);
         LinearisationError::Assembly(AssemblyError::NoOrientation { what, length: length.to_f64() })
@@ -70,13 +72,23 @@ pub fn equilibrium<R: Real, M: Tangent<R>>(
     let mut search = Search::new(model, time, u);
     let lambda = multipliers_at_rest(model, time, &q, u);
     let error = match search.newton(Place { q, lambda }) {
-        Ok(found) => return Ok(found),
+        Ok(found) => return finite::<R, M>(time, found),
         Err(error @ LinearisationError::NonFinite { .. }) => return Err(error),
         Err(error) => error,
     };
     let Some((place, steps)) = search.settle(Place { q, lambda }) else { return Err(error) };
     let found = search.newton(place)?;
-    Ok(Equilibrium { iterations: found.iterations + steps, ..found })
+    finite::<R, M>(time, Equilibrium { iterations: found.iterations + steps, ..found })
+}
+
+/// An equilibrium, if no step overflowed.
+fn finite<R: Real, M: Tangent<R>>(
+    time: R,
+    found: Equilibrium<M::Q, M::Lambda>,
+) -> Result<Equilibrium<M::Q, M::Lambda>, LinearisationError> {
+    check_finite(time, found.q.as_slice(), |index| M::POSITION_NAMES.get(index).copied())?;
+    check_finite(time, found.lambda.as_slice(), |row| M::ROWS.get(row).map(|row| row.of))?;
+    Ok(found)
 }
 
 /// q and λ.

@@ -4,6 +4,7 @@
 //! pivots are taken, and so that a pivot has a size by itself.
 
 use crate::real::Real;
+use crate::vector::{at, put};
 
 /// The factors, in the place of the matrix; n unknowns, everything row by row.
 pub(crate) struct Lu<'w, R> {
@@ -34,31 +35,31 @@ impl<R: Real> Lu<'_, R> {
     pub(crate) fn factor_above(&mut self, least: R) -> Result<(), NoPivot<R>> {
         let n = self.order.len();
         self.scale(n)?;
-        for k in 0..n {
-            let at = |i: usize| i * n + k;
-            let largest = (k..n).fold(k, |best, i| {
-                if self.entries[at(i)].abs() > self.entries[at(best)].abs() { i } else { best }
+        let mut rest = &mut *self.entries;
+        for (k, order) in self.order.iter_mut().enumerate() {
+            let Some((own, below)) = rest.split_at_mut_checked(n) else { break };
+            let rows = || below.chunks_exact(n.max(1)).enumerate();
+            let (largest, pivot) = rows().fold((0, at(own, k)), |best, (i, row)| {
+                if at(row, k).abs() > best.1.abs() { (i + 1, at(row, k)) } else { best }
             });
-            let pivot = self.entries[at(largest)];
             // Written so that a NaN fails.
             if pivot == R::ZERO || !R::any(pivot.abs().greater_equal(least)) {
                 return Err(NoPivot { unknown: k, pivot: pivot.abs() });
             }
-            self.order[k] = largest as u16;
-            for column in 0..n {
-                self.entries.swap(k * n + column, largest * n + column);
+            *order = (k + largest) as u16;
+            if let Some(row) = largest.checked_sub(1).and_then(|i| below.chunks_exact_mut(n.max(1)).nth(i)) {
+                own.iter_mut().zip(row).for_each(|(a, b)| core::mem::swap(a, b));
             }
-            let (above, below) = self.entries.split_at_mut((k + 1) * n);
-            let own = &above[k * n..];
-            for row in below.chunks_exact_mut(n) {
-                let factor = row[k] / pivot;
-                row[k] = factor;
+            for row in below.chunks_exact_mut(n.max(1)) {
+                let factor = at(row, k) / pivot;
+                put(row, k, factor);
                 if factor != R::ZERO {
-                    for (entry, &above) in row[k + 1..].iter_mut().zip(&own[k + 1..]) {
+                    for (entry, &above) in row.iter_mut().zip(own.iter()).skip(k + 1) {
                         *entry = *entry - factor * above;
                     }
                 }
             }
+            rest = below;
         }
         Ok(())
     }
@@ -66,16 +67,19 @@ impl<R: Real> Lu<'_, R> {
     /// Divides rows, then columns, by their largest entries; a row or column of zeros has none.
     fn scale(&mut self, n: usize) -> Result<(), NoPivot<R>> {
         let largest = |largest: R, entry: &R| largest.max(entry.abs());
-        for (unknown, row) in self.entries.chunks_exact_mut(n.max(1)).enumerate() {
+        let step = n.max(1);
+        for (unknown, (row, scale)) in
+            self.entries.chunks_exact_mut(step).zip(self.rows.iter_mut()).enumerate()
+        {
             let size = row.iter().fold(R::ZERO, largest);
-            self.rows[unknown] = invert(size, unknown)?;
-            row.iter_mut().for_each(|entry| *entry = *entry * self.rows[unknown]);
+            *scale = invert(size, unknown)?;
+            row.iter_mut().for_each(|entry| *entry = *entry * *scale);
         }
-        for column in 0..n {
-            let size = self.entries[column..].iter().step_by(n).fold(R::ZERO, largest);
-            self.columns[column] = invert(size, column)?;
-            for entry in self.entries[column..].iter_mut().step_by(n) {
-                *entry = *entry * self.columns[column];
+        for (column, scale) in self.columns.iter_mut().enumerate() {
+            let size = self.entries.iter().skip(column).step_by(step).fold(R::ZERO, largest);
+            *scale = invert(size, column)?;
+            for entry in self.entries.iter_mut().skip(column).step_by(step) {
+                *entry = *entry * *scale;
             }
         }
         Ok(())
@@ -88,16 +92,20 @@ impl<R: Real> Lu<'_, R> {
             *entry = *entry * scale;
         }
         for (k, &other) in self.order.iter().enumerate() {
-            x.swap(k, other as usize);
+            let (own, exchanged) = (at(x, k), at(x, other as usize));
+            put(x, k, exchanged);
+            put(x, other as usize, own);
         }
-        for k in 0..n {
-            let row = &self.entries[k * n..k * n + k];
-            x[k] = row.iter().zip(x.iter()).fold(x[k], |rest, (&l, &x)| rest - l * x);
+        let rows = || self.entries.chunks_exact(n.max(1)).enumerate();
+        for (k, row) in rows() {
+            let terms = row.iter().zip(x.iter()).take(k);
+            let value = terms.fold(at(x, k), |rest, (&l, &x)| rest - l * x);
+            put(x, k, value);
         }
-        for k in (0..n).rev() {
-            let row = &self.entries[k * n + k + 1..(k + 1) * n];
-            let rest = row.iter().zip(&x[k + 1..]).fold(x[k], |rest, (&u, &x)| rest - u * x);
-            x[k] = rest / self.entries[k * n + k];
+        for (k, row) in rows().rev() {
+            let terms = row.iter().zip(x.iter()).skip(k + 1);
+            let rest = terms.fold(at(x, k), |rest, (&u, &x)| rest - u * x);
+            put(x, k, rest / at(row, k));
         }
         let norm = x.iter().fold(R::ZERO, |sum, &entry| sum + entry * entry).sqrt();
         for (entry, &scale) in x.iter_mut().zip(self.columns.iter()) {

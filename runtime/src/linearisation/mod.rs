@@ -23,7 +23,8 @@ pub use state_space::{StateSpace, StateSpaceOf};
 
 use crate::assembly::{singular_velocity, smallest_pivot};
 use crate::error::LinearisationError;
-use crate::mechanism::Row;
+use crate::fields::Fields;
+use crate::mechanism::name_row;
 use crate::real::Real;
 use crate::state::State;
 use crate::tangent::Tangent;
@@ -70,7 +71,8 @@ pub struct Linearisation<'m, R: Real, M: Tangent<R>> {
 }
 
 impl<'m, R: Real, M: Tangent<R>> Linearisation<'m, R, M> {
-    /// Solves the equations of motion at a state, evaluates their derivatives and factors K(0).
+    /// Solves the equations of motion at a state, evaluates their derivatives and factors K(0). What is given must be finite, and so
+    /// are v̇, λ and all derivatives of the equations; a solution with K(0) may still overflow.
     ///
     /// # Errors
     /// [`Breakdown`](LinearisationError::Breakdown), [`SingularMass`](LinearisationError::SingularMass),
@@ -82,6 +84,7 @@ impl<'m, R: Real, M: Tangent<R>> Linearisation<'m, R, M> {
         u: &M::Inputs,
     ) -> Result<Self, LinearisationError> {
         let State { q, v } = state;
+        check_given::<R, M>(time, q, v, u)?;
         let (mut a, mut lambda, mut store) = (M::V::zero(), M::Lambda::zero(), M::store());
         let pivot = model.acceleration(time, q, v, u, &mut a, &mut lambda);
         let pivot = pivot.min(model.factor(time, q, R::ZERO, &mut store));
@@ -89,16 +92,21 @@ impl<'m, R: Real, M: Tangent<R>> Linearisation<'m, R, M> {
         if !R::any(pivot.greater_equal(R::BREAKDOWN)) {
             return Err(broken_down(model, time, q, pivot));
         }
-        if let Some(velocity) = a.first_not_finite() {
-            let what = M::VELOCITY_NAMES.get(velocity).copied().unwrap_or(M::NAME);
-            return Err(LinearisationError::NonFinite { time: time.to_f64(), what });
-        }
+        check_finite(time, a.as_slice(), |velocity| M::VELOCITY_NAMES.get(velocity).copied())?;
+        check_finite(time, lambda.as_slice(), |row| M::ROWS.get(row).map(|row| row.of))?;
         let (mut stiffness, mut damping) = (M::Stiffness::zero(), M::Damping::zero());
         let (mut row_stiffness, mut row_damping) = (M::RowStiffness::zero(), M::RowDamping::zero());
         let mut input = M::InputTangent::zero();
         model.tangent(time, q, v, u, &a, &lambda, &mut stiffness, &mut damping);
         model.row_tangent(time, q, v, &a, &mut row_stiffness, &mut row_damping);
         model.input_tangent(time, q, v, u, &mut input);
+        let forces = |row: u16| M::VELOCITY_NAMES.get(usize::from(row)).copied();
+        let rows = |row: u16| M::ROWS.get(usize::from(row)).map(|row| row.of);
+        check_entries(time, stiffness.as_slice(), M::STIFFNESS_PATTERN, forces)?;
+        check_entries(time, damping.as_slice(), M::DAMPING_PATTERN, forces)?;
+        check_entries(time, input.as_slice(), M::INPUT_PATTERN, forces)?;
+        check_entries(time, row_stiffness.as_slice(), M::ROW_STIFFNESS_PATTERN, rows)?;
+        check_entries(time, row_damping.as_slice(), M::ROW_DAMPING_PATTERN, rows)?;
         let (q, v, u) = (*q, *v, *u);
         Ok(Linearisation {
             model,
@@ -236,6 +244,44 @@ fn add_column<R: Real>(pattern: &[(u16, u16)], entries: &[R], from: (usize, usiz
     add_block(pattern, entries, from, &[R::ONE], y);
 }
 
+/// An error that names the first entry that is infinite or NaN.
+fn check_finite<R: Real>(
+    time: R,
+    entries: &[R],
+    name: impl Fn(usize) -> Option<&'static str>,
+) -> Result<(), LinearisationError> {
+    match entries.iter().position(|entry| !entry.is_finite()) {
+        None => Ok(()),
+        Some(index) => {
+            let what = name(index).unwrap_or("the mechanism");
+            Err(LinearisationError::NonFinite { time: time.to_f64(), what })
+        }
+    }
+}
+
+/// The same for the entries of a sparse matrix, whose rows are named.
+fn check_entries<R: Real>(
+    time: R,
+    entries: &[R],
+    pattern: &[(u16, u16)],
+    name: impl Fn(u16) -> Option<&'static str>,
+) -> Result<(), LinearisationError> {
+    check_finite(time, entries, |index| pattern.get(index).and_then(|&(row, _)| name(row)))
+}
+
+/// Time, state and inputs must be finite: where nothing depends on them, nothing else would tell.
+fn check_given<R: Real, M: Tangent<R>>(
+    time: R,
+    q: &M::Q,
+    v: &M::V,
+    u: &M::Inputs,
+) -> Result<(), LinearisationError> {
+    check_finite(time, &[time], |_| Some("time"))?;
+    check_finite(time, q.as_slice(), |index| M::POSITION_NAMES.get(index).copied())?;
+    check_finite(time, v.as_slice(), |index| M::VELOCITY_NAMES.get(index).copied())?;
+    check_finite(time, u.to_array().as_slice(), |index| M::Inputs::NAMES.get(index).copied())
+}
+
 /// Why K(0) could not be factored.
 #[cold]
 fn broken_down<R: Real, M: Tangent<R>>(model: &M, time: R, q: &M::Q, pivot: R) -> LinearisationError {
@@ -244,8 +290,8 @@ fn broken_down<R: Real, M: Tangent<R>>(model: &M, time: R, q: &M::Q, pivot: R) -
     if constraints > R::from_f64(WELL_POSED)
         && let Some(velocity) = singular_velocity(model, time, q)
     {
-        return LinearisationError::SingularMass { time: at, pivot, velocity: M::VELOCITY_NAMES[velocity] };
+        let velocity = M::VELOCITY_NAMES.get(velocity).copied().unwrap_or(M::NAME);
+        return LinearisationError::SingularMass { time: at, pivot, velocity };
     }
-    let row = row.map_or(Row { of: M::NAME, what: "constraints" }, |row| M::ROWS[row]);
-    LinearisationError::Breakdown { time: at, pivot, row }
+    LinearisationError::Breakdown { time: at, pivot, row: name_row::<R, M>(row) }
 }

@@ -1,7 +1,7 @@
 //! ẋ = A x + B u, y = C x + D u: small motions about a state, in as many coordinates as there are degrees of freedom.
 
 use super::admissible::Admissible;
-use super::{Linearisation, add_block, add_column};
+use super::{Linearisation, add_block, add_column, check_finite};
 use crate::error::LinearisationError;
 use crate::fields::Fields;
 use crate::mechanism::{Assemble, ConditionKind};
@@ -50,7 +50,7 @@ impl<'m, R: Real, M: Tangent<R>> Linearisation<'m, R, M> {
     ///
     /// # Errors
     /// [`Assembly`](LinearisationError::Assembly) where the coordinates do not move the whole at this position (a dead centre of
-    /// theirs), [`Incomplete`](LinearisationError::Incomplete).
+    /// theirs), [`Incomplete`](LinearisationError::Incomplete), [`NonFinite`](LinearisationError::NonFinite).
     pub fn state_space(&self) -> Result<StateSpaceOf<R, M>, LinearisationError> {
         let columns = Columns::at(self)?;
         let mut found = StateSpace {
@@ -69,6 +69,17 @@ impl<'m, R: Real, M: Tangent<R>> Linearisation<'m, R, M> {
         for input in 0..inputs {
             columns.fill_input(input, &mut found);
         }
+        let (state, output) = (
+            |index: usize| {
+                M::STATES.get(index % f.max(1)).and_then(|&state| M::CONDITIONS.get(state as usize))
+            },
+            |row: usize| M::Outputs::NAMES.get(row).copied(),
+        );
+        let by_state = |width: usize| move |index: usize| state(index / width.max(1)).map(|state| state.of);
+        check_finite(self.time, found.a.as_slice(), by_state(2 * f))?;
+        check_finite(self.time, found.b.as_slice(), by_state(inputs))?;
+        check_finite(self.time, found.c.as_slice(), |index| output(index / (2 * f).max(1)))?;
+        check_finite(self.time, found.d.as_slice(), |index| output(index / inputs.max(1)))?;
         Ok(found)
     }
 }

@@ -149,24 +149,19 @@ impl<'m, M: Mechanism<R>, R: Real, F: Formulation<R, M>, S> MechanismDynamics<'m
         }
     }
 
-    /// v̇ and λ with the inputs of the present time; what the formulation remembers stays as it is.
-    pub(super) fn evaluate(&mut self, time: R, state: &State<M::Q, M::V>) -> (M::V, M::Lambda)
-    where
-        S: InputSource<R, M>,
-    {
-        let inputs = self.present_inputs(time, state);
+    /// v̇ and λ with these inputs, and their pivot; what the formulation remembers stays as it is.
+    pub(super) fn evaluate(
+        &self,
+        time: R,
+        state: &State<M::Q, M::V>,
+        inputs: &M::Inputs,
+    ) -> (M::V, M::Lambda, R) {
         let (mut memory, mut state) = (self.memory, *state);
         let (mut a, mut lambda) = (M::V::zero(), M::Lambda::zero());
-        self.formulation.acceleration(
-            &mut memory,
-            self.model,
-            time,
-            &mut state,
-            &inputs,
-            &mut a,
-            &mut lambda,
-        );
-        (a, lambda)
+        let (model, formulation) = (self.model, &self.formulation);
+        let found =
+            formulation.acceleration(&mut memory, model, time, &mut state, inputs, &mut a, &mut lambda);
+        (a, lambda, found.pivot)
     }
 
     /// The end of a step.

@@ -147,7 +147,7 @@ impl<'e, R: Real> Watched<'e, R> {
         let crossed = self.crossings(before, after).fold(0, |crossed, (event, ..)| crossed | 1 << event);
         let first = self.crossings(before, after);
         let (event, _, rising) = first.reduce(|first, next| if next.1 < first.1 { next } else { first })?;
-        Some(Occurrence { event, output: self.events[event].output, time, rising, crossed })
+        Some(Occurrence { event, output: self.events.get(event)?.output, time, rising, crossed })
     }
 
     /// Index, linearly interpolated part of the time, and whether the output rose, of each event between.

@@ -9,7 +9,7 @@ use crate::layout::differential;
 use crate::real::Real;
 use crate::state::State;
 use crate::tangent::Tangent;
-use crate::vector::Vector;
+use crate::vector::{Vector, at, put};
 
 impl<M, R, F, S> ImplicitDynamics<R> for MechanismDynamics<'_, M, R, F, S>
 where
@@ -50,12 +50,11 @@ where
         }
         // Rows that repeat others have the multiplier zero.
         for &row in M::IDLE {
-            rows.as_mut_slice()[row as usize] = lambda.as_slice()[row as usize];
+            put(rows.as_mut_slice(), row as usize, at(lambda.as_slice(), row as usize));
         }
         let mut residual = M::Unknowns::zero();
-        let (to_forces, to_rows) = residual.as_mut_slice().split_at_mut(M::V::LEN);
-        to_forces.copy_from_slice(forces.as_slice());
-        to_rows.copy_from_slice(rows.as_slice());
+        let parts = forces.as_slice().iter().chain(rows.as_slice());
+        residual.as_mut_slice().iter_mut().zip(parts).for_each(|(entry, &value)| *entry = value);
         residual
     }
 
@@ -80,8 +79,8 @@ where
         let entries = matrix.as_mut_slice();
         entries.fill(R::ZERO);
         let mut add = |row: usize, column: usize, value: R| {
-            let entry = &mut entries[row * size + column];
-            *entry = *entry + value;
+            let place = row * size + column;
+            put(entries, place, at(entries, place) + value);
         };
         let idle = |row: u16| M::IDLE.contains(&row);
         let rows = || jacobian.as_slice().iter().zip(M::JACOBIAN_PATTERN).filter(|(_, (row, _))| !idle(*row));
@@ -108,8 +107,8 @@ where
         turn_columns(&M::LAYOUT, u, entries, size);
 
         let mut add = |row: usize, column: usize, value: R| {
-            let entry = &mut entries[row * size + column];
-            *entry = *entry + value;
+            let place = row * size + column;
+            put(entries, place, at(entries, place) + value);
         };
         for (&entry, &(row, column)) in mass.as_slice().iter().zip(M::MASS_PATTERN) {
             let (row, column) = (row as usize, column as usize);
@@ -139,7 +138,8 @@ where
         self.model.nu(time, q, &mut nu);
         self.model.gamma(time, q, v, &mut gamma);
         for &row in M::IDLE {
-            (nu.as_mut_slice()[row as usize], gamma.as_mut_slice()[row as usize]) = (R::ZERO, R::ZERO);
+            put(nu.as_mut_slice(), row as usize, R::ZERO);
+            put(gamma.as_mut_slice(), row as usize, R::ZERO);
         }
         (nu, gamma)
     }
@@ -160,13 +160,13 @@ where
 fn turn_columns<R: Real, V: Vector<R>>(layout: &crate::Layout, u: &V, entries: &mut [R], size: usize) {
     let first = layout.linear + layout.rotations;
     for ball in 0..layout.quaternions {
-        let at = first + 3 * ball;
-        let u = &u.as_slice()[at..at + 3];
-        let turn = differential([u[0], u[1], u[2]]);
-        for row in entries.chunks_exact_mut(size) {
-            let old = [row[at], row[at + 1], row[at + 2]];
-            for (k, entry) in row[at..at + 3].iter_mut().enumerate() {
-                *entry = old[0] * turn[0][k] + old[1] * turn[1][k] + old[2] * turn[2][k];
+        let place = first + 3 * ball;
+        let three = |entries: &[R]| [0, 1, 2].map(|k| at(entries, place + k));
+        let turn = differential(three(u.as_slice()));
+        for row in entries.chunks_exact_mut(size.max(1)) {
+            let old = three(row);
+            for (k, [x, y, z]) in [0, 1, 2].map(|k| (k, turn.map(|row| row[k]))) {
+                put(row, place + k, old[0] * x + old[1] * y + old[2] * z);
             }
         }
     }

@@ -1,8 +1,9 @@
 //! Time stepping of one mechanism: the builder, what is known at a sample, the calls that move.
 //!
 //! Joins a model, a formulation, an input source and an integrator, each a type of its own. What happens inside one
-//! step, and how its failure is named, is `step.rs`; the clock is `clock.rs`, runs and their bounds `course.rs`, dense output
-//! `between.rs`, events are `event.rs` and `locate.rs`. Nothing here allocates.
+//! step, and how its failure is named, is `step.rs`, whether its result is in proportion `proportion.rs`; the clock is
+//! `clock.rs`, runs and their bounds `course.rs`, dense output `between.rs`, events are `event.rs` and `locate.rs`. Nothing
+//! here allocates.
 
 mod between;
 mod clock;
@@ -11,6 +12,7 @@ mod dynamics;
 mod event;
 mod implicit;
 mod locate;
+mod proportion;
 mod sample;
 mod singularity;
 mod step;
@@ -31,6 +33,7 @@ use crate::real::Real;
 use crate::state::State;
 use clock::Clock;
 use course::{Course, MOST_STEPS, check_count};
+use proportion::Proportion;
 use singularity::Passage;
 
 /// A mechanism in motion.
@@ -83,6 +86,7 @@ struct Run<R: Real, M: Mechanism<R>> {
     smallest_pivot: R,
     near_singular: Option<NearSingular<R>>,
     passage: Passage<R>,
+    proportion: Proportion<R>,
     /// Whether the start need not satisfy the constraints.
     start_accepted: bool,
     /// Whether the start has been checked.
@@ -110,6 +114,7 @@ impl<'m, R: Real, M: Mechanism<R>> Simulation<'m, M, R> {
             smallest_pivot: R::ONE,
             near_singular: None,
             passage: Passage::new(),
+            proportion: Proportion::new(),
             start_accepted: false,
             start_checked: false,
         };
@@ -244,22 +249,6 @@ impl<'m, R: Real, M: Mechanism<R>, F: Formulation<R, M>, S, I: Method<R>> Simula
         self.run.near_singular
     }
 
-    /// Accelerations v̇ at the present state, m/s² and rad/s², with the inputs of the present time.
-    pub fn acceleration(&mut self) -> M::V
-    where
-        S: InputSource<R, M>,
-    {
-        self.dynamics.evaluate(self.time(), &self.run.state).0
-    }
-
-    /// Multipliers λ at the present state; the force of the constraints on the mechanism is −Dᵀ λ.
-    pub fn multipliers(&mut self) -> M::Lambda
-    where
-        S: InputSource<R, M>,
-    {
-        self.dynamics.evaluate(self.time(), &self.run.state).1
-    }
-
     /// What is known now, outputs continued from the sample before.
     pub fn sample(&mut self) -> Sample<'m, R, M>
     where
@@ -280,6 +269,32 @@ impl<'m, R: Real, M: Mechanism<R>, F: Formulation<R, M>, S, I: Method<R>> Simula
         }
         self.run.outputs = Some(outputs);
         Sample { time, state, inputs, outputs, model }
+    }
+}
+
+/// Solving.
+impl<'m, R, M, F, S, I> Simulation<'m, M, R, F, S, I>
+where
+    R: Real,
+    M: Assemble<R>,
+    F: Formulation<R, M>,
+    S: InputSource<R, M>,
+    I: Method<R>,
+{
+    /// Accelerations v̇ at the present state, m/s² and rad/s², with the inputs of the present time.
+    ///
+    /// # Errors
+    /// As those of a step: a parameter of the formulation that makes no sense, a singular position, a number that is not finite.
+    pub fn acceleration(&mut self) -> Result<M::V, SimulationError> {
+        self.solved().map(|(a, _)| a)
+    }
+
+    /// Multipliers λ at the present state; the force of the constraints on the mechanism is −Dᵀ λ.
+    ///
+    /// # Errors
+    /// As [`acceleration`](Simulation::acceleration).
+    pub fn multipliers(&mut self) -> Result<M::Lambda, SimulationError> {
+        self.solved().map(|(_, lambda)| lambda)
     }
 }
 

@@ -12,9 +12,9 @@ use crate::condition::{far, reciprocal_condition};
 use crate::error::SimulationError;
 use crate::formulation::{Formulation, PivotOf};
 use crate::input::InputSource;
-use crate::integrator::{Integrator, Rejections, StepFailure};
+use crate::integrator::{Integrator, Method, Rejections, StepFailure};
 use crate::layout::first_not_unit;
-use crate::mechanism::{Assemble, Mechanism, Row};
+use crate::mechanism::{Assemble, Mechanism, name_row};
 use crate::real::Real;
 use crate::state::State;
 use crate::tabled;
@@ -70,66 +70,26 @@ where
     #[inline]
     pub(super) fn advance_by(&mut self, h: R, clock: Clock<R>) -> Result<Step<R>, SimulationError> {
         if !self.run.start_checked {
+            if let Some(what) = not_finite::<R, M>(&self.run.state) {
+                return Err(SimulationError::NonFinite { time: self.time().to_f64(), what });
+            }
             self.check_orientations()?;
             if !self.run.start_accepted {
                 self.check_start()?;
             }
+            self.begin_proportion();
             self.run.start_checked = true;
         }
         let (time, begin) = (self.time(), self.run.state);
         let inputs = self.dynamics.present_inputs(time, &begin);
-        self.dynamics.begin(h);
-        let (before, mut memory) = (self.dynamics.memory, self.memory);
-        let outcome = self.integrator.step(&mut memory, &mut self.dynamics, time, h, &begin);
-        let failed = |simulation: &mut Self, error| {
-            simulation.dynamics.memory = before;
-            Err(error)
-        };
-        let stepped = match outcome {
-            Ok(stepped) => stepped,
-            Err(failure) => {
-                let error = self.diagnose_failure(time, failure, &inputs);
-                return failed(self, error);
-            }
-        };
-        if let Some(failure) = self.dynamics.watch.failure {
-            let error = self.diagnose(&failure, &inputs);
-            return failed(self, error);
-        }
-        let clock = match stepped.size {
-            size if size == h => clock,
-            size if size > R::ZERO && size < h => self.run.clock.after(size),
-            // No method may stand still, or go farther than it was asked to: no run would end, or end where it should.
-            size => {
-                let (time, step, rejections) = (time.to_f64(), size.to_f64(), stepped.rejections);
-                return failed(self, SimulationError::StepUnderflow { time, step, rejections });
-            }
-        };
-        let mut next = stepped.state;
-        if let Some(what) = not_finite::<R, M>(&next) {
-            let error = self.diagnose_not_finite(time, clock.time(), what);
-            return failed(self, error);
-        }
-        let settled = match self.dynamics.settle(clock.time(), &mut next) {
-            Ok(settled) => settled,
+        let kept = (self.dynamics.memory, self.dynamics.last_pivot, self.run.passage);
+        let mut memory = self.memory;
+        let (step, next, clock) = match self.attempt(&mut memory, h, clock, &inputs) {
+            Ok(taken) => taken,
             Err(error) => {
-                let error = SimulationError::Projection { time: clock.time().to_f64(), error };
-                return failed(self, error);
+                (self.dynamics.memory, self.dynamics.last_pivot, self.run.passage) = kept;
+                return Err(error);
             }
-        };
-        let near_singular = self.near_singularity(time, (clock.time(), &next));
-        let watch = &self.dynamics.watch;
-        let step = Step {
-            time: clock.time(),
-            size: stepped.size,
-            smallest_pivot: watch.smallest_pivot,
-            reciprocal_condition: near_singular.0,
-            near_singular: near_singular.1,
-            iterations: watch.iterations + stepped.iterations + settled.iterations,
-            residual: watch.residual.max(stepped.residual),
-            moved: settled.moved,
-            rejections: stepped.rejections,
-            stepped_over: watch.stepped_over,
         };
         let run = &mut self.run;
         run.smallest_pivot = step.smallest_pivot.min(run.smallest_pivot);
@@ -144,6 +104,71 @@ where
         self.dynamics.inputs = None;
         self.dynamics.begun_with = Some(inputs);
         Ok(step)
+    }
+
+    /// The step, its end and the clock there; what formulation and watch remember is changed even where it fails.
+    #[inline]
+    #[allow(clippy::type_complexity)]
+    fn attempt(
+        &mut self,
+        memory: &mut I::Memory<M::Q, M::V, M::Lambda>,
+        h: R,
+        clock: Clock<R>,
+        inputs: &M::Inputs,
+    ) -> Result<(Step<R>, State<M::Q, M::V>, Clock<R>), SimulationError> {
+        let (time, begin) = (self.time(), self.run.state);
+        self.dynamics.begin(h);
+        let stepped = match self.integrator.step(memory, &mut self.dynamics, time, h, &begin) {
+            Ok(stepped) => stepped,
+            Err(failure) => return Err(self.diagnose_failure(time, failure, inputs)),
+        };
+        if let Some(failure) = &self.dynamics.watch.failure {
+            return Err(self.diagnose(failure, inputs));
+        }
+        let clock = match stepped.size {
+            size if size == h => clock,
+            size if size > R::ZERO && size < h => self.run.clock.after(size),
+            // No method may stand still, or go farther than it was asked to: no run would end, or end where it should.
+            size => {
+                let (time, step, rejections) = (time.to_f64(), size.to_f64(), stepped.rejections);
+                return Err(SimulationError::StepUnderflow { time, step, rejections });
+            }
+        };
+        let mut next = stepped.state;
+        let settled = match self.dynamics.settle(clock.time(), &mut next) {
+            Ok(settled) => settled,
+            Err(error) => {
+                return Err(match not_finite::<R, M>(&stepped.state) {
+                    Some(what) => self.diagnose_not_finite(time, clock.time(), what),
+                    None => SimulationError::Projection { time: clock.time().to_f64(), error },
+                });
+            }
+        };
+        // Once for both: what brings a state to the constraints divides, too.
+        if let Some(what) = not_finite::<R, M>(&next) {
+            return Err(self.diagnose_not_finite(time, clock.time(), what));
+        }
+        let (reciprocal_condition, near_singular) = self.near_singularity(time, (clock.time(), &next));
+        self.check_proportion(
+            (time, stepped.size),
+            (clock.time(), &next),
+            inputs,
+            (reciprocal_condition, near_singular),
+        )?;
+        let watch = &self.dynamics.watch;
+        let step = Step {
+            time: clock.time(),
+            size: stepped.size,
+            smallest_pivot: watch.smallest_pivot,
+            reciprocal_condition,
+            near_singular,
+            iterations: watch.iterations + stepped.iterations + settled.iterations,
+            residual: watch.residual.max(stepped.residual),
+            moved: settled.moved,
+            rejections: stepped.rejections,
+            stepped_over: watch.stepped_over,
+        };
+        Ok((step, next, clock))
     }
 
     /// The estimate of the reciprocal condition in the step from `begin` to `next`, and what it says if it is small.
@@ -176,10 +201,12 @@ where
             (time, condition, condition)
         };
         let worst = watch.worst.filter(|_| estimates);
+        let mut began = None;
         if !estimates && self.run.passage.is_new() {
             // Of the steps that are near a parabola takes also the one before.
             let before = self.condition(begin, &self.run.state.q);
             self.run.passage.see(begin, before);
+            began = Some(before).filter(|before| !R::any(before.greater_equal(R::NEAR_SINGULAR)));
         }
         let passed = self.run.passage.see(at, condition);
         if is_far {
@@ -187,11 +214,13 @@ where
         }
         // Written so that a NaN is seen.
         if let Some(stage) = worst {
-            (smallest, Some(self.name_singularity(stage.time, stage.pivot, &stage.state.q)))
+            (smallest, Some(name_singularity(self.model(), stage.time, stage.pivot, &stage.state.q)))
+        } else if let Some(before) = began.filter(|before| !R::any(smallest.less(*before))) {
+            (before, Some(name_singularity(self.model(), begin, before, &self.run.state.q)))
         } else if !R::any(smallest.greater_equal(R::NEAR_SINGULAR)) {
-            (smallest, Some(self.name_singularity(time, smallest, &next.q)))
+            (smallest, Some(name_singularity(self.model(), time, smallest, &next.q)))
         } else if let Some((time, least)) = passed {
-            (least, Some(self.name_singularity(time, least, &next.q)))
+            (least, Some(name_singularity(self.model(), time, least, &next.q)))
         } else {
             (smallest, None)
         }
@@ -201,13 +230,6 @@ where
     #[cold]
     fn condition(&self, time: R, q: &M::Q) -> R {
         reciprocal_condition(self.model(), time, q)
-    }
-
-    #[cold]
-    fn name_singularity(&self, time: R, reciprocal_condition: R, q: &M::Q) -> NearSingular<R> {
-        let row = tabled::weakest_row(self.model(), time, q);
-        let row = row.map_or(Row { of: M::NAME, what: "constraints" }, |row| M::ROWS[row]);
-        NearSingular { time, row, reciprocal_condition }
     }
 
     /// Why the integrator took no step.
@@ -225,8 +247,7 @@ where
             }
             StepFailure::Singular { .. } => {
                 let row = tabled::weakest_row(self.model(), self.time(), &self.run.state.q);
-                let row = row.map_or(Row { of: M::NAME, what: "constraints" }, |row| M::ROWS[row]);
-                SimulationError::Breakdown { time, pivot: 0.0, row }
+                SimulationError::Breakdown { time, pivot: 0.0, row: name_row::<R, M>(row) }
             }
             StepFailure::NoConvergence { iterations, residual } => {
                 SimulationError::NoConvergence { time, iterations, residual: residual.to_f64() }
@@ -270,10 +291,32 @@ where
         });
         Err(SimulationError::Inconsistent {
             time: time.to_f64(),
-            row: worst.1.unwrap_or(Row { of: M::NAME, what: "constraints" }),
+            row: worst.1.unwrap_or_else(|| name_row::<R, M>(None)),
             position: residual.position.to_f64(),
             velocity: residual.velocity.to_f64(),
         })
+    }
+}
+
+/// Names of what went wrong.
+impl<'m, R: Real, M: Assemble<R>, F: Formulation<R, M>, S, I: Method<R>> Simulation<'m, M, R, F, S, I> {
+    /// v̇ and λ at the present state, if they mean something.
+    pub(super) fn solved(&mut self) -> Result<(M::V, M::Lambda), SimulationError>
+    where
+        S: InputSource<R, M>,
+    {
+        self.dynamics.formulation.check()?;
+        let (time, state) = (self.time(), self.run.state);
+        let inputs = self.dynamics.present_inputs(time, &state);
+        let (a, lambda, pivot) = self.dynamics.evaluate(time, &state, &inputs);
+        let finite = a.first_not_finite().is_none() && lambda.first_not_finite().is_none();
+        // Written so that a NaN fails.
+        if finite && R::any(pivot.greater_equal(R::BREAKDOWN)) {
+            return Ok((a, lambda));
+        }
+        let lost = R::any(pivot.less(R::BREAKDOWN));
+        let pivot = if lost { pivot } else { R::from_f64(f64::NAN) };
+        Err(self.diagnose(&Stage { time, pivot, state }, &inputs))
     }
 
     /// A state without numbers: the joint, if the step began where the constraints lose rank, else the coordinate.
@@ -281,8 +324,9 @@ where
     fn diagnose_not_finite(&self, begin: R, end: R, what: &'static str) -> SimulationError {
         let (pivot, row) = smallest_pivot(self.model(), begin, &self.run.state.q);
         match row {
-            Some(row) if pivot < R::BREAKDOWN => {
-                SimulationError::Breakdown { time: begin.to_f64(), pivot: pivot.to_f64(), row: M::ROWS[row] }
+            Some(_) if pivot < R::BREAKDOWN => {
+                let (time, pivot) = (begin.to_f64(), pivot.to_f64());
+                SimulationError::Breakdown { time, pivot, row: name_row::<R, M>(row) }
             }
             _ => SimulationError::NonFinite { time: end.to_f64(), what },
         }
@@ -299,22 +343,32 @@ where
             return SimulationError::NonFinite { time, what };
         }
         if pivot.is_nan() {
-            let (mut a, mut lambda) = (M::V::zero(), M::Lambda::zero());
-            let (mut memory, mut state) = (self.dynamics.memory, *state);
-            let formulation = &self.dynamics.formulation;
-            formulation.acceleration(&mut memory, model, *stage, &mut state, inputs, &mut a, &mut lambda);
-            let velocity = a.first_not_finite().and_then(|i| M::VELOCITY_NAMES.get(i));
-            return SimulationError::NonFinite { time, what: velocity.copied().unwrap_or(M::NAME) };
+            let (a, lambda, _) = self.dynamics.evaluate(*stage, state, inputs);
+            let velocity = a.first_not_finite().and_then(|i| M::VELOCITY_NAMES.get(i)).copied();
+            let row = || lambda.first_not_finite().and_then(|i| M::ROWS.get(i)).map(|row| row.of);
+            return SimulationError::NonFinite { time, what: velocity.or_else(row).unwrap_or(M::NAME) };
         }
         let (constraints, row) = smallest_pivot(model, *stage, &state.q);
         if constraints > R::from_f64(WELL_POSED)
             && let Some(velocity) = singular_velocity(model, *stage, &state.q)
         {
-            return SimulationError::SingularMass { time, pivot, velocity: M::VELOCITY_NAMES[velocity] };
+            let velocity = M::VELOCITY_NAMES.get(velocity).copied().unwrap_or(M::NAME);
+            return SimulationError::SingularMass { time, pivot, velocity };
         }
-        let row = row.map_or(Row { of: M::NAME, what: "constraints" }, |row| M::ROWS[row]);
-        SimulationError::Breakdown { time, pivot, row }
+        SimulationError::Breakdown { time, pivot, row: name_row::<R, M>(row) }
     }
+}
+
+/// A position near a singular one, with the name of the row that depends most on the others.
+#[cold]
+pub(super) fn name_singularity<R: Real, M: Assemble<R>>(
+    model: &M,
+    time: R,
+    reciprocal_condition: R,
+    q: &M::Q,
+) -> NearSingular<R> {
+    let row = tabled::weakest_row(model, time, q);
+    NearSingular { time, row: name_row::<R, M>(row), reciprocal_condition }
 }
 
 /// The name of the first coordinate or velocity that is infinite or NaN.

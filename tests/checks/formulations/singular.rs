@@ -3,8 +3,8 @@
 use crate::registry::Model;
 use crate::walking::walk;
 use linkwright::{
-    Assemble, AugmentedLagrangian, Baumgarte, Formulation, LagrangeIndex1, NullSpace, Penalty, Projected,
-    Simulation, SimulationError, State, Vector,
+    Assemble, AssembleExt, AugmentedLagrangian, Baumgarte, Formulation, LagrangeIndex1, NullSpace, Penalty,
+    Projected, Simulation, SimulationError, State, Vector,
 };
 use linkwright_models::andrews::Andrews;
 use linkwright_models::bricard::Bricard;
@@ -210,4 +210,96 @@ fn redundant_rows_are_not_singular() {
     let mut simulation = Simulation::new(&model, Bricard::START).step(1e-3);
     let step = simulation.advance().expect("it runs");
     assert!(step.near_singular.is_none() && step.reciprocal_condition > 1e-3, "{step:?}");
+}
+
+/// Beside a singular position a step is right, or an error that names the row and leaves all as it was: never energy from nowhere.
+#[test]
+fn a_start_beside_a_singular_position_is_right_or_an_error() {
+    fn steps<F: Formulation<f64, ChangePointFourBar<f64>>>(
+        name: &str,
+        start: &State<[f64; 6], [f64; 3]>,
+        formulation: F,
+    ) -> bool {
+        let model = ChangePointFourBar::<f64>::default();
+        let simulation = Simulation::new(&model, *start).formulation(formulation).step(1e-3);
+        let mut simulation = simulation.accept_inconsistent_start();
+        let begin = simulation.energy();
+        for _ in 0..3 {
+            let (time, state) = (simulation.time(), *simulation.state());
+            match simulation.advance() {
+                Ok(_) => {
+                    let drift = (simulation.energy() - begin).abs();
+                    assert!(drift < 0.25 * begin, "{name}: {drift:e} J of {begin} J");
+                }
+                Err(error) => {
+                    assert_eq!(error.joint(), Some("right"), "{name}: {error}");
+                    assert_eq!((simulation.time(), simulation.state()), (time, &state), "{name}");
+                    return false;
+                }
+            }
+        }
+        true
+    }
+    let model = ChangePointFourBar::<f64>::default();
+    let penalty = Penalty::for_model(&model, 0.0, &ChangePointFourBar::START.q, 1e-3);
+    let mut refused = 0;
+    for distance in [1e-3, 1e-4, 1e-5, 1e-6, 1e-7, 1e-8, 1e-10, 1e-12] {
+        // On the line to first order: the crank at π − ε, the others turned as their rates on the one branch are; and velocities that
+        // are those of no branch, as a rank that is lost makes them.
+        let angles = [PI - distance, PI - 0.5266 * distance, 0.2899 * distance];
+        let near = State {
+            q: [
+                angles[0].cos(),
+                angles[0].sin(),
+                angles[1].cos(),
+                angles[1].sin(),
+                angles[2].cos(),
+                angles[2].sin(),
+            ],
+            v: [0.0; 3],
+        };
+        let Ok(q) = linkwright::project_position(&model, 0.0, &near.q) else { continue };
+        for v in [[4.0, 2.10639, -1.15959], [4.0, 1.4367, -0.1551], [4.0, 0.8, 0.8]] {
+            let start = State { q, v };
+            let ran = [
+                steps("index 1", &start, LagrangeIndex1),
+                steps("Baumgarte", &start, Baumgarte { alpha: 10.0, beta: 10.0 }),
+                steps("penalty", &start, penalty),
+                steps("augmented Lagrangian", &start, AugmentedLagrangian::new(penalty)),
+                steps("null space", &start, NullSpace),
+                steps("index 1, projected", &start, Projected::after(LagrangeIndex1)),
+                steps("penalty, projected", &start, Projected::after(penalty)),
+                steps("null space, projected", &start, Projected::after(NullSpace)),
+            ];
+            refused += ran.iter().filter(|ran| !**ran).count();
+        }
+    }
+    assert!(refused > 20, "{refused}");
+}
+
+/// From the shipped start at 1 ms index 1 used to gain energy where the change point fell between two steps, and ran on.
+#[test]
+fn a_run_stops_where_energy_comes_from_nowhere() {
+    let model = ChangePointFourBar::<f64>::default();
+    let penalty = Penalty::for_model(&model, 0.0, &ChangePointFourBar::START.q, 1e-3);
+    let mut simulation = Simulation::new(&model, ChangePointFourBar::START).formulation(penalty).step(1e-3);
+    let begin = simulation.energy();
+    let error = simulation.advance_until(2.0).unwrap_err();
+    assert!(matches!(error, SimulationError::Unresolved { row, .. } if row.of == "right"), "{error}");
+    assert!((simulation.energy() - begin).abs() < 0.1, "{}", simulation.energy() - begin);
+    // The last good state can be gone on from.
+    let start = model.project(0.0, simulation.state()).expect("it is nearly consistent");
+    let mut onward = Simulation::new(&model, start).formulation(Projected::after(NullSpace)).step(1e-4);
+    onward.advance_until(0.5).expect("it runs");
+    assert!((onward.energy() - begin).abs() < 0.2, "{}", onward.energy() - begin);
+}
+
+/// Without sensible settings nothing is solved; a mechanism without rows used to panic.
+#[test]
+fn settings_are_checked_wherever_they_are_used() {
+    let model = linkwright_models::double_pendulum::DoublePendulum::<f64>::default();
+    let partitioned = linkwright::Partitioned { tolerance: f64::NAN, iterations: 10 };
+    let mut simulation = Simulation::new(&model, model.start()).formulation(partitioned);
+    assert!(matches!(simulation.multipliers(), Err(SimulationError::Setting(_))));
+    assert!(matches!(simulation.acceleration(), Err(SimulationError::Setting(_))));
 }

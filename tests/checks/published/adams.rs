@@ -29,8 +29,8 @@ macro_rules! against_adams {
                 let value = |name: &str| adams.get(row, name);
                 let time = value("t");
                 simulation.advance_until(time).expect("it swings");
-                let (state, a) = (*simulation.state(), simulation.acceleration());
-                let lambda = simulation.multipliers();
+                let (state, a) = (*simulation.state(), simulation.acceleration().expect("it is regular"));
+                let lambda = simulation.multipliers().expect("it is regular");
                 let [bar] = model.motions(time, &state.q, &state.v, &a);
                 let [pivot] = model.reactions(time, &state.q, &state.v, &(), &a, &lambda);
                 let vector = |what: &str, suffix: &str| {
@@ -76,8 +76,8 @@ macro_rules! swings {
                 let value = |name: &str| exact.get(row, name);
                 let time = value("t");
                 simulation.advance_until(time).expect("it swings");
-                let (state, a) = (*simulation.state(), simulation.acceleration());
-                let lambda = simulation.multipliers();
+                let (state, a) = (*simulation.state(), simulation.acceleration().expect("it is regular"));
+                let lambda = simulation.multipliers().expect("it is regular");
                 let [bar] = model.motions(time, &state.q, &state.v, &a);
                 let [pivot] = model.reactions(time, &state.q, &state.v, &(), &a, &lambda);
                 let (sine, cosine) = value("theta").sin_cos();

@@ -27,7 +27,7 @@ fn andrews_of_the_ivp_test_set() {
         angles.see(found, expected);
     }
     let mut rate = Worst::default();
-    let (state, acceleration) = (*simulation.state(), simulation.acceleration());
+    let (state, acceleration) = (*simulation.state(), simulation.acceleration().expect("it is regular"));
     let crank = model.motions(0.03, &state.q, &state.v, &acceleration)[0];
     rate.see(crank.rate / 1139.920302151208, 1.0);
     angles.below(1e-8, "Andrews (IVP), angles");
@@ -66,7 +66,7 @@ fn car_axis() {
     let mut simulation = Simulation::new(&model, CarAxis::START).formulation(baumgarte(100.0)).step(1e-4);
     simulation.advance_until(3.0).expect("the car runs");
     let state = *simulation.state();
-    let bodies = model.motions(3.0, &state.q, &state.v, &simulation.acceleration());
+    let bodies = model.motions(3.0, &state.q, &state.v, &simulation.acceleration().expect("it is regular"));
     let (mut position, mut velocity) = (Worst::default(), Worst::default());
     for (body, [x, y]) in bodies.iter().zip([["xl", "yl"], ["xr", "yr"]]) {
         for (axis, name) in [x, y].into_iter().enumerate() {
@@ -78,7 +78,7 @@ fn car_axis() {
     velocity.below(1e-8, "car axis, velocity");
 
     // f + Dᵀ λ there, with the length constraint not halved.
-    let lambda = simulation.multipliers();
+    let lambda = simulation.multipliers().expect("it is regular");
     let row = |of: &str| {
         <CarAxis as Mechanism<f64>>::ROWS.iter().position(|row| row.of == of).expect("a row of that name")
     };

@@ -144,7 +144,7 @@ fn stewart_platform_moves() {
     for row in 0..reference.rows.len() {
         let value = |name: &str| reference.get(row, name);
         simulation.advance_until(value("t")).expect("it moves");
-        let (state, a) = (*simulation.state(), simulation.acceleration());
+        let (state, a) = (*simulation.state(), simulation.acceleration().expect("it is regular"));
         let body = model.motions(value("t"), &state.q, &state.v, &a)[platform];
         for (axis, name) in ["x", "y", "z"].into_iter().enumerate() {
             worst.see(body.position[axis], value(name));
@@ -197,7 +197,7 @@ fn delta_robot_moves() {
         speed.see(outputs.velocity_x, value("vx"));
         speed.see(outputs.velocity_y, value("vy"));
         speed.see(outputs.velocity_z, value("vz"));
-        let (state, a) = (*simulation.state(), simulation.acceleration());
+        let (state, a) = (*simulation.state(), simulation.acceleration().expect("it is regular"));
         let body = model.motions(value("t"), &state.q, &state.v, &a)[platform];
         see_matrix(&mut turned, body.orientation, orientation([1.0, 0.0, 0.0, 0.0]));
     }

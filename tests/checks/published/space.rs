@@ -31,7 +31,7 @@ fn heavy_top() {
     for row in 0..reference.rows.len() {
         let value = |name: &str| reference.get(row, name);
         simulation.advance_until(value("t")).expect("the top spins");
-        let (state, acceleration) = (*simulation.state(), simulation.acceleration());
+        let (state, acceleration) = (*simulation.state(), simulation.acceleration().expect("it is regular"));
         let [top] = model.motions(value("t"), &state.q, &state.v, &acceleration);
         let expected = orientation(["qw", "qx", "qy", "qz"].map(value));
         see_matrix(&mut angle, top.orientation, expected);
@@ -76,7 +76,7 @@ fn free_rigid_body() {
         let value = |name: &str| reference.get(row, name);
         let time = value("t");
         simulation.advance_until(time).expect("nothing acts");
-        let (state, acceleration) = (*simulation.state(), simulation.acceleration());
+        let (state, acceleration) = (*simulation.state(), simulation.acceleration().expect("it is regular"));
         let [nut] = model.motions(time, &state.q, &state.v, &acceleration);
         for (axis, name) in ["wx", "wy", "wz"].into_iter().enumerate() {
             rate.see(nut.rate[axis], value(name));
@@ -222,7 +222,7 @@ fn sarrus_linkage() {
         height.see(outputs.angle, value("angle"));
         straight.see(outputs.sideways_x, 0.0);
         straight.see(outputs.sideways_y, 0.0);
-        let (state, a) = (*simulation.state(), simulation.acceleration());
+        let (state, a) = (*simulation.state(), simulation.acceleration().expect("it is regular"));
         let motions = model.motions(value("t"), &state.q, &state.v, &a);
         see_matrix(&mut straight, motions[platform].orientation, orientation([1.0, 0.0, 0.0, 0.0]));
     }
@@ -266,7 +266,7 @@ fn start_of_the_slider_crank() {
     let mut worst = Worst::default();
     worst.see(outputs.stroke, 0.2);
     worst.see(outputs.speed, 0.24);
-    let (state, a) = (*simulation.state(), simulation.acceleration());
+    let (state, a) = (*simulation.state(), simulation.acceleration().expect("it is regular"));
     let [_, rod, _] = model.motions(0.0, &state.q, &state.v, &a);
     for (found, published) in turned(rod.orientation, rod.rate).into_iter().zip([1.92, -0.96, 0.48]) {
         worst.see(found, published);

@@ -50,7 +50,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
         .step(1e-2);
     smooth.run_until_event(1.0, &[Event::of("tip").rising()], |sample| println!("{}", sample.time))?;
     smooth.run_every(0.1, 2.0, |sample| println!("{}", sample.energy()))?;
-    let (a, lambda) = (smooth.acceleration(), smooth.multipliers());
+    let (a, lambda) = (smooth.acceleration()?, smooth.multipliers()?);
     let here = Linearisation::at(&model, 0.0, &start, &inputs)?;
     let _ = here.state_space()?;
     let _ = equilibrium(&model, 0.0, &start.q, &inputs)?;

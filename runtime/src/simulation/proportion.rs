@@ -1,0 +1,274 @@
+//! Steps whose result is out of all proportion: they are errors, not motion.
+//!
+//! Near singular positions accelerations divide by what is hardly known, and a step may end finite, Ok and absurd. Two
+//! things tell that apart from a coarse but healthy step, whatever the formulation:
+//!
+//! - **Energy from nowhere**, or gone. Constraints at rest do no work, so that in the norm |v|² = vᵀ M v a step can add to the velocities
+//!   what the loads add without constraints, what moving places and drivers prescribe, and what taking back Φ within the step
+//!   needs, or take as much: ||v₁| − |v₀|| ≤ h |M⁻¹ Q| + |v_ν| + |v_Φ|/h; or the difference is what potential energy gave or took.
+//! - **Constraints left behind.** A row is off by more than a tenth of a radian of the turns that it holds, or D v − ν is more than
+//!   the largest velocity that the run has had so far would make of any position.
+//!
+//! Every step pays for max |v| and max |v₁ − v₀| alone. Energy is looked at where D is not far from losing rank and the velocities
+//! changed by a tenth; the constraints where the velocities have doubled, where D nearly lost rank, and every [`EVERY`] steps.
+
+use super::step::name_singularity;
+use super::{NearSingular, Simulation};
+use crate::assembly::determinacy::turned;
+use crate::error::SimulationError;
+use crate::formulation::{Formulation, largest_mass};
+use crate::input::InputSource;
+use crate::integrator::Method;
+use crate::mechanism::{Assemble, Row};
+use crate::real::Real;
+use crate::state::State;
+use crate::vector::Vector;
+
+/// Steps after which the constraints are looked at, whatever the velocities.
+const EVERY: u32 = 64;
+
+/// The turn by which a row may be off, rad.
+const TURN: f64 = 0.1;
+
+/// By what part energy may be more, or less: the bound takes Q and M at the step's beginning.
+const MORE: f64 = 1.25;
+
+/// The reciprocal condition below which energy may come from nowhere between two steps whose ends are not nearly singular.
+const CLOSE: f64 = 1e-3;
+
+/// The part of the velocities by which they must have changed for that.
+const CHANGED: f64 = 0.1;
+
+/// What a run has been like so far.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Proportion<R> {
+    /// The largest velocity, m/s or rad/s.
+    fastest: R,
+    /// Steps since the constraints were looked at.
+    unseen: u32,
+    /// How far rows are allowed to be off, rad; more than [`TURN`] from a start that was off by more and accepted.
+    allowed: R,
+}
+
+impl<R: Real> Proportion<R> {
+    pub fn new() -> Self {
+        Proportion { fastest: R::ZERO, unseen: 0, allowed: R::from_f64(TURN) }
+    }
+}
+
+/// A state at a time.
+type At<'s, R, M> = (R, &'s State<<M as crate::Mechanism<R>>::Q, <M as crate::Mechanism<R>>::V>);
+
+impl<'m, R: Real, M: Assemble<R>, F: Formulation<R, M>, S, I: Method<R>> Simulation<'m, M, R, F, S, I> {
+    /// Takes the start as it is: velocities as they are, and rows off as far as was accepted.
+    #[cold]
+    pub(super) fn begin_proportion(&mut self) {
+        let Self { dynamics, run, .. } = self;
+        let (off, _) = furthest(dynamics.model, (run.clock.time(), &run.state), R::ZERO);
+        let proportion = &mut run.proportion;
+        proportion.fastest = run.state.v.max_abs();
+        proportion.allowed = proportion.allowed.max(off.map_or(R::ZERO, |off| off.turn + off.turn));
+    }
+
+    /// An error where the step of this size from `begin`, which ended in `next`, is out of proportion.
+    #[inline]
+    pub(super) fn check_proportion(
+        &mut self,
+        (begin, h): (R, R),
+        next: At<'_, R, M>,
+        inputs: &M::Inputs,
+        (condition, near): (R, Option<NearSingular<R>>),
+    ) -> Result<(), SimulationError>
+    where
+        S: InputSource<R, M>,
+    {
+        if M::Lambda::LEN == 0 {
+            return Ok(());
+        }
+        let Proportion { fastest, unseen, .. } = self.run.proportion;
+        let speed = next.1.v.max_abs();
+        if condition < R::from_f64(CLOSE) || near.is_some() {
+            let change = next.1.v.plus(-R::ONE, &self.run.state.v).max_abs();
+            if change > R::from_f64(CHANGED) * speed {
+                self.check_energy((begin, h), next, inputs, (condition, near))?;
+            }
+        }
+        let look = speed > fastest + fastest || near.is_some() || unseen >= EVERY;
+        if look {
+            self.check_constraints(next, near)?;
+        }
+        let proportion = &mut self.run.proportion;
+        proportion.fastest = speed.max(fastest);
+        proportion.unseen = if look { 0 } else { unseen + 1 };
+        Ok(())
+    }
+
+    #[cold]
+    #[inline(never)]
+    fn check_energy(
+        &mut self,
+        (begin, h): (R, R),
+        (end, next): At<'_, R, M>,
+        inputs: &M::Inputs,
+        (condition, near): (R, Option<NearSingular<R>>),
+    ) -> Result<(), SimulationError>
+    where
+        S: InputSource<R, M>,
+    {
+        let (model, State { q, v }) = (self.dynamics.model, self.run.state);
+        let before = model.kinetic_energy(begin, &q, &v);
+        let after = model.kinetic_energy(end, &next.q, &next.v);
+        let became = (model.potential_energy(begin, &q) - model.potential_energy(end, &next.q)).abs();
+        // What is off at an accepted start may be taken from the energy at once.
+        let may_lose = self.run.start_accepted;
+        let accounted = |least: R, most: R| {
+            let (least, most) = (least / R::from_f64(MORE), most * R::from_f64(MORE));
+            // Written so that a NaN fails.
+            R::any(after.less_equal(most)) && (may_lose || R::any(after.greater_equal(least)))
+        };
+        let exchanged = |given: R| {
+            let own = before.max(R::ZERO).sqrt();
+            let (least, most) = ((own - given).max(R::ZERO), own + given);
+            accounted(least * least, most * most)
+        };
+        if accounted(before - became, before + became)
+            || exchanged(self.given_in((begin, h), inputs, inputs))
+            // Inputs may have come in the step.
+            || !S::HELD && {
+                let last = self.dynamics.source.sample(end, next);
+                exchanged(self.given_in((begin, h), inputs, &last))
+            }
+        {
+            return Ok(());
+        }
+        let near = near.unwrap_or_else(|| name_singularity(model, begin, condition, &q));
+        Err(SimulationError::Unresolved {
+            time: begin.to_f64(),
+            row: near.row,
+            reciprocal_condition: near.reciprocal_condition.to_f64(),
+            before: before.to_f64(),
+            after: after.to_f64(),
+        })
+    }
+
+    #[cold]
+    #[inline(never)]
+    fn check_constraints(
+        &self,
+        next: At<'_, R, M>,
+        near: Option<NearSingular<R>>,
+    ) -> Result<(), SimulationError> {
+        let model = self.dynamics.model;
+        let Proportion { fastest, allowed, .. } = self.run.proportion;
+        let speed = if fastest > R::ZERO { fastest } else { next.1.v.max_abs() };
+        let (position, velocity) = furthest(model, next, speed);
+        let position = position.filter(|off| !R::any(off.turn.less_equal(allowed)));
+        let Some((row, residual)) = position.map(|off| (off.row, off.residual)).or(velocity) else {
+            return Ok(());
+        };
+        let near = near.or(self.run.near_singular);
+        Err(SimulationError::LeftConstraints {
+            time: next.0.to_f64(),
+            row,
+            residual: residual.to_f64(),
+            singular: near.map(|near| (near.time.to_f64(), near.row)),
+        })
+    }
+
+    /// The velocities that loads, drivers and Φ can give in a step of `h`, as the root of their kinetic energy, √J.
+    fn given_in(&self, (begin, h): (R, R), first: &M::Inputs, last: &M::Inputs) -> R {
+        let (model, State { q, v }) = (self.dynamics.model, &self.run.state);
+        // Constraints as soft as the masses are heavy: what they take off the loads is at most what rigid ones do, and nothing is
+        // divided by what vanishes at singular positions.
+        let (compliance, mut store) = (R::ONE / largest_mass(model, begin, q), M::store());
+        model.factor(begin, q, compliance, &mut store);
+        let solved = |forces: &M::V, rows: &M::Lambda| {
+            let mut x = M::V::zero();
+            model.solve(&store, forces, rows, &mut x, &mut M::Lambda::zero());
+            x
+        };
+        let half = R::from_f64(0.5);
+        let pushed = [(begin, first), (begin + h, last)].map(|(time, inputs)| {
+            let mut forces = M::V::zero();
+            model.forces(time, q, v, inputs, &mut forces);
+            let work = dot(forces.as_slice(), solved(&forces, &M::Lambda::zero()).as_slice());
+            h * (half * work.max(R::ZERO)).sqrt()
+        });
+        let (mut nu, mut phi) = (M::Lambda::zero(), M::Lambda::zero());
+        model.nu(begin + h, q, &mut nu);
+        model.constraints(begin + h, q, &mut phi);
+        // Twice, because soft constraints are followed by half.
+        let prescribed = [nu, phi.scaled(R::ONE / h)].map(|rows| {
+            let velocity = solved(&M::V::zero(), &rows);
+            model.kinetic_energy(begin, q, &velocity.scaled(R::from_f64(2.0))).max(R::ZERO).sqrt()
+        });
+        pushed[0].max(pushed[1]) + prescribed[0] + prescribed[1]
+    }
+}
+
+/// A row, and how far it is off.
+struct Off<R> {
+    row: Row,
+    residual: R,
+    /// The turn of one body that would make as much of it, rad.
+    turn: R,
+}
+
+/// The row that is off furthest by position, and the first of velocities that `speed` (m/s and rad/s) does not account for.
+fn furthest<R: Real, M: Assemble<R>>(
+    model: &M,
+    (time, State { q, v }): At<'_, R, M>,
+    speed: R,
+) -> (Option<Off<R>>, Option<(Row, R)>) {
+    let (mut phi, mut rates) = (M::Lambda::zero(), M::Lambda::zero());
+    let (mut jacobian, mut levers) = (M::Jacobian::zero(), M::Lambda::zero());
+    model.constraints(time, q, &mut phi);
+    model.nu(time, q, &mut rates);
+    let nu = rates;
+    model.constraint_jacobian(time, q, &mut jacobian);
+    let mut sizes = M::Lambda::zero();
+    for (&entry, &(row, column)) in jacobian.as_slice().iter().zip(M::JACOBIAN_PATTERN) {
+        let (row, velocity) = (usize::from(row), v.as_slice().get(usize::from(column)));
+        if let (Some(rate), Some(size), Some(&velocity)) =
+            (rates.as_mut_slice().get_mut(row), sizes.as_mut_slice().get_mut(row), velocity)
+        {
+            *rate = *rate - entry * velocity;
+            *size = *size + entry.abs();
+        }
+    }
+    add_levers(model, time, q, &mut levers);
+    let mut position: Option<Off<R>> = None;
+    for ((&row, &residual), &lever) in M::ROWS.iter().zip(phi.as_slice()).zip(levers.as_slice()) {
+        let turn = residual.abs() / lever;
+        if lever > R::ZERO && position.as_ref().is_none_or(|off| !R::any(turn.less_equal(off.turn))) {
+            position = Some(Off { row, residual, turn });
+        }
+    }
+    let terms = rates.as_slice().iter().zip(nu.as_slice()).zip(sizes.as_slice());
+    let velocity = M::ROWS.iter().zip(terms).find_map(|(&row, ((&rate, &nu), &size))| {
+        let accounted = size * speed + nu.abs();
+        (!R::any(rate.abs().less_equal(accounted))).then_some((row, rate))
+    });
+    (position, velocity)
+}
+
+/// The largest entry of each row of D in the column of a turn, at this position and a few that are turned from it: the lever arms
+/// of the row, which do not vanish with it.
+fn add_levers<R: Real, M: Assemble<R>>(model: &M, time: R, q: &M::Q, levers: &mut M::Lambda) {
+    let turns = M::LAYOUT.linear;
+    for part in 0..3 {
+        let mut jacobian = M::Jacobian::zero();
+        model.constraint_jacobian(time, &turned::<R, M>(q, part), &mut jacobian);
+        for (&entry, &(row, column)) in jacobian.as_slice().iter().zip(M::JACOBIAN_PATTERN) {
+            if usize::from(column) >= turns
+                && let Some(lever) = levers.as_mut_slice().get_mut(usize::from(row))
+            {
+                *lever = lever.max(entry.abs());
+            }
+        }
+    }
+}
+
+fn dot<R: Real>(a: &[R], b: &[R]) -> R {
+    a.iter().zip(b).fold(R::ZERO, |sum, (&a, &b)| sum + a * b)
+}

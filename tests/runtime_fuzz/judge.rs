@@ -1,0 +1,320 @@
+//! One case: a mechanism, methods, a start and a few calls from ordinary to absurd, and what must be true after each.
+
+use crate::methods::{Means, Of, Way};
+use crate::models::{Crank, Folding, Rods, Subject, Swing, Top, Winch};
+use crate::random::Random;
+use linkwright::{
+    AssembleExt, Direction, DormandPrince, Event, Fields, InputSource, Linearisation, Mechanism, Motion,
+    Simulation, State, Vector, actuation, equilibrium,
+};
+use std::cell::Cell;
+use std::panic::{AssertUnwindSafe, catch_unwind};
+
+/// Evaluations in one call after which it is said not to come back.
+const EVALUATIONS: u64 = 200_000;
+
+/// The judgements that concern the clock, start times, Dormand and Prince's bounds and samples at even times: a time that is not finite
+/// or stands, calls that do not come back, runs of more steps than can be counted.
+pub const CLOCK: bool = false;
+
+/// Thrown from the source of inputs where a call does not come back.
+struct Endless;
+
+thread_local! {
+    /// Whether the case at hand chooses its own steps.
+    static ADAPTIVE: Cell<bool> = const { Cell::new(false) };
+}
+
+/// Inputs of a case, which count how often they are asked for.
+struct Counted<'c, M: Mechanism<f64>> {
+    inputs: M::Inputs,
+    count: &'c Cell<u64>,
+}
+
+impl<M: Mechanism<f64>> InputSource<f64, M> for Counted<'_, M> {
+    const HELD: bool = false;
+
+    fn sample(&mut self, _: f64, _: &State<M::Q, M::V>) -> M::Inputs {
+        self.count.set(self.count.get() + 1);
+        if self.count.get() > EVALUATIONS {
+            std::panic::panic_any(Endless);
+        }
+        self.inputs
+    }
+}
+
+/// What a case came to, for the statistics.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Verdict {
+    pub calls: u64,
+    pub good: u64,
+    pub endless: u64,
+}
+
+/// Judges a case.
+///
+/// # Errors
+/// What went wrong.
+pub fn judge(seed: u64, number: u64) -> Result<Verdict, String> {
+    let mut random = Random::of_case(seed, number);
+    let run = AssertUnwindSafe(|| match random.below(6) {
+        0 => of_model::<Swing<f64>>(&mut random),
+        1 => of_model::<Winch<f64>>(&mut random),
+        2 => of_model::<Crank<f64>>(&mut random),
+        3 => of_model::<Rods<f64>>(&mut random),
+        4 => of_model::<Top<f64>>(&mut random),
+        _ => of_model::<Folding<f64>>(&mut random),
+    });
+    match catch_unwind(run) {
+        Ok(verdict) => verdict,
+        Err(thrown) if thrown.is::<Endless>() && !CLOCK && ADAPTIVE.get() => {
+            Ok(Verdict { endless: 1, ..Verdict::default() })
+        }
+        Err(thrown) if thrown.is::<Endless>() => {
+            Err(format!("more than {EVALUATIONS} evaluations in one call"))
+        }
+        Err(thrown) => {
+            let text = thrown.downcast_ref::<String>().map(String::as_str);
+            Err(format!("panic: {}", text.or(thrown.downcast_ref::<&str>().copied()).unwrap_or("?")))
+        }
+    }
+}
+
+type StateOf<M> = State<<M as Mechanism<f64>>::Q, <M as Mechanism<f64>>::V>;
+
+fn of_model<M: Subject>(random: &mut Random) -> Result<Verdict, String> {
+    let model = M::any(random);
+    let start = start::<M>(random, &model);
+    let inputs = inputs::<M>(random);
+    if random.once_in(3) {
+        return solved(random, &model, &start, &inputs).map_err(|fault| format!("{}: {fault}", M::NAME));
+    }
+    let (way, means) = (Way::any(random), Means::any(random));
+    let moved = match way.pivot() {
+        0 => moved(random, &model, start, inputs, Of::<0>(way), means),
+        1 => moved(random, &model, start, inputs, Of::<1>(way), means),
+        _ => moved(random, &model, start, inputs, Of::<2>(way), means),
+    };
+    moved.map_err(|fault| format!("{}, {way:?}, {means:?}: {fault}", M::NAME))
+}
+
+/// The start, one near it that is consistent, or anything.
+fn start<M: Subject>(random: &mut Random, model: &M) -> StateOf<M> {
+    let mut start = model.start();
+    match random.below(4) {
+        0 => {}
+        1 => start = model.assemble(&start).unwrap_or(start),
+        2 => {
+            for entry in start.v.as_mut_slice() {
+                *entry += random.unit();
+            }
+            start = model.project(0.0, &start).unwrap_or(start);
+        }
+        _ => {
+            for entry in start.q.as_mut_slice().iter_mut().chain(start.v.as_mut_slice()) {
+                if random.once_in(4) {
+                    *entry = random.near(*entry);
+                }
+            }
+        }
+    }
+    start
+}
+
+fn inputs<M: Subject>(random: &mut Random) -> M::Inputs {
+    let mut values = <M::Inputs as Fields<f64>>::Array::zero();
+    values.as_mut_slice().iter_mut().for_each(|value| *value = random.near(1.0));
+    M::Inputs::from_array(values)
+}
+
+/// The bits of all numbers of a state and a time.
+fn bits<M: Mechanism<f64>>(time: f64, state: &StateOf<M>) -> Vec<u64> {
+    let numbers = state.q.as_slice().iter().chain(state.v.as_slice()).chain([&time]);
+    numbers.map(|number| number.to_bits()).collect()
+}
+
+fn finite(what: &str, numbers: &[f64]) -> Result<(), String> {
+    match numbers.iter().find(|number| !number.is_finite()) {
+        None => Ok(()),
+        Some(number) => Err(format!("Ok with {what} of {number}")),
+    }
+}
+
+/// Steps, runs and events.
+fn moved<M: Subject, const P: u8>(
+    random: &mut Random,
+    model: &M,
+    start: StateOf<M>,
+    inputs: M::Inputs,
+    way: Of<P>,
+    means: Means,
+) -> Result<Verdict, String> {
+    let (count, mut verdict) = (Cell::new(0), Verdict::default());
+    ADAPTIVE.set(matches!(means, Means::DormandPrince(_)));
+    let h = random.near(1e-3);
+    let simulation =
+        Simulation::new(model, start).formulation(way).input_source(Counted { inputs, count: &count });
+    let mut simulation = simulation.integrator(means).step(h);
+    if random.once_in(2) {
+        simulation = simulation.accept_inconsistent_start();
+    }
+    if random.once_in(4) {
+        simulation = simulation.step_over_breakdowns();
+    }
+    if CLOCK && random.once_in(3) {
+        simulation = simulation.start_time(random.near(1.0));
+    }
+    for _ in 0..6 {
+        count.set(0);
+        let (time, state) = (simulation.time(), *simulation.state());
+        let usual = time + h * (1 + random.below(20)) as f64;
+        let end = if random.once_in(8) { random.near(usual) } else { usual };
+        // What would take long takes long.
+        let end = if (end - time) / h > 1000.0 && !CLOCK { usual } else { end };
+        let (mut shown, mut steps_only) = (0_u64, false);
+        let call = random.below(5);
+        let outcome = match call {
+            0 | 1 => {
+                steps_only = true;
+                simulation.advance().map(|step| step.time)
+            }
+            2 => simulation.advance_until(end).map(|_| end),
+            3 => simulation.run_until(end, |_| shown += 1).map(|_| end),
+            _ => {
+                let (level, tolerance) = (random.near(0.1), random.near(1e-6));
+                let direction = [Direction::Rising, Direction::Falling, Direction::Either][random.below(3)];
+                let output = M::Outputs::NAMES[random.below(M::Outputs::NAMES.len())];
+                let event = Event { output, level, direction, tolerance };
+                let found = simulation.run_until_event(end, &[event], |_| shown += 1);
+                found.map(|found| found.map_or(end, |found| found.time))
+            }
+        };
+        verdict.calls += 1;
+        verdict.good += u64::from(outcome.is_ok());
+        let most = (end - time) / h;
+        if matches!(call, 3 | 4) && !ADAPTIVE.get() && most.is_finite() && shown as f64 > most + 3.0 {
+            return Err(format!("{shown} samples of {most} steps of {h:e} from {time:e} to {end:e}"));
+        }
+        if CLOCK
+            && matches!(call, 2..=4)
+            && most >= 9_007_199_254_740_992.0
+            && outcome.is_ok()
+            && count.get() > 0
+        {
+            return Err(format!("{most} steps were not refused"));
+        }
+        let now = simulation.state();
+        let told = |fault: String| format!("call {call} with h = {h:e} from {time:e} to {end:e}: {fault}");
+        match outcome {
+            Ok(reached) => {
+                if call < 2 || end > time {
+                    finite("a coordinate", now.q.as_slice()).map_err(told)?;
+                    finite("a velocity", now.v.as_slice()).map_err(told)?;
+                }
+                if CLOCK {
+                    finite("a time", &[simulation.time()]).map_err(told)?;
+                }
+                if simulation.time().to_bits() != reached.to_bits() {
+                    return Err(told(format!(
+                        "it stands at {:e} in place of {reached:e}",
+                        simulation.time()
+                    )));
+                }
+                if CLOCK && steps_only && simulation.time() <= time {
+                    return Err(told("the time stands".into()));
+                }
+            }
+            Err(error) => {
+                let text = error.to_string();
+                if text.is_empty() {
+                    return Err(told("an error without a text".into()));
+                }
+                if steps_only && bits::<M>(time, &state) != bits::<M>(simulation.time(), now) {
+                    return Err(told(format!("after an error the state is another: {text}")));
+                }
+                if shown > 0 || !steps_only {
+                    let begun = finite("", state.q.as_slice()).and(finite("", state.v.as_slice()));
+                    let stands = finite("", now.q.as_slice()).and(finite("", now.v.as_slice()));
+                    if begun.is_ok() && stands.is_err() {
+                        return Err(told(format!("the last good state is none: {text}")));
+                    }
+                }
+            }
+        }
+        count.set(0);
+        if let Ok(a) = simulation.acceleration() {
+            finite("an acceleration", a.as_slice()).map_err(told)?;
+        }
+        if let Ok(lambda) = simulation.multipliers() {
+            finite("a multiplier", lambda.as_slice()).map_err(told)?;
+        }
+    }
+    Ok(verdict)
+}
+
+/// Positions, rates, derivatives, states between steps.
+fn solved<M: Subject>(
+    random: &mut Random,
+    model: &M,
+    start: &StateOf<M>,
+    inputs: &M::Inputs,
+) -> Result<Verdict, String> {
+    let mut verdict = Verdict::default();
+    let time = if random.once_in(3) { random.near(0.5) } else { 0.0 };
+    let mut judged = |what: &str, numbers: Option<Vec<f64>>| {
+        verdict.calls += 1;
+        verdict.good += u64::from(numbers.is_some());
+        numbers.map_or(Ok(()), |numbers| {
+            finite("a number", &numbers).map_err(|fault| format!("{what}: {fault}"))
+        })
+    };
+    let both = |state: StateOf<M>| [state.q.as_slice(), state.v.as_slice()].concat();
+    judged("assemble", model.assemble(start).ok().map(both))?;
+    judged("project", model.project(time, start).ok().map(both))?;
+    let given: Vec<Motion> = (0..M::INDEPENDENT.len())
+        .map(|_| Motion {
+            position: random.near(1.0),
+            rate: random.near(1.0),
+            acceleration: random.near(1.0),
+        })
+        .collect();
+    let kinematics = model.kinematics(time, &start.q, &given).ok();
+    let all = kinematics.map(|found| [found.q.as_slice(), found.v.as_slice(), found.a.as_slice()].concat());
+    judged("kinematics", all)?;
+    let rest = equilibrium(model, time, &start.q, inputs).ok();
+    judged("equilibrium", rest.map(|found| [found.q.as_slice(), found.lambda.as_slice()].concat()))?;
+    if let Some(found) = kinematics {
+        let state = State { q: found.q, v: found.v };
+        let driven = actuation(model, time, &state, &found.a, inputs, M::Inputs::NAMES).ok();
+        judged("actuation", driven.map(|found| found.inputs.to_array().as_slice().to_vec()))?;
+    }
+    if let Ok(here) = Linearisation::at(model, time, start, inputs) {
+        judged(
+            "linearisation",
+            Some([here.acceleration().as_slice(), here.multipliers().as_slice()].concat()),
+        )?;
+        let matrices = here.state_space().ok();
+        judged("state space", matrices.map(|found| [found.a.as_slice(), found.c.as_slice()].concat()))?;
+        model.derived((time, &start.q, &start.v), inputs, here.acceleration(), here.multipliers());
+    }
+
+    let count = Cell::new(0);
+    ADAPTIVE.set(true);
+    let h = random.near(1e-2);
+    let means = DormandPrince::tolerance(1e-5);
+    let source = Counted { inputs: *inputs, count: &count };
+    let mut simulation = Simulation::new(model, *start).input_source(source).integrator(means).step(h);
+    for _ in 0..3 {
+        count.set(0);
+        let before = simulation.time();
+        let taken = simulation.advance().is_ok();
+        let at = before + (simulation.time() - before) * random.near(0.5);
+        judged("interpolate", simulation.interpolate(at).ok().filter(|_| taken).map(both))?;
+    }
+    count.set(0);
+    let end = simulation.time() + 10.0 * h;
+    let interval = if CLOCK { random.near(h) } else { h * (0.1 + random.unit().abs()) };
+    let reached = simulation.run_every(interval, end, |sample| _ = std::hint::black_box(sample.energy()));
+    judged("run_every", reached.ok().map(both))?;
+    Ok(verdict)
+}
