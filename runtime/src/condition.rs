@@ -12,9 +12,16 @@ use crate::vector::Vector;
 const SUBSTITUTIONS: u32 = 3;
 
 /// A pivot of D M⁻¹ Dᵀ, rows brought to length one, from which on the least eigenvalue is not asked for: 3·10⁻³ for `f64`, 3·10⁻² for
-/// `f32`. Between the two lies less than this over [`Real::NEAR_SINGULAR`] on every mechanism that was tried.
+/// `f32`. On every mechanism that ships no position with such a pivot is nearly singular.
 pub(crate) fn far<R: Real>() -> R {
     R::from_f64(3e-3).max(R::from_f64(30.0) * R::NEAR_SINGULAR)
+}
+
+/// What a step looks at: [`reciprocal_condition`], or the smallest pivot where that is far from zero.
+pub(crate) fn watched<R: Real, M: Assemble<R>>(model: &M, time: R, q: &M::Q) -> R {
+    let mut store = M::store();
+    let pivot = model.factor(time, q, R::ZERO, &mut store);
+    if R::any(pivot.greater_equal(far())) { pivot } else { least(model, &store, pivot) }
 }
 
 /// An estimate of λ_min/λ_max of A = S^−½ D M⁻¹ Dᵀ S^−½ at a position, S the rows' scales; never above the smallest pivot. One for a
@@ -29,8 +36,13 @@ pub fn reciprocal_condition<R: Real, M: Assemble<R>>(model: &M, time: R, q: &M::
     }
     let mut store = M::store();
     let pivot = model.factor(time, q, R::ZERO, &mut store);
+    least(model, &store, pivot)
+}
+
+/// The estimate, by factors whose smallest pivot is given.
+fn least<R: Real, M: Assemble<R>>(model: &M, store: &M::Store, pivot: R) -> R {
     // Written so that a NaN is returned.
-    if R::any(pivot.greater_equal(far())) || !R::any(pivot.greater(R::ZERO)) {
+    if !R::any(pivot.greater(R::ZERO)) {
         return pivot;
     }
     let mut scales = M::Lambda::zero();
@@ -47,7 +59,7 @@ pub fn reciprocal_condition<R: Real, M: Assemble<R>>(model: &M, time: R, q: &M::
         x = x.scaled(R::ONE / length);
         roots(&mut x);
         let (mut a, mut lambda) = (M::V::zero(), M::Lambda::zero());
-        model.solve(&store, &M::V::zero(), &x, &mut a, &mut lambda);
+        model.solve(store, &M::V::zero(), &x, &mut a, &mut lambda);
         roots(&mut lambda);
         let size = lambda.norm_squared().sqrt();
         // What overflows, or is nothing, says no more.

@@ -4,7 +4,7 @@
 use crate::rank::{compare, cycle};
 use crate::registry::{Model, model};
 use linkwright::{
-    Assemble, AugmentedLagrangian, Baumgarte, Formulation, LagrangeIndex1, Mechanism, NullSpace, Partitioned,
+    Assemble, AssembleExt, AugmentedLagrangian, Baumgarte, Formulation, LagrangeIndex1, Mechanism, NullSpace, Partitioned,
     Penalty, Projected, Simulation, State, mechanism,
 };
 
@@ -112,7 +112,7 @@ fn rank_along_the_cycle() {
         let off = compare(&model, &cycle(&model));
         println!("{}: {:.2} to {:.2}, down to {:.1e}", M::NAME, off.least, off.most, off.smallest);
         assert!(off.least > 1.0 / 30.0 && off.most < 30.0, "{}: {} to {}", M::NAME, off.least, off.most);
-        assert!(!regular || off.smallest > 1e-3, "{}: {:e}", M::NAME, off.smallest);
+        assert!(!regular || off.smallest > 3e-4, "{}: {:e}", M::NAME, off.smallest);
     }
     check::<Bennett>(true);
     check::<BennettKept>(true);
@@ -194,7 +194,7 @@ fn a_third_crank_turns_all_round() {
 #[test]
 fn switched_rows_are_named() {
     let of = |rows: &'static [linkwright::Row]| rows.iter().map(|row| row.what).collect::<Vec<_>>();
-    assert_eq!(of(<Bennett as Mechanism<f64>>::ROWS), ["switched_1", "switched_2"]);
+    assert_eq!(of(<Bennett as Mechanism<f64>>::ROWS), ["switched_1", "axis_1"]);
     let kept = of(<BennettKept as Mechanism<f64>>::ROWS);
     assert!(kept.len() == 5 && kept.contains(&"idle_1"), "{kept:?}");
     assert_eq!(<BennettKept as Assemble<f64>>::IDLE.len(), 3);
@@ -213,10 +213,12 @@ fn reactions_balance_whichever_rows_are_taken() {
             simulation.advance().expect("it turns");
             other.advance().expect("it turns");
         }
-        let (a, lambda) = (simulation.acceleration(), simulation.multipliers());
+        let a = simulation.acceleration().expect("it is regular");
+        let lambda = simulation.multipliers().expect("it is regular");
         let state = simulation.state();
         let held = tree.reactions(simulation.time(), &state.q, &state.v, &(), &a, &lambda);
-        let (a, lambda) = (other.acceleration(), other.multipliers());
+        let a = other.acceleration().expect("it is regular");
+        let lambda = other.multipliers().expect("it is regular");
         let state = other.state();
         let there = absolute.reactions(other.time(), &state.q, &state.v, &(), &a, &lambda);
         for axis in 0..3 {

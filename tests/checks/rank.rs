@@ -55,6 +55,9 @@ pub fn compare<M: Model>(model: &M, positions: &[(f64, M::Q)]) -> Off {
         let (least, most) = extreme_eigenvalues(live.iter().zip(&sizes).map(row).collect());
         let exact = least / most.max(1.0);
         let found = reciprocal_condition(model, *time, q);
+        // A step asks for the condition where a pivot is below 3·10⁻³: no position that is nearly singular may be missed by that.
+        let pivot = model.factor(*time, q, 0.0, &mut M::store());
+        assert!(pivot < 3e-3 || exact > LIMIT, "{} at {time} s: pivot {pivot:e}, exactly {exact:e}", M::NAME);
         off.smallest = off.smallest.min(exact);
         // What is left of an eigenvalue below this is rounding.
         if exact < 1e-11 {

@@ -72,7 +72,7 @@ impl FourBar<::core::primitive::f64> {
     ///Degrees of freedom, drivers removed.
     pub const DEGREES_OF_FREEDOM: ::core::primitive::usize = 1;
     ///Operations of the default acceleration function (Baumgarte), a fused multiply-add counted once.
-    pub const OPERATIONS: ::core::primitive::usize = 87;
+    pub const OPERATIONS: ::core::primitive::usize = 86;
     ///The definition as written.
     pub const SOURCE: &'static ::core::primitive::str = (
         "# [doc = r\" Four-bar of unit rods (IFToMM A02 with one window).\"] # [doc = r\"\"] # [doc = r\" Three uniform rods of 1 m and 1 kg, g = 9.81 m/s², cranks upright and turning at −1 rad/s. The cranks move as a\"] # [doc = r\" pendulum with θ\u{308} = −(6/5)(g/L) cos θ.\"] pub planar FourBar { gravity [m / s ^ 2] = (0 , - 9.81) ; rod crank { mass [kg] = 1 ; length [m] = 1 ; } rod coupler { mass [kg] = 1 ; length [m] = 1 ; } rod rocker { mass [kg] = 1 ; length [m] = 1 ; } joint crank_pin : revolute (ground (0 , 0) [m] , crank . start) ; joint rocker_pin : revolute (ground (1 , 0) [m] , rocker . start) ; joint left : revolute (crank . end , coupler . start) ; joint right : revolute (coupler . end , rocker . end) ; start { crank_pin . angle [deg] = 90 ; crank_pin . rate [rad / s] = - 1 ; rocker_pin . angle [deg] ~ 90 ; coupler . angle [rad] ~ 0 ; } expect { degrees_of_freedom = 1 ; operations <= 100 ; } output x [m] = crank . end . x ; output angle [rad] = rocker_pin . angle ; }",
@@ -678,12 +678,11 @@ const _: () = {
             let a63 = a11.mul_add(lambda_right_x_, a62);
             let rocker_rate_dot_ = a21.mul_add(lambda_right_y_, (-a63));
             let coupler_rate_dot_ = -a57;
-            let a66 = a17.max(a24);
+            let a66 = R::from_f64(8.0) * a18;
             let a67 = a26.abs();
-            let a68 = a18.max(a67);
-            let a69 = a66 * a68;
-            let a70 = R::from_f64(2.0).mul_add(a69, R::from_f64(-1.0));
-            let smallest_pivot = R::ONE / a70;
+            let a68 = R::from_f64(16.0) * a67;
+            let a69 = a66.max(a68);
+            let smallest_pivot = R::ONE / a69;
             *a_out = [crank_rate_dot_, rocker_rate_dot_, coupler_rate_dot_];
             *lambda_out = [lambda_right_x_, lambda_right_y_];
             smallest_pivot
@@ -789,12 +788,11 @@ const _: () = {
             let a78 = a11.mul_add(lambda_right_x_, a77);
             let rocker_rate_dot_ = a21.mul_add(lambda_right_y_, (-a78));
             let coupler_rate_dot_ = -a72;
-            let a81 = a17.max(a24);
+            let a81 = R::from_f64(8.0) * a18;
             let a82 = a26.abs();
-            let a83 = a18.max(a82);
-            let a84 = a81 * a83;
-            let a85 = R::from_f64(2.0).mul_add(a84, R::from_f64(-1.0));
-            let smallest_pivot = R::ONE / a85;
+            let a83 = R::from_f64(16.0) * a82;
+            let a84 = a81.max(a83);
+            let smallest_pivot = R::ONE / a84;
             *a_out = [crank_rate_dot_, rocker_rate_dot_, coupler_rate_dot_];
             *lambda_out = [lambda_right_x_, lambda_right_y_];
             smallest_pivot
@@ -825,6 +823,7 @@ const _: () = {
         const INDEPENDENT: &'static [u16] = &[0];
         const FLIPS: &'static [u16] = &[];
         const DEPENDENT: &'static [(u16, u16)] = &[(0, 1), (1, 2)];
+        const ROW_SIZES: &'static [f64] = &[1.0, 1.0];
         const CONDITION_PATTERN: &'static [(u16, u16)] = &[(0, 0)];
         const ELIMINATION: Elimination = Elimination {
             order: &[1, 2, 0, 3, 4, 5],
@@ -886,6 +885,9 @@ const _: () = {
         }
         fn row_cosines(&self, time: R, q: &Q<R>, out: &mut Lambda<R>) {
             *out = [R::ONE, R::ONE];
+        }
+        fn row_scales(&self, out: &mut Lambda<R>) {
+            *out = [R::from_f64(8.0), R::from_f64(16.0)];
         }
         fn start_targets(
             &self,

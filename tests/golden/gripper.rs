@@ -47,7 +47,7 @@
 pub struct Gripper<R = ::core::primitive::f64> {
     parameters: GripperParameters<R>,
     phases: [R; 0],
-    constants: [R; 19],
+    constants: [R; 21],
 }
 ///Parameters of [`Gripper`], in SI units.
 #[derive(
@@ -118,7 +118,7 @@ impl Gripper<::core::primitive::f64> {
     ///Degrees of freedom, drivers removed.
     pub const DEGREES_OF_FREEDOM: ::core::primitive::usize = 1;
     ///Operations of the default acceleration function (Baumgarte), a fused multiply-add counted once.
-    pub const OPERATIONS: ::core::primitive::usize = 106;
+    pub const OPERATIONS: ::core::primitive::usize = 105;
     ///The definition as written.
     pub const SOURCE: &'static ::core::primitive::str = (
         "# [doc = r\" A four-bar that a torsion spring holds, with more inputs than it needs.\"] pub planar Gripper { param stiffness [N * m / rad] = 6 ; param length [m] = 0.9 ; param weight [kg] = 1.2 in 0.1 .. 10 ; input drive [N * m] ; input pull [N] ; gravity [m / s ^ 2] = (0 , - 9.81) ; rod crank { mass [kg] = weight ; length [m] = 0.4 ; } rod coupler { mass [kg] = 0.8 ; length [m] = length ; } rod rocker { mass [kg] = 0.6 ; length [m] = 0.7 ; } joint a : revolute (ground (0 , 0) [m] , crank . start) ; joint b : revolute (crank . end , coupler . start) ; joint c : revolute (coupler . end , rocker . end) ; joint d : revolute (ground (0.8 , 0) [m] , rocker . start) ; torsion_spring coil : torsion_spring (a , stiffness = stiffness , angle = 40 [deg] , damping = 0.2 [N * m * s / rad]) ; torque motor : torque (a) = drive ; force rope : force (coupler . center , direction = (1 , 2)) = pull ; start { a . angle [deg] = 70 ; a . rate [rad / s] = 1 ; d . angle [deg] ~ 80 ; coupler . angle [rad] ~ 0.3 ; } options { emit = (tangent) ; } expect { degrees_of_freedom = 1 ; } output reach [m] = coupler . center . x ; output swing [rad] = d . angle ; output swinging [rad / s] = d . rate ; output stored [J] = potential_energy ; }",
@@ -161,7 +161,7 @@ const _: () = {
     use ::core::prelude::rust_2024::*;
     use ::linkwright::__private::v1::*;
     use ::core::primitive::{bool, f64, u16, u32, usize, str};
-    type Constants<R> = [R; 19];
+    type Constants<R> = [R; 21];
     type Phases<R> = [R; 0];
     type Q<R> = [R; 8];
     type V<R> = [R; 3];
@@ -295,11 +295,24 @@ const _: () = {
             let a11 = R::from_f64(3.9240000000000004) * length;
             let a12 = R::from_f64(0.5) * stiffness;
             let a13 = R::ONE / a3;
-            let a14 = a0 * a13;
-            let a15 = R::from_f64(0.4) * a13;
-            let a16 = R::from_f64(0.22360679774997896) * length;
-            let a17 = R::from_f64(0.4472135954999579) * length;
-            let a18 = R::from_f64(0.5333333333333333) * length;
+            let a14 = R::ONE / a8;
+            let a15 = R::from_f64(0.8553343370791797) * length;
+            let a16 = a15 * a15;
+            let a17 = R::from_f64(0.005234360729529799)
+                .mul_add(a13, R::from_f64(4.963666551909257));
+            let a18 = a14.mul_add(a16, a17);
+            let a19 = R::from_f64(2.0686756477018693) * a18;
+            let a20 = R::from_f64(0.8401161899960727) * length;
+            let a21 = a20 * a20;
+            let a22 = R::from_f64(0.15682644486514283)
+                .mul_add(a13, R::from_f64(1.974689704964116));
+            let a23 = a14.mul_add(a21, a22);
+            let a24 = R::from_f64(1.471067913519537) * a23;
+            let a25 = a0 * a13;
+            let a26 = R::from_f64(0.4) * a13;
+            let a27 = R::from_f64(0.22360679774997896) * length;
+            let a28 = R::from_f64(0.4472135954999579) * length;
+            let a29 = R::from_f64(0.5333333333333333) * length;
             Self {
                 parameters,
                 phases,
@@ -318,11 +331,13 @@ const _: () = {
                     a9,
                     a12,
                     a13,
-                    a14,
-                    a15,
-                    a16,
-                    a17,
-                    a18,
+                    a19,
+                    a24,
+                    a25,
+                    a26,
+                    a27,
+                    a28,
+                    a29,
                 ],
             }
         }
@@ -897,11 +912,13 @@ const _: () = {
             let k13 = constants[13];
             let k14 = constants[14];
             let k15 = constants[15];
-            let a0 = k15 * crank_cos;
+            let k16 = constants[16];
+            let k17 = constants[17];
+            let a0 = k17 * crank_cos;
             let a1 = R::from_f64(0.4) * crank_cos;
             let a2 = crank_cos * coupler_cos;
             let a3 = crank_sin.mul_add(coupler_sin, a2);
-            let a4 = k14 * a3;
+            let a4 = k16 * a3;
             let a5 = length * coupler_cos;
             let a6 = (-a1).mul_add(a4, a5);
             let a7 = R::from_f64(0.4) * crank_sin;
@@ -911,7 +928,7 @@ const _: () = {
             let a11 = (-a10).mul_add(a4, k2);
             let a12 = R::ONE / a11;
             let a13 = a9 * a12;
-            let a14 = k15 * crank_sin;
+            let a14 = k17 * crank_sin;
             let a15 = R::from_f64(0.7) * rocker_cos;
             let a16 = R::from_f64(7.142857142857145) * rocker_sin;
             let a17 = a15 * a16;
@@ -982,12 +999,11 @@ const _: () = {
             let a82 = R::from_f64(21.021428571428576) * rocker_cos;
             let a83 = a16.mul_add(lambda_c_x_, a82);
             let rocker_rate_dot_ = a27.mul_add(lambda_c_y_, (-a83));
-            let a85 = a23.max(a30);
+            let a85 = k14 * a24;
             let a86 = a32.abs();
-            let a87 = a24.max(a86);
-            let a88 = a85 * a87;
-            let a89 = R::from_f64(2.0).mul_add(a88, R::from_f64(-1.0));
-            let smallest_pivot = R::ONE / a89;
+            let a87 = k15 * a86;
+            let a88 = a85.max(a87);
+            let smallest_pivot = R::ONE / a88;
             *a_out = [crank_rate_dot_, rocker_rate_dot_, coupler_rate_dot_];
             *lambda_out = [lambda_c_x_, lambda_c_y_];
             smallest_pivot
@@ -1027,11 +1043,13 @@ const _: () = {
             let k13 = constants[13];
             let k14 = constants[14];
             let k15 = constants[15];
-            let a0 = k15 * crank_cos;
+            let k16 = constants[16];
+            let k17 = constants[17];
+            let a0 = k17 * crank_cos;
             let a1 = R::from_f64(0.4) * crank_cos;
             let a2 = crank_cos * coupler_cos;
             let a3 = crank_sin.mul_add(coupler_sin, a2);
-            let a4 = k14 * a3;
+            let a4 = k16 * a3;
             let a5 = length * coupler_cos;
             let a6 = (-a1).mul_add(a4, a5);
             let a7 = R::from_f64(0.4) * crank_sin;
@@ -1041,7 +1059,7 @@ const _: () = {
             let a11 = (-a10).mul_add(a4, k2);
             let a12 = R::ONE / a11;
             let a13 = a9 * a12;
-            let a14 = k15 * crank_sin;
+            let a14 = k17 * crank_sin;
             let a15 = R::from_f64(0.7) * rocker_cos;
             let a16 = R::from_f64(7.142857142857145) * rocker_sin;
             let a17 = a15 * a16;
@@ -1127,12 +1145,11 @@ const _: () = {
             let a97 = R::from_f64(21.021428571428576) * rocker_cos;
             let a98 = a16.mul_add(lambda_c_x_, a97);
             let rocker_rate_dot_ = a27.mul_add(lambda_c_y_, (-a98));
-            let a100 = a23.max(a30);
+            let a100 = k14 * a24;
             let a101 = a32.abs();
-            let a102 = a24.max(a101);
-            let a103 = a100 * a102;
-            let a104 = R::from_f64(2.0).mul_add(a103, R::from_f64(-1.0));
-            let smallest_pivot = R::ONE / a104;
+            let a102 = k15 * a101;
+            let a103 = a100.max(a102);
+            let smallest_pivot = R::ONE / a103;
             *a_out = [crank_rate_dot_, rocker_rate_dot_, coupler_rate_dot_];
             *lambda_out = [lambda_c_x_, lambda_c_y_];
             smallest_pivot
@@ -1186,6 +1203,7 @@ const _: () = {
         const INDEPENDENT: &'static [u16] = &[0];
         const FLIPS: &'static [u16] = &[];
         const DEPENDENT: &'static [(u16, u16)] = &[(0, 1), (1, 2)];
+        const ROW_SIZES: &'static [f64] = &[1.394904042702733, 1.0867628625141583];
         const SCALES: &'static [f64] = &[2.0, 2.0, 1.0];
         const CONDITION_PATTERN: &'static [(u16, u16)] = &[(0, 0)];
         const ELIMINATION: Elimination = Elimination {
@@ -1239,6 +1257,12 @@ const _: () = {
         }
         fn row_cosines(&self, time: R, q: &Q<R>, out: &mut Lambda<R>) {
             *out = [R::ONE, R::ONE];
+        }
+        fn row_scales(&self, out: &mut Lambda<R>) {
+            let constants = &self.constants;
+            let k14 = constants[14];
+            let k15 = constants[15];
+            *out = [k14, k15];
         }
         fn start_targets(
             &self,
@@ -1495,12 +1519,12 @@ const _: () = {
             let crank_sin = q[1];
             let coupler_cos = q[4];
             let coupler_sin = q[5];
-            let k16 = constants[16];
-            let k17 = constants[17];
+            let k18 = constants[18];
+            let k19 = constants[19];
             let a0 = R::from_f64(0.17888543819998318) * crank_sin;
             let a1 = R::from_f64(-0.35777087639996635).mul_add(crank_cos, a0);
-            let a2 = k16 * coupler_sin;
-            let a3 = (-k17).mul_add(coupler_cos, a2);
+            let a2 = k18 * coupler_sin;
+            let a3 = (-k19).mul_add(coupler_cos, a2);
             *out = [R::from_f64(-1.0), a1, a3];
         }
         fn parameter_tangent(
@@ -1527,7 +1551,7 @@ const _: () = {
             let coupler_rate_dot = a[2];
             let lambda_c_x = lambda[0];
             let lambda_c_y = lambda[1];
-            let k18 = constants[18];
+            let k20 = constants[20];
             let a0 = R::from_f64(6.283185307179586).mul_add(a_turns, a_remainder);
             let a1 = a0 - R::from_f64(0.6981317007977318);
             let a2 = coupler_rate * coupler_rate;
@@ -1549,7 +1573,7 @@ const _: () = {
             let a18 = R::from_f64(3.9240000000000004) * coupler_cos;
             let a19 = a17.mul_add(a5, a18);
             let a20 = crank_rate_dot.mul_add(a8, a19);
-            let a21 = k18.mul_add(coupler_rate_dot, a20);
+            let a21 = k20.mul_add(coupler_rate_dot, a20);
             let a22 = a15.mul_add(a16, a21);
             let a23 = (-a13).mul_add(a14, a22);
             let a24 = (-coupler_sin).mul_add(lambda_c_x, a23);

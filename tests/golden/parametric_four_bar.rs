@@ -73,7 +73,7 @@
 pub struct ParametricFourBar<R = ::core::primitive::f64> {
     parameters: ParametricFourBarParameters<R>,
     phases: [R; 0],
-    constants: [R; 42],
+    constants: [R; 44],
 }
 ///Parameters of [`ParametricFourBar`], in SI units.
 #[derive(
@@ -171,7 +171,7 @@ impl ParametricFourBar<::core::primitive::f64> {
     ///Degrees of freedom, drivers removed.
     pub const DEGREES_OF_FREEDOM: ::core::primitive::usize = 1;
     ///Operations of the default acceleration function (Baumgarte), a fused multiply-add counted once.
-    pub const OPERATIONS: ::core::primitive::usize = 99;
+    pub const OPERATIONS: ::core::primitive::usize = 98;
     ///The definition as written.
     pub const SOURCE: &'static ::core::primitive::str = (
         "# [doc = r\" Four-bar of which every number is a parameter; its defaults are the literals of [`GeneralFourBar`].\"] pub planar ParametricFourBar { param gravity_x [m / s ^ 2] = 0.31 ; param gravity_y [m / s ^ 2] = - 9.73 ; param crank_x [m] = - 0.15 ; param crank_y [m] = 0.24 ; param rocker_x [m] = 0.93 ; param rocker_y [m] = 0.45 ; param crank_length [m] = 0.4 in 0.01 .. 10 ; param crank_mass [kg] = 0.71 ; param crank_inertia [kg * m ^ 2] = 0.013 ; param crank_center_x [m] = 0.17 ; param crank_center_y [m] = 0.033 ; param coupler_length [m] = 1.0 in 0.01 .. 10 ; param coupler_mass [kg] = 1.93 ; param coupler_inertia [kg * m ^ 2] = 0.187 ; param coupler_center_x [m] = 0.43 ; param coupler_center_y [m] = - 0.12 ; param tracer_x [m] = 0.62 ; param tracer_y [m] = 0.29 ; param rocker_length [m] = 0.9 in 0.01 .. 10 ; param rocker_mass [kg] = 1.37 ; param rocker_inertia [kg * m ^ 2] = 0.091 ; param rocker_center_x [m] = 0.52 ; param rocker_center_y [m] = 0.071 ; param start_angle [deg] = 40 ; param start_rate [rad / s] = 3 ; gravity [m / s ^ 2] = (gravity_x , gravity_y) ; body crank { mass [kg] = crank_mass ; inertia [kg * m ^ 2] = crank_inertia ; center [m] = (crank_center_x , crank_center_y) ; point tip [m] = (crank_length , 0) ; } body coupler { mass [kg] = coupler_mass ; inertia [kg * m ^ 2] = coupler_inertia ; center [m] = (coupler_center_x , coupler_center_y) ; point tip [m] = (coupler_length , 0) ; point tracer [m] = (tracer_x , tracer_y) ; } body rocker { mass [kg] = rocker_mass ; inertia [kg * m ^ 2] = rocker_inertia ; center [m] = (rocker_center_x , rocker_center_y) ; point tip [m] = (rocker_length , 0) ; } joint crank_pin : revolute (ground (crank_x , crank_y) [m] , crank . origin) ; joint rocker_pin : revolute (ground (rocker_x , rocker_y) [m] , rocker . origin) ; joint left : revolute (crank . tip , coupler . origin) ; joint right : revolute (coupler . tip , rocker . tip) ; start { crank_pin . angle [rad] = start_angle ; crank_pin . rate [rad / s] = start_rate ; rocker_pin . angle [deg] ~ 100 ; coupler . angle [deg] ~ 40 ; } expect { degrees_of_freedom = 1 ; } output trace_x [m] = coupler . tracer . x ; output trace_y [m] = coupler . tracer . y ; output rocking [rad] = rocker_pin . angle ; }",
@@ -215,7 +215,7 @@ const _: () = {
     use ::core::prelude::rust_2024::*;
     use ::linkwright::__private::v1::*;
     use ::core::primitive::{bool, f64, u16, u32, usize, str};
-    type Constants<R> = [R; 42];
+    type Constants<R> = [R; 44];
     type Phases<R> = [R; 0];
     type Q<R> = [R; 6];
     type V<R> = [R; 3];
@@ -498,10 +498,31 @@ const _: () = {
             let a37 = gravity_y * rocker_center_y;
             let a38 = gravity_x.mul_add(rocker_center_x, a37);
             let a39 = rocker_mass * a38;
-            let a40 = R::ONE / a12;
-            let a41 = rocker_length * a40;
-            let a42 = R::ONE / a9;
-            let a43 = crank_length * a42;
+            let a40 = R::ONE / a9;
+            let a41 = R::ONE / a12;
+            let a42 = R::ONE / a15;
+            let a43 = R::from_f64(0.8275232094153417) * coupler_length;
+            let a44 = a43 * a43;
+            let a45 = R::from_f64(0.971820281433286) * rocker_length;
+            let a46 = a45 * a45;
+            let a47 = R::from_f64(0.6427876096865394) * crank_length;
+            let a48 = a47 * a47;
+            let a49 = a40 * a48;
+            let a50 = a41.mul_add(a46, a49);
+            let a51 = a42.mul_add(a44, a50);
+            let a52 = R::from_f64(2.6455251711937597) * a51;
+            let a53 = R::from_f64(0.7021406963575164) * coupler_length;
+            let a54 = a53 * a53;
+            let a55 = R::from_f64(0.8614660779177452) * rocker_length;
+            let a56 = a55 * a55;
+            let a57 = R::from_f64(0.993650416208718) * crank_length;
+            let a58 = a57 * a57;
+            let a59 = a40 * a58;
+            let a60 = a41.mul_add(a56, a59);
+            let a61 = a42.mul_add(a54, a60);
+            let a62 = R::from_f64(1.5347207530430917) * a61;
+            let a63 = rocker_length * a41;
+            let a64 = crank_length * a40;
             Self {
                 parameters,
                 phases,
@@ -542,8 +563,10 @@ const _: () = {
                     rocker_y,
                     a40,
                     a41,
-                    a42,
-                    a43,
+                    a52,
+                    a62,
+                    a63,
+                    a64,
                     tracer_x,
                     tracer_y,
                     start_angle,
@@ -1169,7 +1192,9 @@ const _: () = {
             let k35 = constants[35];
             let k36 = constants[36];
             let k37 = constants[37];
-            let a0 = k37 * crank_cos;
+            let k38 = constants[38];
+            let k39 = constants[39];
+            let a0 = k39 * crank_cos;
             let a1 = crank_length * crank_cos;
             let a2 = crank_cos * coupler_sin;
             let a3 = (-crank_sin).mul_add(coupler_cos, a2);
@@ -1177,7 +1202,7 @@ const _: () = {
             let a5 = crank_sin.mul_add(coupler_sin, a4);
             let a6 = k1 * a5;
             let a7 = (-k0).mul_add(a3, a6);
-            let a8 = k36 * a7;
+            let a8 = k34 * a7;
             let a9 = coupler_length * coupler_cos;
             let a10 = (-a1).mul_add(a8, a9);
             let a11 = crank_length * crank_sin;
@@ -1186,9 +1211,9 @@ const _: () = {
             let a14 = (-a7).mul_add(a8, k4);
             let a15 = R::ONE / a14;
             let a16 = a13 * a15;
-            let a17 = k37 * crank_sin;
+            let a17 = k39 * crank_sin;
             let a18 = rocker_length * rocker_cos;
-            let a19 = k35 * rocker_sin;
+            let a19 = k38 * rocker_sin;
             let a20 = a18 * a19;
             let a21 = a1.mul_add(a17, a20);
             let a22 = (-a10).mul_add(a16, a21);
@@ -1199,7 +1224,7 @@ const _: () = {
             let a27 = R::ONE / a26;
             let a28 = a22 * a27;
             let a29 = a10 * a15;
-            let a30 = k35 * rocker_cos;
+            let a30 = k38 * rocker_cos;
             let a31 = a18 * a30;
             let a32 = a1.mul_add(a0, a31);
             let a33 = a10.mul_add(a29, a32);
@@ -1238,20 +1263,19 @@ const _: () = {
             let a66 = a15 * a46;
             let a67 = a16.mul_add(lambda_right_x_, a66);
             let a68 = a29.mul_add(lambda_right_y_, a67);
-            let a69 = k36 * a41;
+            let a69 = k34 * a41;
             let a70 = a8.mul_add(a68, a69);
             let a71 = a17.mul_add(lambda_right_x_, a70);
             let crank_rate_dot_ = (-a0).mul_add(lambda_right_y_, a71);
-            let a73 = k34 * a48;
+            let a73 = k35 * a48;
             let a74 = a19.mul_add(lambda_right_x_, a73);
             let rocker_rate_dot_ = a30.mul_add(lambda_right_y_, (-a74));
             let coupler_rate_dot_ = -a68;
-            let a77 = a26.max(a33);
+            let a77 = k36 * a27;
             let a78 = a35.abs();
-            let a79 = a27.max(a78);
-            let a80 = a77 * a79;
-            let a81 = R::from_f64(2.0).mul_add(a80, R::from_f64(-1.0));
-            let smallest_pivot = R::ONE / a81;
+            let a79 = k37 * a78;
+            let a80 = a77.max(a79);
+            let smallest_pivot = R::ONE / a80;
             *a_out = [crank_rate_dot_, rocker_rate_dot_, coupler_rate_dot_];
             *lambda_out = [lambda_right_x_, lambda_right_y_];
             smallest_pivot
@@ -1295,7 +1319,9 @@ const _: () = {
             let k35 = constants[35];
             let k36 = constants[36];
             let k37 = constants[37];
-            let a0 = k37 * crank_cos;
+            let k38 = constants[38];
+            let k39 = constants[39];
+            let a0 = k39 * crank_cos;
             let a1 = crank_length * crank_cos;
             let a2 = crank_cos * coupler_sin;
             let a3 = (-crank_sin).mul_add(coupler_cos, a2);
@@ -1303,7 +1329,7 @@ const _: () = {
             let a5 = crank_sin.mul_add(coupler_sin, a4);
             let a6 = k1 * a5;
             let a7 = (-k0).mul_add(a3, a6);
-            let a8 = k36 * a7;
+            let a8 = k34 * a7;
             let a9 = coupler_length * coupler_cos;
             let a10 = (-a1).mul_add(a8, a9);
             let a11 = crank_length * crank_sin;
@@ -1312,9 +1338,9 @@ const _: () = {
             let a14 = (-a7).mul_add(a8, k4);
             let a15 = R::ONE / a14;
             let a16 = a13 * a15;
-            let a17 = k37 * crank_sin;
+            let a17 = k39 * crank_sin;
             let a18 = rocker_length * rocker_cos;
-            let a19 = k35 * rocker_sin;
+            let a19 = k38 * rocker_sin;
             let a20 = a18 * a19;
             let a21 = a1.mul_add(a17, a20);
             let a22 = (-a10).mul_add(a16, a21);
@@ -1325,7 +1351,7 @@ const _: () = {
             let a27 = R::ONE / a26;
             let a28 = a22 * a27;
             let a29 = a10 * a15;
-            let a30 = k35 * rocker_cos;
+            let a30 = k38 * rocker_cos;
             let a31 = a18 * a30;
             let a32 = a1.mul_add(a0, a31);
             let a33 = a10.mul_add(a29, a32);
@@ -1380,20 +1406,19 @@ const _: () = {
             let a82 = a15 * a46;
             let a83 = a16.mul_add(lambda_right_x_, a82);
             let a84 = a29.mul_add(lambda_right_y_, a83);
-            let a85 = k36 * a41;
+            let a85 = k34 * a41;
             let a86 = a8.mul_add(a84, a85);
             let a87 = a17.mul_add(lambda_right_x_, a86);
             let crank_rate_dot_ = (-a0).mul_add(lambda_right_y_, a87);
-            let a89 = k34 * a48;
+            let a89 = k35 * a48;
             let a90 = a19.mul_add(lambda_right_x_, a89);
             let rocker_rate_dot_ = a30.mul_add(lambda_right_y_, (-a90));
             let coupler_rate_dot_ = -a84;
-            let a93 = a26.max(a33);
+            let a93 = k36 * a27;
             let a94 = a35.abs();
-            let a95 = a27.max(a94);
-            let a96 = a93 * a95;
-            let a97 = R::from_f64(2.0).mul_add(a96, R::from_f64(-1.0));
-            let smallest_pivot = R::ONE / a97;
+            let a95 = k37 * a94;
+            let a96 = a93.max(a95);
+            let smallest_pivot = R::ONE / a96;
             *a_out = [crank_rate_dot_, rocker_rate_dot_, coupler_rate_dot_];
             *lambda_out = [lambda_right_x_, lambda_right_y_];
             smallest_pivot
@@ -1409,8 +1434,8 @@ const _: () = {
             let crank_length = constants[5];
             let crank_x = constants[30];
             let crank_y = constants[31];
-            let tracer_x = constants[38];
-            let tracer_y = constants[39];
+            let tracer_x = constants[40];
+            let tracer_y = constants[41];
             let a0 = crank_length.mul_add(crank_cos, crank_x);
             let a1 = tracer_x * coupler_cos;
             let a2 = (-tracer_y).mul_add(coupler_sin, a1);
@@ -1442,6 +1467,7 @@ const _: () = {
         const INDEPENDENT: &'static [u16] = &[0];
         const FLIPS: &'static [u16] = &[];
         const DEPENDENT: &'static [(u16, u16)] = &[(0, 1), (1, 2)];
+        const ROW_SIZES: &'static [f64] = &[1.5953757201770884, 1.5898406659339488];
         const SCALES: &'static [f64] = &[4.0, 1.0, 1.0];
         const CONDITION_PATTERN: &'static [(u16, u16)] = &[(0, 0)];
         const ELIMINATION: Elimination = Elimination {
@@ -1505,14 +1531,20 @@ const _: () = {
         fn row_cosines(&self, time: R, q: &Q<R>, out: &mut Lambda<R>) {
             *out = [R::ONE, R::ONE];
         }
+        fn row_scales(&self, out: &mut Lambda<R>) {
+            let constants = &self.constants;
+            let k36 = constants[36];
+            let k37 = constants[37];
+            *out = [k36, k37];
+        }
         fn start_targets(
             &self,
             positions: &mut Conditions<R>,
             rates: &mut Conditions<R>,
         ) {
             let constants = &self.constants;
-            let start_angle = constants[40];
-            let start_rate = constants[41];
+            let start_angle = constants[42];
+            let start_rate = constants[43];
             *positions = [start_angle];
             *rates = [start_rate];
         }

@@ -370,6 +370,7 @@ const _: () = {
         const START_RATES: &'static [u16] = &[0];
         const INDEPENDENT: &'static [u16] = &[0];
         const FLIPS: &'static [u16] = &[];
+        const ROW_SIZES: &'static [f64] = &[];
         const CONDITION_PATTERN: &'static [(u16, u16)] = &[(0, 0)];
         const ELIMINATION: Elimination = Elimination {
             order: &[0, 1],
@@ -430,6 +431,9 @@ const _: () = {
             *out = [R::ZERO];
         }
         fn row_cosines(&self, time: R, q: &Q<R>, out: &mut Lambda<R>) {
+            *out = [];
+        }
+        fn row_scales(&self, out: &mut Lambda<R>) {
             *out = [];
         }
         fn start_targets(

@@ -656,6 +656,7 @@ const _: () = {
         const START_RATES: &'static [u16] = &[0, 1, 2];
         const INDEPENDENT: &'static [u16] = &[];
         const FLIPS: &'static [u16] = &[];
+        const ROW_SIZES: &'static [f64] = &[];
         const CONDITION_PATTERN: &'static [(u16, u16)] = &[
             (0, 0),
             (1, 1),
@@ -845,6 +846,9 @@ const _: () = {
             *out = [R::ZERO, R::ZERO, R::ZERO, R::ZERO, R::ZERO, R::ZERO];
         }
         fn row_cosines(&self, time: R, q: &Q<R>, out: &mut Lambda<R>) {
+            *out = [];
+        }
+        fn row_scales(&self, out: &mut Lambda<R>) {
             *out = [];
         }
         fn start_targets(

@@ -173,6 +173,9 @@ pub enum Means {
     Ali3p(Ali3p),
 }
 
+/// Steps of its own choice that a run may have.
+const MOST: u64 = 100;
+
 /// One that is explicit, for mechanisms that emit no derivatives.
 #[derive(Clone, Copy, Debug)]
 #[allow(dead_code)]
@@ -189,7 +192,7 @@ impl Means {
             0 => Means::Rk4,
             1 => Means::SemiImplicitEuler,
             2 => Means::ExplicitTrapezoidal,
-            3 => Means::DormandPrince(DormandPrince::tolerance(random.near(1e-6))),
+            3 => Means::DormandPrince(DormandPrince::tolerance(random.near(1e-6)).most_steps(MOST)),
             4 => Means::GeneralisedAlpha(GeneralisedAlpha::new(random.near(0.8))),
             5 => Means::ImplicitTrapezoidal(ImplicitTrapezoidal::default()),
             _ => Means::Ali3p(Ali3p::new(random.near(1e5))),
@@ -205,6 +208,13 @@ impl Method<f64> for Means {
     fn memory<Q: Vector<f64>, V: Vector<f64>, Lambda: Vector<f64>>(&self) -> Self::Memory<Q, V, Lambda> {
         let carried = Method::<f64>::memory::<Q, V, Lambda>(&ImplicitTrapezoidal::default());
         (Method::<f64>::memory::<Q, V, Lambda>(&DormandPrince::tolerance(1e-6)), carried)
+    }
+
+    fn most_steps(&self) -> u64 {
+        match self {
+            Means::DormandPrince(means) => Method::<f64>::most_steps(means),
+            _ => u64::MAX,
+        }
     }
 
     fn check(&self) -> Result<(), SettingError> {

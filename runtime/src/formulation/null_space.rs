@@ -107,7 +107,7 @@ pub(super) fn by_tables<R: Real, M: Assemble<R>>(
     let rest = forces.plus(-R::ONE, &times::<R, M>(&mass, a));
 
     // R, column by column, and Rᵀ M R, Rᵀ (Q − M S γ).
-    let (n, freedoms) = (M::V::LEN, M::V::LEN - M::Lambda::LEN + M::IDLE.len());
+    let (n, freedoms) = (M::V::LEN, M::V::LEN + M::IDLE.len() - M::Lambda::LEN);
     let mut basis = M::Basis::zero();
     let mut reduced = M::Reduced::zero();
     let mut right = M::V::zero();

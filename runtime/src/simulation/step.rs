@@ -8,7 +8,7 @@ use super::dynamics::Stage;
 use super::singularity::Passage;
 use super::{MechanismDynamics, NearSingular, Residual, Simulation};
 use crate::assembly::{singular_velocity, smallest_pivot};
-use crate::condition::{far, reciprocal_condition};
+use crate::condition::{far, watched};
 use crate::error::SimulationError;
 use crate::formulation::{Formulation, PivotOf};
 use crate::input::InputSource;
@@ -229,7 +229,7 @@ where
     /// The estimate of the reciprocal condition of D M⁻¹ Dᵀ at a position.
     #[cold]
     fn condition(&self, time: R, q: &M::Q) -> R {
-        reciprocal_condition(self.model(), time, q)
+        watched(self.model(), time, q)
     }
 
     /// Why the integrator took no step.

@@ -14,102 +14,16 @@ use linkwright_models::n_four_bar::NFourBar2;
 use linkwright_models::slider_crank::SliderCrank;
 use std::f64::consts::PI;
 
-/// The smallest and largest eigenvalue of a symmetric matrix, by Jacobi's rotations.
-fn extreme_eigenvalues(mut a: Vec<Vec<f64>>) -> (f64, f64) {
-    let n = a.len();
-    for _ in 0..60 {
-        for p in 0..n {
-            for q in p + 1..n {
-                if a[p][q].abs() < 1e-300 {
-                    continue;
-                }
-                let theta = (a[q][q] - a[p][p]) / (2.0 * a[p][q]);
-                let t = theta.signum() / (theta.abs() + (theta * theta + 1.0).sqrt());
-                let t = if theta == 0.0 { 1.0 } else { t };
-                let c = 1.0 / (t * t + 1.0).sqrt();
-                let s = t * c;
-                for row in a.iter_mut() {
-                    (row[p], row[q]) = (c * row[p] - s * row[q], s * row[p] + c * row[q]);
-                }
-                let (above, below) = a.split_at_mut(q);
-                for (x, y) in above[p].iter_mut().zip(below[0].iter_mut()) {
-                    (*x, *y) = (c * *x - s * *y, s * *x + c * *y);
-                }
-            }
-        }
-    }
-    let diagonal = (0..n).map(|i| a[i][i]);
-    (diagonal.clone().fold(f64::INFINITY, f64::min), diagonal.fold(0.0, f64::max))
-}
-
-/// The reciprocal condition of D M⁻¹ Dᵀ, the components of each vector scaled alike so that the largest diagonal entry is one.
-fn reciprocal_condition<M: Model>(model: &M, time: f64, q: &M::Q) -> f64 {
-    let mut jacobian = M::Jacobian::zero();
-    model.constraint_jacobian(time, q, &mut jacobian);
-    let m = M::Lambda::LEN;
-    let row = |of: usize| {
-        let mut row = M::V::zero();
-        for (&(r, column), d) in M::JACOBIAN_PATTERN.iter().zip(jacobian.as_slice()) {
-            if usize::from(r) == of {
-                row.as_mut_slice()[usize::from(column)] = *d;
-            }
-        }
-        row
-    };
-    // M⁻¹ dᵀ by a very soft K(c), whose rows then carry nothing.
-    let mut store = M::store();
-    model.factor(time, q, 1e30, &mut store);
-    let mut matrix = vec![vec![0.0; m]; m];
-    for i in 0..m {
-        let (mut x, mut lambda) = (M::V::zero(), M::Lambda::zero());
-        model.solve(&store, &row(i), &M::Lambda::zero(), &mut x, &mut lambda);
-        for (j, entries) in matrix.iter_mut().enumerate() {
-            entries[i] = row(j).as_slice().iter().zip(x.as_slice()).map(|(d, x)| d * x).sum();
-        }
-    }
-    let scale: Vec<f64> = (0..m)
-        .map(|i| {
-            let same = |j: &usize| M::ROWS[*j].of == M::ROWS[i].of;
-            let most = (0..m).filter(same).map(|j| matrix[j][j]).fold(0.0, f64::max);
-            1.0 / most.sqrt()
-        })
-        .collect();
-    for (row, own) in matrix.iter_mut().zip(&scale) {
-        row.iter_mut().zip(&scale).for_each(|(entry, other)| *entry *= own * other);
-    }
-    let (least, most) = extreme_eigenvalues(matrix);
-    least / most
-}
-
-/// The estimate from the pivots is the reciprocal condition to a small factor, from well posed positions to flat ones.
+/// Pivots vanish with the square of the distance from a flat position, whatever the rows are measured by.
 #[test]
-fn pivots_estimate_the_condition() {
-    fn check<M: Model>(factor: f64) {
-        let (_, _, model, states) = walk::<M>(21, 40);
-        let (mut least, mut most) = (f64::INFINITY, 0.0_f64);
-        let mut smallest = 1.0_f64;
-        for at in &states {
-            let exact = reciprocal_condition(&model, at.time, &at.q);
-            let found = model.factor(at.time, &at.q, 0.0, &mut M::store());
-            (least, most) = (least.min(found / exact), most.max(found / exact));
-            smallest = smallest.min(exact);
-        }
-        println!("{}: estimate / exact {least:.2} to {most:.2}, down to {smallest:.1e}", M::NAME);
-        assert!(least > 1.0 / factor && most < factor, "{}: {least} {most}", M::NAME);
-    }
-    check::<FourBar>(4.0);
-    check::<NFourBar2>(4.0);
-    check::<SliderCrank>(4.0);
-    check::<ChangePointFourBar>(4.0);
-    check::<Andrews>(4.0);
-
+fn pivots_tell_the_distance_from_a_flat_position() {
     // Up to a flat position, and at it.
     let model = NFourBar2::<f64>::default();
     for angle in [1e-1, 1e-2, 1e-3, 1e-4, 0.0_f64] {
         let (c, s) = (angle.cos(), angle.sin());
         let q = [c, s, c, s, c, s, 1.0, 0.0, 1.0, 0.0];
         let found = model.factor(0.0, &q, 0.0, &mut <NFourBar2 as Assemble<f64>>::store());
-        assert!(found <= 2.0 * s * s && found >= 0.05 * s * s, "{found:e} at {angle}");
+        assert!(found <= s * s && found >= 0.02 * s * s, "{found:e} at {angle}");
     }
 }
 
@@ -228,8 +142,9 @@ fn a_start_beside_a_singular_position_is_right_or_an_error() {
             let (time, state) = (simulation.time(), *simulation.state());
             match simulation.advance() {
                 Ok(_) => {
-                    let drift = (simulation.energy() - begin).abs();
-                    assert!(drift < 0.25 * begin, "{name}: {drift:e} J of {begin} J");
+                    // What is off at an accepted start may go at once; nothing may come.
+                    let drift = simulation.energy() - begin;
+                    assert!(drift < 0.01 * begin && drift > -0.35 * begin, "{name}: {drift:e} J of {begin} J");
                 }
                 Err(error) => {
                     assert_eq!(error.joint(), Some("right"), "{name}: {error}");

@@ -37,7 +37,7 @@ pub use gap::Gap;
 pub use mobility::{full_squares, rank};
 pub use partition::{Partition, Pivot, partition};
 pub use point::{Ancestry, Point, retract};
-pub use scales::{row_scales, row_sizes};
+pub use scales::row_scales;
 
 use super::messages;
 use crate::diagnostics::Diagnostics;
@@ -67,8 +67,10 @@ pub struct Assembly {
     pub omitted: Omitted,
     /// Joints whose reactions are not unique, because of that.
     pub shared: Vec<JointId>,
-    /// Positions along the motion that the joints admit, the start first.
+    /// Positions along the motion that the joints admit.
     pub along: Vec<Vec<f64>>,
+    /// How many of them are near the start; of redundant mechanisms.
+    pub near: usize,
 }
 
 /// Puts the mechanism together; reports why if it cannot.
@@ -92,12 +94,12 @@ pub fn assemble(
     let at = Assembled { mechanism, problem: &problem, q: &q, phases: &phases, independent: &independent };
     let (mobility, redundancy) = freedoms::judge(&at, &mut point, errors)?;
     let v = rates::rates(mechanism, equations, &mut point, &q, errors)?;
-    let redundancy::Redundancy { dropped, omitted, shared, mut along } = redundancy;
+    let redundancy::Redundancy { dropped, omitted, shared, mut along, near } = redundancy;
     if along.is_empty() {
         let joints = problem.joints_only(mechanism);
         along = along::positions(&mut point, &joints, &q, Walk::far(equations));
     }
-    Some(Assembly { q, v, phases, mobility, independent, dropped, omitted, shared, along })
+    Some(Assembly { q, v, phases, mobility, independent, dropped, omitted, shared, along, near })
 }
 
 /// The rows of absolute coordinates that repeat others, found at the positions along the motion; an error where no choice of
@@ -109,7 +111,7 @@ pub fn drop_redundant(
     errors: &mut Diagnostics,
 ) -> Assembly {
     let mut point = Point::at_defaults(mechanism, absolute, &assembly.phases);
-    let found = redundancy::of_absolute(mechanism, &mut point, &assembly.along);
+    let found = redundancy::of_absolute(mechanism, &mut point, &assembly.along, assembly.near);
     match found {
         Ok(found) => {
             Assembly { dropped: found.dropped, omitted: found.omitted, shared: found.shared, ..assembly }

@@ -1,6 +1,7 @@
 //! Which velocities are taken as dependent ones, where a formulation works with independent ones.
 
-use super::{Ancestry, Assembly, Point, row_sizes};
+use super::scales::{column_sizes, row_sizes};
+use super::{Ancestry, Assembly, Point};
 use crate::equations::Equations;
 use crate::model::Mechanism;
 use crate::solve::groups;
@@ -12,13 +13,16 @@ const GOOD: f64 = 0.3;
 /// The velocities of the independent coordinates stay independent if that costs less than this.
 const DEARER: f64 = 1.25;
 
+/// A column whose entries at the start are less than this part of those along the motion says nothing of its unit there.
+const SMALL: f64 = 0.1;
+
 /// D factored at the start: which velocity each row gives, in an order in which little fills in.
 #[derive(Clone, Debug, Default)]
 pub struct Partition {
     /// In order of elimination: one list for each joint's vector of rows, or row by itself.
     pub blocks: Vec<Vec<Pivot>>,
-    /// One over the largest entry of each column of D at the start, to a power of two: entries are compared after
-    /// multiplication by it, because columns have different units.
+    /// One over the largest entry of each column of D, to a power of two: entries are compared after multiplication by it, because
+    /// columns have different units.
     pub scales: Vec<f64>,
     /// The largest scaled entry of each row along the motion: what its pivot is measured by.
     pub row_sizes: Vec<f64>,
@@ -57,7 +61,6 @@ pub fn partition(
         let columns = &equations.conditions[*condition].jet.columns;
         columns.keys().next().copied().filter(|_| columns.len() == 1)
     });
-    let velocities = equations.layout.velocities();
     let mut blocks: BTreeMap<(usize, usize), Vec<usize>> = BTreeMap::new();
     for (row, group) in
         groups(&equations.rows).into_iter().enumerate().filter(|(row, _)| rows.contains_key(row))
@@ -65,11 +68,32 @@ pub fn partition(
         blocks.entry(group.map_or((1, row), |group| (0, group))).or_default().push(row);
     }
     let blocks: Vec<Vec<usize>> = blocks.into_values().collect();
-    let sparing = choose(rows.clone(), blocks.clone(), velocities, &alone.collect());
-    let free = choose(rows, blocks, velocities, &BTreeSet::new());
+    let scales = column_scales(mechanism, equations, assembly, &rows);
+    let sparing = choose(rows.clone(), blocks.clone(), &scales, &alone.collect());
+    let free = choose(rows, blocks, &scales, &BTreeSet::new());
     let chosen = if sparing.operations as f64 <= DEARER * free.operations as f64 { sparing } else { free };
     let row_sizes = row_sizes(mechanism, equations, assembly, &chosen.scales);
     Partition { row_sizes, ..chosen }
+}
+
+/// One over the largest entry of each column of D, to a power of two: at the start (`rows`), but for a column that is small there beside
+/// what it is along the motion.
+fn column_scales(
+    mechanism: &Mechanism,
+    equations: &Equations,
+    assembly: &Assembly,
+    rows: &BTreeMap<usize, BTreeMap<usize, f64>>,
+) -> Vec<f64> {
+    let along = column_sizes(mechanism, equations, assembly);
+    let mut largest = vec![0.0_f64; along.len()];
+    for (column, entry) in rows.values().flatten() {
+        largest[*column] = largest[*column].max(entry.abs());
+    }
+    let scale = |(here, along): (&f64, &f64)| {
+        let size = if *here >= SMALL * along { *here } else { *along };
+        if size > 0.0 { libm::exp2(-libm::round(libm::log2(size))) } else { 1.0 }
+    };
+    largest.iter().zip(&along).map(scale).collect()
 }
 
 /// D while it is eliminated.
@@ -85,19 +109,14 @@ struct Active {
 fn choose(
     rows: BTreeMap<usize, BTreeMap<usize, f64>>,
     mut waiting: Vec<Vec<usize>>,
-    velocities: usize,
+    scales: &[f64],
     spared: &BTreeSet<usize>,
 ) -> Partition {
-    let mut largest = vec![0.0_f64; velocities];
-    let mut holders = vec![BTreeSet::new(); velocities];
+    let mut holders = vec![BTreeSet::new(); scales.len()];
     for (row, entries) in &rows {
-        for (column, entry) in entries {
-            largest[*column] = largest[*column].max(entry.abs());
-            holders[*column].insert(*row);
-        }
+        entries.keys().for_each(|column| _ = holders[*column].insert(*row));
     }
-    let scale = |size: &f64| if *size > 0.0 { libm::exp2(-libm::round(libm::log2(*size))) } else { 1.0 };
-    let scales: Vec<f64> = largest.iter().map(scale).collect();
+    let scales = scales.to_vec();
     let mut active = Active { rows, holders, scales: scales.clone() };
     let (mut blocks, mut operations) = (Vec::new(), 0);
     while let Some(at) = (0..waiting.len()).min_by_key(|at| active.length(&waiting[*at])) {

@@ -28,8 +28,9 @@ pub struct Redundancy {
     pub omitted: Omitted,
     /// Joints whose reactions are not unique.
     pub shared: Vec<JointId>,
-    /// Positions along the motion.
+    /// Positions along the motion, the first `near` of them near the start.
     pub along: Vec<Vec<f64>>,
+    pub near: usize,
 }
 
 /// What was found.
@@ -71,11 +72,12 @@ pub fn find(mechanism: &Mechanism, point: &mut Point, problem: &Problem, q: &[f6
     if deficiency == 0 {
         return Finding { beyond, ..Finding::default() };
     }
-    let along = match beyond.is_empty() {
-        true => near,
-        false => along::positions(point, &problem.joints_only(mechanism), q, Walk::around()),
-    };
-    match redundancy(mechanism, point, &rows, along) {
+    let count = near.len();
+    let mut along = near;
+    if !beyond.is_empty() {
+        along.extend(along::positions(point, &problem.joints_only(mechanism), q, Walk::around()));
+    }
+    match redundancy(mechanism, point, &rows, along, count) {
         Some(Choice { repeated, redundancy, without }) => {
             Finding { repeated, redundancy, beyond, without_choice: without, ..Finding::default() }
         }
@@ -88,9 +90,10 @@ pub fn of_absolute(
     mechanism: &Mechanism,
     point: &mut Point,
     along: &[Vec<f64>],
+    near: usize,
 ) -> Result<Redundancy, Option<JointId>> {
     let rows: Vec<usize> = (0..point.equations.rows.len() - mechanism.drivers.len()).collect();
-    match redundancy(mechanism, point, &rows, along.to_vec()) {
+    match redundancy(mechanism, point, &rows, along.to_vec(), near) {
         Some(Choice { redundancy, without: None, .. }) => Ok(redundancy),
         Some(Choice { without, .. }) => Err(without),
         None => Err(None),
@@ -110,6 +113,7 @@ fn redundancy(
     point: &mut Point,
     rows: &[usize],
     along: Vec<Vec<f64>>,
+    near: usize,
 ) -> Option<Choice> {
     let equations = point.equations;
     let repetition = Repetition::of(point, rows, &along);
@@ -122,7 +126,7 @@ fn redundancy(
     for component in components(&repetition.spaces, rows.len()) {
         let spaces: Vec<Basis> =
             repetition.spaces.iter().map(|space| restricted(space, &component)).collect();
-        let charts = charts::choose(&spaces, component.len(), |at| droppable(component[at]))?;
+        let charts = charts::choose(&spaces, near, component.len(), |at| droppable(component[at]))?;
         repeated.extend(charts.sets[0].iter().map(|at| rows[component[*at]]));
         if !charts.hold() {
             without = charts.sets[0].first().and_then(|at| equations.rows[rows[component[*at]]].joint);
@@ -139,7 +143,7 @@ fn redundancy(
         Some(Dropped { joint: row.joint?, what: row.what })
     };
     let dropped = repeated.iter().filter_map(name).collect();
-    let redundancy = Redundancy { dropped, omitted, shared, along };
+    let redundancy = Redundancy { dropped, omitted, shared, along, near };
     Some(Choice { repeated, redundancy, without })
 }
 

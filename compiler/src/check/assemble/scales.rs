@@ -184,3 +184,19 @@ pub fn row_sizes(
     }
     sizes.into_iter().map(|size| if size > 0.0 && size.is_finite() { size } else { 1.0 }).collect()
 }
+
+/// The largest entry of each column of D along the motion.
+pub fn column_sizes(mechanism: &Mechanism, equations: &Equations, assembly: &Assembly) -> Vec<f64> {
+    let mut sizes = vec![0.0_f64; equations.layout.velocities()];
+    let columns = || equations.rows.iter().flat_map(|row| row.jet.columns.iter());
+    let ancestry = Ancestry::of(equations, columns().map(|(_, node)| *node));
+    let mut point = Point::at_defaults(mechanism, equations, &assembly.phases);
+    for q in &assembly.along {
+        point.set_q(q);
+        point.evaluate(&ancestry);
+        for (column, node) in columns() {
+            sizes[*column] = sizes[*column].max(point.get(*node).abs());
+        }
+    }
+    sizes
+}
