@@ -29,9 +29,6 @@ fn main() {
             }
         }
     }
-    println!(
-        "{cases} cases, {} calls, {} of them Ok, {faults} faults",
-        total.calls, total.good
-    );
+    println!("{cases} cases, {} calls, {} of them Ok, {faults} faults", total.calls, total.good);
     std::process::exit(i32::from(faults > 0));
 }

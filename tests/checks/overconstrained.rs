@@ -4,8 +4,8 @@
 use crate::rank::{compare, cycle};
 use crate::registry::{Model, model};
 use linkwright::{
-    Assemble, AssembleExt, AugmentedLagrangian, Baumgarte, Formulation, LagrangeIndex1, Mechanism, NullSpace, Partitioned,
-    Penalty, Projected, Simulation, State, mechanism,
+    Assemble, AssembleExt, AugmentedLagrangian, Baumgarte, Formulation, LagrangeIndex1, Mechanism, NullSpace,
+    Partitioned, Penalty, Projected, Simulation, State, mechanism,
 };
 
 /// Bennett's linkage: four revolutes, opposite links alike, sin α/a = sin β/b. It turns all round without a singular position, and no

@@ -114,7 +114,7 @@ fn reason(compiled: &Compiled, node: Node, users: &BTreeSet<Function>) -> Option
         );
     }
     if !is_solution(compiled, node)
-        && only(&[Acceleration, AccelerationBaumgarte, Factor, System, FactorJacobian, NullSpace])
+        && only(&[Acceleration, AccelerationBaumgarte, RowScales, Factor, System, FactorJacobian, NullSpace])
     {
         return Some("the watch over the pivots");
     }

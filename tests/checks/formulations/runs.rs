@@ -184,7 +184,7 @@ fn the_ladder_keeps_its_digits_by_projection() {
     println!("{stabilised:?}\n{projected:?}");
     assert!(projected.failure.is_none() && projected.position < 1e-14);
     assert!(projected.drift < 1e-8 && stabilised.drift > 10.0 * projected.drift);
-    assert!(projected.near_singular.is_some_and(|time| (time - 0.72).abs() < 2e-3), "{projected:?}");
+    assert!(projected.near_singular.is_some_and(|time| (time - 0.72).abs() < 5e-3), "{projected:?}");
 }
 
 /// The published end of Andrews' squeezer at 0.03 s, good to 1e-9 rad.

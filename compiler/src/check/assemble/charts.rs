@@ -10,7 +10,7 @@
 use super::redundancy::{Basis, TAKES_PART};
 
 /// A set left out all along the motion is left out for good if σ stays above this.
-const HOLDS: f64 = 0.1;
+const HOLDS: f64 = 0.03;
 /// Together the charts must keep σ above this.
 const SERVES: f64 = 0.02;
 /// Sets that are compared; where there are more, those of the rows that take part most.
@@ -28,7 +28,12 @@ pub struct Charts {
 
 /// Charts for rows whose left null spaces at the positions along the motion are `spaces`, the first `near` of them near the start: of
 /// sets that hold everywhere the one is taken that holds best there. `None` where rows that may not be left out are all that repeat.
-pub fn choose(spaces: &[Basis], near: usize, rows: usize, droppable: impl Fn(usize) -> bool) -> Option<Charts> {
+pub fn choose(
+    spaces: &[Basis],
+    near: usize,
+    rows: usize,
+    droppable: impl Fn(usize) -> bool,
+) -> Option<Charts> {
     let count = spaces.iter().map(Vec::len).min()?;
     // Where more is lost the mechanism is at a singular position, and no choice helps.
     let near = spaces.iter().take(near).filter(|space| space.len() == count).count();

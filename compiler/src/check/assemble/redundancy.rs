@@ -54,6 +54,8 @@ pub struct Finding {
 pub const TAKES_PART: f64 = 1e-6;
 /// A pivot of normalised rows below this is rounding.
 const VANISHED: f64 = 1e-8;
+/// A pivot above this is far from a singular position.
+const REGULAR: f64 = 0.02;
 const POSITIONS: usize = 5;
 /// A position this near to the start, in parts of the step that was tried, is the start again.
 const RETURNED: f64 = 1e-3;
@@ -123,9 +125,12 @@ fn redundancy(
         row.joint.map(|joint| Sized { row: Dropped { joint, what: row.what }, size: repetition.sizes[at] })
     };
     let (mut repeated, mut omitted, mut without) = (Vec::new(), Omitted::default(), None);
+    let all_singular = !repetition.regular.contains(&true);
+    let counts = |at: &usize| all_singular || repetition.regular[*at];
+    let near = (0..near).filter(counts).count();
     for component in components(&repetition.spaces, rows.len()) {
-        let spaces: Vec<Basis> =
-            repetition.spaces.iter().map(|space| restricted(space, &component)).collect();
+        let regular = (0..along.len()).filter(counts);
+        let spaces: Vec<Basis> = regular.map(|at| restricted(&repetition.spaces[at], &component)).collect();
         let charts = charts::choose(&spaces, near, component.len(), |at| droppable(component[at]))?;
         repeated.extend(charts.sets[0].iter().map(|at| rows[component[*at]]));
         if !charts.hold() {
@@ -298,6 +303,8 @@ fn positions(mechanism: &Mechanism, point: &mut Point, problem: &Problem, q: &[f
 struct Repetition {
     /// An orthonormal basis of the w with wᵀ D = 0 at each of them, rows of D brought to one size that is the same at all.
     spaces: Vec<Basis>,
+    /// Whether the rows that do not repeat are far from losing rank at each position, where no choice helps.
+    regular: Vec<bool>,
     /// The sizes of the rows, powers of two.
     sizes: Vec<f64>,
     /// One over the largest entry of each column, a power of two.
@@ -334,17 +341,20 @@ impl Repetition {
                 row.iter_mut().for_each(|x| *x /= size);
             }
         }
-        Repetition { spaces: found.into_iter().map(left_null_space).collect(), sizes, columns }
+        let judged = found.into_iter().map(left_null_space);
+        let (spaces, pivots): (Vec<Basis>, Vec<f64>) = judged.unzip();
+        let regular = pivots.into_iter().map(|pivot| pivot > REGULAR).collect();
+        Repetition { spaces, regular, sizes, columns }
     }
 }
 
-/// An orthonormal basis of the w with wᵀ D = 0.
-fn left_null_space(mut d: Vec<Vec<f64>>) -> Basis {
+/// An orthonormal basis of the w with wᵀ D = 0, and the smallest pivot of the rest.
+fn left_null_space(mut d: Vec<Vec<f64>>) -> (Basis, f64) {
     let m = d.len();
     // Elimination with complete pivoting, of D beside the unit matrix.
     let mut combination: Vec<Vec<f64>> =
         (0..m).map(|i| (0..m).map(|j| if i == j { 1.0 } else { 0.0 }).collect()).collect();
-    let mut rank = 0;
+    let (mut rank, mut smallest) = (0, 1.0_f64);
     while rank < m {
         let mut pivot = (0.0_f64, rank, 0);
         for (i, row) in d.iter().enumerate().skip(rank) {
@@ -358,6 +368,7 @@ fn left_null_space(mut d: Vec<Vec<f64>>) -> Basis {
         if size < VANISHED {
             break;
         }
+        smallest = smallest.min(size);
         d.swap(rank, i);
         combination.swap(rank, i);
         let (pivot, pivot_combination) = (d[rank].clone(), combination[rank].clone());
@@ -373,7 +384,7 @@ fn left_null_space(mut d: Vec<Vec<f64>>) -> Basis {
         }
         rank += 1;
     }
-    orthonormal(combination.split_off(rank))
+    (orthonormal(combination.split_off(rank)), smallest)
 }
 
 /// Gram–Schmidt, twice, which is enough.
