@@ -191,7 +191,8 @@ fn moved<M: Subject, const P: u8>(
         verdict.calls += 1;
         verdict.good += u64::from(outcome.is_ok());
         let most = (end - time) / h;
-        if matches!(call, 3 | 4) && !ADAPTIVE.get() && most.is_finite() && shown as f64 > most + 3.0 {
+        if matches!(call, 3 | 4) && !ADAPTIVE.get() && most.is_finite() && shown as f64 > most.max(0.0) + 3.0
+        {
             return Err(format!("{shown} samples of {most} steps of {h:e} from {time:e} to {end:e}"));
         }
         if matches!(call, 2..=4) && most > MOST_STEPS && outcome.is_ok() && count.get() > 0 {

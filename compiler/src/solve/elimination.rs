@@ -78,7 +78,7 @@ pub fn factor(g: &mut Graph, entries: &Entries, order: &Order, kind: &Kind) -> F
         }
         let inverse = g.unary(Unary::Reciprocal, magnitude);
         let is_difference = !taken.is_empty();
-        if g.value(magnitude).is_none() && (is_row || kind.watch_velocities && is_difference) {
+        if is_row || kind.watch_velocities && is_difference {
             let scale = if is_row { kind.scales[*pivot - velocities] } else { positive };
             watched.push(Watched { scale, inverse, is_row, is_difference });
         }

@@ -31,7 +31,7 @@ const EVERY: u32 = 64;
 const TURN: f64 = 0.1;
 
 /// By what part energy may be more, or less: the bound takes Q and M at the step's beginning.
-const MORE: f64 = 1.25;
+const MORE: f64 = 1.1;
 
 /// The reciprocal condition below which energy may come from nowhere between two steps whose ends are not nearly singular.
 const CLOSE: f64 = 1e-3;

@@ -137,9 +137,12 @@ fn a_start_beside_a_singular_position_is_right_or_an_error() {
             let (time, state) = (simulation.time(), *simulation.state());
             match simulation.advance() {
                 Ok(_) => {
-                    // What is off at an accepted start may be taken back at once, and little may come of it.
+                    // What is off at an accepted start may be taken back at once; what may come is the margin of the check.
                     let drift = simulation.energy() - begin;
-                    assert!(drift < 0.1 * begin && drift > -0.35 * begin, "{name}: {drift:e} J of {begin} J");
+                    assert!(
+                        drift < 0.25 * begin && drift > -0.35 * begin,
+                        "{name}: {drift:e} J of {begin} J"
+                    );
                 }
                 Err(error) => {
                     assert_eq!(error.joint(), Some("right"), "{name}: {error}");

@@ -16,7 +16,7 @@ const MODELS: [&str; 7] =
     ["general_four_bar", "quick_return", "car_axis", "crank", "jack", "shafts", "snake"];
 
 /// Functions that the reference judges.
-const JUDGED: [Function; 15] = [
+const JUDGED: [Function; 16] = [
     Function::MassMatrix,
     Function::Constraints,
     Function::ConstraintJacobian,
@@ -32,6 +32,7 @@ const JUDGED: [Function; 15] = [
     Function::Reactions,
     Function::DriverEfforts,
     Function::Masses,
+    Function::RowScales,
 ];
 
 #[test]
@@ -93,6 +94,11 @@ impl<'a> Judge<'a> {
                 return Vec::new();
             }
             let symbols: Vec<f64> = self.sources.iter().map(|source| self.symbol(*source, inputs)).collect();
+            if function == Function::RowScales {
+                // What pivots are measured by is as it should be, whatever changed.
+                let values = evaluate_with(&self.compiled.equations.graph, &self.needed, &symbols, None);
+                return self.outputs[&function].iter().map(|node| values[node.index()]).collect();
+            }
             let (known, values) = &mut *latest.borrow_mut();
             if values.is_empty() || *known != symbols {
                 *values = evaluate_with(&self.compiled.equations.graph, &self.needed, &symbols, change);

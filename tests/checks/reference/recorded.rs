@@ -287,7 +287,8 @@ fn accelerations(
         }
     }
     (inputs.acceleration, inputs.lambda) = (solution[..n].to_vec(), solution[n..n + nu.len()].to_vec());
-    pivot(compiled, inputs, &mass, &jacobian, solution[solution.len() - 1])
+    let scales = evaluate(Function::RowScales, inputs);
+    pivot(compiled, inputs, &mass, &jacobian, &scales, solution[solution.len() - 1])
 }
 
 /// The watched pivot against the pivots of a plain factorisation in the same order.
@@ -296,6 +297,7 @@ fn pivot(
     inputs: &Inputs,
     mass: &[(usize, usize, f64)],
     jacobian: &[(usize, usize, f64)],
+    scales: &[f64],
     found: f64,
 ) -> Option<String> {
     let n = inputs.v.len();
@@ -320,28 +322,9 @@ fn pivot(
     let pattern = Pattern::new(n, equations.rows.len(), structure);
     let table = Table::with_order(&pattern, sequence);
     let factor = Numeric::factor(&table, entries);
-    // The sums of the positive and of the negative terms follow from their difference and from what it is relative to.
-    let positive = |row: usize| {
-        let (pivot, relative) = (factor.pivots[n + row].abs(), factor.relative_pivots[n + row]);
-        0.5 * pivot * (1.0 + 1.0 / relative)
-    };
-    let rows = &equations.rows;
-    let kind = |what: &str| {
-        ["xyz", "normal_1 normal_2", "axis_1 axis_2"].iter().position(|kind| kind.contains(what))
-    };
-    let alike = |a: usize, b: usize| {
-        a == b
-            || rows[a].of == rows[b].of
-                && kind(rows[a].what).is_some()
-                && kind(rows[a].what) == kind(rows[b].what)
-    };
     let watched = || eliminated.iter().filter(|unknown| **unknown >= n).map(|unknown| unknown - n);
-    let relative = |row: usize| {
-        let scale = watched().filter(|other| alike(row, *other)).map(positive).fold(0.0, f64::max);
-        let pivot = factor.pivots[n + row].abs();
-        pivot / (2.0 * scale - pivot)
-    };
-    let expected = watched().fold(1.0_f64, |least, row| least.min(relative(row)));
+    let relative = |row: usize| factor.pivots[n + row].abs() / scales[row];
+    let expected = watched().fold(f64::INFINITY, |least, row| least.min(relative(row)));
     let same = (expected - found).abs() <= 1e-9 * expected.abs().max(1e-3);
     (!same)
         .then(|| format!("the smallest relative pivot is {found:?}, another factorisation says {expected:?}"))

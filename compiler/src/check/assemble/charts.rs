@@ -10,7 +10,9 @@
 use super::redundancy::{Basis, TAKES_PART};
 
 /// A set left out all along the motion is left out for good if σ stays above this.
-const HOLDS: f64 = 0.03;
+const HOLDS: f64 = 0.1;
+/// Where none stays above that, the best one will do if it stays above this.
+const SUFFICES: f64 = 0.03;
 /// Together the charts must keep σ above this.
 const SERVES: f64 = 0.02;
 /// Sets that are compared; where there are more, those of the rows that take part most.
@@ -58,8 +60,10 @@ pub fn choose(
     let beside = |set: usize| least(quality[set].iter().take(near.max(1)).copied());
     let holding = (0..sets.len()).filter(|set| least(quality[*set].iter().copied()) >= HOLDS);
     let best = holding.reduce(|best, set| if beside(set) > beside(best) + 1e-6 { set } else { best });
-    if let Some(set) = best {
-        return Some(Charts { sets: vec![sets[set].clone()], least: least(quality[set].iter().copied()) });
+    let alone = |set: usize| least(quality[set].iter().copied());
+    let most = (0..sets.len()).reduce(|best, set| if alone(set) > alone(best) + 1e-6 { set } else { best });
+    if let Some(set) = best.or(most.filter(|set| alone(*set) >= SUFFICES)) {
+        return Some(Charts { sets: vec![sets[set].clone()], least: alone(set) });
     }
     let mut covered = vec![0.0_f64; spaces.len()];
     let mut charts: Vec<usize> = Vec::new();

@@ -131,6 +131,10 @@ fn redundancy(
     for component in components(&repetition.spaces, rows.len()) {
         let regular = (0..along.len()).filter(counts);
         let spaces: Vec<Basis> = regular.map(|at| restricted(&repetition.spaces[at], &component)).collect();
+        // What repeats at some positions only is not redundant.
+        if spaces.iter().any(Vec::is_empty) {
+            continue;
+        }
         let charts = charts::choose(&spaces, near, component.len(), |at| droppable(component[at]))?;
         repeated.extend(charts.sets[0].iter().map(|at| rows[component[*at]]));
         if !charts.hold() {
