@@ -109,10 +109,11 @@ fn gram(g: &mut Graph, jets: &[Jet], columns: &[f64]) -> Vec<Vec<Node>> {
 
 /// Takes a row out of a symmetric matrix: the rest is orthogonal to it.
 fn eliminate(g: &mut Graph, a: &mut [Vec<Node>], pivot: usize) {
+    let column: Vec<Node> = a.iter().map(|row| row[pivot]).collect();
     for i in pivot + 1..a.len() {
-        let factor = g.div(a[i][pivot], a[pivot][pivot]);
-        for j in pivot + 1..=i {
-            let taken = g.mul(factor, a[j][pivot]);
+        let factor = g.div(column[i], column[pivot]);
+        for (j, entry) in column.iter().enumerate().take(i + 1).skip(pivot + 1) {
+            let taken = g.mul(factor, *entry);
             a[i][j] = g.sub(a[i][j], taken);
             a[j][i] = a[i][j];
         }
