@@ -18,6 +18,8 @@ const SERVES: f64 = 0.02;
 /// Sets that are compared; where there are more, those of the rows that take part most.
 const MOST_SETS: usize = 400;
 const MOST_CHARTS: usize = 4;
+/// Rows that switch, taken or not: `equations::switch` has names for so many.
+const MOST_SLOTS: usize = 6;
 
 /// The sets of rows to be left out, the best alone first.
 #[derive(Clone, Debug, PartialEq)]
@@ -100,9 +102,14 @@ pub fn choose(
 }
 
 impl Charts {
-    /// Whether they serve all along the motion.
+    /// Whether they serve all along the motion, and switch few enough rows to be named.
     pub fn hold(&self) -> bool {
+        let mut switched: Vec<usize> = self.sets.concat();
+        switched.sort_unstable();
+        switched.dedup();
+        let left_out = self.sets.first().map_or(0, Vec::len);
         self.least >= SERVES
+            && (self.sets.len() == 1 || left_out.max(switched.len() - left_out) <= MOST_SLOTS)
     }
 }
 
