@@ -83,7 +83,7 @@ struct Run<R: Real, M: Mechanism<R>> {
     state: State<M::Q, M::V>,
     /// The outputs last sampled, which the next ones continue.
     outputs: Option<M::Outputs>,
-    smallest_pivot: R,
+    reciprocal_condition: R,
     near_singular: Option<NearSingular<R>>,
     passage: Passage<R>,
     proportion: Proportion<R>,
@@ -111,7 +111,7 @@ impl<'m, R: Real, M: Mechanism<R>> Simulation<'m, M, R> {
             clock: Clock::at(R::ZERO),
             state: start,
             outputs: None,
-            smallest_pivot: R::ONE,
+            reciprocal_condition: R::ONE,
             near_singular: None,
             passage: Passage::new(),
             proportion: Proportion::new(),
@@ -239,9 +239,9 @@ impl<'m, R: Real, M: Mechanism<R>, F: Formulation<R, M>, S, I: Method<R>> Simula
         Residual::of(self.model(), self.time(), &self.run.state)
     }
 
-    /// The smallest relative pivot of all accelerations evaluated so far: one is well posed, zero is a breakdown.
-    pub fn status(&self) -> R {
-        self.run.smallest_pivot
+    /// The smallest [`Step::reciprocal_condition`] of all steps so far: one is well posed, zero is a breakdown.
+    pub fn reciprocal_condition(&self) -> R {
+        self.run.reciprocal_condition
     }
 
     /// The position nearest to a singular one that was met so far, if any was nearly singular.

@@ -37,10 +37,8 @@ pub struct Step<R = f64> {
     pub time: R,
     /// Its size, s: what was integrated.
     pub size: R,
-    /// The smallest relative pivot of the factorisations made: one is well posed, zero is a breakdown.
-    pub smallest_pivot: R,
     /// The smallest estimate of the reciprocal condition of D M⁻¹ Dᵀ, its rows brought to length one
-    /// ([`reciprocal_condition`](crate::reciprocal_condition)): at the step's beginning, or where the formulation softens the constraints at
+    /// ([`reciprocal_condition`](crate::reciprocal_condition)), one is well posed, zero is a breakdown: at the step's beginning, or where the formulation softens the constraints at
     /// its end; or a smaller pivot of a stage; or what a parabola through the last steps has between them. Where a pivot is large it
     /// stands for the condition: in independent velocities the pivot of D, squared.
     pub reciprocal_condition: R,
@@ -92,7 +90,7 @@ where
             }
         };
         let run = &mut self.run;
-        run.smallest_pivot = step.smallest_pivot.min(run.smallest_pivot);
+        run.reciprocal_condition = step.reciprocal_condition.min(run.reciprocal_condition);
         if let Some(found) = step.near_singular
             && run.near_singular.is_none_or(|known| found.reciprocal_condition < known.reciprocal_condition)
         {
@@ -159,7 +157,6 @@ where
         let step = Step {
             time: clock.time(),
             size: stepped.size,
-            smallest_pivot: watch.smallest_pivot,
             reciprocal_condition,
             near_singular,
             iterations: watch.iterations + stepped.iterations + settled.iterations,

@@ -271,7 +271,7 @@ fn tables_take_over_where_written_out_pivots_are_small() {
         let pivot = model.null_space(simulation.time(), &q, &v, &(), &mut a, &mut lambda);
         by_tables += u32::from(pivot < 1e-4);
         steps += 1;
-        assert!(step.smallest_pivot >= 1e-4 && step.near_singular.is_none(), "{step:?}");
+        assert!(step.reciprocal_condition >= 1e-4 && step.near_singular.is_none(), "{step:?}");
         let residual = Residual::of(&model, simulation.time(), simulation.state());
         assert!(residual.position < 1e-12 && residual.velocity < 1e-10, "{residual:?}");
     }
