@@ -19,6 +19,7 @@ pub mod heavy_top;
 pub mod iiwa14;
 pub mod jansen_leg;
 pub mod klann_leg;
+pub mod light_cart_pole;
 pub mod n_four_bar;
 pub mod panda;
 pub mod planetary_gear_train;
@@ -60,6 +61,7 @@ macro_rules! for_each_model {
             klann_leg: $crate::klann_leg::KlannLeg,
             car_axis: $crate::car_axis::CarAxis,
             tree_pendulum: $crate::tree_pendulum::TreePendulum,
+            light_cart_pole: $crate::light_cart_pole::LightCartPole,
             heavy_top: $crate::heavy_top::HeavyTop,
             free_rigid_body: $crate::free_rigid_body::FreeRigidBody,
             revolute_pendulum: $crate::spatial_pendulums::RevolutePendulum,

@@ -7,10 +7,11 @@ use crate::registry::{At, Model, for_each};
 use crate::zoo::Workshop;
 use crate::zoo_tangent::for_each_with_tangent;
 use linkwright::{
-    Ali3p, Assemble, AssembleExt, AugmentedLagrangian, Baumgarte, DormandPrince, Event, ExplicitTrapezoidal,
-    Fields, Formulation, GeneralisedAlpha, ImplicitTrapezoidal, InputSource, Integrator, LagrangeIndex1,
-    Linearisation, Mechanism, MechanismDynamics, Motion, NullSpace, Partitioned, Penalty, Projected, Real,
-    Rk4, SemiImplicitEuler, Simulation, SimulationError, State, Tangent, Vector, actuation, equilibrium,
+    Ali3p, Assemble, AssembleExt, AssemblyError, AugmentedLagrangian, Baumgarte, DormandPrince, Event,
+    ExplicitTrapezoidal, Fields, Formulation, GeneralisedAlpha, ImplicitTrapezoidal, InputSource, Integrator,
+    LagrangeIndex1, Linearisation, Mechanism, MechanismDynamics, Motion, NullSpace, Partitioned, Penalty,
+    Projected, Real, Rk4, SemiImplicitEuler, Simulation, SimulationError, State, Tangent, Vector, actuation,
+    equilibrium,
 };
 use linkwright_models::{
     bricard::Bricard, double_pendulum::DoublePendulum, four_spherical_joints::FourSphericalJoints,
@@ -336,8 +337,13 @@ where
     assert_eq!(evaluated, 0, "{}: evaluate", M::NAME);
 
     // The ways that succeed are those that are counted.
-    assert!(model.assemble(&start).is_ok(), "{}: {:?}", M::NAME, model.assemble(&start).err());
-    assert!(model.project(t, &start).is_ok(), "{}: {:?}", M::NAME, model.project(t, &start).err());
+    let ways = [model.assemble(&start).err(), model.project(t, &start).err()];
+    for error in ways.into_iter().flatten() {
+        // Masses a million times apart are more than single precision can weigh against each other, and it says so.
+        let double = f64::EPSILON.sqrt();
+        let is_too_fine = matches!(error, AssemblyError::RankDeficient { pivot, .. } if pivot > double && pivot < R::EPSILON.to_f64().sqrt());
+        assert!(is_too_fine, "{}: {error:?}", M::NAME);
+    }
     // Errors, too, are made without allocating.
     let assembled = allocations(|| {
         black_box(model.assemble(&start).is_ok());

@@ -63,6 +63,8 @@ fn every_mutant_is_caught() {
     assert!(survivors.is_empty(), "{}", survivors.join("\n"));
 }
 
+/// By what factor a row's size may be off: as the condition that its pivots stand for (`checks/rank.rs`).
+const MEASURED: f64 = 30.0;
 /// What vanishes to rounding, in units of one or of the terms that formed it.
 const VANISHES: f64 = 1e-12;
 /// The same away from consistent states, where the elimination may have lost digits.
@@ -106,7 +108,16 @@ impl<'a> Judge<'a> {
             }
             self.outputs[&function].iter().map(|node| values[node.index()]).collect()
         };
-        self.record.difference(self.compiled, &evaluate)
+        let measured = |function: Function, inputs: &Inputs| {
+            if function == Function::Prepare {
+                return Vec::new();
+            }
+            let symbols: Vec<f64> = self.sources.iter().map(|source| self.symbol(*source, inputs)).collect();
+            let values = evaluate_with(&self.compiled.equations.graph, &self.needed, &symbols, change);
+            self.outputs[&function].iter().map(|node| values[node.index()]).collect()
+        };
+        let differs = self.record.difference(self.compiled, &evaluate);
+        differs.or_else(|| self.record.measures(self.compiled, &measured))
     }
 
     /// v̇ and λ are not known before they are solved for, nor are conditions' targets.
@@ -163,6 +174,9 @@ impl<'a> Judge<'a> {
         {
             return Some("only its square is used");
         }
+        if self.measures_only(node) && self.measures_alike(node, change) {
+            return Some("what a row is measured by, within what the rank along the motion is known to");
+        }
         // A prismatic joint exerts nothing along its axis, and no torque on a body whose forces all meet at its centre. What
         // is judged at consistent states only may vanish there.
         let anywhere: Vec<Node> = self.outputs_of(|function| function != Function::Reactions);
@@ -194,6 +208,34 @@ impl<'a> Judge<'a> {
         let others = self.record.inputs(self.compiled, false);
         let everywhere = self.changes_nothing(node, change, &others, VANISHES_ANYWHERE);
         everywhere.then_some("a term that vanishes everywhere")
+    }
+
+    /// Whether the node has a part in nothing but the size that a row's pivot is divided by.
+    fn measures_only(&self, node: Node) -> bool {
+        let solutions = [Function::Acceleration, Function::AccelerationBaumgarte];
+        let others = self.outputs.iter().flat_map(|(function, nodes)| match function {
+            Function::RowScales => &[],
+            // The pivot is the last.
+            function if solutions.contains(function) => &nodes[..nodes.len() - 1],
+            _ => &nodes[..],
+        });
+        !self.compiled.equations.graph.reachable(others.copied()).contains(&node)
+    }
+
+    /// Whether rows are measured by the same to within [`MEASURED`], for all parameters that were recorded.
+    fn measures_alike(&self, node: Node, change: Op) -> bool {
+        let graph = &self.compiled.equations.graph;
+        let states = [true, false].map(|consistent| self.record.inputs(self.compiled, consistent));
+        states.iter().flatten().all(|inputs| {
+            let symbols: Vec<f64> = self.sources.iter().map(|source| self.symbol(*source, inputs)).collect();
+            let scales = |change| {
+                let values = evaluate_with(graph, &self.needed, &symbols, change);
+                self.outputs[&Function::RowScales].iter().map(|node| values[node.index()]).collect::<Vec<_>>()
+            };
+            let ratios =
+                scales(Some((node, change))).into_iter().zip(scales(None)).map(|(own, right)| own / right);
+            ratios.into_iter().all(|ratio| (1.0 / MEASURED..MEASURED).contains(&ratio))
+        })
     }
 
     fn outputs_of(&self, wanted: impl Fn(Function) -> bool) -> Vec<Node> {
