@@ -282,3 +282,54 @@ impl Switch {
         slots
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::symbolic::{Class, evaluate};
+    use proc_macro2::Span;
+
+    const WHATS: [&str; 4] = ["x", "y", "z", "axis_1"];
+
+    fn sized(what: usize, size: f64) -> Sized {
+        Sized { row: Dropped { joint: JointId(0), what: WHATS[what] }, size }
+    }
+
+    /// Two groups of one joint, each of two charts with a slot that is taken and one that is not.
+    fn groups() -> Vec<Switch> {
+        let group = |a: usize, b: usize| Switch {
+            common: Vec::new(),
+            taken: vec![vec![sized(a, 1.0)], vec![sized(b, 2.0)]],
+            idle: vec![vec![sized(b, 2.0)], vec![sized(a, 1.0)]],
+        };
+        vec![group(0, 1), group(2, 3)]
+    }
+
+    /// Each multiplier goes to the row that its group takes, and rows of one joint have names of their own.
+    #[test]
+    fn groups_of_one_joint_share_no_name() {
+        let mut graph = Graph::new();
+        let g = &mut graph;
+        let entries = [3.0, 1.0, 1.0, 4.0].map(|entry| g.constant(entry));
+        let jets = entries.map(|entry| {
+            let mut jet = Jet::constant(g, entry);
+            jet.columns.insert(0, entry);
+            jet
+        });
+        let rows = jets.into_iter().zip(WHATS).map(|(jet, what)| {
+            let (of, span) = ("pin".to_string(), Span::call_site().into());
+            Row { of, span, joint: Some(JointId(0)), what, jet, upright: None, axes: None }
+        });
+        let (all, switches): (Vec<Row>, _) = (rows.collect(), groups());
+        let chosen = choose(g, &all, &switches, &[1.0]);
+        let rows = apply(g, &all, &switches, &chosen, true);
+        let names: Vec<&str> = rows.iter().map(|row| row.what).collect();
+        assert_eq!(names, ["switched_1", "idle_1", "switched_2", "idle_2"]);
+        let lambda = ["a", "b", "c", "d"].map(|name| g.symbol(name, Class::Input));
+        let own = multipliers(g, &all, &rows, &lambda, &switches, &chosen);
+        let values = evaluate(g, &[10.0, 0.0, 20.0, 0.0]);
+        // The first group takes its first row, 3 beside 1/2, the second its second, 4/2 beside 1, by half.
+        let own: Vec<f64> = own.iter().map(|node| values[node.index()]).collect();
+        assert_eq!(own, [10.0, 0.0, 0.0, 10.0]);
+    }
+}
