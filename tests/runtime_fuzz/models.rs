@@ -6,7 +6,7 @@ mod winch;
 
 use crate::random::Random;
 use linkwright::{Fields, Tangent};
-use winch::Winch;
+pub use winch::Winch;
 
 /// A mechanism whose parameters may be anything that it accepts.
 pub trait Subject: Tangent<f64> + Sized {
