@@ -22,7 +22,6 @@ mod overconstrained;
 mod page;
 mod page_equations;
 mod published;
-#[allow(dead_code)] // Numbers for `methods`; cases are of the random tester alone.
 #[path = "../runtime_fuzz/random.rs"]
 mod random;
 mod rank;

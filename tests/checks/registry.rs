@@ -212,22 +212,17 @@ impl<M: Model> At<M> {
     }
 }
 
-/// Uniform random numbers, the same in every run (SplitMix64: Steele, Lea, Flood, OOPSLA 2014).
-pub struct Random(u64);
+/// Uniform random numbers, the same in every run.
+pub struct Random(crate::random::Random);
 
 impl Random {
     pub fn new(seed: u64) -> Self {
-        Random(seed)
+        Random(crate::random::Random::new(seed))
     }
 
     /// In [−1, 1).
     pub fn next(&mut self) -> f64 {
-        self.0 = self.0.wrapping_add(0x9E37_79B9_7F4A_7C15);
-        let mut z = self.0;
-        z = (z ^ (z >> 30)).wrapping_mul(0xBF58_476D_1CE4_E5B9);
-        z = (z ^ (z >> 27)).wrapping_mul(0x94D0_49BB_1331_11EB);
-        z ^= z >> 31;
-        (z >> 11) as f64 / (1u64 << 52) as f64 - 1.0
+        self.0.unit()
     }
 
     pub fn vector(&mut self, length: usize) -> Vec<f64> {

@@ -3,7 +3,12 @@
 /// SplitMix64 (Steele, Lea & Flood 2014).
 pub struct Random(u64);
 
+#[allow(dead_code, reason = "each program that includes this takes what it needs")]
 impl Random {
+    pub fn new(seed: u64) -> Self {
+        Self(seed)
+    }
+
     /// The numbers of one case of a run.
     pub fn of_case(seed: u64, case: u64) -> Self {
         let mut random = Self(seed);

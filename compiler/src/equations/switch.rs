@@ -6,9 +6,10 @@
 //! there are is decided in `check::assemble::charts`.
 
 use super::{Dropped, Jet, Row};
+use crate::model::JointId;
 use crate::symbolic::{Compare, Graph, Node};
 
-/// The names of slots that are taken, in order.
+/// The names of slots that are taken, in the order of their joint's, which has no more rows.
 const TAKEN: [&str; 6] = ["switched_1", "switched_2", "switched_3", "switched_4", "switched_5", "switched_6"];
 /// The names of those that are not, where redundant rows are kept.
 const IDLE: [&str; 6] = ["idle_1", "idle_2", "idle_3", "idle_4", "idle_5", "idle_6"];
@@ -156,13 +157,33 @@ pub fn apply(g: &mut Graph, all: &[Row], switches: &[Switch], chosen: &[Chosen],
                 continue;
             }
             written[at] = true;
-            rows.extend(switch.slots(g, all, &chosen[at], &switch.taken, &TAKEN));
+            let before = &switches[..at];
+            let taken = names(before.iter().map(|switch| &switch.taken), &switch.taken, &TAKEN);
+            rows.extend(switch.slots(g, all, &chosen[at], &switch.taken, &taken));
             if keeps {
-                rows.extend(switch.slots(g, all, &chosen[at], &switch.idle, &IDLE));
+                let idle = names(before.iter().map(|switch| &switch.idle), &switch.idle, &IDLE);
+                rows.extend(switch.slots(g, all, &chosen[at], &switch.idle, &idle));
             }
         }
     }
     rows
+}
+
+/// The names of a switch's slots, given the charts of the switches before it. They are numbered by joint over all switches, so that no
+/// two rows of a joint share one.
+fn names<'a>(
+    before: impl Iterator<Item = &'a Vec<Vec<Sized>>>,
+    charts: &'a [Vec<Sized>],
+    names: &[&'static str],
+) -> Vec<&'static str> {
+    let joints = |charts: &'a [Vec<Sized>]| charts[0].iter().map(|named| named.row.joint);
+    let mut known: Vec<JointId> = before.flat_map(|charts| joints(charts)).collect();
+    let mut found = Vec::new();
+    for joint in joints(charts) {
+        found.push(names[known.iter().filter(|other| **other == joint).count()]);
+        known.push(joint);
+    }
+    found
 }
 
 /// λ of the rows as they are without switches, of multipliers of the rows that are taken: zero where a row is not.
@@ -177,11 +198,13 @@ pub fn multipliers(
     let zero = g.constant(0.0);
     let mut result = Vec::new();
     for row in all {
-        let Some((switch, chosen)) = switches.iter().zip(chosen).find(|(switch, _)| switch.has(row)) else {
+        let Some(at) = switches.iter().position(|switch| switch.has(row)) else {
             let own = taken.iter().position(|other| same(other, row));
             result.push(own.map_or(zero, |own| lambda[own]));
             continue;
         };
+        let (switch, chosen) = (&switches[at], &chosen[at]);
+        let names = names(switches[..at].iter().map(|switch| &switch.taken), &switch.taken, &TAKEN);
         let mut value = zero;
         for (chart, rows) in switch.taken.iter().enumerate() {
             let slot = rows.iter().position(|named| named.is(row));
@@ -189,7 +212,7 @@ pub fn multipliers(
                 let first = &switch.taken[0][slot];
                 let at = taken
                     .iter()
-                    .position(|other| other.joint == Some(first.row.joint) && other.what == TAKEN[slot])?;
+                    .position(|other| other.joint == Some(first.row.joint) && other.what == names[slot])?;
                 let scale = g.constant(1.0 / rows[slot].size);
                 Some(g.mul(scale, lambda[at]))
             });
@@ -243,7 +266,7 @@ impl Switch {
         let one = g.constant(1.0);
         let find = |named: &Sized| all.iter().find(|row| named.is(row));
         let mut slots = Vec::new();
-        for (slot, first) in charts[0].iter().enumerate() {
+        for ((slot, first), &what) in charts[0].iter().enumerate().zip(names) {
             let Some(stands) = find(first) else { continue };
             let mut jet = scaled(g, all, first);
             let mut upright = stands.upright.unwrap_or(one);
@@ -254,14 +277,59 @@ impl Switch {
                 upright = g.select(*mask, cosine, upright);
             }
             let upright = g.value(upright).is_none().then_some(upright);
-            slots.push(Row {
-                what: names[slot.min(names.len() - 1)],
-                jet,
-                upright,
-                axes: None,
-                ..stands.clone()
-            });
+            slots.push(Row { what, jet, upright, axes: None, ..stands.clone() });
         }
         slots
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::symbolic::{Class, evaluate};
+    use proc_macro2::Span;
+
+    const WHATS: [&str; 4] = ["x", "y", "z", "axis_1"];
+
+    fn sized(what: usize, size: f64) -> Sized {
+        Sized { row: Dropped { joint: JointId(0), what: WHATS[what] }, size }
+    }
+
+    /// Two groups of one joint, each of two charts with a slot that is taken and one that is not.
+    fn groups() -> Vec<Switch> {
+        let group = |a: usize, b: usize| Switch {
+            common: Vec::new(),
+            taken: vec![vec![sized(a, 1.0)], vec![sized(b, 2.0)]],
+            idle: vec![vec![sized(b, 2.0)], vec![sized(a, 1.0)]],
+        };
+        vec![group(0, 1), group(2, 3)]
+    }
+
+    /// Each multiplier goes to the row that its group takes, and rows of one joint have names of their own.
+    #[test]
+    fn groups_of_one_joint_share_no_name() {
+        let mut graph = Graph::new();
+        let g = &mut graph;
+        let entries = [3.0, 1.0, 1.0, 4.0].map(|entry| g.constant(entry));
+        let jets = entries.map(|entry| {
+            let mut jet = Jet::constant(g, entry);
+            jet.columns.insert(0, entry);
+            jet
+        });
+        let rows = jets.into_iter().zip(WHATS).map(|(jet, what)| {
+            let (of, span) = ("pin".to_string(), Span::call_site().into());
+            Row { of, span, joint: Some(JointId(0)), what, jet, upright: None, axes: None }
+        });
+        let (all, switches): (Vec<Row>, _) = (rows.collect(), groups());
+        let chosen = choose(g, &all, &switches, &[1.0]);
+        let rows = apply(g, &all, &switches, &chosen, true);
+        let names: Vec<&str> = rows.iter().map(|row| row.what).collect();
+        assert_eq!(names, ["switched_1", "idle_1", "switched_2", "idle_2"]);
+        let lambda = ["a", "b", "c", "d"].map(|name| g.symbol(name, Class::Input));
+        let own = multipliers(g, &all, &rows, &lambda, &switches, &chosen);
+        let values = evaluate(g, &[10.0, 0.0, 20.0, 0.0]);
+        // The first group takes its first row, 3 beside 1/2, the second its second, 4/2 beside 1, by half.
+        let own: Vec<f64> = own.iter().map(|node| values[node.index()]).collect();
+        assert_eq!(own, [10.0, 0.0, 0.0, 10.0]);
     }
 }

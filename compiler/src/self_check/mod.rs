@@ -11,6 +11,7 @@
 //! | v̇, λ | M v̇ + Dᵀ λ − Q and D v̇ − γ, with and without Baumgarte's terms |
 //! | every function | the graph |
 //! | in the thorough check: springs one by one; motions of bodies; K(c), independent velocities; derivatives | differences and residuals |
+//! | what rows are measured by | D M⁻¹ Dᵀ along the motion |
 //!
 //! What no identity speaks of is seen by the last line before this alone: reactions, outputs, conditions of the start, the watch
 //! over pivots. And a mechanism that is derived right, but is another than the definition says, is none of these checks' business: that is
@@ -28,6 +29,7 @@ mod machine;
 mod programs;
 mod quantity;
 mod rows;
+mod scales;
 
 use crate::Compiled;
 use crate::messages;
@@ -105,6 +107,7 @@ pub enum Check {
     Factorisation,
     NullSpace,
     Tangent,
+    Scales,
     Programs,
 }
 
@@ -125,6 +128,7 @@ impl Check {
             Check::Factorisation => "the factorisation put into its equations",
             Check::NullSpace => "independent velocities against the default accelerations",
             Check::Tangent => "derivatives against differences",
+            Check::Scales => "what the constraints are measured by against their size along the motion",
             Check::Programs => "the code against the expressions it was written from",
         }
     }
@@ -163,6 +167,9 @@ pub fn self_check(compiled: &Compiled, extent: Extent) -> Vec<Contradiction> {
         let machine = Machine::new(compiled, &mut inputs);
         let mut report = Report { inputs: &inputs, found: Vec::new() };
         rows::at_the_start(&machine, &mut report);
+        if extent == Extent::Thorough {
+            scales::check(&machine, &mut report);
+        }
         if !report.found.is_empty() {
             return report.found;
         }

@@ -186,6 +186,26 @@ fn users(compiled: &Compiled, node: Node) -> BTreeSet<Function> {
     Function::ALL.into_iter().filter(needs).collect()
 }
 
+/// A row that is measured by four times its size, or a quarter of it.
+#[test]
+fn wrong_sizes_of_rows_are_noticed() {
+    for options in ["options { coordinates = tree; }", "options { coordinates = absolute; }"] {
+        let sound = compiled(&with(FOUR_BAR, options)).expect("it compiles");
+        for row in 0..sound.equations.rows.len() {
+            for factor in [0.25, 4.0] {
+                let mut mutant = sound.clone();
+                let graph = &mut mutant.equations.graph;
+                let factor = graph.constant(factor);
+                mutant.solved.row_scales[row] = graph.mul(factor, mutant.solved.row_scales[row]);
+                let optimized = optimize(&mutant.equations, &mutant.solved);
+                mutant.programs = schedule(&mutant.equations, &optimized);
+                let found = self_check(&mutant, Extent::Thorough);
+                assert!(found.first().is_some_and(|first| first.check == Check::Scales), "{row}: {found:?}");
+            }
+        }
+    }
+}
+
 /// Every instruction changed is noticed by the check that is part of every expansion.
 #[test]
 fn wrong_instructions_are_noticed() {

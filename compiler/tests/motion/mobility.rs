@@ -1,6 +1,7 @@
 //! Degrees of freedom, counted and true, and what moves alone.
 
 use crate::{compiled, errors};
+use linkwright_compiler::equations::Row;
 
 const PLANAR_FOUR_BAR: &str = "rod crank { mass [kg] = 1; length [m] = 1; }
     rod coupler { mass [kg] = 1; length [m] = 2; } rod rocker { mass [kg] = 1; length [m] = 1.5; }
@@ -186,4 +187,43 @@ fn singular_starts_are_told_from_redundancy() {
     assert!(text.contains("no motion but an infinitesimal one (one and two in line)"), "{text}");
     let rigid = compiled(&two_links(1.1)).assembly.mobility;
     assert_eq!((rigid.counted(), rigid.generic), (0, 0));
+}
+
+/// A table on parallel cranks whose pins are not in line: of two rows a crank repeats one each after the second, and which one turns
+/// with the cranks. A few such rows are switched, many are refused.
+#[test]
+fn many_rows_that_switch_are_refused() {
+    let pins = ["0, 0", "1, 0.3", "2, 0", "0.5, 0.6", "1.5, -0.4", "0.2, -0.5", "1.8, 0.7"];
+    let table = |count: usize| {
+        let pins = || pins.iter().take(count).enumerate();
+        let points: String = pins().map(|(i, at)| format!("point p{i} [m] = ({at}); ")).collect();
+        let cranks = pins().map(|(i, at)| {
+            let guess = if i == 0 { "a0.angle [deg] = 70;".to_string() } else { format!("a{i}.angle [deg] ~ 70;") };
+            format!(
+                "rod c{i} {{ mass [kg] = 1; length [m] = 1; }}
+                 joint a{i}: revolute(ground({at}) [m], c{i}.start); joint b{i}: revolute(c{i}.end, table.p{i});
+                 start {{ {guess} }}"
+            )
+        });
+        format!(
+            "planar Table {{ body table {{ mass [kg] = 2; inertia [kg*m^2] = 0.5; center [m] = (1, 0); {points} }} {}
+               options {{ redundant = drop; }} }}",
+            cranks.collect::<String>()
+        )
+    };
+    for count in 3..=6 {
+        let switched = |row: &&Row| row.what == "switched_1";
+        let rows = compiled(&table(count)).equations.rows;
+        let expected = if count == 3 { 1 } else { count - 2 };
+        assert_eq!(rows.iter().filter(switched).count(), expected, "{count} cranks");
+        assert_eq!(rows.len(), count, "{count} cranks");
+    }
+    let text = errors(&table(7));
+    assert!(
+        text.starts_with(
+            "error: \"b1\" repeats what the others fix, but which of its equations do so changes along the motion"
+        ),
+        "{text}"
+    );
+    assert_eq!(text.trim_end().lines().count(), 1, "{text}");
 }

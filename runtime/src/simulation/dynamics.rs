@@ -41,10 +41,10 @@ pub(super) struct Watch<R, Q, V> {
     /// The size of the step.
     h: R,
     started: bool,
-    /// The pivot at the step's beginning, or where an implicit method looked.
+    /// The pivot at the step's beginning, or at its end if an implicit method looked there.
     pub first_pivot: R,
-    /// Where that was, if not at the beginning.
-    pub observed: Option<R>,
+    /// Whether that was at the end.
+    pub observed: bool,
     pub smallest_pivot: R,
     pub iterations: u32,
     pub residual: R,
@@ -69,7 +69,7 @@ impl<R: Real, Q, V> Watch<R, Q, V> {
             h,
             started: false,
             first_pivot: R::ONE,
-            observed: None,
+            observed: false,
             smallest_pivot: R::ONE,
             iterations: 0,
             residual: R::ZERO,

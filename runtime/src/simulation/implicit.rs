@@ -150,7 +150,7 @@ where
         }
         let pivot = self.model.factor(time, &state.q, R::ZERO, &mut M::store());
         (self.watch.first_pivot, self.watch.smallest_pivot) = (pivot, pivot);
-        self.watch.observed = Some(time);
+        self.watch.observed = true;
         self.watch.worst =
             (!R::any(pivot.greater_equal(R::NEAR_SINGULAR))).then_some(Stage { time, pivot, state: *state });
     }

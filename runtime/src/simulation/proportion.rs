@@ -3,20 +3,24 @@
 //! Near singular positions accelerations divide by what is hardly known, and a step may end finite, Ok and absurd. Two
 //! things tell that apart from a coarse but healthy step, whatever the formulation:
 //!
-//! - **Energy from nowhere**, or gone. Constraints at rest do no work, so that in the norm |v|² = vᵀ M v a step can add to the velocities
-//!   what the loads add without constraints, what moving places and drivers prescribe, and what taking back Φ within the step
-//!   needs, or take as much: ||v₁| − |v₀|| ≤ h |M⁻¹ Q| + |v_ν| + |v_Φ|/h; or the difference is what potential energy gave or took.
+//! - **Energy from nowhere**, or gone. Constraints at rest do no work: kinetic energy comes from potential energy, or from loads without
+//!   one, whose work over the step is h (P₀ + P₁)/2 with the powers at its ends, to half their difference. Where places move or drivers
+//!   prescribe, a bound remains: in the norm |v|² = vᵀ M v a step can add to the velocities what the loads add without constraints,
+//!   what is prescribed, and what taking back Φ within the step needs, or take as much: ||v₁| − |v₀|| ≤ h |M⁻¹ Q| + |v_ν| + |v_Φ|/h.
+//!   What does not add up to [`RESOLVED`] of the kinetic energy is an error. Velocities of an accepted start that are off the
+//!   constraints may take or bring the energy that they have in that.
 //! - **Constraints left behind.** A row is off by more than a tenth of a radian of the turns that it holds, or D v − ν is more than
 //!   the largest velocity that the run has had so far would make of any position.
 //!
-//! Every step pays for max |v| and max |v₁ − v₀| alone. Energy is looked at where D is not far from losing rank and the velocities
-//! changed by a tenth; the constraints where the velocities have doubled, where D nearly lost rank, and every [`EVERY`] steps.
+//! Every step pays for max |v| alone. Energy is looked at where D is not far from losing rank; the constraints where the velocities have
+//! doubled, where D nearly lost rank, and every [`EVERY`] steps.
 
 use super::step::name_singularity;
 use super::{NearSingular, Simulation};
 use crate::assembly::determinacy::turned;
+use crate::assembly::system::subtract_product;
 use crate::error::SimulationError;
-use crate::formulation::{Formulation, largest_mass};
+use crate::formulation::{Formulation, Penalty, largest_mass};
 use crate::input::InputSource;
 use crate::integrator::Method;
 use crate::mechanism::{Assemble, Row};
@@ -30,14 +34,15 @@ const EVERY: u32 = 64;
 /// The turn by which a row may be off, rad.
 const TURN: f64 = 0.1;
 
-/// By what part energy may be more, or less: the bound takes Q and M at the step's beginning.
+/// The part of the kinetic energy that may come from nowhere, or go, in a step: a method of order one that turns by ωh is off by some
+/// (ωh)², one of order four by (ωh)⁵/120.
+const RESOLVED: f64 = 1e-3;
+
+/// By what part the bound on what loads bring may be more: it takes M at the step's beginning, and Q at its ends.
 const MORE: f64 = 1.1;
 
 /// The reciprocal condition below which energy may come from nowhere between two steps whose ends are not nearly singular.
 const CLOSE: f64 = 1e-3;
-
-/// The part of the velocities by which they must have changed for that.
-const CHANGED: f64 = 0.1;
 
 /// What a run has been like so far.
 #[derive(Clone, Copy, Debug)]
@@ -48,11 +53,13 @@ pub(super) struct Proportion<R> {
     unseen: u32,
     /// How far rows are allowed to be off, rad; more than [`TURN`] from a start that was off by more and accepted.
     allowed: R,
+    /// The kinetic energy of velocities off the constraints that an accepted start had and that has not come or gone yet, J.
+    off: R,
 }
 
 impl<R: Real> Proportion<R> {
     pub fn new() -> Self {
-        Proportion { fastest: R::ZERO, unseen: 0, allowed: R::from_f64(TURN) }
+        Proportion { fastest: R::ZERO, unseen: 0, allowed: R::from_f64(TURN), off: R::ZERO }
     }
 }
 
@@ -64,8 +71,11 @@ impl<'m, R: Real, M: Assemble<R>, F: Formulation<R, M>, S, I: Method<R>> Simulat
     #[cold]
     pub(super) fn begin_proportion(&mut self) {
         let Self { dynamics, run, .. } = self;
-        let (off, _) = furthest(dynamics.model, (run.clock.time(), &run.state), R::ZERO);
+        let begin = (run.clock.time(), &run.state);
+        let (off, _) = furthest(dynamics.model, begin, R::ZERO);
+        let energy = if run.start_accepted { energy_off(dynamics.model, begin) } else { R::ZERO };
         let proportion = &mut run.proportion;
+        proportion.off = energy;
         proportion.fastest = run.state.v.max_abs();
         proportion.allowed = proportion.allowed.max(off.map_or(R::ZERO, |off| off.turn + off.turn));
     }
@@ -87,11 +97,9 @@ impl<'m, R: Real, M: Assemble<R>, F: Formulation<R, M>, S, I: Method<R>> Simulat
         }
         let Proportion { fastest, unseen, .. } = self.run.proportion;
         let speed = next.1.v.max_abs();
-        if condition < R::from_f64(CLOSE) || near.is_some() {
-            let change = next.1.v.plus(-R::ONE, &self.run.state.v).max_abs();
-            if change > R::from_f64(CHANGED) * speed {
-                self.check_energy((begin, h), next, inputs, (condition, near))?;
-            }
+        // Written so that a NaN is looked at.
+        if near.is_some() || !R::any(condition.greater_equal(R::from_f64(CLOSE))) {
+            self.check_energy((begin, h), next, inputs, (condition, near))?;
         }
         let look = speed > fastest + fastest || near.is_some() || unseen >= EVERY;
         if look {
@@ -118,25 +126,23 @@ impl<'m, R: Real, M: Assemble<R>, F: Formulation<R, M>, S, I: Method<R>> Simulat
         let (model, State { q, v }) = (self.dynamics.model, self.run.state);
         let before = model.kinetic_energy(begin, &q, &v);
         let after = model.kinetic_energy(end, &next.q, &next.v);
-        let became = (model.potential_energy(begin, &q) - model.potential_energy(end, &next.q)).abs();
-        // What is off at an accepted start may be taken from the energy at once.
-        let may_lose = self.run.start_accepted;
-        let accounted = |least: R, most: R| {
-            let (least, most) = (least / R::from_f64(MORE), most * R::from_f64(MORE));
-            // Written so that a NaN fails.
-            R::any(after.less_equal(most)) && (may_lose || R::any(after.greater_equal(least)))
-        };
-        let exchanged = |given: R| {
-            let own = before.max(R::ZERO).sqrt();
-            let (least, most) = ((own - given).max(R::ZERO), own + given);
-            accounted(least * least, most * most)
-        };
-        if accounted(before - became, before + became)
-            || exchanged(self.given_in((begin, h), inputs, inputs))
+        let (stored, left) = (model.potential_energy(begin, &q), model.potential_energy(end, &next.q));
+        let released = stored - left;
+        let rounding = R::from_f64(64.0) * R::EPSILON * (stored.abs() + left.abs() + before);
+        let allowed = R::from_f64(RESOLVED) * (before + released.abs()) + rounding + self.run.proportion.off;
+        // Written so that a NaN fails.
+        let unaccounted = (after - before - released).abs();
+        if R::any(unaccounted.less_equal(allowed)) {
+            let proportion = &mut self.run.proportion;
+            proportion.off = (proportion.off - unaccounted).max(R::ZERO);
+            return Ok(());
+        }
+        let exchange = Exchange { begin, h, end, next, before, after, allowed };
+        if self.is_exchanged(&exchange, inputs, inputs)
             // Inputs may have come in the step.
             || !S::HELD && {
                 let last = self.dynamics.source.sample(end, next);
-                exchanged(self.given_in((begin, h), inputs, &last))
+                self.is_exchanged(&exchange, inputs, &last)
             }
         {
             return Ok(());
@@ -149,6 +155,39 @@ impl<'m, R: Real, M: Assemble<R>, F: Formulation<R, M>, S, I: Method<R>> Simulat
             before: before.to_f64(),
             after: after.to_f64(),
         })
+    }
+
+    /// Whether loads without potential energy, drivers and Φ account for the kinetic energy, with the inputs at the step's ends.
+    fn is_exchanged(&self, exchange: &Exchange<'_, R, M>, first: &M::Inputs, last: &M::Inputs) -> bool {
+        let Exchange { begin, h, end, next, before, after, allowed } = *exchange;
+        let Given { pushed, prescribed, taken_back } = self.given_in((begin, h), (end, &next.q), first, last);
+        let given = R::from_f64(MORE) * pushed + prescribed + taken_back;
+        let own = before.max(R::ZERO).sqrt();
+        let (least, most) = ((own - given).max(R::ZERO), own + given);
+        // Written so that a NaN fails.
+        if !R::any((after + allowed).greater_equal(least * least) & after.less_equal(most * most + allowed)) {
+            return false;
+        }
+        // Forces of constraints that prescribe nothing do no work.
+        if prescribed > R::ZERO {
+            return true;
+        }
+        let (model, State { q, v }) = (self.dynamics.model, &self.run.state);
+        let power = |time, q: &M::Q, v: &M::V, inputs: &M::Inputs| {
+            let mut forces = M::V::zero();
+            model.forces(time, q, v, inputs, &mut forces);
+            dot(forces.as_slice(), v.as_slice())
+        };
+        // ½ vᵀ Ṁ v, which Q has among the forces of inertia.
+        let turned = |v: &M::V| model.kinetic_energy(end, &next.q, v) - model.kinetic_energy(begin, q, v);
+        let works = [
+            h * power(begin, q, v, first) + turned(v),
+            h * power(end, &next.q, &next.v, last) + turned(&next.v),
+        ];
+        let half = R::from_f64(0.5);
+        let (mean, spread) = (half * (works[0] + works[1]), half * (works[1] - works[0]).abs());
+        let spread = spread + (own + own + taken_back) * taken_back;
+        R::any((after - before - mean).abs().less_equal(allowed + spread))
     }
 
     #[cold]
@@ -175,8 +214,14 @@ impl<'m, R: Real, M: Assemble<R>, F: Formulation<R, M>, S, I: Method<R>> Simulat
         })
     }
 
-    /// The velocities that loads, drivers and Φ can give in a step of `h`, as the root of their kinetic energy, √J.
-    fn given_in(&self, (begin, h): (R, R), first: &M::Inputs, last: &M::Inputs) -> R {
+    /// What can be given in a step of `h`.
+    fn given_in(
+        &self,
+        (begin, h): (R, R),
+        (end, to): (R, &M::Q),
+        first: &M::Inputs,
+        last: &M::Inputs,
+    ) -> Given<R> {
         let (model, State { q, v }) = (self.dynamics.model, &self.run.state);
         // Constraints as soft as the masses are heavy: what they take off the loads is at most what rigid ones do, and nothing is
         // divided by what vanishes at singular positions.
@@ -188,22 +233,63 @@ impl<'m, R: Real, M: Assemble<R>, F: Formulation<R, M>, S, I: Method<R>> Simulat
             x
         };
         let half = R::from_f64(0.5);
-        let pushed = [(begin, first), (begin + h, last)].map(|(time, inputs)| {
+        let pushed = [(begin, q, first), (end, to, last)].map(|(time, q, inputs)| {
             let mut forces = M::V::zero();
             model.forces(time, q, v, inputs, &mut forces);
             let work = dot(forces.as_slice(), solved(&forces, &M::Lambda::zero()).as_slice());
             h * (half * work.max(R::ZERO)).sqrt()
         });
         let (mut nu, mut phi) = (M::Lambda::zero(), M::Lambda::zero());
-        model.nu(begin + h, q, &mut nu);
-        model.constraints(begin + h, q, &mut phi);
+        model.nu(end, q, &mut nu);
+        model.constraints(end, q, &mut phi);
         // Twice, because soft constraints are followed by half.
         let prescribed = [nu, phi.scaled(R::ONE / h)].map(|rows| {
             let velocity = solved(&M::V::zero(), &rows);
             model.kinetic_energy(begin, q, &velocity.scaled(R::from_f64(2.0))).max(R::ZERO).sqrt()
         });
-        pushed[0].max(pushed[1]) + prescribed[0] + prescribed[1]
+        let [prescribed, taken_back] = prescribed;
+        Given { pushed: pushed[0].max(pushed[1]), prescribed, taken_back }
     }
+}
+
+/// Velocities that a step can give, as the roots of their kinetic energies, √J.
+struct Given<R> {
+    /// By loads.
+    pushed: R,
+    /// By moving places and drivers.
+    prescribed: R,
+    /// By taking back Φ.
+    taken_back: R,
+}
+
+/// A step whose kinetic energy potential energy does not account for.
+struct Exchange<'s, R: Real, M: Assemble<R>> {
+    begin: R,
+    h: R,
+    end: R,
+    next: &'s State<M::Q, M::V>,
+    /// The kinetic energy at its beginning and at its end, J.
+    before: R,
+    after: R,
+    /// What of it need not be accounted for, J.
+    allowed: R,
+}
+
+/// The kinetic energy of what velocities have off the constraints, J: ½ rᵀ (D M⁻¹ Dᵀ)⁻¹ r, r = D v − ν, at most all of it. Rows
+/// as soft as a penalty makes them keep it finite at singular positions, and too small there rather than too large.
+fn energy_off<R: Real, M: Assemble<R>>(model: &M, (time, State { q, v }): At<'_, R, M>) -> R {
+    let Penalty { alpha, .. } = Penalty::for_model(model, time, q, R::ONE);
+    let mut store = M::store();
+    model.factor(time, q, R::ONE / alpha, &mut store);
+    let (mut rates, mut jacobian) = (M::Lambda::zero(), M::Jacobian::zero());
+    model.nu(time, q, &mut rates);
+    model.constraint_jacobian(time, q, &mut jacobian);
+    subtract_product(M::JACOBIAN_PATTERN, jacobian.as_slice(), v.as_slice(), rates.as_mut_slice());
+    let (mut x, mut lambda) = (M::V::zero(), M::Lambda::zero());
+    model.solve(&store, &M::V::zero(), &rates, &mut x, &mut lambda);
+    let off = R::from_f64(-0.5) * dot(rates.as_slice(), lambda.as_slice());
+    let whole = model.kinetic_energy(time, q, v).max(R::ZERO);
+    off.max(R::ZERO).min(whole)
 }
 
 /// A row, and how far it is off.

@@ -23,16 +23,19 @@ const UNCERTAIN: f64 = 0.01;
 /// The reciprocal condition at the last steps.
 ///
 /// At a singular position that the motion passes it has a minimum of zero, and goes like the square of the distance. Steps
-/// seldom fall on it, so three values in a row are taken as a parabola, and its vertex is what was passed.
+/// seldom fall on it, so three values in a row are taken as a parabola, and its vertex is what was passed. Times are kept as
+/// distances in steps: differences of the clock's readings would be rounded, in `f32` to nothing after a day.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Passage<R> {
-    /// (time, value), the latest last.
+    /// (how long after the value before, value), the latest last.
     known: [Option<(R, R)>; 2],
+    /// Where the latest value was taken, from the beginning of the present step, s: not above zero.
+    latest: R,
 }
 
 impl<R: Real> Passage<R> {
     pub fn new() -> Self {
-        Passage { known: [None; 2] }
+        Passage { known: [None; 2], latest: R::ZERO }
     }
 
     /// Whether nothing was taken yet.
@@ -40,30 +43,39 @@ impl<R: Real> Passage<R> {
         self.known[1].is_none()
     }
 
-    /// Takes the value at a time; gives time and value of the minimum passed since the last but one, if it cannot be told from
-    /// a singular position.
-    pub fn see(&mut self, time: R, value: R) -> Option<(R, R)> {
+    /// Takes the value at a time from the beginning of the present step; gives time, from there too, and value of the minimum passed
+    /// since the last but one, if it cannot be told from a singular position.
+    pub fn see(&mut self, into: R, value: R) -> Option<(R, R)> {
+        let after = into - self.latest;
         let passed = match self.known {
-            [Some(first), Some(second)] => vertex(first, second, (time, value)),
+            [Some((_, first)), Some((between, second))] => vertex((between, after), [first, second, value]),
             _ => None,
         };
-        self.known = [self.known[1], Some((time, value))];
+        let passed = passed.map(|(since, least)| (self.latest + since, least));
+        self.known = [self.known[1], Some((after, value))];
+        self.latest = into;
         passed
+    }
+
+    /// The present step, of this size, is at its end.
+    pub fn end_step(&mut self, size: R) {
+        self.latest = self.latest - size;
     }
 }
 
-/// The least value of the parabola through three points, if it lies between them and is nearly zero.
-fn vertex<R: Real>((t0, r0): (R, R), (t1, r1): (R, R), (t2, r2): (R, R)) -> Option<(R, R)> {
+/// The least value of the parabola through three values that are `before` and `after` apart, if it lies between them and is nearly
+/// zero: when, counted from the second, and the value.
+fn vertex<R: Real>((before, after): (R, R), [r0, r1, r2]: [R; 3]) -> Option<(R, R)> {
     // A minimum, and no point of it nearly zero by itself: that is seen without a parabola.
     if !(r1 <= r0 && r1 < r2 && r1 >= R::NEAR_SINGULAR) {
         return None;
     }
-    let (slope, next) = ((r1 - r0) / (t1 - t0), (r2 - r1) / (t2 - t1));
-    let curvature = (next - slope) / (t2 - t0);
-    // r = r1 + b (t − t1) + curvature (t − t1)²
-    let b = slope + curvature * (t1 - t0);
+    let (slope, next) = ((r1 - r0) / before, (r2 - r1) / after);
+    let curvature = (next - slope) / (before + after);
+    // r = r1 + b t + curvature t²
+    let b = slope + curvature * before;
     let half = R::from_f64(0.5);
-    let time = t1 - half * b / curvature;
+    let time = -(half * b / curvature);
     let least = r1 - R::from_f64(0.25) * b * b / curvature;
     let uncertain = R::from_f64(UNCERTAIN) * r0.max(r2);
     (least <= R::NEAR_SINGULAR + uncertain).then(|| (time, least.max(R::ZERO)))
@@ -73,12 +85,22 @@ fn vertex<R: Real>((t0, r0): (R, R), (t1, r1): (R, R), (t2, r2): (R, R)) -> Opti
 mod tests {
     use super::*;
 
+    /// By values at the beginning of steps, then by values at their end.
     fn passed(step: f64, offset: f64, value: impl Fn(f64) -> f64) -> Option<(f64, f64)> {
-        let mut passage = Passage::new();
-        (-4..5).find_map(|k| {
-            let time = f64::from(k) * step + offset;
-            passage.see(time, value(time))
-        })
+        let [begin, end] = [0.0, step].map(|into| {
+            let mut passage = Passage::new();
+            (-5..5).find_map(|k| {
+                let time = f64::from(k) * step + offset;
+                let passed = passage.see(into, value(time + into));
+                passage.end_step(step);
+                passed.map(|(into, least)| (time + into, least))
+            })
+        });
+        match (begin, end) {
+            (Some(begin), Some(end)) => assert!((begin.0 - end.0).abs() < 1e-12, "{begin:?} {end:?}"),
+            _ => assert_eq!(begin, end),
+        }
+        begin
     }
 
     #[test]
@@ -91,6 +113,25 @@ mod tests {
                     "{step} {offset}: {time} {value}"
                 );
             }
+        }
+    }
+
+    /// Steps that get longer, as those of a method that chooses them.
+    #[test]
+    fn steps_need_not_be_of_one_size() {
+        for first in [0.03, 0.05, 0.08] {
+            let (mut passage, mut time, mut size) = (Passage::new(), -1.0_f64, first);
+            let found = loop {
+                let passed = passage.see(0.0, time.sin().powi(2));
+                if let Some((into, least)) = passed {
+                    break (time + into, least);
+                }
+                passage.end_step(size);
+                time += size;
+                assert!(time < 1.0, "{first}: nothing was seen");
+                size *= 1.1;
+            };
+            assert!(found.0.abs() < 0.1 * size && found.1 < 1e-2 * size * size, "{first}: {found:?}");
         }
     }
 

@@ -146,7 +146,8 @@ where
         if let Some(what) = not_finite::<R, M>(&next) {
             return Err(self.diagnose_not_finite(time, clock.time(), what));
         }
-        let (reciprocal_condition, near_singular) = self.near_singularity(time, (clock.time(), &next));
+        let (reciprocal_condition, near_singular) =
+            self.near_singularity((time, stepped.size), (clock.time(), &next));
         self.check_proportion(
             (time, stepped.size),
             (clock.time(), &next),
@@ -168,11 +169,11 @@ where
         Ok((step, next, clock))
     }
 
-    /// The estimate of the reciprocal condition in the step from `begin` to `next`, and what it says if it is small.
+    /// The estimate of the reciprocal condition in the step of this size from `begin` to `next`, and what it says if it is small.
     #[inline]
     fn near_singularity(
         &mut self,
-        begin: R,
+        (begin, size): (R, R),
         (time, next): (R, &State<M::Q, M::V>),
     ) -> (R, Option<NearSingular<R>>) {
         if M::Lambda::LEN == 0 {
@@ -185,27 +186,29 @@ where
         if is_far && self.run.passage.is_new() {
             return (watch.smallest_pivot, None);
         }
-        let (at, condition, smallest) = if estimates {
-            let (observed, smallest) = (watch.observed, watch.smallest_pivot);
+        let (into, condition, smallest) = if estimates {
+            let smallest = watch.smallest_pivot;
+            let (into, at, q) =
+                if watch.observed { (size, time, &next.q) } else { (R::ZERO, begin, &self.run.state.q) };
             let mut least = smallest;
             if !R::any(watch.first_pivot.greater_equal(far())) {
-                let q = if observed.is_some() { &next.q } else { &self.run.state.q };
-                least = self.condition(observed.unwrap_or(begin), q).min(smallest);
+                least = self.condition(at, q).min(smallest);
             }
-            (observed.unwrap_or(begin), watch.first_pivot, least)
+            (into, watch.first_pivot, least)
         } else {
             let condition = self.condition(time, &next.q);
-            (time, condition, condition)
+            (size, condition, condition)
         };
         let worst = watch.worst.filter(|_| estimates);
         let mut began = None;
         if !estimates && self.run.passage.is_new() {
             // Of the steps that are near a parabola takes also the one before.
             let before = self.condition(begin, &self.run.state.q);
-            self.run.passage.see(begin, before);
+            self.run.passage.see(R::ZERO, before);
             began = Some(before).filter(|before| !R::any(before.greater_equal(R::NEAR_SINGULAR)));
         }
-        let passed = self.run.passage.see(at, condition);
+        let passed = self.run.passage.see(into, condition);
+        self.run.passage.end_step(size);
         if is_far {
             self.run.passage = Passage::new();
         }
@@ -216,8 +219,8 @@ where
             (before, Some(name_singularity(self.model(), begin, before, &self.run.state.q)))
         } else if !R::any(smallest.greater_equal(R::NEAR_SINGULAR)) {
             (smallest, Some(name_singularity(self.model(), time, smallest, &next.q)))
-        } else if let Some((time, least)) = passed {
-            (least, Some(name_singularity(self.model(), time, least, &next.q)))
+        } else if let Some((into, least)) = passed {
+            (least, Some(name_singularity(self.model(), begin + into, least, &next.q)))
         } else {
             (smallest, None)
         }

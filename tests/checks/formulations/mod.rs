@@ -1,5 +1,6 @@
 //! Formulations: each against the equations it stands for, on every model; all of them on published runs.
 
+mod beside;
 mod equations;
 mod runs;
 mod settings;

@@ -18,7 +18,7 @@ const SERVES: f64 = 0.02;
 /// Sets that are compared; where there are more, those of the rows that take part most.
 const MOST_SETS: usize = 400;
 const MOST_CHARTS: usize = 4;
-/// Rows that switch, taken or not: `equations::switch` has names for so many.
+/// Rows that switch, taken or not: the determinant of as many is written out for each chart.
 const MOST_SLOTS: usize = 6;
 
 /// The sets of rows to be left out, the best alone first.
@@ -102,7 +102,7 @@ pub fn choose(
 }
 
 impl Charts {
-    /// Whether they serve all along the motion, and switch few enough rows to be named.
+    /// Whether they serve all along the motion, and switch few enough rows to be written out.
     pub fn hold(&self) -> bool {
         let mut switched: Vec<usize> = self.sets.concat();
         switched.sort_unstable();
@@ -227,6 +227,20 @@ mod tests {
         let charts = choose(&spaces, 1, 3, |row| row != 1).expect("rows repeat");
         assert_eq!(charts.sets, [[0], [2]]);
         assert_eq!(choose(&spaces, 1, 3, |_| false), None);
+    }
+
+    /// As many rows switch as are in some set; what is in none is taken everywhere.
+    #[test]
+    fn more_rows_than_are_written_out_do_not_switch() {
+        let six = |first: usize| (first..first + 6).collect::<Vec<_>>();
+        let charts = |sets: Vec<Vec<usize>>| Charts { sets, least: 0.5 };
+        assert!(charts(vec![six(0), six(6)]).hold());
+        // Six left out of thirteen are seven taken.
+        assert!(!charts(vec![six(0), six(6), six(7)]).hold());
+        let seven = |first: usize| (first..first + 7).collect::<Vec<_>>();
+        assert!(!charts(vec![seven(0), seven(1)]).hold());
+        // One set for good does not switch, however large.
+        assert!(charts(vec![seven(0)]).hold());
     }
 
     #[test]
