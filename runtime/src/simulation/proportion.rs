@@ -98,9 +98,9 @@ impl<'m, R: Real, M: Assemble<R>, F: Formulation<R, M>, S, I: Method<R>> Simulat
         let Proportion { fastest, unseen, .. } = self.run.proportion;
         let speed = next.1.v.max_abs();
         // Written so that a NaN is looked at.
-        if near.is_some() || !R::any(condition.greater_equal(R::from_f64(CLOSE))) {
-            self.check_energy((begin, h), next, inputs, (condition, near))?;
-        }
+        let close = near.is_some() || !R::any(condition.greater_equal(R::from_f64(CLOSE)));
+        let taken =
+            if close { self.check_energy((begin, h), next, inputs, (condition, near))? } else { R::ZERO };
         let look = speed > fastest + fastest || near.is_some() || unseen >= EVERY;
         if look {
             self.check_constraints(next, near)?;
@@ -108,9 +108,11 @@ impl<'m, R: Real, M: Assemble<R>, F: Formulation<R, M>, S, I: Method<R>> Simulat
         let proportion = &mut self.run.proportion;
         proportion.fastest = speed.max(fastest);
         proportion.unseen = if look { 0 } else { unseen + 1 };
+        proportion.off = (proportion.off - taken).max(R::ZERO);
         Ok(())
     }
 
+    /// What came from nowhere, or went, J: to be taken off what the start had off the constraints.
     #[cold]
     #[inline(never)]
     fn check_energy(
@@ -119,7 +121,7 @@ impl<'m, R: Real, M: Assemble<R>, F: Formulation<R, M>, S, I: Method<R>> Simulat
         (end, next): At<'_, R, M>,
         inputs: &M::Inputs,
         (condition, near): (R, Option<NearSingular<R>>),
-    ) -> Result<(), SimulationError>
+    ) -> Result<R, SimulationError>
     where
         S: InputSource<R, M>,
     {
@@ -133,9 +135,7 @@ impl<'m, R: Real, M: Assemble<R>, F: Formulation<R, M>, S, I: Method<R>> Simulat
         // Written so that a NaN fails.
         let unaccounted = (after - before - released).abs();
         if R::any(unaccounted.less_equal(allowed)) {
-            let proportion = &mut self.run.proportion;
-            proportion.off = (proportion.off - unaccounted).max(R::ZERO);
-            return Ok(());
+            return Ok(unaccounted);
         }
         let exchange = Exchange { begin, h, end, next, before, after, allowed };
         if self.is_exchanged(&exchange, inputs, inputs)
@@ -145,7 +145,7 @@ impl<'m, R: Real, M: Assemble<R>, F: Formulation<R, M>, S, I: Method<R>> Simulat
                 self.is_exchanged(&exchange, inputs, &last)
             }
         {
-            return Ok(());
+            return Ok(R::ZERO);
         }
         let near = near.unwrap_or_else(|| name_singularity(model, begin, condition, &q));
         Err(SimulationError::Unresolved {
