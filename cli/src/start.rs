@@ -104,7 +104,7 @@ fn asked(definition: &Definition, mechanism: &Mechanism) -> Vec<Asked> {
         asked.push(Asked { name: start.text.clone(), quantity: start.quantity.clone(), given, unit });
     }
     for (index, joint) in mechanism.joints.iter().enumerate() {
-        let names = joint.kind.word().coordinates(mechanism.space);
+        let names = joint.form;
         let angles = if [joint.first.frame, joint.second.frame].iter().all(|frame| turns(mechanism, *frame)) {
             names.angles.len()
         } else {

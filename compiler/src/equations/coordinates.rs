@@ -182,7 +182,7 @@ impl Ball {
 }
 
 fn joint_angles(mechanism: &Mechanism, joint: JointId) -> &'static [[&'static str; 2]] {
-    mechanism.joints[joint.0].kind.word().coordinates(mechanism.space).angles
+    mechanism.joints[joint.0].form.angles
 }
 
 /// `knee.angle`, or with `rate` 1 `knee.rate`.
@@ -193,7 +193,7 @@ pub fn angle_name(mechanism: &Mechanism, joint: JointId, which: usize, rate: usi
 /// `rail.travel`, or with `rate` 1 `rail.speed`.
 pub fn travel_name(mechanism: &Mechanism, joint: JointId, which: usize, rate: usize) -> String {
     let joint = &mechanism.joints[joint.0];
-    let travels = joint.kind.word().coordinates(mechanism.space).travels;
+    let travels = joint.form.travels;
     format!("{}.{}", joint.name.text, travels[which][rate])
 }
 

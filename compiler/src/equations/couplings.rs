@@ -2,8 +2,9 @@
 
 use super::jet::Jet;
 use super::laws::Laws;
+use super::space::joints::{self, Elementary};
 use crate::model::{
-    Constraint, ConstraintKind, Driver, Expr, JointId, JointKind, LoadKind, Mechanism, Quantity, Rotor,
+    Constraint, ConstraintKind, Driver, Expr, JointId, LoadKind, Mechanism, Quantity, Rotor, Space,
 };
 use crate::symbolic::{Graph, Node};
 use std::collections::BTreeSet;
@@ -91,7 +92,7 @@ pub fn multi_turn_rotors(mechanism: &Mechanism) -> Vec<Rotor> {
     }
     // The travel of a screw is its counted angle times the pitch.
     for (index, joint) in mechanism.joints.iter().enumerate() {
-        if matches!(joint.kind, JointKind::Screw { .. }) {
+        if mechanism.space == Space::Spatial && joints::motions(joint).contains(&Elementary::Wind) {
             rotors.insert(Rotor::Joint(JointId(index), 0));
         }
     }

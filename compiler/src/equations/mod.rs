@@ -27,7 +27,8 @@ pub use switch::{Omitted, Sized, Switch};
 pub use tangent::Tangents;
 
 use crate::diagnostics::Region;
-use crate::model::{BodyKind, Frame, JointId, JointKind, Mechanism, Quantity, Redundant, Space};
+use crate::forms::Vocabulary;
+use crate::model::{BodyKind, Frame, JointId, Mechanism, Quantity, Redundant, Space};
 use crate::symbolic::{Class, Graph, Node};
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -385,12 +386,21 @@ fn masses(g: &mut Graph, laws: &Laws) -> Vec<(String, Node)> {
         }
     }
     for joint in &laws.mechanism.joints {
-        if let JointKind::Distance { length } = &joint.kind {
-            masses.push((format!("length of \"{}\"", joint.name.text), laws.value(g, length)));
+        let scalars = joint.form.call.named.iter().filter(|argument| !argument.is_direction());
+        for (argument, value) in scalars.zip(&joint.scalars).filter(|(argument, _)| argument.is_positive) {
+            masses.push((format!("{} of \"{}\"", argument.name, joint.name.text), laws.value(g, value)));
         }
     }
     masses
 }
+
+/// The words of all elements.
+pub static VOCABULARY: Vocabulary = Vocabulary {
+    joints: |space| match space {
+        Space::Planar => plane::joints::JOINTS.iter().map(|joint| &joint.form).collect(),
+        Space::Spatial => space::joints::JOINTS.iter().map(|joint| &joint.form).collect(),
+    },
+};
 
 /// Rows of each joint that has some, by index of joint.
 fn multipliers_of_joints(rows: &[Row]) -> BTreeMap<usize, Vec<usize>> {

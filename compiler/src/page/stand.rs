@@ -1,12 +1,12 @@
 //! Numbers of the mechanism as it stands at its start, from which the sketch is made.
 
-use super::sketch::{Effort, EffortKind, End, Hinge, Part, Wheel};
-use super::vector::{Point, apply, cross, difference, dot, length, pad, sum, unit};
+use super::sketch::{Effort, EffortKind, End, Part, Wheel};
 use crate::Compiled;
+use crate::drawing::Hinge;
+use crate::drawing::vector::{Point, apply, cross, difference, dot, length, pad, sum, unit};
 use crate::equations::{Laws, space};
-use crate::model::{
-    Axes, Body, ConstraintKind, Frame, Joint, JointKind, Load, LoadKind, Place, Rotor, Space, Vector,
-};
+use crate::forms::Spans;
+use crate::model::{Axes, Body, ConstraintKind, Frame, Joint, Load, LoadKind, Place, Rotor, Space, Vector};
 use crate::symbolic::{Graph, Node, Op, evaluate_reachable};
 
 /// The mechanism at its start: default parameters, time 0, all inputs 1, so that loads have a direction.
@@ -116,34 +116,25 @@ impl<'a> Stand<'a> {
 
     pub fn hinge(&mut self, joint: &Joint) -> Hinge {
         let z = [0.0, 0.0, 1.0];
-        let axis = match &joint.kind {
-            JointKind::Revolute { .. } if self.compiled.mechanism.space == Space::Planar => z,
-            JointKind::Revolute { axis }
-            | JointKind::Prismatic { axis, .. }
-            | JointKind::Cylindrical { axis }
-            | JointKind::Screw { axis, .. }
-            | JointKind::Universal { axis, .. }
-            | JointKind::Planar { axis }
-            | JointKind::ConstantVelocity { axis }
-            | JointKind::PointOnPlane { axis } => unit(self.direction(&joint.first, axis)),
-            JointKind::PointOnLine { direction } => self.direction(&joint.first, direction),
-            JointKind::Fixed { .. } | JointKind::Spherical | JointKind::Distance { .. } => z,
+        let mut directions = joint.directions.iter();
+        let axis = match directions.next() {
+            // As long as the line.
+            Some(along) if joint.form.spans == Spans::Line => self.direction(&joint.first, along),
+            Some(axis) => unit(self.direction(&joint.first, axis)),
+            None => z,
         };
-        let second_axis = match &joint.kind {
-            JointKind::Universal { second_axis, .. } => unit(self.direction(&joint.second, second_axis)),
-            _ => axis,
-        };
+        let second_axis = directions.next().map(|axis| unit(self.direction(&joint.second, axis)));
         let second = self.place(&joint.second);
         Hinge {
             name: joint.name.text.clone(),
-            kind: joint.kind.word(),
+            form: joint.form,
             first: self.place(&joint.first),
             second,
             at: second,
             first_on: joint.first.frame,
             second_on: joint.second.frame,
             axis,
-            second_axis,
+            second_axis: second_axis.unwrap_or(axis),
         }
     }
 

@@ -43,7 +43,7 @@ use super::messages;
 use crate::diagnostics::Diagnostics;
 use crate::equations::conditions::{self, coordinate_of};
 use crate::equations::{Ball, Condition, Dropped, Equations, Laws, Linear, Omitted, Rotation};
-use crate::model::{BodyId, JointId, JointKind, Mechanism, Quantity, Space};
+use crate::model::{BodyId, JointId, Mechanism, Quantity, Space};
 use crate::solve::Massless;
 use crate::symbolic::Node;
 use along::Walk;
@@ -245,15 +245,7 @@ fn candidates(mechanism: &Mechanism, equations: &mut Equations) -> Vec<Condition
             quantities.extend(match attachment.joint {
                 None if mechanism.space == Space::Spatial => Vec::new(),
                 None => vec![Quantity::BodyAngle(attachment.body)],
-                Some((joint, _)) if mechanism.space == Space::Spatial => of_joint(mechanism, joint),
-                Some((joint, _)) => match mechanism.joints[joint.0].kind {
-                    JointKind::Prismatic { .. } => vec![Quantity::JointTravel(joint, 0)],
-                    JointKind::PointOnLine { .. } => {
-                        vec![Quantity::JointTravel(joint, 0), Quantity::JointAngle(joint, 0)]
-                    }
-                    JointKind::Revolute { .. } => vec![Quantity::JointAngle(joint, 0)],
-                    _ => Vec::new(),
-                },
+                Some((joint, _)) => of_joint(mechanism, joint),
             });
         }
     }
@@ -281,7 +273,7 @@ fn candidates(mechanism: &Mechanism, equations: &mut Equations) -> Vec<Condition
 
 /// The coordinates of a joint in space.
 fn of_joint(mechanism: &Mechanism, joint: JointId) -> Vec<Quantity> {
-    let names = mechanism.joints[joint.0].kind.word().coordinates(mechanism.space);
+    let names = mechanism.joints[joint.0].form;
     let travels = (0..names.travels.len()).map(|which| Quantity::JointTravel(joint, which));
     travels.chain((0..names.angles.len()).map(|which| Quantity::JointAngle(joint, which))).collect()
 }

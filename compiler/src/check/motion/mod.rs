@@ -102,7 +102,7 @@ pub enum Unswept {
 pub fn of_joints(mechanism: &Mechanism) -> Vec<Quantity> {
     let mut found = Vec::new();
     for (index, joint) in mechanism.joints.iter().enumerate() {
-        let names = joint.kind.word().coordinates(mechanism.space);
+        let names = joint.form;
         let angles = if joint.has_particle(mechanism) { 0 } else { names.angles.len() };
         found.extend((0..angles).map(|which| Quantity::JointAngle(JointId(index), which)));
         found.extend((0..names.travels.len()).map(|which| Quantity::JointTravel(JointId(index), which)));

@@ -4,7 +4,7 @@ use super::joints;
 use super::kinematics::{GROUND, Kinematics, LocalVector, Position, compose, inverse, rotate};
 use crate::equations::jet::Jet;
 use crate::equations::laws::Laws;
-use crate::model::{BodyKind, Frame, JointId, JointKind, Place, Rotor, Vector};
+use crate::model::{BodyKind, Frame, JointId, Place, Rotor, Vector};
 use crate::symbolic::{Graph, Node};
 use std::collections::BTreeMap;
 
@@ -97,12 +97,10 @@ impl Kinematics {
     /// Travel of a joint: â·(p₂ − p₁).
     pub fn travel(&self, g: &mut Graph, laws: &Laws, joint: JointId) -> Jet {
         let joint = &laws.mechanism.joints[joint.0];
-        let (JointKind::Prismatic { axis, .. } | JointKind::PointOnLine { direction: axis }) = &joint.kind
-        else {
+        let Some(axis) = joint.directions.first() else {
             let zero = g.constant(0.0);
             return Jet::constant(g, zero);
         };
-        debug_assert!(joints::slides(&joint.kind));
         let along = laws.pair_of(g, axis);
         let along = joints::normalized(g, along);
         let (frame, along) = match joint.first.frame {

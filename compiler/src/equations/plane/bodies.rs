@@ -10,7 +10,7 @@ use crate::equations::coordinates::Symbols;
 use crate::equations::laws::Laws;
 use crate::equations::spanning_tree::SpanningTree;
 use crate::equations::{BodyMotion, Row, loads, multipliers_of_joints};
-use crate::model::{BodyKind, Frame, JointKind, Mechanism};
+use crate::model::{BodyKind, Frame, Mechanism};
 use crate::symbolic::{Graph, Node};
 
 /// Motion of a body: centre of mass x, y; cos, sin of its orientation; their velocities and accelerations.
@@ -135,10 +135,7 @@ pub fn reactions(
         let [x, y] = laws.plane().world(g, &second);
         let arm = difference(g, motions[child].position, [x.value, y.value]);
         // What turns freely exerts no torque, by construction.
-        let torque = match joint_definition.kind {
-            JointKind::Revolute { .. } | JointKind::PointOnLine { .. } => zero,
-            _ => moment(g, arm, need),
-        };
+        let torque = if joint_definition.form.keeps_orientation { moment(g, arm, need) } else { zero };
         let wrench = [need[0], need[1], torque];
         let child_is_second = joint_definition.second.frame == Frame::Body(attachment.body);
         wrenches[joint.0] = if child_is_second { wrench } else { wrench.map(|node| g.neg(node)) };

@@ -36,18 +36,18 @@ fn enumerate(mechanism: &Mechanism, tree: &SpanningTree) -> Enumeration {
                 rigid
             }
             Some((joint, parent)) => {
-                let kind = &mechanism.joints[joint.0].kind;
-                if joints::slides(kind) {
+                let form = mechanism.joints[joint.0].form;
+                if !form.travels.is_empty() {
                     found.travels.insert(*joint, linear.len());
                     linear.push(Linear::Travel(*joint, 0));
                 }
-                if rigid && !joints::turns(kind) {
+                if rigid && form.keeps_orientation {
                     found.frames[body.0] = match parent {
                         Frame::Ground => GROUND,
                         Frame::Body(parent) => found.frames[parent.0],
                     };
                 }
-                rigid && joints::turns(kind)
+                rigid && !form.keeps_orientation
             }
         };
         if turns {

@@ -7,7 +7,7 @@ use super::links::{GROUND, Link, LinkId, Motion, Placement};
 use super::vector::{self, Mat3, Vec3};
 use crate::equations::coordinates::{Ball, Layout, Linear, MultiTurn, Rotation, Symbols, symbols};
 use crate::equations::{Attachment, Laws, SpanningTree};
-use crate::model::{BodyId, BodyKind, Frame, JointId, JointKind, Mechanism, Place, Rotor, fold};
+use crate::model::{BodyId, BodyKind, Frame, JointId, Mechanism, Place, Rotor, fold};
 use crate::symbolic::{Graph, Node};
 use std::collections::BTreeMap;
 
@@ -66,7 +66,7 @@ fn layout(mechanism: &Mechanism, tree: &SpanningTree) -> Layout {
             }
             continue;
         };
-        for elementary in joints::motions(&mechanism.joints[id.0].kind) {
+        for elementary in joints::motions(&mechanism.joints[id.0]).iter().copied() {
             match elementary {
                 Elementary::Slide { which, .. } => layout.linear.push(Linear::Travel(*id, which)),
                 Elementary::Turn { which, .. } => layout.rotations.push(Rotation::Joint(*id, which)),
@@ -103,7 +103,7 @@ fn counted(mechanism: &Mechanism, layout: &Layout, rotor: Rotor) -> MultiTurn {
 
 /// The unit vector of a joint's axis in the body of one of its places, if it is known at expansion.
 pub fn constant_axis(mechanism: &Mechanism, joint: &crate::model::Joint, place: &Place) -> Option<[f64; 3]> {
-    let axis = super::kinematics::axis_of(&joint.kind)?;
+    let axis = joint.common_axis()?;
     // Known without parameters.
     let known = axis.iter().all(|component| fold::evaluate(component, &[]).is_some());
     if !known {
@@ -212,11 +212,11 @@ impl Builder<'_> {
         }
 
         // Its motions, from the near place to the far one.
-        let mut motions = joints::motions(&joint.kind);
+        let mut motions = joints::motions(joint).to_vec();
         if !child_is_second {
             motions.reverse();
         }
-        let frames = joints::frames(g, &laws, &joint.kind);
+        let frames = joints::frames(g, &laws, joint);
         // The joint frame that the cursor's axes still have to undo.
         let mut undone: Option<usize> = None;
         let particle = mechanism.bodies[child.0].kind == BodyKind::Particle;
@@ -284,7 +284,7 @@ impl Builder<'_> {
             }
             Elementary::Wind => {
                 // travel = pitch/(2π) θ with the counted angle.
-                let JointKind::Screw { pitch, .. } = &self.mechanism.joints[id.0].kind else { return None };
+                let pitch = self.mechanism.joints[id.0].scalars.first()?;
                 let r = self.layout.rotations.iter().position(|own| *own == Rotation::Joint(id, 0))?;
                 let rate = self.layout.linear.len() + r;
                 let pitch = laws.value(g, pitch);

@@ -7,11 +7,12 @@
 
 use super::axes;
 use super::coordinates::rotation_matrix;
+use super::joints::{self, Elementary};
 use super::links::{GROUND, Link, LinkId, Placement};
 use super::vector::{self, Mat3, Vec3};
 use super::vector_jet::{Kind, VectorJet};
 use crate::equations::{Jet, Laws};
-use crate::model::{BodyId, Frame, Joint, JointId, JointKind, Place, Rotor, Vector};
+use crate::model::{BodyId, Frame, Joint, JointId, Place, Rotor, Vector};
 use crate::symbolic::{Graph, Node, Unary};
 use std::collections::BTreeMap;
 
@@ -194,7 +195,7 @@ impl Kinematics {
         }
         let joint = &laws.mechanism.joints[id.0];
         let [first, second] = self.joint_spots(g, laws, joint);
-        if let JointKind::Universal { axis, second_axis } = &joint.kind {
+        if let [axis, second_axis] = &joint.directions[..] {
             // The second's axis, seen from the first, has turned about the first's by the first angle; the other way round
             // for the second angle.
             let (own, other, about, towards) = if which == 0 {
@@ -211,7 +212,7 @@ impl Kinematics {
             let (cos, sin) = (vector::dot(g, near, seen.value), vector::dot(g, across, seen.value));
             return [cos, if which == 0 { sin } else { g.neg(sin) }];
         }
-        let Some(axis) = axis_of(&joint.kind) else { return one };
+        let Some(axis) = joint.common_axis() else { return one };
         let frame = axes::joint_frame(g, laws, axis);
         let (e1, e2) = (vector::product(g, &first.axes, &frame), vector::product(g, &second.axes, &frame));
         let seen = self.direction(g, &first, &second, vector::column(&e2, 0));
@@ -233,7 +234,7 @@ impl Kinematics {
         let joint = &laws.mechanism.joints[id.0];
         let [first, second] = self.joint_spots(g, laws, joint);
         let (first_omega, second_omega) = (self.link_omega(g, first.link), self.link_omega(g, second.link));
-        if let JointKind::Universal { axis, second_axis } = &joint.kind {
+        if let [axis, second_axis] = &joint.directions[..] {
             // a₁·(ω₂ − ω₁), or b₂·(ω₂ − ω₁): as a product of what moves.
             let (own, own_omega, other, other_omega, axis) = if which == 0 {
                 (&first, &first_omega, &second, &second_omega, axis)
@@ -250,7 +251,7 @@ impl Kinematics {
             let rate = theirs.sub(g, &ours);
             return if which == 0 { rate } else { rate.neg(g) };
         }
-        let Some(axis) = axis_of(&joint.kind) else { return Jet::constant(g, zero) };
+        let Some(axis) = joint.common_axis() else { return Jet::constant(g, zero) };
         let z = joint_axis(g, laws, axis);
         let (z1, z2) = (vector::apply(g, &first.axes, z), vector::apply(g, &second.axes, z));
         let (own, other) = (second_omega.project(g, z2), first_omega.project(g, z1));
@@ -265,40 +266,20 @@ impl Kinematics {
             return jet;
         }
         let joint = &laws.mechanism.joints[id.0];
-        let axis = match &joint.kind {
-            JointKind::PointOnLine { direction } => direction,
-            kind => match axis_of(kind) {
-                Some(axis) => axis,
-                None => {
-                    let zero = g.constant(0.0);
-                    return Jet::constant(g, zero);
-                }
-            },
+        let slides = joints::motions(joint).iter().find_map(|motion| match motion {
+            Elementary::Slide { axis, which: own } => (*own == which).then_some(*axis),
+            Elementary::Wind => Some(2),
+            Elementary::Turn { .. } | Elementary::Ball => None,
+        });
+        let Some(along) = slides else {
+            let zero = g.constant(0.0);
+            return Jet::constant(g, zero);
         };
         let [first, second] = self.joint_spots(g, laws, joint);
-        let frame = axes::joint_frame(g, laws, axis);
+        let frame = joints::frames(g, laws, joint)[0];
         let frame = vector::product(g, &first.axes, &frame);
-        let along = if matches!(joint.kind, JointKind::Planar { .. }) { which } else { 2 };
         let delta = self.delta(g, &first, &second);
         delta.project(g, vector::column(&frame, along))
-    }
-}
-
-/// The one axis of a joint about which its angle, or along which its travel is measured.
-pub fn axis_of(kind: &JointKind) -> Option<&Vector> {
-    match kind {
-        JointKind::Revolute { axis }
-        | JointKind::Prismatic { axis, .. }
-        | JointKind::Cylindrical { axis }
-        | JointKind::Screw { axis, .. }
-        | JointKind::Planar { axis }
-        | JointKind::ConstantVelocity { axis }
-        | JointKind::PointOnPlane { axis } => Some(axis),
-        JointKind::Fixed { .. }
-        | JointKind::Universal { .. }
-        | JointKind::Spherical
-        | JointKind::PointOnLine { .. }
-        | JointKind::Distance { .. } => None,
     }
 }
 

@@ -12,49 +12,49 @@ mod revolute;
 
 use super::angles::ground;
 use super::kinematics::{FrameId, GROUND, LocalVector, Placement, Position, inverse, rotate};
+use crate::drawing::plane::Symbol;
 use crate::equations::JointRow;
 use crate::equations::jet::Jet;
 use crate::equations::laws::Laws;
-use crate::model::{BodyId, BodyKind, Frame, Joint, JointId, JointKind};
+use crate::forms::JointForm;
+use crate::model::{BodyId, BodyKind, Frame, Joint, JointId};
 use crate::symbolic::{Graph, Node, Unary};
 
 /// What a joint exerts on the second place's body: force (world axes) at the second place, and torque about it.
 pub type Wrench = [Node; 3];
 
-/// Whether a joint lets the carried body turn on its own.
-pub fn turns(kind: &JointKind) -> bool {
-    matches!(kind, JointKind::Revolute { .. } | JointKind::PointOnLine { .. } | JointKind::Distance { .. })
+/// A kind of joint of the plane.
+pub struct PlanarJoint {
+    pub form: JointForm,
+    /// Constraint rows where it carries nothing.
+    pub rows: fn(&mut Graph, &Laws, &Ends) -> Vec<JointRow>,
+    /// Places the body that it carries; `None`: it carries none.
+    pub attach: Option<fn(&mut Graph, &Laws, Carried) -> Placement>,
+    /// What it exerts, from the multipliers of its rows.
+    pub reaction: fn(&mut Graph, &Laws, &Ends, &[Node]) -> Wrench,
+    pub symbol: fn(&mut Symbol),
 }
 
-/// Whether a joint has a travel.
-pub fn slides(kind: &JointKind) -> bool {
-    matches!(kind, JointKind::Prismatic { .. } | JointKind::PointOnLine { .. })
+/// The joints of the plane.
+pub static JOINTS: &[&PlanarJoint] =
+    &[&fixed::JOINT, &revolute::JOINT, &prismatic::JOINT, &point_on_line::JOINT, &distance::JOINT];
+
+/// The joint with a form, which is one of the list's own.
+pub fn of(form: &'static JointForm) -> &'static PlanarJoint {
+    let own = JOINTS.iter().find(|joint| std::ptr::eq(&joint.form, form));
+    own.copied().expect("forms come from the list")
 }
 
 /// Constraint rows of a joint that carries nothing.
 pub fn rows(g: &mut Graph, laws: &Laws, joint: &Joint) -> Vec<JointRow> {
     let ends = Ends::of(g, laws, joint);
-    match &joint.kind {
-        JointKind::Fixed { angle } => fixed::rows(g, laws, &ends, angle),
-        JointKind::Revolute { .. } => revolute::rows(g, laws, &ends),
-        JointKind::Prismatic { axis, angle } => prismatic::rows(g, laws, &ends, axis, angle),
-        JointKind::PointOnLine { direction } => point_on_line::rows(g, laws, &ends, direction),
-        JointKind::Distance { length } => distance::rows(g, laws, &ends, length),
-        _ => Vec::new(),
-    }
+    (of(joint.form).rows)(g, laws, &ends)
 }
 
 /// What the joint exerts, from the multipliers of its rows.
 pub fn reaction(g: &mut Graph, laws: &Laws, joint: &Joint, lambda: &[Node]) -> Wrench {
     let ends = Ends::of(g, laws, joint);
-    match &joint.kind {
-        JointKind::Fixed { angle } => fixed::reaction(g, laws, &ends, angle, lambda),
-        JointKind::Revolute { .. } => revolute::reaction(g, lambda),
-        JointKind::Prismatic { axis, angle } => prismatic::reaction(g, laws, &ends, axis, angle, lambda),
-        JointKind::PointOnLine { direction } => point_on_line::reaction(g, laws, &ends, direction, lambda),
-        JointKind::Distance { .. } => distance::reaction(g, laws, &ends, lambda),
-        _ => [g.constant(0.0); 3],
-    }
+    (of(joint.form).reaction)(g, laws, &ends, lambda)
 }
 
 /// Places `child` where the joint carries it. `travel` is the joint's coordinate and the index of its rate.
@@ -81,6 +81,7 @@ pub fn attach(
         }
     };
     let carried = Carried {
+        joint,
         parent,
         pivot,
         at: laws.pair_of(g, &far.at),
@@ -89,27 +90,24 @@ pub fn attach(
         child_is_second,
         rigid: laws.mechanism.bodies[child.0].kind == BodyKind::Rigid,
     };
-    match &joint.kind {
-        JointKind::Fixed { angle } => fixed::attach(g, laws, carried, angle),
-        JointKind::Prismatic { axis, angle } => prismatic::attach(g, laws, carried, axis, angle),
-        JointKind::PointOnLine { direction } => point_on_line::attach(g, laws, carried, direction),
-        _ => revolute::attach(g, carried),
-    }
+    let attach = of(joint.form).attach.expect("the tree hangs bodies on joints that carry");
+    attach(g, laws, carried)
 }
 
 /// The two ends of a joint in motion.
-struct Ends {
+pub struct Ends<'a> {
+    joint: &'a Joint,
     first: Frame,
     second: Frame,
     /// Δ = p₂ − p₁.
     delta: Position,
 }
 
-impl Ends {
-    fn of(g: &mut Graph, laws: &Laws, joint: &Joint) -> Self {
+impl<'a> Ends<'a> {
+    fn of(g: &mut Graph, laws: &Laws, joint: &'a Joint) -> Self {
         let (first, second) =
             (laws.plane().place(g, laws, &joint.first), laws.plane().place(g, laws, &joint.second));
-        Ends { first: joint.first.frame, second: joint.second.frame, delta: second.sub(g, &first) }
+        Ends { joint, first: joint.first.frame, second: joint.second.frame, delta: second.sub(g, &first) }
     }
 
     /// A direction given in the first body's axes, as its frame and the components there.
@@ -125,7 +123,8 @@ impl Ends {
 }
 
 /// A body about to be placed at the far end of a joint.
-struct Carried {
+pub struct Carried<'a> {
+    joint: &'a Joint,
     parent: Placement,
     /// The near place.
     pivot: Position,
@@ -138,7 +137,7 @@ struct Carried {
     rigid: bool,
 }
 
-impl Carried {
+impl Carried<'_> {
     /// The placement that puts the far place at `p`, the body's orientation being `offset` within its frame.
     fn at(self, g: &mut Graph, p: &Position, offset: [Node; 2]) -> Placement {
         if !self.rigid {

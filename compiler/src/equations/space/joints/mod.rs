@@ -20,12 +20,14 @@ mod universal;
 mod view;
 
 use super::axes;
-use super::kinematics::{Kinematics, Spot, axis_of};
+use super::kinematics::{Kinematics, Spot};
 use super::links::GROUND;
 use super::vector::{self, Mat3, Vec3};
 use super::vector_jet::{Kind, VectorJet};
+use crate::drawing::space::Symbol;
 use crate::equations::{Jet, JointRow, Laws, SpanningTree};
-use crate::model::{Frame, Joint, JointId, JointKind};
+use crate::forms::{Argument, JointForm, Need};
+use crate::model::{Frame, Joint, JointId};
 use crate::symbolic::{Graph, Node};
 
 /// One elementary motion of a joint.
@@ -41,71 +43,64 @@ pub enum Elementary {
     Ball,
 }
 
-pub fn motions(kind: &JointKind) -> Vec<Elementary> {
-    match kind {
-        JointKind::Fixed { .. } => fixed::motions(),
-        JointKind::Revolute { .. } => revolute::motions(),
-        JointKind::Prismatic { .. } => prismatic::motions(),
-        JointKind::Cylindrical { .. } => cylindrical::motions(),
-        JointKind::Screw { .. } => screw::motions(),
-        JointKind::Universal { .. } => universal::motions(),
-        JointKind::Spherical => spherical::motions(),
-        JointKind::Planar { .. } => planar::motions(),
-        JointKind::ConstantVelocity { .. } => constant_velocity::motions(),
-        JointKind::PointOnLine { .. } => point_on_line::motions(),
-        JointKind::PointOnPlane { .. } => point_on_plane::motions(),
-        JointKind::Distance { .. } => distance::motions(),
-    }
+/// A kind of joint of space.
+pub struct SpatialJoint {
+    pub form: JointForm,
+    /// How a body moves that it carries, from the first place to the second; `None`: it carries none.
+    pub motions: Option<&'static [Elementary]>,
+    /// Constraint rows where it carries nothing.
+    pub rows: fn(&mut Graph, &Laws, &Ends) -> Vec<JointRow>,
+    pub symbol: fn(&mut Symbol),
 }
 
-/// The joint frames that the motions refer to, in the axes of the places.
-pub fn frames(g: &mut Graph, laws: &Laws, kind: &JointKind) -> Vec<Mat3> {
-    match kind {
-        JointKind::Universal { axis, second_axis } => {
-            vec![axes::joint_frame(g, laws, axis), axes::joint_frame(g, laws, second_axis)]
-        }
-        JointKind::PointOnLine { direction } => vec![axes::joint_frame(g, laws, direction)],
-        kind => match axis_of(kind) {
-            Some(axis) => vec![axes::joint_frame(g, laws, axis)],
-            None => vec![vector::identity(g)],
-        },
-    }
+/// The joints of space.
+pub static JOINTS: &[&SpatialJoint] = &[
+    &fixed::JOINT,
+    &revolute::JOINT,
+    &prismatic::JOINT,
+    &cylindrical::JOINT,
+    &screw::JOINT,
+    &universal::JOINT,
+    &spherical::JOINT,
+    &planar::JOINT,
+    &constant_velocity::JOINT,
+    &point_on_line::JOINT,
+    &point_on_plane::JOINT,
+    &distance::JOINT,
+];
+
+/// An axis that need not be written beside a marker.
+const AXIS: Argument = Argument::direction("axis", Need::UnlessMarked);
+
+/// The joint with a form, which is one of the list's own.
+pub fn of(form: &'static JointForm) -> &'static SpatialJoint {
+    let own = JOINTS.iter().find(|joint| std::ptr::eq(&joint.form, form));
+    own.copied().expect("forms come from the list")
 }
 
-/// Degrees of freedom that a joint leaves.
-pub fn freedoms(kind: &JointKind) -> usize {
-    match kind {
-        JointKind::Fixed { .. } => 0,
-        JointKind::Revolute { .. } | JointKind::Prismatic { .. } | JointKind::Screw { .. } => 1,
-        JointKind::Cylindrical { .. } | JointKind::Universal { .. } | JointKind::ConstantVelocity { .. } => 2,
-        JointKind::Spherical | JointKind::Planar { .. } => 3,
-        JointKind::PointOnLine { .. } => 4,
-        JointKind::PointOnPlane { .. } | JointKind::Distance { .. } => 5,
+pub fn motions(joint: &Joint) -> &'static [Elementary] {
+    of(joint.form).motions.unwrap_or_default()
+}
+
+/// The joint frames that the motions refer to, in the axes of the places: z along each direction.
+pub fn frames(g: &mut Graph, laws: &Laws, joint: &Joint) -> Vec<Mat3> {
+    if joint.directions.is_empty() {
+        return vec![vector::identity(g)];
     }
+    joint.directions.iter().map(|axis| axes::joint_frame(g, laws, axis)).collect()
 }
 
 /// Constraint rows of a joint that carries nothing.
 pub fn rows(g: &mut Graph, laws: &Laws, tree: &SpanningTree, id: JointId) -> Vec<JointRow> {
     let joint = &laws.mechanism.joints[id.0];
-    let Some(ends) = Ends::of(g, laws, tree, joint) else { return Vec::new() };
-    match &joint.kind {
-        JointKind::Fixed { .. } => fixed::rows(g, &ends),
-        JointKind::Revolute { .. } => revolute::rows(g, &ends),
-        JointKind::Prismatic { .. } => prismatic::rows(g, &ends),
-        JointKind::Cylindrical { .. } => cylindrical::rows(g, &ends),
-        JointKind::Screw { pitch, .. } => screw::rows(g, laws, &ends, id, pitch),
-        JointKind::Universal { axis, second_axis } => universal::rows(g, laws, &ends, axis, second_axis),
-        JointKind::Spherical => spherical::rows(g, &ends),
-        JointKind::Planar { .. } => planar::rows(g, &ends),
-        JointKind::ConstantVelocity { .. } => constant_velocity::rows(g, &ends),
-        JointKind::PointOnLine { .. } => point_on_line::rows(g, &ends),
-        JointKind::PointOnPlane { .. } => point_on_plane::rows(g, &ends),
-        JointKind::Distance { length } => distance::rows(g, laws, &ends, length),
-    }
+    let Some(ends) = Ends::of(g, laws, tree, id) else { return Vec::new() };
+    (of(joint.form).rows)(g, laws, &ends)
 }
 
 /// The two ends of a joint in motion.
-struct Ends<'a> {
+pub struct Ends<'a> {
+    id: JointId,
+    joint: &'a Joint,
     kinematics: &'a Kinematics,
     velocities: &'a [Node],
     first: Spot,
@@ -118,14 +113,25 @@ struct Ends<'a> {
 }
 
 impl<'a> Ends<'a> {
-    fn of(g: &mut Graph, laws: &Laws<'a>, tree: &SpanningTree, joint: &Joint) -> Option<Self> {
+    fn of(g: &mut Graph, laws: &Laws<'a>, tree: &SpanningTree, id: JointId) -> Option<Self> {
+        let joint = &laws.mechanism.joints[id.0];
         let crate::equations::Kinematics::Space(kinematics) = laws.kinematics() else { return None };
         let (first, second) =
             (kinematics.spot(g, laws, &joint.first), kinematics.spot(g, laws, &joint.second));
-        let frame = frames(g, laws, &joint.kind)[0];
+        let frame = frames(g, laws, joint)[0];
         let (e1, e2) = (vector::product(g, &first.axes, &frame), vector::product(g, &second.axes, &frame));
         let seen_from = view::seen_from(laws.mechanism, tree, joint);
-        Some(Ends { kinematics, velocities: &kinematics.velocities, first, second, e1, e2, seen_from })
+        Some(Ends {
+            id,
+            joint,
+            kinematics,
+            velocities: &kinematics.velocities,
+            first,
+            second,
+            e1,
+            e2,
+            seen_from,
+        })
     }
 
     /// p₁ − p₂ along the axes of the body, or of the ground, by which it is seen.
