@@ -29,7 +29,7 @@ fn main() {
     for file in &files {
         let text = fs::read_to_string(file).expect("sources are text");
         let source = Source::new(file.display().to_string(), text);
-        let name = file.with_extension("").display().to_string().replace(['/', '\\'], "-");
+        let name = file.display().to_string().replace(['/', '\\'], "-");
         let definitions = if file.extension().is_some_and(|extension| extension == "rs") {
             let found = invocations(&source).unwrap_or_default();
             found.into_iter().map(|invocation| invocation.tokens.stream).collect()
