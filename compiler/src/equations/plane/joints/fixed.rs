@@ -7,7 +7,7 @@ use crate::drawing::shapes::rectangle;
 use crate::equations::laws::Laws;
 use crate::equations::plane::kinematics::Placement;
 use crate::forms::{Alone, Argument, Form, Freer, JointAxes, JointForm, Need, OfParticle, PLACES, Spans};
-use crate::symbolic::{Graph, Node};
+use crate::symbolic::Scalar;
 use crate::units::Dimension;
 
 pub static JOINT: PlanarJoint = PlanarJoint {
@@ -37,36 +37,33 @@ pub static JOINT: PlanarJoint = PlanarJoint {
     symbol,
 };
 
-pub fn rows(g: &mut Graph, laws: &Laws, ends: &Ends) -> Vec<JointRow> {
-    let mut rows = revolute::rows(g, laws, ends);
-    rows.push(direction_row(g, laws, ends));
+pub fn rows(laws: &Laws, ends: &Ends) -> Vec<JointRow> {
+    let mut rows = revolute::rows(laws, ends);
+    rows.push(direction_row(laws, ends));
     rows
 }
 
-pub fn attach(g: &mut Graph, laws: &Laws, carried: Carried) -> Placement {
-    let pair = laws.pair(g, carried.joint.scalar(0));
-    let offset = carried.kept(g, pair);
+pub fn attach<'g>(laws: &Laws<'g>, carried: Carried<'g>) -> Placement {
+    let offset = carried.kept(laws.pair(carried.joint.scalar(0)));
     let pivot = carried.pivot.clone();
-    carried.at(g, &pivot, offset)
+    carried.at(pivot, offset)
 }
 
-pub fn reaction(g: &mut Graph, laws: &Laws, ends: &Ends, lambda: &[Node]) -> Wrench {
-    [lambda[0], lambda[1], direction_torque(g, laws, ends, lambda[2])]
+pub fn reaction<'g>(laws: &Laws<'g>, ends: &Ends<'g>, lambda: &[Scalar<'g>]) -> Wrench<'g> {
+    [lambda[0], lambda[1], direction_torque(laws, ends, lambda[2])]
 }
 
 /// sin(θ₂ − θ₁ − angle), shared with the prismatic joint.
-pub fn direction_row(g: &mut Graph, laws: &Laws, ends: &Ends) -> JointRow {
-    let pair = laws.pair(g, ends.joint.scalar(0));
-    let (sine, cosine) = laws.plane().sine_jet(g, laws, ends.first, ends.second, pair);
-    JointRow { upright: Some(cosine), ..JointRow::new("angle", sine) }
+pub fn direction_row(laws: &Laws, ends: &Ends) -> JointRow {
+    let (sine, cosine) =
+        laws.plane().sine_jet(laws, ends.first, ends.second, laws.pair(ends.joint.scalar(0)));
+    JointRow::upright("angle", sine, cosine)
 }
 
 /// Torque on the second from the multiplier of [`direction_row`]: −cos(Δθ) λ.
-pub fn direction_torque(g: &mut Graph, laws: &Laws, ends: &Ends, lambda: Node) -> Node {
-    let pair = laws.pair(g, ends.joint.scalar(0));
-    let (_, cosine) = laws.plane().sine_jet(g, laws, ends.first, ends.second, pair);
-    let torque = g.mul(cosine, lambda);
-    g.neg(torque)
+pub fn direction_torque<'g>(laws: &Laws<'g>, ends: &Ends<'g>, lambda: Scalar<'g>) -> Scalar<'g> {
+    let (_, cosine) = laws.plane().sine_jet(laws, ends.first, ends.second, laws.pair(ends.joint.scalar(0)));
+    -(cosine * lambda)
 }
 
 fn symbol(s: &mut Symbol) {

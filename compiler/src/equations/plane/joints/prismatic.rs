@@ -1,15 +1,15 @@
 //! Prismatic along â of the first body, n̂ = â turned by a right angle: n̂·Δ = 0 and sin(θ₂ − θ₁ − angle) = 0.
 
 use super::fixed::{direction_row, direction_torque};
-use super::{Carried, Ends, JointRow, PlanarJoint, Wrench, normalized, point_on_line};
+use super::{Carried, Ends, JointRow, PlanarJoint, Wrench, point_on_line};
 use crate::drawing::canvas::Pen;
 use crate::drawing::plane::Symbol;
 use crate::drawing::shapes::{THIN, ground_line, heading, plate, rectangle, shifted};
 use crate::equations::laws::Laws;
-use crate::equations::plane::kinematics::{Placement, rotate};
+use crate::equations::plane::kinematics::Placement;
 use crate::forms::{Alone, Argument, Form, Freer, JointAxes, JointForm, Need, OfParticle, PLACES, Spans};
 use crate::model::Frame;
-use crate::symbolic::{Graph, Node};
+use crate::symbolic::Scalar;
 use crate::units::Dimension;
 
 pub static JOINT: PlanarJoint = PlanarJoint {
@@ -42,29 +42,25 @@ pub static JOINT: PlanarJoint = PlanarJoint {
     symbol,
 };
 
-pub fn rows(g: &mut Graph, laws: &Laws, ends: &Ends) -> Vec<JointRow> {
-    let mut rows = point_on_line::rows(g, laws, ends);
-    rows.push(direction_row(g, laws, ends));
+pub fn rows(laws: &Laws, ends: &Ends) -> Vec<JointRow> {
+    let mut rows = point_on_line::rows(laws, ends);
+    rows.push(direction_row(laws, ends));
     rows
 }
 
-pub fn attach(g: &mut Graph, laws: &Laws, carried: Carried) -> Placement {
-    let pair = laws.pair(g, carried.joint.scalar(0));
-    let offset = carried.kept(g, pair);
+pub fn attach<'g>(laws: &Laws<'g>, carried: Carried<'g>) -> Placement {
+    let offset = carried.kept(laws.pair(carried.joint.scalar(0)));
     // The axis is given in the first body's axes; parent and child share one frame.
-    let first = if carried.child_is_second { carried.parent.offset } else { offset };
-    let along = laws.pair_of(g, carried.joint.direction(0));
-    let along = normalized(g, along);
-    let along = rotate(g, first, along);
-    let slide = carried.slide(g, carried.parent.frame, along);
-    let far = carried.pivot.add(g, &slide);
-    carried.at(g, &far, offset)
+    let first = if carried.child_is_second { carried.parent.offset } else { offset.bare };
+    let along = laws.pair_of(carried.joint.direction(0)).normalized().turned(first);
+    let far = carried.pivot.clone() + carried.slide(carried.parent.frame, along);
+    carried.at(far, offset)
 }
 
 /// −Dᵀλ: force −λₙ n̂ at the second place, torque −cos(Δθ) λ_angle.
-pub fn reaction(g: &mut Graph, laws: &Laws, ends: &Ends, lambda: &[Node]) -> Wrench {
-    let [x, y, _] = point_on_line::reaction(g, laws, ends, lambda);
-    [x, y, direction_torque(g, laws, ends, lambda[1])]
+pub fn reaction<'g>(laws: &Laws<'g>, ends: &Ends<'g>, lambda: &[Scalar<'g>]) -> Wrench<'g> {
+    let [x, y, _] = point_on_line::reaction(laws, ends, lambda);
+    [x, y, direction_torque(laws, ends, lambda[1])]
 }
 
 /// The rail is the first body's, the block the second's.

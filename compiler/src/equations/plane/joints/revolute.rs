@@ -1,10 +1,10 @@
 //! Revolute: p₁ − p₂ = 0.
 
-use super::{Carried, Ends, JointRow, PlanarJoint, Wrench};
+use super::{Carried, Ends, JointRow, PlanarJoint, Wrench, vector};
 use crate::equations::laws::Laws;
 use crate::equations::plane::kinematics::Placement;
 use crate::forms::{Alone, Form, Freer, JointAxes, JointForm, OfParticle, PLACES, Spans};
-use crate::symbolic::{Graph, Node};
+use crate::symbolic::Scalar;
 
 pub static JOINT: PlanarJoint = PlanarJoint {
     form: JointForm {
@@ -33,18 +33,17 @@ pub static JOINT: PlanarJoint = PlanarJoint {
     symbol: |symbol| symbol.pin(),
 };
 
-pub fn rows(g: &mut Graph, laws: &Laws, ends: &Ends) -> Vec<JointRow> {
-    let [x, y] = laws.plane().world(g, &ends.delta);
-    vec![JointRow::new("x", x.neg(g)), JointRow::new("y", y.neg(g))]
+pub fn rows(laws: &Laws, ends: &Ends) -> Vec<JointRow> {
+    let [x, y] = ends.in_world(laws);
+    vec![JointRow::new("x", -x), JointRow::new("y", -y)]
 }
 
-pub fn attach(g: &mut Graph, _: &Laws, carried: Carried) -> Placement {
+pub fn attach<'g>(laws: &Laws<'g>, carried: Carried<'g>) -> Placement {
     let pivot = carried.pivot.clone();
-    let offset = [g.constant(1.0), g.constant(0.0)];
-    carried.at(g, &pivot, offset)
+    carried.at(pivot, vector::unturned(laws.g))
 }
 
 /// −Dᵀλ with ∂Φ/∂p₂ = −1: the force on the second is λ.
-pub fn reaction(g: &mut Graph, _: &Laws, _: &Ends, lambda: &[Node]) -> Wrench {
-    [lambda[0], lambda[1], g.constant(0.0)]
+pub fn reaction<'g>(laws: &Laws<'g>, _: &Ends<'g>, lambda: &[Scalar<'g>]) -> Wrench<'g> {
+    [lambda[0], lambda[1], laws.g.zero()]
 }

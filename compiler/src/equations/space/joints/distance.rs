@@ -6,7 +6,6 @@ use crate::drawing::space::Symbol;
 use crate::equations::{JointRow, Laws};
 use crate::forms::{Alone, Argument, Form, JointAxes, JointForm, Need, OfParticle, PLACES, Spans};
 use crate::messages;
-use crate::symbolic::Graph;
 use crate::units::Dimension;
 
 pub static JOINT: SpatialJoint = SpatialJoint {
@@ -39,15 +38,11 @@ pub static JOINT: SpatialJoint = SpatialJoint {
     symbol,
 };
 
-pub fn rows(g: &mut Graph, laws: &Laws, ends: &Ends) -> Vec<JointRow> {
-    let gap = ends.gap(g);
-    let length = laws.jet(g, ends.joint.scalar(0));
-    let half = g.constant(0.5);
-    let mut sum = length.mul(g, &length, ends.velocities).scale(g, half).neg(g);
-    for component in &gap {
-        let square = component.mul(g, component, ends.velocities).scale(g, half);
-        sum = sum.add(g, &square);
-    }
+pub fn rows(laws: &Laws, ends: &Ends) -> Vec<JointRow> {
+    let gap = ends.gap();
+    let length = laws.jet(ends.joint.scalar(0));
+    let sum =
+        gap.iter().fold(-(0.5 * (&length * &length)), |sum, component| sum + 0.5 * (component * component));
     vec![JointRow::new("distance", sum)]
 }
 

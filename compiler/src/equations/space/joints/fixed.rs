@@ -5,7 +5,6 @@ use crate::drawing::canvas::Pen;
 use crate::drawing::space::Symbol;
 use crate::equations::{JointRow, Laws};
 use crate::forms::{Alone, Form, Freer, JointAxes, JointForm, OfParticle, PLACES, Spans};
-use crate::symbolic::Graph;
 
 pub static JOINT: SpatialJoint = SpatialJoint {
     form: JointForm {
@@ -32,10 +31,10 @@ pub static JOINT: SpatialJoint = SpatialJoint {
     symbol,
 };
 
-pub fn rows(g: &mut Graph, _: &Laws, ends: &Ends) -> Vec<JointRow> {
-    let mut rows = ends.together(g);
-    rows.extend(ends.parallel(g));
-    rows.push(ends.unturned(g));
+pub fn rows(_: &Laws, ends: &Ends) -> Vec<JointRow> {
+    let mut rows = ends.together();
+    rows.extend(ends.parallel());
+    rows.push(ends.unturned());
     rows
 }
 

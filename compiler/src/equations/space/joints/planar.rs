@@ -6,7 +6,6 @@ use crate::drawing::shapes::THIN;
 use crate::drawing::space::Symbol;
 use crate::equations::{JointRow, Laws};
 use crate::forms::{Alone, Form, Freer, JointAxes, JointForm, OfParticle, PLACES, Spans};
-use crate::symbolic::Graph;
 
 pub static JOINT: SpatialJoint = SpatialJoint {
     form: JointForm {
@@ -33,9 +32,9 @@ pub static JOINT: SpatialJoint = SpatialJoint {
     symbol,
 };
 
-pub fn rows(g: &mut Graph, _: &Laws, ends: &Ends) -> Vec<JointRow> {
-    let mut rows = vec![ends.on_plane(g)];
-    rows.extend(ends.parallel(g));
+pub fn rows(_: &Laws, ends: &Ends) -> Vec<JointRow> {
+    let mut rows = vec![ends.on_plane()];
+    rows.extend(ends.parallel());
     rows
 }
 

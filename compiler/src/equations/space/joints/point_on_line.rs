@@ -6,7 +6,6 @@ use crate::drawing::space::Symbol;
 use crate::drawing::vector::along;
 use crate::equations::{JointRow, Laws};
 use crate::forms::{Alone, Form, JointAxes, JointForm, OfParticle, Positional, Spans};
-use crate::symbolic::Graph;
 
 pub static JOINT: SpatialJoint = SpatialJoint {
     form: JointForm {
@@ -34,8 +33,8 @@ pub static JOINT: SpatialJoint = SpatialJoint {
     symbol,
 };
 
-pub fn rows(g: &mut Graph, _: &Laws, ends: &Ends) -> Vec<JointRow> {
-    ends.on_axis(g)
+pub fn rows(_: &Laws, ends: &Ends) -> Vec<JointRow> {
+    ends.on_axis()
 }
 
 fn symbol(s: &mut Symbol) {

@@ -4,7 +4,6 @@ use super::{AXIS, Ends, SpatialJoint};
 use crate::drawing::space::Symbol;
 use crate::equations::{JointRow, Laws};
 use crate::forms::{Alone, Form, JointAxes, JointForm, OfParticle, PLACES, Spans};
-use crate::symbolic::Graph;
 
 pub static JOINT: SpatialJoint = SpatialJoint {
     form: JointForm {
@@ -28,8 +27,8 @@ pub static JOINT: SpatialJoint = SpatialJoint {
     symbol,
 };
 
-pub fn rows(g: &mut Graph, _: &Laws, ends: &Ends) -> Vec<JointRow> {
-    vec![ends.on_plane(g)]
+pub fn rows(_: &Laws, ends: &Ends) -> Vec<JointRow> {
+    vec![ends.on_plane()]
 }
 
 fn symbol(s: &mut Symbol) {

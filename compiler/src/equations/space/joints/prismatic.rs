@@ -6,7 +6,6 @@ use crate::drawing::shapes::{THIN, across};
 use crate::drawing::space::Symbol;
 use crate::equations::{JointRow, Laws};
 use crate::forms::{Alone, Form, Freer, JointAxes, JointForm, OfParticle, PLACES, Spans};
-use crate::symbolic::Graph;
 
 pub static JOINT: SpatialJoint = SpatialJoint {
     form: JointForm {
@@ -37,10 +36,10 @@ pub static JOINT: SpatialJoint = SpatialJoint {
     symbol,
 };
 
-pub fn rows(g: &mut Graph, _: &Laws, ends: &Ends) -> Vec<JointRow> {
-    let mut rows = ends.on_axis(g);
-    rows.extend(ends.parallel(g));
-    rows.push(ends.unturned(g));
+pub fn rows(_: &Laws, ends: &Ends) -> Vec<JointRow> {
+    let mut rows = ends.on_axis();
+    rows.extend(ends.parallel());
+    rows.push(ends.unturned());
     rows
 }
 

@@ -4,7 +4,6 @@ use super::{AXIS, Elementary, Ends, SpatialJoint};
 use crate::drawing::space::Symbol;
 use crate::equations::{JointRow, Laws};
 use crate::forms::{Alone, Form, Freer, JointAxes, JointForm, OfParticle, PLACES, Spans};
-use crate::symbolic::Graph;
 
 pub static JOINT: SpatialJoint = SpatialJoint {
     form: JointForm {
@@ -37,9 +36,9 @@ pub static JOINT: SpatialJoint = SpatialJoint {
     symbol,
 };
 
-pub fn rows(g: &mut Graph, _: &Laws, ends: &Ends) -> Vec<JointRow> {
-    let mut rows = ends.together(g);
-    rows.extend(ends.parallel(g));
+pub fn rows(_: &Laws, ends: &Ends) -> Vec<JointRow> {
+    let mut rows = ends.together();
+    rows.extend(ends.parallel());
     rows
 }
 

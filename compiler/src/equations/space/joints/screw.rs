@@ -9,8 +9,8 @@ use crate::equations::{JointRow, Laws};
 use crate::forms::{Alone, Argument, Form, JointAxes, JointForm, Need, OfParticle, PLACES, Spans};
 use crate::messages;
 use crate::model::Rotor;
-use crate::symbolic::Graph;
 use crate::units::Dimension;
+use std::f64::consts::TAU;
 
 pub static JOINT: SpatialJoint = SpatialJoint {
     form: JointForm {
@@ -41,15 +41,11 @@ pub static JOINT: SpatialJoint = SpatialJoint {
     symbol,
 };
 
-pub fn rows(g: &mut Graph, laws: &Laws, ends: &Ends) -> Vec<JointRow> {
-    let mut rows = cylindrical::rows(g, laws, ends);
-    let pitch = laws.value(g, ends.joint.scalar(0));
-    let turn = g.constant(std::f64::consts::TAU);
-    let lead = g.div(pitch, turn);
-    let (travel, angle) =
-        (laws.kinematics().travel(g, laws, ends.id, 0), laws.angle(g, Rotor::Joint(ends.id, 0)));
-    let wound = angle.scale(g, lead);
-    rows.push(JointRow::new("screw", travel.sub(g, &wound)));
+pub fn rows(laws: &Laws, ends: &Ends) -> Vec<JointRow> {
+    let mut rows = cylindrical::rows(laws, ends);
+    let lead = laws.value(ends.joint.scalar(0)) / TAU;
+    let (travel, angle) = (laws.kinematics().travel(laws, ends.id, 0), laws.angle(Rotor::Joint(ends.id, 0)));
+    rows.push(JointRow::new("screw", travel - lead * angle));
     rows
 }
 

@@ -4,7 +4,6 @@ use super::{Elementary, Ends, SpatialJoint};
 use crate::drawing::space::Symbol;
 use crate::equations::{JointRow, Laws};
 use crate::forms::{Alone, Form, JointAxes, JointForm, OfParticle, PLACES, Spans};
-use crate::symbolic::Graph;
 
 pub static JOINT: SpatialJoint = SpatialJoint {
     form: JointForm {
@@ -32,8 +31,8 @@ pub static JOINT: SpatialJoint = SpatialJoint {
     symbol,
 };
 
-pub fn rows(g: &mut Graph, _: &Laws, ends: &Ends) -> Vec<JointRow> {
-    ends.together(g)
+pub fn rows(_: &Laws, ends: &Ends) -> Vec<JointRow> {
+    ends.together()
 }
 
 fn symbol(s: &mut Symbol) {

@@ -4,13 +4,11 @@ use super::{Elementary, Ends, SpatialJoint};
 use crate::drawing::canvas::Pen;
 use crate::drawing::shapes::THIN;
 use crate::drawing::space::Symbol;
-use crate::equations::space::{axes, vector};
 use crate::equations::{JointRow, Laws};
 use crate::forms::{
     Alone, Argument, Form, Freer, JointAxes, JointForm, Need, OfParticle, PLACES, Spans, degrees_between,
 };
 use crate::messages;
-use crate::symbolic::Graph;
 
 pub static JOINT: SpatialJoint = SpatialJoint {
     form: JointForm {
@@ -45,15 +43,11 @@ pub static JOINT: SpatialJoint = SpatialJoint {
     symbol,
 };
 
-pub fn rows(g: &mut Graph, laws: &Laws, ends: &Ends) -> Vec<JointRow> {
-    let mut rows = ends.together(g);
-    let [a, b] = [0, 1].map(|which| {
-        let axis = laws.vector(g, ends.joint.direction(which));
-        axes::normalized(g, axis)
-    });
-    let (a, b) = (vector::apply(g, &ends.first.axes, a), vector::apply(g, &ends.second.axes, b));
-    let b = ends.direction(g, b);
-    rows.push(JointRow::new("cross", b.project(g, a)));
+pub fn rows(laws: &Laws, ends: &Ends) -> Vec<JointRow> {
+    let mut rows = ends.together();
+    let [a, b] = [0, 1].map(|which| laws.vector(ends.joint.direction(which)).normalized());
+    let (a, b) = (ends.first.axes * a, ends.second.axes * b);
+    rows.push(JointRow::new("cross", ends.direction(b).project(a)));
     rows
 }
 
