@@ -42,7 +42,7 @@ pub use scales::row_scales;
 use super::messages;
 use crate::diagnostics::Diagnostics;
 use crate::equations::conditions::{self, coordinate_of};
-use crate::equations::{Ball, Condition, Dropped, Equations, Laws, Linear, Omitted, Rotation};
+use crate::equations::{Ball, Condition, Dropped, Equations, Linear, Omitted, Rotation};
 use crate::model::{BodyId, JointId, JointKind, Mechanism, Quantity, Space};
 use crate::solve::Massless;
 use crate::symbolic::Node;
@@ -259,8 +259,7 @@ fn candidates(mechanism: &Mechanism, equations: &mut Equations) -> Vec<Condition
     }
     let mut found: Vec<Condition> = Vec::new();
     for quantity in &quantities {
-        let laws = Laws::moving(mechanism, &equations.symbols, &equations.layout, &equations.kinematics);
-        let (condition, _) = conditions::condition(&mut equations.graph, &laws, quantity);
+        let (condition, _) = equations.condition(mechanism, quantity);
         if !condition.jet.columns.is_empty() && found.iter().all(|known| known.of != condition.of) {
             found.push(condition);
         }
@@ -270,8 +269,7 @@ fn candidates(mechanism: &Mechanism, equations: &mut Equations) -> Vec<Condition
         if let (Linear::Center(body, axis), true) = (linear, mechanism.options.independent.is_empty()) {
             let place = center_place(mechanism, *body);
             let quantity = Quantity::Position(Box::new(place), *axis);
-            let laws = Laws::moving(mechanism, &equations.symbols, &equations.layout, &equations.kinematics);
-            let (condition, _) = conditions::condition(&mut equations.graph, &laws, &quantity);
+            let (condition, _) = equations.condition(mechanism, &quantity);
             debug_assert!(condition.jet.columns.contains_key(&index));
             found.push(condition);
         }
@@ -309,9 +307,7 @@ pub fn completion(
     });
     for body in turning.collect::<Vec<_>>() {
         for axis in 0..3 {
-            let laws = Laws::moving(mechanism, &equations.symbols, &equations.layout, &equations.kinematics);
-            let quantity = Quantity::BodyOmega(body, axis);
-            given.push(conditions::condition(&mut equations.graph, &laws, &quantity).0);
+            given.push(equations.condition(mechanism, &Quantity::BodyOmega(body, axis)).0);
         }
     }
     let mut point = Point::at_defaults(mechanism, equations, &assembly.phases);

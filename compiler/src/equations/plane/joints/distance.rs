@@ -3,25 +3,17 @@
 use super::{Ends, JointRow, Wrench};
 use crate::equations::laws::Laws;
 use crate::model::Expr;
-use crate::symbolic::{Graph, Node};
+use crate::symbolic::Scalar;
 
-pub fn rows(g: &mut Graph, laws: &Laws, ends: &Ends, length: &Expr) -> Vec<JointRow> {
-    let kinematics = laws.plane();
-    let [x, y] = kinematics.world(g, &ends.delta);
-    let length = laws.jet(g, length);
-    let half = g.constant(0.5);
-    let square = |g: &mut Graph, jet: &super::Jet| jet.mul(g, jet, &kinematics.velocities).scale(g, half);
-    let (xx, yy, ll) = (square(g, &x), square(g, &y), square(g, &length));
-    let sum = xx.add(g, &yy).sub(g, &ll);
-    vec![JointRow::new("distance", sum)]
+pub fn rows(laws: &Laws, ends: &Ends, length: &Expr) -> Vec<JointRow> {
+    let [x, y] = ends.in_world(laws);
+    let length = laws.jet(length);
+    let (xx, yy, ll) = (0.5 * (&x * &x), 0.5 * (&y * &y), 0.5 * (&length * &length));
+    vec![JointRow::new("distance", xx + yy - ll)]
 }
 
 /// −Dᵀλ with ∂Φ/∂p₂ = Δ: force −λ Δ at the second place.
-pub fn reaction(g: &mut Graph, laws: &Laws, ends: &Ends, lambda: &[Node]) -> Wrench {
-    let [x, y] = laws.plane().world(g, &ends.delta);
-    let force = [x.value, y.value].map(|component| {
-        let product = g.mul(component, lambda[0]);
-        g.neg(product)
-    });
-    [force[0], force[1], g.constant(0.0)]
+pub fn reaction<'g>(laws: &Laws<'g>, ends: &Ends<'g>, lambda: &[Scalar<'g>]) -> Wrench<'g> {
+    let [x, y] = ends.in_world(laws).map(|component| -(component.value() * lambda[0]));
+    [x, y, laws.g.zero()]
 }

@@ -1,44 +1,41 @@
 //! Point on line: n̂·Δ = 0 with n̂ normal to the line, which the first body carries.
 
-use super::{Carried, Ends, JointRow, Wrench, normalized, perpendicular};
+use super::{Carried, Ends, JointRow, Pair, Wrench, vector};
 use crate::equations::laws::Laws;
-use crate::equations::plane::kinematics::{Placement, rotate};
+use crate::equations::plane::kinematics::{FrameId, Placement};
 use crate::model::Vector;
-use crate::symbolic::{Graph, Node};
+use crate::symbolic::{On, Scalar};
 
-pub fn rows(g: &mut Graph, laws: &Laws, ends: &Ends, direction: &Vector) -> Vec<JointRow> {
-    let along = laws.pair_of(g, direction);
-    let along = normalized(g, along);
-    let normal = perpendicular(g, along);
-    let (frame, normal) = ends.direction(g, laws, normal);
-    vec![JointRow::new("normal", laws.plane().project(g, frame, normal, &ends.delta))]
+pub fn rows(laws: &Laws, ends: &Ends, direction: &Vector) -> Vec<JointRow> {
+    let (frame, normal) = normal(laws, ends, direction);
+    vec![JointRow::new("normal", laws.plane().project(frame, normal, &ends.delta.bare))]
 }
 
-pub fn attach(g: &mut Graph, laws: &Laws, carried: Carried, direction: &Vector) -> Placement {
-    let one = [g.constant(1.0), g.constant(0.0)];
-    let along = laws.pair_of(g, direction);
-    let along = normalized(g, along);
+pub fn attach<'g>(laws: &Laws<'g>, carried: Carried<'g>, direction: &Vector) -> Placement {
+    let along = laws.pair_of(direction).normalized();
     // The line's body is the parent, or else the carried body itself.
     let (frame, along) = if carried.child_is_second {
-        (carried.parent.frame, rotate(g, carried.parent.offset, along))
+        (carried.parent.frame, along.turned(carried.parent.offset))
     } else {
         (carried.frame, along)
     };
-    let slide = carried.slide(g, frame, along);
-    let far = carried.pivot.add(g, &slide);
-    carried.at(g, &far, one)
+    let far = carried.pivot.clone() + carried.slide(frame, along);
+    carried.at(far, vector::unturned(laws.g))
 }
 
 /// −Dᵀλ: force −λ n̂ at the second place.
-pub fn reaction(g: &mut Graph, laws: &Laws, ends: &Ends, direction: &Vector, lambda: &[Node]) -> Wrench {
-    let along = laws.pair_of(g, direction);
-    let along = normalized(g, along);
-    let normal = perpendicular(g, along);
-    let (frame, normal) = ends.direction(g, laws, normal);
-    let normal = laws.plane().to_world(g, frame, normal);
-    let force = normal.map(|component| {
-        let product = g.mul(component, lambda[0]);
-        g.neg(product)
-    });
-    [force[0], force[1], g.constant(0.0)]
+pub fn reaction<'g>(
+    laws: &Laws<'g>,
+    ends: &Ends<'g>,
+    direction: &Vector,
+    lambda: &[Scalar<'g>],
+) -> Wrench<'g> {
+    let (frame, normal) = normal(laws, ends, direction);
+    let [x, y] = laws.plane().to_world(frame, normal.bare).parts().map(|part| -(part * lambda[0]));
+    [x, y, laws.g.zero()]
+}
+
+/// n̂ and the frame in whose axes it is given.
+fn normal<'g>(laws: &Laws<'g>, ends: &Ends<'g>, direction: &Vector) -> (FrameId, On<'g, Pair>) {
+    laws.plane().carried_by(ends.first, laws.pair_of(direction).normalized().perpendicular())
 }

@@ -1,22 +1,21 @@
 //! Revolute: p₁ − p₂ = 0.
 
-use super::{Carried, Ends, JointRow, Wrench};
+use super::{Carried, Ends, JointRow, Wrench, vector};
 use crate::equations::laws::Laws;
 use crate::equations::plane::kinematics::Placement;
-use crate::symbolic::{Graph, Node};
+use crate::symbolic::Scalar;
 
-pub fn rows(g: &mut Graph, laws: &Laws, ends: &Ends) -> Vec<JointRow> {
-    let [x, y] = laws.plane().world(g, &ends.delta);
-    vec![JointRow::new("x", x.neg(g)), JointRow::new("y", y.neg(g))]
+pub fn rows(laws: &Laws, ends: &Ends) -> Vec<JointRow> {
+    let [x, y] = ends.in_world(laws);
+    vec![JointRow::new("x", -x), JointRow::new("y", -y)]
 }
 
-pub fn attach(g: &mut Graph, carried: Carried) -> Placement {
+pub fn attach<'g>(laws: &Laws<'g>, carried: Carried<'g>) -> Placement {
     let pivot = carried.pivot.clone();
-    let offset = [g.constant(1.0), g.constant(0.0)];
-    carried.at(g, &pivot, offset)
+    carried.at(pivot, vector::unturned(laws.g))
 }
 
 /// −Dᵀλ with ∂Φ/∂p₂ = −1: the force on the second is λ.
-pub fn reaction(g: &mut Graph, lambda: &[Node]) -> Wrench {
-    [lambda[0], lambda[1], g.constant(0.0)]
+pub fn reaction<'g>(laws: &Laws<'g>, lambda: &[Scalar<'g>]) -> Wrench<'g> {
+    [lambda[0], lambda[1], laws.g.zero()]
 }

@@ -3,21 +3,18 @@
 
 use super::{Elementary, Ends};
 use crate::equations::JointRow;
-use crate::equations::space::vector;
-use crate::symbolic::Graph;
 
 /// Never carries a body: its two swings have no coordinates that stay regular.
 pub fn motions() -> Vec<Elementary> {
     Vec::new()
 }
 
-pub fn rows(g: &mut Graph, ends: &Ends) -> Vec<JointRow> {
-    let mut rows = ends.together(g);
-    let (x1, y1) = (vector::column(&ends.e1, 0), vector::column(&ends.e1, 1));
-    let (x2, y2) = (ends.second_axis(g, 0), ends.second_axis(g, 1));
-    let (left, right) = (y2.project(g, x1), x2.project(g, y1));
-    let (a, b) = (vector::dot(g, x1, x2.value), vector::dot(g, y1, y2.value));
-    let upright = Some(g.add(a, b));
-    rows.push(JointRow { upright, ..JointRow::new("twist", left.sub(g, &right)) });
+pub fn rows(ends: &Ends) -> Vec<JointRow> {
+    let mut rows = ends.together();
+    let (x1, y1) = (ends.e1.column(0), ends.e1.column(1));
+    let (x2, y2) = (ends.second_axis(0), ends.second_axis(1));
+    let (left, right) = (y2.project(x1), x2.project(y1));
+    let upright = x1.dot(x2.value()) + y1.dot(y2.value());
+    rows.push(JointRow::upright("twist", left - right, upright));
     rows
 }

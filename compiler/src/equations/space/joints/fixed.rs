@@ -2,15 +2,14 @@
 
 use super::{Elementary, Ends};
 use crate::equations::JointRow;
-use crate::symbolic::Graph;
 
 pub fn motions() -> Vec<Elementary> {
     Vec::new()
 }
 
-pub fn rows(g: &mut Graph, ends: &Ends) -> Vec<JointRow> {
-    let mut rows = ends.together(g);
-    rows.extend(ends.parallel(g));
-    rows.push(ends.unturned(g));
+pub fn rows(ends: &Ends) -> Vec<JointRow> {
+    let mut rows = ends.together();
+    rows.extend(ends.parallel());
+    rows.push(ends.unturned());
     rows
 }

@@ -2,7 +2,6 @@
 
 use super::{Elementary, Ends};
 use crate::equations::JointRow;
-use crate::symbolic::Graph;
 
 pub fn motions() -> Vec<Elementary> {
     vec![
@@ -12,8 +11,8 @@ pub fn motions() -> Vec<Elementary> {
     ]
 }
 
-pub fn rows(g: &mut Graph, ends: &Ends) -> Vec<JointRow> {
-    let mut rows = vec![ends.on_plane(g)];
-    rows.extend(ends.parallel(g));
+pub fn rows(ends: &Ends) -> Vec<JointRow> {
+    let mut rows = vec![ends.on_plane()];
+    rows.extend(ends.parallel());
     rows
 }

@@ -2,13 +2,12 @@
 
 use super::{Elementary, Ends};
 use crate::equations::JointRow;
-use crate::symbolic::Graph;
 
 /// Never carries a body: it leaves five freedoms, and a free body has six.
 pub fn motions() -> Vec<Elementary> {
     Vec::new()
 }
 
-pub fn rows(g: &mut Graph, ends: &Ends) -> Vec<JointRow> {
-    vec![ends.on_plane(g)]
+pub fn rows(ends: &Ends) -> Vec<JointRow> {
+    vec![ends.on_plane()]
 }

@@ -2,14 +2,13 @@
 
 use super::{Elementary, Ends};
 use crate::equations::JointRow;
-use crate::symbolic::Graph;
 
 pub fn motions() -> Vec<Elementary> {
     vec![Elementary::Turn { frame: 0, which: 0 }]
 }
 
-pub fn rows(g: &mut Graph, ends: &Ends) -> Vec<JointRow> {
-    let mut rows = ends.together(g);
-    rows.extend(ends.parallel(g));
+pub fn rows(ends: &Ends) -> Vec<JointRow> {
+    let mut rows = ends.together();
+    rows.extend(ends.parallel());
     rows
 }
