@@ -84,7 +84,7 @@ impl<'g> Moving<'g> {
     /// h(f): ḣ = h′ ḟ, ḧ = h′ f̈ + h″ ḟ².
     pub fn unary(&self, function: Unary) -> Self {
         let value = self.value().unary(function);
-        let (first, second) = self.value().derivatives(function, value);
+        let (first, second) = function.derivatives(self.value(), value);
         self.chain(value, first, second)
     }
     pub fn sqrt(&self) -> Self {

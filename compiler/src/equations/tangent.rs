@@ -57,7 +57,7 @@ impl Tangents {
         let along = Seed::of(g).positions(g, layout, &symbols.q);
         let state = along.then(v);
         let all = state.then(inputs).then(lambda);
-        let differentiate = |of: &[Node], seed: &Seed| g.graph().differentiate(of, &seed.gradients);
+        let differentiate = |of: &[Node], seed: &Seed| g.differentiate(of, &seed.gradients);
 
         let by_state = differentiate(&residual, &all);
         let [stiffness, damping, input, _] = split(&by_state, [n, n, inputs.len(), lambda.len()]);

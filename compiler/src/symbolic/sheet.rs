@@ -93,11 +93,6 @@ impl<'g> Scalar<'g> {
     pub fn unary(self, function: Unary) -> Self {
         self.made(|g, x| g.unary(function, x))
     }
-    /// First and second derivative of a function here, given its value.
-    pub fn derivatives(self, function: Unary, value: Self) -> (Self, Self) {
-        let (first, second) = function.derivatives(&mut self.sheet.graph(), self.bare, value.bare);
-        (self.sheet.on(first), self.sheet.on(second))
-    }
     /// 1/x.
     pub fn reciprocal(self) -> Self {
         self.unary(Unary::Reciprocal)
@@ -253,5 +248,53 @@ impl<T> Bare<T> for T {
 impl<T> Bare<T> for On<'_, T> {
     fn bare(self) -> T {
         self.bare
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::symbolic::{Op, evaluate};
+
+    #[test]
+    fn operators_make_what_calls_make_in_the_same_order() {
+        let mut written = Graph::new();
+        written.write(|g| {
+            let [k, rest, length] = ["k", "rest", "length"].map(|name| g.symbol(name, Class::Position));
+            let mut sum = k * (1.0 - rest / length) + 2.0 * length.sqrt();
+            sum += -rest;
+            sum -= k.bare;
+            sum.compare(Compare::Less, k).select(sum, k.bare * rest);
+        });
+        let mut called = Graph::new();
+        let g = &mut called;
+        let [k, rest, length] = ["k", "rest", "length"].map(|name| g.symbol(name, Class::Position));
+        let quotient = g.div(rest, length);
+        let one = g.constant(1.0);
+        let difference = g.sub(one, quotient);
+        let product = g.mul(k, difference);
+        let root = g.unary(Unary::Sqrt, length);
+        let two = g.constant(2.0);
+        let doubled = g.mul(two, root);
+        let sum = g.add(product, doubled);
+        let minus = g.neg(rest);
+        let sum = g.add(sum, minus);
+        let sum = g.sub(sum, k);
+        let mask = g.compare(Compare::Less, sum, k);
+        let other = g.mul(k, rest);
+        g.select(mask, sum, other);
+        assert!(written.nodes().eq(called.nodes()));
+    }
+
+    #[test]
+    fn sums_follow_all_of_their_terms() {
+        let mut graph = Graph::new();
+        let sum = graph.write(|g| {
+            let symbols = ["a", "b", "c"].map(|name| g.symbol(name, Class::Position));
+            g.sum(symbols.map(|x| x * x)).bare
+        });
+        let kinds: Vec<bool> = graph.nodes().skip(3).map(|(_, op)| matches!(op, Op::Mul(..))).collect();
+        assert_eq!(kinds, [true, true, true, false, false, false]);
+        assert_eq!(evaluate(&graph, &[1.0, 2.0, 3.0])[sum.index()], 14.0);
     }
 }
