@@ -11,7 +11,7 @@ use super::vector::{self, Mat3, Vec3};
 use crate::equations::jet::{Jet, Moving};
 use crate::symbolic::{Bare, On, Sheet};
 use std::collections::BTreeMap;
-use std::ops::Sub;
+use std::ops::{Add, Sub};
 
 #[derive(Clone, Debug)]
 pub struct VectorJet {
@@ -123,87 +123,102 @@ impl<'g> Moving<'g, VectorJet> {
 
     /// From the axes of a link to those of its parent.
     fn up(&self, link: On<'g, &Link>, kind: Kind) -> Self {
-        let (g, v) = (self.g, self.velocities);
-        let mut jet = self.jet.clone();
-        let (omega, turning) = (link.omega(v), link.turning());
+        let mut seen = self.clone();
+        let (omega, turning) = (link.omega(self.velocities), link.turning());
         if !turning.is_empty() {
-            let value = g.on(jet.value);
             for (velocity, axis) in turning {
-                jet.columns.insert(velocity, (self.column(velocity) + axis.cross(value)).bare);
+                let column = self.column(velocity) + axis.cross(self.value());
+                seen.jet.columns.insert(velocity, column.bare);
             }
-            let swept = omega.cross(value);
-            jet.bias = (self.bias() + omega.cross(2.0 * self.rate() + swept)).bare;
-            jet.rate = (self.rate() + swept).bare;
-            jet = jet.map(g, |x| link.turn(x));
+            let swept = omega.cross(self.value());
+            seen.jet.bias = (self.bias() + omega.cross(2.0 * self.rate() + swept)).bare;
+            seen.jet.rate = (self.rate() + swept).bare;
+            seen = seen.map(|x| link.turn(x));
         }
-        if let (Kind::Point, Some((velocity, axis))) = (kind, link.sliding()) {
-            let moved = self.of(jet);
-            let value = moved.value() + link.slide();
-            let column = moved.column(velocity) + axis;
-            let rate = moved.rate() + g.on(v[velocity]) * axis;
-            jet = VectorJet { value: value.bare, rate: rate.bare, ..moved.jet };
-            jet.columns.insert(velocity, column.bare);
+        if let (Kind::Point, Some(slide)) = (kind, self.slide(link)) {
+            seen = seen + slide;
         }
-        jet = jet.map(g, |x| link.bare.axes * x);
-        if kind == Kind::Point {
-            jet.value = (g.on(jet.value) + link.bare.at).bare;
-            jet.rate = (g.on(jet.rate) + link.bare.at_drift).bare;
-            jet.drift = (g.on(jet.drift) + link.bare.at_drift).bare;
-            jet.bias = (g.on(jet.bias) + link.bare.at_bias).bare;
-        }
-        self.of(jet)
+        seen = seen.map(|x| link.bare.axes * x);
+        if kind == Kind::Point { seen + self.foot(link) } else { seen }
     }
 
     /// From the axes of a link's parent to its own.
     fn down(&self, link: On<'g, &Link>, kind: Kind) -> Self {
-        let (g, v) = (self.g, self.velocities);
-        let mut jet = self.jet.clone();
-        if kind == Kind::Point {
-            jet.value = (g.on(jet.value) - link.bare.at).bare;
-            jet.rate = (g.on(jet.rate) - link.bare.at_drift).bare;
-            jet.drift = (g.on(jet.drift) - link.bare.at_drift).bare;
-            jet.bias = (g.on(jet.bias) - link.bare.at_bias).bare;
-        }
+        let seen = self.clone();
+        let seen = if kind == Kind::Point { seen - self.foot(link) } else { seen };
         let axes = vector::transposed(&link.bare.axes);
-        let mut moved = self.of(jet.map(g, |x| axes * x));
-        if let (Kind::Point, Some((velocity, axis))) = (kind, link.sliding()) {
-            let value = moved.value() - link.slide();
-            let column = moved.column(velocity) - axis;
-            let rate = moved.rate() - g.on(v[velocity]) * axis;
-            (moved.jet.value, moved.jet.rate) = (value.bare, rate.bare);
-            moved.jet.columns.insert(velocity, column.bare);
+        let mut seen = seen.map(|x| axes * x);
+        if let (Kind::Point, Some(slide)) = (kind, self.slide(link)) {
+            seen = seen - slide;
         }
-        let (omega, turning) = (link.omega(v), link.turning());
+        let (omega, turning) = (link.omega(self.velocities), link.turning());
         if !turning.is_empty() {
-            moved = moved.map(|x| link.turn_back(x));
-            let swept = omega.cross(moved.jet.value);
+            seen = seen.map(|x| link.turn_back(x));
+            let swept = omega.cross(seen.value());
             // u̇, then 2 ω × u̇ + ω × (ω × u) = ω × (2 u̇ + ω × u)
-            let rate = moved.rate() - swept;
-            let bias = moved.bias() - omega.cross(2.0 * rate + swept);
-            (moved.jet.rate, moved.jet.bias) = (rate.bare, bias.bare);
+            let rate = seen.rate() - swept;
+            seen.jet.bias = (seen.bias() - omega.cross(2.0 * rate + swept)).bare;
+            seen.jet.rate = rate.bare;
             for (velocity, axis) in turning {
-                let column = moved.column(velocity) - axis.cross(moved.jet.value);
-                moved.jet.columns.insert(velocity, column.bare);
+                let column = seen.column(velocity) - axis.cross(seen.value());
+                seen.jet.columns.insert(velocity, column.bare);
             }
         }
-        moved
+        seen
+    }
+
+    /// `at` of a link in motion.
+    fn foot(&self, link: On<'g, &Link>) -> Self {
+        let Link { at, at_drift, at_bias, .. } = *link.bare;
+        self.of(VectorJet {
+            value: at,
+            columns: BTreeMap::new(),
+            rate: at_drift,
+            drift: at_drift,
+            bias: at_bias,
+        })
+    }
+
+    /// The slide of a link in motion, in its own axes.
+    fn slide(&self, link: On<'g, &Link>) -> Option<Self> {
+        let (velocity, axis) = link.sliding()?;
+        let rate = self.g.on(self.velocities[velocity]) * axis;
+        let fixed = VectorJet::fixed(link.slide());
+        Some(self.of(VectorJet {
+            columns: BTreeMap::from([(velocity, axis.bare)]),
+            rate: rate.bare,
+            ..fixed
+        }))
+    }
+
+    fn combine(&self, other: &Self, join: fn(On<'g, Vec3>, Vec3) -> On<'g, Vec3>) -> Self {
+        let mut columns = self.jet.columns.clone();
+        for (k, column) in &other.jet.columns {
+            columns.insert(*k, join(self.column(*k), *column).bare);
+        }
+        let join = |a: Vec3, b: Vec3| join(self.g.on(a), b).bare;
+        let (a, b) = (&self.jet, &other.jet);
+        self.of(VectorJet {
+            value: join(a.value, b.value),
+            columns,
+            rate: join(a.rate, b.rate),
+            drift: join(a.drift, b.drift),
+            bias: join(a.bias, b.bias),
+        })
     }
 }
 
-impl<'g> Sub for Moving<'g, VectorJet> {
+impl Add for Moving<'_, VectorJet> {
+    type Output = Self;
+    fn add(self, other: Self) -> Self {
+        self.combine(&other, |a, b| a + b)
+    }
+}
+
+impl Sub for Moving<'_, VectorJet> {
     type Output = Self;
     fn sub(self, other: Self) -> Self {
-        let mut columns = self.jet.columns.clone();
-        for (k, column) in &other.jet.columns {
-            columns.insert(*k, (self.column(*k) - *column).bare);
-        }
-        self.of(VectorJet {
-            value: (self.value() - other.jet.value).bare,
-            columns,
-            rate: (self.rate() - other.jet.rate).bare,
-            drift: (self.g.on(self.jet.drift) - other.jet.drift).bare,
-            bias: (self.bias() - other.jet.bias).bare,
-        })
+        self.combine(&other, |a, b| a - b)
     }
 }
 
