@@ -87,9 +87,7 @@ pub fn condition(laws: &Laws, quantity: &Quantity) -> (Condition, Node) {
         Some(rotor) => {
             let [cos, sin] = laws.kinematics().rotor_pair(laws, rotor).parts();
             let (c, s) = (target.cos(), target.sin());
-            let (sc, cs) = (sin * c, cos * s);
-            let (cc, ss) = (cos * c, sin * s);
-            (sc - cs, cc + ss)
+            (sin * c - cos * s, cos * c + sin * s)
         }
         None => (coordinate.value() - target, laws.g.one()),
     };

@@ -170,10 +170,8 @@ fn factor_value<'g>(kinematics: On<'g, &'g Kinematics>, frame: FrameId, factor: 
 }
 
 fn weighted<'g>(mass: Scalar<'g>, u: Pair, w: Pair) -> Products<'g> {
-    let ([a, b], [x, y]) = (mass.sheet.on(u).parts(), w);
-    let (ax, by, ay, bx) = (a * x, b * y, a * y, b * x);
-    let (dot, cross) = (ax + by, ay - bx);
-    Products { dot: mass * dot, cross: mass * cross }
+    let u = mass.sheet.on(u);
+    Products { dot: mass * u.dot(w), cross: mass * u.cross(w) }
 }
 
 /// Adds m u·w and m u×w of one body.

@@ -6,7 +6,7 @@
 
 use super::vector::{self, Pair};
 use crate::equations::jet::{Jet, Moving};
-use crate::symbolic::{Node, On, Scalar, Sheet};
+use crate::symbolic::{Bare, Node, On, Sheet};
 use std::borrow::Borrow;
 use std::collections::BTreeMap;
 use std::ops::{Add, Sub};
@@ -73,15 +73,8 @@ impl LocalVector {
 
     /// ḋ = Σ slides + ∂d/∂t.
     pub fn rate<'g>(&self, g: Sheet<'g>, velocities: &[Node]) -> On<'g, Pair> {
-        let mut rate = g.on(self.drift);
-        for (index, direction) in &self.slides {
-            let [x, y] = rate.parts();
-            let [along_x, along_y] = g.on(*direction).parts();
-            let speed = velocities[*index];
-            let x = x + along_x * speed;
-            rate = g.on([x.bare, (y + along_y * speed).bare]);
-        }
-        rate
+        let slides = self.slides.iter();
+        slides.fold(g.on(self.drift), |rate, (index, e)| rate + g.on(velocities[*index]) * g.on(*e))
     }
 
     fn combine<'g>(&self, g: Sheet<'g>, other: &Self, join: fn(On<'g, Pair>, Pair) -> On<'g, Pair>) -> Self {
@@ -176,8 +169,8 @@ impl<'g> On<'g, &'g Kinematics> {
     }
 
     /// A_f u.
-    pub fn to_world(self, frame: FrameId, u: Pair) -> On<'g, Pair> {
-        self.sheet.on(u).turned(self.pair(frame))
+    pub fn to_world(self, frame: FrameId, u: impl Bare<Pair>) -> On<'g, Pair> {
+        self.sheet.on(u.bare()).turned(self.pair(frame))
     }
 
     /// (cos, sin) of θ_l − θ_k, the columns of A_kᵀ A_l.
@@ -186,10 +179,7 @@ impl<'g> On<'g, &'g Kinematics> {
             return vector::unturned(self.sheet);
         }
         // Always formed for k < l, so that both signs share one sine.
-        let ([a_cos, a_sin], [b_cos, b_sin]) = (self.pair(k.min(l)).parts(), self.pair(k.max(l)).parts());
-        let (cc, ss) = (a_cos * b_cos, a_sin * b_sin);
-        let (cs, sc) = (a_cos * b_sin, a_sin * b_cos);
-        let pair = self.sheet.on([(cc + ss).bare, (cs - sc).bare]);
+        let pair = self.pair(k.max(l)).turned(self.pair(k.min(l)).opposite());
         if k < l { pair } else { pair.opposite() }
     }
 
@@ -225,16 +215,14 @@ impl<'g> On<'g, &'g Kinematics> {
         if !others.parts.is_empty() {
             let [x, y] = self.world_part(frame, &LocalVector::fixed(u));
             let [dx, dy] = self.world(&others);
-            sum = sum + x * dx;
-            sum = sum + y * dy;
+            sum = sum + x * dx + y * dy;
         }
         if let Some(own) = own {
-            let columns: Vec<(usize, Scalar)> =
-                own.slides.iter().map(|(index, e)| (*index, u.dot(*e))).collect();
-            let live = columns.into_iter().filter(|(_, column)| !column.is_zero());
+            let columns = own.slides.iter().map(|(index, e)| (*index, u.dot(*e).bare));
+            let columns = columns.filter(|(_, column)| !g.is_zero(*column)).collect();
             let local = Jet {
                 value: u.dot(own.at).bare,
-                columns: live.map(|(index, column)| (index, column.bare)).collect(),
+                columns,
                 drift: u.dot(own.drift).bare,
                 bias: u.dot(own.drift_rate).bare,
                 known_rate: None,
@@ -248,39 +236,32 @@ impl<'g> On<'g, &'g Kinematics> {
     fn world_part(self, frame: FrameId, d: &LocalVector) -> [Moving<'g>; 2] {
         let g = self.sheet;
         let velocities = &self.bare.velocities;
-        let [x, y] = self.to_world(frame, d.at).parts();
+        let at = self.to_world(frame, d.at);
         let drift = self.to_world(frame, d.drift);
-        let [mut bias_x, mut bias_y] = self.to_world(frame, d.drift_rate).parts();
+        let mut bias = self.to_world(frame, d.drift_rate);
         let mut columns = [BTreeMap::new(), BTreeMap::new()];
-        let mut moves = |index: usize, column: [Scalar; 2]| {
-            for (columns, part) in columns.iter_mut().zip(column) {
-                if !part.is_zero() {
-                    columns.insert(index, part.bare);
+        let mut moves = |index: usize, column: On<Pair>| {
+            for (columns, part) in columns.iter_mut().zip(column.bare) {
+                if !g.is_zero(part) {
+                    columns.insert(index, part);
                 }
             }
         };
         for (index, direction) in &d.slides {
-            moves(*index, self.to_world(frame, *direction).parts());
+            moves(*index, self.to_world(frame, *direction));
         }
         if let Some(rate) = self.bare.frames[frame].rate {
             let omega = g.on(velocities[rate]);
-            let square = omega.square();
-            let [relative_x, relative_y] = self.to_world(frame, d.rate(g, velocities).bare).parts();
-            let twice = 2.0 * omega;
-            let (centripetal_x, centripetal_y) = (x * square, y * square);
-            let (coriolis_x, coriolis_y) = (relative_y * twice, relative_x * twice);
-            bias_x = bias_x - centripetal_x - coriolis_x;
-            bias_y = bias_y - centripetal_y + coriolis_y;
-            moves(rate, [-y, x]);
+            let relative = self.to_world(frame, d.rate(g, velocities));
+            bias = bias - omega.square() * at + 2.0 * omega * relative.perpendicular();
+            moves(rate, at.perpendicular());
         }
-        let [columns_x, columns_y] = columns;
-        let [drift_x, drift_y] = drift.bare;
-        [(x, columns_x, drift_x, bias_x), (y, columns_y, drift_y, bias_y)].map(
-            |(value, columns, drift, bias)| {
-                let jet = Jet { value: value.bare, columns, drift, bias: bias.bare, known_rate: None };
-                self.moving(velocities, jet)
-            },
-        )
+        let mut columns = columns.into_iter();
+        [0, 1].map(|k| {
+            let columns = columns.next().unwrap_or_default();
+            let (value, drift, bias) = (at.bare[k], drift.bare[k], bias.bare[k]);
+            self.moving(velocities, Jet { value, columns, drift, bias, known_rate: None })
+        })
     }
 }
 

@@ -42,9 +42,7 @@ impl<'g> On<'g, Pair> {
     /// Turned by an angle; a pair of its own becomes that of the sum of both angles.
     pub fn turned(self, by: impl Bare<Pair>) -> Self {
         let ([x, y], [cos, sin]) = (self.parts(), by.bare());
-        let (cx, sy) = (x * cos, y * sin);
-        let (cy, sx) = (y * cos, x * sin);
-        pair(cx - sy, cy + sx)
+        pair(x * cos - y * sin, y * cos + x * sin)
     }
 
     /// (cos, sin) of the opposite angle.

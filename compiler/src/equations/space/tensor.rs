@@ -3,7 +3,7 @@
 use super::links::{Link, Motion};
 use super::vector::{Mat3, Vec3, vector};
 use crate::symbolic::{Bare, Node, On, Scalar, Sheet};
-use std::ops::{Add, Mul, Sub};
+use std::ops::{Add, Mul};
 
 /// m, h = Σ m r, I = Σ m (r² 1 − r rᵀ) + J.
 #[derive(Clone, Copy, Debug)]
@@ -66,14 +66,6 @@ impl<'g, B: Bare<Symmetric>> Add<B> for On<'g, Symmetric> {
     fn add(self, other: B) -> Self {
         let other = other.bare();
         Symmetric::of(self.sheet, |k| self.at(k) + other.0[k])
-    }
-}
-
-impl<'g, B: Bare<Symmetric>> Sub<B> for On<'g, Symmetric> {
-    type Output = Self;
-    fn sub(self, other: B) -> Self {
-        let other = other.bare();
-        Symmetric::of(self.sheet, |k| self.at(k) - other.0[k])
     }
 }
 

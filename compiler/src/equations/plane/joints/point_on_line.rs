@@ -31,7 +31,7 @@ pub fn reaction<'g>(
     lambda: &[Scalar<'g>],
 ) -> Wrench<'g> {
     let (frame, normal) = normal(laws, ends, direction);
-    let [x, y] = laws.plane().to_world(frame, normal.bare).parts().map(|part| -(part * lambda[0]));
+    let [x, y] = laws.plane().to_world(frame, normal).parts().map(|part| -(part * lambda[0]));
     [x, y, laws.g.zero()]
 }
 
