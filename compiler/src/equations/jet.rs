@@ -35,13 +35,13 @@ pub struct Moving<'g, T = Jet> {
 impl Jet {
     /// What does not move.
     pub fn constant(value: Scalar) -> Self {
-        let zero = value.sheet.zero().bare;
+        let zero = value.g.zero().bare;
         Jet { value: value.bare, columns: BTreeMap::new(), drift: zero, bias: zero, known_rate: None }
     }
 
     /// Time itself.
     pub fn time(time: Scalar) -> Self {
-        Jet { drift: time.sheet.one().bare, ..Jet::constant(time) }
+        Jet { drift: time.g.one().bare, ..Jet::constant(time) }
     }
 
     /// ḟ = J v + drift.
@@ -93,7 +93,7 @@ impl<'g> Moving<'g> {
 
     /// A function of this one whose value and derivatives are known.
     pub fn chain(&self, value: Scalar<'g>, first: Scalar<'g>, second: Scalar<'g>) -> Self {
-        let mut result = self.map(|node| first * node);
+        let mut result = first * self;
         result.jet.value = value.bare;
         if !second.is_zero() {
             let curvature = second * self.rate().square();
@@ -105,21 +105,18 @@ impl<'g> Moving<'g> {
     /// atan2(f, h), by x² + y² : d atan2 = (x dy − y dx)/(x² + y²).
     pub fn atan2(&self, x: &Self) -> Self {
         let (y_value, x_value) = (self.value(), x.value());
-        let (yy, xx) = (y_value.square(), x_value.square());
-        let inverse = (xx + yy).reciprocal();
-        let numerator = self.map(|node| x_value * node) - x.map(|node| y_value * node);
-        // φ̈ = (x ÿ − y ẍ)/r² − 2 φ̇ (x ẋ + y ẏ)/r²
-        let mut angle = numerator.map(|node| inverse * node);
+        let inverse = (x_value.square() + y_value.square()).reciprocal();
+        let mut angle = inverse * (x_value * self - y_value * x);
         angle.jet.value = y_value.atan2(x_value).bare;
-        let (rate, x_rate, y_rate) = (angle.rate(), x.rate(), self.rate());
-        let radial = (x_value * x_rate + y_value * y_rate) * inverse;
-        angle.jet.bias = (angle.bias() - 2.0 * rate * radial).bare;
+        // φ̈ = (x ÿ − y ẍ)/r² − 2 φ̇ (x ẋ + y ẏ)/r²
+        let radial = (x_value * x.rate() + y_value * self.rate()) * inverse;
+        angle.jet.bias = (angle.bias() - 2.0 * angle.rate() * radial).bare;
         angle
     }
 
     /// What `mask` selects.
     pub fn select(mask: Scalar<'g>, then: &Self, otherwise: &Self) -> Self {
-        let g = mask.sheet;
+        let g = mask.g;
         let zero = g.zero().bare;
         let select = |a: Node, b: Node| mask.select(g.on(a), g.on(b)).bare;
         let (a, b) = (&then.jet, &otherwise.jet);
@@ -193,7 +190,7 @@ impl<'g> Moving<'g> {
     /// (f h)¨ = f̈ h + f ḧ + 2 ḟ ḣ.
     fn times(&self, other: &Self) -> Self {
         let (a, b) = (self.value(), other.value());
-        let mut product = self.map(|node| b * node) + other.map(|node| a * node);
+        let mut product = b * self + a * other;
         product.jet.value = (a * b).bare;
         let rate = self.rate();
         let other_rate = if a.bare == b.bare { rate } else { other.rate() };
@@ -260,6 +257,6 @@ operators!(Moving<'g>, &Moving<'g>);
 impl<'g, T> On<'g, T> {
     /// A jet on the same graph.
     pub fn moving<J>(&self, velocities: &'g [Node], jet: J) -> Moving<'g, J> {
-        Moving { g: self.sheet, velocities, jet }
+        Moving { g: self.g, velocities, jet }
     }
 }

@@ -27,50 +27,48 @@ impl<'g> On<'g, &'g Kinematics> {
     /// World coordinates of a place.
     pub fn world(self, laws: &Laws<'g>, place: &Place) -> Vec<Moving<'g>> {
         match self.bare {
-            Kinematics::Plane(plane) => self.sheet.on(plane).place_in_world(laws, place).to_vec(),
-            Kinematics::Space(space) => self.sheet.on(space).place_in_world(laws, place).to_vec(),
+            Kinematics::Plane(plane) => self.g.on(plane).place_in_world(laws, place).to_vec(),
+            Kinematics::Space(space) => self.g.on(space).place_in_world(laws, place).to_vec(),
         }
     }
 
     /// The way from one place to another, in axes in which it is cheap: those of the world in the plane.
     pub fn between(self, laws: &Laws<'g>, first: &Place, second: &Place) -> Vec<Moving<'g>> {
         match self.bare {
-            Kinematics::Plane(plane) => {
-                self.sheet.on(plane).difference_in_world(laws, first, second).to_vec()
-            }
-            Kinematics::Space(space) => self.sheet.on(space).between(laws, first, second).to_vec(),
+            Kinematics::Plane(plane) => self.g.on(plane).difference_in_world(laws, first, second).to_vec(),
+            Kinematics::Space(space) => self.g.on(space).between(laws, first, second).to_vec(),
         }
     }
 
     /// (cos, sin) of a rotor's angle.
     pub fn rotor_pair(self, laws: &Laws<'g>, rotor: Rotor) -> On<'g, [Node; 2]> {
         match self.bare {
-            Kinematics::Plane(plane) => self.sheet.on(plane).rotor_pair(laws, rotor),
-            Kinematics::Space(space) => self.sheet.on(space).rotor_pair(laws, rotor),
+            Kinematics::Plane(plane) => self.g.on(plane).rotor_pair(laws, rotor),
+            Kinematics::Space(space) => self.g.on(space).rotor_pair(laws, rotor),
         }
     }
 
     /// A rotor's angle without its value, which has several representations.
     pub fn rotor_rate(self, laws: &Laws<'g>, rotor: Rotor) -> Moving<'g> {
         match self.bare {
-            Kinematics::Plane(plane) => self.sheet.on(plane).rotor_rate(laws, rotor),
-            Kinematics::Space(space) => self.sheet.on(space).rotor_rate(laws, rotor),
+            Kinematics::Plane(plane) => self.g.on(plane).rotor_rate(laws, rotor),
+            Kinematics::Space(space) => self.g.on(space).rotor_rate(laws, rotor),
         }
     }
 
     /// Travel of a joint; which of its travels.
     pub fn travel(self, laws: &Laws<'g>, joint: JointId, which: usize) -> Moving<'g> {
         match self.bare {
-            Kinematics::Plane(plane) => self.sheet.on(plane).travel(laws, joint),
-            Kinematics::Space(space) => self.sheet.on(space).travel(laws, joint, which),
+            Kinematics::Plane(plane) => self.g.on(plane).travel(laws, joint),
+            Kinematics::Space(space) => self.g.on(space).travel(laws, joint, which),
         }
     }
 
     /// A quantity whose rate is ω of a body in space about one of its axes; it has no value of its own.
     pub fn omega(self, body: BodyId, axis: usize) -> Moving<'g> {
         match self.bare {
-            Kinematics::Plane(plane) => self.moving(&plane.velocities, Jet::constant(self.sheet.zero())),
-            Kinematics::Space(space) => self.sheet.on(space).omega(body, axis),
+            Kinematics::Plane(plane) => self.moving(&plane.velocities, Jet::constant(self.g.zero())),
+            Kinematics::Space(space) => self.g.on(space).omega(body, axis),
         }
     }
 
@@ -78,7 +76,7 @@ impl<'g> On<'g, &'g Kinematics> {
     pub fn deviation(self, body: BodyId, quaternion: On<'g, [Node; 4]>) -> Vec<Moving<'g>> {
         match self.bare {
             Kinematics::Plane(_) => Vec::new(),
-            Kinematics::Space(space) => self.sheet.on(space).deviation(body, quaternion).to_vec(),
+            Kinematics::Space(space) => self.g.on(space).deviation(body, quaternion).to_vec(),
         }
     }
 
@@ -86,7 +84,7 @@ impl<'g> On<'g, &'g Kinematics> {
     pub fn turning(self, body: BodyId) -> Vec<Moving<'g>> {
         match self.bare {
             Kinematics::Plane(_) => Vec::new(),
-            Kinematics::Space(space) => self.sheet.on(space).turning_in_world(body).to_vec(),
+            Kinematics::Space(space) => self.g.on(space).turning_in_world(body).to_vec(),
         }
     }
 }

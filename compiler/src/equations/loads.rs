@@ -46,7 +46,7 @@ pub fn terms<'g>(laws: &Laws<'g>, load: &Load) -> LoadTerms<'g> {
 fn along<'g>(coordinate: &Moving<'g>, effort: Scalar<'g>) -> LoadTerms<'g> {
     let columns = coordinate.jet.columns.iter();
     let forces = columns.map(|(index, column)| (*index, *column * effort)).collect();
-    LoadTerms { forces, power: effort * coordinate.rate(), potential: effort.sheet.zero() }
+    LoadTerms { forces, power: effort * coordinate.rate(), potential: effort.g.zero() }
 }
 
 /// Components of a force or torque along as many coordinates.
@@ -77,7 +77,7 @@ fn spring<'g>(
     // T/l, written so that a spring of no free length needs neither root nor division.
     let mut pull = k;
     if !rest.is_zero() && !k.is_zero() {
-        pull = k - k * (rest / distance);
+        pull -= k * (rest / distance);
     }
     // l l̇
     let stretching = laws.g.sum(delta.iter().map(|d| d.value() * d.rate()));
@@ -91,8 +91,7 @@ fn spring<'g>(
         let columns = component.jet.columns.iter();
         forces.extend(columns.map(|(index, column)| (*index, -(*column * force))));
     }
-    let (power, extension) = (pull * stretching, distance - rest);
-    LoadTerms { forces, power: -power, potential: elastic_energy(k, extension) }
+    LoadTerms { forces, power: -(pull * stretching), potential: elastic_energy(k, distance - rest) }
 }
 
 /// Torque −k (θ − θ₀) − c ω, V = ½ k (θ − θ₀)².
@@ -105,11 +104,9 @@ fn torsion_spring<'g>(
 ) -> LoadTerms<'g> {
     let angle = laws.angle(on);
     let (k, rest, c) = (laws.value(stiffness), laws.value(rest), laws.value(damping));
-    let deflection = angle.value() - rest;
-    let rate = angle.rate();
+    let (deflection, rate) = (angle.value() - rest, angle.rate());
     let torque = -(k * deflection + c * rate);
-    let terms = along(&angle, torque);
-    LoadTerms { potential: elastic_energy(k, deflection), ..terms }
+    LoadTerms { potential: elastic_energy(k, deflection), ..along(&angle, torque) }
 }
 
 /// ½ k x².

@@ -430,7 +430,7 @@ fn solution<'g>(g: Sheet<'g>, factor: &Factor, system: &System, mut right: Vec<S
 
 /// entries += ρ dᵀ d.
 fn add_square(entries: &mut Entries, row: &BTreeMap<usize, Node>, rho: Scalar) {
-    let zero = rho.sheet.zero().bare;
+    let zero = rho.g.zero().bare;
     for (i, a) in row {
         let weighted = rho * *a;
         for (j, b) in row.range(..=i) {

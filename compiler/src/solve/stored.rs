@@ -103,7 +103,7 @@ fn not_nan(pivot: Scalar) -> Scalar {
     if pivot.value().is_some() {
         return pivot;
     }
-    let zero = pivot.sheet.zero();
+    let zero = pivot.g.zero();
     zero.compare(Compare::LessEqual, pivot).select(pivot, zero)
 }
 

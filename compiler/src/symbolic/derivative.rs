@@ -168,7 +168,7 @@ mod tests {
         for comparison in [Compare::Less, Compare::LessEqual] {
             check(
                 |x, y| {
-                    let mask = x.compare(comparison, x.sheet.zero());
+                    let mask = x.compare(comparison, x.g.zero());
                     (mask & (mask | !mask)).select(x.square(), y.square())
                 },
                 &points,

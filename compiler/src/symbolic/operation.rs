@@ -76,7 +76,7 @@ impl Unary {
     /// First and second derivative at `x`, given `f`, the function's value there. At the kinks of |x| and
     /// sign(x) these are the derivatives of the branch that `sign` selects.
     pub fn derivatives<'g>(self, x: Scalar<'g>, f: Scalar<'g>) -> (Scalar<'g>, Scalar<'g>) {
-        let zero = x.sheet.zero();
+        let zero = x.g.zero();
         match self {
             Unary::Reciprocal => {
                 let square = f * f;

@@ -15,7 +15,7 @@ pub struct Sheet<'g>(&'g RefCell<Graph>);
 /// A node, or an array or struct of nodes, and the graph they are on.
 #[derive(Clone, Copy)]
 pub struct On<'g, T> {
-    pub sheet: Sheet<'g>,
+    pub g: Sheet<'g>,
     /// Without the graph, as it is kept.
     pub bare: T,
 }
@@ -44,7 +44,7 @@ impl<'g> Sheet<'g> {
     }
     #[inline]
     pub fn on<T>(self, bare: T) -> On<'g, T> {
-        On { sheet: self, bare }
+        On { g: self, bare }
     }
     #[inline]
     pub fn number(self, value: f64) -> Scalar<'g> {
@@ -76,19 +76,19 @@ impl<'g> Sheet<'g> {
 impl<'g> Scalar<'g> {
     #[inline]
     fn made(self, make: impl FnOnce(&mut Graph, Node) -> Node) -> Self {
-        let node = make(&mut self.sheet.graph(), self.bare);
-        self.sheet.on(node)
+        let node = make(&mut self.g.graph(), self.bare);
+        self.g.on(node)
     }
     /// Its number, if it is a constant.
     pub fn value(self) -> Option<f64> {
-        self.sheet.0.borrow().value(self.bare)
+        self.g.0.borrow().value(self.bare)
     }
     #[inline]
     pub fn is_zero(self) -> bool {
-        self.sheet.is_zero(self.bare)
+        self.g.is_zero(self.bare)
     }
     pub fn class(self) -> Class {
-        self.sheet.0.borrow().class(self.bare)
+        self.g.0.borrow().class(self.bare)
     }
     pub fn unary(self, function: Unary) -> Self {
         self.made(|g, x| g.unary(function, x))
@@ -150,29 +150,29 @@ macro_rules! operators {
             type Output = Scalar<'g>;
             #[inline]
             fn $method(self, other: Node) -> Scalar<'g> {
-                let node = self.sheet.graph().$method(self.bare, other);
-                self.sheet.on(node)
+                let node = self.g.graph().$method(self.bare, other);
+                self.g.on(node)
             }
         }
         impl<'g> $operator<Scalar<'g>> for Node {
             type Output = Scalar<'g>;
             #[inline]
             fn $method(self, other: Scalar<'g>) -> Scalar<'g> {
-                other.sheet.on(self).$method(other.bare)
+                other.g.on(self).$method(other.bare)
             }
         }
         impl<'g> $operator<f64> for Scalar<'g> {
             type Output = Scalar<'g>;
             #[inline]
             fn $method(self, other: f64) -> Scalar<'g> {
-                self.$method(self.sheet.number(other))
+                self.$method(self.g.number(other))
             }
         }
         impl<'g> $operator<Scalar<'g>> for f64 {
             type Output = Scalar<'g>;
             #[inline]
             fn $method(self, other: Scalar<'g>) -> Scalar<'g> {
-                other.sheet.number(self).$method(other.bare)
+                other.g.number(self).$method(other.bare)
             }
         }
     )*};
@@ -211,8 +211,8 @@ impl<'g> Neg for Scalar<'g> {
     type Output = Scalar<'g>;
     #[inline]
     fn neg(self) -> Scalar<'g> {
-        let node = self.sheet.graph().neg(self.bare);
-        self.sheet.on(node)
+        let node = self.g.graph().neg(self.bare);
+        self.g.on(node)
     }
 }
 

@@ -40,7 +40,7 @@ impl<'g> On<'g, &'g Kinematics> {
     /// (cos, sin) of θ₂ − θ₁ − angle.
     fn difference(self, first: Frame, second: Frame, angle: On<'g, Pair>) -> On<'g, Pair> {
         let orientation = |frame: Frame| match frame {
-            Frame::Ground => vector::unturned(self.sheet),
+            Frame::Ground => vector::unturned(self.g),
             Frame::Body(body) => self.orientation(body.0),
         };
         let (first, second) = (orientation(first), orientation(second));
@@ -52,7 +52,7 @@ impl<'g> On<'g, &'g Kinematics> {
         let (minus, plus) = (self.turning(laws, first), self.turning(laws, second));
         let mut columns = BTreeMap::new();
         if minus != plus {
-            let (one, minus_one) = (self.sheet.one().bare, self.sheet.number(-1.0).bare);
+            let (one, minus_one) = (self.g.one().bare, self.g.number(-1.0).bare);
             columns.extend(minus.map(|index| (index, minus_one)));
             columns.extend(plus.map(|index| (index, one)));
         }
@@ -75,12 +75,12 @@ impl<'g> On<'g, &'g Kinematics> {
     /// (cos, sin) of a rotor's angle.
     pub fn rotor_pair(self, laws: &Laws<'g>, rotor: Rotor) -> On<'g, Pair> {
         let (first, second) = ends(laws, rotor);
-        self.difference(first, second, vector::unturned(self.sheet))
+        self.difference(first, second, vector::unturned(self.g))
     }
 
     pub fn rotor_rate(self, laws: &Laws<'g>, rotor: Rotor) -> Moving<'g> {
         let (first, second) = ends(laws, rotor);
-        self.turn(laws, first, second, self.sheet.zero())
+        self.turn(laws, first, second, self.g.zero())
     }
 
     /// Travel of a joint: â·(p₂ − p₁).
@@ -88,7 +88,7 @@ impl<'g> On<'g, &'g Kinematics> {
         let joint = &laws.mechanism.joints[joint.0];
         let (JointKind::Prismatic { axis, .. } | JointKind::PointOnLine { direction: axis }) = &joint.kind
         else {
-            return laws.still(self.sheet.zero());
+            return laws.still(self.g.zero());
         };
         debug_assert!(joints::slides(&joint.kind));
         let (frame, along) = self.carried_by(joint.first.frame, laws.pair_of(axis).normalized());

@@ -69,7 +69,7 @@ pub fn inertia<'g>(
     bodies: &[Massive<'g>],
     gravity: Option<On<'g, Pair>>,
 ) -> Inertia<'g> {
-    let zero = kinematics.sheet.zero();
+    let zero = kinematics.g.zero();
     let mut masses: BTreeMap<(usize, usize), Sum> = BTreeMap::new();
     let mut biases: BTreeMap<(usize, FrameId, Factor), Sum> = BTreeMap::new();
     let mut rotary: BTreeMap<usize, Scalar> = BTreeMap::new();
@@ -120,7 +120,7 @@ fn columns<'g>(kinematics: On<'g, &'g Kinematics>, position: &Position) -> Vec<C
         for (velocity, direction) in &vector.slides {
             columns.push(Column { velocity: *velocity, frame: *frame, u: *direction });
         }
-        let at = kinematics.sheet.on(vector.at);
+        let at = kinematics.g.on(vector.at);
         if let Some(rate) = kinematics.bare.frames[*frame].rate
             && !at.is_zero()
         {
@@ -137,7 +137,7 @@ fn accelerations<'g>(
     position: &Position,
     gravity: Option<On<'g, Pair>>,
 ) -> Vec<(FrameId, Factor, Pair)> {
-    let g = kinematics.sheet;
+    let g = kinematics.g;
     let mut terms = Vec::new();
     let mut explicit = gravity.map(|gravity| -gravity);
     for (frame, vector) in &position.parts {
@@ -158,7 +158,7 @@ fn accelerations<'g>(
 }
 
 fn factor_value<'g>(kinematics: On<'g, &'g Kinematics>, frame: FrameId, factor: Factor) -> Scalar<'g> {
-    let g = kinematics.sheet;
+    let g = kinematics.g;
     let Kinematics { frames, velocities, .. } = kinematics.bare;
     let omega = frames[frame].rate.map_or_else(|| g.one(), |rate| g.on(velocities[rate]));
     match factor {
@@ -170,7 +170,7 @@ fn factor_value<'g>(kinematics: On<'g, &'g Kinematics>, frame: FrameId, factor: 
 }
 
 fn weighted<'g>(mass: Scalar<'g>, u: Pair, w: Pair) -> Products<'g> {
-    let u = mass.sheet.on(u);
+    let u = mass.g.on(u);
     Products { dot: mass * u.dot(w), cross: mass * u.cross(w) }
 }
 

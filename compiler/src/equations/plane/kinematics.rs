@@ -67,7 +67,7 @@ impl LocalVector {
     }
 
     pub fn fixed(at: On<Pair>) -> Self {
-        let zero = vector::zero(at.sheet).bare;
+        let zero = vector::zero(at.g).bare;
         LocalVector { at: at.bare, slides: BTreeMap::new(), drift: zero, drift_rate: zero }
     }
 
@@ -112,13 +112,13 @@ impl Position {
 impl<'g> On<'g, Pair> {
     /// As a position fixed in one frame.
     pub fn fixed_in(self, frame: FrameId) -> On<'g, Position> {
-        self.sheet.on(Position::of(frame, LocalVector::fixed(self)))
+        self.g.on(Position::of(frame, LocalVector::fixed(self)))
     }
 }
 
 impl<'g> On<'g, Position> {
     fn combine(self, other: &Position, join: fn(On<'g, Pair>, Pair) -> On<'g, Pair>) -> Self {
-        let g = self.sheet;
+        let g = self.g;
         let mut parts = self.bare.parts;
         for (frame, vector) in &other.parts {
             let own = parts.remove(frame).unwrap_or_else(|| LocalVector::fixed(vector::zero(g)));
@@ -165,18 +165,18 @@ impl<'g> On<'g, &'g Kinematics> {
     /// (cos, sin) of a frame.
     fn pair(self, frame: FrameId) -> On<'g, Pair> {
         let TurningFrame { cos, sin, .. } = self.bare.frames[frame];
-        self.sheet.on([cos, sin])
+        self.g.on([cos, sin])
     }
 
     /// A_f u.
     pub fn to_world(self, frame: FrameId, u: impl Bare<Pair>) -> On<'g, Pair> {
-        self.sheet.on(u.bare()).turned(self.pair(frame))
+        self.g.on(u.bare()).turned(self.pair(frame))
     }
 
     /// (cos, sin) of θ_l − θ_k, the columns of A_kᵀ A_l.
     pub fn relative(self, k: FrameId, l: FrameId) -> On<'g, Pair> {
         if k == l {
-            return vector::unturned(self.sheet);
+            return vector::unturned(self.g);
         }
         // Always formed for k < l, so that both signs share one sine.
         let pair = self.pair(k.max(l)).turned(self.pair(k.min(l)).opposite());
@@ -192,12 +192,12 @@ impl<'g> On<'g, &'g Kinematics> {
     /// A point given in a body's own axes.
     pub fn point(self, body: usize, at: On<'g, Pair>) -> On<'g, Position> {
         let placement = &self.bare.bodies[body];
-        self.sheet.on(placement.origin.clone()) + at.in_frame(placement)
+        self.g.on(placement.origin.clone()) + at.in_frame(placement)
     }
 
     /// World x and y of a position.
     pub fn world(self, position: &Position) -> [Moving<'g>; 2] {
-        let zero = || self.moving(&self.bare.velocities, Jet::constant(self.sheet.zero()));
+        let zero = || self.moving(&self.bare.velocities, Jet::constant(self.g.zero()));
         let mut sum = [zero(), zero()];
         for (frame, vector) in &position.parts {
             let part = self.world_part(*frame, vector);
@@ -208,7 +208,7 @@ impl<'g> On<'g, &'g Kinematics> {
 
     /// u·Δ for u fixed in `frame` and Δ any position difference: what is fixed in the same frame needs no rotation.
     pub fn project(self, frame: FrameId, u: On<'g, Pair>, delta: &Position) -> Moving<'g> {
-        let g = self.sheet;
+        let g = self.g;
         let mut others = delta.clone();
         let own = others.parts.remove(&frame);
         let mut sum = self.moving(&self.bare.velocities, Jet::constant(g.zero()));
@@ -234,7 +234,7 @@ impl<'g> On<'g, &'g Kinematics> {
 
     /// A d with ẋ = ω × A d + A ḋ and its acceleration −ω² A d + 2 ω × A ḋ + A ∂²d/∂t² at v̇ = 0.
     fn world_part(self, frame: FrameId, d: &LocalVector) -> [Moving<'g>; 2] {
-        let g = self.sheet;
+        let g = self.g;
         let velocities = &self.bare.velocities;
         let at = self.to_world(frame, d.at);
         let drift = self.to_world(frame, d.drift);

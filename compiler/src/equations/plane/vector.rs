@@ -16,16 +16,16 @@ pub fn unturned(g: Sheet) -> On<Pair> {
 }
 
 fn pair<'g>(x: Scalar<'g>, y: Scalar<'g>) -> On<'g, Pair> {
-    x.sheet.on([x.bare, y.bare])
+    x.g.on([x.bare, y.bare])
 }
 
 impl<'g> On<'g, Pair> {
     pub fn parts(self) -> [Scalar<'g>; 2] {
-        self.bare.map(|part| self.sheet.on(part))
+        self.bare.map(|part| self.g.on(part))
     }
 
     pub fn is_zero(self) -> bool {
-        self.bare.iter().all(|part| self.sheet.is_zero(*part))
+        self.bare.iter().all(|part| self.g.is_zero(*part))
     }
 
     pub fn dot(self, other: impl Bare<Pair>) -> Scalar<'g> {
@@ -92,6 +92,6 @@ impl<'g, B: Bare<Pair>> Sub<B> for On<'g, Pair> {
 impl<'g> Mul<On<'g, Pair>> for Scalar<'g> {
     type Output = On<'g, Pair>;
     fn mul(self, vector: On<'g, Pair>) -> On<'g, Pair> {
-        self.sheet.on(vector.bare.map(|part| (self * part).bare))
+        self.g.on(vector.bare.map(|part| (self * part).bare))
     }
 }

@@ -79,7 +79,7 @@ impl<'g> Add for Articulated<'g> {
     fn add(self, other: Self) -> Self {
         Articulated {
             moments: self.moments + other.moments,
-            mixed: rows(self.moments.sheet, |k| self.mixed.row(k) + other.mixed.row(k)),
+            mixed: rows(self.moments.g, |k| self.mixed.row(k) + other.mixed.row(k)),
             masses: self.masses + other.masses,
         }
     }
@@ -112,7 +112,7 @@ impl<'g> Articulated<'g> {
 
     /// Less U (U/d)ᵀ.
     fn less(self, u: SpatialVector<'g>, over: SpatialVector<'g>) -> Self {
-        let g = u.angular.sheet;
+        let g = u.angular.g;
         let symmetric = |from: On<'g, Symmetric>, a: On<'g, Vec3>, b: On<'g, Vec3>| {
             Symmetric::of(g, |k| from.at(k) - a.at(ENTRIES[k].0) * b.at(ENTRIES[k].1))
         };
@@ -125,7 +125,7 @@ impl<'g> Articulated<'g> {
 
     /// Nothing resists along an axis whose velocity has been eliminated. Where that is an axis of coordinates, entries are zero.
     fn free_along(mut self, axis: SpatialVector<'g>) -> Self {
-        let zero = self.moments.sheet.zero().bare;
+        let zero = self.moments.g.zero().bare;
         let clear = |symmetric: &mut Symmetric, k: usize| {
             for (entry, (i, j)) in symmetric.0.iter_mut().zip(ENTRIES) {
                 if i == k || j == k {
@@ -146,7 +146,7 @@ impl<'g> Articulated<'g> {
 
     /// At the origin of the parent, in its axes.
     fn in_parent(self, link: On<'g, &Link>) -> Self {
-        let g = link.sheet;
+        let g = link.g;
         let turned = match &link.bare.motion {
             Motion::None | Motion::Slide { .. } => self,
             Motion::Turn { cos, sin, .. } => self.turned_about_z(g.on(*cos), g.on(*sin)),
@@ -180,7 +180,7 @@ impl<'g> Articulated<'g> {
         if d.is_zero() {
             return self;
         }
-        let g = d.sheet;
+        let g = d.g;
         let moved = g.on(self.masses.bare.matrix()).map_columns(|column| d.cross(column));
         let mixed = rows(g, |k| self.mixed.row(k) + moved.row(k));
         // (d̃ Hᵀ)ᵢⱼ = (d × row j of H)ᵢ,  (−H′ d̃)ᵢⱼ = (d × row i of H′)ⱼ.
@@ -220,7 +220,7 @@ impl<'g> Step<'g> {
     fn accelerated(&self, motion: SpatialVector<'g>) -> (Scalar<'g>, SpatialVector<'g>) {
         // Along an axis of coordinates S·U/d = 1 lets the motion so far cancel from what it becomes.
         let mut others = motion;
-        let zero = self.rest.sheet.zero().bare;
+        let zero = self.rest.g.zero().bare;
         let taken_out = |axis: On<'g, Vec3>, part: &mut On<'g, Vec3>| {
             let k = coordinate(axis)?;
             let own = part.at(k);
@@ -245,7 +245,7 @@ pub fn accelerations<'g>(
     distributions: &[Distribution],
     forces: &[Node],
 ) -> Vec<Scalar<'g>> {
-    let g = kinematics.sheet;
+    let g = kinematics.g;
     let links = &kinematics.bare.links;
     let mut answers: Vec<Articulated> =
         distributions.iter().map(|distribution| Articulated::of(g, distribution)).collect();
@@ -286,7 +286,7 @@ pub fn accelerations<'g>(
 
 /// Velocities of a link and their axes, at its origin and in its axes.
 fn axes<'g>(link: On<'g, &Link>) -> Vec<(usize, SpatialVector<'g>)> {
-    let none = vector::zero(link.sheet);
+    let none = vector::zero(link.g);
     let mut found = Vec::new();
     for (velocity, axis) in link.turning() {
         found.push((velocity, SpatialVector { angular: axis, linear: none }));

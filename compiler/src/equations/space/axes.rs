@@ -35,12 +35,12 @@ fn framed<'g>(axis: On<'g, Vec3>, reference: On<'g, Vec3>) -> On<'g, Mat3> {
     let z = axis.normalized();
     let x = (reference - reference.dot(z) * z).normalized();
     let y = z.cross(x);
-    x.sheet.on([x.bare, y.bare, z.bare]).transposed()
+    x.g.on([x.bare, y.bare, z.bare]).transposed()
 }
 
 fn about_axis(axis: usize, angle: Scalar) -> On<Mat3> {
     let [cos, sin] = exact(angle);
-    let mut matrix = vector::identity(angle.sheet);
+    let mut matrix = vector::identity(angle.g);
     let (i, j) = ((axis + 1) % 3, (axis + 2) % 3);
     let entries = &mut matrix.bare;
     (entries[i][i], entries[j][j]) = (cos.bare, cos.bare);
@@ -51,7 +51,7 @@ fn about_axis(axis: usize, angle: Scalar) -> On<Mat3> {
 /// (cos, sin) of a constant angle; of right angles exactly, because π in a float is not π.
 fn exact(angle: Scalar) -> [Scalar; 2] {
     [angle.cos(), angle.sin()].map(|part| match part.value() {
-        Some(value) if (value - value.round()).abs() < 4e-16 => angle.sheet.number(value.round()),
+        Some(value) if (value - value.round()).abs() < 4e-16 => angle.g.number(value.round()),
         _ => part,
     })
 }

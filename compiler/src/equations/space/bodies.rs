@@ -203,7 +203,7 @@ impl<'g> Load<'g> {
 
     /// Adds effort·column of a coordinate in the velocities of one body.
     fn add_row(&mut self, motion: &Moving<'g>, body: usize, jet: &Jet, effort: Scalar<'g>) {
-        let zero = effort.sheet.zero().bare;
+        let zero = effort.g.zero().bare;
         let entry = |k: usize| jet.columns.get(&(FREEDOMS * body + k)).copied().unwrap_or(zero);
         let (force, moment) = (effort * [0, 1, 2].map(entry), effort * [3, 4, 5].map(entry));
         let moment = motion.axes * moment;

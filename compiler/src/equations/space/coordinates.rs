@@ -301,5 +301,5 @@ pub fn rotation_matrix<'g>([w, x, y, z]: [Scalar<'g>; 4]) -> On<'g, Mat3> {
         [xy + wz, 1.0 - (xx + zz), yz - wx],
         [xz - wy, yz + wx, 1.0 - (xx + yy)],
     ];
-    w.sheet.on(rows.map(|row| row.map(|entry| entry.bare)))
+    w.g.on(rows.map(|row| row.map(|entry| entry.bare)))
 }

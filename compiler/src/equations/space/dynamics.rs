@@ -75,7 +75,7 @@ fn regrouped<'g>(
     kinematics: On<'g, &Kinematics>,
     distributions: &[On<'g, Distribution>],
 ) -> Vec<On<'g, Distribution>> {
-    let g = kinematics.sheet;
+    let g = kinematics.g;
     let none = Distribution::none(g);
     let zero = none.mass;
     let mut found = distributions.to_vec();
@@ -139,7 +139,7 @@ impl<'g> Wrench<'g> {
         let (moment, force) = (link.turn(self.moment), link.turn(self.force));
         let moment = moment + link.slide().cross(force);
         let (moment, force) = (link.bare.axes * moment, link.bare.axes * force);
-        Wrench { moment: moment + self.force.sheet.on(link.bare.at).cross(force), force }
+        Wrench { moment: moment + self.force.g.on(link.bare.at).cross(force), force }
     }
 
     /// Power on each velocity of the link: its index, and Sᵀ of the wrench.
@@ -160,7 +160,7 @@ fn mass_matrix<'g>(
     kinematics: On<'g, &Kinematics>,
     composite: &[On<'g, Distribution>],
 ) -> BTreeMap<(usize, usize), Scalar<'g>> {
-    let g = kinematics.sheet;
+    let g = kinematics.g;
     let links = &kinematics.bare.links;
     let mut mass: BTreeMap<(usize, usize), Scalar> = BTreeMap::new();
     let mut accumulate = |k: usize, l: usize, entry: Scalar<'g>| {
@@ -216,7 +216,7 @@ pub fn motions<'g>(
     accelerations: Option<&[Node]>,
     ground: On<'g, Vec3>,
 ) -> Vec<LinkMotion<'g>> {
-    let g = kinematics.sheet;
+    let g = kinematics.g;
     let zero = vector::zero(g);
     let spin = g.on([zero.bare; 3]);
     let mut motions =
@@ -234,7 +234,7 @@ fn moved<'g>(
     v: &[Node],
     accelerations: Option<&[Node]>,
 ) -> LinkMotion<'g> {
-    let g = link.sheet;
+    let g = link.g;
     let offset = link.offset();
     // At the link's origin, in the axes of the parent.
     let velocity = parent.velocity + (parent.omega.cross(offset) + link.bare.at_drift);
@@ -271,7 +271,7 @@ fn spin<'g>(omega: On<'g, Vec3>, alpha: On<'g, Vec3>) -> On<'g, Mat3> {
         matrix[i][j] = (product - alpha.at(k)).bare;
         matrix[j][i] = (product + alpha.at(k)).bare;
     }
-    omega.sheet.on(matrix)
+    omega.g.on(matrix)
 }
 
 /// Forces that the motions need, per velocity.
@@ -280,7 +280,7 @@ fn newton_euler<'g>(
     distributions: &[On<'g, Distribution>],
     motions: &[LinkMotion<'g>],
 ) -> Vec<Scalar<'g>> {
-    let g = kinematics.sheet;
+    let g = kinematics.g;
     let mut forces = vec![g.zero(); kinematics.bare.velocities.len()];
     let mut wrenches: Vec<Wrench> = distributions
         .iter()
@@ -320,14 +320,14 @@ fn needed<'g>(distribution: On<'g, Distribution>, motion: &LinkMotion<'g>) -> Wr
             across(x, z) * spin.row(y).at(x),
             across(y, z) * diagonal,
         ];
-        distribution.sheet.sum(terms) - across(x, y) * spin.row(z).at(x) + lever.at(x)
+        distribution.g.sum(terms) - across(x, y) * spin.row(z).at(x) + lever.at(x)
     });
     Wrench { moment, force }
 }
 
 /// T = Σ ½ (m v² + 2 v·(ω × h) + ω·I ω).
 fn kinetic_energy<'g>(kinematics: On<'g, &Kinematics>, distributions: &[On<'g, Distribution>]) -> Scalar<'g> {
-    let g: Sheet<'g> = kinematics.sheet;
+    let g: Sheet<'g> = kinematics.g;
     let motions = motions(kinematics, None, vector::zero(g));
     let mut twice = g.zero();
     for (own, LinkMotion { velocity, omega, .. }) in distributions.iter().zip(motions) {

@@ -44,7 +44,7 @@ pub struct Spot<'g> {
 
 impl<'g> On<'g, &'g Kinematics> {
     pub fn spot(self, laws: &Laws<'g>, place: &Place) -> Spot<'g> {
-        let g = self.sheet;
+        let g = self.g;
         // The link and the constant placement of what the place belongs to.
         let placement = match place.frame {
             Frame::Ground => {
@@ -92,7 +92,7 @@ impl<'g> On<'g, &'g Kinematics> {
 
     /// ω of a link in its own axes: columns and bias (α at v̇ = 0).
     pub fn link_omega(self, link: LinkId) -> Moving<'g, VectorJet> {
-        let g = self.sheet;
+        let g = self.g;
         let zero = vector::zero(g);
         let mut omega = self.moving(&self.bare.velocities, VectorJet::fixed(zero));
         for at in self.bare.ancestors(link).into_iter().rev().skip(1) {
@@ -132,7 +132,7 @@ impl<'g> On<'g, &'g Kinematics> {
 
     /// Σ ½ A₀ e_j × A e_j with A₀ of a quaternion of any length.
     pub fn deviation(self, body: BodyId, quaternion: On<'g, [Node; 4]>) -> [Moving<'g>; 3] {
-        let g = self.sheet;
+        let g = self.g;
         let quaternion = quaternion.bare.map(|part| g.on(part));
         let length = g.sum(quaternion.map(|part| part.square())).sqrt();
         let wanted = rotation_matrix(quaternion.map(|part| part / length));
@@ -153,8 +153,8 @@ impl<'g> On<'g, &'g Kinematics> {
     /// World ← link.
     pub fn world_axes(self, link: LinkId) -> On<'g, Mat3> {
         let ancestors = self.bare.ancestors(link).into_iter().rev().skip(1);
-        ancestors.fold(vector::identity(self.sheet), |matrix, at| {
-            let link = self.sheet.on(&self.bare.links[at]);
+        ancestors.fold(vector::identity(self.g), |matrix, at| {
+            let link = self.g.on(&self.bare.links[at]);
             // Rows of the product are those of the matrix, turned back.
             matrix.map_rows(|row| link.down(row))
         })
@@ -166,7 +166,7 @@ impl<'g> On<'g, &'g Kinematics> {
 
     /// (cos, sin) of the angle of a joint.
     pub fn rotor_pair(self, laws: &Laws<'g>, rotor: Rotor) -> On<'g, [Node; 2]> {
-        let g = self.sheet;
+        let g = self.g;
         let one = g.on([g.one().bare, g.zero().bare]);
         let Rotor::Joint(id, which) = rotor else { return one };
         if let Some((pair, _)) = self.bare.angles.get(&(id, which)) {
@@ -199,7 +199,7 @@ impl<'g> On<'g, &'g Kinematics> {
 
     /// The angle of a joint without its value.
     pub fn rotor_rate(self, laws: &Laws<'g>, rotor: Rotor) -> Moving<'g> {
-        let (still, one) = (laws.still(self.sheet.zero()), self.sheet.one());
+        let (still, one) = (laws.still(self.g.zero()), self.g.one());
         let Rotor::Joint(id, which) = rotor else { return still };
         if let Some((_, rate)) = self.bare.angles.get(&(id, which)) {
             let mut angle = still;
@@ -230,7 +230,7 @@ impl<'g> On<'g, &'g Kinematics> {
     /// Travel of a joint.
     pub fn travel(self, laws: &Laws<'g>, id: JointId, which: usize) -> Moving<'g> {
         if let Some((travel, rate, factor)) = self.bare.travels.get(&(id, which)) {
-            let mut travel = laws.still(self.sheet.on(*travel));
+            let mut travel = laws.still(self.g.on(*travel));
             travel.jet.columns.insert(*rate, *factor);
             return travel;
         }
@@ -239,7 +239,7 @@ impl<'g> On<'g, &'g Kinematics> {
             JointKind::PointOnLine { direction } => Some(direction),
             kind => axis_of(kind),
         };
-        let Some(axis) = axis else { return laws.still(self.sheet.zero()) };
+        let Some(axis) = axis else { return laws.still(self.g.zero()) };
         let [first, second] = self.joint_spots(laws, joint);
         let frame = first.axes * axes::joint_frame(laws, axis);
         let along = if matches!(joint.kind, JointKind::Planar { .. }) { which } else { 2 };
@@ -250,7 +250,7 @@ impl<'g> On<'g, &'g Kinematics> {
 impl<'g> On<'g, &Placement> {
     /// A point of the body, on its link.
     pub fn point(self, at: On<'g, Vec3>) -> On<'g, Vec3> {
-        self.sheet.on(self.bare.at) + self.bare.axes * at
+        self.g.on(self.bare.at) + self.bare.axes * at
     }
 }
 

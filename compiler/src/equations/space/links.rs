@@ -95,7 +95,7 @@ impl<'g> On<'g, &Link> {
     pub fn turn(self, x: On<'g, Vec3>) -> On<'g, Vec3> {
         match &self.bare.motion {
             Motion::None | Motion::Slide { .. } => x,
-            Motion::Turn { cos, sin, .. } => x.turned_about_z(self.sheet.on(*cos), self.sheet.on(*sin)),
+            Motion::Turn { cos, sin, .. } => x.turned_about_z(self.g.on(*cos), self.g.on(*sin)),
             Motion::Ball { matrix, .. } => *matrix * x,
         }
     }
@@ -104,7 +104,7 @@ impl<'g> On<'g, &Link> {
     pub fn turn_back(self, x: On<'g, Vec3>) -> On<'g, Vec3> {
         match &self.bare.motion {
             Motion::None | Motion::Slide { .. } => x,
-            Motion::Turn { cos, sin, .. } => x.turned_about_z(self.sheet.on(*cos), -self.sheet.on(*sin)),
+            Motion::Turn { cos, sin, .. } => x.turned_about_z(self.g.on(*cos), -self.g.on(*sin)),
             Motion::Ball { matrix, .. } => vector::transposed(matrix) * x,
         }
     }
@@ -121,17 +121,17 @@ impl<'g> On<'g, &Link> {
 
     /// ω relative to the parent, in the link's own axes.
     pub fn omega(self, v: &[Node]) -> On<'g, Vec3> {
-        let zero = self.sheet.zero().bare;
-        self.sheet.on(match &self.bare.motion {
+        let zero = self.g.zero().bare;
+        self.g.on(match &self.bare.motion {
             Motion::None | Motion::Slide { .. } => [zero; 3],
-            Motion::Turn { rate, sign, .. } => [zero, zero, (self.sheet.on(*sign) * v[*rate]).bare],
+            Motion::Turn { rate, sign, .. } => [zero, zero, (self.g.on(*sign) * v[*rate]).bare],
             Motion::Ball { rate, .. } => [v[*rate], v[rate + 1], v[rate + 2]],
         })
     }
 
     /// Index and axis of each velocity that turns the link, in its own axes.
     pub fn turning(self) -> Vec<(usize, On<'g, Vec3>)> {
-        let g = self.sheet;
+        let g = self.g;
         match &self.bare.motion {
             Motion::None | Motion::Slide { .. } => Vec::new(),
             Motion::Turn { rate, sign, .. } => {
@@ -145,21 +145,21 @@ impl<'g> On<'g, &Link> {
     /// The slide's part of the offset from the parent, in the axes of the link before its motion.
     pub fn slide(self) -> On<'g, Vec3> {
         match &self.bare.motion {
-            Motion::Slide { axis, travel, .. } => self.sheet.on(*travel) * *axis,
-            _ => vector::zero(self.sheet),
+            Motion::Slide { axis, travel, .. } => self.g.on(*travel) * *axis,
+            _ => vector::zero(self.g),
         }
     }
 
     /// Index of the velocity that slides the link, and the way along which, in its own axes.
     pub fn sliding(self) -> Option<(usize, On<'g, Vec3>)> {
         match &self.bare.motion {
-            Motion::Slide { axis, rate, factor, .. } => Some((*rate, self.sheet.on(*factor) * *axis)),
+            Motion::Slide { axis, rate, factor, .. } => Some((*rate, self.g.on(*factor) * *axis)),
             _ => None,
         }
     }
 
     /// From the parent's origin to the link's, in the axes of the parent.
     pub fn offset(self) -> On<'g, Vec3> {
-        self.sheet.on(self.bare.at) + self.bare.axes * self.slide()
+        self.g.on(self.bare.at) + self.bare.axes * self.slide()
     }
 }

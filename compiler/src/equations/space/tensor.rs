@@ -34,11 +34,11 @@ impl Symmetric {
 
 impl<'g> On<'g, Symmetric> {
     pub fn at(self, k: usize) -> Scalar<'g> {
-        self.sheet.on(self.bare.0[k])
+        self.g.on(self.bare.0[k])
     }
 
     pub fn parts(self) -> [Scalar<'g>; 6] {
-        self.bare.0.map(|part| self.sheet.on(part))
+        self.bare.0.map(|part| self.g.on(part))
     }
 
     /// R I Rᵀ of a turn about z. With t = s (Ixx − Iyy) + 2 c Ixy:  Ixx′ = Ixx − s t, Iyy′ = Iyy + s t, Ixy′ = c t − Ixy.
@@ -47,14 +47,14 @@ impl<'g> On<'g, Symmetric> {
         let (difference, doubled) = (xx - yy, 2.0 * xy);
         let t = sin * difference + cos * doubled;
         let (st, ct) = (sin * t, cos * t);
-        let [xz, yz, _] = self.sheet.on([xz.bare, yz.bare, zz.bare]).turned_about_z(cos, sin).bare;
-        self.sheet.on(Symmetric([(xx - st).bare, (yy + st).bare, zz.bare, (ct - xy).bare, xz, yz]))
+        let [xz, yz, _] = self.g.on([xz.bare, yz.bare, zz.bare]).turned_about_z(cos, sin).bare;
+        self.g.on(Symmetric([(xx - st).bare, (yy + st).bare, zz.bare, (ct - xy).bare, xz, yz]))
     }
 
     /// R I Rᵀ.
     pub fn turned(self, matrix: Mat3) -> Self {
-        let half = self.sheet.on(matrix) * self.bare.matrix();
-        Symmetric::of(self.sheet, |k| {
+        let half = self.g.on(matrix) * self.bare.matrix();
+        Symmetric::of(self.g, |k| {
             let (i, j) = ENTRIES[k];
             half.row(i).dot(matrix[j])
         })
@@ -65,7 +65,7 @@ impl<'g, B: Bare<Symmetric>> Add<B> for On<'g, Symmetric> {
     type Output = Self;
     fn add(self, other: B) -> Self {
         let other = other.bare();
-        Symmetric::of(self.sheet, |k| self.at(k) + other.0[k])
+        Symmetric::of(self.g, |k| self.at(k) + other.0[k])
     }
 }
 
@@ -90,13 +90,13 @@ impl Distribution {
 
 impl<'g> On<'g, Distribution> {
     pub fn mass(self) -> Scalar<'g> {
-        self.sheet.on(self.bare.mass)
+        self.g.on(self.bare.mass)
     }
     pub fn first(self) -> On<'g, Vec3> {
-        self.sheet.on(self.bare.first)
+        self.g.on(self.bare.first)
     }
     pub fn inertia(self) -> On<'g, Symmetric> {
-        self.sheet.on(self.bare.inertia)
+        self.g.on(self.bare.inertia)
     }
 
     /// The same mass, about the point from which this origin lies at `d`:
@@ -109,7 +109,7 @@ impl<'g> On<'g, Distribution> {
         // 2 k = h + (h + m d).
         let twice = self.first() + first;
         let square = vector(|k| d.at(k) * twice.at(k));
-        let inertia = Symmetric::of(self.sheet, |k| {
+        let inertia = Symmetric::of(self.g, |k| {
             let own = self.inertia().at(k);
             let (i, j) = ENTRIES[k];
             if i == j {
@@ -118,25 +118,25 @@ impl<'g> On<'g, Distribution> {
                 own - 0.5 * (d.at(i) * twice.at(j) + d.at(j) * twice.at(i))
             }
         });
-        self.sheet.on(Distribution { mass: self.bare.mass, first: first.bare, inertia: inertia.bare })
+        self.g.on(Distribution { mass: self.bare.mass, first: first.bare, inertia: inertia.bare })
     }
 
     /// In axes that `matrix` leads to: h′ = R h, I′ = R I Rᵀ.
     pub fn turned(self, matrix: Mat3) -> Self {
         let first = matrix * self.first();
         let inertia = self.inertia().turned(matrix);
-        self.sheet.on(Distribution { mass: self.bare.mass, first: first.bare, inertia: inertia.bare })
+        self.g.on(Distribution { mass: self.bare.mass, first: first.bare, inertia: inertia.bare })
     }
 
     fn turned_about_z(self, cos: Scalar<'g>, sin: Scalar<'g>) -> Self {
         let inertia = self.inertia().turned_about_z(cos, sin);
         let first = self.first().turned_about_z(cos, sin);
-        self.sheet.on(Distribution { mass: self.bare.mass, first: first.bare, inertia: inertia.bare })
+        self.g.on(Distribution { mass: self.bare.mass, first: first.bare, inertia: inertia.bare })
     }
 
     /// About the origin and in the axes of a link's parent.
     pub fn in_parent(self, link: &Link) -> Self {
-        let g = self.sheet;
+        let g = self.g;
         let moved = match &link.motion {
             Motion::None => self,
             Motion::Slide { .. } => self.shifted(g.on(link).slide()),
@@ -151,7 +151,7 @@ impl<'g, B: Bare<Distribution>> Add<B> for On<'g, Distribution> {
     type Output = Self;
     fn add(self, other: B) -> Self {
         let Distribution { mass, first, inertia } = other.bare();
-        self.sheet.on(Distribution {
+        self.g.on(Distribution {
             mass: (self.mass() + mass).bare,
             first: (self.first() + first).bare,
             inertia: (self.inertia() + inertia).bare,

@@ -24,7 +24,7 @@ pub fn identity(g: Sheet) -> On<Mat3> {
 /// By its components.
 pub fn vector<'g>(component: impl FnMut(usize) -> Scalar<'g>) -> On<'g, Vec3> {
     let components = [0, 1, 2].map(component);
-    components[0].sheet.on(components.map(|component| component.bare))
+    components[0].g.on(components.map(|component| component.bare))
 }
 
 pub fn transposed(m: &Mat3) -> Mat3 {
@@ -37,27 +37,27 @@ pub fn column(m: &Mat3, k: usize) -> Vec3 {
 
 impl<'g> On<'g, Vec3> {
     pub fn parts(self) -> [Scalar<'g>; 3] {
-        self.bare.map(|part| self.sheet.on(part))
+        self.bare.map(|part| self.g.on(part))
     }
 
     /// A component.
     pub fn at(self, k: usize) -> Scalar<'g> {
-        self.sheet.on(self.bare[k])
+        self.g.on(self.bare[k])
     }
 
     pub fn is_zero(self) -> bool {
-        is_zero(&self.sheet.graph(), self.bare)
+        is_zero(&self.g.graph(), self.bare)
     }
 
     pub fn dot(self, other: impl Bare<Vec3>) -> Scalar<'g> {
-        let node = dot(&mut self.sheet.graph(), self.bare, other.bare());
-        self.sheet.on(node)
+        let node = dot(&mut self.g.graph(), self.bare, other.bare());
+        self.g.on(node)
     }
 
     pub fn cross(self, other: impl Bare<Vec3>) -> Self {
-        let (a, b) = (self, self.sheet.on(other.bare()));
+        let (a, b) = (self, self.g.on(other.bare()));
         if a.is_zero() || b.is_zero() {
-            return zero(self.sheet);
+            return zero(self.g);
         }
         vector(|k| {
             let (i, j) = ((k + 1) % 3, (k + 2) % 3);
@@ -74,9 +74,7 @@ impl<'g> On<'g, Vec3> {
     /// Turned about z.
     pub fn turned_about_z(self, cos: Scalar<'g>, sin: Scalar<'g>) -> Self {
         let [x, y, z] = self.bare;
-        let (cx, sy) = (cos * x, sin * y);
-        let (sx, cy) = (sin * x, cos * y);
-        self.sheet.on([(cx - sy).bare, (sx + cy).bare, z])
+        self.g.on([(cos * x - sin * y).bare, (sin * x + cos * y).bare, z])
     }
 }
 
@@ -103,19 +101,19 @@ fn apply(g: &mut Graph, m: &Mat3, a: Vec3) -> Vec3 {
 
 impl<'g> On<'g, Mat3> {
     pub fn row(self, k: usize) -> On<'g, Vec3> {
-        self.sheet.on(self.bare[k])
+        self.g.on(self.bare[k])
     }
 
     pub fn column(self, k: usize) -> On<'g, Vec3> {
-        self.sheet.on(column(&self.bare, k))
+        self.g.on(column(&self.bare, k))
     }
 
     pub fn transposed(self) -> Self {
-        self.sheet.on(transposed(&self.bare))
+        self.g.on(transposed(&self.bare))
     }
 
     pub fn map_rows(self, f: impl Fn(On<'g, Vec3>) -> On<'g, Vec3>) -> Self {
-        self.sheet.on(self.bare.map(|row| f(self.sheet.on(row)).bare))
+        self.g.on(self.bare.map(|row| f(self.g.on(row)).bare))
     }
 
     pub fn map_columns(self, f: impl Fn(On<'g, Vec3>) -> On<'g, Vec3>) -> Self {
@@ -126,16 +124,16 @@ impl<'g> On<'g, Mat3> {
 impl<'g, B: Bare<Vec3>> Add<B> for On<'g, Vec3> {
     type Output = Self;
     fn add(self, other: B) -> Self {
-        let (a, b, mut g) = (self.bare, other.bare(), self.sheet.graph());
-        self.sheet.on([0, 1, 2].map(|k| g.add(a[k], b[k])))
+        let (a, b, mut g) = (self.bare, other.bare(), self.g.graph());
+        self.g.on([0, 1, 2].map(|k| g.add(a[k], b[k])))
     }
 }
 
 impl<'g, B: Bare<Vec3>> Sub<B> for On<'g, Vec3> {
     type Output = Self;
     fn sub(self, other: B) -> Self {
-        let (a, b, mut g) = (self.bare, other.bare(), self.sheet.graph());
-        self.sheet.on([0, 1, 2].map(|k| g.sub(a[k], b[k])))
+        let (a, b, mut g) = (self.bare, other.bare(), self.g.graph());
+        self.g.on([0, 1, 2].map(|k| g.sub(a[k], b[k])))
     }
 }
 
@@ -148,16 +146,16 @@ impl<'g, B: Bare<Vec3>> AddAssign<B> for On<'g, Vec3> {
 impl<'g> Neg for On<'g, Vec3> {
     type Output = Self;
     fn neg(self) -> Self {
-        let mut g = self.sheet.graph();
-        self.sheet.on(self.bare.map(|part| g.neg(part)))
+        let mut g = self.g.graph();
+        self.g.on(self.bare.map(|part| g.neg(part)))
     }
 }
 
 impl<'g> Mul<Vec3> for Scalar<'g> {
     type Output = On<'g, Vec3>;
     fn mul(self, vector: Vec3) -> On<'g, Vec3> {
-        let mut g = self.sheet.graph();
-        self.sheet.on(vector.map(|part| g.mul(self.bare, part)))
+        let mut g = self.g.graph();
+        self.g.on(vector.map(|part| g.mul(self.bare, part)))
     }
 }
 
@@ -171,15 +169,15 @@ impl<'g> Mul<On<'g, Vec3>> for Scalar<'g> {
 impl<'g> Mul<On<'g, Vec3>> for f64 {
     type Output = On<'g, Vec3>;
     fn mul(self, vector: On<'g, Vec3>) -> On<'g, Vec3> {
-        vector.sheet.number(self) * vector.bare
+        vector.g.number(self) * vector.bare
     }
 }
 
 impl<'g> Mul<On<'g, Vec3>> for Mat3 {
     type Output = On<'g, Vec3>;
     fn mul(self, vector: On<'g, Vec3>) -> On<'g, Vec3> {
-        let product = apply(&mut vector.sheet.graph(), &self, vector.bare);
-        vector.sheet.on(product)
+        let product = apply(&mut vector.g.graph(), &self, vector.bare);
+        vector.g.on(product)
     }
 }
 
@@ -193,15 +191,15 @@ impl<'g> Mul<On<'g, Vec3>> for On<'g, Mat3> {
 impl<'g> Mul<Vec3> for On<'g, Mat3> {
     type Output = On<'g, Vec3>;
     fn mul(self, vector: Vec3) -> On<'g, Vec3> {
-        self.bare * self.sheet.on(vector)
+        self.bare * self.g.on(vector)
     }
 }
 
 impl<'g, B: Bare<Mat3>> Mul<B> for On<'g, Mat3> {
     type Output = On<'g, Mat3>;
     fn mul(self, other: B) -> On<'g, Mat3> {
-        let mut g = self.sheet.graph();
+        let mut g = self.g.graph();
         let columns = transposed(&other.bare()).map(|column| apply(&mut g, &self.bare, column));
-        self.sheet.on(transposed(&columns))
+        self.g.on(transposed(&columns))
     }
 }

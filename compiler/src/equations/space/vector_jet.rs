@@ -37,7 +37,7 @@ pub enum Kind {
 
 impl VectorJet {
     pub fn fixed(value: On<Vec3>) -> Self {
-        let zero = vector::zero(value.sheet).bare;
+        let zero = vector::zero(value.g).bare;
         VectorJet { value: value.bare, columns: BTreeMap::new(), rate: zero, drift: zero, bias: zero }
     }
 
@@ -225,7 +225,7 @@ impl Sub for Moving<'_, VectorJet> {
 impl<'g> On<'g, &'g Kinematics> {
     /// A vector given in the axes of `from`, as seen from `to`.
     pub fn carry(self, jet: VectorJet, from: LinkId, to: LinkId, kind: Kind) -> Moving<'g, VectorJet> {
-        let link = |at: LinkId| self.sheet.on(&self.bare.links[at]);
+        let link = |at: LinkId| self.g.on(&self.bare.links[at]);
         let below = self.bare.ancestors(to);
         let mut seen = self.moving(&self.bare.velocities, jet);
         let mut at = from;

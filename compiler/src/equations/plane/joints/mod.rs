@@ -145,7 +145,7 @@ impl<'g> Carried<'g> {
     fn slide(&self, frame: FrameId, axis: On<'g, Pair>) -> Position {
         let axis = if self.child_is_second { axis } else { -axis };
         let Some((travel, rate)) = self.travel else { return Position::default() };
-        let mut vector = LocalVector::fixed(axis.sheet.on(travel) * axis);
+        let mut vector = LocalVector::fixed(axis.g.on(travel) * axis);
         vector.slides.insert(rate, axis.bare);
         Position::of(frame, vector)
     }
@@ -153,6 +153,6 @@ impl<'g> Carried<'g> {
     /// Orientation within the frame of a body that keeps the angle `pair` (second relative to first) to its parent.
     fn kept(&self, pair: On<'g, Pair>) -> On<'g, Pair> {
         let turn = if self.child_is_second { pair } else { pair.opposite() };
-        turn.sheet.on(self.parent.offset).turned(turn)
+        turn.g.on(self.parent.offset).turned(turn)
     }
 }

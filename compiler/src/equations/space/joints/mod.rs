@@ -130,7 +130,7 @@ impl<'g> Ends<'g> {
     /// p₁ − p₂ along the axes of the body, or of the ground, by which it is seen.
     fn gap(&self) -> [Moving<'g>; 3] {
         let (link, axes) = match self.seen_from {
-            Frame::Ground => (GROUND, vector::identity(self.e1.sheet).bare),
+            Frame::Ground => (GROUND, vector::identity(self.e1.g).bare),
             Frame::Body(body) => {
                 let placement = &self.kinematics.bare.bodies[body.0];
                 (placement.link, placement.axes)
