@@ -3,6 +3,9 @@
 //! One derivation serves both sets of coordinates: in absolute coordinates every body is free, in tree coordinates
 //! bodies hang on the joints of a spanning tree. What differs between the plane and space stands in `plane` and `space`,
 //! under the same names. How the linear system is solved is left to `solve`.
+//!
+//! Equations are written with operators, on values that know their graph: numbers, vectors, and [jets](Moving) as functions of the
+//! motion. What is kept of them are bare nodes.
 
 pub mod conditions;
 pub mod coordinates;
@@ -28,7 +31,7 @@ pub use tangent::Tangents;
 
 use crate::diagnostics::Region;
 use crate::model::{BodyKind, Frame, JointId, JointKind, Mechanism, Quantity, Redundant, Space};
-use crate::symbolic::{Class, Graph, Node, Scalar, Sheet};
+use crate::symbolic::{Class, Graph, Node, Scalar, Sheet, all_bare};
 use std::cell::RefCell;
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -244,7 +247,7 @@ pub fn derive(mechanism: &Mechanism, tree: SpanningTree, omitted: &Omitted) -> E
     };
     let Dynamics { mass, mut forces, mut inverse, kinetic_energy, mut potential_energy, distributions } =
         dynamics;
-    let inertia_and_gravity = bare(&forces);
+    let inertia_and_gravity = all_bare(&forces);
     let mut contributions = Contributions { inertia_and_gravity, loads: Vec::new(), potentials: Vec::new() };
     let mut powers = Vec::new();
     for load in &mechanism.loads {
@@ -298,7 +301,7 @@ pub fn derive(mechanism: &Mechanism, tree: SpanningTree, omitted: &Omitted) -> E
     let nu = rows.iter().map(|row| (-g.on(row.jet.drift)).bare).collect();
     let gamma = rows.iter().map(|row| (-g.on(row.jet.bias)).bare).collect();
     let (zero, one) = (g.zero().bare, g.one().bare);
-    let (forces, inverse) = (bare(&forces), bare(&inverse));
+    let (forces, inverse) = (all_bare(&forces), all_bare(&inverse));
     let mass = mass.into_iter().map(|(at, entry)| (at, entry.bare)).collect();
     let (kinetic_energy, potential_energy) = (kinetic_energy.bare, potential_energy.bare);
     Equations {
@@ -334,10 +337,6 @@ pub fn derive(mechanism: &Mechanism, tree: SpanningTree, omitted: &Omitted) -> E
         kinematics,
         graph: graph.into_inner(),
     }
-}
-
-fn bare(values: &[Scalar]) -> Vec<Node> {
-    values.iter().map(|value| value.bare).collect()
 }
 
 /// The equations as `options { redundant = … }` wants them, given those with all rows.

@@ -12,7 +12,7 @@
 
 use super::coordinates::{Layout, Symbols};
 use super::{Equations, Jet};
-use crate::symbolic::{Gradient, Node, Scalar, Sheet};
+use crate::symbolic::{Gradient, Node, Scalar, Sheet, all_bare};
 use std::collections::BTreeMap;
 
 /// A sparse matrix, row by row.
@@ -95,13 +95,13 @@ impl Tangents {
 
 /// r = M a + Dᵀ λ − Q in symbols for a and λ.
 fn residual(g: Sheet, equations: &Equations) -> Vec<Node> {
-    let mut residual: Vec<Scalar> = equations.inverse.iter().map(|entry| g.on(*entry)).collect();
+    let mut residual = g.all(&equations.inverse);
     for (row, lambda) in equations.rows.iter().zip(&equations.symbols.lambda) {
         for (velocity, column) in &row.jet.columns {
             residual[*velocity] += g.on(*column) * *lambda;
         }
     }
-    residual.iter().map(|entry| entry.bare).collect()
+    all_bare(&residual)
 }
 
 /// Of each symbol its derivatives by direction.

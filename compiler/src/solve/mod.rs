@@ -15,7 +15,7 @@ use crate::equations::{Equations, Kinematics, Row, Symbols};
 use crate::functions::Function;
 use crate::model::Emit;
 use crate::schedule::{Counts, count_of};
-use crate::symbolic::{Node, Scalar, Sheet};
+use crate::symbolic::{Node, Scalar, Sheet, all_bare};
 use elimination::{Entries, Factor, Kind};
 use order::{Order, Pattern, Strategy};
 use std::collections::{BTreeMap, BTreeSet};
@@ -292,8 +292,9 @@ fn by_articulated_bodies(equations: &Equations, pattern: &Pattern) -> Option<(Eq
     }
     let mut candidate = equations.clone();
     let (distributions, forces) = (&equations.distributions, &equations.forces);
-    let acceleration =
-        candidate.graph.write(|g| bare(&articulated::accelerations(g.on(kinematics), distributions, forces)));
+    let acceleration = candidate
+        .graph
+        .write(|g| all_bare(&articulated::accelerations(g.on(kinematics), distributions, forces)));
     let solution = Solution { acceleration, lambda: Vec::new(), pivot: candidate.one };
     let order = order::order(pattern, Strategy::MinimumDegree);
     let mut solved = Solved {
@@ -329,14 +330,14 @@ fn eliminate(equations: &mut Equations, system: &System, order: Order) -> Solved
         let plain: Vec<Node> = equations.rows.iter().map(|row| row.jet.bias).collect();
         let stabilised = stabilised(g, &equations.rows, &equations.symbols);
         let with = |minus_gamma: &[Node]| {
-            let mut right = on(g, &equations.forces);
+            let mut right = g.all(&equations.forces);
             for (row, rho) in &massless.rows {
                 let weighted = *rho * g.on(minus_gamma[*row]);
                 for (velocity, column) in &columns[*row] {
                     right[*velocity] -= *column * weighted;
                 }
             }
-            right.extend(on(g, minus_gamma));
+            right.extend(g.all(minus_gamma));
             solution(g, &factor, system, right)
         };
         let (index1, baumgarte) = (with(&plain), with(&stabilised));
@@ -367,14 +368,6 @@ pub fn stabilised(g: Sheet, rows: &[Row], symbols: &Symbols) -> Vec<Node> {
         jet.bias + damping + stiffness
     };
     rows.iter().map(|row| stabilised(row).bare).collect()
-}
-
-fn on<'g>(g: Sheet<'g>, bare: &[Node]) -> Vec<Scalar<'g>> {
-    bare.iter().map(|node| g.on(*node)).collect()
-}
-
-fn bare(values: &[Scalar]) -> Vec<Node> {
-    values.iter().map(|value| value.bare).collect()
 }
 
 /// Rows that are components of one vector, numbered alike.
@@ -421,11 +414,11 @@ fn solution<'g>(g: Sheet<'g>, factor: &Factor, system: &System, mut right: Vec<S
         let rest = entries.fold(force, |rest, (other, entry)| rest - entry * x[other]);
         x[n + prescribed.row] = rest * prescribed.inverse;
     }
-    let mut lambda = bare(&x.split_off(n));
+    let mut lambda = all_bare(&x.split_off(n));
     for row in &system.idle {
         lambda[*row] = g.zero().bare;
     }
-    Solution { acceleration: bare(&x), lambda, pivot: factor.pivot }
+    Solution { acceleration: all_bare(&x), lambda, pivot: factor.pivot }
 }
 
 /// entries += ρ dᵀ d.

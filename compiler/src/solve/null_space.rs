@@ -7,10 +7,9 @@ use super::elimination::{self, Entries, Kind};
 use super::lu::{self, Lu};
 use super::order::{self, Pattern};
 use super::stored::{frontier, symbols};
-use super::{bare, on};
 use crate::check::assemble::Partition;
 use crate::equations::Equations;
-use crate::symbolic::{Node, Scalar, Sheet};
+use crate::symbolic::{Node, Scalar, Sheet, all_bare};
 use std::collections::BTreeMap;
 
 /// A sparse vector by its entries that are not zero.
@@ -55,7 +54,7 @@ fn written(g: Sheet, equations: &mut Equations, partition: &Partition, massless:
     let basis: Vec<Sparse> = independent.iter().map(|velocity| lu.column(g, *velocity)).collect();
 
     // (Rᵀ M R) z̈ = Rᵀ (Q − M S γ)
-    let (forces, gamma) = (on(g, &equations.forces), on(g, &equations.gamma));
+    let (forces, gamma) = (g.all(&equations.forces), g.all(&equations.gamma));
     let mass = Symmetric::new(g, velocities, &equations.mass);
     let none = vec![g.zero(); velocities];
     let bias = lu.dependent(g, &gamma, &none);
@@ -76,7 +75,7 @@ fn written(g: Sheet, equations: &mut Equations, partition: &Partition, massless:
     let rest = mass.taken_from(&forces, &acceleration);
     let lambda = lu.multipliers(g, rest, vec![g.zero(); equations.rows.len()]);
     let pivot = lu.pivot.min(g.on(factor.pivot)).bare;
-    let (acceleration, lambda) = (bare(&acceleration), bare(&lambda));
+    let (acceleration, lambda) = (all_bare(&acceleration), all_bare(&lambda));
     NullSpace { kept, partition_pivot: lu.pivot.bare, dependent, acceleration, lambda, pivot }
 }
 
@@ -86,7 +85,7 @@ fn stored<'g>(g: Sheet<'g>, equations: &mut Equations, lu: &Lu<'g>) -> (Vec<Node
         equations.symbols.given_rows = symbols(g, "row", equations.rows.len());
     }
     let (rows, v) = (&equations.symbols.given_rows, &equations.symbols.v);
-    let dependent = bare(&lu.dependent(g, &on(g, rows), &on(g, v)));
+    let dependent = all_bare(&lu.dependent(g, &g.all(rows), &g.all(v)));
     let kept = frontier(&g.graph(), &dependent, &rows.iter().chain(v).copied().collect());
     let stand_ins = symbols(g, "lu", kept.len());
     let replaced = kept.iter().copied().zip(stand_ins.iter().copied()).collect();

@@ -5,9 +5,9 @@
 
 use super::elimination::{self, Entries, Kind};
 use super::order::{self, Pattern};
-use super::{Massless, add_square, bare, on, stabilised};
+use super::{Massless, add_square, stabilised};
 use crate::equations::Equations;
-use crate::symbolic::{Class, Compare, Graph, Node, Scalar, Sheet};
+use crate::symbolic::{Class, Compare, Graph, Node, Scalar, Sheet, all_bare};
 use std::collections::{BTreeMap, BTreeSet};
 
 /// K(c) factored, and its solution for any right-hand side.
@@ -59,7 +59,7 @@ fn written(g: Sheet, equations: &mut Equations, massless: &Massless, row_scales:
 
     // Right-hand sides as symbols; the elimination takes rows with the other sign.
     let (forces, rows) = (symbols(g, "force", n), symbols(g, "row", columns.len()));
-    let mut right = on(g, &forces);
+    let mut right = g.all(&forces);
     for (row, (_, weight)) in &held {
         let weighted = *weight * rows[*row];
         for (velocity, column) in columns[*row] {
@@ -76,7 +76,7 @@ fn written(g: Sheet, equations: &mut Equations, massless: &Massless, row_scales:
         }
     }
 
-    let solution = bare(&solution);
+    let solution = all_bare(&solution);
     let late = forces.iter().chain(&rows).copied().collect();
     let kept = frontier(&g.graph(), &solution, &late);
     let stand_ins = symbols(g, "kept", kept.len());

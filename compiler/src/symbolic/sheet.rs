@@ -33,11 +33,16 @@ impl Graph {
     }
 }
 
+/// Numbers as they are kept.
+pub fn all_bare(values: &[Scalar]) -> Vec<Node> {
+    values.iter().map(|value| value.bare).collect()
+}
+
 impl<'g> Sheet<'g> {
     pub fn new(graph: &'g RefCell<Graph>) -> Self {
         Sheet(graph)
     }
-    /// The graph itself, for the length of a statement.
+    /// The graph itself, for a statement without operators, which would find it taken.
     #[inline]
     pub fn graph(self) -> RefMut<'g, Graph> {
         self.0.borrow_mut()
@@ -45,6 +50,10 @@ impl<'g> Sheet<'g> {
     #[inline]
     pub fn on<T>(self, bare: T) -> On<'g, T> {
         On { g: self, bare }
+    }
+    /// Numbers that were kept.
+    pub fn all(self, bare: &[Node]) -> Vec<Scalar<'g>> {
+        bare.iter().map(|node| self.on(*node)).collect()
     }
     #[inline]
     pub fn number(self, value: f64) -> Scalar<'g> {
