@@ -6,9 +6,10 @@
 //! where both sums are constants unless something slides; so is every sum in the inertia forces
 //!   −Σ_i m_i (A_k u_k)·a_i,   a_i = Σ_f A_f (−ω_f² d_f + 2 ω_f × ḋ_f + ∂²d_f/∂t²) − g.
 //! Gravity is an acceleration of the ground's frame (Featherstone, Rigid Body Dynamics Algorithms, section 5.3).
-//! This is the composite-rigid-body regrouping of inertial parameters, done by the graph's constant folding.
+//! Bodies behind one joint have the same vectors in all frames before it, so that sums go over the stretches of the ways to the
+//! centres, each with the mass of all that is behind it: the composite-rigid-body regrouping of inertial parameters.
 
-use super::kinematics::{FrameId, GROUND, Kinematics, Position};
+use super::kinematics::{FrameId, GROUND, Kinematics, LocalVector, Position};
 use super::vector::{self, Pair};
 use crate::symbolic::{On, Scalar};
 use std::collections::BTreeMap;
@@ -49,12 +50,23 @@ struct Products<'g> {
     cross: Scalar<'g>,
 }
 
-/// A sum over bodies of products m u·w and m u×w, and the last of these: bodies behind one joint have the same vectors in all frames
-/// before it, and their products, if their masses are equal, too.
+/// A sum of products m u·w and m u×w.
 struct Sum<'g> {
     frames: (FrameId, FrameId),
     products: Products<'g>,
-    last: (Scalar<'g>, Pair, Pair, Products<'g>),
+}
+
+/// A stretch of the ways from the ground to the centres, in one frame: what all bodies behind it have in common.
+struct Stretch<'g> {
+    /// The one before it, of a smaller index, and those behind it.
+    before: Option<usize>,
+    behind: Vec<usize>,
+    /// In its frame; of the first, the vectors of all frames that do not turn.
+    vectors: Vec<(FrameId, LocalVector)>,
+    /// Of all bodies behind it.
+    mass: Scalar<'g>,
+    columns: Vec<Column>,
+    accelerations: Vec<(FrameId, Factor, Pair)>,
 }
 
 struct Column {
@@ -77,17 +89,32 @@ pub fn inertia<'g>(
         if let (Some(inertia), Some(rate)) = (body.inertia, kinematics.bare.frames[body.frame].rate) {
             *rotary.entry(rate).or_insert(zero) += inertia;
         }
-        let columns = columns(kinematics, &body.center);
-        let accelerations = accelerations(kinematics, &body.center, gravity);
-        for (at, k) in columns.iter().enumerate() {
-            for l in &columns[..=at] {
-                let entry = masses.entry((k.velocity, l.velocity));
-                accumulate(entry, (k.frame, l.frame), body.mass, k.u, l.u);
+    }
+    let stretches = stretches(kinematics, bodies, gravity);
+    for own in &stretches {
+        let mut other = Some(own);
+        while let Some(far) = other {
+            let is_own = std::ptr::eq(own, far);
+            for (at, k) in own.columns.iter().enumerate() {
+                for l in &far.columns[..if is_own { at + 1 } else { far.columns.len() }] {
+                    let (k, l) = if k.velocity >= l.velocity { (k, l) } else { (l, k) };
+                    let entry = masses.entry((k.velocity, l.velocity));
+                    accumulate(entry, (k.frame, l.frame), own.mass, k.u, l.u);
+                }
             }
-            for (frame, factor, w) in &accelerations {
-                let entry = biases.entry((k.velocity, *frame, *factor));
-                accumulate(entry, (k.frame, *frame), body.mass, k.u, *w);
+            let mut against = |columns: &[Column], accelerations: &[(FrameId, Factor, Pair)]| {
+                for k in columns {
+                    for (frame, factor, w) in accelerations {
+                        let entry = biases.entry((k.velocity, *frame, *factor));
+                        accumulate(entry, (k.frame, *frame), own.mass, k.u, *w);
+                    }
+                }
+            };
+            against(&own.columns, &far.accelerations);
+            if !is_own {
+                against(&far.columns, &own.accelerations);
             }
+            other = far.before.map(|before| &stretches[before]);
         }
     }
 
@@ -113,10 +140,45 @@ pub fn inertia<'g>(
     Inertia { mass, forces }
 }
 
-/// The columns of a point's velocity, ascending in the index of the velocity.
-fn columns<'g>(kinematics: On<'g, &'g Kinematics>, position: &Position) -> Vec<Column> {
+/// The stretches of all ways, each before those behind it.
+fn stretches<'g>(
+    kinematics: On<'g, &'g Kinematics>,
+    bodies: &[Massive<'g>],
+    gravity: Option<On<'g, Pair>>,
+) -> Vec<Stretch<'g>> {
+    let g = kinematics.g;
+    let turns = |frame: FrameId| kinematics.bare.frames[frame].rate.is_some();
+    let mut stretches: Vec<Stretch> = Vec::new();
+    let mut first: Vec<usize> = Vec::new();
+    for body in bodies {
+        let parts = || body.center.parts.iter().map(|(frame, vector)| (*frame, vector.clone()));
+        let still: Vec<(FrameId, LocalVector)> = parts().filter(|(frame, _)| !turns(*frame)).collect();
+        let turning = parts().filter(|(frame, _)| turns(*frame)).map(|part| vec![part]);
+        let mut before = None;
+        for vectors in std::iter::once(still).chain(turning) {
+            let siblings = before.map_or(&first, |before: usize| &stretches[before].behind);
+            let known = siblings.iter().copied().find(|own| stretches[*own].vectors == vectors);
+            let index = known.unwrap_or_else(|| {
+                let columns = columns(kinematics, &vectors);
+                let gravity = gravity.filter(|_| before.is_none());
+                let accelerations = accelerations(kinematics, &vectors, gravity);
+                let (mass, behind) = (g.zero(), Vec::new());
+                stretches.push(Stretch { before, behind, vectors, mass, columns, accelerations });
+                let index = stretches.len() - 1;
+                before.map_or(&mut first, |before| &mut stretches[before].behind).push(index);
+                index
+            });
+            stretches[index].mass += body.mass;
+            before = Some(index);
+        }
+    }
+    stretches
+}
+
+/// The columns of a vector's velocity, ascending in the index of the velocity.
+fn columns<'g>(kinematics: On<'g, &'g Kinematics>, vectors: &[(FrameId, LocalVector)]) -> Vec<Column> {
     let mut columns = Vec::new();
-    for (frame, vector) in &position.parts {
+    for (frame, vector) in vectors {
         for (velocity, direction) in &vector.slides {
             columns.push(Column { velocity: *velocity, frame: *frame, u: *direction });
         }
@@ -131,16 +193,16 @@ fn columns<'g>(kinematics: On<'g, &'g Kinematics>, position: &Position) -> Vec<C
     columns
 }
 
-/// The terms of a point's acceleration at v̇ = 0, less gravity.
+/// The terms of a vector's acceleration at v̇ = 0, less gravity.
 fn accelerations<'g>(
     kinematics: On<'g, &'g Kinematics>,
-    position: &Position,
+    vectors: &[(FrameId, LocalVector)],
     gravity: Option<On<'g, Pair>>,
 ) -> Vec<(FrameId, Factor, Pair)> {
     let g = kinematics.g;
     let mut terms = Vec::new();
     let mut explicit = gravity.map(|gravity| -gravity);
-    for (frame, vector) in &position.parts {
+    for (frame, vector) in vectors {
         if kinematics.bare.frames[*frame].rate.is_some() {
             terms.push((*frame, Factor::Centripetal, -g.on(vector.at)));
             for (velocity, e) in &vector.slides {
@@ -174,7 +236,7 @@ fn weighted<'g>(mass: Scalar<'g>, u: Pair, w: Pair) -> Products<'g> {
     Products { dot: mass * u.dot(w), cross: mass * u.cross(w) }
 }
 
-/// Adds m u·w and m u×w of one body.
+/// Adds m u·w and m u×w.
 fn accumulate<'g, K: Ord>(
     entry: Entry<K, Sum<'g>>,
     frames: (FrameId, FrameId),
@@ -182,18 +244,15 @@ fn accumulate<'g, K: Ord>(
     u: Pair,
     w: Pair,
 ) {
+    let products = weighted(mass, u, w);
     match entry {
         Entry::Vacant(vacant) => {
-            let products = weighted(mass, u, w);
-            vacant.insert(Sum { frames, products, last: (mass, u, w, products) });
+            vacant.insert(Sum { frames, products });
         }
         Entry::Occupied(mut occupied) => {
             let sum = occupied.get_mut();
-            if (sum.last.0.bare, sum.last.1, sum.last.2) != (mass.bare, u, w) {
-                sum.last = (mass, u, w, weighted(mass, u, w));
-            }
-            sum.products.dot += sum.last.3.dot;
-            sum.products.cross += sum.last.3.cross;
+            sum.products.dot += products.dot;
+            sum.products.cross += products.cross;
         }
     }
 }

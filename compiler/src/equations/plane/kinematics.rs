@@ -26,7 +26,7 @@ pub struct TurningFrame {
 }
 
 /// A vector in the axes of one turning frame.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct LocalVector {
     /// d.
     pub at: Pair,
