@@ -4,7 +4,7 @@
 //! `TRYBUILD=overwrite cargo test --test ui` writes the answers anew; read them before keeping them. The texts stand
 //! in `compiler/src/messages/` and `compiler/src/check/messages.rs`; spans and texts one by one are also tested in `compiler/tests/front_end`.
 
-use linkwright_compiler::{check, model, syntax};
+use linkwright_compiler::{check, model, parse};
 
 #[test]
 fn mistakes() {
@@ -20,7 +20,7 @@ fn mistakes() {
 fn shipped_models_give_no_warnings() {
     macro_rules! sources { ($($name:ident: $model:path),* $(,)?) => { [$((stringify!($name), <$model>::SOURCE)),*] } }
     for (name, source) in linkwright_models::for_each_model!(sources) {
-        let definition = syntax::parse(source.parse().expect("the source was tokens")).expect(name);
+        let definition = parse(source.parse().expect("the source was tokens")).expect(name);
         let warnings = check::warnings(&model::lower(&definition).expect(name));
         assert!(warnings.is_empty(), "{name}: {warnings}");
     }

@@ -160,7 +160,7 @@ fn joints(compiled: &Compiled) -> Vec<Joint> {
     };
     let joint = |(index, joint): (usize, &linkwright_compiler::model::Joint)| Joint {
         name: joint.name.text.clone(),
-        kind: joint.kind.word().text(),
+        kind: joint.word(),
         places: [joint.first.text.clone(), joint.second.text.clone()],
         carries: carries(index),
     };

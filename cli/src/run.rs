@@ -9,7 +9,7 @@ use linkwright_compiler::diagnostics::Diagnostics;
 use linkwright_compiler::model::{self, Coordinates};
 use linkwright_compiler::source::Located;
 use linkwright_compiler::syntax::{self, Definition};
-use linkwright_compiler::{Compiled, compile_model};
+use linkwright_compiler::{Compiled, compile_model, header, parse};
 use serde_json::Value;
 use std::ffi::OsStr;
 use std::io::{IsTerminal, stderr};
@@ -85,7 +85,7 @@ impl<'j> Run<'j> {
     }
 
     fn definition(&mut self, found: &Found) {
-        let name = syntax::header(found.tokens.stream.clone()).map(|header| header.name.to_string());
+        let name = header(found.tokens.stream.clone()).map(|header| header.name.to_string());
         let mut warnings = Vec::new();
         let mut warn = |compiled: &Compiled| warnings = found.tokens.locate(compiled.warnings.clone());
         let result = match self.job.command {
@@ -154,7 +154,7 @@ fn compiled(found: &Found, coordinates: Option<Coordinates>) -> Result<(Definiti
         return Err(found.errors.clone());
     }
     let stages = || -> Result<(Definition, Compiled), Diagnostics> {
-        let definition = syntax::parse(found.tokens.stream.clone())?;
+        let definition = parse(found.tokens.stream.clone())?;
         let mechanism = model::lower(&definition)?;
         let compiled = compile_model(mechanism, syntax::definition_json(&definition), coordinates)?;
         Ok((definition, compiled))

@@ -104,7 +104,7 @@ fn asked(definition: &Definition, mechanism: &Mechanism) -> Vec<Asked> {
         asked.push(Asked { name: start.text.clone(), quantity: start.quantity.clone(), given, unit });
     }
     for (index, joint) in mechanism.joints.iter().enumerate() {
-        let names = joint.kind.word().coordinates(mechanism.space);
+        let names = joint.form;
         let angles = if [joint.first.frame, joint.second.frame].iter().all(|frame| turns(mechanism, *frame)) {
             names.angles.len()
         } else {
@@ -177,17 +177,18 @@ fn outputs(definition: &Definition, equations: &Equations, point: &mut Point) ->
 
 /// Of each body the nodes of its mass and moments.
 fn masses(mechanism: &Mechanism, equations: &mut Equations) -> Vec<Vec<Node>> {
-    let laws = Laws::moving(mechanism, &equations.symbols, &equations.layout, &equations.kinematics);
-    let graph = &mut equations.graph;
-    let nodes = mechanism.bodies.iter().map(|body| {
-        let mut nodes = vec![laws.value(graph, &body.mass)];
-        if body.kind == BodyKind::Rigid {
-            let moments = laws.vector(graph, &body.inertia.moments);
-            nodes.extend(if mechanism.space == Space::Planar { &moments[2..] } else { &moments[..] });
-        }
-        nodes
-    });
-    nodes.collect()
+    equations.write(|g, equations| {
+        let laws = Laws::moving(g, mechanism, &equations.symbols, &equations.layout, &equations.kinematics);
+        let nodes = mechanism.bodies.iter().map(|body| {
+            let mut nodes = vec![laws.value(&body.mass).bare];
+            if body.kind == BodyKind::Rigid {
+                let moments = laws.vector(&body.inertia.moments).bare;
+                nodes.extend(if mechanism.space == Space::Planar { &moments[2..] } else { &moments[..] });
+            }
+            nodes
+        });
+        nodes.collect()
+    })
 }
 
 fn bodies(

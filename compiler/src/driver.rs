@@ -6,13 +6,14 @@ use crate::check::motion::{self, Motion, Unswept};
 use crate::check::{self, assemble};
 use crate::choice::{self, Candidate, Choice};
 use crate::diagnostics::Diagnostics;
-use crate::equations::{self, Equations, Omitted, SpanningTree, Tangents};
+use crate::equations::{self, Equations, Omitted, SpanningTree, Tangents, VOCABULARY};
 use crate::model::{self, Coordinates, Mechanism};
 use crate::schedule::{self, Programs};
 use crate::self_check::{self, Extent};
 use crate::solve::Solved;
 use crate::solve::table::Table;
 use crate::symbolic::Node;
+use crate::syntax::{Definition, Header};
 use crate::{optimize, syntax};
 use proc_macro2::TokenStream;
 
@@ -53,9 +54,19 @@ impl Compiled {
     }
 }
 
+/// tokens → what was written, in the words of all elements.
+pub fn parse(tokens: TokenStream) -> Result<Definition, Diagnostics> {
+    syntax::parse(tokens, &VOCABULARY)
+}
+
+/// tokens → what can be said of a definition that may be full of errors.
+pub fn header(tokens: TokenStream) -> Option<Header> {
+    syntax::header(tokens, &VOCABULARY)
+}
+
 /// tokens → programs. `coordinates` overrides what the definition says.
 pub fn compile(tokens: TokenStream, coordinates: Option<Coordinates>) -> Result<Compiled, Diagnostics> {
-    let definition = syntax::parse(tokens)?;
+    let definition = parse(tokens)?;
     // AFTER THIS POINT the definition is well formed; nothing is known of what its names mean.
     let mechanism = model::lower(&definition)?;
     // AFTER THIS POINT names are resolved, units are SI, dimensions agree.
@@ -72,7 +83,7 @@ pub struct Start {
 
 /// tokens → a consistent start: the stages up to assembly, for those who ask for nothing else.
 pub fn start(tokens: TokenStream) -> Result<Start, Diagnostics> {
-    let mechanism = model::lower(&syntax::parse(tokens)?)?;
+    let mechanism = model::lower(&parse(tokens)?)?;
     let asked = mechanism.options.coordinates;
     start_of_model(mechanism, asked)
 }

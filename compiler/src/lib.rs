@@ -6,8 +6,10 @@
 mod choice;
 pub mod counts;
 pub mod diagnostics;
+mod drawing;
 mod driver;
 pub mod file;
+pub mod forms;
 mod functions;
 mod messages;
 pub mod numbers;
@@ -28,7 +30,7 @@ pub mod syntax;
 pub mod symbolic;
 
 pub use choice::{Choice, Rejected};
-pub use driver::{Compiled, Start, compile, compile_model, start};
+pub use driver::{Compiled, Start, compile, compile_model, header, parse, start};
 pub use page::page;
 
 use diagnostics::{Diagnostics, Region};

@@ -109,7 +109,8 @@ fn of_the_solution(compiled: &Compiled, equations: &mut Equations, function: Fun
         purposes.add(ROWS, &row.of, row.jet.columns.values().copied());
         purposes.add(GAMMA, &row.of, [row.jet.bias]);
         if function == Function::AccelerationBaumgarte {
-            let rate = row.jet.rate(&mut equations.graph, &equations.symbols.v);
+            let v = &equations.symbols.v;
+            let rate = equations.graph.write(|g| row.jet.rate(g, v).bare);
             purposes.add(STABILISATION, &row.of, [row.jet.value, rate]);
         }
     }
@@ -219,8 +220,8 @@ impl Rest {
                 (&solved.index1, equations.rows.iter().map(|row| row.jet.bias).collect())
             }
             _ => {
-                let (g, rows) = (&mut equations.graph, &equations.rows);
-                (&solved.baumgarte, solve::stabilised(g, rows, &equations.symbols))
+                let Equations { graph, rows, symbols, .. } = equations;
+                (&solved.baumgarte, graph.write(|g| solve::stabilised(g, rows, symbols)))
             }
         };
         let graph = &equations.graph;

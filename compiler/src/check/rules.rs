@@ -4,10 +4,11 @@
 //! Values of parameters are judged at their defaults. Rank, mobility and whether loops close are left to `assemble`.
 
 use crate::diagnostics::Diagnostics;
+use crate::forms::Spans;
 use crate::messages;
 use crate::model::{
-    BodyId, Condition, ConstraintKind, Expr, Frame, JointId, JointKind, LoadKind, Mechanism, Name, Quantity,
-    Rotor, Space, Vector, fold,
+    BodyId, Condition, ConstraintKind, Expr, Frame, JointId, LoadKind, Mechanism, Name, Quantity, Rotor,
+    Space, Vector, fold,
 };
 use std::collections::HashMap;
 
@@ -22,7 +23,7 @@ const RULES: [fn(&Mechanism, &mut Diagnostics); 17] = [
     inertia_belongs_to_a_body,
     lines_have_two_ends,
     axes_point_somewhere,
-    lengths_are_positive,
+    lengths_are_not_negative,
     couplings_couple,
     equations_move,
     drivers_differ,
@@ -202,14 +203,13 @@ fn lines_have_two_ends(mechanism: &Mechanism, diagnostics: &mut Diagnostics) {
             }
         }
     }
-    for joint in &mechanism.joints {
-        let JointKind::PointOnLine { direction } = &joint.kind else { continue };
+    for joint in mechanism.joints.iter().filter(|joint| joint.form.spans == Spans::Line) {
         // A line with a name has been judged where it is declared.
         let named = matches!(joint.first.frame, Frame::Body(body)
         if mechanism.bodies[body.0].lines.iter().any(|line| {
             joint.first.text == format!("{}.{}", mechanism.bodies[body.0].name.text, line.name.text)
         }));
-        if !named && is_zero(mechanism, direction) {
+        if !named && is_zero(mechanism, joint.direction(0)) {
             diagnostics.error(joint.first.span, messages::line_without_length(&joint.first.text));
         }
     }
@@ -219,24 +219,17 @@ fn is_zero(mechanism: &Mechanism, direction: &Vector) -> bool {
     direction.iter().all(|component| at_defaults(mechanism, component) == Some(0.0))
 }
 
-// The axis of a prismatic joint is not zero.
+// The axis of a joint is not zero.
 fn axes_point_somewhere(mechanism: &Mechanism, diagnostics: &mut Diagnostics) {
-    for joint in &mechanism.joints {
-        let JointKind::Prismatic { axis, .. } = &joint.kind else { continue };
-        if is_zero(mechanism, axis) {
+    for joint in mechanism.joints.iter().filter(|joint| joint.form.spans != Spans::Line) {
+        if joint.directions.iter().any(|axis| is_zero(mechanism, axis)) {
             diagnostics.error(joint.name.span, messages::zero_direction("axis", mechanism.space));
         }
     }
 }
 
-// The length of a distance joint is positive, that of a spring not negative.
-fn lengths_are_positive(mechanism: &Mechanism, diagnostics: &mut Diagnostics) {
-    for joint in &mechanism.joints {
-        let JointKind::Distance { length } = &joint.kind else { continue };
-        if at_defaults(mechanism, length).is_some_and(|length| length <= 0.0) {
-            diagnostics.error(joint.name.span, messages::distance_not_positive(&joint.name.text));
-        }
-    }
+// The length of a spring is not negative.
+fn lengths_are_not_negative(mechanism: &Mechanism, diagnostics: &mut Diagnostics) {
     for load in &mechanism.loads {
         let LoadKind::Spring { length, .. } = &load.kind else { continue };
         if let Some(length) = at_defaults(mechanism, length).filter(|length| *length < 0.0) {

@@ -6,10 +6,10 @@
 use super::proportion::disproportion;
 use super::rules::{at_defaults, touched};
 use crate::diagnostics::{Allowed, Diagnostics, Lint, Region};
+use crate::forms::JointForm;
 use crate::messages;
 use crate::model::{
-    Body, BodyId, Declared, Expr, Frame, JointKind, Load, LoadKind, Mechanism, NamedPoint, Rotor, Shape,
-    Vector,
+    Body, BodyId, Declared, Expr, Frame, Load, LoadKind, Mechanism, NamedPoint, Rotor, Shape, Vector,
 };
 
 /// The warnings in the order they are reported.
@@ -85,9 +85,8 @@ fn gravity_pulls(mechanism: &Mechanism, wanted: &mut Wanted) {
 
 // A load has a force, and something that it can move.
 fn loads_have_an_effect(mechanism: &Mechanism, wanted: &mut Wanted) {
-    let rigid = Groups::of(mechanism, |kind| matches!(kind, JointKind::Fixed { .. }));
-    let parallel =
-        Groups::of(mechanism, |kind| matches!(kind, JointKind::Fixed { .. } | JointKind::Prismatic { .. }));
+    let rigid = Groups::of(mechanism, |form| form.freedoms == 0);
+    let parallel = Groups::of(mechanism, |form| form.keeps_orientation);
     for load in &mechanism.loads {
         if let Some(message) =
             nothing_from(load).or_else(|| nothing_moved(mechanism, load, &rigid, &parallel))
@@ -176,7 +175,7 @@ fn springs_pull_back(mechanism: &Mechanism, wanted: &mut Wanted) {
 struct Groups(Vec<usize>);
 
 impl Groups {
-    fn of(mechanism: &Mechanism, holds: impl Fn(&JointKind) -> bool) -> Self {
+    fn of(mechanism: &Mechanism, holds: impl Fn(&JointForm) -> bool) -> Self {
         // The ground is the last member; each group is called by one of its members.
         let mut group: Vec<usize> = (0..=mechanism.bodies.len()).collect();
         let own = |groups: &[usize], mut member: usize| {
@@ -185,7 +184,7 @@ impl Groups {
             }
             member
         };
-        for joint in mechanism.joints.iter().filter(|joint| holds(&joint.kind)) {
+        for joint in mechanism.joints.iter().filter(|joint| holds(joint.form)) {
             let ends = [joint.first.frame, joint.second.frame];
             let [one, other] = ends.map(|frame| own(&group, member(frame, mechanism.bodies.len())));
             group[one.min(other)] = one.max(other);

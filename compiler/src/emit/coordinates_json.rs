@@ -21,14 +21,14 @@ pub fn coordinates_json(mechanism: &Mechanism, equations: &Equations) -> String 
             format!("{{\"kind\":\"{}\",\"of\":{}}}", ["x", "y", "z"][*axis], body(id.0))
         }
         Linear::Travel(id, which) => {
-            let names = mechanism.joints[id.0].kind.word().coordinates(mechanism.space).travels;
+            let names = mechanism.joints[id.0].form.travels;
             format!("{{\"kind\":{},\"of\":{}}}", quoted(names[*which][0]), joint(id.0))
         }
     });
     let rotations = equations.layout.rotations.iter().map(|rotation| match rotation {
         Rotation::Body(id) => format!("{{\"body\":{}}}", body(id.0)),
         Rotation::Joint(id, which) => {
-            let names = mechanism.joints[id.0].kind.word().coordinates(mechanism.space).angles;
+            let names = mechanism.joints[id.0].form.angles;
             format!("{{\"joint\":{},\"angle\":{}}}", joint(id.0), quoted(names[*which][0]))
         }
     });

@@ -5,7 +5,8 @@
 
 use super::home::Home;
 use super::names::{field, is_keyword};
-use crate::syntax::{self, Header};
+use crate::driver::header;
+use crate::syntax::Header;
 use proc_macro2::TokenStream;
 use std::fmt::Write;
 
@@ -14,7 +15,7 @@ const MANY: usize = 1024;
 
 /// Items with the model's names; nothing if not even a name was written.
 pub fn stub(tokens: TokenStream, home: &Home) -> TokenStream {
-    let Some(header) = syntax::header(tokens) else { return TokenStream::new() };
+    let Some(header) = header(tokens) else { return TokenStream::new() };
     if is_keyword(&header.name.to_string()) {
         return TokenStream::new();
     }

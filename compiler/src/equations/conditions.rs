@@ -4,7 +4,7 @@ use super::coordinates::{Symbols, angle_name, travel_name};
 use super::jet::Jet;
 use super::laws::Laws;
 use crate::model::{Mechanism, Quantity, Rotor, StartOrientation};
-use crate::symbolic::{Class, Graph, Node, Unary};
+use crate::symbolic::{Class, Node};
 
 /// One coordinate as a row beside the constraints.
 #[derive(Clone, Debug)]
@@ -73,10 +73,10 @@ pub fn name(mechanism: &Mechanism, quantity: &Quantity) -> String {
 }
 
 /// The row of one position coordinate; makes a new target symbol.
-pub fn condition(g: &mut Graph, laws: &Laws, quantity: &Quantity) -> (Condition, Node) {
+pub fn condition(laws: &Laws, quantity: &Quantity) -> (Condition, Node) {
     let of = name(laws.mechanism, quantity);
-    let target = g.symbol(format!("target_{of}"), Class::Input);
-    let jet = laws.quantity(g, quantity);
+    let target = laws.g.symbol(format!("target_{of}"), Class::Input);
+    let coordinate = laws.quantity(quantity);
     let rotor = match quantity {
         Quantity::BodyAngle(body) => Some(Rotor::Body(*body)),
         Quantity::JointAngle(joint, which) => Some(Rotor::Joint(*joint, *which)),
@@ -85,13 +85,11 @@ pub fn condition(g: &mut Graph, laws: &Laws, quantity: &Quantity) -> (Condition,
     let counted = rotor.is_some_and(|rotor| laws.is_counted(rotor));
     let (residual, upright) = match rotor.filter(|_| !counted) {
         Some(rotor) => {
-            let [cos, sin] = laws.kinematics().rotor_pair(g, laws, rotor);
-            let (c, s) = (g.unary(Unary::Cos, target), g.unary(Unary::Sin, target));
-            let (sc, cs) = (g.mul(sin, c), g.mul(cos, s));
-            let (cc, ss) = (g.mul(cos, c), g.mul(sin, s));
-            (g.sub(sc, cs), g.add(cc, ss))
+            let [cos, sin] = laws.kinematics().rotor_pair(laws, rotor).parts();
+            let (c, s) = (target.cos(), target.sin());
+            (sin * c - cos * s, cos * c + sin * s)
         }
-        None => (g.sub(jet.value, target), g.constant(1.0)),
+        None => (coordinate.value() - target, laws.g.one()),
     };
     (
         Condition {
@@ -100,11 +98,11 @@ pub fn condition(g: &mut Graph, laws: &Laws, quantity: &Quantity) -> (Condition,
             angular: rotor.is_some(),
             counted,
             rate_only: matches!(quantity, Quantity::BodyOmega(..)),
-            residual,
-            upright,
-            jet,
+            residual: residual.bare,
+            upright: upright.bare,
+            jet: coordinate.jet,
         },
-        target,
+        target.bare,
     )
 }
 
@@ -116,17 +114,17 @@ pub struct StartTarget {
 }
 
 /// The positions that `start` guesses, with the values guessed.
-pub fn guesses(g: &mut Graph, laws: &Laws) -> Vec<(Condition, Node)> {
+pub fn guesses(laws: &Laws) -> Vec<(Condition, Node)> {
     let guessed = laws.mechanism.start.iter().filter(|start| !start.exact && is_position(&start.quantity));
     let mut guesses: Vec<(Condition, Node)> = guessed
         .map(|start| {
-            let (condition, _) = condition(g, laws, &start.quantity);
-            (condition, laws.value(g, &start.value))
+            let (condition, _) = condition(laws, &start.quantity);
+            (condition, laws.value(&start.value).bare)
         })
         .collect();
-    let zero = g.constant(0.0);
+    let zero = laws.g.zero().bare;
     for start in laws.mechanism.orientations.iter().filter(|start| !start.exact) {
-        let rows = orientation(g, laws, start);
+        let rows = orientation(laws, start);
         guesses.extend(rows.into_iter().map(|(condition, _)| (condition, zero)));
     }
     guesses
@@ -134,16 +132,16 @@ pub fn guesses(g: &mut Graph, laws: &Laws) -> Vec<(Condition, Node)> {
 
 /// Three rows that hold a body in space at an orientation A₀: Σ ½ A₀ e_j × A e_j, the axis of the turn between them
 /// times its sine. Their targets are zero.
-pub fn orientation(g: &mut Graph, laws: &Laws, start: &StartOrientation) -> Vec<(Condition, Node)> {
-    let quaternion = [0, 1, 2, 3].map(|k| laws.value(g, &start.quaternion[k]));
-    let deviations = laws.kinematics().deviation(g, start.body, quaternion);
+pub fn orientation(laws: &Laws, start: &StartOrientation) -> Vec<(Condition, Node)> {
+    let quaternion = laws.g.on([0, 1, 2, 3].map(|k| laws.value(&start.quaternion[k]).bare));
+    let deviations = laws.kinematics().deviation(start.body, quaternion);
     let body = &laws.mechanism.bodies[start.body.0].name.text;
-    let one = g.constant(1.0);
+    let upright = laws.g.one().bare;
     let mut rows = Vec::new();
-    for (axis, jet) in deviations.into_iter().enumerate() {
+    for (axis, deviation) in deviations.into_iter().enumerate() {
         let of = format!("{body}.orientation.{}", ["x", "y", "z"][axis]);
-        let target = g.symbol(format!("target_{of}"), Class::Input);
-        let residual = g.sub(jet.value, target);
+        let target = laws.g.symbol(format!("target_{of}"), Class::Input);
+        let residual = (deviation.value() - target).bare;
         let quantity = Quantity::BodyOmega(start.body, axis);
         let condition = Condition {
             of,
@@ -152,20 +150,16 @@ pub fn orientation(g: &mut Graph, laws: &Laws, start: &StartOrientation) -> Vec<
             counted: false,
             rate_only: false,
             residual,
-            upright: one,
-            jet,
+            upright,
+            jet: deviation.jet,
         };
-        rows.push((condition, target));
+        rows.push((condition, target.bare));
     }
     rows
 }
 
 /// The conditions of `start`, in order of first mention, with the values asked.
-pub fn start_conditions(
-    g: &mut Graph,
-    laws: &Laws,
-    symbols: &mut Symbols,
-) -> (Vec<Condition>, Vec<StartTarget>) {
+pub fn start_conditions(laws: &Laws, symbols: &mut Symbols) -> (Vec<Condition>, Vec<StartTarget>) {
     let mut conditions: Vec<Condition> = Vec::new();
     let mut targets: Vec<StartTarget> = Vec::new();
     for start in laws.mechanism.start.iter().filter(|start| start.exact) {
@@ -174,23 +168,23 @@ pub fn start_conditions(
         let index = match conditions.iter().position(|known| known.of == of) {
             Some(index) => index,
             None => {
-                let (condition, target) = condition(g, laws, &coordinate);
+                let (condition, target) = condition(laws, &coordinate);
                 symbols.targets.push(target);
                 conditions.push(condition);
                 targets.push(StartTarget::default());
                 conditions.len() - 1
             }
         };
-        let value = Some(laws.value(g, &start.value));
+        let value = Some(laws.value(&start.value).bare);
         if is_position(&start.quantity) {
             targets[index].position = value;
         } else {
             targets[index].rate = value;
         }
     }
-    let zero = g.constant(0.0);
+    let zero = laws.g.zero().bare;
     for start in laws.mechanism.orientations.iter().filter(|start| start.exact) {
-        for (condition, target) in orientation(g, laws, start) {
+        for (condition, target) in orientation(laws, start) {
             symbols.targets.push(target);
             conditions.push(condition);
             targets.push(StartTarget { position: Some(zero), rate: None });

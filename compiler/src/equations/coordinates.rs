@@ -5,7 +5,7 @@
 //! angle], v = [linear rates | ω per rotation | ω along x, y, z of the turned axes per quaternion].
 
 use crate::model::{BodyId, JointId, Mechanism, Rotor};
-use crate::symbolic::{Class, Graph, Node};
+use crate::symbolic::{Class, Node, Sheet};
 
 /// A coordinate that is a length.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -182,7 +182,7 @@ impl Ball {
 }
 
 fn joint_angles(mechanism: &Mechanism, joint: JointId) -> &'static [[&'static str; 2]] {
-    mechanism.joints[joint.0].kind.word().coordinates(mechanism.space).angles
+    mechanism.joints[joint.0].form.angles
 }
 
 /// `knee.angle`, or with `rate` 1 `knee.rate`.
@@ -193,7 +193,7 @@ pub fn angle_name(mechanism: &Mechanism, joint: JointId, which: usize, rate: usi
 /// `rail.travel`, or with `rate` 1 `rail.speed`.
 pub fn travel_name(mechanism: &Mechanism, joint: JointId, which: usize, rate: usize) -> String {
     let joint = &mechanism.joints[joint.0];
-    let travels = joint.kind.word().coordinates(mechanism.space).travels;
+    let travels = joint.form.travels;
     format!("{}.{}", joint.name.text, travels[which][rate])
 }
 
@@ -232,9 +232,10 @@ pub struct Symbols {
 }
 
 /// New symbols for everything the equations depend on.
-pub fn symbols(g: &mut Graph, mechanism: &Mechanism, layout: &Layout) -> Symbols {
-    let named = |g: &mut Graph, names: Vec<String>, class: Class| -> Vec<Node> {
-        names.into_iter().map(|name| g.symbol(name, class)).collect()
+pub fn symbols(g: Sheet, mechanism: &Mechanism, layout: &Layout) -> Symbols {
+    let symbol = |name: &str, class: Class| g.symbol(name, class).bare;
+    let named = |names: Vec<String>, class: Class| -> Vec<Node> {
+        names.iter().map(|name| symbol(name, class)).collect()
     };
     let parameters = mechanism.parameters.iter().map(|parameter| parameter.name.identifier()).collect();
     let inputs = mechanism.inputs.iter().map(|input| input.name.identifier()).collect();
@@ -245,16 +246,16 @@ pub fn symbols(g: &mut Graph, mechanism: &Mechanism, layout: &Layout) -> Symbols
     let velocity_names = dots(layout.velocity_names(mechanism));
     let acceleration_names = velocity_names.iter().map(|name| format!("{name}_dot")).collect();
     Symbols {
-        parameters: named(g, parameters, Class::Parameter),
-        phases: named(g, phases, Class::Parameter),
-        time: g.symbol("time", Class::Position),
-        q: named(g, dots(layout.position_names(mechanism)), Class::Position),
-        v: named(g, velocity_names, Class::Velocity),
-        inputs: named(g, inputs, Class::Input),
-        two_alpha: g.symbol("two_alpha", Class::Input),
-        beta_squared: g.symbol("beta_squared", Class::Input),
-        compliance: g.symbol("compliance", Class::Input),
-        acceleration: named(g, acceleration_names, Class::Input),
+        parameters: named(parameters, Class::Parameter),
+        phases: named(phases, Class::Parameter),
+        time: symbol("time", Class::Position),
+        q: named(dots(layout.position_names(mechanism)), Class::Position),
+        v: named(velocity_names, Class::Velocity),
+        inputs: named(inputs, Class::Input),
+        two_alpha: symbol("two_alpha", Class::Input),
+        beta_squared: symbol("beta_squared", Class::Input),
+        compliance: symbol("compliance", Class::Input),
+        acceleration: named(acceleration_names, Class::Input),
         lambda: Vec::new(),
         targets: Vec::new(),
         given_forces: Vec::new(),

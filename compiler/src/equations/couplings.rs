@@ -1,11 +1,12 @@
 //! Constraints between joint coordinates: gears, racks, general equations, and drivers.
 
-use super::jet::Jet;
+use super::jet::Moving;
 use super::laws::Laws;
+use super::space::joints::{self, Elementary};
 use crate::model::{
-    Constraint, ConstraintKind, Driver, Expr, JointId, JointKind, LoadKind, Mechanism, Quantity, Rotor,
+    Constraint, ConstraintKind, Driver, Expr, JointId, LoadKind, Mechanism, Quantity, Rotor, Space,
 };
-use crate::symbolic::{Graph, Node};
+use crate::symbolic::Node;
 use std::collections::BTreeSet;
 
 /// Couplings whose phase comes from the assembled start, by name, in order.
@@ -22,37 +23,30 @@ pub fn is_open(constraint: &Constraint) -> bool {
 }
 
 /// The residual of a constraint, and what its row is called. `phase` is used where the definition gives none.
-pub fn row(g: &mut Graph, laws: &Laws, constraint: &Constraint, phase: Option<Node>) -> (&'static str, Jet) {
-    let shift = |g: &mut Graph, jet: Jet, given: &Option<Expr>| {
-        let phase = match given {
-            Some(given) => laws.value(g, given),
-            None => phase.unwrap_or(g.constant(0.0)),
-        };
-        let phase = Jet::constant(g, phase);
-        jet.sub(g, &phase)
+pub fn row<'g>(laws: &Laws<'g>, constraint: &Constraint, phase: Option<Node>) -> (&'static str, Moving<'g>) {
+    let shift = |given: &Option<Expr>| {
+        laws.still(match given {
+            Some(given) => laws.value(given),
+            None => phase.map_or_else(|| laws.g.zero(), |phase| laws.g.on(phase)),
+        })
     };
     match &constraint.kind {
         ConstraintKind::Gear { first, second, ratio, phase } => {
-            let ratio = laws.value(g, ratio);
-            let (a, b) = (laws.angle(g, *first), laws.angle(g, *second).scale(g, ratio));
-            let difference = a.sub(g, &b);
-            ("gear", shift(g, difference, phase))
+            let ratio = laws.value(ratio);
+            ("gear", laws.angle(*first) - ratio * laws.angle(*second) - shift(phase))
         }
         ConstraintKind::Rack { pinion, rail, radius, phase } => {
-            let radius = laws.value(g, radius);
-            let (a, b) =
-                (laws.kinematics().travel(g, laws, *rail, 0), laws.angle(g, *pinion).scale(g, radius));
-            let difference = a.sub(g, &b);
-            ("rack", shift(g, difference, phase))
+            let radius = laws.value(radius);
+            let travel = laws.kinematics().travel(laws, *rail, 0);
+            ("rack", travel - radius * laws.angle(*pinion) - shift(phase))
         }
-        ConstraintKind::Equation { residual } => ("equation", laws.jet(g, residual)),
+        ConstraintKind::Equation { residual } => ("equation", laws.jet(residual)),
     }
 }
 
 /// quantity − law(time).
-pub fn driver_row(g: &mut Graph, laws: &Laws, driver: &Driver) -> (&'static str, Jet) {
-    let (quantity, law) = (laws.quantity(g, &driver.quantity), laws.jet(g, &driver.law));
-    ("driver", quantity.sub(g, &law))
+pub fn driver_row<'g>(laws: &Laws<'g>, driver: &Driver) -> (&'static str, Moving<'g>) {
+    ("driver", laws.quantity(&driver.quantity) - laws.jet(&driver.law))
 }
 
 /// The rotors whose angle the dynamics use, and which therefore carry it over several turns.
@@ -91,7 +85,7 @@ pub fn multi_turn_rotors(mechanism: &Mechanism) -> Vec<Rotor> {
     }
     // The travel of a screw is its counted angle times the pitch.
     for (index, joint) in mechanism.joints.iter().enumerate() {
-        if matches!(joint.kind, JointKind::Screw { .. }) {
+        if mechanism.space == Space::Spatial && joints::motions(joint).contains(&Elementary::Wind) {
             rotors.insert(Rotor::Joint(JointId(index), 0));
         }
     }

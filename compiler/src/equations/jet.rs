@@ -4,8 +4,10 @@
 //! Constraints are written once, as jets; Φ, D, ν = −drift and γ = −bias all come from that one expression, so that
 //! they cannot disagree.
 
-use crate::symbolic::{Compare, Graph, Node, Unary};
+use crate::symbolic::{Compare, Node, On, Scalar, Sheet, Unary};
+use std::borrow::Borrow;
 use std::collections::BTreeMap;
+use std::ops::{Add, Div, Mul, Neg, Sub};
 
 /// See the module's documentation.
 #[derive(Clone, Debug)]
@@ -21,178 +23,154 @@ pub struct Jet {
     pub known_rate: Option<Node>,
 }
 
+/// A jet on the graph, and the velocities along which it moves.
+#[derive(Clone)]
+pub struct Moving<'g, T = Jet> {
+    pub g: Sheet<'g>,
+    /// v.
+    pub velocities: &'g [Node],
+    pub jet: T,
+}
+
 impl Jet {
-    pub fn constant(g: &mut Graph, value: Node) -> Self {
-        let zero = g.constant(0.0);
-        Jet { value, columns: BTreeMap::new(), drift: zero, bias: zero, known_rate: None }
+    /// What does not move.
+    pub fn constant(value: Scalar) -> Self {
+        let zero = value.g.zero().bare;
+        Jet { value: value.bare, columns: BTreeMap::new(), drift: zero, bias: zero, known_rate: None }
     }
 
     /// Time itself.
-    pub fn time(g: &mut Graph, time: Node) -> Self {
-        let (zero, one) = (g.constant(0.0), g.constant(1.0));
-        Jet { value: time, columns: BTreeMap::new(), drift: one, bias: zero, known_rate: None }
+    pub fn time(time: Scalar) -> Self {
+        Jet { drift: time.g.one().bare, ..Jet::constant(time) }
     }
 
     /// ḟ = J v + drift.
-    pub fn rate(&self, g: &mut Graph, velocities: &[Node]) -> Node {
-        if let Some(known) = self.known_rate {
-            return known;
+    pub fn rate<'g>(&self, g: Sheet<'g>, velocities: &[Node]) -> Scalar<'g> {
+        match self.known_rate {
+            Some(known) => g.on(known),
+            None => self.along(g, velocities) + self.drift,
         }
-        let terms: Vec<Node> =
-            self.columns.iter().map(|(index, column)| g.mul(*column, velocities[*index])).collect();
-        let sum = g.sum(terms);
-        g.add(sum, self.drift)
     }
 
     /// f̈ = J v̇ + bias.
-    pub fn acceleration(&self, g: &mut Graph, accelerations: &[Node]) -> Node {
-        let terms: Vec<Node> =
-            self.columns.iter().map(|(index, column)| g.mul(*column, accelerations[*index])).collect();
-        let sum = g.sum(terms);
-        g.add(sum, self.bias)
+    pub fn acceleration<'g>(&self, g: Sheet<'g>, accelerations: &[Node]) -> Scalar<'g> {
+        self.along(g, accelerations) + self.bias
     }
 
-    pub fn add(&self, g: &mut Graph, other: &Jet) -> Jet {
-        self.combine(g, other, Graph::add, |_, node| node)
+    /// J x.
+    fn along<'g>(&self, g: Sheet<'g>, x: &[Node]) -> Scalar<'g> {
+        g.sum(self.columns.iter().map(|(index, column)| g.on(*column) * x[*index]))
+    }
+}
+
+impl<'g> Moving<'g> {
+    pub fn value(&self) -> Scalar<'g> {
+        self.g.on(self.jet.value)
+    }
+    pub fn bias(&self) -> Scalar<'g> {
+        self.g.on(self.jet.bias)
+    }
+    pub fn rate(&self) -> Scalar<'g> {
+        self.jet.rate(self.g, self.velocities)
+    }
+    pub fn acceleration(&self, accelerations: &[Node]) -> Scalar<'g> {
+        self.jet.acceleration(self.g, accelerations)
     }
 
-    pub fn sub(&self, g: &mut Graph, other: &Jet) -> Jet {
-        self.combine(g, other, Graph::sub, Graph::neg)
-    }
-
-    pub fn neg(&self, g: &mut Graph) -> Jet {
-        self.map(g, Graph::neg)
-    }
-
-    /// k·f for k that does not move.
-    pub fn scale(&self, g: &mut Graph, factor: Node) -> Jet {
-        self.map(g, |g, node| g.mul(factor, node))
-    }
-
-    /// f·h: (f h)¨ = f̈ h + f ḧ + 2 ḟ ḣ.
-    pub fn mul(&self, g: &mut Graph, other: &Jet, velocities: &[Node]) -> Jet {
-        let (a, b) = (self.value, other.value);
-        let left = self.map(g, |g, node| g.mul(b, node));
-        let right = other.map(g, |g, node| g.mul(a, node));
-        let mut product = left.add(g, &right);
-        product.value = g.mul(a, b);
-        let rate = self.rate(g, velocities);
-        let other_rate = if self.value == other.value { rate } else { other.rate(g, velocities) };
-        let cross = g.mul(rate, other_rate);
-        // Either factor may have been known in few operations; the sum of both is then known in few.
-        product.known_rate = (self.known_rate.is_some() || other.known_rate.is_some()).then(|| {
-            let (left, right) = (g.mul(rate, b), g.mul(a, other_rate));
-            g.add(left, right)
-        });
-        let two = g.constant(2.0);
-        let cross = g.mul(two, cross);
-        product.bias = g.add(product.bias, cross);
-        product
+    fn of(&self, jet: Jet) -> Self {
+        Moving { g: self.g, velocities: self.velocities, jet }
     }
 
     /// h(f): ḣ = h′ ḟ, ḧ = h′ f̈ + h″ ḟ².
-    pub fn unary(&self, g: &mut Graph, function: Unary, velocities: &[Node]) -> Jet {
-        let value = g.unary(function, self.value);
-        let (first, second) = function.derivatives(g, self.value, value);
-        self.chain(g, value, first, second, velocities)
+    pub fn unary(&self, function: Unary) -> Self {
+        let value = self.value().unary(function);
+        let (first, second) = function.derivatives(self.value(), value);
+        self.chain(value, first, second)
+    }
+    pub fn sqrt(&self) -> Self {
+        self.unary(Unary::Sqrt)
     }
 
-    /// The jet of a function of `self` whose value and derivatives are known.
-    pub fn chain(&self, g: &mut Graph, value: Node, first: Node, second: Node, velocities: &[Node]) -> Jet {
-        let mut result = self.map(g, |g, node| g.mul(first, node));
-        result.value = value;
-        if !g.is_zero(second) {
-            let rate = self.rate(g, velocities);
-            let square = g.mul(rate, rate);
-            let curvature = g.mul(second, square);
-            result.bias = g.add(result.bias, curvature);
+    /// A function of this one whose value and derivatives are known.
+    pub fn chain(&self, value: Scalar<'g>, first: Scalar<'g>, second: Scalar<'g>) -> Self {
+        let mut result = first * self;
+        result.jet.value = value.bare;
+        if !second.is_zero() {
+            let curvature = second * self.rate().square();
+            result.jet.bias = (result.bias() + curvature).bare;
         }
         result
     }
 
-    pub fn div(&self, g: &mut Graph, other: &Jet, velocities: &[Node]) -> Jet {
-        let reciprocal = other.unary(g, Unary::Reciprocal, velocities);
-        self.mul(g, &reciprocal, velocities)
-    }
-
     /// atan2(f, h), by x² + y² : d atan2 = (x dy − y dx)/(x² + y²).
-    pub fn atan2(&self, g: &mut Graph, x: &Jet, velocities: &[Node]) -> Jet {
-        let (yy, xx) = (g.mul(self.value, self.value), g.mul(x.value, x.value));
-        let square = g.add(xx, yy);
-        let inverse = g.unary(Unary::Reciprocal, square);
-        let numerator = {
-            let left = self.map(g, |g, node| g.mul(x.value, node));
-            let right = x.map(g, |g, node| g.mul(self.value, node));
-            left.sub(g, &right)
-        };
+    pub fn atan2(&self, x: &Self) -> Self {
+        let (y_value, x_value) = (self.value(), x.value());
+        let inverse = (x_value.square() + y_value.square()).reciprocal();
+        let mut angle = inverse * (x_value * self - y_value * x);
+        angle.jet.value = y_value.atan2(x_value).bare;
         // φ̈ = (x ÿ − y ẍ)/r² − 2 φ̇ (x ẋ + y ẏ)/r²
-        let mut angle = numerator.map(g, |g, node| g.mul(inverse, node));
-        angle.value = g.atan2(self.value, x.value);
-        let rate = angle.rate(g, velocities);
-        let (x_rate, y_rate) = (x.rate(g, velocities), self.rate(g, velocities));
-        let (px, py) = (g.mul(x.value, x_rate), g.mul(self.value, y_rate));
-        let radial = g.add(px, py);
-        let radial = g.mul(radial, inverse);
-        let two = g.constant(2.0);
-        let twice = g.mul(two, rate);
-        let coriolis = g.mul(twice, radial);
-        angle.bias = g.sub(angle.bias, coriolis);
+        let radial = (x_value * x.rate() + y_value * self.rate()) * inverse;
+        angle.jet.bias = (angle.bias() - 2.0 * angle.rate() * radial).bare;
         angle
     }
 
-    /// The jet that `mask` selects.
-    pub fn select(g: &mut Graph, mask: Node, then: &Jet, otherwise: &Jet) -> Jet {
-        let zero = g.constant(0.0);
-        let keys: Vec<usize> = then.columns.keys().chain(otherwise.columns.keys()).copied().collect();
+    /// What `mask` selects.
+    pub fn select(mask: Scalar<'g>, then: &Self, otherwise: &Self) -> Self {
+        let g = mask.g;
+        let zero = g.zero().bare;
+        let select = |a: Node, b: Node| mask.select(g.on(a), g.on(b)).bare;
+        let (a, b) = (&then.jet, &otherwise.jet);
+        let keys: Vec<usize> = a.columns.keys().chain(b.columns.keys()).copied().collect();
         let mut columns = BTreeMap::new();
         for key in keys {
-            let a = then.columns.get(&key).copied().unwrap_or(zero);
-            let b = otherwise.columns.get(&key).copied().unwrap_or(zero);
-            columns.insert(key, g.select(mask, a, b));
+            let of = |jet: &Jet| jet.columns.get(&key).copied().unwrap_or(zero);
+            columns.insert(key, select(of(a), of(b)));
         }
-        Jet {
-            value: g.select(mask, then.value, otherwise.value),
+        then.of(Jet {
+            value: select(a.value, b.value),
             columns,
-            drift: g.select(mask, then.drift, otherwise.drift),
-            bias: g.select(mask, then.bias, otherwise.bias),
+            drift: select(a.drift, b.drift),
+            bias: select(a.bias, b.bias),
             known_rate: None,
-        }
+        })
     }
 
-    pub fn minimum(&self, g: &mut Graph, other: &Jet) -> Jet {
-        let mask = g.compare(Compare::LessEqual, self.value, other.value);
-        Jet::select(g, mask, self, other)
+    pub fn min(&self, other: &Self) -> Self {
+        Moving::select(self.value().compare(Compare::LessEqual, other.value()), self, other)
     }
 
-    pub fn maximum(&self, g: &mut Graph, other: &Jet) -> Jet {
-        let mask = g.compare(Compare::LessEqual, self.value, other.value);
-        Jet::select(g, mask, other, self)
+    pub fn max(&self, other: &Self) -> Self {
+        Moving::select(self.value().compare(Compare::LessEqual, other.value()), other, self)
     }
 
-    fn map(&self, g: &mut Graph, mut f: impl FnMut(&mut Graph, Node) -> Node) -> Jet {
+    fn map(&self, f: impl Fn(Scalar<'g>) -> Scalar<'g>) -> Self {
+        let f = |node: Node| f(self.g.on(node)).bare;
         let mut columns = BTreeMap::new();
-        for (index, column) in &self.columns {
-            let column = f(g, *column);
-            if !g.is_zero(column) {
+        for (index, column) in &self.jet.columns {
+            let column = f(*column);
+            if !self.g.is_zero(column) {
                 columns.insert(*index, column);
             }
         }
-        let known_rate = self.known_rate.map(|rate| f(g, rate));
-        Jet { value: f(g, self.value), columns, drift: f(g, self.drift), bias: f(g, self.bias), known_rate }
+        let known_rate = self.jet.known_rate.map(f);
+        let Jet { value, drift, bias, .. } = self.jet;
+        self.of(Jet { value: f(value), columns, drift: f(drift), bias: f(bias), known_rate })
     }
 
     fn combine(
         &self,
-        g: &mut Graph,
-        other: &Jet,
-        both: fn(&mut Graph, Node, Node) -> Node,
-        right_only: fn(&mut Graph, Node) -> Node,
-    ) -> Jet {
-        let mut columns = self.columns.clone();
-        for (index, column) in &other.columns {
+        other: &Self,
+        both: fn(Scalar<'g>, Node) -> Scalar<'g>,
+        right_only: fn(Scalar<'g>) -> Scalar<'g>,
+    ) -> Self {
+        let g = self.g;
+        let both = |a: Node, b: Node| both(g.on(a), b).bare;
+        let (a, b) = (&self.jet, &other.jet);
+        let mut columns = a.columns.clone();
+        for (index, column) in &b.columns {
             let sum = match columns.get(index) {
-                Some(own) => both(g, *own, *column),
-                None => right_only(g, *column),
+                Some(own) => both(*own, *column),
+                None => right_only(g.on(*column)).bare,
             };
             if g.is_zero(sum) {
                 columns.remove(index);
@@ -200,12 +178,85 @@ impl Jet {
                 columns.insert(*index, sum);
             }
         }
-        Jet {
-            value: both(g, self.value, other.value),
+        self.of(Jet {
+            value: both(a.value, b.value),
             columns,
-            drift: both(g, self.drift, other.drift),
-            bias: both(g, self.bias, other.bias),
-            known_rate: self.known_rate.zip(other.known_rate).map(|(a, b)| both(g, a, b)),
+            drift: both(a.drift, b.drift),
+            bias: both(a.bias, b.bias),
+            known_rate: a.known_rate.zip(b.known_rate).map(|(a, b)| both(a, b)),
+        })
+    }
+
+    /// (f h)¨ = f̈ h + f ḧ + 2 ḟ ḣ.
+    fn times(&self, other: &Self) -> Self {
+        let (a, b) = (self.value(), other.value());
+        let mut product = b * self + a * other;
+        product.jet.value = (a * b).bare;
+        let rate = self.rate();
+        let other_rate = if a.bare == b.bare { rate } else { other.rate() };
+        let cross = rate * other_rate;
+        // Either factor may have been known in few operations; the sum of both is then known in few.
+        let known = self.jet.known_rate.is_some() || other.jet.known_rate.is_some();
+        product.jet.known_rate = known.then(|| (rate * b + a * other_rate).bare);
+        product.jet.bias = (product.bias() + 2.0 * cross).bare;
+        product
+    }
+}
+
+/// Jets may be used up or lent.
+macro_rules! operators {
+    ($($of:ty),*) => {$(
+        impl<'g, B: Borrow<Moving<'g>>> Add<B> for $of {
+            type Output = Moving<'g>;
+            fn add(self, other: B) -> Moving<'g> {
+                self.combine(other.borrow(), |a, b| a + b, |b| b)
+            }
         }
+        impl<'g, B: Borrow<Moving<'g>>> Sub<B> for $of {
+            type Output = Moving<'g>;
+            fn sub(self, other: B) -> Moving<'g> {
+                self.combine(other.borrow(), |a, b| a - b, |b| -b)
+            }
+        }
+        impl<'g, B: Borrow<Moving<'g>>> Mul<B> for $of {
+            type Output = Moving<'g>;
+            fn mul(self, other: B) -> Moving<'g> {
+                self.times(other.borrow())
+            }
+        }
+        impl<'g, B: Borrow<Moving<'g>>> Div<B> for $of {
+            type Output = Moving<'g>;
+            fn div(self, other: B) -> Moving<'g> {
+                self.times(&other.borrow().unary(Unary::Reciprocal))
+            }
+        }
+        impl<'g> Neg for $of {
+            type Output = Moving<'g>;
+            fn neg(self) -> Moving<'g> {
+                self.map(|node| -node)
+            }
+        }
+        /// k·f for k that does not move.
+        impl<'g> Mul<$of> for Scalar<'g> {
+            type Output = Moving<'g>;
+            fn mul(self, jet: $of) -> Moving<'g> {
+                jet.map(|node| self * node)
+            }
+        }
+        impl<'g> Mul<$of> for f64 {
+            type Output = Moving<'g>;
+            fn mul(self, jet: $of) -> Moving<'g> {
+                jet.g.number(self) * jet
+            }
+        }
+    )*};
+}
+
+operators!(Moving<'g>, &Moving<'g>);
+
+impl<'g, T> On<'g, T> {
+    /// A jet on the same graph.
+    pub fn moving<J>(&self, velocities: &'g [Node], jet: J) -> Moving<'g, J> {
+        Moving { g: self.g, velocities, jet }
     }
 }

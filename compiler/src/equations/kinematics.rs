@@ -1,10 +1,10 @@
 //! Where everything is, in the plane or in space: what laws, loads and conditions ask, whichever it is.
 
-use super::jet::Jet;
+use super::jet::{Jet, Moving};
 use super::laws::Laws;
 use super::{plane, space};
 use crate::model::{BodyId, JointId, Place, Rotor};
-use crate::symbolic::{Graph, Node};
+use crate::symbolic::{Node, On};
 
 /// The places of all bodies as functions of q, and how they change with v.
 #[derive(Clone, Debug)]
@@ -21,71 +21,70 @@ impl Kinematics {
             Kinematics::Space(space) => &space.velocities,
         }
     }
+}
 
+impl<'g> On<'g, &'g Kinematics> {
     /// World coordinates of a place.
-    pub fn world(&self, g: &mut Graph, laws: &Laws, place: &Place) -> Vec<Jet> {
-        match self {
-            Kinematics::Plane(plane) => plane.place_in_world(g, laws, place).to_vec(),
-            Kinematics::Space(space) => space.place_in_world(g, laws, place).to_vec(),
+    pub fn world(self, laws: &Laws<'g>, place: &Place) -> Vec<Moving<'g>> {
+        match self.bare {
+            Kinematics::Plane(plane) => self.g.on(plane).place_in_world(laws, place).to_vec(),
+            Kinematics::Space(space) => self.g.on(space).place_in_world(laws, place).to_vec(),
         }
     }
 
     /// The way from one place to another, in axes in which it is cheap: those of the world in the plane.
-    pub fn between(&self, g: &mut Graph, laws: &Laws, first: &Place, second: &Place) -> Vec<Jet> {
-        match self {
-            Kinematics::Plane(plane) => plane.difference_in_world(g, laws, first, second).to_vec(),
-            Kinematics::Space(space) => space.between(g, laws, first, second).to_vec(),
+    pub fn between(self, laws: &Laws<'g>, first: &Place, second: &Place) -> Vec<Moving<'g>> {
+        match self.bare {
+            Kinematics::Plane(plane) => self.g.on(plane).difference_in_world(laws, first, second).to_vec(),
+            Kinematics::Space(space) => self.g.on(space).between(laws, first, second).to_vec(),
         }
     }
 
     /// (cos, sin) of a rotor's angle.
-    pub fn rotor_pair(&self, g: &mut Graph, laws: &Laws, rotor: Rotor) -> [Node; 2] {
-        match self {
-            Kinematics::Plane(plane) => plane.rotor_pair(g, laws, rotor),
-            Kinematics::Space(space) => space.rotor_pair(g, laws, rotor),
+    pub fn rotor_pair(self, laws: &Laws<'g>, rotor: Rotor) -> On<'g, [Node; 2]> {
+        match self.bare {
+            Kinematics::Plane(plane) => self.g.on(plane).rotor_pair(laws, rotor),
+            Kinematics::Space(space) => self.g.on(space).rotor_pair(laws, rotor),
         }
     }
 
     /// A rotor's angle without its value, which has several representations.
-    pub fn rotor_rate(&self, g: &mut Graph, laws: &Laws, rotor: Rotor) -> Jet {
-        match self {
-            Kinematics::Plane(plane) => plane.rotor_rate(g, laws, rotor),
-            Kinematics::Space(space) => space.rotor_rate(g, laws, rotor),
+    pub fn rotor_rate(self, laws: &Laws<'g>, rotor: Rotor) -> Moving<'g> {
+        match self.bare {
+            Kinematics::Plane(plane) => self.g.on(plane).rotor_rate(laws, rotor),
+            Kinematics::Space(space) => self.g.on(space).rotor_rate(laws, rotor),
         }
     }
 
     /// Travel of a joint; which of its travels.
-    pub fn travel(&self, g: &mut Graph, laws: &Laws, joint: JointId, which: usize) -> Jet {
-        match self {
-            Kinematics::Plane(plane) => plane.travel(g, laws, joint),
-            Kinematics::Space(space) => space.travel(g, laws, joint, which),
+    pub fn travel(self, laws: &Laws<'g>, joint: JointId, which: usize) -> Moving<'g> {
+        match self.bare {
+            Kinematics::Plane(plane) => self.g.on(plane).travel(laws, joint),
+            Kinematics::Space(space) => self.g.on(space).travel(laws, joint, which),
         }
     }
 
     /// A quantity whose rate is ω of a body in space about one of its axes; it has no value of its own.
-    pub fn omega(&self, g: &mut Graph, body: BodyId, axis: usize) -> Jet {
-        match self {
-            Kinematics::Plane(_) => {
-                let zero = g.constant(0.0);
-                Jet::constant(g, zero)
-            }
-            Kinematics::Space(space) => space.omega(g, body, axis),
+    pub fn omega(self, body: BodyId, axis: usize) -> Moving<'g> {
+        match self.bare {
+            Kinematics::Plane(plane) => self.moving(&plane.velocities, Jet::constant(self.g.zero())),
+            Kinematics::Space(space) => self.g.on(space).omega(body, axis),
         }
     }
 
     /// How a body in space is turned away from an orientation given as a quaternion, along the axes of the world.
-    pub fn deviation(&self, g: &mut Graph, body: BodyId, quaternion: [Node; 4]) -> Vec<Jet> {
-        match self {
+    pub fn deviation(self, body: BodyId, quaternion: On<'g, [Node; 4]>) -> Vec<Moving<'g>> {
+        match self.bare {
             Kinematics::Plane(_) => Vec::new(),
-            Kinematics::Space(space) => space.deviation(g, body, quaternion).to_vec(),
+            Kinematics::Space(space) => self.g.on(space).deviation(body, quaternion).to_vec(),
         }
     }
 
     /// Quantities whose rates are ω of a body in space about the axes of the world: what a torque acts along.
-    pub fn turning(&self, g: &mut Graph, body: BodyId) -> Vec<Jet> {
-        match self {
+    pub fn turning(self, body: BodyId) -> Vec<Moving<'g>> {
+        match self.bare {
             Kinematics::Plane(_) => Vec::new(),
-            Kinematics::Space(space) => space.turning_in_world(g, body).to_vec(),
+            Kinematics::Space(space) => self.g.on(space).turning_in_world(body).to_vec(),
         }
     }
 }

@@ -1,15 +1,18 @@
 //! The user's expressions on the graph: as values, and as jets where their time derivatives are needed.
 
 use super::coordinates::{Layout, Symbols};
-use super::jet::Jet;
+use super::jet::{Jet, Moving};
 use super::kinematics::Kinematics;
-use super::plane;
+use super::{plane, space};
 use crate::model::{Comparison, Condition, Expr, Function1, Function2, Mechanism, Quantity, Rotor, Vector};
-use crate::symbolic::{Compare, Graph, Node, Unary};
+use crate::symbolic::{Compare, Node, On, Scalar, Sheet, Unary};
+use std::f64::consts::TAU;
 
 /// What expressions may refer to.
 #[derive(Clone, Copy)]
 pub struct Laws<'a> {
+    /// What they are written on.
+    pub g: Sheet<'a>,
     pub mechanism: &'a Mechanism,
     pub symbols: &'a Symbols,
     pub layout: &'a Layout,
@@ -45,18 +48,27 @@ static NO_TOTALS: Totals = Totals {
 
 impl<'a> Laws<'a> {
     /// For expressions of parameters and time.
-    pub fn constant(mechanism: &'a Mechanism, symbols: &'a Symbols) -> Self {
-        Laws { mechanism, symbols, layout: &NO_LAYOUT, kinematics: &NO_KINEMATICS, totals: &NO_TOTALS }
+    pub fn constant(g: Sheet<'a>, mechanism: &'a Mechanism, symbols: &'a Symbols) -> Self {
+        Laws { g, mechanism, symbols, layout: &NO_LAYOUT, kinematics: &NO_KINEMATICS, totals: &NO_TOTALS }
     }
 
     /// For expressions of the motion.
     pub fn moving(
+        g: Sheet<'a>,
         mechanism: &'a Mechanism,
         symbols: &'a Symbols,
         layout: &'a Layout,
         kinematics: &'a Kinematics,
     ) -> Self {
-        Laws { mechanism, symbols, layout, kinematics, totals: &NO_TOTALS }
+        Laws { g, mechanism, symbols, layout, kinematics, totals: &NO_TOTALS }
+    }
+
+    /// Of other kinematics with the same meaning.
+    pub fn of<'b>(&self, kinematics: &'b Kinematics) -> Laws<'b>
+    where
+        'a: 'b,
+    {
+        Laws { kinematics, ..*self }
     }
 
     /// For outputs, which may also name energies, powers and drivers' efforts.
@@ -64,122 +76,117 @@ impl<'a> Laws<'a> {
         Laws { totals, ..self }
     }
 
-    pub fn kinematics(&self) -> &'a Kinematics {
-        self.kinematics
+    pub fn kinematics(&self) -> On<'a, &'a Kinematics> {
+        self.g.on(self.kinematics)
     }
 
     /// The kinematics of a planar mechanism.
-    pub fn plane(&self) -> &'a plane::Kinematics {
-        match self.kinematics {
+    pub fn plane(&self) -> On<'a, &'a plane::Kinematics> {
+        self.g.on(match self.kinematics {
             Kinematics::Plane(plane) => plane,
             Kinematics::Space(_) => &NO_PLANE,
+        })
+    }
+
+    /// The kinematics of a spatial mechanism.
+    pub fn space(&self) -> Option<On<'a, &'a space::Kinematics>> {
+        match self.kinematics {
+            Kinematics::Plane(_) => None,
+            Kinematics::Space(space) => Some(self.g.on(space)),
         }
     }
 
-    pub fn value(&self, g: &mut Graph, expr: &Expr) -> Node {
+    pub fn value(&self, expr: &Expr) -> Scalar<'a> {
         match expr {
-            Expr::Number(value) => g.constant(*value),
-            Expr::Parameter(parameter) => self.symbols.parameters[parameter.0],
-            Expr::Input(input) => self.symbols.inputs[input.0],
-            Expr::Time => self.symbols.time,
-            Expr::Quantity(quantity) => self.quantity_value(g, quantity),
+            Expr::Number(value) => self.g.number(*value),
+            Expr::Parameter(parameter) => self.g.on(self.symbols.parameters[parameter.0]),
+            Expr::Input(input) => self.g.on(self.symbols.inputs[input.0]),
+            Expr::Time => self.g.on(self.symbols.time),
+            Expr::Quantity(quantity) => self.quantity_value(quantity),
             Expr::Unary(function, a) => {
-                let a = self.value(g, a);
-                match unary(*function) {
-                    None => g.neg(a),
-                    Some(function) => g.unary(function, a),
-                }
+                let a = self.value(a);
+                unary(*function).map_or_else(|| -a, |function| a.unary(function))
             }
             Expr::Binary(function, a, b) => {
-                let (a, b) = (self.value(g, a), self.value(g, b));
+                let (a, b) = (self.value(a), self.value(b));
                 match function {
-                    Function2::Add => g.add(a, b),
-                    Function2::Sub => g.sub(a, b),
-                    Function2::Mul => g.mul(a, b),
-                    Function2::Div => g.div(a, b),
-                    Function2::Min => g.min(a, b),
-                    Function2::Max => g.max(a, b),
-                    Function2::Atan2 => g.atan2(a, b),
+                    Function2::Add => a + b,
+                    Function2::Sub => a - b,
+                    Function2::Mul => a * b,
+                    Function2::Div => a / b,
+                    Function2::Min => a.min(b),
+                    Function2::Max => a.max(b),
+                    Function2::Atan2 => a.atan2(b),
                 }
             }
-            Expr::Power(base, exponent) => {
-                let base = self.value(g, base);
-                power(g, base, *exponent)
-            }
+            Expr::Power(base, exponent) => power(self.value(base), *exponent),
             Expr::If(condition, then, otherwise) => {
-                let mask = self.mask(g, condition);
-                let (then, otherwise) = (self.value(g, then), self.value(g, otherwise));
-                g.select(mask, then, otherwise)
+                self.mask(condition).select(self.value(then), self.value(otherwise))
             }
         }
     }
 
-    pub fn vector(&self, g: &mut Graph, vector: &Vector) -> [Node; 3] {
-        [self.value(g, &vector[0]), self.value(g, &vector[1]), self.value(g, &vector[2])]
+    pub fn vector(&self, vector: &Vector) -> On<'a, [Node; 3]> {
+        self.g.on([0, 1, 2].map(|k| self.value(&vector[k]).bare))
     }
 
     /// The components in the plane.
-    pub fn pair_of(&self, g: &mut Graph, vector: &Vector) -> [Node; 2] {
-        [self.value(g, &vector[0]), self.value(g, &vector[1])]
+    pub fn pair_of(&self, vector: &Vector) -> On<'a, [Node; 2]> {
+        self.g.on([0, 1].map(|k| self.value(&vector[k]).bare))
     }
 
     /// (cos, sin) of an angle that does not move.
-    pub fn pair(&self, g: &mut Graph, angle: &Expr) -> [Node; 2] {
-        let angle = self.value(g, angle);
-        [g.unary(Unary::Cos, angle), g.unary(Unary::Sin, angle)]
+    pub fn pair(&self, angle: &Expr) -> On<'a, [Node; 2]> {
+        let angle = self.value(angle);
+        self.g.on([angle.cos().bare, angle.sin().bare])
     }
 
-    pub fn jet(&self, g: &mut Graph, expr: &Expr) -> Jet {
-        let v = self.kinematics.velocities();
+    /// What does not move.
+    pub fn still(&self, value: Scalar<'a>) -> Moving<'a> {
+        value.moving(self.kinematics.velocities(), Jet::constant(value))
+    }
+
+    pub fn jet(&self, expr: &Expr) -> Moving<'a> {
         match expr {
-            Expr::Number(_) | Expr::Parameter(_) | Expr::Input(_) => {
-                let value = self.value(g, expr);
-                Jet::constant(g, value)
+            Expr::Number(_) | Expr::Parameter(_) | Expr::Input(_) => self.still(self.value(expr)),
+            Expr::Time => {
+                let time = self.g.on(self.symbols.time);
+                time.moving(self.kinematics.velocities(), Jet::time(time))
             }
-            Expr::Time => Jet::time(g, self.symbols.time),
-            Expr::Quantity(quantity) => self.quantity(g, quantity),
+            Expr::Quantity(quantity) => self.quantity(quantity),
             Expr::Unary(function, a) => {
-                let a = self.jet(g, a);
-                match unary(*function) {
-                    None => a.neg(g),
-                    Some(function) => a.unary(g, function, v),
-                }
+                let a = self.jet(a);
+                unary(*function).map_or_else(|| -&a, |function| a.unary(function))
             }
             Expr::Binary(function, a, b) => {
-                let (a, b) = (self.jet(g, a), self.jet(g, b));
+                let (a, b) = (self.jet(a), self.jet(b));
                 match function {
-                    Function2::Add => a.add(g, &b),
-                    Function2::Sub => a.sub(g, &b),
-                    Function2::Mul => a.mul(g, &b, v),
-                    Function2::Div => a.div(g, &b, v),
-                    Function2::Min => a.minimum(g, &b),
-                    Function2::Max => a.maximum(g, &b),
-                    Function2::Atan2 => a.atan2(g, &b, v),
+                    Function2::Add => a + b,
+                    Function2::Sub => a - b,
+                    Function2::Mul => a * b,
+                    Function2::Div => a / b,
+                    Function2::Min => a.min(&b),
+                    Function2::Max => a.max(&b),
+                    Function2::Atan2 => a.atan2(&b),
                 }
             }
             Expr::Power(base, exponent) => {
                 // (xⁿ)′ = n xⁿ⁻¹
-                let x = self.jet(g, base);
-                let (n, m) = (g.constant(*exponent), g.constant(*exponent - 1.0));
-                let value = power(g, x.value, *exponent);
-                let first = power(g, x.value, *exponent - 1.0);
-                let first = g.mul(n, first);
-                let second = power(g, x.value, *exponent - 2.0);
-                let second = g.mul(m, second);
-                let second = g.mul(n, second);
-                x.chain(g, value, first, second, v)
+                let n = *exponent;
+                let jet = self.jet(base);
+                let x = jet.value();
+                let (value, first) = (power(x, n), n * power(x, n - 1.0));
+                jet.chain(value, first, n * ((n - 1.0) * power(x, n - 2.0)))
             }
             Expr::If(condition, then, otherwise) => {
-                let mask = self.mask(g, condition);
-                let (then, otherwise) = (self.jet(g, then), self.jet(g, otherwise));
-                Jet::select(g, mask, &then, &otherwise)
+                Moving::select(self.mask(condition), &self.jet(then), &self.jet(otherwise))
             }
         }
     }
 
     /// A place of the ground in world axes, as a function of time.
-    pub fn ground(&self, g: &mut Graph, at: &Vector) -> [Jet; 3] {
-        [self.jet(g, &at[0]), self.jet(g, &at[1]), self.jet(g, &at[2])]
+    pub fn ground(&self, at: &Vector) -> [Moving<'a>; 3] {
+        [0, 1, 2].map(|k| self.jet(&at[k]))
     }
 
     /// Whether the dynamics count a rotor's turns.
@@ -188,100 +195,77 @@ impl<'a> Laws<'a> {
     }
 
     /// Angle of a rotor: the multi-turn coordinate if the dynamics carry one, else atan2 in (−π, π].
-    pub fn angle(&self, g: &mut Graph, rotor: Rotor) -> Jet {
+    pub fn angle(&self, rotor: Rotor) -> Moving<'a> {
         let value = match self.layout.angles.iter().position(|angle| angle.rotor == rotor) {
             Some(index) => {
                 let at = self.layout.turns(index);
-                let turn = g.constant(std::f64::consts::TAU);
-                let whole = g.mul(turn, self.symbols.q[at]);
-                g.add(whole, self.symbols.q[at + 1])
+                TAU * self.g.on(self.symbols.q[at]) + self.symbols.q[at + 1]
             }
             None => {
-                let [cosine, sine] = self.kinematics.rotor_pair(g, self, rotor);
-                g.atan2(sine, cosine)
+                let [cosine, sine] = self.kinematics().rotor_pair(self, rotor).parts();
+                sine.atan2(cosine)
             }
         };
-        Jet { value, ..self.kinematics.rotor_rate(g, self, rotor) }
+        let mut angle = self.kinematics().rotor_rate(self, rotor);
+        angle.jet.value = value.bare;
+        angle
     }
 
-    pub fn quantity(&self, g: &mut Graph, quantity: &Quantity) -> Jet {
+    pub fn quantity(&self, quantity: &Quantity) -> Moving<'a> {
         match quantity {
-            Quantity::BodyAngle(body) => self.angle(g, Rotor::Body(*body)),
-            Quantity::JointAngle(joint, which) => self.angle(g, Rotor::Joint(*joint, *which)),
-            Quantity::JointTravel(joint, which) => self.kinematics.travel(g, self, *joint, *which),
-            Quantity::Position(place, axis) => self.kinematics.world(g, self, place)[*axis].clone(),
-            Quantity::BodyOmega(body, axis) => self.kinematics.omega(g, *body, *axis),
+            Quantity::BodyAngle(body) => self.angle(Rotor::Body(*body)),
+            Quantity::JointAngle(joint, which) => self.angle(Rotor::Joint(*joint, *which)),
+            Quantity::JointTravel(joint, which) => self.kinematics().travel(self, *joint, *which),
+            Quantity::Position(place, axis) => self.kinematics().world(self, place)[*axis].clone(),
+            Quantity::BodyOmega(body, axis) => self.kinematics().omega(*body, *axis),
             Quantity::Distance(a, b) => {
-                let v = self.kinematics.velocities();
-                let delta = self.kinematics.between(g, self, a, b);
-                let squares: Vec<Jet> = delta.iter().map(|jet| jet.mul(g, jet, v)).collect();
+                let delta = self.kinematics().between(self, a, b);
+                let squares: Vec<Moving> = delta.iter().map(|d| d * d).collect();
                 let (first, rest) = squares.split_at(1);
-                let sum = rest.iter().fold(first[0].clone(), |sum, square| sum.add(g, square));
-                sum.unary(g, Unary::Sqrt, v)
+                rest.iter().fold(first[0].clone(), |sum, square| sum + square).sqrt()
             }
-            _ => {
-                let value = self.quantity_value(g, quantity);
-                Jet::constant(g, value)
-            }
+            _ => self.still(self.quantity_value(quantity)),
         }
     }
 
-    fn quantity_value(&self, g: &mut Graph, quantity: &Quantity) -> Node {
-        let v = self.kinematics.velocities();
-        let zero = g.constant(0.0);
+    fn quantity_value(&self, quantity: &Quantity) -> Scalar<'a> {
+        let total = |total: Option<&Node>| total.map_or_else(|| self.g.zero(), |total| self.g.on(*total));
         match quantity {
-            Quantity::BodyRate(body) => self.quantity(g, &Quantity::BodyAngle(*body)).rate(g, v),
-            Quantity::BodyOmega(body, axis) => self.kinematics.omega(g, *body, *axis).rate(g, v),
-            Quantity::JointRate(joint, which) => {
-                self.quantity(g, &Quantity::JointAngle(*joint, *which)).rate(g, v)
-            }
+            Quantity::BodyRate(body) => self.quantity(&Quantity::BodyAngle(*body)).rate(),
+            Quantity::BodyOmega(body, axis) => self.kinematics().omega(*body, *axis).rate(),
+            Quantity::JointRate(joint, which) => self.quantity(&Quantity::JointAngle(*joint, *which)).rate(),
             Quantity::JointSpeed(joint, which) => {
-                self.quantity(g, &Quantity::JointTravel(*joint, *which)).rate(g, v)
+                self.quantity(&Quantity::JointTravel(*joint, *which)).rate()
             }
             Quantity::Velocity(place, axis) => {
-                self.quantity(g, &Quantity::Position(place.clone(), *axis)).rate(g, v)
+                self.quantity(&Quantity::Position(place.clone(), *axis)).rate()
             }
-            Quantity::Power(load) => self.totals.powers.get(load.0).copied().unwrap_or(zero),
-            Quantity::DriverPower(driver) => self.totals.driver_powers.get(driver.0).copied().unwrap_or(zero),
-            Quantity::DriverEffort(driver) => self.totals.efforts.get(driver.0).copied().unwrap_or(zero),
-            Quantity::KineticEnergy => self.totals.kinetic.unwrap_or(zero),
-            Quantity::PotentialEnergy => self.totals.potential.unwrap_or(zero),
-            Quantity::Energy => {
-                let kinetic = self.totals.kinetic.unwrap_or(zero);
-                g.add(kinetic, self.totals.potential.unwrap_or(zero))
-            }
-            _ => self.quantity(g, quantity).value,
+            Quantity::Power(load) => total(self.totals.powers.get(load.0)),
+            Quantity::DriverPower(driver) => total(self.totals.driver_powers.get(driver.0)),
+            Quantity::DriverEffort(driver) => total(self.totals.efforts.get(driver.0)),
+            Quantity::KineticEnergy => total(self.totals.kinetic.as_ref()),
+            Quantity::PotentialEnergy => total(self.totals.potential.as_ref()),
+            Quantity::Energy => total(self.totals.kinetic.as_ref()) + total(self.totals.potential.as_ref()),
+            _ => self.quantity(quantity).value(),
         }
     }
 
-    fn mask(&self, g: &mut Graph, condition: &Condition) -> Node {
+    fn mask(&self, condition: &Condition) -> Scalar<'a> {
         match condition {
             Condition::Compare(comparison, a, b) => {
-                let (a, b) = (self.value(g, a), self.value(g, b));
+                let (a, b) = (self.value(a), self.value(b));
                 match comparison {
-                    Comparison::Less => g.compare(Compare::Less, a, b),
-                    Comparison::LessEqual => g.compare(Compare::LessEqual, a, b),
-                    Comparison::Greater => g.compare(Compare::Less, b, a),
-                    Comparison::GreaterEqual => g.compare(Compare::LessEqual, b, a),
-                    Comparison::Equal => g.compare(Compare::Equal, a, b),
-                    Comparison::NotEqual => {
-                        let equal = g.compare(Compare::Equal, a, b);
-                        g.not(equal)
-                    }
+                    Comparison::Less => a.compare(Compare::Less, b),
+                    Comparison::LessEqual => a.compare(Compare::LessEqual, b),
+                    Comparison::Greater => b.compare(Compare::Less, a),
+                    Comparison::GreaterEqual => b.compare(Compare::LessEqual, a),
+                    Comparison::Equal => a.compare(Compare::Equal, b),
+                    Comparison::NotEqual => !a.compare(Compare::Equal, b),
                 }
             }
-            Condition::And(a, b) => {
-                let (a, b) = (self.mask(g, a), self.mask(g, b));
-                g.and(a, b)
-            }
-            Condition::Or(a, b) => {
-                let (a, b) = (self.mask(g, a), self.mask(g, b));
-                g.or(a, b)
-            }
-            Condition::Not(a) => {
-                let a = self.mask(g, a);
-                g.not(a)
-            }
+            Condition::And(a, b) => self.mask(a) & self.mask(b),
+            Condition::Or(a, b) => self.mask(a) | self.mask(b),
+            Condition::Not(a) => !self.mask(a),
         }
     }
 }
@@ -303,16 +287,13 @@ fn unary(function: Function1) -> Option<Unary> {
 }
 
 /// x to a constant exponent: products for integers, a root for halves, exp(n ln x) for the rest.
-fn power(g: &mut Graph, x: Node, exponent: f64) -> Node {
+fn power(x: Scalar, exponent: f64) -> Scalar {
     if exponent.fract() == 0.0 && exponent.abs() <= 64.0 {
-        return g.power(x, exponent as i32);
+        return x.power(exponent as i32);
     }
     if (2.0 * exponent).fract() == 0.0 && exponent.abs() <= 64.0 {
-        let root = g.unary(Unary::Sqrt, x);
-        return g.power(root, (2.0 * exponent) as i32);
+        return x.sqrt().power((2.0 * exponent) as i32);
     }
-    let logarithm = g.unary(Unary::Ln, x);
-    let exponent = g.constant(exponent);
-    let product = g.mul(exponent, logarithm);
-    g.unary(Unary::Exp, product)
+    let logarithm = x.unary(Unary::Ln);
+    (exponent * logarithm).unary(Unary::Exp)
 }

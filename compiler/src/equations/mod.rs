@@ -3,6 +3,9 @@
 //! One derivation serves both sets of coordinates: in absolute coordinates every body is free, in tree coordinates
 //! bodies hang on the joints of a spanning tree. What differs between the plane and space stands in `plane` and `space`,
 //! under the same names. How the linear system is solved is left to `solve`.
+//!
+//! Equations are written with operators, on values that know their graph: numbers, vectors, and [jets](Moving) as functions of the
+//! motion. What is kept of them are bare nodes.
 
 pub mod conditions;
 pub mod coordinates;
@@ -19,7 +22,7 @@ pub mod tangent;
 
 pub use conditions::{Condition, StartTarget};
 pub use coordinates::{Ball, Layout, Linear, MultiTurn, Owner, Rotation, Symbols};
-pub use jet::Jet;
+pub use jet::{Jet, Moving};
 pub use kinematics::Kinematics;
 pub use laws::{Laws, Totals};
 pub use spanning_tree::{Attachment, SpanningTree};
@@ -27,8 +30,10 @@ pub use switch::{Omitted, Sized, Switch};
 pub use tangent::Tangents;
 
 use crate::diagnostics::Region;
-use crate::model::{BodyKind, Frame, JointId, JointKind, Mechanism, Quantity, Redundant, Space};
-use crate::symbolic::{Class, Graph, Node};
+use crate::forms::Vocabulary;
+use crate::model::{BodyKind, Frame, JointId, Mechanism, Quantity, Redundant, Space};
+use crate::symbolic::{Class, Graph, Node, Scalar, Sheet, all_bare};
+use std::cell::RefCell;
 use std::collections::{BTreeMap, BTreeSet};
 
 /// One row of a joint's constraint.
@@ -43,8 +48,13 @@ pub struct JointRow {
 }
 
 impl JointRow {
-    pub fn new(what: &'static str, jet: Jet) -> Self {
-        JointRow { what, jet, upright: None, axes: None }
+    pub fn new(what: &'static str, row: Moving) -> Self {
+        JointRow { what, jet: row.jet, upright: None, axes: None }
+    }
+
+    /// A row of a direction, and what must be positive on the right root.
+    pub fn upright(what: &'static str, row: Moving, upright: Scalar) -> Self {
+        JointRow { upright: Some(upright.bare), ..JointRow::new(what, row) }
     }
 }
 
@@ -102,18 +112,32 @@ impl BodyMotion {
 pub type Wrench = Vec<Node>;
 
 /// Inertia and gravity, before loads.
-pub struct Dynamics {
+pub struct Dynamics<'g> {
     /// M, lower triangle.
-    pub mass: BTreeMap<(usize, usize), Node>,
+    pub mass: BTreeMap<(usize, usize), Scalar<'g>>,
     /// Gyroscopic and gravity forces, with the sign of Q.
-    pub forces: Vec<Node>,
+    pub forces: Vec<Scalar<'g>>,
     /// M v̇ less those.
-    pub inverse: Vec<Node>,
-    pub kinetic_energy: Node,
+    pub inverse: Vec<Scalar<'g>>,
+    pub kinetic_energy: Scalar<'g>,
     /// Of gravity.
-    pub potential_energy: Node,
+    pub potential_energy: Scalar<'g>,
     /// In space: the masses of the links that M is made of.
     pub distributions: Vec<space::Distribution>,
+}
+
+impl<'g> Dynamics<'g> {
+    /// Of nothing.
+    fn none(g: Sheet<'g>) -> Self {
+        Dynamics {
+            mass: BTreeMap::new(),
+            forces: Vec::new(),
+            inverse: Vec::new(),
+            kinetic_energy: g.zero(),
+            potential_energy: g.zero(),
+            distributions: Vec::new(),
+        }
+    }
 }
 
 /// What Q and V consist of.
@@ -187,8 +211,8 @@ pub struct Equations {
 /// Derives the equations in the coordinates of `tree`, without the rows that are `omitted`; where redundant rows are kept, the slots
 /// of switches that are not taken are rows without a part in the solution.
 pub fn derive(mechanism: &Mechanism, tree: SpanningTree, omitted: &Omitted) -> Equations {
-    let mut graph = Graph::new();
-    let g = &mut graph;
+    let graph = RefCell::new(Graph::new());
+    let g = Sheet::new(&graph);
     let rotors = couplings::multi_turn_rotors(mechanism);
     let (layout, mut symbols, kinematics) = match mechanism.space {
         Space::Planar => {
@@ -202,83 +226,85 @@ pub fn derive(mechanism: &Mechanism, tree: SpanningTree, omitted: &Omitted) -> E
     };
 
     // Constraint rows, and a multiplier for each.
-    let laws = Laws::moving(mechanism, &symbols, &layout, &kinematics);
+    let laws = Laws::moving(g, mechanism, &symbols, &layout, &kinematics);
     let carrying = tree.carrying(mechanism);
     let keeps = mechanism.options.redundant == Redundant::Keep;
     let dropped: &[Dropped] = if keeps { &[] } else { &omitted.dropped };
-    let all = rows(g, &laws, &tree, &carrying, dropped);
+    let all = rows(&laws, &tree, &carrying, dropped);
     let chosen = switch::choose(g, &all, &omitted.switches, &omitted.columns);
     let rows = switch::apply(g, &all, &omitted.switches, &chosen, keeps);
     let lambda = rows
         .iter()
         .map(|row| format!("lambda_{}_{}", identifier(&row.of), row.what))
-        .map(|name| g.symbol(name, Class::Input))
+        .map(|name| g.symbol(name, Class::Input).bare)
         .collect();
     symbols.lambda = lambda;
-    let laws = Laws::moving(mechanism, &symbols, &layout, &kinematics);
+    let laws = Laws::moving(g, mechanism, &symbols, &layout, &kinematics);
 
     // Inertia, gravity and loads.
     let dynamics = match mechanism.space {
-        Space::Planar => plane::dynamics(g, &laws),
-        Space::Spatial => space::dynamics(g, &laws),
+        Space::Planar => plane::dynamics(&laws),
+        Space::Spatial => space::dynamics(&laws),
     };
     let Dynamics { mass, mut forces, mut inverse, kinetic_energy, mut potential_energy, distributions } =
         dynamics;
-    let mut contributions =
-        Contributions { inertia_and_gravity: forces.clone(), loads: Vec::new(), potentials: Vec::new() };
+    let inertia_and_gravity = all_bare(&forces);
+    let mut contributions = Contributions { inertia_and_gravity, loads: Vec::new(), potentials: Vec::new() };
     let mut powers = Vec::new();
     for load in &mechanism.loads {
-        let terms = loads::terms(g, &laws, load);
-        contributions.loads.push(terms.forces.iter().map(|(_, force)| *force).collect());
-        contributions.potentials.push(terms.potential);
+        let terms = loads::terms(&laws, load);
+        contributions.loads.push(terms.forces.iter().map(|(_, force)| force.bare).collect());
+        contributions.potentials.push(terms.potential.bare);
         for (index, force) in terms.forces {
-            forces[index] = g.add(forces[index], force);
-            inverse[index] = g.sub(inverse[index], force);
+            forces[index] += force;
+            inverse[index] -= force;
         }
-        potential_energy = g.add(potential_energy, terms.potential);
-        powers.push(terms.power);
+        potential_energy += terms.potential;
+        powers.push(terms.power.bare);
     }
 
     // What follows from v̇ and λ.
     let first_driver = rows.len() - mechanism.drivers.len();
     let mut totals = Totals {
-        kinetic: Some(kinetic_energy),
-        potential: Some(potential_energy),
+        kinetic: Some(kinetic_energy.bare),
+        potential: Some(potential_energy.bare),
         powers: powers.clone(),
         ..Totals::default()
     };
     // The effort acts along the driven quantity, whose rate is that of the law.
     for (driver, lambda) in mechanism.drivers.iter().zip(&symbols.lambda[first_driver..]) {
-        let effort = g.neg(*lambda);
-        let rate = laws.jet(g, &driver.law).drift;
-        totals.efforts.push(effort);
-        totals.driver_powers.push(g.mul(effort, rate));
+        let effort = -g.on(*lambda);
+        totals.efforts.push(effort.bare);
+        totals.driver_powers.push((effort * laws.jet(&driver.law).jet.drift).bare);
     }
     // Each joint exerts what its own rows do, whichever of them are taken.
     let lambda = switch::multipliers(g, &all, &rows, &symbols.lambda, &omitted.switches, &chosen);
     let Consequences { motions, reactions } = match mechanism.space {
-        Space::Planar => plane::consequences(g, &laws, &tree, &all, &lambda, dropped),
-        Space::Spatial => space::consequences(g, &laws, &tree, &all, &lambda, dropped),
+        Space::Planar => plane::consequences(&laws, &tree, &all, &lambda, dropped),
+        Space::Spatial => space::consequences(&laws, &tree, &all, &lambda, dropped),
     };
 
     let outputs_laws = laws.with_totals(&totals);
     let outputs: Vec<Node> =
-        mechanism.outputs.iter().map(|output| outputs_laws.value(g, &output.value)).collect();
+        mechanism.outputs.iter().map(|output| outputs_laws.value(&output.value).bare).collect();
 
     let mut with_targets = symbols.clone();
-    let (conditions, start_targets) = conditions::start_conditions(g, &laws, &mut with_targets);
+    let (conditions, start_targets) = conditions::start_conditions(&laws, &mut with_targets);
 
-    let mut masses = masses(g, &laws);
-    masses.retain(|(_, node)| g.class(*node) == Class::Parameter);
-    let guesses = conditions::guesses(g, &laws);
+    let mut masses = masses(&laws);
+    masses.retain(|(_, node)| g.on(*node).class() == Class::Parameter);
+    let guesses = conditions::guesses(&laws);
     let driven = mechanism
         .drivers
         .iter()
-        .map(|driver| (conditions::condition(g, &laws, &driver.quantity).0, laws.value(g, &driver.law)))
+        .map(|driver| (conditions::condition(&laws, &driver.quantity).0, laws.value(&driver.law).bare))
         .collect();
-    let nu = rows.iter().map(|row| g.neg(row.jet.drift)).collect();
-    let gamma = rows.iter().map(|row| g.neg(row.jet.bias)).collect();
-    let (zero, one) = (g.constant(0.0), g.constant(1.0));
+    let nu = rows.iter().map(|row| (-g.on(row.jet.drift)).bare).collect();
+    let gamma = rows.iter().map(|row| (-g.on(row.jet.bias)).bare).collect();
+    let (zero, one) = (g.zero().bare, g.one().bare);
+    let (forces, inverse) = (all_bare(&forces), all_bare(&inverse));
+    let mass = mass.into_iter().map(|(at, entry)| (at, entry.bare)).collect();
+    let (kinetic_energy, potential_energy) = (kinetic_energy.bare, potential_energy.bare);
     Equations {
         nu,
         gamma,
@@ -310,7 +336,7 @@ pub fn derive(mechanism: &Mechanism, tree: SpanningTree, omitted: &Omitted) -> E
         tree,
         layout,
         kinematics,
-        graph,
+        graph: graph.into_inner(),
     }
 }
 
@@ -349,8 +375,7 @@ impl Equations {
             let of = conditions::name(mechanism, quantity);
             let index = self.conditions.iter().position(|known| known.of == of);
             indices.push(index.unwrap_or_else(|| {
-                let laws = Laws::moving(mechanism, &self.symbols, &self.layout, &self.kinematics);
-                let (condition, target) = conditions::condition(&mut self.graph, &laws, quantity);
+                let (condition, target) = self.condition(mechanism, quantity);
                 self.symbols.targets.push(target);
                 self.conditions.push(condition);
                 self.start_targets.push(StartTarget::default());
@@ -359,16 +384,32 @@ impl Equations {
         }
         indices
     }
+
+    /// The row of one position coordinate and a new symbol for its target, added to the graph only.
+    pub fn condition(&mut self, mechanism: &Mechanism, quantity: &Quantity) -> (Condition, Node) {
+        self.write(|g, own| {
+            let laws = Laws::moving(g, mechanism, &own.symbols, &own.layout, &own.kinematics);
+            conditions::condition(&laws, quantity)
+        })
+    }
+
+    /// Writes further equations; meanwhile the graph is where they are written.
+    pub fn write<T>(&mut self, further: impl FnOnce(Sheet, &mut Equations) -> T) -> T {
+        let mut graph = std::mem::take(&mut self.graph);
+        let written = graph.write(|g| further(g, self));
+        self.graph = graph;
+        written
+    }
 }
 
 /// Masses, moments of inertia and lengths with their names.
-fn masses(g: &mut Graph, laws: &Laws) -> Vec<(String, Node)> {
+fn masses(laws: &Laws) -> Vec<(String, Node)> {
     let mut masses = Vec::new();
     for body in &laws.mechanism.bodies {
         let name = &body.name.text;
-        masses.push((format!("mass of \"{name}\""), laws.value(g, &body.mass)));
+        masses.push((format!("mass of \"{name}\""), laws.value(&body.mass).bare));
         if body.kind == BodyKind::Rigid {
-            let moments = laws.vector(g, &body.inertia.moments);
+            let moments = laws.vector(&body.inertia.moments).bare;
             match laws.mechanism.space {
                 Space::Planar => masses.push((format!("inertia of \"{name}\""), moments[2])),
                 Space::Spatial => {
@@ -381,16 +422,25 @@ fn masses(g: &mut Graph, laws: &Laws) -> Vec<(String, Node)> {
     }
     for body in &laws.mechanism.bodies {
         for (what, length) in &body.dimensions {
-            masses.push((format!("{what} of \"{}\"", body.name.text), laws.value(g, length)));
+            masses.push((format!("{what} of \"{}\"", body.name.text), laws.value(length).bare));
         }
     }
     for joint in &laws.mechanism.joints {
-        if let JointKind::Distance { length } = &joint.kind {
-            masses.push((format!("length of \"{}\"", joint.name.text), laws.value(g, length)));
+        let scalars = joint.form.call.named.iter().filter(|argument| !argument.is_direction());
+        for (argument, value) in scalars.zip(&joint.scalars).filter(|(argument, _)| argument.is_positive) {
+            masses.push((format!("{} of \"{}\"", argument.name, joint.name.text), laws.value(value).bare));
         }
     }
     masses
 }
+
+/// The words of all elements.
+pub static VOCABULARY: Vocabulary = Vocabulary {
+    joints: |space| match space {
+        Space::Planar => plane::joints::JOINTS.iter().map(|joint| &joint.form).collect(),
+        Space::Spatial => space::joints::JOINTS.iter().map(|joint| &joint.form).collect(),
+    },
+};
 
 /// Rows of each joint that has some, by index of joint.
 fn multipliers_of_joints(rows: &[Row]) -> BTreeMap<usize, Vec<usize>> {
@@ -404,14 +454,14 @@ fn multipliers_of_joints(rows: &[Row]) -> BTreeMap<usize, Vec<usize>> {
 }
 
 /// The rows of all joints that carry nothing, of the constraints and of the drivers, in the order written.
-fn rows(g: &mut Graph, laws: &Laws, tree: &SpanningTree, carrying: &[bool], dropped: &[Dropped]) -> Vec<Row> {
+fn rows(laws: &Laws, tree: &SpanningTree, carrying: &[bool], dropped: &[Dropped]) -> Vec<Row> {
     let mechanism = laws.mechanism;
     let mut rows = Vec::new();
     for (index, joint) in mechanism.joints.iter().enumerate().filter(|(index, _)| !carrying[*index]) {
         let id = JointId(index);
         let of_joint = match mechanism.space {
-            Space::Planar => plane::joints::rows(g, laws, joint),
-            Space::Spatial => space::joints::rows(g, laws, tree, id),
+            Space::Planar => plane::joints::rows(laws, joint),
+            Space::Spatial => space::joints::rows(laws, tree, id),
         };
         for row in of_joint {
             if dropped.contains(&Dropped { joint: id, what: row.what }) {
@@ -431,14 +481,14 @@ fn rows(g: &mut Graph, laws: &Laws, tree: &SpanningTree, carrying: &[bool], drop
     let mut phases = laws.symbols.phases.iter().copied();
     for constraint in &mechanism.constraints {
         let phase = if couplings::is_open(constraint) { phases.next() } else { None };
-        let (what, jet) = couplings::row(g, laws, constraint, phase);
+        let (what, row) = couplings::row(laws, constraint, phase);
         let (of, span) = (constraint.name.text.clone(), constraint.name.span);
-        rows.push(Row { of, span, joint: None, what, jet, upright: None, axes: None });
+        rows.push(Row { of, span, joint: None, what, jet: row.jet, upright: None, axes: None });
     }
     for driver in &mechanism.drivers {
-        let (what, jet) = couplings::driver_row(g, laws, driver);
+        let (what, row) = couplings::driver_row(laws, driver);
         let (of, span) = (driver.name.text.clone(), driver.name.span);
-        rows.push(Row { of, span, joint: None, what, jet, upright: None, axes: None });
+        rows.push(Row { of, span, joint: None, what, jet: row.jet, upright: None, axes: None });
     }
     rows
 }

@@ -3,8 +3,8 @@
 //! In absolute coordinates no joint carries anything: every body is free, and every joint gives constraint rows. In
 //! tree coordinates each body hangs on one joint of a spanning tree, and the other joints, cut, give the rows.
 
-use super::space;
-use crate::model::{BodyId, BodyKind, Frame, JointId, JointKind, Mechanism, Space};
+use super::{plane, space};
+use crate::model::{BodyId, BodyKind, Frame, JointId, Mechanism, Space};
 use std::collections::{BTreeMap, BTreeSet};
 
 /// How one body is carried.
@@ -39,7 +39,7 @@ impl SpanningTree {
         let mut at: BTreeMap<Frame, Vec<JointId>> = BTreeMap::new();
         for (index, joint) in mechanism.joints.iter().enumerate() {
             let id = JointId(index);
-            if usable(&id) && carries(&joint.kind) {
+            if usable(&id) && plane::joints::of(joint.form).attach.is_some() {
                 at.entry(joint.first.frame).or_default().push(id);
                 at.entry(joint.second.frame).or_default().push(id);
             }
@@ -103,20 +103,6 @@ impl SpanningTree {
     }
 }
 
-/// Whether a joint can carry a body: a distance joint leaves no frame to measure from.
-fn carries(kind: &JointKind) -> bool {
-    !matches!(kind, JointKind::Distance { .. })
-}
-
-fn freedoms(kind: &JointKind) -> usize {
-    match kind {
-        JointKind::Fixed { .. } => 0,
-        JointKind::Revolute { .. } | JointKind::Prismatic { .. } => 1,
-        JointKind::PointOnLine { .. } => 2,
-        _ => 3,
-    }
-}
-
 fn next_layer(
     mechanism: &Mechanism,
     at: &BTreeMap<Frame, Vec<JointId>>,
@@ -135,7 +121,7 @@ fn next_layer(
             let joint = &mechanism.joints[id.0];
             let other = if joint.first.frame == *frame { joint.second.frame } else { joint.first.frame };
             let Frame::Body(child) = other else { continue };
-            let key = (freedoms(&joint.kind), *id, *frame);
+            let key = (joint.form.freedoms, *id, *frame);
             if !reached[child.0] && best.get(&child).is_none_or(|known| key < *known) {
                 best.insert(child, key);
             }

@@ -5,9 +5,10 @@
 //! volume that they span; all span the same space, so that nothing but rounding changes where the chart does. Which charts
 //! there are is decided in `check::assemble::charts`.
 
+use super::jet::Moving;
 use super::{Dropped, Jet, Row};
 use crate::model::JointId;
-use crate::symbolic::{Compare, Graph, Node};
+use crate::symbolic::{Compare, Node, Scalar, Sheet};
 
 /// The names of slots that are taken, in the order of their joint's, which has no more rows.
 const TAKEN: [&str; 6] = ["switched_1", "switched_2", "switched_3", "switched_4", "switched_5", "switched_6"];
@@ -50,58 +51,53 @@ pub struct Sized {
 }
 
 /// The slots of a switch, and which chart is taken.
-pub struct Chosen {
+pub struct Chosen<'g> {
     /// Per chart but the first: whether it is taken rather than one before it.
-    masks: Vec<Node>,
+    masks: Vec<Scalar<'g>>,
 }
 
 /// Which chart of each switch is taken, by the rows as they are without switches.
-pub fn choose(g: &mut Graph, rows: &[Row], switches: &[Switch], columns: &[f64]) -> Vec<Chosen> {
+pub fn choose<'g>(g: Sheet<'g>, rows: &[Row], switches: &[Switch], columns: &[f64]) -> Vec<Chosen<'g>> {
     switches.iter().map(|switch| chosen(g, rows, switch, columns)).collect()
 }
 
-fn chosen(g: &mut Graph, rows: &[Row], switch: &Switch, columns: &[f64]) -> Chosen {
+fn chosen<'g>(g: Sheet<'g>, rows: &[Row], switch: &Switch, columns: &[f64]) -> Chosen<'g> {
     let mut named: Vec<&Sized> = switch.common.iter().collect();
     for row in switch.taken.iter().flatten() {
         if !named.iter().any(|known| known.row == row.row) {
             named.push(row);
         }
     }
-    let jets: Vec<Jet> = named.iter().map(|named| scaled(g, rows, named)).collect();
+    let jets: Vec<Jet> = named.iter().map(|named| scaled(g, rows, named).jet).collect();
     let mut gram = gram(g, &jets, columns);
     for common in 0..switch.common.len() {
-        eliminate(g, &mut gram, common);
+        eliminate(&mut gram, common);
     }
     let place = |row: &Sized| named.iter().position(|known| known.row == row.row).unwrap_or(0);
-    let mut volumes: Vec<Node> = Vec::new();
+    let mut volumes: Vec<Scalar> = Vec::new();
     for taken in &switch.taken {
         let at: Vec<usize> = taken.iter().map(place).collect();
-        let own: Vec<Vec<Node>> = at.iter().map(|i| at.iter().map(|j| gram[*i][*j]).collect()).collect();
+        let own = at.iter().map(|i| at.iter().map(|j| gram[*i][*j]).collect()).collect();
         volumes.push(determinant(g, own));
     }
     let mut most = volumes[0];
     let mut masks = Vec::new();
     for volume in &volumes[1..] {
-        masks.push(g.compare(Compare::Less, most, *volume));
-        most = g.max(most, *volume);
+        masks.push(most.compare(Compare::Less, *volume));
+        most = most.max(*volume);
     }
     Chosen { masks }
 }
 
+type Matrix<'g> = Vec<Vec<Scalar<'g>>>;
+
 /// D W Dᵀ, W of the squares of `columns`.
-fn gram(g: &mut Graph, jets: &[Jet], columns: &[f64]) -> Vec<Vec<Node>> {
-    let zero = g.constant(0.0);
-    let mut gram = vec![vec![zero; jets.len()]; jets.len()];
+fn gram<'g>(g: Sheet<'g>, jets: &[Jet], columns: &[f64]) -> Matrix<'g> {
+    let mut gram = vec![vec![g.zero(); jets.len()]; jets.len()];
     for (i, a) in jets.iter().enumerate() {
         for (j, b) in jets.iter().enumerate().take(i + 1) {
-            let mut terms = Vec::new();
-            for (column, x) in &a.columns {
-                let Some(y) = b.columns.get(column) else { continue };
-                let product = g.mul(*x, *y);
-                let weight = g.constant(columns[*column] * columns[*column]);
-                terms.push(g.mul(weight, product));
-            }
-            gram[i][j] = g.sum(terms);
+            let both = a.columns.iter().filter_map(|(k, x)| b.columns.get(k).map(|y| (k, g.on(*x), *y)));
+            gram[i][j] = g.sum(both.map(|(k, x, y)| columns[*k] * columns[*k] * (x * y)));
             gram[j][i] = gram[i][j];
         }
     }
@@ -109,32 +105,28 @@ fn gram(g: &mut Graph, jets: &[Jet], columns: &[f64]) -> Vec<Vec<Node>> {
 }
 
 /// Takes a row out of a symmetric matrix: the rest is orthogonal to it.
-fn eliminate(g: &mut Graph, a: &mut [Vec<Node>], pivot: usize) {
-    let column: Vec<Node> = a.iter().map(|row| row[pivot]).collect();
+fn eliminate(a: &mut Matrix, pivot: usize) {
+    let column: Vec<Scalar> = a.iter().map(|row| row[pivot]).collect();
     for i in pivot + 1..a.len() {
-        let factor = g.div(column[i], column[pivot]);
-        for (j, entry) in column.iter().enumerate().take(i + 1).skip(pivot + 1) {
-            let taken = g.mul(factor, *entry);
-            a[i][j] = g.sub(a[i][j], taken);
+        let factor = column[i] / column[pivot];
+        for j in pivot + 1..=i {
+            a[i][j] -= factor * column[j];
             a[j][i] = a[i][j];
         }
     }
 }
 
 /// By cofactors of one and two rows, else by elimination: |A| of a symmetric matrix.
-fn determinant(g: &mut Graph, mut a: Vec<Vec<Node>>) -> Node {
+fn determinant<'g>(g: Sheet<'g>, mut a: Matrix<'g>) -> Scalar<'g> {
     match a.len() {
-        0 => g.constant(1.0),
+        0 => g.one(),
         1 => a[0][0],
-        2 => {
-            let (plus, minus) = (g.mul(a[0][0], a[1][1]), g.mul(a[0][1], a[1][0]));
-            g.sub(plus, minus)
-        }
+        2 => a[0][0] * a[1][1] - a[0][1] * a[1][0],
         size => {
             let mut product = a[0][0];
-            for pivot in 0..size - 1 {
-                eliminate(g, &mut a, pivot);
-                product = g.mul(product, a[pivot + 1][pivot + 1]);
+            for pivot in 1..size {
+                eliminate(&mut a, pivot - 1);
+                product = product * a[pivot][pivot];
             }
             product
         }
@@ -142,7 +134,7 @@ fn determinant(g: &mut Graph, mut a: Vec<Vec<Node>>) -> Node {
 }
 
 /// The rows as they are taken, of rows as they are without switches. `keeps`: those not taken follow as slots of their own.
-pub fn apply(g: &mut Graph, all: &[Row], switches: &[Switch], chosen: &[Chosen], keeps: bool) -> Vec<Row> {
+pub fn apply(g: Sheet, all: &[Row], switches: &[Switch], chosen: &[Chosen], keeps: bool) -> Vec<Row> {
     let is_slot = |row: &Row| switches.iter().any(|switch| switch.has(row));
     let mut rows: Vec<Row> = Vec::new();
     let mut written = vec![false; switches.len()];
@@ -188,19 +180,19 @@ fn names<'a>(
 
 /// λ of the rows as they are without switches, of multipliers of the rows that are taken: zero where a row is not.
 pub fn multipliers(
-    g: &mut Graph,
+    g: Sheet,
     all: &[Row],
     taken: &[Row],
     lambda: &[Node],
     switches: &[Switch],
     chosen: &[Chosen],
 ) -> Vec<Node> {
-    let zero = g.constant(0.0);
+    let zero = g.zero();
     let mut result = Vec::new();
     for row in all {
         let Some(at) = switches.iter().position(|switch| switch.has(row)) else {
             let own = taken.iter().position(|other| same(other, row));
-            result.push(own.map_or(zero, |own| lambda[own]));
+            result.push(own.map_or(zero.bare, |own| lambda[own]));
             continue;
         };
         let (switch, chosen) = (&switches[at], &chosen[at]);
@@ -213,13 +205,12 @@ pub fn multipliers(
                 let at = taken
                     .iter()
                     .position(|other| other.joint == Some(first.row.joint) && other.what == names[slot])?;
-                let scale = g.constant(1.0 / rows[slot].size);
-                Some(g.mul(scale, lambda[at]))
+                Some(1.0 / rows[slot].size * g.on(lambda[at]))
             });
             let own = own.unwrap_or(zero);
-            value = if chart == 0 { own } else { g.select(chosen.masks[chart - 1], own, value) };
+            value = if chart == 0 { own } else { chosen.masks[chart - 1].select(own, value) };
         }
-        result.push(value);
+        result.push(value.bare);
     }
     result
 }
@@ -228,12 +219,12 @@ fn same(a: &Row, b: &Row) -> bool {
     a.joint == b.joint && a.of == b.of && a.what == b.what
 }
 
-fn scaled(g: &mut Graph, rows: &[Row], named: &Sized) -> Jet {
-    let row = rows.iter().find(|row| named.is(row));
-    let factor = g.constant(1.0 / named.size);
-    match row {
-        Some(row) => row.jet.scale(g, factor),
-        None => Jet::constant(g, factor),
+fn scaled<'g>(g: Sheet<'g>, rows: &[Row], named: &Sized) -> Moving<'g> {
+    let moving = |jet: Jet| Moving { g, velocities: &[], jet };
+    let factor = g.number(1.0 / named.size);
+    match rows.iter().find(|row| named.is(row)) {
+        Some(row) => factor * moving(row.jet.clone()),
+        None => moving(Jet::constant(factor)),
     }
 }
 
@@ -257,27 +248,31 @@ impl Switch {
     /// One row for each slot, brought to size one; by name it is the first chart's.
     fn slots(
         &self,
-        g: &mut Graph,
+        g: Sheet,
         all: &[Row],
         chosen: &Chosen,
         charts: &[Vec<Sized>],
         names: &[&'static str],
     ) -> Vec<Row> {
-        let one = g.constant(1.0);
+        let upright =
+            |row: Option<&Row>| row.and_then(|row| row.upright).map_or_else(|| g.one(), |it| g.on(it));
         let find = |named: &Sized| all.iter().find(|row| named.is(row));
         let mut slots = Vec::new();
         for ((slot, first), &what) in charts[0].iter().enumerate().zip(names) {
             let Some(stands) = find(first) else { continue };
             let mut jet = scaled(g, all, first);
-            let mut upright = stands.upright.unwrap_or(one);
+            let mut cosine = upright(Some(stands));
             for (mask, chart) in chosen.masks.iter().zip(&charts[1..]) {
-                let other = scaled(g, all, &chart[slot]);
-                jet = Jet::select(g, *mask, &other, &jet);
-                let cosine = find(&chart[slot]).and_then(|row| row.upright).unwrap_or(one);
-                upright = g.select(*mask, cosine, upright);
+                jet = Moving::select(*mask, &scaled(g, all, &chart[slot]), &jet);
+                cosine = mask.select(upright(find(&chart[slot])), cosine);
             }
-            let upright = g.value(upright).is_none().then_some(upright);
-            slots.push(Row { what, jet, upright, axes: None, ..stands.clone() });
+            slots.push(Row {
+                what,
+                jet: jet.jet,
+                upright: cosine.value().is_none().then_some(cosine.bare),
+                axes: None,
+                ..stands.clone()
+            });
         }
         slots
     }
@@ -286,7 +281,7 @@ impl Switch {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::symbolic::{Class, evaluate};
+    use crate::symbolic::{Class, Graph, evaluate};
     use proc_macro2::Span;
 
     const WHATS: [&str; 4] = ["x", "y", "z", "axis_1"];
@@ -309,25 +304,24 @@ mod tests {
     #[test]
     fn groups_of_one_joint_share_no_name() {
         let mut graph = Graph::new();
-        let g = &mut graph;
-        let entries = [3.0, 1.0, 1.0, 4.0].map(|entry| g.constant(entry));
-        let jets = entries.map(|entry| {
-            let mut jet = Jet::constant(g, entry);
-            jet.columns.insert(0, entry);
-            jet
+        let own = graph.write(|g| {
+            let rows = [3.0, 1.0, 1.0, 4.0].map(|entry| g.number(entry)).into_iter().zip(WHATS).map(
+                |(entry, what)| {
+                    let mut jet = Jet::constant(entry);
+                    jet.columns.insert(0, entry.bare);
+                    let (of, span) = ("pin".to_string(), Span::call_site().into());
+                    Row { of, span, joint: Some(JointId(0)), what, jet, upright: None, axes: None }
+                },
+            );
+            let (all, switches): (Vec<Row>, _) = (rows.collect(), groups());
+            let chosen = choose(g, &all, &switches, &[1.0]);
+            let rows = apply(g, &all, &switches, &chosen, true);
+            let names: Vec<&str> = rows.iter().map(|row| row.what).collect();
+            assert_eq!(names, ["switched_1", "idle_1", "switched_2", "idle_2"]);
+            let lambda = ["a", "b", "c", "d"].map(|name| g.symbol(name, Class::Input).bare);
+            multipliers(g, &all, &rows, &lambda, &switches, &chosen)
         });
-        let rows = jets.into_iter().zip(WHATS).map(|(jet, what)| {
-            let (of, span) = ("pin".to_string(), Span::call_site().into());
-            Row { of, span, joint: Some(JointId(0)), what, jet, upright: None, axes: None }
-        });
-        let (all, switches): (Vec<Row>, _) = (rows.collect(), groups());
-        let chosen = choose(g, &all, &switches, &[1.0]);
-        let rows = apply(g, &all, &switches, &chosen, true);
-        let names: Vec<&str> = rows.iter().map(|row| row.what).collect();
-        assert_eq!(names, ["switched_1", "idle_1", "switched_2", "idle_2"]);
-        let lambda = ["a", "b", "c", "d"].map(|name| g.symbol(name, Class::Input));
-        let own = multipliers(g, &all, &rows, &lambda, &switches, &chosen);
-        let values = evaluate(g, &[10.0, 0.0, 20.0, 0.0]);
+        let values = evaluate(&graph, &[10.0, 0.0, 20.0, 0.0]);
         // The first group takes its first row, 3 beside 1/2, the second its second, 4/2 beside 1, by half.
         let own: Vec<f64> = own.iter().map(|node| values[node.index()]).collect();
         assert_eq!(own, [10.0, 0.0, 0.0, 10.0]);

@@ -12,7 +12,7 @@
 
 use super::coordinates::{Layout, Symbols};
 use super::{Equations, Jet};
-use crate::symbolic::{Gradient, Graph, Node};
+use crate::symbolic::{Gradient, Node, Scalar, Sheet, all_bare};
 use std::collections::BTreeMap;
 
 /// A sparse matrix, row by row.
@@ -45,35 +45,38 @@ pub struct Tangents {
 impl Tangents {
     /// Derives all of them.
     pub fn new(equations: &mut Equations, states: Vec<usize>) -> Self {
-        let residual = residual(equations);
-        let Equations { graph: g, symbols, layout, rows, conditions, unsolved_outputs: outputs, .. } =
-            equations;
+        equations.write(|g, equations| Tangents::of(g, equations, states))
+    }
+
+    fn of(g: Sheet, equations: &Equations, states: Vec<usize>) -> Self {
+        let residual = residual(g, equations);
+        let Equations { symbols, layout, rows, conditions, unsolved_outputs: outputs, .. } = equations;
         let n = layout.velocities();
-        let Symbols { v, inputs, lambda, parameters, acceleration: a, .. } = &*symbols;
+        let Symbols { v, inputs, lambda, parameters, acceleration: a, .. } = symbols;
 
         let along = Seed::of(g).positions(g, layout, &symbols.q);
         let state = along.then(v);
         let all = state.then(inputs).then(lambda);
+        let differentiate = |of: &[Node], seed: &Seed| g.differentiate(of, &seed.gradients);
 
-        let by_state = g.differentiate(&residual, &all.gradients);
+        let by_state = differentiate(&residual, &all);
         let [stiffness, damping, input, _] = split(&by_state, [n, n, inputs.len(), lambda.len()]);
 
-        let accelerations: Vec<Node> = rows.iter().map(|row| row.jet.acceleration(g, a)).collect();
-        let rates: Vec<Node> = rows.iter().map(|row| row.jet.rate(g, v)).collect();
-        let [row_stiffness, row_damping] = split(&g.differentiate(&accelerations, &state.gradients), [n, n]);
-        let rate = g.differentiate(&rates, &along.gradients);
+        let accelerations: Vec<Node> = rows.iter().map(|row| row.jet.acceleration(g, a).bare).collect();
+        let rates: Vec<Node> = rows.iter().map(|row| row.jet.rate(g, v).bare).collect();
+        let [row_stiffness, row_damping] = split(&differentiate(&accelerations, &state), [n, n]);
+        let rate = differentiate(&rates, &along);
 
         let values = rows.iter().map(|row| row.jet.value);
         let designed: Vec<Node> = residual.iter().chain(&accelerations).chain(&rates).copied().collect();
         let designed: Vec<Node> = designed.into_iter().chain(values).chain(outputs.iter().copied()).collect();
-        let by_parameters = Seed::of(g).then(parameters);
-        let parameter = g.differentiate(&designed, &by_parameters.gradients);
-        let output = g.differentiate(outputs, &all.gradients);
+        let parameter = differentiate(&designed, &Seed::of(g).then(parameters));
+        let output = differentiate(outputs, &all);
 
         let jets: Vec<&Jet> = states.iter().map(|index| &conditions[*index].jet).collect();
-        let mut motion: Vec<Node> = jets.iter().map(|jet| jet.rate(g, v)).collect();
-        motion.extend(jets.iter().map(|jet| jet.acceleration(g, a)).collect::<Vec<_>>());
-        let coordinate = g.differentiate(&motion, &state.gradients);
+        let mut motion: Vec<Node> = jets.iter().map(|jet| jet.rate(g, v).bare).collect();
+        motion.extend(jets.iter().map(|jet| jet.acceleration(g, a).bare));
+        let coordinate = differentiate(&motion, &state);
         Tangents {
             residual,
             stiffness,
@@ -91,16 +94,14 @@ impl Tangents {
 }
 
 /// r = M a + Dᵀ λ − Q in symbols for a and λ.
-fn residual(equations: &mut Equations) -> Vec<Node> {
-    let Equations { graph: g, symbols, rows, inverse, .. } = equations;
-    let mut residual = inverse.clone();
-    for (row, lambda) in rows.iter().zip(&symbols.lambda) {
+fn residual(g: Sheet, equations: &Equations) -> Vec<Node> {
+    let mut residual = g.all(&equations.inverse);
+    for (row, lambda) in equations.rows.iter().zip(&equations.symbols.lambda) {
         for (velocity, column) in &row.jet.columns {
-            let force = g.mul(*column, *lambda);
-            residual[*velocity] = g.add(residual[*velocity], force);
+            residual[*velocity] += g.on(*column) * *lambda;
         }
     }
-    residual
+    all_bare(&residual)
 }
 
 /// Of each symbol its derivatives by direction.
@@ -112,8 +113,8 @@ struct Seed {
 
 impl Seed {
     /// Everything held.
-    fn of(g: &mut Graph) -> Self {
-        Seed { gradients: BTreeMap::new(), directions: 0, one: g.constant(1.0) }
+    fn of(g: Sheet) -> Self {
+        Seed { gradients: BTreeMap::new(), directions: 0, one: g.one().bare }
     }
 
     /// One more direction for each of these symbols.
@@ -125,7 +126,7 @@ impl Seed {
     }
 
     /// A direction for each velocity: the positions' increments of its kind.
-    fn positions(mut self, g: &mut Graph, layout: &Layout, q: &[Node]) -> Self {
+    fn positions(mut self, g: Sheet, layout: &Layout, q: &[Node]) -> Self {
         let mut moves = |symbol: Node, direction: usize, derivative: Node| {
             self.gradients.entry(symbol).or_default().insert(direction, derivative);
         };
@@ -135,24 +136,21 @@ impl Seed {
         for r in 0..layout.rotations.len() {
             let [c, s] = [q[layout.pair(r)], q[layout.pair(r) + 1]];
             let direction = layout.linear.len() + r;
-            let minus = g.neg(s);
-            moves(c, direction, minus);
+            moves(c, direction, (-g.on(s)).bare);
             moves(s, direction, c);
         }
-        let half = g.constant(0.5);
         for b in 0..layout.quaternions.len() {
             let first = layout.quaternion(b);
-            let turned = std::array::from_fn(|k| g.mul(half, q[first + k]));
-            for (axis, column) in quaternion_columns(g, turned).into_iter().enumerate() {
+            let half = [0, 1, 2, 3].map(|k| 0.5 * g.on(q[first + k]));
+            for (axis, column) in quaternion_columns(half).into_iter().enumerate() {
                 for (k, derivative) in column.into_iter().enumerate() {
-                    moves(q[first + k], layout.omega(b) + axis, derivative);
+                    moves(q[first + k], layout.omega(b) + axis, derivative.bare);
                 }
             }
         }
         for (a, angle) in layout.angles.iter().enumerate() {
             for (velocity, weight) in &angle.rate {
-                let weight = g.constant(*weight);
-                moves(q[layout.turns(a) + 1], *velocity, weight);
+                moves(q[layout.turns(a) + 1], *velocity, g.number(*weight).bare);
             }
         }
         Seed { directions: layout.velocities(), ..self }
@@ -160,8 +158,8 @@ impl Seed {
 }
 
 /// q ⊗ (0, e) for the three axes e.
-fn quaternion_columns(g: &mut Graph, [w, x, y, z]: [Node; 4]) -> [[Node; 4]; 3] {
-    let [mx, my, mz] = [x, y, z].map(|entry| g.neg(entry));
+fn quaternion_columns<'g>([w, x, y, z]: [Scalar<'g>; 4]) -> [[Scalar<'g>; 4]; 3] {
+    let [mx, my, mz] = [-x, -y, -z];
     [[mx, w, z, my], [my, mz, w, x], [mz, y, mx, w]]
 }
 

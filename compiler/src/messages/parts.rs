@@ -1,51 +1,51 @@
 //! Texts about bodies, joints and loads, and the rules that they obey.
 
 use super::{closest, not_there_yet, number, other_argument};
-use crate::syntax::{JointWord, Space};
+use crate::forms::{Form, Space};
 
 // ---- Joints, constraints, loads --------------------------------------------------------------------------------------
 
-pub(crate) fn unknown_kind(what: &str, word: &str, known: &[&'static str], space: Space) -> String {
-    if what == "joint" && JointWord::ALL.iter().any(|kind| kind.text() == word) {
+/// `in_space`: the joints that space has.
+pub(crate) fn unknown_joint(word: &str, known: &[&Form], in_space: &[&Form], space: Space) -> String {
+    if in_space.iter().any(|form| form.word == word) {
         debug_assert!(space == Space::Planar);
         return format!("a {word} joint needs space: write `spatial` before the name of the mechanism");
     }
-    if what == "load" && ["bushing", "friction", "contact", "mesh"].contains(&word) {
-        return not_there_yet(word);
-    }
-    let likely = closest(word, known.iter().copied()).or_else(|| other_name(word, known));
-    let in_space = || other_name(word, &JointWord::ALL.map(JointWord::text));
-    if let (None, "joint", Space::Planar, Some(ours)) = (likely, what, space, in_space()) {
+    if let (None, Some(ours)) = (likely(word, known), elsewhere(word, in_space)) {
+        debug_assert!(space == Space::Planar);
         return format!(
             "a {word} joint is `{ours}`, which needs space: write `spatial` before the name of the mechanism"
         );
     }
-    let hint = match likely {
+    no_such("joint", word, known)
+}
+
+pub(crate) fn unknown_kind(what: &str, word: &str, known: &[&Form]) -> String {
+    if what == "load" && ["bushing", "friction", "contact", "mesh"].contains(&word) {
+        return not_there_yet(word);
+    }
+    no_such(what, word, known)
+}
+
+fn no_such(what: &str, word: &str, known: &[&Form]) -> String {
+    let hint = match likely(word, known) {
         Some(known) => format!("did you mean `{known}`?"),
-        None => format!("there are {}", known.join(", ")),
+        None => format!("there are {}", words(known).join(", ")),
     };
     format!("no {what} called \"{word}\"; {hint}")
 }
 
-/// The joint that other programs call so.
-fn other_name(word: &str, known: &[&'static str]) -> Option<&'static str> {
-    const OTHERS: [(&str, &str); 13] = [
-        ("hinge", "revolute"),
-        ("pin", "revolute"),
-        ("continuous", "revolute"),
-        ("slider", "prismatic"),
-        ("translational", "prismatic"),
-        ("ball", "spherical"),
-        ("ball_and_socket", "spherical"),
-        ("cardan", "universal"),
-        ("hooke", "universal"),
-        ("helical", "screw"),
-        ("weld", "fixed"),
-        ("rigid", "fixed"),
-        ("homokinetic", "constant_velocity"),
-    ];
-    let (_, ours) = OTHERS.into_iter().find(|(other, _)| *other == word)?;
-    known.iter().copied().find(|known| *known == ours)
+fn words(forms: &[&Form]) -> Vec<&'static str> {
+    forms.iter().map(|form| form.word).collect()
+}
+
+fn likely(word: &str, known: &[&Form]) -> Option<&'static str> {
+    closest(word, words(known).into_iter()).or_else(|| elsewhere(word, known))
+}
+
+/// What other programs call so.
+fn elsewhere(word: &str, known: &[&Form]) -> Option<&'static str> {
+    known.iter().find(|form| form.elsewhere.contains(&word)).map(|form| form.word)
 }
 
 pub(crate) fn other_load(word: &str, kind: &str) -> String {

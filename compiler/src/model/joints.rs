@@ -4,9 +4,10 @@ use super::fold;
 use super::lower::{Lowering, Use, name};
 use super::names::Part;
 use super::unused::Scope;
-use super::{Axes, BodyId, Expr, Frame, Function2, Joint, JointKind, Place, Vector};
+use super::{Axes, BodyId, Expr, Frame, Function2, Joint, Place, Space, Vector};
+use crate::forms::{Argument, Given, Need, OfParticle, Value, degrees_between};
 use crate::messages;
-use crate::syntax::{self, Entry, FirstTerm, JointWord, LineTerm, Path, Space};
+use crate::syntax::{self, FirstTerm, LineTerm, Path};
 use crate::units::Dimension;
 
 /// A line that a point may lie on.
@@ -32,85 +33,86 @@ impl<'d> Lowering<'d> {
             FirstTerm::Line(line) => self.on_line(line),
         };
         let second = self.place(&joint.second);
-        let kind = match (joint.kind, on_line) {
-            (JointWord::PointOnLine, on_line) => on_line,
-            (JointWord::Distance, _) => {
-                let length = joint.length.as_ref()?;
-                let length = self.entry(length, Dimension::LENGTH, Use::LENGTH, "length");
-                length.map(|length| JointKind::Distance { length })
-            }
-            (JointWord::Fixed, _) => {
-                let angle = self.joint_angle(joint.angle.as_ref());
-                angle.map(|angle| JointKind::Fixed { angle })
-            }
-            (JointWord::Spherical, _) => Some(JointKind::Spherical),
-            (JointWord::Universal, _) => {
-                let axis = self.direction(joint.axis.as_ref()?, "axis");
-                let second = self.direction(joint.second_axis.as_ref()?, "second axis");
-                let (axis, second_axis) = axis.zip(second)?;
-                if let Some(degrees) = self.degrees_between(&axis, &second_axis)
-                    && (degrees - 90.0).abs() > 1e-6
-                {
-                    let region = joint.second_axis.as_ref()?.region;
-                    self.diagnostics.error(region, messages::not_perpendicular(degrees));
-                    return None;
+        let mut directions = Vec::new();
+        let mut scalars = Vec::new();
+        match &joint.first {
+            FirstTerm::Place(_) => {}
+            FirstTerm::Line(_) => directions.push(on_line?),
+        }
+        for argument in joint.form.call.named {
+            match argument.value {
+                Value::Direction => {
+                    directions.push(self.joint_direction(
+                        joint,
+                        argument,
+                        first.as_ref(),
+                        second.as_ref(),
+                    )?);
                 }
-                Some(JointKind::Universal { axis, second_axis })
+                Value::Scalar(dimension) => {
+                    scalars.push(self.joint_scalar(joint, argument, dimension, Use::COEFFICIENT)?);
+                }
+                Value::Moving(dimension) => {
+                    scalars.push(self.joint_scalar(joint, argument, dimension, Use::LENGTH)?);
+                }
             }
-            _ => self.with_axis(joint, first.as_ref(), second.as_ref()),
-        };
-        let (first, second, kind) = (first?, second?, kind?);
-        self.two_bodies(joint, &first, &second)?;
-        Some(Joint { name: name(&joint.name), kind, first, second })
+        }
+        let (first, second) = (first?, second?);
+        let lowered = Joint { name: name(&joint.name), form: joint.form, first, second, directions, scalars };
+        self.refused(joint, &lowered)?;
+        self.two_bodies(joint, &lowered.first, &lowered.second)?;
+        Some(lowered)
     }
 
-    /// The kinds of joints that have one axis.
-    fn with_axis(
+    fn joint_direction(
         &mut self,
         joint: &'d syntax::Joint,
+        argument: &Argument,
         first: Option<&Place>,
         second: Option<&Place>,
-    ) -> Option<JointKind> {
-        let angle = self.joint_angle(joint.angle.as_ref());
-        let pitch = match &joint.pitch {
-            Some(entry) => {
-                let pitch = self.entry(entry, Dimension::LENGTH, Use::COEFFICIENT, "pitch");
-                if matches!(pitch, Some(Expr::Number(0.0))) {
-                    self.diagnostics.error(entry.value.region, messages::zero_pitch());
-                    return None;
-                }
-                pitch
-            }
-            None => None,
-        };
-        let axis = match &joint.axis {
-            Some(axis) => self.direction(axis, "axis")?,
-            None => {
-                let marked = [first?, second?].iter().any(|place| !matches!(place.axes, Axes::Parallel));
-                if self.definition.space == Space::Spatial && !marked {
-                    let message = messages::missing_axis(joint.kind.text());
-                    self.diagnostics.error(joint.name.region, message);
-                    return None;
-                }
-                [Expr::Number(0.0), Expr::Number(0.0), Expr::Number(1.0)]
-            }
-        };
-        Some(match joint.kind {
-            JointWord::Revolute => JointKind::Revolute { axis },
-            JointWord::Prismatic => JointKind::Prismatic { axis, angle: angle? },
-            JointWord::Cylindrical => JointKind::Cylindrical { axis },
-            JointWord::Screw => JointKind::Screw { axis, pitch: pitch? },
-            JointWord::Planar => JointKind::Planar { axis },
-            JointWord::ConstantVelocity => JointKind::ConstantVelocity { axis },
-            _ => JointKind::PointOnPlane { axis },
-        })
+    ) -> Option<Vector> {
+        if let Some(tuple) = joint.named.tuple(argument.name) {
+            return self.direction(tuple, &argument.name.replace('_', " "));
+        }
+        let marked = [first?, second?].iter().any(|place| !matches!(place.axes, Axes::Parallel));
+        if argument.need == Need::UnlessMarked && !marked {
+            self.diagnostics.error(joint.name.region, messages::missing_axis(joint.form.call.word));
+            return None;
+        }
+        Some([Expr::Number(0.0), Expr::Number(0.0), Expr::Number(1.0)])
     }
 
-    fn joint_angle(&mut self, angle: Option<&'d Entry>) -> Option<Expr> {
-        match angle {
-            Some(entry) => self.entry(entry, Dimension::ANGLE, Use::COEFFICIENT, "angle"),
+    fn joint_scalar(
+        &mut self,
+        joint: &'d syntax::Joint,
+        argument: &Argument,
+        dimension: Dimension,
+        usage: Use,
+    ) -> Option<Expr> {
+        match joint.named.entry(argument.name) {
+            Some(entry) => self.entry(entry, dimension, usage, argument.name),
             None => Some(Expr::Number(0.0)),
         }
+    }
+
+    /// What the form refuses of the arguments, at the defaults of parameters.
+    fn refused(&mut self, joint: &'d syntax::Joint, lowered: &Joint) -> Option<()> {
+        let Some(refuses) = joint.form.refuses else { return Some(()) };
+        let scalar = |value: &Expr| fold::evaluate(value, self.defaults());
+        let direction = |vector: &Vector| {
+            let values: Option<Vec<f64>> = vector.iter().map(scalar).collect();
+            values?.try_into().ok()
+        };
+        let given = Given {
+            name: &joint.name.text,
+            directions: lowered.directions.iter().map(direction).collect(),
+            scalars: lowered.scalars.iter().map(scalar).collect(),
+        };
+        let Some((argument, message)) = refuses(&given) else { return Some(()) };
+        let tuple = joint.named.tuple(argument).map(|tuple| tuple.region);
+        let region = tuple.or_else(|| joint.named.entry(argument).map(|entry| entry.value.region));
+        self.diagnostics.error(region.unwrap_or(joint.name.region), message);
+        None
     }
 
     /// A joint connects two things that move apart, and holds the orientation only of what has one.
@@ -127,19 +129,13 @@ impl<'d> Lowering<'d> {
         let Some(place) = [first, second].into_iter().find(|place| self.is_particle(place.frame)) else {
             return Some(());
         };
-        use JointWord::{Distance, Fixed, PointOnLine, PointOnPlane, Prismatic, Spherical};
-        if first.frame == place.frame && joint.kind == PointOnPlane {
-            self.diagnostics.error(region, messages::particle_carries(joint.kind.text(), &place.text));
-            return None;
-        }
-        let message = match (self.definition.space, joint.kind) {
-            (Space::Planar, Fixed | Prismatic) => {
-                messages::orientation_of_particle(joint.kind.text(), &place.text)
-            }
-            (Space::Spatial, kind) if !matches!(kind, Spherical | PointOnLine | PointOnPlane | Distance) => {
-                messages::joint_of_particle_kind(kind.text(), &place.text)
-            }
-            _ => return Some(()),
+        let word = joint.form.call.word;
+        let message = match (joint.form.of_particle, self.definition.space) {
+            (OfParticle::Any, _) => return Some(()),
+            (OfParticle::Second, _) if first.frame != place.frame => return Some(()),
+            (OfParticle::Second, _) => messages::particle_carries(word, &place.text),
+            (OfParticle::Neither, Space::Planar) => messages::orientation_of_particle(word, &place.text),
+            (OfParticle::Neither, Space::Spatial) => messages::joint_of_particle_kind(word, &place.text),
         };
         self.diagnostics.error(region, message);
         None
@@ -147,16 +143,12 @@ impl<'d> Lowering<'d> {
 
     /// The angle between two directions at the defaults of parameters.
     pub(super) fn degrees_between(&self, a: &Vector, b: &Vector) -> Option<f64> {
-        let defaults = self.defaults();
         let value = |vector: &Vector| -> Option<[f64; 3]> {
-            let values: Vec<f64> = vector.iter().filter_map(|x| fold::evaluate(x, defaults)).collect();
-            values.try_into().ok()
+            let values: Option<Vec<f64>> =
+                vector.iter().map(|x| fold::evaluate(x, self.defaults())).collect();
+            values?.try_into().ok()
         };
-        let (a, b) = (value(a)?, value(b)?);
-        let dot: f64 = a.iter().zip(b).map(|(a, b)| a * b).sum();
-        let cross = [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]];
-        let across = libm::sqrt(cross.iter().map(|x| x * x).sum());
-        Some(libm::atan2(across, dot).to_degrees())
+        Some(degrees_between(value(a)?, value(b)?))
     }
 
     fn body_name(&self, body: BodyId) -> &'d str {
@@ -164,14 +156,14 @@ impl<'d> Lowering<'d> {
     }
 
     /// The line's first point as the first place, and the way along it.
-    fn on_line(&mut self, line: &'d LineTerm) -> (Option<Place>, Option<JointKind>) {
+    fn on_line(&mut self, line: &'d LineTerm) -> (Option<Place>, Option<Vector>) {
         let Some(LowerLine { frame, ends: [from, to], text }) = self.line(line) else { return (None, None) };
         let [x, y, z] = from.clone();
         let [to_x, to_y, to_z] = to;
         let less = |a, b| fold::binary(Function2::Sub, a, b);
         let direction = [less(to_x, x), less(to_y, y), less(to_z, z)];
         let first = Place { frame, at: from, axes: Axes::Parallel, text, span: line.region() };
-        (Some(first), Some(JointKind::PointOnLine { direction }))
+        (Some(first), Some(direction))
     }
 
     fn line(&mut self, line: &'d LineTerm) -> Option<LowerLine> {

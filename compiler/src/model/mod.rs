@@ -21,7 +21,8 @@ mod unused;
 mod values;
 
 use crate::diagnostics::{Allowed, Region};
-pub use crate::syntax::{Budgeted, JointWord, Shape, Space};
+pub use crate::forms::{Alone, JointAxes, JointForm, Space};
+pub use crate::syntax::{Budgeted, Shape};
 pub use expression::{Comparison, Condition, Expr, Function1, Function2, Quantity};
 pub(crate) use lower::Use;
 pub use lower::lower;
@@ -236,12 +237,36 @@ pub struct Place {
 #[derive(Clone, Debug)]
 pub struct Joint {
     pub name: Name,
-    pub kind: JointKind,
+    pub form: &'static JointForm,
     pub first: Place,
     pub second: Place,
+    /// Its directions, of any length but zero, in the order of its arguments; of a line, the way along it.
+    pub directions: Vec<Vector>,
+    /// Its other arguments, in their order.
+    pub scalars: Vec<Expr>,
 }
 
 impl Joint {
+    /// As written.
+    pub fn word(&self) -> &'static str {
+        self.form.call.word
+    }
+
+    /// One of its directions, as many as its form has.
+    pub fn direction(&self, which: usize) -> &Vector {
+        &self.directions[which]
+    }
+
+    /// One of its other arguments, as many as its form has.
+    pub fn scalar(&self, which: usize) -> &Expr {
+        &self.scalars[which]
+    }
+
+    /// The axis that is the same in the axes of both places.
+    pub fn common_axis(&self) -> Option<&Vector> {
+        self.directions.first().filter(|_| self.form.axes == JointAxes::Common)
+    }
+
     /// Whether one of its places is a body without orientation: the joint then has no angle.
     pub fn has_particle(&self, mechanism: &Mechanism) -> bool {
         let is_particle = |frame: Frame| match frame {
@@ -249,78 +274,6 @@ impl Joint {
             Frame::Body(body) => mechanism.bodies[body.0].kind == BodyKind::Particle,
         };
         is_particle(self.first.frame) || is_particle(self.second.frame)
-    }
-}
-
-#[derive(Clone, Debug)]
-pub enum JointKind {
-    /// Orientation of the second relative to the first stays `angle` (rad).
-    Fixed {
-        angle: Expr,
-    },
-    /// About `axis`, in the axes of both places; z in the plane.
-    Revolute {
-        axis: Vector,
-    },
-    /// Translation along `axis` (in the first's frame, any length but zero); orientation stays `angle` (rad).
-    Prismatic {
-        axis: Vector,
-        angle: Expr,
-    },
-    /// Along and about `axis`.
-    Cylindrical {
-        axis: Vector,
-    },
-    /// Along and about `axis`, with a travel of `pitch` (m) for a turn.
-    Screw {
-        axis: Vector,
-        pitch: Expr,
-    },
-    /// About `axis` of the first, then `second_axis` of the second.
-    Universal {
-        axis: Vector,
-        second_axis: Vector,
-    },
-    Spherical,
-    /// Across and about `axis`.
-    Planar {
-        axis: Vector,
-    },
-    /// Shafts along `axis` of both places that meet, and turn by the same angle.
-    ConstantVelocity {
-        axis: Vector,
-    },
-    /// The second place stays on the plane through the first across `axis`.
-    PointOnPlane {
-        axis: Vector,
-    },
-    /// The second place stays on the line through the first along `direction` (in the first's frame, any length but zero).
-    PointOnLine {
-        direction: Vector,
-    },
-    /// The places stay `length` (m, may depend on time) apart.
-    Distance {
-        length: Expr,
-    },
-}
-
-impl JointKind {
-    /// The word for it.
-    pub fn word(&self) -> JointWord {
-        match self {
-            Self::Fixed { .. } => JointWord::Fixed,
-            Self::Revolute { .. } => JointWord::Revolute,
-            Self::Prismatic { .. } => JointWord::Prismatic,
-            Self::Cylindrical { .. } => JointWord::Cylindrical,
-            Self::Screw { .. } => JointWord::Screw,
-            Self::Universal { .. } => JointWord::Universal,
-            Self::Spherical => JointWord::Spherical,
-            Self::Planar { .. } => JointWord::Planar,
-            Self::ConstantVelocity { .. } => JointWord::ConstantVelocity,
-            Self::PointOnLine { .. } => JointWord::PointOnLine,
-            Self::PointOnPlane { .. } => JointWord::PointOnPlane,
-            Self::Distance { .. } => JointWord::Distance,
-        }
     }
 }
 

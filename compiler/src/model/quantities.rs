@@ -6,9 +6,7 @@ use super::values::Typed;
 use super::{BodyId, DriverId, Expr, Frame, JointId, LoadId, Place, Quantity, Rotor};
 use crate::diagnostics::Region;
 use crate::messages;
-use crate::syntax::{
-    FirstTerm, JointCoordinates, Label, LineTerm, Path, PlaceTerm, Shape, Space, Term, TermKind,
-};
+use crate::syntax::{FirstTerm, Label, LineTerm, Path, PlaceTerm, Shape, Space, Term, TermKind};
 use crate::units::Dimension;
 
 /// When a quantity is known.
@@ -167,7 +165,7 @@ impl<'d> Lowering<'d> {
             text => {
                 let message = match self.names.part(text) {
                     Some(Part::Joint(index)) => {
-                        let JointCoordinates { angles, travels } = self.coordinates(JointId(index));
+                        let (angles, travels) = self.coordinates(JointId(index));
                         let names: Vec<&str> = angles.iter().chain(travels).map(|[name, _]| *name).collect();
                         messages::joint_as_value(text, &names)
                     }
@@ -243,7 +241,7 @@ impl<'d> Lowering<'d> {
 
     fn of_joint(&mut self, joint: JointId, path: &Path) -> Option<Found> {
         let quantity = &path.parts[1];
-        let JointCoordinates { angles, travels } = self.coordinates(joint);
+        let (angles, travels) = self.coordinates(joint);
         let find = |names: &[[&str; 2]], which: usize| {
             let found = names.iter().position(|names| names[which] == quantity.text);
             found.filter(|_| path.parts.len() == 2)
@@ -268,15 +266,14 @@ impl<'d> Lowering<'d> {
     /// What a joint has instead of the quantity asked for.
     fn joint_has(&self, joint: JointId, asked: &str) -> String {
         let term = &self.definition.joints[joint.0];
-        let JointCoordinates { angles, travels } = self.coordinates(joint);
+        let (angles, travels) = self.coordinates(joint);
         let quantities: Vec<&str> = angles.iter().chain(travels).flatten().copied().collect();
-        let of_particle = angles.is_empty()
-            && !term.kind.coordinates(self.definition.space).angles.is_empty()
-            && matches!(asked, "angle" | "rate");
+        let of_particle =
+            angles.is_empty() && !term.form.angles.is_empty() && matches!(asked, "angle" | "rate");
         if of_particle {
             return messages::joint_of_particle(&term.name.text, asked);
         }
-        let (name, kind) = (&term.name.text, term.kind.text());
+        let (name, kind) = (&term.name.text, term.form.call.word);
         if !quantities.is_empty() {
             return messages::joint_has(name, kind, asked, &quantities);
         }
@@ -320,7 +317,7 @@ impl<'d> Lowering<'d> {
             Some(Part::Body(index)) => Some(Rotor::Body(BodyId(index))),
             Some(Part::Joint(index)) => {
                 let joint = JointId(index);
-                let JointCoordinates { angles, .. } = self.coordinates(joint);
+                let (angles, _) = self.coordinates(joint);
                 if angles.len() == 1 {
                     return Some(Rotor::Joint(joint, 0));
                 }
@@ -385,9 +382,7 @@ impl<'d> Lowering<'d> {
     /// A joint that slides along one direction.
     pub fn slide(&mut self, label: &'d Label) -> Option<JointId> {
         match self.names.part(&label.text) {
-            Some(Part::Joint(index)) if self.coordinates(JointId(index)).travels.len() == 1 => {
-                Some(JointId(index))
-            }
+            Some(Part::Joint(index)) if self.coordinates(JointId(index)).1.len() == 1 => Some(JointId(index)),
             Some(Part::Joint(index)) => {
                 let message = self.joint_has(JointId(index), "travel");
                 self.diagnostics.error(label.region, message);
@@ -402,10 +397,9 @@ impl<'d> Lowering<'d> {
         }
     }
 
-    /// What a joint has: of its kind, and angles only between two things with an orientation.
-    fn coordinates(&self, joint: JointId) -> JointCoordinates {
+    /// The names of a joint's angles and travels: those of its kind, and angles only between two things with an orientation.
+    fn coordinates(&self, joint: JointId) -> (&'static [[&'static str; 2]], &'static [[&'static str; 2]]) {
         let term = &self.definition.joints[joint.0];
-        let all = term.kind.coordinates(self.definition.space);
         let first = match &term.first {
             FirstTerm::Place(first) => self.head(first),
             FirstTerm::Line(LineTerm::Named(_)) => Some(Frame::Ground),
@@ -413,9 +407,9 @@ impl<'d> Lowering<'d> {
         };
         let second = self.head(&term.second);
         if [first, second].into_iter().flatten().any(|frame| self.is_particle(frame)) {
-            return JointCoordinates { angles: &[], ..all };
+            return (&[], term.form.travels);
         }
-        all
+        (term.form.angles, term.form.travels)
     }
 
     /// The body of a place, without any message.

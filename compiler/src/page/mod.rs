@@ -15,7 +15,6 @@ mod table;
 mod tables;
 mod terms;
 mod text;
-mod vector;
 
 use crate::Compiled;
 use sketch::Sketch;

@@ -2,9 +2,11 @@
 //! left to `figure`.
 
 use super::stand::Stand;
-use super::vector::{Point, difference, length, sum};
 use crate::Compiled;
-use crate::model::{Frame, JointWord, LoadKind, Place, Shape, Space};
+use crate::drawing::Hinge;
+use crate::drawing::vector::{Point, difference, length, sum};
+use crate::forms::Spans;
+use crate::model::{Frame, LoadKind, Place, Shape, Space};
 
 /// A mechanism at its start.
 #[derive(Clone, Debug)]
@@ -33,23 +35,6 @@ pub struct Part {
     /// How many joints it has, and whether one of them draws a block in its place.
     pub joints: usize,
     pub is_block: bool,
-}
-
-/// A joint.
-#[derive(Clone, Debug)]
-pub struct Hinge {
-    pub name: String,
-    pub kind: JointWord,
-    pub first: Point,
-    pub second: Point,
-    pub first_on: Frame,
-    pub second_on: Frame,
-    /// Along the joint's axis, of length one; along the line of `point_on_line`, as long as that.
-    pub axis: Point,
-    /// Of a universal joint.
-    pub second_axis: Point,
-    /// Where its symbol stands.
-    pub at: Point,
 }
 
 /// A load.
@@ -97,23 +82,17 @@ pub struct Wheel {
     pub radius: f64,
 }
 
-impl Hinge {
-    pub fn is_grounded(&self) -> bool {
-        self.first_on == Frame::Ground || self.second_on == Frame::Ground
+/// In space two long parts slide in each other somewhere between their ends; a rod is between its places.
+fn settle(hinge: &mut Hinge, parts: &[Part], space: Space) {
+    let middle = sum(hinge.first, hinge.second).map(|x| x / 2.0);
+    if hinge.form.spans == Spans::Rod {
+        hinge.at = middle;
     }
-
-    /// In space two long parts slide in each other somewhere between their ends; a distance is between its places.
-    fn settle(&mut self, parts: &[Part], space: Space) {
-        if self.kind == JointWord::Distance {
-            self.at = sum(self.first, self.second).map(|x| x / 2.0);
-        }
-        let slides = matches!(self.kind, JointWord::Prismatic | JointWord::Cylindrical | JointWord::Screw)
-            && space == Space::Spatial;
-        if let (true, Frame::Body(_), Frame::Body(second)) = (slides, self.first_on, self.second_on)
-            && parts[second.0].spots.len() > 1
-        {
-            self.at = sum(self.first, self.second).map(|x| x / 2.0);
-        }
+    let slides = hinge.form.spans == Spans::Rail && space == Space::Spatial;
+    if let (true, Frame::Body(_), Frame::Body(second)) = (slides, hinge.first_on, hinge.second_on)
+        && parts[second.0].spots.len() > 1
+    {
+        hinge.at = middle;
     }
 }
 
@@ -128,7 +107,7 @@ impl Sketch {
             for frame in [hinge.first_on, hinge.second_on] {
                 if let Frame::Body(body) = frame {
                     parts[body.0].joints += 1;
-                    parts[body.0].is_block |= hinge.kind == JointWord::Prismatic && frame == hinge.second_on;
+                    parts[body.0].is_block |= hinge.form.is_block() && frame == hinge.second_on;
                 }
             }
         }
@@ -139,8 +118,9 @@ impl Sketch {
         };
         for hinge in &hinges {
             touch(hinge.first_on, hinge.first);
-            let carried_elsewhere = matches!(hinge.kind, JointWord::Prismatic | JointWord::PointOnLine);
-            if hinge.kind == JointWord::PointOnLine {
+            let is_on_line = hinge.form.spans == Spans::Line;
+            let carried_elsewhere = hinge.form.is_block() || is_on_line;
+            if is_on_line {
                 touch(hinge.first_on, sum(hinge.first, hinge.axis));
             }
             if !carried_elsewhere || hinge.second_on != Frame::Ground {
@@ -153,7 +133,7 @@ impl Sketch {
             }
         }
         for hinge in &mut hinges {
-            hinge.settle(&parts, mechanism.space);
+            settle(hinge, &parts, mechanism.space);
         }
         let efforts = mechanism.loads.iter().filter_map(|load| stand.effort(load, &hinges)).collect();
         let wheels = stand.wheels(&hinges);

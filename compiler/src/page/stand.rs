@@ -1,12 +1,12 @@
 //! Numbers of the mechanism as it stands at its start, from which the sketch is made.
 
-use super::sketch::{Effort, EffortKind, End, Hinge, Part, Wheel};
-use super::vector::{Point, apply, cross, difference, dot, length, pad, sum, unit};
+use super::sketch::{Effort, EffortKind, End, Part, Wheel};
 use crate::Compiled;
-use crate::equations::{Laws, space};
-use crate::model::{
-    Axes, Body, ConstraintKind, Frame, Joint, JointKind, Load, LoadKind, Place, Rotor, Space, Vector,
-};
+use crate::drawing::Hinge;
+use crate::drawing::vector::{Point, apply, cross, difference, dot, length, pad, sum, unit};
+use crate::equations::{Equations, Laws, space};
+use crate::forms::Spans;
+use crate::model::{Axes, Body, ConstraintKind, Frame, Joint, Load, LoadKind, Place, Rotor, Space, Vector};
 use crate::symbolic::{Graph, Node, Op, evaluate_reachable};
 
 /// The mechanism at its start: default parameters, time 0, all inputs 1, so that loads have a direction.
@@ -58,16 +58,15 @@ impl<'a> Stand<'a> {
     }
 
     /// Values of what is built on the graph.
-    fn built(&mut self, build: impl FnOnce(&mut Graph, &Laws) -> Vec<Node>) -> Vec<f64> {
-        let equations = &self.compiled.equations;
-        let mechanism = &self.compiled.mechanism;
-        let laws = Laws::moving(mechanism, &equations.symbols, &equations.layout, &equations.kinematics);
-        let nodes = build(&mut self.graph, &laws);
+    fn built(&mut self, build: impl FnOnce(&Laws) -> Vec<Node>) -> Vec<f64> {
+        let Compiled { mechanism, equations, .. } = self.compiled;
+        let Equations { symbols, layout, kinematics, .. } = equations;
+        let nodes = self.graph.write(|g| build(&Laws::moving(g, mechanism, symbols, layout, kinematics)));
         self.numbers(&nodes)
     }
 
     fn vector(&mut self, vector: &Vector) -> Point {
-        pad(&self.built(|g, laws| laws.vector(g, vector).to_vec()))
+        pad(&self.built(|laws| laws.vector(vector).bare.to_vec()))
     }
 
     pub fn up(&mut self) -> Point {
@@ -107,7 +106,7 @@ impl<'a> Stand<'a> {
         let own = match &place.axes {
             Axes::Parallel => own,
             axes => {
-                let matrix = self.built(|g, laws| space::place_axes(g, laws, axes).concat());
+                let matrix = self.built(|laws| space::place_axes(laws, axes).bare.concat());
                 [0, 1, 2].map(|row| (0..3).map(|column| matrix[3 * row + column] * own[column]).sum())
             }
         };
@@ -116,41 +115,32 @@ impl<'a> Stand<'a> {
 
     pub fn hinge(&mut self, joint: &Joint) -> Hinge {
         let z = [0.0, 0.0, 1.0];
-        let axis = match &joint.kind {
-            JointKind::Revolute { .. } if self.compiled.mechanism.space == Space::Planar => z,
-            JointKind::Revolute { axis }
-            | JointKind::Prismatic { axis, .. }
-            | JointKind::Cylindrical { axis }
-            | JointKind::Screw { axis, .. }
-            | JointKind::Universal { axis, .. }
-            | JointKind::Planar { axis }
-            | JointKind::ConstantVelocity { axis }
-            | JointKind::PointOnPlane { axis } => unit(self.direction(&joint.first, axis)),
-            JointKind::PointOnLine { direction } => self.direction(&joint.first, direction),
-            JointKind::Fixed { .. } | JointKind::Spherical | JointKind::Distance { .. } => z,
+        let mut directions = joint.directions.iter();
+        let axis = match directions.next() {
+            // As long as the line.
+            Some(along) if joint.form.spans == Spans::Line => self.direction(&joint.first, along),
+            Some(axis) => unit(self.direction(&joint.first, axis)),
+            None => z,
         };
-        let second_axis = match &joint.kind {
-            JointKind::Universal { second_axis, .. } => unit(self.direction(&joint.second, second_axis)),
-            _ => axis,
-        };
+        let second_axis = directions.next().map(|axis| unit(self.direction(&joint.second, axis)));
         let second = self.place(&joint.second);
         Hinge {
             name: joint.name.text.clone(),
-            kind: joint.kind.word(),
+            form: joint.form,
             first: self.place(&joint.first),
             second,
             at: second,
             first_on: joint.first.frame,
             second_on: joint.second.frame,
             axis,
-            second_axis,
+            second_axis: second_axis.unwrap_or(axis),
         }
     }
 
     pub fn part(&mut self, index: usize, body: &Body) -> Part {
         let (center, axes) = self.poses[index];
         let own = self.vector(&body.center);
-        let lengths = self.built(|g, laws| body.dimensions.iter().map(|(_, it)| laws.value(g, it)).collect());
+        let lengths = self.built(|laws| body.dimensions.iter().map(|(_, it)| laws.value(it).bare).collect());
         let mut part = Part {
             name: body.name.text.clone(),
             shape: body.shape,
@@ -175,12 +165,12 @@ impl<'a> Stand<'a> {
                 EffortKind::Force { at: self.place(place), along }
             }
             LoadKind::Push { joint, force } => {
-                let sign = self.built(|g, laws| vec![laws.value(g, force)])[0];
+                let sign = self.built(|laws| vec![laws.value(force).bare])[0];
                 let hinge = &hinges[joint.0];
                 EffortKind::Force { at: hinge.second, along: hinge.axis.map(|x| sign * x) }
             }
             LoadKind::Torque { on, torque } => {
-                let sign = self.built(|g, laws| vec![laws.value(g, torque)])[0];
+                let sign = self.built(|laws| vec![laws.value(torque).bare])[0];
                 let (at, about) = self.rotor(*on, hinges);
                 EffortKind::Torque { at, about: about.map(|x| sign * x) }
             }
@@ -188,7 +178,8 @@ impl<'a> Stand<'a> {
                 EffortKind::Torque { at: self.poses[body.0].0, about: self.vector(components) }
             }
             LoadKind::Spring { first, second, stiffness, damping, .. } => {
-                let [k, c] = self.built(|g, laws| vec![laws.value(g, stiffness), laws.value(g, damping)])[..]
+                let [k, c] =
+                    self.built(|laws| vec![laws.value(stiffness).bare, laws.value(damping).bare])[..]
                 else {
                     return None;
                 };
@@ -232,7 +223,7 @@ impl<'a> Stand<'a> {
             let of = &constraint.name.text;
             match &constraint.kind {
                 ConstraintKind::Gear { first, second, ratio, .. } => {
-                    let ratio = self.built(|g, laws| vec![laws.value(g, ratio)])[0];
+                    let ratio = self.built(|laws| vec![laws.value(ratio).bare])[0];
                     let rotors = [first, second].map(|it| self.rotor(*it, hinges));
                     match mesh(of, rotors, ratio) {
                         Some(pair) if ratio < 0.0 => wheels.extend(pair),
@@ -241,7 +232,7 @@ impl<'a> Stand<'a> {
                     }
                 }
                 ConstraintKind::Rack { pinion, radius, .. } => {
-                    let radius = self.built(|g, laws| vec![laws.value(g, radius)])[0].abs();
+                    let radius = self.built(|laws| vec![laws.value(radius).bare])[0].abs();
                     let (center, about) = self.rotor(*pinion, hinges);
                     wheels.push(Wheel { of: of.clone(), center, about, radius });
                 }

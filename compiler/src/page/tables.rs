@@ -69,7 +69,7 @@ pub fn joints(page: &mut String, compiled: &Compiled) {
     let mut table =
         Table::new(&["joint", "kind", "first place", "second place", "quantities", "in the equations"]);
     for (index, joint) in mechanism.joints.iter().enumerate() {
-        let names = joint.kind.word().coordinates(mechanism.space);
+        let names = joint.form;
         let quantities = names.angles.iter().chain(names.travels);
         let quantities: Vec<String> = quantities.map(|[quantity, _]| code(quantity)).collect();
         let own = equations.rows.iter().filter(|row| row.joint == Some(JointId(index)));
@@ -83,7 +83,7 @@ pub fn joints(page: &mut String, compiled: &Compiled) {
         };
         table.row(vec![
             code(&joint.name.text),
-            code(joint.kind.word().text()),
+            code(joint.word()),
             code(&joint.first.text),
             code(&joint.second.text),
             quantities.join(", "),

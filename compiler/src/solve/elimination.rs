@@ -1,7 +1,7 @@
 //! Sparse LDLᵀ of the symmetric system, written into the graph.
 
 use super::order::Order;
-use crate::symbolic::{Graph, Node, Unary};
+use crate::symbolic::{Node, Scalar, Sheet};
 use std::collections::BTreeMap;
 
 /// A symmetric matrix by its non-zero entries (row ≥ column).
@@ -29,12 +29,12 @@ struct Step {
 }
 
 /// The diagonal entry of an unknown while it is being formed.
-#[derive(Clone, Debug, Default)]
-struct Diagonal {
+#[derive(Clone, Default)]
+struct Diagonal<'g> {
     /// M's own entry and, for rows, the terms −D M⁻¹ Dᵀ: all of one sign.
-    own: Vec<Node>,
+    own: Vec<Scalar<'g>>,
     /// What elimination takes away again.
-    taken: Vec<Node>,
+    taken: Vec<Scalar<'g>>,
 }
 
 /// What of K the factorisation has to know besides its entries.
@@ -53,17 +53,19 @@ pub struct Kind<'a> {
 /// A row's pivot is the difference of two sums of squares, d = P − N (+ c), and may vanish by cancellation, as in a flat
 /// parallelogram, or as a whole, as along a distance that nothing can change. Relative to Sᵢ, the largest it can be along the motion, it
 /// is a pivot of D M⁻¹ Dᵀ with its rows brought to length one: a product, its magnitude and a maximum watch it.
-pub fn factor(g: &mut Graph, entries: &Entries, order: &Order, kind: &Kind) -> Factor {
+pub fn factor(g: Sheet, entries: &Entries, order: &Order, kind: &Kind) -> Factor {
     let velocities = kind.velocities;
+    let zero = g.zero();
     let unknowns = order.sequence.iter().map(|unknown| unknown + 1).max().unwrap_or(0);
     let mut diagonals: Vec<Diagonal> = vec![Diagonal::default(); unknowns];
-    let mut rows: Vec<BTreeMap<usize, Node>> = vec![BTreeMap::new(); unknowns];
+    let mut rows: Vec<BTreeMap<usize, Scalar>> = vec![BTreeMap::new(); unknowns];
     for ((i, j), entry) in entries {
+        let entry = g.on(*entry);
         if i == j {
-            diagonals[*i].own.push(*entry);
+            diagonals[*i].own.push(entry);
         } else {
-            rows[*i].insert(*j, *entry);
-            rows[*j].insert(*i, *entry);
+            rows[*i].insert(*j, entry);
+            rows[*j].insert(*i, entry);
         }
     }
     let mut steps = Vec::new();
@@ -72,27 +74,25 @@ pub fn factor(g: &mut Graph, entries: &Entries, order: &Order, kind: &Kind) -> F
         let is_row = *pivot >= velocities;
         let Diagonal { own, taken } = std::mem::take(&mut diagonals[*pivot]);
         let positive = g.sum(own);
-        let mut magnitude = taken.iter().fold(positive, |sum, term| g.sub(sum, *term));
+        let mut magnitude = taken.iter().fold(positive, |sum, term| sum - *term);
         if let (true, Some(compliance)) = (is_row, kind.compliance) {
-            magnitude = g.add(magnitude, compliance[*pivot - velocities]);
+            magnitude += compliance[*pivot - velocities];
         }
-        let inverse = g.unary(Unary::Reciprocal, magnitude);
+        let inverse = magnitude.reciprocal();
         let is_difference = !taken.is_empty();
         if is_row || kind.watch_velocities && is_difference {
-            let scale = if is_row { kind.scales[*pivot - velocities] } else { positive };
+            let scale = if is_row { g.on(kind.scales[*pivot - velocities]) } else { positive };
             watched.push(Watched { scale, inverse, is_row, is_difference });
         }
-        let reciprocal = if is_row { g.neg(inverse) } else { inverse };
+        let reciprocal = if is_row { -inverse } else { inverse };
         let around = std::mem::take(&mut rows[*pivot]);
-        let column: Vec<(usize, Node)> =
-            around.iter().map(|(unknown, entry)| (*unknown, g.mul(*entry, reciprocal))).collect();
+        let column: Vec<(usize, Scalar)> =
+            around.iter().map(|(unknown, entry)| (*unknown, *entry * reciprocal)).collect();
         for (at, (i, l)) in column.iter().enumerate() {
             rows[*i].remove(pivot);
-            let update = {
-                let product = g.mul(*l, around[i]);
-                // −K_ip K_ip / d adds to a row's magnitude if d > 0 and takes from it if d < 0; the reverse for a velocity.
-                if is_row { g.neg(product) } else { product }
-            };
+            // −K_ip K_ip / d adds to a row's magnitude if d > 0 and takes from it if d < 0; the reverse for a velocity.
+            let product = *l * around[i];
+            let update = if is_row { -product } else { product };
             let diagonal = &mut diagonals[*i];
             if (*i >= velocities) != is_row {
                 diagonal.own.push(update)
@@ -100,60 +100,53 @@ pub fn factor(g: &mut Graph, entries: &Entries, order: &Order, kind: &Kind) -> F
                 diagonal.taken.push(update)
             }
             for (j, _) in &column[at + 1..] {
-                let product = g.mul(*l, around[j]);
-                let zero = g.constant(0.0);
-                let entry = rows[*i].get(j).copied().unwrap_or(zero);
-                let updated = g.sub(entry, product);
+                let product = *l * around[j];
+                let updated = rows[*i].get(j).copied().unwrap_or(zero) - product;
                 rows[*i].insert(*j, updated);
                 rows[*j].insert(*i, updated);
             }
         }
-        steps.push(Step { unknown: *pivot, is_row, inverse, column });
+        let column = column.into_iter().map(|(unknown, l)| (unknown, l.bare)).collect();
+        steps.push(Step { unknown: *pivot, is_row, inverse: inverse.bare, column });
     }
     let of_velocities = watched.iter().filter(|watched| !watched.is_row);
-    let velocity_pivot = smallest_pivot(g, of_velocities.copied().collect());
-    let pivot = smallest_pivot(g, watched);
+    let velocity_pivot = smallest_pivot(g, of_velocities.copied().collect()).bare;
+    let pivot = smallest_pivot(g, watched).bare;
     Factor { velocities, steps, pivot, velocity_pivot }
 }
 
 /// A pivot to be watched.
 #[derive(Clone, Copy)]
-struct Watched {
+struct Watched<'g> {
     /// What d is measured by.
-    scale: Node,
+    scale: Scalar<'g>,
     /// 1/d.
-    inverse: Node,
+    inverse: Scalar<'g>,
     is_row: bool,
     /// Whether d is a difference: where it has broken down its sign is that of rounding.
     is_difference: bool,
 }
 
 /// min d/S, as 1/max(S/d); rows of the same S are compared before they are measured.
-fn smallest_pivot(g: &mut Graph, watched: Vec<Watched>) -> Node {
-    let mut worst: Option<Node> = None;
+fn smallest_pivot<'g>(g: Sheet<'g>, watched: Vec<Watched<'g>>) -> Scalar<'g> {
+    let mut worst: Option<Scalar> = None;
     for (at, first) in watched.iter().enumerate() {
-        let alike = |other: &&Watched| other.scale == first.scale;
+        let alike = |other: &&Watched| other.scale.bare == first.scale.bare;
         if watched[..at].iter().any(|earlier| alike(&earlier)) {
             continue;
         }
-        let mut inverse = first.magnitude(g);
-        for other in watched[at + 1..].iter().filter(alike) {
-            let magnitude = other.magnitude(g);
-            inverse = g.max(inverse, magnitude);
-        }
-        let ratio = g.mul(first.scale, inverse);
-        worst = Some(worst.map_or(ratio, |worst| g.max(worst, ratio)));
+        let others = watched[at + 1..].iter().filter(alike);
+        let inverse = others.fold(first.magnitude(), |most, other| most.max(other.magnitude()));
+        let ratio = first.scale * inverse;
+        worst = Some(worst.map_or(ratio, |worst| worst.max(ratio)));
     }
-    match worst {
-        Some(worst) => g.unary(Unary::Reciprocal, worst),
-        None => g.constant(1.0),
-    }
+    worst.map_or_else(|| g.one(), Scalar::reciprocal)
 }
 
-impl Watched {
+impl<'g> Watched<'g> {
     /// |1/d|.
-    fn magnitude(&self, g: &mut Graph) -> Node {
-        if self.is_difference { g.unary(Unary::Abs, self.inverse) } else { self.inverse }
+    fn magnitude(&self) -> Scalar<'g> {
+        if self.is_difference { self.inverse.abs() } else { self.inverse }
     }
 }
 
@@ -165,23 +158,21 @@ impl Factor {
     }
 
     /// K x = [Q; γ], given Q and, for the rows, −γ: with that sign no multiplier has to be negated at the end.
-    pub fn solve(&self, g: &mut Graph, forces_and_minus_gamma: &[Node]) -> Vec<Node> {
+    pub fn solve<'g>(&self, g: Sheet<'g>, forces_and_minus_gamma: &[Scalar<'g>]) -> Vec<Scalar<'g>> {
         let mut x = forces_and_minus_gamma.to_vec();
         for step in &self.steps {
             for (unknown, l) in &step.column {
-                let product = g.mul(*l, x[step.unknown]);
-                let same_sign = step.is_row == (*unknown >= self.velocities);
-                x[*unknown] =
-                    if same_sign { g.sub(x[*unknown], product) } else { g.add(x[*unknown], product) };
+                let product = g.on(*l) * x[step.unknown];
+                if step.is_row == (*unknown >= self.velocities) {
+                    x[*unknown] -= product;
+                } else {
+                    x[*unknown] += product;
+                }
             }
         }
         for step in self.steps.iter().rev() {
-            let mut value = g.mul(x[step.unknown], step.inverse);
-            for (unknown, l) in &step.column {
-                let product = g.mul(*l, x[*unknown]);
-                value = g.sub(value, product);
-            }
-            x[step.unknown] = value;
+            let value = x[step.unknown] * step.inverse;
+            x[step.unknown] = step.column.iter().fold(value, |value, (unknown, l)| value - *l * x[*unknown]);
         }
         x
     }

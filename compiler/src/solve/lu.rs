@@ -3,35 +3,40 @@
 //! U has unit blocks on its diagonal (Crout), so that a right-hand side costs one product for each entry of L and of U and a small
 //! square for each block.
 
-use super::null_space::{Sparse, zeros};
+use super::null_space::Sparse;
 use crate::check::assemble::{Partition, Pivot};
-use crate::symbolic::{Graph, Node, Unary};
+use crate::symbolic::{Scalar, Sheet};
 use std::collections::BTreeSet;
 
 /// D = L U by blocks.
-pub struct Lu {
-    steps: Vec<Step>,
+pub struct Lu<'g> {
+    steps: Vec<Step<'g>>,
     pub is_dependent: Vec<bool>,
     /// The square of the smallest pivot, relative to the sizes of its rows.
-    pub pivot: Node,
+    pub pivot: Scalar<'g>,
 }
 
 /// A pivot: one entry of D, or the square block of two or three rows and their velocities, with its inverse. Entries of such a
 /// block vanish one by one where the mechanism is regular, as a rod turns past an axis; its determinant does not.
-struct Step {
+struct Step<'g> {
     rows: Vec<usize>,
     velocities: Vec<usize>,
     /// The inverse of the block: `inverse[velocity][row]`.
-    inverse: Vec<Vec<Node>>,
+    inverse: Vec<Vec<Scalar<'g>>>,
     /// Columns of U beside the unit block.
-    upper: Vec<(usize, Vec<Node>)>,
+    upper: Vec<(usize, Vec<Scalar<'g>>)>,
     /// Rows of L below the block.
-    lower: Vec<(usize, Vec<Node>)>,
+    lower: Vec<(usize, Vec<Scalar<'g>>)>,
 }
 
 /// Factors D (m × n_v, by its rows) in the order of the partition: for each block of pivots P with the columns U and the rows A
 /// beside it, U ← P⁻¹ U and D ← D − A U. Rows that the partition leaves out (kept though redundant) take no part.
-pub fn factor(g: &mut Graph, mut rows: Vec<Sparse>, velocities: usize, partition: &Partition) -> Lu {
+pub fn factor<'g>(
+    g: Sheet<'g>,
+    mut rows: Vec<Sparse<'g>>,
+    velocities: usize,
+    partition: &Partition,
+) -> Lu<'g> {
     let mut is_dependent = vec![false; velocities];
     let mut left: Vec<usize> = partition.pivots().map(|pivot| pivot.row).collect();
     let (mut steps, mut watched) = (Vec::new(), Vec::new());
@@ -45,12 +50,8 @@ pub fn factor(g: &mut Graph, mut rows: Vec<Sparse>, velocities: usize, partition
             steps.push(step);
         }
     }
-    let one = g.constant(1.0);
-    let worst = watched.into_iter().fold(one, |worst, ratio| {
-        let squared = g.mul(ratio, ratio);
-        g.max(worst, squared)
-    });
-    Lu { steps, is_dependent, pivot: g.unary(Unary::Reciprocal, worst) }
+    let worst = watched.into_iter().fold(g.one(), |worst, ratio: Scalar| worst.max(ratio.square()));
+    Lu { steps, is_dependent, pivot: worst.reciprocal() }
 }
 
 /// What of a block is taken next: an entry that is alone in its row or column of the block, a factor of the determinant; else all.
@@ -74,39 +75,37 @@ fn next(block: &mut Vec<Pivot>, rows: &[Sparse]) -> Vec<Pivot> {
 }
 
 /// Takes a block of pivots out of the rows that are left.
-fn eliminate(
-    g: &mut Graph,
-    rows: &mut [Sparse],
+fn eliminate<'g>(
+    g: Sheet<'g>,
+    rows: &mut [Sparse<'g>],
     left: &[usize],
     pivots: &[Pivot],
     partition: &Partition,
-    watched: &mut Vec<Node>,
-) -> Step {
+    watched: &mut Vec<Scalar<'g>>,
+) -> Step<'g> {
     let velocities: Vec<usize> = pivots.iter().map(|pivot| pivot.velocity).collect();
-    let zero = g.constant(0.0);
-    let take = |row: &mut Sparse| -> Option<Vec<Node>> {
-        let entries: Vec<Option<Node>> = velocities.iter().map(|velocity| row.remove(velocity)).collect();
+    let zero = g.zero();
+    let take = |row: &mut Sparse<'g>| -> Option<Vec<Scalar<'g>>> {
+        let entries: Vec<Option<Scalar>> = velocities.iter().map(|velocity| row.remove(velocity)).collect();
         let some = entries.iter().any(Option::is_some);
         some.then(|| entries.into_iter().map(|entry| entry.unwrap_or(zero)).collect())
     };
     let mut own: Vec<Sparse> = pivots.iter().map(|pivot| std::mem::take(&mut rows[pivot.row])).collect();
-    let square: Vec<Vec<Node>> =
+    let square: Vec<Vec<Scalar>> =
         own.iter_mut().map(|row| take(row).unwrap_or_else(|| vec![zero; pivots.len()])).collect();
     let (determinant, inverse) = invert(g, &square);
-    if g.value(determinant).is_none() {
-        let size = pivots
+    if determinant.value().is_none() {
+        let size: f64 = pivots
             .iter()
             .map(|pivot| partition.row_sizes[pivot.row] / partition.scales[pivot.velocity])
             .product();
-        let size = g.constant(size);
-        let reciprocal = g.unary(Unary::Reciprocal, determinant);
-        watched.push(g.mul(reciprocal, size));
+        watched.push(size * determinant.reciprocal());
     }
     let columns: BTreeSet<usize> = own.iter().flat_map(|row| row.keys().copied()).collect();
-    let upper: Vec<(usize, Vec<Node>)> = columns
+    let upper: Vec<(usize, Vec<Scalar>)> = columns
         .into_iter()
         .map(|column| {
-            let entries: Vec<Node> =
+            let entries: Vec<Scalar> =
                 own.iter().map(|row| row.get(&column).copied().unwrap_or(zero)).collect();
             (column, inverse.iter().map(|row| product(g, row, &entries)).collect())
         })
@@ -116,9 +115,8 @@ fn eliminate(
         let Some(below) = take(&mut rows[*other]) else { continue };
         for (column, entries) in &upper {
             let taken = product(g, &below, entries);
-            let entry = rows[*other].get(column).copied().unwrap_or(zero);
-            let updated = g.sub(entry, taken);
-            if g.value(updated) == Some(0.0) {
+            let updated = rows[*other].get(column).copied().unwrap_or(zero) - taken;
+            if updated.value() == Some(0.0) {
                 rows[*other].remove(column);
             } else {
                 rows[*other].insert(*column, updated);
@@ -130,85 +128,74 @@ fn eliminate(
 }
 
 /// Determinant and inverse of a matrix of one, two or three rows: a⁻¹ = adj(a)/det(a).
-fn invert(g: &mut Graph, a: &[Vec<Node>]) -> (Node, Vec<Vec<Node>>) {
+fn invert<'g>(g: Sheet<'g>, a: &[Vec<Scalar<'g>>]) -> (Scalar<'g>, Vec<Vec<Scalar<'g>>>) {
     let size = a.len();
-    let cofactor = |g: &mut Graph, row: usize, column: usize| match size {
-        1 => g.constant(1.0),
+    let cofactor = |row: usize, column: usize| match size {
+        1 => g.one(),
         2 => {
             let entry = a[1 - row][1 - column];
-            if row == column { entry } else { g.neg(entry) }
+            if row == column { entry } else { -entry }
         }
         _ => {
             // Cyclic, so that the sign is that of the determinant.
             let ((r, s), (c, d)) = (((row + 1) % 3, (row + 2) % 3), ((column + 1) % 3, (column + 2) % 3));
-            let (plus, minus) = (g.mul(a[r][c], a[s][d]), g.mul(a[r][d], a[s][c]));
-            g.sub(plus, minus)
+            a[r][c] * a[s][d] - a[r][d] * a[s][c]
         }
     };
-    let cofactors: Vec<Vec<Node>> =
-        (0..size).map(|row| (0..size).map(|column| cofactor(g, row, column)).collect()).collect();
+    let cofactors: Vec<Vec<Scalar>> =
+        (0..size).map(|row| (0..size).map(|column| cofactor(row, column)).collect()).collect();
     let determinant = product(g, &a[0], &cofactors[0]);
-    let reciprocal = g.unary(Unary::Reciprocal, determinant);
-    let transposed = |velocity: usize| -> Vec<Node> { cofactors.iter().map(|row| row[velocity]).collect() };
-    let inverse = (0..size)
-        .map(|velocity| {
-            transposed(velocity).into_iter().map(|cofactor| g.mul(cofactor, reciprocal)).collect()
-        })
-        .collect();
-    (determinant, inverse)
+    let reciprocal = determinant.reciprocal();
+    let transposed = |velocity: usize| cofactors.iter().map(move |row| row[velocity] * reciprocal).collect();
+    (determinant, (0..size).map(transposed).collect())
 }
 
 /// Σ aᵢ bᵢ.
-fn product(g: &mut Graph, a: &[Node], b: &[Node]) -> Node {
-    let terms: Vec<Node> = a.iter().zip(b).map(|(a, b)| g.mul(*a, *b)).collect();
-    g.sum(terms)
+fn product<'g>(g: Sheet<'g>, a: &[Scalar<'g>], b: &[Scalar<'g>]) -> Scalar<'g> {
+    g.sum(a.iter().zip(b).map(|(a, b)| *a * *b))
 }
 
-fn pick(values: &[Node], places: &[usize]) -> Vec<Node> {
+fn pick<'g>(values: &[Scalar<'g>], places: &[usize]) -> Vec<Scalar<'g>> {
     places.iter().map(|place| values[*place]).collect()
 }
 
-impl Lu {
+impl<'g> Lu<'g> {
     /// `v` with its dependent entries such that D v = `rows`.
-    pub fn dependent(&self, g: &mut Graph, rows: &[Node], v: &[Node]) -> Vec<Node> {
+    pub fn dependent(&self, g: Sheet<'g>, rows: &[Scalar<'g>], v: &[Scalar<'g>]) -> Vec<Scalar<'g>> {
         let (mut y, mut v) = (rows.to_vec(), v.to_vec());
         for step in &self.steps {
             let given = pick(&y, &step.rows);
             // From here on y has, at the rows of a step, what belongs to its velocities.
-            let own: Vec<Node> = step.inverse.iter().map(|row| product(g, row, &given)).collect();
+            let own: Vec<Scalar> = step.inverse.iter().map(|row| product(g, row, &given)).collect();
             for (row, value) in step.rows.iter().zip(&own) {
                 y[*row] = *value;
             }
             for (other, below) in &step.lower {
-                let taken = product(g, below, &own);
-                y[*other] = g.sub(y[*other], taken);
+                y[*other] -= product(g, below, &own);
             }
         }
         for step in self.steps.iter().rev() {
             for (k, velocity) in step.velocities.iter().enumerate() {
-                let mut rest = y[step.rows[k]];
-                for (column, entries) in &step.upper {
-                    let term = g.mul(entries[k], v[*column]);
-                    rest = g.sub(rest, term);
-                }
-                v[*velocity] = rest;
+                let upper = step.upper.iter();
+                v[*velocity] =
+                    upper.fold(y[step.rows[k]], |rest, (column, entries)| rest - entries[k] * v[*column]);
             }
         }
         v
     }
 
     /// The column of R that belongs to an independent velocity: 1 there, dependent entries with D R = 0.
-    pub fn column(&self, g: &mut Graph, independent: usize) -> Sparse {
-        let mut column = Sparse::from([(independent, g.constant(1.0))]);
+    pub fn column(&self, g: Sheet<'g>, independent: usize) -> Sparse<'g> {
+        let mut column = Sparse::from([(independent, g.one())]);
         for step in self.steps.iter().rev() {
             for (k, velocity) in step.velocities.iter().enumerate() {
-                let mut rest = g.constant(0.0);
+                let mut rest = g.zero();
                 for (other, entries) in &step.upper {
-                    let Some(known) = column.get(other) else { continue };
-                    let term = g.mul(entries[k], *known);
-                    rest = g.sub(rest, term);
+                    if let Some(known) = column.get(other) {
+                        rest -= entries[k] * *known;
+                    }
                 }
-                if g.value(rest) != Some(0.0) {
+                if rest.value() != Some(0.0) {
                     column.insert(*velocity, rest);
                 }
             }
@@ -219,47 +206,48 @@ impl Lu {
     /// R z + S rows, by R or by U, whichever has fewer entries; the independent entries of `z` count.
     pub fn combine(
         &self,
-        g: &mut Graph,
-        basis: &[Sparse],
-        rows: &[Node],
+        g: Sheet<'g>,
+        basis: &[Sparse<'g>],
+        rows: &[Scalar<'g>],
         independent: &[usize],
-        z: &[Node],
-    ) -> Vec<Node> {
+        z: &[Scalar<'g>],
+    ) -> Vec<Scalar<'g>> {
         let in_basis: usize = basis.iter().map(|column| column.len() - 1).sum();
         let in_upper: usize = self.steps.iter().map(|step| step.upper.len() * step.rows.len()).sum();
         if in_upper < in_basis {
             return self.dependent(g, rows, z);
         }
-        let none = zeros(g, z.len());
-        let mut sum = self.dependent(g, rows, &none);
+        let mut sum = self.dependent(g, rows, &vec![g.zero(); z.len()]);
         for (velocity, column) in independent.iter().zip(basis) {
             for (at, entry) in column {
-                let product = g.mul(*entry, z[*velocity]);
-                sum[*at] = g.add(sum[*at], product);
+                sum[*at] += *entry * z[*velocity];
             }
         }
         sum
     }
 
     /// λ of D_dᵀ λ = `forces` in the dependent velocities: Uᵀ, then Lᵀ.
-    pub fn multipliers(&self, g: &mut Graph, mut forces: Vec<Node>, mut lambda: Vec<Node>) -> Vec<Node> {
+    pub fn multipliers(
+        &self,
+        g: Sheet<'g>,
+        mut forces: Vec<Scalar<'g>>,
+        mut lambda: Vec<Scalar<'g>>,
+    ) -> Vec<Scalar<'g>> {
         for step in &self.steps {
             let own = pick(&forces, &step.velocities);
             for (column, entries) in step.upper.iter().filter(|(column, _)| self.is_dependent[*column]) {
-                let taken = product(g, entries, &own);
-                forces[*column] = g.sub(forces[*column], taken);
+                forces[*column] -= product(g, entries, &own);
             }
         }
         for step in self.steps.iter().rev() {
             let mut rest = pick(&forces, &step.velocities);
             for (other, below) in &step.lower {
                 for (rest, entry) in rest.iter_mut().zip(below) {
-                    let taken = g.mul(*entry, lambda[*other]);
-                    *rest = g.sub(*rest, taken);
+                    *rest -= *entry * lambda[*other];
                 }
             }
             for (k, row) in step.rows.iter().enumerate() {
-                let column: Vec<Node> = step.inverse.iter().map(|inverse| inverse[k]).collect();
+                let column: Vec<Scalar> = step.inverse.iter().map(|inverse| inverse[k]).collect();
                 lambda[*row] = product(g, &column, &rest);
             }
         }

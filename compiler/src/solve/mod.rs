@@ -15,7 +15,7 @@ use crate::equations::{Equations, Kinematics, Row, Symbols};
 use crate::functions::Function;
 use crate::model::Emit;
 use crate::schedule::{Counts, count_of};
-use crate::symbolic::{Graph, Node, Unary};
+use crate::symbolic::{Node, Scalar, Sheet, all_bare};
 use elimination::{Entries, Factor, Kind};
 use order::{Order, Pattern, Strategy};
 use std::collections::{BTreeMap, BTreeSet};
@@ -193,8 +193,6 @@ struct System {
     /// Rows without a part in the solution.
     idle: BTreeSet<usize>,
     massless: Massless,
-    /// The rows that hold massless velocities, each with its ρ.
-    rho: BTreeMap<usize, Node>,
     /// What the pivots of rows are measured by.
     scales: Vec<Node>,
 }
@@ -216,18 +214,18 @@ impl System {
         let columns: Vec<BTreeMap<usize, Node>> =
             equations.rows.iter().map(|row| row.jet.columns.clone()).collect();
         let idle = equations.idle.clone();
-        let g = &mut equations.graph;
-        let rho: BTreeMap<usize, Node> =
-            massless.rows.iter().map(|(row, rho)| (*row, g.constant(*rho))).collect();
         let mut entries: Entries = equations.mass.clone();
-        for (row, rho) in &rho {
-            add_square(g, &mut entries, &columns[*row], *rho);
-        }
+        equations.graph.write(|g| {
+            for (row, rho) in &massless.rows {
+                add_square(&mut entries, &columns[*row], g.number(*rho));
+            }
+        });
         for (row, columns) in columns.iter().enumerate().filter(|(row, _)| !idle.contains(row)) {
             entries.extend(columns.iter().map(|(velocity, column)| ((velocities + row, *velocity), *column)));
         }
-        let prescribed = prescribed(g, velocities, &columns, &idle, &mut entries);
-        System { velocities, columns, entries, prescribed, idle, massless, rho, scales }
+        let graph = &mut equations.graph;
+        let prescribed = graph.write(|g| prescribed(g, velocities, &columns, &idle, &mut entries));
+        System { velocities, columns, entries, prescribed, idle, massless, scales }
     }
 
     /// The unknowns that are left, in order.
@@ -245,7 +243,7 @@ impl System {
 
 /// Takes the prescribed velocities and their rows out of the system.
 fn prescribed(
-    g: &mut Graph,
+    g: Sheet,
     velocities: usize,
     columns: &[BTreeMap<usize, Node>],
     idle: &BTreeSet<usize>,
@@ -254,9 +252,10 @@ fn prescribed(
     let mut found: Vec<Prescribed> = Vec::new();
     for (row, columns) in columns.iter().enumerate().filter(|(row, _)| !idle.contains(row)) {
         let (1, Some((velocity, d))) = (columns.len(), columns.first_key_value()) else { continue };
-        let constant = g.value(*d).is_some_and(|d| d != 0.0);
+        let d = g.on(*d);
+        let constant = d.value().is_some_and(|d| d != 0.0);
         if constant && found.iter().all(|known| known.velocity != *velocity) {
-            let (inverse, column) = (g.unary(Unary::Reciprocal, *d), Vec::new());
+            let (inverse, column) = (d.reciprocal().bare, Vec::new());
             found.push(Prescribed { velocity: *velocity, row, inverse, column, own: None });
         }
     }
@@ -293,7 +292,9 @@ fn by_articulated_bodies(equations: &Equations, pattern: &Pattern) -> Option<(Eq
     }
     let mut candidate = equations.clone();
     let (distributions, forces) = (&equations.distributions, &equations.forces);
-    let acceleration = articulated::accelerations(&mut candidate.graph, kinematics, distributions, forces);
+    let acceleration = candidate
+        .graph
+        .write(|g| all_bare(&articulated::accelerations(g.on(kinematics), distributions, forces)));
     let solution = Solution { acceleration, lambda: Vec::new(), pivot: candidate.one };
     let order = order::order(pattern, Strategy::MinimumDegree);
     let mut solved = Solved {
@@ -320,31 +321,28 @@ fn counted(equations: &mut Equations, system: &System, order: Order) -> Solved {
 
 /// Without the counts.
 fn eliminate(equations: &mut Equations, system: &System, order: Order) -> Solved {
-    let System { velocities, columns, entries, massless, rho, scales, .. } = system;
-    let g = &mut equations.graph;
-    let kind = Kind {
-        velocities: *velocities,
-        watch_velocities: !massless.rows.is_empty(),
-        scales,
-        compliance: None,
-    };
-    let factor = elimination::factor(g, entries, &order, &kind);
+    let System { velocities, columns, entries, massless, scales, .. } = system;
+    let (factor, index1, baumgarte) = equations.write(|g, equations| {
+        let watch_velocities = !massless.rows.is_empty();
+        let kind = Kind { velocities: *velocities, watch_velocities, scales, compliance: None };
+        let factor = elimination::factor(g, entries, &order, &kind);
 
-    let plain: Vec<Node> = equations.rows.iter().map(|row| row.jet.bias).collect();
-    let stabilised = stabilised(g, &equations.rows, &equations.symbols);
-    let mut with = |minus_gamma: &[Node]| {
-        let mut rhs = equations.forces.clone();
-        for (row, rho) in rho {
-            let weighted = g.mul(*rho, minus_gamma[*row]);
-            for (velocity, column) in &columns[*row] {
-                let term = g.mul(*column, weighted);
-                rhs[*velocity] = g.sub(rhs[*velocity], term);
+        let plain: Vec<Node> = equations.rows.iter().map(|row| row.jet.bias).collect();
+        let stabilised = stabilised(g, &equations.rows, &equations.symbols);
+        let with = |minus_gamma: &[Node]| {
+            let mut right = g.all(&equations.forces);
+            for (row, rho) in &massless.rows {
+                let weighted = *rho * g.on(minus_gamma[*row]);
+                for (velocity, column) in &columns[*row] {
+                    right[*velocity] -= *column * weighted;
+                }
             }
-        }
-        rhs.extend(minus_gamma);
-        solution(g, &factor, system, rhs)
-    };
-    let (index1, baumgarte) = (with(&plain), with(&stabilised));
+            right.extend(g.all(minus_gamma));
+            solution(g, &factor, system, right)
+        };
+        let (index1, baumgarte) = (with(&plain), with(&stabilised));
+        (factor, index1, baumgarte)
+    });
     // Outputs that name drivers' efforts or powers take the multipliers of the plain solution.
     let solved = equations.symbols.lambda.iter().copied().zip(index1.lambda.iter().copied()).collect();
     equations.outputs = equations.graph.substitute(&equations.outputs, &solved);
@@ -363,16 +361,13 @@ fn eliminate(equations: &mut Equations, system: &System, order: Order) -> Solved
 }
 
 /// −γ + 2α (D v − ν) + β² Φ.
-pub fn stabilised(g: &mut Graph, rows: &[Row], symbols: &Symbols) -> Vec<Node> {
-    let mut terms = Vec::new();
-    for row in rows {
-        let rate = row.jet.rate(g, &symbols.v);
-        let damping = g.mul(symbols.two_alpha, rate);
-        let stiffness = g.mul(symbols.beta_squared, row.jet.value);
-        let sum = g.add(row.jet.bias, damping);
-        terms.push(g.add(sum, stiffness));
-    }
-    terms
+pub fn stabilised(g: Sheet, rows: &[Row], symbols: &Symbols) -> Vec<Node> {
+    let stabilised = |Row { jet, .. }: &Row| {
+        let damping = symbols.two_alpha * jet.rate(g, &symbols.v);
+        let stiffness = symbols.beta_squared * g.on(jet.value);
+        jet.bias + damping + stiffness
+    };
+    rows.iter().map(|row| stabilised(row).bare).collect()
 }
 
 /// Rows that are components of one vector, numbered alike.
@@ -392,49 +387,49 @@ pub fn groups(rows: &[Row]) -> Vec<Option<usize>> {
 }
 
 /// v̇ and λ for [Q; −γ].
-fn solution(g: &mut Graph, factor: &Factor, system: &System, mut rhs: Vec<Node>) -> Solution {
+fn solution<'g>(g: Sheet<'g>, factor: &Factor, system: &System, mut right: Vec<Scalar<'g>>) -> Solution {
     let n = system.velocities;
     let mut known = Vec::new();
     for prescribed in &system.prescribed {
-        let rate = g.mul(rhs[n + prescribed.row], prescribed.inverse);
-        known.push((prescribed.velocity, g.neg(rate)));
+        known.push(-(right[n + prescribed.row] * prescribed.inverse));
     }
-    let forces: Vec<Node> = system.prescribed.iter().map(|prescribed| rhs[prescribed.velocity]).collect();
-    for (prescribed, (_, value)) in system.prescribed.iter().zip(&known) {
+    let forces: Vec<Scalar> = system.prescribed.iter().map(|prescribed| right[prescribed.velocity]).collect();
+    for (prescribed, value) in system.prescribed.iter().zip(&known) {
         for (other, entry) in &prescribed.column {
-            let product = g.mul(*entry, *value);
-            rhs[*other] = if *other < n { g.sub(rhs[*other], product) } else { g.add(rhs[*other], product) };
+            let product = *entry * *value;
+            if *other < n {
+                right[*other] -= product;
+            } else {
+                right[*other] += product;
+            }
         }
     }
-    let mut x = factor.solve(g, &rhs);
-    for (velocity, value) in &known {
-        x[*velocity] = *value;
+    let mut x = factor.solve(g, &right);
+    for (prescribed, value) in system.prescribed.iter().zip(&known) {
+        x[prescribed.velocity] = *value;
     }
     for (prescribed, force) in system.prescribed.iter().zip(forces) {
-        let mut rest = force;
         let own = prescribed.own.map(|entry| (prescribed.velocity, entry));
-        for (other, entry) in prescribed.column.iter().copied().chain(own) {
-            let product = g.mul(entry, x[other]);
-            rest = g.sub(rest, product);
-        }
-        x[n + prescribed.row] = g.mul(rest, prescribed.inverse);
+        let entries = prescribed.column.iter().copied().chain(own);
+        let rest = entries.fold(force, |rest, (other, entry)| rest - entry * x[other]);
+        x[n + prescribed.row] = rest * prescribed.inverse;
     }
-    let mut lambda = x.split_off(n);
+    let mut lambda = all_bare(&x.split_off(n));
     for row in &system.idle {
-        lambda[*row] = g.constant(0.0);
+        lambda[*row] = g.zero().bare;
     }
-    Solution { acceleration: x, lambda, pivot: factor.pivot }
+    Solution { acceleration: all_bare(&x), lambda, pivot: factor.pivot }
 }
 
 /// entries += ρ dᵀ d.
-fn add_square(g: &mut Graph, entries: &mut Entries, row: &BTreeMap<usize, Node>, rho: Node) {
-    let zero = g.constant(0.0);
+fn add_square(entries: &mut Entries, row: &BTreeMap<usize, Node>, rho: Scalar) {
+    let zero = rho.g.zero().bare;
     for (i, a) in row {
-        let weighted = g.mul(rho, *a);
+        let weighted = rho * *a;
         for (j, b) in row.range(..=i) {
-            let product = g.mul(weighted, *b);
-            let own = entries.get(&(*i, *j)).copied().unwrap_or(zero);
-            entries.insert((*i, *j), g.add(own, product));
+            let product = weighted * *b;
+            let own = entries.entry((*i, *j)).or_insert(zero);
+            *own = (*own + product).bare;
         }
     }
 }

@@ -9,11 +9,11 @@ use super::order::{self, Pattern};
 use super::stored::{frontier, symbols};
 use crate::check::assemble::Partition;
 use crate::equations::Equations;
-use crate::symbolic::{Graph, Node};
+use crate::symbolic::{Node, Scalar, Sheet, all_bare};
 use std::collections::BTreeMap;
 
 /// A sparse vector by its entries that are not zero.
-pub(super) type Sparse = BTreeMap<usize, Node>;
+pub(super) type Sparse<'g> = BTreeMap<usize, Scalar<'g>>;
 
 /// What `options { emit = (null_space) }` asks for.
 #[derive(Clone, Debug)]
@@ -39,22 +39,27 @@ pub struct NullSpace {
 /// v̇ in m/s² and rad/s², λ in N or N m. `massless`: M alone is singular, so that the pivots of Rᵀ M R are watched.
 /// Source: García de Jalón, Bayo, *Kinematic and Dynamic Simulation of Multibody Systems*, 5.2.3.
 pub fn null_space(equations: &mut Equations, partition: &Partition, massless: bool) -> NullSpace {
+    equations.write(|g, equations| written(g, equations, partition, massless))
+}
+
+fn written(g: Sheet, equations: &mut Equations, partition: &Partition, massless: bool) -> NullSpace {
     let velocities = equations.layout.velocities();
-    let rows = equations.rows.iter().map(|row| row.jet.columns.clone()).collect();
-    let lu = lu::factor(&mut equations.graph, rows, velocities, partition);
-    let (kept, dependent) = stored(equations, &lu);
-    let g = &mut equations.graph;
+    let rows = equations.rows.iter();
+    let rows =
+        rows.map(|row| row.jet.columns.iter().map(|(at, column)| (*at, g.on(*column))).collect()).collect();
+    let lu = lu::factor(g, rows, velocities, partition);
+    let (kept, dependent) = stored(g, equations, &lu);
     // R, a column for each independent velocity.
     let independent: Vec<usize> = (0..velocities).filter(|velocity| !lu.is_dependent[*velocity]).collect();
     let basis: Vec<Sparse> = independent.iter().map(|velocity| lu.column(g, *velocity)).collect();
 
     // (Rᵀ M R) z̈ = Rᵀ (Q − M S γ)
-    let mass = Symmetric::new(velocities, &equations.mass);
-    let none = zeros(g, velocities);
-    let bias = lu.dependent(g, &equations.gamma, &none);
-    let loads = without(g, &equations.forces, &mass, &bias);
-    let loads = sparse(g, &loads);
-    let right: Vec<Node> = basis.iter().map(|column| dot(g, column, &loads)).collect();
+    let (forces, gamma) = (g.all(&equations.forces), g.all(&equations.gamma));
+    let mass = Symmetric::new(g, velocities, &equations.mass);
+    let none = vec![g.zero(); velocities];
+    let bias = lu.dependent(g, &gamma, &none);
+    let loads = sparse(&mass.taken_from(&forces, &bias));
+    let right: Vec<Scalar> = basis.iter().map(|column| dot(g, column, &loads)).collect();
     let reduced = reduced(g, &mass, &basis);
     let order = order::best(&Pattern::new(independent.len(), 0, reduced.keys().copied()));
     let kind =
@@ -66,39 +71,38 @@ pub fn null_space(equations: &mut Equations, partition: &Partition, massless: bo
     for (velocity, rate) in independent.iter().zip(factor.solve(g, &right)) {
         z[*velocity] = rate;
     }
-    let acceleration = lu.combine(g, &basis, &equations.gamma, &independent, &z);
-    let rest = without(g, &equations.forces, &mass, &acceleration);
-    let lambda = zeros(g, equations.rows.len());
-    let lambda = lu.multipliers(g, rest, lambda);
-    let pivot = g.min(lu.pivot, factor.pivot);
-    NullSpace { kept, partition_pivot: lu.pivot, dependent, acceleration, lambda, pivot }
+    let acceleration = lu.combine(g, &basis, &gamma, &independent, &z);
+    let rest = mass.taken_from(&forces, &acceleration);
+    let lambda = lu.multipliers(g, rest, vec![g.zero(); equations.rows.len()]);
+    let pivot = lu.pivot.min(g.on(factor.pivot)).bare;
+    let (acceleration, lambda) = (all_bare(&acceleration), all_bare(&lambda));
+    NullSpace { kept, partition_pivot: lu.pivot.bare, dependent, acceleration, lambda, pivot }
 }
 
 /// What is kept of D = L U, and the velocities with D v = rows in symbols for it.
-fn stored(equations: &mut Equations, lu: &Lu) -> (Vec<Node>, Vec<Node>) {
-    let g = &mut equations.graph;
+fn stored<'g>(g: Sheet<'g>, equations: &mut Equations, lu: &Lu<'g>) -> (Vec<Node>, Vec<Node>) {
     if equations.symbols.given_rows.is_empty() {
         equations.symbols.given_rows = symbols(g, "row", equations.rows.len());
     }
     let (rows, v) = (&equations.symbols.given_rows, &equations.symbols.v);
-    let dependent = lu.dependent(g, rows, v);
-    let kept = frontier(g, &dependent, &rows.iter().chain(v).copied().collect());
+    let dependent = all_bare(&lu.dependent(g, &g.all(rows), &g.all(v)));
+    let kept = frontier(&g.graph(), &dependent, &rows.iter().chain(v).copied().collect());
     let stand_ins = symbols(g, "lu", kept.len());
     let replaced = kept.iter().copied().zip(stand_ins.iter().copied()).collect();
-    let dependent = g.substitute(&dependent, &replaced);
+    let dependent = g.graph().substitute(&dependent, &replaced);
     equations.symbols.lu = stand_ins;
     (kept, dependent)
 }
 
 /// Rᵀ M R, the lower triangle.
-fn reduced(g: &mut Graph, mass: &Symmetric, basis: &[Sparse]) -> Entries {
-    let products: Vec<Sparse> = basis.iter().map(|column| mass.times(g, column)).collect();
+fn reduced<'g>(g: Sheet<'g>, mass: &Symmetric<'g>, basis: &[Sparse<'g>]) -> Entries {
+    let products: Vec<Sparse> = basis.iter().map(|column| mass.times(column)).collect();
     let mut entries = Entries::new();
     for (a, column) in basis.iter().enumerate() {
         for (b, product) in products.iter().enumerate().take(a + 1) {
             let entry = dot(g, column, product);
-            if g.value(entry) != Some(0.0) {
-                entries.insert((a, b), entry);
+            if entry.value() != Some(0.0) {
+                entries.insert((a, b), entry.bare);
             }
         }
     }
@@ -106,52 +110,44 @@ fn reduced(g: &mut Graph, mass: &Symmetric, basis: &[Sparse]) -> Entries {
 }
 
 /// M by rows, both triangles.
-struct Symmetric(Vec<Vec<(usize, Node)>>);
+struct Symmetric<'g>(Vec<Vec<(usize, Scalar<'g>)>>);
 
-impl Symmetric {
-    fn new(size: usize, lower: &Entries) -> Self {
+impl<'g> Symmetric<'g> {
+    fn new(g: Sheet<'g>, size: usize, lower: &Entries) -> Self {
         let mut rows = vec![Vec::new(); size];
         for ((i, j), entry) in lower {
-            rows[*i].push((*j, *entry));
+            rows[*i].push((*j, g.on(*entry)));
             if i != j {
-                rows[*j].push((*i, *entry));
+                rows[*j].push((*i, g.on(*entry)));
             }
         }
         Symmetric(rows)
     }
 
-    fn times(&self, g: &mut Graph, x: &Sparse) -> Sparse {
+    fn times(&self, x: &Sparse<'g>) -> Sparse<'g> {
         let mut product = Sparse::new();
         for (j, value) in x {
             for (i, entry) in &self.0[*j] {
-                let term = g.mul(*entry, *value);
-                let sum = product.get(i).copied().map_or(term, |sum| g.add(sum, term));
+                let term = *entry * *value;
+                let sum = product.get(i).map_or(term, |sum| *sum + term);
                 product.insert(*i, sum);
             }
         }
         product
     }
+
+    /// Q − M a.
+    fn taken_from(&self, forces: &[Scalar<'g>], a: &[Scalar<'g>]) -> Vec<Scalar<'g>> {
+        let product = self.times(&sparse(a));
+        let entry = |(at, x): (usize, &Scalar<'g>)| product.get(&at).map_or(*x, |y| *x - *y);
+        forces.iter().enumerate().map(entry).collect()
+    }
 }
 
-pub(super) fn zeros(g: &mut Graph, size: usize) -> Vec<Node> {
-    vec![g.constant(0.0); size]
+fn sparse<'g>(entries: &[Scalar<'g>]) -> Sparse<'g> {
+    entries.iter().copied().enumerate().filter(|(_, entry)| entry.value() != Some(0.0)).collect()
 }
 
-fn sparse(g: &Graph, entries: &[Node]) -> Sparse {
-    let live = entries.iter().copied().enumerate().filter(|(_, entry)| g.value(*entry) != Some(0.0));
-    live.collect()
-}
-
-fn dot(g: &mut Graph, a: &Sparse, b: &Sparse) -> Node {
-    let terms: Vec<Node> =
-        a.iter().filter_map(|(at, x)| b.get(at).map(|y| (*x, *y))).map(|(x, y)| g.mul(x, y)).collect();
-    g.sum(terms)
-}
-
-/// Q − M a.
-fn without(g: &mut Graph, forces: &[Node], mass: &Symmetric, a: &[Node]) -> Vec<Node> {
-    let a = sparse(g, a);
-    let product = mass.times(g, &a);
-    let entry = |(at, x): (usize, &Node)| product.get(&at).map_or(*x, |y| g.sub(*x, *y));
-    forces.iter().enumerate().map(entry).collect()
+fn dot<'g>(g: Sheet<'g>, a: &Sparse<'g>, b: &Sparse<'g>) -> Scalar<'g> {
+    g.sum(a.iter().filter_map(|(at, x)| b.get(at).map(|y| *x * *y)))
 }

@@ -7,7 +7,7 @@ use super::elimination::{self, Entries, Kind};
 use super::order::{self, Pattern};
 use super::{Massless, add_square, stabilised};
 use crate::equations::Equations;
-use crate::symbolic::{Class, Compare, Graph, Node, Unary};
+use crate::symbolic::{Class, Compare, Graph, Node, Scalar, Sheet, all_bare};
 use std::collections::{BTreeMap, BTreeSet};
 
 /// K(c) factored, and its solution for any right-hand side.
@@ -28,25 +28,27 @@ pub struct Stored {
 /// ρ′ = ρ/(1 + ρ c), ρ′ Dᵀ γ to Q, c of these rows becomes c (1 + ρ c) and their multipliers are multiplied by 1 + ρ c: the
 /// solution is the same, because D v̇ = γ + c λ.
 pub fn store(equations: &mut Equations, massless: &Massless, row_scales: &[Node]) -> Stored {
+    equations.write(|g, equations| written(g, equations, massless, row_scales))
+}
+
+fn written(g: Sheet, equations: &mut Equations, massless: &Massless, row_scales: &[Node]) -> Stored {
     let n = equations.symbols.v.len();
-    let columns: Vec<BTreeMap<usize, Node>> =
-        equations.rows.iter().map(|row| row.jet.columns.clone()).collect();
-    let idle = equations.idle.clone();
-    let compliance = equations.symbols.compliance;
-    let g = &mut equations.graph;
+    let columns: Vec<&BTreeMap<usize, Node>> = equations.rows.iter().map(|row| &row.jet.columns).collect();
+    let idle = &equations.idle;
+    let compliance = g.on(equations.symbols.compliance);
     // 1 + ρ c and ρ′.
-    let held: BTreeMap<usize, (Node, Node)> =
-        massless.rows.iter().map(|(row, rho)| (*row, softened(g, *rho, compliance))).collect();
+    let held: BTreeMap<usize, (Scalar, Scalar)> =
+        massless.rows.iter().map(|(row, rho)| (*row, softened(*rho, compliance))).collect();
 
     let mut entries: Entries = equations.mass.clone();
     for (row, (_, weight)) in &held {
-        add_square(g, &mut entries, &columns[*row], *weight);
+        add_square(&mut entries, columns[*row], *weight);
     }
     for (row, columns) in columns.iter().enumerate().filter(|(row, _)| !idle.contains(row)) {
         entries.extend(columns.iter().map(|(velocity, column)| ((n + row, *velocity), *column)));
     }
     let own: Vec<Node> = (0..columns.len())
-        .map(|row| held.get(&row).map_or(compliance, |(stiffening, _)| g.mul(compliance, *stiffening)))
+        .map(|row| held.get(&row).map_or(compliance, |(stiffening, _)| compliance * *stiffening).bare)
         .collect();
     let pattern = Pattern::new(n, columns.len(), entries.keys().copied());
     let mut order = order::best(&pattern);
@@ -57,62 +59,57 @@ pub fn store(equations: &mut Equations, massless: &Massless, row_scales: &[Node]
 
     // Right-hand sides as symbols; the elimination takes rows with the other sign.
     let (forces, rows) = (symbols(g, "force", n), symbols(g, "row", columns.len()));
-    let mut right = forces.clone();
+    let mut right = g.all(&forces);
     for (row, (_, weight)) in &held {
-        let weighted = g.mul(*weight, rows[*row]);
-        for (velocity, column) in &columns[*row] {
-            let term = g.mul(*column, weighted);
-            right[*velocity] = g.add(right[*velocity], term);
+        let weighted = *weight * rows[*row];
+        for (velocity, column) in columns[*row] {
+            right[*velocity] += *column * weighted;
         }
     }
-    right.extend(rows.iter().map(|row| g.neg(*row)));
+    right.extend(rows.iter().map(|row| -g.on(*row)));
     let mut solution = factor.solve(g, &right);
-    for row in 0..columns.len() {
-        let lambda = &mut solution[n + row];
+    for (row, lambda) in solution[n..].iter_mut().enumerate() {
         if idle.contains(&row) {
-            *lambda = g.constant(0.0);
+            *lambda = g.zero();
         } else if let Some((stiffening, _)) = held.get(&row) {
-            *lambda = g.mul(*lambda, *stiffening);
+            *lambda = *lambda * *stiffening;
         }
     }
 
+    let solution = all_bare(&solution);
     let late = forces.iter().chain(&rows).copied().collect();
-    let kept = frontier(g, &solution, &late);
+    let kept = frontier(&g.graph(), &solution, &late);
     let stand_ins = symbols(g, "kept", kept.len());
     let replaced = kept.iter().copied().zip(stand_ins.iter().copied()).collect();
-    let solution = g.substitute(&solution, &replaced);
+    let solution = g.graph().substitute(&solution, &replaced);
     let stabilised = stabilised(g, &equations.rows, &equations.symbols);
-    let stabilised = stabilised.into_iter().map(|row| equations.graph.neg(row)).collect();
+    let stabilised = stabilised.into_iter().map(|row| (-g.on(row)).bare).collect();
     equations.symbols.given_forces = forces;
     equations.symbols.given_rows = rows;
     equations.symbols.kept = stand_ins;
     let velocity_pivot = factor.velocity_pivot;
-    let pivot = not_nan(&mut equations.graph, factor.pivot);
+    let pivot = not_nan(g.on(factor.pivot)).bare;
     Stored { kept, pivot, velocity_pivot, rows: stabilised, solution }
 }
 
 /// 1 + ρ c and ρ/(1 + ρ c).
-fn softened(g: &mut Graph, rho: f64, compliance: Node) -> (Node, Node) {
-    let (one, rho) = (g.constant(1.0), g.constant(rho));
-    let product = g.mul(rho, compliance);
-    let stiffening = g.add(one, product);
-    let inverse = g.unary(Unary::Reciprocal, stiffening);
-    (stiffening, g.mul(rho, inverse))
+fn softened(rho: f64, compliance: Scalar) -> (Scalar, Scalar) {
+    let stiffening = 1.0 + rho * compliance;
+    (stiffening, rho * stiffening.reciprocal())
 }
 
 /// Zero where a pivot was zero and left 0 · ∞ behind.
-fn not_nan(g: &mut Graph, pivot: Node) -> Node {
-    if g.value(pivot).is_some() {
+fn not_nan(pivot: Scalar) -> Scalar {
+    if pivot.value().is_some() {
         return pivot;
     }
-    let zero = g.constant(0.0);
-    let is_number = g.compare(Compare::LessEqual, zero, pivot);
-    g.select(is_number, pivot, zero)
+    let zero = pivot.g.zero();
+    zero.compare(Compare::LessEqual, pivot).select(pivot, zero)
 }
 
 /// New symbols for what is given with a call.
-pub(super) fn symbols(g: &mut Graph, name: &str, count: usize) -> Vec<Node> {
-    (0..count).map(|index| g.symbol(format!("{name}_{index}"), Class::Input)).collect()
+pub(super) fn symbols(g: Sheet, name: &str, count: usize) -> Vec<Node> {
+    (0..count).map(|index| g.symbol(format!("{name}_{index}"), Class::Input).bare).collect()
 }
 
 /// The nodes at which what depends on `late` symbols meets what does not, in order; what parameters alone decide is at hand

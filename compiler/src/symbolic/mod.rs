@@ -7,6 +7,7 @@ mod graph;
 mod hash;
 mod operation;
 mod rounding;
+mod sheet;
 mod substitute;
 
 pub use derivative::Gradient;
@@ -14,3 +15,4 @@ pub use evaluate::{evaluate, evaluate_reachable, evaluate_with};
 pub use graph::{Class, Graph, Node, Op};
 pub use operation::{Compare, Unary, max, min};
 pub use rounding::{of_quotient, passed_on};
+pub use sheet::{Bare, On, Scalar, Sheet, all_bare};

@@ -1,6 +1,6 @@
 //! The closed tables of unary functions and comparisons: value, derivative, spelling in emitted code.
 
-use super::{Graph, Node};
+use super::Scalar;
 
 /// Functions of one argument. Negation is an operation of its own, because most of the algebra is about signs.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
@@ -73,55 +73,39 @@ impl Unary {
         }
     }
 
-    /// First and second derivative at `x`, given `f` = the function's own node at `x`. At the kinks of |x| and
+    /// First and second derivative at `x`, given `f`, the function's value there. At the kinks of |x| and
     /// sign(x) these are the derivatives of the branch that `sign` selects.
-    pub fn derivatives(self, g: &mut Graph, x: Node, f: Node) -> (Node, Node) {
-        let (zero, one, two) = (g.constant(0.0), g.constant(1.0), g.constant(2.0));
+    pub fn derivatives<'g>(self, x: Scalar<'g>, f: Scalar<'g>) -> (Scalar<'g>, Scalar<'g>) {
+        let zero = x.g.zero();
         match self {
             Unary::Reciprocal => {
-                let square = g.mul(f, f);
-                let cube = g.mul(square, f);
-                (g.neg(square), g.mul(two, cube))
+                let square = f * f;
+                let cube = square * f;
+                (-square, 2.0 * cube)
             }
             Unary::Sqrt => {
-                let half = g.constant(0.5);
-                let r = g.unary(Unary::Reciprocal, f);
-                let first = g.mul(half, r);
-                let rr = g.mul(r, r);
-                let second = g.mul(first, rr);
-                let second = g.mul(half, second);
-                (first, g.neg(second))
+                let r = f.reciprocal();
+                let first = 0.5 * r;
+                (first, -(0.5 * (first * (r * r))))
             }
-            Unary::Abs => (g.unary(Unary::Sign, x), zero),
+            Unary::Abs => (x.unary(Unary::Sign), zero),
             Unary::Sign => (zero, zero),
-            Unary::Sin => (g.unary(Unary::Cos, x), g.neg(f)),
-            Unary::Cos => {
-                let s = g.unary(Unary::Sin, x);
-                (g.neg(s), g.neg(f))
-            }
+            Unary::Sin => (x.cos(), -f),
+            Unary::Cos => (-x.sin(), -f),
             Unary::Tan => {
-                // 1 + f², 2 f (1 + f²)
-                let square = g.mul(f, f);
-                let first = g.add(one, square);
-                let second = g.mul(f, first);
-                (first, g.mul(two, second))
+                let first = 1.0 + f * f;
+                (first, 2.0 * (f * first))
             }
             Unary::Asin | Unary::Acos => {
                 // ±(1 − x²)^(−1/2), ±x (1 − x²)^(−3/2)
-                let square = g.mul(x, x);
-                let rest = g.sub(one, square);
-                let root = g.unary(Unary::Sqrt, rest);
-                let first = g.unary(Unary::Reciprocal, root);
-                let cube = g.mul(first, first);
-                let cube = g.mul(cube, first);
-                let second = g.mul(x, cube);
-                if self == Unary::Asin { (first, second) } else { (g.neg(first), g.neg(second)) }
+                let first = (1.0 - x * x).sqrt().reciprocal();
+                let second = x * (first * first * first);
+                if self == Unary::Asin { (first, second) } else { (-first, -second) }
             }
             Unary::Exp => (f, f),
             Unary::Ln => {
-                let r = g.unary(Unary::Reciprocal, x);
-                let rr = g.mul(r, r);
-                (r, g.neg(rr))
+                let r = x.reciprocal();
+                (r, -(r * r))
             }
         }
     }

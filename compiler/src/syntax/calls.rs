@@ -3,90 +3,119 @@
 //! A table says which arguments each kind takes; what the places are is left to `model`.
 
 use super::definition::{
-    Constraint, ConstraintTerm, Entry, FirstTerm, Joint, JointWord, Label, LineTerm, Load, LoadTerm,
-    Operator, PlaceTerm, Space, Term, TermKind, Tuple,
+    Constraint, ConstraintTerm, Entry, FirstTerm, Joint, Label, LineTerm, Load, LoadTerm, Named, Operator,
+    PlaceTerm, Space, Term, TermKind, Tuple,
 };
 use super::expression::is_call;
 use super::parser::{Failed, Parsed, Parser};
 use super::token::Cursor;
 use crate::diagnostics::Region;
+use crate::forms::{Argument, Form, Need, Positional, Value};
 use crate::messages::{self, Habit};
+use crate::units::Dimension;
 use proc_macro2::Delimiter;
 
-/// What a positional argument is.
-#[derive(Clone, Copy, PartialEq, Eq)]
-enum Kind {
-    Place,
-    Line,
-    /// The name of a joint or body.
-    Rotor,
-}
-
-/// How a kind is written.
-struct Form {
-    word: &'static str,
-    positional: &'static [Kind],
-    /// Name and whether it must be given.
-    named: &'static [(&'static str, bool)],
-}
-
-const PLACES: &[Kind] = &[Kind::Place, Kind::Place];
-
-const JOINTS: [Form; 5] = [
-    Form { word: "fixed", positional: PLACES, named: &[("angle", false)] },
-    Form { word: "revolute", positional: PLACES, named: &[] },
-    Form { word: "prismatic", positional: PLACES, named: &[("axis", true), ("angle", false)] },
-    Form { word: "point_on_line", positional: &[Kind::Line, Kind::Place], named: &[] },
-    Form { word: "distance", positional: PLACES, named: &[("length", true)] },
-];
-
-/// Whether an axis must be written depends on whether a place has one: that is left to `model`.
-const SPATIAL_JOINTS: [Form; 12] = [
-    Form { word: "fixed", positional: PLACES, named: &[] },
-    Form { word: "revolute", positional: PLACES, named: &[("axis", false)] },
-    Form { word: "prismatic", positional: PLACES, named: &[("axis", false)] },
-    Form { word: "cylindrical", positional: PLACES, named: &[("axis", false)] },
-    Form { word: "screw", positional: PLACES, named: &[("axis", false), ("pitch", true)] },
-    Form { word: "universal", positional: PLACES, named: &[("axis", true), ("second_axis", true)] },
-    Form { word: "spherical", positional: PLACES, named: &[] },
-    Form { word: "planar", positional: PLACES, named: &[("axis", false)] },
-    Form { word: "constant_velocity", positional: PLACES, named: &[("axis", false)] },
-    Form { word: "point_on_line", positional: &[Kind::Line, Kind::Place], named: &[] },
-    Form { word: "point_on_plane", positional: PLACES, named: &[("axis", false)] },
-    Form { word: "distance", positional: PLACES, named: &[("length", true)] },
-];
-
-const ROTORS: &[Kind] = &[Kind::Rotor, Kind::Rotor];
+const ROTORS: &[Positional] = &[Positional::Rotor, Positional::Rotor];
 
 /// Bevel and worm gears are gears, whatever the axes; a belt is a gear by its radii, a screw a rack by its pitch, and a
 /// differential an equation.
 const COUPLINGS: [Form; 7] = [
-    Form { word: "gear", positional: ROTORS, named: &[("ratio", true), ("phase", false)] },
-    Form { word: "bevel", positional: ROTORS, named: &[("ratio", true), ("phase", false)] },
-    Form { word: "worm", positional: ROTORS, named: &[("ratio", true), ("phase", false)] },
+    Form {
+        word: "gear",
+        elsewhere: &[],
+        positional: ROTORS,
+        named: &[
+            Argument::scalar("ratio", Need::Always, Dimension::ONE),
+            Argument::scalar("phase", Need::Never, Dimension::ANGLE),
+        ],
+    },
+    Form {
+        word: "bevel",
+        elsewhere: &[],
+        positional: ROTORS,
+        named: &[
+            Argument::scalar("ratio", Need::Always, Dimension::ONE),
+            Argument::scalar("phase", Need::Never, Dimension::ANGLE),
+        ],
+    },
+    Form {
+        word: "worm",
+        elsewhere: &[],
+        positional: ROTORS,
+        named: &[
+            Argument::scalar("ratio", Need::Always, Dimension::ONE),
+            Argument::scalar("phase", Need::Never, Dimension::ANGLE),
+        ],
+    },
     Form {
         word: "belt",
+        elsewhere: &[],
         positional: ROTORS,
-        named: &[("radius", true), ("second_radius", true), ("phase", false)],
+        named: &[
+            Argument::scalar("radius", Need::Always, Dimension::LENGTH),
+            Argument::scalar("second_radius", Need::Always, Dimension::LENGTH),
+            Argument::scalar("phase", Need::Never, Dimension::ANGLE),
+        ],
     },
-    Form { word: "rack", positional: ROTORS, named: &[("radius", true), ("phase", false)] },
-    Form { word: "screw", positional: ROTORS, named: &[("pitch", true), ("phase", false)] },
-    Form { word: "differential", positional: &[Kind::Rotor, Kind::Rotor, Kind::Rotor], named: &[] },
+    Form {
+        word: "rack",
+        elsewhere: &[],
+        positional: ROTORS,
+        named: &[
+            Argument::scalar("radius", Need::Always, Dimension::LENGTH),
+            Argument::scalar("phase", Need::Never, Dimension::LENGTH),
+        ],
+    },
+    Form {
+        word: "screw",
+        elsewhere: &[],
+        positional: ROTORS,
+        named: &[
+            Argument::scalar("pitch", Need::Always, Dimension::LENGTH),
+            Argument::scalar("phase", Need::Never, Dimension::LENGTH),
+        ],
+    },
+    Form {
+        word: "differential",
+        elsewhere: &[],
+        positional: &[Positional::Rotor, Positional::Rotor, Positional::Rotor],
+        named: &[],
+    },
 ];
 
 const LOADS: [Form; 5] = [
-    Form { word: "force", positional: &[Kind::Place], named: &[("direction", false)] },
-    Form { word: "torque", positional: &[Kind::Rotor], named: &[] },
+    Form {
+        word: "force",
+        elsewhere: &[],
+        positional: &[Positional::Place],
+        named: &[Argument::direction("direction", Need::Never)],
+    },
+    Form { word: "torque", elsewhere: &[], positional: &[Positional::Rotor], named: &[] },
     Form {
         word: "spring",
-        positional: &[Kind::Place, Kind::Place],
-        named: &[("stiffness", true), ("length", true), ("damping", false)],
+        elsewhere: &[],
+        positional: &[Positional::Place, Positional::Place],
+        named: &[
+            Argument::scalar("stiffness", Need::Always, Dimension::STIFFNESS),
+            Argument::scalar("length", Need::Always, Dimension::LENGTH),
+            Argument::scalar("damping", Need::Never, Dimension::DAMPING),
+        ],
     },
-    Form { word: "damper", positional: &[Kind::Place, Kind::Place], named: &[("damping", true)] },
+    Form {
+        word: "damper",
+        elsewhere: &[],
+        positional: &[Positional::Place, Positional::Place],
+        named: &[Argument::scalar("damping", Need::Always, Dimension::DAMPING)],
+    },
     Form {
         word: "torsion_spring",
-        positional: &[Kind::Rotor],
-        named: &[("stiffness", true), ("angle", false), ("damping", false)],
+        elsewhere: &[],
+        positional: &[Positional::Rotor],
+        named: &[
+            Argument::scalar("stiffness", Need::Always, Dimension::TORQUE),
+            Argument::scalar("angle", Need::Never, Dimension::ANGLE),
+            Argument::scalar("damping", Need::Never, Dimension::ANGULAR_DAMPING),
+        ],
     },
 ];
 
@@ -96,8 +125,7 @@ struct Arguments {
     places: Vec<PlaceTerm>,
     lines: Vec<LineTerm>,
     rotors: Vec<Label>,
-    entries: Vec<(Label, Entry)>,
-    tuples: Vec<(Label, Tuple)>,
+    named: Named,
 }
 
 impl Arguments {
@@ -110,8 +138,8 @@ impl Arguments {
     }
 
     fn entry(&mut self, name: &str) -> Option<Entry> {
-        let index = self.entries.iter().position(|(label, _)| label.text == name)?;
-        Some(self.entries.remove(index).1)
+        let index = self.named.entries.iter().position(|(label, _)| label.text == name)?;
+        Some(self.named.entries.remove(index).1)
     }
 
     fn required(&mut self, name: &str) -> Parsed<Entry> {
@@ -119,8 +147,8 @@ impl Arguments {
     }
 
     fn tuple(&mut self, name: &str) -> Option<Tuple> {
-        let index = self.tuples.iter().position(|(label, _)| label.text == name)?;
-        Some(self.tuples.remove(index).1)
+        let index = self.named.tuples.iter().position(|(label, _)| label.text == name)?;
+        Some(self.named.tuples.remove(index).1)
     }
 }
 
@@ -131,13 +159,10 @@ impl Parser {
         if !c.eat_punct(':') {
             return self.expected(c, "`:` and what the joint is, such as `revolute(…);`");
         }
-        let forms = match self.definition.space {
-            Space::Planar => JOINTS.as_slice(),
-            Space::Spatial => SPATIAL_JOINTS.as_slice(),
-        };
-        let (form, mut arguments) = self.call_of(c, forms, "joint")?;
+        let joints = (self.vocabulary.joints)(self.definition.space);
+        let forms: Vec<&Form> = joints.iter().map(|joint| &joint.call).collect();
+        let (which, mut arguments) = self.call_of(c, &forms, "joint")?;
         self.semicolon(c)?;
-        let kind = JointWord::ALL.into_iter().find(|kind| kind.text() == form.word).ok_or(Failed)?;
         let first = match arguments.lines.pop() {
             Some(line) => FirstTerm::Line(line),
             None => FirstTerm::Place(arguments.place()?),
@@ -145,14 +170,10 @@ impl Parser {
         let second = arguments.place()?;
         self.definition.joints.push(Joint {
             name,
-            kind,
+            form: joints[which],
             first,
             second,
-            axis: arguments.tuple("axis"),
-            second_axis: arguments.tuple("second_axis"),
-            angle: arguments.entry("angle"),
-            length: arguments.entry("length"),
-            pitch: arguments.entry("pitch"),
+            named: arguments.named,
         });
         Ok(())
     }
@@ -191,7 +212,9 @@ impl Parser {
     }
 
     fn coupling_call(&mut self, c: &mut Cursor, name: Label) -> Parsed<()> {
-        let (form, mut arguments) = self.call_of(c, &COUPLINGS, "constraint")?;
+        let forms: Vec<&Form> = COUPLINGS.iter().collect();
+        let (which, mut arguments) = self.call_of(c, &forms, "constraint")?;
+        let form = forms[which];
         let region = name.region.to(c.previous());
         self.semicolon(c)?;
         let (first, second) = (arguments.rotor()?, arguments.rotor()?);
@@ -232,7 +255,9 @@ impl Parser {
         let name = self.declared(c, "the name of the load")?;
         self.punct(c, ':')?;
         let at = c.region();
-        let (form, mut arguments) = self.call_of(c, &LOADS, "load")?;
+        let forms: Vec<&Form> = LOADS.iter().collect();
+        let (which, mut arguments) = self.call_of(c, &forms, "load")?;
+        let form = forms[which];
         if word != "force" && word != form.word {
             return self.fail(at, messages::other_load(word, form.word));
         }
@@ -301,19 +326,21 @@ impl Parser {
         }
     }
 
-    /// A kind out of `forms` and its arguments, complete.
-    fn call_of<'f>(
-        &mut self,
-        c: &mut Cursor,
-        forms: &'f [Form],
-        what: &str,
-    ) -> Parsed<(&'f Form, Arguments)> {
+    /// Which of `forms`, and its arguments, complete.
+    fn call_of(&mut self, c: &mut Cursor, forms: &[&Form], what: &str) -> Parsed<(usize, Arguments)> {
         let words: Vec<&str> = forms.iter().map(|form| form.word).collect();
         let kind = self.word(c, &format!("the kind of the {what} ({})", words.join(", ")))?;
-        let Some(form) = forms.iter().find(|form| form.word == kind.text) else {
-            return self
-                .fail(kind.region, messages::unknown_kind(what, &kind.text, &words, self.definition.space));
+        let Some(which) = forms.iter().position(|form| form.word == kind.text) else {
+            let message = if what == "joint" {
+                let in_space = (self.vocabulary.joints)(Space::Spatial);
+                let in_space: Vec<&Form> = in_space.iter().map(|joint| &joint.call).collect();
+                messages::unknown_joint(&kind.text, forms, &in_space, self.definition.space)
+            } else {
+                messages::unknown_kind(what, &kind.text, forms)
+            };
+            return self.fail(kind.region, message);
         };
+        let form = forms[which];
         let mut inside = self.group(c, Delimiter::Parenthesis)?;
         let region = kind.region.to(c.previous());
         let mut arguments = Arguments::default();
@@ -323,14 +350,12 @@ impl Parser {
         while !inside.is_done() {
             self.named(&mut inside, form, &mut arguments)?;
         }
-        for (name, _) in form.named.iter().filter(|(_, required)| *required) {
-            let given = arguments.entries.iter().any(|(label, _)| label.text == *name)
-                || arguments.tuples.iter().any(|(label, _)| label.text == *name);
-            if !given {
+        for Argument { name, .. } in form.named.iter().filter(|argument| argument.is_required()) {
+            if arguments.named.labels().all(|label| label.text != *name) {
                 return self.fail(region, messages::missing_argument(form.word, name, self.definition.space));
             }
         }
-        Ok((form, arguments))
+        Ok((which, arguments))
     }
 
     fn positional(
@@ -338,7 +363,7 @@ impl Parser {
         c: &mut Cursor,
         form: &Form,
         index: usize,
-        kind: Kind,
+        kind: Positional,
         region: Region,
         arguments: &mut Arguments,
     ) -> Parsed<()> {
@@ -347,13 +372,13 @@ impl Parser {
         while ahead.enter(Delimiter::Bracket).is_some() {}
         if c.is_done() || ahead.at_punct('=') {
             let message =
-                messages::missing_place(form.word, form.positional.len(), index, kind == Kind::Place);
+                messages::missing_place(form.word, form.positional.len(), index, kind == Positional::Place);
             return self.fail(region, message);
         }
         match kind {
-            Kind::Place => arguments.places.push(self.place(c)?),
-            Kind::Line => arguments.lines.push(self.line_argument(c)?),
-            Kind::Rotor => {
+            Positional::Place => arguments.places.push(self.place(c)?),
+            Positional::Line => arguments.lines.push(self.line_argument(c)?),
+            Positional::Rotor => {
                 arguments.rotors.push(self.label(c, "the name of a joint or body")?);
                 if c.at_punct('.') {
                     return self.advised(c, "`,` or `)`", messages::names_without_point());
@@ -391,36 +416,36 @@ impl Parser {
     /// `name [unit] = value`.
     fn named(&mut self, c: &mut Cursor, form: &Form, arguments: &mut Arguments) -> Parsed<()> {
         if c.word().is_none() {
-            let names: Vec<&str> = form.named.iter().map(|(name, _)| *name).collect();
+            let names: Vec<&str> = form.named.iter().map(|argument| argument.name).collect();
             return self.advised(c, "a named argument", &messages::named_arguments(&names));
         }
         let label = self.word(c, "a named argument")?;
-        let known = form.named.iter().any(|(name, _)| *name == label.text);
-        if !known {
-            let names: Vec<&str> = form.named.iter().map(|(name, _)| *name).collect();
+        let Some(argument) = form.named.iter().find(|argument| argument.name == label.text) else {
+            let names: Vec<&str> = form.named.iter().map(|argument| argument.name).collect();
             let message = if c.at_punct('=') || c.inside(Delimiter::Bracket).is_some() {
                 messages::unknown_argument(form.word, &label.text, &names)
             } else {
                 messages::too_many_places(form.word, form.positional.len())
             };
             return self.fail(label.region, message);
-        }
-        let earlier = arguments.entries.iter().map(|(label, _)| label);
-        let earlier = earlier.chain(arguments.tuples.iter().map(|(label, _)| label));
-        if let Some(first) = earlier.into_iter().find(|first| first.text == label.text) {
+        };
+        if let Some(first) = arguments.named.labels().find(|first| first.text == label.text) {
             let message = messages::property_twice(&label.text, form.word);
             let note = messages::first_here(&label.text);
             self.diagnostics.conflict(label.region, message, first.region, note);
             return Err(Failed);
         }
         let unit = self.unit(c)?;
-        if matches!(label.text.as_str(), "axis" | "second_axis" | "direction") {
-            self.punct(c, '=')?;
-            let tuple = self.vector(c, unit)?;
-            arguments.tuples.push((label, tuple));
-        } else {
-            let entry = self.entry(c, unit)?;
-            arguments.entries.push((label, entry));
+        match argument.value {
+            Value::Direction => {
+                self.punct(c, '=')?;
+                let tuple = self.vector(c, unit)?;
+                arguments.named.tuples.push((label, tuple));
+            }
+            Value::Scalar(_) | Value::Moving(_) => {
+                let entry = self.entry(c, unit)?;
+                arguments.named.entries.push((label, entry));
+            }
         }
         self.argument_end(c)
     }

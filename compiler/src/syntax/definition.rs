@@ -2,34 +2,11 @@
 //! and nothing converted. Every part keeps its place in the source.
 
 use crate::diagnostics::{Allowed, Region};
+use crate::forms::JointForm;
+pub use crate::forms::Space;
 use crate::units::Unit;
 use proc_macro2::TokenStream;
 use std::collections::BTreeSet;
-
-/// In how many dimensions a mechanism moves.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Space {
-    Planar,
-    Spatial,
-}
-
-impl Space {
-    /// As written.
-    pub fn text(self) -> &'static str {
-        match self {
-            Self::Planar => "planar",
-            Self::Spatial => "spatial",
-        }
-    }
-
-    /// Components of a vector.
-    pub fn dimensions(self) -> usize {
-        match self {
-            Self::Planar => 2,
-            Self::Spatial => 3,
-        }
-    }
-}
 
 /// One `planar Name { … }` or `spatial Name { … }`.
 #[derive(Clone, Debug)]
@@ -370,14 +347,33 @@ impl LineTerm {
 #[derive(Clone, Debug)]
 pub struct Joint {
     pub name: Label,
-    pub kind: JointWord,
+    pub form: &'static JointForm,
     pub first: FirstTerm,
     pub second: PlaceTerm,
-    pub axis: Option<Tuple>,
-    pub second_axis: Option<Tuple>,
-    pub angle: Option<Entry>,
-    pub length: Option<Entry>,
-    pub pitch: Option<Entry>,
+    pub named: Named,
+}
+
+/// The arguments of an element that were written with their names, in that order.
+#[derive(Clone, Debug, Default)]
+pub struct Named {
+    pub entries: Vec<(Label, Entry)>,
+    pub tuples: Vec<(Label, Tuple)>,
+}
+
+impl Named {
+    pub fn entry(&self, name: &str) -> Option<&Entry> {
+        self.entries.iter().find(|(label, _)| label.text == name).map(|(_, entry)| entry)
+    }
+
+    pub fn tuple(&self, name: &str) -> Option<&Tuple> {
+        self.tuples.iter().find(|(label, _)| label.text == name).map(|(_, tuple)| tuple)
+    }
+
+    /// Their names.
+    pub fn labels(&self) -> impl Iterator<Item = &Label> {
+        let entries = self.entries.iter().map(|(label, _)| label);
+        entries.chain(self.tuples.iter().map(|(label, _)| label))
+    }
 }
 
 /// What a joint's first argument is.
@@ -385,84 +381,6 @@ pub struct Joint {
 pub enum FirstTerm {
     Place(PlaceTerm),
     Line(LineTerm),
-}
-
-/// The kinds of joints.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum JointWord {
-    Fixed,
-    Revolute,
-    Prismatic,
-    Cylindrical,
-    Screw,
-    Universal,
-    Spherical,
-    Planar,
-    ConstantVelocity,
-    PointOnLine,
-    PointOnPlane,
-    Distance,
-}
-
-impl JointWord {
-    pub const ALL: [JointWord; 12] = [
-        Self::Fixed,
-        Self::Revolute,
-        Self::Prismatic,
-        Self::Cylindrical,
-        Self::Screw,
-        Self::Universal,
-        Self::Spherical,
-        Self::Planar,
-        Self::ConstantVelocity,
-        Self::PointOnLine,
-        Self::PointOnPlane,
-        Self::Distance,
-    ];
-
-    /// As written.
-    pub fn text(self) -> &'static str {
-        match self {
-            Self::Fixed => "fixed",
-            Self::Revolute => "revolute",
-            Self::Prismatic => "prismatic",
-            Self::Cylindrical => "cylindrical",
-            Self::Screw => "screw",
-            Self::Universal => "universal",
-            Self::Spherical => "spherical",
-            Self::Planar => "planar",
-            Self::ConstantVelocity => "constant_velocity",
-            Self::PointOnLine => "point_on_line",
-            Self::PointOnPlane => "point_on_plane",
-            Self::Distance => "distance",
-        }
-    }
-
-    /// Names of its coordinates and of their rates, angles first.
-    pub fn coordinates(self, space: Space) -> JointCoordinates {
-        const ANGLE: &[[&str; 2]] = &[["angle", "rate"]];
-        const TRAVEL: &[[&str; 2]] = &[["travel", "speed"]];
-        let (angles, travels): (&[[&str; 2]], &[[&str; 2]]) = match self {
-            Self::Revolute => (ANGLE, &[]),
-            Self::Prismatic => (&[], TRAVEL),
-            Self::Cylindrical | Self::Screw => (ANGLE, TRAVEL),
-            Self::Universal => (&[["angle_1", "rate_1"], ["angle_2", "rate_2"]], &[]),
-            Self::Planar => (ANGLE, &[["travel_1", "speed_1"], ["travel_2", "speed_2"]]),
-            Self::PointOnLine if space == Space::Planar => (ANGLE, TRAVEL),
-            Self::PointOnLine => (&[], TRAVEL),
-            Self::Fixed | Self::Spherical | Self::ConstantVelocity | Self::PointOnPlane | Self::Distance => {
-                (&[], &[])
-            }
-        };
-        JointCoordinates { angles, travels }
-    }
-}
-
-/// Names of the coordinates of a joint: [coordinate, its rate].
-#[derive(Clone, Copy, Debug)]
-pub struct JointCoordinates {
-    pub angles: &'static [[&'static str; 2]],
-    pub travels: &'static [[&'static str; 2]],
 }
 
 /// `constraint name: …;`

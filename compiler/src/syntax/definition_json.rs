@@ -2,6 +2,7 @@
 //! exporters rebuild the mechanism from it without this compiler.
 
 use super::definition::*;
+use crate::forms::{Argument, Value};
 
 /// The definition as one line of JSON.
 pub fn definition_json(definition: &Definition) -> String {
@@ -255,18 +256,19 @@ impl Writer {
 
     fn joint(&mut self, joint: &Joint, definition: &Definition) {
         self.key("name").string(&joint.name.text);
-        self.key("kind").string(joint.kind.text());
+        self.key("kind").string(joint.form.call.word);
         self.key("first");
         match &joint.first {
             FirstTerm::Line(line) => self.line(line, definition),
             FirstTerm::Place(place) => self.place(place),
         }
         self.key("second").place(&joint.second);
-        self.tuple_if("axis", joint.axis.as_ref(), Some("1"));
-        self.tuple_if("second_axis", joint.second_axis.as_ref(), Some("1"));
-        self.entry_if("angle", joint.angle.as_ref());
-        self.entry_if("length", joint.length.as_ref());
-        self.entry_if("pitch", joint.pitch.as_ref());
+        for Argument { name, value, .. } in joint.form.call.named {
+            match value {
+                Value::Direction => self.tuple_if(name, joint.named.tuple(name), Some("1")),
+                Value::Scalar(_) | Value::Moving(_) => self.entry_if(name, joint.named.entry(name)),
+            }
+        }
     }
 
     /// A line of the ground is written out, as only bodies carry lines in the file.

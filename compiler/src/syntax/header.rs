@@ -4,6 +4,7 @@ use super::definition::{Definition, Label, OptionEntry};
 use super::token::Cursor;
 use super::{read, token};
 use crate::diagnostics::Diagnostics;
+use crate::forms::Vocabulary;
 use proc_macro2::{Delimiter, Ident, Span, TokenStream, TokenTree};
 use std::collections::HashSet;
 
@@ -29,10 +30,10 @@ pub struct Header {
 }
 
 /// The header of a definition; nothing if not even a name was written.
-pub fn header(tokens: TokenStream) -> Option<Header> {
+pub fn header(tokens: TokenStream, vocabulary: &'static Vocabulary) -> Option<Header> {
     let mut diagnostics = Diagnostics::new();
     let converted = token::convert(tokens.clone(), &mut diagnostics);
-    let (definition, found) = read(&converted, Span::call_site().into(), true);
+    let (definition, found) = read(&converted, Span::call_site().into(), vocabulary, true);
     let mut tokens = tokens.into_iter().peekable();
     while matches!(tokens.peek(), Some(TokenTree::Punct(punct)) if punct.as_char() == '#') {
         tokens.next();

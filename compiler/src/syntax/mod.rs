@@ -52,6 +52,7 @@ pub use header::{Header, header};
 pub(crate) use token::{DEEPEST, KEYWORDS};
 
 use crate::diagnostics::{Allowed, Diagnostics, Region};
+use crate::forms::Vocabulary;
 use crate::messages;
 use attributes::Bearer;
 use parser::{Failed, Parsed, Parser};
@@ -63,7 +64,7 @@ use token::{Cursor, Token};
 const MOST_STATEMENTS: usize = 10_000;
 
 /// Reads a definition. All syntax errors are reported, one for each statement.
-pub fn parse(tokens: TokenStream) -> Result<Definition, Diagnostics> {
+pub fn parse(tokens: TokenStream, vocabulary: &'static Vocabulary) -> Result<Definition, Diagnostics> {
     let mut diagnostics = Diagnostics::new();
     let whole = tokens.clone().into_iter().next().map_or(Span::call_site(), |token| token.span());
     let tokens = token::convert(tokens, &mut diagnostics);
@@ -71,13 +72,19 @@ pub fn parse(tokens: TokenStream) -> Result<Definition, Diagnostics> {
         // Groups are missing, and what is missing must not be reported a second time.
         return Err(diagnostics);
     }
-    let (definition, found) = read(&tokens, whole.into(), false);
+    let (definition, found) = read(&tokens, whole.into(), vocabulary, false);
     found.finish(definition)
 }
 
 /// What can be read of tokens, however wrong; `whole`: where they stand if there are none; `patient`: every round of a `repeat` too, where the first has an error.
-fn read(tokens: &[Token], whole: Region, patient: bool) -> (Definition, Diagnostics) {
+fn read(
+    tokens: &[Token],
+    whole: Region,
+    vocabulary: &'static Vocabulary,
+    patient: bool,
+) -> (Definition, Diagnostics) {
     let mut parser = Parser {
+        vocabulary,
         diagnostics: Diagnostics::new(),
         definition: empty(),
         constants: HashMap::new(),

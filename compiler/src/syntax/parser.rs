@@ -7,6 +7,7 @@ use super::definition::{Definition, Label, Path, Term, WrittenUnit};
 use super::habits::habit;
 use super::token::{Cursor, Kind, Token};
 use crate::diagnostics::{Diagnostics, Region};
+use crate::forms::Vocabulary;
 use crate::messages;
 use crate::units::{self, UnitError};
 use proc_macro2::Delimiter;
@@ -21,6 +22,7 @@ pub(super) type Parsed<T> = Result<T, Failed>;
 
 /// What has been read, and what reading needs to know.
 pub(super) struct Parser {
+    pub vocabulary: &'static Vocabulary,
     pub diagnostics: Diagnostics,
     pub definition: Definition,
     /// Values of constants, for indices and bounds of `repeat`.

@@ -1,7 +1,8 @@
 //! The exported definition.
 
 use crate::definitions::QUICK_RETURN;
-use linkwright_compiler::syntax::{definition_json, parse};
+use linkwright_compiler::parse;
+use linkwright_compiler::syntax::definition_json;
 
 fn json(source: &str) -> String {
     definition_json(&parse(source.parse().expect("tokens")).unwrap_or_else(|d| panic!("{d}")))

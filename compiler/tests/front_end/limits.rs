@@ -110,8 +110,7 @@ fn a_ladder_of_81_bodies_is_fast() {
     }";
     assert_eq!(good(source).bodies.len(), 81);
     let start = Instant::now();
-    let definition =
-        linkwright_compiler::syntax::parse(source.parse().expect("tokens")).expect("a definition");
+    let definition = linkwright_compiler::parse(source.parse().expect("tokens")).expect("a definition");
     linkwright_compiler::model::lower(&definition).expect("a mechanism");
     let text = linkwright_compiler::syntax::definition_json(&definition);
     // Some tens of milliseconds at worst; the bound leaves room for a busy machine.

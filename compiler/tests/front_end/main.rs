@@ -14,14 +14,14 @@ mod warnings;
 
 use linkwright_compiler::diagnostics::{Diagnostics, Region};
 use linkwright_compiler::model::{self, Mechanism};
-use linkwright_compiler::{check, syntax};
+use linkwright_compiler::{check, parse};
 use proc_macro2::TokenStream;
 use std::str::FromStr;
 
 /// All stages of the front end, each stopping at its own errors.
 fn front_end(source: &str) -> Result<Mechanism, Diagnostics> {
     let tokens = TokenStream::from_str(source).expect("the source consists of tokens");
-    let mechanism = model::lower(&syntax::parse(tokens)?)?;
+    let mechanism = model::lower(&parse(tokens)?)?;
     let mut diagnostics = Diagnostics::new();
     check::rules::check(&mechanism, &mut diagnostics);
     diagnostics.finish(mechanism)

@@ -2,9 +2,9 @@
 
 use super::point::Point;
 use super::world::{Vec3, World, cross, length, sub};
-use crate::equations::space::axis_of;
 use crate::equations::space::constant_axis;
-use crate::model::{Axes, Frame, Joint, JointId, JointKind, Mechanism, Place, Space, fold};
+use crate::forms::Spans;
+use crate::model::{Axes, Frame, Joint, JointId, Mechanism, Place, Space, fold};
 
 /// What is wrong with a loop.
 pub enum Blame {
@@ -57,18 +57,14 @@ fn place_on(joint: &Joint, frame: Frame) -> Option<&Place> {
 
 /// By the inequality of polygons, in the plane as in space, where all joints are points that two links share, or rods.
 fn too_long(mechanism: &Mechanism, world: &World, joints: &[JointId]) -> Option<Blame> {
-    let shares_a_point = |kind: &JointKind| {
-        matches!(kind, JointKind::Revolute { .. } | JointKind::Spherical | JointKind::Universal { .. })
-    };
     let mut lengths: Vec<(String, f64)> = Vec::new();
     for id in joints {
         let joint = &mechanism.joints[id.0];
-        match &joint.kind {
-            JointKind::Distance { length } => {
-                lengths.push((joint.name.text.clone(), fold::evaluate(length, &mechanism.defaults())?));
-            }
-            kind if shares_a_point(kind) => {}
-            _ => return None,
+        if joint.form.spans == Spans::Rod {
+            let length = fold::evaluate(joint.scalar(0), &mechanism.defaults())?;
+            lengths.push((joint.name.text.clone(), length));
+        } else if !joint.form.keeps_place || joint.form.freedoms == 0 {
+            return None;
         }
     }
     for (frame, own) in links(mechanism, joints)? {
@@ -108,7 +104,7 @@ fn twisted(mechanism: &Mechanism, world: &World, joints: &[JointId]) -> Option<B
 
 /// An `axis` beside a marker that has axes of its own, unless it is the marker's z.
 fn axis_of_marker(joint: &Joint) -> Option<Blame> {
-    let axis = axis_of(&joint.kind)?;
+    let axis = joint.common_axis()?;
     let [x, y, _] = axis.each_ref().map(|component| fold::evaluate(component, &[]));
     let marker =
         [&joint.first, &joint.second].into_iter().find(|place| !matches!(place.axes, Axes::Parallel))?;

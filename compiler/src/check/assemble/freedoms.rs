@@ -176,10 +176,10 @@ fn report_redundant(
         let row = &rows[of_one[0]];
         let what: Vec<&str> = of_one.iter().map(|row| rows[*row].what).collect();
         let Some(joint) = row.joint else { continue };
-        let kind = at.mechanism.joints[joint.0].kind.word();
+        let form = at.mechanism.joints[joint.0].form;
         let whole = what.len() == rows.iter().filter(|own| own.joint == Some(joint)).count();
-        let repeated = messages::Repeated { joint: &row.of, kind, what: &what, whole };
-        errors.error(row.span, messages::redundant(&repeated, mobility, at.mechanism.space));
+        let repeated = messages::Repeated { joint: &row.of, form, what: &what, whole };
+        errors.error(row.span, messages::redundant(&repeated, mobility));
     }
 }
 

@@ -4,7 +4,7 @@ use super::messages::list;
 use super::point::Point;
 use super::world::{Vec3, World, cross, dot, length, sub};
 use crate::equations::space::constant_axis;
-use crate::model::{JointId, JointKind, Mechanism, Space};
+use crate::model::{JointId, Mechanism, Space};
 use std::collections::BTreeSet;
 
 /// A joint that turns about one axis, or slides along it, in the world.
@@ -91,11 +91,11 @@ fn meet(axes: &[Axis]) -> bool {
 
 fn axis(mechanism: &Mechanism, world: &World, joint: JointId) -> Option<Axis> {
     let definition = &mechanism.joints[joint.0];
-    let slides = match definition.kind {
-        JointKind::Revolute { .. } => false,
-        JointKind::Prismatic { .. } => true,
-        _ => return None,
-    };
+    let form = definition.form;
+    let slides = form.keeps_orientation;
+    if form.freedoms != 1 || !(slides || form.keeps_place) {
+        return None;
+    }
     let along = constant_axis(mechanism, definition, &definition.first)?;
     let along = world.turned(definition.first.frame, along);
     Some(Axis { name: definition.name.text.clone(), slides, through: world.place(&definition.first)?, along })

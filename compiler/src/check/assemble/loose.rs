@@ -10,7 +10,7 @@ use super::point::{Ancestry, Point, retract};
 use super::world::{Vec3, World, add, cross, dot, length, sub};
 use super::{carry_state, messages};
 use crate::equations::{Ball, Equations, Linear, Omitted, Rotation, SpanningTree, derive};
-use crate::model::{BodyId, Frame, Joint, JointId, JointKind, Mechanism, Space};
+use crate::model::{BodyId, Frame, Joint, JointId, Mechanism, Space};
 use std::collections::{BTreeMap, BTreeSet};
 use std::fmt;
 
@@ -31,7 +31,7 @@ pub enum Way {
     /// No joint holds them.
     Floating,
     /// As their only joint admits.
-    Hanging(crate::model::JointWord),
+    Hanging(crate::forms::Alone),
     /// About the line through the places of two joints; whether both are spherical.
     Spinning {
         spherical: bool,
@@ -214,13 +214,15 @@ impl<'a> Free<'a> {
         let twist = full(basis, admitted.first()?);
         Some(match joints {
             [] => Way::Floating,
-            [only] => Way::Hanging(self.mechanism.joints[only.0].kind.word()),
+            [only] => Way::Hanging(self.mechanism.joints[only.0].form.alone),
             _ if admitted.len() > 1 => Way::Otherwise,
             _ if length(twist[1]) == 0.0 => Way::Sliding,
             _ => {
                 let on_axis = self.on_axis(joints, pole, &twist);
-                let is_ball =
-                    |joint: &JointId| matches!(self.mechanism.joints[joint.0].kind, JointKind::Spherical);
+                let is_ball = |joint: &JointId| {
+                    let form = self.mechanism.joints[joint.0].form;
+                    form.keeps_place && form.freedoms == 3
+                };
                 match on_axis.as_slice() {
                     [] => Way::Otherwise,
                     [_] => Way::Turning,
@@ -327,8 +329,8 @@ fn full(basis: &[usize], twist: &[f64]) -> [Vec3; 2] {
 fn groups(mechanism: &Mechanism) -> Vec<Vec<BodyId>> {
     let mut group_of: Vec<usize> = (0..mechanism.bodies.len()).collect();
     for joint in &mechanism.joints {
-        let (JointKind::Fixed { .. }, Frame::Body(a), Frame::Body(b)) =
-            (&joint.kind, joint.first.frame, joint.second.frame)
+        let (0, Frame::Body(a), Frame::Body(b)) =
+            (joint.form.freedoms, joint.first.frame, joint.second.frame)
         else {
             continue;
         };

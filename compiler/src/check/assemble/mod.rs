@@ -42,8 +42,8 @@ pub use scales::row_scales;
 use super::messages;
 use crate::diagnostics::Diagnostics;
 use crate::equations::conditions::{self, coordinate_of};
-use crate::equations::{Ball, Condition, Dropped, Equations, Laws, Linear, Omitted, Rotation};
-use crate::model::{BodyId, JointId, JointKind, Mechanism, Quantity, Space};
+use crate::equations::{Ball, Condition, Dropped, Equations, Linear, Omitted, Rotation};
+use crate::model::{BodyId, JointId, Mechanism, Quantity, Space};
 use crate::solve::Massless;
 use crate::symbolic::Node;
 use along::Walk;
@@ -245,22 +245,13 @@ fn candidates(mechanism: &Mechanism, equations: &mut Equations) -> Vec<Condition
             quantities.extend(match attachment.joint {
                 None if mechanism.space == Space::Spatial => Vec::new(),
                 None => vec![Quantity::BodyAngle(attachment.body)],
-                Some((joint, _)) if mechanism.space == Space::Spatial => of_joint(mechanism, joint),
-                Some((joint, _)) => match mechanism.joints[joint.0].kind {
-                    JointKind::Prismatic { .. } => vec![Quantity::JointTravel(joint, 0)],
-                    JointKind::PointOnLine { .. } => {
-                        vec![Quantity::JointTravel(joint, 0), Quantity::JointAngle(joint, 0)]
-                    }
-                    JointKind::Revolute { .. } => vec![Quantity::JointAngle(joint, 0)],
-                    _ => Vec::new(),
-                },
+                Some((joint, _)) => of_joint(mechanism, joint),
             });
         }
     }
     let mut found: Vec<Condition> = Vec::new();
     for quantity in &quantities {
-        let laws = Laws::moving(mechanism, &equations.symbols, &equations.layout, &equations.kinematics);
-        let (condition, _) = conditions::condition(&mut equations.graph, &laws, quantity);
+        let (condition, _) = equations.condition(mechanism, quantity);
         if !condition.jet.columns.is_empty() && found.iter().all(|known| known.of != condition.of) {
             found.push(condition);
         }
@@ -270,8 +261,7 @@ fn candidates(mechanism: &Mechanism, equations: &mut Equations) -> Vec<Condition
         if let (Linear::Center(body, axis), true) = (linear, mechanism.options.independent.is_empty()) {
             let place = center_place(mechanism, *body);
             let quantity = Quantity::Position(Box::new(place), *axis);
-            let laws = Laws::moving(mechanism, &equations.symbols, &equations.layout, &equations.kinematics);
-            let (condition, _) = conditions::condition(&mut equations.graph, &laws, &quantity);
+            let (condition, _) = equations.condition(mechanism, &quantity);
             debug_assert!(condition.jet.columns.contains_key(&index));
             found.push(condition);
         }
@@ -281,7 +271,7 @@ fn candidates(mechanism: &Mechanism, equations: &mut Equations) -> Vec<Condition
 
 /// The coordinates of a joint in space.
 fn of_joint(mechanism: &Mechanism, joint: JointId) -> Vec<Quantity> {
-    let names = mechanism.joints[joint.0].kind.word().coordinates(mechanism.space);
+    let names = mechanism.joints[joint.0].form;
     let travels = (0..names.travels.len()).map(|which| Quantity::JointTravel(joint, which));
     travels.chain((0..names.angles.len()).map(|which| Quantity::JointAngle(joint, which))).collect()
 }
@@ -309,9 +299,7 @@ pub fn completion(
     });
     for body in turning.collect::<Vec<_>>() {
         for axis in 0..3 {
-            let laws = Laws::moving(mechanism, &equations.symbols, &equations.layout, &equations.kinematics);
-            let quantity = Quantity::BodyOmega(body, axis);
-            given.push(conditions::condition(&mut equations.graph, &laws, &quantity).0);
+            given.push(equations.condition(mechanism, &Quantity::BodyOmega(body, axis)).0);
         }
     }
     let mut point = Point::at_defaults(mechanism, equations, &assembly.phases);

@@ -7,7 +7,7 @@ use super::point::{Ancestry, Point};
 use super::{Attempt, Problem, blame, drivers, messages};
 use crate::diagnostics::{Diagnostics, Region};
 use crate::equations::{Condition, Equations, Rotation};
-use crate::model::{Frame, JointId, JointKind, Mechanism, Space};
+use crate::model::{Frame, JointId, Mechanism, Space};
 use std::f64::consts::TAU;
 
 /// Two assemblies: names the coordinate in which they differ most.
@@ -32,7 +32,7 @@ pub fn second(
         let (a, b) =
             (problem.joint_angle(point, &nearest.q, ends), problem.joint_angle(point, &next.q, ends));
         let difference = (a - b - TAU * ((a - b) / TAU).round()).abs();
-        let turns = matches!(joint.kind, JointKind::Revolute { .. } | JointKind::PointOnLine { .. });
+        let turns = !joint.form.angles.is_empty();
         if turns && difference > 1e-6 && widest.is_none_or(|(known, ..)| difference > known + 1e-9) {
             widest = Some((difference, index, a, b));
         }

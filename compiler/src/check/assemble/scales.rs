@@ -9,7 +9,7 @@ use crate::equations::{Equations, Jet};
 use crate::model::Mechanism;
 use crate::solve::Massless;
 use crate::solve::table::{Numeric, Table};
-use crate::symbolic::{Graph, Node};
+use crate::symbolic::Node;
 use std::collections::BTreeMap;
 
 /// Sᵢ of each row, expressions of the parameters: twice the largest Dᵢ M⁻¹ Dᵢᵀ along the motion at the default parameters, 1/kg for a
@@ -117,38 +117,30 @@ fn varying(
     let (positions, time) = (equations.symbols.q.clone(), equations.symbols.time);
     let mass: Vec<Option<Node>> =
         columns.iter().map(|(column, _)| equations.mass.get(&(*column, *column)).copied()).collect();
-    let g = &mut equations.graph;
-    let mut here: BTreeMap<Node, Node> = BTreeMap::new();
-    for (symbol, value) in positions.into_iter().zip(q) {
-        here.insert(symbol, g.constant(*value));
-    }
-    here.insert(time, g.constant(0.0));
-    let mut terms = Vec::new();
-    for ((column, entry), mass) in columns.iter().zip(mass) {
-        let mut inertia: Vec<Node> = mass.into_iter().collect();
-        for (rho, entries) in &held {
-            for (_, entry) in entries.iter().filter(|(other, _)| other == column) {
-                let (rho, square) = (g.constant(*rho), g.mul(*entry, *entry));
-                inertia.push(g.mul(rho, square));
-            }
+    let size = equations.graph.write(|g| {
+        let mut here: BTreeMap<Node, Node> = BTreeMap::new();
+        for (symbol, value) in positions.into_iter().zip(q) {
+            here.insert(symbol, g.number(*value).bare);
         }
-        let inertia = g.sum(inertia);
-        let square = g.mul(*entry, *entry);
-        terms.push(g.div(square, inertia));
-    }
-    let sum = g.sum(terms);
-    let size = g.substitute(&[sum], &here)[0];
-    if g.value(size).is_some() {
-        return None;
-    }
+        here.insert(time, g.zero().bare);
+        // Σⱼ Dᵢⱼ²/Mⱼⱼ
+        let terms = columns.iter().zip(mass).map(|((column, entry), mass)| {
+            let mut inertia: Vec<_> = mass.map(|mass| g.on(mass)).into_iter().collect();
+            for (rho, entries) in &held {
+                let own = entries.iter().filter(|(other, _)| other == column);
+                inertia.extend(own.map(|(_, entry)| *rho * g.on(*entry).square()));
+            }
+            let inertia = g.sum(inertia);
+            g.on(*entry).square() / inertia
+        });
+        let sum = g.sum(terms).bare;
+        let size = g.on(g.graph().substitute(&[sum], &here)[0]);
+        size.value().is_none().then_some(size.bare)
+    })?;
     let at_defaults = at_defaults(mechanism, equations, size, phases);
     let factor = constant / at_defaults;
     let usable = factor.is_finite() && factor > 0.0;
-    usable.then(|| {
-        let g: &mut Graph = &mut equations.graph;
-        let factor = g.constant(factor);
-        g.mul(factor, size)
-    })
+    usable.then(|| equations.graph.write(|g| (factor * g.on(size)).bare))
 }
 
 fn of(jet: &Jet) -> Vec<(usize, Node)> {

@@ -3,7 +3,7 @@
 use super::{freedoms, list};
 use crate::check::assemble::Mobility;
 use crate::check::assemble::loose::{Loose, Way};
-use crate::model::{JointWord, Space};
+use crate::forms::{Alone, Freer, JointForm};
 
 pub fn wrong_freedoms(
     expected: usize,
@@ -90,12 +90,12 @@ fn how(loose: &Loose) -> String {
         Way::Floating => {
             format!("{who} can move freely: no joint holds {}", if own == "its" { "it" } else { "them" })
         }
-        Way::Hanging(JointWord::Revolute | JointWord::Spherical | JointWord::Universal) => {
+        Way::Hanging(Alone::Turns) => {
             format!("{who} can turn freely about {at}")
         }
-        Way::Hanging(JointWord::Prismatic) => format!("{who} can slide freely along {at}"),
-        Way::Hanging(JointWord::Cylindrical) => format!("{who} can turn about and slide along {at}"),
-        Way::Hanging(_) => format!("{who} can move freely at {at}"),
+        Way::Hanging(Alone::Slides) => format!("{who} can slide freely along {at}"),
+        Way::Hanging(Alone::TurnsAndSlides) => format!("{who} can turn about and slide along {at}"),
+        Way::Hanging(Alone::Otherwise) => format!("{who} can move freely at {at}"),
         Way::Spinning { spherical: true } => {
             format!("{who} can spin about {own} own axis between {own} two spherical joints {at}")
         }
@@ -214,14 +214,14 @@ fn freedoms_are(count: usize) -> String {
 /// Rows of one joint that repeat, wherever the mechanism stands.
 pub struct Repeated<'a> {
     pub joint: &'a str,
-    pub kind: JointWord,
+    pub form: &'static JointForm,
     pub what: &'a [&'a str],
     /// Whether these are all rows of the joint.
     pub whole: bool,
 }
 
-pub fn redundant(repeated: &Repeated, mobility: &Mobility, space: Space) -> String {
-    let Repeated { joint, kind, what, whole } = *repeated;
+pub fn redundant(repeated: &Repeated, mobility: &Mobility) -> String {
+    let Repeated { joint, form, what, whole } = *repeated;
     let held: Vec<String> = what.iter().map(|what| direction(what).to_string()).collect();
     let (equations, rank) = (mobility.equations, mobility.equations - mobility.redundant.len());
     let joints = if mobility.joints == 1 {
@@ -233,7 +233,7 @@ pub fn redundant(repeated: &Repeated, mobility: &Mobility, space: Space) -> Stri
         [] => String::new(),
         reasons => format!(", because {}", reasons.join("; ")),
     };
-    let instead = match freer(space, kind, what) {
+    let instead = match freer(form, what) {
         _ if whole => format!("or leave \"{joint}\" out"),
         Some(freer) => format!("or make \"{joint}\" a joint that leaves more freedom: {freer}"),
         None => format!("or let the joints of its loop leave {} more freedoms", what.len()),
@@ -276,26 +276,11 @@ fn direction(what: &str) -> &str {
 }
 
 /// A joint that holds what another holds but for these rows, if there is one.
-fn freer(space: Space, kind: JointWord, what: &[&str]) -> Option<&'static str> {
+fn freer(form: &JointForm, what: &[&str]) -> Option<&'static str> {
     let is_turn = |what: &&&str| matches!(**what, "axis_1" | "axis_2" | "angle" | "cross" | "twist");
     let turns = what.iter().filter(is_turn).count();
-    Some(match (space, kind, turns, what.len() - turns) {
-        (Space::Planar, JointWord::Fixed, 1, 0) => "revolute",
-        (Space::Planar, JointWord::Revolute, 0, 1) | (Space::Planar, JointWord::Prismatic, 1, 0) => {
-            "point_on_line"
-        }
-        (Space::Planar, ..) => return None,
-        (_, JointWord::Fixed, 1, 0) => "revolute",
-        (_, JointWord::Fixed, 2, 0) | (_, JointWord::Revolute, 1, 0) => "universal",
-        (_, JointWord::Fixed, 3, 0) | (_, JointWord::Revolute, 2, 0) | (_, JointWord::Universal, 1, 0) => {
-            "spherical"
-        }
-        (_, JointWord::Revolute, 0, 1) | (_, JointWord::Prismatic, 1, 0) => "cylindrical",
-        (_, JointWord::Revolute, 2, 1) => "point_on_line along its axis",
-        (_, JointWord::Prismatic, 3, 0) | (_, JointWord::Cylindrical, 2, 0) => "point_on_line",
-        (_, JointWord::Planar, 2, 0) => "point_on_plane",
-        _ => return None,
-    })
+    let fits = |freer: &&Freer| freer.turns == turns && freer.shifts == what.len() - turns;
+    form.freer.iter().find(fits).map(|freer| freer.joint)
 }
 
 /// A body that spins without inertia about the axis of its spin.

@@ -12,8 +12,7 @@ mod sweep;
 pub use expected::check;
 
 use super::assemble::{Assembly, Point, pins, rank};
-use crate::equations::conditions;
-use crate::equations::{Condition, Equations, Laws};
+use crate::equations::{Condition, Equations};
 use crate::model::{JointId, Mechanism, Quantity, Space};
 use path::{Path, Place};
 use std::f64::consts::TAU;
@@ -102,7 +101,7 @@ pub enum Unswept {
 pub fn of_joints(mechanism: &Mechanism) -> Vec<Quantity> {
     let mut found = Vec::new();
     for (index, joint) in mechanism.joints.iter().enumerate() {
-        let names = joint.kind.word().coordinates(mechanism.space);
+        let names = joint.form;
         let angles = if joint.has_particle(mechanism) { 0 } else { names.angles.len() };
         found.extend((0..angles).map(|which| Quantity::JointAngle(JointId(index), which)));
         found.extend((0..names.travels.len()).map(|which| Quantity::JointTravel(JointId(index), which)));
@@ -176,8 +175,7 @@ fn watched(
     let mut watched: Vec<Condition> = Vec::new();
     let mut reference = 0;
     for (index, quantity) in quantities.iter().chain(assembly.independent.first()).enumerate() {
-        let laws = Laws::moving(mechanism, &equations.symbols, &equations.layout, &equations.kinematics);
-        let (condition, _) = conditions::condition(&mut equations.graph, &laws, quantity);
+        let (condition, _) = equations.condition(mechanism, quantity);
         let known = watched.iter().position(|known| known.of == condition.of);
         reference = known.unwrap_or(watched.len());
         if known.is_none() || index < quantities.len() {

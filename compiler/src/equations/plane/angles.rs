@@ -1,133 +1,118 @@
 //! Angles and travels in the plane: of bodies, and of joints as the difference of two bodies.
 
-use super::joints;
-use super::kinematics::{GROUND, Kinematics, LocalVector, Position, compose, inverse, rotate};
-use crate::equations::jet::Jet;
+use super::kinematics::{FrameId, GROUND, Kinematics, LocalVector, Position};
+use super::vector::{self, Pair};
+use crate::equations::jet::{Jet, Moving};
 use crate::equations::laws::Laws;
-use crate::model::{BodyKind, Frame, JointId, JointKind, Place, Rotor, Vector};
-use crate::symbolic::{Graph, Node};
+use crate::model::{BodyKind, Frame, JointId, Place, Rotor, Vector};
+use crate::symbolic::{On, Scalar};
 use std::collections::BTreeMap;
 
-impl Kinematics {
+impl<'g> On<'g, &'g Kinematics> {
     /// A place of a body, or of the ground, which may move with time.
-    pub fn place(&self, g: &mut Graph, laws: &Laws, place: &Place) -> Position {
+    pub fn place(self, laws: &Laws<'g>, place: &Place) -> On<'g, Position> {
         match place.frame {
-            Frame::Ground => ground(g, laws, &place.at),
-            Frame::Body(body) => {
-                let at = laws.pair_of(g, &place.at);
-                self.point(g, body.0, at)
-            }
+            Frame::Ground => ground(laws, &place.at),
+            Frame::Body(body) => self.point(body.0, laws.pair_of(&place.at)),
         }
     }
 
-    pub fn place_in_world(&self, g: &mut Graph, laws: &Laws, place: &Place) -> [Jet; 2] {
-        let position = self.place(g, laws, place);
-        self.world(g, &position)
+    pub fn place_in_world(self, laws: &Laws<'g>, place: &Place) -> [Moving<'g>; 2] {
+        self.world(&self.place(laws, place).bare)
     }
 
     /// Second less first; what is fixed in one frame cancels before it is turned.
-    pub fn difference_in_world(&self, g: &mut Graph, laws: &Laws, first: &Place, second: &Place) -> [Jet; 2] {
-        let (first, second) = (self.place(g, laws, first), self.place(g, laws, second));
-        let delta = second.sub(g, &first);
-        self.world(g, &delta)
+    pub fn difference_in_world(self, laws: &Laws<'g>, first: &Place, second: &Place) -> [Moving<'g>; 2] {
+        let (first, second) = (self.place(laws, first), self.place(laws, second));
+        self.world(&(second - first).bare)
     }
 
     /// Index of the rate of a body's orientation.
-    fn turning(&self, laws: &Laws, frame: Frame) -> Option<usize> {
+    fn turning(self, laws: &Laws, frame: Frame) -> Option<usize> {
         match frame {
             Frame::Ground => None,
             Frame::Body(body) if laws.mechanism.bodies[body.0].kind == BodyKind::Particle => None,
-            Frame::Body(body) => self.frames[self.bodies[body.0].frame].rate,
+            Frame::Body(body) => self.bare.frames[self.bare.bodies[body.0].frame].rate,
         }
     }
 
     /// (cos, sin) of θ₂ − θ₁ − angle.
-    fn difference(&self, g: &mut Graph, first: Frame, second: Frame, angle: [Node; 2]) -> [Node; 2] {
-        let orientation = |g: &mut Graph, frame: Frame| match frame {
-            Frame::Ground => [g.constant(1.0), g.constant(0.0)],
-            Frame::Body(body) => self.orientation(g, body.0),
+    fn difference(self, first: Frame, second: Frame, angle: On<'g, Pair>) -> On<'g, Pair> {
+        let orientation = |frame: Frame| match frame {
+            Frame::Ground => vector::unturned(self.g),
+            Frame::Body(body) => self.orientation(body.0),
         };
-        let (a, b) = (orientation(g, first), orientation(g, second));
-        let a = compose(g, a, angle);
-        let a = inverse(g, a);
-        compose(g, b, a)
+        let (first, second) = (orientation(first), orientation(second));
+        second.turned(first.turned(angle).opposite())
     }
 
     /// θ₂ − θ₁ with a value that the caller knows.
-    fn turn(&self, g: &mut Graph, laws: &Laws, first: Frame, second: Frame, value: Node) -> Jet {
+    fn turn(self, laws: &Laws, first: Frame, second: Frame, value: Scalar<'g>) -> Moving<'g> {
         let (minus, plus) = (self.turning(laws, first), self.turning(laws, second));
         let mut columns = BTreeMap::new();
         if minus != plus {
-            let (one, minus_one) = (g.constant(1.0), g.constant(-1.0));
+            let (one, minus_one) = (self.g.one().bare, self.g.number(-1.0).bare);
             columns.extend(minus.map(|index| (index, minus_one)));
             columns.extend(plus.map(|index| (index, one)));
         }
-        let zero = g.constant(0.0);
-        Jet { value, columns, drift: zero, bias: zero, known_rate: None }
+        self.moving(&self.bare.velocities, Jet { columns, ..Jet::constant(value) })
     }
 
     /// sin(θ₂ − θ₁ − angle) as a jet, and its cosine. With ṡ = c Δω:  s̈ = c Δα − s Δω².
     pub fn sine_jet(
-        &self,
-        g: &mut Graph,
-        laws: &Laws,
+        self,
+        laws: &Laws<'g>,
         first: Frame,
         second: Frame,
-        angle: [Node; 2],
-    ) -> (Jet, Node) {
-        let [cosine, sine] = self.difference(g, first, second, angle);
-        let angle = self.turn(g, laws, first, second, sine);
-        let minus_sine = g.neg(sine);
-        (angle.chain(g, sine, cosine, minus_sine, &self.velocities), cosine)
+        angle: On<'g, Pair>,
+    ) -> (Moving<'g>, Scalar<'g>) {
+        let [cosine, sine] = self.difference(first, second, angle).parts();
+        let angle = self.turn(laws, first, second, sine);
+        (angle.chain(sine, cosine, -sine), cosine)
     }
 
     /// (cos, sin) of a rotor's angle.
-    pub fn rotor_pair(&self, g: &mut Graph, laws: &Laws, rotor: Rotor) -> [Node; 2] {
+    pub fn rotor_pair(self, laws: &Laws<'g>, rotor: Rotor) -> On<'g, Pair> {
         let (first, second) = ends(laws, rotor);
-        let none = [g.constant(1.0), g.constant(0.0)];
-        self.difference(g, first, second, none)
+        self.difference(first, second, vector::unturned(self.g))
     }
 
-    pub fn rotor_rate(&self, g: &mut Graph, laws: &Laws, rotor: Rotor) -> Jet {
+    pub fn rotor_rate(self, laws: &Laws<'g>, rotor: Rotor) -> Moving<'g> {
         let (first, second) = ends(laws, rotor);
-        let zero = g.constant(0.0);
-        self.turn(g, laws, first, second, zero)
+        self.turn(laws, first, second, self.g.zero())
     }
 
     /// Travel of a joint: â·(p₂ − p₁).
-    pub fn travel(&self, g: &mut Graph, laws: &Laws, joint: JointId) -> Jet {
+    pub fn travel(self, laws: &Laws<'g>, joint: JointId) -> Moving<'g> {
         let joint = &laws.mechanism.joints[joint.0];
-        let (JointKind::Prismatic { axis, .. } | JointKind::PointOnLine { direction: axis }) = &joint.kind
-        else {
-            let zero = g.constant(0.0);
-            return Jet::constant(g, zero);
-        };
-        debug_assert!(joints::slides(&joint.kind));
-        let along = laws.pair_of(g, axis);
-        let along = joints::normalized(g, along);
-        let (frame, along) = match joint.first.frame {
-            Frame::Ground => (GROUND, along),
+        let Some(axis) = joint.directions.first() else { return laws.still(self.g.zero()) };
+        let (frame, along) = self.carried_by(joint.first.frame, laws.pair_of(axis).normalized());
+        let (first, second) = (self.place(laws, &joint.first), self.place(laws, &joint.second));
+        self.project(frame, along, &(second - first).bare)
+    }
+
+    /// A direction given in a body's axes, as its frame and the components there.
+    pub fn carried_by(self, body: Frame, u: On<'g, Pair>) -> (FrameId, On<'g, Pair>) {
+        match body {
+            Frame::Ground => (GROUND, u),
             Frame::Body(body) => {
-                let placement = &self.bodies[body.0];
-                (placement.frame, rotate(g, placement.offset, along))
+                let placement = &self.bare.bodies[body.0];
+                (placement.frame, u.turned(placement.offset))
             }
-        };
-        let (first, second) = (self.place(g, laws, &joint.first), self.place(g, laws, &joint.second));
-        let delta = second.sub(g, &first);
-        self.project(g, frame, along, &delta)
+        }
     }
 }
 
 /// A place of the ground, which may move with time.
-pub fn ground(g: &mut Graph, laws: &Laws, at: &Vector) -> Position {
-    let [x, y, _] = laws.ground(g, at);
+pub fn ground<'g>(laws: &Laws<'g>, at: &Vector) -> On<'g, Position> {
+    let [x, y, _] = laws.ground(at).map(|component| component.jet);
     let vector = LocalVector {
         at: [x.value, y.value],
         slides: BTreeMap::new(),
         drift: [x.drift, y.drift],
         drift_rate: [x.bias, y.bias],
     };
-    Position::of(GROUND, vector)
+    laws.g.on(Position::of(GROUND, vector))
 }
 
 fn ends(laws: &Laws, rotor: Rotor) -> (Frame, Frame) {

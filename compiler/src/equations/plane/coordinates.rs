@@ -3,12 +3,13 @@
 //! Each body keeps its own orientation (cos, sin) and rate ω, in tree coordinates too: rotations never compose.
 
 use super::joints;
-use super::kinematics::{FrameId, GROUND, Kinematics, Placement, Position, TurningFrame};
+use super::kinematics::{FrameId, GROUND, Kinematics, LocalVector, Placement, Position, TurningFrame};
+use super::vector;
 use crate::equations::coordinates::{Layout, Linear, MultiTurn, Rotation, Symbols, symbols};
 use crate::equations::laws::Laws;
 use crate::equations::spanning_tree::{Attachment, SpanningTree};
 use crate::model::{BodyId, BodyKind, Frame, JointId, Mechanism, Rotor};
-use crate::symbolic::Graph;
+use crate::symbolic::Sheet;
 use std::collections::BTreeMap;
 
 /// What `layout` reads off the tree: the frame and the travel of each body.
@@ -36,18 +37,18 @@ fn enumerate(mechanism: &Mechanism, tree: &SpanningTree) -> Enumeration {
                 rigid
             }
             Some((joint, parent)) => {
-                let kind = &mechanism.joints[joint.0].kind;
-                if joints::slides(kind) {
+                let form = mechanism.joints[joint.0].form;
+                if !form.travels.is_empty() {
                     found.travels.insert(*joint, linear.len());
                     linear.push(Linear::Travel(*joint, 0));
                 }
-                if rigid && !joints::turns(kind) {
+                if rigid && form.keeps_orientation {
                     found.frames[body.0] = match parent {
                         Frame::Ground => GROUND,
                         Frame::Body(parent) => found.frames[parent.0],
                     };
                 }
-                rigid && joints::turns(kind)
+                rigid && !form.keeps_orientation
             }
         };
         if turns {
@@ -60,7 +61,7 @@ fn enumerate(mechanism: &Mechanism, tree: &SpanningTree) -> Enumeration {
 
 /// Coordinates for a spanning tree: their layout, symbols for them, and the bodies' placements.
 pub fn coordinates(
-    g: &mut Graph,
+    g: Sheet,
     mechanism: &Mechanism,
     tree: &SpanningTree,
     rotors: &[Rotor],
@@ -89,7 +90,7 @@ pub fn coordinates(
 
     let symbols = symbols(g, mechanism, &layout);
     let mut kinematics = Kinematics {
-        frames: vec![TurningFrame { cos: g.constant(1.0), sin: g.constant(0.0), rate: None }],
+        frames: vec![TurningFrame::still(g)],
         velocities: symbols.v.clone(),
         bodies: Vec::new(),
     };
@@ -98,15 +99,15 @@ pub fn coordinates(
         kinematics.frames.push(TurningFrame { cos, sin, rate: Some(linear + r) });
     }
 
+    let laws = Laws::constant(g, mechanism, &symbols);
     let mut placements: Vec<Option<Placement>> = vec![None; mechanism.bodies.len()];
     for Attachment { body, joint } in &tree.attachments {
         let placement = match joint {
-            None => free(g, mechanism, &symbols, *body, frames[body.0], centers[body]),
+            None => free(&laws, *body, frames[body.0], centers[body]),
             Some((joint, parent)) => {
                 let travel = travels.get(joint).map(|index| (symbols.q[*index], *index));
                 let parent = ground_or(g, *parent, &placements);
-                let laws = Laws::constant(mechanism, &symbols);
-                joints::attach(g, &laws, *joint, *body, parent, frames[body.0], travel)
+                joints::attach(&laws, *joint, *body, parent, frames[body.0], travel)
             }
         };
         placements[body.0] = Some(placement);
@@ -116,29 +117,17 @@ pub fn coordinates(
 }
 
 /// A free body: its coordinates are its centre of mass and its own rotation.
-fn free(
-    g: &mut Graph,
-    mechanism: &Mechanism,
-    symbols: &Symbols,
-    body: BodyId,
-    frame: FrameId,
-    index: usize,
-) -> Placement {
-    let (zero, one) = (g.constant(0.0), g.constant(1.0));
-    let mut center = Position::fixed(g, GROUND, [symbols.q[index], symbols.q[index + 1]]);
-    if let Some(vector) = center.parts.get_mut(&GROUND) {
-        vector.slides.insert(index, [one, zero]);
-        vector.slides.insert(index + 1, [zero, one]);
-    }
-    let laws = Laws::constant(mechanism, symbols);
-    let at = laws.pair_of(g, &mechanism.bodies[body.0].center);
-    let arm = Position::fixed(g, frame, at);
-    Placement { origin: center.sub(g, &arm), frame, offset: [one, zero] }
+fn free(laws: &Laws, body: BodyId, frame: FrameId, index: usize) -> Placement {
+    let g = laws.g;
+    let mut center = LocalVector::fixed(g.on([laws.symbols.q[index], laws.symbols.q[index + 1]]));
+    center.slide_freely(g, index);
+    let arm = laws.pair_of(&laws.mechanism.bodies[body.0].center).fixed_in(frame);
+    let origin = g.on(Position::of(GROUND, center)) - arm;
+    Placement { origin: origin.bare, frame, offset: vector::unturned(g).bare }
 }
 
-fn ground_or(g: &mut Graph, parent: Frame, placements: &[Option<Placement>]) -> Placement {
-    let ground =
-        Placement { origin: Position::default(), frame: GROUND, offset: [g.constant(1.0), g.constant(0.0)] };
+fn ground_or(g: Sheet, parent: Frame, placements: &[Option<Placement>]) -> Placement {
+    let ground = Placement { origin: Position::default(), frame: GROUND, offset: vector::unturned(g).bare };
     match parent {
         Frame::Ground => ground,
         Frame::Body(parent) => placements[parent.0].clone().unwrap_or(ground),

@@ -6,26 +6,28 @@
 //! where both sums are constants unless something slides; so is every sum in the inertia forces
 //!   −Σ_i m_i (A_k u_k)·a_i,   a_i = Σ_f A_f (−ω_f² d_f + 2 ω_f × ḋ_f + ∂²d_f/∂t²) − g.
 //! Gravity is an acceleration of the ground's frame (Featherstone, Rigid Body Dynamics Algorithms, section 5.3).
-//! This is the composite-rigid-body regrouping of inertial parameters, done by the graph's constant folding.
+//! Bodies behind one joint have the same vectors in all frames before it, so that sums go over the stretches of the ways to the
+//! centres, each with the mass of all that is behind it: the composite-rigid-body regrouping of inertial parameters.
 
 use super::kinematics::{FrameId, GROUND, Kinematics, LocalVector, Position};
-use crate::symbolic::{Graph, Node};
+use super::vector::{self, Pair};
+use crate::symbolic::{On, Scalar};
 use std::collections::BTreeMap;
 use std::collections::btree_map::Entry;
 
 /// A body for this purpose.
-pub struct Massive {
-    pub mass: Node,
+pub struct Massive<'g> {
+    pub mass: Scalar<'g>,
     /// About the centre; `None` for a particle.
-    pub inertia: Option<Node>,
+    pub inertia: Option<Scalar<'g>>,
     pub center: Position,
     pub frame: FrameId,
 }
 
 /// M (lower triangle, structural non-zeros) and the inertia and gravity forces on the right-hand side.
-pub struct Inertia {
-    pub mass: BTreeMap<(usize, usize), Node>,
-    pub forces: Vec<Node>,
+pub struct Inertia<'g> {
+    pub mass: BTreeMap<(usize, usize), Scalar<'g>>,
+    pub forces: Vec<Scalar<'g>>,
 }
 
 /// What multiplies a local acceleration vector.
@@ -43,184 +45,224 @@ enum Factor {
 
 /// Σ m u·w and Σ m u×w.
 #[derive(Clone, Copy)]
-struct Products {
-    dot: Node,
-    cross: Node,
+struct Products<'g> {
+    dot: Scalar<'g>,
+    cross: Scalar<'g>,
 }
 
-/// A sum over bodies of products m u·w and m u×w, and the last of these: bodies behind one joint have the same vectors in all frames
-/// before it, and their products, if their masses are equal, too.
-struct Sum {
+/// A sum of products m u·w and m u×w.
+struct Sum<'g> {
     frames: (FrameId, FrameId),
-    products: Products,
-    last: (Node, [Node; 2], [Node; 2], Products),
+    products: Products<'g>,
+}
+
+/// A stretch of the ways from the ground to the centres, in one frame: what all bodies behind it have in common.
+struct Stretch<'g> {
+    /// The one before it, of a smaller index, and those behind it.
+    before: Option<usize>,
+    behind: Vec<usize>,
+    /// In its frame; of the first, the vectors of all frames that do not turn.
+    vectors: Vec<(FrameId, LocalVector)>,
+    /// Of all bodies behind it.
+    mass: Scalar<'g>,
+    columns: Vec<Column>,
+    accelerations: Vec<(FrameId, Factor, Pair)>,
 }
 
 struct Column {
     velocity: usize,
     frame: FrameId,
-    u: [Node; 2],
+    u: Pair,
 }
 
 /// `gravity` in world axes.
-pub fn inertia(
-    g: &mut Graph,
-    kinematics: &Kinematics,
-    bodies: &[Massive],
-    gravity: Option<[Node; 2]>,
-) -> Inertia {
+pub fn inertia<'g>(
+    kinematics: On<'g, &'g Kinematics>,
+    bodies: &[Massive<'g>],
+    gravity: Option<On<'g, Pair>>,
+) -> Inertia<'g> {
+    let zero = kinematics.g.zero();
     let mut masses: BTreeMap<(usize, usize), Sum> = BTreeMap::new();
     let mut biases: BTreeMap<(usize, FrameId, Factor), Sum> = BTreeMap::new();
-    let mut rotary: BTreeMap<usize, Node> = BTreeMap::new();
+    let mut rotary: BTreeMap<usize, Scalar> = BTreeMap::new();
     for body in bodies {
-        if let (Some(inertia), Some(rate)) = (body.inertia, kinematics.frames[body.frame].rate) {
-            let sum = rotary.get(&rate).copied().unwrap_or(g.constant(0.0));
-            rotary.insert(rate, g.add(sum, inertia));
+        if let (Some(inertia), Some(rate)) = (body.inertia, kinematics.bare.frames[body.frame].rate) {
+            *rotary.entry(rate).or_insert(zero) += inertia;
         }
-        let columns = columns(g, kinematics, &body.center);
-        let accelerations = accelerations(g, kinematics, &body.center, gravity);
-        for (at, k) in columns.iter().enumerate() {
-            for l in &columns[..=at] {
-                accumulate(
-                    g,
-                    masses.entry((k.velocity, l.velocity)),
-                    (k.frame, l.frame),
-                    body.mass,
-                    k.u,
-                    l.u,
-                );
+    }
+    let stretches = stretches(kinematics, bodies, gravity);
+    for own in &stretches {
+        let mut other = Some(own);
+        while let Some(far) = other {
+            let is_own = std::ptr::eq(own, far);
+            for (at, k) in own.columns.iter().enumerate() {
+                for l in &far.columns[..if is_own { at + 1 } else { far.columns.len() }] {
+                    let (k, l) = if k.velocity >= l.velocity { (k, l) } else { (l, k) };
+                    let entry = masses.entry((k.velocity, l.velocity));
+                    accumulate(entry, (k.frame, l.frame), own.mass, k.u, l.u);
+                }
             }
-            for (frame, factor, w) in &accelerations {
-                let entry = biases.entry((k.velocity, *frame, *factor));
-                accumulate(g, entry, (k.frame, *frame), body.mass, k.u, *w);
+            let mut against = |columns: &[Column], accelerations: &[(FrameId, Factor, Pair)]| {
+                for k in columns {
+                    for (frame, factor, w) in accelerations {
+                        let entry = biases.entry((k.velocity, *frame, *factor));
+                        accumulate(entry, (k.frame, *frame), own.mass, k.u, *w);
+                    }
+                }
+            };
+            against(&own.columns, &far.accelerations);
+            if !is_own {
+                against(&far.columns, &own.accelerations);
             }
+            other = far.before.map(|before| &stretches[before]);
         }
     }
 
     let mut mass = BTreeMap::new();
     for ((k, l), Sum { frames, products, .. }) in masses {
-        let entry = turned(g, kinematics, frames, products);
-        if !g.is_zero(entry) {
+        let entry = turned(kinematics, frames, products);
+        if !entry.is_zero() {
             mass.insert((k, l), entry);
         }
     }
     for (rate, inertia) in rotary {
-        let sum = mass.get(&(rate, rate)).copied().unwrap_or(g.constant(0.0));
-        let sum = g.add(inertia, sum);
-        if !g.is_zero(sum) {
+        let sum = inertia + mass.get(&(rate, rate)).copied().unwrap_or(zero);
+        if !sum.is_zero() {
             mass.insert((rate, rate), sum);
         }
     }
 
-    let zero = g.constant(0.0);
-    let mut forces = vec![zero; kinematics.velocities.len()];
+    let mut forces = vec![zero; kinematics.bare.velocities.len()];
     for ((k, frame, factor), Sum { frames, products, .. }) in biases {
-        let coefficient = turned(g, kinematics, frames, products);
-        let factor = factor_value(g, kinematics, frame, factor);
-        let force = g.mul(coefficient, factor);
-        forces[k] = g.sub(forces[k], force);
+        let coefficient = turned(kinematics, frames, products);
+        forces[k] -= coefficient * factor_value(kinematics, frame, factor);
     }
     Inertia { mass, forces }
 }
 
-/// The columns of a point's velocity, ascending in the index of the velocity.
-fn columns(g: &mut Graph, kinematics: &Kinematics, position: &Position) -> Vec<Column> {
+/// The stretches of all ways, each before those behind it.
+fn stretches<'g>(
+    kinematics: On<'g, &'g Kinematics>,
+    bodies: &[Massive<'g>],
+    gravity: Option<On<'g, Pair>>,
+) -> Vec<Stretch<'g>> {
+    let g = kinematics.g;
+    let turns = |frame: FrameId| kinematics.bare.frames[frame].rate.is_some();
+    let mut stretches: Vec<Stretch> = Vec::new();
+    let mut first: Vec<usize> = Vec::new();
+    for body in bodies {
+        let parts = || body.center.parts.iter().map(|(frame, vector)| (*frame, vector.clone()));
+        let still: Vec<(FrameId, LocalVector)> = parts().filter(|(frame, _)| !turns(*frame)).collect();
+        let turning = parts().filter(|(frame, _)| turns(*frame)).map(|part| vec![part]);
+        let mut before = None;
+        for vectors in std::iter::once(still).chain(turning) {
+            let siblings = before.map_or(&first, |before: usize| &stretches[before].behind);
+            let known = siblings.iter().copied().find(|own| stretches[*own].vectors == vectors);
+            let index = known.unwrap_or_else(|| {
+                let columns = columns(kinematics, &vectors);
+                let gravity = gravity.filter(|_| before.is_none());
+                let accelerations = accelerations(kinematics, &vectors, gravity);
+                let (mass, behind) = (g.zero(), Vec::new());
+                stretches.push(Stretch { before, behind, vectors, mass, columns, accelerations });
+                let index = stretches.len() - 1;
+                before.map_or(&mut first, |before| &mut stretches[before].behind).push(index);
+                index
+            });
+            stretches[index].mass += body.mass;
+            before = Some(index);
+        }
+    }
+    stretches
+}
+
+/// The columns of a vector's velocity, ascending in the index of the velocity.
+fn columns<'g>(kinematics: On<'g, &'g Kinematics>, vectors: &[(FrameId, LocalVector)]) -> Vec<Column> {
     let mut columns = Vec::new();
-    for (frame, vector) in &position.parts {
+    for (frame, vector) in vectors {
         for (velocity, direction) in &vector.slides {
             columns.push(Column { velocity: *velocity, frame: *frame, u: *direction });
         }
-        if let Some(rate) = kinematics.frames[*frame].rate
-            && !(g.is_zero(vector.at[0]) && g.is_zero(vector.at[1]))
+        let at = kinematics.g.on(vector.at);
+        if let Some(rate) = kinematics.bare.frames[*frame].rate
+            && !at.is_zero()
         {
-            columns.push(Column { velocity: rate, frame: *frame, u: [g.neg(vector.at[1]), vector.at[0]] });
+            columns.push(Column { velocity: rate, frame: *frame, u: at.perpendicular().bare });
         }
     }
     columns.sort_by_key(|column| column.velocity);
     columns
 }
 
-/// The terms of a point's acceleration at v̇ = 0, less gravity.
-fn accelerations(
-    g: &mut Graph,
-    kinematics: &Kinematics,
-    position: &Position,
-    gravity: Option<[Node; 2]>,
-) -> Vec<(FrameId, Factor, [Node; 2])> {
+/// The terms of a vector's acceleration at v̇ = 0, less gravity.
+fn accelerations<'g>(
+    kinematics: On<'g, &'g Kinematics>,
+    vectors: &[(FrameId, LocalVector)],
+    gravity: Option<On<'g, Pair>>,
+) -> Vec<(FrameId, Factor, Pair)> {
+    let g = kinematics.g;
     let mut terms = Vec::new();
-    let mut explicit = gravity.map(|gravity| [g.neg(gravity[0]), g.neg(gravity[1])]);
-    for (frame, vector) in &position.parts {
-        if kinematics.frames[*frame].rate.is_some() {
-            terms.push((*frame, Factor::Centripetal, [g.neg(vector.at[0]), g.neg(vector.at[1])]));
+    let mut explicit = gravity.map(|gravity| -gravity);
+    for (frame, vector) in vectors {
+        if kinematics.bare.frames[*frame].rate.is_some() {
+            terms.push((*frame, Factor::Centripetal, -g.on(vector.at)));
             for (velocity, e) in &vector.slides {
-                terms.push((*frame, Factor::Coriolis(*velocity), [g.neg(e[1]), e[0]]));
+                terms.push((*frame, Factor::Coriolis(*velocity), g.on(*e).perpendicular()));
             }
-            terms.push((*frame, Factor::Drift, [g.neg(vector.drift[1]), vector.drift[0]]));
-            terms.push((*frame, Factor::Explicit, vector.drift_rate));
+            terms.push((*frame, Factor::Drift, g.on(vector.drift).perpendicular()));
+            terms.push((*frame, Factor::Explicit, g.on(vector.drift_rate)));
         } else {
-            let moving: &LocalVector = vector;
-            let sum = explicit.unwrap_or([g.constant(0.0); 2]);
-            explicit = Some([g.add(sum[0], moving.drift_rate[0]), g.add(sum[1], moving.drift_rate[1])]);
+            explicit = Some(explicit.unwrap_or(vector::zero(g)) + vector.drift_rate);
         }
     }
     terms.extend(explicit.map(|sum| (GROUND, Factor::Explicit, sum)));
-    terms.retain(|(_, _, w)| !(g.is_zero(w[0]) && g.is_zero(w[1])));
-    terms
+    terms.retain(|(_, _, w)| !w.is_zero());
+    terms.into_iter().map(|(frame, factor, w)| (frame, factor, w.bare)).collect()
 }
 
-fn factor_value(g: &mut Graph, kinematics: &Kinematics, frame: FrameId, factor: Factor) -> Node {
-    let one = g.constant(1.0);
-    let omega = kinematics.frames[frame].rate.map_or(one, |rate| kinematics.velocities[rate]);
-    let two = g.constant(2.0);
+fn factor_value<'g>(kinematics: On<'g, &'g Kinematics>, frame: FrameId, factor: Factor) -> Scalar<'g> {
+    let g = kinematics.g;
+    let Kinematics { frames, velocities, .. } = kinematics.bare;
+    let omega = frames[frame].rate.map_or_else(|| g.one(), |rate| g.on(velocities[rate]));
     match factor {
-        Factor::Centripetal => g.mul(omega, omega),
-        Factor::Coriolis(slide) => {
-            let product = g.mul(omega, kinematics.velocities[slide]);
-            g.mul(two, product)
-        }
-        Factor::Drift => g.mul(two, omega),
-        Factor::Explicit => one,
+        Factor::Centripetal => omega.square(),
+        Factor::Coriolis(slide) => 2.0 * (omega * velocities[slide]),
+        Factor::Drift => 2.0 * omega,
+        Factor::Explicit => g.one(),
     }
 }
 
-fn weighted(g: &mut Graph, mass: Node, u: [Node; 2], w: [Node; 2]) -> Products {
-    let (xx, yy) = (g.mul(u[0], w[0]), g.mul(u[1], w[1]));
-    let (xy, yx) = (g.mul(u[0], w[1]), g.mul(u[1], w[0]));
-    let (dot, cross) = (g.add(xx, yy), g.sub(xy, yx));
-    Products { dot: g.mul(mass, dot), cross: g.mul(mass, cross) }
+fn weighted<'g>(mass: Scalar<'g>, u: Pair, w: Pair) -> Products<'g> {
+    let u = mass.g.on(u);
+    Products { dot: mass * u.dot(w), cross: mass * u.cross(w) }
 }
 
-fn plus(g: &mut Graph, a: Products, b: Products) -> Products {
-    Products { dot: g.add(a.dot, b.dot), cross: g.add(a.cross, b.cross) }
-}
-
-/// Adds m u·w and m u×w of one body.
-fn accumulate<K: Ord>(
-    g: &mut Graph,
-    entry: Entry<K, Sum>,
+/// Adds m u·w and m u×w.
+fn accumulate<'g, K: Ord>(
+    entry: Entry<K, Sum<'g>>,
     frames: (FrameId, FrameId),
-    mass: Node,
-    u: [Node; 2],
-    w: [Node; 2],
+    mass: Scalar<'g>,
+    u: Pair,
+    w: Pair,
 ) {
+    let products = weighted(mass, u, w);
     match entry {
         Entry::Vacant(vacant) => {
-            let products = weighted(g, mass, u, w);
-            vacant.insert(Sum { frames, products, last: (mass, u, w, products) });
+            vacant.insert(Sum { frames, products });
         }
         Entry::Occupied(mut occupied) => {
             let sum = occupied.get_mut();
-            if (sum.last.0, sum.last.1, sum.last.2) != (mass, u, w) {
-                sum.last = (mass, u, w, weighted(g, mass, u, w));
-            }
-            sum.products = plus(g, sum.products, sum.last.3);
+            sum.products.dot += products.dot;
+            sum.products.cross += products.cross;
         }
     }
 }
 
 /// c Σ m u·w − s Σ m u×w with (c, s) of θ_l − θ_k.
-fn turned(g: &mut Graph, kinematics: &Kinematics, (k, l): (FrameId, FrameId), products: Products) -> Node {
-    let [cos, sin] = kinematics.relative(g, k, l);
-    let (a, b) = (g.mul(cos, products.dot), g.mul(sin, products.cross));
-    g.sub(a, b)
+fn turned<'g>(
+    kinematics: On<'g, &'g Kinematics>,
+    (k, l): (FrameId, FrameId),
+    products: Products<'g>,
+) -> Scalar<'g> {
+    let [cos, sin] = kinematics.relative(k, l).parts();
+    cos * products.dot - sin * products.cross
 }

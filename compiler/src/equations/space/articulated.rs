@@ -8,211 +8,205 @@
 
 use super::kinematics::Kinematics;
 use super::links::{GROUND, Link, Motion};
-use super::tensor::{self, Distribution, Symmetric};
-use super::vector::{self, Mat3, Vec3};
-use crate::symbolic::{Graph, Node, Unary};
+use super::tensor::{Distribution, ENTRIES, Symmetric};
+use super::vector::{self, Mat3, Vec3, vector};
+use crate::symbolic::{Node, On, Scalar, Sheet};
+use std::ops::{Add, Mul};
 
 /// A spatial vector (Featherstone 2008, chapter 2) at the origin of a link, in its axes: a wrench, a motion or an axis of motion.
 #[derive(Clone, Copy)]
-struct SpatialVector {
+struct SpatialVector<'g> {
     /// Moment, or angular acceleration.
-    angular: Vec3,
+    angular: On<'g, Vec3>,
     /// Force, or acceleration.
-    linear: Vec3,
+    linear: On<'g, Vec3>,
 }
 
-impl SpatialVector {
-    fn zero(g: &mut Graph) -> Self {
+impl<'g> Add for SpatialVector<'g> {
+    type Output = Self;
+    fn add(self, other: Self) -> Self {
+        SpatialVector { angular: self.angular + other.angular, linear: self.linear + other.linear }
+    }
+}
+
+impl<'g> Mul<SpatialVector<'g>> for Scalar<'g> {
+    type Output = SpatialVector<'g>;
+    fn mul(self, vector: SpatialVector<'g>) -> SpatialVector<'g> {
+        SpatialVector { angular: self * vector.angular, linear: self * vector.linear }
+    }
+}
+
+impl<'g> SpatialVector<'g> {
+    fn zero(g: Sheet<'g>) -> Self {
         SpatialVector { angular: vector::zero(g), linear: vector::zero(g) }
     }
-    fn add(self, g: &mut Graph, other: SpatialVector) -> SpatialVector {
-        SpatialVector {
-            angular: vector::add(g, self.angular, other.angular),
-            linear: vector::add(g, self.linear, other.linear),
-        }
-    }
-    fn scale(self, g: &mut Graph, factor: Node) -> SpatialVector {
-        SpatialVector {
-            angular: vector::scale(g, factor, self.angular),
-            linear: vector::scale(g, factor, self.linear),
-        }
-    }
-    fn dot(self, g: &mut Graph, other: SpatialVector) -> Node {
-        let (a, b) = (vector::dot(g, self.angular, other.angular), vector::dot(g, self.linear, other.linear));
-        g.add(a, b)
+    fn dot(self, other: SpatialVector<'g>) -> Scalar<'g> {
+        self.angular.dot(other.angular) + self.linear.dot(other.linear)
     }
     /// The same wrench, whose part along an axis is known: S·f = `force`. That is an entry where S is an axis of coordinates.
-    fn with(mut self, g: &mut Graph, axis: SpatialVector, force: Node) -> SpatialVector {
+    fn with(mut self, axis: SpatialVector<'g>, force: Scalar<'g>) -> SpatialVector<'g> {
         for (own, axis) in [(&mut self.angular, axis.angular), (&mut self.linear, axis.linear)] {
-            if let Some(k) = coordinate(g, axis) {
-                own[k] = g.div(force, axis[k]);
+            if let Some(k) = coordinate(axis) {
+                own.bare[k] = (force / axis.at(k)).bare;
             }
         }
         self
     }
     /// Wrench at the origin of the parent, in its axes.
-    fn in_parent(self, g: &mut Graph, link: &Link) -> SpatialVector {
-        let (moment, force) = (link.up(g, self.angular), link.up(g, self.linear));
-        let offset = link.offset(g);
-        let arm = vector::cross(g, offset, force);
-        SpatialVector { angular: vector::add(g, moment, arm), linear: force }
+    fn in_parent(self, link: On<'g, &Link>) -> SpatialVector<'g> {
+        let (moment, force) = (link.up(self.angular), link.up(self.linear));
+        let arm = link.offset().cross(force);
+        SpatialVector { angular: moment + arm, linear: force }
     }
     /// Acceleration of the link's origin as part of its parent, in its own axes.
-    fn in_child(self, g: &mut Graph, link: &Link) -> SpatialVector {
-        let offset = link.offset(g);
-        let swung = vector::cross(g, self.angular, offset);
-        let acceleration = vector::add(g, self.linear, swung);
-        SpatialVector { angular: link.down(g, self.angular), linear: link.down(g, acceleration) }
+    fn in_child(self, link: On<'g, &Link>) -> SpatialVector<'g> {
+        let swung = self.angular.cross(link.offset());
+        let acceleration = self.linear + swung;
+        SpatialVector { angular: link.down(self.angular), linear: link.down(acceleration) }
     }
 }
 
 /// I, H and A.
 #[derive(Clone, Copy)]
-struct Articulated {
-    moments: Symmetric,
-    mixed: Mat3,
-    masses: Symmetric,
+struct Articulated<'g> {
+    moments: On<'g, Symmetric>,
+    mixed: On<'g, Mat3>,
+    masses: On<'g, Symmetric>,
 }
 
-impl Articulated {
-    fn of(g: &mut Graph, distribution: &Distribution) -> Self {
-        let Distribution { mass, first: [x, y, z], inertia } = *distribution;
-        let zero = g.constant(0.0);
-        let [minus_x, minus_y, minus_z] = vector::neg(g, [x, y, z]);
-        let mixed = [[zero, minus_z, y], [z, zero, minus_x], [minus_y, x, zero]];
-        Articulated { moments: inertia, mixed, masses: [mass, mass, mass, zero, zero, zero] }
-    }
-
-    fn apply(&self, g: &mut Graph, a: SpatialVector) -> SpatialVector {
-        let turning = tensor::apply(g, self.moments, a.angular);
-        let across = vector::apply(g, &self.mixed, a.linear);
-        let back = vector::apply_transposed(g, &self.mixed, a.angular);
-        let sliding = tensor::apply(g, self.masses, a.linear);
-        SpatialVector { angular: vector::add(g, turning, across), linear: vector::add(g, back, sliding) }
-    }
-
-    fn add(&self, g: &mut Graph, other: &Self) -> Self {
-        let symmetric = |g: &mut Graph, a: Symmetric, b: Symmetric| -> Symmetric {
-            std::array::from_fn(|k| g.add(a[k], b[k]))
-        };
+impl<'g> Add for Articulated<'g> {
+    type Output = Self;
+    fn add(self, other: Self) -> Self {
         Articulated {
-            moments: symmetric(g, self.moments, other.moments),
-            mixed: std::array::from_fn(|k| vector::add(g, self.mixed[k], other.mixed[k])),
-            masses: symmetric(g, self.masses, other.masses),
+            moments: self.moments + other.moments,
+            mixed: rows(self.moments.g, |k| self.mixed.row(k) + other.mixed.row(k)),
+            masses: self.masses + other.masses,
         }
+    }
+}
+
+impl<'g> Mul<SpatialVector<'g>> for Articulated<'g> {
+    type Output = SpatialVector<'g>;
+    fn mul(self, a: SpatialVector<'g>) -> SpatialVector<'g> {
+        let turning = self.moments.bare * a.angular;
+        let across = self.mixed * a.linear;
+        let back = self.mixed.transposed() * a.angular;
+        let sliding = self.masses.bare * a.linear;
+        SpatialVector { angular: turning + across, linear: back + sliding }
+    }
+}
+
+fn rows<'g>(g: Sheet<'g>, row: impl Fn(usize) -> On<'g, Vec3>) -> On<'g, Mat3> {
+    g.on([0, 1, 2].map(|k| row(k).bare))
+}
+
+impl<'g> Articulated<'g> {
+    fn of(g: Sheet<'g>, distribution: &Distribution) -> Self {
+        let Distribution { mass, first, inertia } = *distribution;
+        let zero = g.zero().bare;
+        let ([x, y, z], [minus_x, minus_y, minus_z]) = (first, (-g.on(first)).bare);
+        let mixed = [[zero, minus_z, y], [z, zero, minus_x], [minus_y, x, zero]];
+        let masses = Symmetric([mass, mass, mass, zero, zero, zero]);
+        Articulated { moments: g.on(inertia), mixed: g.on(mixed), masses: g.on(masses) }
     }
 
     /// Less U (U/d)ᵀ.
-    fn less(&self, g: &mut Graph, u: SpatialVector, over: SpatialVector) -> Self {
-        let entry = |g: &mut Graph, from: Node, a: Node, b: Node| {
-            let product = g.mul(a, b);
-            g.sub(from, product)
-        };
-        let symmetric = |g: &mut Graph, from: Symmetric, a: Vec3, b: Vec3| -> Symmetric {
-            std::array::from_fn(|k| entry(g, from[k], a[tensor::ENTRIES[k].0], b[tensor::ENTRIES[k].1]))
+    fn less(self, u: SpatialVector<'g>, over: SpatialVector<'g>) -> Self {
+        let g = u.angular.g;
+        let symmetric = |from: On<'g, Symmetric>, a: On<'g, Vec3>, b: On<'g, Vec3>| {
+            Symmetric::of(g, |k| from.at(k) - a.at(ENTRIES[k].0) * b.at(ENTRIES[k].1))
         };
         Articulated {
-            moments: symmetric(g, self.moments, u.angular, over.angular),
-            mixed: std::array::from_fn(|i| {
-                std::array::from_fn(|j| entry(g, self.mixed[i][j], u.angular[i], over.linear[j]))
-            }),
-            masses: symmetric(g, self.masses, u.linear, over.linear),
+            moments: symmetric(self.moments, u.angular, over.angular),
+            mixed: rows(g, |i| vector(|j| self.mixed.row(i).at(j) - u.angular.at(i) * over.linear.at(j))),
+            masses: symmetric(self.masses, u.linear, over.linear),
         }
     }
 
     /// Nothing resists along an axis whose velocity has been eliminated. Where that is an axis of coordinates, entries are zero.
-    fn free_along(mut self, g: &mut Graph, axis: SpatialVector) -> Self {
-        let zero = g.constant(0.0);
+    fn free_along(mut self, axis: SpatialVector<'g>) -> Self {
+        let zero = self.moments.g.zero().bare;
         let clear = |symmetric: &mut Symmetric, k: usize| {
-            for (entry, (i, j)) in symmetric.iter_mut().zip(tensor::ENTRIES) {
+            for (entry, (i, j)) in symmetric.0.iter_mut().zip(ENTRIES) {
                 if i == k || j == k {
                     *entry = zero;
                 }
             }
         };
-        if let Some(k) = coordinate(g, axis.angular) {
-            clear(&mut self.moments, k);
-            self.mixed[k] = [zero; 3];
+        if let Some(k) = coordinate(axis.angular) {
+            clear(&mut self.moments.bare, k);
+            self.mixed.bare[k] = [zero; 3];
         }
-        if let Some(k) = coordinate(g, axis.linear) {
-            clear(&mut self.masses, k);
-            self.mixed.iter_mut().for_each(|row| row[k] = zero);
+        if let Some(k) = coordinate(axis.linear) {
+            clear(&mut self.masses.bare, k);
+            self.mixed.bare.iter_mut().for_each(|row| row[k] = zero);
         }
         self
     }
 
     /// At the origin of the parent, in its axes.
-    fn in_parent(&self, g: &mut Graph, link: &Link) -> Self {
-        let turned = match &link.motion {
-            Motion::None | Motion::Slide { .. } => *self,
-            Motion::Turn { cos, sin, .. } => self.turned_about_z(g, *cos, *sin),
-            Motion::Ball { matrix, .. } => self.turned(g, matrix),
+    fn in_parent(self, link: On<'g, &Link>) -> Self {
+        let g = link.g;
+        let turned = match &link.bare.motion {
+            Motion::None | Motion::Slide { .. } => self,
+            Motion::Turn { cos, sin, .. } => self.turned_about_z(g.on(*cos), g.on(*sin)),
+            Motion::Ball { matrix, .. } => self.turned(g.on(*matrix)),
         };
-        let turned = turned.turned(g, &link.axes);
-        let offset = link.offset(g);
-        turned.shifted(g, offset)
+        turned.turned(g.on(link.bare.axes)).shifted(link.offset())
     }
 
-    fn turned(&self, g: &mut Graph, matrix: &Mat3) -> Self {
-        let half = vector::product(g, matrix, &self.mixed);
+    fn turned(self, matrix: On<'g, Mat3>) -> Self {
+        let half = matrix * self.mixed;
         Articulated {
-            moments: tensor::turned(g, matrix, self.moments),
-            mixed: vector::product_transposed(g, &half, matrix),
-            masses: tensor::turned(g, matrix, self.masses),
+            moments: self.moments.turned(matrix.bare),
+            mixed: half * matrix.transposed(),
+            masses: self.masses.turned(matrix.bare),
         }
     }
 
-    fn turned_about_z(&self, g: &mut Graph, cos: Node, sin: Node) -> Self {
-        // Rows, then columns.
-        let mut turn = |m: Mat3| {
-            let columns = vector::transposed(&m).map(|column| vector::turn_z(g, cos, sin, column));
-            vector::transposed(&columns)
-        };
-        let rows = turn(self.mixed);
-        let mixed = vector::transposed(&turn(vector::transposed(&rows)));
+    fn turned_about_z(self, cos: Scalar<'g>, sin: Scalar<'g>) -> Self {
+        let turn = |x: On<'g, Vec3>| x.turned_about_z(cos, sin);
+        let mixed = self.mixed.map_columns(turn).map_rows(turn);
         Articulated {
-            moments: tensor::turned_about_z(g, cos, sin, self.moments),
+            moments: self.moments.turned_about_z(cos, sin),
             mixed,
-            masses: tensor::turned_about_z(g, cos, sin, self.masses),
+            masses: self.masses.turned_about_z(cos, sin),
         }
     }
 
     /// About the point from which this origin lies at `d`: α and a − d × α there are those here, so that
     ///   A′ = A,  H′ = H + d̃ A,  I′ = I + d̃ Hᵀ − H d̃ − d̃ A d̃ = I + d̃ Hᵀ − H′ d̃.
-    fn shifted(&self, g: &mut Graph, d: Vec3) -> Self {
-        if vector::is_zero(g, d) {
-            return *self;
+    fn shifted(self, d: On<'g, Vec3>) -> Self {
+        if d.is_zero() {
+            return self;
         }
-        let [xx, yy, zz, xy, xz, yz] = self.masses;
-        // Columns of A and of H′: d × each column of A.
-        let columns = [[xx, xy, xz], [xy, yy, yz], [xz, yz, zz]];
-        let moved = vector::transposed(&columns.map(|column| vector::cross(g, d, column)));
-        let mixed: Mat3 = std::array::from_fn(|k| vector::add(g, self.mixed[k], moved[k]));
+        let g = d.g;
+        let moved = g.on(self.masses.bare.matrix()).map_columns(|column| d.cross(column));
+        let mixed = rows(g, |k| self.mixed.row(k) + moved.row(k));
         // (d̃ Hᵀ)ᵢⱼ = (d × row j of H)ᵢ,  (−H′ d̃)ᵢⱼ = (d × row i of H′)ⱼ.
-        let near = self.mixed.map(|row| vector::cross(g, d, row));
-        let far = mixed.map(|row| vector::cross(g, d, row));
-        let moments = std::array::from_fn(|k| {
-            let (i, j) = tensor::ENTRIES[k];
-            let both = g.add(near[j][i], far[i][j]);
-            g.add(self.moments[k], both)
+        let near = self.mixed.map_rows(|row| d.cross(row));
+        let far = mixed.map_rows(|row| d.cross(row));
+        let moments = Symmetric::of(g, |k| {
+            let (i, j) = ENTRIES[k];
+            self.moments.at(k) + (near.row(j).at(i) + far.row(i).at(j))
         });
         Articulated { moments, mixed, masses: self.masses }
     }
 }
 
 /// The axis of coordinates along which a vector points.
-fn coordinate(g: &Graph, axis: Vec3) -> Option<usize> {
-    let mut along = (0..3).filter(|k| !g.is_zero(axis[*k]));
+fn coordinate(axis: On<Vec3>) -> Option<usize> {
+    let mut along = (0..3).filter(|k| !axis.at(*k).is_zero());
     along.next().filter(|_| along.next().is_none())
 }
 
 /// A velocity that has been eliminated.
-struct Step {
+struct Step<'g> {
     velocity: usize,
-    axis: SpatialVector,
+    axis: SpatialVector<'g>,
     /// U/d and u/d.
-    over: SpatialVector,
-    rest: Node,
+    over: SpatialVector<'g>,
+    rest: Scalar<'g>,
 }
 
 /// Whether every velocity moves one link only: those of a screw move two.
@@ -221,76 +215,69 @@ pub fn applies(kinematics: &Kinematics) -> bool {
     moved == kinematics.velocities.len()
 }
 
-impl Step {
+impl<'g> Step<'g> {
     /// v̇, and the motion with it.
-    fn accelerated(&self, g: &mut Graph, motion: SpatialVector) -> (Node, SpatialVector) {
+    fn accelerated(&self, motion: SpatialVector<'g>) -> (Scalar<'g>, SpatialVector<'g>) {
         // Along an axis of coordinates S·U/d = 1 lets the motion so far cancel from what it becomes.
         let mut others = motion;
-        let zero = g.constant(0.0);
-        let taken_out = |g: &Graph, axis: Vec3, part: &mut Vec3| {
-            let k = coordinate(g, axis)?;
-            Some((std::mem::replace(&mut part[k], zero), axis[k]))
+        let zero = self.rest.g.zero().bare;
+        let taken_out = |axis: On<'g, Vec3>, part: &mut On<'g, Vec3>| {
+            let k = coordinate(axis)?;
+            let own = part.at(k);
+            part.bare[k] = zero;
+            Some(own / axis.at(k))
         };
-        let own = taken_out(g, self.axis.angular, &mut others.angular)
-            .or_else(|| taken_out(g, self.axis.linear, &mut others.linear));
-        if let Some((own, factor)) = own {
-            let before = g.div(own, factor);
-            let taken = self.over.dot(g, others);
-            let free = g.sub(self.rest, taken);
-            let along = self.axis.scale(g, free);
-            return (g.sub(free, before), others.add(g, along));
+        let before = taken_out(self.axis.angular, &mut others.angular)
+            .or_else(|| taken_out(self.axis.linear, &mut others.linear));
+        if let Some(before) = before {
+            let free = self.rest - self.over.dot(others);
+            let along = free * self.axis;
+            return (free - before, others + along);
         }
-        let taken = self.over.dot(g, motion);
-        let acceleration = g.sub(self.rest, taken);
-        let own = self.axis.scale(g, acceleration);
-        (acceleration, motion.add(g, own))
+        let acceleration = self.rest - self.over.dot(motion);
+        (acceleration, motion + acceleration * self.axis)
     }
 }
 
 /// v̇ of M v̇ = Q, where [it applies](applies).
-pub fn accelerations(
-    g: &mut Graph,
-    kinematics: &Kinematics,
+pub fn accelerations<'g>(
+    kinematics: On<'g, &Kinematics>,
     distributions: &[Distribution],
     forces: &[Node],
-) -> Vec<Node> {
-    let links = &kinematics.links;
+) -> Vec<Scalar<'g>> {
+    let g = kinematics.g;
+    let links = &kinematics.bare.links;
     let mut answers: Vec<Articulated> =
         distributions.iter().map(|distribution| Articulated::of(g, distribution)).collect();
     let none = SpatialVector::zero(g);
     let mut wrenches = vec![none; links.len()];
     let mut steps: Vec<Vec<Step>> = links.iter().map(|_| Vec::new()).collect();
     for (at, link) in links.iter().enumerate().skip(1).rev() {
+        let link = g.on(link);
         let (mut answer, mut wrench) = (answers[at], wrenches[at]);
-        for (velocity, axis) in axes(g, link) {
-            let u = answer.apply(g, axis);
-            let d = axis.dot(g, u);
-            let inverse = g.unary(Unary::Reciprocal, d);
-            let over = u.scale(g, inverse);
-            let resisted = axis.dot(g, wrench);
-            let rest = g.sub(forces[velocity], resisted);
-            let carried = over.scale(g, rest);
-            answer = answer.less(g, u, over).free_along(g, axis);
-            wrench = wrench.add(g, carried).with(g, axis, forces[velocity]);
-            let rest = g.mul(rest, inverse);
-            steps[at].push(Step { velocity, axis, over, rest });
+        for (velocity, axis) in axes(link) {
+            let force = g.on(forces[velocity]);
+            let u = answer * axis;
+            let inverse = axis.dot(u).reciprocal();
+            let over = inverse * u;
+            let rest = force - axis.dot(wrench);
+            let carried = rest * over;
+            answer = answer.less(u, over).free_along(axis);
+            wrench = (wrench + carried).with(axis, force);
+            steps[at].push(Step { velocity, axis, over, rest: rest * inverse });
         }
-        if link.parent != GROUND {
-            let carried = answer.in_parent(g, link);
-            answers[link.parent] = answers[link.parent].add(g, &carried);
-            let carried = wrench.in_parent(g, link);
-            wrenches[link.parent] = wrenches[link.parent].add(g, carried);
+        let parent = link.bare.parent;
+        if parent != GROUND {
+            answers[parent] = answers[parent] + answer.in_parent(link);
+            wrenches[parent] = wrenches[parent] + wrench.in_parent(link);
         }
     }
-    let zero = g.constant(0.0);
-    let mut found = vec![zero; forces.len()];
+    let mut found = vec![g.zero(); forces.len()];
     let mut motions = vec![none; links.len()];
     for (at, link) in links.iter().enumerate().skip(1) {
-        let mut motion = motions[link.parent].in_child(g, link);
+        let mut motion = motions[link.parent].in_child(g.on(link));
         for step in steps[at].iter().rev() {
-            let (acceleration, moved) = step.accelerated(g, motion);
-            found[step.velocity] = acceleration;
-            motion = moved;
+            (found[step.velocity], motion) = step.accelerated(motion);
         }
         motions[at] = motion;
     }
@@ -298,13 +285,13 @@ pub fn accelerations(
 }
 
 /// Velocities of a link and their axes, at its origin and in its axes.
-fn axes(g: &mut Graph, link: &Link) -> Vec<(usize, SpatialVector)> {
-    let none = vector::zero(g);
+fn axes<'g>(link: On<'g, &Link>) -> Vec<(usize, SpatialVector<'g>)> {
+    let none = vector::zero(link.g);
     let mut found = Vec::new();
-    for (velocity, axis) in link.turning(g) {
+    for (velocity, axis) in link.turning() {
         found.push((velocity, SpatialVector { angular: axis, linear: none }));
     }
-    if let Some((velocity, axis)) = link.sliding(g) {
+    if let Some((velocity, axis)) = link.sliding() {
         found.push((velocity, SpatialVector { angular: none, linear: axis }));
     }
     found

@@ -6,69 +6,52 @@
 use super::vector::{self, Mat3, Vec3};
 use crate::equations::Laws;
 use crate::model::{Axes, Vector, fold};
-use crate::symbolic::{Graph, Node, Unary};
+use crate::symbolic::{On, Scalar};
 
 /// B: the axes of a place as columns, in the axes of what it belongs to.
-pub fn matrix(g: &mut Graph, laws: &Laws, axes: &Axes) -> Mat3 {
+pub fn matrix<'g>(laws: &Laws<'g>, axes: &Axes) -> On<'g, Mat3> {
     match axes {
-        Axes::Parallel => vector::identity(g),
-        Axes::Directed { axis, reference: None } => joint_frame(g, laws, axis),
+        Axes::Parallel => vector::identity(laws.g),
+        Axes::Directed { axis, reference: None } => joint_frame(laws, axis),
         Axes::Directed { axis, reference: Some(reference) } => {
-            let (axis, reference) = (laws.vector(g, axis), laws.vector(g, reference));
-            framed(g, axis, reference)
+            framed(laws.vector(axis), laws.vector(reference))
         }
-        Axes::Turned(turns) => {
-            let mut matrix = vector::identity(g);
-            for (about, angle) in turns {
-                let angle = laws.value(g, angle);
-                let turn = about_axis(g, *about, angle);
-                matrix = vector::product(g, &matrix, &turn);
-            }
-            matrix
-        }
+        Axes::Turned(turns) => turns.iter().fold(vector::identity(laws.g), |matrix, (about, angle)| {
+            matrix * about_axis(*about, laws.value(angle))
+        }),
     }
 }
 
 /// J(a): z along `axis`, x as near as can be to the axis of the place that follows the one `axis` is nearest to.
-pub fn joint_frame(g: &mut Graph, laws: &Laws, axis: &Vector) -> Mat3 {
+pub fn joint_frame<'g>(laws: &Laws<'g>, axis: &Vector) -> On<'g, Mat3> {
     let defaults: Vec<f64> = laws.mechanism.parameters.iter().map(|parameter| parameter.default).collect();
     let sizes = [0, 1, 2].map(|k| fold::evaluate(&axis[k], &defaults).unwrap_or(0.0).abs());
     let nearest = (1..3).fold(0, |nearest, k| if sizes[k] > sizes[nearest] { k } else { nearest });
-    let (axis, reference) = (laws.vector(g, axis), vector::unit(g, (nearest + 1) % 3));
-    framed(g, axis, reference)
+    framed(laws.vector(axis), vector::unit(laws.g, (nearest + 1) % 3))
 }
 
 /// z along `axis`, x along `reference` less its part along z, y = z × x; as columns.
-fn framed(g: &mut Graph, axis: Vec3, reference: Vec3) -> Mat3 {
-    let z = normalized(g, axis);
-    let along = vector::dot(g, reference, z);
-    let part = vector::scale(g, along, z);
-    let x = vector::sub(g, reference, part);
-    let x = normalized(g, x);
-    let y = vector::cross(g, z, x);
-    vector::transposed(&[x, y, z])
+fn framed<'g>(axis: On<'g, Vec3>, reference: On<'g, Vec3>) -> On<'g, Mat3> {
+    let z = axis.normalized();
+    let x = (reference - reference.dot(z) * z).normalized();
+    let y = z.cross(x);
+    x.g.on([x.bare, y.bare, z.bare]).transposed()
 }
 
-pub fn normalized(g: &mut Graph, a: Vec3) -> Vec3 {
-    let square = vector::dot(g, a, a);
-    let length = g.unary(Unary::Sqrt, square);
-    a.map(|x| g.div(x, length))
-}
-
-fn about_axis(g: &mut Graph, axis: usize, angle: Node) -> Mat3 {
-    let [cos, sin] = exact(g, angle);
-    let mut matrix = vector::identity(g);
+fn about_axis(axis: usize, angle: Scalar) -> On<Mat3> {
+    let [cos, sin] = exact(angle);
+    let mut matrix = vector::identity(angle.g);
     let (i, j) = ((axis + 1) % 3, (axis + 2) % 3);
-    (matrix[i][i], matrix[j][j]) = (cos, cos);
-    (matrix[i][j], matrix[j][i]) = (g.neg(sin), sin);
+    let entries = &mut matrix.bare;
+    (entries[i][i], entries[j][j]) = (cos.bare, cos.bare);
+    (entries[i][j], entries[j][i]) = ((-sin).bare, sin.bare);
     matrix
 }
 
 /// (cos, sin) of a constant angle; of right angles exactly, because π in a float is not π.
-fn exact(g: &mut Graph, angle: Node) -> [Node; 2] {
-    let values = [g.unary(Unary::Cos, angle), g.unary(Unary::Sin, angle)];
-    values.map(|node| match g.value(node) {
-        Some(value) if (value - value.round()).abs() < 4e-16 => g.constant(value.round()),
-        _ => node,
+fn exact(angle: Scalar) -> [Scalar; 2] {
+    [angle.cos(), angle.sin()].map(|part| match part.value() {
+        Some(value) if (value - value.round()).abs() < 4e-16 => angle.g.number(value.round()),
+        _ => part,
     })
 }

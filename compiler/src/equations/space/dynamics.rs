@@ -11,102 +11,93 @@
 
 use super::axes;
 use super::kinematics::Kinematics;
-use super::links::{GROUND, Link, LinkId, Motion};
-use super::tensor::{self, Distribution, Symmetric};
-use super::vector::{self, Mat3, Vec3};
+use super::links::{GROUND, Link, Motion};
+use super::tensor::{Distribution, Symmetric};
+use super::vector::{self, Mat3, Vec3, vector};
 use crate::equations::{Dynamics, Laws};
 use crate::model::BodyKind;
-use crate::symbolic::{Graph, Node};
+use crate::symbolic::{Node, On, Scalar, Sheet};
 use std::collections::BTreeMap;
 
 /// M, gyroscopic and gravity forces, energies.
-pub fn dynamics(g: &mut Graph, laws: &Laws) -> Dynamics {
-    let crate::equations::Kinematics::Space(kinematics) = laws.kinematics() else {
-        let zero = g.constant(0.0);
-        let (forces, inverse, distributions) = (Vec::new(), Vec::new(), Vec::new());
-        return Dynamics {
-            mass: BTreeMap::new(),
-            forces,
-            inverse,
-            distributions,
-            kinetic_energy: zero,
-            potential_energy: zero,
-        };
-    };
+pub fn dynamics<'g>(laws: &Laws<'g>) -> Dynamics<'g> {
+    let g = laws.g;
+    let Some(kinematics) = laws.space() else { return Dynamics::none(g) };
     let gravity = match &laws.mechanism.gravity {
-        Some(gravity) => laws.vector(g, gravity),
+        Some(gravity) => laws.vector(gravity),
         None => vector::zero(g),
     };
-    let distributions = distributions(g, laws, kinematics);
-    let regrouped = regrouped(g, kinematics, &distributions);
-    let composite = composite(g, kinematics, &regrouped);
-    let mass = mass_matrix(g, kinematics, &composite);
-    let upwards = vector::neg(g, gravity);
-    let at_rest = motions(g, kinematics, None, upwards);
-    let bias = newton_euler(g, kinematics, &regrouped, &at_rest);
-    let forces = bias.iter().map(|force| g.neg(*force)).collect();
-    let moving = motions(g, kinematics, Some(&laws.symbols.acceleration), upwards);
-    let inverse = newton_euler(g, kinematics, &regrouped, &moving);
-    let kinetic_energy = kinetic_energy(g, kinematics, &regrouped);
-    let height = vector::dot(g, gravity, composite[GROUND].first);
-    let potential_energy = g.neg(height);
-    Dynamics { mass, forces, inverse, kinetic_energy, potential_energy, distributions: regrouped }
+    let distributions = distributions(laws, kinematics.bare);
+    let regrouped = regrouped(kinematics, &distributions);
+    let composite = composite(kinematics, &regrouped);
+    let mass = mass_matrix(kinematics, &composite);
+    let upwards = -gravity;
+    let at_rest = motions(kinematics, None, upwards);
+    let bias = newton_euler(kinematics, &regrouped, &at_rest);
+    let forces = bias.iter().map(|force| -*force).collect();
+    let moving = motions(kinematics, Some(&laws.symbols.acceleration), upwards);
+    let inverse = newton_euler(kinematics, &regrouped, &moving);
+    let kinetic_energy = kinetic_energy(kinematics, &regrouped);
+    let potential_energy = -gravity.dot(composite[GROUND].bare.first);
+    let distributions = regrouped.into_iter().map(|distribution| distribution.bare).collect();
+    Dynamics { mass, forces, inverse, kinetic_energy, potential_energy, distributions }
 }
 
 /// What the bodies on each link weigh.
-fn distributions(g: &mut Graph, laws: &Laws, kinematics: &Kinematics) -> Vec<Distribution> {
+fn distributions<'g>(laws: &Laws<'g>, kinematics: &Kinematics) -> Vec<On<'g, Distribution>> {
+    let g = laws.g;
     let none = Distribution::none(g);
-    let mut found = vec![none; kinematics.links.len()];
+    let mut found = vec![g.on(none); kinematics.links.len()];
     for (body, placement) in laws.mechanism.bodies.iter().zip(&kinematics.bodies) {
-        let mass = laws.value(g, &body.mass);
-        let center = laws.vector(g, &body.center);
-        let center = vector::apply(g, &placement.axes, center);
-        let center = vector::add(g, placement.at, center);
+        let mass = laws.value(&body.mass).bare;
+        let center = g.on(placement).point(laws.vector(&body.center));
         let inertia = match body.kind {
             BodyKind::Particle => none.inertia,
-            BodyKind::Rigid => {
-                let tensor = inertia_in_body(g, laws, &body.inertia);
-                tensor::turned(g, &placement.axes, tensor)
-            }
+            BodyKind::Rigid => inertia_in_body(laws, &body.inertia).turned(placement.axes).bare,
         };
-        let about_center = Distribution { mass, first: vector::zero(g), inertia };
-        let about_origin = about_center.shifted(g, center);
-        found[placement.link] = found[placement.link].add(g, &about_origin);
+        let about_center = g.on(Distribution { mass, first: none.first, inertia });
+        let own = &mut found[placement.link];
+        *own = *own + about_center.shifted(center);
     }
     found
 }
 
 /// The tensor about the centre of mass in body axes.
-pub fn inertia_in_body(g: &mut Graph, laws: &Laws, inertia: &crate::model::Inertia) -> Symmetric {
-    let ([xx, yy, zz], [xy, xz, yz]) = (laws.vector(g, &inertia.moments), laws.vector(g, &inertia.products));
-    let matrix = axes::matrix(g, laws, &inertia.axes);
-    tensor::turned(g, &matrix, [xx, yy, zz, xy, xz, yz])
+pub fn inertia_in_body<'g>(laws: &Laws<'g>, inertia: &crate::model::Inertia) -> On<'g, Symmetric> {
+    let ([xx, yy, zz], [xy, xz, yz]) =
+        (laws.vector(&inertia.moments).bare, laws.vector(&inertia.products).bare);
+    let axes = axes::matrix(laws, &inertia.axes);
+    laws.g.on(Symmetric([xx, yy, zz, xy, xz, yz])).turned(axes.bare)
 }
 
 /// The same dynamics with fewer numbers, from the leaves inwards.
-fn regrouped(g: &mut Graph, kinematics: &Kinematics, distributions: &[Distribution]) -> Vec<Distribution> {
-    let zero = g.constant(0.0);
+fn regrouped<'g>(
+    kinematics: On<'g, &Kinematics>,
+    distributions: &[On<'g, Distribution>],
+) -> Vec<On<'g, Distribution>> {
+    let g = kinematics.g;
     let none = Distribution::none(g);
+    let zero = none.mass;
     let mut found = distributions.to_vec();
-    for (at, link) in kinematics.links.iter().enumerate().skip(1).rev() {
-        let own = found[at];
+    for (at, link) in kinematics.bare.links.iter().enumerate().skip(1).rev() {
+        let own = found[at].bare;
         // A foot that moves by itself makes mass at rest in the moving place do work.
         if own.is_none(g) || link.is_carried_by_time(g) {
             continue;
         }
-        let [xx, yy, zz, xy, xz, yz] = own.inertia;
+        let Symmetric([xx, yy, zz, xy, xz, yz]) = own.inertia;
         let (given, kept) = match &link.motion {
             Motion::None => (own, none),
             Motion::Turn { .. } => (
                 Distribution {
                     mass: own.mass,
                     first: [zero, zero, own.first[2]],
-                    inertia: [yy, yy, zero, zero, zero, zero],
+                    inertia: Symmetric([yy, yy, zero, zero, zero, zero]),
                 },
                 Distribution {
                     mass: zero,
                     first: [own.first[0], own.first[1], zero],
-                    inertia: [g.sub(xx, yy), zero, zz, xy, xz, yz],
+                    inertia: Symmetric([(g.on(xx) - yy).bare, zero, zz, xy, xz, yz]),
                 },
             ),
             Motion::Slide { .. } => {
@@ -116,268 +107,234 @@ fn regrouped(g: &mut Graph, kinematics: &Kinematics, distributions: &[Distributi
                 (Distribution { mass: own.mass, ..none }, Distribution { mass: zero, ..own })
             }
         };
-        found[at] = kept;
-        let given = given.turned(g, &link.axes);
-        let given = given.shifted(g, link.at);
-        found[link.parent] = found[link.parent].add(g, &given);
+        found[at] = g.on(kept);
+        let given = g.on(given).turned(link.axes).shifted(g.on(link.at));
+        found[link.parent] = found[link.parent] + given;
     }
     found
 }
 
 /// What hangs on each link, itself included.
-fn composite(g: &mut Graph, kinematics: &Kinematics, distributions: &[Distribution]) -> Vec<Distribution> {
+fn composite<'g>(
+    kinematics: On<'g, &Kinematics>,
+    distributions: &[On<'g, Distribution>],
+) -> Vec<On<'g, Distribution>> {
     let mut composite = distributions.to_vec();
-    for (at, link) in kinematics.links.iter().enumerate().skip(1).rev() {
-        let carried = composite[at].in_parent(g, link);
-        composite[link.parent] = composite[link.parent].add(g, &carried);
+    for (at, link) in kinematics.bare.links.iter().enumerate().skip(1).rev() {
+        let carried = composite[at].in_parent(link);
+        composite[link.parent] = composite[link.parent] + carried;
     }
     composite
 }
 
 /// Moment about a link's origin, and force, in its axes.
 #[derive(Clone, Copy)]
-struct Wrench {
-    moment: Vec3,
-    force: Vec3,
+struct Wrench<'g> {
+    moment: On<'g, Vec3>,
+    force: On<'g, Vec3>,
 }
 
-impl Wrench {
-    fn in_parent(&self, g: &mut Graph, link: &Link) -> Wrench {
-        let (mut moment, force) = (link.turn(g, self.moment), link.turn(g, self.force));
-        let slide = link.slide(g);
-        let arm = vector::cross(g, slide, force);
-        moment = vector::add(g, moment, arm);
-        let (moment, force) = (vector::apply(g, &link.axes, moment), vector::apply(g, &link.axes, force));
-        let arm = vector::cross(g, link.at, force);
-        Wrench { moment: vector::add(g, moment, arm), force }
+impl<'g> Wrench<'g> {
+    fn in_parent(self, link: On<'g, &Link>) -> Wrench<'g> {
+        let (moment, force) = (link.turn(self.moment), link.turn(self.force));
+        let moment = moment + link.slide().cross(force);
+        let (moment, force) = (link.bare.axes * moment, link.bare.axes * force);
+        Wrench { moment: moment + self.force.g.on(link.bare.at).cross(force), force }
     }
 
     /// Power on each velocity of the link: its index, and Sᵀ of the wrench.
-    fn projections(&self, g: &mut Graph, link: &Link) -> Vec<(usize, Node)> {
+    fn projections(self, link: On<'g, &Link>) -> Vec<(usize, Scalar<'g>)> {
         let mut found = Vec::new();
-        for (velocity, axis) in link.turning(g) {
-            found.push((velocity, vector::dot(g, axis, self.moment)));
+        for (velocity, axis) in link.turning() {
+            found.push((velocity, axis.dot(self.moment)));
         }
-        if let Some((velocity, axis)) = link.sliding(g) {
-            found.push((velocity, vector::dot(g, axis, self.force)));
+        if let Some((velocity, axis)) = link.sliding() {
+            found.push((velocity, axis.dot(self.force)));
         }
         found
     }
 }
 
 /// M_kl = S_l · (I^c S_k), carried from the link of k inwards.
-fn mass_matrix(
-    g: &mut Graph,
-    kinematics: &Kinematics,
-    composite: &[Distribution],
-) -> BTreeMap<(usize, usize), Node> {
-    let mut mass: BTreeMap<(usize, usize), Node> = BTreeMap::new();
-    let mut accumulate = |g: &mut Graph, k: usize, l: usize, entry: Node| {
-        let zero = g.constant(0.0);
-        let own = mass.entry((k.max(l), k.min(l))).or_insert(zero);
-        *own = g.add(*own, entry);
+fn mass_matrix<'g>(
+    kinematics: On<'g, &Kinematics>,
+    composite: &[On<'g, Distribution>],
+) -> BTreeMap<(usize, usize), Scalar<'g>> {
+    let g = kinematics.g;
+    let links = &kinematics.bare.links;
+    let mut mass: BTreeMap<(usize, usize), Scalar> = BTreeMap::new();
+    let mut accumulate = |k: usize, l: usize, entry: Scalar<'g>| {
+        *mass.entry((k.max(l), k.min(l))).or_insert_with(|| g.zero()) += entry;
     };
-    for (at, link) in kinematics.links.iter().enumerate().skip(1) {
-        let Distribution { mass, first, inertia } = composite[at];
+    for (at, link) in links.iter().enumerate().skip(1) {
+        let own = composite[at];
         let mut columns: Vec<(usize, Wrench)> = Vec::new();
-        for (velocity, axis) in link.turning(g) {
-            let moment = tensor::apply(g, inertia, axis);
-            columns.push((velocity, Wrench { moment, force: vector::cross(g, axis, first) }));
+        for (velocity, axis) in g.on(link).turning() {
+            let moment = own.bare.inertia * axis;
+            columns.push((velocity, Wrench { moment, force: axis.cross(own.first()) }));
         }
-        if let Some((velocity, axis)) = link.sliding(g) {
-            let moment = vector::cross(g, first, axis);
-            columns.push((velocity, Wrench { moment, force: vector::scale(g, mass, axis) }));
+        if let Some((velocity, axis)) = g.on(link).sliding() {
+            let moment = own.first().cross(axis);
+            columns.push((velocity, Wrench { moment, force: own.mass() * axis }));
         }
         for (k, wrench) in columns {
-            for (l, entry) in wrench.projections(g, link).into_iter().filter(|(l, _)| *l <= k) {
-                accumulate(g, k, l, entry);
+            for (l, entry) in wrench.projections(g.on(link)).into_iter().filter(|(l, _)| *l <= k) {
+                accumulate(k, l, entry);
             }
             let (mut wrench, mut below) = (wrench, link);
             loop {
-                wrench = wrench.in_parent(g, below);
+                wrench = wrench.in_parent(g.on(below));
                 if below.parent == GROUND {
                     break;
                 }
-                below = &kinematics.links[below.parent];
-                for (l, entry) in wrench.projections(g, below) {
+                below = &links[below.parent];
+                for (l, entry) in wrench.projections(g.on(below)) {
                     // One velocity that moves two links, as of a screw, meets itself both ways.
-                    let entry = if l == k {
-                        let two = g.constant(2.0);
-                        g.mul(two, entry)
-                    } else {
-                        entry
-                    };
-                    accumulate(g, k, l, entry);
+                    accumulate(k, l, if l == k { 2.0 * entry } else { entry });
                 }
             }
         }
     }
-    mass.retain(|_, entry| !g.is_zero(*entry));
+    mass.retain(|_, entry| !entry.is_zero());
     mass
 }
 
 /// Motion of a link, in its axes and at its origin.
-#[derive(Clone, Copy, Debug)]
-pub struct LinkMotion {
-    pub omega: Vec3,
-    pub alpha: Vec3,
-    pub velocity: Vec3,
-    pub acceleration: Vec3,
+#[derive(Clone, Copy)]
+pub struct LinkMotion<'g> {
+    pub omega: On<'g, Vec3>,
+    pub alpha: On<'g, Vec3>,
+    pub velocity: On<'g, Vec3>,
+    pub acceleration: On<'g, Vec3>,
     /// α̃ + ω̃ ω̃.
-    pub spin: Mat3,
+    pub spin: On<'g, Mat3>,
 }
 
 /// Motions of all links, with the accelerations given or zero, the ground's being `ground`.
-pub fn motions(
-    g: &mut Graph,
-    kinematics: &Kinematics,
+pub fn motions<'g>(
+    kinematics: On<'g, &Kinematics>,
     accelerations: Option<&[Node]>,
-    ground: Vec3,
-) -> Vec<LinkMotion> {
+    ground: On<'g, Vec3>,
+) -> Vec<LinkMotion<'g>> {
+    let g = kinematics.g;
     let zero = vector::zero(g);
-    let rest = LinkMotion { omega: zero, alpha: zero, velocity: zero, acceleration: ground, spin: [zero; 3] };
-    let mut motions = vec![rest];
-    for link in kinematics.links.iter().skip(1) {
-        let motion = moved(g, kinematics, link, &motions[link.parent], accelerations);
+    let spin = g.on([zero.bare; 3]);
+    let mut motions =
+        vec![LinkMotion { omega: zero, alpha: zero, velocity: zero, acceleration: ground, spin }];
+    for link in kinematics.bare.links.iter().skip(1) {
+        let motion = moved(g.on(link), &motions[link.parent], &kinematics.bare.velocities, accelerations);
         motions.push(motion);
     }
     motions
 }
 
-fn moved(
-    g: &mut Graph,
-    kinematics: &Kinematics,
-    link: &Link,
-    parent: &LinkMotion,
+fn moved<'g>(
+    link: On<'g, &Link>,
+    parent: &LinkMotion<'g>,
+    v: &[Node],
     accelerations: Option<&[Node]>,
-) -> LinkMotion {
-    let v = &kinematics.velocities;
-    let offset = link.offset(g);
+) -> LinkMotion<'g> {
+    let g = link.g;
+    let offset = link.offset();
     // At the link's origin, in the axes of the parent.
-    let carried = vector::cross(g, parent.omega, offset);
-    let carried = vector::add(g, carried, link.at_drift);
-    let velocity = vector::add(g, parent.velocity, carried);
-    let swung = vector::apply(g, &parent.spin, offset);
-    let swung = vector::add(g, swung, link.at_bias);
-    let acceleration = vector::add(g, parent.acceleration, swung);
+    let velocity = parent.velocity + (parent.omega.cross(offset) + link.bare.at_drift);
+    let acceleration = parent.acceleration + (parent.spin * offset + link.bare.at_bias);
 
-    let (mut velocity, mut acceleration) = (link.down(g, velocity), link.down(g, acceleration));
-    let (base_omega, base_alpha) = (link.down(g, parent.omega), link.down(g, parent.alpha));
-    let relative = link.omega(g, v);
-    let gyration = vector::cross(g, base_omega, relative);
-    let omega = vector::add(g, base_omega, relative);
-    let mut alpha = vector::add(g, base_alpha, gyration);
+    let (mut velocity, mut acceleration) = (link.down(velocity), link.down(acceleration));
+    let (base_omega, base_alpha) = (link.down(parent.omega), link.down(parent.alpha));
+    let relative = link.omega(v);
+    let gyration = base_omega.cross(relative);
+    let omega = base_omega + relative;
+    let mut alpha = base_alpha + gyration;
     if let Some(a) = accelerations {
-        let own = link.omega(g, a);
-        alpha = vector::add(g, alpha, own);
+        alpha += link.omega(a);
     }
-    if let Some((rate, axis)) = link.sliding(g) {
-        let speed = vector::scale(g, v[rate], axis);
-        velocity = vector::add(g, velocity, speed);
-        let two = g.constant(2.0);
-        let coriolis = vector::cross(g, omega, speed);
-        let coriolis = vector::scale(g, two, coriolis);
-        acceleration = vector::add(g, acceleration, coriolis);
+    if let Some((rate, axis)) = link.sliding() {
+        let speed = g.on(v[rate]) * axis;
+        velocity += speed;
+        acceleration += 2.0 * omega.cross(speed);
         if let Some(a) = accelerations {
-            let own = vector::scale(g, a[rate], axis);
-            acceleration = vector::add(g, acceleration, own);
+            acceleration += g.on(a[rate]) * axis;
         }
     }
-    LinkMotion { omega, alpha, velocity, acceleration, spin: spin(g, omega, alpha) }
+    LinkMotion { omega, alpha, velocity, acceleration, spin: spin(omega, alpha) }
 }
 
 /// U = α̃ + ω̃ ω̃.
-fn spin(g: &mut Graph, omega: Vec3, alpha: Vec3) -> Mat3 {
-    let square = omega.map(|x| g.mul(x, x));
-    let mut matrix = [vector::zero(g); 3];
+fn spin<'g>(omega: On<'g, Vec3>, alpha: On<'g, Vec3>) -> On<'g, Mat3> {
+    let square = vector(|k| omega.at(k).square());
+    let mut matrix = [square.bare; 3];
     for k in 0..3 {
         let (i, j) = ((k + 1) % 3, (k + 2) % 3);
-        let sum = g.add(square[i], square[j]);
-        matrix[k][k] = g.neg(sum);
-        let product = g.mul(omega[i], omega[j]);
-        matrix[i][j] = g.sub(product, alpha[k]);
-        matrix[j][i] = g.add(product, alpha[k]);
+        matrix[k][k] = (-(square.at(i) + square.at(j))).bare;
+        let product = omega.at(i) * omega.at(j);
+        matrix[i][j] = (product - alpha.at(k)).bare;
+        matrix[j][i] = (product + alpha.at(k)).bare;
     }
-    matrix
+    omega.g.on(matrix)
 }
 
 /// Forces that the motions need, per velocity.
-fn newton_euler(
-    g: &mut Graph,
-    kinematics: &Kinematics,
-    distributions: &[Distribution],
-    motions: &[LinkMotion],
-) -> Vec<Node> {
-    let zero = g.constant(0.0);
-    let mut forces = vec![zero; kinematics.velocities.len()];
+fn newton_euler<'g>(
+    kinematics: On<'g, &Kinematics>,
+    distributions: &[On<'g, Distribution>],
+    motions: &[LinkMotion<'g>],
+) -> Vec<Scalar<'g>> {
+    let g = kinematics.g;
+    let mut forces = vec![g.zero(); kinematics.bare.velocities.len()];
     let mut wrenches: Vec<Wrench> = distributions
         .iter()
         .zip(motions)
-        .map(|(distribution, motion)| needed(g, distribution, motion))
+        .map(|(distribution, motion)| needed(*distribution, motion))
         .collect();
-    for (at, link) in kinematics.links.iter().enumerate().skip(1).rev() {
+    for (at, link) in kinematics.bare.links.iter().enumerate().skip(1).rev() {
         let wrench = wrenches[at];
-        for (velocity, force) in wrench.projections(g, link) {
-            forces[velocity] = g.add(forces[velocity], force);
+        for (velocity, force) in wrench.projections(g.on(link)) {
+            forces[velocity] += force;
         }
-        let carried = wrench.in_parent(g, link);
-        let parent: LinkId = link.parent;
-        wrenches[parent] = Wrench {
-            moment: vector::add(g, wrenches[parent].moment, carried.moment),
-            force: vector::add(g, wrenches[parent].force, carried.force),
-        };
+        let carried = wrench.in_parent(g.on(link));
+        let parent = &mut wrenches[link.parent];
+        parent.moment += carried.moment;
+        parent.force += carried.force;
     }
     forces
 }
 
 /// F = m a + U h, N = I α + ω × I ω + h × a. With U at hand the second is, component by component,
 ///   N_x = Ixx α_x + (Izz − Iyy) ω_y ω_z − Ixy U_zx + Ixz U_yx + Iyz (U_yy − U_zz) + …
-fn needed(g: &mut Graph, distribution: &Distribution, motion: &LinkMotion) -> Wrench {
-    let Distribution { mass, first, inertia } = *distribution;
+fn needed<'g>(distribution: On<'g, Distribution>, motion: &LinkMotion<'g>) -> Wrench<'g> {
     let LinkMotion { omega, alpha, acceleration, spin, .. } = *motion;
-    let pushed = vector::scale(g, mass, acceleration);
-    let swung = vector::apply(g, &spin, first);
-    let force = vector::add(g, pushed, swung);
+    let (first, inertia) = (distribution.first(), distribution.inertia());
+    let force = distribution.mass() * acceleration + spin * first;
     // Products of inertia by the pair of axes they belong to: opposite x stands yz, and so on.
-    let across = |a: usize, b: usize| inertia[2 + a + b];
-    let lever = vector::cross(g, first, acceleration);
-    let moment = std::array::from_fn(|x| {
+    let across = |a: usize, b: usize| inertia.at(2 + a + b);
+    let lever = first.cross(acceleration);
+    let moment = vector(|x| {
         let (y, z) = ((x + 1) % 3, (x + 2) % 3);
-        let product = g.mul(omega[y], omega[z]);
-        let difference = g.sub(inertia[z], inertia[y]);
-        let diagonal = g.sub(spin[y][y], spin[z][z]);
+        let product = omega.at(y) * omega.at(z);
+        let difference = inertia.at(z) - inertia.at(y);
+        let diagonal = spin.row(y).at(y) - spin.row(z).at(z);
         let terms = [
-            g.mul(inertia[x], alpha[x]),
-            g.mul(difference, product),
-            g.mul(across(x, z), spin[y][x]),
-            g.mul(across(y, z), diagonal),
+            inertia.at(x) * alpha.at(x),
+            difference * product,
+            across(x, z) * spin.row(y).at(x),
+            across(y, z) * diagonal,
         ];
-        let sum = g.sum(terms);
-        let last = g.mul(across(x, y), spin[z][x]);
-        let sum = g.sub(sum, last);
-        g.add(sum, lever[x])
+        distribution.g.sum(terms) - across(x, y) * spin.row(z).at(x) + lever.at(x)
     });
     Wrench { moment, force }
 }
 
 /// T = Σ ½ (m v² + 2 v·(ω × h) + ω·I ω).
-fn kinetic_energy(g: &mut Graph, kinematics: &Kinematics, distributions: &[Distribution]) -> Node {
-    let zero = vector::zero(g);
-    let motions = motions(g, kinematics, None, zero);
-    let mut twice = g.constant(0.0);
-    let two = g.constant(2.0);
-    for (distribution, motion) in distributions.iter().zip(&motions) {
-        let Distribution { mass, first, inertia } = *distribution;
-        let square = vector::dot(g, motion.velocity, motion.velocity);
-        let translation = g.mul(mass, square);
-        let sweep = vector::cross(g, motion.omega, first);
-        let mixed = vector::dot(g, motion.velocity, sweep);
-        let mixed = g.mul(two, mixed);
-        let spin = tensor::apply(g, inertia, motion.omega);
-        let rotation = vector::dot(g, motion.omega, spin);
-        let part = g.sum([translation, mixed, rotation]);
-        twice = g.add(twice, part);
+fn kinetic_energy<'g>(kinematics: On<'g, &Kinematics>, distributions: &[On<'g, Distribution>]) -> Scalar<'g> {
+    let g: Sheet<'g> = kinematics.g;
+    let motions = motions(kinematics, None, vector::zero(g));
+    let mut twice = g.zero();
+    for (own, LinkMotion { velocity, omega, .. }) in distributions.iter().zip(motions) {
+        let translation = own.mass() * velocity.dot(velocity);
+        let mixed = 2.0 * velocity.dot(omega.cross(own.first()));
+        let rotation = omega.dot(own.bare.inertia * omega);
+        twice += g.sum([translation, mixed, rotation]);
     }
-    let half = g.constant(0.5);
-    g.mul(half, twice)
+    0.5 * twice
 }

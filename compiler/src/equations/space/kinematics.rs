@@ -7,12 +7,14 @@
 
 use super::axes;
 use super::coordinates::rotation_matrix;
+use super::joints::{self, Elementary};
 use super::links::{GROUND, Link, LinkId, Placement};
 use super::vector::{self, Mat3, Vec3};
 use super::vector_jet::{Kind, VectorJet};
-use crate::equations::{Jet, Laws};
-use crate::model::{BodyId, Frame, Joint, JointId, JointKind, Place, Rotor, Vector};
-use crate::symbolic::{Graph, Node, Unary};
+use crate::equations::Laws;
+use crate::equations::jet::{Jet, Moving};
+use crate::model::{BodyId, Frame, Joint, JointId, Place, Rotor};
+use crate::symbolic::{Node, On};
 use std::collections::BTreeMap;
 
 /// Everything that moves, in one set of velocities.
@@ -33,168 +35,147 @@ pub struct Kinematics {
 }
 
 /// A place on its link.
-pub struct Spot {
+#[derive(Clone)]
+pub struct Spot<'g> {
     pub link: LinkId,
     pub at: VectorJet,
     /// Link ← axes of the place.
-    pub axes: Mat3,
+    pub axes: On<'g, Mat3>,
 }
 
-impl Kinematics {
-    /// The link and the constant placement of what a place belongs to.
-    fn placement(&self, g: &mut Graph, frame: Frame) -> Placement {
-        match frame {
-            Frame::Ground => Placement { link: GROUND, at: vector::zero(g), axes: vector::identity(g) },
-            Frame::Body(body) => self.bodies[body.0].clone(),
-        }
-    }
-
-    pub fn spot(&self, g: &mut Graph, laws: &Laws, place: &Place) -> Spot {
-        let placement = self.placement(g, place.frame);
-        let axes = axes::matrix(g, laws, &place.axes);
-        let axes = vector::product(g, &placement.axes, &axes);
-        let at = match place.frame {
+impl<'g> On<'g, &'g Kinematics> {
+    pub fn spot(self, laws: &Laws<'g>, place: &Place) -> Spot<'g> {
+        let g = self.g;
+        // The link and the constant placement of what the place belongs to.
+        let placement = match place.frame {
             Frame::Ground => {
-                let at = laws.ground(g, &place.at);
-                VectorJet::of_time(&at)
+                Placement { link: GROUND, at: vector::zero(g).bare, axes: vector::identity(g).bare }
             }
-            Frame::Body(_) => {
-                let at = laws.vector(g, &place.at);
-                let at = vector::apply(g, &placement.axes, at);
-                let at = vector::add(g, placement.at, at);
-                VectorJet::fixed(g, at)
-            }
+            Frame::Body(body) => self.bare.bodies[body.0].clone(),
+        };
+        let axes = g.on(placement.axes) * axes::matrix(laws, &place.axes);
+        let at = match place.frame {
+            Frame::Ground => VectorJet::of_time(&laws.ground(&place.at)),
+            Frame::Body(_) => VectorJet::fixed(g.on(&placement).point(laws.vector(&place.at))),
         };
         Spot { link: placement.link, at, axes }
     }
 
+    fn direction_of(self, link: LinkId, u: On<'g, Vec3>, seen_from: LinkId) -> Moving<'g, VectorJet> {
+        self.carry(VectorJet::fixed(u), link, seen_from, Kind::Direction)
+    }
+
     /// World coordinates of a place.
-    pub fn place_in_world(&self, g: &mut Graph, laws: &Laws, place: &Place) -> [Jet; 3] {
-        let spot = self.spot(g, laws, place);
-        let seen = self.carry(g, spot.at, spot.link, GROUND, Kind::Point);
-        seen.components(g)
+    pub fn place_in_world(self, laws: &Laws<'g>, place: &Place) -> [Moving<'g>; 3] {
+        let spot = self.spot(laws, place);
+        self.carry(spot.at, spot.link, GROUND, Kind::Point).components()
     }
 
     /// From one place to another, as seen from where their ways to the ground meet.
-    pub fn between(&self, g: &mut Graph, laws: &Laws, first: &Place, second: &Place) -> [Jet; 3] {
-        let (first, second) = (self.spot(g, laws, first), self.spot(g, laws, second));
-        let meeting = self.meeting(first.link, second.link);
-        let a = self.carry(g, first.at, first.link, meeting, Kind::Point);
-        let b = self.carry(g, second.at, second.link, meeting, Kind::Point);
-        let delta = b.sub(g, &a);
-        delta.components(g)
+    pub fn between(self, laws: &Laws<'g>, first: &Place, second: &Place) -> [Moving<'g>; 3] {
+        let (first, second) = (self.spot(laws, first), self.spot(laws, second));
+        let meeting = self.bare.meeting(first.link, second.link);
+        let a = self.carry(first.at, first.link, meeting, Kind::Point);
+        let b = self.carry(second.at, second.link, meeting, Kind::Point);
+        (b - a).components()
     }
 
     /// From the first place to the second, as seen from the link of the first.
-    pub fn delta(&self, g: &mut Graph, first: &Spot, second: &Spot) -> VectorJet {
-        let seen = self.carry(g, second.at.clone(), second.link, first.link, Kind::Point);
-        seen.sub(g, &first.at)
+    pub fn delta(self, first: &Spot<'g>, second: &Spot<'g>) -> Moving<'g, VectorJet> {
+        let seen = self.carry(second.at.clone(), second.link, first.link, Kind::Point);
+        seen - self.moving(&self.bare.velocities, first.at.clone())
     }
 
     /// A direction of the second place, given in the axes of its link, as seen from the link of the first.
-    pub fn direction(&self, g: &mut Graph, first: &Spot, second: &Spot, u: Vec3) -> VectorJet {
-        let fixed = VectorJet::fixed(g, u);
-        self.carry(g, fixed, second.link, first.link, Kind::Direction)
+    pub fn direction(self, first: &Spot<'g>, second: &Spot<'g>, u: On<'g, Vec3>) -> Moving<'g, VectorJet> {
+        self.direction_of(second.link, u, first.link)
     }
 
     /// ω of a link in its own axes: columns and bias (α at v̇ = 0).
-    pub fn link_omega(&self, g: &mut Graph, link: LinkId) -> VectorJet {
+    pub fn link_omega(self, link: LinkId) -> Moving<'g, VectorJet> {
+        let g = self.g;
         let zero = vector::zero(g);
-        let mut jet = VectorJet::fixed(g, zero);
-        for at in self.ancestors(link).into_iter().rev().skip(1) {
-            let link = &self.links[at];
-            let relative = link.omega(g, &self.velocities);
-            let back = |g: &mut Graph, x: Vec3| link.down(g, x);
-            let columns = jet.columns.iter().map(|(k, column)| (*k, back(g, *column))).collect();
-            let (rate, bias) = (back(g, jet.rate), back(g, jet.bias));
+        let mut omega = self.moving(&self.bare.velocities, VectorJet::fixed(zero));
+        for at in self.bare.ancestors(link).into_iter().rev().skip(1) {
+            let link = g.on(&self.bare.links[at]);
+            let relative = link.omega(&self.bare.velocities);
+            let columns =
+                omega.jet.columns.iter().map(|(k, column)| (*k, link.down(g.on(*column)).bare)).collect();
+            let (rate, bias) = (link.down(omega.rate()), link.down(omega.bias()));
             // α = Rᵀ α_parent + (Rᵀ ω_parent) × ω_relative
-            let gyration = vector::cross(g, rate, relative);
-            jet = VectorJet {
-                value: zero,
+            let gyration = rate.cross(relative);
+            omega.jet = VectorJet {
                 columns,
-                rate: vector::add(g, rate, relative),
-                drift: zero,
-                bias: vector::add(g, bias, gyration),
+                rate: (rate + relative).bare,
+                bias: (bias + gyration).bare,
+                ..VectorJet::fixed(zero)
             };
-            for (velocity, axis) in link.turning(g) {
-                let own = jet.columns.get(&velocity).copied().unwrap_or(zero);
-                jet.columns.insert(velocity, vector::add(g, own, axis));
+            for (velocity, axis) in link.turning() {
+                let column = omega.column(velocity) + axis;
+                omega.jet.columns.insert(velocity, column.bare);
             }
         }
-        jet
+        omega
     }
 
     /// ω of a body about one of its own axes.
-    pub fn omega(&self, g: &mut Graph, body: BodyId, axis: usize) -> Jet {
-        let placement = &self.bodies[body.0];
-        let omega = self.link_omega(g, placement.link);
-        let axis = vector::column(&placement.axes, axis);
-        omega.project(g, axis)
+    pub fn omega(self, body: BodyId, axis: usize) -> Moving<'g> {
+        let placement = &self.bare.bodies[body.0];
+        self.link_omega(placement.link).project(vector::column(&placement.axes, axis))
     }
 
     /// ω of a body about the axes of the world.
-    pub fn turning_in_world(&self, g: &mut Graph, body: BodyId) -> [Jet; 3] {
-        let link = self.bodies[body.0].link;
-        let omega = self.link_omega(g, link);
-        let world = self.world_axes(g, link);
-        [0, 1, 2].map(|axis| omega.project(g, world[axis]))
+    pub fn turning_in_world(self, body: BodyId) -> [Moving<'g>; 3] {
+        let link = self.bare.bodies[body.0].link;
+        let omega = self.link_omega(link);
+        self.world_axes(link).bare.map(|axis| omega.project(axis))
     }
 
     /// Σ ½ A₀ e_j × A e_j with A₀ of a quaternion of any length.
-    pub fn deviation(&self, g: &mut Graph, body: BodyId, quaternion: [Node; 4]) -> [Jet; 3] {
-        let squares: Vec<Node> = quaternion.iter().map(|part| g.mul(*part, *part)).collect();
-        let square = g.sum(squares);
-        let length = g.unary(Unary::Sqrt, square);
-        let quaternion = quaternion.map(|part| g.div(part, length));
-        let wanted = rotation_matrix(g, quaternion);
-        let placement = &self.bodies[body.0];
-        let axes: Vec<VectorJet> = (0..3)
-            .map(|j| {
-                let axis = VectorJet::fixed(g, vector::column(&placement.axes, j));
-                self.carry(g, axis, placement.link, GROUND, Kind::Direction)
-            })
-            .collect();
-        let half = g.constant(0.5);
+    pub fn deviation(self, body: BodyId, quaternion: On<'g, [Node; 4]>) -> [Moving<'g>; 3] {
+        let g = self.g;
+        let quaternion = quaternion.bare.map(|part| g.on(part));
+        let length = g.sum(quaternion.map(|part| part.square())).sqrt();
+        let wanted = rotation_matrix(quaternion.map(|part| part / length));
+        let placement = &self.bare.bodies[body.0];
+        let axes = g.on(placement.axes);
+        let axes = [0, 1, 2].map(|j| self.direction_of(placement.link, axes.column(j), GROUND));
         [0, 1, 2].map(|k| {
             let along = vector::unit(g, k);
-            let zero = g.constant(0.0);
-            let mut sum = Jet::constant(g, zero);
+            let mut sum = self.moving(&self.bare.velocities, Jet::constant(g.zero()));
             for (j, axis) in axes.iter().enumerate() {
                 // e_k·(a₀ × a) = (e_k × a₀)·a
-                let lever = vector::cross(g, along, vector::column(&wanted, j));
-                let lever = vector::scale(g, half, lever);
-                let part = axis.project(g, lever);
-                sum = sum.add(g, &part);
+                sum = sum + axis.project(0.5 * along.cross(wanted.column(j)));
             }
             sum
         })
     }
 
     /// World ← link.
-    pub fn world_axes(&self, g: &mut Graph, link: LinkId) -> Mat3 {
-        let mut matrix = vector::identity(g);
-        for at in self.ancestors(link).into_iter().rev().skip(1) {
-            let link = &self.links[at];
+    pub fn world_axes(self, link: LinkId) -> On<'g, Mat3> {
+        let ancestors = self.bare.ancestors(link).into_iter().rev().skip(1);
+        ancestors.fold(vector::identity(self.g), |matrix, at| {
+            let link = self.g.on(&self.bare.links[at]);
             // Rows of the product are those of the matrix, turned back.
-            matrix = matrix.map(|row| link.down(g, row));
-        }
-        matrix
+            matrix.map_rows(|row| link.down(row))
+        })
     }
 
-    fn joint_spots(&self, g: &mut Graph, laws: &Laws, joint: &Joint) -> [Spot; 2] {
-        [self.spot(g, laws, &joint.first), self.spot(g, laws, &joint.second)]
+    fn joint_spots(self, laws: &Laws<'g>, joint: &Joint) -> [Spot<'g>; 2] {
+        [self.spot(laws, &joint.first), self.spot(laws, &joint.second)]
     }
 
     /// (cos, sin) of the angle of a joint.
-    pub fn rotor_pair(&self, g: &mut Graph, laws: &Laws, rotor: Rotor) -> [Node; 2] {
-        let one = [g.constant(1.0), g.constant(0.0)];
+    pub fn rotor_pair(self, laws: &Laws<'g>, rotor: Rotor) -> On<'g, [Node; 2]> {
+        let g = self.g;
+        let one = g.on([g.one().bare, g.zero().bare]);
         let Rotor::Joint(id, which) = rotor else { return one };
-        if let Some((pair, _)) = self.angles.get(&(id, which)) {
-            return *pair;
+        if let Some((pair, _)) = self.bare.angles.get(&(id, which)) {
+            return g.on(*pair);
         }
         let joint = &laws.mechanism.joints[id.0];
-        let [first, second] = self.joint_spots(g, laws, joint);
-        if let JointKind::Universal { axis, second_axis } = &joint.kind {
+        let [first, second] = self.joint_spots(laws, joint);
+        if let [axis, second_axis] = &joint.directions[..] {
             // The second's axis, seen from the first, has turned about the first's by the first angle; the other way round
             // for the second angle.
             let (own, other, about, towards) = if which == 0 {
@@ -202,115 +183,81 @@ impl Kinematics {
             } else {
                 (second, first, second_axis, axis)
             };
-            let (about, towards) = (laws.vector(g, about), laws.vector(g, towards));
-            let (about, towards) = (axes::normalized(g, about), axes::normalized(g, towards));
-            let far = vector::apply(g, &other.axes, towards);
-            let seen = self.direction(g, &own, &other, far);
-            let across = vector::cross(g, about, towards);
-            let (near, across) = (vector::apply(g, &own.axes, towards), vector::apply(g, &own.axes, across));
-            let (cos, sin) = (vector::dot(g, near, seen.value), vector::dot(g, across, seen.value));
-            return [cos, if which == 0 { sin } else { g.neg(sin) }];
+            let (about, towards) = (laws.vector(about), laws.vector(towards));
+            let (about, towards) = (about.normalized(), towards.normalized());
+            let seen = self.direction(&own, &other, other.axes * towards).value();
+            let across = about.cross(towards);
+            let (near, across) = (own.axes * towards, own.axes * across);
+            let (cos, sin) = (near.dot(seen), across.dot(seen));
+            return g.on([cos.bare, if which == 0 { sin.bare } else { (-sin).bare }]);
         }
-        let Some(axis) = axis_of(&joint.kind) else { return one };
-        let frame = axes::joint_frame(g, laws, axis);
-        let (e1, e2) = (vector::product(g, &first.axes, &frame), vector::product(g, &second.axes, &frame));
-        let seen = self.direction(g, &first, &second, vector::column(&e2, 0));
-        [
-            vector::dot(g, vector::column(&e1, 0), seen.value),
-            vector::dot(g, vector::column(&e1, 1), seen.value),
-        ]
+        let Some(axis) = joint.common_axis() else { return one };
+        let frame = axes::joint_frame(laws, axis);
+        let (e1, e2) = (first.axes * frame, second.axes * frame);
+        let seen = self.direction(&first, &second, e2.column(0)).value();
+        g.on([e1.column(0).dot(seen).bare, e1.column(1).dot(seen).bare])
     }
 
     /// The angle of a joint without its value.
-    pub fn rotor_rate(&self, g: &mut Graph, laws: &Laws, rotor: Rotor) -> Jet {
-        let (zero, one) = (g.constant(0.0), g.constant(1.0));
-        let Rotor::Joint(id, which) = rotor else { return Jet::constant(g, zero) };
-        if let Some((_, rate)) = self.angles.get(&(id, which)) {
-            let mut jet = Jet::constant(g, zero);
-            jet.columns.insert(*rate, one);
-            return jet;
+    pub fn rotor_rate(self, laws: &Laws<'g>, rotor: Rotor) -> Moving<'g> {
+        let (still, one) = (laws.still(self.g.zero()), self.g.one());
+        let Rotor::Joint(id, which) = rotor else { return still };
+        if let Some((_, rate)) = self.bare.angles.get(&(id, which)) {
+            let mut angle = still;
+            angle.jet.columns.insert(*rate, one.bare);
+            return angle;
         }
         let joint = &laws.mechanism.joints[id.0];
-        let [first, second] = self.joint_spots(g, laws, joint);
-        let (first_omega, second_omega) = (self.link_omega(g, first.link), self.link_omega(g, second.link));
-        if let JointKind::Universal { axis, second_axis } = &joint.kind {
+        let [first, second] = self.joint_spots(laws, joint);
+        let (first_omega, second_omega) = (self.link_omega(first.link), self.link_omega(second.link));
+        if let [axis, second_axis] = &joint.directions[..] {
             // a₁·(ω₂ − ω₁), or b₂·(ω₂ − ω₁): as a product of what moves.
             let (own, own_omega, other, other_omega, axis) = if which == 0 {
-                (&first, &first_omega, &second, &second_omega, axis)
+                (first, first_omega, second, second_omega, axis)
             } else {
-                (&second, &second_omega, &first, &first_omega, second_axis)
+                (second, second_omega, first, first_omega, second_axis)
             };
-            let axis = laws.vector(g, axis);
-            let axis = axes::normalized(g, axis);
-            let axis = vector::apply(g, &own.axes, axis);
-            let fixed = VectorJet::fixed(g, axis);
-            let seen = self.carry(g, fixed, own.link, other.link, Kind::Direction);
-            let theirs = moving_projection(g, &seen, other_omega);
-            let ours = own_omega.project(g, axis);
-            let rate = theirs.sub(g, &ours);
-            return if which == 0 { rate } else { rate.neg(g) };
+            let axis = own.axes * laws.vector(axis).normalized();
+            let seen = self.direction_of(own.link, axis, other.link);
+            let rate = moving_projection(&seen, &other_omega) - own_omega.project(axis);
+            return if which == 0 { rate } else { -rate };
         }
-        let Some(axis) = axis_of(&joint.kind) else { return Jet::constant(g, zero) };
-        let z = joint_axis(g, laws, axis);
-        let (z1, z2) = (vector::apply(g, &first.axes, z), vector::apply(g, &second.axes, z));
-        let (own, other) = (second_omega.project(g, z2), first_omega.project(g, z1));
-        own.sub(g, &other)
+        let Some(axis) = joint.common_axis() else { return still };
+        let z = laws.vector(axis).normalized();
+        let (z1, z2) = (first.axes * z, second.axes * z);
+        second_omega.project(z2) - first_omega.project(z1)
     }
 
     /// Travel of a joint.
-    pub fn travel(&self, g: &mut Graph, laws: &Laws, id: JointId, which: usize) -> Jet {
-        if let Some((travel, rate, factor)) = self.travels.get(&(id, which)) {
-            let mut jet = Jet::constant(g, *travel);
-            jet.columns.insert(*rate, *factor);
-            return jet;
+    pub fn travel(self, laws: &Laws<'g>, id: JointId, which: usize) -> Moving<'g> {
+        if let Some((travel, rate, factor)) = self.bare.travels.get(&(id, which)) {
+            let mut travel = laws.still(self.g.on(*travel));
+            travel.jet.columns.insert(*rate, *factor);
+            return travel;
         }
         let joint = &laws.mechanism.joints[id.0];
-        let axis = match &joint.kind {
-            JointKind::PointOnLine { direction } => direction,
-            kind => match axis_of(kind) {
-                Some(axis) => axis,
-                None => {
-                    let zero = g.constant(0.0);
-                    return Jet::constant(g, zero);
-                }
-            },
-        };
-        let [first, second] = self.joint_spots(g, laws, joint);
-        let frame = axes::joint_frame(g, laws, axis);
-        let frame = vector::product(g, &first.axes, &frame);
-        let along = if matches!(joint.kind, JointKind::Planar { .. }) { which } else { 2 };
-        let delta = self.delta(g, &first, &second);
-        delta.project(g, vector::column(&frame, along))
+        let slides = joints::motions(joint).iter().find_map(|motion| match motion {
+            Elementary::Slide { axis, which: own } => (*own == which).then_some(*axis),
+            Elementary::Wind => Some(2),
+            Elementary::Turn { .. } | Elementary::Ball => None,
+        });
+        let Some(along) = slides else { return laws.still(self.g.zero()) };
+        let [first, second] = self.joint_spots(laws, joint);
+        let frame = first.axes * joints::frames(laws, joint)[0];
+        self.delta(&first, &second).project(frame.column(along))
     }
 }
 
-/// The one axis of a joint about which its angle, or along which its travel is measured.
-pub fn axis_of(kind: &JointKind) -> Option<&Vector> {
-    match kind {
-        JointKind::Revolute { axis }
-        | JointKind::Prismatic { axis, .. }
-        | JointKind::Cylindrical { axis }
-        | JointKind::Screw { axis, .. }
-        | JointKind::Planar { axis }
-        | JointKind::ConstantVelocity { axis }
-        | JointKind::PointOnPlane { axis } => Some(axis),
-        JointKind::Fixed { .. }
-        | JointKind::Universal { .. }
-        | JointKind::Spherical
-        | JointKind::PointOnLine { .. }
-        | JointKind::Distance { .. } => None,
+impl<'g> On<'g, &Placement> {
+    /// A point of the body, on its link.
+    pub fn point(self, at: On<'g, Vec3>) -> On<'g, Vec3> {
+        self.g.on(self.bare.at) + self.bare.axes * at
     }
-}
-
-fn joint_axis(g: &mut Graph, laws: &Laws, axis: &Vector) -> Vec3 {
-    let axis = laws.vector(g, axis);
-    axes::normalized(g, axis)
 }
 
 /// A quantity whose rate is u·ω, both moving.
-fn moving_projection(g: &mut Graph, u: &VectorJet, omega: &VectorJet) -> Jet {
-    let mut jet = omega.project(g, u.value);
-    let extra = vector::dot(g, u.rate, omega.rate);
-    jet.bias = g.add(jet.bias, extra);
-    jet
+fn moving_projection<'g>(u: &Moving<'g, VectorJet>, omega: &Moving<'g, VectorJet>) -> Moving<'g> {
+    let mut projection = omega.project(u.value());
+    projection.jet.bias = (projection.bias() + u.rate().dot(omega.rate())).bare;
+    projection
 }

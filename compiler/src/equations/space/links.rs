@@ -6,8 +6,8 @@
 //! several freedoms is a chain of links without mass; constant folding leaves nothing of what does not move.
 
 use super::vector::{self, Mat3, Vec3};
-use crate::equations::Jet;
-use crate::symbolic::{Graph, Node};
+use crate::equations::jet::Moving;
+use crate::symbolic::{Node, On, Sheet};
 
 /// Index of a link in [`super::Kinematics::links`].
 pub type LinkId = usize;
@@ -62,57 +62,15 @@ pub struct Placement {
 }
 
 impl Link {
-    pub fn ground(g: &mut Graph) -> Self {
-        let (zero, axes) = (vector::zero(g), vector::identity(g));
-        Link { parent: GROUND, at: zero, at_drift: zero, at_bias: zero, axes, motion: Motion::None }
+    /// One that stays where it is on its parent.
+    pub fn still(g: Sheet, parent: LinkId) -> Self {
+        let (zero, axes) = (vector::zero(g).bare, vector::identity(g).bare);
+        Link { parent, at: zero, at_drift: zero, at_bias: zero, axes, motion: Motion::None }
     }
 
     /// Whether its foot moves with time.
-    pub fn is_carried_by_time(&self, g: &Graph) -> bool {
-        !(vector::is_zero(g, self.at_drift) && vector::is_zero(g, self.at_bias))
-    }
-
-    /// R x.
-    pub fn turn(&self, g: &mut Graph, x: Vec3) -> Vec3 {
-        match &self.motion {
-            Motion::None | Motion::Slide { .. } => x,
-            Motion::Turn { cos, sin, .. } => vector::turn_z(g, *cos, *sin, x),
-            Motion::Ball { matrix, .. } => vector::apply(g, matrix, x),
-        }
-    }
-
-    /// Rᵀ x.
-    pub fn turn_back(&self, g: &mut Graph, x: Vec3) -> Vec3 {
-        match &self.motion {
-            Motion::None | Motion::Slide { .. } => x,
-            Motion::Turn { cos, sin, .. } => {
-                let sin = g.neg(*sin);
-                vector::turn_z(g, *cos, sin, x)
-            }
-            Motion::Ball { matrix, .. } => vector::apply_transposed(g, matrix, x),
-        }
-    }
-
-    /// A free vector in the axes of the parent.
-    pub fn up(&self, g: &mut Graph, x: Vec3) -> Vec3 {
-        let x = self.turn(g, x);
-        vector::apply(g, &self.axes, x)
-    }
-
-    /// A free vector of the parent in the link's own axes.
-    pub fn down(&self, g: &mut Graph, x: Vec3) -> Vec3 {
-        let x = vector::apply_transposed(g, &self.axes, x);
-        self.turn_back(g, x)
-    }
-
-    /// ω relative to the parent, in the link's own axes.
-    pub fn omega(&self, g: &mut Graph, v: &[Node]) -> Vec3 {
-        let zero = g.constant(0.0);
-        match &self.motion {
-            Motion::None | Motion::Slide { .. } => [zero; 3],
-            Motion::Turn { rate, sign, .. } => [zero, zero, g.mul(*sign, v[*rate])],
-            Motion::Ball { rate, .. } => [v[*rate], v[rate + 1], v[rate + 2]],
-        }
+    pub fn is_carried_by_time(&self, g: Sheet) -> bool {
+        !(g.on(self.at_drift).is_zero() && g.on(self.at_bias).is_zero())
     }
 
     /// How many velocities move it against its parent.
@@ -124,43 +82,84 @@ impl Link {
         }
     }
 
+    /// Puts the foot at a place of the ground that may move.
+    pub fn at_place(&mut self, place: &[Moving; 3]) {
+        self.at = [0, 1, 2].map(|k| place[k].jet.value);
+        self.at_drift = [0, 1, 2].map(|k| place[k].jet.drift);
+        self.at_bias = [0, 1, 2].map(|k| place[k].jet.bias);
+    }
+}
+
+impl<'g> On<'g, &Link> {
+    /// R x.
+    pub fn turn(self, x: On<'g, Vec3>) -> On<'g, Vec3> {
+        match &self.bare.motion {
+            Motion::None | Motion::Slide { .. } => x,
+            Motion::Turn { cos, sin, .. } => x.turned_about_z(self.g.on(*cos), self.g.on(*sin)),
+            Motion::Ball { matrix, .. } => *matrix * x,
+        }
+    }
+
+    /// Rᵀ x.
+    pub fn turn_back(self, x: On<'g, Vec3>) -> On<'g, Vec3> {
+        match &self.bare.motion {
+            Motion::None | Motion::Slide { .. } => x,
+            Motion::Turn { cos, sin, .. } => x.turned_about_z(self.g.on(*cos), -self.g.on(*sin)),
+            Motion::Ball { matrix, .. } => vector::transposed(matrix) * x,
+        }
+    }
+
+    /// A free vector in the axes of the parent.
+    pub fn up(self, x: On<'g, Vec3>) -> On<'g, Vec3> {
+        self.bare.axes * self.turn(x)
+    }
+
+    /// A free vector of the parent in the link's own axes.
+    pub fn down(self, x: On<'g, Vec3>) -> On<'g, Vec3> {
+        self.turn_back(vector::transposed(&self.bare.axes) * x)
+    }
+
+    /// ω relative to the parent, in the link's own axes.
+    pub fn omega(self, v: &[Node]) -> On<'g, Vec3> {
+        let zero = self.g.zero().bare;
+        self.g.on(match &self.bare.motion {
+            Motion::None | Motion::Slide { .. } => [zero; 3],
+            Motion::Turn { rate, sign, .. } => [zero, zero, (self.g.on(*sign) * v[*rate]).bare],
+            Motion::Ball { rate, .. } => [v[*rate], v[rate + 1], v[rate + 2]],
+        })
+    }
+
     /// Index and axis of each velocity that turns the link, in its own axes.
-    pub fn turning(&self, g: &mut Graph) -> Vec<(usize, Vec3)> {
-        let zero = g.constant(0.0);
-        match &self.motion {
+    pub fn turning(self) -> Vec<(usize, On<'g, Vec3>)> {
+        let g = self.g;
+        match &self.bare.motion {
             Motion::None | Motion::Slide { .. } => Vec::new(),
-            Motion::Turn { rate, sign, .. } => vec![(*rate, [zero, zero, *sign])],
+            Motion::Turn { rate, sign, .. } => {
+                let zero = g.zero().bare;
+                vec![(*rate, g.on([zero, zero, *sign]))]
+            }
             Motion::Ball { rate, .. } => (0..3).map(|k| (rate + k, vector::unit(g, k))).collect(),
         }
     }
 
     /// The slide's part of the offset from the parent, in the axes of the link before its motion.
-    pub fn slide(&self, g: &mut Graph) -> Vec3 {
-        match &self.motion {
-            Motion::Slide { axis, travel, .. } => vector::scale(g, *travel, *axis),
-            _ => vector::zero(g),
+    pub fn slide(self) -> On<'g, Vec3> {
+        match &self.bare.motion {
+            Motion::Slide { axis, travel, .. } => self.g.on(*travel) * *axis,
+            _ => vector::zero(self.g),
         }
     }
 
     /// Index of the velocity that slides the link, and the way along which, in its own axes.
-    pub fn sliding(&self, g: &mut Graph) -> Option<(usize, Vec3)> {
-        match &self.motion {
-            Motion::Slide { axis, rate, factor, .. } => Some((*rate, vector::scale(g, *factor, *axis))),
+    pub fn sliding(self) -> Option<(usize, On<'g, Vec3>)> {
+        match &self.bare.motion {
+            Motion::Slide { axis, rate, factor, .. } => Some((*rate, self.g.on(*factor) * *axis)),
             _ => None,
         }
     }
 
     /// From the parent's origin to the link's, in the axes of the parent.
-    pub fn offset(&self, g: &mut Graph) -> Vec3 {
-        let slide = self.slide(g);
-        let slide = vector::apply(g, &self.axes, slide);
-        vector::add(g, self.at, slide)
-    }
-
-    /// Puts the foot at a place of the ground that may move.
-    pub fn at_place(&mut self, place: &[Jet; 3]) {
-        self.at = [0, 1, 2].map(|k| place[k].value);
-        self.at_drift = [0, 1, 2].map(|k| place[k].drift);
-        self.at_bias = [0, 1, 2].map(|k| place[k].bias);
+    pub fn offset(self) -> On<'g, Vec3> {
+        self.g.on(self.bare.at) + self.bare.axes * self.slide()
     }
 }

@@ -17,6 +17,6 @@ pub use axes::matrix as place_axes;
 pub use bodies::consequences;
 pub use coordinates::{constant_axis, coordinates};
 pub use dynamics::dynamics;
-pub use kinematics::{Kinematics, axis_of};
+pub use kinematics::Kinematics;
 pub use tensor::Distribution;
 pub use trees::{absolute_operations, fewest_freedoms};

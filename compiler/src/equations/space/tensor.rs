@@ -1,8 +1,9 @@
 //! Distributions of mass: mass, first moments and inertia tensor about the origin of a link, in its axes.
 
 use super::links::{Link, Motion};
-use super::vector::{self, Mat3, Vec3};
-use crate::symbolic::{Graph, Node};
+use super::vector::{Mat3, Vec3, vector};
+use crate::symbolic::{Bare, Node, On, Scalar, Sheet};
+use std::ops::{Add, Mul};
 
 /// m, h = Σ m r, I = Σ m (r² 1 − r rᵀ) + J.
 #[derive(Clone, Copy, Debug)]
@@ -13,104 +14,147 @@ pub struct Distribution {
 }
 
 /// xx, yy, zz, xy, xz, yz.
-pub type Symmetric = [Node; 6];
+#[derive(Clone, Copy, Debug)]
+pub struct Symmetric(pub [Node; 6]);
 /// Row and column of each.
 pub const ENTRIES: [(usize, usize); 6] = [(0, 0), (1, 1), (2, 2), (0, 1), (0, 2), (1, 2)];
 
+impl Symmetric {
+    /// By its entries.
+    pub fn of<'g>(g: Sheet<'g>, entry: impl FnMut(usize) -> Scalar<'g>) -> On<'g, Symmetric> {
+        let entries = [0, 1, 2, 3, 4, 5].map(entry);
+        g.on(Symmetric(entries.map(|entry| entry.bare)))
+    }
+
+    pub fn matrix(self) -> Mat3 {
+        let [xx, yy, zz, xy, xz, yz] = self.0;
+        [[xx, xy, xz], [xy, yy, yz], [xz, yz, zz]]
+    }
+}
+
+impl<'g> On<'g, Symmetric> {
+    pub fn at(self, k: usize) -> Scalar<'g> {
+        self.g.on(self.bare.0[k])
+    }
+
+    pub fn parts(self) -> [Scalar<'g>; 6] {
+        self.bare.0.map(|part| self.g.on(part))
+    }
+
+    /// R I Rᵀ of a turn about z. With t = s (Ixx − Iyy) + 2 c Ixy:  Ixx′ = Ixx − s t, Iyy′ = Iyy + s t, Ixy′ = c t − Ixy.
+    pub fn turned_about_z(self, cos: Scalar<'g>, sin: Scalar<'g>) -> Self {
+        let [xx, yy, zz, xy, xz, yz] = self.parts();
+        let (difference, doubled) = (xx - yy, 2.0 * xy);
+        let t = sin * difference + cos * doubled;
+        let (st, ct) = (sin * t, cos * t);
+        let [xz, yz, _] = self.g.on([xz.bare, yz.bare, zz.bare]).turned_about_z(cos, sin).bare;
+        self.g.on(Symmetric([(xx - st).bare, (yy + st).bare, zz.bare, (ct - xy).bare, xz, yz]))
+    }
+
+    /// R I Rᵀ.
+    pub fn turned(self, matrix: Mat3) -> Self {
+        let half = self.g.on(matrix) * self.bare.matrix();
+        Symmetric::of(self.g, |k| {
+            let (i, j) = ENTRIES[k];
+            half.row(i).dot(matrix[j])
+        })
+    }
+}
+
+impl<'g, B: Bare<Symmetric>> Add<B> for On<'g, Symmetric> {
+    type Output = Self;
+    fn add(self, other: B) -> Self {
+        let other = other.bare();
+        Symmetric::of(self.g, |k| self.at(k) + other.0[k])
+    }
+}
+
+impl<'g> Mul<On<'g, Vec3>> for Symmetric {
+    type Output = On<'g, Vec3>;
+    fn mul(self, vector: On<'g, Vec3>) -> On<'g, Vec3> {
+        self.matrix() * vector
+    }
+}
+
 impl Distribution {
-    pub fn none(g: &mut Graph) -> Self {
-        let zero = g.constant(0.0);
-        Distribution { mass: zero, first: [zero; 3], inertia: [zero; 6] }
+    pub fn none(g: Sheet) -> Self {
+        let zero = g.zero().bare;
+        Distribution { mass: zero, first: [zero; 3], inertia: Symmetric([zero; 6]) }
     }
 
-    pub fn is_none(&self, g: &Graph) -> bool {
-        g.is_zero(self.mass) && vector::is_zero(g, self.first) && self.inertia.iter().all(|x| g.is_zero(*x))
+    pub fn is_none(&self, g: Sheet) -> bool {
+        let Symmetric(inertia) = self.inertia;
+        g.is_zero(self.mass) && g.on(self.first).is_zero() && inertia.iter().all(|x| g.is_zero(*x))
     }
+}
 
-    pub fn add(&self, g: &mut Graph, other: &Self) -> Self {
-        Distribution {
-            mass: g.add(self.mass, other.mass),
-            first: vector::add(g, self.first, other.first),
-            inertia: std::array::from_fn(|k| g.add(self.inertia[k], other.inertia[k])),
-        }
+impl<'g> On<'g, Distribution> {
+    pub fn mass(self) -> Scalar<'g> {
+        self.g.on(self.bare.mass)
+    }
+    pub fn first(self) -> On<'g, Vec3> {
+        self.g.on(self.bare.first)
+    }
+    pub fn inertia(self) -> On<'g, Symmetric> {
+        self.g.on(self.bare.inertia)
     }
 
     /// The same mass, about the point from which this origin lies at `d`:
     /// with k = h + ½ m d the tensor grows by 2 (d·k) 1 − d kᵀ − k dᵀ.
-    pub fn shifted(&self, g: &mut Graph, d: Vec3) -> Self {
-        if vector::is_zero(g, d) {
-            return *self;
+    pub fn shifted(self, d: On<'g, Vec3>) -> Self {
+        if d.is_zero() {
+            return self;
         }
-        let carried = vector::scale(g, self.mass, d);
-        let first = vector::add(g, self.first, carried);
+        let first = self.first() + self.mass() * d;
         // 2 k = h + (h + m d).
-        let twice = vector::add(g, self.first, first);
-        let square: Vec3 = std::array::from_fn(|k| g.mul(d[k], twice[k]));
-        let half = g.constant(0.5);
-        let mut inertia = self.inertia;
-        for k in 0..3 {
-            let both = g.add(square[(k + 1) % 3], square[(k + 2) % 3]);
-            inertia[k] = g.add(inertia[k], both);
-        }
-        for (at, (i, j)) in [(0, 1), (0, 2), (1, 2)].into_iter().enumerate() {
-            let (a, b) = (g.mul(d[i], twice[j]), g.mul(d[j], twice[i]));
-            let both = g.add(a, b);
-            let mixed = g.mul(half, both);
-            inertia[3 + at] = g.sub(inertia[3 + at], mixed);
-        }
-        Distribution { mass: self.mass, first, inertia }
+        let twice = self.first() + first;
+        let square = vector(|k| d.at(k) * twice.at(k));
+        let inertia = Symmetric::of(self.g, |k| {
+            let own = self.inertia().at(k);
+            let (i, j) = ENTRIES[k];
+            if i == j {
+                own + (square.at((k + 1) % 3) + square.at((k + 2) % 3))
+            } else {
+                own - 0.5 * (d.at(i) * twice.at(j) + d.at(j) * twice.at(i))
+            }
+        });
+        self.g.on(Distribution { mass: self.bare.mass, first: first.bare, inertia: inertia.bare })
     }
 
     /// In axes that `matrix` leads to: h′ = R h, I′ = R I Rᵀ.
-    pub fn turned(&self, g: &mut Graph, matrix: &Mat3) -> Self {
-        Distribution {
-            mass: self.mass,
-            first: vector::apply(g, matrix, self.first),
-            inertia: turned(g, matrix, self.inertia),
-        }
+    pub fn turned(self, matrix: Mat3) -> Self {
+        let first = matrix * self.first();
+        let inertia = self.inertia().turned(matrix);
+        self.g.on(Distribution { mass: self.bare.mass, first: first.bare, inertia: inertia.bare })
+    }
+
+    fn turned_about_z(self, cos: Scalar<'g>, sin: Scalar<'g>) -> Self {
+        let inertia = self.inertia().turned_about_z(cos, sin);
+        let first = self.first().turned_about_z(cos, sin);
+        self.g.on(Distribution { mass: self.bare.mass, first: first.bare, inertia: inertia.bare })
     }
 
     /// About the origin and in the axes of a link's parent.
-    pub fn in_parent(&self, g: &mut Graph, link: &Link) -> Self {
+    pub fn in_parent(self, link: &Link) -> Self {
+        let g = self.g;
         let moved = match &link.motion {
-            Motion::None => *self,
-            Motion::Slide { .. } => {
-                let slide = link.slide(g);
-                self.shifted(g, slide)
-            }
-            Motion::Turn { cos, sin, .. } => self.turned_about_z(g, *cos, *sin),
-            Motion::Ball { matrix, .. } => self.turned(g, matrix),
+            Motion::None => self,
+            Motion::Slide { .. } => self.shifted(g.on(link).slide()),
+            Motion::Turn { cos, sin, .. } => self.turned_about_z(g.on(*cos), g.on(*sin)),
+            Motion::Ball { matrix, .. } => self.turned(*matrix),
         };
-        let turned = moved.turned(g, &link.axes);
-        turned.shifted(g, link.at)
-    }
-
-    fn turned_about_z(&self, g: &mut Graph, cos: Node, sin: Node) -> Self {
-        let inertia = turned_about_z(g, cos, sin, self.inertia);
-        Distribution { mass: self.mass, first: vector::turn_z(g, cos, sin, self.first), inertia }
+        moved.turned(link.axes).shifted(g.on(link.at))
     }
 }
 
-/// I a.
-pub fn apply(g: &mut Graph, [xx, yy, zz, xy, xz, yz]: Symmetric, a: Vec3) -> Vec3 {
-    vector::apply(g, &[[xx, xy, xz], [xy, yy, yz], [xz, yz, zz]], a)
-}
-
-/// R I Rᵀ of a turn about z. With t = s (Ixx − Iyy) + 2 c Ixy:  Ixx′ = Ixx − s t, Iyy′ = Iyy + s t, Ixy′ = c t − Ixy.
-pub fn turned_about_z(g: &mut Graph, cos: Node, sin: Node, [xx, yy, zz, xy, xz, yz]: Symmetric) -> Symmetric {
-    let two = g.constant(2.0);
-    let difference = g.sub(xx, yy);
-    let doubled = g.mul(two, xy);
-    let (a, b) = (g.mul(sin, difference), g.mul(cos, doubled));
-    let t = g.add(a, b);
-    let (st, ct) = (g.mul(sin, t), g.mul(cos, t));
-    let [xz, yz, _] = vector::turn_z(g, cos, sin, [xz, yz, zz]);
-    [g.sub(xx, st), g.add(yy, st), zz, g.sub(ct, xy), xz, yz]
-}
-
-/// R I Rᵀ.
-pub fn turned(g: &mut Graph, matrix: &Mat3, [xx, yy, zz, xy, xz, yz]: Symmetric) -> Symmetric {
-    let tensor = [[xx, xy, xz], [xy, yy, yz], [xz, yz, zz]];
-    let half = vector::product(g, matrix, &tensor);
-    ENTRIES.map(|(i, j)| vector::dot(g, half[i], matrix[j]))
+impl<'g, B: Bare<Distribution>> Add<B> for On<'g, Distribution> {
+    type Output = Self;
+    fn add(self, other: B) -> Self {
+        let Distribution { mass, first, inertia } = other.bare();
+        self.g.on(Distribution {
+            mass: (self.mass() + mass).bare,
+            first: (self.first() + first).bare,
+            inertia: (self.inertia() + inertia).bare,
+        })
+    }
 }

@@ -6,7 +6,7 @@
 use super::joints;
 use crate::equations::couplings;
 use crate::equations::spanning_tree::{Attachment, SpanningTree};
-use crate::model::{BodyId, BodyKind, Frame, JointId, JointKind, Mechanism, Rotor};
+use crate::model::{BodyId, BodyKind, Frame, JointId, Mechanism, Rotor};
 use crate::solve::order::{Pattern, Strategy, order};
 use std::collections::BTreeSet;
 
@@ -33,7 +33,7 @@ pub fn fewest_freedoms(mechanism: &Mechanism) -> SpanningTree {
         let mut best: Option<(Key, JointId, BodyId, Frame)> = None;
         for (index, joint) in mechanism.joints.iter().enumerate() {
             let id = JointId(index);
-            if cut.contains(&id) || !carries(&joint.kind) {
+            if cut.contains(&id) || joints::of(joint.form).motions.is_none() {
                 continue;
             }
             for (near, far) in
@@ -43,7 +43,7 @@ pub fn fewest_freedoms(mechanism: &Mechanism) -> SpanningTree {
                 if depth[child.0].is_some() || is_particle(near) {
                     continue;
                 }
-                let key = (!counted.contains(&id), joints::freedoms(&joint.kind), from, index);
+                let key = (!counted.contains(&id), joint.form.freedoms, from, index);
                 if best.as_ref().is_none_or(|(known, ..)| key < *known) {
                     best = Some((key, id, child, near));
                 }
@@ -66,15 +66,6 @@ pub fn fewest_freedoms(mechanism: &Mechanism) -> SpanningTree {
     }
 }
 
-/// Whether a joint can carry a body: where five freedoms are left, or where its coordinates would not stay regular, a free
-/// body and rows are the better coordinates.
-fn carries(kind: &JointKind) -> bool {
-    !matches!(
-        kind,
-        JointKind::Distance { .. } | JointKind::ConstantVelocity { .. } | JointKind::PointOnPlane { .. }
-    )
-}
-
 fn counted(mechanism: &Mechanism) -> BTreeSet<JointId> {
     let rotors = couplings::multi_turn_rotors(mechanism).into_iter();
     let joints = rotors.filter_map(|rotor| match rotor {
@@ -93,15 +84,8 @@ pub fn absolute_operations(mechanism: &Mechanism) -> usize {
     let mut rows = 0;
     for joint in &mechanism.joints {
         // Components of a distance move with one linear velocity of each body and all angular ones; the rest is turned.
-        let components = match joint.kind {
-            JointKind::Fixed { .. }
-            | JointKind::Revolute { .. }
-            | JointKind::Universal { .. }
-            | JointKind::Spherical
-            | JointKind::ConstantVelocity { .. } => 3,
-            _ => 0,
-        };
-        for row in 0..6 - joints::freedoms(&joint.kind) {
+        let components = if joint.form.keeps_place { 3 } else { 0 };
+        for row in 0..6 - joint.form.freedoms {
             for frame in [joint.first.frame, joint.second.frame] {
                 let Frame::Body(body) = frame else { continue };
                 let linear = if row < components { row..row + 1 } else { 0..3 };

@@ -1,109 +1,205 @@
 //! Vectors and matrices of three components as nodes of the graph. Zeros and ones fold, so that what is aligned with an
 //! axis costs nothing.
 
-use crate::symbolic::{Graph, Node};
+use crate::symbolic::{Bare, Graph, Node, On, Scalar, Sheet};
+use std::ops::{Add, AddAssign, Mul, Neg, Sub};
 
 pub type Vec3 = [Node; 3];
 /// Rows.
 pub type Mat3 = [[Node; 3]; 3];
 
-pub fn zero(g: &mut Graph) -> Vec3 {
-    [g.constant(0.0); 3]
+pub fn zero(g: Sheet) -> On<Vec3> {
+    g.on([g.zero().bare; 3])
 }
 
 /// Unit vector along an axis.
-pub fn unit(g: &mut Graph, axis: usize) -> Vec3 {
-    std::array::from_fn(|k| g.constant(if k == axis { 1.0 } else { 0.0 }))
+pub fn unit(g: Sheet, axis: usize) -> On<Vec3> {
+    vector(|k| g.number(if k == axis { 1.0 } else { 0.0 }))
 }
 
-pub fn identity(g: &mut Graph) -> Mat3 {
-    [unit(g, 0), unit(g, 1), unit(g, 2)]
+pub fn identity(g: Sheet) -> On<Mat3> {
+    g.on([0, 1, 2].map(|k| unit(g, k).bare))
 }
 
-pub fn add(g: &mut Graph, a: Vec3, b: Vec3) -> Vec3 {
-    [g.add(a[0], b[0]), g.add(a[1], b[1]), g.add(a[2], b[2])]
-}
-
-pub fn sub(g: &mut Graph, a: Vec3, b: Vec3) -> Vec3 {
-    [g.sub(a[0], b[0]), g.sub(a[1], b[1]), g.sub(a[2], b[2])]
-}
-
-pub fn neg(g: &mut Graph, a: Vec3) -> Vec3 {
-    a.map(|x| g.neg(x))
-}
-
-pub fn scale(g: &mut Graph, factor: Node, a: Vec3) -> Vec3 {
-    a.map(|x| g.mul(factor, x))
-}
-
-pub fn dot(g: &mut Graph, a: Vec3, b: Vec3) -> Node {
-    let mut sum = None;
-    for k in 0..3 {
-        // Most of what is multiplied is aligned with an axis.
-        if g.is_zero(a[k]) || g.is_zero(b[k]) {
-            continue;
-        }
-        let product = g.mul(a[k], b[k]);
-        sum = Some(match sum {
-            Some(sum) => g.add(sum, product),
-            None => product,
-        });
-    }
-    sum.unwrap_or_else(|| g.constant(0.0))
-}
-
-pub fn cross(g: &mut Graph, a: Vec3, b: Vec3) -> Vec3 {
-    if is_zero(g, a) || is_zero(g, b) {
-        return zero(g);
-    }
-    std::array::from_fn(|k| {
-        let (i, j) = ((k + 1) % 3, (k + 2) % 3);
-        let (left, right) = (g.mul(a[i], b[j]), g.mul(a[j], b[i]));
-        g.sub(left, right)
-    })
-}
-
-/// m a.
-pub fn apply(g: &mut Graph, m: &Mat3, a: Vec3) -> Vec3 {
-    if is_zero(g, a) {
-        return a;
-    }
-    [dot(g, m[0], a), dot(g, m[1], a), dot(g, m[2], a)]
-}
-
-/// mᵀ a.
-pub fn apply_transposed(g: &mut Graph, m: &Mat3, a: Vec3) -> Vec3 {
-    let m = transposed(m);
-    apply(g, &m, a)
+/// By its components.
+pub fn vector<'g>(component: impl FnMut(usize) -> Scalar<'g>) -> On<'g, Vec3> {
+    let components = [0, 1, 2].map(component);
+    components[0].g.on(components.map(|component| component.bare))
 }
 
 pub fn transposed(m: &Mat3) -> Mat3 {
     std::array::from_fn(|i| std::array::from_fn(|j| m[j][i]))
 }
 
-/// a b.
-pub fn product(g: &mut Graph, a: &Mat3, b: &Mat3) -> Mat3 {
-    let columns = transposed(b).map(|column| apply(g, a, column));
-    transposed(&columns)
-}
-
-/// a bᵀ.
-pub fn product_transposed(g: &mut Graph, a: &Mat3, b: &Mat3) -> Mat3 {
-    let b = transposed(b);
-    product(g, a, &b)
-}
-
 pub fn column(m: &Mat3, k: usize) -> Vec3 {
     [m[0][k], m[1][k], m[2][k]]
 }
 
-pub fn is_zero(g: &Graph, a: Vec3) -> bool {
-    a.iter().all(|x| g.is_zero(*x))
+impl<'g> On<'g, Vec3> {
+    pub fn parts(self) -> [Scalar<'g>; 3] {
+        self.bare.map(|part| self.g.on(part))
+    }
+
+    /// A component.
+    pub fn at(self, k: usize) -> Scalar<'g> {
+        self.g.on(self.bare[k])
+    }
+
+    pub fn is_zero(self) -> bool {
+        is_zero(&self.g.graph(), self.bare)
+    }
+
+    pub fn dot(self, other: impl Bare<Vec3>) -> Scalar<'g> {
+        let node = dot(&mut self.g.graph(), self.bare, other.bare());
+        self.g.on(node)
+    }
+
+    pub fn cross(self, other: impl Bare<Vec3>) -> Self {
+        let (a, b) = (self, self.g.on(other.bare()));
+        if a.is_zero() || b.is_zero() {
+            return zero(self.g);
+        }
+        vector(|k| {
+            let (i, j) = ((k + 1) % 3, (k + 2) % 3);
+            a.at(i) * b.at(j) - a.at(j) * b.at(i)
+        })
+    }
+
+    /// Of length one.
+    pub fn normalized(self) -> Self {
+        let length = self.dot(self).sqrt();
+        vector(|k| self.at(k) / length)
+    }
+
+    /// Turned about z.
+    pub fn turned_about_z(self, cos: Scalar<'g>, sin: Scalar<'g>) -> Self {
+        let [x, y, z] = self.bare;
+        self.g.on([(cos * x - sin * y).bare, (sin * x + cos * y).bare, z])
+    }
 }
 
-/// Turned about z by (cos, sin).
-pub fn turn_z(g: &mut Graph, cos: Node, sin: Node, a: Vec3) -> Vec3 {
-    let (cx, sy) = (g.mul(cos, a[0]), g.mul(sin, a[1]));
-    let (sx, cy) = (g.mul(sin, a[0]), g.mul(cos, a[1]));
-    [g.sub(cx, sy), g.add(sx, cy), a[2]]
+/// Most of what is multiplied is aligned with an axis.
+fn dot(g: &mut Graph, a: Vec3, b: Vec3) -> Node {
+    let mut sum = None;
+    for k in 0..3 {
+        if g.is_zero(a[k]) || g.is_zero(b[k]) {
+            continue;
+        }
+        let product = g.mul(a[k], b[k]);
+        sum = Some(sum.map_or(product, |sum| g.add(sum, product)));
+    }
+    sum.unwrap_or_else(|| g.constant(0.0))
+}
+
+fn is_zero(g: &Graph, a: Vec3) -> bool {
+    a.iter().all(|part| g.is_zero(*part))
+}
+
+fn apply(g: &mut Graph, m: &Mat3, a: Vec3) -> Vec3 {
+    if is_zero(g, a) { a } else { m.map(|row| dot(g, row, a)) }
+}
+
+impl<'g> On<'g, Mat3> {
+    pub fn row(self, k: usize) -> On<'g, Vec3> {
+        self.g.on(self.bare[k])
+    }
+
+    pub fn column(self, k: usize) -> On<'g, Vec3> {
+        self.g.on(column(&self.bare, k))
+    }
+
+    pub fn transposed(self) -> Self {
+        self.g.on(transposed(&self.bare))
+    }
+
+    pub fn map_rows(self, f: impl Fn(On<'g, Vec3>) -> On<'g, Vec3>) -> Self {
+        self.g.on(self.bare.map(|row| f(self.g.on(row)).bare))
+    }
+
+    pub fn map_columns(self, f: impl Fn(On<'g, Vec3>) -> On<'g, Vec3>) -> Self {
+        self.transposed().map_rows(f).transposed()
+    }
+}
+
+impl<'g, B: Bare<Vec3>> Add<B> for On<'g, Vec3> {
+    type Output = Self;
+    fn add(self, other: B) -> Self {
+        let (a, b, mut g) = (self.bare, other.bare(), self.g.graph());
+        self.g.on([0, 1, 2].map(|k| g.add(a[k], b[k])))
+    }
+}
+
+impl<'g, B: Bare<Vec3>> Sub<B> for On<'g, Vec3> {
+    type Output = Self;
+    fn sub(self, other: B) -> Self {
+        let (a, b, mut g) = (self.bare, other.bare(), self.g.graph());
+        self.g.on([0, 1, 2].map(|k| g.sub(a[k], b[k])))
+    }
+}
+
+impl<'g, B: Bare<Vec3>> AddAssign<B> for On<'g, Vec3> {
+    fn add_assign(&mut self, other: B) {
+        *self = *self + other;
+    }
+}
+
+impl<'g> Neg for On<'g, Vec3> {
+    type Output = Self;
+    fn neg(self) -> Self {
+        let mut g = self.g.graph();
+        self.g.on(self.bare.map(|part| g.neg(part)))
+    }
+}
+
+impl<'g> Mul<Vec3> for Scalar<'g> {
+    type Output = On<'g, Vec3>;
+    fn mul(self, vector: Vec3) -> On<'g, Vec3> {
+        let mut g = self.g.graph();
+        self.g.on(vector.map(|part| g.mul(self.bare, part)))
+    }
+}
+
+impl<'g> Mul<On<'g, Vec3>> for Scalar<'g> {
+    type Output = On<'g, Vec3>;
+    fn mul(self, vector: On<'g, Vec3>) -> On<'g, Vec3> {
+        self * vector.bare
+    }
+}
+
+impl<'g> Mul<On<'g, Vec3>> for f64 {
+    type Output = On<'g, Vec3>;
+    fn mul(self, vector: On<'g, Vec3>) -> On<'g, Vec3> {
+        vector.g.number(self) * vector.bare
+    }
+}
+
+impl<'g> Mul<On<'g, Vec3>> for Mat3 {
+    type Output = On<'g, Vec3>;
+    fn mul(self, vector: On<'g, Vec3>) -> On<'g, Vec3> {
+        let product = apply(&mut vector.g.graph(), &self, vector.bare);
+        vector.g.on(product)
+    }
+}
+
+impl<'g> Mul<On<'g, Vec3>> for On<'g, Mat3> {
+    type Output = On<'g, Vec3>;
+    fn mul(self, vector: On<'g, Vec3>) -> On<'g, Vec3> {
+        self.bare * vector
+    }
+}
+
+impl<'g> Mul<Vec3> for On<'g, Mat3> {
+    type Output = On<'g, Vec3>;
+    fn mul(self, vector: Vec3) -> On<'g, Vec3> {
+        self.bare * self.g.on(vector)
+    }
+}
+
+impl<'g, B: Bare<Mat3>> Mul<B> for On<'g, Mat3> {
+    type Output = On<'g, Mat3>;
+    fn mul(self, other: B) -> On<'g, Mat3> {
+        let mut g = self.g.graph();
+        let columns = transposed(&other.bare()).map(|column| apply(&mut g, &self.bare, column));
+        self.g.on(transposed(&columns))
+    }
 }

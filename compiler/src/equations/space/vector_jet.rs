@@ -7,10 +7,11 @@
 
 use super::kinematics::Kinematics;
 use super::links::{GROUND, Link, LinkId};
-use super::vector::{self, Vec3};
-use crate::equations::Jet;
-use crate::symbolic::{Graph, Node};
+use super::vector::{self, Mat3, Vec3};
+use crate::equations::jet::{Jet, Moving};
+use crate::symbolic::{Bare, On, Sheet};
 use std::collections::BTreeMap;
+use std::ops::{Add, Sub};
 
 #[derive(Clone, Debug)]
 pub struct VectorJet {
@@ -35,173 +36,212 @@ pub enum Kind {
 }
 
 impl VectorJet {
-    pub fn fixed(g: &mut Graph, value: Vec3) -> Self {
-        let zero = vector::zero(g);
-        VectorJet { value, columns: BTreeMap::new(), rate: zero, drift: zero, bias: zero }
+    pub fn fixed(value: On<Vec3>) -> Self {
+        let zero = vector::zero(value.g).bare;
+        VectorJet { value: value.bare, columns: BTreeMap::new(), rate: zero, drift: zero, bias: zero }
     }
 
     /// A place of the ground, which moves with time only.
-    pub fn of_time(place: &[Jet; 3]) -> Self {
-        let drift = [0, 1, 2].map(|k| place[k].drift);
+    pub fn of_time(place: &[Moving; 3]) -> Self {
+        let drift = [0, 1, 2].map(|k| place[k].jet.drift);
         VectorJet {
-            value: [0, 1, 2].map(|k| place[k].value),
+            value: [0, 1, 2].map(|k| place[k].jet.value),
             columns: BTreeMap::new(),
             rate: drift,
             drift,
-            bias: [0, 1, 2].map(|k| place[k].bias),
+            bias: [0, 1, 2].map(|k| place[k].jet.bias),
         }
     }
 
-    fn map(&self, g: &mut Graph, f: impl Fn(&mut Graph, Vec3) -> Vec3) -> Self {
-        let columns = self.columns.iter().map(|(k, column)| (*k, f(g, *column))).collect();
+    /// A linear function of the vector.
+    fn map<'g>(&self, g: Sheet<'g>, f: impl Fn(On<'g, Vec3>) -> On<'g, Vec3>) -> Self {
+        let f = |x: Vec3| f(g.on(x)).bare;
+        let columns = self.columns.iter().map(|(k, column)| (*k, f(*column))).collect();
         VectorJet {
-            value: f(g, self.value),
+            value: f(self.value),
             columns,
-            rate: f(g, self.rate),
-            drift: f(g, self.drift),
-            bias: f(g, self.bias),
+            rate: f(self.rate),
+            drift: f(self.drift),
+            bias: f(self.bias),
         }
+    }
+}
+
+impl<'g> Moving<'g, VectorJet> {
+    pub fn value(&self) -> On<'g, Vec3> {
+        self.g.on(self.jet.value)
+    }
+    pub fn rate(&self) -> On<'g, Vec3> {
+        self.g.on(self.jet.rate)
+    }
+    pub fn bias(&self) -> On<'g, Vec3> {
+        self.g.on(self.jet.bias)
+    }
+    pub fn column(&self, velocity: usize) -> On<'g, Vec3> {
+        match self.jet.columns.get(&velocity) {
+            Some(column) => self.g.on(*column),
+            None => vector::zero(self.g),
+        }
+    }
+
+    fn of<J>(&self, jet: J) -> Moving<'g, J> {
+        Moving { g: self.g, velocities: self.velocities, jet }
+    }
+
+    fn map(&self, f: impl Fn(On<'g, Vec3>) -> On<'g, Vec3>) -> Self {
+        self.of(self.jet.map(self.g, f))
     }
 
     /// Constant components along other axes, as the rows of a matrix.
-    pub fn along(&self, g: &mut Graph, axes: &vector::Mat3) -> Self {
-        self.map(g, |g, x| vector::apply(g, axes, x))
-    }
-
-    pub fn sub(&self, g: &mut Graph, other: &VectorJet) -> VectorJet {
-        let mut columns = self.columns.clone();
-        for (k, column) in &other.columns {
-            let own = columns.get(k).copied().unwrap_or(vector::zero(g));
-            columns.insert(*k, vector::sub(g, own, *column));
-        }
-        VectorJet {
-            value: vector::sub(g, self.value, other.value),
-            columns,
-            rate: vector::sub(g, self.rate, other.rate),
-            drift: vector::sub(g, self.drift, other.drift),
-            bias: vector::sub(g, self.bias, other.bias),
-        }
+    pub fn along(&self, axes: Mat3) -> Self {
+        self.map(|x| axes * x)
     }
 
     /// u·x with u constant.
-    pub fn project(&self, g: &mut Graph, u: Vec3) -> Jet {
+    pub fn project(&self, u: impl Bare<Vec3>) -> Moving<'g> {
+        let u = self.g.on(u.bare());
         let mut columns = BTreeMap::new();
-        for (k, column) in &self.columns {
-            let entry = vector::dot(g, u, *column);
-            if !g.is_zero(entry) {
-                columns.insert(*k, entry);
+        for (k, column) in &self.jet.columns {
+            let entry = u.dot(*column);
+            if !entry.is_zero() {
+                columns.insert(*k, entry.bare);
             }
         }
-        Jet {
-            value: vector::dot(g, u, self.value),
+        self.of(Jet {
+            value: u.dot(self.jet.value).bare,
             columns,
-            drift: vector::dot(g, u, self.drift),
-            bias: vector::dot(g, u, self.bias),
-            known_rate: Some(vector::dot(g, u, self.rate)),
-        }
-    }
-
-    /// The three components.
-    pub fn components(&self, g: &mut Graph) -> [Jet; 3] {
-        [0, 1, 2].map(|axis| {
-            let u = vector::unit(g, axis);
-            self.project(g, u)
+            drift: u.dot(self.jet.drift).bare,
+            bias: u.dot(self.jet.bias).bare,
+            known_rate: Some(u.dot(self.jet.rate).bare),
         })
     }
 
+    /// The three components.
+    pub fn components(&self) -> [Moving<'g>; 3] {
+        [0, 1, 2].map(|axis| self.project(vector::unit(self.g, axis)))
+    }
+
     /// From the axes of a link to those of its parent.
-    fn up(&self, g: &mut Graph, link: &Link, v: &[Node], kind: Kind) -> Self {
-        let mut jet = self.clone();
-        let (omega, turning) = (link.omega(g, v), link.turning(g));
+    fn up(&self, link: On<'g, &Link>, kind: Kind) -> Self {
+        let mut seen = self.clone();
+        let (omega, turning) = (link.omega(self.velocities), link.turning());
         if !turning.is_empty() {
             for (velocity, axis) in turning {
-                let own = jet.columns.get(&velocity).copied().unwrap_or(vector::zero(g));
-                let turned = vector::cross(g, axis, self.value);
-                jet.columns.insert(velocity, vector::add(g, own, turned));
+                let column = self.column(velocity) + axis.cross(self.value());
+                seen.jet.columns.insert(velocity, column.bare);
             }
-            let swept = vector::cross(g, omega, self.value);
-            let two = g.constant(2.0);
-            let doubled = vector::scale(g, two, self.rate);
-            let inner = vector::add(g, doubled, swept);
-            let outer = vector::cross(g, omega, inner);
-            jet.bias = vector::add(g, jet.bias, outer);
-            jet.rate = vector::add(g, jet.rate, swept);
-            jet = jet.map(g, |g, x| link.turn(g, x));
+            let swept = omega.cross(self.value());
+            seen.jet.bias = (self.bias() + omega.cross(2.0 * self.rate() + swept)).bare;
+            seen.jet.rate = (self.rate() + swept).bare;
+            seen = seen.map(|x| link.turn(x));
         }
-        if let (Kind::Point, Some((velocity, axis))) = (kind, link.sliding(g)) {
-            let slide = link.slide(g);
-            jet.value = vector::add(g, jet.value, slide);
-            let own = jet.columns.get(&velocity).copied().unwrap_or(vector::zero(g));
-            jet.columns.insert(velocity, vector::add(g, own, axis));
-            let speed = vector::scale(g, v[velocity], axis);
-            jet.rate = vector::add(g, jet.rate, speed);
+        if let (Kind::Point, Some(slide)) = (kind, self.slide(link)) {
+            seen = seen + slide;
         }
-        jet = jet.map(g, |g, x| vector::apply(g, &link.axes, x));
-        if kind == Kind::Point {
-            jet.value = vector::add(g, jet.value, link.at);
-            jet.rate = vector::add(g, jet.rate, link.at_drift);
-            jet.drift = vector::add(g, jet.drift, link.at_drift);
-            jet.bias = vector::add(g, jet.bias, link.at_bias);
-        }
-        jet
+        seen = seen.map(|x| link.bare.axes * x);
+        if kind == Kind::Point { seen + self.foot(link) } else { seen }
     }
 
     /// From the axes of a link's parent to its own.
-    fn down(&self, g: &mut Graph, link: &Link, v: &[Node], kind: Kind) -> Self {
-        let mut jet = self.clone();
-        if kind == Kind::Point {
-            jet.value = vector::sub(g, jet.value, link.at);
-            jet.rate = vector::sub(g, jet.rate, link.at_drift);
-            jet.drift = vector::sub(g, jet.drift, link.at_drift);
-            jet.bias = vector::sub(g, jet.bias, link.at_bias);
+    fn down(&self, link: On<'g, &Link>, kind: Kind) -> Self {
+        let seen = self.clone();
+        let seen = if kind == Kind::Point { seen - self.foot(link) } else { seen };
+        let axes = vector::transposed(&link.bare.axes);
+        let mut seen = seen.map(|x| axes * x);
+        if let (Kind::Point, Some(slide)) = (kind, self.slide(link)) {
+            seen = seen - slide;
         }
-        jet = jet.map(g, |g, x| vector::apply_transposed(g, &link.axes, x));
-        if let (Kind::Point, Some((velocity, axis))) = (kind, link.sliding(g)) {
-            let slide = link.slide(g);
-            jet.value = vector::sub(g, jet.value, slide);
-            let own = jet.columns.get(&velocity).copied().unwrap_or(vector::zero(g));
-            jet.columns.insert(velocity, vector::sub(g, own, axis));
-            let speed = vector::scale(g, v[velocity], axis);
-            jet.rate = vector::sub(g, jet.rate, speed);
-        }
-        let (omega, turning) = (link.omega(g, v), link.turning(g));
+        let (omega, turning) = (link.omega(self.velocities), link.turning());
         if !turning.is_empty() {
-            jet = jet.map(g, |g, x| link.turn_back(g, x));
-            let swept = vector::cross(g, omega, jet.value);
+            seen = seen.map(|x| link.turn_back(x));
+            let swept = omega.cross(seen.value());
             // u̇, then 2 ω × u̇ + ω × (ω × u) = ω × (2 u̇ + ω × u)
-            jet.rate = vector::sub(g, jet.rate, swept);
-            let two = g.constant(2.0);
-            let doubled = vector::scale(g, two, jet.rate);
-            let inner = vector::add(g, doubled, swept);
-            let outer = vector::cross(g, omega, inner);
-            jet.bias = vector::sub(g, jet.bias, outer);
+            let rate = seen.rate() - swept;
+            seen.jet.bias = (seen.bias() - omega.cross(2.0 * rate + swept)).bare;
+            seen.jet.rate = rate.bare;
             for (velocity, axis) in turning {
-                let own = jet.columns.get(&velocity).copied().unwrap_or(vector::zero(g));
-                let turned = vector::cross(g, axis, jet.value);
-                jet.columns.insert(velocity, vector::sub(g, own, turned));
+                let column = seen.column(velocity) - axis.cross(seen.value());
+                seen.jet.columns.insert(velocity, column.bare);
             }
         }
-        jet
+        seen
+    }
+
+    /// `at` of a link in motion.
+    fn foot(&self, link: On<'g, &Link>) -> Self {
+        let Link { at, at_drift, at_bias, .. } = *link.bare;
+        self.of(VectorJet {
+            value: at,
+            columns: BTreeMap::new(),
+            rate: at_drift,
+            drift: at_drift,
+            bias: at_bias,
+        })
+    }
+
+    /// The slide of a link in motion, in its own axes.
+    fn slide(&self, link: On<'g, &Link>) -> Option<Self> {
+        let (velocity, axis) = link.sliding()?;
+        let rate = self.g.on(self.velocities[velocity]) * axis;
+        let fixed = VectorJet::fixed(link.slide());
+        Some(self.of(VectorJet {
+            columns: BTreeMap::from([(velocity, axis.bare)]),
+            rate: rate.bare,
+            ..fixed
+        }))
+    }
+
+    fn combine(&self, other: &Self, join: fn(On<'g, Vec3>, Vec3) -> On<'g, Vec3>) -> Self {
+        let mut columns = self.jet.columns.clone();
+        for (k, column) in &other.jet.columns {
+            columns.insert(*k, join(self.column(*k), *column).bare);
+        }
+        let join = |a: Vec3, b: Vec3| join(self.g.on(a), b).bare;
+        let (a, b) = (&self.jet, &other.jet);
+        self.of(VectorJet {
+            value: join(a.value, b.value),
+            columns,
+            rate: join(a.rate, b.rate),
+            drift: join(a.drift, b.drift),
+            bias: join(a.bias, b.bias),
+        })
+    }
+}
+
+impl Add for Moving<'_, VectorJet> {
+    type Output = Self;
+    fn add(self, other: Self) -> Self {
+        self.combine(&other, |a, b| a + b)
+    }
+}
+
+impl Sub for Moving<'_, VectorJet> {
+    type Output = Self;
+    fn sub(self, other: Self) -> Self {
+        self.combine(&other, |a, b| a - b)
+    }
+}
+
+impl<'g> On<'g, &'g Kinematics> {
+    /// A vector given in the axes of `from`, as seen from `to`.
+    pub fn carry(self, jet: VectorJet, from: LinkId, to: LinkId, kind: Kind) -> Moving<'g, VectorJet> {
+        let link = |at: LinkId| self.g.on(&self.bare.links[at]);
+        let below = self.bare.ancestors(to);
+        let mut seen = self.moving(&self.bare.velocities, jet);
+        let mut at = from;
+        while !below.contains(&at) {
+            seen = seen.up(link(at), kind);
+            at = self.bare.links[at].parent;
+        }
+        let meeting = below.iter().position(|link| *link == at).unwrap_or(0);
+        for at in below[..meeting].iter().rev() {
+            seen = seen.down(link(*at), kind);
+        }
+        seen
     }
 }
 
 impl Kinematics {
-    /// A vector given in the axes of `from`, as seen from `to`.
-    pub fn carry(&self, g: &mut Graph, jet: VectorJet, from: LinkId, to: LinkId, kind: Kind) -> VectorJet {
-        let below = self.ancestors(to);
-        let mut jet = jet;
-        let mut at = from;
-        while !below.contains(&at) {
-            jet = jet.up(g, &self.links[at], &self.velocities, kind);
-            at = self.links[at].parent;
-        }
-        let meeting = below.iter().position(|link| *link == at).unwrap_or(0);
-        for link in below[..meeting].iter().rev() {
-            jet = jet.down(g, &self.links[*link], &self.velocities, kind);
-        }
-        jet
-    }
-
     /// A link, its parent, and so on to the ground.
     pub fn ancestors(&self, link: LinkId) -> Vec<LinkId> {
         let mut path = vec![link];

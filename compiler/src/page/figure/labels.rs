@@ -1,8 +1,8 @@
 //! Names beside what they name: each takes the free place nearest to it, and one that finds none is left out.
 
-use super::canvas::{ACCENT, PAPER, escaped, number};
-use super::shapes::away;
-use super::view::Spot;
+use crate::drawing::canvas::{ACCENT, PAPER, escaped, number};
+use crate::drawing::shapes::away;
+use crate::drawing::view::Spot;
 use std::fmt::Write;
 
 /// Of what the name is.

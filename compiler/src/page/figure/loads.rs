@@ -1,12 +1,12 @@
 //! Loads, and the pitch circles of gears: arrows, zigzags, dashpots, spirals.
 
-use super::canvas::{Group, Pen};
 use super::labels::Kind;
-use super::shapes::{away, circle, ground_line, heading, middle, ring, shifted};
-use super::view::Spot;
 use super::{Drawing, JOINTS, LOADS};
+use crate::drawing::canvas::{Group, Pen};
+use crate::drawing::shapes::{away, circle, ground_line, heading, middle, ring, shifted};
+use crate::drawing::vector::Point;
+use crate::drawing::view::Spot;
 use crate::page::sketch::{Effort, EffortKind, Wheel};
-use crate::page::vector::Point;
 
 const LINE: f64 = 1.4;
 

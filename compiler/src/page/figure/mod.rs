@@ -1,24 +1,22 @@
 //! The drawing of a mechanism at its start, as SVG: in the plane to scale, in space along a fixed direction.
 
-mod canvas;
 mod labels;
 mod loads;
 mod parts;
 mod plane;
-mod shapes;
 mod space;
-mod view;
 
-pub use canvas::{escaped, number};
+pub use crate::drawing::canvas::{escaped, number};
 
 use super::sketch::{EffortKind, Sketch};
-use super::vector::{Point, along, sum};
-use crate::model::{Frame, JointWord, Space};
-use canvas::{Group, Pen};
+use crate::drawing::canvas::{Group, Pen};
+use crate::drawing::shapes::{self, away, heading, shifted};
+use crate::drawing::vector::{Point, along, sum};
+use crate::drawing::view::{Spot, View};
+use crate::forms::Spans;
+use crate::model::{Frame, Space};
 use labels::{Area, Kind, Label};
-use shapes::{away, heading, shifted};
 use std::fmt::Write;
-use view::{Spot, View};
 
 /// Layers, from the back to the front.
 const SHAPES: usize = 0;
@@ -72,11 +70,11 @@ pub fn figure(name: &str, sketch: &Sketch) -> Figure {
 /// Every point that must be in the picture.
 fn extent(sketch: &Sketch) -> Vec<Point> {
     let of_parts = sketch.parts.iter().flat_map(parts::extent);
-    let of_joints = sketch.hinges.iter().flat_map(|hinge| match hinge.kind {
-        JointWord::PointOnLine => vec![hinge.first, hinge.second, sum(hinge.first, hinge.axis)],
+    let of_joints = sketch.hinges.iter().flat_map(|hinge| match hinge.form.spans {
+        Spans::Line => vec![hinge.first, hinge.second, sum(hinge.first, hinge.axis)],
         // A rail of the ground is drawn as far as it is used.
-        JointWord::Prismatic if hinge.first_on == Frame::Ground => vec![hinge.second],
-        _ => vec![hinge.first, hinge.second],
+        Spans::Rail if hinge.form.is_block() && hinge.first_on == Frame::Ground => vec![hinge.second],
+        Spans::Nothing | Spans::Rod | Spans::Rail => vec![hinge.first, hinge.second],
     });
     let of_wheels = sketch.wheels.iter().flat_map(|wheel| {
         let [u, v] = shapes::across(wheel.about);

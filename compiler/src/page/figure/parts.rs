@@ -1,13 +1,13 @@
 //! Bodies: the shape that was declared, and bars and plates between the places where something acts on them.
 
-use super::canvas::{Group, Pen};
 use super::labels::Kind;
-use super::shapes::{THIN, away, block, circle, heading, hull, middle, plate, rectangle};
-use super::view::Spot;
 use super::{BODIES, Drawing, SHAPES};
+use crate::drawing::canvas::{Group, Pen};
+use crate::drawing::shapes::{THIN, away, block, circle, heading, hull, middle, plate, rectangle};
+use crate::drawing::vector::{Point, along, difference, dot, length};
+use crate::drawing::view::Spot;
 use crate::model::{Shape, Space};
 use crate::page::sketch::Part;
-use crate::page::vector::{Point, along, difference, dot, length};
 
 pub fn part(drawing: &mut Drawing, part: &Part) {
     let view = &drawing.view;

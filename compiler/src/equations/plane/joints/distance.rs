@@ -1,27 +1,65 @@
 //! Distance (massless rod with two pins): (Δ·Δ − L²)/2 = 0, polynomial, with multiplier force/length.
 
-use super::{Ends, JointRow, Wrench};
+use super::{Ends, JointRow, PlanarJoint, Wrench};
+use crate::drawing::canvas::Pen;
+use crate::drawing::plane::Symbol;
+use crate::drawing::shapes::{THIN, plate};
 use crate::equations::laws::Laws;
-use crate::model::Expr;
-use crate::symbolic::{Graph, Node};
+use crate::forms::{Alone, Argument, Form, JointAxes, JointForm, Need, OfParticle, PLACES, Spans};
+use crate::messages;
+use crate::model::Frame;
+use crate::symbolic::Scalar;
+use crate::units::Dimension;
 
-pub fn rows(g: &mut Graph, laws: &Laws, ends: &Ends, length: &Expr) -> Vec<JointRow> {
-    let kinematics = laws.plane();
-    let [x, y] = kinematics.world(g, &ends.delta);
-    let length = laws.jet(g, length);
-    let half = g.constant(0.5);
-    let square = |g: &mut Graph, jet: &super::Jet| jet.mul(g, jet, &kinematics.velocities).scale(g, half);
-    let (xx, yy, ll) = (square(g, &x), square(g, &y), square(g, &length));
-    let sum = xx.add(g, &yy).sub(g, &ll);
-    vec![JointRow::new("distance", sum)]
+pub static JOINT: PlanarJoint = PlanarJoint {
+    form: JointForm {
+        call: Form {
+            word: "distance",
+            elsewhere: &[],
+            positional: PLACES,
+            named: &[Argument::moving("length", Need::Always, Dimension::LENGTH).positive()],
+        },
+        holds: "the distance, which may depend on time",
+        angles: &[],
+        travels: &[],
+        freedoms: 2,
+        keeps_place: false,
+        keeps_orientation: false,
+        axes: JointAxes::None,
+        spans: Spans::Rod,
+        of_particle: OfParticle::Any,
+        alone: Alone::Otherwise,
+        freer: &[],
+        refuses: Some(|given| {
+            let length = given.scalars.first().copied().flatten()?;
+            (length <= 0.0).then(|| ("length", messages::distance_not_positive(given.name)))
+        }),
+    },
+    rows,
+    attach: None,
+    reaction,
+    symbol,
+};
+
+pub fn rows(laws: &Laws, ends: &Ends) -> Vec<JointRow> {
+    let [x, y] = ends.in_world(laws);
+    let length = laws.jet(ends.joint.scalar(0));
+    let (xx, yy, ll) = (0.5 * (&x * &x), 0.5 * (&y * &y), 0.5 * (&length * &length));
+    vec![JointRow::new("distance", xx + yy - ll)]
 }
 
 /// −Dᵀλ with ∂Φ/∂p₂ = Δ: force −λ Δ at the second place.
-pub fn reaction(g: &mut Graph, laws: &Laws, ends: &Ends, lambda: &[Node]) -> Wrench {
-    let [x, y] = laws.plane().world(g, &ends.delta);
-    let force = [x.value, y.value].map(|component| {
-        let product = g.mul(component, lambda[0]);
-        g.neg(product)
-    });
-    [force[0], force[1], g.constant(0.0)]
+pub fn reaction<'g>(laws: &Laws<'g>, ends: &Ends<'g>, lambda: &[Scalar<'g>]) -> Wrench<'g> {
+    let [x, y] = ends.in_world(laws).map(|component| -(component.value() * lambda[0]));
+    [x, y, laws.g.zero()]
+}
+
+fn symbol(s: &mut Symbol) {
+    plate(&mut s.before, &[s.first, s.second], 0.45 * s.unit);
+    for (at, on) in [(s.first, s.hinge.first_on), (s.second, s.hinge.second_on)] {
+        if on == Frame::Ground {
+            s.pin_support(at);
+        }
+        s.before.circle(at, 0.8 * s.unit, Pen::Outline(THIN));
+    }
 }

@@ -1,39 +1,74 @@
 //! Fixed (bracket): p₁ − p₂ = 0 and sin(θ₂ − θ₁ − angle) = 0 on its upright root.
 
-use super::{Carried, Ends, JointRow, Wrench, revolute};
+use super::{Carried, Ends, JointRow, PlanarJoint, Wrench, revolute};
+use crate::drawing::canvas::Pen;
+use crate::drawing::plane::Symbol;
+use crate::drawing::shapes::rectangle;
 use crate::equations::laws::Laws;
 use crate::equations::plane::kinematics::Placement;
-use crate::model::Expr;
-use crate::symbolic::{Graph, Node};
+use crate::forms::{Alone, Argument, Form, Freer, JointAxes, JointForm, Need, OfParticle, PLACES, Spans};
+use crate::symbolic::Scalar;
+use crate::units::Dimension;
 
-pub fn rows(g: &mut Graph, laws: &Laws, ends: &Ends, angle: &Expr) -> Vec<JointRow> {
-    let mut rows = revolute::rows(g, laws, ends);
-    rows.push(direction_row(g, laws, ends, angle));
+pub static JOINT: PlanarJoint = PlanarJoint {
+    form: JointForm {
+        call: Form {
+            word: "fixed",
+            elsewhere: &["weld", "rigid"],
+            positional: PLACES,
+            named: &[Argument::scalar("angle", Need::Never, Dimension::ANGLE)],
+        },
+        holds: "position and orientation",
+        angles: &[],
+        travels: &[],
+        freedoms: 0,
+        keeps_place: true,
+        keeps_orientation: true,
+        axes: JointAxes::None,
+        spans: Spans::Nothing,
+        of_particle: OfParticle::Neither,
+        alone: Alone::Otherwise,
+        freer: &[Freer { turns: 1, shifts: 0, joint: "revolute" }],
+        refuses: None,
+    },
+    rows,
+    attach: Some(attach),
+    reaction,
+    symbol,
+};
+
+pub fn rows(laws: &Laws, ends: &Ends) -> Vec<JointRow> {
+    let mut rows = revolute::rows(laws, ends);
+    rows.push(direction_row(laws, ends));
     rows
 }
 
-pub fn attach(g: &mut Graph, laws: &Laws, carried: Carried, angle: &Expr) -> Placement {
-    let pair = laws.pair(g, angle);
-    let offset = carried.kept(g, pair);
+pub fn attach<'g>(laws: &Laws<'g>, carried: Carried<'g>) -> Placement {
+    let offset = carried.kept(laws.pair(carried.joint.scalar(0)));
     let pivot = carried.pivot.clone();
-    carried.at(g, &pivot, offset)
+    carried.at(pivot, offset)
 }
 
-pub fn reaction(g: &mut Graph, laws: &Laws, ends: &Ends, angle: &Expr, lambda: &[Node]) -> Wrench {
-    [lambda[0], lambda[1], direction_torque(g, laws, ends, angle, lambda[2])]
+pub fn reaction<'g>(laws: &Laws<'g>, ends: &Ends<'g>, lambda: &[Scalar<'g>]) -> Wrench<'g> {
+    [lambda[0], lambda[1], direction_torque(laws, ends, lambda[2])]
 }
 
 /// sin(θ₂ − θ₁ − angle), shared with the prismatic joint.
-pub fn direction_row(g: &mut Graph, laws: &Laws, ends: &Ends, angle: &Expr) -> JointRow {
-    let pair = laws.pair(g, angle);
-    let (sine, cosine) = laws.plane().sine_jet(g, laws, ends.first, ends.second, pair);
-    JointRow { upright: Some(cosine), ..JointRow::new("angle", sine) }
+pub fn direction_row(laws: &Laws, ends: &Ends) -> JointRow {
+    let (sine, cosine) =
+        laws.plane().sine_jet(laws, ends.first, ends.second, laws.pair(ends.joint.scalar(0)));
+    JointRow::upright("angle", sine, cosine)
 }
 
 /// Torque on the second from the multiplier of [`direction_row`]: −cos(Δθ) λ.
-pub fn direction_torque(g: &mut Graph, laws: &Laws, ends: &Ends, angle: &Expr, lambda: Node) -> Node {
-    let pair = laws.pair(g, angle);
-    let (_, cosine) = laws.plane().sine_jet(g, laws, ends.first, ends.second, pair);
-    let torque = g.mul(cosine, lambda);
-    g.neg(torque)
+pub fn direction_torque<'g>(laws: &Laws<'g>, ends: &Ends<'g>, lambda: Scalar<'g>) -> Scalar<'g> {
+    let (_, cosine) = laws.plane().sine_jet(laws, ends.first, ends.second, laws.pair(ends.joint.scalar(0)));
+    -(cosine * lambda)
+}
+
+fn symbol(s: &mut Symbol) {
+    if s.hinge.is_grounded() {
+        s.floor();
+    }
+    s.before.path(&rectangle(s.second, [1.0, 0.0], 1.2 * s.unit, 1.2 * s.unit), true, Pen::Solid);
 }

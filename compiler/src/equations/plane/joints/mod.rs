@@ -11,55 +11,53 @@ mod prismatic;
 mod revolute;
 
 use super::angles::ground;
-use super::kinematics::{FrameId, GROUND, LocalVector, Placement, Position, inverse, rotate};
+use super::kinematics::{FrameId, GROUND, LocalVector, Placement, Position};
+use super::vector::{self, Pair};
+use crate::drawing::plane::Symbol;
 use crate::equations::JointRow;
-use crate::equations::jet::Jet;
+use crate::equations::jet::Moving;
 use crate::equations::laws::Laws;
-use crate::model::{BodyId, BodyKind, Frame, Joint, JointId, JointKind};
-use crate::symbolic::{Graph, Node, Unary};
+use crate::forms::JointForm;
+use crate::model::{BodyId, BodyKind, Frame, Joint, JointId};
+use crate::symbolic::{Node, On, Scalar};
 
 /// What a joint exerts on the second place's body: force (world axes) at the second place, and torque about it.
-pub type Wrench = [Node; 3];
+pub type Wrench<'g> = [Scalar<'g>; 3];
 
-/// Whether a joint lets the carried body turn on its own.
-pub fn turns(kind: &JointKind) -> bool {
-    matches!(kind, JointKind::Revolute { .. } | JointKind::PointOnLine { .. } | JointKind::Distance { .. })
+/// A kind of joint of the plane.
+pub struct PlanarJoint {
+    pub form: JointForm,
+    /// Constraint rows where it carries nothing.
+    pub rows: fn(&Laws, &Ends) -> Vec<JointRow>,
+    /// Places the body that it carries; `None`: it carries none.
+    pub attach: Option<for<'g> fn(&Laws<'g>, Carried<'g>) -> Placement>,
+    /// What it exerts, from the multipliers of its rows.
+    pub reaction: for<'g> fn(&Laws<'g>, &Ends<'g>, &[Scalar<'g>]) -> Wrench<'g>,
+    pub symbol: fn(&mut Symbol),
 }
 
-/// Whether a joint has a travel.
-pub fn slides(kind: &JointKind) -> bool {
-    matches!(kind, JointKind::Prismatic { .. } | JointKind::PointOnLine { .. })
+/// The joints of the plane.
+pub static JOINTS: &[&PlanarJoint] =
+    &[&fixed::JOINT, &revolute::JOINT, &prismatic::JOINT, &point_on_line::JOINT, &distance::JOINT];
+
+/// The joint with a form, which is one of the list's own.
+pub fn of(form: &'static JointForm) -> &'static PlanarJoint {
+    let own = JOINTS.iter().find(|joint| std::ptr::eq(&joint.form, form));
+    own.copied().expect("forms come from the list")
 }
 
 /// Constraint rows of a joint that carries nothing.
-pub fn rows(g: &mut Graph, laws: &Laws, joint: &Joint) -> Vec<JointRow> {
-    let ends = Ends::of(g, laws, joint);
-    match &joint.kind {
-        JointKind::Fixed { angle } => fixed::rows(g, laws, &ends, angle),
-        JointKind::Revolute { .. } => revolute::rows(g, laws, &ends),
-        JointKind::Prismatic { axis, angle } => prismatic::rows(g, laws, &ends, axis, angle),
-        JointKind::PointOnLine { direction } => point_on_line::rows(g, laws, &ends, direction),
-        JointKind::Distance { length } => distance::rows(g, laws, &ends, length),
-        _ => Vec::new(),
-    }
+pub fn rows<'g>(laws: &Laws<'g>, joint: &'g Joint) -> Vec<JointRow> {
+    (of(joint.form).rows)(laws, &Ends::of(laws, joint))
 }
 
 /// What the joint exerts, from the multipliers of its rows.
-pub fn reaction(g: &mut Graph, laws: &Laws, joint: &Joint, lambda: &[Node]) -> Wrench {
-    let ends = Ends::of(g, laws, joint);
-    match &joint.kind {
-        JointKind::Fixed { angle } => fixed::reaction(g, laws, &ends, angle, lambda),
-        JointKind::Revolute { .. } => revolute::reaction(g, lambda),
-        JointKind::Prismatic { axis, angle } => prismatic::reaction(g, laws, &ends, axis, angle, lambda),
-        JointKind::PointOnLine { direction } => point_on_line::reaction(g, laws, &ends, direction, lambda),
-        JointKind::Distance { .. } => distance::reaction(g, laws, &ends, lambda),
-        _ => [g.constant(0.0); 3],
-    }
+pub fn reaction<'g>(laws: &Laws<'g>, joint: &'g Joint, lambda: &[Scalar<'g>]) -> Wrench<'g> {
+    (of(joint.form).reaction)(laws, &Ends::of(laws, joint), lambda)
 }
 
 /// Places `child` where the joint carries it. `travel` is the joint's coordinate and the index of its rate.
 pub fn attach(
-    g: &mut Graph,
     laws: &Laws,
     joint: JointId,
     child: BodyId,
@@ -72,65 +70,56 @@ pub fn attach(
     let (near, far) =
         if child_is_second { (&joint.first, &joint.second) } else { (&joint.second, &joint.first) };
     let pivot = match near.frame {
-        Frame::Ground => ground(g, laws, &near.at),
+        Frame::Ground => ground(laws, &near.at),
         Frame::Body(_) => {
-            let at = laws.pair_of(g, &near.at);
-            let local = rotate(g, parent.offset, at);
-            let arm = Position::fixed(g, parent.frame, local);
-            parent.origin.add(g, &arm)
+            let arm = laws.pair_of(&near.at).in_frame(&parent);
+            laws.g.on(parent.origin.clone()) + arm
         }
     };
     let carried = Carried {
+        joint,
         parent,
         pivot,
-        at: laws.pair_of(g, &far.at),
+        at: laws.pair_of(&far.at),
         frame,
         travel,
         child_is_second,
         rigid: laws.mechanism.bodies[child.0].kind == BodyKind::Rigid,
     };
-    match &joint.kind {
-        JointKind::Fixed { angle } => fixed::attach(g, laws, carried, angle),
-        JointKind::Prismatic { axis, angle } => prismatic::attach(g, laws, carried, axis, angle),
-        JointKind::PointOnLine { direction } => point_on_line::attach(g, laws, carried, direction),
-        _ => revolute::attach(g, carried),
-    }
+    let attach = of(joint.form).attach.expect("the tree hangs bodies on joints that carry");
+    attach(laws, carried)
 }
 
 /// The two ends of a joint in motion.
-struct Ends {
+pub struct Ends<'g> {
+    joint: &'g Joint,
     first: Frame,
     second: Frame,
     /// Δ = p₂ − p₁.
-    delta: Position,
+    delta: On<'g, Position>,
 }
 
-impl Ends {
-    fn of(g: &mut Graph, laws: &Laws, joint: &Joint) -> Self {
+impl<'g> Ends<'g> {
+    fn of(laws: &Laws<'g>, joint: &'g Joint) -> Self {
         let (first, second) =
-            (laws.plane().place(g, laws, &joint.first), laws.plane().place(g, laws, &joint.second));
-        Ends { first: joint.first.frame, second: joint.second.frame, delta: second.sub(g, &first) }
+            (laws.plane().place(laws, &joint.first), laws.plane().place(laws, &joint.second));
+        Ends { joint, first: joint.first.frame, second: joint.second.frame, delta: second - first }
     }
 
-    /// A direction given in the first body's axes, as its frame and the components there.
-    fn direction(&self, g: &mut Graph, laws: &Laws, u: [Node; 2]) -> (FrameId, [Node; 2]) {
-        match self.first {
-            Frame::Ground => (GROUND, u),
-            Frame::Body(body) => {
-                let placement = &laws.plane().bodies[body.0];
-                (placement.frame, rotate(g, placement.offset, u))
-            }
-        }
+    /// Δ in world axes.
+    fn in_world(&self, laws: &Laws<'g>) -> [Moving<'g>; 2] {
+        laws.plane().world(&self.delta.bare)
     }
 }
 
 /// A body about to be placed at the far end of a joint.
-struct Carried {
+pub struct Carried<'g> {
+    joint: &'g Joint,
     parent: Placement,
     /// The near place.
-    pivot: Position,
+    pivot: On<'g, Position>,
     /// The far place in the body's own axes.
-    at: [Node; 2],
+    at: On<'g, Pair>,
     /// The frame the body turns with.
     frame: FrameId,
     travel: Option<(Node, usize)>,
@@ -138,43 +127,29 @@ struct Carried {
     rigid: bool,
 }
 
-impl Carried {
+impl<'g> Carried<'g> {
     /// The placement that puts the far place at `p`, the body's orientation being `offset` within its frame.
-    fn at(self, g: &mut Graph, p: &Position, offset: [Node; 2]) -> Placement {
+    fn at(self, p: On<'g, Position>, offset: On<'g, Pair>) -> Placement {
+        let offset_from =
+            |origin: On<'g, Position>, frame| Placement { origin: origin.bare, frame, offset: offset.bare };
         if !self.rigid {
-            return Placement { origin: p.clone(), frame: GROUND, offset };
+            return offset_from(p, GROUND);
         }
-        let local = rotate(g, offset, self.at);
-        let arm = Position::fixed(g, self.frame, local);
-        Placement { origin: p.sub(g, &arm), frame: self.frame, offset }
+        offset_from(p - self.at.turned(offset).fixed_in(self.frame), self.frame)
     }
 
     /// `axis`·travel in the axes of `frame`, from the first place to the second, seen from the near place.
-    fn slide(&self, g: &mut Graph, frame: FrameId, axis: [Node; 2]) -> Position {
-        let axis = if self.child_is_second { axis } else { [g.neg(axis[0]), g.neg(axis[1])] };
+    fn slide(&self, frame: FrameId, axis: On<'g, Pair>) -> Position {
+        let axis = if self.child_is_second { axis } else { -axis };
         let Some((travel, rate)) = self.travel else { return Position::default() };
-        let at = [g.mul(axis[0], travel), g.mul(axis[1], travel)];
-        let mut vector = LocalVector::fixed(g, at);
-        vector.slides.insert(rate, axis);
+        let mut vector = LocalVector::fixed(axis.g.on(travel) * axis);
+        vector.slides.insert(rate, axis.bare);
         Position::of(frame, vector)
     }
 
     /// Orientation within the frame of a body that keeps the angle `pair` (second relative to first) to its parent.
-    fn kept(&self, g: &mut Graph, pair: [Node; 2]) -> [Node; 2] {
-        let turn = if self.child_is_second { pair } else { inverse(g, pair) };
-        rotate(g, turn, self.parent.offset)
+    fn kept(&self, pair: On<'g, Pair>) -> On<'g, Pair> {
+        let turn = if self.child_is_second { pair } else { pair.opposite() };
+        turn.g.on(self.parent.offset).turned(turn)
     }
-}
-
-/// A vector of length one.
-pub(super) fn normalized(g: &mut Graph, u: [Node; 2]) -> [Node; 2] {
-    let (xx, yy) = (g.mul(u[0], u[0]), g.mul(u[1], u[1]));
-    let square = g.add(xx, yy);
-    let length = g.unary(Unary::Sqrt, square);
-    [g.div(u[0], length), g.div(u[1], length)]
-}
-
-/// A vector turned by a right angle, counter-clockwise.
-fn perpendicular(g: &mut Graph, u: [Node; 2]) -> [Node; 2] {
-    [g.neg(u[1]), u[0]]
 }

@@ -1,22 +1,49 @@
 //! Revolute: p₁ − p₂ = 0.
 
-use super::{Carried, Ends, JointRow, Wrench};
+use super::{Carried, Ends, JointRow, PlanarJoint, Wrench, vector};
 use crate::equations::laws::Laws;
 use crate::equations::plane::kinematics::Placement;
-use crate::symbolic::{Graph, Node};
+use crate::forms::{Alone, Form, Freer, JointAxes, JointForm, OfParticle, PLACES, Spans};
+use crate::symbolic::Scalar;
 
-pub fn rows(g: &mut Graph, laws: &Laws, ends: &Ends) -> Vec<JointRow> {
-    let [x, y] = laws.plane().world(g, &ends.delta);
-    vec![JointRow::new("x", x.neg(g)), JointRow::new("y", y.neg(g))]
+pub static JOINT: PlanarJoint = PlanarJoint {
+    form: JointForm {
+        call: Form {
+            word: "revolute",
+            elsewhere: &["hinge", "pin", "continuous"],
+            positional: PLACES,
+            named: &[],
+        },
+        holds: "position",
+        angles: &[["angle", "rate"]],
+        travels: &[],
+        freedoms: 1,
+        keeps_place: true,
+        keeps_orientation: false,
+        axes: JointAxes::None,
+        spans: Spans::Nothing,
+        of_particle: OfParticle::Any,
+        alone: Alone::Turns,
+        freer: &[Freer { turns: 0, shifts: 1, joint: "point_on_line" }],
+        refuses: None,
+    },
+    rows,
+    attach: Some(attach),
+    reaction,
+    symbol: |symbol| symbol.pin(),
+};
+
+pub fn rows(laws: &Laws, ends: &Ends) -> Vec<JointRow> {
+    let [x, y] = ends.in_world(laws);
+    vec![JointRow::new("x", -x), JointRow::new("y", -y)]
 }
 
-pub fn attach(g: &mut Graph, carried: Carried) -> Placement {
+pub fn attach<'g>(laws: &Laws<'g>, carried: Carried<'g>) -> Placement {
     let pivot = carried.pivot.clone();
-    let offset = [g.constant(1.0), g.constant(0.0)];
-    carried.at(g, &pivot, offset)
+    carried.at(pivot, vector::unturned(laws.g))
 }
 
 /// −Dᵀλ with ∂Φ/∂p₂ = −1: the force on the second is λ.
-pub fn reaction(g: &mut Graph, lambda: &[Node]) -> Wrench {
-    [lambda[0], lambda[1], g.constant(0.0)]
+pub fn reaction<'g>(laws: &Laws<'g>, _: &Ends<'g>, lambda: &[Scalar<'g>]) -> Wrench<'g> {
+    [lambda[0], lambda[1], laws.g.zero()]
 }

@@ -1,23 +1,53 @@
 //! Constant velocity (homokinetic): p₁ = p₂, and E₂ against E₁ only swung, not turned about the shafts:
 //! x₁·y₂ = y₁·x₂, with x₁·x₂ + y₁·y₂ positive.
 
-use super::{Elementary, Ends};
-use crate::equations::JointRow;
-use crate::equations::space::vector;
-use crate::symbolic::Graph;
+use super::{AXIS, Ends, SpatialJoint};
+use crate::drawing::canvas::Pen;
+use crate::drawing::shapes::THIN;
+use crate::drawing::space::Symbol;
+use crate::equations::{JointRow, Laws};
+use crate::forms::{Alone, Form, JointAxes, JointForm, OfParticle, PLACES, Spans};
 
-/// Never carries a body: its two swings have no coordinates that stay regular.
-pub fn motions() -> Vec<Elementary> {
-    Vec::new()
+pub static JOINT: SpatialJoint = SpatialJoint {
+    form: JointForm {
+        call: Form {
+            word: "constant_velocity",
+            elsewhere: &["homokinetic"],
+            positional: PLACES,
+            named: &[AXIS],
+        },
+        holds: "position, and the turn about both shafts",
+        angles: &[],
+        travels: &[],
+        freedoms: 2,
+        keeps_place: true,
+        keeps_orientation: false,
+        axes: JointAxes::Common,
+        spans: Spans::Nothing,
+        of_particle: OfParticle::Neither,
+        alone: Alone::Otherwise,
+        freer: &[],
+        refuses: None,
+    },
+    // Its two swings have no coordinates that stay regular.
+    motions: None,
+    rows,
+    symbol,
+};
+
+pub fn rows(_: &Laws, ends: &Ends) -> Vec<JointRow> {
+    let mut rows = ends.together();
+    let (x1, y1) = (ends.e1.column(0), ends.e1.column(1));
+    let (x2, y2) = (ends.second_axis(0), ends.second_axis(1));
+    let (left, right) = (y2.project(x1), x2.project(y1));
+    let upright = x1.dot(x2.value()) + y1.dot(y2.value());
+    rows.push(JointRow::upright("twist", left - right, upright));
+    rows
 }
 
-pub fn rows(g: &mut Graph, ends: &Ends) -> Vec<JointRow> {
-    let mut rows = ends.together(g);
-    let (x1, y1) = (vector::column(&ends.e1, 0), vector::column(&ends.e1, 1));
-    let (x2, y2) = (ends.second_axis(g, 0), ends.second_axis(g, 1));
-    let (left, right) = (y2.project(g, x1), x2.project(g, y1));
-    let (a, b) = (vector::dot(g, x1, x2.value), vector::dot(g, y1, y2.value));
-    let upright = Some(g.add(a, b));
-    rows.push(JointRow { upright, ..JointRow::new("twist", left.sub(g, &right)) });
-    rows
+fn symbol(s: &mut Symbol) {
+    s.before.circle(s.at, 1.9 * s.unit, Pen::Outline(THIN));
+    s.disk(1.9, Pen::Line(0.8));
+    let (from, to) = (s.beside(-2.6, s.hinge.axis), s.beside(2.6, s.hinge.axis));
+    s.before.line(from, to, Pen::Line(2.0));
 }

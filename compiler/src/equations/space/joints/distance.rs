@@ -1,23 +1,53 @@
 //! Distance (massless rod with two balls): (Δ·Δ − L²)/2 = 0, polynomial, with multiplier force/length.
 
-use super::{Elementary, Ends};
+use super::{Ends, SpatialJoint};
+use crate::drawing::shapes::plate;
+use crate::drawing::space::Symbol;
 use crate::equations::{JointRow, Laws};
-use crate::model::Expr;
-use crate::symbolic::Graph;
+use crate::forms::{Alone, Argument, Form, JointAxes, JointForm, Need, OfParticle, PLACES, Spans};
+use crate::messages;
+use crate::units::Dimension;
 
-/// Never carries a body: it leaves no frame to measure from.
-pub fn motions() -> Vec<Elementary> {
-    Vec::new()
+pub static JOINT: SpatialJoint = SpatialJoint {
+    form: JointForm {
+        call: Form {
+            word: "distance",
+            elsewhere: &[],
+            positional: PLACES,
+            named: &[Argument::moving("length", Need::Always, Dimension::LENGTH).positive()],
+        },
+        holds: "the distance, which may depend on time",
+        angles: &[],
+        travels: &[],
+        freedoms: 5,
+        keeps_place: false,
+        keeps_orientation: false,
+        axes: JointAxes::None,
+        spans: Spans::Rod,
+        of_particle: OfParticle::Any,
+        alone: Alone::Otherwise,
+        freer: &[],
+        refuses: Some(|given| {
+            let length = given.scalars.first().copied().flatten()?;
+            (length <= 0.0).then(|| ("length", messages::distance_not_positive(given.name)))
+        }),
+    },
+    // It leaves no frame to measure from.
+    motions: None,
+    rows,
+    symbol,
+};
+
+pub fn rows(laws: &Laws, ends: &Ends) -> Vec<JointRow> {
+    let gap = ends.gap();
+    let length = laws.jet(ends.joint.scalar(0));
+    let sum =
+        gap.iter().fold(-(0.5 * (&length * &length)), |sum, component| sum + 0.5 * (component * component));
+    vec![JointRow::new("distance", sum)]
 }
 
-pub fn rows(g: &mut Graph, laws: &Laws, ends: &Ends, length: &Expr) -> Vec<JointRow> {
-    let gap = ends.gap(g);
-    let length = laws.jet(g, length);
-    let half = g.constant(0.5);
-    let mut sum = length.mul(g, &length, ends.velocities).scale(g, half).neg(g);
-    for component in &gap {
-        let square = component.mul(g, component, ends.velocities).scale(g, half);
-        sum = sum.add(g, &square);
-    }
-    vec![JointRow::new("distance", sum)]
+fn symbol(s: &mut Symbol) {
+    let ends = [s.hinge.first, s.hinge.second].map(|end| s.view.spot(end));
+    plate(&mut s.before, &ends, 0.45 * s.unit);
+    ends.into_iter().for_each(|end| s.ball(end, 0.7 * s.unit));
 }

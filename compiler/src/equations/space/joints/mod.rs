@@ -20,13 +20,16 @@ mod universal;
 mod view;
 
 use super::axes;
-use super::kinematics::{Kinematics, Spot, axis_of};
+use super::kinematics::{Kinematics, Spot};
 use super::links::GROUND;
 use super::vector::{self, Mat3, Vec3};
 use super::vector_jet::{Kind, VectorJet};
-use crate::equations::{Jet, JointRow, Laws, SpanningTree};
-use crate::model::{Frame, Joint, JointId, JointKind};
-use crate::symbolic::{Graph, Node};
+use crate::drawing::space::Symbol;
+use crate::equations::jet::Moving;
+use crate::equations::{JointRow, Laws, SpanningTree};
+use crate::forms::{Argument, JointForm, Need};
+use crate::model::{Frame, Joint, JointId};
+use crate::symbolic::On;
 
 /// One elementary motion of a joint.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -41,162 +44,144 @@ pub enum Elementary {
     Ball,
 }
 
-pub fn motions(kind: &JointKind) -> Vec<Elementary> {
-    match kind {
-        JointKind::Fixed { .. } => fixed::motions(),
-        JointKind::Revolute { .. } => revolute::motions(),
-        JointKind::Prismatic { .. } => prismatic::motions(),
-        JointKind::Cylindrical { .. } => cylindrical::motions(),
-        JointKind::Screw { .. } => screw::motions(),
-        JointKind::Universal { .. } => universal::motions(),
-        JointKind::Spherical => spherical::motions(),
-        JointKind::Planar { .. } => planar::motions(),
-        JointKind::ConstantVelocity { .. } => constant_velocity::motions(),
-        JointKind::PointOnLine { .. } => point_on_line::motions(),
-        JointKind::PointOnPlane { .. } => point_on_plane::motions(),
-        JointKind::Distance { .. } => distance::motions(),
-    }
+/// A kind of joint of space.
+pub struct SpatialJoint {
+    pub form: JointForm,
+    /// How a body moves that it carries, from the first place to the second; `None`: it carries none.
+    pub motions: Option<&'static [Elementary]>,
+    /// Constraint rows where it carries nothing.
+    pub rows: fn(&Laws, &Ends) -> Vec<JointRow>,
+    pub symbol: fn(&mut Symbol),
 }
 
-/// The joint frames that the motions refer to, in the axes of the places.
-pub fn frames(g: &mut Graph, laws: &Laws, kind: &JointKind) -> Vec<Mat3> {
-    match kind {
-        JointKind::Universal { axis, second_axis } => {
-            vec![axes::joint_frame(g, laws, axis), axes::joint_frame(g, laws, second_axis)]
-        }
-        JointKind::PointOnLine { direction } => vec![axes::joint_frame(g, laws, direction)],
-        kind => match axis_of(kind) {
-            Some(axis) => vec![axes::joint_frame(g, laws, axis)],
-            None => vec![vector::identity(g)],
-        },
-    }
+/// The joints of space.
+pub static JOINTS: &[&SpatialJoint] = &[
+    &fixed::JOINT,
+    &revolute::JOINT,
+    &prismatic::JOINT,
+    &cylindrical::JOINT,
+    &screw::JOINT,
+    &universal::JOINT,
+    &spherical::JOINT,
+    &planar::JOINT,
+    &constant_velocity::JOINT,
+    &point_on_line::JOINT,
+    &point_on_plane::JOINT,
+    &distance::JOINT,
+];
+
+/// An axis that need not be written beside a marker.
+const AXIS: Argument = Argument::direction("axis", Need::UnlessMarked);
+
+/// The joint with a form, which is one of the list's own.
+pub fn of(form: &'static JointForm) -> &'static SpatialJoint {
+    let own = JOINTS.iter().find(|joint| std::ptr::eq(&joint.form, form));
+    own.copied().expect("forms come from the list")
 }
 
-/// Degrees of freedom that a joint leaves.
-pub fn freedoms(kind: &JointKind) -> usize {
-    match kind {
-        JointKind::Fixed { .. } => 0,
-        JointKind::Revolute { .. } | JointKind::Prismatic { .. } | JointKind::Screw { .. } => 1,
-        JointKind::Cylindrical { .. } | JointKind::Universal { .. } | JointKind::ConstantVelocity { .. } => 2,
-        JointKind::Spherical | JointKind::Planar { .. } => 3,
-        JointKind::PointOnLine { .. } => 4,
-        JointKind::PointOnPlane { .. } | JointKind::Distance { .. } => 5,
+pub fn motions(joint: &Joint) -> &'static [Elementary] {
+    of(joint.form).motions.unwrap_or_default()
+}
+
+/// The joint frames that the motions refer to, in the axes of the places: z along each direction.
+pub fn frames<'g>(laws: &Laws<'g>, joint: &Joint) -> Vec<On<'g, Mat3>> {
+    if joint.directions.is_empty() {
+        return vec![vector::identity(laws.g)];
     }
+    joint.directions.iter().map(|axis| axes::joint_frame(laws, axis)).collect()
 }
 
 /// Constraint rows of a joint that carries nothing.
-pub fn rows(g: &mut Graph, laws: &Laws, tree: &SpanningTree, id: JointId) -> Vec<JointRow> {
+pub fn rows(laws: &Laws, tree: &SpanningTree, id: JointId) -> Vec<JointRow> {
     let joint = &laws.mechanism.joints[id.0];
-    let Some(ends) = Ends::of(g, laws, tree, joint) else { return Vec::new() };
-    match &joint.kind {
-        JointKind::Fixed { .. } => fixed::rows(g, &ends),
-        JointKind::Revolute { .. } => revolute::rows(g, &ends),
-        JointKind::Prismatic { .. } => prismatic::rows(g, &ends),
-        JointKind::Cylindrical { .. } => cylindrical::rows(g, &ends),
-        JointKind::Screw { pitch, .. } => screw::rows(g, laws, &ends, id, pitch),
-        JointKind::Universal { axis, second_axis } => universal::rows(g, laws, &ends, axis, second_axis),
-        JointKind::Spherical => spherical::rows(g, &ends),
-        JointKind::Planar { .. } => planar::rows(g, &ends),
-        JointKind::ConstantVelocity { .. } => constant_velocity::rows(g, &ends),
-        JointKind::PointOnLine { .. } => point_on_line::rows(g, &ends),
-        JointKind::PointOnPlane { .. } => point_on_plane::rows(g, &ends),
-        JointKind::Distance { length } => distance::rows(g, laws, &ends, length),
-    }
+    let Some(ends) = Ends::of(laws, tree, id) else { return Vec::new() };
+    (of(joint.form).rows)(laws, &ends)
 }
 
 /// The two ends of a joint in motion.
-struct Ends<'a> {
-    kinematics: &'a Kinematics,
-    velocities: &'a [Node],
-    first: Spot,
-    second: Spot,
+pub struct Ends<'g> {
+    id: JointId,
+    joint: &'g Joint,
+    kinematics: On<'g, &'g Kinematics>,
+    first: Spot<'g>,
+    second: Spot<'g>,
     /// E₁ and E₂ in the axes of their links.
-    e1: Mat3,
-    e2: Mat3,
+    e1: On<'g, Mat3>,
+    e2: On<'g, Mat3>,
     /// The axes along which components of p₁ − p₂ are taken, and by which link they are seen.
     seen_from: Frame,
 }
 
-impl<'a> Ends<'a> {
-    fn of(g: &mut Graph, laws: &Laws<'a>, tree: &SpanningTree, joint: &Joint) -> Option<Self> {
-        let crate::equations::Kinematics::Space(kinematics) = laws.kinematics() else { return None };
-        let (first, second) =
-            (kinematics.spot(g, laws, &joint.first), kinematics.spot(g, laws, &joint.second));
-        let frame = frames(g, laws, &joint.kind)[0];
-        let (e1, e2) = (vector::product(g, &first.axes, &frame), vector::product(g, &second.axes, &frame));
+impl<'g> Ends<'g> {
+    fn of(laws: &Laws<'g>, tree: &SpanningTree, id: JointId) -> Option<Self> {
+        let joint = &laws.mechanism.joints[id.0];
+        let kinematics = laws.space()?;
+        let (first, second) = (kinematics.spot(laws, &joint.first), kinematics.spot(laws, &joint.second));
+        let frame = frames(laws, joint)[0];
+        let (e1, e2) = (first.axes * frame, second.axes * frame);
         let seen_from = view::seen_from(laws.mechanism, tree, joint);
-        Some(Ends { kinematics, velocities: &kinematics.velocities, first, second, e1, e2, seen_from })
+        Some(Ends { id, joint, kinematics, first, second, e1, e2, seen_from })
     }
 
     /// p₁ − p₂ along the axes of the body, or of the ground, by which it is seen.
-    fn gap(&self, g: &mut Graph) -> [Jet; 3] {
+    fn gap(&self) -> [Moving<'g>; 3] {
         let (link, axes) = match self.seen_from {
-            Frame::Ground => (GROUND, vector::identity(g)),
+            Frame::Ground => (GROUND, vector::identity(self.e1.g).bare),
             Frame::Body(body) => {
-                let placement = &self.kinematics.bodies[body.0];
+                let placement = &self.kinematics.bare.bodies[body.0];
                 (placement.link, placement.axes)
             }
         };
-        let kinematics = self.kinematics;
-        let a = kinematics.carry(g, self.first.at.clone(), self.first.link, link, Kind::Point);
-        let b = kinematics.carry(g, self.second.at.clone(), self.second.link, link, Kind::Point);
-        let gap = a.sub(g, &b);
+        let [first, second] = [&self.first, &self.second]
+            .map(|spot| self.kinematics.carry(spot.at.clone(), spot.link, link, Kind::Point));
         // Body ← link.
-        let gap = gap.along(g, &vector::transposed(&axes));
-        gap.components(g)
+        (first - second).along(vector::transposed(&axes)).components()
     }
 
     /// Rows `x`, `y`, `z`: the two places coincide.
-    fn together(&self, g: &mut Graph) -> Vec<JointRow> {
-        let names = ["x", "y", "z"].into_iter().zip(self.gap(g));
+    fn together(&self) -> Vec<JointRow> {
+        let names = ["x", "y", "z"].into_iter().zip(self.gap());
         names.map(|(what, jet)| JointRow { axes: Some(self.seen_from), ..JointRow::new(what, jet) }).collect()
     }
 
     /// Δ as seen from the link of the first place.
-    fn delta(&self, g: &mut Graph) -> VectorJet {
-        self.kinematics.delta(g, &self.first, &self.second)
+    fn delta(&self) -> Moving<'g, VectorJet> {
+        self.kinematics.delta(&self.first, &self.second)
     }
 
     /// Rows `normal_1`, `normal_2`: x₁·Δ and y₁·Δ.
-    fn on_axis(&self, g: &mut Graph) -> Vec<JointRow> {
-        let delta = self.delta(g);
+    fn on_axis(&self) -> Vec<JointRow> {
+        let delta = self.delta();
         let names = ["normal_1", "normal_2"].into_iter().enumerate();
-        names.map(|(k, what)| JointRow::new(what, delta.project(g, vector::column(&self.e1, k)))).collect()
+        names.map(|(k, what)| JointRow::new(what, delta.project(self.e1.column(k)))).collect()
     }
 
     /// Row `normal`: z₁·Δ.
-    fn on_plane(&self, g: &mut Graph) -> JointRow {
-        let delta = self.delta(g);
-        JointRow::new("normal", delta.project(g, vector::column(&self.e1, 2)))
+    fn on_plane(&self) -> JointRow {
+        JointRow::new("normal", self.delta().project(self.e1.column(2)))
     }
 
     /// An axis of E₂ as seen from the link of the first place.
-    fn second_axis(&self, g: &mut Graph, k: usize) -> VectorJet {
-        self.direction(g, vector::column(&self.e2, k))
+    fn second_axis(&self, k: usize) -> Moving<'g, VectorJet> {
+        self.direction(self.e2.column(k))
     }
 
-    fn direction(&self, g: &mut Graph, u: Vec3) -> VectorJet {
-        self.kinematics.direction(g, &self.first, &self.second, u)
+    fn direction(&self, u: On<'g, Vec3>) -> Moving<'g, VectorJet> {
+        self.kinematics.direction(&self.first, &self.second, u)
     }
 
     /// Rows `axis_1`, `axis_2`: x₁·z₂ and y₁·z₂, with z₁·z₂ positive.
-    fn parallel(&self, g: &mut Graph) -> Vec<JointRow> {
-        let z = self.second_axis(g, 2);
-        let upright = vector::dot(g, vector::column(&self.e1, 2), z.value);
+    fn parallel(&self) -> Vec<JointRow> {
+        let z = self.second_axis(2);
+        let upright = self.e1.column(2).dot(z.value());
         let names = ["axis_1", "axis_2"].into_iter().enumerate();
-        names
-            .map(|(k, what)| {
-                let jet = z.project(g, vector::column(&self.e1, k));
-                JointRow { upright: Some(upright), ..JointRow::new(what, jet) }
-            })
-            .collect()
+        names.map(|(k, what)| JointRow::upright(what, z.project(self.e1.column(k)), upright)).collect()
     }
 
     /// Row `angle`: x₁·y₂, with y₁·y₂ positive.
-    fn unturned(&self, g: &mut Graph) -> JointRow {
-        let y = self.second_axis(g, 1);
-        let upright = vector::dot(g, vector::column(&self.e1, 1), y.value);
-        let jet = y.project(g, vector::column(&self.e1, 0));
-        JointRow { upright: Some(upright), ..JointRow::new("angle", jet) }
+    fn unturned(&self) -> JointRow {
+        let y = self.second_axis(1);
+        let upright = self.e1.column(1).dot(y.value());
+        JointRow::upright("angle", y.project(self.e1.column(0)), upright)
     }
 }

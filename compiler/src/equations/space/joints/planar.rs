@@ -1,19 +1,44 @@
 //! Planar: Δ across z₁ and z₂ along z₁.
 
-use super::{Elementary, Ends};
-use crate::equations::JointRow;
-use crate::symbolic::Graph;
+use super::{AXIS, Elementary, Ends, SpatialJoint};
+use crate::drawing::canvas::Pen;
+use crate::drawing::shapes::THIN;
+use crate::drawing::space::Symbol;
+use crate::equations::{JointRow, Laws};
+use crate::forms::{Alone, Form, Freer, JointAxes, JointForm, OfParticle, PLACES, Spans};
 
-pub fn motions() -> Vec<Elementary> {
-    vec![
+pub static JOINT: SpatialJoint = SpatialJoint {
+    form: JointForm {
+        call: Form { word: "planar", elsewhere: &[], positional: PLACES, named: &[AXIS] },
+        holds: "the second place in the plane of the first, and the axis across it",
+        angles: &[["angle", "rate"]],
+        travels: &[["travel_1", "speed_1"], ["travel_2", "speed_2"]],
+        freedoms: 3,
+        keeps_place: false,
+        keeps_orientation: false,
+        axes: JointAxes::Common,
+        spans: Spans::Nothing,
+        of_particle: OfParticle::Neither,
+        alone: Alone::Otherwise,
+        freer: &[Freer { turns: 2, shifts: 0, joint: "point_on_plane" }],
+        refuses: None,
+    },
+    motions: Some(&[
         Elementary::Slide { axis: 0, which: 0 },
         Elementary::Slide { axis: 1, which: 1 },
         Elementary::Turn { frame: 0, which: 0 },
-    ]
+    ]),
+    rows,
+    symbol,
+};
+
+pub fn rows(_: &Laws, ends: &Ends) -> Vec<JointRow> {
+    let mut rows = vec![ends.on_plane()];
+    rows.extend(ends.parallel());
+    rows
 }
 
-pub fn rows(g: &mut Graph, ends: &Ends) -> Vec<JointRow> {
-    let mut rows = vec![ends.on_plane(g)];
-    rows.extend(ends.parallel(g));
-    rows
+fn symbol(s: &mut Symbol) {
+    s.table();
+    s.disk(1.6, Pen::Outline(THIN));
 }

@@ -1,14 +1,37 @@
 //! Point on plane: Δ across z₁.
 
-use super::{Elementary, Ends};
-use crate::equations::JointRow;
-use crate::symbolic::Graph;
+use super::{AXIS, Ends, SpatialJoint};
+use crate::drawing::space::Symbol;
+use crate::equations::{JointRow, Laws};
+use crate::forms::{Alone, Form, JointAxes, JointForm, OfParticle, PLACES, Spans};
 
-/// Never carries a body: it leaves five freedoms, and a free body has six.
-pub fn motions() -> Vec<Elementary> {
-    Vec::new()
+pub static JOINT: SpatialJoint = SpatialJoint {
+    form: JointForm {
+        call: Form { word: "point_on_plane", elsewhere: &[], positional: PLACES, named: &[AXIS] },
+        holds: "the second place in the plane of the first, across the axis",
+        angles: &[],
+        travels: &[],
+        freedoms: 5,
+        keeps_place: false,
+        keeps_orientation: false,
+        axes: JointAxes::Common,
+        spans: Spans::Nothing,
+        of_particle: OfParticle::Second,
+        alone: Alone::Otherwise,
+        freer: &[],
+        refuses: None,
+    },
+    // It leaves five freedoms, and a free body has six.
+    motions: None,
+    rows,
+    symbol,
+};
+
+pub fn rows(_: &Laws, ends: &Ends) -> Vec<JointRow> {
+    vec![ends.on_plane()]
 }
 
-pub fn rows(g: &mut Graph, ends: &Ends) -> Vec<JointRow> {
-    vec![ends.on_plane(g)]
+fn symbol(s: &mut Symbol) {
+    s.table();
+    s.ball(s.at, s.unit);
 }

@@ -1,13 +1,40 @@
 //! Spherical: p₁ = p₂.
 
-use super::{Elementary, Ends};
-use crate::equations::JointRow;
-use crate::symbolic::Graph;
+use super::{Elementary, Ends, SpatialJoint};
+use crate::drawing::space::Symbol;
+use crate::equations::{JointRow, Laws};
+use crate::forms::{Alone, Form, JointAxes, JointForm, OfParticle, PLACES, Spans};
 
-pub fn motions() -> Vec<Elementary> {
-    vec![Elementary::Ball]
+pub static JOINT: SpatialJoint = SpatialJoint {
+    form: JointForm {
+        call: Form {
+            word: "spherical",
+            elsewhere: &["ball", "ball_and_socket"],
+            positional: PLACES,
+            named: &[],
+        },
+        holds: "position",
+        angles: &[],
+        travels: &[],
+        freedoms: 3,
+        keeps_place: true,
+        keeps_orientation: false,
+        axes: JointAxes::None,
+        spans: Spans::Nothing,
+        of_particle: OfParticle::Any,
+        alone: Alone::Turns,
+        freer: &[],
+        refuses: None,
+    },
+    motions: Some(&[Elementary::Ball]),
+    rows,
+    symbol,
+};
+
+pub fn rows(_: &Laws, ends: &Ends) -> Vec<JointRow> {
+    ends.together()
 }
 
-pub fn rows(g: &mut Graph, ends: &Ends) -> Vec<JointRow> {
-    ends.together(g)
+fn symbol(s: &mut Symbol) {
+    s.ball(s.at, s.unit);
 }

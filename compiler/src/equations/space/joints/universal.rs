@@ -1,23 +1,60 @@
 //! Universal: p₁ = p₂ and the first's axis across the second's.
 
-use super::{Elementary, Ends};
-use crate::equations::space::{axes, vector};
+use super::{Elementary, Ends, SpatialJoint};
+use crate::drawing::canvas::Pen;
+use crate::drawing::shapes::THIN;
+use crate::drawing::space::Symbol;
 use crate::equations::{JointRow, Laws};
-use crate::model::Vector;
-use crate::symbolic::Graph;
+use crate::forms::{
+    Alone, Argument, Form, Freer, JointAxes, JointForm, Need, OfParticle, PLACES, Spans, degrees_between,
+};
+use crate::messages;
 
-pub fn motions() -> Vec<Elementary> {
-    vec![Elementary::Turn { frame: 0, which: 0 }, Elementary::Turn { frame: 1, which: 1 }]
+pub static JOINT: SpatialJoint = SpatialJoint {
+    form: JointForm {
+        call: Form {
+            word: "universal",
+            elsewhere: &["cardan", "hooke"],
+            positional: PLACES,
+            named: &[
+                Argument::direction("axis", Need::Always),
+                Argument::direction("second_axis", Need::Always),
+            ],
+        },
+        holds: "position, and the axis of the first across the second axis, of the second",
+        angles: &[["angle_1", "rate_1"], ["angle_2", "rate_2"]],
+        travels: &[],
+        freedoms: 2,
+        keeps_place: true,
+        keeps_orientation: false,
+        axes: JointAxes::OfEach,
+        spans: Spans::Nothing,
+        of_particle: OfParticle::Neither,
+        alone: Alone::Turns,
+        freer: &[Freer { turns: 1, shifts: 0, joint: "spherical" }],
+        refuses: Some(|given| {
+            let [Some(axis), Some(second)] = given.directions[..] else { return None };
+            let degrees = degrees_between(axis, second);
+            ((degrees - 90.0).abs() > 1e-6).then(|| ("second_axis", messages::not_perpendicular(degrees)))
+        }),
+    },
+    motions: Some(&[Elementary::Turn { frame: 0, which: 0 }, Elementary::Turn { frame: 1, which: 1 }]),
+    rows,
+    symbol,
+};
+
+pub fn rows(laws: &Laws, ends: &Ends) -> Vec<JointRow> {
+    let mut rows = ends.together();
+    let [a, b] = [0, 1].map(|which| laws.vector(ends.joint.direction(which)).normalized());
+    let (a, b) = (ends.first.axes * a, ends.second.axes * b);
+    rows.push(JointRow::new("cross", ends.direction(b).project(a)));
+    rows
 }
 
-pub fn rows(g: &mut Graph, laws: &Laws, ends: &Ends, axis: &Vector, second_axis: &Vector) -> Vec<JointRow> {
-    let mut rows = ends.together(g);
-    let [a, b] = [axis, second_axis].map(|axis| {
-        let axis = laws.vector(g, axis);
-        axes::normalized(g, axis)
-    });
-    let (a, b) = (vector::apply(g, &ends.first.axes, a), vector::apply(g, &ends.second.axes, b));
-    let b = ends.direction(g, b);
-    rows.push(JointRow::new("cross", b.project(g, a)));
-    rows
+fn symbol(s: &mut Symbol) {
+    s.before.circle(s.at, 1.9 * s.unit, Pen::Outline(THIN));
+    for axis in [s.hinge.axis, s.hinge.second_axis] {
+        let (from, to) = (s.beside(-1.9, axis), s.beside(1.9, axis));
+        s.before.line(from, to, Pen::Line(2.0));
+    }
 }

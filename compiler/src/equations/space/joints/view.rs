@@ -5,9 +5,9 @@
 //! acceleration, and of each velocity's column, which begins in the axes of the body that the velocity moves, or of the ground
 //! if it is that of the centre of a free body.
 
-use super::{Elementary, freedoms, motions};
+use super::{Elementary, motions};
 use crate::equations::SpanningTree;
-use crate::model::{BodyId, BodyKind, Frame, Joint, JointKind, Mechanism};
+use crate::model::{BodyId, BodyKind, Frame, Joint, Mechanism};
 
 pub fn seen_from(mechanism: &Mechanism, tree: &SpanningTree, joint: &Joint) -> Frame {
     let ends = [joint.first.frame, joint.second.frame];
@@ -47,26 +47,26 @@ impl Ways<'_> {
     }
 
     /// The joint by which a body hangs on the next.
-    fn joint(&self, body: BodyId) -> Option<&JointKind> {
+    fn joint(&self, body: BodyId) -> Option<&Joint> {
         let attachment = self.tree.attachments.iter().find(|attachment| attachment.body == body)?;
-        attachment.joint.map(|(joint, _)| &self.mechanism.joints[joint.0].kind)
+        attachment.joint.map(|(joint, _)| &self.mechanism.joints[joint.0])
     }
 
     /// Operations of turning a vector of a body into the axes of the next.
     fn step(&self, body: BodyId) -> usize {
-        let turns = |motion| match motion {
+        let turns = |motion: &Elementary| match motion {
             Elementary::Turn { .. } => TURN,
             Elementary::Ball => BALL,
             Elementary::Slide { .. } | Elementary::Wind => 0,
         };
-        self.joint(body).map_or(BALL, |kind| motions(kind).into_iter().map(turns).sum())
+        self.joint(body).map_or(BALL, |joint| motions(joint).iter().map(turns).sum())
     }
 
     /// Turns of the columns of a body's velocities.
     fn columns(&self, body: BodyId, seen_from: Frame) -> usize {
         let own = self.turns_between(Frame::Body(body), seen_from);
         match self.joint(body) {
-            Some(kind) => freedoms(kind) * own,
+            Some(joint) => joint.form.freedoms * own,
             None => 3 * own + 3 * self.turns_between(Frame::Ground, seen_from),
         }
     }

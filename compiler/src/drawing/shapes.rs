@@ -1,8 +1,8 @@
 //! Plane and solid shapes as outlines in the picture: hulls, rings, cylinders, boxes, bars, hatching.
 
 use super::canvas::{Group, Pen};
+use super::vector::{Point, along, cross, dot, unit};
 use super::view::{Spot, View};
-use crate::page::vector::{Point, along, cross, dot, unit};
 
 /// Width of thin lines, px.
 pub const THIN: f64 = 1.2;

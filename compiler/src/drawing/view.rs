@@ -1,7 +1,7 @@
 //! How the world is seen: the plane from above and to scale, space along one fixed direction, all lines parallel.
 
+use super::vector::{Point, cross, dot, unit};
 use crate::model::Space;
-use crate::page::vector::{Point, cross, dot, unit};
 
 /// A point of the picture, px, y downwards.
 pub type Spot = [f64; 2];

@@ -1,0 +1,106 @@
+//! What anyone may know of a kind of joint.
+
+use super::Form;
+
+/// A kind of joint, without its equations.
+#[derive(Debug)]
+pub struct JointForm {
+    /// How it is written.
+    pub call: Form,
+    /// What it keeps, for documents.
+    pub holds: &'static str,
+    /// Names of its angles and of their rates.
+    pub angles: &'static [[&'static str; 2]],
+    /// Names of its travels and of their speeds.
+    pub travels: &'static [[&'static str; 2]],
+    /// How many independent motions it leaves.
+    pub freedoms: usize,
+    /// Whether its places stay together.
+    pub keeps_place: bool,
+    /// Whether its bodies do not turn against each other.
+    pub keeps_orientation: bool,
+    pub axes: JointAxes,
+    pub spans: Spans,
+    /// Where a body without orientation may stand.
+    pub of_particle: OfParticle,
+    /// How a body moves that hangs on it alone.
+    pub alone: Alone,
+    /// Joints that leave more freedom.
+    pub freer: &'static [Freer],
+    /// What its arguments may not be, beyond their dimensions: the name of the one at fault, and why.
+    pub refuses: Option<fn(&Given) -> Option<(&'static str, String)>>,
+}
+
+impl JointForm {
+    /// Whether its second body is drawn as a block on a rail.
+    pub fn is_block(&self) -> bool {
+        self.spans == Spans::Rail && self.keeps_orientation
+    }
+}
+
+/// What lies between the places of a joint, for those who draw it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Spans {
+    Nothing,
+    /// A rod from the one to the other.
+    Rod,
+    /// A rail along its axis.
+    Rail,
+    /// The line of the first.
+    Line,
+}
+
+/// Whose the directions of a joint are.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum JointAxes {
+    None,
+    /// One, the same in the axes of both places.
+    Common,
+    /// One, in the axes of the first place.
+    OfFirst,
+    /// Two, one of each place.
+    OfEach,
+}
+
+/// Which places of a joint may be those of a particle.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum OfParticle {
+    Neither,
+    /// The second: the first carries what the second is measured in.
+    Second,
+    Any,
+}
+
+/// How a body moves that hangs on a joint alone.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Alone {
+    Turns,
+    Slides,
+    TurnsAndSlides,
+    Otherwise,
+}
+
+/// A joint that holds what another holds but for a number of turns and of shifts.
+#[derive(Clone, Copy, Debug)]
+pub struct Freer {
+    pub turns: usize,
+    pub shifts: usize,
+    pub joint: &'static str,
+}
+
+/// The arguments of a joint as numbers, at the defaults of parameters; `None` where they are not known.
+#[derive(Clone, Debug)]
+pub struct Given<'a> {
+    /// Of the joint.
+    pub name: &'a str,
+    pub directions: Vec<Option<[f64; 3]>>,
+    pub scalars: Vec<Option<f64>>,
+}
+
+/// The angle between two directions.
+pub fn degrees_between(a: [f64; 3], b: [f64; 3]) -> f64 {
+    let dot: f64 = a.iter().zip(b).map(|(a, b)| a * b).sum();
+    let cross = [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]];
+    let across = libm::sqrt(cross.iter().map(|x| x * x).sum());
+    libm::atan2(across, dot).to_degrees()
+}

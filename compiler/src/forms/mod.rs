@@ -1,0 +1,120 @@
+//! How the elements of the language are written, and what anyone may know of them: plain data, without equations.
+//!
+//! The forms themselves stand with their elements, one file each. Those who read, name and check elements are handed a
+//! [`Vocabulary`] and know no element by itself.
+
+mod joint;
+
+pub use joint::{Alone, Freer, Given, JointAxes, JointForm, OfParticle, Spans, degrees_between};
+
+use crate::units::Dimension;
+
+/// In how many dimensions a mechanism moves.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Space {
+    Planar,
+    Spatial,
+}
+
+impl Space {
+    /// As written.
+    pub fn text(self) -> &'static str {
+        match self {
+            Self::Planar => "planar",
+            Self::Spatial => "spatial",
+        }
+    }
+
+    /// Components of a vector.
+    pub fn dimensions(self) -> usize {
+        match self {
+            Self::Planar => 2,
+            Self::Spatial => 3,
+        }
+    }
+}
+
+/// All words of elements.
+#[derive(Clone, Copy, Debug)]
+pub struct Vocabulary {
+    pub joints: fn(Space) -> Vec<&'static JointForm>,
+}
+
+/// How an element is written: `word(positional, …, name = value, …)`.
+#[derive(Debug)]
+pub struct Form {
+    pub word: &'static str,
+    /// What other programs call it.
+    pub elsewhere: &'static [&'static str],
+    pub positional: &'static [Positional],
+    pub named: &'static [Argument],
+}
+
+/// What a positional argument is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Positional {
+    Place,
+    Line,
+    /// The name of a joint or body.
+    Rotor,
+}
+
+/// An argument with a name.
+#[derive(Clone, Copy, Debug)]
+pub struct Argument {
+    pub name: &'static str,
+    pub need: Need,
+    pub value: Value,
+    /// Whether it is positive, whatever parameters make of it.
+    pub is_positive: bool,
+}
+
+/// Whether an argument must be written.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Need {
+    Always,
+    /// Unless one of the places is a marker, whose z it then is.
+    UnlessMarked,
+    Never,
+}
+
+/// What an argument is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Value {
+    /// Components of which only the ratios matter.
+    Direction,
+    /// A number of parameters; zero where it is not written.
+    Scalar(Dimension),
+    /// A number of parameters and time.
+    Moving(Dimension),
+}
+
+impl Argument {
+    pub const fn direction(name: &'static str, need: Need) -> Self {
+        Argument { name, need, value: Value::Direction, is_positive: false }
+    }
+
+    pub const fn scalar(name: &'static str, need: Need, dimension: Dimension) -> Self {
+        Argument { name, need, value: Value::Scalar(dimension), is_positive: false }
+    }
+
+    pub const fn moving(name: &'static str, need: Need, dimension: Dimension) -> Self {
+        Argument { name, need, value: Value::Moving(dimension), is_positive: false }
+    }
+
+    pub const fn positive(self) -> Self {
+        Argument { is_positive: true, ..self }
+    }
+
+    pub fn is_direction(&self) -> bool {
+        self.value == Value::Direction
+    }
+
+    /// Whether the parser asks for it.
+    pub fn is_required(&self) -> bool {
+        self.need == Need::Always
+    }
+}
+
+/// Two places.
+pub const PLACES: &[Positional] = &[Positional::Place, Positional::Place];
