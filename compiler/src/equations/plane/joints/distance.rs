@@ -1,6 +1,6 @@
 //! Distance (massless rod with two pins): (Δ·Δ − L²)/2 = 0, polynomial, with multiplier force/length.
 
-use super::{Ends, JointRow, PlanarJoint, Wrench};
+use super::{Ends, JointRow, PlanarJoint};
 use crate::drawing::canvas::Pen;
 use crate::drawing::plane::Symbol;
 use crate::drawing::shapes::{THIN, plate};
@@ -8,7 +8,6 @@ use crate::equations::laws::Laws;
 use crate::forms::{Alone, Argument, Form, JointAxes, JointForm, Need, OfParticle, PLACES, Spans};
 use crate::messages;
 use crate::model::Frame;
-use crate::symbolic::Scalar;
 use crate::units::Dimension;
 
 pub static JOINT: PlanarJoint = PlanarJoint {
@@ -37,7 +36,6 @@ pub static JOINT: PlanarJoint = PlanarJoint {
     },
     rows,
     attach: None,
-    reaction,
     symbol,
 };
 
@@ -46,12 +44,6 @@ pub fn rows(laws: &Laws, ends: &Ends) -> Vec<JointRow> {
     let length = laws.jet(ends.joint.scalar(0));
     let (xx, yy, ll) = (0.5 * (&x * &x), 0.5 * (&y * &y), 0.5 * (&length * &length));
     vec![JointRow::new("distance", xx + yy - ll)]
-}
-
-/// −Dᵀλ with ∂Φ/∂p₂ = Δ: force −λ Δ at the second place.
-pub fn reaction<'g>(laws: &Laws<'g>, ends: &Ends<'g>, lambda: &[Scalar<'g>]) -> Wrench<'g> {
-    let [x, y] = ends.in_world(laws).map(|component| -(component.value() * lambda[0]));
-    [x, y, laws.g.zero()]
 }
 
 fn symbol(s: &mut Symbol) {

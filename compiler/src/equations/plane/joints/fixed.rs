@@ -1,13 +1,12 @@
 //! Fixed (bracket): p₁ − p₂ = 0 and sin(θ₂ − θ₁ − angle) = 0 on its upright root.
 
-use super::{Carried, Ends, JointRow, PlanarJoint, Wrench, revolute};
+use super::{Carried, Ends, JointRow, PlanarJoint, revolute};
 use crate::drawing::canvas::Pen;
 use crate::drawing::plane::Symbol;
 use crate::drawing::shapes::rectangle;
 use crate::equations::laws::Laws;
 use crate::equations::plane::kinematics::Placement;
 use crate::forms::{Alone, Argument, Form, Freer, JointAxes, JointForm, Need, OfParticle, PLACES, Spans};
-use crate::symbolic::Scalar;
 use crate::units::Dimension;
 
 pub static JOINT: PlanarJoint = PlanarJoint {
@@ -33,7 +32,6 @@ pub static JOINT: PlanarJoint = PlanarJoint {
     },
     rows,
     attach: Some(attach),
-    reaction,
     symbol,
 };
 
@@ -49,21 +47,10 @@ pub fn attach<'g>(laws: &Laws<'g>, carried: Carried<'g>) -> Placement {
     carried.at(pivot, offset)
 }
 
-pub fn reaction<'g>(laws: &Laws<'g>, ends: &Ends<'g>, lambda: &[Scalar<'g>]) -> Wrench<'g> {
-    [lambda[0], lambda[1], direction_torque(laws, ends, lambda[2])]
-}
-
 /// sin(θ₂ − θ₁ − angle), shared with the prismatic joint.
 pub fn direction_row(laws: &Laws, ends: &Ends) -> JointRow {
-    let (sine, cosine) =
-        laws.plane().sine_jet(laws, ends.first, ends.second, laws.pair(ends.joint.scalar(0)));
+    let (sine, cosine) = ends.sine(laws, ends.joint.scalar(0));
     JointRow::upright("angle", sine, cosine)
-}
-
-/// Torque on the second from the multiplier of [`direction_row`]: −cos(Δθ) λ.
-pub fn direction_torque<'g>(laws: &Laws<'g>, ends: &Ends<'g>, lambda: Scalar<'g>) -> Scalar<'g> {
-    let (_, cosine) = laws.plane().sine_jet(laws, ends.first, ends.second, laws.pair(ends.joint.scalar(0)));
-    -(cosine * lambda)
 }
 
 fn symbol(s: &mut Symbol) {

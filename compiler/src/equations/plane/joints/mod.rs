@@ -15,10 +15,11 @@ use super::kinematics::{FrameId, GROUND, LocalVector, Placement, Position};
 use super::vector::{self, Pair};
 use crate::drawing::plane::Symbol;
 use crate::equations::JointRow;
+use crate::equations::Kinematics;
 use crate::equations::jet::Moving;
 use crate::equations::laws::Laws;
 use crate::forms::JointForm;
-use crate::model::{BodyId, BodyKind, Frame, Joint, JointId};
+use crate::model::{BodyId, BodyKind, Expr, Frame, Joint, JointId};
 use crate::symbolic::{Node, On, Scalar};
 
 /// What a joint exerts on the second place's body: force (world axes) at the second place, and torque about it.
@@ -31,8 +32,6 @@ pub struct PlanarJoint {
     pub rows: fn(&Laws, &Ends) -> Vec<JointRow>,
     /// Places the body that it carries; `None`: it carries none.
     pub attach: Option<for<'g> fn(&Laws<'g>, Carried<'g>) -> Placement>,
-    /// What it exerts, from the multipliers of its rows.
-    pub reaction: for<'g> fn(&Laws<'g>, &Ends<'g>, &[Scalar<'g>]) -> Wrench<'g>,
     pub symbol: fn(&mut Symbol),
 }
 
@@ -51,9 +50,28 @@ pub fn rows<'g>(laws: &Laws<'g>, joint: &'g Joint) -> Vec<JointRow> {
     (of(joint.form).rows)(laws, &Ends::of(laws, joint))
 }
 
-/// What the joint exerts, from the multipliers of its rows.
-pub fn reaction<'g>(laws: &Laws<'g>, joint: &'g Joint, lambda: &[Scalar<'g>]) -> Wrench<'g> {
-    (of(joint.form).reaction)(laws, &Ends::of(laws, joint), lambda)
+/// What the joint exerts, from the multipliers of its rows: −Σ λ ∂Φ/∂(x₂, y₂, θ₂), by virtual work, the second place and the axes
+/// that it carries being moved alone.
+pub fn reaction<'g>(laws: &Laws<'g>, joint: &Joint, lambda: &[Scalar<'g>]) -> Wrench<'g> {
+    let g = laws.g;
+    let mut kinematics = laws.plane().bare.clone();
+    let moved = kinematics.velocities.len();
+    kinematics.velocities.extend([g.zero().bare; 3]);
+    let kinematics = Kinematics::Plane(kinematics);
+    let laws = laws.of(&kinematics);
+    let mut ends = Ends::of(&laws, joint);
+    let mut alone = LocalVector::fixed(vector::zero(g));
+    alone.slide_freely(g, moved);
+    ends.delta = ends.delta + Position::of(GROUND, alone);
+    ends.moved = Some(moved);
+    let rows = (of(joint.form).rows)(&laws, &ends);
+    [0, 1, 2].map(|component| {
+        let columns = rows.iter().zip(lambda).filter_map(|(row, lambda)| {
+            let column = row.jet.columns.get(&(moved + component))?;
+            Some(*column * *lambda)
+        });
+        -columns.fold(g.zero(), |sum, term| sum + term)
+    })
 }
 
 /// Places `child` where the joint carries it. `travel` is the joint's coordinate and the index of its rate.
@@ -97,13 +115,28 @@ pub struct Ends<'g> {
     second: Frame,
     /// Δ = p₂ − p₁.
     delta: On<'g, Position>,
+    /// The first of three velocities of the second place alone, where it is moved alone.
+    moved: Option<usize>,
 }
 
 impl<'g> Ends<'g> {
     fn of(laws: &Laws<'g>, joint: &'g Joint) -> Self {
         let (first, second) =
             (laws.plane().place(laws, &joint.first), laws.plane().place(laws, &joint.second));
-        Ends { joint, first: joint.first.frame, second: joint.second.frame, delta: second - first }
+        Ends {
+            joint,
+            first: joint.first.frame,
+            second: joint.second.frame,
+            delta: second - first,
+            moved: None,
+        }
+    }
+
+    /// sin(θ₂ − θ₁ − angle), and its cosine.
+    fn sine(&self, laws: &Laws<'g>, angle: &Expr) -> (Moving<'g>, Scalar<'g>) {
+        let (mut sine, cosine) = laws.plane().sine_jet(laws, self.first, self.second, laws.pair(angle));
+        sine.jet.columns.extend(self.moved.map(|moved| (moved + 2, cosine.bare)));
+        (sine, cosine)
     }
 
     /// Δ in world axes.

@@ -1,6 +1,6 @@
 //! Point on line: n̂·Δ = 0 with n̂ normal to the line, which the first body carries.
 
-use super::{Carried, Ends, JointRow, Pair, PlanarJoint, Wrench, vector};
+use super::{Carried, Ends, JointRow, Pair, PlanarJoint, vector};
 use crate::drawing::canvas::Pen;
 use crate::drawing::plane::Symbol;
 use crate::drawing::shapes::{THIN, away, ground_line, heading, rectangle, shifted};
@@ -8,7 +8,7 @@ use crate::equations::laws::Laws;
 use crate::equations::plane::kinematics::{FrameId, Placement};
 use crate::forms::{Alone, Form, JointAxes, JointForm, OfParticle, Positional, Spans};
 use crate::model::Frame;
-use crate::symbolic::{On, Scalar};
+use crate::symbolic::On;
 
 pub static JOINT: PlanarJoint = PlanarJoint {
     form: JointForm {
@@ -33,7 +33,6 @@ pub static JOINT: PlanarJoint = PlanarJoint {
     },
     rows,
     attach: Some(attach),
-    reaction,
     symbol,
 };
 
@@ -52,13 +51,6 @@ pub fn attach<'g>(laws: &Laws<'g>, carried: Carried<'g>) -> Placement {
     };
     let far = carried.pivot.clone() + carried.slide(frame, along);
     carried.at(far, vector::unturned(laws.g))
-}
-
-/// −Dᵀλ: force −λ n̂ at the second place.
-pub fn reaction<'g>(laws: &Laws<'g>, ends: &Ends<'g>, lambda: &[Scalar<'g>]) -> Wrench<'g> {
-    let (frame, normal) = normal(laws, ends);
-    let [x, y] = laws.plane().to_world(frame, normal).parts().map(|part| -(part * lambda[0]));
-    [x, y, laws.g.zero()]
 }
 
 /// n̂ and the frame in whose axes it is given.

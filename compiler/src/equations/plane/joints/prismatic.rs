@@ -1,7 +1,7 @@
 //! Prismatic along â of the first body, n̂ = â turned by a right angle: n̂·Δ = 0 and sin(θ₂ − θ₁ − angle) = 0.
 
-use super::fixed::{direction_row, direction_torque};
-use super::{Carried, Ends, JointRow, PlanarJoint, Wrench, point_on_line};
+use super::fixed::direction_row;
+use super::{Carried, Ends, JointRow, PlanarJoint, point_on_line};
 use crate::drawing::canvas::Pen;
 use crate::drawing::plane::Symbol;
 use crate::drawing::shapes::{THIN, ground_line, heading, plate, rectangle, shifted};
@@ -9,7 +9,6 @@ use crate::equations::laws::Laws;
 use crate::equations::plane::kinematics::Placement;
 use crate::forms::{Alone, Argument, Form, Freer, JointAxes, JointForm, Need, OfParticle, PLACES, Spans};
 use crate::model::Frame;
-use crate::symbolic::Scalar;
 use crate::units::Dimension;
 
 pub static JOINT: PlanarJoint = PlanarJoint {
@@ -38,7 +37,6 @@ pub static JOINT: PlanarJoint = PlanarJoint {
     },
     rows,
     attach: Some(attach),
-    reaction,
     symbol,
 };
 
@@ -55,12 +53,6 @@ pub fn attach<'g>(laws: &Laws<'g>, carried: Carried<'g>) -> Placement {
     let along = laws.pair_of(carried.joint.direction(0)).normalized().turned(first);
     let far = carried.pivot.clone() + carried.slide(carried.parent.frame, along);
     carried.at(far, offset)
-}
-
-/// −Dᵀλ: force −λₙ n̂ at the second place, torque −cos(Δθ) λ_angle.
-pub fn reaction<'g>(laws: &Laws<'g>, ends: &Ends<'g>, lambda: &[Scalar<'g>]) -> Wrench<'g> {
-    let [x, y, _] = point_on_line::reaction(laws, ends, lambda);
-    [x, y, direction_torque(laws, ends, lambda[1])]
 }
 
 /// The rail is the first body's, the block the second's.

@@ -1,10 +1,9 @@
 //! Revolute: p₁ − p₂ = 0.
 
-use super::{Carried, Ends, JointRow, PlanarJoint, Wrench, vector};
+use super::{Carried, Ends, JointRow, PlanarJoint, vector};
 use crate::equations::laws::Laws;
 use crate::equations::plane::kinematics::Placement;
 use crate::forms::{Alone, Form, Freer, JointAxes, JointForm, OfParticle, PLACES, Spans};
-use crate::symbolic::Scalar;
 
 pub static JOINT: PlanarJoint = PlanarJoint {
     form: JointForm {
@@ -29,7 +28,6 @@ pub static JOINT: PlanarJoint = PlanarJoint {
     },
     rows,
     attach: Some(attach),
-    reaction,
     symbol: |symbol| symbol.pin(),
 };
 
@@ -41,9 +39,4 @@ pub fn rows(laws: &Laws, ends: &Ends) -> Vec<JointRow> {
 pub fn attach<'g>(laws: &Laws<'g>, carried: Carried<'g>) -> Placement {
     let pivot = carried.pivot.clone();
     carried.at(pivot, vector::unturned(laws.g))
-}
-
-/// −Dᵀλ with ∂Φ/∂p₂ = −1: the force on the second is λ.
-pub fn reaction<'g>(laws: &Laws<'g>, _: &Ends<'g>, lambda: &[Scalar<'g>]) -> Wrench<'g> {
-    [lambda[0], lambda[1], laws.g.zero()]
 }
