@@ -59,7 +59,7 @@ impl<'g> On<'g, &'g Kinematics> {
     /// Travel of a joint; which of its travels.
     pub fn travel(self, laws: &Laws<'g>, joint: JointId, which: usize) -> Moving<'g> {
         match self.bare {
-            Kinematics::Plane(plane) => self.g.on(plane).travel(laws, joint),
+            Kinematics::Plane(plane) => self.g.on(plane).travel(laws, joint, which),
             Kinematics::Space(space) => self.g.on(space).travel(laws, joint, which),
         }
     }

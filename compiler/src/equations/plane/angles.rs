@@ -82,11 +82,14 @@ impl<'g> On<'g, &'g Kinematics> {
         self.turn(laws, first, second, self.g.zero())
     }
 
-    /// Travel of a joint: â·(p₂ − p₁).
-    pub fn travel(self, laws: &Laws<'g>, joint: JointId) -> Moving<'g> {
+    /// Travel of a joint: â·(p₂ − p₁), â along its axis, or along one of the first place's axes where it has none.
+    pub fn travel(self, laws: &Laws<'g>, joint: JointId, which: usize) -> Moving<'g> {
         let joint = &laws.mechanism.joints[joint.0];
-        let Some(axis) = joint.directions.first() else { return laws.still(self.g.zero()) };
-        let (frame, along) = self.carried_by(joint.first.frame, laws.pair_of(axis).normalized());
+        let axis = match joint.directions.get(which) {
+            Some(axis) => laws.pair_of(axis).normalized(),
+            None => vector::axis(self.g, which),
+        };
+        let (frame, along) = self.carried_by(joint.first.frame, axis);
         let (first, second) = (self.place(laws, &joint.first), self.place(laws, &joint.second));
         self.project(frame, along, &(second - first).bare)
     }

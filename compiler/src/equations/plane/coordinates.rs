@@ -40,7 +40,7 @@ fn enumerate(mechanism: &Mechanism, tree: &SpanningTree) -> Enumeration {
                 let form = mechanism.joints[joint.0].form;
                 if !form.travels.is_empty() {
                     found.travels.insert(*joint, linear.len());
-                    linear.push(Linear::Travel(*joint, 0));
+                    linear.extend((0..form.travels.len()).map(|which| Linear::Travel(*joint, which)));
                 }
                 if rigid && form.keeps_orientation {
                     found.frames[body.0] = match parent {
@@ -105,9 +105,11 @@ pub fn coordinates(
         let placement = match joint {
             None => free(&laws, *body, frames[body.0], centers[body]),
             Some((joint, parent)) => {
-                let travel = travels.get(joint).map(|index| (symbols.q[*index], *index));
+                let count = mechanism.joints[joint.0].form.travels.len();
+                let own = travels.get(joint).into_iter().flat_map(|first| *first..first + count);
+                let own = own.map(|index| (symbols.q[index], index)).collect();
                 let parent = ground_or(g, *parent, &placements);
-                joints::attach(&laws, *joint, *body, parent, frames[body.0], travel)
+                joints::attach(&laws, *joint, *body, parent, frames[body.0], own)
             }
         };
         placements[body.0] = Some(placement);

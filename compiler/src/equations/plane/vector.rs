@@ -15,6 +15,12 @@ pub fn unturned(g: Sheet) -> On<Pair> {
     g.on([g.one().bare, g.zero().bare])
 }
 
+/// x or y.
+pub fn axis(g: Sheet, which: usize) -> On<Pair> {
+    let (zero, one) = (g.zero().bare, g.one().bare);
+    g.on(if which == 0 { [one, zero] } else { [zero, one] })
+}
+
 fn pair<'g>(x: Scalar<'g>, y: Scalar<'g>) -> On<'g, Pair> {
     x.g.on([x.bare, y.bare])
 }

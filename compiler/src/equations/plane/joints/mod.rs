@@ -74,14 +74,14 @@ pub fn reaction<'g>(laws: &Laws<'g>, joint: &Joint, lambda: &[Scalar<'g>]) -> Wr
     })
 }
 
-/// Places `child` where the joint carries it. `travel` is the joint's coordinate and the index of its rate.
+/// Places `child` where the joint carries it. `travels` are the joint's coordinates and the indices of their rates.
 pub fn attach(
     laws: &Laws,
     joint: JointId,
     child: BodyId,
     parent: Placement,
     frame: FrameId,
-    travel: Option<(Node, usize)>,
+    travels: Vec<(Node, usize)>,
 ) -> Placement {
     let joint = &laws.mechanism.joints[joint.0];
     let child_is_second = joint.second.frame == Frame::Body(child);
@@ -100,7 +100,7 @@ pub fn attach(
         pivot,
         at: laws.pair_of(&far.at),
         frame,
-        travel,
+        travels,
         child_is_second,
         rigid: laws.mechanism.bodies[child.0].kind == BodyKind::Rigid,
     };
@@ -155,7 +155,7 @@ pub struct Carried<'g> {
     at: On<'g, Pair>,
     /// The frame the body turns with.
     frame: FrameId,
-    travel: Option<(Node, usize)>,
+    travels: Vec<(Node, usize)>,
     child_is_second: bool,
     rigid: bool,
 }
@@ -171,10 +171,10 @@ impl<'g> Carried<'g> {
         offset_from(p - self.at.turned(offset).fixed_in(self.frame), self.frame)
     }
 
-    /// `axis`·travel in the axes of `frame`, from the first place to the second, seen from the near place.
-    fn slide(&self, frame: FrameId, axis: On<'g, Pair>) -> Position {
+    /// `axis` times one of the travels, in the axes of `frame`, from the first place to the second, seen from the near place.
+    fn slide(&self, which: usize, frame: FrameId, axis: On<'g, Pair>) -> Position {
         let axis = if self.child_is_second { axis } else { -axis };
-        let Some((travel, rate)) = self.travel else { return Position::default() };
+        let Some(&(travel, rate)) = self.travels.get(which) else { return Position::default() };
         let mut vector = LocalVector::fixed(axis.g.on(travel) * axis);
         vector.slides.insert(rate, axis.bare);
         Position::of(frame, vector)

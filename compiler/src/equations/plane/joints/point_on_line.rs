@@ -49,7 +49,7 @@ pub fn attach<'g>(laws: &Laws<'g>, carried: Carried<'g>) -> Placement {
     } else {
         (carried.frame, along)
     };
-    let far = carried.pivot.clone() + carried.slide(frame, along);
+    let far = carried.pivot.clone() + carried.slide(0, frame, along);
     carried.at(far, vector::unturned(laws.g))
 }
 

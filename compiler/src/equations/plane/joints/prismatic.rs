@@ -51,7 +51,7 @@ pub fn attach<'g>(laws: &Laws<'g>, carried: Carried<'g>) -> Placement {
     // The axis is given in the first body's axes; parent and child share one frame.
     let first = if carried.child_is_second { carried.parent.offset } else { offset.bare };
     let along = laws.pair_of(carried.joint.direction(0)).normalized().turned(first);
-    let far = carried.pivot.clone() + carried.slide(carried.parent.frame, along);
+    let far = carried.pivot.clone() + carried.slide(0, carried.parent.frame, along);
     carried.at(far, offset)
 }
 
