@@ -5,7 +5,8 @@
 //! coordinates, so that what carries in one is cut in the other.
 
 use crate::registry::{Model, compiled};
-use linkwright_compiler::model::{Coordinates, Frame, JointWord};
+use linkwright_compiler::equations::space::joints;
+use linkwright_compiler::model::{Coordinates, Frame};
 use linkwright_compiler::solve::order::Strategy;
 use std::collections::BTreeSet;
 
@@ -394,7 +395,7 @@ fn ways<M: Model>() -> Vec<(&'static str, &'static str, &'static str)> {
             (_, Frame::Ground) => "ground second",
             _ => "bodies",
         };
-        (joint.kind.word().text(), role, ground)
+        (joint.word(), role, ground)
     });
     way.collect()
 }
@@ -426,11 +427,10 @@ fn every_joint_occurs_both_ways() {
     ];
     let found: BTreeSet<_> = all.into_iter().flatten().collect();
     let has = |kind: &str, role: &str| found.iter().any(|way| way.0 == kind && way.1 == role);
-    for word in JointWord::ALL {
-        use JointWord::{ConstantVelocity, Distance, PointOnPlane};
-        let kind = word.text();
+    for joint in joints::JOINTS {
+        let kind = joint.form.call.word;
         // What leaves no frame to measure from, or five freedoms, is always cut.
-        let always_cut = matches!(word, ConstantVelocity | Distance | PointOnPlane);
+        let always_cut = joint.motions.is_none();
         assert!(always_cut || has(kind, "carries the first"), "{kind}: {found:?}");
         assert!(always_cut || has(kind, "carries the second"), "{kind}: {found:?}");
         assert!(!always_cut || has(kind, "cut"), "{kind}: {found:?}");
