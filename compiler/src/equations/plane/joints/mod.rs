@@ -35,9 +35,15 @@ pub struct PlanarJoint {
     pub symbol: fn(&mut Symbol),
 }
 
-/// The joints of the plane.
-pub static JOINTS: &[&PlanarJoint] =
-    &[&fixed::JOINT, &revolute::JOINT, &prismatic::JOINT, &point_on_line::JOINT, &distance::JOINT];
+/// The joints of the plane, one a line.
+#[rustfmt::skip]
+pub static JOINTS: &[&PlanarJoint] = &[
+    &fixed::JOINT,
+    &revolute::JOINT,
+    &prismatic::JOINT,
+    &point_on_line::JOINT,
+    &distance::JOINT,
+];
 
 /// The joint with a form, which is one of the list's own.
 pub fn of(form: &'static JointForm) -> &'static PlanarJoint {
