@@ -6,6 +6,7 @@
 
 mod distance;
 mod fixed;
+mod parallel;
 mod point_on_line;
 mod prismatic;
 mod revolute;
@@ -41,6 +42,7 @@ pub static JOINTS: &[&PlanarJoint] = &[
     &fixed::JOINT,
     &revolute::JOINT,
     &prismatic::JOINT,
+    &parallel::JOINT,
     &point_on_line::JOINT,
     &distance::JOINT,
 ];

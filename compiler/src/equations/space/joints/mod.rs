@@ -9,6 +9,7 @@ mod constant_velocity;
 mod cylindrical;
 mod distance;
 mod fixed;
+mod parallel;
 mod planar;
 mod point_on_line;
 mod point_on_plane;
@@ -64,6 +65,7 @@ pub static JOINTS: &[&SpatialJoint] = &[
     &universal::JOINT,
     &spherical::JOINT,
     &planar::JOINT,
+    &parallel::JOINT,
     &constant_velocity::JOINT,
     &point_on_line::JOINT,
     &point_on_plane::JOINT,
