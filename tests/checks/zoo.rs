@@ -111,6 +111,40 @@ linkwright::mechanism! {
     }
 }
 
+linkwright::mechanism! {
+    /// Parallels in both orders of their places, carrying and cut: a cross-slide on a swing, a coupling of Oldham between two wheels.
+    pub planar Oldham {
+        param lead [m] = 0.02;
+        input drive [N*m];
+        gravity [m/s^2] = (0.3, -9.81);
+        body swing { mass [kg] = 0.8; inertia [kg*m^2] = 0.02; center [m] = (0.1, 0.05); point pivot [m] = (-0.2, lead);
+                     point seat [m] = (0.15, -0.04); }
+        body rider { mass [kg] = 0.5; inertia [kg*m^2] = 0.01; center [m] = (0.03, -0.02); point foot [m] = (0.05, 0.1); }
+        body cargo { mass [kg] = 0.3; inertia [kg*m^2] = 0.004; center [m] = (-0.02, 0.01); point hook [m] = (0.02, 0.06); }
+        disk left  { mass [kg] = 0.6; radius [m] = 0.1; point face [m] = (0.01, 0.02); }
+        disk right { mass [kg] = 0.7; radius [m] = 0.12; point face [m] = (-0.02, 0.01); }
+
+        joint hinge:  revolute(ground(0, 0) [m], swing.pivot);
+        joint cross:  parallel(swing.seat, rider.foot);
+        joint table:  parallel(cargo.hook, rider.foot);
+        joint axle:   revolute(ground(1, 0) [m], left.center);
+        joint offset: revolute(ground(1 [m], lead), right.center);
+        joint disc:   parallel(left.face, right.face);
+
+        spring tie:  spring(ground(0.4, 0.6) [m], rider.center, stiffness = 60 [N/m], length = 0.2 [m], damping = 0.5 [N*s/m]);
+        spring rope: spring(rider.foot, cargo.hook, stiffness = 40 [N/m], length = 0.1 [m], damping = 0.2 [N*s/m]);
+        force push:  force(cargo.center) = (-0.4 [N*s/m] * cross.speed_1, 2 [N/m] * table.travel_2);
+        torque motor: torque(axle) = drive - 0.02 [N*m*s/rad] * left.rate;
+
+        start { hinge.angle [rad] = 0.4; hinge.rate [rad/s] = 1; cross.travel_1 [m] = 0.1; cross.speed_1 [m/s] = 0.3;
+                cross.travel_2 [m] = -0.2; cross.speed_2 [m/s] = 0; table.travel_1 [m] = 0.05; table.speed_1 [m/s] = -0.2;
+                table.travel_2 [m] = 0.1; table.speed_2 [m/s] = 0.1; axle.angle [rad] = 0.7; axle.rate [rad/s] = 2; }
+        expect { degrees_of_freedom = 6; }
+        output along [m] = disc.travel_1;
+        output across [m/s] = disc.speed_2;
+    }
+}
+
 /// As [`linkwright_models::for_each_model`], for the mechanisms here and in `zoo_space.rs`.
 macro_rules! for_each_in_zoo {
     ($callback:ident) => {
@@ -120,6 +154,7 @@ macro_rules! for_each_in_zoo {
             gears: crate::zoo::Gears,
             shaken: crate::zoo::Shaken,
             floating: crate::zoo::Floating,
+            oldham: crate::zoo::Oldham,
             arm: crate::zoo_space::Arm,
             jack: crate::zoo_space::Jack,
             table: crate::zoo_space::Table,
@@ -132,6 +167,7 @@ macro_rules! for_each_in_zoo {
             hub: crate::zoo_space::Hub,
             bench: crate::zoo_space::Bench,
             snake: crate::zoo_space::Snake,
+            stage: crate::zoo_space::Stage,
         }
     };
 }

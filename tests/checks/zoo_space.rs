@@ -378,6 +378,44 @@ linkwright::mechanism! {
     }
 }
 
+linkwright::mechanism! {
+    /// A tray on a stage on an arm, by parallels in both orders of their places, and a buoy that keeps upright.
+    pub spatial Stage {
+        input push [N];
+        gravity [m/s^2] = (0.2, -0.3, -9.81);
+        marker foot [m] = (0.1, 0, 0.05), axis = (1, 2, 2), reference = (0, 0, 1);
+        body arm   { mass [kg] = 0.9; inertia [kg*m^2] = (0.012, 0.015, 0.01); products [kg*m^2] = (0.001, -0.002, 0.0005);
+                     center [m] = (0.1, 0.02, -0.01); marker root [m] = (0.02, 0, 0.01), about_x [deg] = 25;
+                     marker end [m] = (0.3, 0, 0.05), about_y [deg] = 35, about_z [deg] = -10; }
+        body stage { mass [kg] = 0.7; inertia [kg*m^2] = (0.01, 0.012, 0.009); products [kg*m^2] = (-0.001, 0.002, 0.001);
+                     center [m] = (0.02, -0.01, 0.02); marker seat [m] = (0.01, 0, 0), about_z [deg] = 50;
+                     point edge [m] = (0.1, 0.1, 0.02); }
+        body tray  { mass [kg] = 0.4; inertia [kg*m^2] = (0.003, 0.004, 0.005); products [kg*m^2] = (0.0002, -0.0004, 0.0006);
+                     center [m] = (0.06, 0.01, 0); marker back [m] = (-0.02, 0, 0.01), axis = (1, 1, 3), reference = (0, 1, 0);
+                     point tip [m] = (0.1, 0.02, 0.04); }
+        body buoy  { mass [kg] = 0.5; inertia [kg*m^2] = (0.004, 0.005, 0.003); center [m] = (0.01, 0, 0.05);
+                     marker top [m] = (0, 0.02, 0.1), about_x [deg] = 20; }
+
+        joint shoulder: revolute(foot, arm.root);
+        joint ride:     parallel(arm.end, stage.seat);
+        joint lift:     parallel(tray.back, stage.edge);
+        joint float:    parallel(buoy.top, ground(0, 0.4, 0) [m]);
+
+        spring one:  spring(ground(0.5, 0.3, 0.4) [m], stage.edge, stiffness = 50 [N/m], length = 0.3 [m], damping = 0.4 [N*s/m]);
+        spring two:  spring(buoy.top, tray.tip, stiffness = 30 [N/m], length = 0.2 [m], damping = 0.2 [N*s/m]);
+        force wind:  force(tray.tip) = (push, -0.2 [N*s/m] * ride.speed_2, 1.5 [N/m] * lift.travel_3);
+
+        start { shoulder.angle [rad] = 0.3; shoulder.rate [rad/s] = 0.8; ride.travel_1 [m] = 0.1; ride.speed_1 [m/s] = 0.2;
+                ride.travel_2 [m] = -0.05; ride.speed_2 [m/s] = -0.1; ride.travel_3 [m] = 0.15; ride.speed_3 [m/s] = 0.3;
+                lift.travel_1 [m] = 0.05; lift.speed_1 [m/s] = 0.1; lift.travel_2 [m] = 0.02; lift.speed_2 [m/s] = -0.2;
+                lift.travel_3 [m] = 0.2; lift.speed_3 [m/s] = 0; float.travel_1 [m] = 0.1; float.speed_1 [m/s] = 0.1;
+                float.travel_2 [m] = -0.3; float.speed_2 [m/s] = 0; float.travel_3 [m] = 0.2; float.speed_3 [m/s] = -0.2; }
+        expect { degrees_of_freedom = 10; }
+        output height [m] = tray.tip.z;
+        output reach [m] = float.travel_3;
+    }
+}
+
 /// How the joints of a mechanism stand in its tree: kind, what it does there, where the ground is.
 fn ways<M: Model>() -> Vec<(&'static str, &'static str, &'static str)> {
     let compiled = compiled::<M>(Some(Coordinates::Tree));
@@ -424,6 +462,7 @@ fn every_joint_occurs_both_ways() {
         ways::<Hub>(),
         ways::<Bench>(),
         ways::<Snake>(),
+        ways::<Stage>(),
     ];
     let found: BTreeSet<_> = all.into_iter().flatten().collect();
     let has = |kind: &str, role: &str| found.iter().any(|way| way.0 == kind && way.1 == role);
@@ -444,6 +483,8 @@ fn every_joint_occurs_both_ways() {
         ("cylindrical", "ground second"),
         ("planar", "ground first"),
         ("planar", "ground second"),
+        ("parallel", "bodies"),
+        ("parallel", "ground second"),
         ("point_on_line", "ground first"),
         ("point_on_line", "ground second"),
         ("point_on_plane", "ground first"),

@@ -90,9 +90,11 @@ class Kinematics:
         plus, minus = (self.pose(body) for body in self.rotor(name))
         return ca.atan2(plus.s * minus.c - plus.c * minus.s, plus.c * minus.c + plus.s * minus.s)
 
-    def travel(self, joint):
-        """Of the second place along the axis, which turns with the first's body: (A1 â)·(p2 − p1)."""
-        axis = self.pose(joint.first.body).turn(joint.axis)
+    def travel(self, joint, which="travel"):
+        """Of the second place along the axis, which turns with the first's body: (A1 â)·(p2 − p1); â is x or y of the
+        first's axes where there are several travels."""
+        along = {"travel": joint.axis, "travel_1": (1, 0), "travel_2": (0, 1)}[which]
+        axis = self.pose(joint.first.body).turn(along)
         return ca.dot(axis, self.position(joint.second) - self.position(joint.first))
 
     # The scope of laws, equations and loads.
@@ -123,10 +125,12 @@ class Kinematics:
             return self.multi_turn(owner)
         if quantity == "rate":
             return self.rotor_rate(owner)
-        if quantity == "travel":
-            return self.travel(joint)
-        if quantity == "speed":
-            return self.rate(self.travel(joint))
+        kind, _, number = quantity.partition("_")
+        which = f"travel_{number}" if number else "travel"
+        if kind == "travel":
+            return self.travel(joint, which)
+        if kind == "speed":
+            return self.rate(self.travel(joint, which))
         raise ValueError(f"{self.model.title}: joint `{owner}` has no `{quantity}`")
 
     def distance(self, first, second):
@@ -160,7 +164,7 @@ class Kinematics:
         if joint.kind in ("prismatic", "point_on_line"):
             normal = pose1.turn(ca.vertcat(-joint.axis[1], joint.axis[0]))
             rows.append(Row(joint.name, "normal", ca.dot(normal, p2 - p1)))
-        if joint.kind in ("prismatic", "fixed") and not self._joins_particle(joint):
+        if joint.kind in ("prismatic", "fixed", "parallel") and not self._joins_particle(joint):
             sine = pose2.s * pose1.c - pose2.c * pose1.s  # of θ2 − θ1
             cosine = pose2.c * pose1.c + pose2.s * pose1.s
             rows.append(Row(joint.name, "angle", sine * ca.cos(joint.angle) - cosine * ca.sin(joint.angle)))

@@ -21,7 +21,7 @@ ANGLES = {
 }  # fmt: skip
 TRAVELS = {
     "prismatic": ("travel",), "cylindrical": ("travel",), "screw": ("travel",), "point_on_line": ("travel",),
-    "planar": ("travel_1", "travel_2"),
+    "planar": ("travel_1", "travel_2"), "parallel": ("travel_1", "travel_2", "travel_3"),
 }  # fmt: skip
 
 
@@ -132,7 +132,7 @@ class SpaceModel(Model):
         else:
             first = self.place(joint["first"])
         second_frame = self.joint_frame(pair(joint["second_axis"], self)) if kind == "universal" else None
-        frame = ca.SX.eye(3) if kind == "fixed" else self.joint_frame(axis)
+        frame = ca.SX.eye(3) if kind in ("fixed", "parallel") else self.joint_frame(axis)
         pitch, length = (entry(joint[key], self) if joint.get(key) else None for key in ("pitch", "length"))
         return SpaceJoint(name, kind, first, self.place(joint["second"]), frame, second_frame, pitch, length)
 

@@ -6,7 +6,7 @@ angular velocities are the vee of Aᵀ Ȧ, in body axes.
 
 With E = A B J the frame of a joint on either body (B: the axes of the place, J: the canonical frame of the joint's
 axis; x, y, z its columns in world axes), p the places and Δ = p2 − p1:
-    angle: from x1 to x2 about z1,   travel: z1·Δ,   planar: x1·Δ, y1·Δ.
+    angle: from x1 to x2 about z1,   travel: z1·Δ,   planar: x1·Δ, y1·Δ, parallel: and z1·Δ.
 """
 
 from dataclasses import dataclass
@@ -28,9 +28,9 @@ class SpacePose:
 
 
 GROUND = SpacePose(ca.SX.zeros(3), ca.densify(ca.SX.eye(3)))
-AXIS_ROWS = ("revolute", "fixed", "prismatic", "cylindrical", "screw", "planar")
+AXIS_ROWS = ("revolute", "fixed", "prismatic", "cylindrical", "screw", "planar", "parallel")
 MEETING = ("spherical", "revolute", "fixed", "universal", "constant_velocity")
-ANGLE_ROW = ("fixed", "prismatic")
+ANGLE_ROW = ("fixed", "prismatic", "parallel")
 
 
 class SpaceKinematics(Kinematics):
@@ -77,7 +77,7 @@ class SpaceKinematics(Kinematics):
         if which not in TRAVELS.get(joint.kind, ()):
             raise ValueError(f"{self.model.title}: joint `{joint.name}` has no `{which}`")
         e1, _ = self.frames(joint)
-        return ca.dot(e1[:, {"travel": 2, "travel_1": 0, "travel_2": 1}[which]], self.span(joint))
+        return ca.dot(e1[:, {"travel": 2, "travel_1": 0, "travel_2": 1, "travel_3": 2}[which]], self.span(joint))
 
     def principal(self, joint, which="angle"):
         """In (−π, π], from the axes of the bodies."""
@@ -174,7 +174,7 @@ class SpaceKinematics(Kinematics):
             add("normal", ca.dot(e1[:, 2], delta))
         elif kind == "distance":
             add("distance", (ca.dot(delta, delta) - joint.length**2) / 2)
-        else:
+        elif kind != "parallel":
             raise ValueError(f"{self.model.title}: joint `{joint.name}` is of the unknown kind `{kind}`")
         if kind in AXIS_ROWS:
             add("axis_1", ca.dot(e1[:, 0], e2[:, 2]))

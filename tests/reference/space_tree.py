@@ -18,7 +18,7 @@ from space_kinematics import GROUND, SpaceKinematics, SpacePose
 
 ALONG_Z = ca.SX([0, 0, 1])
 BALLS = ("spherical", "point_on_line", "point_on_plane")
-CARRYING = (*BALLS, "revolute", "prismatic", "cylindrical", "screw", "universal", "planar", "fixed")
+CARRYING = (*BALLS, "revolute", "prismatic", "cylindrical", "screw", "universal", "planar", "parallel", "fixed")
 
 
 @dataclass
@@ -199,7 +199,7 @@ class SpaceTree(SpaceKinematics):
 
     def _turning(self, joint):
         """Of the second place's axes against the first's."""
-        if joint.kind in ("fixed", "prismatic"):
+        if joint.kind in ("fixed", "prismatic", "parallel"):
             return ca.SX.eye(3)
         if joint.kind == "universal":
             first = turn_in(joint.frame, *self._pair((joint.name, "angle_1")))
@@ -216,6 +216,8 @@ class SpaceTree(SpaceKinematics):
             return joint.pitch / (2 * ca.pi) * counted * ALONG_Z
         if joint.kind in ("planar", "point_on_plane"):
             return ca.vertcat(self._linear("travel_1", name), self._linear("travel_2", name), 0)
+        if joint.kind == "parallel":
+            return ca.vertcat(*[self._linear(which, name) for which in TRAVELS["parallel"]])
         if "travel" in TRAVELS.get(joint.kind, ()):
             return self._linear("travel", name) * ALONG_Z
         return ca.SX.zeros(3)

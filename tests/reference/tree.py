@@ -4,7 +4,8 @@ Takes the exported COORDINATES (which joints form the tree, what the coordinates
 derives the rest. Every tree joint places its body on its parent by solving its own rows for the body's pose:
     revolute, fixed:           p2 = p1
     prismatic, point_on_line:  p2 = p1 + travel · A1 â   (whichever of the two bodies is the parent)
-    prismatic, fixed:          θ2 = θ1 + angle, so such bodies share one rotation.
+    parallel:                  p2 = p1 + A1 (travel_1, travel_2)
+    prismatic, fixed, parallel: θ2 = θ1 + angle, so such bodies share one rotation.
 """
 
 from dataclasses import dataclass, field
@@ -134,6 +135,8 @@ class Tree(Kinematics):
             return ca.SX.zeros(2)
         if joint.kind in ("prismatic", "point_on_line"):
             return self._coordinate("travel", joint.name) * first.turn(joint.axis)
+        if joint.kind == "parallel":
+            return first.turn([self._coordinate(which, joint.name) for which in ("travel_1", "travel_2")])
         raise ValueError(f"{self.model.title}: a joint of kind `{joint.kind}` cannot stand in the tree")
 
     def _orientation(self, name):
@@ -170,7 +173,7 @@ class Tree(Kinematics):
         """Bodies (None: ground) of the same orientation up to a constant, with θ(body) − θ(neighbour)."""
         for branch in self.branches.values():
             joint = self.model.joints.get(branch["joint"])
-            if joint is None or joint.kind not in ("fixed", "prismatic") or self._joins_particle(joint):
+            if joint is None or joint.kind not in ("fixed", "prismatic", "parallel") or self._joins_particle(joint):
                 continue
             if joint.second.body == body:
                 yield joint.first.body, joint.angle

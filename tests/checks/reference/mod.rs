@@ -26,9 +26,9 @@ pub fn models() -> Vec<(&'static str, &'static str, &'static str)> {
     linkwright_models::for_each_model!(list)
 }
 
-/// Mechanisms of the zoo whose values are recorded too, for the mutations: in space their axes lie anywhere, where those of
-/// shipped models are such that many a term vanishes.
-const RECORDED_OF_ZOO: [&str; 4] = ["crank", "jack", "shafts", "snake"];
+/// Mechanisms of the zoo whose values are recorded too: for the mutations, because in space their axes lie anywhere, where those of
+/// shipped models are such that many a term vanishes; and those of joints that no shipped model has.
+const RECORDED_OF_ZOO: [&str; 6] = ["crank", "jack", "oldham", "shafts", "snake", "stage"];
 
 /// The models, and what is recorded of the zoo.
 fn recorded_models() -> Vec<(&'static str, &'static str, &'static str)> {
