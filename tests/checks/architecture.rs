@@ -72,3 +72,12 @@ fn the_runtime_runs_bare() {
         assert_eq!(standard, 0, "{} reaches for the standard library", path.display());
     }
 }
+
+/// What is recorded of the reference is read by nobody and carried by everybody.
+#[test]
+fn recorded_values_are_within_a_megabyte() {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/data/casadi");
+    let files = std::fs::read_dir(&folder).expect("a folder").map(|entry| entry.expect("an entry"));
+    let size: u64 = files.map(|file| file.metadata().expect("its size").len()).sum();
+    assert!(size <= 1_000_000, "{size} bytes in {}", folder.display());
+}

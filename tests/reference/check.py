@@ -44,7 +44,8 @@ def read_options(arguments):
     parser.add_argument("directory", type=Path, help="where the requests are")
     parser.add_argument("--summary", type=Path, help="file for the results as JSON")
     parser.add_argument("--record", type=Path, help="directory for the reference's own values")
-    parser.add_argument("--states", type=int, default=2, help="how many states of each kind to record")
+    parser.add_argument("--states", type=int, default=1, help="how many states of each kind to record")
+    parser.add_argument("--mutated", default="", help="models, by commas, of which one state more is recorded: mutants need it")
     parser.add_argument("--only", default="", help="only requests whose file name contains this")
     parser.add_argument("--minimum", type=int, default=1, help="random and consistent states each must have")
     return parser.parse_args(arguments)
@@ -82,6 +83,8 @@ def check_request(request, comparison, line, options):
     kind = kinds.kind_of(request["definition"])
     model, absolute, own = kind.derive(request["definition"], request["coordinates"])
     records = {"random": [], "consistent": []}
+    mutated = line["request"].partition(".")[0] in options.mutated.split(",")
+    count = options.states + int(mutated)
     if request["random"]:
         line["random"] = len(request["random"])
         states = read_states(model, own, request["random"])
@@ -89,14 +92,14 @@ def check_request(request, comparison, line, options):
         quantities = own.evaluate(states)
         compare_random(comparison, own, request["random"], quantities)
         if options.record:
-            records["random"] = random_records(states, quantities, options.states)
+            records["random"] = random_records(states, quantities, count)
     if request["consistent"]:
         line["consistent"] = len(request["consistent"])
         check = kind.consistent_check(comparison, model, absolute, own, request["consistent"])
         check.run(line)
         sensitivity = compare_sensitivity(check)
         if options.record:
-            records["consistent"] = consistent_records(check, options.states, sensitivity)
+            records["consistent"] = consistent_records(check, count, sensitivity)
     if options.record:
         write_record(options.record / f"{line['request']}.json", request, own, records)
 

@@ -68,7 +68,7 @@ def consistent_records(check, count, sensitivity=None):
         given_part(check.states, k)
         | quantity_part(check.quantities, k, ("powers", *SCALARS, "forces", "nu", "gamma", *MATRICES))
         | {"condition": rounded(check.condition[k])}
-        | {name: values[k].tolist() for name, values in solved.items()}
+        | {name: shortened(values[k]) for name, values in solved.items()}
         for k in chosen
     ]
 
@@ -83,17 +83,22 @@ def quantity_part(quantities, k, names):
     for name in names:
         value, scale = (array[k] for array in quantities[name])
         if name in SCALARS:
-            part[name] = [float(value[0]), rounded(scale[0])]
+            part[name] = [shortened(value[0]), rounded(scale[0])]
         elif name in VECTORS:
-            part[name] = value.tolist()
+            part[name] = shortened(value)
             part[f"{name}_scale"] = [rounded(x) for x in scale]
         else:
             shown = np.tril(scale) if name == "mass" else scale
             rows, columns = np.nonzero(shown)
             part[name] = [
-                [int(r), int(c), float(value[r, c]), rounded(scale[r, c])] for r, c in zip(rows, columns, strict=True)
+                [int(r), int(c), shortened(value[r, c]), rounded(scale[r, c])] for r, c in zip(rows, columns, strict=True)
             ]
     return part
+
+
+def shortened(value):
+    """Fifteen digits, a thousandth of what is asked; what the values are of is written in full."""
+    return float(f"{value:.15g}") if np.ndim(value) == 0 else [shortened(part) for part in value]
 
 
 def rounded(value):

@@ -12,7 +12,7 @@ use std::collections::BTreeMap;
 
 /// The models mutated: loops with general bodies; slots, slides and loads; time, springs and particles; in space a loop with
 /// a ball and a cross, a chain of all that screws and slides with a particle, a driven loop of constant-velocity joints, a long tree.
-const MODELS: [&str; 7] =
+pub const MODELS: [&str; 7] =
     ["general_four_bar", "quick_return", "car_axis", "crank", "jack", "shafts", "snake"];
 
 /// Functions that the reference judges.
