@@ -300,7 +300,7 @@ impl Display for SimulationError {
                 f,
                 "the step from t = {time} s cannot be resolved beside a singular position: {row} depends on the other rows there \
                  (reciprocal condition {reciprocal_condition:.1e}), and the kinetic energy would go from {before:.3e} J to \
-                 {after:.3e} J, for which no load or driver accounts; start further from that position, take a smaller step, or \
+                 {after:.3e} J, for which no load or driver accounts; take a smaller step, start further from that position, or \
                  pass it with `Projected::after(NullSpace)`"
             ),
             SimulationError::LeftConstraints { time, row, residual, singular } => {
