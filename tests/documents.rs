@@ -117,19 +117,26 @@ fn rust_in_documents_is_compiled() {
     }
 }
 
+/// The documents for readers: those of the root, of `docs` and of `docs/decisions`.
+fn documents() -> Vec<String> {
+    let mut found = vec!["benches/RESULTS.md".to_string(), "tests/reference/README.md".to_string()];
+    for folder in [".", "docs", "docs/decisions"] {
+        for entry in fs::read_dir(root().join(folder)).expect("a folder") {
+            let name = entry.expect("it can be listed").file_name().to_string_lossy().into_owned();
+            if name.ends_with(".md") {
+                found.push(format!("{folder}/{name}").trim_start_matches("./").to_string());
+            }
+        }
+    }
+    found.sort();
+    found
+}
+
 /// Every file and folder that the documents name exists.
 #[test]
 fn documents_name_what_exists() {
-    for document in [
-        "README.md",
-        "ARCHITECTURE.md",
-        "NOTATION.md",
-        "CONTRIBUTING.md",
-        "benches/RESULTS.md",
-        "docs/functions.md",
-        "docs/messages.md",
-    ] {
-        let text = read(document);
+    for document in documents() {
+        let text = read(&document);
         let names = text.split('`').skip(1).step_by(2);
         let is_path = |name: &&str| {
             name.contains('/') && name.chars().all(|c| c.is_ascii_alphanumeric() || "/._-".contains(c))
@@ -138,9 +145,67 @@ fn documents_name_what_exists() {
         let stands =
             |name: &&str| !name.contains("NAME") && !name.contains("KIND") && !name.starts_with("target");
         for name in names.filter(is_path).filter(stands) {
-            let known = ["m/s", "rad/s", "kg/m", "N/m"].contains(&name) || root().join(name).exists();
+            let unit = ["m/s", "rad/s", "kg/m", "N/m", "/"].contains(&name);
+            let beside = root().join(&document).parent().is_some_and(|folder| folder.join(name).exists());
             let in_compiler = root().join("compiler/src").join(name).exists();
-            assert!(known || in_compiler, "{document} names `{name}`");
+            assert!(unit || beside || in_compiler || root().join(name).exists(), "{document} names `{name}`");
+        }
+    }
+}
+
+/// Every link of a document to another one leads to a file.
+#[test]
+fn links_lead_somewhere() {
+    let mut followed = 0;
+    for document in documents() {
+        let text = read(&document);
+        let folder = root().join(&document).parent().expect("its folder").to_path_buf();
+        for target in text.split("](").skip(1).filter_map(|rest| rest.split(')').next()) {
+            let file = target.split('#').next().unwrap_or_default();
+            if target.contains("://") || file.is_empty() || file.contains(' ') || !file.contains('.') {
+                continue;
+            }
+            assert!(folder.join(file).exists(), "{document} links to {target}");
+            followed += 1;
+        }
+    }
+    assert!(followed >= 40, "{followed} links");
+}
+
+/// The front page links to every document and is read without turning the head; the page of the architecture fits on two
+/// sheets.
+#[test]
+fn pages_stay_short() {
+    let front = read("README.md");
+    for document in documents().iter().filter(|name| *name != "README.md") {
+        let linked = front.contains(&format!("]({document})"));
+        let inner = document.starts_with("docs/decisions/") && !document.ends_with("README.md");
+        assert!(linked || inner, "README.md does not link to {document}");
+    }
+    let mut code = false;
+    for (number, line) in front.lines().enumerate() {
+        if line.starts_with("```") {
+            code = !code;
+        }
+        let wide = line.chars().count() > 100 && !line.starts_with('|') && !code;
+        assert!(!wide, "README.md:{} is longer than 100 characters", number + 1);
+    }
+    let words = read("ARCHITECTURE.md").split_whitespace().count();
+    assert!(words <= 1200, "ARCHITECTURE.md has {words} words: decisions go to docs/decisions");
+}
+
+/// The index of decisions names each page by its title.
+#[test]
+fn decisions_are_listed() {
+    let index = read("docs/decisions/README.md");
+    for document in documents() {
+        let Some(name) = document.strip_prefix("docs/decisions/") else { continue };
+        let page = read(&document);
+        let title = page.lines().next().and_then(|line| line.strip_prefix("# ")).expect("a title");
+        if name != "README.md" {
+            let line = format!("- [{title}]({name})");
+            assert!(index.lines().any(|known| known == line), "the index lacks {line}");
+            assert!(page.contains("\n**Question.** "), "{document} says what the question was");
         }
     }
 }
