@@ -13,7 +13,7 @@ use std::collections::{BTreeMap, BTreeSet};
 /// K(c) factored, and its solution for any right-hand side.
 #[derive(Clone, Debug)]
 pub struct Stored {
-    /// What is kept of a factorisation.
+    /// The values of a factorisation that are kept.
     pub kept: Vec<Node>,
     /// The smallest relative pivot, and that of the velocities alone.
     pub pivot: Node,

@@ -170,7 +170,7 @@ impl Active {
             let Some(entries) = self.rows.get_mut(other) else { continue };
             let factor = entries.remove(&pivot).unwrap_or(0.0) / upper[&pivot];
             for (column, value) in upper.iter().filter(|(column, _)| **column != pivot) {
-                // What cancels stays in the structure: it need not cancel elsewhere.
+                // An entry that cancels stays in the structure: it need not cancel elsewhere.
                 *entries.entry(*column).or_default() -= factor * value;
                 self.holders[*column].insert(*other);
             }
