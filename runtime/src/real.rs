@@ -23,7 +23,7 @@ pub trait Real:
     + Neg<Output = Self>
     + 'static
 {
-    /// What a comparison yields: `bool` for one number, one truth value a lane for several.
+    /// The result of a comparison: `bool` for one number, one truth value a lane for several.
     type Mask: Copy + BitAnd<Output = Self::Mask> + BitOr<Output = Self::Mask> + Not<Output = Self::Mask>;
 
     /// The neutral element of addition.

@@ -9,7 +9,7 @@ use crate::mechanism::{Assemble, Row};
 use crate::real::Real;
 use crate::vector::{Vector, at, put};
 
-/// What is added to a singular mass matrix, relative to its largest diagonal entry. Small enough to leave the motion
+/// The amount added to a singular mass matrix, relative to its largest diagonal entry. Small enough to leave the motion
 /// of the bodies that have mass alone, large enough to keep half of the digits; a correction with the exact D̂
 /// restores the other half.
 const REGULARISATION: f64 = 1e-9;

@@ -1,4 +1,4 @@
-//! What follows from the derivatives of the equations: those of the motion, state matrices, equilibria, actuation.
+//! Results that follow from the derivatives of the equations: derivatives of the motion, state matrices, equilibria, actuation.
 //!
 //! The derivatives themselves are emitted ([`Tangent`]); here they are solved with, without allocation. The solution of the
 //! equations of motion is differentiated implicitly, not through its elimination: one factor, then one solve for each column.

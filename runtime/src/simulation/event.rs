@@ -154,7 +154,7 @@ impl<'e, R: Real> Watched<'e, R> {
     fn crossings<O: Fields<R>>(&self, before: &O, after: &O) -> impl Iterator<Item = (usize, R, bool)> {
         self.events.iter().enumerate().filter_map(|(index, event)| {
             let (a, b) = (event.value(before), event.value(after));
-            // What begins at the level has crossed it already; what ends there crosses now.
+            // An output that begins at the level has crossed it already; one that ends there crosses now.
             let (rises, falls) = (a < R::ZERO && b >= R::ZERO, a > R::ZERO && b <= R::ZERO);
             let counts = match event.direction {
                 Direction::Rising => rises,
