@@ -209,3 +209,55 @@ fn decisions_are_listed() {
         }
     }
 }
+
+/// The counts of operations that readers see first are those that the tests hold: every row that names a mechanism and has
+/// a number of its own.
+#[test]
+fn operations_are_those_that_are_held() {
+    let held = read("tests/data/operation_ceilings.csv");
+    let operations = |model: &str, function: &str| {
+        let line = held.lines().find_map(|line| line.strip_prefix(&format!("{model},tree,{function},")));
+        line.and_then(|line| line.split(',').next()).expect("the table has it").to_string()
+    };
+    let models = [
+        ("double pendulum", "double_pendulum"),
+        ("four-bar", "four_bar"),
+        ("two windows", "n_four_bar_2"),
+        ("ladder of 10", "n_four_bar_10"),
+        ("ladder of 40", "n_four_bar_40"),
+        ("Andrews' squeezer", "andrews"),
+        ("40 four-bars", "n_four_bar_40"),
+        ("Panda arm", "panda"),
+        ("seven-joint arm (Panda)", "panda"),
+        ("Bricard", "bricard"),
+        ("Stewart platform", "stewart_platform"),
+        ("delta robot", "delta_robot"),
+        ("double wishbone", "double_wishbone"),
+    ];
+    let formulations = read("docs/formulations.md");
+    let (formulations, _) = formulations.split_once("## On published problems").expect("counts, then runs");
+    let mut compared = 0;
+    for (page, functions) in [
+        (read("README.md").as_str(), ["acceleration_baumgarte"].as_slice()),
+        (read("docs/linearisation.md").as_str(), &["acceleration_baumgarte"]),
+        (formulations, &["", "acceleration", "acceleration_baumgarte", "null_space"]),
+    ] {
+        let mut of_the_row_before = None;
+        for line in page.lines().filter_map(|line| line.strip_prefix("| ")) {
+            let cells: Vec<String> = line.split(" | ").map(|cell| cell.replace('\u{a0}', " ")).collect();
+            let named = models.iter().find(|(name, _)| cells[0].starts_with(name)).map(|(_, model)| *model);
+            let in_independent = cells[0].starts_with("the same in independent velocities");
+            let model = named.or(of_the_row_before.filter(|_| in_independent));
+            of_the_row_before = named.or(of_the_row_before.filter(|_| cells[0].starts_with("the same")));
+            let Some(model) = model else { continue };
+            for (cell, function) in
+                cells[1..].iter().zip(functions).filter(|(_, function)| !function.is_empty())
+            {
+                let function = if in_independent { "null_space" } else { function };
+                assert_eq!(cell.replace(' ', ""), operations(model, function), "{line}");
+                compared += 1;
+            }
+        }
+    }
+    assert!(compared >= 35, "{compared} counts");
+}
