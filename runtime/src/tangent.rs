@@ -135,8 +135,8 @@ pub trait Tangent<R: Real>: Assemble<R, Inputs: Fields<R>, Outputs: Fields<R>> {
         input: &mut Self::InputTangent,
     );
     /// The derivatives of r, D a − γ, D v − ν, Φ and, at given λ, the outputs by the parameters. The phases of gears and racks
-    /// that take them from the start are held, and so is the position, though another start would be assembled. What depends on
-    /// parameters alone is computed when they are set: a value at which it has an infinite slope, as √p at 0, is refused there.
+    /// that take them from the start are held, and so is the position, though another start would be assembled. A value that depends on
+    /// parameters alone is computed when they are set: a parameter at which it has an infinite slope, as √p at 0, is refused there.
     #[allow(clippy::too_many_arguments)]
     fn parameter_tangent(
         &self,

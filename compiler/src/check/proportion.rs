@@ -1,5 +1,5 @@
 //! Whether moments of inertia can belong to the mass and size of their bodies: the radius of gyration √(I/m) beside the
-//! places that a body has, and the density that a body of that radius would have. What is out of proportion is most often
+//! places that a body has, and the density that a body of that radius would have. A moment out of proportion is most often
 //! a slip of units, mm² for m².
 
 use super::rules::at_defaults;

@@ -1,7 +1,7 @@
 //! K = \[W, D̂ᵀ; D̂, 0\] filled for one position, and its use: least corrections that satisfy all rows.
 //!
-//! D̂ has the constraint rows and the active ones among the conditions. What stands on the right-hand side is decided
-//! by `position.rs` and `rates.rs`.
+//! D̂ has the constraint rows and the active ones among the conditions. The right-hand side is that of `position.rs`
+//! or `rates.rs`.
 
 use crate::error::AssemblyError;
 use crate::ldl::{Ldl, Pivot};

@@ -81,7 +81,7 @@ impl<R: Real> Event<R> {
 /// An event that happened. The simulation stands at it: at most [`Event::tolerance`] after the crossing, on its far side.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Occurrence<R = f64> {
-    /// Which of the given events: its index. Of several within one tolerance, the earliest by linear interpolation.
+    /// The index of the event among those given; if several are within one tolerance, the earliest by linear interpolation.
     pub event: usize,
     /// The output's name.
     pub output: &'static str,

@@ -37,8 +37,8 @@ pub struct Pivot {
     pub velocity: usize,
 }
 
-/// Chooses the dependent velocities at the start. Of those that carry an independent coordinate (conditions by index) none is
-/// taken, where that is possible and not much dearer.
+/// Chooses the dependent velocities at the start. None of those that carry an independent coordinate (conditions by
+/// index) is taken, where that is possible and not much dearer.
 pub fn partition(
     mechanism: &Mechanism,
     equations: &Equations,
