@@ -194,6 +194,25 @@ fn pages_stay_short() {
     assert!(words <= 1200, "ARCHITECTURE.md has {words} words: decisions go to docs/decisions");
 }
 
+/// The stages that ARCHITECTURE.md lists are those that the driver calls, in its order.
+#[test]
+fn stages_are_those_of_the_driver() {
+    let page = read("ARCHITECTURE.md");
+    let block = page.split_once("## Stages").and_then(|(_, rest)| rest.split_once("```text\n"));
+    let block = block.and_then(|(_, rest)| rest.split_once("```")).expect("the list").0;
+    let sources = read("compiler/src/driver.rs") + &read("compiler/src/lib.rs");
+    let mut rest = sources.as_str();
+    let mut stages = 0;
+    for line in block.lines() {
+        let (before, _) = line.split_once("─▶").expect("a stage and its result");
+        let stage = before.rsplit_once("─ ").map_or(before, |(_, stage)| stage).trim();
+        let call = format!("{stage}(");
+        rest = rest.split_once(&call).unwrap_or_else(|| panic!("the driver does not call {stage} there")).1;
+        stages += 1;
+    }
+    assert!(stages >= 15, "{stages} stages");
+}
+
 /// The index of decisions names each page by its title.
 #[test]
 fn decisions_are_listed() {
