@@ -117,19 +117,26 @@ fn rust_in_documents_is_compiled() {
     }
 }
 
+/// The documents for readers: those of the root, of `docs` and of `docs/decisions`.
+fn documents() -> Vec<String> {
+    let mut found = vec!["benches/RESULTS.md".to_string(), "tests/reference/README.md".to_string()];
+    for folder in [".", "docs", "docs/decisions"] {
+        for entry in fs::read_dir(root().join(folder)).expect("a folder") {
+            let name = entry.expect("it can be listed").file_name().to_string_lossy().into_owned();
+            if name.ends_with(".md") {
+                found.push(format!("{folder}/{name}").trim_start_matches("./").to_string());
+            }
+        }
+    }
+    found.sort();
+    found
+}
+
 /// Every file and folder that the documents name exists.
 #[test]
 fn documents_name_what_exists() {
-    for document in [
-        "README.md",
-        "ARCHITECTURE.md",
-        "NOTATION.md",
-        "CONTRIBUTING.md",
-        "benches/RESULTS.md",
-        "docs/functions.md",
-        "docs/messages.md",
-    ] {
-        let text = read(document);
+    for document in documents() {
+        let text = read(&document);
         let names = text.split('`').skip(1).step_by(2);
         let is_path = |name: &&str| {
             name.contains('/') && name.chars().all(|c| c.is_ascii_alphanumeric() || "/._-".contains(c))
@@ -138,9 +145,138 @@ fn documents_name_what_exists() {
         let stands =
             |name: &&str| !name.contains("NAME") && !name.contains("KIND") && !name.starts_with("target");
         for name in names.filter(is_path).filter(stands) {
-            let known = ["m/s", "rad/s", "kg/m", "N/m"].contains(&name) || root().join(name).exists();
+            let unit = ["m/s", "rad/s", "kg/m", "N/m", "/"].contains(&name);
+            let beside = root().join(&document).parent().is_some_and(|folder| folder.join(name).exists());
             let in_compiler = root().join("compiler/src").join(name).exists();
-            assert!(known || in_compiler, "{document} names `{name}`");
+            assert!(unit || beside || in_compiler || root().join(name).exists(), "{document} names `{name}`");
         }
     }
+}
+
+/// Every link of a document to another one leads to a file.
+#[test]
+fn links_lead_somewhere() {
+    let mut followed = 0;
+    for document in documents() {
+        let text = read(&document);
+        let folder = root().join(&document).parent().expect("its folder").to_path_buf();
+        for target in text.split("](").skip(1).filter_map(|rest| rest.split(')').next()) {
+            let file = target.split('#').next().unwrap_or_default();
+            if target.contains("://") || file.is_empty() || file.contains(' ') || !file.contains('.') {
+                continue;
+            }
+            assert!(folder.join(file).exists(), "{document} links to {target}");
+            followed += 1;
+        }
+    }
+    assert!(followed >= 40, "{followed} links");
+}
+
+/// The front page links to every document and is read without turning the head; the page of the architecture fits on two
+/// sheets.
+#[test]
+fn pages_stay_short() {
+    let front = read("README.md");
+    for document in documents().iter().filter(|name| *name != "README.md") {
+        let linked = front.contains(&format!("]({document})"));
+        let inner = document.starts_with("docs/decisions/") && !document.ends_with("README.md");
+        assert!(linked || inner, "README.md does not link to {document}");
+    }
+    let mut code = false;
+    for (number, line) in front.lines().enumerate() {
+        if line.starts_with("```") {
+            code = !code;
+        }
+        let wide = line.chars().count() > 100 && !line.starts_with('|') && !code;
+        assert!(!wide, "README.md:{} is longer than 100 characters", number + 1);
+    }
+    let words = read("ARCHITECTURE.md").split_whitespace().count();
+    assert!(words <= 1200, "ARCHITECTURE.md has {words} words: decisions go to docs/decisions");
+}
+
+/// The stages that ARCHITECTURE.md lists are those that the driver calls, in its order.
+#[test]
+fn stages_are_those_of_the_driver() {
+    let page = read("ARCHITECTURE.md");
+    let block = page.split_once("## Stages").and_then(|(_, rest)| rest.split_once("```text\n"));
+    let block = block.and_then(|(_, rest)| rest.split_once("```")).expect("the list").0;
+    let sources = read("compiler/src/driver.rs") + &read("compiler/src/lib.rs");
+    let mut rest = sources.as_str();
+    let mut stages = 0;
+    for line in block.lines() {
+        let (before, _) = line.split_once("─▶").expect("a stage and its result");
+        let stage = before.rsplit_once("─ ").map_or(before, |(_, stage)| stage).trim();
+        let call = format!("{stage}(");
+        rest = rest.split_once(&call).unwrap_or_else(|| panic!("the driver does not call {stage} there")).1;
+        stages += 1;
+    }
+    assert!(stages >= 15, "{stages} stages");
+}
+
+/// The index of decisions names each page by its title.
+#[test]
+fn decisions_are_listed() {
+    let index = read("docs/decisions/README.md");
+    for document in documents() {
+        let Some(name) = document.strip_prefix("docs/decisions/") else { continue };
+        let page = read(&document);
+        let title = page.lines().next().and_then(|line| line.strip_prefix("# ")).expect("a title");
+        if name != "README.md" {
+            let line = format!("- [{title}]({name})");
+            assert!(index.lines().any(|known| known == line), "the index lacks {line}");
+            assert!(page.contains("\n**Question.** "), "{document} says what the question was");
+        }
+    }
+}
+
+/// The counts of operations that readers see first are those that the tests hold: every row that names a mechanism and has
+/// a number of its own.
+#[test]
+fn operations_are_those_that_are_held() {
+    let held = read("tests/data/operation_ceilings.csv");
+    let operations = |model: &str, function: &str| {
+        let line = held.lines().find_map(|line| line.strip_prefix(&format!("{model},tree,{function},")));
+        line.and_then(|line| line.split(',').next()).expect("the table has it").to_string()
+    };
+    let models = [
+        ("double pendulum", "double_pendulum"),
+        ("four-bar", "four_bar"),
+        ("two windows", "n_four_bar_2"),
+        ("ladder of 10", "n_four_bar_10"),
+        ("ladder of 40", "n_four_bar_40"),
+        ("Andrews' squeezer", "andrews"),
+        ("40 four-bars", "n_four_bar_40"),
+        ("Panda arm", "panda"),
+        ("seven-joint arm (Panda)", "panda"),
+        ("Bricard", "bricard"),
+        ("Stewart platform", "stewart_platform"),
+        ("delta robot", "delta_robot"),
+        ("double wishbone", "double_wishbone"),
+    ];
+    let formulations = read("docs/formulations.md");
+    let (formulations, _) = formulations.split_once("## On published problems").expect("counts, then runs");
+    let mut compared = 0;
+    for (page, functions) in [
+        (read("README.md").as_str(), ["acceleration_baumgarte"].as_slice()),
+        (read("docs/linearisation.md").as_str(), &["acceleration_baumgarte"]),
+        (formulations, &["", "acceleration", "acceleration_baumgarte", "null_space"]),
+    ] {
+        let mut of_the_row_before = None;
+        for line in page.lines().filter_map(|line| line.strip_prefix("| ")) {
+            let cells: Vec<String> = line.split(" | ").map(|cell| cell.replace('\u{a0}', " ")).collect();
+            let named = models.iter().find(|(name, _)| cells[0].starts_with(name)).map(|(_, model)| *model);
+            let in_independent = cells[0].starts_with("the same in independent velocities");
+            let model = named.or(of_the_row_before.filter(|_| in_independent));
+            of_the_row_before = named.or(of_the_row_before.filter(|_| cells[0].starts_with("the same")));
+            let Some(model) = model else { continue };
+            for (cell, function) in
+                cells[1..].iter().zip(functions).filter(|(_, function)| !function.is_empty())
+            {
+                let function = if in_independent { "null_space" } else { function };
+                assert_eq!(cell.replace(' ', ""), operations(model, function), "{line}");
+                compared += 1;
+            }
+        }
+    }
+    assert!(compared >= 35, "{compared} counts");
 }

@@ -2,7 +2,7 @@
 //! sorted by kind and named after the mistake.
 //!
 //! `TRYBUILD=overwrite cargo test --test ui` writes the answers anew; read them before keeping them. The texts stand
-//! in `compiler/src/messages/` and `compiler/src/check/messages.rs`; spans and texts one by one are also tested in `compiler/tests/front_end`.
+//! in `compiler/src/messages/` and `compiler/src/check/messages/`; spans and texts one by one are also tested in `compiler/tests/front_end`.
 
 use linkwright_compiler::{check, model, parse};
 

@@ -175,7 +175,7 @@ fn outputs(definition: &Definition, equations: &Equations, point: &mut Point) ->
     .collect()
 }
 
-/// Of each body the nodes of its mass and moments.
+/// The nodes of mass and moments of each body.
 fn masses(mechanism: &Mechanism, equations: &mut Equations) -> Vec<Vec<Node>> {
     equations.write(|g, equations| {
         let laws = Laws::moving(g, mechanism, &equations.symbols, &equations.layout, &equations.kinematics);

@@ -181,7 +181,7 @@ fn table(equations: &Equations, solved: &Solved) -> Table {
         .iter()
         .enumerate()
         .flat_map(|(at, jet)| jet.columns.keys().map(move |column| (n + at, *column)).collect::<Vec<_>>());
-    // Of rows that hold massless velocities the square is added to M.
+    // M gets the squares of the rows that hold massless velocities.
     let held = solved.massless.rows.keys().flat_map(|row| {
         let columns = &equations.rows[*row].jet.columns;
         columns.keys().flat_map(|i| columns.range(..i).map(|(j, _)| (*i, *j))).collect::<Vec<_>>()

@@ -8,7 +8,7 @@ pub fn significant(value: f64, digits: usize) -> String {
     }
     let text = format!("{value:.*e}", digits.max(1) - 1);
     let (mantissa, power) = text.split_once('e').unwrap_or((&text, "0"));
-    // Of the rounded number, which may have a digit more: 9.9996 becomes 10.
+    // The exponent of the rounded number, which may have a digit more: 9.9996 becomes 10.
     let exponent: i32 = power.parse().unwrap_or(0);
     if (-4..6).contains(&exponent) {
         let behind = usize::try_from(digits as i32 - 1 - exponent).unwrap_or(0);

@@ -157,7 +157,7 @@ impl Dimension {
         self
     }
 
-    /// Of a product.
+    /// The dimension of a product.
     pub fn times(self, other: Self) -> Self {
         Self {
             mass: self.mass + other.mass,
@@ -168,7 +168,7 @@ impl Dimension {
         .cancelled()
     }
 
-    /// Of a quotient.
+    /// The dimension of a quotient.
     pub fn over(self, other: Self) -> Self {
         self.times(Self {
             mass: -other.mass,
@@ -178,7 +178,7 @@ impl Dimension {
         })
     }
 
-    /// Of a power; `None` if an exponent is no multiple of 1/60 or out of all reason.
+    /// The dimension of a power; `None` if an exponent is no multiple of 1/60 or out of all reason.
     pub fn power(self, exponent: f64) -> Option<Self> {
         let scaled = |own: i32| {
             let exact = f64::from(own) * exponent;
@@ -204,7 +204,7 @@ impl Dimension {
         same && angles
     }
 
-    /// Of two summands: what either of them knows of the angle.
+    /// The dimension of a sum: the angle is known if either summand knows it.
     pub fn merged(self, other: Self) -> Self {
         Self { angle: self.angle.or(other.angle), ..self }
     }

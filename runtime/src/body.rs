@@ -1,4 +1,4 @@
-//! What bodies do and joints exert, as emitted functions report it, and the checks of a model's parameters.
+//! Motions of bodies and reactions of joints, as emitted functions report it, and the checks of a model's parameters.
 
 use crate::error::SettingError;
 use crate::quaternion::from_rotation_matrix;
@@ -61,7 +61,7 @@ impl<R: Real> SpatialMotion<R> {
     }
 }
 
-/// What a joint in the plane exerts on the body of its second place.
+/// The force and torque that a joint in the plane exerts on the body of its second place.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Reaction<R = f64> {
     /// At the second place, world axes, N.
@@ -70,7 +70,7 @@ pub struct Reaction<R = f64> {
     pub torque: R,
 }
 
-/// What a joint in space exerts on the body of its second place; world axes.
+/// The force and torque that a joint in space exerts on the body of its second place; world axes.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SpatialReaction<R = f64> {
     /// At the second place, N.

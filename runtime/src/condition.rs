@@ -17,7 +17,7 @@ pub(crate) fn far<R: Real>() -> R {
     R::from_f64(3e-3).max(R::from_f64(30.0) * R::NEAR_SINGULAR)
 }
 
-/// What a step looks at: [`reciprocal_condition`], or the smallest pivot where that is far from zero.
+/// The number that a step looks at: [`reciprocal_condition`], or the smallest pivot where that is far from zero.
 pub(crate) fn watched<R: Real, M: Assemble<R>>(model: &M, time: R, q: &M::Q) -> R {
     let mut store = M::store();
     let pivot = model.factor(time, q, R::ZERO, &mut store);
@@ -62,7 +62,7 @@ fn least<R: Real, M: Assemble<R>>(model: &M, store: &M::Store, pivot: R) -> R {
         model.solve(store, &M::V::zero(), &x, &mut a, &mut lambda);
         roots(&mut lambda);
         let size = lambda.norm_squared().sqrt();
-        // What overflows, or is nothing, says no more.
+        // A vector that overflows, or is zero, says no more.
         if !(size > R::ZERO && size.is_finite()) {
             break;
         }

@@ -2,8 +2,8 @@
 //!
 //! Positions are no vector space: an orientation is a pair (c, s) on the unit circle or a unit quaternion, so n_q ≠ n_v
 //! and an increment of the velocities' kind is carried to the positions by the exponential of the group (`rotation.rs`,
-//! `quaternion.rs`). Integrators, Newton iterations and projections all move through [`retract`]. What the velocities
-//! are, the mechanism says.
+//! `quaternion.rs`). Integrators, Newton iterations and projections all move through [`retract`]. The mechanism says
+//! what the velocities are.
 
 use crate::quaternion;
 use crate::real::Real;
@@ -192,7 +192,7 @@ fn cross<R: Real>(a: [R; 3], b: [R; 3]) -> [R; 3] {
 }
 
 /// The first orientation whose squared length is further than `tolerance` from one: its first index into q and its
-/// length. What is not finite is left to other checks.
+/// length. Other checks find entries that are not finite.
 pub(crate) fn first_not_unit<R: Real, Q: Vector<R>>(
     layout: &Layout,
     q: &Q,

@@ -79,7 +79,7 @@ pub use state::{Kinematics, Motion, State};
 pub use tangent::Tangent;
 pub use vector::Vector;
 
-/// What emitted code may name. A path of its own version, so that a later runtime can serve older code.
+/// The names that emitted code may use. The path has its own version, so that a later runtime can serve older code.
 #[doc(hidden)]
 pub mod __private {
     /// The first version.

@@ -1,4 +1,4 @@
-//! What a mechanism is to the runtime: its sizes, its equations, its tables.
+//! A mechanism as the runtime sees it: its sizes, its equations, its tables.
 //!
 //! The compiler emits one implementation of [`Mechanism`] and of [`Assemble`] per definition; everything else in this
 //! crate is written against these two traits. They hold no algorithm: integration is `simulation.rs`, the sparse
@@ -154,7 +154,7 @@ pub enum ConditionKind {
     Rate,
 }
 
-/// What assembly needs beyond the equations of motion: conditions, what `start` states, the order of elimination.
+/// The equations and tables that assembly needs beyond those of motion: conditions, values that `start` states, the order of elimination.
 ///
 /// All functions write all entries of their results. Conditions are `coordinate(t, q) = target`.
 pub trait Assemble<R: Real>: Mechanism<R> {
@@ -178,8 +178,8 @@ pub trait Assemble<R: Real>: Mechanism<R> {
     /// (row, dependent velocity) of each row that is not [`IDLE`](Assemble::IDLE), in the order in which D is factored: chosen at
     /// the start position. The velocity is `u16::MAX` where none is chosen.
     const DEPENDENT: &'static [(u16, u16)] = &[];
-    /// What the entries of each column of D are multiplied by before they are compared, because columns have different units;
-    /// empty if all of them are one.
+    /// The factors of the columns of D by which entries are compared, because columns have different units; empty if all
+    /// of them are one.
     const SCALES: &'static [f64] = &[];
     /// The largest entry of each row of D along the motion, after multiplication by [`SCALES`](Assemble::SCALES): what pivots of D are
     /// measured by.
@@ -207,9 +207,9 @@ pub trait Assemble<R: Real>: Mechanism<R> {
     type Reduced: Vector<R>;
     /// A whole number for each velocity.
     type Choice: Copy + Debug + AsRef<[u16]> + AsMut<[u16]>;
-    /// What [`factor`](Assemble::factor) keeps of a factorisation.
+    /// The values that [`factor`](Assemble::factor) keeps of a factorisation.
     type Store: Copy + Debug;
-    /// What [`factor_jacobian`](Assemble::factor_jacobian) keeps of one; `()` where it is not written out.
+    /// The values that [`factor_jacobian`](Assemble::factor_jacobian) keeps of one; `()` where it is not written out.
     type Lu: Copy + Debug;
 
     /// Zeros.
@@ -316,7 +316,7 @@ pub trait Assemble<R: Real>: Mechanism<R> {
     fn condition_drift(&self, time: R, q: &Self::Q, drift: &mut Self::Conditions);
     /// cos Δθ for the rows of [`FLIPS`](Assemble::FLIPS), 1 for the others.
     fn row_cosines(&self, time: R, q: &Self::Q, cosines: &mut Self::Lambda);
-    /// What `start` states, with this model's parameters; entries of conditions it does not state are ignored.
+    /// The values that `start` states, with this model's parameters; entries of conditions it does not state are ignored.
     fn start_targets(&self, positions: &mut Self::Conditions, rates: &mut Self::Conditions);
     /// The positions assembled at expansion, for the default parameters.
     fn start_q() -> Self::Q;

@@ -19,7 +19,7 @@ const NONE: u16 = u16::MAX;
 /// digits lost.
 const WRITTEN_OUT: f64 = 1e-4;
 
-/// The dependent velocity of each row: those of [`Assemble::DEPENDENT`], until others serve better. What is kept from one position
+/// The dependent velocity of each row: those of [`Assemble::DEPENDENT`], until others serve better. It is kept from one position
 /// to the next; the factors are not.
 ///
 /// By tables U has the pivot of the k-th row in column `columns[k]`, and L is stored where U is zero.

@@ -110,9 +110,9 @@ pub fn rotation_matrix<R: Real>([w, x, y, z]: [R; 4]) -> [[R; 3]; 3] {
 
 /// The unit quaternion of a rotation matrix, w ≥ 0 of the two signs.
 ///
-/// Of 4w² = 1 + tr A and 4x² = 1 + 2 A₁₁ − tr A, … the largest is at least 1; its root is taken and the others follow
+/// The largest of 4w² = 1 + tr A, 4x² = 1 + 2 A₁₁ − tr A, … is at least 1; its root is taken and the others follow
 /// from off-diagonal entries, so that no small number is divided by (Shepperd, *Quaternion from Rotation Matrix*,
-/// J. Guidance and Control 1, 1978). What rounding left of |q| = 1 is divided out.
+/// J. Guidance and Control 1, 1978). The deviation of |q| from 1 by rounding is divided out.
 #[cold]
 pub fn from_rotation_matrix<R: Real>(a: &[[R; 3]; 3]) -> [R; 4] {
     let trace = a[0][0] + a[1][1] + a[2][2];

@@ -23,7 +23,7 @@ pub trait Real:
     + Neg<Output = Self>
     + 'static
 {
-    /// What a comparison yields: `bool` for one number, one truth value a lane for several.
+    /// The result of a comparison: `bool` for one number, one truth value a lane for several.
     type Mask: Copy + BitAnd<Output = Self::Mask> + BitOr<Output = Self::Mask> + Not<Output = Self::Mask>;
 
     /// The neutral element of addition.
@@ -34,8 +34,8 @@ pub trait Real:
     const EPSILON: Self;
     /// The relative pivot below which a factorisation has broken down.
     ///
-    /// A pivot is compared with the sum of the magnitudes of the terms that formed it. What remains after
-    /// cancellation to rounding is a few [`EPSILON`](Real::EPSILON); the bound lies some forty roundings above, so a
+    /// A pivot is compared with the sum of the magnitudes of the terms that formed it. After cancellation
+    /// to rounding there remain a few [`EPSILON`](Real::EPSILON); the bound lies some forty roundings above, so a
     /// pivot below it has no correct digit worth dividing by: `1e-14` for `f64`, `5e-6` for `f32`.
     const BREAKDOWN: Self;
     /// The reciprocal condition of D M⁻¹ Dᵀ below which a position is reported as nearly singular: `1e-6` for `f64`,

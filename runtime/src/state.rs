@@ -1,4 +1,4 @@
-//! What moves: states, motions of single coordinates, and what kinematics gives back.
+//! States, motions of single coordinates, and the results of kinematics.
 //!
 //! Plain values without behaviour; they are made consistent in `assembly` and advanced in `simulation.rs`.
 

@@ -9,7 +9,7 @@ use crate::mechanism::Assemble;
 use crate::real::Real;
 use crate::vector::{Vector, at, put};
 
-/// What [`factor`] leaves for [`solve`].
+/// The values that [`factor`] leaves for [`solve`].
 #[derive(Clone, Copy, Debug)]
 pub struct Tabled<R, F, S, J> {
     ldl: Ldl<R, F, S>,

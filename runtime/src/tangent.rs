@@ -1,4 +1,4 @@
-//! What a mechanism is to linearisation: derivatives of its equations, exact and sparse.
+//! A mechanism as linearisation sees it: derivatives of its equations, exact and sparse.
 //!
 //! The compiler emits one implementation per definition that says `options { emit = (tangent); }`. What is made of them,
 //! derivatives of the solution, state matrices and equilibria, is `linearisation` and `equilibrium.rs`.
@@ -28,25 +28,25 @@ use core::fmt::Debug;
 pub trait Tangent<R: Real>: Assemble<R, Inputs: Fields<R>, Outputs: Fields<R>> {
     /// Indices into [`CONDITIONS`](Assemble::CONDITIONS): the coordinates z of linearised motions, one for each degree of
     /// freedom. They are those of [`INDEPENDENT`](Assemble::INDEPENDENT) and, where these do not suffice because bodies turn on
-    /// balls, components of ω: of such an orientation no three numbers are the coordinates.
+    /// balls, components of ω: no three numbers are the coordinates of such an orientation.
     const STATES: &'static [u16];
     /// (row, column) of each stored entry of ∂r/∂q, n_v × n_v, row by row; so the patterns below.
     const STIFFNESS_PATTERN: &'static [(u16, u16)];
-    /// Of ∂r/∂v, n_v × n_v.
+    /// Entries of ∂r/∂v, n_v × n_v.
     const DAMPING_PATTERN: &'static [(u16, u16)];
-    /// Of ∂(D a − γ)/∂q, m × n_v.
+    /// Entries of ∂(D a − γ)/∂q, m × n_v.
     const ROW_STIFFNESS_PATTERN: &'static [(u16, u16)];
-    /// Of ∂(D a − γ)/∂v, m × n_v.
+    /// Entries of ∂(D a − γ)/∂v, m × n_v.
     const ROW_DAMPING_PATTERN: &'static [(u16, u16)];
-    /// Of ∂(D v − ν)/∂q, m × n_v.
+    /// Entries of ∂(D v − ν)/∂q, m × n_v.
     const RATE_PATTERN: &'static [(u16, u16)];
-    /// Of ∂r/∂u, n_v × n_u.
+    /// Entries of ∂r/∂u, n_v × n_u.
     const INPUT_PATTERN: &'static [(u16, u16)];
-    /// Of the derivatives by parameters, (n_v + 3m + n_y) × n_p: rows of r, D a − γ, D v − ν, Φ, outputs.
+    /// Entries of the derivatives by parameters, (n_v + 3m + n_y) × n_p: rows of r, D a − γ, D v − ν, Φ, outputs.
     const PARAMETER_PATTERN: &'static [(u16, u16)];
-    /// Of the outputs' derivatives, n_y × (2n_v + n_u + m): columns of q, v, u, λ.
+    /// Entries of the outputs' derivatives, n_y × (2n_v + n_u + m): columns of q, v, u, λ.
     const OUTPUT_PATTERN: &'static [(u16, u16)];
-    /// Of ∂(ż, z̈)/∂(q, v), 2f × 2n_v.
+    /// Entries of ∂(ż, z̈)/∂(q, v), 2f × 2n_v.
     const COORDINATE_PATTERN: &'static [(u16, u16)];
 
     /// The stored entries of ∂r/∂q.
@@ -135,8 +135,8 @@ pub trait Tangent<R: Real>: Assemble<R, Inputs: Fields<R>, Outputs: Fields<R>> {
         input: &mut Self::InputTangent,
     );
     /// The derivatives of r, D a − γ, D v − ν, Φ and, at given λ, the outputs by the parameters. The phases of gears and racks
-    /// that take them from the start are held, and so is the position, though another start would be assembled. What depends on
-    /// parameters alone is computed when they are set: a value at which it has an infinite slope, as √p at 0, is refused there.
+    /// that take them from the start are held, and so is the position, though another start would be assembled. A value that depends on
+    /// parameters alone is computed when they are set: a parameter at which it has an infinite slope, as √p at 0, is refused there.
     #[allow(clippy::too_many_arguments)]
     fn parameter_tangent(
         &self,

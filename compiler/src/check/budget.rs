@@ -53,7 +53,7 @@ fn taken(of: Budgeted, program: &Program) -> usize {
     }
 }
 
-/// What would take less, with what it would take, the least first.
+/// Changes that would take less, with the operations they would take, the least first.
 fn remedies(compiled: &Compiled, function: Function, of: Budgeted, found: usize) -> Vec<(Remedy, usize)> {
     let mut remedies: Vec<(Remedy, usize)> = Vec::new();
     if let Some((coordinates, other)) = in_other_coordinates(compiled) {

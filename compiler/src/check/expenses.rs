@@ -97,7 +97,7 @@ pub fn expenses(compiled: &Compiled, function: Function) -> Vec<Expense> {
     table.in_order()
 }
 
-/// What the equations are set up from.
+/// The parts from which the equations are set up.
 fn of_the_solution(compiled: &Compiled, equations: &mut Equations, function: Function) -> Vec<Purpose> {
     let mut purposes = Purposes::default();
     purposes.add(MASS, "", equations.mass.values().copied());
@@ -117,7 +117,7 @@ fn of_the_solution(compiled: &Compiled, equations: &mut Equations, function: Fun
     purposes.0
 }
 
-/// What each part of a function's result needs, by the names of joints, loads, bodies and outputs.
+/// The nodes that each part of a function's result needs, by the names of joints, loads, bodies and outputs.
 fn of_outputs(compiled: &Compiled, function: Function) -> Vec<Purpose> {
     let (mechanism, equations) = (&compiled.mechanism, &compiled.equations);
     let mut purposes = Purposes::default();
@@ -201,7 +201,7 @@ impl Purposes {
     }
 }
 
-/// What is done with the equations once they are set up. The sets hold what they need, too.
+/// The steps that are done with the equations once they are set up. The sets hold what they need, too.
 #[derive(Default)]
 struct Rest {
     /// Whether there is a solution; else only sums are left.

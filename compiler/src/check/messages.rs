@@ -102,7 +102,7 @@ pub fn massless(body: &str, velocity: &str) -> String {
     )
 }
 
-/// What takes less than is taken now.
+/// A change that takes less than is taken now.
 pub enum Remedy {
     /// `absolute` or `tree`.
     Coordinates(&'static str),

@@ -1,5 +1,5 @@
 //! Whether moments of inertia can belong to the mass and size of their bodies: the radius of gyration √(I/m) beside the
-//! places that a body has, and the density that a body of that radius would have. What is out of proportion is most often
+//! places that a body has, and the density that a body of that radius would have. A moment out of proportion is most often
 //! a slip of units, mm² for m².
 
 use super::rules::at_defaults;
@@ -27,8 +27,8 @@ pub(crate) struct Disproportion {
     pub unit: &'static str,
 }
 
-/// Of a body with places off its centre, at the defaults of parameters. Too small a moment is not spoken of: a ball on a long wire has
-/// one, and zero is that of a point.
+/// The disproportion of a body with places off its centre, at the defaults of parameters. Too small a moment is not
+/// spoken of: a ball on a long wire has one, and zero is that of a point.
 pub(super) fn disproportion(mechanism: &Mechanism, id: BodyId) -> Option<Disproportion> {
     let body = &mechanism.bodies[id.0];
     let value = |expr| at_defaults(mechanism, expr);

@@ -55,7 +55,7 @@ fn has_bodies(mechanism: &Mechanism, diagnostics: &mut Diagnostics) {
     }
 }
 
-// What is written out in full has a bounded size, or the build would not end.
+// A mechanism that is written out in full has a bounded size, or the build would not end.
 fn is_of_a_size_to_write_out(mechanism: &Mechanism, diagnostics: &mut Diagnostics) {
     const MOST_BODIES: usize = 256;
     const MOST_CONSTRAINTS: usize = 512;

@@ -47,7 +47,8 @@ pub fn size(mechanism: &Mechanism, tree: &Equations, asked: Coordinates, errors:
     errors.error(mechanism.name.span, messages::oversize(&mechanism.name.text, &oversize));
 }
 
-/// Of absolute coordinates; in space without their equations, which would be work in itself.
+/// The operations of the elimination in absolute coordinates; in space without their equations, which would be work in
+/// itself.
 fn in_absolute(mechanism: &Mechanism) -> usize {
     match mechanism.space {
         Space::Planar => structural_operations(&equations::derive(

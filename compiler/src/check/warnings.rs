@@ -1,5 +1,6 @@
-//! What is possible and probably not meant: declarations that nothing names, loads that change nothing, places outside of
-//! the shape they belong to, inertia without proportion. One function a warning; the comment above it is the rule as the user could read it.
+//! Warnings, of things that are possible and probably not meant: declarations that nothing names, loads that change
+//! nothing, places outside of the shape they belong to, inertia without proportion. One function a warning; the comment
+//! above it is the rule as the user could read it.
 //!
 //! Warnings never stop the compilation, and `#[allow(…)]` before a declaration takes them back.
 
@@ -96,7 +97,7 @@ fn loads_have_an_effect(mechanism: &Mechanism, wanted: &mut Wanted) {
     }
 }
 
-/// Of a load that is zero whatever parameters, inputs and positions are.
+/// Warns of a load that is zero whatever parameters, inputs and positions are.
 fn nothing_from(load: &Load) -> Option<String> {
     let name = &load.name.text;
     let zero = |expr: &Expr| matches!(expr, Expr::Number(0.0));
@@ -119,7 +120,7 @@ fn nothing_from(load: &Load) -> Option<String> {
     }
 }
 
-/// Of a load on what joints hold, in `rigid` groups altogether and in `parallel` ones against turning.
+/// Warns of a load on bodies that joints hold, in `rigid` groups altogether and in `parallel` ones against turning.
 fn nothing_moved(mechanism: &Mechanism, load: &Load, rigid: &Groups, parallel: &Groups) -> Option<String> {
     let name = &load.name.text;
     let body = |id: BodyId| &mechanism.bodies[id.0].name.text;

@@ -33,7 +33,7 @@ pub enum Pen {
 #[derive(Clone, Debug)]
 pub struct Group {
     pub layer: usize,
-    /// Of two in one layer the nearer one is drawn later.
+    /// How near to the eye: the nearer of two in one layer is drawn later.
     pub nearness: f64,
     title: String,
     text: String,

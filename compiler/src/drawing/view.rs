@@ -27,7 +27,7 @@ pub struct View {
     /// px/m.
     pub scale: f64,
     origin: Spot,
-    /// Of the whole picture.
+    /// The width of the whole picture.
     pub width: f64,
     pub height: f64,
 }

@@ -105,11 +105,11 @@ struct Emitter<'a> {
     inner: String,
     /// `pub`, `pub(crate)` or nothing.
     visibility: String,
-    /// Of what emitted code may name, as `::linkwright::__private::v1`.
+    /// The path of the names that emitted code may use, as `::linkwright::__private::v1`.
     path: String,
     names: Names,
     input_fields: Vec<String>,
-    /// Of the two solutions, where they have something in common.
+    /// The cuts of the two solutions, where they have something in common.
     cuts: Option<[body::Cut; 2]>,
 }
 

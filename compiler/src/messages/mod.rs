@@ -26,7 +26,7 @@ pub(crate) fn closest<'a>(word: &str, known: impl Iterator<Item = &'a str>) -> O
     let most = (word.chars().count() / 3).max(1);
     known
         .map(|candidate| (distance(word, candidate), candidate))
-        // Of a single letter nothing would be left.
+        // Nothing would be left of a single letter.
         .filter(|(edits, _)| *edits <= most && *edits < word.chars().count())
         .min_by_key(|(edits, _)| *edits)
         .map(|(_, candidate)| candidate)

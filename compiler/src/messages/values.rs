@@ -41,7 +41,7 @@ fn unit_advice(unit: Dimension, value: Option<f64>) -> String {
     }
 }
 
-/// Of a declaration without a unit, whose value has one.
+/// A declaration without a unit, whose value has one.
 pub(crate) fn unit_left_out(kind: &str, name: &str, found: Dimension) -> String {
     format!(
         "`{name}` is declared without a unit, as a plain number, and is given {}: write `{kind} {name} [{found}] = …`",

@@ -1,4 +1,4 @@
-//! What depends on nothing but parameters is taken out of every function and computed once.
+//! A value that depends on nothing but parameters is taken out of every function and computed once.
 
 use crate::symbolic::{Class, Graph, Node, Op};
 use std::collections::BTreeMap;

@@ -16,7 +16,7 @@ use crate::functions::{Function, outputs};
 use crate::solve::Solved;
 use crate::symbolic::{Graph, Node};
 
-/// What each function computes.
+/// The nodes that each function computes.
 #[derive(Clone, Debug)]
 pub struct Optimized {
     /// In the order of [`Function::ALL`].

@@ -55,7 +55,7 @@ fn get(operand: Operand, graph: &Graph, inputs: &Inputs, errors: &Errors, values
     }
 }
 
-/// What the errors of the operands make of the result.
+/// The error of a result that follows from those of its operands.
 fn passed_on(instruction: &Instruction, result: f64, get: impl Fn(Operand) -> Bounded) -> f64 {
     let certain = |clear: bool| if clear { 0.0 } else { f64::INFINITY };
     match *instruction {

@@ -33,7 +33,7 @@ impl Counts {
             + self.transcendentals
     }
 
-    /// What choices between formulations minimise: work, and a share for the depth that keeps a wide processor waiting.
+    /// The score that choices between formulations minimise: work, and a share for the depth that keeps a wide processor waiting.
     pub fn score(&self) -> usize {
         4 * self.total() + self.depth
     }

@@ -1,7 +1,7 @@
 //! How long the results of a program live: what cuts long programs, and what budgets of live values count.
 //!
-//! A result lives from the instruction that computes it to the last one that uses it; an output lives to the end. What a
-//! function is given, such as q and v, lives with its caller and does not count.
+//! A result lives from the instruction that computes it to the last one that uses it; an output lives to the end. An
+//! argument of a function, such as q and v, lives with its caller and does not count.
 
 use super::program::{Operand, Program};
 

@@ -76,7 +76,7 @@ pub fn count_of(equations: &Equations, solved: &Solved, function: Function) -> C
     functions.first().map_or(Counts::default(), |(_, fused)| count(&select(fused).program))
 }
 
-/// What the instructions of one function compute, in no particular order.
+/// The nodes that the instructions of one function compute, in no particular order.
 pub fn nodes_of(equations: &Equations, solved: &Solved, function: Function) -> Vec<Node> {
     let Optimized { functions, hoisted } = optimize_only(equations, solved, &[function]);
     let sources = sources(equations);
@@ -90,7 +90,7 @@ pub fn operations_of(equations: &Equations, outputs: &[Node]) -> usize {
     select::select(&equations.graph, &sources(equations), &Hoisted::default(), &fused).nodes.len()
 }
 
-/// What each symbol of the graph stands for.
+/// The value or argument that each symbol of the graph stands for.
 pub fn sources(equations: &Equations) -> Vec<Source> {
     let symbols = &equations.symbols;
     let mut sources = vec![Source::Time; equations.graph.symbol_count()];

@@ -22,7 +22,7 @@ pub enum Source {
     GivenForce(u32),
     GivenRow(u32),
     Kept(u32),
-    /// What is kept of D = L U.
+    /// The values of D = L U that are kept.
     Lu(u32),
     /// A constant of the prepared model: computed once from parameters and phases.
     Prepared(u32),

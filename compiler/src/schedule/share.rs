@@ -1,4 +1,4 @@
-//! What two programs compute alike, in front of both.
+//! Instructions that two programs have in common are put in front of both.
 //!
 //! The accelerations with and without Baumgarte's terms differ in one right-hand side: the equations are set up and
 //! factored alike. With that part in front, instruction for instruction, its text and its machine code are

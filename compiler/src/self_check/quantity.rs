@@ -88,8 +88,8 @@ impl Along {
 
     /// The derivatives at zero by central differences, extrapolated to the fourth order (Richardson).
     ///
-    /// Of a smooth function the second-order differences over h and h/2 differ by far more than the result is off. At a kink, such as
-    /// that of an `if` in a law, these may agree; then the second differences do not vanish as h² does. Both
+    /// The second-order differences of a smooth function over h and h/2 differ by far more than the result is off. At a kink, such
+    /// as that of an `if` in a law, these may agree; then the second differences do not vanish as h² does. Both
     /// enter the margin, which is thus large wherever there is no derivative.
     pub fn derivatives(&self) -> Vec<Quantity> {
         let [far_behind, behind, here, ahead, far_ahead] = &self.at;

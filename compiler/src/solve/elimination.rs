@@ -33,11 +33,11 @@ struct Step {
 struct Diagonal<'g> {
     /// M's own entry and, for rows, the terms −D M⁻¹ Dᵀ: all of one sign.
     own: Vec<Scalar<'g>>,
-    /// What elimination takes away again.
+    /// The terms that elimination takes away again.
     taken: Vec<Scalar<'g>>,
 }
 
-/// What of K the factorisation has to know besides its entries.
+/// The properties of K that the factorisation has to know besides its entries.
 pub struct Kind<'a> {
     pub velocities: usize,
     /// Whether velocity pivots are watched: those of M alone are positive with it.
@@ -118,7 +118,7 @@ pub fn factor(g: Sheet, entries: &Entries, order: &Order, kind: &Kind) -> Factor
 /// A pivot to be watched.
 #[derive(Clone, Copy)]
 struct Watched<'g> {
-    /// What d is measured by.
+    /// The size that d is divided by.
     scale: Scalar<'g>,
     /// 1/d.
     inverse: Scalar<'g>,

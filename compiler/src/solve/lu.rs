@@ -54,7 +54,8 @@ pub fn factor<'g>(
     Lu { steps, is_dependent, pivot: worst.reciprocal() }
 }
 
-/// What of a block is taken next: an entry that is alone in its row or column of the block, a factor of the determinant; else all.
+/// The next pivots of a block: an entry that is alone in its row or column of the block, a factor of the determinant;
+/// else all.
 fn next(block: &mut Vec<Pivot>, rows: &[Sparse]) -> Vec<Pivot> {
     let has = |row: usize, velocity: usize| rows[row].contains_key(&velocity);
     for (at, row) in block.iter().enumerate() {
@@ -64,7 +65,7 @@ fn next(block: &mut Vec<Pivot>, rows: &[Sparse]) -> Vec<Pivot> {
             if in_row > 1 && in_column > 1 {
                 continue;
             }
-            // What is left keeps its rows and velocities, paired anew.
+            // The rest keeps its rows and velocities, paired anew.
             let alone = Pivot { velocity: column.velocity, ..*row };
             block[other].velocity = row.velocity;
             block.remove(at);

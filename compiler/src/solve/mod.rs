@@ -37,13 +37,13 @@ pub struct Solved {
     pub index1: Solution,
     pub baumgarte: Solution,
     pub order: Order,
-    /// What the factorisation of K computed: pivots and columns of L.
+    /// The values that the factorisation of K computed: pivots and columns of L.
     pub factored: Vec<Node>,
-    /// Of the default acceleration function.
+    /// Operations of the default acceleration function.
     pub counts: Counts,
     /// Rows added to M, see [`Massless`].
     pub massless: Massless,
-    /// What the pivots of rows are measured by, expressions of the parameters.
+    /// The sizes that pivots of rows are divided by, expressions of the parameters.
     pub row_scales: Vec<Node>,
     /// K(c), where it is emitted.
     pub stored: Option<Stored>,
@@ -111,7 +111,7 @@ pub fn solve(equations: &mut Equations, massless: Massless, row_scales: Vec<Node
     let orders = order::STRATEGIES.map(|strategy| order::order(&pattern, strategy));
     let least = orders.iter().map(|order| order.operations).min().unwrap_or(0);
     for order in orders {
-        // What is far behind by structure is not written out to be counted.
+        // An order that is far behind by structure is not written out to be counted.
         let hopeless = order.operations > LIKELY && 4 * order.operations > 5 * least;
         let order = system.without_prescribed(order);
         if hopeless || tried.contains(&order.sequence) {
@@ -193,7 +193,7 @@ struct System {
     /// Rows without a part in the solution.
     idle: BTreeSet<usize>,
     massless: Massless,
-    /// What the pivots of rows are measured by.
+    /// The sizes that pivots of rows are divided by.
     scales: Vec<Node>,
 }
 

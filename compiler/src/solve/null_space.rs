@@ -15,10 +15,10 @@ use std::collections::BTreeMap;
 /// A sparse vector by its entries that are not zero.
 pub(super) type Sparse<'g> = BTreeMap<usize, Scalar<'g>>;
 
-/// What `options { emit = (null_space) }` asks for.
+/// The expressions that `options { emit = (null_space) }` asks for.
 #[derive(Clone, Debug)]
 pub struct NullSpace {
-    /// What is kept of D = L U.
+    /// The values of D = L U that are kept.
     pub kept: Vec<Node>,
     /// The square of the smallest pivot, relative to the size of its row.
     pub partition_pivot: Node,
@@ -79,7 +79,7 @@ fn written(g: Sheet, equations: &mut Equations, partition: &Partition, massless:
     NullSpace { kept, partition_pivot: lu.pivot.bare, dependent, acceleration, lambda, pivot }
 }
 
-/// What is kept of D = L U, and the velocities with D v = rows in symbols for it.
+/// The values of D = L U that are kept, and the velocities with D v = rows in symbols for it.
 fn stored<'g>(g: Sheet<'g>, equations: &mut Equations, lu: &Lu<'g>) -> (Vec<Node>, Vec<Node>) {
     if equations.symbols.given_rows.is_empty() {
         equations.symbols.given_rows = symbols(g, "row", equations.rows.len());

@@ -127,7 +127,7 @@ pub fn best(pattern: &Pattern) -> Order {
     rest.into_iter().fold(first, |best, order| if score(&order) < score(&best) { order } else { best })
 }
 
-/// What decides the next pivot, least first; rows that still touch a velocity wait.
+/// The measure by which the next pivot is chosen, least first; rows that still touch a velocity wait.
 type Key = (bool, usize, usize, usize, usize);
 
 pub fn order(pattern: &Pattern, strategy: Strategy) -> Order {

@@ -1,7 +1,7 @@
 //! One factorisation, many right-hand sides: K(c) = [M Dᵀ; D −c] factored by one function and solved by another.
 //!
-//! The solution is written for right-hand sides that are symbols. What of it does not depend on these is computed with the
-//! factorisation and kept; the rest is the other function. So nothing has to be said about what a factor consists of.
+//! The solution is written for right-hand sides that are symbols. The part that does not depend on these is computed with
+//! the factorisation and kept; the rest is the other function. So nothing has to be said about what a factor consists of.
 
 use super::elimination::{self, Entries, Kind};
 use super::order::{self, Pattern};
@@ -13,7 +13,7 @@ use std::collections::{BTreeMap, BTreeSet};
 /// K(c) factored, and its solution for any right-hand side.
 #[derive(Clone, Debug)]
 pub struct Stored {
-    /// What is kept of a factorisation.
+    /// The values of a factorisation that are kept.
     pub kept: Vec<Node>,
     /// The smallest relative pivot, and that of the velocities alone.
     pub pivot: Node,

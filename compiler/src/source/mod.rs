@@ -25,7 +25,7 @@ pub struct Source {
     /// The file, as shown in messages.
     pub name: String,
     pub text: String,
-    /// Of each line its first byte.
+    /// The first byte of each line.
     lines: Vec<usize>,
 }
 

@@ -47,7 +47,7 @@ pub enum Op {
     Atan2(Node, Node),
     /// A mask.
     Compare(Compare, Node, Node),
-    /// Of masks.
+    /// Both of two masks; `Or`: one of them.
     And(Node, Node),
     Or(Node, Node),
     Not(Node),

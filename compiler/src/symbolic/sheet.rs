@@ -194,7 +194,7 @@ operators! {
     Div div;
 }
 
-/// Of masks.
+/// Operators of masks.
 impl<'g> BitAnd for Scalar<'g> {
     type Output = Scalar<'g>;
     fn bitand(self, other: Scalar<'g>) -> Scalar<'g> {

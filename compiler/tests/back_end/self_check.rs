@@ -20,7 +20,7 @@ fn is_noticed(mutant: &Compiled, extent: Extent, tally: &mut Tally) -> bool {
     found.first().map(|first| *tally.entry(first.check).or_default() += 1).is_some()
 }
 
-/// Mutants of each mechanism, every so many of them, and how many of them the check may miss with reason.
+/// Mutants of a mechanism, every so many of them: each is noticed, or there is a reason why it cannot be seen.
 fn expressions(source: &str, options: &str, every: usize, checks: &[Check]) {
     let sound = compiled(&with(source, options)).expect("it compiles");
     assert!(self_check(&sound, Extent::Thorough).is_empty());

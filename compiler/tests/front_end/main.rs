@@ -9,6 +9,7 @@ mod limits;
 mod mistakes;
 mod space;
 mod spans;
+mod tables;
 mod values;
 mod warnings;
 

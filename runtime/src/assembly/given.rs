@@ -1,4 +1,4 @@
-//! What is given to assembly must be finite: no constraint may hold a coordinate, and then nothing else would tell.
+//! Values given to assembly must be finite: no constraint may hold a coordinate, and then nothing else would tell.
 
 use crate::error::AssemblyError;
 use crate::mechanism::Assemble;

@@ -156,7 +156,7 @@ fn nudge<R: Real, M: Assemble<R>>() -> M::V {
     delta
 }
 
-/// What the residual's norm may be from rounding alone: constraints are products of at most two coordinates, and
+/// The norm that a residual may have from rounding alone: constraints are products of at most two coordinates, and
 /// couplings sums of counted angles, which may have made many turns.
 fn tolerance<R: Real, M: Assemble<R>>(q: &M::Q) -> R {
     let counted = q.as_slice().len() - 2 * M::LAYOUT.angles.len();

@@ -1,6 +1,6 @@
 //! Velocities and accelerations that satisfy the constraints: one linear system each.
 //!
-//! Of all that satisfy the rows the one of least kinetic energy is taken (Gauss's principle for corrections). The
+//! Many rates may satisfy the rows; those of least kinetic energy are taken (Gauss's principle for corrections). The
 //! position must already be consistent (`position.rs`); the linear algebra is `system.rs`, whether what is held determines the
 //! motion `determinacy.rs`.
 

@@ -1,4 +1,4 @@
-//! What has to vanish at a consistent position: constraint rows and conditions, angles by the whole angle.
+//! The residuals that vanish at a consistent position: constraint rows and conditions, angles by the whole angle.
 //!
 //! Rows that are sines have a second root half a turn away. Here they count as the angles themselves, so that Newton's
 //! iteration (`position.rs`) turns back what is on the wrong side. In space sines are products of two unit vectors and angles
@@ -24,7 +24,7 @@ pub(super) type ResidualOf<R, M> = Residual<R, <M as Mechanism<R>>::Lambda, <M a
 pub(super) struct Residual<R, L, C> {
     pub(super) rows: L,
     pub(super) conditions: C,
-    /// What the rows of D must be divided by: cos Δθ where the residual is Δθ in place of sin Δθ; zero for a row that is
+    /// The divisors of the rows of D: cos Δθ where the residual is Δθ in place of sin Δθ; zero for a row that is
     /// let go for the time being.
     pub(super) divisors: L,
     pub(super) norm: R,

@@ -1,7 +1,7 @@
 //! K = \[W, D̂ᵀ; D̂, 0\] filled for one position, and its use: least corrections that satisfy all rows.
 //!
-//! D̂ has the constraint rows and the active ones among the conditions. What stands on the right-hand side is decided
-//! by `position.rs` and `rates.rs`.
+//! D̂ has the constraint rows and the active ones among the conditions. The right-hand side is that of `position.rs`
+//! or `rates.rs`.
 
 use crate::error::AssemblyError;
 use crate::ldl::{Ldl, Pivot};
@@ -9,7 +9,7 @@ use crate::mechanism::{Assemble, Row};
 use crate::real::Real;
 use crate::vector::{Vector, at, put};
 
-/// What is added to a singular mass matrix, relative to its largest diagonal entry. Small enough to leave the motion
+/// The amount added to a singular mass matrix, relative to its largest diagonal entry. Small enough to leave the motion
 /// of the bodies that have mass alone, large enough to keep half of the digits; a correction with the exact D̂
 /// restores the other half.
 const REGULARISATION: f64 = 1e-9;

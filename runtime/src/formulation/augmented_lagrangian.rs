@@ -76,7 +76,7 @@ impl<R: Real, M: Assemble<R>> Formulation<R, M> for AugmentedLagrangian<R> {
                 break;
             }
         }
-        // What is not finite is no beginning for the next iteration.
+        // A multiplier that is not finite is no beginning for the next iteration.
         if lambda.first_not_finite().is_none() {
             *memory = *lambda;
         }

@@ -30,13 +30,13 @@ use core::fmt::Debug;
 
 /// A way to obtain v̇ and λ from (t, q, v, u).
 pub trait Formulation<R: Real, M: Mechanism<R>> {
-    /// What is carried from one evaluation to the next, such as multipliers to begin an iteration with.
+    /// The values carried from one evaluation to the next, such as multipliers to begin an iteration with.
     type Memory: Copy + Debug;
 
-    /// What the pivot of an evaluation tells of the constraints.
+    /// The matrix whose pivot an evaluation returns.
     const PIVOT: PivotOf = PivotOf::Rows;
 
-    /// What there is to carry before the first evaluation.
+    /// The values to carry before the first evaluation.
     fn memory(&self) -> Self::Memory;
 
     /// Writes v̇ (shape n_v) and λ (shape m) at the state, which may be corrected on the way.
@@ -52,7 +52,7 @@ pub trait Formulation<R: Real, M: Mechanism<R>> {
         lambda: &mut M::Lambda,
     ) -> Evaluation<R>;
 
-    /// What is done to the state at the end of a step; nothing for most.
+    /// Brings the state back to the constraints at the end of a step; most formulations do nothing.
     ///
     /// # Errors
     /// Why the state could not be brought to the constraints.
@@ -75,20 +75,20 @@ pub trait Formulation<R: Real, M: Mechanism<R>> {
     fn check(&self) -> Result<(), SettingError>;
 }
 
-/// What the pivot of an evaluation is one of. Where it does not estimate the reciprocal condition of D M⁻¹ Dᵀ, that is asked of
-/// the mechanism once a step.
+/// The matrix that the pivot of an evaluation belongs to. Where it does not estimate the reciprocal condition of
+/// D M⁻¹ Dᵀ, the mechanism is asked for that once a step.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum PivotOf {
-    /// Of D M⁻¹ Dᵀ: it estimates the reciprocal condition.
+    /// A pivot of D M⁻¹ Dᵀ: it estimates the reciprocal condition.
     Rows,
-    /// Of D = L U, squared. Where it is large the constraints are far from losing rank; where it is small they may be, or
+    /// A pivot of D = L U, squared. Where it is large the constraints are far from losing rank; where it is small they may be, or
     /// only the independent velocities serve badly.
     Jacobian,
-    /// Of the velocities; the constraints are softened and lose nothing.
+    /// A pivot of the velocities; the constraints are softened and lose nothing.
     Velocities,
 }
 
-/// What an evaluation says of itself.
+/// How sound an evaluation was.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Evaluation<R = f64> {
     /// The smallest relative pivot of the factorisation; below [`Real::BREAKDOWN`] the accelerations mean nothing.
@@ -107,7 +107,7 @@ impl<R: Real> Evaluation<R> {
     }
 }
 
-/// What happened to a state at the end of a step.
+/// How the state was changed at the end of a step.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Settled<R = f64> {
     /// Iterations made.

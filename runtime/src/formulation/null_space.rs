@@ -16,7 +16,7 @@ use crate::vector::{Vector, at, put};
 /// ```
 /// without multipliers in what is solved. At the end of a step dependent positions and velocities go a tenth of the way back to the
 /// constraints, by the factors of D: these then hold to some ten times the error of one step, without drift and without a
-/// coefficient that must suit the machine. To rounding they hold if it is [`Projected`](super::Projected). The independent set is kept
+/// coefficient that must suit the machine. They hold to rounding if it is [`Projected`](super::Projected). The independent set is kept
 /// while its pivots are good, and chosen anew by pivoting where they degrade (a dead centre of the coordinate taken as
 /// independent); M may be singular where the constraints make up for it.
 ///

@@ -15,7 +15,7 @@ pub(super) struct Bounds<R> {
     pub iterations: u32,
 }
 
-/// What one iteration asks for.
+/// The solution that one iteration asks for.
 pub(super) enum Ask {
     /// δ with D δ = −Φ by the factor at hand.
     Step,
@@ -50,7 +50,7 @@ pub(super) fn onto_constraints<R: Real, M: Assemble<R>>(
         }
         let delta = act(Ask::Step, q, &phi);
         let moved = delta.max_abs();
-        // What rounding alone moves back and forth.
+        // Rounding alone moves the state back and forth by this.
         if settled.iterations > 0 && moved <= R::from_f64(16.0) * R::EPSILON * (R::ONE + q.max_abs()) {
             return Ok(settled);
         }

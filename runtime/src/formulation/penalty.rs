@@ -44,8 +44,8 @@ impl<R: Real> Penalty<R> {
         Penalty { alpha, omega: R::from_f64(10.0), mu: R::ONE }
     }
 
-    /// What suits a mechanism and a step of `h` seconds: α is the largest entry of M at `q` times ε^(−3/4), 5.5·10¹¹ in double
-    /// and 1.6·10⁵ in single precision; Ω = 10 rad/s or, for steps above a hundredth of a second, 1/(10 h); μ = 1.
+    /// Settings that suit a mechanism and a step of `h` seconds: α is the largest entry of M at `q` times ε^(−3/4), 5.5·10¹¹
+    /// in double and 1.6·10⁵ in single precision; Ω = 10 rad/s or, for steps above a hundredth of a second, 1/(10 h); μ = 1.
     pub fn for_model<M: Mechanism<R>>(model: &M, time: R, q: &M::Q, h: R) -> Self {
         let root = R::EPSILON.sqrt();
         Self::weighted(model, time, q, h, R::ONE / (root * root.sqrt()))

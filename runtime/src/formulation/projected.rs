@@ -28,7 +28,7 @@ use crate::vector::Vector;
 /// Multibody Systems*, 5.3.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Projected<F, R = f64> {
-    /// What gives the accelerations.
+    /// The formulation that gives the accelerations.
     pub formulation: F,
     /// α = 1/c as a multiple of the largest entry of M.
     pub weight: R,

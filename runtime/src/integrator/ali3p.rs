@@ -21,8 +21,8 @@ use crate::vector::Vector;
 /// ⎣ D  −4/(h² α) ⎦ ⎣ σ  ⎦ = ⎣ ν     ⎦,       ⎣ D  −4/(h² α) ⎦ ⎣ κ  ⎦ = ⎣ γ      ⎦
 /// ```
 /// It stays regular at singular positions, where the multipliers are no longer determined and the iteration ends at its bound as soon
-/// as it moves nothing by more than the root of the tolerance, and with redundant rows. Projections take energy away, about h² of it. Of the formulation
-/// nothing is used but the accelerations at the start.
+/// as it moves nothing by more than the root of the tolerance, and with redundant rows. Projections take energy away, about h² of it. The method
+/// uses nothing of the formulation but the accelerations at the start.
 ///
 /// Source: Bayo, Ledesma, Nonlinear Dynamics 9 (1996) 113–130; Cuadrado, Cardenal, Morer, Bayo, Multibody System Dynamics 4
 /// (2000) 55–73; Dopico, González, Cuadrado, Kövecses, Journal of Computational and Nonlinear Dynamics 9 (2014) 041006.

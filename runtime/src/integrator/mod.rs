@@ -31,7 +31,7 @@ use crate::state::State;
 use crate::vector::Vector;
 use core::fmt::Debug;
 
-/// What is integrated: v̇ = f(t, q, v), with q moving by v on the group.
+/// The equations that are integrated: v̇ = f(t, q, v), with q moving by v on the group.
 pub trait Dynamics<R: Real> {
     /// Which entries of q are linear, rotations, quaternions and multi-turn angles.
     const LAYOUT: Layout;
@@ -68,10 +68,10 @@ pub trait Dynamics<R: Real> {
 
 /// A one-step method by itself: its parameters, and what it carries from step to step.
 pub trait Method<R: Real> {
-    /// What is carried from one step to the next, such as the last accelerations.
+    /// The values carried from one step to the next, such as the last accelerations.
     type Memory<Q: Vector<R>, V: Vector<R>, Lambda: Vector<R>>: Copy + Debug;
 
-    /// What there is to carry before the first step.
+    /// The values to carry before the first step.
     fn memory<Q: Vector<R>, V: Vector<R>, Lambda: Vector<R>>(&self) -> Self::Memory<Q, V, Lambda>;
 
     /// Whether the method's parameters make sense.
@@ -115,7 +115,7 @@ pub struct Stepped<R, Q, V> {
     pub size: R,
     /// Iterations of an implicit method.
     pub iterations: u32,
-    /// What the last of them changed, relative to what may remain.
+    /// The change by the last of them, relative to what may remain.
     pub residual: R,
     /// Trials that were given up before.
     pub rejections: Rejections,
@@ -168,7 +168,7 @@ pub enum StepFailure<R = f64> {
     NoConvergence {
         /// Iterations made.
         iterations: u32,
-        /// What the last of them changed, relative to what may remain.
+        /// The change by the last of them, relative to what may remain.
         residual: R,
     },
 }

@@ -65,7 +65,7 @@ pub enum Level {
     Velocity,
 }
 
-/// What the parts of [`ImplicitDynamics::matrix`] are multiplied with.
+/// The factors of the parts of [`ImplicitDynamics::matrix`].
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Weights<R> {
     /// m, 1/s².
@@ -80,7 +80,7 @@ pub struct Weights<R> {
     pub level: Level,
 }
 
-/// What is carried from step to step: the accelerations at its end, v̇ and the method's own a, and λ.
+/// The values carried from step to step: the accelerations at its end, v̇ and the method's own a, and λ.
 #[derive(Clone, Copy, Debug)]
 pub struct Carried<V, Lambda> {
     pub(super) known: Option<Known<V, Lambda>>,
@@ -215,7 +215,7 @@ impl<R: Real> Scheme<R> {
             let size = R::ONE + trial.state.q.max_abs();
             last = increment.max_abs() / size;
             if last <= self.tolerance {
-                // Of a penalty the multipliers too.
+                // A penalty's multipliers have to settle too.
                 let change = trial.lambda.plus(-R::ONE, &multipliers).max_abs();
                 let settled = change * self.compliance <= self.tolerance * size;
                 multipliers = trial.lambda;

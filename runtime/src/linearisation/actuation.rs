@@ -35,8 +35,8 @@ type Values<R, M> = <<M as crate::Mechanism<R>>::Inputs as Fields<R>>::Array;
 /// ```text
 /// Nᵀ ∂Q/∂u u = Nᵀ (M a − Q₀)      f equations, one for each degree of freedom
 /// ```
-/// Of several solutions it is the one of least Σ u² (N and N·m alike), by orthogonalising the equations one after the other
-/// (Gram–Schmidt, twice: Giraud, Langou, Rozložník, *The loss of orthogonality in the Gram–Schmidt orthogonalization process*,
+/// Where there are several solutions it is the one of least Σ u² (N and N·m alike), by orthogonalising the equations one
+/// after the other (Gram–Schmidt, twice: Giraud, Langou, Rozložník, *The loss of orthogonality in the Gram–Schmidt orthogonalization process*,
 /// 2005). Inputs that enter with curvature are found by at most 30 iterations from zero. `a` must satisfy D a = γ: the motion of the whole
 /// from that of the independent coordinates, which [`kinematics`](crate::AssembleExt::kinematics) gives, does.
 ///

@@ -18,7 +18,7 @@ const STEPS: u32 = 300;
 const LARGEST_TURN: f64 = 0.5;
 /// The largest increment of the first step of the motion without inertia, m and rad.
 const FIRST_STEP: f64 = 0.1;
-/// What may be left of the forces behind it.
+/// The part of the forces that may be left behind it.
 const SETTLED: f64 = 1e-6;
 /// Halvings of a step that does not bring the next one down.
 const HALVINGS: u32 = 30;
@@ -142,7 +142,7 @@ impl<'m, R: Real, M: Tangent<R>> Search<'m, R, M> {
             }
             match self.shorten(&at, &step, norm) {
                 Some(next) => (at, residual) = next,
-                // What is left is rounding.
+                // The rest is rounding.
                 None if moved <= R::from_f64(0.01) * R::EPSILON.sqrt() * size => {
                     return Ok(Equilibrium { q: at.q, lambda: at.lambda, iterations });
                 }

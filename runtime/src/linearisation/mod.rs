@@ -1,4 +1,4 @@
-//! What follows from the derivatives of the equations: those of the motion, state matrices, equilibria, actuation.
+//! Results that follow from the derivatives of the equations: derivatives of the motion, state matrices, equilibria, actuation.
 //!
 //! The derivatives themselves are emitted ([`Tangent`]); here they are solved with, without allocation. The solution of the
 //! equations of motion is differentiated implicitly, not through its elimination: one factor, then one solve for each column.
@@ -71,8 +71,8 @@ pub struct Linearisation<'m, R: Real, M: Tangent<R>> {
 }
 
 impl<'m, R: Real, M: Tangent<R>> Linearisation<'m, R, M> {
-    /// Solves the equations of motion at a state, evaluates their derivatives and factors K(0). What is given must be finite, and so
-    /// are v̇, λ and all derivatives of the equations; a solution with K(0) may still overflow.
+    /// Solves the equations of motion at a state, evaluates their derivatives and factors K(0). All arguments must be finite, and so
+    /// must v̇, λ and all derivatives of the equations; a solution with K(0) may still overflow.
     ///
     /// # Errors
     /// [`Breakdown`](LinearisationError::Breakdown), [`SingularMass`](LinearisationError::SingularMass),

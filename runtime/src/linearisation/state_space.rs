@@ -84,7 +84,7 @@ impl<'m, R: Real, M: Tangent<R>> Linearisation<'m, R, M> {
     }
 }
 
-/// What the columns are made of.
+/// The parts that columns are made of.
 struct Columns<'l, 'm, R: Real, M: Tangent<R>> {
     at: &'l Linearisation<'m, R, M>,
     admissible: Admissible<'m, R, M>,

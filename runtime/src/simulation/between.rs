@@ -1,4 +1,4 @@
-//! What lies between the steps: states and samples by dense output.
+//! Times between the steps: states and samples by dense output.
 
 use super::clock::Clock;
 use super::course::{SLIVER, check_count};
@@ -92,7 +92,7 @@ where
             return Err(SettingError { what, value, must_be }.into());
         }
         check_count("samples", (begin.until(&course.goal) / interval).to_f64(), MOST_SAMPLES)?;
-        // What rounding puts beside the end is the end.
+        // A time that rounding puts beside the end is the end.
         let goal = course.goal;
         let after = |due: Clock<R>| {
             let due = due.after(interval);

@@ -19,7 +19,7 @@ const LEAST_PART: f64 = 1.0 / 1_048_576.0;
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Clock<R> {
     terms: [R; 3],
-    /// What the steps so far fall short of the clock, s: where a run ends exactly where it was asked to, less than half a rounding of
+    /// How much the steps so far fall short of the clock, s: where a run ends exactly where it was asked to, less than half a rounding of
     /// its last step. The last step of the next run takes it along.
     owed: R,
 }
@@ -181,7 +181,7 @@ mod tests {
         }
     }
 
-    /// What the last step of a run cannot be is owed to the next, and never lost.
+    /// A rest that the last step of a run cannot make is owed to the next, and never lost.
     #[test]
     fn runs_end_where_they_were_asked_to() {
         let mut seed = 42;

@@ -81,7 +81,7 @@ impl<R: Real> Event<R> {
 /// An event that happened. The simulation stands at it: at most [`Event::tolerance`] after the crossing, on its far side.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Occurrence<R = f64> {
-    /// Which of the given events: its index. Of several within one tolerance, the earliest by linear interpolation.
+    /// The index of the event among those given; if several are within one tolerance, the earliest by linear interpolation.
     pub event: usize,
     /// The output's name.
     pub output: &'static str,
@@ -154,7 +154,7 @@ impl<'e, R: Real> Watched<'e, R> {
     fn crossings<O: Fields<R>>(&self, before: &O, after: &O) -> impl Iterator<Item = (usize, R, bool)> {
         self.events.iter().enumerate().filter_map(|(index, event)| {
             let (a, b) = (event.value(before), event.value(after));
-            // What begins at the level has crossed it already; what ends there crosses now.
+            // An output that begins at the level has crossed it already; one that ends there crosses now.
             let (rises, falls) = (a < R::ZERO && b >= R::ZERO, a > R::ZERO && b <= R::ZERO);
             let counts = match event.direction {
                 Direction::Rising => rises,

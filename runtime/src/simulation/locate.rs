@@ -56,7 +56,7 @@ where
     /// integrator and keeps its order, until the crossing is known to the least of the tolerances, or to four roundings of the step:
     /// the ITP method (Oliveira, Takahashi, ACM Trans. Math. Softw. 47 (2021) 5), which asks for at most one step more than
     /// bisection, log₂(h/tolerance) + 1; at most 1000 where a method shortens the repeated steps, and then
-    /// [`EventNotLocated`](SimulationError::EventNotLocated). Of several events in a step the earliest is found. One whose output is exactly at its level
+    /// [`EventNotLocated`](SimulationError::EventNotLocated). The earliest of several events in a step is found. One whose output is exactly at its level
     /// where the run begins has happened before: going on from an event does not find it again.
     ///
     /// Held inputs are kept while a step is repeated, and asked for again at the event; sampled ones are asked for in every

@@ -198,7 +198,7 @@ impl<'m, R: Real, M: Mechanism<R>, F: Formulation<R, M>, S, I: Method<R>> Simula
     pub fn start_time(mut self, seconds: R) -> Self {
         self.run.clock = Clock::at(seconds);
         self.run.passage = Passage::new();
-        // What was known of a step that ended at another time.
+        // Forgets a step that ended at another time.
         self.memory = self.integrator.memory();
         self.dynamics.inputs = None;
         self
@@ -249,7 +249,7 @@ impl<'m, R: Real, M: Mechanism<R>, F: Formulation<R, M>, S, I: Method<R>> Simula
         self.run.near_singular
     }
 
-    /// What is known now, outputs continued from the sample before.
+    /// The sample of now, outputs continued from the sample before.
     pub fn sample(&mut self) -> Sample<'m, R, M>
     where
         S: InputSource<R, M>,
@@ -259,7 +259,7 @@ impl<'m, R: Real, M: Mechanism<R>, F: Formulation<R, M>, S, I: Method<R>> Simula
         self.sample_at(time, state, inputs)
     }
 
-    /// What is known of a state, outputs continued from the sample before.
+    /// The sample of a state, outputs continued from the sample before.
     fn sample_at(&mut self, time: R, state: State<M::Q, M::V>, inputs: M::Inputs) -> Sample<'m, R, M> {
         let model = self.model();
         let mut outputs = model.outputs(time, &state.q, &state.v, &inputs);

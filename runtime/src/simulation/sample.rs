@@ -1,4 +1,4 @@
-//! What is known of a simulation at one time, and the iterator over it.
+//! The sample of a simulation at one time, and the iterator over it.
 
 use super::course::Course;
 use super::{MechanismDynamics, Simulation};

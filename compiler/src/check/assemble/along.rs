@@ -40,7 +40,7 @@ const NEAR: f64 = 1e-10;
 const CORRECTIONS: usize = 9;
 /// How often a stride that does not arrive is halved.
 const HALVINGS: usize = 3;
-/// What is added to a direction at each position, so that a walk with several freedoms wanders.
+/// The amount added to a direction at each position, so that a walk with several freedoms wanders.
 const WANDERING: f64 = 0.15;
 
 /// The start and the positions after it, as many as were reached.

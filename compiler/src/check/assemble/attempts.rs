@@ -15,7 +15,7 @@ pub(super) const MET: f64 = 1e-18;
 
 /// Half as far: the sum of squares is a quarter.
 const CLEARLY: f64 = 0.25;
-/// What is nearer by less than this part is as near.
+/// An assembly that is nearer by less than this part counts as equally near.
 const NEARER: f64 = 1e-6;
 
 /// The positions that were found.
@@ -148,7 +148,7 @@ pub fn settle_turns(problem: &Problem, point: &mut Point, assembled: Attempt) ->
         .unwrap_or(assembled)
 }
 
-/// What `start` or a driver states of a rotor's angle.
+/// The angle that `start` or a driver states for a rotor.
 fn stated_angle(equations: &Equations, point: &mut Point, rotor: Rotor) -> Option<f64> {
     let is = |quantity: &Quantity| match (quantity, rotor) {
         (Quantity::BodyAngle(body), Rotor::Body(own)) => *body == own,

@@ -6,7 +6,7 @@ use crate::equations::space::constant_axis;
 use crate::forms::Spans;
 use crate::model::{Axes, Frame, Joint, JointId, Mechanism, Place, Space, fold};
 
-/// What is wrong with a loop.
+/// The fault of a loop.
 pub enum Blame {
     /// One length is greater than all others together, which no position helps: (its link, length, the others together), m.
     TooLong { link: String, length: f64, others: f64 },
@@ -21,7 +21,8 @@ const SLIGHT: f64 = 0.3;
 /// Sines below this are zero.
 const PARALLEL: f64 = 1e-9;
 
-/// What can be said of the loop that `joint` closes; lengths and axes on bodies do not depend on the position `q`.
+/// The faults that are known of the loop that `joint` closes; lengths and axes on bodies do not depend on the
+/// position `q`.
 pub fn of_loop(mechanism: &Mechanism, point: &mut Point, joint: JointId, q: &[f64]) -> Vec<Blame> {
     let joints = point.equations.tree.around(mechanism, joint);
     let world = World::at(mechanism, point, q);

@@ -50,7 +50,7 @@ pub fn choose(
     };
     let mut candidates: Vec<usize> =
         (0..rows).filter(|row| droppable(*row) && share(*row) > TAKES_PART).collect();
-    // What takes part most, if there are too many to compare all sets.
+    // The rows that take part most, if there are too many to compare all sets.
     candidates.sort_by(|a, b| rounded(share(*b)).total_cmp(&rounded(share(*a))).then(a.cmp(b)));
     while candidates.len() > count && sets(candidates.len(), count) > MOST_SETS {
         candidates.pop();

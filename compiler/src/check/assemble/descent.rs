@@ -20,11 +20,11 @@ pub struct Residual {
     /// Compared on the circle.
     pub angular: bool,
     pub size: f64,
-    /// Of a distance, whose row is (Δ·Δ − L²)/2: L, for the residual |Δ| − L in metres.
+    /// L of a distance, whose row is (Δ·Δ − L²)/2, for the residual |Δ| − L in metres.
     pub length: Option<f64>,
 }
 
-/// What a residual is in one descent.
+/// The role of a residual in one descent.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Role {
     Soft,

@@ -125,7 +125,7 @@ fn is_driver(equations: &Equations, row: usize) -> bool {
     row >= first(equations, equations.driven.len())
 }
 
-/// What a driver moves, `crank_pin.angle`.
+/// The quantity that a driver moves, `crank_pin.angle`.
 fn quantity(equations: &Equations, driver: usize) -> &str {
     &equations.driven[driver - first(equations, equations.driven.len())].0.of
 }

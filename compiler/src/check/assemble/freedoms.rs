@@ -33,7 +33,7 @@ pub struct Mobility {
     pub generic: usize,
     /// Rows that repeat what others fix all along the motion, by joint or coupling and direction.
     pub redundant: Vec<(String, &'static str)>,
-    /// What makes them repeat, where it is known: "the axes of a, b and c are parallel".
+    /// The reason why they repeat, where it is known: "the axes of a, b and c are parallel".
     pub reasons: Vec<String>,
 }
 
@@ -119,7 +119,7 @@ fn mobility(at: &Assembled, point: &mut Point, rank: &Rank, finding: &Finding) -
         bodies: mechanism.bodies.len(),
         joints: mechanism.joints.len(),
         couplings: mechanism.constraints.len(),
-        // What the joints of the tree hold is no row any more.
+        // Joints of the tree have no rows any more.
         equations: apart + rows - velocities,
         at_start,
         generic,
@@ -142,7 +142,7 @@ fn expected(at: &Assembled, point: &Point, mobility: &Mobility, errors: &mut Dia
         at.independent.iter().map(|quantity| conditions::name(at.mechanism, quantity)).collect();
     let message =
         messages::wrong_freedoms(expected, mobility, &loose, &independent, at.mechanism.drivers.len());
-    // What moves alone is shown where it should be held; the number where it stands.
+    // A body that moves alone is shown where it should be held; the number where it stands.
     let mut places = loose.iter().map(|loose| (place(at.mechanism, loose), messages::loose(loose)));
     let Some((region, _)) = places.next() else { return errors.error(span, message) };
     let mut notes: Vec<Note> = places.map(|(region, message)| Note { region, message }).collect();
@@ -222,7 +222,7 @@ fn report_singular(
     errors.error(span, messages::singular_start(rank, &of, &in_line, elsewhere));
 }
 
-/// What `start` could say of its first coordinate to be at another position, `crank_pin.angle [rad] = 0.09;`: of those
+/// A line for `start` that puts its first coordinate at another position, `crank_pin.angle [rad] = 0.09;`: of those
 /// known the one where the coordinate has moved most.
 fn elsewhere(at: &Assembled, point: &mut Point, beyond: &[Vec<f64>]) -> Option<String> {
     let equations = point.equations;

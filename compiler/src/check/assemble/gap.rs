@@ -12,7 +12,7 @@ use super::point::Point;
 use super::position::{LENGTHS, Problem};
 use crate::model::Mechanism;
 
-/// What is in the way.
+/// The cause why a mechanism does not close.
 pub enum Fault {
     /// A joint or coupling, wherever the mechanism stands.
     Loop(Open),
@@ -24,7 +24,7 @@ pub enum Fault {
     Unknown,
 }
 
-/// What stays open.
+/// The gap that stays open.
 pub struct Open {
     /// Indices into `Equations::rows`, all of one joint or coupling.
     pub rows: Vec<usize>,
@@ -42,7 +42,7 @@ pub enum Gap {
     Apart(f64),
     /// Between two directions, rad.
     Turned(f64),
-    /// Of an equation between other quantities.
+    /// The residual of an equation between other quantities.
     Off(f64),
 }
 
@@ -65,7 +65,7 @@ pub struct Gaps<'a, 'p> {
     stated: &'a Stated,
     descent: Descent<'p>,
     length: f64,
-    /// Of one question.
+    /// Steps for one question.
     steps: usize,
     residuals: usize,
 }
@@ -91,7 +91,7 @@ impl<'a, 'p> Gaps<'a, 'p> {
         self.closing(point, &joints)
     }
 
-    /// What is in the way, given where the joints close, if they do.
+    /// The cause, given where the joints close, if they do.
     pub fn fault(&mut self, point: &mut Point, closed: Option<&Vec<f64>>) -> Fault {
         let groups = self.groups();
         if closed.is_none() {
@@ -182,7 +182,7 @@ impl<'a, 'p> Gaps<'a, 'p> {
         self.best(point, soft, hard, true)
     }
 
-    /// Of many descents; only one to zero will do if it is not `least` that is asked for.
+    /// The best of many descents; only one to zero will do if it is not `least` that is asked for.
     fn best(&mut self, point: &mut Point, soft: &[usize], hard: &[usize], least: bool) -> Option<Rest> {
         let accuracy = if least { ACCURACY } else { HOPELESS };
         let mut roles = vec![Role::Absent; self.residuals];

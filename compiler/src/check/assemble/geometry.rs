@@ -18,7 +18,8 @@ struct Axis {
 /// Sines, and distances by the largest of them, below this are zero.
 const NONE: f64 = 1e-7;
 
-/// What makes the loops special that redundant rows close: what their axes have in common, or that it is nothing so simple.
+/// The reasons why the loops that redundant rows close are special: a property that their axes share, or nothing so
+/// simple.
 pub fn reasons(mechanism: &Mechanism, point: &mut Point, q: &[f64], rows: &[usize]) -> Vec<String> {
     if mechanism.space != Space::Spatial || rows.is_empty() {
         return Vec::new();

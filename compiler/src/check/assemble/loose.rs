@@ -56,7 +56,7 @@ const CHAIN: usize = 4;
 const NONE: f64 = 1e-9;
 /// How far a body is moved, rad or m.
 const FINITE: f64 = 0.1;
-/// What a row may miss then, in parts of what it would at first.
+/// How much a row may then miss by, as a part of what it would at first.
 const LEFT: f64 = 1e-4;
 /// Distances from an axis, by the distance of places, below this are zero.
 const ON_AXIS: f64 = 1e-6;
@@ -169,7 +169,7 @@ impl<'a> Free<'a> {
             .collect()
     }
 
-    /// What the groups do as one while the rest stands still.
+    /// How the groups move as one while the rest stands still.
     fn alone(&self, moved: &[usize]) -> Option<Loose> {
         let bodies: Vec<BodyId> = moved.iter().flat_map(|group| self.groups[*group].clone()).collect();
         let pole = self.world.bodies[bodies[0].0].0;
@@ -280,7 +280,7 @@ impl<'a> Free<'a> {
         joints.iter().copied().filter(still).collect()
     }
 
-    /// What one component of the twist about the pole does to the velocities of the bodies.
+    /// The velocities of the bodies for one component of the twist about the pole.
     fn increment(&self, bodies: &[BodyId], pole: Vec3, component: usize) -> BTreeMap<usize, f64> {
         let mut velocity = [0.0; 3];
         let mut omega = [0.0; 3];

@@ -4,7 +4,7 @@ use super::point::{Ancestry, Point, retract};
 use crate::equations::{Condition, Equations};
 use crate::solve::table::{DEPENDENT, Numeric, Table};
 
-/// What the pivots of D say at one position.
+/// The freedoms by the pivots of D at one position.
 #[derive(Clone, Debug, Default)]
 pub struct Rank {
     /// Rank of the rows asked about.

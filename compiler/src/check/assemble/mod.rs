@@ -50,7 +50,7 @@ use along::Walk;
 use freedoms::Assembled;
 use position::{Attempt, Problem};
 
-/// What assembly found.
+/// The result of assembly.
 #[derive(Clone, Debug)]
 pub struct Assembly {
     pub q: Vec<f64>,
@@ -63,7 +63,7 @@ pub struct Assembly {
     pub independent: Vec<Quantity>,
     /// Rows that repeat what others fix, by joint and direction; as many are left out at each position.
     pub dropped: Vec<Dropped>,
-    /// What is left out of the rows where.
+    /// The rows that are left out, and where.
     pub omitted: Omitted,
     /// Joints whose reactions are not unique, because of that.
     pub shared: Vec<JointId>,

@@ -37,8 +37,8 @@ pub struct Pivot {
     pub velocity: usize,
 }
 
-/// Chooses the dependent velocities at the start. Of those that carry an independent coordinate (conditions by index) none is
-/// taken, where that is possible and not much dearer.
+/// Chooses the dependent velocities at the start. None of those that carry an independent coordinate (conditions by
+/// index) is taken, where that is possible and not much dearer.
 pub fn partition(
     mechanism: &Mechanism,
     equations: &Equations,
@@ -170,7 +170,7 @@ impl Active {
             let Some(entries) = self.rows.get_mut(other) else { continue };
             let factor = entries.remove(&pivot).unwrap_or(0.0) / upper[&pivot];
             for (column, value) in upper.iter().filter(|(column, _)| **column != pivot) {
-                // What cancels stays in the structure: it need not cancel elsewhere.
+                // An entry that cancels stays in the structure: it need not cancel elsewhere.
                 *entries.entry(*column).or_default() -= factor * value;
                 self.holders[*column].insert(*other);
             }

@@ -237,9 +237,9 @@ impl<'a> Problem<'a> {
     }
 }
 
-/// What residuals are compared with.
+/// Sizes that residuals are compared with.
 pub(super) struct Sizes {
-    /// Of the mechanism, m.
+    /// The size of the mechanism, m.
     pub(super) length: f64,
     /// Per row: the length for what is measured in metres, its like for distances, and the row's own for the rest.
     pub(super) rows: Vec<f64>,

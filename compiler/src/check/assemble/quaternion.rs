@@ -26,7 +26,7 @@ pub fn normalized(q: [f64; 4]) -> [f64; 4] {
     if length > 0.0 { q.map(|x| x / length) } else { [1.0, 0.0, 0.0, 0.0] }
 }
 
-/// Of a rotation matrix, row by row (Shepperd, J. Guidance and Control 1, 1978): the largest part is found first.
+/// The quaternion of a rotation matrix, row by row (Shepperd, J. Guidance and Control 1, 1978): the largest part is found first.
 pub fn of_matrix(a: [[f64; 3]; 3]) -> [f64; 4] {
     let trace = a[0][0] + a[1][1] + a[2][2];
     let parts = [trace, a[0][0], a[1][1], a[2][2]];

@@ -226,7 +226,7 @@ fn loose_velocities(
         let columns: Vec<(usize, f64)> =
             jet.columns.iter().map(|(column, node)| (*column, point.get(*node))).collect();
         let largest = columns.iter().fold(0.0_f64, |largest, (_, x)| largest.max(x.abs()));
-        // What is rounding beside the rest of its row holds nothing: alone its square would look like a sound pivot.
+        // An entry that is rounding beside the rest of its row holds nothing: alone its square would look like a sound pivot.
         let hold = |x: f64| if x.abs() < ROUNDING * largest { 0.0 } else { x };
         for (at, (a, x)) in columns.iter().enumerate() {
             entries.extend(columns[..=at].iter().map(|(b, y)| (*a, *b, weight * hold(*x) * hold(*y))));

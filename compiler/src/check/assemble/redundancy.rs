@@ -19,7 +19,7 @@ use std::collections::BTreeSet;
 /// Orthonormal vectors.
 pub type Basis = Vec<Vec<f64>>;
 
-/// What `redundant = drop` leaves out.
+/// The rows that `redundant = drop` leaves out.
 #[derive(Clone, Debug, Default)]
 pub struct Redundancy {
     /// Rows that repeat others.
@@ -33,12 +33,12 @@ pub struct Redundancy {
     pub near: usize,
 }
 
-/// What was found.
+/// The redundancy that was found.
 #[derive(Default)]
 pub struct Finding {
     /// Rows that repeat others at all positions, indices into [`Equations::rows`].
     pub repeated: Vec<usize>,
-    /// What `redundant = drop` or `keep` makes of them.
+    /// The rows that `redundant = drop` or `keep` leaves out or makes idle.
     pub redundancy: Redundancy,
     /// Positions nearby.
     pub beyond: Vec<Vec<f64>>,
@@ -102,7 +102,7 @@ pub fn of_absolute(
     }
 }
 
-/// What is left out.
+/// The rows that are left out.
 struct Choice {
     repeated: Vec<usize>,
     redundancy: Redundancy,
@@ -131,7 +131,7 @@ fn redundancy(
     for component in components(&repetition.spaces, rows.len()) {
         let regular = (0..along.len()).filter(counts);
         let spaces: Vec<Basis> = regular.map(|at| restricted(&repetition.spaces[at], &component)).collect();
-        // What repeats at some positions only is not redundant.
+        // A row that repeats others at some positions only is not redundant.
         if spaces.iter().any(Vec::is_empty) {
             continue;
         }
@@ -173,7 +173,7 @@ fn leave_out(omitted: &mut Omitted, charts: &Charts, sized: impl Fn(usize) -> Op
             let own = of(set);
             let mut new =
                 own.iter().copied().filter(|at| !first.contains(at)).collect::<Vec<_>>().into_iter();
-            // What stands in a slot of the first chart stays there.
+            // A row in a slot of the first chart stays there.
             let slot = |at: &usize| if own.contains(at) { Some(*at) } else { new.next() };
             first.iter().filter_map(slot).filter_map(&sized).collect::<Vec<_>>()
         });
@@ -206,7 +206,7 @@ fn components(spaces: &[Basis], rows: usize) -> Vec<Vec<usize>> {
     (0..rows).map(of).filter(|component| !component.is_empty()).collect()
 }
 
-/// What a space has in the rows of a component: a basis of it, because what takes part in different components is orthogonal.
+/// The part of a space in the rows of a component, as a basis: vectors of different components are orthogonal.
 fn restricted(space: &Basis, component: &[usize]) -> Basis {
     // Columns of the projection onto the space, of which as many are independent as the component repeats.
     let columns = component.iter().map(|j| -> Vec<f64> {
@@ -303,7 +303,7 @@ fn positions(mechanism: &Mechanism, point: &mut Point, problem: &Problem, q: &[f
     nearby
 }
 
-/// What the rows repeat at some positions.
+/// The left null spaces of the rows at some positions.
 struct Repetition {
     /// An orthonormal basis of the w with wᵀ D = 0 at each of them, rows of D brought to one size that is the same at all.
     spaces: Vec<Basis>,

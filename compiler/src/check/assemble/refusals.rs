@@ -1,4 +1,4 @@
-//! What to say when no assembly is found, or a second one fits as well.
+//! Messages for the case that no assembly is found, or a second one fits as well.
 
 use super::gap::{Fault, Gaps, Open};
 use super::initial::{Stated, Variation};

@@ -1,5 +1,5 @@
-//! What a constraint row is measured by: a size that is fixed over the motion, so that a row that vanishes as a whole, as a distance
-//! along which nothing can move, is seen to vanish.
+//! The measure of a constraint row: a size that is fixed over the motion, so that a row that vanishes as a whole, as a
+//! distance along which nothing can move, is seen to vanish.
 //!
 //! Two measures, both the largest over positions along the motion: |Dᵢ|² in the norm of M⁻¹, by which pivots of D M⁻¹ Dᵀ are
 //! measured, and the largest entry of Dᵢ, by which pivots of D = L U are.
@@ -49,7 +49,7 @@ struct Largest {
     at: usize,
 }
 
-/// Of each row with a size above zero and below infinity.
+/// The largest measure of each row, where it is above zero and below infinity.
 fn largest(
     mechanism: &Mechanism,
     equations: &Equations,

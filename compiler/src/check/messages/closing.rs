@@ -1,4 +1,5 @@
-//! Of mechanisms for which no position was found that meets all conditions: what stays open, by how much, and what to blame.
+//! Messages about mechanisms for which no position was found that meets all conditions: what stays open, by how much, and
+//! what to blame.
 
 use super::{freedoms, list};
 use crate::check::assemble::{Blame, Gap};
@@ -24,7 +25,7 @@ fn overgiven(overgiven: &Overgiven) -> String {
     )
 }
 
-/// What stays open.
+/// The gap that stays open.
 pub struct StaysOpen<'a> {
     /// The joint or coupling.
     pub of: &'a str,

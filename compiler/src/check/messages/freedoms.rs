@@ -74,7 +74,7 @@ fn counted(mobility: &Mobility) -> String {
     )
 }
 
-/// What moves alone, and how.
+/// The bodies that move alone, and how.
 pub fn loose(loose: &Loose) -> String {
     let several = if loose.freedoms > 1 { format!(" ({} freedoms)", loose.freedoms) } else { String::new() };
     format!("{}{several}", how(loose))
@@ -257,7 +257,7 @@ fn capital(text: &str) -> String {
     characters.next().map_or(String::new(), |first| first.to_uppercase().chain(characters).collect())
 }
 
-/// What a row holds, in words.
+/// The motion that a row prevents, in words.
 fn direction(what: &str) -> &str {
     match what {
         "x" => "shifts along x",

@@ -1,4 +1,4 @@
-//! What `expect` says of the motion, against the motion.
+//! The expectations of the motion in `expect`, against the motion.
 
 use super::messages::{self, Outside};
 use super::{End, Motion, Range, sweep};

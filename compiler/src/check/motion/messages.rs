@@ -49,7 +49,7 @@ pub fn turns_back(
 pub struct Outside<'r> {
     /// At the lower end.
     pub low: bool,
-    /// What it goes through, SI.
+    /// The range that it goes through, SI.
     pub from: f64,
     pub to: f64,
     pub turns: bool,

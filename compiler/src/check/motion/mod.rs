@@ -26,7 +26,8 @@ const SMALL: usize = 40;
 #[derive(Clone, Debug)]
 pub struct Motion {
     pub end: End,
-    /// Of the coordinates asked about, and last of the one by which positions are told, unless it is among them.
+    /// Ranges of the coordinates asked about, and last that of the one by which positions are told, unless it is among
+    /// them.
     pub ranges: Vec<Range>,
     /// Where coordinates turn back, in the order met: dead centres of a motor that acts there.
     pub limits: Vec<Limit>,
@@ -51,7 +52,7 @@ pub enum End {
     Stuck,
 }
 
-/// What a coordinate goes through: rad or m, angles over several turns and counted from the value that `start` gives.
+/// The range that a coordinate goes through: rad or m, angles over several turns and counted from the value that `start` gives.
 #[derive(Clone, Debug)]
 pub struct Range {
     /// `crank_pin.angle`.
@@ -70,7 +71,7 @@ pub struct Limit {
     /// Index in [`Motion::ranges`].
     pub of: usize,
     pub value: f64,
-    /// Of the reference coordinate.
+    /// The value of the reference coordinate.
     pub reference: f64,
     /// Links that lie in one line there, which is why.
     pub in_line: Vec<String>,
@@ -79,7 +80,7 @@ pub struct Limit {
 /// The constraints lose rank.
 #[derive(Clone, Debug)]
 pub struct Singular {
-    /// Of the reference coordinate.
+    /// The value of the reference coordinate.
     pub reference: f64,
     /// Joints and constraints whose rows repeat others there.
     pub lost: Vec<String>,

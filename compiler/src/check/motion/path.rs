@@ -38,7 +38,7 @@ pub struct Place {
     pub tangent: Vec<f64>,
     /// Sine of the angle between the row that the others nearly fix and those others; zero at singular positions.
     pub regularity: f64,
-    /// Of the watched coordinates: values, and rates along t.
+    /// The watched coordinates: values, and rates along t.
     pub values: Vec<f64>,
     pub rates: Vec<f64>,
 }

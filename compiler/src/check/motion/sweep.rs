@@ -9,7 +9,7 @@ use super::path::{Path, Place};
 use super::{End, Limit};
 use std::f64::consts::{PI, TAU};
 
-/// Of the first step, and of the longest: no joint angle changes by half a turn in one.
+/// Sizes of the first step and of the longest: no joint angle changes by half a turn in one.
 const FIRST: f64 = 0.05;
 const LONGEST: f64 = 0.2;
 /// A step this short that still fails gives up.
@@ -25,7 +25,7 @@ const STILL: f64 = 1e-9;
 /// Travels beyond this many lengths of the mechanism have no limit.
 const UNLIMITED: f64 = 50.0;
 
-/// What was met on the way.
+/// The ranges, limits and singular positions that were met on the way.
 #[derive(Default)]
 pub struct Swept {
     /// Least and largest values of the watched coordinates, angles over several turns.

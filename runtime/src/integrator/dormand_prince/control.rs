@@ -58,7 +58,7 @@ pub(super) fn after_rejection<R: Real>(error: R) -> R {
     (R::from_f64(SAFETY) / power(error, ALPHA)).max(R::from_f64(FACTORS[0])).min(R::from_f64(SAFETY))
 }
 
-/// What errors are measured by: sc = absolute + relative · size, for increments and for velocities.
+/// The sizes that errors are divided by: sc = absolute + relative · size, for increments and for velocities.
 pub(super) struct Scale<V> {
     positions: V,
     velocities: V,

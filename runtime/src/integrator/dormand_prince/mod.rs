@@ -128,8 +128,8 @@ impl<R: Real> DormandPrince<R> {
     }
 }
 
-/// What [`DormandPrince`] carries from step to step: the size it proposes, the accelerations at the end, and the continuous
-/// extension of the last step.
+/// The values that [`DormandPrince`] carries from step to step: the size it proposes, the accelerations at the end, and
+/// the continuous extension of the last step.
 #[derive(Clone, Copy, Debug)]
 pub struct DormandPrinceMemory<R, Q, V> {
     /// The size proposed for the next step, s.

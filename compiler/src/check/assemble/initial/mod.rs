@@ -21,7 +21,7 @@ pub enum Variation {
     /// One of many that fill the space of coordinates evenly, first near the guesses and later anywhere.
     Many {
         number: usize,
-        /// Of the space.
+        /// The dimensions of the space.
         dimensions: usize,
         /// For travels and places, m.
         length: f64,
@@ -57,8 +57,8 @@ impl Offsets {
         }
     }
 
-    /// Of an angle. By Kronecker's sequence n φ^(−j), whose points are spread evenly in any number of dimensions (Roberts,
-    /// The unreasonable effectiveness of quasirandom sequences, 2018).
+    /// A sample of an angle, by Kronecker's sequence n φ^(−j), whose points are spread evenly in any number of
+    /// dimensions (Roberts, The unreasonable effectiveness of quasirandom sequences, 2018).
     fn turn(&mut self, guessed: bool) -> f64 {
         match self.variation {
             Variation::Few(number) => {
@@ -72,7 +72,7 @@ impl Offsets {
         }
     }
 
-    /// Of a travel or a place.
+    /// A sample of a travel or a place.
     fn shift(&mut self) -> f64 {
         match self.variation {
             Variation::Few(_) => 0.0,

@@ -66,7 +66,7 @@ fn orientations(
         let closing = || through_another_joint(given, mechanism, equations, *body, &angles);
         angles[body.0] = match stated.or_else(closing) {
             None => offsets.turn(false),
-            // What is only guessed is varied too, so that other assemblies are found.
+            // A value that is only guessed is varied too, so that other assemblies are found.
             Some(angle) if stated.is_some() && offsets.varies(is_stated(equations, *joint, *body)) => {
                 angle + offsets.turn(true)
             }

@@ -84,7 +84,7 @@ fn carried(mechanism: &Mechanism, point: &mut Point, q: &[f64], joint: JointId) 
     (quaternion::normalized(turned), exact)
 }
 
-/// What `start` says of a body's orientation, and whether it must be met.
+/// The orientation that `start` states or guesses for a body, and whether it must be met.
 fn orientation(mechanism: &Mechanism, body: BodyId) -> ([f64; 4], bool) {
     let defaults = mechanism.defaults();
     match mechanism.orientations.iter().find(|start| start.body == body) {
