@@ -7,8 +7,8 @@ use crate::check::{
 use crate::diagnostics::Diagnostics;
 use crate::equations::{self, Equations, Omitted, SpanningTree, space};
 use crate::model::{Coordinates, Mechanism, Space};
+use crate::order::Strategy;
 use crate::schedule::Counts;
-use crate::solve::order::Strategy;
 use crate::solve::{self, Solved};
 
 /// One set of coordinates, solved.

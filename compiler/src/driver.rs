@@ -1,7 +1,7 @@
 //! The stages in order.
 
+use crate::check::assemble::Assembly;
 use crate::check::assemble::loose::{self, Loose};
-use crate::check::assemble::{Assembly, Partition};
 use crate::check::motion::{self, Motion, Unswept};
 use crate::check::{self, assemble};
 use crate::choice::{self, Candidate, Choice};
@@ -10,8 +10,8 @@ use crate::equations::{self, Equations, Omitted, SpanningTree, Tangents, VOCABUL
 use crate::model::{self, Coordinates, Mechanism};
 use crate::schedule::{self, Programs};
 use crate::self_check::{self, Extent};
-use crate::solve::Solved;
 use crate::solve::table::Table;
+use crate::solve::{Partition, Solved};
 use crate::symbolic::Node;
 use crate::syntax::{Definition, Header};
 use crate::{optimize, syntax};

@@ -21,6 +21,7 @@ pub mod emit;
 pub mod equations;
 pub mod model;
 pub mod optimize;
+pub mod order;
 pub mod page;
 pub mod schedule;
 pub mod self_check;

@@ -7,7 +7,7 @@
 use crate::registry::{Model, compiled};
 use linkwright_compiler::equations::space::joints;
 use linkwright_compiler::model::{Coordinates, Frame};
-use linkwright_compiler::solve::order::Strategy;
+use linkwright_compiler::order::Strategy;
 use std::collections::BTreeSet;
 
 linkwright::mechanism! {

@@ -6,9 +6,9 @@
 use crate::Compiled;
 use crate::equations::Equations;
 use crate::functions::Function;
+use crate::order::Strategy;
 use crate::schedule::{count, nodes_of};
 use crate::solve;
-use crate::solve::order::Strategy;
 use crate::symbolic::{Class, Node};
 use std::cmp::Reverse;
 use std::collections::{BTreeMap, BTreeSet};

@@ -2,7 +2,8 @@
 
 use super::figure::{escaped, number};
 use crate::Compiled;
-use crate::solve::{self, order::Strategy};
+use crate::order::Strategy;
+use crate::solve;
 use std::collections::BTreeSet;
 use std::fmt::Write;
 

@@ -1,6 +1,6 @@
 //! Sparse LDLᵀ of the symmetric system, written into the graph.
 
-use super::order::Order;
+use crate::order::Order;
 use crate::symbolic::{Node, Scalar, Sheet};
 use std::collections::BTreeMap;
 

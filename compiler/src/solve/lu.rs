@@ -4,7 +4,7 @@
 //! square for each block.
 
 use super::null_space::Sparse;
-use crate::check::assemble::{Partition, Pivot};
+use super::{Partition, Pivot};
 use crate::symbolic::{Scalar, Sheet};
 use std::collections::BTreeSet;
 

@@ -5,22 +5,22 @@
 pub mod elimination;
 mod lu;
 mod null_space;
-pub mod order;
+mod partition;
 mod stored;
 pub mod table;
 
-use crate::check::assemble::Partition;
 use crate::equations::space::articulated;
 use crate::equations::{Equations, Kinematics, Row, Symbols};
 use crate::functions::Function;
 use crate::model::Emit;
+use crate::order::{self, Order, Pattern, Strategy};
 use crate::schedule::{Counts, count_of};
 use crate::symbolic::{Node, Scalar, Sheet, all_bare};
 use elimination::{Entries, Factor, Kind};
-use order::{Order, Pattern, Strategy};
 use std::collections::{BTreeMap, BTreeSet};
 
 pub use null_space::{NullSpace, null_space};
+pub use partition::{Partition, Pivot};
 pub use stored::{Stored, store};
 
 /// v̇ and λ, and the smallest relative pivot met on the way.

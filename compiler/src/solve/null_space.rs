@@ -3,12 +3,12 @@
 //!
 //! Which velocities are dependent is fixed here; where their pivots degrade the runtime chooses others, by tables.
 
+use super::Partition;
 use super::elimination::{self, Entries, Kind};
 use super::lu::{self, Lu};
-use super::order::{self, Pattern};
 use super::stored::{frontier, symbols};
-use crate::check::assemble::Partition;
 use crate::equations::Equations;
+use crate::order::{self, Pattern};
 use crate::symbolic::{Node, Scalar, Sheet, all_bare};
 use std::collections::BTreeMap;
 

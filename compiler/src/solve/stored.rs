@@ -4,9 +4,9 @@
 //! the factorisation and kept; the rest is the other function. So nothing has to be said about what a factor consists of.
 
 use super::elimination::{self, Entries, Kind};
-use super::order::{self, Pattern};
 use super::{Massless, add_square, stabilised};
 use crate::equations::Equations;
+use crate::order::{self, Pattern};
 use crate::symbolic::{Class, Compare, Graph, Node, Scalar, Sheet, all_bare};
 use std::collections::{BTreeMap, BTreeSet};
 

@@ -3,7 +3,7 @@
 //! K = [W D̂ᵀ; D̂ 0] with D̂ = constraint rows, then condition rows. The table holds the elimination order and the rows of
 //! L in that order; the numbers are filled in by a short loop, here at expansion and in the runtime on the target.
 
-use super::order::{Pattern, Strategy, order};
+use crate::order::{Pattern, Strategy, order};
 
 /// Elimination order and structure of L.
 #[derive(Clone, Debug, Default)]

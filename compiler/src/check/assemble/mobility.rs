@@ -92,7 +92,7 @@ fn pivots(point: &mut Point, rows: &[usize], candidates: &[Condition], q: &[f64]
     // The order of the velocities and rows is chosen without the candidates, which follow.
     let mut sequence = Table::new(n, rows.len(), structure(&jets[..rows.len()])).order;
     sequence.extend(n + rows.len()..n + jets.len());
-    let pattern = crate::solve::order::Pattern::new(n, jets.len(), structure(&jets));
+    let pattern = crate::order::Pattern::new(n, jets.len(), structure(&jets));
     let table = Table::with_order(&pattern, sequence);
     let mut entries: Vec<(usize, usize, f64)> = (0..n).map(|k| (k, k, 1.0)).collect();
     for (at, jet) in jets.iter().enumerate() {

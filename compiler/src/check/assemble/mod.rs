@@ -35,7 +35,7 @@ pub use blame::Blame;
 pub use freedoms::Mobility;
 pub use gap::Gap;
 pub use mobility::{full_squares, rank};
-pub use partition::{Partition, Pivot, partition};
+pub use partition::partition;
 pub use point::{Ancestry, Point, retract};
 pub use scales::row_scales;
 

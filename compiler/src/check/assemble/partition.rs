@@ -4,7 +4,7 @@ use super::scales::{column_sizes, row_sizes};
 use super::{Ancestry, Assembly, Point};
 use crate::equations::Equations;
 use crate::model::Mechanism;
-use crate::solve::groups;
+use crate::solve::{Partition, Pivot, groups};
 use std::collections::{BTreeMap, BTreeSet};
 
 /// An entry of this part of the largest of its row is good enough for a pivot.
@@ -15,27 +15,6 @@ const DEARER: f64 = 1.25;
 
 /// A column whose entries at the start are less than this part of those along the motion says nothing of its unit there.
 const SMALL: f64 = 0.1;
-
-/// D factored at the start: which velocity each row gives, in an order in which little fills in.
-#[derive(Clone, Debug, Default)]
-pub struct Partition {
-    /// In order of elimination: one list for each joint's vector of rows, or row by itself.
-    pub blocks: Vec<Vec<Pivot>>,
-    /// One over the largest entry of each column of D, to a power of two: entries are compared after multiplication by it, because
-    /// columns have different units.
-    pub scales: Vec<f64>,
-    /// The largest scaled entry of each row along the motion: what its pivot is measured by.
-    pub row_sizes: Vec<f64>,
-    /// Operations of the elimination, by structure.
-    operations: usize,
-}
-
-/// A row and its dependent velocity.
-#[derive(Clone, Copy, Debug)]
-pub struct Pivot {
-    pub row: usize,
-    pub velocity: usize,
-}
 
 /// Chooses the dependent velocities at the start. None of those that carry an independent coordinate (conditions by
 /// index) is taken, where that is possible and not much dearer.
@@ -130,13 +109,6 @@ fn choose(
         blocks.push(block);
     }
     Partition { blocks, scales, row_sizes: Vec::new(), operations }
-}
-
-impl Partition {
-    /// All pivots, in order.
-    pub fn pivots(&self) -> impl Iterator<Item = &Pivot> {
-        self.blocks.iter().flatten()
-    }
 }
 
 impl Active {

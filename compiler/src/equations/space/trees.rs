@@ -7,7 +7,7 @@ use super::joints;
 use crate::equations::couplings;
 use crate::equations::spanning_tree::{Attachment, SpanningTree};
 use crate::model::{BodyId, BodyKind, Frame, JointId, Mechanism, Rotor};
-use crate::solve::order::{Pattern, Strategy, order};
+use crate::order::{Pattern, Strategy, order};
 use std::collections::BTreeSet;
 
 /// Whether the joint counts nothing, its freedoms, the depth it is reached at, its number.
