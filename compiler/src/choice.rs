@@ -8,7 +8,7 @@ use crate::diagnostics::Diagnostics;
 use crate::equations::{self, Equations, Omitted, SpanningTree, space};
 use crate::model::{Coordinates, Mechanism, Space};
 use crate::order::Strategy;
-use crate::schedule::Counts;
+use crate::schedule::{Counts, Function, count_of};
 use crate::solve::{self, Solved};
 
 /// One set of coordinates, solved.
@@ -142,7 +142,9 @@ fn solved(
         return None;
     }
     let scales = assemble::row_scales(mechanism, &mut equations, &assembly, &massless);
-    let solved = solve::solve(&mut equations, massless, scales);
+    let count =
+        |equations: &Equations, solved: &Solved| count_of(equations, solved, Function::AccelerationBaumgarte);
+    let solved = solve::solve(&mut equations, massless, scales, &count);
     let counts = solved.counts;
     Some((Candidate { equations, assembly, solved }, counts))
 }

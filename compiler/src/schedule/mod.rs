@@ -12,8 +12,9 @@ mod select;
 mod share;
 
 pub use crate::functions::{Function, outputs};
+pub use crate::symbolic::Counts;
 pub use bounds::{Bounded, Errors, run_bounded};
-pub use count::{Counts, count};
+pub use count::count;
 pub use evaluate::{Inputs, run};
 pub use liveness::{last_uses, live, live_values};
 pub use program::{Instruction, Operand, Program, Source};

@@ -11,11 +11,9 @@ pub mod table;
 
 use crate::equations::space::articulated;
 use crate::equations::{Equations, Kinematics, Row, Symbols};
-use crate::functions::Function;
 use crate::model::Emit;
 use crate::order::{self, Order, Pattern, Strategy};
-use crate::schedule::{Counts, count_of};
-use crate::symbolic::{Node, Scalar, Sheet, all_bare};
+use crate::symbolic::{Counts, Node, Scalar, Sheet, all_bare};
 use elimination::{Entries, Factor, Kind};
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -79,6 +77,9 @@ pub struct Massless {
     pub rows: BTreeMap<usize, f64>,
 }
 
+/// Counts the operations of the default acceleration function.
+type Counting = dyn Fn(&Equations, &Solved) -> Counts;
+
 /// Mechanisms of at most so many unknowns are eliminated in every order and counted; larger ones in the one that is
 /// cheapest by structure, because writing out an elimination takes time.
 const COUNTED: usize = 60;
@@ -92,11 +93,17 @@ const LONG_TREE: usize = 6;
 
 /// Solves for v̇ and λ, without stabilisation and with Baumgarte's:
 /// D v̇ = γ − 2α (D v − ν) − β² Φ.
-pub fn solve(equations: &mut Equations, massless: Massless, row_scales: Vec<Node>) -> Solved {
+/// `count`: what the default acceleration function takes.
+pub fn solve(
+    equations: &mut Equations,
+    massless: Massless,
+    row_scales: Vec<Node>,
+    count: &Counting,
+) -> Solved {
     let system = System::of(equations, massless, row_scales);
     let pattern = Pattern::new(system.velocities, system.columns.len(), system.entries.keys().copied());
     let mut best: Option<(usize, Equations, Solved)> = None;
-    if let Some((candidate, solved)) = by_articulated_bodies(equations, &pattern) {
+    if let Some((candidate, solved)) = by_articulated_bodies(equations, &pattern, count) {
         if solved.order.operations > solved.counts.total() {
             *equations = candidate;
             return solved;
@@ -104,7 +111,7 @@ pub fn solve(equations: &mut Equations, massless: Massless, row_scales: Vec<Node
         best = Some((solved.counts.score(), candidate, solved));
     }
     if best.is_none() && system.velocities + system.columns.len() > COUNTED {
-        return counted(equations, &system, system.without_prescribed(order::best(&pattern)));
+        return counted(equations, &system, system.without_prescribed(order::best(&pattern)), count);
     }
     // The structure does not see what constants save, so the small ones are written out and counted.
     let mut tried: Vec<Vec<usize>> = Vec::new();
@@ -119,7 +126,7 @@ pub fn solve(equations: &mut Equations, massless: Massless, row_scales: Vec<Node
         }
         tried.push(order.sequence.clone());
         let mut candidate = equations.clone();
-        let solved = counted(&mut candidate, &system, order);
+        let solved = counted(&mut candidate, &system, order, count);
         let score = solved.counts.score();
         if best.as_ref().is_none_or(|(least, ..)| score < *least) {
             best = Some((score, candidate, solved));
@@ -130,7 +137,7 @@ pub fn solve(equations: &mut Equations, massless: Massless, row_scales: Vec<Node
             *equations = candidate;
             solved
         }
-        None => counted(equations, &system, system.without_prescribed(order::best(&pattern))),
+        None => counted(equations, &system, system.without_prescribed(order::best(&pattern)), count),
     }
 }
 
@@ -284,7 +291,11 @@ fn prescribed(
 }
 
 /// The solution of a long tree in space that has no constraints.
-fn by_articulated_bodies(equations: &Equations, pattern: &Pattern) -> Option<(Equations, Solved)> {
+fn by_articulated_bodies(
+    equations: &Equations,
+    pattern: &Pattern,
+    count: &Counting,
+) -> Option<(Equations, Solved)> {
     let Kinematics::Space(kinematics) = &equations.kinematics else { return None };
     let open = equations.rows.is_empty() && pattern.velocities >= LONG_TREE;
     if !open || !articulated::applies(kinematics) {
@@ -309,13 +320,13 @@ fn by_articulated_bodies(equations: &Equations, pattern: &Pattern) -> Option<(Eq
         emits_system: false,
         null_space: None,
     };
-    solved.counts = count_of(&candidate, &solved, Function::AccelerationBaumgarte);
+    solved.counts = count(&candidate, &solved);
     Some((candidate, solved))
 }
 
-fn counted(equations: &mut Equations, system: &System, order: Order) -> Solved {
+fn counted(equations: &mut Equations, system: &System, order: Order, count: &Counting) -> Solved {
     let mut solved = eliminate(equations, system, order);
-    solved.counts = count_of(equations, &solved, Function::AccelerationBaumgarte);
+    solved.counts = count(equations, &solved);
     solved
 }
 

@@ -1,6 +1,7 @@
 //! The symbolic core: one hash-consed graph of scalar operations, its operations as a closed table, exact derivatives, and an
 //! interpreter. It knows nothing of mechanisms, tokens or Rust and imports nothing else of the crate.
 
+mod counts;
 mod derivative;
 mod evaluate;
 mod graph;
@@ -10,6 +11,7 @@ mod rounding;
 mod sheet;
 mod substitute;
 
+pub use counts::Counts;
 pub use derivative::Gradient;
 pub use evaluate::{evaluate, evaluate_reachable, evaluate_with};
 pub use graph::{Class, Graph, Node, Op};
