@@ -14,6 +14,7 @@ mod functions;
 mod messages;
 pub mod numbers;
 pub mod source;
+mod spelling;
 pub mod units;
 
 pub mod check;

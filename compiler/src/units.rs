@@ -106,7 +106,7 @@ pub fn suggest(name: &str) -> Option<String> {
     }
     // A letter too many or too few in one of the longer names.
     let longer = NAMED.iter().map(|(known, ..)| *known).filter(|known| known.len() > 1 && name.len() > 2);
-    crate::messages::closest(name, longer).map(str::to_string)
+    crate::spelling::closest(name, longer).map(str::to_string)
 }
 
 impl Dimension {

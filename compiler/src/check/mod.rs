@@ -10,7 +10,6 @@ pub mod rules;
 mod size;
 mod warnings;
 
-pub(crate) use proportion::Disproportion;
 pub use warnings::warnings;
 
 pub use budget::budget;

@@ -3,6 +3,7 @@
 //! a slip of units, mm² for m².
 
 use super::rules::at_defaults;
+use crate::messages::Disproportion;
 use crate::model::{Body, BodyId, Frame, LoadKind, Mechanism, Place, Vector};
 
 /// How often the radius of gyration may be as large as the body reaches from its centre of mass. Solid bodies have at most 1;
@@ -15,17 +16,6 @@ const LEAST_DENSITY: f64 = 1e-2;
 /// Units of moments of inertia, in kg m², that are taken for one another, and what each is short of the kg m².
 const UNITS: [(&str, f64); 5] =
     [("g*m^2", 1e-3), ("kg*cm^2", 1e-4), ("kg*mm^2", 1e-6), ("g*cm^2", 1e-7), ("g*mm^2", 1e-9)];
-
-/// A moment of inertia that is too large for its body. SI units.
-pub(crate) struct Disproportion {
-    pub moment: f64,
-    pub mass: f64,
-    /// √(I/m), and how far the places of the body are from its centre of mass.
-    pub gyration: f64,
-    pub reach: f64,
-    /// The unit in which the same number would fit best.
-    pub unit: &'static str,
-}
 
 /// The disproportion of a body with places off its centre, at the defaults of parameters. Too small a moment is not
 /// spoken of: a ball on a long wire has one, and zero is that of a point.

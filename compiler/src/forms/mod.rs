@@ -34,6 +34,33 @@ impl Space {
     }
 }
 
+/// Shapes of bodies.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Shape {
+    Body,
+    Rod,
+    Disk,
+    Box,
+    Sphere,
+    Cylinder,
+    Particle,
+}
+
+impl Shape {
+    /// As written.
+    pub fn text(self) -> &'static str {
+        match self {
+            Self::Body => "body",
+            Self::Rod => "rod",
+            Self::Disk => "disk",
+            Self::Box => "box",
+            Self::Sphere => "sphere",
+            Self::Cylinder => "cylinder",
+            Self::Particle => "particle",
+        }
+    }
+}
+
 /// All words of elements.
 #[derive(Clone, Copy, Debug)]
 pub struct Vocabulary {

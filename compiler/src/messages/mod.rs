@@ -17,44 +17,9 @@ pub(crate) use values::*;
 pub(crate) use warnings::*;
 pub(crate) use writing::*;
 
-use crate::self_check::Contradiction;
+pub(crate) use crate::spelling::closest;
 
 // ---- Advice -----------------------------------------------------------------------------------------------------
-
-/// The known word nearest to a misspelt one, if near enough to be meant.
-pub(crate) fn closest<'a>(word: &str, known: impl Iterator<Item = &'a str>) -> Option<&'a str> {
-    let most = (word.chars().count() / 3).max(1);
-    known
-        .map(|candidate| (distance(word, candidate), candidate))
-        // Nothing would be left of a single letter.
-        .filter(|(edits, _)| *edits <= most && *edits < word.chars().count())
-        .min_by_key(|(edits, _)| *edits)
-        .map(|(_, candidate)| candidate)
-}
-
-/// Edits (insert, delete, replace, swap neighbours) from one word to another; letter case does not count.
-fn distance(a: &str, b: &str) -> usize {
-    let (a, b): (Vec<char>, Vec<char>) =
-        (a.to_lowercase().chars().collect(), b.to_lowercase().chars().collect());
-    let mut rows = vec![vec![0; b.len() + 1]; a.len() + 1];
-    for (i, row) in rows.iter_mut().enumerate() {
-        row[0] = i;
-    }
-    for (j, first) in rows[0].iter_mut().enumerate() {
-        *first = j;
-    }
-    for i in 1..=a.len() {
-        for j in 1..=b.len() {
-            let replaced = rows[i - 1][j - 1] + usize::from(a[i - 1] != b[j - 1]);
-            let mut best = replaced.min(rows[i - 1][j] + 1).min(rows[i][j - 1] + 1);
-            if i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1] {
-                best = best.min(rows[i - 2][j - 2] + 1);
-            }
-            rows[i][j] = best;
-        }
-    }
-    rows[a.len()][b.len()]
-}
 
 pub(crate) fn angle_without_unit(function: &str, text: &str) -> String {
     format!(
@@ -76,12 +41,15 @@ pub(crate) fn unreadable_expansion(error: &str) -> String {
 }
 
 /// The compiler has found a mistake of its own.
-pub(crate) fn contradiction(contradiction: &Contradiction) -> String {
-    let Contradiction { check, at, found, expected, margin, state } = contradiction;
+pub(crate) fn contradiction(
+    check: &str,
+    at: &str,
+    [found, expected, margin]: [f64; 3],
+    state: &str,
+) -> String {
     format!(
         "Linkwright contradicts itself, so there is no model: this is a mistake of Linkwright, not of the definition. It \
-         compared {} and found at {at} {found:e} in place of {expected:e} (to within {margin:.1e}), with {state}. Please report \
-         this message with the definition; `options {{ self_check = off; }}` takes the model unchecked",
-        check.text()
+         compared {check} and found at {at} {found:e} in place of {expected:e} (to within {margin:.1e}), with {state}. Please report \
+         this message with the definition; `options {{ self_check = off; }}` takes the model unchecked"
     )
 }

@@ -1,8 +1,7 @@
 //! Texts about names: of values, places, lines and quantities, and what may depend on them.
 
 use super::{closest, is_ground, other_value};
-use crate::model::Use;
-use crate::syntax::Space;
+use crate::forms::Space;
 
 // ---- Names -----------------------------------------------------------------------------------------------------------
 
@@ -227,18 +226,11 @@ pub(crate) fn distance_in_one_body() -> String {
     "the distance of two places of one body never changes".to_string()
 }
 
-pub(crate) fn not_permitted(name: &str, kind: &str, usage: &Use) -> String {
-    let mut allowed = vec!["constants"];
-    let kinds = [
-        (usage.parameters, "parameters"),
-        (usage.time, "time"),
-        (usage.inputs, "inputs"),
-        (usage.positions, "positions"),
-        (usage.velocities, "velocities"),
-    ];
-    allowed.extend(kinds.iter().filter(|(permitted, _)| *permitted).map(|(_, name)| *name));
-    let last = allowed.pop().unwrap_or_default();
-    let list =
-        if allowed.is_empty() { last.to_string() } else { format!("{} and {last}", allowed.join(", ")) };
-    format!("`{name}` is {kind}, but {} may depend on {list} only", usage.what)
+/// `what` may depend on constants and on the things that are `permitted`.
+pub(crate) fn not_permitted(name: &str, kind: &str, what: &str, permitted: &[&str]) -> String {
+    let list = match permitted.split_last() {
+        None => "constants".to_string(),
+        Some((last, others)) => format!("{} and {last}", [&["constants"], others].concat().join(", ")),
+    };
+    format!("`{name}` is {kind}, but {what} may depend on {list} only")
 }

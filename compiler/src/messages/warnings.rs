@@ -1,8 +1,7 @@
 //! Texts of warnings: what is possible and probably not meant. Each says how it is taken back.
 
 use super::number;
-use crate::check::Disproportion;
-use crate::syntax::Shape;
+use crate::forms::Shape;
 
 /// `kind`: a constant, parameter, input, point, marker or line.
 pub(crate) fn unused(kind: &str, name: &str, body: Option<&str>) -> String {
@@ -98,6 +97,17 @@ pub(crate) fn outside(place: &str, shape: Shape, body: &str, along: (&str, f64),
         number(out),
         number(limit)
     )
+}
+
+/// A moment of inertia that is too large for its body. SI units.
+pub(crate) struct Disproportion {
+    pub moment: f64,
+    pub mass: f64,
+    /// √(I/m), and how far the places of the body are from its centre of mass.
+    pub gyration: f64,
+    pub reach: f64,
+    /// The unit in which the same number would fit best.
+    pub unit: &'static str,
 }
 
 /// SI units, at the defaults of parameters.

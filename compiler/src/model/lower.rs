@@ -130,6 +130,18 @@ impl Use {
     pub const LOAD: Self =
         Self { what: "the law of a load", inputs: true, velocities: true, ..Self::EQUATION };
     pub const OUTPUT: Self = Self { what: "an output", results: true, ..Self::LOAD };
+
+    /// What it may depend on beside constants, in words.
+    pub fn permitted(&self) -> Vec<&'static str> {
+        let kinds = [
+            (self.parameters, "parameters"),
+            (self.time, "time"),
+            (self.inputs, "inputs"),
+            (self.positions, "positions"),
+            (self.velocities, "velocities"),
+        ];
+        kinds.into_iter().filter(|(permitted, _)| *permitted).map(|(_, name)| name).collect()
+    }
 }
 
 /// The name of a label.

@@ -24,7 +24,6 @@ use crate::diagnostics::{Allowed, Region};
 pub use crate::forms::{Alone, JointAxes, JointForm, Space};
 pub use crate::syntax::{Budgeted, Shape};
 pub use expression::{Comparison, Condition, Expr, Function1, Function2, Quantity};
-pub(crate) use lower::Use;
 pub use lower::lower;
 use proc_macro2::TokenStream;
 pub use unused::{Declared, Unused};

@@ -103,7 +103,10 @@ impl<'d> Lowering<'d> {
     /// `distance(a.p, ground(0, 0))`.
     pub fn distance(&mut self, arguments: &[Term], region: Region, usage: Use) -> Option<Typed> {
         if !usage.positions {
-            self.diagnostics.error(region, messages::not_permitted("distance(…)", "a position", &usage));
+            self.diagnostics.error(
+                region,
+                messages::not_permitted("distance(…)", "a position", usage.what, &usage.permitted()),
+            );
             return None;
         }
         let (first, second) = (self.place_term(&arguments[0]), self.place_term(&arguments[1]));

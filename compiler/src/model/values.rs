@@ -262,7 +262,10 @@ impl Lowering<'_> {
     /// An error if this kind of thing may not stand here.
     pub fn permit(&mut self, permitted: bool, path: &Path, kind: &str, usage: Use) -> Option<()> {
         if !permitted {
-            self.diagnostics.error(path.region, messages::not_permitted(&path.text, kind, &usage));
+            self.diagnostics.error(
+                path.region,
+                messages::not_permitted(&path.text, kind, usage.what, &usage.permitted()),
+            );
         }
         permitted.then_some(())
     }

@@ -87,7 +87,8 @@ pub struct Contradiction {
 
 impl fmt::Display for Contradiction {
     fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
-        f.write_str(&messages::contradiction(self))
+        let Contradiction { check, at, found, expected, margin, state } = self;
+        f.write_str(&messages::contradiction(check.text(), at, [*found, *expected, *margin], state))
     }
 }
 

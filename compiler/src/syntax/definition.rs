@@ -3,7 +3,7 @@
 
 use crate::diagnostics::{Allowed, Region};
 use crate::forms::JointForm;
-pub use crate::forms::Space;
+pub use crate::forms::{Shape, Space};
 use crate::units::Unit;
 use proc_macro2::TokenStream;
 use std::collections::BTreeSet;
@@ -242,33 +242,6 @@ pub struct Input {
     pub name: Label,
     pub docs: TokenStream,
     pub unit: Option<WrittenUnit>,
-}
-
-/// Shapes of bodies.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Shape {
-    Body,
-    Rod,
-    Disk,
-    Box,
-    Sphere,
-    Cylinder,
-    Particle,
-}
-
-impl Shape {
-    /// As written.
-    pub fn text(self) -> &'static str {
-        match self {
-            Self::Body => "body",
-            Self::Rod => "rod",
-            Self::Disk => "disk",
-            Self::Box => "box",
-            Self::Sphere => "sphere",
-            Self::Cylinder => "cylinder",
-            Self::Particle => "particle",
-        }
-    }
 }
 
 /// `rod coupler { mass [kg] = 0.1; … }`
