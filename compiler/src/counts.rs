@@ -6,8 +6,8 @@
 //! chain of operations that wait for one another. Live is the largest number of results that are alive at once, in the
 //! order of the code; true use of registers and stack is decided by the target's compiler.
 
-use crate::compile;
 use crate::diagnostics::Diagnostics;
+use crate::driver::compile;
 use crate::model::Coordinates;
 use crate::schedule::{Counts, Function, count, live_values};
 use proc_macro2::TokenStream;

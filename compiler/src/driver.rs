@@ -1,58 +1,19 @@
 //! The stages in order.
 
 use crate::check::assemble::Assembly;
-use crate::check::assemble::loose::{self, Loose};
-use crate::check::motion::{self, Motion, Unswept};
-use crate::check::{self, assemble};
-use crate::choice::{self, Candidate, Choice};
+use crate::check::{self, assemble, motion};
+use crate::choice::{self, Candidate};
+use crate::compiled::Compiled;
 use crate::diagnostics::Diagnostics;
 use crate::equations::{self, Equations, Omitted, SpanningTree, Tangents, VOCABULARY};
 use crate::model::{self, Coordinates, Mechanism};
-use crate::schedule::{self, Programs};
+use crate::schedule;
 use crate::self_check::{self, Extent};
+use crate::solve::Solved;
 use crate::solve::table::Table;
-use crate::solve::{Partition, Solved};
-use crate::symbolic::Node;
 use crate::syntax::{Definition, Header};
-use crate::{optimize, syntax};
+use crate::{budget, optimize, syntax};
 use proc_macro2::TokenStream;
-
-/// A mechanism after all stages but the last.
-#[derive(Clone, Debug)]
-pub struct Compiled {
-    pub mechanism: Mechanism,
-    /// `DEFINITION`.
-    pub definition: String,
-    pub equations: Equations,
-    pub assembly: Assembly,
-    pub solved: Solved,
-    pub programs: Programs,
-    /// The expressions that the constants of the prepared model are.
-    pub hoisted: Vec<Node>,
-    /// Factorisation for the cold paths.
-    pub table: Table,
-    /// Independent coordinates, indices into the conditions.
-    pub independent: Vec<usize>,
-    /// The dependent velocity of each row that is not idle.
-    pub partition: Partition,
-    /// Masses and inertias that depend on parameters, and whether they must be positive.
-    pub masses: Vec<(String, bool)>,
-    pub choice: Choice,
-    /// What is possible and probably not meant.
-    pub warnings: Diagnostics,
-}
-
-impl Compiled {
-    /// The range of motion of all joints, for those who ask; expansion itself follows the motion only where `expect` does.
-    pub fn motion(&self) -> Result<Motion, Unswept> {
-        motion::sweep(&self.mechanism, &self.equations, &self.assembly, &motion::of_joints(&self.mechanism))
-    }
-
-    /// The bodies that can move while all others stand still: loose ones, and idle freedoms.
-    pub fn loose(&self) -> Vec<Loose> {
-        loose::find(&self.mechanism, &self.equations, &self.assembly.q, &self.assembly.phases)
-    }
-}
 
 /// tokens → what was written, in the words of all elements.
 pub fn parse(tokens: TokenStream) -> Result<Definition, Diagnostics> {
@@ -162,7 +123,7 @@ pub fn compile_model(
     };
     if as_defined {
         // Limits of the definition hold for the coordinates of the definition.
-        check::budget(&compiled, &mut errors);
+        budget::budget(&compiled, &compile_model, &mut errors);
     }
     let extent = Extent::asked(compiled.mechanism.options.self_check);
     if let Some(contradiction) = self_check::self_check(&compiled, extent).first() {

@@ -3,9 +3,10 @@
 
 use crate::diagnostics::{Diagnostics, Region};
 use crate::emit::Home;
+use crate::expansion::Expansion;
 use crate::messages;
 use crate::source::{self, Source, Tokens};
-use crate::{Expansion, driver, emit};
+use crate::{driver, emit};
 use proc_macro2::{TokenStream, TokenTree};
 use std::io::ErrorKind;
 use std::path::{Path, PathBuf};

@@ -3,7 +3,9 @@
 //! An ordinary library: [`expand`] is what the macro calls, [`compile`] what tests and tools call. The stages, in
 //! order, are the modules below; `driver` chains them.
 
+mod budget;
 mod choice;
+mod compiled;
 pub mod counts;
 pub mod diagnostics;
 mod drawing;
@@ -20,6 +22,7 @@ pub mod units;
 pub mod check;
 pub mod emit;
 pub mod equations;
+mod expansion;
 pub mod model;
 pub mod optimize;
 pub mod order;
@@ -32,25 +35,14 @@ pub mod syntax;
 pub mod symbolic;
 
 pub use choice::{Choice, Rejected};
-pub use driver::{Compiled, Start, compile, compile_model, header, parse, start};
+pub use compiled::Compiled;
+pub use driver::{Start, compile, compile_model, header, parse, start};
+pub use expansion::Expansion;
 pub use page::page;
 
-use diagnostics::{Diagnostics, Region};
 use emit::Home;
 use proc_macro2::{Span, TokenStream};
 use std::path::PathBuf;
-
-/// What `mechanism! { … }` stands for.
-#[derive(Clone, Debug)]
-pub enum Expansion {
-    /// The model's items, as Rust text, and what has to stand before it; warnings, and the name of the mechanism they are of.
-    ///
-    /// Text, because a macro hands it to rustc's own lexer at once: `proc_macro2` reads everything with its own lexer
-    /// first, which takes an unoptimised macro seven times as long.
-    Items { import: TokenStream, text: String, warnings: Diagnostics, name: Region },
-    /// Errors at their places, and a stub in the model's place.
-    Errors(TokenStream),
-}
 
 /// The expansion of `mechanism! { … }` or `mechanism!(file = "…")`, before which `($crate)` may stand. `file_of` gives the Rust file that a token stands in,
 /// where it is known.

@@ -392,10 +392,67 @@ fn the_runtime_runs_bare() {
     }
 }
 
+/// The rooms of the compiler in the order of ARCHITECTURE.md.
+fn rooms() -> Vec<String> {
+    let text = read("ARCHITECTURE.md");
+    let (_, list) = text.split_once("never back:\n").expect("the list of rooms");
+    let list = list.split("\n\n").next().expect("its end");
+    list.split('`').skip(1).step_by(2).map(str::to_string).collect()
+}
+
+/// The rooms that code imports, by `crate::room` and `crate::{room, …}`.
+fn imported(code: &str) -> Vec<String> {
+    let mut found = Vec::new();
+    for (at, _) in code.match_indices("crate::") {
+        let rest = &code[at + "crate::".len()..];
+        let word = |text: &str| text.trim_start().chars().take_while(|c| is_of_word(*c)).collect::<String>();
+        let Some(group) = rest.strip_prefix('{') else {
+            found.push(word(rest));
+            continue;
+        };
+        let (mut depth, mut begins) = (0, true);
+        for (index, c) in group.char_indices() {
+            match c {
+                '}' if depth == 0 => break,
+                '{' => depth += 1,
+                '}' => depth -= 1,
+                ',' if depth == 0 => begins = true,
+                c if begins && is_of_word(c) => {
+                    found.push(word(&group[index..]));
+                    begins = false;
+                }
+                _ => {}
+            }
+        }
+    }
+    found
+}
+
+#[test]
+fn rooms_import_from_those_before_them() {
+    let rooms = rooms();
+    let place = |room: &str| rooms.iter().position(|own| own == room);
+    let mut found = std::collections::BTreeSet::new();
+    for (file, text) in sources("compiler/src") {
+        let room = file.split('/').next().expect("a room").trim_end_matches(".rs");
+        if room == "lib" {
+            continue;
+        }
+        found.insert(room.to_string());
+        let own = place(room).unwrap_or_else(|| panic!("{room} is not in the list of ARCHITECTURE.md"));
+        for other in imported(&text).iter().filter(|other| *other != room) {
+            let at = place(other).unwrap_or_else(|| panic!("{file} imports {other}, which is no room"));
+            assert!(at < own, "{file} imports {other}, which comes later");
+        }
+    }
+    let listed: std::collections::BTreeSet<String> = rooms.iter().cloned().collect();
+    assert_eq!(found, listed, "rooms in the folder and in the list");
+}
+
 /// What is recorded of the reference is read by nobody and carried by everybody.
 #[test]
 fn recorded_values_are_within_a_megabyte() {
-    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/data/casadi");
+    let folder = root().join("tests/data/casadi");
     let files = std::fs::read_dir(&folder).expect("a folder").map(|entry| entry.expect("an entry"));
     let size: u64 = files.map(|file| file.metadata().expect("its size").len()).sum();
     assert!(size <= 1_000_000, "{size} bytes in {}", folder.display());

@@ -6,9 +6,7 @@ mod freedoms;
 pub use closing::*;
 pub use freedoms::*;
 
-use super::expenses::Expense;
-use crate::functions::Function;
-use crate::messages::{closest, number};
+use crate::messages::number;
 use crate::numbers::coordinate;
 
 /// `others`: those that are.
@@ -100,89 +98,6 @@ pub fn massless(body: &str, velocity: &str) -> String {
          the constraints, so its acceleration is undetermined. Give \"{body}\" a positive mass and inertia, or a joint \
          that holds it"
     )
-}
-
-/// A change that takes less than is taken now.
-pub enum Remedy {
-    /// `absolute` or `tree`.
-    Coordinates(&'static str),
-    WithoutBaumgarte,
-    Constants,
-    NullSpace,
-}
-
-pub fn too_many_operations(
-    function: &str,
-    limit: usize,
-    found: usize,
-    table: &[Expense],
-    remedies: &[(Remedy, usize)],
-) -> String {
-    let mut text = format!("`{function}` takes {found} operations, more than the {limit} expected:");
-    for Expense { purpose, operations, most } in table {
-        text += &format!("\n{operations:>7}  {purpose}");
-        let most: Vec<String> =
-            most.iter().map(|(of, operations)| format!("\"{of}\" {operations}")).collect();
-        if !most.is_empty() {
-            text += &format!(" (for itself alone {})", most.join(", "));
-        }
-    }
-    text + &instead(function, found, "operations", remedies)
-}
-
-pub fn too_many_live_values(
-    function: &str,
-    limit: usize,
-    found: usize,
-    results: usize,
-    remedies: &[(Remedy, usize)],
-) -> String {
-    format!(
-        "`{function}` has up to {found} values alive at once, more than the {limit} expected (it gives {results} \
-         results, and each is alive until the end)"
-    ) + &instead(function, found, "live_values", remedies)
-}
-
-/// The end of a message about a budget.
-fn instead(function: &str, found: usize, what: &str, remedies: &[(Remedy, usize)]) -> String {
-    let unit = if what == "operations" { "operations" } else { "live values" };
-    let of = if function == Function::AccelerationBaumgarte.name() {
-        String::new()
-    } else {
-        format!("({function})")
-    };
-    let otherwise =
-        if remedies.is_empty() { "let the mechanism do less" } else { "take one of these that need less:" };
-    let mut text = format!("\nwrite `{what}{of} <= {found};` if that may be, or {otherwise}");
-    for (remedy, count) in remedies {
-        text += &match remedy {
-            Remedy::Coordinates(word) => {
-                format!("\n{count:>7}  {unit} with `options {{ coordinates = {word}; }}`")
-            }
-            Remedy::WithoutBaumgarte => {
-                format!("\n{count:>7}  {unit} by `acceleration`, without Baumgarte's terms")
-            }
-            Remedy::Constants => {
-                format!(
-                    "\n{count:>7}  {unit} with `const` in place of every `param`, in the same order of elimination"
-                )
-            }
-            Remedy::NullSpace => format!(
-                "\n{count:>7}  {unit} by `null_space`, the accelerations in independent velocities, with `options {{ emit = \
-                 (null_space); }}`"
-            ),
-        };
-    }
-    text
-}
-
-pub fn unknown_function(function: &str, known: &[&str]) -> String {
-    match closest(function, known.iter().copied()) {
-        Some(similar) => format!("there is no function \"{function}\" to count; did you mean `{similar}`?"),
-        None => {
-            format!("there is no function \"{function}\" to count; the functions are {}", known.join(", "))
-        }
-    }
 }
 
 /// `a`, `a and b`, `a, b and c`.

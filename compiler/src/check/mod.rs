@@ -1,8 +1,6 @@
-//! Checks: static rules on the model, numeric rules by assembling the mechanism, budgets on what comes out.
+//! Checks: static rules on the model, numeric rules by assembling the mechanism.
 
 pub mod assemble;
-mod budget;
-mod expenses;
 mod messages;
 pub mod motion;
 mod proportion;
@@ -12,7 +10,6 @@ mod warnings;
 
 pub use warnings::warnings;
 
-pub use budget::budget;
 pub use size::size;
 
 use crate::diagnostics::Diagnostics;

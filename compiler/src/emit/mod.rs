@@ -34,7 +34,7 @@ pub use coordinates_json::coordinates_json;
 pub use home::Home;
 pub use stub::stub;
 
-use crate::Compiled;
+use crate::compiled::Compiled;
 use crate::model::Mechanism;
 use crate::schedule::Function;
 use crate::self_check;

@@ -2,7 +2,7 @@
 
 use super::expression::Writer;
 use super::text::count;
-use crate::Compiled;
+use crate::compiled::Compiled;
 use crate::symbolic::Node;
 use std::fmt::Write;
 

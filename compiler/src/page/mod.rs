@@ -16,7 +16,7 @@ mod tables;
 mod terms;
 mod text;
 
-use crate::Compiled;
+use crate::compiled::Compiled;
 use sketch::Sketch;
 use std::fmt::Write;
 use text::count;

@@ -2,7 +2,7 @@
 //! left to `figure`.
 
 use super::stand::Stand;
-use crate::Compiled;
+use crate::compiled::Compiled;
 use crate::drawing::Hinge;
 use crate::drawing::vector::{Point, difference, length, sum};
 use crate::forms::Spans;

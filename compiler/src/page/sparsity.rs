@@ -1,7 +1,7 @@
 //! The patterns of M, D and of the factor, as small pictures: a square for an entry, a lighter one for what elimination adds.
 
 use super::figure::{escaped, number};
-use crate::Compiled;
+use crate::compiled::Compiled;
 use crate::order::Strategy;
 use crate::solve;
 use std::collections::BTreeSet;

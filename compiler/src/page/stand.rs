@@ -1,7 +1,7 @@
 //! Numbers of the mechanism as it stands at its start, from which the sketch is made.
 
 use super::sketch::{Effort, EffortKind, End, Part, Wheel};
-use crate::Compiled;
+use crate::compiled::Compiled;
 use crate::drawing::Hinge;
 use crate::drawing::vector::{Point, apply, cross, difference, dot, length, pad, sum, unit};
 use crate::equations::{Equations, Laws, space};

@@ -3,7 +3,7 @@
 
 use super::table::{Table, code};
 use super::text::decimal;
-use crate::Compiled;
+use crate::compiled::Compiled;
 use crate::equations::conditions;
 use crate::equations::coordinates::rotor_name;
 use crate::model::{

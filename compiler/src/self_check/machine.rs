@@ -1,8 +1,8 @@
 //! The functions of a mechanism at a state, by interpreting their programs; and states to ask for.
 
 use super::quantity::Quantity;
-use crate::Compiled;
 use crate::check::assemble::retract;
+use crate::compiled::Compiled;
 use crate::schedule::{Bounded, Errors, Function, Inputs, run, run_bounded};
 
 /// Programs, and the errors of what some prepare for others.

@@ -31,7 +31,7 @@ mod quantity;
 mod rows;
 mod scales;
 
-use crate::Compiled;
+use crate::compiled::Compiled;
 use crate::messages;
 use crate::schedule::Inputs;
 use machine::{Machine, Random};

@@ -3,7 +3,7 @@
 //! Every instruction is counted once: under the purpose that needs it if that is only one, else as shared; what no purpose
 //! of the equations needs belongs to their solution. A product that goes into a sum is counted where the sum is.
 
-use crate::Compiled;
+use crate::compiled::Compiled;
 use crate::equations::Equations;
 use crate::functions::Function;
 use crate::order::Strategy;

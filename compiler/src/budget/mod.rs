@@ -3,18 +3,24 @@
 //! Advice is counted, not guessed: the mechanism is compiled or counted again as advised, and what takes no less is not
 //! mentioned. All that happens only where a budget is exceeded.
 
-use super::expenses::expenses;
-use super::messages::{self, Remedy};
-use crate::Compiled;
+mod expenses;
+mod messages;
+
+use crate::choice::Rejected;
+use crate::compiled::Compiled;
 use crate::diagnostics::Diagnostics;
-use crate::driver::compile_model;
 use crate::functions::{Function, outputs};
-use crate::model::{Budgeted, Coordinates};
+use crate::model::{Budgeted, Coordinates, Mechanism};
 use crate::schedule::{Program, count, live_values, operations_of};
 use crate::solve;
+use expenses::expenses;
+use messages::Remedy;
+
+/// How a mechanism is compiled: model, `DEFINITION`, coordinates.
+type Compile = dyn Fn(Mechanism, String, Option<Coordinates>) -> Result<Compiled, Diagnostics>;
 
 /// Functions against `expect`.
-pub fn budget(compiled: &Compiled, errors: &mut Diagnostics) {
+pub fn budget(compiled: &Compiled, compile: &Compile, errors: &mut Diagnostics) {
     let programs = &compiled.programs;
     for budget in &compiled.mechanism.expect.budgets {
         let name = budget.function.as_deref().unwrap_or(Function::AccelerationBaumgarte.name());
@@ -29,7 +35,7 @@ pub fn budget(compiled: &Compiled, errors: &mut Diagnostics) {
         if found <= budget.limit {
             continue;
         }
-        let remedies = remedies(compiled, *function, budget.of, found);
+        let remedies = remedies(compiled, compile, *function, (budget.of, found));
         errors.error(
             budget.span,
             match budget.of {
@@ -54,9 +60,14 @@ fn taken(of: Budgeted, program: &Program) -> usize {
 }
 
 /// Changes that would take less, with the operations they would take, the least first.
-fn remedies(compiled: &Compiled, function: Function, of: Budgeted, found: usize) -> Vec<(Remedy, usize)> {
+fn remedies(
+    compiled: &Compiled,
+    compile: &Compile,
+    function: Function,
+    (of, found): (Budgeted, usize),
+) -> Vec<(Remedy, usize)> {
     let mut remedies: Vec<(Remedy, usize)> = Vec::new();
-    if let Some((coordinates, other)) = in_other_coordinates(compiled) {
+    if let Some((coordinates, other)) = in_other_coordinates(compiled, compile) {
         remedies.push((Remedy::Coordinates(coordinates), taken(of, other.programs.get(function))));
     }
     if function == Function::AccelerationBaumgarte {
@@ -76,8 +87,8 @@ fn remedies(compiled: &Compiled, function: Function, of: Budgeted, found: usize)
 }
 
 /// The mechanism in the coordinates that were not taken, unless they are known to be out of the question.
-fn in_other_coordinates(compiled: &Compiled) -> Option<(&'static str, Compiled)> {
-    if matches!(compiled.choice.rejected, Some(crate::Rejected::Estimated(_))) {
+fn in_other_coordinates(compiled: &Compiled, compile: &Compile) -> Option<(&'static str, Compiled)> {
+    if matches!(compiled.choice.rejected, Some(Rejected::Estimated(_))) {
         return None;
     }
     let (word, other) = match compiled.choice.coordinates {
@@ -86,7 +97,7 @@ fn in_other_coordinates(compiled: &Compiled) -> Option<(&'static str, Compiled)>
     };
     let mut mechanism = compiled.mechanism.clone();
     mechanism.options.self_check = Some(false);
-    let other = compile_model(mechanism, compiled.definition.clone(), Some(other)).ok()?;
+    let other = compile(mechanism, compiled.definition.clone(), Some(other)).ok()?;
     Some((word, other))
 }
 

@@ -1,0 +1,50 @@
+//! A mechanism after all stages but the last: what the self-check, budgets, pages and back ends start from.
+
+use crate::check::assemble::Assembly;
+use crate::check::assemble::loose::{self, Loose};
+use crate::check::motion::{self, Motion, Unswept};
+use crate::choice::Choice;
+use crate::diagnostics::Diagnostics;
+use crate::equations::Equations;
+use crate::model::Mechanism;
+use crate::schedule::Programs;
+use crate::solve::table::Table;
+use crate::solve::{Partition, Solved};
+use crate::symbolic::Node;
+
+/// A mechanism after all stages but the last.
+#[derive(Clone, Debug)]
+pub struct Compiled {
+    pub mechanism: Mechanism,
+    /// `DEFINITION`.
+    pub definition: String,
+    pub equations: Equations,
+    pub assembly: Assembly,
+    pub solved: Solved,
+    pub programs: Programs,
+    /// The expressions that the constants of the prepared model are.
+    pub hoisted: Vec<Node>,
+    /// Factorisation for the cold paths.
+    pub table: Table,
+    /// Independent coordinates, indices into the conditions.
+    pub independent: Vec<usize>,
+    /// The dependent velocity of each row that is not idle.
+    pub partition: Partition,
+    /// Masses and inertias that depend on parameters, and whether they must be positive.
+    pub masses: Vec<(String, bool)>,
+    pub choice: Choice,
+    /// What is possible and probably not meant.
+    pub warnings: Diagnostics,
+}
+
+impl Compiled {
+    /// The range of motion of all joints, for those who ask; expansion itself follows the motion only where `expect` does.
+    pub fn motion(&self) -> Result<Motion, Unswept> {
+        motion::sweep(&self.mechanism, &self.equations, &self.assembly, &motion::of_joints(&self.mechanism))
+    }
+
+    /// The bodies that can move while all others stand still: loose ones, and idle freedoms.
+    pub fn loose(&self) -> Vec<Loose> {
+        loose::find(&self.mechanism, &self.equations, &self.assembly.q, &self.assembly.phases)
+    }
+}
