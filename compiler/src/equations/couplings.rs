@@ -2,10 +2,9 @@
 
 use super::jet::Moving;
 use super::laws::Laws;
+use super::loads;
 use super::space::joints::{self, Elementary};
-use crate::model::{
-    Constraint, ConstraintKind, Driver, Expr, JointId, LoadKind, Mechanism, Quantity, Rotor, Space,
-};
+use crate::model::{Constraint, ConstraintKind, Driver, Expr, JointId, Mechanism, Quantity, Rotor, Space};
 use crate::symbolic::Node;
 use std::collections::BTreeSet;
 
@@ -65,23 +64,8 @@ pub fn multi_turn_rotors(mechanism: &Mechanism) -> Vec<Rotor> {
         angles_of(&driver.quantity, &mut rotors);
     }
     for load in &mechanism.loads {
-        match &load.kind {
-            LoadKind::Force { components, .. } => {
-                components.iter().for_each(|component| angles_in(component, &mut rotors));
-            }
-            LoadKind::Torque { torque, .. } => angles_in(torque, &mut rotors),
-            LoadKind::Push { force, .. } => angles_in(force, &mut rotors),
-            LoadKind::BodyTorque { components, .. } => {
-                components.iter().for_each(|component| angles_in(component, &mut rotors));
-            }
-            LoadKind::Spring { stiffness, length, damping, .. } => {
-                [stiffness, length, damping].into_iter().for_each(|law| angles_in(law, &mut rotors));
-            }
-            LoadKind::TorsionSpring { on, stiffness, rest, damping } => {
-                rotors.insert(*on);
-                [stiffness, rest, damping].into_iter().for_each(|law| angles_in(law, &mut rotors));
-            }
-        }
+        rotors.extend((loads::of(load.form).counted)(load));
+        load.expressions().for_each(|expression| angles_in(expression, &mut rotors));
     }
     // The travel of a screw is its counted angle times the pitch.
     for (index, joint) in mechanism.joints.iter().enumerate() {

@@ -10,7 +10,7 @@ pub mod couplings;
 mod jet;
 mod kinematics;
 mod laws;
-mod loads;
+pub mod loads;
 pub mod plane;
 pub mod space;
 mod spanning_tree;
@@ -27,7 +27,7 @@ pub use switch::{Omitted, Sized, Switch};
 pub use tangent::Tangents;
 
 use crate::diagnostics::Region;
-use crate::forms::Vocabulary;
+use crate::forms::{Sign, Vocabulary};
 use crate::model::{BodyKind, Frame, JointId, Mechanism, Quantity, Redundant, Space};
 use crate::symbolic::{Class, Graph, Node, Scalar, Sheet};
 use std::cell::RefCell;
@@ -428,7 +428,9 @@ fn masses(laws: &Laws) -> Vec<(String, Node)> {
     }
     for joint in &laws.mechanism.joints {
         let scalars = joint.form.call.named.iter().filter(|argument| !argument.is_direction());
-        for (argument, value) in scalars.zip(&joint.scalars).filter(|(argument, _)| argument.is_positive) {
+        for (argument, value) in
+            scalars.zip(&joint.scalars).filter(|(argument, _)| argument.sign == Sign::Positive)
+        {
             masses.push((format!("{} of \"{}\"", argument.name, joint.name.text), laws.value(value).bare));
         }
     }
@@ -441,6 +443,7 @@ pub static VOCABULARY: Vocabulary = Vocabulary {
         Space::Planar => plane::joints::JOINTS.iter().map(|joint| &joint.form).collect(),
         Space::Spatial => space::joints::JOINTS.iter().map(|joint| &joint.form).collect(),
     },
+    loads: |space| loads::of_space(space).map(|load| &load.form).collect(),
 };
 
 /// Rows of each joint that has some, by index of joint.

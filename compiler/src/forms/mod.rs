@@ -4,8 +4,10 @@
 //! [`Vocabulary`] and know no element by itself.
 
 mod joint;
+mod load;
 
 pub use joint::{Alone, Freer, Given, JointAxes, JointForm, OfParticle, Spans, degrees_between};
+pub use load::{Acts, Law, LoadForm, Written};
 
 use crate::units::Dimension;
 
@@ -38,6 +40,7 @@ impl Space {
 #[derive(Clone, Copy, Debug)]
 pub struct Vocabulary {
     pub joints: fn(Space) -> Vec<&'static JointForm>,
+    pub loads: fn(Space) -> Vec<&'static LoadForm>,
 }
 
 /// How an element is written: `word(positional, …, name = value, …)`.
@@ -65,8 +68,19 @@ pub struct Argument {
     pub name: &'static str,
     pub need: Need,
     pub value: Value,
-    /// Whether it is positive, whatever parameters make of it.
-    pub is_positive: bool,
+    pub sign: Sign,
+}
+
+/// What an argument's sign may be.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Sign {
+    Any,
+    /// It is positive, whatever parameters make of it.
+    Positive,
+    /// Zero is possible, less is not.
+    NotNegative,
+    /// It pulls back: less than zero is possible and probably not meant, and where all such are zero nothing acts.
+    Restoring,
 }
 
 /// Whether an argument must be written.
@@ -91,23 +105,39 @@ pub enum Value {
 
 impl Argument {
     pub const fn direction(name: &'static str, need: Need) -> Self {
-        Argument { name, need, value: Value::Direction, is_positive: false }
+        Argument { name, need, value: Value::Direction, sign: Sign::Any }
     }
 
     pub const fn scalar(name: &'static str, need: Need, dimension: Dimension) -> Self {
-        Argument { name, need, value: Value::Scalar(dimension), is_positive: false }
+        Argument { name, need, value: Value::Scalar(dimension), sign: Sign::Any }
     }
 
     pub const fn moving(name: &'static str, need: Need, dimension: Dimension) -> Self {
-        Argument { name, need, value: Value::Moving(dimension), is_positive: false }
+        Argument { name, need, value: Value::Moving(dimension), sign: Sign::Any }
     }
 
     pub const fn positive(self) -> Self {
-        Argument { is_positive: true, ..self }
+        Argument { sign: Sign::Positive, ..self }
+    }
+
+    pub const fn not_negative(self) -> Self {
+        Argument { sign: Sign::NotNegative, ..self }
+    }
+
+    pub const fn restoring(self) -> Self {
+        Argument { sign: Sign::Restoring, ..self }
     }
 
     pub fn is_direction(&self) -> bool {
         self.value == Value::Direction
+    }
+
+    /// What it measures; a direction may measure anything.
+    pub fn dimension(&self) -> Option<Dimension> {
+        match self.value {
+            Value::Direction => None,
+            Value::Scalar(dimension) | Value::Moving(dimension) => Some(dimension),
+        }
     }
 
     /// Whether the parser asks for it.

@@ -21,7 +21,8 @@ mod unused;
 mod values;
 
 use crate::diagnostics::{Allowed, Region};
-pub use crate::forms::{Alone, JointAxes, JointForm, Space};
+use crate::forms::Argument;
+pub use crate::forms::{Alone, JointAxes, JointForm, LoadForm, Space};
 pub use crate::syntax::{Budgeted, Shape};
 pub use expression::{Comparison, Condition, Expr, Function1, Function2, Quantity};
 pub(crate) use lower::Use;
@@ -314,24 +315,64 @@ pub struct Driver {
 #[derive(Clone, Debug)]
 pub struct Load {
     pub name: Name,
-    pub kind: LoadKind,
+    pub form: &'static LoadForm,
+    /// What it acts on, in the order of its arguments.
+    pub on: Vec<Subject>,
+    /// Its named arguments in the order of its form, each with its components; zero, or of a direction nothing, where it
+    /// was not written.
+    pub values: Vec<Vec<Expr>>,
+    /// The law behind it: nothing, one value, or components along the axes of the world.
+    pub law: Vec<Expr>,
 }
 
+/// What a load acts on.
 #[derive(Clone, Debug)]
-#[expect(clippy::large_enum_variant, reason = "there are few of them, and each lives in one vector")]
-pub enum LoadKind {
-    /// Force in world axes (N) at a place.
-    Force { place: Place, components: Vector },
-    /// Force (N) along a joint's travel, on the second's body, and opposite on the first.
-    Push { joint: JointId, force: Expr },
-    /// Torque (N m), counter-clockwise, on the rotor's body (on the second, and opposite on the first, for a joint).
-    Torque { on: Rotor, torque: Expr },
-    /// Torque on a body in space, world axes (N m).
-    BodyTorque { body: BodyId, components: Vector },
-    /// Tension stiffness · (distance − length) + damping · d(distance)/dt pulling the places together.
-    Spring { first: Place, second: Place, stiffness: Expr, length: Expr, damping: Expr },
-    /// Torque −stiffness · (angle − rest) − damping · rate on the rotor, with the multi-turn angle.
-    TorsionSpring { on: Rotor, stiffness: Expr, rest: Expr, damping: Expr },
+pub enum Subject {
+    Place(Place),
+    Rotor(Rotor),
+    /// The one travel of a joint.
+    Travel(JointId),
+    /// A body in space, about the axes of the world.
+    Body(BodyId),
+}
+
+impl Load {
+    /// The places it acts at.
+    pub fn places(&self) -> impl Iterator<Item = &Place> {
+        self.on.iter().filter_map(|subject| match subject {
+            Subject::Place(place) => Some(place),
+            Subject::Rotor(_) | Subject::Travel(_) | Subject::Body(_) => None,
+        })
+    }
+
+    /// One of its places, as many as its form has.
+    pub fn place(&self, which: usize) -> &Place {
+        self.places().nth(which).expect("places are as many as the form has")
+    }
+
+    /// The rotors it acts on.
+    pub fn rotors(&self) -> impl Iterator<Item = Rotor> {
+        self.on.iter().filter_map(|subject| match subject {
+            Subject::Rotor(rotor) => Some(*rotor),
+            Subject::Place(_) | Subject::Travel(_) | Subject::Body(_) => None,
+        })
+    }
+
+    /// A named argument that is one number, by its index in the form.
+    pub fn value(&self, which: usize) -> &Expr {
+        &self.values[which][0]
+    }
+
+    /// All that it says in expressions.
+    pub fn expressions(&self) -> impl Iterator<Item = &Expr> {
+        self.values.iter().flatten().chain(&self.law)
+    }
+
+    /// Its named arguments that are no directions, with their components.
+    pub fn arguments(&self) -> impl Iterator<Item = (&'static Argument, &[Expr])> {
+        let arguments = self.form.call.named.iter().zip(self.values.iter().map(Vec::as_slice));
+        arguments.filter(|(argument, _)| !argument.is_direction())
+    }
 }
 
 /// `quantity = value` (exact) or `quantity ~ value` (guess), an angle, travel, position, or the rate of one.

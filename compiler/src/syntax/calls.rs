@@ -3,14 +3,14 @@
 //! A table says which arguments each kind takes; what the places are is left to `model`.
 
 use super::definition::{
-    Constraint, ConstraintTerm, Entry, FirstTerm, Joint, Label, LineTerm, Load, LoadTerm, Named, Operator,
-    PlaceTerm, Space, Term, TermKind, Tuple,
+    Constraint, ConstraintTerm, Entry, FirstTerm, Joint, Label, LawTerm, LineTerm, Load, Named, Operator,
+    PlaceTerm, Space, SubjectTerm, Term, TermKind, Tuple,
 };
 use super::expression::is_call;
 use super::parser::{Failed, Parsed, Parser};
 use super::token::Cursor;
 use crate::diagnostics::Region;
-use crate::forms::{Argument, Form, Need, Positional, Value};
+use crate::forms::{Acts, Argument, Form, Law, Need, Positional, Value, Written};
 use crate::messages::{self, Habit};
 use crate::units::Dimension;
 use proc_macro2::Delimiter;
@@ -83,42 +83,6 @@ const COUPLINGS: [Form; 7] = [
     },
 ];
 
-const LOADS: [Form; 5] = [
-    Form {
-        word: "force",
-        elsewhere: &[],
-        positional: &[Positional::Place],
-        named: &[Argument::direction("direction", Need::Never)],
-    },
-    Form { word: "torque", elsewhere: &[], positional: &[Positional::Rotor], named: &[] },
-    Form {
-        word: "spring",
-        elsewhere: &[],
-        positional: &[Positional::Place, Positional::Place],
-        named: &[
-            Argument::scalar("stiffness", Need::Always, Dimension::STIFFNESS),
-            Argument::scalar("length", Need::Always, Dimension::LENGTH),
-            Argument::scalar("damping", Need::Never, Dimension::DAMPING),
-        ],
-    },
-    Form {
-        word: "damper",
-        elsewhere: &[],
-        positional: &[Positional::Place, Positional::Place],
-        named: &[Argument::scalar("damping", Need::Always, Dimension::DAMPING)],
-    },
-    Form {
-        word: "torsion_spring",
-        elsewhere: &[],
-        positional: &[Positional::Rotor],
-        named: &[
-            Argument::scalar("stiffness", Need::Always, Dimension::TORQUE),
-            Argument::scalar("angle", Need::Never, Dimension::ANGLE),
-            Argument::scalar("damping", Need::Never, Dimension::ANGULAR_DAMPING),
-        ],
-    },
-];
-
 /// The arguments of one call.
 #[derive(Default)]
 struct Arguments {
@@ -146,9 +110,27 @@ impl Arguments {
         self.entry(name).ok_or(Failed)
     }
 
-    fn tuple(&mut self, name: &str) -> Option<Tuple> {
-        let index = self.named.tuples.iter().position(|(label, _)| label.text == name)?;
-        Some(self.named.tuples.remove(index).1)
+    /// The unnamed arguments, in the order of the form.
+    fn subjects(&mut self, form: &Form) -> Parsed<Vec<SubjectTerm>> {
+        let subject = |positional: &Positional| match positional {
+            Positional::Place => self.place().map(SubjectTerm::Place),
+            Positional::Rotor => self.rotor().map(SubjectTerm::Name),
+            Positional::Line => Err(Failed),
+        };
+        form.positional.iter().map(subject).collect()
+    }
+
+    fn has_tuple(&self, name: &str) -> bool {
+        self.named.tuple(name).is_some()
+    }
+}
+
+/// A name without a point, where that is written.
+fn name_of(subject: &SubjectTerm) -> Option<&Label> {
+    match subject {
+        SubjectTerm::Name(label) => Some(label),
+        SubjectTerm::Place(PlaceTerm::Named(path)) => path.parts.first().filter(|_| path.parts.len() == 1),
+        SubjectTerm::Place(PlaceTerm::Ground(_)) => None,
     }
 }
 
@@ -250,71 +232,68 @@ impl Parser {
         Ok(())
     }
 
+    /// How loads are written, each word once.
+    fn calls_of_loads(&self) -> Vec<&'static Form> {
+        let mut calls: Vec<&Form> = Vec::new();
+        for load in (self.vocabulary.loads)(self.definition.space) {
+            if calls.iter().all(|call| call.word != load.call.word) {
+                calls.push(&load.call);
+            }
+        }
+        calls
+    }
+
+    /// The words of loads, each of which begins a statement.
+    pub fn words_of_loads(&self) -> Vec<&'static str> {
+        self.calls_of_loads().into_iter().map(|call| call.word).collect()
+    }
+
     /// `name: kind(…) = law;` after `force` or the load's own word.
     pub fn load(&mut self, c: &mut Cursor, word: &str) -> Parsed<()> {
         let name = self.declared(c, "the name of the load")?;
         self.punct(c, ':')?;
         let at = c.region();
-        let forms: Vec<&Form> = LOADS.iter().collect();
+        let loads = (self.vocabulary.loads)(self.definition.space);
+        let forms = self.calls_of_loads();
         let (which, mut arguments) = self.call_of(c, &forms, "load")?;
-        let form = forms[which];
-        if word != "force" && word != form.word {
-            return self.fail(at, messages::other_load(word, form.word));
+        let call = forms[which];
+        if word != "force" && word != call.word {
+            return self.fail(at, messages::other_load(word, call.word));
         }
-        let has_law = matches!(form.word, "force" | "torque");
+        let mut of_word = loads.into_iter().filter(|load| load.call.word == call.word);
+        let has_law = of_word.clone().any(|load| load.law != Law::None);
         if has_law && !c.eat_punct('=') {
-            return self.expected(c, &format!("`=` and the law of the {}", form.word));
+            return self.expected(c, &format!("`=` and the law of the {}", call.word));
         }
         if !has_law && c.at_punct('=') {
-            return self.fail(c.region(), messages::load_without_law(form.word));
+            return self.fail(c.region(), messages::load_without_law(call.word));
         }
-        let kind = match form.word {
-            "force" => {
-                let place = arguments.place()?;
-                let several = c.inside(Delimiter::Parenthesis).is_some_and(|inside| inside.has_comma());
-                match (arguments.tuple("direction"), place) {
-                    (Some(_), _) if several => {
-                        return self.fail(c.region(), messages::direction_and_components());
-                    }
-                    (Some(direction), place) => {
-                        LoadTerm::Force { place, direction, value: self.expression(c)? }
-                    }
-                    (None, PlaceTerm::Named(path)) if path.parts.len() == 1 && !several => {
-                        LoadTerm::Push { on: path.parts[0].clone(), value: self.expression(c)? }
-                    }
-                    (None, place) => LoadTerm::Components { place, components: self.components(c)? },
-                }
+        let mut on = arguments.subjects(call)?;
+        let written = Written {
+            is_name: on.first().is_some_and(|subject| name_of(subject).is_some()),
+            is_directed: call.named.iter().any(|it| it.is_direction() && arguments.has_tuple(it.name)),
+            has_components: c.inside(Delimiter::Parenthesis).is_some_and(|inside| inside.has_comma()),
+        };
+        let meant = of_word.clone().find(|load| load.meant.is_some_and(|meant| meant(&written)));
+        let Some(form) = meant.or_else(|| of_word.find(|load| load.meant.is_none())) else {
+            return Err(Failed);
+        };
+        for (subject, acts) in on.iter_mut().zip(form.on) {
+            if let (false, Some(name)) = (*acts == Acts::Place, name_of(subject).cloned()) {
+                *subject = SubjectTerm::Name(name);
             }
-            "torque" => {
-                let on = arguments.rotor()?;
-                let several = c.inside(Delimiter::Parenthesis).is_some_and(|inside| inside.has_comma());
-                if several && self.definition.space == Space::Spatial {
-                    LoadTerm::BodyTorque { on, components: self.vector(c, None)? }
-                } else {
-                    LoadTerm::Torque { on, value: self.expression(c)? }
-                }
+        }
+        let law = match form.law {
+            Law::None => LawTerm::None,
+            Law::Value(_) => LawTerm::Value(self.expression(c)?),
+            Law::Components(_) if written.is_directed && written.has_components => {
+                return self.fail(c.region(), messages::direction_and_components());
             }
-            "spring" => LoadTerm::Spring {
-                first: arguments.place()?,
-                second: arguments.place()?,
-                stiffness: arguments.required("stiffness")?,
-                length: arguments.required("length")?,
-                damping: arguments.entry("damping"),
-            },
-            "damper" => LoadTerm::Damper {
-                first: arguments.place()?,
-                second: arguments.place()?,
-                damping: arguments.required("damping")?,
-            },
-            _ => LoadTerm::TorsionSpring {
-                on: arguments.rotor()?,
-                stiffness: arguments.required("stiffness")?,
-                angle: arguments.entry("angle"),
-                damping: arguments.entry("damping"),
-            },
+            Law::Components(_) if written.is_directed => LawTerm::Value(self.expression(c)?),
+            Law::Components(_) => LawTerm::Components(self.components(c)?),
         };
         self.semicolon(c)?;
-        self.definition.loads.push(Load { name, kind });
+        self.definition.loads.push(Load { name, form, on, named: arguments.named, law });
         Ok(())
     }
 

@@ -2,8 +2,8 @@
 //! and nothing converted. Every part keeps its place in the source.
 
 use crate::diagnostics::{Allowed, Region};
-use crate::forms::JointForm;
 pub use crate::forms::Space;
+use crate::forms::{JointForm, LoadForm};
 use crate::units::Unit;
 use proc_macro2::TokenStream;
 use std::collections::BTreeSet;
@@ -410,54 +410,37 @@ pub struct Driver {
 #[derive(Clone, Debug)]
 pub struct Load {
     pub name: Label,
-    pub kind: LoadTerm,
+    pub form: &'static LoadForm,
+    /// What it acts on, as many as its form says.
+    pub on: Vec<SubjectTerm>,
+    pub named: Named,
+    pub law: LawTerm,
 }
 
-/// The kinds of loads.
+/// What a load acts on, as written.
 #[derive(Clone, Debug)]
-pub enum LoadTerm {
-    Force {
-        place: PlaceTerm,
-        direction: Tuple,
-        value: Term,
-    },
-    Components {
-        place: PlaceTerm,
-        components: Tuple,
-    },
-    /// Along the travel of a joint.
-    Push {
-        on: Label,
-        value: Term,
-    },
-    Torque {
-        on: Label,
-        value: Term,
-    },
-    /// On a body in space, world axes.
-    BodyTorque {
-        on: Label,
-        components: Tuple,
-    },
-    Spring {
-        first: PlaceTerm,
-        second: PlaceTerm,
-        stiffness: Entry,
-        length: Entry,
-        damping: Option<Entry>,
-    },
-    /// A spring without stiffness and length.
-    Damper {
-        first: PlaceTerm,
-        second: PlaceTerm,
-        damping: Entry,
-    },
-    TorsionSpring {
-        on: Label,
-        stiffness: Entry,
-        angle: Option<Entry>,
-        damping: Option<Entry>,
-    },
+pub enum SubjectTerm {
+    Place(PlaceTerm),
+    /// The name of a joint or body.
+    Name(Label),
+}
+
+impl SubjectTerm {
+    /// Where it is written.
+    pub fn region(&self) -> Region {
+        match self {
+            Self::Place(place) => place.region(),
+            Self::Name(label) => label.region,
+        }
+    }
+}
+
+/// What stands behind a load.
+#[derive(Clone, Debug)]
+pub enum LawTerm {
+    None,
+    Value(Term),
+    Components(Tuple),
 }
 
 /// `crank_pin.angle [rad] = 0.3;` or `~` for a guess.

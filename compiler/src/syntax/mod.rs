@@ -165,7 +165,7 @@ impl Parser {
             Some("mechanism") if is_macro(c) => return self.fail(c.region(), messages::macro_in_file()),
             word => {
                 let what = "`planar` or `spatial`, the kind of the mechanism";
-                let advice = word.and_then(|word| messages::kind_of_mechanism(word, &statements::STATEMENTS));
+                let advice = word.and_then(|word| messages::kind_of_mechanism(word, &self.statement_words()));
                 return match advice {
                     Some(advice) => self.advised(c, what, &advice),
                     None => self.expected(c, what),

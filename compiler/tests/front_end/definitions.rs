@@ -2,7 +2,7 @@
 
 use crate::good;
 use linkwright_compiler::model::{
-    BodyKind, Budgeted, Constraint, ConstraintKind, Coordinates, Expr, Frame, LoadKind, Quantity, Rotor,
+    BodyKind, Budgeted, Constraint, ConstraintKind, Coordinates, Expr, Frame, Quantity, Rotor, Subject,
 };
 
 /// The first example of the language.
@@ -86,10 +86,14 @@ fn quick_return() {
     assert_eq!(m.joints[1].first.text, "ground(0, -0.2)");
     assert!(m.joints.iter().any(|joint| joint.word() == "prismatic"));
 
-    assert!(matches!(m.loads[0].kind, LoadKind::Torque { on: Rotor::Joint(..), torque: Expr::Input(_) }));
-    let LoadKind::Force { components, .. } = &m.loads[1].kind else { panic!("a force") };
-    assert!(matches!(components[0], Expr::Input(_)));
-    assert_eq!(number(&components[1]), 0.0);
+    let [torque, force] = [&m.loads[0], &m.loads[1]];
+    assert_eq!((torque.form.title, force.form.title), ("torque", "force"));
+    assert!(matches!(
+        (&torque.on[..], &torque.law[..]),
+        ([Subject::Rotor(Rotor::Joint(..))], [Expr::Input(_)])
+    ));
+    assert!(matches!(force.law[0], Expr::Input(_)));
+    assert_eq!(number(&force.law[1]), 0.0);
 
     assert_eq!(m.start.iter().map(|start| start.exact).collect::<Vec<_>>(), [true, true, false, false]);
     assert_eq!(m.start[3].text, "rail.travel");
@@ -157,8 +161,8 @@ fn every_kind_of_body_joint_constraint_and_load() {
     assert_eq!(number(ratio), -2.0);
     assert_eq!(phase.as_ref().map(number), Some(core::f64::consts::FRAC_PI_2));
     assert!(matches!(m.constraints[2].kind, ConstraintKind::Gear { first: Rotor::Body(_), phase: None, .. }));
-    let LoadKind::Force { components, .. } = &m.loads[3].kind else { panic!("a force") };
-    assert_eq!((number(&components[0]), number(&components[1])), (6.0, 8.0));
+    let force = &m.loads[3];
+    assert_eq!((force.form.title, number(&force.law[0]), number(&force.law[1])), ("force", 6.0, 8.0));
     assert_eq!(m.options.crate_path.expect("a path").to_string().replace(' ', ""), "::other::path");
     assert_eq!(m.options.cut.len(), 2);
     assert_eq!(m.expect.budgets[0].function.as_deref(), Some("mass_matrix"));

@@ -1,7 +1,7 @@
 //! What definitions in space mean: shapes, markers, joints, couplings that are written in other words.
 
 use crate::{bad, good};
-use linkwright_compiler::model::{Axes, ConstraintKind, Expr, LoadKind, Mechanism, Space};
+use linkwright_compiler::model::{Axes, ConstraintKind, Expr, Mechanism, Space, Subject};
 
 const PARTS: &str = "
 spatial Parts {
@@ -129,8 +129,8 @@ fn couplings_in_other_words() {
     let ConstraintKind::Rack { radius, .. } = &m.constraints[3].kind else { panic!() };
     assert!(near(number(radius), 0.006 / std::f64::consts::TAU));
     assert!(matches!(m.constraints[4].kind, ConstraintKind::Equation { .. }));
-    assert!(matches!(m.loads[0].kind, LoadKind::Push { .. }));
-    assert!(matches!(m.loads[1].kind, LoadKind::BodyTorque { .. }));
+    assert!(matches!(m.loads[0].on[..], [Subject::Travel(_)]));
+    assert!(matches!(m.loads[1].on[..], [Subject::Body(_)]));
 }
 
 /// Statements added to a pendulum in space, and the only message they give.

@@ -1,0 +1,5 @@
+//! The loads that only the plane has, one file each with the same parts as in `equations::loads`.
+
+use crate::equations::loads::LoadKind;
+
+pub static LOADS: &[&LoadKind] = &[];
