@@ -92,6 +92,18 @@ impl Symbol<'_> {
         self.name = Some((view.spot(at), 4.0 * unit));
     }
 
+    /// A ring in a ring about the second end, and a line to the first.
+    pub fn sleeve(&mut self) {
+        let [first, second, ..] = self.effort.ends[..] else { return };
+        let [a, b] = [first, second].map(|end| self.view.spot(end.at));
+        self.group.line(a, b, Pen::Load(1.1));
+        for radius in [1.8, 3.2] {
+            self.group.circle(b, radius * self.unit, Pen::Load(1.1));
+        }
+        self.squares.push((b, 3.2 * self.unit));
+        self.name = Some((b, 3.8 * self.unit));
+    }
+
     /// From the first end to the second: a zigzag, a dashpot, or both side by side, held where an end is the ground's.
     pub fn coil(&mut self, is_elastic: bool, is_damped: bool) {
         let [first, second, ..] = self.effort.ends[..] else { return };

@@ -24,8 +24,11 @@ pub struct LoadForm {
     /// Whether its places turn, so that particles have none.
     pub turns: bool,
     /// What is possible and probably not meant, given its name and its scalar arguments as far as they are plain numbers.
-    pub doubt: Option<fn(&str, &[Option<f64>]) -> Option<String>>,
+    pub doubt: Option<Doubt>,
 }
+
+/// A warning, if there is one, of a load with this name and these arguments.
+pub type Doubt = fn(&str, &[Option<f64>]) -> Option<String>;
 
 /// What a load acts on.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -101,6 +101,8 @@ pub enum Value {
     Scalar(Dimension),
     /// A number of parameters and time.
     Moving(Dimension),
+    /// A number of parameters for all axes, or in parentheses one for each; zero where it is not written.
+    Diagonal(Dimension),
 }
 
 impl Argument {
@@ -114,6 +116,10 @@ impl Argument {
 
     pub const fn moving(name: &'static str, need: Need, dimension: Dimension) -> Self {
         Argument { name, need, value: Value::Moving(dimension), sign: Sign::Any }
+    }
+
+    pub const fn diagonal(name: &'static str, need: Need, dimension: Dimension) -> Self {
+        Argument { name, need, value: Value::Diagonal(dimension), sign: Sign::Any }
     }
 
     pub const fn positive(self) -> Self {
@@ -136,7 +142,9 @@ impl Argument {
     pub fn dimension(&self) -> Option<Dimension> {
         match self.value {
             Value::Direction => None,
-            Value::Scalar(dimension) | Value::Moving(dimension) => Some(dimension),
+            Value::Scalar(dimension) | Value::Moving(dimension) | Value::Diagonal(dimension) => {
+                Some(dimension)
+            }
         }
     }
 

@@ -7,7 +7,8 @@ use super::values::padded;
 use super::{Expr, Function1, Function2, Load, Subject, Vector};
 use crate::forms::{Acts, Argument, Law, Value};
 use crate::messages;
-use crate::syntax::{self, LawTerm, Space, SubjectTerm, Tuple};
+use crate::syntax::{self, LawTerm, Named, Space, SubjectTerm, Tuple};
+use crate::units::Dimension;
 
 impl<'d> Lowering<'d> {
     pub fn load(&mut self, load: &'d syntax::Load) -> Option<Load> {
@@ -88,6 +89,25 @@ impl<'d> Lowering<'d> {
                 Some(entry) => Some(vec![self.entry(entry, dimension, Use::COEFFICIENT, argument.name)?]),
                 None => Some(vec![Expr::Number(0.0)]),
             },
+            Value::Diagonal(dimension) => self.diagonal(&load.named, argument.name, dimension),
+        }
+    }
+
+    /// One value for each axis: as written, or the same for all.
+    pub(super) fn diagonal(
+        &mut self,
+        named: &'d Named,
+        name: &str,
+        dimension: Dimension,
+    ) -> Option<Vec<Expr>> {
+        let axes = self.definition.space.dimensions();
+        match (named.tuple(name), named.entry(name)) {
+            (Some(tuple), _) => {
+                let values = self.vector(tuple, dimension, Use::COEFFICIENT, name)?;
+                Some(values.into_iter().take(axes).collect())
+            }
+            (None, Some(entry)) => Some(vec![self.entry(entry, dimension, Use::COEFFICIENT, name)?; axes]),
+            (None, None) => Some(vec![Expr::Number(0.0); axes]),
         }
     }
 

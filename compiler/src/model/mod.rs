@@ -327,6 +327,7 @@ pub struct Load {
 
 /// What a load acts on.
 #[derive(Clone, Debug)]
+#[expect(clippy::large_enum_variant, reason = "there are few of them, and most are places")]
 pub enum Subject {
     Place(Place),
     Rotor(Rotor),

@@ -145,7 +145,10 @@ fn arguments(mechanism: &Mechanism, load: &Load) -> String {
     let given = load.arguments().filter(|(_, values)| !is_zero(values));
     let texts = given.map(|(argument, values)| {
         let values: Vec<String> = values.iter().map(|expr| value(mechanism, expr)).collect();
-        let values = if values.len() == 1 { values.join("") } else { format!("({})", values.join(", ")) };
+        let values = match &values[..] {
+            [first, others @ ..] if others.iter().all(|other| other == first) => first.clone(),
+            several => format!("({})", several.join(", ")),
+        };
         let unit = argument.dimension().map(|dimension| dimension.to_string().replace('*', " "));
         format!("{} {values} {}", argument.name, unit.unwrap_or_default())
     });

@@ -425,6 +425,16 @@ impl Parser {
                 let entry = self.entry(c, unit)?;
                 arguments.named.entries.push((label, entry));
             }
+            Value::Diagonal(_) => {
+                self.punct(c, '=')?;
+                if c.inside(Delimiter::Parenthesis).is_some_and(|inside| inside.has_comma()) {
+                    let tuple = self.vector(c, unit)?;
+                    arguments.named.tuples.push((label, tuple));
+                } else {
+                    let value = self.expression(c)?;
+                    arguments.named.entries.push((label, Entry { unit, value }));
+                }
+            }
         }
         self.argument_end(c)
     }

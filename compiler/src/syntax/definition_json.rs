@@ -174,6 +174,12 @@ impl Writer {
         }
     }
 
+    /// One value, or one for each axis; present only if it was written.
+    fn diagonal_if(&mut self, key: &str, named: &Named) {
+        self.entry_if(key, named.entry(key));
+        self.tuple_if(key, named.tuple(key), None);
+    }
+
     fn place(&mut self, place: &PlaceTerm) {
         match place {
             PlaceTerm::Named(path) => self.object(|w| w.key("place").string(&path.text)),
@@ -267,6 +273,7 @@ impl Writer {
             match value {
                 Value::Direction => self.tuple_if(name, joint.named.tuple(name), Some("1")),
                 Value::Scalar(_) | Value::Moving(_) => self.entry_if(name, joint.named.entry(name)),
+                Value::Diagonal(_) => self.diagonal_if(name, &joint.named),
             }
         }
     }
@@ -335,6 +342,7 @@ impl Writer {
                     }
                 }
                 Value::Scalar(_) | Value::Moving(_) => self.entry_if(name, load.named.entry(name)),
+                Value::Diagonal(_) => self.diagonal_if(name, &load.named),
             }
         }
         match &load.law {

@@ -15,7 +15,7 @@ use super::laws::Laws;
 use super::{plane, space};
 use crate::drawing::load::Symbol;
 use crate::forms::LoadForm;
-use crate::model::{Load, Rotor, Space};
+use crate::model::{Expr, Load, Rotor, Space};
 use crate::symbolic::{Node, Scalar};
 
 /// A kind of load.
@@ -96,6 +96,19 @@ pub fn restoring<'g>(coordinate: &Moving<'g>, x: Scalar<'g>, k: Scalar<'g>, c: S
     let effort = -(k * x + c * rate);
     let terms = along(coordinate, effort);
     LoadTerms { potential: elastic_energy(k, x), ..terms }
+}
+
+/// The same along coordinates with a stiffness and damping each, at rest where all are zero.
+pub fn restoring_each<'g>(
+    laws: &Laws<'g>,
+    coordinates: &[Moving<'g>],
+    stiffness: &[Expr],
+    damping: &[Expr],
+) -> LoadTerms<'g> {
+    let efforts = coordinates.iter().zip(stiffness.iter().zip(damping));
+    efforts.fold(LoadTerms::none(laws), |sum, (x, (k, c))| {
+        sum.and(restoring(x, x.value(), laws.value(k), laws.value(c)))
+    })
 }
 
 /// ½ k x².
