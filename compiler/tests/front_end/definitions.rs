@@ -1,8 +1,10 @@
 //! Whole mechanisms.
 
 use crate::good;
+use linkwright_compiler::equations::VOCABULARY;
+use linkwright_compiler::forms::{Law, LoadForm};
 use linkwright_compiler::model::{
-    BodyKind, Budgeted, Constraint, ConstraintKind, Coordinates, Expr, Frame, Quantity, Rotor, Subject,
+    BodyKind, Budgeted, Constraint, ConstraintKind, Coordinates, Expr, Frame, Quantity, Rotor, Space, Subject,
 };
 
 /// The first example of the language.
@@ -280,4 +282,23 @@ fn the_header_survives_errors_in_the_body() {
     let header = linkwright_compiler::header(tokens).expect("a header");
     assert_eq!(header.name.to_string(), "Broken");
     assert_eq!(header.visibility.to_string().replace(' ', ""), "pub(crate)");
+}
+
+/// Every load says what each of its unnamed arguments names; of those with one word, one is meant where no other is.
+#[test]
+fn forms_of_loads_agree() {
+    for space in [Space::Planar, Space::Spatial] {
+        let loads = (VOCABULARY.loads)(space);
+        for load in &loads {
+            let call = &load.call;
+            assert_eq!(call.positional.len(), load.on.len(), "{}", call.word);
+            let of_word = loads.iter().filter(|other| other.call.word == call.word);
+            assert_eq!(of_word.clone().filter(|other| other.meant.is_none()).count(), 1, "{}", call.word);
+            let same = |other: &&LoadForm| format!("{:?}", other.call) == format!("{call:?}");
+            assert!(of_word.clone().all(|other| same(other)), "{}", call.word);
+            let has_law = |other: &LoadForm| other.law != Law::None;
+            assert!(of_word.clone().all(|other| has_law(other) == has_law(load)), "{}", call.word);
+            assert!(!load.stores || !has_law(load), "{}", call.word);
+        }
+    }
 }

@@ -136,6 +136,10 @@ fn couplings_in_other_words() {
 /// Statements added to a pendulum in space, and the only message they give.
 const MISTAKES: &[(&str, &str)] = &[
     (
+        "bushing b: bushing(ground(0, 0, 0), arm.tip, stiffness [N/m] = (1, 2), torsional_stiffness = 0);",
+        "expected `,` and a third coordinate, found the end",
+    ),
+    (
         "force f: force(arm.tip) = 3 [N];",
         "a force needs three components, `force(place) = (fx, fy, fz)`, or a direction, \
          `force(place, direction = (1, 0, 0)) = law`",
