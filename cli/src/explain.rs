@@ -169,9 +169,8 @@ fn joints(compiled: &Compiled) -> Vec<Joint> {
 
 fn couplings(mechanism: &Mechanism) -> Vec<[String; 2]> {
     let couplings = mechanism.constraints.iter().map(|constraint| {
-        let kind = match constraint.kind {
-            ConstraintKind::Gear { .. } => "gear",
-            ConstraintKind::Rack { .. } => "rack",
+        let kind = match &constraint.kind {
+            ConstraintKind::Coupling(coupling) => coupling.form.call.word,
             ConstraintKind::Equation { .. } => "equation",
         };
         [constraint.name.text.clone(), kind.to_string()]

@@ -246,17 +246,12 @@ fn lengths_are_not_negative(mechanism: &Mechanism, diagnostics: &mut Diagnostics
 // A gear couples two different things, and its ratio and a rack's radius are not zero.
 fn couplings_couple(mechanism: &Mechanism, diagnostics: &mut Diagnostics) {
     for constraint in &mechanism.constraints {
-        let (factor, what, same) = match &constraint.kind {
-            ConstraintKind::Gear { first, second, ratio, .. } => (ratio, "ratio", first == second),
-            ConstraintKind::Rack { pinion, rail, radius, .. } => {
-                (radius, "radius", *pinion == Rotor::Joint(*rail, 0))
-            }
-            ConstraintKind::Equation { .. } => continue,
-        };
+        let ConstraintKind::Coupling(coupling) = &constraint.kind else { continue };
+        let (what, _) = coupling.kind.factor;
         let name = &constraint.name;
-        if same && what == "ratio" {
+        if coupling.driven() == coupling.other() {
             diagnostics.error(name.span, messages::coupled_with_itself(&name.text));
-        } else if at_defaults(mechanism, factor) == Some(0.0) {
+        } else if at_defaults(mechanism, &coupling.factor) == Some(0.0) {
             diagnostics.error(name.span, messages::zero_factor(&name.text, what));
         }
     }
@@ -343,11 +338,10 @@ pub(super) fn touched(mechanism: &Mechanism) -> Vec<bool> {
     let mut quantities: Vec<&Quantity> = mechanism.drivers.iter().map(|driver| &driver.quantity).collect();
     for constraint in &mechanism.constraints {
         match &constraint.kind {
-            ConstraintKind::Gear { first, second, .. } => {
-                touch_rotor(&mut touched, *first);
-                touch_rotor(&mut touched, *second);
+            // The bodies of a joint have been touched by it.
+            ConstraintKind::Coupling(coupling) => {
+                coupling.rotors().for_each(|rotor| touch_rotor(&mut touched, rotor));
             }
-            ConstraintKind::Rack { pinion, .. } => touch_rotor(&mut touched, *pinion),
             ConstraintKind::Equation { residual } => {
                 visit(residual, &mut |quantity| quantities.push(quantity))
             }

@@ -443,6 +443,7 @@ pub static VOCABULARY: Vocabulary = Vocabulary {
         Space::Planar => plane::joints::JOINTS.iter().map(|joint| &joint.form).collect(),
         Space::Spatial => space::joints::JOINTS.iter().map(|joint| &joint.form).collect(),
     },
+    couplings: couplings::COUPLINGS,
     loads: |space| loads::of_space(space).map(|load| &load.form).collect(),
 };
 

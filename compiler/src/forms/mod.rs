@@ -3,9 +3,11 @@
 //! The forms themselves stand with their elements, one file each. Those who read, name and check elements are handed a
 //! [`Vocabulary`] and know no element by itself.
 
+mod coupling;
 mod joint;
 mod load;
 
+pub use coupling::{CouplingForm, Factor, Means, Proportion};
 pub use joint::{Alone, Freer, Given, JointAxes, JointForm, OfParticle, Spans, degrees_between};
 pub use load::{Acts, Law, LoadForm, Written};
 
@@ -40,6 +42,7 @@ impl Space {
 #[derive(Clone, Copy, Debug)]
 pub struct Vocabulary {
     pub joints: fn(Space) -> Vec<&'static JointForm>,
+    pub couplings: &'static [&'static CouplingForm],
     pub loads: fn(Space) -> Vec<&'static LoadForm>,
 }
 

@@ -67,7 +67,7 @@ impl<'d> Lowering<'d> {
         Some(subjects)
     }
 
-    fn subject(&mut self, written: &'d SubjectTerm, acts: Acts) -> Option<Subject> {
+    pub(super) fn subject(&mut self, written: &'d SubjectTerm, acts: Acts) -> Option<Subject> {
         match (written, acts) {
             (SubjectTerm::Place(place), Acts::Place) => self.place(place).map(Subject::Place),
             (SubjectTerm::Name(label), Acts::Rotor) => self.rotor(label).map(Subject::Rotor),

@@ -21,8 +21,8 @@ mod unused;
 mod values;
 
 use crate::diagnostics::{Allowed, Region};
-use crate::forms::Argument;
 pub use crate::forms::{Alone, JointAxes, JointForm, LoadForm, Space};
+use crate::forms::{Argument, CouplingForm, Proportion};
 pub use crate::syntax::{Budgeted, Shape};
 pub use expression::{Comparison, Condition, Expr, Function1, Function2, Quantity};
 pub(crate) use lower::Use;
@@ -294,12 +294,51 @@ pub struct Constraint {
 
 #[derive(Clone, Debug)]
 pub enum ConstraintKind {
-    /// first.angle = ratio · second.angle + phase, multi-turn; `phase` (rad) from the assembled start if not given.
-    Gear { first: Rotor, second: Rotor, ratio: Expr, phase: Option<Expr> },
-    /// rail.travel = radius · pinion.angle + phase, multi-turn; `phase` (m) from the assembled start if not given.
-    Rack { pinion: Rotor, rail: JointId, radius: Expr, phase: Option<Expr> },
+    Coupling(Coupling),
     /// `residual` = 0 (left minus right side as written, SI).
-    Equation { residual: Expr },
+    Equation {
+        residual: Expr,
+    },
+}
+
+/// driven = factor · other + phase, over any number of turns.
+#[derive(Clone, Debug)]
+pub struct Coupling {
+    pub form: &'static CouplingForm,
+    pub kind: &'static Proportion,
+    /// What it couples, in the order of its arguments.
+    pub on: [Coupled; 2],
+    /// Of parameters only.
+    pub factor: Expr,
+    /// rad or m; from the assembled start if it was not given.
+    pub phase: Option<Expr>,
+}
+
+/// A coordinate that a coupling couples.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Coupled {
+    Angle(Rotor),
+    /// The one travel of a joint.
+    Travel(JointId),
+}
+
+impl Coupling {
+    /// The coordinate that is the factor times the other.
+    pub fn driven(&self) -> Coupled {
+        self.on[self.kind.driven]
+    }
+
+    pub fn other(&self) -> Coupled {
+        self.on[1 - self.kind.driven]
+    }
+
+    /// The rotors among what it couples.
+    pub fn rotors(&self) -> impl Iterator<Item = Rotor> {
+        self.on.into_iter().filter_map(|coupled| match coupled {
+            Coupled::Angle(rotor) => Some(rotor),
+            Coupled::Travel(_) => None,
+        })
+    }
 }
 
 /// A rheonomic constraint: quantity = law(time).

@@ -8,7 +8,7 @@ use crate::drawing::vector::{Point, apply, cross, difference, dot, length, pad, 
 use crate::equations::{Equations, Laws, space};
 use crate::forms::Spans;
 use crate::model::{
-    Axes, Body, ConstraintKind, Expr, Frame, Joint, Load, Place, Rotor, Space, Subject, Vector,
+    Axes, Body, ConstraintKind, Coupled, Expr, Frame, Joint, Load, Place, Rotor, Space, Subject, Vector,
 };
 use crate::symbolic::{Graph, Node, Op, evaluate_reachable};
 
@@ -197,22 +197,23 @@ impl<'a> Stand<'a> {
         let (mut wheels, mut inner): (Vec<Wheel>, Vec<[Wheel; 2]>) = (Vec::new(), Vec::new());
         for constraint in &self.compiled.mechanism.constraints {
             let of = &constraint.name.text;
-            match &constraint.kind {
-                ConstraintKind::Gear { first, second, ratio, .. } => {
-                    let ratio = self.built(|laws| vec![laws.value(ratio).bare])[0];
-                    let rotors = [first, second].map(|it| self.rotor(*it, hinges));
-                    match mesh(of, rotors, ratio) {
-                        Some(pair) if ratio < 0.0 => wheels.extend(pair),
+            let ConstraintKind::Coupling(coupling) = &constraint.kind else { continue };
+            let factor = self.built(|laws| vec![laws.value(&coupling.factor).bare])[0];
+            match [coupling.driven(), coupling.other()] {
+                [Coupled::Angle(first), Coupled::Angle(second)] => {
+                    let rotors = [first, second].map(|it| self.rotor(it, hinges));
+                    match mesh(of, rotors, factor) {
+                        Some(pair) if factor < 0.0 => wheels.extend(pair),
                         Some(pair) => inner.push(pair),
                         None => {}
                     }
                 }
-                ConstraintKind::Rack { pinion, radius, .. } => {
-                    let radius = self.built(|laws| vec![laws.value(radius).bare])[0].abs();
-                    let (center, about) = self.rotor(*pinion, hinges);
-                    wheels.push(Wheel { of: of.clone(), center, about, radius });
+                [Coupled::Travel(_), Coupled::Angle(pinion)]
+                | [Coupled::Angle(pinion), Coupled::Travel(_)] => {
+                    let (center, about) = self.rotor(pinion, hinges);
+                    wheels.push(Wheel { of: of.clone(), center, about, radius: factor.abs() });
                 }
-                ConstraintKind::Equation { .. } => {}
+                [Coupled::Travel(_), Coupled::Travel(_)] => {}
             }
         }
         // A positive ratio may be a ring gear's or a belt's: a ring's where it agrees with a wheel that is known.

@@ -8,8 +8,8 @@ use crate::equations::conditions;
 use crate::equations::coordinates::rotor_name;
 use crate::forms::Law;
 use crate::model::{
-    Body, BodyKind, Condition, ConstraintKind, Expr, Frame, JointId, Load, Mechanism, Space, Subject, Vector,
-    fold,
+    Body, BodyKind, Condition, ConstraintKind, Coupled, Expr, Frame, JointId, Load, Mechanism, Space,
+    Subject, Vector, fold,
 };
 use std::collections::BTreeSet;
 
@@ -99,14 +99,16 @@ pub fn couplings(page: &mut String, compiled: &Compiled) {
     let mechanism = &compiled.mechanism;
     let mut table = Table::new(&["coupling", "what it holds"]);
     for constraint in &mechanism.constraints {
-        let rotor = |rotor| code(&format!("{}.angle", rotor_name(mechanism, rotor)));
+        let coordinate = |coupled| match coupled {
+            Coupled::Angle(rotor) => code(&format!("{}.angle", rotor_name(mechanism, rotor))),
+            Coupled::Travel(joint) => code(&format!("{}.travel", joint_name(mechanism, joint))),
+        };
         let holds = match &constraint.kind {
-            ConstraintKind::Gear { first, second, ratio, .. } => {
-                format!("{} = {} · {} + phase", rotor(*first), value(mechanism, ratio), rotor(*second))
-            }
-            ConstraintKind::Rack { pinion, rail, radius, .. } => {
-                let travel = code(&format!("{}.travel", joint_name(mechanism, *rail)));
-                format!("{travel} = {} m · {} + phase", value(mechanism, radius), rotor(*pinion))
+            ConstraintKind::Coupling(coupling) => {
+                let (_, dimension) = coupling.kind.factor;
+                let unit = if dimension.is_one() { String::new() } else { format!("{dimension} ") };
+                let (driven, other) = (coordinate(coupling.driven()), coordinate(coupling.other()));
+                format!("{driven} = {} {unit}· {other} + phase", value(mechanism, &coupling.factor))
             }
             ConstraintKind::Equation { .. } => "an equation; its row stands under Φ".to_string(),
         };

@@ -10,78 +10,9 @@ use super::expression::is_call;
 use super::parser::{Failed, Parsed, Parser};
 use super::token::Cursor;
 use crate::diagnostics::Region;
-use crate::forms::{Acts, Argument, Form, Law, Need, Positional, Value, Written};
+use crate::forms::{Acts, Argument, Factor, Form, Law, Means, Positional, Value, Written};
 use crate::messages::{self, Habit};
-use crate::units::Dimension;
 use proc_macro2::Delimiter;
-
-const ROTORS: &[Positional] = &[Positional::Rotor, Positional::Rotor];
-
-/// Bevel and worm gears are gears, whatever the axes; a belt is a gear by its radii, a screw a rack by its pitch, and a
-/// differential an equation.
-const COUPLINGS: [Form; 7] = [
-    Form {
-        word: "gear",
-        elsewhere: &[],
-        positional: ROTORS,
-        named: &[
-            Argument::scalar("ratio", Need::Always, Dimension::ONE),
-            Argument::scalar("phase", Need::Never, Dimension::ANGLE),
-        ],
-    },
-    Form {
-        word: "bevel",
-        elsewhere: &[],
-        positional: ROTORS,
-        named: &[
-            Argument::scalar("ratio", Need::Always, Dimension::ONE),
-            Argument::scalar("phase", Need::Never, Dimension::ANGLE),
-        ],
-    },
-    Form {
-        word: "worm",
-        elsewhere: &[],
-        positional: ROTORS,
-        named: &[
-            Argument::scalar("ratio", Need::Always, Dimension::ONE),
-            Argument::scalar("phase", Need::Never, Dimension::ANGLE),
-        ],
-    },
-    Form {
-        word: "belt",
-        elsewhere: &[],
-        positional: ROTORS,
-        named: &[
-            Argument::scalar("radius", Need::Always, Dimension::LENGTH),
-            Argument::scalar("second_radius", Need::Always, Dimension::LENGTH),
-            Argument::scalar("phase", Need::Never, Dimension::ANGLE),
-        ],
-    },
-    Form {
-        word: "rack",
-        elsewhere: &[],
-        positional: ROTORS,
-        named: &[
-            Argument::scalar("radius", Need::Always, Dimension::LENGTH),
-            Argument::scalar("phase", Need::Never, Dimension::LENGTH),
-        ],
-    },
-    Form {
-        word: "screw",
-        elsewhere: &[],
-        positional: ROTORS,
-        named: &[
-            Argument::scalar("pitch", Need::Always, Dimension::LENGTH),
-            Argument::scalar("phase", Need::Never, Dimension::LENGTH),
-        ],
-    },
-    Form {
-        word: "differential",
-        elsewhere: &[],
-        positional: &[Positional::Rotor, Positional::Rotor, Positional::Rotor],
-        named: &[],
-    },
-];
 
 /// The arguments of one call.
 #[derive(Default)]
@@ -120,9 +51,30 @@ impl Arguments {
         form.positional.iter().map(subject).collect()
     }
 
+    /// The factor of a proportion; what is made of arguments is as if written at `region`.
+    fn factor(&mut self, factor: Factor, region: Region) -> Parsed<Entry> {
+        Ok(match factor {
+            Factor::Argument(name) => self.required(name)?,
+            Factor::Quotient { of, to } => {
+                let (of, to) = (self.required(of)?, self.required(to)?);
+                Entry::bare(of.term().over(to.term()))
+            }
+            Factor::PerTurn(name) => {
+                let turn = number(region, "2").times(Term::name(region, "pi"));
+                Entry::bare(self.required(name)?.term().over(turn))
+            }
+        })
+    }
+
     fn has_tuple(&self, name: &str) -> bool {
         self.named.tuple(name).is_some()
     }
+}
+
+/// The angle of what is named.
+fn angle_of(subject: &SubjectTerm) -> Parsed<Term> {
+    let label = name_of(subject).ok_or(Failed)?;
+    Ok(Term::name(label.region, &format!("{}.angle", label.text)))
 }
 
 /// A name without a point, where that is written.
@@ -164,7 +116,7 @@ impl Parser {
     pub fn constraint(&mut self, c: &mut Cursor) -> Parsed<()> {
         let name = self.declared(c, "the name of the constraint")?;
         self.punct(c, ':')?;
-        if c.word().is_some_and(|word| COUPLINGS.iter().any(|form| form.word == word)) && is_call(c) {
+        if c.word().is_some_and(|word| self.words_of_couplings().contains(&word)) && is_call(c) {
             return self.coupling_call(c, name);
         }
         let left = self.expression(c)?;
@@ -194,42 +146,30 @@ impl Parser {
     }
 
     fn coupling_call(&mut self, c: &mut Cursor, name: Label) -> Parsed<()> {
-        let forms: Vec<&Form> = COUPLINGS.iter().collect();
+        let couplings = self.vocabulary.couplings;
+        let forms: Vec<&Form> = couplings.iter().map(|coupling| &coupling.call).collect();
         let (which, mut arguments) = self.call_of(c, &forms, "constraint")?;
-        let form = forms[which];
+        let form = couplings[which];
         let region = name.region.to(c.previous());
         self.semicolon(c)?;
-        let (first, second) = (arguments.rotor()?, arguments.rotor()?);
-        let phase = arguments.entry("phase");
-        let kind = match form.word {
-            "rack" => ConstraintTerm::Rack {
-                pinion: first,
-                rail: second,
-                radius: arguments.required("radius")?,
-                phase,
-            },
-            "screw" => {
-                // travel = pitch/(2π) · angle
-                let turn = number(region, "2").times(Term::name(region, "pi"));
-                let radius = arguments.required("pitch")?.term().over(turn);
-                ConstraintTerm::Rack { pinion: first, rail: second, radius: Entry::bare(radius), phase }
+        let on = arguments.subjects(&form.call)?;
+        let kind = match form.means {
+            Means::Proportion { kind, factor } => {
+                let factor = arguments.factor(factor, region)?;
+                ConstraintTerm::Coupling { form, kind, on, factor, phase: arguments.entry("phase") }
             }
-            "belt" => {
-                // r₁ θ₁ = r₂ θ₂
-                let (own, other) = (arguments.required("radius")?, arguments.required("second_radius")?);
-                let ratio = Entry::bare(other.term().over(own.term()));
-                ConstraintTerm::Gear { first, second, ratio, phase }
+            Means::Sum { of: [one, other], times, by } => {
+                let (by, one, other) = (angle_of(&on[by])?, angle_of(&on[one])?, angle_of(&on[other])?);
+                ConstraintTerm::Equation { left: one.plus(other), right: number(region, times).times(by) }
             }
-            "differential" => {
-                // The carrier turns by the mean of both wheels.
-                let angle = |label: &Label| Term::name(label.region, &format!("{}.angle", label.text));
-                let (carrier, a, b) = (angle(&first), angle(&second), angle(&arguments.rotor()?));
-                ConstraintTerm::Equation { left: a.plus(b), right: number(region, "2").times(carrier) }
-            }
-            _ => ConstraintTerm::Gear { first, second, ratio: arguments.required("ratio")?, phase },
         };
         self.definition.constraints.push(Constraint { name, kind });
         Ok(())
+    }
+
+    /// The words of couplings, each of which begins a statement.
+    pub fn words_of_couplings(&self) -> Vec<&'static str> {
+        self.vocabulary.couplings.iter().map(|coupling| coupling.call.word).collect()
     }
 
     /// How loads are written, each word once.

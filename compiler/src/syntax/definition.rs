@@ -3,7 +3,7 @@
 
 use crate::diagnostics::{Allowed, Region};
 pub use crate::forms::Space;
-use crate::forms::{JointForm, LoadForm};
+use crate::forms::{CouplingForm, JointForm, LoadForm, Proportion};
 use crate::units::Unit;
 use proc_macro2::TokenStream;
 use std::collections::BTreeSet;
@@ -393,9 +393,17 @@ pub struct Constraint {
 /// The kinds of constraints that are no joints.
 #[derive(Clone, Debug)]
 pub enum ConstraintTerm {
-    Gear { first: Label, second: Label, ratio: Entry, phase: Option<Entry> },
-    Rack { pinion: Label, rail: Label, radius: Entry, phase: Option<Entry> },
-    Equation { left: Term, right: Term },
+    Coupling {
+        form: &'static CouplingForm,
+        kind: &'static Proportion,
+        on: Vec<SubjectTerm>,
+        factor: Entry,
+        phase: Option<Entry>,
+    },
+    Equation {
+        left: Term,
+        right: Term,
+    },
 }
 
 /// `drive name: crank_pin.angle = law;`
@@ -417,7 +425,7 @@ pub struct Load {
     pub law: LawTerm,
 }
 
-/// What a load acts on, as written.
+/// What a load acts on or a coupling couples, as written.
 #[derive(Clone, Debug)]
 pub enum SubjectTerm {
     Place(PlaceTerm),

@@ -301,18 +301,12 @@ impl Writer {
     fn constraint(&mut self, constraint: &Constraint) {
         self.key("name").string(&constraint.name.text);
         match &constraint.kind {
-            ConstraintTerm::Gear { first, second, ratio, phase } => {
-                self.key("kind").string("gear");
-                self.key("first").string(&first.text);
-                self.key("second").string(&second.text);
-                self.key("ratio").entry(ratio);
-                self.key("phase").optional(phase.as_ref(), Self::entry);
-            }
-            ConstraintTerm::Rack { pinion, rail, radius, phase } => {
-                self.key("kind").string("rack");
-                self.key("pinion").string(&pinion.text);
-                self.key("rail").string(&rail.text);
-                self.key("radius").entry(radius);
+            ConstraintTerm::Coupling { kind, on, factor, phase, .. } => {
+                self.key("kind").string(kind.exported);
+                for ((key, _), subject) in kind.on.iter().zip(on) {
+                    self.subject([key; 2], subject);
+                }
+                self.key(kind.factor.0).entry(factor);
                 self.key("phase").optional(phase.as_ref(), Self::entry);
             }
             ConstraintTerm::Equation { left, right } => {

@@ -4,7 +4,7 @@ use crate::good;
 use linkwright_compiler::equations::VOCABULARY;
 use linkwright_compiler::forms::{Law, LoadForm};
 use linkwright_compiler::model::{
-    BodyKind, Budgeted, Constraint, ConstraintKind, Coordinates, Expr, Frame, Quantity, Rotor, Space, Subject,
+    BodyKind, Budgeted, ConstraintKind, Coordinates, Coupled, Expr, Frame, Quantity, Rotor, Space, Subject,
 };
 
 /// The first example of the language.
@@ -157,12 +157,13 @@ fn every_kind_of_body_joint_constraint_and_load() {
     assert_eq!(number(&m.bodies[2].points[0].at[0]), 0.3);
     assert!(m.joints[2].word() == "fixed" && number(m.joints[2].scalar(0)) == 0.5);
     assert!(m.joints[3].word() == "distance" && number(m.joints[3].scalar(0)) == 0.3);
-    let Constraint { kind: ConstraintKind::Gear { ratio, phase, .. }, .. } = &m.constraints[1] else {
-        panic!("a gear")
+    let coupling = |index: usize| match &m.constraints[index].kind {
+        ConstraintKind::Coupling(coupling) => coupling,
+        other => panic!("{other:?}"),
     };
-    assert_eq!(number(ratio), -2.0);
-    assert_eq!(phase.as_ref().map(number), Some(core::f64::consts::FRAC_PI_2));
-    assert!(matches!(m.constraints[2].kind, ConstraintKind::Gear { first: Rotor::Body(_), phase: None, .. }));
+    assert_eq!((coupling(1).form.call.word, number(&coupling(1).factor)), ("gear", -2.0));
+    assert_eq!(coupling(1).phase.as_ref().map(number), Some(core::f64::consts::FRAC_PI_2));
+    assert!(matches!(coupling(2).driven(), Coupled::Angle(Rotor::Body(_))) && coupling(2).phase.is_none());
     let force = &m.loads[3];
     assert_eq!((force.form.title, number(&force.law[0]), number(&force.law[1])), ("force", 6.0, 8.0));
     assert_eq!(m.options.crate_path.expect("a path").to_string().replace(' ', ""), "::other::path");
@@ -295,7 +296,7 @@ fn forms_of_loads_agree() {
             let of_word = loads.iter().filter(|other| other.call.word == call.word);
             assert_eq!(of_word.clone().filter(|other| other.meant.is_none()).count(), 1, "{}", call.word);
             let same = |other: &&LoadForm| format!("{:?}", other.call) == format!("{call:?}");
-            assert!(of_word.clone().all(|other| same(other)), "{}", call.word);
+            assert!(of_word.clone().all(same), "{}", call.word);
             let has_law = |other: &LoadForm| other.law != Law::None;
             assert!(of_word.clone().all(|other| has_law(other) == has_law(load)), "{}", call.word);
             assert!(!load.stores || !has_law(load), "{}", call.word);

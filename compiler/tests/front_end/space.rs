@@ -121,13 +121,12 @@ fn couplings_in_other_words() {
         }",
     );
     let ratio = |index: usize| match &m.constraints[index].kind {
-        ConstraintKind::Gear { ratio, .. } => number(ratio),
+        ConstraintKind::Coupling(coupling) => number(&coupling.factor),
         other => panic!("{other:?}"),
     };
     assert_eq!((ratio(0), ratio(1)), (-2.0, 1.0 / 30.0));
     assert!(near(ratio(2), 2.5));
-    let ConstraintKind::Rack { radius, .. } = &m.constraints[3].kind else { panic!() };
-    assert!(near(number(radius), 0.006 / std::f64::consts::TAU));
+    assert!(near(ratio(3), 0.006 / std::f64::consts::TAU));
     assert!(matches!(m.constraints[4].kind, ConstraintKind::Equation { .. }));
     assert!(matches!(m.loads[0].on[..], [Subject::Travel(_)]));
     assert!(matches!(m.loads[1].on[..], [Subject::Body(_)]));
