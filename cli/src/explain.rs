@@ -6,7 +6,7 @@ use crate::start;
 use linkwright_compiler::counts::Row;
 use linkwright_compiler::equations::conditions;
 use linkwright_compiler::model::{
-    BodyKind, ConstraintKind, Coordinates, Frame, JointId, LoadKind, Mechanism, Quantity, Redundant,
+    BodyKind, ConstraintKind, Coordinates, Frame, JointId, Mechanism, Quantity, Redundant,
 };
 use linkwright_compiler::schedule::{Function, count, live_values};
 use linkwright_compiler::syntax::Definition;
@@ -169,9 +169,8 @@ fn joints(compiled: &Compiled) -> Vec<Joint> {
 
 fn couplings(mechanism: &Mechanism) -> Vec<[String; 2]> {
     let couplings = mechanism.constraints.iter().map(|constraint| {
-        let kind = match constraint.kind {
-            ConstraintKind::Gear { .. } => "gear",
-            ConstraintKind::Rack { .. } => "rack",
+        let kind = match &constraint.kind {
+            ConstraintKind::Coupling(coupling) => coupling.form.call.word,
             ConstraintKind::Equation { .. } => "equation",
         };
         [constraint.name.text.clone(), kind.to_string()]
@@ -183,16 +182,8 @@ fn couplings(mechanism: &Mechanism) -> Vec<[String; 2]> {
 }
 
 fn loads(mechanism: &Mechanism) -> Vec<[String; 2]> {
-    let load = |load: &linkwright_compiler::model::Load| {
-        let kind = match load.kind {
-            LoadKind::Force { .. } | LoadKind::Push { .. } => "force",
-            LoadKind::Torque { .. } | LoadKind::BodyTorque { .. } => "torque",
-            LoadKind::Spring { .. } => "spring or damper",
-            LoadKind::TorsionSpring { .. } => "torsion spring",
-        };
-        [load.name.text.clone(), kind.to_string()]
-    };
-    mechanism.loads.iter().map(load).collect()
+    let loads = mechanism.loads.iter();
+    loads.map(|load| [load.name.text.clone(), load.form.title.to_string()]).collect()
 }
 
 /// Whether a body has an orientation.

@@ -145,6 +145,35 @@ linkwright::mechanism! {
     }
 }
 
+linkwright::mechanism! {
+    /// A table on rubber and an engine on the table, each bushing once with its places in either order; one body turns with the
+    /// table, so that its bushing only moves along.
+    pub planar Mounted {
+        param rubber [N/m] = 900 in 100..2000;
+        param twist [N*m/rad] = 6;
+        input shake [N*m];
+        gravity [m/s^2] = (0.2, -9.81);
+        body table  { mass [kg] = 2; inertia [kg*m^2] = 0.2; center [m] = (0.02, 0.01); point left [m] = (-0.3, 0.02); point right [m] = (0.3, -0.01); }
+        body engine { mass [kg] = 1.2; inertia [kg*m^2] = 0.03; point foot [m] = (0.05, -0.08); }
+        body lid    { mass [kg] = 0.3; inertia [kg*m^2] = 0.004; point edge [m] = (-0.1, 0.02); }
+        rod arm     { mass [kg] = 0.4; length [m] = 0.3; }
+        joint slide: prismatic(table.right, lid.edge, axis = (1, 2), angle = 0.3 [rad]);
+        joint elbow: revolute(engine.center, arm.start);
+        bushing left:  bushing(ground(-0.3 [m], 0.05 [m] * sin(3 [rad/s] * time)), table.left, stiffness = rubber, damping = 4 [N*s/m],
+                               torsional_stiffness = twist, torsional_damping = 0.1 [N*m*s/rad]);
+        bushing right: bushing(table.right, ground(0.3, 0) [m], stiffness = (400, 700) [N/m], torsional_stiffness = 0);
+        bushing mount: bushing(engine.foot, table.center, stiffness [N/mm] = (0.5, 0.8), damping = (3, 2) [N*s/m], torsional_stiffness [N*m] = 4,
+                               torsional_damping [N*m*s] = 0.05);
+        bushing pad:   bushing(table.left, lid.edge, stiffness = 60 [N/m], torsional_stiffness = 2 [N*m/rad]);
+        bushing tip:   bushing(arm.end, table.left, stiffness = (20, 0) [N/m], damping [N*s/m] = 0.3, torsional_stiffness = 1 [N*m/rad]);
+        torque motor:  torque(engine) = shake;
+        start { table.angle [rad] = 0.1; table.rate [rad/s] = 0.3; engine.center.x [m] = 0.03; engine.center.y [m] = 0.1; engine.angle [rad] = -0.2;
+                slide.travel [m] = 0.05; slide.speed [m/s] = 0.2; elbow.angle [rad] = 2; elbow.rate [rad/s] = 1; }
+        expect { degrees_of_freedom = 8; }
+        output loss [W] = power(left) + power(mount);
+    }
+}
+
 /// As [`linkwright_models::for_each_model`], for the mechanisms here and in `zoo_space.rs`.
 macro_rules! for_each_in_zoo {
     ($callback:ident) => {
@@ -155,6 +184,7 @@ macro_rules! for_each_in_zoo {
             shaken: crate::zoo::Shaken,
             floating: crate::zoo::Floating,
             oldham: crate::zoo::Oldham,
+            mounted: crate::zoo::Mounted,
             arm: crate::zoo_space::Arm,
             jack: crate::zoo_space::Jack,
             table: crate::zoo_space::Table,
@@ -168,6 +198,7 @@ macro_rules! for_each_in_zoo {
             bench: crate::zoo_space::Bench,
             snake: crate::zoo_space::Snake,
             stage: crate::zoo_space::Stage,
+            cabin: crate::zoo_space::Cabin,
         }
     };
 }

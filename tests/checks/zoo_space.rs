@@ -416,6 +416,29 @@ linkwright::mechanism! {
     }
 }
 
+linkwright::mechanism! {
+    /// A cabin on rubber and a lever on the cabin, with bushings in either order of their places, on markers with axes of their own and on a
+    /// support that moves.
+    pub spatial Cabin {
+        param rubber [N/m] = 800 in 100..2000;
+        param twist [N*m/rad] = 5;
+        gravity [m/s^2] = (0.1, 0.2, -9.81);
+        marker base [m] = (0.1, 0, 0.2), axis = (1, 2, 2), reference = (0, 0, 1);
+        body cabin { mass [kg] = 2; inertia [kg*m^2] = (0.1, 0.12, 0.15); products [kg*m^2] = (0.01, -0.005, 0.004); center [m] = (0.02, 0, 0.01);
+                     marker foot [m] = (-0.1, 0.05, -0.2), about_x [deg] = 60, about_z = 0.4 [rad]; point seat [m] = (0.1, 0.1, 0); }
+        rod lever  { mass [kg] = 0.3; length [m] = 0.3; radius [m] = 0.02; marker hand [m] = (0.1, 0, 0), about_y [deg] = 20; }
+        joint hinge: revolute(cabin.seat, lever.start, axis = (0, 1, 1));
+        bushing stand: bushing(base, cabin.foot, stiffness = (rubber, rubber/2, 300 [N/m]), damping = 5 [N*s/m],
+                               torsional_stiffness = (twist, 3 [N*m/rad], 4 [N*m/rad]), torsional_damping = (0.1, 0.2, 0.05) [N*m*s/rad]);
+        bushing grip:  bushing(lever.hand, cabin.foot, stiffness [N/m] = 40, torsional_stiffness = 2 [N*m/rad], torsional_damping = 0.01 [N*m*s/rad]);
+        bushing stay:  bushing(lever.end, ground(0.1 [m], 0.02 [m] * sin(2 [rad/s] * time), 0), stiffness = (0, 30, 20) [N/m], damping = (1, 2, 3) [N*s/m],
+                               torsional_stiffness = 0);
+        start { cabin.orientation = (0.98, 0.1, -0.1, 0.05); cabin.rate.x [rad/s] = 0.5; hinge.angle [rad] = 0.3; hinge.rate [rad/s] = 1; }
+        expect { degrees_of_freedom = 7; }
+        output loss [W] = power(stand) + power(grip);
+    }
+}
+
 /// How the joints of a mechanism stand in its tree: kind, what it does there, where the ground is.
 fn ways<M: Model>() -> Vec<(&'static str, &'static str, &'static str)> {
     let compiled = compiled::<M>(Some(Coordinates::Tree));
@@ -463,6 +486,7 @@ fn every_joint_occurs_both_ways() {
         ways::<Bench>(),
         ways::<Snake>(),
         ways::<Stage>(),
+        ways::<Cabin>(),
     ];
     let found: BTreeSet<_> = all.into_iter().flatten().collect();
     let has = |kind: &str, role: &str| found.iter().any(|way| way.0 == kind && way.1 == role);

@@ -88,7 +88,10 @@ class Energies:
             pose = self.kinematics.poses[name]
             energy -= body.mass * ca.dot(self.model.gravity, pose.position)
         for load in self.model.definition["loads"]:
-            if load.get("stiffness"):
+            if load["kind"] == "bushing":
+                deflection, stiffness, _ = self._bushing(load)
+                energy += ca.dot(stiffness, deflection**2) / 2
+            elif load.get("stiffness"):
                 stiffness, deflection = self._spring(load)
                 energy += stiffness * deflection**2 / 2
         return energy
@@ -102,6 +105,25 @@ class Energies:
         if load["kind"] == "spring":
             return stiffness, kinematics.distance(load["first"], load["second"]) - rest
         return stiffness, kinematics.multi_turn(load["on"]) - rest
+
+    def _bushing(self, load):
+        """What a bushing is moved and turned by, along the first place's axes; its stiffness and damping along each."""
+        first, second = self.model.place(load["first"]), self.model.place(load["second"])
+        deflection = ca.vertcat(*self.kinematics.displacement(first, second))
+        along, about = (part.numel() for part in self.kinematics.displacement(first, second))
+
+        def each(key, torsional_key):
+            return ca.vertcat(self._each(load.get(key), along), self._each(load.get(torsional_key), about))
+
+        return deflection, each("stiffness", "torsional_stiffness"), each("damping", "torsional_damping")
+
+    def _each(self, node, count):
+        """One value for each axis: as written, the same for all, or nothing."""
+        if not node:
+            return ca.SX.zeros(count)
+        if isinstance(node["value"], list):
+            return expressions.pair(node, self.model)
+        return ca.repmat(ca.SX(expressions.entry(node, self.model)), count)
 
     def _applied(self):
         w = ca.vertcat(*[load.w for load in self.loads])
@@ -143,6 +165,10 @@ class Energies:
             travel = kinematics.travel(self.model.joints[load["on"]])
             pushed = evaluate(load["value"], kinematics)
             return Load(name, kinematics.rate(travel), kinematics.explicit_rate(travel), pushed, ca.SX(0))
+        if kind == "bushing":
+            deflection, stiffness, damping = self._bushing(load)
+            w, explicit = kinematics.rate(deflection), kinematics.explicit_rate(deflection)
+            return Load(name, w, explicit, -damping * w, -stiffness * deflection)
         if kind == "spring":
             length = kinematics.distance(load["first"], load["second"])
             w, explicit = kinematics.rate(length), kinematics.explicit_rate(length)

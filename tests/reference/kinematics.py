@@ -137,6 +137,13 @@ class Kinematics:
         difference = self.position(self._place_of(second)) - self.position(self._place_of(first))
         return ca.sqrt(ca.dot(difference, difference))
 
+    def displacement(self, first, second):
+        """The second place less the first along the axes of the first's body; the angle between their bodies in (−π, π]."""
+        one, other = self.pose(first.body), self.pose(second.body)
+        span = self.position(second) - self.position(first)
+        along = ca.vertcat(one.c * span[0] + one.s * span[1], one.c * span[1] - one.s * span[0])
+        return along, ca.atan2(other.s * one.c - other.c * one.s, other.c * one.c + other.s * one.s)
+
     def _place_of(self, node):
         return self.model.named_place(node["name"]) if "name" in node else self.model.place(node)
 

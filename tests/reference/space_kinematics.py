@@ -137,6 +137,11 @@ class SpaceKinematics(Kinematics):
         counted = self.counted(joint.name, which)
         return self.angle_rate(joint, which) if counted is None else self.rate(counted)
 
+    def displacement(self, first, second):
+        """The second place less the first along the first's axes; the vector of the antisymmetric part of E1ᵀ E2."""
+        e1, e2 = self.place_axes(first), self.place_axes(second)
+        return ca.mtimes(e1.T, self.position(second) - self.position(first)), vee(ca.mtimes(e1.T, e2))
+
     # What gears, racks and torsion springs ask for.
 
     def multi_turn(self, rotor):

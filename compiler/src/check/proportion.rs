@@ -4,7 +4,7 @@
 
 use super::rules::at_defaults;
 use crate::messages::Disproportion;
-use crate::model::{Body, BodyId, Frame, LoadKind, Mechanism, Place, Vector};
+use crate::model::{Body, BodyId, Frame, Mechanism, Place, Vector};
 
 /// How often the radius of gyration may be as large as the body reaches from its centre of mass. Solid bodies have at most 1;
 /// a flywheel with a small crank, or a rotor with its gear's ratio in it, has 20 to 30.
@@ -44,11 +44,7 @@ fn reach(mechanism: &Mechanism, id: BodyId, body: &Body) -> Option<f64> {
     let own = body.points.iter().chain(&body.markers).map(|place| &place.at);
     let lines = body.lines.iter().flat_map(|line| [&line.from, &line.to]);
     let joints = mechanism.joints.iter().flat_map(|joint| [&joint.first, &joint.second]);
-    let loads = mechanism.loads.iter().flat_map(|load| match &load.kind {
-        LoadKind::Force { place, .. } => vec![place],
-        LoadKind::Spring { first, second, .. } => vec![first, second],
-        _ => Vec::new(),
-    });
+    let loads = mechanism.loads.iter().flat_map(|load| load.places());
     let attached = |place: &&Place| place.frame == Frame::Body(id);
     let places = own.chain(lines).chain(joints.chain(loads).filter(attached).map(|place| &place.at));
     let distances = places.filter_map(at).map(|place| {

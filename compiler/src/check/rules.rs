@@ -4,11 +4,11 @@
 //! Values of parameters are judged at their defaults. Rank, mobility and whether loops close are left to `assemble`.
 
 use crate::diagnostics::Diagnostics;
-use crate::forms::Spans;
+use crate::forms::{Sign, Spans};
 use crate::messages;
 use crate::model::{
-    BodyId, Condition, ConstraintKind, Expr, Frame, JointId, LoadKind, Mechanism, Name, Quantity, Rotor,
-    Space, Vector, fold,
+    BodyId, Condition, ConstraintKind, Expr, Frame, JointId, Mechanism, Name, Quantity, Rotor, Space,
+    Subject, Vector, fold,
 };
 use std::collections::HashMap;
 
@@ -231,9 +231,14 @@ fn axes_point_somewhere(mechanism: &Mechanism, diagnostics: &mut Diagnostics) {
 // The length of a spring is not negative.
 fn lengths_are_not_negative(mechanism: &Mechanism, diagnostics: &mut Diagnostics) {
     for load in &mechanism.loads {
-        let LoadKind::Spring { length, .. } = &load.kind else { continue };
-        if let Some(length) = at_defaults(mechanism, length).filter(|length| *length < 0.0) {
-            diagnostics.error(load.name.span, messages::negative("length", &load.name.text, length, "m"));
+        let lengths = load.arguments().filter(|(argument, _)| argument.sign == Sign::NotNegative);
+        for (argument, value) in lengths.flat_map(|(it, values)| values.iter().map(move |value| (it, value)))
+        {
+            if let Some(length) = at_defaults(mechanism, value).filter(|length| *length < 0.0) {
+                let unit = argument.dimension().map(|dimension| dimension.to_string()).unwrap_or_default();
+                let message = messages::negative(argument.name, &load.name.text, length, &unit);
+                diagnostics.error(load.name.span, message);
+            }
         }
     }
 }
@@ -241,17 +246,12 @@ fn lengths_are_not_negative(mechanism: &Mechanism, diagnostics: &mut Diagnostics
 // A gear couples two different things, and its ratio and a rack's radius are not zero.
 fn couplings_couple(mechanism: &Mechanism, diagnostics: &mut Diagnostics) {
     for constraint in &mechanism.constraints {
-        let (factor, what, same) = match &constraint.kind {
-            ConstraintKind::Gear { first, second, ratio, .. } => (ratio, "ratio", first == second),
-            ConstraintKind::Rack { pinion, rail, radius, .. } => {
-                (radius, "radius", *pinion == Rotor::Joint(*rail, 0))
-            }
-            ConstraintKind::Equation { .. } => continue,
-        };
+        let ConstraintKind::Coupling(coupling) = &constraint.kind else { continue };
+        let (what, _) = coupling.kind.factor;
         let name = &constraint.name;
-        if same && what == "ratio" {
+        if coupling.driven() == coupling.other() {
             diagnostics.error(name.span, messages::coupled_with_itself(&name.text));
-        } else if at_defaults(mechanism, factor) == Some(0.0) {
+        } else if at_defaults(mechanism, &coupling.factor) == Some(0.0) {
             diagnostics.error(name.span, messages::zero_factor(&name.text, what));
         }
     }
@@ -321,7 +321,7 @@ fn cuts_differ(mechanism: &Mechanism, diagnostics: &mut Diagnostics) {
 // A force acts on a body.
 fn loads_act_on_bodies(mechanism: &Mechanism, diagnostics: &mut Diagnostics) {
     for load in &mechanism.loads {
-        let LoadKind::Force { place, .. } = &load.kind else { continue };
+        let [Subject::Place(place)] = &load.on[..] else { continue };
         if place.frame == Frame::Ground {
             diagnostics.error(place.span, messages::force_on_ground(&load.name.text, &place.text));
         }
@@ -338,29 +338,22 @@ pub(super) fn touched(mechanism: &Mechanism) -> Vec<bool> {
     let mut quantities: Vec<&Quantity> = mechanism.drivers.iter().map(|driver| &driver.quantity).collect();
     for constraint in &mechanism.constraints {
         match &constraint.kind {
-            ConstraintKind::Gear { first, second, .. } => {
-                touch_rotor(&mut touched, *first);
-                touch_rotor(&mut touched, *second);
+            // The bodies of a joint have been touched by it.
+            ConstraintKind::Coupling(coupling) => {
+                coupling.rotors().for_each(|rotor| touch_rotor(&mut touched, rotor));
             }
-            ConstraintKind::Rack { pinion, .. } => touch_rotor(&mut touched, *pinion),
             ConstraintKind::Equation { residual } => {
                 visit(residual, &mut |quantity| quantities.push(quantity))
             }
         }
     }
-    for load in &mechanism.loads {
-        match &load.kind {
-            LoadKind::Force { place, .. } => touch(&mut touched, place.frame),
+    for subject in mechanism.loads.iter().flat_map(|load| &load.on) {
+        match subject {
+            Subject::Place(place) => touch(&mut touched, place.frame),
+            Subject::Rotor(rotor) => touch_rotor(&mut touched, *rotor),
             // The bodies of a joint have been touched by it.
-            LoadKind::Push { .. } => {}
-            LoadKind::BodyTorque { body, .. } => touch(&mut touched, Frame::Body(*body)),
-            LoadKind::Torque { on, .. } | LoadKind::TorsionSpring { on, .. } => {
-                touch_rotor(&mut touched, *on)
-            }
-            LoadKind::Spring { first, second, .. } => {
-                touch(&mut touched, first.frame);
-                touch(&mut touched, second.frame);
-            }
+            Subject::Travel(_) => {}
+            Subject::Body(body) => touch(&mut touched, Frame::Body(*body)),
         }
     }
     for quantity in quantities {

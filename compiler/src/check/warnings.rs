@@ -7,10 +7,10 @@
 use super::proportion::disproportion;
 use super::rules::{at_defaults, touched};
 use crate::diagnostics::{Allowed, Diagnostics, Lint, Region};
-use crate::forms::JointForm;
+use crate::forms::{JointForm, Law, Sign};
 use crate::messages;
 use crate::model::{
-    Body, BodyId, Declared, Expr, Frame, Load, LoadKind, Mechanism, NamedPoint, Rotor, Shape, Vector,
+    Body, BodyId, Declared, Expr, Frame, JointId, Load, Mechanism, NamedPoint, Rotor, Shape, Subject, Vector,
 };
 
 /// The warnings in the order they are reported.
@@ -101,71 +101,57 @@ fn loads_have_an_effect(mechanism: &Mechanism, wanted: &mut Wanted) {
 fn nothing_from(load: &Load) -> Option<String> {
     let name = &load.name.text;
     let zero = |expr: &Expr| matches!(expr, Expr::Number(0.0));
-    match &load.kind {
-        LoadKind::Force { components, .. } | LoadKind::BodyTorque { components, .. } => {
-            is_zero(components).then(|| messages::zero_load(name))
-        }
-        LoadKind::Push { force, .. } => zero(force).then(|| messages::zero_load(name)),
-        LoadKind::Torque { torque, .. } => zero(torque).then(|| messages::zero_load(name)),
-        LoadKind::Spring { stiffness, damping, .. } | LoadKind::TorsionSpring { stiffness, damping, .. }
-            if zero(stiffness) && zero(damping) =>
-        {
-            Some(messages::spring_of_nothing(name))
-        }
-        // A damper has a length of zero, which a spring without stiffness seldom has.
-        LoadKind::Spring { stiffness, length, .. } if zero(stiffness) && !zero(length) => {
-            Some(messages::spring_that_damps(name))
-        }
-        LoadKind::Spring { .. } | LoadKind::TorsionSpring { .. } => None,
+    if load.form.law != Law::None {
+        return load.law.iter().all(zero).then(|| messages::zero_load(name));
     }
+    let mut pulling = load.arguments().filter(|(argument, _)| argument.sign == Sign::Restoring);
+    if pulling.all(|(_, values)| values.iter().all(zero)) {
+        return Some(messages::spring_of_nothing(name));
+    }
+    let number = |expr: &Expr| if let Expr::Number(value) = expr { Some(*value) } else { None };
+    let numbers: Vec<Option<f64>> = load.arguments().flat_map(|(_, values)| values).map(number).collect();
+    load.form.doubt.and_then(|doubt| doubt(name, &numbers))
 }
 
 /// Warns of a load on bodies that joints hold, in `rigid` groups altogether and in `parallel` ones against turning.
 fn nothing_moved(mechanism: &Mechanism, load: &Load, rigid: &Groups, parallel: &Groups) -> Option<String> {
     let name = &load.name.text;
     let body = |id: BodyId| &mechanism.bodies[id.0].name.text;
-    let held = |frame| rigid.same(frame, Frame::Ground);
-    let turns_with = |one, other| parallel.same(one, other);
-    match &load.kind {
-        LoadKind::Force { place, .. } => match place.frame {
-            Frame::Body(id) if held(place.frame) => Some(messages::load_on_held(name, body(id))),
-            _ => None,
+    if let [Subject::Place(first), Subject::Place(second)] = &load.on[..] {
+        let still = rigid.same(first.frame, second.frame);
+        return still.then(|| messages::spring_between_held(name, &first.text, &second.text));
+    }
+    load.on.iter().find_map(|subject| match subject {
+        Subject::Place(place) => match place.frame {
+            Frame::Body(id) => {
+                let still = rigid.same(place.frame, Frame::Ground);
+                still.then(|| messages::load_on_held(name, body(id)))
+            }
+            Frame::Ground => None,
         },
-        LoadKind::BodyTorque { body: id, .. }
-        | LoadKind::Torque { on: Rotor::Body(id), .. }
-        | LoadKind::TorsionSpring { on: Rotor::Body(id), .. } => {
-            let still = turns_with(Frame::Body(*id), Frame::Ground);
+        Subject::Body(id) | Subject::Rotor(Rotor::Body(id)) => {
+            let still = parallel.same(Frame::Body(*id), Frame::Ground);
             still.then(|| messages::torque_on_held(name, body(*id)))
         }
-        LoadKind::Torque { on: Rotor::Joint(id, _), .. }
-        | LoadKind::TorsionSpring { on: Rotor::Joint(id, _), .. } => {
-            let joint = &mechanism.joints[id.0];
-            let still = turns_with(joint.first.frame, joint.second.frame);
-            still.then(|| messages::load_on_locked(name, &joint.name.text))
-        }
-        LoadKind::Push { joint: id, .. } => {
-            let joint = &mechanism.joints[id.0];
-            let still = rigid.same(joint.first.frame, joint.second.frame);
-            still.then(|| messages::load_on_locked(name, &joint.name.text))
-        }
-        LoadKind::Spring { first, second, .. } => {
-            let still = rigid.same(first.frame, second.frame);
-            still.then(|| messages::spring_between_held(name, &first.text, &second.text))
-        }
-    }
+        Subject::Rotor(Rotor::Joint(id, _)) => locked(mechanism, name, *id, parallel),
+        Subject::Travel(id) => locked(mechanism, name, *id, rigid),
+    })
+}
+
+/// Of a load along or about a joint whose bodies are in one group.
+fn locked(mechanism: &Mechanism, load: &str, id: JointId, groups: &Groups) -> Option<String> {
+    let joint = &mechanism.joints[id.0];
+    let still = groups.same(joint.first.frame, joint.second.frame);
+    still.then(|| messages::load_on_locked(load, &joint.name.text))
 }
 
 // Stiffness and damping are not negative.
 fn springs_pull_back(mechanism: &Mechanism, wanted: &mut Wanted) {
     for load in &mechanism.loads {
-        let (LoadKind::Spring { stiffness, damping, .. }
-        | LoadKind::TorsionSpring { stiffness, damping, .. }) = &load.kind
-        else {
-            continue;
-        };
-        for (what, value) in [("stiffness", stiffness), ("damping", damping)] {
-            if let Some(value) = at_defaults(mechanism, value).filter(|value| *value < 0.0) {
-                let message = messages::negative_coefficient(what, &load.name.text, value);
+        for (argument, values) in load.arguments().filter(|(it, _)| it.sign == Sign::Restoring) {
+            let values = values.iter().filter_map(|value| at_defaults(mechanism, value));
+            if let Some(value) = values.into_iter().find(|value| *value < 0.0) {
+                let message = messages::negative_coefficient(argument.name, &load.name.text, value);
                 wanted.push(Lint::Negative, load.name.span, message);
             }
         }

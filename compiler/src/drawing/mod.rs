@@ -2,6 +2,7 @@
 //! Which parts a picture shows, and where they stand, is left to `page`.
 
 pub mod canvas;
+pub mod load;
 pub mod plane;
 pub mod shapes;
 pub mod space;

@@ -13,7 +13,7 @@ pub mod couplings;
 mod jet;
 mod kinematics;
 mod laws;
-mod loads;
+pub mod loads;
 pub mod plane;
 pub mod space;
 mod spanning_tree;
@@ -30,7 +30,7 @@ pub use switch::{Omitted, Sized, Switch};
 pub use tangent::Tangents;
 
 use crate::diagnostics::Region;
-use crate::forms::Vocabulary;
+use crate::forms::{Sign, Vocabulary};
 use crate::model::{BodyKind, Frame, JointId, Mechanism, Quantity, Redundant, Space};
 use crate::symbolic::{Class, Graph, Node, Scalar, Sheet, all_bare};
 use std::cell::RefCell;
@@ -427,7 +427,9 @@ fn masses(laws: &Laws) -> Vec<(String, Node)> {
     }
     for joint in &laws.mechanism.joints {
         let scalars = joint.form.call.named.iter().filter(|argument| !argument.is_direction());
-        for (argument, value) in scalars.zip(&joint.scalars).filter(|(argument, _)| argument.is_positive) {
+        for (argument, value) in
+            scalars.zip(&joint.scalars).filter(|(argument, _)| argument.sign == Sign::Positive)
+        {
             masses.push((format!("{} of \"{}\"", argument.name, joint.name.text), laws.value(value).bare));
         }
     }
@@ -440,6 +442,8 @@ pub static VOCABULARY: Vocabulary = Vocabulary {
         Space::Planar => plane::joints::JOINTS.iter().map(|joint| &joint.form).collect(),
         Space::Spatial => space::joints::JOINTS.iter().map(|joint| &joint.form).collect(),
     },
+    couplings: couplings::COUPLINGS,
+    loads: |space| loads::of_space(space).map(|load| &load.form).collect(),
 };
 
 /// Rows of each joint that has some, by index of joint.

@@ -3,9 +3,13 @@
 //! The forms themselves stand with their elements, one file each. Those who read, name and check elements are handed a
 //! [`Vocabulary`] and know no element by itself.
 
+mod coupling;
 mod joint;
+mod load;
 
+pub use coupling::{CouplingForm, Factor, Means, Proportion};
 pub use joint::{Alone, Freer, Given, JointAxes, JointForm, OfParticle, Spans, degrees_between};
+pub use load::{Acts, Law, LoadForm, Written};
 
 use crate::units::Dimension;
 
@@ -65,6 +69,8 @@ impl Shape {
 #[derive(Clone, Copy, Debug)]
 pub struct Vocabulary {
     pub joints: fn(Space) -> Vec<&'static JointForm>,
+    pub couplings: &'static [&'static CouplingForm],
+    pub loads: fn(Space) -> Vec<&'static LoadForm>,
 }
 
 /// How an element is written: `word(positional, …, name = value, …)`.
@@ -92,8 +98,19 @@ pub struct Argument {
     pub name: &'static str,
     pub need: Need,
     pub value: Value,
-    /// Whether it is positive, whatever parameters make of it.
-    pub is_positive: bool,
+    pub sign: Sign,
+}
+
+/// What an argument's sign may be.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Sign {
+    Any,
+    /// It is positive, whatever parameters make of it.
+    Positive,
+    /// Zero is possible, less is not.
+    NotNegative,
+    /// It pulls back: less than zero is possible and probably not meant, and where all such are zero nothing acts.
+    Restoring,
 }
 
 /// Whether an argument must be written.
@@ -114,27 +131,51 @@ pub enum Value {
     Scalar(Dimension),
     /// A number of parameters and time.
     Moving(Dimension),
+    /// A number of parameters for all axes, or in parentheses one for each; zero where it is not written.
+    Diagonal(Dimension),
 }
 
 impl Argument {
     pub const fn direction(name: &'static str, need: Need) -> Self {
-        Argument { name, need, value: Value::Direction, is_positive: false }
+        Argument { name, need, value: Value::Direction, sign: Sign::Any }
     }
 
     pub const fn scalar(name: &'static str, need: Need, dimension: Dimension) -> Self {
-        Argument { name, need, value: Value::Scalar(dimension), is_positive: false }
+        Argument { name, need, value: Value::Scalar(dimension), sign: Sign::Any }
     }
 
     pub const fn moving(name: &'static str, need: Need, dimension: Dimension) -> Self {
-        Argument { name, need, value: Value::Moving(dimension), is_positive: false }
+        Argument { name, need, value: Value::Moving(dimension), sign: Sign::Any }
+    }
+
+    pub const fn diagonal(name: &'static str, need: Need, dimension: Dimension) -> Self {
+        Argument { name, need, value: Value::Diagonal(dimension), sign: Sign::Any }
     }
 
     pub const fn positive(self) -> Self {
-        Argument { is_positive: true, ..self }
+        Argument { sign: Sign::Positive, ..self }
+    }
+
+    pub const fn not_negative(self) -> Self {
+        Argument { sign: Sign::NotNegative, ..self }
+    }
+
+    pub const fn restoring(self) -> Self {
+        Argument { sign: Sign::Restoring, ..self }
     }
 
     pub fn is_direction(&self) -> bool {
         self.value == Value::Direction
+    }
+
+    /// What it measures; a direction may measure anything.
+    pub fn dimension(&self) -> Option<Dimension> {
+        match self.value {
+            Value::Direction => None,
+            Value::Scalar(dimension) | Value::Moving(dimension) | Value::Diagonal(dimension) => {
+                Some(dimension)
+            }
+        }
     }
 
     /// Whether the parser asks for it.

@@ -3,6 +3,15 @@
 use super::{closest, not_there_yet, number, other_argument};
 use crate::forms::{Form, Space};
 
+/// Words of a later version.
+const LOADS_TO_COME: &[&str] = &["friction", "contact", "mesh"];
+const STATEMENTS_TO_COME: &[&str] = &["table", "state", "rate", "part", "file", "beam"];
+
+/// Whether a word will begin a statement in a later version.
+pub(crate) fn is_to_come(word: &str) -> bool {
+    LOADS_TO_COME.contains(&word) || STATEMENTS_TO_COME.contains(&word)
+}
+
 // ---- Joints, constraints, loads --------------------------------------------------------------------------------------
 
 /// `in_space`: the joints that space has.
@@ -21,7 +30,7 @@ pub(crate) fn unknown_joint(word: &str, known: &[&Form], in_space: &[&Form], spa
 }
 
 pub(crate) fn unknown_kind(what: &str, word: &str, known: &[&Form]) -> String {
-    if what == "load" && ["bushing", "friction", "contact", "mesh"].contains(&word) {
+    if what == "load" && LOADS_TO_COME.contains(&word) {
         return not_there_yet(word);
     }
     no_such(what, word, known)

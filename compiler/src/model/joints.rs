@@ -55,6 +55,9 @@ impl<'d> Lowering<'d> {
                 Value::Moving(dimension) => {
                     scalars.push(self.joint_scalar(joint, argument, dimension, Use::LENGTH)?);
                 }
+                Value::Diagonal(dimension) => {
+                    scalars.extend(self.diagonal(&joint.named, argument.name, dimension)?);
+                }
             }
         }
         let (first, second) = (first?, second?);

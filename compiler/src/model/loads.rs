@@ -1,101 +1,131 @@
-//! Loads: forces, torques, springs. Directions become unit vectors here.
+//! Loads: what they act on, their arguments, their laws. Directions become unit vectors here.
 
 use super::fold;
 use super::lower::{Lowering, Use, name};
 use super::names::Part;
 use super::values::padded;
-use super::{Expr, Function1, Function2, Load, LoadKind, Place, Vector};
+use super::{Expr, Function1, Function2, Load, Subject, Vector};
+use crate::forms::{Acts, Argument, Law, Value};
 use crate::messages;
-use crate::syntax::{self, Entry, LoadTerm, PlaceTerm, Space, Tuple};
+use crate::syntax::{self, LawTerm, Named, Space, SubjectTerm, Tuple};
 use crate::units::Dimension;
 
 impl<'d> Lowering<'d> {
     pub fn load(&mut self, load: &'d syntax::Load) -> Option<Load> {
-        let kind = match &load.kind {
-            LoadTerm::Force { place, direction, value } => {
-                let place = self.place(place);
-                let direction = self.direction(direction, "direction").map(normalised);
-                let value = self.value(value, Use::LOAD);
-                let value =
-                    self.expect_dimension(value?, Dimension::FORCE, &messages::quoted(&load.name.text))?;
-                let along = |component| fold::binary(Function2::Mul, value.clone(), component);
-                LoadKind::Force { place: place?, components: direction?.map(along) }
-            }
-            LoadTerm::Components { place, components } => {
-                let place = self.place(place);
-                let components =
-                    self.vector(components, Dimension::FORCE, Use::LOAD, &messages::quoted(&load.name.text));
-                LoadKind::Force { place: place?, components: components? }
-            }
-            LoadTerm::Push { on, value } => {
-                let joint = self.slide(on);
-                let value = self.value(value, Use::LOAD);
-                let force =
-                    self.expect_dimension(value?, Dimension::FORCE, &messages::quoted(&load.name.text));
-                LoadKind::Push { joint: joint?, force: force? }
-            }
-            LoadTerm::Torque { on, value } => {
-                if let (Space::Spatial, Some(Part::Body(_))) =
-                    (self.definition.space, self.names.part(&on.text))
-                {
-                    self.diagnostics.error(on.region, messages::torque_of_components(&on.text));
-                    return None;
-                }
-                let on = self.rotor(on);
-                let value = self.value(value, Use::LOAD);
-                let torque =
-                    self.expect_dimension(value?, Dimension::TORQUE, &messages::quoted(&load.name.text));
-                LoadKind::Torque { on: on?, torque: torque? }
-            }
-            LoadTerm::BodyTorque { on, components } => {
-                let body = self.turning_body(on);
-                let what = messages::quoted(&load.name.text);
-                let components = self.vector(components, Dimension::TORQUE, Use::LOAD, &what);
-                LoadKind::BodyTorque { body: body?, components: components? }
-            }
-            LoadTerm::Spring { first, second, stiffness, length, damping } => {
-                let places = self.spring_ends(first, second);
-                let stiffness = self.entry(stiffness, Dimension::STIFFNESS, Use::COEFFICIENT, "stiffness");
-                let length = self.entry(length, Dimension::LENGTH, Use::COEFFICIENT, "length");
-                let damping = self.optional(damping.as_ref(), Dimension::DAMPING, "damping");
-                let (first, second) = places?;
-                LoadKind::Spring { first, second, stiffness: stiffness?, length: length?, damping: damping? }
-            }
-            LoadTerm::Damper { first, second, damping } => {
-                let places = self.spring_ends(first, second);
-                let damping = self.entry(damping, Dimension::DAMPING, Use::COEFFICIENT, "damping");
-                let (first, second) = places?;
-                let none = Expr::Number(0.0);
-                LoadKind::Spring { first, second, stiffness: none.clone(), length: none, damping: damping? }
-            }
-            LoadTerm::TorsionSpring { on, stiffness, angle, damping } => {
-                let on = self.rotor(on);
-                let stiffness = self.entry(stiffness, Dimension::TORQUE, Use::COEFFICIENT, "stiffness");
-                let rest = self.optional(angle.as_ref(), Dimension::ANGLE, "angle");
-                let damping = self.optional(damping.as_ref(), Dimension::ANGULAR_DAMPING, "damping");
-                LoadKind::TorsionSpring { on: on?, stiffness: stiffness?, rest: rest?, damping: damping? }
-            }
-        };
-        Some(Load { name: name(&load.name), kind })
-    }
-
-    /// Zero where it was not given.
-    fn optional(&mut self, entry: Option<&'d Entry>, dimension: Dimension, what: &str) -> Option<Expr> {
-        match entry {
-            Some(entry) => self.entry(entry, dimension, Use::COEFFICIENT, what),
-            None => Some(Expr::Number(0.0)),
+        if self.is_torque_on_body_in_space(load) {
+            return None;
         }
+        let on = self.subjects(load);
+        let arguments = load.form.call.named.iter();
+        let values: Vec<Option<Vec<Expr>>> =
+            arguments.map(|argument| self.load_argument(load, argument)).collect();
+        let law = self.law(load);
+        let (on, values): (_, Option<Vec<_>>) = (on?, values.into_iter().collect());
+        let (values, law) = (values?, law?);
+        let law = match (load.form.law, &law[..]) {
+            (Law::Components(_), [value]) => directed(load, &values, value),
+            _ => law,
+        };
+        Some(Load { name: name(&load.name), form: load.form, on, values, law })
     }
 
-    fn spring_ends(&mut self, first: &'d PlaceTerm, second: &'d PlaceTerm) -> Option<(Place, Place)> {
-        let region = first.region().to(second.region());
-        let (first, second) = (self.place(first), self.place(second));
-        let (first, second) = (first?, second?);
-        if first.frame == second.frame {
+    /// A torque on a body in space has components.
+    fn is_torque_on_body_in_space(&mut self, load: &'d syntax::Load) -> bool {
+        let (Law::Value(_), Space::Spatial) = (load.form.law, self.definition.space) else { return false };
+        for (subject, acts) in load.on.iter().zip(load.form.on) {
+            if let (SubjectTerm::Name(label), Acts::Rotor) = (subject, acts)
+                && let Some(Part::Body(_)) = self.names.part(&label.text)
+            {
+                self.diagnostics.error(label.region, messages::torque_of_components(&label.text));
+                return true;
+            }
+        }
+        false
+    }
+
+    /// What it acts on; two places belong to two things.
+    fn subjects(&mut self, load: &'d syntax::Load) -> Option<Vec<Subject>> {
+        let subjects: Vec<_> =
+            load.on.iter().zip(load.form.on).map(|(written, acts)| self.subject(written, *acts)).collect();
+        let subjects: Vec<Subject> = subjects.into_iter().collect::<Option<_>>()?;
+        for (subject, written) in subjects.iter().zip(&load.on) {
+            if let Subject::Place(place) = subject
+                && load.form.turns
+                && self.is_particle(place.frame)
+            {
+                self.diagnostics.error(written.region(), messages::particle_turns(&place.text));
+                return None;
+            }
+        }
+        if let [Subject::Place(first), Subject::Place(second)] = &subjects[..]
+            && first.frame == second.frame
+        {
+            let region = load.on[0].region().to(load.on[1].region());
             self.diagnostics.error(region, messages::spring_in_one_body(&first.text, &second.text));
             return None;
         }
-        Some((first, second))
+        Some(subjects)
+    }
+
+    pub(super) fn subject(&mut self, written: &'d SubjectTerm, acts: Acts) -> Option<Subject> {
+        match (written, acts) {
+            (SubjectTerm::Place(place), Acts::Place) => self.place(place).map(Subject::Place),
+            (SubjectTerm::Name(label), Acts::Rotor) => self.rotor(label).map(Subject::Rotor),
+            (SubjectTerm::Name(label), Acts::Travel) => self.slide(label).map(Subject::Travel),
+            (SubjectTerm::Name(label), Acts::Body) => self.turning_body(label).map(Subject::Body),
+            // The parser hands over names where names are meant.
+            (SubjectTerm::Place(_), Acts::Rotor | Acts::Travel | Acts::Body)
+            | (SubjectTerm::Name(_), Acts::Place) => None,
+        }
+    }
+
+    fn load_argument(&mut self, load: &'d syntax::Load, argument: &Argument) -> Option<Vec<Expr>> {
+        match argument.value {
+            Value::Direction => match load.named.tuple(argument.name) {
+                Some(tuple) => self.direction(tuple, argument.name).map(|it| normalised(it).to_vec()),
+                None => Some(Vec::new()),
+            },
+            Value::Scalar(dimension) | Value::Moving(dimension) => match load.named.entry(argument.name) {
+                Some(entry) => Some(vec![self.entry(entry, dimension, Use::COEFFICIENT, argument.name)?]),
+                None => Some(vec![Expr::Number(0.0)]),
+            },
+            Value::Diagonal(dimension) => self.diagonal(&load.named, argument.name, dimension),
+        }
+    }
+
+    /// One value for each axis: as written, or the same for all.
+    pub(super) fn diagonal(
+        &mut self,
+        named: &'d Named,
+        name: &str,
+        dimension: Dimension,
+    ) -> Option<Vec<Expr>> {
+        let axes = self.definition.space.dimensions();
+        match (named.tuple(name), named.entry(name)) {
+            (Some(tuple), _) => {
+                let values = self.vector(tuple, dimension, Use::COEFFICIENT, name)?;
+                Some(values.into_iter().take(axes).collect())
+            }
+            (None, Some(entry)) => Some(vec![self.entry(entry, dimension, Use::COEFFICIENT, name)?; axes]),
+            (None, None) => Some(vec![Expr::Number(0.0); axes]),
+        }
+    }
+
+    fn law(&mut self, load: &'d syntax::Load) -> Option<Vec<Expr>> {
+        let (Law::Value(dimension) | Law::Components(dimension)) = load.form.law else {
+            return Some(Vec::new());
+        };
+        let what = messages::quoted(&load.name.text);
+        match &load.law {
+            LawTerm::None => Some(Vec::new()),
+            LawTerm::Value(value) => {
+                let value = self.value(value, Use::LOAD)?;
+                Some(vec![self.expect_dimension(value, dimension, &what)?])
+            }
+            LawTerm::Components(components) => {
+                Some(self.vector(components, dimension, Use::LOAD, &what)?.to_vec())
+            }
+        }
     }
 
     /// Components of any one dimension, of which only the ratios matter; not all zero.
@@ -120,6 +150,13 @@ impl<'d> Lowering<'d> {
         }
         Some(direction)
     }
+}
+
+/// A value along the direction among the arguments.
+fn directed(load: &syntax::Load, values: &[Vec<Expr>], value: &Expr) -> Vec<Expr> {
+    let arguments = load.form.call.named.iter().zip(values);
+    let directions = arguments.filter(|(argument, _)| argument.is_direction()).flat_map(|(_, it)| it);
+    directions.map(|component| fold::binary(Function2::Mul, value.clone(), component.clone())).collect()
 }
 
 /// x/|x|.

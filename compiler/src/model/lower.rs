@@ -8,12 +8,13 @@ use super::fold;
 use super::names::Names;
 use super::unused::{self, Scope};
 use super::{
-    Axes, Constraint, ConstraintKind, Driver, Expr, Function2, Input, Mechanism, Name, Output, Parameter,
-    StartCondition, StartOrientation, Vector,
+    Axes, Constraint, ConstraintKind, Coupled, Coupling, Driver, Expr, Function2, Input, Mechanism, Name,
+    Output, Parameter, StartCondition, StartOrientation, Subject, Vector,
 };
 use crate::diagnostics::Diagnostics;
+use crate::forms::Acts;
 use crate::messages;
-use crate::syntax::{self, ConstraintTerm, Definition, Entry, Label};
+use crate::syntax::{self, ConstraintTerm, Definition, Entry, Label, SubjectTerm};
 use crate::units::Dimension;
 use std::collections::{HashMap, HashSet};
 
@@ -206,17 +207,15 @@ impl<'d> Lowering<'d> {
 
     fn constraint(&mut self, constraint: &'d syntax::Constraint) -> Option<Constraint> {
         let kind = match &constraint.kind {
-            ConstraintTerm::Gear { first, second, ratio, phase } => {
-                let (first, second) = (self.rotor(first), self.rotor(second));
-                let ratio = self.entry(ratio, Dimension::ONE, Use::COEFFICIENT, "ratio");
-                let phase = self.phase(phase.as_ref(), Dimension::ANGLE)?;
-                ConstraintKind::Gear { first: first?, second: second?, ratio: ratio?, phase }
-            }
-            ConstraintTerm::Rack { pinion, rail, radius, phase } => {
-                let (pinion, rail) = (self.rotor(pinion), self.slide(rail));
-                let radius = self.entry(radius, Dimension::LENGTH, Use::COEFFICIENT, "radius");
-                let phase = self.phase(phase.as_ref(), Dimension::LENGTH)?;
-                ConstraintKind::Rack { pinion: pinion?, rail: rail?, radius: radius?, phase }
+            ConstraintTerm::Coupling { form, kind, on, factor, phase } => {
+                let coupled: Vec<_> =
+                    on.iter().zip(kind.on).map(|(written, (_, acts))| self.coupled(written, acts)).collect();
+                let (name, dimension) = kind.factor;
+                let factor = self.entry(factor, dimension, Use::COEFFICIENT, name);
+                let phase = self.phase(phase.as_ref(), kind.phase)?;
+                let coupled: Vec<Coupled> = coupled.into_iter().collect::<Option<_>>()?;
+                let on = coupled.try_into().ok()?;
+                ConstraintKind::Coupling(Coupling { form, kind, on, factor: factor?, phase })
             }
             ConstraintTerm::Equation { left, right } => {
                 let (left, right) = (self.value(left, Use::EQUATION), self.value(right, Use::EQUATION));
@@ -226,6 +225,15 @@ impl<'d> Lowering<'d> {
             }
         };
         Some(Constraint { name: name(&constraint.name), kind })
+    }
+
+    fn coupled(&mut self, written: &'d SubjectTerm, acts: Acts) -> Option<Coupled> {
+        match self.subject(written, acts)? {
+            Subject::Rotor(rotor) => Some(Coupled::Angle(rotor)),
+            Subject::Travel(joint) => Some(Coupled::Travel(joint)),
+            // Forms of couplings name coordinates only.
+            Subject::Place(_) | Subject::Body(_) => None,
+        }
     }
 
     /// `Some(None)` if it was not given, `None` after an error.

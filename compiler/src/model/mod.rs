@@ -21,7 +21,8 @@ mod unused;
 mod values;
 
 use crate::diagnostics::{Allowed, Region};
-pub use crate::forms::{Alone, JointAxes, JointForm, Space};
+pub use crate::forms::{Alone, JointAxes, JointForm, LoadForm, Space};
+use crate::forms::{Argument, CouplingForm, Proportion};
 pub use crate::syntax::{Budgeted, Shape};
 pub use expression::{Comparison, Condition, Expr, Function1, Function2, Quantity};
 pub use lower::lower;
@@ -292,12 +293,51 @@ pub struct Constraint {
 
 #[derive(Clone, Debug)]
 pub enum ConstraintKind {
-    /// first.angle = ratio · second.angle + phase, multi-turn; `phase` (rad) from the assembled start if not given.
-    Gear { first: Rotor, second: Rotor, ratio: Expr, phase: Option<Expr> },
-    /// rail.travel = radius · pinion.angle + phase, multi-turn; `phase` (m) from the assembled start if not given.
-    Rack { pinion: Rotor, rail: JointId, radius: Expr, phase: Option<Expr> },
+    Coupling(Coupling),
     /// `residual` = 0 (left minus right side as written, SI).
-    Equation { residual: Expr },
+    Equation {
+        residual: Expr,
+    },
+}
+
+/// driven = factor · other + phase, over any number of turns.
+#[derive(Clone, Debug)]
+pub struct Coupling {
+    pub form: &'static CouplingForm,
+    pub kind: &'static Proportion,
+    /// What it couples, in the order of its arguments.
+    pub on: [Coupled; 2],
+    /// Of parameters only.
+    pub factor: Expr,
+    /// rad or m; from the assembled start if it was not given.
+    pub phase: Option<Expr>,
+}
+
+/// A coordinate that a coupling couples.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Coupled {
+    Angle(Rotor),
+    /// The one travel of a joint.
+    Travel(JointId),
+}
+
+impl Coupling {
+    /// The coordinate that is the factor times the other.
+    pub fn driven(&self) -> Coupled {
+        self.on[self.kind.driven]
+    }
+
+    pub fn other(&self) -> Coupled {
+        self.on[1 - self.kind.driven]
+    }
+
+    /// The rotors among what it couples.
+    pub fn rotors(&self) -> impl Iterator<Item = Rotor> {
+        self.on.into_iter().filter_map(|coupled| match coupled {
+            Coupled::Angle(rotor) => Some(rotor),
+            Coupled::Travel(_) => None,
+        })
+    }
 }
 
 /// A rheonomic constraint: quantity = law(time).
@@ -313,24 +353,65 @@ pub struct Driver {
 #[derive(Clone, Debug)]
 pub struct Load {
     pub name: Name,
-    pub kind: LoadKind,
+    pub form: &'static LoadForm,
+    /// What it acts on, in the order of its arguments.
+    pub on: Vec<Subject>,
+    /// Its named arguments in the order of its form, each with its components; zero, or of a direction nothing, where it
+    /// was not written.
+    pub values: Vec<Vec<Expr>>,
+    /// The law behind it: nothing, one value, or components along the axes of the world.
+    pub law: Vec<Expr>,
 }
 
+/// What a load acts on.
 #[derive(Clone, Debug)]
-#[expect(clippy::large_enum_variant, reason = "there are few of them, and each lives in one vector")]
-pub enum LoadKind {
-    /// Force in world axes (N) at a place.
-    Force { place: Place, components: Vector },
-    /// Force (N) along a joint's travel, on the second's body, and opposite on the first.
-    Push { joint: JointId, force: Expr },
-    /// Torque (N m), counter-clockwise, on the rotor's body (on the second, and opposite on the first, for a joint).
-    Torque { on: Rotor, torque: Expr },
-    /// Torque on a body in space, world axes (N m).
-    BodyTorque { body: BodyId, components: Vector },
-    /// Tension stiffness · (distance − length) + damping · d(distance)/dt pulling the places together.
-    Spring { first: Place, second: Place, stiffness: Expr, length: Expr, damping: Expr },
-    /// Torque −stiffness · (angle − rest) − damping · rate on the rotor, with the multi-turn angle.
-    TorsionSpring { on: Rotor, stiffness: Expr, rest: Expr, damping: Expr },
+#[expect(clippy::large_enum_variant, reason = "there are few of them, and most are places")]
+pub enum Subject {
+    Place(Place),
+    Rotor(Rotor),
+    /// The one travel of a joint.
+    Travel(JointId),
+    /// A body in space, about the axes of the world.
+    Body(BodyId),
+}
+
+impl Load {
+    /// The places it acts at.
+    pub fn places(&self) -> impl Iterator<Item = &Place> {
+        self.on.iter().filter_map(|subject| match subject {
+            Subject::Place(place) => Some(place),
+            Subject::Rotor(_) | Subject::Travel(_) | Subject::Body(_) => None,
+        })
+    }
+
+    /// One of its places, as many as its form has.
+    pub fn place(&self, which: usize) -> &Place {
+        self.places().nth(which).expect("places are as many as the form has")
+    }
+
+    /// The rotors it acts on.
+    pub fn rotors(&self) -> impl Iterator<Item = Rotor> {
+        self.on.iter().filter_map(|subject| match subject {
+            Subject::Rotor(rotor) => Some(*rotor),
+            Subject::Place(_) | Subject::Travel(_) | Subject::Body(_) => None,
+        })
+    }
+
+    /// A named argument that is one number, by its index in the form.
+    pub fn value(&self, which: usize) -> &Expr {
+        &self.values[which][0]
+    }
+
+    /// All that it says in expressions.
+    pub fn expressions(&self) -> impl Iterator<Item = &Expr> {
+        self.values.iter().flatten().chain(&self.law)
+    }
+
+    /// Its named arguments that are no directions, with their components.
+    pub fn arguments(&self) -> impl Iterator<Item = (&'static Argument, &[Expr])> {
+        let arguments = self.form.call.named.iter().zip(self.values.iter().map(Vec::as_slice));
+        arguments.filter(|(argument, _)| !argument.is_direction())
+    }
 }
 
 /// `quantity = value` (exact) or `quantity ~ value` (guess), an angle, travel, position, or the rate of one.

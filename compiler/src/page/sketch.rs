@@ -4,19 +4,20 @@
 use super::stand::Stand;
 use crate::compiled::Compiled;
 use crate::drawing::Hinge;
+pub use crate::drawing::load::Effort;
 use crate::drawing::vector::{Point, difference, length, sum};
+use crate::equations::loads::{self, LoadKind};
 use crate::forms::Spans;
-use crate::model::{Frame, LoadKind, Place, Shape, Space};
+use crate::model::{Frame, Shape, Space};
 
 /// A mechanism at its start.
-#[derive(Clone, Debug)]
 pub struct Sketch {
     pub space: Space,
     /// Against gravity, or the usual way up.
     pub up: Point,
     pub parts: Vec<Part>,
     pub hinges: Vec<Hinge>,
-    pub efforts: Vec<Effort>,
+    pub efforts: Vec<(&'static LoadKind, Effort)>,
     pub wheels: Vec<Wheel>,
 }
 
@@ -35,42 +36,6 @@ pub struct Part {
     /// How many joints it has, and whether one of them draws a block in its place.
     pub joints: usize,
     pub is_block: bool,
-}
-
-/// A load.
-#[derive(Clone, Debug)]
-pub struct Effort {
-    pub name: String,
-    pub kind: EffortKind,
-}
-
-#[derive(Clone, Debug)]
-pub enum EffortKind {
-    /// Along a unit vector.
-    Force {
-        at: Point,
-        along: Point,
-    },
-    Torque {
-        at: Point,
-        about: Point,
-    },
-    Spring {
-        ends: [End; 2],
-        is_elastic: bool,
-        is_damped: bool,
-    },
-    TorsionSpring {
-        at: Point,
-        about: Point,
-    },
-}
-
-/// An end of a spring.
-#[derive(Clone, Copy, Debug)]
-pub struct End {
-    pub at: Point,
-    pub is_grounded: bool,
 }
 
 /// The pitch circle of a gear wheel or pinion.
@@ -128,14 +93,15 @@ impl Sketch {
             }
         }
         for load in &mechanism.loads {
-            for place in places(&load.kind) {
+            for place in load.places() {
                 touch(place.frame, stand.place(place));
             }
         }
         for hinge in &mut hinges {
             settle(hinge, &parts, mechanism.space);
         }
-        let efforts = mechanism.loads.iter().filter_map(|load| stand.effort(load, &hinges)).collect();
+        let efforts =
+            mechanism.loads.iter().map(|load| (loads::of(load.form), stand.effort(load, &hinges))).collect();
         let wheels = stand.wheels(&hinges);
         Sketch { space: mechanism.space, up: stand.up(), parts, hinges, efforts, wheels }
     }
@@ -148,16 +114,5 @@ impl Part {
         if !self.spots.iter().any(near) {
             self.spots.push(at);
         }
-    }
-}
-
-fn places(kind: &LoadKind) -> Vec<&Place> {
-    match kind {
-        LoadKind::Force { place, .. } => vec![place],
-        LoadKind::Spring { first, second, .. } => vec![first, second],
-        LoadKind::Push { .. }
-        | LoadKind::Torque { .. }
-        | LoadKind::BodyTorque { .. }
-        | LoadKind::TorsionSpring { .. } => Vec::new(),
     }
 }

@@ -1,12 +1,15 @@
 //! Numbers of the mechanism as it stands at its start, from which the sketch is made.
 
-use super::sketch::{Effort, EffortKind, End, Part, Wheel};
+use super::sketch::{Effort, Part, Wheel};
 use crate::compiled::Compiled;
 use crate::drawing::Hinge;
+use crate::drawing::load::End;
 use crate::drawing::vector::{Point, apply, cross, difference, dot, length, pad, sum, unit};
 use crate::equations::{Equations, Laws, space};
 use crate::forms::Spans;
-use crate::model::{Axes, Body, ConstraintKind, Frame, Joint, Load, LoadKind, Place, Rotor, Space, Vector};
+use crate::model::{
+    Axes, Body, ConstraintKind, Coupled, Expr, Frame, Joint, Load, Place, Rotor, Space, Subject, Vector,
+};
 use crate::symbolic::{Graph, Node, Op, evaluate_reachable};
 
 /// The mechanism at its start: default parameters, time 0, all inputs 1, so that loads have a direction.
@@ -158,51 +161,24 @@ impl<'a> Stand<'a> {
         part
     }
 
-    pub fn effort(&mut self, load: &Load, hinges: &[Hinge]) -> Option<Effort> {
-        let kind = match &load.kind {
-            LoadKind::Force { place, components } => {
-                let along = self.vector(components);
-                EffortKind::Force { at: self.place(place), along }
-            }
-            LoadKind::Push { joint, force } => {
-                let sign = self.built(|laws| vec![laws.value(force).bare])[0];
-                let hinge = &hinges[joint.0];
-                EffortKind::Force { at: hinge.second, along: hinge.axis.map(|x| sign * x) }
-            }
-            LoadKind::Torque { on, torque } => {
-                let sign = self.built(|laws| vec![laws.value(torque).bare])[0];
-                let (at, about) = self.rotor(*on, hinges);
-                EffortKind::Torque { at, about: about.map(|x| sign * x) }
-            }
-            LoadKind::BodyTorque { body, components } => {
-                EffortKind::Torque { at: self.poses[body.0].0, about: self.vector(components) }
-            }
-            LoadKind::Spring { first, second, stiffness, damping, .. } => {
-                let [k, c] =
-                    self.built(|laws| vec![laws.value(stiffness).bare, laws.value(damping).bare])[..]
-                else {
-                    return None;
-                };
-                let ends = [first, second]
-                    .map(|place| End { at: self.place(place), is_grounded: place.frame == Frame::Ground });
-                EffortKind::Spring { ends, is_elastic: k != 0.0, is_damped: c != 0.0 }
-            }
-            LoadKind::TorsionSpring { on, .. } => {
-                let (at, about) = self.rotor(*on, hinges);
-                EffortKind::TorsionSpring { at, about }
-            }
-        };
-        // What is zero at the start, or nothing yet, has no direction to be drawn in.
-        let kind = match kind {
-            EffortKind::Force { at, along } => {
-                EffortKind::Force { at, along: Some(unit(along)).filter(|it| *it != [0.0; 3])? }
-            }
-            EffortKind::Torque { at, about } => {
-                EffortKind::Torque { at, about: Some(unit(about)).filter(|it| *it != [0.0; 3])? }
-            }
-            other => other,
-        };
-        Some(Effort { name: load.name.text.clone(), kind })
+    pub fn effort(&mut self, load: &Load, hinges: &[Hinge]) -> Effort {
+        let end = |(at, axis): (Point, Point)| End { at, axis, is_grounded: false };
+        let mut ends = Vec::new();
+        for subject in &load.on {
+            ends.push(match subject {
+                Subject::Place(place) => {
+                    let is_grounded = place.frame == Frame::Ground;
+                    End { at: self.place(place), axis: [0.0; 3], is_grounded }
+                }
+                Subject::Rotor(rotor) => end(self.rotor(*rotor, hinges)),
+                Subject::Travel(joint) => end((hinges[joint.0].second, hinges[joint.0].axis)),
+                Subject::Body(body) => end((self.poses[body.0].0, [0.0; 3])),
+            });
+        }
+        let mut numbers =
+            |exprs: &[Expr]| pad(&self.built(|laws| exprs.iter().map(|it| laws.value(it).bare).collect()));
+        let values = load.values.iter().map(|value| numbers(value)).collect();
+        Effort { name: load.name.text.clone(), ends, values, law: numbers(&load.law) }
     }
 
     /// Centre and axis of what turns.
@@ -221,22 +197,23 @@ impl<'a> Stand<'a> {
         let (mut wheels, mut inner): (Vec<Wheel>, Vec<[Wheel; 2]>) = (Vec::new(), Vec::new());
         for constraint in &self.compiled.mechanism.constraints {
             let of = &constraint.name.text;
-            match &constraint.kind {
-                ConstraintKind::Gear { first, second, ratio, .. } => {
-                    let ratio = self.built(|laws| vec![laws.value(ratio).bare])[0];
-                    let rotors = [first, second].map(|it| self.rotor(*it, hinges));
-                    match mesh(of, rotors, ratio) {
-                        Some(pair) if ratio < 0.0 => wheels.extend(pair),
+            let ConstraintKind::Coupling(coupling) = &constraint.kind else { continue };
+            let factor = self.built(|laws| vec![laws.value(&coupling.factor).bare])[0];
+            match [coupling.driven(), coupling.other()] {
+                [Coupled::Angle(first), Coupled::Angle(second)] => {
+                    let rotors = [first, second].map(|it| self.rotor(it, hinges));
+                    match mesh(of, rotors, factor) {
+                        Some(pair) if factor < 0.0 => wheels.extend(pair),
                         Some(pair) => inner.push(pair),
                         None => {}
                     }
                 }
-                ConstraintKind::Rack { pinion, radius, .. } => {
-                    let radius = self.built(|laws| vec![laws.value(radius).bare])[0].abs();
-                    let (center, about) = self.rotor(*pinion, hinges);
-                    wheels.push(Wheel { of: of.clone(), center, about, radius });
+                [Coupled::Travel(_), Coupled::Angle(pinion)]
+                | [Coupled::Angle(pinion), Coupled::Travel(_)] => {
+                    let (center, about) = self.rotor(pinion, hinges);
+                    wheels.push(Wheel { of: of.clone(), center, about, radius: factor.abs() });
                 }
-                ConstraintKind::Equation { .. } => {}
+                [Coupled::Travel(_), Coupled::Travel(_)] => {}
             }
         }
         // A positive ratio may be a ring gear's or a belt's: a ring's where it agrees with a wheel that is known.

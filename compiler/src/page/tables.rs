@@ -6,8 +6,10 @@ use super::text::decimal;
 use crate::compiled::Compiled;
 use crate::equations::conditions;
 use crate::equations::coordinates::rotor_name;
+use crate::forms::Law;
 use crate::model::{
-    Body, BodyKind, Condition, ConstraintKind, Expr, Frame, JointId, LoadKind, Mechanism, Space, Vector, fold,
+    Body, BodyKind, Condition, ConstraintKind, Coupled, Expr, Frame, JointId, Load, Mechanism, Space,
+    Subject, Vector, fold,
 };
 use std::collections::BTreeSet;
 
@@ -97,14 +99,16 @@ pub fn couplings(page: &mut String, compiled: &Compiled) {
     let mechanism = &compiled.mechanism;
     let mut table = Table::new(&["coupling", "what it holds"]);
     for constraint in &mechanism.constraints {
-        let rotor = |rotor| code(&format!("{}.angle", rotor_name(mechanism, rotor)));
+        let coordinate = |coupled| match coupled {
+            Coupled::Angle(rotor) => code(&format!("{}.angle", rotor_name(mechanism, rotor))),
+            Coupled::Travel(joint) => code(&format!("{}.travel", joint_name(mechanism, joint))),
+        };
         let holds = match &constraint.kind {
-            ConstraintKind::Gear { first, second, ratio, .. } => {
-                format!("{} = {} · {} + phase", rotor(*first), value(mechanism, ratio), rotor(*second))
-            }
-            ConstraintKind::Rack { pinion, rail, radius, .. } => {
-                let travel = code(&format!("{}.travel", joint_name(mechanism, *rail)));
-                format!("{travel} = {} m · {} + phase", value(mechanism, radius), rotor(*pinion))
+            ConstraintKind::Coupling(coupling) => {
+                let (_, dimension) = coupling.kind.factor;
+                let unit = if dimension.is_one() { String::new() } else { format!("{dimension} ") };
+                let (driven, other) = (coordinate(coupling.driven()), coordinate(coupling.other()));
+                format!("{driven} = {} {unit}· {other} + phase", value(mechanism, &coupling.factor))
             }
             ConstraintKind::Equation { .. } => "an equation; its row stands under Φ".to_string(),
         };
@@ -121,44 +125,36 @@ pub fn loads(page: &mut String, compiled: &Compiled) {
     let mechanism = &compiled.mechanism;
     let mut table = Table::new(&["load", "kind", "on", "data"]);
     for load in &mechanism.loads {
-        let joint = |joint: JointId| code(joint_name(mechanism, joint));
-        let (kind, on, data) = match &load.kind {
-            LoadKind::Force { place, components } => ("force", code(&place.text), law(mechanism, components)),
-            LoadKind::Push { joint: id, force } => {
-                ("force along the travel", joint(*id), law(mechanism, std::slice::from_ref(force)))
-            }
-            LoadKind::Torque { on, torque } => {
-                ("torque", code(rotor_name(mechanism, *on)), law(mechanism, std::slice::from_ref(torque)))
-            }
-            LoadKind::BodyTorque { body, components } => {
-                ("torque", code(&mechanism.bodies[body.0].name.text), law(mechanism, components))
-            }
-            LoadKind::Spring { first, second, stiffness, length, damping } => {
-                let on = format!("{}, {}", code(&first.text), code(&second.text));
-                let data =
-                    [("stiffness", stiffness, "N/m"), ("length", length, "m"), ("damping", damping, "N s/m")];
-                ("spring", on, data_of(mechanism, &data))
-            }
-            LoadKind::TorsionSpring { on, stiffness, rest, damping } => {
-                let data =
-                    [("stiffness", stiffness, "N m"), ("angle", rest, "rad"), ("damping", damping, "N m s")];
-                ("torsion spring", code(rotor_name(mechanism, *on)), data_of(mechanism, &data))
-            }
+        let on = load.on.iter().map(|subject| match subject {
+            Subject::Place(place) => code(&place.text),
+            Subject::Rotor(rotor) => code(rotor_name(mechanism, *rotor)),
+            Subject::Travel(joint) => code(joint_name(mechanism, *joint)),
+            Subject::Body(body) => code(&mechanism.bodies[body.0].name.text),
+        });
+        let on: Vec<String> = on.collect();
+        let data = match load.form.law {
+            Law::None => arguments(mechanism, load),
+            Law::Value(_) | Law::Components(_) => law(mechanism, &load.law),
         };
-        let kind = match &load.kind {
-            LoadKind::Spring { stiffness: Expr::Number(0.0), .. } => "damper",
-            _ => kind,
-        };
-        table.row(vec![code(&load.name.text), kind.to_string(), on, data]);
+        table.row(vec![code(&load.name.text), load.form.title.to_string(), on.join(", "), data]);
     }
     table.write(page, "Loads");
 }
 
-fn data_of(mechanism: &Mechanism, data: &[(&str, &Expr, &str)]) -> String {
-    let given = data.iter().filter(|(_, expr, _)| !matches!(expr, Expr::Number(0.0)));
-    let texts: Vec<String> =
-        given.map(|(what, expr, unit)| format!("{what} {} {unit}", value(mechanism, expr))).collect();
-    texts.join(", ")
+/// The named arguments that are not zero.
+fn arguments(mechanism: &Mechanism, load: &Load) -> String {
+    let is_zero = |values: &[Expr]| values.iter().all(|expr| matches!(expr, Expr::Number(0.0)));
+    let given = load.arguments().filter(|(_, values)| !is_zero(values));
+    let texts = given.map(|(argument, values)| {
+        let values: Vec<String> = values.iter().map(|expr| value(mechanism, expr)).collect();
+        let values = match &values[..] {
+            [first, others @ ..] if others.iter().all(|other| other == first) => first.clone(),
+            several => format!("({})", several.join(", ")),
+        };
+        let unit = argument.dimension().map(|dimension| dimension.to_string().replace('*', " "));
+        format!("{} {values} {}", argument.name, unit.unwrap_or_default())
+    });
+    texts.collect::<Vec<_>>().join(", ")
 }
 
 /// What a law depends on.

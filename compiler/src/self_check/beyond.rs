@@ -5,7 +5,6 @@ use super::machine::Machine;
 use super::quantity::{Along, Quantity, dot};
 use super::{Check, Report, rows};
 use crate::equations::tangent::Matrix;
-use crate::model::LoadKind;
 use crate::schedule::{Function, Inputs, sources};
 use crate::symbolic::evaluate_reachable;
 
@@ -87,7 +86,7 @@ fn springs(machine: &Machine, report: &mut Report) {
     let back = Inputs { v: inputs.v.iter().map(|v| -v).collect(), ..inputs.clone() };
     let powers = [inputs, &back].map(|inputs| machine.run(Function::Powers, inputs));
     for (index, load) in compiled.mechanism.loads.iter().enumerate() {
-        if matches!(load.kind, LoadKind::Spring { .. } | LoadKind::TorsionSpring { .. }) {
+        if load.form.stores {
             let taken = (powers[0][index] - powers[1][index]) * 0.5;
             report.compare(Check::Springs, || format!("\"{}\"", load.name.text), taken, -stored[index]);
         }

@@ -3,8 +3,8 @@
 use super::machine::Machine;
 use super::quantity::{Along, Quantity, dot};
 use super::{Check, Report, rows};
+use crate::forms::Law;
 use crate::functions::Function;
-use crate::model::LoadKind;
 use crate::schedule::Inputs;
 use crate::symbolic::Node;
 
@@ -63,7 +63,7 @@ fn energy(machine: &Machine, report: &mut Report) {
     let mut expected = dot(&inverse, &inputs.v) - rates[1];
     for (index, load) in machine.compiled.mechanism.loads.iter().enumerate() {
         expected = expected + powers[index];
-        if matches!(load.kind, LoadKind::Spring { .. } | LoadKind::TorsionSpring { .. }) {
+        if load.form.stores {
             expected = expected - (powers[index] - backwards[index]) * 0.5;
         }
     }
@@ -73,10 +73,9 @@ fn energy(machine: &Machine, report: &mut Report) {
 /// Whether no support moves by itself: it would work on what it carries.
 pub fn stands_still(machine: &Machine) -> bool {
     let equations = &machine.compiled.equations;
-    let springs =
-        machine.compiled.mechanism.loads.iter().enumerate().filter(|(_, load)| {
-            matches!(load.kind, LoadKind::Spring { .. } | LoadKind::TorsionSpring { .. })
-        });
+    // What has no law of its own changes with time only where its places do.
+    let all = machine.compiled.mechanism.loads.iter().enumerate();
+    let springs = all.filter(|(_, load)| load.form.law == Law::None);
     let of_springs = springs.flat_map(|(index, _)| {
         equations.contributions.loads[index].iter().chain([&equations.powers[index]]).copied()
     });

@@ -3,7 +3,6 @@
 use super::attributes::Bearer;
 use super::definition::{Body, Label, Marker, MarkerAxes, Shape, Space};
 use super::parser::{Failed, Parsed, Parser};
-use super::statements::STATEMENTS;
 use super::token::Cursor;
 use crate::messages;
 use proc_macro2::Delimiter;
@@ -168,7 +167,8 @@ impl Parser {
             }
             Some(word) => {
                 let allowed: Vec<&str> = allowed.iter().chain(vectors).copied().collect();
-                let message = messages::unknown_property(shape.text(), word, &allowed, &STATEMENTS);
+                let message =
+                    messages::unknown_property(shape.text(), word, &allowed, &self.statement_words());
                 self.fail(c.region(), message)
             }
             None => self.expected(c, "a property of the body"),

@@ -3,121 +3,16 @@
 //! A table says which arguments each kind takes; what the places are is left to `model`.
 
 use super::definition::{
-    Constraint, ConstraintTerm, Entry, FirstTerm, Joint, Label, LineTerm, Load, LoadTerm, Named, Operator,
-    PlaceTerm, Space, Term, TermKind, Tuple,
+    Constraint, ConstraintTerm, Entry, FirstTerm, Joint, Label, LawTerm, LineTerm, Load, Named, Operator,
+    PlaceTerm, Space, SubjectTerm, Term, TermKind, Tuple,
 };
 use super::expression::is_call;
 use super::parser::{Failed, Parsed, Parser};
 use super::token::Cursor;
 use crate::diagnostics::Region;
-use crate::forms::{Argument, Form, Need, Positional, Value};
+use crate::forms::{Acts, Argument, Factor, Form, Law, Means, Positional, Value, Written};
 use crate::messages::{self, Habit};
-use crate::units::Dimension;
 use proc_macro2::Delimiter;
-
-const ROTORS: &[Positional] = &[Positional::Rotor, Positional::Rotor];
-
-/// Bevel and worm gears are gears, whatever the axes; a belt is a gear by its radii, a screw a rack by its pitch, and a
-/// differential an equation.
-const COUPLINGS: [Form; 7] = [
-    Form {
-        word: "gear",
-        elsewhere: &[],
-        positional: ROTORS,
-        named: &[
-            Argument::scalar("ratio", Need::Always, Dimension::ONE),
-            Argument::scalar("phase", Need::Never, Dimension::ANGLE),
-        ],
-    },
-    Form {
-        word: "bevel",
-        elsewhere: &[],
-        positional: ROTORS,
-        named: &[
-            Argument::scalar("ratio", Need::Always, Dimension::ONE),
-            Argument::scalar("phase", Need::Never, Dimension::ANGLE),
-        ],
-    },
-    Form {
-        word: "worm",
-        elsewhere: &[],
-        positional: ROTORS,
-        named: &[
-            Argument::scalar("ratio", Need::Always, Dimension::ONE),
-            Argument::scalar("phase", Need::Never, Dimension::ANGLE),
-        ],
-    },
-    Form {
-        word: "belt",
-        elsewhere: &[],
-        positional: ROTORS,
-        named: &[
-            Argument::scalar("radius", Need::Always, Dimension::LENGTH),
-            Argument::scalar("second_radius", Need::Always, Dimension::LENGTH),
-            Argument::scalar("phase", Need::Never, Dimension::ANGLE),
-        ],
-    },
-    Form {
-        word: "rack",
-        elsewhere: &[],
-        positional: ROTORS,
-        named: &[
-            Argument::scalar("radius", Need::Always, Dimension::LENGTH),
-            Argument::scalar("phase", Need::Never, Dimension::LENGTH),
-        ],
-    },
-    Form {
-        word: "screw",
-        elsewhere: &[],
-        positional: ROTORS,
-        named: &[
-            Argument::scalar("pitch", Need::Always, Dimension::LENGTH),
-            Argument::scalar("phase", Need::Never, Dimension::LENGTH),
-        ],
-    },
-    Form {
-        word: "differential",
-        elsewhere: &[],
-        positional: &[Positional::Rotor, Positional::Rotor, Positional::Rotor],
-        named: &[],
-    },
-];
-
-const LOADS: [Form; 5] = [
-    Form {
-        word: "force",
-        elsewhere: &[],
-        positional: &[Positional::Place],
-        named: &[Argument::direction("direction", Need::Never)],
-    },
-    Form { word: "torque", elsewhere: &[], positional: &[Positional::Rotor], named: &[] },
-    Form {
-        word: "spring",
-        elsewhere: &[],
-        positional: &[Positional::Place, Positional::Place],
-        named: &[
-            Argument::scalar("stiffness", Need::Always, Dimension::STIFFNESS),
-            Argument::scalar("length", Need::Always, Dimension::LENGTH),
-            Argument::scalar("damping", Need::Never, Dimension::DAMPING),
-        ],
-    },
-    Form {
-        word: "damper",
-        elsewhere: &[],
-        positional: &[Positional::Place, Positional::Place],
-        named: &[Argument::scalar("damping", Need::Always, Dimension::DAMPING)],
-    },
-    Form {
-        word: "torsion_spring",
-        elsewhere: &[],
-        positional: &[Positional::Rotor],
-        named: &[
-            Argument::scalar("stiffness", Need::Always, Dimension::TORQUE),
-            Argument::scalar("angle", Need::Never, Dimension::ANGLE),
-            Argument::scalar("damping", Need::Never, Dimension::ANGULAR_DAMPING),
-        ],
-    },
-];
 
 /// The arguments of one call.
 #[derive(Default)]
@@ -146,9 +41,48 @@ impl Arguments {
         self.entry(name).ok_or(Failed)
     }
 
-    fn tuple(&mut self, name: &str) -> Option<Tuple> {
-        let index = self.named.tuples.iter().position(|(label, _)| label.text == name)?;
-        Some(self.named.tuples.remove(index).1)
+    /// The unnamed arguments, in the order of the form.
+    fn subjects(&mut self, form: &Form) -> Parsed<Vec<SubjectTerm>> {
+        let subject = |positional: &Positional| match positional {
+            Positional::Place => self.place().map(SubjectTerm::Place),
+            Positional::Rotor => self.rotor().map(SubjectTerm::Name),
+            Positional::Line => Err(Failed),
+        };
+        form.positional.iter().map(subject).collect()
+    }
+
+    /// The factor of a proportion; what is made of arguments is as if written at `region`.
+    fn factor(&mut self, factor: Factor, region: Region) -> Parsed<Entry> {
+        Ok(match factor {
+            Factor::Argument(name) => self.required(name)?,
+            Factor::Quotient { of, to } => {
+                let (of, to) = (self.required(of)?, self.required(to)?);
+                Entry::bare(of.term().over(to.term()))
+            }
+            Factor::PerTurn(name) => {
+                let turn = number(region, "2").times(Term::name(region, "pi"));
+                Entry::bare(self.required(name)?.term().over(turn))
+            }
+        })
+    }
+
+    fn has_tuple(&self, name: &str) -> bool {
+        self.named.tuple(name).is_some()
+    }
+}
+
+/// The angle of what is named.
+fn angle_of(subject: &SubjectTerm) -> Parsed<Term> {
+    let label = name_of(subject).ok_or(Failed)?;
+    Ok(Term::name(label.region, &format!("{}.angle", label.text)))
+}
+
+/// A name without a point, where that is written.
+fn name_of(subject: &SubjectTerm) -> Option<&Label> {
+    match subject {
+        SubjectTerm::Name(label) => Some(label),
+        SubjectTerm::Place(PlaceTerm::Named(path)) => path.parts.first().filter(|_| path.parts.len() == 1),
+        SubjectTerm::Place(PlaceTerm::Ground(_)) => None,
     }
 }
 
@@ -182,7 +116,7 @@ impl Parser {
     pub fn constraint(&mut self, c: &mut Cursor) -> Parsed<()> {
         let name = self.declared(c, "the name of the constraint")?;
         self.punct(c, ':')?;
-        if c.word().is_some_and(|word| COUPLINGS.iter().any(|form| form.word == word)) && is_call(c) {
+        if c.word().is_some_and(|word| self.words_of_couplings().contains(&word)) && is_call(c) {
             return self.coupling_call(c, name);
         }
         let left = self.expression(c)?;
@@ -212,42 +146,46 @@ impl Parser {
     }
 
     fn coupling_call(&mut self, c: &mut Cursor, name: Label) -> Parsed<()> {
-        let forms: Vec<&Form> = COUPLINGS.iter().collect();
+        let couplings = self.vocabulary.couplings;
+        let forms: Vec<&Form> = couplings.iter().map(|coupling| &coupling.call).collect();
         let (which, mut arguments) = self.call_of(c, &forms, "constraint")?;
-        let form = forms[which];
+        let form = couplings[which];
         let region = name.region.to(c.previous());
         self.semicolon(c)?;
-        let (first, second) = (arguments.rotor()?, arguments.rotor()?);
-        let phase = arguments.entry("phase");
-        let kind = match form.word {
-            "rack" => ConstraintTerm::Rack {
-                pinion: first,
-                rail: second,
-                radius: arguments.required("radius")?,
-                phase,
-            },
-            "screw" => {
-                // travel = pitch/(2π) · angle
-                let turn = number(region, "2").times(Term::name(region, "pi"));
-                let radius = arguments.required("pitch")?.term().over(turn);
-                ConstraintTerm::Rack { pinion: first, rail: second, radius: Entry::bare(radius), phase }
+        let on = arguments.subjects(&form.call)?;
+        let kind = match form.means {
+            Means::Proportion { kind, factor } => {
+                let factor = arguments.factor(factor, region)?;
+                ConstraintTerm::Coupling { form, kind, on, factor, phase: arguments.entry("phase") }
             }
-            "belt" => {
-                // r₁ θ₁ = r₂ θ₂
-                let (own, other) = (arguments.required("radius")?, arguments.required("second_radius")?);
-                let ratio = Entry::bare(other.term().over(own.term()));
-                ConstraintTerm::Gear { first, second, ratio, phase }
+            Means::Sum { of: [one, other], times, by } => {
+                let (by, one, other) = (angle_of(&on[by])?, angle_of(&on[one])?, angle_of(&on[other])?);
+                ConstraintTerm::Equation { left: one.plus(other), right: number(region, times).times(by) }
             }
-            "differential" => {
-                // The carrier turns by the mean of both wheels.
-                let angle = |label: &Label| Term::name(label.region, &format!("{}.angle", label.text));
-                let (carrier, a, b) = (angle(&first), angle(&second), angle(&arguments.rotor()?));
-                ConstraintTerm::Equation { left: a.plus(b), right: number(region, "2").times(carrier) }
-            }
-            _ => ConstraintTerm::Gear { first, second, ratio: arguments.required("ratio")?, phase },
         };
         self.definition.constraints.push(Constraint { name, kind });
         Ok(())
+    }
+
+    /// The words of couplings, each of which begins a statement.
+    pub fn words_of_couplings(&self) -> Vec<&'static str> {
+        self.vocabulary.couplings.iter().map(|coupling| coupling.call.word).collect()
+    }
+
+    /// How loads are written, each word once.
+    fn calls_of_loads(&self) -> Vec<&'static Form> {
+        let mut calls: Vec<&Form> = Vec::new();
+        for load in (self.vocabulary.loads)(self.definition.space) {
+            if calls.iter().all(|call| call.word != load.call.word) {
+                calls.push(&load.call);
+            }
+        }
+        calls
+    }
+
+    /// The words of loads, each of which begins a statement.
+    pub fn words_of_loads(&self) -> Vec<&'static str> {
+        self.calls_of_loads().into_iter().map(|call| call.word).collect()
     }
 
     /// `name: kind(…) = law;` after `force` or the load's own word.
@@ -255,66 +193,47 @@ impl Parser {
         let name = self.declared(c, "the name of the load")?;
         self.punct(c, ':')?;
         let at = c.region();
-        let forms: Vec<&Form> = LOADS.iter().collect();
+        let loads = (self.vocabulary.loads)(self.definition.space);
+        let forms = self.calls_of_loads();
         let (which, mut arguments) = self.call_of(c, &forms, "load")?;
-        let form = forms[which];
-        if word != "force" && word != form.word {
-            return self.fail(at, messages::other_load(word, form.word));
+        let call = forms[which];
+        if word != "force" && word != call.word {
+            return self.fail(at, messages::other_load(word, call.word));
         }
-        let has_law = matches!(form.word, "force" | "torque");
+        let mut of_word = loads.into_iter().filter(|load| load.call.word == call.word);
+        let has_law = of_word.clone().any(|load| load.law != Law::None);
         if has_law && !c.eat_punct('=') {
-            return self.expected(c, &format!("`=` and the law of the {}", form.word));
+            return self.expected(c, &format!("`=` and the law of the {}", call.word));
         }
         if !has_law && c.at_punct('=') {
-            return self.fail(c.region(), messages::load_without_law(form.word));
+            return self.fail(c.region(), messages::load_without_law(call.word));
         }
-        let kind = match form.word {
-            "force" => {
-                let place = arguments.place()?;
-                let several = c.inside(Delimiter::Parenthesis).is_some_and(|inside| inside.has_comma());
-                match (arguments.tuple("direction"), place) {
-                    (Some(_), _) if several => {
-                        return self.fail(c.region(), messages::direction_and_components());
-                    }
-                    (Some(direction), place) => {
-                        LoadTerm::Force { place, direction, value: self.expression(c)? }
-                    }
-                    (None, PlaceTerm::Named(path)) if path.parts.len() == 1 && !several => {
-                        LoadTerm::Push { on: path.parts[0].clone(), value: self.expression(c)? }
-                    }
-                    (None, place) => LoadTerm::Components { place, components: self.components(c)? },
-                }
+        let mut on = arguments.subjects(call)?;
+        let written = Written {
+            is_name: on.first().is_some_and(|subject| name_of(subject).is_some()),
+            is_directed: call.named.iter().any(|it| it.is_direction() && arguments.has_tuple(it.name)),
+            has_components: c.inside(Delimiter::Parenthesis).is_some_and(|inside| inside.has_comma()),
+        };
+        let meant = of_word.clone().find(|load| load.meant.is_some_and(|meant| meant(&written)));
+        let Some(form) = meant.or_else(|| of_word.find(|load| load.meant.is_none())) else {
+            return Err(Failed);
+        };
+        for (subject, acts) in on.iter_mut().zip(form.on) {
+            if let (false, Some(name)) = (*acts == Acts::Place, name_of(subject).cloned()) {
+                *subject = SubjectTerm::Name(name);
             }
-            "torque" => {
-                let on = arguments.rotor()?;
-                let several = c.inside(Delimiter::Parenthesis).is_some_and(|inside| inside.has_comma());
-                if several && self.definition.space == Space::Spatial {
-                    LoadTerm::BodyTorque { on, components: self.vector(c, None)? }
-                } else {
-                    LoadTerm::Torque { on, value: self.expression(c)? }
-                }
+        }
+        let law = match form.law {
+            Law::None => LawTerm::None,
+            Law::Value(_) => LawTerm::Value(self.expression(c)?),
+            Law::Components(_) if written.is_directed && written.has_components => {
+                return self.fail(c.region(), messages::direction_and_components());
             }
-            "spring" => LoadTerm::Spring {
-                first: arguments.place()?,
-                second: arguments.place()?,
-                stiffness: arguments.required("stiffness")?,
-                length: arguments.required("length")?,
-                damping: arguments.entry("damping"),
-            },
-            "damper" => LoadTerm::Damper {
-                first: arguments.place()?,
-                second: arguments.place()?,
-                damping: arguments.required("damping")?,
-            },
-            _ => LoadTerm::TorsionSpring {
-                on: arguments.rotor()?,
-                stiffness: arguments.required("stiffness")?,
-                angle: arguments.entry("angle"),
-                damping: arguments.entry("damping"),
-            },
+            Law::Components(_) if written.is_directed => LawTerm::Value(self.expression(c)?),
+            Law::Components(_) => LawTerm::Components(self.components(c)?),
         };
         self.semicolon(c)?;
-        self.definition.loads.push(Load { name, kind });
+        self.definition.loads.push(Load { name, form, on, named: arguments.named, law });
         Ok(())
     }
 
@@ -445,6 +364,16 @@ impl Parser {
             Value::Scalar(_) | Value::Moving(_) => {
                 let entry = self.entry(c, unit)?;
                 arguments.named.entries.push((label, entry));
+            }
+            Value::Diagonal(_) => {
+                self.punct(c, '=')?;
+                if c.inside(Delimiter::Parenthesis).is_some_and(|inside| inside.has_comma()) {
+                    let tuple = self.vector(c, unit)?;
+                    arguments.named.tuples.push((label, tuple));
+                } else {
+                    let value = self.expression(c)?;
+                    arguments.named.entries.push((label, Entry { unit, value }));
+                }
             }
         }
         self.argument_end(c)

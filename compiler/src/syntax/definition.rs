@@ -2,7 +2,7 @@
 //! and nothing converted. Every part keeps its place in the source.
 
 use crate::diagnostics::{Allowed, Region};
-use crate::forms::JointForm;
+use crate::forms::{CouplingForm, JointForm, LoadForm, Proportion};
 pub use crate::forms::{Shape, Space};
 use crate::units::Unit;
 use proc_macro2::TokenStream;
@@ -366,9 +366,17 @@ pub struct Constraint {
 /// The kinds of constraints that are no joints.
 #[derive(Clone, Debug)]
 pub enum ConstraintTerm {
-    Gear { first: Label, second: Label, ratio: Entry, phase: Option<Entry> },
-    Rack { pinion: Label, rail: Label, radius: Entry, phase: Option<Entry> },
-    Equation { left: Term, right: Term },
+    Coupling {
+        form: &'static CouplingForm,
+        kind: &'static Proportion,
+        on: Vec<SubjectTerm>,
+        factor: Entry,
+        phase: Option<Entry>,
+    },
+    Equation {
+        left: Term,
+        right: Term,
+    },
 }
 
 /// `drive name: crank_pin.angle = law;`
@@ -383,54 +391,37 @@ pub struct Driver {
 #[derive(Clone, Debug)]
 pub struct Load {
     pub name: Label,
-    pub kind: LoadTerm,
+    pub form: &'static LoadForm,
+    /// What it acts on, as many as its form says.
+    pub on: Vec<SubjectTerm>,
+    pub named: Named,
+    pub law: LawTerm,
 }
 
-/// The kinds of loads.
+/// What a load acts on or a coupling couples, as written.
 #[derive(Clone, Debug)]
-pub enum LoadTerm {
-    Force {
-        place: PlaceTerm,
-        direction: Tuple,
-        value: Term,
-    },
-    Components {
-        place: PlaceTerm,
-        components: Tuple,
-    },
-    /// Along the travel of a joint.
-    Push {
-        on: Label,
-        value: Term,
-    },
-    Torque {
-        on: Label,
-        value: Term,
-    },
-    /// On a body in space, world axes.
-    BodyTorque {
-        on: Label,
-        components: Tuple,
-    },
-    Spring {
-        first: PlaceTerm,
-        second: PlaceTerm,
-        stiffness: Entry,
-        length: Entry,
-        damping: Option<Entry>,
-    },
-    /// A spring without stiffness and length.
-    Damper {
-        first: PlaceTerm,
-        second: PlaceTerm,
-        damping: Entry,
-    },
-    TorsionSpring {
-        on: Label,
-        stiffness: Entry,
-        angle: Option<Entry>,
-        damping: Option<Entry>,
-    },
+pub enum SubjectTerm {
+    Place(PlaceTerm),
+    /// The name of a joint or body.
+    Name(Label),
+}
+
+impl SubjectTerm {
+    /// Where it is written.
+    pub fn region(&self) -> Region {
+        match self {
+            Self::Place(place) => place.region(),
+            Self::Name(label) => label.region,
+        }
+    }
+}
+
+/// What stands behind a load.
+#[derive(Clone, Debug)]
+pub enum LawTerm {
+    None,
+    Value(Term),
+    Components(Tuple),
 }
 
 /// `crank_pin.angle [rad] = 0.3;` or `~` for a guess.

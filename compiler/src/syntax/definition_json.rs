@@ -174,6 +174,12 @@ impl Writer {
         }
     }
 
+    /// One value, or one for each axis; present only if it was written.
+    fn diagonal_if(&mut self, key: &str, named: &Named) {
+        self.entry_if(key, named.entry(key));
+        self.tuple_if(key, named.tuple(key), None);
+    }
+
     fn place(&mut self, place: &PlaceTerm) {
         match place {
             PlaceTerm::Named(path) => self.object(|w| w.key("place").string(&path.text)),
@@ -267,6 +273,7 @@ impl Writer {
             match value {
                 Value::Direction => self.tuple_if(name, joint.named.tuple(name), Some("1")),
                 Value::Scalar(_) | Value::Moving(_) => self.entry_if(name, joint.named.entry(name)),
+                Value::Diagonal(_) => self.diagonal_if(name, &joint.named),
             }
         }
     }
@@ -294,18 +301,12 @@ impl Writer {
     fn constraint(&mut self, constraint: &Constraint) {
         self.key("name").string(&constraint.name.text);
         match &constraint.kind {
-            ConstraintTerm::Gear { first, second, ratio, phase } => {
-                self.key("kind").string("gear");
-                self.key("first").string(&first.text);
-                self.key("second").string(&second.text);
-                self.key("ratio").entry(ratio);
-                self.key("phase").optional(phase.as_ref(), Self::entry);
-            }
-            ConstraintTerm::Rack { pinion, rail, radius, phase } => {
-                self.key("kind").string("rack");
-                self.key("pinion").string(&pinion.text);
-                self.key("rail").string(&rail.text);
-                self.key("radius").entry(radius);
+            ConstraintTerm::Coupling { kind, on, factor, phase, .. } => {
+                self.key("kind").string(kind.exported);
+                for ((key, _), subject) in kind.on.iter().zip(on) {
+                    self.subject([key; 2], subject);
+                }
+                self.key(kind.factor.0).entry(factor);
                 self.key("phase").optional(phase.as_ref(), Self::entry);
             }
             ConstraintTerm::Equation { left, right } => {
@@ -318,54 +319,40 @@ impl Writer {
 
     fn load(&mut self, load: &Load) {
         self.key("name").string(&load.name.text);
-        match &load.kind {
-            LoadTerm::Force { place, direction, value } => {
-                self.key("kind").string("force");
-                self.key("place").place(place);
-                self.key("direction").array(&direction.values, Self::term);
-                self.key("value").term(value);
+        self.key("kind").string(load.form.exported);
+        match &load.on[..] {
+            [one] => self.subject(["on", "place"], one),
+            several => {
+                for (key, one) in ["first", "second", "third"].into_iter().zip(several) {
+                    self.subject([key; 2], one);
+                }
             }
-            LoadTerm::Components { place, components } => {
-                self.key("kind").string("force");
-                self.key("place").place(place);
+        }
+        for Argument { name, value, .. } in load.form.call.named {
+            match value {
+                Value::Direction => {
+                    if let Some(tuple) = load.named.tuple(name) {
+                        self.key(name).array(&tuple.values, Self::term);
+                    }
+                }
+                Value::Scalar(_) | Value::Moving(_) => self.entry_if(name, load.named.entry(name)),
+                Value::Diagonal(_) => self.diagonal_if(name, &load.named),
+            }
+        }
+        match &load.law {
+            LawTerm::None => {}
+            LawTerm::Value(value) => self.key("value").term(value),
+            LawTerm::Components(components) => {
                 self.key("components").array(&components.values, |w, value| w.with_unit(value, components));
             }
-            LoadTerm::Push { on, value } => {
-                self.key("kind").string("push");
-                self.key("on").string(&on.text);
-                self.key("value").term(value);
-            }
-            LoadTerm::Torque { on, value } => {
-                self.key("kind").string("torque");
-                self.key("on").string(&on.text);
-                self.key("value").term(value);
-            }
-            LoadTerm::BodyTorque { on, components } => {
-                self.key("kind").string("torque");
-                self.key("on").string(&on.text);
-                self.key("components").array(&components.values, |w, value| w.with_unit(value, components));
-            }
-            LoadTerm::Spring { first, second, stiffness, length, damping } => {
-                self.key("kind").string("spring");
-                self.key("first").place(first);
-                self.key("second").place(second);
-                self.key("stiffness").entry(stiffness);
-                self.key("length").entry(length);
-                self.entry_if("damping", damping.as_ref());
-            }
-            LoadTerm::Damper { first, second, damping } => {
-                self.key("kind").string("spring");
-                self.key("first").place(first);
-                self.key("second").place(second);
-                self.key("damping").entry(damping);
-            }
-            LoadTerm::TorsionSpring { on, stiffness, angle, damping } => {
-                self.key("kind").string("torsion_spring");
-                self.key("on").string(&on.text);
-                self.key("stiffness").entry(stiffness);
-                self.entry_if("angle", angle.as_ref());
-                self.entry_if("damping", damping.as_ref());
-            }
+        }
+    }
+
+    /// Under the first key a name, under the second a place.
+    fn subject(&mut self, [name, at]: [&str; 2], subject: &SubjectTerm) {
+        match subject {
+            SubjectTerm::Name(label) => self.key(name).string(&label.text),
+            SubjectTerm::Place(place) => self.key(at).place(place),
         }
     }
 

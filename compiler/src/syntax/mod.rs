@@ -21,8 +21,7 @@
 //! property    ("mass" | "density" | "inertia" | "length" | "radius" | "width" | "height" | "thickness") unit? "=" expr ";"
 //!             "center" unit? "=" pair ";"     "point" name unit? "=" pair ";"     "line" …
 //! LOAD        force(place, direction = pair) "=" expr     force(place) "=" pair      torque(a) "=" expr
-//!             spring(p, q, stiffness = …, length = …, damping = …)      damper(p, q, damping = …)
-//!             torsion_spring(a, stiffness = …, angle = …, damping = …)
+//!             and what else the forms of loads say, without a law
 //! place       body "." point | "ground" pair unit?        pair   "(" expr "," expr ")" unit?
 //! ```
 //! A load is declared by the word `force` or by its own: `force s: spring(…)` and `spring s: spring(…)` are the same.
@@ -165,7 +164,7 @@ impl Parser {
             Some("mechanism") if is_macro(c) => return self.fail(c.region(), messages::macro_in_file()),
             word => {
                 let what = "`planar` or `spatial`, the kind of the mechanism";
-                let advice = word.and_then(|word| messages::kind_of_mechanism(word, &statements::STATEMENTS));
+                let advice = word.and_then(|word| messages::kind_of_mechanism(word, &self.statement_words()));
                 return match advice {
                     Some(advice) => self.advised(c, what, &advice),
                     None => self.expected(c, what),

@@ -8,8 +8,8 @@ use super::token::Cursor;
 use crate::messages;
 use proc_macro2::{Delimiter, TokenStream};
 
-/// Words that begin a statement, for messages.
-pub(super) const STATEMENTS: [&str; 33] = [
+/// Words that begin a statement, but those of loads and couplings.
+const STATEMENTS: [&str; 21] = [
     "const",
     "param",
     "input",
@@ -26,23 +26,11 @@ pub(super) const STATEMENTS: [&str; 33] = [
     "joint",
     "constraint",
     "drive",
-    "force",
-    "torque",
-    "spring",
-    "damper",
-    "torsion_spring",
     "start",
     "options",
     "expect",
     "output",
     "repeat",
-    "gear",
-    "bevel",
-    "worm",
-    "belt",
-    "rack",
-    "screw",
-    "differential",
 ];
 
 impl Parser {
@@ -102,18 +90,22 @@ impl Parser {
             }
             "joint" => self.joint(c),
             "constraint" => self.constraint(c),
-            "gear" | "bevel" | "worm" | "belt" | "rack" | "screw" | "differential" => self.coupling(c, word),
             "drive" => self.driver(c),
-            "force" | "torque" | "spring" | "damper" | "torsion_spring" => self.load(c, word),
             "output" => self.output(c, docs),
             "start" => self.start(c),
             "options" => self.options(c),
             "expect" => self.expect(c),
             "repeat" => self.repeat(c),
-            "table" | "state" | "rate" | "friction" | "contact" | "mesh" | "bushing" | "part" | "file"
-            | "beam" => self.fail(at, messages::not_there_yet(word)),
-            _ => self.fail(at, messages::unknown_statement(word, STATEMENTS.iter().copied())),
+            word if self.words_of_couplings().contains(&word) => self.coupling(c, word),
+            word if self.words_of_loads().contains(&word) => self.load(c, word),
+            word if messages::is_to_come(word) => self.fail(at, messages::not_there_yet(word)),
+            _ => self.fail(at, messages::unknown_statement(word, self.statement_words().into_iter())),
         }
+    }
+
+    /// Words that begin a statement, for messages.
+    pub fn statement_words(&self) -> Vec<&'static str> {
+        STATEMENTS.into_iter().chain(self.words_of_loads()).chain(self.words_of_couplings()).collect()
     }
 
     /// `NAME [unit] = value;`

@@ -1,8 +1,10 @@
 //! Whole mechanisms.
 
 use crate::good;
+use linkwright_compiler::equations::VOCABULARY;
+use linkwright_compiler::forms::{Law, LoadForm};
 use linkwright_compiler::model::{
-    BodyKind, Budgeted, Constraint, ConstraintKind, Coordinates, Expr, Frame, LoadKind, Quantity, Rotor,
+    BodyKind, Budgeted, ConstraintKind, Coordinates, Coupled, Expr, Frame, Quantity, Rotor, Space, Subject,
 };
 
 /// The first example of the language.
@@ -86,10 +88,14 @@ fn quick_return() {
     assert_eq!(m.joints[1].first.text, "ground(0, -0.2)");
     assert!(m.joints.iter().any(|joint| joint.word() == "prismatic"));
 
-    assert!(matches!(m.loads[0].kind, LoadKind::Torque { on: Rotor::Joint(..), torque: Expr::Input(_) }));
-    let LoadKind::Force { components, .. } = &m.loads[1].kind else { panic!("a force") };
-    assert!(matches!(components[0], Expr::Input(_)));
-    assert_eq!(number(&components[1]), 0.0);
+    let [torque, force] = [&m.loads[0], &m.loads[1]];
+    assert_eq!((torque.form.title, force.form.title), ("torque", "force"));
+    assert!(matches!(
+        (&torque.on[..], &torque.law[..]),
+        ([Subject::Rotor(Rotor::Joint(..))], [Expr::Input(_)])
+    ));
+    assert!(matches!(force.law[0], Expr::Input(_)));
+    assert_eq!(number(&force.law[1]), 0.0);
 
     assert_eq!(m.start.iter().map(|start| start.exact).collect::<Vec<_>>(), [true, true, false, false]);
     assert_eq!(m.start[3].text, "rail.travel");
@@ -151,14 +157,15 @@ fn every_kind_of_body_joint_constraint_and_load() {
     assert_eq!(number(&m.bodies[2].points[0].at[0]), 0.3);
     assert!(m.joints[2].word() == "fixed" && number(m.joints[2].scalar(0)) == 0.5);
     assert!(m.joints[3].word() == "distance" && number(m.joints[3].scalar(0)) == 0.3);
-    let Constraint { kind: ConstraintKind::Gear { ratio, phase, .. }, .. } = &m.constraints[1] else {
-        panic!("a gear")
+    let coupling = |index: usize| match &m.constraints[index].kind {
+        ConstraintKind::Coupling(coupling) => coupling,
+        other => panic!("{other:?}"),
     };
-    assert_eq!(number(ratio), -2.0);
-    assert_eq!(phase.as_ref().map(number), Some(core::f64::consts::FRAC_PI_2));
-    assert!(matches!(m.constraints[2].kind, ConstraintKind::Gear { first: Rotor::Body(_), phase: None, .. }));
-    let LoadKind::Force { components, .. } = &m.loads[3].kind else { panic!("a force") };
-    assert_eq!((number(&components[0]), number(&components[1])), (6.0, 8.0));
+    assert_eq!((coupling(1).form.call.word, number(&coupling(1).factor)), ("gear", -2.0));
+    assert_eq!(coupling(1).phase.as_ref().map(number), Some(core::f64::consts::FRAC_PI_2));
+    assert!(matches!(coupling(2).driven(), Coupled::Angle(Rotor::Body(_))) && coupling(2).phase.is_none());
+    let force = &m.loads[3];
+    assert_eq!((force.form.title, number(&force.law[0]), number(&force.law[1])), ("force", 6.0, 8.0));
     assert_eq!(m.options.crate_path.expect("a path").to_string().replace(' ', ""), "::other::path");
     assert_eq!(m.options.cut.len(), 2);
     assert_eq!(m.expect.budgets[0].function.as_deref(), Some("mass_matrix"));
@@ -276,4 +283,23 @@ fn the_header_survives_errors_in_the_body() {
     let header = linkwright_compiler::header(tokens).expect("a header");
     assert_eq!(header.name.to_string(), "Broken");
     assert_eq!(header.visibility.to_string().replace(' ', ""), "pub(crate)");
+}
+
+/// Every load says what each of its unnamed arguments names; of those with one word, one is meant where no other is.
+#[test]
+fn forms_of_loads_agree() {
+    for space in [Space::Planar, Space::Spatial] {
+        let loads = (VOCABULARY.loads)(space);
+        for load in &loads {
+            let call = &load.call;
+            assert_eq!(call.positional.len(), load.on.len(), "{}", call.word);
+            let of_word = loads.iter().filter(|other| other.call.word == call.word);
+            assert_eq!(of_word.clone().filter(|other| other.meant.is_none()).count(), 1, "{}", call.word);
+            let same = |other: &&LoadForm| format!("{:?}", other.call) == format!("{call:?}");
+            assert!(of_word.clone().all(same), "{}", call.word);
+            let has_law = |other: &LoadForm| other.law != Law::None;
+            assert!(of_word.clone().all(|other| has_law(other) == has_law(load)), "{}", call.word);
+            assert!(!load.stores || !has_law(load), "{}", call.word);
+        }
+    }
 }

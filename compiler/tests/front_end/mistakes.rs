@@ -66,7 +66,39 @@ const MISTAKES: &[(&str, &str)] = &[
     ("output o [m] = nothing;", r#"no value called "nothing""#),
     (
         "spring s: (link.end, base.end, stiffness [N/m] = 1);",
-        "expected the kind of the load (force, torque, spring, damper, torsion_spring), found `(`",
+        "expected the kind of the load (force, torque, spring, damper, torsion_spring, bushing), found `(`",
+    ),
+    (
+        "bushing b: bushing(ground(0, 0), link.end, stiffness [N/m] = 1);",
+        "`bushing` needs its torsional_stiffness: write `torsional_stiffness = …`",
+    ),
+    (
+        "bushing b: bushing(link.end, block.center, stiffness [N/m] = 1, torsional_stiffness = 0);",
+        "`block.center` is a particle and has no orientation; write `body`, `rod`, `disk` or `box` for one that turns",
+    ),
+    (
+        "bushing b: bushing(ground(0, 0), link.end, stiffness [N/m] = (1, 2, 3), torsional_stiffness = 0);",
+        "a planar mechanism has two coordinates: leave the third out, or write `spatial` before the name of the mechanism",
+    ),
+    (
+        "bushing b: bushing(ground(0, 0), link.end, stiffness [N/m] = 1, torsional_stiffness = (1, 2) [N*m]);",
+        "one number is expected here, and these parentheses hold several: components are given one by one, such as `rod.rate.x [rad/s] = 1;`, and a vector stands only where places, axes and forces are",
+    ),
+    (
+        "bushing b: bushing(ground(0, 0), link.end, stiffness [N/m] = (1, link.angle), torsional_stiffness = 0);",
+        "`link.angle` is a position, but this argument may depend on constants and parameters only",
+    ),
+    (
+        "bushing b: bushing(ground(0, 0), link.end, stiffness [N/m] = 1, torsional_stiffness [N/m] = 2);",
+        "torsional_stiffness is given a stiffness: expected N*m, found N/m",
+    ),
+    (
+        "bushing b: bushing(link.start, link.end, stiffness [N/m] = 1, torsional_stiffness = 0);",
+        "`link.start` and `link.end` never move apart, so nothing between them does anything: name a place of another body, or leave it out",
+    ),
+    (
+        "bushing b: bushing(ground(0, 0), link.end, stiffness [N/m] = 1, torsional_stiffness = 0) = 3 [N];",
+        "a bushing has no law behind it, its arguments say all; write `;`",
     ),
     (
         "joint extra: point_on_line(link.end, line(ground(0, 0), ground(1, 0)));",

@@ -1,7 +1,7 @@
 //! What definitions in space mean: shapes, markers, joints, couplings that are written in other words.
 
 use crate::{bad, good};
-use linkwright_compiler::model::{Axes, ConstraintKind, Expr, LoadKind, Mechanism, Space};
+use linkwright_compiler::model::{Axes, ConstraintKind, Expr, Mechanism, Space, Subject};
 
 const PARTS: &str = "
 spatial Parts {
@@ -121,20 +121,23 @@ fn couplings_in_other_words() {
         }",
     );
     let ratio = |index: usize| match &m.constraints[index].kind {
-        ConstraintKind::Gear { ratio, .. } => number(ratio),
+        ConstraintKind::Coupling(coupling) => number(&coupling.factor),
         other => panic!("{other:?}"),
     };
     assert_eq!((ratio(0), ratio(1)), (-2.0, 1.0 / 30.0));
     assert!(near(ratio(2), 2.5));
-    let ConstraintKind::Rack { radius, .. } = &m.constraints[3].kind else { panic!() };
-    assert!(near(number(radius), 0.006 / std::f64::consts::TAU));
+    assert!(near(ratio(3), 0.006 / std::f64::consts::TAU));
     assert!(matches!(m.constraints[4].kind, ConstraintKind::Equation { .. }));
-    assert!(matches!(m.loads[0].kind, LoadKind::Push { .. }));
-    assert!(matches!(m.loads[1].kind, LoadKind::BodyTorque { .. }));
+    assert!(matches!(m.loads[0].on[..], [Subject::Travel(_)]));
+    assert!(matches!(m.loads[1].on[..], [Subject::Body(_)]));
 }
 
 /// Statements added to a pendulum in space, and the only message they give.
 const MISTAKES: &[(&str, &str)] = &[
+    (
+        "bushing b: bushing(ground(0, 0, 0), arm.tip, stiffness [N/m] = (1, 2), torsional_stiffness = 0);",
+        "expected `,` and a third coordinate, found the end",
+    ),
     (
         "force f: force(arm.tip) = 3 [N];",
         "a force needs three components, `force(place) = (fx, fy, fz)`, or a direction, \

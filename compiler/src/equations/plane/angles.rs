@@ -77,6 +77,22 @@ impl<'g> On<'g, &'g Kinematics> {
         self.difference(first, second, vector::unturned(self.g))
     }
 
+    /// θ₂ − θ₁ in (−π, π], whether or not the turns of the bodies are counted.
+    pub fn angle_between(self, laws: &Laws<'g>, first: Frame, second: Frame) -> Moving<'g> {
+        let [cosine, sine] = self.difference(first, second, vector::unturned(self.g)).parts();
+        self.turn(laws, first, second, sine.atan2(cosine))
+    }
+
+    /// The way from one place to another along the axes of what the first belongs to.
+    pub fn difference_in_first(self, laws: &Laws<'g>, first: &Place, second: &Place) -> [Moving<'g>; 2] {
+        let delta = self.place(laws, second) - self.place(laws, first);
+        let (one, zero) = (self.g.one().bare, self.g.zero().bare);
+        [[one, zero], [zero, one]].map(|axis| {
+            let (frame, axis) = self.carried_by(first.frame, self.g.on(axis));
+            self.project(frame, axis, &delta.bare)
+        })
+    }
+
     pub fn rotor_rate(self, laws: &Laws<'g>, rotor: Rotor) -> Moving<'g> {
         let (first, second) = ends(laws, rotor);
         self.turn(laws, first, second, self.g.zero())

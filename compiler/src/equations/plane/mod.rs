@@ -6,6 +6,7 @@ mod coordinates;
 mod inertia;
 pub mod joints;
 mod kinematics;
+pub mod loads;
 mod vector;
 
 pub use coordinates::coordinates;

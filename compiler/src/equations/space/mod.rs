@@ -8,6 +8,7 @@ mod dynamics;
 pub mod joints;
 mod kinematics;
 mod links;
+pub mod loads;
 mod tensor;
 mod trees;
 mod vector;

@@ -8,7 +8,7 @@ mod space;
 
 pub use crate::drawing::canvas::{escaped, number};
 
-use super::sketch::{EffortKind, Sketch};
+use super::sketch::Sketch;
 use crate::drawing::canvas::{Group, Pen};
 use crate::drawing::shapes::{self, away, heading, shifted};
 use crate::drawing::vector::{Point, along, sum};
@@ -61,8 +61,8 @@ pub fn figure(name: &str, sketch: &Sketch) -> Figure {
         let anchor = drawing.view.spot(hinge.at);
         drawing.label(&hinge.name, anchor, 2.0 * unit, Kind::Joint);
     }
-    for effort in &sketch.efforts {
-        loads::effort(&mut drawing, effort);
+    for (kind, effort) in &sketch.efforts {
+        loads::effort(&mut drawing, kind, effort);
     }
     drawing.write(name, sketch.space)
 }
@@ -86,10 +86,9 @@ fn extent(sketch: &Sketch) -> Vec<Point> {
             along(wheel.center, -r, v),
         ]
     });
-    let of_springs = sketch.efforts.iter().flat_map(|effort| match effort.kind {
-        EffortKind::Spring { ends, .. } => ends.map(|end| end.at).to_vec(),
-        _ => Vec::new(),
-    });
+    // What acts between places is drawn from the one to the other.
+    let between = sketch.efforts.iter().filter(|(_, effort)| effort.ends.len() > 1);
+    let of_springs = between.flat_map(|(_, effort)| effort.ends.iter().map(|end| end.at));
     of_parts.chain(of_joints).chain(of_wheels).chain(of_springs).collect()
 }
 

@@ -1,13 +1,40 @@
-//! Constraints between joint coordinates: gears, racks, general equations, and drivers.
+//! Constraints between joint coordinates: couplings, one file each, general equations, and drivers.
+
+mod belt;
+mod bevel;
+mod differential;
+mod gear;
+mod rack;
+mod screw;
+mod worm;
 
 use super::jet::Moving;
 use super::laws::Laws;
+use super::loads;
 use super::space::joints::{self, Elementary};
+use crate::forms::{Argument, CouplingForm, Need, Positional};
 use crate::model::{
-    Constraint, ConstraintKind, Driver, Expr, JointId, LoadKind, Mechanism, Quantity, Rotor, Space,
+    Constraint, ConstraintKind, Coupled, Coupling, Driver, Expr, JointId, Mechanism, Quantity, Rotor, Space,
 };
 use crate::symbolic::Node;
+use crate::units::Dimension;
 use std::collections::BTreeSet;
+
+/// The couplings of the plane and of space.
+pub static COUPLINGS: &[&CouplingForm] = &[
+    &gear::COUPLING,
+    &bevel::COUPLING,
+    &worm::COUPLING,
+    &belt::COUPLING,
+    &rack::COUPLING,
+    &screw::COUPLING,
+    &differential::COUPLING,
+];
+
+const ROTORS: &[Positional] = &[Positional::Rotor, Positional::Rotor];
+const RATIO: Argument = Argument::scalar("ratio", Need::Always, Dimension::ONE);
+const PHASE: Argument = Argument::scalar("phase", Need::Never, Dimension::ANGLE);
+const LENGTH_PHASE: Argument = Argument::scalar("phase", Need::Never, Dimension::LENGTH);
 
 /// Couplings whose phase comes from the assembled start, by name, in order.
 pub fn open_phases(mechanism: &Mechanism) -> impl Iterator<Item = String> + '_ {
@@ -16,32 +43,33 @@ pub fn open_phases(mechanism: &Mechanism) -> impl Iterator<Item = String> + '_ {
 
 /// Whether a coupling's phase comes from the assembled start.
 pub fn is_open(constraint: &Constraint) -> bool {
-    matches!(
-        constraint.kind,
-        ConstraintKind::Gear { phase: None, .. } | ConstraintKind::Rack { phase: None, .. }
-    )
+    match &constraint.kind {
+        ConstraintKind::Coupling(coupling) => coupling.phase.is_none(),
+        ConstraintKind::Equation { .. } => false,
+    }
 }
 
 /// The residual of a constraint, and what its row is called. `phase` is used where the definition gives none.
 pub fn row<'g>(laws: &Laws<'g>, constraint: &Constraint, phase: Option<Node>) -> (&'static str, Moving<'g>) {
-    let shift = |given: &Option<Expr>| {
-        laws.still(match given {
-            Some(given) => laws.value(given),
-            None => phase.map_or_else(|| laws.g.zero(), |phase| laws.g.on(phase)),
-        })
-    };
     match &constraint.kind {
-        ConstraintKind::Gear { first, second, ratio, phase } => {
-            let ratio = laws.value(ratio);
-            ("gear", laws.angle(*first) - ratio * laws.angle(*second) - shift(phase))
-        }
-        ConstraintKind::Rack { pinion, rail, radius, phase } => {
-            let radius = laws.value(radius);
-            let travel = laws.kinematics().travel(laws, *rail, 0);
-            ("rack", travel - radius * laws.angle(*pinion) - shift(phase))
-        }
+        ConstraintKind::Coupling(coupling) => (coupling.kind.exported, proportion(laws, coupling, phase)),
         ConstraintKind::Equation { residual } => ("equation", laws.jet(residual)),
     }
+}
+
+/// driven − factor · other − phase.
+fn proportion<'g>(laws: &Laws<'g>, coupling: &Coupling, phase: Option<Node>) -> Moving<'g> {
+    let coordinate = |coupled| match coupled {
+        Coupled::Angle(rotor) => laws.angle(rotor),
+        Coupled::Travel(joint) => laws.kinematics().travel(laws, joint, 0),
+    };
+    let factor = laws.value(&coupling.factor);
+    let residual = coordinate(coupling.driven()) - factor * coordinate(coupling.other());
+    let phase = match &coupling.phase {
+        Some(given) => laws.value(given),
+        None => phase.map_or_else(|| laws.g.zero(), |phase| laws.g.on(phase)),
+    };
+    residual - laws.still(phase)
 }
 
 /// quantity − law(time).
@@ -54,10 +82,7 @@ pub fn multi_turn_rotors(mechanism: &Mechanism) -> Vec<Rotor> {
     let mut rotors = BTreeSet::new();
     for constraint in &mechanism.constraints {
         match &constraint.kind {
-            ConstraintKind::Gear { first, second, .. } => rotors.extend([*first, *second]),
-            ConstraintKind::Rack { pinion, .. } => {
-                rotors.insert(*pinion);
-            }
+            ConstraintKind::Coupling(coupling) => rotors.extend(coupling.rotors()),
             ConstraintKind::Equation { residual } => angles_in(residual, &mut rotors),
         }
     }
@@ -65,23 +90,8 @@ pub fn multi_turn_rotors(mechanism: &Mechanism) -> Vec<Rotor> {
         angles_of(&driver.quantity, &mut rotors);
     }
     for load in &mechanism.loads {
-        match &load.kind {
-            LoadKind::Force { components, .. } => {
-                components.iter().for_each(|component| angles_in(component, &mut rotors));
-            }
-            LoadKind::Torque { torque, .. } => angles_in(torque, &mut rotors),
-            LoadKind::Push { force, .. } => angles_in(force, &mut rotors),
-            LoadKind::BodyTorque { components, .. } => {
-                components.iter().for_each(|component| angles_in(component, &mut rotors));
-            }
-            LoadKind::Spring { stiffness, length, damping, .. } => {
-                [stiffness, length, damping].into_iter().for_each(|law| angles_in(law, &mut rotors));
-            }
-            LoadKind::TorsionSpring { on, stiffness, rest, damping } => {
-                rotors.insert(*on);
-                [stiffness, rest, damping].into_iter().for_each(|law| angles_in(law, &mut rotors));
-            }
-        }
+        rotors.extend((loads::of(load.form).counted)(load));
+        load.expressions().for_each(|expression| angles_in(expression, &mut rotors));
     }
     // The travel of a screw is its counted angle times the pitch.
     for (index, joint) in mechanism.joints.iter().enumerate() {

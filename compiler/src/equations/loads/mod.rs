@@ -1,0 +1,127 @@
+//! The loads, one file each with the same parts in the same order: `LOAD` (the record), `terms` (generalised forces, power,
+//! potential energy), `symbol`. What only the plane or only space has stands in `plane::loads` and `space::loads`.
+
+mod damper;
+mod force;
+mod push;
+mod spring;
+mod torque;
+mod torsion_spring;
+
+pub use torque::CALL as TORQUE;
+
+use super::jet::Moving;
+use super::laws::Laws;
+use super::{plane, space};
+use crate::drawing::load::Symbol;
+use crate::forms::LoadForm;
+use crate::model::{Expr, Load, Rotor, Space};
+use crate::symbolic::{Node, Scalar};
+
+/// A kind of load.
+pub struct LoadKind {
+    pub form: LoadForm,
+    pub terms: for<'g> fn(&Laws<'g>, &Load) -> LoadTerms<'g>,
+    /// The rotors whose turns it needs counted, beyond those that its law names.
+    pub counted: fn(&Load) -> Vec<Rotor>,
+    pub symbol: fn(&mut Symbol),
+}
+
+/// The loads that the plane and space have in common.
+pub static LOADS: &[&LoadKind] =
+    &[&force::LOAD, &push::LOAD, &torque::LOAD, &spring::LOAD, &damper::LOAD, &torsion_spring::LOAD];
+
+/// The loads of the plane or of space.
+pub fn of_space(space: Space) -> impl Iterator<Item = &'static LoadKind> {
+    let own = match space {
+        Space::Planar => plane::loads::LOADS,
+        Space::Spatial => space::loads::LOADS,
+    };
+    LOADS.iter().chain(own).copied()
+}
+
+/// The load with a form, which is one of the lists' own.
+pub fn of(form: &'static LoadForm) -> &'static LoadKind {
+    let mut all = [Space::Planar, Space::Spatial].into_iter().flat_map(of_space);
+    all.find(|load| std::ptr::eq(&load.form, form)).expect("forms come from the lists")
+}
+
+/// What one load does.
+pub struct LoadTerms<'g> {
+    /// Added to Q, per velocity.
+    pub forces: Vec<(usize, Scalar<'g>)>,
+    /// W, of everything the load exerts, springs' conservative part included.
+    pub power: Scalar<'g>,
+    /// J, of springs.
+    pub potential: Scalar<'g>,
+}
+
+impl<'g> LoadTerms<'g> {
+    pub fn none(laws: &Laws<'g>) -> Self {
+        let zero = laws.g.zero();
+        LoadTerms { forces: Vec::new(), power: zero, potential: zero }
+    }
+
+    /// What both do together.
+    pub fn and(mut self, other: Self) -> Self {
+        self.forces.extend(other.forces);
+        self.power += other.power;
+        self.potential += other.potential;
+        self
+    }
+}
+
+pub fn terms<'g>(laws: &Laws<'g>, load: &Load) -> LoadTerms<'g> {
+    (of(load.form).terms)(laws, load)
+}
+
+/// Effort f along a coordinate: Q += Jᵀ f, power f·(rate).
+pub fn along<'g>(coordinate: &Moving<'g>, effort: Scalar<'g>) -> LoadTerms<'g> {
+    let columns = coordinate.jet.columns.iter();
+    let forces = columns.map(|(index, column)| (*index, *column * effort)).collect();
+    LoadTerms { forces, power: effort * coordinate.rate(), potential: effort.g.zero() }
+}
+
+/// Components of a force or torque along as many coordinates.
+pub fn together<'g>(laws: &Laws<'g>, coordinates: &[Moving<'g>], efforts: &[Node]) -> LoadTerms<'g> {
+    let efforts = coordinates.iter().zip(efforts);
+    efforts.fold(LoadTerms::none(laws), |sum, (coordinate, effort)| {
+        sum.and(along(coordinate, laws.g.on(*effort)))
+    })
+}
+
+/// Effort −k x − c ẋ along a coordinate x, V = ½ k x².
+pub fn restoring<'g>(coordinate: &Moving<'g>, x: Scalar<'g>, k: Scalar<'g>, c: Scalar<'g>) -> LoadTerms<'g> {
+    let rate = coordinate.rate();
+    let effort = -(k * x + c * rate);
+    let terms = along(coordinate, effort);
+    LoadTerms { potential: elastic_energy(k, x), ..terms }
+}
+
+/// The same along coordinates with a stiffness and damping each, at rest where all are zero.
+pub fn restoring_each<'g>(
+    laws: &Laws<'g>,
+    coordinates: &[Moving<'g>],
+    stiffness: &[Expr],
+    damping: &[Expr],
+) -> LoadTerms<'g> {
+    let efforts = coordinates.iter().zip(stiffness.iter().zip(damping));
+    efforts.fold(LoadTerms::none(laws), |sum, (x, (k, c))| {
+        sum.and(restoring(x, x.value(), laws.value(k), laws.value(c)))
+    })
+}
+
+/// ½ k x².
+pub fn elastic_energy<'g>(k: Scalar<'g>, x: Scalar<'g>) -> Scalar<'g> {
+    0.5 * (k * x.square())
+}
+
+/// The components of a law.
+pub fn law(laws: &Laws, load: &Load) -> Vec<Node> {
+    load.law.iter().map(|component| laws.value(component).bare).collect()
+}
+
+/// Of a load that needs no angle over several turns.
+pub fn no_rotors(_: &Load) -> Vec<Rotor> {
+    Vec::new()
+}

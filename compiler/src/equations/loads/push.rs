@@ -1,0 +1,41 @@
+//! A force along the travel of a joint, on the second's body, and opposite on the first.
+
+use super::{LoadKind, LoadTerms, along, force, no_rotors};
+use crate::drawing::load::Symbol;
+use crate::equations::laws::Laws;
+use crate::forms::{Acts, Law, LoadForm};
+use crate::model::{Load, Subject};
+use crate::units::Dimension;
+
+pub static LOAD: LoadKind = LoadKind {
+    form: LoadForm {
+        call: force::CALL,
+        meant: Some(|written| written.is_name && !written.is_directed && !written.has_components),
+        title: "force along the travel",
+        exerts: "a force along the travel of the joint, on its second body, and opposite on the first",
+        exported: "push",
+        on: &[Acts::Travel],
+        law: Law::Value(Dimension::FORCE),
+        stores: false,
+        turns: false,
+        doubt: None,
+    },
+    terms,
+    counted: no_rotors,
+    symbol,
+};
+
+fn terms<'g>(laws: &Laws<'g>, load: &Load) -> LoadTerms<'g> {
+    let force = laws.value(&load.law[0]);
+    let travels = load.on.iter().filter_map(|subject| match subject {
+        Subject::Travel(joint) => Some(laws.kinematics().travel(laws, *joint, 0)),
+        Subject::Place(_) | Subject::Rotor(_) | Subject::Body(_) => None,
+    });
+    travels.fold(LoadTerms::none(laws), |sum, travel| sum.and(along(&travel, force)))
+}
+
+fn symbol(s: &mut Symbol) {
+    let [sign, ..] = s.effort.law;
+    let end = s.effort.ends[0];
+    s.arrow(end.at, end.axis.map(|x| sign * x));
+}

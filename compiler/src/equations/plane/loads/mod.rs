@@ -1,0 +1,7 @@
+//! The loads that only the plane has, one file each with the same parts as in `equations::loads`.
+
+mod bushing;
+
+use crate::equations::loads::LoadKind;
+
+pub static LOADS: &[&LoadKind] = &[&bushing::LOAD];

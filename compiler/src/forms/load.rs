@@ -1,0 +1,65 @@
+//! What anyone may know of a kind of load.
+
+use super::Form;
+use crate::units::Dimension;
+
+/// A kind of load, without its equations.
+#[derive(Debug)]
+pub struct LoadForm {
+    /// How it is written. Loads with the same word have the same call.
+    pub call: Form,
+    /// Whether it is this one of those with its word; `None`: it is where none of the others is.
+    pub meant: Option<fn(&Written) -> bool>,
+    /// What it is called.
+    pub title: &'static str,
+    /// What it exerts, for documents.
+    pub exerts: &'static str,
+    /// Its kind in an exported definition.
+    pub exported: &'static str,
+    /// What its unnamed arguments name.
+    pub on: &'static [Acts],
+    pub law: Law,
+    /// Whether it stores energy: of its power, what changes sign with all velocities is then taken from its potential.
+    pub stores: bool,
+    /// Whether its places turn, so that particles have none.
+    pub turns: bool,
+    /// What is possible and probably not meant, given its name and its scalar arguments as far as they are plain numbers.
+    pub doubt: Option<Doubt>,
+}
+
+/// A warning, if there is one, of a load with this name and these arguments.
+pub type Doubt = fn(&str, &[Option<f64>]) -> Option<String>;
+
+/// What a load acts on.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Acts {
+    /// A place of a body or of the ground.
+    Place,
+    /// The one angle of a joint, or in the plane of a body.
+    Rotor,
+    /// The one travel of a joint.
+    Travel,
+    /// A body that turns.
+    Body,
+}
+
+/// What stands behind a load, `= law`.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Law {
+    /// Nothing: its arguments say all.
+    None,
+    Value(Dimension),
+    /// Components along the axes of the world, or one value where a direction is among the arguments.
+    Components(Dimension),
+}
+
+/// How a load is written, beyond its word.
+#[derive(Clone, Copy, Debug)]
+pub struct Written {
+    /// Its first unnamed argument is a name without a point.
+    pub is_name: bool,
+    /// A direction is among its arguments.
+    pub is_directed: bool,
+    /// Its law is several values in parentheses.
+    pub has_components: bool,
+}
