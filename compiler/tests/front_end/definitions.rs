@@ -2,7 +2,7 @@
 
 use crate::good;
 use linkwright_compiler::equations::VOCABULARY;
-use linkwright_compiler::forms::{Law, LoadForm};
+use linkwright_compiler::forms::{Factor, Law, LoadForm, Means};
 use linkwright_compiler::model::{
     BodyKind, Budgeted, ConstraintKind, Coordinates, Coupled, Expr, Frame, Quantity, Rotor, Space, Subject,
 };
@@ -300,6 +300,32 @@ fn forms_of_loads_agree() {
             let has_law = |other: &LoadForm| other.law != Law::None;
             assert!(of_word.clone().all(|other| has_law(other) == has_law(load)), "{}", call.word);
             assert!(!load.stores || !has_law(load), "{}", call.word);
+        }
+    }
+}
+
+/// Factors and sums of couplings are of arguments that they have.
+#[test]
+fn forms_of_couplings_agree() {
+    for coupling in VOCABULARY.couplings {
+        let call = &coupling.call;
+        let is_required = |name: &str| {
+            let argument = call.named.iter().find(|argument| argument.name == name);
+            assert!(argument.is_some_and(|argument| argument.is_required()), "{}: {name}", call.word);
+        };
+        match coupling.means {
+            Means::Proportion { kind, factor } => {
+                assert_eq!(call.positional.len(), kind.on.len(), "{}", call.word);
+                let phase = call.named.iter().find(|argument| argument.name == "phase");
+                assert_eq!(phase.and_then(|phase| phase.dimension()), Some(kind.phase), "{}", call.word);
+                match factor {
+                    Factor::Argument(name) | Factor::PerTurn(name) => is_required(name),
+                    Factor::Quotient { of, to } => [of, to].into_iter().for_each(is_required),
+                }
+            }
+            Means::Sum { of, by, .. } => {
+                assert!([of[0], of[1], by].iter().all(|which| *which < call.positional.len()));
+            }
         }
     }
 }
