@@ -2,7 +2,7 @@
 
 use crate::good;
 use linkwright_compiler::equations::VOCABULARY;
-use linkwright_compiler::forms::{Factor, Law, LoadForm, Means};
+use linkwright_compiler::forms::{Factor, Law, LoadForm, Means, Value};
 use linkwright_compiler::model::{
     BodyKind, Budgeted, ConstraintKind, Coordinates, Coupled, Expr, Frame, Quantity, Rotor, Space, Subject,
 };
@@ -283,6 +283,21 @@ fn the_header_survives_errors_in_the_body() {
     let header = linkwright_compiler::header(tokens).expect("a header");
     assert_eq!(header.name.to_string(), "Broken");
     assert_eq!(header.visibility.to_string().replace(' ', ""), "pub(crate)");
+}
+
+/// What a joint is given is one number for each argument that is no direction.
+#[test]
+fn arguments_of_joints_are_single_numbers() {
+    for space in [Space::Planar, Space::Spatial] {
+        for joint in (VOCABULARY.joints)(space) {
+            let mut arguments = joint.call.named.iter();
+            assert!(
+                arguments.all(|argument| !matches!(argument.value, Value::Diagonal(_))),
+                "{}",
+                joint.call.word
+            );
+        }
+    }
 }
 
 /// Every load says what each of its unnamed arguments names; of those with one word, one is meant where no other is.
