@@ -8,6 +8,8 @@ use crate::units::Dimension;
 pub struct LoadForm {
     /// How it is written. Loads with the same word have the same call.
     pub call: Form,
+    /// What else could be meant where a place is missing.
+    pub instead: Option<&'static str>,
     /// Whether it is this one of those with its word; `None`: it is where none of the others is.
     pub meant: Option<fn(&Written) -> bool>,
     /// What it is called.

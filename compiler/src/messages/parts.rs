@@ -131,12 +131,18 @@ pub(crate) fn unknown_argument(kind: &str, name: &str, known: &[&str]) -> String
     format!("`{kind}` has no argument called \"{name}\"; {hint}")
 }
 
-/// `places`: whether the arguments are places, not names.
-pub(crate) fn missing_place(kind: &str, count: usize, given: usize, places: bool) -> String {
-    let hint = match (kind, places) {
-        ("spring" | "damper", _) => "; between the bodies of a joint write `torsion_spring(joint, …)`",
-        (_, true) => "; a place of the ground is written `ground(x, y) [m]`",
-        (_, false) => "",
+/// `places`: whether the arguments are places, not names; `instead`: what else could be meant.
+pub(crate) fn missing_place(
+    kind: &str,
+    count: usize,
+    given: usize,
+    places: bool,
+    instead: Option<&str>,
+) -> String {
+    let hint = match (instead, places) {
+        (Some(instead), _) => format!("; {instead}"),
+        (None, true) => "; a place of the ground is written `ground(x, y) [m]`".to_string(),
+        (None, false) => String::new(),
     };
     format!(
         "`{kind}` needs {count} unnamed argument{} first, found {given}{hint}",

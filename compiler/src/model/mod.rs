@@ -6,6 +6,7 @@
 
 mod bodies;
 mod constants;
+mod elements;
 mod expression;
 pub(crate) mod fold;
 mod functions;
@@ -22,8 +23,8 @@ mod values;
 
 use crate::diagnostics::{Allowed, Region};
 pub use crate::forms::{Alone, JointAxes, JointForm, LoadForm, Space};
-use crate::forms::{Argument, CouplingForm, Proportion};
 pub use crate::syntax::{Budgeted, Shape};
+pub use elements::{Constraint, ConstraintKind, Coupled, Coupling, Joint, Load, Rotor, Subject};
 pub use expression::{Comparison, Condition, Expr, Function1, Function2, Quantity};
 pub use lower::lower;
 use proc_macro2::TokenStream;
@@ -232,114 +233,6 @@ pub struct Place {
     pub span: Region,
 }
 
-/// A joint between two places. Its coordinate, rate, travel and torque are those of the second place's body
-/// relative to the first's, axes in the first's frame.
-#[derive(Clone, Debug)]
-pub struct Joint {
-    pub name: Name,
-    pub form: &'static JointForm,
-    pub first: Place,
-    pub second: Place,
-    /// Its directions, of any length but zero, in the order of its arguments; of a line, the way along it.
-    pub directions: Vec<Vector>,
-    /// Its other arguments, in their order.
-    pub scalars: Vec<Expr>,
-}
-
-impl Joint {
-    /// As written.
-    pub fn word(&self) -> &'static str {
-        self.form.call.word
-    }
-
-    /// One of its directions, as many as its form has.
-    pub fn direction(&self, which: usize) -> &Vector {
-        &self.directions[which]
-    }
-
-    /// One of its other arguments, as many as its form has.
-    pub fn scalar(&self, which: usize) -> &Expr {
-        &self.scalars[which]
-    }
-
-    /// The axis that is the same in the axes of both places.
-    pub fn common_axis(&self) -> Option<&Vector> {
-        self.directions.first().filter(|_| self.form.axes == JointAxes::Common)
-    }
-
-    /// Whether one of its places is a body without orientation: the joint then has no angle.
-    pub fn has_particle(&self, mechanism: &Mechanism) -> bool {
-        let is_particle = |frame: Frame| match frame {
-            Frame::Ground => false,
-            Frame::Body(body) => mechanism.bodies[body.0].kind == BodyKind::Particle,
-        };
-        is_particle(self.first.frame) || is_particle(self.second.frame)
-    }
-}
-
-/// What turns: a joint (second relative to first) or a body (relative to the ground).
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
-pub enum Rotor {
-    /// Which of its angles.
-    Joint(JointId, usize),
-    Body(BodyId),
-}
-
-#[derive(Clone, Debug)]
-pub struct Constraint {
-    pub name: Name,
-    pub kind: ConstraintKind,
-}
-
-#[derive(Clone, Debug)]
-pub enum ConstraintKind {
-    Coupling(Coupling),
-    /// `residual` = 0 (left minus right side as written, SI).
-    Equation {
-        residual: Expr,
-    },
-}
-
-/// driven = factor · other + phase, over any number of turns.
-#[derive(Clone, Debug)]
-pub struct Coupling {
-    pub form: &'static CouplingForm,
-    pub kind: &'static Proportion,
-    /// What it couples, in the order of its arguments.
-    pub on: [Coupled; 2],
-    /// Of parameters only.
-    pub factor: Expr,
-    /// rad or m; from the assembled start if it was not given.
-    pub phase: Option<Expr>,
-}
-
-/// A coordinate that a coupling couples.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Coupled {
-    Angle(Rotor),
-    /// The one travel of a joint.
-    Travel(JointId),
-}
-
-impl Coupling {
-    /// The coordinate that is the factor times the other.
-    pub fn driven(&self) -> Coupled {
-        self.on[self.kind.driven]
-    }
-
-    pub fn other(&self) -> Coupled {
-        self.on[1 - self.kind.driven]
-    }
-
-    /// The rotors among what it couples.
-    pub fn rotors(&self) -> impl Iterator<Item = Rotor> {
-        self.on.into_iter().filter_map(|coupled| match coupled {
-            Coupled::Angle(rotor) => Some(rotor),
-            Coupled::Travel(_) => None,
-        })
-    }
-}
-
 /// A rheonomic constraint: quantity = law(time).
 #[derive(Clone, Debug)]
 pub struct Driver {
@@ -348,70 +241,6 @@ pub struct Driver {
     pub quantity: Quantity,
     /// Of time and parameters.
     pub law: Expr,
-}
-
-#[derive(Clone, Debug)]
-pub struct Load {
-    pub name: Name,
-    pub form: &'static LoadForm,
-    /// What it acts on, in the order of its arguments.
-    pub on: Vec<Subject>,
-    /// Its named arguments in the order of its form, each with its components; zero, or of a direction nothing, where it
-    /// was not written.
-    pub values: Vec<Vec<Expr>>,
-    /// The law behind it: nothing, one value, or components along the axes of the world.
-    pub law: Vec<Expr>,
-}
-
-/// What a load acts on.
-#[derive(Clone, Debug)]
-#[expect(clippy::large_enum_variant, reason = "there are few of them, and most are places")]
-pub enum Subject {
-    Place(Place),
-    Rotor(Rotor),
-    /// The one travel of a joint.
-    Travel(JointId),
-    /// A body in space, about the axes of the world.
-    Body(BodyId),
-}
-
-impl Load {
-    /// The places it acts at.
-    pub fn places(&self) -> impl Iterator<Item = &Place> {
-        self.on.iter().filter_map(|subject| match subject {
-            Subject::Place(place) => Some(place),
-            Subject::Rotor(_) | Subject::Travel(_) | Subject::Body(_) => None,
-        })
-    }
-
-    /// One of its places, as many as its form has.
-    pub fn place(&self, which: usize) -> &Place {
-        self.places().nth(which).expect("places are as many as the form has")
-    }
-
-    /// The rotors it acts on.
-    pub fn rotors(&self) -> impl Iterator<Item = Rotor> {
-        self.on.iter().filter_map(|subject| match subject {
-            Subject::Rotor(rotor) => Some(*rotor),
-            Subject::Place(_) | Subject::Travel(_) | Subject::Body(_) => None,
-        })
-    }
-
-    /// A named argument that is one number, by its index in the form.
-    pub fn value(&self, which: usize) -> &Expr {
-        &self.values[which][0]
-    }
-
-    /// All that it says in expressions.
-    pub fn expressions(&self) -> impl Iterator<Item = &Expr> {
-        self.values.iter().flatten().chain(&self.law)
-    }
-
-    /// Its named arguments that are no directions, with their components.
-    pub fn arguments(&self) -> impl Iterator<Item = (&'static Argument, &[Expr])> {
-        let arguments = self.form.call.named.iter().zip(self.values.iter().map(Vec::as_slice));
-        arguments.filter(|(argument, _)| !argument.is_direction())
-    }
 }
 
 /// `quantity = value` (exact) or `quantity ~ value` (guess), an angle, travel, position, or the rate of one.

@@ -290,9 +290,11 @@ impl Parser {
         ahead.advance();
         while ahead.enter(Delimiter::Bracket).is_some() {}
         if c.is_done() || ahead.at_punct('=') {
-            let message =
-                messages::missing_place(form.word, form.positional.len(), index, kind == Positional::Place);
-            return self.fail(region, message);
+            let (count, is_place) = (form.positional.len(), kind == Positional::Place);
+            let loads = (self.vocabulary.loads)(self.definition.space);
+            let load = loads.into_iter().find(|load| std::ptr::eq(&load.call, form));
+            let instead = load.and_then(|load| load.instead);
+            return self.fail(region, messages::missing_place(form.word, count, index, is_place, instead));
         }
         match kind {
             Positional::Place => arguments.places.push(self.place(c)?),

@@ -2,7 +2,7 @@
 
 use crate::good;
 use linkwright_compiler::equations::VOCABULARY;
-use linkwright_compiler::forms::{Law, LoadForm};
+use linkwright_compiler::forms::{Factor, Law, LoadForm, Means, Value};
 use linkwright_compiler::model::{
     BodyKind, Budgeted, ConstraintKind, Coordinates, Coupled, Expr, Frame, Quantity, Rotor, Space, Subject,
 };
@@ -285,6 +285,21 @@ fn the_header_survives_errors_in_the_body() {
     assert_eq!(header.visibility.to_string().replace(' ', ""), "pub(crate)");
 }
 
+/// What a joint is given is one number for each argument that is no direction.
+#[test]
+fn arguments_of_joints_are_single_numbers() {
+    for space in [Space::Planar, Space::Spatial] {
+        for joint in (VOCABULARY.joints)(space) {
+            let mut arguments = joint.call.named.iter();
+            assert!(
+                arguments.all(|argument| !matches!(argument.value, Value::Diagonal(_))),
+                "{}",
+                joint.call.word
+            );
+        }
+    }
+}
+
 /// Every load says what each of its unnamed arguments names; of those with one word, one is meant where no other is.
 #[test]
 fn forms_of_loads_agree() {
@@ -300,6 +315,32 @@ fn forms_of_loads_agree() {
             let has_law = |other: &LoadForm| other.law != Law::None;
             assert!(of_word.clone().all(|other| has_law(other) == has_law(load)), "{}", call.word);
             assert!(!load.stores || !has_law(load), "{}", call.word);
+        }
+    }
+}
+
+/// Factors and sums of couplings are of arguments that they have.
+#[test]
+fn forms_of_couplings_agree() {
+    for coupling in VOCABULARY.couplings {
+        let call = &coupling.call;
+        let is_required = |name: &str| {
+            let argument = call.named.iter().find(|argument| argument.name == name);
+            assert!(argument.is_some_and(|argument| argument.is_required()), "{}: {name}", call.word);
+        };
+        match coupling.means {
+            Means::Proportion { kind, factor } => {
+                assert_eq!(call.positional.len(), kind.on.len(), "{}", call.word);
+                let phase = call.named.iter().find(|argument| argument.name == "phase");
+                assert_eq!(phase.and_then(|phase| phase.dimension()), Some(kind.phase), "{}", call.word);
+                match factor {
+                    Factor::Argument(name) | Factor::PerTurn(name) => is_required(name),
+                    Factor::Quotient { of, to } => [of, to].into_iter().for_each(is_required),
+                }
+            }
+            Means::Sum { of, by, .. } => {
+                assert!([of[0], of[1], by].iter().all(|which| *which < call.positional.len()));
+            }
         }
     }
 }

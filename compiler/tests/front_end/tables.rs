@@ -35,8 +35,8 @@ fn named(argument: &Argument, space: Space) -> String {
     let value = match (argument.value, argument.need) {
         (Value::Direction, _) => format!("({})", ["x", "y", "z"][..space.dimensions()].join(", ")),
         // What is not written is zero.
-        (Value::Scalar(_) | Value::Moving(_), Need::Never) => "0".to_string(),
-        (Value::Scalar(_) | Value::Moving(_), _) => "…".to_string(),
+        (Value::Scalar(_) | Value::Moving(_) | Value::Diagonal(_), Need::Never) => "0".to_string(),
+        (Value::Scalar(_) | Value::Moving(_) | Value::Diagonal(_), _) => "…".to_string(),
     };
     format!("{} = {value}", argument.name)
 }

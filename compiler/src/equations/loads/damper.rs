@@ -15,6 +15,7 @@ pub static LOAD: LoadKind = LoadKind {
             positional: PLACES,
             named: &[Argument::scalar("damping", Need::Always, Dimension::DAMPING).restoring()],
         },
+        instead: Some("between the bodies of a joint write `torsion_spring(joint, …)`"),
         meant: None,
         title: "damper",
         exerts: "a tension by the rate of the distance of the places",

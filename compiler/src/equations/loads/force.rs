@@ -18,6 +18,7 @@ pub const CALL: Form = Form {
 pub static LOAD: LoadKind = LoadKind {
     form: LoadForm {
         call: CALL,
+        instead: None,
         meant: None,
         title: "force",
         exerts: "a force at the place, in world axes",

@@ -10,6 +10,7 @@ use crate::units::Dimension;
 pub static LOAD: LoadKind = LoadKind {
     form: LoadForm {
         call: force::CALL,
+        instead: None,
         meant: Some(|written| written.is_name && !written.is_directed && !written.has_components),
         title: "force along the travel",
         exerts: "a force along the travel of the joint, on its second body, and opposite on the first",

@@ -20,6 +20,7 @@ pub static LOAD: LoadKind = LoadKind {
                 Argument::scalar("damping", Need::Never, Dimension::DAMPING).restoring(),
             ],
         },
+        instead: Some("between the bodies of a joint write `torsion_spring(joint, …)`"),
         meant: None,
         title: "spring",
         exerts: "a tension by the distance of the places beyond the length, and by its rate",

@@ -14,6 +14,7 @@ pub const CALL: Form = Form { word: "torque", elsewhere: &[], positional: &[Posi
 pub static LOAD: LoadKind = LoadKind {
     form: LoadForm {
         call: CALL,
+        instead: None,
         meant: None,
         title: "torque",
         exerts: "a torque on the body, or on the second body of the joint and opposite on the first",

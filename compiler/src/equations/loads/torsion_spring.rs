@@ -19,6 +19,7 @@ pub static LOAD: LoadKind = LoadKind {
                 Argument::scalar("damping", Need::Never, Dimension::ANGULAR_DAMPING).restoring(),
             ],
         },
+        instead: None,
         meant: None,
         title: "torsion spring",
         exerts: "a torque by the angle beyond that at rest, and by its rate",

@@ -24,6 +24,7 @@ pub static LOAD: LoadKind = LoadKind {
                 Argument::scalar("torsional_damping", Need::Never, Dimension::ANGULAR_DAMPING).restoring(),
             ],
         },
+        instead: None,
         meant: None,
         title: "bushing",
         exerts: "a force by the way between the places along the first's axes, a torque by the angle, and by their rates",

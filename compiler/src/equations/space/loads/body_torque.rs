@@ -10,6 +10,7 @@ use crate::units::Dimension;
 pub static LOAD: LoadKind = LoadKind {
     form: LoadForm {
         call: TORQUE,
+        instead: None,
         meant: Some(|written| written.has_components),
         title: "torque",
         exerts: "a torque on the body, in world axes",

@@ -25,6 +25,7 @@ pub static LOAD: LoadKind = LoadKind {
                 Argument::diagonal("torsional_damping", Need::Never, Dimension::ANGULAR_DAMPING).restoring(),
             ],
         },
+        instead: None,
         meant: None,
         title: "bushing",
         exerts: "a force by the way between the places and a torque by the turn, along the first's axes, and by their rates",
