@@ -120,7 +120,7 @@ fn compiler_and_runtime_do_not_know_each_other() {
 #[test]
 fn stages_in_between_know_no_tokens() {
     let folders = ["syntax/", "source/", "emit/", "diagnostics/"];
-    let entries = ["lib.rs", "driver.rs", "file.rs", "counts.rs", "diagnostics.rs"];
+    let entries = ["lib.rs", "driver.rs", "file.rs", "counts.rs", "diagnostics.rs", "expansion.rs"];
     for (file, code) in sources("compiler/src") {
         if folders.iter().any(|folder| file.starts_with(folder)) || entries.contains(&file.as_str()) {
             continue;
@@ -440,7 +440,7 @@ fn rooms_import_from_those_before_them() {
         }
         found.insert(room.to_string());
         let own = place(room).unwrap_or_else(|| panic!("{room} is not in the list of ARCHITECTURE.md"));
-        for other in imported(&text).iter().filter(|other| *other != room) {
+        for other in imported(&without_strings(&text)).iter().filter(|other| *other != room) {
             let at = place(other).unwrap_or_else(|| panic!("{file} imports {other}, which is no room"));
             assert!(at < own, "{file} imports {other}, which comes later");
         }

@@ -28,7 +28,7 @@ pub struct JointForm {
     /// Joints that leave more freedom.
     pub freer: &'static [Freer],
     /// What its arguments may not be, beyond their dimensions: the name of the one at fault, and why.
-    pub refuses: Option<fn(&Given) -> Option<(&'static str, String)>>,
+    pub refuses: Option<Refuses>,
 }
 
 impl JointForm {
@@ -87,6 +87,9 @@ pub struct Freer {
     pub shifts: usize,
     pub joint: &'static str,
 }
+
+/// The name of the argument at fault, and why.
+pub type Refuses = fn(&Given) -> Option<(&'static str, String)>;
 
 /// The arguments of a joint as numbers, at the defaults of parameters; `None` where they are not known.
 #[derive(Clone, Debug)]

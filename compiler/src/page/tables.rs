@@ -152,7 +152,7 @@ fn arguments(mechanism: &Mechanism, load: &Load) -> String {
             several => format!("({})", several.join(", ")),
         };
         let unit = argument.dimension().map(|dimension| dimension.to_string().replace('*', " "));
-        format!("{} {values} {}", argument.name, unit.unwrap_or_default())
+        format!("{} {values} {}", argument.name.replace('_', " "), unit.unwrap_or_default())
     });
     texts.collect::<Vec<_>>().join(", ")
 }
