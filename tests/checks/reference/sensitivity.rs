@@ -75,7 +75,7 @@ fn derivatives_agree_with_casadi() {
     let record = recorded::folder();
     let mut arguments = vec!["--minimum", "100"];
     if std::env::var_os("RECORD_CASADI").is_some() {
-        arguments.extend(["--record", record.to_str().unwrap(), "--states", "3"]);
+        arguments.extend(["--record", record.to_str().unwrap(), "--states", "1"]);
     }
     compare(&python, &folder, &arguments);
 }
