@@ -87,7 +87,7 @@ fn each_absence_has_a_number_here() {
 }
 
 /// 1. The symbolic core knows nothing of mechanisms, tokens or Rust: it imports nothing of its crate, and of others only
-/// `std` and `libm`.
+///    `std` and `libm`.
 #[test]
 fn the_symbolic_core_imports_nothing() {
     for (file, code) in sources("compiler/src/symbolic") {
@@ -220,7 +220,7 @@ fn hashed(code: &str) -> (Vec<&str>, Vec<&str>) {
 }
 
 /// 7. No `HashMap` or `HashSet` is iterated where its order could show: what comes out is sorted, or its least and
-/// greatest taken, in the same statement or the next.
+///    greatest taken, in the same statement or the next.
 #[test]
 fn hash_maps_are_looked_up_only() {
     let (mut found, mut sorted) = (0, 0);
@@ -287,7 +287,7 @@ fn expansions() -> Vec<(String, String)> {
 }
 
 /// 8. Generated functions do not branch, loop, allocate or panic; only `prepare` returns a `Result`, and what is indexed is
-/// an array of known length at a constant index, which rustc checks.
+///    an array of known length at a constant index, which rustc checks.
 #[test]
 fn generated_functions_are_straight() {
     for (name, text) in expansions() {
