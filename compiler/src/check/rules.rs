@@ -4,7 +4,7 @@
 //! Values of parameters are judged at their defaults. Rank, mobility and whether loops close are left to `assemble`.
 
 use crate::diagnostics::Diagnostics;
-use crate::forms::{Sign, Spans};
+use crate::forms::Sign;
 use crate::messages;
 use crate::model::{
     BodyId, Condition, ConstraintKind, Expr, Frame, JointId, Mechanism, Name, Quantity, Rotor, Space,
@@ -203,7 +203,7 @@ fn lines_have_two_ends(mechanism: &Mechanism, diagnostics: &mut Diagnostics) {
             }
         }
     }
-    for joint in mechanism.joints.iter().filter(|joint| joint.form.spans == Spans::Line) {
+    for joint in mechanism.joints.iter().filter(|joint| joint.form.has_line()) {
         // A line with a name has been judged where it is declared.
         let named = matches!(joint.first.frame, Frame::Body(body)
         if mechanism.bodies[body.0].lines.iter().any(|line| {
@@ -221,7 +221,7 @@ fn is_zero(mechanism: &Mechanism, direction: &Vector) -> bool {
 
 // The axis of a joint is not zero.
 fn axes_point_somewhere(mechanism: &Mechanism, diagnostics: &mut Diagnostics) {
-    for joint in mechanism.joints.iter().filter(|joint| joint.form.spans != Spans::Line) {
+    for joint in mechanism.joints.iter().filter(|joint| !joint.form.has_line()) {
         if joint.directions.iter().any(|axis| is_zero(mechanism, axis)) {
             diagnostics.error(joint.name.span, messages::zero_direction("axis", mechanism.space));
         }

@@ -1,6 +1,6 @@
 //! What anyone may know of a kind of joint.
 
-use super::Form;
+use super::{Form, Positional};
 
 /// A kind of joint, without its equations.
 #[derive(Debug)]
@@ -32,6 +32,11 @@ pub struct JointForm {
 }
 
 impl JointForm {
+    /// Whether its first place is a line.
+    pub fn has_line(&self) -> bool {
+        self.call.positional.contains(&Positional::Line)
+    }
+
     /// Whether its second body is drawn as a block on a rail.
     pub fn is_block(&self) -> bool {
         self.spans == Spans::Rail && self.keeps_orientation
@@ -42,7 +47,7 @@ impl JointForm {
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Spans {
     Nothing,
-    /// A rod from the one to the other.
+    /// A rod from the one to the other, as long as the first of its arguments says.
     Rod,
     /// A rail along its axis.
     Rail,

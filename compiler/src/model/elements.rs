@@ -1,7 +1,7 @@
 //! Joints, couplings and loads of a mechanism: each by its form and what it was given, whatever its kind.
 
 use super::{BodyId, BodyKind, Expr, Frame, JointId, Mechanism, Name, Place, Vector};
-use crate::forms::{Argument, CouplingForm, JointAxes, JointForm, LoadForm, Proportion};
+use crate::forms::{Argument, CouplingForm, JointAxes, JointForm, LoadForm, Proportion, Spans};
 
 /// A joint between two places. Its coordinate, rate, travel and torque are those of the second place's body
 /// relative to the first's, axes in the first's frame.
@@ -36,6 +36,11 @@ impl Joint {
     /// The axis that is the same in the axes of both places.
     pub fn common_axis(&self) -> Option<&Vector> {
         self.directions.first().filter(|_| self.form.axes == JointAxes::Common)
+    }
+
+    /// The length of the rod between its places, if it is one: its first argument.
+    pub fn rod(&self) -> Option<&Expr> {
+        (self.form.spans == Spans::Rod).then(|| self.scalar(0))
     }
 
     /// Whether one of its places is a body without orientation: the joint then has no angle.
@@ -150,6 +155,15 @@ impl Load {
         self.places().nth(which).expect("places are as many as the form has")
     }
 
+    /// The joint along whose travel it acts, if its form says that it acts on one.
+    pub fn travel(&self) -> JointId {
+        let travel = self.on.iter().find_map(|subject| match subject {
+            Subject::Travel(joint) => Some(*joint),
+            Subject::Place(_) | Subject::Rotor(_) | Subject::Body(_) => None,
+        });
+        travel.expect("the form says so")
+    }
+
     /// The rotors it acts on.
     pub fn rotors(&self) -> impl Iterator<Item = Rotor> {
         self.on.iter().filter_map(|subject| match subject {
@@ -161,6 +175,11 @@ impl Load {
     /// A named argument that is one number, by its index in the form.
     pub fn value(&self, which: usize) -> &Expr {
         &self.values[which][0]
+    }
+
+    /// A named argument with one number for each axis, by its index in the form.
+    pub fn components(&self, which: usize) -> &[Expr] {
+        &self.values[which]
     }
 
     /// All that it says in expressions.

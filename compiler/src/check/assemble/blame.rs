@@ -3,7 +3,6 @@
 use super::point::Point;
 use super::world::{Vec3, World, cross, length, sub};
 use crate::equations::space::constant_axis;
-use crate::forms::Spans;
 use crate::model::{Axes, Frame, Joint, JointId, Mechanism, Place, Space, fold};
 
 /// The fault of a loop.
@@ -61,8 +60,8 @@ fn too_long(mechanism: &Mechanism, world: &World, joints: &[JointId]) -> Option<
     let mut lengths: Vec<(String, f64)> = Vec::new();
     for id in joints {
         let joint = &mechanism.joints[id.0];
-        if joint.form.spans == Spans::Rod {
-            let length = fold::evaluate(joint.scalar(0), &mechanism.defaults())?;
+        if let Some(length) = joint.rod() {
+            let length = fold::evaluate(length, &mechanism.defaults())?;
             lengths.push((joint.name.text.clone(), length));
         } else if !joint.form.keeps_place || joint.form.freedoms == 0 {
             return None;

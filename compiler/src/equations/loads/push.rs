@@ -4,7 +4,7 @@ use super::{LoadKind, LoadTerms, along, force, no_rotors};
 use crate::drawing::load::Symbol;
 use crate::equations::laws::Laws;
 use crate::forms::{Acts, Law, LoadForm};
-use crate::model::{Load, Subject};
+use crate::model::Load;
 use crate::units::Dimension;
 
 pub static LOAD: LoadKind = LoadKind {
@@ -28,11 +28,7 @@ pub static LOAD: LoadKind = LoadKind {
 
 fn terms<'g>(laws: &Laws<'g>, load: &Load) -> LoadTerms<'g> {
     let force = laws.value(&load.law[0]);
-    let travels = load.on.iter().filter_map(|subject| match subject {
-        Subject::Travel(joint) => Some(laws.kinematics().travel(laws, *joint, 0)),
-        Subject::Place(_) | Subject::Rotor(_) | Subject::Body(_) => None,
-    });
-    travels.fold(LoadTerms::none(laws), |sum, travel| sum.and(along(&travel, force)))
+    along(&laws.kinematics().travel(laws, load.travel(), 0), force)
 }
 
 fn symbol(s: &mut Symbol) {

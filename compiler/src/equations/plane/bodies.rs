@@ -101,15 +101,15 @@ pub fn reactions<'g>(
     let (g, mechanism) = (laws.g, laws.mechanism);
     let zero = g.zero();
     let mut wrenches = vec![[zero; 3]; mechanism.joints.len()];
+    let moved = joints::with_room_for_reactions(laws);
     for (joint, rows) in multipliers_of_joints(cut_rows) {
-        let definition = &mechanism.joints[joint];
         // A row that was left out has no multiplier.
-        let lambda: Vec<Scalar> = joints::rows(laws, definition)
-            .iter()
-            .map(|own| rows.iter().find(|row| cut_rows[**row].what == own.what))
-            .map(|row| row.map_or(zero, |row| g.on(multipliers[*row])))
-            .collect();
-        wrenches[joint] = joints::reaction(laws, definition, &lambda);
+        let lambda = |what: &str| {
+            let row = rows.iter().find(|row| cut_rows[**row].what == what)?;
+            Some(g.on(multipliers[*row]))
+        };
+        let wrench = joints::reaction(&laws.of(&moved), &mechanism.joints[joint], lambda);
+        wrenches[joint] = wrench.map(|part| g.on(part.bare));
     }
 
     // What each body needs from the joint it hangs on: m a − applied + what its children need.

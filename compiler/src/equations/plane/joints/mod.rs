@@ -1,5 +1,5 @@
-//! The joints, one file each with the same functions in the same order:
-//! `rows` (the constraint as jets), `attach` (where the joint carries a body), `reaction` (from multipliers).
+//! The joints, one file each with the same parts in the same order: `JOINT` (the record), `rows` (the constraint as jets), `attach`
+//! (where the joint carries a body), `symbol`. Reactions follow from the rows.
 //!
 //! p₁, p₂ are the first and second place, θ₁, θ₂ the orientations of their bodies, Δ = p₂ − p₁. Kinds that need space do
 //! not arrive here: the language has no words for them in the plane.
@@ -36,8 +36,7 @@ pub struct PlanarJoint {
     pub symbol: fn(&mut Symbol),
 }
 
-/// The joints of the plane, one a line.
-#[rustfmt::skip]
+/// The joints of the plane.
 pub static JOINTS: &[&PlanarJoint] = &[
     &fixed::JOINT,
     &revolute::JOINT,
@@ -58,25 +57,33 @@ pub fn rows<'g>(laws: &Laws<'g>, joint: &'g Joint) -> Vec<JointRow> {
     (of(joint.form).rows)(laws, &Ends::of(laws, joint))
 }
 
-/// What the joint exerts, from the multipliers of its rows: −Σ λ ∂Φ/∂(x₂, y₂, θ₂), by virtual work, the second place and the axes
-/// that it carries being moved alone.
-pub fn reaction<'g>(laws: &Laws<'g>, joint: &Joint, lambda: &[Scalar<'g>]) -> Wrench<'g> {
-    let g = laws.g;
+/// The kinematics with three velocities more, of value zero, by which [`reaction`] moves a place alone.
+pub fn with_room_for_reactions(laws: &Laws) -> Kinematics {
     let mut kinematics = laws.plane().bare.clone();
-    let moved = kinematics.velocities.len();
-    kinematics.velocities.extend([g.zero().bare; 3]);
-    let kinematics = Kinematics::Plane(kinematics);
-    let laws = laws.of(&kinematics);
-    let mut ends = Ends::of(&laws, joint);
+    kinematics.velocities.extend([laws.g.zero().bare; 3]);
+    Kinematics::Plane(kinematics)
+}
+
+/// The wrench that a joint exerts on the second place's body, N and N m, from the multipliers of its rows:
+/// −Σ λ ∂Φ/∂(x₂, y₂, θ₂), by virtual work, the second place and the axes that it carries being moved alone. `laws`: of
+/// [`with_room_for_reactions`]; `lambda`: the multiplier of a row, by what it holds, if it has one.
+pub fn reaction<'g>(
+    laws: &Laws<'g>,
+    joint: &'g Joint,
+    lambda: impl Fn(&str) -> Option<Scalar<'g>>,
+) -> Wrench<'g> {
+    let g = laws.g;
+    let moved = laws.plane().bare.velocities.len() - 3;
+    let mut ends = Ends::of(laws, joint);
     let mut alone = LocalVector::fixed(vector::zero(g));
     alone.slide_freely(g, moved);
     ends.delta = ends.delta + Position::of(GROUND, alone);
     ends.moved = Some(moved);
-    let rows = (of(joint.form).rows)(&laws, &ends);
+    let rows = (of(joint.form).rows)(laws, &ends);
     [0, 1, 2].map(|component| {
-        let columns = rows.iter().zip(lambda).filter_map(|(row, lambda)| {
+        let columns = rows.iter().filter_map(|row| {
             let column = row.jet.columns.get(&(moved + component))?;
-            Some(*column * *lambda)
+            Some(*column * lambda(row.what)?)
         });
         -columns.fold(g.zero(), |sum, term| sum + term)
     })

@@ -45,13 +45,8 @@ fn terms<'g>(laws: &Laws<'g>, load: &Load) -> LoadTerms<'g> {
     let (plane, [first, second]) = (laws.plane(), [load.place(0), load.place(1)]);
     let way = plane.difference_in_first(laws, first, second);
     let angle = plane.angle_between(laws, first.frame, second.frame);
-    let [stiffness, damping, torsional_stiffness, torsional_damping] = &load.values[..] else {
-        return LoadTerms::none(laws);
-    };
-    restoring_each(laws, &way, stiffness, damping).and(restoring_each(
-        laws,
-        &[angle],
-        torsional_stiffness,
-        torsional_damping,
-    ))
+    let [stiffness, damping, torsional_stiffness, torsional_damping] =
+        [0, 1, 2, 3].map(|which| load.components(which));
+    let pull = restoring_each(laws, &way, stiffness, damping);
+    pull.and(restoring_each(laws, &[angle], torsional_stiffness, torsional_damping))
 }

@@ -42,11 +42,9 @@ pub static LOAD: LoadKind = LoadKind {
 };
 
 fn terms<'g>(laws: &Laws<'g>, load: &Load) -> LoadTerms<'g> {
-    let (Some(space), [stiffness, damping, torsional_stiffness, torsional_damping]) =
-        (laws.space(), &load.values[..])
-    else {
-        return LoadTerms::none(laws);
-    };
+    let space = laws.space().expect("a load of space");
+    let [stiffness, damping, torsional_stiffness, torsional_damping] =
+        [0, 1, 2, 3].map(|which| load.components(which));
     let [first, second] = [0, 1].map(|which| space.spot(laws, load.place(which)));
     let delta = space.delta(&first, &second);
     let way = [0, 1, 2].map(|k| delta.project(first.axes.column(k)));
@@ -54,10 +52,6 @@ fn terms<'g>(laws: &Laws<'g>, load: &Load) -> LoadTerms<'g> {
     // R = E₁ᵀ E₂, row after row.
     let entry = |row: usize, column: usize| seen[column].project(first.axes.column(row));
     let turn = [(2, 1), (0, 2), (1, 0)].map(|(i, j)| 0.5 * (entry(i, j) - entry(j, i)));
-    restoring_each(laws, &way, stiffness, damping).and(restoring_each(
-        laws,
-        &turn,
-        torsional_stiffness,
-        torsional_damping,
-    ))
+    let pull = restoring_each(laws, &way, stiffness, damping);
+    pull.and(restoring_each(laws, &turn, torsional_stiffness, torsional_damping))
 }
