@@ -31,7 +31,7 @@ linkwright::mechanism! {
 /// The stabilisations compared: none, and α = β in 1/s.
 pub const RATES: [Option<f64>; 5] = [None, Some(1.0), Some(5.0), Some(10.0), Some(50.0)];
 /// Step of the integrator (RK4), s: coarse, so that there is something to stabilise.
-pub const STEP: f64 = 2e-3;
+pub const STEP: f64 = 1e-3;
 /// Length of each run, s.
 pub const DURATION: f64 = 100.0;
 /// Over this time residuals are averaged, s: more than a turn of the crank, so that the curves show the drift.
