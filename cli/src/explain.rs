@@ -6,7 +6,7 @@ use crate::start;
 use linkwright_compiler::counts::Row;
 use linkwright_compiler::equations::conditions;
 use linkwright_compiler::model::{
-    BodyKind, ConstraintKind, Coordinates, Frame, JointId, Mechanism, Quantity, Redundant,
+    BodyKind, ConstraintKind, Coordinate, Coordinates, Frame, JointId, Mechanism, Redundant,
 };
 use linkwright_compiler::schedule::{Function, count, live_values};
 use linkwright_compiler::syntax::Definition;
@@ -99,7 +99,7 @@ pub fn explain(definition: &Definition, compiled: &Compiled) -> Explanation {
         live: live_values(compiled.programs.get(function)),
     };
     let joint = |id: JointId| mechanism.joints[id.0].name.text.clone();
-    let name = |quantity: &Quantity| conditions::name(mechanism, quantity);
+    let name = |coordinate: &Coordinate| conditions::name(mechanism, coordinate);
     let state = start::state(definition, compiled);
     Explanation {
         name: mechanism.name.text.clone(),
@@ -124,8 +124,8 @@ pub fn explain(definition: &Definition, compiled: &Compiled) -> Explanation {
         choice: choice.explanation(),
         positions: layout.position_names(mechanism),
         velocities: layout.velocity_names(mechanism),
-        rows: equations.rows.iter().map(|row| [row.of.clone(), row.what.to_string()]).collect(),
-        redundant: assembly.dropped.iter().map(|row| [joint(row.joint), row.what.to_string()]).collect(),
+        rows: equations.rows.iter().map(|row| [row.of.clone(), row.form.name.to_string()]).collect(),
+        redundant: assembly.dropped.iter().map(|row| [joint(row.joint), row.form.name.to_string()]).collect(),
         keeps_redundant: mechanism.options.redundant == Redundant::Keep,
         shared_reactions: assembly.shared.iter().map(|id| joint(*id)).collect(),
         start: state.found,
@@ -176,7 +176,7 @@ fn couplings(mechanism: &Mechanism) -> Vec<[String; 2]> {
         [constraint.name.text.clone(), kind.to_string()]
     });
     let drivers = mechanism.drivers.iter().map(|driver| {
-        [driver.name.text.clone(), format!("driver of {}", conditions::name(mechanism, &driver.quantity))]
+        [driver.name.text.clone(), format!("driver of {}", conditions::name(mechanism, &driver.coordinate))]
     });
     couplings.chain(drivers).collect()
 }

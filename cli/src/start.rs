@@ -5,7 +5,7 @@ use crate::explain::{Body, Value, turns};
 use linkwright_compiler::Compiled;
 use linkwright_compiler::check::assemble::{Ancestry, Point};
 use linkwright_compiler::equations::{Equations, Laws, conditions};
-use linkwright_compiler::model::{BodyId, BodyKind, JointId, Mechanism, Quantity, Space};
+use linkwright_compiler::model::{BodyId, BodyKind, Coordinate, JointId, Mechanism, Rotor, Space};
 use linkwright_compiler::symbolic::Node;
 use linkwright_compiler::syntax::Definition;
 use linkwright_compiler::units::{Dimension, Unit};
@@ -45,7 +45,9 @@ pub struct State {
 /// A coordinate or rate that is asked for.
 struct Asked {
     name: String,
-    quantity: Quantity,
+    coordinate: Coordinate,
+    /// Whether its rate is asked for.
+    rate: bool,
     given: Given,
     unit: (String, f64),
 }
@@ -55,8 +57,7 @@ pub fn state(definition: &Definition, compiled: &Compiled) -> State {
     let mechanism = &compiled.mechanism;
     let asked = asked(definition, mechanism);
     let mut equations = compiled.equations.clone();
-    let coordinates: Vec<Quantity> =
-        asked.iter().filter_map(|asked| conditions::coordinate_of(&asked.quantity)).collect();
+    let coordinates: Vec<Coordinate> = asked.iter().map(|asked| asked.coordinate.clone()).collect();
     let conditions = equations.add_conditions(mechanism, &coordinates);
     let masses = masses(mechanism, &mut equations);
     let mut point = point(compiled, &equations);
@@ -64,11 +65,11 @@ pub fn state(definition: &Definition, compiled: &Compiled) -> State {
     point.evaluate(&Ancestry::of_jets(&equations, jets));
     let found = asked.into_iter().zip(&conditions).map(|(asked, index)| {
         let jet = &equations.conditions[*index].jet;
-        let si = if conditions::is_position(&asked.quantity) {
-            point.get(jet.value)
-        } else {
+        let si = if asked.rate {
             let moved = jet.columns.iter().map(|(k, node)| point.get(*node) * compiled.assembly.v[*k]);
             moved.sum::<f64>() + point.get(jet.drift)
+        } else {
+            point.get(jet.value)
         };
         let (unit, scale) = asked.unit;
         Found { value: Value { name: asked.name, value: si / scale, unit }, given: asked.given }
@@ -93,15 +94,19 @@ fn point<'e>(compiled: &Compiled, equations: &'e Equations) -> Point<'e> {
 /// What `start` mentions, then all other coordinates of joints.
 fn asked(definition: &Definition, mechanism: &Mechanism) -> Vec<Asked> {
     let mut asked: Vec<Asked> = Vec::new();
-    for start in mechanism.start.iter().filter(|start| conditions::coordinate_of(&start.quantity).is_some()) {
+    for start in &mechanism.start {
         let written = definition.start.iter().find(|written| written.quantity.text == start.text);
         let own = written.and_then(|written| written.entry.unit.as_ref()).map(|unit| &unit.unit);
         let unit = own.map_or_else(
-            || unit(definition, dimension(&start.quantity)),
+            || {
+                let known = &start.coordinate;
+                unit(definition, if start.rate { known.rate_dimension() } else { known.dimension() })
+            },
             |unit| (unit.text.clone(), unit.scale),
         );
         let given = if start.exact { Given::Stated } else { Given::Guessed };
-        asked.push(Asked { name: start.text.clone(), quantity: start.quantity.clone(), given, unit });
+        let (name, coordinate) = (start.text.clone(), start.coordinate.clone());
+        asked.push(Asked { name, coordinate, rate: start.rate, given, unit });
     }
     for (index, joint) in mechanism.joints.iter().enumerate() {
         let names = joint.form;
@@ -110,26 +115,17 @@ fn asked(definition: &Definition, mechanism: &Mechanism) -> Vec<Asked> {
         } else {
             0
         };
-        let angles = (0..angles).map(|which| Quantity::JointAngle(JointId(index), which));
-        let travels = (0..names.travels.len()).map(|which| Quantity::JointTravel(JointId(index), which));
-        for quantity in angles.chain(travels) {
-            let name = conditions::name(mechanism, &quantity);
-            if asked.iter().all(|known| known.name != name) {
-                let unit = unit(definition, dimension(&quantity));
-                asked.push(Asked { name, quantity, given: Given::Nothing, unit });
+        let angles = (0..angles).map(|which| Coordinate::Angle(Rotor::Joint(JointId(index), which)));
+        let travels = (0..names.travels.len()).map(|which| Coordinate::Travel(JointId(index), which));
+        for coordinate in angles.chain(travels) {
+            if asked.iter().all(|known| known.rate || known.coordinate != coordinate) {
+                let name = conditions::name(mechanism, &coordinate);
+                let unit = unit(definition, coordinate.dimension());
+                asked.push(Asked { name, coordinate, rate: false, given: Given::Nothing, unit });
             }
         }
     }
     asked
-}
-
-fn dimension(quantity: &Quantity) -> Dimension {
-    match quantity {
-        Quantity::BodyAngle(_) | Quantity::JointAngle(..) => Dimension::ANGLE,
-        Quantity::BodyRate(_) | Quantity::JointRate(..) | Quantity::BodyOmega(..) => Dimension::ANGULAR_RATE,
-        Quantity::JointSpeed(..) | Quantity::Velocity(..) => Dimension::SPEED,
-        _ => Dimension::LENGTH,
-    }
 }
 
 /// The first unit of `start` for this dimension and its SI value, else that of the SI.

@@ -68,7 +68,7 @@ pub use layout::{Layout, MultiTurn, inverse_differential, retract, retract_count
 pub use linearisation::{
     Actuation, ByParameters, Equilibrium, Linearisation, Response, StateSpace, actuation, equilibrium,
 };
-pub use mechanism::{Assemble, Condition, ConditionKind, Elimination, Mechanism, Row};
+pub use mechanism::{Assemble, Condition, ConditionKind, Elimination, Flips, Mechanism, Row};
 pub use real::Real;
 pub use rotation::unwrap_angle;
 pub use simulation::{
@@ -92,7 +92,7 @@ pub mod __private {
         pub use crate::error::{AssemblyError, SettingError, SimulationError};
         pub use crate::fields::Fields;
         pub use crate::layout::{Layout, MultiTurn, retract};
-        pub use crate::mechanism::{Assemble, Condition, ConditionKind, Elimination, Mechanism, Row};
+        pub use crate::mechanism::{Assemble, Condition, ConditionKind, Elimination, Flips, Mechanism, Row};
         pub use crate::real::Real;
         pub use crate::rotation::unwrap_angle;
         pub use crate::state::{Kinematics, Motion, State};

@@ -13,7 +13,6 @@ use crate::layout::Layout;
 use crate::real::Real;
 use crate::vector::Vector;
 use core::fmt::Debug;
-use core::ops::Range;
 
 /// A constraint row of D, by the names its author knows.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -30,22 +29,6 @@ pub struct Row {
 pub(crate) fn name_row<R: Real, M: Mechanism<R>>(index: Option<usize>) -> Row {
     let row = index.and_then(|index| M::ROWS.get(index).copied());
     row.unwrap_or(Row { of: M::NAME, what: "constraints" })
-}
-
-/// Neighbours that are the same, as ranges of indices; unlike `chunk_by` of slices without a panic to be linked.
-pub(crate) fn groups<T>(items: &[T], same: impl Fn(&T, &T) -> bool) -> impl Iterator<Item = Range<usize>> {
-    let mut end = 0;
-    core::iter::from_fn(move || {
-        let begin = end;
-        items.get(begin)?;
-        end += 1;
-        while let (Some(last), Some(next)) = (items.get(end - 1), items.get(end))
-            && same(last, next)
-        {
-            end += 1;
-        }
-        Some(begin..end)
-    })
 }
 
 /// The equations of motion of one mechanism, evaluated in the scalars `R`.
@@ -168,10 +151,8 @@ pub trait Assemble<R: Real>: Mechanism<R> {
     const INDEPENDENT: &'static [u16];
     /// (row, column) of each stored entry of the conditions' Jacobian, in row-major order.
     const CONDITION_PATTERN: &'static [(u16, u16)];
-    /// Constraint rows of the form sin Δθ = 0, which must not end on the flipped root Δθ = π, in ascending order. Rows
-    /// `"axis_1"` and `"axis_2"` of a joint side by side are taken as the two that make axes parallel, with one cosine,
-    /// and what follows them of that joint as its turn about these.
-    const FLIPS: &'static [u16];
+    /// Constraint rows of the form sin Δθ = 0, which must not end on the flipped root Δθ = π, joint by joint.
+    const FLIPS: &'static [Flips];
     /// Rows, ascending, that repeat what others fix and are kept: they vanish with the others, have the multiplier zero, and
     /// take no part in factorisations.
     const IDLE: &'static [u16] = &[];
@@ -325,6 +306,22 @@ pub trait Assemble<R: Real>: Mechanism<R> {
     /// Takes the phases of couplings that state none (gears, racks) from an assembled position.
     fn fix_phases(&mut self, q: &Self::Q) {
         let _ = q;
+    }
+}
+
+/// The constraint rows of one joint of the form sin Δθ = 0.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Flips {
+    /// The two that make axes parallel, with one cosine.
+    pub axes: Option<[u16; 2]>,
+    /// Those of turns: about these axes where there are some, else each by itself.
+    pub turns: &'static [u16],
+}
+
+impl Flips {
+    /// All of them.
+    pub fn rows(&self) -> impl Iterator<Item = u16> {
+        self.axes.into_iter().flatten().chain(self.turns.iter().copied())
     }
 }
 

@@ -30,7 +30,7 @@ fn are_true<M: Model>() {
 fn sections(compiled: &Compiled) -> Vec<(&'static str, BTreeMap<String, Node>)> {
     let e = &compiled.equations;
     let v = e.layout.velocity_names(&compiled.mechanism);
-    let row = |index: usize| format!("{}.{}", e.rows[index].of, e.rows[index].what);
+    let row = |index: usize| format!("{}.{}", e.rows[index].of, e.rows[index].form.name);
     let of_rows = |nodes: Vec<Node>| (0..e.rows.len()).map(row).zip(nodes).collect::<BTreeMap<_, _>>();
     let jacobian = e.rows.iter().enumerate().flat_map(|(index, own)| {
         let columns = own.jet.columns.iter();
@@ -85,7 +85,7 @@ impl State {
         let (q, v) = (e.layout.position_names(mechanism), e.layout.velocity_names(mechanism));
         let parameters = mechanism.parameters.iter().map(|it| it.name.text.clone()).collect();
         let inputs = mechanism.inputs.iter().map(|it| it.name.text.clone()).collect();
-        let rows = e.rows.iter().map(|row| format!("λ({}.{})", row.of, row.what)).collect();
+        let rows = e.rows.iter().map(|row| format!("λ({}.{})", row.of, row.form.name)).collect();
         set(&known.parameters, &point.parameters, parameters);
         set(&known.phases, &point.phases, known.phases.iter().map(own).collect());
         set(&[known.time], &[point.time], vec!["time".to_string()]);

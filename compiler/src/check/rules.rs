@@ -7,8 +7,8 @@ use crate::diagnostics::Diagnostics;
 use crate::forms::Sign;
 use crate::messages;
 use crate::model::{
-    BodyId, Condition, ConstraintKind, Expr, Frame, JointId, Mechanism, Name, Quantity, Rotor, Space,
-    Subject, Vector, fold,
+    BodyId, Condition, ConstraintKind, Coordinate, Expr, Frame, Mechanism, Name, NamedLine, Quantity, Rotor,
+    Space, Subject, Vector, fold,
 };
 use std::collections::HashMap;
 
@@ -190,25 +190,18 @@ fn principal_moments(mut m: [[f64; 3]; 3]) -> [f64; 3] {
 fn lines_have_two_ends(mechanism: &Mechanism, diagnostics: &mut Diagnostics) {
     for body in &mechanism.bodies {
         for line in &body.lines {
-            let same = |axis: usize| {
-                let difference = fold::binary(
-                    crate::model::Function2::Sub,
-                    line.to[axis].clone(),
-                    line.from[axis].clone(),
-                );
-                at_defaults(mechanism, &difference) == Some(0.0)
-            };
-            if same(0) && same(1) && same(2) {
+            if is_zero(mechanism, &fold::between(&line.from, &line.to)) {
                 diagnostics.error(line.name.span, messages::line_without_length(&line.name.text));
             }
         }
     }
     for joint in mechanism.joints.iter().filter(|joint| joint.form.has_line()) {
         // A line with a name has been judged where it is declared.
+        let is_it = |line: &NamedLine| {
+            line.from == joint.first.at && fold::between(&line.from, &line.to) == *joint.direction(0)
+        };
         let named = matches!(joint.first.frame, Frame::Body(body)
-        if mechanism.bodies[body.0].lines.iter().any(|line| {
-            joint.first.text == format!("{}.{}", mechanism.bodies[body.0].name.text, line.name.text)
-        }));
+            if mechanism.bodies[body.0].lines.iter().any(is_it));
         if !named && is_zero(mechanism, joint.direction(0)) {
             diagnostics.error(joint.first.span, messages::line_without_length(&joint.first.text));
         }
@@ -271,22 +264,23 @@ fn equations_move(mechanism: &Mechanism, diagnostics: &mut Diagnostics) {
 
 // A quantity is driven once.
 fn drivers_differ(mechanism: &Mechanism, diagnostics: &mut Diagnostics) {
-    let mut seen = HashMap::new();
-    for driver in &mechanism.drivers {
-        if let Some(first) = seen.insert(key(&driver.quantity), &driver.name) {
-            let message = messages::driven_twice(&driver.name.text, &first.text);
-            diagnostics.conflict(driver.name.span, message, first.span, messages::first_here(&first.text));
+    for (before, driver) in mechanism.drivers.iter().enumerate() {
+        let mut before = mechanism.drivers[..before].iter();
+        if let Some(first) = before.rfind(|first| first.coordinate == driver.coordinate) {
+            let (name, first) = (&driver.name, &first.name);
+            let message = messages::driven_twice(&name.text, &first.text);
+            diagnostics.conflict(name.span, message, first.span, messages::first_here(&first.text));
         }
     }
 }
 
 // A start value is given once, as a condition or as a guess.
 fn start_is_said_once(mechanism: &Mechanism, diagnostics: &mut Diagnostics) {
-    let mut seen = HashMap::new();
-    for start in &mechanism.start {
-        if let Some(first) = seen.insert(key(&start.quantity), start.span) {
+    for (before, start) in mechanism.start.iter().enumerate() {
+        let mut before = mechanism.start[..before].iter();
+        if let Some(first) = before.rfind(|it| (&it.coordinate, it.rate) == (&start.coordinate, start.rate)) {
             let message = messages::start_twice(&start.text);
-            diagnostics.conflict(start.span, message, first, messages::first_here(&start.text));
+            diagnostics.conflict(start.span, message, first.span, messages::first_here(&start.text));
         }
     }
 }
@@ -335,16 +329,19 @@ pub(super) fn touched(mechanism: &Mechanism) -> Vec<bool> {
         touch(&mut touched, joint.first.frame);
         touch(&mut touched, joint.second.frame);
     }
-    let mut quantities: Vec<&Quantity> = mechanism.drivers.iter().map(|driver| &driver.quantity).collect();
+    let mut coordinates: Vec<&Coordinate> =
+        mechanism.drivers.iter().map(|driver| &driver.coordinate).collect();
     for constraint in &mechanism.constraints {
         match &constraint.kind {
             // The bodies of a joint have been touched by it.
             ConstraintKind::Coupling(coupling) => {
                 coupling.rotors().for_each(|rotor| touch_rotor(&mut touched, rotor));
             }
-            ConstraintKind::Equation { residual } => {
-                visit(residual, &mut |quantity| quantities.push(quantity))
-            }
+            ConstraintKind::Equation { residual } => visit(residual, &mut |quantity| {
+                if let Quantity::Coordinate(coordinate) = quantity {
+                    coordinates.push(coordinate);
+                }
+            }),
         }
     }
     for subject in mechanism.loads.iter().flat_map(|load| &load.on) {
@@ -356,17 +353,19 @@ pub(super) fn touched(mechanism: &Mechanism) -> Vec<bool> {
             Subject::Body(body) => touch(&mut touched, Frame::Body(*body)),
         }
     }
-    for quantity in quantities {
-        match quantity {
-            Quantity::BodyAngle(body) | Quantity::BodyRate(body) | Quantity::BodyOmega(body, _) => {
+    for coordinate in coordinates {
+        match coordinate {
+            Coordinate::Angle(rotor) => touch_rotor(&mut touched, *rotor),
+            // The bodies of a joint have been touched by it.
+            Coordinate::Travel(..) => {}
+            Coordinate::Turn(body, _) | Coordinate::Deviation(body, _) => {
                 touch(&mut touched, Frame::Body(*body))
             }
-            Quantity::Position(place, _) | Quantity::Velocity(place, _) => touch(&mut touched, place.frame),
-            Quantity::Distance(first, second) => {
+            Coordinate::Position(place, _) => touch(&mut touched, place.frame),
+            Coordinate::Distance(first, second) => {
                 touch(&mut touched, first.frame);
                 touch(&mut touched, second.frame);
             }
-            _ => {}
         }
     }
     touched
@@ -382,22 +381,6 @@ fn touch(touched: &mut [bool], frame: Frame) {
 fn touch_rotor(touched: &mut [bool], rotor: Rotor) {
     if let Rotor::Body(body) = rotor {
         touch(touched, Frame::Body(body));
-    }
-}
-
-/// Two quantities with the same key are the same.
-fn key(quantity: &Quantity) -> (u8, usize, String) {
-    let joint = |kind, JointId(index): JointId, which: usize| (kind, index, which.to_string());
-    match quantity {
-        Quantity::BodyAngle(body) => (0, body.0, String::new()),
-        Quantity::BodyRate(body) => (1, body.0, String::new()),
-        Quantity::JointAngle(id, which) => joint(2, *id, *which),
-        Quantity::JointRate(id, which) => joint(3, *id, *which),
-        Quantity::JointTravel(id, which) => joint(4, *id, *which),
-        Quantity::JointSpeed(id, which) => joint(5, *id, *which),
-        Quantity::Position(place, axis) => (6, *axis, place.text.clone()),
-        Quantity::Velocity(place, axis) => (7, *axis, place.text.clone()),
-        other => (8, 0, format!("{other:?}")),
     }
 }
 

@@ -20,18 +20,17 @@ pub fn assemble(text: &mut String, emitter: &Emitter) {
         };
         tables::indices(targets.filter(|(_, target)| has(target)).map(|(index, _)| index))
     };
-    let upright = equations.rows.iter().enumerate().filter(|(_, row)| row.upright.is_some());
     let _ = writeln!(text, "impl<R: Real> Assemble<R> for {inner}<R> {{");
     let _ = writeln!(text, "const CONDITIONS: &'static [Condition] = {};", tables::conditions(emitter));
     let lists = [
         ("START_CONDITIONS", stated(false)),
         ("START_RATES", stated(true)),
         ("INDEPENDENT", tables::indices(compiled.independent.iter().copied())),
-        ("FLIPS", tables::indices(upright.map(|(index, _)| index))),
     ];
     for (constant, list) in lists {
         let _ = writeln!(text, "const {constant}: &'static [u16] = {list};");
     }
+    let _ = writeln!(text, "const FLIPS: &'static [Flips] = {};", tables::flips(emitter));
     if !equations.idle.is_empty() {
         let idle = tables::indices(equations.idle.iter().copied());
         let _ = writeln!(text, "const IDLE: &'static [u16] = {idle};");
@@ -111,7 +110,7 @@ pub fn assemble(text: &mut String, emitter: &Emitter) {
     let numbers = |values: &[f64]| array(values.iter().map(|value| constant(*value)));
     let _ = writeln!(text, "fn start_q() -> Q<R> {{ {} }}", numbers(&compiled.assembly.q));
     let _ = writeln!(text, "fn start_v() -> V<R> {{ {} }}", numbers(&compiled.assembly.v));
-    let open = open_rows(emitter);
+    let open = compiled.equations.open_rows(emitter.mechanism);
     if !open.is_empty() {
         // The residual with the old phase is what the new phase differs by.
         text.push_str("fn fix_phases(&mut self, q: &Q<R>) {\nlet mut phi = [R::ZERO; ");
@@ -124,12 +123,4 @@ pub fn assemble(text: &mut String, emitter: &Emitter) {
     }
     text.push_str("}\n");
     text.push_str(&helpers);
-}
-
-/// Rows of the couplings whose phase comes from the assembled start.
-pub fn open_rows(emitter: &Emitter) -> Vec<usize> {
-    let constraints = emitter.mechanism.constraints.iter();
-    let open = constraints.filter(|constraint| crate::equations::couplings::is_open(constraint));
-    let rows = &emitter.compiled.equations.rows;
-    open.filter_map(|c| rows.iter().position(|row| row.joint.is_none() && row.of == c.name.text)).collect()
 }

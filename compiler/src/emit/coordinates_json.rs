@@ -48,7 +48,7 @@ pub fn coordinates_json(mechanism: &Mechanism, equations: &Equations) -> String 
             Some(Frame::Ground) => ",\"in\":\"ground\"".to_string(),
             Some(Frame::Body(id)) => format!(",\"in\":{}", body(id.0)),
         };
-        format!("{{\"of\":{},\"what\":{}{axes}}}", quoted(&row.of), quoted(row.what))
+        format!("{{\"of\":{},\"what\":{}{axes}}}", quoted(&row.of), quoted(row.form.name))
     });
     let kind = if equations.tree.attachments.iter().all(|attachment| attachment.joint.is_none()) {
         "absolute"

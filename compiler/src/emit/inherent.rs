@@ -1,6 +1,5 @@
 //! The model's own functions: `prepare`, `parameters`, and what follows from a state.
 
-use super::assemble::open_rows;
 use super::body::{constant, literal};
 use super::function::{function, list};
 use super::names::{Argument, field};
@@ -51,7 +50,7 @@ pub fn inherent(text: &mut String, emitter: &Emitter) {
             ),
         };
     }
-    if open_rows(emitter).is_empty() {
+    if emitter.compiled.equations.open_rows(emitter.mechanism).is_empty() {
         let _ = writeln!(text, "let model = Self::with(parameters, {phases});");
     } else {
         // Open phases belong to the start position; these parameters may ask for others there.

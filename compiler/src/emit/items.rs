@@ -148,7 +148,7 @@ fn constants(text: &mut String, emitter: &Emitter, source: &str) {
         &format!(
             "&{}",
             array(dropped.map(|row| {
-                format!("({}, {})", quoted(&mechanism.joints[row.joint.0].name.text), quoted(row.what))
+                format!("({}, {})", quoted(&mechanism.joints[row.joint.0].name.text), quoted(row.form.name))
             }))
         ),
     );

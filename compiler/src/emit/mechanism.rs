@@ -3,7 +3,7 @@
 use super::function::{SOLUTION, all, function, one, solution_of};
 use super::names::{Argument, field};
 use super::{Emitter, quoted, tables};
-use crate::model::{Expr, Quantity, Rotor};
+use crate::model::{Coordinate, Expr, Quantity};
 use crate::schedule::Function;
 use std::fmt::Write;
 
@@ -121,15 +121,14 @@ fn outputs(text: &mut String, helpers: &mut String, emitter: &Emitter) {
     // Angles of the dynamics count their turns themselves; the others are unwrapped from sample to sample, the first
     // time from what `start` states.
     let unwrapped = mechanism.outputs.iter().zip(&fields).filter_map(|(output, field)| {
-        let rotor = match &output.value {
-            Expr::Quantity(Quantity::JointAngle(joint, which)) => Rotor::Joint(*joint, *which),
-            Expr::Quantity(Quantity::BodyAngle(body)) => Rotor::Body(*body),
-            _ => return None,
+        let Expr::Quantity(Quantity::Coordinate(coordinate @ Coordinate::Angle(rotor))) = &output.value
+        else {
+            return None;
         };
-        let counted = compiled.equations.layout.angles.iter().any(|angle| angle.rotor == rotor);
-        (!counted).then_some((rotor, field))
+        let counted = compiled.equations.layout.angles.iter().any(|angle| angle.rotor == *rotor);
+        (!counted).then_some((coordinate, field))
     });
-    let unwrapped: Vec<(Rotor, &String)> = unwrapped.collect();
+    let unwrapped: Vec<(&Coordinate, &String)> = unwrapped.collect();
     text.push_str("fn unwrap(outputs: &mut Outputs<R>, previous: &Outputs<R>) {\n");
     for (_, field) in &unwrapped {
         let _ = writeln!(text, "outputs.{field} = unwrap_angle(outputs.{field}, previous.{field});");
@@ -137,17 +136,10 @@ fn outputs(text: &mut String, helpers: &mut String, emitter: &Emitter) {
     text.push_str("}\n");
     let stated: Vec<(&String, usize)> = unwrapped
         .iter()
-        .filter_map(|(rotor, field)| {
+        .filter_map(|(angle, field)| {
             let mut conditions = compiled.equations.conditions.iter().zip(&compiled.equations.start_targets);
             let at = conditions.position(|(condition, target)| {
-                target.position.is_some()
-                    && match (&condition.quantity, rotor) {
-                        (Quantity::JointAngle(own, which), Rotor::Joint(joint, angle)) => {
-                            own == joint && which == angle
-                        }
-                        (Quantity::BodyAngle(own), Rotor::Body(body)) => own == body,
-                        _ => false,
-                    }
+                target.position.is_some() && condition.coordinate == **angle
             })?;
             Some((*field, at))
         })

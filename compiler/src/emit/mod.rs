@@ -150,7 +150,7 @@ impl<'a> Emitter<'a> {
         let equations = &self.compiled.equations;
         let velocities = equations.layout.velocity_names(self.mechanism);
         let rows = |prefix: &str| -> Vec<String> {
-            equations.rows.iter().map(|row| format!("{prefix}_{}_{}", row.of, row.what)).collect()
+            equations.rows.iter().map(|row| format!("{prefix}_{}_{}", row.of, row.form.name)).collect()
         };
         match function {
             Function::Acceleration | Function::AccelerationBaumgarte => {

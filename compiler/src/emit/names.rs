@@ -285,7 +285,7 @@ pub fn inner(name: &str) -> String {
 
 /// Types, traits and variants that implementations have in scope: short names of arrays, what the runtime exports to
 /// emitted code, the prelude.
-const IN_SCOPE: [&str; 97] = [
+const IN_SCOPE: [&str; 98] = [
     "Constants",
     "Phases",
     "Q",
@@ -334,6 +334,7 @@ const IN_SCOPE: [&str; 97] = [
     "Condition",
     "ConditionKind",
     "Elimination",
+    "Flips",
     "Mechanism",
     "Row",
     "Tangent",

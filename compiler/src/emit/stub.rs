@@ -175,7 +175,7 @@ impl<R: Real> Assemble<R> for @NAME@<R> {
     const START_RATES: &'static [u16] = &[];
     const INDEPENDENT: &'static [u16] = &[];
     const CONDITION_PATTERN: &'static [(u16, u16)] = &[];
-    const FLIPS: &'static [u16] = &[];
+    const FLIPS: &'static [Flips] = &[];
     const ROW_SIZES: &'static [f64] = &[];
     const ELIMINATION: Elimination = Elimination { order: &[], position: &[], row_start: &[], columns: &[] };
     type Conditions = @LIST@; type ConditionJacobian = @LIST@; type Factor = @LIST@; type System = @LIST@;

@@ -2,6 +2,7 @@
 
 use super::{Emitter, array, quoted};
 use crate::equations::Jet;
+use crate::forms::row::Whole;
 
 /// (row, column) of the structural non-zeros of a list of jets, row by row.
 pub fn jacobian_pattern<'a>(jets: impl Iterator<Item = &'a Jet>) -> String {
@@ -31,7 +32,7 @@ pub fn rows(emitter: &Emitter) -> String {
     let rows = emitter.compiled.equations.rows.iter();
     format!(
         "&{}",
-        array(rows.map(|row| format!("Row {{ of: {}, what: {} }}", quoted(&row.of), quoted(row.what))))
+        array(rows.map(|row| format!("Row {{ of: {}, what: {} }}", quoted(&row.of), quoted(row.form.name))))
     )
 }
 
@@ -39,10 +40,27 @@ pub fn strings(names: Vec<String>) -> String {
     format!("&{}", array(names.iter().map(|name| quoted(name))))
 }
 
+/// The direction rows, joint by joint.
+pub fn flips(emitter: &Emitter) -> String {
+    let rows = &emitter.compiled.equations.rows;
+    let upright: Vec<usize> = (0..rows.len()).filter(|row| rows[*row].upright.is_some()).collect();
+    let is_axis = |row: &usize| rows[*row].form.part_of == Some(Whole::Axis);
+    let joints = upright.chunk_by(|a, b| rows[*a].origin == rows[*b].origin).map(|joint| {
+        let (axes, turns) = match joint {
+            [first, second, turns @ ..] if is_axis(first) && is_axis(second) => {
+                (format!("Option::Some([{first}, {second}])"), turns)
+            }
+            turns => ("Option::None".to_string(), turns),
+        };
+        format!("Flips {{ axes: {axes}, turns: {} }}", indices(turns.iter().copied()))
+    });
+    format!("&{}", array(joints))
+}
+
 pub fn conditions(emitter: &Emitter) -> String {
     let conditions = emitter.compiled.equations.conditions.iter().map(|condition| {
         let kind = match condition {
-            condition if condition.rate_only => "Rate",
+            condition if !condition.coordinate.has_value() => "Rate",
             condition if condition.angular && !condition.counted => "Angle",
             _ => "Linear",
         };

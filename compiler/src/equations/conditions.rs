@@ -3,7 +3,7 @@
 use super::coordinates::{Symbols, angle_name, travel_name};
 use super::jet::Jet;
 use super::laws::Laws;
-use crate::model::{Mechanism, Quantity, Rotor, StartOrientation};
+use crate::model::{Coordinate, Mechanism, Rotor, StartOrientation};
 use crate::symbolic::{Class, Node};
 
 /// One coordinate as a row beside the constraints.
@@ -11,7 +11,7 @@ use crate::symbolic::{Class, Node};
 pub struct Condition {
     /// `crank_pin.angle`.
     pub of: String,
-    pub quantity: Quantity,
+    pub coordinate: Coordinate,
     /// An angle: at expansion compared on the circle, because `start` speaks of positions.
     pub angular: bool,
     /// An angle whose turns the dynamics count: at run time compared with them, because laws depend on them.
@@ -20,67 +20,39 @@ pub struct Condition {
     pub residual: Node,
     /// cos(θ − target), or 1.
     pub upright: Node,
-    /// A rate without a coordinate: ω of a body in space. It has no value.
-    pub rate_only: bool,
     /// Value (of an angle: atan2), columns and bias of the coordinate itself.
     pub jet: Jet,
 }
 
-/// The position coordinate that a quantity, or its rate, belongs to; `None` if it can be no condition.
-pub fn coordinate_of(quantity: &Quantity) -> Option<Quantity> {
-    Some(match quantity {
-        Quantity::BodyAngle(body) | Quantity::BodyRate(body) => Quantity::BodyAngle(*body),
-        Quantity::JointAngle(joint, which) | Quantity::JointRate(joint, which) => {
-            Quantity::JointAngle(*joint, *which)
-        }
-        Quantity::JointTravel(joint, which) | Quantity::JointSpeed(joint, which) => {
-            Quantity::JointTravel(*joint, *which)
-        }
-        Quantity::BodyOmega(body, axis) => Quantity::BodyOmega(*body, *axis),
-        Quantity::Position(place, axis) | Quantity::Velocity(place, axis) => {
-            Quantity::Position(place.clone(), *axis)
-        }
-        Quantity::Distance(a, b) => Quantity::Distance(a.clone(), b.clone()),
-        _ => return None,
-    })
-}
-
-/// Whether a quantity is itself a position coordinate (not the rate of one).
-pub fn is_position(quantity: &Quantity) -> bool {
-    matches!(
-        quantity,
-        Quantity::BodyAngle(_)
-            | Quantity::JointAngle(..)
-            | Quantity::JointTravel(..)
-            | Quantity::Position(..)
-            | Quantity::Distance(..)
-    )
-}
-
-/// Name of a position coordinate, `crank_pin.angle`.
-pub fn name(mechanism: &Mechanism, quantity: &Quantity) -> String {
-    match quantity {
-        Quantity::BodyAngle(body) => format!("{}.angle", mechanism.bodies[body.0].name.text),
-        Quantity::BodyOmega(body, axis) => {
+/// Name of a coordinate, `crank_pin.angle`.
+pub fn name(mechanism: &Mechanism, coordinate: &Coordinate) -> String {
+    match coordinate {
+        Coordinate::Angle(Rotor::Body(body)) => format!("{}.angle", mechanism.bodies[body.0].name.text),
+        Coordinate::Angle(Rotor::Joint(id, which)) => angle_name(mechanism, *id, *which, 0),
+        Coordinate::Travel(id, which) => travel_name(mechanism, *id, *which, 0),
+        Coordinate::Position(place, axis) => format!("{}.{}", place.text, ["x", "y", "z"][*axis]),
+        Coordinate::Distance(a, b) => format!("distance({}, {})", a.text, b.text),
+        Coordinate::Turn(body, axis) => {
             format!("{}.rate.{}", mechanism.bodies[body.0].name.text, ["x", "y", "z"][*axis])
         }
-        Quantity::JointAngle(id, which) => angle_name(mechanism, *id, *which, 0),
-        Quantity::JointTravel(id, which) => travel_name(mechanism, *id, *which, 0),
-        Quantity::Position(place, axis) => format!("{}.{}", place.text, ["x", "y", "z"][*axis]),
-        Quantity::Distance(a, b) => format!("distance({}, {})", a.text, b.text),
-        other => format!("{other:?}"),
+        Coordinate::Deviation(body, axis) => {
+            format!("{}.orientation.{}", mechanism.bodies[body.0].name.text, ["x", "y", "z"][*axis])
+        }
     }
 }
 
-/// The row of one position coordinate; makes a new target symbol.
-pub fn condition(laws: &Laws, quantity: &Quantity) -> (Condition, Node) {
-    let of = name(laws.mechanism, quantity);
+/// The row of one coordinate; makes a new target symbol.
+pub fn condition(laws: &Laws, coordinate: &Coordinate) -> (Condition, Node) {
+    let of = name(laws.mechanism, coordinate);
     let target = laws.g.symbol(format!("target_{of}"), Class::Input);
-    let coordinate = laws.quantity(quantity);
-    let rotor = match quantity {
-        Quantity::BodyAngle(body) => Some(Rotor::Body(*body)),
-        Quantity::JointAngle(joint, which) => Some(Rotor::Joint(*joint, *which)),
-        _ => None,
+    let motion = laws.coordinate(coordinate);
+    let rotor = match coordinate {
+        Coordinate::Angle(rotor) => Some(*rotor),
+        Coordinate::Travel(..)
+        | Coordinate::Position(..)
+        | Coordinate::Distance(..)
+        | Coordinate::Turn(..)
+        | Coordinate::Deviation(..) => None,
     };
     let counted = rotor.is_some_and(|rotor| laws.is_counted(rotor));
     let (residual, upright) = match rotor.filter(|_| !counted) {
@@ -89,18 +61,17 @@ pub fn condition(laws: &Laws, quantity: &Quantity) -> (Condition, Node) {
             let (c, s) = (target.cos(), target.sin());
             (sin * c - cos * s, cos * c + sin * s)
         }
-        None => (coordinate.value() - target, laws.g.one()),
+        None => (motion.value() - target, laws.g.one()),
     };
     (
         Condition {
             of,
-            quantity: quantity.clone(),
+            coordinate: coordinate.clone(),
             angular: rotor.is_some(),
             counted,
-            rate_only: matches!(quantity, Quantity::BodyOmega(..)),
             residual: residual.bare,
             upright: upright.bare,
-            jet: coordinate.jet,
+            jet: motion.jet,
         },
         target.bare,
     )
@@ -115,10 +86,10 @@ pub struct StartTarget {
 
 /// The positions that `start` guesses, with the values guessed.
 pub fn guesses(laws: &Laws) -> Vec<(Condition, Node)> {
-    let guessed = laws.mechanism.start.iter().filter(|start| !start.exact && is_position(&start.quantity));
+    let guessed = laws.mechanism.start.iter().filter(|start| !start.exact && !start.rate);
     let mut guesses: Vec<(Condition, Node)> = guessed
         .map(|start| {
-            let (condition, _) = condition(laws, &start.quantity);
+            let (condition, _) = condition(laws, &start.coordinate);
             (condition, laws.value(&start.value).bare)
         })
         .collect();
@@ -132,30 +103,8 @@ pub fn guesses(laws: &Laws) -> Vec<(Condition, Node)> {
 
 /// Three rows that hold a body in space at an orientation A₀: Σ ½ A₀ e_j × A e_j, the axis of the turn between them
 /// times its sine. Their targets are zero.
-pub fn orientation(laws: &Laws, start: &StartOrientation) -> Vec<(Condition, Node)> {
-    let quaternion = laws.g.on([0, 1, 2, 3].map(|k| laws.value(&start.quaternion[k]).bare));
-    let deviations = laws.kinematics().deviation(start.body, quaternion);
-    let body = &laws.mechanism.bodies[start.body.0].name.text;
-    let upright = laws.g.one().bare;
-    let mut rows = Vec::new();
-    for (axis, deviation) in deviations.into_iter().enumerate() {
-        let of = format!("{body}.orientation.{}", ["x", "y", "z"][axis]);
-        let target = laws.g.symbol(format!("target_{of}"), Class::Input);
-        let residual = (deviation.value() - target).bare;
-        let quantity = Quantity::BodyOmega(start.body, axis);
-        let condition = Condition {
-            of,
-            quantity,
-            angular: false,
-            counted: false,
-            rate_only: false,
-            residual,
-            upright,
-            jet: deviation.jet,
-        };
-        rows.push((condition, target.bare));
-    }
-    rows
+pub fn orientation(laws: &Laws, start: &StartOrientation) -> [(Condition, Node); 3] {
+    [0, 1, 2].map(|axis| condition(laws, &Coordinate::Deviation(start.body, axis)))
 }
 
 /// The conditions of `start`, in order of first mention, with the values asked.
@@ -163,12 +112,10 @@ pub fn start_conditions(laws: &Laws, symbols: &mut Symbols) -> (Vec<Condition>, 
     let mut conditions: Vec<Condition> = Vec::new();
     let mut targets: Vec<StartTarget> = Vec::new();
     for start in laws.mechanism.start.iter().filter(|start| start.exact) {
-        let Some(coordinate) = coordinate_of(&start.quantity) else { continue };
-        let of = name(laws.mechanism, &coordinate);
-        let index = match conditions.iter().position(|known| known.of == of) {
+        let index = match conditions.iter().position(|known| known.coordinate == start.coordinate) {
             Some(index) => index,
             None => {
-                let (condition, target) = condition(laws, &coordinate);
+                let (condition, target) = condition(laws, &start.coordinate);
                 symbols.targets.push(target);
                 conditions.push(condition);
                 targets.push(StartTarget::default());
@@ -176,11 +123,8 @@ pub fn start_conditions(laws: &Laws, symbols: &mut Symbols) -> (Vec<Condition>, 
             }
         };
         let value = Some(laws.value(&start.value).bare);
-        if is_position(&start.quantity) {
-            targets[index].position = value;
-        } else {
-            targets[index].rate = value;
-        }
+        let target = &mut targets[index];
+        *if start.rate { &mut target.rate } else { &mut target.position } = value;
     }
     let zero = laws.g.zero().bare;
     for start in laws.mechanism.orientations.iter().filter(|start| start.exact) {

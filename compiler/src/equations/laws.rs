@@ -4,7 +4,9 @@ use super::coordinates::{Layout, Symbols};
 use super::jet::{Jet, Moving};
 use super::kinematics::Kinematics;
 use super::{plane, space};
-use crate::model::{Comparison, Condition, Expr, Function1, Function2, Mechanism, Quantity, Rotor, Vector};
+use crate::model::{
+    Comparison, Condition, Coordinate, Expr, Function1, Function2, Mechanism, Quantity, Rotor, Vector,
+};
 use crate::symbolic::{Compare, Node, On, Scalar, Sheet, Unary};
 use std::f64::consts::TAU;
 
@@ -102,7 +104,7 @@ impl<'a> Laws<'a> {
             Expr::Parameter(parameter) => self.g.on(self.symbols.parameters[parameter.0]),
             Expr::Input(input) => self.g.on(self.symbols.inputs[input.0]),
             Expr::Time => self.g.on(self.symbols.time),
-            Expr::Quantity(quantity) => self.quantity_value(quantity),
+            Expr::Quantity(quantity) => self.quantity(quantity),
             Expr::Unary(function, a) => {
                 let a = self.value(a);
                 unary(*function).map_or_else(|| -a, |function| a.unary(function))
@@ -153,7 +155,8 @@ impl<'a> Laws<'a> {
                 let time = self.g.on(self.symbols.time);
                 time.moving(self.kinematics.velocities(), Jet::time(time))
             }
-            Expr::Quantity(quantity) => self.quantity(quantity),
+            Expr::Quantity(Quantity::Coordinate(coordinate)) => self.coordinate(coordinate),
+            Expr::Quantity(result) => self.still(self.quantity(result)),
             Expr::Unary(function, a) => {
                 let a = self.jet(a);
                 unary(*function).map_or_else(|| -&a, |function| a.unary(function))
@@ -211,42 +214,42 @@ impl<'a> Laws<'a> {
         angle
     }
 
-    pub fn quantity(&self, quantity: &Quantity) -> Moving<'a> {
-        match quantity {
-            Quantity::BodyAngle(body) => self.angle(Rotor::Body(*body)),
-            Quantity::JointAngle(joint, which) => self.angle(Rotor::Joint(*joint, *which)),
-            Quantity::JointTravel(joint, which) => self.kinematics().travel(self, *joint, *which),
-            Quantity::Position(place, axis) => self.kinematics().world(self, place)[*axis].clone(),
-            Quantity::BodyOmega(body, axis) => self.kinematics().omega(*body, *axis),
-            Quantity::Distance(a, b) => {
+    pub fn coordinate(&self, coordinate: &Coordinate) -> Moving<'a> {
+        match coordinate {
+            Coordinate::Angle(rotor) => self.angle(*rotor),
+            Coordinate::Travel(joint, which) => self.kinematics().travel(self, *joint, *which),
+            Coordinate::Position(place, axis) => self.kinematics().world(self, place)[*axis].clone(),
+            Coordinate::Turn(body, axis) => self.kinematics().omega(*body, *axis),
+            Coordinate::Deviation(body, axis) => {
+                let mut stated = self.mechanism.orientations.iter();
+                match stated.find(|start| start.body == *body) {
+                    Some(start) => {
+                        let quaternion = [0, 1, 2, 3].map(|k| self.value(&start.quaternion[k]).bare);
+                        self.kinematics().deviation(*body, self.g.on(quaternion))[*axis].clone()
+                    }
+                    None => self.still(self.g.zero()),
+                }
+            }
+            Coordinate::Distance(a, b) => {
                 let delta = self.kinematics().between(self, a, b);
                 let squares: Vec<Moving> = delta.iter().map(|d| d * d).collect();
                 let (first, rest) = squares.split_at(1);
                 rest.iter().fold(first[0].clone(), |sum, square| sum + square).sqrt()
             }
-            _ => self.still(self.quantity_value(quantity)),
         }
     }
 
-    fn quantity_value(&self, quantity: &Quantity) -> Scalar<'a> {
+    fn quantity(&self, quantity: &Quantity) -> Scalar<'a> {
         let total = |total: Option<&Node>| total.map_or_else(|| self.g.zero(), |total| self.g.on(*total));
         match quantity {
-            Quantity::BodyRate(body) => self.quantity(&Quantity::BodyAngle(*body)).rate(),
-            Quantity::BodyOmega(body, axis) => self.kinematics().omega(*body, *axis).rate(),
-            Quantity::JointRate(joint, which) => self.quantity(&Quantity::JointAngle(*joint, *which)).rate(),
-            Quantity::JointSpeed(joint, which) => {
-                self.quantity(&Quantity::JointTravel(*joint, *which)).rate()
-            }
-            Quantity::Velocity(place, axis) => {
-                self.quantity(&Quantity::Position(place.clone(), *axis)).rate()
-            }
+            Quantity::Coordinate(coordinate) => self.coordinate(coordinate).value(),
+            Quantity::Rate(coordinate) => self.coordinate(coordinate).rate(),
             Quantity::Power(load) => total(self.totals.powers.get(load.0)),
             Quantity::DriverPower(driver) => total(self.totals.driver_powers.get(driver.0)),
             Quantity::DriverEffort(driver) => total(self.totals.efforts.get(driver.0)),
             Quantity::KineticEnergy => total(self.totals.kinetic.as_ref()),
             Quantity::PotentialEnergy => total(self.totals.potential.as_ref()),
             Quantity::Energy => total(self.totals.kinetic.as_ref()) + total(self.totals.potential.as_ref()),
-            _ => self.quantity(quantity).value(),
         }
     }
 

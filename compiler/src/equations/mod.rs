@@ -15,6 +15,7 @@ mod kinematics;
 mod laws;
 pub mod loads;
 pub mod plane;
+mod rows;
 pub mod space;
 mod spanning_tree;
 mod switch;
@@ -25,61 +26,16 @@ pub use coordinates::{Ball, Layout, Linear, MultiTurn, Owner, Rotation, Symbols}
 pub use jet::{Jet, Moving};
 pub use kinematics::Kinematics;
 pub use laws::{Laws, Totals};
+pub use rows::{JointRow, Origin, Row, RowOfJoint};
 pub use spanning_tree::{Attachment, SpanningTree};
 pub use switch::{Omitted, Sized, Switch};
 pub use tangent::Tangents;
 
-use crate::diagnostics::Region;
 use crate::forms::{Sign, Vocabulary};
-use crate::model::{BodyKind, Frame, JointId, Mechanism, Quantity, Redundant, Space};
+use crate::model::{BodyKind, Coordinate, Mechanism, Redundant, Space};
 use crate::symbolic::{Class, Graph, Node, Scalar, Sheet, all_bare};
 use std::cell::RefCell;
 use std::collections::{BTreeMap, BTreeSet};
-
-/// One row of a joint's constraint.
-#[derive(Clone, Debug)]
-pub struct JointRow {
-    pub what: &'static str,
-    pub jet: Jet,
-    /// For a direction row, such as sin(Δθ) = 0: what must be positive on the right root, such as cos(Δθ).
-    pub upright: Option<Node>,
-    /// For a component of a distance in space: the axes along which it is taken.
-    pub axes: Option<Frame>,
-}
-
-impl JointRow {
-    pub fn new(what: &'static str, row: Moving) -> Self {
-        JointRow { what, jet: row.jet, upright: None, axes: None }
-    }
-
-    /// A row of a direction, and what must be positive on the right root.
-    pub fn upright(what: &'static str, row: Moving, upright: Scalar) -> Self {
-        JointRow { upright: Some(upright.bare), ..JointRow::new(what, row) }
-    }
-}
-
-/// One constraint row.
-#[derive(Clone, Debug)]
-pub struct Row {
-    /// Name of the joint, constraint or driver.
-    pub of: String,
-    pub span: Region,
-    pub joint: Option<JointId>,
-    /// As in NOTATION.md.
-    pub what: &'static str,
-    /// Φ, D, −ν, −γ.
-    pub jet: Jet,
-    /// cos Δθ of a direction row, positive on the right root.
-    pub upright: Option<Node>,
-    pub axes: Option<Frame>,
-}
-
-/// A row that is left out because others fix what it fixes.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Dropped {
-    pub joint: JointId,
-    pub what: &'static str,
-}
 
 /// Motion of a body: of its centre of mass in world axes, and its orientation. In the plane the pair (cos, sin), ω and ω̇;
 /// in space the rotation matrix row by row, and ω and ω̇ in body axes.
@@ -229,13 +185,13 @@ pub fn derive(mechanism: &Mechanism, tree: SpanningTree, omitted: &Omitted) -> E
     let laws = Laws::moving(g, mechanism, &symbols, &layout, &kinematics);
     let carrying = tree.carrying(mechanism);
     let keeps = mechanism.options.redundant == Redundant::Keep;
-    let dropped: &[Dropped] = if keeps { &[] } else { &omitted.dropped };
-    let all = rows(&laws, &tree, &carrying, dropped);
+    let dropped: &[RowOfJoint] = if keeps { &[] } else { &omitted.dropped };
+    let all = rows::rows(&laws, &tree, &carrying, dropped);
     let chosen = switch::choose(g, &all, &omitted.switches, &omitted.columns);
     let rows = switch::apply(g, &all, &omitted.switches, &chosen, keeps);
     let lambda = rows
         .iter()
-        .map(|row| format!("lambda_{}_{}", identifier(&row.of), row.what))
+        .map(|row| format!("lambda_{}_{}", identifier(&row.of), row.form.name))
         .map(|name| g.symbol(name, Class::Input).bare)
         .collect();
     symbols.lambda = lambda;
@@ -297,7 +253,7 @@ pub fn derive(mechanism: &Mechanism, tree: SpanningTree, omitted: &Omitted) -> E
     let driven = mechanism
         .drivers
         .iter()
-        .map(|driver| (conditions::condition(&laws, &driver.quantity).0, laws.value(&driver.law).bare))
+        .map(|driver| (conditions::condition(&laws, &driver.coordinate).0, laws.value(&driver.law).bare))
         .collect();
     let nu = rows.iter().map(|row| (-g.on(row.jet.drift)).bare).collect();
     let gamma = rows.iter().map(|row| (-g.on(row.jet.bias)).bare).collect();
@@ -359,23 +315,29 @@ pub fn without_redundant(
 
 /// The rows without a part in the solution, where those that repeat others are kept.
 fn idle(rows: &[Row], omitted: &Omitted, keeps: bool) -> BTreeSet<usize> {
-    let is_idle = |row: &Row| {
-        let dropped = |joint: JointId| omitted.dropped.contains(&Dropped { joint, what: row.what });
-        switch::is_idle(row) || row.joint.is_some_and(dropped)
-    };
+    let is_idle =
+        |row: &Row| switch::is_idle(row) || row.of_joint().is_some_and(|row| omitted.dropped.contains(&row));
     let rows = rows.iter().enumerate().filter(|(_, row)| keeps && is_idle(row));
     rows.map(|(index, _)| index).collect()
 }
 
 impl Equations {
+    /// Rows of the couplings whose phase comes from the assembled start.
+    pub fn open_rows(&self, mechanism: &Mechanism) -> Vec<usize> {
+        let is_open = |row: &Row| match row.origin {
+            Origin::Constraint(constraint) => couplings::is_open(&mechanism.constraints[constraint.0]),
+            Origin::Joint(_) | Origin::Driver(_) => false,
+        };
+        (0..self.rows.len()).filter(|row| is_open(&self.rows[*row])).collect()
+    }
+
     /// Adds position coordinates to the conditions, unless they are there; gives their indices.
-    pub fn add_conditions(&mut self, mechanism: &Mechanism, quantities: &[Quantity]) -> Vec<usize> {
+    pub fn add_conditions(&mut self, mechanism: &Mechanism, coordinates: &[Coordinate]) -> Vec<usize> {
         let mut indices = Vec::new();
-        for quantity in quantities {
-            let of = conditions::name(mechanism, quantity);
-            let index = self.conditions.iter().position(|known| known.of == of);
+        for coordinate in coordinates {
+            let index = self.conditions.iter().position(|known| known.coordinate == *coordinate);
             indices.push(index.unwrap_or_else(|| {
-                let (condition, target) = self.condition(mechanism, quantity);
+                let (condition, target) = self.condition(mechanism, coordinate);
                 self.symbols.targets.push(target);
                 self.conditions.push(condition);
                 self.start_targets.push(StartTarget::default());
@@ -386,10 +348,10 @@ impl Equations {
     }
 
     /// The row of one position coordinate and a new symbol for its target, added to the graph only.
-    pub fn condition(&mut self, mechanism: &Mechanism, quantity: &Quantity) -> (Condition, Node) {
+    pub fn condition(&mut self, mechanism: &Mechanism, coordinate: &Coordinate) -> (Condition, Node) {
         self.write(|g, own| {
             let laws = Laws::moving(g, mechanism, &own.symbols, &own.layout, &own.kinematics);
-            conditions::condition(&laws, quantity)
+            conditions::condition(&laws, coordinate)
         })
     }
 
@@ -445,57 +407,6 @@ pub static VOCABULARY: Vocabulary = Vocabulary {
     couplings: couplings::COUPLINGS,
     loads: |space| loads::of_space(space).map(|load| &load.form).collect(),
 };
-
-/// Rows of each joint that has some, by index of joint.
-fn multipliers_of_joints(rows: &[Row]) -> BTreeMap<usize, Vec<usize>> {
-    let mut found: BTreeMap<usize, Vec<usize>> = BTreeMap::new();
-    for (index, row) in rows.iter().enumerate() {
-        if let Some(joint) = row.joint {
-            found.entry(joint.0).or_default().push(index);
-        }
-    }
-    found
-}
-
-/// The rows of all joints that carry nothing, of the constraints and of the drivers, in the order written.
-fn rows(laws: &Laws, tree: &SpanningTree, carrying: &[bool], dropped: &[Dropped]) -> Vec<Row> {
-    let mechanism = laws.mechanism;
-    let mut rows = Vec::new();
-    for (index, joint) in mechanism.joints.iter().enumerate().filter(|(index, _)| !carrying[*index]) {
-        let id = JointId(index);
-        let of_joint = match mechanism.space {
-            Space::Planar => plane::joints::rows(laws, joint),
-            Space::Spatial => space::joints::rows(laws, tree, id),
-        };
-        for row in of_joint {
-            if dropped.contains(&Dropped { joint: id, what: row.what }) {
-                continue;
-            }
-            rows.push(Row {
-                of: joint.name.text.clone(),
-                span: joint.name.span,
-                joint: Some(id),
-                what: row.what,
-                jet: row.jet,
-                upright: row.upright,
-                axes: row.axes,
-            });
-        }
-    }
-    let mut phases = laws.symbols.phases.iter().copied();
-    for constraint in &mechanism.constraints {
-        let phase = if couplings::is_open(constraint) { phases.next() } else { None };
-        let (what, row) = couplings::row(laws, constraint, phase);
-        let (of, span) = (constraint.name.text.clone(), constraint.name.span);
-        rows.push(Row { of, span, joint: None, what, jet: row.jet, upright: None, axes: None });
-    }
-    for driver in &mechanism.drivers {
-        let (what, row) = couplings::driver_row(laws, driver);
-        let (of, span) = (driver.name.text.clone(), driver.name.span);
-        rows.push(Row { of, span, joint: None, what, jet: row.jet, upright: None, axes: None });
-    }
-    rows
-}
 
 /// A dotted or indexed name as an identifier.
 pub fn identifier(name: &str) -> String {

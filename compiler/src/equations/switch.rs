@@ -6,20 +6,35 @@
 //! there are is decided in `check::assemble::charts`.
 
 use super::jet::Moving;
-use super::{Dropped, Jet, Row};
+use super::{Jet, Row, RowOfJoint};
+use crate::forms::RowForm;
 use crate::model::JointId;
 use crate::symbolic::{Compare, Node, Scalar, Sheet};
 
-/// The names of slots that are taken, in the order of their joint's, which has no more rows.
-const TAKEN: [&str; 6] = ["switched_1", "switched_2", "switched_3", "switched_4", "switched_5", "switched_6"];
-/// The names of those that are not, where redundant rows are kept.
-const IDLE: [&str; 6] = ["idle_1", "idle_2", "idle_3", "idle_4", "idle_5", "idle_6"];
+/// Slots that are taken, in the order of their joint's, which has no more rows.
+static TAKEN: [RowForm; 6] = [
+    RowForm::own("switched_1"),
+    RowForm::own("switched_2"),
+    RowForm::own("switched_3"),
+    RowForm::own("switched_4"),
+    RowForm::own("switched_5"),
+    RowForm::own("switched_6"),
+];
+/// Those that are not, where redundant rows are kept.
+static IDLE: [RowForm; 6] = [
+    RowForm::own("idle_1"),
+    RowForm::own("idle_2"),
+    RowForm::own("idle_3"),
+    RowForm::own("idle_4"),
+    RowForm::own("idle_5"),
+    RowForm::own("idle_6"),
+];
 
 /// What is left out of the rows.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Omitted {
     /// Rows that are left out everywhere.
-    pub dropped: Vec<Dropped>,
+    pub dropped: Vec<RowOfJoint>,
     /// Rows of which some are taken here, others there.
     pub switches: Vec<Switch>,
     /// What the entries of each column of D are multiplied by before they are compared, because columns have different units.
@@ -46,7 +61,7 @@ pub struct Switch {
 /// A row and its size along the motion, a power of two.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Sized {
-    pub row: Dropped,
+    pub row: RowOfJoint,
     pub size: f64,
 }
 
@@ -150,10 +165,10 @@ pub fn apply(g: Sheet, all: &[Row], switches: &[Switch], chosen: &[Chosen], keep
             }
             written[at] = true;
             let before = &switches[..at];
-            let taken = names(before.iter().map(|switch| &switch.taken), &switch.taken, &TAKEN);
+            let taken = forms(before.iter().map(|switch| &switch.taken), &switch.taken, &TAKEN);
             rows.extend(switch.slots(g, all, &chosen[at], &switch.taken, &taken));
             if keeps {
-                let idle = names(before.iter().map(|switch| &switch.idle), &switch.idle, &IDLE);
+                let idle = forms(before.iter().map(|switch| &switch.idle), &switch.idle, &IDLE);
                 rows.extend(switch.slots(g, all, &chosen[at], &switch.idle, &idle));
             }
         }
@@ -161,18 +176,18 @@ pub fn apply(g: Sheet, all: &[Row], switches: &[Switch], chosen: &[Chosen], keep
     rows
 }
 
-/// The names of a switch's slots, given the charts of the switches before it. They are numbered by joint over all switches, so that no
+/// The forms of a switch's slots, given the charts of the switches before it. They are numbered by joint over all switches, so that no
 /// two rows of a joint share one.
-fn names<'a>(
+fn forms<'a>(
     before: impl Iterator<Item = &'a Vec<Vec<Sized>>>,
     charts: &'a [Vec<Sized>],
-    names: &[&'static str],
-) -> Vec<&'static str> {
+    forms: &'static [RowForm],
+) -> Vec<&'static RowForm> {
     let joints = |charts: &'a [Vec<Sized>]| charts[0].iter().map(|named| named.row.joint);
     let mut known: Vec<JointId> = before.flat_map(|charts| joints(charts)).collect();
     let mut found = Vec::new();
     for joint in joints(charts) {
-        found.push(names[known.iter().filter(|other| **other == joint).count()]);
+        found.push(&forms[known.iter().filter(|other| **other == joint).count()]);
         known.push(joint);
     }
     found
@@ -196,15 +211,14 @@ pub fn multipliers(
             continue;
         };
         let (switch, chosen) = (&switches[at], &chosen[at]);
-        let names = names(switches[..at].iter().map(|switch| &switch.taken), &switch.taken, &TAKEN);
+        let slots = forms(switches[..at].iter().map(|switch| &switch.taken), &switch.taken, &TAKEN);
         let mut value = zero;
         for (chart, rows) in switch.taken.iter().enumerate() {
             let slot = rows.iter().position(|named| named.is(row));
             let own = slot.and_then(|slot| {
                 let first = &switch.taken[0][slot];
-                let at = taken
-                    .iter()
-                    .position(|other| other.joint == Some(first.row.joint) && other.what == names[slot])?;
+                let own = RowOfJoint { joint: first.row.joint, form: slots[slot] };
+                let at = taken.iter().position(|other| other.of_joint() == Some(own))?;
                 Some(1.0 / rows[slot].size * g.on(lambda[at]))
             });
             let own = own.unwrap_or(zero);
@@ -216,7 +230,7 @@ pub fn multipliers(
 }
 
 fn same(a: &Row, b: &Row) -> bool {
-    a.joint == b.joint && a.of == b.of && a.what == b.what
+    a.origin == b.origin && a.form == b.form
 }
 
 fn scaled<'g>(g: Sheet<'g>, rows: &[Row], named: &Sized) -> Moving<'g> {
@@ -230,12 +244,12 @@ fn scaled<'g>(g: Sheet<'g>, rows: &[Row], named: &Sized) -> Moving<'g> {
 
 /// Whether a row is a slot that is not taken.
 pub fn is_idle(row: &Row) -> bool {
-    IDLE.contains(&row.what)
+    IDLE.contains(row.form)
 }
 
 impl Sized {
     fn is(&self, row: &Row) -> bool {
-        row.joint == Some(self.row.joint) && row.what == self.row.what
+        row.of_joint() == Some(self.row)
     }
 }
 
@@ -245,20 +259,20 @@ impl Switch {
         self.taken.iter().chain(&self.idle).flatten().any(|named| named.is(row))
     }
 
-    /// One row for each slot, brought to size one; by name it is the first chart's.
+    /// One row for each slot, brought to size one; by origin it is the first chart's.
     fn slots(
         &self,
         g: Sheet,
         all: &[Row],
         chosen: &Chosen,
         charts: &[Vec<Sized>],
-        names: &[&'static str],
+        forms: &[&'static RowForm],
     ) -> Vec<Row> {
         let upright =
             |row: Option<&Row>| row.and_then(|row| row.upright).map_or_else(|| g.one(), |it| g.on(it));
         let find = |named: &Sized| all.iter().find(|row| named.is(row));
         let mut slots = Vec::new();
-        for ((slot, first), &what) in charts[0].iter().enumerate().zip(names) {
+        for ((slot, first), &form) in charts[0].iter().enumerate().zip(forms) {
             let Some(stands) = find(first) else { continue };
             let mut jet = scaled(g, all, first);
             let mut cosine = upright(Some(stands));
@@ -267,7 +281,7 @@ impl Switch {
                 cosine = mask.select(upright(find(&chart[slot])), cosine);
             }
             slots.push(Row {
-                what,
+                form,
                 jet: jet.jet,
                 upright: cosine.value().is_none().then_some(cosine.bare),
                 axes: None,
@@ -281,13 +295,15 @@ impl Switch {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::equations::Origin;
+    use crate::forms::row;
     use crate::symbolic::{Class, Graph, evaluate};
     use proc_macro2::Span;
 
-    const WHATS: [&str; 4] = ["x", "y", "z", "axis_1"];
+    static FORMS: [&RowForm; 4] = [&row::GAP[0], &row::GAP[1], &row::GAP[2], &row::AXIS[0]];
 
-    fn sized(what: usize, size: f64) -> Sized {
-        Sized { row: Dropped { joint: JointId(0), what: WHATS[what] }, size }
+    fn sized(form: usize, size: f64) -> Sized {
+        Sized { row: RowOfJoint { joint: JointId(0), form: FORMS[form] }, size }
     }
 
     /// Two groups of one joint, each of two charts with a slot that is taken and one that is not.
@@ -305,18 +321,18 @@ mod tests {
     fn groups_of_one_joint_share_no_name() {
         let mut graph = Graph::new();
         let own = graph.write(|g| {
-            let rows = [3.0, 1.0, 1.0, 4.0].map(|entry| g.number(entry)).into_iter().zip(WHATS).map(
-                |(entry, what)| {
+            let rows = [3.0, 1.0, 1.0, 4.0].map(|entry| g.number(entry)).into_iter().zip(FORMS).map(
+                |(entry, form)| {
                     let mut jet = Jet::constant(entry);
                     jet.columns.insert(0, entry.bare);
                     let (of, span) = ("pin".to_string(), Span::call_site().into());
-                    Row { of, span, joint: Some(JointId(0)), what, jet, upright: None, axes: None }
+                    Row { origin: Origin::Joint(JointId(0)), of, span, form, jet, upright: None, axes: None }
                 },
             );
             let (all, switches): (Vec<Row>, _) = (rows.collect(), groups());
             let chosen = choose(g, &all, &switches, &[1.0]);
             let rows = apply(g, &all, &switches, &chosen, true);
-            let names: Vec<&str> = rows.iter().map(|row| row.what).collect();
+            let names: Vec<&str> = rows.iter().map(|row| row.form.name).collect();
             assert_eq!(names, ["switched_1", "idle_1", "switched_2", "idle_2"]);
             let lambda = ["a", "b", "c", "d"].map(|name| g.symbol(name, Class::Input).bare);
             multipliers(g, &all, &rows, &lambda, &switches, &chosen)

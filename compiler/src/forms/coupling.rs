@@ -1,6 +1,6 @@
 //! What anyone may know of a kind of coupling between joints or bodies.
 
-use super::{Acts, Form};
+use super::{Acts, Form, RowForm};
 use crate::units::Dimension;
 
 /// A kind of coupling.
@@ -25,8 +25,9 @@ pub enum Means {
 /// One coordinate is a factor times another, and a phase, which may be an argument `phase`.
 #[derive(Debug)]
 pub struct Proportion {
-    /// Its kind in an exported definition, and the name of its row.
+    /// Its kind in an exported definition.
     pub exported: &'static str,
+    pub row: RowForm,
     /// The keys of its unnamed arguments in an exported definition, and what they name.
     pub on: [(&'static str, Acts); 2],
     /// Which of them is the factor times the other.

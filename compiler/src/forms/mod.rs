@@ -6,10 +6,12 @@
 mod coupling;
 mod joint;
 mod load;
+pub mod row;
 
 pub use coupling::{CouplingForm, Factor, Means, Proportion};
 pub use joint::{Alone, Freer, Given, JointAxes, JointForm, OfParticle, Spans, degrees_between};
 pub use load::{Acts, Law, LoadForm, Written};
+pub use row::RowForm;
 
 use crate::units::Dimension;
 

@@ -1,9 +1,10 @@
 //! Expressions of the user after lowering: SI units, names resolved, dimensions checked.
 
-use super::{BodyId, DriverId, InputId, JointId, LoadId, ParameterId, Place};
+use super::{BodyId, DriverId, InputId, JointId, LoadId, ParameterId, Place, Rotor};
+use crate::units::Dimension;
 
 /// A scalar expression in SI units.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, PartialEq)]
 pub enum Expr {
     Number(f64),
     Parameter(ParameterId),
@@ -19,7 +20,7 @@ pub enum Expr {
     If(Box<Condition>, Box<Expr>, Box<Expr>),
 }
 
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, PartialEq)]
 pub enum Condition {
     Compare(Comparison, Expr, Expr),
     And(Box<Condition>, Box<Condition>),
@@ -63,29 +64,11 @@ pub enum Function2 {
     Atan2,
 }
 
-/// A kinematic or dynamic quantity of the mechanism, by name.
-#[derive(Clone, Debug)]
+/// A kinematic or dynamic quantity of the mechanism.
+#[derive(Clone, Debug, PartialEq)]
 pub enum Quantity {
-    /// rad, multi-turn where laws use it.
-    BodyAngle(BodyId),
-    /// rad/s.
-    BodyRate(BodyId),
-    /// ω of a body in space about its x (0), y (1) or z (2), rad/s.
-    BodyOmega(BodyId, usize),
-    /// rad; which of the joint's angles.
-    JointAngle(JointId, usize),
-    /// rad/s.
-    JointRate(JointId, usize),
-    /// m; which of the joint's travels.
-    JointTravel(JointId, usize),
-    /// m/s.
-    JointSpeed(JointId, usize),
-    /// World x (0), y (1) or z (2) of a place, m.
-    Position(Box<Place>, usize),
-    /// World x (0), y (1) or z (2) component of a place's velocity, m/s.
-    Velocity(Box<Place>, usize),
-    /// m.
-    Distance(Box<Place>, Box<Place>),
+    Coordinate(Coordinate),
+    Rate(Coordinate),
     /// W, of a load.
     Power(LoadId),
     /// W, of a driver's torque or force; only in outputs.
@@ -100,16 +83,44 @@ pub enum Quantity {
     Energy,
 }
 
-impl Quantity {
-    /// Whether it is the rate of a position.
-    pub fn is_rate(&self) -> bool {
-        matches!(
-            self,
-            Self::BodyRate(_)
-                | Self::BodyOmega(..)
-                | Self::JointRate(..)
-                | Self::JointSpeed(..)
-                | Self::Velocity(..)
-        )
+/// A measure of the position.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Coordinate {
+    /// rad, multi-turn where laws use it.
+    Angle(Rotor),
+    /// m; which of the joint's travels.
+    Travel(JointId, usize),
+    /// World x (0), y (1) or z (2) of a place, m.
+    Position(Box<Place>, usize),
+    /// m.
+    Distance(Box<Place>, Box<Place>),
+    /// The turn of a body in space about its own x (0), y (1) or z (2): a quasi-coordinate, of which there is nothing but the rate
+    /// ω, rad/s.
+    Turn(BodyId, usize),
+    /// How far a body in space is from the orientation that `start` states: a component of the axis of the turn between them times
+    /// its sine.
+    Deviation(BodyId, usize),
+}
+
+impl Coordinate {
+    /// Whether it has a value, and not a rate alone.
+    pub fn has_value(&self) -> bool {
+        !matches!(self, Self::Turn(..))
+    }
+
+    /// Of its value.
+    pub fn dimension(&self) -> Dimension {
+        match self {
+            Self::Angle(_) | Self::Turn(..) | Self::Deviation(..) => Dimension::ANGLE,
+            Self::Travel(..) | Self::Position(..) | Self::Distance(..) => Dimension::LENGTH,
+        }
+    }
+
+    /// Of its rate.
+    pub fn rate_dimension(&self) -> Dimension {
+        match self {
+            Self::Angle(_) | Self::Turn(..) | Self::Deviation(..) => Dimension::ANGULAR_RATE,
+            Self::Travel(..) | Self::Position(..) | Self::Distance(..) => Dimension::SPEED,
+        }
     }
 }

@@ -2,7 +2,7 @@
 //!
 //! Transcendental functions come from `libm`, so that the same definition folds to the same bits everywhere.
 
-use super::{Expr, Function1, Function2};
+use super::{Expr, Function1, Function2, Vector};
 
 /// A function of one argument, computed if that is a number.
 pub(crate) fn unary(function: Function1, x: Expr) -> Expr {
@@ -25,6 +25,11 @@ pub(crate) fn binary(function: Function2, x: Expr, y: Expr) -> Expr {
         (Function2::Mul | Function2::Div, _, Expr::Number(1.0)) => x,
         _ => Expr::Binary(function, Box::new(x), Box::new(y)),
     }
+}
+
+/// From one point to another.
+pub(crate) fn between(from: &Vector, to: &Vector) -> Vector {
+    [0, 1, 2].map(|axis| binary(Function2::Sub, to[axis].clone(), from[axis].clone()))
 }
 
 /// A constant power.

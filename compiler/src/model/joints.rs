@@ -4,7 +4,7 @@ use super::fold;
 use super::lower::{Lowering, Use, name};
 use super::names::Part;
 use super::unused::Scope;
-use super::{Axes, BodyId, Expr, Frame, Function2, Joint, Place, Space, Vector};
+use super::{Axes, BodyId, Expr, Frame, Joint, Place, Space, Vector};
 use crate::forms::{Argument, Given, Need, OfParticle, Value, degrees_between};
 use crate::messages;
 use crate::syntax::{self, FirstTerm, LineTerm, Path};
@@ -161,10 +161,7 @@ impl<'d> Lowering<'d> {
     /// The line's first point as the first place, and the way along it.
     fn on_line(&mut self, line: &'d LineTerm) -> (Option<Place>, Option<Vector>) {
         let Some(LowerLine { frame, ends: [from, to], text }) = self.line(line) else { return (None, None) };
-        let [x, y, z] = from.clone();
-        let [to_x, to_y, to_z] = to;
-        let less = |a, b| fold::binary(Function2::Sub, a, b);
-        let direction = [less(to_x, x), less(to_y, y), less(to_z, z)];
+        let direction = fold::between(&from, &to);
         let first = Place { frame, at: from, axes: Axes::Parallel, text, span: line.region() };
         (Some(first), Some(direction))
     }

@@ -245,16 +245,17 @@ impl<'d> Lowering<'d> {
     }
 
     fn driver(&mut self, driver: &'d syntax::Driver) -> Option<Driver> {
-        let quantity = self.position_quantity(&driver.quantity, "be driven");
+        let coordinate = self.coordinate(&driver.quantity, "be driven");
         let law = self.value(&driver.law, Use::LAW);
-        let (quantity, dimension) = quantity?;
-        let law = self.expect_dimension(law?, dimension, &messages::quoted(&driver.quantity.text))?;
-        Some(Driver { name: name(&driver.name), quantity, law })
+        let coordinate = coordinate?;
+        let what = messages::quoted(&driver.quantity.text);
+        let law = self.expect_dimension(law?, coordinate.dimension(), &what)?;
+        Some(Driver { name: name(&driver.name), coordinate, law })
     }
 
     fn start_condition(&mut self, start: &'d syntax::StartEntry) -> Option<StartCondition> {
-        let (quantity, dimension) = self.state_quantity(&start.quantity)?;
-        if !start.exact && quantity.is_rate() {
+        let (coordinate, rate, dimension) = self.coordinate_or_rate(&start.quantity)?;
+        if !start.exact && rate {
             self.diagnostics.error(start.quantity.region, messages::guessed_rate(&start.quantity.text));
             return None;
         }
@@ -262,7 +263,8 @@ impl<'d> Lowering<'d> {
         let value = self.entry(&start.entry, dimension, Use::START, &what)?;
         let region = start.quantity.region;
         Some(StartCondition {
-            quantity,
+            coordinate,
+            rate,
             text: start.quantity.text.clone(),
             value,
             exact: start.exact,

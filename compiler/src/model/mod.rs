@@ -25,7 +25,7 @@ use crate::diagnostics::{Allowed, Region};
 pub use crate::forms::{Alone, JointAxes, JointForm, LoadForm, Space};
 pub use crate::syntax::{Budgeted, Shape};
 pub use elements::{Constraint, ConstraintKind, Coupled, Coupling, Joint, Load, Rotor, Subject};
-pub use expression::{Comparison, Condition, Expr, Function1, Function2, Quantity};
+pub use expression::{Comparison, Condition, Coordinate, Expr, Function1, Function2, Quantity};
 pub use lower::lower;
 use proc_macro2::TokenStream;
 pub use unused::{Declared, Unused};
@@ -45,6 +45,9 @@ pub struct InputId(pub usize);
 /// Index of a load in [`Mechanism::loads`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct LoadId(pub usize);
+/// Index of a coupling or an equation in [`Mechanism::constraints`].
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub struct ConstraintId(pub usize);
 /// Index of a driver in [`Mechanism::drivers`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct DriverId(pub usize);
@@ -220,7 +223,7 @@ pub enum Frame {
     Body(BodyId),
 }
 
-/// A point of a body or of the ground.
+/// A point of a body or of the ground. Two places are the same if they are the same point, whatever they are called.
 #[derive(Clone, Debug)]
 pub struct Place {
     pub frame: Frame,
@@ -233,12 +236,18 @@ pub struct Place {
     pub span: Region,
 }
 
+impl PartialEq for Place {
+    fn eq(&self, other: &Self) -> bool {
+        self.frame == other.frame && self.at == other.at
+    }
+}
+
 /// A rheonomic constraint: quantity = law(time).
 #[derive(Clone, Debug)]
 pub struct Driver {
     pub name: Name,
-    /// An angle, a travel or a position.
-    pub quantity: Quantity,
+    /// Of which there is a value.
+    pub coordinate: Coordinate,
     /// Of time and parameters.
     pub law: Expr,
 }
@@ -246,7 +255,9 @@ pub struct Driver {
 /// `quantity = value` (exact) or `quantity ~ value` (guess), an angle, travel, position, or the rate of one.
 #[derive(Clone, Debug)]
 pub struct StartCondition {
-    pub quantity: Quantity,
+    pub coordinate: Coordinate,
+    /// Whether it is the coordinate's rate that is stated.
+    pub rate: bool,
     /// As written, `crank_pin.angle`.
     pub text: String,
     pub value: Expr,
@@ -290,7 +301,7 @@ pub struct Options {
     /// Joints that the spanning tree must not use.
     pub cut: Vec<(JointId, Region)>,
     /// Position coordinates the user takes as independent (angles, travels); empty if the compiler chooses.
-    pub independent: Vec<(Quantity, Region)>,
+    pub independent: Vec<(Coordinate, Region)>,
     pub emit: Emit,
     /// Whether the compiler checks its own work: thoroughly, not at all, or, where nothing is written, in passing.
     pub self_check: Option<bool>,
@@ -359,8 +370,7 @@ pub struct Turning {
 /// `knee.angle in 10..170 [deg];`
 #[derive(Clone, Debug)]
 pub struct Within {
-    /// A position coordinate.
-    pub quantity: Quantity,
+    pub coordinate: Coordinate,
     /// As written, `knee.angle`.
     pub text: String,
     /// SI.

@@ -3,37 +3,30 @@
 use super::lower::{Lowering, Use};
 use super::names::Part;
 use super::values::Typed;
-use super::{BodyId, DriverId, Expr, Frame, JointId, LoadId, Place, Quantity, Rotor};
+use super::{BodyId, Coordinate, DriverId, Expr, Frame, JointId, LoadId, Place, Quantity, Rotor};
 use crate::diagnostics::Region;
 use crate::messages;
 use crate::syntax::{FirstTerm, Label, LineTerm, Path, PlaceTerm, Shape, Space, Term, TermKind};
 use crate::units::Dimension;
 
-/// When a quantity is known.
-#[derive(Clone, Copy, PartialEq, Eq)]
-enum Level {
-    Position,
-    Velocity,
-    Result,
-}
-
 struct Found {
     quantity: Quantity,
     dimension: Dimension,
-    level: Level,
 }
 
 impl Found {
-    fn position(quantity: Quantity, dimension: Dimension) -> Option<Self> {
-        Some(Self { quantity, dimension, level: Level::Position })
+    fn position(coordinate: Coordinate) -> Option<Self> {
+        let dimension = coordinate.dimension();
+        Some(Self { quantity: Quantity::Coordinate(coordinate), dimension })
     }
 
-    fn velocity(quantity: Quantity, dimension: Dimension) -> Option<Self> {
-        Some(Self { quantity, dimension, level: Level::Velocity })
+    fn velocity(coordinate: Coordinate) -> Option<Self> {
+        let dimension = coordinate.rate_dimension();
+        Some(Self { quantity: Quantity::Rate(coordinate), dimension })
     }
 
     fn result(quantity: Quantity, dimension: Dimension) -> Option<Self> {
-        Some(Self { quantity, dimension, level: Level::Result })
+        Some(Self { quantity, dimension })
     }
 }
 
@@ -47,33 +40,42 @@ impl<'d> Lowering<'d> {
             self.permit(false, path, "a position or velocity", usage)?;
         }
         let found = self.find(path)?;
-        let (permitted, kind) = match found.level {
-            Level::Position => (usage.positions, "a position"),
-            Level::Velocity => (usage.velocities, "a velocity"),
-            Level::Result => (usage.results, "a result"),
+        let (permitted, kind) = match found.quantity {
+            Quantity::Coordinate(_) => (usage.positions, "a position"),
+            Quantity::Rate(_) => (usage.velocities, "a velocity"),
+            Quantity::Power(_)
+            | Quantity::DriverPower(_)
+            | Quantity::DriverEffort(_)
+            | Quantity::KineticEnergy
+            | Quantity::PotentialEnergy
+            | Quantity::Energy => (usage.results, "a result"),
         };
         self.permit(permitted, path, kind, usage)?;
         Some((found.quantity, found.dimension))
     }
 
     /// An angle, travel or position.
-    pub fn position_quantity(&mut self, path: &Path, verb: &str) -> Option<(Quantity, Dimension)> {
-        let found = self.find(path)?;
-        if found.level != Level::Position {
-            self.diagnostics.error(path.region, messages::not_a_position(&path.text, verb));
-            return None;
+    pub fn coordinate(&mut self, path: &Path, verb: &str) -> Option<Coordinate> {
+        match self.find(path)?.quantity {
+            Quantity::Coordinate(coordinate) => Some(coordinate),
+            _ => {
+                self.diagnostics.error(path.region, messages::not_a_position(&path.text, verb));
+                None
+            }
         }
-        Some((found.quantity, found.dimension))
     }
 
     /// An angle, travel, position or the rate of one.
-    pub fn state_quantity(&mut self, path: &Path) -> Option<(Quantity, Dimension)> {
+    pub fn coordinate_or_rate(&mut self, path: &Path) -> Option<(Coordinate, bool, Dimension)> {
         let found = self.find(path)?;
-        if found.level == Level::Result {
-            self.diagnostics.error(path.region, messages::not_a_state(&path.text));
-            return None;
+        match found.quantity {
+            Quantity::Coordinate(coordinate) => Some((coordinate, false, found.dimension)),
+            Quantity::Rate(coordinate) => Some((coordinate, true, found.dimension)),
+            _ => {
+                self.diagnostics.error(path.region, messages::not_a_state(&path.text));
+                None
+            }
         }
-        Some((found.quantity, found.dimension))
     }
 
     /// `power(load)`.
@@ -115,7 +117,8 @@ impl<'d> Lowering<'d> {
             self.diagnostics.error(region, messages::distance_in_one_body());
             return None;
         }
-        let expr = Expr::Quantity(Quantity::Distance(Box::new(first), Box::new(second)));
+        let expr =
+            Expr::Quantity(Quantity::Coordinate(Coordinate::Distance(Box::new(first), Box::new(second))));
         Some(Typed { expr, dimension: Dimension::LENGTH, zero: false, region })
     }
 
@@ -197,8 +200,8 @@ impl<'d> Lowering<'d> {
                     self.diagnostics.error(path.region, messages::quantities_of_rate(&path.parts[0].text));
                     return None;
                 }
-                "angle" => return Found::position(Quantity::BodyAngle(body), Dimension::ANGLE),
-                "rate" => return Found::velocity(Quantity::BodyRate(body), Dimension::ANGULAR_RATE),
+                "angle" => return Found::position(Coordinate::Angle(Rotor::Body(body))),
+                "rate" => return Found::velocity(Coordinate::Angle(Rotor::Body(body))),
                 _ => {}
             }
         }
@@ -214,7 +217,7 @@ impl<'d> Lowering<'d> {
                 self.diagnostics.error(component.region, message);
                 return None;
             };
-            return Found::velocity(Quantity::BodyOmega(body, axis), Dimension::ANGULAR_RATE);
+            return Found::velocity(Coordinate::Turn(body, axis));
         }
         let point = Path {
             text: format!("{}.{}", path.parts[0].text, quantity.text),
@@ -223,13 +226,12 @@ impl<'d> Lowering<'d> {
         };
         let rest: Vec<&str> = path.parts[2..].iter().map(|part| part.text.as_str()).collect();
         let place = self.place(&PlaceTerm::Named(point))?;
-        let position = |axis| Quantity::Position(Box::new(place.clone()), axis);
-        let velocity = |axis| Quantity::Velocity(Box::new(place.clone()), axis);
+        let along = |axis| Coordinate::Position(Box::new(place.clone()), axis);
         let space = self.definition.space;
         let axis = rest.last().and_then(|component| axis_of(component, space.dimensions()));
         match (rest.as_slice(), axis) {
-            ([_], Some(axis)) => Found::position(position(axis), Dimension::LENGTH),
-            (["velocity", _], Some(axis)) => Found::velocity(velocity(axis), Dimension::SPEED),
+            ([_], Some(axis)) => Found::position(along(axis)),
+            (["velocity", _], Some(axis)) => Found::velocity(along(axis)),
             ([], _) => {
                 self.diagnostics.error(path.region, messages::place_without_axis(&path.text, space));
                 None
@@ -250,16 +252,16 @@ impl<'d> Lowering<'d> {
             found.filter(|_| path.parts.len() == 2)
         };
         if let Some(index) = find(angles, 0) {
-            return Found::position(Quantity::JointAngle(joint, index), Dimension::ANGLE);
+            return Found::position(Coordinate::Angle(Rotor::Joint(joint, index)));
         }
         if let Some(index) = find(angles, 1) {
-            return Found::velocity(Quantity::JointRate(joint, index), Dimension::ANGULAR_RATE);
+            return Found::velocity(Coordinate::Angle(Rotor::Joint(joint, index)));
         }
         if let Some(index) = find(travels, 0) {
-            return Found::position(Quantity::JointTravel(joint, index), Dimension::LENGTH);
+            return Found::position(Coordinate::Travel(joint, index));
         }
         if let Some(index) = find(travels, 1) {
-            return Found::velocity(Quantity::JointSpeed(joint, index), Dimension::SPEED);
+            return Found::velocity(Coordinate::Travel(joint, index));
         }
         let message = self.joint_has(joint, &quantity.text);
         self.diagnostics.error(quantity.region, message);

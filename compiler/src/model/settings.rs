@@ -4,7 +4,7 @@ use super::lower::Lowering;
 use super::lower::Use;
 use super::names::Part;
 use super::{
-    Budget, Coordinates, Emit, Expect, Expr, JointId, Options, Quantity, Redundant, Rotor, Space, Turning,
+    Budget, Coordinate, Coordinates, Emit, Expect, Expr, JointId, Options, Redundant, Rotor, Space, Turning,
     Within,
 };
 use crate::diagnostics::Region;
@@ -82,9 +82,9 @@ impl<'d> Lowering<'d> {
         None
     }
 
-    fn independent(&mut self, path: &'d Path) -> Option<(Quantity, Region)> {
-        let (quantity, _) = self.position_quantity(path, "be an independent coordinate")?;
-        Some((quantity, path.region))
+    fn independent(&mut self, path: &'d Path) -> Option<(Coordinate, Region)> {
+        let coordinate = self.coordinate(path, "be an independent coordinate")?;
+        Some((coordinate, path.region))
     }
 
     pub fn expect(&mut self) -> Expect {
@@ -135,7 +135,8 @@ impl<'d> Lowering<'d> {
         if !self.can_be_swept("a range", path.region) {
             return None;
         }
-        let (quantity, dimension) = self.position_quantity(path, "be expected in a range")?;
+        let coordinate = self.coordinate(path, "be expected in a range")?;
+        let dimension = coordinate.dimension();
         let what = messages::quoted(&path.text);
         let mut end = |term| match self.with_unit(term, range.unit.as_ref(), dimension, Use::RANGE, &what)? {
             Expr::Number(value) => Some(value),
@@ -156,7 +157,7 @@ impl<'d> Lowering<'d> {
             self.diagnostics.error(range.from.region.to(range.to.region), message);
             return None;
         }
-        Some(Within { quantity, text: path.text.clone(), from, to, unit, span: path.region })
+        Some(Within { coordinate, text: path.text.clone(), from, to, unit, span: path.region })
     }
 
     /// One range for a coordinate, one number of freedoms.

@@ -41,7 +41,7 @@ fn sections(compiled: &Compiled) -> Vec<Section> {
     let equations = &compiled.equations;
     let v = equations.layout.velocity_names(&compiled.mechanism);
     let rows = || equations.rows.iter();
-    let row = |index: usize| format!("{}.{}", equations.rows[index].of, equations.rows[index].what);
+    let row = |index: usize| format!("{}.{}", equations.rows[index].of, equations.rows[index].form.name);
     let is_zero = |node: &Node| equations.graph.is_zero(*node);
     let phi = rows().enumerate().map(|(index, own)| (row(index), own.jet.value));
     let jacobian = rows().enumerate().flat_map(|(index, own)| {

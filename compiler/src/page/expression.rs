@@ -42,7 +42,7 @@ impl<'a> Writer<'a> {
         let settings = symbols.parameters.iter().copied().zip(parameters);
         let settings = settings.chain(symbols.inputs.iter().copied().zip(inputs));
         let multipliers = symbols.lambda.iter().zip(&equations.rows);
-        let multipliers = multipliers.map(|(node, row)| (*node, format!("λ({}.{})", row.of, row.what)));
+        let multipliers = multipliers.map(|(node, row)| (*node, format!("λ({}.{})", row.of, row.form.name)));
         let mut writer = Writer {
             graph: &equations.graph,
             symbols: known

@@ -74,8 +74,8 @@ pub fn joints(page: &mut String, compiled: &Compiled) {
         let names = joint.form;
         let quantities = names.angles.iter().chain(names.travels);
         let quantities: Vec<String> = quantities.map(|[quantity, _]| code(quantity)).collect();
-        let own = equations.rows.iter().filter(|row| row.joint == Some(JointId(index)));
-        let rows: Vec<String> = own.map(|row| code(row.what)).collect();
+        let own = equations.rows.iter().filter(|row| row.joint() == Some(JointId(index)));
+        let rows: Vec<String> = own.map(|row| code(row.form.name)).collect();
         let carried =
             equations.tree.attachments.iter().find(|it| it.joint.is_some_and(|(own, _)| own.0 == index));
         let part = match carried {
@@ -115,7 +115,7 @@ pub fn couplings(page: &mut String, compiled: &Compiled) {
         table.row(vec![code(&constraint.name.text), holds]);
     }
     for driver in &mechanism.drivers {
-        let quantity = code(&conditions::name(mechanism, &driver.quantity));
+        let quantity = code(&conditions::name(mechanism, &driver.coordinate));
         table.row(vec![code(&driver.name.text), format!("{quantity} follows a law of time")]);
     }
     table.write(page, "Couplings and drivers");
@@ -252,12 +252,12 @@ pub fn rows(page: &mut String, compiled: &Compiled) {
             Some(Frame::Ground) => "the world".to_string(),
             Some(Frame::Body(body)) => code(&mechanism.bodies[body.0].name.text),
         };
-        table.row(vec![index.to_string(), code(&row.of), code(row.what), axes]);
+        table.row(vec![index.to_string(), code(&row.of), code(row.form.name), axes]);
     }
     table.write(page, "Constraint rows");
     let mut table = Table::new(&["redundant row of", "row"]);
     for row in &compiled.assembly.dropped {
-        table.row(vec![code(joint_name(mechanism, row.joint)), code(row.what)]);
+        table.row(vec![code(joint_name(mechanism, row.joint)), code(row.form.name)]);
     }
     table.write(page, "Redundant rows");
     if !compiled.assembly.shared.is_empty() {

@@ -58,7 +58,7 @@ pub fn rates(machine: &Machine, inputs: &Inputs) -> Vec<Quantity> {
 /// The row's name, as its joint and what it holds.
 pub fn name(machine: &Machine, row: usize) -> String {
     let row = &machine.compiled.equations.rows[row];
-    format!("row `{}` of \"{}\"", row.what, row.of)
+    format!("row `{}` of \"{}\"", row.form.name, row.of)
 }
 
 /// The row's name, and the velocity whose entry of D is wrong, if it is one of D.

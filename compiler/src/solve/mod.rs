@@ -383,13 +383,8 @@ pub fn stabilised(g: Sheet, rows: &[Row], symbols: &Symbols) -> Vec<Node> {
 
 /// Rows that are components of one vector, numbered alike.
 pub fn groups(rows: &[Row]) -> Vec<Option<usize>> {
-    let kind = |row: &Row| match row.what {
-        "x" | "y" | "z" => Some(0),
-        "normal_1" | "normal_2" => Some(1),
-        "axis_1" | "axis_2" => Some(2),
-        _ => None,
-    };
-    let same = |a: &Row, b: &Row| a.of == b.of && kind(a).is_some() && kind(a) == kind(b);
+    let whole = |row: &Row| row.form.part_of;
+    let same = |a: &Row, b: &Row| a.origin == b.origin && whole(a).is_some() && whole(a) == whole(b);
     let mut groups = Vec::new();
     for (number, group) in rows.chunk_by(same).enumerate() {
         groups.extend(vec![(group.len() > 1).then_some(number); group.len()]);

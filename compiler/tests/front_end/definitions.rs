@@ -4,7 +4,8 @@ use crate::good;
 use linkwright_compiler::equations::VOCABULARY;
 use linkwright_compiler::forms::{Factor, Law, LoadForm, Means, Value};
 use linkwright_compiler::model::{
-    BodyKind, Budgeted, ConstraintKind, Coordinates, Coupled, Expr, Frame, Quantity, Rotor, Space, Subject,
+    BodyKind, Budgeted, ConstraintKind, Coordinate, Coordinates, Coupled, Expr, Frame, Quantity, Rotor,
+    Space, Subject,
 };
 
 /// The first example of the language.
@@ -103,7 +104,7 @@ fn quick_return() {
     assert_eq!(m.expect.degrees_of_freedom.map(|(count, _)| count), Some(1));
     assert_eq!(m.expect.budgets[0].limit, 400);
     assert!(
-        matches!(&m.outputs[0].value, Expr::Quantity(Quantity::Position(place, 0)) if place.text == "slider.center")
+        matches!(&m.outputs[0].value, Expr::Quantity(Quantity::Coordinate(Coordinate::Position(place, 0))) if place.text == "slider.center")
     );
 }
 
@@ -199,7 +200,7 @@ fn repeat_unrolls_with_integer_indices() {
     assert_eq!(number(&m.start[2].value), 92.0 * (core::f64::consts::PI / 180.0));
     // (3 + 4)/2 − 4/2 = 1 in integers.
     assert!(
-        matches!(&m.outputs[3].value, Expr::Quantity(Quantity::Position(p, 1)) if p.text == "upright[1].end")
+        matches!(&m.outputs[3].value, Expr::Quantity(Quantity::Coordinate(Coordinate::Position(p, 1))) if p.text == "upright[1].end")
     );
 }
 
@@ -251,7 +252,8 @@ fn moving_ground_places_and_indexed_points() {
     assert!(matches!(m.joints[0].first.at[0], Expr::Binary(..)));
     assert_eq!(m.start[2].text, "arm[1].p[1].y");
     assert_eq!(number(&m.start[2].value), 300.0 * 1e-3);
-    assert!(matches!(&m.start[3].quantity, Quantity::Velocity(place, 0) if place.text == "arm[1].p[1]"));
+    assert!(m.start[3].rate);
+    assert!(matches!(&m.start[3].coordinate, Coordinate::Position(place, 0) if place.text == "arm[1].p[1]"));
 }
 
 #[test]

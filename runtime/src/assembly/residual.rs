@@ -7,7 +7,7 @@
 
 use super::system::name_unknown;
 use crate::error::AssemblyError;
-use crate::mechanism::{Assemble, ConditionKind, Mechanism, groups, name_row};
+use crate::mechanism::{Assemble, ConditionKind, Flips, Mechanism, name_row};
 use crate::real::Real;
 use crate::vector::{Vector, at, put};
 
@@ -40,16 +40,14 @@ impl<R: Real, L: Vector<R>, C: Vector<R>> Residual<R, L, C> {
         model.row_cosines(time, q, &mut cosines);
         divisors.as_mut_slice().fill(R::ONE);
         let mut let_go = R::ZERO;
-        let row = |row: u16| name_row::<R, M>(Some(row.into()));
-        for joint in groups(M::FLIPS, |&a, &b| row(a).of == row(b).of) {
-            let what = |index: u16| row(index).what;
+        for &Flips { axes, turns } in M::FLIPS {
             let (rows, divisors) = (rows.as_mut_slice(), divisors.as_mut_slice());
-            match *M::FLIPS.get(joint).unwrap_or_default() {
-                [first, second, ref turns @ ..] if what(first) == "axis_1" && what(second) == "axis_2" => {
-                    let axes = [first as usize, second as usize];
+            match axes {
+                Some(axes) => {
+                    let axes = axes.map(usize::from);
                     let_go = let_go + axes_then_turns(axes, turns, cosines.as_slice(), rows, divisors);
                 }
-                ref turns => whole_angles(turns, cosines.as_slice(), rows, divisors),
+                None => whole_angles(turns, cosines.as_slice(), rows, divisors),
             }
         }
 
@@ -82,16 +80,17 @@ impl<R: Real, L: Vector<R>, C: Vector<R>> Residual<R, L, C> {
     }
 
     pub(super) fn check_flips<M: Assemble<R>>(&self) -> Result<(), AssemblyError> {
-        match M::FLIPS.iter().find(|&&row| at(self.divisors.as_slice(), row.into()) < R::ZERO) {
-            Some(&row) => Err(AssemblyError::Flipped { row: name_row::<R, M>(Some(row.into())) }),
+        let mut flips = M::FLIPS.iter().flat_map(Flips::rows);
+        match flips.find(|&row| at(self.divisors.as_slice(), row.into()) < R::ZERO) {
+            Some(row) => Err(AssemblyError::Flipped { row: name_row::<R, M>(Some(row.into())) }),
             None => Ok(()),
         }
     }
 
     /// Whether a row is at the place between its two roots where its derivative vanishes.
     pub(super) fn at_right_angle<M: Assemble<R>>(&self) -> bool {
-        let divisor = |&row: &u16| at(self.divisors.as_slice(), row.into());
-        M::FLIPS.iter().any(|row| divisor(row).abs() == R::from_f64(NEARLY_RIGHT))
+        let divisor = |row: u16| at(self.divisors.as_slice(), row.into());
+        M::FLIPS.iter().flat_map(Flips::rows).any(|row| divisor(row).abs() == R::from_f64(NEARLY_RIGHT))
     }
 
     /// The error that names the worst row; a joint stuck on its flipped root is said to be that.
@@ -99,7 +98,7 @@ impl<R: Real, L: Vector<R>, C: Vector<R>> Residual<R, L, C> {
         let (worst, residual) = self.worst();
         let row = name_unknown::<R, M>(M::V::LEN + worst);
         let flipped = self.divisors.as_slice().get(worst).is_some_and(|&divisor| divisor < R::ZERO);
-        if flipped && M::FLIPS.contains(&(worst as u16)) {
+        if flipped && M::FLIPS.iter().flat_map(Flips::rows).any(|row| usize::from(row) == worst) {
             return AssemblyError::Flipped { row };
         }
         AssemblyError::NoConvergence { row, residual: residual.to_f64(), iterations }

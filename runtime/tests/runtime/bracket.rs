@@ -2,7 +2,7 @@
 
 use crate::solve::{baumgarte, equations_of_motion, full_columns, full_row_start, natural};
 use linkwright_runtime::quaternion::rotation_matrix;
-use linkwright_runtime::{Assemble, Condition, Elimination, Layout, Mechanism, Row, tabled};
+use linkwright_runtime::{Assemble, Condition, Elimination, Flips, Layout, Mechanism, Row, tabled};
 
 #[derive(Clone, Copy, Debug)]
 pub struct Bracket {
@@ -142,7 +142,7 @@ impl Assemble<f64> for Bracket {
     const START_RATES: &'static [u16] = &[];
     const INDEPENDENT: &'static [u16] = &[];
     const CONDITION_PATTERN: &'static [(u16, u16)] = &[];
-    const FLIPS: &'static [u16] = &[3, 4, 5];
+    const FLIPS: &'static [Flips] = &[Flips { axes: Some([3, 4]), turns: &[5] }];
     const ROW_SIZES: &'static [f64] = &[1.0; 6];
     const ELIMINATION: Elimination = Elimination {
         order: &natural::<12>(),

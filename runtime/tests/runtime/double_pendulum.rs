@@ -5,7 +5,7 @@
 //! k cos Δ θ̈₁ + M₂₂ θ̈₂ = k sin Δ ω₁² − m₂a₂ g cos θ₂, with k = m₂ l₁ a₂.
 
 use linkwright_runtime::{
-    Assemble, Condition, ConditionKind, Elimination, Fields, Layout, Mechanism, MultiTurn, Row, tabled,
+    Assemble, Condition, ConditionKind, Elimination, Fields, Flips, Layout, Mechanism, MultiTurn, Row, tabled,
 };
 use linkwright_runtime::{Real, unwrap_angle};
 
@@ -175,7 +175,7 @@ impl<R: Real> Assemble<R> for DoublePendulum<R> {
     const START_RATES: &'static [u16] = &[0, 1];
     const INDEPENDENT: &'static [u16] = &[0, 1];
     const CONDITION_PATTERN: &'static [(u16, u16)] = &[(0, 0), (1, 1)];
-    const FLIPS: &'static [u16] = &[];
+    const FLIPS: &'static [Flips] = &[];
     const ROW_SIZES: &'static [f64] = &[];
     const ELIMINATION: Elimination = Elimination {
         order: &[0, 2, 1, 3],

@@ -5,7 +5,7 @@
 
 use crate::solve::{baumgarte, equations_of_motion, full_columns, full_row_start, natural};
 use linkwright_runtime::{
-    Assemble, Condition, ConditionKind, Elimination, Layout, Mechanism, MultiTurn, Row, tabled,
+    Assemble, Condition, ConditionKind, Elimination, Flips, Layout, Mechanism, MultiTurn, Row, tabled,
 };
 use linkwright_runtime::{State, unwrap_angle};
 
@@ -255,7 +255,7 @@ impl Assemble<f64> for FourBar {
     const START_RATES: &'static [u16] = &[0];
     const INDEPENDENT: &'static [u16] = &[0];
     const CONDITION_PATTERN: &'static [(u16, u16)] = &[(0, 6), (1, 3)];
-    const FLIPS: &'static [u16] = &[];
+    const FLIPS: &'static [Flips] = &[];
     const ROW_SIZES: &'static [f64] = &[1.0; 8];
     const ELIMINATION: Elimination = Elimination {
         order: &natural::<19>(),

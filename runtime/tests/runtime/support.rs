@@ -1,7 +1,7 @@
 //! A body welded to a support that slides with x = t²/10: time in the constraints, an angle row with a second root.
 
 use crate::solve::{baumgarte, equations_of_motion, full_columns, full_row_start, natural};
-use linkwright_runtime::{Assemble, Condition, Elimination, Layout, Mechanism, Row};
+use linkwright_runtime::{Assemble, Condition, Elimination, Flips, Layout, Mechanism, Row};
 
 #[derive(Clone, Copy, Debug)]
 pub struct Support {
@@ -89,7 +89,7 @@ impl Assemble<f64> for Support {
     const START_RATES: &'static [u16] = &[];
     const INDEPENDENT: &'static [u16] = &[];
     const CONDITION_PATTERN: &'static [(u16, u16)] = &[];
-    const FLIPS: &'static [u16] = &[2];
+    const FLIPS: &'static [Flips] = &[Flips { axes: None, turns: &[2] }];
     const ROW_SIZES: &'static [f64] = &[1.0; 3];
     const ELIMINATION: Elimination = Elimination {
         order: &natural::<6>(),

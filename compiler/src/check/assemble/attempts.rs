@@ -7,7 +7,7 @@ use super::search::Search;
 use super::{Attempt, Problem, messages, refusals};
 use crate::diagnostics::Diagnostics;
 use crate::equations::Equations;
-use crate::model::{Mechanism, Quantity, Rotor};
+use crate::model::{Coordinate, Mechanism, Rotor};
 use std::f64::consts::TAU;
 
 /// Guesses met this well leave nothing to compare.
@@ -150,16 +150,13 @@ pub fn settle_turns(problem: &Problem, point: &mut Point, assembled: Attempt) ->
 
 /// The angle that `start` or a driver states for a rotor.
 fn stated_angle(equations: &Equations, point: &mut Point, rotor: Rotor) -> Option<f64> {
-    let is = |quantity: &Quantity| match (quantity, rotor) {
-        (Quantity::BodyAngle(body), Rotor::Body(own)) => *body == own,
-        (Quantity::JointAngle(joint, which), Rotor::Joint(own, angle)) => *joint == own && *which == angle,
-        _ => false,
-    };
+    let angle = Coordinate::Angle(rotor);
     let exact = equations.conditions.iter().zip(&equations.start_targets);
     let exact = exact.filter_map(|(condition, start)| Some((condition, start.position?)));
     let guessed = equations.guesses.iter().map(|(condition, node)| (condition, *node));
     let driven = equations.driven.iter().map(|(condition, node)| (condition, *node));
-    let (_, node) = driven.chain(exact).chain(guessed).find(|(condition, _)| is(&condition.quantity))?;
+    let (_, node) =
+        driven.chain(exact).chain(guessed).find(|(condition, _)| condition.coordinate == angle)?;
     point.evaluate(&Ancestry::of(equations, [node]));
     Some(point.get(node))
 }

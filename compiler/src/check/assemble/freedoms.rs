@@ -12,7 +12,8 @@ use super::redundancy::{self, Finding, Redundancy};
 use super::{drivers, geometry, loose, messages, pins};
 use crate::diagnostics::{Diagnostic, Diagnostics, Note, Region, Severity};
 use crate::equations::conditions;
-use crate::model::{BodyKind, Mechanism, Quantity, Redundant, Space};
+use crate::forms::RowForm;
+use crate::model::{BodyKind, Coordinate, Mechanism, Redundant, Space};
 use crate::numbers::coordinate;
 use std::fmt;
 
@@ -32,7 +33,7 @@ pub struct Mobility {
     /// Near the start: the degrees of freedom.
     pub generic: usize,
     /// Rows that repeat what others fix all along the motion, by joint or coupling and direction.
-    pub redundant: Vec<(String, &'static str)>,
+    pub redundant: Vec<(String, &'static RowForm)>,
     /// The reason why they repeat, where it is known: "the axes of a, b and c are parallel".
     pub reasons: Vec<String>,
 }
@@ -57,7 +58,7 @@ pub struct Assembled<'a> {
     pub problem: &'a Problem<'a>,
     pub q: &'a [f64],
     pub phases: &'a [f64],
-    pub independent: &'a [Quantity],
+    pub independent: &'a [Coordinate],
 }
 
 /// Degrees of freedom against `expect`, and independence of the rows.
@@ -107,7 +108,7 @@ fn mobility(at: &Assembled, point: &mut Point, rank: &Rank, finding: &Finding) -
     let apart: usize = mechanism.bodies.iter().map(|body| freedoms(body.kind)).sum();
     let mut repeated = finding.repeated.clone();
     repeated.sort_unstable();
-    let names = repeated.iter().map(|row| (equations.rows[*row].of.clone(), equations.rows[*row].what));
+    let names = repeated.iter().map(|row| (equations.rows[*row].of.clone(), equations.rows[*row].form));
     let at_start = velocities - rank.rank;
     let generic = match () {
         _ if rank.dependent.is_empty() || finding.coupled => at_start,
@@ -152,12 +153,10 @@ fn expected(at: &Assembled, point: &Point, mobility: &Mobility, errors: &mut Dia
 
 /// The joint that a body hangs on; of what several joints hold, or none, the body.
 fn place(mechanism: &Mechanism, loose: &Loose) -> Region {
-    let joint = match loose.joints.as_slice() {
-        [only] => mechanism.joints.iter().map(|joint| &joint.name).find(|name| name.text == *only),
-        _ => None,
+    let name = match loose.joints.as_slice() {
+        [only] => Some(only),
+        _ => loose.bodies.first(),
     };
-    let mut bodies = mechanism.bodies.iter().map(|body| &body.name);
-    let name = joint.or_else(|| bodies.find(|name| loose.bodies.contains(&name.text)));
     name.unwrap_or(&mechanism.name).span
 }
 
@@ -172,13 +171,13 @@ fn report_redundant(
     let rows = &point.equations.rows;
     let mut repeated = repeated.to_vec();
     repeated.sort_unstable();
-    for of_one in repeated.chunk_by(|a, b| rows[*a].of == rows[*b].of) {
+    for of_one in repeated.chunk_by(|a, b| rows[*a].origin == rows[*b].origin) {
         let row = &rows[of_one[0]];
-        let what: Vec<&str> = of_one.iter().map(|row| rows[*row].what).collect();
-        let Some(joint) = row.joint else { continue };
+        let repeated: Vec<&RowForm> = of_one.iter().map(|row| rows[*row].form).collect();
+        let Some(joint) = row.joint() else { continue };
         let form = at.mechanism.joints[joint.0].form;
-        let whole = what.len() == rows.iter().filter(|own| own.joint == Some(joint)).count();
-        let repeated = messages::Repeated { joint: &row.of, form, what: &what, whole };
+        let whole = repeated.len() == rows.iter().filter(|own| own.joint() == Some(joint)).count();
+        let repeated = messages::Repeated { joint: &row.of, form, rows: &repeated, whole };
         errors.error(row.span, messages::redundant(&repeated, mobility));
     }
 }
@@ -197,7 +196,7 @@ fn report_dependent(
         let Some(row) = rows.next() else { return };
         let in_line = pins::in_line(at.mechanism, &pins::pins(at.mechanism, point, at.q), None);
         errors.error(row.span, messages::shaky(&row.of, &in_line));
-    } else if let Some(row) = rows.find(|row| row.joint.is_none()).or(equations.rows.last()) {
+    } else if let Some(row) = rows.find(|row| row.joint().is_none()).or(equations.rows.last()) {
         errors.error(row.span, messages::repeated_coupling(&row.of));
     }
 }
@@ -216,7 +215,7 @@ fn report_singular(
     let mut of: Vec<String> = lost.iter().map(|row| equations.rows[*row].of.clone()).collect();
     of.dedup();
     let elsewhere = elsewhere(at, point, beyond);
-    let stated = at.mechanism.start.iter().find(|start| conditions::is_position(&start.quantity));
+    let stated = at.mechanism.start.iter().find(|start| !start.rate);
     let span = stated.map_or(equations.rows[lost[0]].span, |start| start.span);
     let rank = (rows.len() - lost.len(), rows.len());
     errors.error(span, messages::singular_start(rank, &of, &in_line, elsewhere));
@@ -229,7 +228,7 @@ fn elsewhere(at: &Assembled, point: &mut Point, beyond: &[Vec<f64>]) -> Option<S
     let stated = equations.conditions.iter().zip(&equations.start_targets);
     let stated = stated.filter(|(_, target)| target.position.is_some()).map(|(condition, _)| condition);
     let guessed = equations.guesses.iter().map(|(condition, _)| condition);
-    let condition = stated.chain(guessed).find(|condition| !condition.rate_only)?;
+    let condition = stated.chain(guessed).find(|condition| condition.coordinate.has_value())?;
     let ancestry = Ancestry::of(equations, [condition.jet.value]);
     let mut value = |q: &[f64]| {
         point.set_q(q);
@@ -240,7 +239,11 @@ fn elsewhere(at: &Assembled, point: &mut Point, beyond: &[Vec<f64>]) -> Option<S
     let values = beyond.iter().map(|q| value(q));
     let furthest = values.max_by(|a, b| (a - here).abs().total_cmp(&(b - here).abs()))?;
     let unit = if condition.angular { "rad" } else { "m" };
-    let exact = at.mechanism.start.iter().any(|start| start.exact && start.text == condition.of);
+    let exact = at
+        .mechanism
+        .start
+        .iter()
+        .any(|start| start.exact && !start.rate && start.coordinate == condition.coordinate);
     let sign = if exact { '=' } else { '~' };
     Some(format!("{} [{unit}] {sign} {};", condition.of, coordinate(furthest, 3)))
 }

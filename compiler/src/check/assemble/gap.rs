@@ -9,7 +9,9 @@
 use super::descent::{Descent, HOPELESS, Rest, Role};
 use super::initial::{Stated, Variation};
 use super::point::Point;
-use super::position::{LENGTHS, Problem};
+use super::position::Problem;
+use crate::equations::Origin;
+use crate::forms::row::Measures;
 use crate::model::Mechanism;
 
 /// The cause why a mechanism does not close.
@@ -151,9 +153,9 @@ impl<'a, 'p> Gaps<'a, 'p> {
 
     fn gap(&mut self, point: &mut Point, group: &[usize], hard: &[usize]) -> Option<(Gap, Vec<f64>)> {
         let rows = &self.problem.equations().rows;
-        let what = |at: &usize| rows[self.problem.rows()[*at]].what;
-        let is_length = |at: &usize| LENGTHS.contains(&what(at)) || what(at) == "distance";
-        let is_direction = |at: &usize| DIRECTIONS.contains(&what(at));
+        let measures = |at: &usize| rows[self.problem.rows()[*at]].form.measures;
+        let is_length = |at: &usize| matches!(measures(at), Measures::Length | Measures::Squares);
+        let is_direction = |at: &usize| measures(at) == Measures::Direction;
         let (places, others): (Vec<usize>, Vec<usize>) = group.iter().partition(|at| is_length(at));
         let directions = others.iter().all(is_direction);
         let mut hard = hard.to_vec();
@@ -218,12 +220,13 @@ impl<'a, 'p> Gaps<'a, 'p> {
     fn groups(&self) -> Vec<Vec<usize>> {
         let rows = &self.problem.equations().rows;
         let own: Vec<usize> = (0..self.problem.rows().len()).filter(|at| !self.is_driver(*at)).collect();
-        let of = |at: &usize| &rows[self.problem.rows()[*at]].of;
+        let of = |at: &usize| rows[self.problem.rows()[*at]].origin;
         own.chunk_by(|a, b| of(a) == of(b)).map(<[usize]>::to_vec).collect()
     }
 
     fn is_driver(&self, at: usize) -> bool {
-        self.problem.rows()[at] >= self.problem.equations().rows.len() - self.mechanism.drivers.len()
+        let row = &self.problem.equations().rows[self.problem.rows()[at]];
+        matches!(row.origin, Origin::Driver(_))
     }
 
     fn drivers(&self) -> Vec<usize> {
@@ -235,6 +238,3 @@ impl<'a, 'p> Gaps<'a, 'p> {
         (first..self.residuals - self.problem.guesses().len()).collect()
     }
 }
-
-/// Rows that are sines of angles.
-const DIRECTIONS: [&str; 5] = ["angle", "axis_1", "axis_2", "cross", "twist"];

@@ -26,7 +26,7 @@ pub fn reasons(mechanism: &Mechanism, point: &mut Point, q: &[f64], rows: &[usiz
     }
     let equations = point.equations;
     let world = World::at(mechanism, point, q);
-    let cut: BTreeSet<JointId> = rows.iter().filter_map(|row| equations.rows[*row].joint).collect();
+    let cut: BTreeSet<JointId> = rows.iter().filter_map(|row| equations.rows[*row].joint()).collect();
     let of_loop = |joint: JointId| {
         let mut around = equations.tree.around(mechanism, joint);
         around.sort_unstable();

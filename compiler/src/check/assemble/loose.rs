@@ -10,18 +10,20 @@ use super::point::{Ancestry, Point, retract};
 use super::world::{Vec3, World, add, cross, dot, length, sub};
 use super::{carry_state, messages};
 use crate::equations::{Ball, Equations, Linear, Omitted, Rotation, SpanningTree, derive};
-use crate::model::{BodyId, Frame, Joint, JointId, Mechanism, Space};
+use crate::model::{BodyId, Frame, Joint, JointId, Mechanism, Name, Space};
 use std::collections::{BTreeMap, BTreeSet};
 use std::fmt;
 
 /// Bodies that move alone.
 #[derive(Clone, Debug)]
 pub struct Loose {
-    pub bodies: Vec<String>,
+    pub members: Vec<BodyId>,
+    /// Their names.
+    pub bodies: Vec<Name>,
     /// In how many ways.
     pub freedoms: usize,
     /// The joints that hold them, none or one of a body that hangs.
-    pub joints: Vec<String>,
+    pub joints: Vec<Name>,
     pub way: Way,
 }
 
@@ -196,14 +198,15 @@ impl<'a> Free<'a> {
             |twist: &Vec<f64>| joints.len() < 2 || self.is_finite(&bodies, pole, full(basis, twist));
         let admitted: Vec<Vec<f64>> = admitted.into_iter().filter(leads_away).collect();
         let way = self.way(&joints, pole, basis, &admitted)?;
-        let names = |body: &BodyId| self.mechanism.bodies[body.0].name.text.clone();
+        let names = |body: &BodyId| self.mechanism.bodies[body.0].name.clone();
         let joint_names = match way {
             Way::Spinning { .. } | Way::Turning => self.on_axis(&joints, pole, &full(basis, &admitted[0])),
             _ => joints,
         };
-        let joint_name = |joint: JointId| self.mechanism.joints[joint.0].name.text.clone();
+        let joint_name = |joint: JointId| self.mechanism.joints[joint.0].name.clone();
         Some(Loose {
             bodies: bodies.iter().map(names).collect(),
+            members: bodies,
             freedoms: admitted.len(),
             joints: joint_names.into_iter().map(joint_name).collect(),
             way,

@@ -41,9 +41,8 @@ pub use scales::row_scales;
 
 use super::messages;
 use crate::diagnostics::Diagnostics;
-use crate::equations::conditions::{self, coordinate_of};
-use crate::equations::{Ball, Condition, Dropped, Equations, Linear, Omitted, Rotation};
-use crate::model::{BodyId, JointId, Mechanism, Quantity, Space};
+use crate::equations::{Ball, Condition, Equations, Linear, Omitted, Rotation, RowOfJoint};
+use crate::model::{BodyId, Coordinate, JointId, Mechanism, Rotor, Space};
 use crate::solve::Massless;
 use crate::symbolic::Node;
 use along::Walk;
@@ -60,9 +59,9 @@ pub struct Assembly {
     /// Degrees of freedom, counted and true.
     pub mobility: Mobility,
     /// Coordinates that fix the position together with the constraints.
-    pub independent: Vec<Quantity>,
+    pub independent: Vec<Coordinate>,
     /// Rows that repeat what others fix, by joint and direction; as many are left out at each position.
-    pub dropped: Vec<Dropped>,
+    pub dropped: Vec<RowOfJoint>,
     /// The rows that are left out, and where.
     pub omitted: Omitted,
     /// Joints whose reactions are not unique, because of that.
@@ -196,17 +195,8 @@ fn carry_state(
 }
 
 fn problem<'a>(mechanism: &Mechanism, equations: &'a Equations, point: &mut Point) -> Problem<'a> {
-    let open: Vec<&str> = mechanism
-        .constraints
-        .iter()
-        .filter(|constraint| crate::equations::couplings::is_open(constraint))
-        .map(|constraint| constraint.name.text.as_str())
-        .collect();
-    let rows = (0..equations.rows.len())
-        .filter(|row| {
-            equations.rows[*row].joint.is_some() || !open.contains(&equations.rows[*row].of.as_str())
-        })
-        .collect();
+    let open = equations.open_rows(mechanism);
+    let rows = (0..equations.rows.len()).filter(|row| !open.contains(row)).collect();
     let mut conditions = Vec::new();
     let mut guesses = Vec::new();
     for (condition, target) in equations.conditions.iter().zip(&equations.start_targets) {
@@ -224,10 +214,7 @@ fn problem<'a>(mechanism: &Mechanism, equations: &'a Equations, point: &mut Poin
 
 /// Residuals of open couplings at the assembled position, their phases being zero there.
 fn phases(mechanism: &Mechanism, equations: &Equations, point: &mut Point, q: &[f64]) -> Vec<f64> {
-    let open = mechanism.constraints.iter().filter(|c| crate::equations::couplings::is_open(c));
-    let rows: Vec<_> = open
-        .filter_map(|c| equations.rows.iter().find(|row| row.joint.is_none() && row.of == c.name.text))
-        .collect();
+    let rows: Vec<_> = equations.open_rows(mechanism).iter().map(|row| &equations.rows[*row]).collect();
     point.set_q(q);
     point.evaluate(&Ancestry::of(equations, rows.iter().map(|row| row.jet.value)));
     rows.iter().map(|row| point.get(row.jet.value)).collect()
@@ -235,24 +222,25 @@ fn phases(mechanism: &Mechanism, equations: &Equations, point: &mut Point, q: &[
 
 /// Coordinates that may serve as independent ones: as written, else `start`'s, else those of the tree.
 fn candidates(mechanism: &Mechanism, equations: &mut Equations) -> Vec<Condition> {
-    let mut quantities: Vec<Quantity> = Vec::new();
-    quantities.extend(mechanism.options.independent.iter().map(|(quantity, _)| quantity.clone()));
-    if quantities.is_empty() {
+    let mut coordinates: Vec<Coordinate> = Vec::new();
+    coordinates.extend(mechanism.options.independent.iter().map(|(coordinate, _)| coordinate.clone()));
+    if coordinates.is_empty() {
         let exact = mechanism.start.iter().filter(|start| start.exact);
-        let stated = exact.filter_map(|start| coordinate_of(&start.quantity));
-        quantities.extend(stated.filter(conditions::is_position));
+        let stated = exact.map(|start| &start.coordinate).filter(|coordinate| coordinate.has_value());
+        coordinates.extend(stated.cloned());
         for attachment in &equations.tree.attachments {
-            quantities.extend(match attachment.joint {
+            coordinates.extend(match attachment.joint {
                 None if mechanism.space == Space::Spatial => Vec::new(),
-                None => vec![Quantity::BodyAngle(attachment.body)],
+                None => vec![Coordinate::Angle(Rotor::Body(attachment.body))],
                 Some((joint, _)) => of_joint(mechanism, joint),
             });
         }
     }
     let mut found: Vec<Condition> = Vec::new();
-    for quantity in &quantities {
-        let (condition, _) = equations.condition(mechanism, quantity);
-        if !condition.jet.columns.is_empty() && found.iter().all(|known| known.of != condition.of) {
+    for coordinate in &coordinates {
+        let (condition, _) = equations.condition(mechanism, coordinate);
+        let is_known = found.iter().any(|known| known.coordinate == *coordinate);
+        if !condition.jet.columns.is_empty() && !is_known {
             found.push(condition);
         }
     }
@@ -260,8 +248,8 @@ fn candidates(mechanism: &Mechanism, equations: &mut Equations) -> Vec<Condition
     for (index, linear) in equations.layout.linear.clone().iter().enumerate() {
         if let (Linear::Center(body, axis), true) = (linear, mechanism.options.independent.is_empty()) {
             let place = center_place(mechanism, *body);
-            let quantity = Quantity::Position(Box::new(place), *axis);
-            let (condition, _) = equations.condition(mechanism, &quantity);
+            let coordinate = Coordinate::Position(Box::new(place), *axis);
+            let (condition, _) = equations.condition(mechanism, &coordinate);
             debug_assert!(condition.jet.columns.contains_key(&index));
             found.push(condition);
         }
@@ -270,10 +258,12 @@ fn candidates(mechanism: &Mechanism, equations: &mut Equations) -> Vec<Condition
 }
 
 /// The coordinates of a joint in space.
-fn of_joint(mechanism: &Mechanism, joint: JointId) -> Vec<Quantity> {
+fn of_joint(mechanism: &Mechanism, joint: JointId) -> Vec<Coordinate> {
     let names = mechanism.joints[joint.0].form;
-    let travels = (0..names.travels.len()).map(|which| Quantity::JointTravel(joint, which));
-    travels.chain((0..names.angles.len()).map(|which| Quantity::JointAngle(joint, which))).collect()
+    let travels = (0..names.travels.len()).map(|which| Coordinate::Travel(joint, which));
+    travels
+        .chain((0..names.angles.len()).map(|which| Coordinate::Angle(Rotor::Joint(joint, which))))
+        .collect()
 }
 
 /// Quantities that complete the `independent` conditions to one for each degree of freedom: coordinates first, then, for
@@ -283,7 +273,7 @@ pub fn completion(
     equations: &mut Equations,
     assembly: &Assembly,
     independent: &[usize],
-) -> Vec<Quantity> {
+) -> Vec<Coordinate> {
     let mut given: Vec<Condition> =
         independent.iter().map(|index| equations.conditions[*index].clone()).collect();
     let mut free = mechanism.clone();
@@ -299,13 +289,13 @@ pub fn completion(
     });
     for body in turning.collect::<Vec<_>>() {
         for axis in 0..3 {
-            given.push(equations.condition(mechanism, &Quantity::BodyOmega(body, axis)).0);
+            given.push(equations.condition(mechanism, &Coordinate::Turn(body, axis)).0);
         }
     }
     let mut point = Point::at_defaults(mechanism, equations, &assembly.phases);
     let chosen = mobility::independent(&mut point, &given, &assembly.q);
     let further = chosen.into_iter().filter(|at| *at >= independent.len());
-    further.map(|at| given[at].quantity.clone()).collect()
+    further.map(|at| given[at].coordinate.clone()).collect()
 }
 
 fn center_place(mechanism: &Mechanism, body: BodyId) -> crate::model::Place {
@@ -325,7 +315,7 @@ fn choose_independent(
     candidates: &[Condition],
     q: &[f64],
     errors: &mut Diagnostics,
-) -> Vec<Quantity> {
+) -> Vec<Coordinate> {
     let chosen = mobility::independent(point, candidates, q);
     let names: Vec<&str> = chosen.iter().map(|at| candidates[*at].of.as_str()).collect();
     for (at, (_, span)) in mechanism.options.independent.iter().enumerate() {
@@ -333,5 +323,5 @@ fn choose_independent(
             errors.error(*span, messages::not_independent(&candidates[at].of, &names));
         }
     }
-    chosen.into_iter().map(|at| candidates[at].quantity.clone()).collect()
+    chosen.into_iter().map(|at| candidates[at].coordinate.clone()).collect()
 }

@@ -6,6 +6,7 @@
 
 use super::point::{Ancestry, Point, retract};
 use crate::equations::{Condition, Equations};
+use crate::forms::row::Measures;
 use crate::solve::table::{Numeric, Table};
 
 /// The problem, set up once for all attempts.
@@ -38,8 +39,6 @@ pub struct Attempt {
     pub settled: bool,
 }
 
-/// Rows that are measured in metres.
-pub(super) const LENGTHS: [&str; 6] = ["x", "y", "z", "normal", "normal_1", "normal_2"];
 /// Relative residuals below this close a loop.
 const CLOSED: f64 = 1e-12;
 /// Relative residuals below this are a solution's neighbourhood, where full steps converge.
@@ -267,19 +266,20 @@ impl Problem<'_> {
                 columns.map(term).sum()
             })
             .collect();
-        let largest = |kinds: &[&str]| {
+        let measures = |row: &usize| self.equations.rows[*row].form.measures;
+        let largest = |measure: Measures| {
             let rows = self.rows.iter().zip(&own);
-            let alike = rows.filter(|(row, _)| kinds.contains(&self.equations.rows[**row].what));
+            let alike = rows.filter(|(row, _)| measures(row) == measure);
             alike.fold(0.0_f64, |largest, (_, own)| largest.max(*own))
         };
         let or_one = |size: f64| if size > 0.0 { size } else { 1.0 };
-        let (length, square) = (largest(&LENGTHS), largest(&["distance"]));
+        let (length, square) = (largest(Measures::Length), largest(Measures::Squares));
         let length = or_one(if length > 0.0 { length } else { square.sqrt() });
-        let size = |(row, own): (&usize, &f64)| match self.equations.rows[*row].what {
-            what if LENGTHS.contains(&what) => length,
-            "distance" => or_one(square),
-            "angle" | "axis_1" | "axis_2" | "cross" | "twist" => 1.0,
-            _ => or_one(*own),
+        let size = |(row, own): (&usize, &f64)| match measures(row) {
+            Measures::Length => length,
+            Measures::Squares => or_one(square),
+            Measures::Direction => 1.0,
+            Measures::Own => or_one(*own),
         };
         Sizes { length, rows: self.rows.iter().zip(&own).map(size).collect() }
     }

@@ -5,7 +5,7 @@ use super::point::{Ancestry, Point};
 use super::{Assembly, messages};
 use crate::diagnostics::Diagnostics;
 use crate::equations::{Equations, Jet, Owner};
-use crate::model::Mechanism;
+use crate::model::{BodyId, Mechanism};
 use crate::solve::table::{DEPENDENT, Numeric, Table};
 use crate::solve::{Massless, groups};
 use std::collections::{BTreeMap, BTreeSet};
@@ -197,10 +197,9 @@ fn report_loose(
     let alone = loose::find(mechanism, equations, &assembly.q, &assembly.phases);
     let (names, owners) = (equations.layout.velocity_names(mechanism), equations.layout.owners(mechanism));
     for velocity in velocities {
-        let body = body_of(mechanism, equations, owners[*velocity]);
-        let spins = |loose: &&Loose| {
-            matches!(loose.way, Way::Spinning { .. }) && loose.bodies.contains(&body.name.text)
-        };
+        let id = body_of(equations, owners[*velocity]);
+        let spins = |loose: &&Loose| matches!(loose.way, Way::Spinning { .. }) && loose.members.contains(&id);
+        let body = &mechanism.bodies[id.0];
         let message = match alone.iter().find(spins) {
             Some(loose) => messages::massless_spin(loose),
             None => messages::massless(&body.name.text, &names[*velocity]),
@@ -238,7 +237,7 @@ fn loose_velocities(
 }
 
 /// The body itself, or the one that the joint carries.
-fn body_of<'a>(mechanism: &'a Mechanism, equations: &Equations, owner: Owner) -> &'a crate::model::Body {
+fn body_of(equations: &Equations, owner: Owner) -> BodyId {
     let body = match owner {
         Owner::Body(body) => Some(body),
         Owner::Joint(joint) => {
@@ -247,5 +246,5 @@ fn body_of<'a>(mechanism: &'a Mechanism, equations: &Equations, owner: Owner) ->
             own.map(|attachment| attachment.body)
         }
     };
-    &mechanism.bodies[body.map_or(0, |body| body.0)]
+    body.unwrap_or(BodyId(0))
 }

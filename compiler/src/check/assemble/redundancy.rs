@@ -11,7 +11,7 @@ use super::messages;
 use super::point::{Ancestry, Point, retract};
 use super::position::Problem;
 use crate::diagnostics::Diagnostics;
-use crate::equations::{Dropped, Equations, Omitted, Sized, Switch};
+use crate::equations::{Equations, Omitted, RowOfJoint, Sized, Switch};
 use crate::model::{JointId, Mechanism};
 use crate::solve::table::Numeric;
 use std::collections::BTreeSet;
@@ -23,7 +23,7 @@ pub type Basis = Vec<Vec<f64>>;
 #[derive(Clone, Debug, Default)]
 pub struct Redundancy {
     /// Rows that repeat others.
-    pub dropped: Vec<Dropped>,
+    pub dropped: Vec<RowOfJoint>,
     /// Which rows are left out where.
     pub omitted: Omitted,
     /// Joints whose reactions are not unique.
@@ -119,10 +119,10 @@ fn redundancy(
 ) -> Option<Choice> {
     let equations = point.equations;
     let repetition = Repetition::of(point, rows, &along);
-    let droppable = |at: usize| equations.rows[rows[at]].joint.is_some();
+    let droppable = |at: usize| equations.rows[rows[at]].joint().is_some();
     let sized = |at: usize| {
         let row = &equations.rows[rows[at]];
-        row.joint.map(|joint| Sized { row: Dropped { joint, what: row.what }, size: repetition.sizes[at] })
+        row.of_joint().map(|row| Sized { row, size: repetition.sizes[at] })
     };
     let (mut repeated, mut omitted, mut without) = (Vec::new(), Omitted::default(), None);
     let all_singular = !repetition.regular.contains(&true);
@@ -138,7 +138,7 @@ fn redundancy(
         let charts = charts::choose(&spaces, near, component.len(), |at| droppable(component[at]))?;
         repeated.extend(charts.sets[0].iter().map(|at| rows[component[*at]]));
         if !charts.hold() {
-            without = charts.sets[0].first().and_then(|at| equations.rows[rows[component[*at]]].joint);
+            without = charts.sets[0].first().and_then(|at| equations.rows[rows[component[*at]]].joint());
         }
         leave_out(&mut omitted, &charts, |at| sized(component[at]), component.len());
     }
@@ -147,11 +147,7 @@ fn redundancy(
     }
     omitted.columns = repetition.columns.clone();
     let shared = joints_that_share(mechanism, equations, rows, &repetition.spaces);
-    let name = |row: &usize| {
-        let row = &equations.rows[*row];
-        Some(Dropped { joint: row.joint?, what: row.what })
-    };
-    let dropped = repeated.iter().filter_map(name).collect();
+    let dropped = repeated.iter().filter_map(|row| equations.rows[*row].of_joint()).collect();
     let redundancy = Redundancy { dropped, omitted, shared, along, near };
     Some(Choice { repeated, redundancy, without })
 }
@@ -254,7 +250,7 @@ fn joints_that_share(
     let mut joints: BTreeSet<JointId> = BTreeSet::new();
     for (at, row) in rows.iter().enumerate() {
         let takes_part = spaces.iter().flatten().any(|w| w[at] * w[at] > TAKES_PART);
-        let (true, Some(id)) = (takes_part, equations.rows[*row].joint) else { continue };
+        let (true, Some(id)) = (takes_part, equations.rows[*row].joint()) else { continue };
         joints.extend(tree.around(mechanism, id));
     }
     joints.into_iter().collect()

@@ -114,8 +114,8 @@ pub fn open(
     match gaps.fault(point, closed.as_ref()) {
         Fault::Loop(open) => {
             let row = &equations.rows[open.rows[0]];
-            let blames = row.joint.map(|joint| blame::of_loop(mechanism, point, joint, &open.q));
-            let path = row.joint.map(|joint| loop_of(mechanism, equations, joint)).unwrap_or_default();
+            let blames = row.joint().map(|joint| blame::of_loop(mechanism, point, joint, &open.q));
+            let path = row.joint().map(|joint| loop_of(mechanism, equations, joint)).unwrap_or_default();
             let open = stays_open(&row.of, &path, &open, searched);
             errors.error(row.span, messages::cannot_close(&open, &blames.unwrap_or_default()));
         }
@@ -137,7 +137,7 @@ pub fn open(
             });
             let drivers: Vec<_> = drivers.collect();
             let row = open.as_ref().map(|open| &equations.rows[open.rows[0]]);
-            let path = row.and_then(|row| row.joint).map(|joint| loop_of(mechanism, equations, joint));
+            let path = row.and_then(|row| row.joint()).map(|joint| loop_of(mechanism, equations, joint));
             let path = path.unwrap_or_default();
             let open = open.as_ref().zip(row).map(|(open, row)| stays_open(&row.of, &path, open, searched));
             let message = messages::cannot_meet_start(&missed, open.as_ref(), drivers, start.as_ref());

@@ -5,6 +5,7 @@ use super::point::{Point, retract};
 use super::position::{Problem, Sizes};
 use super::world::World;
 use crate::equations::Condition;
+use crate::forms::row::Measures;
 use crate::model::Mechanism;
 
 impl Problem<'_> {
@@ -35,7 +36,7 @@ impl Problem<'_> {
             let row = &self.equations.rows[*row];
             let plain =
                 Residual { jet: row.jet.clone(), target: 0.0, angular: false, size: *size, length: None };
-            let apart = row.joint.filter(|_| row.what == "distance").and_then(|joint| {
+            let apart = row.joint().filter(|_| row.form.measures == Measures::Squares).and_then(|joint| {
                 let joint = &mechanism.joints[joint.0];
                 Some(super::world::length(super::world::sub(
                     world.place(&joint.first)?,

@@ -3,6 +3,8 @@
 use super::{freedoms, list};
 use crate::check::assemble::Mobility;
 use crate::check::assemble::loose::{Loose, Way};
+use crate::forms::RowForm;
+use crate::forms::row::Measures;
 use crate::forms::{Alone, Freer, JointForm};
 
 pub fn wrong_freedoms(
@@ -48,8 +50,8 @@ pub fn wrong_freedoms(
 /// The freedoms in sentences, for those who ask.
 pub fn mobility(mobility: &Mobility) -> String {
     let mut text = format!("{}; {}.", freedoms(mobility.generic), counted(mobility));
-    for (of, what) in &mobility.redundant {
-        text += &format!(" \"{of}\" repeats what others fix: {}.", direction(what));
+    for (of, row) in &mobility.redundant {
+        text += &format!(" \"{of}\" repeats what others fix: {}.", row.prevents);
     }
     for reason in &mobility.reasons {
         text += &format!(" {}.", capital(reason));
@@ -81,9 +83,9 @@ pub fn loose(loose: &Loose) -> String {
 }
 
 fn how(loose: &Loose) -> String {
-    let bodies: Vec<String> = loose.bodies.iter().map(|body| format!("\"{body}\"")).collect();
+    let bodies: Vec<String> = loose.bodies.iter().map(|body| format!("\"{}\"", body.text)).collect();
     let who = list(&bodies);
-    let joints: Vec<String> = loose.joints.iter().map(|joint| format!("\"{joint}\"")).collect();
+    let joints: Vec<String> = loose.joints.iter().map(|joint| format!("\"{}\"", joint.text)).collect();
     let at = list(&joints);
     let own = if loose.bodies.len() == 1 { "its" } else { "their" };
     match loose.way {
@@ -215,14 +217,14 @@ fn freedoms_are(count: usize) -> String {
 pub struct Repeated<'a> {
     pub joint: &'a str,
     pub form: &'static JointForm,
-    pub what: &'a [&'a str],
+    pub rows: &'a [&'static RowForm],
     /// Whether these are all rows of the joint.
     pub whole: bool,
 }
 
 pub fn redundant(repeated: &Repeated, mobility: &Mobility) -> String {
-    let Repeated { joint, form, what, whole } = *repeated;
-    let held: Vec<String> = what.iter().map(|what| direction(what).to_string()).collect();
+    let Repeated { joint, form, rows, whole } = *repeated;
+    let held: Vec<String> = rows.iter().map(|row| row.prevents.to_string()).collect();
     let (equations, rank) = (mobility.equations, mobility.equations - mobility.redundant.len());
     let joints = if mobility.joints == 1 {
         "1 joint gives".to_string()
@@ -233,10 +235,10 @@ pub fn redundant(repeated: &Repeated, mobility: &Mobility) -> String {
         [] => String::new(),
         reasons => format!(", because {}", reasons.join("; ")),
     };
-    let instead = match freer(form, what) {
+    let instead = match freer(form, rows) {
         _ if whole => format!("or leave \"{joint}\" out"),
         Some(freer) => format!("or make \"{joint}\" a joint that leaves more freedom: {freer}"),
-        None => format!("or let the joints of its loop leave {} more freedoms", what.len()),
+        None => format!("or let the joints of its loop leave {} more freedoms", rows.len()),
     };
     format!(
         "{joints} {equations} constraint equations of rank {rank}, all along the motion: \"{joint}\" ({}) repeats what the \
@@ -257,29 +259,10 @@ fn capital(text: &str) -> String {
     characters.next().map_or(String::new(), |first| first.to_uppercase().chain(characters).collect())
 }
 
-/// The motion that a row prevents, in words.
-fn direction(what: &str) -> &str {
-    match what {
-        "x" => "shifts along x",
-        "y" => "shifts along y",
-        "z" => "shifts along z",
-        "normal_1" => "shifts along x of its axes",
-        "normal_2" => "shifts along y of its axes",
-        "normal" => "shifts along its normal",
-        "axis_1" => "turns about y of its axes",
-        "axis_2" => "turns about x of its axes",
-        "angle" => "turns about its axis",
-        "cross" => "turns across both its axes",
-        "twist" => "turns along the shafts",
-        other => other,
-    }
-}
-
 /// A joint that holds what another holds but for these rows, if there is one.
-fn freer(form: &JointForm, what: &[&str]) -> Option<&'static str> {
-    let is_turn = |what: &&&str| matches!(**what, "axis_1" | "axis_2" | "angle" | "cross" | "twist");
-    let turns = what.iter().filter(is_turn).count();
-    let fits = |freer: &&Freer| freer.turns == turns && freer.shifts == what.len() - turns;
+fn freer(form: &JointForm, rows: &[&RowForm]) -> Option<&'static str> {
+    let turns = rows.iter().filter(|row| row.measures == Measures::Direction).count();
+    let fits = |freer: &&Freer| freer.turns == turns && freer.shifts == rows.len() - turns;
     form.freer.iter().find(fits).map(|freer| freer.joint)
 }
 

@@ -6,7 +6,7 @@ use crate::check::assemble::{Assembly, Point, pins};
 use crate::diagnostics::Diagnostics;
 use crate::equations::Equations;
 use crate::model::{
-    BodyId, Frame, Joint, JointId, Mechanism, MotionExpected, Quantity, Rotor, Turning, Within,
+    BodyId, Coordinate, Frame, Joint, JointId, Mechanism, MotionExpected, Rotor, Turning, Within,
 };
 use std::f64::consts::TAU;
 
@@ -14,7 +14,7 @@ use std::f64::consts::TAU;
 pub fn check(mechanism: &Mechanism, equations: &Equations, assembly: &Assembly, errors: &mut Diagnostics) {
     let expected = &mechanism.expect.motion;
     let Some(span) = expected.span() else { return };
-    let motion = match sweep(mechanism, equations, assembly, &quantities(expected)) {
+    let motion = match sweep(mechanism, equations, assembly, &coordinates(expected)) {
         Ok(motion) => motion,
         Err(unswept) => return errors.error(span, messages::unswept(unswept)),
     };
@@ -40,12 +40,9 @@ pub fn check(mechanism: &Mechanism, equations: &Equations, assembly: &Assembly, 
     }
 }
 
-fn quantities(expected: &MotionExpected) -> Vec<Quantity> {
-    let rotates = expected.rotates.iter().map(|turning| match turning.rotor {
-        Rotor::Joint(joint, which) => Quantity::JointAngle(joint, which),
-        Rotor::Body(body) => Quantity::BodyAngle(body),
-    });
-    rotates.chain(expected.within.iter().map(|within| within.quantity.clone())).collect()
+fn coordinates(expected: &MotionExpected) -> Vec<Coordinate> {
+    let rotates = expected.rotates.iter().map(|turning| Coordinate::Angle(turning.rotor));
+    rotates.chain(expected.within.iter().map(|within| within.coordinate.clone())).collect()
 }
 
 fn turns(

@@ -13,7 +13,7 @@ pub use expected::check;
 
 use super::assemble::{Assembly, Point, pins, rank};
 use crate::equations::{Condition, Equations};
-use crate::model::{JointId, Mechanism, Quantity, Space};
+use crate::model::{Coordinate, JointId, Mechanism, Rotor, Space};
 use path::{Path, Place};
 use std::f64::consts::TAU;
 
@@ -57,7 +57,7 @@ pub enum End {
 pub struct Range {
     /// `crank_pin.angle`.
     pub of: String,
-    pub quantity: Quantity,
+    pub coordinate: Coordinate,
     pub angular: bool,
     pub from: f64,
     pub to: f64,
@@ -99,23 +99,23 @@ pub enum Unswept {
 }
 
 /// All angles and travels of joints.
-pub fn of_joints(mechanism: &Mechanism) -> Vec<Quantity> {
+pub fn of_joints(mechanism: &Mechanism) -> Vec<Coordinate> {
     let mut found = Vec::new();
     for (index, joint) in mechanism.joints.iter().enumerate() {
         let names = joint.form;
         let angles = if joint.has_particle(mechanism) { 0 } else { names.angles.len() };
-        found.extend((0..angles).map(|which| Quantity::JointAngle(JointId(index), which)));
-        found.extend((0..names.travels.len()).map(|which| Quantity::JointTravel(JointId(index), which)));
+        found.extend((0..angles).map(|which| Coordinate::Angle(Rotor::Joint(JointId(index), which))));
+        found.extend((0..names.travels.len()).map(|which| Coordinate::Travel(JointId(index), which)));
     }
     found
 }
 
-/// Follows the motion and watches these quantities, which are position coordinates.
+/// Follows the motion and watches these coordinates.
 pub fn sweep(
     mechanism: &Mechanism,
     equations: &Equations,
     assembly: &Assembly,
-    quantities: &[Quantity],
+    coordinates: &[Coordinate],
 ) -> Result<Motion, Unswept> {
     if mechanism.space == Space::Spatial {
         return Err(Unswept::InSpace);
@@ -125,7 +125,7 @@ pub fn sweep(
     }
     // Coordinates that are watched need nodes of their own.
     let mut equations = equations.clone();
-    let (watched, reference) = watched(mechanism, &mut equations, assembly, quantities);
+    let (watched, reference) = watched(mechanism, &mut equations, assembly, coordinates);
     let (equations, q) = (&equations, assembly.q.as_slice());
     let length = pins::longest_link(&pins::pins(
         mechanism,
@@ -140,7 +140,7 @@ pub fn sweep(
     let (swept, end) = sweep::sweep(&mut path, start, length, most);
     let range = |((condition, (from, to)), turns): ((&Condition, &(f64, f64)), &f64)| Range {
         of: condition.of.clone(),
-        quantity: condition.quantity.clone(),
+        coordinate: condition.coordinate.clone(),
         angular: condition.angular,
         from: from + turns,
         to: to + turns,
@@ -151,7 +151,7 @@ pub fn sweep(
     let limits = swept.limits.into_iter().map(|(limit, place)| Limit {
         value: limit.value + stated[limit.of],
         reference: place.values[reference] + stated[reference],
-        in_line: in_line(mechanism, &mut point, &place.q, &watched[limit.of].quantity),
+        in_line: in_line(mechanism, &mut point, &place.q, &watched[limit.of].coordinate),
         ..limit
     });
     let limits = limits.collect();
@@ -166,20 +166,20 @@ pub fn sweep(
     Ok(Motion { end, ranges, limits, singular, reference, steps: swept.steps })
 }
 
-/// The quantities as coordinates, and the index of the one by which positions are told: the independent one.
+/// The rows of the coordinates, and the index of the one by which positions are told: the independent one.
 fn watched(
     mechanism: &Mechanism,
     equations: &mut Equations,
     assembly: &Assembly,
-    quantities: &[Quantity],
+    coordinates: &[Coordinate],
 ) -> (Vec<Condition>, usize) {
     let mut watched: Vec<Condition> = Vec::new();
     let mut reference = 0;
-    for (index, quantity) in quantities.iter().chain(assembly.independent.first()).enumerate() {
-        let (condition, _) = equations.condition(mechanism, quantity);
-        let known = watched.iter().position(|known| known.of == condition.of);
+    for (index, coordinate) in coordinates.iter().chain(assembly.independent.first()).enumerate() {
+        let (condition, _) = equations.condition(mechanism, coordinate);
+        let known = watched.iter().position(|known| known.coordinate == condition.coordinate);
         reference = known.unwrap_or(watched.len());
-        if known.is_none() || index < quantities.len() {
+        if known.is_none() || index < coordinates.len() {
             watched.push(condition);
         }
     }
@@ -202,7 +202,10 @@ fn start(path: &mut Path, equations: &Equations, q: &[f64], reference: usize) ->
 fn stated(mechanism: &Mechanism, watched: &[Condition], place: &Place) -> Vec<f64> {
     let defaults = mechanism.defaults();
     let turns = |(condition, value): (&Condition, &f64)| {
-        let stated = mechanism.start.iter().filter(|start| condition.angular && start.text == condition.of);
+        let stated = mechanism
+            .start
+            .iter()
+            .filter(|start| condition.angular && !start.rate && start.coordinate == condition.coordinate);
         let mut stated = stated.filter_map(|start| crate::model::fold::evaluate(&start.value, &defaults));
         stated.next().map_or(0.0, |stated| TAU * ((stated - value) / TAU).round())
     };
@@ -210,10 +213,14 @@ fn stated(mechanism: &Mechanism, watched: &[Condition], place: &Place) -> Vec<f6
 }
 
 /// The links in one line where a coordinate turns back, but for those that its own joint brings there.
-fn in_line(mechanism: &Mechanism, point: &mut Point, q: &[f64], of: &Quantity) -> Vec<String> {
+fn in_line(mechanism: &Mechanism, point: &mut Point, q: &[f64], of: &Coordinate) -> Vec<String> {
     let own = match of {
-        Quantity::JointAngle(joint, _) | Quantity::JointTravel(joint, _) => Some(*joint),
-        _ => None,
+        Coordinate::Angle(Rotor::Joint(joint, _)) | Coordinate::Travel(joint, _) => Some(*joint),
+        Coordinate::Angle(Rotor::Body(_))
+        | Coordinate::Position(..)
+        | Coordinate::Distance(..)
+        | Coordinate::Turn(..)
+        | Coordinate::Deviation(..) => None,
     };
     pins::in_line(mechanism, &pins::pins(mechanism, point, q), own)
 }

@@ -1,12 +1,13 @@
 //! A pair of gears, whatever their axes.
 
 use super::{PHASE, RATIO, ROTORS};
-use crate::forms::{Acts, CouplingForm, Factor, Form, Means, Proportion};
+use crate::forms::{Acts, CouplingForm, Factor, Form, Means, Proportion, RowForm};
 use crate::units::Dimension;
 
 /// first.angle = ratio · second.angle + phase.
 pub static GEAR: Proportion = Proportion {
     exported: "gear",
+    row: RowForm::own("gear"),
     on: [("first", Acts::Rotor), ("second", Acts::Rotor)],
     driven: 0,
     factor: ("ratio", Dimension::ONE),

@@ -12,9 +12,10 @@ use super::jet::Moving;
 use super::laws::Laws;
 use super::loads;
 use super::space::joints::{self, Elementary};
-use crate::forms::{Argument, CouplingForm, Need, Positional};
+use crate::forms::{Argument, CouplingForm, Need, Positional, RowForm};
 use crate::model::{
-    Constraint, ConstraintKind, Coupled, Coupling, Driver, Expr, JointId, Mechanism, Quantity, Rotor, Space,
+    Constraint, ConstraintKind, Coordinate, Coupled, Coupling, Driver, Expr, JointId, Mechanism, Quantity,
+    Rotor, Space,
 };
 use crate::symbolic::Node;
 use crate::units::Dimension;
@@ -49,11 +50,18 @@ pub fn is_open(constraint: &Constraint) -> bool {
     }
 }
 
-/// The residual of a constraint, and what its row is called. `phase` is used where the definition gives none.
-pub fn row<'g>(laws: &Laws<'g>, constraint: &Constraint, phase: Option<Node>) -> (&'static str, Moving<'g>) {
+static EQUATION: RowForm = RowForm::own("equation");
+static DRIVER: RowForm = RowForm::own("driver");
+
+/// The row of a constraint. `phase` is used where the definition gives none.
+pub fn row<'g>(
+    laws: &Laws<'g>,
+    constraint: &Constraint,
+    phase: Option<Node>,
+) -> (&'static RowForm, Moving<'g>) {
     match &constraint.kind {
-        ConstraintKind::Coupling(coupling) => (coupling.kind.exported, proportion(laws, coupling, phase)),
-        ConstraintKind::Equation { residual } => ("equation", laws.jet(residual)),
+        ConstraintKind::Coupling(coupling) => (&coupling.kind.row, proportion(laws, coupling, phase)),
+        ConstraintKind::Equation { residual } => (&EQUATION, laws.jet(residual)),
     }
 }
 
@@ -73,8 +81,8 @@ fn proportion<'g>(laws: &Laws<'g>, coupling: &Coupling, phase: Option<Node>) -> 
 }
 
 /// quantity − law(time).
-pub fn driver_row<'g>(laws: &Laws<'g>, driver: &Driver) -> (&'static str, Moving<'g>) {
-    ("driver", laws.quantity(&driver.quantity) - laws.jet(&driver.law))
+pub fn driver_row<'g>(laws: &Laws<'g>, driver: &Driver) -> (&'static RowForm, Moving<'g>) {
+    (&DRIVER, laws.coordinate(&driver.coordinate) - laws.jet(&driver.law))
 }
 
 /// The rotors whose angle the dynamics use, and which therefore carry it over several turns.
@@ -87,7 +95,7 @@ pub fn multi_turn_rotors(mechanism: &Mechanism) -> Vec<Rotor> {
         }
     }
     for driver in &mechanism.drivers {
-        angles_of(&driver.quantity, &mut rotors);
+        angles_of(&driver.coordinate, &mut rotors);
     }
     for load in &mechanism.loads {
         rotors.extend((loads::of(load.form).counted)(load));
@@ -105,7 +113,8 @@ pub fn multi_turn_rotors(mechanism: &Mechanism) -> Vec<Rotor> {
 fn angles_in(expr: &Expr, rotors: &mut BTreeSet<Rotor>) {
     match expr {
         Expr::Number(_) | Expr::Parameter(_) | Expr::Input(_) | Expr::Time => {}
-        Expr::Quantity(quantity) => angles_of(quantity, rotors),
+        Expr::Quantity(Quantity::Coordinate(coordinate)) => angles_of(coordinate, rotors),
+        Expr::Quantity(_) => {}
         Expr::Unary(_, a) | Expr::Power(a, _) => angles_in(a, rotors),
         Expr::Binary(_, a, b) => {
             angles_in(a, rotors);
@@ -134,14 +143,8 @@ fn angles_in_condition(condition: &crate::model::Condition, rotors: &mut BTreeSe
     }
 }
 
-fn angles_of(quantity: &Quantity, rotors: &mut BTreeSet<Rotor>) {
-    match quantity {
-        Quantity::BodyAngle(body) => {
-            rotors.insert(Rotor::Body(*body));
-        }
-        Quantity::JointAngle(joint, which) => {
-            rotors.insert(Rotor::Joint(*joint, *which));
-        }
-        _ => {}
+fn angles_of(coordinate: &Coordinate, rotors: &mut BTreeSet<Rotor>) {
+    if let Coordinate::Angle(rotor) = coordinate {
+        rotors.insert(*rotor);
     }
 }

@@ -1,12 +1,13 @@
 //! A pinion and its rack.
 
 use super::{LENGTH_PHASE, ROTORS};
-use crate::forms::{Acts, Argument, CouplingForm, Factor, Form, Means, Need, Proportion};
+use crate::forms::{Acts, Argument, CouplingForm, Factor, Form, Means, Need, Proportion, RowForm};
 use crate::units::Dimension;
 
 /// rail.travel = radius · pinion.angle + phase.
 pub static RACK: Proportion = Proportion {
     exported: "rack",
+    row: RowForm::own("rack"),
     on: [("pinion", Acts::Rotor), ("rail", Acts::Travel)],
     driven: 1,
     factor: ("radius", Dimension::LENGTH),

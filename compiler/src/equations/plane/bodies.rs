@@ -8,8 +8,10 @@ use super::joints::{self, Wrench};
 use super::kinematics::{GROUND, Kinematics, LocalVector, Placement, Position, TurningFrame};
 use super::vector::{self, Pair};
 use crate::equations::laws::Laws;
+use crate::equations::rows::multipliers_of_joints;
 use crate::equations::spanning_tree::SpanningTree;
-use crate::equations::{BodyMotion, Row, loads, multipliers_of_joints};
+use crate::equations::{BodyMotion, Row, loads};
+use crate::forms::RowForm;
 use crate::model::{BodyKind, Frame};
 use crate::symbolic::{Node, On, Scalar};
 
@@ -104,8 +106,8 @@ pub fn reactions<'g>(
     let moved = joints::with_room_for_reactions(laws);
     for (joint, rows) in multipliers_of_joints(cut_rows) {
         // A row that was left out has no multiplier.
-        let lambda = |what: &str| {
-            let row = rows.iter().find(|row| cut_rows[**row].what == what)?;
+        let lambda = |form: &RowForm| {
+            let row = rows.iter().find(|row| cut_rows[**row].form == form)?;
             Some(g.on(multipliers[*row]))
         };
         let wrench = joints::reaction(&laws.of(&moved), &mechanism.joints[joint], lambda);

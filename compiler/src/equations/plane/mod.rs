@@ -12,7 +12,7 @@ mod vector;
 pub use coordinates::coordinates;
 pub use kinematics::Kinematics;
 
-use super::{Consequences, Dropped, Dynamics, Laws, Row, SpanningTree};
+use super::{Consequences, Dynamics, Laws, Row, RowOfJoint, SpanningTree};
 use crate::model::BodyKind;
 use crate::symbolic::{Node, On, Scalar};
 use inertia::Massive;
@@ -43,13 +43,13 @@ pub fn consequences(
     tree: &SpanningTree,
     rows: &[Row],
     lambda: &[Node],
-    dropped: &[Dropped],
+    dropped: &[RowOfJoint],
 ) -> Consequences {
     let massive = massive(laws);
     let motions = bodies::motions(laws, &massive);
     let overlay = super::Kinematics::Plane(bodies::overlay(laws, &motions));
     let absolute = laws.of(&overlay);
-    let absolute_rows = super::rows(&absolute, tree, &tree.carrying(laws.mechanism), dropped);
+    let absolute_rows = super::rows::rows(&absolute, tree, &tree.carrying(laws.mechanism), dropped);
     let reactions =
         bodies::reactions(laws, &absolute, tree, &massive, &motions, rows, lambda, &absolute_rows);
     Consequences {

@@ -8,7 +8,7 @@ use super::dynamics::{self, inertia_in_body};
 use super::kinematics::Kinematics;
 use super::links::{GROUND, Link, Motion, Placement};
 use super::vector::{self, Mat3, Vec3};
-use crate::equations::{BodyMotion, Consequences, Dropped, Jet, Laws, Row, SpanningTree, loads};
+use crate::equations::{BodyMotion, Consequences, Jet, Laws, Row, RowOfJoint, SpanningTree, loads};
 use crate::model::{BodyKind, Frame};
 use crate::symbolic::{Node, On, Scalar};
 use std::collections::BTreeMap;
@@ -40,7 +40,7 @@ pub fn consequences(
     tree: &SpanningTree,
     rows: &[Row],
     lambda: &[Node],
-    dropped: &[Dropped],
+    dropped: &[RowOfJoint],
 ) -> Consequences {
     let Some(kinematics) = laws.space() else {
         return Consequences { motions: Vec::new(), reactions: Vec::new() };
@@ -48,7 +48,8 @@ pub fn consequences(
     let moving = motions(laws, kinematics);
     let overlay = crate::equations::Kinematics::Space(overlay(laws, &moving));
     let absolute = laws.of(&overlay);
-    let absolute_rows = crate::equations::rows(&absolute, tree, &tree.carrying(laws.mechanism), dropped);
+    let absolute_rows =
+        crate::equations::rows::rows(&absolute, tree, &tree.carrying(laws.mechanism), dropped);
     let reactions = reactions(&absolute, tree, &moving, rows, lambda, &absolute_rows);
     Consequences { motions: moving.iter().map(Moving::flat).collect(), reactions }
 }
@@ -146,7 +147,7 @@ fn reactions<'g>(
     let (g, mechanism) = (absolute.g, absolute.mechanism);
     let zero = vector::zero(g);
     let mut wrenches = vec![vec![zero.bare[0]; FREEDOMS]; mechanism.joints.len()];
-    for (joint, own_rows) in crate::equations::multipliers_of_joints(rows) {
+    for (joint, own_rows) in crate::equations::rows::multipliers_of_joints(rows) {
         let definition = &mechanism.joints[joint];
         let (frame, sign) = match definition.second.frame {
             Frame::Ground => (definition.first.frame, false),

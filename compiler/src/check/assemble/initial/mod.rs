@@ -5,7 +5,7 @@ mod space;
 
 use super::point::{Ancestry, Point};
 use crate::equations::{Equations, Linear};
-use crate::model::{Frame, JointId, Mechanism, Quantity, Space};
+use crate::model::{Coordinate, Frame, JointId, Mechanism, Rotor, Space};
 use std::collections::BTreeMap;
 
 /// Turns by multiples of the golden angle never repeat.
@@ -111,22 +111,22 @@ impl Stated {
         for (condition, node) in guessed.chain(exact) {
             point.evaluate(&Ancestry::of(equations, [node]));
             let value = point.get(node);
-            match &condition.quantity {
-                Quantity::JointAngle(joint, which) => {
+            match &condition.coordinate {
+                Coordinate::Angle(Rotor::Joint(joint, which)) => {
                     stated.angles.insert((*joint, *which), value);
                 }
-                Quantity::BodyAngle(body) => {
+                Coordinate::Angle(Rotor::Body(body)) => {
                     stated.bodies.insert(body.0, value);
                 }
-                Quantity::JointTravel(joint, which) => {
+                Coordinate::Travel(joint, which) => {
                     stated.travels.insert((*joint, *which), value);
                 }
-                Quantity::Position(place, axis) => {
+                Coordinate::Position(place, axis) => {
                     if let Frame::Body(body) = place.frame {
                         stated.centers.insert((body.0, *axis), value);
                     }
                 }
-                _ => {}
+                Coordinate::Distance(..) | Coordinate::Turn(..) | Coordinate::Deviation(..) => {}
             }
         }
         stated
@@ -148,8 +148,8 @@ impl Stated {
                 Linear::Center(body, axis) => self.centers.get(&(body.0, *axis)),
                 Linear::Travel(joint, which) => self.travels.get(&(*joint, *which)),
             };
-            let exact = is_exact(equations, |quantity| match (quantity, linear) {
-                (Quantity::JointTravel(joint, which), Linear::Travel(own, own_which)) => {
+            let exact = is_exact(equations, |coordinate| match (coordinate, linear) {
+                (Coordinate::Travel(joint, which), Linear::Travel(own, own_which)) => {
                     joint == own && which == own_which
                 }
                 _ => false,
@@ -162,7 +162,7 @@ impl Stated {
 }
 
 /// Whether `start` states such a coordinate, and does not only guess it.
-fn is_exact(equations: &Equations, is: impl Fn(&Quantity) -> bool) -> bool {
+fn is_exact(equations: &Equations, is: impl Fn(&Coordinate) -> bool) -> bool {
     let exact = equations.conditions.iter().zip(&equations.start_targets);
-    exact.filter(|(_, start)| start.position.is_some()).any(|(condition, _)| is(&condition.quantity))
+    exact.filter(|(_, start)| start.position.is_some()).any(|(condition, _)| is(&condition.coordinate))
 }

@@ -2,7 +2,7 @@
 
 use super::{Offsets, Stated, is_exact};
 use crate::equations::{Attachment, Equations, Rotation};
-use crate::model::{BodyId, Frame, JointId, Mechanism, Quantity, Rotor};
+use crate::model::{BodyId, Coordinate, Frame, JointId, Mechanism, Rotor};
 use std::f64::consts::TAU;
 
 /// Tree coordinates.
@@ -100,9 +100,9 @@ fn through_another_joint(
 
 /// Whether `start` states the angle of a body or of the joint that carries it, and not only guesses it.
 fn is_stated(equations: &Equations, joint: Option<(JointId, Frame)>, body: BodyId) -> bool {
-    is_exact(equations, |quantity| match quantity {
-        Quantity::JointAngle(own, _) => joint.is_some_and(|(joint, _)| joint == *own),
-        Quantity::BodyAngle(own) => *own == body,
+    is_exact(equations, |coordinate| match coordinate {
+        Coordinate::Angle(Rotor::Joint(own, _)) => joint.is_some_and(|(joint, _)| joint == *own),
+        Coordinate::Angle(Rotor::Body(own)) => *own == body,
         _ => false,
     })
 }

@@ -4,7 +4,7 @@ use super::{Offsets, Stated, is_exact};
 use crate::check::assemble::point::{Ancestry, Point};
 use crate::check::assemble::quaternion;
 use crate::equations::{Attachment, Ball, Kinematics, Rotation};
-use crate::model::{BodyId, Frame, JointId, Mechanism, Quantity, Rotor, fold};
+use crate::model::{BodyId, Coordinate, Frame, JointId, Mechanism, Rotor, fold};
 use crate::symbolic::Node;
 use std::f64::consts::TAU;
 
@@ -20,13 +20,14 @@ pub fn initial(stated: &Stated, mechanism: &Mechanism, point: &mut Point, mut of
         let Rotation::Joint(joint, which) = rotation else { continue };
         let value = stated.angles.get(&(*joint, *which)).copied();
         let mut angle = value.unwrap_or(0.0);
-        let is_own = |quantity: &Quantity| matches!(quantity, Quantity::JointAngle(own, angle) if own == joint && angle == which);
+        let rotor = Rotor::Joint(*joint, *which);
+        let is_own = |coordinate: &Coordinate| *coordinate == Coordinate::Angle(rotor);
         if offsets.varies(value.is_some() && is_exact(equations, is_own)) {
             angle += offsets.turn(value.is_some());
         }
         q[layout.pair(r)] = libm::cos(angle);
         q[layout.pair(r) + 1] = libm::sin(angle);
-        angles.push((Rotor::Joint(*joint, *which), angle));
+        angles.push((rotor, angle));
     }
     for (b, ball) in layout.quaternions.iter().enumerate() {
         let (given, exact) = match ball {

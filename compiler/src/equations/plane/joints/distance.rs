@@ -5,6 +5,7 @@ use crate::drawing::canvas::Pen;
 use crate::drawing::plane::Symbol;
 use crate::drawing::shapes::{THIN, plate};
 use crate::equations::laws::Laws;
+use crate::forms::row::DISTANCE;
 use crate::forms::{Alone, Argument, Form, JointAxes, JointForm, Need, OfParticle, PLACES, Spans};
 use crate::messages;
 use crate::model::Frame;
@@ -43,7 +44,7 @@ pub fn rows(laws: &Laws, ends: &Ends) -> Vec<JointRow> {
     let [x, y] = ends.in_world(laws);
     let length = laws.jet(ends.joint.scalar(0));
     let (xx, yy, ll) = (0.5 * (&x * &x), 0.5 * (&y * &y), 0.5 * (&length * &length));
-    vec![JointRow::new("distance", xx + yy - ll)]
+    vec![JointRow::new(&DISTANCE, xx + yy - ll)]
 }
 
 fn symbol(s: &mut Symbol) {

@@ -6,6 +6,7 @@ use crate::drawing::plane::Symbol;
 use crate::drawing::shapes::rectangle;
 use crate::equations::laws::Laws;
 use crate::equations::plane::kinematics::Placement;
+use crate::forms::row::ANGLE;
 use crate::forms::{Alone, Argument, Form, Freer, JointAxes, JointForm, Need, OfParticle, PLACES, Spans};
 use crate::units::Dimension;
 
@@ -50,7 +51,7 @@ pub fn attach<'g>(laws: &Laws<'g>, carried: Carried<'g>) -> Placement {
 /// sin(θ₂ − θ₁ − angle), shared with the prismatic joint.
 pub fn direction_row(laws: &Laws, ends: &Ends) -> JointRow {
     let (sine, cosine) = ends.sine(laws, ends.joint.scalar(0));
-    JointRow::upright("angle", sine, cosine)
+    JointRow::upright(&ANGLE, sine, cosine)
 }
 
 fn symbol(s: &mut Symbol) {

@@ -19,7 +19,7 @@ use crate::equations::JointRow;
 use crate::equations::Kinematics;
 use crate::equations::jet::Moving;
 use crate::equations::laws::Laws;
-use crate::forms::JointForm;
+use crate::forms::{JointForm, RowForm};
 use crate::model::{BodyId, BodyKind, Expr, Frame, Joint, JointId};
 use crate::symbolic::{Node, On, Scalar};
 
@@ -66,11 +66,11 @@ pub fn with_room_for_reactions(laws: &Laws) -> Kinematics {
 
 /// The wrench that a joint exerts on the second place's body, N and N m, from the multipliers of its rows:
 /// −Σ λ ∂Φ/∂(x₂, y₂, θ₂), by virtual work, the second place and the axes that it carries being moved alone. `laws`: of
-/// [`with_room_for_reactions`]; `lambda`: the multiplier of a row, by what it holds, if it has one.
+/// [`with_room_for_reactions`]; `lambda`: the multiplier of a kind of row, if it has one.
 pub fn reaction<'g>(
     laws: &Laws<'g>,
     joint: &'g Joint,
-    lambda: impl Fn(&str) -> Option<Scalar<'g>>,
+    lambda: impl Fn(&RowForm) -> Option<Scalar<'g>>,
 ) -> Wrench<'g> {
     let g = laws.g;
     let moved = laws.plane().bare.velocities.len() - 3;
@@ -83,7 +83,7 @@ pub fn reaction<'g>(
     [0, 1, 2].map(|component| {
         let columns = rows.iter().filter_map(|row| {
             let column = row.jet.columns.get(&(moved + component))?;
-            Some(*column * lambda(row.what)?)
+            Some(*column * lambda(row.form)?)
         });
         -columns.fold(g.zero(), |sum, term| sum + term)
     })

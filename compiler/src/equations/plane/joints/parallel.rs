@@ -6,6 +6,7 @@ use crate::drawing::plane::Symbol;
 use crate::drawing::shapes::{THIN, rectangle, shifted};
 use crate::equations::laws::Laws;
 use crate::equations::plane::kinematics::Placement;
+use crate::forms::row::ANGLE;
 use crate::forms::{Alone, Form, JointAxes, JointForm, OfParticle, PLACES, Spans};
 use crate::model::Expr;
 
@@ -32,7 +33,7 @@ pub static JOINT: PlanarJoint = PlanarJoint {
 
 pub fn rows(laws: &Laws, ends: &Ends) -> Vec<JointRow> {
     let (sine, cosine) = ends.sine(laws, &Expr::Number(0.0));
-    vec![JointRow::upright("angle", sine, cosine)]
+    vec![JointRow::upright(&ANGLE, sine, cosine)]
 }
 
 pub fn attach<'g>(laws: &Laws<'g>, carried: Carried<'g>) -> Placement {

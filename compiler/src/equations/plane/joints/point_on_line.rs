@@ -6,6 +6,7 @@ use crate::drawing::plane::Symbol;
 use crate::drawing::shapes::{THIN, away, ground_line, heading, rectangle, shifted};
 use crate::equations::laws::Laws;
 use crate::equations::plane::kinematics::{FrameId, Placement};
+use crate::forms::row::NORMAL;
 use crate::forms::{Alone, Form, JointAxes, JointForm, OfParticle, Positional, Spans};
 use crate::model::Frame;
 use crate::symbolic::On;
@@ -38,7 +39,7 @@ pub static JOINT: PlanarJoint = PlanarJoint {
 
 pub fn rows(laws: &Laws, ends: &Ends) -> Vec<JointRow> {
     let (frame, normal) = normal(laws, ends);
-    vec![JointRow::new("normal", laws.plane().project(frame, normal, &ends.delta.bare))]
+    vec![JointRow::new(&NORMAL, laws.plane().project(frame, normal, &ends.delta.bare))]
 }
 
 pub fn attach<'g>(laws: &Laws<'g>, carried: Carried<'g>) -> Placement {

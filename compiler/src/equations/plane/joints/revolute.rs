@@ -3,6 +3,7 @@
 use super::{Carried, Ends, JointRow, PlanarJoint, vector};
 use crate::equations::laws::Laws;
 use crate::equations::plane::kinematics::Placement;
+use crate::forms::row::GAP;
 use crate::forms::{Alone, Form, Freer, JointAxes, JointForm, OfParticle, PLACES, Spans};
 
 pub static JOINT: PlanarJoint = PlanarJoint {
@@ -33,7 +34,7 @@ pub static JOINT: PlanarJoint = PlanarJoint {
 
 pub fn rows(laws: &Laws, ends: &Ends) -> Vec<JointRow> {
     let [x, y] = ends.in_world(laws);
-    vec![JointRow::new("x", -x), JointRow::new("y", -y)]
+    vec![JointRow::new(&GAP[0], -x), JointRow::new(&GAP[1], -y)]
 }
 
 pub fn attach<'g>(laws: &Laws<'g>, carried: Carried<'g>) -> Placement {

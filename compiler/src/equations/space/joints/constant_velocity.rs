@@ -6,7 +6,7 @@ use crate::drawing::canvas::Pen;
 use crate::drawing::shapes::THIN;
 use crate::drawing::space::Symbol;
 use crate::equations::{JointRow, Laws};
-use crate::forms::{Alone, Form, JointAxes, JointForm, OfParticle, PLACES, Spans};
+use crate::forms::{Alone, Form, JointAxes, JointForm, OfParticle, PLACES, RowForm, Spans};
 
 pub static JOINT: SpatialJoint = SpatialJoint {
     form: JointForm {
@@ -35,13 +35,16 @@ pub static JOINT: SpatialJoint = SpatialJoint {
     symbol,
 };
 
+/// The one body is not turned about the shafts against the other.
+static TWIST: RowForm = RowForm::direction("twist", "turns along the shafts");
+
 pub fn rows(_: &Laws, ends: &Ends) -> Vec<JointRow> {
     let mut rows = ends.together();
     let (x1, y1) = (ends.e1.column(0), ends.e1.column(1));
     let (x2, y2) = (ends.second_axis(0), ends.second_axis(1));
     let (left, right) = (y2.project(x1), x2.project(y1));
     let upright = x1.dot(x2.value()) + y1.dot(y2.value());
-    rows.push(JointRow::upright("twist", left - right, upright));
+    rows.push(JointRow::upright(&TWIST, left - right, upright));
     rows
 }
 

@@ -4,6 +4,7 @@ use super::{Ends, SpatialJoint};
 use crate::drawing::shapes::plate;
 use crate::drawing::space::Symbol;
 use crate::equations::{JointRow, Laws};
+use crate::forms::row::DISTANCE;
 use crate::forms::{Alone, Argument, Form, JointAxes, JointForm, Need, OfParticle, PLACES, Spans};
 use crate::messages;
 use crate::units::Dimension;
@@ -43,7 +44,7 @@ pub fn rows(laws: &Laws, ends: &Ends) -> Vec<JointRow> {
     let length = laws.jet(ends.joint.scalar(0));
     let sum =
         gap.iter().fold(-(0.5 * (&length * &length)), |sum, component| sum + 0.5 * (component * component));
-    vec![JointRow::new("distance", sum)]
+    vec![JointRow::new(&DISTANCE, sum)]
 }
 
 fn symbol(s: &mut Symbol) {

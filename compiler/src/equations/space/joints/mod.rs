@@ -28,6 +28,7 @@ use super::vector_jet::{Kind, VectorJet};
 use crate::drawing::space::Symbol;
 use crate::equations::jet::Moving;
 use crate::equations::{JointRow, Laws, SpanningTree};
+use crate::forms::row;
 use crate::forms::{Argument, JointForm, Need};
 use crate::model::{Frame, Joint, JointId};
 use crate::symbolic::On;
@@ -142,8 +143,10 @@ impl<'g> Ends<'g> {
 
     /// Rows `x`, `y`, `z`: the two places coincide.
     fn together(&self) -> Vec<JointRow> {
-        let names = ["x", "y", "z"].into_iter().zip(self.gap());
-        names.map(|(what, jet)| JointRow { axes: Some(self.seen_from), ..JointRow::new(what, jet) }).collect()
+        let components = row::GAP.iter().zip(self.gap());
+        components
+            .map(|(form, jet)| JointRow { axes: Some(self.seen_from), ..JointRow::new(form, jet) })
+            .collect()
     }
 
     /// Δ as seen from the link of the first place.
@@ -154,13 +157,13 @@ impl<'g> Ends<'g> {
     /// Rows `normal_1`, `normal_2`: x₁·Δ and y₁·Δ.
     fn on_axis(&self) -> Vec<JointRow> {
         let delta = self.delta();
-        let names = ["normal_1", "normal_2"].into_iter().enumerate();
-        names.map(|(k, what)| JointRow::new(what, delta.project(self.e1.column(k)))).collect()
+        let components = row::OFFSET.iter().enumerate();
+        components.map(|(k, form)| JointRow::new(form, delta.project(self.e1.column(k)))).collect()
     }
 
     /// Row `normal`: z₁·Δ.
     fn on_plane(&self) -> JointRow {
-        JointRow::new("normal", self.delta().project(self.e1.column(2)))
+        JointRow::new(&row::NORMAL, self.delta().project(self.e1.column(2)))
     }
 
     /// An axis of E₂ as seen from the link of the first place.
@@ -176,14 +179,14 @@ impl<'g> Ends<'g> {
     fn parallel(&self) -> Vec<JointRow> {
         let z = self.second_axis(2);
         let upright = self.e1.column(2).dot(z.value());
-        let names = ["axis_1", "axis_2"].into_iter().enumerate();
-        names.map(|(k, what)| JointRow::upright(what, z.project(self.e1.column(k)), upright)).collect()
+        let components = row::AXIS.iter().enumerate();
+        components.map(|(k, form)| JointRow::upright(form, z.project(self.e1.column(k)), upright)).collect()
     }
 
     /// Row `angle`: x₁·y₂, with y₁·y₂ positive.
     fn unturned(&self) -> JointRow {
         let y = self.second_axis(1);
         let upright = self.e1.column(1).dot(y.value());
-        JointRow::upright("angle", y.project(self.e1.column(0)), upright)
+        JointRow::upright(&row::ANGLE, y.project(self.e1.column(0)), upright)
     }
 }

@@ -6,7 +6,7 @@ use crate::drawing::shapes::ring;
 use crate::drawing::space::Symbol;
 use crate::drawing::vector::along;
 use crate::equations::{JointRow, Laws};
-use crate::forms::{Alone, Argument, Form, JointAxes, JointForm, Need, OfParticle, PLACES, Spans};
+use crate::forms::{Alone, Argument, Form, JointAxes, JointForm, Need, OfParticle, PLACES, RowForm, Spans};
 use crate::messages;
 use crate::model::Rotor;
 use crate::units::Dimension;
@@ -41,11 +41,14 @@ pub static JOINT: SpatialJoint = SpatialJoint {
     symbol,
 };
 
+/// The travel is the pitch times the turns.
+static SCREW: RowForm = RowForm::own("screw");
+
 pub fn rows(laws: &Laws, ends: &Ends) -> Vec<JointRow> {
     let mut rows = cylindrical::rows(laws, ends);
     let lead = laws.value(ends.joint.scalar(0)) / TAU;
     let (travel, angle) = (laws.kinematics().travel(laws, ends.id, 0), laws.angle(Rotor::Joint(ends.id, 0)));
-    rows.push(JointRow::new("screw", travel - lead * angle));
+    rows.push(JointRow::new(&SCREW, travel - lead * angle));
     rows
 }
 

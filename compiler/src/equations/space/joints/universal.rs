@@ -6,7 +6,8 @@ use crate::drawing::shapes::THIN;
 use crate::drawing::space::Symbol;
 use crate::equations::{JointRow, Laws};
 use crate::forms::{
-    Alone, Argument, Form, Freer, JointAxes, JointForm, Need, OfParticle, PLACES, Spans, degrees_between,
+    Alone, Argument, Form, Freer, JointAxes, JointForm, Need, OfParticle, PLACES, RowForm, Spans,
+    degrees_between,
 };
 use crate::messages;
 
@@ -43,11 +44,14 @@ pub static JOINT: SpatialJoint = SpatialJoint {
     symbol,
 };
 
+/// The first axis is across the second.
+static CROSS: RowForm = RowForm::direction("cross", "turns across both its axes");
+
 pub fn rows(laws: &Laws, ends: &Ends) -> Vec<JointRow> {
     let mut rows = ends.together();
     let [a, b] = [0, 1].map(|which| laws.vector(ends.joint.direction(which)).normalized());
     let (a, b) = (ends.first.axes * a, ends.second.axes * b);
-    rows.push(JointRow::new("cross", ends.direction(b).project(a)));
+    rows.push(JointRow::new(&CROSS, ends.direction(b).project(a)));
     rows
 }
 
