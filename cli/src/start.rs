@@ -59,7 +59,7 @@ pub fn state(definition: &Definition, compiled: &Compiled) -> State {
     let mut equations = compiled.equations.clone();
     let coordinates: Vec<Coordinate> = asked.iter().map(|asked| asked.coordinate.clone()).collect();
     let conditions = equations.add_conditions(mechanism, &coordinates);
-    let masses = masses(mechanism, &mut equations);
+    let masses = masses(mechanism, &equations);
     let mut point = point(compiled, &equations);
     let jets = conditions.iter().map(|index| &equations.conditions[*index].jet);
     point.evaluate(&Ancestry::of_jets(&equations, jets));
@@ -172,19 +172,23 @@ fn outputs(definition: &Definition, equations: &Equations, point: &mut Point) ->
 }
 
 /// The nodes of mass and moments of each body.
-fn masses(mechanism: &Mechanism, equations: &mut Equations) -> Vec<Vec<Node>> {
-    equations.write(|g, equations| {
-        let laws = Laws::moving(g, mechanism, &equations.symbols, &equations.layout, &equations.kinematics);
-        let nodes = mechanism.bodies.iter().map(|body| {
-            let mut nodes = vec![laws.value(&body.mass).bare];
-            if body.kind == BodyKind::Rigid {
-                let moments = laws.vector(&body.inertia.moments).bare;
-                nodes.extend(if mechanism.space == Space::Planar { &moments[2..] } else { &moments[..] });
-            }
-            nodes
-        });
-        nodes.collect()
-    })
+fn masses(mechanism: &Mechanism, equations: &Equations) -> Vec<Vec<Node>> {
+    let laws = Laws::moving(
+        equations.graph.sheet(),
+        mechanism,
+        &equations.symbols,
+        &equations.layout,
+        &equations.kinematics,
+    );
+    let nodes = mechanism.bodies.iter().map(|body| {
+        let mut nodes = vec![laws.value(&body.mass).bare];
+        if body.kind == BodyKind::Rigid {
+            let moments = laws.vector(&body.inertia.moments).bare;
+            nodes.extend(if mechanism.space == Space::Planar { &moments[2..] } else { &moments[..] });
+        }
+        nodes
+    });
+    nodes.collect()
 }
 
 fn bodies(

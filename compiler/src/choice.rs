@@ -141,7 +141,7 @@ fn solved(
     if !errors.is_empty() {
         return None;
     }
-    let scales = assemble::row_scales(mechanism, &mut equations, &assembly, &massless);
+    let scales = assemble::row_scales(mechanism, &equations, &assembly, &massless);
     let count =
         |equations: &Equations, solved: &Solved| count_of(equations, solved, Function::AccelerationBaumgarte);
     let solved = solve::solve(&mut equations, massless, scales, &count);

@@ -55,13 +55,13 @@ fn start_of_model(mechanism: Mechanism, asked: Coordinates) -> Result<Start, Dia
     let mut errors = Diagnostics::new();
     let spanning = SpanningTree::spanning(&mechanism);
     check::counted_angles(&mechanism, &spanning)?;
-    let mut equations = equations::derive(&mechanism, spanning, &Omitted::default());
+    let equations = equations::derive(&mechanism, spanning, &Omitted::default());
     check::size(&mechanism, &equations, asked, &mut errors);
     if !errors.is_empty() {
         return Err(errors);
     }
     // AFTER THIS POINT what will be written out is of a size to be read.
-    match assemble::assemble(&mechanism, &mut equations, &mut errors) {
+    match assemble::assemble(&mechanism, &equations, &mut errors) {
         Some(assembly) => Ok(Start { mechanism, equations, assembly }),
         None => Err(errors),
     }
@@ -95,10 +95,10 @@ pub fn compile_model(
     let partition = assemble::partition(&mechanism, &equations, &assembly, &independent);
     solved.add(&mut equations, &mechanism.options.emit, &partition);
     if mechanism.options.emit.tangent {
-        let further = assemble::completion(&mechanism, &mut equations, &assembly, &independent);
+        let further = assemble::completion(&mechanism, &equations, &assembly, &independent);
         let mut states = independent.clone();
         states.extend(equations.add_conditions(&mechanism, &further));
-        equations.tangents = Some(Tangents::new(&mut equations, states));
+        equations.tangents = Some(Tangents::new(&equations, states));
     }
     // AFTER THIS POINT every expression that a function computes is on the graph.
     let table = table(&equations, &solved);

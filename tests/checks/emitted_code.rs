@@ -254,7 +254,7 @@ fn programs_are_the_graph<M: Model>() {
     for coordinates in [Coordinates::Absolute, Coordinates::Tree] {
         let compiled = compiled::<M>(Some(coordinates));
         let mut random = Random::new(2);
-        let points = if compiled.equations.graph.len() > 20_000 { 3 } else { POINTS };
+        let points = if compiled.equations.graph.read().len() > 20_000 { 3 } else { POINTS };
         for _ in 0..points {
             programs_are_the_graph_at(&compiled, random.point(&compiled));
         }
@@ -266,8 +266,8 @@ fn programs_are_the_graph_at(compiled: &Compiled, mut inputs: Inputs) {
     inputs.prepared = schedule::run(programs.get(Function::Prepare), &inputs);
     let symbols: Vec<f64> =
         schedule::sources(equations).into_iter().map(|source| inputs.get(source)).collect();
-    let values = evaluate(&equations.graph, &symbols);
-    let errors = errors(&equations.graph, &values);
+    let values = evaluate(&equations.graph.read(), &symbols);
+    let errors = errors(&equations.graph.read(), &values);
     for function in Function::ALL {
         let nodes = schedule::outputs(equations, solved, function);
         if function == Function::Prepare {

@@ -67,19 +67,19 @@ impl State {
     fn random(compiled: &Compiled, random: &mut Random) -> State {
         let (mechanism, e) = (&compiled.mechanism, &compiled.equations);
         let point = random.point(compiled);
-        let mut symbols = vec![0.0; e.graph.symbol_count()];
+        let mut symbols = vec![0.0; e.graph.read().symbol_count()];
         let mut names = BTreeMap::new();
         let mut set = |nodes: &[Node], values: &[f64], texts: Vec<String>| {
             for ((node, value), text) in nodes.iter().zip(values).zip(texts) {
-                if let Op::Symbol(symbol) = e.graph.op(*node) {
+                if let Op::Symbol(symbol) = e.graph.read().op(*node) {
                     symbols[symbol as usize] = *value;
                     names.insert(text, *value);
                 }
             }
         };
         let known = &e.symbols;
-        let own = |node: &Node| match e.graph.op(*node) {
-            Op::Symbol(symbol) => e.graph.symbol_name(symbol).to_string(),
+        let own = |node: &Node| match e.graph.read().op(*node) {
+            Op::Symbol(symbol) => e.graph.read().symbol_name(symbol).to_string(),
             _ => String::new(),
         };
         let (q, v) = (e.layout.position_names(mechanism), e.layout.velocity_names(mechanism));
@@ -101,7 +101,7 @@ impl State {
             let angle = std::f64::consts::TAU * point.q[at] + point.q[at + 1];
             names.insert(format!("{}.angle", stem(at)), angle);
         }
-        State { nodes: evaluate(&e.graph, &symbols), names: names.into(), angles }
+        State { nodes: evaluate(&e.graph.read(), &symbols), names: names.into(), angles }
     }
 }
 

@@ -75,7 +75,7 @@ struct Checked<'a> {
 impl<'a> Checked<'a> {
     fn of(compiled: &'a Compiled, moved: &'a Moved<'a>) -> Self {
         let equations = &compiled.equations;
-        let outputs = equations.graph.reachable(equations.unsolved_outputs.iter().copied());
+        let outputs = equations.graph.read().reachable(equations.unsolved_outputs.iter().copied());
         Checked { compiled, moved, outputs }
     }
 
@@ -194,7 +194,7 @@ impl<'a> Checked<'a> {
                 let symbols: Vec<f64> =
                     schedule::sources(e).into_iter().map(|source| point.get(source)).collect();
                 let mut values = Vec::new();
-                evaluate_reachable(&e.graph, &self.outputs, &symbols, &mut values);
+                evaluate_reachable(&e.graph.read(), &self.outputs, &symbols, &mut values);
                 e.unsolved_outputs.iter().map(|node| values[node.index()]).collect()
             }
             Of::Coordinates => {

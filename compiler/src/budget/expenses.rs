@@ -62,19 +62,19 @@ const ORDER: [&str; 13] = [
 
 /// The table of one function; its operations add up to those of the program.
 pub fn expenses(compiled: &Compiled, function: Function) -> Vec<Expense> {
-    let mut equations = compiled.equations.clone();
+    let equations = compiled.equations.clone();
     let nodes = nodes_of(&equations, &compiled.solved, function);
     let (purposes, rest) = match function {
         Function::Acceleration | Function::AccelerationBaumgarte => {
-            let purposes = of_the_solution(compiled, &mut equations, function);
-            (purposes, Rest::of(compiled, &mut equations, function))
+            let purposes = of_the_solution(compiled, &equations, function);
+            (purposes, Rest::of(compiled, &equations, function))
         }
         _ => (of_outputs(compiled, function), Rest::default()),
     };
     if purposes.len() < 2 {
         return by_kind(compiled, function);
     }
-    let graph = &equations.graph;
+    let graph = equations.graph.read();
     let mut needs: Vec<Vec<u32>> = vec![Vec::new(); graph.len()];
     for (index, purpose) in purposes.iter().enumerate() {
         for node in graph.reachable(purpose.roots.iter().copied()) {
@@ -98,7 +98,7 @@ pub fn expenses(compiled: &Compiled, function: Function) -> Vec<Expense> {
 }
 
 /// The parts from which the equations are set up.
-fn of_the_solution(compiled: &Compiled, equations: &mut Equations, function: Function) -> Vec<Purpose> {
+fn of_the_solution(compiled: &Compiled, equations: &Equations, function: Function) -> Vec<Purpose> {
     let mut purposes = Purposes::default();
     purposes.add(MASS, "", equations.mass.values().copied());
     purposes.add(INERTIA, "", equations.contributions.inertia_and_gravity.iter().copied());
@@ -110,7 +110,7 @@ fn of_the_solution(compiled: &Compiled, equations: &mut Equations, function: Fun
         purposes.add(GAMMA, &row.of, [row.jet.bias]);
         if function == Function::AccelerationBaumgarte {
             let v = &equations.symbols.v;
-            let rate = equations.graph.write(|g| row.jet.rate(g, v).bare);
+            let rate = row.jet.rate(equations.graph.sheet(), v).bare;
             purposes.add(STABILISATION, &row.of, [row.jet.value, rate]);
         }
     }
@@ -213,7 +213,7 @@ struct Rest {
 }
 
 impl Rest {
-    fn of(compiled: &Compiled, equations: &mut Equations, function: Function) -> Rest {
+    fn of(compiled: &Compiled, equations: &Equations, function: Function) -> Rest {
         let solved = &compiled.solved;
         let (solution, minus_gamma) = match function {
             Function::Acceleration => {
@@ -221,10 +221,10 @@ impl Rest {
             }
             _ => {
                 let Equations { graph, rows, symbols, .. } = equations;
-                (&solved.baumgarte, graph.write(|g| solve::stabilised(g, rows, symbols)))
+                (&solved.baumgarte, solve::stabilised(graph.sheet(), rows, symbols))
             }
         };
-        let graph = &equations.graph;
+        let graph = equations.graph.read();
         let needs = |nodes: &mut dyn Iterator<Item = Node>| graph.reachable(nodes).into_iter().collect();
         Rest {
             solves: true,

@@ -107,11 +107,12 @@ fn with_constants(compiled: &Compiled, function: Function) -> Option<usize> {
     if parameters.is_empty() {
         return None;
     }
-    let mut equations = compiled.equations.clone();
-    let defaults = parameters.iter().map(|parameter| equations.graph.constant(parameter.default));
+    let equations = compiled.equations.clone();
+    let g = equations.graph.sheet();
+    let defaults = parameters.iter().map(|parameter| g.number(parameter.default).bare);
     let replaced = compiled.equations.symbols.parameters.iter().copied().zip(defaults).collect();
     let nodes = outputs(&equations, &compiled.solved, function);
-    let nodes = equations.graph.substitute(&nodes, &replaced);
+    let nodes = g.graph().substitute(&nodes, &replaced);
     Some(operations_of(&equations, &nodes))
 }
 
@@ -119,10 +120,10 @@ fn with_constants(compiled: &Compiled, function: Function) -> Option<usize> {
 fn in_independent_velocities(compiled: &Compiled) -> Option<usize> {
     let closed = !compiled.equations.rows.is_empty() && compiled.solved.null_space.is_none();
     closed.then(|| {
-        let mut equations = compiled.equations.clone();
+        let equations = compiled.equations.clone();
         let mut solved = compiled.solved.clone();
         let massless = !solved.massless.rows.is_empty();
-        solved.null_space = Some(solve::null_space(&mut equations, &compiled.partition, massless));
+        solved.null_space = Some(solve::null_space(&equations, &compiled.partition, massless, None));
         operations_of(&equations, &outputs(&equations, &solved, Function::NullSpace))
     })
 }

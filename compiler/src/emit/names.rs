@@ -47,8 +47,8 @@ impl Names {
         let mut taken: BTreeSet<String> = RESERVED.iter().map(|word| word.to_string()).collect();
         let mut claim = |nodes: &[Node], source: fn(u32) -> Source| {
             for (index, node) in nodes.iter().enumerate() {
-                let Op::Symbol(symbol) = equations.graph.op(*node) else { continue };
-                let mut name = readable(equations.graph.symbol_name(symbol));
+                let Op::Symbol(symbol) = equations.graph.read().op(*node) else { continue };
+                let mut name = readable(equations.graph.read().symbol_name(symbol));
                 while !taken.insert(name.clone()) {
                     name.push('_');
                 }
@@ -79,8 +79,8 @@ impl Names {
                 names.insert(Source::Prepared(index), name);
             }
         }
-        let fields = symbols.parameters.iter().map(|node| match equations.graph.op(*node) {
-            Op::Symbol(symbol) => field(equations.graph.symbol_name(symbol)),
+        let fields = symbols.parameters.iter().map(|node| match equations.graph.read().op(*node) {
+            Op::Symbol(symbol) => field(equations.graph.read().symbol_name(symbol)),
             _ => String::new(),
         });
         Names {

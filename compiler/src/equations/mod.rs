@@ -33,8 +33,7 @@ pub use tangent::Tangents;
 
 use crate::forms::{Sign, Vocabulary};
 use crate::model::{BodyKind, Coordinate, Mechanism, Redundant, Space};
-use crate::symbolic::{Class, Graph, Node, Scalar, Sheet, all_bare};
-use std::cell::RefCell;
+use crate::symbolic::{Class, Growing, Node, Scalar, Sheet, all_bare};
 use std::collections::{BTreeMap, BTreeSet};
 
 /// Motion of a body: of its centre of mass in world axes, and its orientation. In the plane the pair (cos, sin), ω and ω̇;
@@ -116,7 +115,7 @@ pub struct Consequences {
 /// Everything about the motion as expressions on one graph.
 #[derive(Clone, Debug)]
 pub struct Equations {
-    pub graph: Graph,
+    pub graph: Growing,
     pub symbols: Symbols,
     pub tree: SpanningTree,
     pub layout: Layout,
@@ -167,8 +166,8 @@ pub struct Equations {
 /// Derives the equations in the coordinates of `tree`, without the rows that are `omitted`; where redundant rows are kept, the slots
 /// of switches that are not taken are rows without a part in the solution.
 pub fn derive(mechanism: &Mechanism, tree: SpanningTree, omitted: &Omitted) -> Equations {
-    let graph = RefCell::new(Graph::new());
-    let g = Sheet::new(&graph);
+    let graph = Growing::default();
+    let g = graph.sheet();
     let rotors = couplings::multi_turn_rotors(mechanism);
     let (layout, mut symbols, kinematics) = match mechanism.space {
         Space::Planar => {
@@ -292,7 +291,7 @@ pub fn derive(mechanism: &Mechanism, tree: SpanningTree, omitted: &Omitted) -> E
         tree,
         layout,
         kinematics,
-        graph: graph.into_inner(),
+        graph,
     }
 }
 
@@ -347,20 +346,13 @@ impl Equations {
         indices
     }
 
-    /// The row of one position coordinate and a new symbol for its target, added to the graph only.
-    pub fn condition(&mut self, mechanism: &Mechanism, coordinate: &Coordinate) -> (Condition, Node) {
-        self.write(|g, own| {
-            let laws = Laws::moving(g, mechanism, &own.symbols, &own.layout, &own.kinematics);
-            conditions::condition(&laws, coordinate)
-        })
-    }
-
-    /// Writes further equations; meanwhile the graph is where they are written.
-    pub fn write<T>(&mut self, further: impl FnOnce(Sheet, &mut Equations) -> T) -> T {
-        let mut graph = std::mem::take(&mut self.graph);
-        let written = graph.write(|g| further(g, self));
-        self.graph = graph;
-        written
+    /// The row of one coordinate and a new symbol for its target.
+    pub fn condition(&self, mechanism: &Mechanism, coordinate: &Coordinate) -> (Condition, Node) {
+        let (g, symbols) = (self.graph.sheet(), &self.symbols);
+        conditions::condition(
+            &Laws::moving(g, mechanism, symbols, &self.layout, &self.kinematics),
+            coordinate,
+        )
     }
 }
 

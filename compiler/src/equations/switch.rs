@@ -297,7 +297,7 @@ mod tests {
     use super::*;
     use crate::equations::Origin;
     use crate::forms::row;
-    use crate::symbolic::{Class, Graph, evaluate};
+    use crate::symbolic::{Class, Growing, evaluate};
     use proc_macro2::Span;
 
     static FORMS: [&RowForm; 4] = [&row::GAP[0], &row::GAP[1], &row::GAP[2], &row::AXIS[0]];
@@ -319,8 +319,9 @@ mod tests {
     /// Each multiplier goes to the row that its group takes, and rows of one joint have names of their own.
     #[test]
     fn groups_of_one_joint_share_no_name() {
-        let mut graph = Graph::new();
-        let own = graph.write(|g| {
+        let graph = Growing::default();
+        let own = {
+            let g = graph.sheet();
             let rows = [3.0, 1.0, 1.0, 4.0].map(|entry| g.number(entry)).into_iter().zip(FORMS).map(
                 |(entry, form)| {
                     let mut jet = Jet::constant(entry);
@@ -336,8 +337,8 @@ mod tests {
             assert_eq!(names, ["switched_1", "idle_1", "switched_2", "idle_2"]);
             let lambda = ["a", "b", "c", "d"].map(|name| g.symbol(name, Class::Input).bare);
             multipliers(g, &all, &rows, &lambda, &switches, &chosen)
-        });
-        let values = evaluate(&graph, &[10.0, 0.0, 20.0, 0.0]);
+        };
+        let values = evaluate(&graph.read(), &[10.0, 0.0, 20.0, 0.0]);
         // The first group takes its first row, 3 beside 1/2, the second its second, 4/2 beside 1, by half.
         let own: Vec<f64> = own.iter().map(|node| values[node.index()]).collect();
         assert_eq!(own, [10.0, 0.0, 0.0, 10.0]);

@@ -44,11 +44,8 @@ pub struct Tangents {
 
 impl Tangents {
     /// Derives all of them.
-    pub fn new(equations: &mut Equations, states: Vec<usize>) -> Self {
-        equations.write(|g, equations| Tangents::of(g, equations, states))
-    }
-
-    fn of(g: Sheet, equations: &Equations, states: Vec<usize>) -> Self {
+    pub fn new(equations: &Equations, states: Vec<usize>) -> Self {
+        let g = equations.graph.sheet();
         let residual = residual(g, equations);
         let Equations { symbols, layout, rows, conditions, unsolved_outputs: outputs, .. } = equations;
         let n = layout.velocities();

@@ -37,7 +37,7 @@ pub fn fuse_alone(graph: &Graph, outputs: &[Node]) -> Fused {
 
 /// All passes, for some functions: enough to count them.
 pub fn optimize_only(equations: &Equations, solved: &Solved, wanted: &[Function]) -> Optimized {
-    let graph = &equations.graph;
+    let graph = &equations.graph.read();
     let mut hoisted = Hoisted::default();
     let mut functions = Vec::new();
     for function in wanted {

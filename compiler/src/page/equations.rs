@@ -27,7 +27,8 @@ pub fn equations(page: &mut String, compiled: &Compiled) {
         true => "M v̇ = Q, where\n",
         false => "M v̇ + Dᵀ λ = Q, D v̇ = γ, on Φ = 0 and D v = ν, where\n",
     });
-    let mut writer = Writer::new(&compiled.mechanism, &compiled.equations);
+    let graph = compiled.equations.graph.read();
+    let mut writer = Writer::new(&compiled.mechanism, &compiled.equations, &graph);
     let begin = page.len();
     for section in sections(compiled).iter().filter(|section| !section.entries.is_empty()) {
         listing(page, &mut writer, section);
@@ -42,7 +43,7 @@ fn sections(compiled: &Compiled) -> Vec<Section> {
     let v = equations.layout.velocity_names(&compiled.mechanism);
     let rows = || equations.rows.iter();
     let row = |index: usize| format!("{}.{}", equations.rows[index].of, equations.rows[index].form.name);
-    let is_zero = |node: &Node| equations.graph.is_zero(*node);
+    let is_zero = |node: &Node| equations.graph.read().is_zero(*node);
     let phi = rows().enumerate().map(|(index, own)| (row(index), own.jet.value));
     let jacobian = rows().enumerate().flat_map(|(index, own)| {
         let columns = own.jet.columns.iter();

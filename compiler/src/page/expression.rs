@@ -31,7 +31,7 @@ pub struct Writer<'a> {
 }
 
 impl<'a> Writer<'a> {
-    pub fn new(mechanism: &Mechanism, equations: &'a Equations) -> Self {
+    pub fn new(mechanism: &Mechanism, equations: &Equations, graph: &'a Graph) -> Self {
         let layout = &equations.layout;
         let (q, v) = (layout.position_names(mechanism), layout.velocity_names(mechanism));
         let symbols = &equations.symbols;
@@ -44,7 +44,7 @@ impl<'a> Writer<'a> {
         let multipliers = symbols.lambda.iter().zip(&equations.rows);
         let multipliers = multipliers.map(|(node, row)| (*node, format!("λ({}.{})", row.of, row.form.name)));
         let mut writer = Writer {
-            graph: &equations.graph,
+            graph,
             symbols: known
                 .map(|(node, name)| (*node, name.clone()))
                 .chain(settings)

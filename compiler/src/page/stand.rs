@@ -10,13 +10,13 @@ use crate::forms::Spans;
 use crate::model::{
     Axes, Body, ConstraintKind, Coupled, Expr, Frame, Joint, Load, Place, Rotor, Space, Subject, Vector,
 };
-use crate::symbolic::{Graph, Node, Op, evaluate_reachable};
+use crate::symbolic::{Growing, Node, Op, evaluate_reachable};
 
 /// The mechanism at its start: default parameters, time 0, all inputs 1, so that loads have a direction.
 pub struct Stand<'a> {
     compiled: &'a Compiled,
     /// The equations' graph, to which what is asked is added.
-    graph: Graph,
+    graph: Growing,
     symbols: Vec<f64>,
     values: Vec<f64>,
     /// Centre and axes of each body.
@@ -27,10 +27,10 @@ impl<'a> Stand<'a> {
     pub fn of(compiled: &'a Compiled) -> Self {
         let (equations, assembly) = (&compiled.equations, &compiled.assembly);
         let graph = equations.graph.clone();
-        let mut symbols = vec![0.0; graph.symbol_count()];
+        let mut symbols = vec![0.0; graph.read().symbol_count()];
         let mut set = |nodes: &[Node], values: &mut dyn Iterator<Item = f64>| {
             for (node, value) in nodes.iter().zip(values) {
-                if let Op::Symbol(symbol) = graph.op(*node) {
+                if let Op::Symbol(symbol) = graph.read().op(*node) {
                     symbols[symbol as usize] = value;
                 }
             }
@@ -55,8 +55,9 @@ impl<'a> Stand<'a> {
     }
 
     fn numbers(&mut self, nodes: &[Node]) -> Vec<f64> {
-        let order = self.graph.reachable(nodes.iter().copied());
-        evaluate_reachable(&self.graph, &order, &self.symbols, &mut self.values);
+        let graph = self.graph.read();
+        let order = graph.reachable(nodes.iter().copied());
+        evaluate_reachable(&graph, &order, &self.symbols, &mut self.values);
         nodes.iter().map(|node| self.values[node.index()]).collect()
     }
 
@@ -64,7 +65,7 @@ impl<'a> Stand<'a> {
     fn built(&mut self, build: impl FnOnce(&Laws) -> Vec<Node>) -> Vec<f64> {
         let Compiled { mechanism, equations, .. } = self.compiled;
         let Equations { symbols, layout, kinematics, .. } = equations;
-        let nodes = self.graph.write(|g| build(&Laws::moving(g, mechanism, symbols, layout, kinematics)));
+        let nodes = build(&Laws::moving(self.graph.sheet(), mechanism, symbols, layout, kinematics));
         self.numbers(&nodes)
     }
 

@@ -51,7 +51,7 @@ pub fn schedule(equations: &Equations, optimized: &Optimized) -> Programs {
     let none = Hoisted::default();
     let select = |(function, fused): &(Function, Fused)| {
         let hoisted = if *function == Function::Prepare { &none } else { &optimized.hoisted };
-        (*function, select::select(&equations.graph, &sources, hoisted, fused))
+        (*function, select::select(&equations.graph.read(), &sources, hoisted, fused))
     };
     let mut selected: Vec<(Function, Selected)> = optimized.functions.iter().map(select).collect();
     let solves =
@@ -73,7 +73,7 @@ pub fn count_of(equations: &Equations, solved: &Solved, function: Function) -> C
     let Optimized { functions, hoisted } = optimize_only(equations, solved, &[function]);
     let sources = sources(equations);
     // The order of the instructions does not count.
-    let select = |fused| select::select(&equations.graph, &sources, &hoisted, fused);
+    let select = |fused| select::select(&equations.graph.read(), &sources, &hoisted, fused);
     functions.first().map_or(Counts::default(), |(_, fused)| count(&select(fused).program))
 }
 
@@ -82,22 +82,22 @@ pub fn nodes_of(equations: &Equations, solved: &Solved, function: Function) -> V
     let Optimized { functions, hoisted } = optimize_only(equations, solved, &[function]);
     let sources = sources(equations);
     let fused = functions.first().map(|(_, fused)| fused);
-    fused.map_or(Vec::new(), |fused| select::select(&equations.graph, &sources, &hoisted, fused).nodes)
+    fused.map_or(Vec::new(), |fused| select::select(&equations.graph.read(), &sources, &hoisted, fused).nodes)
 }
 
 /// Operations of a function with these outputs.
 pub fn operations_of(equations: &Equations, outputs: &[Node]) -> usize {
-    let fused = optimize::fuse_alone(&equations.graph, outputs);
-    select::select(&equations.graph, &sources(equations), &Hoisted::default(), &fused).nodes.len()
+    let fused = optimize::fuse_alone(&equations.graph.read(), outputs);
+    select::select(&equations.graph.read(), &sources(equations), &Hoisted::default(), &fused).nodes.len()
 }
 
 /// The value or argument that each symbol of the graph stands for.
 pub fn sources(equations: &Equations) -> Vec<Source> {
     let symbols = &equations.symbols;
-    let mut sources = vec![Source::Time; equations.graph.symbol_count()];
+    let mut sources = vec![Source::Time; equations.graph.read().symbol_count()];
     let mut assign = |nodes: &[Node], source: fn(u32) -> Source| {
         for (index, node) in nodes.iter().enumerate() {
-            if let crate::symbolic::Op::Symbol(symbol) = equations.graph.op(*node) {
+            if let crate::symbolic::Op::Symbol(symbol) = equations.graph.read().op(*node) {
                 sources[symbol as usize] = source(index as u32);
             }
         }

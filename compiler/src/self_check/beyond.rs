@@ -70,14 +70,14 @@ fn springs(machine: &Machine, report: &mut Report) {
     let (compiled, inputs) = (machine.compiled, report.inputs);
     let equations = &compiled.equations;
     let potentials = &equations.contributions.potentials;
-    let order = equations.graph.reachable(potentials.iter().copied());
+    let order = equations.graph.read().reachable(potentials.iter().copied());
     let sources = sources(equations);
     let rest = vec![0.0; inputs.v.len()];
     let stored = Along::of(STEP, |h| {
         let moved = machine.moved(inputs, h, &rest);
         let symbols: Vec<f64> = sources.iter().map(|source| moved.get(*source)).collect();
         let mut values = Vec::new();
-        evaluate_reachable(&equations.graph, &order, &symbols, &mut values);
+        evaluate_reachable(&equations.graph.read(), &order, &symbols, &mut values);
         // Squares of sums of a few terms.
         let rounded = |value: f64| Quantity { value, margin: 1e-9 * value.abs().max(1e-9) };
         potentials.iter().map(|node| rounded(values[node.index()])).collect()

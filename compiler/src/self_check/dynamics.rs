@@ -82,7 +82,7 @@ pub fn stands_still(machine: &Machine) -> bool {
     let places =
         equations.motions.iter().flat_map(|motion| motion.position.iter().chain(&motion.orientation));
     let nodes: Vec<Node> = of_springs.chain(places.copied()).collect();
-    !equations.graph.reachable(nodes).contains(&equations.symbols.time)
+    !equations.graph.read().reachable(nodes).contains(&equations.symbols.time)
 }
 
 /// M v̇ + Dᵀ λ = Q, D v̇ = γ, or D v̇ = γ − 2α (D v − ν) − β² Φ.

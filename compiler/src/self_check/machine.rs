@@ -38,7 +38,7 @@ impl<'a> Machine<'a> {
 
     fn bounded(&self, function: Function, inputs: &Inputs) -> Vec<Bounded> {
         let compiled = self.compiled;
-        run_bounded(compiled.programs.get(function), &compiled.equations.graph, inputs, &self.errors)
+        run_bounded(compiled.programs.get(function), &compiled.equations.graph.read(), inputs, &self.errors)
     }
 
     pub fn run(&self, function: Function, inputs: &Inputs) -> Vec<Quantity> {

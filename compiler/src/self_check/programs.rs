@@ -15,9 +15,9 @@ pub fn check(machine: &Machine, report: &mut Report) {
     let of = |function: &Function| outputs(equations, &compiled.solved, *function);
     let wanted: Vec<_> = functions.iter().map(of).collect();
     let symbols: Vec<f64> = sources(equations).into_iter().map(|source| inputs.get(source)).collect();
-    let order = equations.graph.reachable(wanted.iter().flatten().copied());
+    let order = equations.graph.read().reachable(wanted.iter().flatten().copied());
     let mut values = Vec::new();
-    evaluate_reachable(&equations.graph, &order, &symbols, &mut values);
+    evaluate_reachable(&equations.graph.read(), &order, &symbols, &mut values);
     // Where nothing in the graph is divided by zero, the other sign of a zero makes no infinity.
     let finite = order.iter().all(|node| values[node.index()].is_finite());
     for (function, nodes) in functions.into_iter().zip(wanted) {

@@ -55,12 +55,20 @@ impl Solved {
     /// Writes out what the definition asks to be emitted beyond the default.
     pub fn add(&mut self, equations: &mut Equations, emit: &Emit, partition: &Partition) {
         if emit.penalty || emit.projection {
-            self.stored = Some(store(equations, &self.massless, &self.row_scales));
+            let stored = store(equations, &self.massless, &self.row_scales);
+            equations.symbols.given_forces = stored.given.forces.clone();
+            equations.symbols.given_rows = stored.given.rows.clone();
+            equations.symbols.kept = stored.given.kept.clone();
+            self.stored = Some(stored);
             self.emits_system = emit.penalty;
         }
         if emit.null_space {
             let massless = !self.massless.rows.is_empty();
-            self.null_space = Some(null_space(equations, partition, massless));
+            let rows = self.stored.as_ref().map(|stored| stored.given.rows.as_slice());
+            let written = null_space(equations, partition, massless, rows);
+            equations.symbols.given_rows = written.given_rows.clone();
+            equations.symbols.lu = written.stand_ins.clone();
+            self.null_space = Some(written);
         }
     }
 }
@@ -216,22 +224,20 @@ struct Prescribed {
 }
 
 impl System {
-    fn of(equations: &mut Equations, massless: Massless, scales: Vec<Node>) -> Self {
+    fn of(equations: &Equations, massless: Massless, scales: Vec<Node>) -> Self {
         let velocities = equations.symbols.v.len();
         let columns: Vec<BTreeMap<usize, Node>> =
             equations.rows.iter().map(|row| row.jet.columns.clone()).collect();
         let idle = equations.idle.clone();
         let mut entries: Entries = equations.mass.clone();
-        equations.graph.write(|g| {
-            for (row, rho) in &massless.rows {
-                add_square(&mut entries, &columns[*row], g.number(*rho));
-            }
-        });
+        let g = equations.graph.sheet();
+        for (row, rho) in &massless.rows {
+            add_square(&mut entries, &columns[*row], g.number(*rho));
+        }
         for (row, columns) in columns.iter().enumerate().filter(|(row, _)| !idle.contains(row)) {
             entries.extend(columns.iter().map(|(velocity, column)| ((velocities + row, *velocity), *column)));
         }
-        let graph = &mut equations.graph;
-        let prescribed = graph.write(|g| prescribed(g, velocities, &columns, &idle, &mut entries));
+        let prescribed = prescribed(g, velocities, &columns, &idle, &mut entries);
         System { velocities, columns, entries, prescribed, idle, massless, scales }
     }
 
@@ -301,11 +307,10 @@ fn by_articulated_bodies(
     if !open || !articulated::applies(kinematics) {
         return None;
     }
-    let mut candidate = equations.clone();
+    let candidate = equations.clone();
     let (distributions, forces) = (&equations.distributions, &equations.forces);
-    let acceleration = candidate
-        .graph
-        .write(|g| all_bare(&articulated::accelerations(g.on(kinematics), distributions, forces)));
+    let kinematics = candidate.graph.sheet().on(kinematics);
+    let acceleration = all_bare(&articulated::accelerations(kinematics, distributions, forces));
     let solution = Solution { acceleration, lambda: Vec::new(), pivot: candidate.one };
     let order = order::order(pattern, Strategy::MinimumDegree);
     let mut solved = Solved {
@@ -333,7 +338,8 @@ fn counted(equations: &mut Equations, system: &System, order: Order, count: &Cou
 /// Without the counts.
 fn eliminate(equations: &mut Equations, system: &System, order: Order) -> Solved {
     let System { velocities, columns, entries, massless, scales, .. } = system;
-    let (factor, index1, baumgarte) = equations.write(|g, equations| {
+    let (factor, index1, baumgarte) = {
+        let g = equations.graph.sheet();
         let watch_velocities = !massless.rows.is_empty();
         let kind = Kind { velocities: *velocities, watch_velocities, scales, compliance: None };
         let factor = elimination::factor(g, entries, &order, &kind);
@@ -353,10 +359,10 @@ fn eliminate(equations: &mut Equations, system: &System, order: Order) -> Solved
         };
         let (index1, baumgarte) = (with(&plain), with(&stabilised));
         (factor, index1, baumgarte)
-    });
+    };
     // Outputs that name drivers' efforts or powers take the multipliers of the plain solution.
     let solved = equations.symbols.lambda.iter().copied().zip(index1.lambda.iter().copied()).collect();
-    equations.outputs = equations.graph.substitute(&equations.outputs, &solved);
+    equations.outputs = equations.graph.sheet().graph().substitute(&equations.outputs, &solved);
     Solved {
         index1,
         baumgarte,

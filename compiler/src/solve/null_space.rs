@@ -18,8 +18,10 @@ pub(super) type Sparse<'g> = BTreeMap<usize, Scalar<'g>>;
 /// The expressions that `options { emit = (null_space) }` asks for.
 #[derive(Clone, Debug)]
 pub struct NullSpace {
-    /// The values of D = L U that are kept.
+    /// The values of D = L U that are kept, and symbols for them and for right-hand sides of rows.
     pub kept: Vec<Node>,
+    pub stand_ins: Vec<Node>,
+    pub given_rows: Vec<Node>,
     /// The square of the smallest pivot, relative to the size of its row.
     pub partition_pivot: Node,
     /// Velocities with D v = rows, in symbols for what is kept, for the rows, and for v, whose independent entries count.
@@ -38,17 +40,22 @@ pub struct NullSpace {
 /// ```
 /// v̇ in m/s² and rad/s², λ in N or N m. `massless`: M alone is singular, so that the pivots of Rᵀ M R are watched.
 /// Source: García de Jalón, Bayo, *Kinematic and Dynamic Simulation of Multibody Systems*, 5.2.3.
-pub fn null_space(equations: &mut Equations, partition: &Partition, massless: bool) -> NullSpace {
-    equations.write(|g, equations| written(g, equations, partition, massless))
-}
-
-fn written(g: Sheet, equations: &mut Equations, partition: &Partition, massless: bool) -> NullSpace {
+/// `rows`: symbols for right-hand sides of rows, if there are some already.
+pub fn null_space(
+    equations: &Equations,
+    partition: &Partition,
+    massless: bool,
+    rows: Option<&[Node]>,
+) -> NullSpace {
+    let g = equations.graph.sheet();
     let velocities = equations.layout.velocities();
-    let rows = equations.rows.iter();
-    let rows =
-        rows.map(|row| row.jet.columns.iter().map(|(at, column)| (*at, g.on(*column))).collect()).collect();
-    let lu = lu::factor(g, rows, velocities, partition);
-    let (kept, dependent) = stored(g, equations, &lu);
+    let own = equations
+        .rows
+        .iter()
+        .map(|row| row.jet.columns.iter().map(|(at, column)| (*at, g.on(*column))).collect())
+        .collect();
+    let lu = lu::factor(g, own, velocities, partition);
+    let Velocities { kept, dependent, rows: given_rows, stand_ins } = velocities_of(g, equations, &lu, rows);
     // R, a column for each independent velocity.
     let independent: Vec<usize> = (0..velocities).filter(|velocity| !lu.is_dependent[*velocity]).collect();
     let basis: Vec<Sparse> = independent.iter().map(|velocity| lu.column(g, *velocity)).collect();
@@ -76,22 +83,27 @@ fn written(g: Sheet, equations: &mut Equations, partition: &Partition, massless:
     let lambda = lu.multipliers(g, rest, vec![g.zero(); equations.rows.len()]);
     let pivot = lu.pivot.min(g.on(factor.pivot)).bare;
     let (acceleration, lambda) = (all_bare(&acceleration), all_bare(&lambda));
-    NullSpace { kept, partition_pivot: lu.pivot.bare, dependent, acceleration, lambda, pivot }
+    let partition_pivot = lu.pivot.bare;
+    NullSpace { kept, given_rows, stand_ins, partition_pivot, dependent, acceleration, lambda, pivot }
 }
 
-/// The values of D = L U that are kept, and the velocities with D v = rows in symbols for it.
-fn stored<'g>(g: Sheet<'g>, equations: &mut Equations, lu: &Lu<'g>) -> (Vec<Node>, Vec<Node>) {
-    if equations.symbols.given_rows.is_empty() {
-        equations.symbols.given_rows = symbols(g, "row", equations.rows.len());
-    }
-    let (rows, v) = (&equations.symbols.given_rows, &equations.symbols.v);
-    let dependent = all_bare(&lu.dependent(g, &g.all(rows), &g.all(v)));
+/// The velocities with D v = rows, in symbols for what is kept of D = L U and for the rows.
+struct Velocities {
+    kept: Vec<Node>,
+    stand_ins: Vec<Node>,
+    rows: Vec<Node>,
+    dependent: Vec<Node>,
+}
+
+fn velocities_of<'g>(g: Sheet<'g>, equations: &Equations, lu: &Lu<'g>, rows: Option<&[Node]>) -> Velocities {
+    let rows = rows.map_or_else(|| symbols(g, "row", equations.rows.len()), <[Node]>::to_vec);
+    let v = &equations.symbols.v;
+    let dependent = all_bare(&lu.dependent(g, &g.all(&rows), &g.all(v)));
     let kept = frontier(&g.graph(), &dependent, &rows.iter().chain(v).copied().collect());
     let stand_ins = symbols(g, "lu", kept.len());
     let replaced = kept.iter().copied().zip(stand_ins.iter().copied()).collect();
     let dependent = g.graph().substitute(&dependent, &replaced);
-    equations.symbols.lu = stand_ins;
-    (kept, dependent)
+    Velocities { kept, stand_ins, rows, dependent }
 }
 
 /// Rᵀ M R, the lower triangle.

@@ -22,16 +22,25 @@ pub struct Stored {
     pub rows: Vec<Node>,
     /// a, then λ, in symbols for what is kept and for the right-hand sides.
     pub solution: Vec<Node>,
+    /// These symbols.
+    pub given: Given,
+}
+
+/// Symbols for what a solution is given.
+#[derive(Clone, Debug)]
+pub struct Given {
+    /// The right-hand sides of K(c).
+    pub forces: Vec<Node>,
+    pub rows: Vec<Node>,
+    /// What is kept of the factorisation.
+    pub kept: Vec<Node>,
 }
 
 /// Writes K(c) out. Where M alone is singular, ρ′ Dᵀ D of the rows that hold the massless velocities is added to M,
 /// ρ′ = ρ/(1 + ρ c), ρ′ Dᵀ γ to Q, c of these rows becomes c (1 + ρ c) and their multipliers are multiplied by 1 + ρ c: the
 /// solution is the same, because D v̇ = γ + c λ.
-pub fn store(equations: &mut Equations, massless: &Massless, row_scales: &[Node]) -> Stored {
-    equations.write(|g, equations| written(g, equations, massless, row_scales))
-}
-
-fn written(g: Sheet, equations: &mut Equations, massless: &Massless, row_scales: &[Node]) -> Stored {
+pub fn store(equations: &Equations, massless: &Massless, row_scales: &[Node]) -> Stored {
+    let g = equations.graph.sheet();
     let n = equations.symbols.v.len();
     let columns: Vec<&BTreeMap<usize, Node>> = equations.rows.iter().map(|row| &row.jet.columns).collect();
     let idle = &equations.idle;
@@ -84,12 +93,10 @@ fn written(g: Sheet, equations: &mut Equations, massless: &Massless, row_scales:
     let solution = g.graph().substitute(&solution, &replaced);
     let stabilised = stabilised(g, &equations.rows, &equations.symbols);
     let stabilised = stabilised.into_iter().map(|row| (-g.on(row)).bare).collect();
-    equations.symbols.given_forces = forces;
-    equations.symbols.given_rows = rows;
-    equations.symbols.kept = stand_ins;
     let velocity_pivot = factor.velocity_pivot;
     let pivot = not_nan(g.on(factor.pivot)).bare;
-    Stored { kept, pivot, velocity_pivot, rows: stabilised, solution }
+    let given = Given { forces, rows, kept: stand_ins };
+    Stored { kept, given, pivot, velocity_pivot, rows: stabilised, solution }
 }
 
 /// 1 + ρ c and ρ/(1 + ρ c).

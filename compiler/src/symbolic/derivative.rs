@@ -98,7 +98,7 @@ impl<'g> Sheet<'g> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::symbolic::{Class, Graph, evaluate};
+    use crate::symbolic::{Class, Growing, evaluate};
 
     /// Two symbols with the directions 0 and 1.
     fn unknowns<'g>(g: Sheet<'g>) -> ([Scalar<'g>; 2], BTreeMap<Node, Gradient>) {
@@ -110,12 +110,12 @@ mod tests {
 
     /// Compares both derivatives of a function of x and y with central differences, extrapolated.
     fn check(function: impl for<'g> Fn(Scalar<'g>, Scalar<'g>) -> Scalar<'g>, points: &[[f64; 2]]) {
-        let mut graph = Graph::new();
-        let (root, gradient) = graph.write(|g| {
-            let ([x, y], seed) = unknowns(g);
-            let root = function(x, y).bare;
-            (root, g.differentiate(&[root], &seed).remove(0))
-        });
+        let graph = Growing::default();
+        let g = graph.sheet();
+        let ([x, y], seed) = unknowns(g);
+        let root = function(x, y).bare;
+        let gradient = g.differentiate(&[root], &seed).remove(0);
+        let graph = graph.read();
         let value = |at: [f64; 2]| evaluate(&graph, &at)[root.index()];
         for at in points {
             for k in 0..2 {
@@ -178,11 +178,11 @@ mod tests {
 
     #[test]
     fn min_and_max_have_at_a_tie_the_derivative_of_what_they_return() {
-        let mut graph = Graph::new();
-        let gradients = graph.write(|g| {
-            let ([x, y], seed) = unknowns(g);
-            g.differentiate(&[x.min(y).bare, x.max(y).bare], &seed)
-        });
+        let graph = Growing::default();
+        let g = graph.sheet();
+        let ([x, y], seed) = unknowns(g);
+        let gradients = g.differentiate(&[x.min(y).bare, x.max(y).bare], &seed);
+        let graph = graph.read();
         for gradient in gradients {
             let values = evaluate(&graph, &[2.0, 2.0]);
             assert_eq!([0, 1].map(|k| values[gradient[&k].index()]), [0.0, 1.0]);
@@ -191,30 +191,30 @@ mod tests {
 
     #[test]
     fn directions_may_be_any_nodes() {
-        Graph::new().write(|g| {
-            let [c, s, held] = ["c", "s", "held"].map(|name| g.symbol(name, Class::Position));
-            let minus = (-s).bare;
-            let seed = [(c.bare, Gradient::from([(7, minus)])), (s.bare, Gradient::from([(7, c.bare)]))];
-            let angle = s.atan2(c);
-            let moved = held * angle;
-            let roots = [angle, moved, held, c].map(|root| root.bare);
-            let gradients = g.differentiate(&roots, &BTreeMap::from(seed));
-            // The angle of a pair that turns turns alike: x·(1/x) = 1 is found without numbers.
-            assert_eq!(gradients[0], Gradient::from([(7, g.one().bare)]));
-            assert_eq!(gradients[1], Gradient::from([(7, held.bare)]));
-            assert!(gradients[2].is_empty());
-            assert_eq!(gradients[3], Gradient::from([(7, minus)]));
-        });
+        let graph = Growing::default();
+        let g = graph.sheet();
+        let [c, s, held] = ["c", "s", "held"].map(|name| g.symbol(name, Class::Position));
+        let minus = (-s).bare;
+        let seed = [(c.bare, Gradient::from([(7, minus)])), (s.bare, Gradient::from([(7, c.bare)]))];
+        let angle = s.atan2(c);
+        let moved = held * angle;
+        let roots = [angle, moved, held, c].map(|root| root.bare);
+        let gradients = g.differentiate(&roots, &BTreeMap::from(seed));
+        // The angle of a pair that turns turns alike: x·(1/x) = 1 is found without numbers.
+        assert_eq!(gradients[0], Gradient::from([(7, g.one().bare)]));
+        assert_eq!(gradients[1], Gradient::from([(7, held.bare)]));
+        assert!(gradients[2].is_empty());
+        assert_eq!(gradients[3], Gradient::from([(7, minus)]));
     }
 
     #[test]
     fn what_vanishes_has_no_entry() {
-        Graph::new().write(|g| {
-            let ([x, y], seed) = unknowns(g);
-            let (back, sign) = (x + y - y, y.unary(Unary::Sign));
-            let gradients = g.differentiate(&[back.bare, sign.bare], &seed);
-            assert_eq!(gradients[0].keys().copied().collect::<Vec<_>>(), [0]);
-            assert!(gradients[1].is_empty());
-        });
+        let graph = Growing::default();
+        let g = graph.sheet();
+        let ([x, y], seed) = unknowns(g);
+        let (back, sign) = (x + y - y, y.unary(Unary::Sign));
+        let gradients = g.differentiate(&[back.bare, sign.bare], &seed);
+        assert_eq!(gradients[0].keys().copied().collect::<Vec<_>>(), [0]);
+        assert!(gradients[1].is_empty());
     }
 }

@@ -17,4 +17,4 @@ pub use evaluate::{evaluate, evaluate_reachable, evaluate_with};
 pub use graph::{Class, Graph, Node, Op};
 pub use operation::{Compare, Unary, max, min};
 pub use rounding::{of_quotient, passed_on};
-pub use sheet::{Bare, On, Scalar, Sheet, all_bare};
+pub use sheet::{Bare, Growing, On, Scalar, Sheet, all_bare};

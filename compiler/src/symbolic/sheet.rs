@@ -5,7 +5,7 @@
 //! of an operator whose other side does.
 
 use super::{Class, Compare, Graph, Node, Unary};
-use std::cell::{RefCell, RefMut};
+use std::cell::{Ref, RefCell, RefMut};
 use std::ops::{Add, AddAssign, BitAnd, BitOr, Div, Mul, Neg, Not, Sub, SubAssign};
 
 /// The graph that equations are being written on.
@@ -23,13 +23,24 @@ pub struct On<'g, T> {
 /// A number of an equation.
 pub type Scalar<'g> = On<'g, Node>;
 
-impl Graph {
-    /// Writes equations with operators; what they leave behind is bare.
-    pub fn write<T>(&mut self, equations: impl FnOnce(Sheet) -> T) -> T {
-        let graph = RefCell::new(std::mem::take(self));
-        let result = equations(Sheet::new(&graph));
-        *self = graph.into_inner();
-        result
+/// A graph that may be written on by all who hold it: what is on it stays as it is, and further equations are added.
+#[derive(Clone, Debug, Default)]
+pub struct Growing(RefCell<Graph>);
+
+impl From<Graph> for Growing {
+    fn from(graph: Graph) -> Self {
+        Growing(RefCell::new(graph))
+    }
+}
+
+impl Growing {
+    /// The graph for equations with operators; what they leave behind is bare.
+    pub fn sheet(&self) -> Sheet<'_> {
+        Sheet(&self.0)
+    }
+    /// What is on it, for a time in which nothing is added.
+    pub fn read(&self) -> Ref<'_, Graph> {
+        self.0.borrow()
     }
 }
 
@@ -39,9 +50,6 @@ pub fn all_bare(values: &[Scalar]) -> Vec<Node> {
 }
 
 impl<'g> Sheet<'g> {
-    pub fn new(graph: &'g RefCell<Graph>) -> Self {
-        Sheet(graph)
-    }
     /// The graph itself, for a statement without operators, which would find it taken.
     #[inline]
     pub fn graph(self) -> RefMut<'g, Graph> {
@@ -267,14 +275,13 @@ mod tests {
 
     #[test]
     fn operators_make_what_calls_make_in_the_same_order() {
-        let mut written = Graph::new();
-        written.write(|g| {
-            let [k, rest, length] = ["k", "rest", "length"].map(|name| g.symbol(name, Class::Position));
-            let mut sum = k * (1.0 - rest / length) + 2.0 * length.sqrt();
-            sum += -rest;
-            sum -= k.bare;
-            sum.compare(Compare::Less, k).select(sum, k.bare * rest);
-        });
+        let written = Growing::default();
+        let g = written.sheet();
+        let [k, rest, length] = ["k", "rest", "length"].map(|name| g.symbol(name, Class::Position));
+        let mut sum = k * (1.0 - rest / length) + 2.0 * length.sqrt();
+        sum += -rest;
+        sum -= k.bare;
+        sum.compare(Compare::Less, k).select(sum, k.bare * rest);
         let mut called = Graph::new();
         let g = &mut called;
         let [k, rest, length] = ["k", "rest", "length"].map(|name| g.symbol(name, Class::Position));
@@ -292,16 +299,16 @@ mod tests {
         let mask = g.compare(Compare::Less, sum, k);
         let other = g.mul(k, rest);
         g.select(mask, sum, other);
-        assert!(written.nodes().eq(called.nodes()));
+        assert!(written.read().nodes().eq(called.nodes()));
     }
 
     #[test]
     fn sums_follow_all_of_their_terms() {
-        let mut graph = Graph::new();
-        let sum = graph.write(|g| {
-            let symbols = ["a", "b", "c"].map(|name| g.symbol(name, Class::Position));
-            g.sum(symbols.map(|x| x * x)).bare
-        });
+        let graph = Growing::default();
+        let g = graph.sheet();
+        let symbols = ["a", "b", "c"].map(|name| g.symbol(name, Class::Position));
+        let sum = g.sum(symbols.map(|x| x * x)).bare;
+        let graph = graph.read();
         let kinds: Vec<bool> = graph.nodes().skip(3).map(|(_, op)| matches!(op, Op::Mul(..))).collect();
         assert_eq!(kinds, [true, true, true, false, false, false]);
         assert_eq!(evaluate(&graph, &[1.0, 2.0, 3.0])[sum.index()], 14.0);

@@ -34,9 +34,8 @@ fn expressions(source: &str, options: &str, every: usize, checks: &[Check]) {
         let users = users(&sound, node);
         match reason(&sound, node, &users) {
             Some(reason) => *explained.entry(reason).or_default() += 1,
-            None => {
-                survivors.push(format!("{what} of {:?}, used by {users:?}", sound.equations.graph.op(node)))
-            }
+            None => survivors
+                .push(format!("{what} of {:?}, used by {users:?}", sound.equations.graph.read().op(node))),
         }
     }
     println!("{mutants} mutants, noticed by {tally:?}, not noticed {explained:?}");
@@ -142,12 +141,12 @@ fn is_solution(compiled: &Compiled, node: Node) -> bool {
         let solution = written.acceleration.iter().chain(&written.lambda);
         solution.chain(&written.kept).chain(&written.dependent)
     }));
-    compiled.equations.graph.reachable(nodes).contains(&node)
+    compiled.equations.graph.read().reachable(nodes).contains(&node)
 }
 
 /// Flipped signs, dropped terms and sums in place of products, of every node that a function needs.
 fn mutations(compiled: &Compiled) -> Vec<(Node, Op, &'static str)> {
-    let graph = &compiled.equations.graph;
+    let graph = compiled.equations.graph.read();
     let of = |function: &Function| outputs(&compiled.equations, &compiled.solved, *function);
     let mut found = Vec::new();
     for node in graph.reachable(Function::ALL.iter().flat_map(of)) {
@@ -171,7 +170,7 @@ fn mutations(compiled: &Compiled) -> Vec<(Node, Op, &'static str)> {
 /// The model with one node computed otherwise, and all programs written from that.
 fn with_node(sound: &Compiled, node: Node, op: Op) -> Compiled {
     let mut mutant = sound.clone();
-    mutant.equations.graph = sound.equations.graph.with(node, op);
+    mutant.equations.graph = sound.equations.graph.read().with(node, op).into();
     let optimized = optimize(&mutant.equations, &mutant.solved);
     mutant.programs = schedule(&mutant.equations, &optimized);
     mutant
@@ -181,7 +180,7 @@ fn with_node(sound: &Compiled, node: Node, op: Op) -> Compiled {
 fn users(compiled: &Compiled, node: Node) -> BTreeSet<Function> {
     let needs = |function: &Function| {
         let nodes = outputs(&compiled.equations, &compiled.solved, *function);
-        compiled.equations.graph.reachable(nodes).contains(&node)
+        compiled.equations.graph.read().reachable(nodes).contains(&node)
     };
     Function::ALL.into_iter().filter(needs).collect()
 }
@@ -194,9 +193,8 @@ fn wrong_sizes_of_rows_are_noticed() {
         for row in 0..sound.equations.rows.len() {
             for factor in [0.25, 4.0] {
                 let mut mutant = sound.clone();
-                let graph = &mut mutant.equations.graph;
-                let factor = graph.constant(factor);
-                mutant.solved.row_scales[row] = graph.mul(factor, mutant.solved.row_scales[row]);
+                let g = mutant.equations.graph.sheet();
+                mutant.solved.row_scales[row] = (factor * g.on(mutant.solved.row_scales[row])).bare;
                 let optimized = optimize(&mutant.equations, &mutant.solved);
                 mutant.programs = schedule(&mutant.equations, &optimized);
                 let found = self_check(&mutant, Extent::Thorough);

@@ -73,11 +73,7 @@ pub struct Assembly {
 }
 
 /// Puts the mechanism together; reports why if it cannot.
-pub fn assemble(
-    mechanism: &Mechanism,
-    equations: &mut Equations,
-    errors: &mut Diagnostics,
-) -> Option<Assembly> {
+pub fn assemble(mechanism: &Mechanism, equations: &Equations, errors: &mut Diagnostics) -> Option<Assembly> {
     let candidates = candidates(mechanism, equations);
     let equations = &*equations;
     let mut point = Point::at_defaults(mechanism, equations, &[]);
@@ -221,7 +217,7 @@ fn phases(mechanism: &Mechanism, equations: &Equations, point: &mut Point, q: &[
 }
 
 /// Coordinates that may serve as independent ones: as written, else `start`'s, else those of the tree.
-fn candidates(mechanism: &Mechanism, equations: &mut Equations) -> Vec<Condition> {
+fn candidates(mechanism: &Mechanism, equations: &Equations) -> Vec<Condition> {
     let mut coordinates: Vec<Coordinate> = Vec::new();
     coordinates.extend(mechanism.options.independent.iter().map(|(coordinate, _)| coordinate.clone()));
     if coordinates.is_empty() {
@@ -270,7 +266,7 @@ fn of_joint(mechanism: &Mechanism, joint: JointId) -> Vec<Coordinate> {
 /// what turns on balls and has none, rates. In the coordinates of `equations`.
 pub fn completion(
     mechanism: &Mechanism,
-    equations: &mut Equations,
+    equations: &Equations,
     assembly: &Assembly,
     independent: &[usize],
 ) -> Vec<Coordinate> {

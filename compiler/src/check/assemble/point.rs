@@ -17,7 +17,7 @@ pub struct Ancestry(Vec<Node>);
 
 impl Ancestry {
     pub fn of(equations: &Equations, nodes: impl IntoIterator<Item = Node>) -> Self {
-        Ancestry(equations.graph.reachable(nodes))
+        Ancestry(equations.graph.read().reachable(nodes))
     }
 
     /// Value, columns and drift of jets.
@@ -32,7 +32,7 @@ impl Ancestry {
 impl<'a> Point<'a> {
     /// All symbols zero.
     pub fn new(equations: &'a Equations) -> Self {
-        Point { equations, symbols: vec![0.0; equations.graph.symbol_count()], values: Vec::new() }
+        Point { equations, symbols: vec![0.0; equations.graph.read().symbol_count()], values: Vec::new() }
     }
 
     /// Parameters at their defaults, and the phases of couplings; the rest zero.
@@ -45,7 +45,7 @@ impl<'a> Point<'a> {
 
     pub fn set(&mut self, nodes: &[Node], values: &[f64]) {
         for (node, value) in nodes.iter().zip(values) {
-            if let Op::Symbol(symbol) = self.equations.graph.op(*node) {
+            if let Op::Symbol(symbol) = self.equations.graph.read().op(*node) {
                 self.symbols[symbol as usize] = *value;
             }
         }
@@ -62,7 +62,7 @@ impl<'a> Point<'a> {
     }
 
     pub fn evaluate(&mut self, ancestry: &Ancestry) {
-        evaluate_reachable(&self.equations.graph, &ancestry.0, &self.symbols, &mut self.values);
+        evaluate_reachable(&self.equations.graph.read(), &ancestry.0, &self.symbols, &mut self.values);
     }
 
     /// Value of a node that the last evaluations reached.

@@ -20,7 +20,7 @@ use std::collections::BTreeMap;
 /// like Σⱼ Dᵢⱼ²/Mⱼⱼ at the position where the row was largest.
 pub fn row_scales(
     mechanism: &Mechanism,
-    equations: &mut Equations,
+    equations: &Equations,
     assembly: &Assembly,
     massless: &Massless,
 ) -> Vec<Node> {
@@ -31,9 +31,9 @@ pub fn row_scales(
             Some(Largest { square, at }) => {
                 let constant = libm::exp2(1.0 + libm::round(libm::log2(square)));
                 varying(mechanism, equations, massless, row, &assembly.along[at], &assembly.phases, constant)
-                    .unwrap_or_else(|| equations.graph.constant(constant))
+                    .unwrap_or_else(|| equations.graph.sheet().number(constant).bare)
             }
-            None => equations.graph.constant(1.0),
+            None => equations.graph.sheet().number(1.0).bare,
         };
         scales.push(scale);
     }
@@ -101,7 +101,7 @@ fn largest(
 /// `constant` times what the parameters make of the row at `q`; `None` where they have no say.
 fn varying(
     mechanism: &Mechanism,
-    equations: &mut Equations,
+    equations: &Equations,
     massless: &Massless,
     row: usize,
     q: &[f64],
@@ -117,7 +117,8 @@ fn varying(
     let (positions, time) = (equations.symbols.q.clone(), equations.symbols.time);
     let mass: Vec<Option<Node>> =
         columns.iter().map(|(column, _)| equations.mass.get(&(*column, *column)).copied()).collect();
-    let size = equations.graph.write(|g| {
+    let g = equations.graph.sheet();
+    let size = {
         let mut here: BTreeMap<Node, Node> = BTreeMap::new();
         for (symbol, value) in positions.into_iter().zip(q) {
             here.insert(symbol, g.number(*value).bare);
@@ -135,12 +136,12 @@ fn varying(
         });
         let sum = g.sum(terms).bare;
         let size = g.on(g.graph().substitute(&[sum], &here)[0]);
-        size.value().is_none().then_some(size.bare)
-    })?;
+        size.value().is_none().then_some(size.bare)?
+    };
     let at_defaults = at_defaults(mechanism, equations, size, phases);
     let factor = constant / at_defaults;
     let usable = factor.is_finite() && factor > 0.0;
-    usable.then(|| equations.graph.write(|g| (factor * g.on(size)).bare))
+    usable.then(|| (factor * g.on(size)).bare)
 }
 
 fn of(jet: &Jet) -> Vec<(usize, Node)> {

@@ -123,10 +123,8 @@ pub fn sweep(
     if assembly.mobility.generic != 1 {
         return Err(Unswept::Freedoms(assembly.mobility.generic));
     }
-    // Coordinates that are watched need nodes of their own.
-    let mut equations = equations.clone();
-    let (watched, reference) = watched(mechanism, &mut equations, assembly, coordinates);
-    let (equations, q) = (&equations, assembly.q.as_slice());
+    let (watched, reference) = watched(mechanism, equations, assembly, coordinates);
+    let q = assembly.q.as_slice();
     let length = pins::longest_link(&pins::pins(
         mechanism,
         &mut Point::at_defaults(mechanism, equations, &assembly.phases),
@@ -169,7 +167,7 @@ pub fn sweep(
 /// The rows of the coordinates, and the index of the one by which positions are told: the independent one.
 fn watched(
     mechanism: &Mechanism,
-    equations: &mut Equations,
+    equations: &Equations,
     assembly: &Assembly,
     coordinates: &[Coordinate],
 ) -> (Vec<Condition>, usize) {

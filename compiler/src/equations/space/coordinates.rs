@@ -8,7 +8,7 @@ use super::vector::{self, Mat3, Vec3};
 use crate::equations::coordinates::{Ball, Layout, Linear, MultiTurn, Rotation, Symbols, symbols};
 use crate::equations::{Attachment, Laws, SpanningTree};
 use crate::model::{BodyId, BodyKind, Frame, JointId, Mechanism, Place, Rotor, fold};
-use crate::symbolic::{Graph, On, Scalar, Sheet};
+use crate::symbolic::{Growing, On, Scalar, Sheet};
 use std::collections::BTreeMap;
 use std::f64::consts::TAU;
 
@@ -109,12 +109,12 @@ pub fn constant_axis(mechanism: &Mechanism, joint: &crate::model::Joint, place: 
         return None;
     }
     let none = SpanningTree { attachments: Vec::new() };
-    let axis = Graph::new().write(|g| {
-        let symbols = symbols(g, mechanism, &layout(mechanism, &none));
-        let laws = Laws::constant(g, mechanism, &symbols);
-        let matrix = axes::matrix(&laws, &place.axes);
-        (matrix * laws.vector(axis).normalized()).parts().map(Scalar::value)
-    });
+    let graph = Growing::default();
+    let g = graph.sheet();
+    let symbols = symbols(g, mechanism, &layout(mechanism, &none));
+    let laws = Laws::constant(g, mechanism, &symbols);
+    let matrix = axes::matrix(&laws, &place.axes);
+    let axis = (matrix * laws.vector(axis).normalized()).parts().map(Scalar::value);
     let values: Vec<f64> = axis.into_iter().flatten().collect();
     values.try_into().ok()
 }
