@@ -12,7 +12,7 @@ mod drawing;
 mod driver;
 pub mod file;
 pub mod forms;
-mod functions;
+pub mod functions;
 mod messages;
 pub mod numbers;
 pub mod source;

@@ -8,6 +8,7 @@ use crate::zoo::{Floating, FloatingState, Shaken};
 use linkwright::{AssembleExt, Mechanism, Simulation, Vector, retract};
 use linkwright_compiler::equations::space::constant_axis;
 use linkwright_compiler::forms::Law;
+use linkwright_compiler::functions::{MOTION, REACTION};
 use linkwright_compiler::model::{Coordinates, Expr, Frame, Joint, Load, Mechanism as Mechanism_, Space};
 use linkwright_compiler::schedule::{self, Function, Inputs};
 use linkwright_compiler::{Compiled, compile_model};
@@ -224,9 +225,11 @@ fn joints_exert_nothing_along_their_freedom<M: Model>() {
         model.acceleration(at.time, &at.q, &at.v, &at.u, &mut a, &mut lambda);
         let reactions = model.flat_reactions(&at, &a, &lambda);
         let largest = reactions.iter().fold(0.0_f64, |largest, reaction| largest.max(reaction.abs()));
+        let kind = REACTION.of(compiled.mechanism.space);
+        let reactions = reactions.chunks(kind.length()).map(|reaction| kind.split(reaction));
         if compiled.mechanism.space == Space::Spatial {
             let motions = model.flat_motions(at.time, &at.q, &at.v, &a);
-            for (joint, reaction) in compiled.mechanism.joints.iter().zip(reactions.chunks(6)) {
+            for (joint, reaction) in compiled.mechanism.joints.iter().zip(reactions) {
                 for work in along_the_freedom(&compiled.mechanism, joint, reaction, &motions) {
                     let name = &joint.name.text;
                     assert!(work.abs() <= 1e-10 * largest, "{} {name}: {work} of {largest}", M::NAME);
@@ -234,7 +237,8 @@ fn joints_exert_nothing_along_their_freedom<M: Model>() {
             }
             continue;
         }
-        for (joint, reaction) in compiled.mechanism.joints.iter().zip(reactions.chunks(3)) {
+        for (joint, [force, torque]) in compiled.mechanism.joints.iter().zip(reactions) {
+            let wrench = [force[0], force[1], torque[0]];
             let free: &[usize] = match joint.word() {
                 "revolute" | "point_on_line" | "distance" => &[2],
                 "parallel" => &[0, 1],
@@ -242,7 +246,7 @@ fn joints_exert_nothing_along_their_freedom<M: Model>() {
                 "fixed" | "prismatic" => &[],
                 other => panic!("say what {other} lets move"),
             };
-            for work in free.iter().map(|component| reaction[*component]) {
+            for work in free.iter().map(|component| wrench[*component]) {
                 let name = &joint.name.text;
                 assert!(work.abs() <= 1e-11 * largest, "{} {name}: {work} of {largest}", M::NAME);
             }
@@ -252,15 +256,20 @@ fn joints_exert_nothing_along_their_freedom<M: Model>() {
 
 /// Components of a reaction in space along what its joint lets move: all of the torque of a ball, what lies along the axis
 /// of a revolute, prismatic, cylindrical or planar joint. Axes that depend on parameters are left to the reference.
-fn along_the_freedom(mechanism: &Mechanism_, joint: &Joint, reaction: &[f64], motions: &[f64]) -> Vec<f64> {
-    let (force, torque) = reaction.split_at(3);
+fn along_the_freedom(
+    mechanism: &Mechanism_,
+    joint: &Joint,
+    [force, torque]: [&[f64]; 2],
+    motions: &[f64],
+) -> Vec<f64> {
     let along = |direction: [f64; 3], vector: &[f64]| -> f64 {
         direction.iter().zip(vector).map(|(a, b)| a * b).sum()
     };
     let axis = || -> Option<[f64; 3]> {
         let axis = constant_axis(mechanism, joint, &joint.second)?;
         let Frame::Body(body) = joint.second.frame else { return Some(axis) };
-        let turned = &motions[24 * body.0 + 3..24 * body.0 + 12];
+        let kind = MOTION.of(mechanism.space);
+        let [_, turned, ..]: [&[f64]; 6] = kind.split(motions.chunks(kind.length()).nth(body.0)?);
         Some([0, 1, 2].map(|row| along(axis, &turned[3 * row..])))
     };
     match joint.word() {

@@ -1,13 +1,10 @@
 //! The implementation of `Assemble`: conditions of the start, and what the other formulations solve with.
 
 use super::body::{constant, literal};
-use super::function::{all, function, list};
-use super::names::Argument;
+use super::function::function;
 use super::{Emitter, array, solutions, tables};
-use crate::schedule::Function;
+use crate::functions::{CONDITION_JACOBIAN, Function, Shape};
 use std::fmt::Write;
-
-use Argument::{Constants, Q, Target, Time, V};
 
 pub fn assemble(text: &mut String, emitter: &Emitter) {
     let Emitter { inner, compiled, .. } = emitter;
@@ -52,59 +49,28 @@ pub fn assemble(text: &mut String, emitter: &Emitter) {
         let weights = array(massless.rows.values().map(|rho| literal(*rho)));
         let _ = writeln!(text, "const MASSLESS_WEIGHTS: &'static [f64] = &{weights};");
     }
-    let jets = equations.conditions.iter().map(|condition| &condition.jet);
-    let _ = writeln!(
-        text,
-        "const CONDITION_PATTERN: &'static [(u16, u16)] = {};",
-        tables::jacobian_pattern(jets)
-    );
+    tables::pattern(text, emitter, &CONDITION_JACOBIAN);
     let _ = writeln!(text, "const ELIMINATION: Elimination = {};", tables::elimination(emitter));
     for alias in ["Conditions", "ConditionJacobian", "Factor", "System", "Dense", "Basis", "Reduced"] {
         let _ = writeln!(text, "type {alias} = {alias}<R>;");
     }
-    let velocities = emitter.velocities();
+    let velocities = emitter.entries(Shape::Velocities);
     let _ = writeln!(
         text,
         "type Choice = [u16; {velocities}];\nfn choice() -> [u16; {velocities}] {{ [0; {velocities}] }}"
     );
-    let mut write =
-        |which: Function, arguments: &[Argument], signature: &str, result: fn(&[String]) -> String| {
-            function(text, &mut helpers, emitter, which, arguments, signature, result);
-        };
-    let position = [Constants, Time, Q];
-    let targeted = [Constants, Time, Q, Target];
-    let target = "time: R, q: &Q<R>, target: &Conditions<R>, out: &mut Conditions<R>";
-    write(Function::ConditionResidual, &targeted, &format!("condition_residual(&self, {target})"), all);
-    write(Function::ConditionCosines, &targeted, &format!("condition_cosines(&self, {target})"), all);
-    write(
+    for which in [
+        Function::ConditionResidual,
+        Function::ConditionCosines,
         Function::ConditionJacobian,
-        &position,
-        "condition_jacobian(&self, time: R, q: &Q<R>, out: &mut ConditionJacobian<R>)",
-        all,
-    );
-    write(
         Function::ConditionBias,
-        &[Constants, Time, Q, V],
-        "condition_bias(&self, time: R, q: &Q<R>, v: &V<R>, out: &mut Conditions<R>)",
-        all,
-    );
-    write(
         Function::ConditionDrift,
-        &position,
-        "condition_drift(&self, time: R, q: &Q<R>, out: &mut Conditions<R>)",
-        all,
-    );
-    write(Function::RowCosines, &position, "row_cosines(&self, time: R, q: &Q<R>, out: &mut Lambda<R>)", all);
-    write(Function::RowScales, &[Constants], "row_scales(&self, out: &mut Lambda<R>)", all);
-    write(
+        Function::RowCosines,
+        Function::RowScales,
         Function::StartTargets,
-        &[Constants],
-        "start_targets(&self, positions: &mut Conditions<R>, rates: &mut Conditions<R>)",
-        |outputs| {
-            let (positions, rates) = outputs.split_at(outputs.len() / 2);
-            format!("*positions = {};\n*rates = {};", list(positions), list(rates))
-        },
-    );
+    ] {
+        function(text, &mut helpers, emitter, which);
+    }
     solutions::factorisation(text, &mut helpers, emitter);
     solutions::null_space(text, &mut helpers, emitter);
     let numbers = |values: &[f64]| array(values.iter().map(|value| constant(*value)));
@@ -114,7 +80,7 @@ pub fn assemble(text: &mut String, emitter: &Emitter) {
     if !open.is_empty() {
         // The residual with the old phase is what the new phase differs by.
         text.push_str("fn fix_phases(&mut self, q: &Q<R>) {\nlet mut phi = [R::ZERO; ");
-        let _ = writeln!(text, "{}];\nself.constraints(R::ZERO, q, &mut phi);", emitter.rows());
+        let _ = writeln!(text, "{}];\nself.constraints(R::ZERO, q, &mut phi);", emitter.entries(Shape::Rows));
         text.push_str("let mut phases = self.phases;\n");
         for (phase, row) in open.iter().enumerate() {
             let _ = writeln!(text, "phases[{phase}] = phases[{phase}] + phi[{row}];");

@@ -8,7 +8,9 @@
 //! ```
 //! Text that is parsed once is ten times faster to produce than token streams.
 
+use super::Emitter;
 use super::names::Names;
+use crate::functions::Argument;
 use crate::schedule::{Instruction, LONG, Operand, Program, Source, last_uses, live};
 use crate::symbolic::Unary;
 use std::collections::BTreeSet;
@@ -22,6 +24,8 @@ pub struct Body {
     /// Loads, instructions; the outputs' expressions are given apart.
     pub statements: String,
     pub outputs: Vec<String>,
+    /// Whether the statements name the constants of the prepared model.
+    pub reads_constants: bool,
     /// Items to be placed beside the function.
     pub helpers: String,
 }
@@ -38,7 +42,14 @@ pub struct Front<'a> {
 }
 
 /// Writes a program. `helper` is the prefix of the names of helper functions.
-pub fn body(program: &Program, cut: &Cut, names: &Names, helper: &str, front: Option<&Front>) -> Body {
+pub fn body(
+    program: &Program,
+    cut: &Cut,
+    emitter: &Emitter,
+    names: &Names,
+    helper: &str,
+    front: Option<&Front>,
+) -> Body {
     let mut statements = String::new();
     let mut helpers = String::new();
     let size = cut.size;
@@ -46,17 +57,17 @@ pub fn body(program: &Program, cut: &Cut, names: &Names, helper: &str, front: Op
         let _ = writeln!(statements, "let mut w = [R::ZERO; {size}];");
     }
     let Some((last, before)) = cut.parts.split_last() else {
-        return Body { statements, outputs: Vec::new(), helpers };
+        return Body { statements, outputs: Vec::new(), reads_constants: false, helpers };
     };
     for (index, part) in before.iter().enumerate() {
         let front = front.filter(|front| part.end <= front.length);
         let (names, helper) = front.map_or((names, helper), |front| (front.names, front.helper));
-        let _ = writeln!(statements, "{helper}_{index}({}, &mut w);", names.arguments());
+        let _ = writeln!(statements, "{helper}_{index}({}, &mut w);", names.passed_on());
         if front.is_none_or(|front| front.write) {
             let _ = writeln!(
                 helpers,
                 "#[inline(never)] fn {helper}_{index}<R: Real>({}, w: &mut [R; {size}]) {{",
-                names.signature()
+                names.declarations(emitter)
             );
             part_of(&mut helpers, program, part, &[], names);
             for (value, slot) in &part.given {
@@ -67,14 +78,16 @@ pub fn body(program: &Program, cut: &Cut, names: &Names, helper: &str, front: Op
             helpers.push_str("}\n");
         }
     }
-    part_of(&mut statements, program, last, &program.outputs, names);
+    let used = part_of(&mut statements, program, last, &program.outputs, names);
+    let own = used.iter().any(|source| source.argument == Argument::Constants);
     let outputs = program.outputs.iter().map(|output| match output {
         Operand::Value(value) if (*value as usize) < last.start => {
             format!("w[{}]", cut.slots[*value as usize].unwrap_or(0))
         }
         _ => operand(*output, names),
     });
-    Body { outputs: outputs.collect(), statements, helpers }
+    let reads_constants = own || !before.is_empty();
+    Body { outputs: outputs.collect(), statements, reads_constants, helpers }
 }
 
 /// A stretch of a program: instructions and the values that it takes from the array and gives to it, with their slots.
@@ -181,10 +194,16 @@ fn allot(program: &Program, front: usize, last_use: &[usize]) -> Cut {
     Cut { parts, size, slots }
 }
 
-/// Loads, values taken from the array, and instructions of one part.
-fn part_of(text: &mut String, program: &Program, part: &Part, outputs: &[Operand], names: &Names) {
+/// Loads, values taken from the array, and instructions of one part; what is loaded.
+fn part_of(
+    text: &mut String,
+    program: &Program,
+    part: &Part,
+    outputs: &[Operand],
+    names: &Names,
+) -> BTreeSet<Source> {
     let instructions = &program.instructions[part.start..part.end];
-    loads(text, instructions.iter(), outputs, names);
+    let used = loads(text, instructions.iter(), outputs, names);
     for (value, slot) in &part.taken {
         text.push_str("let ");
         names.push_value(text, *value as u32);
@@ -193,6 +212,7 @@ fn part_of(text: &mut String, program: &Program, part: &Part, outputs: &[Operand
     for (offset, instruction) in instructions.iter().enumerate() {
         statement(text, part.start + offset, instruction, names);
     }
+    used
 }
 
 /// `let` for every source that the instructions or outputs name.
@@ -201,7 +221,7 @@ fn loads<'a>(
     instructions: impl Iterator<Item = &'a Instruction>,
     outputs: &[Operand],
     names: &Names,
-) {
+) -> BTreeSet<Source> {
     let mut used: BTreeSet<Source> = BTreeSet::new();
     let operands = instructions.flat_map(|instruction| instruction.operands());
     for operand in operands.chain(outputs.iter().copied()) {
@@ -209,13 +229,14 @@ fn loads<'a>(
             used.insert(source);
         }
     }
-    for source in used {
-        if let Some(place) = names.place(source) {
+    for source in &used {
+        if let Some(place) = names.place(*source) {
             text.push_str("let ");
-            names.push_source(text, source);
+            names.push_source(text, *source);
             let _ = writeln!(text, " = {place};");
         }
     }
+    used
 }
 
 fn statement(text: &mut String, index: usize, instruction: &Instruction, names: &Names) {

@@ -3,7 +3,8 @@
 use super::body::literal;
 use super::names::field;
 use super::{Emitter, array, coordinates_json, documentation, quoted};
-use crate::schedule::{Function, count};
+use crate::functions::{Function, Shape};
+use crate::schedule::count;
 use std::fmt::Write;
 
 const DERIVES: &str = "#[derive(::core::clone::Clone, ::core::marker::Copy, ::core::fmt::Debug, \
@@ -28,8 +29,8 @@ pub fn items(text: &mut String, emitter: &Emitter, source: &str) {
         text,
         "#[doc = \"Positions and velocities of [`{name}`].\"] {visibility} type {name}State<R = {F64}> = \
          {path}::State<[R; {}], [R; {}]>;",
-        emitter.positions(),
-        emitter.velocities()
+        emitter.entries(Shape::Positions),
+        emitter.entries(Shape::Velocities)
     );
     constants(text, emitter, source);
 }

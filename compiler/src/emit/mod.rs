@@ -35,10 +35,10 @@ pub use home::Home;
 pub use stub::stub;
 
 use crate::compiled::Compiled;
+use crate::functions::{Function, Group, Signature};
 use crate::model::Mechanism;
-use crate::schedule::Function;
 use crate::self_check;
-use names::{Argument, Names, field};
+use names::Names;
 use proc_macro2::TokenStream;
 use std::fmt::Write;
 
@@ -67,13 +67,6 @@ fn text(emitter: &Emitter, source: &str) -> String {
     mechanism::mechanism(&mut implementations, emitter);
     assemble::assemble(&mut implementations, emitter);
     tangent::tangent(&mut text, &mut implementations, emitter);
-    // A type alias may not leave its scalar unused, so `()` stands for itself where nothing is given.
-    if emitter.mechanism.inputs.is_empty() {
-        implementations = replace_word(&implementations, "Inputs<R>", "()");
-    }
-    if emitter.mechanism.outputs.is_empty() {
-        implementations = replace_word(&implementations, "Outputs<R>", "()");
-    }
     text.push_str(&implementations);
     text.push_str("};\n");
     if emitter.mechanism.options.self_check.is_none() {
@@ -108,7 +101,6 @@ struct Emitter<'a> {
     /// The path of the names that emitted code may use, as `::linkwright::__private::v1`.
     path: String,
     names: Names,
-    input_fields: Vec<String>,
     /// The cuts of the two solutions, where they have something in common.
     cuts: Option<[body::Cut; 2]>,
 }
@@ -127,84 +119,47 @@ impl<'a> Emitter<'a> {
             visibility: mechanism.visibility.to_string(),
             path,
             names: Names::new(&compiled.equations, &compiled.hoisted),
-            input_fields: mechanism.inputs.iter().map(|input| field(&input.name.identifier())).collect(),
             cuts: (programs.shared > 0).then(|| body::Cut::of_pair(pair, programs.shared)),
         }
     }
 
-    fn velocities(&self) -> usize {
-        self.compiled.equations.layout.velocities()
-    }
-    fn positions(&self) -> usize {
-        self.compiled.equations.layout.positions()
-    }
-    fn rows(&self) -> usize {
-        self.compiled.equations.rows.len()
-    }
-    fn conditions(&self) -> usize {
-        self.compiled.equations.conditions.len()
-    }
-
-    /// What the results of a function are called in its body.
-    fn labels(&self, function: Function) -> Vec<String> {
-        let equations = &self.compiled.equations;
-        let velocities = equations.layout.velocity_names(self.mechanism);
-        let rows = |prefix: &str| -> Vec<String> {
-            equations.rows.iter().map(|row| format!("{prefix}_{}_{}", row.of, row.form.name)).collect()
+    /// What the results of a function are called in its body; nothing where they are numbered.
+    fn labels(&self, signature: &Signature) -> Vec<Option<String>> {
+        let Compiled { equations, solved, .. } = self.compiled;
+        let of_group = |group: &Group| -> Vec<Option<String>> {
+            match group.label {
+                Some(label) => {
+                    let names = group.shape.names(self.mechanism, equations).into_iter();
+                    names.map(|name| Some(label.replace("{}", &name))).collect()
+                }
+                None => vec![None; (group.nodes)(equations, solved).len()],
+            }
         };
-        match function {
-            Function::Acceleration | Function::AccelerationBaumgarte => {
-                let accelerations = velocities.iter().map(|name| format!("{name}_dot"));
-                let pivot = "smallest_pivot".to_string();
-                accelerations.chain(rows("lambda")).chain([pivot]).collect()
-            }
-            Function::Constraints => rows("phi"),
-            Function::Nu => rows("nu"),
-            Function::Gamma => rows("gamma"),
-            Function::Forces => velocities.iter().map(|name| format!("force_{name}")).collect(),
-            Function::Outputs => {
-                self.mechanism.outputs.iter().map(|output| output.name.identifier()).collect()
-            }
-            _ => Vec::new(),
-        }
+        signature.results.iter().flat_map(of_group).collect()
     }
 
-    /// A program in a function with these arguments; helper functions go to `helpers`.
-    fn body(&self, function: Function, arguments: &[Argument], helpers: &mut String) -> body::Body {
+    /// The program of a function; helper functions go to `helpers`.
+    fn body(&self, function: Function, helpers: &mut String) -> body::Body {
         let programs = &self.compiled.programs;
-        let program = programs.get(function);
-        let names = self.names.within(arguments, &self.input_fields);
-        let names = names.with_results(&program.outputs, &self.labels(function));
-        let helper = format!("{}_part", function.name());
+        let (program, signature) = (programs.get(function), function.signature());
+        let names = self.names.within(signature.arguments);
+        let names = names.with_results(&program.outputs, &self.labels(signature));
+        let helper = format!("{}_part", signature.name);
         let mut body = match (&self.cuts, function) {
             (Some([plain, stabilised]), Function::Acceleration | Function::AccelerationBaumgarte) => {
                 // What both have in common is set up and factored in functions that both call.
                 let first = function == Function::Acceleration;
-                let common = self.names.within(&function::SOLUTION, &self.input_fields);
+                let common = self.names.within(Function::Acceleration.signature().arguments);
                 let front =
                     body::Front { length: programs.shared, names: &common, helper: "factored", write: first };
                 let cut = if first { plain } else { stabilised };
-                body::body(program, cut, &names, &helper, Some(&front))
+                body::body(program, cut, self, &names, &helper, Some(&front))
             }
-            _ => body::body(program, &body::Cut::of(program), &names, &helper, None),
+            _ => body::body(program, &body::Cut::of(program), self, &names, &helper, None),
         };
         helpers.push_str(&std::mem::take(&mut body.helpers));
         body
     }
-}
-
-/// Replaces a name wherever it is not the end of a longer one.
-fn replace_word(text: &str, word: &str, by: &str) -> String {
-    let mut result = String::with_capacity(text.len());
-    for piece in text.split_inclusive(word) {
-        let before = piece.strip_suffix(word);
-        let whole = before.filter(|before| !before.ends_with(|c: char| c.is_alphanumeric() || c == '_'));
-        match whole {
-            Some(before) => result.extend([before, by]),
-            None => result.push_str(piece),
-        }
-    }
-    result
 }
 
 /// `[a, b, c]`.

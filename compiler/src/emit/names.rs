@@ -1,6 +1,9 @@
 //! Names in emitted code: the user's where there are any, and never two alike.
 
+use super::Emitter;
+use super::function::declaration;
 use crate::equations::Equations;
+use crate::functions::{ARGUMENTS, Argument, FUNCTIONS, Given, Shape, Way};
 use crate::schedule::{Operand, Source};
 use crate::symbolic::{Node, Op};
 use std::collections::{BTreeMap, BTreeSet};
@@ -9,64 +12,34 @@ use std::rc::Rc;
 /// Names of all sources, and which arguments the function being written has.
 pub struct Names {
     names: Rc<BTreeMap<Source, String>>,
-    /// Fields of the parameters, whose values may have other names in functions.
+    /// Fields of the parameters and inputs, whose values may have other names in functions.
     parameter_fields: Rc<Vec<String>>,
-    input_fields: Vec<String>,
-    arguments: Vec<Argument>,
+    input_fields: Rc<Vec<String>>,
+    arguments: &'static [Argument],
     taken: Rc<BTreeSet<String>>,
     /// Names of instructions that are results, by index.
     results: Vec<Option<String>>,
-}
-
-/// An argument of an emitted function and its type.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub enum Argument {
-    Constants,
-    Parameters,
-    Phases,
-    Time,
-    Q,
-    V,
-    Inputs,
-    TwoAlpha,
-    BetaSquared,
-    Acceleration,
-    Lambda,
-    Target,
-    Compliance,
-    GivenForces,
-    GivenRows,
-    Store,
-    Lu,
 }
 
 impl Names {
     pub fn new(equations: &Equations, hoisted: &[Node]) -> Self {
         let symbols = &equations.symbols;
         let mut names = BTreeMap::new();
-        let mut taken: BTreeSet<String> = RESERVED.iter().map(|word| word.to_string()).collect();
-        let mut claim = |nodes: &[Node], source: fn(u32) -> Source| {
-            for (index, node) in nodes.iter().enumerate() {
+        let mut taken = reserved();
+        for Given { argument, shape, symbols: of, .. } in &ARGUMENTS {
+            for (index, node) in of(symbols).iter().enumerate() {
                 let Op::Symbol(symbol) = equations.graph.read().op(*node) else { continue };
+                if matches!(shape, Shape::Scalar) {
+                    // Numbers are called as the argument is.
+                    continue;
+                }
                 let mut name = readable(equations.graph.read().symbol_name(symbol));
                 while !taken.insert(name.clone()) {
                     name.push('_');
                 }
-                names.insert(source(index as u32), name);
+                names.insert(Source { argument: *argument, index: index as u32 }, name);
             }
-        };
-        claim(&symbols.q, Source::Q);
-        claim(&symbols.v, Source::V);
-        claim(&symbols.inputs, Source::Input);
-        claim(&symbols.acceleration, Source::Acceleration);
-        claim(&symbols.lambda, Source::Lambda);
-        claim(&symbols.targets, Source::Target);
-        claim(&symbols.given_forces, Source::GivenForce);
-        claim(&symbols.given_rows, Source::GivenRow);
-        claim(&symbols.kept, Source::Kept);
-        claim(&symbols.lu, Source::Lu);
-        claim(&symbols.parameters, Source::Parameter);
-        claim(&symbols.phases, Source::Phase);
+        }
         // A constant of the prepared model that is a parameter as it stands keeps the parameter's name.
         let same = |node: &Node| symbols.parameters.iter().position(|parameter| parameter == node);
         let kept: Vec<(u32, u32)> = hoisted
@@ -75,41 +48,45 @@ impl Names {
             .filter_map(|(index, node)| Some((index as u32, same(node)? as u32)))
             .collect();
         for (index, parameter) in kept {
-            if let Some(name) = names.get(&Source::Parameter(parameter)).cloned() {
-                names.insert(Source::Prepared(index), name);
+            let parameter = Source { argument: Argument::Parameters, index: parameter };
+            if let Some(name) = names.get(&parameter).cloned() {
+                names.insert(Source { argument: Argument::Constants, index }, name);
             }
         }
-        let fields = symbols.parameters.iter().map(|node| match equations.graph.read().op(*node) {
-            Op::Symbol(symbol) => field(equations.graph.read().symbol_name(symbol)),
-            _ => String::new(),
-        });
+        let fields = |nodes: &[Node]| {
+            let of = |node: &Node| match equations.graph.read().op(*node) {
+                Op::Symbol(symbol) => field(equations.graph.read().symbol_name(symbol)),
+                _ => String::new(),
+            };
+            Rc::new(nodes.iter().map(of).collect())
+        };
         Names {
             names: Rc::new(names),
-            parameter_fields: Rc::new(fields.collect()),
-            input_fields: Vec::new(),
-            arguments: Vec::new(),
+            parameter_fields: fields(&symbols.parameters),
+            input_fields: fields(&symbols.inputs),
+            arguments: &[],
             taken: Rc::new(taken),
             results: Vec::new(),
         }
     }
 
-    /// The same names within a function of these arguments, whose inputs have these field names.
-    pub fn within(&self, arguments: &[Argument], input_fields: &[String]) -> Names {
+    /// The same names within a function of these arguments.
+    pub fn within(&self, arguments: &'static [Argument]) -> Names {
         Names {
             names: Rc::clone(&self.names),
             parameter_fields: Rc::clone(&self.parameter_fields),
-            input_fields: input_fields.to_vec(),
-            arguments: arguments.to_vec(),
+            input_fields: Rc::clone(&self.input_fields),
+            arguments,
             taken: Rc::clone(&self.taken),
             results: Vec::new(),
         }
     }
 
     /// The same names, with results called by what they are; `labels` in the order of the outputs.
-    pub fn with_results(mut self, outputs: &[Operand], labels: &[String]) -> Names {
+    pub fn with_results(mut self, outputs: &[Operand], labels: &[Option<String>]) -> Names {
         let mut used = BTreeSet::new();
         for (output, label) in outputs.iter().zip(labels) {
-            let Operand::Value(index) = output else { continue };
+            let (Operand::Value(index), Some(label)) = (output, label) else { continue };
             let mut name = readable(label);
             while self.taken.contains(&name) || used.contains(&name) {
                 name.push('_');
@@ -132,114 +109,43 @@ impl Names {
 
     /// Appends the name of a source.
     pub fn push_source(&self, text: &mut String, source: Source) {
-        match (source, self.names.get(&source)) {
-            (_, Some(name)) => text.push_str(name),
-            (Source::Time, _) => text.push_str("time"),
-            (Source::TwoAlpha, _) => text.push_str("two_alpha"),
-            (Source::BetaSquared, _) => text.push_str("beta_squared"),
-            (Source::Compliance, _) => text.push_str("compliance"),
-            (Source::Prepared(index), _) => push_numbered(text, 'k', index),
-            (_, None) => {}
+        match self.names.get(&source) {
+            Some(name) => text.push_str(name),
+            None if source.argument == Argument::Constants => push_numbered(text, 'k', source.index),
+            None => text.push_str(source.argument.name()),
         }
     }
 
     /// Where a source is read from; `None` if it is an argument itself.
-    pub fn place(&self, source: Source) -> Option<String> {
-        Some(match source {
-            Source::Time | Source::TwoAlpha | Source::BetaSquared | Source::Compliance => return None,
-            Source::Parameter(index) => format!("parameters.{}", self.parameter_fields[index as usize]),
-            Source::Phase(index) => format!("phases[{index}]"),
-            Source::Q(index) => format!("q[{index}]"),
-            Source::V(index) => format!("v[{index}]"),
-            Source::Input(index) => format!("u.{}", self.input_fields[index as usize]),
-            Source::Acceleration(index) => format!("a[{index}]"),
-            Source::Lambda(index) => format!("lambda[{index}]"),
-            Source::Target(index) => format!("target[{index}]"),
-            Source::GivenForce(index) => format!("forces[{index}]"),
-            Source::GivenRow(index) => format!("rows[{index}]"),
-            Source::Kept(index) => format!("store[{index}]"),
-            Source::Lu(index) => format!("lu[{index}]"),
-            Source::Prepared(index) => format!("constants[{index}]"),
+    pub fn place(&self, Source { argument, index }: Source) -> Option<String> {
+        let given = argument.given();
+        Some(match given.shape {
+            Shape::Scalar => return None,
+            Shape::Parameters => format!("{}.{}", given.name, self.parameter_fields[index as usize]),
+            Shape::Inputs => format!("{}.{}", given.name, self.input_fields[index as usize]),
+            _ => format!("{}[{index}]", given.name),
         })
     }
 
-    /// Parameters of a helper function, with its types to be found by inference of the caller's aliases.
-    pub fn signature(&self) -> String {
-        self.arguments.iter().map(|argument| argument.declaration()).collect::<Vec<_>>().join(", ")
+    /// The arguments of a helper function.
+    pub fn declarations(&self, emitter: &Emitter) -> String {
+        let declared =
+            self.arguments.iter().map(|argument| declaration(*argument, |shape| emitter.type_of(shape)));
+        declared.collect::<Vec<_>>().join(", ")
     }
 
     /// The same arguments as they are passed on.
-    pub fn arguments(&self) -> String {
+    pub fn passed_on(&self) -> String {
         self.arguments.iter().map(|argument| argument.name()).collect::<Vec<_>>().join(", ")
     }
 }
 
-impl Argument {
-    pub fn name(self) -> &'static str {
-        match self {
-            Argument::Constants => "constants",
-            Argument::Parameters => "parameters",
-            Argument::Phases => "phases",
-            Argument::Time => "time",
-            Argument::Q => "q",
-            Argument::V => "v",
-            Argument::Inputs => "u",
-            Argument::TwoAlpha => "two_alpha",
-            Argument::BetaSquared => "beta_squared",
-            Argument::Acceleration => "a",
-            Argument::Lambda => "lambda",
-            Argument::Target => "target",
-            Argument::Compliance => "compliance",
-            Argument::GivenForces => "forces",
-            Argument::GivenRows => "rows",
-            Argument::Store => "store",
-            Argument::Lu => "lu",
-        }
-    }
-
-    /// `q: &Q<R>`, by the type aliases that stand beside the functions.
-    fn declaration(self) -> String {
-        let kind = match self {
-            Argument::Constants => "&Constants<R>",
-            Argument::Parameters => "&Parameters<R>",
-            Argument::Phases => "&Phases<R>",
-            Argument::Time | Argument::TwoAlpha | Argument::BetaSquared | Argument::Compliance => "R",
-            Argument::Q => "&Q<R>",
-            Argument::V | Argument::Acceleration | Argument::GivenForces => "&V<R>",
-            Argument::Inputs => "&Inputs<R>",
-            Argument::Lambda | Argument::GivenRows => "&Lambda<R>",
-            Argument::Store => "&Store<R>",
-            Argument::Lu => "&Lu<R>",
-            Argument::Target => "&Conditions<R>",
-        };
-        format!("{}: {kind}", self.name())
-    }
+/// Words that emitted functions use themselves: arguments, what results are written to, and values between helper functions.
+fn reserved() -> BTreeSet<String> {
+    let results = FUNCTIONS.iter().flat_map(|signature| signature.results);
+    let written = results.filter(|group| group.way == Way::Written).map(|group| group.name);
+    ARGUMENTS.iter().map(|given| given.name).chain(written).chain(["w"]).map(str::to_string).collect()
 }
-
-/// Words that emitted functions use themselves.
-const RESERVED: [&str; 21] = [
-    "time",
-    "q",
-    "v",
-    "u",
-    "a",
-    "lambda",
-    "target",
-    "constants",
-    "parameters",
-    "phases",
-    "two_alpha",
-    "beta_squared",
-    "compliance",
-    "forces",
-    "rows",
-    "store",
-    "lu",
-    "w",
-    "out",
-    "stiffness_out",
-    "damping_out",
-];
 
 fn push_numbered(text: &mut String, letter: char, index: u32) {
     text.push(letter);

@@ -3,9 +3,12 @@
 //! Every name that other code may use exists, with the types it would have as far as the broken definition tells; the
 //! functions do nothing. None of it can run, because the crate does not compile.
 
+use super::function::head;
 use super::home::Home;
 use super::names::{field, is_keyword};
 use crate::driver::header;
+use crate::functions::{DERIVATIVES, FUNCTIONS, Interface, Shape, Signature};
+use crate::model::Space;
 use crate::syntax::Header;
 use proc_macro2::TokenStream;
 use std::fmt::Write;
@@ -86,23 +89,21 @@ fn constants(text: &mut String, header: &Header) {
 
 fn implementations(text: &mut String, header: &Header) {
     let name = header.name.to_string();
-    let given = |(fields, suffix): (&[String], &str)| {
-        if fields.is_empty() { "()".to_string() } else { format!("{name}{suffix}<R>") }
-    };
-    let [_, inputs, outputs] = header.structs().map(given);
-    let [bodies, joints, loads, drivers] = header.counts.unwrap_or([MANY; 4]).map(|count| count.to_string());
     let list = format!("[R; {MANY}]");
-    let (motion, reaction) = match header.spatial {
-        true => ("SpatialMotion", "SpatialReaction"),
-        false => ("BodyMotion", "Reaction"),
+    let functions = |interface: Interface| {
+        let own = FUNCTIONS.iter().filter(|signature| signature.interface == interface);
+        own.map(|signature| function(header, &list, signature)).collect::<String>()
     };
+    let [_, inputs, outputs] = header.structs().map(|given| header.given(given));
+    let matrices = DERIVATIVES.map(|matrix| {
+        format!("const {}: &'static [(u16, u16)] = &[];\ntype {} = {list};\n", matrix.pattern, matrix.name)
+    });
     let replaced = TEMPLATE
-        .replace("@BODIES@", &bodies)
-        .replace("@JOINTS@", &joints)
-        .replace("@LOADS@", &loads)
-        .replace("@DRIVERS@", &drivers)
-        .replace("@MOTION@", motion)
-        .replace("@REACTION@", reaction)
+        .replace("@FUNCTIONS@", &functions(Interface::Model))
+        .replace("@FUNCTIONS_OF_MECHANISM@", &functions(Interface::Mechanism))
+        .replace("@FUNCTIONS_OF_ASSEMBLE@", &functions(Interface::Assemble))
+        .replace("@FUNCTIONS_OF_TANGENT@", &functions(Interface::Tangent))
+        .replace("@DERIVATIVES@", &matrices.concat())
         .replace("@NAME@", &name)
         .replace("@INPUTS@", &inputs)
         .replace("@OUTPUTS@", &outputs)
@@ -113,6 +114,54 @@ fn implementations(text: &mut String, header: &Header) {
         if suffix == "Parameters" || !fields.is_empty() {
             let fields = FIELDS.replace("@STRUCT@", &format!("{name}{suffix}")).replace("@LIST@", &list);
             text.push_str(&fields);
+        }
+    }
+}
+
+/// A function that does nothing.
+fn function(header: &Header, list: &str, signature: &Signature) -> String {
+    let type_of = |shape: Shape| header.type_of(shape, list);
+    let access = if signature.interface == Interface::Model { "pub " } else { "" };
+    let head = head(signature, type_of, |shape| header.count(shape).to_string());
+    format!("{access}{head} {{ loop {{}} }}\n")
+}
+
+impl Header {
+    /// The struct of these fields; `()` where there are none.
+    fn given(&self, (fields, suffix): (&[String], &str)) -> String {
+        if fields.is_empty() && suffix != "Parameters" {
+            "()".to_string()
+        } else {
+            format!("{}{suffix}<R>", self.name)
+        }
+    }
+
+    /// A shape as far as the definition tells: lists of numbers are long.
+    fn type_of(&self, shape: Shape, list: &str) -> String {
+        let [parameters, inputs, outputs] = self.structs();
+        let space = if self.spatial { Space::Spatial } else { Space::Planar };
+        match shape {
+            Shape::Scalar => "R".to_string(),
+            Shape::Parameters => self.given(parameters),
+            Shape::Inputs => self.given(inputs),
+            Shape::Outputs => self.given(outputs),
+            Shape::Bodies(record) | Shape::Joints(record) => {
+                format!("[{}<R>; {}]", record.of(space).name, self.count(shape))
+            }
+            Shape::Loads | Shape::Drivers => format!("[R; {}]", self.count(shape)),
+            _ => list.to_string(),
+        }
+    }
+
+    /// Entries of lists whose length other code may rely on.
+    fn count(&self, shape: Shape) -> usize {
+        let [bodies, joints, loads, drivers] = self.counts.unwrap_or([MANY; 4]);
+        match shape {
+            Shape::Bodies(_) => bodies,
+            Shape::Joints(_) => joints,
+            Shape::Loads => loads,
+            Shape::Drivers => drivers,
+            _ => MANY,
         }
     }
 }
@@ -140,11 +189,7 @@ impl<R: Real> Default for @NAME@<R> { fn default() -> Self { loop {} } }
 impl<R: Real> @NAME@<R> {
     pub fn prepare(parameters: @NAME@Parameters<R>) -> Result<Self, SettingError> { loop {} }
     pub fn parameters(&self) -> &@NAME@Parameters<R> { loop {} }
-    pub fn motions(&self, time: R, q: &@LIST@, v: &@LIST@, a: &@LIST@) -> [@MOTION@<R>; @BODIES@] { loop {} }
-    pub fn reactions(&self, time: R, q: &@LIST@, v: &@LIST@, u: &@INPUTS@, a: &@LIST@, l: &@LIST@) -> [@REACTION@<R>; @JOINTS@] { loop {} }
-    pub fn inverse_dynamics(&self, time: R, q: &@LIST@, v: &@LIST@, u: &@INPUTS@, a: &@LIST@) -> @LIST@ { loop {} }
-    pub fn powers(&self, time: R, q: &@LIST@, v: &@LIST@, u: &@INPUTS@) -> [R; @LOADS@] { loop {} }
-    pub fn driver_efforts(&self, time: R, q: &@LIST@, v: &@LIST@, lambda: &@LIST@) -> [[R; 2]; @DRIVERS@] { loop {} }
+    @FUNCTIONS@
 }
 impl<R: Real> Mechanism<R> for @NAME@<R> {
     const NAME: &'static str = \"\";
@@ -156,18 +201,8 @@ impl<R: Real> Mechanism<R> for @NAME@<R> {
     const JACOBIAN_PATTERN: &'static [(u16, u16)] = &[];
     type Q = @LIST@; type V = @LIST@; type Lambda = @LIST@; type Mass = @LIST@; type Jacobian = @LIST@;
     type Inputs = @INPUTS@; type Outputs = @OUTPUTS@;
-    fn mass_matrix(&self, time: R, q: &@LIST@, out: &mut @LIST@) {}
-    fn constraints(&self, time: R, q: &@LIST@, out: &mut @LIST@) {}
-    fn constraint_jacobian(&self, time: R, q: &@LIST@, out: &mut @LIST@) {}
-    fn nu(&self, time: R, q: &@LIST@, out: &mut @LIST@) {}
-    fn gamma(&self, time: R, q: &@LIST@, v: &@LIST@, out: &mut @LIST@) {}
-    fn forces(&self, time: R, q: &@LIST@, v: &@LIST@, u: &@INPUTS@, out: &mut @LIST@) {}
-    fn kinetic_energy(&self, time: R, q: &@LIST@, v: &@LIST@) -> R { loop {} }
-    fn potential_energy(&self, time: R, q: &@LIST@) -> R { loop {} }
-    fn acceleration(&self, time: R, q: &@LIST@, v: &@LIST@, u: &@INPUTS@, a: &mut @LIST@, l: &mut @LIST@) -> R { loop {} }
-    fn acceleration_baumgarte(&self, time: R, q: &@LIST@, v: &@LIST@, u: &@INPUTS@, x: R, y: R, a: &mut @LIST@, l: &mut @LIST@) -> R { loop {} }
-    fn outputs(&self, time: R, q: &@LIST@, v: &@LIST@, u: &@INPUTS@) -> @OUTPUTS@ { loop {} }
     fn unwrap(outputs: &mut @OUTPUTS@, previous: &@OUTPUTS@) {}
+    @FUNCTIONS_OF_MECHANISM@
 }
 impl<R: Real> Assemble<R> for @NAME@<R> {
     const CONDITIONS: &'static [Condition] = &[];
@@ -182,46 +217,20 @@ impl<R: Real> Assemble<R> for @NAME@<R> {
     type Dense = @LIST@; type Basis = @LIST@; type Reduced = @LIST@; type Choice = [u16; @MANY@]; type Store = @LIST@;
     type Lu = @LIST@;
     fn lu() -> @LIST@ { loop {} }
-    fn row_scales(&self, out: &mut @LIST@) {}
     fn choice() -> [u16; @MANY@] { loop {} }
     fn store() -> @LIST@ { loop {} }
-    fn factor(&self, time: R, q: &@LIST@, compliance: R, store: &mut @LIST@) -> R { loop {} }
-    fn solve(&self, store: &@LIST@, forces: &@LIST@, rows: &@LIST@, a: &mut @LIST@, lambda: &mut @LIST@) {}
-    fn condition_residual(&self, time: R, q: &@LIST@, target: &@LIST@, out: &mut @LIST@) {}
-    fn condition_cosines(&self, time: R, q: &@LIST@, target: &@LIST@, out: &mut @LIST@) {}
-    fn condition_jacobian(&self, time: R, q: &@LIST@, out: &mut @LIST@) {}
-    fn condition_bias(&self, time: R, q: &@LIST@, v: &@LIST@, out: &mut @LIST@) {}
-    fn condition_drift(&self, time: R, q: &@LIST@, out: &mut @LIST@) {}
-    fn row_cosines(&self, time: R, q: &@LIST@, out: &mut @LIST@) {}
-    fn start_targets(&self, positions: &mut @LIST@, rates: &mut @LIST@) {}
     fn start_q() -> @LIST@ { loop {} }
     fn start_v() -> @LIST@ { loop {} }
+    @FUNCTIONS_OF_ASSEMBLE@
 }
 impl<R: Real> Tangent<R> for @NAME@<R> {
     const STATES: &'static [u16] = &[];
-    const STIFFNESS_PATTERN: &'static [(u16, u16)] = &[];
-    const DAMPING_PATTERN: &'static [(u16, u16)] = &[];
-    const ROW_STIFFNESS_PATTERN: &'static [(u16, u16)] = &[];
-    const ROW_DAMPING_PATTERN: &'static [(u16, u16)] = &[];
-    const RATE_PATTERN: &'static [(u16, u16)] = &[];
-    const INPUT_PATTERN: &'static [(u16, u16)] = &[];
-    const PARAMETER_PATTERN: &'static [(u16, u16)] = &[];
-    const OUTPUT_PATTERN: &'static [(u16, u16)] = &[];
-    const COORDINATE_PATTERN: &'static [(u16, u16)] = &[];
-    type Stiffness = @LIST@; type Damping = @LIST@; type RowStiffness = @LIST@; type RowDamping = @LIST@;
-    type RateTangent = @LIST@; type InputTangent = @LIST@; type ParameterTangent = @LIST@; type OutputTangent = @LIST@;
-    type CoordinateTangent = @LIST@; type StateMatrix = @LIST@; type InputMatrix = @LIST@; type OutputMatrix = @LIST@;
+    @DERIVATIVES@
+    type StateMatrix = @LIST@; type InputMatrix = @LIST@; type OutputMatrix = @LIST@;
     type Feedthrough = @LIST@; type Unknowns = @LIST@; type Bordered = @LIST@; type Parameters = @NAME@Parameters<R>;
     type Order = [u16; @MANY@];
     fn order() -> [u16; @MANY@] { loop {} }
-    fn residual(&self, time: R, q: &@LIST@, v: &@LIST@, u: &@INPUTS@, a: &@LIST@, lambda: &@LIST@, out: &mut @LIST@) {}
-    fn tangent(&self, time: R, q: &@LIST@, v: &@LIST@, u: &@INPUTS@, a: &@LIST@, lambda: &@LIST@, x: &mut @LIST@, y: &mut @LIST@) {}
-    fn row_tangent(&self, time: R, q: &@LIST@, v: &@LIST@, a: &@LIST@, x: &mut @LIST@, y: &mut @LIST@) {}
-    fn rate_tangent(&self, time: R, q: &@LIST@, v: &@LIST@, out: &mut @LIST@) {}
-    fn input_tangent(&self, time: R, q: &@LIST@, v: &@LIST@, u: &@INPUTS@, out: &mut @LIST@) {}
-    fn parameter_tangent(&self, time: R, q: &@LIST@, v: &@LIST@, u: &@INPUTS@, a: &@LIST@, lambda: &@LIST@, out: &mut @LIST@) {}
-    fn output_tangent(&self, time: R, q: &@LIST@, v: &@LIST@, u: &@INPUTS@, lambda: &@LIST@, out: &mut @LIST@) {}
-    fn coordinate_tangent(&self, time: R, q: &@LIST@, v: &@LIST@, a: &@LIST@, out: &mut @LIST@) {}
+    @FUNCTIONS_OF_TANGENT@
 }
 };
 ";

@@ -1,16 +1,14 @@
 //! Constant tables: patterns, names of rows and coordinates, the elimination.
 
 use super::{Emitter, array, quoted};
-use crate::equations::Jet;
 use crate::forms::row::Whole;
+use crate::functions::Sparse;
+use std::fmt::Write;
 
-/// (row, column) of the structural non-zeros of a list of jets, row by row.
-pub fn jacobian_pattern<'a>(jets: impl Iterator<Item = &'a Jet>) -> String {
-    pairs(jets.enumerate().flat_map(|(row, jet)| jet.columns.keys().map(move |column| (row, *column))))
-}
-
-pub fn mass_pattern(emitter: &Emitter) -> String {
-    pairs(emitter.compiled.equations.mass.keys().copied())
+/// (row, column) of the structural non-zeros of a matrix, row by row.
+pub fn pattern(text: &mut String, emitter: &Emitter, matrix: &Sparse) {
+    let places = pairs(matrix.places(&emitter.compiled.equations));
+    let _ = writeln!(text, "const {}: &'static [(u16, u16)] = {places};", matrix.pattern);
 }
 
 pub fn layout(emitter: &Emitter) -> String {

@@ -2,31 +2,33 @@
 
 use super::names::field;
 use super::{Emitter, array, tables};
+use crate::functions::{CONDITION_JACOBIAN, JACOBIAN, MASS, Shape};
 use std::fmt::Write;
 
 /// Short names for the types of this mechanism.
 pub fn aliases(text: &mut String, emitter: &Emitter) {
     let name = &emitter.name;
     let equations = &emitter.compiled.equations;
-    let columns = |jets: Vec<&crate::equations::Jet>| jets.iter().map(|jet| jet.columns.len()).sum::<usize>();
-    let freedoms = emitter.velocities() + equations.idle.len() - emitter.rows();
+    let of = |shape: Shape| emitter.entries(shape);
+    let (velocities, rows) = (of(Shape::Velocities), of(Shape::Rows));
+    let freedoms = velocities + equations.idle.len() - rows;
     let arrays = [
-        ("Constants", emitter.compiled.programs.prepared),
-        ("Phases", equations.symbols.phases.len()),
-        ("Q", emitter.positions()),
-        ("V", emitter.velocities()),
-        ("Lambda", emitter.rows()),
-        ("Mass", equations.mass.len()),
-        ("Jacobian", columns(equations.rows.iter().map(|row| &row.jet).collect())),
-        ("Conditions", emitter.conditions()),
-        ("ConditionJacobian", columns(equations.conditions.iter().map(|c| &c.jet).collect())),
+        ("Constants", of(Shape::Constants)),
+        ("Phases", of(Shape::Phases)),
+        ("Q", of(Shape::Positions)),
+        ("V", velocities),
+        ("Lambda", rows),
+        ("Mass", of(Shape::Matrix(&MASS))),
+        ("Jacobian", of(Shape::Matrix(&JACOBIAN))),
+        ("Conditions", of(Shape::Conditions)),
+        ("ConditionJacobian", of(Shape::Matrix(&CONDITION_JACOBIAN))),
         ("Factor", emitter.compiled.table.columns.len()),
         ("System", emitter.compiled.table.order.len()),
-        ("Dense", emitter.rows() * emitter.velocities()),
-        ("Basis", freedoms * emitter.velocities()),
+        ("Dense", rows * velocities),
+        ("Basis", freedoms * velocities),
         ("Reduced", freedoms * freedoms),
-        ("Store", emitter.compiled.solved.stored.as_ref().map_or(0, |stored| stored.kept.len())),
-        ("Lu", emitter.compiled.solved.null_space.as_ref().map_or(0, |written| written.kept.len())),
+        ("Store", of(Shape::Store)),
+        ("Lu", of(Shape::Lu)),
     ];
     let solved = &emitter.compiled.solved;
     let absent = |alias: &str| {

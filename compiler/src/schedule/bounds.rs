@@ -6,6 +6,7 @@
 
 use super::evaluate::{Inputs, step};
 use super::program::{Instruction, Operand, Program, Source};
+use crate::functions::Argument;
 use crate::symbolic::{Graph, of_quotient, passed_on as unary_passed_on};
 
 /// A value, and what rounding may have made of it.
@@ -25,13 +26,13 @@ pub struct Errors {
 
 impl Errors {
     fn of(&self, source: Source) -> f64 {
-        let (errors, index) = match source {
-            Source::Prepared(index) => (&self.prepared, index),
-            Source::Kept(index) => (&self.kept, index),
-            Source::Lu(index) => (&self.lu, index),
+        let errors = match source.argument {
+            Argument::Constants => &self.prepared,
+            Argument::Store => &self.kept,
+            Argument::Lu => &self.lu,
             _ => return 0.0,
         };
-        errors.get(index as usize).copied().unwrap_or(0.0)
+        errors.get(source.index as usize).copied().unwrap_or(0.0)
     }
 }
 

@@ -2,9 +2,11 @@
 //! fused multiply-add is off.
 
 use super::program::{Instruction, Operand, Program, Source};
+use crate::functions::Argument;
 use crate::symbolic::{max, min};
+use std::slice::from_ref;
 
-/// The values of all sources.
+/// The values of all arguments.
 #[derive(Clone, Debug, Default)]
 pub struct Inputs {
     pub parameters: Vec<f64>,
@@ -28,25 +30,29 @@ pub struct Inputs {
 
 impl Inputs {
     pub fn get(&self, source: Source) -> f64 {
-        let at = |values: &[f64], index: u32| values[index as usize];
-        match source {
-            Source::Parameter(index) => at(&self.parameters, index),
-            Source::Phase(index) => at(&self.phases, index),
-            Source::Time => self.time,
-            Source::Q(index) => at(&self.q, index),
-            Source::V(index) => at(&self.v, index),
-            Source::Input(index) => at(&self.inputs, index),
-            Source::TwoAlpha => self.two_alpha,
-            Source::BetaSquared => self.beta_squared,
-            Source::Acceleration(index) => at(&self.acceleration, index),
-            Source::Lambda(index) => at(&self.lambda, index),
-            Source::Target(index) => at(&self.targets, index),
-            Source::Compliance => self.compliance,
-            Source::GivenForce(index) => at(&self.given_forces, index),
-            Source::GivenRow(index) => at(&self.given_rows, index),
-            Source::Kept(index) => at(&self.kept, index),
-            Source::Lu(index) => at(&self.lu, index),
-            Source::Prepared(index) => at(&self.prepared, index),
+        self.of(source.argument)[source.index as usize]
+    }
+
+    /// The values of an argument.
+    pub fn of(&self, argument: Argument) -> &[f64] {
+        match argument {
+            Argument::Time => from_ref(&self.time),
+            Argument::Q => &self.q,
+            Argument::V => &self.v,
+            Argument::Inputs => &self.inputs,
+            Argument::TwoAlpha => from_ref(&self.two_alpha),
+            Argument::BetaSquared => from_ref(&self.beta_squared),
+            Argument::Acceleration => &self.acceleration,
+            Argument::Lambda => &self.lambda,
+            Argument::Target => &self.targets,
+            Argument::Compliance => from_ref(&self.compliance),
+            Argument::GivenForces => &self.given_forces,
+            Argument::GivenRows => &self.given_rows,
+            Argument::Store => &self.kept,
+            Argument::Lu => &self.lu,
+            Argument::Parameters => &self.parameters,
+            Argument::Phases => &self.phases,
+            Argument::Constants => &self.prepared,
         }
     }
 }

@@ -21,6 +21,7 @@ pub use program::{Instruction, Operand, Program, Source};
 pub use share::LONG;
 
 use crate::equations::Equations;
+use crate::functions::{ARGUMENTS, Argument, Given};
 use crate::optimize::{self, Fused, Hoisted, Optimized, optimize_only};
 use crate::solve::Solved;
 use crate::symbolic::Node;
@@ -91,32 +92,16 @@ pub fn operations_of(equations: &Equations, outputs: &[Node]) -> usize {
     select::select(&equations.graph.read(), &sources(equations), &Hoisted::default(), &fused).nodes.len()
 }
 
-/// The value or argument that each symbol of the graph stands for.
+/// The entry of an argument that each symbol of the graph stands for.
 pub fn sources(equations: &Equations) -> Vec<Source> {
-    let symbols = &equations.symbols;
-    let mut sources = vec![Source::Time; equations.graph.read().symbol_count()];
-    let mut assign = |nodes: &[Node], source: fn(u32) -> Source| {
-        for (index, node) in nodes.iter().enumerate() {
+    let mut sources =
+        vec![Source { argument: Argument::Time, index: 0 }; equations.graph.read().symbol_count()];
+    for Given { argument, symbols, .. } in &ARGUMENTS {
+        for (index, node) in symbols(&equations.symbols).iter().enumerate() {
             if let crate::symbolic::Op::Symbol(symbol) = equations.graph.read().op(*node) {
-                sources[symbol as usize] = source(index as u32);
+                sources[symbol as usize] = Source { argument: *argument, index: index as u32 };
             }
         }
-    };
-    assign(&symbols.parameters, Source::Parameter);
-    assign(&symbols.phases, Source::Phase);
-    assign(&[symbols.time], |_| Source::Time);
-    assign(&symbols.q, Source::Q);
-    assign(&symbols.v, Source::V);
-    assign(&symbols.inputs, Source::Input);
-    assign(&[symbols.two_alpha], |_| Source::TwoAlpha);
-    assign(&[symbols.beta_squared], |_| Source::BetaSquared);
-    assign(&symbols.acceleration, Source::Acceleration);
-    assign(&symbols.lambda, Source::Lambda);
-    assign(&symbols.targets, Source::Target);
-    assign(&[symbols.compliance], |_| Source::Compliance);
-    assign(&symbols.given_forces, Source::GivenForce);
-    assign(&symbols.given_rows, Source::GivenRow);
-    assign(&symbols.kept, Source::Kept);
-    assign(&symbols.lu, Source::Lu);
+    }
     sources
 }

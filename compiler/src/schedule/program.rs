@@ -1,31 +1,14 @@
 //! Straight-line programs: what `emit` spells out, `count` counts and `evaluate` runs.
 
+use crate::functions::Argument;
 use crate::symbolic::{Compare, Unary};
 
-/// Where a value that a program does not compute comes from.
+/// Where a value that a program does not compute comes from: an entry of an argument.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
-pub enum Source {
-    Parameter(u32),
-    /// A coupling's phase from the assembled start.
-    Phase(u32),
-    Time,
-    Q(u32),
-    V(u32),
-    Input(u32),
-    TwoAlpha,
-    BetaSquared,
-    Acceleration(u32),
-    Lambda(u32),
-    Target(u32),
-    Compliance,
-    /// Right-hand sides of K(c), and what is kept of its factorisation.
-    GivenForce(u32),
-    GivenRow(u32),
-    Kept(u32),
-    /// The values of D = L U that are kept.
-    Lu(u32),
-    /// A constant of the prepared model: computed once from parameters and phases.
-    Prepared(u32),
+pub struct Source {
+    pub argument: Argument,
+    /// 0 of a number.
+    pub index: u32,
 }
 
 /// An operand of an instruction.

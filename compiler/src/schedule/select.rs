@@ -1,6 +1,7 @@
 //! Instruction selection: one function's part of the graph as a program.
 
 use super::program::{Instruction, Operand, Program, Source};
+use crate::functions::Argument;
 use crate::optimize::{Fused, Hoisted};
 use crate::symbolic::{Graph, Node, Op};
 
@@ -155,7 +156,7 @@ impl Selection<'_> {
         }
         match (self.graph.op(node), self.fused.is_leaf(node), self.hoisted.get(node)) {
             (Op::Symbol(symbol), _, None) => Operand::Source(self.sources[symbol as usize]),
-            (_, true, Some(index)) => Operand::Source(Source::Prepared(index)),
+            (_, true, Some(index)) => Operand::Source(Source { argument: Argument::Constants, index }),
             (Op::Symbol(symbol), ..) => Operand::Source(self.sources[symbol as usize]),
             _ => Operand::Value(self.values[node.index()].unwrap_or(0)),
         }

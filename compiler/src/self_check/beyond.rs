@@ -6,7 +6,8 @@ use super::quantity::{Along, Quantity, dot};
 use super::{Check, Report, rows};
 use crate::equations::tangent::Matrix;
 use crate::schedule::{Function, Inputs, sources};
-use crate::symbolic::evaluate_reachable;
+use crate::symbolic::{Node, evaluate_reachable};
+use std::collections::BTreeMap;
 
 /// Step of differences along velocities of order one.
 const STEP: f64 = 1e-3;
@@ -27,29 +28,22 @@ fn motions(machine: &Machine, report: &mut Report) {
     let along =
         Along::of(STEP, |h| machine.run(Function::Motions, &machine.moved(inputs, h, &inputs.acceleration)));
     let (here, rates) = (&along.at[2], along.derivatives());
-    let compiled = machine.compiled;
-    let mut at = 0;
-    for (body, motion) in compiled.mechanism.bodies.iter().zip(&compiled.equations.motions) {
+    let bodies = machine.compiled.mechanism.bodies.iter();
+    for ((body, here), rates) in bodies.zip(machine.motions(here)).zip(machine.motions(&rates)) {
         let name = &body.name.text;
-        let (places, turned, turns) = (motion.position.len(), motion.orientation.len(), motion.rate.len());
-        let orientation = at + places;
-        let (velocity, rate) = (orientation + turned, orientation + turned + places);
-        let acceleration = rate + turns;
-        let rates_of = |from: usize, count: usize| &rates[from..from + count];
-        let own = |from: usize, count: usize| &here[from..from + count];
-        let turning = turning(own(orientation, turned), own(rate, turns));
+        let [_, orientation, velocity, rate, acceleration, angular_acceleration] = here;
+        let [of_position, of_orientation, of_velocity, of_rate, ..]: [&[Quantity]; 6] = rates;
         let pairs = [
-            ("the velocity", own(velocity, places), rates_of(at, places)),
-            ("the turning", &turning, rates_of(orientation, turned)),
-            ("the acceleration", own(acceleration, places), rates_of(velocity, places)),
-            ("the angular acceleration", own(acceleration + places, turns), rates_of(rate, turns)),
+            ("the velocity", velocity, of_position),
+            ("the turning", &turning(orientation, rate), of_orientation),
+            ("the acceleration", acceleration, of_velocity),
+            ("the angular acceleration", angular_acceleration, of_rate),
         ];
         for (what, stated, difference) in pairs {
             for (stated, difference) in stated.iter().zip(difference) {
                 report.compare(Check::Motions, || format!("{what} of \"{name}\""), *stated, *difference);
             }
         }
-        at = acceleration + places + turns;
     }
 }
 
@@ -108,7 +102,7 @@ fn factorisation(machine: &Machine, report: &mut Report) {
         report,
         Check::Factorisation,
         &inputs,
-        &solution,
+        machine.groups(Function::Solve, &solution),
         &right,
         inputs.compliance,
     );
@@ -121,7 +115,8 @@ fn null_space(machine: &Machine, report: &mut Report) {
     let inputs = report.inputs;
     let all = machine.run(Function::NullSpace, inputs);
     let right = [Function::Forces, Function::Gamma].map(|function| machine.run(function, inputs));
-    dynamics::residuals(machine, report, Check::NullSpace, inputs, &all, &right, 0.0);
+    let [acceleration, lambda, _pivot] = machine.groups(Function::NullSpace, &all);
+    dynamics::residuals(machine, report, Check::NullSpace, inputs, [acceleration, lambda], &right, 0.0);
 
     let (machine, inputs) = machine.factored(report.inputs);
     let dependent = machine.run(Function::DependentVelocities, &inputs);
@@ -158,10 +153,9 @@ fn tangent(machine: &Machine, report: &mut Report) {
         rows.map(sum).collect::<Vec<_>>()
     };
     let entries = machine.run(Function::Tangent, inputs);
-    let (stiffness, damping) = products(&entries, &tangents.stiffness, &tangents.damping, direction);
+    let [stiffness, damping] = machine.groups(Function::Tangent, &entries);
     let entries = machine.run(Function::RowTangent, inputs);
-    let (row_stiffness, row_damping) =
-        products(&entries, &tangents.row_stiffness, &tangents.row_damping, direction);
+    let [row_stiffness, row_damping] = machine.groups(Function::RowTangent, &entries);
     let of_velocity = |k: usize| velocity(machine, k);
     let of_row = |row: usize| rows::name(machine, row);
     let mut judge = |stated: Vec<Quantity>, expected: Vec<Quantity>, name: &dyn Fn(usize) -> String| {
@@ -169,29 +163,20 @@ fn tangent(machine: &Machine, report: &mut Report) {
             report.compare(Check::Tangent, || name(index), stated, expected);
         }
     };
-    judge(stiffness, by_position(&residual), &of_velocity);
-    judge(damping, by_velocity(&residual), &of_velocity);
-    judge(row_stiffness, by_position(&row_residual), &of_row);
-    judge(row_damping, by_velocity(&row_residual), &of_row);
+    let times = |entries: &[Quantity], matrix: &Matrix| product(entries, matrix, direction);
+    judge(times(stiffness, &tangents.stiffness), by_position(&residual), &of_velocity);
+    judge(times(damping, &tangents.damping), by_velocity(&residual), &of_velocity);
+    judge(times(row_stiffness, &tangents.row_stiffness), by_position(&row_residual), &of_row);
+    judge(times(row_damping, &tangents.row_damping), by_velocity(&row_residual), &of_row);
 }
 
-/// Two sparse matrices, stored one behind the other, times a vector.
-fn products(
-    entries: &[Quantity],
-    first: &Matrix,
-    second: &Matrix,
-    direction: &[f64],
-) -> (Vec<Quantity>, Vec<Quantity>) {
+/// A sparse matrix by its stored entries, times a vector.
+fn product(entries: &[Quantity], matrix: &Matrix, direction: &[f64]) -> Vec<Quantity> {
     let mut entries = entries.iter();
-    let mut product = |matrix: &Matrix| -> Vec<Quantity> {
-        matrix
-            .iter()
-            .map(|row| {
-                let (own, x): (Vec<Quantity>, Vec<f64>) =
-                    row.keys().filter_map(|k| Some((*entries.next()?, direction[*k]))).unzip();
-                dot(&own, &x)
-            })
-            .collect()
+    let row = |row: &BTreeMap<usize, Node>| {
+        let (own, x): (Vec<Quantity>, Vec<f64>) =
+            row.keys().filter_map(|k| Some((*entries.next()?, direction[*k]))).unzip();
+        dot(&own, &x)
     };
-    (product(first), product(second))
+    matrix.iter().map(row).collect()
 }

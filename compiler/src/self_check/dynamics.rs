@@ -98,20 +98,21 @@ fn solution(machine: &Machine, report: &mut Report, function: Function) {
         }
     }
     let check = if stabilised { Check::Baumgarte } else { Check::Solution };
-    residuals(machine, report, check, inputs, &machine.run(function, inputs), &right, 0.0);
+    let solution = machine.run(function, inputs);
+    let [acceleration, lambda, _pivot] = machine.groups(function, &solution);
+    residuals(machine, report, check, inputs, [acceleration, lambda], &right, 0.0);
 }
 
-/// M v̇ + Dᵀ λ and D v̇ − c λ of a solution, v̇ then λ, against right-hand sides.
+/// M v̇ + Dᵀ λ and D v̇ − c λ of a solution, v̇ and λ, against right-hand sides.
 pub fn residuals(
     machine: &Machine,
     report: &mut Report,
     check: Check,
     inputs: &Inputs,
-    solution: &[Quantity],
+    [acceleration, lambda]: [&[Quantity]; 2],
     [forces, rates]: &[Vec<Quantity>; 2],
     compliance: f64,
 ) {
-    let (acceleration, lambda) = solution.split_at(inputs.v.len());
     let jacobian = machine.jacobian(inputs);
     let mut sums = machine.mass_times(inputs, acceleration);
     for (row, lambda) in jacobian.iter().zip(lambda) {

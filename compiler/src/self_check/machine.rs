@@ -3,7 +3,8 @@
 use super::quantity::Quantity;
 use crate::check::assemble::retract;
 use crate::compiled::Compiled;
-use crate::schedule::{Bounded, Errors, Function, Inputs, run, run_bounded};
+use crate::functions::{Function, MOTION};
+use crate::schedule::{Bounded, Errors, Inputs, run, run_bounded};
 
 /// Programs, and the errors of what some prepare for others.
 pub struct Machine<'a> {
@@ -15,25 +16,35 @@ impl<'a> Machine<'a> {
     /// The machine, and `inputs` with what it prepared from their parameters.
     pub fn new(compiled: &'a Compiled, inputs: &mut Inputs) -> Self {
         let mut machine = Machine { compiled, errors: Errors::default() };
-        (inputs.prepared, machine.errors.prepared) = machine.apart(Function::Prepare, inputs);
+        let prepared = machine.bounded(Function::Prepare, inputs).into_iter();
+        (inputs.prepared, machine.errors.prepared) =
+            prepared.map(|bounded| (bounded.value, bounded.error)).unzip();
         machine
     }
 
     /// The same with what K(c) and D were factored into at this state; an empty list where they are not written out.
     pub fn factored(&self, inputs: &Inputs) -> (Machine<'a>, Inputs) {
         let (mut inputs, mut errors) = (inputs.clone(), self.errors.clone());
-        let kept = (inputs.kept.len(), inputs.lu.len());
-        (inputs.kept, errors.kept) = self.apart(Function::Factor, &inputs);
-        (inputs.lu, errors.lu) = self.apart(Function::FactorJacobian, &inputs);
-        // The pivots stand behind what is kept.
-        inputs.kept.truncate(kept.0);
-        inputs.lu.truncate(kept.1);
+        let kept = |function: Function, inputs: &Inputs| {
+            let all = self.bounded(function, inputs);
+            let [kept, _pivot] = self.groups(function, &all);
+            kept.iter().map(|bounded| (bounded.value, bounded.error)).unzip()
+        };
+        (inputs.kept, errors.kept) = kept(Function::Factor, &inputs);
+        (inputs.lu, errors.lu) = kept(Function::FactorJacobian, &inputs);
         (Machine { compiled: self.compiled, errors }, inputs)
     }
 
-    /// Values and errors of a function that others take up.
-    fn apart(&self, function: Function, inputs: &Inputs) -> (Vec<f64>, Vec<f64>) {
-        self.bounded(function, inputs).into_iter().map(|bounded| (bounded.value, bounded.error)).unzip()
+    /// Results by the groups of the function's signature.
+    pub fn groups<'v, T, const N: usize>(&self, function: Function, results: &'v [T]) -> [&'v [T]; N] {
+        let Compiled { equations, solved, .. } = self.compiled;
+        function.signature().split(equations, solved, results)
+    }
+
+    /// The motions of bodies by the fields of [`MOTION`].
+    pub fn motions<'v, T, const N: usize>(&self, results: &'v [T]) -> impl Iterator<Item = [&'v [T]; N]> {
+        let kind = MOTION.of(self.compiled.mechanism.space);
+        results.chunks(kind.length()).map(|motion| kind.split(motion))
     }
 
     fn bounded(&self, function: Function, inputs: &Inputs) -> Vec<Bounded> {
@@ -119,7 +130,8 @@ pub fn state(compiled: &Compiled, random: &mut Random, vary: bool) -> Inputs {
         found = any_state(compiled, random, reach, vary);
         let machine = Machine::new(compiled, &mut found);
         let solution = machine.plain(Function::Acceleration, &found);
-        let pivot = solution.last().copied().unwrap_or(1.0);
+        let [_, _, pivot] = machine.groups(Function::Acceleration, &solution);
+        let pivot = pivot.first().copied().unwrap_or(1.0);
         let scalars =
             [Function::PotentialEnergy, Function::Powers].map(|function| machine.plain(function, &found));
         if pivot > REGULAR && solution.iter().chain(scalars.iter().flatten()).all(|x| x.is_finite()) {
@@ -189,13 +201,9 @@ pub fn size(compiled: &Compiled) -> f64 {
     let mut start = start(compiled);
     let machine = Machine::new(compiled, &mut start);
     let motions = machine.plain(Function::Motions, &start);
-    let bodies = compiled.equations.motions.iter();
-    let mut at = 0;
     let mut largest = 0.0_f64;
-    for body in bodies {
-        let place = &motions[at..at + body.position.len()];
-        largest = place.iter().fold(largest, |largest, x| largest.max(x.abs()));
-        at += body.flat().len();
+    for [position, ..] in machine.motions::<f64, 6>(&motions) {
+        largest = position.iter().fold(largest, |largest, x| largest.max(x.abs()));
     }
     if largest.is_finite() && largest > 1e-9 { largest } else { 1.0 }
 }

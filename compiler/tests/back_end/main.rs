@@ -3,6 +3,7 @@
 mod budgets;
 mod mechanisms;
 mod self_check;
+mod signatures;
 mod spread;
 
 use linkwright_compiler::diagnostics::Diagnostics;

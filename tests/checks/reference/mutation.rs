@@ -4,6 +4,7 @@
 use super::recorded::{Record, record};
 use super::{SETS, compiled, recorded_models};
 use linkwright_compiler::Compiled;
+use linkwright_compiler::functions::Argument;
 use linkwright_compiler::model::Space;
 use linkwright_compiler::schedule::{Function, Inputs, Source, outputs, sources};
 use linkwright_compiler::symbolic::{Node, Op, evaluate_with};
@@ -124,12 +125,13 @@ impl<'a> Judge<'a> {
 
     /// v̇ and λ are not known before they are solved for, nor are conditions' targets.
     fn symbol(&self, source: Source, inputs: &Inputs) -> f64 {
-        match source {
-            Source::Acceleration(index) => inputs.acceleration.get(index as usize).copied().unwrap_or(0.0),
-            Source::Lambda(index) => inputs.lambda.get(index as usize).copied().unwrap_or(0.0),
+        match source.argument {
+            Argument::Acceleration | Argument::Lambda => {
+                inputs.of(source.argument).get(source.index as usize).copied().unwrap_or(0.0)
+            }
             // Of functions that are not judged here.
-            Source::Target(_) | Source::GivenForce(_) | Source::GivenRow(_) | Source::Kept(_) => 0.0,
-            other => inputs.get(other),
+            Argument::Target | Argument::GivenForces | Argument::GivenRows | Argument::Store => 0.0,
+            _ => inputs.get(source),
         }
     }
 

@@ -75,7 +75,6 @@ pub struct Assembly {
 /// Puts the mechanism together; reports why if it cannot.
 pub fn assemble(mechanism: &Mechanism, equations: &Equations, errors: &mut Diagnostics) -> Option<Assembly> {
     let candidates = candidates(mechanism, equations);
-    let equations = &*equations;
     let mut point = Point::at_defaults(mechanism, equations, &[]);
 
     let problem = problem(mechanism, equations, &mut point);

@@ -1,0 +1,100 @@
+//! The functions of a mechanism: one table of signatures, [`FUNCTIONS`], which optimising, scheduling, counting, interpreting,
+//! the self-check, emission and the page read. How a signature is spelled in a language is the business of `emit`.
+//!
+//! ```text
+//! acceleration    (constants, time, q, v, u)    →    a_out: velocities,    lambda_out: rows,    value: the smallest pivot
+//!                  arguments                         groups of results: the name, the shape, the expressions
+//! ```
+//! No offset is written anywhere: a group has as many results as it has expressions, and [`Signature::split`] parts a
+//! flat list of results by groups. Entries of a list that have fields, such as the motion of a body, are parted by
+//! [`Record::split`].
+
+mod argument;
+mod shape;
+mod signature;
+mod table;
+
+pub use argument::{ARGUMENTS, Argument, Given};
+pub use shape::{
+    CONDITION_JACOBIAN, DERIVATIVES, Field, JACOBIAN, Kind, MASS, MOTION, REACTION, Record, Shape, Sparse,
+};
+pub use signature::{Group, Interface, Signature, Way};
+pub use table::FUNCTIONS;
+
+use crate::equations::Equations;
+use crate::solve::Solved;
+use crate::symbolic::Node;
+
+/// The functions of a mechanism, in the order of [`FUNCTIONS`].
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum Function {
+    MassMatrix,
+    Constraints,
+    ConstraintJacobian,
+    Nu,
+    Gamma,
+    Forces,
+    KineticEnergy,
+    PotentialEnergy,
+    Acceleration,
+    AccelerationBaumgarte,
+    Outputs,
+    InverseDynamics,
+    Powers,
+    DriverEfforts,
+    Motions,
+    Reactions,
+    RowCosines,
+    ConditionResidual,
+    ConditionCosines,
+    ConditionJacobian,
+    ConditionBias,
+    ConditionDrift,
+    StartTargets,
+    Masses,
+    RowScales,
+    Factor,
+    System,
+    Solve,
+    FactorJacobian,
+    DependentVelocities,
+    NullSpace,
+    Residual,
+    Tangent,
+    RowTangent,
+    RateTangent,
+    InputTangent,
+    ParameterTangent,
+    OutputTangent,
+    CoordinateTangent,
+    /// Last: it computes what all others asked for.
+    Prepare,
+}
+
+impl Function {
+    /// Every function; those that a mechanism does not emit compute nothing.
+    pub const ALL: [Function; FUNCTIONS.len()] = {
+        let mut all = [Function::Prepare; FUNCTIONS.len()];
+        let mut index = 0;
+        while index < all.len() {
+            all[index] = FUNCTIONS[index].function;
+            assert!(all[index] as usize == index, "the table and the functions are in one order");
+            index += 1;
+        }
+        all
+    };
+
+    pub fn signature(self) -> &'static Signature {
+        &FUNCTIONS[self as usize]
+    }
+
+    /// Name of the emitted function.
+    pub fn name(self) -> &'static str {
+        self.signature().name
+    }
+}
+
+/// What a function computes, in the order of its outputs.
+pub fn outputs(equations: &Equations, solved: &Solved, function: Function) -> Vec<Node> {
+    function.signature().outputs(equations, solved)
+}

@@ -1,0 +1,220 @@
+//! Shapes of arguments and results: of what things a list has entries, and which fields an entry has.
+
+use crate::equations::tangent::Matrix;
+use crate::equations::{Equations, Jet, Tangents};
+use crate::model::{Mechanism, Space};
+use crate::symbolic::Node;
+
+/// What a list has one entry for.
+#[derive(Clone, Copy)]
+pub enum Shape {
+    /// One number.
+    Scalar,
+    /// q.
+    Positions,
+    /// v, v̇, forces.
+    Velocities,
+    /// λ, Φ, ν, γ.
+    Rows,
+    /// The stored entries of a matrix.
+    Matrix(&'static Sparse),
+    Conditions,
+    /// What is kept of K(c), and of D = L U.
+    Store,
+    Lu,
+    /// Of the prepared model.
+    Constants,
+    Phases,
+    /// A field for each, by the names in the definition.
+    Parameters,
+    Inputs,
+    Outputs,
+    /// Entries with fields.
+    Bodies(&'static Record),
+    Joints(&'static Record),
+    Loads,
+    Drivers,
+    /// Masses and inertias that depend on parameters.
+    Masses,
+}
+
+impl Shape {
+    /// The names of its entries, where they have names: those of the user, as far as there are such.
+    pub fn names(self, mechanism: &Mechanism, equations: &Equations) -> Vec<String> {
+        match self {
+            Shape::Positions => equations.layout.position_names(mechanism),
+            Shape::Velocities => equations.layout.velocity_names(mechanism),
+            Shape::Rows => equations.rows.iter().map(|row| format!("{}_{}", row.of, row.form.name)).collect(),
+            Shape::Inputs => mechanism.inputs.iter().map(|input| input.name.identifier()).collect(),
+            Shape::Outputs => mechanism.outputs.iter().map(|output| output.name.identifier()).collect(),
+            Shape::Parameters => mechanism.parameters.iter().map(|known| known.name.identifier()).collect(),
+            Shape::Scalar => vec![String::new()],
+            _ => Vec::new(),
+        }
+    }
+
+    /// The fields of its entries, where they have fields.
+    pub fn record(self) -> Option<&'static Record> {
+        match self {
+            Shape::Bodies(record) | Shape::Joints(record) => Some(record),
+            _ => None,
+        }
+    }
+}
+
+/// A matrix of which the structural non-zeros are stored.
+pub struct Sparse {
+    /// Name of its type, and of the table of its places.
+    pub name: &'static str,
+    pub pattern: &'static str,
+    /// Its entries, row by row.
+    pub entries: fn(&Equations) -> Vec<Entry>,
+}
+
+/// Row and column, and what stands there.
+pub type Entry = ((usize, usize), Node);
+
+impl Sparse {
+    /// Row and column of each entry.
+    pub fn places(&self, equations: &Equations) -> impl Iterator<Item = (usize, usize)> {
+        (self.entries)(equations).into_iter().map(|(place, _)| place)
+    }
+
+    pub fn nodes(&self, equations: &Equations) -> Vec<Node> {
+        (self.entries)(equations).into_iter().map(|(_, node)| node).collect()
+    }
+}
+
+const fn sparse(name: &'static str, pattern: &'static str, entries: fn(&Equations) -> Vec<Entry>) -> Sparse {
+    Sparse { name, pattern, entries }
+}
+
+/// M, of which one triangle is stored.
+pub static MASS: Sparse =
+    sparse("Mass", "MASS_PATTERN", |e| e.mass.iter().map(|(place, node)| (*place, *node)).collect());
+/// D.
+pub static JACOBIAN: Sparse =
+    sparse("Jacobian", "JACOBIAN_PATTERN", |e| of_jets(e.rows.iter().map(|row| &row.jet)));
+/// Of the conditions of the start.
+pub static CONDITION_JACOBIAN: Sparse = sparse("ConditionJacobian", "CONDITION_PATTERN", |e| {
+    of_jets(e.conditions.iter().map(|condition| &condition.jet))
+});
+pub static STIFFNESS: Sparse = sparse("Stiffness", "STIFFNESS_PATTERN", |e| of_tangents(e, |t| &t.stiffness));
+pub static DAMPING: Sparse = sparse("Damping", "DAMPING_PATTERN", |e| of_tangents(e, |t| &t.damping));
+pub static ROW_STIFFNESS: Sparse =
+    sparse("RowStiffness", "ROW_STIFFNESS_PATTERN", |e| of_tangents(e, |t| &t.row_stiffness));
+pub static ROW_DAMPING: Sparse =
+    sparse("RowDamping", "ROW_DAMPING_PATTERN", |e| of_tangents(e, |t| &t.row_damping));
+pub static RATE: Sparse = sparse("RateTangent", "RATE_PATTERN", |e| of_tangents(e, |t| &t.rate));
+pub static INPUT: Sparse = sparse("InputTangent", "INPUT_PATTERN", |e| of_tangents(e, |t| &t.input));
+pub static PARAMETER: Sparse =
+    sparse("ParameterTangent", "PARAMETER_PATTERN", |e| of_tangents(e, |t| &t.parameter));
+pub static OUTPUT: Sparse = sparse("OutputTangent", "OUTPUT_PATTERN", |e| of_tangents(e, |t| &t.output));
+pub static COORDINATE: Sparse =
+    sparse("CoordinateTangent", "COORDINATE_PATTERN", |e| of_tangents(e, |t| &t.coordinate));
+
+/// The matrices of the trait `Tangent`.
+pub static DERIVATIVES: [&Sparse; 9] =
+    [&STIFFNESS, &DAMPING, &ROW_STIFFNESS, &ROW_DAMPING, &RATE, &INPUT, &PARAMETER, &OUTPUT, &COORDINATE];
+
+fn of_jets<'a>(jets: impl Iterator<Item = &'a Jet>) -> Vec<Entry> {
+    let entries =
+        |(row, jet): (usize, &'a Jet)| jet.columns.iter().map(move |(column, node)| ((row, *column), *node));
+    jets.enumerate().flat_map(entries).collect()
+}
+
+/// Nothing where derivatives are not asked for.
+fn of_tangents(equations: &Equations, of: fn(&Tangents) -> &Matrix) -> Vec<Entry> {
+    let rows = equations.tangents.iter().flat_map(|tangents| of(tangents).iter().enumerate());
+    rows.flat_map(|(row, entries)| entries.iter().map(move |(column, node)| ((row, *column), *node)))
+        .collect()
+}
+
+/// Entries with fields, in the plane and in space.
+pub struct Record {
+    planar: Kind,
+    spatial: Kind,
+}
+
+/// A struct of the runtime.
+pub struct Kind {
+    pub name: &'static str,
+    pub fields: &'static [Field],
+}
+
+/// A field, stored row by row.
+pub struct Field {
+    pub name: &'static str,
+    /// The lengths of its arrays, the outermost first; none of a number.
+    pub extents: &'static [usize],
+}
+
+const fn field(name: &'static str, extents: &'static [usize]) -> Field {
+    Field { name, extents }
+}
+
+/// Motion of a body: centre of mass in world axes (m, m/s, m/s²); orientation as (c, s), in space as the axes of the body;
+/// rate and its derivative (rad/s, rad/s²), in space in body axes.
+pub static MOTION: Record = Record {
+    planar: Kind {
+        name: "BodyMotion",
+        fields: &[
+            field("position", &[2]),
+            field("orientation", &[2]),
+            field("velocity", &[2]),
+            field("rate", &[]),
+            field("acceleration", &[2]),
+            field("angular_acceleration", &[]),
+        ],
+    },
+    spatial: Kind {
+        name: "SpatialMotion",
+        fields: &[
+            field("position", &[3]),
+            field("orientation", &[3, 3]),
+            field("velocity", &[3]),
+            field("rate", &[3]),
+            field("acceleration", &[3]),
+            field("angular_acceleration", &[3]),
+        ],
+    },
+};
+
+/// What a joint exerts: force (N) and torque (N m).
+pub static REACTION: Record = Record {
+    planar: Kind { name: "Reaction", fields: &[field("force", &[2]), field("torque", &[])] },
+    spatial: Kind { name: "SpatialReaction", fields: &[field("force", &[3]), field("torque", &[3])] },
+};
+
+impl Record {
+    pub fn of(&self, space: Space) -> &Kind {
+        match space {
+            Space::Planar => &self.planar,
+            Space::Spatial => &self.spatial,
+        }
+    }
+}
+
+impl Kind {
+    /// Numbers of one entry.
+    pub fn length(&self) -> usize {
+        self.fields.iter().map(Field::length).sum()
+    }
+
+    /// The numbers of one entry by fields, `N` of them.
+    pub fn split<'v, T, const N: usize>(&self, mut entry: &'v [T]) -> [&'v [T]; N] {
+        debug_assert_eq!(N, self.fields.len(), "fields of {}", self.name);
+        std::array::from_fn(|index| {
+            let length = self.fields.get(index).map_or(0, Field::length);
+            let (own, rest) = entry.split_at(length.min(entry.len()));
+            entry = rest;
+            own
+        })
+    }
+}
+
+impl Field {
+    pub fn length(&self) -> usize {
+        self.extents.iter().product()
+    }
+}

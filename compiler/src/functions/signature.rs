@@ -1,0 +1,129 @@
+//! What a function is called, takes and gives; results by groups.
+
+use super::{Argument, Function, Shape};
+use crate::equations::Equations;
+use crate::solve::Solved;
+use crate::symbolic::Node;
+
+/// What a function is called, takes and gives.
+#[derive(Clone, Copy)]
+pub struct Signature {
+    pub function: Function,
+    pub name: &'static str,
+    /// The equation, with units; a line for each line of the emitted comment.
+    pub doc: &'static str,
+    pub interface: Interface,
+    /// Which mechanisms have it.
+    pub emitted: fn(&Equations, &Solved) -> bool,
+    pub arguments: &'static [Argument],
+    /// In the order of the program's outputs.
+    pub results: &'static [Group],
+}
+
+/// What an emitted function is part of.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Interface {
+    /// No function that a user calls: it is part of how a model is prepared.
+    Preparation,
+    /// A function of the model itself.
+    Model,
+    /// Functions of the runtime's traits.
+    Mechanism,
+    Assemble,
+    Tangent,
+}
+
+/// Results that belong together.
+#[derive(Clone, Copy)]
+pub struct Group {
+    /// Name of the argument it is written to, or of the value.
+    pub name: &'static str,
+    pub shape: Shape,
+    pub way: Way,
+    /// What its entries are called inside of the function, `{}` being the entry's own name; nothing where they are numbered.
+    pub label: Option<&'static str>,
+    /// Its entries as expressions.
+    pub nodes: fn(&Equations, &Solved) -> Vec<Node>,
+}
+
+/// How results come out.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Way {
+    /// Written to an argument.
+    Written,
+    /// The value of the function. Of several lists of one length the entries are paired.
+    Value,
+}
+
+impl Signature {
+    /// What the function computes, in the order of its outputs; nothing where the mechanism does not have it.
+    pub fn outputs(&self, equations: &Equations, solved: &Solved) -> Vec<Node> {
+        if !(self.emitted)(equations, solved) {
+            return Vec::new();
+        }
+        self.results.iter().flat_map(|group| (group.nodes)(equations, solved)).collect()
+    }
+
+    /// Its results by groups.
+    pub fn groups<'v, T>(&self, equations: &Equations, solved: &Solved, results: &'v [T]) -> Vec<&'v [T]> {
+        let mut rest = results;
+        let lengths = self.results.iter().map(|group| (group.nodes)(equations, solved).len());
+        lengths
+            .map(|length| {
+                let (own, others) = rest.split_at(length.min(rest.len()));
+                rest = others;
+                own
+            })
+            .collect()
+    }
+
+    /// The same where the number of groups is known.
+    pub fn split<'v, T, const N: usize>(
+        &self,
+        equations: &Equations,
+        solved: &Solved,
+        results: &'v [T],
+    ) -> [&'v [T]; N] {
+        debug_assert_eq!(N, self.results.len(), "groups of {}", self.name);
+        let groups = self.groups(equations, solved, results);
+        std::array::from_fn(|index| groups.get(index).copied().unwrap_or_default())
+    }
+}
+
+/// A function that every mechanism has.
+pub(super) const fn signature(
+    function: Function,
+    name: &'static str,
+    interface: Interface,
+    doc: &'static str,
+    arguments: &'static [Argument],
+    results: &'static [Group],
+) -> Signature {
+    Signature { function, name, doc, interface, emitted: |_, _| true, arguments, results }
+}
+
+impl Signature {
+    /// For some mechanisms only.
+    pub(super) const fn only(self, emitted: fn(&Equations, &Solved) -> bool) -> Signature {
+        Signature { emitted, ..self }
+    }
+}
+
+type Nodes = fn(&Equations, &Solved) -> Vec<Node>;
+
+/// Results that are written to an argument of this name.
+pub(super) const fn written(name: &'static str, shape: Shape, nodes: Nodes) -> Group {
+    Group { name, shape, way: Way::Written, label: None, nodes }
+}
+
+/// Results that are the function's value.
+pub(super) const fn value(name: &'static str, shape: Shape, nodes: Nodes) -> Group {
+    Group { name, shape, way: Way::Value, label: None, nodes }
+}
+
+impl Group {
+    /// With names for its entries inside of the function.
+    pub(super) const fn called(self, label: &'static str) -> Group {
+        Group { label: Some(label), ..self }
+    }
+}

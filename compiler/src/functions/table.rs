@@ -1,0 +1,442 @@
+//! The table of all functions. A new function is a variant of [`Function`] and an entry here.
+
+use super::Argument::{
+    Acceleration, BetaSquared, Compliance, Constants, GivenForces, GivenRows, Inputs, Lambda, Lu, Parameters,
+    Phases, Q, Store, Target, Time, TwoAlpha, V,
+};
+use super::Interface::{Assemble, Mechanism, Model, Preparation, Tangent};
+use super::signature::{signature, value, written};
+use super::{Argument, Function, Shape, Signature, shape};
+use crate::equations::{Equations, StartTarget};
+use crate::solve::{NullSpace, Solved, Stored};
+use crate::symbolic::Node;
+
+const POSITION: &[Argument] = &[Constants, Time, Q];
+const STATE: &[Argument] = &[Constants, Time, Q, V];
+const WITH_INPUTS: &[Argument] = &[Constants, Time, Q, V, Inputs];
+/// Of the accelerations: those of `acceleration` are the first of `acceleration_baumgarte`.
+const SOLUTION: &[Argument] = WITH_INPUTS;
+const MOVING: &[Argument] = &[Constants, Time, Q, V, Acceleration];
+const EVERYTHING: &[Argument] = &[Constants, Time, Q, V, Inputs, Acceleration, Lambda];
+
+/// Every function.
+pub static FUNCTIONS: [Signature; 40] = [
+    signature(
+        Function::MassMatrix,
+        "mass_matrix",
+        Mechanism,
+        "M(t, q): its stored entries (kg, kg m, kg m²).",
+        POSITION,
+        &[written("out", Shape::Matrix(&shape::MASS), |e, _| shape::MASS.nodes(e))],
+    ),
+    signature(
+        Function::Constraints,
+        "constraints",
+        Mechanism,
+        "Φ(t, q) of each row (m, or 1 for directions and angles).",
+        POSITION,
+        &[written("out", Shape::Rows, |e, _| e.rows.iter().map(|row| row.jet.value).collect())
+            .called("phi_{}")],
+    ),
+    signature(
+        Function::ConstraintJacobian,
+        "constraint_jacobian",
+        Mechanism,
+        "D(t, q), Φ̇ = D v − ν: its stored entries.",
+        POSITION,
+        &[written("out", Shape::Matrix(&shape::JACOBIAN), |e, _| shape::JACOBIAN.nodes(e))],
+    ),
+    signature(
+        Function::Nu,
+        "nu",
+        Mechanism,
+        "ν(t, q) = −∂Φ/∂t, the right-hand side of D v = ν.",
+        POSITION,
+        &[written("out", Shape::Rows, |e, _| e.nu.clone()).called("nu_{}")],
+    ),
+    signature(
+        Function::Gamma,
+        "gamma",
+        Mechanism,
+        "γ(t, q, v), the right-hand side of D v̇ = γ.",
+        STATE,
+        &[written("out", Shape::Rows, |e, _| e.gamma.clone()).called("gamma_{}")],
+    ),
+    signature(
+        Function::Forces,
+        "forces",
+        Mechanism,
+        "Q(t, q, v, u): loads, gravity and gyroscopic forces of M v̇ + Dᵀ λ = Q (N or N m).",
+        WITH_INPUTS,
+        &[written("out", Shape::Velocities, |e, _| e.forces.clone()).called("force_{}")],
+    ),
+    signature(
+        Function::KineticEnergy,
+        "kinetic_energy",
+        Mechanism,
+        "T(t, q, v) (J).",
+        STATE,
+        &[value("energy", Shape::Scalar, |e, _| vec![e.kinetic_energy])],
+    ),
+    signature(
+        Function::PotentialEnergy,
+        "potential_energy",
+        Mechanism,
+        "V(t, q) of gravity and springs (J).",
+        POSITION,
+        &[value("energy", Shape::Scalar, |e, _| vec![e.potential_energy])],
+    ),
+    signature(
+        Function::Acceleration,
+        "acceleration",
+        Mechanism,
+        "v̇ and λ of M v̇ + Dᵀ λ = Q, D v̇ = γ; the smallest relative pivot.",
+        SOLUTION,
+        &[
+            written("a_out", Shape::Velocities, |_, s| s.index1.acceleration.clone()).called("{}_dot"),
+            written("lambda_out", Shape::Rows, |_, s| s.index1.lambda.clone()).called("lambda_{}"),
+            value("pivot", Shape::Scalar, |_, s| vec![s.index1.pivot]).called("smallest_pivot"),
+        ],
+    ),
+    signature(
+        Function::AccelerationBaumgarte,
+        "acceleration_baumgarte",
+        Mechanism,
+        "v̇ and λ of M v̇ + Dᵀ λ = Q, D v̇ = γ − 2α (D v − ν) − β² Φ (Baumgarte 1972); the \
+         smallest relative pivot.",
+        &[Constants, Time, Q, V, Inputs, TwoAlpha, BetaSquared],
+        &[
+            written("a_out", Shape::Velocities, |_, s| s.baumgarte.acceleration.clone()).called("{}_dot"),
+            written("lambda_out", Shape::Rows, |_, s| s.baumgarte.lambda.clone()).called("lambda_{}"),
+            value("pivot", Shape::Scalar, |_, s| vec![s.baumgarte.pivot]).called("smallest_pivot"),
+        ],
+    ),
+    signature(
+        Function::Outputs,
+        "outputs",
+        Mechanism,
+        "The outputs of the definition, in SI units.",
+        WITH_INPUTS,
+        &[value("outputs", Shape::Outputs, |e, _| e.outputs.clone()).called("{}")],
+    ),
+    signature(
+        Function::InverseDynamics,
+        "inverse_dynamics",
+        Model,
+        "M v̇ − Q: the forces that the accelerations `a` need beside loads and constraints, one \
+         for each velocity\n\
+         (N m or N). Of a tree without constraints these are the efforts of its joints (inverse \
+         dynamics).",
+        &[Constants, Time, Q, V, Inputs, Acceleration],
+        &[value("forces", Shape::Velocities, |e, _| e.inverse.clone())],
+    ),
+    signature(
+        Function::Powers,
+        "powers",
+        Model,
+        "Power of each load (W), in the order of `LOADS`, what springs store included.",
+        WITH_INPUTS,
+        &[value("powers", Shape::Loads, |e, _| e.powers.clone())],
+    ),
+    signature(
+        Function::DriverEfforts,
+        "driver_efforts",
+        Model,
+        "Effort of each driver along its quantity (N m or N) and its power (W), from the \
+         multipliers.",
+        &[Constants, Time, Q, V, Lambda],
+        &[
+            value("efforts", Shape::Drivers, |e, _| e.driver_efforts.clone()),
+            value("powers", Shape::Drivers, |e, _| e.driver_powers.clone()),
+        ],
+    ),
+    signature(
+        Function::Motions,
+        "motions",
+        Model,
+        "Position, velocity and acceleration of every body's centre of mass, in the order of \
+         `BODIES`,\n\
+         from a state and its accelerations.",
+        MOVING,
+        &[value("motions", Shape::Bodies(&shape::MOTION), |e, _| {
+            e.motions.iter().flat_map(|motion| motion.flat()).collect()
+        })],
+    ),
+    signature(
+        Function::Reactions,
+        "reactions",
+        Model,
+        "Force and torque that each joint exerts on the body of its second place, in the order of \
+         `JOINTS`:\n\
+         force in world axes at that place (N), torque about it (N m).",
+        EVERYTHING,
+        &[value("reactions", Shape::Joints(&shape::REACTION), |e, _| {
+            e.reactions.iter().flatten().copied().collect()
+        })],
+    ),
+    signature(
+        Function::RowCosines,
+        "row_cosines",
+        Assemble,
+        "Of each row that fixes a direction the cosine that tells it from its opposite; 1 of \
+         others.",
+        POSITION,
+        &[written("out", Shape::Rows, |e, _| {
+            e.rows.iter().map(|row| row.upright.unwrap_or(e.one)).collect()
+        })],
+    ),
+    signature(
+        Function::ConditionResidual,
+        "condition_residual",
+        Assemble,
+        "What each condition of the start is off its target by, as a length or a sine.",
+        &[Constants, Time, Q, Target],
+        &[written("out", Shape::Conditions, |e, _| e.conditions.iter().map(|c| c.residual).collect())],
+    ),
+    signature(
+        Function::ConditionCosines,
+        "condition_cosines",
+        Assemble,
+        "The cosine that belongs to that sine; 1 of lengths.",
+        &[Constants, Time, Q, Target],
+        &[written("out", Shape::Conditions, |e, _| e.conditions.iter().map(|c| c.upright).collect())],
+    ),
+    signature(
+        Function::ConditionJacobian,
+        "condition_jacobian",
+        Assemble,
+        "J(t, q), the rate of a condition being J v + b: its stored entries.",
+        POSITION,
+        &[written("out", Shape::Matrix(&shape::CONDITION_JACOBIAN), |e, _| {
+            shape::CONDITION_JACOBIAN.nodes(e)
+        })],
+    ),
+    signature(
+        Function::ConditionBias,
+        "condition_bias",
+        Assemble,
+        "The rate of J v + b where v̇ = 0.",
+        STATE,
+        &[written("out", Shape::Conditions, |e, _| e.conditions.iter().map(|c| c.jet.bias).collect())],
+    ),
+    signature(
+        Function::ConditionDrift,
+        "condition_drift",
+        Assemble,
+        "b(t, q), the rate of a condition where v = 0.",
+        POSITION,
+        &[written("out", Shape::Conditions, |e, _| e.conditions.iter().map(|c| c.jet.drift).collect())],
+    ),
+    signature(
+        Function::StartTargets,
+        "start_targets",
+        Assemble,
+        "Values, and rates, that `start` asks of each condition; 0 where it asks none.",
+        &[Constants],
+        &[
+            written("positions", Shape::Conditions, |e, _| targets(e, |target| target.position)),
+            written("rates", Shape::Conditions, |e, _| targets(e, |target| target.rate)),
+        ],
+    ),
+    signature(
+        Function::Masses,
+        "masses",
+        Preparation,
+        "Masses and inertias that depend on parameters.",
+        &[Constants],
+        &[value("masses", Shape::Masses, |e, _| e.masses.iter().map(|(_, node)| *node).collect())],
+    ),
+    signature(
+        Function::RowScales,
+        "row_scales",
+        Assemble,
+        "Sᵢ of each row, twice the largest Dᵢ M⁻¹ Dᵢᵀ along the motion (1/kg or 1/(kg m²)): what \
+         pivots of rows are measured by.",
+        &[Constants],
+        &[written("out", Shape::Rows, |_, s| s.row_scales.clone())],
+    ),
+    signature(
+        Function::Factor,
+        "factor",
+        Assemble,
+        "K(c) = (M Dᵀ; D −c) factored: what is kept of it; the smallest relative pivot.",
+        &[Constants, Time, Q, Compliance],
+        &[
+            written("store", Shape::Store, |_, s| stored(s, |k| k.kept.clone())),
+            value("pivot", Shape::Scalar, |_, s| stored(s, |k| vec![k.pivot])),
+        ],
+    )
+    .only(|_, s| s.stored.is_some()),
+    signature(
+        Function::System,
+        "system",
+        Assemble,
+        "Factors K(c) and evaluates its right-hand sides Q (N, N m) and γ − 2α (D v − ν) − β² Φ; \
+         the smallest relative pivot of the\n\
+         velocities where M alone is singular, else one.",
+        &[Constants, Time, Q, V, Inputs, TwoAlpha, BetaSquared, Compliance],
+        &[
+            written("store_out", Shape::Store, |_, s| stored(s, |k| k.kept.clone())),
+            written("forces_out", Shape::Velocities, |e, _| e.forces.clone()),
+            written("rows_out", Shape::Rows, |_, s| stored(s, |k| k.rows.clone())),
+            value("pivot", Shape::Scalar, |_, s| stored(s, |k| vec![k.velocity_pivot])),
+        ],
+    )
+    .only(|_, s| s.emits_system && s.stored.is_some()),
+    signature(
+        Function::Solve,
+        "solve",
+        Assemble,
+        "a and λ of K(c) (a, λ) = (forces, rows), from what is kept of its factorisation.",
+        &[Constants, Store, GivenForces, GivenRows],
+        &[
+            written("a_out", Shape::Velocities, |e, s| {
+                stored(s, |k| k.solution.iter().copied().take(e.layout.velocities()).collect())
+            }),
+            written("lambda_out", Shape::Rows, |e, s| {
+                stored(s, |k| k.solution.iter().copied().skip(e.layout.velocities()).collect())
+            }),
+        ],
+    )
+    .only(|_, s| s.stored.is_some()),
+    signature(
+        Function::FactorJacobian,
+        "factor_jacobian",
+        Assemble,
+        "D = L U in the dependent velocities: what is kept of it; the smallest pivot squared.",
+        POSITION,
+        &[
+            written("lu", Shape::Lu, |_, s| independent(s, |n| n.kept.clone())),
+            value("pivot", Shape::Scalar, |_, s| independent(s, |n| vec![n.partition_pivot])),
+        ],
+    )
+    .only(|_, s| s.null_space.is_some()),
+    signature(
+        Function::DependentVelocities,
+        "dependent_velocities",
+        Assemble,
+        "Velocities with D v = rows, from what is kept of D, the rows, and the independent \
+         velocities.",
+        &[Constants, Lu, GivenRows, V],
+        &[written("out", Shape::Velocities, |_, s| independent(s, |n| n.dependent.clone()))],
+    )
+    .only(|_, s| s.null_space.is_some()),
+    signature(
+        Function::NullSpace,
+        "null_space",
+        Assemble,
+        "v̇ and λ of M v̇ + Dᵀ λ = Q, D v̇ = γ by independent velocities; the smallest relative \
+         pivot.",
+        SOLUTION,
+        &[
+            written("a_out", Shape::Velocities, |_, s| independent(s, |n| n.acceleration.clone())),
+            written("lambda_out", Shape::Rows, |_, s| independent(s, |n| n.lambda.clone())),
+            value("pivot", Shape::Scalar, |_, s| independent(s, |n| vec![n.pivot])),
+        ],
+    )
+    .only(|_, s| s.null_space.is_some()),
+    signature(
+        Function::Residual,
+        "residual",
+        Tangent,
+        "r = M v̇ + Dᵀ λ − Q (N or N m).",
+        EVERYTHING,
+        &[written("out", Shape::Velocities, |e, _| {
+            e.tangents.iter().flat_map(|tangents| tangents.residual.clone()).collect()
+        })],
+    )
+    .only(|e, _| e.tangents.is_some()),
+    signature(
+        Function::Tangent,
+        "tangent",
+        Tangent,
+        "∂r/∂q along increments of q, and ∂r/∂v: the stored entries.",
+        EVERYTHING,
+        &[
+            written("stiffness_out", Shape::Matrix(&shape::STIFFNESS), |e, _| shape::STIFFNESS.nodes(e)),
+            written("damping_out", Shape::Matrix(&shape::DAMPING), |e, _| shape::DAMPING.nodes(e)),
+        ],
+    )
+    .only(|e, _| e.tangents.is_some()),
+    signature(
+        Function::RowTangent,
+        "row_tangent",
+        Tangent,
+        "∂(D v̇ − γ)/∂q along increments of q, and ∂(D v̇ − γ)/∂v: the stored entries.",
+        MOVING,
+        &[
+            written("stiffness_out", Shape::Matrix(&shape::ROW_STIFFNESS), |e, _| {
+                shape::ROW_STIFFNESS.nodes(e)
+            }),
+            written("damping_out", Shape::Matrix(&shape::ROW_DAMPING), |e, _| shape::ROW_DAMPING.nodes(e)),
+        ],
+    )
+    .only(|e, _| e.tangents.is_some()),
+    signature(
+        Function::RateTangent,
+        "rate_tangent",
+        Tangent,
+        "∂(D v − ν)/∂q along increments of q: the stored entries.",
+        STATE,
+        &[written("out", Shape::Matrix(&shape::RATE), |e, _| shape::RATE.nodes(e))],
+    )
+    .only(|e, _| e.tangents.is_some()),
+    signature(
+        Function::InputTangent,
+        "input_tangent",
+        Tangent,
+        "∂r/∂u = −∂Q/∂u: the stored entries.",
+        WITH_INPUTS,
+        &[written("out", Shape::Matrix(&shape::INPUT), |e, _| shape::INPUT.nodes(e))],
+    )
+    .only(|e, _| e.tangents.is_some()),
+    signature(
+        Function::ParameterTangent,
+        "parameter_tangent",
+        Tangent,
+        "Derivatives by the parameters of r, D v̇ − γ, D v − ν, Φ and the outputs: the stored \
+         entries.",
+        EVERYTHING,
+        &[written("out", Shape::Matrix(&shape::PARAMETER), |e, _| shape::PARAMETER.nodes(e))],
+    )
+    .only(|e, _| e.tangents.is_some()),
+    signature(
+        Function::OutputTangent,
+        "output_tangent",
+        Tangent,
+        "Derivatives of the outputs by q, v, u and λ: the stored entries.",
+        &[Constants, Time, Q, V, Inputs, Lambda],
+        &[written("out", Shape::Matrix(&shape::OUTPUT), |e, _| shape::OUTPUT.nodes(e))],
+    )
+    .only(|e, _| e.tangents.is_some()),
+    signature(
+        Function::CoordinateTangent,
+        "coordinate_tangent",
+        Tangent,
+        "∂(ż, z̈)/∂(q, v) of the independent coordinates z at given v̇: the stored entries.",
+        MOVING,
+        &[written("out", Shape::Matrix(&shape::COORDINATE), |e, _| shape::COORDINATE.nodes(e))],
+    )
+    .only(|e, _| e.tangents.is_some()),
+    signature(
+        Function::Prepare,
+        "prepare",
+        Preparation,
+        "What depends on parameters and phases alone: the constants of the prepared model.",
+        &[Parameters, Phases],
+        &[value("constants", Shape::Constants, |_, _| Vec::new())],
+    ),
+];
+
+/// What the factorisation of K(c) keeps or gives, where it is asked for.
+fn stored(solved: &Solved, of: impl Fn(&Stored) -> Vec<Node>) -> Vec<Node> {
+    solved.stored.as_ref().map_or(Vec::new(), of)
+}
+
+fn independent(solved: &Solved, of: impl Fn(&NullSpace) -> Vec<Node>) -> Vec<Node> {
+    solved.null_space.as_ref().map_or(Vec::new(), of)
+}
+
+fn targets(equations: &Equations, of: fn(&StartTarget) -> Option<Node>) -> Vec<Node> {
+    equations.start_targets.iter().map(|target| of(target).unwrap_or(equations.zero)).collect()
+}
