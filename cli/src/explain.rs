@@ -6,7 +6,7 @@ use crate::start;
 use linkwright_compiler::counts::Row;
 use linkwright_compiler::equations::conditions;
 use linkwright_compiler::model::{
-    BodyKind, ConstraintKind, Coordinate, Coordinates, Frame, JointId, Mechanism, Redundant,
+    ConstraintKind, Coordinate, Coordinates, Frame, JointId, Mechanism, Redundant,
 };
 use linkwright_compiler::schedule::{Function, count, live_values};
 use linkwright_compiler::syntax::Definition;
@@ -190,6 +190,6 @@ fn loads(mechanism: &Mechanism) -> Vec<[String; 2]> {
 pub fn turns(mechanism: &Mechanism, frame: Frame) -> bool {
     match frame {
         Frame::Ground => true,
-        Frame::Body(body) => mechanism.bodies[body.0].kind == BodyKind::Rigid,
+        Frame::Body(body) => mechanism.bodies[body.0].form.turns,
     }
 }

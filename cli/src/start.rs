@@ -5,7 +5,7 @@ use crate::explain::{Body, Value, turns};
 use linkwright_compiler::Compiled;
 use linkwright_compiler::check::assemble::{Ancestry, Point};
 use linkwright_compiler::equations::{Equations, Laws, conditions};
-use linkwright_compiler::model::{BodyId, BodyKind, Coordinate, JointId, Mechanism, Rotor, Space};
+use linkwright_compiler::model::{BodyId, Coordinate, JointId, Mechanism, Rotor, Space};
 use linkwright_compiler::symbolic::Node;
 use linkwright_compiler::syntax::Definition;
 use linkwright_compiler::units::{Dimension, Unit};
@@ -182,7 +182,7 @@ fn masses(mechanism: &Mechanism, equations: &Equations) -> Vec<Vec<Node>> {
     );
     let nodes = mechanism.bodies.iter().map(|body| {
         let mut nodes = vec![laws.value(&body.mass).bare];
-        if body.kind == BodyKind::Rigid {
+        if body.form.turns {
             let moments = laws.vector(&body.inertia.moments).bare;
             nodes.extend(if mechanism.space == Space::Planar { &moments[2..] } else { &moments[..] });
         }
@@ -203,7 +203,7 @@ fn bodies(
         let BodyId(index) = BodyId(index);
         Body {
             name: mechanism.bodies[index].name.text.clone(),
-            shape: definition.bodies[index].shape.text(),
+            shape: definition.bodies[index].form.word,
             mass: values[0],
             moments: values[1..].to_vec(),
         }

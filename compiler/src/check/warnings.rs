@@ -7,10 +7,11 @@
 use super::proportion::disproportion;
 use super::rules::{at_defaults, touched};
 use crate::diagnostics::{Allowed, Diagnostics, Lint, Region};
+use crate::forms::Outline;
 use crate::forms::{JointForm, Law, Sign};
 use crate::messages;
 use crate::model::{
-    Body, BodyId, Declared, Expr, Frame, JointId, Load, Mechanism, NamedPoint, Rotor, Shape, Subject, Vector,
+    Body, BodyId, Declared, Expr, Frame, JointId, Load, Mechanism, NamedPoint, Rotor, Subject, Vector,
 };
 
 /// The warnings in the order they are reported.
@@ -201,7 +202,7 @@ fn places_are_on_their_bodies(mechanism: &Mechanism, wanted: &mut Wanted) {
                 continue;
             }
             if let Some((along, least)) = beyond(mechanism, body, place) {
-                let message = messages::outside(&place.name.text, body.shape, &body.name.text, along, least);
+                let message = messages::outside(&place.name.text, body.form, &body.name.text, along, least);
                 wanted.push(Lint::Outside, place.name.span, message);
             }
         }
@@ -217,21 +218,21 @@ fn beyond(mechanism: &Mechanism, body: &Body, place: &NamedPoint) -> Option<((&'
     };
     let half = |name: &str| length(name).map(|length| length / 2.0);
     let [x, y, z] = [value(&place.at[0])?, value(&place.at[1])?, value(&place.at[2])?];
-    let limits = match body.shape {
-        Shape::Body | Shape::Particle => return None,
-        Shape::Rod | Shape::Cylinder => {
+    let limits = match body.form.outline {
+        Outline::None => return None,
+        Outline::Bar => {
             vec![("along x", x.abs(), half("length")), ("off its axis", libm::hypot(y, z), length("radius"))]
         }
-        Shape::Disk => {
+        Outline::Disk => {
             vec![
                 ("off its axis", libm::hypot(x, y), length("radius")),
                 ("along z", z.abs(), half("thickness")),
             ]
         }
-        Shape::Sphere => {
+        Outline::Ball => {
             vec![("from its centre", libm::hypot(libm::hypot(x, y), z), length("radius"))]
         }
-        Shape::Box => vec![
+        Outline::Box => vec![
             ("along x", x.abs(), half("width").or(half("size along x"))),
             ("along y", y.abs(), half("height").or(half("size along y"))),
             ("along z", z.abs(), half("thickness").or(half("size along z"))),

@@ -7,6 +7,7 @@
 //! Equations are written with operators, on values that know their graph: numbers, vectors, and [jets](Moving) as functions of the
 //! motion. What is kept of them are bare nodes.
 
+pub mod bodies;
 pub mod conditions;
 pub mod coordinates;
 pub mod couplings;
@@ -32,7 +33,7 @@ pub use switch::{Omitted, Sized, Switch};
 pub use tangent::Tangents;
 
 use crate::forms::{Sign, Vocabulary};
-use crate::model::{BodyKind, Coordinate, Mechanism, Redundant, Space};
+use crate::model::{Coordinate, Mechanism, Redundant, Space};
 use crate::symbolic::{Class, Growing, Node, Scalar, Sheet, all_bare};
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -362,7 +363,7 @@ fn masses(laws: &Laws) -> Vec<(String, Node)> {
     for body in &laws.mechanism.bodies {
         let name = &body.name.text;
         masses.push((format!("mass of \"{name}\""), laws.value(&body.mass).bare));
-        if body.kind == BodyKind::Rigid {
+        if body.form.turns {
             let moments = laws.vector(&body.inertia.moments).bare;
             match laws.mechanism.space {
                 Space::Planar => masses.push((format!("inertia of \"{name}\""), moments[2])),
@@ -392,6 +393,7 @@ fn masses(laws: &Laws) -> Vec<(String, Node)> {
 
 /// The words of all elements.
 pub static VOCABULARY: Vocabulary = Vocabulary {
+    bodies: bodies::BODIES,
     joints: |space| match space {
         Space::Planar => plane::joints::JOINTS.iter().map(|joint| &joint.form).collect(),
         Space::Spatial => space::joints::JOINTS.iter().map(|joint| &joint.form).collect(),

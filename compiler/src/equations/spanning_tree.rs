@@ -4,7 +4,7 @@
 //! tree coordinates each body hangs on one joint of a spanning tree, and the other joints, cut, give the rows.
 
 use super::{plane, space};
-use crate::model::{BodyId, BodyKind, Frame, JointId, Mechanism, Space};
+use crate::model::{BodyId, Frame, JointId, Mechanism, Space};
 use std::collections::{BTreeMap, BTreeSet};
 
 /// How one body is carried.
@@ -113,7 +113,7 @@ fn next_layer(
     for frame in frontier {
         // A particle has no orientation: nothing that needs one can hang on it.
         if let Frame::Body(body) = frame
-            && mechanism.bodies[body.0].kind == BodyKind::Particle
+            && !mechanism.bodies[body.0].form.turns
         {
             continue;
         }

@@ -3,11 +3,13 @@
 //! The forms themselves stand with their elements, one file each. Those who read, name and check elements are handed a
 //! [`Vocabulary`] and know no element by itself.
 
+mod body;
 mod coupling;
 mod joint;
 mod load;
 pub mod row;
 
+pub use body::{BodyForm, Length, Moment, Outline, Solid, Volume};
 pub use coupling::{CouplingForm, Factor, Means, Proportion};
 pub use joint::{Alone, Freer, Given, JointAxes, JointForm, OfParticle, Spans, degrees_between};
 pub use load::{Acts, Law, LoadForm, Written};
@@ -40,36 +42,10 @@ impl Space {
     }
 }
 
-/// Shapes of bodies.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Shape {
-    Body,
-    Rod,
-    Disk,
-    Box,
-    Sphere,
-    Cylinder,
-    Particle,
-}
-
-impl Shape {
-    /// As written.
-    pub fn text(self) -> &'static str {
-        match self {
-            Self::Body => "body",
-            Self::Rod => "rod",
-            Self::Disk => "disk",
-            Self::Box => "box",
-            Self::Sphere => "sphere",
-            Self::Cylinder => "cylinder",
-            Self::Particle => "particle",
-        }
-    }
-}
-
 /// All words of elements.
 #[derive(Clone, Copy, Debug)]
 pub struct Vocabulary {
+    pub bodies: &'static [&'static BodyForm],
     pub joints: fn(Space) -> Vec<&'static JointForm>,
     pub couplings: &'static [&'static CouplingForm],
     pub loads: fn(Space) -> Vec<&'static LoadForm>,

@@ -1,7 +1,7 @@
 //! Texts of warnings: what is possible and probably not meant. Each says how it is taken back.
 
 use super::number;
-use crate::forms::Shape;
+use crate::forms::BodyForm;
 
 /// `kind`: a constant, parameter, input, point, marker or line.
 pub(crate) fn unused(kind: &str, name: &str, body: Option<&str>) -> String {
@@ -88,9 +88,9 @@ pub(crate) fn negative_coefficient(what: &str, load: &str, value: f64) -> String
 }
 
 /// Metres; `along`: in which direction, and how far out.
-pub(crate) fn outside(place: &str, shape: Shape, body: &str, along: (&str, f64), limit: f64) -> String {
+pub(crate) fn outside(place: &str, form: &BodyForm, body: &str, along: (&str, f64), limit: f64) -> String {
     let (direction, out) = along;
-    let shape = shape.text();
+    let shape = form.word;
     format!(
         "`{place}` lies outside of the {shape} `{body}`: {} m {direction}, and the {shape} ends at {} m. Correct the place or \
          the dimensions, or write `#[allow(outside)]` before it",

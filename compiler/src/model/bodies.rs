@@ -3,21 +3,16 @@
 
 use super::lower::{Lowering, Use, name};
 use super::names::Part;
-use super::places::has_ends;
-use super::{Axes, Body, BodyKind, Expr, Inertia, NamedLine, NamedPoint, Vector, ZERO};
+use super::{Axes, Body, Expr, Inertia, NamedLine, NamedPoint, Vector, ZERO};
 use crate::diagnostics::Region;
 use crate::messages;
-use crate::syntax::{self, Line, Shape, Space};
+use crate::syntax::{self, Line, Space};
 use crate::units::Dimension;
-
-/// Lengths of shapes, in the order in which they are checked.
-const LENGTHS: [&str; 5] = ["length", "radius", "width", "height", "thickness"];
-const SIZES: [&str; 3] = ["size along x", "size along y", "size along z"];
 
 impl<'d> Lowering<'d> {
     pub(super) fn missing(&mut self, body: &'d syntax::Body, property: &str) {
         let message =
-            messages::missing_property(body.shape.text(), &body.name.text, property, self.definition.space);
+            messages::missing_property(body.form.word, &body.name.text, property, self.definition.space);
         self.diagnostics.error(body.name.region, message);
     }
 
@@ -31,7 +26,7 @@ impl<'d> Lowering<'d> {
         };
         let inertia = match written {
             Some(written) => written,
-            None if body.shape == Shape::Body => {
+            None if body.form.states_inertia(self.definition.space) => {
                 self.missing(body, "inertia");
                 None
             }
@@ -44,18 +39,11 @@ impl<'d> Lowering<'d> {
         };
         let ((mass, mass_span), (inertia, inertia_span)) = (mass?, inertia?);
         let (points, lines) = (self.named_points(index, body)?, self.named_lines(index, body)?);
-        let mut dimensions = Vec::new();
-        for property in LENGTHS.into_iter().filter(|it| body.property(it).is_some()) {
-            dimensions.push((property, self.shape_length(body, property, false)?));
-        }
-        if body.vector("size").is_some() {
-            dimensions.extend(SIZES.into_iter().zip(self.size(body, false)?));
-        }
+        let dimensions = self.dimensions(body)?;
         Some(Body {
             dimensions,
             name: name(&body.name),
-            shape: body.shape,
-            kind: if body.shape == Shape::Particle { BodyKind::Particle } else { BodyKind::Rigid },
+            form: body.form,
             mass,
             mass_span,
             inertia,
@@ -130,7 +118,7 @@ impl<'d> Lowering<'d> {
 
     /// Points in the order written, those of the shape first.
     fn named_points(&self, index: usize, body: &'d syntax::Body) -> Option<Vec<NamedPoint>> {
-        let own = if has_ends(body.shape) { ["start", "end"].as_slice() } else { &[] };
+        let own = if body.form.has_ends { ["start", "end"].as_slice() } else { &[] };
         let span = body.name.region;
         let own = own.iter().map(|text| super::Name { text: (*text).to_string(), span });
         let written = body.points.iter().map(|(label, _)| name(label));

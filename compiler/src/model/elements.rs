@@ -1,6 +1,6 @@
 //! Joints, couplings and loads of a mechanism: each by its form and what it was given, whatever its kind.
 
-use super::{BodyId, BodyKind, Expr, Frame, JointId, Mechanism, Name, Place, Vector};
+use super::{BodyId, Expr, Frame, JointId, Mechanism, Name, Place, Vector};
 use crate::forms::{Argument, CouplingForm, JointAxes, JointForm, LoadForm, Proportion, Spans};
 
 /// A joint between two places. Its coordinate, rate, travel and torque are those of the second place's body
@@ -47,7 +47,7 @@ impl Joint {
     pub fn has_particle(&self, mechanism: &Mechanism) -> bool {
         let is_particle = |frame: Frame| match frame {
             Frame::Ground => false,
-            Frame::Body(body) => mechanism.bodies[body.0].kind == BodyKind::Particle,
+            Frame::Body(body) => !mechanism.bodies[body.0].form.turns,
         };
         is_particle(self.first.frame) || is_particle(self.second.frame)
     }

@@ -22,8 +22,9 @@ mod unused;
 mod values;
 
 use crate::diagnostics::{Allowed, Region};
+use crate::forms::BodyForm;
 pub use crate::forms::{Alone, JointAxes, JointForm, LoadForm, Space};
-pub use crate::syntax::{Budgeted, Shape};
+pub use crate::syntax::Budgeted;
 pub use elements::{Constraint, ConstraintKind, Coupled, Coupling, Joint, Load, Rotor, Subject};
 pub use expression::{Comparison, Condition, Coordinate, Expr, Function1, Function2, Quantity};
 pub use lower::lower;
@@ -150,9 +151,7 @@ pub struct Input {
 #[derive(Clone, Debug)]
 pub struct Body {
     pub name: Name,
-    /// As declared: what a drawing shows, and the points it has of its own.
-    pub shape: Shape,
-    pub kind: BodyKind,
+    pub form: &'static BodyForm,
     /// kg, of parameters only.
     pub mass: Expr,
     pub mass_span: Region,
@@ -168,14 +167,6 @@ pub struct Body {
     /// Where its markers are, likewise.
     pub markers: Vec<NamedPoint>,
     pub lines: Vec<NamedLine>,
-}
-
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum BodyKind {
-    /// Position and orientation.
-    Rigid,
-    /// Position only; everything attached sits at its centre.
-    Particle,
 }
 
 /// The inertia tensor about the centre of mass, kg m², of parameters only.

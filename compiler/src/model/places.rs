@@ -7,7 +7,7 @@ use super::unused::Scope;
 use super::{Axes, BodyId, Expr, Frame, Function2, Place, Vector, ZERO};
 use crate::diagnostics::Region;
 use crate::messages;
-use crate::syntax::{self, Ground, Line, Marker, MarkerAxes, Path, PlaceTerm, Shape};
+use crate::syntax::{self, Ground, Line, Marker, MarkerAxes, Path, PlaceTerm};
 use crate::units::Dimension;
 use std::collections::HashMap;
 
@@ -37,7 +37,7 @@ impl<'d> Lowering<'d> {
             let at = self.vector(tuple, Dimension::LENGTH, Use::PROPERTY, &messages::quoted(&label.text));
             points.insert(&label.text, at);
         }
-        if has_ends(body.shape) {
+        if body.form.has_ends {
             let half = self.shape_length(body, "length", false).map(|length| halved(length, 0.5));
             for (end, sign) in [("start", -1.0), ("end", 1.0)] {
                 let at = half.clone().map(|half| [halved(half, sign), Expr::Number(0.0), Expr::Number(0.0)]);
@@ -290,19 +290,13 @@ impl<'d> Lowering<'d> {
         let mut known: Vec<&str> = frame.points.keys().chain(frame.markers.keys()).copied().collect();
         known.extend(["center", "origin"]);
         known.sort_unstable();
-        let particle = self.definition.bodies[index].shape == Shape::Particle;
-        let message = if particle {
-            messages::particle_with_places(body)
-        } else {
+        let message = if self.definition.bodies[index].form.turns {
             messages::unknown_point(body, point, &known)
+        } else {
+            messages::particle_with_places(body)
         };
         self.diagnostics.error(region, message);
     }
-}
-
-/// Whether a shape has points `start` and `end` of its own.
-pub(super) fn has_ends(shape: Shape) -> bool {
-    matches!(shape, Shape::Rod | Shape::Cylinder)
 }
 
 /// A length times a number.

@@ -6,7 +6,7 @@ use super::values::Typed;
 use super::{BodyId, Coordinate, DriverId, Expr, Frame, JointId, LoadId, Place, Quantity, Rotor};
 use crate::diagnostics::Region;
 use crate::messages;
-use crate::syntax::{FirstTerm, Label, LineTerm, Path, PlaceTerm, Shape, Space, Term, TermKind};
+use crate::syntax::{FirstTerm, Label, LineTerm, Path, PlaceTerm, Space, Term, TermKind};
 use crate::units::Dimension;
 
 struct Found {
@@ -432,7 +432,7 @@ impl<'d> Lowering<'d> {
     pub fn is_particle(&self, frame: Frame) -> bool {
         match frame {
             Frame::Ground => false,
-            Frame::Body(body) => self.definition.bodies[body.0].shape == Shape::Particle,
+            Frame::Body(body) => !self.definition.bodies[body.0].form.turns,
         }
     }
 }

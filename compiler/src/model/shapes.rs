@@ -1,15 +1,15 @@
-//! What follows from the shape of a body: moments of inertia about the centre of mass, and the volume.
-//!
-//! In the plane: rod m (3 r² + L²)/12, disk m r²/2, box m (w² + h²)/12, particle 0, about z.
-//! In space, along body axes: rod and cylinder along x, (m r²/2, m (3 r² + L²)/12, the same); disk across z,
-//! (m (3 r² + t²)/12, the same, m r²/2); sphere 2 m r²/5; box m (b² + c²)/12 and so on. A rod without radius has r = 0, a
-//! disk without thickness t = 0.
+//! What follows from the lengths of a body: moments of inertia about the centre of mass, and the volume. The formulas stand with
+//! the kinds of bodies.
 
 use super::lower::{Lowering, Use};
 use super::{Expr, Function2, Vector, ZERO, fold};
+use crate::forms::{Length, Moment, Need, Solid, Volume};
 use crate::messages;
-use crate::syntax::{self, Shape, Space};
+use crate::syntax;
 use crate::units::Dimension;
+
+/// Lengths by name.
+pub type Lengths = Vec<(&'static str, Expr)>;
 
 impl<'d> Lowering<'d> {
     /// A length of a shape; what is missing is said only once, when the body itself is lowered.
@@ -52,133 +52,100 @@ impl<'d> Lowering<'d> {
         Some(size)
     }
 
-    /// The moments that follow from the shape; its lengths are checked whether they are needed or not.
-    pub fn shape_inertia(&mut self, body: &'d syntax::Body, mass: Option<&Expr>) -> Option<Vector> {
-        if self.definition.space == Space::Spatial {
-            return self.spatial_moments(body, mass);
+    /// All lengths of a body, zero where they may be left out and are; `None` after an error.
+    fn lengths(&mut self, body: &'d syntax::Body, report: bool) -> Option<Lengths> {
+        let solid = body.form.solid(self.definition.space)?;
+        let size = if solid.has_size() { Some(self.size(body, report)?) } else { None };
+        let mut found = Vec::new();
+        for length in solid.lengths {
+            found.push((length.name, self.length(body, length, size.as_ref(), report)));
         }
-        let (squares, divisor) = match body.shape {
-            Shape::Body | Shape::Sphere | Shape::Cylinder => return None,
-            Shape::Particle => return Some(ZERO),
-            Shape::Rod => {
-                let (length, radius) =
-                    (self.shape_length(body, "length", true), self.if_given(body, "radius"));
-                (across(length?, radius?), 12.0)
-            }
-            Shape::Disk => {
-                let (radius, thickness) =
-                    (self.shape_length(body, "radius", true), self.if_given(body, "thickness"));
-                thickness?;
-                (square(radius?), 2.0)
-            }
-            Shape::Box => {
-                self.if_given(body, "thickness")?;
-                let (width, height) =
-                    (self.shape_length(body, "width", true), self.shape_length(body, "height", true));
-                (add(square(width?), square(height?)), 12.0)
-            }
+        found.into_iter().map(|(name, length)| Some((name, length?))).collect()
+    }
+
+    fn length(
+        &mut self,
+        body: &'d syntax::Body,
+        length: &Length,
+        size: Option<&Vector>,
+        report: bool,
+    ) -> Option<Expr> {
+        match (length.of_size, length.need) {
+            (Some(component), _) => size.map(|size| size[component].clone()),
+            (None, Need::Always) => self.shape_length(body, length.name, report),
+            (None, _) if body.property(length.name).is_some() => self.shape_length(body, length.name, report),
+            (None, _) => Some(Expr::Number(0.0)),
+        }
+    }
+
+    /// The lengths of a body that are given.
+    pub fn dimensions(&mut self, body: &'d syntax::Body) -> Option<Lengths> {
+        let solid = body.form.solid(self.definition.space)?;
+        let is_given = |name: &str| {
+            let length = solid.lengths.iter().find(|length| length.name == name);
+            length.is_some_and(|length| length.of_size.is_some() || body.property(name).is_some())
         };
-        Some([Expr::Number(0.0), Expr::Number(0.0), over(times(mass?.clone(), squares), divisor)])
+        let mut lengths = self.lengths(body, false)?;
+        lengths.retain(|(name, _)| is_given(name));
+        Some(lengths)
     }
 
-    fn spatial_moments(&mut self, body: &'d syntax::Body, mass: Option<&Expr>) -> Option<Vector> {
-        let part = |mass: &Expr, squares: Expr, divisor: f64| over(times(mass.clone(), squares), divisor);
-        Some(match body.shape {
-            Shape::Body => return None,
-            Shape::Particle => ZERO,
-            Shape::Rod | Shape::Cylinder => {
-                let length = self.shape_length(body, "length", true);
-                let radius = match body.shape {
-                    Shape::Rod => self.if_given(body, "radius"),
-                    _ => self.shape_length(body, "radius", true),
-                };
-                let (length, radius, mass) = (length?, radius?, mass?);
-                let along = part(mass, square(radius.clone()), 2.0);
-                let across = part(mass, across(length, radius), 12.0);
-                [along, across.clone(), across]
-            }
-            Shape::Disk => {
-                let (radius, thickness) =
-                    (self.shape_length(body, "radius", true), self.if_given(body, "thickness"));
-                let (radius, thickness, mass) = (radius?, thickness?, mass?);
-                let across = match thickness {
-                    Expr::Number(0.0) => part(mass, square(radius.clone()), 4.0),
-                    thickness => part(mass, across(thickness, radius.clone()), 12.0),
-                };
-                [across.clone(), across, part(mass, square(radius), 2.0)]
-            }
-            Shape::Sphere => {
-                let radius = square(self.shape_length(body, "radius", true)?);
-                let moment = part(mass?, times(Expr::Number(2.0), radius), 5.0);
-                [moment.clone(), moment.clone(), moment]
-            }
-            Shape::Box => {
-                let [a, b, c] = self.size(body, true)?.map(square);
-                let mass = mass?;
-                [
-                    part(mass, add(b.clone(), c.clone()), 12.0),
-                    part(mass, add(a.clone(), c), 12.0),
-                    part(mass, add(a, b), 12.0),
-                ]
-            }
-        })
+    /// The moments that follow from the lengths, if any do; its lengths are checked whether they are needed or not.
+    pub fn shape_inertia(&mut self, body: &'d syntax::Body, mass: Option<&Expr>) -> Option<Vector> {
+        let Solid { moments, .. } = body.form.solid(self.definition.space)?;
+        let lengths = self.lengths(body, true);
+        let moments = moments.as_ref()?;
+        if moments.iter().all(|moment| moment.squares.is_empty()) {
+            return Some(ZERO);
+        }
+        let (lengths, mass) = (lengths?, mass?);
+        Some(moments.each_ref().map(|moment| moment_of(moment, mass, &lengths)))
     }
 
-    /// m³.
+    /// m³; `None` where it does not follow, which is said.
     pub fn volume(&mut self, body: &'d syntax::Body) -> Option<Expr> {
-        let pi = |factor: f64| Expr::Number(factor * core::f64::consts::PI);
-        match body.shape {
-            Shape::Rod if body.property("radius").is_none() => self.no_volume(body, "radius"),
-            Shape::Disk if body.property("thickness").is_none() => self.no_volume(body, "thickness"),
-            Shape::Box if self.definition.space == Space::Planar && body.property("thickness").is_none() => {
-                self.no_volume(body, "thickness")
-            }
-            Shape::Rod | Shape::Cylinder => {
-                let (length, radius) =
-                    (self.shape_length(body, "length", false)?, self.shape_length(body, "radius", false)?);
-                Some(times(times(pi(1.0), square(radius)), length))
-            }
-            Shape::Sphere => {
-                let radius = self.shape_length(body, "radius", false)?;
-                Some(times(pi(4.0 / 3.0), times(radius.clone(), square(radius))))
-            }
-            Shape::Disk => {
-                let (radius, thickness) =
-                    (self.shape_length(body, "radius", false)?, self.shape_length(body, "thickness", false)?);
-                Some(times(times(pi(1.0), square(radius)), thickness))
-            }
-            Shape::Box if self.definition.space == Space::Planar => {
-                let edges = ["width", "height", "thickness"].map(|edge| self.shape_length(body, edge, false));
-                let [a, b, c] = edges;
-                Some(times(times(a?, b?), c?))
-            }
-            Shape::Box => {
-                let [a, b, c] = self.size(body, false)?;
-                Some(times(times(a, b), c))
-            }
-            Shape::Body | Shape::Particle => None,
+        let Solid { volume, lengths: forms, .. } = body.form.solid(self.definition.space)?;
+        let Volume { factor, edges } = volume.as_ref()?;
+        let left_out = |name: &str| {
+            let length = forms.iter().find(|length| length.name == name);
+            length.is_some_and(|length| length.need != Need::Always) && body.property(name).is_none()
+        };
+        if let Some((missing, _)) = edges.iter().find(|(name, _)| left_out(name)) {
+            let message = messages::density_needs(body.form.word, &body.name.text, missing);
+            self.diagnostics.error(body.name.region, message);
+            return None;
         }
-    }
-
-    /// What a density alone does not say.
-    fn no_volume(&mut self, body: &'d syntax::Body, missing: &str) -> Option<Expr> {
-        let message = messages::density_needs(body.shape.text(), &body.name.text, missing);
-        self.diagnostics.error(body.name.region, message);
-        None
-    }
-
-    /// A length that may be left out, and is then zero.
-    fn if_given(&mut self, body: &'d syntax::Body, property: &str) -> Option<Expr> {
-        match body.property(property) {
-            Some(_) => self.shape_length(body, property, true),
-            None => Some(Expr::Number(0.0)),
-        }
+        let lengths = self.lengths(body, false)?;
+        let powers = edges.iter().map(|(name, power)| raised(by_name(&lengths, name), *power));
+        Some(powers.fold(Expr::Number(*factor), times))
     }
 }
 
-/// 3 r² + L², twelve times a cylinder's inertia across its axis for a mass of one.
-fn across(length: Expr, radius: Expr) -> Expr {
-    add(times(Expr::Number(3.0), square(radius)), square(length))
+/// m Σ factor · length² / divisor.
+fn moment_of(moment: &Moment, mass: &Expr, lengths: &Lengths) -> Expr {
+    let squares = moment.squares.iter().map(|(factor, name)| (*factor, square(by_name(lengths, name))));
+    let squares: Vec<(f64, Expr)> = squares.filter(|(_, it)| !matches!(it, Expr::Number(0.0))).collect();
+    // A thin disk has across it half of what it has about itself, to the last digit.
+    if let [(factor, only)] = squares.as_slice()
+        && moment.divisor % factor == 0.0
+    {
+        return over(times(mass.clone(), only.clone()), moment.divisor / factor);
+    }
+    let terms = squares.into_iter().map(|(factor, square)| times(Expr::Number(factor), square));
+    over(times(mass.clone(), terms.fold(Expr::Number(0.0), add)), moment.divisor)
+}
+
+fn by_name(lengths: &Lengths, name: &str) -> Expr {
+    let found = lengths.iter().find(|(known, _)| *known == name);
+    found.map_or(Expr::Number(0.0), |(_, length)| length.clone())
+}
+
+fn raised(length: Expr, power: u32) -> Expr {
+    match power {
+        1 => length,
+        2 => square(length),
+        _ => times(length.clone(), raised(length, power - 1)),
+    }
 }
 
 fn square(length: Expr) -> Expr {

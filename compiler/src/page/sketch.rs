@@ -7,8 +7,9 @@ use crate::drawing::Hinge;
 pub use crate::drawing::load::Effort;
 use crate::drawing::vector::{Point, difference, length, sum};
 use crate::equations::loads::{self, LoadKind};
+use crate::forms::BodyForm;
 use crate::forms::Spans;
-use crate::model::{Frame, Shape, Space};
+use crate::model::{Frame, Space};
 
 /// A mechanism at its start.
 pub struct Sketch {
@@ -25,7 +26,7 @@ pub struct Sketch {
 #[derive(Clone, Debug)]
 pub struct Part {
     pub name: String,
-    pub shape: Shape,
+    pub form: &'static BodyForm,
     pub center: Point,
     /// Its x, y and z.
     pub axes: [Point; 3],

@@ -147,7 +147,7 @@ impl<'a> Stand<'a> {
         let lengths = self.built(|laws| body.dimensions.iter().map(|(_, it)| laws.value(it).bare).collect());
         let mut part = Part {
             name: body.name.text.clone(),
-            shape: body.shape,
+            form: body.form,
             center,
             axes,
             lengths,

@@ -8,8 +8,8 @@ use crate::equations::conditions;
 use crate::equations::coordinates::rotor_name;
 use crate::forms::Law;
 use crate::model::{
-    Body, BodyKind, Condition, ConstraintKind, Coupled, Expr, Frame, JointId, Load, Mechanism, Space,
-    Subject, Vector, fold,
+    Body, Condition, ConstraintKind, Coupled, Expr, Frame, JointId, Load, Mechanism, Space, Subject, Vector,
+    fold,
 };
 use std::collections::BTreeSet;
 
@@ -29,7 +29,7 @@ pub fn bodies(page: &mut String, compiled: &Compiled) {
         let carrier = attachment.and_then(|it| it.joint);
         table.row(vec![
             code(&body.name.text),
-            body.shape.text().to_string(),
+            body.form.word.to_string(),
             value(mechanism, &body.mass),
             inertia(mechanism, body),
             if is_zero(&body.inertia.products) {
@@ -54,10 +54,10 @@ fn joint_name(mechanism: &Mechanism, joint: JointId) -> &str {
 }
 
 fn inertia(mechanism: &Mechanism, body: &Body) -> String {
-    match (body.kind, mechanism.space) {
-        (BodyKind::Particle, _) => String::new(),
-        (_, Space::Planar) => value(mechanism, &body.inertia.moments[2]),
-        (_, Space::Spatial) => vector(mechanism, &body.inertia.moments, 3),
+    match mechanism.space {
+        _ if !body.form.turns => String::new(),
+        Space::Planar => value(mechanism, &body.inertia.moments[2]),
+        Space::Spatial => vector(mechanism, &body.inertia.moments, 3),
     }
 }
 

@@ -1,35 +1,12 @@
 //! `body crank { mass [kg] = 1; point tip [m] = (1, 0); … }` and the shapes.
 
 use super::attributes::Bearer;
-use super::definition::{Body, Label, Marker, MarkerAxes, Shape, Space};
+use super::definition::{Body, Label, Marker, MarkerAxes, Space};
 use super::parser::{Failed, Parsed, Parser};
 use super::token::Cursor;
+use crate::forms::BodyForm;
 use crate::messages;
 use proc_macro2::Delimiter;
-
-/// Properties of one value that a shape may have.
-fn properties(shape: Shape, space: Space) -> &'static [&'static str] {
-    match (shape, space) {
-        (Shape::Body, Space::Planar) => &["mass", "inertia"],
-        (Shape::Rod, Space::Planar) => &["mass", "density", "length", "radius", "inertia"],
-        (Shape::Disk, Space::Planar) => &["mass", "density", "radius", "thickness", "inertia"],
-        (Shape::Box, Space::Planar) => &["mass", "density", "width", "height", "thickness", "inertia"],
-        (Shape::Particle, _) | (Shape::Body, Space::Spatial) => &["mass"],
-        (Shape::Rod | Shape::Cylinder, _) => &["mass", "density", "length", "radius"],
-        (Shape::Disk, Space::Spatial) => &["mass", "density", "radius", "thickness"],
-        (Shape::Sphere, _) => &["mass", "density", "radius"],
-        (Shape::Box, Space::Spatial) => &["mass", "density"],
-    }
-}
-
-/// Properties of three values that a shape may have.
-fn vectors(shape: Shape, space: Space) -> &'static [&'static str] {
-    match (shape, space) {
-        (_, Space::Planar) | (Shape::Particle, _) => &[],
-        (Shape::Box, Space::Spatial) => &["size", "inertia", "products", "inertia_axes"],
-        _ => &["inertia", "products", "inertia_axes"],
-    }
-}
 
 /// Whether several values in parentheses stand so many tokens ahead.
 fn is_vector(c: &Cursor, ahead: usize) -> bool {
@@ -41,13 +18,13 @@ fn is_vector(c: &Cursor, ahead: usize) -> bool {
 }
 
 impl Parser {
-    /// `name { … }` after the word of the shape.
-    pub fn body(&mut self, c: &mut Cursor, shape: Shape) -> Parsed<()> {
+    /// `name { … }` after the word of the kind.
+    pub fn body(&mut self, c: &mut Cursor, form: &'static BodyForm) -> Parsed<()> {
         let name = self.declared(c, "the name of the body")?;
         let mut inside = self.group(c, Delimiter::Brace)?;
         let mut body = Body {
             name,
-            shape,
+            form,
             properties: Vec::new(),
             vectors: Vec::new(),
             inertia_axes: None,
@@ -76,10 +53,10 @@ impl Parser {
     }
 
     fn property_after(&mut self, c: &mut Cursor, body: &mut Body) -> Parsed<()> {
-        let (shape, space) = (body.shape, self.definition.space);
-        let (allowed, vectors) = (properties(shape, space), vectors(shape, space));
+        let (form, space) = (body.form, self.definition.space);
+        let (allowed, vectors) = (form.properties(space), form.vectors(space));
         match c.word() {
-            Some("point" | "line" | "marker") if shape == Shape::Particle => {
+            Some("point" | "line" | "marker") if !form.turns => {
                 self.fail(c.region(), messages::particle_with_places(&body.name.text))
             }
             Some("point") => {
@@ -103,8 +80,8 @@ impl Parser {
                 body.markers.push(marker);
                 Ok(())
             }
-            Some("center") if shape != Shape::Body => {
-                self.fail(c.region(), messages::center_of_shape(shape.text()))
+            Some("center") if !form.states_center => {
+                self.fail(c.region(), messages::center_of_shape(form.word))
             }
             Some("center") => {
                 let label = self.word(c, "`center`")?;
@@ -166,9 +143,8 @@ impl Parser {
                 Ok(())
             }
             Some(word) => {
-                let allowed: Vec<&str> = allowed.iter().chain(vectors).copied().collect();
-                let message =
-                    messages::unknown_property(shape.text(), word, &allowed, &self.statement_words());
+                let allowed: Vec<&str> = allowed.iter().chain(&vectors).copied().collect();
+                let message = messages::unknown_property(form.word, word, &allowed, &self.statement_words());
                 self.fail(c.region(), message)
             }
             None => self.expected(c, "a property of the body"),

@@ -2,8 +2,9 @@
 //! and nothing converted. Every part keeps its place in the source.
 
 use crate::diagnostics::{Allowed, Region};
+use crate::forms::BodyForm;
+pub use crate::forms::Space;
 use crate::forms::{CouplingForm, JointForm, LoadForm, Proportion};
-pub use crate::forms::{Shape, Space};
 use crate::units::Unit;
 use proc_macro2::TokenStream;
 use std::collections::BTreeSet;
@@ -248,7 +249,7 @@ pub struct Input {
 #[derive(Clone, Debug)]
 pub struct Body {
     pub name: Label,
-    pub shape: Shape,
+    pub form: &'static BodyForm,
     /// `mass`, `density`, `inertia` in the plane, `length`, `radius`, `width`, `height`, `thickness`: those written.
     pub properties: Vec<(Label, Entry)>,
     /// In space: `inertia`, `products`, `size`: those written.

@@ -233,7 +233,7 @@ impl Writer {
 
     fn body(&mut self, body: &Body, space: Space) {
         self.key("name").string(&body.name.text);
-        self.key("kind").string(body.shape.text());
+        self.key("kind").string(body.form.word);
         self.key("properties").object(|w| {
             for (label, entry) in &body.properties {
                 w.key(&label.text).entry(entry);

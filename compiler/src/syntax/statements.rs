@@ -2,25 +2,18 @@
 //! conditions and options (`settings`). `repeat` reads its braces again for every round.
 
 use super::attributes::Bearer;
-use super::definition::{Constant, Driver, Input, Line, Output, Parameter, Shape, Space};
+use super::definition::{Constant, Driver, Input, Line, Output, Parameter};
 use super::parser::{Failed, Parsed, Parser};
 use super::token::Cursor;
 use crate::messages;
 use proc_macro2::{Delimiter, TokenStream};
 
-/// Words that begin a statement, but those of loads and couplings.
-const STATEMENTS: [&str; 21] = [
+/// Words that begin a statement, but those of bodies, loads and couplings.
+const STATEMENTS: [&str; 14] = [
     "const",
     "param",
     "input",
     "gravity",
-    "body",
-    "rod",
-    "disk",
-    "box",
-    "sphere",
-    "cylinder",
-    "particle",
     "marker",
     "line",
     "joint",
@@ -68,21 +61,11 @@ impl Parser {
             "param" => self.parameter(c, docs),
             "input" => self.input(c, docs),
             "gravity" => self.gravity(c),
-            "body" => self.body(c, Shape::Body),
-            "rod" => self.body(c, Shape::Rod),
-            "disk" => self.body(c, Shape::Disk),
-            "box" => self.body(c, Shape::Box),
-            "sphere" | "cylinder" if self.definition.space == Space::Planar => {
-                self.fail(at, messages::only_in_space(word))
-            }
-            "sphere" => self.body(c, Shape::Sphere),
-            "cylinder" => self.body(c, Shape::Cylinder),
             "marker" => {
                 let marker = self.marker(c)?;
                 self.definition.markers.push(marker);
                 Ok(())
             }
-            "particle" => self.body(c, Shape::Particle),
             "line" => {
                 let line = self.line(c)?;
                 self.definition.lines.push(line);
@@ -96,6 +79,12 @@ impl Parser {
             "options" => self.options(c),
             "expect" => self.expect(c),
             "repeat" => self.repeat(c),
+            word if let Some(form) = self.vocabulary.bodies.iter().find(|form| form.word == word) => {
+                match form.solid(self.definition.space) {
+                    Some(_) => self.body(c, form),
+                    None => self.fail(at, messages::only_in_space(word)),
+                }
+            }
             word if self.words_of_couplings().contains(&word) => self.coupling(c, word),
             word if self.words_of_loads().contains(&word) => self.load(c, word),
             word if messages::is_to_come(word) => self.fail(at, messages::not_there_yet(word)),
@@ -105,7 +94,13 @@ impl Parser {
 
     /// Words that begin a statement, for messages.
     pub fn statement_words(&self) -> Vec<&'static str> {
-        STATEMENTS.into_iter().chain(self.words_of_loads()).chain(self.words_of_couplings()).collect()
+        let bodies = self.vocabulary.bodies.iter().map(|form| form.word);
+        STATEMENTS
+            .into_iter()
+            .chain(bodies)
+            .chain(self.words_of_loads())
+            .chain(self.words_of_couplings())
+            .collect()
     }
 
     /// `NAME [unit] = value;`

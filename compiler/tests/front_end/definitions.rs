@@ -4,8 +4,7 @@ use crate::good;
 use linkwright_compiler::equations::VOCABULARY;
 use linkwright_compiler::forms::{Factor, Law, LoadForm, Means, Value};
 use linkwright_compiler::model::{
-    BodyKind, Budgeted, ConstraintKind, Coordinate, Coordinates, Coupled, Expr, Frame, Quantity, Rotor,
-    Space, Subject,
+    Budgeted, ConstraintKind, Coordinate, Coordinates, Coupled, Expr, Frame, Quantity, Rotor, Space, Subject,
 };
 
 /// The first example of the language.
@@ -152,7 +151,7 @@ fn every_kind_of_body_joint_constraint_and_load() {
     );
     let inertias: Vec<f64> = m.bodies.iter().map(|body| number(&body.inertia.moments[2])).collect();
     assert_eq!(inertias, [0.25, 5.0, 0.1, 0.0, 0.1]);
-    assert_eq!(m.bodies[3].kind, BodyKind::Particle);
+    assert!(!m.bodies[3].form.turns);
     assert_eq!(number(&m.bodies[3].mass), 0.5);
     assert_eq!(number(&m.bodies[1].points[0].at[1]), 0.5);
     assert_eq!(number(&m.bodies[2].points[0].at[0]), 0.3);

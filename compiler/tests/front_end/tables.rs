@@ -1,15 +1,69 @@
-//! The tables of joints in `docs/language.md` are what the records of the joints say: `UPDATE_GOLDEN=1 cargo test -p
+//! The tables of bodies and joints in `docs/language.md` are what their records say: `UPDATE_GOLDEN=1 cargo test -p
 //! linkwright-compiler --test front_end tables` writes them anew.
 
 use linkwright_compiler::equations::VOCABULARY;
-use linkwright_compiler::forms::{Argument, Form, JointForm, Need, Positional, Space, Value};
+use linkwright_compiler::forms::{
+    Argument, BodyForm, Form, JointForm, Moment, Need, Positional, Solid, Space, Value,
+};
 use std::fs;
 use std::path::Path;
 
 #[test]
-fn joints_are_those_of_the_records() {
+fn tables_are_those_of_the_records() {
+    compare("bodies of the plane", &bodies(Space::Planar));
+    compare("bodies of space", &bodies(Space::Spatial));
     compare("joints of the plane", &joints(Space::Planar));
     compare("joints of space", &joints(Space::Spatial));
+}
+
+fn bodies(space: Space) -> String {
+    let mut table = "| body | is | properties | inertia about the centre |\n|---|---|---|---|\n".to_string();
+    for body in VOCABULARY.bodies {
+        let Some(solid) = body.solid(space) else { continue };
+        let cells = [code(body.word), body.is.into(), properties(body, solid), inertia(body, solid, space)];
+        table += &format!("| {} |\n", cells.join(" | "));
+    }
+    table
+}
+
+/// What must be stated, then what may be.
+fn properties(body: &BodyForm, solid: &Solid) -> String {
+    let mut names = vec![code("mass")];
+    if solid.has_size() {
+        names.push("`size = (a, b, c)`".to_string());
+    }
+    let own = |needed: bool| {
+        let own = solid.lengths.iter().filter(move |length| length.of_size.is_none());
+        own.filter(move |length| (length.need == Need::Always) == needed).map(|length| length.name)
+    };
+    names.extend(own(true).map(code));
+    names.extend(solid.moments.is_none().then(|| code("inertia")));
+    names.extend(body.states_center.then(|| "`center` unless 0".to_string()));
+    names.extend(own(false).map(|name| format!("`{name}` unless 0")));
+    names.join(", ")
+}
+
+/// `m (3 radius² + length²)/12`, about each axis in space.
+fn inertia(body: &BodyForm, solid: &Solid, space: Space) -> String {
+    let Some(moments) = &solid.moments else { return "as written".to_string() };
+    let edge = |name: &str| match solid.lengths.iter().find(|length| length.name == name) {
+        Some(length) => length.of_size.map_or(name, |component| ["a", "b", "c"][component]).to_string(),
+        None => name.to_string(),
+    };
+    let formula = |moment: &Moment| {
+        let term = |(factor, name): &(f64, &str)| match *factor {
+            1.0 => format!("{}²", edge(name)),
+            factor => format!("{factor} {}²", edge(name)),
+        };
+        let terms: Vec<String> = moment.squares.iter().map(term).collect();
+        let sum = if terms.len() > 1 { format!("({})", terms.join(" + ")) } else { terms.concat() };
+        format!("m {sum}/{}", moment.divisor)
+    };
+    match space {
+        _ if !body.turns => "none: it has no orientation".to_string(),
+        Space::Planar => formula(&moments[2]),
+        Space::Spatial => moments.iter().map(formula).collect::<Vec<_>>().join(", "),
+    }
 }
 
 fn joints(space: Space) -> String {

@@ -7,7 +7,7 @@ use super::request::sizes;
 use super::{SETS, casadi, compiled, hash, recorded_models};
 use linkwright_compiler::Compiled;
 use linkwright_compiler::equations::Row;
-use linkwright_compiler::model::{BodyKind, Space};
+use linkwright_compiler::model::Space;
 use linkwright_compiler::order::Pattern;
 use linkwright_compiler::schedule::{Function, Inputs, run};
 use linkwright_compiler::solve::table::{Numeric, Table};
@@ -392,7 +392,7 @@ fn what_follows(compiled: &Compiled, state: &State, inputs: &Inputs, evaluate: &
             Space::Planar => matches!(index % motion, 2 | 3 | 6 | 9),
             Space::Spatial => matches!(index % motion, 3..12 | 15..18 | 21..24),
         };
-        body.kind == BodyKind::Particle && angular
+        !body.form.turns && angular
     };
     let bodies = evaluate(Function::Motions, inputs);
     let reactions = evaluate(Function::Reactions, inputs);

@@ -13,7 +13,7 @@ use super::{drivers, geometry, loose, messages, pins};
 use crate::diagnostics::{Diagnostic, Diagnostics, Note, Region, Severity};
 use crate::equations::conditions;
 use crate::forms::RowForm;
-use crate::model::{BodyKind, Coordinate, Mechanism, Redundant, Space};
+use crate::model::{Coordinate, Mechanism, Redundant};
 use crate::numbers::coordinate;
 use std::fmt;
 
@@ -100,12 +100,7 @@ pub fn judge(at: &Assembled, point: &mut Point, errors: &mut Diagnostics) -> Opt
 fn mobility(at: &Assembled, point: &mut Point, rank: &Rank, finding: &Finding) -> Mobility {
     let (mechanism, equations) = (at.mechanism, point.equations);
     let (velocities, rows) = (equations.symbols.v.len(), equations.rows.len() - mechanism.drivers.len());
-    let freedoms = |kind: BodyKind| match (mechanism.space, kind) {
-        (Space::Planar, BodyKind::Particle) => 2,
-        (Space::Planar, BodyKind::Rigid) | (Space::Spatial, BodyKind::Particle) => 3,
-        (Space::Spatial, BodyKind::Rigid) => 6,
-    };
-    let apart: usize = mechanism.bodies.iter().map(|body| freedoms(body.kind)).sum();
+    let apart: usize = mechanism.bodies.iter().map(|body| body.form.freedoms(mechanism.space)).sum();
     let mut repeated = finding.repeated.clone();
     repeated.sort_unstable();
     let names = repeated.iter().map(|row| (equations.rows[*row].of.clone(), equations.rows[*row].form));

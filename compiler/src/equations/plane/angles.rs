@@ -4,7 +4,7 @@ use super::kinematics::{FrameId, GROUND, Kinematics, LocalVector, Position};
 use super::vector::{self, Pair};
 use crate::equations::jet::{Jet, Moving};
 use crate::equations::laws::Laws;
-use crate::model::{BodyKind, Frame, JointId, Place, Rotor, Vector};
+use crate::model::{Frame, JointId, Place, Rotor, Vector};
 use crate::symbolic::{On, Scalar};
 use std::collections::BTreeMap;
 
@@ -31,7 +31,7 @@ impl<'g> On<'g, &'g Kinematics> {
     fn turning(self, laws: &Laws, frame: Frame) -> Option<usize> {
         match frame {
             Frame::Ground => None,
-            Frame::Body(body) if laws.mechanism.bodies[body.0].kind == BodyKind::Particle => None,
+            Frame::Body(body) if !laws.mechanism.bodies[body.0].form.turns => None,
             Frame::Body(body) => self.bare.frames[self.bare.bodies[body.0].frame].rate,
         }
     }

@@ -12,7 +12,7 @@ use crate::equations::rows::multipliers_of_joints;
 use crate::equations::spanning_tree::SpanningTree;
 use crate::equations::{BodyMotion, Row, loads};
 use crate::forms::RowForm;
-use crate::model::{BodyKind, Frame};
+use crate::model::Frame;
 use crate::symbolic::{Node, On, Scalar};
 
 /// Motion of a body: centre of mass x, y; cos, sin of its orientation; their velocities and accelerations.
@@ -73,15 +73,14 @@ pub fn overlay<'g>(laws: &Laws<'g>, motions: &[Motion<'g>]) -> Kinematics {
         let mut center = LocalVector::fixed(motion.position);
         center.slide_freely(g, 3 * index);
         let center = Position::of(GROUND, center);
-        let placement = match body.kind {
-            BodyKind::Particle => Placement { origin: center, frame: GROUND, offset },
-            BodyKind::Rigid => {
-                let [cos, sin] = motion.orientation.bare;
-                overlay.frames.push(TurningFrame { cos, sin, rate: Some(3 * index + 2) });
-                let frame = overlay.frames.len() - 1;
-                let origin = g.on(center) - laws.pair_of(&body.center).fixed_in(frame);
-                Placement { origin: origin.bare, frame, offset }
-            }
+        let placement = if body.form.turns {
+            let [cos, sin] = motion.orientation.bare;
+            overlay.frames.push(TurningFrame { cos, sin, rate: Some(3 * index + 2) });
+            let frame = overlay.frames.len() - 1;
+            let origin = g.on(center) - laws.pair_of(&body.center).fixed_in(frame);
+            Placement { origin: origin.bare, frame, offset }
+        } else {
+            Placement { origin: center, frame: GROUND, offset }
         };
         overlay.bodies.push(placement);
     }

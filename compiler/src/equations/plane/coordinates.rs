@@ -8,7 +8,7 @@ use super::vector;
 use crate::equations::coordinates::{Layout, Linear, MultiTurn, Rotation, Symbols, symbols};
 use crate::equations::laws::Laws;
 use crate::equations::spanning_tree::{Attachment, SpanningTree};
-use crate::model::{BodyId, BodyKind, Frame, JointId, Mechanism, Rotor};
+use crate::model::{BodyId, Frame, JointId, Mechanism, Rotor};
 use crate::symbolic::Sheet;
 use std::collections::BTreeMap;
 
@@ -28,13 +28,13 @@ fn enumerate(mechanism: &Mechanism, tree: &SpanningTree) -> Enumeration {
         centers: BTreeMap::new(),
     };
     for Attachment { body, joint } in &tree.attachments {
-        let rigid = mechanism.bodies[body.0].kind == BodyKind::Rigid;
+        let turns = mechanism.bodies[body.0].form.turns;
         let linear = &mut found.layout.linear;
         let turns = match joint {
             None => {
                 found.centers.insert(*body, linear.len());
                 linear.extend([Linear::Center(*body, 0), Linear::Center(*body, 1)]);
-                rigid
+                turns
             }
             Some((joint, parent)) => {
                 let form = mechanism.joints[joint.0].form;
@@ -42,13 +42,13 @@ fn enumerate(mechanism: &Mechanism, tree: &SpanningTree) -> Enumeration {
                     found.travels.insert(*joint, linear.len());
                     linear.extend((0..form.travels.len()).map(|which| Linear::Travel(*joint, which)));
                 }
-                if rigid && form.keeps_orientation {
+                if turns && form.keeps_orientation {
                     found.frames[body.0] = match parent {
                         Frame::Ground => GROUND,
                         Frame::Body(parent) => found.frames[parent.0],
                     };
                 }
-                rigid && !form.keeps_orientation
+                turns && !form.keeps_orientation
             }
         };
         if turns {

@@ -13,7 +13,6 @@ pub use coordinates::coordinates;
 pub use kinematics::Kinematics;
 
 use super::{Consequences, Dynamics, Laws, Row, RowOfJoint, SpanningTree};
-use crate::model::BodyKind;
 use crate::symbolic::{Node, On, Scalar};
 use inertia::Massive;
 use vector::Pair;
@@ -62,10 +61,9 @@ fn massive<'g>(laws: &Laws<'g>) -> Vec<Massive<'g>> {
     let mut massive = Vec::new();
     for (index, body) in laws.mechanism.bodies.iter().enumerate() {
         let at = laws.pair_of(&body.center);
-        let rigid = body.kind == BodyKind::Rigid;
         massive.push(Massive {
             mass: laws.value(&body.mass),
-            inertia: rigid.then(|| laws.value(&body.inertia.moments[2])),
+            inertia: body.form.turns.then(|| laws.value(&body.inertia.moments[2])),
             center: laws.plane().point(index, at).bare,
             frame: laws.plane().bare.bodies[index].frame,
         });

@@ -9,7 +9,7 @@ use super::kinematics::Kinematics;
 use super::links::{GROUND, Link, Motion, Placement};
 use super::vector::{self, Mat3, Vec3};
 use crate::equations::{BodyMotion, Consequences, Jet, Laws, Row, RowOfJoint, SpanningTree, loads};
-use crate::model::{BodyKind, Frame};
+use crate::model::Frame;
 use crate::symbolic::{Node, On, Scalar};
 use std::collections::BTreeMap;
 
@@ -88,11 +88,11 @@ fn motions<'g>(laws: &Laws<'g>, kinematics: On<'g, &Kinematics>) -> Vec<Moving<'
         let arm = axes * center;
         let velocity = link.velocity + link.omega.cross(center);
         let acceleration = link.acceleration + link.spin * center;
-        let rigid = body.kind == BodyKind::Rigid;
-        let in_body = |x: On<'g, Vec3>| if rigid { vector::transposed(&placement.axes) * x } else { zero };
+        let turns = body.form.turns;
+        let in_body = |x: On<'g, Vec3>| if turns { vector::transposed(&placement.axes) * x } else { zero };
         found.push(Moving {
             position: origin + arm,
-            axes: if rigid { axes * placement.axes } else { identity },
+            axes: if turns { axes * placement.axes } else { identity },
             velocity: axes * velocity,
             omega: in_body(link.omega),
             acceleration: axes * acceleration,
@@ -126,7 +126,7 @@ fn overlay<'g>(laws: &Laws<'g>, motions: &[Moving<'g>]) -> Kinematics {
             let travel = motion.position.bare[k];
             push(Motion::Slide { axis, travel, rate: FREEDOMS * index + k, factor: one });
         }
-        if body.kind == BodyKind::Rigid {
+        if body.form.turns {
             push(Motion::Ball { matrix: motion.axes.bare, rate: FREEDOMS * index + 3 });
         }
         let at = (-laws.vector(&body.center)).bare;
@@ -226,14 +226,13 @@ fn inertia_less_applied<'g>(
     for (body, motion) in mechanism.bodies.iter().zip(motions) {
         let mass = absolute.value(&body.mass);
         let acceleration = gravity.map_or(motion.acceleration, |gravity| motion.acceleration - gravity);
-        let moment = match body.kind {
-            BodyKind::Particle => vector::zero(g),
-            BodyKind::Rigid => {
-                let tensor = inertia_in_body(absolute, &body.inertia).bare;
-                let (spun, accelerated) = (tensor * motion.omega, tensor * motion.alpha);
-                let gyration = motion.omega.cross(spun);
-                motion.axes * (accelerated + gyration)
-            }
+        let moment = if body.form.turns {
+            let tensor = inertia_in_body(absolute, &body.inertia).bare;
+            let (spun, accelerated) = (tensor * motion.omega, tensor * motion.alpha);
+            let gyration = motion.omega.cross(spun);
+            motion.axes * (accelerated + gyration)
+        } else {
+            vector::zero(g)
         };
         needed.push(Load { force: mass * acceleration, moment });
     }

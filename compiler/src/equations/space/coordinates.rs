@@ -7,7 +7,7 @@ use super::links::{GROUND, Link, LinkId, Motion, Placement};
 use super::vector::{self, Mat3, Vec3};
 use crate::equations::coordinates::{Ball, Layout, Linear, MultiTurn, Rotation, Symbols, symbols};
 use crate::equations::{Attachment, Laws, SpanningTree};
-use crate::model::{BodyId, BodyKind, Frame, JointId, Mechanism, Place, Rotor, fold};
+use crate::model::{BodyId, Frame, JointId, Mechanism, Place, Rotor, fold};
 use crate::symbolic::{Growing, On, Scalar, Sheet};
 use std::collections::BTreeMap;
 use std::f64::consts::TAU;
@@ -57,10 +57,10 @@ pub fn coordinates(
 fn layout(mechanism: &Mechanism, tree: &SpanningTree) -> Layout {
     let mut layout = Layout::default();
     for Attachment { body, joint } in &tree.attachments {
-        let rigid = mechanism.bodies[body.0].kind == BodyKind::Rigid;
+        let turns = mechanism.bodies[body.0].form.turns;
         let Some((id, _)) = joint else {
             layout.linear.extend((0..3).map(|axis| Linear::Center(*body, axis)));
-            if rigid {
+            if turns {
                 layout.quaternions.push(Ball::Body(*body));
             }
             continue;
@@ -69,7 +69,7 @@ fn layout(mechanism: &Mechanism, tree: &SpanningTree) -> Layout {
             match elementary {
                 Elementary::Slide { which, .. } => layout.linear.push(Linear::Travel(*id, which)),
                 Elementary::Turn { which, .. } => layout.rotations.push(Rotation::Joint(*id, which)),
-                Elementary::Ball if rigid => layout.quaternions.push(Ball::Joint(*id)),
+                Elementary::Ball if turns => layout.quaternions.push(Ball::Joint(*id)),
                 Elementary::Ball | Elementary::Wind => {}
             }
         }
@@ -212,7 +212,7 @@ impl<'a> Builder<'a> {
         let frames = joints::frames(&laws, joint);
         // The joint frame that the cursor's axes still have to undo.
         let mut undone: Option<usize> = None;
-        let particle = mechanism.bodies[child.0].kind == BodyKind::Particle;
+        let particle = !mechanism.bodies[child.0].form.turns;
         for elementary in motions {
             let Some((frame, motion)) = self.motion(id, elementary, child_is_second) else {
                 continue;

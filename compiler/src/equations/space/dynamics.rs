@@ -15,7 +15,6 @@ use super::links::{GROUND, Link, Motion};
 use super::tensor::{Distribution, Symmetric};
 use super::vector::{self, Mat3, Vec3, vector};
 use crate::equations::{Dynamics, Laws};
-use crate::model::BodyKind;
 use crate::symbolic::{Node, On, Scalar, Sheet};
 use std::collections::BTreeMap;
 
@@ -51,9 +50,10 @@ fn distributions<'g>(laws: &Laws<'g>, kinematics: &Kinematics) -> Vec<On<'g, Dis
     for (body, placement) in laws.mechanism.bodies.iter().zip(&kinematics.bodies) {
         let mass = laws.value(&body.mass).bare;
         let center = g.on(placement).point(laws.vector(&body.center));
-        let inertia = match body.kind {
-            BodyKind::Particle => none.inertia,
-            BodyKind::Rigid => inertia_in_body(laws, &body.inertia).turned(placement.axes).bare,
+        let inertia = if body.form.turns {
+            inertia_in_body(laws, &body.inertia).turned(placement.axes).bare
+        } else {
+            none.inertia
         };
         let about_center = g.on(Distribution { mass, first: none.first, inertia });
         let own = &mut found[placement.link];

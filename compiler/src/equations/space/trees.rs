@@ -6,7 +6,7 @@
 use super::joints;
 use crate::equations::couplings;
 use crate::equations::spanning_tree::{Attachment, SpanningTree};
-use crate::model::{BodyId, BodyKind, Frame, JointId, Mechanism, Rotor};
+use crate::model::{BodyId, Frame, JointId, Mechanism, Rotor};
 use crate::order::{Pattern, Strategy, order};
 use std::collections::BTreeSet;
 
@@ -27,7 +27,7 @@ pub fn fewest_freedoms(mechanism: &Mechanism) -> SpanningTree {
     };
     let is_particle = |frame: Frame| match frame {
         Frame::Ground => false,
-        Frame::Body(body) => mechanism.bodies[body.0].kind == BodyKind::Particle,
+        Frame::Body(body) => !mechanism.bodies[body.0].form.turns,
     };
     loop {
         let mut best: Option<(Key, JointId, BodyId, Frame)> = None;

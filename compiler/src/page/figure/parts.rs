@@ -6,7 +6,8 @@ use crate::drawing::canvas::{Group, Pen};
 use crate::drawing::shapes::{THIN, away, block, circle, heading, hull, middle, plate, rectangle};
 use crate::drawing::vector::{Point, along, difference, dot, length};
 use crate::drawing::view::Spot;
-use crate::model::{Shape, Space};
+use crate::forms::Outline;
+use crate::model::Space;
 use crate::page::sketch::Part;
 
 pub fn part(drawing: &mut Drawing, part: &Part) {
@@ -30,7 +31,7 @@ pub fn part(drawing: &mut Drawing, part: &Part) {
     if corners.len() >= 2 && (is_bare || spots.len() > 1) {
         plate(&mut group, &corners, half);
     } else if shape.is_none() && !part.is_block && is_bare {
-        mass(&mut group, center, drawing.unit, part.shape);
+        mass(&mut group, center, drawing.unit, part.form.turns);
     }
     if let (1, [_], [_, end]) = (part.joints, &spots[..], &corners[..]) {
         group.circle(*end, 1.3 * drawing.unit, Pen::Solid);
@@ -73,19 +74,19 @@ struct Drawn {
 fn shape(drawing: &Drawing, group: &mut Group, part: &Part) -> Option<Drawn> {
     let view = &drawing.view;
     let [x, y, z] = part.axes;
-    let outline = match (part.shape, view.space, &part.lengths[..]) {
-        (Shape::Disk, _, [radius, ..]) | (Shape::Sphere, _, [radius, ..]) => {
-            let axis = if part.shape == Shape::Sphere { view.toward } else { z };
+    let outline = match (part.form.outline, view.space, &part.lengths[..]) {
+        (Outline::Disk | Outline::Ball, _, [radius, ..]) => {
+            let axis = if part.form.outline == Outline::Ball { view.toward } else { z };
             let outline = circle(view, part.center, axis, radius * view.scale);
             group.path(&outline, true, Pen::Outline(THIN));
             group.path(&outline, true, Pen::Tint);
-            if part.shape == Shape::Disk {
+            if part.form.outline == Outline::Disk {
                 // A line that shows how it has turned.
                 group.line(view.spot(part.center), view.spot(along(part.center, *radius, x)), Pen::Line(0.8));
             }
             outline
         }
-        (Shape::Box, Space::Planar, [width, height]) => {
+        (Outline::Box, Space::Planar, [width, height, ..]) => {
             let e = heading([0.0; 2], view.way(x))?;
             let half = view.scale / 2.0;
             let outline = rectangle(view.spot(part.center), e, half * width, half * height);
@@ -93,7 +94,7 @@ fn shape(drawing: &Drawing, group: &mut Group, part: &Part) -> Option<Drawn> {
             group.path(&outline, true, Pen::Tint);
             outline
         }
-        (Shape::Box, Space::Spatial, [a, b, c]) => {
+        (Outline::Box, Space::Spatial, [a, b, c]) => {
             let halves = [scaled(a / 2.0, x), scaled(b / 2.0, y), scaled(c / 2.0, z)];
             block(group, view, part.center, halves, Pen::Outline(THIN));
             let corners = corners(part.center, halves);
@@ -127,9 +128,9 @@ fn touches(part: &Part, spot: Point) -> bool {
         let largest = halves.iter().copied().fold(0.0, f64::max);
         local.iter().zip(halves).all(|(x, half)| x.abs() <= half * 0.5 + 1e-6 * largest)
     };
-    match (part.shape, &part.lengths[..]) {
-        (Shape::Disk | Shape::Sphere, [radius, ..]) => dot(local, local).sqrt() <= radius * (1.0 + 1e-6),
-        (Shape::Box, lengths) => within(lengths),
+    match (part.form.outline, &part.lengths[..]) {
+        (Outline::Disk | Outline::Ball, [radius, ..]) => dot(local, local).sqrt() <= radius * (1.0 + 1e-6),
+        (Outline::Box, lengths) => within(lengths),
         _ => false,
     }
 }
@@ -139,16 +140,16 @@ pub fn extent(part: &Part) -> Vec<Point> {
     let mut points = part.spots.clone();
     points.push(part.center);
     let [x, y, z] = part.axes;
-    match (part.shape, &part.lengths[..]) {
-        (Shape::Disk | Shape::Sphere, [radius, ..]) => {
+    match (part.form.outline, &part.lengths[..]) {
+        (Outline::Disk | Outline::Ball, [radius, ..]) => {
             points.extend(
                 [x, y, z].iter().flat_map(|axis| [-1.0, 1.0].map(|k| along(part.center, k * radius, *axis))),
             );
         }
-        (Shape::Box, [a, b]) => {
+        (Outline::Box, [a, b]) => {
             points.extend(corners(part.center, [scaled(a / 2.0, x), scaled(b / 2.0, y), [0.0; 3]]))
         }
-        (Shape::Box, [a, b, c]) => {
+        (Outline::Box, [a, b, c]) => {
             points.extend(corners(part.center, [scaled(a / 2.0, x), scaled(b / 2.0, y), scaled(c / 2.0, z)]));
         }
         _ => {}
@@ -189,8 +190,8 @@ fn farthest(spots: &[Spot]) -> Option<(Spot, Spot)> {
 }
 
 /// A body without extent.
-fn mass(group: &mut Group, center: Spot, unit: f64, shape: Shape) {
-    if shape == Shape::Particle {
+fn mass(group: &mut Group, center: Spot, unit: f64, turns: bool) {
+    if !turns {
         group.circle(center, 1.5 * unit, Pen::Solid);
     } else {
         let outline = rectangle(center, [1.0, 0.0], 2.2 * unit, 2.2 * unit);

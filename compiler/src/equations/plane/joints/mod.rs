@@ -20,7 +20,7 @@ use crate::equations::Kinematics;
 use crate::equations::jet::Moving;
 use crate::equations::laws::Laws;
 use crate::forms::{JointForm, RowForm};
-use crate::model::{BodyId, BodyKind, Expr, Frame, Joint, JointId};
+use crate::model::{BodyId, Expr, Frame, Joint, JointId};
 use crate::symbolic::{Node, On, Scalar};
 
 /// What a joint exerts on the second place's body: force (world axes) at the second place, and torque about it.
@@ -117,7 +117,7 @@ pub fn attach(
         frame,
         travels,
         child_is_second,
-        rigid: laws.mechanism.bodies[child.0].kind == BodyKind::Rigid,
+        rigid: laws.mechanism.bodies[child.0].form.turns,
     };
     let attach = of(joint.form).attach.expect("the tree hangs bodies on joints that carry");
     attach(laws, carried)

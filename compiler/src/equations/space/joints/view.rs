@@ -7,13 +7,13 @@
 
 use super::{Elementary, motions};
 use crate::equations::SpanningTree;
-use crate::model::{BodyId, BodyKind, Frame, Joint, Mechanism};
+use crate::model::{BodyId, Frame, Joint, Mechanism};
 
 pub fn seen_from(mechanism: &Mechanism, tree: &SpanningTree, joint: &Joint) -> Frame {
     let ends = [joint.first.frame, joint.second.frame];
     let axes_of = |frame: Frame| match frame {
         // A particle has no axes.
-        Frame::Body(body) if mechanism.bodies[body.0].kind == BodyKind::Particle => Frame::Ground,
+        Frame::Body(body) if !mechanism.bodies[body.0].form.turns => Frame::Ground,
         frame => frame,
     };
     let ways = Ways { mechanism, tree };
