@@ -1,9 +1,9 @@
 //! The implementation of `Assemble`: conditions of the start, and what the other formulations solve with.
 
 use super::body::{constant, literal};
-use super::function::function;
+use super::function::functions;
 use super::{Emitter, array, solutions, tables};
-use crate::functions::{CONDITION_JACOBIAN, Function, Shape};
+use crate::functions::{CONDITION_JACOBIAN, Interface, Shape};
 use std::fmt::Write;
 
 pub fn assemble(text: &mut String, emitter: &Emitter) {
@@ -60,20 +60,9 @@ pub fn assemble(text: &mut String, emitter: &Emitter) {
         text,
         "type Choice = [u16; {velocities}];\nfn choice() -> [u16; {velocities}] {{ [0; {velocities}] }}"
     );
-    for which in [
-        Function::ConditionResidual,
-        Function::ConditionCosines,
-        Function::ConditionJacobian,
-        Function::ConditionBias,
-        Function::ConditionDrift,
-        Function::RowCosines,
-        Function::RowScales,
-        Function::StartTargets,
-    ] {
-        function(text, &mut helpers, emitter, which);
-    }
-    solutions::factorisation(text, &mut helpers, emitter);
-    solutions::null_space(text, &mut helpers, emitter);
+    functions(text, &mut helpers, emitter, Interface::Assemble);
+    solutions::factorisation(text, emitter);
+    solutions::null_space(text, emitter);
     let numbers = |values: &[f64]| array(values.iter().map(|value| constant(*value)));
     let _ = writeln!(text, "fn start_q() -> Q<R> {{ {} }}", numbers(&compiled.assembly.q));
     let _ = writeln!(text, "fn start_v() -> V<R> {{ {} }}", numbers(&compiled.assembly.v));

@@ -12,19 +12,36 @@
 
 use super::names::field;
 use super::{Emitter, array};
-use crate::functions::{Argument, Function, Group, Interface, Kind, Shape, Signature, Way};
+use crate::compiled::Compiled;
+use crate::functions::{Argument, FUNCTIONS, Function, Group, Interface, Kind, Shape, Signature, Way};
 use std::fmt::Write;
 
-/// One function of the model, or of a trait; helper functions go to `helpers`.
-pub fn function(text: &mut String, helpers: &mut String, emitter: &Emitter, function: Function) {
-    let signature = function.signature();
+/// All functions of the model, or of a trait; helper functions go to `helpers`.
+pub fn functions(text: &mut String, helpers: &mut String, emitter: &Emitter, interface: Interface) {
+    let Compiled { equations, solved, .. } = emitter.compiled;
+    let own = FUNCTIONS.iter().filter(|signature| signature.interface == interface);
+    for signature in own.filter(|signature| (signature.emitted)(equations, solved)) {
+        if signature.function == Function::AccelerationBaumgarte && equations.rows.is_empty() {
+            // Nothing to stabilise.
+            let _ = writeln!(
+                text,
+                "{} {{\n<Self as Mechanism<R>>::acceleration(self, time, q, v, u, a_out, lambda_out)\n}}",
+                emitter.head(signature)
+            );
+        } else {
+            function(text, helpers, emitter, signature);
+        }
+    }
+}
+
+fn function(text: &mut String, helpers: &mut String, emitter: &Emitter, signature: &Signature) {
     if signature.interface == Interface::Model {
         for line in signature.doc.lines() {
             let _ = writeln!(text, "/// {line}");
         }
         text.push_str("pub ");
     }
-    let body = emitter.body(function, helpers);
+    let body = emitter.body(signature.function, helpers);
     let _ = writeln!(text, "{} {{", emitter.head(signature));
     if body.reads_constants {
         text.push_str("let constants = &self.constants;\n");

@@ -2,10 +2,10 @@
 
 use super::assemble::open_rows;
 use super::body::{constant, literal};
-use super::function::function;
+use super::function::functions;
 use super::names::field;
 use super::{Emitter, array, quoted};
-use crate::functions::Function;
+use crate::functions::{Function, Interface};
 use crate::schedule::Operand;
 use std::fmt::Write;
 
@@ -70,15 +70,7 @@ pub fn inherent(text: &mut String, emitter: &Emitter) {
         body.statements,
         array(body.outputs)
     );
-    for which in [
-        Function::Motions,
-        Function::Reactions,
-        Function::InverseDynamics,
-        Function::Powers,
-        Function::DriverEfforts,
-    ] {
-        function(text, &mut helpers, emitter, which);
-    }
+    functions(text, &mut helpers, emitter, Interface::Model);
     text.push_str("}\n");
     text.push_str(&helpers);
 }
