@@ -1,7 +1,7 @@
 //! The implementation of `Assemble`: conditions of the start, and what the other formulations solve with.
 
-use super::body::{constant, literal};
 use super::function::functions;
+use super::rust::{constant, literal};
 use super::{Emitter, array, solutions, tables};
 use crate::functions::{CONDITION_JACOBIAN, Interface, Shape};
 use std::fmt::Write;
@@ -55,7 +55,7 @@ pub fn assemble(text: &mut String, emitter: &Emitter) {
     for alias in ["Conditions", "ConditionJacobian", "Factor", "System", "Dense", "Basis", "Reduced"] {
         let _ = writeln!(text, "type {alias} = {alias}<R>;");
     }
-    let velocities = emitter.entries(Shape::Velocities);
+    let velocities = emitter.compiled.entries(Shape::Velocities);
     let _ = writeln!(
         text,
         "type Choice = [u16; {velocities}];\nfn choice() -> [u16; {velocities}] {{ [0; {velocities}] }}"
@@ -70,7 +70,11 @@ pub fn assemble(text: &mut String, emitter: &Emitter) {
     if !open.is_empty() {
         // The residual with the old phase is what the new phase differs by.
         text.push_str("fn fix_phases(&mut self, q: &Q<R>) {\nlet mut phi = [R::ZERO; ");
-        let _ = writeln!(text, "{}];\nself.constraints(R::ZERO, q, &mut phi);", emitter.entries(Shape::Rows));
+        let _ = writeln!(
+            text,
+            "{}];\nself.constraints(R::ZERO, q, &mut phi);",
+            emitter.compiled.entries(Shape::Rows)
+        );
         text.push_str("let mut phases = self.phases;\n");
         for (phase, row) in open.iter().enumerate() {
             let _ = writeln!(text, "phases[{phase}] = phases[{phase}] + phi[{row}];");

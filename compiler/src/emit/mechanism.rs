@@ -79,7 +79,7 @@ fn unwrap(text: &mut String, emitter: &Emitter) {
     if stated.is_empty() {
         return;
     }
-    let zeros = format!("[R::ZERO; {}]", emitter.entries(Shape::Conditions));
+    let zeros = format!("[R::ZERO; {}]", emitter.compiled.entries(Shape::Conditions));
     let _ = writeln!(text, "fn unwrap_start(&self, outputs: &mut {of}) {{");
     let _ = writeln!(text, "let (mut positions, mut rates) = ({zeros}, {zeros});");
     text.push_str("self.start_targets(&mut positions, &mut rates);\n");

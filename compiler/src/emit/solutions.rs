@@ -19,7 +19,7 @@ pub fn factorisation(text: &mut String, emitter: &Emitter) {
         );
         return;
     }
-    let kept = emitter.entries(Shape::Store);
+    let kept = emitter.compiled.entries(Shape::Store);
     let _ = writeln!(text, "type Store = Store<R>;\nfn store() -> Store<R> {{ [R::ZERO; {kept}] }}");
 }
 
@@ -29,6 +29,6 @@ pub fn null_space(text: &mut String, emitter: &Emitter) {
         text.push_str("type Lu = ();\nfn lu() {}\n");
         return;
     }
-    let kept = emitter.entries(Shape::Lu);
+    let kept = emitter.compiled.entries(Shape::Lu);
     let _ = writeln!(text, "type Lu = Lu<R>;\nfn lu() -> Lu<R> {{ [R::ZERO; {kept}] }}");
 }

@@ -19,7 +19,7 @@ pub fn tangent(aliases: &mut String, text: &mut String, emitter: &Emitter) {
     let mechanism = emitter.mechanism;
     let (inputs, outputs) = (mechanism.inputs.len(), mechanism.outputs.len());
     let state = 2 * tangents.states.len();
-    let static_unknowns = emitter.entries(Shape::Velocities) + emitter.entries(Shape::Rows);
+    let static_unknowns = emitter.compiled.entries(Shape::Velocities) + emitter.compiled.entries(Shape::Rows);
     let dense = [
         ("StateMatrix", state * state),
         ("InputMatrix", state * inputs),
@@ -28,7 +28,7 @@ pub fn tangent(aliases: &mut String, text: &mut String, emitter: &Emitter) {
         ("Unknowns", static_unknowns),
         ("Bordered", static_unknowns * static_unknowns),
     ];
-    let sparse = DERIVATIVES.map(|matrix| (matrix.name, emitter.entries(Shape::Matrix(matrix))));
+    let sparse = DERIVATIVES.map(|matrix| (matrix.name, emitter.compiled.entries(Shape::Matrix(matrix))));
     let arrays: Vec<(&str, usize)> = sparse.into_iter().chain(dense).collect();
     for (alias, length) in &arrays {
         let _ = writeln!(aliases, "type {alias}<R> = [R; {length}];");
