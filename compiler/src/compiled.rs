@@ -6,6 +6,7 @@ use crate::check::motion::{self, Motion, Unswept};
 use crate::choice::Choice;
 use crate::diagnostics::Diagnostics;
 use crate::equations::Equations;
+use crate::functions::Shape;
 use crate::model::Mechanism;
 use crate::schedule::Programs;
 use crate::solve::table::Table;
@@ -38,6 +39,31 @@ pub struct Compiled {
 }
 
 impl Compiled {
+    /// How many entries lists of this shape have.
+    pub fn entries(&self, shape: Shape) -> usize {
+        let Compiled { mechanism, equations, solved, .. } = self;
+        match shape {
+            Shape::Scalar => 1,
+            Shape::Positions => equations.layout.positions(),
+            Shape::Velocities => equations.layout.velocities(),
+            Shape::Rows => equations.rows.len(),
+            Shape::Matrix(matrix) => matrix.places(equations).count(),
+            Shape::Conditions => equations.conditions.len(),
+            Shape::Store => solved.stored.as_ref().map_or(0, |stored| stored.kept.len()),
+            Shape::Lu => solved.null_space.as_ref().map_or(0, |written| written.kept.len()),
+            Shape::Constants => self.programs.prepared,
+            Shape::Phases => equations.symbols.phases.len(),
+            Shape::Parameters => mechanism.parameters.len(),
+            Shape::Inputs => mechanism.inputs.len(),
+            Shape::Outputs => mechanism.outputs.len(),
+            Shape::Bodies(_) => mechanism.bodies.len(),
+            Shape::Joints(_) => mechanism.joints.len(),
+            Shape::Loads => mechanism.loads.len(),
+            Shape::Drivers => mechanism.drivers.len(),
+            Shape::Masses => equations.masses.len(),
+        }
+    }
+
     /// The range of motion of all joints, for those who ask; expansion itself follows the motion only where `expect` does.
     pub fn motion(&self) -> Result<Motion, Unswept> {
         motion::sweep(&self.mechanism, &self.equations, &self.assembly, &motion::of_joints(&self.mechanism))

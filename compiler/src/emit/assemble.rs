@@ -1,9 +1,9 @@
 //! The implementation of `Assemble`: conditions of the start, and what the other formulations solve with.
 
-use super::body::{constant, literal};
-use super::function::function;
+use super::function::functions;
+use super::rust::{constant, literal};
 use super::{Emitter, array, solutions, tables};
-use crate::functions::{CONDITION_JACOBIAN, Function, Shape};
+use crate::functions::{CONDITION_JACOBIAN, Interface, Shape};
 use std::fmt::Write;
 
 pub fn assemble(text: &mut String, emitter: &Emitter) {
@@ -54,25 +54,14 @@ pub fn assemble(text: &mut String, emitter: &Emitter) {
     for alias in ["Conditions", "ConditionJacobian", "Factor", "System", "Dense", "Basis", "Reduced"] {
         let _ = writeln!(text, "type {alias} = {alias}<R>;");
     }
-    let velocities = emitter.entries(Shape::Velocities);
+    let velocities = emitter.compiled.entries(Shape::Velocities);
     let _ = writeln!(
         text,
         "type Choice = [u16; {velocities}];\nfn choice() -> [u16; {velocities}] {{ [0; {velocities}] }}"
     );
-    for which in [
-        Function::ConditionResidual,
-        Function::ConditionCosines,
-        Function::ConditionJacobian,
-        Function::ConditionBias,
-        Function::ConditionDrift,
-        Function::RowCosines,
-        Function::RowScales,
-        Function::StartTargets,
-    ] {
-        function(text, &mut helpers, emitter, which);
-    }
-    solutions::factorisation(text, &mut helpers, emitter);
-    solutions::null_space(text, &mut helpers, emitter);
+    functions(text, &mut helpers, emitter, Interface::Assemble);
+    solutions::factorisation(text, emitter);
+    solutions::null_space(text, emitter);
     let numbers = |values: &[f64]| array(values.iter().map(|value| constant(*value)));
     let _ = writeln!(text, "fn start_q() -> Q<R> {{ {} }}", numbers(&compiled.assembly.q));
     let _ = writeln!(text, "fn start_v() -> V<R> {{ {} }}", numbers(&compiled.assembly.v));
@@ -80,7 +69,11 @@ pub fn assemble(text: &mut String, emitter: &Emitter) {
     if !open.is_empty() {
         // The residual with the old phase is what the new phase differs by.
         text.push_str("fn fix_phases(&mut self, q: &Q<R>) {\nlet mut phi = [R::ZERO; ");
-        let _ = writeln!(text, "{}];\nself.constraints(R::ZERO, q, &mut phi);", emitter.entries(Shape::Rows));
+        let _ = writeln!(
+            text,
+            "{}];\nself.constraints(R::ZERO, q, &mut phi);",
+            emitter.compiled.entries(Shape::Rows)
+        );
         text.push_str("let mut phases = self.phases;\n");
         for (phase, row) in open.iter().enumerate() {
             let _ = writeln!(text, "phases[{phase}] = phases[{phase}] + phi[{row}];");

@@ -11,20 +11,39 @@
 //! ```
 
 use super::names::field;
+use super::rust::type_of;
 use super::{Emitter, array};
-use crate::functions::{Argument, Function, Group, Interface, Kind, Shape, Signature, Way};
+use crate::compiled::Compiled;
+use crate::functions::{Argument, FUNCTIONS, Function, Group, Interface, Kind, Shape, Signature, Way};
 use std::fmt::Write;
 
-/// One function of the model, or of a trait; helper functions go to `helpers`.
-pub fn function(text: &mut String, helpers: &mut String, emitter: &Emitter, function: Function) {
-    let signature = function.signature();
+/// All functions of the model, or of a trait; helper functions go to `helpers`.
+pub fn functions(text: &mut String, helpers: &mut String, emitter: &Emitter, interface: Interface) {
+    let Compiled { equations, solved, .. } = emitter.compiled;
+    let own = FUNCTIONS.iter().filter(|signature| signature.interface == interface);
+    for signature in own.filter(|signature| (signature.emitted)(equations, solved)) {
+        if signature.function == Function::AccelerationBaumgarte && equations.rows.is_empty() {
+            // Nothing to stabilise.
+            let _ = writeln!(
+                text,
+                "{} {{\n<Self as Mechanism<R>>::acceleration(self, time, q, v, u, a_out, lambda_out)\n}}",
+                emitter.head(signature)
+            );
+        } else {
+            function(text, helpers, emitter, signature);
+        }
+    }
+}
+
+fn function(text: &mut String, helpers: &mut String, emitter: &Emitter, signature: &Signature) {
     if signature.interface == Interface::Model {
         for line in signature.doc.lines() {
             let _ = writeln!(text, "/// {line}");
         }
         text.push_str("pub ");
     }
-    let body = emitter.body(function, helpers);
+    let body = emitter.printer.body(signature.function);
+    helpers.push_str(&body.helpers);
     let _ = writeln!(text, "{} {{", emitter.head(signature));
     if body.reads_constants {
         text.push_str("let constants = &self.constants;\n");
@@ -63,62 +82,11 @@ pub fn declaration(argument: Argument, type_of: impl Fn(Shape) -> String) -> Str
 impl Emitter<'_> {
     /// The head of a function, by the aliases that stand beside it.
     pub fn head(&self, signature: &Signature) -> String {
-        head(signature, |shape| self.type_of(shape), |shape| self.entries(shape).to_string())
+        head(signature, |shape| self.type_of(shape), |shape| self.compiled.entries(shape).to_string())
     }
 
-    /// A shape by the aliases that stand beside the functions.
     pub fn type_of(&self, shape: Shape) -> String {
-        let mechanism = self.mechanism;
-        let alias = match shape {
-            Shape::Scalar => return "R".to_string(),
-            // A type alias may not leave its scalar unused, so `()` stands for itself where nothing is given.
-            Shape::Inputs if mechanism.inputs.is_empty() => return "()".to_string(),
-            Shape::Outputs if mechanism.outputs.is_empty() => return "()".to_string(),
-            Shape::Bodies(record) | Shape::Joints(record) => {
-                let count = self.entries(shape);
-                return format!("[{}<R>; {count}]", record.of(mechanism.space).name);
-            }
-            Shape::Loads | Shape::Drivers | Shape::Masses => return format!("[R; {}]", self.entries(shape)),
-            Shape::Positions => "Q",
-            Shape::Velocities => "V",
-            Shape::Rows => "Lambda",
-            Shape::Matrix(matrix) => matrix.name,
-            Shape::Conditions => "Conditions",
-            Shape::Store => "Store",
-            Shape::Lu => "Lu",
-            Shape::Constants => "Constants",
-            Shape::Phases => "Phases",
-            Shape::Parameters => "Parameters",
-            Shape::Inputs => "Inputs",
-            Shape::Outputs => "Outputs",
-        };
-        format!("{alias}<R>")
-    }
-
-    /// How many entries lists of this shape have.
-    pub fn entries(&self, shape: Shape) -> usize {
-        let (mechanism, compiled) = (self.mechanism, self.compiled);
-        let (equations, solved) = (&compiled.equations, &compiled.solved);
-        match shape {
-            Shape::Scalar => 1,
-            Shape::Positions => equations.layout.positions(),
-            Shape::Velocities => equations.layout.velocities(),
-            Shape::Rows => equations.rows.len(),
-            Shape::Matrix(matrix) => matrix.places(equations).count(),
-            Shape::Conditions => equations.conditions.len(),
-            Shape::Store => solved.stored.as_ref().map_or(0, |stored| stored.kept.len()),
-            Shape::Lu => solved.null_space.as_ref().map_or(0, |written| written.kept.len()),
-            Shape::Constants => compiled.programs.prepared,
-            Shape::Phases => equations.symbols.phases.len(),
-            Shape::Parameters => mechanism.parameters.len(),
-            Shape::Inputs => mechanism.inputs.len(),
-            Shape::Outputs => mechanism.outputs.len(),
-            Shape::Bodies(_) => mechanism.bodies.len(),
-            Shape::Joints(_) => mechanism.joints.len(),
-            Shape::Loads => mechanism.loads.len(),
-            Shape::Drivers => mechanism.drivers.len(),
-            Shape::Masses => equations.masses.len(),
-        }
+        type_of(self.compiled, shape)
     }
 }
 

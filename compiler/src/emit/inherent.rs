@@ -1,10 +1,10 @@
 //! The model's own functions: `prepare`, `parameters`, and what follows from a state.
 
-use super::body::{constant, literal};
-use super::function::function;
+use super::function::functions;
 use super::names::field;
+use super::rust::{constant, literal};
 use super::{Emitter, array, quoted};
-use crate::functions::Function;
+use crate::functions::{Function, Interface};
 use crate::schedule::Operand;
 use std::fmt::Write;
 
@@ -61,7 +61,8 @@ pub fn inherent(text: &mut String, emitter: &Emitter) {
         text,
         "/// The parameters the model was prepared with.\npub fn parameters(&self) -> &Parameters<R> {{ &self.parameters }}"
     );
-    let body = emitter.body(Function::Prepare, &mut helpers);
+    let body = emitter.printer.body(Function::Prepare);
+    helpers.push_str(&body.helpers);
     let _ = writeln!(
         text,
         "fn with(parameters: Parameters<R>, phases: Phases<R>) -> Self {{\n{}\
@@ -69,26 +70,18 @@ pub fn inherent(text: &mut String, emitter: &Emitter) {
         body.statements,
         array(body.outputs)
     );
-    for which in [
-        Function::Motions,
-        Function::Reactions,
-        Function::InverseDynamics,
-        Function::Powers,
-        Function::DriverEfforts,
-    ] {
-        function(text, &mut helpers, emitter, which);
-    }
+    functions(text, &mut helpers, emitter, Interface::Model);
     text.push_str("}\n");
     text.push_str(&helpers);
 }
 
 /// Masses and inertias that depend on parameters must stay what mass and inertia are.
 fn masses(text: &mut String, emitter: &Emitter) {
-    let names = emitter.names.within(&[]);
     let program = emitter.compiled.programs.get(Function::Masses);
     for ((what, positive), output) in emitter.compiled.masses.iter().zip(&program.outputs) {
         let Operand::Source(source) = output else { continue };
-        let place = names.place(*source).unwrap_or_default();
+        let mut place = String::new();
+        emitter.printer.entry(&mut place, *source);
         let _ = writeln!(text, "check_mass({}, model.{place}, {positive})?;", quoted(what));
     }
 }

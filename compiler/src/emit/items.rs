@@ -1,7 +1,7 @@
 //! The items a user sees: the model, its parameters, inputs, outputs and state, and its constants.
 
-use super::body::literal;
 use super::names::field;
+use super::rust::literal;
 use super::{Emitter, array, coordinates_json, documentation, quoted};
 use crate::functions::{Function, Shape};
 use crate::schedule::count;
@@ -29,8 +29,8 @@ pub fn items(text: &mut String, emitter: &Emitter, source: &str) {
         text,
         "#[doc = \"Positions and velocities of [`{name}`].\"] {visibility} type {name}State<R = {F64}> = \
          {path}::State<[R; {}], [R; {}]>;",
-        emitter.entries(Shape::Positions),
-        emitter.entries(Shape::Velocities)
+        emitter.compiled.entries(Shape::Positions),
+        emitter.compiled.entries(Shape::Velocities)
     );
     constants(text, emitter, source);
 }

@@ -1,9 +1,9 @@
 //! The implementation of `Mechanism`: M, Φ, D, ν, γ, Q, energies, accelerations and outputs.
 
-use super::function::function;
+use super::function::functions;
 use super::names::field;
 use super::{Emitter, quoted, tables};
-use crate::functions::{Function, JACOBIAN, MASS, Shape};
+use crate::functions::{Interface, JACOBIAN, MASS, Shape};
 use crate::model::{Coordinate, Expr, Quantity};
 use std::fmt::Write;
 
@@ -31,37 +31,10 @@ pub fn mechanism(text: &mut String, emitter: &Emitter) {
     for (alias, shape) in [("Inputs", Shape::Inputs), ("Outputs", Shape::Outputs)] {
         let _ = writeln!(text, "type {alias} = {};", emitter.type_of(shape));
     }
-    for which in [
-        Function::MassMatrix,
-        Function::Constraints,
-        Function::ConstraintJacobian,
-        Function::Nu,
-        Function::Gamma,
-        Function::Forces,
-        Function::KineticEnergy,
-        Function::PotentialEnergy,
-        Function::Acceleration,
-    ] {
-        function(text, &mut helpers, emitter, which);
-    }
-    stabilised(text, &mut helpers, emitter);
-    function(text, &mut helpers, emitter, Function::Outputs);
+    functions(text, &mut helpers, emitter, Interface::Mechanism);
     unwrap(text, emitter);
     text.push_str("}\n");
     text.push_str(&helpers);
-}
-
-fn stabilised(text: &mut String, helpers: &mut String, emitter: &Emitter) {
-    let stabilised = Function::AccelerationBaumgarte;
-    if emitter.entries(Shape::Rows) > 0 {
-        return function(text, helpers, emitter, stabilised);
-    }
-    // Nothing to stabilise.
-    let head = emitter.head(stabilised.signature());
-    let _ = writeln!(
-        text,
-        "{head} {{\n<Self as Mechanism<R>>::acceleration(self, time, q, v, u, a_out, lambda_out)\n}}"
-    );
 }
 
 fn unwrap(text: &mut String, emitter: &Emitter) {
@@ -98,7 +71,7 @@ fn unwrap(text: &mut String, emitter: &Emitter) {
     if stated.is_empty() {
         return;
     }
-    let zeros = format!("[R::ZERO; {}]", emitter.entries(Shape::Conditions));
+    let zeros = format!("[R::ZERO; {}]", emitter.compiled.entries(Shape::Conditions));
     let _ = writeln!(text, "fn unwrap_start(&self, outputs: &mut {of}) {{");
     let _ = writeln!(text, "let (mut positions, mut rates) = ({zeros}, {zeros});");
     text.push_str("self.start_targets(&mut positions, &mut rates);\n");

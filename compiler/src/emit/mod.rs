@@ -15,8 +15,8 @@
 //! ```
 
 mod assemble;
-mod body;
 mod coordinates_json;
+mod dialect;
 mod documentation;
 mod function;
 mod home;
@@ -24,6 +24,8 @@ mod inherent;
 mod items;
 mod mechanism;
 mod names;
+mod printer;
+mod rust;
 mod solutions;
 mod stub;
 mod tables;
@@ -31,15 +33,16 @@ mod tangent;
 mod types;
 
 pub use coordinates_json::coordinates_json;
+pub use dialect::{Dialect, Spelling};
 pub use home::Home;
+pub use printer::{Body, Printer};
 pub use stub::stub;
 
 use crate::compiled::Compiled;
-use crate::functions::{Function, Group, Signature};
 use crate::model::Mechanism;
 use crate::self_check;
-use names::Names;
 use proc_macro2::TokenStream;
+use rust::Rust;
 use std::fmt::Write;
 
 /// Everything the macro expands to: an import, if the text needs one, and the text.
@@ -100,17 +103,12 @@ struct Emitter<'a> {
     visibility: String,
     /// The path of the names that emitted code may use, as `::linkwright::__private::v1`.
     path: String,
-    names: Names,
-    /// The cuts of the two solutions, where they have something in common.
-    cuts: Option<[body::Cut; 2]>,
+    printer: Printer<'a, Rust<'a>>,
 }
 
 impl<'a> Emitter<'a> {
     fn new(compiled: &'a Compiled, path: String) -> Self {
         let mechanism = &compiled.mechanism;
-        let programs = &compiled.programs;
-        let pair =
-            [Function::Acceleration, Function::AccelerationBaumgarte].map(|function| programs.get(function));
         Emitter {
             compiled,
             mechanism,
@@ -118,47 +116,8 @@ impl<'a> Emitter<'a> {
             inner: names::inner(&mechanism.name.text),
             visibility: mechanism.visibility.to_string(),
             path,
-            names: Names::new(&compiled.equations, &compiled.hoisted),
-            cuts: (programs.shared > 0).then(|| body::Cut::of_pair(pair, programs.shared)),
+            printer: Printer::new(compiled, Rust(compiled)),
         }
-    }
-
-    /// What the results of a function are called in its body; nothing where they are numbered.
-    fn labels(&self, signature: &Signature) -> Vec<Option<String>> {
-        let Compiled { equations, solved, .. } = self.compiled;
-        let of_group = |group: &Group| -> Vec<Option<String>> {
-            match group.label {
-                Some(label) => {
-                    let names = group.shape.names(self.mechanism, equations).into_iter();
-                    names.map(|name| Some(label.replace("{}", &name))).collect()
-                }
-                None => vec![None; (group.nodes)(equations, solved).len()],
-            }
-        };
-        signature.results.iter().flat_map(of_group).collect()
-    }
-
-    /// The program of a function; helper functions go to `helpers`.
-    fn body(&self, function: Function, helpers: &mut String) -> body::Body {
-        let programs = &self.compiled.programs;
-        let (program, signature) = (programs.get(function), function.signature());
-        let names = self.names.within(signature.arguments);
-        let names = names.with_results(&program.outputs, &self.labels(signature));
-        let helper = format!("{}_part", signature.name);
-        let mut body = match (&self.cuts, function) {
-            (Some([plain, stabilised]), Function::Acceleration | Function::AccelerationBaumgarte) => {
-                // What both have in common is set up and factored in functions that both call.
-                let first = function == Function::Acceleration;
-                let common = self.names.within(Function::Acceleration.signature().arguments);
-                let front =
-                    body::Front { length: programs.shared, names: &common, helper: "factored", write: first };
-                let cut = if first { plain } else { stabilised };
-                body::body(program, cut, self, &names, &helper, Some(&front))
-            }
-            _ => body::body(program, &body::Cut::of(program), self, &names, &helper, None),
-        };
-        helpers.push_str(&std::mem::take(&mut body.helpers));
-        body
     }
 }
 

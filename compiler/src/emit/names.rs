@@ -1,7 +1,5 @@
 //! Names in emitted code: the user's where there are any, and never two alike.
 
-use super::Emitter;
-use super::function::declaration;
 use crate::equations::Equations;
 use crate::functions::{ARGUMENTS, Argument, FUNCTIONS, Given, Shape, Way};
 use crate::schedule::{Operand, Source};
@@ -9,20 +7,23 @@ use crate::symbolic::{Node, Op};
 use std::collections::{BTreeMap, BTreeSet};
 use std::rc::Rc;
 
-/// Names of all sources, and which arguments the function being written has.
+/// Names of all sources, and of the results of the function being written.
+#[derive(Clone)]
 pub struct Names {
     names: Rc<BTreeMap<Source, String>>,
-    /// Fields of the parameters and inputs, whose values may have other names in functions.
-    parameter_fields: Rc<Vec<String>>,
-    input_fields: Rc<Vec<String>>,
-    arguments: &'static [Argument],
+    /// What the definition calls parameters and inputs, whose values may have other names in functions.
+    fields: Rc<BTreeMap<Source, String>>,
     taken: Rc<BTreeSet<String>>,
     /// Names of instructions that are results, by index.
     results: Vec<Option<String>>,
+    keywords: Rc<BTreeSet<String>>,
 }
 
 impl Names {
-    pub fn new(equations: &Equations, hoisted: &[Node]) -> Self {
+    /// `keywords`: what no name may be in the language that is written.
+    pub fn new(equations: &Equations, hoisted: &[Node], keywords: &[&str]) -> Self {
+        let keywords: BTreeSet<String> = keywords.iter().map(|word| word.to_string()).collect();
+        let mut fields = BTreeMap::new();
         let symbols = &equations.symbols;
         let mut names = BTreeMap::new();
         let mut taken = reserved();
@@ -33,11 +34,17 @@ impl Names {
                     // Numbers are called as the argument is.
                     continue;
                 }
-                let mut name = readable(equations.graph.read().symbol_name(symbol));
+                let source = Source { argument: *argument, index: index as u32 };
+                let graph = equations.graph.read();
+                let symbol = graph.symbol_name(symbol);
+                if matches!(shape, Shape::Parameters | Shape::Inputs) {
+                    fields.insert(source, symbol.to_string());
+                }
+                let mut name = readable(symbol, &keywords);
                 while !taken.insert(name.clone()) {
                     name.push('_');
                 }
-                names.insert(Source { argument: *argument, index: index as u32 }, name);
+                names.insert(source, name);
             }
         }
         // A constant of the prepared model that is a parameter as it stands keeps the parameter's name.
@@ -53,50 +60,36 @@ impl Names {
                 names.insert(Source { argument: Argument::Constants, index }, name);
             }
         }
-        let fields = |nodes: &[Node]| {
-            let of = |node: &Node| match equations.graph.read().op(*node) {
-                Op::Symbol(symbol) => field(equations.graph.read().symbol_name(symbol)),
-                _ => String::new(),
-            };
-            Rc::new(nodes.iter().map(of).collect())
-        };
         Names {
             names: Rc::new(names),
-            parameter_fields: fields(&symbols.parameters),
-            input_fields: fields(&symbols.inputs),
-            arguments: &[],
+            fields: Rc::new(fields),
             taken: Rc::new(taken),
             results: Vec::new(),
-        }
-    }
-
-    /// The same names within a function of these arguments.
-    pub fn within(&self, arguments: &'static [Argument]) -> Names {
-        Names {
-            names: Rc::clone(&self.names),
-            parameter_fields: Rc::clone(&self.parameter_fields),
-            input_fields: Rc::clone(&self.input_fields),
-            arguments,
-            taken: Rc::clone(&self.taken),
-            results: Vec::new(),
+            keywords: Rc::new(keywords),
         }
     }
 
     /// The same names, with results called by what they are; `labels` in the order of the outputs.
-    pub fn with_results(mut self, outputs: &[Operand], labels: &[Option<String>]) -> Names {
+    pub fn with_results(&self, outputs: &[Operand], labels: &[Option<String>]) -> Names {
         let mut used = BTreeSet::new();
+        let mut results = Vec::new();
         for (output, label) in outputs.iter().zip(labels) {
             let (Operand::Value(index), Some(label)) = (output, label) else { continue };
-            let mut name = readable(label);
+            let mut name = readable(label, &self.keywords);
             while self.taken.contains(&name) || used.contains(&name) {
                 name.push('_');
             }
             used.insert(name.clone());
             let index = *index as usize;
-            self.results.resize(self.results.len().max(index + 1), None);
-            self.results[index].get_or_insert(name);
+            results.resize(results.len().max(index + 1), None);
+            results[index].get_or_insert(name);
         }
-        self
+        Names { results, ..self.clone() }
+    }
+
+    /// What the definition calls a parameter or an input; nothing of other sources.
+    pub fn identifier(&self, source: Source) -> &str {
+        self.fields.get(&source).map_or("", String::as_str)
     }
 
     /// Appends the name of an instruction's value.
@@ -115,29 +108,6 @@ impl Names {
             None => text.push_str(source.argument.name()),
         }
     }
-
-    /// Where a source is read from; `None` if it is an argument itself.
-    pub fn place(&self, Source { argument, index }: Source) -> Option<String> {
-        let given = argument.given();
-        Some(match given.shape {
-            Shape::Scalar => return None,
-            Shape::Parameters => format!("{}.{}", given.name, self.parameter_fields[index as usize]),
-            Shape::Inputs => format!("{}.{}", given.name, self.input_fields[index as usize]),
-            _ => format!("{}[{index}]", given.name),
-        })
-    }
-
-    /// The arguments of a helper function.
-    pub fn declarations(&self, emitter: &Emitter) -> String {
-        let declared =
-            self.arguments.iter().map(|argument| declaration(*argument, |shape| emitter.type_of(shape)));
-        declared.collect::<Vec<_>>().join(", ")
-    }
-
-    /// The same arguments as they are passed on.
-    pub fn passed_on(&self) -> String {
-        self.arguments.iter().map(|argument| argument.name()).collect::<Vec<_>>().join(", ")
-    }
 }
 
 /// Words that emitted functions use themselves: arguments, what results are written to, and values between helper functions.
@@ -153,16 +123,17 @@ fn push_numbered(text: &mut String, letter: char, index: u32) {
 }
 
 /// A name as an identifier that is no keyword and no name of an intermediate value.
-fn readable(name: &str) -> String {
+fn readable(name: &str, keywords: &BTreeSet<String>) -> String {
     let name = name.replace(['.', '[', '(', ' ', ','], "_").replace([']', ')'], "");
     let numbered = |prefix: char| {
         name.strip_prefix(prefix)
             .is_some_and(|rest| !rest.is_empty() && rest.chars().all(|c| c.is_ascii_digit()))
     };
-    if numbered('a') || numbered('k') || KEYWORDS.contains(&name.as_str()) { name + "_" } else { name }
+    if numbered('a') || numbered('k') || keywords.contains(&name) { name + "_" } else { name }
 }
 
-const KEYWORDS: [&str; 51] = [
+/// Rust's own words.
+pub const KEYWORDS: [&str; 51] = [
     "as", "async", "await", "break", "const", "continue", "crate", "dyn", "else", "enum", "extern", "false",
     "fn", "for", "gen", "if", "impl", "in", "let", "loop", "match", "mod", "move", "mut", "pub", "ref",
     "return", "self", "Self", "static", "struct", "super", "trait", "true", "type", "unsafe", "use", "where",

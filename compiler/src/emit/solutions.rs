@@ -1,12 +1,12 @@
-//! The factorisations beside the default accelerations: K(c), and D for independent velocities.
+//! What the factorisations beside the default accelerations are kept in: K(c), and D for independent velocities. Where they are
+//! not written out the runtime has them by tables.
 
 use super::Emitter;
-use super::function::function;
-use crate::functions::{Function, Shape};
+use crate::functions::Shape;
 use std::fmt::Write;
 
-/// K(c), written out where that is asked for, else by tables.
-pub fn factorisation(text: &mut String, helpers: &mut String, emitter: &Emitter) {
+/// K(c).
+pub fn factorisation(text: &mut String, emitter: &Emitter) {
     let solved = &emitter.compiled.solved;
     if solved.stored.is_none() {
         text.push_str(
@@ -19,25 +19,16 @@ pub fn factorisation(text: &mut String, helpers: &mut String, emitter: &Emitter)
         );
         return;
     }
-    let kept = emitter.entries(Shape::Store);
+    let kept = emitter.compiled.entries(Shape::Store);
     let _ = writeln!(text, "type Store = Store<R>;\nfn store() -> Store<R> {{ [R::ZERO; {kept}] }}");
-    for which in [Function::Factor, Function::Solve] {
-        function(text, helpers, emitter, which);
-    }
-    if solved.emits_system {
-        function(text, helpers, emitter, Function::System);
-    }
 }
 
-/// The equations in independent velocities, where they are asked for; the runtime has them by tables.
-pub fn null_space(text: &mut String, helpers: &mut String, emitter: &Emitter) {
+/// The equations in independent velocities.
+pub fn null_space(text: &mut String, emitter: &Emitter) {
     if emitter.compiled.solved.null_space.is_none() {
         text.push_str("type Lu = ();\nfn lu() {}\n");
         return;
     }
-    let kept = emitter.entries(Shape::Lu);
+    let kept = emitter.compiled.entries(Shape::Lu);
     let _ = writeln!(text, "type Lu = Lu<R>;\nfn lu() -> Lu<R> {{ [R::ZERO; {kept}] }}");
-    for which in [Function::FactorJacobian, Function::DependentVelocities, Function::NullSpace] {
-        function(text, helpers, emitter, which);
-    }
 }

@@ -8,9 +8,9 @@
 //! }
 //! ```
 
-use super::function::function;
+use super::function::functions;
 use super::{Emitter, tables};
-use crate::functions::{DERIVATIVES, Function, Shape};
+use crate::functions::{DERIVATIVES, Interface, Shape};
 use std::fmt::Write;
 
 /// Short names for the types, and the implementation; nothing where it is not asked for.
@@ -19,7 +19,7 @@ pub fn tangent(aliases: &mut String, text: &mut String, emitter: &Emitter) {
     let mechanism = emitter.mechanism;
     let (inputs, outputs) = (mechanism.inputs.len(), mechanism.outputs.len());
     let state = 2 * tangents.states.len();
-    let static_unknowns = emitter.entries(Shape::Velocities) + emitter.entries(Shape::Rows);
+    let static_unknowns = emitter.compiled.entries(Shape::Velocities) + emitter.compiled.entries(Shape::Rows);
     let dense = [
         ("StateMatrix", state * state),
         ("InputMatrix", state * inputs),
@@ -28,7 +28,7 @@ pub fn tangent(aliases: &mut String, text: &mut String, emitter: &Emitter) {
         ("Unknowns", static_unknowns),
         ("Bordered", static_unknowns * static_unknowns),
     ];
-    let sparse = DERIVATIVES.map(|matrix| (matrix.name, emitter.entries(Shape::Matrix(matrix))));
+    let sparse = DERIVATIVES.map(|matrix| (matrix.name, emitter.compiled.entries(Shape::Matrix(matrix))));
     let arrays: Vec<(&str, usize)> = sparse.into_iter().chain(dense).collect();
     for (alias, length) in &arrays {
         let _ = writeln!(aliases, "type {alias}<R> = [R; {length}];");
@@ -47,18 +47,7 @@ pub fn tangent(aliases: &mut String, text: &mut String, emitter: &Emitter) {
     let _ = writeln!(text, "type Parameters = Parameters<R>;\ntype Order = {order};");
     let _ = writeln!(text, "fn order() -> {order} {{ [0; {static_unknowns}] }}");
     let mut helpers = String::new();
-    for which in [
-        Function::Residual,
-        Function::RateTangent,
-        Function::InputTangent,
-        Function::ParameterTangent,
-        Function::OutputTangent,
-        Function::CoordinateTangent,
-        Function::Tangent,
-        Function::RowTangent,
-    ] {
-        function(text, &mut helpers, emitter, which);
-    }
+    functions(text, &mut helpers, emitter, Interface::Tangent);
     text.push_str("}\n");
     text.push_str(&helpers);
 }

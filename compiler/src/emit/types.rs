@@ -9,7 +9,7 @@ use std::fmt::Write;
 pub fn aliases(text: &mut String, emitter: &Emitter) {
     let name = &emitter.name;
     let equations = &emitter.compiled.equations;
-    let of = |shape: Shape| emitter.entries(shape);
+    let of = |shape: Shape| emitter.compiled.entries(shape);
     let (velocities, rows) = (of(Shape::Velocities), of(Shape::Rows));
     let freedoms = velocities + equations.idle.len() - rows;
     let arrays = [

@@ -354,7 +354,7 @@ impl<'a> Writer<'a> {
         match graph.op(node) {
             Op::Symbol(symbol) => graph.symbol_name(symbol).to_string(),
             Op::Unary(Unary::Sqrt, a) => call("√", &[a]),
-            Op::Unary(function, a) => call(function.method(), &[a]),
+            Op::Unary(function, a) => call(function.name(), &[a]),
             Op::Min(a, b) => call("min", &[a, b]),
             Op::Max(a, b) => call("max", &[a, b]),
             Op::Atan2(a, b) => call("atan2", &[a, b]),

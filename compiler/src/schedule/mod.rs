@@ -4,6 +4,7 @@
 
 mod bounds;
 mod count;
+mod cut;
 mod evaluate;
 mod interleave;
 mod liveness;
@@ -15,10 +16,10 @@ pub use crate::functions::{Function, outputs};
 pub use crate::symbolic::Counts;
 pub use bounds::{Bounded, Errors, run_bounded};
 pub use count::count;
+pub use cut::{Cut, Part};
 pub use evaluate::{Inputs, run};
-pub use liveness::{last_uses, live, live_values};
+pub use liveness::live_values;
 pub use program::{Instruction, Operand, Program, Source};
-pub use share::LONG;
 
 use crate::equations::Equations;
 use crate::functions::{ARGUMENTS, Argument, Given};

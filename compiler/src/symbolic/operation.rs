@@ -1,4 +1,4 @@
-//! The closed tables of unary functions and comparisons: value, derivative, spelling in emitted code.
+//! The closed tables of unary functions and comparisons: value and derivative.
 
 use super::Scalar;
 
@@ -56,8 +56,8 @@ impl Unary {
         }
     }
 
-    /// Method of the runtime's scalar trait.
-    pub fn method(self) -> &'static str {
+    /// Its name in formulas.
+    pub fn name(self) -> &'static str {
         match self {
             Unary::Reciprocal => "recip",
             Unary::Sqrt => "sqrt",
@@ -135,15 +135,6 @@ impl Compare {
             Compare::Less => a < b,
             Compare::LessEqual => a <= b,
             Compare::Equal => a == b,
-        }
-    }
-
-    /// Method of the runtime's scalar trait.
-    pub fn method(self) -> &'static str {
-        match self {
-            Compare::Less => "less",
-            Compare::LessEqual => "less_equal",
-            Compare::Equal => "equal",
         }
     }
 }

@@ -1,0 +1,45 @@
+//! What a language has to say of itself so that [`Printer`](super::Printer) can write programs in it: constants, operations,
+//! declarations, and how values go between the functions that a long program is cut into.
+//!
+//! Heads of functions and what becomes of the results are no part of it. They follow from
+//! [`FUNCTIONS`](crate::functions::FUNCTIONS), by the conventions of the code that calls: `rust.rs` and `function.rs` have those of the
+//! runtime.
+
+use crate::functions::Argument;
+use crate::schedule::{Instruction, Source};
+
+/// An operation is its operands with texts between: what stands before each of them, and behind the last.
+///
+/// ```text
+/// a + b              ["", " + ", "", ""]
+/// R::select(m, a, b) ["R::select(", ", ", ", ", ")"]
+/// ```
+pub type Spelling = [&'static str; 4];
+
+/// How a language spells programs.
+pub trait Dialect {
+    /// Words that are no names.
+    fn keywords(&self) -> &[&str];
+    /// Any number, also one that is not finite; it may stand as any operand.
+    fn constant(&self, text: &mut String, value: f64);
+    /// The texts around the operands, in the order of [`Instruction::operands`]; that behind the last stands directly behind it.
+    fn operation(&self, instruction: &Instruction) -> Spelling;
+    /// What stands before, in and behind `NAME VALUE` of a new value, which may be a truth value.
+    fn declaration(&self, mask: bool) -> [&'static str; 3];
+    /// A line of comment.
+    fn comment(&self, text: &mut String, line: &str);
+    /// An entry of an argument that is no number; `identifier` is what the user calls it where it is a field.
+    fn entry(&self, text: &mut String, source: Source, identifier: &str);
+
+    /// Declares so many values that go from function to function.
+    fn slots(&self, text: &mut String, size: usize);
+    /// One of them; what stands before and behind what is written to it, of a truth value too, and around it where it is read.
+    fn slot(&self, text: &mut String, slot: usize);
+    fn given(&self, mask: bool) -> [&'static str; 2];
+    fn taken(&self, mask: bool) -> [&'static str; 2];
+    /// Head of a function for a part of a program, up to the first statement, and its end.
+    fn helper(&self, text: &mut String, name: &str, arguments: &[Argument], slots: usize);
+    fn end(&self, text: &mut String);
+    /// A call of it.
+    fn call(&self, text: &mut String, name: &str, arguments: &[Argument]);
+}

@@ -1,0 +1,251 @@
+//! Programs as text, one declaration for each instruction, in any [`Dialect`].
+//!
+//! ```text
+//! let crank_cos = q[0];
+//! let a0 = crank_cos * coupler_cos;
+//! let mass_crank = crank_sin.mul_add(coupler_sin, a0);
+//! ```
+//! Written out piece by piece: this is most of the text of an expansion, and a macro runs unoptimised. Text that is parsed
+//! once is ten times faster to produce than token streams.
+
+use super::dialect::Dialect;
+use super::names::Names;
+use crate::compiled::Compiled;
+use crate::functions::{Argument, Function, Group, Shape, Signature};
+use crate::schedule::{Cut, Instruction, Operand, Part, Program, Source};
+use std::collections::BTreeSet;
+
+/// The body of a function and the helper functions it was cut into.
+pub struct Body {
+    /// Loads and instructions.
+    pub statements: String,
+    /// The results, as expressions over what was declared.
+    pub outputs: Vec<String>,
+    /// Whether the statements name the constants of the prepared model.
+    pub reads_constants: bool,
+    /// Functions to be placed beside it.
+    pub helpers: String,
+}
+
+/// Writes the programs of a mechanism.
+pub struct Printer<'a, D> {
+    pub compiled: &'a Compiled,
+    pub dialect: D,
+    names: Names,
+    /// The cuts of the two solutions, where they have something in common.
+    cuts: Option<[Cut; 2]>,
+}
+
+/// The prefix of the names of the functions that both accelerations call.
+const COMMON: &str = "factored";
+
+impl<'a, D: Dialect> Printer<'a, D> {
+    pub fn new(compiled: &'a Compiled, dialect: D) -> Self {
+        let programs = &compiled.programs;
+        let pair = [Function::Acceleration, Function::AccelerationBaumgarte].map(|known| programs.get(known));
+        let names = Names::new(&compiled.equations, &compiled.hoisted, dialect.keywords());
+        let cuts = (programs.shared > 0).then(|| Cut::of_pair(pair, programs.shared));
+        Printer { compiled, dialect, names, cuts }
+    }
+
+    /// The program of a function.
+    pub fn body(&self, function: Function) -> Body {
+        let programs = &self.compiled.programs;
+        let (program, signature) = (programs.get(function), function.signature());
+        let alone;
+        let cut = match (&self.cuts, function) {
+            (Some([plain, _]), Function::Acceleration) => plain,
+            (Some([_, stabilised]), Function::AccelerationBaumgarte) => stabilised,
+            _ => {
+                alone = Cut::of(program);
+                &alone
+            }
+        };
+        let solves = matches!(function, Function::Acceleration | Function::AccelerationBaumgarte);
+        Writer {
+            printer: self,
+            program,
+            cut,
+            names: self.names.with_results(&program.outputs, &self.labels(signature)),
+            signature,
+            shared: if solves { programs.shared } else { 0 },
+        }
+        .body()
+    }
+
+    /// What the results of a function are called in its body; nothing where they are numbered.
+    fn labels(&self, signature: &Signature) -> Vec<Option<String>> {
+        let Compiled { mechanism, equations, solved, .. } = self.compiled;
+        let of_group = |group: &Group| -> Vec<Option<String>> {
+            match group.label {
+                Some(label) => {
+                    let names = group.shape.names(mechanism, equations).into_iter();
+                    names.map(|name| Some(label.replace("{}", &name))).collect()
+                }
+                None => vec![None; (group.nodes)(equations, solved).len()],
+            }
+        };
+        signature.results.iter().flat_map(of_group).collect()
+    }
+
+    /// Where an entry of an argument is read.
+    pub fn entry(&self, text: &mut String, source: Source) {
+        self.dialect.entry(text, source, self.names.identifier(source));
+    }
+}
+
+/// One function while it is written.
+struct Writer<'a, D> {
+    printer: &'a Printer<'a, D>,
+    program: &'a Program,
+    cut: &'a Cut,
+    names: Names,
+    signature: &'static Signature,
+    /// Instructions in common with another function, whose parts are written once and without the names of results.
+    shared: usize,
+}
+
+impl<D: Dialect> Writer<'_, D> {
+    fn body(&self) -> Body {
+        let dialect = &self.printer.dialect;
+        let (mut statements, mut helpers) = (String::new(), String::new());
+        let Some((last, before)) = self.cut.parts.split_last() else {
+            return Body { statements, outputs: Vec::new(), reads_constants: false, helpers };
+        };
+        if !before.is_empty() {
+            dialect.slots(&mut statements, self.cut.size);
+        }
+        let own = format!("{}_part", self.signature.name);
+        for (index, part) in before.iter().enumerate() {
+            let common = part.end <= self.shared;
+            let first = if common { Function::Acceleration } else { self.signature.function };
+            let (prefix, arguments) = (if common { COMMON } else { &own }, first.signature().arguments);
+            let name = format!("{prefix}_{index}");
+            dialect.call(&mut statements, &name, arguments);
+            if first == self.signature.function {
+                dialect.helper(&mut helpers, &name, arguments, self.cut.size);
+                let names = if common { &self.printer.names } else { &self.names };
+                self.part(&mut helpers, part, &[], names);
+                self.give(&mut helpers, part, names);
+                dialect.end(&mut helpers);
+            }
+        }
+        let used = self.part(&mut statements, last, &self.program.outputs, &self.names);
+        let constants = used.iter().any(|source| source.argument == Argument::Constants);
+        let output = |output: &Operand| {
+            let mut text = String::new();
+            match *output {
+                Operand::Value(value) if (value as usize) < last.start => {
+                    dialect.slot(&mut text, self.cut.slots[value as usize].unwrap_or(0));
+                }
+                operand => self.operand(&mut text, operand, &self.names),
+            }
+            text
+        };
+        let outputs = self.program.outputs.iter().map(output).collect();
+        Body { outputs, statements, reads_constants: constants || !before.is_empty(), helpers }
+    }
+
+    /// Loads, values taken from the array, and instructions of one part; what is loaded.
+    fn part(&self, text: &mut String, part: &Part, outputs: &[Operand], names: &Names) -> BTreeSet<Source> {
+        let instructions = &self.program.instructions[part.start..part.end];
+        let used = self.loads(text, instructions, outputs, names);
+        for (value, slot) in &part.taken {
+            let mask = self.is_mask(*value);
+            let ([before, between, behind], [open, close]) =
+                (self.printer.dialect.declaration(mask), self.printer.dialect.taken(mask));
+            text.push_str(before);
+            names.push_value(text, *value as u32);
+            text.push_str(between);
+            text.push_str(open);
+            self.printer.dialect.slot(text, *slot);
+            text.push_str(close);
+            text.push_str(behind);
+        }
+        for (offset, instruction) in instructions.iter().enumerate() {
+            let [before, between, behind] = self.printer.dialect.declaration(instruction.is_mask());
+            text.push_str(before);
+            names.push_value(text, (part.start + offset) as u32);
+            text.push_str(between);
+            self.expression(text, instruction, names);
+            text.push_str(behind);
+        }
+        used
+    }
+
+    /// What other parts need, into the array.
+    fn give(&self, text: &mut String, part: &Part, names: &Names) {
+        for (value, slot) in &part.given {
+            let [open, close] = self.printer.dialect.given(self.is_mask(*value));
+            self.printer.dialect.slot(text, *slot);
+            text.push_str(open);
+            names.push_value(text, *value as u32);
+            text.push_str(close);
+        }
+    }
+
+    fn is_mask(&self, value: usize) -> bool {
+        self.program.instructions[value].is_mask()
+    }
+
+    /// A declaration for every source that the instructions or outputs name.
+    fn loads(
+        &self,
+        text: &mut String,
+        instructions: &[Instruction],
+        outputs: &[Operand],
+        names: &Names,
+    ) -> BTreeSet<Source> {
+        let operands = instructions.iter().flat_map(|instruction| instruction.operands());
+        let used = operands.chain(outputs.iter().copied()).filter_map(|operand| match operand {
+            Operand::Source(source) => Some(source),
+            _ => None,
+        });
+        let used: BTreeSet<Source> = used.collect();
+        for source in &used {
+            // A number is an argument itself.
+            if matches!(source.argument.given().shape, Shape::Scalar) {
+                continue;
+            }
+            let [before, between, behind] = self.printer.dialect.declaration(false);
+            text.push_str(before);
+            names.push_source(text, *source);
+            text.push_str(between);
+            self.printer.entry(text, *source);
+            text.push_str(behind);
+        }
+        used
+    }
+
+    fn operand(&self, text: &mut String, operand: Operand, names: &Names) {
+        match operand {
+            Operand::Constant(value) => self.printer.dialect.constant(text, value),
+            Operand::Source(source) => names.push_source(text, source),
+            Operand::Value(index) => names.push_value(text, index),
+        }
+    }
+
+    fn expression(&self, text: &mut String, instruction: &Instruction, names: &Names) {
+        let instruction = with_signs_in_constants(*instruction);
+        let spelling = self.printer.dialect.operation(&instruction);
+        let mut texts = spelling.iter();
+        let mut between = |text: &mut String| text.push_str(texts.next().unwrap_or(&""));
+        for operand in instruction.operands() {
+            between(text);
+            self.operand(text, operand, names);
+        }
+        between(text);
+    }
+}
+
+/// The same with the sign of a product or of an addend in a constant, where there is one.
+fn with_signs_in_constants(instruction: Instruction) -> Instruction {
+    let Instruction::MulAdd(a, b, c, minus_product, minus_addend) = instruction else { return instruction };
+    let (a, b) = if matches!(b, Operand::Constant(_)) { (b, a) } else { (a, b) };
+    let signed = |operand: Operand, minus: bool| match operand {
+        Operand::Constant(value) if minus => (Operand::Constant(-value), false),
+        operand => (operand, minus),
+    };
+    let ((a, minus_product), (c, minus_addend)) = (signed(a, minus_product), signed(c, minus_addend));
+    Instruction::MulAdd(a, b, c, minus_product, minus_addend)
+}

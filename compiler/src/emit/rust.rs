@@ -1,0 +1,164 @@
+//! Rust as the [`Dialect`] of emitted code: statements over the runtime's scalar `Real`.
+
+use super::dialect::{Dialect, Spelling};
+use super::function::declaration;
+use super::names::{KEYWORDS, field};
+use crate::compiled::Compiled;
+use crate::functions::{Argument, Shape};
+use crate::schedule::{Instruction, Source};
+use crate::symbolic::{Compare, Unary};
+use std::fmt::Write;
+
+/// The Rust of one mechanism, whose types have short names beside the functions.
+pub struct Rust<'a>(pub &'a Compiled);
+
+impl Dialect for Rust<'_> {
+    fn keywords(&self) -> &[&str] {
+        &KEYWORDS
+    }
+
+    fn constant(&self, text: &mut String, value: f64) {
+        text.push_str(&constant(value));
+    }
+
+    fn operation(&self, instruction: &Instruction) -> Spelling {
+        match instruction {
+            Instruction::Add(..) => ["", " + ", "", ""],
+            Instruction::Sub(..) => ["", " - ", "", ""],
+            Instruction::Mul(..) => ["", " * ", "", ""],
+            Instruction::Div(..) => ["", " / ", "", ""],
+            Instruction::MulAdd(_, _, _, minus_product, minus_addend) => {
+                match (minus_product, minus_addend) {
+                    (false, false) => ["", ".mul_add(", ", ", ")"],
+                    (false, true) => ["", ".mul_add(", ", (-", "))"],
+                    (true, false) => ["(-", ").mul_add(", ", ", ")"],
+                    (true, true) => ["(-", ").mul_add(", ", (-", "))"],
+                }
+            }
+            Instruction::Neg(_) => ["-", "", "", ""],
+            Instruction::Unary(function, _) => match function {
+                Unary::Reciprocal => ["R::ONE / ", "", "", ""],
+                Unary::Sqrt => ["", ".sqrt()", "", ""],
+                Unary::Abs => ["", ".abs()", "", ""],
+                Unary::Sign => ["", ".sign()", "", ""],
+                Unary::Sin => ["", ".sin()", "", ""],
+                Unary::Cos => ["", ".cos()", "", ""],
+                Unary::Tan => ["", ".tan()", "", ""],
+                Unary::Asin => ["", ".asin()", "", ""],
+                Unary::Acos => ["", ".acos()", "", ""],
+                Unary::Exp => ["", ".exp()", "", ""],
+                Unary::Ln => ["", ".ln()", "", ""],
+            },
+            Instruction::Min(..) => ["", ".min(", ")", ""],
+            Instruction::Max(..) => ["", ".max(", ")", ""],
+            Instruction::Atan2(..) => ["", ".atan2(", ")", ""],
+            Instruction::Compare(Compare::Less, ..) => ["", ".less(", ")", ""],
+            Instruction::Compare(Compare::LessEqual, ..) => ["", ".less_equal(", ")", ""],
+            Instruction::Compare(Compare::Equal, ..) => ["", ".equal(", ")", ""],
+            Instruction::And(..) => ["", " & ", "", ""],
+            Instruction::Or(..) => ["", " | ", "", ""],
+            Instruction::Not(_) => ["!", "", "", ""],
+            Instruction::Select(..) => ["R::select(", ", ", ", ", ")"],
+        }
+    }
+
+    fn declaration(&self, _: bool) -> [&'static str; 3] {
+        ["let ", " = ", ";\n"]
+    }
+
+    fn comment(&self, text: &mut String, line: &str) {
+        let _ = writeln!(text, "// {line}");
+    }
+
+    fn entry(&self, text: &mut String, source: Source, identifier: &str) {
+        let given = source.argument.given();
+        let _ = match given.shape {
+            Shape::Parameters | Shape::Inputs => write!(text, "{}.{}", given.name, field(identifier)),
+            _ => write!(text, "{}[{}]", given.name, source.index),
+        };
+    }
+
+    fn slots(&self, text: &mut String, size: usize) {
+        let _ = writeln!(text, "let mut w = [R::ZERO; {size}];");
+    }
+
+    fn slot(&self, text: &mut String, slot: usize) {
+        let _ = write!(text, "w[{slot}]");
+    }
+
+    fn given(&self, mask: bool) -> [&'static str; 2] {
+        if mask { [" = R::select(", ", R::ONE, R::ZERO);\n"] } else { [" = ", ";\n"] }
+    }
+
+    fn taken(&self, mask: bool) -> [&'static str; 2] {
+        if mask { ["", ".equal(R::ONE)"] } else { ["", ""] }
+    }
+
+    fn helper(&self, text: &mut String, name: &str, arguments: &[Argument], slots: usize) {
+        let declared =
+            arguments.iter().map(|argument| declaration(*argument, |shape| type_of(self.0, shape)));
+        let declared = declared.collect::<Vec<_>>().join(", ");
+        let _ = writeln!(text, "#[inline(never)] fn {name}<R: Real>({declared}, w: &mut [R; {slots}]) {{");
+    }
+
+    fn end(&self, text: &mut String) {
+        text.push_str("}\n");
+    }
+
+    fn call(&self, text: &mut String, name: &str, arguments: &[Argument]) {
+        let names = arguments.iter().map(|argument| argument.name()).collect::<Vec<_>>().join(", ");
+        let _ = writeln!(text, "{name}({names}, &mut w);");
+    }
+}
+
+/// A shape by the aliases that stand beside the functions.
+pub fn type_of(compiled: &Compiled, shape: Shape) -> String {
+    let mechanism = &compiled.mechanism;
+    let alias = match shape {
+        Shape::Scalar => return "R".to_string(),
+        // A type alias may not leave its scalar unused, so `()` stands for itself where nothing is given.
+        Shape::Inputs if mechanism.inputs.is_empty() => return "()".to_string(),
+        Shape::Outputs if mechanism.outputs.is_empty() => return "()".to_string(),
+        Shape::Bodies(record) | Shape::Joints(record) => {
+            return format!("[{}<R>; {}]", record.of(mechanism.space).name, compiled.entries(shape));
+        }
+        Shape::Loads | Shape::Drivers | Shape::Masses => return format!("[R; {}]", compiled.entries(shape)),
+        Shape::Positions => "Q",
+        Shape::Velocities => "V",
+        Shape::Rows => "Lambda",
+        Shape::Matrix(matrix) => matrix.name,
+        Shape::Conditions => "Conditions",
+        Shape::Store => "Store",
+        Shape::Lu => "Lu",
+        Shape::Constants => "Constants",
+        Shape::Phases => "Phases",
+        Shape::Parameters => "Parameters",
+        Shape::Inputs => "Inputs",
+        Shape::Outputs => "Outputs",
+    };
+    format!("{alias}<R>")
+}
+
+/// A number of the scalar's type.
+pub fn constant(value: f64) -> String {
+    if value == 0.0 {
+        "R::ZERO".to_string()
+    } else if value == 1.0 {
+        "R::ONE".to_string()
+    } else {
+        format!("R::from_f64({})", literal(value))
+    }
+}
+
+/// A finite f64 as a literal that reads back to the same bits; infinities and NaN by name.
+pub fn literal(value: f64) -> String {
+    if value.is_finite() {
+        format!("{value:?}")
+    } else if value.is_nan() {
+        "::core::primitive::f64::NAN".to_string()
+    } else if value > 0.0 {
+        "::core::primitive::f64::INFINITY".to_string()
+    } else {
+        "::core::primitive::f64::NEG_INFINITY".to_string()
+    }
+}
