@@ -88,7 +88,8 @@ pub struct Explanation {
 
 /// Gathers it.
 pub fn explain(definition: &Definition, compiled: &Compiled) -> Explanation {
-    let Compiled { mechanism, equations, assembly, choice, .. } = compiled;
+    let Compiled { mechanism, complete, assembly, choice, .. } = compiled;
+    let equations = &complete.equations;
     let layout = &equations.layout;
     let coordinates = if choice.coordinates == Coordinates::Absolute { "absolute" } else { "tree" };
     let row = |function: Function| Row {
@@ -151,7 +152,8 @@ fn parameters(definition: &Definition, mechanism: &Mechanism) -> Vec<Parameter> 
 }
 
 fn joints(compiled: &Compiled) -> Vec<Joint> {
-    let Compiled { mechanism, equations, .. } = compiled;
+    let Compiled { mechanism, complete, .. } = compiled;
+    let equations = &complete.equations;
     let carries = |index: usize| {
         let mut attachments = equations.tree.attachments.iter();
         let of_joint = |joint: Option<(JointId, Frame)>| joint.is_some_and(|(id, _)| id.0 == index);

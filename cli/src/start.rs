@@ -56,15 +56,16 @@ struct Asked {
 pub fn state(definition: &Definition, compiled: &Compiled) -> State {
     let mechanism = &compiled.mechanism;
     let asked = asked(definition, mechanism);
-    let mut equations = compiled.equations.clone();
+    let equations = compiled.complete.equations.clone();
     let coordinates: Vec<Coordinate> = asked.iter().map(|asked| asked.coordinate.clone()).collect();
-    let conditions = equations.add_conditions(mechanism, &coordinates);
+    let known = &compiled.complete.conditions;
+    let (all, conditions) = known.with(mechanism, &equations, &coordinates);
     let masses = masses(mechanism, &equations);
     let mut point = point(compiled, &equations);
-    let jets = conditions.iter().map(|index| &equations.conditions[*index].jet);
+    let jets = conditions.iter().map(|index| &all.rows[*index].jet);
     point.evaluate(&Ancestry::of_jets(&equations, jets));
     let found = asked.into_iter().zip(&conditions).map(|(asked, index)| {
-        let jet = &equations.conditions[*index].jet;
+        let jet = &all.rows[*index].jet;
         let si = if asked.rate {
             let moved = jet.columns.iter().map(|(k, node)| point.get(*node) * compiled.assembly.v[*k]);
             moved.sum::<f64>() + point.get(jet.drift)
@@ -76,7 +77,7 @@ pub fn state(definition: &Definition, compiled: &Compiled) -> State {
     });
     let mut found: Vec<Found> = found.collect();
     found.extend(centers(definition, compiled, &equations, &mut point, &found));
-    let outputs = outputs(definition, &equations, &mut point);
+    let outputs = outputs(definition, compiled, &mut point);
     State { bodies: bodies(definition, mechanism, &mut point, &masses), found, outputs }
 }
 
@@ -160,9 +161,10 @@ fn centers(
     found
 }
 
-fn outputs(definition: &Definition, equations: &Equations, point: &mut Point) -> Vec<Value> {
-    point.evaluate(&Ancestry::of(equations, equations.outputs.iter().copied()));
-    let both = definition.outputs.iter().zip(&equations.outputs);
+fn outputs(definition: &Definition, compiled: &Compiled, point: &mut Point) -> Vec<Value> {
+    let outputs = &compiled.complete.solved.outputs;
+    point.evaluate(&Ancestry::of(point.equations, outputs.iter().copied()));
+    let both = definition.outputs.iter().zip(outputs);
     both.map(|(output, node)| {
         let unit = output.entry.unit.as_ref().map(|written| &written.unit);
         let (text, scale) = unit.map_or(("1".to_string(), 1.0), |unit| (unit.text.clone(), unit.scale));

@@ -8,7 +8,7 @@ use crate::diagnostics::Diagnostics;
 use crate::equations::{self, Equations, Omitted, SpanningTree, space};
 use crate::model::{Coordinates, Mechanism, Space};
 use crate::order::Strategy;
-use crate::schedule::{Counts, Function, count_of};
+use crate::schedule::{Counts, count_outputs};
 use crate::solve::{self, Solved};
 
 /// One set of coordinates, solved.
@@ -133,7 +133,7 @@ fn absolute(
 
 fn solved(
     mechanism: &Mechanism,
-    mut equations: Equations,
+    equations: Equations,
     assembly: Assembly,
     errors: &mut Diagnostics,
 ) -> Option<(Candidate, Counts)> {
@@ -142,9 +142,7 @@ fn solved(
         return None;
     }
     let scales = assemble::row_scales(mechanism, &equations, &assembly, &massless);
-    let count =
-        |equations: &Equations, solved: &Solved| count_of(equations, solved, Function::AccelerationBaumgarte);
-    let solved = solve::solve(&mut equations, massless, scales, &count);
+    let (equations, solved) = solve::solve(equations, massless, scales, &count_outputs);
     let counts = solved.counts;
     Some((Candidate { equations, assembly, solved }, counts))
 }

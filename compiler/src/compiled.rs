@@ -4,13 +4,13 @@ use crate::check::assemble::Assembly;
 use crate::check::assemble::loose::{self, Loose};
 use crate::check::motion::{self, Motion, Unswept};
 use crate::choice::Choice;
+use crate::complete::Complete;
 use crate::diagnostics::Diagnostics;
-use crate::equations::Equations;
 use crate::functions::Shape;
 use crate::model::Mechanism;
 use crate::schedule::Programs;
+use crate::solve::Partition;
 use crate::solve::table::Table;
-use crate::solve::{Partition, Solved};
 use crate::symbolic::Node;
 
 /// A mechanism after all stages but the last.
@@ -19,9 +19,8 @@ pub struct Compiled {
     pub mechanism: Mechanism,
     /// `DEFINITION`.
     pub definition: String,
-    pub equations: Equations,
+    pub complete: Complete,
     pub assembly: Assembly,
-    pub solved: Solved,
     pub programs: Programs,
     /// The expressions that the constants of the prepared model are.
     pub hoisted: Vec<Node>,
@@ -41,16 +40,17 @@ pub struct Compiled {
 impl Compiled {
     /// How many entries lists of this shape have.
     pub fn entries(&self, shape: Shape) -> usize {
-        let Compiled { mechanism, equations, solved, .. } = self;
+        let Compiled { mechanism, complete, .. } = self;
+        let Complete { equations, conditions, further, .. } = complete;
         match shape {
             Shape::Scalar => 1,
             Shape::Positions => equations.layout.positions(),
             Shape::Velocities => equations.layout.velocities(),
             Shape::Rows => equations.rows.len(),
-            Shape::Matrix(matrix) => matrix.places(equations).count(),
-            Shape::Conditions => equations.conditions.len(),
-            Shape::Store => solved.stored.as_ref().map_or(0, |stored| stored.kept.len()),
-            Shape::Lu => solved.null_space.as_ref().map_or(0, |written| written.kept.len()),
+            Shape::Matrix(matrix) => matrix.places(complete).count(),
+            Shape::Conditions => conditions.rows.len(),
+            Shape::Store => further.kept().len(),
+            Shape::Lu => further.lu().len(),
             Shape::Constants => self.programs.prepared,
             Shape::Phases => equations.symbols.phases.len(),
             Shape::Parameters => mechanism.parameters.len(),
@@ -66,11 +66,16 @@ impl Compiled {
 
     /// The range of motion of all joints, for those who ask; expansion itself follows the motion only where `expect` does.
     pub fn motion(&self) -> Result<Motion, Unswept> {
-        motion::sweep(&self.mechanism, &self.equations, &self.assembly, &motion::of_joints(&self.mechanism))
+        motion::sweep(
+            &self.mechanism,
+            &self.complete.equations,
+            &self.assembly,
+            &motion::of_joints(&self.mechanism),
+        )
     }
 
     /// The bodies that can move while all others stand still: loose ones, and idle freedoms.
     pub fn loose(&self) -> Vec<Loose> {
-        loose::find(&self.mechanism, &self.equations, &self.assembly.q, &self.assembly.phases)
+        loose::find(&self.mechanism, &self.complete.equations, &self.assembly.q, &self.assembly.phases)
     }
 }

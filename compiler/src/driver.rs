@@ -4,12 +4,13 @@ use crate::check::assemble::Assembly;
 use crate::check::{self, assemble, motion};
 use crate::choice::{self, Candidate};
 use crate::compiled::Compiled;
+use crate::complete::Complete;
 use crate::diagnostics::Diagnostics;
 use crate::equations::{self, Equations, Omitted, SpanningTree, Tangents, VOCABULARY};
 use crate::model::{self, Coordinates, Mechanism};
 use crate::schedule;
 use crate::self_check::{self, Extent};
-use crate::solve::Solved;
+use crate::solve::Further;
 use crate::solve::table::Table;
 use crate::syntax::{Definition, Header};
 use crate::{budget, optimize, syntax};
@@ -90,28 +91,33 @@ pub fn compile_model(
         return Err(errors);
     };
     // AFTER THIS POINT no linear system is left.
-    let Candidate { mut equations, assembly, mut solved } = candidate;
-    let independent = equations.add_conditions(&mechanism, &assembly.independent);
-    let partition = assemble::partition(&mechanism, &equations, &assembly, &independent);
-    solved.add(&mut equations, &mechanism.options.emit, &partition);
-    if mechanism.options.emit.tangent {
-        let further = assemble::completion(&mechanism, &equations, &assembly, &independent);
-        let mut states = independent.clone();
-        states.extend(equations.add_conditions(&mechanism, &further));
-        equations.tangents = Some(Tangents::new(&equations, states));
-    }
+    let Candidate { equations, assembly, solved } = candidate;
+    let (conditions, independent) = equations.conditions.with(&mechanism, &equations, &assembly.independent);
+    let partition = assemble::partition(&mechanism, &equations, &conditions, &assembly, &independent);
+    let further = Further::of(&equations, &solved, &mechanism.options.emit, &partition);
+    let derive = mechanism.options.emit.tangent;
+    let (conditions, tangents) = match derive {
+        false => (conditions, None),
+        true => {
+            let others = assemble::completion(&mechanism, &equations, &conditions, &assembly, &independent);
+            let (conditions, others) = conditions.with(&mechanism, &equations, &others);
+            let states = independent.iter().copied().chain(others).collect();
+            let tangents = Tangents::new(&equations, &conditions.rows, states);
+            (conditions, Some(tangents))
+        }
+    };
+    let complete = Complete { equations, conditions, solved, further, tangents };
     // AFTER THIS POINT every expression that a function computes is on the graph.
-    let table = table(&equations, &solved);
-    let optimized = optimize::optimize(&equations, &solved);
-    let programs = schedule::schedule(&equations, &optimized);
+    let table = table(&complete);
+    let optimized = optimize::optimize(&complete);
+    let programs = schedule::schedule(&complete, &optimized);
     // AFTER THIS POINT there is no graph, only instructions.
-    let masses = assemble::positive_masses(&mechanism, &equations);
+    let masses = assemble::positive_masses(&mechanism, &complete.equations);
     let compiled = Compiled {
         mechanism,
         definition,
-        equations,
+        complete,
         assembly,
-        solved,
         programs,
         hoisted: optimized.hoisted.nodes,
         table,
@@ -134,10 +140,11 @@ pub fn compile_model(
 }
 
 /// Structure of [M D̂ᵀ; D̂ 0] with the conditions' rows, for the cold paths.
-fn table(equations: &Equations, solved: &Solved) -> Table {
+fn table(complete: &Complete) -> Table {
+    let Complete { equations, conditions, solved, .. } = complete;
     let n = equations.layout.velocities();
     let rows = equations.rows.iter().map(|row| &row.jet);
-    let jets: Vec<_> = rows.chain(equations.conditions.iter().map(|condition| &condition.jet)).collect();
+    let jets: Vec<_> = rows.chain(conditions.rows.iter().map(|condition| &condition.jet)).collect();
     let entries = jets
         .iter()
         .enumerate()

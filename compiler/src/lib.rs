@@ -6,6 +6,7 @@
 mod budget;
 mod choice;
 mod compiled;
+pub mod complete;
 pub mod counts;
 pub mod diagnostics;
 mod drawing;

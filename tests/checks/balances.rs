@@ -348,6 +348,6 @@ fn momentum_is_kept() {
     for (before, after) in before.iter().zip(after) {
         assert!((before - after).abs() < 1e-10, "{before} {after}");
     }
-    assert!(compiled::<Floating>(None).equations.rows.is_empty());
+    assert!(compiled::<Floating>(None).complete.equations.rows.is_empty());
     assert_eq!(<Floating as Mechanism<f64>>::ROWS.len(), 0);
 }

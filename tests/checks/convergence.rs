@@ -108,7 +108,7 @@ fn walking_keeps_angles_and_pairs_together<M: Model>() {
         let Layout { linear, rotations, quaternions, angles } = M::LAYOUT;
         let counts = linear + 2 * rotations + 4 * quaternions;
         let q = at.q.as_slice();
-        for (angle, known) in compiled.equations.layout.angles.iter().zip(0..angles.len()) {
+        for (angle, known) in compiled.complete.equations.layout.angles.iter().zip(0..angles.len()) {
             // In space a free body's ω is the rate of no angle.
             if angle.rate.iter().any(|(rate, _)| !(linear..linear + rotations).contains(rate)) {
                 continue;

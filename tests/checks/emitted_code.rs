@@ -48,10 +48,7 @@ fn emitted_code_is_the_program<M: Model>() {
 fn fix_phases(compiled: &Compiled, inputs: &mut Inputs) {
     let start = Inputs { time: 0.0, q: compiled.assembly.q.clone(), ..inputs.clone() };
     let phi = schedule::run(compiled.programs.get(Function::Constraints), &start);
-    let open = compiled.mechanism.constraints.iter().filter(|constraint| is_open(constraint));
-    for (phase, constraint) in open.enumerate() {
-        let own = |row: &Row| row.joint.is_none() && row.of == constraint.name.text;
-        let row = compiled.equations.rows.iter().position(own).expect("a coupling has a row");
+    for (phase, row) in compiled.complete.equations.open_rows(&compiled.mechanism).into_iter().enumerate() {
         inputs.phases[phase] += phi[row];
     }
     inputs.prepared = schedule::run(compiled.programs.get(Function::Prepare), inputs);
@@ -134,7 +131,7 @@ fn emitted<M: Model>(model: &M, inputs: &Inputs, function: Function) -> Option<V
 
 /// The factorisation of K(c) where it is emitted: factored, and set up, then solved.
 fn factorisation_is_the_program<M: Model>(compiled: &Compiled, model: &M, mut inputs: Inputs) {
-    let Some(stored) = &compiled.solved.stored else { return };
+    let Some(stored) = &compiled.complete.further.stored else { return };
     let kept = stored.kept.len();
     let at = At::<M>::of(&inputs);
     let (mut store, compliance) = (M::store(), inputs.compliance);
@@ -150,7 +147,7 @@ fn factorisation_is_the_program<M: Model>(compiled: &Compiled, model: &M, mut in
     let mut program = schedule::run(compiled.programs.get(Function::Solve), &inputs);
     program.push(factored[kept]);
     compare(M::NAME, Function::Factor, &emitted, &program);
-    if !compiled.solved.emits_system {
+    if !compiled.complete.further.emits_system {
         return;
     }
     let (mut forces, mut rows) = (M::V::zero(), M::Lambda::zero());
@@ -171,7 +168,7 @@ fn factorisation_is_the_program<M: Model>(compiled: &Compiled, model: &M, mut in
 
 /// The equations in independent velocities where they are emitted: D factored, then solved; and the whole.
 fn null_space_is_the_program<M: Model>(compiled: &Compiled, model: &M, mut inputs: Inputs) {
-    let Some(written) = &compiled.solved.null_space else { return };
+    let Some(written) = &compiled.complete.further.null_space else { return };
     let At { time, q, v, u } = &At::<M>::of(&inputs);
     let (mut lu, mut velocity) = (M::lu(), M::V::zero());
     let pivot = model.factor_jacobian(*time, q, &mut lu);
@@ -198,7 +195,7 @@ fn null_space_is_the_program<M: Model>(compiled: &Compiled, model: &M, mut input
 fn emitted_tangents_are_the_programs<M: Model + Tangent<f64>>() {
     emitted_code_is_the_program::<M>();
     let compiled = compiled::<M>(None);
-    assert!(compiled.equations.tangents.is_some(), "{}: nothing would be compared", M::NAME);
+    assert!(compiled.complete.tangents.is_some(), "{}: nothing would be compared", M::NAME);
     let mut random = Random::new(3);
     for _ in 0..POINTS {
         let mut inputs = random.point(&compiled);
@@ -254,7 +251,7 @@ fn programs_are_the_graph<M: Model>() {
     for coordinates in [Coordinates::Absolute, Coordinates::Tree] {
         let compiled = compiled::<M>(Some(coordinates));
         let mut random = Random::new(2);
-        let points = if compiled.equations.graph.read().len() > 20_000 { 3 } else { POINTS };
+        let points = if compiled.complete.equations.graph.read().len() > 20_000 { 3 } else { POINTS };
         for _ in 0..points {
             programs_are_the_graph_at(&compiled, random.point(&compiled));
         }
@@ -262,14 +259,15 @@ fn programs_are_the_graph<M: Model>() {
 }
 
 fn programs_are_the_graph_at(compiled: &Compiled, mut inputs: Inputs) {
-    let Compiled { equations, programs, solved, .. } = compiled;
+    let Compiled { complete, programs, .. } = compiled;
+    let equations = &complete.equations;
     inputs.prepared = schedule::run(programs.get(Function::Prepare), &inputs);
     let symbols: Vec<f64> =
-        schedule::sources(equations).into_iter().map(|source| inputs.get(source)).collect();
+        schedule::sources(complete).into_iter().map(|source| inputs.get(source)).collect();
     let values = evaluate(&equations.graph.read(), &symbols);
     let errors = errors(&equations.graph.read(), &values);
     for function in Function::ALL {
-        let nodes = schedule::outputs(equations, solved, function);
+        let nodes = schedule::outputs(complete, function);
         if function == Function::Prepare {
             continue;
         }

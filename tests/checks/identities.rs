@@ -123,7 +123,7 @@ fn gamma_is_the_derivative<M: Model>() {
 fn conditions_have_their_rates<M: Model>() {
     let (compiled, _, model, states) = walk::<M>(12, POINTS);
     let mechanism = &compiled.mechanism;
-    let carrying = compiled.equations.tree.carrying(mechanism);
+    let carrying = compiled.complete.equations.tree.carrying(mechanism);
     let cut = mechanism.joints.iter().zip(carrying).filter(|(_, carrying)| !carrying);
     let cut: Vec<&str> = match mechanism.space {
         Space::Planar => Vec::new(),

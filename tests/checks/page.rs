@@ -137,7 +137,7 @@ fn outside_of_drawings(page: &str) -> String {
 
 /// Each body, joint, parameter, input, output, velocity and constraint row has a row in the table of its kind.
 fn everything_is_named(text: &str, compiled: &Compiled) {
-    let (mechanism, equations) = (&compiled.mechanism, &compiled.equations);
+    let (mechanism, equations) = (&compiled.mechanism, &compiled.complete.equations);
     let has = |heading: &str, count: usize, names: Vec<&str>| {
         let section = text.split(&format!("\n# {heading}\n")).nth(1);
         let Some(section) = section else {

@@ -23,12 +23,12 @@ fn are_true<M: Model>() {
         let listing = listing.split("\n```").next().unwrap_or_default();
         checked += check(section, listing, &entries, &state);
     }
-    assert!(checked >= compiled.equations.outputs.len().min(1), "something was read");
+    assert!(checked >= compiled.complete.equations.outputs.len().min(1), "something was read");
 }
 
 /// The listings of the page, and the nodes they are about.
 fn sections(compiled: &Compiled) -> Vec<(&'static str, BTreeMap<String, Node>)> {
-    let e = &compiled.equations;
+    let e = &compiled.complete.equations;
     let v = e.layout.velocity_names(&compiled.mechanism);
     let row = |index: usize| format!("{}.{}", e.rows[index].of, e.rows[index].form.name);
     let of_rows = |nodes: Vec<Node>| (0..e.rows.len()).map(row).zip(nodes).collect::<BTreeMap<_, _>>();
@@ -51,7 +51,7 @@ fn sections(compiled: &Compiled) -> Vec<(&'static str, BTreeMap<String, Node>)> 
             "Kinetic and potential energy, J",
             [("T".to_string(), e.kinetic_energy), ("V".to_string(), e.potential_energy)].into(),
         ),
-        ("Outputs", outputs.zip(e.unsolved_outputs.iter().copied()).collect()),
+        ("Outputs", outputs.zip(e.outputs.iter().copied()).collect()),
     ]
 }
 
@@ -65,7 +65,7 @@ struct State {
 
 impl State {
     fn random(compiled: &Compiled, random: &mut Random) -> State {
-        let (mechanism, e) = (&compiled.mechanism, &compiled.equations);
+        let (mechanism, e) = (&compiled.mechanism, &compiled.complete.equations);
         let point = random.point(compiled);
         let mut symbols = vec![0.0; e.graph.read().symbol_count()];
         let mut names = BTreeMap::new();

@@ -259,7 +259,7 @@ impl Random {
 
     /// Values of everything that a program can ask for, except the prepared constants.
     pub fn point(&mut self, compiled: &Compiled) -> Inputs {
-        let (layout, e) = (layout(compiled), &compiled.equations);
+        let (layout, e) = (layout(compiled), &compiled.complete.equations);
         Inputs {
             parameters: self.parameters(compiled),
             phases: compiled.assembly.phases.clone(),
@@ -271,14 +271,14 @@ impl Random {
             beta_squared: 25.0 + self.next(),
             acceleration: self.vector(layout.velocities()),
             lambda: self.vector(e.rows.len()),
-            targets: self.vector(e.conditions.len()),
+            targets: self.vector(compiled.complete.conditions.rows.len()),
             compliance: 0.01 * (2.0 + self.next()),
             given_forces: self.vector(layout.velocities()),
             given_rows: self.vector(e.rows.len()),
             // By `Function::Factor`.
-            kept: vec![0.0; e.symbols.kept.len()],
+            kept: vec![0.0; compiled.complete.further.kept().len()],
             // By `Function::FactorJacobian`.
-            lu: vec![0.0; e.symbols.lu.len()],
+            lu: vec![0.0; compiled.complete.further.lu().len()],
             prepared: Vec::new(),
         }
     }
@@ -288,7 +288,7 @@ impl Random {
 fn layout(compiled: &Compiled) -> Layout {
     const ANGLE: linkwright::MultiTurn = linkwright::MultiTurn { rate: &[] };
     const ANGLES: [linkwright::MultiTurn; 64] = [ANGLE; 64];
-    let layout = &compiled.equations.layout;
+    let layout = &compiled.complete.equations.layout;
     let angles = &const { &ANGLES }[..layout.angles.len()];
     Layout {
         linear: layout.linear.len(),

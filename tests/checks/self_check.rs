@@ -20,6 +20,6 @@ fn nothing_is_said_of_what_is_right<M: Model>() {
 }
 
 fn nothing_is_said_of_right_derivatives<M: Model>() {
-    assert!(compiled::<M>(None).equations.tangents.is_some(), "{}: nothing would be compared", M::NAME);
+    assert!(compiled::<M>(None).complete.tangents.is_some(), "{}: nothing would be compared", M::NAME);
     nothing_is_said_of_what_is_right::<M>();
 }

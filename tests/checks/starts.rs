@@ -169,7 +169,7 @@ fn a_lost_pivot_is_seen_whatever_its_sign() {
         crate::reference::models().into_iter().find(|(name, ..)| *name == "n_four_bar_2").unwrap();
     for coordinates in [Coordinates::Tree, Coordinates::Absolute] {
         let compiled = crate::reference::compiled(source, coordinates);
-        let layout = &compiled.equations.layout;
+        let layout = &compiled.complete.equations.layout;
         let acceleration = compiled.programs.get(Function::Acceleration);
         let mut missed = 0;
         for k in 0..200 {

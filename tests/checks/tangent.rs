@@ -74,14 +74,14 @@ struct Checked<'a> {
 
 impl<'a> Checked<'a> {
     fn of(compiled: &'a Compiled, moved: &'a Moved<'a>) -> Self {
-        let equations = &compiled.equations;
-        let outputs = equations.graph.read().reachable(equations.unsolved_outputs.iter().copied());
+        let equations = &compiled.complete.equations;
+        let outputs = equations.graph.read().reachable(equations.outputs.iter().copied());
         Checked { compiled, moved, outputs }
     }
 
     fn at(&self, point: &Inputs) {
-        let tangents = self.compiled.equations.tangents.as_ref().expect("they are asked for");
-        let e = &self.compiled.equations;
+        let tangents = self.compiled.complete.tangents.as_ref().expect("they are asked for");
+        let e = &self.compiled.complete.equations;
         let (n, m, inputs) = (e.layout.velocities(), e.rows.len(), e.symbols.inputs.len());
         assert_eq!(
             tangents.states.len(),
@@ -171,7 +171,7 @@ impl<'a> Checked<'a> {
     }
 
     fn value(&self, of: Of, point: &Inputs) -> Vec<f64> {
-        let e = &self.compiled.equations;
+        let e = &self.compiled.complete.equations;
         let rows: Vec<&Jet> = e.rows.iter().map(|row| &row.jet).collect();
         let of_rows = |constant: Function, sign: f64, x: &[f64]| {
             let jacobian = self.run(Function::ConstraintJacobian, point);
@@ -191,15 +191,18 @@ impl<'a> Checked<'a> {
             Of::Rates => of_rows(Function::Nu, -1.0, &point.v),
             Of::Constraints => self.run(Function::Constraints, point),
             Of::Outputs => {
-                let symbols: Vec<f64> =
-                    schedule::sources(e).into_iter().map(|source| point.get(source)).collect();
+                let symbols: Vec<f64> = schedule::sources(&self.compiled.complete)
+                    .into_iter()
+                    .map(|source| point.get(source))
+                    .collect();
                 let mut values = Vec::new();
                 evaluate_reachable(&e.graph.read(), &self.outputs, &symbols, &mut values);
-                e.unsolved_outputs.iter().map(|node| values[node.index()]).collect()
+                e.outputs.iter().map(|node| values[node.index()]).collect()
             }
             Of::Coordinates => {
-                let states = &e.tangents.as_ref().expect("they are asked for").states;
-                let all: Vec<&Jet> = e.conditions.iter().map(|condition| &condition.jet).collect();
+                let states = &self.compiled.complete.tangents.as_ref().expect("they are asked for").states;
+                let all: Vec<&Jet> =
+                    self.compiled.complete.conditions.rows.iter().map(|condition| &condition.jet).collect();
                 let jacobian = self.run(Function::ConditionJacobian, point);
                 let of = |constant: Function, x: &[f64]| {
                     add_product(self.run(constant, point), &all, &jacobian, x)

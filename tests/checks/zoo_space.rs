@@ -442,7 +442,7 @@ linkwright::mechanism! {
 /// How the joints of a mechanism stand in its tree: kind, what it does there, where the ground is.
 fn ways<M: Model>() -> Vec<(&'static str, &'static str, &'static str)> {
     let compiled = compiled::<M>(Some(Coordinates::Tree));
-    let attachments = &compiled.equations.tree.attachments;
+    let attachments = &compiled.complete.equations.tree.attachments;
     let joints = compiled.mechanism.joints.iter().enumerate();
     let way = joints.map(|(index, joint)| {
         let carried = attachments.iter().find(|own| own.joint.is_some_and(|(id, _)| id.0 == index));
@@ -463,7 +463,7 @@ fn ways<M: Model>() -> Vec<(&'static str, &'static str, &'static str)> {
 
 #[test]
 fn a_long_tree_is_solved_by_articulated_bodies() {
-    let strategy = |coordinates| compiled::<Snake>(Some(coordinates)).solved.order.strategy;
+    let strategy = |coordinates| compiled::<Snake>(Some(coordinates)).complete.solved.order.strategy;
     assert_eq!(strategy(Coordinates::Tree), Strategy::ArticulatedBodies);
     assert_ne!(strategy(Coordinates::Absolute), Strategy::ArticulatedBodies);
 }

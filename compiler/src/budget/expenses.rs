@@ -62,8 +62,8 @@ const ORDER: [&str; 13] = [
 
 /// The table of one function; its operations add up to those of the program.
 pub fn expenses(compiled: &Compiled, function: Function) -> Vec<Expense> {
-    let equations = compiled.equations.clone();
-    let nodes = nodes_of(&equations, &compiled.solved, function);
+    let equations = compiled.complete.equations.clone();
+    let nodes = nodes_of(&equations, &crate::functions::outputs(&compiled.complete, function));
     let (purposes, rest) = match function {
         Function::Acceleration | Function::AccelerationBaumgarte => {
             let purposes = of_the_solution(compiled, &equations, function);
@@ -119,7 +119,7 @@ fn of_the_solution(compiled: &Compiled, equations: &Equations, function: Functio
 
 /// The nodes that each part of a function's result needs, by the names of joints, loads, bodies and outputs.
 fn of_outputs(compiled: &Compiled, function: Function) -> Vec<Purpose> {
-    let (mechanism, equations) = (&compiled.mechanism, &compiled.equations);
+    let (mechanism, equations) = (&compiled.mechanism, &compiled.complete.equations);
     let mut purposes = Purposes::default();
     let by_row = |purposes: &mut Purposes, of: &dyn Fn(usize) -> Vec<Node>| {
         for (index, row) in equations.rows.iter().enumerate() {
@@ -214,7 +214,7 @@ struct Rest {
 
 impl Rest {
     fn of(compiled: &Compiled, equations: &Equations, function: Function) -> Rest {
-        let solved = &compiled.solved;
+        let solved = &compiled.complete.solved;
         let (solution, minus_gamma) = match function {
             Function::Acceleration => {
                 (&solved.index1, equations.rows.iter().map(|row| row.jet.bias).collect())

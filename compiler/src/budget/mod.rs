@@ -8,11 +8,12 @@ mod messages;
 
 use crate::choice::Rejected;
 use crate::compiled::Compiled;
+use crate::complete::Complete;
 use crate::diagnostics::Diagnostics;
 use crate::functions::{Function, outputs};
 use crate::model::{Budgeted, Coordinates, Mechanism};
-use crate::schedule::{Program, count, live_values, operations_of};
-use crate::solve;
+use crate::schedule::{Program, count, live_values, nodes_of};
+use crate::solve::{self, Further};
 use expenses::expenses;
 use messages::Remedy;
 
@@ -107,23 +108,25 @@ fn with_constants(compiled: &Compiled, function: Function) -> Option<usize> {
     if parameters.is_empty() {
         return None;
     }
-    let equations = compiled.equations.clone();
+    let equations = compiled.complete.equations.clone();
     let g = equations.graph.sheet();
     let defaults = parameters.iter().map(|parameter| g.number(parameter.default).bare);
-    let replaced = compiled.equations.symbols.parameters.iter().copied().zip(defaults).collect();
-    let nodes = outputs(&equations, &compiled.solved, function);
+    let replaced = compiled.complete.equations.symbols.parameters.iter().copied().zip(defaults).collect();
+    let nodes = outputs(&compiled.complete, function);
     let nodes = g.graph().substitute(&nodes, &replaced);
-    Some(operations_of(&equations, &nodes))
+    Some(nodes_of(&equations, &nodes).len())
 }
 
 /// Operations of the accelerations that `emit = (null_space)` adds.
 fn in_independent_velocities(compiled: &Compiled) -> Option<usize> {
-    let closed = !compiled.equations.rows.is_empty() && compiled.solved.null_space.is_none();
+    let closed =
+        !compiled.complete.equations.rows.is_empty() && compiled.complete.further.null_space.is_none();
     closed.then(|| {
-        let equations = compiled.equations.clone();
-        let mut solved = compiled.solved.clone();
-        let massless = !solved.massless.rows.is_empty();
-        solved.null_space = Some(solve::null_space(&equations, &compiled.partition, massless, None));
-        operations_of(&equations, &outputs(&equations, &solved, Function::NullSpace))
+        let equations = compiled.complete.equations.clone();
+        let massless = !compiled.complete.solved.massless.rows.is_empty();
+        let null_space = Some(solve::null_space(&equations, &compiled.partition, massless, None));
+        let further = Further { null_space, ..compiled.complete.further.clone() };
+        let complete = Complete { equations, further, ..compiled.complete.clone() };
+        nodes_of(&complete.equations, &outputs(&complete, Function::NullSpace)).len()
     })
 }

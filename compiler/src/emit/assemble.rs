@@ -8,10 +8,10 @@ use std::fmt::Write;
 
 pub fn assemble(text: &mut String, emitter: &Emitter) {
     let Emitter { inner, compiled, .. } = emitter;
-    let equations = &compiled.equations;
+    let equations = &compiled.complete.equations;
     let mut helpers = String::new();
     let stated = |rate: bool| {
-        let targets = equations.start_targets.iter().enumerate();
+        let targets = compiled.complete.conditions.start.iter().enumerate();
         let has = move |target: &crate::equations::StartTarget| {
             if rate { target.rate.is_some() } else { target.position.is_some() }
         };
@@ -42,7 +42,7 @@ pub fn assemble(text: &mut String, emitter: &Emitter) {
         let scales = array(compiled.partition.scales.iter().map(|scale| literal(*scale)));
         let _ = writeln!(text, "const SCALES: &'static [f64] = &{scales};");
     }
-    let massless = &compiled.solved.massless;
+    let massless = &compiled.complete.solved.massless;
     if !massless.rows.is_empty() {
         let rows = tables::indices(massless.rows.keys().copied());
         let _ = writeln!(text, "const MASSLESS_ROWS: &'static [u16] = {rows};");
@@ -65,7 +65,7 @@ pub fn assemble(text: &mut String, emitter: &Emitter) {
     let numbers = |values: &[f64]| array(values.iter().map(|value| constant(*value)));
     let _ = writeln!(text, "fn start_q() -> Q<R> {{ {} }}", numbers(&compiled.assembly.q));
     let _ = writeln!(text, "fn start_v() -> V<R> {{ {} }}", numbers(&compiled.assembly.v));
-    let open = compiled.equations.open_rows(emitter.mechanism);
+    let open = compiled.complete.equations.open_rows(emitter.mechanism);
     if !open.is_empty() {
         // The residual with the old phase is what the new phase differs by.
         text.push_str("fn fix_phases(&mut self, q: &Q<R>) {\nlet mut phi = [R::ZERO; ");

@@ -13,16 +13,15 @@
 use super::names::field;
 use super::rust::type_of;
 use super::{Emitter, array};
-use crate::compiled::Compiled;
 use crate::functions::{Argument, FUNCTIONS, Function, Group, Interface, Kind, Shape, Signature, Way};
 use std::fmt::Write;
 
 /// All functions of the model, or of a trait; helper functions go to `helpers`.
 pub fn functions(text: &mut String, helpers: &mut String, emitter: &Emitter, interface: Interface) {
-    let Compiled { equations, solved, .. } = emitter.compiled;
+    let complete = &emitter.compiled.complete;
     let own = FUNCTIONS.iter().filter(|signature| signature.interface == interface);
-    for signature in own.filter(|signature| (signature.emitted)(equations, solved)) {
-        if signature.function == Function::AccelerationBaumgarte && equations.rows.is_empty() {
+    for signature in own.filter(|signature| (signature.emitted)(complete)) {
+        if signature.function == Function::AccelerationBaumgarte && complete.equations.rows.is_empty() {
             // Nothing to stabilise.
             let _ = writeln!(
                 text,
@@ -93,7 +92,7 @@ impl Emitter<'_> {
 /// Results to where they go, the value last.
 fn results(signature: &Signature, emitter: &Emitter, outputs: &[String]) -> String {
     let compiled = emitter.compiled;
-    let groups = signature.groups(&compiled.equations, &compiled.solved, outputs);
+    let groups = signature.groups(&compiled.complete, outputs);
     let mut lines = Vec::new();
     let mut values = Vec::new();
     for (group, own) in signature.results.iter().zip(groups) {
@@ -119,7 +118,7 @@ fn value(shape: Shape, emitter: &Emitter, own: &[String]) -> String {
         Shape::Scalar => own.concat(),
         Shape::Outputs if own.is_empty() => String::new(),
         Shape::Outputs => {
-            let names = shape.names(mechanism, &emitter.compiled.equations);
+            let names = shape.names(mechanism, &emitter.compiled.complete.equations);
             let values = names.iter().zip(own).map(|(name, value)| format!("{}: {value}", field(name)));
             format!("{}Outputs {{ {} }}", emitter.name, values.collect::<Vec<_>>().join(", "))
         }

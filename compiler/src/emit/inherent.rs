@@ -48,7 +48,7 @@ pub fn inherent(text: &mut String, emitter: &Emitter) {
             ),
         };
     }
-    if emitter.compiled.equations.open_rows(emitter.mechanism).is_empty() {
+    if emitter.compiled.complete.equations.open_rows(emitter.mechanism).is_empty() {
         let _ = writeln!(text, "let model = Self::with(parameters, {phases});");
     } else {
         // Open phases belong to the start position; these parameters may ask for others there.

@@ -19,7 +19,7 @@ pub fn items(text: &mut String, emitter: &Emitter, source: &str) {
         text,
         "{DERIVES} {visibility} struct {name}<R = {F64}> {{ parameters: {name}Parameters<R>, phases: [R; {}], \
          constants: [R; {}] }}",
-        compiled.equations.symbols.phases.len(),
+        compiled.complete.equations.symbols.phases.len(),
         compiled.programs.prepared
     );
     parameters(text, emitter);
@@ -125,7 +125,7 @@ fn constants(text: &mut String, emitter: &Emitter, source: &str) {
     constant(
         "What the entries of q and v and the constraint rows are, as JSON.",
         &format!("COORDINATES: {string}"),
-        &unprinted(&coordinates_json(mechanism, &compiled.equations)),
+        &unprinted(&coordinates_json(mechanism, &compiled.complete.equations)),
     );
     constant(
         "Names of the bodies, in the order of `motions`.",

@@ -9,7 +9,7 @@ use std::fmt::Write;
 
 pub fn mechanism(text: &mut String, emitter: &Emitter) {
     let Emitter { name, inner, mechanism, compiled, .. } = emitter;
-    let layout = &compiled.equations.layout;
+    let layout = &compiled.complete.equations.layout;
     let mut helpers = String::new();
     let _ = writeln!(text, "impl<R: Real> Mechanism<R> for {inner}<R> {{");
     let _ = writeln!(text, "const NAME: &'static str = {};", quoted(name));
@@ -48,7 +48,7 @@ fn unwrap(text: &mut String, emitter: &Emitter) {
         else {
             return None;
         };
-        let counted = compiled.equations.layout.angles.iter().any(|angle| angle.rotor == *rotor);
+        let counted = compiled.complete.equations.layout.angles.iter().any(|angle| angle.rotor == *rotor);
         (!counted).then_some((coordinate, field))
     });
     let unwrapped: Vec<(&Coordinate, &String)> = unwrapped.collect();
@@ -61,7 +61,8 @@ fn unwrap(text: &mut String, emitter: &Emitter) {
     let stated: Vec<(&String, usize)> = unwrapped
         .iter()
         .filter_map(|(angle, field)| {
-            let mut conditions = compiled.equations.conditions.iter().zip(&compiled.equations.start_targets);
+            let mut conditions =
+                compiled.complete.conditions.rows.iter().zip(&compiled.complete.conditions.start);
             let at = conditions.position(|(condition, target)| {
                 target.position.is_some() && condition.coordinate == **angle
             })?;

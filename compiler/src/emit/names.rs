@@ -1,6 +1,6 @@
 //! Names in emitted code: the user's where there are any, and never two alike.
 
-use crate::equations::Equations;
+use crate::complete::Complete;
 use crate::functions::{ARGUMENTS, Argument, FUNCTIONS, Given, Shape, Way};
 use crate::schedule::{Operand, Source};
 use crate::symbolic::{Node, Op};
@@ -21,14 +21,14 @@ pub struct Names {
 
 impl Names {
     /// `keywords`: what no name may be in the language that is written.
-    pub fn new(equations: &Equations, hoisted: &[Node], keywords: &[&str]) -> Self {
+    pub fn new(complete: &Complete, hoisted: &[Node], keywords: &[&str]) -> Self {
+        let equations = &complete.equations;
         let keywords: BTreeSet<String> = keywords.iter().map(|word| word.to_string()).collect();
         let mut fields = BTreeMap::new();
-        let symbols = &equations.symbols;
         let mut names = BTreeMap::new();
         let mut taken = reserved();
         for Given { argument, shape, symbols: of, .. } in &ARGUMENTS {
-            for (index, node) in of(symbols).iter().enumerate() {
+            for (index, node) in of(complete).iter().enumerate() {
                 let Op::Symbol(symbol) = equations.graph.read().op(*node) else { continue };
                 if matches!(shape, Shape::Scalar) {
                     // Numbers are called as the argument is.
@@ -48,7 +48,8 @@ impl Names {
             }
         }
         // A constant of the prepared model that is a parameter as it stands keeps the parameter's name.
-        let same = |node: &Node| symbols.parameters.iter().position(|parameter| parameter == node);
+        let parameters = &equations.symbols.parameters;
+        let same = |node: &Node| parameters.iter().position(|parameter| parameter == node);
         let kept: Vec<(u32, u32)> = hoisted
             .iter()
             .enumerate()

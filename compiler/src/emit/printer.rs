@@ -43,7 +43,7 @@ impl<'a, D: Dialect> Printer<'a, D> {
     pub fn new(compiled: &'a Compiled, dialect: D) -> Self {
         let programs = &compiled.programs;
         let pair = [Function::Acceleration, Function::AccelerationBaumgarte].map(|known| programs.get(known));
-        let names = Names::new(&compiled.equations, &compiled.hoisted, dialect.keywords());
+        let names = Names::new(&compiled.complete, &compiled.hoisted, dialect.keywords());
         let cuts = (programs.shared > 0).then(|| Cut::of_pair(pair, programs.shared));
         Printer { compiled, dialect, names, cuts }
     }
@@ -75,14 +75,14 @@ impl<'a, D: Dialect> Printer<'a, D> {
 
     /// What the results of a function are called in its body; nothing where they are numbered.
     fn labels(&self, signature: &Signature) -> Vec<Option<String>> {
-        let Compiled { mechanism, equations, solved, .. } = self.compiled;
+        let Compiled { mechanism, complete, .. } = self.compiled;
         let of_group = |group: &Group| -> Vec<Option<String>> {
             match group.label {
                 Some(label) => {
-                    let names = group.shape.names(mechanism, equations).into_iter();
+                    let names = group.shape.names(mechanism, &complete.equations).into_iter();
                     names.map(|name| Some(label.replace("{}", &name))).collect()
                 }
-                None => vec![None; (group.nodes)(equations, solved).len()],
+                None => vec![None; (group.nodes)(complete).len()],
             }
         };
         signature.results.iter().flat_map(of_group).collect()

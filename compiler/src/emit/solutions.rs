@@ -7,8 +7,7 @@ use std::fmt::Write;
 
 /// K(c).
 pub fn factorisation(text: &mut String, emitter: &Emitter) {
-    let solved = &emitter.compiled.solved;
-    if solved.stored.is_none() {
+    if emitter.compiled.complete.further.stored.is_none() {
         text.push_str(
             "type Store = tabled::Store<R, Self>;\n\
              fn store() -> Self::Store { tabled::store::<R, Self>() }\n\
@@ -25,7 +24,7 @@ pub fn factorisation(text: &mut String, emitter: &Emitter) {
 
 /// The equations in independent velocities.
 pub fn null_space(text: &mut String, emitter: &Emitter) {
-    if emitter.compiled.solved.null_space.is_none() {
+    if emitter.compiled.complete.further.null_space.is_none() {
         text.push_str("type Lu = ();\nfn lu() {}\n");
         return;
     }

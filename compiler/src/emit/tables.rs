@@ -7,12 +7,12 @@ use std::fmt::Write;
 
 /// (row, column) of the structural non-zeros of a matrix, row by row.
 pub fn pattern(text: &mut String, emitter: &Emitter, matrix: &Sparse) {
-    let places = pairs(matrix.places(&emitter.compiled.equations));
+    let places = pairs(matrix.places(&emitter.compiled.complete));
     let _ = writeln!(text, "const {}: &'static [(u16, u16)] = {places};", matrix.pattern);
 }
 
 pub fn layout(emitter: &Emitter) -> String {
-    let layout = &emitter.compiled.equations.layout;
+    let layout = &emitter.compiled.complete.equations.layout;
     let angles = layout.angles.iter().map(|angle| {
         let rate = angle.rate.iter().map(|(index, weight)| format!("({index}, {weight:?})"));
         format!("MultiTurn {{ rate: &{} }}", array(rate))
@@ -27,7 +27,7 @@ pub fn layout(emitter: &Emitter) -> String {
 }
 
 pub fn rows(emitter: &Emitter) -> String {
-    let rows = emitter.compiled.equations.rows.iter();
+    let rows = emitter.compiled.complete.equations.rows.iter();
     format!(
         "&{}",
         array(rows.map(|row| format!("Row {{ of: {}, what: {} }}", quoted(&row.of), quoted(row.form.name))))
@@ -40,7 +40,7 @@ pub fn strings(names: Vec<String>) -> String {
 
 /// The direction rows, joint by joint.
 pub fn flips(emitter: &Emitter) -> String {
-    let rows = &emitter.compiled.equations.rows;
+    let rows = &emitter.compiled.complete.equations.rows;
     let upright: Vec<usize> = (0..rows.len()).filter(|row| rows[*row].upright.is_some()).collect();
     let is_axis = |row: &usize| rows[*row].form.part_of == Some(Whole::Axis);
     let joints = upright.chunk_by(|a, b| rows[*a].origin == rows[*b].origin).map(|joint| {
@@ -56,7 +56,7 @@ pub fn flips(emitter: &Emitter) -> String {
 }
 
 pub fn conditions(emitter: &Emitter) -> String {
-    let conditions = emitter.compiled.equations.conditions.iter().map(|condition| {
+    let conditions = emitter.compiled.complete.conditions.rows.iter().map(|condition| {
         let kind = match condition {
             condition if !condition.coordinate.has_value() => "Rate",
             condition if condition.angular && !condition.counted => "Angle",

@@ -15,7 +15,7 @@ use std::fmt::Write;
 
 /// Short names for the types, and the implementation; nothing where it is not asked for.
 pub fn tangent(aliases: &mut String, text: &mut String, emitter: &Emitter) {
-    let Some(tangents) = &emitter.compiled.equations.tangents else { return };
+    let Some(tangents) = &emitter.compiled.complete.tangents else { return };
     let mechanism = emitter.mechanism;
     let (inputs, outputs) = (mechanism.inputs.len(), mechanism.outputs.len());
     let state = 2 * tangents.states.len();

@@ -8,7 +8,7 @@ use std::fmt::Write;
 /// Short names for the types of this mechanism.
 pub fn aliases(text: &mut String, emitter: &Emitter) {
     let name = &emitter.name;
-    let equations = &emitter.compiled.equations;
+    let equations = &emitter.compiled.complete.equations;
     let of = |shape: Shape| emitter.compiled.entries(shape);
     let (velocities, rows) = (of(Shape::Velocities), of(Shape::Rows));
     let freedoms = velocities + equations.idle.len() - rows;
@@ -30,9 +30,9 @@ pub fn aliases(text: &mut String, emitter: &Emitter) {
         ("Store", of(Shape::Store)),
         ("Lu", of(Shape::Lu)),
     ];
-    let solved = &emitter.compiled.solved;
+    let further = &emitter.compiled.complete.further;
     let absent = |alias: &str| {
-        alias == "Store" && solved.stored.is_none() || alias == "Lu" && solved.null_space.is_none()
+        alias == "Store" && further.stored.is_none() || alias == "Lu" && further.null_space.is_none()
     };
     for (alias, length) in arrays.into_iter().filter(|(alias, _)| !absent(alias)) {
         let _ = writeln!(text, "type {alias}<R> = [R; {length}];");

@@ -1,6 +1,7 @@
 //! Coordinates that can be held at a value: those that `start` states, and the independent ones.
 
-use super::coordinates::{Symbols, angle_name, travel_name};
+use super::Equations;
+use super::coordinates::{angle_name, travel_name};
 use super::jet::Jet;
 use super::laws::Laws;
 use crate::model::{Coordinate, Mechanism, Rotor, StartOrientation};
@@ -84,6 +85,45 @@ pub struct StartTarget {
     pub rate: Option<Node>,
 }
 
+/// Conditions, what `start` asks of each, and a symbol for the target of each.
+#[derive(Clone, Debug, Default)]
+pub struct Conditions {
+    pub rows: Vec<Condition>,
+    pub start: Vec<StartTarget>,
+    pub targets: Vec<Node>,
+}
+
+impl Conditions {
+    fn push(&mut self, (condition, target): (Condition, Node), start: StartTarget) {
+        self.rows.push(condition);
+        self.start.push(start);
+        self.targets.push(target);
+    }
+
+    /// These and those of further coordinates, unless they are there, and the indices of the latter.
+    pub fn with(
+        &self,
+        mechanism: &Mechanism,
+        equations: &Equations,
+        coordinates: &[Coordinate],
+    ) -> (Conditions, Vec<usize>) {
+        let (mut all, mut indices) = (self.clone(), Vec::new());
+        for coordinate in coordinates {
+            let known = all.rows.iter().position(|known| known.coordinate == *coordinate);
+            indices.push(known.unwrap_or(all.rows.len()));
+            if known.is_none() {
+                all.push(equations.condition(mechanism, coordinate), StartTarget::default());
+            }
+        }
+        (all, indices)
+    }
+
+    /// Each with what `start` asks of it.
+    pub fn with_start(&self) -> impl Iterator<Item = (&Condition, &StartTarget)> {
+        self.rows.iter().zip(&self.start)
+    }
+}
+
 /// The positions that `start` guesses, with the values guessed.
 pub fn guesses(laws: &Laws) -> Vec<(Condition, Node)> {
     let guessed = laws.mechanism.start.iter().filter(|start| !start.exact && !start.rate);
@@ -107,32 +147,24 @@ pub fn orientation(laws: &Laws, start: &StartOrientation) -> [(Condition, Node);
     [0, 1, 2].map(|axis| condition(laws, &Coordinate::Deviation(start.body, axis)))
 }
 
-/// The conditions of `start`, in order of first mention, with the values asked.
-pub fn start_conditions(laws: &Laws, symbols: &mut Symbols) -> (Vec<Condition>, Vec<StartTarget>) {
-    let mut conditions: Vec<Condition> = Vec::new();
-    let mut targets: Vec<StartTarget> = Vec::new();
+/// The conditions of `start`, in order of first mention.
+pub fn start_conditions(laws: &Laws) -> Conditions {
+    let mut conditions = Conditions::default();
     for start in laws.mechanism.start.iter().filter(|start| start.exact) {
-        let index = match conditions.iter().position(|known| known.coordinate == start.coordinate) {
-            Some(index) => index,
-            None => {
-                let (condition, target) = condition(laws, &start.coordinate);
-                symbols.targets.push(target);
-                conditions.push(condition);
-                targets.push(StartTarget::default());
-                conditions.len() - 1
-            }
-        };
+        let known = conditions.rows.iter().position(|known| known.coordinate == start.coordinate);
+        let index = known.unwrap_or(conditions.rows.len());
+        if known.is_none() {
+            conditions.push(condition(laws, &start.coordinate), StartTarget::default());
+        }
         let value = Some(laws.value(&start.value).bare);
-        let target = &mut targets[index];
+        let target = &mut conditions.start[index];
         *if start.rate { &mut target.rate } else { &mut target.position } = value;
     }
     let zero = laws.g.zero().bare;
     for start in laws.mechanism.orientations.iter().filter(|start| start.exact) {
-        for (condition, target) in orientation(laws, start) {
-            symbols.targets.push(target);
-            conditions.push(condition);
-            targets.push(StartTarget { position: Some(zero), rate: None });
+        for condition in orientation(laws, start) {
+            conditions.push(condition, StartTarget { position: Some(zero), rate: None });
         }
     }
-    (conditions, targets)
+    conditions
 }

@@ -221,14 +221,6 @@ pub struct Symbols {
     /// v̇ and λ, for functions that take them as given.
     pub acceleration: Vec<Node>,
     pub lambda: Vec<Node>,
-    /// Values asked of conditions.
-    pub targets: Vec<Node>,
-    /// Right-hand sides of K(c), and what is kept of its factorisation.
-    pub given_forces: Vec<Node>,
-    pub given_rows: Vec<Node>,
-    pub kept: Vec<Node>,
-    /// What is kept of D = L U.
-    pub lu: Vec<Node>,
 }
 
 /// New symbols for everything the equations depend on.
@@ -257,10 +249,5 @@ pub fn symbols(g: Sheet, mechanism: &Mechanism, layout: &Layout) -> Symbols {
         compliance: symbol("compliance", Class::Input),
         acceleration: named(acceleration_names, Class::Input),
         lambda: Vec::new(),
-        targets: Vec::new(),
-        given_forces: Vec::new(),
-        given_rows: Vec::new(),
-        kept: Vec::new(),
-        lu: Vec::new(),
     }
 }

@@ -22,7 +22,7 @@ mod spanning_tree;
 mod switch;
 pub mod tangent;
 
-pub use conditions::{Condition, StartTarget};
+pub use conditions::{Condition, Conditions, StartTarget};
 pub use coordinates::{Ball, Layout, Linear, MultiTurn, Owner, Rotation, Symbols};
 pub use jet::{Jet, Moving};
 pub use kinematics::Kinematics;
@@ -149,19 +149,16 @@ pub struct Equations {
     pub motions: Vec<BodyMotion>,
     /// Per joint, functions of v̇ and λ.
     pub reactions: Vec<Wrench>,
+    /// With λ as given.
     pub outputs: Vec<Node>,
-    /// The same with λ as given, where `outputs` has it solved for.
-    pub unsolved_outputs: Vec<Node>,
-    pub conditions: Vec<Condition>,
-    pub start_targets: Vec<StartTarget>,
+    /// Of `start`.
+    pub conditions: Conditions,
     /// Masses, inertias and lengths that depend on parameters, `mass of "crank"`.
     pub masses: Vec<(String, Node)>,
     /// Positions that `start` guesses.
     pub guesses: Vec<(Condition, Node)>,
     /// Drivers' quantities and the values of their laws.
     pub driven: Vec<(Condition, Node)>,
-    /// Derivatives, where they are to be emitted.
-    pub tangents: Option<Tangents>,
 }
 
 /// Derives the equations in the coordinates of `tree`, without the rows that are `omitted`; where redundant rows are kept, the slots
@@ -244,8 +241,7 @@ pub fn derive(mechanism: &Mechanism, tree: SpanningTree, omitted: &Omitted) -> E
     let outputs: Vec<Node> =
         mechanism.outputs.iter().map(|output| outputs_laws.value(&output.value).bare).collect();
 
-    let mut with_targets = symbols.clone();
-    let (conditions, start_targets) = conditions::start_conditions(&laws, &mut with_targets);
+    let conditions = conditions::start_conditions(&laws);
 
     let mut masses = masses(&laws);
     masses.retain(|(_, node)| g.on(*node).class() == Class::Parameter);
@@ -266,7 +262,7 @@ pub fn derive(mechanism: &Mechanism, tree: SpanningTree, omitted: &Omitted) -> E
         gamma,
         zero,
         one,
-        symbols: with_targets,
+        symbols,
         mass,
         distributions,
         forces,
@@ -281,14 +277,11 @@ pub fn derive(mechanism: &Mechanism, tree: SpanningTree, omitted: &Omitted) -> E
         driver_powers: totals.driver_powers,
         motions,
         reactions,
-        unsolved_outputs: outputs.clone(),
         outputs,
         conditions,
-        start_targets,
         masses,
         guesses,
         driven,
-        tangents: None,
         tree,
         layout,
         kinematics,
@@ -329,22 +322,6 @@ impl Equations {
             Origin::Joint(_) | Origin::Driver(_) => false,
         };
         (0..self.rows.len()).filter(|row| is_open(&self.rows[*row])).collect()
-    }
-
-    /// Adds position coordinates to the conditions, unless they are there; gives their indices.
-    pub fn add_conditions(&mut self, mechanism: &Mechanism, coordinates: &[Coordinate]) -> Vec<usize> {
-        let mut indices = Vec::new();
-        for coordinate in coordinates {
-            let index = self.conditions.iter().position(|known| known.coordinate == *coordinate);
-            indices.push(index.unwrap_or_else(|| {
-                let (condition, target) = self.condition(mechanism, coordinate);
-                self.symbols.targets.push(target);
-                self.conditions.push(condition);
-                self.start_targets.push(StartTarget::default());
-                self.conditions.len() - 1
-            }));
-        }
-        indices
     }
 
     /// The row of one coordinate and a new symbol for its target.

@@ -11,7 +11,7 @@
 //! a and λ are given, not solved for: what they are by the equations of motion is differentiated at run time, implicitly.
 
 use super::coordinates::{Layout, Symbols};
-use super::{Equations, Jet};
+use super::{Condition, Equations, Jet};
 use crate::symbolic::{Gradient, Node, Scalar, Sheet, all_bare};
 use std::collections::BTreeMap;
 
@@ -44,10 +44,10 @@ pub struct Tangents {
 
 impl Tangents {
     /// Derives all of them.
-    pub fn new(equations: &Equations, states: Vec<usize>) -> Self {
+    pub fn new(equations: &Equations, conditions: &[Condition], states: Vec<usize>) -> Self {
         let g = equations.graph.sheet();
         let residual = residual(g, equations);
-        let Equations { symbols, layout, rows, conditions, unsolved_outputs: outputs, .. } = equations;
+        let Equations { symbols, layout, rows, outputs, .. } = equations;
         let n = layout.velocities();
         let Symbols { v, inputs, lambda, parameters, acceleration: a, .. } = symbols;
 

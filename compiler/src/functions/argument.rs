@@ -1,7 +1,7 @@
 //! What functions are given: names, shapes and the symbols they stand for in the equations.
 
 use super::shape::Shape;
-use crate::equations::coordinates::Symbols;
+use crate::complete::Complete;
 use crate::symbolic::Node;
 use std::slice::from_ref;
 
@@ -33,41 +33,43 @@ pub struct Given {
     pub name: &'static str,
     pub shape: Shape,
     /// Its entries in the equations. The constants of the prepared model are no symbols but expressions.
-    pub symbols: fn(&Symbols) -> &[Node],
+    pub symbols: fn(&Complete) -> &[Node],
 }
 
 const fn given(
     argument: Argument,
     name: &'static str,
     shape: Shape,
-    symbols: fn(&Symbols) -> &[Node],
+    symbols: fn(&Complete) -> &[Node],
 ) -> Given {
     Given { argument, name, shape, symbols }
 }
 
 /// All arguments.
 pub static ARGUMENTS: [Given; 17] = [
-    given(Argument::Time, "time", Shape::Scalar, |s| from_ref(&s.time)),
-    given(Argument::Q, "q", Shape::Positions, |s| &s.q),
-    given(Argument::V, "v", Shape::Velocities, |s| &s.v),
-    given(Argument::Inputs, "u", Shape::Inputs, |s| &s.inputs),
+    given(Argument::Time, "time", Shape::Scalar, |c| from_ref(&c.equations.symbols.time)),
+    given(Argument::Q, "q", Shape::Positions, |c| &c.equations.symbols.q),
+    given(Argument::V, "v", Shape::Velocities, |c| &c.equations.symbols.v),
+    given(Argument::Inputs, "u", Shape::Inputs, |c| &c.equations.symbols.inputs),
     // 2 α and β² of Baumgarte's terms, 1/s and 1/s².
-    given(Argument::TwoAlpha, "two_alpha", Shape::Scalar, |s| from_ref(&s.two_alpha)),
-    given(Argument::BetaSquared, "beta_squared", Shape::Scalar, |s| from_ref(&s.beta_squared)),
-    given(Argument::Acceleration, "a", Shape::Velocities, |s| &s.acceleration),
-    given(Argument::Lambda, "lambda", Shape::Rows, |s| &s.lambda),
+    given(Argument::TwoAlpha, "two_alpha", Shape::Scalar, |c| from_ref(&c.equations.symbols.two_alpha)),
+    given(Argument::BetaSquared, "beta_squared", Shape::Scalar, |c| {
+        from_ref(&c.equations.symbols.beta_squared)
+    }),
+    given(Argument::Acceleration, "a", Shape::Velocities, |c| &c.equations.symbols.acceleration),
+    given(Argument::Lambda, "lambda", Shape::Rows, |c| &c.equations.symbols.lambda),
     // What is asked of each condition of the start.
-    given(Argument::Target, "target", Shape::Conditions, |s| &s.targets),
+    given(Argument::Target, "target", Shape::Conditions, |c| &c.conditions.targets),
     // c of K(c).
-    given(Argument::Compliance, "compliance", Shape::Scalar, |s| from_ref(&s.compliance)),
+    given(Argument::Compliance, "compliance", Shape::Scalar, |c| from_ref(&c.equations.symbols.compliance)),
     // The right-hand sides of K(c), and what is kept of its factorisation.
-    given(Argument::GivenForces, "forces", Shape::Velocities, |s| &s.given_forces),
-    given(Argument::GivenRows, "rows", Shape::Rows, |s| &s.given_rows),
-    given(Argument::Store, "store", Shape::Store, |s| &s.kept),
+    given(Argument::GivenForces, "forces", Shape::Velocities, |c| c.further.given_forces()),
+    given(Argument::GivenRows, "rows", Shape::Rows, |c| c.further.given_rows()),
+    given(Argument::Store, "store", Shape::Store, |c| c.further.kept()),
     // What is kept of D = L U.
-    given(Argument::Lu, "lu", Shape::Lu, |s| &s.lu),
-    given(Argument::Parameters, "parameters", Shape::Parameters, |s| &s.parameters),
-    given(Argument::Phases, "phases", Shape::Phases, |s| &s.phases),
+    given(Argument::Lu, "lu", Shape::Lu, |c| c.further.lu()),
+    given(Argument::Parameters, "parameters", Shape::Parameters, |c| &c.equations.symbols.parameters),
+    given(Argument::Phases, "phases", Shape::Phases, |c| &c.equations.symbols.phases),
     given(Argument::Constants, "constants", Shape::Constants, |_| &[]),
 ];
 
@@ -89,7 +91,7 @@ impl Argument {
     }
 
     /// Its entries in the equations.
-    pub fn symbols(self, symbols: &Symbols) -> &[Node] {
-        (self.given().symbols)(symbols)
+    pub fn symbols(self, complete: &Complete) -> &[Node] {
+        (self.given().symbols)(complete)
     }
 }

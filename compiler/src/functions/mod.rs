@@ -21,8 +21,7 @@ pub use shape::{
 pub use signature::{Group, Interface, Signature, Way};
 pub use table::FUNCTIONS;
 
-use crate::equations::Equations;
-use crate::solve::Solved;
+use crate::complete::Complete;
 use crate::symbolic::Node;
 
 /// The functions of a mechanism, in the order of [`FUNCTIONS`].
@@ -95,6 +94,6 @@ impl Function {
 }
 
 /// What a function computes, in the order of its outputs.
-pub fn outputs(equations: &Equations, solved: &Solved, function: Function) -> Vec<Node> {
-    function.signature().outputs(equations, solved)
+pub fn outputs(complete: &Complete, function: Function) -> Vec<Node> {
+    function.signature().outputs(complete)
 }

@@ -1,5 +1,6 @@
 //! Shapes of arguments and results: of what things a list has entries, and which fields an entry has.
 
+use crate::complete::Complete;
 use crate::equations::tangent::Matrix;
 use crate::equations::{Equations, Jet, Tangents};
 use crate::model::{Mechanism, Space};
@@ -68,7 +69,7 @@ pub struct Sparse {
     pub name: &'static str,
     pub pattern: &'static str,
     /// Its entries, row by row.
-    pub entries: fn(&Equations) -> Vec<Entry>,
+    pub entries: fn(&Complete) -> Vec<Entry>,
 }
 
 /// Row and column, and what stands there.
@@ -76,42 +77,43 @@ pub type Entry = ((usize, usize), Node);
 
 impl Sparse {
     /// Row and column of each entry.
-    pub fn places(&self, equations: &Equations) -> impl Iterator<Item = (usize, usize)> {
-        (self.entries)(equations).into_iter().map(|(place, _)| place)
+    pub fn places(&self, complete: &Complete) -> impl Iterator<Item = (usize, usize)> {
+        (self.entries)(complete).into_iter().map(|(place, _)| place)
     }
 
-    pub fn nodes(&self, equations: &Equations) -> Vec<Node> {
-        (self.entries)(equations).into_iter().map(|(_, node)| node).collect()
+    pub fn nodes(&self, complete: &Complete) -> Vec<Node> {
+        (self.entries)(complete).into_iter().map(|(_, node)| node).collect()
     }
 }
 
-const fn sparse(name: &'static str, pattern: &'static str, entries: fn(&Equations) -> Vec<Entry>) -> Sparse {
+const fn sparse(name: &'static str, pattern: &'static str, entries: fn(&Complete) -> Vec<Entry>) -> Sparse {
     Sparse { name, pattern, entries }
 }
 
 /// M, of which one triangle is stored.
-pub static MASS: Sparse =
-    sparse("Mass", "MASS_PATTERN", |e| e.mass.iter().map(|(place, node)| (*place, *node)).collect());
+pub static MASS: Sparse = sparse("Mass", "MASS_PATTERN", |c| {
+    c.equations.mass.iter().map(|(place, node)| (*place, *node)).collect()
+});
 /// D.
 pub static JACOBIAN: Sparse =
-    sparse("Jacobian", "JACOBIAN_PATTERN", |e| of_jets(e.rows.iter().map(|row| &row.jet)));
+    sparse("Jacobian", "JACOBIAN_PATTERN", |c| of_jets(c.equations.rows.iter().map(|row| &row.jet)));
 /// Of the conditions of the start.
-pub static CONDITION_JACOBIAN: Sparse = sparse("ConditionJacobian", "CONDITION_PATTERN", |e| {
-    of_jets(e.conditions.iter().map(|condition| &condition.jet))
+pub static CONDITION_JACOBIAN: Sparse = sparse("ConditionJacobian", "CONDITION_PATTERN", |c| {
+    of_jets(c.conditions.rows.iter().map(|condition| &condition.jet))
 });
-pub static STIFFNESS: Sparse = sparse("Stiffness", "STIFFNESS_PATTERN", |e| of_tangents(e, |t| &t.stiffness));
-pub static DAMPING: Sparse = sparse("Damping", "DAMPING_PATTERN", |e| of_tangents(e, |t| &t.damping));
+pub static STIFFNESS: Sparse = sparse("Stiffness", "STIFFNESS_PATTERN", |c| of_tangents(c, |t| &t.stiffness));
+pub static DAMPING: Sparse = sparse("Damping", "DAMPING_PATTERN", |c| of_tangents(c, |t| &t.damping));
 pub static ROW_STIFFNESS: Sparse =
-    sparse("RowStiffness", "ROW_STIFFNESS_PATTERN", |e| of_tangents(e, |t| &t.row_stiffness));
+    sparse("RowStiffness", "ROW_STIFFNESS_PATTERN", |c| of_tangents(c, |t| &t.row_stiffness));
 pub static ROW_DAMPING: Sparse =
-    sparse("RowDamping", "ROW_DAMPING_PATTERN", |e| of_tangents(e, |t| &t.row_damping));
-pub static RATE: Sparse = sparse("RateTangent", "RATE_PATTERN", |e| of_tangents(e, |t| &t.rate));
-pub static INPUT: Sparse = sparse("InputTangent", "INPUT_PATTERN", |e| of_tangents(e, |t| &t.input));
+    sparse("RowDamping", "ROW_DAMPING_PATTERN", |c| of_tangents(c, |t| &t.row_damping));
+pub static RATE: Sparse = sparse("RateTangent", "RATE_PATTERN", |c| of_tangents(c, |t| &t.rate));
+pub static INPUT: Sparse = sparse("InputTangent", "INPUT_PATTERN", |c| of_tangents(c, |t| &t.input));
 pub static PARAMETER: Sparse =
-    sparse("ParameterTangent", "PARAMETER_PATTERN", |e| of_tangents(e, |t| &t.parameter));
-pub static OUTPUT: Sparse = sparse("OutputTangent", "OUTPUT_PATTERN", |e| of_tangents(e, |t| &t.output));
+    sparse("ParameterTangent", "PARAMETER_PATTERN", |c| of_tangents(c, |t| &t.parameter));
+pub static OUTPUT: Sparse = sparse("OutputTangent", "OUTPUT_PATTERN", |c| of_tangents(c, |t| &t.output));
 pub static COORDINATE: Sparse =
-    sparse("CoordinateTangent", "COORDINATE_PATTERN", |e| of_tangents(e, |t| &t.coordinate));
+    sparse("CoordinateTangent", "COORDINATE_PATTERN", |c| of_tangents(c, |t| &t.coordinate));
 
 /// The matrices of the trait `Tangent`.
 pub static DERIVATIVES: [&Sparse; 9] =
@@ -124,8 +126,8 @@ fn of_jets<'a>(jets: impl Iterator<Item = &'a Jet>) -> Vec<Entry> {
 }
 
 /// Nothing where derivatives are not asked for.
-fn of_tangents(equations: &Equations, of: fn(&Tangents) -> &Matrix) -> Vec<Entry> {
-    let rows = equations.tangents.iter().flat_map(|tangents| of(tangents).iter().enumerate());
+fn of_tangents(complete: &Complete, of: fn(&Tangents) -> &Matrix) -> Vec<Entry> {
+    let rows = complete.tangents.iter().flat_map(|tangents| of(tangents).iter().enumerate());
     rows.flat_map(|(row, entries)| entries.iter().map(move |(column, node)| ((row, *column), *node)))
         .collect()
 }

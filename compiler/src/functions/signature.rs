@@ -1,8 +1,7 @@
 //! What a function is called, takes and gives; results by groups.
 
 use super::{Argument, Function, Shape};
-use crate::equations::Equations;
-use crate::solve::Solved;
+use crate::complete::Complete;
 use crate::symbolic::Node;
 
 /// What a function is called, takes and gives.
@@ -14,7 +13,7 @@ pub struct Signature {
     pub doc: &'static str,
     pub interface: Interface,
     /// Which mechanisms have it.
-    pub emitted: fn(&Equations, &Solved) -> bool,
+    pub emitted: fn(&Complete) -> bool,
     pub arguments: &'static [Argument],
     /// In the order of the program's outputs.
     pub results: &'static [Group],
@@ -43,7 +42,7 @@ pub struct Group {
     /// What its entries are called inside of the function, `{}` being the entry's own name; nothing where they are numbered.
     pub label: Option<&'static str>,
     /// Its entries as expressions.
-    pub nodes: fn(&Equations, &Solved) -> Vec<Node>,
+    pub nodes: fn(&Complete) -> Vec<Node>,
 }
 
 /// How results come out.
@@ -57,17 +56,17 @@ pub enum Way {
 
 impl Signature {
     /// What the function computes, in the order of its outputs; nothing where the mechanism does not have it.
-    pub fn outputs(&self, equations: &Equations, solved: &Solved) -> Vec<Node> {
-        if !(self.emitted)(equations, solved) {
+    pub fn outputs(&self, complete: &Complete) -> Vec<Node> {
+        if !(self.emitted)(complete) {
             return Vec::new();
         }
-        self.results.iter().flat_map(|group| (group.nodes)(equations, solved)).collect()
+        self.results.iter().flat_map(|group| (group.nodes)(complete)).collect()
     }
 
     /// Its results by groups.
-    pub fn groups<'v, T>(&self, equations: &Equations, solved: &Solved, results: &'v [T]) -> Vec<&'v [T]> {
+    pub fn groups<'v, T>(&self, complete: &Complete, results: &'v [T]) -> Vec<&'v [T]> {
         let mut rest = results;
-        let lengths = self.results.iter().map(|group| (group.nodes)(equations, solved).len());
+        let lengths = self.results.iter().map(|group| (group.nodes)(complete).len());
         lengths
             .map(|length| {
                 let (own, others) = rest.split_at(length.min(rest.len()));
@@ -78,14 +77,9 @@ impl Signature {
     }
 
     /// The same where the number of groups is known.
-    pub fn split<'v, T, const N: usize>(
-        &self,
-        equations: &Equations,
-        solved: &Solved,
-        results: &'v [T],
-    ) -> [&'v [T]; N] {
+    pub fn split<'v, T, const N: usize>(&self, complete: &Complete, results: &'v [T]) -> [&'v [T]; N] {
         debug_assert_eq!(N, self.results.len(), "groups of {}", self.name);
-        let groups = self.groups(equations, solved, results);
+        let groups = self.groups(complete, results);
         std::array::from_fn(|index| groups.get(index).copied().unwrap_or_default())
     }
 }
@@ -99,17 +93,17 @@ pub(super) const fn signature(
     arguments: &'static [Argument],
     results: &'static [Group],
 ) -> Signature {
-    Signature { function, name, doc, interface, emitted: |_, _| true, arguments, results }
+    Signature { function, name, doc, interface, emitted: |_| true, arguments, results }
 }
 
 impl Signature {
     /// For some mechanisms only.
-    pub(super) const fn only(self, emitted: fn(&Equations, &Solved) -> bool) -> Signature {
+    pub(super) const fn only(self, emitted: fn(&Complete) -> bool) -> Signature {
         Signature { emitted, ..self }
     }
 }
 
-type Nodes = fn(&Equations, &Solved) -> Vec<Node>;
+type Nodes = fn(&Complete) -> Vec<Node>;
 
 /// Results that are written to an argument of this name.
 pub(super) const fn written(name: &'static str, shape: Shape, nodes: Nodes) -> Group {

@@ -7,8 +7,9 @@ use super::Argument::{
 use super::Interface::{Assemble, Mechanism, Model, Preparation, Tangent};
 use super::signature::{signature, value, written};
 use super::{Argument, Function, Shape, Signature, shape};
-use crate::equations::{Equations, StartTarget};
-use crate::solve::{NullSpace, Solved, Stored};
+use crate::complete::Complete;
+use crate::equations::StartTarget;
+use crate::solve::{NullSpace, Stored};
 use crate::symbolic::Node;
 
 const POSITION: &[Argument] = &[Constants, Time, Q];
@@ -27,7 +28,7 @@ pub static FUNCTIONS: [Signature; 40] = [
         Mechanism,
         "M(t, q): its stored entries (kg, kg m, kg m²).",
         POSITION,
-        &[written("out", Shape::Matrix(&shape::MASS), |e, _| shape::MASS.nodes(e))],
+        &[written("out", Shape::Matrix(&shape::MASS), |c| shape::MASS.nodes(c))],
     ),
     signature(
         Function::Constraints,
@@ -35,7 +36,7 @@ pub static FUNCTIONS: [Signature; 40] = [
         Mechanism,
         "Φ(t, q) of each row (m, or 1 for directions and angles).",
         POSITION,
-        &[written("out", Shape::Rows, |e, _| e.rows.iter().map(|row| row.jet.value).collect())
+        &[written("out", Shape::Rows, |c| c.equations.rows.iter().map(|row| row.jet.value).collect())
             .called("phi_{}")],
     ),
     signature(
@@ -44,7 +45,7 @@ pub static FUNCTIONS: [Signature; 40] = [
         Mechanism,
         "D(t, q), Φ̇ = D v − ν: its stored entries.",
         POSITION,
-        &[written("out", Shape::Matrix(&shape::JACOBIAN), |e, _| shape::JACOBIAN.nodes(e))],
+        &[written("out", Shape::Matrix(&shape::JACOBIAN), |c| shape::JACOBIAN.nodes(c))],
     ),
     signature(
         Function::Nu,
@@ -52,7 +53,7 @@ pub static FUNCTIONS: [Signature; 40] = [
         Mechanism,
         "ν(t, q) = −∂Φ/∂t, the right-hand side of D v = ν.",
         POSITION,
-        &[written("out", Shape::Rows, |e, _| e.nu.clone()).called("nu_{}")],
+        &[written("out", Shape::Rows, |c| c.equations.nu.clone()).called("nu_{}")],
     ),
     signature(
         Function::Gamma,
@@ -60,7 +61,7 @@ pub static FUNCTIONS: [Signature; 40] = [
         Mechanism,
         "γ(t, q, v), the right-hand side of D v̇ = γ.",
         STATE,
-        &[written("out", Shape::Rows, |e, _| e.gamma.clone()).called("gamma_{}")],
+        &[written("out", Shape::Rows, |c| c.equations.gamma.clone()).called("gamma_{}")],
     ),
     signature(
         Function::Forces,
@@ -68,7 +69,7 @@ pub static FUNCTIONS: [Signature; 40] = [
         Mechanism,
         "Q(t, q, v, u): loads, gravity and gyroscopic forces of M v̇ + Dᵀ λ = Q (N or N m).",
         WITH_INPUTS,
-        &[written("out", Shape::Velocities, |e, _| e.forces.clone()).called("force_{}")],
+        &[written("out", Shape::Velocities, |c| c.equations.forces.clone()).called("force_{}")],
     ),
     signature(
         Function::KineticEnergy,
@@ -76,7 +77,7 @@ pub static FUNCTIONS: [Signature; 40] = [
         Mechanism,
         "T(t, q, v) (J).",
         STATE,
-        &[value("energy", Shape::Scalar, |e, _| vec![e.kinetic_energy])],
+        &[value("energy", Shape::Scalar, |c| vec![c.equations.kinetic_energy])],
     ),
     signature(
         Function::PotentialEnergy,
@@ -84,7 +85,7 @@ pub static FUNCTIONS: [Signature; 40] = [
         Mechanism,
         "V(t, q) of gravity and springs (J).",
         POSITION,
-        &[value("energy", Shape::Scalar, |e, _| vec![e.potential_energy])],
+        &[value("energy", Shape::Scalar, |c| vec![c.equations.potential_energy])],
     ),
     signature(
         Function::Acceleration,
@@ -93,9 +94,9 @@ pub static FUNCTIONS: [Signature; 40] = [
         "v̇ and λ of M v̇ + Dᵀ λ = Q, D v̇ = γ; the smallest relative pivot.",
         SOLUTION,
         &[
-            written("a_out", Shape::Velocities, |_, s| s.index1.acceleration.clone()).called("{}_dot"),
-            written("lambda_out", Shape::Rows, |_, s| s.index1.lambda.clone()).called("lambda_{}"),
-            value("pivot", Shape::Scalar, |_, s| vec![s.index1.pivot]).called("smallest_pivot"),
+            written("a_out", Shape::Velocities, |c| c.solved.index1.acceleration.clone()).called("{}_dot"),
+            written("lambda_out", Shape::Rows, |c| c.solved.index1.lambda.clone()).called("lambda_{}"),
+            value("pivot", Shape::Scalar, |c| vec![c.solved.index1.pivot]).called("smallest_pivot"),
         ],
     ),
     signature(
@@ -106,9 +107,9 @@ pub static FUNCTIONS: [Signature; 40] = [
          smallest relative pivot.",
         &[Constants, Time, Q, V, Inputs, TwoAlpha, BetaSquared],
         &[
-            written("a_out", Shape::Velocities, |_, s| s.baumgarte.acceleration.clone()).called("{}_dot"),
-            written("lambda_out", Shape::Rows, |_, s| s.baumgarte.lambda.clone()).called("lambda_{}"),
-            value("pivot", Shape::Scalar, |_, s| vec![s.baumgarte.pivot]).called("smallest_pivot"),
+            written("a_out", Shape::Velocities, |c| c.solved.baumgarte.acceleration.clone()).called("{}_dot"),
+            written("lambda_out", Shape::Rows, |c| c.solved.baumgarte.lambda.clone()).called("lambda_{}"),
+            value("pivot", Shape::Scalar, |c| vec![c.solved.baumgarte.pivot]).called("smallest_pivot"),
         ],
     ),
     signature(
@@ -117,7 +118,7 @@ pub static FUNCTIONS: [Signature; 40] = [
         Mechanism,
         "The outputs of the definition, in SI units.",
         WITH_INPUTS,
-        &[value("outputs", Shape::Outputs, |e, _| e.outputs.clone()).called("{}")],
+        &[value("outputs", Shape::Outputs, |c| c.solved.outputs.clone()).called("{}")],
     ),
     signature(
         Function::InverseDynamics,
@@ -128,7 +129,7 @@ pub static FUNCTIONS: [Signature; 40] = [
          (N m or N). Of a tree without constraints these are the efforts of its joints (inverse \
          dynamics).",
         &[Constants, Time, Q, V, Inputs, Acceleration],
-        &[value("forces", Shape::Velocities, |e, _| e.inverse.clone())],
+        &[value("forces", Shape::Velocities, |c| c.equations.inverse.clone())],
     ),
     signature(
         Function::Powers,
@@ -136,7 +137,7 @@ pub static FUNCTIONS: [Signature; 40] = [
         Model,
         "Power of each load (W), in the order of `LOADS`, what springs store included.",
         WITH_INPUTS,
-        &[value("powers", Shape::Loads, |e, _| e.powers.clone())],
+        &[value("powers", Shape::Loads, |c| c.equations.powers.clone())],
     ),
     signature(
         Function::DriverEfforts,
@@ -146,8 +147,8 @@ pub static FUNCTIONS: [Signature; 40] = [
          multipliers.",
         &[Constants, Time, Q, V, Lambda],
         &[
-            value("efforts", Shape::Drivers, |e, _| e.driver_efforts.clone()),
-            value("powers", Shape::Drivers, |e, _| e.driver_powers.clone()),
+            value("efforts", Shape::Drivers, |c| c.equations.driver_efforts.clone()),
+            value("powers", Shape::Drivers, |c| c.equations.driver_powers.clone()),
         ],
     ),
     signature(
@@ -158,8 +159,8 @@ pub static FUNCTIONS: [Signature; 40] = [
          `BODIES`,\n\
          from a state and its accelerations.",
         MOVING,
-        &[value("motions", Shape::Bodies(&shape::MOTION), |e, _| {
-            e.motions.iter().flat_map(|motion| motion.flat()).collect()
+        &[value("motions", Shape::Bodies(&shape::MOTION), |c| {
+            c.equations.motions.iter().flat_map(|motion| motion.flat()).collect()
         })],
     ),
     signature(
@@ -170,8 +171,8 @@ pub static FUNCTIONS: [Signature; 40] = [
          `JOINTS`:\n\
          force in world axes at that place (N), torque about it (N m).",
         EVERYTHING,
-        &[value("reactions", Shape::Joints(&shape::REACTION), |e, _| {
-            e.reactions.iter().flatten().copied().collect()
+        &[value("reactions", Shape::Joints(&shape::REACTION), |c| {
+            c.equations.reactions.iter().flatten().copied().collect()
         })],
     ),
     signature(
@@ -181,8 +182,8 @@ pub static FUNCTIONS: [Signature; 40] = [
         "Of each row that fixes a direction the cosine that tells it from its opposite; 1 of \
          others.",
         POSITION,
-        &[written("out", Shape::Rows, |e, _| {
-            e.rows.iter().map(|row| row.upright.unwrap_or(e.one)).collect()
+        &[written("out", Shape::Rows, |c| {
+            c.equations.rows.iter().map(|row| row.upright.unwrap_or(c.equations.one)).collect()
         })],
     ),
     signature(
@@ -191,7 +192,7 @@ pub static FUNCTIONS: [Signature; 40] = [
         Assemble,
         "What each condition of the start is off its target by, as a length or a sine.",
         &[Constants, Time, Q, Target],
-        &[written("out", Shape::Conditions, |e, _| e.conditions.iter().map(|c| c.residual).collect())],
+        &[written("out", Shape::Conditions, |c| c.conditions.rows.iter().map(|c| c.residual).collect())],
     ),
     signature(
         Function::ConditionCosines,
@@ -199,7 +200,7 @@ pub static FUNCTIONS: [Signature; 40] = [
         Assemble,
         "The cosine that belongs to that sine; 1 of lengths.",
         &[Constants, Time, Q, Target],
-        &[written("out", Shape::Conditions, |e, _| e.conditions.iter().map(|c| c.upright).collect())],
+        &[written("out", Shape::Conditions, |c| c.conditions.rows.iter().map(|c| c.upright).collect())],
     ),
     signature(
         Function::ConditionJacobian,
@@ -207,9 +208,7 @@ pub static FUNCTIONS: [Signature; 40] = [
         Assemble,
         "J(t, q), the rate of a condition being J v + b: its stored entries.",
         POSITION,
-        &[written("out", Shape::Matrix(&shape::CONDITION_JACOBIAN), |e, _| {
-            shape::CONDITION_JACOBIAN.nodes(e)
-        })],
+        &[written("out", Shape::Matrix(&shape::CONDITION_JACOBIAN), |c| shape::CONDITION_JACOBIAN.nodes(c))],
     ),
     signature(
         Function::ConditionBias,
@@ -217,7 +216,7 @@ pub static FUNCTIONS: [Signature; 40] = [
         Assemble,
         "The rate of J v + b where v̇ = 0.",
         STATE,
-        &[written("out", Shape::Conditions, |e, _| e.conditions.iter().map(|c| c.jet.bias).collect())],
+        &[written("out", Shape::Conditions, |c| c.conditions.rows.iter().map(|c| c.jet.bias).collect())],
     ),
     signature(
         Function::ConditionDrift,
@@ -225,7 +224,7 @@ pub static FUNCTIONS: [Signature; 40] = [
         Assemble,
         "b(t, q), the rate of a condition where v = 0.",
         POSITION,
-        &[written("out", Shape::Conditions, |e, _| e.conditions.iter().map(|c| c.jet.drift).collect())],
+        &[written("out", Shape::Conditions, |c| c.conditions.rows.iter().map(|c| c.jet.drift).collect())],
     ),
     signature(
         Function::StartTargets,
@@ -234,8 +233,8 @@ pub static FUNCTIONS: [Signature; 40] = [
         "Values, and rates, that `start` asks of each condition; 0 where it asks none.",
         &[Constants],
         &[
-            written("positions", Shape::Conditions, |e, _| targets(e, |target| target.position)),
-            written("rates", Shape::Conditions, |e, _| targets(e, |target| target.rate)),
+            written("positions", Shape::Conditions, |c| targets(c, |target| target.position)),
+            written("rates", Shape::Conditions, |c| targets(c, |target| target.rate)),
         ],
     ),
     signature(
@@ -244,7 +243,7 @@ pub static FUNCTIONS: [Signature; 40] = [
         Preparation,
         "Masses and inertias that depend on parameters.",
         &[Constants],
-        &[value("masses", Shape::Masses, |e, _| e.masses.iter().map(|(_, node)| *node).collect())],
+        &[value("masses", Shape::Masses, |c| c.equations.masses.iter().map(|(_, node)| *node).collect())],
     ),
     signature(
         Function::RowScales,
@@ -253,7 +252,7 @@ pub static FUNCTIONS: [Signature; 40] = [
         "Sᵢ of each row, twice the largest Dᵢ M⁻¹ Dᵢᵀ along the motion (1/kg or 1/(kg m²)): what \
          pivots of rows are measured by.",
         &[Constants],
-        &[written("out", Shape::Rows, |_, s| s.row_scales.clone())],
+        &[written("out", Shape::Rows, |c| c.solved.row_scales.clone())],
     ),
     signature(
         Function::Factor,
@@ -262,11 +261,11 @@ pub static FUNCTIONS: [Signature; 40] = [
         "K(c) = (M Dᵀ; D −c) factored: what is kept of it; the smallest relative pivot.",
         &[Constants, Time, Q, Compliance],
         &[
-            written("store", Shape::Store, |_, s| stored(s, |k| k.kept.clone())),
-            value("pivot", Shape::Scalar, |_, s| stored(s, |k| vec![k.pivot])),
+            written("store", Shape::Store, |c| stored(c, |k| k.kept.clone())),
+            value("pivot", Shape::Scalar, |c| stored(c, |k| vec![k.pivot])),
         ],
     )
-    .only(|_, s| s.stored.is_some()),
+    .only(|c| c.further.stored.is_some()),
     signature(
         Function::System,
         "system",
@@ -276,13 +275,13 @@ pub static FUNCTIONS: [Signature; 40] = [
          velocities where M alone is singular, else one.",
         &[Constants, Time, Q, V, Inputs, TwoAlpha, BetaSquared, Compliance],
         &[
-            written("store_out", Shape::Store, |_, s| stored(s, |k| k.kept.clone())),
-            written("forces_out", Shape::Velocities, |e, _| e.forces.clone()),
-            written("rows_out", Shape::Rows, |_, s| stored(s, |k| k.rows.clone())),
-            value("pivot", Shape::Scalar, |_, s| stored(s, |k| vec![k.velocity_pivot])),
+            written("store_out", Shape::Store, |c| stored(c, |k| k.kept.clone())),
+            written("forces_out", Shape::Velocities, |c| c.equations.forces.clone()),
+            written("rows_out", Shape::Rows, |c| stored(c, |k| k.rows.clone())),
+            value("pivot", Shape::Scalar, |c| stored(c, |k| vec![k.velocity_pivot])),
         ],
     )
-    .only(|_, s| s.emits_system && s.stored.is_some()),
+    .only(|c| c.further.emits_system && c.further.stored.is_some()),
     signature(
         Function::Solve,
         "solve",
@@ -290,15 +289,15 @@ pub static FUNCTIONS: [Signature; 40] = [
         "a and λ of K(c) (a, λ) = (forces, rows), from what is kept of its factorisation.",
         &[Constants, Store, GivenForces, GivenRows],
         &[
-            written("a_out", Shape::Velocities, |e, s| {
-                stored(s, |k| k.solution.iter().copied().take(e.layout.velocities()).collect())
+            written("a_out", Shape::Velocities, |c| {
+                stored(c, |k| k.solution.iter().copied().take(c.equations.layout.velocities()).collect())
             }),
-            written("lambda_out", Shape::Rows, |e, s| {
-                stored(s, |k| k.solution.iter().copied().skip(e.layout.velocities()).collect())
+            written("lambda_out", Shape::Rows, |c| {
+                stored(c, |k| k.solution.iter().copied().skip(c.equations.layout.velocities()).collect())
             }),
         ],
     )
-    .only(|_, s| s.stored.is_some()),
+    .only(|c| c.further.stored.is_some()),
     signature(
         Function::FactorJacobian,
         "factor_jacobian",
@@ -306,11 +305,11 @@ pub static FUNCTIONS: [Signature; 40] = [
         "D = L U in the dependent velocities: what is kept of it; the smallest pivot squared.",
         POSITION,
         &[
-            written("lu", Shape::Lu, |_, s| independent(s, |n| n.kept.clone())),
-            value("pivot", Shape::Scalar, |_, s| independent(s, |n| vec![n.partition_pivot])),
+            written("lu", Shape::Lu, |c| independent(c, |n| n.kept.clone())),
+            value("pivot", Shape::Scalar, |c| independent(c, |n| vec![n.partition_pivot])),
         ],
     )
-    .only(|_, s| s.null_space.is_some()),
+    .only(|c| c.further.null_space.is_some()),
     signature(
         Function::DependentVelocities,
         "dependent_velocities",
@@ -318,9 +317,9 @@ pub static FUNCTIONS: [Signature; 40] = [
         "Velocities with D v = rows, from what is kept of D, the rows, and the independent \
          velocities.",
         &[Constants, Lu, GivenRows, V],
-        &[written("out", Shape::Velocities, |_, s| independent(s, |n| n.dependent.clone()))],
+        &[written("out", Shape::Velocities, |c| independent(c, |n| n.dependent.clone()))],
     )
-    .only(|_, s| s.null_space.is_some()),
+    .only(|c| c.further.null_space.is_some()),
     signature(
         Function::NullSpace,
         "null_space",
@@ -329,23 +328,23 @@ pub static FUNCTIONS: [Signature; 40] = [
          pivot.",
         SOLUTION,
         &[
-            written("a_out", Shape::Velocities, |_, s| independent(s, |n| n.acceleration.clone())),
-            written("lambda_out", Shape::Rows, |_, s| independent(s, |n| n.lambda.clone())),
-            value("pivot", Shape::Scalar, |_, s| independent(s, |n| vec![n.pivot])),
+            written("a_out", Shape::Velocities, |c| independent(c, |n| n.acceleration.clone())),
+            written("lambda_out", Shape::Rows, |c| independent(c, |n| n.lambda.clone())),
+            value("pivot", Shape::Scalar, |c| independent(c, |n| vec![n.pivot])),
         ],
     )
-    .only(|_, s| s.null_space.is_some()),
+    .only(|c| c.further.null_space.is_some()),
     signature(
         Function::Residual,
         "residual",
         Tangent,
         "r = M v̇ + Dᵀ λ − Q (N or N m).",
         EVERYTHING,
-        &[written("out", Shape::Velocities, |e, _| {
-            e.tangents.iter().flat_map(|tangents| tangents.residual.clone()).collect()
+        &[written("out", Shape::Velocities, |c| {
+            c.tangents.iter().flat_map(|tangents| tangents.residual.clone()).collect()
         })],
     )
-    .only(|e, _| e.tangents.is_some()),
+    .only(|c| c.tangents.is_some()),
     signature(
         Function::Tangent,
         "tangent",
@@ -353,11 +352,11 @@ pub static FUNCTIONS: [Signature; 40] = [
         "∂r/∂q along increments of q, and ∂r/∂v: the stored entries.",
         EVERYTHING,
         &[
-            written("stiffness_out", Shape::Matrix(&shape::STIFFNESS), |e, _| shape::STIFFNESS.nodes(e)),
-            written("damping_out", Shape::Matrix(&shape::DAMPING), |e, _| shape::DAMPING.nodes(e)),
+            written("stiffness_out", Shape::Matrix(&shape::STIFFNESS), |c| shape::STIFFNESS.nodes(c)),
+            written("damping_out", Shape::Matrix(&shape::DAMPING), |c| shape::DAMPING.nodes(c)),
         ],
     )
-    .only(|e, _| e.tangents.is_some()),
+    .only(|c| c.tangents.is_some()),
     signature(
         Function::RowTangent,
         "row_tangent",
@@ -365,31 +364,29 @@ pub static FUNCTIONS: [Signature; 40] = [
         "∂(D v̇ − γ)/∂q along increments of q, and ∂(D v̇ − γ)/∂v: the stored entries.",
         MOVING,
         &[
-            written("stiffness_out", Shape::Matrix(&shape::ROW_STIFFNESS), |e, _| {
-                shape::ROW_STIFFNESS.nodes(e)
-            }),
-            written("damping_out", Shape::Matrix(&shape::ROW_DAMPING), |e, _| shape::ROW_DAMPING.nodes(e)),
+            written("stiffness_out", Shape::Matrix(&shape::ROW_STIFFNESS), |c| shape::ROW_STIFFNESS.nodes(c)),
+            written("damping_out", Shape::Matrix(&shape::ROW_DAMPING), |c| shape::ROW_DAMPING.nodes(c)),
         ],
     )
-    .only(|e, _| e.tangents.is_some()),
+    .only(|c| c.tangents.is_some()),
     signature(
         Function::RateTangent,
         "rate_tangent",
         Tangent,
         "∂(D v − ν)/∂q along increments of q: the stored entries.",
         STATE,
-        &[written("out", Shape::Matrix(&shape::RATE), |e, _| shape::RATE.nodes(e))],
+        &[written("out", Shape::Matrix(&shape::RATE), |c| shape::RATE.nodes(c))],
     )
-    .only(|e, _| e.tangents.is_some()),
+    .only(|c| c.tangents.is_some()),
     signature(
         Function::InputTangent,
         "input_tangent",
         Tangent,
         "∂r/∂u = −∂Q/∂u: the stored entries.",
         WITH_INPUTS,
-        &[written("out", Shape::Matrix(&shape::INPUT), |e, _| shape::INPUT.nodes(e))],
+        &[written("out", Shape::Matrix(&shape::INPUT), |c| shape::INPUT.nodes(c))],
     )
-    .only(|e, _| e.tangents.is_some()),
+    .only(|c| c.tangents.is_some()),
     signature(
         Function::ParameterTangent,
         "parameter_tangent",
@@ -397,46 +394,46 @@ pub static FUNCTIONS: [Signature; 40] = [
         "Derivatives by the parameters of r, D v̇ − γ, D v − ν, Φ and the outputs: the stored \
          entries.",
         EVERYTHING,
-        &[written("out", Shape::Matrix(&shape::PARAMETER), |e, _| shape::PARAMETER.nodes(e))],
+        &[written("out", Shape::Matrix(&shape::PARAMETER), |c| shape::PARAMETER.nodes(c))],
     )
-    .only(|e, _| e.tangents.is_some()),
+    .only(|c| c.tangents.is_some()),
     signature(
         Function::OutputTangent,
         "output_tangent",
         Tangent,
         "Derivatives of the outputs by q, v, u and λ: the stored entries.",
         &[Constants, Time, Q, V, Inputs, Lambda],
-        &[written("out", Shape::Matrix(&shape::OUTPUT), |e, _| shape::OUTPUT.nodes(e))],
+        &[written("out", Shape::Matrix(&shape::OUTPUT), |c| shape::OUTPUT.nodes(c))],
     )
-    .only(|e, _| e.tangents.is_some()),
+    .only(|c| c.tangents.is_some()),
     signature(
         Function::CoordinateTangent,
         "coordinate_tangent",
         Tangent,
         "∂(ż, z̈)/∂(q, v) of the independent coordinates z at given v̇: the stored entries.",
         MOVING,
-        &[written("out", Shape::Matrix(&shape::COORDINATE), |e, _| shape::COORDINATE.nodes(e))],
+        &[written("out", Shape::Matrix(&shape::COORDINATE), |c| shape::COORDINATE.nodes(c))],
     )
-    .only(|e, _| e.tangents.is_some()),
+    .only(|c| c.tangents.is_some()),
     signature(
         Function::Prepare,
         "prepare",
         Preparation,
         "What depends on parameters and phases alone: the constants of the prepared model.",
         &[Parameters, Phases],
-        &[value("constants", Shape::Constants, |_, _| Vec::new())],
+        &[value("constants", Shape::Constants, |_| Vec::new())],
     ),
 ];
 
 /// What the factorisation of K(c) keeps or gives, where it is asked for.
-fn stored(solved: &Solved, of: impl Fn(&Stored) -> Vec<Node>) -> Vec<Node> {
-    solved.stored.as_ref().map_or(Vec::new(), of)
+fn stored(complete: &Complete, of: impl Fn(&Stored) -> Vec<Node>) -> Vec<Node> {
+    complete.further.stored.as_ref().map_or(Vec::new(), of)
 }
 
-fn independent(solved: &Solved, of: impl Fn(&NullSpace) -> Vec<Node>) -> Vec<Node> {
-    solved.null_space.as_ref().map_or(Vec::new(), of)
+fn independent(complete: &Complete, of: impl Fn(&NullSpace) -> Vec<Node>) -> Vec<Node> {
+    complete.further.null_space.as_ref().map_or(Vec::new(), of)
 }
 
-fn targets(equations: &Equations, of: fn(&StartTarget) -> Option<Node>) -> Vec<Node> {
-    equations.start_targets.iter().map(|target| of(target).unwrap_or(equations.zero)).collect()
+fn targets(complete: &Complete, of: fn(&StartTarget) -> Option<Node>) -> Vec<Node> {
+    complete.conditions.start.iter().map(|target| of(target).unwrap_or(complete.equations.zero)).collect()
 }

@@ -11,9 +11,8 @@ mod hoist;
 pub use fuse::{Fused, fuse};
 pub use hoist::Hoisted;
 
-use crate::equations::Equations;
+use crate::complete::Complete;
 use crate::functions::{Function, outputs};
-use crate::solve::Solved;
 use crate::symbolic::{Graph, Node};
 
 /// The nodes that each function computes.
@@ -26,30 +25,27 @@ pub struct Optimized {
 }
 
 /// All passes, for all functions.
-pub fn optimize(equations: &Equations, solved: &Solved) -> Optimized {
-    optimize_only(equations, solved, &Function::ALL)
-}
-
-/// All passes, for one function that is not in the list, where only its operations matter.
-pub fn fuse_alone(graph: &Graph, outputs: &[Node]) -> Fused {
-    fuse(graph, outputs, |node| hoist::is_hoistable(graph, node))
-}
-
-/// All passes, for some functions: enough to count them.
-pub fn optimize_only(equations: &Equations, solved: &Solved, wanted: &[Function]) -> Optimized {
-    let graph = &equations.graph.read();
+pub fn optimize(complete: &Complete) -> Optimized {
+    let graph = &complete.equations.graph.read();
     let mut hoisted = Hoisted::default();
     let mut functions = Vec::new();
-    for function in wanted {
+    for function in Function::ALL {
         // `Prepare` comes last: it computes what all others asked for.
-        let fused = if *function == Function::Prepare {
+        let fused = if function == Function::Prepare {
             fuse(graph, &hoisted.nodes, |_| false)
         } else {
-            let outputs = outputs(equations, solved, *function);
+            let outputs = outputs(complete, function);
             hoisted.hoist(graph, &outputs);
             fuse(graph, &outputs, |node| hoist::is_hoistable(graph, node))
         };
-        functions.push((*function, fused));
+        functions.push((function, fused));
     }
     Optimized { functions, hoisted }
+}
+
+/// All passes, for one function with these outputs.
+pub fn alone(graph: &Graph, outputs: &[Node]) -> (Fused, Hoisted) {
+    let mut hoisted = Hoisted::default();
+    hoisted.hoist(graph, outputs);
+    (fuse(graph, outputs, |node| hoist::is_hoistable(graph, node)), hoisted)
 }

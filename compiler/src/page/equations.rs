@@ -23,12 +23,12 @@ struct Section {
 
 pub fn equations(page: &mut String, compiled: &Compiled) {
     page.push_str("\n# Equations\n\n");
-    page.push_str(match compiled.equations.rows.is_empty() {
+    page.push_str(match compiled.complete.equations.rows.is_empty() {
         true => "M v̇ = Q, where\n",
         false => "M v̇ + Dᵀ λ = Q, D v̇ = γ, on Φ = 0 and D v = ν, where\n",
     });
-    let graph = compiled.equations.graph.read();
-    let mut writer = Writer::new(&compiled.mechanism, &compiled.equations, &graph);
+    let graph = compiled.complete.equations.graph.read();
+    let mut writer = Writer::new(&compiled.mechanism, &compiled.complete.equations, &graph);
     let begin = page.len();
     for section in sections(compiled).iter().filter(|section| !section.entries.is_empty()) {
         listing(page, &mut writer, section);
@@ -39,7 +39,7 @@ pub fn equations(page: &mut String, compiled: &Compiled) {
 }
 
 fn sections(compiled: &Compiled) -> Vec<Section> {
-    let equations = &compiled.equations;
+    let equations = &compiled.complete.equations;
     let v = equations.layout.velocity_names(&compiled.mechanism);
     let rows = || equations.rows.iter();
     let row = |index: usize| format!("{}.{}", equations.rows[index].of, equations.rows[index].form.name);
@@ -72,7 +72,7 @@ fn sections(compiled: &Compiled) -> Vec<Section> {
         },
         Section {
             heading: "Outputs",
-            entries: outputs.zip(equations.unsolved_outputs.iter().copied()).collect(),
+            entries: outputs.zip(equations.outputs.iter().copied()).collect(),
             ending: "",
         },
     ]

@@ -50,7 +50,7 @@ fn drawing(page: &mut String, compiled: &Compiled) {
 }
 
 fn summary(page: &mut String, compiled: &Compiled) {
-    let equations = &compiled.equations;
+    let equations = &compiled.complete.equations;
     let _ = writeln!(
         page,
         "{}; {}; {}.\n",

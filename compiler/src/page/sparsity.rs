@@ -29,13 +29,13 @@ pub fn sparsity(page: &mut String, compiled: &Compiled) {
     page.push_str("</div>\n\n");
     let captions: Vec<String> = patterns.iter().map(caption).collect();
     let _ = writeln!(page, "{}.", captions.join("; "));
-    if compiled.solved.order.strategy == Strategy::ArticulatedBodies {
+    if compiled.complete.solved.order.strategy == Strategy::ArticulatedBodies {
         page.push_str("\nNothing is factored: the tree is solved by articulated bodies, without M.\n");
     }
 }
 
 fn patterns(compiled: &Compiled) -> Vec<Pattern> {
-    let equations = &compiled.equations;
+    let equations = &compiled.complete.equations;
     let (n, rows) = (equations.layout.velocities(), equations.rows.len());
     let lower = equations.mass.keys().copied();
     let symmetric = lower.flat_map(|(i, j)| [(i, j), (j, i)]).collect();
@@ -57,9 +57,9 @@ fn patterns(compiled: &Compiled) -> Vec<Pattern> {
             fill: BTreeSet::new(),
         });
     }
-    if compiled.solved.order.strategy != Strategy::ArticulatedBodies {
-        let (entries, fill) = solve::factor_pattern(equations, &compiled.solved);
-        let size = compiled.solved.order.sequence.len();
+    if compiled.complete.solved.order.strategy != Strategy::ArticulatedBodies {
+        let (entries, fill) = solve::factor_pattern(equations, &compiled.complete.solved);
+        let size = compiled.complete.solved.order.sequence.len();
         patterns.push(Pattern { title: "L".to_string(), rows: size, columns: size, entries, fill });
     }
     patterns

@@ -2,6 +2,7 @@
 
 use super::sketch::{Effort, Part, Wheel};
 use crate::compiled::Compiled;
+use crate::complete::Complete;
 use crate::drawing::Hinge;
 use crate::drawing::load::End;
 use crate::drawing::vector::{Point, apply, cross, difference, dot, length, pad, sum, unit};
@@ -25,7 +26,7 @@ pub struct Stand<'a> {
 
 impl<'a> Stand<'a> {
     pub fn of(compiled: &'a Compiled) -> Self {
-        let (equations, assembly) = (&compiled.equations, &compiled.assembly);
+        let (equations, assembly) = (&compiled.complete.equations, &compiled.assembly);
         let graph = equations.graph.clone();
         let mut symbols = vec![0.0; graph.read().symbol_count()];
         let mut set = |nodes: &[Node], values: &mut dyn Iterator<Item = f64>| {
@@ -63,7 +64,7 @@ impl<'a> Stand<'a> {
 
     /// Values of what is built on the graph.
     fn built(&mut self, build: impl FnOnce(&Laws) -> Vec<Node>) -> Vec<f64> {
-        let Compiled { mechanism, equations, .. } = self.compiled;
+        let Compiled { mechanism, complete: Complete { equations, .. }, .. } = self.compiled;
         let Equations { symbols, layout, kinematics, .. } = equations;
         let nodes = build(&Laws::moving(self.graph.sheet(), mechanism, symbols, layout, kinematics));
         self.numbers(&nodes)

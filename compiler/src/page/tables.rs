@@ -25,7 +25,7 @@ pub fn bodies(page: &mut String, compiled: &Compiled) {
         "hangs on",
     ]);
     for (index, body) in mechanism.bodies.iter().enumerate() {
-        let attachment = compiled.equations.tree.attachments.iter().find(|it| it.body.0 == index);
+        let attachment = compiled.complete.equations.tree.attachments.iter().find(|it| it.body.0 == index);
         let carrier = attachment.and_then(|it| it.joint);
         table.row(vec![
             code(&body.name.text),
@@ -67,7 +67,7 @@ fn is_zero(vector: &Vector) -> bool {
 
 pub fn joints(page: &mut String, compiled: &Compiled) {
     let mechanism = &compiled.mechanism;
-    let equations = &compiled.equations;
+    let equations = &compiled.complete.equations;
     let mut table =
         Table::new(&["joint", "kind", "first place", "second place", "quantities", "in the equations"]);
     for (index, joint) in mechanism.joints.iter().enumerate() {
@@ -199,7 +199,7 @@ pub fn settings(page: &mut String, compiled: &Compiled) {
 
 /// q beside v, with their values at the start.
 pub fn coordinates(page: &mut String, compiled: &Compiled) {
-    let layout = &compiled.equations.layout;
+    let layout = &compiled.complete.equations.layout;
     let (q, v) = (layout.position_names(&compiled.mechanism), layout.velocity_names(&compiled.mechanism));
     // What is left of a zero by rounding is one.
     let settled = |values: &[f64]| -> Vec<f64> {
@@ -246,7 +246,7 @@ fn coordinate(index: usize, [q, at]: [String; 2], v: &str, rate: String) -> Vec<
 pub fn rows(page: &mut String, compiled: &Compiled) {
     let mechanism = &compiled.mechanism;
     let mut table = Table::new(&["#", "of", "row", "components along"]);
-    for (index, row) in compiled.equations.rows.iter().enumerate() {
+    for (index, row) in compiled.complete.equations.rows.iter().enumerate() {
         let axes = match row.axes {
             None => String::new(),
             Some(Frame::Ground) => "the world".to_string(),

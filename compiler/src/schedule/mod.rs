@@ -21,10 +21,10 @@ pub use evaluate::{Inputs, run};
 pub use liveness::live_values;
 pub use program::{Instruction, Operand, Program, Source};
 
+use crate::complete::Complete;
 use crate::equations::Equations;
 use crate::functions::{ARGUMENTS, Argument, Given};
-use crate::optimize::{self, Fused, Hoisted, Optimized, optimize_only};
-use crate::solve::Solved;
+use crate::optimize::{self, Fused, Hoisted, Optimized};
 use crate::symbolic::Node;
 use select::Selected;
 
@@ -47,13 +47,13 @@ impl Programs {
 }
 
 /// Writes every function as a program.
-pub fn schedule(equations: &Equations, optimized: &Optimized) -> Programs {
-    let sources = sources(equations);
+pub fn schedule(complete: &Complete, optimized: &Optimized) -> Programs {
+    let (graph, sources) = (complete.equations.graph.read(), sources(complete));
     // `prepare` computes the constants that the others find in the prepared model.
     let none = Hoisted::default();
     let select = |(function, fused): &(Function, Fused)| {
         let hoisted = if *function == Function::Prepare { &none } else { &optimized.hoisted };
-        (*function, select::select(&equations.graph.read(), &sources, hoisted, fused))
+        (*function, select::select(&graph, &sources, hoisted, fused))
     };
     let mut selected: Vec<(Function, Selected)> = optimized.functions.iter().map(select).collect();
     let solves =
@@ -70,36 +70,32 @@ pub fn schedule(equations: &Equations, optimized: &Optimized) -> Programs {
     Programs { functions, prepared: optimized.hoisted.len(), shared }
 }
 
-/// Operations of one function, as they will be emitted.
-pub fn count_of(equations: &Equations, solved: &Solved, function: Function) -> Counts {
-    let Optimized { functions, hoisted } = optimize_only(equations, solved, &[function]);
-    let sources = sources(equations);
+/// Operations of a function with these outputs, as they will be emitted.
+pub fn count_outputs(equations: &Equations, outputs: &[Node]) -> Counts {
     // The order of the instructions does not count.
-    let select = |fused| select::select(&equations.graph.read(), &sources, &hoisted, fused);
-    functions.first().map_or(Counts::default(), |(_, fused)| count(&select(fused).program))
+    count(&alone(equations, outputs).program)
 }
 
-/// The nodes that the instructions of one function compute, in no particular order.
-pub fn nodes_of(equations: &Equations, solved: &Solved, function: Function) -> Vec<Node> {
-    let Optimized { functions, hoisted } = optimize_only(equations, solved, &[function]);
-    let sources = sources(equations);
-    let fused = functions.first().map(|(_, fused)| fused);
-    fused.map_or(Vec::new(), |fused| select::select(&equations.graph.read(), &sources, &hoisted, fused).nodes)
+/// The nodes that the instructions of a function with these outputs compute, in no particular order.
+pub fn nodes_of(equations: &Equations, outputs: &[Node]) -> Vec<Node> {
+    alone(equations, outputs).nodes
 }
 
-/// Operations of a function with these outputs.
-pub fn operations_of(equations: &Equations, outputs: &[Node]) -> usize {
-    let fused = optimize::fuse_alone(&equations.graph.read(), outputs);
-    select::select(&equations.graph.read(), &sources(equations), &Hoisted::default(), &fused).nodes.len()
+/// A function by itself. Where its arguments come from does not count.
+fn alone(equations: &Equations, outputs: &[Node]) -> Selected {
+    let graph = equations.graph.read();
+    let (fused, hoisted) = optimize::alone(&graph, outputs);
+    let anywhere = vec![Source { argument: Argument::Time, index: 0 }; graph.symbol_count()];
+    select::select(&graph, &anywhere, &hoisted, &fused)
 }
 
 /// The entry of an argument that each symbol of the graph stands for.
-pub fn sources(equations: &Equations) -> Vec<Source> {
-    let mut sources =
-        vec![Source { argument: Argument::Time, index: 0 }; equations.graph.read().symbol_count()];
+pub fn sources(complete: &Complete) -> Vec<Source> {
+    let graph = complete.equations.graph.read();
+    let mut sources = vec![Source { argument: Argument::Time, index: 0 }; graph.symbol_count()];
     for Given { argument, symbols, .. } in &ARGUMENTS {
-        for (index, node) in symbols(&equations.symbols).iter().enumerate() {
-            if let crate::symbolic::Op::Symbol(symbol) = equations.graph.read().op(*node) {
+        for (index, node) in symbols(complete).iter().enumerate() {
+            if let crate::symbolic::Op::Symbol(symbol) = graph.op(*node) {
                 sources[symbol as usize] = Source { argument: *argument, index: index as u32 };
             }
         }

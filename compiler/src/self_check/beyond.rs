@@ -62,10 +62,10 @@ fn turning(orientation: &[Quantity], rate: &[Quantity]) -> Vec<Quantity> {
 /// What a spring takes, the part of its power that is odd in v, is what it stores.
 fn springs(machine: &Machine, report: &mut Report) {
     let (compiled, inputs) = (machine.compiled, report.inputs);
-    let equations = &compiled.equations;
+    let equations = &compiled.complete.equations;
     let potentials = &equations.contributions.potentials;
     let order = equations.graph.read().reachable(potentials.iter().copied());
-    let sources = sources(equations);
+    let sources = sources(&compiled.complete);
     let rest = vec![0.0; inputs.v.len()];
     let stored = Along::of(STEP, |h| {
         let moved = machine.moved(inputs, h, &rest);
@@ -90,7 +90,7 @@ fn springs(machine: &Machine, report: &mut Report) {
 /// M a + Dᵀ λ = forces, D a − c λ = rows.
 fn factorisation(machine: &Machine, report: &mut Report) {
     let compiled = machine.compiled;
-    if compiled.solved.stored.is_none() {
+    if compiled.complete.further.stored.is_none() {
         return;
     }
     let (machine, inputs) = machine.factored(report.inputs);
@@ -111,7 +111,7 @@ fn factorisation(machine: &Machine, report: &mut Report) {
 /// The equations of motion, and D v = rows with the factors of D.
 fn null_space(machine: &Machine, report: &mut Report) {
     let compiled = machine.compiled;
-    let Some(written) = &compiled.solved.null_space else { return };
+    let Some(written) = &compiled.complete.further.null_space else { return };
     let inputs = report.inputs;
     let all = machine.run(Function::NullSpace, inputs);
     let right = [Function::Forces, Function::Gamma].map(|function| machine.run(function, inputs));
@@ -124,7 +124,7 @@ fn null_space(machine: &Machine, report: &mut Report) {
     for (row, columns) in machine.jacobian(&inputs).iter().enumerate() {
         let sum = columns.iter().fold(Quantity::default(), |sum, (k, entry)| sum + *entry * dependent[*k]);
         let right = Quantity::exact(inputs.given_rows[row]);
-        if !machine.compiled.equations.idle.contains(&row) {
+        if !machine.compiled.complete.equations.idle.contains(&row) {
             report.compare(Check::NullSpace, || rows::name(&machine, row), sum, right);
         }
     }
@@ -133,7 +133,7 @@ fn null_space(machine: &Machine, report: &mut Report) {
 /// Derivatives of r = M a + Dᵀ λ − Q and of D a − γ along one increment, of q and of v.
 fn tangent(machine: &Machine, report: &mut Report) {
     let inputs = report.inputs;
-    let Some(tangents) = &machine.compiled.equations.tangents else { return };
+    let Some(tangents) = &machine.compiled.complete.tangents else { return };
     // Any direction.
     let direction = &inputs.acceleration;
     let by_position = |f: &dyn Fn(&Inputs) -> Vec<Quantity>| {

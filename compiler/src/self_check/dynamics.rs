@@ -72,7 +72,7 @@ fn energy(machine: &Machine, report: &mut Report) {
 
 /// Whether no support moves by itself: it would work on what it carries.
 pub fn stands_still(machine: &Machine) -> bool {
-    let equations = &machine.compiled.equations;
+    let equations = &machine.compiled.complete.equations;
     // What has no law of its own changes with time only where its places do.
     let all = machine.compiled.mechanism.loads.iter().enumerate();
     let springs = all.filter(|(_, load)| load.form.law == Law::None);
@@ -125,7 +125,7 @@ pub fn residuals(
     }
     for (row, (columns, right)) in jacobian.iter().zip(rates).enumerate() {
         // A row that others replace holds at consistent states only.
-        if !machine.compiled.equations.idle.contains(&row) {
+        if !machine.compiled.complete.equations.idle.contains(&row) {
             let softened = lambda[row] * -compliance;
             let sum =
                 columns.iter().fold(softened, |sum, (column, entry)| sum + *entry * acceleration[*column]);
@@ -141,5 +141,8 @@ fn exact(values: &[f64]) -> Vec<Quantity> {
 /// The equation of a velocity, by its name.
 pub fn velocity(machine: &Machine, index: usize) -> String {
     let compiled = machine.compiled;
-    format!("the equation of {}", compiled.equations.layout.velocity_names(&compiled.mechanism)[index])
+    format!(
+        "the equation of {}",
+        compiled.complete.equations.layout.velocity_names(&compiled.mechanism)[index]
+    )
 }

@@ -37,8 +37,7 @@ impl<'a> Machine<'a> {
 
     /// Results by the groups of the function's signature.
     pub fn groups<'v, T, const N: usize>(&self, function: Function, results: &'v [T]) -> [&'v [T]; N] {
-        let Compiled { equations, solved, .. } = self.compiled;
-        function.signature().split(equations, solved, results)
+        function.signature().split(&self.compiled.complete, results)
     }
 
     /// The motions of bodies by the fields of [`MOTION`].
@@ -49,7 +48,12 @@ impl<'a> Machine<'a> {
 
     fn bounded(&self, function: Function, inputs: &Inputs) -> Vec<Bounded> {
         let compiled = self.compiled;
-        run_bounded(compiled.programs.get(function), &compiled.equations.graph.read(), inputs, &self.errors)
+        run_bounded(
+            compiled.programs.get(function),
+            &compiled.complete.equations.graph.read(),
+            inputs,
+            &self.errors,
+        )
     }
 
     pub fn run(&self, function: Function, inputs: &Inputs) -> Vec<Quantity> {
@@ -63,7 +67,7 @@ impl<'a> Machine<'a> {
     /// D as rows of (column, entry).
     pub fn jacobian(&self, inputs: &Inputs) -> Vec<Vec<(usize, Quantity)>> {
         let mut entries = self.run(Function::ConstraintJacobian, inputs).into_iter();
-        let rows = self.compiled.equations.rows.iter();
+        let rows = self.compiled.complete.equations.rows.iter();
         rows.map(|row| row.jet.columns.keys().copied().zip(entries.by_ref()).collect()).collect()
     }
 
@@ -71,7 +75,7 @@ impl<'a> Machine<'a> {
     pub fn mass_times(&self, inputs: &Inputs, x: &[Quantity]) -> Vec<Quantity> {
         let entries = self.run(Function::MassMatrix, inputs);
         let mut product = vec![Quantity::default(); x.len()];
-        for ((i, j), entry) in self.compiled.equations.mass.keys().zip(entries) {
+        for ((i, j), entry) in self.compiled.complete.equations.mass.keys().zip(entries) {
             product[*i] = product[*i] + entry * x[*j];
             if i != j {
                 product[*j] = product[*j] + entry * x[*i];
@@ -83,7 +87,7 @@ impl<'a> Machine<'a> {
     /// q ⊕ h δ.
     pub fn displaced(&self, inputs: &Inputs, h: f64, direction: &[f64]) -> Inputs {
         let increment: Vec<f64> = direction.iter().map(|x| h * x).collect();
-        Inputs { q: retract(&self.compiled.equations, &inputs.q, &increment), ..inputs.clone() }
+        Inputs { q: retract(&self.compiled.complete.equations, &inputs.q, &increment), ..inputs.clone() }
     }
 
     /// (t + h, q ⊕ h v, v + h v̇).
@@ -142,7 +146,7 @@ pub fn state(compiled: &Compiled, random: &mut Random, vary: bool) -> Inputs {
 }
 
 fn any_state(compiled: &Compiled, random: &mut Random, reach: f64, vary: bool) -> Inputs {
-    let (equations, assembly) = (&compiled.equations, &compiled.assembly);
+    let (equations, assembly) = (&compiled.complete.equations, &compiled.assembly);
     let n = equations.layout.velocities();
     let lengths = equations.layout.linear.len();
     let size = size(compiled);
@@ -172,12 +176,12 @@ fn any_state(compiled: &Compiled, random: &mut Random, reach: f64, vary: bool) -
         beta_squared: 25.0 + random.next(),
         acceleration: sized(random, 3.0),
         lambda: random.vector(equations.rows.len()),
-        targets: random.vector(equations.conditions.len()),
+        targets: random.vector(compiled.complete.conditions.rows.len()),
         compliance: 0.01 * (2.0 + random.next()),
         given_forces: random.vector(n),
         given_rows: random.vector(equations.rows.len()),
-        kept: random.vector(equations.symbols.kept.len()),
-        lu: random.vector(equations.symbols.lu.len()),
+        kept: random.vector(compiled.complete.further.kept().len()),
+        lu: random.vector(compiled.complete.further.lu().len()),
         prepared: Vec::new(),
     }
 }
@@ -191,7 +195,7 @@ pub fn start(compiled: &Compiled) -> Inputs {
         v: compiled.assembly.v.clone(),
         acceleration: vec![0.0; compiled.assembly.v.len()],
         inputs: vec![0.0; compiled.mechanism.inputs.len()],
-        lambda: vec![0.0; compiled.equations.rows.len()],
+        lambda: vec![0.0; compiled.complete.equations.rows.len()],
         ..Inputs::default()
     }
 }

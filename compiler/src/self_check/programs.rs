@@ -9,12 +9,13 @@ use crate::symbolic::evaluate_reachable;
 
 pub fn check(machine: &Machine, report: &mut Report) {
     let compiled = machine.compiled;
-    let (equations, inputs) = (&compiled.equations, report.inputs);
+    let (equations, inputs) = (&compiled.complete.equations, report.inputs);
     let functions: Vec<_> =
         Function::ALL.into_iter().filter(|function| *function != Function::Prepare).collect();
-    let of = |function: &Function| outputs(equations, &compiled.solved, *function);
+    let of = |function: &Function| outputs(&compiled.complete, *function);
     let wanted: Vec<_> = functions.iter().map(of).collect();
-    let symbols: Vec<f64> = sources(equations).into_iter().map(|source| inputs.get(source)).collect();
+    let symbols: Vec<f64> =
+        sources(&compiled.complete).into_iter().map(|source| inputs.get(source)).collect();
     let order = equations.graph.read().reachable(wanted.iter().flatten().copied());
     let mut values = Vec::new();
     evaluate_reachable(&equations.graph.read(), &order, &symbols, &mut values);

@@ -20,7 +20,7 @@ pub fn at_the_start(machine: &Machine, report: &mut Report) {
 }
 
 pub fn check(machine: &Machine, report: &mut Report) {
-    let rows = &machine.compiled.equations.rows;
+    let rows = &machine.compiled.complete.equations.rows;
     if rows.is_empty() {
         return;
     }
@@ -57,7 +57,7 @@ pub fn rates(machine: &Machine, inputs: &Inputs) -> Vec<Quantity> {
 
 /// The row's name, as its joint and what it holds.
 pub fn name(machine: &Machine, row: usize) -> String {
-    let row = &machine.compiled.equations.rows[row];
+    let row = &machine.compiled.complete.equations.rows[row];
     format!("row `{}` of \"{}\"", row.form.name, row.of)
 }
 
@@ -71,7 +71,7 @@ fn column_of(machine: &Machine, inputs: &Inputs, row: usize) -> String {
         Along::of(STEP, phi).derivatives()[row]
     };
     let (standing, entries) = (along(vec![0.0; n]), &machine.jacobian(inputs)[row]);
-    let names = machine.compiled.equations.layout.velocity_names(&machine.compiled.mechanism);
+    let names = machine.compiled.complete.equations.layout.velocity_names(&machine.compiled.mechanism);
     for (column, name_of_velocity) in names.iter().enumerate() {
         let unit = (0..n).map(|k| if k == column { 1.0 } else { 0.0 }).collect();
         let difference = along(unit) - standing;

@@ -16,7 +16,7 @@ const DIGITS: f64 = 1e-3;
 /// Sᵢ = 2 max Dᵢ W⁻¹ Dᵢᵀ along the motion, W = M + ρ Dᵀ D of the rows that hold massless bodies; at the default parameters.
 pub fn check(machine: &Machine, report: &mut Report) {
     let compiled = machine.compiled;
-    let mut largest = vec![0.0_f64; compiled.equations.rows.len()];
+    let mut largest = vec![0.0_f64; compiled.complete.equations.rows.len()];
     for q in &compiled.assembly.along {
         let at = Inputs { q: q.clone(), ..report.inputs.clone() };
         let rows = plain_rows(machine, &at);
@@ -30,7 +30,7 @@ pub fn check(machine: &Machine, report: &mut Report) {
     }
     let scales = machine.run(Function::RowScales, report.inputs);
     for (row, (scale, largest)) in scales.into_iter().zip(largest).enumerate() {
-        if largest > 0.0 && !compiled.equations.idle.contains(&row) {
+        if largest > 0.0 && !compiled.complete.equations.idle.contains(&row) {
             let expected = 2.0 * largest;
             let expected = Quantity { value: expected, margin: (ROUNDED + DIGITS) * expected };
             report.compare(Check::Scales, || rows::name(machine, row), scale, expected);
@@ -53,10 +53,10 @@ fn inertia(machine: &Machine, at: &Inputs, rows: &[Vec<f64>]) -> Vec<Vec<f64>> {
     let compiled = machine.compiled;
     let mut w = vec![vec![0.0; at.v.len()]; at.v.len()];
     let entries = machine.plain(Function::MassMatrix, at);
-    for ((i, j), entry) in compiled.equations.mass.keys().zip(entries) {
+    for ((i, j), entry) in compiled.complete.equations.mass.keys().zip(entries) {
         w[*i.max(j)][*i.min(j)] = entry;
     }
-    for (row, rho) in &compiled.solved.massless.rows {
+    for (row, rho) in &compiled.complete.solved.massless.rows {
         let d = &rows[*row];
         for (i, own) in w.iter_mut().enumerate() {
             own.iter_mut().zip(d).take(i + 1).for_each(|(entry, other)| *entry += rho * d[i] * other);

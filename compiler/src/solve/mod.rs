@@ -3,6 +3,7 @@
 //! AFTER THIS POINT there is no linear system left, only expressions.
 
 pub mod elimination;
+mod further;
 mod lu;
 mod null_space;
 mod partition;
@@ -11,12 +12,12 @@ pub mod table;
 
 use crate::equations::space::articulated;
 use crate::equations::{Equations, Kinematics, Row, Symbols};
-use crate::model::Emit;
 use crate::order::{self, Order, Pattern, Strategy};
 use crate::symbolic::{Counts, Node, Scalar, Sheet, all_bare};
 use elimination::{Entries, Factor, Kind};
 use std::collections::{BTreeMap, BTreeSet};
 
+pub use further::Further;
 pub use null_space::{NullSpace, null_space};
 pub use partition::{Partition, Pivot};
 pub use stored::{Stored, store};
@@ -27,6 +28,13 @@ pub struct Solution {
     pub acceleration: Vec<Node>,
     pub lambda: Vec<Node>,
     pub pivot: Node,
+}
+
+impl Solution {
+    /// All of it.
+    pub fn nodes(&self) -> Vec<Node> {
+        self.acceleration.iter().chain(&self.lambda).copied().chain([self.pivot]).collect()
+    }
 }
 
 /// Both default formulations, and how they were eliminated.
@@ -43,34 +51,8 @@ pub struct Solved {
     pub massless: Massless,
     /// The sizes that pivots of rows are divided by, expressions of the parameters.
     pub row_scales: Vec<Node>,
-    /// K(c), where it is emitted.
-    pub stored: Option<Stored>,
-    /// Whether K(c) is emitted together with the right-hand sides of the penalty formulation too.
-    pub emits_system: bool,
-    /// The equations in independent velocities, where they are emitted.
-    pub null_space: Option<NullSpace>,
-}
-
-impl Solved {
-    /// Writes out what the definition asks to be emitted beyond the default.
-    pub fn add(&mut self, equations: &mut Equations, emit: &Emit, partition: &Partition) {
-        if emit.penalty || emit.projection {
-            let stored = store(equations, &self.massless, &self.row_scales);
-            equations.symbols.given_forces = stored.given.forces.clone();
-            equations.symbols.given_rows = stored.given.rows.clone();
-            equations.symbols.kept = stored.given.kept.clone();
-            self.stored = Some(stored);
-            self.emits_system = emit.penalty;
-        }
-        if emit.null_space {
-            let massless = !self.massless.rows.is_empty();
-            let rows = self.stored.as_ref().map(|stored| stored.given.rows.as_slice());
-            let written = null_space(equations, partition, massless, rows);
-            equations.symbols.given_rows = written.given_rows.clone();
-            equations.symbols.lu = written.stand_ins.clone();
-            self.null_space = Some(written);
-        }
-    }
+    /// The outputs, which may name drivers' efforts or powers, with the multipliers of the plain solution.
+    pub outputs: Vec<Node>,
 }
 
 /// Velocities that carry no mass of their own. M is then singular, though positive definite on the admissible
@@ -85,8 +67,8 @@ pub struct Massless {
     pub rows: BTreeMap<usize, f64>,
 }
 
-/// Counts the operations of the default acceleration function.
-type Counting = dyn Fn(&Equations, &Solved) -> Counts;
+/// Counts the operations of a function with these outputs.
+type Counting = dyn Fn(&Equations, &[Node]) -> Counts;
 
 /// Mechanisms of at most so many unknowns are eliminated in every order and counted; larger ones in the one that is
 /// cheapest by structure, because writing out an elimination takes time.
@@ -103,23 +85,23 @@ const LONG_TREE: usize = 6;
 /// D v̇ = γ − 2α (D v − ν) − β² Φ.
 /// `count`: what the default acceleration function takes.
 pub fn solve(
-    equations: &mut Equations,
+    equations: Equations,
     massless: Massless,
     row_scales: Vec<Node>,
     count: &Counting,
-) -> Solved {
-    let system = System::of(equations, massless, row_scales);
+) -> (Equations, Solved) {
+    let system = System::of(&equations, massless, row_scales);
     let pattern = Pattern::new(system.velocities, system.columns.len(), system.entries.keys().copied());
     let mut best: Option<(usize, Equations, Solved)> = None;
-    if let Some((candidate, solved)) = by_articulated_bodies(equations, &pattern, count) {
+    if let Some((candidate, solved)) = by_articulated_bodies(&equations, &pattern, count) {
         if solved.order.operations > solved.counts.total() {
-            *equations = candidate;
-            return solved;
+            return (candidate, solved);
         }
         best = Some((solved.counts.score(), candidate, solved));
     }
     if best.is_none() && system.velocities + system.columns.len() > COUNTED {
-        return counted(equations, &system, system.without_prescribed(order::best(&pattern)), count);
+        let solved = counted(&equations, &system, system.without_prescribed(order::best(&pattern)), count);
+        return (equations, solved);
     }
     // The structure does not see what constants save, so the small ones are written out and counted.
     let mut tried: Vec<Vec<usize>> = Vec::new();
@@ -133,19 +115,21 @@ pub fn solve(
             continue;
         }
         tried.push(order.sequence.clone());
-        let mut candidate = equations.clone();
-        let solved = counted(&mut candidate, &system, order, count);
+        // Each on a graph of its own: what loses leaves nothing behind.
+        let candidate = equations.clone();
+        let solved = counted(&candidate, &system, order, count);
         let score = solved.counts.score();
         if best.as_ref().is_none_or(|(least, ..)| score < *least) {
             best = Some((score, candidate, solved));
         }
     }
     match best {
-        Some((_, candidate, solved)) => {
-            *equations = candidate;
-            solved
+        Some((_, candidate, solved)) => (candidate, solved),
+        None => {
+            let solved =
+                counted(&equations, &system, system.without_prescribed(order::best(&pattern)), count);
+            (equations, solved)
         }
-        None => counted(equations, &system, system.without_prescribed(order::best(&pattern)), count),
     }
 }
 
@@ -321,22 +305,19 @@ fn by_articulated_bodies(
         counts: Counts::default(),
         massless: Massless::default(),
         row_scales: Vec::new(),
-        stored: None,
-        emits_system: false,
-        null_space: None,
+        outputs: equations.outputs.clone(),
     };
-    solved.counts = count(&candidate, &solved);
+    solved.counts = count(&candidate, &solved.baumgarte.nodes());
     Some((candidate, solved))
 }
 
-fn counted(equations: &mut Equations, system: &System, order: Order, count: &Counting) -> Solved {
-    let mut solved = eliminate(equations, system, order);
-    solved.counts = count(equations, &solved);
-    solved
+fn counted(equations: &Equations, system: &System, order: Order, count: &Counting) -> Solved {
+    let solved = eliminate(equations, system, order);
+    Solved { counts: count(equations, &solved.baumgarte.nodes()), ..solved }
 }
 
 /// Without the counts.
-fn eliminate(equations: &mut Equations, system: &System, order: Order) -> Solved {
+fn eliminate(equations: &Equations, system: &System, order: Order) -> Solved {
     let System { velocities, columns, entries, massless, scales, .. } = system;
     let (factor, index1, baumgarte) = {
         let g = equations.graph.sheet();
@@ -362,7 +343,7 @@ fn eliminate(equations: &mut Equations, system: &System, order: Order) -> Solved
     };
     // Outputs that name drivers' efforts or powers take the multipliers of the plain solution.
     let solved = equations.symbols.lambda.iter().copied().zip(index1.lambda.iter().copied()).collect();
-    equations.outputs = equations.graph.sheet().graph().substitute(&equations.outputs, &solved);
+    let outputs = equations.graph.sheet().graph().substitute(&equations.outputs, &solved);
     Solved {
         index1,
         baumgarte,
@@ -371,9 +352,7 @@ fn eliminate(equations: &mut Equations, system: &System, order: Order) -> Solved
         counts: Counts::default(),
         massless: massless.clone(),
         row_scales: scales.clone(),
-        stored: None,
-        emits_system: false,
-        null_space: None,
+        outputs,
     }
 }
 

@@ -5,6 +5,7 @@
 use crate::compiled;
 use crate::mechanisms::{CHAIN, FOUR_BAR, SHAFTS, with};
 use linkwright_compiler::Compiled;
+use linkwright_compiler::complete::Complete;
 use linkwright_compiler::optimize::optimize;
 use linkwright_compiler::schedule::{Function, Instruction, Operand, Program, outputs, schedule};
 use linkwright_compiler::self_check::{Check, Extent, self_check};
@@ -34,8 +35,10 @@ fn expressions(source: &str, options: &str, every: usize, checks: &[Check]) {
         let users = users(&sound, node);
         match reason(&sound, node, &users) {
             Some(reason) => *explained.entry(reason).or_default() += 1,
-            None => survivors
-                .push(format!("{what} of {:?}, used by {users:?}", sound.equations.graph.read().op(node))),
+            None => survivors.push(format!(
+                "{what} of {:?}, used by {users:?}",
+                sound.complete.equations.graph.read().op(node)
+            )),
         }
     }
     println!("{mutants} mutants, noticed by {tally:?}, not noticed {explained:?}");
@@ -131,23 +134,23 @@ fn reason(compiled: &Compiled, node: Node, users: &BTreeSet<Function>) -> Option
 
 /// Whether v̇ or λ, of whichever function, need the node.
 fn is_solution(compiled: &Compiled, node: Node) -> bool {
-    let solved = &compiled.solved;
+    let Complete { solved, further, .. } = &compiled.complete;
     let mut nodes: Vec<Node> = Vec::new();
     for solution in [&solved.index1, &solved.baumgarte] {
         nodes.extend(solution.acceleration.iter().chain(&solution.lambda));
     }
-    nodes.extend(solved.stored.iter().flat_map(|stored| stored.kept.iter().chain(&stored.solution)));
-    nodes.extend(solved.null_space.iter().flat_map(|written| {
+    nodes.extend(further.stored.iter().flat_map(|stored| stored.kept.iter().chain(&stored.solution)));
+    nodes.extend(further.null_space.iter().flat_map(|written| {
         let solution = written.acceleration.iter().chain(&written.lambda);
         solution.chain(&written.kept).chain(&written.dependent)
     }));
-    compiled.equations.graph.read().reachable(nodes).contains(&node)
+    compiled.complete.equations.graph.read().reachable(nodes).contains(&node)
 }
 
 /// Flipped signs, dropped terms and sums in place of products, of every node that a function needs.
 fn mutations(compiled: &Compiled) -> Vec<(Node, Op, &'static str)> {
-    let graph = compiled.equations.graph.read();
-    let of = |function: &Function| outputs(&compiled.equations, &compiled.solved, *function);
+    let graph = compiled.complete.equations.graph.read();
+    let of = |function: &Function| outputs(&compiled.complete, *function);
     let mut found = Vec::new();
     for node in graph.reachable(Function::ALL.iter().flat_map(of)) {
         match graph.op(node) {
@@ -170,17 +173,17 @@ fn mutations(compiled: &Compiled) -> Vec<(Node, Op, &'static str)> {
 /// The model with one node computed otherwise, and all programs written from that.
 fn with_node(sound: &Compiled, node: Node, op: Op) -> Compiled {
     let mut mutant = sound.clone();
-    mutant.equations.graph = sound.equations.graph.read().with(node, op).into();
-    let optimized = optimize(&mutant.equations, &mutant.solved);
-    mutant.programs = schedule(&mutant.equations, &optimized);
+    mutant.complete.equations.graph = sound.complete.equations.graph.read().with(node, op).into();
+    let optimized = optimize(&mutant.complete);
+    mutant.programs = schedule(&mutant.complete, &optimized);
     mutant
 }
 
 /// The functions that need a node.
 fn users(compiled: &Compiled, node: Node) -> BTreeSet<Function> {
     let needs = |function: &Function| {
-        let nodes = outputs(&compiled.equations, &compiled.solved, *function);
-        compiled.equations.graph.read().reachable(nodes).contains(&node)
+        let nodes = outputs(&compiled.complete, *function);
+        compiled.complete.equations.graph.read().reachable(nodes).contains(&node)
     };
     Function::ALL.into_iter().filter(needs).collect()
 }
@@ -190,13 +193,14 @@ fn users(compiled: &Compiled, node: Node) -> BTreeSet<Function> {
 fn wrong_sizes_of_rows_are_noticed() {
     for options in ["options { coordinates = tree; }", "options { coordinates = absolute; }"] {
         let sound = compiled(&with(FOUR_BAR, options)).expect("it compiles");
-        for row in 0..sound.equations.rows.len() {
+        for row in 0..sound.complete.equations.rows.len() {
             for factor in [0.25, 4.0] {
                 let mut mutant = sound.clone();
-                let g = mutant.equations.graph.sheet();
-                mutant.solved.row_scales[row] = (factor * g.on(mutant.solved.row_scales[row])).bare;
-                let optimized = optimize(&mutant.equations, &mutant.solved);
-                mutant.programs = schedule(&mutant.equations, &optimized);
+                let g = mutant.complete.equations.graph.sheet();
+                mutant.complete.solved.row_scales[row] =
+                    (factor * g.on(mutant.complete.solved.row_scales[row])).bare;
+                let optimized = optimize(&mutant.complete);
+                mutant.programs = schedule(&mutant.complete, &optimized);
                 let found = self_check(&mutant, Extent::Thorough);
                 assert!(found.first().is_some_and(|first| first.check == Check::Scales), "{row}: {found:?}");
             }
@@ -260,7 +264,7 @@ fn changed(program: &Program, index: usize) -> Option<Instruction> {
 #[test]
 fn a_contradiction_names_the_case() {
     let sound = compiled(&with(FOUR_BAR, "options { coordinates = tree; }")).expect("it compiles");
-    let entries: Vec<Node> = sound.equations.rows[0].jet.columns.values().copied().collect();
+    let entries: Vec<Node> = sound.complete.equations.rows[0].jet.columns.values().copied().collect();
     let wrong = mutations(&sound).into_iter().find(|(node, ..)| entries.contains(node));
     let (node, op, _) = wrong.expect("an entry of D is no single symbol");
     let mutant = with_node(&sound, node, op);

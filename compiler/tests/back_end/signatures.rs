@@ -24,7 +24,7 @@ fn results_are_those_of_their_groups() {
         let compiled = compiled(&with(source, ALL)).expect("it compiles");
         for signature in FUNCTIONS.iter().filter(|signature| signature.function != Function::Prepare) {
             let outputs = &compiled.programs.get(signature.function).outputs;
-            let groups = signature.groups(&compiled.equations, &compiled.solved, outputs);
+            let groups = signature.groups(&compiled.complete, outputs);
             assert!(!outputs.is_empty() || groups.iter().all(|group| group.is_empty()), "{}", signature.name);
             assert_eq!(
                 groups.iter().map(|group| group.len()).sum::<usize>(),
@@ -33,7 +33,7 @@ fn results_are_those_of_their_groups() {
                 signature.name
             );
             for (group, own) in signature.results.iter().zip(groups) {
-                let names = group.shape.names(&compiled.mechanism, &compiled.equations);
+                let names = group.shape.names(&compiled.mechanism, &compiled.complete.equations);
                 assert!(names.is_empty() || names.len() == own.len(), "{} {}", signature.name, group.name);
                 if let Shape::Bodies(record) = group.shape {
                     let length = record.of(compiled.mechanism.space).length();

@@ -213,7 +213,7 @@ fn many_rows_that_switch_are_refused() {
     };
     for count in 3..=6 {
         let switched = |row: &&Row| row.form.name == "switched_1";
-        let rows = compiled(&table(count)).equations.rows;
+        let rows = compiled(&table(count)).complete.equations.rows;
         let expected = if count == 3 { 1 } else { count - 2 };
         assert_eq!(rows.iter().filter(switched).count(), expected, "{count} cranks");
         assert_eq!(rows.len(), count, "{count} cranks");

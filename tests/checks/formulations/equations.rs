@@ -108,13 +108,13 @@ fn written_out_factorisations_solve<M: Model>() {
             assert_eq!(coordinates, Coordinates::Absolute, "{}", M::NAME);
             continue;
         };
-        let stored = compiled.solved.stored.as_ref().expect("it was asked for");
-        let (n, kept) = (compiled.equations.layout.velocities(), stored.kept.len());
+        let stored = compiled.complete.further.stored.as_ref().expect("it was asked for");
+        let (n, kept) = (compiled.complete.equations.layout.velocities(), stored.kept.len());
         let mut random = Random::new(9);
         for _ in 0..STATES {
             let mut inputs = random.point(&compiled);
             // Where M is singular by itself, the rows in a random position need not make up for it.
-            if !compiled.solved.massless.rows.is_empty() {
+            if !compiled.complete.solved.massless.rows.is_empty() {
                 inputs.q = compiled.assembly.q.clone();
             }
             let program = |function: Function, inputs: &Inputs| run(compiled.programs.get(function), inputs);
@@ -123,13 +123,13 @@ fn written_out_factorisations_solve<M: Model>() {
                 keys.into_iter().zip(values).collect()
             };
             let mass = entries(
-                compiled.equations.mass.keys().copied().collect(),
+                compiled.complete.equations.mass.keys().copied().collect(),
                 program(Function::MassMatrix, &inputs),
             );
-            let rows = compiled.equations.rows.iter().enumerate();
+            let rows = compiled.complete.equations.rows.iter().enumerate();
             let keys = rows.flat_map(|(row, r)| r.jet.columns.keys().map(move |column| (row, *column)));
             let mut jacobian = entries(keys.collect(), program(Function::ConstraintJacobian, &inputs));
-            let idle = &compiled.equations.idle;
+            let idle = &compiled.complete.equations.idle;
             jacobian.retain(|((row, _), _)| !idle.contains(row));
             idle.iter().for_each(|row| inputs.given_rows[*row] = 0.0);
 
@@ -137,7 +137,7 @@ fn written_out_factorisations_solve<M: Model>() {
             let factored = program(Function::Factor, &inputs);
             assert_eq!(system[..kept], factored[..kept], "{}: one factorisation", M::NAME);
             assert_eq!(system[kept..kept + n], program(Function::Forces, &inputs), "{}", M::NAME);
-            let count = compiled.equations.rows.len();
+            let count = compiled.complete.equations.rows.len();
             assert_eq!(system.len(), kept + n + count + 1);
             inputs.kept = factored[..kept].to_vec();
             let solution = program(Function::Solve, &inputs);
@@ -154,7 +154,7 @@ fn written_out_factorisations_solve<M: Model>() {
             let (gamma, phi) = (program(Function::Gamma, &inputs), program(Function::Constraints, &inputs));
             let mut rest = program(Function::Nu, &inputs);
             let all = program(Function::ConstraintJacobian, &inputs);
-            let rows = compiled.equations.rows.iter().enumerate();
+            let rows = compiled.complete.equations.rows.iter().enumerate();
             let keys = rows.flat_map(|(row, r)| r.jet.columns.keys().map(move |column| (row, *column)));
             for ((row, column), entry) in keys.zip(all) {
                 rest[row] -= entry * inputs.v[column];
@@ -179,16 +179,16 @@ fn written_out_null_spaces_solve<M: Model>() {
             assert_eq!(coordinates, Coordinates::Absolute, "{}", M::NAME);
             continue;
         };
-        let equations = &compiled.equations;
+        let equations = &compiled.complete.equations;
         let (n, count) = (equations.layout.velocities(), equations.rows.len());
         let idle = &equations.idle;
-        let written = compiled.solved.null_space.as_ref().expect("it was asked for");
+        let written = compiled.complete.further.null_space.as_ref().expect("it was asked for");
         let mut random = Random::new(10);
         let mut solved = 0;
         for _ in 0..STATES {
             let mut inputs = random.point(&compiled);
             // Where M is singular by itself, the rows in a random position need not make up for it.
-            if !compiled.solved.massless.rows.is_empty() {
+            if !compiled.complete.solved.massless.rows.is_empty() {
                 inputs.q = compiled.assembly.q.clone();
             }
             let program = |function: Function, inputs: &Inputs| run(compiled.programs.get(function), inputs);

@@ -81,12 +81,10 @@ struct Judge<'a> {
 
 impl<'a> Judge<'a> {
     fn new(compiled: &'a Compiled, record: &'a Record) -> Self {
-        let outputs: BTreeMap<Function, Vec<Node>> = JUDGED
-            .iter()
-            .map(|function| (*function, outputs(&compiled.equations, &compiled.solved, *function)))
-            .collect();
-        let needed = compiled.equations.graph.read().reachable(outputs.values().flatten().copied());
-        Judge { compiled, record, sources: sources(&compiled.equations), outputs, needed }
+        let outputs: BTreeMap<Function, Vec<Node>> =
+            JUDGED.iter().map(|function| (*function, outputs(&compiled.complete, *function))).collect();
+        let needed = compiled.complete.equations.graph.read().reachable(outputs.values().flatten().copied());
+        Judge { compiled, record, sources: sources(&compiled.complete), outputs, needed }
     }
 
     fn verdict(&self, change: Option<(Node, Op)>) -> Option<String> {
@@ -99,14 +97,22 @@ impl<'a> Judge<'a> {
             let symbols: Vec<f64> = self.sources.iter().map(|source| self.symbol(*source, inputs)).collect();
             if function == Function::RowScales {
                 // What pivots are measured by is as it should be, whatever changed.
-                let values =
-                    evaluate_with(&self.compiled.equations.graph.read(), &self.needed, &symbols, None);
+                let values = evaluate_with(
+                    &self.compiled.complete.equations.graph.read(),
+                    &self.needed,
+                    &symbols,
+                    None,
+                );
                 return self.outputs[&function].iter().map(|node| values[node.index()]).collect();
             }
             let (known, values) = &mut *latest.borrow_mut();
             if values.is_empty() || *known != symbols {
-                *values =
-                    evaluate_with(&self.compiled.equations.graph.read(), &self.needed, &symbols, change);
+                *values = evaluate_with(
+                    &self.compiled.complete.equations.graph.read(),
+                    &self.needed,
+                    &symbols,
+                    change,
+                );
                 *known = symbols;
             }
             self.outputs[&function].iter().map(|node| values[node.index()]).collect()
@@ -116,7 +122,8 @@ impl<'a> Judge<'a> {
                 return Vec::new();
             }
             let symbols: Vec<f64> = self.sources.iter().map(|source| self.symbol(*source, inputs)).collect();
-            let values = evaluate_with(&self.compiled.equations.graph.read(), &self.needed, &symbols, change);
+            let values =
+                evaluate_with(&self.compiled.complete.equations.graph.read(), &self.needed, &symbols, change);
             self.outputs[&function].iter().map(|node| values[node.index()]).collect()
         };
         let differs = self.record.difference(self.compiled, &evaluate);
@@ -137,10 +144,10 @@ impl<'a> Judge<'a> {
 
     /// Flipped signs and dropped terms of every sum, difference and negation.
     fn mutations(&self) -> Vec<(Node, Op, &'static str)> {
-        let zero = self.compiled.equations.zero;
+        let zero = self.compiled.complete.equations.zero;
         let mut found = Vec::new();
         for node in &self.needed {
-            match self.compiled.equations.graph.read().op(*node) {
+            match self.compiled.complete.equations.graph.read().op(*node) {
                 Op::Add(a, b) => found.extend([
                     (*node, Op::Sub(a, b), "second sign flipped"),
                     (*node, Op::Sub(b, a), "first sign flipped"),
@@ -162,7 +169,7 @@ impl<'a> Judge<'a> {
 
     /// Changes that change nothing, and why.
     fn equivalence(&self, node: Node, change: Op) -> Option<&'static str> {
-        let graph = &self.compiled.equations.graph.read();
+        let graph = &self.compiled.complete.equations.graph.read();
         let negates = match (graph.op(node), change) {
             (Op::Sub(a, b), Op::Sub(c, d)) => a == d && b == c,
             (Op::Neg(_), Op::Add(..)) => true,
@@ -223,12 +230,12 @@ impl<'a> Judge<'a> {
             function if solutions.contains(function) => &nodes[..nodes.len() - 1],
             _ => &nodes[..],
         });
-        !self.compiled.equations.graph.read().reachable(others.copied()).contains(&node)
+        !self.compiled.complete.equations.graph.read().reachable(others.copied()).contains(&node)
     }
 
     /// Whether rows are measured by the same to within [`MEASURED`], for all parameters that were recorded.
     fn measures_alike(&self, node: Node, change: Op) -> bool {
-        let graph = &self.compiled.equations.graph.read();
+        let graph = &self.compiled.complete.equations.graph.read();
         let states = [true, false].map(|consistent| self.record.inputs(self.compiled, consistent));
         states.iter().flatten().all(|inputs| {
             let symbols: Vec<f64> = self.sources.iter().map(|source| self.symbol(*source, inputs)).collect();
@@ -249,7 +256,7 @@ impl<'a> Judge<'a> {
 
     /// Whether the node's value is the same, to within `tolerance` of its terms, in all these states.
     fn changes_nothing(&self, node: Node, change: Op, states: &[Inputs], tolerance: f64) -> bool {
-        let graph = &self.compiled.equations.graph.read();
+        let graph = &self.compiled.complete.equations.graph.read();
         states.iter().all(|inputs| {
             let symbols: Vec<f64> = self.sources.iter().map(|source| self.symbol(*source, inputs)).collect();
             let values = |change| evaluate_with(graph, &self.needed, &symbols, change);
@@ -260,7 +267,7 @@ impl<'a> Judge<'a> {
     }
 
     fn describe(&self, node: Node) -> String {
-        let graph = &self.compiled.equations.graph.read();
+        let graph = &self.compiled.complete.equations.graph.read();
         let name = |node: Node| match graph.op(node) {
             Op::Symbol(symbol) => graph.symbol_name(symbol).to_string(),
             Op::Constant(bits) => format!("{}", f64::from_bits(bits)),

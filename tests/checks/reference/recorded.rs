@@ -119,7 +119,8 @@ type Evaluate<'a> = dyn Fn(Function, &Inputs) -> Vec<f64> + 'a;
 impl Record {
     /// The consistent states or the others, with v̇ and λ of the plain solution.
     pub fn inputs(&self, compiled: &Compiled, consistent: bool) -> Vec<Inputs> {
-        let (n, rows) = (compiled.equations.layout.velocities(), compiled.equations.rows.len());
+        let (n, rows) =
+            (compiled.complete.equations.layout.velocities(), compiled.complete.equations.rows.len());
         let state = |state: &State| {
             let mut inputs = state.inputs.clone();
             inputs.prepared = run(compiled.programs.get(Function::Prepare), &inputs);
@@ -155,8 +156,8 @@ impl Record {
     /// What rows are measured by, S, against Dᵢ M⁻¹ Dᵢᵀ of the reference at all consistent states: never much below it, and not far
     /// above the largest.
     pub fn measures(&self, compiled: &Compiled, evaluate: &Evaluate) -> Option<String> {
-        let rows = compiled.equations.rows.len();
-        if !compiled.solved.massless.rows.is_empty() {
+        let rows = compiled.complete.equations.rows.len();
+        if !compiled.complete.solved.massless.rows.is_empty() {
             return None;
         }
         let mut largest = vec![0.0_f64; rows];
@@ -175,11 +176,12 @@ impl Record {
                 *largest = largest.max(factor.inverse_square(&d) / scales[row]);
             }
         }
-        let watched = largest.iter().enumerate().filter(|(row, _)| !compiled.equations.idle.contains(row));
+        let watched =
+            largest.iter().enumerate().filter(|(row, _)| !compiled.complete.equations.idle.contains(row));
         watched.map(|(row, found)| (row, *found)).find(|(_, found)| !MEASURED.contains(found)).map(
             |(row, found)| {
-                let Row { of, what, .. } = &compiled.equations.rows[row];
-                format!("`{of}.{what}` is measured by {:e} of what it is", 1.0 / found)
+                let Row { of, form, .. } = &compiled.complete.equations.rows[row];
+                format!("`{of}.{}` is measured by {:e} of what it is", form.name, 1.0 / found)
             },
         )
     }
@@ -219,7 +221,7 @@ fn entries(
             return Some(format!("{name} is {found:?}, the reference says {:?}", pair[0]));
         }
     }
-    let equations = &compiled.equations;
+    let equations = &compiled.complete.equations;
     let jacobian: Vec<(usize, usize)> = equations
         .rows
         .iter()
@@ -339,13 +341,13 @@ fn pivot(
     found: f64,
 ) -> Option<String> {
     let n = inputs.v.len();
-    let equations = &compiled.equations;
-    if !compiled.solved.massless.rows.is_empty() || equations.rows.is_empty() {
+    let equations = &compiled.complete.equations;
+    if !compiled.complete.solved.massless.rows.is_empty() || equations.rows.is_empty() {
         return None;
     }
     // Prescribed velocities and their rows are not eliminated: they stand apart at the end.
     let all = n + equations.rows.len();
-    let mut sequence = compiled.solved.order.sequence.clone();
+    let mut sequence = compiled.complete.solved.order.sequence.clone();
     let eliminated = sequence.clone();
     sequence.extend((0..all).filter(|unknown| !eliminated.contains(unknown)));
     let inside = |i: &usize, j: &usize| eliminated.contains(i) && eliminated.contains(j);

@@ -28,7 +28,7 @@ pub fn request_with(
 ) -> String {
     let walker = Walker::new(compiled);
     let mut random = Random::named(&compiled.mechanism.name.text);
-    let coordinates = coordinates_json(&compiled.mechanism, &compiled.equations);
+    let coordinates = coordinates_json(&compiled.mechanism, &compiled.complete.equations);
     let mut text = format!(
         "{{\"definition\":{},\"coordinates\":{coordinates},\"parameters_are_si\":true,\"definition_hash\":\"{hash}\",\n\
          \"random\":[\n",
@@ -77,7 +77,7 @@ fn given(text: &mut String, inputs: &Inputs) {
 }
 
 fn random_state(text: &mut String, compiled: &Compiled, inputs: &Inputs, evaluate: &Evaluate) {
-    let equations = &compiled.equations;
+    let equations = &compiled.complete.equations;
     given(text, inputs);
     let vectors = [
         ("phi", Function::Constraints),
@@ -102,7 +102,7 @@ fn random_state(text: &mut String, compiled: &Compiled, inputs: &Inputs, evaluat
 }
 
 fn consistent_state(text: &mut String, compiled: &Compiled, mut inputs: Inputs, evaluate: &Evaluate) {
-    let equations = &compiled.equations;
+    let equations = &compiled.complete.equations;
     let (n, rows) = (equations.layout.velocities(), equations.rows.len());
     let solution = evaluate(Function::Acceleration, &inputs);
     inputs.acceleration = solution[..n].to_vec();
@@ -112,7 +112,7 @@ fn consistent_state(text: &mut String, compiled: &Compiled, mut inputs: Inputs, 
     text.push(',');
     list(text, "lambda", &inputs.lambda);
     text.push(',');
-    let couplings = equations.rows.iter().position(|row| row.joint.is_none()).unwrap_or(rows);
+    let couplings = equations.rows.iter().position(|row| row.joint().is_none()).unwrap_or(rows);
     list(text, "multipliers", &inputs.lambda[couplings..]);
     text.push(',');
     let (motion, reaction) = sizes(compiled);

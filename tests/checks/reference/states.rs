@@ -19,7 +19,7 @@ pub struct Walker<'a> {
 
 impl<'a> Walker<'a> {
     pub fn new(compiled: &'a Compiled) -> Self {
-        let equations = &compiled.equations;
+        let equations = &compiled.complete.equations;
         let n = equations.layout.velocities();
         let rows = equations.rows.iter().enumerate();
         let pattern: Vec<(usize, usize)> =
@@ -51,7 +51,7 @@ impl<'a> Walker<'a> {
 
     /// Any state: unit pairs and quaternions, everything else at random.
     pub fn anywhere(&self, random: &mut Random) -> Inputs {
-        let layout = &self.compiled.equations.layout;
+        let layout = &self.compiled.complete.equations.layout;
         let mut inputs = self.setting(random, 0.1);
         inputs.phases.iter_mut().for_each(|phase| *phase += random.between(-1.0, 1.0));
         inputs.q = random.vector(layout.linear.len(), 2.0 * self.length);
@@ -81,7 +81,7 @@ impl<'a> Walker<'a> {
         self.close(&mut inputs)?;
         self.fix_phases(&mut inputs);
         let steps = 12;
-        let wish = random.vector(self.compiled.equations.layout.velocities(), self.speed);
+        let wish = random.vector(self.compiled.complete.equations.layout.velocities(), self.speed);
         for step in 1..=steps {
             inputs.v = wish.clone();
             self.project_velocity(&mut inputs)?;
@@ -90,7 +90,7 @@ impl<'a> Walker<'a> {
             // Along the admissible velocities; what the drivers ask for comes with them.
             let stride = if self.compiled.mechanism.drivers.is_empty() { 0.04 } else { drift };
             let increment: Vec<f64> = inputs.v.iter().map(|v| v * stride).collect();
-            inputs.q = retract(&self.compiled.equations, &inputs.q, &increment);
+            inputs.q = retract(&self.compiled.complete.equations, &inputs.q, &increment);
             inputs.time = time;
             self.close(&mut inputs)?;
         }
@@ -110,15 +110,11 @@ impl<'a> Walker<'a> {
     }
 
     fn open_rows(&self) -> Vec<usize> {
-        let constraints = self.compiled.mechanism.constraints.iter();
-        let open = constraints.filter(|c| linkwright_compiler::equations::couplings::is_open(c));
-        let rows = &self.compiled.equations.rows;
-        open.filter_map(|c| rows.iter().position(|row| row.joint.is_none() && row.of == c.name.text))
-            .collect()
+        self.compiled.complete.equations.open_rows(&self.compiled.mechanism)
     }
 
     fn entries(&self, inputs: &Inputs) -> Vec<(usize, usize, f64)> {
-        let n = self.compiled.equations.layout.velocities();
+        let n = self.compiled.complete.equations.layout.velocities();
         let d = run(self.compiled.programs.get(Function::ConstraintJacobian), inputs);
         let unit = (0..n).map(|k| (k, k, 1.0));
         unit.chain(self.pattern.iter().zip(d).map(|((row, column), value)| (n + row, *column, value)))
@@ -127,7 +123,7 @@ impl<'a> Walker<'a> {
 
     /// Newton steps of least length onto Φ = 0.
     fn close(&self, inputs: &mut Inputs) -> Option<()> {
-        let n = self.compiled.equations.layout.velocities();
+        let n = self.compiled.complete.equations.layout.velocities();
         let scale = 1.0 + self.length;
         for _ in 0..40 {
             let phi = run(self.compiled.programs.get(Function::Constraints), inputs);
@@ -139,7 +135,7 @@ impl<'a> Walker<'a> {
             rhs.extend(phi.iter().map(|x| -x));
             let step = Numeric::factor(&self.table, self.entries(inputs)).solve(&rhs);
             let length = step[..n].iter().fold(0.0_f64, |largest, x| largest.max(x.abs()));
-            inputs.q = retract(&self.compiled.equations, &inputs.q, &step[..n]);
+            inputs.q = retract(&self.compiled.complete.equations, &inputs.q, &step[..n]);
             if residual < 1e-13 * scale && length < 1e-12 * scale {
                 return Some(());
             }
@@ -149,7 +145,7 @@ impl<'a> Walker<'a> {
 
     /// The nearest velocities with D v = ν.
     fn project_velocity(&self, inputs: &mut Inputs) -> Option<()> {
-        let n = self.compiled.equations.layout.velocities();
+        let n = self.compiled.complete.equations.layout.velocities();
         let factor = Numeric::factor(&self.table, self.entries(inputs));
         let nu = run(self.compiled.programs.get(Function::Nu), inputs);
         for _ in 0..3 {

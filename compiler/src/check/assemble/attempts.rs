@@ -151,7 +151,7 @@ pub fn settle_turns(problem: &Problem, point: &mut Point, assembled: Attempt) ->
 /// The angle that `start` or a driver states for a rotor.
 fn stated_angle(equations: &Equations, point: &mut Point, rotor: Rotor) -> Option<f64> {
     let angle = Coordinate::Angle(rotor);
-    let exact = equations.conditions.iter().zip(&equations.start_targets);
+    let exact = equations.conditions.with_start();
     let exact = exact.filter_map(|(condition, start)| Some((condition, start.position?)));
     let guessed = equations.guesses.iter().map(|(condition, node)| (condition, *node));
     let driven = equations.driven.iter().map(|(condition, node)| (condition, *node));

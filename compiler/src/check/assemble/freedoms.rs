@@ -220,7 +220,7 @@ fn report_singular(
 /// known the one where the coordinate has moved most.
 fn elsewhere(at: &Assembled, point: &mut Point, beyond: &[Vec<f64>]) -> Option<String> {
     let equations = point.equations;
-    let stated = equations.conditions.iter().zip(&equations.start_targets);
+    let stated = equations.conditions.with_start();
     let stated = stated.filter(|(_, target)| target.position.is_some()).map(|(condition, _)| condition);
     let guessed = equations.guesses.iter().map(|(condition, _)| condition);
     let condition = stated.chain(guessed).find(|condition| condition.coordinate.has_value())?;

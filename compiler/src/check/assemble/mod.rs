@@ -41,7 +41,7 @@ pub use scales::row_scales;
 
 use super::messages;
 use crate::diagnostics::Diagnostics;
-use crate::equations::{Ball, Condition, Equations, Linear, Omitted, Rotation, RowOfJoint};
+use crate::equations::{Ball, Condition, Conditions, Equations, Linear, Omitted, Rotation, RowOfJoint};
 use crate::model::{BodyId, Coordinate, JointId, Mechanism, Rotor, Space};
 use crate::solve::Massless;
 use crate::symbolic::Node;
@@ -194,7 +194,7 @@ fn problem<'a>(mechanism: &Mechanism, equations: &'a Equations, point: &mut Poin
     let rows = (0..equations.rows.len()).filter(|row| !open.contains(row)).collect();
     let mut conditions = Vec::new();
     let mut guesses = Vec::new();
-    for (condition, target) in equations.conditions.iter().zip(&equations.start_targets) {
+    for (condition, target) in equations.conditions.with_start() {
         if let Some(node) = target.position {
             point.evaluate(&Ancestry::of(equations, [node]));
             conditions.push((condition.clone(), point.get(node)));
@@ -266,11 +266,11 @@ fn of_joint(mechanism: &Mechanism, joint: JointId) -> Vec<Coordinate> {
 pub fn completion(
     mechanism: &Mechanism,
     equations: &Equations,
+    conditions: &Conditions,
     assembly: &Assembly,
     independent: &[usize],
 ) -> Vec<Coordinate> {
-    let mut given: Vec<Condition> =
-        independent.iter().map(|index| equations.conditions[*index].clone()).collect();
+    let mut given: Vec<Condition> = independent.iter().map(|index| conditions.rows[*index].clone()).collect();
     let mut free = mechanism.clone();
     free.options.independent.clear();
     given.extend(candidates(&free, equations));

@@ -2,7 +2,7 @@
 
 use super::scales::{column_sizes, row_sizes};
 use super::{Ancestry, Assembly, Point};
-use crate::equations::Equations;
+use crate::equations::{Conditions, Equations};
 use crate::model::Mechanism;
 use crate::solve::{Partition, Pivot, groups};
 use std::collections::{BTreeMap, BTreeSet};
@@ -21,6 +21,7 @@ const SMALL: f64 = 0.1;
 pub fn partition(
     mechanism: &Mechanism,
     equations: &Equations,
+    conditions: &Conditions,
     assembly: &Assembly,
     independent: &[usize],
 ) -> Partition {
@@ -37,7 +38,7 @@ pub fn partition(
         .collect();
 
     let alone = independent.iter().filter_map(|condition| {
-        let columns = &equations.conditions[*condition].jet.columns;
+        let columns = &conditions.rows[*condition].jet.columns;
         columns.keys().next().copied().filter(|_| columns.len() == 1)
     });
     let mut blocks: BTreeMap<(usize, usize), Vec<usize>> = BTreeMap::new();

@@ -24,7 +24,7 @@ pub fn rates(
 ) -> Option<Vec<f64>> {
     let n = equations.symbols.v.len();
     point.set_q(q);
-    let asked = equations.conditions.iter().zip(&equations.start_targets);
+    let asked = equations.conditions.with_start();
     let asked: Vec<_> = asked.filter_map(|(condition, start)| Some((condition, start.rate?))).collect();
     let jets: Vec<&Jet> = equations
         .rows

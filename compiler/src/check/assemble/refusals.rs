@@ -187,7 +187,7 @@ fn freedoms(mechanism: &Mechanism, point: &mut Point, q: &[f64]) -> usize {
 /// Whether `start` gives more coordinates than the joints leave free; drivers give theirs.
 fn overgiven(mechanism: &Mechanism, point: &mut Point, q: &[f64]) -> Option<messages::Overgiven> {
     let equations = point.equations;
-    let given = equations.conditions.iter().zip(&equations.start_targets);
+    let given = equations.conditions.with_start();
     let given = given.filter(|(_, target)| target.position.is_some());
     let given: Vec<_> = given.map(|(condition, _)| condition.clone()).collect();
     let freedoms = freedoms(mechanism, point, q);

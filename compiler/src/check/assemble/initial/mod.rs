@@ -104,7 +104,7 @@ impl Stated {
             travels: BTreeMap::new(),
             centers: BTreeMap::new(),
         };
-        let exact = equations.conditions.iter().zip(&equations.start_targets);
+        let exact = equations.conditions.with_start();
         let exact = exact.filter_map(|(condition, start)| Some((condition, start.position?)));
         let guessed = equations.guesses.iter().chain(&equations.driven);
         let guessed = guessed.map(|(condition, node)| (condition, *node));
@@ -163,6 +163,6 @@ impl Stated {
 
 /// Whether `start` states such a coordinate, and does not only guess it.
 fn is_exact(equations: &Equations, is: impl Fn(&Coordinate) -> bool) -> bool {
-    let exact = equations.conditions.iter().zip(&equations.start_targets);
+    let exact = equations.conditions.with_start();
     exact.filter(|(_, start)| start.position.is_some()).any(|(condition, _)| is(&condition.coordinate))
 }
