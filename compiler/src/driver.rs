@@ -103,7 +103,7 @@ pub fn compile_model(
     // AFTER THIS POINT every expression that a function computes is on the graph.
     let table = table(&equations, &solved);
     let optimized = optimize::optimize(&equations, &solved);
-    let programs = schedule::schedule(&equations, &optimized);
+    let programs = schedule::schedule(&equations, &solved, &optimized);
     // AFTER THIS POINT there is no graph, only instructions.
     let masses = assemble::positive_masses(&mechanism, &equations);
     let compiled = Compiled {

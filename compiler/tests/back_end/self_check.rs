@@ -173,7 +173,7 @@ fn with_node(sound: &Compiled, node: Node, op: Op) -> Compiled {
     let mut mutant = sound.clone();
     mutant.equations.graph = sound.equations.graph.with(node, op);
     let optimized = optimize(&mutant.equations, &mutant.solved);
-    mutant.programs = schedule(&mutant.equations, &optimized);
+    mutant.programs = schedule(&mutant.equations, &mutant.solved, &optimized);
     mutant
 }
 
@@ -198,7 +198,7 @@ fn wrong_sizes_of_rows_are_noticed() {
                 let factor = graph.constant(factor);
                 mutant.solved.row_scales[row] = graph.mul(factor, mutant.solved.row_scales[row]);
                 let optimized = optimize(&mutant.equations, &mutant.solved);
-                mutant.programs = schedule(&mutant.equations, &optimized);
+                mutant.programs = schedule(&mutant.equations, &mutant.solved, &optimized);
                 let found = self_check(&mutant, Extent::Thorough);
                 assert!(found.first().is_some_and(|first| first.check == Check::Scales), "{row}: {found:?}");
             }
