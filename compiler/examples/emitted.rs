@@ -74,7 +74,13 @@ fn emitted(tokens: &TokenStream, coordinates: Option<Coordinates>) -> String {
     });
     match compiled {
         // A line for each statement, so that a difference is a short one.
-        Ok(compiled) => emit(&compiled, &tokens.to_string(), &home).1.replace("; ", ";\n"),
+        Ok(compiled) => {
+            let text = emit(&compiled, &tokens.to_string(), &home).1;
+            let apart = |line: &str| {
+                if line.starts_with("//") { line.to_string() } else { line.replace("; ", ";\n") }
+            };
+            text.lines().map(|line| apart(line) + "\n").collect()
+        }
         Err(errors) => format!("{errors}\n"),
     }
 }

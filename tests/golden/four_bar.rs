@@ -1,3 +1,5 @@
+// `FourBar` of models/src/four_bar.rs.
+// Left out: acceleration, choice, condition_bias, condition_cosines, condition_drift, condition_jacobian, condition_residual, constraints, default, driver_efforts, factor, forces, from_array, inverse_dynamics, kinetic_energy, lu, nu, parameters, potential_energy, powers, prepare, row_cosines, row_scales, solve, start_q, start_targets, start_v, store, to_array, unwrap, with.
 /// Four-bar of unit rods (IFToMM A02 with one window).
 ///
 /// Three uniform rods of 1 m and 1 kg, g = 9.81 m/s², cranks upright and turning at −1 rad/s. The cranks move as a
@@ -6,7 +8,7 @@
 ///Equations of motion of the planar mechanism `FourBar`.
 #[cfg_attr(
     doc,
-    doc = ::linkwright::__private::v1::mechanism_page!{#[doc = r" Four-bar of unit rods (IFToMM A02 with one window)."]#[doc = r""]#[doc = r" Three uniform rods of 1 m and 1 kg, g = 9.81 m/s², cranks upright and turning at −1 rad/s. The cranks move as a"]#[doc = r" pendulum with θ̈ = −(6/5)(g/L) cos θ."]pub
+    doc = ::linkwright::__private::v1::mechanism_page!{#[doc = " Four-bar of unit rods (IFToMM A02 with one window)."]#[doc = ""]#[doc = " Three uniform rods of 1 m and 1 kg, g = 9.81 m/s², cranks upright and turning at −1 rad/s. The cranks move as a"]#[doc = " pendulum with θ\u{308} = −(6/5)(g/L) cos θ."]pub
     planar
     FourBar{gravity[m/s^2]= (0, -9.81);rod
     crank{mass[kg]= 1;length[m]= 1;}rod
@@ -75,7 +77,7 @@ impl FourBar<::core::primitive::f64> {
     pub const OPERATIONS: ::core::primitive::usize = 86;
     ///The definition as written.
     pub const SOURCE: &'static ::core::primitive::str = (
-        "# [doc = r\" Four-bar of unit rods (IFToMM A02 with one window).\"] # [doc = r\"\"] # [doc = r\" Three uniform rods of 1 m and 1 kg, g = 9.81 m/s², cranks upright and turning at −1 rad/s. The cranks move as a\"] # [doc = r\" pendulum with θ\u{308} = −(6/5)(g/L) cos θ.\"] pub planar FourBar { gravity [m / s ^ 2] = (0 , - 9.81) ; rod crank { mass [kg] = 1 ; length [m] = 1 ; } rod coupler { mass [kg] = 1 ; length [m] = 1 ; } rod rocker { mass [kg] = 1 ; length [m] = 1 ; } joint crank_pin : revolute (ground (0 , 0) [m] , crank . start) ; joint rocker_pin : revolute (ground (1 , 0) [m] , rocker . start) ; joint left : revolute (crank . end , coupler . start) ; joint right : revolute (coupler . end , rocker . end) ; start { crank_pin . angle [deg] = 90 ; crank_pin . rate [rad / s] = - 1 ; rocker_pin . angle [deg] ~ 90 ; coupler . angle [rad] ~ 0 ; } expect { degrees_of_freedom = 1 ; operations <= 100 ; } output x [m] = crank . end . x ; output angle [rad] = rocker_pin . angle ; }",
+        "# [doc = \" Four-bar of unit rods (IFToMM A02 with one window).\"] # [doc = \"\"] # [doc = \" Three uniform rods of 1 m and 1 kg, g = 9.81 m/s², cranks upright and turning at −1 rad/s. The cranks move as a\"] # [doc = \" pendulum with θ\\u{308} = −(6/5)(g/L) cos θ.\"] pub planar FourBar { gravity [m / s ^ 2] = (0 , - 9.81) ; rod crank { mass [kg] = 1 ; length [m] = 1 ; } rod coupler { mass [kg] = 1 ; length [m] = 1 ; } rod rocker { mass [kg] = 1 ; length [m] = 1 ; } joint crank_pin : revolute (ground (0 , 0) [m] , crank . start) ; joint rocker_pin : revolute (ground (1 , 0) [m] , rocker . start) ; joint left : revolute (crank . end , coupler . start) ; joint right : revolute (coupler . end , rocker . end) ; start { crank_pin . angle [deg] = 90 ; crank_pin . rate [rad / s] = - 1 ; rocker_pin . angle [deg] ~ 90 ; coupler . angle [rad] ~ 0 ; } expect { degrees_of_freedom = 1 ; operations <= 100 ; } output x [m] = crank . end . x ; output angle [rad] = rocker_pin . angle ; }",
     )
         .0;
     ///The definition as versioned JSON: kinds, shapes and units as written.
@@ -135,61 +137,14 @@ const _: () = {
     impl<R: Real> Fields<R> for Parameters<R> {
         const NAMES: &'static [&'static str] = &[];
         type Array = [R; 0];
-        fn from_array(values: [R; 0]) -> Self {
-            FourBarParameters {
-                scalar: ::core::marker::PhantomData,
-            }
-        }
-        fn to_array(&self) -> [R; 0] {
-            []
-        }
     }
     impl<R: Real> Fields<R> for Outputs<R> {
         const NAMES: &'static [&'static str] = &["x", "angle"];
         type Array = [R; 2];
-        fn from_array(values: [R; 2]) -> Self {
-            FourBarOutputs {
-                x: values[0],
-                angle: values[1],
-            }
-        }
-        fn to_array(&self) -> [R; 2] {
-            [self.x, self.angle]
-        }
     }
-    impl<R: Real> Default for Parameters<R> {
-        fn default() -> Self {
-            FourBarParameters {
-                scalar: ::core::marker::PhantomData,
-            }
-        }
-    }
-    impl<R: Real> Default for FourBar<R> {
-        fn default() -> Self {
-            Self::with(Default::default(), [])
-        }
-    }
+    impl<R: Real> Default for Parameters<R> {}
+    impl<R: Real> Default for FourBar<R> {}
     impl<R: Real> FourBar<R> {
-        /// The model with these parameters; what depends on nothing else is computed once, here.
-        ///
-        /// # Errors
-        /// A parameter that is not finite or out of its bounds, or a mass that is not positive.
-        pub fn prepare(parameters: Parameters<R>) -> Result<Self, SettingError> {
-            let model = Self::with(parameters, []);
-            check_constants(&model.constants)?;
-            Ok(model)
-        }
-        /// The parameters the model was prepared with.
-        pub fn parameters(&self) -> &Parameters<R> {
-            &self.parameters
-        }
-        fn with(parameters: Parameters<R>, phases: Phases<R>) -> Self {
-            Self {
-                parameters,
-                phases,
-                constants: [],
-            }
-        }
         /// Position, velocity and acceleration of every body's centre of mass, in the order of `BODIES`,
         /// from a state and its accelerations.
         pub fn motions(
@@ -199,6 +154,7 @@ const _: () = {
             v: &V<R>,
             a: &V<R>,
         ) -> [BodyMotion<R>; 3] {
+            // 41 operations.
             let crank_cos = q[0];
             let crank_sin = q[1];
             let rocker_cos = q[2];
@@ -218,7 +174,7 @@ const _: () = {
             let a4 = crank_rate * a0;
             let a5 = crank_rate * crank_rate;
             let a6 = a5 * a0;
-            let a7 = (-crank_rate_dot).mul_add(a1, (-a6));
+            let a7 = (-crank_rate_dot).mul_add(a1, -a6);
             let a8 = crank_rate_dot * a0;
             let a9 = (-a5).mul_add(a1, a8);
             let a10 = R::from_f64(0.5) * coupler_cos;
@@ -226,7 +182,7 @@ const _: () = {
             let a12 = R::from_f64(0.5) * coupler_sin;
             let a13 = crank_sin + a12;
             let a14 = crank_sin * crank_rate;
-            let a15 = (-coupler_rate).mul_add(a12, (-a14));
+            let a15 = (-coupler_rate).mul_add(a12, -a14);
             let a16 = crank_cos * crank_rate;
             let a17 = coupler_rate.mul_add(a10, a16);
             let a18 = coupler_rate * coupler_rate;
@@ -249,7 +205,7 @@ const _: () = {
             let a35 = rocker_rate * a30;
             let a36 = rocker_rate * rocker_rate;
             let a37 = a36 * a30;
-            let a38 = (-rocker_rate_dot).mul_add(a32, (-a37));
+            let a38 = (-rocker_rate_dot).mul_add(a32, -a37);
             let a39 = rocker_rate_dot * a30;
             let a40 = (-a36).mul_add(a32, a39);
             [
@@ -290,6 +246,7 @@ const _: () = {
             a: &V<R>,
             lambda: &Lambda<R>,
         ) -> [Reaction<R>; 4] {
+            // 37 operations.
             let crank_cos = q[0];
             let crank_sin = q[1];
             let rocker_cos = q[2];
@@ -360,60 +317,6 @@ const _: () = {
                 },
             ]
         }
-        /// M v̇ − Q: the forces that the accelerations `a` need beside loads and constraints, one for each velocity
-        /// (N m or N). Of a tree without constraints these are the efforts of its joints (inverse dynamics).
-        pub fn inverse_dynamics(
-            &self,
-            time: R,
-            q: &Q<R>,
-            v: &V<R>,
-            u: &(),
-            a: &V<R>,
-        ) -> V<R> {
-            let crank_cos = q[0];
-            let crank_sin = q[1];
-            let rocker_cos = q[2];
-            let coupler_cos = q[4];
-            let coupler_sin = q[5];
-            let crank_rate = v[0];
-            let coupler_rate = v[2];
-            let crank_rate_dot = a[0];
-            let rocker_rate_dot = a[1];
-            let coupler_rate_dot = a[2];
-            let a0 = crank_cos * coupler_cos;
-            let a1 = crank_sin.mul_add(coupler_sin, a0);
-            let a2 = R::from_f64(0.5) * a1;
-            let a3 = coupler_rate * coupler_rate;
-            let a4 = crank_cos * coupler_sin;
-            let a5 = (-crank_sin).mul_add(coupler_cos, a4);
-            let a6 = R::from_f64(0.5) * a5;
-            let a7 = a3 * a6;
-            let a8 = R::from_f64(-14.715).mul_add(crank_cos, a7);
-            let a9 = R::from_f64(1.3333333333333333).mul_add(crank_rate_dot, (-a8));
-            let a10 = coupler_rate_dot.mul_add(a2, a9);
-            let a11 = R::from_f64(4.905) * rocker_cos;
-            let a12 = R::from_f64(0.3333333333333333).mul_add(rocker_rate_dot, a11);
-            let a13 = crank_rate * crank_rate;
-            let a14 = R::from_f64(4.905) * coupler_cos;
-            let a15 = a13.mul_add(a6, a14);
-            let a16 = crank_rate_dot.mul_add(a2, a15);
-            let a17 = R::from_f64(0.3333333333333333).mul_add(coupler_rate_dot, a16);
-            [a10, a12, a17]
-        }
-        /// Power of each load (W), in the order of `LOADS`, what springs store included.
-        pub fn powers(&self, time: R, q: &Q<R>, v: &V<R>, u: &()) -> [R; 0] {
-            []
-        }
-        /// Effort of each driver along its quantity (N m or N) and its power (W), from the multipliers.
-        pub fn driver_efforts(
-            &self,
-            time: R,
-            q: &Q<R>,
-            v: &V<R>,
-            lambda: &Lambda<R>,
-        ) -> [[R; 2]; 0] {
-            []
-        }
     }
     impl<R: Real> Mechanism<R> for FourBar<R> {
         const NAME: &'static str = "FourBar";
@@ -457,6 +360,8 @@ const _: () = {
         type Inputs = ();
         type Outputs = Outputs<R>;
         fn mass_matrix(&self, time: R, q: &Q<R>, out: &mut Mass<R>) {
+            // M(t, q): its stored entries (kg, kg m, kg m²).
+            // 3 operations.
             let crank_cos = q[0];
             let crank_sin = q[1];
             let coupler_cos = q[4];
@@ -471,23 +376,9 @@ const _: () = {
                 R::from_f64(0.3333333333333333),
             ];
         }
-        fn constraints(&self, time: R, q: &Q<R>, out: &mut Lambda<R>) {
-            let crank_cos = q[0];
-            let crank_sin = q[1];
-            let rocker_cos = q[2];
-            let rocker_sin = q[3];
-            let coupler_cos = q[4];
-            let coupler_sin = q[5];
-            let a0 = R::ONE - crank_cos;
-            let a1 = rocker_cos + a0;
-            let a2 = a1 - coupler_cos;
-            let phi_right_x = -a2;
-            let a4 = rocker_sin - crank_sin;
-            let a5 = a4 - coupler_sin;
-            let phi_right_y = -a5;
-            *out = [phi_right_x, phi_right_y];
-        }
         fn constraint_jacobian(&self, time: R, q: &Q<R>, out: &mut Jacobian<R>) {
+            // D(t, q), Φ̇ = D v − ν: its stored entries.
+            // 3 operations.
             let crank_cos = q[0];
             let crank_sin = q[1];
             let rocker_cos = q[2];
@@ -499,10 +390,9 @@ const _: () = {
             let a2 = -rocker_cos;
             *out = [a0, rocker_sin, a1, crank_cos, a2, coupler_cos];
         }
-        fn nu(&self, time: R, q: &Q<R>, out: &mut Lambda<R>) {
-            *out = [R::ZERO, R::ZERO];
-        }
         fn gamma(&self, time: R, q: &Q<R>, v: &V<R>, out: &mut Lambda<R>) {
+            // γ(t, q, v), the right-hand side of D v̇ = γ.
+            // 9 operations.
             let crank_cos = q[0];
             let crank_sin = q[1];
             let rocker_cos = q[2];
@@ -523,170 +413,6 @@ const _: () = {
             let gamma_right_y = coupler_sin.mul_add(a0, a7);
             *out = [gamma_right_x, gamma_right_y];
         }
-        fn forces(&self, time: R, q: &Q<R>, v: &V<R>, u: &(), out: &mut V<R>) {
-            let crank_cos = q[0];
-            let crank_sin = q[1];
-            let rocker_cos = q[2];
-            let coupler_cos = q[4];
-            let coupler_sin = q[5];
-            let crank_rate = v[0];
-            let coupler_rate = v[2];
-            let a0 = coupler_rate * coupler_rate;
-            let a1 = crank_cos * coupler_sin;
-            let a2 = (-crank_sin).mul_add(coupler_cos, a1);
-            let a3 = R::from_f64(0.5) * a2;
-            let a4 = a0 * a3;
-            let force_crank_rate = R::from_f64(-14.715).mul_add(crank_cos, a4);
-            let force_rocker_rate = R::from_f64(-4.905) * rocker_cos;
-            let a7 = crank_rate * crank_rate;
-            let a8 = R::from_f64(4.905) * coupler_cos;
-            let force_coupler_rate = (-a7).mul_add(a3, (-a8));
-            *out = [force_crank_rate, force_rocker_rate, force_coupler_rate];
-        }
-        fn kinetic_energy(&self, time: R, q: &Q<R>, v: &V<R>) -> R {
-            let crank_cos = q[0];
-            let crank_sin = q[1];
-            let rocker_cos = q[2];
-            let rocker_sin = q[3];
-            let coupler_cos = q[4];
-            let coupler_sin = q[5];
-            let crank_rate = v[0];
-            let rocker_rate = v[1];
-            let coupler_rate = v[2];
-            let a0 = rocker_rate * rocker_rate;
-            let a1 = coupler_rate * coupler_rate;
-            let a2 = crank_rate * crank_rate;
-            let a3 = R::from_f64(0.5) * crank_cos;
-            let a4 = crank_rate * a3;
-            let a5 = R::from_f64(0.5) * crank_sin;
-            let a6 = crank_rate * a5;
-            let a7 = a6 * a6;
-            let a8 = a4.mul_add(a4, a7);
-            let a9 = R::from_f64(0.08333333333333333).mul_add(a2, a8);
-            let a10 = R::from_f64(0.5) * coupler_cos;
-            let a11 = crank_cos * crank_rate;
-            let a12 = coupler_rate.mul_add(a10, a11);
-            let a13 = R::from_f64(0.5) * coupler_sin;
-            let a14 = crank_sin * crank_rate;
-            let a15 = coupler_rate.mul_add(a13, a14);
-            let a16 = a15 * a15;
-            let a17 = a12.mul_add(a12, a16);
-            let a18 = a9 + a17;
-            let a19 = R::from_f64(0.08333333333333333).mul_add(a1, a18);
-            let a20 = R::from_f64(0.5) * rocker_cos;
-            let a21 = rocker_rate * a20;
-            let a22 = R::from_f64(0.5) * rocker_sin;
-            let a23 = rocker_rate * a22;
-            let a24 = a23 * a23;
-            let a25 = a21.mul_add(a21, a24);
-            let a26 = a19 + a25;
-            let a27 = R::from_f64(0.08333333333333333).mul_add(a0, a26);
-            let a28 = R::from_f64(0.5) * a27;
-            a28
-        }
-        fn potential_energy(&self, time: R, q: &Q<R>) -> R {
-            let crank_sin = q[1];
-            let rocker_sin = q[3];
-            let coupler_sin = q[5];
-            let a0 = R::from_f64(0.5).mul_add(coupler_sin, crank_sin);
-            let a1 = R::from_f64(4.905) * crank_sin;
-            let a2 = R::from_f64(9.81).mul_add(a0, a1);
-            let a3 = R::from_f64(4.905).mul_add(rocker_sin, a2);
-            a3
-        }
-        fn acceleration(
-            &self,
-            time: R,
-            q: &Q<R>,
-            v: &V<R>,
-            u: &(),
-            a_out: &mut V<R>,
-            lambda_out: &mut Lambda<R>,
-        ) -> R {
-            let crank_cos = q[0];
-            let crank_sin = q[1];
-            let rocker_cos = q[2];
-            let rocker_sin = q[3];
-            let coupler_cos = q[4];
-            let coupler_sin = q[5];
-            let crank_rate = v[0];
-            let rocker_rate = v[1];
-            let coupler_rate = v[2];
-            let a0 = R::from_f64(0.75) * crank_cos;
-            let a1 = crank_cos * coupler_cos;
-            let a2 = crank_sin.mul_add(coupler_sin, a1);
-            let a3 = R::from_f64(0.375) * a2;
-            let a4 = (-crank_cos).mul_add(a3, coupler_cos);
-            let a5 = crank_sin.mul_add(a3, (-coupler_sin));
-            let a6 = R::from_f64(0.5) * a2;
-            let a7 = (-a6).mul_add(a3, R::from_f64(0.3333333333333333));
-            let a8 = R::ONE / a7;
-            let a9 = a5 * a8;
-            let a10 = R::from_f64(0.75) * crank_sin;
-            let a11 = R::from_f64(3.0) * rocker_sin;
-            let a12 = rocker_cos * a11;
-            let a13 = crank_cos.mul_add(a10, a12);
-            let a14 = (-a4).mul_add(a9, a13);
-            let a15 = rocker_sin * a11;
-            let a16 = crank_sin.mul_add(a10, a15);
-            let a17 = a5.mul_add(a9, a16);
-            let a18 = R::ONE / a17;
-            let a19 = a14 * a18;
-            let a20 = a4 * a8;
-            let a21 = R::from_f64(3.0) * rocker_cos;
-            let a22 = rocker_cos * a21;
-            let a23 = crank_cos.mul_add(a0, a22);
-            let a24 = a4.mul_add(a20, a23);
-            let a25 = (-a14).mul_add(a19, a24);
-            let a26 = R::ONE / a25;
-            let a27 = coupler_rate * coupler_rate;
-            let a28 = crank_cos * coupler_sin;
-            let a29 = (-crank_sin).mul_add(coupler_cos, a28);
-            let a30 = R::from_f64(0.5) * a29;
-            let a31 = a27 * a30;
-            let a32 = R::from_f64(-14.715).mul_add(crank_cos, a31);
-            let a33 = crank_rate * crank_rate;
-            let a34 = R::from_f64(4.905) * coupler_cos;
-            let a35 = a33.mul_add(a30, a34);
-            let a36 = a32.mul_add(a3, a35);
-            let a37 = R::from_f64(4.905) * rocker_cos;
-            let a38 = rocker_rate * rocker_rate;
-            let a39 = crank_cos * a33;
-            let a40 = (-rocker_cos).mul_add(a38, a39);
-            let a41 = coupler_cos.mul_add(a27, a40);
-            let a42 = a37.mul_add(a11, a41);
-            let a43 = a32.mul_add(a10, a42);
-            let a44 = a9.mul_add(a36, a43);
-            let a45 = crank_sin * a33;
-            let a46 = (-rocker_sin).mul_add(a38, a45);
-            let a47 = coupler_sin.mul_add(a27, a46);
-            let a48 = a37.mul_add(a21, (-a47));
-            let a49 = a32.mul_add(a0, a48);
-            let a50 = (-a20).mul_add(a36, a49);
-            let a51 = (-a19).mul_add(a44, a50);
-            let lambda_right_y_ = a26 * a51;
-            let a53 = a19 * lambda_right_y_;
-            let lambda_right_x_ = (-a18).mul_add(a44, a53);
-            let a55 = a8 * a36;
-            let a56 = a9.mul_add(lambda_right_x_, a55);
-            let a57 = a20.mul_add(lambda_right_y_, a56);
-            let a58 = R::from_f64(0.75) * a32;
-            let a59 = a3.mul_add(a57, a58);
-            let a60 = a10.mul_add(lambda_right_x_, a59);
-            let crank_rate_dot_ = (-a0).mul_add(lambda_right_y_, a60);
-            let a62 = R::from_f64(14.715) * rocker_cos;
-            let a63 = a11.mul_add(lambda_right_x_, a62);
-            let rocker_rate_dot_ = a21.mul_add(lambda_right_y_, (-a63));
-            let coupler_rate_dot_ = -a57;
-            let a66 = R::from_f64(8.0) * a18;
-            let a67 = a26.abs();
-            let a68 = R::from_f64(16.0) * a67;
-            let a69 = a66.max(a68);
-            let smallest_pivot = R::ONE / a69;
-            *a_out = [crank_rate_dot_, rocker_rate_dot_, coupler_rate_dot_];
-            *lambda_out = [lambda_right_x_, lambda_right_y_];
-            smallest_pivot
-        }
         fn acceleration_baumgarte(
             &self,
             time: R,
@@ -698,6 +424,10 @@ const _: () = {
             a_out: &mut V<R>,
             lambda_out: &mut Lambda<R>,
         ) -> R {
+            comment!(
+                r#"v̇ and λ of M v̇ + Dᵀ λ = Q, D v̇ = γ − 2α (D v − ν) − β² Φ (Baumgarte 1972); the smallest relative pivot."#
+            );
+            // 86 operations.
             let crank_cos = q[0];
             let crank_sin = q[1];
             let rocker_cos = q[2];
@@ -707,12 +437,13 @@ const _: () = {
             let crank_rate = v[0];
             let rocker_rate = v[1];
             let coupler_rate = v[2];
+            // positions, factorisation of M and D
             let a0 = R::from_f64(0.75) * crank_cos;
             let a1 = crank_cos * coupler_cos;
             let a2 = crank_sin.mul_add(coupler_sin, a1);
             let a3 = R::from_f64(0.375) * a2;
             let a4 = (-crank_cos).mul_add(a3, coupler_cos);
-            let a5 = crank_sin.mul_add(a3, (-coupler_sin));
+            let a5 = crank_sin.mul_add(a3, -coupler_sin);
             let a6 = R::from_f64(0.5) * a2;
             let a7 = (-a6).mul_add(a3, R::from_f64(0.3333333333333333));
             let a8 = R::ONE / a7;
@@ -734,6 +465,7 @@ const _: () = {
             let a24 = a4.mul_add(a20, a23);
             let a25 = (-a14).mul_add(a19, a24);
             let a26 = R::ONE / a25;
+            // positions, rates and forces, substitution
             let a27 = coupler_rate * coupler_rate;
             let a28 = crank_cos * coupler_sin;
             let a29 = (-crank_sin).mul_add(coupler_cos, a28);
@@ -755,7 +487,7 @@ const _: () = {
             let a45 = crank_cos * a33;
             let a46 = (-rocker_cos).mul_add(a44, a45);
             let a47 = coupler_cos.mul_add(a27, a46);
-            let a48 = two_alpha.mul_add(a43, (-a47));
+            let a48 = two_alpha.mul_add(a43, -a47);
             let a49 = (-beta_squared).mul_add(a40, a48);
             let a50 = (-a37).mul_add(a11, a49);
             let a51 = (-a32).mul_add(a10, a50);
@@ -768,36 +500,39 @@ const _: () = {
             let a58 = crank_sin * a33;
             let a59 = (-rocker_sin).mul_add(a44, a58);
             let a60 = coupler_sin.mul_add(a27, a59);
-            let a61 = two_alpha.mul_add(a57, (-a60));
+            let a61 = two_alpha.mul_add(a57, -a60);
             let a62 = (-beta_squared).mul_add(a54, a61);
             let a63 = a37.mul_add(a21, a62);
             let a64 = a32.mul_add(a0, a63);
             let a65 = (-a20).mul_add(a36, a64);
             let a66 = a19.mul_add(a52, a65);
-            let lambda_right_y_ = a26 * a66;
+            let lambda_right_y = a26 * a66;
             let a68 = a18 * a52;
-            let lambda_right_x_ = a19.mul_add(lambda_right_y_, a68);
+            let lambda_right_x = a19.mul_add(lambda_right_y, a68);
             let a70 = a8 * a36;
-            let a71 = a9.mul_add(lambda_right_x_, a70);
-            let a72 = a20.mul_add(lambda_right_y_, a71);
+            let a71 = a9.mul_add(lambda_right_x, a70);
+            let a72 = a20.mul_add(lambda_right_y, a71);
             let a73 = R::from_f64(0.75) * a32;
             let a74 = a3.mul_add(a72, a73);
-            let a75 = a10.mul_add(lambda_right_x_, a74);
-            let crank_rate_dot_ = (-a0).mul_add(lambda_right_y_, a75);
+            let a75 = a10.mul_add(lambda_right_x, a74);
+            let crank_rate_dot = (-a0).mul_add(lambda_right_y, a75);
             let a77 = R::from_f64(14.715) * rocker_cos;
-            let a78 = a11.mul_add(lambda_right_x_, a77);
-            let rocker_rate_dot_ = a21.mul_add(lambda_right_y_, (-a78));
-            let coupler_rate_dot_ = -a72;
+            let a78 = a11.mul_add(lambda_right_x, a77);
+            let rocker_rate_dot = a21.mul_add(lambda_right_y, -a78);
+            let coupler_rate_dot = -a72;
+            // smallest relative pivot
             let a81 = R::from_f64(8.0) * a18;
             let a82 = a26.abs();
             let a83 = R::from_f64(16.0) * a82;
             let a84 = a81.max(a83);
             let smallest_pivot = R::ONE / a84;
-            *a_out = [crank_rate_dot_, rocker_rate_dot_, coupler_rate_dot_];
-            *lambda_out = [lambda_right_x_, lambda_right_y_];
+            *a_out = [crank_rate_dot, rocker_rate_dot, coupler_rate_dot];
+            *lambda_out = [lambda_right_x, lambda_right_y];
             smallest_pivot
         }
         fn outputs(&self, time: R, q: &Q<R>, v: &V<R>, u: &()) -> Outputs<R> {
+            // The outputs of the definition, in SI units.
+            // 1 operation.
             let crank_cos = q[0];
             let rocker_cos = q[2];
             let rocker_sin = q[3];
@@ -806,9 +541,6 @@ const _: () = {
                 x: crank_cos,
                 angle: angle,
             }
-        }
-        fn unwrap(outputs: &mut Outputs<R>, previous: &Outputs<R>) {
-            outputs.angle = unwrap_angle(outputs.angle, previous.angle);
         }
     }
     impl<R: Real> Assemble<R> for FourBar<R> {
@@ -839,102 +571,8 @@ const _: () = {
         type Basis = Basis<R>;
         type Reduced = Reduced<R>;
         type Choice = [u16; 3];
-        fn choice() -> [u16; 3] {
-            [0; 3]
-        }
-        fn condition_residual(
-            &self,
-            time: R,
-            q: &Q<R>,
-            target: &Conditions<R>,
-            out: &mut Conditions<R>,
-        ) {
-            let crank_cos = q[0];
-            let crank_sin = q[1];
-            let target_crank_pin_angle = target[0];
-            let a0 = target_crank_pin_angle.sin();
-            let a1 = target_crank_pin_angle.cos();
-            let a2 = crank_sin * a1;
-            let a3 = (-crank_cos).mul_add(a0, a2);
-            *out = [a3];
-        }
-        fn condition_cosines(
-            &self,
-            time: R,
-            q: &Q<R>,
-            target: &Conditions<R>,
-            out: &mut Conditions<R>,
-        ) {
-            let crank_cos = q[0];
-            let crank_sin = q[1];
-            let target_crank_pin_angle = target[0];
-            let a0 = target_crank_pin_angle.sin();
-            let a1 = target_crank_pin_angle.cos();
-            let a2 = crank_cos * a1;
-            let a3 = crank_sin.mul_add(a0, a2);
-            *out = [a3];
-        }
-        fn condition_jacobian(&self, time: R, q: &Q<R>, out: &mut ConditionJacobian<R>) {
-            *out = [R::ONE];
-        }
-        fn condition_bias(&self, time: R, q: &Q<R>, v: &V<R>, out: &mut Conditions<R>) {
-            *out = [R::ZERO];
-        }
-        fn condition_drift(&self, time: R, q: &Q<R>, out: &mut Conditions<R>) {
-            *out = [R::ZERO];
-        }
-        fn row_cosines(&self, time: R, q: &Q<R>, out: &mut Lambda<R>) {
-            *out = [R::ONE, R::ONE];
-        }
-        fn row_scales(&self, out: &mut Lambda<R>) {
-            *out = [R::from_f64(8.0), R::from_f64(16.0)];
-        }
-        fn start_targets(
-            &self,
-            positions: &mut Conditions<R>,
-            rates: &mut Conditions<R>,
-        ) {
-            *positions = [R::from_f64(1.5707963267948966)];
-            *rates = [R::from_f64(-1.0)];
-        }
         type Store = tabled::Store<R, Self>;
-        fn store() -> Self::Store {
-            tabled::store::<R, Self>()
-        }
-        fn factor(
-            &self,
-            time: R,
-            q: &Q<R>,
-            compliance: R,
-            store: &mut Self::Store,
-        ) -> R {
-            tabled::factor::<R, Self>(self, time, q, compliance, store)
-        }
-        fn solve(
-            &self,
-            store: &Self::Store,
-            forces: &V<R>,
-            rows: &Lambda<R>,
-            a: &mut V<R>,
-            lambda: &mut Lambda<R>,
-        ) {
-            tabled::solve::<R, Self>(store, forces, rows, a, lambda)
-        }
         type Lu = ();
-        fn lu() {}
-        fn start_q() -> Q<R> {
-            [
-                R::from_f64(6.123233995736766e-17),
-                R::ONE,
-                R::from_f64(6.123233995736766e-17),
-                R::ONE,
-                R::ONE,
-                R::ZERO,
-            ]
-        }
-        fn start_v() -> V<R> {
-            [R::from_f64(-1.0), R::from_f64(-1.0), R::ZERO]
-        }
     }
 };
 const _: ::core::option::Option<&'static ::core::primitive::str> = ::core::option_env!(

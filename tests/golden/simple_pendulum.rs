@@ -1,3 +1,4 @@
+// `SimplePendulum` of models/src/simple_pendulum.rs.
 /// Simple pendulum: a point mass on a massless arm (IFToMM A01).
 ///
 /// 1 kg, 1 m, g = 9.81 m/s², from (−1, 0) at rest. Period 2.367841947576237449 s.
@@ -5,7 +6,7 @@
 ///Equations of motion of the planar mechanism `SimplePendulum`.
 #[cfg_attr(
     doc,
-    doc = ::linkwright::__private::v1::mechanism_page!{#[doc = r" Simple pendulum: a point mass on a massless arm (IFToMM A01)."]#[doc = r""]#[doc = r" 1 kg, 1 m, g = 9.81 m/s², from (−1, 0) at rest. Period 2.367841947576237449 s."]pub
+    doc = ::linkwright::__private::v1::mechanism_page!{#[doc = " Simple pendulum: a point mass on a massless arm (IFToMM A01)."]#[doc = ""]#[doc = " 1 kg, 1 m, g = 9.81 m/s², from (−1, 0) at rest. Period 2.367841947576237449 s."]pub
     planar
     SimplePendulum{gravity[m/s^2]= (0, -9.81);body
     arm{mass[kg]= 1;inertia[kg*m^2]= 0;center[m]= (1, 0);}joint
@@ -69,7 +70,7 @@ impl SimplePendulum<::core::primitive::f64> {
     pub const OPERATIONS: ::core::primitive::usize = 1;
     ///The definition as written.
     pub const SOURCE: &'static ::core::primitive::str = (
-        "# [doc = r\" Simple pendulum: a point mass on a massless arm (IFToMM A01).\"] # [doc = r\"\"] # [doc = r\" 1 kg, 1 m, g = 9.81 m/s², from (−1, 0) at rest. Period 2.367841947576237449 s.\"] pub planar SimplePendulum { gravity [m / s ^ 2] = (0 , - 9.81) ; body arm { mass [kg] = 1 ; inertia [kg * m ^ 2] = 0 ; center [m] = (1 , 0) ; } joint pivot : revolute (ground (0 , 0) [m] , arm . origin) ; start { pivot . angle [deg] = 180 ; pivot . rate [rad / s] = 0 ; } expect { degrees_of_freedom = 1 ; } output x [m] = arm . center . x ; output y [m] = arm . center . y ; }",
+        "# [doc = \" Simple pendulum: a point mass on a massless arm (IFToMM A01).\"] # [doc = \"\"] # [doc = \" 1 kg, 1 m, g = 9.81 m/s², from (−1, 0) at rest. Period 2.367841947576237449 s.\"] pub planar SimplePendulum { gravity [m / s ^ 2] = (0 , - 9.81) ; body arm { mass [kg] = 1 ; inertia [kg * m ^ 2] = 0 ; center [m] = (1 , 0) ; } joint pivot : revolute (ground (0 , 0) [m] , arm . origin) ; start { pivot . angle [deg] = 180 ; pivot . rate [rad / s] = 0 ; } expect { degrees_of_freedom = 1 ; } output x [m] = arm . center . x ; output y [m] = arm . center . y ; }",
     )
         .0;
     ///The definition as versioned JSON: kinds, shapes and units as written.
@@ -169,11 +170,44 @@ const _: () = {
             &self.parameters
         }
         fn with(parameters: Parameters<R>, phases: Phases<R>) -> Self {
+            comment!(
+                r#"What depends on parameters and phases alone: the constants of the prepared model."#
+            );
             Self {
                 parameters,
                 phases,
                 constants: [],
             }
+        }
+        /// M v̇ − Q: the forces that the accelerations `a` need beside loads and constraints, one for each velocity
+        /// (N m or N). Of a tree without constraints these are the efforts of its joints (inverse dynamics).
+        pub fn inverse_dynamics(
+            &self,
+            time: R,
+            q: &Q<R>,
+            v: &V<R>,
+            u: &(),
+            a: &V<R>,
+        ) -> V<R> {
+            // 1 operation.
+            let arm_cos = q[0];
+            let arm_rate_dot = a[0];
+            let a0 = R::from_f64(9.81).mul_add(arm_cos, arm_rate_dot);
+            [a0]
+        }
+        /// Power of each load (W), in the order of `LOADS`, what springs store included.
+        pub fn powers(&self, time: R, q: &Q<R>, v: &V<R>, u: &()) -> [R; 0] {
+            []
+        }
+        /// Effort of each driver along its quantity (N m or N) and its power (W), from the multipliers.
+        pub fn driver_efforts(
+            &self,
+            time: R,
+            q: &Q<R>,
+            v: &V<R>,
+            lambda: &Lambda<R>,
+        ) -> [[R; 2]; 0] {
+            []
         }
         /// Position, velocity and acceleration of every body's centre of mass, in the order of `BODIES`,
         /// from a state and its accelerations.
@@ -184,6 +218,7 @@ const _: () = {
             v: &V<R>,
             a: &V<R>,
         ) -> [BodyMotion<R>; 1] {
+            // 8 operations.
             let arm_cos = q[0];
             let arm_sin = q[1];
             let arm_rate = v[0];
@@ -193,7 +228,7 @@ const _: () = {
             let a2 = arm_cos * arm_rate;
             let a3 = arm_rate * arm_rate;
             let a4 = arm_cos * a3;
-            let a5 = (-arm_sin).mul_add(arm_rate_dot, (-a4));
+            let a5 = (-arm_sin).mul_add(arm_rate_dot, -a4);
             let a6 = arm_cos * arm_rate_dot;
             let a7 = (-arm_sin).mul_add(a3, a6);
             [
@@ -218,13 +253,14 @@ const _: () = {
             a: &V<R>,
             lambda: &Lambda<R>,
         ) -> [Reaction<R>; 1] {
+            // 6 operations.
             let arm_cos = q[0];
             let arm_sin = q[1];
             let arm_rate = v[0];
             let arm_rate_dot = a[0];
             let a0 = arm_rate * arm_rate;
             let a1 = arm_cos * a0;
-            let a2 = (-arm_sin).mul_add(arm_rate_dot, (-a1));
+            let a2 = (-arm_sin).mul_add(arm_rate_dot, -a1);
             let a3 = arm_cos * arm_rate_dot;
             let a4 = (-arm_sin).mul_add(a0, a3);
             let a5 = R::from_f64(9.81) + a4;
@@ -234,35 +270,6 @@ const _: () = {
                     torque: R::ZERO,
                 },
             ]
-        }
-        /// M v̇ − Q: the forces that the accelerations `a` need beside loads and constraints, one for each velocity
-        /// (N m or N). Of a tree without constraints these are the efforts of its joints (inverse dynamics).
-        pub fn inverse_dynamics(
-            &self,
-            time: R,
-            q: &Q<R>,
-            v: &V<R>,
-            u: &(),
-            a: &V<R>,
-        ) -> V<R> {
-            let arm_cos = q[0];
-            let arm_rate_dot = a[0];
-            let a0 = R::from_f64(9.81).mul_add(arm_cos, arm_rate_dot);
-            [a0]
-        }
-        /// Power of each load (W), in the order of `LOADS`, what springs store included.
-        pub fn powers(&self, time: R, q: &Q<R>, v: &V<R>, u: &()) -> [R; 0] {
-            []
-        }
-        /// Effort of each driver along its quantity (N m or N) and its power (W), from the multipliers.
-        pub fn driver_efforts(
-            &self,
-            time: R,
-            q: &Q<R>,
-            v: &V<R>,
-            lambda: &Lambda<R>,
-        ) -> [[R; 2]; 0] {
-            []
         }
     }
     impl<R: Real> Mechanism<R> for SimplePendulum<R> {
@@ -286,26 +293,37 @@ const _: () = {
         type Inputs = ();
         type Outputs = Outputs<R>;
         fn mass_matrix(&self, time: R, q: &Q<R>, out: &mut Mass<R>) {
+            // M(t, q): its stored entries (kg, kg m, kg m²).
             *out = [R::ONE];
         }
         fn constraints(&self, time: R, q: &Q<R>, out: &mut Lambda<R>) {
+            // Φ(t, q) of each row (m, or 1 for directions and angles).
             *out = [];
         }
         fn constraint_jacobian(&self, time: R, q: &Q<R>, out: &mut Jacobian<R>) {
+            // D(t, q), Φ̇ = D v − ν: its stored entries.
             *out = [];
         }
         fn nu(&self, time: R, q: &Q<R>, out: &mut Lambda<R>) {
+            // ν(t, q) = −∂Φ/∂t, the right-hand side of D v = ν.
             *out = [];
         }
         fn gamma(&self, time: R, q: &Q<R>, v: &V<R>, out: &mut Lambda<R>) {
+            // γ(t, q, v), the right-hand side of D v̇ = γ.
             *out = [];
         }
         fn forces(&self, time: R, q: &Q<R>, v: &V<R>, u: &(), out: &mut V<R>) {
+            comment!(
+                r#"Q(t, q, v, u): loads, gravity and gyroscopic forces of M v̇ + Dᵀ λ = Q (N or N m)."#
+            );
+            // 1 operation.
             let arm_cos = q[0];
             let force_arm_rate = R::from_f64(-9.81) * arm_cos;
             *out = [force_arm_rate];
         }
         fn kinetic_energy(&self, time: R, q: &Q<R>, v: &V<R>) -> R {
+            // T(t, q, v) (J).
+            // 5 operations.
             let arm_cos = q[0];
             let arm_sin = q[1];
             let arm_rate = v[0];
@@ -317,6 +335,8 @@ const _: () = {
             a4
         }
         fn potential_energy(&self, time: R, q: &Q<R>) -> R {
+            // V(t, q) of gravity and springs (J).
+            // 1 operation.
             let arm_sin = q[1];
             let a0 = R::from_f64(9.81) * arm_sin;
             a0
@@ -330,9 +350,13 @@ const _: () = {
             a_out: &mut V<R>,
             lambda_out: &mut Lambda<R>,
         ) -> R {
+            comment!(
+                r#"v̇ and λ of M v̇ + Dᵀ λ = Q, D v̇ = γ; the smallest relative pivot."#
+            );
+            // 1 operation.
             let arm_cos = q[0];
-            let arm_rate_dot_ = R::from_f64(-9.81) * arm_cos;
-            *a_out = [arm_rate_dot_];
+            let arm_rate_dot = R::from_f64(-9.81) * arm_cos;
+            *a_out = [arm_rate_dot];
             *lambda_out = [];
             R::ONE
         }
@@ -350,6 +374,7 @@ const _: () = {
             <Self as Mechanism<R>>::acceleration(self, time, q, v, u, a_out, lambda_out)
         }
         fn outputs(&self, time: R, q: &Q<R>, v: &V<R>, u: &()) -> Outputs<R> {
+            // The outputs of the definition, in SI units.
             let arm_cos = q[0];
             let arm_sin = q[1];
             SimplePendulumOutputs {
@@ -389,6 +414,12 @@ const _: () = {
         fn choice() -> [u16; 1] {
             [0; 1]
         }
+        fn row_cosines(&self, time: R, q: &Q<R>, out: &mut Lambda<R>) {
+            comment!(
+                r#"Of each row that fixes a direction the cosine that tells it from its opposite; 1 of others."#
+            );
+            *out = [];
+        }
         fn condition_residual(
             &self,
             time: R,
@@ -396,6 +427,10 @@ const _: () = {
             target: &Conditions<R>,
             out: &mut Conditions<R>,
         ) {
+            comment!(
+                r#"What each condition of the start is off its target by, as a length or a sine."#
+            );
+            // 4 operations.
             let arm_cos = q[0];
             let arm_sin = q[1];
             let target_pivot_angle = target[0];
@@ -412,6 +447,8 @@ const _: () = {
             target: &Conditions<R>,
             out: &mut Conditions<R>,
         ) {
+            // The cosine that belongs to that sine; 1 of lengths.
+            // 4 operations.
             let arm_cos = q[0];
             let arm_sin = q[1];
             let target_pivot_angle = target[0];
@@ -422,27 +459,35 @@ const _: () = {
             *out = [a3];
         }
         fn condition_jacobian(&self, time: R, q: &Q<R>, out: &mut ConditionJacobian<R>) {
+            comment!(
+                r#"J(t, q), the rate of a condition being J v + b: its stored entries."#
+            );
             *out = [R::ONE];
         }
         fn condition_bias(&self, time: R, q: &Q<R>, v: &V<R>, out: &mut Conditions<R>) {
+            // The rate of J v + b where v̇ = 0.
             *out = [R::ZERO];
         }
         fn condition_drift(&self, time: R, q: &Q<R>, out: &mut Conditions<R>) {
+            // b(t, q), the rate of a condition where v = 0.
             *out = [R::ZERO];
-        }
-        fn row_cosines(&self, time: R, q: &Q<R>, out: &mut Lambda<R>) {
-            *out = [];
-        }
-        fn row_scales(&self, out: &mut Lambda<R>) {
-            *out = [];
         }
         fn start_targets(
             &self,
             positions: &mut Conditions<R>,
             rates: &mut Conditions<R>,
         ) {
+            comment!(
+                r#"Values, and rates, that `start` asks of each condition; 0 where it asks none."#
+            );
             *positions = [R::from_f64(3.141592653589793)];
             *rates = [R::ZERO];
+        }
+        fn row_scales(&self, out: &mut Lambda<R>) {
+            comment!(
+                r#"Sᵢ of each row, twice the largest Dᵢ M⁻¹ Dᵢᵀ along the motion (1/kg or 1/(kg m²)): what pivots of rows are measured by."#
+            );
+            *out = [];
         }
         type Store = tabled::Store<R, Self>;
         fn store() -> Self::Store {

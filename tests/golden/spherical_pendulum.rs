@@ -1,9 +1,11 @@
+// `SphericalPendulum` of models/src/spatial_pendulums.rs.
+// Left out: acceleration_baumgarte, choice, condition_bias, condition_cosines, condition_drift, condition_jacobian, condition_residual, constraint_jacobian, constraints, default, driver_efforts, factor, from_array, gamma, inverse_dynamics, lu, nu, outputs, parameters, potential_energy, powers, prepare, row_cosines, row_scales, solve, start_q, start_targets, start_v, store, to_array, unwrap, with.
 /// Bar on a spherical joint (Spherical_Case01), released from the horizontal.
 ///
 ///Equations of motion of the spatial mechanism `SphericalPendulum`.
 #[cfg_attr(
     doc,
-    doc = ::linkwright::__private::v1::mechanism_page!{#[doc = r" Bar on a spherical joint (Spherical_Case01), released from the horizontal."]pub
+    doc = ::linkwright::__private::v1::mechanism_page!{#[doc = " Bar on a spherical joint (Spherical_Case01), released from the horizontal."]pub
     spatial
     SphericalPendulum{gravity[m/s^2]= (0, 0, -9.80665);body
     bar{mass[kg]= 1;inertia[kg*m^2]= (0.04, 0.1, 0.1);center[m]= (2, 0, 0);}joint
@@ -84,7 +86,7 @@ impl SphericalPendulum<::core::primitive::f64> {
     pub const OPERATIONS: ::core::primitive::usize = 16;
     ///The definition as written.
     pub const SOURCE: &'static ::core::primitive::str = (
-        "# [doc = r\" Bar on a spherical joint (Spherical_Case01), released from the horizontal.\"] pub spatial SphericalPendulum { gravity [m / s ^ 2] = (0 , 0 , - 9.80665) ; body bar { mass [kg] = 1 ; inertia [kg * m ^ 2] = (0.04 , 0.1 , 0.1) ; center [m] = (2 , 0 , 0) ; } joint pivot : spherical (ground (0 , 0 , 0) [m] , bar . origin) ; start { bar . orientation = (1 , 0 , 0 , 0) ; bar . rate . x [rad / s] = 0 ; bar . rate . y [rad / s] = 0 ; bar . rate . z [rad / s] = 0 ; } expect { degrees_of_freedom = 3 ; } output x [m] = bar . center . x ; output y [m] = bar . center . y ; output z [m] = bar . center . z ; output velocity_x [m / s] = bar . center . velocity . x ; output velocity_y [m / s] = bar . center . velocity . y ; output velocity_z [m / s] = bar . center . velocity . z ; }",
+        "# [doc = \" Bar on a spherical joint (Spherical_Case01), released from the horizontal.\"] pub spatial SphericalPendulum { gravity [m / s ^ 2] = (0 , 0 , - 9.80665) ; body bar { mass [kg] = 1 ; inertia [kg * m ^ 2] = (0.04 , 0.1 , 0.1) ; center [m] = (2 , 0 , 0) ; } joint pivot : spherical (ground (0 , 0 , 0) [m] , bar . origin) ; start { bar . orientation = (1 , 0 , 0 , 0) ; bar . rate . x [rad / s] = 0 ; bar . rate . y [rad / s] = 0 ; bar . rate . z [rad / s] = 0 ; } expect { degrees_of_freedom = 3 ; } output x [m] = bar . center . x ; output y [m] = bar . center . y ; output z [m] = bar . center . z ; output velocity_x [m / s] = bar . center . velocity . x ; output velocity_y [m / s] = bar . center . velocity . y ; output velocity_z [m / s] = bar . center . velocity . z ; }",
     )
         .0;
     ///The definition as versioned JSON: kinds, shapes and units as written.
@@ -135,14 +137,6 @@ const _: () = {
     impl<R: Real> Fields<R> for Parameters<R> {
         const NAMES: &'static [&'static str] = &[];
         type Array = [R; 0];
-        fn from_array(values: [R; 0]) -> Self {
-            SphericalPendulumParameters {
-                scalar: ::core::marker::PhantomData,
-            }
-        }
-        fn to_array(&self) -> [R; 0] {
-            []
-        }
     }
     impl<R: Real> Fields<R> for Outputs<R> {
         const NAMES: &'static [&'static str] = &[
@@ -154,53 +148,10 @@ const _: () = {
             "velocity_z",
         ];
         type Array = [R; 6];
-        fn from_array(values: [R; 6]) -> Self {
-            SphericalPendulumOutputs {
-                x: values[0],
-                y: values[1],
-                z: values[2],
-                velocity_x: values[3],
-                velocity_y: values[4],
-                velocity_z: values[5],
-            }
-        }
-        fn to_array(&self) -> [R; 6] {
-            [self.x, self.y, self.z, self.velocity_x, self.velocity_y, self.velocity_z]
-        }
     }
-    impl<R: Real> Default for Parameters<R> {
-        fn default() -> Self {
-            SphericalPendulumParameters {
-                scalar: ::core::marker::PhantomData,
-            }
-        }
-    }
-    impl<R: Real> Default for SphericalPendulum<R> {
-        fn default() -> Self {
-            Self::with(Default::default(), [])
-        }
-    }
+    impl<R: Real> Default for Parameters<R> {}
+    impl<R: Real> Default for SphericalPendulum<R> {}
     impl<R: Real> SphericalPendulum<R> {
-        /// The model with these parameters; what depends on nothing else is computed once, here.
-        ///
-        /// # Errors
-        /// A parameter that is not finite or out of its bounds, or a mass that is not positive.
-        pub fn prepare(parameters: Parameters<R>) -> Result<Self, SettingError> {
-            let model = Self::with(parameters, []);
-            check_constants(&model.constants)?;
-            Ok(model)
-        }
-        /// The parameters the model was prepared with.
-        pub fn parameters(&self) -> &Parameters<R> {
-            &self.parameters
-        }
-        fn with(parameters: Parameters<R>, phases: Phases<R>) -> Self {
-            Self {
-                parameters,
-                phases,
-                constants: [],
-            }
-        }
         /// Position, velocity and acceleration of every body's centre of mass, in the order of `BODIES`,
         /// from a state and its accelerations.
         pub fn motions(
@@ -210,6 +161,7 @@ const _: () = {
             v: &V<R>,
             a: &V<R>,
         ) -> [SpatialMotion<R>; 1] {
+            // 47 operations.
             let pivot_orientation_w = q[0];
             let pivot_orientation_x = q[1];
             let pivot_orientation_y = q[2];
@@ -251,7 +203,7 @@ const _: () = {
             let a28 = (-a19).mul_add(a23, a27);
             let a29 = a20 * a24;
             let a30 = (-a22).mul_add(a23, a29);
-            let a31 = pivot_rate_x.mul_add(pivot_rate_z, (-pivot_rate_y_dot));
+            let a31 = pivot_rate_x.mul_add(pivot_rate_z, -pivot_rate_y_dot);
             let a32 = R::from_f64(2.0) * a31;
             let a33 = pivot_rate_y * pivot_rate_y;
             let a34 = pivot_rate_z.mul_add(pivot_rate_z, a33);
@@ -293,6 +245,7 @@ const _: () = {
             a: &V<R>,
             lambda: &Lambda<R>,
         ) -> [SpatialReaction<R>; 1] {
+            // 70 operations.
             let pivot_orientation_w = q[0];
             let pivot_orientation_x = q[1];
             let pivot_orientation_y = q[2];
@@ -307,7 +260,7 @@ const _: () = {
             let a1 = R::from_f64(2.0) * pivot_orientation_z;
             let a2 = pivot_orientation_x * a1;
             let a3 = pivot_orientation_w.mul_add(a0, a2);
-            let a4 = pivot_rate_x.mul_add(pivot_rate_z, (-pivot_rate_y_dot));
+            let a4 = pivot_rate_x.mul_add(pivot_rate_z, -pivot_rate_y_dot);
             let a5 = R::from_f64(2.0) * a4;
             let a6 = pivot_orientation_y * a0;
             let a7 = pivot_orientation_z * a1;
@@ -380,59 +333,6 @@ const _: () = {
                 },
             ]
         }
-        /// M v̇ − Q: the forces that the accelerations `a` need beside loads and constraints, one for each velocity
-        /// (N m or N). Of a tree without constraints these are the efforts of its joints (inverse dynamics).
-        pub fn inverse_dynamics(
-            &self,
-            time: R,
-            q: &Q<R>,
-            v: &V<R>,
-            u: &(),
-            a: &V<R>,
-        ) -> V<R> {
-            let pivot_orientation_w = q[0];
-            let pivot_orientation_x = q[1];
-            let pivot_orientation_y = q[2];
-            let pivot_orientation_z = q[3];
-            let pivot_rate_x = v[0];
-            let pivot_rate_y = v[1];
-            let pivot_rate_z = v[2];
-            let pivot_rate_x_dot = a[0];
-            let pivot_rate_y_dot = a[1];
-            let pivot_rate_z_dot = a[2];
-            let a0 = R::from_f64(0.04) * pivot_rate_x_dot;
-            let a1 = R::from_f64(2.0) * pivot_orientation_y;
-            let a2 = R::from_f64(2.0) * pivot_orientation_x;
-            let a3 = pivot_orientation_x * a2;
-            let a4 = pivot_orientation_y.mul_add(a1, a3);
-            let a5 = R::ONE - a4;
-            let a6 = pivot_rate_x * pivot_rate_z;
-            let a7 = R::from_f64(4.1) * pivot_rate_y_dot;
-            let a8 = R::from_f64(-4.06).mul_add(a6, a7);
-            let a9 = R::from_f64(-19.6133).mul_add(a5, a8);
-            let a10 = R::from_f64(2.0) * pivot_orientation_z;
-            let a11 = pivot_orientation_w * a2;
-            let a12 = pivot_orientation_y.mul_add(a10, a11);
-            let a13 = pivot_rate_x * pivot_rate_y;
-            let a14 = R::from_f64(4.06) * a13;
-            let a15 = R::from_f64(4.1).mul_add(pivot_rate_z_dot, a14);
-            let a16 = R::from_f64(19.6133).mul_add(a12, a15);
-            [a0, a9, a16]
-        }
-        /// Power of each load (W), in the order of `LOADS`, what springs store included.
-        pub fn powers(&self, time: R, q: &Q<R>, v: &V<R>, u: &()) -> [R; 0] {
-            []
-        }
-        /// Effort of each driver along its quantity (N m or N) and its power (W), from the multipliers.
-        pub fn driver_efforts(
-            &self,
-            time: R,
-            q: &Q<R>,
-            v: &V<R>,
-            lambda: &Lambda<R>,
-        ) -> [[R; 2]; 0] {
-            []
-        }
     }
     impl<R: Real> Mechanism<R> for SphericalPendulum<R> {
         const NAME: &'static str = "SphericalPendulum";
@@ -464,21 +364,14 @@ const _: () = {
         type Inputs = ();
         type Outputs = Outputs<R>;
         fn mass_matrix(&self, time: R, q: &Q<R>, out: &mut Mass<R>) {
+            // M(t, q): its stored entries (kg, kg m, kg m²).
             *out = [R::from_f64(0.04), R::from_f64(4.1), R::from_f64(4.1)];
         }
-        fn constraints(&self, time: R, q: &Q<R>, out: &mut Lambda<R>) {
-            *out = [];
-        }
-        fn constraint_jacobian(&self, time: R, q: &Q<R>, out: &mut Jacobian<R>) {
-            *out = [];
-        }
-        fn nu(&self, time: R, q: &Q<R>, out: &mut Lambda<R>) {
-            *out = [];
-        }
-        fn gamma(&self, time: R, q: &Q<R>, v: &V<R>, out: &mut Lambda<R>) {
-            *out = [];
-        }
         fn forces(&self, time: R, q: &Q<R>, v: &V<R>, u: &(), out: &mut V<R>) {
+            comment!(
+                r#"Q(t, q, v, u): loads, gravity and gyroscopic forces of M v̇ + Dᵀ λ = Q (N or N m)."#
+            );
+            // 14 operations.
             let pivot_orientation_w = q[0];
             let pivot_orientation_x = q[1];
             let pivot_orientation_y = q[2];
@@ -499,10 +392,12 @@ const _: () = {
             let a10 = pivot_orientation_w * a2;
             let a11 = pivot_orientation_y.mul_add(a9, a10);
             let a12 = R::from_f64(19.6133) * a11;
-            let force_pivot_rate_z = R::from_f64(-4.06).mul_add(a8, (-a12));
+            let force_pivot_rate_z = R::from_f64(-4.06).mul_add(a8, -a12);
             *out = [R::ZERO, force_pivot_rate_y, force_pivot_rate_z];
         }
         fn kinetic_energy(&self, time: R, q: &Q<R>, v: &V<R>) -> R {
+            // T(t, q, v) (J).
+            // 7 operations.
             let pivot_rate_x = v[0];
             let pivot_rate_y = v[1];
             let pivot_rate_z = v[2];
@@ -515,18 +410,6 @@ const _: () = {
             let a6 = R::from_f64(0.5) * a5;
             a6
         }
-        fn potential_energy(&self, time: R, q: &Q<R>) -> R {
-            let pivot_orientation_w = q[0];
-            let pivot_orientation_x = q[1];
-            let pivot_orientation_y = q[2];
-            let pivot_orientation_z = q[3];
-            let a0 = R::from_f64(2.0) * pivot_orientation_y;
-            let a1 = R::from_f64(2.0) * pivot_orientation_z;
-            let a2 = pivot_orientation_x * a1;
-            let a3 = (-pivot_orientation_w).mul_add(a0, a2);
-            let a4 = R::from_f64(19.6133) * a3;
-            a4
-        }
         fn acceleration(
             &self,
             time: R,
@@ -536,6 +419,10 @@ const _: () = {
             a_out: &mut V<R>,
             lambda_out: &mut Lambda<R>,
         ) -> R {
+            comment!(
+                r#"v̇ and λ of M v̇ + Dᵀ λ = Q, D v̇ = γ; the smallest relative pivot."#
+            );
+            // 16 operations.
             let pivot_orientation_w = q[0];
             let pivot_orientation_x = q[1];
             let pivot_orientation_y = q[2];
@@ -551,79 +438,18 @@ const _: () = {
             let a5 = R::ONE - a4;
             let a6 = R::from_f64(19.6133) * a5;
             let a7 = R::from_f64(4.06).mul_add(a0, a6);
-            let pivot_rate_y_dot_ = R::from_f64(0.24390243902439027) * a7;
+            let pivot_rate_y_dot = R::from_f64(0.24390243902439027) * a7;
             let a9 = pivot_rate_x * pivot_rate_y;
             let a10 = R::from_f64(2.0) * pivot_orientation_z;
             let a11 = pivot_orientation_w * a2;
             let a12 = pivot_orientation_y.mul_add(a10, a11);
             let a13 = R::from_f64(19.6133) * a12;
             let a14 = R::from_f64(4.06).mul_add(a9, a13);
-            let pivot_rate_z_dot_ = R::from_f64(-0.24390243902439027) * a14;
-            *a_out = [R::ZERO, pivot_rate_y_dot_, pivot_rate_z_dot_];
+            let pivot_rate_z_dot = R::from_f64(-0.24390243902439027) * a14;
+            *a_out = [R::ZERO, pivot_rate_y_dot, pivot_rate_z_dot];
             *lambda_out = [];
             R::ONE
         }
-        fn acceleration_baumgarte(
-            &self,
-            time: R,
-            q: &Q<R>,
-            v: &V<R>,
-            u: &(),
-            two_alpha: R,
-            beta_squared: R,
-            a_out: &mut V<R>,
-            lambda_out: &mut Lambda<R>,
-        ) -> R {
-            <Self as Mechanism<R>>::acceleration(self, time, q, v, u, a_out, lambda_out)
-        }
-        fn outputs(&self, time: R, q: &Q<R>, v: &V<R>, u: &()) -> Outputs<R> {
-            let pivot_orientation_w = q[0];
-            let pivot_orientation_x = q[1];
-            let pivot_orientation_y = q[2];
-            let pivot_orientation_z = q[3];
-            let pivot_rate_y = v[1];
-            let pivot_rate_z = v[2];
-            let a0 = R::from_f64(2.0) * pivot_orientation_y;
-            let a1 = pivot_orientation_y * a0;
-            let a2 = R::from_f64(2.0) * pivot_orientation_z;
-            let a3 = pivot_orientation_z * a2;
-            let a4 = a1 + a3;
-            let a5 = R::ONE - a4;
-            let x = R::from_f64(2.0) * a5;
-            let a7 = pivot_orientation_x * a0;
-            let a8 = pivot_orientation_w.mul_add(a2, a7);
-            let y = R::from_f64(2.0) * a8;
-            let a10 = pivot_orientation_x * a2;
-            let a11 = (-pivot_orientation_w).mul_add(a0, a10);
-            let z = R::from_f64(2.0) * a11;
-            let a13 = pivot_orientation_w.mul_add(a0, a10);
-            let a14 = R::from_f64(2.0) * pivot_rate_y;
-            let a15 = (-pivot_orientation_w).mul_add(a2, a7);
-            let a16 = R::from_f64(2.0) * pivot_rate_z;
-            let a17 = a15 * a16;
-            let velocity_x = (-a13).mul_add(a14, a17);
-            let a19 = R::from_f64(2.0) * pivot_orientation_x;
-            let a20 = pivot_orientation_y * a2;
-            let a21 = (-pivot_orientation_w).mul_add(a19, a20);
-            let a22 = pivot_orientation_x.mul_add(a19, a3);
-            let a23 = R::ONE - a22;
-            let a24 = a23 * a16;
-            let velocity_y = (-a21).mul_add(a14, a24);
-            let a26 = pivot_orientation_x.mul_add(a19, a1);
-            let a27 = R::ONE - a26;
-            let a28 = pivot_orientation_w.mul_add(a19, a20);
-            let a29 = a28 * a16;
-            let velocity_z = (-a27).mul_add(a14, a29);
-            SphericalPendulumOutputs {
-                x: x,
-                y: y,
-                z: z,
-                velocity_x: velocity_x,
-                velocity_y: velocity_y,
-                velocity_z: velocity_z,
-            }
-        }
-        fn unwrap(outputs: &mut Outputs<R>, previous: &Outputs<R>) {}
     }
     impl<R: Real> Assemble<R> for SphericalPendulum<R> {
         const CONDITIONS: &'static [Condition] = &[
@@ -687,209 +513,8 @@ const _: () = {
         type Basis = Basis<R>;
         type Reduced = Reduced<R>;
         type Choice = [u16; 3];
-        fn choice() -> [u16; 3] {
-            [0; 3]
-        }
-        fn condition_residual(
-            &self,
-            time: R,
-            q: &Q<R>,
-            target: &Conditions<R>,
-            out: &mut Conditions<R>,
-        ) {
-            let pivot_orientation_w = q[0];
-            let pivot_orientation_x = q[1];
-            let pivot_orientation_y = q[2];
-            let pivot_orientation_z = q[3];
-            let target_bar_rate_x = target[0];
-            let target_bar_rate_y = target[1];
-            let target_bar_rate_z = target[2];
-            let target_bar_orientation_x = target[3];
-            let target_bar_orientation_y = target[4];
-            let target_bar_orientation_z = target[5];
-            let a0 = -target_bar_rate_x;
-            let a1 = -target_bar_rate_y;
-            let a2 = -target_bar_rate_z;
-            let a3 = R::from_f64(2.0) * pivot_orientation_x;
-            let a4 = R::from_f64(2.0) * pivot_orientation_z;
-            let a5 = pivot_orientation_y * a4;
-            let a6 = (-pivot_orientation_w).mul_add(a3, a5);
-            let a7 = pivot_orientation_w.mul_add(a3, a5);
-            let a8 = R::from_f64(0.5) * a7;
-            let a9 = R::from_f64(-0.5).mul_add(a6, a8);
-            let a10 = a9 - target_bar_orientation_x;
-            let a11 = R::from_f64(2.0) * pivot_orientation_y;
-            let a12 = pivot_orientation_x * a4;
-            let a13 = (-pivot_orientation_w).mul_add(a11, a12);
-            let a14 = pivot_orientation_w.mul_add(a11, a12);
-            let a15 = R::from_f64(0.5) * a14;
-            let a16 = R::from_f64(-0.5).mul_add(a13, a15);
-            let a17 = a16 - target_bar_orientation_y;
-            let a18 = pivot_orientation_x * a11;
-            let a19 = (-pivot_orientation_w).mul_add(a4, a18);
-            let a20 = pivot_orientation_w.mul_add(a4, a18);
-            let a21 = R::from_f64(0.5) * a20;
-            let a22 = R::from_f64(-0.5).mul_add(a19, a21);
-            let a23 = a22 - target_bar_orientation_z;
-            *out = [a0, a1, a2, a10, a17, a23];
-        }
-        fn condition_cosines(
-            &self,
-            time: R,
-            q: &Q<R>,
-            target: &Conditions<R>,
-            out: &mut Conditions<R>,
-        ) {
-            *out = [R::ONE, R::ONE, R::ONE, R::ONE, R::ONE, R::ONE];
-        }
-        fn condition_jacobian(&self, time: R, q: &Q<R>, out: &mut ConditionJacobian<R>) {
-            let pivot_orientation_w = q[0];
-            let pivot_orientation_x = q[1];
-            let pivot_orientation_y = q[2];
-            let pivot_orientation_z = q[3];
-            let a0 = R::from_f64(2.0) * pivot_orientation_x;
-            let a1 = R::from_f64(2.0) * pivot_orientation_y;
-            let a2 = pivot_orientation_y * a1;
-            let a3 = pivot_orientation_x.mul_add(a0, a2);
-            let a4 = R::ONE - a3;
-            let a5 = R::from_f64(2.0) * pivot_orientation_z;
-            let a6 = pivot_orientation_z * a5;
-            let a7 = pivot_orientation_x.mul_add(a0, a6);
-            let a8 = R::ONE - a7;
-            let a9 = R::from_f64(0.5) * a8;
-            let a10 = R::from_f64(0.5).mul_add(a4, a9);
-            let a11 = pivot_orientation_x * a1;
-            let a12 = pivot_orientation_w.mul_add(a5, a11);
-            let a13 = R::from_f64(-0.5) * a12;
-            let a14 = pivot_orientation_x * a5;
-            let a15 = (-pivot_orientation_w).mul_add(a1, a14);
-            let a16 = R::from_f64(-0.5) * a15;
-            let a17 = (-pivot_orientation_w).mul_add(a5, a11);
-            let a18 = R::from_f64(-0.5) * a17;
-            let a19 = a2 + a6;
-            let a20 = R::ONE - a19;
-            let a21 = R::from_f64(0.5) * a20;
-            let a22 = R::from_f64(0.5).mul_add(a4, a21);
-            let a23 = pivot_orientation_y * a5;
-            let a24 = pivot_orientation_w.mul_add(a0, a23);
-            let a25 = R::from_f64(-0.5) * a24;
-            let a26 = pivot_orientation_w.mul_add(a1, a14);
-            let a27 = R::from_f64(-0.5) * a26;
-            let a28 = (-pivot_orientation_w).mul_add(a0, a23);
-            let a29 = R::from_f64(-0.5) * a28;
-            let a30 = a9 + a21;
-            *out = [R::ONE, R::ONE, R::ONE, a10, a13, a16, a18, a22, a25, a27, a29, a30];
-        }
-        fn condition_bias(&self, time: R, q: &Q<R>, v: &V<R>, out: &mut Conditions<R>) {
-            let pivot_orientation_w = q[0];
-            let pivot_orientation_x = q[1];
-            let pivot_orientation_y = q[2];
-            let pivot_orientation_z = q[3];
-            let pivot_rate_x = v[0];
-            let pivot_rate_y = v[1];
-            let pivot_rate_z = v[2];
-            let a0 = R::from_f64(2.0) * pivot_orientation_x;
-            let a1 = R::from_f64(2.0) * pivot_orientation_z;
-            let a2 = pivot_orientation_y * a1;
-            let a3 = (-pivot_orientation_w).mul_add(a0, a2);
-            let a4 = pivot_rate_y * pivot_rate_y;
-            let a5 = pivot_rate_x.mul_add(pivot_rate_x, a4);
-            let a6 = pivot_orientation_z * a1;
-            let a7 = pivot_orientation_x.mul_add(a0, a6);
-            let a8 = R::ONE - a7;
-            let a9 = pivot_rate_y * pivot_rate_z;
-            let a10 = R::from_f64(2.0) * pivot_orientation_y;
-            let a11 = pivot_orientation_x * a10;
-            let a12 = pivot_orientation_w.mul_add(a1, a11);
-            let a13 = pivot_rate_x * pivot_rate_z;
-            let a14 = a12 * a13;
-            let a15 = a8.mul_add(a9, a14);
-            let a16 = (-a3).mul_add(a5, a15);
-            let a17 = pivot_orientation_y * a10;
-            let a18 = pivot_orientation_x.mul_add(a0, a17);
-            let a19 = R::ONE - a18;
-            let a20 = pivot_orientation_w.mul_add(a0, a2);
-            let a21 = pivot_rate_z * pivot_rate_z;
-            let a22 = pivot_rate_x.mul_add(pivot_rate_x, a21);
-            let a23 = pivot_orientation_x * a1;
-            let a24 = (-pivot_orientation_w).mul_add(a10, a23);
-            let a25 = pivot_rate_x * pivot_rate_y;
-            let a26 = a24 * a25;
-            let a27 = (-a20).mul_add(a22, a26);
-            let a28 = a19.mul_add(a9, a27);
-            let a29 = R::from_f64(0.5) * a28;
-            let a30 = R::from_f64(-0.5).mul_add(a16, a29);
-            let a31 = a4 + a21;
-            let a32 = a20 * a25;
-            let a33 = (-a24).mul_add(a31, a32);
-            let a34 = a19.mul_add(a13, a33);
-            let a35 = pivot_orientation_w.mul_add(a10, a23);
-            let a36 = (-pivot_orientation_w).mul_add(a1, a11);
-            let a37 = a17 + a6;
-            let a38 = R::ONE - a37;
-            let a39 = a38 * a13;
-            let a40 = a36.mul_add(a9, a39);
-            let a41 = (-a35).mul_add(a5, a40);
-            let a42 = R::from_f64(0.5) * a41;
-            let a43 = R::from_f64(-0.5).mul_add(a34, a42);
-            let a44 = a38 * a25;
-            let a45 = (-a36).mul_add(a22, a44);
-            let a46 = a35.mul_add(a9, a45);
-            let a47 = a8 * a25;
-            let a48 = (-a12).mul_add(a31, a47);
-            let a49 = a3.mul_add(a13, a48);
-            let a50 = R::from_f64(0.5) * a49;
-            let a51 = R::from_f64(-0.5).mul_add(a46, a50);
-            *out = [R::ZERO, R::ZERO, R::ZERO, a30, a43, a51];
-        }
-        fn condition_drift(&self, time: R, q: &Q<R>, out: &mut Conditions<R>) {
-            *out = [R::ZERO, R::ZERO, R::ZERO, R::ZERO, R::ZERO, R::ZERO];
-        }
-        fn row_cosines(&self, time: R, q: &Q<R>, out: &mut Lambda<R>) {
-            *out = [];
-        }
-        fn row_scales(&self, out: &mut Lambda<R>) {
-            *out = [];
-        }
-        fn start_targets(
-            &self,
-            positions: &mut Conditions<R>,
-            rates: &mut Conditions<R>,
-        ) {
-            *positions = [R::ZERO, R::ZERO, R::ZERO, R::ZERO, R::ZERO, R::ZERO];
-            *rates = [R::ZERO, R::ZERO, R::ZERO, R::ZERO, R::ZERO, R::ZERO];
-        }
         type Store = tabled::Store<R, Self>;
-        fn store() -> Self::Store {
-            tabled::store::<R, Self>()
-        }
-        fn factor(
-            &self,
-            time: R,
-            q: &Q<R>,
-            compliance: R,
-            store: &mut Self::Store,
-        ) -> R {
-            tabled::factor::<R, Self>(self, time, q, compliance, store)
-        }
-        fn solve(
-            &self,
-            store: &Self::Store,
-            forces: &V<R>,
-            rows: &Lambda<R>,
-            a: &mut V<R>,
-            lambda: &mut Lambda<R>,
-        ) {
-            tabled::solve::<R, Self>(store, forces, rows, a, lambda)
-        }
         type Lu = ();
-        fn lu() {}
-        fn start_q() -> Q<R> {
-            [R::ONE, R::ZERO, R::ZERO, R::ZERO]
-        }
-        fn start_v() -> V<R> {
-            [R::ZERO, R::ZERO, R::ZERO]
-        }
     }
 };
 const _: ::core::option::Option<&'static ::core::primitive::str> = ::core::option_env!(

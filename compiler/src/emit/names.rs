@@ -13,7 +13,8 @@ pub struct Names {
     names: Rc<BTreeMap<Source, String>>,
     /// What the definition calls parameters and inputs, whose values may have other names in functions.
     fields: Rc<BTreeMap<Source, String>>,
-    taken: Rc<BTreeSet<String>>,
+    /// Words that functions use themselves.
+    reserved: Rc<BTreeSet<String>>,
     /// Names of instructions that are results, by index.
     results: Vec<Option<String>>,
     keywords: Rc<BTreeSet<String>>,
@@ -26,7 +27,8 @@ impl Names {
         let keywords: BTreeSet<String> = keywords.iter().map(|word| word.to_string()).collect();
         let mut fields = BTreeMap::new();
         let mut names = BTreeMap::new();
-        let mut taken = reserved();
+        let reserved = reserved();
+        let mut taken = reserved.clone();
         for Given { argument, shape, symbols: of, .. } in &ARGUMENTS {
             for (index, node) in of(complete).iter().enumerate() {
                 let Op::Symbol(symbol) = equations.graph.read().op(*node) else { continue };
@@ -64,20 +66,26 @@ impl Names {
         Names {
             names: Rc::new(names),
             fields: Rc::new(fields),
-            taken: Rc::new(taken),
+            reserved: Rc::new(reserved),
             results: Vec::new(),
             keywords: Rc::new(keywords),
         }
     }
 
-    /// The same names, with results called by what they are; `labels` in the order of the outputs.
-    pub fn with_results(&self, outputs: &[Operand], labels: &[Option<String>]) -> Names {
-        let mut used = BTreeSet::new();
+    /// The same names, with results called by what they are; `labels` in the order of the outputs. They differ from those of the arguments.
+    pub fn with_results(
+        &self,
+        arguments: &[Argument],
+        outputs: &[Operand],
+        labels: &[Option<String>],
+    ) -> Names {
+        let own = self.names.iter().filter(|(source, _)| arguments.contains(&source.argument));
+        let mut used: BTreeSet<String> = own.map(|(_, name)| name.clone()).collect();
         let mut results = Vec::new();
         for (output, label) in outputs.iter().zip(labels) {
             let (Operand::Value(index), Some(label)) = (output, label) else { continue };
             let mut name = readable(label, &self.keywords);
-            while self.taken.contains(&name) || used.contains(&name) {
+            while self.reserved.contains(&name) || used.contains(&name) {
                 name.push('_');
             }
             used.insert(name.clone());

@@ -11,8 +11,8 @@
 use super::dialect::Dialect;
 use super::names::Names;
 use crate::compiled::Compiled;
-use crate::functions::{Argument, Function, Group, Shape, Signature};
-use crate::schedule::{Cut, Instruction, Operand, Part, Program, Source};
+use crate::functions::{Argument, Function, Group, Interface, Shape, Signature};
+use crate::schedule::{Cut, Instruction, Operand, Part, Program, Section, Source, count};
 use std::collections::BTreeSet;
 
 /// The body of a function and the helper functions it was cut into.
@@ -66,7 +66,7 @@ impl<'a, D: Dialect> Printer<'a, D> {
             printer: self,
             program,
             cut,
-            names: self.names.with_results(&program.outputs, &self.labels(signature)),
+            names: self.names.with_results(signature.arguments, &program.outputs, &self.labels(signature)),
             signature,
             shared: if solves { programs.shared } else { 0 },
         }
@@ -112,6 +112,7 @@ impl<D: Dialect> Writer<'_, D> {
         let Some((last, before)) = self.cut.parts.split_last() else {
             return Body { statements, outputs: Vec::new(), reads_constants: false, helpers };
         };
+        self.header(&mut statements);
         if !before.is_empty() {
             dialect.slots(&mut statements, self.cut.size);
         }
@@ -124,6 +125,11 @@ impl<D: Dialect> Writer<'_, D> {
             dialect.call(&mut statements, &name, arguments);
             if first == self.signature.function {
                 dialect.helper(&mut helpers, &name, arguments, self.cut.size);
+                let count = before.len() + 1;
+                dialect.comment(
+                    &mut helpers,
+                    &format!("Part {} of {count} of `{}`.", index + 1, self.signature.name),
+                );
                 let names = if common { &self.printer.names } else { &self.names };
                 self.part(&mut helpers, part, &[], names);
                 self.give(&mut helpers, part, names);
@@ -146,6 +152,19 @@ impl<D: Dialect> Writer<'_, D> {
         Body { outputs, statements, reads_constants: constants || !before.is_empty(), helpers }
     }
 
+    /// What the function computes, where its documentation does not say so, and how many operations that takes.
+    fn header(&self, text: &mut String) {
+        let dialect = &self.printer.dialect;
+        if self.signature.interface != Interface::Model {
+            self.signature.doc.lines().for_each(|line| dialect.comment(text, line));
+        }
+        match count(self.program).total() {
+            0 => {}
+            1 => dialect.comment(text, "1 operation."),
+            many => dialect.comment(text, &format!("{many} operations.")),
+        }
+    }
+
     /// Loads, values taken from the array, and instructions of one part; what is loaded.
     fn part(&self, text: &mut String, part: &Part, outputs: &[Operand], names: &Names) -> BTreeSet<Source> {
         let instructions = &self.program.instructions[part.start..part.end];
@@ -163,9 +182,13 @@ impl<D: Dialect> Writer<'_, D> {
             text.push_str(behind);
         }
         for (offset, instruction) in instructions.iter().enumerate() {
+            let index = part.start + offset;
+            if let Some(section) = self.section(index) {
+                self.printer.dialect.comment(text, &section.title);
+            }
             let [before, between, behind] = self.printer.dialect.declaration(instruction.is_mask());
             text.push_str(before);
-            names.push_value(text, (part.start + offset) as u32);
+            names.push_value(text, index as u32);
             text.push_str(between);
             self.expression(text, instruction, names);
             text.push_str(behind);
@@ -182,6 +205,13 @@ impl<D: Dialect> Writer<'_, D> {
             names.push_value(text, *value as u32);
             text.push_str(close);
         }
+    }
+
+    /// The section that begins with an instruction, where there are several.
+    fn section(&self, index: usize) -> Option<&Section> {
+        let sections = &self.program.sections;
+        let found = sections.binary_search_by_key(&index, |section| section.start).ok()?;
+        (sections.len() > 1).then(|| &sections[found])
     }
 
     fn is_mask(&self, value: usize) -> bool {

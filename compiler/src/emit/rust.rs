@@ -30,9 +30,9 @@ impl Dialect for Rust<'_> {
             Instruction::MulAdd(_, _, _, minus_product, minus_addend) => {
                 match (minus_product, minus_addend) {
                     (false, false) => ["", ".mul_add(", ", ", ")"],
-                    (false, true) => ["", ".mul_add(", ", (-", "))"],
+                    (false, true) => ["", ".mul_add(", ", -", ")"],
                     (true, false) => ["(-", ").mul_add(", ", ", ")"],
-                    (true, true) => ["(-", ").mul_add(", ", (-", "))"],
+                    (true, true) => ["(-", ").mul_add(", ", -", ")"],
                 }
             }
             Instruction::Neg(_) => ["-", "", "", ""],

@@ -66,14 +66,15 @@ impl Signature {
     /// Its results by groups.
     pub fn groups<'v, T>(&self, complete: &Complete, results: &'v [T]) -> Vec<&'v [T]> {
         let mut rest = results;
-        let lengths = self.results.iter().map(|group| (group.nodes)(complete).len());
-        lengths
-            .map(|length| {
-                let (own, others) = rest.split_at(length.min(rest.len()));
-                rest = others;
-                own
-            })
-            .collect()
+        let part = |(index, group): (usize, &Group)| {
+            // The last has what is left: how many constants a model is prepared with is found by its program.
+            let last = index + 1 == self.results.len();
+            let length = if last { rest.len() } else { (group.nodes)(complete).len().min(rest.len()) };
+            let (own, others) = rest.split_at(length);
+            rest = others;
+            own
+        };
+        self.results.iter().enumerate().map(part).collect()
     }
 
     /// The same where the number of groups is known.

@@ -5,7 +5,8 @@
 //! by the longest path to an output (Muchnick, Advanced Compiler Design and Implementation, section 17.1) interleaves
 //! them. Short programs fit into the look-ahead as they are.
 
-use super::program::{Instruction, Operand, Program};
+use super::program::{Instruction, Operand};
+use super::select::Selected;
 use std::cmp::Reverse;
 use std::collections::{BinaryHeap, VecDeque};
 
@@ -27,14 +28,14 @@ fn latency(instruction: &Instruction) -> usize {
 }
 
 /// The program with its instructions in the order of execution, those before `start` before all others.
-pub fn interleave(program: Program, start: usize) -> Program {
-    let count = program.instructions.len();
-    if count < LONG {
-        return program;
+pub fn interleave(selected: Selected, start: usize) -> Selected {
+    let instructions = &selected.program.instructions;
+    if instructions.len() < LONG {
+        return selected;
     }
-    let mut order = order(&program.instructions[..start], 0);
-    order.extend(self::order(&program.instructions[start..], start));
-    program.in_order(&order)
+    let mut order = order(&instructions[..start], 0);
+    order.extend(self::order(&instructions[start..], start));
+    selected.in_order(&order)
 }
 
 /// Instructions of a program from `start` on, in the order of execution.

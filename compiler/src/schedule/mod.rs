@@ -9,6 +9,7 @@ mod evaluate;
 mod interleave;
 mod liveness;
 mod program;
+mod sections;
 mod select;
 mod share;
 
@@ -26,6 +27,7 @@ use crate::equations::Equations;
 use crate::functions::{ARGUMENTS, Argument, Given};
 use crate::optimize::{self, Fused, Hoisted, Optimized};
 use crate::symbolic::Node;
+pub use sections::Section;
 use select::Selected;
 
 /// All programs of one mechanism.
@@ -41,7 +43,8 @@ pub struct Programs {
 
 impl Programs {
     pub fn get(&self, function: Function) -> &Program {
-        static EMPTY: Program = Program { instructions: Vec::new(), outputs: Vec::new() };
+        static EMPTY: Program =
+            Program { instructions: Vec::new(), outputs: Vec::new(), sections: Vec::new() };
         self.functions.iter().find(|(known, _)| *known == function).map_or(&EMPTY, |(_, program)| program)
     }
 }
@@ -64,7 +67,10 @@ pub fn schedule(complete: &Complete, optimized: &Optimized) -> Programs {
         _ => 0,
     };
     let in_order = |(function, selected): (Function, Selected)| {
-        (function, interleave::interleave(selected.program, if solves(function) { shared } else { 0 }))
+        let shared = if solves(function) { shared } else { 0 };
+        let selected = interleave::interleave(selected, shared);
+        let sections = sections::sections(complete, function, &selected.nodes);
+        (function, Program { sections, ..selected.program })
     };
     let functions = selected.into_iter().map(in_order).collect();
     Programs { functions, prepared: optimized.hoisted.len(), shared }

@@ -1,5 +1,6 @@
 //! Straight-line programs: what `emit` spells out, `count` counts and `evaluate` runs.
 
+use super::sections::Section;
 use crate::functions::Argument;
 use crate::symbolic::{Compare, Unary};
 
@@ -97,10 +98,12 @@ impl Instruction {
 pub struct Program {
     pub instructions: Vec<Instruction>,
     pub outputs: Vec<Operand>,
+    /// What stretches of the instructions are for, where that is known.
+    pub sections: Vec<Section>,
 }
 
 impl Program {
-    /// The same program with its instructions in another order, given by their present indices.
+    /// The same program with its instructions in another order, given by their present indices; without sections.
     pub fn in_order(&self, order: &[usize]) -> Program {
         let mut position = vec![0u32; order.len()];
         for (new, old) in order.iter().enumerate() {
@@ -111,6 +114,10 @@ impl Program {
             other => other,
         };
         let instructions = order.iter().map(|old| self.instructions[*old].map(moved)).collect();
-        Program { instructions, outputs: self.outputs.iter().map(|output| moved(*output)).collect() }
+        Program {
+            instructions,
+            outputs: self.outputs.iter().map(|output| moved(*output)).collect(),
+            sections: Vec::new(),
+        }
     }
 }

@@ -16,12 +16,26 @@ struct Selection<'a> {
 }
 
 /// A program, and what its instructions compute.
+#[derive(Default)]
 pub struct Selected {
     pub program: Program,
     /// Node of each instruction.
     pub nodes: Vec<Node>,
     /// Instruction of each node, up to the newest that is needed.
     pub values: Vec<Option<u32>>,
+}
+
+impl Selected {
+    /// The same with its instructions in another order, given by their present indices.
+    pub fn in_order(self, order: &[usize]) -> Selected {
+        let mut position = vec![0u32; order.len()];
+        order.iter().enumerate().for_each(|(new, old)| position[*old] = new as u32);
+        Selected {
+            program: self.program.in_order(order),
+            nodes: order.iter().map(|old| self.nodes[*old]).collect(),
+            values: self.values.into_iter().map(|value| value.map(|old| position[old as usize])).collect(),
+        }
+    }
 }
 
 /// The function as instructions, operands first.
@@ -33,7 +47,7 @@ pub fn select(graph: &Graph, sources: &[Source], hoisted: &Hoisted, fused: &Fuse
         selection.compute(*output);
     }
     let outputs = fused.outputs.iter().map(|output| selection.operand(*output)).collect();
-    let program = Program { instructions: selection.instructions, outputs };
+    let program = Program { instructions: selection.instructions, outputs, sections: Vec::new() };
     Selected { program, nodes: selection.nodes, values: selection.values }
 }
 

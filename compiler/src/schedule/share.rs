@@ -35,8 +35,8 @@ pub fn share(one: &mut Selected, other: &mut Selected) -> usize {
     };
     let first = in_front(one.nodes.len(), shared.iter().map(|(a, _)| *a).collect());
     let second = in_front(other.nodes.len(), shared.iter().map(|(_, b)| *b).collect());
-    one.program = one.program.in_order(&first);
-    other.program = other.program.in_order(&second);
+    *one = std::mem::take(one).in_order(&first);
+    *other = std::mem::take(other).in_order(&second);
     shared.len()
 }
 

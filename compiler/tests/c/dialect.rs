@@ -1,0 +1,170 @@
+//! C as a dialect, and functions with their heads: what a second language takes, and no more.
+//!
+//! ```text
+//! static void FourBar_gamma(const double *constants, double time, const double *q, const double *v, double *out) {
+//! const double crank_cos = q[0];
+//! const double a0 = crank_cos * crank_cos;
+//! out[0] = a0;
+//! }
+//! ```
+
+use linkwright_compiler::Compiled;
+use linkwright_compiler::emit::{Dialect, Printer, Spelling};
+use linkwright_compiler::functions::{Argument, FUNCTIONS, Shape, Signature};
+use linkwright_compiler::schedule::{Instruction, Source};
+use linkwright_compiler::symbolic::{Compare, Unary};
+use std::fmt::Write;
+
+/// What the functions are written over.
+pub const PRELUDE: &str = "#include <math.h>
+static double sign(double x) { return x > 0.0 ? 1.0 : x < 0.0 ? -1.0 : x; }
+static double least(double a, double b) { return a < b ? a : b; }
+static double most(double a, double b) { return a > b ? a : b; }
+";
+
+const WORDS: [&str; 58] = [
+    "auto", "break", "case", "char", "const", "continue", "default", "do", "double", "else", "enum",
+    "extern", "float", "for", "goto", "if", "inline", "int", "long", "register", "restrict", "return",
+    "short", "signed", "sizeof", "static", "struct", "switch", "typedef", "union", "unsigned", "void",
+    "volatile", "while", "sqrt", "fabs", "sign", "sin", "cos", "tan", "asin", "acos", "atan2", "exp", "log",
+    "least", "most", "main", "errno", "stdin", "stdout", "stderr", "isnan", "isinf", "signbit", "INFINITY",
+    "NAN", "HUGE_VAL",
+];
+
+pub struct C {
+    keywords: Vec<&'static str>,
+}
+
+impl C {
+    /// All results are written to arguments, so that values of functions have names, too.
+    pub fn new() -> C {
+        let results = FUNCTIONS.iter().flat_map(|signature| signature.results).map(|group| group.name);
+        C { keywords: WORDS.into_iter().chain(results).collect() }
+    }
+}
+
+impl Dialect for C {
+    fn keywords(&self) -> &[&str] {
+        &self.keywords
+    }
+
+    fn constant(&self, text: &mut String, value: f64) {
+        let _ = match value {
+            _ if value.is_nan() => write!(text, "NAN"),
+            _ if value.is_infinite() => write!(text, "({}INFINITY)", if value < 0.0 { "-" } else { "" }),
+            _ if value.is_sign_negative() => write!(text, "({value:?})"),
+            _ => write!(text, "{value:?}"),
+        };
+    }
+
+    fn operation(&self, instruction: &Instruction) -> Spelling {
+        match instruction {
+            Instruction::Neg(_) => ["-", "", "", ""],
+            Instruction::Add(..) => ["", " + ", "", ""],
+            Instruction::Sub(..) => ["", " - ", "", ""],
+            Instruction::Mul(..) => ["", " * ", "", ""],
+            Instruction::Div(..) => ["", " / ", "", ""],
+            Instruction::MulAdd(_, _, _, false, false) => ["", " * ", " + ", ""],
+            Instruction::MulAdd(_, _, _, false, true) => ["", " * ", " - ", ""],
+            Instruction::MulAdd(_, _, _, true, false) => ["-(", " * ", ") + ", ""],
+            Instruction::MulAdd(_, _, _, true, true) => ["-(", " * ", ") - ", ""],
+            Instruction::Unary(function, _) => match function {
+                Unary::Reciprocal => ["1.0 / ", "", "", ""],
+                Unary::Sqrt => ["sqrt(", ")", "", ""],
+                Unary::Abs => ["fabs(", ")", "", ""],
+                Unary::Sign => ["sign(", ")", "", ""],
+                Unary::Sin => ["sin(", ")", "", ""],
+                Unary::Cos => ["cos(", ")", "", ""],
+                Unary::Tan => ["tan(", ")", "", ""],
+                Unary::Asin => ["asin(", ")", "", ""],
+                Unary::Acos => ["acos(", ")", "", ""],
+                Unary::Exp => ["exp(", ")", "", ""],
+                Unary::Ln => ["log(", ")", "", ""],
+            },
+            Instruction::Min(..) => ["least(", ", ", ")", ""],
+            Instruction::Max(..) => ["most(", ", ", ")", ""],
+            Instruction::Atan2(..) => ["atan2(", ", ", ")", ""],
+            Instruction::Compare(Compare::Less, ..) => ["", " < ", "", ""],
+            Instruction::Compare(Compare::LessEqual, ..) => ["", " <= ", "", ""],
+            Instruction::Compare(Compare::Equal, ..) => ["", " == ", "", ""],
+            Instruction::And(..) => ["", " && ", "", ""],
+            Instruction::Or(..) => ["", " || ", "", ""],
+            Instruction::Not(_) => ["!", "", "", ""],
+            Instruction::Select(..) => ["", " ? ", " : ", ""],
+        }
+    }
+
+    fn declaration(&self, mask: bool) -> [&'static str; 3] {
+        if mask { ["const int ", " = ", ";\n"] } else { ["const double ", " = ", ";\n"] }
+    }
+
+    fn comment(&self, text: &mut String, line: &str) {
+        let _ = writeln!(text, "/* {line} */");
+    }
+
+    fn entry(&self, text: &mut String, source: Source, _: &str) {
+        let _ = write!(text, "{}[{}]", source.argument.name(), source.index);
+    }
+
+    fn slots(&self, text: &mut String, size: usize) {
+        let _ = writeln!(text, "double w[{size}];");
+    }
+
+    fn slot(&self, text: &mut String, slot: usize) {
+        let _ = write!(text, "w[{slot}]");
+    }
+
+    fn given(&self, _: bool) -> [&'static str; 2] {
+        [" = ", ";\n"]
+    }
+
+    fn taken(&self, mask: bool) -> [&'static str; 2] {
+        if mask { ["", " != 0.0"] } else { ["", ""] }
+    }
+
+    fn helper(&self, text: &mut String, name: &str, arguments: &[Argument], _: usize) {
+        let declared: Vec<String> = arguments.iter().map(|argument| declaration(*argument)).collect();
+        let _ = writeln!(text, "static void {name}({}, double *w) {{", declared.join(", "));
+    }
+
+    fn end(&self, text: &mut String) {
+        text.push_str("}\n");
+    }
+
+    fn call(&self, text: &mut String, name: &str, arguments: &[Argument]) {
+        let names: Vec<&str> = arguments.iter().map(|argument| argument.name()).collect();
+        let _ = writeln!(text, "{name}({}, w);", names.join(", "));
+    }
+}
+
+fn declaration(argument: Argument) -> String {
+    let given = argument.given();
+    let kind = if matches!(given.shape, Shape::Scalar) { "double " } else { "const double *" };
+    format!("{kind}{}", given.name)
+}
+
+/// `FourBar_gamma`: C has no types that functions belong to.
+pub fn name_of(compiled: &Compiled, signature: &Signature) -> String {
+    format!("{}_{}", compiled.mechanism.name.text, signature.name)
+}
+
+/// A function with what it was cut into, results one behind the other in `out` of the caller by their groups.
+pub fn function(printer: &Printer<C>, signature: &Signature) -> String {
+    let compiled = printer.compiled;
+    let body = printer.body(signature.function);
+    let given = signature.arguments.iter().map(|argument| declaration(*argument));
+    let results = signature.results.iter().map(|group| format!("double *{}", group.name));
+    let arguments: Vec<String> = given.chain(results).collect();
+    let mut text = body.helpers;
+    let _ = writeln!(text, "/* {} */", signature.doc.replace('\n', " "));
+    let _ = writeln!(text, "static void {}({}) {{", name_of(compiled, signature), arguments.join(", "));
+    text.push_str(&body.statements);
+    let groups = signature.groups(&compiled.complete, &body.outputs);
+    for (group, own) in signature.results.iter().zip(groups) {
+        for (index, value) in own.iter().enumerate() {
+            let _ = writeln!(text, "{}[{index}] = {value};", group.name);
+        }
+    }
+    text.push_str("}\n");
+    text
+}
