@@ -101,8 +101,24 @@ fn with_comments_as_macros(text: &str) -> String {
     text.lines().map(line).collect()
 }
 
+/// A long one is broken into three lines.
 fn with_macros_as_comments(text: &str) -> String {
-    text.replace("comment!(r#\"", "// ").replace("\"#);\n", "\n")
+    let mut result = String::new();
+    let mut lines = text.lines();
+    while let Some(line) = lines.next() {
+        let Some((indent, rest)) = line.split_once("comment!(") else {
+            result += &format!("{line}\n");
+            continue;
+        };
+        let literal = if rest.is_empty() { lines.next().unwrap_or_default() } else { rest };
+        let comment =
+            literal.trim().trim_start_matches("r#\"").trim_end_matches(");").trim_end_matches("\"#");
+        result += &format!("{indent}// {comment}\n");
+        if rest.is_empty() {
+            lines.next();
+        }
+    }
+    result
 }
 
 /// Leaves out functions of implementations that are not kept, and the functions that only these call.

@@ -9,8 +9,6 @@ use crate::registry::{At, Model, Random, compiled, for_each, vector};
 use crate::zoo_tangent::for_each_with_tangent;
 use linkwright::{Tangent, Vector};
 use linkwright_compiler::Compiled;
-use linkwright_compiler::equations::Row;
-use linkwright_compiler::equations::couplings::is_open;
 use linkwright_compiler::model::Coordinates;
 use linkwright_compiler::schedule::{self, Function, Inputs};
 use linkwright_compiler::symbolic::{Graph, Node, Op, Unary, evaluate};

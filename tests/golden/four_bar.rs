@@ -424,9 +424,7 @@ const _: () = {
             a_out: &mut V<R>,
             lambda_out: &mut Lambda<R>,
         ) -> R {
-            comment!(
-                r#"v̇ and λ of M v̇ + Dᵀ λ = Q, D v̇ = γ − 2α (D v − ν) − β² Φ (Baumgarte 1972); the smallest relative pivot."#
-            );
+            // v̇ and λ of M v̇ + Dᵀ λ = Q, D v̇ = γ − 2α (D v − ν) − β² Φ (Baumgarte 1972); the smallest relative pivot.
             // 86 operations.
             let crank_cos = q[0];
             let crank_sin = q[1];

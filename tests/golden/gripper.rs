@@ -460,9 +460,7 @@ const _: () = {
             damping_out: &mut Damping<R>,
         ) {
             let constants = &self.constants;
-            comment!(
-                r#"∂r/∂q along increments of q, and ∂r/∂v: the stored entries."#
-            );
+            // ∂r/∂q along increments of q, and ∂r/∂v: the stored entries.
             // 43 operations.
             let crank_cos = q[0];
             let crank_sin = q[1];

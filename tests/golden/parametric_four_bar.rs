@@ -329,9 +329,7 @@ const _: () = {
             Ok(model)
         }
         fn with(parameters: Parameters<R>, phases: Phases<R>) -> Self {
-            comment!(
-                r#"What depends on parameters and phases alone: the constants of the prepared model."#
-            );
+            // What depends on parameters and phases alone: the constants of the prepared model.
             // 65 operations.
             let gravity_x = parameters.gravity_x;
             let gravity_y = parameters.gravity_y;

@@ -170,9 +170,7 @@ const _: () = {
             &self.parameters
         }
         fn with(parameters: Parameters<R>, phases: Phases<R>) -> Self {
-            comment!(
-                r#"What depends on parameters and phases alone: the constants of the prepared model."#
-            );
+            // What depends on parameters and phases alone: the constants of the prepared model.
             Self {
                 parameters,
                 phases,
@@ -313,9 +311,7 @@ const _: () = {
             *out = [];
         }
         fn forces(&self, time: R, q: &Q<R>, v: &V<R>, u: &(), out: &mut V<R>) {
-            comment!(
-                r#"Q(t, q, v, u): loads, gravity and gyroscopic forces of M v̇ + Dᵀ λ = Q (N or N m)."#
-            );
+            // Q(t, q, v, u): loads, gravity and gyroscopic forces of M v̇ + Dᵀ λ = Q (N or N m).
             // 1 operation.
             let arm_cos = q[0];
             let force_arm_rate = R::from_f64(-9.81) * arm_cos;
@@ -350,9 +346,7 @@ const _: () = {
             a_out: &mut V<R>,
             lambda_out: &mut Lambda<R>,
         ) -> R {
-            comment!(
-                r#"v̇ and λ of M v̇ + Dᵀ λ = Q, D v̇ = γ; the smallest relative pivot."#
-            );
+            // v̇ and λ of M v̇ + Dᵀ λ = Q, D v̇ = γ; the smallest relative pivot.
             // 1 operation.
             let arm_cos = q[0];
             let arm_rate_dot = R::from_f64(-9.81) * arm_cos;
@@ -415,9 +409,7 @@ const _: () = {
             [0; 1]
         }
         fn row_cosines(&self, time: R, q: &Q<R>, out: &mut Lambda<R>) {
-            comment!(
-                r#"Of each row that fixes a direction the cosine that tells it from its opposite; 1 of others."#
-            );
+            // Of each row that fixes a direction the cosine that tells it from its opposite; 1 of others.
             *out = [];
         }
         fn condition_residual(
@@ -427,9 +419,7 @@ const _: () = {
             target: &Conditions<R>,
             out: &mut Conditions<R>,
         ) {
-            comment!(
-                r#"What each condition of the start is off its target by, as a length or a sine."#
-            );
+            // What each condition of the start is off its target by, as a length or a sine.
             // 4 operations.
             let arm_cos = q[0];
             let arm_sin = q[1];
@@ -459,9 +449,7 @@ const _: () = {
             *out = [a3];
         }
         fn condition_jacobian(&self, time: R, q: &Q<R>, out: &mut ConditionJacobian<R>) {
-            comment!(
-                r#"J(t, q), the rate of a condition being J v + b: its stored entries."#
-            );
+            // J(t, q), the rate of a condition being J v + b: its stored entries.
             *out = [R::ONE];
         }
         fn condition_bias(&self, time: R, q: &Q<R>, v: &V<R>, out: &mut Conditions<R>) {
@@ -477,16 +465,12 @@ const _: () = {
             positions: &mut Conditions<R>,
             rates: &mut Conditions<R>,
         ) {
-            comment!(
-                r#"Values, and rates, that `start` asks of each condition; 0 where it asks none."#
-            );
+            // Values, and rates, that `start` asks of each condition; 0 where it asks none.
             *positions = [R::from_f64(3.141592653589793)];
             *rates = [R::ZERO];
         }
         fn row_scales(&self, out: &mut Lambda<R>) {
-            comment!(
-                r#"Sᵢ of each row, twice the largest Dᵢ M⁻¹ Dᵢᵀ along the motion (1/kg or 1/(kg m²)): what pivots of rows are measured by."#
-            );
+            // Sᵢ of each row, twice the largest Dᵢ M⁻¹ Dᵢᵀ along the motion (1/kg or 1/(kg m²)): what pivots of rows are measured by.
             *out = [];
         }
         type Store = tabled::Store<R, Self>;

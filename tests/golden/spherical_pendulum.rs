@@ -368,9 +368,7 @@ const _: () = {
             *out = [R::from_f64(0.04), R::from_f64(4.1), R::from_f64(4.1)];
         }
         fn forces(&self, time: R, q: &Q<R>, v: &V<R>, u: &(), out: &mut V<R>) {
-            comment!(
-                r#"Q(t, q, v, u): loads, gravity and gyroscopic forces of M v̇ + Dᵀ λ = Q (N or N m)."#
-            );
+            // Q(t, q, v, u): loads, gravity and gyroscopic forces of M v̇ + Dᵀ λ = Q (N or N m).
             // 14 operations.
             let pivot_orientation_w = q[0];
             let pivot_orientation_x = q[1];
@@ -419,9 +417,7 @@ const _: () = {
             a_out: &mut V<R>,
             lambda_out: &mut Lambda<R>,
         ) -> R {
-            comment!(
-                r#"v̇ and λ of M v̇ + Dᵀ λ = Q, D v̇ = γ; the smallest relative pivot."#
-            );
+            // v̇ and λ of M v̇ + Dᵀ λ = Q, D v̇ = γ; the smallest relative pivot.
             // 16 operations.
             let pivot_orientation_w = q[0];
             let pivot_orientation_x = q[1];

@@ -16,7 +16,7 @@ use crate::schedule::{Instruction, Source};
 /// ```
 pub type Spelling = [&'static str; 4];
 
-/// How a language spells programs.
+/// How a language spells programs. What is appended to `text` is the language's; names are given.
 pub trait Dialect {
     /// Words that are no names.
     fn keywords(&self) -> &[&str];
@@ -33,12 +33,15 @@ pub trait Dialect {
 
     /// Declares so many values that go from function to function.
     fn slots(&self, text: &mut String, size: usize);
-    /// One of them; what stands before and behind what is written to it, of a truth value too, and around it where it is read.
+    /// One of them.
     fn slot(&self, text: &mut String, slot: usize);
+    /// What stands before and behind what is written to one. They are numbers, so that a truth value is made one.
     fn given(&self, mask: bool) -> [&'static str; 2];
+    /// What stands before and behind one where it is read, as a number or as the truth value that it was.
     fn taken(&self, mask: bool) -> [&'static str; 2];
-    /// Head of a function for a part of a program, up to the first statement, and its end.
+    /// Head of a function for a part of a program, up to the first statement.
     fn helper(&self, text: &mut String, name: &str, arguments: &[Argument], slots: usize);
+    /// Its end.
     fn end(&self, text: &mut String);
     /// A call of it.
     fn call(&self, text: &mut String, name: &str, arguments: &[Argument]);

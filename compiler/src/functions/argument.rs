@@ -82,10 +82,12 @@ const _: () = {
 };
 
 impl Argument {
+    /// Its entry of the table.
     pub fn given(self) -> &'static Given {
         &ARGUMENTS[self as usize]
     }
 
+    /// Its name in every function that has it.
     pub fn name(self) -> &'static str {
         self.given().name
     }

@@ -83,6 +83,7 @@ impl Function {
         all
     };
 
+    /// Its entry of the table.
     pub fn signature(self) -> &'static Signature {
         &FUNCTIONS[self as usize]
     }

@@ -81,6 +81,7 @@ impl Sparse {
         (self.entries)(complete).into_iter().map(|(place, _)| place)
     }
 
+    /// Its entries, row by row.
     pub fn nodes(&self, complete: &Complete) -> Vec<Node> {
         (self.entries)(complete).into_iter().map(|(_, node)| node).collect()
     }
@@ -101,17 +102,24 @@ pub static JACOBIAN: Sparse =
 pub static CONDITION_JACOBIAN: Sparse = sparse("ConditionJacobian", "CONDITION_PATTERN", |c| {
     of_jets(c.conditions.rows.iter().map(|condition| &condition.jet))
 });
+/// ∂r/∂q along increments of q, r = M v̇ + Dᵀ λ − Q; and ∂r/∂v.
 pub static STIFFNESS: Sparse = sparse("Stiffness", "STIFFNESS_PATTERN", |c| of_tangents(c, |t| &t.stiffness));
 pub static DAMPING: Sparse = sparse("Damping", "DAMPING_PATTERN", |c| of_tangents(c, |t| &t.damping));
+/// ∂(D v̇ − γ)/∂q along increments of q; and ∂(D v̇ − γ)/∂v.
 pub static ROW_STIFFNESS: Sparse =
     sparse("RowStiffness", "ROW_STIFFNESS_PATTERN", |c| of_tangents(c, |t| &t.row_stiffness));
 pub static ROW_DAMPING: Sparse =
     sparse("RowDamping", "ROW_DAMPING_PATTERN", |c| of_tangents(c, |t| &t.row_damping));
+/// ∂(D v − ν)/∂q along increments of q.
 pub static RATE: Sparse = sparse("RateTangent", "RATE_PATTERN", |c| of_tangents(c, |t| &t.rate));
+/// ∂r/∂u.
 pub static INPUT: Sparse = sparse("InputTangent", "INPUT_PATTERN", |c| of_tangents(c, |t| &t.input));
+/// By the parameters: of r, D v̇ − γ, D v − ν, Φ and the outputs.
 pub static PARAMETER: Sparse =
     sparse("ParameterTangent", "PARAMETER_PATTERN", |c| of_tangents(c, |t| &t.parameter));
+/// Of the outputs by q, v, u and λ.
 pub static OUTPUT: Sparse = sparse("OutputTangent", "OUTPUT_PATTERN", |c| of_tangents(c, |t| &t.output));
+/// ∂(ż, z̈)/∂(q, v) of the independent coordinates z.
 pub static COORDINATE: Sparse =
     sparse("CoordinateTangent", "COORDINATE_PATTERN", |c| of_tangents(c, |t| &t.coordinate));
 
@@ -189,6 +197,7 @@ pub static REACTION: Record = Record {
 };
 
 impl Record {
+    /// Its struct in the plane or in space.
     pub fn of(&self, space: Space) -> &Kind {
         match space {
             Space::Planar => &self.planar,
@@ -216,6 +225,7 @@ impl Kind {
 }
 
 impl Field {
+    /// Numbers of the field.
     pub fn length(&self) -> usize {
         self.extents.iter().product()
     }

@@ -5,10 +5,10 @@ mod dialect;
 
 use dialect::{C, PRELUDE, function, name_of};
 use linkwright_compiler::emit::Printer;
-use linkwright_compiler::functions::{ARGUMENTS, FUNCTIONS, Function, Shape, Signature};
-use linkwright_compiler::schedule::{Inputs, Instruction, Program, run};
+use linkwright_compiler::functions::{ARGUMENTS, Argument, FUNCTIONS, Function, Shape, Signature};
+use linkwright_compiler::schedule::{self, Inputs, Instruction, Operand, Program, run};
 use linkwright_compiler::source::{Source, invocations};
-use linkwright_compiler::symbolic::Unary;
+use linkwright_compiler::symbolic::{Compare, Unary};
 use linkwright_compiler::syntax::EMITTED;
 use linkwright_compiler::{Compiled, compile_model, emit, model, parse, syntax};
 use std::fmt::Write as _;
@@ -26,9 +26,7 @@ const TOLERANCE: f64 = 1e-14;
 
 #[test]
 fn every_function_in_c_is_its_program() {
-    if Command::new("cc").arg("--version").stdout(Stdio::null()).stderr(Stdio::null()).status().is_err() {
-        assert!(std::env::var_os("REQUIRE_ALL").is_none(), "there is no `cc`");
-        println!("every_function_in_c_is_its_program: skipped, because there is no `cc`");
+    if !has_cc("every_function_in_c_is_its_program") {
         return;
     }
     let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("..");
@@ -53,11 +51,45 @@ fn every_function_in_c_is_its_program() {
                     else {
                         break;
                     };
-                    compare(definition, words, &folder.join(format!("model_{number}")));
+                    compare(&compiled(definition, words), &folder.join(format!("model_{number}")));
                 }
             });
         }
     });
+}
+
+/// A long program with a condition at its beginning that is asked for at its end, in both languages.
+#[test]
+fn conditions_go_from_part_to_part() {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("..");
+    let mut compiled = compiled(&definitions(&root.join("models/src/four_bar.rs"))[0], &[]);
+    let of = |argument: Argument, index: u32| Operand::Source(schedule::Source { argument, index });
+    let (x, y) = (of(Argument::Q, 0), of(Argument::V, 0));
+    let mut instructions = vec![Instruction::Compare(Compare::Less, x, y), Instruction::Mul(x, y)];
+    instructions.extend(
+        (1..2000).map(|value| Instruction::Sub(Operand::Value(value), if value % 2 == 0 { x } else { y })),
+    );
+    let last = instructions.len() as u32;
+    instructions.push(Instruction::Select(Operand::Value(0), Operand::Value(last - 1), x));
+    let long = Program { instructions, outputs: vec![Operand::Value(last)], ..Program::default() };
+    let programs = &mut compiled.programs.functions;
+    let energy = programs.iter_mut().find(|(function, _)| *function == Function::KineticEnergy);
+    energy.expect("every function has a program").1 = long;
+
+    let (_, text) = emit::emit(&compiled, "", &emit::Home::default());
+    assert!(text.contains("R::select(a0, R::ONE, R::ZERO)") && text.contains(".equal(R::ONE)"));
+    if has_cc("conditions_go_from_part_to_part") {
+        compare(&compiled, &Path::new(env!("CARGO_TARGET_TMPDIR")).join("conditions"));
+    }
+}
+
+fn has_cc(test: &str) -> bool {
+    let found = Command::new("cc").arg("--version").stdout(Stdio::null()).stderr(Stdio::null()).status();
+    if found.is_err() {
+        assert!(std::env::var_os("REQUIRE_ALL").is_none(), "there is no `cc`");
+        println!("{test}: skipped, because there is no `cc`");
+    }
+    found.is_ok()
 }
 
 /// The definitions in a file of Rust.
@@ -79,16 +111,15 @@ fn compiled(definition: &str, words: &[&str]) -> Compiled {
     compile_model(mechanism, syntax::definition_json(&definition), None).expect("it compiles")
 }
 
-fn compare(definition: &str, words: &[&str], program: &Path) {
-    let compiled = compiled(definition, words);
+fn compare(compiled: &Compiled, program: &Path) {
     let name = &compiled.mechanism.name.text;
-    build(&compiled, program);
+    build(compiled, program);
     let mut random = Random(7);
-    let points: Vec<Inputs> = (0..POINTS).map(|_| point(&compiled, &mut random)).collect();
-    let mut written = points.iter().map(|point| evaluate(&compiled, program, point));
+    let points: Vec<Inputs> = (0..POINTS).map(|_| point(compiled, &mut random)).collect();
+    let mut written = points.iter().map(|point| evaluate(compiled, program, point));
     for inputs in &points {
         let mut values = written.next().expect("one for each").into_iter();
-        for signature in written_out(&compiled) {
+        for signature in written_out(compiled) {
             let program = compiled.programs.get(signature.function);
             for (index, expected) in run(program, inputs).into_iter().enumerate() {
                 let found = values.next().expect("as many as the program gives");
