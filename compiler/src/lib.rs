@@ -4,6 +4,7 @@
 //! order, are the modules below; `driver` chains them.
 
 mod budget;
+pub mod builder;
 mod choice;
 mod compiled;
 pub mod complete;

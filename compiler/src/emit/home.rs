@@ -36,7 +36,7 @@ impl Home {
     }
 
     /// For the items of the mechanism of this name, whose options may name the crate.
-    pub fn runtime(&self, option: Option<&TokenStream>, mechanism: &str) -> Runtime {
+    pub fn runtime(&self, option: Option<&str>, mechanism: &str) -> Runtime {
         let (import, path) = match (option, &self.0) {
             (Some(path), _) => (TokenStream::new(), format!("{path}::__private::v1")),
             (None, None) => (TokenStream::new(), "::linkwright::__private::v1".to_string()),

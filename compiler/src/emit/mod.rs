@@ -48,7 +48,7 @@ use std::fmt::Write;
 /// Everything the macro expands to: an import, if the text needs one, and the text.
 pub fn emit(compiled: &Compiled, source: &str, home: &Home) -> (TokenStream, String) {
     let mechanism = &compiled.mechanism;
-    let runtime = home.runtime(mechanism.options.crate_path.as_ref(), &mechanism.name.text);
+    let runtime = home.runtime(mechanism.options.crate_path.as_deref(), &mechanism.name.text);
     (runtime.import, text(&Emitter::new(compiled, runtime.path), source))
 }
 
@@ -114,7 +114,7 @@ impl<'a> Emitter<'a> {
             mechanism,
             name: mechanism.name.text.clone(),
             inner: names::inner(&mechanism.name.text),
-            visibility: mechanism.visibility.to_string(),
+            visibility: mechanism.visibility.clone(),
             path,
             printer: Printer::new(compiled, Rust(compiled)),
         }

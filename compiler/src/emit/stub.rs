@@ -26,7 +26,8 @@ pub fn stub(tokens: TokenStream, home: &Home) -> TokenStream {
     structs(&mut text, &header);
     constants(&mut text, &header);
     implementations(&mut text, &header);
-    let runtime = home.runtime(header.crate_path.as_ref(), &header.name.to_string());
+    let runtime = home
+        .runtime(header.crate_path.as_ref().map(ToString::to_string).as_deref(), &header.name.to_string());
     let mut items = runtime.import;
     items.extend(text.replace("@RUNTIME@", &runtime.path).parse::<TokenStream>());
     items

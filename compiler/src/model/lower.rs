@@ -44,8 +44,8 @@ pub fn lower(definition: &Definition) -> Result<Mechanism, Diagnostics> {
     let mut mechanism = Mechanism {
         space: definition.space,
         name: name(&definition.name),
-        visibility: definition.visibility.clone(),
-        attributes: definition.attributes.clone(),
+        visibility: definition.visibility.to_string(),
+        attributes: definition.attributes.to_string(),
         parameters,
         inputs: lowering.each(&definition.inputs, Lowering::input),
         gravity: lowering.gravity(),
@@ -188,7 +188,7 @@ impl<'d> Lowering<'d> {
             unit: unit_text(parameter.entry.unit.as_ref()),
             default: default?,
             bounds,
-            docs: parameter.docs.clone(),
+            docs: parameter.docs.to_string(),
         })
     }
 
@@ -196,7 +196,7 @@ impl<'d> Lowering<'d> {
         Some(Input {
             name: name(&input.name),
             unit: unit_text(input.unit.as_ref()),
-            docs: input.docs.clone(),
+            docs: input.docs.to_string(),
         })
     }
 
@@ -289,7 +289,7 @@ impl<'d> Lowering<'d> {
         Some(Output {
             name: name(&output.name),
             unit: unit_text(output.entry.unit.as_ref()),
-            docs: output.docs.clone(),
+            docs: output.docs.to_string(),
             value,
         })
     }

@@ -28,7 +28,6 @@ pub use crate::syntax::Budgeted;
 pub use elements::{Constraint, ConstraintKind, Coupled, Coupling, Joint, Load, Rotor, Subject};
 pub use expression::{Comparison, Condition, Coordinate, Expr, Function1, Function2, Quantity};
 pub use lower::lower;
-use proc_macro2::TokenStream;
 pub use unused::{Declared, Unused};
 
 /// Index of a body in [`Mechanism::bodies`].
@@ -86,9 +85,9 @@ pub struct Mechanism {
     pub space: Space,
     pub name: Name,
     /// Visibility as written (`pub`, `pub(crate)` or nothing).
-    pub visibility: TokenStream,
+    pub visibility: String,
     /// Doc comments and other outer attributes, as written.
-    pub attributes: TokenStream,
+    pub attributes: String,
     pub parameters: Vec<Parameter>,
     pub inputs: Vec<Input>,
     /// World axes; `None` if no gravity was written.
@@ -137,7 +136,7 @@ pub struct Parameter {
     /// Inclusive bounds, SI.
     pub bounds: Option<(f64, f64)>,
     /// What the user wrote above it.
-    pub docs: TokenStream,
+    pub docs: String,
 }
 
 /// A value that changes at every call.
@@ -145,7 +144,7 @@ pub struct Parameter {
 pub struct Input {
     pub name: Name,
     pub unit: String,
-    pub docs: TokenStream,
+    pub docs: String,
 }
 
 #[derive(Clone, Debug)]
@@ -297,7 +296,7 @@ pub struct Options {
     /// Whether the compiler checks its own work: thoroughly, not at all, or, where nothing is written, in passing.
     pub self_check: Option<bool>,
     /// Path of the `linkwright` crate as seen by the user; `::linkwright` if `None`.
-    pub crate_path: Option<TokenStream>,
+    pub crate_path: Option<String>,
 }
 
 /// What is emitted beyond the default, because it costs expansion and compilation.
@@ -386,6 +385,6 @@ pub struct Budget {
 pub struct Output {
     pub name: Name,
     pub unit: String,
-    pub docs: TokenStream,
+    pub docs: String,
     pub value: Expr,
 }

@@ -11,7 +11,6 @@ use crate::diagnostics::Region;
 use crate::messages;
 use crate::syntax::{ExpectEntry, Label, OptionEntry, Path, RangeTerm};
 use crate::units::Dimension;
-use proc_macro2::TokenStream;
 
 impl<'d> Lowering<'d> {
     pub fn options(&mut self) -> Options {
@@ -19,7 +18,7 @@ impl<'d> Lowering<'d> {
         let mut redundant = Redundant::Refuse;
         let mut accept_inertia = false;
         let (mut cut, mut independent) = (Vec::new(), Vec::new());
-        let mut crate_path: Option<TokenStream> = None;
+        let mut crate_path: Option<String> = None;
         let mut emit = Emit::default();
         let mut self_check = None;
         for entry in &self.definition.options {
@@ -45,7 +44,7 @@ impl<'d> Lowering<'d> {
                 }
                 OptionEntry::Emit(words) => words.iter().for_each(|word| emit.set(&word.text)),
                 OptionEntry::SelfCheck(word) => self_check = Some(word.text == "on"),
-                OptionEntry::Crate(path) => crate_path = Some(path.clone()),
+                OptionEntry::Crate(path) => crate_path = Some(path.to_string()),
             }
         }
         self.options_twice();

@@ -1,5 +1,6 @@
 //! The front end: tokens → definition → model → static rules, and the exported definition.
 
+mod builder;
 mod coverage;
 mod definitions;
 mod files;
