@@ -134,10 +134,10 @@ fn andrews_squeezer() {
     let times: Vec<f64> = (0..=600).map(|k| 0.03 * f64::from(k) / 600.0).collect();
     for method in [Method::Bdf, Method::Tsit45] {
         let states = solve(&problem, method, &times).expect("the squeezer runs");
-        let mut last = model.outputs(0.0, &states[0].q, &states[0].v, &());
+        let mut last = model.outputs(0.0, &states[0], &());
         model.unwrap_start(&mut last);
         for (state, time) in states.iter().zip(&times) {
-            let mut outputs = model.outputs(*time, &state.q, &state.v, &());
+            let mut outputs = model.outputs(*time, &state, &());
             <Andrews as Mechanism<f64>>::unwrap(&mut outputs, &last);
             last = outputs;
         }

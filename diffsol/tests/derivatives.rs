@@ -3,7 +3,7 @@
 use diffsol::{
     MatrixCommon, NalgebraLU, NalgebraVec, NonLinearOp, NonLinearOpJacobian, OdeSolverMethod, Vector,
 };
-use linkwright::{Assemble, Baumgarte, Residual, State, Vector as _, retract};
+use linkwright::{Assemble, Baumgarte, Residual, State, StateOf, Vector as _, retract};
 use linkwright_diffsol::{Method, Settings, diffsol, exact_problem, problem, sensitivities, solve};
 
 linkwright::mechanism! {
@@ -119,8 +119,8 @@ fn jacobians_of_balls() {
 }
 
 /// The state on the constraints of `model` that is nearest to `state` in the norm of M.
-fn nearest<M: Assemble<f64>>(model: &M, state: State<M::Q, M::V>) -> State<M::Q, M::V> {
-    let State { mut q, mut v } = state;
+fn nearest<M: Assemble<f64>>(model: &M, state: StateOf<M>) -> StateOf<M> {
+    let State { mut q, mut v, .. } = state;
     for _ in 0..20 {
         let (mut store, mut phi) = (M::store(), M::Lambda::zero());
         model.factor(0.0, &q, 0.0, &mut store);

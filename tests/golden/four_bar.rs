@@ -65,10 +65,10 @@ pub type FourBarState<R = ::core::primitive::f64> = ::linkwright::__private::v1:
 #[allow(clippy::all)]
 impl FourBar<::core::primitive::f64> {
     ///Consistent start state for the default parameters, assembled at compile time.
-    pub const START: FourBarState = ::linkwright::__private::v1::State {
-        q: [6.123233995736766e-17, 1.0, 6.123233995736766e-17, 1.0, 1.0, 0.0],
-        v: [-1.0, -1.0, 0.0],
-    };
+    pub const START: FourBarState = ::linkwright::__private::v1::State::new(
+        [6.123233995736766e-17, 1.0, 6.123233995736766e-17, 1.0, 1.0, 0.0],
+        [-1.0, -1.0, 0.0],
+    );
     ///Degrees of freedom, drivers removed.
     pub const DEGREES_OF_FREEDOM: ::core::primitive::usize = 1;
     ///Operations of the default acceleration function (Baumgarte), a fused multiply-add counted once.
@@ -284,21 +284,20 @@ const _: () = {
         pub fn reactions(
             &self,
             time: R,
-            q: &Q<R>,
-            v: &V<R>,
+            state: &State<Q<R>, V<R>>,
             u: &(),
             a: &V<R>,
             lambda: &Lambda<R>,
         ) -> [Reaction<R>; 4] {
-            let crank_cos = q[0];
-            let crank_sin = q[1];
-            let rocker_cos = q[2];
-            let rocker_sin = q[3];
-            let coupler_cos = q[4];
-            let coupler_sin = q[5];
-            let crank_rate = v[0];
-            let rocker_rate = v[1];
-            let coupler_rate = v[2];
+            let crank_cos = state.q[0];
+            let crank_sin = state.q[1];
+            let rocker_cos = state.q[2];
+            let rocker_sin = state.q[3];
+            let coupler_cos = state.q[4];
+            let coupler_sin = state.q[5];
+            let crank_rate = state.v[0];
+            let rocker_rate = state.v[1];
+            let coupler_rate = state.v[2];
             let crank_rate_dot = a[0];
             let rocker_rate_dot = a[1];
             let coupler_rate_dot = a[2];
@@ -365,18 +364,17 @@ const _: () = {
         pub fn inverse_dynamics(
             &self,
             time: R,
-            q: &Q<R>,
-            v: &V<R>,
+            state: &State<Q<R>, V<R>>,
             u: &(),
             a: &V<R>,
         ) -> V<R> {
-            let crank_cos = q[0];
-            let crank_sin = q[1];
-            let rocker_cos = q[2];
-            let coupler_cos = q[4];
-            let coupler_sin = q[5];
-            let crank_rate = v[0];
-            let coupler_rate = v[2];
+            let crank_cos = state.q[0];
+            let crank_sin = state.q[1];
+            let rocker_cos = state.q[2];
+            let coupler_cos = state.q[4];
+            let coupler_sin = state.q[5];
+            let crank_rate = state.v[0];
+            let coupler_rate = state.v[2];
             let crank_rate_dot = a[0];
             let rocker_rate_dot = a[1];
             let coupler_rate_dot = a[2];
@@ -401,7 +399,7 @@ const _: () = {
             [a10, a12, a17]
         }
         /// Power of each load (W), in the order of `LOADS`, what springs store included.
-        pub fn powers(&self, time: R, q: &Q<R>, v: &V<R>, u: &()) -> [R; 0] {
+        pub fn powers(&self, time: R, state: &State<Q<R>, V<R>>, u: &()) -> [R; 0] {
             []
         }
         /// Effort of each driver along its quantity (N m or N) and its power (W), from the multipliers.
@@ -415,14 +413,21 @@ const _: () = {
             []
         }
     }
-    impl<R: Real> Mechanism<R> for FourBar<R> {
-        const NAME: &'static str = "FourBar";
+    impl<R: Real> Variables<R> for FourBar<R> {
         const LAYOUT: Layout = Layout {
             linear: 0,
             rotations: 3,
             quaternions: 0,
             angles: &[],
         };
+        type Q = Q<R>;
+        type V = V<R>;
+        type Lambda = Lambda<R>;
+        type Z = ();
+        type Gates = ();
+    }
+    impl<R: Real> Mechanism<R> for FourBar<R> {
+        const NAME: &'static str = "FourBar";
         const ROWS: &'static [Row] = &[
             Row { of: "right", what: "x" },
             Row { of: "right", what: "y" },
@@ -449,9 +454,6 @@ const _: () = {
             (1, 1),
             (1, 2),
         ];
-        type Q = Q<R>;
-        type V = V<R>;
-        type Lambda = Lambda<R>;
         type Mass = Mass<R>;
         type Jacobian = Jacobian<R>;
         type Inputs = ();
@@ -523,14 +525,14 @@ const _: () = {
             let gamma_right_y = coupler_sin.mul_add(a0, a7);
             *out = [gamma_right_x, gamma_right_y];
         }
-        fn forces(&self, time: R, q: &Q<R>, v: &V<R>, u: &(), out: &mut V<R>) {
-            let crank_cos = q[0];
-            let crank_sin = q[1];
-            let rocker_cos = q[2];
-            let coupler_cos = q[4];
-            let coupler_sin = q[5];
-            let crank_rate = v[0];
-            let coupler_rate = v[2];
+        fn forces(&self, time: R, state: &State<Q<R>, V<R>>, u: &(), out: &mut V<R>) {
+            let crank_cos = state.q[0];
+            let crank_sin = state.q[1];
+            let rocker_cos = state.q[2];
+            let coupler_cos = state.q[4];
+            let coupler_sin = state.q[5];
+            let crank_rate = state.v[0];
+            let coupler_rate = state.v[2];
             let a0 = coupler_rate * coupler_rate;
             let a1 = crank_cos * coupler_sin;
             let a2 = (-crank_sin).mul_add(coupler_cos, a1);
@@ -584,10 +586,10 @@ const _: () = {
             let a28 = R::from_f64(0.5) * a27;
             a28
         }
-        fn potential_energy(&self, time: R, q: &Q<R>) -> R {
-            let crank_sin = q[1];
-            let rocker_sin = q[3];
-            let coupler_sin = q[5];
+        fn potential_energy(&self, time: R, state: &State<Q<R>, V<R>>) -> R {
+            let crank_sin = state.q[1];
+            let rocker_sin = state.q[3];
+            let coupler_sin = state.q[5];
             let a0 = R::from_f64(0.5).mul_add(coupler_sin, crank_sin);
             let a1 = R::from_f64(4.905) * crank_sin;
             let a2 = R::from_f64(9.81).mul_add(a0, a1);
@@ -597,21 +599,20 @@ const _: () = {
         fn acceleration(
             &self,
             time: R,
-            q: &Q<R>,
-            v: &V<R>,
+            state: &State<Q<R>, V<R>>,
             u: &(),
             a_out: &mut V<R>,
             lambda_out: &mut Lambda<R>,
         ) -> R {
-            let crank_cos = q[0];
-            let crank_sin = q[1];
-            let rocker_cos = q[2];
-            let rocker_sin = q[3];
-            let coupler_cos = q[4];
-            let coupler_sin = q[5];
-            let crank_rate = v[0];
-            let rocker_rate = v[1];
-            let coupler_rate = v[2];
+            let crank_cos = state.q[0];
+            let crank_sin = state.q[1];
+            let rocker_cos = state.q[2];
+            let rocker_sin = state.q[3];
+            let coupler_cos = state.q[4];
+            let coupler_sin = state.q[5];
+            let crank_rate = state.v[0];
+            let rocker_rate = state.v[1];
+            let coupler_rate = state.v[2];
             let a0 = R::from_f64(0.75) * crank_cos;
             let a1 = crank_cos * coupler_cos;
             let a2 = crank_sin.mul_add(coupler_sin, a1);
@@ -690,23 +691,22 @@ const _: () = {
         fn acceleration_baumgarte(
             &self,
             time: R,
-            q: &Q<R>,
-            v: &V<R>,
+            state: &State<Q<R>, V<R>>,
             u: &(),
             two_alpha: R,
             beta_squared: R,
             a_out: &mut V<R>,
             lambda_out: &mut Lambda<R>,
         ) -> R {
-            let crank_cos = q[0];
-            let crank_sin = q[1];
-            let rocker_cos = q[2];
-            let rocker_sin = q[3];
-            let coupler_cos = q[4];
-            let coupler_sin = q[5];
-            let crank_rate = v[0];
-            let rocker_rate = v[1];
-            let coupler_rate = v[2];
+            let crank_cos = state.q[0];
+            let crank_sin = state.q[1];
+            let rocker_cos = state.q[2];
+            let rocker_sin = state.q[3];
+            let coupler_cos = state.q[4];
+            let coupler_sin = state.q[5];
+            let crank_rate = state.v[0];
+            let rocker_rate = state.v[1];
+            let coupler_rate = state.v[2];
             let a0 = R::from_f64(0.75) * crank_cos;
             let a1 = crank_cos * coupler_cos;
             let a2 = crank_sin.mul_add(coupler_sin, a1);
@@ -797,10 +797,10 @@ const _: () = {
             *lambda_out = [lambda_right_x_, lambda_right_y_];
             smallest_pivot
         }
-        fn outputs(&self, time: R, q: &Q<R>, v: &V<R>, u: &()) -> Outputs<R> {
-            let crank_cos = q[0];
-            let rocker_cos = q[2];
-            let rocker_sin = q[3];
+        fn outputs(&self, time: R, state: &State<Q<R>, V<R>>, u: &()) -> Outputs<R> {
+            let crank_cos = state.q[0];
+            let rocker_cos = state.q[2];
+            let rocker_sin = state.q[3];
             let angle = rocker_sin.atan2(rocker_cos);
             FourBarOutputs {
                 x: crank_cos,

@@ -102,8 +102,8 @@ pub type GripperState<R = ::core::primitive::f64> = ::linkwright::__private::v1:
 #[allow(clippy::all)]
 impl Gripper<::core::primitive::f64> {
     ///Consistent start state for the default parameters, assembled at compile time.
-    pub const START: GripperState = ::linkwright::__private::v1::State {
-        q: [
+    pub const START: GripperState = ::linkwright::__private::v1::State::new(
+        [
             0.34202014332566893,
             0.9396926207859084,
             0.2652451324560043,
@@ -113,8 +113,8 @@ impl Gripper<::core::primitive::f64> {
             0.0,
             1.2217304763960306,
         ],
-        v: [1.0, 0.5376077677321333, -0.043575398512411094],
-    };
+        [1.0, 0.5376077677321333, -0.043575398512411094],
+    );
     ///Degrees of freedom, drivers removed.
     pub const DEGREES_OF_FREEDOM: ::core::primitive::usize = 1;
     ///Operations of the default acceleration function (Baumgarte), a fused multiply-add counted once.
@@ -439,22 +439,21 @@ const _: () = {
         pub fn reactions(
             &self,
             time: R,
-            q: &Q<R>,
-            v: &V<R>,
+            state: &State<Q<R>, V<R>>,
             u: &Inputs<R>,
             a: &V<R>,
             lambda: &Lambda<R>,
         ) -> [Reaction<R>; 4] {
             let constants = &self.constants;
-            let crank_cos = q[0];
-            let crank_sin = q[1];
-            let rocker_cos = q[2];
-            let rocker_sin = q[3];
-            let coupler_cos = q[4];
-            let coupler_sin = q[5];
-            let crank_rate = v[0];
-            let rocker_rate = v[1];
-            let coupler_rate = v[2];
+            let crank_cos = state.q[0];
+            let crank_sin = state.q[1];
+            let rocker_cos = state.q[2];
+            let rocker_sin = state.q[3];
+            let coupler_cos = state.q[4];
+            let coupler_sin = state.q[5];
+            let crank_rate = state.v[0];
+            let rocker_rate = state.v[1];
+            let coupler_rate = state.v[2];
             let pull = u.pull;
             let crank_rate_dot = a[0];
             let rocker_rate_dot = a[1];
@@ -529,21 +528,20 @@ const _: () = {
         pub fn inverse_dynamics(
             &self,
             time: R,
-            q: &Q<R>,
-            v: &V<R>,
+            state: &State<Q<R>, V<R>>,
             u: &Inputs<R>,
             a: &V<R>,
         ) -> V<R> {
             let constants = &self.constants;
-            let crank_cos = q[0];
-            let crank_sin = q[1];
-            let rocker_cos = q[2];
-            let coupler_cos = q[4];
-            let coupler_sin = q[5];
-            let a_turns = q[6];
-            let a_remainder = q[7];
-            let crank_rate = v[0];
-            let coupler_rate = v[2];
+            let crank_cos = state.q[0];
+            let crank_sin = state.q[1];
+            let rocker_cos = state.q[2];
+            let coupler_cos = state.q[4];
+            let coupler_sin = state.q[5];
+            let a_turns = state.q[6];
+            let a_remainder = state.q[7];
+            let crank_rate = state.v[0];
+            let coupler_rate = state.v[2];
             let drive = u.drive;
             let pull = u.pull;
             let crank_rate_dot = a[0];
@@ -593,16 +591,21 @@ const _: () = {
             [a22, a24, a33]
         }
         /// Power of each load (W), in the order of `LOADS`, what springs store included.
-        pub fn powers(&self, time: R, q: &Q<R>, v: &V<R>, u: &Inputs<R>) -> [R; 3] {
+        pub fn powers(
+            &self,
+            time: R,
+            state: &State<Q<R>, V<R>>,
+            u: &Inputs<R>,
+        ) -> [R; 3] {
             let constants = &self.constants;
-            let crank_cos = q[0];
-            let crank_sin = q[1];
-            let coupler_cos = q[4];
-            let coupler_sin = q[5];
-            let a_turns = q[6];
-            let a_remainder = q[7];
-            let crank_rate = v[0];
-            let coupler_rate = v[2];
+            let crank_cos = state.q[0];
+            let crank_sin = state.q[1];
+            let coupler_cos = state.q[4];
+            let coupler_sin = state.q[5];
+            let a_turns = state.q[6];
+            let a_remainder = state.q[7];
+            let crank_rate = state.v[0];
+            let coupler_rate = state.v[2];
             let drive = u.drive;
             let pull = u.pull;
             let stiffness = constants[4];
@@ -639,14 +642,21 @@ const _: () = {
             []
         }
     }
-    impl<R: Real> Mechanism<R> for Gripper<R> {
-        const NAME: &'static str = "Gripper";
+    impl<R: Real> Variables<R> for Gripper<R> {
         const LAYOUT: Layout = Layout {
             linear: 0,
             rotations: 3,
             quaternions: 0,
             angles: &[MultiTurn { rate: &[(0, 1.0)] }],
         };
+        type Q = Q<R>;
+        type V = V<R>;
+        type Lambda = Lambda<R>;
+        type Z = ();
+        type Gates = ();
+    }
+    impl<R: Real> Mechanism<R> for Gripper<R> {
+        const NAME: &'static str = "Gripper";
         const ROWS: &'static [Row] = &[
             Row { of: "c", what: "x" },
             Row { of: "c", what: "y" },
@@ -675,9 +685,6 @@ const _: () = {
             (1, 1),
             (1, 2),
         ];
-        type Q = Q<R>;
-        type V = V<R>;
-        type Lambda = Lambda<R>;
         type Mass = Mass<R>;
         type Jacobian = Jacobian<R>;
         type Inputs = Inputs<R>;
@@ -763,17 +770,23 @@ const _: () = {
             let gamma_c_y = a9.mul_add(a1, a13);
             *out = [gamma_c_x, gamma_c_y];
         }
-        fn forces(&self, time: R, q: &Q<R>, v: &V<R>, u: &Inputs<R>, out: &mut V<R>) {
+        fn forces(
+            &self,
+            time: R,
+            state: &State<Q<R>, V<R>>,
+            u: &Inputs<R>,
+            out: &mut V<R>,
+        ) {
             let constants = &self.constants;
-            let crank_cos = q[0];
-            let crank_sin = q[1];
-            let rocker_cos = q[2];
-            let coupler_cos = q[4];
-            let coupler_sin = q[5];
-            let a_turns = q[6];
-            let a_remainder = q[7];
-            let crank_rate = v[0];
-            let coupler_rate = v[2];
+            let crank_cos = state.q[0];
+            let crank_sin = state.q[1];
+            let rocker_cos = state.q[2];
+            let coupler_cos = state.q[4];
+            let coupler_sin = state.q[5];
+            let a_turns = state.q[6];
+            let a_remainder = state.q[7];
+            let crank_rate = state.v[0];
+            let coupler_rate = state.v[2];
             let drive = u.drive;
             let pull = u.pull;
             let k0 = constants[0];
@@ -858,13 +871,13 @@ const _: () = {
             let a31 = R::from_f64(0.5) * a30;
             a31
         }
-        fn potential_energy(&self, time: R, q: &Q<R>) -> R {
+        fn potential_energy(&self, time: R, state: &State<Q<R>, V<R>>) -> R {
             let constants = &self.constants;
-            let crank_sin = q[1];
-            let rocker_sin = q[3];
-            let coupler_sin = q[5];
-            let a_turns = q[6];
-            let a_remainder = q[7];
+            let crank_sin = state.q[1];
+            let rocker_sin = state.q[3];
+            let coupler_sin = state.q[5];
+            let a_turns = state.q[6];
+            let a_remainder = state.q[7];
             let k5 = constants[5];
             let k11 = constants[11];
             let k12 = constants[12];
@@ -882,24 +895,23 @@ const _: () = {
         fn acceleration(
             &self,
             time: R,
-            q: &Q<R>,
-            v: &V<R>,
+            state: &State<Q<R>, V<R>>,
             u: &Inputs<R>,
             a_out: &mut V<R>,
             lambda_out: &mut Lambda<R>,
         ) -> R {
             let constants = &self.constants;
-            let crank_cos = q[0];
-            let crank_sin = q[1];
-            let rocker_cos = q[2];
-            let rocker_sin = q[3];
-            let coupler_cos = q[4];
-            let coupler_sin = q[5];
-            let a_turns = q[6];
-            let a_remainder = q[7];
-            let crank_rate = v[0];
-            let rocker_rate = v[1];
-            let coupler_rate = v[2];
+            let crank_cos = state.q[0];
+            let crank_sin = state.q[1];
+            let rocker_cos = state.q[2];
+            let rocker_sin = state.q[3];
+            let coupler_cos = state.q[4];
+            let coupler_sin = state.q[5];
+            let a_turns = state.q[6];
+            let a_remainder = state.q[7];
+            let crank_rate = state.v[0];
+            let rocker_rate = state.v[1];
+            let coupler_rate = state.v[2];
             let drive = u.drive;
             let pull = u.pull;
             let k0 = constants[0];
@@ -1011,8 +1023,7 @@ const _: () = {
         fn acceleration_baumgarte(
             &self,
             time: R,
-            q: &Q<R>,
-            v: &V<R>,
+            state: &State<Q<R>, V<R>>,
             u: &Inputs<R>,
             two_alpha: R,
             beta_squared: R,
@@ -1020,17 +1031,17 @@ const _: () = {
             lambda_out: &mut Lambda<R>,
         ) -> R {
             let constants = &self.constants;
-            let crank_cos = q[0];
-            let crank_sin = q[1];
-            let rocker_cos = q[2];
-            let rocker_sin = q[3];
-            let coupler_cos = q[4];
-            let coupler_sin = q[5];
-            let a_turns = q[6];
-            let a_remainder = q[7];
-            let crank_rate = v[0];
-            let rocker_rate = v[1];
-            let coupler_rate = v[2];
+            let crank_cos = state.q[0];
+            let crank_sin = state.q[1];
+            let rocker_cos = state.q[2];
+            let rocker_sin = state.q[3];
+            let coupler_cos = state.q[4];
+            let coupler_sin = state.q[5];
+            let a_turns = state.q[6];
+            let a_remainder = state.q[7];
+            let crank_rate = state.v[0];
+            let rocker_rate = state.v[1];
+            let coupler_rate = state.v[2];
             let drive = u.drive;
             let pull = u.pull;
             let k0 = constants[0];
@@ -1154,17 +1165,22 @@ const _: () = {
             *lambda_out = [lambda_c_x_, lambda_c_y_];
             smallest_pivot
         }
-        fn outputs(&self, time: R, q: &Q<R>, v: &V<R>, u: &Inputs<R>) -> Outputs<R> {
+        fn outputs(
+            &self,
+            time: R,
+            state: &State<Q<R>, V<R>>,
+            u: &Inputs<R>,
+        ) -> Outputs<R> {
             let constants = &self.constants;
-            let crank_cos = q[0];
-            let crank_sin = q[1];
-            let rocker_cos = q[2];
-            let rocker_sin = q[3];
-            let coupler_cos = q[4];
-            let coupler_sin = q[5];
-            let a_turns = q[6];
-            let a_remainder = q[7];
-            let rocker_rate = v[1];
+            let crank_cos = state.q[0];
+            let crank_sin = state.q[1];
+            let rocker_cos = state.q[2];
+            let rocker_sin = state.q[3];
+            let coupler_cos = state.q[4];
+            let coupler_sin = state.q[5];
+            let a_turns = state.q[6];
+            let a_remainder = state.q[7];
+            let rocker_rate = state.v[1];
             let k5 = constants[5];
             let k11 = constants[11];
             let k12 = constants[12];
@@ -1397,24 +1413,23 @@ const _: () = {
         fn residual(
             &self,
             time: R,
-            q: &Q<R>,
-            v: &V<R>,
+            state: &State<Q<R>, V<R>>,
             u: &Inputs<R>,
             a: &V<R>,
             lambda: &Lambda<R>,
             out: &mut V<R>,
         ) {
             let constants = &self.constants;
-            let crank_cos = q[0];
-            let crank_sin = q[1];
-            let rocker_cos = q[2];
-            let rocker_sin = q[3];
-            let coupler_cos = q[4];
-            let coupler_sin = q[5];
-            let a_turns = q[6];
-            let a_remainder = q[7];
-            let crank_rate = v[0];
-            let coupler_rate = v[2];
+            let crank_cos = state.q[0];
+            let crank_sin = state.q[1];
+            let rocker_cos = state.q[2];
+            let rocker_sin = state.q[3];
+            let coupler_cos = state.q[4];
+            let coupler_sin = state.q[5];
+            let a_turns = state.q[6];
+            let a_remainder = state.q[7];
+            let crank_rate = state.v[0];
+            let coupler_rate = state.v[2];
             let drive = u.drive;
             let pull = u.pull;
             let crank_rate_dot = a[0];
@@ -1509,16 +1524,15 @@ const _: () = {
         fn input_tangent(
             &self,
             time: R,
-            q: &Q<R>,
-            v: &V<R>,
+            state: &State<Q<R>, V<R>>,
             u: &Inputs<R>,
             out: &mut InputTangent<R>,
         ) {
             let constants = &self.constants;
-            let crank_cos = q[0];
-            let crank_sin = q[1];
-            let coupler_cos = q[4];
-            let coupler_sin = q[5];
+            let crank_cos = state.q[0];
+            let crank_sin = state.q[1];
+            let coupler_cos = state.q[4];
+            let coupler_sin = state.q[5];
             let k18 = constants[18];
             let k19 = constants[19];
             let a0 = R::from_f64(0.17888543819998318) * crank_sin;
@@ -1530,22 +1544,21 @@ const _: () = {
         fn parameter_tangent(
             &self,
             time: R,
-            q: &Q<R>,
-            v: &V<R>,
+            state: &State<Q<R>, V<R>>,
             u: &Inputs<R>,
             a: &V<R>,
             lambda: &Lambda<R>,
             out: &mut ParameterTangent<R>,
         ) {
             let constants = &self.constants;
-            let crank_cos = q[0];
-            let crank_sin = q[1];
-            let coupler_cos = q[4];
-            let coupler_sin = q[5];
-            let a_turns = q[6];
-            let a_remainder = q[7];
-            let crank_rate = v[0];
-            let coupler_rate = v[2];
+            let crank_cos = state.q[0];
+            let crank_sin = state.q[1];
+            let coupler_cos = state.q[4];
+            let coupler_sin = state.q[5];
+            let a_turns = state.q[6];
+            let a_remainder = state.q[7];
+            let crank_rate = state.v[0];
+            let coupler_rate = state.v[2];
             let pull = u.pull;
             let crank_rate_dot = a[0];
             let coupler_rate_dot = a[2];
@@ -1609,20 +1622,19 @@ const _: () = {
         fn output_tangent(
             &self,
             time: R,
-            q: &Q<R>,
-            v: &V<R>,
+            state: &State<Q<R>, V<R>>,
             u: &Inputs<R>,
             lambda: &Lambda<R>,
             out: &mut OutputTangent<R>,
         ) {
             let constants = &self.constants;
-            let crank_cos = q[0];
-            let crank_sin = q[1];
-            let rocker_cos = q[2];
-            let coupler_cos = q[4];
-            let coupler_sin = q[5];
-            let a_turns = q[6];
-            let a_remainder = q[7];
+            let crank_cos = state.q[0];
+            let crank_sin = state.q[1];
+            let rocker_cos = state.q[2];
+            let coupler_cos = state.q[4];
+            let coupler_sin = state.q[5];
+            let a_turns = state.q[6];
+            let a_remainder = state.q[7];
             let stiffness = constants[4];
             let k5 = constants[5];
             let k6 = constants[6];
@@ -1651,8 +1663,7 @@ const _: () = {
         fn tangent(
             &self,
             time: R,
-            q: &Q<R>,
-            v: &V<R>,
+            state: &State<Q<R>, V<R>>,
             u: &Inputs<R>,
             a: &V<R>,
             lambda: &Lambda<R>,
@@ -1660,14 +1671,14 @@ const _: () = {
             damping_out: &mut Damping<R>,
         ) {
             let constants = &self.constants;
-            let crank_cos = q[0];
-            let crank_sin = q[1];
-            let rocker_cos = q[2];
-            let rocker_sin = q[3];
-            let coupler_cos = q[4];
-            let coupler_sin = q[5];
-            let crank_rate = v[0];
-            let coupler_rate = v[2];
+            let crank_cos = state.q[0];
+            let crank_sin = state.q[1];
+            let rocker_cos = state.q[2];
+            let rocker_sin = state.q[3];
+            let coupler_cos = state.q[4];
+            let coupler_sin = state.q[5];
+            let crank_rate = state.v[0];
+            let coupler_rate = state.v[2];
             let pull = u.pull;
             let crank_rate_dot = a[0];
             let coupler_rate_dot = a[2];

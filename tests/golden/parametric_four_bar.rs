@@ -157,8 +157,8 @@ pub type ParametricFourBarState<R = ::core::primitive::f64> = ::linkwright::__pr
 #[allow(clippy::all)]
 impl ParametricFourBar<::core::primitive::f64> {
     ///Consistent start state for the default parameters, assembled at compile time.
-    pub const START: ParametricFourBarState = ::linkwright::__private::v1::State {
-        q: [
+    pub const START: ParametricFourBarState = ::linkwright::__private::v1::State::new(
+        [
             0.7660444431189781,
             0.6427876096865394,
             -0.23572301668468654,
@@ -166,8 +166,8 @@ impl ParametricFourBar<::core::primitive::f64> {
             0.561431507736191,
             0.8275232094153417,
         ],
-        v: [3.0, -0.49151144248599554, -1.4516086406815356],
-    };
+        [3.0, -0.49151144248599554, -1.4516086406815356],
+    );
     ///Degrees of freedom, drivers removed.
     pub const DEGREES_OF_FREEDOM: ::core::primitive::usize = 1;
     ///Operations of the default acceleration function (Baumgarte), a fused multiply-add counted once.
@@ -693,22 +693,21 @@ const _: () = {
         pub fn reactions(
             &self,
             time: R,
-            q: &Q<R>,
-            v: &V<R>,
+            state: &State<Q<R>, V<R>>,
             u: &(),
             a: &V<R>,
             lambda: &Lambda<R>,
         ) -> [Reaction<R>; 4] {
             let constants = &self.constants;
-            let crank_cos = q[0];
-            let crank_sin = q[1];
-            let rocker_cos = q[2];
-            let rocker_sin = q[3];
-            let coupler_cos = q[4];
-            let coupler_sin = q[5];
-            let crank_rate = v[0];
-            let rocker_rate = v[1];
-            let coupler_rate = v[2];
+            let crank_cos = state.q[0];
+            let crank_sin = state.q[1];
+            let rocker_cos = state.q[2];
+            let rocker_sin = state.q[3];
+            let coupler_cos = state.q[4];
+            let coupler_sin = state.q[5];
+            let crank_rate = state.v[0];
+            let rocker_rate = state.v[1];
+            let coupler_rate = state.v[2];
             let crank_rate_dot = a[0];
             let rocker_rate_dot = a[1];
             let coupler_rate_dot = a[2];
@@ -797,20 +796,19 @@ const _: () = {
         pub fn inverse_dynamics(
             &self,
             time: R,
-            q: &Q<R>,
-            v: &V<R>,
+            state: &State<Q<R>, V<R>>,
             u: &(),
             a: &V<R>,
         ) -> V<R> {
             let constants = &self.constants;
-            let crank_cos = q[0];
-            let crank_sin = q[1];
-            let rocker_cos = q[2];
-            let rocker_sin = q[3];
-            let coupler_cos = q[4];
-            let coupler_sin = q[5];
-            let crank_rate = v[0];
-            let coupler_rate = v[2];
+            let crank_cos = state.q[0];
+            let crank_sin = state.q[1];
+            let rocker_cos = state.q[2];
+            let rocker_sin = state.q[3];
+            let coupler_cos = state.q[4];
+            let coupler_sin = state.q[5];
+            let crank_rate = state.v[0];
+            let coupler_rate = state.v[2];
             let crank_rate_dot = a[0];
             let rocker_rate_dot = a[1];
             let coupler_rate_dot = a[2];
@@ -851,7 +849,7 @@ const _: () = {
             [a13, a16, a22]
         }
         /// Power of each load (W), in the order of `LOADS`, what springs store included.
-        pub fn powers(&self, time: R, q: &Q<R>, v: &V<R>, u: &()) -> [R; 0] {
+        pub fn powers(&self, time: R, state: &State<Q<R>, V<R>>, u: &()) -> [R; 0] {
             []
         }
         /// Effort of each driver along its quantity (N m or N) and its power (W), from the multipliers.
@@ -865,14 +863,21 @@ const _: () = {
             []
         }
     }
-    impl<R: Real> Mechanism<R> for ParametricFourBar<R> {
-        const NAME: &'static str = "ParametricFourBar";
+    impl<R: Real> Variables<R> for ParametricFourBar<R> {
         const LAYOUT: Layout = Layout {
             linear: 0,
             rotations: 3,
             quaternions: 0,
             angles: &[],
         };
+        type Q = Q<R>;
+        type V = V<R>;
+        type Lambda = Lambda<R>;
+        type Z = ();
+        type Gates = ();
+    }
+    impl<R: Real> Mechanism<R> for ParametricFourBar<R> {
+        const NAME: &'static str = "ParametricFourBar";
         const ROWS: &'static [Row] = &[
             Row { of: "right", what: "x" },
             Row { of: "right", what: "y" },
@@ -899,9 +904,6 @@ const _: () = {
             (1, 1),
             (1, 2),
         ];
-        type Q = Q<R>;
-        type V = V<R>;
-        type Lambda = Lambda<R>;
         type Mass = Mass<R>;
         type Jacobian = Jacobian<R>;
         type Inputs = ();
@@ -1002,16 +1004,16 @@ const _: () = {
             let gamma_right_y = a9.mul_add(a1, a13);
             *out = [gamma_right_x, gamma_right_y];
         }
-        fn forces(&self, time: R, q: &Q<R>, v: &V<R>, u: &(), out: &mut V<R>) {
+        fn forces(&self, time: R, state: &State<Q<R>, V<R>>, u: &(), out: &mut V<R>) {
             let constants = &self.constants;
-            let crank_cos = q[0];
-            let crank_sin = q[1];
-            let rocker_cos = q[2];
-            let rocker_sin = q[3];
-            let coupler_cos = q[4];
-            let coupler_sin = q[5];
-            let crank_rate = v[0];
-            let coupler_rate = v[2];
+            let crank_cos = state.q[0];
+            let crank_sin = state.q[1];
+            let rocker_cos = state.q[2];
+            let rocker_sin = state.q[3];
+            let coupler_cos = state.q[4];
+            let coupler_sin = state.q[5];
+            let crank_rate = state.v[0];
+            let coupler_rate = state.v[2];
             let k0 = constants[0];
             let k1 = constants[1];
             let k10 = constants[10];
@@ -1102,14 +1104,14 @@ const _: () = {
             let a37 = R::from_f64(0.5) * a36;
             a37
         }
-        fn potential_energy(&self, time: R, q: &Q<R>) -> R {
+        fn potential_energy(&self, time: R, state: &State<Q<R>, V<R>>) -> R {
             let constants = &self.constants;
-            let crank_cos = q[0];
-            let crank_sin = q[1];
-            let rocker_cos = q[2];
-            let rocker_sin = q[3];
-            let coupler_cos = q[4];
-            let coupler_sin = q[5];
+            let crank_cos = state.q[0];
+            let crank_sin = state.q[1];
+            let rocker_cos = state.q[2];
+            let rocker_sin = state.q[3];
+            let coupler_cos = state.q[4];
+            let coupler_sin = state.q[5];
             let crank_length = constants[5];
             let crank_mass = constants[16];
             let crank_center_x = constants[18];
@@ -1160,22 +1162,21 @@ const _: () = {
         fn acceleration(
             &self,
             time: R,
-            q: &Q<R>,
-            v: &V<R>,
+            state: &State<Q<R>, V<R>>,
             u: &(),
             a_out: &mut V<R>,
             lambda_out: &mut Lambda<R>,
         ) -> R {
             let constants = &self.constants;
-            let crank_cos = q[0];
-            let crank_sin = q[1];
-            let rocker_cos = q[2];
-            let rocker_sin = q[3];
-            let coupler_cos = q[4];
-            let coupler_sin = q[5];
-            let crank_rate = v[0];
-            let rocker_rate = v[1];
-            let coupler_rate = v[2];
+            let crank_cos = state.q[0];
+            let crank_sin = state.q[1];
+            let rocker_cos = state.q[2];
+            let rocker_sin = state.q[3];
+            let coupler_cos = state.q[4];
+            let coupler_sin = state.q[5];
+            let crank_rate = state.v[0];
+            let rocker_rate = state.v[1];
+            let coupler_rate = state.v[2];
             let k0 = constants[0];
             let k1 = constants[1];
             let k4 = constants[4];
@@ -1283,8 +1284,7 @@ const _: () = {
         fn acceleration_baumgarte(
             &self,
             time: R,
-            q: &Q<R>,
-            v: &V<R>,
+            state: &State<Q<R>, V<R>>,
             u: &(),
             two_alpha: R,
             beta_squared: R,
@@ -1292,15 +1292,15 @@ const _: () = {
             lambda_out: &mut Lambda<R>,
         ) -> R {
             let constants = &self.constants;
-            let crank_cos = q[0];
-            let crank_sin = q[1];
-            let rocker_cos = q[2];
-            let rocker_sin = q[3];
-            let coupler_cos = q[4];
-            let coupler_sin = q[5];
-            let crank_rate = v[0];
-            let rocker_rate = v[1];
-            let coupler_rate = v[2];
+            let crank_cos = state.q[0];
+            let crank_sin = state.q[1];
+            let rocker_cos = state.q[2];
+            let rocker_sin = state.q[3];
+            let coupler_cos = state.q[4];
+            let coupler_sin = state.q[5];
+            let crank_rate = state.v[0];
+            let rocker_rate = state.v[1];
+            let coupler_rate = state.v[2];
             let k0 = constants[0];
             let k1 = constants[1];
             let k4 = constants[4];
@@ -1423,14 +1423,14 @@ const _: () = {
             *lambda_out = [lambda_right_x_, lambda_right_y_];
             smallest_pivot
         }
-        fn outputs(&self, time: R, q: &Q<R>, v: &V<R>, u: &()) -> Outputs<R> {
+        fn outputs(&self, time: R, state: &State<Q<R>, V<R>>, u: &()) -> Outputs<R> {
             let constants = &self.constants;
-            let crank_cos = q[0];
-            let crank_sin = q[1];
-            let rocker_cos = q[2];
-            let rocker_sin = q[3];
-            let coupler_cos = q[4];
-            let coupler_sin = q[5];
+            let crank_cos = state.q[0];
+            let crank_sin = state.q[1];
+            let rocker_cos = state.q[2];
+            let rocker_sin = state.q[3];
+            let coupler_cos = state.q[4];
+            let coupler_sin = state.q[5];
             let crank_length = constants[5];
             let crank_x = constants[30];
             let crank_y = constants[31];

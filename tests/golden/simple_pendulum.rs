@@ -59,10 +59,10 @@ pub type SimplePendulumState<R = ::core::primitive::f64> = ::linkwright::__priva
 #[allow(clippy::all)]
 impl SimplePendulum<::core::primitive::f64> {
     ///Consistent start state for the default parameters, assembled at compile time.
-    pub const START: SimplePendulumState = ::linkwright::__private::v1::State {
-        q: [-1.0, 1.2246467991473532e-16],
-        v: [0.0],
-    };
+    pub const START: SimplePendulumState = ::linkwright::__private::v1::State::new(
+        [-1.0, 1.2246467991473532e-16],
+        [0.0],
+    );
     ///Degrees of freedom, drivers removed.
     pub const DEGREES_OF_FREEDOM: ::core::primitive::usize = 1;
     ///Operations of the default acceleration function (Baumgarte), a fused multiply-add counted once.
@@ -212,15 +212,14 @@ const _: () = {
         pub fn reactions(
             &self,
             time: R,
-            q: &Q<R>,
-            v: &V<R>,
+            state: &State<Q<R>, V<R>>,
             u: &(),
             a: &V<R>,
             lambda: &Lambda<R>,
         ) -> [Reaction<R>; 1] {
-            let arm_cos = q[0];
-            let arm_sin = q[1];
-            let arm_rate = v[0];
+            let arm_cos = state.q[0];
+            let arm_sin = state.q[1];
+            let arm_rate = state.v[0];
             let arm_rate_dot = a[0];
             let a0 = arm_rate * arm_rate;
             let a1 = arm_cos * a0;
@@ -240,18 +239,17 @@ const _: () = {
         pub fn inverse_dynamics(
             &self,
             time: R,
-            q: &Q<R>,
-            v: &V<R>,
+            state: &State<Q<R>, V<R>>,
             u: &(),
             a: &V<R>,
         ) -> V<R> {
-            let arm_cos = q[0];
+            let arm_cos = state.q[0];
             let arm_rate_dot = a[0];
             let a0 = R::from_f64(9.81).mul_add(arm_cos, arm_rate_dot);
             [a0]
         }
         /// Power of each load (W), in the order of `LOADS`, what springs store included.
-        pub fn powers(&self, time: R, q: &Q<R>, v: &V<R>, u: &()) -> [R; 0] {
+        pub fn powers(&self, time: R, state: &State<Q<R>, V<R>>, u: &()) -> [R; 0] {
             []
         }
         /// Effort of each driver along its quantity (N m or N) and its power (W), from the multipliers.
@@ -265,22 +263,26 @@ const _: () = {
             []
         }
     }
-    impl<R: Real> Mechanism<R> for SimplePendulum<R> {
-        const NAME: &'static str = "SimplePendulum";
+    impl<R: Real> Variables<R> for SimplePendulum<R> {
         const LAYOUT: Layout = Layout {
             linear: 0,
             rotations: 1,
             quaternions: 0,
             angles: &[],
         };
+        type Q = Q<R>;
+        type V = V<R>;
+        type Lambda = Lambda<R>;
+        type Z = ();
+        type Gates = ();
+    }
+    impl<R: Real> Mechanism<R> for SimplePendulum<R> {
+        const NAME: &'static str = "SimplePendulum";
         const ROWS: &'static [Row] = &[];
         const POSITION_NAMES: &'static [&'static str] = &["arm.cos", "arm.sin"];
         const VELOCITY_NAMES: &'static [&'static str] = &["arm.rate"];
         const MASS_PATTERN: &'static [(u16, u16)] = &[(0, 0)];
         const JACOBIAN_PATTERN: &'static [(u16, u16)] = &[];
-        type Q = Q<R>;
-        type V = V<R>;
-        type Lambda = Lambda<R>;
         type Mass = Mass<R>;
         type Jacobian = Jacobian<R>;
         type Inputs = ();
@@ -300,8 +302,8 @@ const _: () = {
         fn gamma(&self, time: R, q: &Q<R>, v: &V<R>, out: &mut Lambda<R>) {
             *out = [];
         }
-        fn forces(&self, time: R, q: &Q<R>, v: &V<R>, u: &(), out: &mut V<R>) {
-            let arm_cos = q[0];
+        fn forces(&self, time: R, state: &State<Q<R>, V<R>>, u: &(), out: &mut V<R>) {
+            let arm_cos = state.q[0];
             let force_arm_rate = R::from_f64(-9.81) * arm_cos;
             *out = [force_arm_rate];
         }
@@ -316,21 +318,20 @@ const _: () = {
             let a4 = R::from_f64(0.5) * a3;
             a4
         }
-        fn potential_energy(&self, time: R, q: &Q<R>) -> R {
-            let arm_sin = q[1];
+        fn potential_energy(&self, time: R, state: &State<Q<R>, V<R>>) -> R {
+            let arm_sin = state.q[1];
             let a0 = R::from_f64(9.81) * arm_sin;
             a0
         }
         fn acceleration(
             &self,
             time: R,
-            q: &Q<R>,
-            v: &V<R>,
+            state: &State<Q<R>, V<R>>,
             u: &(),
             a_out: &mut V<R>,
             lambda_out: &mut Lambda<R>,
         ) -> R {
-            let arm_cos = q[0];
+            let arm_cos = state.q[0];
             let arm_rate_dot_ = R::from_f64(-9.81) * arm_cos;
             *a_out = [arm_rate_dot_];
             *lambda_out = [];
@@ -339,19 +340,18 @@ const _: () = {
         fn acceleration_baumgarte(
             &self,
             time: R,
-            q: &Q<R>,
-            v: &V<R>,
+            state: &State<Q<R>, V<R>>,
             u: &(),
             two_alpha: R,
             beta_squared: R,
             a_out: &mut V<R>,
             lambda_out: &mut Lambda<R>,
         ) -> R {
-            <Self as Mechanism<R>>::acceleration(self, time, q, v, u, a_out, lambda_out)
+            <Self as Mechanism<R>>::acceleration(self, time, state, u, a_out, lambda_out)
         }
-        fn outputs(&self, time: R, q: &Q<R>, v: &V<R>, u: &()) -> Outputs<R> {
-            let arm_cos = q[0];
-            let arm_sin = q[1];
+        fn outputs(&self, time: R, state: &State<Q<R>, V<R>>, u: &()) -> Outputs<R> {
+            let arm_cos = state.q[0];
+            let arm_sin = state.q[1];
             SimplePendulumOutputs {
                 x: arm_cos,
                 y: arm_sin,

@@ -74,10 +74,10 @@ pub type SphericalPendulumState<R = ::core::primitive::f64> = ::linkwright::__pr
 #[allow(clippy::all)]
 impl SphericalPendulum<::core::primitive::f64> {
     ///Consistent start state for the default parameters, assembled at compile time.
-    pub const START: SphericalPendulumState = ::linkwright::__private::v1::State {
-        q: [1.0, 0.0, 0.0, 0.0],
-        v: [0.0, 0.0, 0.0],
-    };
+    pub const START: SphericalPendulumState = ::linkwright::__private::v1::State::new(
+        [1.0, 0.0, 0.0, 0.0],
+        [0.0, 0.0, 0.0],
+    );
     ///Degrees of freedom, drivers removed.
     pub const DEGREES_OF_FREEDOM: ::core::primitive::usize = 3;
     ///Operations of the default acceleration function (Baumgarte), a fused multiply-add counted once.
@@ -287,19 +287,18 @@ const _: () = {
         pub fn reactions(
             &self,
             time: R,
-            q: &Q<R>,
-            v: &V<R>,
+            state: &State<Q<R>, V<R>>,
             u: &(),
             a: &V<R>,
             lambda: &Lambda<R>,
         ) -> [SpatialReaction<R>; 1] {
-            let pivot_orientation_w = q[0];
-            let pivot_orientation_x = q[1];
-            let pivot_orientation_y = q[2];
-            let pivot_orientation_z = q[3];
-            let pivot_rate_x = v[0];
-            let pivot_rate_y = v[1];
-            let pivot_rate_z = v[2];
+            let pivot_orientation_w = state.q[0];
+            let pivot_orientation_x = state.q[1];
+            let pivot_orientation_y = state.q[2];
+            let pivot_orientation_z = state.q[3];
+            let pivot_rate_x = state.v[0];
+            let pivot_rate_y = state.v[1];
+            let pivot_rate_z = state.v[2];
             let pivot_rate_x_dot = a[0];
             let pivot_rate_y_dot = a[1];
             let pivot_rate_z_dot = a[2];
@@ -385,18 +384,17 @@ const _: () = {
         pub fn inverse_dynamics(
             &self,
             time: R,
-            q: &Q<R>,
-            v: &V<R>,
+            state: &State<Q<R>, V<R>>,
             u: &(),
             a: &V<R>,
         ) -> V<R> {
-            let pivot_orientation_w = q[0];
-            let pivot_orientation_x = q[1];
-            let pivot_orientation_y = q[2];
-            let pivot_orientation_z = q[3];
-            let pivot_rate_x = v[0];
-            let pivot_rate_y = v[1];
-            let pivot_rate_z = v[2];
+            let pivot_orientation_w = state.q[0];
+            let pivot_orientation_x = state.q[1];
+            let pivot_orientation_y = state.q[2];
+            let pivot_orientation_z = state.q[3];
+            let pivot_rate_x = state.v[0];
+            let pivot_rate_y = state.v[1];
+            let pivot_rate_z = state.v[2];
             let pivot_rate_x_dot = a[0];
             let pivot_rate_y_dot = a[1];
             let pivot_rate_z_dot = a[2];
@@ -420,7 +418,7 @@ const _: () = {
             [a0, a9, a16]
         }
         /// Power of each load (W), in the order of `LOADS`, what springs store included.
-        pub fn powers(&self, time: R, q: &Q<R>, v: &V<R>, u: &()) -> [R; 0] {
+        pub fn powers(&self, time: R, state: &State<Q<R>, V<R>>, u: &()) -> [R; 0] {
             []
         }
         /// Effort of each driver along its quantity (N m or N) and its power (W), from the multipliers.
@@ -434,14 +432,21 @@ const _: () = {
             []
         }
     }
-    impl<R: Real> Mechanism<R> for SphericalPendulum<R> {
-        const NAME: &'static str = "SphericalPendulum";
+    impl<R: Real> Variables<R> for SphericalPendulum<R> {
         const LAYOUT: Layout = Layout {
             linear: 0,
             rotations: 0,
             quaternions: 1,
             angles: &[],
         };
+        type Q = Q<R>;
+        type V = V<R>;
+        type Lambda = Lambda<R>;
+        type Z = ();
+        type Gates = ();
+    }
+    impl<R: Real> Mechanism<R> for SphericalPendulum<R> {
+        const NAME: &'static str = "SphericalPendulum";
         const ROWS: &'static [Row] = &[];
         const POSITION_NAMES: &'static [&'static str] = &[
             "pivot.orientation.w",
@@ -456,9 +461,6 @@ const _: () = {
         ];
         const MASS_PATTERN: &'static [(u16, u16)] = &[(0, 0), (1, 1), (2, 2)];
         const JACOBIAN_PATTERN: &'static [(u16, u16)] = &[];
-        type Q = Q<R>;
-        type V = V<R>;
-        type Lambda = Lambda<R>;
         type Mass = Mass<R>;
         type Jacobian = Jacobian<R>;
         type Inputs = ();
@@ -478,14 +480,14 @@ const _: () = {
         fn gamma(&self, time: R, q: &Q<R>, v: &V<R>, out: &mut Lambda<R>) {
             *out = [];
         }
-        fn forces(&self, time: R, q: &Q<R>, v: &V<R>, u: &(), out: &mut V<R>) {
-            let pivot_orientation_w = q[0];
-            let pivot_orientation_x = q[1];
-            let pivot_orientation_y = q[2];
-            let pivot_orientation_z = q[3];
-            let pivot_rate_x = v[0];
-            let pivot_rate_y = v[1];
-            let pivot_rate_z = v[2];
+        fn forces(&self, time: R, state: &State<Q<R>, V<R>>, u: &(), out: &mut V<R>) {
+            let pivot_orientation_w = state.q[0];
+            let pivot_orientation_x = state.q[1];
+            let pivot_orientation_y = state.q[2];
+            let pivot_orientation_z = state.q[3];
+            let pivot_rate_x = state.v[0];
+            let pivot_rate_y = state.v[1];
+            let pivot_rate_z = state.v[2];
             let a0 = pivot_rate_x * pivot_rate_z;
             let a1 = R::from_f64(2.0) * pivot_orientation_y;
             let a2 = R::from_f64(2.0) * pivot_orientation_x;
@@ -515,11 +517,11 @@ const _: () = {
             let a6 = R::from_f64(0.5) * a5;
             a6
         }
-        fn potential_energy(&self, time: R, q: &Q<R>) -> R {
-            let pivot_orientation_w = q[0];
-            let pivot_orientation_x = q[1];
-            let pivot_orientation_y = q[2];
-            let pivot_orientation_z = q[3];
+        fn potential_energy(&self, time: R, state: &State<Q<R>, V<R>>) -> R {
+            let pivot_orientation_w = state.q[0];
+            let pivot_orientation_x = state.q[1];
+            let pivot_orientation_y = state.q[2];
+            let pivot_orientation_z = state.q[3];
             let a0 = R::from_f64(2.0) * pivot_orientation_y;
             let a1 = R::from_f64(2.0) * pivot_orientation_z;
             let a2 = pivot_orientation_x * a1;
@@ -530,19 +532,18 @@ const _: () = {
         fn acceleration(
             &self,
             time: R,
-            q: &Q<R>,
-            v: &V<R>,
+            state: &State<Q<R>, V<R>>,
             u: &(),
             a_out: &mut V<R>,
             lambda_out: &mut Lambda<R>,
         ) -> R {
-            let pivot_orientation_w = q[0];
-            let pivot_orientation_x = q[1];
-            let pivot_orientation_y = q[2];
-            let pivot_orientation_z = q[3];
-            let pivot_rate_x = v[0];
-            let pivot_rate_y = v[1];
-            let pivot_rate_z = v[2];
+            let pivot_orientation_w = state.q[0];
+            let pivot_orientation_x = state.q[1];
+            let pivot_orientation_y = state.q[2];
+            let pivot_orientation_z = state.q[3];
+            let pivot_rate_x = state.v[0];
+            let pivot_rate_y = state.v[1];
+            let pivot_rate_z = state.v[2];
             let a0 = pivot_rate_x * pivot_rate_z;
             let a1 = R::from_f64(2.0) * pivot_orientation_y;
             let a2 = R::from_f64(2.0) * pivot_orientation_x;
@@ -566,23 +567,22 @@ const _: () = {
         fn acceleration_baumgarte(
             &self,
             time: R,
-            q: &Q<R>,
-            v: &V<R>,
+            state: &State<Q<R>, V<R>>,
             u: &(),
             two_alpha: R,
             beta_squared: R,
             a_out: &mut V<R>,
             lambda_out: &mut Lambda<R>,
         ) -> R {
-            <Self as Mechanism<R>>::acceleration(self, time, q, v, u, a_out, lambda_out)
+            <Self as Mechanism<R>>::acceleration(self, time, state, u, a_out, lambda_out)
         }
-        fn outputs(&self, time: R, q: &Q<R>, v: &V<R>, u: &()) -> Outputs<R> {
-            let pivot_orientation_w = q[0];
-            let pivot_orientation_x = q[1];
-            let pivot_orientation_y = q[2];
-            let pivot_orientation_z = q[3];
-            let pivot_rate_y = v[1];
-            let pivot_rate_z = v[2];
+        fn outputs(&self, time: R, state: &State<Q<R>, V<R>>, u: &()) -> Outputs<R> {
+            let pivot_orientation_w = state.q[0];
+            let pivot_orientation_x = state.q[1];
+            let pivot_orientation_y = state.q[2];
+            let pivot_orientation_z = state.q[3];
+            let pivot_rate_y = state.v[1];
+            let pivot_rate_z = state.v[2];
             let a0 = R::from_f64(2.0) * pivot_orientation_y;
             let a1 = pivot_orientation_y * a0;
             let a2 = R::from_f64(2.0) * pivot_orientation_z;

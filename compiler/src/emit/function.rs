@@ -79,6 +79,7 @@ impl Emitter<'_> {
                 return format!("[{}<R>; {count}]", record.of(mechanism.space).name);
             }
             Shape::Loads | Shape::Drivers | Shape::Masses => return format!("[R; {}]", self.entries(shape)),
+            Shape::State => return "State<Q<R>, V<R>>".to_string(),
             Shape::Positions => "Q",
             Shape::Velocities => "V",
             Shape::Rows => "Lambda",
@@ -103,6 +104,7 @@ impl Emitter<'_> {
             Shape::Scalar => 1,
             Shape::Positions => equations.layout.positions(),
             Shape::Velocities => equations.layout.velocities(),
+            Shape::State => equations.layout.positions() + equations.layout.velocities(),
             Shape::Rows => equations.rows.len(),
             Shape::Matrix(matrix) => matrix.places(equations).count(),
             Shape::Conditions => equations.conditions.len(),

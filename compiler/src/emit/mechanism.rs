@@ -1,4 +1,4 @@
-//! The implementation of `Mechanism`: M, Φ, D, ν, γ, Q, energies, accelerations and outputs.
+//! The implementations of `Variables` and `Mechanism`: M, Φ, D, ν, γ, Q, energies, accelerations and outputs.
 
 use super::function::function;
 use super::names::field;
@@ -11,9 +11,9 @@ pub fn mechanism(text: &mut String, emitter: &Emitter) {
     let Emitter { name, inner, mechanism, compiled, .. } = emitter;
     let layout = &compiled.equations.layout;
     let mut helpers = String::new();
+    variables(text, emitter);
     let _ = writeln!(text, "impl<R: Real> Mechanism<R> for {inner}<R> {{");
     let _ = writeln!(text, "const NAME: &'static str = {};", quoted(name));
-    let _ = writeln!(text, "const LAYOUT: Layout = {};", tables::layout(emitter));
     let _ = writeln!(text, "const ROWS: &'static [Row] = {};", tables::rows(emitter));
     let names = [
         ("POSITION_NAMES", layout.position_names(mechanism)),
@@ -25,7 +25,7 @@ pub fn mechanism(text: &mut String, emitter: &Emitter) {
     for matrix in [&MASS, &JACOBIAN] {
         tables::pattern(text, emitter, matrix);
     }
-    for alias in ["Q", "V", "Lambda", "Mass", "Jacobian"] {
+    for alias in ["Mass", "Jacobian"] {
         let _ = writeln!(text, "type {alias} = {alias}<R>;");
     }
     for (alias, shape) in [("Inputs", Shape::Inputs), ("Outputs", Shape::Outputs)] {
@@ -51,6 +51,16 @@ pub fn mechanism(text: &mut String, emitter: &Emitter) {
     text.push_str(&helpers);
 }
 
+/// What a state is made of: there are no internal states and no gates yet.
+fn variables(text: &mut String, emitter: &Emitter) {
+    let _ = writeln!(text, "impl<R: Real> Variables<R> for {}<R> {{", emitter.inner);
+    let _ = writeln!(text, "const LAYOUT: Layout = {};", tables::layout(emitter));
+    for alias in ["Q", "V", "Lambda"] {
+        let _ = writeln!(text, "type {alias} = {alias}<R>;");
+    }
+    text.push_str("type Z = ();\ntype Gates = ();\n}\n");
+}
+
 fn stabilised(text: &mut String, helpers: &mut String, emitter: &Emitter) {
     let stabilised = Function::AccelerationBaumgarte;
     if emitter.entries(Shape::Rows) > 0 {
@@ -60,7 +70,7 @@ fn stabilised(text: &mut String, helpers: &mut String, emitter: &Emitter) {
     let head = emitter.head(stabilised.signature());
     let _ = writeln!(
         text,
-        "{head} {{\n<Self as Mechanism<R>>::acceleration(self, time, q, v, u, a_out, lambda_out)\n}}"
+        "{head} {{\n<Self as Mechanism<R>>::acceleration(self, time, state, u, a_out, lambda_out)\n}}"
     );
 }
 

@@ -123,8 +123,16 @@ impl Names {
             Shape::Scalar => return None,
             Shape::Parameters => format!("{}.{}", given.name, self.parameter_fields[index as usize]),
             Shape::Inputs => format!("{}.{}", given.name, self.input_fields[index as usize]),
+            Shape::Positions | Shape::Velocities if self.is_of_state(argument) => {
+                format!("{}.{}[{index}]", Argument::State.name(), given.name)
+            }
             _ => format!("{}[{index}]", given.name),
         })
+    }
+
+    /// Whether q or v come as parts of the state.
+    fn is_of_state(&self, argument: Argument) -> bool {
+        matches!(argument, Argument::Q | Argument::V) && self.arguments.contains(&Argument::State)
     }
 
     /// The arguments of a helper function.
@@ -191,7 +199,7 @@ pub fn inner(name: &str) -> String {
 
 /// Types, traits and variants that implementations have in scope: short names of arrays, what the runtime exports to
 /// emitted code, the prelude.
-const IN_SCOPE: [&str; 97] = [
+const IN_SCOPE: [&str; 98] = [
     "Constants",
     "Phases",
     "Q",
@@ -243,6 +251,7 @@ const IN_SCOPE: [&str; 97] = [
     "Mechanism",
     "Row",
     "Tangent",
+    "Variables",
     "SpatialMotion",
     "SpatialReaction",
     "Real",

@@ -11,6 +11,8 @@ pub enum Argument {
     Time,
     Q,
     V,
+    /// The state as a whole, of which q and v are parts.
+    State,
     Inputs,
     TwoAlpha,
     BetaSquared,
@@ -46,10 +48,12 @@ const fn given(
 }
 
 /// All arguments.
-pub static ARGUMENTS: [Given; 17] = [
+pub static ARGUMENTS: [Given; 18] = [
     given(Argument::Time, "time", Shape::Scalar, |s| from_ref(&s.time)),
     given(Argument::Q, "q", Shape::Positions, |s| &s.q),
     given(Argument::V, "v", Shape::Velocities, |s| &s.v),
+    // Its entries are those of q and v.
+    given(Argument::State, "state", Shape::State, |_| &[]),
     given(Argument::Inputs, "u", Shape::Inputs, |s| &s.inputs),
     // 2 α and β² of Baumgarte's terms, 1/s and 1/s².
     given(Argument::TwoAlpha, "two_alpha", Shape::Scalar, |s| from_ref(&s.two_alpha)),
