@@ -104,7 +104,7 @@ fn quick_return_with_inputs_of_time_and_state() {
 #[test]
 fn counted_angles_keep_their_turns() {
     let model = PlanetaryGearTrain::<f64>::default();
-    let layout = <PlanetaryGearTrain as Mechanism<f64>>::LAYOUT;
+    let layout = <PlanetaryGearTrain as linkwright::Variables<f64>>::LAYOUT;
     assert!(!layout.angles.is_empty());
     let inputs = |time: f64, _: &_| PlanetaryGearTrainInputs { arm_torque: time.sin(), sun_torque: 0.0 };
     agrees(&model, PlanetaryGearTrain::START, inputs, (0.3, 1e-3));
