@@ -187,10 +187,12 @@ fn sum<'s, R: Real, T: Vector<R>, const S: usize>(
     for (entry, value) in sum.as_mut_slice().iter_mut().enumerate() {
         let first = *value;
         *value = c * first;
-        for (stage, &weight) in weights.iter().enumerate().skip(1) {
-            if weight != 0.0 {
+        // Counted, because a loop over an iterator is not unrolled, and then the weights are looked up.
+        #[allow(clippy::needless_range_loop)]
+        for stage in 1..S {
+            if weights[stage] != 0.0 {
                 let off = at(k(stage).as_slice(), entry) - first;
-                *value = R::from_f64(weight).mul_add(off, *value);
+                *value = R::from_f64(weights[stage]).mul_add(off, *value);
             }
         }
         *value = *value * h;
