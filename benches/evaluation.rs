@@ -17,7 +17,7 @@ use casadi::{Peer, Turns};
 use harness::median;
 use linkwright::{
     Assemble, AssembleExt, Baumgarte, Fields, InputSource, Mechanism, Simulation, SpatialMotion, State,
-    Vector,
+    StateOf, Variables, Vector,
 };
 use linkwright_models as models;
 use std::hint::black_box;
@@ -67,10 +67,9 @@ fn main() {
                 let start = model.assemble(&<$model>::START).expect("the default start");
                 let inputs = <<$model as Mechanism<f64>>::Inputs as Fields<f64>>::from_array([0.0; 7]);
                 let states = along_the_motion(&model, start, inputs, 0.01);
-                let function: fn(&$model, f64, &_, &_, &_, &_) -> _ = black_box(<$model>::inverse_dynamics);
+                let function: fn(&$model, f64, &_, &_, &_) -> _ = black_box(<$model>::inverse_dynamics);
                 alone("  inverse_dynamics", |at| {
-                    let State { q, v } = &states[at];
-                    black_box(function(&model, 0.0, q, v, &inputs, v));
+                    black_box(function(&model, 0.0, &states[at], &inputs, &states[at].v));
                 });
                 type Mass = <$model as Mechanism<f64>>::Mass;
                 let function: fn(&$model, f64, &_, &mut Mass) =
@@ -163,7 +162,7 @@ struct Constant<I>(I);
 impl<M: Mechanism<f64>> InputSource<f64, M> for Constant<M::Inputs> {
     const HELD: bool = true;
 
-    fn sample(&mut self, _: f64, _: &State<M::Q, M::V>) -> M::Inputs {
+    fn sample(&mut self, _: f64, _: &StateOf<M>) -> M::Inputs {
         self.0
     }
 }
@@ -171,10 +170,10 @@ impl<M: Mechanism<f64>> InputSource<f64, M> for Constant<M::Inputs> {
 /// States at equal distances in time.
 fn along_the_motion<M: Assemble<f64>>(
     model: &M,
-    start: State<M::Q, M::V>,
+    start: StateOf<M>,
     inputs: M::Inputs,
     step: f64,
-) -> Vec<State<M::Q, M::V>> {
+) -> Vec<StateOf<M>> {
     let mut simulation = Simulation::new(model, start)
         .input_source(Constant(inputs))
         .formulation(Baumgarte { alpha: ALPHA, beta: ALPHA })
@@ -182,14 +181,9 @@ fn along_the_motion<M: Assemble<f64>>(
     (1..=STATES).map(|k| simulation.advance_until(step * k as f64).expect("a regular motion")).collect()
 }
 
-fn acceleration<M: Mechanism<f64>>(
-    model: &M,
-    state: &State<M::Q, M::V>,
-    inputs: &M::Inputs,
-) -> (M::V, M::Lambda) {
+fn acceleration<M: Mechanism<f64>>(model: &M, state: &StateOf<M>, inputs: &M::Inputs) -> (M::V, M::Lambda) {
     let (mut a, mut lambda) = (M::V::zero(), M::Lambda::zero());
-    let State { q, v } = state;
-    model.acceleration_baumgarte(0.0, q, v, inputs, 2.0 * ALPHA, ALPHA * ALPHA, &mut a, &mut lambda);
+    model.acceleration_baumgarte(0.0, state, inputs, 2.0 * ALPHA, ALPHA * ALPHA, &mut a, &mut lambda);
     (a, lambda)
 }
 
@@ -197,7 +191,7 @@ fn report<M: Assemble<f64>>(
     name: &str,
     operations: usize,
     model: &M,
-    states: &[State<M::Q, M::V>],
+    states: &[StateOf<M>],
     inputs: &M::Inputs,
     mut peers: Vec<Peer>,
 ) {
@@ -206,18 +200,17 @@ fn report<M: Assemble<f64>>(
     type Function<M> = fn(
         &M,
         f64,
-        &<M as Mechanism<f64>>::Q,
-        &<M as Mechanism<f64>>::V,
+        &StateOf<M>,
         &<M as Mechanism<f64>>::Inputs,
         f64,
         f64,
-        &mut <M as Mechanism<f64>>::V,
-        &mut <M as Mechanism<f64>>::Lambda,
+        &mut <M as Variables<f64>>::V,
+        &mut <M as Variables<f64>>::Lambda,
     ) -> f64;
     let function: Function<M> = black_box(M::acceleration_baumgarte);
     let mut own = |at: usize| {
-        let State { q, v } = &states[at];
-        let pivot = function(model, 0.0, q, v, inputs, 2.0 * ALPHA, ALPHA * ALPHA, &mut a, &mut lambda);
+        let pivot =
+            function(model, 0.0, &states[at], inputs, 2.0 * ALPHA, ALPHA * ALPHA, &mut a, &mut lambda);
         black_box((pivot, &a, &lambda));
     };
     let rounds = rounds(&mut own);
@@ -244,29 +237,26 @@ fn report<M: Assemble<f64>>(
 /// The equations in independent velocities where they are written out: index 1 without Baumgarte's terms, beside `other`.
 fn in_independent_velocities<M: Assemble<f64>>(
     model: &M,
-    states: &[State<M::Q, M::V>],
+    states: &[StateOf<M>],
     inputs: &M::Inputs,
     other: &mut impl FnMut(usize),
     rounds: usize,
 ) {
     let (mut a, mut lambda) = (M::V::zero(), M::Lambda::zero());
-    let State { q, v } = &states[0];
-    if model.null_space(0.0, q, v, inputs, &mut a, &mut lambda) == 0.0 {
+    if model.null_space(0.0, &states[0], inputs, &mut a, &mut lambda) == 0.0 {
         return;
     }
     type Function<M> = fn(
         &M,
         f64,
-        &<M as Mechanism<f64>>::Q,
-        &<M as Mechanism<f64>>::V,
+        &StateOf<M>,
         &<M as Mechanism<f64>>::Inputs,
-        &mut <M as Mechanism<f64>>::V,
-        &mut <M as Mechanism<f64>>::Lambda,
+        &mut <M as Variables<f64>>::V,
+        &mut <M as Variables<f64>>::Lambda,
     ) -> f64;
     let function: Function<M> = black_box(M::null_space);
     let mut own = |at: usize| {
-        let State { q, v } = &states[at];
-        let pivot = function(model, 0.0, q, v, inputs, &mut a, &mut lambda);
+        let pivot = function(model, 0.0, &states[at], inputs, &mut a, &mut lambda);
         black_box((pivot, &a, &lambda));
     };
     let pairs: Vec<(f64, f64)> =

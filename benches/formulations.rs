@@ -16,7 +16,7 @@ use casadi::{Peer, Turns};
 use harness::{largest, median};
 use linkwright::{
     Assemble, AugmentedLagrangian, Baumgarte, Formulation, LagrangeIndex1, NullSpace, Partitioned, Penalty,
-    Projected, Simulation, State, Vector,
+    Projected, Simulation, State, StateOf, Vector,
 };
 use std::hint::black_box;
 use std::time::Instant;
@@ -100,7 +100,7 @@ fn main() {
 /// Every formulation on one model; partitioning, which has full matrices, only where these are small.
 fn formulations<'m, M: Assemble<f64, Inputs = ()>>(
     model: &'m M,
-    start: State<M::Q, M::V>,
+    start: StateOf<M>,
     span: (f64, f64),
     rate: f64,
     small: bool,
@@ -125,7 +125,7 @@ fn formulations<'m, M: Assemble<f64, Inputs = ()>>(
 
 fn run<'m, M, F>(
     model: &'m M,
-    start: State<M::Q, M::V>,
+    start: StateOf<M>,
     formulation: F,
     (h, end): (f64, f64),
 ) -> Box<dyn FnMut() -> [f64; 3] + 'm>
@@ -181,14 +181,14 @@ fn report(title: &str, mut timed: Vec<Timed<'_>>) {
 /// A run under Baumgarte's stabilisation: step and end in s, α = β in 1/s.
 struct Run<'m, M: Assemble<f64>> {
     model: &'m M,
-    start: State<M::Q, M::V>,
+    start: StateOf<M>,
     span: (f64, f64),
     rate: f64,
 }
 
 impl<M: Assemble<f64, Inputs = ()>> Run<'_, M> {
     /// The start and states at equal distances to the end, in the coordinates of `convert`.
-    fn states(&self, convert: impl Fn(&M, &State<M::Q, M::V>, &M::V) -> Turns) -> Vec<Turns> {
+    fn states(&self, convert: impl Fn(&M, &StateOf<M>, &M::V) -> Turns) -> Vec<Turns> {
         let (model, rate, (h, end)) = (self.model, self.rate, self.span);
         let simulation =
             Simulation::new(model, self.start).formulation(Baumgarte { alpha: rate, beta: rate });
@@ -197,10 +197,9 @@ impl<M: Assemble<f64, Inputs = ()>> Run<'_, M> {
             simulation.advance_until(end * k as f64 / COMPARED as f64).expect("a run that is timed below")
         });
         let states = std::iter::once(self.start).chain(later);
-        let turns = |state: State<M::Q, M::V>| {
+        let turns = |state: StateOf<M>| {
             let (mut a, mut lambda) = (M::V::zero(), M::Lambda::zero());
-            let State { q, v } = &state;
-            model.acceleration_baumgarte(0.0, q, v, &(), 2.0 * rate, rate * rate, &mut a, &mut lambda);
+            model.acceleration_baumgarte(0.0, &state, &(), 2.0 * rate, rate * rate, &mut a, &mut lambda);
             convert(model, &state, &a)
         };
         states.map(turns).collect()
@@ -212,7 +211,7 @@ impl<M: Assemble<f64, Inputs = ()>> Run<'_, M> {
 fn beside<M: Assemble<f64, Inputs = ()>>(
     names: &[&str],
     timed: &Run<'_, M>,
-    convert: impl Fn(&M, &State<M::Q, M::V>, &M::V) -> Turns,
+    convert: impl Fn(&M, &StateOf<M>, &M::V) -> Turns,
 ) {
     let states = timed.states(convert);
     // At the ladders' start all accelerations are zero.

@@ -112,7 +112,7 @@ fn run<R: Real>(ticks: Ticks) -> Result<Outcome, Box<dyn std::error::Error>> {
         let state = simulation.advance_for(k(ticks.tick.into()))?;
         let time = simulation.time();
         wrong += u32::from(time != k(ticks.exact(count)));
-        let outputs = model.outputs(time, &state.q, &state.v, &drive(time));
+        let outputs = model.outputs(time, &state, &drive(time));
         // The angle is within one turn; whole turns are counted here.
         let angle = outputs.angle.to_f64();
         turned += (angle - last + PI).rem_euclid(TAU) - PI;

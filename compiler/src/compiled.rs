@@ -46,6 +46,7 @@ impl Compiled {
             Shape::Scalar => 1,
             Shape::Positions => equations.layout.positions(),
             Shape::Velocities => equations.layout.velocities(),
+            Shape::State => equations.layout.positions() + equations.layout.velocities(),
             Shape::Rows => equations.rows.len(),
             Shape::Matrix(matrix) => matrix.places(complete).count(),
             Shape::Conditions => conditions.rows.len(),

@@ -1,9 +1,9 @@
-//! Derivatives of v̇ along increments of the coordinates: by differences, or exact.
+//! Derivatives of v̇ and ż along increments of the state: by differences, or exact.
 
 use crate::{Equations, StateOf};
-use linkwright::{Assemble, Fields, State, Tangent, Vector, retract};
+use linkwright::{Assemble, Derivative, DerivativeOf, Fields, Tangent, Vector};
 
-/// Where the derivatives of v̇ come from: [`Differences`] or [`Exact`].
+/// Where the derivatives of v̇ and ż come from: [`Differences`] or [`Exact`].
 pub trait Derivatives<M: Assemble<f64>>: Sized + sealed::Sealed {
     /// The number of parameters by which there are derivatives.
     #[doc(hidden)]
@@ -18,9 +18,13 @@ pub trait Derivatives<M: Assemble<f64>>: Sized + sealed::Sealed {
     where
         S: Fn(f64, &StateOf<M>) -> M::Inputs;
 
-    /// (∂v̇/∂q) δq + (∂v̇/∂v) δv, including what the inputs do.
+    /// The change of v̇ and ż along an increment of the state, including what the inputs do.
     #[doc(hidden)]
-    fn along<S>(equations: &Equations<'_, M, S, Self>, at: &Self::At, dq: &M::V, dv: &M::V) -> M::V
+    fn along<S>(
+        equations: &Equations<'_, M, S, Self>,
+        at: &Self::At,
+        increment: &DerivativeOf<M>,
+    ) -> (M::V, M::Z)
     where
         S: Fn(f64, &StateOf<M>) -> M::Inputs;
 }
@@ -31,7 +35,7 @@ mod sealed {
     impl Sealed for super::Exact {}
 }
 
-/// Central differences of v̇, for any mechanism.
+/// Central differences of v̇ and ż, for any mechanism.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Differences;
 
@@ -42,21 +46,17 @@ pub struct Exact;
 /// Two states, a little back and a little ahead along an increment, and the inverse of what lies between.
 fn around<M: Assemble<f64>>(
     state: &StateOf<M>,
-    dq: &M::V,
-    dv: &M::V,
+    increment: &DerivativeOf<M>,
 ) -> Option<(StateOf<M>, StateOf<M>, f64)> {
-    let size = dq.max_abs().max(dv.max_abs() / (1.0 + state.v.max_abs()));
+    let Derivative { v: dq, a: dv, z: dz } = increment;
+    let moving = dq.max_abs().max(dv.max_abs() / (1.0 + state.v.max_abs()));
+    let size = moving.max(dz.max_abs() / (1.0 + state.z.max_abs()));
     // The error of central differences is least about the third root of rounding.
     let step = f64::EPSILON.cbrt() / size;
     if !step.is_finite() {
         return None;
     }
-    let moved = |step: f64| {
-        let mut moved = *state;
-        retract(&M::LAYOUT, &state.q, &dq.scaled(step), &mut moved.q);
-        moved.v.axpy(step, dv);
-        moved
-    };
+    let moved = |step: f64| state.advance(&M::LAYOUT, step, increment);
     Some((moved(-step), moved(step), 0.5 / step))
 }
 
@@ -71,13 +71,20 @@ impl<M: Assemble<f64>> Derivatives<M> for Differences {
         Some((time, *state))
     }
 
-    fn along<S>(equations: &Equations<'_, M, S, Self>, (time, state): &Self::At, dq: &M::V, dv: &M::V) -> M::V
+    fn along<S>(
+        equations: &Equations<'_, M, S, Self>,
+        (time, state): &Self::At,
+        increment: &DerivativeOf<M>,
+    ) -> (M::V, M::Z)
     where
         S: Fn(f64, &StateOf<M>) -> M::Inputs,
     {
-        let Some((before, after, scale)) = around::<M>(state, dq, dv) else { return M::V::zero() };
-        let [(before, _), (after, _)] = [before, after].map(|state| equations.acceleration(*time, &state));
-        after.plus(-1.0, &before).scaled(scale)
+        let Some((before, after, scale)) = around::<M>(state, increment) else {
+            return (M::V::zero(), M::Z::zero());
+        };
+        let [before, after] = [before, after].map(|state| equations.derivative(*time, &state));
+        let Derivative { a, z, .. } = after.plus(-1.0, &before).scaled(scale);
+        (a, z)
     }
 }
 
@@ -134,18 +141,23 @@ impl<M: Tangent<f64>> Derivatives<M> for Exact {
             jacobian: M::Jacobian::zero(),
             input: M::InputTangent::zero(),
         };
-        model.tangent(time, q, v, &u, &a, &lambda, &mut at.stiffness, &mut at.damping);
+        model.tangent(time, state, &u, &a, &lambda, &mut at.stiffness, &mut at.damping);
         model.row_tangent(time, q, v, &a, &mut at.row_stiffness, &mut at.row_damping);
         model.rate_tangent(time, q, v, &mut at.rate);
         model.constraint_jacobian(time, q, &mut at.jacobian);
-        model.input_tangent(time, q, v, &u, &mut at.input);
+        model.input_tangent(time, state, &u, &mut at.input);
         Some(at)
     }
 
-    fn along<S>(equations: &Equations<'_, M, S, Self>, at: &Linearised<M>, dq: &M::V, dv: &M::V) -> M::V
+    fn along<S>(
+        equations: &Equations<'_, M, S, Self>,
+        at: &Linearised<M>,
+        increment: &DerivativeOf<M>,
+    ) -> (M::V, ())
     where
         S: Fn(f64, &StateOf<M>) -> M::Inputs,
     {
+        let Derivative { v: dq, a: dv, .. } = increment;
         let (mut forces, mut rows) = (M::V::zero(), M::Lambda::zero());
         add_product(M::STIFFNESS_PATTERN, &at.stiffness, 1.0, dq, &mut forces);
         add_product(M::DAMPING_PATTERN, &at.damping, 1.0, dv, &mut forces);
@@ -155,12 +167,12 @@ impl<M: Tangent<f64>> Derivatives<M> for Exact {
         add_product(M::RATE_PATTERN, &at.rate, two_alpha, dq, &mut rows);
         add_product(M::JACOBIAN_PATTERN, &at.jacobian, two_alpha, dv, &mut rows);
         add_product(M::JACOBIAN_PATTERN, &at.jacobian, beta_squared, dq, &mut rows);
-        if let Some((before, after, scale)) = around::<M>(&at.state, dq, dv) {
+        if let Some((before, after, scale)) = around::<M>(&at.state, increment) {
             let [before, after] = [before, after].map(|state| (equations.inputs)(at.time, &state).to_array());
             let along = after.plus(-1.0, &before).scaled(scale);
             add_product(M::INPUT_PATTERN, &at.input, 1.0, &along, &mut forces);
         }
-        at.response(equations.model(), &forces, &rows).0
+        (at.response(equations.model(), &forces, &rows).0, ())
     }
 }
 
@@ -178,8 +190,7 @@ impl<M: Tangent<f64>> Linearised<M> {
     {
         let u = (equations.inputs)(self.time, &self.state);
         let mut entries = M::ParameterTangent::zero();
-        let State { q, v } = &self.state;
-        equations.model().parameter_tangent(self.time, q, v, &u, &self.a, &self.lambda, &mut entries);
+        equations.model().parameter_tangent(self.time, &self.state, &u, &self.a, &self.lambda, &mut entries);
         entries
     }
 

@@ -2,6 +2,7 @@
 
 use crate::coordinates;
 use crate::derivatives::{Derivatives, Exact};
+use crate::settings::first_not_finite;
 use crate::{Sensitivity, Settings, StateOf};
 use core::cell::{Cell, RefCell};
 use core::marker::PhantomData;
@@ -11,7 +12,10 @@ use diffsol::{
     NonLinearOpJacobian, NonLinearOpSens, OdeEquations, OdeEquationsRef, Op, ParameterisedOp, UnitCallable,
     Vector as _,
 };
-use linkwright::{Assemble, Mechanism, Real, Row, SimulationError, State, Tangent, Vector, smallest_pivot};
+use linkwright::{
+    Assemble, Derivative, DerivativeOf, Mechanism, Real, Row, SimulationError, State, Tangent, Vector,
+    smallest_pivot,
+};
 
 /// The equations of motion of a mechanism in y, with inputs `S` and derivatives `D`; made by
 /// [`problem`](crate::problem) and [`exact_problem`](crate::exact_problem).
@@ -29,6 +33,25 @@ pub struct Equations<'m, M: Mechanism<f64>, S, D> {
     failure: Cell<Option<SimulationError>>,
     sign: Cell<f64>,
     derivatives: PhantomData<D>,
+}
+
+/// The parts of y, or of its rate, that hold q, v and z.
+fn parts<M: Mechanism<f64>>(y: &[f64]) -> [&[f64]; 3] {
+    let (q, rest) = y.split_at(coordinates::positions(&M::LAYOUT));
+    let (v, z) = rest.split_at(M::V::LEN);
+    [q, v, z]
+}
+
+fn parts_mut<M: Mechanism<f64>>(y: &mut [f64]) -> [&mut [f64]; 3] {
+    let (q, rest) = y.split_at_mut(coordinates::positions(&M::LAYOUT));
+    let (v, z) = rest.split_at_mut(M::V::LEN);
+    [q, v, z]
+}
+
+fn vector<T: Vector<f64>>(entries: &[f64]) -> T {
+    let mut vector = T::zero();
+    vector.as_mut_slice().copy_from_slice(entries);
+    vector
 }
 
 /// What a solver gets in place of numbers that there are not. Its error estimates take NaN for no error at all, and a constant
@@ -98,40 +121,33 @@ impl<'m, M: Assemble<f64>, S, D> Equations<'m, M, S, D> {
     }
 
     pub(crate) fn length(&self) -> usize {
-        coordinates::positions(&M::LAYOUT) + M::V::LEN
+        coordinates::positions(&M::LAYOUT) + M::V::LEN + M::Z::LEN
     }
 
     pub(crate) fn state_of(&self, y: &[f64]) -> StateOf<M> {
-        let (q, v) = y.split_at(coordinates::positions(&M::LAYOUT));
-        let mut velocities = M::V::zero();
-        velocities.as_mut_slice().copy_from_slice(v);
-        State { q: coordinates::from_entries(&M::LAYOUT, &self.start.q, q), v: velocities }
+        let [q, v, z] = parts::<M>(y);
+        let q = coordinates::from_entries(&M::LAYOUT, &self.start.q, q);
+        State { q, v: vector(v), z: vector(z), gates: self.start.gates }
     }
 
     fn entries_of(&self, state: &StateOf<M>) -> Vec<f64> {
-        let mut y = vec![0.0; self.length()];
-        let (q, v) = y.split_at_mut(coordinates::positions(&M::LAYOUT));
-        coordinates::to_entries(&M::LAYOUT, &self.start.q, &state.q, q);
-        v.copy_from_slice(state.v.as_slice());
-        y
+        let mut q = vec![0.0; coordinates::positions(&M::LAYOUT)];
+        coordinates::to_entries(&M::LAYOUT, &self.start.q, &state.q, &mut q);
+        [&q, state.v.as_slice(), state.z.as_slice()].concat()
     }
 
-    /// The entries' motion that belongs to an increment of the positions and of the velocities.
-    fn motion(&self, y: &[f64], dq: &M::V, dv: &M::V) -> Vec<f64> {
-        let mut motion = vec![0.0; self.length()];
-        let positions = coordinates::positions(&M::LAYOUT);
-        let (q, v) = motion.split_at_mut(positions);
-        coordinates::entries_along(&M::LAYOUT, &y[..positions], dq.as_slice(), q);
-        v.copy_from_slice(dv.as_slice());
-        motion
+    /// The entries' motion that belongs to an increment of the state.
+    fn motion(&self, y: &[f64], increment: &DerivativeOf<M>) -> Vec<f64> {
+        let mut q = vec![0.0; coordinates::positions(&M::LAYOUT)];
+        coordinates::entries_along(&M::LAYOUT, parts::<M>(y)[0], increment.v.as_slice(), &mut q);
+        [&q, increment.a.as_slice(), increment.z.as_slice()].concat()
     }
 
-    /// The increments of positions and velocities in a motion of the entries.
-    pub(crate) fn increments(&self, y: &[f64], motion: &[f64]) -> (M::V, M::V) {
-        let positions = coordinates::positions(&M::LAYOUT);
-        let mut dv = M::V::zero();
-        dv.as_mut_slice().copy_from_slice(&motion[positions..]);
-        (coordinates::increment(&M::LAYOUT, &y[..positions], &motion[..positions]), dv)
+    /// The increment of the state in a motion of the entries: δq, δv and δz where a derivative has v, v̇ and ż.
+    pub(crate) fn increment(&self, y: &[f64], motion: &[f64]) -> DerivativeOf<M> {
+        let [dq, dv, dz] = parts::<M>(motion);
+        let dq = coordinates::increment(&M::LAYOUT, parts::<M>(y)[0], dq);
+        Derivative { v: dq, a: vector(dv), z: vector(dz) }
     }
 
     /// Whether a pivot is none; remembered if so.
@@ -156,12 +172,10 @@ where
     pub(crate) fn acceleration(&self, time: f64, state: &StateOf<M>) -> (M::V, M::Lambda) {
         let (mut a, mut lambda) = (M::V::zero(), M::Lambda::zero());
         let inputs = (self.inputs)(time, state);
-        let State { q, v } = state;
         let (two_alpha, beta_squared) = self.baumgarte();
         let pivot = self.model.acceleration_baumgarte(
             time,
-            q,
-            v,
+            state,
             &inputs,
             two_alpha,
             beta_squared,
@@ -171,21 +185,30 @@ where
         if self.breaks_down(time, state, pivot) {
             a.as_mut_slice().fill(f64::NAN);
         } else if let Some(entry) = a.first_not_finite()
-            && q.first_not_finite().is_none()
-            && v.first_not_finite().is_none()
+            && first_not_finite::<M>(state).is_none()
         {
             self.failure.set(Some(SimulationError::NonFinite { time, what: M::VELOCITY_NAMES[entry] }));
         }
         (a, lambda)
     }
 
+    /// v, v̇ and ż; NaN where they are not to be had, with the reason remembered.
+    pub(crate) fn derivative(&self, time: f64, state: &StateOf<M>) -> DerivativeOf<M> {
+        let (a, lambda) = self.acceleration(time, state);
+        let mut z = M::Z::zero();
+        self.model.internal_rates(time, state, &(self.inputs)(time, state), &a, &lambda, &mut z);
+        Derivative { v: state.v, a, z }
+    }
+
     /// F(t, y).
     fn rates(&self, time: f64, y: &[f64], to: &mut [f64]) {
-        let positions = coordinates::positions(&M::LAYOUT);
-        let ((q, v), (to_q, to_v)) = (y.split_at(positions), to.split_at_mut(positions));
+        let [q, v, _] = parts::<M>(y);
+        let [to_q, to_v, to_z] = parts_mut::<M>(to);
         coordinates::entries_along(&M::LAYOUT, q, v, to_q);
         coordinates::add_pull(&M::LAYOUT, self.length_rate, q, to_q);
-        to_v.copy_from_slice(self.acceleration(time, &self.state_of(y)).0.as_slice());
+        let derivative = self.derivative(time, &self.state_of(y));
+        to_v.copy_from_slice(derivative.a.as_slice());
+        to_z.copy_from_slice(derivative.z.as_slice());
         if to.iter().any(|rate| !rate.is_finite()) {
             self.sign.set(-self.sign.get());
             to.fill(self.sign.get() * UNSOLVABLE);
@@ -202,14 +225,14 @@ where
     /// (∂F/∂y) w with what was evaluated at y; zero where F has no value, for the step will be rejected.
     fn rates_along(&self, at: Option<&D::At>, y: &[f64], along: &[f64], to: &mut [f64]) {
         let Some(at) = at else { return to.fill(0.0) };
-        let positions = coordinates::positions(&M::LAYOUT);
-        let ((q, v), (dq, dv)) = (y.split_at(positions), along.split_at(positions));
-        let (to_q, to_v) = to.split_at_mut(positions);
+        let ([q, v, _], [dq, dv, _]) = (parts::<M>(y), parts::<M>(along));
+        let [to_q, to_v, to_z] = parts_mut::<M>(to);
         coordinates::entries_along(&M::LAYOUT, q, dv, to_q);
         coordinates::add_turned(&M::LAYOUT, dq, v, to_q);
         coordinates::add_pull_along(&M::LAYOUT, self.length_rate, q, dq, to_q);
-        let (dq, dv) = self.increments(y, along);
-        to_v.copy_from_slice(D::along(self, at, &dq, &dv).as_slice());
+        let (a, z) = D::along(self, at, &self.increment(y, along));
+        to_v.copy_from_slice(a.as_slice());
+        to_z.copy_from_slice(z.as_slice());
         if to.iter().any(|rate| !rate.is_finite()) {
             to.fill(0.0);
         }
@@ -364,7 +387,8 @@ where
         let y = self.entries_of(&self.start);
         let columns: Vec<Vec<f64>> = match self.at(self.start_time, &y) {
             Some(at) => {
-                at.states_by_parameters(self).iter().map(|(dq, dv)| self.motion(&y, dq, dv)).collect()
+                let moved = at.states_by_parameters(self).into_iter();
+                moved.map(|(dq, dv)| self.motion(&y, &Derivative { v: dq, a: dv, z: () })).collect()
             }
             None => vec![vec![0.0; self.length()]; self.nparams()],
         };

@@ -45,7 +45,7 @@
 //! case.
 //!
 //! # The unknowns
-//! y = (positions, velocities). Positions are no vector space; a general solver needs one. So an orientation is integrated
+//! y = (positions, velocities, internal states). Positions are no vector space; a general solver needs one. So an orientation is integrated
 //! as the numbers that hold it:
 //!
 //! | coordinate | in y | its rate |
@@ -55,13 +55,13 @@
 //! | quaternion p | w, x, y, z | ½ p ⊗ (0, ω) + κ/2 (1 − p·p) p |
 //! | multi-turn angle | the angle less the whole turns it had at the start | Σ weight v |
 //!
-//! then v, with v̇ of M v̇ + Dᵀ λ = Q, D v̇ = γ − 2α (D v − ν) − β² Φ. v̇ is evaluated with the orientations brought to length
+//! then v, with v̇ of M v̇ + Dᵀ λ = Q, D v̇ = γ − 2α (D v − ν) − β² Φ, then z with its own ż; gates stay as they start. v̇ is evaluated with the orientations brought to length
 //! one, so a length that has drifted by the solver's error changes nothing else; [`Settings::length_rate`] is κ. States that
 //! are given back have length one. They satisfy the constraints to the solver's tolerance and as Baumgarte's terms keep
 //! them, not to rounding: `model.project(time, &state)` brings them there.
 //!
 //! # Derivatives
-//! With [`problem`] the derivatives of v̇ are central differences along increments of the coordinates. With
+//! With [`problem`] the derivatives of v̇ and ż are central differences along increments of the coordinates. With
 //! [`exact_problem`] they are exact ([`linkwright::Tangent`]), Baumgarte's terms included; only what the inputs' function does with the
 //! state is differenced. In both, a multi-turn angle moves with the orientations it counts, so the Jacobian is that along
 //! motions, not by an angle alone.
@@ -90,9 +90,6 @@ pub use derivatives::{Derivatives, Differences, Exact};
 pub use diffsol;
 pub use equations::Equations;
 pub use error::Error;
+pub use linkwright::StateOf;
 pub use settings::{Problem, Settings, exact_problem, problem};
 pub use solve::{Method, Sensitivity, sensitivities, solve};
-
-/// The state of a mechanism.
-pub type StateOf<M> =
-    linkwright::State<<M as linkwright::Mechanism<f64>>::Q, <M as linkwright::Mechanism<f64>>::V>;

@@ -145,9 +145,7 @@ where
 
 /// All entries are finite, all orientations of length one.
 fn check_numbers<M: Mechanism<f64>>(time: f64, state: &StateOf<M>) -> Result<(), SimulationError> {
-    let position = state.q.first_not_finite().map(|entry| M::POSITION_NAMES[entry]);
-    let velocity = state.v.first_not_finite().map(|entry| M::VELOCITY_NAMES[entry]);
-    if let Some(what) = position.or(velocity) {
+    if let Some(what) = first_not_finite::<M>(state) {
         return Err(SimulationError::NonFinite { time, what });
     }
     match first_not_unit(&M::LAYOUT, state.q.as_slice(), INCONSISTENT) {
@@ -156,6 +154,14 @@ fn check_numbers<M: Mechanism<f64>>(time: f64, state: &StateOf<M>) -> Result<(),
         }
         None => Ok(()),
     }
+}
+
+/// The name of the first entry of a state that is infinite or NaN.
+pub(crate) fn first_not_finite<M: Mechanism<f64>>(state: &StateOf<M>) -> Option<&'static str> {
+    let position = state.q.first_not_finite().map(|entry| M::POSITION_NAMES[entry]);
+    let velocity = state.v.first_not_finite().map(|entry| M::VELOCITY_NAMES[entry]);
+    let internal = state.z.first_not_finite().map(|entry| M::INTERNAL_NAMES[entry]);
+    position.or(velocity).or(internal)
 }
 
 /// Positions satisfy the constraints to [`INCONSISTENT`] of the size of the coordinates, velocities to the root of that.

@@ -1,8 +1,9 @@
 //! The usual case: states, and their derivatives by the parameters, at given times.
 
+use crate::settings::first_not_finite;
 use crate::{Derivatives, Error, Exact, Problem, StateOf};
 use diffsol::{NalgebraLU, NalgebraVec, OdeEquations, OdeSolverMethod, OdeSolverStopReason, Vector as _};
-use linkwright::{Assemble, Mechanism, SimulationError, Tangent, Vector};
+use linkwright::{Assemble, Derivative, Mechanism, SimulationError, Tangent};
 
 /// A solver of `diffsol`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -97,7 +98,7 @@ where
         // One lane for each parameter.
         let motions = motions.map_or(Vec::new(), |motions| motions.clone_as_vec());
         let of = |motion| {
-            let (q, v) = equations.increments(&y, motion);
+            let Derivative { v: q, a: v, .. } = equations.increment(&y, motion);
             Sensitivity { q, v }
         };
         derivatives.push(motions.chunks_exact(y.len()).map(of).collect());
@@ -194,8 +195,7 @@ where
 
 /// Written numbers are numbers.
 fn finite<M: Mechanism<f64>>(time: f64, state: StateOf<M>) -> Result<StateOf<M>, SimulationError> {
-    let position = state.q.first_not_finite().map(|entry| M::POSITION_NAMES[entry]);
-    match position.or(state.v.first_not_finite().map(|entry| M::VELOCITY_NAMES[entry])) {
+    match first_not_finite::<M>(&state) {
         Some(what) => Err(SimulationError::NonFinite { time, what }),
         None => Ok(state),
     }

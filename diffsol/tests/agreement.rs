@@ -104,7 +104,7 @@ fn quick_return_with_inputs_of_time_and_state() {
 #[test]
 fn counted_angles_keep_their_turns() {
     let model = PlanetaryGearTrain::<f64>::default();
-    let layout = <PlanetaryGearTrain as Mechanism<f64>>::LAYOUT;
+    let layout = <PlanetaryGearTrain as linkwright::Variables<f64>>::LAYOUT;
     assert!(!layout.angles.is_empty());
     let inputs = |time: f64, _: &_| PlanetaryGearTrainInputs { arm_torque: time.sin(), sun_torque: 0.0 };
     agrees(&model, PlanetaryGearTrain::START, inputs, (0.3, 1e-3));
@@ -134,10 +134,10 @@ fn andrews_squeezer() {
     let times: Vec<f64> = (0..=600).map(|k| 0.03 * f64::from(k) / 600.0).collect();
     for method in [Method::Bdf, Method::Tsit45] {
         let states = solve(&problem, method, &times).expect("the squeezer runs");
-        let mut last = model.outputs(0.0, &states[0].q, &states[0].v, &());
+        let mut last = model.outputs(0.0, &states[0], &());
         model.unwrap_start(&mut last);
         for (state, time) in states.iter().zip(&times) {
-            let mut outputs = model.outputs(*time, &state.q, &state.v, &());
+            let mut outputs = model.outputs(*time, &state, &());
             <Andrews as Mechanism<f64>>::unwrap(&mut outputs, &last);
             last = outputs;
         }

@@ -3,7 +3,7 @@
 use diffsol::{
     MatrixCommon, NalgebraLU, NalgebraVec, NonLinearOp, NonLinearOpJacobian, OdeSolverMethod, Vector,
 };
-use linkwright::{Assemble, Baumgarte, Residual, State, Vector as _, retract};
+use linkwright::{Assemble, Baumgarte, Residual, State, StateOf, Vector as _, retract};
 use linkwright_diffsol::{Method, Settings, diffsol, exact_problem, problem, sensitivities, solve};
 
 linkwright::mechanism! {
@@ -109,7 +109,7 @@ macro_rules! jacobians_agree {
 
 #[test]
 fn jacobians_of_a_loop() {
-    assert_eq!(<Loop as linkwright::Mechanism<f64>>::LAYOUT.angles.len(), 1);
+    assert_eq!(<Loop as linkwright::Variables<f64>>::LAYOUT.angles.len(), 1);
     jacobians_agree!(Loop::default(), Loop::START, drive);
 }
 
@@ -119,8 +119,8 @@ fn jacobians_of_balls() {
 }
 
 /// The state on the constraints of `model` that is nearest to `state` in the norm of M.
-fn nearest<M: Assemble<f64>>(model: &M, state: State<M::Q, M::V>) -> State<M::Q, M::V> {
-    let State { mut q, mut v } = state;
+fn nearest<M: Assemble<f64>>(model: &M, state: StateOf<M>) -> StateOf<M> {
+    let State { mut q, mut v, .. } = state;
     for _ in 0..20 {
         let (mut store, mut phi) = (M::store(), M::Lambda::zero());
         model.factor(0.0, &q, 0.0, &mut store);
@@ -139,7 +139,7 @@ fn nearest<M: Assemble<f64>>(model: &M, state: State<M::Q, M::V>) -> State<M::Q,
         model.solve(&store, &M::V::zero(), &rest, &mut delta, &mut lambda);
         v.axpy(1.0, &delta);
     }
-    let state = State { q, v };
+    let state = State { q, v, ..state };
     let residual = Residual::of(model, 0.0, &state);
     assert!(residual.position < 1e-13 && residual.velocity < 1e-12);
     state
@@ -170,7 +170,7 @@ macro_rules! sensitivities_agree {
                 let mut expected = [states[k].q; 2];
                 for (h, q) in [-H, H].into_iter().zip(&mut expected) {
                     retract(
-                        &<$model as linkwright::Mechanism<f64>>::LAYOUT,
+                        &<$model as linkwright::Variables<f64>>::LAYOUT,
                         &states[k].q,
                         &by.q.scaled(h),
                         q,

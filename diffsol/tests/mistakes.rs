@@ -121,7 +121,7 @@ fn inputs_that_are_no_numbers() {
 #[test]
 fn singular_starts() {
     let model = ChangePointFourBar::default();
-    let start = State { q: [-1.0, 0.0, -1.0, 0.0, 1.0, 0.0], v: [0.0; 3] };
+    let start = State::new([-1.0, 0.0, -1.0, 0.0, 1.0, 0.0], [0.0; 3]);
     let error = problem(&model, 0.0, &start, |_, _| (), &Settings::default()).err();
     assert!(matches!(error, Some(Error::Mechanism(SimulationError::Breakdown { .. }))), "{error:?}");
 }

@@ -1,6 +1,6 @@
 //! Every shipped mechanism under diffsol's explicit and implicit solvers against Linkwright's RK4, over a short time.
 
-use linkwright::{Assemble, Baumgarte, Fields, Simulation, State, Vector};
+use linkwright::{Assemble, AssembleExt, Baumgarte, Fields, Simulation, Vector};
 use linkwright_diffsol::{Method, Settings, StateOf, problem, solve};
 
 const END: f64 = 0.005;
@@ -10,7 +10,7 @@ fn moves_alike<M: Assemble<f64>>(name: &str, model: &M)
 where
     M::Inputs: Fields<f64>,
 {
-    let start = State { q: M::start_q(), v: M::start_v() };
+    let start = model.start();
     let inputs = |_: f64, _: &StateOf<M>| M::Inputs::from_array(Vector::zero());
     let baumgarte = Baumgarte { alpha: 10.0, beta: 10.0 };
     let mut simulation = Simulation::new(model, start).formulation(baumgarte).sampled(inputs).step(1e-5);

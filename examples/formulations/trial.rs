@@ -2,14 +2,14 @@
 
 use linkwright::{
     Assemble, Formulation, Integrator, MechanismDynamics, NoInputs, Residual, Sample, Simulation,
-    SimulationError, State,
+    SimulationError, StateOf,
 };
 use std::time::Instant;
 
 /// A benchmark: how long it runs, and how a sample is judged.
 pub struct Setting<'m, M: Assemble<f64, Inputs = ()>> {
     pub model: &'m M,
-    pub start: State<M::Q, M::V>,
+    pub start: StateOf<M>,
     pub end: f64,
     pub steps: &'static [f64],
     /// T + V, without the work of loads.

@@ -119,7 +119,7 @@ fn trial(
             }
         }
         if sample.time > DURATION - SHOWN && count % frame == 0 {
-            let State { q, v } = &sample.state;
+            let State { q, v, .. } = &sample.state;
             // A frame holds positions only, for which any acceleration will do.
             let motions = model.motions(sample.time, q, v, &[0.0; ClosedLoop::START.v.len()]);
             frames.push(Frame::of(sample.time, &motions));

@@ -6,7 +6,7 @@
 use crate::drawing::Frame;
 use crate::progress::Progress;
 use crate::tables::{Table, write_csv};
-use linkwright::{Baumgarte, BodyMotion, Kinematics, Reaction, Sampled, Simulation, State};
+use linkwright::{Baumgarte, BodyMotion, Reaction, Sampled, Simulation, State};
 use linkwright_models::quick_return::{ConstantSpeed, QuickReturn, QuickReturnInputs, slider_force};
 use std::error::Error;
 use std::f64::consts::TAU;
@@ -107,11 +107,11 @@ pub fn run(crank_speed: f64) -> Result<Run, Box<dyn Error>> {
     let started = Instant::now();
     let model = QuickReturn::default();
     let mut law = ConstantSpeed::new(&model, crank_speed);
-    let Kinematics { q, v, .. } = law.kinematics(0.0)?;
+    let start = law.kinematics(0.0)?.state();
     let step = 2.0 * TAU / crank_speed / (INTERVALS * STEPS) as f64;
     // Where the law finds no position its torque is no number, which the simulation reports.
     let mut inputs = law.clone();
-    let mut simulation = Simulation::new(&model, State { q, v })
+    let mut simulation = Simulation::new(&model, start)
         .formulation(Baumgarte { alpha: STABILISATION, beta: STABILISATION })
         .inputs(Sampled(move |time: f64, _state: &State<_, _>| QuickReturnInputs {
             drive: inputs.torque(time).unwrap_or(f64::NAN),
@@ -126,16 +126,15 @@ pub fn run(crank_speed: f64) -> Result<Run, Box<dyn Error>> {
             simulation.advance()?;
         }
         let sample = simulation.sample();
-        let State { q, v } = &sample.state;
-        let powers = model.powers(sample.time, q, v, &sample.inputs);
+        let powers = model.powers(sample.time, &sample.state, &sample.inputs);
         let outputs = sample.outputs;
         let without_inertia = law.torque_without_inertia(sample.time)?;
         recorder.step(&powers, [outputs.rate, outputs.stroke, sample.inputs.drive, without_inertia]);
         recorder.residual = recorder.residual.max(sample.constraint_residual().position);
         if count % STEPS == 0 {
             let (a, lambda) = (simulation.acceleration()?, simulation.multipliers()?);
-            let motions = model.motions(sample.time, q, v, &a);
-            let reactions = model.reactions(sample.time, q, v, &sample.inputs, &a, &lambda);
+            let motions = model.motions(sample.time, &sample.state.q, &sample.state.v, &a);
+            let reactions = model.reactions(sample.time, &sample.state, &sample.inputs, &a, &lambda);
             let [motor, cut] = [sample.inputs.drive, sample.inputs.cutting];
             recorder.point(
                 sample.time,

@@ -4,7 +4,7 @@
 
 use crate::mechanism::Mechanism;
 use crate::real::Real;
-use crate::state::State;
+use crate::state::{State, StateOf};
 use core::marker::PhantomData;
 
 /// A source of a mechanism's inputs.
@@ -13,7 +13,7 @@ pub trait InputSource<R: Real, M: Mechanism<R>> {
     const HELD: bool;
 
     /// The inputs at `time` (s) and `state`.
-    fn sample(&mut self, time: R, state: &State<M::Q, M::V>) -> M::Inputs;
+    fn sample(&mut self, time: R, state: &StateOf<M, R>) -> M::Inputs;
 }
 
 /// Inputs that can be left out: only `()`, those of a mechanism without inputs.
@@ -43,7 +43,7 @@ where
     const HELD: bool = true;
 
     #[inline]
-    fn sample(&mut self, _time: R, _state: &State<M::Q, M::V>) -> M::Inputs {
+    fn sample(&mut self, _time: R, _state: &StateOf<M, R>) -> M::Inputs {
         M::Inputs::NONE
     }
 }
@@ -84,7 +84,7 @@ pub struct Source<W, F> {
 /// [`Simulation::held`](crate::simulation::Simulation::held), which knows them.
 // Spelled like the type it stands for.
 #[allow(non_snake_case)]
-pub fn Held<R, Q, V, U, F: FnMut(R, &State<Q, V>) -> U>(function: F) -> Source<OnceAStep, F> {
+pub fn Held<R, Q, V, Z, G, U, F: FnMut(R, &State<Q, V, Z, G>) -> U>(function: F) -> Source<OnceAStep, F> {
     Source { function, when: PhantomData }
 }
 
@@ -92,18 +92,18 @@ pub fn Held<R, Q, V, U, F: FnMut(R, &State<Q, V>) -> U>(function: F) -> Source<O
 ///
 /// Types are inferred as said at [`Held`]; [`Simulation::sampled`](crate::simulation::Simulation::sampled) knows them.
 #[allow(non_snake_case)]
-pub fn Sampled<R, Q, V, U, F: FnMut(R, &State<Q, V>) -> U>(function: F) -> Source<AtStages, F> {
+pub fn Sampled<R, Q, V, Z, G, U, F: FnMut(R, &State<Q, V, Z, G>) -> U>(function: F) -> Source<AtStages, F> {
     Source { function, when: PhantomData }
 }
 
 impl<R: Real, M: Mechanism<R>, W: When, F> InputSource<R, M> for Source<W, F>
 where
-    F: FnMut(R, &State<M::Q, M::V>) -> M::Inputs,
+    F: FnMut(R, &StateOf<M, R>) -> M::Inputs,
 {
     const HELD: bool = W::HELD;
 
     #[inline]
-    fn sample(&mut self, time: R, state: &State<M::Q, M::V>) -> M::Inputs {
+    fn sample(&mut self, time: R, state: &StateOf<M, R>) -> M::Inputs {
         (self.function)(time, state)
     }
 }

@@ -62,7 +62,7 @@ pub use input::{Held, InputSource, NoInputs, Sampled};
 pub use integrator::{
     Ali3p, DormandPrince, DormandPrinceMemory, Dynamics, ExplicitTrapezoidal, GeneralisedAlpha,
     ImplicitDynamics, ImplicitTrapezoidal, Integrator, Interpolate, Method, Rejections, Rk4,
-    SemiImplicitEuler, StepFailure, Stepped,
+    SemiImplicitEuler, StepFailure, Stepped, SteppedOf,
 };
 pub use layout::{Layout, MultiTurn, inverse_differential, retract, retract_counting};
 pub use linearisation::{
@@ -75,7 +75,7 @@ pub use simulation::{
     Direction, Event, MechanismDynamics, NearSingular, Occurrence, Residual, Sample, Samples, Simulation,
     Step,
 };
-pub use state::{Kinematics, Motion, State};
+pub use state::{Derivative, DerivativeOf, Kinematics, Motion, State, StateOf, Variables};
 pub use tangent::Tangent;
 pub use vector::Vector;
 
@@ -95,7 +95,7 @@ pub mod __private {
         pub use crate::mechanism::{Assemble, Condition, ConditionKind, Elimination, Flips, Mechanism, Row};
         pub use crate::real::Real;
         pub use crate::rotation::unwrap_angle;
-        pub use crate::state::{Kinematics, Motion, State};
+        pub use crate::state::{Kinematics, Motion, State, Variables};
         pub use crate::tabled;
         pub use crate::tangent::Tangent;
         pub use crate::vector::Vector;

@@ -9,8 +9,8 @@
 //! derivative of Φ also off the constraints. The force of the constraints on the mechanism is −Dᵀ λ. SI units.
 
 use crate::assembly::system::subtract_product;
-use crate::layout::Layout;
 use crate::real::Real;
+use crate::state::{State, StateOf, Variables};
 use crate::vector::Vector;
 use core::fmt::Debug;
 
@@ -33,30 +33,25 @@ pub(crate) fn name_row<R: Real, M: Mechanism<R>>(index: Option<usize>) -> Row {
 
 /// The equations of motion of one mechanism, evaluated in the scalars `R`.
 ///
+/// Functions of the geometry take time, q and v; functions of loads or of the solution take the state as a whole.
 /// Every function writes all entries of its result, allocates nothing and never fails; where a pivot vanishes the
 /// returned relative pivot says so. Shapes: n_q positions, n_v velocities, m constraint rows.
-pub trait Mechanism<R: Real> {
+pub trait Mechanism<R: Real>: Variables<R> {
     /// The mechanism's name.
     const NAME: &'static str;
-    /// Which entries of q and v are linear, rotations, quaternions and multi-turn angles.
-    const LAYOUT: Layout;
     /// The names of the m constraint rows, in order.
     const ROWS: &'static [Row];
     /// One name for each entry of q.
     const POSITION_NAMES: &'static [&'static str];
     /// One name for each entry of v.
     const VELOCITY_NAMES: &'static [&'static str];
+    /// One name for each internal state.
+    const INTERNAL_NAMES: &'static [&'static str] = &[];
     /// (row, column) of each stored entry of M: lower triangle with the diagonal, row ≥ column.
     const MASS_PATTERN: &'static [(u16, u16)];
     /// (row, column) of each stored entry of D, in row-major order.
     const JACOBIAN_PATTERN: &'static [(u16, u16)];
 
-    /// `[R; n_q]`.
-    type Q: Vector<R>;
-    /// `[R; n_v]`.
-    type V: Vector<R>;
-    /// `[R; m]`.
-    type Lambda: Vector<R>;
     /// The stored entries of M, in the order of [`MASS_PATTERN`](Mechanism::MASS_PATTERN).
     type Mass: Vector<R>;
     /// The stored entries of D, in the order of [`JACOBIAN_PATTERN`](Mechanism::JACOBIAN_PATTERN).
@@ -76,18 +71,17 @@ pub trait Mechanism<R: Real> {
     fn nu(&self, time: R, q: &Self::Q, nu: &mut Self::Lambda);
     /// γ(t, q, v) of D v̇ = γ, that is ν̇ − Ḋ v.
     fn gamma(&self, time: R, q: &Self::Q, v: &Self::V, gamma: &mut Self::Lambda);
-    /// Q(t, q, v, u) of M v̇ + Dᵀ λ = Q: applied, gravity and gyroscopic forces.
-    fn forces(&self, time: R, q: &Self::Q, v: &Self::V, u: &Self::Inputs, forces: &mut Self::V);
+    /// Q(t, q, v, z, u) of M v̇ + Dᵀ λ = Q: applied, gravity and gyroscopic forces.
+    fn forces(&self, time: R, state: &StateOf<Self, R>, u: &Self::Inputs, forces: &mut Self::V);
     /// ½ vᵀ M v, J.
     fn kinetic_energy(&self, time: R, q: &Self::Q, v: &Self::V) -> R;
     /// The energy of gravity and springs, J.
-    fn potential_energy(&self, time: R, q: &Self::Q) -> R;
+    fn potential_energy(&self, time: R, state: &StateOf<Self, R>) -> R;
     /// v̇ and λ of M v̇ + Dᵀ λ = Q, D v̇ = γ; returns the smallest relative pivot of the factorisation.
     fn acceleration(
         &self,
         time: R,
-        q: &Self::Q,
-        v: &Self::V,
+        state: &StateOf<Self, R>,
         u: &Self::Inputs,
         a: &mut Self::V,
         lambda: &mut Self::Lambda,
@@ -97,16 +91,29 @@ pub trait Mechanism<R: Real> {
     fn acceleration_baumgarte(
         &self,
         time: R,
-        q: &Self::Q,
-        v: &Self::V,
+        state: &StateOf<Self, R>,
         u: &Self::Inputs,
         two_alpha: R,
         beta_squared: R,
         a: &mut Self::V,
         lambda: &mut Self::Lambda,
     ) -> R;
+    /// ż(t, q, v, z, u, v̇, λ) of the internal states, in their units per s. `state` is as the formulation left it.
+    #[allow(clippy::too_many_arguments)]
+    fn internal_rates(
+        &self,
+        time: R,
+        state: &StateOf<Self, R>,
+        u: &Self::Inputs,
+        a: &Self::V,
+        lambda: &Self::Lambda,
+        rates: &mut Self::Z,
+    ) {
+        const { assert!(Self::Z::LEN == 0, "a mechanism with internal states has to say their rates") };
+        let _ = (time, state, u, a, lambda, rates);
+    }
     /// The named outputs; angles among them in (−π, π].
-    fn outputs(&self, time: R, q: &Self::Q, v: &Self::V, u: &Self::Inputs) -> Self::Outputs;
+    fn outputs(&self, time: R, state: &StateOf<Self, R>, u: &Self::Inputs) -> Self::Outputs;
     /// Adds whole turns to the angles among the outputs so that they continue `previous`; see
     /// [`unwrap_angle`](crate::rotation::unwrap_angle).
     fn unwrap(outputs: &mut Self::Outputs, previous: &Self::Outputs);
@@ -217,13 +224,12 @@ pub trait Assemble<R: Real>: Mechanism<R> {
     fn null_space(
         &self,
         time: R,
-        q: &Self::Q,
-        v: &Self::V,
+        state: &StateOf<Self, R>,
         u: &Self::Inputs,
         a: &mut Self::V,
         lambda: &mut Self::Lambda,
     ) -> R {
-        let _ = (time, q, v, u, a, lambda);
+        let _ = (time, state, u, a, lambda);
         R::ZERO
     }
     /// Sᵢ of each row, twice the largest Dᵢ M⁻¹ Dᵢᵀ along the motion (1/kg of a row in m, 1/(kg m²) of one in rad): what pivots of D M⁻¹ Dᵀ
@@ -239,8 +245,7 @@ pub trait Assemble<R: Real>: Mechanism<R> {
     fn system(
         &self,
         time: R,
-        q: &Self::Q,
-        v: &Self::V,
+        state: &StateOf<Self, R>,
         u: &Self::Inputs,
         two_alpha: R,
         beta_squared: R,
@@ -249,8 +254,9 @@ pub trait Assemble<R: Real>: Mechanism<R> {
         forces: &mut Self::V,
         rows: &mut Self::Lambda,
     ) -> R {
+        let State { q, v, .. } = state;
         let pivot = self.factor(time, q, compliance, store);
-        self.forces(time, q, v, u, forces);
+        self.forces(time, state, u, forces);
         self.gamma(time, q, v, rows);
         let (mut phi, mut rest) = (Self::Lambda::zero(), Self::Lambda::zero());
         self.constraints(time, q, &mut phi);
@@ -303,6 +309,16 @@ pub trait Assemble<R: Real>: Mechanism<R> {
     fn start_q() -> Self::Q;
     /// The velocities assembled at expansion, for the default parameters.
     fn start_v() -> Self::V;
+    /// The internal states at the start, with this model's parameters.
+    fn start_internal(&self) -> Self::Z {
+        const { assert!(Self::Z::LEN == 0, "a mechanism with internal states has to say where they start") };
+        Self::Z::zero()
+    }
+    /// The gates at the start.
+    fn start_gates(&self) -> Self::Gates {
+        const { assert!(Self::Gates::LEN == 0, "a mechanism with gates has to say where they start") };
+        Self::Gates::zero()
+    }
     /// Takes the phases of couplings that state none (gears, racks) from an assembled position.
     fn fix_phases(&mut self, q: &Self::Q) {
         let _ = q;

@@ -11,6 +11,7 @@
 use crate::fields::Fields;
 use crate::mechanism::Assemble;
 use crate::real::Real;
+use crate::state::StateOf;
 use crate::vector::Vector;
 use core::fmt::Debug;
 
@@ -19,13 +20,15 @@ use core::fmt::Debug;
 /// Notation as in [`Mechanism`](crate::mechanism::Mechanism): n_v velocities, m rows, n_u inputs, n_p parameters, n_y outputs,
 /// f degrees of freedom, with the coordinates of [`STATES`](Tangent::STATES). `a` and `lambda` are any accelerations and multipliers;
 /// they need not solve anything. Every function writes all stored entries of its result, allocates nothing and never fails.
+/// There are no derivatives by internal states: what has such states has no tangent.
 /// Where a law has a kink (min, max, |x|, a choice) the derivative is that of the branch taken.
 #[diagnostic::on_unimplemented(
     message = "the derivatives of `{Self}` are not emitted",
     label = "this needs its tangent",
-    note = "add `options {{ emit = (tangent); }}` to the definition of the mechanism"
+    note = "add `options {{ emit = (tangent); }}` to the definition of the mechanism",
+    note = "a mechanism with internal states has none: integrate it by an explicit method"
 )]
-pub trait Tangent<R: Real>: Assemble<R, Inputs: Fields<R>, Outputs: Fields<R>> {
+pub trait Tangent<R: Real>: Assemble<R, Z = (), Inputs: Fields<R>, Outputs: Fields<R>> {
     /// Indices into [`CONDITIONS`](Assemble::CONDITIONS): the coordinates z of linearised motions, one for each degree of
     /// freedom. They are those of [`INDEPENDENT`](Assemble::INDEPENDENT) and, where these do not suffice because bodies turn on
     /// balls, components of ω: no three numbers are the coordinates of such an orientation.
@@ -92,8 +95,7 @@ pub trait Tangent<R: Real>: Assemble<R, Inputs: Fields<R>, Outputs: Fields<R>> {
     fn residual(
         &self,
         time: R,
-        q: &Self::Q,
-        v: &Self::V,
+        state: &StateOf<Self, R>,
         u: &Self::Inputs,
         a: &Self::V,
         lambda: &Self::Lambda,
@@ -104,8 +106,7 @@ pub trait Tangent<R: Real>: Assemble<R, Inputs: Fields<R>, Outputs: Fields<R>> {
     fn tangent(
         &self,
         time: R,
-        q: &Self::Q,
-        v: &Self::V,
+        state: &StateOf<Self, R>,
         u: &Self::Inputs,
         a: &Self::V,
         lambda: &Self::Lambda,
@@ -129,8 +130,7 @@ pub trait Tangent<R: Real>: Assemble<R, Inputs: Fields<R>, Outputs: Fields<R>> {
     fn input_tangent(
         &self,
         time: R,
-        q: &Self::Q,
-        v: &Self::V,
+        state: &StateOf<Self, R>,
         u: &Self::Inputs,
         input: &mut Self::InputTangent,
     );
@@ -141,8 +141,7 @@ pub trait Tangent<R: Real>: Assemble<R, Inputs: Fields<R>, Outputs: Fields<R>> {
     fn parameter_tangent(
         &self,
         time: R,
-        q: &Self::Q,
-        v: &Self::V,
+        state: &StateOf<Self, R>,
         u: &Self::Inputs,
         a: &Self::V,
         lambda: &Self::Lambda,
@@ -152,8 +151,7 @@ pub trait Tangent<R: Real>: Assemble<R, Inputs: Fields<R>, Outputs: Fields<R>> {
     fn output_tangent(
         &self,
         time: R,
-        q: &Self::Q,
-        v: &Self::V,
+        state: &StateOf<Self, R>,
         u: &Self::Inputs,
         lambda: &Self::Lambda,
         output: &mut Self::OutputTangent,

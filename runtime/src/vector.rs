@@ -22,7 +22,7 @@ pub(crate) fn put<R: Real>(entries: &mut [R], index: usize, value: R) {
     }
 }
 
-/// A vector of fixed length over the scalars `R`; implemented for `[R; N]`.
+/// A vector of fixed length over the scalars `R`; implemented for `[R; N]`, and for `()`, which has no entries.
 pub trait Vector<R: Real>: Copy + Debug + PartialEq + 'static {
     /// The number of entries.
     const LEN: usize;
@@ -91,5 +91,20 @@ impl<R: Real, const N: usize> Vector<R> for [R; N] {
     #[inline(always)]
     fn as_mut_slice(&mut self) -> &mut [R] {
         self
+    }
+}
+
+impl<R: Real> Vector<R> for () {
+    const LEN: usize = 0;
+
+    #[inline(always)]
+    fn zero() -> Self {}
+    #[inline(always)]
+    fn as_slice(&self) -> &[R] {
+        &[]
+    }
+    #[inline(always)]
+    fn as_mut_slice(&mut self) -> &mut [R] {
+        &mut []
     }
 }

@@ -5,7 +5,7 @@ use crate::identities::{derivative_over, row_rates};
 use crate::registry::{At, Model, Random, compiled, fields, for_each, vector};
 use crate::walking::walk;
 use crate::zoo::{Floating, FloatingState, Shaken};
-use linkwright::{AssembleExt, Mechanism, Simulation, Vector, retract};
+use linkwright::{AssembleExt, Mechanism, Simulation, State, Vector, retract};
 use linkwright_compiler::equations::space::constant_axis;
 use linkwright_compiler::forms::Law;
 use linkwright_compiler::functions::{MOTION, REACTION};
@@ -27,7 +27,7 @@ fn equations_are_solved<M: Model>() {
     for At { time, q, v, u } in &states {
         let mut a = M::V::zero();
         let mut lambda = M::Lambda::zero();
-        let pivot = model.acceleration(*time, q, v, u, &mut a, &mut lambda);
+        let pivot = model.acceleration(*time, &State::new(*q, *v), u, &mut a, &mut lambda);
         assert!(pivot > 0.0 && pivot <= 1.0, "{}: pivot {pivot}", M::NAME);
         assert_solved(&model, *time, (q, v, u), (0.0, 0.0), (&a, &lambda));
 
@@ -35,7 +35,8 @@ fn equations_are_solved<M: Model>() {
         let mut away = *q;
         retract(&M::LAYOUT, q, &vector::<M::V>(&off).scaled(1e-2), &mut away);
         let v = v.plus(0.1, &vector(&faster));
-        model.acceleration_baumgarte(*time, &away, &v, u, 7.0, 50.0, &mut a, &mut lambda);
+        let off = State::new(away, v);
+        model.acceleration_baumgarte(*time, &off, u, 7.0, 50.0, &mut a, &mut lambda);
         assert_solved(&model, *time, (&away, &v, u), (7.0, 50.0), (&a, &lambda));
     }
 }
@@ -51,7 +52,7 @@ fn assert_solved<M: Model>(
     let (mut forces, mut gamma, mut phi) = (M::V::zero(), M::Lambda::zero(), M::Lambda::zero());
     model.mass_matrix(time, q, &mut mass);
     model.constraint_jacobian(time, q, &mut jacobian);
-    model.forces(time, q, v, u, &mut forces);
+    model.forces(time, &State::new(*q, *v), u, &mut forces);
     model.gamma(time, q, v, &mut gamma);
     model.constraints(time, q, &mut phi);
     let (rates, _) = row_rates(model, time, q, v);
@@ -100,7 +101,7 @@ struct Ahead<M: Model> {
 impl<M: Model> Ahead<M> {
     fn new(model: &M, at: At<M>) -> Self {
         let (mut a, mut lambda) = (M::V::zero(), M::Lambda::zero());
-        model.acceleration(at.time, &at.q, &at.v, &at.u, &mut a, &mut lambda);
+        model.acceleration(at.time, &at.state(), &at.u, &mut a, &mut lambda);
         Ahead { at, a, lambda }
     }
 
@@ -169,8 +170,8 @@ fn power_is_balanced<M: Model>() {
         let ahead = Ahead::new(&model, at);
         let Ahead { at, lambda, .. } = &ahead;
         let kinetic = ahead.rate(|time, q, v| model.kinetic_energy(time, q, v));
-        let gravity = ahead.rate(|time, q, _| {
-            stored::<M>(&weightless, &parameters, time, q) - model.potential_energy(time, q)
+        let gravity = ahead.rate(|time, q, v| {
+            stored::<M>(&weightless, &parameters, time, q) - model.potential_energy(time, &State::new(*q, *v))
         });
         let mut nu = M::Lambda::zero();
         model.nu(at.time, &at.q, &mut nu);
@@ -222,7 +223,7 @@ fn joints_exert_nothing_along_their_freedom<M: Model>() {
     let (compiled, _, model, states) = walk::<M>(26, STATES);
     for at in states {
         let (mut a, mut lambda) = (M::V::zero(), M::Lambda::zero());
-        model.acceleration(at.time, &at.q, &at.v, &at.u, &mut a, &mut lambda);
+        model.acceleration(at.time, &at.state(), &at.u, &mut a, &mut lambda);
         let reactions = model.flat_reactions(&at, &a, &lambda);
         let largest = reactions.iter().fold(0.0_f64, |largest, reaction| largest.max(reaction.abs()));
         let kind = REACTION.of(compiled.mechanism.space);
@@ -296,9 +297,10 @@ fn a_moving_support_works() {
         let t = at.time;
         let ahead = Ahead::new(&model, at);
         let Ahead { at, a, lambda } = &ahead;
-        let energy =
-            ahead.rate(|time, q, v| model.kinetic_energy(time, q, v) + model.potential_energy(time, q));
-        let force = model.reactions(t, &at.q, &at.v, &at.u, a, lambda)[shoulder].force;
+        let energy = ahead.rate(|time, q, v| {
+            model.kinetic_energy(time, q, v) + model.potential_energy(time, &State::new(*q, *v))
+        });
+        let force = model.reactions(t, &at.state(), &at.u, a, lambda)[shoulder].force;
         let support = force[0] * stroke * 3.0 * (3.0 * t).cos() - force[1] * 0.05 * 2.0 * (2.0 * t).sin();
         let driving: f64 = model.driver_efforts(t, &at.q, &at.v, lambda).iter().map(|[_, power]| power).sum();
         let scale = energy.abs() + support.abs() + driving.abs();
@@ -335,7 +337,7 @@ fn momentum_is_kept() {
     let (_, _, model, states) = walk::<Floating>(25, STATES);
     for at in &states {
         let (mut a, mut lambda) = ([0.0; 4], Default::default());
-        model.acceleration(at.time, &at.q, &at.v, &at.u, &mut a, &mut lambda);
+        model.acceleration(at.time, &at.state(), &at.u, &mut a, &mut lambda);
         let sum = forces(&model.motions(at.time, &at.q, &at.v, &a));
         assert!(sum.iter().all(|force| force.abs() < 1e-12), "{sum:?}");
     }

@@ -5,7 +5,7 @@ use crate::walking::walk;
 use crate::zoo::Gears;
 use linkwright::{
     AssembleExt, Baumgarte, DormandPrince, ExplicitTrapezoidal, Fields, Integrator, LagrangeIndex1, Layout,
-    MechanismDynamics, NoInputs, Rk4, SemiImplicitEuler, Simulation, State, Vector,
+    MechanismDynamics, NoInputs, Rk4, SemiImplicitEuler, Simulation, State, StateOf, Vector,
 };
 use linkwright_models::{double_pendulum::DoublePendulum, n_four_bar::NFourBar2};
 use std::f64::consts::{PI, TAU};
@@ -22,9 +22,9 @@ impl<M: Model<Inputs = ()>, I> Steps<M> for I where
 }
 
 /// The state after `steps` steps to `end` from the start of the model.
-fn reached<M: Model<Inputs = ()>, I: Steps<M>>(integrator: I, end: f64, steps: u32) -> State<M::Q, M::V> {
+fn reached<M: Model<Inputs = ()>, I: Steps<M>>(integrator: I, end: f64, steps: u32) -> StateOf<M> {
     let model = M::standard();
-    let start = State { q: M::start_q(), v: M::start_v() };
+    let start = model.start();
     let simulation = Simulation::new(&model, start).formulation(LagrangeIndex1).integrator(integrator);
     let reached = simulation.step(end / f64::from(steps)).advance_until(end);
     reached.unwrap_or_else(|error| panic!("{}: {error}", M::NAME))
@@ -36,7 +36,7 @@ fn order<M: Model<Inputs = ()>, I: Steps<M> + Copy>(integrator: I, end: f64, ste
     // Velocities too: where the motion starts without acceleration, as the windows do, symplectic Euler has positions of
     // second order, because half a kick makes it Verlet's method.
     let error = |steps: u32| {
-        let State { q, v } = reached::<M, I>(integrator, end, steps);
+        let State { q, v, .. } = reached::<M, I>(integrator, end, steps);
         q.plus(-1.0, &exact.q).max_abs().max(v.plus(-1.0, &exact.v).max_abs())
     };
     (error(steps) / error(2 * steps)).log2()
@@ -103,7 +103,7 @@ for_each!(walking_keeps_angles_and_pairs_together);
 fn walking_keeps_angles_and_pairs_together<M: Model>() {
     let (compiled, _, model, states) = walk::<M>(30, 10);
     for at in &states {
-        let outputs = model.outputs(at.time, &at.q, &at.v, &at.u).to_array();
+        let outputs = model.outputs(at.time, &at.state(), &at.u).to_array();
         assert!(outputs.as_slice().iter().all(|output| output.is_finite()), "{}", M::NAME);
         let Layout { linear, rotations, quaternions, angles } = M::LAYOUT;
         let counts = linear + 2 * rotations + 4 * quaternions;

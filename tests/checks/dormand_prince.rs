@@ -3,8 +3,8 @@
 
 use linkwright::{
     AssemblyError, AugmentedLagrangian, DormandPrince, Evaluation, Formulation, LagrangeIndex1, Mechanism,
-    NullSpace, Partitioned, Penalty, PivotOf, Projected, Residual, SettingError, Settled, Simulation, State,
-    Vector,
+    NullSpace, Partitioned, Penalty, PivotOf, Projected, Residual, SettingError, Settled, Simulation,
+    StateOf, Vector,
 };
 use linkwright_models::andrews::Andrews;
 use linkwright_models::four_spherical_joints::FourSphericalJoints;
@@ -28,7 +28,7 @@ impl<M: Mechanism<f64>, F: Formulation<f64, M>> Formulation<f64, M> for Counting
         memory: &mut F::Memory,
         model: &M,
         time: f64,
-        state: &mut State<M::Q, M::V>,
+        state: &mut StateOf<M>,
         u: &M::Inputs,
         a: &mut M::V,
         lambda: &mut M::Lambda,
@@ -41,7 +41,7 @@ impl<M: Mechanism<f64>, F: Formulation<f64, M>> Formulation<f64, M> for Counting
         memory: &mut F::Memory,
         model: &M,
         time: f64,
-        state: &mut State<M::Q, M::V>,
+        state: &mut StateOf<M>,
     ) -> Result<Settled<f64>, AssemblyError> {
         self.0.settle(memory, model, time, state)
     }

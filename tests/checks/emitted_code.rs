@@ -67,6 +67,7 @@ fn compare(name: &str, function: Function, emitted: &[f64], program: &[f64]) {
 fn emitted<M: Model>(model: &M, inputs: &Inputs, function: Function) -> Option<Vec<f64>> {
     let at = At::<M>::of(inputs);
     let (t, q, v, u) = (at.time, &at.q, &at.v, &at.u);
+    let state = &at.state();
     let target = vector(&inputs.targets);
     let (a, lambda) = (vector(&inputs.acceleration), vector(&inputs.lambda));
     let solution = |solve: &dyn Fn(&mut M::V, &mut M::Lambda) -> f64| {
@@ -80,14 +81,14 @@ fn emitted<M: Model>(model: &M, inputs: &Inputs, function: Function) -> Option<V
         Function::ConstraintJacobian => written(|out: &mut M::Jacobian| model.constraint_jacobian(t, q, out)),
         Function::Nu => written(|out: &mut M::Lambda| model.nu(t, q, out)),
         Function::Gamma => written(|out: &mut M::Lambda| model.gamma(t, q, v, out)),
-        Function::Forces => written(|out: &mut M::V| model.forces(t, q, v, u, out)),
+        Function::Forces => written(|out: &mut M::V| model.forces(t, state, u, out)),
         Function::KineticEnergy => vec![model.kinetic_energy(t, q, v)],
-        Function::PotentialEnergy => vec![model.potential_energy(t, q)],
-        Function::Acceleration => solution(&|a, lambda| model.acceleration(t, q, v, u, a, lambda)),
+        Function::PotentialEnergy => vec![model.potential_energy(t, state)],
+        Function::Acceleration => solution(&|a, lambda| model.acceleration(t, state, u, a, lambda)),
         Function::AccelerationBaumgarte => solution(&|a, lambda| {
-            model.acceleration_baumgarte(t, q, v, u, inputs.two_alpha, inputs.beta_squared, a, lambda)
+            model.acceleration_baumgarte(t, state, u, inputs.two_alpha, inputs.beta_squared, a, lambda)
         }),
-        Function::Outputs => linkwright::Fields::to_array(&model.outputs(t, q, v, u)).as_slice().to_vec(),
+        Function::Outputs => linkwright::Fields::to_array(&model.outputs(t, state, u)).as_slice().to_vec(),
         Function::InverseDynamics => model.flat_inverse_dynamics(&at, &a),
         Function::Powers => model.flat_powers(&at),
         Function::DriverEfforts => model.flat_driver_efforts(&at, &lambda),
@@ -150,9 +151,18 @@ fn factorisation_is_the_program<M: Model>(compiled: &Compiled, model: &M, mut in
     }
     let (mut forces, mut rows) = (M::V::zero(), M::Lambda::zero());
     let (two_alpha, beta_squared) = (inputs.two_alpha, inputs.beta_squared);
-    let At { time, q, v, u } = &at;
-    let pivot =
-        model.system(*time, q, v, u, two_alpha, beta_squared, compliance, &mut store, &mut forces, &mut rows);
+    let (At { time, u, .. }, state) = (&at, &at.state());
+    let pivot = model.system(
+        *time,
+        state,
+        u,
+        two_alpha,
+        beta_squared,
+        compliance,
+        &mut store,
+        &mut forces,
+        &mut rows,
+    );
     let emitted = solved(&store, &forces, &rows, pivot);
     let set_up = schedule::run(compiled.programs.get(Function::System), &inputs);
     let (stored, rest) = set_up.split_at(kept);
@@ -167,7 +177,8 @@ fn factorisation_is_the_program<M: Model>(compiled: &Compiled, model: &M, mut in
 /// The equations in independent velocities where they are emitted: D factored, then solved; and the whole.
 fn null_space_is_the_program<M: Model>(compiled: &Compiled, model: &M, mut inputs: Inputs) {
     let Some(written) = &compiled.complete.further.null_space else { return };
-    let At { time, q, v, u } = &At::<M>::of(&inputs);
+    let at = At::<M>::of(&inputs);
+    let (At { time, q, v, u }, state) = (&at, &at.state());
     let (mut lu, mut velocity) = (M::lu(), M::V::zero());
     let pivot = model.factor_jacobian(*time, q, &mut lu);
     model.dependent_velocities(&lu, &vector(&inputs.given_rows), v, &mut velocity);
@@ -179,7 +190,7 @@ fn null_space_is_the_program<M: Model>(compiled: &Compiled, model: &M, mut input
     compare(M::NAME, Function::DependentVelocities, &emitted, &program);
 
     let (mut a, mut lambda) = (M::V::zero(), M::Lambda::zero());
-    let pivot = model.null_space(*time, q, v, u, &mut a, &mut lambda);
+    let pivot = model.null_space(*time, state, u, &mut a, &mut lambda);
     let all = [a.as_slice(), lambda.as_slice(), &[pivot]].concat();
     compare(
         M::NAME,
@@ -200,26 +211,27 @@ fn emitted_tangents_are_the_programs<M: Model + Tangent<f64>>() {
         let model = M::prepared(&inputs.parameters).expect("parameters near their defaults");
         inputs.prepared = schedule::run(compiled.programs.get(Function::Prepare), &inputs);
         fix_phases(&compiled, &mut inputs);
-        let At { time: t, q, v, u } = &At::<M>::of(&inputs);
+        let at = At::<M>::of(&inputs);
+        let (At { time: t, q, v, u }, state) = (&at, &at.state());
         let (t, a, lambda) = (*t, vector::<M::V>(&inputs.acceleration), vector::<M::Lambda>(&inputs.lambda));
         let (a, lambda) = (&a, &lambda);
         let check = |function: Function, emitted: Vec<f64>| {
             let program = schedule::run(compiled.programs.get(function), &inputs);
             compare(M::NAME, function, &emitted, &program);
         };
-        check(Function::Residual, written(|out: &mut M::V| model.residual(t, q, v, u, a, lambda, out)));
+        check(Function::Residual, written(|out: &mut M::V| model.residual(t, state, u, a, lambda, out)));
         check(Function::RateTangent, written(|out: &mut M::RateTangent| model.rate_tangent(t, q, v, out)));
         check(
             Function::InputTangent,
-            written(|out: &mut M::InputTangent| model.input_tangent(t, q, v, u, out)),
+            written(|out: &mut M::InputTangent| model.input_tangent(t, state, u, out)),
         );
         check(
             Function::ParameterTangent,
-            written(|out: &mut M::ParameterTangent| model.parameter_tangent(t, q, v, u, a, lambda, out)),
+            written(|out: &mut M::ParameterTangent| model.parameter_tangent(t, state, u, a, lambda, out)),
         );
         check(
             Function::OutputTangent,
-            written(|out: &mut M::OutputTangent| model.output_tangent(t, q, v, u, lambda, out)),
+            written(|out: &mut M::OutputTangent| model.output_tangent(t, state, u, lambda, out)),
         );
         check(
             Function::CoordinateTangent,
@@ -227,7 +239,7 @@ fn emitted_tangents_are_the_programs<M: Model + Tangent<f64>>() {
         );
         let mut second = M::Damping::zero();
         let mut first =
-            written(|out: &mut M::Stiffness| model.tangent(t, q, v, u, a, lambda, out, &mut second));
+            written(|out: &mut M::Stiffness| model.tangent(t, state, u, a, lambda, out, &mut second));
         first.extend(second.as_slice());
         check(Function::Tangent, first);
         let mut second = M::RowDamping::zero();

@@ -2,7 +2,7 @@
 //! all three evaluators.
 
 use crate::registry::{Model, Random, compiled, fields, vector};
-use linkwright::Mechanism;
+use linkwright::{Mechanism, State};
 use linkwright_compiler::schedule::{Function, Instruction};
 use linkwright_compiler::symbolic::{Compare, Unary};
 
@@ -115,7 +115,7 @@ fn outputs_have_their_values() {
         // In tree coordinates: the travel, the arm's orientation.
         assert_eq!(<Everything as Mechanism<f64>>::POSITION_NAMES, ["rail.travel", "arm.cos", "arm.sin"]);
         let (q, v) = (vector(&[x0, theta.cos(), theta.sin()]), vector(&[speed, omega]));
-        let at = |q, v| model.outputs(2.5, &q, &v, &fields(&[0.7, gain]));
+        let at = |q, v| model.outputs(2.5, &State::new(q, v), &fields(&[0.7, gain]));
         let o: EverythingOutputs = at(q, v);
         let (x, y) = (x0 + theta.cos(), theta.sin());
         let choice = |holds: bool| if holds { 1.0 } else { -1.0 };

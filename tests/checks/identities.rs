@@ -237,7 +237,7 @@ fn inverse_dynamics_is_what_motion_asks<M: Model>() {
         let a: M::V = vector(&random.vector(M::VELOCITY_NAMES.len()));
         let (mut stored, mut forces) = (M::Mass::zero(), M::V::zero());
         model.mass_matrix(at.time, &at.q, &mut stored);
-        model.forces(at.time, &at.q, &at.v, &at.u, &mut forces);
+        model.forces(at.time, &at.state(), &at.u, &mut forces);
         let mut asked: Vec<f64> = forces.as_slice().iter().map(|force| -force).collect();
         let mut largest = forces.max_abs();
         for (&(row, column), entry) in M::MASS_PATTERN.iter().zip(stored.as_slice()) {

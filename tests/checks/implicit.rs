@@ -3,7 +3,8 @@
 
 use linkwright::{
     Ali3p, AssembleExt, Baumgarte, GeneralisedAlpha, ImplicitTrapezoidal, Integrator, LagrangeIndex1,
-    MechanismDynamics, NoInputs, Projected, Rk4, Simulation, SimulationError, State, Step, Tangent, Vector,
+    MechanismDynamics, NoInputs, Projected, Rk4, Simulation, SimulationError, State, StateOf, Step, Tangent,
+    Vector,
 };
 
 macro_rules! windows {
@@ -85,7 +86,7 @@ linkwright::mechanism! {
 
 type Plain<'m, M> = MechanismDynamics<'m, M, f64, LagrangeIndex1, NoInputs>;
 
-fn reached<M, I>(model: &M, integrator: I, end: f64, steps: u32) -> State<M::Q, M::V>
+fn reached<M, I>(model: &M, integrator: I, end: f64, steps: u32) -> StateOf<M>
 where
     M: Tangent<f64, Inputs = ()>,
     I: for<'m> Integrator<f64, Plain<'m, M>>,
@@ -104,7 +105,7 @@ where
     let simulation = Simulation::new(model, model.start()).formulation(Projected::after(LagrangeIndex1));
     let exact = simulation.integrator(Rk4).step(end / 4000.0).advance_until(end).expect("it runs");
     let error = |steps: u32| {
-        let State { q, v } = reached(model, integrator, end, steps);
+        let State { q, v, .. } = reached(model, integrator, end, steps);
         q.plus(-1.0, &exact.q).max_abs().max(v.plus(-1.0, &exact.v).max_abs())
     };
     let (coarse, fine) = (error(steps), error(2 * steps));

@@ -5,8 +5,8 @@ use crate::identities::{derivative_over, row_rates, slopes_of};
 use crate::registry::{Model, for_each};
 use crate::walking::walk;
 use linkwright::{
-    Assemble, AssembleExt, AssemblyError, Condition, ConditionKind, Kinematics, Mechanism, Motion, Residual,
-    State, Vector, retract,
+    Assemble, AssembleExt, AssemblyError, Condition, ConditionKind, Kinematics, Motion, Residual, State,
+    Variables, Vector, retract,
 };
 use linkwright_compiler::model::Space;
 use linkwright_models::change_point_four_bar::ChangePointFourBar;
@@ -15,7 +15,7 @@ use linkwright_models::general_four_bar::{ParametricFourBar, ParametricFourBarPa
 
 type Parameters = ParametricFourBarParameters;
 
-fn near() -> State<<ParametricFourBar as Mechanism<f64>>::Q, <ParametricFourBar as Mechanism<f64>>::V> {
+fn near() -> State<<ParametricFourBar as Variables<f64>>::Q, <ParametricFourBar as Variables<f64>>::V> {
     ParametricFourBar::START
 }
 
@@ -48,7 +48,7 @@ fn changed_parameters_are_assembled() {
 fn the_start_is_found_again() {
     // From beside it: every body turned by a twentieth of a radian or more, at rest.
     let mut beside = near();
-    retract(&<ParametricFourBar as Mechanism<f64>>::LAYOUT, &near().q, &[0.05, -0.08, 0.11], &mut beside.q);
+    retract(&<ParametricFourBar as Variables<f64>>::LAYOUT, &near().q, &[0.05, -0.08, 0.11], &mut beside.q);
     beside.v = [0.0; 3];
     let state = ParametricFourBar::<f64>::default().assemble(&beside).expect("the defaults fit");
     let (off, rates_off) = (state.q.plus(-1.0, &near().q).max_abs(), state.v.plus(-1.0, &near().v).max_abs());
@@ -113,7 +113,7 @@ fn kinematics_follow_the_given_motion<M: Model>() {
 /// Φ = 0, D v = ν, D v̇ = γ, and the independent coordinates, their rates and second derivatives are those given.
 fn assert_followed<M: Model>(model: &M, time: f64, found: &Kinematics<M::Q, M::V>, given: &[Motion<f64>]) {
     let Kinematics { q, v, a } = found;
-    let residual = Residual::of(model, time, &State { q: *q, v: *v });
+    let residual = Residual::of(model, time, &State::new(*q, *v));
     assert!(residual.position <= 1e-11, "{}: {residual:?}", M::NAME);
     assert!(residual.velocity <= 1e-10 * (1.0 + v.max_abs()), "{}: {residual:?}", M::NAME);
     let mut gamma = M::Lambda::zero();

@@ -142,7 +142,7 @@ fn they_all_run() {
     assert_eq!(several::second(), ("Second", [1.0, 0.0]));
 
     let model = ByAnotherPath::<f64>::default();
-    let outputs: ByAnotherPathOutputs = model.outputs(0.0, &ByAnotherPath::START.q, &[0.0], &());
+    let outputs: ByAnotherPathOutputs = model.outputs(0.0, &ByAnotherPath::START, &());
     assert!((outputs.height - 0.5_f64.sin()).abs() < 1e-12);
     assert_eq!(ByAnotherPathOutputs::<f64>::NAMES, ["height"]);
 }
@@ -154,10 +154,10 @@ fn names_stay_what_they_were() {
     let model =
         Named::<f64>::prepare(NamedParameters { self_: 3.0, ..Default::default() }).expect("positive");
     let inputs = NamedInputs { u: 1.0, rpm: 0.5 };
-    let outputs: NamedOutputs = model.outputs(0.0, &Named::START.q, &Named::START.v, &inputs);
+    let outputs: NamedOutputs = model.outputs(0.0, &Named::START, &inputs);
     assert!((outputs.a - 0.5_f64.cos()).abs() < 1e-12 && outputs.time_scale == 3.0 && outputs.dot == 0.0);
     let (mut a, mut lambda) = ([0.0; 3], []);
-    let pivot = model.acceleration(0.0, &Named::START.q, &Named::START.v, &inputs, &mut a, &mut lambda);
+    let pivot = model.acceleration(0.0, &Named::START, &inputs, &mut a, &mut lambda);
     assert!(pivot > 0.0 && a.iter().all(|a| a.is_finite() && *a != 0.0), "{a:?}");
 }
 
@@ -207,7 +207,7 @@ mod awkward {
         macro_rules! check {
             ($($module:ident $name:ident),* $(,)?) => { $(
                 let model = $module::$name::<f64>::default();
-                let outputs = model.outputs(0.0, &$module::$name::START.q, &$module::$name::START.v, &linkwright::Fields::from_array([0.0]));
+                let outputs = model.outputs(0.0, &$module::$name::START, &linkwright::Fields::from_array([0.0]));
                 assert!((outputs.height - 0.5_f64.sin()).abs() < 1e-12);
                 assert_eq!(<$module::$name as linkwright::Mechanism<f64>>::NAME, stringify!($name));
             )* };

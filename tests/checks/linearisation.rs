@@ -10,7 +10,7 @@ use crate::zoo_tangent::{
 };
 use linkwright::{
     AssembleExt, ConditionKind, Fields, Linearisation, LinearisationError, Mechanism, Motion, State, Tangent,
-    Vector, actuation, equilibrium, project_position, project_velocity, retract,
+    Variables, Vector, actuation, equilibrium, project_position, project_velocity, retract,
 };
 
 const STATES: usize = 4;
@@ -19,12 +19,8 @@ for_each_with_tangent!(responses_are_the_derivatives);
 for_each_with_tangent!(equilibria_balance);
 for_each_with_tangent!(actuation_undoes_the_motion);
 
-fn state<M: Model>(at: &At<M>) -> State<M::Q, M::V> {
-    State { q: at.q, v: at.v }
-}
-
 fn linearised<'m, M: Model + Tangent<f64>>(model: &'m M, at: &At<M>) -> Linearisation<'m, f64, M> {
-    Linearisation::at(model, at.time, &state(at), &at.u)
+    Linearisation::at(model, at.time, &at.state(), &at.u)
         .unwrap_or_else(|error| panic!("{}: {error}", M::NAME))
 }
 
@@ -44,7 +40,7 @@ fn moved<M: Model>(q: &M::Q, delta: &M::V) -> M::Q {
 /// v̇, then λ.
 fn solved<M: Model>(model: &M, time: f64, q: &M::Q, v: &M::V, u: &M::Inputs) -> Vec<f64> {
     let (mut a, mut lambda) = (M::V::zero(), M::Lambda::zero());
-    model.acceleration(time, q, v, u, &mut a, &mut lambda);
+    model.acceleration(time, &State::new(*q, *v), u, &mut a, &mut lambda);
     [a.as_slice(), lambda.as_slice()].concat()
 }
 
@@ -145,9 +141,9 @@ fn velocities<M: Model + Tangent<f64>>(model: &M, time: f64, q: &M::Q, v: &M::V)
 /// z̈, then the outputs.
 fn motion<M: Model + Tangent<f64>>(model: &M, time: f64, q: &M::Q, v: &M::V, u: &M::Inputs) -> Vec<f64> {
     let (mut a, mut lambda, mut bias) = (M::V::zero(), M::Lambda::zero(), M::Conditions::zero());
-    model.acceleration(time, q, v, u, &mut a, &mut lambda);
+    model.acceleration(time, &State::new(*q, *v), u, &mut a, &mut lambda);
     model.condition_bias(time, q, v, &mut bias);
-    let outputs = model.outputs(time, q, v, u).to_array();
+    let outputs = model.outputs(time, &State::new(*q, *v), u).to_array();
     [rates(model, time, q, &a, &bias).as_slice(), outputs.as_slice()].concat()
 }
 
@@ -285,7 +281,7 @@ fn equilibria_balance<M: Model + Tangent<f64>>() {
         let found =
             equilibrium(&model, at.time, &from, &u).unwrap_or_else(|error| panic!("{}: {error}", M::NAME));
         let (rest, mut residual, mut phi) = (M::V::zero(), M::V::zero(), M::Lambda::zero());
-        model.residual(at.time, &found.q, &rest, &u, &rest, &found.lambda, &mut residual);
+        model.residual(at.time, &State::new(found.q, rest), &u, &rest, &found.lambda, &mut residual);
         model.constraints(at.time, &found.q, &mut phi);
         let size = 1.0 + found.lambda.max_abs();
         assert!(residual.max_abs() < 1e-11 * size, "{}: {residual:?}", M::NAME);
@@ -314,12 +310,12 @@ fn a_bar_on_a_torsion_spring_hangs_where_its_moments_balance() {
         }
         let found =
             equilibrium(&model, 0.0, &Spring::START.q, &SpringInputs { drive }).expect("there is one");
-        let angle = model.outputs(0.0, &found.q, &[0.0], &SpringInputs { drive }).angle;
+        let angle = model.outputs(0.0, &State::new(found.q, [0.0]), &SpringInputs { drive }).angle;
         // Of several roots any.
         assert!(moment(angle).abs() < 1e-12, "{drive}: {angle}");
         assert!((angle - low).abs() < 1e-12, "{drive}: {angle} {low}");
         // The stiffness about it: ω² = (k − ½ m g L sin θ)/(m L²/3).
-        let at = State { q: found.q, v: [0.0] };
+        let at = State::new(found.q, [0.0]);
         let here = Linearisation::at(&model, 0.0, &at, &SpringInputs { drive }).expect("a mass");
         let a = here.state_space().expect("one coordinate").a;
         let stiffness = 5.0 - 2.0 * 9.81 * 0.3 * angle.sin();
@@ -338,13 +334,13 @@ fn a_four_bar_stands_where_its_energy_has_no_slope() {
         let given = [Motion { position, rate, acceleration: 0.0 }];
         model.kinematics(0.0, &found.q, &given).expect("near")
     };
-    let energy = |h: f64| vec![model.potential_energy(0.0, &given(angle + h, 0.0).q)];
+    let energy = |h: f64| vec![model.potential_energy(0.0, &given(angle + h, 0.0).state())];
     let slope = derivative_over(1e-3, energy)[0];
     assert!(slope.abs() < 1e-9, "{slope}");
     let curvature = derivative_over(1e-3, |h| derivative_over(1e-3, |k| energy(h + k)))[0];
     let moving = given(angle, 1.0);
     let inertia = 2.0 * model.kinetic_energy(0.0, &moving.q, &moving.v);
-    let at = State { q: found.q, v: moving.v.scaled(0.0) };
+    let at = State::new(found.q, moving.v.scaled(0.0));
     let a =
         Linearisation::at(&model, 0.0, &at, &u).expect("regular").state_space().expect("one coordinate").a;
     assert_close("A", &a, &[0.0, 1.0, -curvature / inertia, -0.2 / inertia], 1e-6);
@@ -378,10 +374,10 @@ fn actuation_undoes_the_motion<M: Model + Tangent<f64>>() {
     let f = M::STATES.len();
     for at in &states {
         let a: M::V = vector(&solved(&model, at.time, &at.q, &at.v, &at.u)[..M::V::LEN]);
-        let found = actuation(&model, at.time, &state(at), &a, &at.u, M::Inputs::NAMES)
+        let found = actuation(&model, at.time, &at.state(), &a, &at.u, M::Inputs::NAMES)
             .unwrap_or_else(|error| panic!("{}: {error}", M::NAME));
         let mut residual = M::V::zero();
-        model.residual(at.time, &at.q, &at.v, &found.inputs, &a, &found.lambda, &mut residual);
+        model.residual(at.time, &at.state(), &found.inputs, &a, &found.lambda, &mut residual);
         let size = 1.0 + found.lambda.max_abs() + a.max_abs();
         assert!(residual.max_abs() < 1e-9 * size, "{}: {residual:?}", M::NAME);
         let (given, found) = (at.u.to_array(), found.inputs.to_array());
@@ -400,8 +396,8 @@ fn what_actuators_cannot_do_they_say() {
     let (_, _, model, states) = walk::<Gripper>(56, 1);
     let at = &states[0];
     let count = <Gripper as Mechanism<f64>>::VELOCITY_NAMES.len();
-    let a: <Gripper as Mechanism<f64>>::V = vector(&solved(&model, at.time, &at.q, &at.v, &at.u)[..count]);
-    let with = |a, names: &[&'static str]| actuation(&model, at.time, &state(at), a, &at.u, names);
+    let a: <Gripper as Variables<f64>>::V = vector(&solved(&model, at.time, &at.q, &at.v, &at.u)[..count]);
+    let with = |a, names: &[&'static str]| actuation(&model, at.time, &at.state(), a, &at.u, names);
     // One of two: the other stays as given.
     let alone = with(&a, &["drive"]).expect("it acts along the freedom").inputs;
     assert!((alone.drive - at.u.drive).abs() < 1e-9 && alone.pull == at.u.pull);
@@ -412,7 +408,8 @@ fn what_actuators_cannot_do_they_say() {
     assert!(matches!(error, LinearisationError::Inconsistent { .. }), "{error}");
     // None acts.
     let none = GripperInputs { drive: 0.0, pull: 0.0 };
-    let error = actuation(&model, at.time, &state(at), &a, &none, &[]).expect_err("the inputs were not zero");
+    let error =
+        actuation(&model, at.time, &at.state(), &a, &none, &[]).expect_err("the inputs were not zero");
     let LinearisationError::Unactuated { missing, actuators: 0, coordinate } = error else {
         panic!("{error}")
     };
@@ -423,7 +420,7 @@ fn what_actuators_cannot_do_they_say() {
     let a: [f64; 9] = vector(&solved(&model, at.time, &at.q, &at.v, &at.u)[..9]);
     let more = a.plus(1.0, &along(4, 0.5));
     let error =
-        actuation(&model, at.time, &state(at), &more, &at.u, &["push", "twist"]).expect_err("two for nine");
+        actuation(&model, at.time, &at.state(), &more, &at.u, &["push", "twist"]).expect_err("two for nine");
     assert!(matches!(error, LinearisationError::Unactuated { actuators: 2, .. }), "{error}");
 }
 
@@ -441,7 +438,7 @@ fn a_dead_centre_is_an_error() {
         _ => 0.0,
     };
     let q = vector(&names.iter().map(value).collect::<Vec<_>>());
-    let state = State { q, v: Swing::START.v.scaled(0.0) };
+    let state = State::new(q, Swing::START.v.scaled(0.0));
     let u = fields(&[1.0, 2.0]);
     let Err(error) = Linearisation::at(&model, 0.0, &state, &u) else { panic!("rank is lost") };
     let LinearisationError::Breakdown { row, pivot, .. } = error else { panic!("{error}") };

@@ -10,8 +10,8 @@ use linkwright::{
     Ali3p, Assemble, AssembleExt, AssemblyError, AugmentedLagrangian, Baumgarte, DormandPrince, Event,
     ExplicitTrapezoidal, Fields, Formulation, GeneralisedAlpha, ImplicitTrapezoidal, InputSource, Integrator,
     LagrangeIndex1, Linearisation, Mechanism, MechanismDynamics, Motion, NullSpace, Partitioned, Penalty,
-    Projected, Real, Rk4, SemiImplicitEuler, Simulation, SimulationError, State, Tangent, Vector, actuation,
-    equilibrium,
+    Projected, Real, Rk4, SemiImplicitEuler, Simulation, SimulationError, State, StateOf, Tangent, Vector,
+    actuation, equilibrium,
 };
 use linkwright_models::{
     bricard::Bricard, double_pendulum::DoublePendulum, four_spherical_joints::FourSphericalJoints,
@@ -84,7 +84,7 @@ for_each!(every_way_is_sound);
 /// integrators, which use no formulation's accelerations, are under [`no_derivative_allocates`].
 fn every_way_is_sound<M: Model>() {
     let model = M::standard();
-    let start = State { q: M::start_q(), v: M::start_v() };
+    let start = model.start();
     let penalty = Penalty::for_model(&model, 0.0, &start.q, 1e-4);
     let baumgarte = Baumgarte { alpha: 10.0, beta: 10.0 };
     let rows = [
@@ -113,7 +113,7 @@ fn every_way_is_sound<M: Model>() {
 }
 
 fn sound<M: Model, const PIVOT: u8>(model: &M, way: Of<PIVOT>, means: Means) {
-    let start = State { q: M::start_q(), v: M::start_v() };
+    let start = model.start();
     let mut outcome = Ok(true);
     let allocated = allocations(|| {
         let simulation = Simulation::new(model, start).formulation(way).input_source(Still);
@@ -126,7 +126,7 @@ fn sound<M: Model, const PIVOT: u8>(model: &M, way: Of<PIVOT>, means: Means) {
                 simulation.run_until_event(4e-4, &[Event::of(output)], |_| ())?;
             }
             let (a, lambda) = (simulation.acceleration()?, simulation.multipliers()?);
-            let State { q, v } = *simulation.state();
+            let State { q, v, .. } = *simulation.state();
             let at = At { time: simulation.time(), q, v, u: M::Inputs::from_array(Vector::zero()) };
             let moving = q.first_not_finite().is_none() && v.first_not_finite().is_none();
             Ok::<_, SimulationError>(moving && model.derived_finite(&at, &a, &lambda))
@@ -151,7 +151,7 @@ fn implicit<R: Real, M: Tangent<R>>(model: &M) {
 }
 
 fn linearisations<R: Real, M: Tangent<R>>(model: &M) {
-    let start = State { q: M::start_q(), v: M::start_v() };
+    let start = model.start();
     let (t, u) = (R::ZERO, M::Inputs::from_array(Vector::zero()));
     assert!(Linearisation::at(model, t, &start, &u).is_ok(), "{}", M::NAME);
     let derived = allocations(|| {
@@ -216,14 +216,14 @@ where
     let h = R::from_f64(1e-3);
     let (mut taken, mut refused) = (0, false);
     let stepped = allocations(|| {
-        let start = State { q: M::start_q(), v: M::start_v() };
+        let start = model.start();
         let simulation = Simulation::new(model, start).input_source(Still).formulation(formulation);
         let mut simulation = simulation.integrator(integrator).step(h).step_over_breakdowns();
         for _ in 0..3 {
             taken += u32::from(black_box(simulation.advance()).is_ok());
         }
         black_box((simulation.near_singular(), simulation.multipliers().is_ok()));
-        let mut broken = State { q: M::start_q(), v: M::start_v() };
+        let mut broken = model.start();
         broken.v.as_mut_slice().fill(R::from_f64(f64::NAN));
         let simulation = Simulation::new(model, broken).input_source(Still).formulation(formulation);
         let mut simulation = simulation.integrator(integrator).step(h).accept_inconsistent_start();
@@ -239,7 +239,7 @@ struct Still;
 impl<R: Real, M: Mechanism<R, Inputs: Fields<R>>> InputSource<R, M> for Still {
     const HELD: bool = true;
 
-    fn sample(&mut self, _time: R, _state: &State<M::Q, M::V>) -> M::Inputs {
+    fn sample(&mut self, _time: R, _state: &StateOf<M, R>) -> M::Inputs {
         M::Inputs::from_array(Vector::zero())
     }
 }
@@ -262,12 +262,12 @@ fn adaptive_runs<R: Real, M>(model: &M)
 where
     M: Assemble<R, Inputs: Fields<R>, Outputs: Fields<R>>,
 {
-    let start = State { q: M::start_q(), v: M::start_v() };
+    let start = model.start();
     let output = M::Outputs::NAMES[0];
     let (h, end) = (R::from_f64(0.01), R::from_f64(0.1));
     let mut happened = 0;
     let ran = allocations(|| {
-        let ones = |_: R, _: &State<M::Q, M::V>| {
+        let ones = |_: R, _: &StateOf<M, R>| {
             let mut values = <M::Inputs as Fields<R>>::Array::zero();
             values.as_mut_slice().fill(R::ONE);
             M::Inputs::from_array(values)
@@ -309,8 +309,8 @@ fn evaluations<R: Real, M>(model: &M)
 where
     M: Assemble<R, Inputs: Fields<R>>,
 {
-    let start = State { q: M::start_q(), v: M::start_v() };
-    let State { q, v } = &start;
+    let start = model.start();
+    let State { q, v, .. } = &start;
     let (t, u) = (R::ZERO, M::Inputs::from_array(Vector::zero()));
     let (mut mass, mut jacobian) = (M::Mass::zero(), M::Jacobian::zero());
     let (mut a, mut lambda) = (M::V::zero(), M::Lambda::zero());
@@ -320,11 +320,11 @@ where
         model.constraint_jacobian(t, q, &mut jacobian);
         model.nu(t, q, &mut lambda);
         model.gamma(t, q, v, &mut lambda);
-        model.forces(t, q, v, &u, &mut a);
-        black_box((model.kinetic_energy(t, q, v), model.potential_energy(t, q)));
-        black_box(model.acceleration(t, q, v, &u, &mut a, &mut lambda));
-        black_box(model.acceleration_baumgarte(t, q, v, &u, R::ONE, R::ONE, &mut a, &mut lambda));
-        let mut outputs = model.outputs(t, q, v, &u);
+        model.forces(t, &start, &u, &mut a);
+        black_box((model.kinetic_energy(t, q, v), model.potential_energy(t, &start)));
+        black_box(model.acceleration(t, &start, &u, &mut a, &mut lambda));
+        black_box(model.acceleration_baumgarte(t, &start, &u, R::ONE, R::ONE, &mut a, &mut lambda));
+        let mut outputs = model.outputs(t, &start, &u);
         let previous = outputs;
         M::unwrap(&mut outputs, &previous);
         black_box(outputs);
@@ -355,15 +355,15 @@ fn simulations<R: Real, M>(model: &M)
 where
     M: Assemble<R, Inputs: Fields<R>>,
 {
-    let start = State { q: M::start_q(), v: M::start_v() };
+    let start = model.start();
     let baumgarte = Baumgarte { alpha: R::from_f64(10.0), beta: R::from_f64(10.0) };
     let (h, end) = (R::from_f64(1e-4), R::from_f64(5e-4));
-    let none = |_: R, _: &State<M::Q, M::V>| M::Inputs::from_array(Vector::zero());
+    let none = |_: R, _: &StateOf<M, R>| M::Inputs::from_array(Vector::zero());
     let first =
         Simulation::new(model, start).formulation(baumgarte).sampled(none).step(h).advance().map(|_| ());
     assert!(first.is_ok(), "{}: {:?}", M::NAME, first.err());
     let simulated = allocations(|| {
-        let none = |_: R, _: &State<M::Q, M::V>| M::Inputs::from_array(Vector::zero());
+        let none = |_: R, _: &StateOf<M, R>| M::Inputs::from_array(Vector::zero());
         let mut simulation = Simulation::new(model, start).formulation(baumgarte).sampled(none).step(h);
         black_box(simulation.advance().is_ok());
         black_box(simulation.run_until(end, |sample| _ = black_box(sample.energy())).is_ok());

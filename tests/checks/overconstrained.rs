@@ -5,7 +5,7 @@ use crate::rank::{compare, cycle};
 use crate::registry::{Model, model};
 use linkwright::{
     Assemble, AssembleExt, AugmentedLagrangian, Baumgarte, Formulation, LagrangeIndex1, Mechanism, NullSpace,
-    Partitioned, Penalty, Projected, Simulation, State, mechanism,
+    Partitioned, Penalty, Projected, Simulation, mechanism,
 };
 
 /// Bennett's linkage: four revolutes, opposite links alike, sin α/a = sin β/b. It turns all round without a singular position, and no
@@ -128,7 +128,7 @@ where
     M: Assemble<f64, Inputs = ()>,
     F: Formulation<f64, M>,
 {
-    let start = State { q: M::start_q(), v: M::start_v() };
+    let start = model.start();
     let mut simulation = Simulation::new(model, start).formulation(formulation).step(h);
     let begin = simulation.energy();
     let mut most = 0.0_f64;
@@ -216,11 +216,11 @@ fn reactions_balance_whichever_rows_are_taken() {
         let a = simulation.acceleration().expect("it is regular");
         let lambda = simulation.multipliers().expect("it is regular");
         let state = simulation.state();
-        let held = tree.reactions(simulation.time(), &state.q, &state.v, &(), &a, &lambda);
+        let held = tree.reactions(simulation.time(), &state, &(), &a, &lambda);
         let a = other.acceleration().expect("it is regular");
         let lambda = other.multipliers().expect("it is regular");
         let state = other.state();
-        let there = absolute.reactions(other.time(), &state.q, &state.v, &(), &a, &lambda);
+        let there = absolute.reactions(other.time(), &state, &(), &a, &lambda);
         for axis in 0..3 {
             let (one, two) = (held[0].force[axis], there[0].force[axis]);
             assert!((one - two).abs() < 1e-4 * (1.0 + one.abs()), "{axis}: {one} {two}");

@@ -161,7 +161,7 @@ pub fn cycle<M: Model>(model: &M) -> Vec<(f64, M::Q)> {
     let (count, stride) = if rows > 40 { (12, 0.12) } else { (140, 0.05) };
     let mut found = Vec::new();
     for side in [1.0, -1.0] {
-        let (mut time, mut state) = (0.0, State { q: M::start_q(), v: M::V::zero() });
+        let (mut time, mut state) = (0.0, State::new(M::start_q(), M::V::zero()));
         let mut wish: Vec<f64> = (0..M::V::LEN).map(|k| side * (1.3 * k as f64 + 0.7).cos()).collect();
         for number in 0..count {
             let Ok(v) = project_velocity(model, time, &state.q, &vector::<M::V>(&wish)) else { break };

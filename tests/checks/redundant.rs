@@ -1,7 +1,7 @@
 //! Redundant joints: left out, kept with idle rows, or made freer by hand, a mechanism moves alike.
 
 use crate::registry::{Model, model};
-use linkwright::{AssembleExt, Baumgarte, Mechanism, Simulation, Vector, mechanism};
+use linkwright::{AssembleExt, Baumgarte, Mechanism, Simulation, Variables, Vector, mechanism};
 use linkwright_compiler::compile;
 use linkwright_compiler::model::Coordinates;
 
@@ -92,8 +92,8 @@ fn rows_are_left_out_or_idle() {
 
     let model = Kept::<f64>::default();
     let start = model.start();
-    let (mut a, mut lambda) = (Vector::zero(), <<Kept as Mechanism<f64>>::Lambda as Vector<f64>>::zero());
-    model.acceleration(0.0, &start.q, &start.v, &(), &mut a, &mut lambda);
+    let (mut a, mut lambda) = (Vector::zero(), <<Kept as Variables<f64>>::Lambda as Vector<f64>>::zero());
+    model.acceleration(0.0, &start, &(), &mut a, &mut lambda);
     let idle = <Kept as linkwright::Assemble<f64>>::IDLE;
     for (row, lambda) in lambda.iter().enumerate() {
         assert_eq!(*lambda == 0.0, idle.contains(&(row as u16)), "row {row}: {lambda}");

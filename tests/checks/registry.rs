@@ -3,13 +3,15 @@
 //! A check is a function `fn check<M: Model>()`; [`for_each`] makes a test of it for each shipped model and for the
 //! mechanisms of `zoo.rs`, so that a new model is checked by being listed in `models/src/lib.rs`.
 
-use linkwright::{Assemble, Fields, Layout, SettingError, Vector};
+use linkwright::{Assemble, Fields, Layout, SettingError, State, StateOf, Vector};
 use linkwright_compiler::model::Coordinates;
 use linkwright_compiler::schedule::Inputs;
 use linkwright_compiler::{Compiled, compile};
 
 /// An emitted mechanism with what its inherent functions give, flattened.
-pub trait Model: Assemble<f64, Inputs: Fields<f64>, Outputs: Fields<f64>> + Sized {
+pub trait Model:
+    Assemble<f64, Z = (), Gates = (), Inputs: Fields<f64>, Outputs: Fields<f64>> + Sized
+{
     const SOURCE: &'static str;
     const BODIES: &'static [&'static str];
     /// The same mechanism in single precision.
@@ -122,14 +124,14 @@ macro_rules! model {
                 a: &Self::V,
                 lambda: &Self::Lambda,
             ) -> Vec<f64> {
-                let reactions = self.reactions(at.time, &at.q, &at.v, &at.u, a, lambda);
+                let reactions = self.reactions(at.time, &at.state(), &at.u, a, lambda);
                 reactions.iter().flat_map($crate::registry::Flat::flat).collect()
             }
             fn flat_inverse_dynamics(&self, at: &$crate::registry::At<Self>, a: &Self::V) -> Vec<f64> {
-                self.inverse_dynamics(at.time, &at.q, &at.v, &at.u, a).to_vec()
+                self.inverse_dynamics(at.time, &at.state(), &at.u, a).to_vec()
             }
             fn flat_powers(&self, at: &$crate::registry::At<Self>) -> Vec<f64> {
-                self.powers(at.time, &at.q, &at.v, &at.u).to_vec()
+                self.powers(at.time, &at.state(), &at.u).to_vec()
             }
             fn derived_finite(
                 &self,
@@ -139,10 +141,11 @@ macro_rules! model {
             ) -> bool {
                 use $crate::registry::Flat;
                 let $crate::registry::At { time, q, v, u } = at;
+                let state = &at.state();
                 self.motions(*time, q, v, a).iter().all(Flat::finite)
-                    && self.reactions(*time, q, v, u, a, lambda).iter().all(Flat::finite)
-                    && self.inverse_dynamics(*time, q, v, u, a).iter().all(|x| x.is_finite())
-                    && self.powers(*time, q, v, u).iter().all(|x| x.is_finite())
+                    && self.reactions(*time, state, u, a, lambda).iter().all(Flat::finite)
+                    && self.inverse_dynamics(*time, state, u, a).iter().all(|x| x.is_finite())
+                    && self.powers(*time, state, u).iter().all(|x| x.is_finite())
             }
             fn flat_driver_efforts(
                 &self,
@@ -209,6 +212,10 @@ impl<M: Model> At<M> {
     pub fn of(point: &Inputs) -> Self {
         let Inputs { time, q, v, inputs, .. } = point;
         At { time: *time, q: vector(q), v: vector(v), u: fields(inputs) }
+    }
+
+    pub fn state(&self) -> StateOf<M> {
+        State::new(self.q, self.v)
     }
 }
 

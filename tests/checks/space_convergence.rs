@@ -2,9 +2,9 @@
 //! angle each, counted angles of bodies that tumble. Those of the plane are in `convergence.rs`.
 
 use linkwright::{
-    Assemble, Baumgarte, DormandPrince, ExplicitTrapezoidal, Formulation, Integrator, LagrangeIndex1, Layout,
-    Mechanism, MechanismDynamics, NoInputs, NullSpace, Partitioned, Rk4, SemiImplicitEuler, Simulation,
-    State, Vector,
+    Assemble, AssembleExt, Baumgarte, DormandPrince, ExplicitTrapezoidal, Formulation, Integrator,
+    LagrangeIndex1, Layout, MechanismDynamics, NoInputs, NullSpace, Partitioned, Rk4, SemiImplicitEuler,
+    Simulation, State, StateOf, Variables, Vector,
 };
 use linkwright_models::bricard::Bricard;
 use linkwright_models::four_spherical_joints::FourSphericalJoints;
@@ -32,13 +32,13 @@ linkwright::mechanism! {
 }
 
 /// The state after `steps` steps to `end` from the start of the model.
-fn reached<M, F, I>(model: &M, (formulation, integrator): (F, I), end: f64, steps: u32) -> State<M::Q, M::V>
+fn reached<M, F, I>(model: &M, (formulation, integrator): (F, I), end: f64, steps: u32) -> StateOf<M>
 where
     M: Assemble<f64, Inputs = ()>,
     F: Formulation<f64, M>,
     I: for<'m> Integrator<f64, MechanismDynamics<'m, M, f64, F, NoInputs>>,
 {
-    let start = State { q: M::start_q(), v: M::start_v() };
+    let start = model.start();
     let simulation = Simulation::new(model, start).formulation(formulation).integrator(integrator);
     let reached = simulation.step(end / f64::from(steps)).advance_until(end);
     reached.unwrap_or_else(|error| panic!("{}: {error}", M::NAME))
@@ -54,7 +54,7 @@ where
 {
     let exact = reached(model, (methods.0, DormandPrince::fixed()), end, 16 * steps.min(200));
     let error = |steps: u32| {
-        let State { q, v } = reached(model, methods, end, steps);
+        let State { q, v, .. } = reached(model, methods, end, steps);
         q.plus(-1.0, &exact.q).max_abs().max(v.plus(-1.0, &exact.v).max_abs())
     };
     let (coarse, fine) = (error(steps), error(2 * steps));
@@ -160,7 +160,7 @@ fn first_order() {
 #[test]
 fn counted_angles_are_those_of_the_quaternions() {
     use std::f64::consts::{PI, TAU};
-    let Layout { quaternions, angles, .. } = <Gyrostat as Mechanism<f64>>::LAYOUT;
+    let Layout { quaternions, angles, .. } = <Gyrostat as Variables<f64>>::LAYOUT;
     assert_eq!((quaternions, angles.len()), (2, 1), "two bodies and an angle between them");
     let model = Gyrostat::default();
     let place = |name: &str| Gyrostat::<f64>::BODIES.iter().position(|body| *body == name).expect("a body");

@@ -27,7 +27,7 @@ linkwright::mechanism! {
 fn a_counted_angle_is_no_second_assembly() {
     let model = Sprung::<f64>::default();
     let start = Sprung::START;
-    let angle = model.outputs(0.0, &start.q, &start.v, &()).angle;
+    let angle = model.outputs(0.0, &start, &()).angle;
     assert!(angle.abs() <= std::f64::consts::PI, "{angle}");
 }
 
@@ -59,7 +59,7 @@ fn kinematics_keep_whole_turns() {
     for angle in [4.0, -7.5, 20.0] {
         let given = [Motion { position: angle, rate: 0.0, acceleration: 0.0 }];
         let found = model.kinematics(0.0, &start, &given).unwrap();
-        let outputs = model.outputs(0.0, &found.q, &found.v, &());
+        let outputs = model.outputs(0.0, &found.state(), &());
         assert!((outputs.crank_angle - angle).abs() < 1e-12, "{angle}: {outputs:?}");
         assert!((outputs.wheel_angle + 2.5 * angle).abs() < 1e-11, "{angle}: {outputs:?}");
     }

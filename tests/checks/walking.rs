@@ -4,7 +4,7 @@
 //! the branch of the start is kept, because the steps are small.
 
 use crate::registry::{At, Model, Random, compiled, fields, vector};
-use linkwright::{AssembleExt, State, Vector, project_position, project_velocity, retract, smallest_pivot};
+use linkwright::{AssembleExt, Vector, project_position, project_velocity, retract, smallest_pivot};
 use linkwright_compiler::Compiled;
 
 /// Steps between two states that are used.
@@ -19,7 +19,7 @@ pub fn walk<M: Model>(seed: u64, count: usize) -> (Compiled, Vec<f64>, M, Vec<At
     let mut random = Random::new(seed);
     let parameters = random.parameters(&compiled);
     let model = M::prepared(&parameters).expect("parameters near their defaults");
-    let near = State { q: M::start_q(), v: M::start_v() };
+    let near = model.start();
     let mut q = model.assemble(&near).unwrap_or_else(|error| panic!("{}: {error}", M::NAME)).q;
     let (mut time, mut states, mut tries) = (0.0, Vec::new(), 0);
     while states.len() < count {

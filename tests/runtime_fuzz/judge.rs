@@ -5,7 +5,7 @@ use crate::models::{Crank, Folding, Rods, Subject, Swing, Top, Winch};
 use crate::random::Random;
 use linkwright::{
     AssembleExt, Direction, DormandPrince, Event, Fields, InputSource, Linearisation, Mechanism, Motion,
-    Simulation, State, Vector, actuation, equilibrium,
+    Simulation, State, StateOf, Vector, actuation, equilibrium,
 };
 use std::cell::Cell;
 use std::panic::{AssertUnwindSafe, catch_unwind};
@@ -37,7 +37,7 @@ struct Counted<'c, M: Mechanism<f64>> {
 impl<M: Mechanism<f64>> InputSource<f64, M> for Counted<'_, M> {
     const HELD: bool = false;
 
-    fn sample(&mut self, _: f64, _: &State<M::Q, M::V>) -> M::Inputs {
+    fn sample(&mut self, _: f64, _: &StateOf<M>) -> M::Inputs {
         self.count.set(self.count.get() + 1);
         if self.count.get() > EVALUATIONS {
             std::panic::panic_any(Endless);
@@ -78,8 +78,6 @@ pub fn judge(seed: u64, number: u64) -> Result<Verdict, String> {
         }
     }
 }
-
-type StateOf<M> = State<<M as Mechanism<f64>>::Q, <M as Mechanism<f64>>::V>;
 
 fn of_model<M: Subject>(random: &mut Random) -> Result<Verdict, String> {
     let model = M::any(random);
@@ -281,7 +279,7 @@ fn solved<M: Subject>(
     let rest = equilibrium(model, time, &start.q, inputs).ok();
     judged("equilibrium", rest.map(|found| [found.q.as_slice(), found.lambda.as_slice()].concat()))?;
     if let Some(found) = kinematics {
-        let state = State { q: found.q, v: found.v };
+        let state = State { q: found.q, v: found.v, ..*start };
         let driven = actuation(model, time, &state, &found.a, inputs, M::Inputs::NAMES).ok();
         judged("actuation", driven.map(|found| found.inputs.to_array().as_slice().to_vec()))?;
     }
@@ -292,7 +290,7 @@ fn solved<M: Subject>(
         )?;
         let matrices = here.state_space().ok();
         judged("state space", matrices.map(|found| [found.a.as_slice(), found.c.as_slice()].concat()))?;
-        model.derived((time, &start.q, &start.v), inputs, here.acceleration(), here.multipliers());
+        model.derived(time, &start, inputs, here.acceleration(), here.multipliers());
     }
 
     let count = Cell::new(0);

@@ -1,13 +1,11 @@
 //! Formulations and integrators chosen at run time, so that each model is compiled once for all of them.
 
 use crate::random::Random;
-use linkwright::integrator::Carried;
 use linkwright::{
-    Ali3p, Assemble, AssemblyError, AugmentedLagrangian, Baumgarte, DormandPrince, DormandPrinceMemory,
-    Dynamics, Evaluation, ExplicitTrapezoidal, Formulation, GeneralisedAlpha, ImplicitDynamics,
-    ImplicitTrapezoidal, Integrator, LagrangeIndex1, Method, NullSpace, Partitioned, Penalty, PivotOf,
-    Projected, Rk4, SemiImplicitEuler, SettingError, Settled, State, StepFailure, Stepped, Vector,
-    partition::PartitionOf,
+    Ali3p, Assemble, AssemblyError, AugmentedLagrangian, Baumgarte, DormandPrince, Dynamics, Evaluation,
+    ExplicitTrapezoidal, Formulation, GeneralisedAlpha, ImplicitDynamics, ImplicitTrapezoidal, Integrator,
+    LagrangeIndex1, Method, NullSpace, Partitioned, Penalty, PivotOf, Projected, Rk4, SemiImplicitEuler,
+    SettingError, Settled, StateOf, StepFailure, SteppedOf, Variables, Vector, partition::PartitionOf,
 };
 
 /// A formulation; `PIVOT` is a constant of the type, so there are as many types as values of it.
@@ -127,7 +125,7 @@ impl<M: Assemble<f64>, const PIVOT_OF: u8> Formulation<f64, M> for Of<PIVOT_OF> 
         memory: &mut Self::Memory,
         model: &M,
         time: f64,
-        state: &mut State<M::Q, M::V>,
+        state: &mut StateOf<M>,
         u: &M::Inputs,
         a: &mut M::V,
         lambda: &mut M::Lambda,
@@ -140,7 +138,7 @@ impl<M: Assemble<f64>, const PIVOT_OF: u8> Formulation<f64, M> for Of<PIVOT_OF> 
         memory: &mut Self::Memory,
         model: &M,
         time: f64,
-        state: &mut State<M::Q, M::V>,
+        state: &mut StateOf<M>,
     ) -> Result<Settled<f64>, AssemblyError> {
         each!(&self.0, memory, (way, own) => way.settle(own, model, time, state))
     }
@@ -201,13 +199,15 @@ impl Means {
 }
 
 /// What the integrators carry: one of Dormand and Prince, one of the implicit ones.
-impl Method<f64> for Means {
-    type Memory<Q: Vector<f64>, V: Vector<f64>, Lambda: Vector<f64>> =
-        (DormandPrinceMemory<f64, Q, V>, Carried<V, Lambda>);
+/// What a method carries from step to step.
+type MemoryOf<I, X> = <I as Method<f64>>::Memory<X>;
 
-    fn memory<Q: Vector<f64>, V: Vector<f64>, Lambda: Vector<f64>>(&self) -> Self::Memory<Q, V, Lambda> {
-        let carried = Method::<f64>::memory::<Q, V, Lambda>(&ImplicitTrapezoidal::default());
-        (Method::<f64>::memory::<Q, V, Lambda>(&DormandPrince::tolerance(1e-6)), carried)
+impl Method<f64> for Means {
+    type Memory<X: Variables<f64>> = (MemoryOf<DormandPrince, X>, MemoryOf<ImplicitTrapezoidal, X>);
+
+    fn memory<X: Variables<f64>>(&self) -> Self::Memory<X> {
+        let carried = ImplicitTrapezoidal::default().memory::<X>();
+        (DormandPrince::tolerance(1e-6).memory::<X>(), carried)
     }
 
     fn most_steps(&self) -> u64 {
@@ -231,12 +231,12 @@ impl Method<f64> for Means {
 impl<D: ImplicitDynamics<f64> + Dynamics<f64>> Integrator<f64, D> for Means {
     fn step(
         &self,
-        memory: &mut Self::Memory<D::Q, D::V, D::Lambda>,
+        memory: &mut Self::Memory<D::Variables>,
         dynamics: &mut D,
         time: f64,
         h: f64,
-        state: &State<D::Q, D::V>,
-    ) -> Result<Stepped<f64, D::Q, D::V>, StepFailure<f64>> {
+        state: &StateOf<D::Variables>,
+    ) -> Result<SteppedOf<D::Variables>, StepFailure<f64>> {
         match self {
             Means::Rk4 => Rk4.step(&mut (), dynamics, time, h, state),
             Means::SemiImplicitEuler => SemiImplicitEuler.step(&mut (), dynamics, time, h, state),
@@ -250,10 +250,10 @@ impl<D: ImplicitDynamics<f64> + Dynamics<f64>> Integrator<f64, D> for Means {
 }
 
 impl Method<f64> for Explicit {
-    type Memory<Q: Vector<f64>, V: Vector<f64>, Lambda: Vector<f64>> = DormandPrinceMemory<f64, Q, V>;
+    type Memory<X: Variables<f64>> = MemoryOf<DormandPrince, X>;
 
-    fn memory<Q: Vector<f64>, V: Vector<f64>, Lambda: Vector<f64>>(&self) -> Self::Memory<Q, V, Lambda> {
-        Method::<f64>::memory::<Q, V, Lambda>(&DormandPrince::tolerance(1e-6))
+    fn memory<X: Variables<f64>>(&self) -> Self::Memory<X> {
+        DormandPrince::tolerance(1e-6).memory::<X>()
     }
 
     fn check(&self) -> Result<(), SettingError> {
@@ -264,12 +264,12 @@ impl Method<f64> for Explicit {
 impl<D: Dynamics<f64>> Integrator<f64, D> for Explicit {
     fn step(
         &self,
-        memory: &mut Self::Memory<D::Q, D::V, D::Lambda>,
+        memory: &mut Self::Memory<D::Variables>,
         dynamics: &mut D,
         time: f64,
         h: f64,
-        state: &State<D::Q, D::V>,
-    ) -> Result<Stepped<f64, D::Q, D::V>, StepFailure<f64>> {
+        state: &StateOf<D::Variables>,
+    ) -> Result<SteppedOf<D::Variables>, StepFailure<f64>> {
         match self.0 {
             Means::SemiImplicitEuler => SemiImplicitEuler.step(&mut (), dynamics, time, h, state),
             Means::ExplicitTrapezoidal => ExplicitTrapezoidal.step(&mut (), dynamics, time, h, state),

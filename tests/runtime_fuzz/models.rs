@@ -5,7 +5,7 @@
 mod winch;
 
 use crate::random::Random;
-use linkwright::{Fields, Tangent};
+use linkwright::{Fields, StateOf, Tangent};
 pub use winch::Winch;
 
 /// A mechanism whose parameters may be anything that it accepts.
@@ -13,7 +13,7 @@ pub trait Subject: Tangent<f64> + Sized {
     /// The standard mechanism, or one with other parameters.
     fn any(random: &mut Random) -> Self;
     /// All numbers of motions, reactions and inverse dynamics.
-    fn derived(&self, at: (f64, &Self::Q, &Self::V), u: &Self::Inputs, a: &Self::V, lambda: &Self::Lambda);
+    fn derived(&self, time: f64, state: &StateOf<Self>, u: &Self::Inputs, a: &Self::V, lambda: &Self::Lambda);
 }
 
 macro_rules! subjects {
@@ -32,15 +32,16 @@ macro_rules! subjects {
             }
             fn derived(
                 &self,
-                (t, q, v): (f64, &Self::Q, &Self::V),
+                time: f64,
+                state: &StateOf<Self>,
                 u: &Self::Inputs,
                 a: &Self::V,
                 lambda: &Self::Lambda,
             ) {
-                std::hint::black_box(self.motions(t, q, v, a));
-                std::hint::black_box(self.reactions(t, q, v, u, a, lambda));
-                std::hint::black_box(self.inverse_dynamics(t, q, v, u, a));
-                std::hint::black_box(self.powers(t, q, v, u));
+                std::hint::black_box(self.motions(time, &state.q, &state.v, a));
+                std::hint::black_box(self.reactions(time, state, u, a, lambda));
+                std::hint::black_box(self.inverse_dynamics(time, state, u, a));
+                std::hint::black_box(self.powers(time, state, u));
             }
         }
     )* };

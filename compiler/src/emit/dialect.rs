@@ -28,8 +28,9 @@ pub trait Dialect {
     fn declaration(&self, mask: bool) -> [&'static str; 3];
     /// A line of comment.
     fn comment(&self, text: &mut String, line: &str);
-    /// An entry of an argument that is no number; `identifier` is what the user calls it where it is a field.
-    fn entry(&self, text: &mut String, source: Source, identifier: &str);
+    /// An entry of an argument that is no number. `within`: the argument that brings it along, as the state brings q; `identifier`: what the
+    /// user calls it where it is a field.
+    fn entry(&self, text: &mut String, within: Option<Argument>, source: Source, identifier: &str);
 
     /// Declares so many values that go from function to function.
     fn slots(&self, text: &mut String, size: usize);

@@ -25,7 +25,7 @@ pub fn functions(text: &mut String, helpers: &mut String, emitter: &Emitter, int
             // Nothing to stabilise.
             let _ = writeln!(
                 text,
-                "{} {{\n<Self as Mechanism<R>>::acceleration(self, time, q, v, u, a_out, lambda_out)\n}}",
+                "{} {{\n<Self as Mechanism<R>>::acceleration(self, time, state, u, a_out, lambda_out)\n}}",
                 emitter.head(signature)
             );
         } else {

@@ -81,7 +81,7 @@ fn masses(text: &mut String, emitter: &Emitter) {
     for ((what, positive), output) in emitter.compiled.masses.iter().zip(&program.outputs) {
         let Operand::Source(source) = output else { continue };
         let mut place = String::new();
-        emitter.printer.entry(&mut place, *source);
+        emitter.printer.entry(&mut place, Function::Masses.signature(), *source);
         let _ = writeln!(text, "check_mass({}, model.{place}, {positive})?;", quoted(what));
     }
 }

@@ -97,11 +97,7 @@ fn constants(text: &mut String, emitter: &Emitter, source: &str) {
     constant(
         "Consistent start state for the default parameters, assembled at compile time.",
         &format!("START: {name}State"),
-        &format!(
-            "{path}::State {{ q: {}, v: {} }}",
-            numbers(&compiled.assembly.q),
-            numbers(&compiled.assembly.v)
-        ),
+        &format!("{path}::State::new({}, {})", numbers(&compiled.assembly.q), numbers(&compiled.assembly.v)),
     );
     let usize = "::core::primitive::usize";
     constant(

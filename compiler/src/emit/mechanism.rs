@@ -1,4 +1,4 @@
-//! The implementation of `Mechanism`: M, Φ, D, ν, γ, Q, energies, accelerations and outputs.
+//! The implementations of `Variables` and `Mechanism`: M, Φ, D, ν, γ, Q, energies, accelerations and outputs.
 
 use super::function::functions;
 use super::names::field;
@@ -11,9 +11,9 @@ pub fn mechanism(text: &mut String, emitter: &Emitter) {
     let Emitter { name, inner, mechanism, compiled, .. } = emitter;
     let layout = &compiled.complete.equations.layout;
     let mut helpers = String::new();
+    variables(text, emitter);
     let _ = writeln!(text, "impl<R: Real> Mechanism<R> for {inner}<R> {{");
     let _ = writeln!(text, "const NAME: &'static str = {};", quoted(name));
-    let _ = writeln!(text, "const LAYOUT: Layout = {};", tables::layout(emitter));
     let _ = writeln!(text, "const ROWS: &'static [Row] = {};", tables::rows(emitter));
     let names = [
         ("POSITION_NAMES", layout.position_names(mechanism)),
@@ -25,7 +25,7 @@ pub fn mechanism(text: &mut String, emitter: &Emitter) {
     for matrix in [&MASS, &JACOBIAN] {
         tables::pattern(text, emitter, matrix);
     }
-    for alias in ["Q", "V", "Lambda", "Mass", "Jacobian"] {
+    for alias in ["Mass", "Jacobian"] {
         let _ = writeln!(text, "type {alias} = {alias}<R>;");
     }
     for (alias, shape) in [("Inputs", Shape::Inputs), ("Outputs", Shape::Outputs)] {
@@ -35,6 +35,16 @@ pub fn mechanism(text: &mut String, emitter: &Emitter) {
     unwrap(text, emitter);
     text.push_str("}\n");
     text.push_str(&helpers);
+}
+
+/// What a state is made of: there are no internal states and no gates yet.
+fn variables(text: &mut String, emitter: &Emitter) {
+    let _ = writeln!(text, "impl<R: Real> Variables<R> for {}<R> {{", emitter.inner);
+    let _ = writeln!(text, "const LAYOUT: Layout = {};", tables::layout(emitter));
+    for alias in ["Q", "V", "Lambda"] {
+        let _ = writeln!(text, "type {alias} = {alias}<R>;");
+    }
+    text.push_str("type Z = ();\ntype Gates = ();\n}\n");
 }
 
 fn unwrap(text: &mut String, emitter: &Emitter) {

@@ -1,7 +1,7 @@
 //! Names in emitted code: the user's where there are any, and never two alike.
 
 use crate::complete::Complete;
-use crate::functions::{ARGUMENTS, Argument, FUNCTIONS, Given, Shape, Way};
+use crate::functions::{ARGUMENTS, Argument, FUNCTIONS, Given, Shape, Signature, Way};
 use crate::schedule::{Operand, Source};
 use crate::symbolic::{Node, Op};
 use std::collections::{BTreeMap, BTreeSet};
@@ -75,11 +75,14 @@ impl Names {
     /// The same names, with results called by what they are; `labels` in the order of the outputs. They differ from those of the arguments.
     pub fn with_results(
         &self,
-        arguments: &[Argument],
+        signature: &Signature,
         outputs: &[Operand],
         labels: &[Option<String>],
     ) -> Names {
-        let own = self.names.iter().filter(|(source, _)| arguments.contains(&source.argument));
+        let is_given = |argument: Argument| {
+            signature.arguments.contains(&argument) || signature.within(argument).is_some()
+        };
+        let own = self.names.iter().filter(|(source, _)| is_given(source.argument));
         let mut used: BTreeSet<String> = own.map(|(_, name)| name.clone()).collect();
         let mut results = Vec::new();
         for (output, label) in outputs.iter().zip(labels) {
@@ -171,7 +174,7 @@ pub fn inner(name: &str) -> String {
 
 /// Types, traits and variants that implementations have in scope: short names of arrays, what the runtime exports to
 /// emitted code, the prelude.
-const IN_SCOPE: [&str; 98] = [
+const IN_SCOPE: [&str; 99] = [
     "Constants",
     "Phases",
     "Q",
@@ -224,6 +227,7 @@ const IN_SCOPE: [&str; 98] = [
     "Mechanism",
     "Row",
     "Tangent",
+    "Variables",
     "SpatialMotion",
     "SpatialReaction",
     "Real",

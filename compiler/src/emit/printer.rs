@@ -66,7 +66,7 @@ impl<'a, D: Dialect> Printer<'a, D> {
             printer: self,
             program,
             cut,
-            names: self.names.with_results(signature.arguments, &program.outputs, &self.labels(signature)),
+            names: self.names.with_results(signature, &program.outputs, &self.labels(signature)),
             signature,
             shared: if solves { programs.shared } else { 0 },
         }
@@ -88,9 +88,10 @@ impl<'a, D: Dialect> Printer<'a, D> {
         signature.results.iter().flat_map(of_group).collect()
     }
 
-    /// Where an entry of an argument is read.
-    pub fn entry(&self, text: &mut String, source: Source) {
-        self.dialect.entry(text, source, self.names.identifier(source));
+    /// Where an entry of an argument is read in a function.
+    pub fn entry(&self, text: &mut String, signature: &Signature, source: Source) {
+        let within = signature.within(source.argument);
+        self.dialect.entry(text, within, source, self.names.identifier(source));
     }
 }
 
@@ -241,7 +242,7 @@ impl<D: Dialect> Writer<'_, D> {
             text.push_str(before);
             names.push_source(text, *source);
             text.push_str(between);
-            self.printer.entry(text, *source);
+            self.printer.entry(text, self.signature, *source);
             text.push_str(behind);
         }
         used

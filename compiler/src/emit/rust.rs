@@ -70,8 +70,11 @@ impl Dialect for Rust<'_> {
         let _ = writeln!(text, "// {line}");
     }
 
-    fn entry(&self, text: &mut String, source: Source, identifier: &str) {
+    fn entry(&self, text: &mut String, within: Option<Argument>, source: Source, identifier: &str) {
         let given = source.argument.given();
+        if let Some(whole) = within {
+            let _ = write!(text, "{}.", whole.name());
+        }
         let _ = match given.shape {
             Shape::Parameters | Shape::Inputs => write!(text, "{}.{}", given.name, field(identifier)),
             _ => write!(text, "{}[{}]", given.name, source.index),
@@ -123,6 +126,7 @@ pub fn type_of(compiled: &Compiled, shape: Shape) -> String {
             return format!("[{}<R>; {}]", record.of(mechanism.space).name, compiled.entries(shape));
         }
         Shape::Loads | Shape::Drivers | Shape::Masses => return format!("[R; {}]", compiled.entries(shape)),
+        Shape::State => return "State<Q<R>, V<R>>".to_string(),
         Shape::Positions => "Q",
         Shape::Velocities => "V",
         Shape::Rows => "Lambda",

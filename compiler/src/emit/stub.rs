@@ -74,7 +74,7 @@ fn constants(text: &mut String, header: &Header) {
     let zeros = format!("[0.0; {MANY}]");
     let (usize, str) = ("::core::primitive::usize", "&'static ::core::primitive::str");
     let _ = writeln!(text, "#[allow(missing_docs, dead_code)] impl {name}<::core::primitive::f64> {{");
-    let _ = writeln!(text, "pub const START: {name}State = @RUNTIME@::State {{ q: {zeros}, v: {zeros} }};");
+    let _ = writeln!(text, "pub const START: {name}State = @RUNTIME@::State::new({zeros}, {zeros});");
     for constant in ["DEGREES_OF_FREEDOM", "OPERATIONS"] {
         let _ = writeln!(text, "pub const {constant}: {usize} = 1;");
     }
@@ -143,6 +143,7 @@ impl Header {
         let space = if self.spatial { Space::Spatial } else { Space::Planar };
         match shape {
             Shape::Scalar => "R".to_string(),
+            Shape::State => format!("State<{list}, {list}>"),
             Shape::Parameters => self.given(parameters),
             Shape::Inputs => self.given(inputs),
             Shape::Outputs => self.given(outputs),
@@ -192,15 +193,18 @@ impl<R: Real> @NAME@<R> {
     pub fn parameters(&self) -> &@NAME@Parameters<R> { loop {} }
     @FUNCTIONS@
 }
+impl<R: Real> Variables<R> for @NAME@<R> {
+    const LAYOUT: Layout = Layout { linear: @MANY@, rotations: 0, quaternions: 0, angles: &[] };
+    type Q = @LIST@; type V = @LIST@; type Lambda = @LIST@; type Z = (); type Gates = ();
+}
 impl<R: Real> Mechanism<R> for @NAME@<R> {
     const NAME: &'static str = \"\";
-    const LAYOUT: Layout = Layout { linear: @MANY@, rotations: 0, quaternions: 0, angles: &[] };
     const ROWS: &'static [Row] = &[];
     const POSITION_NAMES: &'static [&'static str] = &[];
     const VELOCITY_NAMES: &'static [&'static str] = &[];
     const MASS_PATTERN: &'static [(u16, u16)] = &[];
     const JACOBIAN_PATTERN: &'static [(u16, u16)] = &[];
-    type Q = @LIST@; type V = @LIST@; type Lambda = @LIST@; type Mass = @LIST@; type Jacobian = @LIST@;
+    type Mass = @LIST@; type Jacobian = @LIST@;
     type Inputs = @INPUTS@; type Outputs = @OUTPUTS@;
     fn unwrap(outputs: &mut @OUTPUTS@, previous: &@OUTPUTS@) {}
     @FUNCTIONS_OF_MECHANISM@

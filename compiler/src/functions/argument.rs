@@ -11,6 +11,8 @@ pub enum Argument {
     Time,
     Q,
     V,
+    /// The state as a whole, of which q and v are parts.
+    State,
     Inputs,
     TwoAlpha,
     BetaSquared,
@@ -46,10 +48,12 @@ const fn given(
 }
 
 /// All arguments.
-pub static ARGUMENTS: [Given; 17] = [
+pub static ARGUMENTS: [Given; 18] = [
     given(Argument::Time, "time", Shape::Scalar, |c| from_ref(&c.equations.symbols.time)),
     given(Argument::Q, "q", Shape::Positions, |c| &c.equations.symbols.q),
     given(Argument::V, "v", Shape::Velocities, |c| &c.equations.symbols.v),
+    // Its entries are those of q and v.
+    given(Argument::State, "state", Shape::State, |_| &[]),
     given(Argument::Inputs, "u", Shape::Inputs, |c| &c.equations.symbols.inputs),
     // 2 α and β² of Baumgarte's terms, 1/s and 1/s².
     given(Argument::TwoAlpha, "two_alpha", Shape::Scalar, |c| from_ref(&c.equations.symbols.two_alpha)),
@@ -90,6 +94,14 @@ impl Argument {
     /// Its name in every function that has it.
     pub fn name(self) -> &'static str {
         self.given().name
+    }
+
+    /// The arguments that it brings along, as the state brings q and v.
+    pub fn parts(self) -> &'static [Argument] {
+        match self {
+            Argument::State => &[Argument::Q, Argument::V],
+            _ => &[],
+        }
     }
 
     /// Its entries in the equations.

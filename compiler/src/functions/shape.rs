@@ -15,6 +15,8 @@ pub enum Shape {
     Positions,
     /// v, v̇, forces.
     Velocities,
+    /// q and v together.
+    State,
     /// λ, Φ, ν, γ.
     Rows,
     /// The stored entries of a matrix.

@@ -55,6 +55,11 @@ pub enum Way {
 }
 
 impl Signature {
+    /// The argument that brings another along; none if that is an argument by itself.
+    pub fn within(&self, part: Argument) -> Option<Argument> {
+        self.arguments.iter().copied().find(|argument| argument.parts().contains(&part))
+    }
+
     /// What the function computes, in the order of its outputs; nothing where the mechanism does not have it.
     pub fn outputs(&self, complete: &Complete) -> Vec<Node> {
         if !(self.emitted)(complete) {

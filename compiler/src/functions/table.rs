@@ -2,7 +2,7 @@
 
 use super::Argument::{
     Acceleration, BetaSquared, Compliance, Constants, GivenForces, GivenRows, Inputs, Lambda, Lu, Parameters,
-    Phases, Q, Store, Target, Time, TwoAlpha, V,
+    Phases, Q, State, Store, Target, Time, TwoAlpha, V,
 };
 use super::Interface::{Assemble, Mechanism, Model, Preparation, Tangent};
 use super::signature::{signature, value, written};
@@ -14,11 +14,12 @@ use crate::symbolic::Node;
 
 const POSITION: &[Argument] = &[Constants, Time, Q];
 const STATE: &[Argument] = &[Constants, Time, Q, V];
-const WITH_INPUTS: &[Argument] = &[Constants, Time, Q, V, Inputs];
+// What depends on loads is handed the state as a whole.
+const WITH_INPUTS: &[Argument] = &[Constants, Time, State, Inputs];
 /// Of the accelerations: those of `acceleration` are the first of `acceleration_baumgarte`.
 const SOLUTION: &[Argument] = WITH_INPUTS;
 const MOVING: &[Argument] = &[Constants, Time, Q, V, Acceleration];
-const EVERYTHING: &[Argument] = &[Constants, Time, Q, V, Inputs, Acceleration, Lambda];
+const EVERYTHING: &[Argument] = &[Constants, Time, State, Inputs, Acceleration, Lambda];
 
 /// Every function.
 pub static FUNCTIONS: [Signature; 40] = [
@@ -84,7 +85,7 @@ pub static FUNCTIONS: [Signature; 40] = [
         "potential_energy",
         Mechanism,
         "V(t, q) of gravity and springs (J).",
-        POSITION,
+        &[Constants, Time, State],
         &[value("energy", Shape::Scalar, |c| vec![c.equations.potential_energy])],
     ),
     signature(
@@ -105,7 +106,7 @@ pub static FUNCTIONS: [Signature; 40] = [
         Mechanism,
         "v̇ and λ of M v̇ + Dᵀ λ = Q, D v̇ = γ − 2α (D v − ν) − β² Φ (Baumgarte 1972); the \
          smallest relative pivot.",
-        &[Constants, Time, Q, V, Inputs, TwoAlpha, BetaSquared],
+        &[Constants, Time, State, Inputs, TwoAlpha, BetaSquared],
         &[
             written("a_out", Shape::Velocities, |c| c.solved.baumgarte.acceleration.clone()).called("{}_dot"),
             written("lambda_out", Shape::Rows, |c| c.solved.baumgarte.lambda.clone()).called("lambda_{}"),
@@ -128,7 +129,7 @@ pub static FUNCTIONS: [Signature; 40] = [
          for each velocity\n\
          (N m or N). Of a tree without constraints these are the efforts of its joints (inverse \
          dynamics).",
-        &[Constants, Time, Q, V, Inputs, Acceleration],
+        &[Constants, Time, State, Inputs, Acceleration],
         &[value("forces", Shape::Velocities, |c| c.equations.inverse.clone())],
     ),
     signature(
@@ -273,7 +274,7 @@ pub static FUNCTIONS: [Signature; 40] = [
         "Factors K(c) and evaluates its right-hand sides Q (N, N m) and γ − 2α (D v − ν) − β² Φ; \
          the smallest relative pivot of the\n\
          velocities where M alone is singular, else one.",
-        &[Constants, Time, Q, V, Inputs, TwoAlpha, BetaSquared, Compliance],
+        &[Constants, Time, State, Inputs, TwoAlpha, BetaSquared, Compliance],
         &[
             written("store_out", Shape::Store, |c| stored(c, |k| k.kept.clone())),
             written("forces_out", Shape::Velocities, |c| c.equations.forces.clone()),
@@ -402,7 +403,7 @@ pub static FUNCTIONS: [Signature; 40] = [
         "output_tangent",
         Tangent,
         "Derivatives of the outputs by q, v, u and λ: the stored entries.",
-        &[Constants, Time, Q, V, Inputs, Lambda],
+        &[Constants, Time, State, Inputs, Lambda],
         &[written("out", Shape::Matrix(&shape::OUTPUT), |c| shape::OUTPUT.nodes(c))],
     )
     .only(|c| c.tangents.is_some()),

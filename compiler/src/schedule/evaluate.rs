@@ -39,6 +39,7 @@ impl Inputs {
             Argument::Time => from_ref(&self.time),
             Argument::Q => &self.q,
             Argument::V => &self.v,
+            Argument::State => &[],
             Argument::Inputs => &self.inputs,
             Argument::TwoAlpha => from_ref(&self.two_alpha),
             Argument::BetaSquared => from_ref(&self.beta_squared),

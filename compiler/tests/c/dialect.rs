@@ -102,7 +102,7 @@ impl Dialect for C {
         let _ = writeln!(text, "/* {line} */");
     }
 
-    fn entry(&self, text: &mut String, source: Source, _: &str) {
+    fn entry(&self, text: &mut String, _: Option<Argument>, source: Source, _: &str) {
         let _ = write!(text, "{}[{}]", source.argument.name(), source.index);
     }
 
@@ -123,7 +123,7 @@ impl Dialect for C {
     }
 
     fn helper(&self, text: &mut String, name: &str, arguments: &[Argument], _: usize) {
-        let declared: Vec<String> = arguments.iter().map(|argument| declaration(*argument)).collect();
+        let declared: Vec<String> = apart(arguments).map(declaration).collect();
         let _ = writeln!(text, "static void {name}({}, double *w) {{", declared.join(", "));
     }
 
@@ -132,9 +132,20 @@ impl Dialect for C {
     }
 
     fn call(&self, text: &mut String, name: &str, arguments: &[Argument]) {
-        let names: Vec<&str> = arguments.iter().map(|argument| argument.name()).collect();
+        let names: Vec<&str> = apart(arguments).map(Argument::name).collect();
         let _ = writeln!(text, "{name}({}, w);", names.join(", "));
     }
+}
+
+/// Arguments with the parts of a whole in its place: q and v for the state.
+pub fn apart(arguments: &[Argument]) -> impl Iterator<Item = Argument> {
+    arguments
+        .iter()
+        .flat_map(|argument| match argument.parts() {
+            [] => std::slice::from_ref(argument),
+            parts => parts,
+        })
+        .copied()
 }
 
 fn declaration(argument: Argument) -> String {
@@ -152,7 +163,7 @@ pub fn name_of(compiled: &Compiled, signature: &Signature) -> String {
 pub fn function(printer: &Printer<C>, signature: &Signature) -> String {
     let compiled = printer.compiled;
     let body = printer.body(signature.function);
-    let given = signature.arguments.iter().map(|argument| declaration(*argument));
+    let given = apart(signature.arguments).map(declaration);
     let results = signature.results.iter().map(|group| format!("double *{}", group.name));
     let arguments: Vec<String> = given.chain(results).collect();
     let mut text = body.helpers;

@@ -3,7 +3,7 @@
 
 mod dialect;
 
-use dialect::{C, PRELUDE, function, name_of};
+use dialect::{C, PRELUDE, apart, function, name_of};
 use linkwright_compiler::emit::Printer;
 use linkwright_compiler::functions::{ARGUMENTS, Argument, FUNCTIONS, Function, Shape, Signature};
 use linkwright_compiler::schedule::{self, Inputs, Instruction, Operand, Program, run};
@@ -168,7 +168,7 @@ fn build(compiled: &Compiled, program: &Path) {
          static void write(double x) { uint64_t bits; memcpy(&bits, &x, 8); printf(\"%\" PRIx64 \"\\n\", bits); }\n\
          int main(void) {\n",
     );
-    for given in &ARGUMENTS {
+    for given in ARGUMENTS.iter().filter(|given| given.argument.parts().is_empty()) {
         let (name, length) = (given.name, compiled.entries(given.shape));
         let _ = match given.shape {
             Shape::Scalar => writeln!(text, "double {name} = read();"),
@@ -182,7 +182,7 @@ fn build(compiled: &Compiled, program: &Path) {
     for signature in written_out(compiled) {
         let outputs = &compiled.programs.get(signature.function).outputs;
         let groups = signature.groups(&compiled.complete, outputs);
-        let given = signature.arguments.iter().map(|argument| argument.name().to_string());
+        let given = apart(signature.arguments).map(|argument| argument.name().to_string());
         let mut at = 0;
         let results = groups.iter().map(|group| {
             at += group.len();
@@ -216,7 +216,7 @@ fn build(compiled: &Compiled, program: &Path) {
 /// All results at a state.
 fn evaluate(compiled: &Compiled, program: &Path, inputs: &Inputs) -> Vec<f64> {
     let mut digits = String::new();
-    for given in &ARGUMENTS {
+    for given in ARGUMENTS.iter().filter(|given| given.argument.parts().is_empty()) {
         let values = inputs.of(given.argument);
         assert_eq!(values.len(), compiled.entries(given.shape), "{}", given.name);
         values.iter().for_each(|value| digits += &format!("{:x}\n", value.to_bits()));

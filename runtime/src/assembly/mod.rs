@@ -17,27 +17,27 @@ use crate::error::AssemblyError;
 use crate::ldl::Pivot;
 use crate::mechanism::Assemble;
 use crate::real::Real;
-use crate::state::{Kinematics, Motion, State};
+use crate::state::{Kinematics, Motion, State, StateOf};
 use crate::vector::Vector;
 use system::System;
 
 /// Assembly as methods of the model.
 pub trait AssembleExt<R: Real>: Assemble<R> + Sized {
     /// The state assembled at expansion, for the default parameters, in the model's own scalars.
-    fn start(&self) -> State<Self::Q, Self::V> {
-        State { q: Self::start_q(), v: Self::start_v() }
+    fn start(&self) -> StateOf<Self, R> {
+        State { q: Self::start_q(), v: Self::start_v(), z: self.start_internal(), gates: self.start_gates() }
     }
 
     /// The state near `near` that fulfils what `start` states, with this model's parameters, at time zero.
     ///
     /// # Errors
     /// As [`assemble_position`] and [`assemble_velocity`].
-    fn assemble(&self, near: &State<Self::Q, Self::V>) -> Result<State<Self::Q, Self::V>, AssemblyError> {
+    fn assemble(&self, near: &StateOf<Self, R>) -> Result<StateOf<Self, R>, AssemblyError> {
         let (mut positions, mut rates) = (Self::Conditions::zero(), Self::Conditions::zero());
         self.start_targets(&mut positions, &mut rates);
         let q = assemble_position(self, R::ZERO, &near.q, &positions, Self::START_CONDITIONS)?;
         let v = assemble_velocity(self, R::ZERO, &q, &rates, Self::START_RATES)?;
-        Ok(State { q, v })
+        Ok(State { q, v, z: self.start_internal(), gates: self.start_gates() })
     }
 
     /// The motion of the whole mechanism from that of its independent coordinates, given in the order of
@@ -75,18 +75,14 @@ pub trait AssembleExt<R: Real>: Assemble<R> + Sized {
     }
 
     /// The consistent state nearest to `state`: positions as by [`project_position`], velocities as by
-    /// [`project_velocity`].
+    /// [`project_velocity`], and the rest as it is.
     ///
     /// # Errors
     /// As [`assemble_position`] and [`assemble_velocity`].
-    fn project(
-        &self,
-        time: R,
-        state: &State<Self::Q, Self::V>,
-    ) -> Result<State<Self::Q, Self::V>, AssemblyError> {
+    fn project(&self, time: R, state: &StateOf<Self, R>) -> Result<StateOf<Self, R>, AssemblyError> {
         let q = project_position(self, time, &state.q)?;
         let v = project_velocity(self, time, &q, &state.v)?;
-        Ok(State { q, v })
+        Ok(State { q, v, ..*state })
     }
 }
 

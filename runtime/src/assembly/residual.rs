@@ -7,8 +7,9 @@
 
 use super::system::name_unknown;
 use crate::error::AssemblyError;
-use crate::mechanism::{Assemble, ConditionKind, Flips, Mechanism, name_row};
+use crate::mechanism::{Assemble, ConditionKind, Flips, name_row};
 use crate::real::Real;
+use crate::state::Variables;
 use crate::vector::{Vector, at, put};
 
 /// Axes further apart than this, rad, are brought together before bodies are turned about them.
@@ -18,7 +19,7 @@ const ALIGNED: f64 = 0.1;
 const NEARLY_RIGHT: f64 = 1e-3;
 
 /// The residual of the mechanism `M`.
-pub(super) type ResidualOf<R, M> = Residual<R, <M as Mechanism<R>>::Lambda, <M as Assemble<R>>::Conditions>;
+pub(super) type ResidualOf<R, M> = Residual<R, <M as Variables<R>>::Lambda, <M as Assemble<R>>::Conditions>;
 
 /// The residual of all rows at one position.
 pub(super) struct Residual<R, L, C> {

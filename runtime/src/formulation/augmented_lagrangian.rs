@@ -4,7 +4,7 @@ use super::{Evaluation, Formulation, Penalty, PivotOf, positive};
 use crate::error::SettingError;
 use crate::mechanism::Assemble;
 use crate::real::Real;
-use crate::state::State;
+use crate::state::StateOf;
 use crate::vector::Vector;
 
 /// The augmented Lagrangian formulation of index 1:
@@ -54,7 +54,7 @@ impl<R: Real, M: Assemble<R>> Formulation<R, M> for AugmentedLagrangian<R> {
         memory: &mut M::Lambda,
         model: &M,
         time: R,
-        state: &mut State<M::Q, M::V>,
+        state: &mut StateOf<M, R>,
         u: &M::Inputs,
         a: &mut M::V,
         lambda: &mut M::Lambda,

@@ -4,7 +4,7 @@ use super::{Evaluation, Formulation, not_negative};
 use crate::error::SettingError;
 use crate::mechanism::Mechanism;
 use crate::real::Real;
-use crate::state::State;
+use crate::state::StateOf;
 
 /// Baumgarte's stabilisation: D v̇ = γ − 2α (D v − ν) − β² Φ.
 ///
@@ -38,14 +38,13 @@ impl<R: Real, M: Mechanism<R>> Formulation<R, M> for Baumgarte<R> {
         _memory: &mut (),
         model: &M,
         time: R,
-        state: &mut State<M::Q, M::V>,
+        state: &mut StateOf<M, R>,
         u: &M::Inputs,
         a: &mut M::V,
         lambda: &mut M::Lambda,
     ) -> Evaluation<R> {
         let (two_alpha, beta_squared) = (self.alpha + self.alpha, self.beta * self.beta);
-        let State { q, v } = state;
-        Evaluation::direct(model.acceleration_baumgarte(time, q, v, u, two_alpha, beta_squared, a, lambda))
+        Evaluation::direct(model.acceleration_baumgarte(time, state, u, two_alpha, beta_squared, a, lambda))
     }
 
     fn check(&self) -> Result<(), SettingError> {

@@ -4,7 +4,7 @@ use super::{Evaluation, Formulation};
 use crate::error::SettingError;
 use crate::mechanism::Mechanism;
 use crate::real::Real;
-use crate::state::State;
+use crate::state::StateOf;
 
 /// The constraints at the level of accelerations: M v̇ + Dᵀ λ = Q, D v̇ = γ.
 ///
@@ -24,12 +24,12 @@ impl<R: Real, M: Mechanism<R>> Formulation<R, M> for LagrangeIndex1 {
         _memory: &mut (),
         model: &M,
         time: R,
-        state: &mut State<M::Q, M::V>,
+        state: &mut StateOf<M, R>,
         u: &M::Inputs,
         a: &mut M::V,
         lambda: &mut M::Lambda,
     ) -> Evaluation<R> {
-        Evaluation::direct(model.acceleration(time, &state.q, &state.v, u, a, lambda))
+        Evaluation::direct(model.acceleration(time, state, u, a, lambda))
     }
 
     fn check(&self) -> Result<(), SettingError> {

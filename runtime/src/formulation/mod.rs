@@ -25,7 +25,7 @@ pub use projected::Projected;
 use crate::error::{AssemblyError, SettingError};
 use crate::mechanism::Mechanism;
 use crate::real::Real;
-use crate::state::State;
+use crate::state::StateOf;
 use core::fmt::Debug;
 
 /// A way to obtain v̇ and λ from (t, q, v, u).
@@ -46,7 +46,7 @@ pub trait Formulation<R: Real, M: Mechanism<R>> {
         memory: &mut Self::Memory,
         model: &M,
         time: R,
-        state: &mut State<M::Q, M::V>,
+        state: &mut StateOf<M, R>,
         u: &M::Inputs,
         a: &mut M::V,
         lambda: &mut M::Lambda,
@@ -62,7 +62,7 @@ pub trait Formulation<R: Real, M: Mechanism<R>> {
         memory: &mut Self::Memory,
         model: &M,
         time: R,
-        state: &mut State<M::Q, M::V>,
+        state: &mut StateOf<M, R>,
     ) -> Result<Settled<R>, AssemblyError> {
         let _ = (memory, model, time, state);
         Ok(Settled { iterations: 0, moved: R::ZERO })

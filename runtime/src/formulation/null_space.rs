@@ -6,7 +6,7 @@ use crate::layout::retract;
 use crate::mechanism::Assemble;
 use crate::partition::{Partition, PartitionOf, is_good, serves, written_out};
 use crate::real::Real;
-use crate::state::State;
+use crate::state::StateOf;
 use crate::vector::{Vector, at, put};
 
 /// The null-space formulation (matrix R): v = R ż + S ν, with ż the independent velocities and D R = 0, so that
@@ -43,12 +43,12 @@ impl<R: Real, M: Assemble<R>> Formulation<R, M> for NullSpace {
         partition: &mut Self::Memory,
         model: &M,
         time: R,
-        state: &mut State<M::Q, M::V>,
+        state: &mut StateOf<M, R>,
         u: &M::Inputs,
         a: &mut M::V,
         lambda: &mut M::Lambda,
     ) -> Evaluation<R> {
-        let pivot = model.null_space(time, &state.q, &state.v, u, a, lambda);
+        let pivot = model.null_space(time, state, u, a, lambda);
         if serves(pivot) {
             return Evaluation::direct(pivot);
         }
@@ -60,7 +60,7 @@ impl<R: Real, M: Assemble<R>> Formulation<R, M> for NullSpace {
         partition: &mut Self::Memory,
         model: &M,
         time: R,
-        state: &mut State<M::Q, M::V>,
+        state: &mut StateOf<M, R>,
     ) -> Result<Settled<R>, AssemblyError> {
         let moved = match written_out(model, time, &state.q) {
             Some(lu) => {
@@ -87,7 +87,7 @@ pub(super) fn by_tables<R: Real, M: Assemble<R>>(
     partition: &mut PartitionOf<R, M>,
     model: &M,
     time: R,
-    state: &State<M::Q, M::V>,
+    state: &StateOf<M, R>,
     u: &M::Inputs,
     a: &mut M::V,
     lambda: &mut M::Lambda,
@@ -97,7 +97,7 @@ pub(super) fn by_tables<R: Real, M: Assemble<R>>(
     let mut gamma = M::Lambda::zero();
     model.gamma(time, &state.q, &state.v, &mut gamma);
     let mut forces = M::V::zero();
-    model.forces(time, &state.q, &state.v, u, &mut forces);
+    model.forces(time, state, u, &mut forces);
     let mut mass = M::Mass::zero();
     model.mass_matrix(time, &state.q, &mut mass);
 
@@ -147,7 +147,7 @@ const PART: f64 = 0.1;
 fn approach<R: Real, M: Assemble<R>>(
     model: &M,
     time: R,
-    state: &mut State<M::Q, M::V>,
+    state: &mut StateOf<M, R>,
     dependent: impl Fn(&M::Lambda, &mut M::V),
 ) -> R {
     let part = R::from_f64(PART);
@@ -174,7 +174,7 @@ fn approach_by_tables<R: Real, M: Assemble<R>>(
     partition: &mut PartitionOf<R, M>,
     model: &M,
     time: R,
-    state: &mut State<M::Q, M::V>,
+    state: &mut StateOf<M, R>,
 ) -> R {
     let mut factors = M::Dense::zero();
     let pivot = partition.factor(model, time, &state.q, &mut factors);

@@ -6,7 +6,7 @@ use crate::error::{AssemblyError, SettingError};
 use crate::mechanism::Assemble;
 use crate::partition::{Partition, PartitionOf};
 use crate::real::Real;
-use crate::state::State;
+use crate::state::StateOf;
 use crate::vector::Vector;
 
 /// Generalised coordinate partitioning: at every stage and at the end of a step the dependent positions are brought to the
@@ -40,7 +40,7 @@ impl<R: Real> Partitioned<R> {
         partition: &mut PartitionOf<R, M>,
         model: &M,
         time: R,
-        state: &mut State<M::Q, M::V>,
+        state: &mut StateOf<M, R>,
     ) -> (R, Result<Settled<R>, AssemblyError>) {
         let mut factors = M::Dense::zero();
         let mut pivot = partition.factor(model, time, &state.q, &mut factors);
@@ -78,7 +78,7 @@ impl<R: Real, M: Assemble<R>> Formulation<R, M> for Partitioned<R> {
         partition: &mut Self::Memory,
         model: &M,
         time: R,
-        state: &mut State<M::Q, M::V>,
+        state: &mut StateOf<M, R>,
         u: &M::Inputs,
         a: &mut M::V,
         lambda: &mut M::Lambda,
@@ -86,7 +86,7 @@ impl<R: Real, M: Assemble<R>> Formulation<R, M> for Partitioned<R> {
         // A stage that was not brought to the constraints entirely still has accelerations; the end of the step tells.
         let (_, outcome) = self.bring(partition, model, time, state);
         let iterations = outcome.map_or(self.iterations, |settled| settled.iterations);
-        let pivot = model.acceleration(time, &state.q, &state.v, u, a, lambda);
+        let pivot = model.acceleration(time, state, u, a, lambda);
         Evaluation { pivot, iterations, residual: R::ZERO }
     }
 
@@ -95,7 +95,7 @@ impl<R: Real, M: Assemble<R>> Formulation<R, M> for Partitioned<R> {
         partition: &mut Self::Memory,
         model: &M,
         time: R,
-        state: &mut State<M::Q, M::V>,
+        state: &mut StateOf<M, R>,
     ) -> Result<Settled<R>, AssemblyError> {
         self.bring(partition, model, time, state).1
     }

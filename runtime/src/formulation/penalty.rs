@@ -4,7 +4,7 @@ use super::{Evaluation, Formulation, PivotOf, not_negative, positive};
 use crate::error::SettingError;
 use crate::mechanism::{Assemble, Mechanism};
 use crate::real::Real;
-use crate::state::State;
+use crate::state::StateOf;
 use crate::vector::Vector;
 
 /// The penalty formulation, (M + Dᵀ α D) v̇ = Q + Dᵀ α (γ − 2 μ Ω (D v − ν) − Ω² Φ).
@@ -80,7 +80,7 @@ impl<R: Real> Penalty<R> {
         &self,
         model: &M,
         time: R,
-        state: &State<M::Q, M::V>,
+        state: &StateOf<M, R>,
         u: &M::Inputs,
         store: &mut M::Store,
         forces: &mut M::V,
@@ -89,8 +89,7 @@ impl<R: Real> Penalty<R> {
         let two_mu_omega = (self.mu + self.mu) * self.omega;
         let omega_squared = self.omega * self.omega;
         let compliance = R::ONE / self.alpha;
-        let State { q, v } = state;
-        model.system(time, q, v, u, two_mu_omega, omega_squared, compliance, store, forces, rows)
+        model.system(time, state, u, two_mu_omega, omega_squared, compliance, store, forces, rows)
     }
 }
 
@@ -106,7 +105,7 @@ impl<R: Real, M: Assemble<R>> Formulation<R, M> for Penalty<R> {
         _memory: &mut (),
         model: &M,
         time: R,
-        state: &mut State<M::Q, M::V>,
+        state: &mut StateOf<M, R>,
         u: &M::Inputs,
         a: &mut M::V,
         lambda: &mut M::Lambda,

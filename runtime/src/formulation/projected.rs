@@ -8,7 +8,7 @@ use crate::error::{AssemblyError, SettingError};
 use crate::mechanism::Assemble;
 use crate::partition::Partition;
 use crate::real::Real;
-use crate::state::State;
+use crate::state::StateOf;
 use crate::vector::Vector;
 
 /// A formulation whose positions and velocities are brought to the constraints at the end of each step, on the shortest way
@@ -70,7 +70,7 @@ impl<F, R: Real> Projected<F, R> {
     }
 
     /// Velocities, with the factor of a position that is the same but for what was corrected.
-    fn velocity<M: Assemble<R>>(&self, model: &M, store: &M::Store, time: R, state: &mut State<M::Q, M::V>) {
+    fn velocity<M: Assemble<R>>(&self, model: &M, store: &M::Store, time: R, state: &mut StateOf<M, R>) {
         let (mut nu, mut jacobian) = (M::Lambda::zero(), M::Jacobian::zero());
         model.nu(time, &state.q, &mut nu);
         model.constraint_jacobian(time, &state.q, &mut jacobian);
@@ -99,7 +99,7 @@ impl<R: Real, M: Assemble<R>, F: Formulation<R, M>> Formulation<R, M> for Projec
         memory: &mut F::Memory,
         model: &M,
         time: R,
-        state: &mut State<M::Q, M::V>,
+        state: &mut StateOf<M, R>,
         u: &M::Inputs,
         a: &mut M::V,
         lambda: &mut M::Lambda,
@@ -119,7 +119,7 @@ impl<R: Real, M: Assemble<R>, F: Formulation<R, M>> Formulation<R, M> for Projec
         memory: &mut F::Memory,
         model: &M,
         time: R,
-        state: &mut State<M::Q, M::V>,
+        state: &mut StateOf<M, R>,
     ) -> Result<Settled<R>, AssemblyError> {
         let inner = self.formulation.settle(memory, model, time, state)?;
         if M::Lambda::LEN == 0 {
@@ -151,7 +151,7 @@ impl<R: Real, M: Assemble<R>, F: Formulation<R, M>> Formulation<R, M> for Projec
 fn near_singular<R: Real, M: Assemble<R>>(
     model: &M,
     time: R,
-    state: &State<M::Q, M::V>,
+    state: &StateOf<M, R>,
     u: &M::Inputs,
     a: &mut M::V,
     lambda: &mut M::Lambda,

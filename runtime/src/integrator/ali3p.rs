@@ -2,10 +2,10 @@
 
 use super::generalised_alpha::checked;
 use super::newmark::{Carried, Factored, ImplicitDynamics, Level, Scheme, Weights};
-use super::{Integrator, Method, StepFailure, Stepped};
+use super::{Integrator, Method, StepFailure, SteppedOf};
 use crate::error::SettingError;
 use crate::real::Real;
-use crate::state::State;
+use crate::state::{StateOf, Variables};
 use crate::vector::Vector;
 
 /// The index-3 augmented Lagrangian formulation with mass-damping-stiffness-orthogonal projections (ALI3-P): the trapezoidal rule
@@ -45,9 +45,9 @@ impl<R: Real> Ali3p<R> {
 }
 
 impl<R: Real> Method<R> for Ali3p<R> {
-    type Memory<Q: Vector<R>, V: Vector<R>, Lambda: Vector<R>> = Carried<V, Lambda>;
+    type Memory<X: Variables<R>> = Carried<X::V, X::Lambda>;
 
-    fn memory<Q: Vector<R>, V: Vector<R>, Lambda: Vector<R>>(&self) -> Carried<V, Lambda> {
+    fn memory<X: Variables<R>>(&self) -> Carried<X::V, X::Lambda> {
         Carried { known: None }
     }
 
@@ -60,15 +60,15 @@ impl<R: Real> Method<R> for Ali3p<R> {
     }
 }
 
-impl<R: Real, D: ImplicitDynamics<R>> Integrator<R, D> for Ali3p<R> {
+impl<R: Real, X: Variables<R>, D: ImplicitDynamics<R, Variables = X>> Integrator<R, D> for Ali3p<R> {
     fn step(
         &self,
-        memory: &mut Carried<D::V, D::Lambda>,
+        memory: &mut Carried<X::V, X::Lambda>,
         dynamics: &mut D,
         time: R,
         h: R,
-        state: &State<D::Q, D::V>,
-    ) -> Result<Stepped<R, D::Q, D::V>, StepFailure<R>> {
+        state: &StateOf<X, R>,
+    ) -> Result<SteppedOf<X, R>, StepFailure<R>> {
         let (half, quarter) = (R::from_f64(0.5), R::from_f64(0.25));
         let scheme = Scheme {
             alpha_m: R::ZERO,
@@ -95,16 +95,16 @@ impl<R: Real, D: ImplicitDynamics<R>> Integrator<R, D> for Ali3p<R> {
         let end = time + h;
         let mut factored = Factored::<R, D>::new();
         let at = stepped.state;
-        let u = D::V::zero();
+        let u = X::V::zero();
         dynamics.matrix(end, &at, &known.v_dot, &known.lambda, &u, &weights, &mut factored.entries);
         let plain = factored.entries;
         if factored.lu().factor_above(R::ZERO).is_err() {
             return Err(StepFailure::Singular { time: end });
         }
-        let mut project = |x: &mut D::V, rows: &D::Lambda| {
+        let mut project = |x: &mut X::V, rows: &X::Lambda| {
             // Δx of P Δx + Dᵀ σ = 0, D (x + Δx) − c σ = rows.
             let mut right = D::Unknowns::zero();
-            let (n, size) = (D::V::LEN, D::Unknowns::LEN);
+            let (n, size) = (X::V::LEN, D::Unknowns::LEN);
             for (row, &asked) in rows.as_slice().iter().enumerate() {
                 let d = &plain.as_slice()[(n + row) * size..][..n];
                 let found = d.iter().zip(x.as_slice()).fold(R::ZERO, |sum, (&d, &x)| d.mul_add(x, sum));

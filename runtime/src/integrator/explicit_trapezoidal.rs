@@ -1,9 +1,8 @@
 //! The explicit trapezoidal predictor–corrector of tracked-vehicle simulation.
 
-use super::{Dynamics, Integrator, Method, StepFailure, Stepped};
-use crate::layout::retract;
+use super::{Dynamics, Integrator, Method, StepFailure, Stepped, SteppedOf};
 use crate::real::Real;
-use crate::state::State;
+use crate::state::{StateOf, Variables};
 use crate::vector::Vector;
 
 /// The trapezoidal rule with one predictor and one corrector, order 2, two evaluations a step:
@@ -12,6 +11,7 @@ use crate::vector::Vector;
 /// predictor  v* = v₀ + h a₀,                q* = q₀ ⊕ h/2 (v₀ + v*),   a* = v̇(t + h, q*, v*)
 /// corrector  v₁ = v₀ + h/2 (a₀ + a*),       q₁ = q₀ ⊕ h/2 (v₀ + v₁)
 /// ```
+/// Internal states take the rule as velocities do: z* = z₀ + h ż₀, z₁ = z₀ + h/2 (ż₀ + ż*).
 /// Orientations turn by the incremental rotation Δθ = h/2 (ω₀ + ω₁), R₁ = R₀ R(Δθ); with the mean of the rates at both
 /// ends the order asks for no correction of it. a* damps stiff springs less than they need: h must stay below
 /// √2/ω of the fastest vibration.
@@ -21,12 +21,12 @@ use crate::vector::Vector;
 pub struct ExplicitTrapezoidal;
 
 impl<R: Real> Method<R> for ExplicitTrapezoidal {
-    type Memory<Q: Vector<R>, V: Vector<R>, Lambda: Vector<R>> = ();
+    type Memory<X: Variables<R>> = ();
 
-    fn memory<Q: Vector<R>, V: Vector<R>, Lambda: Vector<R>>(&self) {}
+    fn memory<X: Variables<R>>(&self) {}
 }
 
-impl<R: Real, D: Dynamics<R>> Integrator<R, D> for ExplicitTrapezoidal {
+impl<R: Real, X: Variables<R>, D: Dynamics<R, Variables = X>> Integrator<R, D> for ExplicitTrapezoidal {
     #[inline]
     fn step(
         &self,
@@ -34,18 +34,15 @@ impl<R: Real, D: Dynamics<R>> Integrator<R, D> for ExplicitTrapezoidal {
         dynamics: &mut D,
         time: R,
         h: R,
-        state: &State<D::Q, D::V>,
-    ) -> Result<Stepped<R, D::Q, D::V>, StepFailure<R>> {
+        state: &StateOf<X, R>,
+    ) -> Result<SteppedOf<X, R>, StepFailure<R>> {
         let half = h * R::from_f64(0.5);
         let mut begin = *state;
-        let a0 = dynamics.acceleration(time, &mut begin);
-        let after = |v: D::V| {
-            let mut q = D::Q::zero();
-            retract(&D::LAYOUT, &begin.q, &begin.v.plus(R::ONE, &v).scaled(half), &mut q);
-            State { q, v }
-        };
-        let mut predicted = after(begin.v.plus(h, &a0));
-        let a1 = dynamics.acceleration(time + h, &mut predicted);
-        Ok(Stepped::explicit(h, after(begin.v.plus(half, &a0.plus(R::ONE, &a1)))))
+        let first = dynamics.derivative(time, &mut begin);
+        let after = |v: X::V, z: X::Z| begin.moved(&X::LAYOUT, &begin.v.plus(R::ONE, &v).scaled(half), v, z);
+        let mut predicted = after(begin.v.plus(h, &first.a), begin.z.plus(h, &first.z));
+        let last = dynamics.derivative(time + h, &mut predicted);
+        let (a, z) = (first.a.plus(R::ONE, &last.a), first.z.plus(R::ONE, &last.z));
+        Ok(Stepped::explicit(h, after(begin.v.plus(half, &a), begin.z.plus(half, &z))))
     }
 }

@@ -1,11 +1,10 @@
 //! The generalised-α method on Lie groups, for stiff systems and constraints of index 3.
 
 use super::newmark::{Carried, ImplicitDynamics, Level, Scheme};
-use super::{Integrator, Method, StepFailure, Stepped};
+use super::{Integrator, Method, StepFailure, SteppedOf};
 use crate::error::SettingError;
 use crate::real::Real;
-use crate::state::State;
-use crate::vector::Vector;
+use crate::state::{StateOf, Variables};
 
 /// The generalised-α method: order 2, unconditionally stable for linear systems, with the spectral radius ρ∞ at infinite
 /// frequency chosen between 1 (no damping) and 0 (what is faster than the step is gone after one).
@@ -42,9 +41,9 @@ impl<R: Real> GeneralisedAlpha<R> {
 }
 
 impl<R: Real> Method<R> for GeneralisedAlpha<R> {
-    type Memory<Q: Vector<R>, V: Vector<R>, Lambda: Vector<R>> = Carried<V, Lambda>;
+    type Memory<X: Variables<R>> = Carried<X::V, X::Lambda>;
 
-    fn memory<Q: Vector<R>, V: Vector<R>, Lambda: Vector<R>>(&self) -> Carried<V, Lambda> {
+    fn memory<X: Variables<R>>(&self) -> Carried<X::V, X::Lambda> {
         Carried { known: None }
     }
 
@@ -62,15 +61,17 @@ impl<R: Real> Method<R> for GeneralisedAlpha<R> {
     }
 }
 
-impl<R: Real, D: ImplicitDynamics<R>> Integrator<R, D> for GeneralisedAlpha<R> {
+impl<R: Real, X: Variables<R>, D: ImplicitDynamics<R, Variables = X>> Integrator<R, D>
+    for GeneralisedAlpha<R>
+{
     fn step(
         &self,
-        memory: &mut Carried<D::V, D::Lambda>,
+        memory: &mut Carried<X::V, X::Lambda>,
         dynamics: &mut D,
         time: R,
         h: R,
-        state: &State<D::Q, D::V>,
-    ) -> Result<Stepped<R, D::Q, D::V>, StepFailure<R>> {
+        state: &StateOf<X, R>,
+    ) -> Result<SteppedOf<X, R>, StepFailure<R>> {
         let (rho, half) = (self.rho, R::from_f64(0.5));
         let alpha_m = (rho + rho - R::ONE) / (rho + R::ONE);
         let alpha_f = rho / (rho + R::ONE);

@@ -2,11 +2,10 @@
 
 use super::generalised_alpha::checked;
 use super::newmark::{Carried, ImplicitDynamics, Level, Scheme};
-use super::{Integrator, Method, StepFailure, Stepped};
+use super::{Integrator, Method, StepFailure, SteppedOf};
 use crate::error::SettingError;
 use crate::real::Real;
-use crate::state::State;
-use crate::vector::Vector;
+use crate::state::{StateOf, Variables};
 
 /// The implicit trapezoidal rule: order 2, stable for all frequencies and without damping of its own.
 ///
@@ -37,9 +36,9 @@ impl<R: Real> Default for ImplicitTrapezoidal<R> {
 }
 
 impl<R: Real> Method<R> for ImplicitTrapezoidal<R> {
-    type Memory<Q: Vector<R>, V: Vector<R>, Lambda: Vector<R>> = Carried<V, Lambda>;
+    type Memory<X: Variables<R>> = Carried<X::V, X::Lambda>;
 
-    fn memory<Q: Vector<R>, V: Vector<R>, Lambda: Vector<R>>(&self) -> Carried<V, Lambda> {
+    fn memory<X: Variables<R>>(&self) -> Carried<X::V, X::Lambda> {
         Carried { known: None }
     }
 
@@ -53,15 +52,17 @@ impl<R: Real> Method<R> for ImplicitTrapezoidal<R> {
     }
 }
 
-impl<R: Real, D: ImplicitDynamics<R>> Integrator<R, D> for ImplicitTrapezoidal<R> {
+impl<R: Real, X: Variables<R>, D: ImplicitDynamics<R, Variables = X>> Integrator<R, D>
+    for ImplicitTrapezoidal<R>
+{
     fn step(
         &self,
-        memory: &mut Carried<D::V, D::Lambda>,
+        memory: &mut Carried<X::V, X::Lambda>,
         dynamics: &mut D,
         time: R,
         h: R,
-        state: &State<D::Q, D::V>,
-    ) -> Result<Stepped<R, D::Q, D::V>, StepFailure<R>> {
+        state: &StateOf<X, R>,
+    ) -> Result<SteppedOf<X, R>, StepFailure<R>> {
         let scheme = Scheme {
             alpha_m: R::ZERO,
             alpha_f: R::ZERO,

@@ -1,10 +1,8 @@
 //! Dense output: the state between the ends of the last step.
 
 use super::Method;
-use crate::layout::Layout;
 use crate::real::Real;
-use crate::state::State;
-use crate::vector::Vector;
+use crate::state::{StateOf, Variables};
 
 /// A method whose memory holds a continuous extension of the last step.
 ///
@@ -20,13 +18,9 @@ use crate::vector::Vector;
 )]
 pub trait Interpolate<R: Real>: Method<R> {
     /// The size of the last step, s; none before the first.
-    fn size<Q: Vector<R>, V: Vector<R>, Lambda: Vector<R>>(memory: &Self::Memory<Q, V, Lambda>) -> Option<R>;
+    fn size<X: Variables<R>>(memory: &Self::Memory<X>) -> Option<R>;
 
     /// The state `elapsed` (s) after the beginning of the last step; none before the first. Outside the step the extension is
     /// extrapolated and soon of no use.
-    fn at<Q: Vector<R>, V: Vector<R>, Lambda: Vector<R>>(
-        memory: &Self::Memory<Q, V, Lambda>,
-        layout: &Layout,
-        elapsed: R,
-    ) -> Option<State<Q, V>>;
+    fn at<X: Variables<R>>(memory: &Self::Memory<X>, elapsed: R) -> Option<StateOf<X, R>>;
 }

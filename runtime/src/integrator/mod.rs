@@ -1,8 +1,8 @@
 //! Integrators: one step of time on the group of positions.
 //!
-//! A method sees a mechanism only as [`Dynamics`]: states in, accelerations out. Positions move by
-//! [`retract`](crate::layout::retract) with increments of the velocities' kind; methods above order 2 correct these by
-//! [`inverse_differential`](crate::layout::inverse_differential). Inputs, the clock and errors are `simulation`.
+//! A method sees a mechanism only as [`Dynamics`]: states in, derivatives out. States move as a whole, by
+//! [`State::advance`](crate::State::advance) along a derivative or by `runge_kutta.rs`, which corrects the increments of orientations for
+//! all methods above order 2. Inputs, the clock and errors are `simulation`.
 
 mod ali3p;
 mod dormand_prince;
@@ -12,6 +12,7 @@ mod implicit_trapezoidal;
 mod interpolate;
 mod newmark;
 mod rk4;
+mod runge_kutta;
 mod semi_implicit_euler;
 
 pub use ali3p::Ali3p;
@@ -25,29 +26,25 @@ pub use rk4::Rk4;
 pub use semi_implicit_euler::SemiImplicitEuler;
 
 use crate::error::SettingError;
-use crate::layout::Layout;
 use crate::real::Real;
-use crate::state::State;
-use crate::vector::Vector;
+use crate::state::{DerivativeOf, StateOf, Variables};
 use core::fmt::Debug;
 
-/// The equations that are integrated: v̇ = f(t, q, v), with q moving by v on the group.
+/// The equations that are integrated: v̇ and ż as functions of (t, q, v, z), with q moving by v on the group.
 pub trait Dynamics<R: Real> {
-    /// Which entries of q are linear, rotations, quaternions and multi-turn angles.
-    const LAYOUT: Layout;
-    /// Positions.
-    type Q: Vector<R>;
-    /// Velocities and accelerations.
-    type V: Vector<R>;
-    /// Multipliers of the constraints.
-    type Lambda: Vector<R>;
+    /// What is integrated.
+    type Variables: Variables<R>;
 
-    /// v̇ at a stage, whose state may be brought to the constraints on the way. The first call of a step must be at the
-    /// step's own start, so that what was evaluated there already (the inputs) is not evaluated again; where that call is
-    /// left out, [`resume`](Dynamics::resume) stands for it.
-    fn acceleration(&mut self, time: R, state: &mut State<Self::Q, Self::V>) -> Self::V;
+    /// v, v̇ and ż at a stage, whose state may be brought to the constraints on the way: v is that of the state then. The first call
+    /// of a step must be at the step's own start, so that what was evaluated there already (the inputs) is not evaluated again; where
+    /// that call is left out, [`resume`](Dynamics::resume) stands for it.
+    fn derivative(
+        &mut self,
+        time: R,
+        state: &mut StateOf<Self::Variables, R>,
+    ) -> DerivativeOf<Self::Variables, R>;
 
-    /// Begins a step in place of the evaluation at its start, with the accelerations found there at the end of the step
+    /// Begins a step in place of the evaluation at its start, with the derivative found there at the end of the step
     /// before; whether they still hold. They do not where inputs are held and may have changed with the step.
     fn resume(&mut self) -> bool {
         true
@@ -60,7 +57,7 @@ pub trait Dynamics<R: Real> {
     }
 
     /// Whether a stage of this trial, or of the step if there are no trials, was at a singular position, so that its
-    /// accelerations mean nothing.
+    /// derivative means nothing.
     fn broke_down(&self) -> bool {
         false
     }
@@ -69,10 +66,10 @@ pub trait Dynamics<R: Real> {
 /// A one-step method by itself: its parameters, and what it carries from step to step.
 pub trait Method<R: Real> {
     /// The values carried from one step to the next, such as the last accelerations.
-    type Memory<Q: Vector<R>, V: Vector<R>, Lambda: Vector<R>>: Copy + Debug;
+    type Memory<X: Variables<R>>: Copy + Debug;
 
     /// The values to carry before the first step.
-    fn memory<Q: Vector<R>, V: Vector<R>, Lambda: Vector<R>>(&self) -> Self::Memory<Q, V, Lambda>;
+    fn memory<X: Variables<R>>(&self) -> Self::Memory<X>;
 
     /// Whether the method's parameters make sense.
     ///
@@ -98,19 +95,19 @@ pub trait Integrator<R: Real, D: Dynamics<R>>: Method<R> {
     /// Why no step was taken.
     fn step(
         &self,
-        memory: &mut Self::Memory<D::Q, D::V, D::Lambda>,
+        memory: &mut Self::Memory<D::Variables>,
         dynamics: &mut D,
         time: R,
         h: R,
-        state: &State<D::Q, D::V>,
-    ) -> Result<Stepped<R, D::Q, D::V>, StepFailure<R>>;
+        state: &StateOf<D::Variables, R>,
+    ) -> Result<SteppedOf<D::Variables, R>, StepFailure<R>>;
 }
 
 /// A step that was taken.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Stepped<R, Q, V> {
+pub struct Stepped<R, State> {
     /// The state at its end.
-    pub state: State<Q, V>,
+    pub state: State,
     /// Its size, s.
     pub size: R,
     /// Iterations of an implicit method.
@@ -121,10 +118,13 @@ pub struct Stepped<R, Q, V> {
     pub rejections: Rejections,
 }
 
-impl<R: Real, Q, V> Stepped<R, Q, V> {
+/// A step of what has the variables `X`.
+pub type SteppedOf<X, R = f64> = Stepped<R, StateOf<X, R>>;
+
+impl<R: Real, State> Stepped<R, State> {
     /// A step of size `h` without iterations or rejections.
     #[inline]
-    pub fn explicit(h: R, state: State<Q, V>) -> Self {
+    pub fn explicit(h: R, state: State) -> Self {
         Stepped { state, size: h, iterations: 0, residual: R::ZERO, rejections: Rejections::default() }
     }
 }

@@ -1,12 +1,16 @@
 //! One implicit step of Newmark's family on the group: what generalised-α, the trapezoidal rule and ALI3-P share.
 
-use super::{Dynamics, Rejections, StepFailure, Stepped};
-use crate::layout::retract_counting;
+use super::{Dynamics, Rejections, StepFailure, Stepped, SteppedOf};
 use crate::linearisation::lu::Lu;
 use crate::real::Real;
-use crate::state::State;
+use crate::state::{StateOf, Variables};
 use crate::vector::Vector;
 use core::fmt::Debug;
+
+/// Velocities of the dynamics `D`.
+type VelocityOf<D, R> = <<D as Dynamics<R>>::Variables as Variables<R>>::V;
+/// Multipliers of the dynamics `D`.
+type MultipliersOf<D, R> = <<D as Dynamics<R>>::Variables as Variables<R>>::Lambda;
 
 /// Dynamics whose residual and exact tangent an implicit method can ask for.
 ///
@@ -30,9 +34,9 @@ pub trait ImplicitDynamics<R: Real>: Dynamics<R> {
     fn residual(
         &mut self,
         time: R,
-        state: &State<Self::Q, Self::V>,
-        a: &Self::V,
-        lambda: &Self::Lambda,
+        state: &StateOf<Self::Variables, R>,
+        a: &VelocityOf<Self, R>,
+        lambda: &MultipliersOf<Self, R>,
         level: Level,
     ) -> Self::Unknowns;
     /// \[m M + d C + K, Dᵀ; D′, −c\] at a state, K = ∂(M a + Dᵀ λ − Q)/∂q and C = ∂(…)/∂v, by increments along which v̇ changes by
@@ -43,17 +47,21 @@ pub trait ImplicitDynamics<R: Real>: Dynamics<R> {
     fn matrix(
         &mut self,
         time: R,
-        state: &State<Self::Q, Self::V>,
-        a: &Self::V,
-        lambda: &Self::Lambda,
-        u: &Self::V,
+        state: &StateOf<Self::Variables, R>,
+        a: &VelocityOf<Self, R>,
+        lambda: &MultipliersOf<Self, R>,
+        u: &VelocityOf<Self, R>,
         weights: &Weights<R>,
         entries: &mut Self::Bordered,
     );
     /// ν and γ at a state.
-    fn rates(&mut self, time: R, state: &State<Self::Q, Self::V>) -> (Self::Lambda, Self::Lambda);
+    fn rates(
+        &mut self,
+        time: R,
+        state: &StateOf<Self::Variables, R>,
+    ) -> (MultipliersOf<Self, R>, MultipliersOf<Self, R>);
     /// Looks how near a singular position the state is.
-    fn observe(&mut self, time: R, state: &State<Self::Q, Self::V>);
+    fn observe(&mut self, time: R, state: &StateOf<Self::Variables, R>);
 }
 
 /// At which level a method holds the constraints.
@@ -118,12 +126,12 @@ pub(super) struct Scheme<R> {
 }
 
 /// The end of a step under iteration.
-struct Trial<Q, V, Lambda> {
-    u: V,
-    state: State<Q, V>,
-    v_dot: V,
-    a: V,
-    lambda: Lambda,
+struct Trial<X: Variables<R>, R: Real> {
+    u: X::V,
+    state: StateOf<X, R>,
+    v_dot: X::V,
+    a: X::V,
+    lambda: X::Lambda,
 }
 
 /// The matrix of the last iterations, factored.
@@ -152,19 +160,19 @@ impl<R: Real, D: ImplicitDynamics<R>> Factored<R, D> {
 
 impl<R: Real> Scheme<R> {
     /// One step; leaves what the next begins with in `carried`, the multipliers among it.
-    pub fn step<D: ImplicitDynamics<R>>(
+    pub fn step<X: Variables<R>, D: ImplicitDynamics<R, Variables = X>>(
         &self,
-        carried: &mut Carried<D::V, D::Lambda>,
+        carried: &mut Carried<X::V, X::Lambda>,
         dynamics: &mut D,
         time: R,
         h: R,
-        state: &State<D::Q, D::V>,
-    ) -> Result<Stepped<R, D::Q, D::V>, StepFailure<R>> {
+        state: &StateOf<X, R>,
+    ) -> Result<SteppedOf<X, R>, StepFailure<R>> {
         let known = match carried.known {
             Some(known) => known,
             None => {
-                let v_dot = dynamics.acceleration(time, &mut state.clone());
-                Known { v_dot, a: v_dot, lambda: D::Lambda::zero() }
+                let v_dot = dynamics.derivative(time, &mut state.clone()).a;
+                Known { v_dot, a: v_dot, lambda: X::Lambda::zero() }
             }
         };
         let end = time + h;
@@ -177,14 +185,14 @@ impl<R: Real> Scheme<R> {
             compliance: self.compliance,
             level: self.level,
         };
-        let mut trial = self.predicted::<D>(h, state, &known);
+        let mut trial = self.predicted::<X>(h, state, &known);
         let mut multipliers = known.lambda;
         let mut factored = Factored::<R, D>::new();
         let (mut iterations, mut last) = (0, R::ZERO);
         loop {
             let mut residual = dynamics.residual(end, &trial.state, &trial.v_dot, &trial.lambda, self.level);
             // A penalty's row is Φ − (λ − λ*)/α.
-            let rows = residual.as_mut_slice()[D::V::LEN..].iter_mut();
+            let rows = residual.as_mut_slice()[X::V::LEN..].iter_mut();
             for (row, (&lambda, &before)) in
                 rows.zip(trial.lambda.as_slice().iter().zip(multipliers.as_slice()))
             {
@@ -203,14 +211,14 @@ impl<R: Real> Scheme<R> {
             }
             let mut step = residual.scaled(-R::ONE);
             factored.lu().solve(step.as_mut_slice());
-            let (du, dlambda) = step.as_slice().split_at(D::V::LEN);
-            let mut increment = D::V::zero();
+            let (du, dlambda) = step.as_slice().split_at(X::V::LEN);
+            let mut increment = X::V::zero();
             increment.as_mut_slice().copy_from_slice(du);
             for (entry, &delta) in trial.lambda.as_mut_slice().iter_mut().zip(dlambda) {
                 *entry = *entry + delta;
             }
             trial.v_dot.axpy(mass, &increment);
-            self.close::<D>(h, state, &known, &mut trial);
+            self.close::<X>(h, state, &known, &mut trial);
             iterations += 1;
             let size = R::ONE + trial.state.q.max_abs();
             last = increment.max_abs() / size;
@@ -246,25 +254,25 @@ impl<R: Real> Scheme<R> {
     }
 
     /// The step with the accelerations of its beginning.
-    fn predicted<D: Dynamics<R>>(
+    fn predicted<X: Variables<R>>(
         &self,
         h: R,
-        state: &State<D::Q, D::V>,
-        known: &Known<D::V, D::Lambda>,
-    ) -> Trial<D::Q, D::V, D::Lambda> {
+        state: &StateOf<X, R>,
+        known: &Known<X::V, X::Lambda>,
+    ) -> Trial<X, R> {
         let Known { v_dot, a, lambda } = *known;
-        let mut trial = Trial { u: D::V::zero(), state: *state, v_dot, a, lambda };
-        self.close::<D>(h, state, known, &mut trial);
+        let mut trial = Trial { u: X::V::zero(), state: *state, v_dot, a, lambda };
+        self.close::<X>(h, state, known, &mut trial);
         trial
     }
 
     /// a, u, q and v that belong to v̇ at the end.
-    fn close<D: Dynamics<R>>(
+    fn close<X: Variables<R>>(
         &self,
         h: R,
-        begin: &State<D::Q, D::V>,
-        known: &Known<D::V, D::Lambda>,
-        trial: &mut Trial<D::Q, D::V, D::Lambda>,
+        begin: &StateOf<X, R>,
+        known: &Known<X::V, X::Lambda>,
+        trial: &mut Trial<X, R>,
     ) {
         let Scheme { alpha_m, alpha_f, beta, gamma, .. } = *self;
         let half = R::from_f64(0.5);
@@ -279,7 +287,6 @@ impl<R: Real> Scheme<R> {
         let mut v = begin.v.plus(h * (R::ONE - gamma), &known.a);
         v.axpy(h * gamma, &trial.a);
         // Counted angles take ∫ v dt, which for this method is u itself.
-        retract_counting(&D::LAYOUT, &begin.q, &u, &u, &mut trial.state.q);
-        trial.state.v = v;
+        trial.state = begin.moved(&X::LAYOUT, &u, v, begin.z);
     }
 }

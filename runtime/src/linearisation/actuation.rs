@@ -7,7 +7,7 @@ use crate::error::LinearisationError;
 use crate::fields::Fields;
 use crate::mechanism::name_row;
 use crate::real::Real;
-use crate::state::State;
+use crate::state::StateOf;
 use crate::tangent::Tangent;
 use crate::vector::Vector;
 
@@ -49,17 +49,16 @@ type Values<R, M> = <<M as crate::Mechanism<R>>::Inputs as Fields<R>>::Array;
 pub fn actuation<R: Real, M: Tangent<R>>(
     model: &M,
     time: R,
-    state: &State<M::Q, M::V>,
+    state: &StateOf<M, R>,
     a: &M::V,
     u: &M::Inputs,
     actuators: &[&'static str],
 ) -> Result<Actuation<M::Inputs, M::Lambda>, LinearisationError> {
-    let State { q, v } = state;
     let acting = acting::<R, M>(actuators)?;
-    check_given::<R, M>(time, q, v, u)?;
+    check_given::<R, M>(time, state, u)?;
     check_finite(time, a.as_slice(), |index| M::VELOCITY_NAMES.get(index).copied())?;
     check_accelerations(model, time, state, a)?;
-    let admissible = Admissible::at(model, time, q)?;
+    let admissible = Admissible::at(model, time, &state.q)?;
     let mut values = u.to_array();
     for (value, &acts) in values.as_mut_slice().iter_mut().zip(acting.as_slice()) {
         *value = *value * (R::ONE - acts);
@@ -73,7 +72,7 @@ pub fn actuation<R: Real, M: Tangent<R>>(
         values = next;
         if done {
             let inputs = M::Inputs::from_array(values);
-            let lambda = multipliers(model, time, (q, v), a, &inputs)?;
+            let lambda = multipliers(model, time, state, a, &inputs)?;
             check_finite(time, values.as_slice(), |index| M::Inputs::NAMES.get(index).copied())?;
             check_finite(time, lambda.as_slice(), |row| M::ROWS.get(row).map(|row| row.of))?;
             return Ok(Actuation { inputs, lambda });
@@ -99,7 +98,7 @@ fn acting<R: Real, M: Tangent<R>>(actuators: &[&'static str]) -> Result<Values<R
 fn check_accelerations<R: Real, M: Tangent<R>>(
     model: &M,
     time: R,
-    state: &State<M::Q, M::V>,
+    state: &StateOf<M, R>,
     a: &M::V,
 ) -> Result<(), LinearisationError> {
     let (mut jacobian, mut left) = (M::Jacobian::zero(), M::Lambda::zero());
@@ -129,21 +128,21 @@ fn improved<R: Real, M: Tangent<R>>(
     model: &M,
     admissible: &Admissible<'_, R, M>,
     time: R,
-    State { q, v }: &State<M::Q, M::V>,
+    state: &StateOf<M, R>,
     a: &M::V,
     acting: &Values<R, M>,
     values: &Values<R, M>,
 ) -> Result<Values<R, M>, LinearisationError> {
     let inputs = M::Inputs::from_array(*values);
     let (mut residual, mut forces, mut input) = (M::V::zero(), M::V::zero(), M::InputTangent::zero());
-    model.residual(time, q, v, &inputs, a, &M::Lambda::zero(), &mut residual);
-    model.forces(time, q, v, &inputs, &mut forces);
-    model.input_tangent(time, q, v, &inputs, &mut input);
+    model.residual(time, state, &inputs, a, &M::Lambda::zero(), &mut residual);
+    model.forces(time, state, &inputs, &mut forces);
+    model.input_tangent(time, state, &inputs, &mut input);
     let count = M::Inputs::NAMES.len();
     let (mut found, mut rows) = (Values::<R, M>::zero(), M::InputMatrix::zero());
     let mut solved = M::Conditions::zero();
-    for state in 0..M::STATES.len() {
-        let basis = admissible.basis(state);
+    for index in 0..M::STATES.len() {
+        let basis = admissible.basis(index);
         // G = −Nᵀ ∂r/∂u of what acts, G u = Nᵀ r + G u₀.
         let mut row = Values::<R, M>::zero();
         for (&entry, &(velocity, column)) in input.as_slice().iter().zip(M::INPUT_PATTERN) {
@@ -158,7 +157,7 @@ fn improved<R: Real, M: Tangent<R>>(
             magnitude = magnitude + (n * r).abs() + (n * force).abs();
         }
         // Twice, so that what is left is orthogonal to rounding.
-        let (before, rest) = rows.as_mut_slice().split_at_mut(state * count);
+        let (before, rest) = rows.as_mut_slice().split_at_mut(index * count);
         for _ in 0..2 {
             for (done, &value) in before.chunks_exact(count.max(1)).zip(solved.as_slice()) {
                 let along = dot(done, row.as_slice());
@@ -173,10 +172,10 @@ fn improved<R: Real, M: Tangent<R>>(
         if length > R::EPSILON.sqrt() * size {
             let (unit, value) = (row.scaled(R::ONE / length), right / length);
             rest[..count].copy_from_slice(unit.as_slice());
-            solved.as_mut_slice()[state] = value;
+            solved.as_mut_slice()[index] = value;
             found.axpy(value, &unit);
         } else if !R::any(right.abs().less_equal(R::EPSILON.sqrt() * magnitude)) {
-            let coordinate = M::CONDITIONS[M::STATES[state] as usize].of;
+            let coordinate = M::CONDITIONS[M::STATES[index] as usize].of;
             let actuators = acting.as_slice().iter().filter(|&&acts| acts > R::ZERO).count();
             return Err(LinearisationError::Unactuated { coordinate, missing: right.to_f64(), actuators });
         }
@@ -193,17 +192,17 @@ fn improved<R: Real, M: Tangent<R>>(
 fn multipliers<R: Real, M: Tangent<R>>(
     model: &M,
     time: R,
-    (q, v): (&M::Q, &M::V),
+    state: &StateOf<M, R>,
     a: &M::V,
     inputs: &M::Inputs,
 ) -> Result<M::Lambda, LinearisationError> {
     let (mut residual, mut lambda) = (M::V::zero(), M::Lambda::zero());
     let mut store = M::store();
-    let pivot = model.factor(time, q, R::ZERO, &mut store);
+    let pivot = model.factor(time, &state.q, R::ZERO, &mut store);
     if !R::any(pivot.greater_equal(R::BREAKDOWN)) {
-        return Err(broken_down(model, time, q, pivot));
+        return Err(broken_down(model, time, &state.q, pivot));
     }
-    model.residual(time, q, v, inputs, a, &lambda, &mut residual);
+    model.residual(time, state, inputs, a, &lambda, &mut residual);
     let none = M::Lambda::zero();
     let mut rest = M::V::zero();
     model.solve(&store, &residual.scaled(-R::ONE), &none, &mut rest, &mut lambda);

@@ -7,6 +7,7 @@ use crate::error::{AssemblyError, LinearisationError};
 use crate::layout::{normalised, retract};
 use crate::mechanism::Row;
 use crate::real::Real;
+use crate::state::{State, StateOf};
 use crate::tangent::Tangent;
 use crate::vector::Vector;
 
@@ -64,7 +65,7 @@ pub fn equilibrium<R: Real, M: Tangent<R>>(
     near: &M::Q,
     u: &M::Inputs,
 ) -> Result<Equilibrium<M::Q, M::Lambda>, LinearisationError> {
-    check_given::<R, M>(time, near, &M::V::zero(), u)?;
+    check_given::<R, M>(time, &at_rest(model, near), u)?;
     let q = normalised(&M::LAYOUT, near).map_err(|(first, length)| {
         let what = M::POSITION_NAMES.get(first).copied().unwrap_or(M::NAME);
         LinearisationError::Assembly(AssemblyError::NoOrientation { what, length: length.to_f64() })
@@ -98,7 +99,7 @@ struct Place<Q, L> {
     lambda: L,
 }
 
-type PlaceOf<R, M> = Place<<M as crate::Mechanism<R>>::Q, <M as crate::Mechanism<R>>::Lambda>;
+type PlaceOf<R, M> = Place<<M as crate::Variables<R>>::Q, <M as crate::Variables<R>>::Lambda>;
 
 /// The loads, and the matrix of one iteration after the other.
 struct Search<'m, R: Real, M: Tangent<R>> {
@@ -177,7 +178,8 @@ impl<'m, R: Real, M: Tangent<R>> Search<'m, R, M> {
     /// Moves with forces but without momentum until they are almost gone; `None` where nothing moves.
     fn settle(&mut self, from: PlaceOf<R, M>) -> Option<(PlaceOf<R, M>, u32)> {
         let (mut a, mut lambda) = (M::V::zero(), M::Lambda::zero());
-        self.model.acceleration(self.time, &from.q, &M::V::zero(), self.u, &mut a, &mut lambda);
+        let rest = at_rest(self.model, &from.q);
+        self.model.acceleration(self.time, &rest, self.u, &mut a, &mut lambda);
         // M/h², the first h such that the step h² a is small.
         let first = a.max_abs() / R::from_f64(FIRST_STEP);
         if !(first > R::ZERO && first.is_finite()) || self.factor(&from, first).is_err() {
@@ -222,10 +224,11 @@ impl<'m, R: Real, M: Tangent<R>> Search<'m, R, M> {
 
     /// Factors \[∂r/∂q + w M, Dᵀ; D, 0\].
     fn factor(&mut self, at: &PlaceOf<R, M>, weight: R) -> Result<(), NoPivot<R>> {
-        let (model, time, rest) = (self.model, self.time, M::V::zero());
+        let (model, time, still) = (self.model, self.time, M::V::zero());
+        let rest = at_rest(model, &at.q);
         let (mut stiffness, mut damping) = (M::Stiffness::zero(), M::Damping::zero());
         let (mut jacobian, mut mass) = (M::Jacobian::zero(), M::Mass::zero());
-        model.tangent(time, &at.q, &rest, self.u, &rest, &at.lambda, &mut stiffness, &mut damping);
+        model.tangent(time, &rest, self.u, &still, &at.lambda, &mut stiffness, &mut damping);
         model.constraint_jacobian(time, &at.q, &mut jacobian);
         let (n, size, entries) = (M::V::LEN, M::Unknowns::LEN, self.entries.as_mut_slice());
         entries.fill(R::ZERO);
@@ -256,8 +259,9 @@ impl<'m, R: Real, M: Tangent<R>> Search<'m, R, M> {
 
     /// (r, Φ) at rest; of a row that repeats others its multiplier, which is to be zero.
     fn residual(&self, at: &PlaceOf<R, M>) -> M::Unknowns {
-        let (rest, mut forces, mut phi) = (M::V::zero(), M::V::zero(), M::Lambda::zero());
-        self.model.residual(self.time, &at.q, &rest, self.u, &rest, &at.lambda, &mut forces);
+        let (rest, still) = (at_rest(self.model, &at.q), M::V::zero());
+        let (mut forces, mut phi) = (M::V::zero(), M::Lambda::zero());
+        self.model.residual(self.time, &rest, self.u, &still, &at.lambda, &mut forces);
         self.model.constraints(self.time, &at.q, &mut phi);
         for &row in M::IDLE {
             phi.as_mut_slice()[row as usize] = at.lambda.as_slice()[row as usize];
@@ -270,10 +274,15 @@ impl<'m, R: Real, M: Tangent<R>> Search<'m, R, M> {
     }
 }
 
+/// The state at rest at a position.
+fn at_rest<R: Real, M: Tangent<R>>(model: &M, q: &M::Q) -> StateOf<M, R> {
+    State { q: *q, v: M::V::zero(), z: (), gates: model.start_gates() }
+}
+
 /// λ of the motion from rest, zero where there is none.
 fn multipliers_at_rest<R: Real, M: Tangent<R>>(model: &M, time: R, q: &M::Q, u: &M::Inputs) -> M::Lambda {
     let (mut a, mut lambda) = (M::V::zero(), M::Lambda::zero());
-    let pivot = model.acceleration(time, q, &M::V::zero(), u, &mut a, &mut lambda);
+    let pivot = model.acceleration(time, &at_rest(model, q), u, &mut a, &mut lambda);
     let sound = R::any(pivot.greater_equal(R::BREAKDOWN)) && lambda.first_not_finite().is_none();
     if sound { lambda } else { M::Lambda::zero() }
 }

@@ -26,7 +26,7 @@ use crate::error::LinearisationError;
 use crate::fields::Fields;
 use crate::mechanism::name_row;
 use crate::real::Real;
-use crate::state::State;
+use crate::state::{State, StateOf};
 use crate::tangent::Tangent;
 use crate::vector::Vector;
 
@@ -43,7 +43,7 @@ pub struct Response<V, L> {
 }
 
 /// [`Response`] of a mechanism.
-pub type ResponseOf<R, M> = Response<<M as crate::Mechanism<R>>::V, <M as crate::Mechanism<R>>::Lambda>;
+pub type ResponseOf<R, M> = Response<<M as crate::Variables<R>>::V, <M as crate::Variables<R>>::Lambda>;
 
 /// The equations of motion at one state with all that is needed to differentiate their solution:
 ///
@@ -57,8 +57,7 @@ pub type ResponseOf<R, M> = Response<<M as crate::Mechanism<R>>::V, <M as crate:
 pub struct Linearisation<'m, R: Real, M: Tangent<R>> {
     model: &'m M,
     time: R,
-    q: M::Q,
-    v: M::V,
+    state: StateOf<M, R>,
     u: M::Inputs,
     a: M::V,
     lambda: M::Lambda,
@@ -80,13 +79,13 @@ impl<'m, R: Real, M: Tangent<R>> Linearisation<'m, R, M> {
     pub fn at(
         model: &'m M,
         time: R,
-        state: &State<M::Q, M::V>,
+        state: &StateOf<M, R>,
         u: &M::Inputs,
     ) -> Result<Self, LinearisationError> {
-        let State { q, v } = state;
-        check_given::<R, M>(time, q, v, u)?;
+        let State { q, v, .. } = state;
+        check_given::<R, M>(time, state, u)?;
         let (mut a, mut lambda, mut store) = (M::V::zero(), M::Lambda::zero(), M::store());
-        let pivot = model.acceleration(time, q, v, u, &mut a, &mut lambda);
+        let pivot = model.acceleration(time, state, u, &mut a, &mut lambda);
         let pivot = pivot.min(model.factor(time, q, R::ZERO, &mut store));
         // Written so that a NaN fails.
         if !R::any(pivot.greater_equal(R::BREAKDOWN)) {
@@ -97,9 +96,9 @@ impl<'m, R: Real, M: Tangent<R>> Linearisation<'m, R, M> {
         let (mut stiffness, mut damping) = (M::Stiffness::zero(), M::Damping::zero());
         let (mut row_stiffness, mut row_damping) = (M::RowStiffness::zero(), M::RowDamping::zero());
         let mut input = M::InputTangent::zero();
-        model.tangent(time, q, v, u, &a, &lambda, &mut stiffness, &mut damping);
+        model.tangent(time, state, u, &a, &lambda, &mut stiffness, &mut damping);
         model.row_tangent(time, q, v, &a, &mut row_stiffness, &mut row_damping);
-        model.input_tangent(time, q, v, u, &mut input);
+        model.input_tangent(time, state, u, &mut input);
         let forces = |row: u16| M::VELOCITY_NAMES.get(usize::from(row)).copied();
         let rows = |row: u16| M::ROWS.get(usize::from(row)).map(|row| row.of);
         check_entries(time, stiffness.as_slice(), M::STIFFNESS_PATTERN, forces)?;
@@ -107,13 +106,11 @@ impl<'m, R: Real, M: Tangent<R>> Linearisation<'m, R, M> {
         check_entries(time, input.as_slice(), M::INPUT_PATTERN, forces)?;
         check_entries(time, row_stiffness.as_slice(), M::ROW_STIFFNESS_PATTERN, rows)?;
         check_entries(time, row_damping.as_slice(), M::ROW_DAMPING_PATTERN, rows)?;
-        let (q, v, u) = (*q, *v, *u);
         Ok(Linearisation {
             model,
             time,
-            q,
-            v,
-            u,
+            state: *state,
+            u: *u,
             a,
             lambda,
             store,
@@ -168,8 +165,8 @@ impl<'m, R: Real, M: Tangent<R>> Linearisation<'m, R, M> {
     /// ∂v̇/∂p and ∂λ/∂p, column by column; the derivatives by parameters are evaluated here.
     pub fn by_parameters(&self) -> ByParameters<'_, 'm, R, M> {
         let mut entries = M::ParameterTangent::zero();
-        let Linearisation { model, time, q, v, u, a, lambda, .. } = self;
-        model.parameter_tangent(*time, q, v, u, a, lambda, &mut entries);
+        let Linearisation { model, time, state, u, a, lambda, .. } = self;
+        model.parameter_tangent(*time, state, u, a, lambda, &mut entries);
         ByParameters { at: self, entries }
     }
 
@@ -272,13 +269,12 @@ fn check_entries<R: Real>(
 /// Time, state and inputs must be finite: where nothing depends on them, nothing else would tell.
 fn check_given<R: Real, M: Tangent<R>>(
     time: R,
-    q: &M::Q,
-    v: &M::V,
+    state: &StateOf<M, R>,
     u: &M::Inputs,
 ) -> Result<(), LinearisationError> {
     check_finite(time, &[time], |_| Some("time"))?;
-    check_finite(time, q.as_slice(), |index| M::POSITION_NAMES.get(index).copied())?;
-    check_finite(time, v.as_slice(), |index| M::VELOCITY_NAMES.get(index).copied())?;
+    check_finite(time, state.q.as_slice(), |index| M::POSITION_NAMES.get(index).copied())?;
+    check_finite(time, state.v.as_slice(), |index| M::VELOCITY_NAMES.get(index).copied())?;
     check_finite(time, u.to_array().as_slice(), |index| M::Inputs::NAMES.get(index).copied())
 }
 

@@ -6,6 +6,7 @@ use crate::error::LinearisationError;
 use crate::fields::Fields;
 use crate::mechanism::{Assemble, ConditionKind};
 use crate::real::Real;
+use crate::state::State;
 use crate::tangent::Tangent;
 use crate::vector::Vector;
 
@@ -95,13 +96,14 @@ struct Columns<'l, 'm, R: Real, M: Tangent<R>> {
 
 impl<'l, 'm, R: Real, M: Tangent<R>> Columns<'l, 'm, R, M> {
     fn at(at: &'l Linearisation<'m, R, M>) -> Result<Self, LinearisationError> {
-        let Linearisation { model, time, q, v, u, a, lambda, .. } = at;
+        let Linearisation { model, time, state, u, a, lambda, .. } = at;
+        let State { q, v, .. } = state;
         let admissible = Admissible::at(*model, *time, q)?;
         let (mut rate, mut coordinate) = (M::RateTangent::zero(), M::CoordinateTangent::zero());
         let mut output = M::OutputTangent::zero();
         model.rate_tangent(*time, q, v, &mut rate);
         model.coordinate_tangent(*time, q, v, a, &mut coordinate);
-        model.output_tangent(*time, q, v, u, lambda, &mut output);
+        model.output_tangent(*time, state, u, lambda, &mut output);
         Ok(Columns { at, admissible, rate, coordinate, output })
     }
 
@@ -154,7 +156,7 @@ impl<'l, 'm, R: Real, M: Tangent<R>> Columns<'l, 'm, R, M> {
         if (0..f).all(|state| kind(state) != ConditionKind::Rate) {
             return;
         }
-        let Linearisation { model, time, q, v, a, .. } = self.at;
+        let Linearisation { model, time, state: State { q, v, .. }, a, .. } = self.at;
         let mut turned = M::CoordinateTangent::zero();
         model.coordinate_tangent(*time, q, dq, a, &mut turned);
         let mut states = M::Conditions::zero();

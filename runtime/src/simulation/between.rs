@@ -9,7 +9,7 @@ use crate::input::InputSource;
 use crate::integrator::{Integrator, Interpolate, Method};
 use crate::mechanism::{Assemble, Mechanism};
 use crate::real::Real;
-use crate::state::State;
+use crate::state::StateOf;
 
 /// The most samples of a run at even times: 2³².
 const MOST_SAMPLES: f64 = 4_294_967_296.0;
@@ -25,7 +25,7 @@ impl<'m, R: Real, M: Mechanism<R>, F: Formulation<R, M>, S, I: Method<R>> Simula
     ///
     /// # Errors
     /// [`SimulationError::NotCovered`] outside the last step, and before the first.
-    pub fn interpolate(&self, time: R) -> Result<State<M::Q, M::V>, SimulationError>
+    pub fn interpolate(&self, time: R) -> Result<StateOf<M, R>, SimulationError>
     where
         I: Interpolate<R>,
     {
@@ -44,12 +44,12 @@ impl<'m, R: Real, M: Mechanism<R>, F: Formulation<R, M>, S, I: Method<R>> Simula
     }
 
     /// The state at a time within the last step.
-    fn within(&self, time: &Clock<R>) -> Option<State<M::Q, M::V>>
+    fn within(&self, time: &Clock<R>) -> Option<StateOf<M, R>>
     where
         I: Interpolate<R>,
     {
         let elapsed = I::size(&self.memory)? - time.until(&self.run.clock);
-        I::at(&self.memory, &M::LAYOUT, elapsed.max(R::ZERO))
+        I::at(&self.memory, elapsed.max(R::ZERO))
     }
 }
 
@@ -79,7 +79,7 @@ where
         interval: R,
         end: R,
         mut show: impl FnMut(&Sample<'m, R, M>),
-    ) -> Result<State<M::Q, M::V>, SimulationError>
+    ) -> Result<StateOf<M, R>, SimulationError>
     where
         I: Interpolate<R>,
     {

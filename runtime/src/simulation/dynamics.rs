@@ -4,10 +4,10 @@ use crate::error::AssemblyError;
 use crate::formulation::{Evaluation, Formulation, Settled};
 use crate::input::InputSource;
 use crate::integrator::Dynamics;
-use crate::layout::{Layout, retract};
+use crate::layout::retract;
 use crate::mechanism::Mechanism;
 use crate::real::Real;
-use crate::state::State;
+use crate::state::{Derivative, DerivativeOf, StateOf};
 use crate::vector::Vector;
 
 /// How far a stage is moved along its velocities to step over a breakdown, as parts of the step; the next is tried where the
@@ -26,18 +26,18 @@ pub struct MechanismDynamics<'m, M: Mechanism<R>, R: Real, F: Formulation<R, M>,
     pub(super) steps_over: bool,
     /// The inputs that the last step began with.
     pub(super) begun_with: Option<M::Inputs>,
-    pub(super) watch: Watch<R, M::Q, M::V>,
+    pub(super) watch: Watch<R, StateOf<M, R>>,
     /// The pivot of the last evaluation: that of the next step's beginning where it is not evaluated again.
     pub(super) last_pivot: R,
     /// What was seen before the first trial of the step, once there was one.
-    before_trials: Option<Watch<R, M::Q, M::V>>,
+    before_trials: Option<Watch<R, StateOf<M, R>>>,
     /// What the formulation remembered then.
     memory_before_trials: F::Memory,
 }
 
 /// What was seen during one step.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Watch<R, Q, V> {
+pub(super) struct Watch<R, S> {
     /// The size of the step.
     h: R,
     started: bool,
@@ -50,20 +50,20 @@ pub(super) struct Watch<R, Q, V> {
     pub residual: R,
     pub stepped_over: u32,
     /// The worst stage below [`Real::NEAR_SINGULAR`].
-    pub worst: Option<Stage<R, Q, V>>,
+    pub worst: Option<Stage<R, S>>,
     /// The first stage below [`Real::BREAKDOWN`].
-    pub failure: Option<Stage<R, Q, V>>,
+    pub failure: Option<Stage<R, S>>,
 }
 
 /// A stage and the pivot found there.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Stage<R, Q, V> {
+pub(super) struct Stage<R, S> {
     pub time: R,
     pub pivot: R,
-    pub state: State<Q, V>,
+    pub state: S,
 }
 
-impl<R: Real, Q, V> Watch<R, Q, V> {
+impl<R: Real, S> Watch<R, S> {
     pub fn new(h: R) -> Self {
         Watch {
             h,
@@ -105,7 +105,7 @@ impl<'m, M: Mechanism<R>, R: Real, F: Formulation<R, M>, S> MechanismDynamics<'m
     }
 
     /// The inputs at a time and state within the last step, or at its end.
-    pub(super) fn inputs_within(&mut self, time: R, state: &State<M::Q, M::V>) -> M::Inputs
+    pub(super) fn inputs_within(&mut self, time: R, state: &StateOf<M, R>) -> M::Inputs
     where
         S: InputSource<R, M>,
     {
@@ -131,7 +131,7 @@ impl<'m, M: Mechanism<R>, R: Real, F: Formulation<R, M>, S> MechanismDynamics<'m
     }
 
     /// The inputs at the present time and state; the source is asked once, for the sample and the step that follows.
-    pub(super) fn present_inputs(&mut self, time: R, state: &State<M::Q, M::V>) -> M::Inputs
+    pub(super) fn present_inputs(&mut self, time: R, state: &StateOf<M, R>) -> M::Inputs
     where
         S: InputSource<R, M>,
     {
@@ -139,7 +139,7 @@ impl<'m, M: Mechanism<R>, R: Real, F: Formulation<R, M>, S> MechanismDynamics<'m
     }
 
     /// The inputs at a stage: held ones are those of the step's beginning.
-    pub(super) fn inputs_at(&mut self, time: R, state: &State<M::Q, M::V>) -> M::Inputs
+    pub(super) fn inputs_at(&mut self, time: R, state: &StateOf<M, R>) -> M::Inputs
     where
         S: InputSource<R, M>,
     {
@@ -153,7 +153,7 @@ impl<'m, M: Mechanism<R>, R: Real, F: Formulation<R, M>, S> MechanismDynamics<'m
     pub(super) fn evaluate(
         &self,
         time: R,
-        state: &State<M::Q, M::V>,
+        state: &StateOf<M, R>,
         inputs: &M::Inputs,
     ) -> (M::V, M::Lambda, R) {
         let (mut memory, mut state) = (self.memory, *state);
@@ -165,11 +165,7 @@ impl<'m, M: Mechanism<R>, R: Real, F: Formulation<R, M>, S> MechanismDynamics<'m
     }
 
     /// The end of a step.
-    pub(super) fn settle(
-        &mut self,
-        time: R,
-        state: &mut State<M::Q, M::V>,
-    ) -> Result<Settled<R>, AssemblyError> {
+    pub(super) fn settle(&mut self, time: R, state: &mut StateOf<M, R>) -> Result<Settled<R>, AssemblyError> {
         self.formulation.settle(&mut self.memory, self.model, time, state)
     }
 
@@ -178,7 +174,7 @@ impl<'m, M: Mechanism<R>, R: Real, F: Formulation<R, M>, S> MechanismDynamics<'m
     fn step_over(
         &mut self,
         time: R,
-        state: &State<M::Q, M::V>,
+        state: &StateOf<M, R>,
         inputs: &M::Inputs,
         a: &mut M::V,
         lambda: &mut M::Lambda,
@@ -216,13 +212,10 @@ where
     F: Formulation<R, M>,
     S: InputSource<R, M>,
 {
-    const LAYOUT: Layout = M::LAYOUT;
-    type Q = M::Q;
-    type V = M::V;
-    type Lambda = M::Lambda;
+    type Variables = M;
 
     #[inline]
-    fn acceleration(&mut self, time: R, state: &mut State<M::Q, M::V>) -> M::V {
+    fn derivative(&mut self, time: R, state: &mut StateOf<M, R>) -> DerivativeOf<M, R> {
         // The inputs at the step's start were sampled when the step before ended.
         let inputs = match self.inputs {
             Some(inputs) if S::HELD || !self.watch.started => inputs,
@@ -231,15 +224,9 @@ where
         let first = !self.watch.started;
         self.watch.started = true;
         let (mut a, mut lambda) = (M::V::zero(), M::Lambda::zero());
-        let mut evaluation = self.formulation.acceleration(
-            &mut self.memory,
-            self.model,
-            time,
-            state,
-            &inputs,
-            &mut a,
-            &mut lambda,
-        );
+        let (memory, model) = (&mut self.memory, self.model);
+        let mut evaluation =
+            self.formulation.acceleration(memory, model, time, state, &inputs, &mut a, &mut lambda);
         // Written so that a NaN is seen.
         if !R::any(evaluation.pivot.greater_equal(R::NEAR_SINGULAR)) {
             self.see(time, state, &inputs, &mut evaluation, &mut a, &mut lambda);
@@ -252,7 +239,9 @@ where
         watch.smallest_pivot = evaluation.pivot.min(watch.smallest_pivot);
         watch.iterations += evaluation.iterations;
         watch.residual = watch.residual.max(evaluation.residual);
-        a
+        let mut z = M::Z::zero();
+        model.internal_rates(time, state, &inputs, &a, &lambda, &mut z);
+        Derivative { v: state.v, a, z }
     }
 
     fn resume(&mut self) -> bool {
@@ -293,7 +282,7 @@ where
     fn see(
         &mut self,
         time: R,
-        state: &State<M::Q, M::V>,
+        state: &StateOf<M, R>,
         inputs: &M::Inputs,
         evaluation: &mut Evaluation<R>,
         a: &mut M::V,

@@ -7,7 +7,7 @@ use crate::input::InputSource;
 use crate::integrator::{ImplicitDynamics, Level, Weights};
 use crate::layout::differential;
 use crate::real::Real;
-use crate::state::State;
+use crate::state::{State, StateOf};
 use crate::tangent::Tangent;
 use crate::vector::{Vector, at, put};
 
@@ -29,15 +29,15 @@ where
     fn residual(
         &mut self,
         time: R,
-        state: &State<M::Q, M::V>,
+        state: &StateOf<M, R>,
         a: &M::V,
         lambda: &M::Lambda,
         level: Level,
     ) -> M::Unknowns {
         let inputs = self.inputs_at(time, state);
-        let State { q, v } = state;
+        let State { q, v, .. } = state;
         let (mut forces, mut rows) = (M::V::zero(), M::Lambda::zero());
-        self.model.residual(time, q, v, &inputs, a, lambda, &mut forces);
+        self.model.residual(time, state, &inputs, a, lambda, &mut forces);
         match level {
             Level::Position => self.model.constraints(time, q, &mut rows),
             Level::Velocity => {
@@ -61,7 +61,7 @@ where
     fn matrix(
         &mut self,
         time: R,
-        state: &State<M::Q, M::V>,
+        state: &StateOf<M, R>,
         a: &M::V,
         lambda: &M::Lambda,
         u: &M::V,
@@ -69,9 +69,9 @@ where
         matrix: &mut M::Bordered,
     ) {
         let inputs = self.inputs_at(time, state);
-        let (model, State { q, v }) = (self.model, state);
+        let (model, State { q, v, .. }) = (self.model, state);
         let (mut stiffness, mut damping) = (M::Stiffness::zero(), M::Damping::zero());
-        model.tangent(time, q, v, &inputs, a, lambda, &mut stiffness, &mut damping);
+        model.tangent(time, state, &inputs, a, lambda, &mut stiffness, &mut damping);
         let (mut mass, mut jacobian) = (M::Mass::zero(), M::Jacobian::zero());
         model.mass_matrix(time, q, &mut mass);
         model.constraint_jacobian(time, q, &mut jacobian);
@@ -133,7 +133,7 @@ where
         }
     }
 
-    fn rates(&mut self, time: R, State { q, v }: &State<M::Q, M::V>) -> (M::Lambda, M::Lambda) {
+    fn rates(&mut self, time: R, State { q, v, .. }: &StateOf<M, R>) -> (M::Lambda, M::Lambda) {
         let (mut nu, mut gamma) = (M::Lambda::zero(), M::Lambda::zero());
         self.model.nu(time, q, &mut nu);
         self.model.gamma(time, q, v, &mut gamma);
@@ -144,7 +144,7 @@ where
         (nu, gamma)
     }
 
-    fn observe(&mut self, time: R, state: &State<M::Q, M::V>) {
+    fn observe(&mut self, time: R, state: &StateOf<M, R>) {
         if M::Lambda::LEN == 0 {
             return;
         }

@@ -6,8 +6,8 @@ use crate::error::SimulationError;
 use crate::fields::Fields;
 use crate::formulation::Formulation;
 use crate::input::InputSource;
-use crate::integrator::Integrator;
-use crate::mechanism::{Assemble, Mechanism};
+use crate::integrator::{Integrator, Method};
+use crate::mechanism::Assemble;
 use crate::real::Real;
 
 /// The most trials of one search: those of the ITP method are at most 54 in double precision; the others are for methods that
@@ -26,17 +26,8 @@ struct Standing<Real, Run, Memory, Formulation, Inputs> {
 }
 
 /// [`Standing`] of a simulation with these methods.
-type StandingOf<M, R, F, D, I> = Standing<
-    R,
-    Run<R, M>,
-    <I as crate::integrator::Method<R>>::Memory<
-        <M as Mechanism<R>>::Q,
-        <M as Mechanism<R>>::V,
-        <M as Mechanism<R>>::Lambda,
-    >,
-    <F as Formulation<R, M>>::Memory,
-    D,
->;
+type StandingOf<M, R, F, D, I> =
+    Standing<R, Run<R, M>, <I as Method<R>>::Memory<M>, <F as Formulation<R, M>>::Memory, D>;
 
 /// Moving, until something happens.
 impl<'m, R, M, F, S, I> Simulation<'m, M, R, F, S, I>
@@ -154,7 +145,7 @@ where
     fn outputs_after(&mut self, previous: &M::Outputs) -> M::Outputs {
         let (time, state) = (self.time(), self.run.state);
         let inputs = self.dynamics.inputs_within(time, &state);
-        let mut outputs = self.model().outputs(time, &state.q, &state.v, &inputs);
+        let mut outputs = self.model().outputs(time, &state, &inputs);
         M::unwrap(&mut outputs, previous);
         outputs
     }

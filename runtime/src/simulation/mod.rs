@@ -30,7 +30,7 @@ use crate::input::{AtStages, Held, InputSource, NoInputs, OnceAStep, Sampled, So
 use crate::integrator::{Integrator, Method, Rk4};
 use crate::mechanism::{Assemble, Mechanism};
 use crate::real::Real;
-use crate::state::State;
+use crate::state::StateOf;
 use clock::Clock;
 use course::{Course, MOST_STEPS, check_count};
 use proportion::Proportion;
@@ -72,7 +72,7 @@ where
 {
     dynamics: MechanismDynamics<'m, M, R, F, S>,
     integrator: I,
-    memory: I::Memory<M::Q, M::V, M::Lambda>,
+    memory: I::Memory<M>,
     run: Run<R, M>,
 }
 
@@ -80,7 +80,7 @@ where
 struct Run<R: Real, M: Mechanism<R>> {
     step: Option<R>,
     clock: Clock<R>,
-    state: State<M::Q, M::V>,
+    state: StateOf<M, R>,
     /// The outputs last sampled, which the next ones continue.
     outputs: Option<M::Outputs>,
     reciprocal_condition: R,
@@ -105,7 +105,7 @@ impl<R: Real, M: Mechanism<R>> Copy for Run<R, M> {}
 impl<'m, R: Real, M: Mechanism<R>> Simulation<'m, M, R> {
     /// A simulation of `model` from `start` at time zero, with [`LagrangeIndex1`] and [`Rk4`]; the step size is still
     /// to be given, and the inputs where the mechanism has any.
-    pub fn new(model: &'m M, start: State<M::Q, M::V>) -> Self {
+    pub fn new(model: &'m M, start: StateOf<M, R>) -> Self {
         let run = Run {
             step: None,
             clock: Clock::at(R::ZERO),
@@ -135,7 +135,7 @@ impl<'m, R: Real, M: Mechanism<R>, F: Formulation<R, M>, S, I: Method<R>> Simula
     /// Gives the inputs: [`Held`] once a step or [`Sampled`] at the stages.
     pub fn inputs<W: When, C>(self, source: Source<W, C>) -> Simulation<'m, M, R, F, Source<W, C>, I>
     where
-        C: FnMut(R, &State<M::Q, M::V>) -> M::Inputs,
+        C: FnMut(R, &StateOf<M, R>) -> M::Inputs,
     {
         self.input_source(source)
     }
@@ -144,7 +144,7 @@ impl<'m, R: Real, M: Mechanism<R>, F: Formulation<R, M>, S, I: Method<R>> Simula
     /// arguments known.
     pub fn held<C>(self, function: C) -> Simulation<'m, M, R, F, Source<OnceAStep, C>, I>
     where
-        C: FnMut(R, &State<M::Q, M::V>) -> M::Inputs,
+        C: FnMut(R, &StateOf<M, R>) -> M::Inputs,
     {
         self.input_source(Held(function))
     }
@@ -153,7 +153,7 @@ impl<'m, R: Real, M: Mechanism<R>, F: Formulation<R, M>, S, I: Method<R>> Simula
     /// its arguments known.
     pub fn sampled<C>(self, function: C) -> Simulation<'m, M, R, F, Source<AtStages, C>, I>
     where
-        C: FnMut(R, &State<M::Q, M::V>) -> M::Inputs,
+        C: FnMut(R, &StateOf<M, R>) -> M::Inputs,
     {
         self.input_source(Sampled(function))
     }
@@ -224,14 +224,14 @@ impl<'m, R: Real, M: Mechanism<R>, F: Formulation<R, M>, S, I: Method<R>> Simula
     }
 
     /// The present state.
-    pub fn state(&self) -> &State<M::Q, M::V> {
+    pub fn state(&self) -> &StateOf<M, R> {
         &self.run.state
     }
 
     /// Kinetic and potential energy, J.
     pub fn energy(&self) -> R {
-        let (model, time, State { q, v }) = (self.model(), self.time(), &self.run.state);
-        model.kinetic_energy(time, q, v) + model.potential_energy(time, q)
+        let (model, time, state) = (self.model(), self.time(), &self.run.state);
+        model.kinetic_energy(time, &state.q, &state.v) + model.potential_energy(time, state)
     }
 
     /// How far positions and velocities are off the constraints.
@@ -260,9 +260,9 @@ impl<'m, R: Real, M: Mechanism<R>, F: Formulation<R, M>, S, I: Method<R>> Simula
     }
 
     /// The sample of a state, outputs continued from the sample before.
-    fn sample_at(&mut self, time: R, state: State<M::Q, M::V>, inputs: M::Inputs) -> Sample<'m, R, M> {
+    fn sample_at(&mut self, time: R, state: StateOf<M, R>, inputs: M::Inputs) -> Sample<'m, R, M> {
         let model = self.model();
-        let mut outputs = model.outputs(time, &state.q, &state.v, &inputs);
+        let mut outputs = model.outputs(time, &state, &inputs);
         match &self.run.outputs {
             Some(previous) => M::unwrap(&mut outputs, previous),
             None => model.unwrap_start(&mut outputs),
@@ -323,7 +323,7 @@ where
     ///
     /// # Errors
     /// [`SimulationError`]; the simulation then stands at the last good state. More than 2⁵³ steps are refused.
-    pub fn advance_steps(&mut self, count: u64) -> Result<State<M::Q, M::V>, SimulationError>
+    pub fn advance_steps(&mut self, count: u64) -> Result<StateOf<M, R>, SimulationError>
     where
         S: InputSource<R, M>,
         I: Integrator<R, MechanismDynamics<'m, M, R, F, S>>,
@@ -343,7 +343,7 @@ where
     /// # Errors
     /// [`SimulationError`]; the simulation then stands at the last good state. A duration that is negative, not finite, or so short
     /// that time would stand.
-    pub fn advance_for(&mut self, seconds: R) -> Result<State<M::Q, M::V>, SimulationError>
+    pub fn advance_for(&mut self, seconds: R) -> Result<StateOf<M, R>, SimulationError>
     where
         S: InputSource<R, M>,
         I: Integrator<R, MechanismDynamics<'m, M, R, F, S>>,
@@ -357,7 +357,7 @@ where
     ///
     /// # Errors
     /// [`SimulationError`]; the simulation then stands at the last good state.
-    pub fn advance_until(&mut self, end: R) -> Result<State<M::Q, M::V>, SimulationError>
+    pub fn advance_until(&mut self, end: R) -> Result<StateOf<M, R>, SimulationError>
     where
         S: InputSource<R, M>,
         I: Integrator<R, MechanismDynamics<'m, M, R, F, S>>,
@@ -366,7 +366,7 @@ where
         self.advance_to_the_end(course)
     }
 
-    fn advance_to_the_end(&mut self, mut course: Course<R>) -> Result<State<M::Q, M::V>, SimulationError>
+    fn advance_to_the_end(&mut self, mut course: Course<R>) -> Result<StateOf<M, R>, SimulationError>
     where
         S: InputSource<R, M>,
         I: Integrator<R, MechanismDynamics<'m, M, R, F, S>>,
@@ -386,7 +386,7 @@ where
         &mut self,
         end: R,
         mut show: impl FnMut(&Sample<'m, R, M>),
-    ) -> Result<State<M::Q, M::V>, SimulationError>
+    ) -> Result<StateOf<M, R>, SimulationError>
     where
         S: InputSource<R, M>,
         I: Integrator<R, MechanismDynamics<'m, M, R, F, S>>,

@@ -25,7 +25,7 @@ use crate::input::InputSource;
 use crate::integrator::Method;
 use crate::mechanism::{Assemble, Row};
 use crate::real::Real;
-use crate::state::State;
+use crate::state::{State, StateOf};
 use crate::vector::Vector;
 
 /// Steps after which the constraints are looked at, whatever the velocities.
@@ -64,7 +64,7 @@ impl<R: Real> Proportion<R> {
 }
 
 /// A state at a time.
-type At<'s, R, M> = (R, &'s State<<M as crate::Mechanism<R>>::Q, <M as crate::Mechanism<R>>::V>);
+type At<'s, R, M> = (R, &'s StateOf<M, R>);
 
 impl<'m, R: Real, M: Assemble<R>, F: Formulation<R, M>, S, I: Method<R>> Simulation<'m, M, R, F, S, I> {
     /// Takes the start as it is: velocities as they are, and rows off as far as was accepted.
@@ -125,10 +125,10 @@ impl<'m, R: Real, M: Assemble<R>, F: Formulation<R, M>, S, I: Method<R>> Simulat
     where
         S: InputSource<R, M>,
     {
-        let (model, State { q, v }) = (self.dynamics.model, self.run.state);
-        let before = model.kinetic_energy(begin, &q, &v);
+        let (model, state) = (self.dynamics.model, &self.run.state);
+        let before = model.kinetic_energy(begin, &state.q, &state.v);
         let after = model.kinetic_energy(end, &next.q, &next.v);
-        let (stored, left) = (model.potential_energy(begin, &q), model.potential_energy(end, &next.q));
+        let (stored, left) = (model.potential_energy(begin, state), model.potential_energy(end, next));
         let released = stored - left;
         let rounding = R::from_f64(64.0) * R::EPSILON * (stored.abs() + left.abs() + before);
         let allowed = R::from_f64(RESOLVED) * (before + released.abs()) + rounding + self.run.proportion.off;
@@ -147,7 +147,7 @@ impl<'m, R: Real, M: Assemble<R>, F: Formulation<R, M>, S, I: Method<R>> Simulat
         {
             return Ok(R::ZERO);
         }
-        let near = near.unwrap_or_else(|| name_singularity(model, begin, condition, &q));
+        let near = near.unwrap_or_else(|| name_singularity(model, begin, condition, &state.q));
         Err(SimulationError::Unresolved {
             time: begin.to_f64(),
             row: near.row,
@@ -160,7 +160,7 @@ impl<'m, R: Real, M: Assemble<R>, F: Formulation<R, M>, S, I: Method<R>> Simulat
     /// Whether loads without potential energy, drivers and Φ account for the kinetic energy, with the inputs at the step's ends.
     fn is_exchanged(&self, exchange: &Exchange<'_, R, M>, first: &M::Inputs, last: &M::Inputs) -> bool {
         let Exchange { begin, h, end, next, before, after, allowed } = *exchange;
-        let Given { pushed, prescribed, taken_back } = self.given_in((begin, h), (end, &next.q), first, last);
+        let Given { pushed, prescribed, taken_back } = self.given_in((begin, h), (end, next), first, last);
         let given = R::from_f64(MORE) * pushed + prescribed + taken_back;
         let own = before.max(R::ZERO).sqrt();
         let (least, most) = ((own - given).max(R::ZERO), own + given);
@@ -172,18 +172,17 @@ impl<'m, R: Real, M: Assemble<R>, F: Formulation<R, M>, S, I: Method<R>> Simulat
         if prescribed > R::ZERO {
             return true;
         }
-        let (model, State { q, v }) = (self.dynamics.model, &self.run.state);
-        let power = |time, q: &M::Q, v: &M::V, inputs: &M::Inputs| {
+        let (model, state) = (self.dynamics.model, &self.run.state);
+        let power = |time, state: &StateOf<M, R>, inputs: &M::Inputs| {
             let mut forces = M::V::zero();
-            model.forces(time, q, v, inputs, &mut forces);
-            dot(forces.as_slice(), v.as_slice())
+            model.forces(time, state, inputs, &mut forces);
+            dot(forces.as_slice(), state.v.as_slice())
         };
         // ½ vᵀ Ṁ v, which Q has among the forces of inertia.
-        let turned = |v: &M::V| model.kinetic_energy(end, &next.q, v) - model.kinetic_energy(begin, q, v);
-        let works = [
-            h * power(begin, q, v, first) + turned(v),
-            h * power(end, &next.q, &next.v, last) + turned(&next.v),
-        ];
+        let turned =
+            |v: &M::V| model.kinetic_energy(end, &next.q, v) - model.kinetic_energy(begin, &state.q, v);
+        let works =
+            [h * power(begin, state, first) + turned(&state.v), h * power(end, next, last) + turned(&next.v)];
         let half = R::from_f64(0.5);
         let (mean, spread) = (half * (works[0] + works[1]), half * (works[1] - works[0]).abs());
         let spread = spread + (own + own + taken_back) * taken_back;
@@ -218,11 +217,12 @@ impl<'m, R: Real, M: Assemble<R>, F: Formulation<R, M>, S, I: Method<R>> Simulat
     fn given_in(
         &self,
         (begin, h): (R, R),
-        (end, to): (R, &M::Q),
+        (end, next): At<'_, R, M>,
         first: &M::Inputs,
         last: &M::Inputs,
     ) -> Given<R> {
-        let (model, State { q, v }) = (self.dynamics.model, &self.run.state);
+        let (model, state) = (self.dynamics.model, &self.run.state);
+        let q = &state.q;
         // Constraints as soft as the masses are heavy: what they take off the loads is at most what rigid ones do, and nothing is
         // divided by what vanishes at singular positions.
         let (compliance, mut store) = (R::ONE / largest_mass(model, begin, q), M::store());
@@ -233,9 +233,10 @@ impl<'m, R: Real, M: Assemble<R>, F: Formulation<R, M>, S, I: Method<R>> Simulat
             x
         };
         let half = R::from_f64(0.5);
-        let pushed = [(begin, q, first), (end, to, last)].map(|(time, q, inputs)| {
+        let there = State { v: state.v, ..*next };
+        let pushed = [(begin, state, first), (end, &there, last)].map(|(time, state, inputs)| {
             let mut forces = M::V::zero();
-            model.forces(time, q, v, inputs, &mut forces);
+            model.forces(time, state, inputs, &mut forces);
             let work = dot(forces.as_slice(), solved(&forces, &M::Lambda::zero()).as_slice());
             h * (half * work.max(R::ZERO)).sqrt()
         });
@@ -267,7 +268,7 @@ struct Exchange<'s, R: Real, M: Assemble<R>> {
     begin: R,
     h: R,
     end: R,
-    next: &'s State<M::Q, M::V>,
+    next: &'s StateOf<M, R>,
     /// The kinetic energy at its beginning and at its end, J.
     before: R,
     after: R,
@@ -277,7 +278,7 @@ struct Exchange<'s, R: Real, M: Assemble<R>> {
 
 /// The kinetic energy of what velocities have off the constraints, J: ½ rᵀ (D M⁻¹ Dᵀ)⁻¹ r, r = D v − ν, at most all of it. Rows
 /// as soft as a penalty makes them keep it finite at singular positions, and too small there rather than too large.
-fn energy_off<R: Real, M: Assemble<R>>(model: &M, (time, State { q, v }): At<'_, R, M>) -> R {
+fn energy_off<R: Real, M: Assemble<R>>(model: &M, (time, State { q, v, .. }): At<'_, R, M>) -> R {
     let Penalty { alpha, .. } = Penalty::for_model(model, time, q, R::ONE);
     let mut store = M::store();
     model.factor(time, q, R::ONE / alpha, &mut store);
@@ -303,7 +304,7 @@ struct Off<R> {
 /// The row that is off furthest by position, and the first of velocities that `speed` (m/s and rad/s) does not account for.
 fn furthest<R: Real, M: Assemble<R>>(
     model: &M,
-    (time, State { q, v }): At<'_, R, M>,
+    (time, State { q, v, .. }): At<'_, R, M>,
     speed: R,
 ) -> (Option<Off<R>>, Option<(Row, R)>) {
     let (mut phi, mut rates) = (M::Lambda::zero(), M::Lambda::zero());

@@ -9,7 +9,7 @@ use crate::input::InputSource;
 use crate::integrator::{Integrator, Method};
 use crate::mechanism::{Assemble, Mechanism};
 use crate::real::Real;
-use crate::state::State;
+use crate::state::StateOf;
 use crate::vector::Vector;
 
 /// A simulation at one time. What costs an evaluation is a method.
@@ -17,7 +17,7 @@ pub struct Sample<'m, R: Real, M: Mechanism<R>> {
     /// The time, s: the exact one, rounded once.
     pub time: R,
     /// Positions and velocities.
-    pub state: State<M::Q, M::V>,
+    pub state: StateOf<M, R>,
     /// The inputs at this time.
     pub inputs: M::Inputs,
     /// The named outputs; angles continue those of the sample before without jumps.
@@ -33,7 +33,7 @@ impl<R: Real, M: Mechanism<R>> Sample<'_, R, M> {
 
     /// The energy of gravity and springs, J.
     pub fn potential_energy(&self) -> R {
-        self.model.potential_energy(self.time, &self.state.q)
+        self.model.potential_energy(self.time, &self.state)
     }
 
     /// Kinetic and potential energy, J.
@@ -62,7 +62,7 @@ pub struct Residual<R = f64> {
 
 impl<R: Real> Residual<R> {
     /// The residual of `state` at `time`; zero for a mechanism without constraints.
-    pub fn of<M: Mechanism<R>>(model: &M, time: R, state: &State<M::Q, M::V>) -> Self {
+    pub fn of<M: Mechanism<R>>(model: &M, time: R, state: &StateOf<M, R>) -> Self {
         let (mut phi, mut rate) = (M::Lambda::zero(), M::Lambda::zero());
         let mut jacobian = M::Jacobian::zero();
         model.constraints(time, &state.q, &mut phi);

@@ -16,7 +16,7 @@ use crate::integrator::{Integrator, Method, Rejections, StepFailure};
 use crate::layout::first_not_unit;
 use crate::mechanism::{Assemble, Mechanism, name_row};
 use crate::real::Real;
-use crate::state::State;
+use crate::state::StateOf;
 use crate::tabled;
 use crate::vector::Vector;
 
@@ -109,11 +109,11 @@ where
     #[allow(clippy::type_complexity)]
     fn attempt(
         &mut self,
-        memory: &mut I::Memory<M::Q, M::V, M::Lambda>,
+        memory: &mut I::Memory<M>,
         h: R,
         clock: Clock<R>,
         inputs: &M::Inputs,
-    ) -> Result<(Step<R>, State<M::Q, M::V>, Clock<R>), SimulationError> {
+    ) -> Result<(Step<R>, StateOf<M, R>, Clock<R>), SimulationError> {
         let (time, begin) = (self.time(), self.run.state);
         self.dynamics.begin(h);
         let stepped = match self.integrator.step(memory, &mut self.dynamics, time, h, &begin) {
@@ -174,7 +174,7 @@ where
     fn near_singularity(
         &mut self,
         (begin, size): (R, R),
-        (time, next): (R, &State<M::Q, M::V>),
+        (time, next): (R, &StateOf<M, R>),
     ) -> (R, Option<NearSingular<R>>) {
         if M::Lambda::LEN == 0 {
             return (R::ONE, None);
@@ -335,7 +335,7 @@ impl<'m, R: Real, M: Assemble<R>, F: Formulation<R, M>, S, I: Method<R>> Simulat
     /// The error that names what failed: the joint whose row depends on others, the body without mass, or the
     /// coordinate that is no number.
     #[cold]
-    fn diagnose(&self, failure: &Stage<R, M::Q, M::V>, inputs: &M::Inputs) -> SimulationError {
+    fn diagnose(&self, failure: &Stage<R, StateOf<M, R>>, inputs: &M::Inputs) -> SimulationError {
         let model = self.model();
         let Stage { time: stage, pivot, state } = failure;
         let (time, pivot) = (stage.to_f64(), pivot.to_f64());
@@ -371,12 +371,14 @@ pub(super) fn name_singularity<R: Real, M: Assemble<R>>(
     NearSingular { time, row: name_row::<R, M>(row), reciprocal_condition }
 }
 
-/// The name of the first coordinate or velocity that is infinite or NaN.
+/// The name of the first coordinate, velocity or internal state that is infinite or NaN.
 #[inline]
-fn not_finite<R: Real, M: Mechanism<R>>(state: &State<M::Q, M::V>) -> Option<&'static str> {
-    let velocity_name = |i: usize| M::VELOCITY_NAMES.get(i).copied().unwrap_or(M::NAME);
+fn not_finite<R: Real, M: Mechanism<R>>(state: &StateOf<M, R>) -> Option<&'static str> {
+    let name = |names: &[&'static str], i: usize| names.get(i).copied().unwrap_or(M::NAME);
     let in_q = state.q.first_not_finite().map(position_name::<R, M>);
-    in_q.or_else(|| state.v.first_not_finite().map(velocity_name))
+    let in_v = || state.v.first_not_finite().map(|i| name(M::VELOCITY_NAMES, i));
+    let in_z = || state.z.first_not_finite().map(|i| name(M::INTERNAL_NAMES, i));
+    in_q.or_else(in_v).or_else(in_z)
 }
 
 fn position_name<R: Real, M: Mechanism<R>>(index: usize) -> &'static str {

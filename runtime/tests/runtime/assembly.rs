@@ -128,7 +128,7 @@ fn wrong_arguments_are_errors() {
     let error = assemble_position(&model, 0.0, &near, &[0.0; 2], &[2]).unwrap_err();
     assert_eq!(error, AssemblyError::NoSuchCondition { index: 2, count: 2 });
     let broken = FourBar { ground: f64::NAN, ..model };
-    let error = broken.assemble(&State { q: near, v: [0.0; 9] }).unwrap_err();
+    let error = broken.assemble(&State::new(near, [0.0; 9])).unwrap_err();
     assert!(matches!(error, AssemblyError::NonFinite { row } if row.of == "bearing"), "{error:?}");
 }
 

@@ -2,15 +2,15 @@
 
 use crate::double_pendulum::{DoublePendulum, Torque};
 use linkwright_runtime::{
-    DormandPrince, Dynamics, Event, Integrator, Layout, Method, Real, Rk4, Simulation, SimulationError,
-    State, StepFailure, Stepped, Vector,
+    Derivative, DormandPrince, Dynamics, Event, Integrator, Layout, Method, Real, Rk4, Simulation,
+    SimulationError, State, StateOf, StepFailure, SteppedOf, Variables,
 };
 
 type Swing<R = f64> = State<[R; 8], [R; 2]>;
 
 fn swung<R: Real>() -> Swing<R> {
     let k = R::from_f64;
-    State { q: [1.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0].map(k), v: [1.0, -2.0].map(k) }
+    State::new([1.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0].map(k), [1.0, -2.0].map(k))
 }
 
 /// A run of the double pendulum to `end`: the error, or the steps and the state.
@@ -53,9 +53,9 @@ fn a_start_that_is_no_number_is_named() {
     assert!(matches!(error, SimulationError::NonFinite { what: "lower.rate", .. }), "{error:?}");
     // By itself the method ends too.
     let mut free = Free { evaluations: 0 };
-    let mut memory = method.memory::<[f64; 1], [f64; 1], [f64; 0]>();
+    let mut memory = method.memory::<Free>();
     for (time, v) in [(f64::NAN, f64::NAN), (0.0, f64::NAN), (f64::NAN, 1.0)] {
-        let state = State { q: [0.0], v: [v] };
+        let state = State::new([0.0], [v]);
         free.evaluations = 0;
         let stepped = method.step(&mut memory, &mut free, time, 0.1, &state);
         assert!(stepped.is_ok() == v.is_finite() && free.evaluations <= 602, "{stepped:?}");
@@ -67,15 +67,21 @@ struct Free {
     evaluations: u32,
 }
 
-impl Dynamics<f64> for Free {
+impl Variables<f64> for Free {
     const LAYOUT: Layout = Layout { linear: 1, rotations: 0, quaternions: 0, angles: &[] };
     type Q = [f64; 1];
     type V = [f64; 1];
+    type Z = ();
+    type Gates = ();
     type Lambda = [f64; 0];
+}
 
-    fn acceleration(&mut self, _time: f64, _state: &mut State<[f64; 1], [f64; 1]>) -> [f64; 1] {
+impl Dynamics<f64> for Free {
+    type Variables = Self;
+
+    fn derivative(&mut self, _time: f64, state: &mut State<[f64; 1], [f64; 1]>) -> Derivative<[f64; 1]> {
         self.evaluations += 1;
-        [0.0]
+        Derivative { v: state.v, a: [0.0], z: () }
     }
 }
 
@@ -265,9 +271,9 @@ fn a_search_ends() {
 struct Hesitant;
 
 impl Method<f64> for Hesitant {
-    type Memory<Q: Vector<f64>, V: Vector<f64>, Lambda: Vector<f64>> = ();
+    type Memory<X: Variables<f64>> = ();
 
-    fn memory<Q: Vector<f64>, V: Vector<f64>, Lambda: Vector<f64>>(&self) {}
+    fn memory<X: Variables<f64>>(&self) {}
 }
 
 impl<D: Dynamics<f64>> Integrator<f64, D> for Hesitant {
@@ -277,8 +283,8 @@ impl<D: Dynamics<f64>> Integrator<f64, D> for Hesitant {
         dynamics: &mut D,
         time: f64,
         h: f64,
-        state: &State<D::Q, D::V>,
-    ) -> Result<Stepped<f64, D::Q, D::V>, StepFailure> {
+        state: &StateOf<D::Variables>,
+    ) -> Result<SteppedOf<D::Variables>, StepFailure> {
         Rk4.step(memory, dynamics, time, if h < 1.0 { 1e-4 * h } else { h }, state)
     }
 }

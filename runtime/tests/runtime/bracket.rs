@@ -2,7 +2,9 @@
 
 use crate::solve::{baumgarte, equations_of_motion, full_columns, full_row_start, natural};
 use linkwright_runtime::quaternion::rotation_matrix;
-use linkwright_runtime::{Assemble, Condition, Elimination, Flips, Layout, Mechanism, Row, tabled};
+use linkwright_runtime::{
+    Assemble, Condition, Elimination, Flips, Layout, Mechanism, Row, State, Variables, tabled,
+};
 
 #[derive(Clone, Copy, Debug)]
 pub struct Bracket {
@@ -35,9 +37,17 @@ fn dot(a: [f64; 3], b: [f64; 3]) -> f64 {
 const Y: [f64; 3] = [0.0, 1.0, 0.0];
 const Z: [f64; 3] = [0.0, 0.0, 1.0];
 
+impl Variables<f64> for Bracket {
+    const LAYOUT: Layout = Layout { linear: 3, rotations: 0, quaternions: 1, angles: &[] };
+    type Q = [f64; 7];
+    type V = [f64; 6];
+    type Z = ();
+    type Gates = ();
+    type Lambda = [f64; 6];
+}
+
 impl Mechanism<f64> for Bracket {
     const NAME: &'static str = "Bracket";
-    const LAYOUT: Layout = Layout { linear: 3, rotations: 0, quaternions: 1, angles: &[] };
     const ROWS: &'static [Row] = &[
         Row { of: "weld", what: "x" },
         Row { of: "weld", what: "y" },
@@ -60,9 +70,6 @@ impl Mechanism<f64> for Bracket {
     const MASS_PATTERN: &'static [(u16, u16)] = &[(0, 0), (1, 1), (2, 2), (3, 3), (4, 4), (5, 5)];
     const JACOBIAN_PATTERN: &'static [(u16, u16)] =
         &[(0, 0), (1, 1), (2, 2), (3, 3), (3, 4), (3, 5), (4, 3), (4, 4), (4, 5), (5, 3), (5, 4), (5, 5)];
-    type Q = [f64; 7];
-    type V = [f64; 6];
-    type Lambda = [f64; 6];
     type Mass = [f64; 6];
     type Jacobian = [f64; 12];
     type Inputs = ();
@@ -91,7 +98,8 @@ impl Mechanism<f64> for Bracket {
         let bend = |axis| cross(omega, cross(omega, axis));
         *gamma = [0.0, 0.0, 0.0, -dot(x1, bend(Z)), -dot(y1, bend(Z)), -dot(x1, bend(Y))];
     }
-    fn forces(&self, _time: f64, _q: &[f64; 7], v: &[f64; 6], _u: &(), forces: &mut [f64; 6]) {
+    fn forces(&self, _time: f64, state: &State<[f64; 7], [f64; 6]>, _u: &(), forces: &mut [f64; 6]) {
+        let State { v, .. } = state;
         let omega = [v[3], v[4], v[5]];
         let spin = [0, 1, 2].map(|i| self.inertia[i] * omega[i]);
         let [x, y, z] = cross(spin, omega);
@@ -102,37 +110,37 @@ impl Mechanism<f64> for Bracket {
         self.mass_matrix(time, q, &mut mass);
         (0..6).map(|i| 0.5 * mass[i] * v[i] * v[i]).sum()
     }
-    fn potential_energy(&self, _time: f64, q: &[f64; 7]) -> f64 {
+    fn potential_energy(&self, _time: f64, state: &State<[f64; 7], [f64; 6]>) -> f64 {
+        let State { q, .. } = state;
         9.81 * self.mass * q[2]
     }
     fn acceleration(
         &self,
         time: f64,
-        q: &[f64; 7],
-        v: &[f64; 6],
+        state: &State<[f64; 7], [f64; 6]>,
         u: &(),
         a: &mut [f64; 6],
         lambda: &mut [f64; 6],
     ) -> f64 {
-        self.acceleration_baumgarte(time, q, v, u, 0.0, 0.0, a, lambda)
+        self.acceleration_baumgarte(time, state, u, 0.0, 0.0, a, lambda)
     }
     fn acceleration_baumgarte(
         &self,
         time: f64,
-        q: &[f64; 7],
-        v: &[f64; 6],
+        state: &State<[f64; 7], [f64; 6]>,
         u: &(),
         two_alpha: f64,
         beta_squared: f64,
         a: &mut [f64; 6],
         lambda: &mut [f64; 6],
     ) -> f64 {
+        let State { q, v, .. } = state;
         let gamma = baumgarte(self, time, q, v, two_alpha, beta_squared);
         let mut forces = [0.0; 6];
-        self.forces(time, q, v, u, &mut forces);
+        self.forces(time, state, u, &mut forces);
         equations_of_motion(self, time, q, &forces, &gamma, a, lambda)
     }
-    fn outputs(&self, _time: f64, _q: &[f64; 7], _v: &[f64; 6], _u: &()) {}
+    fn outputs(&self, _time: f64, _state: &State<[f64; 7], [f64; 6]>, _u: &()) {}
     fn unwrap(_outputs: &mut (), _previous: &()) {}
 }
 

@@ -6,8 +6,8 @@ use crate::space::{Counted, TUMBLING, Top, Turning, apart, largest, run};
 use core::f64::consts::TAU;
 use linkwright_runtime::quaternion::{exponential, product};
 use linkwright_runtime::{
-    DormandPrince, DormandPrinceMemory, Dynamics, Integrator, Interpolate, Layout, Method, Rejections, Rk4,
-    Simulation, SimulationError, State, StepFailure,
+    Derivative, DormandPrince, Dynamics, Integrator, Interpolate, Layout, Method, Rejections, Rk4,
+    Simulation, SimulationError, State, StateOf, StepFailure, Variables,
 };
 
 const FREE: Layout = Layout { linear: 1, rotations: 0, quaternions: 0, angles: &[] };
@@ -20,15 +20,21 @@ struct Line<F> {
     evaluations: u32,
 }
 
-impl<F: Fn(f64, f64, f64) -> f64> Dynamics<f64> for Line<F> {
+impl<F: Fn(f64, f64, f64) -> f64> Variables<f64> for Line<F> {
     const LAYOUT: Layout = FREE;
     type Q = [f64; 1];
     type V = [f64; 1];
+    type Z = ();
+    type Gates = ();
     type Lambda = [f64; 0];
+}
 
-    fn acceleration(&mut self, time: f64, state: &mut Point) -> [f64; 1] {
+impl<F: Fn(f64, f64, f64) -> f64> Dynamics<f64> for Line<F> {
+    type Variables = Self;
+
+    fn derivative(&mut self, time: f64, state: &mut Point) -> Derivative<[f64; 1]> {
         self.evaluations += 1;
-        [(self.acceleration)(time, state.q[0], state.v[0])]
+        Derivative { v: state.v, a: [(self.acceleration)(time, state.q[0], state.v[0])], z: () }
     }
 }
 
@@ -36,18 +42,18 @@ fn line<F: Fn(f64, f64, f64) -> f64>(acceleration: F) -> Line<F> {
     Line { acceleration, evaluations: 0 }
 }
 
-fn memory<D: Dynamics<f64>>(_: &D) -> DormandPrinceMemory<f64, D::Q, D::V> {
-    DormandPrince::fixed().memory::<D::Q, D::V, D::Lambda>()
+fn memory<D: Dynamics<f64>>(_: &D) -> <DormandPrince as Method<f64>>::Memory<D::Variables> {
+    DormandPrince::fixed().memory::<D::Variables>()
 }
 
 /// The state, the steps taken and the trials given up.
-type Travelled<D> = (State<<D as Dynamics<f64>>::Q, <D as Dynamics<f64>>::V>, u32, Rejections);
+type Travelled<D> = (StateOf<<D as Dynamics<f64>>::Variables>, u32, Rejections);
 
 /// Steps of the method's choice until `end`.
 fn travel<D: Dynamics<f64>>(
     dynamics: &mut D,
     method: DormandPrince,
-    start: State<D::Q, D::V>,
+    start: StateOf<D::Variables>,
     end: f64,
 ) -> Result<Travelled<D>, StepFailure> {
     let mut memory = memory(dynamics);
@@ -88,7 +94,7 @@ fn a_uniform_rotation_in_space_is_exact() {
     let (axis, rate) = ([0.48, -0.6, 0.64], 314.0);
     let begin = exponential([0.5, -1.0, 0.2]);
     let round = || Top { inertia: [2.0; 3], moment: [0.0; 3] };
-    let start = State { q: begin, v: axis.map(|entry: f64| entry * rate) };
+    let start = State::new(begin, axis.map(|entry: f64| entry * rate));
     let (s, c) = (0.5_f64 * 10.0 * rate).sin_cos();
     let expected = product(begin, [c, s * axis[0], s * axis[1], s * axis[2]]);
     let end = run(round(), DormandPrince::fixed(), start, 10.0, 10_000);
@@ -100,7 +106,7 @@ fn a_uniform_rotation_in_space_is_exact() {
 #[test]
 fn a_counted_angle_follows_the_integral_of_its_rate() {
     let v = [0.8 * 3.0 + 0.6 * 0.7, 0.4, 3.0, -0.7];
-    let start = State { q: [0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0], v };
+    let start = State::new([0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0], v);
     let method = DormandPrince::tolerance(1e-9);
     for end in [
         run(Counted(Top::free()), DormandPrince::fixed(), start, 20.0, 400),
@@ -140,7 +146,7 @@ fn the_error_follows_the_tolerance() {
 fn a_fast_top_follows_the_tolerance() {
     let inertia = [0.234375 + 15.0, 0.46875, 0.234375 + 15.0];
     let top = || Top { inertia, moment: [0.0, 15.0 * 9.81, 0.0] };
-    let start = State { q: [1.0, 0.0, 0.0, 0.0], v: [0.0, 150.0, -4.61538] };
+    let start = State::new([1.0, 0.0, 0.0, 0.0], [0.0, 150.0, -4.61538]);
     let expected = [0.58456062406948, -0.70066289541215, 0.38432575302288, 0.14019307880051];
     for digits in 4..=10 {
         let tolerance = 10.0_f64.powi(-digits);
@@ -158,7 +164,7 @@ fn the_end_of_a_step_is_the_start_of_the_next() {
     let method = DormandPrince::fixed();
     let fresh = memory(&swing);
     let mut memory = fresh;
-    let mut state = State { q: [1.0], v: [0.0] };
+    let mut state = State::new([1.0], [0.0]);
     let step = |memory: &mut _, swing: &mut _, time: f64, state: &Point| -> Point {
         method.step(memory, swing, time, 0.1, state).unwrap().state
     };
@@ -168,7 +174,7 @@ fn the_end_of_a_step_is_the_start_of_the_next() {
     assert_eq!(swing.evaluations, 7 + 9 * 6);
     // Another state, or another time, is evaluated again.
     let before = memory;
-    let other = State { q: [state.q[0] + 1e-15], v: state.v };
+    let other = State::new([state.q[0] + 1e-15], state.v);
     step(&mut memory, &mut swing, 1.0, &other);
     assert_eq!(swing.evaluations, 61 + 7);
     memory = before;
@@ -185,7 +191,7 @@ fn the_end_of_a_step_is_the_start_of_the_next() {
 #[test]
 fn evaluations_are_counted() {
     let mut swing = line(|_, x, _| -x);
-    let start = State { q: [1.0], v: [0.0] };
+    let start = State::new([1.0], [0.0]);
     let (end, steps, rejections) = travel(&mut swing, DormandPrince::tolerance(1e-8), start, TAU).unwrap();
     assert_eq!(swing.evaluations, 2 + 6 * (steps + rejections.total()));
     println!("a period of a swing: {} evaluations, off by {:.1e}", swing.evaluations, end.q[0] - 1.0);
@@ -200,10 +206,8 @@ fn the_continuous_extension_is_of_order_4() {
         let method = DormandPrince::fixed();
         let mut memory = memory(&Top::free());
         let end = method.step(&mut memory, &mut Top::free(), 0.5, h, &begin).unwrap().state;
-        assert_eq!(DormandPrince::size::<[f64; 4], [f64; 3], [f64; 0]>(&memory), Some(h));
-        let at = |elapsed: f64| -> Turning {
-            DormandPrince::at::<_, _, [f64; 0]>(&memory, &Top::LAYOUT, elapsed).unwrap()
-        };
+        assert_eq!(DormandPrince::size::<Top>(&memory), Some(h));
+        let at = |elapsed: f64| -> Turning { DormandPrince::at::<Top>(&memory, elapsed).unwrap() };
         assert!(largest(&at(0.0).q, &begin.q) < 1e-15 && at(0.0).v == begin.v);
         assert!(largest(&at(h).q, &end.q) < 1e-15 && largest(&at(h).v, &end.v) < 1e-14);
         [0.25, 0.5, 0.75].map(|part| {
@@ -221,7 +225,7 @@ fn the_continuous_extension_is_of_order_4() {
 #[test]
 fn a_jump_is_stepped_to_and_passed() {
     let mut brake = line(|t, _, _| if t < 1.0 { 1.0 } else { -1.0 });
-    let start = State { q: [0.0], v: [0.0] };
+    let start = State::new([0.0], [0.0]);
     let (end, _, rejections) = travel(&mut brake, DormandPrince::tolerance(1e-9), start, 2.0).unwrap();
     assert!((end.q[0] - 1.0).abs() < 3e-7 && end.v[0].abs() < 3e-7, "{end:?}");
     assert!(rejections.error > 3, "{rejections:?}");
@@ -231,7 +235,7 @@ fn a_jump_is_stepped_to_and_passed() {
 #[test]
 fn a_first_step_is_found_for_huge_slopes() {
     for huge in [1e200, -1e300] {
-        let start = State { q: [0.0], v: [0.0] };
+        let start = State::new([0.0], [0.0]);
         let mut fast = line(|_, _, _| huge);
         let (end, steps, _) = travel(&mut fast, DormandPrince::tolerance(1e-8), start, 1.0).unwrap();
         assert!((end.q[0] / huge - 0.5).abs() < 1e-14 && steps < 30, "{end:?} in {steps}");
@@ -241,7 +245,7 @@ fn a_first_step_is_found_for_huge_slopes() {
 #[test]
 fn what_is_not_finite_is_approached_and_then_an_error() {
     let mut wall = line(|_, x, _| if x < 1.0 { 0.0 } else { f64::NAN });
-    let start = State { q: [0.0], v: [1.0] };
+    let start = State::new([0.0], [1.0]);
     let mut memory = memory(&wall);
     let (mut time, mut state) = (0.0, start);
     let failure = loop {
@@ -266,16 +270,22 @@ struct Singular {
     evaluations: u32,
 }
 
-impl Dynamics<f64> for Singular {
+impl Variables<f64> for Singular {
     const LAYOUT: Layout = FREE;
     type Q = [f64; 1];
     type V = [f64; 1];
+    type Z = ();
+    type Gates = ();
     type Lambda = [f64; 0];
+}
 
-    fn acceleration(&mut self, time: f64, _state: &mut Point) -> [f64; 1] {
+impl Dynamics<f64> for Singular {
+    type Variables = Self;
+
+    fn derivative(&mut self, time: f64, state: &mut Point) -> Derivative<[f64; 1]> {
         self.evaluations += 1;
         self.failed |= (self.at)(time, self.evaluations);
-        [0.0]
+        Derivative { v: state.v, a: [0.0], z: () }
     }
     fn begin_trial(&mut self, _size: f64) {
         self.failed = false;
@@ -288,7 +298,7 @@ impl Dynamics<f64> for Singular {
 #[test]
 fn a_stage_that_breaks_down_is_tried_again() {
     let singular = |at: fn(f64, u32) -> bool| Singular { at, failed: false, evaluations: 0 };
-    let start = State { q: [0.0], v: [1.0] };
+    let start = State::new([0.0], [1.0]);
     let method = DormandPrince::tolerance(1e-6);
     // Stage 4 of the second step.
     let mut once = singular(|_, evaluation| evaluation == 2 + 6 + 3);
@@ -310,7 +320,7 @@ fn a_stage_that_breaks_down_is_tried_again() {
 #[test]
 fn a_singular_start_names_the_joint() {
     let model = FourBar { lengths: [0.2, 0.4, 0.2], ground: 0.4, ..FourBar::new() };
-    let start = State { q: model.rough([0.0; 3]), v: [0.0; 9] };
+    let start = State::new(model.rough([0.0; 3]), [0.0; 9]);
     for method in [DormandPrince::fixed(), DormandPrince::tolerance(1e-8)] {
         let mut simulation = Simulation::new(&model, start).integrator(method).step(1e-3);
         let error = simulation.advance().unwrap_err();
@@ -356,8 +366,7 @@ fn free(_: f64, _: &State<[f64; 8], [f64; 2]>) -> Torque {
     Torque { shoulder: 0.0 }
 }
 
-const SWUNG: State<[f64; 8], [f64; 2]> =
-    State { q: [1.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0], v: [1.0, -2.0] };
+const SWUNG: State<[f64; 8], [f64; 2]> = State::new([1.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0], [1.0, -2.0]);
 
 /// Inputs that are held change with the step, so the accelerations at its start are new.
 #[test]
@@ -456,7 +465,7 @@ fn samples_at_even_times() {
 #[test]
 fn single_precision_runs() {
     let model = DoublePendulum::<f32>::new();
-    let start = State { q: [1.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0], v: [0.0; 2] };
+    let start = State::new([1.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0], [0.0; 2]);
     let mut simulation = Simulation::new(&model, start)
         .sampled(|_, _| Torque { shoulder: 0.0_f32 })
         .integrator(DormandPrince::tolerance(1e-5))

@@ -5,7 +5,8 @@
 //! k cos Δ θ̈₁ + M₂₂ θ̈₂ = k sin Δ ω₁² − m₂a₂ g cos θ₂, with k = m₂ l₁ a₂.
 
 use linkwright_runtime::{
-    Assemble, Condition, ConditionKind, Elimination, Fields, Flips, Layout, Mechanism, MultiTurn, Row, tabled,
+    Assemble, Condition, ConditionKind, Elimination, Fields, Flips, Layout, Mechanism, MultiTurn, Row, State,
+    Variables, tabled,
 };
 use linkwright_runtime::{Real, unwrap_angle};
 
@@ -69,14 +70,22 @@ impl<R: Real> Fields<R> for Outputs<R> {
     }
 }
 
-impl<R: Real> Mechanism<R> for DoublePendulum<R> {
-    const NAME: &'static str = "DoublePendulum";
+impl<R: Real> Variables<R> for DoublePendulum<R> {
     const LAYOUT: Layout = Layout {
         linear: 0,
         rotations: 2,
         quaternions: 0,
         angles: &[MultiTurn { rate: &[(0, 1.0)] }, MultiTurn { rate: &[(1, 1.0), (0, -1.0)] }],
     };
+    type Q = [R; 8];
+    type V = [R; 2];
+    type Z = ();
+    type Gates = ();
+    type Lambda = [R; 0];
+}
+
+impl<R: Real> Mechanism<R> for DoublePendulum<R> {
+    const NAME: &'static str = "DoublePendulum";
     const ROWS: &'static [Row] = &[];
     const POSITION_NAMES: &'static [&'static str] = &[
         "upper.cos",
@@ -91,9 +100,6 @@ impl<R: Real> Mechanism<R> for DoublePendulum<R> {
     const VELOCITY_NAMES: &'static [&'static str] = &["upper.rate", "lower.rate"];
     const MASS_PATTERN: &'static [(u16, u16)] = &[(0, 0), (1, 0), (1, 1)];
     const JACOBIAN_PATTERN: &'static [(u16, u16)] = &[];
-    type Q = [R; 8];
-    type V = [R; 2];
-    type Lambda = [R; 0];
     type Mass = [R; 3];
     type Jacobian = [R; 0];
     type Inputs = Torque<R>;
@@ -111,7 +117,8 @@ impl<R: Real> Mechanism<R> for DoublePendulum<R> {
     fn constraint_jacobian(&self, _time: R, _q: &[R; 8], _d: &mut [R; 0]) {}
     fn nu(&self, _time: R, _q: &[R; 8], _nu: &mut [R; 0]) {}
     fn gamma(&self, _time: R, _q: &[R; 8], _v: &[R; 2], _gamma: &mut [R; 0]) {}
-    fn forces(&self, _time: R, q: &[R; 8], v: &[R; 2], u: &Torque<R>, forces: &mut [R; 2]) {
+    fn forces(&self, _time: R, state: &State<[R; 8], [R; 2]>, u: &Torque<R>, forces: &mut [R; 2]) {
+        let State { q, v, .. } = state;
         let sin = q[1] * q[2] - q[0] * q[3];
         let (m1, m2, g) = (self.upper_mass, self.lower_mass, self.gravity);
         let first_moment = m1 * self.upper_center + m2 * self.length;
@@ -123,22 +130,23 @@ impl<R: Real> Mechanism<R> for DoublePendulum<R> {
         self.mass_matrix(time, q, &mut m);
         (m[0] * v[0] * v[0] + m[2] * v[1] * v[1]) * R::from_f64(0.5) + m[1] * v[0] * v[1]
     }
-    fn potential_energy(&self, _time: R, q: &[R; 8]) -> R {
+    fn potential_energy(&self, _time: R, state: &State<[R; 8], [R; 2]>) -> R {
+        let State { q, .. } = state;
         let (m1, m2) = (self.upper_mass, self.lower_mass);
         self.gravity * (m1 * self.upper_center * q[1] + m2 * (self.length * q[1] + self.lower_center * q[3]))
     }
     fn acceleration(
         &self,
         time: R,
-        q: &[R; 8],
-        v: &[R; 2],
+        state: &State<[R; 8], [R; 2]>,
         u: &Torque<R>,
         a: &mut [R; 2],
         _lambda: &mut [R; 0],
     ) -> R {
+        let State { q, .. } = state;
         let (mut m, mut f) = ([R::ZERO; 3], [R::ZERO; 2]);
         self.mass_matrix(time, q, &mut m);
-        self.forces(time, q, v, u, &mut f);
+        self.forces(time, state, u, &mut f);
         let l = m[1] / m[0];
         let d = m[2] - l * m[1];
         a[1] = (f[1] - l * f[0]) / d;
@@ -148,17 +156,17 @@ impl<R: Real> Mechanism<R> for DoublePendulum<R> {
     fn acceleration_baumgarte(
         &self,
         time: R,
-        q: &[R; 8],
-        v: &[R; 2],
+        state: &State<[R; 8], [R; 2]>,
         u: &Torque<R>,
         _two_alpha: R,
         _beta_squared: R,
         a: &mut [R; 2],
         lambda: &mut [R; 0],
     ) -> R {
-        self.acceleration(time, q, v, u, a, lambda)
+        self.acceleration(time, state, u, a, lambda)
     }
-    fn outputs(&self, _time: R, q: &[R; 8], _v: &[R; 2], u: &Torque<R>) -> Outputs<R> {
+    fn outputs(&self, _time: R, state: &State<[R; 8], [R; 2]>, u: &Torque<R>) -> Outputs<R> {
+        let State { q, .. } = state;
         Outputs { upper: q[1].atan2(q[0]), torque: u.shoulder }
     }
     fn unwrap(outputs: &mut Outputs<R>, previous: &Outputs<R>) {

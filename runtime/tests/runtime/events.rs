@@ -9,7 +9,7 @@ use linkwright_runtime::{
 type Turning = State<[f64; 8], [f64; 2]>;
 
 /// Upper body at 0 rad, 1 rad/s.
-const START: Turning = State { q: [1.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0], v: [1.0, 1.0] };
+const START: Turning = State::new([1.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0], [1.0, 1.0]);
 
 /// No torque.
 struct Free;
@@ -156,7 +156,7 @@ fn samples_lead_to_the_event_and_on() {
 #[test]
 fn the_search_is_bounded() {
     let model = DoublePendulum::new();
-    let swing = State { q: [1.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0], v: [0.0; 2] };
+    let swing = State::new([1.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0], [0.0; 2]);
     let count = |event: Event| {
         let mut count = 0;
         let source = |time: f64, _: &State<_, _>| {
@@ -237,7 +237,7 @@ fn mistakes_are_named() {
 #[test]
 fn single_precision_finds_events_to_its_resolution() {
     let model = DoublePendulum::<f32>::balanced();
-    let start = State { q: [1.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0], v: [1.0, 1.0] };
+    let start = State::new([1.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0], [1.0, 1.0]);
     let mut simulation =
         Simulation::new(&model, start).sampled(|_, _| Torque { shoulder: 0.0_f32 }).step(0.1);
     let event = Event::of("upper").level(2.5).rising();

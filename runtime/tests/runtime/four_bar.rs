@@ -4,10 +4,11 @@
 //! its velocity (ẋ − u s ω, ẏ + u c ω), its acceleration at v̇ = 0 −u ω² (c, s).
 
 use crate::solve::{baumgarte, equations_of_motion, full_columns, full_row_start, natural};
+use linkwright_runtime::unwrap_angle;
 use linkwright_runtime::{
-    Assemble, Condition, ConditionKind, Elimination, Flips, Layout, Mechanism, MultiTurn, Row, tabled,
+    Assemble, Condition, ConditionKind, Elimination, Flips, Layout, Mechanism, MultiTurn, Row, State,
+    Variables, tabled,
 };
-use linkwright_runtime::{State, unwrap_angle};
 
 #[derive(Clone, Copy, Debug)]
 pub struct FourBar {
@@ -65,7 +66,7 @@ impl FourBar {
     }
 
     pub fn rough_start(&self) -> State<Q, V> {
-        State { q: self.rough([0.9, 0.5, 1.6]), v: [0.0; 9] }
+        State::new(self.rough([0.9, 0.5, 1.6]), [0.0; 9])
     }
 }
 
@@ -100,10 +101,18 @@ const JACOBIAN_PATTERN: [(u16, u16); 24] = {
     pattern
 };
 
-impl Mechanism<f64> for FourBar {
-    const NAME: &'static str = "FourBar";
+impl Variables<f64> for FourBar {
     const LAYOUT: Layout =
         Layout { linear: 6, rotations: 3, quaternions: 0, angles: &[MultiTurn { rate: &[(6, 1.0)] }] };
+    type Q = Q;
+    type V = V;
+    type Z = ();
+    type Gates = ();
+    type Lambda = [f64; 8];
+}
+
+impl Mechanism<f64> for FourBar {
+    const NAME: &'static str = "FourBar";
     const ROWS: &'static [Row] = &[
         Row { of: "crank_pin", what: "x" },
         Row { of: "crank_pin", what: "y" },
@@ -144,9 +153,6 @@ impl Mechanism<f64> for FourBar {
     const MASS_PATTERN: &'static [(u16, u16)] =
         &[(0, 0), (1, 1), (2, 2), (3, 3), (4, 4), (5, 5), (6, 6), (7, 7), (8, 8)];
     const JACOBIAN_PATTERN: &'static [(u16, u16)] = &JACOBIAN_PATTERN;
-    type Q = Q;
-    type V = V;
-    type Lambda = [f64; 8];
     type Mass = [f64; 9];
     type Jacobian = [f64; 24];
     type Inputs = ();
@@ -205,7 +211,7 @@ impl Mechanism<f64> for FourBar {
             }
         }
     }
-    fn forces(&self, _time: f64, _q: &Q, _v: &V, _u: &(), forces: &mut V) {
+    fn forces(&self, _time: f64, _state: &State<Q, V>, _u: &(), forces: &mut V) {
         *forces = [0.0; 9];
         for body in 0..3 {
             forces[2 * body + 1] = -self.masses[body] * self.gravity;
@@ -216,29 +222,31 @@ impl Mechanism<f64> for FourBar {
         self.mass_matrix(time, q, &mut mass);
         mass.iter().zip(v).map(|(m, v)| 0.5 * m * v * v).sum()
     }
-    fn potential_energy(&self, _time: f64, q: &Q) -> f64 {
+    fn potential_energy(&self, _time: f64, state: &State<Q, V>) -> f64 {
+        let State { q, .. } = state;
         (0..3).map(|body| self.masses[body] * self.gravity * q[2 * body + 1]).sum()
     }
-    fn acceleration(&self, time: f64, q: &Q, v: &V, u: &(), a: &mut V, lambda: &mut [f64; 8]) -> f64 {
-        self.acceleration_baumgarte(time, q, v, u, 0.0, 0.0, a, lambda)
+    fn acceleration(&self, time: f64, state: &State<Q, V>, u: &(), a: &mut V, lambda: &mut [f64; 8]) -> f64 {
+        self.acceleration_baumgarte(time, state, u, 0.0, 0.0, a, lambda)
     }
     fn acceleration_baumgarte(
         &self,
         time: f64,
-        q: &Q,
-        v: &V,
+        state: &State<Q, V>,
         u: &(),
         two_alpha: f64,
         beta_squared: f64,
         a: &mut V,
         lambda: &mut [f64; 8],
     ) -> f64 {
+        let State { q, v, .. } = state;
         let gamma = baumgarte(self, time, q, v, two_alpha, beta_squared);
         let mut forces = [0.0; 9];
-        self.forces(time, q, v, u, &mut forces);
+        self.forces(time, state, u, &mut forces);
         equations_of_motion(self, time, q, &forces, &gamma, a, lambda)
     }
-    fn outputs(&self, _time: f64, q: &Q, _v: &V, _u: &()) -> Outputs {
+    fn outputs(&self, _time: f64, state: &State<Q, V>, _u: &()) -> Outputs {
+        let State { q, .. } = state;
         Outputs { crank: q[7].atan2(q[6]) }
     }
     fn unwrap(outputs: &mut Outputs, previous: &Outputs) {

@@ -11,6 +11,7 @@ mod events;
 mod factorisation;
 mod four_bar;
 mod motion;
+mod motor;
 mod solve;
 mod space;
 mod support;

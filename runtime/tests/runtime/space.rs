@@ -5,9 +5,9 @@ use core::f64::consts::TAU;
 use linkwright_runtime::integrator::Dynamics;
 use linkwright_runtime::quaternion::{exponential, norm, product, rotation_matrix};
 use linkwright_runtime::{
-    AssembleExt, AssemblyError, Integrator, Layout, Method, MultiTurn, Real, Residual, Rk4,
-    SemiImplicitEuler, Simulation, SimulationError, SpatialMotion, State, StepFailure, Stepped, Vector,
-    retract, smallest_pivot,
+    AssembleExt, AssemblyError, Derivative, Integrator, Layout, Method, MultiTurn, Real, Residual, Rk4,
+    SemiImplicitEuler, Simulation, SimulationError, SpatialMotion, State, StateOf, StepFailure, Stepped,
+    SteppedOf, Variables, Vector, retract, smallest_pivot,
 };
 
 const ONE_BODY: Layout = Layout { linear: 0, rotations: 0, quaternions: 1, angles: &[] };
@@ -43,27 +43,34 @@ impl Top {
     }
 }
 
-impl Dynamics<f64> for Top {
+impl Variables<f64> for Top {
     const LAYOUT: Layout = ONE_BODY;
     type Q = [f64; 4];
     type V = [f64; 3];
+    type Z = ();
+    type Gates = ();
     type Lambda = [f64; 0];
+}
 
-    fn acceleration(&mut self, _time: f64, state: &mut Turning) -> [f64; 3] {
+impl Dynamics<f64> for Top {
+    type Variables = Self;
+
+    fn derivative(&mut self, _time: f64, state: &mut Turning) -> Derivative<[f64; 3]> {
         let gyroscopic = cross(self.spin(state.v), state.v);
         let [_, _, up] = rotation_matrix(state.q);
         let weight = cross(up, self.moment);
-        [0, 1, 2].map(|i| (gyroscopic[i] + weight[i]) / self.inertia[i])
+        let a = [0, 1, 2].map(|i| (gyroscopic[i] + weight[i]) / self.inertia[i]);
+        Derivative { v: state.v, a, z: () }
     }
 }
 
 pub fn run<D: Dynamics<f64>, I: Integrator<f64, D>>(
     mut dynamics: D,
     integrator: I,
-    start: State<D::Q, D::V>,
+    start: StateOf<D::Variables>,
     end: f64,
     steps: u32,
-) -> State<D::Q, D::V> {
+) -> StateOf<D::Variables> {
     let h = end / f64::from(steps);
     let mut memory = integrator.memory();
     (0..steps).fold(start, |state, k| {
@@ -98,7 +105,7 @@ fn a_uniform_rotation_in_space_is_exact() {
     for (axis, rate) in [([0.0, 0.0, 1.0], 314.0), ([0.48, -0.6, 0.64], 314.0), ([0.6, 0.8, 0.0], 3140.0)] {
         let begin = exponential([0.5, -1.0, 0.2]);
         let round = Top { inertia: [2.0; 3], moment: [0.0; 3] };
-        let start = State { q: begin, v: axis.map(|entry: f64| entry * rate) };
+        let start = State::new(begin, axis.map(|entry: f64| entry * rate));
         let end = run(round, Rk4, start, 10.0, 10_000);
         let angle: f64 = 10.0 * rate;
         let (s, c) = (0.5 * angle).sin_cos();
@@ -112,41 +119,31 @@ fn a_uniform_rotation_in_space_is_exact() {
 struct Uncorrected;
 
 impl Method<f64> for Uncorrected {
-    type Memory<Q: Vector<f64>, V: Vector<f64>, Lambda: Vector<f64>> = ();
+    type Memory<X: Variables<f64>> = ();
 
-    fn memory<Q: Vector<f64>, V: Vector<f64>, Lambda: Vector<f64>>(&self) {}
+    fn memory<X: Variables<f64>>(&self) {}
 }
 
-impl<D: Dynamics<f64>> Integrator<f64, D> for Uncorrected {
+impl<X: Variables<f64>, D: Dynamics<f64, Variables = X>> Integrator<f64, D> for Uncorrected {
     fn step(
         &self,
         _memory: &mut (),
         dynamics: &mut D,
         time: f64,
         h: f64,
-        state: &State<D::Q, D::V>,
-    ) -> Result<Stepped<f64, D::Q, D::V>, StepFailure> {
-        let after = |h: f64, v: &D::V, a: &D::V| {
-            let mut q = state.q;
-            retract(&D::LAYOUT, &state.q, &v.scaled(h), &mut q);
-            State { q, v: state.v.plus(h, a) }
-        };
-        let mean = |k1: &D::V, k2: &D::V, k3: &D::V, k4: &D::V| {
-            k1.plus(2.0, k2).plus(2.0, k3).plus(1.0, k4).scaled(1.0 / 6.0)
-        };
-        let a1 = dynamics.acceleration(time, &mut state.clone());
-        let mut second = after(0.5 * h, &state.v, &a1);
-        let a2 = dynamics.acceleration(time + 0.5 * h, &mut second);
-        let mut third = after(0.5 * h, &second.v, &a2);
-        let a3 = dynamics.acceleration(time + 0.5 * h, &mut third);
-        let mut fourth = after(h, &third.v, &a3);
-        let a4 = dynamics.acceleration(time + h, &mut fourth);
-        let end = after(h, &mean(&state.v, &second.v, &third.v, &fourth.v), &mean(&a1, &a2, &a3, &a4));
-        Ok(Stepped::explicit(h, end))
+        state: &StateOf<X>,
+    ) -> Result<SteppedOf<X>, StepFailure> {
+        let after = |h: f64, slope: &_| state.advance(&X::LAYOUT, h, slope);
+        let k1 = dynamics.derivative(time, &mut state.clone());
+        let k2 = dynamics.derivative(time + 0.5 * h, &mut after(0.5 * h, &k1));
+        let k3 = dynamics.derivative(time + 0.5 * h, &mut after(0.5 * h, &k2));
+        let k4 = dynamics.derivative(time + h, &mut after(h, &k3));
+        let mean = k1.plus(2.0, &k2).plus(2.0, &k3).plus(1.0, &k4).scaled(1.0 / 6.0);
+        Ok(Stepped::explicit(h, after(h, &mean)))
     }
 }
 
-pub const TUMBLING: Turning = State { q: [1.0, 0.0, 0.0, 0.0], v: [0.4, 3.0, -0.7] };
+pub const TUMBLING: Turning = State::new([1.0, 0.0, 0.0, 0.0], [0.4, 3.0, -0.7]);
 
 /// Observed orders of the final orientation with 100, 200 and 400 steps for 2 s of a tumbling body.
 fn orders<I: Integrator<f64, Top> + Copy>(integrator: I) -> [f64; 2] {
@@ -194,7 +191,7 @@ fn the_heavy_top() {
     ];
     let inertia = [0.234375 + 15.0, 0.46875, 0.234375 + 15.0];
     let top = || Top { inertia, moment: [0.0, 15.0 * 9.81, 0.0] };
-    let start = State { q: [1.0, 0.0, 0.0, 0.0], v: [0.0, 150.0, -4.61538] };
+    let start = State::new([1.0, 0.0, 0.0, 0.0], [0.0, 150.0, -4.61538]);
     for (time, expected) in computed {
         let end = run(top(), Rk4, start, time, (time * 40_000.0) as u32);
         let error = largest(&end.q, &expected).min(largest(&end.q, &expected.map(|entry| -entry)));
@@ -209,24 +206,30 @@ pub struct Counted(pub Top);
 
 const COUNTED: [(u32, f64); 2] = [(2, 0.8), (3, -0.6)];
 
-impl Dynamics<f64> for Counted {
+impl Variables<f64> for Counted {
     const LAYOUT: Layout =
         Layout { linear: 1, quaternions: 1, angles: &[MultiTurn { rate: &COUNTED }], ..ONE_BODY };
     type Q = [f64; 7];
     type V = [f64; 4];
+    type Z = ();
+    type Gates = ();
     type Lambda = [f64; 0];
+}
 
-    fn acceleration(&mut self, time: f64, state: &mut State<[f64; 7], [f64; 4]>) -> [f64; 4] {
+impl Dynamics<f64> for Counted {
+    type Variables = Self;
+
+    fn derivative(&mut self, time: f64, state: &mut State<[f64; 7], [f64; 4]>) -> Derivative<[f64; 4]> {
         let ([_, q @ .., _, _], [_, v @ ..]) = (state.q, state.v);
-        let [x, y, z] = self.0.acceleration(time, &mut State { q, v });
-        [0.8 * y - 0.6 * z, x, y, z]
+        let [x, y, z] = self.0.derivative(time, &mut State::new(q, v)).a;
+        Derivative { v: state.v, a: [0.8 * y - 0.6 * z, x, y, z], z: () }
     }
 }
 
 #[test]
 fn a_counted_angle_follows_the_integral_of_its_rate() {
     let v = [0.8 * 3.0 + 0.6 * 0.7, 0.4, 3.0, -0.7];
-    let start = State { q: [0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0], v };
+    let start = State::new([0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0], v);
     for end in [
         run(Counted(Top::free()), Rk4, start, 20.0, 400),
         run(Counted(Top::free()), SemiImplicitEuler, start, 20.0, 400),
@@ -277,9 +280,9 @@ fn a_weld_in_space_is_assembled_from_any_orientation() {
     for _ in 0..1000 {
         let orientation = [next(), next(), next(), next()];
         let near = [next(), next(), next(), orientation[0], orientation[1], orientation[2], orientation[3]];
-        let state = State { q: near, v: [next(); 6] };
+        let state = State::new(near, [next(); 6]);
         match model.project(0.0, &state) {
-            Ok(State { q, v }) => {
+            Ok(State { q, v, .. }) => {
                 assert!(largest(&q[..3], &[0.0; 3]) < 1e-14 && v.max_abs() < 1e-14, "{q:?} {v:?}");
                 assert!(apart([q[3], q[4], q[5], q[6]], model.place) < 1e-13, "{q:?}");
             }
@@ -311,7 +314,7 @@ fn a_weld_in_space_is_turned_from_right_angles_and_from_behind() {
 #[test]
 fn an_orientation_that_is_not_of_length_one_is_named() {
     let model = bracket();
-    let mut start = model.project(0.0, &State { q: Bracket::start(&model).q, v: [0.0; 6] }).unwrap();
+    let mut start = model.project(0.0, &State::new(Bracket::start(&model).q, [0.0; 6])).unwrap();
     assert!(Residual::of(&model, 0.0, &start).position < 1e-14);
     assert!(Simulation::new(&model, start).step(1e-3).advance().is_ok());
 

@@ -1,7 +1,7 @@
 //! A body welded to a support that slides with x = t²/10: time in the constraints, an angle row with a second root.
 
 use crate::solve::{baumgarte, equations_of_motion, full_columns, full_row_start, natural};
-use linkwright_runtime::{Assemble, Condition, Elimination, Flips, Layout, Mechanism, Row};
+use linkwright_runtime::{Assemble, Condition, Elimination, Flips, Layout, Mechanism, Row, State, Variables};
 
 #[derive(Clone, Copy, Debug)]
 pub struct Support {
@@ -9,18 +9,23 @@ pub struct Support {
     pub angle: f64,
 }
 
+impl Variables<f64> for Support {
+    const LAYOUT: Layout = Layout { linear: 2, rotations: 1, quaternions: 0, angles: &[] };
+    type Q = [f64; 4];
+    type V = [f64; 3];
+    type Z = ();
+    type Gates = ();
+    type Lambda = [f64; 3];
+}
+
 impl Mechanism<f64> for Support {
     const NAME: &'static str = "Support";
-    const LAYOUT: Layout = Layout { linear: 2, rotations: 1, quaternions: 0, angles: &[] };
     const ROWS: &'static [Row] =
         &[Row { of: "weld", what: "x" }, Row { of: "weld", what: "y" }, Row { of: "weld", what: "angle" }];
     const POSITION_NAMES: &'static [&'static str] = &["body.x", "body.y", "body.cos", "body.sin"];
     const VELOCITY_NAMES: &'static [&'static str] = &["body.vx", "body.vy", "body.rate"];
     const MASS_PATTERN: &'static [(u16, u16)] = &[(0, 0), (1, 1), (2, 2)];
     const JACOBIAN_PATTERN: &'static [(u16, u16)] = &[(0, 0), (1, 1), (2, 2)];
-    type Q = [f64; 4];
-    type V = [f64; 3];
-    type Lambda = [f64; 3];
     type Mass = [f64; 3];
     type Jacobian = [f64; 3];
     type Inputs = ();
@@ -43,43 +48,43 @@ impl Mechanism<f64> for Support {
         let sine = q[3] * self.angle.cos() - q[2] * self.angle.sin();
         *gamma = [0.2, 0.0, sine * v[2] * v[2]];
     }
-    fn forces(&self, _time: f64, _q: &[f64; 4], _v: &[f64; 3], _u: &(), forces: &mut [f64; 3]) {
+    fn forces(&self, _time: f64, _state: &State<[f64; 4], [f64; 3]>, _u: &(), forces: &mut [f64; 3]) {
         *forces = [0.0, -9.81 * self.mass, 0.0];
     }
     fn kinetic_energy(&self, _time: f64, _q: &[f64; 4], v: &[f64; 3]) -> f64 {
         0.5 * self.mass * (v[0] * v[0] + v[1] * v[1])
     }
-    fn potential_energy(&self, _time: f64, q: &[f64; 4]) -> f64 {
+    fn potential_energy(&self, _time: f64, state: &State<[f64; 4], [f64; 3]>) -> f64 {
+        let State { q, .. } = state;
         9.81 * self.mass * q[1]
     }
     fn acceleration(
         &self,
         time: f64,
-        q: &[f64; 4],
-        v: &[f64; 3],
+        state: &State<[f64; 4], [f64; 3]>,
         u: &(),
         a: &mut [f64; 3],
         lambda: &mut [f64; 3],
     ) -> f64 {
-        self.acceleration_baumgarte(time, q, v, u, 0.0, 0.0, a, lambda)
+        self.acceleration_baumgarte(time, state, u, 0.0, 0.0, a, lambda)
     }
     fn acceleration_baumgarte(
         &self,
         time: f64,
-        q: &[f64; 4],
-        v: &[f64; 3],
+        state: &State<[f64; 4], [f64; 3]>,
         u: &(),
         two_alpha: f64,
         beta_squared: f64,
         a: &mut [f64; 3],
         lambda: &mut [f64; 3],
     ) -> f64 {
+        let State { q, v, .. } = state;
         let gamma = baumgarte(self, time, q, v, two_alpha, beta_squared);
         let mut forces = [0.0; 3];
-        self.forces(time, q, v, u, &mut forces);
+        self.forces(time, state, u, &mut forces);
         equations_of_motion(self, time, q, &forces, &gamma, a, lambda)
     }
-    fn outputs(&self, _time: f64, _q: &[f64; 4], _v: &[f64; 3], _u: &()) {}
+    fn outputs(&self, _time: f64, _state: &State<[f64; 4], [f64; 3]>, _u: &()) {}
     fn unwrap(_outputs: &mut (), _previous: &()) {}
 }
 

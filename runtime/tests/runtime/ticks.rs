@@ -6,13 +6,13 @@ use crate::double_pendulum::{DoublePendulum, Torque};
 use core::cell::{Cell, RefCell};
 use linkwright_runtime::{
     DormandPrince, Dynamics, Event, Integrator, Method, Real, Rk4, Simulation, SimulationError, State,
-    StepFailure, Stepped, Vector,
+    StateOf, StepFailure, Stepped, SteppedOf, Variables,
 };
 
 /// Both bodies at 0 rad, 1 rad/s.
 fn turning<R: Real>() -> State<[R; 8], [R; 2]> {
     let (zero, one) = (R::ZERO, R::ONE);
-    State { q: [one, zero, one, zero, zero, zero, zero, zero], v: [one, one] }
+    State::new([one, zero, one, zero, zero, zero, zero, zero], [one, one])
 }
 
 /// Steps and the angle turned, of ticks that are advanced by naming their ends.
@@ -51,13 +51,13 @@ fn a_pendulum_swings_the_same_at_every_time() {
     let start = |upper: f64| [upper.cos(), upper.sin(), upper.cos(), upper.sin(), 0.0, upper, 0.0, 0.0];
     let (tick, h, ticks) = (1e-3_f32, 1e-4_f32, 1000);
     let model = DoublePendulum::<f64>::new();
-    let mut exact = Simulation::new(&model, State { q: start(0.7), v: [0.0; 2] })
+    let mut exact = Simulation::new(&model, State::new(start(0.7), [0.0; 2]))
         .sampled(|_, _| Torque { shoulder: 0.0 })
         .step(h.into());
     let model = DoublePendulum::<f32>::new();
     let expected = exact.advance_for(ticks as f64 * f64::from(tick)).unwrap();
     for begin in [0.0_f32, 300.0, 1000.0, 3600.0, 86_400.0, 604_800.0] {
-        let start = State { q: start(0.7).map(|x| x as f32), v: [0.0; 2] };
+        let start = State::new(start(0.7).map(|x| x as f32), [0.0; 2]);
         let mut simulation = Simulation::new(&model, start)
             .sampled(|_, _| Torque { shoulder: 0.0_f32 })
             .start_time(begin)
@@ -123,9 +123,9 @@ struct Asked<'a> {
 }
 
 impl<R: Real> Method<R> for Asked<'_> {
-    type Memory<Q: Vector<R>, V: Vector<R>, Lambda: Vector<R>> = ();
+    type Memory<X: Variables<R>> = ();
 
-    fn memory<Q: Vector<R>, V: Vector<R>, Lambda: Vector<R>>(&self) {}
+    fn memory<X: Variables<R>>(&self) {}
 }
 
 impl<R: Real, D: Dynamics<R>> Integrator<R, D> for Asked<'_> {
@@ -135,8 +135,8 @@ impl<R: Real, D: Dynamics<R>> Integrator<R, D> for Asked<'_> {
         dynamics: &mut D,
         time: R,
         h: R,
-        state: &State<D::Q, D::V>,
-    ) -> Result<Stepped<R, D::Q, D::V>, StepFailure<R>> {
+        state: &StateOf<D::Variables, R>,
+    ) -> Result<SteppedOf<D::Variables, R>, StepFailure<R>> {
         assert!(h > R::ZERO);
         self.sum.set(self.sum.get() + h.to_f64());
         self.steps.set(self.steps.get() + 1);
@@ -362,9 +362,9 @@ fn durations_and_counts_are_checked() {
 struct Wrong(f64);
 
 impl Method<f64> for Wrong {
-    type Memory<Q: Vector<f64>, V: Vector<f64>, Lambda: Vector<f64>> = ();
+    type Memory<X: Variables<f64>> = ();
 
-    fn memory<Q: Vector<f64>, V: Vector<f64>, Lambda: Vector<f64>>(&self) {}
+    fn memory<X: Variables<f64>>(&self) {}
 }
 
 impl<D: Dynamics<f64>> Integrator<f64, D> for Wrong {
@@ -374,8 +374,8 @@ impl<D: Dynamics<f64>> Integrator<f64, D> for Wrong {
         dynamics: &mut D,
         time: f64,
         h: f64,
-        state: &State<D::Q, D::V>,
-    ) -> Result<Stepped<f64, D::Q, D::V>, StepFailure> {
+        state: &StateOf<D::Variables>,
+    ) -> Result<SteppedOf<D::Variables>, StepFailure> {
         let stepped = Rk4.step(memory, dynamics, time, h, state)?;
         Ok(Stepped { size: self.0 * h, ..stepped })
     }

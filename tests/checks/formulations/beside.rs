@@ -30,7 +30,7 @@ type FourBar<R> = ChangePointFourBar<R>;
 fn steps<R, F, I>(name: &str, start: &State<[R; 6], [R; 3]>, means: (F, I), h: R, off: f64, tally: &mut Tally)
 where
     R: Real,
-    FourBar<R>: Assemble<R, Q = [R; 6], V = [R; 3], Inputs = ()> + Default,
+    FourBar<R>: Assemble<R, Q = [R; 6], V = [R; 3], Z = (), Gates = (), Inputs = ()> + Default,
     F: Formulation<R, FourBar<R>>,
     I: for<'m> Integrator<R, MechanismDynamics<'m, FourBar<R>, R, F, NoInputs>>,
 {
@@ -62,7 +62,7 @@ where
 fn starts<R>(h: f64) -> Tally
 where
     R: Real,
-    FourBar<R>: Assemble<R, Q = [R; 6], V = [R; 3], Inputs = ()> + Default,
+    FourBar<R>: Assemble<R, Q = [R; 6], V = [R; 3], Z = (), Gates = (), Inputs = ()> + Default,
 {
     let model = FourBar::<R>::default();
     let (k, h) = (R::from_f64, R::from_f64(h));
@@ -78,7 +78,7 @@ where
         let near = [pairs[0][0], pairs[0][1], pairs[1][0], pairs[1][1], pairs[2][0], pairs[2][1]];
         let Ok(q) = linkwright::project_position(&model, R::ZERO, &near) else { continue };
         for (v, off) in VELOCITIES.iter().zip(&mut off) {
-            let given = State { q, v: v.map(k) };
+            let given = State::new(q, v.map(k));
             let projected = model.project(R::ZERO, &given);
             if let Ok(projected) = &projected
                 && distance > 5e-3

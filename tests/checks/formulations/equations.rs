@@ -241,7 +241,7 @@ fn accelerations<M: Model, F: Formulation<f64, M>>(
     at: &At<M>,
 ) -> (M::V, M::Lambda) {
     let (mut a, mut lambda) = (M::V::zero(), M::Lambda::zero());
-    let mut state = State { q: at.q, v: at.v };
+    let mut state = at.state();
     let mut memory = formulation.memory();
     formulation.acceleration(&mut memory, model, at.time, &mut state, &at.u, &mut a, &mut lambda);
     (a, lambda)
@@ -289,7 +289,7 @@ fn projection_reaches_the_constraints_along_the_mass<M: Model>() {
         let mut q = at.q;
         retract(&M::LAYOUT, &at.q, &off, &mut q);
         let kick = vector::<M::V>(&random.vector(M::V::LEN)).scaled(1e-3);
-        let mut state = State { q, v: at.v.plus(1.0, &kick) };
+        let mut state = State::new(q, at.v.plus(1.0, &kick));
         let before = state;
         let projected = Projected::after(LagrangeIndex1);
         let settled = Formulation::<f64, M>::settle(&projected, &mut (), &model, at.time, &mut state);
@@ -309,7 +309,7 @@ fn projection_reaches_the_constraints_along_the_mass<M: Model>() {
         }
         // wᵀ M Δv = 0 for every w with D w = 0.
         let change = state.v.plus(-1.0, &before.v);
-        let free = State { q: state.q, v: vector(&random.vector(M::V::LEN)) };
+        let free = State { v: vector(&random.vector(M::V::LEN)), ..state };
         let mut mass = M::Mass::zero();
         model.mass_matrix(at.time, &state.q, &mut mass);
         let mut store = M::store();

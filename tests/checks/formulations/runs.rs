@@ -8,8 +8,8 @@
 
 use linkwright::{
     Assemble, AugmentedLagrangian, Baumgarte, ExplicitTrapezoidal, Formulation, LagrangeIndex1, Mechanism,
-    NullSpace, Partitioned, Penalty, Projected, Residual, Sample, Simulation, SimulationError, State, Step,
-    Vector,
+    NullSpace, Partitioned, Penalty, Projected, Residual, Sample, Simulation, SimulationError, StateOf, Step,
+    Variables, Vector,
 };
 use linkwright_models::andrews::Andrews;
 use linkwright_models::n_four_bar::{NFourBar2, NFourBar40};
@@ -51,12 +51,7 @@ struct Run {
 }
 
 /// Runs from the start; gives the last sample too, if there is one.
-fn run<M, F>(
-    model: &M,
-    start: State<M::Q, M::V>,
-    formulation: F,
-    (end, h): (f64, f64),
-) -> (Run, Sample<'_, f64, M>)
+fn run<M, F>(model: &M, start: StateOf<M>, formulation: F, (end, h): (f64, f64)) -> (Run, Sample<'_, f64, M>)
 where
     M: Assemble<f64, Inputs = ()>,
     F: Formulation<f64, M>,
@@ -268,9 +263,9 @@ fn tables_take_over_where_written_out_pivots_are_small() {
     let (begin, mut by_tables, mut steps) = (simulation.energy(), 0, 0);
     while simulation.time() < 1.0 {
         let step = simulation.advance().expect("it turns");
-        let State { q, v } = *simulation.state();
-        let (mut a, mut lambda) = (v, <LedWrittenOut as Mechanism<f64>>::Lambda::zero());
-        let pivot = model.null_space(simulation.time(), &q, &v, &(), &mut a, &mut lambda);
+        let state = *simulation.state();
+        let (mut a, mut lambda) = (state.v, <LedWrittenOut as Variables<f64>>::Lambda::zero());
+        let pivot = model.null_space(simulation.time(), &state, &(), &mut a, &mut lambda);
         by_tables += u32::from(pivot < 1e-4);
         steps += 1;
         assert!(step.reciprocal_condition >= 1e-4 && step.near_singular.is_none(), "{step:?}");

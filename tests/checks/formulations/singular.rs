@@ -24,7 +24,7 @@ fn pivots_tell_the_distance_from_a_flat_position() {
 
 /// A flat position of the two windows: all rods along x, turning as parallelograms do.
 fn flat() -> State<[f64; 10], [f64; 5]> {
-    State { q: [1.0, 0.0, 1.0, 0.0, 1.0, 0.0, 1.0, 0.0, 1.0, 0.0], v: [-3.0, -3.0, -3.0, 0.0, 0.0] }
+    State::new([1.0, 0.0, 1.0, 0.0, 1.0, 0.0, 1.0, 0.0, 1.0, 0.0], [-3.0, -3.0, -3.0, 0.0, 0.0])
 }
 
 #[test]
@@ -120,7 +120,7 @@ fn what_is_passed_between_steps_is_seen_after_a_week() {
         let (h, rate) = (0.03_f32, 10.0);
         // Flat in the middle of a step, by a method that looks at its beginning only.
         let (s, c) = (4.5 * h * rate).sin_cos();
-        let start = State { q: [c, s, c, s, c, s, 1.0, 0.0, 1.0, 0.0], v: [-rate, -rate, -rate, 0.0, 0.0] };
+        let start = State::new([c, s, c, s, c, s, 1.0, 0.0, 1.0, 0.0], [-rate, -rate, -rate, 0.0, 0.0]);
         let simulation = Simulation::new(&model, start).start_time(since).step(h);
         let mut simulation =
             simulation.formulation(Projected::after(LagrangeIndex1)).integrator(SemiImplicitEuler);

@@ -32,7 +32,7 @@ macro_rules! against_adams {
                 let (state, a) = (*simulation.state(), simulation.acceleration().expect("it is regular"));
                 let lambda = simulation.multipliers().expect("it is regular");
                 let [bar] = model.motions(time, &state.q, &state.v, &a);
-                let [pivot] = model.reactions(time, &state.q, &state.v, &(), &a, &lambda);
+                let [pivot] = model.reactions(time, &state, &(), &a, &lambda);
                 let vector = |what: &str, suffix: &str| {
                     ["X", "Y", "Z"].map(|axis| value(&format!("{what}.{axis}_{suffix}")))
                 };
@@ -79,7 +79,7 @@ macro_rules! swings {
                 let (state, a) = (*simulation.state(), simulation.acceleration().expect("it is regular"));
                 let lambda = simulation.multipliers().expect("it is regular");
                 let [bar] = model.motions(time, &state.q, &state.v, &a);
-                let [pivot] = model.reactions(time, &state.q, &state.v, &(), &a, &lambda);
+                let [pivot] = model.reactions(time, &state, &(), &a, &lambda);
                 let (sine, cosine) = value("theta").sin_cos();
                 let mut position = [0.0, 0.0, value("z")];
                 let mut velocity = [0.0, 0.0, -2.0 * cosine * value("rate")];

@@ -41,11 +41,11 @@ fn inverse_dynamics() {
         }
         let found = model.kinematics(time, &near, &[]).expect("the crank swings freely");
         let (mut a, mut lambda) = ([0.0; DrivenFourBar::START.v.len()], [0.0; 3]);
-        model.acceleration(time, &found.q, &found.v, &(), &mut a, &mut lambda);
+        model.acceleration(time, &found.state(), &(), &mut a, &mut lambda);
         let [[effort, _power]] = model.driver_efforts(time, &found.q, &found.v, &lambda);
         exact.see(effort, reference.get(row, "tau_exact"));
         adams.see(effort, -reference.get(row, "torque_adams"));
-        output.see(model.outputs(time, &found.q, &found.v, &()).torque, effort);
+        output.see(model.outputs(time, &found.state(), &()).torque, effort);
     }
     exact.below(1e-9, "inverse dynamics, exact torque");
     adams.below(9e-3, "inverse dynamics, ADAMS' torque");

@@ -24,7 +24,7 @@ fn ratio_and_torques() {
     ratio.below(1e-12, "gear ratio");
     speed.below(1e-11, "speed under balanced torques");
     let state = simulation.state();
-    let powers = model.powers(5.0, &state.q, &state.v, &balanced);
+    let powers = model.powers(5.0, &state, &balanced);
     assert_eq!(PlanetaryGearTrain::LOADS, ["input", "output"]);
     let mut balance = Worst::default();
     balance.see(powers[0], 3.0);
@@ -43,7 +43,7 @@ fn reflected_inertia() {
     let inputs = PlanetaryGearTrainInputs { arm_torque: 0.7, sun_torque: 0.02 };
     let start = PlanetaryGearTrain::START;
     let (mut a, mut lambda) = (start.v, Default::default());
-    model.acceleration(0.0, &start.q, &start.v, &inputs, &mut a, &mut lambda);
+    model.acceleration(0.0, &start, &inputs, &mut a, &mut lambda);
     let arm = model.motions(0.0, &start.q, &start.v, &a)[0];
     let mut worst = Worst::default();
     worst.see(arm.angular_acceleration, (0.7 + 3.0 * 0.02) / inertia);

@@ -27,7 +27,7 @@ fn jansen_leg() {
             let found = model.kinematics(time, &near, &[]).expect("the leg walks");
             near = found.q;
             if part + 1 == PARTS {
-                let outputs = model.outputs(time, &found.q, &found.v, &());
+                let outputs = model.outputs(time, &found.state(), &());
                 // The table's unit is Jansen's, here the centimetre.
                 worst.see(100.0 * outputs.toe_x, reference.get(row, "jansen_Fx"));
                 worst.see(100.0 * outputs.toe_y, reference.get(row, "jansen_Fy"));
@@ -53,7 +53,7 @@ fn klann_leg() {
             let found = model.kinematics(0.0, &near, &[motion]).expect("the leg walks");
             near = found.q;
             if part + 1 == PARTS {
-                let outputs = model.outputs(0.0, &found.q, &found.v, &KlannLegInputs { torque: 0.0 });
+                let outputs = model.outputs(0.0, &found.state(), &KlannLegInputs { torque: 0.0 });
                 worst.see(outputs.foot_x, reference.get(row, "klann_P33x"));
                 worst.see(outputs.foot_y, reference.get(row, "klann_P33y"));
                 worst.see(outputs.hip_x, reference.get(row, "klann_P37x"));

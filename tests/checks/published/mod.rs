@@ -11,7 +11,7 @@ mod quick_return;
 mod robots;
 mod space;
 
-use linkwright::{Assemble, Baumgarte, Sample, SimulationError, State};
+use linkwright::{Assemble, Baumgarte, Sample, SimulationError, StateOf};
 
 /// A file of comma-separated numbers: comments, one line of names, rows.
 struct Table {
@@ -44,12 +44,12 @@ fn baumgarte(coefficient: f64) -> Baumgarte<f64> {
 /// Runs a mechanism without inputs from `start` at time zero and shows the sample at every `every`-th step.
 fn run<M: Assemble<f64, Inputs = ()>>(
     model: &M,
-    start: State<M::Q, M::V>,
+    start: StateOf<M>,
     (coefficient, step): (f64, f64),
     end: f64,
     every: usize,
     mut show: impl FnMut(usize, &Sample<'_, f64, M>),
-) -> Result<State<M::Q, M::V>, SimulationError> {
+) -> Result<StateOf<M>, SimulationError> {
     let mut count = 0;
     let mut simulation =
         linkwright::Simulation::new(model, start).formulation(baumgarte(coefficient)).step(step);

@@ -1,7 +1,7 @@
 //! Arms against Pinocchio; the Stewart platform, the delta robot and the double wishbone against computations of their own.
 
 use super::{Table, Worst, baumgarte, orientation, see_matrix};
-use linkwright::{Assemble, AssembleExt, Mechanism, Motion, Simulation, Vector};
+use linkwright::{Assemble, AssembleExt, Mechanism, Motion, Simulation, State, Vector};
 use linkwright_models::delta_robot::{DeltaRobot, DeltaRobotInputs};
 use linkwright_models::double_wishbone::{DoubleWishbone, DoubleWishboneInputs};
 use linkwright_models::iiwa14::{Iiwa14, Iiwa14Inputs, Iiwa14Parametric, Iiwa14ParametricInputs};
@@ -53,7 +53,7 @@ macro_rules! against_pinocchio {
             let [torque_1, torque_2, torque_3, torque_4, torque_5, torque_6, torque_7] = [0.0; 7];
             let none = $inputs { torque_1, torque_2, torque_3, torque_4, torque_5, torque_6, torque_7 };
             let mut forces = [0.0; 7];
-            model.forces(0.0, &start.q, &start.v, &none, &mut forces);
+            model.forces(0.0, &start, &none, &mut forces);
             let mut worst = Worst::default();
             for (found, bias) in forces.into_iter().zip(expected("bias_h")) {
                 worst.see(found, -bias);
@@ -61,7 +61,7 @@ macro_rules! against_pinocchio {
             worst.below(1e-11, concat!(stringify!($model), ", bias"));
 
             let given = <[f64; 7]>::try_from(expected("qdd_for_rnea")).expect("seven accelerations");
-            let found = model.inverse_dynamics(0.0, &start.q, &start.v, &none, &given);
+            let found = model.inverse_dynamics(0.0, &start, &none, &given);
             let mut worst = Worst::default();
             for (found, expected) in found.into_iter().zip(expected("tau_rnea")) {
                 worst.see(found, expected);
@@ -72,7 +72,7 @@ macro_rules! against_pinocchio {
                 <[f64; 7]>::try_from(expected("tau_for_aba")).expect("seven torques");
             let torques = $inputs { torque_1, torque_2, torque_3, torque_4, torque_5, torque_6, torque_7 };
             let (mut a, mut lambda) = ([0.0; 7], []);
-            model.acceleration(0.0, &start.q, &start.v, &torques, &mut a, &mut lambda);
+            model.acceleration(0.0, &start, &torques, &mut a, &mut lambda);
             let mut worst = Worst::default();
             for (found, expected) in a.into_iter().zip(expected("qdd_aba")) {
                 // Relative to 1 + |a|: the last joint has 10⁴ rad/s².
@@ -87,7 +87,7 @@ macro_rules! against_pinocchio {
             let mut worst = Worst::default();
             see_matrix(&mut worst, last.orientation, expected_rotation);
             worst.see(model.kinetic_energy(0.0, &start.q, &start.v), expected("kinetic_energy")[0]);
-            worst.see(model.potential_energy(0.0, &start.q), expected("potential_energy")[0]);
+            worst.see(model.potential_energy(0.0, &start), expected("potential_energy")[0]);
             worst.below(1e-11, concat!(stringify!($model), ", last link and energies"));
         }
     };
@@ -124,7 +124,7 @@ fn stewart_platform_stands_still() {
     let model = StewartPlatform::<f64>::default();
     let start = StewartPlatform::START;
     let (mut a, mut lambda) = (start.v, <_ as Vector<f64>>::zero());
-    model.acceleration(0.0, &start.q, &start.v, &thrusts(|_| 1.0), &mut a, &mut lambda);
+    model.acceleration(0.0, &start, &thrusts(|_| 1.0), &mut a, &mut lambda);
     let mut worst = Worst::default();
     a.iter().for_each(|found| worst.see(*found, 0.0));
     worst.below(1e-11, "Stewart platform, accelerations under its own weight");
@@ -164,13 +164,14 @@ fn delta_robot_holds_its_platform() {
     let model = DeltaRobot::<f64>::default();
     let start = DeltaRobot::START;
     let (mut a, mut lambda) = (start.v, <_ as Vector<f64>>::zero());
-    let (rest, held) = ([0.0; DeltaRobot::START.v.len()], torques([-15.072845703509; 3]));
-    model.acceleration(0.0, &start.q, &rest, &held, &mut a, &mut lambda);
+    let rest = State::new(start.q, [0.0; DeltaRobot::START.v.len()]);
+    let held = torques([-15.072845703509; 3]);
+    model.acceleration(0.0, &rest, &held, &mut a, &mut lambda);
     let mut worst = Worst::default();
     a.iter().for_each(|found| worst.see(*found, 0.0));
     worst.below(1e-11, "delta robot, accelerations at rest");
     let mut depth = Worst::default();
-    let outputs = model.outputs(0.0, &start.q, &rest, &held);
+    let outputs = model.outputs(0.0, &rest, &held);
     depth.see(outputs.z, -1.0985777543177184);
     depth.see(outputs.x, 0.0);
     depth.see(outputs.y, 0.0);
@@ -241,7 +242,7 @@ fn double_wishbone_positions() {
         worst.see(axis[2].atan2(axis[1]), value("inclination"));
         worst.see((-axis[0]).atan2(axis[1]), value("steering"));
         let inputs = DoubleWishboneInputs { road: 0.0, brake: 0.0 };
-        worst.see(model.outputs(0.0, &found.q, &found.v, &inputs).upper_angle, value("upper"));
+        worst.see(model.outputs(0.0, &found.state(), &inputs).upper_angle, value("upper"));
     }
     worst.below(1e-11, "double wishbone, wheel over its travel");
 }

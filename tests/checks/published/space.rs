@@ -108,7 +108,7 @@ fn free_rigid_body_turns_over() {
     let after = |time: f64| {
         let end = Simulation::new(&model, FreeRigidBody::START).step(5e-4).advance_until(time);
         let state = end.expect("nothing acts");
-        model.outputs(time, &state.q, &state.v, &())
+        model.outputs(time, &state, &())
     };
     let mut worst = Worst::default();
     let end = after(PERIOD);

@@ -4,7 +4,7 @@
 use super::{casadi, compare, hash, python, recorded, request};
 use crate::registry::{At, Model, compiled};
 use crate::zoo_tangent::{Buoy, Flail, Gripper, Rocker, Spring, Winch};
-use linkwright::{Fields, Linearisation, Response, State, Tangent, Vector};
+use linkwright::{Fields, Linearisation, Response, Tangent, Vector};
 use linkwright_compiler::schedule::Inputs;
 
 /// Relative to the largest entry of a column's v̇ or λ.
@@ -14,7 +14,7 @@ const TOLERANCE: f64 = 1e-10;
 fn sensitivity<M: Model + Tangent<f64>>(inputs: &Inputs) -> Vec<Vec<f64>> {
     let model = M::prepared(&inputs.parameters).expect("parameters near their defaults");
     let at = At::<M>::of(inputs);
-    let state = State { q: at.q, v: at.v };
+    let state = at.state();
     let here = Linearisation::at(&model, at.time, &state, &at.u).expect("a regular state");
     let by_parameters = here.by_parameters();
     let flat = |column: Response<M::V, M::Lambda>| {

@@ -5,10 +5,10 @@
 #![no_std]
 
 use linkwright::{
-    Ali3p, Assemble, AssembleExt, AugmentedLagrangian, Baumgarte, DormandPrince, Event, ExplicitTrapezoidal, Fields,
-    Formulation, GeneralisedAlpha, ImplicitTrapezoidal, InputSource, Integrator, LagrangeIndex1,
+    Ali3p, Assemble, AssembleExt, AugmentedLagrangian, Baumgarte, DormandPrince, Event, ExplicitTrapezoidal,
+    Fields, Formulation, GeneralisedAlpha, ImplicitTrapezoidal, InputSource, Integrator, LagrangeIndex1,
     Linearisation, Mechanism, MechanismDynamics, Motion, NullSpace, Partitioned, Penalty, Projected, Rk4,
-    SemiImplicitEuler, Simulation, State, Tangent, Vector, actuation, equilibrium, mechanism,
+    SemiImplicitEuler, Simulation, StateOf, Tangent, Vector, actuation, equilibrium, mechanism,
 };
 
 #[panic_handler]
@@ -67,12 +67,10 @@ struct Still;
 impl<M: Mechanism<f64, Inputs: Fields<f64>>> InputSource<f64, M> for Still {
     const HELD: bool = false;
 
-    fn sample(&mut self, _: f64, _: &State<M::Q, M::V>) -> M::Inputs {
+    fn sample(&mut self, _: f64, _: &StateOf<M>) -> M::Inputs {
         M::Inputs::from_array(Vector::zero())
     }
 }
-
-type StateOf<M> = State<<M as Mechanism<f64>>::Q, <M as Mechanism<f64>>::V>;
 
 /// Steps, runs, samples, events, under one pair of methods.
 fn moves<M, F, I>(model: &M, start: &StateOf<M>, formulation: F, integrator: I, h: f64) -> u32

@@ -19,11 +19,11 @@ mechanism! {
     }
 }
 
-fn run<M, F: Formulation<f64, M>>(model: &M, start: State<M::Q, M::V>, with: F)
+fn run<M, F: Formulation<f64, M>>(model: &M, start: StateOf<M>, with: F)
 where
     M: Mechanism<f64, Inputs = ArmInputs, Outputs = ArmOutputs> + Assemble<f64>,
 {
-    let inputs = |time: f64, _: &State<M::Q, M::V>| ArmInputs { drive_0: time, drive_1: 0.0 };
+    let inputs = |time: f64, _: &StateOf<M>| ArmInputs { drive_0: time, drive_1: 0.0 };
     let mut simulation = Simulation::new(model, start).formulation(with).inputs(Sampled(inputs)).step(1e-3);
     let _ = simulation.run_until(1.0, |sample| println!("{} {}", sample.outputs.tip, sample.outputs.seen_1));
 }
@@ -57,9 +57,9 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     let _ = actuation(&model, 0.0, &start, &a, &inputs, &["drive_0"])?;
     let [upper, lower] = model.motions(0.0, &start.q, &start.v, &a);
     println!("{:?} {:?}", upper.position, lower.position);
-    let [hinge, _] = model.reactions(0.0, &start.q, &start.v, &inputs, &a, &lambda);
-    let [motor] = model.powers(0.0, &start.q, &start.v, &inputs);
-    println!("{:?} {motor} {}", hinge.force, model.inverse_dynamics(0.0, &start.q, &start.v, &inputs, &a)[0]);
+    let [hinge, _] = model.reactions(0.0, &start, &inputs, &a, &lambda);
+    let [motor] = model.powers(0.0, &start, &inputs);
+    println!("{:?} {motor} {}", hinge.force, model.inverse_dynamics(0.0, &start, &inputs, &a)[0]);
     println!("{} {} {}", Arm::DEGREES_OF_FREEDOM, Arm::OPERATIONS, Arm::DEFINITION);
     println!("{} {:?} {:?}", Arm::BODIES[1], Arm::REDUNDANT_ROWS, Arm::SHARED_REACTIONS);
     Ok(())

@@ -14,7 +14,7 @@ fn main() {
     let model = Pendulum::<f64>::default();
     let inputs = PendulumInputs { drive: 1.0 };
     if let Ok(found) = linkwright::equilibrium(&model, 0.0, &Pendulum::START.q, &inputs) {
-        let state = PendulumState { q: found.q, v: Pendulum::START.v };
+        let state = PendulumState { q: found.q, ..Pendulum::START };
         let here = linkwright::Linearisation::at(&model, 0.0, &state, &inputs);
         let _ = here.and_then(|here| here.state_space());
         let _ = linkwright::actuation(&model, 0.0, &state, &state.v, &inputs, &["drive"]);

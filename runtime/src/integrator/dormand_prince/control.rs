@@ -58,47 +58,59 @@ pub(super) fn after_rejection<R: Real>(error: R) -> R {
     (R::from_f64(SAFETY) / power(error, ALPHA)).max(R::from_f64(FACTORS[0])).min(R::from_f64(SAFETY))
 }
 
-/// The sizes that errors are divided by: sc = absolute + relative · size, for increments and for velocities.
-pub(super) struct Scale<V> {
+/// The sizes that errors are divided by: sc = absolute + relative · size, for increments, velocities and internal states.
+pub(super) struct Scale<V, Z> {
     positions: V,
     velocities: V,
+    internal: Z,
 }
 
-impl<V> Scale<V> {
+impl<V, Z> Scale<V, Z> {
     /// With the sizes of the larger of two states.
-    pub fn new<R: Real, Q: Vector<R>>(
-        (absolute, relative): (R, R),
+    pub fn new<R: Real, Q: Vector<R>, G>(
+        tolerances: (R, R),
         layout: &Layout,
-        a: &State<Q, V>,
-        b: &State<Q, V>,
+        a: &State<Q, V, Z, G>,
+        b: &State<Q, V, Z, G>,
     ) -> Self
     where
         V: Vector<R>,
+        Z: Vector<R>,
     {
-        let scaled = |x: V, y: V| {
-            let mut scale = x;
-            for (scale, y) in scale.as_mut_slice().iter_mut().zip(y.as_slice()) {
-                *scale = relative.mul_add(scale.abs().max(y.abs()), absolute);
-            }
-            scale
-        };
-        Scale { positions: scaled(sizes(layout, &a.q), sizes(layout, &b.q)), velocities: scaled(a.v, b.v) }
+        Scale {
+            positions: scaled(tolerances, &sizes(layout, &a.q), &sizes(layout, &b.q)),
+            velocities: scaled(tolerances, &a.v, &b.v),
+            internal: scaled(tolerances, &a.z, &b.z),
+        }
     }
 
-    /// √(Σ (xᵢ/scᵢ)²/2n_v) of an increment and a change of the velocities.
-    pub fn norm<R: Real>(&self, du: &V, dv: &V) -> R
+    /// √(Σ (xᵢ/scᵢ)²/(2n_v + n_z)) of an increment and the changes of velocities and internal states.
+    pub fn norm<R: Real>(&self, du: &V, dv: &V, dz: &Z) -> R
     where
         V: Vector<R>,
+        Z: Vector<R>,
     {
-        let sum = |values: &V, scale: &V| {
-            values.as_slice().iter().zip(scale.as_slice()).fold(R::ZERO, |sum, (&value, &scale)| {
-                let part = value / scale;
-                part.mul_add(part, sum)
-            })
-        };
-        let count = R::from_f64(2.0 * V::LEN.max(1) as f64);
-        ((sum(du, &self.positions) + sum(dv, &self.velocities)) / count).sqrt()
+        let squares = sum(du, &self.positions) + sum(dv, &self.velocities) + sum(dz, &self.internal);
+        let count = (2 * V::LEN + Z::LEN).max(1) as f64;
+        (squares / R::from_f64(count)).sqrt()
     }
+}
+
+/// sc of the larger of two values of each entry.
+fn scaled<R: Real, T: Vector<R>>((absolute, relative): (R, R), x: &T, y: &T) -> T {
+    let mut scale = *x;
+    for (scale, y) in scale.as_mut_slice().iter_mut().zip(y.as_slice()) {
+        *scale = relative.mul_add(scale.abs().max(y.abs()), absolute);
+    }
+    scale
+}
+
+/// Σ (xᵢ/scᵢ)².
+fn sum<R: Real, T: Vector<R>>(values: &T, scale: &T) -> R {
+    values.as_slice().iter().zip(scale.as_slice()).fold(R::ZERO, |sum, (&value, &scale)| {
+        let part = value / scale;
+        part.mul_add(part, sum)
+    })
 }
 
 /// The size of each coordinate that an increment moves: of a linear one its value, of an orientation 1.
@@ -155,12 +167,12 @@ mod tests {
     #[test]
     fn orientations_are_measured_by_one() {
         let layout = Layout { linear: 1, rotations: 1, quaternions: 0, angles: &[] };
-        let a = State { q: [-3.0, 1.0, 0.0], v: [0.0, 2.0] };
-        let b = State { q: [1.0, 0.0, 1.0], v: [4.0, 1.0] };
+        let a = State::new([-3.0, 1.0, 0.0], [0.0, 2.0]);
+        let b = State::new([1.0, 0.0, 1.0], [4.0, 1.0]);
         let scale = Scale::new((0.5, 0.1), &layout, &a, &b);
         assert!((scale.positions[0] - 0.8).abs() < 1e-15 && (scale.positions[1] - 0.6).abs() < 1e-15);
         assert!((scale.velocities[0] - 0.9).abs() < 1e-15 && (scale.velocities[1] - 0.7).abs() < 1e-15);
-        let norm = scale.norm(&[1.6, 0.0], &[0.0, 0.0]);
+        let norm = scale.norm(&[1.6, 0.0], &[0.0, 0.0], &());
         assert!((norm - 1.0).abs() < 1e-15, "{norm}");
     }
 }

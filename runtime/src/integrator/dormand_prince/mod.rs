@@ -5,14 +5,15 @@ mod dense;
 mod tableau;
 
 use self::control::{AFTER_BREAKDOWN, LEAST_ERROR, MOST_STEPS, MOST_TRIALS, Scale};
-use self::dense::{Segment, Slopes};
-use self::tableau::{A, C, ESTIMATE};
-use super::{Dynamics, Integrator, Interpolate, Method, Rejections, StepFailure, Stepped};
+use self::dense::Segment;
+pub(super) use self::tableau::DORMAND_PRINCE;
+use self::tableau::{ESTIMATE, EULER};
+use super::runge_kutta::{Increment, Slopes, Stage};
+use super::{Dynamics, Integrator, Interpolate, Method, Rejections, StepFailure, Stepped, SteppedOf};
 use crate::error::SettingError;
 use crate::formulation::positive;
-use crate::layout::{Layout, inverse_differential, retract_counting};
 use crate::real::Real;
-use crate::state::State;
+use crate::state::{Derivative, DerivativeOf, StateOf, Variables};
 use crate::vector::Vector;
 
 /// The method of order 5 with an embedded one of order 4 (Dormand, Prince, J. Comput. Appl. Math. 6 (1980) 19–26; Hairer,
@@ -22,20 +23,20 @@ use crate::vector::Vector;
 /// u_i = h Σ a_ij k_j,   q_i = q₀ ⊕ u_i,   v_i = v₀ + h Σ a_ij v̇_j,   k_i = dexp⁻¹(u_i) v_i,   i = 1 … 7
 /// ```
 /// as in [`Rk4`](crate::Rk4) every stage starts from the step's own beginning (Munthe-Kaas 1999; Hairer, Lubich, Wanner,
-/// *Geometric Numerical Integration*, IV.8). The seventh stage is the end of the step and the first of the next one; it is
+/// *Geometric Numerical Integration*, IV.8), and internal states take Σ a_ij ż_j. The seventh stage is the end of the step and the first of the next one; it is
 /// evaluated again only where the state was changed in between, as by a projection, or where inputs are held, because they
-/// then change with the step: seven evaluations then. The terms of dexp⁻¹ that [`inverse_differential`] leaves out are
+/// then change with the step: seven evaluations then. The terms of dexp⁻¹ that [`inverse_differential`](crate::inverse_differential) leaves out are
 /// (1/720) |u|³ |u × ω|, of which u × ω is O(h²): O(h⁶) in a step, as the method's own error.
 ///
 /// # Choice of the step
-/// The difference of the two methods is an error of increments of positions, δu = h Σ (b_i − b̂_i) k_i (m, rad), and of
-/// velocities, δv = h Σ (b_i − b̂_i) v̇_i (m/s, rad/s). A step is taken if
+/// The difference of the two methods is an error of increments of positions, δu = h Σ (b_i − b̂_i) k_i (m, rad), of
+/// velocities, δv = h Σ (b_i − b̂_i) v̇_i (m/s, rad/s), and of internal states, δz. A step is taken if
 ///
 /// ```text
-/// err = √( 1/2n_v Σ (δu_i/sc_i)² + (δv_i/sc_i)² ) ≤ 1,   sc = absolute + relative · size
+/// err = √( 1/(2n_v + n_z) Σ (δu_i/sc_i)² + (δv_i/sc_i)² + (δz_i/sc_i)² ) ≤ 1,   sc = absolute + relative · size
 /// ```
-/// where the size of a linear coordinate and of a velocity is the larger of its magnitudes at the ends, and that of an
-/// orientation is 1: it has no origin to be counted from. Counted angles follow the orientations and are not counted again.
+/// where the size of a linear coordinate, of a velocity and of an internal state is the larger of its magnitudes at the ends, and
+/// that of an orientation is 1: it has no origin to be counted from. Counted angles follow the orientations and are not counted again.
 /// The next size is h · 0.9 err⁻⁰·¹⁷ err₋₁⁰·⁰⁴ (Gustafsson's PI controller), by a factor between 1/5 and 10, never more than
 /// [`Simulation::step`](crate::Simulation::step) says; the first is found from the accelerations at the start and after a
 /// small step of Euler's method (II.4). A step that was shortened to end where a run ends is not taken as a measure of those
@@ -104,82 +105,110 @@ impl<R: Real> DormandPrince<R> {
 
     /// The size of the first step, s: Hairer, Nørsett, Wanner, II.4.
     #[cold]
-    fn first_size<D: Dynamics<R>>(
+    fn first_size<X: Variables<R>, D: Dynamics<R, Variables = X>>(
         &self,
         dynamics: &mut D,
         time: R,
-        state: &State<D::Q, D::V>,
-        first: &First<D::V>,
+        state: &StateOf<X, R>,
+        first: &DerivativeOf<X, R>,
         largest: R,
     ) -> R {
-        let scale = Scale::new((self.absolute, self.relative), &D::LAYOUT, state, state);
-        let d0 = scale.norm(&control::sizes(&D::LAYOUT, &state.q), &state.v);
-        let d1 = scale.norm(&first.v, &first.a);
+        let layout = &X::LAYOUT;
+        let scale = Scale::new((self.absolute, self.relative), layout, state, state);
+        let d0 = scale.norm(&control::sizes(layout, &state.q), &state.v, &state.z);
+        let d1 = scale.norm(&first.v, &first.a, &first.z);
         let h0 = control::euler_size(d0, d1).min(largest);
-        let u = first.v.scaled(h0);
-        let mut q = D::Q::zero();
-        retract_counting(&D::LAYOUT, &state.q, &u, &u, &mut q);
-        let mut euler = State { q, v: state.v.plus(h0, &first.a) };
         dynamics.begin_trial(h0);
-        let a = dynamics.acceleration(time + h0, &mut euler);
-        let k = inverse_differential(&D::LAYOUT, &u, &euler.v);
-        let d2 = scale.norm(&k.plus(-R::ONE, &first.v), &a.plus(-R::ONE, &first.a)) / h0;
-        if dynamics.broke_down() || !d2.is_finite() { h0 } else { control::first_size(h0, d1, d2) }
+        let mut slopes = Slopes::new(first);
+        let Some(_) = slopes.stage(&EULER, 1, dynamics, (time, h0), state) else { return h0 };
+        let Increment { u, v, z, .. } = slopes.increment(layout, R::ONE, 0.0, &[0.0, 1.0]);
+        let d2 = scale.norm(&u, &v, &z) / h0;
+        if !d2.is_finite() { h0 } else { control::first_size(h0, d1, d2) }
     }
 }
 
-/// The values that [`DormandPrince`] carries from step to step: the size it proposes, the accelerations at the end, and
+/// The values that [`DormandPrince`] carries from step to step: the size it proposes, the derivative at the end, and
 /// the continuous extension of the last step.
 #[derive(Clone, Copy, Debug)]
-pub struct DormandPrinceMemory<R, Q, V> {
+pub struct DormandPrinceMemory<R, S, V, Z> {
     /// The size proposed for the next step, s.
     size: Option<R>,
     /// The error of the last step that was not shortened from outside.
     error: R,
-    end: Option<End<R, Q, V>>,
-    segment: Option<Segment<R, Q, V>>,
+    end: Option<End<R, S, V, Z>>,
+    segment: Option<Segment<R, S, V, Z>>,
 }
 
-/// Where the last step ended, and the slopes there.
+/// Where the last step ended, and the derivative there.
 #[derive(Clone, Copy, Debug)]
-struct End<R, Q, V> {
+struct End<R, S, V, Z> {
     /// When it began and ended, s, rounded.
     times: [R; 2],
-    state: State<Q, V>,
-    first: First<V>,
+    state: S,
+    derivative: Derivative<V, Z>,
 }
 
-/// The slopes of the first stage: velocities, and accelerations.
-#[derive(Clone, Copy, Debug)]
-struct First<V> {
-    v: V,
-    a: V,
-}
+/// [`DormandPrinceMemory`] of what has the variables `X`.
+type MemoryOf<X, R> = DormandPrinceMemory<R, StateOf<X, R>, <X as Variables<R>>::V, <X as Variables<R>>::Z>;
 
-impl<R: Real, Q: Vector<R>, V: Vector<R>> DormandPrinceMemory<R, Q, V> {
-    /// The slopes at this time and state, if the last step ended there and nothing was changed since.
-    fn known(&self, time: R, state: &State<Q, V>) -> Option<First<V>> {
+impl<R: Real, S: PartialEq + Copy, V: Vector<R>, Z: Vector<R>> DormandPrinceMemory<R, S, V, Z> {
+    /// The derivative at this time and state, if the last step ended there and nothing was changed since.
+    fn known(&self, time: R, state: &S) -> Option<Derivative<V, Z>> {
         let end = self.end.as_ref()?;
         // Near zero the time has the rounding that it began with.
         let [from, to] = end.times;
         let rounding = R::from_f64(8.0) * R::EPSILON * (from.abs() + to.abs());
-        ((time - to).abs() <= rounding && end.state == *state).then_some(end.first)
+        ((time - to).abs() <= rounding && end.state == *state).then_some(end.derivative)
+    }
+}
+
+/// A step that was tried.
+struct Trial<X: Variables<R>, R: Real> {
+    slopes: Slopes<X::V, X::Z, 7>,
+    /// Its end, the seventh stage.
+    end: Stage<X, R>,
+}
+
+impl<X: Variables<R>, R: Real> Trial<X, R> {
+    /// The step of size `h` from `begin`, whose derivative is `first`; none if a stage broke down.
+    #[inline]
+    fn new<D: Dynamics<R, Variables = X>>(
+        dynamics: &mut D,
+        time: R,
+        h: R,
+        begin: &StateOf<X, R>,
+        first: &DerivativeOf<X, R>,
+    ) -> Option<Self> {
+        let (method, over) = (&DORMAND_PRINCE, (time, h));
+        let mut slopes = Slopes::new(first);
+        slopes.stage(method, 1, dynamics, over, begin)?;
+        slopes.stage(method, 2, dynamics, over, begin)?;
+        slopes.stage(method, 3, dynamics, over, begin)?;
+        slopes.stage(method, 4, dynamics, over, begin)?;
+        slopes.stage(method, 5, dynamics, over, begin)?;
+        let end = slopes.stage(method, 6, dynamics, over, begin)?;
+        Some(Trial { slopes, end })
     }
 
-    /// Remembers a step that was taken.
-    fn keep(&mut self, time: R, h: R, begin: &State<Q, V>, trial: &Trial<Q, V>) {
-        let Trial { end, last, increments, rates, velocities, accelerations } = trial;
-        let velocities = velocities.as_ref().unwrap_or(rates);
-        let slopes = [rates, velocities, accelerations];
-        self.segment = Some(Segment::new(h, begin, *increments, slopes));
-        self.end = Some(End { times: [time, time + h], state: *end, first: *last });
+    /// The estimated error, relative to the tolerances.
+    fn error(&self, method: &DormandPrince<R>, h: R, begin: &StateOf<X, R>) -> R {
+        let Increment { u, v, z, .. } = self.slopes.increment(&X::LAYOUT, h, 0.0, &ESTIMATE);
+        let scale = Scale::new((method.absolute, method.relative), &X::LAYOUT, begin, &self.end.state);
+        scale.norm(&u, &v, &z)
+    }
+
+    /// Remembers the step, which was taken.
+    fn keep(&self, memory: &mut MemoryOf<X, R>, time: R, h: R, begin: &StateOf<X, R>) {
+        let Stage { increment, state, derivative } = &self.end;
+        memory.segment = Some(Segment::new(&X::LAYOUT, h, *begin, *increment, &self.slopes));
+        memory.end = Some(End { times: [time, time + h], state: *state, derivative: *derivative });
     }
 }
 
 impl<R: Real> Method<R> for DormandPrince<R> {
-    type Memory<Q: Vector<R>, V: Vector<R>, Lambda: Vector<R>> = DormandPrinceMemory<R, Q, V>;
+    type Memory<X: Variables<R>> = MemoryOf<X, R>;
 
-    fn memory<Q: Vector<R>, V: Vector<R>, Lambda: Vector<R>>(&self) -> DormandPrinceMemory<R, Q, V> {
+    fn memory<X: Variables<R>>(&self) -> MemoryOf<X, R> {
         DormandPrinceMemory { size: None, error: R::from_f64(LEAST_ERROR), end: None, segment: None }
     }
 
@@ -209,47 +238,35 @@ impl<R: Real> Method<R> for DormandPrince<R> {
 }
 
 impl<R: Real> Interpolate<R> for DormandPrince<R> {
-    fn size<Q: Vector<R>, V: Vector<R>, Lambda: Vector<R>>(
-        memory: &DormandPrinceMemory<R, Q, V>,
-    ) -> Option<R> {
+    fn size<X: Variables<R>>(memory: &MemoryOf<X, R>) -> Option<R> {
         memory.segment.as_ref().map(Segment::size)
     }
 
-    fn at<Q: Vector<R>, V: Vector<R>, Lambda: Vector<R>>(
-        memory: &DormandPrinceMemory<R, Q, V>,
-        layout: &Layout,
-        elapsed: R,
-    ) -> Option<State<Q, V>> {
-        memory.segment.as_ref().map(|segment| segment.at(layout, elapsed))
+    fn at<X: Variables<R>>(memory: &MemoryOf<X, R>, elapsed: R) -> Option<StateOf<X, R>> {
+        memory.segment.as_ref().map(|segment| segment.at(&X::LAYOUT, elapsed))
     }
 }
 
-impl<R: Real, D: Dynamics<R>> Integrator<R, D> for DormandPrince<R> {
+impl<R: Real, X: Variables<R>, D: Dynamics<R, Variables = X>> Integrator<R, D> for DormandPrince<R> {
     fn step(
         &self,
-        memory: &mut DormandPrinceMemory<R, D::Q, D::V>,
+        memory: &mut MemoryOf<X, R>,
         dynamics: &mut D,
         time: R,
         h: R,
-        state: &State<D::Q, D::V>,
-    ) -> Result<Stepped<R, D::Q, D::V>, StepFailure<R>> {
-        let known = memory.known(time, state);
-        let first = match known {
+        state: &StateOf<X, R>,
+    ) -> Result<SteppedOf<X, R>, StepFailure<R>> {
+        let first = match memory.known(time, state) {
             Some(first) if dynamics.resume() => first,
-            _ => {
-                let mut begin = *state;
-                let a = dynamics.acceleration(time, &mut begin);
-                First { v: begin.v, a }
-            }
+            _ => dynamics.derivative(time, &mut state.clone()),
         };
-        let finite = first.v.first_not_finite().or(first.a.first_not_finite()).is_none();
-        if dynamics.broke_down() || !finite {
+        if dynamics.broke_down() || !first.is_finite() {
             return Err(StepFailure::Breakdown);
         }
         if !self.adaptive {
             let trial = Trial::new(dynamics, time, h, state, &first).ok_or(StepFailure::Breakdown)?;
-            memory.keep(time, h, state, &trial);
-            return Ok(Stepped::explicit(h, trial.end));
+            trial.keep(memory, time, h, state);
+            return Ok(Stepped::explicit(h, trial.end.state));
         }
 
         let proposed = match memory.size {
@@ -265,10 +282,10 @@ impl<R: Real, D: Dynamics<R>> Integrator<R, D> for DormandPrince<R> {
         for _ in 0..MOST_TRIALS {
             dynamics.begin_trial(size);
             let trial = Trial::new(dynamics, time, size, state, &first);
-            let error = trial.as_ref().map(|trial| trial.error(self, &D::LAYOUT, size, state));
+            let error = trial.as_ref().map(|trial| trial.error(self, size, state));
             match (trial, error) {
                 (Some(trial), Some(error)) if error <= R::ONE => {
-                    memory.keep(time, size, state, &trial);
+                    trial.keep(memory, time, size, state);
                     let rejected = rejections.total() > 0;
                     let next = size * control::after_acceptance(error, memory.error, rejected);
                     if shortened && !rejected {
@@ -277,7 +294,7 @@ impl<R: Real, D: Dynamics<R>> Integrator<R, D> for DormandPrince<R> {
                         memory.size = Some(next);
                         memory.error = error.max(R::from_f64(LEAST_ERROR));
                     }
-                    return Ok(Stepped { rejections, ..Stepped::explicit(size, trial.end) });
+                    return Ok(Stepped { rejections, ..Stepped::explicit(size, trial.end.state) });
                 }
                 (_, Some(error)) if error.is_finite() => {
                     rejections.error += 1;
@@ -295,89 +312,4 @@ impl<R: Real, D: Dynamics<R>> Integrator<R, D> for DormandPrince<R> {
         }
         Err(StepFailure::Underflow { size, rejections })
     }
-}
-
-/// The stages of a step that was tried.
-struct Trial<Q, V> {
-    /// The state at its end.
-    end: State<Q, V>,
-    /// The slopes there.
-    last: First<V>,
-    /// u, ∫v dt and v₁ − v₀ over the step.
-    increments: [V; 3],
-    /// k_i.
-    rates: Slopes<V>,
-    /// v_i, where they differ from k_i in a part that is needed.
-    velocities: Option<Slopes<V>>,
-    /// v̇_i.
-    accelerations: Slopes<V>,
-}
-
-impl<Q, V> Trial<Q, V> {
-    /// The stages 2 to 7; none if one of them broke down.
-    #[inline]
-    fn new<R: Real, D: Dynamics<R, Q = Q, V = V>>(
-        dynamics: &mut D,
-        time: R,
-        h: R,
-        begin: &State<Q, V>,
-        first: &First<V>,
-    ) -> Option<Self>
-    where
-        Q: Vector<R>,
-        V: Vector<R>,
-    {
-        let counting = D::LAYOUT.quaternions > 0 && !D::LAYOUT.angles.is_empty();
-        let (mut k, mut v, mut a) = ([V::zero(); 6], [V::zero(); 6], [V::zero(); 6]);
-        let mut end = *begin;
-        let mut last = *first;
-        let mut increments = [V::zero(); 3];
-        for (i, (row, &c)) in A.iter().zip(&C).enumerate() {
-            let (c, row) = (R::from_f64(c), &row[1..]);
-            let u = increment(h, c, &first.v, &k[..i], row);
-            let integral = if counting { increment(h, c, &first.v, &v[..i], row) } else { u };
-            let dv = increment(h, c, &first.a, &a[..i], row);
-            increments = [u, integral, dv];
-            let mut q = Q::zero();
-            retract_counting(&D::LAYOUT, &begin.q, &u, &integral, &mut q);
-            end = State { q, v: begin.v.plus(R::ONE, &dv) };
-            let mut stage = end;
-            let acceleration = dynamics.acceleration(time + c * h, &mut stage);
-            if dynamics.broke_down() {
-                return None;
-            }
-            last = First { v: stage.v, a: acceleration };
-            k[i] = inverse_differential(&D::LAYOUT, &u, &stage.v).plus(-R::ONE, &first.v);
-            v[i] = stage.v.plus(-R::ONE, &first.v);
-            a[i] = acceleration.plus(-R::ONE, &first.a);
-        }
-        let velocities = counting.then_some(Slopes { first: first.v, others: v });
-        let rates = Slopes { first: first.v, others: k };
-        let accelerations = Slopes { first: first.a, others: a };
-        Some(Trial { end, last, increments, rates, velocities, accelerations })
-    }
-
-    /// The estimated error, relative to the tolerances.
-    fn error<R: Real>(&self, method: &DormandPrince<R>, layout: &Layout, h: R, begin: &State<Q, V>) -> R
-    where
-        Q: Vector<R>,
-        V: Vector<R>,
-    {
-        let estimate =
-            |slopes: &Slopes<V>| increment(h, R::ZERO, &slopes.first, &slopes.others, &ESTIMATE[1..]);
-        let scale = Scale::new((method.absolute, method.relative), layout, begin, &self.end);
-        scale.norm(&estimate(&self.rates), &estimate(&self.accelerations))
-    }
-}
-
-/// h (c k₁ + Σ a_j (k_j − k₁)): written about k₁, so that equal slopes give a uniform motion to the bit.
-#[inline]
-fn increment<R: Real, V: Vector<R>>(h: R, c: R, first: &V, others: &[V], row: &[f64]) -> V {
-    let mut sum = first.scaled(c);
-    for (other, &a) in others.iter().zip(row) {
-        if a != 0.0 {
-            sum.axpy(R::from_f64(a), other);
-        }
-    }
-    sum.scaled(h)
 }
