@@ -67,10 +67,10 @@ pub type FourBarState<R = ::core::primitive::f64> = ::linkwright::__private::v1:
 #[allow(clippy::all)]
 impl FourBar<::core::primitive::f64> {
     ///Consistent start state for the default parameters, assembled at compile time.
-    pub const START: FourBarState = ::linkwright::__private::v1::State {
-        q: [6.123233995736766e-17, 1.0, 6.123233995736766e-17, 1.0, 1.0, 0.0],
-        v: [-1.0, -1.0, 0.0],
-    };
+    pub const START: FourBarState = ::linkwright::__private::v1::State::new(
+        [6.123233995736766e-17, 1.0, 6.123233995736766e-17, 1.0, 1.0, 0.0],
+        [-1.0, -1.0, 0.0],
+    );
     ///Degrees of freedom, drivers removed.
     pub const DEGREES_OF_FREEDOM: ::core::primitive::usize = 1;
     ///Operations of the default acceleration function (Baumgarte), a fused multiply-add counted once.
@@ -240,22 +240,21 @@ const _: () = {
         pub fn reactions(
             &self,
             time: R,
-            q: &Q<R>,
-            v: &V<R>,
+            state: &State<Q<R>, V<R>>,
             u: &(),
             a: &V<R>,
             lambda: &Lambda<R>,
         ) -> [Reaction<R>; 4] {
             // 37 operations.
-            let crank_cos = q[0];
-            let crank_sin = q[1];
-            let rocker_cos = q[2];
-            let rocker_sin = q[3];
-            let coupler_cos = q[4];
-            let coupler_sin = q[5];
-            let crank_rate = v[0];
-            let rocker_rate = v[1];
-            let coupler_rate = v[2];
+            let crank_cos = state.q[0];
+            let crank_sin = state.q[1];
+            let rocker_cos = state.q[2];
+            let rocker_sin = state.q[3];
+            let coupler_cos = state.q[4];
+            let coupler_sin = state.q[5];
+            let crank_rate = state.v[0];
+            let rocker_rate = state.v[1];
+            let coupler_rate = state.v[2];
             let crank_rate_dot = a[0];
             let rocker_rate_dot = a[1];
             let coupler_rate_dot = a[2];
@@ -318,14 +317,21 @@ const _: () = {
             ]
         }
     }
-    impl<R: Real> Mechanism<R> for FourBar<R> {
-        const NAME: &'static str = "FourBar";
+    impl<R: Real> Variables<R> for FourBar<R> {
         const LAYOUT: Layout = Layout {
             linear: 0,
             rotations: 3,
             quaternions: 0,
             angles: &[],
         };
+        type Q = Q<R>;
+        type V = V<R>;
+        type Lambda = Lambda<R>;
+        type Z = ();
+        type Gates = ();
+    }
+    impl<R: Real> Mechanism<R> for FourBar<R> {
+        const NAME: &'static str = "FourBar";
         const ROWS: &'static [Row] = &[
             Row { of: "right", what: "x" },
             Row { of: "right", what: "y" },
@@ -352,9 +358,6 @@ const _: () = {
             (1, 1),
             (1, 2),
         ];
-        type Q = Q<R>;
-        type V = V<R>;
-        type Lambda = Lambda<R>;
         type Mass = Mass<R>;
         type Jacobian = Jacobian<R>;
         type Inputs = ();
@@ -416,8 +419,7 @@ const _: () = {
         fn acceleration_baumgarte(
             &self,
             time: R,
-            q: &Q<R>,
-            v: &V<R>,
+            state: &State<Q<R>, V<R>>,
             u: &(),
             two_alpha: R,
             beta_squared: R,
@@ -426,15 +428,15 @@ const _: () = {
         ) -> R {
             // v̇ and λ of M v̇ + Dᵀ λ = Q, D v̇ = γ − 2α (D v − ν) − β² Φ (Baumgarte 1972); the smallest relative pivot.
             // 86 operations.
-            let crank_cos = q[0];
-            let crank_sin = q[1];
-            let rocker_cos = q[2];
-            let rocker_sin = q[3];
-            let coupler_cos = q[4];
-            let coupler_sin = q[5];
-            let crank_rate = v[0];
-            let rocker_rate = v[1];
-            let coupler_rate = v[2];
+            let crank_cos = state.q[0];
+            let crank_sin = state.q[1];
+            let rocker_cos = state.q[2];
+            let rocker_sin = state.q[3];
+            let coupler_cos = state.q[4];
+            let coupler_sin = state.q[5];
+            let crank_rate = state.v[0];
+            let rocker_rate = state.v[1];
+            let coupler_rate = state.v[2];
             // positions, factorisation of M and D
             let a0 = R::from_f64(0.75) * crank_cos;
             let a1 = crank_cos * coupler_cos;
@@ -528,12 +530,12 @@ const _: () = {
             *lambda_out = [lambda_right_x, lambda_right_y];
             smallest_pivot
         }
-        fn outputs(&self, time: R, q: &Q<R>, v: &V<R>, u: &()) -> Outputs<R> {
+        fn outputs(&self, time: R, state: &State<Q<R>, V<R>>, u: &()) -> Outputs<R> {
             // The outputs of the definition, in SI units.
             // 1 operation.
-            let crank_cos = q[0];
-            let rocker_cos = q[2];
-            let rocker_sin = q[3];
+            let crank_cos = state.q[0];
+            let rocker_cos = state.q[2];
+            let rocker_sin = state.q[3];
             let angle = rocker_sin.atan2(rocker_cos);
             FourBarOutputs {
                 x: crank_cos,
@@ -551,7 +553,7 @@ const _: () = {
         const START_CONDITIONS: &'static [u16] = &[0];
         const START_RATES: &'static [u16] = &[0];
         const INDEPENDENT: &'static [u16] = &[0];
-        const FLIPS: &'static [u16] = &[];
+        const FLIPS: &'static [Flips] = &[];
         const DEPENDENT: &'static [(u16, u16)] = &[(0, 1), (1, 2)];
         const ROW_SIZES: &'static [f64] = &[1.0, 1.0];
         const CONDITION_PATTERN: &'static [(u16, u16)] = &[(0, 0)];

@@ -104,8 +104,8 @@ pub type GripperState<R = ::core::primitive::f64> = ::linkwright::__private::v1:
 #[allow(clippy::all)]
 impl Gripper<::core::primitive::f64> {
     ///Consistent start state for the default parameters, assembled at compile time.
-    pub const START: GripperState = ::linkwright::__private::v1::State {
-        q: [
+    pub const START: GripperState = ::linkwright::__private::v1::State::new(
+        [
             0.34202014332566893,
             0.9396926207859084,
             0.2652451324560043,
@@ -115,8 +115,8 @@ impl Gripper<::core::primitive::f64> {
             0.0,
             1.2217304763960306,
         ],
-        v: [1.0, 0.5376077677321333, -0.043575398512411094],
-    };
+        [1.0, 0.5376077677321333, -0.043575398512411094],
+    );
     ///Degrees of freedom, drivers removed.
     pub const DEGREES_OF_FREEDOM: ::core::primitive::usize = 1;
     ///Operations of the default acceleration function (Baumgarte), a fused multiply-add counted once.
@@ -210,14 +210,21 @@ const _: () = {
     impl<R: Real> Default for Parameters<R> {}
     impl<R: Real> Default for Gripper<R> {}
     impl<R: Real> Gripper<R> {}
-    impl<R: Real> Mechanism<R> for Gripper<R> {
-        const NAME: &'static str = "Gripper";
+    impl<R: Real> Variables<R> for Gripper<R> {
         const LAYOUT: Layout = Layout {
             linear: 0,
             rotations: 3,
             quaternions: 0,
             angles: &[MultiTurn { rate: &[(0, 1.0)] }],
         };
+        type Q = Q<R>;
+        type V = V<R>;
+        type Lambda = Lambda<R>;
+        type Z = ();
+        type Gates = ();
+    }
+    impl<R: Real> Mechanism<R> for Gripper<R> {
+        const NAME: &'static str = "Gripper";
         const ROWS: &'static [Row] = &[
             Row { of: "c", what: "x" },
             Row { of: "c", what: "y" },
@@ -246,9 +253,6 @@ const _: () = {
             (1, 1),
             (1, 2),
         ];
-        type Q = Q<R>;
-        type V = V<R>;
-        type Lambda = Lambda<R>;
         type Mass = Mass<R>;
         type Jacobian = Jacobian<R>;
         type Inputs = Inputs<R>;
@@ -264,7 +268,7 @@ const _: () = {
         const START_CONDITIONS: &'static [u16] = &[0];
         const START_RATES: &'static [u16] = &[0];
         const INDEPENDENT: &'static [u16] = &[0];
-        const FLIPS: &'static [u16] = &[];
+        const FLIPS: &'static [Flips] = &[];
         const DEPENDENT: &'static [(u16, u16)] = &[(0, 1), (1, 2)];
         const ROW_SIZES: &'static [f64] = &[1.394904042702733, 1.0867628625141583];
         const SCALES: &'static [f64] = &[2.0, 2.0, 1.0];
@@ -367,8 +371,7 @@ const _: () = {
         fn residual(
             &self,
             time: R,
-            q: &Q<R>,
-            v: &V<R>,
+            state: &State<Q<R>, V<R>>,
             u: &Inputs<R>,
             a: &V<R>,
             lambda: &Lambda<R>,
@@ -377,16 +380,16 @@ const _: () = {
             let constants = &self.constants;
             // r = M v̇ + Dᵀ λ − Q (N or N m).
             // 44 operations.
-            let crank_cos = q[0];
-            let crank_sin = q[1];
-            let rocker_cos = q[2];
-            let rocker_sin = q[3];
-            let coupler_cos = q[4];
-            let coupler_sin = q[5];
-            let a_turns = q[6];
-            let a_remainder = q[7];
-            let crank_rate = v[0];
-            let coupler_rate = v[2];
+            let crank_cos = state.q[0];
+            let crank_sin = state.q[1];
+            let rocker_cos = state.q[2];
+            let rocker_sin = state.q[3];
+            let coupler_cos = state.q[4];
+            let coupler_sin = state.q[5];
+            let a_turns = state.q[6];
+            let a_remainder = state.q[7];
+            let crank_rate = state.v[0];
+            let coupler_rate = state.v[2];
             let drive = u.drive;
             let pull = u.pull;
             let crank_rate_dot = a[0];
@@ -451,8 +454,7 @@ const _: () = {
         fn tangent(
             &self,
             time: R,
-            q: &Q<R>,
-            v: &V<R>,
+            state: &State<Q<R>, V<R>>,
             u: &Inputs<R>,
             a: &V<R>,
             lambda: &Lambda<R>,
@@ -462,14 +464,14 @@ const _: () = {
             let constants = &self.constants;
             // ∂r/∂q along increments of q, and ∂r/∂v: the stored entries.
             // 43 operations.
-            let crank_cos = q[0];
-            let crank_sin = q[1];
-            let rocker_cos = q[2];
-            let rocker_sin = q[3];
-            let coupler_cos = q[4];
-            let coupler_sin = q[5];
-            let crank_rate = v[0];
-            let coupler_rate = v[2];
+            let crank_cos = state.q[0];
+            let crank_sin = state.q[1];
+            let rocker_cos = state.q[2];
+            let rocker_sin = state.q[3];
+            let coupler_cos = state.q[4];
+            let coupler_sin = state.q[5];
+            let crank_rate = state.v[0];
+            let coupler_rate = state.v[2];
             let pull = u.pull;
             let crank_rate_dot = a[0];
             let coupler_rate_dot = a[2];

@@ -159,8 +159,8 @@ pub type ParametricFourBarState<R = ::core::primitive::f64> = ::linkwright::__pr
 #[allow(clippy::all)]
 impl ParametricFourBar<::core::primitive::f64> {
     ///Consistent start state for the default parameters, assembled at compile time.
-    pub const START: ParametricFourBarState = ::linkwright::__private::v1::State {
-        q: [
+    pub const START: ParametricFourBarState = ::linkwright::__private::v1::State::new(
+        [
             0.7660444431189781,
             0.6427876096865394,
             -0.23572301668468654,
@@ -168,8 +168,8 @@ impl ParametricFourBar<::core::primitive::f64> {
             0.561431507736191,
             0.8275232094153417,
         ],
-        v: [3.0, -0.49151144248599554, -1.4516086406815356],
-    };
+        [3.0, -0.49151144248599554, -1.4516086406815356],
+    );
     ///Degrees of freedom, drivers removed.
     pub const DEGREES_OF_FREEDOM: ::core::primitive::usize = 1;
     ///Operations of the default acceleration function (Baumgarte), a fused multiply-add counted once.
@@ -473,14 +473,21 @@ const _: () = {
             }
         }
     }
-    impl<R: Real> Mechanism<R> for ParametricFourBar<R> {
-        const NAME: &'static str = "ParametricFourBar";
+    impl<R: Real> Variables<R> for ParametricFourBar<R> {
         const LAYOUT: Layout = Layout {
             linear: 0,
             rotations: 3,
             quaternions: 0,
             angles: &[],
         };
+        type Q = Q<R>;
+        type V = V<R>;
+        type Lambda = Lambda<R>;
+        type Z = ();
+        type Gates = ();
+    }
+    impl<R: Real> Mechanism<R> for ParametricFourBar<R> {
+        const NAME: &'static str = "ParametricFourBar";
         const ROWS: &'static [Row] = &[
             Row { of: "right", what: "x" },
             Row { of: "right", what: "y" },
@@ -507,9 +514,6 @@ const _: () = {
             (1, 1),
             (1, 2),
         ];
-        type Q = Q<R>;
-        type V = V<R>;
-        type Lambda = Lambda<R>;
         type Mass = Mass<R>;
         type Jacobian = Jacobian<R>;
         type Inputs = ();
@@ -546,7 +550,7 @@ const _: () = {
         const START_CONDITIONS: &'static [u16] = &[0];
         const START_RATES: &'static [u16] = &[0];
         const INDEPENDENT: &'static [u16] = &[0];
-        const FLIPS: &'static [u16] = &[];
+        const FLIPS: &'static [Flips] = &[];
         const DEPENDENT: &'static [(u16, u16)] = &[(0, 1), (1, 2)];
         const ROW_SIZES: &'static [f64] = &[1.5953757201770884, 1.5898406659339488];
         const SCALES: &'static [f64] = &[4.0, 1.0, 1.0];

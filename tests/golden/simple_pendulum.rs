@@ -60,10 +60,10 @@ pub type SimplePendulumState<R = ::core::primitive::f64> = ::linkwright::__priva
 #[allow(clippy::all)]
 impl SimplePendulum<::core::primitive::f64> {
     ///Consistent start state for the default parameters, assembled at compile time.
-    pub const START: SimplePendulumState = ::linkwright::__private::v1::State {
-        q: [-1.0, 1.2246467991473532e-16],
-        v: [0.0],
-    };
+    pub const START: SimplePendulumState = ::linkwright::__private::v1::State::new(
+        [-1.0, 1.2246467991473532e-16],
+        [0.0],
+    );
     ///Degrees of freedom, drivers removed.
     pub const DEGREES_OF_FREEDOM: ::core::primitive::usize = 1;
     ///Operations of the default acceleration function (Baumgarte), a fused multiply-add counted once.
@@ -182,19 +182,18 @@ const _: () = {
         pub fn inverse_dynamics(
             &self,
             time: R,
-            q: &Q<R>,
-            v: &V<R>,
+            state: &State<Q<R>, V<R>>,
             u: &(),
             a: &V<R>,
         ) -> V<R> {
             // 1 operation.
-            let arm_cos = q[0];
+            let arm_cos = state.q[0];
             let arm_rate_dot = a[0];
             let a0 = R::from_f64(9.81).mul_add(arm_cos, arm_rate_dot);
             [a0]
         }
         /// Power of each load (W), in the order of `LOADS`, what springs store included.
-        pub fn powers(&self, time: R, q: &Q<R>, v: &V<R>, u: &()) -> [R; 0] {
+        pub fn powers(&self, time: R, state: &State<Q<R>, V<R>>, u: &()) -> [R; 0] {
             []
         }
         /// Effort of each driver along its quantity (N m or N) and its power (W), from the multipliers.
@@ -245,16 +244,15 @@ const _: () = {
         pub fn reactions(
             &self,
             time: R,
-            q: &Q<R>,
-            v: &V<R>,
+            state: &State<Q<R>, V<R>>,
             u: &(),
             a: &V<R>,
             lambda: &Lambda<R>,
         ) -> [Reaction<R>; 1] {
             // 6 operations.
-            let arm_cos = q[0];
-            let arm_sin = q[1];
-            let arm_rate = v[0];
+            let arm_cos = state.q[0];
+            let arm_sin = state.q[1];
+            let arm_rate = state.v[0];
             let arm_rate_dot = a[0];
             let a0 = arm_rate * arm_rate;
             let a1 = arm_cos * a0;
@@ -270,22 +268,26 @@ const _: () = {
             ]
         }
     }
-    impl<R: Real> Mechanism<R> for SimplePendulum<R> {
-        const NAME: &'static str = "SimplePendulum";
+    impl<R: Real> Variables<R> for SimplePendulum<R> {
         const LAYOUT: Layout = Layout {
             linear: 0,
             rotations: 1,
             quaternions: 0,
             angles: &[],
         };
+        type Q = Q<R>;
+        type V = V<R>;
+        type Lambda = Lambda<R>;
+        type Z = ();
+        type Gates = ();
+    }
+    impl<R: Real> Mechanism<R> for SimplePendulum<R> {
+        const NAME: &'static str = "SimplePendulum";
         const ROWS: &'static [Row] = &[];
         const POSITION_NAMES: &'static [&'static str] = &["arm.cos", "arm.sin"];
         const VELOCITY_NAMES: &'static [&'static str] = &["arm.rate"];
         const MASS_PATTERN: &'static [(u16, u16)] = &[(0, 0)];
         const JACOBIAN_PATTERN: &'static [(u16, u16)] = &[];
-        type Q = Q<R>;
-        type V = V<R>;
-        type Lambda = Lambda<R>;
         type Mass = Mass<R>;
         type Jacobian = Jacobian<R>;
         type Inputs = ();
@@ -310,10 +312,10 @@ const _: () = {
             // γ(t, q, v), the right-hand side of D v̇ = γ.
             *out = [];
         }
-        fn forces(&self, time: R, q: &Q<R>, v: &V<R>, u: &(), out: &mut V<R>) {
+        fn forces(&self, time: R, state: &State<Q<R>, V<R>>, u: &(), out: &mut V<R>) {
             // Q(t, q, v, u): loads, gravity and gyroscopic forces of M v̇ + Dᵀ λ = Q (N or N m).
             // 1 operation.
-            let arm_cos = q[0];
+            let arm_cos = state.q[0];
             let force_arm_rate = R::from_f64(-9.81) * arm_cos;
             *out = [force_arm_rate];
         }
@@ -330,25 +332,24 @@ const _: () = {
             let a4 = R::from_f64(0.5) * a3;
             a4
         }
-        fn potential_energy(&self, time: R, q: &Q<R>) -> R {
+        fn potential_energy(&self, time: R, state: &State<Q<R>, V<R>>) -> R {
             // V(t, q) of gravity and springs (J).
             // 1 operation.
-            let arm_sin = q[1];
+            let arm_sin = state.q[1];
             let a0 = R::from_f64(9.81) * arm_sin;
             a0
         }
         fn acceleration(
             &self,
             time: R,
-            q: &Q<R>,
-            v: &V<R>,
+            state: &State<Q<R>, V<R>>,
             u: &(),
             a_out: &mut V<R>,
             lambda_out: &mut Lambda<R>,
         ) -> R {
             // v̇ and λ of M v̇ + Dᵀ λ = Q, D v̇ = γ; the smallest relative pivot.
             // 1 operation.
-            let arm_cos = q[0];
+            let arm_cos = state.q[0];
             let arm_rate_dot = R::from_f64(-9.81) * arm_cos;
             *a_out = [arm_rate_dot];
             *lambda_out = [];
@@ -357,20 +358,19 @@ const _: () = {
         fn acceleration_baumgarte(
             &self,
             time: R,
-            q: &Q<R>,
-            v: &V<R>,
+            state: &State<Q<R>, V<R>>,
             u: &(),
             two_alpha: R,
             beta_squared: R,
             a_out: &mut V<R>,
             lambda_out: &mut Lambda<R>,
         ) -> R {
-            <Self as Mechanism<R>>::acceleration(self, time, q, v, u, a_out, lambda_out)
+            <Self as Mechanism<R>>::acceleration(self, time, state, u, a_out, lambda_out)
         }
-        fn outputs(&self, time: R, q: &Q<R>, v: &V<R>, u: &()) -> Outputs<R> {
+        fn outputs(&self, time: R, state: &State<Q<R>, V<R>>, u: &()) -> Outputs<R> {
             // The outputs of the definition, in SI units.
-            let arm_cos = q[0];
-            let arm_sin = q[1];
+            let arm_cos = state.q[0];
+            let arm_sin = state.q[1];
             SimplePendulumOutputs {
                 x: arm_cos,
                 y: arm_sin,
@@ -388,7 +388,7 @@ const _: () = {
         const START_CONDITIONS: &'static [u16] = &[0];
         const START_RATES: &'static [u16] = &[0];
         const INDEPENDENT: &'static [u16] = &[0];
-        const FLIPS: &'static [u16] = &[];
+        const FLIPS: &'static [Flips] = &[];
         const ROW_SIZES: &'static [f64] = &[];
         const CONDITION_PATTERN: &'static [(u16, u16)] = &[(0, 0)];
         const ELIMINATION: Elimination = Elimination {

@@ -76,10 +76,10 @@ pub type SphericalPendulumState<R = ::core::primitive::f64> = ::linkwright::__pr
 #[allow(clippy::all)]
 impl SphericalPendulum<::core::primitive::f64> {
     ///Consistent start state for the default parameters, assembled at compile time.
-    pub const START: SphericalPendulumState = ::linkwright::__private::v1::State {
-        q: [1.0, 0.0, 0.0, 0.0],
-        v: [0.0, 0.0, 0.0],
-    };
+    pub const START: SphericalPendulumState = ::linkwright::__private::v1::State::new(
+        [1.0, 0.0, 0.0, 0.0],
+        [0.0, 0.0, 0.0],
+    );
     ///Degrees of freedom, drivers removed.
     pub const DEGREES_OF_FREEDOM: ::core::primitive::usize = 3;
     ///Operations of the default acceleration function (Baumgarte), a fused multiply-add counted once.
@@ -239,20 +239,19 @@ const _: () = {
         pub fn reactions(
             &self,
             time: R,
-            q: &Q<R>,
-            v: &V<R>,
+            state: &State<Q<R>, V<R>>,
             u: &(),
             a: &V<R>,
             lambda: &Lambda<R>,
         ) -> [SpatialReaction<R>; 1] {
             // 70 operations.
-            let pivot_orientation_w = q[0];
-            let pivot_orientation_x = q[1];
-            let pivot_orientation_y = q[2];
-            let pivot_orientation_z = q[3];
-            let pivot_rate_x = v[0];
-            let pivot_rate_y = v[1];
-            let pivot_rate_z = v[2];
+            let pivot_orientation_w = state.q[0];
+            let pivot_orientation_x = state.q[1];
+            let pivot_orientation_y = state.q[2];
+            let pivot_orientation_z = state.q[3];
+            let pivot_rate_x = state.v[0];
+            let pivot_rate_y = state.v[1];
+            let pivot_rate_z = state.v[2];
             let pivot_rate_x_dot = a[0];
             let pivot_rate_y_dot = a[1];
             let pivot_rate_z_dot = a[2];
@@ -334,14 +333,21 @@ const _: () = {
             ]
         }
     }
-    impl<R: Real> Mechanism<R> for SphericalPendulum<R> {
-        const NAME: &'static str = "SphericalPendulum";
+    impl<R: Real> Variables<R> for SphericalPendulum<R> {
         const LAYOUT: Layout = Layout {
             linear: 0,
             rotations: 0,
             quaternions: 1,
             angles: &[],
         };
+        type Q = Q<R>;
+        type V = V<R>;
+        type Lambda = Lambda<R>;
+        type Z = ();
+        type Gates = ();
+    }
+    impl<R: Real> Mechanism<R> for SphericalPendulum<R> {
+        const NAME: &'static str = "SphericalPendulum";
         const ROWS: &'static [Row] = &[];
         const POSITION_NAMES: &'static [&'static str] = &[
             "pivot.orientation.w",
@@ -356,9 +362,6 @@ const _: () = {
         ];
         const MASS_PATTERN: &'static [(u16, u16)] = &[(0, 0), (1, 1), (2, 2)];
         const JACOBIAN_PATTERN: &'static [(u16, u16)] = &[];
-        type Q = Q<R>;
-        type V = V<R>;
-        type Lambda = Lambda<R>;
         type Mass = Mass<R>;
         type Jacobian = Jacobian<R>;
         type Inputs = ();
@@ -367,16 +370,16 @@ const _: () = {
             // M(t, q): its stored entries (kg, kg m, kg m²).
             *out = [R::from_f64(0.04), R::from_f64(4.1), R::from_f64(4.1)];
         }
-        fn forces(&self, time: R, q: &Q<R>, v: &V<R>, u: &(), out: &mut V<R>) {
+        fn forces(&self, time: R, state: &State<Q<R>, V<R>>, u: &(), out: &mut V<R>) {
             // Q(t, q, v, u): loads, gravity and gyroscopic forces of M v̇ + Dᵀ λ = Q (N or N m).
             // 14 operations.
-            let pivot_orientation_w = q[0];
-            let pivot_orientation_x = q[1];
-            let pivot_orientation_y = q[2];
-            let pivot_orientation_z = q[3];
-            let pivot_rate_x = v[0];
-            let pivot_rate_y = v[1];
-            let pivot_rate_z = v[2];
+            let pivot_orientation_w = state.q[0];
+            let pivot_orientation_x = state.q[1];
+            let pivot_orientation_y = state.q[2];
+            let pivot_orientation_z = state.q[3];
+            let pivot_rate_x = state.v[0];
+            let pivot_rate_y = state.v[1];
+            let pivot_rate_z = state.v[2];
             let a0 = pivot_rate_x * pivot_rate_z;
             let a1 = R::from_f64(2.0) * pivot_orientation_y;
             let a2 = R::from_f64(2.0) * pivot_orientation_x;
@@ -411,21 +414,20 @@ const _: () = {
         fn acceleration(
             &self,
             time: R,
-            q: &Q<R>,
-            v: &V<R>,
+            state: &State<Q<R>, V<R>>,
             u: &(),
             a_out: &mut V<R>,
             lambda_out: &mut Lambda<R>,
         ) -> R {
             // v̇ and λ of M v̇ + Dᵀ λ = Q, D v̇ = γ; the smallest relative pivot.
             // 16 operations.
-            let pivot_orientation_w = q[0];
-            let pivot_orientation_x = q[1];
-            let pivot_orientation_y = q[2];
-            let pivot_orientation_z = q[3];
-            let pivot_rate_x = v[0];
-            let pivot_rate_y = v[1];
-            let pivot_rate_z = v[2];
+            let pivot_orientation_w = state.q[0];
+            let pivot_orientation_x = state.q[1];
+            let pivot_orientation_y = state.q[2];
+            let pivot_orientation_z = state.q[3];
+            let pivot_rate_x = state.v[0];
+            let pivot_rate_y = state.v[1];
+            let pivot_rate_z = state.v[2];
             let a0 = pivot_rate_x * pivot_rate_z;
             let a1 = R::from_f64(2.0) * pivot_orientation_y;
             let a2 = R::from_f64(2.0) * pivot_orientation_x;
@@ -477,7 +479,7 @@ const _: () = {
         const START_CONDITIONS: &'static [u16] = &[3, 4, 5];
         const START_RATES: &'static [u16] = &[0, 1, 2];
         const INDEPENDENT: &'static [u16] = &[];
-        const FLIPS: &'static [u16] = &[];
+        const FLIPS: &'static [Flips] = &[];
         const ROW_SIZES: &'static [f64] = &[];
         const CONDITION_PATTERN: &'static [(u16, u16)] = &[
             (0, 0),
