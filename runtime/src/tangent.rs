@@ -25,8 +25,7 @@ use core::fmt::Debug;
 #[diagnostic::on_unimplemented(
     message = "the derivatives of `{Self}` are not emitted",
     label = "this needs its tangent",
-    note = "add `options {{ emit = (tangent); }}` to the definition of the mechanism",
-    note = "a mechanism with internal states has none: integrate it by an explicit method"
+    note = "add `options {{ emit = (tangent); }}` to the definition of the mechanism"
 )]
 pub trait Tangent<R: Real>: Assemble<R, Z = (), Inputs: Fields<R>, Outputs: Fields<R>> {
     /// Indices into [`CONDITIONS`](Assemble::CONDITIONS): the coordinates z of linearised motions, one for each degree of
