@@ -31,7 +31,7 @@ fn main() {
     let model: Größe = Größe::prepare(GrößeParameters { höhe: 2.0, ..Default::default() }).expect("positive");
     let inputs = GrößeInputs { lambda: 1.0, u: 2.0 };
     let outputs: GrößeOutputs =
-        linkwright::Mechanism::outputs(&model, 0.0, &Größe::START.q, &Größe::START.v, &inputs);
+        linkwright::Mechanism::outputs(&model, 0.0, &Größe::START, &inputs);
     assert!((outputs.a - 0.5_f64.cos()).abs() < 1e-12 && outputs.ω == 0.0);
     assert_eq!(Größe::<f64>::BODIES, ["v", "constants", "腕", "out"]);
 }

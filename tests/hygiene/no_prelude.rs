@@ -18,6 +18,6 @@ fn main() {
     let model: Bare = ::core::default::Default::default();
     let state: BareState = Bare::START;
     let inputs = BareInputs { push: 1.0 };
-    let outputs: BareOutputs = ::linkwright::Mechanism::outputs(&model, 0.0, &state.q, &state.v, &inputs);
+    let outputs: BareOutputs = ::linkwright::Mechanism::outputs(&model, 0.0, &state, &inputs);
     ::core::assert_eq!(outputs.height, 0.0);
 }

@@ -41,7 +41,8 @@ fn generic<R, T: Into<f64>, const N: usize>(angle: T, _: R) -> f64 {
     }
     let model = Local::<f64>::default();
     let angle: f64 = angle.into();
-    let outputs: LocalOutputs = linkwright::Mechanism::outputs(&model, 0.0, &[angle.cos(), angle.sin()], &[0.0], &());
+    let state = linkwright::State::new([angle.cos(), angle.sin()], [0.0]);
+    let outputs: LocalOutputs = linkwright::Mechanism::outputs(&model, 0.0, &state, &());
     outputs.height * N as f64
 }
 

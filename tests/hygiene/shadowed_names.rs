@@ -60,12 +60,7 @@ macro_rules! debug_assert {
 fn main() {
     let model: Shadowed = ::core::default::Default::default();
     let inputs = ShadowedInputs { push: 1.0 };
-    let outputs: ShadowedOutputs = ::linkwright::Mechanism::outputs(
-        &model,
-        0.0,
-        &Shadowed::START.q,
-        &Shadowed::START.v,
-        &inputs,
-    );
+    let outputs: ShadowedOutputs =
+        ::linkwright::Mechanism::outputs(&model, 0.0, &Shadowed::START, &inputs);
     assert!((outputs.height - 0.479_425_538_604_203).abs() < 1e-12);
 }

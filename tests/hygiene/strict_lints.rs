@@ -25,7 +25,7 @@ fn main() {
     let model = Pendulum::prepare(PendulumParameters { length: 2.0 }).expect("a length");
     let inputs = PendulumInputs { drive: 1.0 };
     let outputs: PendulumOutputs =
-        linkwright::Mechanism::outputs(&model, 0.0, &Pendulum::START.q, &Pendulum::START.v, &inputs);
+        linkwright::Mechanism::outputs(&model, 0.0, &Pendulum::START, &inputs);
     let state: PendulumState = Pendulum::START;
     assert!((outputs.height - 2.0 * 0.5_f64.sin()).abs() < 1e-12 && state.v.len() == 1);
 }
