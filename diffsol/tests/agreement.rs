@@ -137,7 +137,7 @@ fn andrews_squeezer() {
         let mut last = model.outputs(0.0, &states[0], &());
         model.unwrap_start(&mut last);
         for (state, time) in states.iter().zip(&times) {
-            let mut outputs = model.outputs(*time, &state, &());
+            let mut outputs = model.outputs(*time, state, &());
             <Andrews as Mechanism<f64>>::unwrap(&mut outputs, &last);
             last = outputs;
         }

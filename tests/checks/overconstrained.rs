@@ -216,11 +216,11 @@ fn reactions_balance_whichever_rows_are_taken() {
         let a = simulation.acceleration().expect("it is regular");
         let lambda = simulation.multipliers().expect("it is regular");
         let state = simulation.state();
-        let held = tree.reactions(simulation.time(), &state, &(), &a, &lambda);
+        let held = tree.reactions(simulation.time(), state, &(), &a, &lambda);
         let a = other.acceleration().expect("it is regular");
         let lambda = other.multipliers().expect("it is regular");
         let state = other.state();
-        let there = absolute.reactions(other.time(), &state, &(), &a, &lambda);
+        let there = absolute.reactions(other.time(), state, &(), &a, &lambda);
         for axis in 0..3 {
             let (one, two) = (held[0].force[axis], there[0].force[axis]);
             assert!((one - two).abs() < 1e-4 * (1.0 + one.abs()), "{axis}: {one} {two}");

@@ -290,7 +290,7 @@ fn solved<M: Subject>(
         )?;
         let matrices = here.state_space().ok();
         judged("state space", matrices.map(|found| [found.a.as_slice(), found.c.as_slice()].concat()))?;
-        model.derived(time, &start, inputs, here.acceleration(), here.multipliers());
+        model.derived(time, start, inputs, here.acceleration(), here.multipliers());
     }
 
     let count = Cell::new(0);

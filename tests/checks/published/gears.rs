@@ -24,7 +24,7 @@ fn ratio_and_torques() {
     ratio.below(1e-12, "gear ratio");
     speed.below(1e-11, "speed under balanced torques");
     let state = simulation.state();
-    let powers = model.powers(5.0, &state, &balanced);
+    let powers = model.powers(5.0, state, &balanced);
     assert_eq!(PlanetaryGearTrain::LOADS, ["input", "output"]);
     let mut balance = Worst::default();
     balance.see(powers[0], 3.0);
