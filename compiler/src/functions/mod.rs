@@ -7,7 +7,7 @@
 //! ```
 //! No offset is written anywhere: a group has as many results as it has expressions, and [`Signature::split`] parts a
 //! flat list of results by groups. Entries of a list that have fields, such as the motion of a body, are parted by
-//! [`Record::split`].
+//! [`Kind::split`].
 
 mod argument;
 mod shape;
