@@ -27,7 +27,7 @@ pub trait Variables<R: Real> {
 }
 
 /// The state of a mechanism at one time. The meaning of its positions and velocities is said by
-/// [`Layout`](crate::layout::Layout).
+/// [`Layout`].
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct State<Q, V, Z = (), G = ()> {
     /// Positions, shape n_q.
