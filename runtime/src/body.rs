@@ -1,6 +1,7 @@
 //! Motions of bodies and reactions of joints, as emitted functions report it, and the checks of a model's parameters.
 
 use crate::error::SettingError;
+use crate::fields::Fields;
 use crate::quaternion::from_rotation_matrix;
 use crate::real::Real;
 
@@ -77,6 +78,119 @@ pub struct SpatialReaction<R = f64> {
     pub force: [R; 3],
     /// About the second place, N m.
     pub torque: [R; 3],
+}
+
+/// Position, orientation (cos θ, sin θ), velocity, ω, acceleration, ω̇.
+impl<R: Real> Fields<R> for BodyMotion<R> {
+    const NAMES: &'static [&'static str] = &[
+        "position.x",
+        "position.y",
+        "orientation.cos",
+        "orientation.sin",
+        "velocity.x",
+        "velocity.y",
+        "rate",
+        "acceleration.x",
+        "acceleration.y",
+        "angular_acceleration",
+    ];
+    type Array = [R; 10];
+
+    fn from_array([x, y, c, s, vx, vy, rate, ax, ay, angular_acceleration]: [R; 10]) -> Self {
+        BodyMotion {
+            position: [x, y],
+            orientation: [c, s],
+            velocity: [vx, vy],
+            rate,
+            acceleration: [ax, ay],
+            angular_acceleration,
+        }
+    }
+    fn to_array(&self) -> [R; 10] {
+        let [[x, y], [c, s], [vx, vy], [ax, ay]] =
+            [self.position, self.orientation, self.velocity, self.acceleration];
+        [x, y, c, s, vx, vy, self.rate, ax, ay, self.angular_acceleration]
+    }
+}
+
+/// Position, A row by row, velocity, ω, acceleration, ω̇.
+impl<R: Real> Fields<R> for SpatialMotion<R> {
+    const NAMES: &'static [&'static str] = &[
+        "position.x",
+        "position.y",
+        "position.z",
+        "orientation.xx",
+        "orientation.xy",
+        "orientation.xz",
+        "orientation.yx",
+        "orientation.yy",
+        "orientation.yz",
+        "orientation.zx",
+        "orientation.zy",
+        "orientation.zz",
+        "velocity.x",
+        "velocity.y",
+        "velocity.z",
+        "rate.x",
+        "rate.y",
+        "rate.z",
+        "acceleration.x",
+        "acceleration.y",
+        "acceleration.z",
+        "angular_acceleration.x",
+        "angular_acceleration.y",
+        "angular_acceleration.z",
+    ];
+    type Array = [R; 24];
+
+    fn from_array(values: [R; 24]) -> Self {
+        let [x, y, z, xx, xy, xz, yx, yy, yz, zx, zy, zz, rest @ ..] = values;
+        let [vx, vy, vz, wx, wy, wz, ax, ay, az, bx, by, bz] = rest;
+        SpatialMotion {
+            position: [x, y, z],
+            orientation: [[xx, xy, xz], [yx, yy, yz], [zx, zy, zz]],
+            velocity: [vx, vy, vz],
+            rate: [wx, wy, wz],
+            acceleration: [ax, ay, az],
+            angular_acceleration: [bx, by, bz],
+        }
+    }
+    fn to_array(&self) -> [R; 24] {
+        let [x, y, z] = self.position;
+        let [[xx, xy, xz], [yx, yy, yz], [zx, zy, zz]] = self.orientation;
+        let ([vx, vy, vz], [wx, wy, wz]) = (self.velocity, self.rate);
+        let ([ax, ay, az], [bx, by, bz]) = (self.acceleration, self.angular_acceleration);
+        [x, y, z, xx, xy, xz, yx, yy, yz, zx, zy, zz, vx, vy, vz, wx, wy, wz, ax, ay, az, bx, by, bz]
+    }
+}
+
+/// Force, torque.
+impl<R: Real> Fields<R> for Reaction<R> {
+    const NAMES: &'static [&'static str] = &["force.x", "force.y", "torque"];
+    type Array = [R; 3];
+
+    fn from_array([x, y, torque]: [R; 3]) -> Self {
+        Reaction { force: [x, y], torque }
+    }
+    fn to_array(&self) -> [R; 3] {
+        let [x, y] = self.force;
+        [x, y, self.torque]
+    }
+}
+
+/// Force, torque.
+impl<R: Real> Fields<R> for SpatialReaction<R> {
+    const NAMES: &'static [&'static str] =
+        &["force.x", "force.y", "force.z", "torque.x", "torque.y", "torque.z"];
+    type Array = [R; 6];
+
+    fn from_array([x, y, z, tx, ty, tz]: [R; 6]) -> Self {
+        SpatialReaction { force: [x, y, z], torque: [tx, ty, tz] }
+    }
+    fn to_array(&self) -> [R; 6] {
+        let ([x, y, z], [tx, ty, tz]) = (self.force, self.torque);
+        [x, y, z, tx, ty, tz]
+    }
 }
 
 /// A parameter must be finite.

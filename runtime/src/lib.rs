@@ -39,6 +39,7 @@ pub mod mechanism;
 pub mod partition;
 pub mod quaternion;
 pub mod real;
+pub mod report;
 pub mod rotation;
 pub mod simulation;
 pub mod state;
@@ -70,6 +71,7 @@ pub use linearisation::{
 };
 pub use mechanism::{Assemble, Condition, ConditionKind, Elimination, Flips, Mechanism, Row};
 pub use real::Real;
+pub use report::Report;
 pub use rotation::unwrap_angle;
 pub use simulation::{
     Direction, Event, MechanismDynamics, NearSingular, Occurrence, Residual, Sample, Samples, Simulation,
@@ -94,6 +96,7 @@ pub mod __private {
         pub use crate::layout::{Layout, MultiTurn, retract};
         pub use crate::mechanism::{Assemble, Condition, ConditionKind, Elimination, Flips, Mechanism, Row};
         pub use crate::real::Real;
+        pub use crate::report::Report;
         pub use crate::rotation::unwrap_angle;
         pub use crate::state::{Kinematics, Motion, State, Variables};
         pub use crate::tabled;

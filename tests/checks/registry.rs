@@ -3,17 +3,16 @@
 //! A check is a function `fn check<M: Model>()`; [`for_each`] makes a test of it for each shipped model and for the
 //! mechanisms of `zoo.rs`, so that a new model is checked by being listed in `models/src/lib.rs`.
 
-use linkwright::{Assemble, Fields, Layout, SettingError, State, StateOf, Vector};
+use linkwright::{Assemble, Fields, Layout, Report, SettingError, State, StateOf, Vector};
 use linkwright_compiler::model::Coordinates;
 use linkwright_compiler::schedule::Inputs;
 use linkwright_compiler::{Compiled, compile};
 
-/// An emitted mechanism with what its inherent functions give, flattened.
+/// An emitted mechanism, with what follows from its states in flat lists.
 pub trait Model:
-    Assemble<f64, Z = (), Gates = (), Inputs: Fields<f64>, Outputs: Fields<f64>> + Sized
+    Assemble<f64, Z = (), Gates = (), Inputs: Fields<f64>, Outputs: Fields<f64>> + Report<f64> + Sized
 {
     const SOURCE: &'static str;
-    const BODIES: &'static [&'static str];
     /// The same mechanism in single precision.
     type Single: Assemble<f32, Inputs: Fields<f32>, Outputs: Fields<f32>>;
 
@@ -22,68 +21,43 @@ pub trait Model:
     fn single() -> Self::Single;
     fn prepared(parameters: &[f64]) -> Result<Self, SettingError>;
     fn parameter_values(&self) -> Vec<f64>;
-    fn flat_motions(&self, time: f64, q: &Self::Q, v: &Self::V, a: &Self::V) -> Vec<f64>;
-    fn flat_reactions(&self, at: &At<Self>, a: &Self::V, lambda: &Self::Lambda) -> Vec<f64>;
-    fn flat_inverse_dynamics(&self, at: &At<Self>, a: &Self::V) -> Vec<f64>;
-    fn flat_powers(&self, at: &At<Self>) -> Vec<f64>;
+
+    fn flat_motions(&self, time: f64, q: &Self::Q, v: &Self::V, a: &Self::V) -> Vec<f64> {
+        flat(self.motions(time, q, v, a).as_ref())
+    }
+    fn flat_reactions(&self, at: &At<Self>, a: &Self::V, lambda: &Self::Lambda) -> Vec<f64> {
+        flat(self.reactions(at.time, &at.state(), &at.u, a, lambda).as_ref())
+    }
+    fn flat_inverse_dynamics(&self, at: &At<Self>, a: &Self::V) -> Vec<f64> {
+        self.inverse_dynamics(at.time, &at.state(), &at.u, a).as_slice().to_vec()
+    }
+    fn flat_powers(&self, at: &At<Self>) -> Vec<f64> {
+        self.powers(at.time, &at.state(), &at.u).as_slice().to_vec()
+    }
     /// Whether motions, reactions, inverse dynamics and powers are finite; found without allocation.
-    fn derived_finite(&self, at: &At<Self>, a: &Self::V, lambda: &Self::Lambda) -> bool;
+    fn derived_finite(&self, at: &At<Self>, a: &Self::V, lambda: &Self::Lambda) -> bool {
+        let At { time, q, v, u } = at;
+        let state = &at.state();
+        finite(self.motions(*time, q, v, a).as_ref())
+            && finite(self.reactions(*time, state, u, a, lambda).as_ref())
+            && self.inverse_dynamics(*time, state, u, a).as_slice().iter().all(|x| x.is_finite())
+            && self.powers(*time, state, u).as_slice().iter().all(|x| x.is_finite())
+    }
     /// Efforts, then powers.
-    fn flat_driver_efforts(&self, at: &At<Self>, lambda: &Self::Lambda) -> Vec<f64>;
-}
-
-/// All numbers of a motion or reaction, of the plane or of space.
-pub trait Flat {
-    fn flat(&self) -> Vec<f64>;
-    /// Whether all of them are finite.
-    fn finite(&self) -> bool;
-}
-
-fn all_finite(parts: &[&[f64]]) -> bool {
-    parts.iter().all(|part| part.iter().all(|number| number.is_finite()))
-}
-
-impl Flat for linkwright::BodyMotion {
-    fn flat(&self) -> Vec<f64> {
-        let [[x, y], [c, s], [vx, vy], [ax, ay]] =
-            [self.position, self.orientation, self.velocity, self.acceleration];
-        vec![x, y, c, s, vx, vy, self.rate, ax, ay, self.angular_acceleration]
-    }
-    fn finite(&self) -> bool {
-        let turning = [self.rate, self.angular_acceleration];
-        all_finite(&[&self.position, &self.orientation, &self.velocity, &self.acceleration, &turning])
+    fn flat_driver_efforts(&self, at: &At<Self>, lambda: &Self::Lambda) -> Vec<f64> {
+        let efforts = self.driver_efforts(at.time, &at.q, &at.v, lambda);
+        let efforts = efforts.as_ref();
+        efforts.iter().map(|[effort, _]| *effort).chain(efforts.iter().map(|[_, power]| *power)).collect()
     }
 }
 
-impl Flat for linkwright::SpatialMotion {
-    fn flat(&self) -> Vec<f64> {
-        let turned = self.orientation.concat();
-        let rest = [self.velocity, self.rate, self.acceleration, self.angular_acceleration].concat();
-        [self.position.to_vec(), turned, rest].concat()
-    }
-    fn finite(&self) -> bool {
-        let turning = [&self.rate[..], &self.angular_acceleration];
-        all_finite(&[&self.position, self.orientation.as_flattened(), &self.velocity, &self.acceleration])
-            && all_finite(&turning)
-    }
+/// All numbers of motions or reactions.
+fn flat<F: Fields<f64>>(list: &[F]) -> Vec<f64> {
+    list.iter().flat_map(|fields| fields.to_array().as_slice().to_vec()).collect()
 }
 
-impl Flat for linkwright::Reaction {
-    fn flat(&self) -> Vec<f64> {
-        vec![self.force[0], self.force[1], self.torque]
-    }
-    fn finite(&self) -> bool {
-        all_finite(&[&self.force, &[self.torque]])
-    }
-}
-
-impl Flat for linkwright::SpatialReaction {
-    fn flat(&self) -> Vec<f64> {
-        [self.force, self.torque].concat()
-    }
-    fn finite(&self) -> bool {
-        all_finite(&[&self.force, &self.torque])
-    }
+fn finite<F: Fields<f64>>(list: &[F]) -> bool {
+    list.iter().all(|fields| fields.to_array().as_slice().iter().all(|number| number.is_finite()))
 }
 
 /// Time, state and inputs.
@@ -99,7 +73,6 @@ macro_rules! model {
     ($($first:tt $(:: $segment:ident)*),* $(,)?) => { $(
         impl $crate::registry::Model for $first $(:: $segment)* <f64> {
             const SOURCE: &'static str = Self::SOURCE;
-            const BODIES: &'static [&'static str] = Self::BODIES;
             type Single = $first $(:: $segment)* <f32>;
 
             fn standard() -> Self {
@@ -113,47 +86,6 @@ macro_rules! model {
             }
             fn parameter_values(&self) -> Vec<f64> {
                 linkwright::Fields::<f64>::to_array(self.parameters()).to_vec()
-            }
-            fn flat_motions(&self, time: f64, q: &Self::Q, v: &Self::V, a: &Self::V) -> Vec<f64> {
-                let motions = self.motions(time, q, v, a);
-                motions.iter().flat_map($crate::registry::Flat::flat).collect()
-            }
-            fn flat_reactions(
-                &self,
-                at: &$crate::registry::At<Self>,
-                a: &Self::V,
-                lambda: &Self::Lambda,
-            ) -> Vec<f64> {
-                let reactions = self.reactions(at.time, &at.state(), &at.u, a, lambda);
-                reactions.iter().flat_map($crate::registry::Flat::flat).collect()
-            }
-            fn flat_inverse_dynamics(&self, at: &$crate::registry::At<Self>, a: &Self::V) -> Vec<f64> {
-                self.inverse_dynamics(at.time, &at.state(), &at.u, a).to_vec()
-            }
-            fn flat_powers(&self, at: &$crate::registry::At<Self>) -> Vec<f64> {
-                self.powers(at.time, &at.state(), &at.u).to_vec()
-            }
-            fn derived_finite(
-                &self,
-                at: &$crate::registry::At<Self>,
-                a: &Self::V,
-                lambda: &Self::Lambda,
-            ) -> bool {
-                use $crate::registry::Flat;
-                let $crate::registry::At { time, q, v, u } = at;
-                let state = &at.state();
-                self.motions(*time, q, v, a).iter().all(Flat::finite)
-                    && self.reactions(*time, state, u, a, lambda).iter().all(Flat::finite)
-                    && self.inverse_dynamics(*time, state, u, a).iter().all(|x| x.is_finite())
-                    && self.powers(*time, state, u).iter().all(|x| x.is_finite())
-            }
-            fn flat_driver_efforts(
-                &self,
-                at: &$crate::registry::At<Self>,
-                lambda: &Self::Lambda,
-            ) -> Vec<f64> {
-                let efforts = self.driver_efforts(at.time, &at.q, &at.v, lambda);
-                efforts.iter().map(|[effort, _]| *effort).chain(efforts.iter().map(|[_, power]| *power)).collect()
             }
         }
     )* };

@@ -25,6 +25,7 @@ mod items;
 mod mechanism;
 mod names;
 mod printer;
+mod report;
 mod rust;
 mod solutions;
 mod stub;
@@ -68,6 +69,7 @@ fn text(emitter: &Emitter, source: &str) -> String {
     types::fields(&mut implementations, emitter);
     inherent::inherent(&mut implementations, emitter);
     mechanism::mechanism(&mut implementations, emitter);
+    report::report(&mut implementations, emitter);
     assemble::assemble(&mut implementations, emitter);
     tangent::tangent(&mut text, &mut implementations, emitter);
     text.push_str(&implementations);

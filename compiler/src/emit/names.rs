@@ -174,7 +174,7 @@ pub fn inner(name: &str) -> String {
 
 /// Types, traits and variants that implementations have in scope: short names of arrays, what the runtime exports to
 /// emitted code, the prelude.
-const IN_SCOPE: [&str; 99] = [
+const IN_SCOPE: [&str; 100] = [
     "Constants",
     "Phases",
     "Q",
@@ -213,6 +213,7 @@ const IN_SCOPE: [&str; 99] = [
     "AssembleExt",
     "BodyMotion",
     "Reaction",
+    "Report",
     "AssemblyError",
     "SettingError",
     "SimulationError",

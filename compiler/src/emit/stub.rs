@@ -6,6 +6,7 @@
 use super::function::head;
 use super::home::Home;
 use super::names::{field, is_keyword};
+use super::report;
 use crate::driver::header;
 use crate::functions::{DERIVATIVES, FUNCTIONS, Interface, Shape, Signature};
 use crate::model::Space;
@@ -99,7 +100,11 @@ fn implementations(text: &mut String, header: &Header) {
     let matrices = DERIVATIVES.map(|matrix| {
         format!("const {}: &'static [(u16, u16)] = &[];\ntype {} = {list};\n", matrix.pattern, matrix.name)
     });
+    let space = if header.spatial { Space::Spatial } else { Space::Planar };
+    let report =
+        report::stub(space, |shape| header.type_of(shape, &list), |shape| header.count(shape).to_string());
     let replaced = TEMPLATE
+        .replace("@REPORT@", &report)
         .replace("@FUNCTIONS@", &functions(Interface::Model))
         .replace("@FUNCTIONS_OF_MECHANISM@", &functions(Interface::Mechanism))
         .replace("@FUNCTIONS_OF_ASSEMBLE@", &functions(Interface::Assemble))
@@ -208,6 +213,9 @@ impl<R: Real> Mechanism<R> for @NAME@<R> {
     type Inputs = @INPUTS@; type Outputs = @OUTPUTS@;
     fn unwrap(outputs: &mut @OUTPUTS@, previous: &@OUTPUTS@) {}
     @FUNCTIONS_OF_MECHANISM@
+}
+impl<R: Real> Report<R> for @NAME@<R> {
+    @REPORT@
 }
 impl<R: Real> Assemble<R> for @NAME@<R> {
     const CONDITIONS: &'static [Condition] = &[];
