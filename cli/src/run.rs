@@ -6,10 +6,10 @@ use crate::{ERRORS, USAGE, answer, explain, json, report, text};
 use annotate_snippets::Renderer;
 use linkwright_compiler::counts::{self, Row};
 use linkwright_compiler::diagnostics::Diagnostics;
-use linkwright_compiler::model::{self, Coordinates};
+use linkwright_compiler::model::Coordinates;
 use linkwright_compiler::source::Located;
-use linkwright_compiler::syntax::{self, Definition};
-use linkwright_compiler::{Compiled, compile_model, header, parse};
+use linkwright_compiler::syntax::Definition;
+use linkwright_compiler::{Compiled, compile_definition, header, parse};
 use serde_json::Value;
 use std::ffi::OsStr;
 use std::io::{IsTerminal, stderr};
@@ -155,8 +155,7 @@ fn compiled(found: &Found, coordinates: Option<Coordinates>) -> Result<(Definiti
     }
     let stages = || -> Result<(Definition, Compiled), Diagnostics> {
         let definition = parse(found.tokens.stream.clone())?;
-        let mechanism = model::lower(&definition)?;
-        let compiled = compile_model(mechanism, syntax::definition_json(&definition), coordinates)?;
+        let compiled = compile_definition(&definition, coordinates)?;
         Ok((definition, compiled))
     };
     stages().map_err(|errors| found.tokens.locate(errors))

@@ -28,11 +28,18 @@ pub fn header(tokens: TokenStream) -> Option<Header> {
 
 /// tokens → programs. `coordinates` overrides what the definition says.
 pub fn compile(tokens: TokenStream, coordinates: Option<Coordinates>) -> Result<Compiled, Diagnostics> {
-    let definition = parse(tokens)?;
+    compile_definition(&parse(tokens)?, coordinates)
+}
+
+/// What was written → programs.
+pub fn compile_definition(
+    definition: &Definition,
+    coordinates: Option<Coordinates>,
+) -> Result<Compiled, Diagnostics> {
     // AFTER THIS POINT the definition is well formed; nothing is known of what its names mean.
-    let mechanism = model::lower(&definition)?;
+    let mechanism = model::lower(definition)?;
     // AFTER THIS POINT names are resolved, units are SI, dimensions agree.
-    compile_model(mechanism, syntax::definition_json(&definition), coordinates)
+    compile_model(mechanism, syntax::definition_json(definition), coordinates)
 }
 
 /// A mechanism put together, in the coordinates of its tree and with all rows.
@@ -95,16 +102,14 @@ pub fn compile_model(
     let (conditions, independent) = equations.conditions.with(&mechanism, &equations, &assembly.independent);
     let partition = assemble::partition(&mechanism, &equations, &conditions, &assembly, &independent);
     let further = Further::of(&equations, &solved, &mechanism.options.emit, &partition);
-    let derive = mechanism.options.emit.tangent;
-    let (conditions, tangents) = match derive {
-        false => (conditions, None),
-        true => {
-            let others = assemble::completion(&mechanism, &equations, &conditions, &assembly, &independent);
-            let (conditions, others) = conditions.with(&mechanism, &equations, &others);
-            let states = independent.iter().copied().chain(others).collect();
-            let tangents = Tangents::new(&equations, &conditions.rows, states);
-            (conditions, Some(tangents))
-        }
+    let (conditions, tangents) = if mechanism.options.emit.tangent {
+        let others = assemble::completion(&mechanism, &equations, &conditions, &assembly, &independent);
+        let (conditions, others) = conditions.with(&mechanism, &equations, &others);
+        let states = independent.iter().copied().chain(others).collect();
+        let tangents = Tangents::new(&equations, &conditions.rows, states);
+        (conditions, Some(tangents))
+    } else {
+        (conditions, None)
     };
     let complete = Complete { equations, conditions, solved, further, tangents };
     // AFTER THIS POINT every expression that a function computes is on the graph.

@@ -38,7 +38,7 @@ pub mod symbolic;
 
 pub use choice::{Choice, Rejected};
 pub use compiled::Compiled;
-pub use driver::{Start, compile, compile_model, header, parse, start};
+pub use driver::{Start, compile, compile_definition, compile_model, header, parse, start};
 pub use expansion::Expansion;
 pub use page::page;
 

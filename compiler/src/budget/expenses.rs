@@ -5,7 +5,7 @@
 
 use crate::compiled::Compiled;
 use crate::equations::Equations;
-use crate::functions::Function;
+use crate::functions::{Function, outputs};
 use crate::order::Strategy;
 use crate::schedule::{count, nodes_of};
 use crate::solve;
@@ -63,7 +63,7 @@ const ORDER: [&str; 13] = [
 /// The table of one function; its operations add up to those of the program.
 pub fn expenses(compiled: &Compiled, function: Function) -> Vec<Expense> {
     let equations = compiled.complete.equations.clone();
-    let nodes = nodes_of(&equations, &crate::functions::outputs(&compiled.complete, function));
+    let nodes = nodes_of(&equations, &outputs(&compiled.complete, function));
     let (purposes, rest) = match function {
         Function::Acceleration | Function::AccelerationBaumgarte => {
             let purposes = of_the_solution(compiled, &equations, function);

@@ -13,7 +13,7 @@ use crate::diagnostics::Diagnostics;
 use crate::functions::{Function, outputs};
 use crate::model::{Budgeted, Coordinates, Mechanism};
 use crate::schedule::{Program, count, live_values, nodes_of};
-use crate::solve::{self, Further};
+use crate::solve;
 use expenses::expenses;
 use messages::Remedy;
 
@@ -108,25 +108,25 @@ fn with_constants(compiled: &Compiled, function: Function) -> Option<usize> {
     if parameters.is_empty() {
         return None;
     }
-    let equations = compiled.complete.equations.clone();
+    let equations = &compiled.complete.equations;
     let g = equations.graph.sheet();
     let defaults = parameters.iter().map(|parameter| g.number(parameter.default).bare);
-    let replaced = compiled.complete.equations.symbols.parameters.iter().copied().zip(defaults).collect();
+    let replaced = equations.symbols.parameters.iter().copied().zip(defaults).collect();
     let nodes = outputs(&compiled.complete, function);
     let nodes = g.graph().substitute(&nodes, &replaced);
-    Some(nodes_of(&equations, &nodes).len())
+    Some(nodes_of(equations, &nodes).len())
 }
 
 /// Operations of the accelerations that `emit = (null_space)` adds.
 fn in_independent_velocities(compiled: &Compiled) -> Option<usize> {
-    let closed =
-        !compiled.complete.equations.rows.is_empty() && compiled.complete.further.null_space.is_none();
+    let Complete { equations, solved, further, .. } = &compiled.complete;
+    let closed = !equations.rows.is_empty() && further.null_space.is_none();
     closed.then(|| {
-        let equations = compiled.complete.equations.clone();
-        let massless = !compiled.complete.solved.massless.rows.is_empty();
-        let null_space = Some(solve::null_space(&equations, &compiled.partition, massless, None));
-        let further = Further { null_space, ..compiled.complete.further.clone() };
-        let complete = Complete { equations, further, ..compiled.complete.clone() };
+        // On a graph of its own: nothing of it is left behind.
+        let mut complete = compiled.complete.clone();
+        let massless = !solved.massless.rows.is_empty();
+        let written = solve::null_space(&complete.equations, &compiled.partition, massless, None);
+        complete.further.null_space = Some(written);
         nodes_of(&complete.equations, &outputs(&complete, Function::NullSpace)).len()
     })
 }

@@ -90,7 +90,7 @@ impl Signature {
     }
 }
 
-/// A function that every mechanism has.
+/// A function that every mechanism has whose options ask for its interface.
 pub(super) const fn signature(
     function: Function,
     name: &'static str,
@@ -99,7 +99,11 @@ pub(super) const fn signature(
     arguments: &'static [Argument],
     results: &'static [Group],
 ) -> Signature {
-    Signature { function, name, doc, interface, emitted: |_| true, arguments, results }
+    let emitted: fn(&Complete) -> bool = match interface {
+        Interface::Tangent => |complete| complete.tangents.is_some(),
+        Interface::Preparation | Interface::Model | Interface::Mechanism | Interface::Assemble => |_| true,
+    };
+    Signature { function, name, doc, interface, emitted, arguments, results }
 }
 
 impl Signature {

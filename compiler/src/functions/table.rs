@@ -344,8 +344,7 @@ pub static FUNCTIONS: [Signature; 40] = [
         &[written("out", Shape::Velocities, |c| {
             c.tangents.iter().flat_map(|tangents| tangents.residual.clone()).collect()
         })],
-    )
-    .only(|c| c.tangents.is_some()),
+    ),
     signature(
         Function::Tangent,
         "tangent",
@@ -356,8 +355,7 @@ pub static FUNCTIONS: [Signature; 40] = [
             written("stiffness_out", Shape::Matrix(&shape::STIFFNESS), |c| shape::STIFFNESS.nodes(c)),
             written("damping_out", Shape::Matrix(&shape::DAMPING), |c| shape::DAMPING.nodes(c)),
         ],
-    )
-    .only(|c| c.tangents.is_some()),
+    ),
     signature(
         Function::RowTangent,
         "row_tangent",
@@ -368,8 +366,7 @@ pub static FUNCTIONS: [Signature; 40] = [
             written("stiffness_out", Shape::Matrix(&shape::ROW_STIFFNESS), |c| shape::ROW_STIFFNESS.nodes(c)),
             written("damping_out", Shape::Matrix(&shape::ROW_DAMPING), |c| shape::ROW_DAMPING.nodes(c)),
         ],
-    )
-    .only(|c| c.tangents.is_some()),
+    ),
     signature(
         Function::RateTangent,
         "rate_tangent",
@@ -377,8 +374,7 @@ pub static FUNCTIONS: [Signature; 40] = [
         "∂(D v − ν)/∂q along increments of q: the stored entries.",
         STATE,
         &[written("out", Shape::Matrix(&shape::RATE), |c| shape::RATE.nodes(c))],
-    )
-    .only(|c| c.tangents.is_some()),
+    ),
     signature(
         Function::InputTangent,
         "input_tangent",
@@ -386,8 +382,7 @@ pub static FUNCTIONS: [Signature; 40] = [
         "∂r/∂u = −∂Q/∂u: the stored entries.",
         WITH_INPUTS,
         &[written("out", Shape::Matrix(&shape::INPUT), |c| shape::INPUT.nodes(c))],
-    )
-    .only(|c| c.tangents.is_some()),
+    ),
     signature(
         Function::ParameterTangent,
         "parameter_tangent",
@@ -396,8 +391,7 @@ pub static FUNCTIONS: [Signature; 40] = [
          entries.",
         EVERYTHING,
         &[written("out", Shape::Matrix(&shape::PARAMETER), |c| shape::PARAMETER.nodes(c))],
-    )
-    .only(|c| c.tangents.is_some()),
+    ),
     signature(
         Function::OutputTangent,
         "output_tangent",
@@ -405,8 +399,7 @@ pub static FUNCTIONS: [Signature; 40] = [
         "Derivatives of the outputs by q, v, u and λ: the stored entries.",
         &[Constants, Time, State, Inputs, Lambda],
         &[written("out", Shape::Matrix(&shape::OUTPUT), |c| shape::OUTPUT.nodes(c))],
-    )
-    .only(|c| c.tangents.is_some()),
+    ),
     signature(
         Function::CoordinateTangent,
         "coordinate_tangent",
@@ -414,8 +407,7 @@ pub static FUNCTIONS: [Signature; 40] = [
         "∂(ż, z̈)/∂(q, v) of the independent coordinates z at given v̇: the stored entries.",
         MOVING,
         &[written("out", Shape::Matrix(&shape::COORDINATE), |c| shape::COORDINATE.nodes(c))],
-    )
-    .only(|c| c.tangents.is_some()),
+    ),
     signature(
         Function::Prepare,
         "prepare",

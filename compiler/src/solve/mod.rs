@@ -319,31 +319,28 @@ fn counted(equations: &Equations, system: &System, order: Order, count: &Countin
 /// Without the counts.
 fn eliminate(equations: &Equations, system: &System, order: Order) -> Solved {
     let System { velocities, columns, entries, massless, scales, .. } = system;
-    let (factor, index1, baumgarte) = {
-        let g = equations.graph.sheet();
-        let watch_velocities = !massless.rows.is_empty();
-        let kind = Kind { velocities: *velocities, watch_velocities, scales, compliance: None };
-        let factor = elimination::factor(g, entries, &order, &kind);
+    let g = equations.graph.sheet();
+    let watch_velocities = !massless.rows.is_empty();
+    let kind = Kind { velocities: *velocities, watch_velocities, scales, compliance: None };
+    let factor = elimination::factor(g, entries, &order, &kind);
 
-        let plain: Vec<Node> = equations.rows.iter().map(|row| row.jet.bias).collect();
-        let stabilised = stabilised(g, &equations.rows, &equations.symbols);
-        let with = |minus_gamma: &[Node]| {
-            let mut right = g.all(&equations.forces);
-            for (row, rho) in &massless.rows {
-                let weighted = *rho * g.on(minus_gamma[*row]);
-                for (velocity, column) in &columns[*row] {
-                    right[*velocity] -= *column * weighted;
-                }
+    let plain: Vec<Node> = equations.rows.iter().map(|row| row.jet.bias).collect();
+    let stabilised = stabilised(g, &equations.rows, &equations.symbols);
+    let with = |minus_gamma: &[Node]| {
+        let mut right = g.all(&equations.forces);
+        for (row, rho) in &massless.rows {
+            let weighted = *rho * g.on(minus_gamma[*row]);
+            for (velocity, column) in &columns[*row] {
+                right[*velocity] -= *column * weighted;
             }
-            right.extend(g.all(minus_gamma));
-            solution(g, &factor, system, right)
-        };
-        let (index1, baumgarte) = (with(&plain), with(&stabilised));
-        (factor, index1, baumgarte)
+        }
+        right.extend(g.all(minus_gamma));
+        solution(g, &factor, system, right)
     };
+    let (index1, baumgarte) = (with(&plain), with(&stabilised));
     // Outputs that name drivers' efforts or powers take the multipliers of the plain solution.
     let solved = equations.symbols.lambda.iter().copied().zip(index1.lambda.iter().copied()).collect();
-    let outputs = equations.graph.sheet().graph().substitute(&equations.outputs, &solved);
+    let outputs = g.graph().substitute(&equations.outputs, &solved);
     Solved {
         index1,
         baumgarte,

@@ -23,12 +23,12 @@ pub struct Stored {
     /// a, then λ, in symbols for what is kept and for the right-hand sides.
     pub solution: Vec<Node>,
     /// These symbols.
-    pub given: Given,
+    pub given: StandIns,
 }
 
 /// Symbols for what a solution is given.
 #[derive(Clone, Debug)]
-pub struct Given {
+pub struct StandIns {
     /// The right-hand sides of K(c).
     pub forces: Vec<Node>,
     pub rows: Vec<Node>,
@@ -95,7 +95,7 @@ pub fn store(equations: &Equations, massless: &Massless, row_scales: &[Node]) ->
     let stabilised = stabilised.into_iter().map(|row| (-g.on(row)).bare).collect();
     let velocity_pivot = factor.velocity_pivot;
     let pivot = not_nan(g.on(factor.pivot)).bare;
-    let given = Given { forces, rows, kept: stand_ins };
+    let given = StandIns { forces, rows, kept: stand_ins };
     Stored { kept, given, pivot, velocity_pivot, rows: stabilised, solution }
 }
 

@@ -132,5 +132,14 @@ fn statements_of_space() {
     built.output("effort", "N*m", Value::name("motor.effort"));
     let compiled = built.compile(None).unwrap_or_else(|faults| panic!("{faults:#?}\n{}", built.text()));
     assert_eq!(compiled.mechanism.constraints.len(), 1);
-    assert!(built.warnings(&compiled).iter().all(|fault| !fault.part.is_empty()));
+    assert_eq!(built.warnings(&compiled), []);
+}
+
+#[test]
+fn warnings_name_their_part() {
+    let mut built = four_bar();
+    built.parameter("spare", 1.0, "kg");
+    let compiled = built.compile(None).expect("it compiles");
+    let parts: Vec<String> = built.warnings(&compiled).into_iter().map(|fault| fault.part).collect();
+    assert_eq!(parts, ["parameter \"spare\""]);
 }
