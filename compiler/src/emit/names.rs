@@ -11,24 +11,25 @@ use std::rc::Rc;
 #[derive(Clone)]
 pub struct Names {
     names: Rc<BTreeMap<Source, String>>,
+    /// The arguments that have an entry of this name.
+    given: Rc<BTreeMap<String, Vec<Argument>>>,
     /// What the definition calls parameters and inputs, whose values may have other names in functions.
     fields: Rc<BTreeMap<Source, String>>,
     /// Words that functions use themselves.
-    reserved: Rc<BTreeSet<String>>,
+    reserved: Rc<BTreeSet<&'static str>>,
     /// Names of instructions that are results, by index.
     results: Vec<Option<String>>,
-    keywords: Rc<BTreeSet<String>>,
+    keywords: &'static [&'static str],
 }
 
 impl Names {
     /// `keywords`: what no name may be in the language that is written.
-    pub fn new(complete: &Complete, hoisted: &[Node], keywords: &[&str]) -> Self {
+    pub fn new(complete: &Complete, hoisted: &[Node], keywords: &'static [&'static str]) -> Self {
         let equations = &complete.equations;
-        let keywords: BTreeSet<String> = keywords.iter().map(|word| word.to_string()).collect();
         let mut fields = BTreeMap::new();
         let mut names = BTreeMap::new();
         let reserved = reserved();
-        let mut taken = reserved.clone();
+        let mut taken: BTreeSet<String> = BTreeSet::new();
         for Given { argument, shape, symbols: of, .. } in &ARGUMENTS {
             for (index, node) in of(complete).iter().enumerate() {
                 let Op::Symbol(symbol) = equations.graph.read().op(*node) else { continue };
@@ -42,10 +43,11 @@ impl Names {
                 if matches!(shape, Shape::Parameters | Shape::Inputs) {
                     fields.insert(source, symbol.to_string());
                 }
-                let mut name = readable(symbol, &keywords);
-                while !taken.insert(name.clone()) {
+                let mut name = readable(symbol, keywords);
+                while reserved.contains(name.as_str()) || taken.contains(&name) {
                     name.push('_');
                 }
+                taken.insert(name.clone());
                 names.insert(source, name);
             }
         }
@@ -63,12 +65,17 @@ impl Names {
                 names.insert(Source { argument: Argument::Constants, index }, name);
             }
         }
+        let mut given: BTreeMap<String, Vec<Argument>> = BTreeMap::new();
+        for (source, name) in &names {
+            given.entry(name.clone()).or_default().push(source.argument);
+        }
         Names {
             names: Rc::new(names),
+            given: Rc::new(given),
             fields: Rc::new(fields),
             reserved: Rc::new(reserved),
             results: Vec::new(),
-            keywords: Rc::new(keywords),
+            keywords,
         }
     }
 
@@ -82,16 +89,18 @@ impl Names {
         let is_given = |argument: Argument| {
             signature.arguments.contains(&argument) || signature.within(argument).is_some()
         };
-        let own = self.names.iter().filter(|(source, _)| is_given(source.argument));
-        let mut used: BTreeSet<String> = own.map(|(_, name)| name.clone()).collect();
+        let is_used = |name: &String| {
+            self.given.get(name).is_some_and(|arguments| arguments.iter().any(|argument| is_given(*argument)))
+        };
+        let mut others = BTreeSet::new();
         let mut results = Vec::new();
         for (output, label) in outputs.iter().zip(labels) {
             let (Operand::Value(index), Some(label)) = (output, label) else { continue };
-            let mut name = readable(label, &self.keywords);
-            while self.reserved.contains(&name) || used.contains(&name) {
+            let mut name = readable(label, self.keywords);
+            while self.reserved.contains(name.as_str()) || is_used(&name) || others.contains(&name) {
                 name.push('_');
             }
-            used.insert(name.clone());
+            others.insert(name.clone());
             let index = *index as usize;
             results.resize(results.len().max(index + 1), None);
             results[index].get_or_insert(name);
@@ -123,10 +132,10 @@ impl Names {
 }
 
 /// Words that emitted functions use themselves: arguments, what results are written to, and values between helper functions.
-fn reserved() -> BTreeSet<String> {
+fn reserved() -> BTreeSet<&'static str> {
     let results = FUNCTIONS.iter().flat_map(|signature| signature.results);
     let written = results.filter(|group| group.way == Way::Written).map(|group| group.name);
-    ARGUMENTS.iter().map(|given| given.name).chain(written).chain(["w"]).map(str::to_string).collect()
+    ARGUMENTS.iter().map(|given| given.name).chain(written).chain(["w"]).collect()
 }
 
 fn push_numbered(text: &mut String, letter: char, index: u32) {
@@ -135,13 +144,13 @@ fn push_numbered(text: &mut String, letter: char, index: u32) {
 }
 
 /// A name as an identifier that is no keyword and no name of an intermediate value.
-fn readable(name: &str, keywords: &BTreeSet<String>) -> String {
+fn readable(name: &str, keywords: &[&str]) -> String {
     let name = name.replace(['.', '[', '(', ' ', ','], "_").replace([']', ')'], "");
     let numbered = |prefix: char| {
         name.strip_prefix(prefix)
             .is_some_and(|rest| !rest.is_empty() && rest.chars().all(|c| c.is_ascii_digit()))
     };
-    if numbered('a') || numbered('k') || keywords.contains(&name) { name + "_" } else { name }
+    if numbered('a') || numbered('k') || keywords.contains(&name.as_str()) { name + "_" } else { name }
 }
 
 /// Rust's own words.

@@ -12,7 +12,7 @@ use super::dialect::Dialect;
 use super::names::Names;
 use crate::compiled::Compiled;
 use crate::functions::{Argument, Function, Group, Interface, Shape, Signature};
-use crate::schedule::{Cut, Instruction, Operand, Part, Program, Section, Source, count};
+use crate::schedule::{Cut, Instruction, Operand, Part, Program, Section, Source};
 use std::collections::BTreeSet;
 
 /// The body of a function and the helper functions it was cut into.
@@ -159,7 +159,8 @@ impl<D: Dialect> Writer<'_, D> {
         if self.signature.interface != Interface::Model {
             self.signature.doc.lines().for_each(|line| dialect.comment(text, line));
         }
-        match count(self.program).total() {
+        // Each instruction is one operation.
+        match self.program.instructions.len() {
             0 => {}
             1 => dialect.comment(text, "1 operation."),
             many => dialect.comment(text, &format!("{many} operations.")),
@@ -182,9 +183,10 @@ impl<D: Dialect> Writer<'_, D> {
             text.push_str(close);
             text.push_str(behind);
         }
+        let mut sections = self.sections(part).iter().peekable();
         for (offset, instruction) in instructions.iter().enumerate() {
             let index = part.start + offset;
-            if let Some(section) = self.section(index) {
+            if let Some(section) = sections.next_if(|section| section.start == index) {
                 self.printer.dialect.comment(text, &section.title);
             }
             let [before, between, behind] = self.printer.dialect.declaration(instruction.is_mask());
@@ -208,11 +210,14 @@ impl<D: Dialect> Writer<'_, D> {
         }
     }
 
-    /// The section that begins with an instruction, where there are several.
-    fn section(&self, index: usize) -> Option<&Section> {
+    /// The sections that begin in a part, where the program has several.
+    fn sections(&self, part: &Part) -> &[Section] {
         let sections = &self.program.sections;
-        let found = sections.binary_search_by_key(&index, |section| section.start).ok()?;
-        (sections.len() > 1).then(|| &sections[found])
+        if sections.len() < 2 {
+            return &[];
+        }
+        let before = |end: usize| sections.partition_point(|section| section.start < end);
+        &sections[before(part.start)..before(part.end)]
     }
 
     fn is_mask(&self, value: usize) -> bool {
@@ -228,11 +233,12 @@ impl<D: Dialect> Writer<'_, D> {
         names: &Names,
     ) -> BTreeSet<Source> {
         let operands = instructions.iter().flat_map(|instruction| instruction.operands());
-        let used = operands.chain(outputs.iter().copied()).filter_map(|operand| match operand {
-            Operand::Source(source) => Some(source),
-            _ => None,
-        });
-        let used: BTreeSet<Source> = used.collect();
+        let mut used = BTreeSet::new();
+        for operand in operands.chain(outputs.iter().copied()) {
+            if let Operand::Source(source) = operand {
+                used.insert(source);
+            }
+        }
         for source in &used {
             // A number is an argument itself.
             if matches!(source.argument.given().shape, Shape::Scalar) {

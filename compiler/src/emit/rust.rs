@@ -13,7 +13,7 @@ use std::fmt::Write;
 pub struct Rust<'a>(pub &'a Compiled);
 
 impl Dialect for Rust<'_> {
-    fn keywords(&self) -> &[&str] {
+    fn keywords(&self) -> &'static [&'static str] {
         &KEYWORDS
     }
 
@@ -73,12 +73,21 @@ impl Dialect for Rust<'_> {
     fn entry(&self, text: &mut String, within: Option<Argument>, source: Source, identifier: &str) {
         let given = source.argument.given();
         if let Some(whole) = within {
-            let _ = write!(text, "{}.", whole.name());
+            text.push_str(whole.name());
+            text.push('.');
         }
-        let _ = match given.shape {
-            Shape::Parameters | Shape::Inputs => write!(text, "{}.{}", given.name, field(identifier)),
-            _ => write!(text, "{}[{}]", given.name, source.index),
-        };
+        text.push_str(given.name);
+        match given.shape {
+            Shape::Parameters | Shape::Inputs => {
+                text.push('.');
+                text.push_str(&field(identifier));
+            }
+            _ => {
+                text.push('[');
+                text.push_str(&source.index.to_string());
+                text.push(']');
+            }
+        }
     }
 
     fn slots(&self, text: &mut String, size: usize) {

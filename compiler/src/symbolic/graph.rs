@@ -142,8 +142,9 @@ impl Graph {
         self.intern(Op::Constant(value.to_bits()))
     }
 
-    pub(super) fn has_constant(&self, value: f64) -> bool {
-        self.known.contains_key(&Op::Constant(value.to_bits()))
+    /// The constant, if it stands on the graph.
+    pub(super) fn known_constant(&self, value: f64) -> Option<Node> {
+        self.known.get(&Op::Constant(value.to_bits())).copied()
     }
 
     /// The node of a symbol.
@@ -175,6 +176,12 @@ impl Graph {
     }
 
     pub fn add(&mut self, a: Node, b: Node) -> Node {
+        if self.is_zero(a) {
+            return b;
+        }
+        if self.is_zero(b) {
+            return a;
+        }
         match (self.op(a), self.op(b)) {
             (Op::Constant(x), Op::Constant(y)) => {
                 return self.folded_sum(f64::from_bits(x), f64::from_bits(y));
@@ -189,12 +196,6 @@ impl Graph {
             (_, Op::Sub(y, x)) if x == a => return y,
             (Op::Sub(y, x), _) if x == b => return y,
             _ => {}
-        }
-        if self.is_zero(a) {
-            return b;
-        }
-        if self.is_zero(b) {
-            return a;
         }
         if a == b {
             let two = self.constant(2.0);
@@ -219,6 +220,12 @@ impl Graph {
     }
 
     pub fn sub(&mut self, a: Node, b: Node) -> Node {
+        if self.is_zero(b) {
+            return a;
+        }
+        if self.is_zero(a) {
+            return self.neg(b);
+        }
         match (self.op(a), self.op(b)) {
             (Op::Constant(x), Op::Constant(y)) => {
                 return self.folded_sum(f64::from_bits(x), -f64::from_bits(y));
@@ -237,12 +244,6 @@ impl Graph {
         }
         if a == b {
             return self.constant(0.0);
-        }
-        if self.is_zero(a) {
-            return self.neg(b);
-        }
-        if self.is_zero(b) {
-            return a;
         }
         if let Some(difference) = self.collect_terms(a, b, true) {
             return difference;
@@ -285,14 +286,14 @@ impl Graph {
             (b, a)
         };
         if let Some(x) = self.value(a) {
+            if x == 1.0 {
+                return b;
+            }
             if let Some(y) = self.value(b) {
                 return self.folded_product(x, y);
             }
             if x == 0.0 {
                 return a;
-            }
-            if x == 1.0 {
-                return b;
             }
             // Coefficients are positive, so that k·x and −k·x meet.
             if x < 0.0 {

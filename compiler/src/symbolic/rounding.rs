@@ -38,32 +38,33 @@ impl Graph {
 
     /// The constant x + y.
     pub(super) fn folded_sum(&mut self, x: f64, y: f64) -> Node {
-        let error = self.rounding(x) + self.rounding(y);
-        self.folded(settled(x, y), error)
+        self.folded(settled(x, y), |g| g.rounding(x) + g.rounding(y))
     }
 
     pub(super) fn folded_product(&mut self, x: f64, y: f64) -> Node {
-        let error = self.rounding(x) * y.abs() + self.rounding(y) * x.abs();
-        self.folded(x * y, error)
+        self.folded(x * y, |g| g.rounding(x) * y.abs() + g.rounding(y) * x.abs())
     }
 
     pub(super) fn folded_quotient(&mut self, x: f64, y: f64) -> Node {
         let quotient = x / y;
-        let error = of_quotient(self.rounding(x), quotient, y, self.rounding(y));
-        self.folded(quotient, error)
+        self.folded(quotient, |g| of_quotient(g.rounding(x), quotient, y, g.rounding(y)))
     }
 
     pub(super) fn folded_unary(&mut self, function: Unary, x: f64) -> Node {
-        let error = passed_on(function, x, self.rounding(x));
-        self.folded(function.value(x), error)
+        self.folded(function.value(x), |g| passed_on(function, x, g.rounding(x)))
     }
 
-    /// The constant `value`, made of such as have made it `passed_on` wrong.
-    fn folded(&mut self, value: f64, passed_on: f64) -> Node {
+    /// The constant `value`, made of such as have made it `passed_on` wrong: asked for only where the constant is new.
+    fn folded(&mut self, value: f64, passed_on: impl FnOnce(&Graph) -> f64) -> Node {
         // All zeros are one, and what cancels is taken to cancel.
-        if value != 0.0 && !self.has_constant(value) {
-            self.roundings.keep(value, passed_on + f64::EPSILON * value.abs());
+        if value == 0.0 {
+            return self.constant(value);
         }
+        if let Some(known) = self.known_constant(value) {
+            return known;
+        }
+        let error = passed_on(self) + f64::EPSILON * value.abs();
+        self.roundings.keep(value, error);
         self.constant(value)
     }
 }

@@ -44,7 +44,7 @@ impl C {
 }
 
 impl Dialect for C {
-    fn keywords(&self) -> &[&str] {
+    fn keywords(&self) -> &'static [&'static str] {
         &self.keywords
     }
 
