@@ -22,15 +22,7 @@ fn simple_pendulum() {
 
 #[test]
 fn four_bar() {
-    let kept = [
-        "mass_matrix",
-        "constraint_jacobian",
-        "gamma",
-        "acceleration_baumgarte",
-        "outputs",
-        "motions",
-        "reactions",
-    ];
+    let kept = ["constraint_jacobian", "gamma", "acceleration_baumgarte", "outputs", "reactions"];
     compare("four_bar", "models/src/four_bar.rs", "FourBar", Some(&kept));
 }
 
@@ -73,7 +65,7 @@ fn compare(name: &str, file: &str, mechanism: &str, kept: Option<&[&str]>) {
     if !left_out.is_empty() {
         text += &format!("// Left out: {}.\n", left_out.join(", "));
     }
-    text += &with_macros_as_comments(&prettyplease::unparse(&items));
+    text += &with_short_derives(&with_macros_as_comments(&prettyplease::unparse(&items)));
     let lines = text.lines().count();
     assert!(lines <= MOST_LINES, "{name}: {lines} lines");
     compare_text(&format!("{name}.rs"), &text);
@@ -117,6 +109,21 @@ fn with_macros_as_comments(text: &str) -> String {
         if rest.is_empty() {
             lines.next();
         }
+    }
+    result
+}
+
+/// The same list of traits at every struct is worth one line.
+fn with_short_derives(text: &str) -> String {
+    let mut result = String::new();
+    let mut lines = text.lines();
+    while let Some(line) = lines.next() {
+        result += line;
+        if line == "#[derive(" {
+            let traits = lines.by_ref().take_while(|line| *line != ")]").map(str::trim);
+            result += &format!("{})]", traits.collect::<Vec<_>>().join(" "));
+        }
+        result += "\n";
     }
     result
 }

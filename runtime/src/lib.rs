@@ -6,7 +6,7 @@
 //! | subject | module |
 //! |---|---|
 //! | scalars, vectors, named numbers | [`real`], [`vector`], [`fields`] |
-//! | positions that are no vector space | [`rotation`], [`quaternion`], [`layout`] |
+//! | positions that are no vector space | [`rotation`], [`quaternion`], [`layout`], by name [`named`] |
 //! | the traits that emitted code implements | [`mechanism`] |
 //! | states that satisfy the constraints | [`assembly`], over the sparse factorisations [`ldl`] and [`tabled`] |
 //! | derivatives, and what follows from them | [`tangent`], [`linearisation`] |
@@ -36,6 +36,7 @@ pub mod layout;
 pub mod ldl;
 pub mod linearisation;
 pub mod mechanism;
+pub mod named;
 pub mod partition;
 pub mod quaternion;
 pub mod real;
@@ -70,6 +71,7 @@ pub use linearisation::{
     Actuation, ByParameters, Equilibrium, Linearisation, Response, StateSpace, actuation, equilibrium,
 };
 pub use mechanism::{Assemble, Condition, ConditionKind, Elimination, Flips, Mechanism, Row};
+pub use named::{Angle, Turns};
 pub use real::Real;
 pub use report::Report;
 pub use rotation::unwrap_angle;
@@ -95,6 +97,7 @@ pub mod __private {
         pub use crate::fields::Fields;
         pub use crate::layout::{Layout, MultiTurn, retract};
         pub use crate::mechanism::{Assemble, Condition, ConditionKind, Elimination, Flips, Mechanism, Row};
+        pub use crate::named::{Angle, Turns};
         pub use crate::real::Real;
         pub use crate::report::Report;
         pub use crate::rotation::unwrap_angle;

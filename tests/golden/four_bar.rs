@@ -1,5 +1,5 @@
 // `FourBar` of models/src/four_bar.rs.
-// Left out: acceleration, choice, condition_bias, condition_cosines, condition_drift, condition_jacobian, condition_residual, constraints, default, driver_efforts, factor, forces, from_array, inverse_dynamics, kinetic_energy, lu, nu, parameters, potential_energy, powers, prepare, row_cosines, row_scales, solve, start_q, start_targets, start_v, store, to_array, unwrap, with.
+// Left out: acceleration, choice, condition_bias, condition_cosines, condition_drift, condition_jacobian, condition_residual, constraints, default, driver_efforts, factor, forces, from, from_array, inverse_dynamics, kinetic_energy, lu, mass_matrix, motions, nu, parameters, positions, potential_energy, powers, prepare, row_cosines, row_scales, solve, start_q, start_targets, start_v, store, to_array, unwrap, velocities, with.
 /// Four-bar of unit rods (IFToMM A02 with one window).
 ///
 /// Three uniform rods of 1 m and 1 kg, g = 9.81 m/s², cranks upright and turning at −1 rad/s. The cranks move as a
@@ -24,35 +24,20 @@
     x[m]= crank.end.x;output
     angle[rad]= rocker_pin.angle;}}
 )]
-#[derive(
-    ::core::clone::Clone,
-    ::core::marker::Copy,
-    ::core::fmt::Debug,
-    ::core::cmp::PartialEq
-)]
+#[derive(::core::clone::Clone, ::core::marker::Copy, ::core::fmt::Debug, ::core::cmp::PartialEq)]
 pub struct FourBar<R = ::core::primitive::f64> {
     parameters: FourBarParameters<R>,
     phases: [R; 0],
     constants: [R; 0],
 }
 ///Parameters of [`FourBar`], in SI units.
-#[derive(
-    ::core::clone::Clone,
-    ::core::marker::Copy,
-    ::core::fmt::Debug,
-    ::core::cmp::PartialEq
-)]
+#[derive(::core::clone::Clone, ::core::marker::Copy, ::core::fmt::Debug, ::core::cmp::PartialEq)]
 pub struct FourBarParameters<R = ::core::primitive::f64> {
     #[doc(hidden)]
     pub scalar: ::core::marker::PhantomData<R>,
 }
 ///Outputs of [`FourBar`], in SI units.
-#[derive(
-    ::core::clone::Clone,
-    ::core::marker::Copy,
-    ::core::fmt::Debug,
-    ::core::cmp::PartialEq
-)]
+#[derive(::core::clone::Clone, ::core::marker::Copy, ::core::fmt::Debug, ::core::cmp::PartialEq)]
 pub struct FourBarOutputs<R = ::core::primitive::f64> {
     ///`m` (SI).
     pub x: R,
@@ -64,6 +49,28 @@ pub type FourBarState<R = ::core::primitive::f64> = ::linkwright::__private::v1:
     [R; 6],
     [R; 3],
 >;
+///Positions of [`FourBar`] by name; [`From`] and [`Into`] the array of a state.
+#[allow(dead_code)]
+#[derive(::core::clone::Clone, ::core::marker::Copy, ::core::fmt::Debug, ::core::cmp::PartialEq)]
+pub struct FourBarPositions<R = ::core::primitive::f64> {
+    ///rad, by its cosine and sine.
+    pub crank_angle: ::linkwright::__private::v1::Angle<R>,
+    ///rad, by its cosine and sine.
+    pub rocker_angle: ::linkwright::__private::v1::Angle<R>,
+    ///rad, by its cosine and sine.
+    pub coupler_angle: ::linkwright::__private::v1::Angle<R>,
+}
+///Velocities of [`FourBar`] by name; [`From`] and [`Into`] the array of a state.
+#[allow(dead_code)]
+#[derive(::core::clone::Clone, ::core::marker::Copy, ::core::fmt::Debug, ::core::cmp::PartialEq)]
+pub struct FourBarVelocities<R = ::core::primitive::f64> {
+    ///rad/s.
+    pub crank_rate: R,
+    ///rad/s.
+    pub rocker_rate: R,
+    ///rad/s.
+    pub coupler_rate: R,
+}
 #[allow(clippy::all)]
 impl FourBar<::core::primitive::f64> {
     ///Consistent start state for the default parameters, assembled at compile time.
@@ -142,99 +149,13 @@ const _: () = {
         const NAMES: &'static [&'static str] = &["x", "angle"];
         type Array = [R; 2];
     }
+    impl<R: Real> From<Q<R>> for FourBarPositions<R> {}
+    impl<R: Real> From<FourBarPositions<R>> for Q<R> {}
+    impl<R: Real> From<V<R>> for FourBarVelocities<R> {}
+    impl<R: Real> From<FourBarVelocities<R>> for V<R> {}
     impl<R: Real> Default for Parameters<R> {}
     impl<R: Real> Default for FourBar<R> {}
     impl<R: Real> FourBar<R> {
-        /// Position, velocity and acceleration of every body's centre of mass, in the order of `BODIES`,
-        /// from a state and its accelerations.
-        pub fn motions(
-            &self,
-            time: R,
-            q: &Q<R>,
-            v: &V<R>,
-            a: &V<R>,
-        ) -> [BodyMotion<R>; 3] {
-            // 41 operations.
-            let crank_cos = q[0];
-            let crank_sin = q[1];
-            let rocker_cos = q[2];
-            let rocker_sin = q[3];
-            let coupler_cos = q[4];
-            let coupler_sin = q[5];
-            let crank_rate = v[0];
-            let rocker_rate = v[1];
-            let coupler_rate = v[2];
-            let crank_rate_dot = a[0];
-            let rocker_rate_dot = a[1];
-            let coupler_rate_dot = a[2];
-            let a0 = R::from_f64(0.5) * crank_cos;
-            let a1 = R::from_f64(0.5) * crank_sin;
-            let a2 = crank_rate * a1;
-            let a3 = -a2;
-            let a4 = crank_rate * a0;
-            let a5 = crank_rate * crank_rate;
-            let a6 = a5 * a0;
-            let a7 = (-crank_rate_dot).mul_add(a1, -a6);
-            let a8 = crank_rate_dot * a0;
-            let a9 = (-a5).mul_add(a1, a8);
-            let a10 = R::from_f64(0.5) * coupler_cos;
-            let a11 = crank_cos + a10;
-            let a12 = R::from_f64(0.5) * coupler_sin;
-            let a13 = crank_sin + a12;
-            let a14 = crank_sin * crank_rate;
-            let a15 = (-coupler_rate).mul_add(a12, -a14);
-            let a16 = crank_cos * crank_rate;
-            let a17 = coupler_rate.mul_add(a10, a16);
-            let a18 = coupler_rate * coupler_rate;
-            let a19 = crank_cos * a5;
-            let a20 = a18.mul_add(a10, a19);
-            let a21 = crank_sin * crank_rate_dot;
-            let a22 = coupler_rate_dot.mul_add(a12, a21);
-            let a23 = a20 + a22;
-            let a24 = -a23;
-            let a25 = crank_cos * crank_rate_dot;
-            let a26 = coupler_rate_dot.mul_add(a10, a25);
-            let a27 = crank_sin * a5;
-            let a28 = a18.mul_add(a12, a27);
-            let a29 = a26 - a28;
-            let a30 = R::from_f64(0.5) * rocker_cos;
-            let a31 = R::ONE + a30;
-            let a32 = R::from_f64(0.5) * rocker_sin;
-            let a33 = rocker_rate * a32;
-            let a34 = -a33;
-            let a35 = rocker_rate * a30;
-            let a36 = rocker_rate * rocker_rate;
-            let a37 = a36 * a30;
-            let a38 = (-rocker_rate_dot).mul_add(a32, -a37);
-            let a39 = rocker_rate_dot * a30;
-            let a40 = (-a36).mul_add(a32, a39);
-            [
-                BodyMotion {
-                    position: [a0, a1],
-                    orientation: [crank_cos, crank_sin],
-                    velocity: [a3, a4],
-                    rate: crank_rate,
-                    acceleration: [a7, a9],
-                    angular_acceleration: crank_rate_dot,
-                },
-                BodyMotion {
-                    position: [a11, a13],
-                    orientation: [coupler_cos, coupler_sin],
-                    velocity: [a15, a17],
-                    rate: coupler_rate,
-                    acceleration: [a24, a29],
-                    angular_acceleration: coupler_rate_dot,
-                },
-                BodyMotion {
-                    position: [a31, a32],
-                    orientation: [rocker_cos, rocker_sin],
-                    velocity: [a34, a35],
-                    rate: rocker_rate,
-                    acceleration: [a38, a40],
-                    angular_acceleration: rocker_rate_dot,
-                },
-            ]
-        }
         /// Force and torque that each joint exerts on the body of its second place, in the order of `JOINTS`:
         /// force in world axes at that place (N), torque about it (N m).
         pub fn reactions(
@@ -362,23 +283,6 @@ const _: () = {
         type Jacobian = Jacobian<R>;
         type Inputs = ();
         type Outputs = Outputs<R>;
-        fn mass_matrix(&self, time: R, q: &Q<R>, out: &mut Mass<R>) {
-            // M(t, q): its stored entries (kg, kg m, kg m²).
-            // 3 operations.
-            let crank_cos = q[0];
-            let crank_sin = q[1];
-            let coupler_cos = q[4];
-            let coupler_sin = q[5];
-            let a0 = crank_cos * coupler_cos;
-            let a1 = crank_sin.mul_add(coupler_sin, a0);
-            let a2 = R::from_f64(0.5) * a1;
-            *out = [
-                R::from_f64(1.3333333333333333),
-                R::from_f64(0.3333333333333333),
-                a2,
-                R::from_f64(0.3333333333333333),
-            ];
-        }
         fn constraint_jacobian(&self, time: R, q: &Q<R>, out: &mut Jacobian<R>) {
             // D(t, q), Φ̇ = D v − ν: its stored entries.
             // 3 operations.
@@ -541,6 +445,27 @@ const _: () = {
                 x: crank_cos,
                 angle: angle,
             }
+        }
+    }
+    impl<R: Real> Report<R> for FourBar<R> {
+        const BODIES: &'static [&'static str] = FourBar::<f64>::BODIES;
+        const JOINTS: &'static [&'static str] = FourBar::<f64>::JOINTS;
+        const LOADS: &'static [&'static str] = FourBar::<f64>::LOADS;
+        type Motion = BodyMotion<R>;
+        type Motions = [BodyMotion<R>; 3];
+        type Reaction = Reaction<R>;
+        type Reactions = [Reaction<R>; 4];
+        type Powers = [R; 0];
+        type Efforts = [[R; 2]; 0];
+        fn reactions(
+            &self,
+            time: R,
+            state: &State<Q<R>, V<R>>,
+            u: &(),
+            a: &V<R>,
+            lambda: &Lambda<R>,
+        ) -> [Reaction<R>; 4] {
+            FourBar::<R>::reactions(self, time, state, u, a, lambda)
         }
     }
     impl<R: Real> Assemble<R> for FourBar<R> {

@@ -1,5 +1,5 @@
 // `Gripper` of tests/checks/zoo_tangent.rs.
-// Left out: acceleration, acceleration_baumgarte, choice, condition_bias, condition_cosines, condition_drift, condition_jacobian, condition_residual, constraint_jacobian, constraints, coordinate_tangent, default, driver_efforts, factor, forces, from_array, gamma, input_tangent, inverse_dynamics, kinetic_energy, lu, mass_matrix, motions, nu, order, output_tangent, outputs, parameter_tangent, parameters, potential_energy, powers, prepare, rate_tangent, reactions, row_cosines, row_scales, row_tangent, solve, start_q, start_targets, start_v, store, to_array, unwrap, with.
+// Left out: acceleration, acceleration_baumgarte, choice, condition_bias, condition_cosines, condition_drift, condition_jacobian, condition_residual, constraint_jacobian, constraints, coordinate_tangent, default, driver_efforts, factor, forces, from, from_array, gamma, input_tangent, inverse_dynamics, kinetic_energy, lu, mass_matrix, motions, nu, order, output_tangent, outputs, parameter_tangent, parameters, positions, potential_energy, powers, prepare, rate_tangent, reactions, row_cosines, row_scales, row_tangent, solve, start_q, start_targets, start_v, store, to_array, unwrap, velocities, with.
 /// A four-bar that a torsion spring holds, with more inputs than it needs.
 ///
 ///Equations of motion of the planar mechanism `Gripper`.
@@ -40,24 +40,14 @@
     swinging[rad/s]= d.rate;output
     stored[J]= potential_energy;}}
 )]
-#[derive(
-    ::core::clone::Clone,
-    ::core::marker::Copy,
-    ::core::fmt::Debug,
-    ::core::cmp::PartialEq
-)]
+#[derive(::core::clone::Clone, ::core::marker::Copy, ::core::fmt::Debug, ::core::cmp::PartialEq)]
 pub struct Gripper<R = ::core::primitive::f64> {
     parameters: GripperParameters<R>,
     phases: [R; 0],
     constants: [R; 21],
 }
 ///Parameters of [`Gripper`], in SI units.
-#[derive(
-    ::core::clone::Clone,
-    ::core::marker::Copy,
-    ::core::fmt::Debug,
-    ::core::cmp::PartialEq
-)]
+#[derive(::core::clone::Clone, ::core::marker::Copy, ::core::fmt::Debug, ::core::cmp::PartialEq)]
 pub struct GripperParameters<R = ::core::primitive::f64> {
     ///`N*m/rad`, default 6.0 in SI units.
     pub stiffness: R,
@@ -67,12 +57,7 @@ pub struct GripperParameters<R = ::core::primitive::f64> {
     pub weight: R,
 }
 ///Inputs of [`Gripper`], in SI units.
-#[derive(
-    ::core::clone::Clone,
-    ::core::marker::Copy,
-    ::core::fmt::Debug,
-    ::core::cmp::PartialEq
-)]
+#[derive(::core::clone::Clone, ::core::marker::Copy, ::core::fmt::Debug, ::core::cmp::PartialEq)]
 pub struct GripperInputs<R = ::core::primitive::f64> {
     ///`N*m` (SI).
     pub drive: R,
@@ -80,12 +65,7 @@ pub struct GripperInputs<R = ::core::primitive::f64> {
     pub pull: R,
 }
 ///Outputs of [`Gripper`], in SI units.
-#[derive(
-    ::core::clone::Clone,
-    ::core::marker::Copy,
-    ::core::fmt::Debug,
-    ::core::cmp::PartialEq
-)]
+#[derive(::core::clone::Clone, ::core::marker::Copy, ::core::fmt::Debug, ::core::cmp::PartialEq)]
 pub struct GripperOutputs<R = ::core::primitive::f64> {
     ///`m` (SI).
     pub reach: R,
@@ -101,6 +81,30 @@ pub type GripperState<R = ::core::primitive::f64> = ::linkwright::__private::v1:
     [R; 8],
     [R; 3],
 >;
+///Positions of [`Gripper`] by name; [`From`] and [`Into`] the array of a state.
+#[allow(dead_code)]
+#[derive(::core::clone::Clone, ::core::marker::Copy, ::core::fmt::Debug, ::core::cmp::PartialEq)]
+pub struct GripperPositions<R = ::core::primitive::f64> {
+    ///rad, by its cosine and sine.
+    pub crank_angle: ::linkwright::__private::v1::Angle<R>,
+    ///rad, by its cosine and sine.
+    pub rocker_angle: ::linkwright::__private::v1::Angle<R>,
+    ///rad, by its cosine and sine.
+    pub coupler_angle: ::linkwright::__private::v1::Angle<R>,
+    ///rad, over several turns.
+    pub a_turns: ::linkwright::__private::v1::Turns<R>,
+}
+///Velocities of [`Gripper`] by name; [`From`] and [`Into`] the array of a state.
+#[allow(dead_code)]
+#[derive(::core::clone::Clone, ::core::marker::Copy, ::core::fmt::Debug, ::core::cmp::PartialEq)]
+pub struct GripperVelocities<R = ::core::primitive::f64> {
+    ///rad/s.
+    pub crank_rate: R,
+    ///rad/s.
+    pub rocker_rate: R,
+    ///rad/s.
+    pub coupler_rate: R,
+}
 #[allow(clippy::all)]
 impl Gripper<::core::primitive::f64> {
     ///Consistent start state for the default parameters, assembled at compile time.
@@ -207,6 +211,10 @@ const _: () = {
         const NAMES: &'static [&'static str] = &["reach", "swing", "swinging", "stored"];
         type Array = [R; 4];
     }
+    impl<R: Real> From<Q<R>> for GripperPositions<R> {}
+    impl<R: Real> From<GripperPositions<R>> for Q<R> {}
+    impl<R: Real> From<V<R>> for GripperVelocities<R> {}
+    impl<R: Real> From<GripperVelocities<R>> for V<R> {}
     impl<R: Real> Default for Parameters<R> {}
     impl<R: Real> Default for Gripper<R> {}
     impl<R: Real> Gripper<R> {}
@@ -257,6 +265,17 @@ const _: () = {
         type Jacobian = Jacobian<R>;
         type Inputs = Inputs<R>;
         type Outputs = Outputs<R>;
+    }
+    impl<R: Real> Report<R> for Gripper<R> {
+        const BODIES: &'static [&'static str] = Gripper::<f64>::BODIES;
+        const JOINTS: &'static [&'static str] = Gripper::<f64>::JOINTS;
+        const LOADS: &'static [&'static str] = Gripper::<f64>::LOADS;
+        type Motion = BodyMotion<R>;
+        type Motions = [BodyMotion<R>; 3];
+        type Reaction = Reaction<R>;
+        type Reactions = [Reaction<R>; 4];
+        type Powers = [R; 3];
+        type Efforts = [[R; 2]; 0];
     }
     impl<R: Real> Assemble<R> for Gripper<R> {
         const CONDITIONS: &'static [Condition] = &[

@@ -1,5 +1,5 @@
 // `ParametricFourBar` of models/src/general_four_bar.rs.
-// Left out: acceleration, acceleration_baumgarte, choice, condition_bias, condition_cosines, condition_drift, condition_jacobian, condition_residual, constraint_jacobian, constraints, default, driver_efforts, factor, forces, from_array, gamma, inverse_dynamics, kinetic_energy, lu, motions, nu, outputs, parameters, potential_energy, powers, reactions, row_cosines, row_scales, solve, start_q, start_targets, start_v, store, to_array, unwrap.
+// Left out: acceleration, acceleration_baumgarte, choice, condition_bias, condition_cosines, condition_drift, condition_jacobian, condition_residual, constraint_jacobian, constraints, default, driver_efforts, factor, forces, from, from_array, gamma, inverse_dynamics, kinetic_energy, lu, motions, nu, outputs, parameters, positions, potential_energy, powers, reactions, row_cosines, row_scales, solve, start_q, start_targets, start_v, store, to_array, unwrap, velocities.
 /// Four-bar of which every number is a parameter; its defaults are the literals of [`GeneralFourBar`].
 ///
 ///Equations of motion of the planar mechanism `ParametricFourBar`.
@@ -66,24 +66,14 @@
     trace_y[m]= coupler.tracer.y;output
     rocking[rad]= rocker_pin.angle;}}
 )]
-#[derive(
-    ::core::clone::Clone,
-    ::core::marker::Copy,
-    ::core::fmt::Debug,
-    ::core::cmp::PartialEq
-)]
+#[derive(::core::clone::Clone, ::core::marker::Copy, ::core::fmt::Debug, ::core::cmp::PartialEq)]
 pub struct ParametricFourBar<R = ::core::primitive::f64> {
     parameters: ParametricFourBarParameters<R>,
     phases: [R; 0],
     constants: [R; 44],
 }
 ///Parameters of [`ParametricFourBar`], in SI units.
-#[derive(
-    ::core::clone::Clone,
-    ::core::marker::Copy,
-    ::core::fmt::Debug,
-    ::core::cmp::PartialEq
-)]
+#[derive(::core::clone::Clone, ::core::marker::Copy, ::core::fmt::Debug, ::core::cmp::PartialEq)]
 pub struct ParametricFourBarParameters<R = ::core::primitive::f64> {
     ///`m/s^2`, default 0.31 in SI units.
     pub gravity_x: R,
@@ -137,12 +127,7 @@ pub struct ParametricFourBarParameters<R = ::core::primitive::f64> {
     pub start_rate: R,
 }
 ///Outputs of [`ParametricFourBar`], in SI units.
-#[derive(
-    ::core::clone::Clone,
-    ::core::marker::Copy,
-    ::core::fmt::Debug,
-    ::core::cmp::PartialEq
-)]
+#[derive(::core::clone::Clone, ::core::marker::Copy, ::core::fmt::Debug, ::core::cmp::PartialEq)]
 pub struct ParametricFourBarOutputs<R = ::core::primitive::f64> {
     ///`m` (SI).
     pub trace_x: R,
@@ -156,6 +141,28 @@ pub type ParametricFourBarState<R = ::core::primitive::f64> = ::linkwright::__pr
     [R; 6],
     [R; 3],
 >;
+///Positions of [`ParametricFourBar`] by name; [`From`] and [`Into`] the array of a state.
+#[allow(dead_code)]
+#[derive(::core::clone::Clone, ::core::marker::Copy, ::core::fmt::Debug, ::core::cmp::PartialEq)]
+pub struct ParametricFourBarPositions<R = ::core::primitive::f64> {
+    ///rad, by its cosine and sine.
+    pub crank_angle: ::linkwright::__private::v1::Angle<R>,
+    ///rad, by its cosine and sine.
+    pub rocker_angle: ::linkwright::__private::v1::Angle<R>,
+    ///rad, by its cosine and sine.
+    pub coupler_angle: ::linkwright::__private::v1::Angle<R>,
+}
+///Velocities of [`ParametricFourBar`] by name; [`From`] and [`Into`] the array of a state.
+#[allow(dead_code)]
+#[derive(::core::clone::Clone, ::core::marker::Copy, ::core::fmt::Debug, ::core::cmp::PartialEq)]
+pub struct ParametricFourBarVelocities<R = ::core::primitive::f64> {
+    ///rad/s.
+    pub crank_rate: R,
+    ///rad/s.
+    pub rocker_rate: R,
+    ///rad/s.
+    pub coupler_rate: R,
+}
 #[allow(clippy::all)]
 impl ParametricFourBar<::core::primitive::f64> {
     ///Consistent start state for the default parameters, assembled at compile time.
@@ -267,6 +274,10 @@ const _: () = {
         const NAMES: &'static [&'static str] = &["trace_x", "trace_y", "rocking"];
         type Array = [R; 3];
     }
+    impl<R: Real> From<Q<R>> for ParametricFourBarPositions<R> {}
+    impl<R: Real> From<ParametricFourBarPositions<R>> for Q<R> {}
+    impl<R: Real> From<V<R>> for ParametricFourBarVelocities<R> {}
+    impl<R: Real> From<ParametricFourBarVelocities<R>> for V<R> {}
     impl<R: Real> Default for Parameters<R> {}
     impl<R: Real> Default for ParametricFourBar<R> {}
     impl<R: Real> ParametricFourBar<R> {
@@ -539,6 +550,17 @@ const _: () = {
             let a5 = (-k1).mul_add(a1, a4);
             *out = [k2, k3, a5, k4];
         }
+    }
+    impl<R: Real> Report<R> for ParametricFourBar<R> {
+        const BODIES: &'static [&'static str] = ParametricFourBar::<f64>::BODIES;
+        const JOINTS: &'static [&'static str] = ParametricFourBar::<f64>::JOINTS;
+        const LOADS: &'static [&'static str] = ParametricFourBar::<f64>::LOADS;
+        type Motion = BodyMotion<R>;
+        type Motions = [BodyMotion<R>; 3];
+        type Reaction = Reaction<R>;
+        type Reactions = [Reaction<R>; 4];
+        type Powers = [R; 0];
+        type Efforts = [[R; 2]; 0];
     }
     impl<R: Real> Assemble<R> for ParametricFourBar<R> {
         const CONDITIONS: &'static [Condition] = &[

@@ -17,35 +17,20 @@
     x[m]= arm.center.x;output
     y[m]= arm.center.y;}}
 )]
-#[derive(
-    ::core::clone::Clone,
-    ::core::marker::Copy,
-    ::core::fmt::Debug,
-    ::core::cmp::PartialEq
-)]
+#[derive(::core::clone::Clone, ::core::marker::Copy, ::core::fmt::Debug, ::core::cmp::PartialEq)]
 pub struct SimplePendulum<R = ::core::primitive::f64> {
     parameters: SimplePendulumParameters<R>,
     phases: [R; 0],
     constants: [R; 0],
 }
 ///Parameters of [`SimplePendulum`], in SI units.
-#[derive(
-    ::core::clone::Clone,
-    ::core::marker::Copy,
-    ::core::fmt::Debug,
-    ::core::cmp::PartialEq
-)]
+#[derive(::core::clone::Clone, ::core::marker::Copy, ::core::fmt::Debug, ::core::cmp::PartialEq)]
 pub struct SimplePendulumParameters<R = ::core::primitive::f64> {
     #[doc(hidden)]
     pub scalar: ::core::marker::PhantomData<R>,
 }
 ///Outputs of [`SimplePendulum`], in SI units.
-#[derive(
-    ::core::clone::Clone,
-    ::core::marker::Copy,
-    ::core::fmt::Debug,
-    ::core::cmp::PartialEq
-)]
+#[derive(::core::clone::Clone, ::core::marker::Copy, ::core::fmt::Debug, ::core::cmp::PartialEq)]
 pub struct SimplePendulumOutputs<R = ::core::primitive::f64> {
     ///`m` (SI).
     pub x: R,
@@ -57,6 +42,20 @@ pub type SimplePendulumState<R = ::core::primitive::f64> = ::linkwright::__priva
     [R; 2],
     [R; 1],
 >;
+///Positions of [`SimplePendulum`] by name; [`From`] and [`Into`] the array of a state.
+#[allow(dead_code)]
+#[derive(::core::clone::Clone, ::core::marker::Copy, ::core::fmt::Debug, ::core::cmp::PartialEq)]
+pub struct SimplePendulumPositions<R = ::core::primitive::f64> {
+    ///rad, by its cosine and sine.
+    pub arm_angle: ::linkwright::__private::v1::Angle<R>,
+}
+///Velocities of [`SimplePendulum`] by name; [`From`] and [`Into`] the array of a state.
+#[allow(dead_code)]
+#[derive(::core::clone::Clone, ::core::marker::Copy, ::core::fmt::Debug, ::core::cmp::PartialEq)]
+pub struct SimplePendulumVelocities<R = ::core::primitive::f64> {
+    ///rad/s.
+    pub arm_rate: R,
+}
 #[allow(clippy::all)]
 impl SimplePendulum<::core::primitive::f64> {
     ///Consistent start state for the default parameters, assembled at compile time.
@@ -143,6 +142,31 @@ const _: () = {
             [self.x, self.y]
         }
     }
+    impl<R: Real> From<Q<R>> for SimplePendulumPositions<R> {
+        fn from(entries: Q<R>) -> Self {
+            Self {
+                arm_angle: Angle {
+                    cos: entries[0],
+                    sin: entries[1],
+                },
+            }
+        }
+    }
+    impl<R: Real> From<SimplePendulumPositions<R>> for Q<R> {
+        fn from(named: SimplePendulumPositions<R>) -> Self {
+            [named.arm_angle.cos, named.arm_angle.sin]
+        }
+    }
+    impl<R: Real> From<V<R>> for SimplePendulumVelocities<R> {
+        fn from(entries: V<R>) -> Self {
+            Self { arm_rate: entries[0] }
+        }
+    }
+    impl<R: Real> From<SimplePendulumVelocities<R>> for V<R> {
+        fn from(named: SimplePendulumVelocities<R>) -> Self {
+            [named.arm_rate]
+        }
+    }
     impl<R: Real> Default for Parameters<R> {
         fn default() -> Self {
             SimplePendulumParameters {
@@ -176,6 +200,14 @@ const _: () = {
                 phases,
                 constants: [],
             }
+        }
+        /// The positions of a state by name.
+        pub fn positions(entries: &Q<R>) -> SimplePendulumPositions<R> {
+            (*entries).into()
+        }
+        /// The velocities of a state by name.
+        pub fn velocities(entries: &V<R>) -> SimplePendulumVelocities<R> {
+            (*entries).into()
         }
         /// M v̇ − Q: the forces that the accelerations `a` need beside loads and constraints, one for each velocity
         /// (N m or N). Of a tree without constraints these are the efforts of its joints (inverse dynamics).
@@ -377,6 +409,51 @@ const _: () = {
             }
         }
         fn unwrap(outputs: &mut Outputs<R>, previous: &Outputs<R>) {}
+    }
+    impl<R: Real> Report<R> for SimplePendulum<R> {
+        const BODIES: &'static [&'static str] = SimplePendulum::<f64>::BODIES;
+        const JOINTS: &'static [&'static str] = SimplePendulum::<f64>::JOINTS;
+        const LOADS: &'static [&'static str] = SimplePendulum::<f64>::LOADS;
+        type Motion = BodyMotion<R>;
+        type Motions = [BodyMotion<R>; 1];
+        type Reaction = Reaction<R>;
+        type Reactions = [Reaction<R>; 1];
+        type Powers = [R; 0];
+        type Efforts = [[R; 2]; 0];
+        fn inverse_dynamics(
+            &self,
+            time: R,
+            state: &State<Q<R>, V<R>>,
+            u: &(),
+            a: &V<R>,
+        ) -> V<R> {
+            SimplePendulum::<R>::inverse_dynamics(self, time, state, u, a)
+        }
+        fn powers(&self, time: R, state: &State<Q<R>, V<R>>, u: &()) -> [R; 0] {
+            SimplePendulum::<R>::powers(self, time, state, u)
+        }
+        fn driver_efforts(
+            &self,
+            time: R,
+            q: &Q<R>,
+            v: &V<R>,
+            lambda: &Lambda<R>,
+        ) -> [[R; 2]; 0] {
+            SimplePendulum::<R>::driver_efforts(self, time, q, v, lambda)
+        }
+        fn motions(&self, time: R, q: &Q<R>, v: &V<R>, a: &V<R>) -> [BodyMotion<R>; 1] {
+            SimplePendulum::<R>::motions(self, time, q, v, a)
+        }
+        fn reactions(
+            &self,
+            time: R,
+            state: &State<Q<R>, V<R>>,
+            u: &(),
+            a: &V<R>,
+            lambda: &Lambda<R>,
+        ) -> [Reaction<R>; 1] {
+            SimplePendulum::<R>::reactions(self, time, state, u, a, lambda)
+        }
     }
     impl<R: Real> Assemble<R> for SimplePendulum<R> {
         const CONDITIONS: &'static [Condition] = &[

@@ -1,5 +1,5 @@
 // `SphericalPendulum` of models/src/spatial_pendulums.rs.
-// Left out: acceleration_baumgarte, choice, condition_bias, condition_cosines, condition_drift, condition_jacobian, condition_residual, constraint_jacobian, constraints, default, driver_efforts, factor, from_array, gamma, inverse_dynamics, lu, nu, outputs, parameters, potential_energy, powers, prepare, row_cosines, row_scales, solve, start_q, start_targets, start_v, store, to_array, unwrap, with.
+// Left out: acceleration_baumgarte, choice, condition_bias, condition_cosines, condition_drift, condition_jacobian, condition_residual, constraint_jacobian, constraints, default, driver_efforts, factor, from, from_array, gamma, inverse_dynamics, lu, nu, outputs, parameters, positions, potential_energy, powers, prepare, row_cosines, row_scales, solve, start_q, start_targets, start_v, store, to_array, unwrap, velocities, with.
 /// Bar on a spherical joint (Spherical_Case01), released from the horizontal.
 ///
 ///Equations of motion of the spatial mechanism `SphericalPendulum`.
@@ -25,35 +25,20 @@
     velocity_y[m/s]= bar.center.velocity.y;output
     velocity_z[m/s]= bar.center.velocity.z;}}
 )]
-#[derive(
-    ::core::clone::Clone,
-    ::core::marker::Copy,
-    ::core::fmt::Debug,
-    ::core::cmp::PartialEq
-)]
+#[derive(::core::clone::Clone, ::core::marker::Copy, ::core::fmt::Debug, ::core::cmp::PartialEq)]
 pub struct SphericalPendulum<R = ::core::primitive::f64> {
     parameters: SphericalPendulumParameters<R>,
     phases: [R; 0],
     constants: [R; 0],
 }
 ///Parameters of [`SphericalPendulum`], in SI units.
-#[derive(
-    ::core::clone::Clone,
-    ::core::marker::Copy,
-    ::core::fmt::Debug,
-    ::core::cmp::PartialEq
-)]
+#[derive(::core::clone::Clone, ::core::marker::Copy, ::core::fmt::Debug, ::core::cmp::PartialEq)]
 pub struct SphericalPendulumParameters<R = ::core::primitive::f64> {
     #[doc(hidden)]
     pub scalar: ::core::marker::PhantomData<R>,
 }
 ///Outputs of [`SphericalPendulum`], in SI units.
-#[derive(
-    ::core::clone::Clone,
-    ::core::marker::Copy,
-    ::core::fmt::Debug,
-    ::core::cmp::PartialEq
-)]
+#[derive(::core::clone::Clone, ::core::marker::Copy, ::core::fmt::Debug, ::core::cmp::PartialEq)]
 pub struct SphericalPendulumOutputs<R = ::core::primitive::f64> {
     ///`m` (SI).
     pub x: R,
@@ -73,6 +58,20 @@ pub type SphericalPendulumState<R = ::core::primitive::f64> = ::linkwright::__pr
     [R; 4],
     [R; 3],
 >;
+///Positions of [`SphericalPendulum`] by name; [`From`] and [`Into`] the array of a state.
+#[allow(dead_code)]
+#[derive(::core::clone::Clone, ::core::marker::Copy, ::core::fmt::Debug, ::core::cmp::PartialEq)]
+pub struct SphericalPendulumPositions<R = ::core::primitive::f64> {
+    ///A unit quaternion (w, x, y, z).
+    pub pivot_orientation: [R; 4],
+}
+///Velocities of [`SphericalPendulum`] by name; [`From`] and [`Into`] the array of a state.
+#[allow(dead_code)]
+#[derive(::core::clone::Clone, ::core::marker::Copy, ::core::fmt::Debug, ::core::cmp::PartialEq)]
+pub struct SphericalPendulumVelocities<R = ::core::primitive::f64> {
+    ///ω along the turned axes, rad/s.
+    pub pivot_rate: [R; 3],
+}
 #[allow(clippy::all)]
 impl SphericalPendulum<::core::primitive::f64> {
     ///Consistent start state for the default parameters, assembled at compile time.
@@ -149,6 +148,10 @@ const _: () = {
         ];
         type Array = [R; 6];
     }
+    impl<R: Real> From<Q<R>> for SphericalPendulumPositions<R> {}
+    impl<R: Real> From<SphericalPendulumPositions<R>> for Q<R> {}
+    impl<R: Real> From<V<R>> for SphericalPendulumVelocities<R> {}
+    impl<R: Real> From<SphericalPendulumVelocities<R>> for V<R> {}
     impl<R: Real> Default for Parameters<R> {}
     impl<R: Real> Default for SphericalPendulum<R> {}
     impl<R: Real> SphericalPendulum<R> {
@@ -447,6 +450,36 @@ const _: () = {
             *a_out = [R::ZERO, pivot_rate_y_dot, pivot_rate_z_dot];
             *lambda_out = [];
             R::ONE
+        }
+    }
+    impl<R: Real> Report<R> for SphericalPendulum<R> {
+        const BODIES: &'static [&'static str] = SphericalPendulum::<f64>::BODIES;
+        const JOINTS: &'static [&'static str] = SphericalPendulum::<f64>::JOINTS;
+        const LOADS: &'static [&'static str] = SphericalPendulum::<f64>::LOADS;
+        type Motion = SpatialMotion<R>;
+        type Motions = [SpatialMotion<R>; 1];
+        type Reaction = SpatialReaction<R>;
+        type Reactions = [SpatialReaction<R>; 1];
+        type Powers = [R; 0];
+        type Efforts = [[R; 2]; 0];
+        fn motions(
+            &self,
+            time: R,
+            q: &Q<R>,
+            v: &V<R>,
+            a: &V<R>,
+        ) -> [SpatialMotion<R>; 1] {
+            SphericalPendulum::<R>::motions(self, time, q, v, a)
+        }
+        fn reactions(
+            &self,
+            time: R,
+            state: &State<Q<R>, V<R>>,
+            u: &(),
+            a: &V<R>,
+            lambda: &Lambda<R>,
+        ) -> [SpatialReaction<R>; 1] {
+            SphericalPendulum::<R>::reactions(self, time, state, u, a, lambda)
         }
     }
     impl<R: Real> Assemble<R> for SphericalPendulum<R> {

@@ -3,7 +3,7 @@
 use super::function::functions;
 use super::names::field;
 use super::rust::{constant, literal};
-use super::{Emitter, array, quoted};
+use super::{Emitter, array, named, quoted};
 use crate::functions::{Function, Interface};
 use crate::schedule::Operand;
 use std::fmt::Write;
@@ -70,6 +70,7 @@ pub fn inherent(text: &mut String, emitter: &Emitter) {
         body.statements,
         array(body.outputs)
     );
+    named::functions(text, emitter);
     functions(text, &mut helpers, emitter, Interface::Model);
     text.push_str("}\n");
     text.push_str(&helpers);

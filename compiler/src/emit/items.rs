@@ -2,14 +2,14 @@
 
 use super::names::field;
 use super::rust::literal;
-use super::{Emitter, array, coordinates_json, documentation, quoted};
+use super::{Emitter, array, coordinates_json, documentation, named, quoted};
 use crate::functions::{Function, Shape};
 use crate::schedule::count;
 use std::fmt::Write;
 
-const DERIVES: &str = "#[derive(::core::clone::Clone, ::core::marker::Copy, ::core::fmt::Debug, \
+pub(super) const DERIVES: &str = "#[derive(::core::clone::Clone, ::core::marker::Copy, ::core::fmt::Debug, \
                        ::core::cmp::PartialEq)]";
-const F64: &str = "::core::primitive::f64";
+pub(super) const F64: &str = "::core::primitive::f64";
 
 pub fn items(text: &mut String, emitter: &Emitter, source: &str) {
     let Emitter { name, visibility, path, mechanism, compiled, .. } = emitter;
@@ -32,6 +32,7 @@ pub fn items(text: &mut String, emitter: &Emitter, source: &str) {
         emitter.compiled.entries(Shape::Positions),
         emitter.compiled.entries(Shape::Velocities)
     );
+    named::items(text, emitter);
     constants(text, emitter, source);
 }
 

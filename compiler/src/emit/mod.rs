@@ -23,6 +23,7 @@ mod home;
 mod inherent;
 mod items;
 mod mechanism;
+mod named;
 mod names;
 mod printer;
 mod report;
@@ -67,6 +68,7 @@ fn text(emitter: &Emitter, source: &str) -> String {
     let mut implementations = String::new();
     types::aliases(&mut text, emitter);
     types::fields(&mut implementations, emitter);
+    named::conversions(&mut implementations, emitter);
     inherent::inherent(&mut implementations, emitter);
     mechanism::mechanism(&mut implementations, emitter);
     report::report(&mut implementations, emitter);

@@ -183,7 +183,7 @@ pub fn inner(name: &str) -> String {
 
 /// Types, traits and variants that implementations have in scope: short names of arrays, what the runtime exports to
 /// emitted code, the prelude.
-const IN_SCOPE: [&str; 100] = [
+const IN_SCOPE: [&str; 102] = [
     "Constants",
     "Phases",
     "Q",
@@ -219,6 +219,7 @@ const IN_SCOPE: [&str; 100] = [
     "Inputs",
     "Outputs",
     "R",
+    "Angle",
     "AssembleExt",
     "BodyMotion",
     "Reaction",
@@ -240,6 +241,7 @@ const IN_SCOPE: [&str; 100] = [
     "Variables",
     "SpatialMotion",
     "SpatialReaction",
+    "Turns",
     "Real",
     "Kinematics",
     "Motion",

@@ -6,7 +6,7 @@
 use super::function::head;
 use super::home::Home;
 use super::names::{field, is_keyword};
-use super::report;
+use super::{named, report};
 use crate::driver::header;
 use crate::functions::{DERIVATIVES, FUNCTIONS, Interface, Shape, Signature};
 use crate::model::Space;
@@ -68,6 +68,7 @@ fn structs(text: &mut String, header: &Header) {
         "#[allow(missing_docs, dead_code)] {visibility} type {name}State<R = {f64}> = \
          @RUNTIME@::State<[R; {MANY}], [R; {MANY}]>;"
     );
+    named::stub(text, header, MANY);
 }
 
 fn constants(text: &mut String, header: &Header) {

@@ -25,6 +25,9 @@ pub struct Header {
     pub parameters: Vec<String>,
     pub inputs: Vec<String>,
     pub outputs: Vec<String>,
+    /// Names of the bodies and joints, as identifiers.
+    pub bodies: Vec<String>,
+    pub joints: Vec<String>,
     /// How many bodies, joints, loads and drivers there are, where no statement was given up.
     pub counts: Option<[usize; 4]>,
 }
@@ -64,6 +67,11 @@ pub fn header(tokens: TokenStream, vocabulary: &'static Vocabulary) -> Option<He
         _ => return None,
     };
     let known = |labels: Vec<&Label>, word| fields(labels, &body, word);
+    let mut bodies: Vec<String> = definition.bodies.iter().map(|it| identifier(&it.name)).collect();
+    for form in vocabulary.bodies {
+        let others = known(Vec::new(), form.word).into_iter().filter(|name| !bodies.contains(name));
+        bodies.extend(others.collect::<Vec<_>>());
+    }
     Some(Header {
         visibility,
         attributes: definition.attributes.clone(),
@@ -73,6 +81,8 @@ pub fn header(tokens: TokenStream, vocabulary: &'static Vocabulary) -> Option<He
         parameters: known(definition.parameters.iter().map(|it| &it.name).collect(), "param"),
         inputs: known(definition.inputs.iter().map(|it| &it.name).collect(), "input"),
         outputs: known(definition.outputs.iter().map(|it| &it.name).collect(), "output"),
+        bodies,
+        joints: known(definition.joints.iter().map(|it| &it.name).collect(), "joint"),
         counts: found.is_empty().then_some([
             definition.bodies.len(),
             definition.joints.len(),
@@ -89,6 +99,11 @@ fn crate_path(definition: &Definition) -> Option<TokenStream> {
     })
 }
 
+/// `upright[3]` becomes `upright_3`.
+fn identifier(label: &Label) -> String {
+    label.text.replace('[', "_").replace(']', "")
+}
+
 /// Names of what has been read, rounds of `repeat` included, and of statements `word NAME …` that could not be read.
 fn fields(read: Vec<&Label>, body: &TokenStream, word: &str) -> Vec<String> {
     let mut names: Vec<String> = Vec::new();
@@ -100,7 +115,7 @@ fn fields(read: Vec<&Label>, body: &TokenStream, word: &str) -> Vec<String> {
     };
     let indexed: HashSet<&str> =
         read.iter().filter_map(|label| Some(label.text.split_once('[')?.0)).collect();
-    read.iter().for_each(|label| add(label.text.replace('[', "_").replace(']', "")));
+    read.iter().for_each(|label| add(identifier(label)));
     let (mut statement, mut attribute) = (true, false);
     let mut tokens = body.clone().into_iter().peekable();
     while let Some(token) = tokens.next() {

@@ -1,0 +1,268 @@
+//! Positions and velocities by name, whatever the coordinates are.
+//!
+//! ```text
+//! pub struct FourBarPositions<R = f64> { pub crank_angle: Angle<R>, … }
+//! pub struct FourBarVelocities<R = f64> { pub crank_rate: R, … }
+//! impl<R: Real> From<Q<R>> for FourBarPositions<R> { … } // and back
+//! impl<R: Real> FourBar<R> { pub fn positions(q: &Q<R>) -> FourBarPositions<R> { … } … }
+//! ```
+
+use super::names::field;
+use super::{Emitter, array};
+use crate::equations::Layout;
+use crate::model::Mechanism;
+use crate::syntax::Header;
+use std::collections::BTreeSet;
+use std::fmt::Write;
+
+/// How many entries of the array a coordinate takes, and as what.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Kind {
+    Number,
+    /// (cos, sin).
+    Angle,
+    /// (turns, remainder).
+    Turns,
+    /// An array of this length.
+    Array(usize),
+}
+
+struct Named {
+    name: String,
+    doc: &'static str,
+    kind: Kind,
+}
+
+/// One of the two structs.
+struct Struct {
+    suffix: &'static str,
+    /// The function of the model that makes it, and the alias of the array of a state.
+    function: &'static str,
+    alias: &'static str,
+    fields: Vec<Named>,
+}
+
+/// Those that have fields.
+fn structs(emitter: &Emitter) -> impl Iterator<Item = Struct> {
+    let (mechanism, layout) = (emitter.mechanism, &emitter.compiled.complete.equations.layout);
+    let positions = Struct {
+        suffix: "Positions",
+        function: "positions",
+        alias: "Q",
+        fields: positions(layout, mechanism),
+    };
+    let velocities = Struct {
+        suffix: "Velocities",
+        function: "velocities",
+        alias: "V",
+        fields: velocities(layout, mechanism),
+    };
+    [positions, velocities].into_iter().filter(|known| !known.fields.is_empty())
+}
+
+/// The structs.
+pub fn items(text: &mut String, emitter: &Emitter) {
+    let Emitter { name, visibility, path, .. } = emitter;
+    let (derives, f64) = (super::items::DERIVES, super::items::F64);
+    for Struct { suffix, fields, .. } in structs(emitter) {
+        let _ = writeln!(
+            text,
+            "#[doc = \"{suffix} of [`{name}`] by name; [`From`] and [`Into`] the array of a state.\"] \
+             #[allow(dead_code)] {derives} {visibility} struct {name}{suffix}<R = {f64}> {{"
+        );
+        for Named { name, doc, kind } in &fields {
+            let _ = writeln!(text, "#[doc = \"{doc}\"] pub {name}: {},", kind.type_of(path));
+        }
+        text.push_str("}\n");
+    }
+}
+
+/// Their conversions, where the short names are in scope.
+pub fn conversions(text: &mut String, emitter: &Emitter) {
+    let name = &emitter.name;
+    for Struct { suffix, alias, fields, .. } in structs(emitter) {
+        let (mut values, mut entries, mut at) = (String::new(), String::new(), 0);
+        for Named { name, kind, .. } in &fields {
+            let _ = write!(values, "{name}: {}, ", kind.value(at));
+            let _ = write!(entries, "{}, ", kind.entries(&format!("named.{name}")));
+            at += kind.length();
+        }
+        let _ = write!(
+            text,
+            "impl<R: Real> From<{alias}<R>> for {name}{suffix}<R> {{\n\
+             fn from(entries: {alias}<R>) -> Self {{ Self {{ {values}}} }}\n}}\n\
+             impl<R: Real> From<{name}{suffix}<R>> for {alias}<R> {{\n\
+             fn from(named: {name}{suffix}<R>) -> Self {{ [{entries}] }}\n}}\n"
+        );
+    }
+}
+
+/// The model's functions that make them.
+pub fn functions(text: &mut String, emitter: &Emitter) {
+    let name = &emitter.name;
+    for Struct { suffix, function, alias, .. } in structs(emitter) {
+        let _ = writeln!(
+            text,
+            "/// The {function} of a state by name.\n\
+             pub fn {function}(entries: &{alias}<R>) -> {name}{suffix}<R> {{ (*entries).into() }}"
+        );
+    }
+}
+
+fn positions(layout: &Layout, mechanism: &Mechanism) -> Vec<Named> {
+    let names = layout.position_names(mechanism);
+    let lengths = names.iter().take(layout.linear.len());
+    let lengths = lengths.map(|name| Named { name: name.clone(), doc: "m.", kind: Kind::Number });
+    let angles = (0..layout.rotations.len()).map(|rotation| {
+        let name = names[layout.pair(rotation)].trim_end_matches(".cos");
+        let name = if name.contains(".angle") { name.to_string() } else { format!("{name}.angle") };
+        Named { name, doc: "rad, by its cosine and sine.", kind: Kind::Angle }
+    });
+    let quaternions = layout.quaternions.iter().map(|ball| Named {
+        name: format!("{}.orientation", ball.name(mechanism)),
+        doc: "A unit quaternion (w, x, y, z).",
+        kind: Kind::Array(4),
+    });
+    let turns = (0..layout.angles.len()).map(|angle| Named {
+        name: names[layout.turns(angle)].clone(),
+        doc: "rad, over several turns.",
+        kind: Kind::Turns,
+    });
+    unique(lengths.chain(angles).chain(quaternions).chain(turns).collect())
+}
+
+fn velocities(layout: &Layout, mechanism: &Mechanism) -> Vec<Named> {
+    let names = layout.velocity_names(mechanism);
+    let (linear, angular) = names.split_at(layout.linear.len());
+    let number = |name: &String, doc| Named { name: name.clone(), doc, kind: Kind::Number };
+    let speeds = linear.iter().map(|name| number(name, "m/s."));
+    let rates = angular.iter().take(layout.rotations.len()).map(|name| number(name, "rad/s."));
+    let vectors = layout.quaternions.iter().map(|ball| Named {
+        name: format!("{}.rate", ball.name(mechanism)),
+        doc: "ω along the turned axes, rad/s.",
+        kind: Kind::Array(3),
+    });
+    unique(speeds.chain(rates).chain(vectors).collect())
+}
+
+/// In the place of both after an error: whatever a coordinate of these bodies and joints can be called.
+pub fn stub(text: &mut String, header: &Header, many: usize) {
+    let owners = header.bodies.iter().chain(&header.joints);
+    let all = |suffixes: &[(&str, Kind)]| {
+        let of = |owner: &String| -> Vec<Named> {
+            let named = |(suffix, kind): &(&str, Kind)| Named {
+                name: format!("{owner}{suffix}"),
+                doc: "",
+                kind: *kind,
+            };
+            suffixes.iter().map(named).collect()
+        };
+        let mut taken = BTreeSet::new();
+        let all = owners.clone().flat_map(of);
+        all.filter(|named| taken.insert(named.name.clone())).collect::<Vec<_>>()
+    };
+    for (suffix, function, all) in
+        [("Positions", "positions", all(&POSITIONS)), ("Velocities", "velocities", all(&VELOCITIES))]
+    {
+        let (name, visibility) = (&header.name, &header.visibility);
+        let fields =
+            all.iter().map(|Named { name, kind, .. }| format!("pub {name}: {}", kind.type_of("@RUNTIME@")));
+        let fields = fields.chain(["pub scalar: ::core::marker::PhantomData<R>".to_string()]);
+        let (derives, f64) = (super::items::DERIVES, super::items::F64);
+        let _ = write!(
+            text,
+            "#[allow(missing_docs, dead_code)] {derives} {visibility} struct {name}{suffix}<R = {f64}> {{ {} }}\n\
+             impl<R: @RUNTIME@::Real> ::core::convert::From<[R; {many}]> for {name}{suffix}<R> {{ \
+             fn from(_: [R; {many}]) -> Self {{ loop {{}} }} }}\n\
+             impl<R: @RUNTIME@::Real> ::core::convert::From<{name}{suffix}<R>> for [R; {many}] {{ \
+             fn from(_: {name}{suffix}<R>) -> Self {{ loop {{}} }} }}\n\
+             #[allow(missing_docs, dead_code)] impl<R: @RUNTIME@::Real> {name}<R> {{ \
+             pub fn {function}(_: &[R; {many}]) -> {name}{suffix}<R> {{ loop {{}} }} }}\n",
+            fields.collect::<Vec<_>>().join(", ")
+        );
+    }
+}
+
+/// Ends of the names of coordinates, and what those are.
+const POSITIONS: [(&str, Kind); 12] = [
+    ("_angle", Kind::Angle),
+    ("_angle_1", Kind::Angle),
+    ("_angle_2", Kind::Angle),
+    ("_turns", Kind::Turns),
+    ("_orientation", Kind::Array(4)),
+    ("_travel", Kind::Number),
+    ("_travel_1", Kind::Number),
+    ("_travel_2", Kind::Number),
+    ("_travel_3", Kind::Number),
+    ("_center_x", Kind::Number),
+    ("_center_y", Kind::Number),
+    ("_center_z", Kind::Number),
+];
+
+/// The same of velocities; the rate of an orientation in space is taken for that of an angle.
+const VELOCITIES: [(&str, Kind); 10] = [
+    ("_rate", Kind::Number),
+    ("_rate_1", Kind::Number),
+    ("_rate_2", Kind::Number),
+    ("_speed", Kind::Number),
+    ("_speed_1", Kind::Number),
+    ("_speed_2", Kind::Number),
+    ("_speed_3", Kind::Number),
+    ("_center_velocity_x", Kind::Number),
+    ("_center_velocity_y", Kind::Number),
+    ("_center_velocity_z", Kind::Number),
+];
+
+/// The same as identifiers, no two alike.
+fn unique(mut all: Vec<Named>) -> Vec<Named> {
+    let mut taken = BTreeSet::new();
+    for named in &mut all {
+        let mut name = named.name.replace(['.', '['], "_").replace(']', "");
+        while !taken.insert(name.clone()) {
+            name.push('_');
+        }
+        named.name = field(&name);
+    }
+    all
+}
+
+impl Kind {
+    fn length(self) -> usize {
+        match self {
+            Kind::Number => 1,
+            Kind::Angle | Kind::Turns => 2,
+            Kind::Array(length) => length,
+        }
+    }
+
+    fn type_of(self, path: &str) -> String {
+        match self {
+            Kind::Number => "R".to_string(),
+            Kind::Angle => format!("{path}::Angle<R>"),
+            Kind::Turns => format!("{path}::Turns<R>"),
+            Kind::Array(length) => format!("[R; {length}]"),
+        }
+    }
+
+    /// Its value, from the entries of the array from `at` on.
+    fn value(self, at: usize) -> String {
+        match self {
+            Kind::Number => format!("entries[{at}]"),
+            Kind::Angle => format!("Angle {{ cos: entries[{at}], sin: entries[{}] }}", at + 1),
+            Kind::Turns => format!("Turns {{ turns: entries[{at}], remainder: entries[{}] }}", at + 1),
+            Kind::Array(length) => array((at..at + length).map(|entry| format!("entries[{entry}]"))),
+        }
+    }
+
+    /// The entries of the array, from the field.
+    fn entries(self, field: &str) -> String {
+        match self {
+            Kind::Number => field.to_string(),
+            Kind::Angle => format!("{field}.cos, {field}.sin"),
+            Kind::Turns => format!("{field}.turns, {field}.remainder"),
+            Kind::Array(length) => {
+                (0..length).map(|entry| format!("{field}[{entry}]")).collect::<Vec<_>>().join(", ")
+            }
+        }
+    }
+}
