@@ -75,6 +75,14 @@ pub trait Real:
     fn exp(self) -> Self;
     /// The natural logarithm; NaN below zero.
     fn ln(self) -> Self;
+    /// The logarithm to the base ten; NaN below zero.
+    fn log10(self) -> Self;
+    /// sinh x.
+    fn sinh(self) -> Self;
+    /// cosh x.
+    fn cosh(self) -> Self;
+    /// tanh x.
+    fn tanh(self) -> Self;
     /// `self · factor + term`, fused (rounded once) only where the target has the instruction and `std` is there to
     /// reach it, in two roundings elsewhere: never the slow emulation.
     fn mul_add(self, factor: Self, term: Self) -> Self;
@@ -103,7 +111,8 @@ pub trait Real:
 macro_rules! impl_real {
     (
         $float:ty, breakdown $breakdown:literal, near $near:literal, sqrt $sqrt:path, floor $floor:path, sin $sin:path, cos $cos:path,
-        tan $tan:path, asin $asin:path, acos $acos:path, atan2 $atan2:path, exp $exp:path, ln $ln:path
+        tan $tan:path, asin $asin:path, acos $acos:path, atan2 $atan2:path, exp $exp:path, ln $ln:path,
+        log10 $log10:path, sinh $sinh:path, cosh $cosh:path, tanh $tanh:path
     ) => {
         impl Real for $float {
             type Mask = bool;
@@ -191,6 +200,22 @@ macro_rules! impl_real {
             fn ln(self) -> Self {
                 $ln(self)
             }
+            #[inline]
+            fn log10(self) -> Self {
+                $log10(self)
+            }
+            #[inline]
+            fn sinh(self) -> Self {
+                $sinh(self)
+            }
+            #[inline]
+            fn cosh(self) -> Self {
+                $cosh(self)
+            }
+            #[inline]
+            fn tanh(self) -> Self {
+                $tanh(self)
+            }
             #[cfg(all(feature = "std", any(target_feature = "fma", target_arch = "aarch64")))]
             #[inline(always)]
             fn mul_add(self, factor: Self, term: Self) -> Self {
@@ -244,11 +269,13 @@ macro_rules! impl_real {
 
 impl_real!(
     f64, breakdown 1e-14, near 1e-6, sqrt libm::sqrt, floor libm::floor, sin libm::sin, cos libm::cos,
-    tan libm::tan, asin libm::asin, acos libm::acos, atan2 libm::atan2, exp libm::exp, ln libm::log
+    tan libm::tan, asin libm::asin, acos libm::acos, atan2 libm::atan2, exp libm::exp, ln libm::log,
+    log10 libm::log10, sinh libm::sinh, cosh libm::cosh, tanh libm::tanh
 );
 impl_real!(
     f32, breakdown 5e-6, near 1e-3, sqrt libm::sqrtf, floor libm::floorf, sin libm::sinf, cos libm::cosf,
-    tan libm::tanf, asin libm::asinf, acos libm::acosf, atan2 libm::atan2f, exp libm::expf, ln libm::logf
+    tan libm::tanf, asin libm::asinf, acos libm::acosf, atan2 libm::atan2f, exp libm::expf, ln libm::logf,
+    log10 libm::log10f, sinh libm::sinhf, cosh libm::coshf, tanh libm::tanhf
 );
 
 #[cfg(test)]

@@ -340,5 +340,10 @@ fn slope(function: Unary, x: f64) -> f64 {
         Unary::Asin | Unary::Acos => 1.0 / (1.0 - x * x).sqrt(),
         Unary::Exp => x.exp(),
         Unary::Ln => 1.0 / x,
+        Unary::Log10 => std::f64::consts::LOG10_E / x,
+        Unary::Sinh => x.cosh(),
+        Unary::Cosh => x.sinh(),
+        Unary::Tanh => 1.0 / (x.cosh() * x.cosh()),
+        Unary::Floor => 0.0,
     }
 }

@@ -5,6 +5,7 @@ use crate::registry::{Model, Random, compiled, fields, vector};
 use linkwright::{Mechanism, State};
 use linkwright_compiler::schedule::{Function, Instruction};
 use linkwright_compiler::symbolic::{Compare, Unary};
+use std::f64::consts::TAU;
 
 linkwright::mechanism! {
     /// A rod on a driven cart, so that time, parameters, inputs, positions and velocities are all at hand.
@@ -43,6 +44,18 @@ linkwright::mechanism! {
         output arc_tangent [rad] = atan2(arm.end.y, arm.end.x);
         output exponential [1] = exp(gain);
         output logarithm [1] = ln(2 + gain);
+        output decades [1] = log10(2 + gain);
+        output hyperbolic_sine [1] = sinh(gain);
+        output hyperbolic_cosine [1] = cosh(gain);
+        output hyperbolic_tangent [1] = tanh(3*gain);
+        output slope [rad] = atan(2*gain);
+        output hypotenuse [m] = hypot(arm.end.x, level);
+        output limited [m] = clamp(arm.end.x, -0.5 [m], level);
+        output beyond [m] = deadband(arm.end.y, level);
+        output smooth [1] = smoothstep(gain, -0.4, 0.5);
+        output positive [1] = step(gain);
+        output wrapped [rad] = wrap(5*pivot.angle);
+        output phase [m] = wrap(arm.end.x, level);
         output smaller [m] = min(arm.end.x, arm.end.y);
         output larger [m] = max(arm.end.x, level);
         output less [1] = if(gain < 0.2, 1, -1);
@@ -140,6 +153,20 @@ fn outputs_have_their_values() {
         near("arc_tangent", o.arc_tangent, y.atan2(x));
         near("exponential", o.exponential, gain.exp());
         near("logarithm", o.logarithm, (2.0 + gain).ln());
+        near("decades", o.decades, (2.0 + gain).log10());
+        near("hyperbolic_sine", o.hyperbolic_sine, gain.sinh());
+        near("hyperbolic_cosine", o.hyperbolic_cosine, gain.cosh());
+        near("hyperbolic_tangent", o.hyperbolic_tangent, (3.0 * gain).tanh());
+        near("slope", o.slope, (2.0 * gain).atan());
+        near("hypotenuse", o.hypotenuse, x.hypot(0.3));
+        near("limited", o.limited, x.clamp(-0.5, 0.3));
+        near("beyond", o.beyond, if y.abs() <= 0.3 { 0.0 } else { y - 0.3 * y.signum() });
+        let share = ((gain + 0.4) / 0.9).clamp(0.0, 1.0);
+        near("smooth", o.smooth, share * share * (3.0 - 2.0 * share));
+        near("positive", o.positive, if gain > 0.0 { 1.0 } else { 0.0 });
+        let turned = 5.0 * o.angle;
+        near("wrapped", o.wrapped, turned - TAU * (turned / TAU).round());
+        near("phase", o.phase, x.rem_euclid(0.3));
         near("smaller", o.smaller, x.min(y));
         near("larger", o.larger, x.max(0.3));
         near("less", o.less, choice(gain < 0.2));

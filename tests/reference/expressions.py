@@ -11,7 +11,14 @@ from units import factor
 
 FUNCTIONS = {
     "sqrt": ca.sqrt, "abs": ca.fabs, "min": ca.fmin, "max": ca.fmax, "sign": ca.sign, "sin": ca.sin, "cos": ca.cos,
-    "tan": ca.tan, "asin": ca.asin, "acos": ca.acos, "atan2": ca.atan2, "exp": ca.exp, "ln": ca.log,
+    "tan": ca.tan, "asin": ca.asin, "acos": ca.acos, "atan": ca.atan, "atan2": ca.atan2, "exp": ca.exp, "ln": ca.log,
+    "log10": ca.log10, "sinh": ca.sinh, "cosh": ca.cosh, "tanh": ca.tanh,
+    "hypot": lambda x, y: ca.sqrt(x * x + y * y),
+    "clamp": lambda x, least, most: ca.if_else(x < least, least, ca.if_else(x > most, most, x)),
+    "deadband": lambda x, half: ca.if_else(x > half, x - half, ca.if_else(x < -half, x + half, 0)),
+    "step": lambda x: ca.if_else(x > 0, 1, 0),
+    "smoothstep": lambda x, start, end: _smoothstep((x - start) / (end - start)),
+    "wrap": lambda x, *period: _wrap(x, *period),
 }  # fmt: skip
 COMPARISONS = {
     "<": lambda a, b: a < b, "<=": lambda a, b: a <= b, ">": lambda a, b: a > b, ">=": lambda a, b: a >= b,
@@ -56,6 +63,17 @@ def is_bare(node):
     if "call" in node:
         return node["call"] not in ("distance", "power") and all(is_bare(child) for child in node["args"])
     return False  # a parenthesised expression with its own unit, or a place
+
+
+def _smoothstep(s):
+    return ca.if_else(s <= 0, 0, ca.if_else(s >= 1, 1, 3 * s**2 - 2 * s**3))
+
+
+def _wrap(x, period=None):
+    """Into [0, period), an angle without a period into [-pi, pi)."""
+    if period is None:
+        return x - 2 * math.pi * ca.floor((x + math.pi) / (2 * math.pi))
+    return x - period * ca.floor(x / period)
 
 
 def names(node):

@@ -19,7 +19,7 @@ pub type Spelling = [&'static str; 4];
 /// How a language spells programs. What is appended to `text` is the language's; names are given.
 pub trait Dialect {
     /// Words that are no names.
-    fn keywords(&self) -> &'static [&'static str];
+    fn keywords(&self) -> &[&'static str];
     /// Any number, also one that is not finite; it may stand as any operand.
     fn constant(&self, text: &mut String, value: f64);
     /// The texts around the operands, in the order of [`Instruction::operands`]; that behind the last stands directly behind it.

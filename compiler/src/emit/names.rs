@@ -19,12 +19,12 @@ pub struct Names {
     reserved: Rc<BTreeSet<&'static str>>,
     /// Names of instructions that are results, by index.
     results: Vec<Option<String>>,
-    keywords: &'static [&'static str],
+    keywords: Rc<[&'static str]>,
 }
 
 impl Names {
     /// `keywords`: what no name may be in the language that is written.
-    pub fn new(complete: &Complete, hoisted: &[Node], keywords: &'static [&'static str]) -> Self {
+    pub fn new(complete: &Complete, hoisted: &[Node], keywords: &[&'static str]) -> Self {
         let equations = &complete.equations;
         let mut fields = BTreeMap::new();
         let mut names = BTreeMap::new();
@@ -75,7 +75,7 @@ impl Names {
             fields: Rc::new(fields),
             reserved: Rc::new(reserved),
             results: Vec::new(),
-            keywords,
+            keywords: keywords.into(),
         }
     }
 
@@ -96,7 +96,7 @@ impl Names {
         let mut results = Vec::new();
         for (output, label) in outputs.iter().zip(labels) {
             let (Operand::Value(index), Some(label)) = (output, label) else { continue };
-            let mut name = readable(label, self.keywords);
+            let mut name = readable(label, &self.keywords);
             while self.reserved.contains(name.as_str()) || is_used(&name) || others.contains(&name) {
                 name.push('_');
             }

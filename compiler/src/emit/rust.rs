@@ -13,7 +13,7 @@ use std::fmt::Write;
 pub struct Rust<'a>(pub &'a Compiled);
 
 impl Dialect for Rust<'_> {
-    fn keywords(&self) -> &'static [&'static str] {
+    fn keywords(&self) -> &[&'static str] {
         &KEYWORDS
     }
 
@@ -48,6 +48,11 @@ impl Dialect for Rust<'_> {
                 Unary::Acos => ["", ".acos()", "", ""],
                 Unary::Exp => ["", ".exp()", "", ""],
                 Unary::Ln => ["", ".ln()", "", ""],
+                Unary::Log10 => ["", ".log10()", "", ""],
+                Unary::Sinh => ["", ".sinh()", "", ""],
+                Unary::Cosh => ["", ".cosh()", "", ""],
+                Unary::Tanh => ["", ".tanh()", "", ""],
+                Unary::Floor => ["", ".floor()", "", ""],
             },
             Instruction::Min(..) => ["", ".min(", ")", ""],
             Instruction::Max(..) => ["", ".max(", ")", ""],

@@ -286,6 +286,11 @@ fn unary(function: Function1) -> Option<Unary> {
         Function1::Acos => Unary::Acos,
         Function1::Exp => Unary::Exp,
         Function1::Ln => Unary::Ln,
+        Function1::Log10 => Unary::Log10,
+        Function1::Sinh => Unary::Sinh,
+        Function1::Cosh => Unary::Cosh,
+        Function1::Tanh => Unary::Tanh,
+        Function1::Floor => Unary::Floor,
     })
 }
 

@@ -148,18 +148,18 @@ pub(crate) fn other_function(name: &str) -> Option<&'static str> {
     Some(match name {
         "pow" | "powi" | "powf" => "a power is written `a^b`",
         "log" => "the natural logarithm is `ln`",
-        "log10" | "log2" => "write `ln(x)/ln(10)`, or with 2",
-        "atan" | "arctan" => "write `atan2(y, x)`, which knows the quadrant",
+        "log2" => "write `ln(x)/ln(2)`",
+        "arctan" => "write `atan`, or `atan2(y, x)`, which knows the quadrant",
         "arcsin" => "write `asin`",
         "arccos" => "write `acos`",
         "fabs" => "write `abs`",
-        "norm" | "hypot" => "write `sqrt(x^2 + y^2)`, or `distance(place, place)`",
+        "norm" => "write `hypot(x, y)`, or `distance(place, place)`",
         "deg" | "degrees" | "radians" | "to_radians" => "write the unit: `30 [deg]`",
-        "step" | "heaviside" => "write `if(x > 0, 1, 0)`",
-        "floor" | "ceil" | "round" | "mod" | "rem" => {
-            "there is none whose value jumps by itself; write `if(…)`"
-        }
-        "sinh" | "cosh" | "tanh" => "write it with `exp`",
+        "heaviside" => "write `step(x)`, 1 where x is positive",
+        "mod" | "rem" | "fmod" | "modulo" => "write `wrap(x, period)`",
+        "saturate" | "limit" | "constrain" | "clip" => "write `clamp(x, least, most)`",
+        "dead_zone" | "deadzone" => "write `deadband(x, half)`",
+        "floor" | "ceil" | "round" => "there is none whose value jumps by itself; write `if(…)`",
         _ => return None,
     })
 }

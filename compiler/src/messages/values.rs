@@ -133,6 +133,26 @@ pub(crate) fn unknown_function<'a>(name: &str, known: impl Iterator<Item = &'a s
     }
 }
 
-pub(crate) fn arguments(name: &str, expected: usize, found: usize) -> String {
-    format!("`{name}` takes {expected} argument{}, found {found}", if expected == 1 { "" } else { "s" })
+pub(crate) fn arguments(name: &str, expected: &[usize], found: usize) -> String {
+    let counts = expected.iter().map(ToString::to_string).collect::<Vec<_>>().join(" or ");
+    format!("`{name}` takes {counts} argument{}, found {found}", if expected == [1] { "" } else { "s" })
+}
+
+/// What is wrong with arguments, as far as they are numbers.
+pub(crate) fn impossible_arguments(name: &str, numbers: &[Option<f64>]) -> Option<String> {
+    match (name, numbers) {
+        ("clamp", [_, Some(least), Some(most)]) if least > most => {
+            Some("the least value is above the largest: `clamp(x, least, most)`".to_string())
+        }
+        ("smoothstep", [_, Some(from), Some(to)]) if from == to => Some(
+            "the step has no width: `smoothstep(x, from, to)` goes from 0 to 1 between the two".to_string(),
+        ),
+        ("deadband", [_, Some(half)]) if *half < 0.0 => {
+            Some("the band is negative: `deadband(x, half)` is zero from −half to half".to_string())
+        }
+        ("wrap", [_, Some(period)]) if *period <= 0.0 => {
+            Some("a period is positive: `wrap(x, period)` is x less whole periods".to_string())
+        }
+        _ => None,
+    }
 }

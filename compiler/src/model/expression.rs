@@ -51,6 +51,12 @@ pub enum Function1 {
     Acos,
     Exp,
     Ln,
+    Log10,
+    Sinh,
+    Cosh,
+    Tanh,
+    /// Not written by users: part of `wrap`.
+    Floor,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]

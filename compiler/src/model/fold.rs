@@ -70,6 +70,11 @@ fn compute_unary(function: Function1, x: f64) -> f64 {
         Function1::Acos => libm::acos(x),
         Function1::Exp => libm::exp(x),
         Function1::Ln => libm::log(x),
+        Function1::Log10 => libm::log10(x),
+        Function1::Sinh => libm::sinh(x),
+        Function1::Cosh => libm::cosh(x),
+        Function1::Tanh => libm::tanh(x),
+        Function1::Floor => libm::floor(x),
     }
 }
 

@@ -1,5 +1,6 @@
 //! Functions and conditions in expressions.
 
+use super::composites;
 use super::fold;
 use super::lower::{Lowering, Use};
 use super::values::Typed;
@@ -8,6 +9,37 @@ use crate::diagnostics::Region;
 use crate::messages;
 use crate::syntax::{Label, Operator, Term, TermKind};
 use crate::units::Dimension;
+
+/// All functions, and how many arguments each may have.
+const FUNCTIONS: [(&str, &[usize]); 27] = [
+    ("sqrt", &[1]),
+    ("abs", &[1]),
+    ("sign", &[1]),
+    ("sin", &[1]),
+    ("cos", &[1]),
+    ("tan", &[1]),
+    ("asin", &[1]),
+    ("acos", &[1]),
+    ("atan", &[1]),
+    ("exp", &[1]),
+    ("ln", &[1]),
+    ("log10", &[1]),
+    ("sinh", &[1]),
+    ("cosh", &[1]),
+    ("tanh", &[1]),
+    ("step", &[1]),
+    ("power", &[1]),
+    ("wrap", &[1, 2]),
+    ("min", &[2]),
+    ("max", &[2]),
+    ("atan2", &[2]),
+    ("hypot", &[2]),
+    ("deadband", &[2]),
+    ("distance", &[2]),
+    ("if", &[3]),
+    ("clamp", &[3]),
+    ("smoothstep", &[3]),
+];
 
 impl Lowering<'_> {
     /// A call of a function, with as many arguments as it takes.
@@ -18,32 +50,14 @@ impl Lowering<'_> {
         region: Region,
         usage: Use,
     ) -> Option<Typed> {
-        const FUNCTIONS: [(&str, usize); 16] = [
-            ("sqrt", 1),
-            ("abs", 1),
-            ("sign", 1),
-            ("sin", 1),
-            ("cos", 1),
-            ("tan", 1),
-            ("asin", 1),
-            ("acos", 1),
-            ("exp", 1),
-            ("ln", 1),
-            ("power", 1),
-            ("min", 2),
-            ("max", 2),
-            ("atan2", 2),
-            ("distance", 2),
-            ("if", 3),
-        ];
         let name = function.text.as_str();
-        let Some((_, count)) = FUNCTIONS.iter().find(|(known, _)| *known == name) else {
+        let Some((_, counts)) = FUNCTIONS.iter().find(|(known, _)| *known == name) else {
             let known = FUNCTIONS.iter().map(|(known, _)| *known);
             self.diagnostics.error(function.region, messages::unknown_function(name, known));
             return None;
         };
-        if arguments.len() != *count {
-            self.diagnostics.error(region, messages::arguments(name, *count, arguments.len()));
+        if !counts.contains(&arguments.len()) {
+            self.diagnostics.error(region, messages::arguments(name, counts, arguments.len()));
             return None;
         }
         match name {
@@ -53,6 +67,9 @@ impl Lowering<'_> {
             "min" => self.function_of_two(Function2::Min, name, arguments, region, usage),
             "max" => self.function_of_two(Function2::Max, name, arguments, region, usage),
             "atan2" => self.function_of_two(Function2::Atan2, name, arguments, region, usage),
+            "hypot" | "clamp" | "deadband" | "smoothstep" | "step" | "wrap" => {
+                self.composite(name, arguments, region, usage)
+            }
             _ => self.function_of_one(name, &arguments[0], region, usage),
         }
     }
@@ -76,7 +93,16 @@ impl Lowering<'_> {
             "tan" => (Function1::Tan, self.angular(name, &x)),
             "asin" => (Function1::Asin, self.plain(name, &x).map(|()| Dimension::ANGLE)),
             "acos" => (Function1::Acos, self.plain(name, &x).map(|()| Dimension::ANGLE)),
+            "atan" => {
+                self.plain(name, &x)?;
+                let expr = fold::binary(Function2::Atan2, x.expr, Expr::Number(1.0));
+                return Some(Typed { expr, dimension: Dimension::ANGLE, zero: false, region });
+            }
             "exp" => (Function1::Exp, self.plain(name, &x).map(|()| Dimension::ONE)),
+            "log10" => (Function1::Log10, self.plain(name, &x).map(|()| Dimension::ONE)),
+            "sinh" => (Function1::Sinh, self.plain(name, &x).map(|()| Dimension::ONE)),
+            "cosh" => (Function1::Cosh, self.plain(name, &x).map(|()| Dimension::ONE)),
+            "tanh" => (Function1::Tanh, self.plain(name, &x).map(|()| Dimension::ONE)),
             _ => (Function1::Ln, self.plain(name, &x).map(|()| Dimension::ONE)),
         };
         let dimension = dimension?;
@@ -118,6 +144,38 @@ impl Lowering<'_> {
         let common = self.same(&x, &y, &format!("the arguments of `{name}`"))?;
         let dimension = if function == Function2::Atan2 { Dimension::ANGLE } else { common };
         let expr = self.finite(fold::binary(function, x.expr, y.expr), region)?;
+        Some(Typed { expr, dimension, zero: false, region })
+    }
+
+    /// Functions that are made of others: see `composites`.
+    fn composite(&mut self, name: &str, arguments: &[Term], region: Region, usage: Use) -> Option<Typed> {
+        let values: Vec<Option<Typed>> = arguments.iter().map(|term| self.value(term, usage)).collect();
+        let values: Vec<Typed> = values.into_iter().collect::<Option<_>>()?;
+        let mut common = values[0].clone();
+        for value in &values[1..] {
+            common.dimension = self.same(&common, value, &format!("the arguments of `{name}`"))?;
+            common.zero &= value.zero;
+        }
+        let numbers: Vec<Option<f64>> = values.iter().map(|value| fold::evaluate(&value.expr, &[])).collect();
+        if let Some(message) = messages::impossible_arguments(name, &numbers) {
+            self.diagnostics.error(region, message);
+            return None;
+        }
+        let mut values = values.into_iter().map(|value| value.expr);
+        let mut next = || values.next().unwrap_or(Expr::Number(0.0));
+        let (expr, dimension) = match name {
+            "hypot" => (composites::hypot(next(), next()), common.dimension),
+            "clamp" => (composites::clamp(next(), next(), next()), common.dimension),
+            "deadband" => (composites::deadband(next(), next()), common.dimension),
+            "smoothstep" => (composites::smoothstep(next(), next(), next()), Dimension::ONE),
+            "step" => (composites::step(next()), Dimension::ONE),
+            _ if arguments.len() == 2 => (composites::wrap(next(), next()), common.dimension),
+            _ => {
+                self.angular(name, &common)?;
+                (composites::wrap_angle(next()), Dimension::ANGLE)
+            }
+        };
+        let expr = self.finite(expr, region)?;
         Some(Typed { expr, dimension, zero: false, region })
     }
 

@@ -5,6 +5,7 @@
 //! Whether the mechanism makes physical sense is left to `check`.
 
 mod bodies;
+mod composites;
 mod constants;
 mod elements;
 mod expression;

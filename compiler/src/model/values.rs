@@ -15,6 +15,7 @@ const LEAST: f64 = 1e-60;
 const MOST: f64 = 1e60;
 
 /// A checked expression.
+#[derive(Clone)]
 pub(super) struct Typed {
     pub expr: Expr,
     pub dimension: Dimension,

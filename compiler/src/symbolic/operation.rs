@@ -18,11 +18,17 @@ pub enum Unary {
     Acos,
     Exp,
     Ln,
+    Log10,
+    Sinh,
+    Cosh,
+    Tanh,
+    /// The largest whole number that is not above x.
+    Floor,
 }
 
 impl Unary {
     /// Every function, for tests that must cover the table.
-    pub const ALL: [Unary; 11] = [
+    pub const ALL: [Unary; 16] = [
         Unary::Reciprocal,
         Unary::Sqrt,
         Unary::Abs,
@@ -34,6 +40,11 @@ impl Unary {
         Unary::Acos,
         Unary::Exp,
         Unary::Ln,
+        Unary::Log10,
+        Unary::Sinh,
+        Unary::Cosh,
+        Unary::Tanh,
+        Unary::Floor,
     ];
 
     /// Value at `x`. Transcendental functions come from `libm`, as in the runtime, so that a constant folded at
@@ -53,6 +64,11 @@ impl Unary {
             Unary::Acos => libm::acos(x),
             Unary::Exp => libm::exp(x),
             Unary::Ln => libm::log(x),
+            Unary::Log10 => libm::log10(x),
+            Unary::Sinh => libm::sinh(x),
+            Unary::Cosh => libm::cosh(x),
+            Unary::Tanh => libm::tanh(x),
+            Unary::Floor => libm::floor(x),
         }
     }
 
@@ -70,11 +86,16 @@ impl Unary {
             Unary::Acos => "acos",
             Unary::Exp => "exp",
             Unary::Ln => "ln",
+            Unary::Log10 => "log10",
+            Unary::Sinh => "sinh",
+            Unary::Cosh => "cosh",
+            Unary::Tanh => "tanh",
+            Unary::Floor => "floor",
         }
     }
 
     /// First and second derivative at `x`, given `f`, the function's value there. At the kinks of |x| and
-    /// sign(x) these are the derivatives of the branch that `sign` selects.
+    /// sign(x) these are the derivatives of the branch that `sign` selects; where a value jumps, those beside it.
     pub fn derivatives<'g>(self, x: Scalar<'g>, f: Scalar<'g>) -> (Scalar<'g>, Scalar<'g>) {
         let zero = x.g.zero();
         match self {
@@ -107,6 +128,18 @@ impl Unary {
                 let r = x.reciprocal();
                 (r, -(r * r))
             }
+            Unary::Log10 => {
+                let r = x.reciprocal();
+                let first = std::f64::consts::LOG10_E * r;
+                (first, -(first * r))
+            }
+            Unary::Sinh => (x.unary(Unary::Cosh), f),
+            Unary::Cosh => (x.unary(Unary::Sinh), f),
+            Unary::Tanh => {
+                let first = 1.0 - f * f;
+                (first, -(2.0 * (f * first)))
+            }
+            Unary::Floor => (zero, zero),
         }
     }
 }

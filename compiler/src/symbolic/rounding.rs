@@ -91,6 +91,13 @@ pub fn passed_on(function: Unary, x: f64, error: f64) -> f64 {
         Unary::Asin | Unary::Acos => 1.0 / (1.0 - x * x).sqrt(),
         Unary::Exp => libm::exp(x),
         Unary::Ln => 1.0 / x,
+        Unary::Log10 => std::f64::consts::LOG10_E / x,
+        Unary::Sinh => libm::cosh(x),
+        Unary::Cosh => libm::sinh(x),
+        Unary::Tanh => 1.0 / (libm::cosh(x) * libm::cosh(x)),
+        // Rounding moves it by one where a whole number is near.
+        Unary::Floor if libm::floor(x - error) != libm::floor(x + error) => return 1.0,
+        Unary::Floor => 0.0,
     };
     slope.abs() * error
 }

@@ -22,13 +22,13 @@ static double least(double a, double b) { return a < b ? a : b; }
 static double most(double a, double b) { return a > b ? a : b; }
 ";
 
-const WORDS: [&str; 58] = [
+const WORDS: [&str; 63] = [
     "auto", "break", "case", "char", "const", "continue", "default", "do", "double", "else", "enum",
     "extern", "float", "for", "goto", "if", "inline", "int", "long", "register", "restrict", "return",
     "short", "signed", "sizeof", "static", "struct", "switch", "typedef", "union", "unsigned", "void",
     "volatile", "while", "sqrt", "fabs", "sign", "sin", "cos", "tan", "asin", "acos", "atan2", "exp", "log",
-    "least", "most", "main", "errno", "stdin", "stdout", "stderr", "isnan", "isinf", "signbit", "INFINITY",
-    "NAN", "HUGE_VAL",
+    "log10", "sinh", "cosh", "tanh", "floor", "least", "most", "main", "errno", "stdin", "stdout", "stderr",
+    "isnan", "isinf", "signbit", "INFINITY", "NAN", "HUGE_VAL",
 ];
 
 pub struct C {
@@ -44,7 +44,7 @@ impl C {
 }
 
 impl Dialect for C {
-    fn keywords(&self) -> &'static [&'static str] {
+    fn keywords(&self) -> &[&'static str] {
         &self.keywords
     }
 
@@ -80,6 +80,11 @@ impl Dialect for C {
                 Unary::Acos => ["acos(", ")", "", ""],
                 Unary::Exp => ["exp(", ")", "", ""],
                 Unary::Ln => ["log(", ")", "", ""],
+                Unary::Log10 => ["log10(", ")", "", ""],
+                Unary::Sinh => ["sinh(", ")", "", ""],
+                Unary::Cosh => ["cosh(", ")", "", ""],
+                Unary::Tanh => ["tanh(", ")", "", ""],
+                Unary::Floor => ["floor(", ")", "", ""],
             },
             Instruction::Min(..) => ["least(", ", ", ")", ""],
             Instruction::Max(..) => ["most(", ", ", ")", ""],

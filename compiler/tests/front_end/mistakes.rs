@@ -109,6 +109,20 @@ const MISTAKES: &[(&str, &str)] = &[
         "`base.angle` is given a plain number: expected rad; write the unit, as in `30 [deg]`",
     ),
     ("output o [1] = sine(1);", r#"no function called "sine"; did you mean "sin"?"#),
+    ("output o [1] = clamp(2, 3, 1);", "the least value is above the largest: `clamp(x, least, most)`"),
+    (
+        "output o [1] = smoothstep(base.angle, 1 [rad], 1 [rad]);",
+        "the step has no width: `smoothstep(x, from, to)` goes from 0 to 1 between the two",
+    ),
+    (
+        "output o [m] = deadband(1 [m], -1 [m]);",
+        "the band is negative: `deadband(x, half)` is zero from −half to half",
+    ),
+    (
+        "output o [rad] = wrap(base.angle, 0 [rad]);",
+        "a period is positive: `wrap(x, period)` is x less whole periods",
+    ),
+    ("output o [1] = wrap(1, 2, 3);", "`wrap` takes 1 or 2 arguments, found 3"),
     ("output o [1] = atan2(1);", "`atan2` takes 2 arguments, found 1"),
     ("output o [1] = sin(link.end.x);", "the argument of `sin` is given a length: expected rad, found m"),
     ("output o [1] = exp(base.angle);", "the argument of `exp` is given an angle: expected 1, found rad"),
