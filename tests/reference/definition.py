@@ -72,6 +72,7 @@ class Model:
         for index, given in enumerate(definition["inputs"]):
             self.values[given["name"]] = self.u[index]
         self.constants = {constant["name"]: constant for constant in definition["constants"]}
+        self.signals = {signal["name"]: signal for signal in definition.get("signals", [])}
         self.free_phases = [
             coupling["name"]
             for coupling in definition["constraints"]
@@ -90,6 +91,8 @@ class Model:
     def name(self, text):
         if text in self.constants and text not in self.values:
             self.values[text] = entry(self.constants[text], self)
+        if text in self.signals:
+            return entry(self.signals[text], self)
         if text not in self.values:
             raise ValueError(f"{self.title}: `{text}` is unknown here")
         return self.values[text]
@@ -167,11 +170,20 @@ def rotors_in_use(model):
             found.append(coupling["pinion"])
     found += [load["on"] for load in definition["loads"] if load["kind"] == "torsion_spring"]
     for part in (definition["constraints"], definition["drivers"], definition["loads"]):
-        for text in expressions.names(part):
+        for text in _names(part, model.signals):
             owner, _, quantity = text.rpartition(".")
             if quantity == "angle" and (owner in model.bodies or owner in model.joints):
                 found.append(owner)
     return list(dict.fromkeys(found))
+
+
+def _names(part, signals):
+    """All names in a part of a definition, and in the signals among them."""
+    for text in expressions.names(part):
+        yield text
+        for signal in (text, text.removesuffix(".rate")):
+            if signal in signals:
+                yield from _names(signals[signal], signals)
 
 
 def _volume(kind, given):

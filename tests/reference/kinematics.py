@@ -12,7 +12,7 @@ from dataclasses import dataclass
 import casadi as ca
 
 import expressions
-from expressions import evaluate
+from expressions import entry, evaluate
 
 
 @dataclass
@@ -105,7 +105,11 @@ class Kinematics:
             return model.name(text)
         if text in ("energy", "kinetic_energy", "potential_energy"):
             return self.energies.energy(text)
+        if text in model.signals:
+            return entry(model.signals[text], self)
         owner, _, quantity = text.rpartition(".")
+        if owner in model.signals and owner not in model.joints and owner not in model.bodies:
+            return self.rate(entry(model.signals[owner], self))
         if owner in model.joints:
             return self._of_joint(owner, quantity)
         if owner in model.bodies and quantity == "angle":

@@ -7,7 +7,7 @@ use crate::diagnostics::Diagnostics;
 use crate::forms::Sign;
 use crate::messages;
 use crate::model::{
-    BodyId, Condition, ConstraintKind, Coordinate, Expr, Frame, Mechanism, Name, NamedLine, Quantity, Rotor,
+    BodyId, ConstraintKind, Coordinate, Expr, Frame, Mechanism, Name, NamedLine, Quantity, Rotor,
     Space, Subject, Vector, fold,
 };
 use std::collections::HashMap;
@@ -255,7 +255,7 @@ fn equations_move(mechanism: &Mechanism, diagnostics: &mut Diagnostics) {
     for constraint in &mechanism.constraints {
         let ConstraintKind::Equation { residual } = &constraint.kind else { continue };
         let mut moves = false;
-        visit(residual, &mut |_| moves = true);
+        residual.quantities(&mut |_| moves = true);
         if !moves {
             diagnostics.error(constraint.name.span, messages::nothing_moves(&constraint.name.text));
         }
@@ -337,7 +337,7 @@ pub(super) fn touched(mechanism: &Mechanism) -> Vec<bool> {
             ConstraintKind::Coupling(coupling) => {
                 coupling.rotors().for_each(|rotor| touch_rotor(&mut touched, rotor));
             }
-            ConstraintKind::Equation { residual } => visit(residual, &mut |quantity| {
+            ConstraintKind::Equation { residual } => residual.quantities(&mut |quantity| {
                 if let Quantity::Coordinate(coordinate) = quantity {
                     coordinates.push(coordinate);
                 }
@@ -381,37 +381,5 @@ fn touch(touched: &mut [bool], frame: Frame) {
 fn touch_rotor(touched: &mut [bool], rotor: Rotor) {
     if let Rotor::Body(body) = rotor {
         touch(touched, Frame::Body(body));
-    }
-}
-
-/// Calls `found` with every quantity in an expression.
-fn visit<'e>(expr: &'e Expr, found: &mut dyn FnMut(&'e Quantity)) {
-    match expr {
-        Expr::Quantity(quantity) => found(quantity),
-        Expr::Unary(_, x) | Expr::Power(x, _) => visit(x, found),
-        Expr::Binary(_, x, y) => {
-            visit(x, found);
-            visit(y, found);
-        }
-        Expr::If(condition, x, y) => {
-            visit_condition(condition, found);
-            visit(x, found);
-            visit(y, found);
-        }
-        Expr::Number(_) | Expr::Parameter(_) | Expr::Input(_) | Expr::Time => {}
-    }
-}
-
-fn visit_condition<'e>(condition: &'e Condition, found: &mut dyn FnMut(&'e Quantity)) {
-    match condition {
-        Condition::Compare(_, x, y) => {
-            visit(x, found);
-            visit(y, found);
-        }
-        Condition::And(x, y) | Condition::Or(x, y) => {
-            visit_condition(x, found);
-            visit_condition(y, found);
-        }
-        Condition::Not(x) => visit_condition(x, found),
     }
 }

@@ -125,6 +125,7 @@ impl<'a> Laws<'a> {
             Expr::If(condition, then, otherwise) => {
                 self.mask(condition).select(self.value(then), self.value(otherwise))
             }
+            Expr::Rate(of) => self.jet(of).rate(),
         }
     }
 
@@ -156,7 +157,9 @@ impl<'a> Laws<'a> {
                 time.moving(self.kinematics.velocities(), Jet::time(time))
             }
             Expr::Quantity(Quantity::Coordinate(coordinate)) => self.coordinate(coordinate),
+            // Nothing whose derivative is needed depends on these.
             Expr::Quantity(result) => self.still(self.quantity(result)),
+            Expr::Rate(_) => self.still(self.value(expr)),
             Expr::Unary(function, a) => {
                 let a = self.jet(a);
                 unary(*function).map_or_else(|| -&a, |function| a.unary(function))

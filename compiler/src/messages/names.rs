@@ -228,9 +228,31 @@ pub(crate) fn distance_in_one_body() -> String {
 
 /// `what` may depend on constants and on the things that are `permitted`.
 pub(crate) fn not_permitted(name: &str, kind: &str, what: &str, permitted: &[&str]) -> String {
-    let list = match permitted.split_last() {
+    format!("`{name}` is {kind}, but {what} may depend on {} only", listed(permitted))
+}
+
+/// Constants, and what else is permitted.
+fn listed(permitted: &[&str]) -> String {
+    match permitted.split_last() {
         None => "constants".to_string(),
         Some((last, others)) => format!("{} and {last}", [&["constants"], others].concat().join(", ")),
-    };
-    format!("`{name}` is {kind}, but {what} may depend on {list} only")
+    }
+}
+
+pub(crate) fn signal_not_permitted(name: &str, kind: &str, what: &str, permitted: &[&str]) -> String {
+    format!("`{name}` depends on {kind}, but {what} may depend on {} only", listed(permitted))
+}
+
+/// `names`: from the signal to itself again.
+pub(crate) fn signal_of_itself(names: &[&str]) -> String {
+    match names {
+        [name, _] => format!("the signal `{name}` names itself"),
+        _ => format!("the signal `{}` names itself: {}", names[0], names.join(" → ")),
+    }
+}
+
+pub(crate) fn signal_too_large(name: &str, size: usize) -> String {
+    format!(
+        "the signal `{name}` is {size} operations long where all signals in it are written out: make what it names shorter"
+    )
 }

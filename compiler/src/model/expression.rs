@@ -18,6 +18,43 @@ pub enum Expr {
     Power(Box<Expr>, f64),
     /// `if(condition, then, otherwise)`; both sides are evaluated.
     If(Box<Condition>, Box<Expr>, Box<Expr>),
+    /// The time derivative of an expression of positions and time.
+    Rate(Box<Expr>),
+}
+
+impl Expr {
+    /// Calls `found` with the expression and all that it is made of.
+    pub fn visit<'e>(&'e self, found: &mut dyn FnMut(&'e Expr)) {
+        found(self);
+        match self {
+            Expr::Number(_) | Expr::Parameter(_) | Expr::Input(_) | Expr::Time | Expr::Quantity(_) => {}
+            Expr::Unary(_, x) | Expr::Power(x, _) | Expr::Rate(x) => x.visit(found),
+            Expr::Binary(_, x, y) => [x, y].into_iter().for_each(|operand| operand.visit(found)),
+            Expr::If(condition, x, y) => {
+                condition.visit(found);
+                [x, y].into_iter().for_each(|operand| operand.visit(found));
+            }
+        }
+    }
+
+    /// Calls `found` with every quantity in it.
+    pub fn quantities<'e>(&'e self, found: &mut dyn FnMut(&'e Quantity)) {
+        self.visit(&mut |expr| {
+            if let Expr::Quantity(quantity) = expr {
+                found(quantity);
+            }
+        });
+    }
+}
+
+impl Condition {
+    fn visit<'e>(&'e self, found: &mut dyn FnMut(&'e Expr)) {
+        match self {
+            Condition::Compare(_, x, y) => [x, y].into_iter().for_each(|operand| operand.visit(found)),
+            Condition::And(a, b) | Condition::Or(a, b) => [a, b].into_iter().for_each(|it| it.visit(found)),
+            Condition::Not(a) => a.visit(found),
+        }
+    }
 }
 
 #[derive(Clone, Debug, PartialEq)]

@@ -6,6 +6,7 @@
 
 use super::fold;
 use super::names::Names;
+use super::signals::Signals;
 use super::unused::{self, Scope};
 use super::{
     Axes, Constraint, ConstraintKind, Coupled, Coupling, Driver, Expr, Function2, Input, Mechanism, Name,
@@ -31,6 +32,7 @@ pub fn lower(definition: &Definition) -> Result<Mechanism, Diagnostics> {
         lines: Vec::new(),
         markers: HashMap::new(),
         defaults: Vec::new(),
+        signals: Signals::of(definition),
         used: HashSet::new(),
     };
 
@@ -63,6 +65,7 @@ pub fn lower(definition: &Definition) -> Result<Mechanism, Diagnostics> {
         unused: Vec::new(),
         allowed: definition.allowed.clone(),
     };
+    lowering.all_signals();
     mechanism.unused = unused::unused(definition, &lowering.used);
     lowering.diagnostics.finish(mechanism)
 }
@@ -81,6 +84,7 @@ pub(super) struct Lowering<'d> {
     pub markers: HashMap<&'d str, Option<(Vector, Axes)>>,
     /// Of the parameters.
     pub defaults: Vec<f64>,
+    pub signals: Signals,
     /// What has been named so far.
     pub used: HashSet<(Scope, &'d str)>,
 }
@@ -131,6 +135,8 @@ impl Use {
     pub const LOAD: Self =
         Self { what: "the law of a load", inputs: true, velocities: true, ..Self::EQUATION };
     pub const OUTPUT: Self = Self { what: "an output", results: true, ..Self::LOAD };
+    pub const SIGNAL: Self = Self { what: "a signal", ..Self::OUTPUT };
+    pub const RATE: Self = Self { what: "a rate", ..Self::EQUATION };
 
     /// What it may depend on beside constants, in words.
     pub fn permitted(&self) -> Vec<&'static str> {

@@ -19,6 +19,7 @@ mod places;
 mod quantities;
 mod settings;
 mod shapes;
+mod signals;
 mod unused;
 mod values;
 

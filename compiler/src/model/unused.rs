@@ -1,4 +1,5 @@
-//! What is declared and named by nothing: constants, parameters, inputs, points, markers and lines.
+//! What is declared and named by nothing: constants, parameters, inputs, signals, points, markers
+//! and lines.
 //!
 //! While names are resolved those that are named are kept; what is left over here is warned of in `check`. The rounds
 //! of a `repeat` declare one thing each at the same place of the source: it is used where one of them is.
@@ -22,6 +23,7 @@ pub enum Declared {
     Constant,
     Parameter,
     Input,
+    Signal,
     Point,
     Marker,
     Line,
@@ -64,6 +66,7 @@ fn declarations(definition: &Definition) -> impl Iterator<Item = (Scope, Declare
     let constants = definition.constants.iter().map(|it| &it.name).map(value(Declared::Constant));
     let parameters = definition.parameters.iter().map(|it| &it.name).map(value(Declared::Parameter));
     let inputs = definition.inputs.iter().map(|it| &it.name).map(value(Declared::Input));
+    let signals = definition.signals.iter().map(|it| &it.name).map(value(Declared::Signal));
     let of_bodies = definition.bodies.iter().enumerate().flat_map(|(index, body)| {
         let of_body = move |kind| move |label| (Scope::Body(index), kind, label);
         let points = body.points.iter().map(|(label, _)| label).map(of_body(Declared::Point));
@@ -73,5 +76,5 @@ fn declarations(definition: &Definition) -> impl Iterator<Item = (Scope, Declare
     let of_ground = |kind| move |label| (Scope::Ground, kind, label);
     let markers = definition.markers.iter().map(|it| &it.name).map(of_ground(Declared::Marker));
     let lines = definition.lines.iter().map(|it| &it.name).map(of_ground(Declared::Line));
-    constants.chain(parameters).chain(inputs).chain(of_bodies).chain(markers).chain(lines)
+    constants.chain(parameters).chain(inputs).chain(signals).chain(of_bodies).chain(markers).chain(lines)
 }

@@ -246,6 +246,7 @@ impl Lowering<'_> {
                     let dimension = declared(self.definition.inputs[index].unit.as_ref());
                     return typed(Expr::Input(InputId(index)), dimension);
                 }
+                Some(Value::Signal(index)) => return self.signal_at(index, path, usage),
                 None if path.text == "pi" => {
                     return typed(Expr::Number(core::f64::consts::PI), Dimension::ONE);
                 }
@@ -255,6 +256,9 @@ impl Lowering<'_> {
                 }
                 None => {}
             }
+        }
+        if let Some(index) = self.rate_of_signal(path) {
+            return self.signal_rate_at(index, path, usage);
         }
         let (quantity, dimension) = self.permitted_quantity(path, usage)?;
         typed(Expr::Quantity(quantity), dimension)

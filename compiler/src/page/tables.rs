@@ -8,7 +8,7 @@ use crate::equations::conditions;
 use crate::equations::coordinates::rotor_name;
 use crate::forms::Law;
 use crate::model::{
-    Body, Condition, ConstraintKind, Coupled, Expr, Frame, JointId, Load, Mechanism, Space, Subject, Vector,
+    Body, ConstraintKind, Coupled, Expr, Frame, JointId, Load, Mechanism, Space, Subject, Vector,
     fold,
 };
 use std::collections::BTreeSet;
@@ -291,8 +291,7 @@ fn value(mechanism: &Mechanism, expr: &Expr) -> String {
 
 /// Parameters, inputs and time in an expression, and whether it depends on the motion.
 fn named(mechanism: &Mechanism, expr: &Expr, names: &mut BTreeSet<String>, moves: &mut bool) {
-    match expr {
-        Expr::Number(_) => {}
+    expr.visit(&mut |expr| match expr {
         Expr::Parameter(id) => {
             names.insert(mechanism.parameters[id.0].name.text.clone());
         }
@@ -303,21 +302,6 @@ fn named(mechanism: &Mechanism, expr: &Expr, names: &mut BTreeSet<String>, moves
             names.insert("time".to_string());
         }
         Expr::Quantity(_) => *moves = true,
-        Expr::Unary(_, a) | Expr::Power(a, _) => named(mechanism, a, names, moves),
-        Expr::Binary(_, a, b) => [a, b].into_iter().for_each(|it| named(mechanism, it, names, moves)),
-        Expr::If(condition, a, b) => {
-            named_in(mechanism, condition, names, moves);
-            [a, b].into_iter().for_each(|it| named(mechanism, it, names, moves));
-        }
-    }
-}
-
-fn named_in(mechanism: &Mechanism, condition: &Condition, names: &mut BTreeSet<String>, moves: &mut bool) {
-    match condition {
-        Condition::Compare(_, a, b) => [a, b].into_iter().for_each(|it| named(mechanism, it, names, moves)),
-        Condition::And(a, b) | Condition::Or(a, b) => {
-            [a, b].into_iter().for_each(|it| named_in(mechanism, it, names, moves));
-        }
-        Condition::Not(a) => named_in(mechanism, a, names, moves),
-    }
+        _ => {}
+    });
 }

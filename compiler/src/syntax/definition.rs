@@ -25,6 +25,7 @@ pub struct Definition {
     pub constants: Vec<Constant>,
     pub parameters: Vec<Parameter>,
     pub inputs: Vec<Input>,
+    pub signals: Vec<Signal>,
     pub gravity: Option<Tuple>,
     pub bodies: Vec<Body>,
     /// Lines of the ground.
@@ -520,5 +521,12 @@ impl Budgeted {
 pub struct Output {
     pub name: Label,
     pub docs: TokenStream,
+    pub entry: Entry,
+}
+
+/// `signal name [unit] = value;`
+#[derive(Clone, Debug)]
+pub struct Signal {
+    pub name: Label,
     pub entry: Entry,
 }

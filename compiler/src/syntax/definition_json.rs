@@ -24,6 +24,10 @@ pub fn definition_json(definition: &Definition) -> String {
             w.key("name").string(&input.name.text);
             w.key("unit").unit(input.unit.as_ref(), Some("1"));
         });
+        if !definition.signals.is_empty() {
+            w.key("signals")
+                .list(&definition.signals, |w, signal| w.named_entry(&signal.name, &signal.entry));
+        }
         w.key("gravity").optional(definition.gravity.as_ref(), |w, tuple| w.tuple(tuple, None));
         if definition.space == Space::Spatial {
             w.key("markers").list(&definition.markers, Writer::marker);

@@ -122,6 +122,7 @@ fn empty() -> Definition {
         constants: Vec::new(),
         parameters: Vec::new(),
         inputs: Vec::new(),
+        signals: Vec::new(),
         gravity: None,
         bodies: Vec::new(),
         lines: Vec::new(),

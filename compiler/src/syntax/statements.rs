@@ -2,17 +2,18 @@
 //! conditions and options (`settings`). `repeat` reads its braces again for every round.
 
 use super::attributes::Bearer;
-use super::definition::{Constant, Driver, Input, Line, Output, Parameter};
+use super::definition::{Constant, Driver, Input, Line, Output, Parameter, Signal};
 use super::parser::{Failed, Parsed, Parser};
 use super::token::Cursor;
 use crate::messages;
 use proc_macro2::{Delimiter, TokenStream};
 
 /// Words that begin a statement, but those of bodies, loads and couplings.
-const STATEMENTS: [&str; 14] = [
+const STATEMENTS: [&str; 15] = [
     "const",
     "param",
     "input",
+    "signal",
     "gravity",
     "marker",
     "line",
@@ -60,6 +61,7 @@ impl Parser {
             "const" => self.fail(at, messages::constant_in_repeat()),
             "param" => self.parameter(c, docs),
             "input" => self.input(c, docs),
+            "signal" => self.signal(c),
             "gravity" => self.gravity(c),
             "marker" => {
                 let marker = self.marker(c)?;
@@ -153,6 +155,15 @@ impl Parser {
         }
         self.semicolon(c)?;
         self.definition.inputs.push(Input { name, docs, unit });
+        Ok(())
+    }
+
+    /// `name [unit] = value;`
+    fn signal(&mut self, c: &mut Cursor) -> Parsed<()> {
+        let (name, unit) = self.declared_with_unit(c, "the name of the signal")?;
+        let entry = self.entry(c, unit)?;
+        self.semicolon(c)?;
+        self.definition.signals.push(Signal { name, entry });
         Ok(())
     }
 

@@ -111,36 +111,11 @@ pub fn multi_turn_rotors(mechanism: &Mechanism) -> Vec<Rotor> {
 }
 
 fn angles_in(expr: &Expr, rotors: &mut BTreeSet<Rotor>) {
-    match expr {
-        Expr::Number(_) | Expr::Parameter(_) | Expr::Input(_) | Expr::Time => {}
-        Expr::Quantity(Quantity::Coordinate(coordinate)) => angles_of(coordinate, rotors),
-        Expr::Quantity(_) => {}
-        Expr::Unary(_, a) | Expr::Power(a, _) => angles_in(a, rotors),
-        Expr::Binary(_, a, b) => {
-            angles_in(a, rotors);
-            angles_in(b, rotors);
+    expr.quantities(&mut |quantity| {
+        if let Quantity::Coordinate(coordinate) = quantity {
+            angles_of(coordinate, rotors);
         }
-        Expr::If(condition, a, b) => {
-            angles_in_condition(condition, rotors);
-            angles_in(a, rotors);
-            angles_in(b, rotors);
-        }
-    }
-}
-
-fn angles_in_condition(condition: &crate::model::Condition, rotors: &mut BTreeSet<Rotor>) {
-    use crate::model::Condition;
-    match condition {
-        Condition::Compare(_, a, b) => {
-            angles_in(a, rotors);
-            angles_in(b, rotors);
-        }
-        Condition::And(a, b) | Condition::Or(a, b) => {
-            angles_in_condition(a, rotors);
-            angles_in_condition(b, rotors);
-        }
-        Condition::Not(a) => angles_in_condition(a, rotors),
-    }
+    });
 }
 
 fn angles_of(coordinate: &Coordinate, rotors: &mut BTreeSet<Rotor>) {
