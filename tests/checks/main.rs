@@ -34,5 +34,6 @@ mod starts;
 mod tangent;
 mod walking;
 mod zoo;
+mod zoo_laws;
 mod zoo_space;
 mod zoo_tangent;

@@ -185,6 +185,8 @@ macro_rules! for_each_in_zoo {
             floating: crate::zoo::Floating,
             oldham: crate::zoo::Oldham,
             mounted: crate::zoo::Mounted,
+            steered: crate::zoo_laws::Steered,
+            tethered: crate::zoo_laws::Tethered,
             arm: crate::zoo_space::Arm,
             jack: crate::zoo_space::Jack,
             table: crate::zoo_space::Table,

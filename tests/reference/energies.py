@@ -165,6 +165,10 @@ class Energies:
             travel = kinematics.travel(self.model.joints[load["on"]])
             pushed = evaluate(load["value"], kinematics)
             return Load(name, kinematics.rate(travel), kinematics.explicit_rate(travel), pushed, ca.SX(0))
+        if kind == "along":
+            along = evaluate(load["expression"], kinematics)
+            pushed = evaluate(load["value"], kinematics)
+            return Load(name, kinematics.rate(along), kinematics.explicit_rate(along), pushed, ca.SX(0))
         if kind == "bushing":
             deflection, stiffness, damping = self._bushing(load)
             w, explicit = kinematics.rate(deflection), kinematics.explicit_rate(deflection)

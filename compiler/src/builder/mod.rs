@@ -192,6 +192,13 @@ impl Builder {
         self
     }
 
+    /// An expression with a name, to be named by others.
+    pub fn signal(&mut self, name: &str, unit: &str, value: impl Into<Value>) -> &mut Self {
+        let value = value.into().0;
+        self.declared("signal", name, |name| Ok(format!("signal {name} {} = {};", bracketed(unit)?, value?)));
+        self
+    }
+
     /// A value that is computed with the state.
     pub fn output(&mut self, name: &str, unit: &str, value: impl Into<Value>) -> &mut Self {
         let value = value.into().0;

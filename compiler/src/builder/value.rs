@@ -97,6 +97,12 @@ impl Call {
         self
     }
 
+    /// The expression that it acts along.
+    pub fn along(mut self, value: impl Into<Value>) -> Self {
+        self.arguments.push(value.into().0);
+        self
+    }
+
     /// A named argument.
     pub fn with(mut self, name: &str, value: impl Into<Value>) -> Self {
         let (name, value) = (checked_name(name), value.into().0);

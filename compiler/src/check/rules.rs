@@ -7,8 +7,8 @@ use crate::diagnostics::Diagnostics;
 use crate::forms::Sign;
 use crate::messages;
 use crate::model::{
-    BodyId, ConstraintKind, Coordinate, Expr, Frame, Mechanism, Name, NamedLine, Quantity, Rotor,
-    Space, Subject, Vector, fold,
+    BodyId, ConstraintKind, Coordinate, Expr, Frame, Mechanism, Name, NamedLine, Quantity, Rotor, Space,
+    Subject, Vector, fold,
 };
 use std::collections::HashMap;
 
@@ -351,6 +351,11 @@ pub(super) fn touched(mechanism: &Mechanism) -> Vec<bool> {
             // The bodies of a joint have been touched by it.
             Subject::Travel(_) => {}
             Subject::Body(body) => touch(&mut touched, Frame::Body(*body)),
+            Subject::Expression(expr, _) => expr.quantities(&mut |quantity| {
+                if let Quantity::Coordinate(coordinate) = quantity {
+                    coordinates.push(coordinate);
+                }
+            }),
         }
     }
     for coordinate in coordinates {

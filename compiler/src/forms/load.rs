@@ -43,6 +43,8 @@ pub enum Acts {
     Travel,
     /// A body that turns.
     Body,
+    /// An expression of positions.
+    Expression,
 }
 
 /// What stands behind a load, `= law`.
@@ -51,6 +53,8 @@ pub enum Law {
     /// Nothing: its arguments say all.
     None,
     Value(Dimension),
+    /// What makes a power of the rate of the expression that the load acts on.
+    Conjugate,
     /// Components along the axes of the world, or one value where a direction is among the arguments.
     Components(Dimension),
 }

@@ -68,6 +68,7 @@ pub enum Positional {
     Line,
     /// The name of a joint or body.
     Rotor,
+    Expression,
 }
 
 /// An argument with a name.

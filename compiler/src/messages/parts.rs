@@ -150,6 +150,10 @@ pub(crate) fn missing_place(
     )
 }
 
+pub(crate) fn along_what_stands() -> String {
+    "this depends on no position, so no force can act along it".to_string()
+}
+
 pub(crate) fn named_arguments(names: &[&str]) -> String {
     match names {
         [] => "there are no further arguments".to_string(),

@@ -2,6 +2,7 @@
 
 use super::{BodyId, Expr, Frame, JointId, Mechanism, Name, Place, Vector};
 use crate::forms::{Argument, CouplingForm, JointAxes, JointForm, LoadForm, Proportion, Spans};
+use crate::units::Dimension;
 
 /// A joint between two places. Its coordinate, rate, travel and torque are those of the second place's body
 /// relative to the first's, axes in the first's frame.
@@ -139,6 +140,8 @@ pub enum Subject {
     Travel(JointId),
     /// A body in space, about the axes of the world.
     Body(BodyId),
+    /// An expression of positions, and what it measures.
+    Expression(Expr, Dimension),
 }
 
 impl Load {
@@ -146,7 +149,7 @@ impl Load {
     pub fn places(&self) -> impl Iterator<Item = &Place> {
         self.on.iter().filter_map(|subject| match subject {
             Subject::Place(place) => Some(place),
-            Subject::Rotor(_) | Subject::Travel(_) | Subject::Body(_) => None,
+            Subject::Rotor(_) | Subject::Travel(_) | Subject::Body(_) | Subject::Expression(..) => None,
         })
     }
 
@@ -159,7 +162,7 @@ impl Load {
     pub fn travel(&self) -> JointId {
         let travel = self.on.iter().find_map(|subject| match subject {
             Subject::Travel(joint) => Some(*joint),
-            Subject::Place(_) | Subject::Rotor(_) | Subject::Body(_) => None,
+            Subject::Place(_) | Subject::Rotor(_) | Subject::Body(_) | Subject::Expression(..) => None,
         });
         travel.expect("the form says so")
     }
@@ -168,7 +171,19 @@ impl Load {
     pub fn rotors(&self) -> impl Iterator<Item = Rotor> {
         self.on.iter().filter_map(|subject| match subject {
             Subject::Rotor(rotor) => Some(*rotor),
-            Subject::Place(_) | Subject::Travel(_) | Subject::Body(_) => None,
+            Subject::Place(_) | Subject::Travel(_) | Subject::Body(_) | Subject::Expression(..) => None,
+        })
+    }
+
+    /// The expression it acts along, if its form says that it acts along one.
+    pub fn expression(&self) -> &Expr {
+        self.along().next().expect("the form says so")
+    }
+
+    fn along(&self) -> impl Iterator<Item = &Expr> {
+        self.on.iter().filter_map(|subject| match subject {
+            Subject::Expression(expr, _) => Some(expr),
+            Subject::Place(_) | Subject::Rotor(_) | Subject::Travel(_) | Subject::Body(_) => None,
         })
     }
 
@@ -184,7 +199,7 @@ impl Load {
 
     /// All that it says in expressions.
     pub fn expressions(&self) -> impl Iterator<Item = &Expr> {
-        self.values.iter().flatten().chain(&self.law)
+        self.along().chain(self.values.iter().flatten()).chain(&self.law)
     }
 
     /// Its named arguments that are no directions, with their components.

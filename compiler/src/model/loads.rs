@@ -19,7 +19,7 @@ impl<'d> Lowering<'d> {
         let arguments = load.form.call.named.iter();
         let values: Vec<Option<Vec<Expr>>> =
             arguments.map(|argument| self.load_argument(load, argument)).collect();
-        let law = self.law(load);
+        let law = self.law(load, on.as_deref());
         let (on, values): (_, Option<Vec<_>>) = (on?, values.into_iter().collect());
         let (values, law) = (values?, law?);
         let law = match (load.form.law, &law[..]) {
@@ -73,9 +73,20 @@ impl<'d> Lowering<'d> {
             (SubjectTerm::Name(label), Acts::Rotor) => self.rotor(label).map(Subject::Rotor),
             (SubjectTerm::Name(label), Acts::Travel) => self.slide(label).map(Subject::Travel),
             (SubjectTerm::Name(label), Acts::Body) => self.turning_body(label).map(Subject::Body),
+            (SubjectTerm::Expression(term), Acts::Expression) => {
+                let typed = self.value(term, Use::ALONG)?;
+                let mut moves = false;
+                typed.expr.quantities(&mut |_| moves = true);
+                if !moves {
+                    self.diagnostics.error(term.region, messages::along_what_stands());
+                    return None;
+                }
+                Some(Subject::Expression(typed.expr, typed.dimension))
+            }
             // The parser hands over names where names are meant.
-            (SubjectTerm::Place(_), Acts::Rotor | Acts::Travel | Acts::Body)
-            | (SubjectTerm::Name(_), Acts::Place) => None,
+            (SubjectTerm::Place(_), Acts::Rotor | Acts::Travel | Acts::Body | Acts::Expression)
+            | (SubjectTerm::Name(_), Acts::Place | Acts::Expression)
+            | (SubjectTerm::Expression(_), Acts::Place | Acts::Rotor | Acts::Travel | Acts::Body) => None,
         }
     }
 
@@ -111,9 +122,14 @@ impl<'d> Lowering<'d> {
         }
     }
 
-    fn law(&mut self, load: &'d syntax::Load) -> Option<Vec<Expr>> {
-        let (Law::Value(dimension) | Law::Components(dimension)) = load.form.law else {
-            return Some(Vec::new());
+    /// Of a load on these subjects; `None` if there was an error in them.
+    fn law(&mut self, load: &'d syntax::Load, on: Option<&[Subject]>) -> Option<Vec<Expr>> {
+        let dimension = match (load.form.law, on) {
+            (Law::None, _) => return Some(Vec::new()),
+            (Law::Value(dimension) | Law::Components(dimension), _) => dimension,
+            (Law::Conjugate, Some([Subject::Expression(_, along)])) => Dimension::TORQUE.over(*along),
+            // What it acts along has been complained of.
+            (Law::Conjugate, _) => return None,
         };
         let what = messages::quoted(&load.name.text);
         match &load.law {

@@ -137,6 +137,7 @@ impl Use {
     pub const OUTPUT: Self = Self { what: "an output", results: true, ..Self::LOAD };
     pub const SIGNAL: Self = Self { what: "a signal", ..Self::OUTPUT };
     pub const RATE: Self = Self { what: "a rate", ..Self::EQUATION };
+    pub const ALONG: Self = Self { what: "what a force acts along", ..Self::EQUATION };
 
     /// What it may depend on beside constants, in words.
     pub fn permitted(&self) -> Vec<&'static str> {
@@ -238,7 +239,7 @@ impl<'d> Lowering<'d> {
             Subject::Rotor(rotor) => Some(Coupled::Angle(rotor)),
             Subject::Travel(joint) => Some(Coupled::Travel(joint)),
             // Forms of couplings name coordinates only.
-            Subject::Place(_) | Subject::Body(_) => None,
+            Subject::Place(_) | Subject::Body(_) | Subject::Expression(..) => None,
         }
     }
 

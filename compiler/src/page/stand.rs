@@ -168,6 +168,8 @@ impl<'a> Stand<'a> {
         let mut ends = Vec::new();
         for subject in &load.on {
             ends.push(match subject {
+                // It stands at no place.
+                Subject::Expression(..) => continue,
                 Subject::Place(place) => {
                     let is_grounded = place.frame == Frame::Ground;
                     End { at: self.place(place), axis: [0.0; 3], is_grounded }

@@ -8,8 +8,7 @@ use crate::equations::conditions;
 use crate::equations::coordinates::rotor_name;
 use crate::forms::Law;
 use crate::model::{
-    Body, ConstraintKind, Coupled, Expr, Frame, JointId, Load, Mechanism, Space, Subject, Vector,
-    fold,
+    Body, ConstraintKind, Coupled, Expr, Frame, JointId, Load, Mechanism, Space, Subject, Vector, fold,
 };
 use std::collections::BTreeSet;
 
@@ -130,11 +129,12 @@ pub fn loads(page: &mut String, compiled: &Compiled) {
             Subject::Rotor(rotor) => code(rotor_name(mechanism, *rotor)),
             Subject::Travel(joint) => code(joint_name(mechanism, *joint)),
             Subject::Body(body) => code(&mechanism.bodies[body.0].name.text),
+            Subject::Expression(..) => "an expression".to_string(),
         });
         let on: Vec<String> = on.collect();
         let data = match load.form.law {
             Law::None => arguments(mechanism, load),
-            Law::Value(_) | Law::Components(_) => law(mechanism, &load.law),
+            Law::Value(_) | Law::Conjugate | Law::Components(_) => law(mechanism, &load.law),
         };
         table.row(vec![code(&load.name.text), load.form.title.to_string(), on.join(", "), data]);
     }

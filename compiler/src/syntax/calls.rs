@@ -20,6 +20,7 @@ struct Arguments {
     places: Vec<PlaceTerm>,
     lines: Vec<LineTerm>,
     rotors: Vec<Label>,
+    expressions: Vec<Term>,
     named: Named,
 }
 
@@ -30,6 +31,10 @@ impl Arguments {
 
     fn rotor(&mut self) -> Parsed<Label> {
         if self.rotors.is_empty() { Err(Failed) } else { Ok(self.rotors.remove(0)) }
+    }
+
+    fn expression(&mut self) -> Parsed<Term> {
+        if self.expressions.is_empty() { Err(Failed) } else { Ok(self.expressions.remove(0)) }
     }
 
     fn entry(&mut self, name: &str) -> Option<Entry> {
@@ -46,6 +51,7 @@ impl Arguments {
         let subject = |positional: &Positional| match positional {
             Positional::Place => self.place().map(SubjectTerm::Place),
             Positional::Rotor => self.rotor().map(SubjectTerm::Name),
+            Positional::Expression => self.expression().map(SubjectTerm::Expression),
             Positional::Line => Err(Failed),
         };
         form.positional.iter().map(subject).collect()
@@ -82,7 +88,7 @@ fn name_of(subject: &SubjectTerm) -> Option<&Label> {
     match subject {
         SubjectTerm::Name(label) => Some(label),
         SubjectTerm::Place(PlaceTerm::Named(path)) => path.parts.first().filter(|_| path.parts.len() == 1),
-        SubjectTerm::Place(PlaceTerm::Ground(_)) => None,
+        SubjectTerm::Place(PlaceTerm::Ground(_)) | SubjectTerm::Expression(_) => None,
     }
 }
 
@@ -225,7 +231,7 @@ impl Parser {
         }
         let law = match form.law {
             Law::None => LawTerm::None,
-            Law::Value(_) => LawTerm::Value(self.expression(c)?),
+            Law::Value(_) | Law::Conjugate => LawTerm::Value(self.expression(c)?),
             Law::Components(_) if written.is_directed && written.has_components => {
                 return self.fail(c.region(), messages::direction_and_components());
             }
@@ -289,7 +295,8 @@ impl Parser {
         let mut ahead = c.clone();
         ahead.advance();
         while ahead.enter(Delimiter::Bracket).is_some() {}
-        if c.is_done() || ahead.at_punct('=') {
+        // An expression may be a comparison, which `model` refuses.
+        if c.is_done() || ahead.at_punct('=') && kind != Positional::Expression {
             let (count, is_place) = (form.positional.len(), kind == Positional::Place);
             let loads = (self.vocabulary.loads)(self.definition.space);
             let load = loads.into_iter().find(|load| std::ptr::eq(&load.call, form));
@@ -299,6 +306,7 @@ impl Parser {
         match kind {
             Positional::Place => arguments.places.push(self.place(c)?),
             Positional::Line => arguments.lines.push(self.line_argument(c)?),
+            Positional::Expression => arguments.expressions.push(self.expression(c)?),
             Positional::Rotor => {
                 arguments.rotors.push(self.label(c, "the name of a joint or body")?);
                 if c.at_punct('.') {

@@ -407,6 +407,7 @@ pub enum SubjectTerm {
     Place(PlaceTerm),
     /// The name of a joint or body.
     Name(Label),
+    Expression(Term),
 }
 
 impl SubjectTerm {
@@ -415,6 +416,7 @@ impl SubjectTerm {
         match self {
             Self::Place(place) => place.region(),
             Self::Name(label) => label.region,
+            Self::Expression(term) => term.region,
         }
     }
 }

@@ -357,6 +357,7 @@ impl Writer {
         match subject {
             SubjectTerm::Name(label) => self.key(name).string(&label.text),
             SubjectTerm::Place(place) => self.key(at).place(place),
+            SubjectTerm::Expression(term) => self.key("expression").term(term),
         }
     }
 

@@ -129,6 +129,9 @@ fn statements_of_space() {
     built.drive("motor", "first.angle", swing * Value::quantity(1.0, "rad"));
     built.start("second.angle", Value::quantity(0.0, "rad")).option("coordinates", "tree");
     built.expect_degrees_of_freedom(1);
+    built.signal("lag", "rad", Value::name("second.angle") - "first.angle");
+    let lag = Value::quantity(-2.0, "N*m/rad") * "lag" + Value::quantity(-0.1, "N*m*s/rad") * "lag.rate";
+    built.law("slack", Call::new("along").along("lag"), lag);
     built.output("effort", "N*m", Value::name("motor.effort"));
     let compiled = built.compile(None).unwrap_or_else(|faults| panic!("{faults:#?}\n{}", built.text()));
     assert_eq!(compiled.mechanism.constraints.len(), 1);

@@ -66,7 +66,7 @@ const MISTAKES: &[(&str, &str)] = &[
     ("output o [m] = nothing;", r#"no value called "nothing""#),
     (
         "spring s: (link.end, base.end, stiffness [N/m] = 1);",
-        "expected the kind of the load (force, torque, spring, damper, torsion_spring, bushing), found `(`",
+        "expected the kind of the load (force, torque, spring, damper, torsion_spring, along, bushing), found `(`",
     ),
     (
         "bushing b: bushing(ground(0, 0), link.end, stiffness [N/m] = 1);",
@@ -121,6 +121,26 @@ const MISTAKES: &[(&str, &str)] = &[
     (
         "output o [rad] = wrap(base.angle, 0 [rad]);",
         "a period is positive: `wrap(x, period)` is x less whole periods",
+    ),
+    ("signal s [1] = s;", "the signal `s` names itself"),
+    ("signal s [1] = 2*t; signal t [1] = s;", "the signal `s` names itself: s → t → s"),
+    (
+        "signal s [rad/s] = base.rate; constraint c: base.angle = s*1 [s];",
+        "`s` depends on a velocity, but a constraint may depend on constants, parameters, time and positions only",
+    ),
+    (
+        "signal s [rad/s] = base.rate; output o [rad/s^2] = s.rate;",
+        "`s.rate` depends on a velocity, but a rate may depend on constants, parameters, time and positions only",
+    ),
+    (
+        "signal s = base.angle;",
+        "`s` is declared without a unit, as a plain number, and is given an angle: write `signal s [rad] = …`",
+    ),
+    ("force f: along(3 [m]) = 2 [N];", "this depends on no position, so no force can act along it"),
+    ("force f: along(link.end.x) = 2 [N*m];", "`f` is given a torque or energy: expected N, found N*m"),
+    (
+        "force f: along(base.rate) = 2 [N];",
+        "`base.rate` is a velocity, but what a force acts along may depend on constants, parameters, time and positions only",
     ),
     ("output o [1] = wrap(1, 2, 3);", "`wrap` takes 1 or 2 arguments, found 3"),
     ("output o [1] = atan2(1);", "`atan2` takes 2 arguments, found 1"),

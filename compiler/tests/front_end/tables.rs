@@ -81,6 +81,7 @@ fn written(form: &Form, space: Space) -> String {
         Positional::Place => "place".to_string(),
         Positional::Line => "line".to_string(),
         Positional::Rotor => "joint or body".to_string(),
+        Positional::Expression => "expression".to_string(),
     });
     positional.chain(form.named.iter().map(|argument| named(argument, space))).collect::<Vec<_>>().join(", ")
 }

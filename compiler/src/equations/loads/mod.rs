@@ -2,6 +2,7 @@
 //! potential energy), `symbol`. What only the plane or only space has stands in `plane::loads` and `space::loads`.
 
 mod damper;
+mod expression;
 mod force;
 mod push;
 mod spring;
@@ -28,8 +29,15 @@ pub struct LoadKind {
 }
 
 /// The loads that the plane and space have in common.
-pub static LOADS: &[&LoadKind] =
-    &[&force::LOAD, &push::LOAD, &torque::LOAD, &spring::LOAD, &damper::LOAD, &torsion_spring::LOAD];
+pub static LOADS: &[&LoadKind] = &[
+    &force::LOAD,
+    &push::LOAD,
+    &torque::LOAD,
+    &spring::LOAD,
+    &damper::LOAD,
+    &torsion_spring::LOAD,
+    &expression::LOAD,
+];
 
 /// The loads of the plane or of space.
 pub fn of_space(space: Space) -> impl Iterator<Item = &'static LoadKind> {

@@ -30,7 +30,7 @@ fn terms<'g>(laws: &Laws<'g>, load: &Load) -> LoadTerms<'g> {
     let components = law(laws, load);
     let bodies = load.on.iter().filter_map(|subject| match subject {
         Subject::Body(body) => Some(laws.kinematics().turning(*body)),
-        Subject::Place(_) | Subject::Rotor(_) | Subject::Travel(_) => None,
+        Subject::Place(_) | Subject::Rotor(_) | Subject::Travel(_) | Subject::Expression(..) => None,
     });
     bodies.fold(LoadTerms::none(laws), |sum, turning| sum.and(together(laws, &turning, &components)))
 }

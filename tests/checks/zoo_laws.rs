@@ -1,0 +1,58 @@
+//! Mechanisms whose laws are made of signals, their rates, and forces along expressions; in the plane and in space.
+
+linkwright::mechanism! {
+    /// A cart on a spring, a wheel that slips on it, and a pendulum that is steered by its reach.
+    pub planar Steered {
+        param stiffness [N/m] = 500;
+        param offset [mm] = 30;
+        input push [N];
+        gravity [m/s^2] = (0, -9.81);
+        signal doubled [N/m] = 2*stiffness;
+        signal pull [N] = -doubled*stretch - 3 [N*s/m]*stretch.rate + push;
+        signal stretch [m] = hypot(cart.center.x, 0.3 [m]) - 0.2 [m];
+        signal slip [m/s] = cart.center.velocity.x - 0.1 [m]*wheel.rate;
+        signal reach [m] = distance(bob.end, ground(0.4, 0.6) [m]);
+        signal sway [rad] = swing.angle + 0.3 [rad]*sin(2 [rad/s]*time);
+        signal area [m^2] = bob.end.x*(bob.end.y - offset);
+        signal height [m] = doubled*0.1 [m]/(500 [N/m]) + 0.02 [m]*sin(4 [rad/s]*time);
+        signal weight [kg] = 1 [kg] + stiffness*1 [kg*m/N]/1000;
+        body cart { mass = weight; inertia [kg*m^2] = 0.1; }
+        disk wheel { mass [kg] = 1; radius [m] = 0.1; }
+        rod bob { mass [kg] = 0.7; length [m] = 0.5; }
+        body slider { mass [kg] = 0.4; inertia [kg*m^2] = 0.01; }
+        joint rail: prismatic(ground(0, 0) [m], cart.center, axis = (1, 0));
+        joint hub: revolute(cart.center, wheel.center);
+        joint swing: revolute(cart.center, bob.start);
+        joint post: prismatic(ground(1, 0) [m], slider.center, axis = (0, 1));
+        constraint follow: post.travel = height + 0.1*stretch;
+        force spring: force(rail) = pull;
+        torque brake: torque(hub) = 2 [N*m*s/m]*clamp(slip, -1 [m/s], 1 [m/s]);
+        force cable: along(reach) = -20 [N/m]*deadband(reach - 0.3 [m], 0.05 [m]) - 0.4 [N*s/m]*reach.rate;
+        force steer: along(sway) = -1.5 [N*m/rad]*sway - 0.2 [N*m*s/rad]*sway.rate;
+        force press: along(area) = 3 [N/m]*smoothstep(area, -0.1 [m^2], 0.1 [m^2]);
+        start { rail.travel [m] = 0.1; rail.speed [m/s] = 0.4; swing.angle [rad] = -1.2; swing.rate [rad/s] = 1; hub.rate [rad/s] = 3;
+                post.travel [m] ~ 0.1; }
+        options { emit = (penalty, projection, null_space); }
+        output pulled [N] = pull;
+        output reached [m] = reach;
+        output closing [m/s] = reach.rate;
+        output steered [W] = power(steer) + power(cable);
+    }
+}
+
+linkwright::mechanism! {
+    /// A body in space on two cables whose lengths depend on each other.
+    pub spatial Tethered {
+        param share [1] = 0.4;
+        gravity [m/s^2] = (0, 0, -9.81);
+        signal left [m] = distance(plate.left, ground(-1, 0.2, 1) [m]);
+        signal right [m] = distance(plate.right, ground(1, -0.1, 1.2) [m]);
+        signal pulley [m] = left + share*right;
+        box plate { mass [kg] = 2; size [m] = (0.6, 0.4, 0.1); point left [m] = (-0.3, 0, 0); point right [m] = (0.3, 0.1, 0.05); }
+        force rope: along(pulley) = -200 [N/m]*max(pulley - 1.5 [m], 0 [m]) - 3 [N*s/m]*pulley.rate;
+        force twist: along(plate.left.x*plate.right.y) = 2 [N/m];
+        start { plate.center.x [m] = 0.1; plate.center.y [m] = 0; plate.center.z [m] = 0.1; }
+        output length [m] = pulley;
+        output paid_out [m/s] = pulley.rate;
+    }
+}
