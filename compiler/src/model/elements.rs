@@ -187,6 +187,13 @@ impl Load {
         })
     }
 
+    /// Whether what it acts along changes with time where nothing moves.
+    pub fn moves_by_itself(&self) -> bool {
+        let mut found = false;
+        self.along().for_each(|expr| expr.visit(&mut |part| found |= *part == Expr::Time));
+        found
+    }
+
     /// A named argument that is one number, by its index in the form.
     pub fn value(&self, which: usize) -> &Expr {
         &self.values[which][0]

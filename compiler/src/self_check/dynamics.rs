@@ -5,6 +5,7 @@ use super::quantity::{Along, Quantity, dot};
 use super::{Check, Report, rows};
 use crate::forms::Law;
 use crate::functions::Function;
+use crate::model::Load;
 use crate::schedule::Inputs;
 use crate::symbolic::Node;
 
@@ -73,6 +74,9 @@ fn energy(machine: &Machine, report: &mut Report) {
 /// Whether no support moves by itself: it would work on what it carries.
 pub fn stands_still(machine: &Machine) -> bool {
     let equations = &machine.compiled.complete.equations;
+    if machine.compiled.mechanism.loads.iter().any(Load::moves_by_itself) {
+        return false;
+    }
     // What has no law of its own changes with time only where its places do.
     let all = machine.compiled.mechanism.loads.iter().enumerate();
     let springs = all.filter(|(_, load)| load.form.law == Law::None);
