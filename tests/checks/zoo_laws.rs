@@ -32,7 +32,7 @@ linkwright::mechanism! {
         force press: along(area) = 3 [N/m]*smoothstep(area, -0.1 [m^2], 0.1 [m^2]);
         start { rail.travel [m] = 0.1; rail.speed [m/s] = 0.4; swing.angle [rad] = -1.2; swing.rate [rad/s] = 1; hub.rate [rad/s] = 3;
                 post.travel [m] ~ 0.1; }
-        options { emit = (penalty, projection, null_space); }
+        options { emit = (penalty, projection, null_space, tangent); }
         output pulled [N] = pull;
         output reached [m] = reach;
         output closing [m/s] = reach.rate;
