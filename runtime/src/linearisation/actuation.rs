@@ -143,7 +143,7 @@ fn improved<R: Real, M: Tangent<R>>(
     model.input_tangent(time, state, &inputs, &mut input);
     let count = model.input_names().len();
     let (mut found, mut rows) =
-        (Values::<R, M>::zeros(count), M::InputMatrix::zeros(model.states().len() * count));
+        (Values::<R, M>::zeros(count), M::InputMatrix::zeros(2 * model.states().len() * count));
     let mut solved = model.zero_conditions();
     for index in 0..model.states().len() {
         let basis = admissible.basis(index);

@@ -398,8 +398,9 @@ impl<S: Storage> Assemble<f64> for Masses<S> {
         cosines.as_mut_slice().fill(1.0);
     }
     fn start_targets(&self, positions: &mut S::N, rates: &mut S::N) {
+        let count = self.masses.len() as f64;
         for (i, (x, v)) in positions.as_mut_slice().iter_mut().zip(rates.as_mut_slice()).enumerate() {
-            (*x, *v) = (0.2 - 0.3 * i as f64, 0.4 * i as f64);
+            (*x, *v) = ((0.5 - i as f64) * 0.9 / count, 0.4 * i as f64);
         }
     }
     fn start_q(&self) -> S::N {
@@ -608,7 +609,7 @@ fn numbers<S: Storage>(model: &Masses<S>) -> Vec<(&'static str, Vec<f64>)> {
     ];
 
     let motions: Vec<Motion> = (0..model.independent().len())
-        .map(|i| Motion { position: 0.1 + 0.2 * i as f64, rate: 1.0, acceleration: -0.5 })
+        .map(|i| Motion { position: 0.1 + 0.1 * i as f64, rate: 1.0, acceleration: -0.5 })
         .collect();
     let led = model.kinematics(0.0, &start.q, &motions).expect("it is led");
     found.push(("kinematics", [led.q.as_slice(), led.v.as_slice(), led.a.as_slice()].concat()));
