@@ -74,7 +74,7 @@ fn main() {
                 type Mass = <$model as Mechanism<f64>>::Mass;
                 let function: fn(&$model, f64, &_, &mut Mass) =
                     black_box(<$model as Mechanism<f64>>::mass_matrix);
-                let mut mass = Mass::zero();
+                let mut mass: Mass = model.zero_mass();
                 alone("  mass_matrix", |at| {
                     function(&model, 0.0, &states[at].q, &mut mass);
                     black_box(&mass);
@@ -163,7 +163,7 @@ impl<M: Mechanism<f64>> InputSource<f64, M> for Constant<M::Inputs> {
     const HELD: bool = true;
 
     fn sample(&mut self, _: f64, _: &StateOf<M>) -> M::Inputs {
-        self.0
+        self.0.clone()
     }
 }
 
@@ -182,7 +182,7 @@ fn along_the_motion<M: Assemble<f64>>(
 }
 
 fn acceleration<M: Mechanism<f64>>(model: &M, state: &StateOf<M>, inputs: &M::Inputs) -> (M::V, M::Lambda) {
-    let (mut a, mut lambda) = (M::V::zero(), M::Lambda::zero());
+    let (mut a, mut lambda) = (model.zero_v(), model.zero_lambda());
     model.acceleration_baumgarte(0.0, state, inputs, 2.0 * ALPHA, ALPHA * ALPHA, &mut a, &mut lambda);
     (a, lambda)
 }
@@ -195,7 +195,7 @@ fn report<M: Assemble<f64>>(
     inputs: &M::Inputs,
     mut peers: Vec<Peer>,
 ) {
-    let (mut a, mut lambda) = (M::V::zero(), M::Lambda::zero());
+    let (mut a, mut lambda) = (model.zero_v(), model.zero_lambda());
     // Through a pointer, so that nothing is kept from one state to the next.
     type Function<M> = fn(
         &M,
@@ -242,7 +242,7 @@ fn in_independent_velocities<M: Assemble<f64>>(
     other: &mut impl FnMut(usize),
     rounds: usize,
 ) {
-    let (mut a, mut lambda) = (M::V::zero(), M::Lambda::zero());
+    let (mut a, mut lambda) = (model.zero_v(), model.zero_lambda());
     if model.null_space(0.0, &states[0], inputs, &mut a, &mut lambda) == 0.0 {
         return;
     }

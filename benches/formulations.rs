@@ -16,7 +16,7 @@ use casadi::{Peer, Turns};
 use harness::{largest, median};
 use linkwright::{
     Assemble, AugmentedLagrangian, Baumgarte, Formulation, LagrangeIndex1, NullSpace, Partitioned, Penalty,
-    Projected, Simulation, State, StateOf, Vector,
+    Projected, Simulation, State, StateOf,
 };
 use std::hint::black_box;
 use std::time::Instant;
@@ -109,16 +109,16 @@ fn formulations<'m, M: Assemble<f64, Inputs = ()>>(
     let penalty = Penalty { omega: rate, ..Penalty::for_model(model, 0.0, &start.q, span.0) };
     let iterated = AugmentedLagrangian::new(penalty);
     let mut timed = vec![
-        ("Lagrange, index 1", run(model, start, LagrangeIndex1, span)),
-        ("Baumgarte", run(model, start, baumgarte, span)),
-        ("penalty", run(model, start, penalty, span)),
-        ("augmented Lagrangian", run(model, start, iterated, span)),
-        ("index 1, projected", run(model, start, Projected::after(LagrangeIndex1), span)),
-        ("augmented Lagrangian, projected", run(model, start, Projected::after(iterated), span)),
-        ("null space", run(model, start, NullSpace, span)),
+        ("Lagrange, index 1", run(model, start.clone(), LagrangeIndex1, span)),
+        ("Baumgarte", run(model, start.clone(), baumgarte, span)),
+        ("penalty", run(model, start.clone(), penalty, span)),
+        ("augmented Lagrangian", run(model, start.clone(), iterated, span)),
+        ("index 1, projected", run(model, start.clone(), Projected::after(LagrangeIndex1), span)),
+        ("augmented Lagrangian, projected", run(model, start.clone(), Projected::after(iterated), span)),
+        ("null space", run(model, start.clone(), NullSpace, span)),
     ];
     if small {
-        timed.push(("coordinate partitioning", run(model, start, Partitioned::default(), span)));
+        timed.push(("coordinate partitioning", run(model, start.clone(), Partitioned::default(), span)));
     }
     timed
 }
@@ -138,7 +138,7 @@ where
     Box::new(move || {
         let (mut drift, mut off, mut seconds) = (0.0_f64, 0.0_f64, 0.0);
         for _ in 0..repeats {
-            let simulation = Simulation::new(model, start).formulation(formulation);
+            let simulation = Simulation::new(model, start.clone()).formulation(formulation);
             let mut simulation = simulation.step(h).step_over_breakdowns();
             let begin = simulation.energy();
             // Looked at ten times, between the timed stretches.
@@ -146,7 +146,7 @@ where
                 let clock = Instant::now();
                 for _ in 0..steps / 10 {
                     if let Err(error) = black_box(simulation.advance()) {
-                        panic!("{}: {error}", M::NAME);
+                        panic!("{}: {error}", model.name());
                     }
                 }
                 seconds += clock.elapsed().as_secs_f64();
@@ -191,14 +191,14 @@ impl<M: Assemble<f64, Inputs = ()>> Run<'_, M> {
     fn states(&self, convert: impl Fn(&M, &StateOf<M>, &M::V) -> Turns) -> Vec<Turns> {
         let (model, rate, (h, end)) = (self.model, self.rate, self.span);
         let simulation =
-            Simulation::new(model, self.start).formulation(Baumgarte { alpha: rate, beta: rate });
+            Simulation::new(model, self.start.clone()).formulation(Baumgarte { alpha: rate, beta: rate });
         let mut simulation = simulation.step(h).step_over_breakdowns();
         let later = (1..=COMPARED).map(|k| {
             simulation.advance_until(end * k as f64 / COMPARED as f64).expect("a run that is timed below")
         });
-        let states = std::iter::once(self.start).chain(later);
+        let states = std::iter::once(self.start.clone()).chain(later);
         let turns = |state: StateOf<M>| {
-            let (mut a, mut lambda) = (M::V::zero(), M::Lambda::zero());
+            let (mut a, mut lambda) = (model.zero_v(), model.zero_lambda());
             model.acceleration_baumgarte(0.0, &state, &(), 2.0 * rate, rate * rate, &mut a, &mut lambda);
             convert(model, &state, &a)
         };
@@ -227,8 +227,8 @@ fn beside<M: Assemble<f64, Inputs = ()>>(
     }
     let baumgarte = Baumgarte { alpha: timed.rate, beta: timed.rate };
     let mut own: Vec<Timed> = vec![
-        ("ours, Baumgarte", run(timed.model, timed.start, baumgarte, timed.span)),
-        ("ours, null space", run(timed.model, timed.start, NullSpace, timed.span)),
+        ("ours, Baumgarte", run(timed.model, timed.start.clone(), baumgarte, timed.span)),
+        ("ours, null space", run(timed.model, timed.start.clone(), NullSpace, timed.span)),
     ];
     let mut ours = vec![Vec::new(); own.len()];
     let mut off = vec![[0.0; 2]; own.len()];

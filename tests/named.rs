@@ -28,11 +28,13 @@ fn at(names: &[&str], name: &str) -> usize {
 fn bodies_in_the_plane() {
     let state = SliderCrank::START;
     let positions = SliderCrank::positions(&state.q);
-    let names = <SliderCrank as Mechanism<f64>>::POSITION_NAMES;
+    let model = SliderCrank::<f64>::default();
+    let names = model.position_names();
     let entry = |name: &str| state.q[at(names, name)];
     assert_eq!(positions.crank_angle, Angle { cos: entry("crank.cos"), sin: entry("crank.sin") });
     assert_eq!(positions.rod_angle, Angle { cos: entry("rod.cos"), sin: entry("rod.sin") });
-    let names = <SliderCrank as Mechanism<f64>>::VELOCITY_NAMES;
+    let model = SliderCrank::<f64>::default();
+    let names = model.velocity_names();
     assert_eq!(SliderCrank::velocities(&state.v).crank_rate, state.v[at(names, "crank.rate")]);
 }
 
@@ -52,7 +54,8 @@ fn an_angle_is_set_in_radians() {
 fn orientations_in_space() {
     let state = HeavyTop::START;
     let positions = HeavyTop::positions(&state.q);
-    let names = <HeavyTop as Mechanism<f64>>::POSITION_NAMES;
+    let model = HeavyTop::<f64>::default();
+    let names = model.position_names();
     let at_w = names.iter().position(|name| name.ends_with(".orientation.w")).expect("a quaternion");
     let all: [f64; 4] = std::array::from_fn(|part| state.q[at_w + part]);
     assert_eq!(positions.tip_orientation, all);
@@ -65,7 +68,8 @@ fn travels_and_counted_turns() {
     let positions = Trolley::positions(&state.q);
     assert!((positions.rail_travel - 2.0).abs() < 1e-12);
     assert!((Trolley::velocities(&state.v).rail_speed - 0.6).abs() < 1e-12);
-    let names = <Trolley as Mechanism<f64>>::POSITION_NAMES;
+    let model = Trolley::<f64>::default();
+    let names = model.position_names();
     let turns = at(names, "hub.turns");
     assert_eq!(positions.hub_turns, Turns { turns: state.q[turns], remainder: state.q[turns + 1] });
 }

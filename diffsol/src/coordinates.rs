@@ -10,17 +10,17 @@ use linkwright::rotation::wrap;
 use linkwright::{Layout, Vector};
 
 /// The number of entries of y that hold positions.
-pub(crate) fn positions(layout: &Layout) -> usize {
+pub(crate) fn positions(layout: &Layout<'_>) -> usize {
     layout.positions() - layout.angles.len()
 }
 
 /// The number of entries of q that are not angles: q and y agree in them.
-fn plain(layout: &Layout) -> usize {
+fn plain(layout: &Layout<'_>) -> usize {
     layout.positions() - 2 * layout.angles.len()
 }
 
 /// The orientations: first entry, number of entries, first velocity.
-fn orientations(layout: &Layout) -> impl Iterator<Item = (usize, usize, usize)> + use<> {
+fn orientations(layout: &Layout<'_>) -> impl Iterator<Item = (usize, usize, usize)> + use<> {
     let Layout { linear, rotations, quaternions, .. } = *layout;
     let pairs = (0..rotations).map(move |k| (linear + 2 * k, 2, linear + k));
     let first = linear + 2 * rotations;
@@ -28,7 +28,7 @@ fn orientations(layout: &Layout) -> impl Iterator<Item = (usize, usize, usize)> 
 }
 
 /// The entries of `q`, with the whole turns of its angles counted from those of `origin`.
-pub(crate) fn to_entries<Q: Vector<f64>>(layout: &Layout, origin: &Q, q: &Q, entries: &mut [f64]) {
+pub(crate) fn to_entries<Q: Vector<f64>>(layout: &Layout<'_>, origin: &Q, q: &Q, entries: &mut [f64]) {
     let plain = plain(layout);
     let (q, origin) = (q.as_slice(), origin.as_slice());
     entries[..plain].copy_from_slice(&q[..plain]);
@@ -39,8 +39,8 @@ pub(crate) fn to_entries<Q: Vector<f64>>(layout: &Layout, origin: &Q, q: &Q, ent
 }
 
 /// q of the entries, its orientations brought to length one.
-pub(crate) fn from_entries<Q: Vector<f64>>(layout: &Layout, origin: &Q, entries: &[f64]) -> Q {
-    let mut position = Q::zero();
+pub(crate) fn from_entries<Q: Vector<f64>>(layout: &Layout<'_>, origin: &Q, entries: &[f64]) -> Q {
+    let mut position = origin.clone();
     let plain = plain(layout);
     let q = position.as_mut_slice();
     q[..plain].copy_from_slice(&entries[..plain]);
@@ -56,7 +56,7 @@ pub(crate) fn from_entries<Q: Vector<f64>>(layout: &Layout, origin: &Q, entries:
 }
 
 /// N(q) δ: how the entries move with the increments or velocities `delta`.
-pub(crate) fn entries_along(layout: &Layout, entries: &[f64], delta: &[f64], to: &mut [f64]) {
+pub(crate) fn entries_along(layout: &Layout<'_>, entries: &[f64], delta: &[f64], to: &mut [f64]) {
     to[..layout.linear].copy_from_slice(&delta[..layout.linear]);
     let plain = plain(layout);
     to[layout.linear..plain].fill(0.0);
@@ -67,7 +67,7 @@ pub(crate) fn entries_along(layout: &Layout, entries: &[f64], delta: &[f64], to:
 }
 
 /// Adds N(q) δ of the orientations alone; bilinear in both.
-pub(crate) fn add_turned(layout: &Layout, entries: &[f64], delta: &[f64], to: &mut [f64]) {
+pub(crate) fn add_turned(layout: &Layout<'_>, entries: &[f64], delta: &[f64], to: &mut [f64]) {
     for (first, count, velocity) in orientations(layout) {
         let (q, to) = (&entries[first..first + count], &mut to[first..first + count]);
         if let [c, s] = *q {
@@ -83,7 +83,7 @@ pub(crate) fn add_turned(layout: &Layout, entries: &[f64], delta: &[f64], to: &m
 }
 
 /// Adds κ/2 (1 − |p|²) p of every orientation: its length tends to one as e^(−κt).
-pub(crate) fn add_pull(layout: &Layout, rate: f64, entries: &[f64], to: &mut [f64]) {
+pub(crate) fn add_pull(layout: &Layout<'_>, rate: f64, entries: &[f64], to: &mut [f64]) {
     for (first, count, _) in orientations(layout) {
         let q = &entries[first..first + count];
         let factor = 0.5 * rate * (1.0 - squared_length(q));
@@ -92,7 +92,7 @@ pub(crate) fn add_pull(layout: &Layout, rate: f64, entries: &[f64], to: &mut [f6
 }
 
 /// Adds the derivative of [`add_pull`] along `along`: κ/2 \[(1 − |p|²) dp − 2 (p·dp) p\].
-pub(crate) fn add_pull_along(layout: &Layout, rate: f64, entries: &[f64], along: &[f64], to: &mut [f64]) {
+pub(crate) fn add_pull_along(layout: &Layout<'_>, rate: f64, entries: &[f64], along: &[f64], to: &mut [f64]) {
     for (first, count, _) in orientations(layout) {
         let (q, dq) = (&entries[first..first + count], &along[first..first + count]);
         let factor = 0.5 * rate * (1.0 - squared_length(q));
@@ -104,8 +104,8 @@ pub(crate) fn add_pull_along(layout: &Layout, rate: f64, entries: &[f64], along:
 }
 
 /// δ of the motion `along` of the entries: what is radial in an orientation's motion does not turn it.
-pub(crate) fn increment<V: Vector<f64>>(layout: &Layout, entries: &[f64], along: &[f64]) -> V {
-    let mut increment = V::zero();
+pub(crate) fn increment<V: Vector<f64>>(layout: &Layout<'_>, entries: &[f64], along: &[f64]) -> V {
+    let mut increment = V::zeros(layout.velocities());
     let delta = increment.as_mut_slice();
     delta[..layout.linear].copy_from_slice(&along[..layout.linear]);
     for (first, count, velocity) in orientations(layout) {
@@ -125,7 +125,7 @@ pub(crate) fn increment<V: Vector<f64>>(layout: &Layout, entries: &[f64], along:
 }
 
 /// The first entry and the length of an orientation whose squared length is further than `tolerance` from one.
-pub(crate) fn first_not_unit(layout: &Layout, q: &[f64], tolerance: f64) -> Option<(usize, f64)> {
+pub(crate) fn first_not_unit(layout: &Layout<'_>, q: &[f64], tolerance: f64) -> Option<(usize, f64)> {
     orientations(layout).find_map(|(first, count, _)| {
         let square = squared_length(&q[first..first + count]);
         ((square - 1.0).abs() > tolerance).then(|| (first, square.sqrt()))

@@ -7,7 +7,7 @@ use linkwright::{Assemble, Derivative, DerivativeOf, Fields, Tangent, Vector};
 pub trait Derivatives<M: Assemble<f64>>: Sized + sealed::Sealed {
     /// The number of parameters by which there are derivatives.
     #[doc(hidden)]
-    const PARAMETERS: usize;
+    fn parameters(model: &M) -> usize;
     /// What is evaluated once at a state.
     #[doc(hidden)]
     type At;
@@ -45,6 +45,7 @@ pub struct Exact;
 
 /// Two states, a little back and a little ahead along an increment, and the inverse of what lies between.
 fn around<M: Assemble<f64>>(
+    model: &M,
     state: &StateOf<M>,
     increment: &DerivativeOf<M>,
 ) -> Option<(StateOf<M>, StateOf<M>, f64)> {
@@ -56,19 +57,21 @@ fn around<M: Assemble<f64>>(
     if !step.is_finite() {
         return None;
     }
-    let moved = |step: f64| state.advance(&M::LAYOUT, step, increment);
+    let moved = |step: f64| state.advance(model.layout(), step, increment);
     Some((moved(-step), moved(step), 0.5 / step))
 }
 
 impl<M: Assemble<f64>> Derivatives<M> for Differences {
-    const PARAMETERS: usize = 0;
+    fn parameters(_: &M) -> usize {
+        0
+    }
     type At = (f64, StateOf<M>);
 
     fn at<S>(_: &Equations<'_, M, S, Self>, time: f64, state: &StateOf<M>) -> Option<Self::At>
     where
         S: Fn(f64, &StateOf<M>) -> M::Inputs,
     {
-        Some((time, *state))
+        Some((time, state.clone()))
     }
 
     fn along<S>(
@@ -79,8 +82,9 @@ impl<M: Assemble<f64>> Derivatives<M> for Differences {
     where
         S: Fn(f64, &StateOf<M>) -> M::Inputs,
     {
-        let Some((before, after, scale)) = around::<M>(state, increment) else {
-            return (M::V::zero(), M::Z::zero());
+        let model = equations.model();
+        let Some((before, after, scale)) = around(model, state, increment) else {
+            return (model.zero_v(), M::Z::zeros(state.z.as_slice().len()));
         };
         let [before, after] = [before, after].map(|state| equations.derivative(*time, &state));
         let Derivative { a, z, .. } = after.plus(-1.0, &before).scaled(scale);
@@ -112,7 +116,9 @@ pub struct Linearised<M: Tangent<f64>> {
 }
 
 impl<M: Tangent<f64>> Derivatives<M> for Exact {
-    const PARAMETERS: usize = <M::Parameters as Fields<f64>>::NAMES.len();
+    fn parameters(model: &M) -> usize {
+        model.parameter_names().len()
+    }
     type At = Linearised<M>;
 
     fn at<S>(equations: &Equations<'_, M, S, Self>, time: f64, state: &StateOf<M>) -> Option<Linearised<M>>
@@ -122,27 +128,27 @@ impl<M: Tangent<f64>> Derivatives<M> for Exact {
         let model = equations.model();
         let (q, v, u) = (&state.q, &state.v, (equations.inputs)(time, state));
         let (a, lambda) = equations.acceleration(time, state);
-        let mut store = M::store();
+        let mut store = model.store();
         let pivot = model.factor(time, q, 0.0, &mut store);
         if a.first_not_finite().is_some() || equations.breaks_down(time, state, pivot) {
             return None;
         }
         let mut at = Linearised {
             time,
-            state: *state,
+            state: state.clone(),
             a,
             lambda,
             store,
-            stiffness: M::Stiffness::zero(),
-            damping: M::Damping::zero(),
-            row_stiffness: M::RowStiffness::zero(),
-            row_damping: M::RowDamping::zero(),
-            rate: M::RateTangent::zero(),
-            jacobian: M::Jacobian::zero(),
-            input: M::InputTangent::zero(),
+            stiffness: model.zero_stiffness(),
+            damping: model.zero_damping(),
+            row_stiffness: model.zero_row_stiffness(),
+            row_damping: model.zero_row_damping(),
+            rate: model.zero_rate_tangent(),
+            jacobian: model.zero_jacobian(),
+            input: model.zero_input_tangent(),
         };
-        model.tangent(time, state, &u, &a, &lambda, &mut at.stiffness, &mut at.damping);
-        model.row_tangent(time, q, v, &a, &mut at.row_stiffness, &mut at.row_damping);
+        model.tangent(time, state, &u, &at.a, &at.lambda, &mut at.stiffness, &mut at.damping);
+        model.row_tangent(time, q, v, &at.a, &mut at.row_stiffness, &mut at.row_damping);
         model.rate_tangent(time, q, v, &mut at.rate);
         model.constraint_jacobian(time, q, &mut at.jacobian);
         model.input_tangent(time, state, &u, &mut at.input);
@@ -157,20 +163,21 @@ impl<M: Tangent<f64>> Derivatives<M> for Exact {
     where
         S: Fn(f64, &StateOf<M>) -> M::Inputs,
     {
+        let model = equations.model();
         let Derivative { v: dq, a: dv, .. } = increment;
-        let (mut forces, mut rows) = (M::V::zero(), M::Lambda::zero());
-        add_product(M::STIFFNESS_PATTERN, &at.stiffness, 1.0, dq, &mut forces);
-        add_product(M::DAMPING_PATTERN, &at.damping, 1.0, dv, &mut forces);
-        add_product(M::ROW_STIFFNESS_PATTERN, &at.row_stiffness, 1.0, dq, &mut rows);
-        add_product(M::ROW_DAMPING_PATTERN, &at.row_damping, 1.0, dv, &mut rows);
+        let (mut forces, mut rows) = (model.zero_v(), model.zero_lambda());
+        add_product(model.stiffness_pattern(), &at.stiffness, 1.0, dq, &mut forces);
+        add_product(model.damping_pattern(), &at.damping, 1.0, dv, &mut forces);
+        add_product(model.row_stiffness_pattern(), &at.row_stiffness, 1.0, dq, &mut rows);
+        add_product(model.row_damping_pattern(), &at.row_damping, 1.0, dv, &mut rows);
         let (two_alpha, beta_squared) = equations.baumgarte();
-        add_product(M::RATE_PATTERN, &at.rate, two_alpha, dq, &mut rows);
-        add_product(M::JACOBIAN_PATTERN, &at.jacobian, two_alpha, dv, &mut rows);
-        add_product(M::JACOBIAN_PATTERN, &at.jacobian, beta_squared, dq, &mut rows);
-        if let Some((before, after, scale)) = around::<M>(&at.state, increment) {
+        add_product(model.rate_pattern(), &at.rate, two_alpha, dq, &mut rows);
+        add_product(model.jacobian_pattern(), &at.jacobian, two_alpha, dv, &mut rows);
+        add_product(model.jacobian_pattern(), &at.jacobian, beta_squared, dq, &mut rows);
+        if let Some((before, after, scale)) = around(model, &at.state, increment) {
             let [before, after] = [before, after].map(|state| (equations.inputs)(at.time, &state).to_array());
             let along = after.plus(-1.0, &before).scaled(scale);
-            add_product(M::INPUT_PATTERN, &at.input, 1.0, &along, &mut forces);
+            add_product(model.input_pattern(), &at.input, 1.0, &along, &mut forces);
         }
         (at.response(equations.model(), &forces, &rows).0, ())
     }
@@ -179,7 +186,7 @@ impl<M: Tangent<f64>> Derivatives<M> for Exact {
 impl<M: Tangent<f64>> Linearised<M> {
     /// −K⁻¹ (∂r, ∂(rows)).
     fn response(&self, model: &M, forces: &M::V, rows: &M::Lambda) -> (M::V, M::Lambda) {
-        let (mut a, mut lambda) = (M::V::zero(), M::Lambda::zero());
+        let (mut a, mut lambda) = (model.zero_v(), model.zero_lambda());
         model.solve(&self.store, &forces.scaled(-1.0), &rows.scaled(-1.0), &mut a, &mut lambda);
         (a, lambda)
     }
@@ -188,8 +195,9 @@ impl<M: Tangent<f64>> Linearised<M> {
     where
         S: Fn(f64, &StateOf<M>) -> M::Inputs,
     {
+        let model = equations.model();
         let u = (equations.inputs)(self.time, &self.state);
-        let mut entries = M::ParameterTangent::zero();
+        let mut entries = model.zero_parameter_tangent();
         equations.model().parameter_tangent(self.time, &self.state, &u, &self.a, &self.lambda, &mut entries);
         entries
     }
@@ -199,18 +207,19 @@ impl<M: Tangent<f64>> Linearised<M> {
     where
         S: Fn(f64, &StateOf<M>) -> M::Inputs,
     {
+        let model = equations.model();
         let (two_alpha, beta_squared) = equations.baumgarte();
-        let (n, m) = (M::V::LEN, M::Lambda::LEN);
+        let (n, m) = (model.velocity_count(), model.row_count());
         let entries = self.by_parameters(equations);
         let column = |parameter| {
-            let (mut forces, mut rows) = (M::V::zero(), M::Lambda::zero());
-            add_column::<M, _>(&entries, parameter, 0, 1.0, &mut forces);
-            add_column::<M, _>(&entries, parameter, n, 1.0, &mut rows);
-            add_column::<M, _>(&entries, parameter, n + m, two_alpha, &mut rows);
-            add_column::<M, _>(&entries, parameter, n + 2 * m, beta_squared, &mut rows);
+            let (mut forces, mut rows) = (model.zero_v(), model.zero_lambda());
+            add_column(model, &entries, parameter, 0, 1.0, &mut forces);
+            add_column(model, &entries, parameter, n, 1.0, &mut rows);
+            add_column(model, &entries, parameter, n + m, two_alpha, &mut rows);
+            add_column(model, &entries, parameter, n + 2 * m, beta_squared, &mut rows);
             self.response(equations.model(), &forces, &rows).0
         };
-        (0..<Exact as Derivatives<M>>::PARAMETERS).map(column).collect()
+        (0..Exact::parameters(model)).map(column).collect()
     }
 
     /// ∂q/∂p as increments and ∂v/∂p of the nearest state on the constraints, one pair for each parameter:
@@ -219,18 +228,19 @@ impl<M: Tangent<f64>> Linearised<M> {
     where
         S: Fn(f64, &StateOf<M>) -> M::Inputs,
     {
-        let (n, m) = (M::V::LEN, M::Lambda::LEN);
+        let model = equations.model();
+        let (n, m) = (model.velocity_count(), model.row_count());
         let (model, entries) = (equations.model(), self.by_parameters(equations));
         let column = |parameter| {
-            let (mut phi, mut rates) = (M::Lambda::zero(), M::Lambda::zero());
-            add_column::<M, _>(&entries, parameter, n + 2 * m, 1.0, &mut phi);
-            let dq = self.response(model, &M::V::zero(), &phi).0;
-            add_column::<M, _>(&entries, parameter, n + m, 1.0, &mut rates);
-            add_product(M::RATE_PATTERN, &self.rate, 1.0, &dq, &mut rates);
-            let dv = self.response(model, &M::V::zero(), &rates).0;
+            let (mut phi, mut rates) = (model.zero_lambda(), model.zero_lambda());
+            add_column(model, &entries, parameter, n + 2 * m, 1.0, &mut phi);
+            let dq = self.response(model, &model.zero_v(), &phi).0;
+            add_column(model, &entries, parameter, n + m, 1.0, &mut rates);
+            add_product(model.rate_pattern(), &self.rate, 1.0, &dq, &mut rates);
+            let dv = self.response(model, &model.zero_v(), &rates).0;
             (dq, dv)
         };
-        (0..<Exact as Derivatives<M>>::PARAMETERS).map(column).collect()
+        (0..Exact::parameters(model)).map(column).collect()
     }
 }
 
@@ -249,13 +259,14 @@ where
 
 /// y ← y + scale × a column of the derivatives by parameters, from row `first` on.
 fn add_column<M: Tangent<f64>, Y: Vector<f64>>(
+    model: &M,
     entries: &M::ParameterTangent,
     parameter: usize,
     first: usize,
     scale: f64,
     y: &mut Y,
 ) {
-    for (&(row, column), entry) in M::PARAMETER_PATTERN.iter().zip(entries.as_slice()) {
+    for (&(row, column), entry) in model.parameter_pattern().iter().zip(entries.as_slice()) {
         let row = (row as usize).checked_sub(first).and_then(|row| y.as_mut_slice().get_mut(row));
         if let Some(to) = row
             && column as usize == parameter

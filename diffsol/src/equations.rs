@@ -36,20 +36,20 @@ pub struct Equations<'m, M: Mechanism<f64>, S, D> {
 }
 
 /// The parts of y, or of its rate, that hold q, v and z.
-fn parts<M: Mechanism<f64>>(y: &[f64]) -> [&[f64]; 3] {
-    let (q, rest) = y.split_at(coordinates::positions(&M::LAYOUT));
-    let (v, z) = rest.split_at(M::V::LEN);
+fn parts<'y, M: Mechanism<f64>>(model: &M, y: &'y [f64]) -> [&'y [f64]; 3] {
+    let (q, rest) = y.split_at(coordinates::positions(model.layout()));
+    let (v, z) = rest.split_at(model.velocity_count());
     [q, v, z]
 }
 
-fn parts_mut<M: Mechanism<f64>>(y: &mut [f64]) -> [&mut [f64]; 3] {
-    let (q, rest) = y.split_at_mut(coordinates::positions(&M::LAYOUT));
-    let (v, z) = rest.split_at_mut(M::V::LEN);
+fn parts_mut<'y, M: Mechanism<f64>>(model: &M, y: &'y mut [f64]) -> [&'y mut [f64]; 3] {
+    let (q, rest) = y.split_at_mut(coordinates::positions(model.layout()));
+    let (v, z) = rest.split_at_mut(model.velocity_count());
     [q, v, z]
 }
 
 fn vector<T: Vector<f64>>(entries: &[f64]) -> T {
-    let mut vector = T::zero();
+    let mut vector = T::zeros(entries.len());
     vector.as_mut_slice().copy_from_slice(entries);
     vector
 }
@@ -121,41 +121,47 @@ impl<'m, M: Assemble<f64>, S, D> Equations<'m, M, S, D> {
     }
 
     pub(crate) fn length(&self) -> usize {
-        coordinates::positions(&M::LAYOUT) + M::V::LEN + M::Z::LEN
+        let model = self.model;
+        coordinates::positions(model.layout()) + model.velocity_count() + self.start.z.as_slice().len()
     }
 
     pub(crate) fn state_of(&self, y: &[f64]) -> StateOf<M> {
-        let [q, v, z] = parts::<M>(y);
-        let q = coordinates::from_entries(&M::LAYOUT, &self.start.q, q);
-        State { q, v: vector(v), z: vector(z), gates: self.start.gates }
+        let model = self.model;
+        let [q, v, z] = parts(model, y);
+        let q = coordinates::from_entries(model.layout(), &self.start.q, q);
+        State { q, v: vector(v), z: vector(z), gates: self.start.gates.clone() }
     }
 
     fn entries_of(&self, state: &StateOf<M>) -> Vec<f64> {
-        let mut q = vec![0.0; coordinates::positions(&M::LAYOUT)];
-        coordinates::to_entries(&M::LAYOUT, &self.start.q, &state.q, &mut q);
+        let model = self.model;
+        let mut q = vec![0.0; coordinates::positions(model.layout())];
+        coordinates::to_entries(model.layout(), &self.start.q, &state.q, &mut q);
         [&q, state.v.as_slice(), state.z.as_slice()].concat()
     }
 
     /// The entries' motion that belongs to an increment of the state.
     fn motion(&self, y: &[f64], increment: &DerivativeOf<M>) -> Vec<f64> {
-        let mut q = vec![0.0; coordinates::positions(&M::LAYOUT)];
-        coordinates::entries_along(&M::LAYOUT, parts::<M>(y)[0], increment.v.as_slice(), &mut q);
+        let model = self.model;
+        let mut q = vec![0.0; coordinates::positions(model.layout())];
+        coordinates::entries_along(model.layout(), parts(model, y)[0], increment.v.as_slice(), &mut q);
         [&q, increment.a.as_slice(), increment.z.as_slice()].concat()
     }
 
     /// The increment of the state in a motion of the entries: δq, δv and δz where a derivative has v, v̇ and ż.
     pub(crate) fn increment(&self, y: &[f64], motion: &[f64]) -> DerivativeOf<M> {
-        let [dq, dv, dz] = parts::<M>(motion);
-        let dq = coordinates::increment(&M::LAYOUT, parts::<M>(y)[0], dq);
+        let model = self.model;
+        let [dq, dv, dz] = parts(model, motion);
+        let dq = coordinates::increment(model.layout(), parts(model, y)[0], dq);
         Derivative { v: dq, a: vector(dv), z: vector(dz) }
     }
 
     /// Whether a pivot is none; remembered if so.
     pub(crate) fn breaks_down(&self, time: f64, state: &StateOf<M>, pivot: f64) -> bool {
+        let model = self.model;
         let broken = pivot.is_nan() || pivot < <f64 as Real>::BREAKDOWN;
         if broken && state.q.first_not_finite().is_none() {
             let (_, row) = smallest_pivot(self.model, time, &state.q);
-            let row = row.map_or(Row { of: M::NAME, what: "constraints" }, |row| M::ROWS[row]);
+            let row = row.map_or(Row { of: model.name(), what: "constraints" }, |row| model.rows()[row]);
             let pivot = if pivot.is_nan() { 0.0 } else { pivot };
             self.failure.set(Some(SimulationError::Breakdown { time, pivot, row }));
         }
@@ -170,7 +176,8 @@ where
 {
     /// v̇ and λ; NaN where they are not to be had, with the reason remembered.
     pub(crate) fn acceleration(&self, time: f64, state: &StateOf<M>) -> (M::V, M::Lambda) {
-        let (mut a, mut lambda) = (M::V::zero(), M::Lambda::zero());
+        let model = self.model;
+        let (mut a, mut lambda) = (model.zero_v(), model.zero_lambda());
         let inputs = (self.inputs)(time, state);
         let (two_alpha, beta_squared) = self.baumgarte();
         let pivot = self.model.acceleration_baumgarte(
@@ -185,9 +192,9 @@ where
         if self.breaks_down(time, state, pivot) {
             a.as_mut_slice().fill(f64::NAN);
         } else if let Some(entry) = a.first_not_finite()
-            && first_not_finite::<M>(state).is_none()
+            && first_not_finite(model, state).is_none()
         {
-            self.failure.set(Some(SimulationError::NonFinite { time, what: M::VELOCITY_NAMES[entry] }));
+            self.failure.set(Some(SimulationError::NonFinite { time, what: model.velocity_names()[entry] }));
         }
         (a, lambda)
     }
@@ -195,17 +202,18 @@ where
     /// v, v̇ and ż; NaN where they are not to be had, with the reason remembered.
     pub(crate) fn derivative(&self, time: f64, state: &StateOf<M>) -> DerivativeOf<M> {
         let (a, lambda) = self.acceleration(time, state);
-        let mut z = M::Z::zero();
+        let mut z = M::Z::zeros(state.z.as_slice().len());
         self.model.internal_rates(time, state, &(self.inputs)(time, state), &a, &lambda, &mut z);
-        Derivative { v: state.v, a, z }
+        Derivative { v: state.v.clone(), a, z }
     }
 
     /// F(t, y).
     fn rates(&self, time: f64, y: &[f64], to: &mut [f64]) {
-        let [q, v, _] = parts::<M>(y);
-        let [to_q, to_v, to_z] = parts_mut::<M>(to);
-        coordinates::entries_along(&M::LAYOUT, q, v, to_q);
-        coordinates::add_pull(&M::LAYOUT, self.length_rate, q, to_q);
+        let model = self.model;
+        let [q, v, _] = parts(model, y);
+        let [to_q, to_v, to_z] = parts_mut(model, to);
+        coordinates::entries_along(model.layout(), q, v, to_q);
+        coordinates::add_pull(model.layout(), self.length_rate, q, to_q);
         let derivative = self.derivative(time, &self.state_of(y));
         to_v.copy_from_slice(derivative.a.as_slice());
         to_z.copy_from_slice(derivative.z.as_slice());
@@ -224,12 +232,13 @@ where
 {
     /// (∂F/∂y) w with what was evaluated at y; zero where F has no value, for the step will be rejected.
     fn rates_along(&self, at: Option<&D::At>, y: &[f64], along: &[f64], to: &mut [f64]) {
+        let model = self.model;
         let Some(at) = at else { return to.fill(0.0) };
-        let ([q, v, _], [dq, dv, _]) = (parts::<M>(y), parts::<M>(along));
-        let [to_q, to_v, to_z] = parts_mut::<M>(to);
-        coordinates::entries_along(&M::LAYOUT, q, dv, to_q);
-        coordinates::add_turned(&M::LAYOUT, dq, v, to_q);
-        coordinates::add_pull_along(&M::LAYOUT, self.length_rate, q, dq, to_q);
+        let ([q, v, _], [dq, dv, _]) = (parts(model, y), parts(model, along));
+        let [to_q, to_v, to_z] = parts_mut(model, to);
+        coordinates::entries_along(model.layout(), q, dv, to_q);
+        coordinates::add_turned(model.layout(), dq, v, to_q);
+        coordinates::add_pull_along(model.layout(), self.length_rate, q, dq, to_q);
         let (a, z) = D::along(self, at, &self.increment(y, along));
         to_v.copy_from_slice(a.as_slice());
         to_z.copy_from_slice(z.as_slice());
@@ -276,7 +285,8 @@ where
         self.length()
     }
     fn nparams(&self) -> usize {
-        D::PARAMETERS
+        let model = self.model;
+        D::parameters(model)
     }
     fn statistics(&self) -> OpStatistics {
         self.statistics.borrow().clone()
@@ -348,12 +358,13 @@ where
     }
 
     fn sens_inplace(&self, y: &NalgebraVec<f64>, time: f64, to: &mut NalgebraMat<f64>) {
+        let model = self.model;
         let y = y.clone_as_vec();
         let columns = match self.at(time, &y) {
             Some(at) => at.accelerations_by_parameters(self),
-            None => vec![M::V::zero(); self.nparams()],
+            None => vec![model.zero_v(); self.nparams()],
         };
-        let positions = coordinates::positions(&M::LAYOUT);
+        let positions = coordinates::positions(model.layout());
         for (index, column) in columns.iter().enumerate() {
             let mut entries = vec![0.0; positions];
             entries.extend_from_slice(column.as_slice());

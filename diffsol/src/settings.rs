@@ -123,11 +123,11 @@ where
     if !time.is_finite() {
         return Err(Error::StartTime { time });
     }
-    check_numbers::<M>(time, state)?;
+    check_numbers(model, time, state)?;
     if !settings.accept_inconsistent_start {
         check_constraints(model, time, state)?;
     }
-    let equations = Equations::new(model, time, *state, inputs, settings);
+    let equations = Equations::new(model, time, state.clone(), inputs, settings);
     equations.acceleration(time, state);
     if let Some(failure) = equations.failure() {
         return Err(Error::Mechanism(failure));
@@ -138,29 +138,29 @@ where
         .atol([settings.absolute])
         .sens_rtol(settings.relative)
         .sens_atol([settings.absolute])
-        .p(vec![0.0; D::PARAMETERS])
+        .p(vec![0.0; D::parameters(model)])
         .build_from_eqn(equations)?;
     Ok(problem)
 }
 
 /// All entries are finite, all orientations of length one.
-fn check_numbers<M: Mechanism<f64>>(time: f64, state: &StateOf<M>) -> Result<(), SimulationError> {
-    if let Some(what) = first_not_finite::<M>(state) {
+fn check_numbers<M: Mechanism<f64>>(model: &M, time: f64, state: &StateOf<M>) -> Result<(), SimulationError> {
+    if let Some(what) = first_not_finite(model, state) {
         return Err(SimulationError::NonFinite { time, what });
     }
-    match first_not_unit(&M::LAYOUT, state.q.as_slice(), INCONSISTENT) {
+    match first_not_unit(model.layout(), state.q.as_slice(), INCONSISTENT) {
         Some((first, length)) => {
-            Err(SimulationError::NotNormalised { time, what: M::POSITION_NAMES[first], length })
+            Err(SimulationError::NotNormalised { time, what: model.position_names()[first], length })
         }
         None => Ok(()),
     }
 }
 
 /// The name of the first entry of a state that is infinite or NaN.
-pub(crate) fn first_not_finite<M: Mechanism<f64>>(state: &StateOf<M>) -> Option<&'static str> {
-    let position = state.q.first_not_finite().map(|entry| M::POSITION_NAMES[entry]);
-    let velocity = state.v.first_not_finite().map(|entry| M::VELOCITY_NAMES[entry]);
-    let internal = state.z.first_not_finite().map(|entry| M::INTERNAL_NAMES[entry]);
+pub(crate) fn first_not_finite<M: Mechanism<f64>>(model: &M, state: &StateOf<M>) -> Option<&'static str> {
+    let position = state.q.first_not_finite().map(|entry| model.position_names()[entry]);
+    let velocity = state.v.first_not_finite().map(|entry| model.velocity_names()[entry]);
+    let internal = state.z.first_not_finite().map(|entry| model.internal_names()[entry]);
     position.or(velocity).or(internal)
 }
 
@@ -171,16 +171,16 @@ fn check_constraints<M: Mechanism<f64>>(
     state: &StateOf<M>,
 ) -> Result<(), SimulationError> {
     let Residual { position, velocity, .. } = Residual::of(model, time, state);
-    let plain = state.q.as_slice().len() - 2 * M::LAYOUT.angles.len();
+    let plain = state.q.as_slice().len() - 2 * model.layout().angles.len();
     let size = state.q.as_slice()[..plain].iter().fold(1.0_f64, |largest, x| largest.max(x.abs()));
     let fast = INCONSISTENT.sqrt() * size * (1.0 + state.v.max_abs());
     // Written so that a NaN fails.
     if position <= INCONSISTENT * size * size && velocity <= fast {
         return Ok(());
     }
-    let mut phi = M::Lambda::zero();
+    let mut phi = model.zero_lambda();
     model.constraints(time, &state.q, &mut phi);
-    let worst = phi.as_slice().iter().zip(M::ROWS).max_by(|a, b| a.0.abs().total_cmp(&b.0.abs()));
-    let row = worst.map_or(Row { of: M::NAME, what: "constraints" }, |(_, row)| *row);
+    let worst = phi.as_slice().iter().zip(model.rows()).max_by(|a, b| a.0.abs().total_cmp(&b.0.abs()));
+    let row = worst.map_or(Row { of: model.name(), what: "constraints" }, |(_, row)| *row);
     Err(SimulationError::Inconsistent { time, row, position, velocity })
 }

@@ -50,7 +50,7 @@ where
         return Ok(states);
     }
     let show = |y: &NalgebraVec<f64>, _: Option<&NalgebraVec<f64>>, time| {
-        states.push(finite::<M>(time, equations.state_of(&y.clone_as_vec()))?);
+        states.push(finite(equations.model(), time, equations.state_of(&y.clone_as_vec()))?);
         Ok(())
     };
     let march = March { times: later, most_steps: equations.most_steps, show };
@@ -81,7 +81,7 @@ where
 {
     type Lu = NalgebraLU<f64>;
     let equations = problem.eqn();
-    let parameters = <Exact as Derivatives<M>>::PARAMETERS;
+    let parameters = Exact::parameters(equations.model());
     if parameters == 0 {
         let states = solve(problem, method, times)?;
         let none = vec![Vec::new(); states.len()];
@@ -94,7 +94,7 @@ where
     }
     let show = |y: &NalgebraVec<f64>, motions: Option<&NalgebraVec<f64>>, time| {
         let y = y.clone_as_vec();
-        states.push(finite::<M>(time, equations.state_of(&y))?);
+        states.push(finite(equations.model(), time, equations.state_of(&y))?);
         // One lane for each parameter.
         let motions = motions.map_or(Vec::new(), |motions| motions.clone_as_vec());
         let of = |motion| {
@@ -177,7 +177,7 @@ where
     }
     equations.forget_failure();
     let at_start = times.iter().take_while(|&&time| time == equations.start_time()).count();
-    Ok((vec![*equations.start(); at_start], &times[at_start..]))
+    Ok((vec![equations.start().clone(); at_start], &times[at_start..]))
 }
 
 /// What the equations say where a solver gave up.
@@ -194,8 +194,8 @@ where
 }
 
 /// Written numbers are numbers.
-fn finite<M: Mechanism<f64>>(time: f64, state: StateOf<M>) -> Result<StateOf<M>, SimulationError> {
-    match first_not_finite::<M>(&state) {
+fn finite<M: Mechanism<f64>>(model: &M, time: f64, state: StateOf<M>) -> Result<StateOf<M>, SimulationError> {
+    match first_not_finite(model, &state) {
         Some(what) => Err(SimulationError::NonFinite { time, what }),
         None => Ok(state),
     }

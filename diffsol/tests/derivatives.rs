@@ -3,7 +3,7 @@
 use diffsol::{
     MatrixCommon, NalgebraLU, NalgebraVec, NonLinearOp, NonLinearOpJacobian, OdeSolverMethod, Vector,
 };
-use linkwright::{Assemble, Baumgarte, Residual, State, StateOf, Vector as _, retract};
+use linkwright::{Assemble, Baumgarte, Residual, State, StateOf, Variables as _, Vector as _, retract};
 use linkwright_diffsol::{Method, Settings, diffsol, exact_problem, problem, sensitivities, solve};
 
 linkwright::mechanism! {
@@ -109,7 +109,7 @@ macro_rules! jacobians_agree {
 
 #[test]
 fn jacobians_of_a_loop() {
-    assert_eq!(<Loop as linkwright::Variables<f64>>::LAYOUT.angles.len(), 1);
+    assert_eq!(<Loop>::default().layout().angles.len(), 1);
     jacobians_agree!(Loop::default(), Loop::START, drive);
 }
 
@@ -122,24 +122,24 @@ fn jacobians_of_balls() {
 fn nearest<M: Assemble<f64>>(model: &M, state: StateOf<M>) -> StateOf<M> {
     let State { mut q, mut v, .. } = state;
     for _ in 0..20 {
-        let (mut store, mut phi) = (M::store(), M::Lambda::zero());
+        let (mut store, mut phi) = (model.store(), model.zero_lambda());
         model.factor(0.0, &q, 0.0, &mut store);
         model.constraints(0.0, &q, &mut phi);
-        let (mut delta, mut lambda, from) = (M::V::zero(), M::Lambda::zero(), q);
-        model.solve(&store, &M::V::zero(), &phi.scaled(-1.0), &mut delta, &mut lambda);
-        retract(&M::LAYOUT, &from, &delta, &mut q);
-        let mut rest = M::Lambda::zero();
-        let mut jacobian = M::Jacobian::zero();
+        let (mut delta, mut lambda, from) = (model.zero_v(), model.zero_lambda(), q.clone());
+        model.solve(&store, &model.zero_v(), &phi.scaled(-1.0), &mut delta, &mut lambda);
+        retract(model.layout(), &from, &delta, &mut q);
+        let mut rest = model.zero_lambda();
+        let mut jacobian = model.zero_jacobian();
         model.constraint_jacobian(0.0, &q, &mut jacobian);
         model.nu(0.0, &q, &mut rest);
-        for (&(row, column), entry) in M::JACOBIAN_PATTERN.iter().zip(jacobian.as_slice()) {
+        for (&(row, column), entry) in model.jacobian_pattern().iter().zip(jacobian.as_slice()) {
             rest.as_mut_slice()[row as usize] -= entry * v.as_slice()[column as usize];
         }
         model.factor(0.0, &q, 0.0, &mut store);
-        model.solve(&store, &M::V::zero(), &rest, &mut delta, &mut lambda);
+        model.solve(&store, &model.zero_v(), &rest, &mut delta, &mut lambda);
         v.axpy(1.0, &delta);
     }
-    let state = State { q, v, ..state };
+    let state = State { q, v, z: state.z, gates: state.gates };
     let residual = Residual::of(model, 0.0, &state);
     assert!(residual.position < 1e-13 && residual.velocity < 1e-12);
     state
@@ -169,12 +169,7 @@ macro_rules! sensitivities_agree {
                 let by = derivatives[k][$index];
                 let mut expected = [states[k].q; 2];
                 for (h, q) in [-H, H].into_iter().zip(&mut expected) {
-                    retract(
-                        &<$model as linkwright::Variables<f64>>::LAYOUT,
-                        &states[k].q,
-                        &by.q.scaled(h),
-                        q,
-                    );
+                    retract(<$model>::default().layout(), &states[k].q, &by.q.scaled(h), q);
                 }
                 let mut worst = 0.0_f64;
                 for i in 0..states[k].q.len() {

@@ -11,16 +11,17 @@ where
     M::Inputs: Fields<f64>,
 {
     let start = model.start();
-    let inputs = |_: f64, _: &StateOf<M>| M::Inputs::from_array(Vector::zero());
+    let inputs = |_: f64, _: &StateOf<M>| M::Inputs::from_array(Vector::zeros(M::Inputs::NAMES.len()));
     let baumgarte = Baumgarte { alpha: 10.0, beta: 10.0 };
-    let mut simulation = Simulation::new(model, start).formulation(baumgarte).sampled(inputs).step(1e-5);
+    let mut simulation =
+        Simulation::new(model, start.clone()).formulation(baumgarte).sampled(inputs).step(1e-5);
     let expected = simulation.advance_until(END).unwrap_or_else(|error| panic!("{name}: {error}"));
     let settings = Settings { relative: 1e-8, absolute: 1e-8, baumgarte, ..Settings::default() };
     let problem =
         problem(model, 0.0, &start, inputs, &settings).unwrap_or_else(|error| panic!("{name}: {error}"));
     for method in [Method::Tsit45, Method::Bdf] {
         let states = solve(&problem, method, &[END]);
-        let found = states.unwrap_or_else(|error| panic!("{name} {method:?}: {error}"))[0];
+        let found = states.unwrap_or_else(|error| panic!("{name} {method:?}: {error}")).remove(0);
         let position = found.q.plus(-1.0, &expected.q).max_abs();
         let velocity = found.v.plus(-1.0, &expected.v).max_abs() / (1.0 + expected.v.max_abs());
         println!("{name} {method:?}: {position:.1e} {velocity:.1e}");

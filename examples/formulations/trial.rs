@@ -40,7 +40,7 @@ where
     F: Formulation<f64, M>,
     I: for<'m> Integrator<f64, MechanismDynamics<'m, M, f64, F, NoInputs>>,
 {
-    let mut simulation = Simulation::new(setting.model, setting.start)
+    let mut simulation = Simulation::new(setting.model, setting.start.clone())
         .formulation(formulation)
         .integrator(integrator)
         .step(step);

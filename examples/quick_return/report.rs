@@ -282,7 +282,7 @@ fn by_speed(runs: &[Run], of: impl Fn(&Run, &Point) -> f64) -> Vec<Curve> {
 }
 
 fn trials_rows() -> usize {
-    <ClosedLoop as linkwright::Mechanism<f64>>::ROWS.len()
+    linkwright::Mechanism::rows(&<ClosedLoop>::default()).len()
 }
 
 /// What a mechanism is derived from, folded away.

@@ -19,7 +19,7 @@ pub(crate) fn far<R: Real>() -> R {
 
 /// The number that a step looks at: [`reciprocal_condition`], or the smallest pivot where that is far from zero.
 pub(crate) fn watched<R: Real, M: Assemble<R>>(model: &M, time: R, q: &M::Q) -> R {
-    let mut store = M::store();
+    let mut store = model.store();
     let pivot = model.factor(time, q, R::ZERO, &mut store);
     if R::any(pivot.greater_equal(far())) { pivot } else { least(model, &store, pivot) }
 }
@@ -31,10 +31,10 @@ pub(crate) fn watched<R: Real, M: Assemble<R>>(model: &M, time: R, q: &M::Q) -> 
 /// factors of K(0) = \[M, Dᵀ; D, 0\], whose solution for (0, b) has λ = −(D M⁻¹ Dᵀ)⁻¹ b. S is twice what the rows are where they are largest,
 /// so that λ_max lies between ½ and m/2, m the number of rows, and is taken as one.
 pub fn reciprocal_condition<R: Real, M: Assemble<R>>(model: &M, time: R, q: &M::Q) -> R {
-    if M::Lambda::LEN == 0 {
+    if model.row_count() == 0 {
         return R::ONE;
     }
-    let mut store = M::store();
+    let mut store = model.store();
     let pivot = model.factor(time, q, R::ZERO, &mut store);
     least(model, &store, pivot)
 }
@@ -45,21 +45,21 @@ fn least<R: Real, M: Assemble<R>>(model: &M, store: &M::Store, pivot: R) -> R {
     if !R::any(pivot.greater(R::ZERO)) {
         return pivot;
     }
-    let mut scales = M::Lambda::zero();
+    let mut scales = model.zero_lambda();
     model.row_scales(&mut scales);
     let roots = |x: &mut M::Lambda| {
         for (entry, scale) in x.as_mut_slice().iter_mut().zip(scales.as_slice()) {
             *entry = *entry * scale.sqrt();
         }
     };
-    let mut x = signs::<R, M::Lambda>();
+    let mut x = signs::<R, M::Lambda>(model.row_count());
     let mut largest = R::ZERO;
     for _ in 0..SUBSTITUTIONS {
         let length = x.norm_squared().sqrt();
         x = x.scaled(R::ONE / length);
         roots(&mut x);
-        let (mut a, mut lambda) = (M::V::zero(), M::Lambda::zero());
-        model.solve(store, &M::V::zero(), &x, &mut a, &mut lambda);
+        let (mut a, mut lambda) = (model.zero_v(), model.zero_lambda());
+        model.solve(store, &model.zero_v(), &x, &mut a, &mut lambda);
         roots(&mut lambda);
         let size = lambda.norm_squared().sqrt();
         // A vector that overflows, or is zero, says no more.
@@ -73,8 +73,8 @@ fn least<R: Real, M: Assemble<R>>(model: &M, store: &M::Store, pivot: R) -> R {
 }
 
 /// ±1 without a pattern, by the bits of multiples of the golden ratio.
-fn signs<R: Real, V: Vector<R>>() -> V {
-    let mut x = V::zero();
+fn signs<R: Real, V: Vector<R>>(len: usize) -> V {
+    let mut x = V::zeros(len);
     for (k, entry) in x.as_mut_slice().iter_mut().enumerate() {
         let bit = (k as u32 + 1).wrapping_mul(0x9E37_79B9) >> 31;
         *entry = if bit == 0 { R::ONE } else { -R::ONE };

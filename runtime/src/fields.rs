@@ -7,10 +7,12 @@ use crate::real::Real;
 use crate::vector::Vector;
 
 /// A struct whose fields are all scalars; implemented by the emitted parameters, inputs and outputs.
-pub trait Fields<R: Real>: Copy {
-    /// The fields' names as in the definition, in order.
+pub trait Fields<R: Real>: Clone {
+    /// The fields' names as in the definition, in order, where the program knows them when it is compiled. Those of inputs and
+    /// outputs the mechanism itself tells: [`input_names`](crate::Mechanism::input_names),
+    /// [`output_names`](crate::Mechanism::output_names).
     const NAMES: &'static [&'static str];
-    /// `[R; NAMES.len()]`.
+    /// One entry for each field, `[R; NAMES.len()]`.
     type Array: Vector<R>;
 
     /// The struct with these values, SI units.

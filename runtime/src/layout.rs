@@ -21,7 +21,7 @@ use crate::vector::Vector;
 /// q̇ = ½ q ⊗ (0, ω). A multi-turn angle has no velocity of its own: its rate is a linear form of v. Units: m and m/s,
 /// 1 and rad/s, rev and rad.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Layout {
+pub struct Layout<'a> {
     /// The number of linear coordinates.
     pub linear: usize,
     /// The number of orientations in the plane or about one axis, each a pair (c, s) = (cos θ, sin θ).
@@ -29,7 +29,7 @@ pub struct Layout {
     /// The number of orientations in space, each a unit quaternion (w, x, y, z).
     pub quaternions: usize,
     /// The angles that are counted over several turns.
-    pub angles: &'static [MultiTurn],
+    pub angles: &'a [MultiTurn<'a>],
 }
 
 /// An angle over several turns, kept as whole turns and a remainder in [−π, π), rad.
@@ -37,12 +37,12 @@ pub struct Layout {
 /// Its value is 2π·turns + remainder; its rate Σ weight·v\[index\]. One growing float would lose 7e-6 rad in a million
 /// steps; the remainder receives the very increments that turn the pair.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct MultiTurn {
+pub struct MultiTurn<'a> {
     /// (index into v, weight) of each velocity in the rate.
-    pub rate: &'static [(u32, f64)],
+    pub rate: &'a [(u32, f64)],
 }
 
-impl Layout {
+impl Layout<'_> {
     /// The number of entries of q.
     pub const fn positions(&self) -> usize {
         self.linear + 2 * self.rotations + 4 * self.quaternions + 2 * self.angles.len()
@@ -71,7 +71,7 @@ impl Layout {
 /// Along a constant velocity this is the exact motion. Where velocities vary, the increment of a quaternion is not the
 /// integral of ω: see [`inverse_differential`].
 #[inline]
-pub fn retract<R: Real, Q: Vector<R>, V: Vector<R>>(layout: &Layout, q0: &Q, dv: &V, q_out: &mut Q) {
+pub fn retract<R: Real, Q: Vector<R>, V: Vector<R>>(layout: &Layout<'_>, q0: &Q, dv: &V, q_out: &mut Q) {
     retract_counting(layout, q0, dv, dv, q_out);
 }
 
@@ -82,7 +82,7 @@ pub fn retract<R: Real, Q: Vector<R>, V: Vector<R>>(layout: &Layout, q0: &Q, dv:
 /// linear in v, so it takes the integral.
 #[inline]
 pub fn retract_counting<R: Real, Q: Vector<R>, V: Vector<R>>(
-    layout: &Layout,
+    layout: &Layout<'_>,
     q0: &Q,
     dv: &V,
     integral: &V,
@@ -147,8 +147,8 @@ pub fn retract_counting<R: Real, Q: Vector<R>, V: Vector<R>>(
 /// Munthe-Kaas, Nørsett, Zanna, *Lie-group methods*, Acta Numerica 9 (2000), 3.2; Hairer, Lubich, Wanner, *Geometric
 /// Numerical Integration*, IV.7–8.
 #[inline]
-pub fn inverse_differential<R: Real, V: Vector<R>>(layout: &Layout, u: &V, v: &V) -> V {
-    let mut rate = *v;
+pub fn inverse_differential<R: Real, V: Vector<R>>(layout: &Layout<'_>, u: &V, v: &V) -> V {
+    let mut rate = v.clone();
     if layout.quaternions == 0 {
         return rate;
     }
@@ -194,7 +194,7 @@ fn cross<R: Real>(a: [R; 3], b: [R; 3]) -> [R; 3] {
 /// The first orientation whose squared length is further than `tolerance` from one: its first index into q and its
 /// length. Other checks find entries that are not finite.
 pub(crate) fn first_not_unit<R: Real, Q: Vector<R>>(
-    layout: &Layout,
+    layout: &Layout<'_>,
     q: &Q,
     tolerance: R,
 ) -> Option<(usize, R)> {
@@ -208,8 +208,8 @@ pub(crate) fn first_not_unit<R: Real, Q: Vector<R>>(
 ///
 /// # Errors
 /// The first index and the length of an orientation so near zero or so large that it has no direction.
-pub(crate) fn normalised<R: Real, Q: Vector<R>>(layout: &Layout, q: &Q) -> Result<Q, (usize, R)> {
-    let mut q = *q;
+pub(crate) fn normalised<R: Real, Q: Vector<R>>(layout: &Layout<'_>, q: &Q) -> Result<Q, (usize, R)> {
+    let mut q = q.clone();
     for (first, count) in layout.orientations() {
         let entries = &mut q.as_mut_slice()[first..first + count];
         let square = length_squared(entries);
@@ -235,7 +235,7 @@ fn length_squared<R: Real>(entries: &[R]) -> R {
 mod tests {
     use super::*;
 
-    const LAYOUT: Layout = Layout { linear: 1, rotations: 1, quaternions: 1, angles: &[] };
+    const LAYOUT: Layout<'static> = Layout { linear: 1, rotations: 1, quaternions: 1, angles: &[] };
 
     /// u̇ by differences: exp(u(t+h)) = exp(u(t)) exp(∫ω), to which the velocity in the turned axes belongs.
     #[test]

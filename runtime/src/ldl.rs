@@ -12,23 +12,23 @@ use core::marker::PhantomData;
 /// A symmetric matrix K = L D Lᵀ in the pattern of an [`Elimination`]: first its entries, then in place its factor.
 ///
 /// `F` holds the entries below the diagonal (`columns.len()` of them), `S` one entry for each unknown. Unknowns are
-/// numbered as in [`Elimination`]; right-hand sides and solutions are in that numbering too.
+/// numbered as in [`Elimination`]; right-hand sides and solutions are in that numbering too. Every call takes the same tables, which
+/// belong to the mechanism.
 ///
 /// ```
 /// use linkwright_runtime::mechanism::Elimination;
 /// use linkwright_runtime::ldl::Ldl;
-/// static TABLES: Elimination =
+/// static TABLES: Elimination<'static> =
 ///     Elimination { order: &[1, 0], position: &[1, 0], row_start: &[0, 0, 1], columns: &[0] };
 /// let mut k = Ldl::<f64, [f64; 1], [f64; 2]>::new(&TABLES);
-/// k.add(0, 0, 4.0); // K = [4 2; 2 2]
-/// k.add(1, 1, 2.0);
-/// k.add(0, 1, 2.0);
-/// assert_eq!(k.factor().value, 0.3333333333333333); // 4 − 2²/2 against 4 + 2²/2
-/// assert_eq!(k.solve(&[8.0, 6.0]), [1.0, 2.0]);
+/// k.add(&TABLES, 0, 0, 4.0); // K = [4 2; 2 2]
+/// k.add(&TABLES, 1, 1, 2.0);
+/// k.add(&TABLES, 0, 1, 2.0);
+/// assert_eq!(k.factor(&TABLES).value, 0.3333333333333333); // 4 − 2²/2 against 4 + 2²/2
+/// assert_eq!(k.solve(&TABLES, &[8.0, 6.0]), [1.0, 2.0]);
 /// ```
 #[derive(Clone, Copy, Debug)]
 pub struct Ldl<R, F, S> {
-    tables: &'static Elimination,
     lower: F,
     diagonal: S,
     scalar: PhantomData<R>,
@@ -58,26 +58,26 @@ pub struct Pivot<R> {
 
 impl<R: Real, F: Vector<R>, S: Vector<R>> Ldl<R, F, S> {
     /// The zero matrix in the pattern of `tables`.
-    pub fn new(tables: &'static Elimination) -> Self {
-        debug_assert!(F::LEN == tables.columns.len() && S::LEN == tables.order.len());
-        Ldl { tables, lower: F::zero(), diagonal: S::zero(), scalar: PhantomData }
+    pub fn new(tables: &Elimination<'_>) -> Self {
+        let (lower, diagonal) = (F::zeros(tables.columns.len()), S::zeros(tables.order.len()));
+        Ldl { lower, diagonal, scalar: PhantomData }
     }
 
     /// Sets all entries to zero, to be filled anew.
     pub fn clear(&mut self) {
-        self.lower = F::zero();
-        self.diagonal = S::zero();
+        self.lower.as_mut_slice().fill(R::ZERO);
+        self.diagonal.as_mut_slice().fill(R::ZERO);
     }
 
     /// K(i, j) and K(j, i) += `value`, once for the pair; an entry outside the pattern is a fault of the tables.
-    pub fn add(&mut self, i: usize, j: usize, value: R) {
-        let position = |unknown: usize| self.tables.position.get(unknown).copied().unwrap_or_default();
+    pub fn add(&mut self, tables: &Elimination<'_>, i: usize, j: usize, value: R) {
+        let position = |unknown: usize| tables.position.get(unknown).copied().unwrap_or_default();
         let (i, j) = (position(i), position(j));
         let (early, late) = if i < j { (i, j) } else { (j, i) };
         let entry = if early == late {
             self.diagonal.as_mut_slice().get_mut(late as usize)
         } else {
-            let (start, columns) = row(self.tables, late as usize);
+            let (start, columns) = row(tables, late as usize);
             let found = columns.binary_search(&early);
             debug_assert!(found.is_ok(), "the entry ({i}, {j}) is not in the pattern of the factor");
             found.ok().and_then(|offset| self.lower.as_mut_slice().get_mut(start + offset))
@@ -92,11 +92,11 @@ impl<R: Real, F: Vector<R>, S: Vector<R>> Ldl<R, F, S> {
     ///
     /// Row k of L solves a triangular system with the rows above it (up-looking: Davis, *Direct Methods for Sparse
     /// Linear Systems*, 4.8): w_j = K_kj − Σ_i L_ji w_i, l_kj = w_j / d_j, d_k = K_kk − Σ_j l_kj w_j.
-    pub fn factor(&mut self) -> Pivot<R> {
+    pub fn factor(&mut self, tables: &Elimination<'_>) -> Pivot<R> {
         let mut smallest = Pivot { value: R::ONE, unknown: 0 };
-        let mut work = S::zero();
-        for (k, &unknown) in self.tables.order.iter().enumerate() {
-            let terms = self.factor_row(k, work.as_mut_slice());
+        let mut work = S::zeros(tables.order.len());
+        for (k, &unknown) in tables.order.iter().enumerate() {
+            let terms = self.factor_row(tables, k, work.as_mut_slice());
             let relative = terms.relative();
             if k == 0 || relative < smallest.value {
                 smallest = Pivot { value: relative, unknown: unknown as usize };
@@ -111,12 +111,17 @@ impl<R: Real, F: Vector<R>, S: Vector<R>> Ldl<R, F, S> {
     /// As [`factor`](Ldl::factor), to the end whatever the pivots; of each unknown `magnitudes` receives the sum of the
     /// terms that have the sign of its pivot in a K of full rank: positive of the velocities, those before `rows_from`,
     /// negative of rows. The smallest relative pivot is that of the velocities.
-    pub(crate) fn factor_measured(&mut self, rows_from: usize, magnitudes: &mut S) -> Pivot<R> {
+    pub(crate) fn factor_measured(
+        &mut self,
+        tables: &Elimination<'_>,
+        rows_from: usize,
+        magnitudes: &mut S,
+    ) -> Pivot<R> {
         let mut smallest = Pivot { value: R::ONE, unknown: 0 };
-        let mut work = S::zero();
-        for (k, &unknown) in self.tables.order.iter().enumerate() {
+        let mut work = S::zeros(tables.order.len());
+        for (k, &unknown) in tables.order.iter().enumerate() {
             let unknown = unknown as usize;
-            let terms = self.factor_row(k, work.as_mut_slice());
+            let terms = self.factor_row(tables, k, work.as_mut_slice());
             let value = if unknown < rows_from { terms.value } else { -terms.value };
             put(magnitudes.as_mut_slice(), unknown, R::from_f64(0.5) * (terms.magnitude + value));
             if unknown < rows_from && terms.relative() < smallest.value {
@@ -132,8 +137,7 @@ impl<R: Real, F: Vector<R>, S: Vector<R>> Ldl<R, F, S> {
     }
 
     /// One row of [`factor`](Ldl::factor): writes d_k and gives the terms that formed it; leaves `work` cleared.
-    fn factor_row(&mut self, k: usize, work: &mut [R]) -> Terms<R> {
-        let tables = self.tables;
+    fn factor_row(&mut self, tables: &Elimination<'_>, k: usize, work: &mut [R]) -> Terms<R> {
         let (start, columns) = row(tables, k);
         let Some((done, own)) = self.lower.as_mut_slice().split_at_mut_checked(start) else {
             return Terms { value: R::ZERO, magnitude: R::ZERO };
@@ -166,10 +170,9 @@ impl<R: Real, F: Vector<R>, S: Vector<R>> Ldl<R, F, S> {
     }
 
     /// K⁻¹ · `right` after [`factor`](Ldl::factor): forward, diagonal, backward.
-    pub fn solve(&self, right: &S) -> S {
-        let tables = self.tables;
+    pub fn solve(&self, tables: &Elimination<'_>, right: &S) -> S {
         let (lower, diagonal) = (self.lower.as_slice(), self.diagonal.as_slice());
-        let mut permuted = S::zero();
+        let mut permuted = S::zeros(right.as_slice().len());
         let x = permuted.as_mut_slice();
         for (entry, &unknown) in x.iter_mut().zip(tables.order) {
             *entry = at(right.as_slice(), unknown as usize);
@@ -192,7 +195,7 @@ impl<R: Real, F: Vector<R>, S: Vector<R>> Ldl<R, F, S> {
                 put(x, j as usize, at(x, j as usize) - l * own);
             }
         }
-        let mut solution = S::zero();
+        let mut solution = S::zeros(right.as_slice().len());
         for (&entry, &unknown) in permuted.as_slice().iter().zip(tables.order) {
             put(solution.as_mut_slice(), unknown as usize, entry);
         }
@@ -202,7 +205,7 @@ impl<R: Real, F: Vector<R>, S: Vector<R>> Ldl<R, F, S> {
 
 /// Where row k of L begins, and its columns.
 #[inline]
-fn row(tables: &Elimination, k: usize) -> (usize, &'static [u16]) {
+fn row<'t>(tables: &Elimination<'t>, k: usize) -> (usize, &'t [u16]) {
     let begins = |k: usize| tables.row_start.get(k).map_or(0, |&start| start as usize);
     let start = begins(k);
     (start, tables.columns.get(start..begins(k + 1)).unwrap_or_default())

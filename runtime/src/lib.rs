@@ -8,7 +8,7 @@
 //! | scalars, vectors, named numbers | [`real`], [`vector`], [`fields`] |
 //! | positions that are no vector space | [`rotation`], [`quaternion`], [`layout`], by name [`named`] |
 //! | the traits that emitted code implements | [`mechanism`] |
-//! | states that satisfy the constraints | [`assembly`], over the sparse factorisations [`ldl`] and [`tabled`] |
+//! | states that satisfy the constraints | [`assembly`], over the sparse factorisations of `ldl.rs` and `tabled.rs` |
 //! | derivatives, and what follows from them | [`tangent`], [`linearisation`] |
 //! | motion | [`formulation`], [`input`], [`integrator`], [`simulation`] |
 //! | what can go wrong | [`error`] |
@@ -33,10 +33,12 @@ pub mod formulation;
 pub mod input;
 pub mod integrator;
 pub mod layout;
+#[doc(hidden)]
 pub mod ldl;
 pub mod linearisation;
 pub mod mechanism;
 pub mod named;
+#[doc(hidden)]
 pub mod partition;
 pub mod quaternion;
 pub mod real;
@@ -44,6 +46,7 @@ pub mod report;
 pub mod rotation;
 pub mod simulation;
 pub mod state;
+#[doc(hidden)]
 pub mod tabled;
 pub mod tangent;
 pub mod vector;

@@ -4,6 +4,13 @@
 //! crate is written against these two traits. They hold no algorithm: integration is `simulation.rs`, the sparse
 //! factorisation `ldl.rs`, consistent states `assembly.rs`.
 //!
+//! # Sizes and tables
+//! A mechanism tells them through `&self`. A compiled one returns constants, which the optimiser sees; one whose definition is read
+//! while the program runs keeps them as fields and its vectors as lists. Names alone are `'static`, and so are the rows and
+//! conditions that are made of them, because errors carry them: whoever reads definitions at run time makes each name once, for
+//! as long as the program runs (`String::leak`), and keeps the lists of names itself. A list inside a list, of
+//! [`Flips`] and [`MultiTurn`](crate::MultiTurn), it keeps in an arena or leaks as well.
+//!
 //! # Conventions
 //! M v̇ + Dᵀ λ = Q, D v = ν, D v̇ = γ, where Φ(t, q) = 0 are the constraints and Φ̇ = D v − ν, so that D is the exact
 //! derivative of Φ also off the constraints. The force of the constraints on the mechanism is −Dᵀ λ. SI units.
@@ -14,7 +21,7 @@ use crate::state::{State, StateOf, Variables};
 use crate::vector::Vector;
 use core::fmt::Debug;
 
-/// A constraint row of D, by the names its author knows.
+/// A constraint row of D, by the names its author knows. It is copied into errors, and so its names live as long as the program.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Row {
     /// The joint, constraint or driver that the row belongs to.
@@ -26,40 +33,59 @@ pub struct Row {
 }
 
 /// The row of this index, or what stands for all of them.
-pub(crate) fn name_row<R: Real, M: Mechanism<R>>(index: Option<usize>) -> Row {
-    let row = index.and_then(|index| M::ROWS.get(index).copied());
-    row.unwrap_or(Row { of: M::NAME, what: "constraints" })
+pub(crate) fn name_row<R: Real, M: Mechanism<R>>(model: &M, index: Option<usize>) -> Row {
+    let row = index.and_then(|index| model.rows().get(index).copied());
+    row.unwrap_or(Row { of: model.name(), what: "constraints" })
 }
 
 /// The equations of motion of one mechanism, evaluated in the scalars `R`.
 ///
 /// Functions of the geometry take time, q and v; functions of loads or of the solution take the state as a whole.
-/// Every function writes all entries of its result, allocates nothing and never fails; where a pivot vanishes the
-/// returned relative pivot says so. Shapes: n_q positions, n_v velocities, m constraint rows.
+/// Every function writes all entries of its result and never fails; where a pivot vanishes the returned relative pivot says
+/// so. Those of a compiled mechanism allocate nothing. Shapes: n_q positions, n_v velocities, m constraint rows.
+///
+/// ```
+/// use linkwright_runtime::{Mechanism, StateOf, Vector};
+///
+/// /// The row that a state violates most, with its residual, m or rad.
+/// fn worst<M: Mechanism<f64>>(model: &M, time: f64, state: &StateOf<M>) -> Option<(String, f64)> {
+///     let mut phi = model.zero_lambda();
+///     model.constraints(time, &state.q, &mut phi);
+///     let rows = model.rows().iter().zip(phi.as_slice());
+///     rows.map(|(row, phi)| (format!("{}.{}", row.of, row.what), phi.abs())).max_by(|a, b| a.1.total_cmp(&b.1))
+/// }
+/// ```
 pub trait Mechanism<R: Real>: Variables<R> {
     /// The mechanism's name.
-    const NAME: &'static str;
+    fn name(&self) -> &'static str;
     /// The names of the m constraint rows, in order.
-    const ROWS: &'static [Row];
+    fn rows(&self) -> &[Row];
     /// One name for each entry of q.
-    const POSITION_NAMES: &'static [&'static str];
+    fn position_names(&self) -> &[&'static str];
     /// One name for each entry of v.
-    const VELOCITY_NAMES: &'static [&'static str];
+    fn velocity_names(&self) -> &[&'static str];
     /// One name for each internal state.
-    const INTERNAL_NAMES: &'static [&'static str] = &[];
+    #[inline]
+    fn internal_names(&self) -> &[&'static str] {
+        &[]
+    }
+    /// One name for each input, in the order of [`Fields`](crate::Fields). Errors list them.
+    fn input_names(&self) -> &'static [&'static str];
+    /// One name for each output, in the order of [`Fields`](crate::Fields). Errors list them.
+    fn output_names(&self) -> &'static [&'static str];
     /// (row, column) of each stored entry of M: lower triangle with the diagonal, row ≥ column.
-    const MASS_PATTERN: &'static [(u16, u16)];
+    fn mass_pattern(&self) -> &[(u16, u16)];
     /// (row, column) of each stored entry of D, in row-major order.
-    const JACOBIAN_PATTERN: &'static [(u16, u16)];
+    fn jacobian_pattern(&self) -> &[(u16, u16)];
 
-    /// The stored entries of M, in the order of [`MASS_PATTERN`](Mechanism::MASS_PATTERN).
+    /// The stored entries of M, in the order of [`mass_pattern`](Mechanism::mass_pattern).
     type Mass: Vector<R>;
-    /// The stored entries of D, in the order of [`JACOBIAN_PATTERN`](Mechanism::JACOBIAN_PATTERN).
+    /// The stored entries of D, in the order of [`jacobian_pattern`](Mechanism::jacobian_pattern).
     type Jacobian: Vector<R>;
     /// The values given from outside; `()` for a mechanism without inputs.
-    type Inputs: Copy;
+    type Inputs: Clone;
     /// The named outputs.
-    type Outputs: Copy;
+    type Outputs: Clone;
 
     /// M(t, q), kg, kg·m and kg·m².
     fn mass_matrix(&self, time: R, q: &Self::Q, mass: &mut Self::Mass);
@@ -108,19 +134,47 @@ pub trait Mechanism<R: Real>: Variables<R> {
         a: &Self::V,
         lambda: &Self::Lambda,
         rates: &mut Self::Z,
-    ) {
-        const { assert!(Self::Z::LEN == 0, "a mechanism with internal states has to say their rates") };
-        let _ = (time, state, u, a, lambda, rates);
-    }
+    );
     /// The named outputs; angles among them in (−π, π].
     fn outputs(&self, time: R, state: &StateOf<Self, R>, u: &Self::Inputs) -> Self::Outputs;
     /// Adds whole turns to the angles among the outputs so that they continue `previous`; see
     /// [`unwrap_angle`](crate::rotation::unwrap_angle).
-    fn unwrap(outputs: &mut Self::Outputs, previous: &Self::Outputs);
+    fn unwrap(&self, outputs: &mut Self::Outputs, previous: &Self::Outputs);
     /// Adds whole turns to the angles among the outputs so that they come nearest to what `start` states of them, for
     /// the first sample of a simulation.
     fn unwrap_start(&self, outputs: &mut Self::Outputs) {
         let _ = outputs;
+    }
+
+    /// n_v.
+    #[inline]
+    fn velocity_count(&self) -> usize {
+        self.layout().velocities()
+    }
+    /// m.
+    #[inline]
+    fn row_count(&self) -> usize {
+        self.rows().len()
+    }
+    /// Zeros for velocities, accelerations or forces, to be written.
+    #[inline]
+    fn zero_v(&self) -> Self::V {
+        Vector::zeros(self.velocity_count())
+    }
+    /// Zeros for multipliers or residuals of the rows.
+    #[inline]
+    fn zero_lambda(&self) -> Self::Lambda {
+        Vector::zeros(self.row_count())
+    }
+    /// Zeros for the entries of M.
+    #[inline]
+    fn zero_mass(&self) -> Self::Mass {
+        Vector::zeros(self.mass_pattern().len())
+    }
+    /// Zeros for the entries of D.
+    #[inline]
+    fn zero_jacobian(&self) -> Self::Jacobian {
+        Vector::zeros(self.jacobian_pattern().len())
     }
 }
 
@@ -146,81 +200,133 @@ pub enum ConditionKind {
 
 /// The equations and tables that assembly needs beyond those of motion: conditions, values that `start` states, the order of elimination.
 ///
-/// All functions write all entries of their results. Conditions are `coordinate(t, q) = target`.
+/// All functions write all entries of their results. Conditions are `coordinate(t, q) = target`. What is made of them is in
+/// [`AssembleExt`](crate::AssembleExt) and in [`assembly`](crate::assembly); what the documentation does not show are the tables and
+/// factorisations that these and the formulations work with.
+///
+/// ```
+/// use linkwright_runtime::{Assemble, AssembleExt, AssemblyError, Motion};
+///
+/// /// The angle (or travel) of the first independent coordinate, and the velocities at which it moves by 1 rad/s (or m/s).
+/// fn led<M: Assemble<f64>>(model: &M, position: f64) -> Result<(&'static str, M::V), AssemblyError> {
+///     let coordinate = model.conditions()[usize::from(model.independent()[0])];
+///     let given = [Motion { position, rate: 1.0, acceleration: 0.0 }];
+///     let found = model.kinematics(0.0, &model.start().q, &given)?;
+///     Ok((coordinate.of, found.v))
+/// }
+/// ```
 pub trait Assemble<R: Real>: Mechanism<R> {
     /// The quantities that can be held.
-    const CONDITIONS: &'static [Condition];
-    /// Indices into [`CONDITIONS`](Assemble::CONDITIONS): positions that `start` states exactly.
-    const START_CONDITIONS: &'static [u16];
-    /// Indices into [`CONDITIONS`](Assemble::CONDITIONS): quantities whose rate `start` states exactly.
-    const START_RATES: &'static [u16];
-    /// Indices into [`CONDITIONS`](Assemble::CONDITIONS): the independent coordinates, one per degree of freedom.
-    const INDEPENDENT: &'static [u16];
+    fn conditions(&self) -> &[Condition];
+    /// Indices into [`conditions`](Assemble::conditions): positions that `start` states exactly.
+    fn start_conditions(&self) -> &[u16];
+    /// Indices into [`conditions`](Assemble::conditions): quantities whose rate `start` states exactly.
+    fn start_rates(&self) -> &[u16];
+    /// Indices into [`conditions`](Assemble::conditions): the independent coordinates, one per degree of freedom.
+    fn independent(&self) -> &[u16];
     /// (row, column) of each stored entry of the conditions' Jacobian, in row-major order.
-    const CONDITION_PATTERN: &'static [(u16, u16)];
+    #[doc(hidden)]
+    fn condition_pattern(&self) -> &[(u16, u16)];
     /// Constraint rows of the form sin Δθ = 0, which must not end on the flipped root Δθ = π, joint by joint.
-    const FLIPS: &'static [Flips];
+    #[doc(hidden)]
+    fn flips(&self) -> &[Flips<'_>];
     /// Rows, ascending, that repeat what others fix and are kept: they vanish with the others, have the multiplier zero, and
     /// take no part in factorisations.
-    const IDLE: &'static [u16] = &[];
-    /// (row, dependent velocity) of each row that is not [`IDLE`](Assemble::IDLE), in the order in which D is factored: chosen at
+    #[doc(hidden)]
+    #[inline]
+    fn idle(&self) -> &[u16] {
+        &[]
+    }
+    /// (row, dependent velocity) of each row that is not [`idle`](Assemble::idle), in the order in which D is factored: chosen at
     /// the start position. The velocity is `u16::MAX` where none is chosen.
-    const DEPENDENT: &'static [(u16, u16)] = &[];
+    #[doc(hidden)]
+    #[inline]
+    fn dependent(&self) -> &[(u16, u16)] {
+        &[]
+    }
     /// The factors of the columns of D by which entries are compared, because columns have different units; empty if all
     /// of them are one.
-    const SCALES: &'static [f64] = &[];
-    /// The largest entry of each row of D along the motion, after multiplication by [`SCALES`](Assemble::SCALES): what pivots of D are
+    #[doc(hidden)]
+    #[inline]
+    fn scales(&self) -> &[f64] {
+        &[]
+    }
+    /// The largest entry of each row of D along the motion, after multiplication by [`scales`](Assemble::scales): what pivots of D are
     /// measured by.
-    const ROW_SIZES: &'static [f64];
+    #[doc(hidden)]
+    fn row_sizes(&self) -> &[f64];
     /// Rows, ascending, that hold velocities without mass of their own.
-    const MASSLESS_ROWS: &'static [u16] = &[];
+    #[doc(hidden)]
+    #[inline]
+    fn massless_rows(&self) -> &[u16] {
+        &[]
+    }
     /// ρ of each of these rows, with which its dᵀ d is added to M, kg.
-    const MASSLESS_WEIGHTS: &'static [f64] = &[];
+    #[doc(hidden)]
+    #[inline]
+    fn massless_weights(&self) -> &[f64] {
+        &[]
+    }
     /// The order of elimination and the pattern of the factor.
-    const ELIMINATION: Elimination;
+    #[doc(hidden)]
+    fn elimination(&self) -> Elimination<'_>;
 
     /// One entry for each condition.
     type Conditions: Vector<R>;
     /// The stored entries of the conditions' Jacobian.
     type ConditionJacobian: Vector<R>;
-    /// The stored entries of L: as many as `ELIMINATION.columns`.
+    /// The stored entries of L: as many as `elimination().columns`.
+    #[doc(hidden)]
     type Factor: Vector<R>;
     /// One entry for each unknown: velocities, constraint rows, conditions.
+    #[doc(hidden)]
     type System: Vector<R>;
     /// D as a full matrix, m n_v entries.
+    #[doc(hidden)]
     type Dense: Vector<R>;
     /// A basis of the null space of D, n_v entries for each degree of freedom.
+    #[doc(hidden)]
     type Basis: Vector<R>;
     /// A square matrix of the size of the degrees of freedom.
+    #[doc(hidden)]
     type Reduced: Vector<R>;
     /// A whole number for each velocity.
-    type Choice: Copy + Debug + AsRef<[u16]> + AsMut<[u16]>;
+    #[doc(hidden)]
+    type Choice: Clone + Debug + AsRef<[u16]> + AsMut<[u16]>;
     /// The values that [`factor`](Assemble::factor) keeps of a factorisation.
-    type Store: Copy + Debug;
+    #[doc(hidden)]
+    type Store: Clone + Debug;
     /// The values that [`factor_jacobian`](Assemble::factor_jacobian) keeps of one; `()` where it is not written out.
-    type Lu: Copy + Debug;
+    #[doc(hidden)]
+    type Lu: Clone + Debug;
 
     /// Zeros.
-    fn choice() -> Self::Choice;
+    #[doc(hidden)]
+    fn choice(&self) -> Self::Choice;
     /// An empty store.
-    fn store() -> Self::Store;
+    #[doc(hidden)]
+    fn store(&self) -> Self::Store;
     /// An empty D = L U.
-    fn lu() -> Self::Lu;
-    /// Factors D at a position for the velocities of [`DEPENDENT`](Assemble::DEPENDENT); returns the square of the smallest pivot,
-    /// relative to the size of its row ([`ROW_SIZES`](Assemble::ROW_SIZES)). Zero where it is not written out
+    #[doc(hidden)]
+    fn lu(&self) -> Self::Lu;
+    /// Factors D at a position for the velocities of [`dependent`](Assemble::dependent); returns the square of the smallest pivot,
+    /// relative to the size of its row ([`row_sizes`](Assemble::row_sizes)). Zero where it is not written out
     /// (`options { emit = (null_space) }`): the runtime then factors by tables, as it does where a pivot is too small.
+    #[doc(hidden)]
     fn factor_jacobian(&self, time: R, q: &Self::Q, lu: &mut Self::Lu) -> R {
         let _ = (time, q, lu);
         R::ZERO
     }
     /// The velocities with D v = `rows` whose independent entries are those of `v`, with the factors in `lu`; never called
     /// where [`factor_jacobian`](Assemble::factor_jacobian) returned zero.
+    #[doc(hidden)]
     fn dependent_velocities(&self, lu: &Self::Lu, rows: &Self::Lambda, v: &Self::V, out: &mut Self::V) {
         let _ = (lu, rows);
-        *out = *v;
+        out.clone_from(v);
     }
     /// v̇ and λ of M v̇ + Dᵀ λ = Q, D v̇ = γ, by way of independent velocities. Returns the smallest pivot, as
     /// [`factor_jacobian`](Assemble::factor_jacobian) does; zero where it is not written out, and then nothing is computed.
+    #[doc(hidden)]
     fn null_space(
         &self,
         time: R,
@@ -234,13 +340,16 @@ pub trait Assemble<R: Real>: Mechanism<R> {
     }
     /// Sᵢ of each row, twice the largest Dᵢ M⁻¹ Dᵢᵀ along the motion (1/kg of a row in m, 1/(kg m²) of one in rad): what pivots of D M⁻¹ Dᵀ
     /// are measured by, the same at all positions, so that a row that vanishes as a whole is seen to vanish.
+    #[doc(hidden)]
     fn row_scales(&self, scales: &mut Self::Lambda);
     /// Factors K(c) = \[M, Dᵀ; D, −c\] at a position, c ≥ 0 the compliance of the constraints (1/kg); returns the smallest
     /// relative pivot: of the rows (d + c)/Sᵢ, d the pivot of D M⁻¹ Dᵀ and Sᵢ that of [`row_scales`](Assemble::row_scales). With c = 0
     /// it is a pivot of D M⁻¹ Dᵀ with its rows brought to length one, never below its least eigenvalue.
+    #[doc(hidden)]
     fn factor(&self, time: R, q: &Self::Q, compliance: R, store: &mut Self::Store) -> R;
     /// Factors K(c) and evaluates its right-hand sides Q and γ − 2α(D v − ν) − β² Φ; returns the smallest relative pivot of
     /// the velocities where M alone is singular, else one.
+    #[doc(hidden)]
     #[allow(clippy::too_many_arguments)]
     fn system(
         &self,
@@ -258,18 +367,19 @@ pub trait Assemble<R: Real>: Mechanism<R> {
         let pivot = self.factor(time, q, compliance, store);
         self.forces(time, state, u, forces);
         self.gamma(time, q, v, rows);
-        let (mut phi, mut rest) = (Self::Lambda::zero(), Self::Lambda::zero());
+        let (mut phi, mut rest) = (self.zero_lambda(), self.zero_lambda());
         self.constraints(time, q, &mut phi);
         self.nu(time, q, &mut rest);
-        let mut jacobian = Self::Jacobian::zero();
+        let mut jacobian = self.zero_jacobian();
         self.constraint_jacobian(time, q, &mut jacobian);
-        subtract_product(Self::JACOBIAN_PATTERN, jacobian.as_slice(), v.as_slice(), rest.as_mut_slice());
+        subtract_product(self.jacobian_pattern(), jacobian.as_slice(), v.as_slice(), rest.as_mut_slice());
         rows.axpy(two_alpha, &rest);
         rows.axpy(-beta_squared, &phi);
         // Softened rows have no pivot that could vanish.
-        if Self::MASSLESS_ROWS.is_empty() { R::ONE } else { pivot }
+        if self.massless_rows().is_empty() { R::ONE } else { pivot }
     }
     /// a and λ of M a + Dᵀ λ = `forces`, D a − c λ = `rows`, with the factor in `store`.
+    #[doc(hidden)]
     fn solve(
         &self,
         store: &Self::Store,
@@ -301,40 +411,76 @@ pub trait Assemble<R: Real>: Mechanism<R> {
     fn condition_bias(&self, time: R, q: &Self::Q, v: &Self::V, bias: &mut Self::Conditions);
     /// The coordinate's rate at v = 0, from places that depend on time.
     fn condition_drift(&self, time: R, q: &Self::Q, drift: &mut Self::Conditions);
-    /// cos Δθ for the rows of [`FLIPS`](Assemble::FLIPS), 1 for the others.
+    /// cos Δθ for the rows of [`flips`](Assemble::flips), 1 for the others.
+    #[doc(hidden)]
     fn row_cosines(&self, time: R, q: &Self::Q, cosines: &mut Self::Lambda);
     /// The values that `start` states, with this model's parameters; entries of conditions it does not state are ignored.
     fn start_targets(&self, positions: &mut Self::Conditions, rates: &mut Self::Conditions);
     /// The positions assembled at expansion, for the default parameters.
-    fn start_q() -> Self::Q;
+    fn start_q(&self) -> Self::Q;
     /// The velocities assembled at expansion, for the default parameters.
-    fn start_v() -> Self::V;
+    fn start_v(&self) -> Self::V;
     /// The internal states at the start, with this model's parameters.
-    fn start_internal(&self) -> Self::Z {
-        const { assert!(Self::Z::LEN == 0, "a mechanism with internal states has to say where they start") };
-        Self::Z::zero()
-    }
+    fn start_internal(&self) -> Self::Z;
     /// The gates at the start.
-    fn start_gates(&self) -> Self::Gates {
-        const { assert!(Self::Gates::LEN == 0, "a mechanism with gates has to say where they start") };
-        Self::Gates::zero()
-    }
+    fn start_gates(&self) -> Self::Gates;
     /// Takes the phases of couplings that state none (gears, racks) from an assembled position.
     fn fix_phases(&mut self, q: &Self::Q) {
         let _ = q;
+    }
+
+    /// Zeros for the conditions.
+    #[inline]
+    fn zero_conditions(&self) -> Self::Conditions {
+        Vector::zeros(self.conditions().len())
+    }
+    /// Zeros for the entries of the conditions' Jacobian.
+    #[inline]
+    fn zero_condition_jacobian(&self) -> Self::ConditionJacobian {
+        Vector::zeros(self.condition_pattern().len())
+    }
+    /// Zeros for the unknowns of K.
+    #[doc(hidden)]
+    #[inline]
+    fn zero_system(&self) -> Self::System {
+        Vector::zeros(self.elimination().order.len())
+    }
+    /// Zeros for D as a full matrix.
+    #[doc(hidden)]
+    #[inline]
+    fn zero_dense(&self) -> Self::Dense {
+        Vector::zeros(self.row_count() * self.velocity_count())
+    }
+    /// The degrees of freedom, as rows leave them.
+    #[doc(hidden)]
+    #[inline]
+    fn freedoms(&self) -> usize {
+        (self.velocity_count() + self.idle().len()).saturating_sub(self.row_count())
+    }
+    /// Zeros for a basis of the null space of D.
+    #[doc(hidden)]
+    #[inline]
+    fn zero_basis(&self) -> Self::Basis {
+        Vector::zeros(self.freedoms() * self.velocity_count())
+    }
+    /// Zeros for a square matrix of the size of the degrees of freedom.
+    #[doc(hidden)]
+    #[inline]
+    fn zero_reduced(&self) -> Self::Reduced {
+        Vector::zeros(self.freedoms() * self.freedoms())
     }
 }
 
 /// The constraint rows of one joint of the form sin Δθ = 0.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Flips {
+pub struct Flips<'a> {
     /// The two that make axes parallel, with one cosine.
     pub axes: Option<[u16; 2]>,
     /// Those of turns: about these axes where there are some, else each by itself.
-    pub turns: &'static [u16],
+    pub turns: &'a [u16],
 }
 
-impl Flips {
+impl Flips<'_> {
     /// All of them.
     pub fn rows(&self) -> impl Iterator<Item = u16> {
         self.axes.into_iter().flatten().chain(self.turns.iter().copied())
@@ -344,15 +490,15 @@ impl Flips {
 /// The order in which the unknowns of K = \[W, D̂ᵀ; D̂, 0\] are eliminated, and the pattern of its factor L.
 ///
 /// D̂ has the constraint rows, then the condition rows. Unknowns are numbered: velocities, constraint rows,
-/// conditions. A row is eliminated only after all velocities in it. All lists are in static memory.
+/// conditions. A row is eliminated only after all velocities in it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Elimination {
+pub struct Elimination<'a> {
     /// `order[k]` is the unknown eliminated k-th.
-    pub order: &'static [u16],
+    pub order: &'a [u16],
     /// The inverse: `position[unknown]` is the place of an unknown in `order`.
-    pub position: &'static [u16],
+    pub position: &'a [u16],
     /// Row k of L (in order of elimination) has the columns `columns[row_start[k]..row_start[k + 1]]`.
-    pub row_start: &'static [u32],
+    pub row_start: &'a [u32],
     /// Columns of L's rows below the diagonal, ascending, in order of elimination, fill included.
-    pub columns: &'static [u16],
+    pub columns: &'a [u16],
 }

@@ -19,13 +19,13 @@ const NONE: u16 = u16::MAX;
 /// digits lost.
 const WRITTEN_OUT: f64 = 1e-4;
 
-/// The dependent velocity of each row: those of [`Assemble::DEPENDENT`], until others serve better. It is kept from one position
+/// The dependent velocity of each row: those of [`Assemble::dependent`], until others serve better. It is kept from one position
 /// to the next; the factors are not.
 ///
 /// By tables U has the pivot of the k-th row in column `columns[k]`, and L is stored where U is zero.
 #[derive(Clone, Copy, Debug)]
 pub struct Partition<C> {
-    /// The dependent velocity of the k-th row of [`Assemble::DEPENDENT`].
+    /// The dependent velocity of the k-th row of [`Assemble::dependent`].
     columns: C,
     /// The place in `columns` of each velocity, or [`NONE`].
     places: C,
@@ -36,9 +36,9 @@ pub struct Partition<C> {
 /// The partition of a mechanism.
 pub type PartitionOf<R, M> = Partition<<M as Assemble<R>>::Choice>;
 
-/// The written-out factors of D for the velocities of [`Assemble::DEPENDENT`], where their pivots are good.
+/// The written-out factors of D for the velocities of [`Assemble::dependent`], where their pivots are good.
 pub(crate) fn written_out<R: Real, M: Assemble<R>>(model: &M, time: R, q: &M::Q) -> Option<M::Lu> {
-    let mut lu = M::lu();
+    let mut lu = model.lu();
     let pivot = model.factor_jacobian(time, q, &mut lu);
     is_good(pivot).then_some(lu)
 }
@@ -48,20 +48,24 @@ pub(crate) fn is_good<R: Real>(pivot: R) -> bool {
     R::any(pivot.greater_equal(R::from_f64(GOOD * GOOD)))
 }
 
-impl<C: Copy + AsRef<[u16]> + AsMut<[u16]>> Partition<C> {
+impl<C: Clone + AsRef<[u16]> + AsMut<[u16]>> Partition<C> {
     /// The choice made at expansion.
-    pub fn new<R: Real, M: Assemble<R, Choice = C>>() -> Self {
-        debug_assert_eq!(M::DEPENDENT.len() + M::IDLE.len(), M::Lambda::LEN, "each row has its velocity");
-        let mut partition = Partition { columns: M::choice(), places: M::choice(), changes: 0 };
-        partition.reset::<R, M>();
+    pub fn new<R: Real, M: Assemble<R, Choice = C>>(model: &M) -> Self {
+        debug_assert_eq!(
+            model.dependent().len() + model.idle().len(),
+            model.row_count(),
+            "each row has its velocity"
+        );
+        let mut partition = Partition { columns: model.choice(), places: model.choice(), changes: 0 };
+        partition.reset(model);
         partition
     }
 
     /// Takes the velocities chosen at expansion.
-    pub(crate) fn reset<R: Real, M: Assemble<R, Choice = C>>(&mut self) {
+    pub(crate) fn reset<R: Real, M: Assemble<R, Choice = C>>(&mut self, model: &M) {
         self.columns.as_mut().fill(NONE);
         self.places.as_mut().fill(NONE);
-        for (k, &(_, chosen)) in M::DEPENDENT.iter().enumerate() {
+        for (k, &(_, chosen)) in model.dependent().iter().enumerate() {
             if let Some(column) = self.columns.as_mut().get_mut(k) {
                 *column = chosen;
             }
@@ -90,22 +94,22 @@ impl<C: Copy + AsRef<[u16]> + AsMut<[u16]>> Partition<C> {
         q: &M::Q,
         factors: &mut M::Dense,
     ) -> R {
-        let n = M::V::LEN;
-        let mut jacobian = M::Jacobian::zero();
+        let n = model.velocity_count();
+        let mut jacobian = model.zero_jacobian();
         model.constraint_jacobian(time, q, &mut jacobian);
-        *factors = M::Dense::zero();
         let rows = factors.as_mut_slice();
-        for (&entry, &(row, column)) in jacobian.as_slice().iter().zip(M::JACOBIAN_PATTERN) {
+        rows.fill(R::ZERO);
+        for (&entry, &(row, column)) in jacobian.as_slice().iter().zip(model.jacobian_pattern()) {
             put(rows, row as usize * n + column as usize, entry);
         }
-        let before = self.columns;
+        let before = self.columns.clone();
         self.places.as_mut().fill(NONE);
         let mut smallest = R::ONE;
-        for (step, &(row, _)) in M::DEPENDENT.iter().enumerate() {
-            let size = M::ROW_SIZES.get(row as usize).map_or(R::ONE, |&size| R::from_f64(size));
+        for (step, &(row, _)) in model.dependent().iter().enumerate() {
+            let size = model.row_sizes().get(row as usize).map_or(R::ONE, |&size| R::from_f64(size));
             let own = row as usize * n;
             for (k, (&(above, _), &column)) in
-                M::DEPENDENT.iter().zip(self.columns.as_ref()).take(step).enumerate()
+                model.dependent().iter().zip(self.columns.as_ref()).take(step).enumerate()
             {
                 let (above, column) = (above as usize * n, column as usize);
                 let entry = at(rows, own + column);
@@ -124,11 +128,11 @@ impl<C: Copy + AsRef<[u16]> + AsMut<[u16]>> Partition<C> {
             let own = rows.get(own..own + n).unwrap_or_default();
             let places = self.places.as_ref();
             let free = |column: usize| places.get(column) == Some(&NONE);
-            let (best, most) = largest::<R, M>(own, free);
+            let (best, most) = largest(model, own, free);
             let kept = before.as_ref().get(step).map_or(n, |&kept| kept as usize);
-            let good = kept < n && free(kept) && scaled::<R, M>(own, kept) >= R::from_f64(GOOD) * most;
+            let good = kept < n && free(kept) && scaled(model, own, kept) >= R::from_f64(GOOD) * most;
             let chosen = if good { kept } else { best };
-            smallest = (scaled::<R, M>(own, chosen) / size).min(smallest);
+            smallest = (scaled(model, own, chosen) / size).min(smallest);
             if !good && kept < n {
                 self.changes += 1;
             }
@@ -145,23 +149,24 @@ impl<C: Copy + AsRef<[u16]> + AsMut<[u16]>> Partition<C> {
     /// The dependent entries of `v` such that D v = `right`, given the independent ones.
     pub fn dependent<R: Real, M: Assemble<R, Choice = C>>(
         &self,
+        model: &M,
         factors: &M::Dense,
         right: &M::Lambda,
         v: &mut M::V,
     ) {
         let (columns, places) = (self.columns.as_ref(), self.places.as_ref());
-        let n = M::V::LEN;
+        let n = model.velocity_count();
         let entries = |row: u16| factors.as_slice().get(usize::from(row) * n..).unwrap_or_default();
-        let (mut rest, v) = (*right, v.as_mut_slice());
+        let (mut rest, v) = (right.clone(), v.as_mut_slice());
         let y = rest.as_mut_slice();
-        for (step, &(row, _)) in M::DEPENDENT.iter().enumerate() {
+        for (step, &(row, _)) in model.dependent().iter().enumerate() {
             let (own, mut rest) = (entries(row), at(y, row as usize));
-            for (&(above, _), &column) in M::DEPENDENT.iter().zip(columns).take(step) {
+            for (&(above, _), &column) in model.dependent().iter().zip(columns).take(step) {
                 rest = rest - at(own, column as usize) * at(y, above as usize);
             }
             put(y, row as usize, rest);
         }
-        for (step, (&(row, _), &pivot)) in M::DEPENDENT.iter().zip(columns).enumerate().rev() {
+        for (step, (&(row, _), &pivot)) in model.dependent().iter().zip(columns).enumerate().rev() {
             let (own, pivot) = (entries(row), pivot as usize);
             let mut rest = at(y, row as usize);
             for ((&entry, &place), &v) in own.iter().zip(places).zip(v.iter()) {
@@ -177,26 +182,27 @@ impl<C: Copy + AsRef<[u16]> + AsMut<[u16]>> Partition<C> {
     /// λ of D_dᵀ λ = `forces` in the dependent velocities; idle rows have none.
     pub(crate) fn multipliers<R: Real, M: Assemble<R, Choice = C>>(
         &self,
+        model: &M,
         factors: &M::Dense,
         forces: &M::V,
         lambda: &mut M::Lambda,
     ) {
         let columns = self.columns.as_ref();
-        let place = |row: u16, column: u16| usize::from(row) * M::V::LEN + usize::from(column);
+        let place = |row: u16, column: u16| usize::from(row) * model.velocity_count() + usize::from(column);
         let entry = |row: u16, column: u16| at(factors.as_slice(), place(row, column));
-        *lambda = M::Lambda::zero();
         let y = lambda.as_mut_slice();
+        y.fill(R::ZERO);
         // Uᵀ y = forces, then Lᵀ λ = y.
-        for (step, (&(row, _), &column)) in M::DEPENDENT.iter().zip(columns).enumerate() {
+        for (step, (&(row, _), &column)) in model.dependent().iter().zip(columns).enumerate() {
             let mut rest = at(forces.as_slice(), column as usize);
-            for &(above, _) in M::DEPENDENT.iter().take(step) {
+            for &(above, _) in model.dependent().iter().take(step) {
                 rest = rest - entry(above, column) * at(y, above as usize);
             }
             put(y, row as usize, rest / entry(row, column));
         }
-        for (step, &(row, _)) in M::DEPENDENT.iter().enumerate().rev() {
+        for (step, &(row, _)) in model.dependent().iter().enumerate().rev() {
             let own = at(y, row as usize);
-            for (&(above, _), &column) in M::DEPENDENT.iter().zip(columns).take(step) {
+            for (&(above, _), &column) in model.dependent().iter().zip(columns).take(step) {
                 put(y, above as usize, at(y, above as usize) - entry(row, column) * own);
             }
         }
@@ -204,16 +210,16 @@ impl<C: Copy + AsRef<[u16]> + AsMut<[u16]>> Partition<C> {
 }
 
 /// The magnitude of an entry of a row, to be compared with others of it.
-fn scaled<R: Real, M: Assemble<R>>(row: &[R], column: usize) -> R {
+fn scaled<R: Real, M: Assemble<R>>(model: &M, row: &[R], column: usize) -> R {
     let entry = at(row, column).abs();
-    M::SCALES.get(column).map_or(entry, |&scale| entry * R::from_f64(scale))
+    model.scales().get(column).map_or(entry, |&scale| entry * R::from_f64(scale))
 }
 
 /// Place and scaled magnitude of the largest entry of a row among those that count.
-fn largest<R: Real, M: Assemble<R>>(row: &[R], counts: impl Fn(usize) -> bool) -> (usize, R) {
+fn largest<R: Real, M: Assemble<R>>(model: &M, row: &[R], counts: impl Fn(usize) -> bool) -> (usize, R) {
     let mut found: Option<(usize, R)> = None;
     for column in (0..row.len()).filter(|&column| counts(column)) {
-        let size = scaled::<R, M>(row, column);
+        let size = scaled(model, row, column);
         if found.is_none_or(|(_, largest)| size > largest) {
             found = Some((column, size));
         }

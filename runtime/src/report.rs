@@ -4,12 +4,12 @@
 //! [`Fields`], so that what writes tables or compares can be written once for all mechanisms:
 //!
 //! ```
-//! use linkwright_runtime::{Fields, Report};
+//! use linkwright_runtime::{Fields, Report, Vector};
 //!
 //! /// `crank.position.x` and so on, with their values.
-//! fn each_number<M: Report<f64>>(motions: &M::Motions, mut show: impl FnMut(&str, &str, f64)) {
-//!     for (body, motion) in M::BODIES.iter().zip(motions.as_ref()) {
-//!         for (name, value) in M::Motion::NAMES.iter().zip(motion.to_array().as_ref()) {
+//! fn each_number<M: Report<f64>>(model: &M, motions: &M::Motions, mut show: impl FnMut(&str, &str, f64)) {
+//!     for (body, motion) in model.bodies().iter().zip(motions.as_ref()) {
+//!         for (name, value) in M::Motion::NAMES.iter().zip(motion.to_array().as_slice()) {
 //!             show(body, name, *value);
 //!         }
 //!     }
@@ -26,27 +26,38 @@ use core::fmt::Debug;
 /// Motions, reactions, inverse dynamics and powers, evaluated in the scalars `R`.
 ///
 /// `a` and `lambda` are those of [`acceleration`](Mechanism::acceleration) with the same inputs, unless something else is said.
-/// Every function writes all entries of its result, allocates nothing and never fails.
+/// Every function writes all entries of its result and never fails; those of a compiled mechanism allocate nothing.
+///
+/// ```
+/// use linkwright_runtime::{Report, StateOf, Vector};
+///
+/// /// The load that does most work at a state, and its power, W.
+/// fn strongest<M: Report<f64>>(model: &M, time: f64, state: &StateOf<M>, u: &M::Inputs) -> Option<(&'static str, f64)> {
+///     let powers = model.powers(time, state, u);
+///     let named = model.loads().iter().copied().zip(powers.as_slice().iter().copied());
+///     named.max_by(|a, b| a.1.total_cmp(&b.1))
+/// }
+/// ```
 pub trait Report<R: Real>: Mechanism<R> {
     /// Names of the bodies, in the order of [`motions`](Report::motions).
-    const BODIES: &'static [&'static str];
+    fn bodies(&self) -> &[&'static str];
     /// Names of the joints, in the order of [`reactions`](Report::reactions).
-    const JOINTS: &'static [&'static str];
+    fn joints(&self) -> &[&'static str];
     /// Names of the loads, in the order of [`powers`](Report::powers).
-    const LOADS: &'static [&'static str];
+    fn loads(&self) -> &[&'static str];
 
     /// [`BodyMotion`](crate::BodyMotion), in space [`SpatialMotion`](crate::SpatialMotion).
     type Motion: Fields<R>;
     /// One for each body.
-    type Motions: Copy + Debug + AsRef<[Self::Motion]>;
+    type Motions: Clone + Debug + AsRef<[Self::Motion]>;
     /// [`Reaction`](crate::Reaction), in space [`SpatialReaction`](crate::SpatialReaction).
     type Reaction: Fields<R>;
     /// One for each joint.
-    type Reactions: Copy + Debug + AsRef<[Self::Reaction]>;
+    type Reactions: Clone + Debug + AsRef<[Self::Reaction]>;
     /// One for each load.
     type Powers: Vector<R>;
     /// One for each driver.
-    type Efforts: Copy + Debug + AsRef<[[R; 2]]>;
+    type Efforts: Clone + Debug + AsRef<[[R; 2]]>;
 
     /// Position, velocity and acceleration of every body's centre of mass, orientation, ω and ω̇, from a state and any accelerations.
     fn motions(&self, time: R, q: &Self::Q, v: &Self::V, a: &Self::V) -> Self::Motions;
@@ -66,6 +77,6 @@ pub trait Report<R: Real>: Mechanism<R> {
     /// Power of each load (W), what springs store included.
     fn powers(&self, time: R, state: &StateOf<Self, R>, u: &Self::Inputs) -> Self::Powers;
     /// Effort of each driver along its quantity (N m or N) and its power (W), from the multipliers; drivers in the order of their
-    /// [`ROWS`](Mechanism::ROWS).
+    /// [`rows`](Mechanism::rows).
     fn driver_efforts(&self, time: R, q: &Self::Q, v: &Self::V, lambda: &Self::Lambda) -> Self::Efforts;
 }

@@ -12,8 +12,8 @@ use crate::vector::Vector;
 ///
 /// A mechanism has one set of them; so have the [`Dynamics`](crate::Dynamics) made of it.
 pub trait Variables<R: Real> {
-    /// Which entries of q and v are linear, rotations, quaternions and multi-turn angles.
-    const LAYOUT: Layout;
+    /// Which entries of q and v are linear, rotations, quaternions and multi-turn angles, and so how many there are.
+    fn layout(&self) -> &Layout<'_>;
     /// Positions, `[R; n_q]`.
     type Q: Vector<R>;
     /// Velocities and accelerations, `[R; n_v]`.
@@ -72,12 +72,12 @@ impl<Q, V, Z, G> State<Q, V, Z, G> {
     /// The state after `h` (s) with this derivative kept: q ⊕ h v, v + h a, z + h ż.
     #[inline]
     #[must_use]
-    pub fn advance<R: Real>(&self, layout: &Layout, h: R, along: &Derivative<V, Z>) -> Self
+    pub fn advance<R: Real>(&self, layout: &Layout<'_>, h: R, along: &Derivative<V, Z>) -> Self
     where
         Q: Vector<R>,
         V: Vector<R>,
         Z: Vector<R>,
-        G: Copy,
+        G: Clone,
     {
         self.moved(layout, &along.v.scaled(h), self.v.plus(h, &along.a), self.z.plus(h, &along.z))
     }
@@ -85,16 +85,16 @@ impl<Q, V, Z, G> State<Q, V, Z, G> {
     /// The state at q ⊕ u, with these velocities and internal states.
     #[inline]
     #[must_use]
-    pub fn moved<R: Real>(&self, layout: &Layout, u: &V, v: V, z: Z) -> Self
+    pub fn moved<R: Real>(&self, layout: &Layout<'_>, u: &V, v: V, z: Z) -> Self
     where
         Q: Vector<R>,
         V: Vector<R>,
         Z: Vector<R>,
-        G: Copy,
+        G: Clone,
     {
-        let mut q = Q::zero();
+        let mut q = Q::zeros(self.q.as_slice().len());
         retract(layout, &self.q, u, &mut q);
-        State { q, v, z, gates: self.gates }
+        State { q, v, z, gates: self.gates.clone() }
     }
 }
 
@@ -155,9 +155,9 @@ pub struct Kinematics<Q, V> {
     pub a: V,
 }
 
-impl<Q: Copy, V: Copy> Kinematics<Q, V> {
+impl<Q: Clone, V: Clone> Kinematics<Q, V> {
     /// The state in this motion of a mechanism without internal states or gates.
     pub fn state(&self) -> State<Q, V> {
-        State::new(self.q, self.v)
+        State::new(self.q.clone(), self.v.clone())
     }
 }

@@ -18,7 +18,7 @@ use core::fmt::Debug;
 /// The derivatives of the equations of motion, evaluated in the scalars `R`.
 ///
 /// Notation as in [`Mechanism`](crate::mechanism::Mechanism): n_v velocities, m rows, n_u inputs, n_p parameters, n_y outputs,
-/// f degrees of freedom, with the coordinates of [`STATES`](Tangent::STATES). `a` and `lambda` are any accelerations and multipliers;
+/// f degrees of freedom, with the coordinates of [`states`](Tangent::states). `a` and `lambda` are any accelerations and multipliers;
 /// they need not solve anything. Every function writes all stored entries of its result, allocates nothing and never fails.
 /// There are no derivatives by internal states: what has such states has no tangent.
 /// Where a law has a kink (min, max, |x|, a choice) the derivative is that of the branch taken.
@@ -28,28 +28,28 @@ use core::fmt::Debug;
     note = "add `options {{ emit = (tangent); }}` to the definition of the mechanism"
 )]
 pub trait Tangent<R: Real>: Assemble<R, Z = (), Inputs: Fields<R>, Outputs: Fields<R>> {
-    /// Indices into [`CONDITIONS`](Assemble::CONDITIONS): the coordinates z of linearised motions, one for each degree of
-    /// freedom. They are those of [`INDEPENDENT`](Assemble::INDEPENDENT) and, where these do not suffice because bodies turn on
+    /// Indices into [`conditions`](Assemble::conditions): the coordinates z of linearised motions, one for each degree of
+    /// freedom. They are those of [`independent`](Assemble::independent) and, where these do not suffice because bodies turn on
     /// balls, components of ω: no three numbers are the coordinates of such an orientation.
-    const STATES: &'static [u16];
+    fn states(&self) -> &[u16];
     /// (row, column) of each stored entry of ∂r/∂q, n_v × n_v, row by row; so the patterns below.
-    const STIFFNESS_PATTERN: &'static [(u16, u16)];
+    fn stiffness_pattern(&self) -> &[(u16, u16)];
     /// Entries of ∂r/∂v, n_v × n_v.
-    const DAMPING_PATTERN: &'static [(u16, u16)];
+    fn damping_pattern(&self) -> &[(u16, u16)];
     /// Entries of ∂(D a − γ)/∂q, m × n_v.
-    const ROW_STIFFNESS_PATTERN: &'static [(u16, u16)];
+    fn row_stiffness_pattern(&self) -> &[(u16, u16)];
     /// Entries of ∂(D a − γ)/∂v, m × n_v.
-    const ROW_DAMPING_PATTERN: &'static [(u16, u16)];
+    fn row_damping_pattern(&self) -> &[(u16, u16)];
     /// Entries of ∂(D v − ν)/∂q, m × n_v.
-    const RATE_PATTERN: &'static [(u16, u16)];
+    fn rate_pattern(&self) -> &[(u16, u16)];
     /// Entries of ∂r/∂u, n_v × n_u.
-    const INPUT_PATTERN: &'static [(u16, u16)];
+    fn input_pattern(&self) -> &[(u16, u16)];
     /// Entries of the derivatives by parameters, (n_v + 3m + n_y) × n_p: rows of r, D a − γ, D v − ν, Φ, outputs.
-    const PARAMETER_PATTERN: &'static [(u16, u16)];
+    fn parameter_pattern(&self) -> &[(u16, u16)];
     /// Entries of the outputs' derivatives, n_y × (2n_v + n_u + m): columns of q, v, u, λ.
-    const OUTPUT_PATTERN: &'static [(u16, u16)];
+    fn output_pattern(&self) -> &[(u16, u16)];
     /// Entries of ∂(ż, z̈)/∂(q, v), 2f × 2n_v.
-    const COORDINATE_PATTERN: &'static [(u16, u16)];
+    fn coordinate_pattern(&self) -> &[(u16, u16)];
 
     /// The stored entries of ∂r/∂q.
     type Stiffness: Vector<R>;
@@ -83,12 +83,14 @@ pub trait Tangent<R: Real>: Assemble<R, Z = (), Inputs: Fields<R>, Outputs: Fiel
     /// `[R; (n_v + m)²]`, \[∂r/∂q, Dᵀ; D, 0\], row by row.
     type Bordered: Vector<R>;
     /// `[u16; n_v + m]`, an order of those unknowns.
-    type Order: Copy + Debug + AsRef<[u16]> + AsMut<[u16]>;
+    type Order: Clone + Debug + AsRef<[u16]> + AsMut<[u16]>;
     /// The parameters, p.
     type Parameters: Fields<R>;
 
+    /// One name for each parameter, in the order of [`Fields`].
+    fn parameter_names(&self) -> &[&'static str];
     /// An order to be written.
-    fn order() -> Self::Order;
+    fn order(&self) -> Self::Order;
     /// r(t, q, v, u, a, λ) = M a + Dᵀ λ − Q, shape n_v, N and N·m: zero along motions.
     #[allow(clippy::too_many_arguments)]
     fn residual(
@@ -164,4 +166,66 @@ pub trait Tangent<R: Real>: Assemble<R, Z = (), Inputs: Fields<R>, Outputs: Fiel
         a: &Self::V,
         coordinate: &mut Self::CoordinateTangent,
     );
+
+    /// n_v + m.
+    #[doc(hidden)]
+    #[inline]
+    fn unknown_count(&self) -> usize {
+        self.velocity_count() + self.row_count()
+    }
+    /// Zeros for the entries of [`Stiffness`](Tangent::Stiffness).
+    #[inline]
+    fn zero_stiffness(&self) -> Self::Stiffness {
+        Vector::zeros(self.stiffness_pattern().len())
+    }
+    /// Zeros for the entries of [`Damping`](Tangent::Damping).
+    #[inline]
+    fn zero_damping(&self) -> Self::Damping {
+        Vector::zeros(self.damping_pattern().len())
+    }
+    /// Zeros for the entries of [`RowStiffness`](Tangent::RowStiffness).
+    #[inline]
+    fn zero_row_stiffness(&self) -> Self::RowStiffness {
+        Vector::zeros(self.row_stiffness_pattern().len())
+    }
+    /// Zeros for the entries of [`RowDamping`](Tangent::RowDamping).
+    #[inline]
+    fn zero_row_damping(&self) -> Self::RowDamping {
+        Vector::zeros(self.row_damping_pattern().len())
+    }
+    /// Zeros for the entries of [`RateTangent`](Tangent::RateTangent).
+    #[inline]
+    fn zero_rate_tangent(&self) -> Self::RateTangent {
+        Vector::zeros(self.rate_pattern().len())
+    }
+    /// Zeros for the entries of [`InputTangent`](Tangent::InputTangent).
+    #[inline]
+    fn zero_input_tangent(&self) -> Self::InputTangent {
+        Vector::zeros(self.input_pattern().len())
+    }
+    /// Zeros for the entries of [`ParameterTangent`](Tangent::ParameterTangent).
+    #[inline]
+    fn zero_parameter_tangent(&self) -> Self::ParameterTangent {
+        Vector::zeros(self.parameter_pattern().len())
+    }
+    /// Zeros for the entries of [`OutputTangent`](Tangent::OutputTangent).
+    #[inline]
+    fn zero_output_tangent(&self) -> Self::OutputTangent {
+        Vector::zeros(self.output_pattern().len())
+    }
+    /// Zeros for the entries of [`CoordinateTangent`](Tangent::CoordinateTangent).
+    #[inline]
+    fn zero_coordinate_tangent(&self) -> Self::CoordinateTangent {
+        Vector::zeros(self.coordinate_pattern().len())
+    }
+    #[doc(hidden)]
+    #[inline]
+    fn zero_unknowns(&self) -> Self::Unknowns {
+        Vector::zeros(self.unknown_count())
+    }
+    #[doc(hidden)]
+    #[inline]
+    fn zero_bordered(&self) -> Self::Bordered {
+        Vector::zeros(self.unknown_count() * self.unknown_count())
+    }
 }

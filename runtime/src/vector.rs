@@ -1,8 +1,8 @@
-//! Fixed-length vectors of scalars.
+//! Vectors of scalars, whose length is a matter of their type or of the mechanism.
 //!
-//! A mechanism names its own array types (`[R; 9]` for positions, and so on), because stable Rust cannot yet compute
-//! an array's length from an associated constant; [`Vector`] is what the rest of the runtime needs of them. No
-//! geometry here: what the entries mean is said by `layout.rs`.
+//! A compiled mechanism names its own array types (`[R; 9]` for positions, and so on), whose lengths the optimiser knows; one
+//! that is read while the program runs may keep its entries in lists. [`Vector`] is what the rest of the runtime needs of both.
+//! No geometry here: what the entries mean is said by `layout.rs`.
 
 use crate::real::Real;
 use core::fmt::Debug;
@@ -22,13 +22,36 @@ pub(crate) fn put<R: Real>(entries: &mut [R], index: usize, value: R) {
     }
 }
 
-/// A vector of fixed length over the scalars `R`; implemented for `[R; N]`, and for `()`, which has no entries.
-pub trait Vector<R: Real>: Copy + Debug + PartialEq + 'static {
-    /// The number of entries.
-    const LEN: usize;
-
-    /// The vector of zeros.
-    fn zero() -> Self;
+/// A vector over the scalars `R`; implemented for `[R; N]`, and for `()`, which has no entries.
+///
+/// The length never changes. Vectors that belong to one place of one mechanism, such as its velocities, have the same.
+/// ```
+/// use linkwright_runtime::Vector;
+///
+/// /// Entries in a list, as long as a definition says.
+/// #[derive(Clone, Debug, PartialEq)]
+/// struct Entries(Vec<f64>);
+///
+/// impl Vector<f64> for Entries {
+///     fn zeros(len: usize) -> Self {
+///         Entries(vec![0.0; len])
+///     }
+///     fn as_slice(&self) -> &[f64] {
+///         &self.0
+///     }
+///     fn as_mut_slice(&mut self) -> &mut [f64] {
+///         &mut self.0
+///     }
+/// }
+///
+/// let mut x = Entries::zeros(2);
+/// x.axpy(2.0, &Entries(vec![1.0, -3.0]));
+/// assert_eq!((x.max_abs(), x.as_slice().len()), (6.0, 2));
+/// ```
+pub trait Vector<R: Real>: Clone + Debug + PartialEq + 'static {
+    /// The vector of so many zeros. An array has the length of its type, whatever is asked for; that it is another one is a fault
+    /// of the mechanism's tables, which a build with debug assertions finds.
+    fn zeros(len: usize) -> Self;
     /// The entries, first to last.
     fn as_slice(&self) -> &[R];
     /// The entries, first to last, to be written.
@@ -45,7 +68,7 @@ pub trait Vector<R: Real>: Copy + Debug + PartialEq + 'static {
     /// `self + a·x`.
     #[inline]
     fn plus(&self, a: R, x: &Self) -> Self {
-        let mut sum = *self;
+        let mut sum = self.clone();
         sum.axpy(a, x);
         sum
     }
@@ -53,7 +76,7 @@ pub trait Vector<R: Real>: Copy + Debug + PartialEq + 'static {
     /// `a·self`.
     #[inline]
     fn scaled(&self, a: R) -> Self {
-        let mut product = *self;
+        let mut product = self.clone();
         for entry in product.as_mut_slice() {
             *entry = a * *entry;
         }
@@ -78,10 +101,9 @@ pub trait Vector<R: Real>: Copy + Debug + PartialEq + 'static {
 }
 
 impl<R: Real, const N: usize> Vector<R> for [R; N] {
-    const LEN: usize = N;
-
     #[inline(always)]
-    fn zero() -> Self {
+    fn zeros(len: usize) -> Self {
+        debug_assert_eq!(len, N, "the length of a vector is that of its array");
         [R::ZERO; N]
     }
     #[inline(always)]
@@ -95,10 +117,10 @@ impl<R: Real, const N: usize> Vector<R> for [R; N] {
 }
 
 impl<R: Real> Vector<R> for () {
-    const LEN: usize = 0;
-
     #[inline(always)]
-    fn zero() -> Self {}
+    fn zeros(len: usize) -> Self {
+        debug_assert_eq!(len, 0, "nothing has no entries");
+    }
     #[inline(always)]
     fn as_slice(&self) -> &[R] {
         &[]

@@ -25,15 +25,15 @@ fn equations_are_solved<M: Model>() {
     let (_, _, model, states) = walk::<M>(20, STATES);
     let mut random = Random::new(21);
     for At { time, q, v, u } in &states {
-        let mut a = M::V::zero();
-        let mut lambda = M::Lambda::zero();
+        let mut a = model.zero_v();
+        let mut lambda = model.zero_lambda();
         let pivot = model.acceleration(*time, &State::new(*q, *v), u, &mut a, &mut lambda);
-        assert!(pivot > 0.0 && pivot <= 1.0, "{}: pivot {pivot}", M::NAME);
+        assert!(pivot > 0.0 && pivot <= 1.0, "{}: pivot {pivot}", model.name());
         assert_solved(&model, *time, (q, v, u), (0.0, 0.0), (&a, &lambda));
 
         let (off, faster) = (random.vector(a.as_slice().len()), random.vector(a.as_slice().len()));
         let mut away = *q;
-        retract(&M::LAYOUT, q, &vector::<M::V>(&off).scaled(1e-2), &mut away);
+        retract(model.layout(), q, &vector::<M::V>(&off).scaled(1e-2), &mut away);
         let v = v.plus(0.1, &vector(&faster));
         let off = State::new(away, v);
         model.acceleration_baumgarte(*time, &off, u, 7.0, 50.0, &mut a, &mut lambda);
@@ -48,15 +48,15 @@ fn assert_solved<M: Model>(
     (two_alpha, beta_squared): (f64, f64),
     (a, lambda): (&M::V, &M::Lambda),
 ) {
-    let (mut mass, mut jacobian) = (M::Mass::zero(), M::Jacobian::zero());
-    let (mut forces, mut gamma, mut phi) = (M::V::zero(), M::Lambda::zero(), M::Lambda::zero());
+    let (mut mass, mut jacobian) = (model.zero_mass(), model.zero_jacobian());
+    let (mut forces, mut gamma, mut phi) = (model.zero_v(), model.zero_lambda(), model.zero_lambda());
     model.mass_matrix(time, q, &mut mass);
     model.constraint_jacobian(time, q, &mut jacobian);
     model.forces(time, &State::new(*q, *v), u, &mut forces);
     model.gamma(time, q, v, &mut gamma);
     model.constraints(time, q, &mut phi);
     let (rates, _) = row_rates(model, time, q, v);
-    let n = M::VELOCITY_NAMES.len();
+    let n = model.velocity_names().len();
 
     let mut residual: Vec<f64> = forces.as_slice().to_vec();
     residual.extend(
@@ -75,20 +75,20 @@ fn assert_solved<M: Model>(
         residual[row] -= entry * unknowns[column];
         sums[row] += entry.abs();
     };
-    for (&(row, column), entry) in M::MASS_PATTERN.iter().zip(mass.as_slice()) {
+    for (&(row, column), entry) in model.mass_pattern().iter().zip(mass.as_slice()) {
         let (row, column) = (row as usize, column as usize);
         subtract(row, column, *entry);
         if row != column {
             subtract(column, row, *entry);
         }
     }
-    for (&(row, column), entry) in M::JACOBIAN_PATTERN.iter().zip(jacobian.as_slice()) {
+    for (&(row, column), entry) in model.jacobian_pattern().iter().zip(jacobian.as_slice()) {
         let (row, column) = (n + row as usize, column as usize);
         subtract(row, column, *entry);
         subtract(column, row, *entry);
     }
     let (residual, scale) = (size(&residual), size(&sums) * size(&unknowns) + right);
-    assert!(residual <= 1e-13 * scale, "{}: residual {residual:e} of {scale:e}", M::NAME);
+    assert!(residual <= 1e-13 * scale, "{}: residual {residual:e} of {scale:e}", model.name());
 }
 
 /// The model's motion as functions of h, to the second order: t + h, q ⊕ (h v + ½ h² v̇), v + h v̇.
@@ -100,14 +100,15 @@ struct Ahead<M: Model> {
 
 impl<M: Model> Ahead<M> {
     fn new(model: &M, at: At<M>) -> Self {
-        let (mut a, mut lambda) = (M::V::zero(), M::Lambda::zero());
+        let (mut a, mut lambda) = (model.zero_v(), model.zero_lambda());
         model.acceleration(at.time, &at.state(), &at.u, &mut a, &mut lambda);
         Ahead { at, a, lambda }
     }
 
     fn state(&self, h: f64) -> (f64, M::Q, M::V) {
+        let model = M::standard();
         let mut q = self.at.q;
-        retract(&M::LAYOUT, &self.at.q, &self.at.v.scaled(h).plus(h * h / 2.0, &self.a), &mut q);
+        retract(model.layout(), &self.at.q, &self.at.v.scaled(h).plus(h * h / 2.0, &self.a), &mut q);
         (self.at.time + h, q, self.at.v.plus(h, &self.a))
     }
 
@@ -154,17 +155,17 @@ fn power_is_balanced<M: Model>() {
     let (compiled, parameters, model, states) = walk::<M>(22, STATES);
     if compiled.mechanism.loads.iter().any(is_moved) {
         assert!(
-            ["CarAxis", "Table", "Mounted", "Cabin", "Steered"].contains(&M::NAME),
+            ["CarAxis", "Table", "Mounted", "Cabin", "Steered"].contains(&model.name()),
             "{}: left to the reference",
-            M::NAME
+            model.name()
         );
         return;
     }
     let weightless = weightless(&compiled);
     for at in states {
-        if model.kinetic_energy(at.time, &at.q, &M::V::zero()) != 0.0 {
+        if model.kinetic_energy(at.time, &at.q, &model.zero_v()) != 0.0 {
             // A support carries bodies: its power is a reaction's, see `a_moving_support_works`.
-            assert_eq!(M::NAME, "Shaken");
+            assert_eq!(model.name(), "Shaken");
             return;
         }
         let ahead = Ahead::new(&model, at);
@@ -173,7 +174,7 @@ fn power_is_balanced<M: Model>() {
         let gravity = ahead.rate(|time, q, v| {
             stored::<M>(&weightless, &parameters, time, q) - model.potential_energy(time, &State::new(*q, *v))
         });
-        let mut nu = M::Lambda::zero();
+        let mut nu = model.zero_lambda();
         model.nu(at.time, &at.q, &mut nu);
         let forced: Vec<f64> =
             lambda.as_slice().iter().zip(nu.as_slice()).map(|(lambda, nu)| -lambda * nu).collect();
@@ -181,13 +182,17 @@ fn power_is_balanced<M: Model>() {
         let powers: Vec<f64> = loads.iter().chain(&forced).copied().chain([gravity]).collect();
         let sum: f64 = powers.iter().sum();
         let scale = kinetic.abs() + powers.iter().map(|power| power.abs()).sum::<f64>();
-        assert!((kinetic - sum).abs() <= 1e-6 * scale, "{}: dT/dt {kinetic}, powers {powers:?}", M::NAME);
+        assert!(
+            (kinetic - sum).abs() <= 1e-6 * scale,
+            "{}: dT/dt {kinetic}, powers {powers:?}",
+            model.name()
+        );
 
         let drivers = model.flat_driver_efforts(at, lambda);
         let (_, driving) = drivers.split_at(drivers.len() / 2);
         let rows = &forced[forced.len() - driving.len()..];
         for (power, row) in driving.iter().zip(rows) {
-            assert!((power - row).abs() <= 1e-12 * (1e-12 + row.abs()), "{}: {power} {row}", M::NAME);
+            assert!((power - row).abs() <= 1e-12 * (1e-12 + row.abs()), "{}: {power} {row}", model.name());
         }
     }
 }
@@ -214,7 +219,7 @@ fn springs_store_what_they_take<M: Model>() {
         let scale: f64 = elastic.iter().map(|index| powers[*index].abs()).sum();
         let ahead = Ahead::new(&model, at);
         let rate = ahead.rate(|time, q, _| stored::<M>(&weightless, &parameters, time, q));
-        assert!((taken + rate).abs() <= 1e-6 * (scale + rate.abs()), "{}: {taken} {rate}", M::NAME);
+        assert!((taken + rate).abs() <= 1e-6 * (scale + rate.abs()), "{}: {taken} {rate}", model.name());
     }
 }
 
@@ -222,7 +227,7 @@ fn springs_store_what_they_take<M: Model>() {
 fn joints_exert_nothing_along_their_freedom<M: Model>() {
     let (compiled, _, model, states) = walk::<M>(26, STATES);
     for at in states {
-        let (mut a, mut lambda) = (M::V::zero(), M::Lambda::zero());
+        let (mut a, mut lambda) = (model.zero_v(), model.zero_lambda());
         model.acceleration(at.time, &at.state(), &at.u, &mut a, &mut lambda);
         let reactions = model.flat_reactions(&at, &a, &lambda);
         let largest = reactions.iter().fold(0.0_f64, |largest, reaction| largest.max(reaction.abs()));
@@ -233,7 +238,7 @@ fn joints_exert_nothing_along_their_freedom<M: Model>() {
             for (joint, reaction) in compiled.mechanism.joints.iter().zip(reactions) {
                 for work in along_the_freedom(&compiled.mechanism, joint, reaction, &motions) {
                     let name = &joint.name.text;
-                    assert!(work.abs() <= 1e-10 * largest, "{} {name}: {work} of {largest}", M::NAME);
+                    assert!(work.abs() <= 1e-10 * largest, "{} {name}: {work} of {largest}", model.name());
                 }
             }
             continue;
@@ -249,7 +254,7 @@ fn joints_exert_nothing_along_their_freedom<M: Model>() {
             };
             for work in free.iter().map(|component| wrench[*component]) {
                 let name = &joint.name.text;
-                assert!(work.abs() <= 1e-11 * largest, "{} {name}: {work} of {largest}", M::NAME);
+                assert!(work.abs() <= 1e-11 * largest, "{} {name}: {work} of {largest}", model.name());
             }
         }
     }
@@ -351,5 +356,5 @@ fn momentum_is_kept() {
         assert!((before - after).abs() < 1e-10, "{before} {after}");
     }
     assert!(compiled::<Floating>(None).complete.equations.rows.is_empty());
-    assert_eq!(<Floating as Mechanism<f64>>::ROWS.len(), 0);
+    assert_eq!(<Floating>::default().rows().len(), 0);
 }

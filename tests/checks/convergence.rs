@@ -5,7 +5,7 @@ use crate::walking::walk;
 use crate::zoo::Gears;
 use linkwright::{
     AssembleExt, Baumgarte, DormandPrince, ExplicitTrapezoidal, Fields, Integrator, LagrangeIndex1, Layout,
-    MechanismDynamics, NoInputs, Rk4, SemiImplicitEuler, Simulation, State, StateOf, Vector,
+    Mechanism, MechanismDynamics, NoInputs, Rk4, SemiImplicitEuler, Simulation, State, StateOf, Vector,
 };
 use linkwright_models::{double_pendulum::DoublePendulum, n_four_bar::NFourBar2};
 use std::f64::consts::{PI, TAU};
@@ -27,7 +27,7 @@ fn reached<M: Model<Inputs = ()>, I: Steps<M>>(integrator: I, end: f64, steps: u
     let start = model.start();
     let simulation = Simulation::new(&model, start).formulation(LagrangeIndex1).integrator(integrator);
     let reached = simulation.step(end / f64::from(steps)).advance_until(end);
-    reached.unwrap_or_else(|error| panic!("{}: {error}", M::NAME))
+    reached.unwrap_or_else(|error| panic!("{}: {error}", model.name()))
 }
 
 /// log₂ of the ratio of the errors with `steps` and with twice as many.
@@ -75,7 +75,7 @@ fn counted_angles_are_those_of_the_pairs() {
     for sample in simulation.samples(5.0) {
         let sample = sample.expect("it runs");
         let o = sample.outputs;
-        let motions = model.motions(sample.time, &sample.state.q, &sample.state.v, &Vector::zero());
+        let motions = model.motions(sample.time, &sample.state.q, &sample.state.v, &model.zero_v());
         let angle = |name: &str| {
             let body = Gears::BODIES.iter().position(|body| *body == name).expect("a body of the mechanism");
             let [c, s] = motions[body].orientation;
@@ -104,8 +104,8 @@ fn walking_keeps_angles_and_pairs_together<M: Model>() {
     let (compiled, _, model, states) = walk::<M>(30, 10);
     for at in &states {
         let outputs = model.outputs(at.time, &at.state(), &at.u).to_array();
-        assert!(outputs.as_slice().iter().all(|output| output.is_finite()), "{}", M::NAME);
-        let Layout { linear, rotations, quaternions, angles } = M::LAYOUT;
+        assert!(outputs.as_slice().iter().all(|output| output.is_finite()), "{}", model.name());
+        let Layout { linear, rotations, quaternions, angles } = *model.layout();
         let counts = linear + 2 * rotations + 4 * quaternions;
         let q = at.q.as_slice();
         for (angle, known) in compiled.complete.equations.layout.angles.iter().zip(0..angles.len()) {
@@ -119,11 +119,11 @@ fn walking_keeps_angles_and_pairs_together<M: Model>() {
             };
             let counted = |q: &[f64]| TAU * q[counts + 2 * known] + q[counts + 2 * known + 1];
             // A constant lies between them: the frames' fixed angles, the same as at the start.
-            let start = M::start_q();
+            let start = model.start_q();
             let start = start.as_slice();
             let moved = angle_of(q) - angle_of(start);
             let off = (counted(q) - counted(start) - moved + PI).rem_euclid(TAU) - PI;
-            assert!(off.abs() < 1e-9, "{}: {} against {moved}", M::NAME, counted(q));
+            assert!(off.abs() < 1e-9, "{}: {} against {moved}", model.name(), counted(q));
         }
     }
 }

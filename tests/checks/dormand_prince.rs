@@ -4,7 +4,7 @@
 use linkwright::{
     AssemblyError, AugmentedLagrangian, DormandPrince, Evaluation, Formulation, LagrangeIndex1, Mechanism,
     NullSpace, Partitioned, Penalty, PivotOf, Projected, Residual, SettingError, Settled, Simulation,
-    StateOf, Vector,
+    StateOf,
 };
 use linkwright_models::andrews::Andrews;
 use linkwright_models::four_spherical_joints::FourSphericalJoints;
@@ -20,8 +20,8 @@ impl<M: Mechanism<f64>, F: Formulation<f64, M>> Formulation<f64, M> for Counting
     type Memory = F::Memory;
     const PIVOT: PivotOf = F::PIVOT;
 
-    fn memory(&self) -> F::Memory {
-        self.0.memory()
+    fn memory(&self, model: &M) -> F::Memory {
+        self.0.memory(model)
     }
     fn acceleration(
         &self,
@@ -75,7 +75,7 @@ fn the_heavy_top_follows_the_tolerance() {
         for row in &rows {
             let state = simulation.advance_until(row[0]).expect("the top spins");
             let place: Vec<f64> =
-                model.motions(row[0], &state.q, &state.v, &Vector::zero())[0].position.into();
+                model.motions(row[0], &state.q, &state.v, &model.zero_v())[0].position.into();
             error = error.max(apart(&place, &row[8..11]));
         }
         println!("{tolerance:.0e}: place off by {error:.2e} m, {} evaluations", evaluations.get());

@@ -35,7 +35,7 @@ fn emitted_code_is_the_program<M: Model>() {
         for function in Function::ALL {
             let Some(emitted) = emitted(&model, &inputs, function) else { continue };
             let program = schedule::run(compiled.programs.get(function), &inputs);
-            compare(M::NAME, function, &emitted, &program);
+            compare(model.name(), function, &emitted, &program);
         }
         null_space_is_the_program(&compiled, &model, inputs.clone());
         factorisation_is_the_program(&compiled, &model, inputs);
@@ -71,17 +71,19 @@ fn emitted<M: Model>(model: &M, inputs: &Inputs, function: Function) -> Option<V
     let target = vector(&inputs.targets);
     let (a, lambda) = (vector(&inputs.acceleration), vector(&inputs.lambda));
     let solution = |solve: &dyn Fn(&mut M::V, &mut M::Lambda) -> f64| {
-        let (mut a, mut lambda) = (M::V::zero(), M::Lambda::zero());
+        let (mut a, mut lambda) = (model.zero_v(), model.zero_lambda());
         let pivot = solve(&mut a, &mut lambda);
         a.as_slice().iter().chain(lambda.as_slice()).copied().chain([pivot]).collect()
     };
     Some(match function {
-        Function::MassMatrix => written(|out: &mut M::Mass| model.mass_matrix(t, q, out)),
-        Function::Constraints => written(|out: &mut M::Lambda| model.constraints(t, q, out)),
-        Function::ConstraintJacobian => written(|out: &mut M::Jacobian| model.constraint_jacobian(t, q, out)),
-        Function::Nu => written(|out: &mut M::Lambda| model.nu(t, q, out)),
-        Function::Gamma => written(|out: &mut M::Lambda| model.gamma(t, q, v, out)),
-        Function::Forces => written(|out: &mut M::V| model.forces(t, state, u, out)),
+        Function::MassMatrix => written(model.zero_mass(), |out| model.mass_matrix(t, q, out)),
+        Function::Constraints => written(model.zero_lambda(), |out| model.constraints(t, q, out)),
+        Function::ConstraintJacobian => {
+            written(model.zero_jacobian(), |out| model.constraint_jacobian(t, q, out))
+        }
+        Function::Nu => written(model.zero_lambda(), |out| model.nu(t, q, out)),
+        Function::Gamma => written(model.zero_lambda(), |out| model.gamma(t, q, v, out)),
+        Function::Forces => written(model.zero_v(), |out| model.forces(t, state, u, out)),
         Function::KineticEnergy => vec![model.kinetic_energy(t, q, v)],
         Function::PotentialEnergy => vec![model.potential_energy(t, state)],
         Function::Acceleration => solution(&|a, lambda| model.acceleration(t, state, u, a, lambda)),
@@ -94,24 +96,24 @@ fn emitted<M: Model>(model: &M, inputs: &Inputs, function: Function) -> Option<V
         Function::DriverEfforts => model.flat_driver_efforts(&at, &lambda),
         Function::Motions => model.flat_motions(t, q, v, &a),
         Function::Reactions => model.flat_reactions(&at, &a, &lambda),
-        Function::RowCosines => written(|out: &mut M::Lambda| model.row_cosines(t, q, out)),
+        Function::RowCosines => written(model.zero_lambda(), |out| model.row_cosines(t, q, out)),
         Function::ConditionResidual => {
-            written(|out: &mut M::Conditions| model.condition_residual(t, q, &target, out))
+            written(model.zero_conditions(), |out| model.condition_residual(t, q, &target, out))
         }
         Function::ConditionCosines => {
-            written(|out: &mut M::Conditions| model.condition_cosines(t, q, &target, out))
+            written(model.zero_conditions(), |out| model.condition_cosines(t, q, &target, out))
         }
         Function::ConditionJacobian => {
-            written(|out: &mut M::ConditionJacobian| model.condition_jacobian(t, q, out))
+            written(model.zero_condition_jacobian(), |out| model.condition_jacobian(t, q, out))
         }
-        Function::ConditionBias => written(|out: &mut M::Conditions| model.condition_bias(t, q, v, out)),
-        Function::ConditionDrift => written(|out: &mut M::Conditions| model.condition_drift(t, q, out)),
+        Function::ConditionBias => written(model.zero_conditions(), |out| model.condition_bias(t, q, v, out)),
+        Function::ConditionDrift => written(model.zero_conditions(), |out| model.condition_drift(t, q, out)),
         Function::StartTargets => {
-            let (mut positions, mut rates) = (M::Conditions::zero(), M::Conditions::zero());
+            let (mut positions, mut rates) = (model.zero_conditions(), model.zero_conditions());
             model.start_targets(&mut positions, &mut rates);
             positions.as_slice().iter().chain(rates.as_slice()).copied().collect()
         }
-        Function::RowScales => written(|out: &mut M::Lambda| model.row_scales(out)),
+        Function::RowScales => written(model.zero_lambda(), |out| model.row_scales(out)),
         Function::Prepare | Function::Masses => return None,
         // Compared together below.
         Function::Factor | Function::System | Function::Solve => return None,
@@ -133,9 +135,9 @@ fn factorisation_is_the_program<M: Model>(compiled: &Compiled, model: &M, mut in
     let Some(stored) = &compiled.complete.further.stored else { return };
     let kept = stored.kept.len();
     let at = At::<M>::of(&inputs);
-    let (mut store, compliance) = (M::store(), inputs.compliance);
+    let (mut store, compliance) = (model.store(), inputs.compliance);
     let solved = |store: &M::Store, forces: &M::V, rows: &M::Lambda, pivot: f64| {
-        let (mut a, mut lambda) = (M::V::zero(), M::Lambda::zero());
+        let (mut a, mut lambda) = (model.zero_v(), model.zero_lambda());
         model.solve(store, forces, rows, &mut a, &mut lambda);
         a.as_slice().iter().chain(lambda.as_slice()).copied().chain([pivot]).collect::<Vec<f64>>()
     };
@@ -145,11 +147,11 @@ fn factorisation_is_the_program<M: Model>(compiled: &Compiled, model: &M, mut in
     inputs.kept = factored[..kept].to_vec();
     let mut program = schedule::run(compiled.programs.get(Function::Solve), &inputs);
     program.push(factored[kept]);
-    compare(M::NAME, Function::Factor, &emitted, &program);
+    compare(model.name(), Function::Factor, &emitted, &program);
     if !compiled.complete.further.emits_system {
         return;
     }
-    let (mut forces, mut rows) = (M::V::zero(), M::Lambda::zero());
+    let (mut forces, mut rows) = (model.zero_v(), model.zero_lambda());
     let (two_alpha, beta_squared) = (inputs.two_alpha, inputs.beta_squared);
     let (At { time, u, .. }, state) = (&at, &at.state());
     let pivot = model.system(
@@ -167,11 +169,11 @@ fn factorisation_is_the_program<M: Model>(compiled: &Compiled, model: &M, mut in
     let set_up = schedule::run(compiled.programs.get(Function::System), &inputs);
     let (stored, rest) = set_up.split_at(kept);
     inputs.kept = stored.to_vec();
-    inputs.given_forces = rest[..M::V::LEN].to_vec();
-    inputs.given_rows = rest[M::V::LEN..rest.len() - 1].to_vec();
+    inputs.given_forces = rest[..model.velocity_count()].to_vec();
+    inputs.given_rows = rest[model.velocity_count()..rest.len() - 1].to_vec();
     let mut program = schedule::run(compiled.programs.get(Function::Solve), &inputs);
     program.extend(rest.last());
-    compare(M::NAME, Function::System, &emitted, &program);
+    compare(model.name(), Function::System, &emitted, &program);
 }
 
 /// The equations in independent velocities where they are emitted: D factored, then solved; and the whole.
@@ -179,7 +181,7 @@ fn null_space_is_the_program<M: Model>(compiled: &Compiled, model: &M, mut input
     let Some(written) = &compiled.complete.further.null_space else { return };
     let at = At::<M>::of(&inputs);
     let (At { time, q, v, u }, state) = (&at, &at.state());
-    let (mut lu, mut velocity) = (M::lu(), M::V::zero());
+    let (mut lu, mut velocity) = (model.lu(), model.zero_v());
     let pivot = model.factor_jacobian(*time, q, &mut lu);
     model.dependent_velocities(&lu, &vector(&inputs.given_rows), v, &mut velocity);
     let emitted: Vec<f64> = velocity.as_slice().iter().copied().chain([pivot]).collect();
@@ -187,13 +189,13 @@ fn null_space_is_the_program<M: Model>(compiled: &Compiled, model: &M, mut input
     inputs.lu = factored[..written.kept.len()].to_vec();
     let mut program = schedule::run(compiled.programs.get(Function::DependentVelocities), &inputs);
     program.extend(factored.last());
-    compare(M::NAME, Function::DependentVelocities, &emitted, &program);
+    compare(model.name(), Function::DependentVelocities, &emitted, &program);
 
-    let (mut a, mut lambda) = (M::V::zero(), M::Lambda::zero());
+    let (mut a, mut lambda) = (model.zero_v(), model.zero_lambda());
     let pivot = model.null_space(*time, state, u, &mut a, &mut lambda);
     let all = [a.as_slice(), lambda.as_slice(), &[pivot]].concat();
     compare(
-        M::NAME,
+        model.name(),
         Function::NullSpace,
         &all,
         &schedule::run(compiled.programs.get(Function::NullSpace), &inputs),
@@ -202,9 +204,10 @@ fn null_space_is_the_program<M: Model>(compiled: &Compiled, model: &M, mut input
 
 /// All functions of a mechanism that emits its derivatives.
 fn emitted_tangents_are_the_programs<M: Model + Tangent<f64>>() {
+    let model = M::standard();
     emitted_code_is_the_program::<M>();
     let compiled = compiled::<M>(None);
-    assert!(compiled.complete.tangents.is_some(), "{}: nothing would be compared", M::NAME);
+    assert!(compiled.complete.tangents.is_some(), "{}: nothing would be compared", model.name());
     let mut random = Random::new(3);
     for _ in 0..POINTS {
         let mut inputs = random.point(&compiled);
@@ -217,40 +220,46 @@ fn emitted_tangents_are_the_programs<M: Model + Tangent<f64>>() {
         let (a, lambda) = (&a, &lambda);
         let check = |function: Function, emitted: Vec<f64>| {
             let program = schedule::run(compiled.programs.get(function), &inputs);
-            compare(M::NAME, function, &emitted, &program);
+            compare(model.name(), function, &emitted, &program);
         };
-        check(Function::Residual, written(|out: &mut M::V| model.residual(t, state, u, a, lambda, out)));
-        check(Function::RateTangent, written(|out: &mut M::RateTangent| model.rate_tangent(t, q, v, out)));
+        check(Function::Residual, written(model.zero_v(), |out| model.residual(t, state, u, a, lambda, out)));
+        check(
+            Function::RateTangent,
+            written(model.zero_rate_tangent(), |out| model.rate_tangent(t, q, v, out)),
+        );
         check(
             Function::InputTangent,
-            written(|out: &mut M::InputTangent| model.input_tangent(t, state, u, out)),
+            written(model.zero_input_tangent(), |out| model.input_tangent(t, state, u, out)),
         );
         check(
             Function::ParameterTangent,
-            written(|out: &mut M::ParameterTangent| model.parameter_tangent(t, state, u, a, lambda, out)),
+            written(model.zero_parameter_tangent(), |out| {
+                model.parameter_tangent(t, state, u, a, lambda, out)
+            }),
         );
         check(
             Function::OutputTangent,
-            written(|out: &mut M::OutputTangent| model.output_tangent(t, state, u, lambda, out)),
+            written(model.zero_output_tangent(), |out| model.output_tangent(t, state, u, lambda, out)),
         );
         check(
             Function::CoordinateTangent,
-            written(|out: &mut M::CoordinateTangent| model.coordinate_tangent(t, q, v, a, out)),
+            written(model.zero_coordinate_tangent(), |out| model.coordinate_tangent(t, q, v, a, out)),
         );
-        let mut second = M::Damping::zero();
+        let mut second = model.zero_damping();
         let mut first =
-            written(|out: &mut M::Stiffness| model.tangent(t, state, u, a, lambda, out, &mut second));
+            written(model.zero_stiffness(), |out| model.tangent(t, state, u, a, lambda, out, &mut second));
         first.extend(second.as_slice());
         check(Function::Tangent, first);
-        let mut second = M::RowDamping::zero();
-        let mut first = written(|out: &mut M::RowStiffness| model.row_tangent(t, q, v, a, out, &mut second));
+        let mut second = model.zero_row_damping();
+        let mut first =
+            written(model.zero_row_stiffness(), |out| model.row_tangent(t, q, v, a, out, &mut second));
         first.extend(second.as_slice());
         check(Function::RowTangent, first);
     }
 }
 
-fn written<V: Vector<f64>>(write: impl FnOnce(&mut V)) -> Vec<f64> {
-    let mut out = V::zero();
+fn written<V: Vector<f64>>(zeros: V, write: impl FnOnce(&mut V)) -> Vec<f64> {
+    let mut out = zeros;
     // An entry that is not written is seen.
     out.as_mut_slice().fill(f64::INFINITY);
     write(&mut out);

@@ -126,7 +126,7 @@ fn outputs_have_their_values() {
         let (x0, speed, theta, omega) = (random.next(), random.next(), 3.0 * random.next(), random.next());
         let gain = if point % 5 == 0 { 0.2 } else { random.next() };
         // In tree coordinates: the travel, the arm's orientation.
-        assert_eq!(<Everything as Mechanism<f64>>::POSITION_NAMES, ["rail.travel", "arm.cos", "arm.sin"]);
+        assert_eq!(<Everything>::default().position_names(), ["rail.travel", "arm.cos", "arm.sin"]);
         let (q, v) = (vector(&[x0, theta.cos(), theta.sin()]), vector(&[speed, omega]));
         let at = |q, v| model.outputs(2.5, &State::new(q, v), &fields(&[0.7, gain]));
         let o: EverythingOutputs = at(q, v);

@@ -20,19 +20,21 @@ for_each!(bodies_move_as_reported);
 
 /// Random states, and a model with random parameters for each.
 fn points<M: Model>(seed: u64) -> impl Iterator<Item = (M, At<M>)> {
+    let model = M::standard();
     let compiled = compiled::<M>(None);
     let mut random = Random::new(seed);
     (0..POINTS).map(move |_| {
         let mut point = random.point(&compiled);
-        point.q = random.position(&M::LAYOUT);
+        point.q = random.position(model.layout());
         (M::prepared(&point.parameters).expect("parameters near their defaults"), At::of(&point))
     })
 }
 
 /// (t + h, q ⊕ h v).
 fn along<M: Model>(at: &At<M>, h: f64) -> (f64, M::Q) {
+    let model = M::standard();
     let mut q = at.q;
-    retract(&M::LAYOUT, &at.q, &at.v.scaled(h), &mut q);
+    retract(model.layout(), &at.q, &at.v.scaled(h), &mut q);
     (at.time + h, q)
 }
 
@@ -51,8 +53,9 @@ pub fn derivative_over(h: f64, f: impl Fn(f64) -> Vec<f64>) -> Vec<f64> {
 
 /// D v from the stored entries; magnitudes Σ |d v| with `absolute`.
 pub fn product<M: Model>(jacobian: &M::Jacobian, v: &M::V, absolute: bool) -> Vec<f64> {
-    let mut product = vec![0.0; M::ROWS.len()];
-    for (&(row, column), d) in M::JACOBIAN_PATTERN.iter().zip(jacobian.as_slice()) {
+    let model = M::standard();
+    let mut product = vec![0.0; model.rows().len()];
+    for (&(row, column), d) in model.jacobian_pattern().iter().zip(jacobian.as_slice()) {
         let term = d * v.as_slice()[column as usize];
         product[row as usize] += if absolute { term.abs() } else { term };
     }
@@ -61,7 +64,7 @@ pub fn product<M: Model>(jacobian: &M::Jacobian, v: &M::V, absolute: bool) -> Ve
 
 /// D v − ν, and the magnitude of its terms.
 pub fn row_rates<M: Model>(model: &M, time: f64, q: &M::Q, v: &M::V) -> (Vec<f64>, Vec<f64>) {
-    let (mut jacobian, mut nu) = (M::Jacobian::zero(), M::Lambda::zero());
+    let (mut jacobian, mut nu) = (model.zero_jacobian(), model.zero_lambda());
     model.constraint_jacobian(time, q, &mut jacobian);
     model.nu(time, q, &mut nu);
     let rates = product::<M>(&jacobian, v, false);
@@ -78,19 +81,19 @@ fn jacobian_is_the_derivative<M: Model>() {
     for (model, at) in points::<M>(10) {
         let phi = |h: f64| {
             let (time, q) = along(&at, h);
-            let mut phi = M::Lambda::zero();
+            let mut phi = model.zero_lambda();
             model.constraints(time, &q, &mut phi);
             phi.as_slice().to_vec()
         };
         let (rates, magnitudes) = row_rates(&model, at.time, &at.q, &at.v);
         let differences = derivative(phi);
-        for (row, name) in M::ROWS.iter().enumerate() {
+        for (row, name) in model.rows().iter().enumerate() {
             let (rate, difference) = (rates[row], differences[row]);
             let tolerance = 2e-8 * (1.0 + magnitudes[row]);
             assert!(
                 (rate - difference).abs() <= tolerance,
                 "{} {name}: D v − ν {rate}, dΦ {difference}",
-                M::NAME
+                model.name()
             );
         }
     }
@@ -103,14 +106,18 @@ fn gamma_is_the_derivative<M: Model>() {
             let (time, q) = along(&at, h);
             row_rates(&model, time, &q, &at.v).0
         };
-        let mut gamma = M::Lambda::zero();
+        let mut gamma = model.zero_lambda();
         model.gamma(at.time, &at.q, &at.v, &mut gamma);
         let (_, magnitudes) = row_rates(&model, at.time, &at.q, &at.v);
         let differences = derivative(rates);
-        for (row, name) in M::ROWS.iter().enumerate() {
+        for (row, name) in model.rows().iter().enumerate() {
             let (gamma, difference) = (gamma.as_slice()[row], -differences[row]);
             let tolerance = 1e-7 * (1.0 + magnitudes[row] + gamma.abs());
-            assert!((gamma - difference).abs() <= tolerance, "{} {name}: γ {gamma}, {difference}", M::NAME);
+            assert!(
+                (gamma - difference).abs() <= tolerance,
+                "{} {name}: γ {gamma}, {difference}",
+                model.name()
+            );
         }
     }
 }
@@ -144,10 +151,10 @@ fn conditions_have_their_rates_at<M: Model>(model: &M, at: &At<M>, has_value: &d
     // The angle from its value at h = 0 on, so that no whole turn comes between.
     let value = |h: f64, target: &M::Conditions| -> Vec<f64> {
         let (time, q) = along(at, h);
-        let (mut residual, mut upright) = (M::Conditions::zero(), M::Conditions::zero());
+        let (mut residual, mut upright) = (model.zero_conditions(), model.zero_conditions());
         model.condition_residual(time, &q, target, &mut residual);
         model.condition_cosines(time, &q, target, &mut upright);
-        let both = residual.as_slice().iter().zip(upright.as_slice()).zip(M::CONDITIONS);
+        let both = residual.as_slice().iter().zip(upright.as_slice()).zip(model.conditions());
         both.map(|((residual, upright), condition)| match condition.kind {
             ConditionKind::Angle => residual.atan2(*upright),
             ConditionKind::Linear => *residual,
@@ -158,50 +165,55 @@ fn conditions_have_their_rates_at<M: Model>(model: &M, at: &At<M>, has_value: &d
     };
     let rate = |h: f64| -> Vec<f64> {
         let (time, q) = along(at, h);
-        let (mut jacobian, mut drift) = (M::ConditionJacobian::zero(), M::Conditions::zero());
+        let (mut jacobian, mut drift) = (model.zero_condition_jacobian(), model.zero_conditions());
         model.condition_jacobian(time, &q, &mut jacobian);
         model.condition_drift(time, &q, &mut drift);
         let mut rates = drift.as_slice().to_vec();
-        for (&(row, column), j) in M::CONDITION_PATTERN.iter().zip(jacobian.as_slice()) {
+        for (&(row, column), j) in model.condition_pattern().iter().zip(jacobian.as_slice()) {
             rates[row as usize] += j * at.v.as_slice()[column as usize];
         }
         rates
     };
-    let here: M::Conditions = vector(&value(0.0, &M::Conditions::zero()));
+    let here: M::Conditions = vector(&value(0.0, &model.zero_conditions()));
     let (rates, slopes) = (rate(0.0), derivative(|h| value(h, &here)));
-    let (mut bias, second) = (M::Conditions::zero(), derivative(rate));
+    let (mut bias, second) = (model.zero_conditions(), derivative(rate));
     model.condition_bias(at.time, &at.q, &at.v, &mut bias);
-    let motions = model.flat_motions(at.time, &at.q, &at.v, &M::V::zero());
-    for (index, condition) in M::CONDITIONS.iter().enumerate() {
+    let motions = model.flat_motions(at.time, &at.q, &at.v, &model.zero_v());
+    for (index, condition) in model.conditions().iter().enumerate() {
         let (of, rate) = (condition.of, rates[index]);
         let slope = match condition.kind {
             ConditionKind::Rate => reported_rate::<M>(of, &motions),
             ConditionKind::Angle | ConditionKind::Linear => slopes[index],
         };
         let off = if has_value(condition) { (rate - slope).abs() } else { 0.0 };
-        assert!(off <= 2e-7 * (1.0 + rate.abs()), "{} {of}: rate {rate} {slope}", M::NAME);
+        assert!(off <= 2e-7 * (1.0 + rate.abs()), "{} {of}: rate {rate} {slope}", model.name());
         let (bias, second) = (bias.as_slice()[index], second[index]);
-        assert!((bias - second).abs() <= 2e-6 * (1.0 + bias.abs()), "{} {of}: bias {bias} {second}", M::NAME);
+        assert!(
+            (bias - second).abs() <= 2e-6 * (1.0 + bias.abs()),
+            "{} {of}: bias {bias} {second}",
+            model.name()
+        );
     }
 }
 
 /// The component of ω that `of` names, `nut.rate.x`, in what the bodies do.
 fn reported_rate<M: Model>(of: &str, motions: &[f64]) -> f64 {
+    let model = M::standard();
     let (body, axis) = of.split_once(".rate.").expect("only ω has no coordinate");
-    let body = M::BODIES.iter().position(|known| *known == body).expect("a body's");
+    let body = model.bodies().iter().position(|known| *known == body).expect("a body's");
     let axis = ["x", "y", "z"].iter().position(|known| *known == axis).expect("an axis");
-    motions[motions.len() / M::BODIES.len() * body + 15 + axis]
+    motions[motions.len() / model.bodies().len() * body + 15 + axis]
 }
 
 /// vᵀ M v is the part of 2 T that is quadratic in v, T is never negative, and M has no negative pivot.
 fn mass_belongs_to_the_energy<M: Model>() {
     for (model, at) in points::<M>(13) {
-        let n = M::VELOCITY_NAMES.len();
-        let mut stored = M::Mass::zero();
+        let n = model.velocity_names().len();
+        let mut stored = model.zero_mass();
         model.mass_matrix(at.time, &at.q, &mut stored);
         let mut mass = vec![vec![0.0; n]; n];
-        for (&(row, column), entry) in M::MASS_PATTERN.iter().zip(stored.as_slice()) {
-            assert!(row >= column, "{}: the lower triangle is stored", M::NAME);
+        for (&(row, column), entry) in model.mass_pattern().iter().zip(stored.as_slice()) {
+            assert!(row >= column, "{}: the lower triangle is stored", model.name());
             mass[row as usize][column as usize] = *entry;
             mass[column as usize][row as usize] = *entry;
         }
@@ -213,12 +225,18 @@ fn mass_belongs_to_the_energy<M: Model>() {
         let (ahead, behind, still) = (energy(1.0), energy(-1.0), energy(0.0));
         let expected = ahead + behind - 2.0 * still;
         let scale = ahead.abs() + behind.abs() + still.abs();
-        assert!((quadratic - expected).abs() <= 1e-12 * scale, "{}: {quadratic} {expected}", M::NAME);
-        assert!(ahead >= 0.0 && still >= 0.0, "{}: T = {ahead}, {still}", M::NAME);
+        assert!((quadratic - expected).abs() <= 1e-12 * scale, "{}: {quadratic} {expected}", model.name());
+        assert!(ahead >= 0.0 && still >= 0.0, "{}: T = {ahead}, {still}", model.name());
 
         for k in 0..n {
             let pivot = mass[k].clone();
-            assert!(pivot[k] >= -1e-14, "{}: pivot {} at {}", M::NAME, pivot[k], M::VELOCITY_NAMES[k]);
+            assert!(
+                pivot[k] >= -1e-14,
+                "{}: pivot {} at {}",
+                model.name(),
+                pivot[k],
+                model.velocity_names()[k]
+            );
             if pivot[k] <= 1e-14 {
                 continue;
             }
@@ -234,13 +252,13 @@ fn mass_belongs_to_the_energy<M: Model>() {
 fn inverse_dynamics_is_what_motion_asks<M: Model>() {
     let mut random = Random::new(15);
     for (model, at) in points::<M>(15) {
-        let a: M::V = vector(&random.vector(M::VELOCITY_NAMES.len()));
-        let (mut stored, mut forces) = (M::Mass::zero(), M::V::zero());
+        let a: M::V = vector(&random.vector(model.velocity_names().len()));
+        let (mut stored, mut forces) = (model.zero_mass(), model.zero_v());
         model.mass_matrix(at.time, &at.q, &mut stored);
         model.forces(at.time, &at.state(), &at.u, &mut forces);
         let mut asked: Vec<f64> = forces.as_slice().iter().map(|force| -force).collect();
         let mut largest = forces.max_abs();
-        for (&(row, column), entry) in M::MASS_PATTERN.iter().zip(stored.as_slice()) {
+        for (&(row, column), entry) in model.mass_pattern().iter().zip(stored.as_slice()) {
             let (row, column) = (row as usize, column as usize);
             asked[row] += entry * a.as_slice()[column];
             if row != column {
@@ -250,8 +268,8 @@ fn inverse_dynamics_is_what_motion_asks<M: Model>() {
         }
         let found = model.flat_inverse_dynamics(&at, &a);
         assert_eq!(found.len(), asked.len());
-        for ((found, asked), name) in found.iter().zip(&asked).zip(M::VELOCITY_NAMES) {
-            assert!((found - asked).abs() <= 1e-12 * largest, "{} {name}: {found} {asked}", M::NAME);
+        for ((found, asked), name) in found.iter().zip(&asked).zip(model.velocity_names()) {
+            assert!((found - asked).abs() <= 1e-12 * largest, "{} {name}: {found} {asked}", model.name());
         }
     }
 }
@@ -260,21 +278,21 @@ fn inverse_dynamics_is_what_motion_asks<M: Model>() {
 fn bodies_move_as_reported<M: Model>() {
     let mut random = Random::new(14);
     for (model, at) in points::<M>(14) {
-        let a: M::V = vector(&random.vector(M::VELOCITY_NAMES.len()));
+        let a: M::V = vector(&random.vector(model.velocity_names().len()));
         // Along v(h) = v + h v̇.
         let reported = |h: f64| {
             let (mut q, v) = (at.q, at.v.plus(h, &a));
-            retract(&M::LAYOUT, &at.q, &at.v.scaled(h).plus(h * h / 2.0, &a), &mut q);
+            retract(model.layout(), &at.q, &at.v.scaled(h).plus(h * h / 2.0, &a), &mut q);
             model.flat_motions(at.time + h, &q, &v, &a)
         };
         let (here, slopes) = (reported(0.0), derivative(reported));
-        let size = here.len() / M::BODIES.len();
+        let size = here.len() / model.bodies().len();
         for (body, slope) in here.chunks(size).zip(slopes.chunks(size)) {
             let off = off_the_group(body);
-            assert!(off < 1e-14, "{}: an orientation is off by {off:e}", M::NAME);
+            assert!(off < 1e-14, "{}: an orientation is off by {off:e}", model.name());
             for (index, value) in slopes_of(body) {
                 let (slope, tolerance) = (slope[index], 1e-7 * (1.0 + value.abs()));
-                assert!((slope - value).abs() <= tolerance, "{} [{index}]: {slope} {value}", M::NAME);
+                assert!((slope - value).abs() <= tolerance, "{} [{index}]: {slope} {value}", model.name());
             }
         }
     }

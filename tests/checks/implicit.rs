@@ -93,7 +93,7 @@ where
 {
     let simulation = Simulation::new(model, model.start()).integrator(integrator);
     let reached = simulation.step(end / f64::from(steps)).advance_until(end);
-    reached.unwrap_or_else(|error| panic!("{}: {error}", M::NAME))
+    reached.unwrap_or_else(|error| panic!("{}: {error}", model.name()))
 }
 
 /// log₂ of the ratio of the errors with `steps` and with twice as many.
@@ -109,7 +109,7 @@ where
         q.plus(-1.0, &exact.q).max_abs().max(v.plus(-1.0, &exact.v).max_abs())
     };
     let (coarse, fine) = (error(steps), error(2 * steps));
-    println!("{}: {coarse:.2e} {fine:.2e}", M::NAME);
+    println!("{}: {coarse:.2e} {fine:.2e}", model.name());
     (coarse / fine).log2()
 }
 
@@ -183,7 +183,7 @@ fn the_index_3_augmented_lagrangian_passes_flat_positions() {
         let begin = simulation.energy();
         let (mut drift, mut off, mut steps) = (0.0_f64, 0.0_f64, Vec::new());
         while simulation.time() < 10.0 - 0.5 * h {
-            steps.push(simulation.advance().unwrap_or_else(|error| panic!("{}: {error}", M::NAME)));
+            steps.push(simulation.advance().unwrap_or_else(|error| panic!("{}: {error}", model.name())));
             drift = drift.max((simulation.energy() - begin).abs());
             off = off.max(simulation.constraint_residual().position);
         }

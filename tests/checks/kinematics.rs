@@ -5,8 +5,8 @@ use crate::identities::{derivative_over, row_rates, slopes_of};
 use crate::registry::{Model, for_each};
 use crate::walking::walk;
 use linkwright::{
-    Assemble, AssembleExt, AssemblyError, Condition, ConditionKind, Kinematics, Motion, Residual, State,
-    Variables, Vector, retract,
+    Assemble, AssembleExt, AssemblyError, Condition, ConditionKind, Kinematics, Mechanism, Motion, Residual,
+    State, Variables, Vector, retract,
 };
 use linkwright_compiler::model::Space;
 use linkwright_models::change_point_four_bar::ChangePointFourBar;
@@ -30,7 +30,7 @@ fn changed_parameters_are_assembled() {
         let state = model.assemble(&near()).unwrap_or_else(|error| panic!("{length} m, {degrees}°: {error}"));
         let residual = Residual::of(&model, 0.0, &state);
         assert!(residual.position < 1e-13 && residual.velocity < 1e-13, "{residual:?}");
-        let [crank, coupler, rocker] = model.motions(0.0, &state.q, &state.v, &Vector::zero());
+        let [crank, coupler, rocker] = model.motions(0.0, &state.q, &state.v, &model.zero_v());
         let off = (crank.orientation[1].atan2(crank.orientation[0]) - start_angle).sin();
         assert!(off.abs() < 1e-13 && (crank.rate + 2.0).abs() < 1e-12, "{off} {}", crank.rate);
         // The tip of the crank, where the coupler begins, by the lengths that were asked for.
@@ -48,7 +48,7 @@ fn changed_parameters_are_assembled() {
 fn the_start_is_found_again() {
     // From beside it: every body turned by a twentieth of a radian or more, at rest.
     let mut beside = near();
-    retract(&<ParametricFourBar as Variables<f64>>::LAYOUT, &near().q, &[0.05, -0.08, 0.11], &mut beside.q);
+    retract(<ParametricFourBar>::default().layout(), &near().q, &[0.05, -0.08, 0.11], &mut beside.q);
     beside.v = [0.0; 3];
     let state = ParametricFourBar::<f64>::default().assemble(&beside).expect("the defaults fit");
     let (off, rates_off) = (state.q.plus(-1.0, &near().q).max_abs(), state.v.plus(-1.0, &near().v).max_abs());
@@ -63,10 +63,10 @@ for_each!(kinematics_follow_the_given_motion);
 fn kinematics_follow_the_given_motion<M: Model>() {
     let (compiled, _, model, states) = walk::<M>(40, 5);
     let freedoms = compiled.assembly.mobility.generic - compiled.mechanism.drivers.len();
-    let complete = M::INDEPENDENT.len() == freedoms;
+    let complete = model.independent().len() == freedoms;
     // An orientation in space is no coordinate that could be given.
-    let balls = compiled.mechanism.space == Space::Spatial && M::INDEPENDENT.len() < freedoms;
-    assert!(complete || balls, "{}: {freedoms} freedoms, {:?}", M::NAME, M::INDEPENDENT);
+    let balls = compiled.mechanism.space == Space::Spatial && model.independent().len() < freedoms;
+    assert!(complete || balls, "{}: {freedoms} freedoms, {:?}", model.name(), model.independent());
     for at in &states {
         let values = value(&model, at.time, &at.q);
         // v̇ of no particular motion, made consistent by what `kinematics` itself asks.
@@ -80,15 +80,15 @@ fn kinematics_follow_the_given_motion<M: Model>() {
         };
         let given = |h: f64| (0..values.len()).map(|index| motion(index, h)).collect::<Vec<Motion<f64>>>();
         let solved = |h: f64| model.kinematics(at.time + h, &at.q, &given(h));
-        let here = solved(0.0).unwrap_or_else(|error| panic!("{}: {error}", M::NAME));
+        let here = solved(0.0).unwrap_or_else(|error| panic!("{}: {error}", model.name()));
         let moved = here.q.plus(-1.0, &at.q).max_abs();
-        assert!(moved < 1e-9, "{}: the state it came from is {moved} away", M::NAME);
+        assert!(moved < 1e-9, "{}: the state it came from is {moved} away", model.name());
         assert_followed(&model, at.time, &here, &given(0.0));
 
         let speed = here.v.max_abs() + here.a.max_abs().sqrt();
         let step = 2e-4 / (1.0 + speed);
         // Elsewhere, too: what is not given is then whatever is nearest.
-        let there = solved(step).unwrap_or_else(|error| panic!("{} at h = {step}: {error}", M::NAME));
+        let there = solved(step).unwrap_or_else(|error| panic!("{} at h = {step}: {error}", model.name()));
         assert_followed(&model, at.time + step, &there, &given(step));
         if !complete {
             // Of the balls' motion nothing is said; what is taken at one time is not the derivative of what is taken before.
@@ -96,15 +96,15 @@ fn kinematics_follow_the_given_motion<M: Model>() {
         }
         // Bodies' positions and velocities as functions of time; by bodies, because q is no vector.
         let bodies = |h: f64| {
-            let there = solved(h).unwrap_or_else(|error| panic!("{} at h = {h}: {error}", M::NAME));
+            let there = solved(h).unwrap_or_else(|error| panic!("{} at h = {h}: {error}", model.name()));
             model.flat_motions(at.time + h, &there.q, &there.v, &there.a)
         };
         let (slopes, bodies) = (derivative_over(step, bodies), bodies(0.0));
-        let size = bodies.len() / M::BODIES.len();
+        let size = bodies.len() / model.bodies().len();
         for (body, slope) in bodies.chunks(size).zip(slopes.chunks(size)) {
             for (index, value) in slopes_of(body) {
                 let (slope, tolerance) = (slope[index], 1e-5 * (1.0 + speed + value.abs()));
-                assert!((slope - value).abs() < tolerance, "{} [{index}]: {slope} {value}", M::NAME);
+                assert!((slope - value).abs() < tolerance, "{} [{index}]: {slope} {value}", model.name());
             }
         }
     }
@@ -114,68 +114,73 @@ fn kinematics_follow_the_given_motion<M: Model>() {
 fn assert_followed<M: Model>(model: &M, time: f64, found: &Kinematics<M::Q, M::V>, given: &[Motion<f64>]) {
     let Kinematics { q, v, a } = found;
     let residual = Residual::of(model, time, &State::new(*q, *v));
-    assert!(residual.position <= 1e-11, "{}: {residual:?}", M::NAME);
-    assert!(residual.velocity <= 1e-10 * (1.0 + v.max_abs()), "{}: {residual:?}", M::NAME);
-    let mut gamma = M::Lambda::zero();
+    assert!(residual.position <= 1e-11, "{}: {residual:?}", model.name());
+    assert!(residual.velocity <= 1e-10 * (1.0 + v.max_abs()), "{}: {residual:?}", model.name());
+    let mut gamma = model.zero_lambda();
     model.gamma(time, q, v, &mut gamma);
     // D v̇ − ν, of which ν is taken back.
     let (asked, magnitudes) = row_rates(model, time, q, a);
-    let mut nu = M::Lambda::zero();
+    let mut nu = model.zero_lambda();
     model.nu(time, q, &mut nu);
-    for (row, name) in M::ROWS.iter().enumerate() {
+    for (row, name) in model.rows().iter().enumerate() {
         let (found, gamma) = (asked[row] + nu.as_slice()[row], gamma.as_slice()[row]);
         let tolerance = 1e-10 * (1.0 + magnitudes[row] + gamma.abs());
-        assert!((found - gamma).abs() <= tolerance, "{} {name}: D v̇ {found}, γ {gamma}", M::NAME);
+        assert!((found - gamma).abs() <= tolerance, "{} {name}: D v̇ {found}, γ {gamma}", model.name());
     }
 
     let positions = value(model, time, q);
-    let (mut jacobian, mut drift) = (M::ConditionJacobian::zero(), M::Conditions::zero());
-    let mut bias = M::Conditions::zero();
+    let (mut jacobian, mut drift) = (model.zero_condition_jacobian(), model.zero_conditions());
+    let mut bias = model.zero_conditions();
     model.condition_jacobian(time, q, &mut jacobian);
     model.condition_drift(time, q, &mut drift);
     model.condition_bias(time, q, v, &mut bias);
-    for ((&index, position), given) in M::INDEPENDENT.iter().zip(positions).zip(given) {
+    for ((&index, position), given) in model.independent().iter().zip(positions).zip(given) {
         let along = |of: &M::V| -> f64 {
-            let entries = M::CONDITION_PATTERN.iter().zip(jacobian.as_slice());
+            let entries = model.condition_pattern().iter().zip(jacobian.as_slice());
             let own = entries.filter(|((row, _), _)| *row == index);
             own.map(|((_, column), j)| j * of.as_slice()[*column as usize]).sum()
         };
-        let condition = M::CONDITIONS[index as usize];
+        let condition = model.conditions()[index as usize];
         let off = match condition.kind {
             ConditionKind::Angle => (position - given.position).sin(),
             ConditionKind::Linear => position - given.position,
-            ConditionKind::Rate => panic!("{}: {} has no position", M::NAME, condition.of),
+            ConditionKind::Rate => panic!("{}: {} has no position", model.name(), condition.of),
         };
         let rate = along(v) + drift.as_slice()[index as usize] - given.rate;
         let acceleration = along(a) + bias.as_slice()[index as usize] - given.acceleration;
         let size = 1.0 + v.max_abs() + a.max_abs();
-        assert!(off.abs() <= 1e-11 * (1.0 + position.abs()), "{} {}: {off:e}", M::NAME, condition.of);
-        assert!(rate.abs() <= 1e-10 * size, "{} {}: rate off by {rate:e}", M::NAME, condition.of);
-        assert!(acceleration.abs() <= 1e-10 * size * size, "{} {}: {acceleration:e}", M::NAME, condition.of);
+        assert!(off.abs() <= 1e-11 * (1.0 + position.abs()), "{} {}: {off:e}", model.name(), condition.of);
+        assert!(rate.abs() <= 1e-10 * size, "{} {}: rate off by {rate:e}", model.name(), condition.of);
+        assert!(
+            acceleration.abs() <= 1e-10 * size * size,
+            "{} {}: {acceleration:e}",
+            model.name(),
+            condition.of
+        );
     }
 }
 
 /// The values of the independent coordinates at a position.
 fn value<M: Model>(model: &M, time: f64, q: &M::Q) -> Vec<f64> {
-    let (mut residual, mut upright) = (M::Conditions::zero(), M::Conditions::zero());
-    model.condition_residual(time, q, &M::Conditions::zero(), &mut residual);
-    model.condition_cosines(time, q, &M::Conditions::zero(), &mut upright);
+    let (mut residual, mut upright) = (model.zero_conditions(), model.zero_conditions());
+    model.condition_residual(time, q, &model.zero_conditions(), &mut residual);
+    model.condition_cosines(time, q, &model.zero_conditions(), &mut upright);
     let value = |&index: &u16| {
         let (residual, upright) = (residual.as_slice()[index as usize], upright.as_slice()[index as usize]);
-        match M::CONDITIONS[index as usize].kind {
+        match model.conditions()[index as usize].kind {
             ConditionKind::Angle => residual.atan2(upright),
             ConditionKind::Linear => residual,
-            ConditionKind::Rate => panic!("{}: ω is no independent coordinate", M::NAME),
+            ConditionKind::Rate => panic!("{}: ω is no independent coordinate", model.name()),
         }
     };
-    M::INDEPENDENT.iter().map(value).collect()
+    model.independent().iter().map(value).collect()
 }
 
 /// The four-bar of unit rods is a parallelogram: its rocker follows the crank, its coupler keeps level.
 #[test]
 fn the_parallelogram_has_a_closed_form() {
     let model = FourBar::<f64>::default();
-    let Condition { of, .. } = <FourBar as Assemble<f64>>::CONDITIONS[0];
+    let Condition { of, .. } = <FourBar>::default().conditions()[0];
     assert_eq!(of, "crank_pin.angle");
     let mut near = FourBar::START.q;
     for step in 0..100 {

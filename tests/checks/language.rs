@@ -80,7 +80,7 @@ mod several {
     }
 
     pub fn second() -> (&'static str, [f64; 2]) {
-        (Second::<f64>::NAME, Second::START.q)
+        (Second::<f64>::default().name(), Second::START.q)
     }
     use linkwright::Mechanism;
 }
@@ -209,7 +209,7 @@ mod awkward {
                 let model = $module::$name::<f64>::default();
                 let outputs = model.outputs(0.0, &$module::$name::START, &linkwright::Fields::from_array([0.0]));
                 assert!((outputs.height - 0.5_f64.sin()).abs() < 1e-12);
-                assert_eq!(<$module::$name as linkwright::Mechanism<f64>>::NAME, stringify!($name));
+                assert_eq!(<$module::$name>::default().name(), stringify!($name));
             )* };
         }
         check!(

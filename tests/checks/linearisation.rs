@@ -21,25 +21,25 @@ for_each_with_tangent!(actuation_undoes_the_motion);
 
 fn linearised<'m, M: Model + Tangent<f64>>(model: &'m M, at: &At<M>) -> Linearisation<'m, f64, M> {
     Linearisation::at(model, at.time, &at.state(), &at.u)
-        .unwrap_or_else(|error| panic!("{}: {error}", M::NAME))
+        .unwrap_or_else(|error| panic!("{}: {error}", model.name()))
 }
 
 /// A unit vector times h.
-fn along<V: Vector<f64>>(k: usize, h: f64) -> V {
-    let mut unit = V::zero();
+fn along<V: Vector<f64>>(zeros: V, k: usize, h: f64) -> V {
+    let mut unit = zeros;
     unit.as_mut_slice()[k] = h;
     unit
 }
 
-fn moved<M: Model>(q: &M::Q, delta: &M::V) -> M::Q {
+fn moved<M: Model>(model: &M, q: &M::Q, delta: &M::V) -> M::Q {
     let mut moved = *q;
-    retract(&M::LAYOUT, q, delta, &mut moved);
+    retract(model.layout(), q, delta, &mut moved);
     moved
 }
 
 /// v̇, then λ.
 fn solved<M: Model>(model: &M, time: f64, q: &M::Q, v: &M::V, u: &M::Inputs) -> Vec<f64> {
-    let (mut a, mut lambda) = (M::V::zero(), M::Lambda::zero());
+    let (mut a, mut lambda) = (model.zero_v(), model.zero_lambda());
     model.acceleration(time, &State::new(*q, *v), u, &mut a, &mut lambda);
     [a.as_slice(), lambda.as_slice()].concat()
 }
@@ -72,13 +72,19 @@ fn responses_are_the_derivatives<M: Model + Tangent<f64>>() {
                      found: linkwright::Response<M::V, M::Lambda>,
                      f: &dyn Fn(f64) -> Vec<f64>| {
             let found = [found.acceleration.as_slice(), found.multipliers.as_slice()].concat();
-            assert_close(&format!("{}: by {what} {k}", M::NAME), &found, &derivative_over(2e-4, f), 1e-6);
+            assert_close(
+                &format!("{}: by {what} {k}", model.name()),
+                &found,
+                &derivative_over(2e-4, f),
+                1e-6,
+            );
         };
-        for k in 0..M::V::LEN {
-            let by_position = |h: f64| solved(&model, time, &moved::<M>(q, &along(k, h)), v, u);
+        for k in 0..model.velocity_count() {
+            let by_position =
+                |h: f64| solved(&model, time, &moved(&model, q, &along(model.zero_v(), k, h)), v, u);
             check("position", k, here.by_position(k), &by_position);
             check("velocity", k, here.by_velocity(k), &|h| {
-                solved(&model, time, q, &v.plus(1.0, &along(k, h)), u)
+                solved(&model, time, q, &v.plus(1.0, &along(model.zero_v(), k, h)), u)
             });
         }
         for k in 0..M::Inputs::NAMES.len() {
@@ -102,17 +108,17 @@ fn responses_are_the_derivatives<M: Model + Tangent<f64>>() {
 /// Coordinates z of the independent conditions.
 fn coordinates<M: Model + Tangent<f64>>(model: &M, time: f64, q: &M::Q) -> Vec<f64> {
     let (mut residual, mut upright, none) =
-        (M::Conditions::zero(), M::Conditions::zero(), M::Conditions::zero());
+        (model.zero_conditions(), model.zero_conditions(), model.zero_conditions());
     model.condition_residual(time, q, &none, &mut residual);
     model.condition_cosines(time, q, &none, &mut upright);
     let value = |at: &u16| {
         let (residual, upright) = (residual.as_slice()[*at as usize], upright.as_slice()[*at as usize]);
-        match M::CONDITIONS[*at as usize].kind {
+        match model.conditions()[*at as usize].kind {
             ConditionKind::Angle => residual.atan2(upright),
             _ => residual,
         }
     };
-    M::STATES.iter().map(value).collect()
+    model.states().iter().map(value).collect()
 }
 
 /// B x and more: of ż = B v + drift or z̈ = B a + bias.
@@ -123,24 +129,24 @@ fn rates<M: Model + Tangent<f64>>(
     x: &M::V,
     constant: &M::Conditions,
 ) -> Vec<f64> {
-    let mut jacobian = M::ConditionJacobian::zero();
+    let mut jacobian = model.zero_condition_jacobian();
     model.condition_jacobian(time, q, &mut jacobian);
     let mut all = *constant;
-    for (entry, (row, column)) in jacobian.as_slice().iter().zip(M::CONDITION_PATTERN) {
+    for (entry, (row, column)) in jacobian.as_slice().iter().zip(model.condition_pattern()) {
         all.as_mut_slice()[*row as usize] += entry * x.as_slice()[*column as usize];
     }
-    M::STATES.iter().map(|at| all.as_slice()[*at as usize]).collect()
+    model.states().iter().map(|at| all.as_slice()[*at as usize]).collect()
 }
 
 fn velocities<M: Model + Tangent<f64>>(model: &M, time: f64, q: &M::Q, v: &M::V) -> Vec<f64> {
-    let mut drift = M::Conditions::zero();
+    let mut drift = model.zero_conditions();
     model.condition_drift(time, q, &mut drift);
     rates(model, time, q, v, &drift)
 }
 
 /// z̈, then the outputs.
 fn motion<M: Model + Tangent<f64>>(model: &M, time: f64, q: &M::Q, v: &M::V, u: &M::Inputs) -> Vec<f64> {
-    let (mut a, mut lambda, mut bias) = (M::V::zero(), M::Lambda::zero(), M::Conditions::zero());
+    let (mut a, mut lambda, mut bias) = (model.zero_v(), model.zero_lambda(), model.zero_conditions());
     model.acceleration(time, &State::new(*q, *v), u, &mut a, &mut lambda);
     model.condition_bias(time, q, v, &mut bias);
     let outputs = model.outputs(time, &State::new(*q, *v), u).to_array();
@@ -150,11 +156,11 @@ fn motion<M: Model + Tangent<f64>>(model: &M, time: f64, q: &M::Q, v: &M::V, u: 
 /// A, B, C and D against differences of the constrained motion in its independent coordinates.
 fn state_matrices_are_the_derivatives<M: Model + Tangent<f64>>() {
     let (_, _, model, states) = walk::<M>(51, STATES);
-    let f = M::STATES.len();
+    let f = model.states().len();
     for at in &states {
         let (time, q, v, u) = (at.time, &at.q, &at.v, &at.u);
         let found =
-            linearised(&model, at).state_space().unwrap_or_else(|error| panic!("{}: {error}", M::NAME));
+            linearised(&model, at).state_space().unwrap_or_else(|error| panic!("{}: {error}", model.name()));
         let (z, rate) = (coordinates(&model, time, q), velocities(&model, time, q, v));
         let by_state = |k: usize, h: f64| {
             let mut given: Vec<Motion> = z
@@ -168,7 +174,7 @@ fn state_matrices_are_the_derivatives<M: Model + Tangent<f64>>() {
                 given[k - f].rate += h
             }
             let moved =
-                model.kinematics(time, q, &given).unwrap_or_else(|error| panic!("{}: {error}", M::NAME));
+                model.kinematics(time, q, &given).unwrap_or_else(|error| panic!("{}: {error}", model.name()));
             motion(&model, time, &moved.q, &moved.v, u)
         };
         let outputs = M::Outputs::NAMES.len();
@@ -179,7 +185,7 @@ fn state_matrices_are_the_derivatives<M: Model + Tangent<f64>>() {
             let mut entries = column(found.a.as_slice(), f..2 * f, 2 * f, k);
             entries.extend(column(found.c.as_slice(), 0..outputs, 2 * f, k));
             let expected = derivative_over(2e-4, |h| by_state(k, h));
-            assert_close(&format!("{}: A and C, column {k}", M::NAME), &entries, &expected, 2e-6);
+            assert_close(&format!("{}: A and C, column {k}", model.name()), &entries, &expected, 2e-6);
             let upper: Vec<f64> = (0..f).map(|row| if k == f + row { 1.0 } else { 0.0 }).collect();
             assert_eq!(column(found.a.as_slice(), 0..f, 2 * f, k), upper);
         }
@@ -188,7 +194,7 @@ fn state_matrices_are_the_derivatives<M: Model + Tangent<f64>>() {
             let mut entries = column(found.b.as_slice(), f..2 * f, inputs, k);
             entries.extend(column(found.d.as_slice(), 0..outputs, inputs, k));
             let expected = derivative_over(2e-4, |h| motion(&model, time, q, v, &input::<M>(u, k, h)));
-            assert_close(&format!("{}: B and D, column {k}", M::NAME), &entries, &expected, 2e-6);
+            assert_close(&format!("{}: B and D, column {k}", model.name()), &entries, &expected, 2e-6);
             assert!(column(found.b.as_slice(), 0..f, inputs, k).iter().all(|entry| *entry == 0.0));
         }
     }
@@ -205,9 +211,10 @@ fn state_matrices_belong_to_the_independent_coordinates() {
 
 /// What the two positions q and q ⊕ δ differ by, to first order.
 fn difference<M: Model>(q: &M::Q, other: &M::Q) -> M::V {
-    let layout = &M::LAYOUT;
+    let model = M::standard();
+    let layout = model.layout();
     assert!(layout.rotations == 0 && layout.angles.is_empty());
-    let (mut delta, q, other) = (M::V::zero(), q.as_slice(), other.as_slice());
+    let (mut delta, q, other) = (model.zero_v(), q.as_slice(), other.as_slice());
     for k in 0..layout.linear {
         delta.as_mut_slice()[k] = other[k] - q[k];
     }
@@ -225,21 +232,26 @@ fn difference<M: Model>(q: &M::Q, other: &M::Q) -> M::V {
 /// Where states are components of ω: (B δq, δ(B v)) of neighbouring motions moves as A says.
 fn state_matrices_move_neighbouring_motions<M: Model + Tangent<f64>>(rates_among_states: usize) {
     let (_, _, model, states) = walk::<M>(52, STATES);
-    let (f, n) = (M::STATES.len(), M::V::LEN);
-    let kind = |state: &&u16| M::CONDITIONS[**state as usize].kind == ConditionKind::Rate;
-    assert_eq!(M::STATES.iter().filter(kind).count(), rates_among_states);
+    let (f, n) = (model.states().len(), model.velocity_count());
+    let kind = |state: &&u16| model.conditions()[**state as usize].kind == ConditionKind::Rate;
+    assert_eq!(model.states().iter().filter(kind).count(), rates_among_states);
     for at in &states {
         let found = linearised(&model, at).state_space().expect("a regular position");
         // The motion through a state, to second order.
         let ahead = |q: &M::Q, v: &M::V, h: f64| {
             let a: M::V = vector(&solved(&model, at.time, q, v, &at.u)[..n]);
-            (moved::<M>(q, &v.scaled(h).plus(h * h / 2.0, &a)), v.plus(h, &a))
+            (moved(&model, q, &v.scaled(h).plus(h * h / 2.0, &a)), v.plus(h, &a))
         };
         for k in 0..2 * n {
             let epsilon = 1e-5;
             let near = |sign: f64| {
-                let wish = at.v.plus(1.0, &along(k % n, if k < n { 0.0 } else { sign * epsilon }));
-                let q = moved::<M>(&at.q, &along(k % n, if k < n { sign * epsilon } else { 0.0 }));
+                let wish =
+                    at.v.plus(1.0, &along(model.zero_v(), k % n, if k < n { 0.0 } else { sign * epsilon }));
+                let q = moved(
+                    &model,
+                    &at.q,
+                    &along(model.zero_v(), k % n, if k < n { sign * epsilon } else { 0.0 }),
+                );
                 let q = project_position(&model, at.time, &q).expect("near");
                 (q, project_velocity(&model, at.time, &q, &wish).expect("near"))
             };
@@ -248,7 +260,7 @@ fn state_matrices_move_neighbouring_motions<M: Model + Tangent<f64>>(rates_among
                 let (q, _) = ahead(&at.q, &at.v, h);
                 let (more, less) = (ahead(&more.0, &more.1, h), ahead(&less.0, &less.1, h));
                 let apart = difference::<M>(&q, &more.0).plus(-1.0, &difference::<M>(&q, &less.0));
-                let first = rates(&model, at.time, &q, &apart, &M::Conditions::zero());
+                let first = rates(&model, at.time, &q, &apart, &model.zero_conditions());
                 let second = velocities(&model, at.time, &more.0, &more.1);
                 let third = velocities(&model, at.time, &less.0, &less.1);
                 let second = second.iter().zip(&third).map(|(more, less)| more - less);
@@ -257,7 +269,7 @@ fn state_matrices_move_neighbouring_motions<M: Model + Tangent<f64>>(rates_among
             let (here, expected) = (x(0.0), derivative_over(1e-3, x));
             let row = |row: usize| (0..2 * f).map(|j| found.a.as_slice()[row * 2 * f + j] * here[j]).sum();
             let product: Vec<f64> = (0..2 * f).map(row).collect();
-            assert_close(&format!("{}: direction {k}", M::NAME), &product, &expected, 1e-5);
+            assert_close(&format!("{}: direction {k}", model.name()), &product, &expected, 1e-5);
         }
     }
 }
@@ -274,25 +286,27 @@ fn equilibria_balance<M: Model + Tangent<f64>>() {
     let mut random = Random::new(54);
     let at = &states[0];
     let u: M::Inputs = fields(&random.vector(M::Inputs::NAMES.len()));
-    let near = equilibrium(&model, at.time, &at.q, &u).unwrap_or_else(|error| panic!("{}: {error}", M::NAME));
+    let near =
+        equilibrium(&model, at.time, &at.q, &u).unwrap_or_else(|error| panic!("{}: {error}", model.name()));
     for _ in 0..STATES {
-        let away: M::V = vector(&random.vector(M::V::LEN));
-        let from = moved::<M>(&near.q, &away.scaled(0.05));
-        let found =
-            equilibrium(&model, at.time, &from, &u).unwrap_or_else(|error| panic!("{}: {error}", M::NAME));
-        let (rest, mut residual, mut phi) = (M::V::zero(), M::V::zero(), M::Lambda::zero());
+        let away: M::V = vector(&random.vector(model.velocity_count()));
+        let from = moved(&model, &near.q, &away.scaled(0.05));
+        let found = equilibrium(&model, at.time, &from, &u)
+            .unwrap_or_else(|error| panic!("{}: {error}", model.name()));
+        let (rest, mut residual, mut phi) = (model.zero_v(), model.zero_v(), model.zero_lambda());
         model.residual(at.time, &State::new(found.q, rest), &u, &rest, &found.lambda, &mut residual);
         model.constraints(at.time, &found.q, &mut phi);
         let size = 1.0 + found.lambda.max_abs();
-        assert!(residual.max_abs() < 1e-11 * size, "{}: {residual:?}", M::NAME);
-        assert!(phi.max_abs() < 1e-12, "{}: {phi:?}", M::NAME);
-        assert!(found.iterations < 20, "{}: {} iterations", M::NAME, found.iterations);
+        assert!(residual.max_abs() < 1e-11 * size, "{}: {residual:?}", model.name());
+        assert!(phi.max_abs() < 1e-12, "{}: {phi:?}", model.name());
+        assert!(found.iterations < 20, "{}: {} iterations", model.name(), found.iterations);
         // v̇ is zero there, and so is the linearised motion's start.
-        if M::NAME != "Winch" {
+        if model.name() != "Winch" {
             let still = solved(&model, at.time, &found.q, &rest, &u);
-            let largest =
-                still[..M::V::LEN].iter().fold(0.0, |largest, entry| f64::max(largest, entry.abs()));
-            assert!(largest < 1e-9 * size, "{}: v̇ {largest:e}", M::NAME);
+            let largest = still[..model.velocity_count()]
+                .iter()
+                .fold(0.0, |largest, entry| f64::max(largest, entry.abs()));
+            assert!(largest < 1e-9 * size, "{}: v̇ {largest:e}", model.name());
         }
     }
 }
@@ -371,23 +385,23 @@ fn without_an_equilibrium_there_is_an_error() {
 /// freedom of its own.
 fn actuation_undoes_the_motion<M: Model + Tangent<f64>>() {
     let (_, _, model, states) = walk::<M>(55, STATES);
-    let f = M::STATES.len();
+    let f = model.states().len();
     for at in &states {
-        let a: M::V = vector(&solved(&model, at.time, &at.q, &at.v, &at.u)[..M::V::LEN]);
+        let a: M::V = vector(&solved(&model, at.time, &at.q, &at.v, &at.u)[..model.velocity_count()]);
         let found = actuation(&model, at.time, &at.state(), &a, &at.u, M::Inputs::NAMES)
-            .unwrap_or_else(|error| panic!("{}: {error}", M::NAME));
-        let mut residual = M::V::zero();
+            .unwrap_or_else(|error| panic!("{}: {error}", model.name()));
+        let mut residual = model.zero_v();
         model.residual(at.time, &at.state(), &found.inputs, &a, &found.lambda, &mut residual);
         let size = 1.0 + found.lambda.max_abs() + a.max_abs();
-        assert!(residual.max_abs() < 1e-9 * size, "{}: {residual:?}", M::NAME);
+        assert!(residual.max_abs() < 1e-9 * size, "{}: {residual:?}", model.name());
         let (given, found) = (at.u.to_array(), found.inputs.to_array());
         let (given, found) = (given.as_slice(), found.as_slice());
         if given.len() <= f {
-            assert_close(M::NAME, found, given, 1e-8);
+            assert_close(model.name(), found, given, 1e-8);
         }
         // The least of all: what was given differs from it by what is orthogonal to it.
         let off: f64 = given.iter().zip(found).map(|(given, found)| (given - found) * found).sum();
-        assert!(off.abs() < 1e-9, "{}: {off:e}", M::NAME);
+        assert!(off.abs() < 1e-9, "{}: {off:e}", model.name());
     }
 }
 
@@ -395,7 +409,7 @@ fn actuation_undoes_the_motion<M: Model + Tangent<f64>>() {
 fn what_actuators_cannot_do_they_say() {
     let (_, _, model, states) = walk::<Gripper>(56, 1);
     let at = &states[0];
-    let count = <Gripper as Mechanism<f64>>::VELOCITY_NAMES.len();
+    let count = <Gripper>::default().velocity_names().len();
     let a: <Gripper as Variables<f64>>::V = vector(&solved(&model, at.time, &at.q, &at.v, &at.u)[..count]);
     let with = |a, names: &[&'static str]| actuation(&model, at.time, &at.state(), a, &at.u, names);
     // One of two: the other stays as given.
@@ -403,7 +417,7 @@ fn what_actuators_cannot_do_they_say() {
     assert!((alone.drive - at.u.drive).abs() < 1e-9 && alone.pull == at.u.pull);
     let error = with(&a, &["drvie"]).expect_err("no such input");
     assert_eq!(error.to_string(), "there is no input `drvie`; name some of `drive` `pull`");
-    let off = a.plus(1.0, &along(0, 3.0));
+    let off = a.plus(1.0, &along(model.zero_v(), 0, 3.0));
     let error = with(&off, &["drive"]).expect_err("off the constraints");
     assert!(matches!(error, LinearisationError::Inconsistent { .. }), "{error}");
     // None acts.
@@ -418,7 +432,7 @@ fn what_actuators_cannot_do_they_say() {
     let (_, _, model, states) = walk::<Buoy>(57, 1);
     let at = &states[0];
     let a: [f64; 9] = vector(&solved(&model, at.time, &at.q, &at.v, &at.u)[..9]);
-    let more = a.plus(1.0, &along(4, 0.5));
+    let more = a.plus(1.0, &along(model.zero_v(), 4, 0.5));
     let error =
         actuation(&model, at.time, &at.state(), &more, &at.u, &["push", "twist"]).expect_err("two for nine");
     assert!(matches!(error, LinearisationError::Unactuated { actuators: 2, .. }), "{error}");
@@ -428,7 +442,7 @@ fn what_actuators_cannot_do_they_say() {
 #[test]
 fn a_dead_centre_is_an_error() {
     let model = Swing::<f64>::default();
-    let names = <Swing as Mechanism<f64>>::POSITION_NAMES;
+    let names = model.position_names();
     let value = |name: &&str| match *name {
         "one.center.x" => 0.5,
         "two.center.x" => 1.5,

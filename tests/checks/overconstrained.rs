@@ -110,9 +110,9 @@ fn rank_along_the_cycle() {
     fn check<M: Model>(regular: bool) {
         let model = M::standard();
         let off = compare(&model, &cycle(&model));
-        println!("{}: {:.2} to {:.2}, down to {:.1e}", M::NAME, off.least, off.most, off.smallest);
-        assert!(off.least > 1.0 / 30.0 && off.most < 30.0, "{}: {} to {}", M::NAME, off.least, off.most);
-        assert!(!regular || off.smallest > 3e-4, "{}: {:e}", M::NAME, off.smallest);
+        println!("{}: {:.2} to {:.2}, down to {:.1e}", model.name(), off.least, off.most, off.smallest);
+        assert!(off.least > 1.0 / 30.0 && off.most < 30.0, "{}: {} to {}", model.name(), off.least, off.most);
+        assert!(!regular || off.smallest > 3e-4, "{}: {:e}", model.name(), off.smallest);
     }
     check::<Bennett>(true);
     check::<BennettKept>(true);
@@ -149,14 +149,14 @@ fn energy_converges_with_the_step() {
         F: Formulation<f64, M>,
     {
         let model = M::standard();
-        let name = format!("{}, {name}", M::NAME);
+        let name = format!("{}, {name}", model.name());
         let loss = |h| loss(&name, &model, formulation(&model, h), h, 2.5);
         let (coarse, fine) = (loss(2e-3), loss(1e-3));
         println!("{name}: {coarse:.1e} J, {fine:.1e} J");
         assert!(fine < bound && fine < coarse / 7.0, "{name}: {coarse:e}, {fine:e}");
     }
     fn all<M: Model + Assemble<f64, Inputs = ()>>(bound: f64) {
-        let penalty = |model: &M, h| Penalty::for_model(model, 0.0, &M::start_q(), h);
+        let penalty = |model: &M, h| Penalty::for_model(model, 0.0, &model.start_q(), h);
         check::<M, _>("Baumgarte", |_, _| Baumgarte { alpha: 10.0, beta: 10.0 }, bound);
         check::<M, _>("index 1, projected", |_, _| Projected::after(LagrangeIndex1), bound);
         check::<M, _>("penalty", penalty, bound);
@@ -184,8 +184,8 @@ fn index_1_converges_too() {
 fn a_third_crank_turns_all_round() {
     fn turns<M: Model + Assemble<f64, Inputs = ()>>() {
         let model = M::standard();
-        let lost = loss(M::NAME, &model, Baumgarte { alpha: 10.0, beta: 10.0 }, 1e-3, 2.0);
-        assert!(lost < 1e-6, "{}: {lost:e} J", M::NAME);
+        let lost = loss(model.name(), &model, Baumgarte { alpha: 10.0, beta: 10.0 }, 1e-3, 2.0);
+        assert!(lost < 1e-6, "{}: {lost:e} J", model.name());
     }
     turns::<ThirdByRods>();
 }
@@ -193,11 +193,12 @@ fn a_third_crank_turns_all_round() {
 /// The rows that are left out here are taken there, and named so; as many reactions are shared as joints close the loop.
 #[test]
 fn switched_rows_are_named() {
-    let of = |rows: &'static [linkwright::Row]| rows.iter().map(|row| row.what).collect::<Vec<_>>();
-    assert_eq!(of(<Bennett as Mechanism<f64>>::ROWS), ["switched_1", "axis_1"]);
-    let kept = of(<BennettKept as Mechanism<f64>>::ROWS);
+    let of = |rows: &[linkwright::Row]| rows.iter().map(|row| row.what).collect::<Vec<_>>();
+    assert_eq!(of(<Bennett>::default().rows()), ["switched_1", "axis_1"]);
+    let model = <BennettKept>::default();
+    let kept = of(model.rows());
     assert!(kept.len() == 5 && kept.contains(&"idle_1"), "{kept:?}");
-    assert_eq!(<BennettKept as Assemble<f64>>::IDLE.len(), 3);
+    assert_eq!(model.idle().len(), 3);
     assert_eq!(Bennett::REDUNDANT_ROWS.len(), 3);
 }
 

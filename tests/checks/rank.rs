@@ -16,7 +16,8 @@ const LIMIT: f64 = 1e-6;
 for_each!(rank_along_the_motion);
 
 fn rank_along_the_motion<M: Model>() {
-    if M::Lambda::LEN == 0 {
+    let model = M::standard();
+    if model.row_count() == 0 {
         return;
     }
     let model = M::standard();
@@ -24,13 +25,13 @@ fn rank_along_the_motion<M: Model>() {
     let off = compare(&model, &cycle);
     println!(
         "{}: {} positions, estimate / exact {:.2} to {:.2}, down to {:.1e}",
-        M::NAME,
+        model.name(),
         cycle.len(),
         off.least,
         off.most,
         off.smallest
     );
-    assert!(off.least > 1.0 / FACTOR && off.most < FACTOR, "{}: {} to {}", M::NAME, off.least, off.most);
+    assert!(off.least > 1.0 / FACTOR && off.most < FACTOR, "{}: {} to {}", model.name(), off.least, off.most);
 }
 
 /// Estimates over exact values.
@@ -44,7 +45,8 @@ pub struct Off {
 /// Compares at all positions; below the limit both must be.
 pub fn compare<M: Model>(model: &M, positions: &[(f64, M::Q)]) -> Off {
     let grams: Vec<Matrix> = positions.iter().map(|(time, q)| gram(model, *time, q)).collect();
-    let live: Vec<usize> = (0..M::Lambda::LEN).filter(|row| !M::IDLE.contains(&(*row as u16))).collect();
+    let live: Vec<usize> =
+        (0..model.row_count()).filter(|row| !model.idle().contains(&(*row as u16))).collect();
     let sizes: Vec<f64> =
         live.iter().map(|i| grams.iter().map(|a| a[*i][*i]).fold(0.0, f64::max).sqrt()).collect();
     let mut off = Off { least: f64::INFINITY, most: 0.0, smallest: 1.0 };
@@ -56,12 +58,16 @@ pub fn compare<M: Model>(model: &M, positions: &[(f64, M::Q)]) -> Off {
         let exact = least / most.max(1.0);
         let found = reciprocal_condition(model, *time, q);
         // A step asks for the condition where a pivot is below 3·10⁻³: no position that is nearly singular may be missed by that.
-        let pivot = model.factor(*time, q, 0.0, &mut M::store());
-        assert!(pivot < 3e-3 || exact > LIMIT, "{} at {time} s: pivot {pivot:e}, exactly {exact:e}", M::NAME);
+        let pivot = model.factor(*time, q, 0.0, &mut model.store());
+        assert!(
+            pivot < 3e-3 || exact > LIMIT,
+            "{} at {time} s: pivot {pivot:e}, exactly {exact:e}",
+            model.name()
+        );
         off.smallest = off.smallest.min(exact);
         // What is left of an eigenvalue below this is rounding.
         if exact < 1e-11 {
-            assert!(found < LIMIT, "{} at {time} s: {found:e}, exactly {exact:e}", M::NAME);
+            assert!(found < LIMIT, "{} at {time} s: {found:e}, exactly {exact:e}", model.name());
             continue;
         }
         (off.least, off.most) = (off.least.min(found / exact), off.most.max(found / exact));
@@ -73,19 +79,19 @@ type Matrix = Vec<Vec<f64>>;
 
 /// D M⁻¹ Dᵀ by dense matrices; M + ρ Dᵀ D of the rows that hold massless velocities where there are any.
 fn gram<M: Model>(model: &M, time: f64, q: &M::Q) -> Matrix {
-    let (n, m) = (M::V::LEN, M::Lambda::LEN);
-    let (mut mass, mut jacobian) = (M::Mass::zero(), M::Jacobian::zero());
+    let (n, m) = (model.velocity_count(), model.row_count());
+    let (mut mass, mut jacobian) = (model.zero_mass(), model.zero_jacobian());
     model.mass_matrix(time, q, &mut mass);
     model.constraint_jacobian(time, q, &mut jacobian);
     let mut d = vec![vec![0.0; n]; m];
-    for (&(row, column), entry) in M::JACOBIAN_PATTERN.iter().zip(jacobian.as_slice()) {
+    for (&(row, column), entry) in model.jacobian_pattern().iter().zip(jacobian.as_slice()) {
         d[usize::from(row)][usize::from(column)] = *entry;
     }
     let mut a = vec![vec![0.0; n]; n];
-    for (&(i, j), entry) in M::MASS_PATTERN.iter().zip(mass.as_slice()) {
+    for (&(i, j), entry) in model.mass_pattern().iter().zip(mass.as_slice()) {
         (a[usize::from(i)][usize::from(j)], a[usize::from(j)][usize::from(i)]) = (*entry, *entry);
     }
-    for (&row, rho) in M::MASSLESS_ROWS.iter().zip(M::MASSLESS_WEIGHTS) {
+    for (&row, rho) in model.massless_rows().iter().zip(model.massless_weights()) {
         let d = &d[usize::from(row)];
         for (i, entries) in a.iter_mut().enumerate() {
             entries.iter_mut().zip(d).for_each(|(entry, x)| *entry += rho * d[i] * x);
@@ -157,12 +163,13 @@ fn extreme_eigenvalues(mut a: Matrix) -> (f64, f64) {
 /// A cycle of a mechanism with one degree of freedom, a long way of one with more: along a velocity that keeps its direction, as far
 /// as positions are found, from both sides of the start.
 pub fn cycle<M: Model>(model: &M) -> Vec<(f64, M::Q)> {
-    let rows = M::Lambda::LEN;
+    let rows = model.row_count();
     let (count, stride) = if rows > 40 { (12, 0.12) } else { (140, 0.05) };
     let mut found = Vec::new();
     for side in [1.0, -1.0] {
-        let (mut time, mut state) = (0.0, State::new(M::start_q(), M::V::zero()));
-        let mut wish: Vec<f64> = (0..M::V::LEN).map(|k| side * (1.3 * k as f64 + 0.7).cos()).collect();
+        let (mut time, mut state) = (0.0, State::new(model.start_q(), model.zero_v()));
+        let mut wish: Vec<f64> =
+            (0..model.velocity_count()).map(|k| side * (1.3 * k as f64 + 0.7).cos()).collect();
         for number in 0..count {
             let Ok(v) = project_velocity(model, time, &state.q, &vector::<M::V>(&wish)) else { break };
             let largest = v.max_abs();
@@ -172,7 +179,7 @@ pub fn cycle<M: Model>(model: &M) -> Vec<(f64, M::Q)> {
             found.push((time, state.q));
             let h = stride / largest;
             let mut ahead = state.q;
-            retract(&M::LAYOUT, &state.q, &v.scaled(h), &mut ahead);
+            retract(model.layout(), &state.q, &v.scaled(h), &mut ahead);
             time += h;
             let Ok(q) = project_position(model, time, &ahead) else { break };
             state.q = q;

@@ -1,7 +1,7 @@
 //! Redundant joints: left out, kept with idle rows, or made freer by hand, a mechanism moves alike.
 
 use crate::registry::{Model, model};
-use linkwright::{AssembleExt, Baumgarte, Mechanism, Simulation, Variables, Vector, mechanism};
+use linkwright::{Assemble, AssembleExt, Baumgarte, Mechanism, Simulation, Vector, mechanism};
 use linkwright_compiler::compile;
 use linkwright_compiler::model::Coordinates;
 
@@ -62,12 +62,12 @@ model!(ThirdCrank);
 
 fn swing<M: Model + linkwright::Assemble<f64, Inputs = ()>>() -> (f64, f64) {
     let model = M::standard();
-    let start = model.assemble(&model.start()).unwrap_or_else(|error| panic!("{}: {error}", M::NAME));
+    let start = model.assemble(&model.start()).unwrap_or_else(|error| panic!("{}: {error}", model.name()));
     let mut simulation =
         Simulation::new(&model, start).formulation(Baumgarte { alpha: 10.0, beta: 10.0 }).step(1e-3);
-    simulation.advance_until(1.0).unwrap_or_else(|error| panic!("{}: {error}", M::NAME));
+    simulation.advance_until(1.0).unwrap_or_else(|error| panic!("{}: {error}", model.name()));
     let residual = simulation.constraint_residual();
-    assert!(residual.position < 1e-9 && residual.velocity < 1e-8, "{}: {residual:?}", M::NAME);
+    assert!(residual.position < 1e-9 && residual.velocity < 1e-8, "{}: {residual:?}", model.name());
     let swing = linkwright::Fields::to_array(&simulation.sample().outputs).as_slice()[0];
     (swing, simulation.energy())
 }
@@ -84,17 +84,17 @@ fn all_three_move_alike() {
 fn rows_are_left_out_or_idle() {
     assert_eq!(Dropped::REDUNDANT_ROWS.len(), 3);
     assert_eq!(Kept::REDUNDANT_ROWS, Dropped::REDUNDANT_ROWS);
-    assert_eq!(<Dropped as Mechanism<f64>>::ROWS.len() + 3, <Kept as Mechanism<f64>>::ROWS.len());
-    assert_eq!(<Kept as linkwright::Assemble<f64>>::IDLE.len(), 3);
+    assert_eq!(<Dropped>::default().rows().len() + 3, <Kept>::default().rows().len());
+    assert_eq!(<Kept>::default().idle().len(), 3);
     // A force that the loop holds against itself runs through every joint.
     assert_eq!(Dropped::SHARED_REACTIONS, ["a", "b", "c", "d"]);
     assert!(Freer::REDUNDANT_ROWS.is_empty() && Freer::SHARED_REACTIONS.is_empty());
 
     let model = Kept::<f64>::default();
     let start = model.start();
-    let (mut a, mut lambda) = (Vector::zero(), <<Kept as Variables<f64>>::Lambda as Vector<f64>>::zero());
+    let (mut a, mut lambda) = (model.zero_v(), model.zero_lambda());
     model.acceleration(0.0, &start, &(), &mut a, &mut lambda);
-    let idle = <Kept as linkwright::Assemble<f64>>::IDLE;
+    let idle = model.idle();
     for (row, lambda) in lambda.iter().enumerate() {
         assert_eq!(*lambda == 0.0, idle.contains(&(row as u16)), "row {row}: {lambda}");
     }

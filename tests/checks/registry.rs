@@ -10,7 +10,19 @@ use linkwright_compiler::{Compiled, compile};
 
 /// An emitted mechanism, with what follows from its states in flat lists.
 pub trait Model:
-    Assemble<f64, Z = (), Gates = (), Inputs: Fields<f64>, Outputs: Fields<f64>> + Report<f64> + Sized
+    Assemble<
+        f64,
+        Q: Copy,
+        V: Copy,
+        Z = (),
+        Gates = (),
+        Lambda: Copy,
+        Inputs: Fields<f64> + Copy,
+        Outputs: Fields<f64> + Copy,
+        Conditions: Copy,
+        Store: Copy,
+    > + Report<f64>
+    + Sized
 {
     const SOURCE: &'static str;
     /// The same mechanism in single precision.
@@ -128,7 +140,7 @@ pub fn fields<F: Fields<f64>>(values: &[f64]) -> F {
 }
 
 pub fn vector<V: Vector<f64>>(values: &[f64]) -> V {
-    let mut vector = V::zero();
+    let mut vector = V::zeros(values.len());
     vector.as_mut_slice().copy_from_slice(values);
     vector
 }
@@ -169,7 +181,7 @@ impl Random {
     }
 
     /// Any position: pairs on the circle, whole turns, nothing consistent.
-    pub fn position(&mut self, layout: &Layout) -> Vec<f64> {
+    pub fn position(&mut self, layout: &Layout<'_>) -> Vec<f64> {
         let mut q = self.vector(layout.linear);
         for _ in 0..layout.rotations {
             let angle = 4.0 * self.next();
@@ -224,7 +236,7 @@ impl Random {
 }
 
 /// The runtime's layout of a mechanism that was not emitted. Rates of angles are left out.
-fn layout(compiled: &Compiled) -> Layout {
+fn layout(compiled: &Compiled) -> Layout<'static> {
     const ANGLE: linkwright::MultiTurn = linkwright::MultiTurn { rate: &[] };
     const ANGLES: [linkwright::MultiTurn; 64] = [ANGLE; 64];
     let layout = &compiled.complete.equations.layout;

@@ -3,8 +3,8 @@
 
 use linkwright::{
     Assemble, AssembleExt, Baumgarte, DormandPrince, ExplicitTrapezoidal, Formulation, Integrator,
-    LagrangeIndex1, Layout, MechanismDynamics, NoInputs, NullSpace, Partitioned, Rk4, SemiImplicitEuler,
-    Simulation, State, StateOf, Variables, Vector,
+    LagrangeIndex1, Layout, Mechanism, MechanismDynamics, NoInputs, NullSpace, Partitioned, Rk4,
+    SemiImplicitEuler, Simulation, State, StateOf, Variables, Vector,
 };
 use linkwright_models::bricard::Bricard;
 use linkwright_models::four_spherical_joints::FourSphericalJoints;
@@ -41,7 +41,7 @@ where
     let start = model.start();
     let simulation = Simulation::new(model, start).formulation(formulation).integrator(integrator);
     let reached = simulation.step(end / f64::from(steps)).advance_until(end);
-    reached.unwrap_or_else(|error| panic!("{}: {error}", M::NAME))
+    reached.unwrap_or_else(|error| panic!("{}: {error}", model.name()))
 }
 
 /// log₂ of the ratio of the errors with `steps` and with twice as many.
@@ -58,7 +58,7 @@ where
         q.plus(-1.0, &exact.q).max_abs().max(v.plus(-1.0, &exact.v).max_abs())
     };
     let (coarse, fine) = (error(steps), error(2 * steps));
-    println!("{}: {coarse:.2e} {fine:.2e}", M::NAME);
+    println!("{}: {coarse:.2e} {fine:.2e}", model.name());
     (coarse / fine).log2()
 }
 
@@ -160,15 +160,15 @@ fn first_order() {
 #[test]
 fn counted_angles_are_those_of_the_quaternions() {
     use std::f64::consts::{PI, TAU};
-    let Layout { quaternions, angles, .. } = <Gyrostat as Variables<f64>>::LAYOUT;
+    let model = Gyrostat::<f64>::default();
+    let Layout { quaternions, angles, .. } = *model.layout();
     assert_eq!((quaternions, angles.len()), (2, 1), "two bodies and an angle between them");
-    let model = Gyrostat::default();
     let place = |name: &str| Gyrostat::<f64>::BODIES.iter().position(|body| *body == name).expect("a body");
     let (carrier, wheel) = (place("carrier"), place("wheel"));
     let off = |step: f64| {
         let (mut worst, mut least, mut most) = (0.0_f64, 0.0_f64, 0.0_f64);
         let run = Simulation::new(&model, Gyrostat::START).step(step).run_until(8.0, |sample| {
-            let motions = model.motions(sample.time, &sample.state.q, &sample.state.v, &Vector::zero());
+            let motions = model.motions(sample.time, &sample.state.q, &sample.state.v, &model.zero_v());
             // The bore's axes in the wheel: z = (0.1, 0.2, 1)/|…|, x that of the canonical frame of its z.
             let z = [0.1, 0.2, 1.0].map(|part: f64| part / 1.05_f64.sqrt());
             let [x, y] = frame(z);

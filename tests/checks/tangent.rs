@@ -26,12 +26,13 @@ pub fn with_tangent(source: &str) -> Compiled {
 }
 
 fn tangents_are_the_derivatives<M: Model>() {
+    let model = M::standard();
     let compiled = with_tangent(M::SOURCE);
     let mut random = Random::new(40);
     let moved = |q: &[f64], delta: &[f64]| {
         let from: M::Q = vector(q);
         let mut to = from;
-        retract(&M::LAYOUT, &from, &vector::<M::V>(delta), &mut to);
+        retract(model.layout(), &from, &vector::<M::V>(delta), &mut to);
         to.as_slice().to_vec()
     };
     let checked = Checked::of(&compiled, &moved);

@@ -20,11 +20,11 @@ pub fn walk<M: Model>(seed: u64, count: usize) -> (Compiled, Vec<f64>, M, Vec<At
     let parameters = random.parameters(&compiled);
     let model = M::prepared(&parameters).expect("parameters near their defaults");
     let near = model.start();
-    let mut q = model.assemble(&near).unwrap_or_else(|error| panic!("{}: {error}", M::NAME)).q;
+    let mut q = model.assemble(&near).unwrap_or_else(|error| panic!("{}: {error}", model.name())).q;
     let (mut time, mut states, mut tries) = (0.0, Vec::new(), 0);
     while states.len() < count {
         tries += 1;
-        assert!(tries < 50 * count, "{}: the walk got stuck after {} states", M::NAME, states.len());
+        assert!(tries < 50 * count, "{}: the walk got stuck after {} states", model.name(), states.len());
         let Some(next) = stride(&model, &mut random, time, &q) else { continue };
         (time, q) = next;
         if smallest_pivot(&model, time, &q).0 < REGULAR {
@@ -44,7 +44,7 @@ fn stride<M: Model>(model: &M, random: &mut Random, time: f64, q: &M::Q) -> Opti
         let v = project_velocity(model, time, &q, &wish).ok()?;
         let h = 0.05 / (1.0 + v.max_abs());
         let mut ahead = q;
-        retract(&M::LAYOUT, &q, &v.scaled(h), &mut ahead);
+        retract(model.layout(), &q, &v.scaled(h), &mut ahead);
         time += h;
         q = project_position(model, time, &ahead).ok()?;
     }
@@ -52,5 +52,6 @@ fn stride<M: Model>(model: &M, random: &mut Random, time: f64, q: &M::Q) -> Opti
 }
 
 fn velocity<M: Model>(random: &mut Random) -> M::V {
-    vector(&random.vector(M::VELOCITY_NAMES.len()))
+    let model = M::standard();
+    vector(&random.vector(model.velocity_names().len()))
 }

@@ -1,5 +1,5 @@
 // `Gripper` of tests/checks/zoo_tangent.rs.
-// Left out: acceleration, acceleration_baumgarte, choice, condition_bias, condition_cosines, condition_drift, condition_jacobian, condition_residual, constraint_jacobian, constraints, coordinate_tangent, default, driver_efforts, factor, forces, from, from_array, gamma, input_tangent, inverse_dynamics, kinetic_energy, lu, mass_matrix, motions, nu, order, output_tangent, outputs, parameter_tangent, parameters, positions, potential_energy, powers, prepare, rate_tangent, reactions, row_cosines, row_scales, row_tangent, solve, start_q, start_targets, start_v, store, to_array, unwrap, velocities, with.
+// Left out: acceleration, acceleration_baumgarte, choice, condition_bias, condition_cosines, condition_drift, condition_jacobian, condition_residual, constraint_jacobian, constraints, coordinate_tangent, default, driver_efforts, factor, forces, from, from_array, gamma, input_tangent, internal_rates, inverse_dynamics, kinetic_energy, lu, mass_matrix, motions, nu, order, output_tangent, outputs, parameter_tangent, parameters, positions, potential_energy, powers, prepare, rate_tangent, reactions, row_cosines, row_scales, row_tangent, solve, start_gates, start_internal, start_q, start_targets, start_v, store, to_array, unwrap, velocities, with.
 /// A four-bar that a torsion spring holds, with more inputs than it needs.
 ///
 ///Equations of motion of the planar mechanism `Gripper`.
@@ -219,12 +219,15 @@ const _: () = {
     impl<R: Real> Default for Gripper<R> {}
     impl<R: Real> Gripper<R> {}
     impl<R: Real> Variables<R> for Gripper<R> {
-        const LAYOUT: Layout = Layout {
-            linear: 0,
-            rotations: 3,
-            quaternions: 0,
-            angles: &[MultiTurn { rate: &[(0, 1.0)] }],
-        };
+        #[inline]
+        fn layout(&self) -> &Layout<'_> {
+            &Layout {
+                linear: 0,
+                rotations: 3,
+                quaternions: 0,
+                angles: &[MultiTurn { rate: &[(0, 1.0)] }],
+            }
+        }
         type Q = Q<R>;
         type V = V<R>;
         type Lambda = Lambda<R>;
@@ -232,44 +235,65 @@ const _: () = {
         type Gates = ();
     }
     impl<R: Real> Mechanism<R> for Gripper<R> {
-        const NAME: &'static str = "Gripper";
-        const ROWS: &'static [Row] = &[
-            Row { of: "c", what: "x" },
-            Row { of: "c", what: "y" },
-        ];
-        const POSITION_NAMES: &'static [&'static str] = &[
-            "crank.cos",
-            "crank.sin",
-            "rocker.cos",
-            "rocker.sin",
-            "coupler.cos",
-            "coupler.sin",
-            "a.turns",
-            "a.remainder",
-        ];
-        const VELOCITY_NAMES: &'static [&'static str] = &[
-            "crank.rate",
-            "rocker.rate",
-            "coupler.rate",
-        ];
-        const MASS_PATTERN: &'static [(u16, u16)] = &[(0, 0), (1, 1), (2, 0), (2, 2)];
-        const JACOBIAN_PATTERN: &'static [(u16, u16)] = &[
-            (0, 0),
-            (0, 1),
-            (0, 2),
-            (1, 0),
-            (1, 1),
-            (1, 2),
-        ];
+        #[inline]
+        fn name(&self) -> &'static str {
+            "Gripper"
+        }
+        #[inline]
+        fn rows(&self) -> &[Row] {
+            &[Row { of: "c", what: "x" }, Row { of: "c", what: "y" }]
+        }
+        #[inline]
+        fn position_names(&self) -> &[&'static str] {
+            &[
+                "crank.cos",
+                "crank.sin",
+                "rocker.cos",
+                "rocker.sin",
+                "coupler.cos",
+                "coupler.sin",
+                "a.turns",
+                "a.remainder",
+            ]
+        }
+        #[inline]
+        fn velocity_names(&self) -> &[&'static str] {
+            &["crank.rate", "rocker.rate", "coupler.rate"]
+        }
+        #[inline]
+        fn mass_pattern(&self) -> &[(u16, u16)] {
+            &[(0, 0), (1, 1), (2, 0), (2, 2)]
+        }
+        #[inline]
+        fn jacobian_pattern(&self) -> &[(u16, u16)] {
+            &[(0, 0), (0, 1), (0, 2), (1, 0), (1, 1), (1, 2)]
+        }
         type Mass = Mass<R>;
         type Jacobian = Jacobian<R>;
         type Inputs = Inputs<R>;
+        #[inline]
+        fn input_names(&self) -> &'static [&'static str] {
+            <Inputs<R> as Fields<R>>::NAMES
+        }
         type Outputs = Outputs<R>;
+        #[inline]
+        fn output_names(&self) -> &'static [&'static str] {
+            <Outputs<R> as Fields<R>>::NAMES
+        }
     }
     impl<R: Real> Report<R> for Gripper<R> {
-        const BODIES: &'static [&'static str] = Gripper::<f64>::BODIES;
-        const JOINTS: &'static [&'static str] = Gripper::<f64>::JOINTS;
-        const LOADS: &'static [&'static str] = Gripper::<f64>::LOADS;
+        #[inline]
+        fn bodies(&self) -> &[&'static str] {
+            Gripper::<f64>::BODIES
+        }
+        #[inline]
+        fn joints(&self) -> &[&'static str] {
+            Gripper::<f64>::JOINTS
+        }
+        #[inline]
+        fn loads(&self) -> &[&'static str] {
+            Gripper::<f64>::LOADS
+        }
         type Motion = BodyMotion<R>;
         type Motions = [BodyMotion<R>; 3];
         type Reaction = Reaction<R>;
@@ -278,26 +302,56 @@ const _: () = {
         type Efforts = [[R; 2]; 0];
     }
     impl<R: Real> Assemble<R> for Gripper<R> {
-        const CONDITIONS: &'static [Condition] = &[
-            Condition {
-                of: "a.angle",
-                kind: ConditionKind::Linear,
-            },
-        ];
-        const START_CONDITIONS: &'static [u16] = &[0];
-        const START_RATES: &'static [u16] = &[0];
-        const INDEPENDENT: &'static [u16] = &[0];
-        const FLIPS: &'static [Flips] = &[];
-        const DEPENDENT: &'static [(u16, u16)] = &[(0, 1), (1, 2)];
-        const ROW_SIZES: &'static [f64] = &[1.394904042702733, 1.0867628625141583];
-        const SCALES: &'static [f64] = &[2.0, 2.0, 1.0];
-        const CONDITION_PATTERN: &'static [(u16, u16)] = &[(0, 0)];
-        const ELIMINATION: Elimination = Elimination {
-            order: &[1, 2, 0, 3, 4, 5],
-            position: &[2, 0, 1, 3, 4, 5],
-            row_start: &[0, 0, 0, 1, 4, 8, 11],
-            columns: &[1, 0, 1, 2, 0, 1, 2, 3, 2, 3, 4],
-        };
+        #[inline]
+        fn conditions(&self) -> &[Condition] {
+            &[
+                Condition {
+                    of: "a.angle",
+                    kind: ConditionKind::Linear,
+                },
+            ]
+        }
+        #[inline]
+        fn start_conditions(&self) -> &[u16] {
+            &[0]
+        }
+        #[inline]
+        fn start_rates(&self) -> &[u16] {
+            &[0]
+        }
+        #[inline]
+        fn independent(&self) -> &[u16] {
+            &[0]
+        }
+        #[inline]
+        fn flips(&self) -> &[Flips<'_>] {
+            &[]
+        }
+        #[inline]
+        fn dependent(&self) -> &[(u16, u16)] {
+            &[(0, 1), (1, 2)]
+        }
+        #[inline]
+        fn row_sizes(&self) -> &[f64] {
+            &[1.394904042702733, 1.0867628625141583]
+        }
+        #[inline]
+        fn scales(&self) -> &[f64] {
+            &[2.0, 2.0, 1.0]
+        }
+        #[inline]
+        fn condition_pattern(&self) -> &[(u16, u16)] {
+            &[(0, 0)]
+        }
+        #[inline]
+        fn elimination(&self) -> Elimination<'_> {
+            Elimination {
+                order: &[1, 2, 0, 3, 4, 5],
+                position: &[2, 0, 1, 3, 4, 5],
+                row_start: &[0, 0, 0, 1, 4, 8, 11],
+                columns: &[1, 0, 1, 2, 0, 1, 2, 3, 2, 3, 4],
+            }
+        }
         type Conditions = Conditions<R>;
         type ConditionJacobian = ConditionJacobian<R>;
         type Factor = Factor<R>;
@@ -310,66 +364,61 @@ const _: () = {
         type Lu = ();
     }
     impl<R: Real> Tangent<R> for Gripper<R> {
-        const STATES: &'static [u16] = &[0];
-        const STIFFNESS_PATTERN: &'static [(u16, u16)] = &[
-            (0, 0),
-            (0, 2),
-            (1, 1),
-            (2, 0),
-            (2, 2),
-        ];
-        const DAMPING_PATTERN: &'static [(u16, u16)] = &[(0, 0), (0, 2), (2, 0)];
-        const ROW_STIFFNESS_PATTERN: &'static [(u16, u16)] = &[
-            (0, 0),
-            (0, 1),
-            (0, 2),
-            (1, 0),
-            (1, 1),
-            (1, 2),
-        ];
-        const ROW_DAMPING_PATTERN: &'static [(u16, u16)] = &[
-            (0, 0),
-            (0, 1),
-            (0, 2),
-            (1, 0),
-            (1, 1),
-            (1, 2),
-        ];
-        const RATE_PATTERN: &'static [(u16, u16)] = &[
-            (0, 0),
-            (0, 1),
-            (0, 2),
-            (1, 0),
-            (1, 1),
-            (1, 2),
-        ];
-        const INPUT_PATTERN: &'static [(u16, u16)] = &[(0, 0), (0, 1), (2, 1)];
-        const PARAMETER_PATTERN: &'static [(u16, u16)] = &[
-            (0, 0),
-            (0, 1),
-            (0, 2),
-            (2, 1),
-            (3, 1),
-            (4, 1),
-            (5, 1),
-            (6, 1),
-            (7, 1),
-            (8, 1),
-            (9, 1),
-            (12, 0),
-            (12, 1),
-            (12, 2),
-        ];
-        const OUTPUT_PATTERN: &'static [(u16, u16)] = &[
-            (0, 0),
-            (0, 2),
-            (1, 1),
-            (2, 4),
-            (3, 0),
-            (3, 1),
-            (3, 2),
-        ];
-        const COORDINATE_PATTERN: &'static [(u16, u16)] = &[(0, 3)];
+        #[inline]
+        fn states(&self) -> &[u16] {
+            &[0]
+        }
+        #[inline]
+        fn stiffness_pattern(&self) -> &[(u16, u16)] {
+            &[(0, 0), (0, 2), (1, 1), (2, 0), (2, 2)]
+        }
+        #[inline]
+        fn damping_pattern(&self) -> &[(u16, u16)] {
+            &[(0, 0), (0, 2), (2, 0)]
+        }
+        #[inline]
+        fn row_stiffness_pattern(&self) -> &[(u16, u16)] {
+            &[(0, 0), (0, 1), (0, 2), (1, 0), (1, 1), (1, 2)]
+        }
+        #[inline]
+        fn row_damping_pattern(&self) -> &[(u16, u16)] {
+            &[(0, 0), (0, 1), (0, 2), (1, 0), (1, 1), (1, 2)]
+        }
+        #[inline]
+        fn rate_pattern(&self) -> &[(u16, u16)] {
+            &[(0, 0), (0, 1), (0, 2), (1, 0), (1, 1), (1, 2)]
+        }
+        #[inline]
+        fn input_pattern(&self) -> &[(u16, u16)] {
+            &[(0, 0), (0, 1), (2, 1)]
+        }
+        #[inline]
+        fn parameter_pattern(&self) -> &[(u16, u16)] {
+            &[
+                (0, 0),
+                (0, 1),
+                (0, 2),
+                (2, 1),
+                (3, 1),
+                (4, 1),
+                (5, 1),
+                (6, 1),
+                (7, 1),
+                (8, 1),
+                (9, 1),
+                (12, 0),
+                (12, 1),
+                (12, 2),
+            ]
+        }
+        #[inline]
+        fn output_pattern(&self) -> &[(u16, u16)] {
+            &[(0, 0), (0, 2), (1, 1), (2, 4), (3, 0), (3, 1), (3, 2)]
+        }
+        #[inline]
+        fn coordinate_pattern(&self) -> &[(u16, u16)] {
+            &[(0, 3)]
+        }
         type Stiffness = Stiffness<R>;
         type Damping = Damping<R>;
         type RowStiffness = RowStiffness<R>;
@@ -387,6 +436,10 @@ const _: () = {
         type Bordered = Bordered<R>;
         type Parameters = Parameters<R>;
         type Order = [u16; 5];
+        #[inline]
+        fn parameter_names(&self) -> &[&'static str] {
+            <Parameters<R> as Fields<R>>::NAMES
+        }
         fn residual(
             &self,
             time: R,

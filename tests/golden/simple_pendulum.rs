@@ -301,12 +301,15 @@ const _: () = {
         }
     }
     impl<R: Real> Variables<R> for SimplePendulum<R> {
-        const LAYOUT: Layout = Layout {
-            linear: 0,
-            rotations: 1,
-            quaternions: 0,
-            angles: &[],
-        };
+        #[inline]
+        fn layout(&self) -> &Layout<'_> {
+            &Layout {
+                linear: 0,
+                rotations: 1,
+                quaternions: 0,
+                angles: &[],
+            }
+        }
         type Q = Q<R>;
         type V = V<R>;
         type Lambda = Lambda<R>;
@@ -314,16 +317,42 @@ const _: () = {
         type Gates = ();
     }
     impl<R: Real> Mechanism<R> for SimplePendulum<R> {
-        const NAME: &'static str = "SimplePendulum";
-        const ROWS: &'static [Row] = &[];
-        const POSITION_NAMES: &'static [&'static str] = &["arm.cos", "arm.sin"];
-        const VELOCITY_NAMES: &'static [&'static str] = &["arm.rate"];
-        const MASS_PATTERN: &'static [(u16, u16)] = &[(0, 0)];
-        const JACOBIAN_PATTERN: &'static [(u16, u16)] = &[];
+        #[inline]
+        fn name(&self) -> &'static str {
+            "SimplePendulum"
+        }
+        #[inline]
+        fn rows(&self) -> &[Row] {
+            &[]
+        }
+        #[inline]
+        fn position_names(&self) -> &[&'static str] {
+            &["arm.cos", "arm.sin"]
+        }
+        #[inline]
+        fn velocity_names(&self) -> &[&'static str] {
+            &["arm.rate"]
+        }
+        #[inline]
+        fn mass_pattern(&self) -> &[(u16, u16)] {
+            &[(0, 0)]
+        }
+        #[inline]
+        fn jacobian_pattern(&self) -> &[(u16, u16)] {
+            &[]
+        }
         type Mass = Mass<R>;
         type Jacobian = Jacobian<R>;
         type Inputs = ();
+        #[inline]
+        fn input_names(&self) -> &'static [&'static str] {
+            <() as Fields<R>>::NAMES
+        }
         type Outputs = Outputs<R>;
+        #[inline]
+        fn output_names(&self) -> &'static [&'static str] {
+            <Outputs<R> as Fields<R>>::NAMES
+        }
         fn mass_matrix(&self, time: R, q: &Q<R>, out: &mut Mass<R>) {
             // M(t, q): its stored entries (kg, kg m, kg m²).
             *out = [R::ONE];
@@ -408,12 +437,30 @@ const _: () = {
                 y: arm_sin,
             }
         }
-        fn unwrap(outputs: &mut Outputs<R>, previous: &Outputs<R>) {}
+        fn internal_rates(
+            &self,
+            _time: R,
+            _state: &State<Q<R>, V<R>>,
+            _u: &(),
+            _a: &V<R>,
+            _lambda: &Lambda<R>,
+            _rates: &mut (),
+        ) {}
+        fn unwrap(&self, outputs: &mut Outputs<R>, previous: &Outputs<R>) {}
     }
     impl<R: Real> Report<R> for SimplePendulum<R> {
-        const BODIES: &'static [&'static str] = SimplePendulum::<f64>::BODIES;
-        const JOINTS: &'static [&'static str] = SimplePendulum::<f64>::JOINTS;
-        const LOADS: &'static [&'static str] = SimplePendulum::<f64>::LOADS;
+        #[inline]
+        fn bodies(&self) -> &[&'static str] {
+            SimplePendulum::<f64>::BODIES
+        }
+        #[inline]
+        fn joints(&self) -> &[&'static str] {
+            SimplePendulum::<f64>::JOINTS
+        }
+        #[inline]
+        fn loads(&self) -> &[&'static str] {
+            SimplePendulum::<f64>::LOADS
+        }
         type Motion = BodyMotion<R>;
         type Motions = [BodyMotion<R>; 1];
         type Reaction = Reaction<R>;
@@ -456,24 +503,48 @@ const _: () = {
         }
     }
     impl<R: Real> Assemble<R> for SimplePendulum<R> {
-        const CONDITIONS: &'static [Condition] = &[
-            Condition {
-                of: "pivot.angle",
-                kind: ConditionKind::Angle,
-            },
-        ];
-        const START_CONDITIONS: &'static [u16] = &[0];
-        const START_RATES: &'static [u16] = &[0];
-        const INDEPENDENT: &'static [u16] = &[0];
-        const FLIPS: &'static [Flips] = &[];
-        const ROW_SIZES: &'static [f64] = &[];
-        const CONDITION_PATTERN: &'static [(u16, u16)] = &[(0, 0)];
-        const ELIMINATION: Elimination = Elimination {
-            order: &[0, 1],
-            position: &[0, 1],
-            row_start: &[0, 0, 1],
-            columns: &[0],
-        };
+        #[inline]
+        fn conditions(&self) -> &[Condition] {
+            &[
+                Condition {
+                    of: "pivot.angle",
+                    kind: ConditionKind::Angle,
+                },
+            ]
+        }
+        #[inline]
+        fn start_conditions(&self) -> &[u16] {
+            &[0]
+        }
+        #[inline]
+        fn start_rates(&self) -> &[u16] {
+            &[0]
+        }
+        #[inline]
+        fn independent(&self) -> &[u16] {
+            &[0]
+        }
+        #[inline]
+        fn flips(&self) -> &[Flips<'_>] {
+            &[]
+        }
+        #[inline]
+        fn row_sizes(&self) -> &[f64] {
+            &[]
+        }
+        #[inline]
+        fn condition_pattern(&self) -> &[(u16, u16)] {
+            &[(0, 0)]
+        }
+        #[inline]
+        fn elimination(&self) -> Elimination<'_> {
+            Elimination {
+                order: &[0, 1],
+                position: &[0, 1],
+                row_start: &[0, 0, 1],
+                columns: &[0],
+            }
+        }
         type Conditions = Conditions<R>;
         type ConditionJacobian = ConditionJacobian<R>;
         type Factor = Factor<R>;
@@ -482,7 +553,7 @@ const _: () = {
         type Basis = Basis<R>;
         type Reduced = Reduced<R>;
         type Choice = [u16; 1];
-        fn choice() -> [u16; 1] {
+        fn choice(&self) -> [u16; 1] {
             [0; 1]
         }
         fn row_cosines(&self, time: R, q: &Q<R>, out: &mut Lambda<R>) {
@@ -551,8 +622,8 @@ const _: () = {
             *out = [];
         }
         type Store = tabled::Store<R, Self>;
-        fn store() -> Self::Store {
-            tabled::store::<R, Self>()
+        fn store(&self) -> Self::Store {
+            tabled::store::<R, Self>(self)
         }
         fn factor(
             &self,
@@ -571,16 +642,18 @@ const _: () = {
             a: &mut V<R>,
             lambda: &mut Lambda<R>,
         ) {
-            tabled::solve::<R, Self>(store, forces, rows, a, lambda)
+            tabled::solve::<R, Self>(self, store, forces, rows, a, lambda)
         }
         type Lu = ();
-        fn lu() {}
-        fn start_q() -> Q<R> {
+        fn lu(&self) {}
+        fn start_q(&self) -> Q<R> {
             [R::from_f64(-1.0), R::from_f64(1.2246467991473532e-16)]
         }
-        fn start_v() -> V<R> {
+        fn start_v(&self) -> V<R> {
             [R::ZERO]
         }
+        fn start_internal(&self) {}
+        fn start_gates(&self) {}
     }
 };
 const _: ::core::option::Option<&'static ::core::primitive::str> = ::core::option_env!(

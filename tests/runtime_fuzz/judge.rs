@@ -42,7 +42,7 @@ impl<M: Mechanism<f64>> InputSource<f64, M> for Counted<'_, M> {
         if self.count.get() > EVALUATIONS {
             std::panic::panic_any(Endless);
         }
-        self.inputs
+        self.inputs.clone()
     }
 }
 
@@ -84,7 +84,7 @@ fn of_model<M: Subject>(random: &mut Random) -> Result<Verdict, String> {
     let start = start::<M>(random, &model);
     let inputs = inputs::<M>(random);
     if random.once_in(3) {
-        return solved(random, &model, &start, &inputs).map_err(|fault| format!("{}: {fault}", M::NAME));
+        return solved(random, &model, &start, &inputs).map_err(|fault| format!("{}: {fault}", model.name()));
     }
     let (way, means) = (Way::any(random), Means::any(random));
     let moved = match way.pivot() {
@@ -92,7 +92,7 @@ fn of_model<M: Subject>(random: &mut Random) -> Result<Verdict, String> {
         1 => moved(random, &model, start, inputs, Of::<1>(way), means),
         _ => moved(random, &model, start, inputs, Of::<2>(way), means),
     };
-    moved.map_err(|fault| format!("{}, {way:?}, {means:?}: {fault}", M::NAME))
+    moved.map_err(|fault| format!("{}, {way:?}, {means:?}: {fault}", model.name()))
 }
 
 /// The start, one near it that is consistent, or anything.
@@ -119,7 +119,7 @@ fn start<M: Subject>(random: &mut Random, model: &M) -> StateOf<M> {
 }
 
 fn inputs<M: Subject>(random: &mut Random) -> M::Inputs {
-    let mut values = <M::Inputs as Fields<f64>>::Array::zero();
+    let mut values = <M::Inputs as Fields<f64>>::Array::zeros(M::Inputs::NAMES.len());
     values.as_mut_slice().iter_mut().for_each(|value| *value = random.near(1.0));
     M::Inputs::from_array(values)
 }
@@ -163,7 +163,7 @@ fn moved<M: Subject, const P: u8>(
     }
     for _ in 0..6 {
         count.set(0);
-        let (time, state) = (simulation.time(), *simulation.state());
+        let (time, state) = (simulation.time(), simulation.state().clone());
         let usual = time + h * (1 + random.below(20)) as f64;
         let end = if random.once_in(8) { random.near(usual) } else { usual };
         // What would take long takes long.
@@ -266,7 +266,7 @@ fn solved<M: Subject>(
     let both = |state: StateOf<M>| [state.q.as_slice(), state.v.as_slice()].concat();
     judged("assemble", model.assemble(start).ok().map(both))?;
     judged("project", model.project(time, start).ok().map(both))?;
-    let given: Vec<Motion> = (0..M::INDEPENDENT.len())
+    let given: Vec<Motion> = (0..model.independent().len())
         .map(|_| Motion {
             position: random.near(1.0),
             rate: random.near(1.0),
@@ -274,12 +274,14 @@ fn solved<M: Subject>(
         })
         .collect();
     let kinematics = model.kinematics(time, &start.q, &given).ok();
-    let all = kinematics.map(|found| [found.q.as_slice(), found.v.as_slice(), found.a.as_slice()].concat());
+    let all = kinematics
+        .as_ref()
+        .map(|found| [found.q.as_slice(), found.v.as_slice(), found.a.as_slice()].concat());
     judged("kinematics", all)?;
     let rest = equilibrium(model, time, &start.q, inputs).ok();
     judged("equilibrium", rest.map(|found| [found.q.as_slice(), found.lambda.as_slice()].concat()))?;
     if let Some(found) = kinematics {
-        let state = State { q: found.q, v: found.v, ..*start };
+        let state = State { q: found.q, v: found.v, ..start.clone() };
         let driven = actuation(model, time, &state, &found.a, inputs, M::Inputs::NAMES).ok();
         judged("actuation", driven.map(|found| found.inputs.to_array().as_slice().to_vec()))?;
     }
@@ -297,8 +299,8 @@ fn solved<M: Subject>(
     ADAPTIVE.set(true);
     let h = random.near(1e-2);
     let means = DormandPrince::tolerance(1e-5).most_steps(100);
-    let source = Counted { inputs: *inputs, count: &count };
-    let mut simulation = Simulation::new(model, *start).input_source(source).integrator(means).step(h);
+    let source = Counted { inputs: inputs.clone(), count: &count };
+    let mut simulation = Simulation::new(model, start.clone()).input_source(source).integrator(means).step(h);
     for _ in 0..3 {
         count.set(0);
         let before = simulation.time();

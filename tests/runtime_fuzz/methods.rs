@@ -5,7 +5,7 @@ use linkwright::{
     Ali3p, Assemble, AssemblyError, AugmentedLagrangian, Baumgarte, DormandPrince, Dynamics, Evaluation,
     ExplicitTrapezoidal, Formulation, GeneralisedAlpha, ImplicitDynamics, ImplicitTrapezoidal, Integrator,
     LagrangeIndex1, Method, NullSpace, Partitioned, Penalty, PivotOf, Projected, Rk4, SemiImplicitEuler,
-    SettingError, Settled, StateOf, StepFailure, SteppedOf, Variables, Vector, partition::PartitionOf,
+    SettingError, Settled, StateOf, StepFailure, SteppedOf, Variables, partition::PartitionOf,
 };
 
 /// A formulation; `PIVOT` is a constant of the type, so there are as many types as values of it.
@@ -116,8 +116,8 @@ impl<M: Assemble<f64>, const PIVOT_OF: u8> Formulation<f64, M> for Of<PIVOT_OF> 
         _ => PivotOf::Jacobian,
     };
 
-    fn memory(&self) -> Self::Memory {
-        (M::Lambda::zero(), linkwright::partition::Partition::new::<f64, M>())
+    fn memory(&self, model: &M) -> Self::Memory {
+        (model.zero_lambda(), linkwright::partition::Partition::new(model))
     }
 
     fn acceleration(

@@ -18,53 +18,54 @@ pub fn assemble(text: &mut String, emitter: &Emitter) {
         tables::indices(targets.filter(|(_, target)| has(target)).map(|(index, _)| index))
     };
     let _ = writeln!(text, "impl<R: Real> Assemble<R> for {inner}<R> {{");
-    let _ = writeln!(text, "const CONDITIONS: &'static [Condition] = {};", tables::conditions(emitter));
+    tables::method(text, "conditions", "&[Condition]", &tables::conditions(emitter));
     let lists = [
-        ("START_CONDITIONS", stated(false)),
-        ("START_RATES", stated(true)),
-        ("INDEPENDENT", tables::indices(compiled.independent.iter().copied())),
+        ("start_conditions", stated(false)),
+        ("start_rates", stated(true)),
+        ("independent", tables::indices(compiled.independent.iter().copied())),
     ];
-    for (constant, list) in lists {
-        let _ = writeln!(text, "const {constant}: &'static [u16] = {list};");
+    for (method, list) in lists {
+        tables::method(text, method, "&[u16]", &list);
     }
-    let _ = writeln!(text, "const FLIPS: &'static [Flips] = {};", tables::flips(emitter));
+    tables::method(text, "flips", "&[Flips<'_>]", &tables::flips(emitter));
     if !equations.idle.is_empty() {
         let idle = tables::indices(equations.idle.iter().copied());
-        let _ = writeln!(text, "const IDLE: &'static [u16] = {idle};");
+        tables::method(text, "idle", "&[u16]", &idle);
     }
     if compiled.partition.pivots().next().is_some() {
         let pivots = tables::pairs(compiled.partition.pivots().map(|pivot| (pivot.row, pivot.velocity)));
-        let _ = writeln!(text, "const DEPENDENT: &'static [(u16, u16)] = {pivots};");
+        tables::method(text, "dependent", "&[(u16, u16)]", &pivots);
     }
     let sizes = array(compiled.partition.row_sizes.iter().map(|size| literal(*size)));
-    let _ = writeln!(text, "const ROW_SIZES: &'static [f64] = &{sizes};");
+    tables::method(text, "row_sizes", "&[f64]", &format!("&{sizes}"));
     if compiled.partition.scales.iter().any(|scale| *scale != 1.0) {
         let scales = array(compiled.partition.scales.iter().map(|scale| literal(*scale)));
-        let _ = writeln!(text, "const SCALES: &'static [f64] = &{scales};");
+        tables::method(text, "scales", "&[f64]", &format!("&{scales}"));
     }
     let massless = &compiled.complete.solved.massless;
     if !massless.rows.is_empty() {
         let rows = tables::indices(massless.rows.keys().copied());
-        let _ = writeln!(text, "const MASSLESS_ROWS: &'static [u16] = {rows};");
+        tables::method(text, "massless_rows", "&[u16]", &rows);
         let weights = array(massless.rows.values().map(|rho| literal(*rho)));
-        let _ = writeln!(text, "const MASSLESS_WEIGHTS: &'static [f64] = &{weights};");
+        tables::method(text, "massless_weights", "&[f64]", &format!("&{weights}"));
     }
     tables::pattern(text, emitter, &CONDITION_JACOBIAN);
-    let _ = writeln!(text, "const ELIMINATION: Elimination = {};", tables::elimination(emitter));
+    tables::method(text, "elimination", "Elimination<'_>", &tables::elimination(emitter));
     for alias in ["Conditions", "ConditionJacobian", "Factor", "System", "Dense", "Basis", "Reduced"] {
         let _ = writeln!(text, "type {alias} = {alias}<R>;");
     }
     let velocities = emitter.compiled.entries(Shape::Velocities);
     let _ = writeln!(
         text,
-        "type Choice = [u16; {velocities}];\nfn choice() -> [u16; {velocities}] {{ [0; {velocities}] }}"
+        "type Choice = [u16; {velocities}];\nfn choice(&self) -> [u16; {velocities}] {{ [0; {velocities}] }}"
     );
     functions(text, &mut helpers, emitter, Interface::Assemble);
     solutions::factorisation(text, emitter);
     solutions::null_space(text, emitter);
     let numbers = |values: &[f64]| array(values.iter().map(|value| constant(*value)));
-    let _ = writeln!(text, "fn start_q() -> Q<R> {{ {} }}", numbers(&compiled.assembly.q));
-    let _ = writeln!(text, "fn start_v() -> V<R> {{ {} }}", numbers(&compiled.assembly.v));
+    let _ = writeln!(text, "fn start_q(&self) -> Q<R> {{ {} }}", numbers(&compiled.assembly.q));
+    let _ = writeln!(text, "fn start_v(&self) -> V<R> {{ {} }}", numbers(&compiled.assembly.v));
+    text.push_str("fn start_internal(&self) {}\nfn start_gates(&self) {}\n");
     let open = compiled.complete.equations.open_rows(emitter.mechanism);
     if !open.is_empty() {
         // The residual with the old phase is what the new phase differs by.

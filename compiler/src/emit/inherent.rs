@@ -53,7 +53,7 @@ pub fn inherent(text: &mut String, emitter: &Emitter) {
     } else {
         // Open phases belong to the start position; these parameters may ask for others there.
         let _ = writeln!(text, "let mut model = Self::with(parameters, {phases});");
-        text.push_str("model.fix_phases(&<Self as Assemble<R>>::start_q());\n");
+        text.push_str("let q = <Self as Assemble<R>>::start_q(&model);\nmodel.fix_phases(&q);\n");
     }
     masses(text, emitter);
     text.push_str("check_constants(&model.constants)?;\nOk(model)\n}\n");

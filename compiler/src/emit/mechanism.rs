@@ -13,14 +13,14 @@ pub fn mechanism(text: &mut String, emitter: &Emitter) {
     let mut helpers = String::new();
     variables(text, emitter);
     let _ = writeln!(text, "impl<R: Real> Mechanism<R> for {inner}<R> {{");
-    let _ = writeln!(text, "const NAME: &'static str = {};", quoted(name));
-    let _ = writeln!(text, "const ROWS: &'static [Row] = {};", tables::rows(emitter));
+    tables::method(text, "name", "&'static str", &quoted(name));
+    tables::method(text, "rows", "&[Row]", &tables::rows(emitter));
     let names = [
-        ("POSITION_NAMES", layout.position_names(mechanism)),
-        ("VELOCITY_NAMES", layout.velocity_names(mechanism)),
+        ("position_names", layout.position_names(mechanism)),
+        ("velocity_names", layout.velocity_names(mechanism)),
     ];
-    for (constant, names) in names {
-        let _ = writeln!(text, "const {constant}: &'static [&'static str] = {};", tables::strings(names));
+    for (method, names) in names {
+        tables::method(text, method, "&[&'static str]", &tables::strings(names));
     }
     for matrix in [&MASS, &JACOBIAN] {
         tables::pattern(text, emitter, matrix);
@@ -28,10 +28,19 @@ pub fn mechanism(text: &mut String, emitter: &Emitter) {
     for alias in ["Mass", "Jacobian"] {
         let _ = writeln!(text, "type {alias} = {alias}<R>;");
     }
-    for (alias, shape) in [("Inputs", Shape::Inputs), ("Outputs", Shape::Outputs)] {
-        let _ = writeln!(text, "type {alias} = {};", emitter.type_of(shape));
+    let named = [("Inputs", "input_names", Shape::Inputs), ("Outputs", "output_names", Shape::Outputs)];
+    for (alias, method, shape) in named {
+        let of = emitter.type_of(shape);
+        let _ = writeln!(text, "type {alias} = {of};");
+        tables::method(text, method, "&'static [&'static str]", &format!("<{of} as Fields<R>>::NAMES"));
     }
     functions(text, &mut helpers, emitter, Interface::Mechanism);
+    let _ = writeln!(
+        text,
+        "fn internal_rates(&self, _time: R, _state: &{}, _u: &{}, _a: &V<R>, _lambda: &Lambda<R>, _rates: &mut ()) {{}}",
+        emitter.type_of(Shape::State),
+        emitter.type_of(Shape::Inputs)
+    );
     unwrap(text, emitter);
     text.push_str("}\n");
     text.push_str(&helpers);
@@ -40,7 +49,7 @@ pub fn mechanism(text: &mut String, emitter: &Emitter) {
 /// What a state is made of: there are no internal states and no gates yet.
 fn variables(text: &mut String, emitter: &Emitter) {
     let _ = writeln!(text, "impl<R: Real> Variables<R> for {}<R> {{", emitter.inner);
-    let _ = writeln!(text, "const LAYOUT: Layout = {};", tables::layout(emitter));
+    tables::method(text, "layout", "&Layout<'_>", &format!("&{}", tables::layout(emitter)));
     for alias in ["Q", "V", "Lambda"] {
         let _ = writeln!(text, "type {alias} = {alias}<R>;");
     }
@@ -63,7 +72,7 @@ fn unwrap(text: &mut String, emitter: &Emitter) {
     });
     let unwrapped: Vec<(&Coordinate, &String)> = unwrapped.collect();
     let of = emitter.type_of(Shape::Outputs);
-    let _ = writeln!(text, "fn unwrap(outputs: &mut {of}, previous: &{of}) {{");
+    let _ = writeln!(text, "fn unwrap(&self, outputs: &mut {of}, previous: &{of}) {{");
     for (_, field) in &unwrapped {
         let _ = writeln!(text, "outputs.{field} = unwrap_angle(outputs.{field}, previous.{field});");
     }

@@ -8,8 +8,8 @@
 //! }
 //! ```
 
-use super::Emitter;
 use super::function::head;
+use super::{Emitter, tables};
 use crate::functions::{Argument, FUNCTIONS, Interface, MOTION, REACTION, Shape, Signature};
 use crate::model::Space;
 use std::fmt::Write;
@@ -18,7 +18,8 @@ pub fn report(text: &mut String, emitter: &Emitter) {
     let Emitter { inner, compiled, mechanism, .. } = emitter;
     let _ = writeln!(text, "impl<R: Real> Report<R> for {inner}<R> {{");
     for constant in ["BODIES", "JOINTS", "LOADS"] {
-        let _ = writeln!(text, "const {constant}: &'static [&'static str] = {inner}::<f64>::{constant};");
+        let list = format!("{inner}::<f64>::{constant}");
+        tables::method(text, &constant.to_lowercase(), "&[&'static str]", &list);
     }
     let length = |shape: Shape| compiled.entries(shape).to_string();
     text.push_str(&types(mechanism.space, |shape| emitter.type_of(shape), length));
@@ -33,8 +34,8 @@ pub fn report(text: &mut String, emitter: &Emitter) {
 /// The same of a definition with errors: functions that do nothing.
 pub fn stub(space: Space, type_of: impl Fn(Shape) -> String, length_of: impl Fn(Shape) -> String) -> String {
     let mut text = String::new();
-    for constant in ["BODIES", "JOINTS", "LOADS"] {
-        let _ = writeln!(text, "const {constant}: &'static [&'static str] = &[];");
+    for constant in ["bodies", "joints", "loads"] {
+        tables::method(&mut text, constant, "&[&'static str]", "&[]");
     }
     text.push_str(&types(space, &type_of, &length_of));
     for signature in own() {

@@ -99,7 +99,7 @@ fn implementations(text: &mut String, header: &Header) {
     };
     let [_, inputs, outputs] = header.structs().map(|given| header.given(given));
     let matrices = DERIVATIVES.map(|matrix| {
-        format!("const {}: &'static [(u16, u16)] = &[];\ntype {} = {list};\n", matrix.pattern, matrix.name)
+        format!("fn {}(&self) -> &[(u16, u16)] {{ &[] }}\ntype {} = {list};\n", matrix.pattern, matrix.name)
     });
     let space = if header.spatial { Space::Spatial } else { Space::Planar };
     let report =
@@ -200,50 +200,56 @@ impl<R: Real> @NAME@<R> {
     @FUNCTIONS@
 }
 impl<R: Real> Variables<R> for @NAME@<R> {
-    const LAYOUT: Layout = Layout { linear: @MANY@, rotations: 0, quaternions: 0, angles: &[] };
+    fn layout(&self) -> &Layout<'_> { &Layout { linear: @MANY@, rotations: 0, quaternions: 0, angles: &[] } }
     type Q = @LIST@; type V = @LIST@; type Lambda = @LIST@; type Z = (); type Gates = ();
 }
 impl<R: Real> Mechanism<R> for @NAME@<R> {
-    const NAME: &'static str = \"\";
-    const ROWS: &'static [Row] = &[];
-    const POSITION_NAMES: &'static [&'static str] = &[];
-    const VELOCITY_NAMES: &'static [&'static str] = &[];
-    const MASS_PATTERN: &'static [(u16, u16)] = &[];
-    const JACOBIAN_PATTERN: &'static [(u16, u16)] = &[];
+    fn name(&self) -> &'static str { \"\" }
+    fn rows(&self) -> &[Row] { &[] }
+    fn position_names(&self) -> &[&'static str] { &[] }
+    fn velocity_names(&self) -> &[&'static str] { &[] }
+    fn mass_pattern(&self) -> &[(u16, u16)] { &[] }
+    fn jacobian_pattern(&self) -> &[(u16, u16)] { &[] }
     type Mass = @LIST@; type Jacobian = @LIST@;
     type Inputs = @INPUTS@; type Outputs = @OUTPUTS@;
-    fn unwrap(outputs: &mut @OUTPUTS@, previous: &@OUTPUTS@) {}
+    fn input_names(&self) -> &'static [&'static str] { &[] }
+    fn output_names(&self) -> &'static [&'static str] { &[] }
+    fn internal_rates(&self, _: R, _: &State<@LIST@, @LIST@>, _: &@INPUTS@, _: &@LIST@, _: &@LIST@, _: &mut ()) {}
+    fn unwrap(&self, outputs: &mut @OUTPUTS@, previous: &@OUTPUTS@) {}
     @FUNCTIONS_OF_MECHANISM@
 }
 impl<R: Real> Report<R> for @NAME@<R> {
     @REPORT@
 }
 impl<R: Real> Assemble<R> for @NAME@<R> {
-    const CONDITIONS: &'static [Condition] = &[];
-    const START_CONDITIONS: &'static [u16] = &[];
-    const START_RATES: &'static [u16] = &[];
-    const INDEPENDENT: &'static [u16] = &[];
-    const CONDITION_PATTERN: &'static [(u16, u16)] = &[];
-    const FLIPS: &'static [Flips] = &[];
-    const ROW_SIZES: &'static [f64] = &[];
-    const ELIMINATION: Elimination = Elimination { order: &[], position: &[], row_start: &[], columns: &[] };
+    fn conditions(&self) -> &[Condition] { &[] }
+    fn start_conditions(&self) -> &[u16] { &[] }
+    fn start_rates(&self) -> &[u16] { &[] }
+    fn independent(&self) -> &[u16] { &[] }
+    fn condition_pattern(&self) -> &[(u16, u16)] { &[] }
+    fn flips(&self) -> &[Flips<'_>] { &[] }
+    fn row_sizes(&self) -> &[f64] { &[] }
+    fn elimination(&self) -> Elimination<'_> { Elimination { order: &[], position: &[], row_start: &[], columns: &[] } }
     type Conditions = @LIST@; type ConditionJacobian = @LIST@; type Factor = @LIST@; type System = @LIST@;
     type Dense = @LIST@; type Basis = @LIST@; type Reduced = @LIST@; type Choice = [u16; @MANY@]; type Store = @LIST@;
     type Lu = @LIST@;
-    fn lu() -> @LIST@ { loop {} }
-    fn choice() -> [u16; @MANY@] { loop {} }
-    fn store() -> @LIST@ { loop {} }
-    fn start_q() -> @LIST@ { loop {} }
-    fn start_v() -> @LIST@ { loop {} }
+    fn lu(&self) -> @LIST@ { loop {} }
+    fn choice(&self) -> [u16; @MANY@] { loop {} }
+    fn store(&self) -> @LIST@ { loop {} }
+    fn start_q(&self) -> @LIST@ { loop {} }
+    fn start_v(&self) -> @LIST@ { loop {} }
+    fn start_internal(&self) {}
+    fn start_gates(&self) {}
     @FUNCTIONS_OF_ASSEMBLE@
 }
 impl<R: Real> Tangent<R> for @NAME@<R> {
-    const STATES: &'static [u16] = &[];
+    fn states(&self) -> &[u16] { &[] }
     @DERIVATIVES@
     type StateMatrix = @LIST@; type InputMatrix = @LIST@; type OutputMatrix = @LIST@;
     type Feedthrough = @LIST@; type Unknowns = @LIST@; type Bordered = @LIST@; type Parameters = @NAME@Parameters<R>;
     type Order = [u16; @MANY@];
-    fn order() -> [u16; @MANY@] { loop {} }
+    fn parameter_names(&self) -> &[&'static str] { &[] }
+    fn order(&self) -> [u16; @MANY@] { loop {} }
     @FUNCTIONS_OF_TANGENT@
 }
 };

@@ -1,14 +1,20 @@
-//! Constant tables: patterns, names of rows and coordinates, the elimination.
+//! Constant tables: patterns, names of rows and coordinates, the elimination. The runtime asks the mechanism for each by a method,
+//! which returns a constant.
 
 use super::{Emitter, array, quoted};
 use crate::forms::row::Whole;
 use crate::functions::Sparse;
 use std::fmt::Write;
 
+/// The method that returns a table.
+pub fn method(text: &mut String, name: &str, of: &str, table: &str) {
+    let _ = writeln!(text, "#[inline] fn {name}(&self) -> {of} {{ {table} }}");
+}
+
 /// (row, column) of the structural non-zeros of a matrix, row by row.
 pub fn pattern(text: &mut String, emitter: &Emitter, matrix: &Sparse) {
     let places = pairs(matrix.places(&emitter.compiled.complete));
-    let _ = writeln!(text, "const {}: &'static [(u16, u16)] = {places};", matrix.pattern);
+    method(text, matrix.pattern, "&[(u16, u16)]", &places);
 }
 
 pub fn layout(emitter: &Emitter) -> String {

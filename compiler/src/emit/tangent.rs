@@ -2,7 +2,7 @@
 //!
 //! ```text
 //! impl<R: Real> Tangent<R> for FourBar<R> {
-//!     const STIFFNESS_PATTERN: &'static [(u16, u16)] = &[(0, 0), …];
+//!     fn stiffness_pattern(&self) -> &[(u16, u16)] { &[(0, 0), …] }
 //!     type Stiffness = [R; 5];
 //!     fn tangent(&self, time: R, q: &Q<R>, …, stiffness_out: &mut Stiffness<R>, damping_out: &mut Damping<R>) { … }
 //! }
@@ -36,7 +36,7 @@ pub fn tangent(aliases: &mut String, text: &mut String, emitter: &Emitter) {
 
     let _ = writeln!(text, "impl<R: Real> Tangent<R> for {}<R> {{", emitter.inner);
     let states = tables::indices(tangents.states.iter().copied());
-    let _ = writeln!(text, "const STATES: &'static [u16] = {states};");
+    tables::method(text, "states", "&[u16]", &states);
     for matrix in DERIVATIVES {
         tables::pattern(text, emitter, matrix);
     }
@@ -45,7 +45,8 @@ pub fn tangent(aliases: &mut String, text: &mut String, emitter: &Emitter) {
     }
     let order = format!("[u16; {static_unknowns}]");
     let _ = writeln!(text, "type Parameters = Parameters<R>;\ntype Order = {order};");
-    let _ = writeln!(text, "fn order() -> {order} {{ [0; {static_unknowns}] }}");
+    tables::method(text, "parameter_names", "&[&'static str]", "<Parameters<R> as Fields<R>>::NAMES");
+    let _ = writeln!(text, "fn order(&self) -> {order} {{ [0; {static_unknowns}] }}");
     let mut helpers = String::new();
     functions(text, &mut helpers, emitter, Interface::Tangent);
     text.push_str("}\n");

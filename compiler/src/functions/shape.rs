@@ -94,36 +94,36 @@ const fn sparse(name: &'static str, pattern: &'static str, entries: fn(&Complete
 }
 
 /// M, of which one triangle is stored.
-pub static MASS: Sparse = sparse("Mass", "MASS_PATTERN", |c| {
+pub static MASS: Sparse = sparse("Mass", "mass_pattern", |c| {
     c.equations.mass.iter().map(|(place, node)| (*place, *node)).collect()
 });
 /// D.
 pub static JACOBIAN: Sparse =
-    sparse("Jacobian", "JACOBIAN_PATTERN", |c| of_jets(c.equations.rows.iter().map(|row| &row.jet)));
+    sparse("Jacobian", "jacobian_pattern", |c| of_jets(c.equations.rows.iter().map(|row| &row.jet)));
 /// Of the conditions of the start.
-pub static CONDITION_JACOBIAN: Sparse = sparse("ConditionJacobian", "CONDITION_PATTERN", |c| {
+pub static CONDITION_JACOBIAN: Sparse = sparse("ConditionJacobian", "condition_pattern", |c| {
     of_jets(c.conditions.rows.iter().map(|condition| &condition.jet))
 });
 /// ∂r/∂q along increments of q, r = M v̇ + Dᵀ λ − Q; and ∂r/∂v.
-pub static STIFFNESS: Sparse = sparse("Stiffness", "STIFFNESS_PATTERN", |c| of_tangents(c, |t| &t.stiffness));
-pub static DAMPING: Sparse = sparse("Damping", "DAMPING_PATTERN", |c| of_tangents(c, |t| &t.damping));
+pub static STIFFNESS: Sparse = sparse("Stiffness", "stiffness_pattern", |c| of_tangents(c, |t| &t.stiffness));
+pub static DAMPING: Sparse = sparse("Damping", "damping_pattern", |c| of_tangents(c, |t| &t.damping));
 /// ∂(D v̇ − γ)/∂q along increments of q; and ∂(D v̇ − γ)/∂v.
 pub static ROW_STIFFNESS: Sparse =
-    sparse("RowStiffness", "ROW_STIFFNESS_PATTERN", |c| of_tangents(c, |t| &t.row_stiffness));
+    sparse("RowStiffness", "row_stiffness_pattern", |c| of_tangents(c, |t| &t.row_stiffness));
 pub static ROW_DAMPING: Sparse =
-    sparse("RowDamping", "ROW_DAMPING_PATTERN", |c| of_tangents(c, |t| &t.row_damping));
+    sparse("RowDamping", "row_damping_pattern", |c| of_tangents(c, |t| &t.row_damping));
 /// ∂(D v − ν)/∂q along increments of q.
-pub static RATE: Sparse = sparse("RateTangent", "RATE_PATTERN", |c| of_tangents(c, |t| &t.rate));
+pub static RATE: Sparse = sparse("RateTangent", "rate_pattern", |c| of_tangents(c, |t| &t.rate));
 /// ∂r/∂u.
-pub static INPUT: Sparse = sparse("InputTangent", "INPUT_PATTERN", |c| of_tangents(c, |t| &t.input));
+pub static INPUT: Sparse = sparse("InputTangent", "input_pattern", |c| of_tangents(c, |t| &t.input));
 /// By the parameters: of r, D v̇ − γ, D v − ν, Φ and the outputs.
 pub static PARAMETER: Sparse =
-    sparse("ParameterTangent", "PARAMETER_PATTERN", |c| of_tangents(c, |t| &t.parameter));
+    sparse("ParameterTangent", "parameter_pattern", |c| of_tangents(c, |t| &t.parameter));
 /// Of the outputs by q, v, u and λ.
-pub static OUTPUT: Sparse = sparse("OutputTangent", "OUTPUT_PATTERN", |c| of_tangents(c, |t| &t.output));
+pub static OUTPUT: Sparse = sparse("OutputTangent", "output_pattern", |c| of_tangents(c, |t| &t.output));
 /// ∂(ż, z̈)/∂(q, v) of the independent coordinates z.
 pub static COORDINATE: Sparse =
-    sparse("CoordinateTangent", "COORDINATE_PATTERN", |c| of_tangents(c, |t| &t.coordinate));
+    sparse("CoordinateTangent", "coordinate_pattern", |c| of_tangents(c, |t| &t.coordinate));
 
 /// The matrices of the trait `Tangent`.
 pub static DERIVATIVES: [&Sparse; 9] =

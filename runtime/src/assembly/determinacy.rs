@@ -31,15 +31,16 @@ pub(super) fn check_determined<R: Real, M: Assemble<R>>(
     if R::any(smallest.value.greater_equal(R::EPSILON.sqrt())) {
         return Ok(());
     }
-    Err(rank_deficient::<R, M>(smallest))
+    Err(rank_deficient(model, smallest))
 }
 
 /// The smallest pivot of the rows of D̂, each scaled by its largest norm.
 fn smallest_pivot<R: Real, M: Assemble<R>>(system: &mut System<'_, R, M>, time: R, q: &M::Q) -> Pivot<R> {
+    let model = system.model;
     // W, the squares of the largest entries of the columns; then the squared norms of the rows by it.
-    let (mut weights, mut norms) = (M::V::zero(), M::System::zero());
+    let (mut weights, mut norms) = (model.zero_v(), model.zero_system());
     for part in (0..3).rev() {
-        system.evaluate(time, &turned::<R, M>(q, part), None);
+        system.evaluate(time, &turned(model, q, part), None);
         system.each_entry(|_, column, entry| {
             if let Some(weight) = weights.as_mut_slice().get_mut(column) {
                 *weight = weight.max(entry * entry);
@@ -50,8 +51,8 @@ fn smallest_pivot<R: Real, M: Assemble<R>>(system: &mut System<'_, R, M>, time: 
         *weight = if *weight > R::ZERO { *weight } else { R::ONE };
     }
     for part in (0..3).rev() {
-        let mut own = M::System::zero();
-        system.evaluate(time, &turned::<R, M>(q, part), None);
+        let mut own = model.zero_system();
+        system.evaluate(time, &turned(model, q, part), None);
         system.each_entry(|row, column, entry| {
             let weight = weights.as_slice().get(column).copied().unwrap_or(R::ONE);
             if let Some(norm) = own.as_mut_slice().get_mut(row) {
@@ -63,10 +64,10 @@ fn smallest_pivot<R: Real, M: Assemble<R>>(system: &mut System<'_, R, M>, time: 
         }
     }
     // The last evaluation was at q itself.
-    let mut pivots = M::System::zero();
+    let mut pivots = model.zero_system();
     system.factor_weighted(&weights, &mut pivots);
-    let mut smallest = Pivot { value: R::ONE, unknown: M::V::LEN };
-    let rows = pivots.as_slice().iter().enumerate().skip(M::V::LEN).zip(norms.as_slice());
+    let mut smallest = Pivot { value: R::ONE, unknown: model.velocity_count() };
+    let rows = pivots.as_slice().iter().enumerate().skip(model.velocity_count()).zip(norms.as_slice());
     for ((unknown, pivot), &norm) in rows {
         // Rows that take no part have no entries; behind a pivot of zero nothing is a number.
         let relative = pivot.abs() / norm;
@@ -79,12 +80,12 @@ fn smallest_pivot<R: Real, M: Assemble<R>>(system: &mut System<'_, R, M>, time: 
 }
 
 /// `q` with every orientation turned a little, about no axis in particular; for `part` = 0 as it is.
-pub(crate) fn turned<R: Real, M: Assemble<R>>(q: &M::Q, part: u8) -> M::Q {
-    let mut delta = M::V::zero();
-    for (k, entry) in delta.as_mut_slice().iter_mut().enumerate().skip(M::LAYOUT.linear) {
+pub(crate) fn turned<R: Real, M: Assemble<R>>(model: &M, q: &M::Q, part: u8) -> M::Q {
+    let mut delta = model.zero_v();
+    for (k, entry) in delta.as_mut_slice().iter_mut().enumerate().skip(model.layout().linear) {
         *entry = R::from_f64(f64::from(part) * (0.4 + 0.1 * (k % 4) as f64));
     }
-    let mut turned = *q;
-    retract(&M::LAYOUT, q, &delta, &mut turned);
+    let mut turned = q.clone();
+    retract(model.layout(), q, &delta, &mut turned);
     turned
 }

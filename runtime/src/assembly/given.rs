@@ -27,6 +27,7 @@ pub(super) fn given_finite<R: Real, V: Vector<R>>(
 
 /// An error that names the first of the conditions held whose target is infinite or NaN.
 pub(super) fn given_targets<R: Real, M: Assemble<R>>(
+    model: &M,
     targets: &M::Conditions,
     active: &[u16],
 ) -> Result<(), AssemblyError> {
@@ -34,8 +35,10 @@ pub(super) fn given_targets<R: Real, M: Assemble<R>>(
     match active.iter().find(|index| target(index).is_some_and(|target| !target.is_finite())) {
         None => Ok(()),
         Some(&index) => {
-            let condition = M::CONDITIONS.get(usize::from(index));
-            Err(AssemblyError::GivenNotFinite { what: condition.map_or(M::NAME, |condition| condition.of) })
+            let condition = model.conditions().get(usize::from(index));
+            Err(AssemblyError::GivenNotFinite {
+                what: condition.map_or(model.name(), |condition| condition.of),
+            })
         }
     }
 }

@@ -25,7 +25,7 @@ use system::System;
 pub trait AssembleExt<R: Real>: Assemble<R> + Sized {
     /// The state assembled at expansion, for the default parameters, in the model's own scalars.
     fn start(&self) -> StateOf<Self, R> {
-        State { q: Self::start_q(), v: Self::start_v(), z: self.start_internal(), gates: self.start_gates() }
+        State { q: self.start_q(), v: self.start_v(), z: self.start_internal(), gates: self.start_gates() }
     }
 
     /// The state near `near` that fulfils what `start` states, with this model's parameters, at time zero.
@@ -33,15 +33,15 @@ pub trait AssembleExt<R: Real>: Assemble<R> + Sized {
     /// # Errors
     /// As [`assemble_position`] and [`assemble_velocity`].
     fn assemble(&self, near: &StateOf<Self, R>) -> Result<StateOf<Self, R>, AssemblyError> {
-        let (mut positions, mut rates) = (Self::Conditions::zero(), Self::Conditions::zero());
+        let (mut positions, mut rates) = (self.zero_conditions(), self.zero_conditions());
         self.start_targets(&mut positions, &mut rates);
-        let q = assemble_position(self, R::ZERO, &near.q, &positions, Self::START_CONDITIONS)?;
-        let v = assemble_velocity(self, R::ZERO, &q, &rates, Self::START_RATES)?;
+        let q = assemble_position(self, R::ZERO, &near.q, &positions, self.start_conditions())?;
+        let v = assemble_velocity(self, R::ZERO, &q, &rates, self.start_rates())?;
         Ok(State { q, v, z: self.start_internal(), gates: self.start_gates() })
     }
 
     /// The motion of the whole mechanism from that of its independent coordinates, given in the order of
-    /// [`INDEPENDENT`](Assemble::INDEPENDENT); of several ways to assemble, the one near `near`. Angles whose turns the
+    /// [`independent`](Assemble::independent); of several ways to assemble, the one near `near`. Angles whose turns the
     /// dynamics count (of gears, racks, drivers, torsion springs, laws) are given with their turns.
     ///
     /// At a dead centre of an independent coordinate, or so near to one that less than half of the digits of the velocities would
@@ -56,18 +56,18 @@ pub trait AssembleExt<R: Real>: Assemble<R> + Sized {
         near: &Self::Q,
         given: &[Motion<R>],
     ) -> Result<Kinematics<Self::Q, Self::V>, AssemblyError> {
-        let needed = Self::INDEPENDENT.len();
+        let needed = self.independent().len();
         if given.len() != needed {
             return Err(AssemblyError::WrongLength { needed, given: given.len() });
         }
         let targets = |part: fn(&Motion<R>) -> R| {
-            let mut targets = Self::Conditions::zero();
-            for (&index, motion) in Self::INDEPENDENT.iter().zip(given) {
+            let mut targets = self.zero_conditions();
+            for (&index, motion) in self.independent().iter().zip(given) {
                 targets.as_mut_slice()[index as usize] = part(motion);
             }
             targets
         };
-        let held = Self::INDEPENDENT;
+        let held = self.independent();
         let q = assemble_position(self, time, near, &targets(|motion| motion.position), held)?;
         let (rates, accelerations) = (targets(|motion| motion.rate), targets(|motion| motion.acceleration));
         let (v, a) = rates::assemble_rates(self, time, &q, &rates, &accelerations, held)?;
@@ -82,7 +82,7 @@ pub trait AssembleExt<R: Real>: Assemble<R> + Sized {
     fn project(&self, time: R, state: &StateOf<Self, R>) -> Result<StateOf<Self, R>, AssemblyError> {
         let q = project_position(self, time, &state.q)?;
         let v = project_velocity(self, time, &q, &state.v)?;
-        Ok(State { q, v, ..*state })
+        Ok(State { q, v, z: state.z.clone(), gates: state.gates.clone() })
     }
 }
 
@@ -93,7 +93,8 @@ impl<R: Real, M: Assemble<R>> AssembleExt<R> for M {}
 pub fn smallest_pivot<R: Real, M: Assemble<R>>(model: &M, time: R, q: &M::Q) -> (R, Option<usize>) {
     match unit_pivot(model, time, q) {
         Some(pivot) => {
-            let row = pivot.unknown.checked_sub(M::V::LEN).filter(|&row| row < M::Lambda::LEN);
+            let row =
+                pivot.unknown.checked_sub(model.velocity_count()).filter(|&row| row < model.row_count());
             (pivot.value, row)
         }
         None => (R::ONE, None),
@@ -112,5 +113,5 @@ pub(crate) fn singular_velocity<R: Real, M: Assemble<R>>(model: &M, time: R, q: 
     let mut system = System::new(model, &[]).ok()?;
     system.evaluate(time, q, None);
     let pivot = system.factor_mass(time, q, R::ZERO);
-    (pivot.value < R::BREAKDOWN && pivot.unknown < M::V::LEN).then_some(pivot.unknown)
+    (pivot.value < R::BREAKDOWN && pivot.unknown < model.velocity_count()).then_some(pivot.unknown)
 }

@@ -56,31 +56,31 @@ fn held_velocity<R: Real, M: Assemble<R>>(
     rates: &M::Conditions,
     active: &[u16],
 ) -> Result<M::V, AssemblyError> {
-    check_position::<R, M>(time, q)?;
-    given_targets::<R, M>(rates, active)?;
+    check_position(model, time, q)?;
+    given_targets(model, rates, active)?;
     let momentum = carried_momentum(model, time, q);
     let mut system = System::new(model, active)?;
     let (nu, targets) = asked(model, time, q, rates);
-    correct(&mut system, time, q, &M::V::zero(), &nu, &targets, &momentum)
+    correct(&mut system, time, q, &model.zero_v(), &nu, &targets, &momentum)
 }
 
 /// b of the kinetic energy ½ vᵀ M v + bᵀ v + c: places that move with time carry bodies along. From T itself, which is
 /// quadratic: b_k = T(e_k) − T(0) − ½ M_kk.
 fn carried_momentum<R: Real, M: Assemble<R>>(model: &M, time: R, q: &M::Q) -> M::V {
-    let mut momentum = M::V::zero();
+    let mut momentum = model.zero_v();
     let at_rest = model.kinetic_energy(time, q, &momentum);
     if at_rest == R::ZERO {
         return momentum;
     }
-    let mut mass = M::Mass::zero();
+    let mut mass = model.zero_mass();
     model.mass_matrix(time, q, &mut mass);
     let half = R::from_f64(0.5);
-    for k in 0..M::V::LEN {
-        let mut unit = M::V::zero();
+    for k in 0..model.velocity_count() {
+        let mut unit = model.zero_v();
         unit.as_mut_slice()[k] = R::ONE;
         momentum.as_mut_slice()[k] = model.kinetic_energy(time, q, &unit) - at_rest;
     }
-    for (&entry, &(i, j)) in mass.as_slice().iter().zip(M::MASS_PATTERN) {
+    for (&entry, &(i, j)) in mass.as_slice().iter().zip(model.mass_pattern()) {
         if i == j {
             let own = &mut momentum.as_mut_slice()[i as usize];
             *own = *own - half * entry;
@@ -99,14 +99,14 @@ pub fn project_velocity<R: Real, M: Assemble<R>>(
     q: &M::Q,
     v: &M::V,
 ) -> Result<M::V, AssemblyError> {
-    check_position::<R, M>(time, q)?;
-    given_finite(v, M::VELOCITY_NAMES, M::NAME)?;
-    correct_velocity(model, time, q, v, &M::Conditions::zero(), &[])
+    check_position(model, time, q)?;
+    given_finite(v, model.velocity_names(), model.name())?;
+    correct_velocity(model, time, q, v, &model.zero_conditions(), &[])
 }
 
-fn check_position<R: Real, M: Assemble<R>>(time: R, q: &M::Q) -> Result<(), AssemblyError> {
+fn check_position<R: Real, M: Assemble<R>>(model: &M, time: R, q: &M::Q) -> Result<(), AssemblyError> {
     given_time(time)?;
-    given_finite(q, M::POSITION_NAMES, M::NAME)
+    given_finite(q, model.position_names(), model.name())
 }
 
 /// The accelerations of least ½ aᵀ M a that satisfy the constraints and give the coordinates of the conditions
@@ -135,16 +135,16 @@ fn held_acceleration<R: Real, M: Assemble<R>>(
     accelerations: &M::Conditions,
     active: &[u16],
 ) -> Result<M::V, AssemblyError> {
-    check_position::<R, M>(time, q)?;
-    given_finite(v, M::VELOCITY_NAMES, M::NAME)?;
-    given_targets::<R, M>(accelerations, active)?;
+    check_position(model, time, q)?;
+    given_finite(v, model.velocity_names(), model.name())?;
+    given_targets(model, accelerations, active)?;
     let mut system = System::new(model, active)?;
-    let mut gamma = M::Lambda::zero();
+    let mut gamma = model.zero_lambda();
     model.gamma(time, q, v, &mut gamma);
-    let mut bias = M::Conditions::zero();
+    let mut bias = model.zero_conditions();
     model.condition_bias(time, q, v, &mut bias);
     let targets = accelerations.plus(-R::ONE, &bias);
-    correct(&mut system, time, q, &M::V::zero(), &gamma, &targets, &M::V::zero())
+    correct(&mut system, time, q, &model.zero_v(), &gamma, &targets, &model.zero_v())
 }
 
 fn correct_velocity<R: Real, M: Assemble<R>>(
@@ -157,7 +157,7 @@ fn correct_velocity<R: Real, M: Assemble<R>>(
 ) -> Result<M::V, AssemblyError> {
     let mut system = System::new(model, active)?;
     let (nu, targets) = asked(model, time, q, rates);
-    correct(&mut system, time, q, v, &nu, &targets, &M::V::zero())
+    correct(&mut system, time, q, v, &nu, &targets, &model.zero_v())
 }
 
 /// ν̂: of the rows, and of conditions whose coordinates have these rates.
@@ -167,9 +167,9 @@ fn asked<R: Real, M: Assemble<R>>(
     q: &M::Q,
     rates: &M::Conditions,
 ) -> (M::Lambda, M::Conditions) {
-    let mut nu = M::Lambda::zero();
+    let mut nu = model.zero_lambda();
     model.nu(time, q, &mut nu);
-    let mut drift = M::Conditions::zero();
+    let mut drift = model.zero_conditions();
     model.condition_drift(time, q, &mut drift);
     (nu, rates.plus(-R::ONE, &drift))
 }
@@ -185,18 +185,19 @@ fn correct<R: Real, M: Assemble<R>>(
     conditions: &M::Conditions,
     momentum: &M::V,
 ) -> Result<M::V, AssemblyError> {
+    let model = system.model;
     system.evaluate(time, q, None);
     system.factor_mass_or_shifted(time, q)?;
-    let mut x = *x;
+    let mut x = x.clone();
     let mut force = momentum.scaled(-R::ONE);
     for _ in 0..2 {
         let (rows, conditions) = system.remaining(rows, conditions, &x);
         x.axpy(R::ONE, &system.least(&force, &rows, &conditions));
         // The second round only corrects what rounding left of the rows.
-        force = M::V::zero();
+        force.as_mut_slice().fill(R::ZERO);
     }
     match x.first_not_finite() {
-        Some(unknown) => Err(AssemblyError::NonFinite { row: super::system::name_unknown::<R, M>(unknown) }),
+        Some(unknown) => Err(AssemblyError::NonFinite { row: super::system::name_unknown(model, unknown) }),
         None => Ok(x),
     }
 }

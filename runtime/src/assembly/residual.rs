@@ -36,12 +36,13 @@ impl<R: Real, L: Vector<R>, C: Vector<R>> Residual<R, L, C> {
     where
         M: Assemble<R, Lambda = L, Conditions = C>,
     {
-        let (mut rows, mut cosines, mut divisors) = (L::zero(), L::zero(), L::zero());
+        let (mut rows, mut cosines, mut divisors) =
+            (model.zero_lambda(), model.zero_lambda(), model.zero_lambda());
         model.constraints(time, q, &mut rows);
         model.row_cosines(time, q, &mut cosines);
         divisors.as_mut_slice().fill(R::ONE);
         let mut let_go = R::ZERO;
-        for &Flips { axes, turns } in M::FLIPS {
+        for &Flips { axes, turns } in model.flips() {
             let (rows, divisors) = (rows.as_mut_slice(), divisors.as_mut_slice());
             match axes {
                 Some(axes) => {
@@ -52,12 +53,12 @@ impl<R: Real, L: Vector<R>, C: Vector<R>> Residual<R, L, C> {
             }
         }
 
-        let (mut conditions, mut flipped) = (C::zero(), C::zero());
+        let (mut conditions, mut flipped) = (model.zero_conditions(), model.zero_conditions());
         model.condition_residual(time, q, targets, &mut conditions);
         model.condition_cosines(time, q, targets, &mut flipped);
         for (i, entry) in conditions.as_mut_slice().iter_mut().enumerate() {
             let held = at(active.as_slice(), i) != R::ZERO;
-            *entry = match M::CONDITIONS.get(i).map(|condition| condition.kind) {
+            *entry = match model.conditions().get(i).map(|condition| condition.kind) {
                 Some(ConditionKind::Angle) if held => entry.atan2(at(flipped.as_slice(), i)),
                 Some(ConditionKind::Linear) if held => *entry,
                 _ => R::ZERO,
@@ -67,39 +68,42 @@ impl<R: Real, L: Vector<R>, C: Vector<R>> Residual<R, L, C> {
         Residual { rows, conditions, divisors, norm }
     }
 
-    pub(super) fn check_finite<M: Assemble<R>>(&self) -> Result<(), AssemblyError> {
+    pub(super) fn check_finite<M: Assemble<R>>(&self, model: &M) -> Result<(), AssemblyError> {
         let in_rows = self.rows.first_not_finite();
-        let unknown = in_rows.or_else(|| self.conditions.first_not_finite().map(|i| L::LEN + i));
+        let unknown =
+            in_rows.or_else(|| self.conditions.first_not_finite().map(|i| self.rows.as_slice().len() + i));
         match unknown {
-            Some(row) => Err(AssemblyError::NonFinite { row: name_unknown::<R, M>(M::V::LEN + row) }),
-            // Squares overflow before numbers do.
-            None if !self.norm.is_finite() => {
-                Err(AssemblyError::NonFinite { row: name_unknown::<R, M>(M::V::LEN + self.worst().0) })
+            Some(row) => {
+                Err(AssemblyError::NonFinite { row: name_unknown(model, model.velocity_count() + row) })
             }
+            // Squares overflow before numbers do.
+            None if !self.norm.is_finite() => Err(AssemblyError::NonFinite {
+                row: name_unknown(model, model.velocity_count() + self.worst().0),
+            }),
             None => Ok(()),
         }
     }
 
-    pub(super) fn check_flips<M: Assemble<R>>(&self) -> Result<(), AssemblyError> {
-        let mut flips = M::FLIPS.iter().flat_map(Flips::rows);
+    pub(super) fn check_flips<M: Assemble<R>>(&self, model: &M) -> Result<(), AssemblyError> {
+        let mut flips = model.flips().iter().flat_map(Flips::rows);
         match flips.find(|&row| at(self.divisors.as_slice(), row.into()) < R::ZERO) {
-            Some(row) => Err(AssemblyError::Flipped { row: name_row::<R, M>(Some(row.into())) }),
+            Some(row) => Err(AssemblyError::Flipped { row: name_row(model, Some(row.into())) }),
             None => Ok(()),
         }
     }
 
     /// Whether a row is at the place between its two roots where its derivative vanishes.
-    pub(super) fn at_right_angle<M: Assemble<R>>(&self) -> bool {
+    pub(super) fn at_right_angle<M: Assemble<R>>(&self, model: &M) -> bool {
         let divisor = |row: u16| at(self.divisors.as_slice(), row.into());
-        M::FLIPS.iter().flat_map(Flips::rows).any(|row| divisor(row).abs() == R::from_f64(NEARLY_RIGHT))
+        model.flips().iter().flat_map(Flips::rows).any(|row| divisor(row).abs() == R::from_f64(NEARLY_RIGHT))
     }
 
     /// The error that names the worst row; a joint stuck on its flipped root is said to be that.
-    pub(super) fn no_convergence<M: Assemble<R>>(&self, iterations: u32) -> AssemblyError {
+    pub(super) fn no_convergence<M: Assemble<R>>(&self, model: &M, iterations: u32) -> AssemblyError {
         let (worst, residual) = self.worst();
-        let row = name_unknown::<R, M>(M::V::LEN + worst);
+        let row = name_unknown(model, model.velocity_count() + worst);
         let flipped = self.divisors.as_slice().get(worst).is_some_and(|&divisor| divisor < R::ZERO);
-        if flipped && M::FLIPS.iter().flat_map(Flips::rows).any(|row| usize::from(row) == worst) {
+        if flipped && model.flips().iter().flat_map(Flips::rows).any(|row| usize::from(row) == worst) {
             return AssemblyError::Flipped { row };
         }
         AssemblyError::NoConvergence { row, residual: residual.to_f64(), iterations }

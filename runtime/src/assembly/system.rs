@@ -16,7 +16,7 @@ const REGULARISATION: f64 = 1e-9;
 
 /// The rows of D̂ at one position, the matrix and its factor.
 pub(crate) struct System<'m, R: Real, M: Assemble<R>> {
-    model: &'m M,
+    pub(crate) model: &'m M,
     matrix: Ldl<R, M::Factor, M::System>,
     jacobian: M::Jacobian,
     conditions: M::ConditionJacobian,
@@ -29,31 +29,34 @@ pub(crate) struct System<'m, R: Real, M: Assemble<R>> {
 impl<'m, R: Real, M: Assemble<R>> System<'m, R, M> {
     /// An empty system with the conditions `active` held.
     pub(crate) fn new(model: &'m M, active: &[u16]) -> Result<Self, AssemblyError> {
-        let mut mask = M::Conditions::zero();
+        let mut mask = model.zero_conditions();
         for &index in active {
             let index = index as usize;
             match mask.as_mut_slice().get_mut(index) {
                 Some(entry) => *entry = R::ONE,
-                None => return Err(AssemblyError::NoSuchCondition { index, count: M::CONDITIONS.len() }),
+                None => {
+                    return Err(AssemblyError::NoSuchCondition { index, count: model.conditions().len() });
+                }
             }
         }
         Ok(System {
             model,
-            matrix: Ldl::new(&M::ELIMINATION),
-            jacobian: M::Jacobian::zero(),
-            conditions: M::ConditionJacobian::zero(),
-            free: M::Lambda::zero(),
+            matrix: Ldl::new(&model.elimination()),
+            jacobian: model.zero_jacobian(),
+            conditions: model.zero_condition_jacobian(),
+            free: model.zero_lambda(),
             active: mask,
         })
     }
 
     /// Evaluates D̂ at (t, q), each constraint row divided by its entry of `divisors`, or left out where that is zero.
     pub(crate) fn evaluate(&mut self, time: R, q: &M::Q, divisors: Option<&M::Lambda>) {
-        self.model.constraint_jacobian(time, q, &mut self.jacobian);
-        self.model.condition_jacobian(time, q, &mut self.conditions);
-        self.free = M::Lambda::zero();
+        let model = self.model;
+        model.constraint_jacobian(time, q, &mut self.jacobian);
+        model.condition_jacobian(time, q, &mut self.conditions);
+        self.free.as_mut_slice().fill(R::ZERO);
         if let Some(divisors) = divisors {
-            for (entry, &(row, _)) in self.jacobian.as_mut_slice().iter_mut().zip(M::JACOBIAN_PATTERN) {
+            for (entry, &(row, _)) in self.jacobian.as_mut_slice().iter_mut().zip(model.jacobian_pattern()) {
                 let divisor = at(divisors.as_slice(), row as usize);
                 *entry = if divisor == R::ZERO { R::ZERO } else { *entry / divisor };
             }
@@ -61,47 +64,50 @@ impl<'m, R: Real, M: Assemble<R>> System<'m, R, M> {
                 *free = if divisor == R::ZERO { R::ONE } else { R::ZERO };
             }
         }
-        for (entry, &(row, _)) in self.jacobian.as_mut_slice().iter_mut().zip(M::JACOBIAN_PATTERN) {
-            if M::IDLE.contains(&row) {
+        for (entry, &(row, _)) in self.jacobian.as_mut_slice().iter_mut().zip(model.jacobian_pattern()) {
+            if model.idle().contains(&row) {
                 *entry = R::ZERO;
             }
         }
-        for (entry, &(row, _)) in self.conditions.as_mut_slice().iter_mut().zip(M::CONDITION_PATTERN) {
+        for (entry, &(row, _)) in self.conditions.as_mut_slice().iter_mut().zip(model.condition_pattern()) {
             *entry = *entry * at(self.active.as_slice(), row as usize);
         }
     }
 
     /// Factors with W = 1; the pivots are then those of −D̂ D̂ᵀ.
     pub(crate) fn factor_unit(&mut self) -> Pivot<R> {
+        let (model, tables) = (self.model, self.model.elimination());
         self.matrix.clear();
-        for i in 0..M::V::LEN {
-            self.matrix.add(i, i, R::ONE);
+        for i in 0..model.velocity_count() {
+            self.matrix.add(&tables, i, i, R::ONE);
         }
         self.add_rows();
-        self.vanished_row().unwrap_or_else(|| self.matrix.factor())
+        self.vanished_row().unwrap_or_else(|| self.matrix.factor(&tables))
     }
 
     /// Shows row, or after the rows condition, column and value of each entry of D̂ that takes part.
     pub(super) fn each_entry(&self, mut show: impl FnMut(usize, usize, R)) {
-        for (&entry, &(row, column)) in self.jacobian.as_slice().iter().zip(M::JACOBIAN_PATTERN) {
+        let model = self.model;
+        for (&entry, &(row, column)) in self.jacobian.as_slice().iter().zip(model.jacobian_pattern()) {
             show(row as usize, column as usize, entry);
         }
-        for (&entry, &(row, column)) in self.conditions.as_slice().iter().zip(M::CONDITION_PATTERN) {
-            show(M::Lambda::LEN + row as usize, column as usize, entry);
+        for (&entry, &(row, column)) in self.conditions.as_slice().iter().zip(model.condition_pattern()) {
+            show(model.row_count() + row as usize, column as usize, entry);
         }
     }
 
     /// Factors with W = diag(`weights`) to the end; the pivots, by unknown, are written into `pivots`.
     pub(super) fn factor_weighted(&mut self, weights: &M::V, pivots: &mut M::System) {
+        let (model, tables) = (self.model, self.model.elimination());
         self.matrix.clear();
         for (i, &weight) in weights.as_slice().iter().enumerate() {
-            self.matrix.add(i, i, weight);
+            self.matrix.add(&tables, i, i, weight);
         }
         self.add_rows();
-        let mut magnitudes = M::System::zero();
-        self.matrix.factor_measured(M::V::LEN, &mut magnitudes);
+        let mut magnitudes = model.zero_system();
+        self.matrix.factor_measured(&tables, model.velocity_count(), &mut magnitudes);
         let pivots = pivots.as_mut_slice();
-        for (&pivot, &unknown) in self.matrix.pivots().iter().zip(M::ELIMINATION.order) {
+        for (&pivot, &unknown) in self.matrix.pivots().iter().zip(model.elimination().order) {
             if let Some(to) = pivots.get_mut(unknown as usize) {
                 *to = pivot;
             }
@@ -111,20 +117,21 @@ impl<'m, R: Real, M: Assemble<R>> System<'m, R, M> {
     /// A row that has vanished as a whole: all links lie in one line along an axis, or nothing can change a distance.
     /// Relative to its own terms, which are rounding, its pivot would look sound.
     fn vanished_row(&self) -> Option<Pivot<R>> {
-        let mut largest = M::Lambda::zero();
-        for (entry, &(row, column)) in self.jacobian.as_slice().iter().zip(M::JACOBIAN_PATTERN) {
-            let scale = M::SCALES.get(column as usize).map_or(R::ONE, |&scale| R::from_f64(scale));
+        let model = self.model;
+        let mut largest = model.zero_lambda();
+        for (entry, &(row, column)) in self.jacobian.as_slice().iter().zip(model.jacobian_pattern()) {
+            let scale = model.scales().get(column as usize).map_or(R::ONE, |&scale| R::from_f64(scale));
             if let Some(most) = largest.as_mut_slice().get_mut(row as usize) {
                 *most = most.max(entry.abs() * scale);
             }
         }
         let rounding = R::from_f64(64.0) * R::EPSILON;
-        let held = |row: usize| !M::IDLE.contains(&(row as u16)) && self.is_held(row);
-        let rows = largest.as_slice().iter().zip(M::ROW_SIZES).enumerate().filter(|(row, _)| held(*row));
+        let held = |row: usize| !model.idle().contains(&(row as u16)) && self.is_held(row);
+        let rows = largest.as_slice().iter().zip(model.row_sizes()).enumerate().filter(|(row, _)| held(*row));
         for (row, (&most, &size)) in rows {
             let share = most / R::from_f64(size);
             if share < rounding {
-                return Some(Pivot { value: share * share, unknown: M::V::LEN + row });
+                return Some(Pivot { value: share * share, unknown: model.velocity_count() + row });
             }
         }
         None
@@ -137,68 +144,72 @@ impl<'m, R: Real, M: Assemble<R>> System<'m, R, M> {
 
     /// Factors with W = M + `shift`·max(M_ii)·1.
     pub(crate) fn factor_mass(&mut self, time: R, q: &M::Q, shift: R) -> Pivot<R> {
-        let mut mass = M::Mass::zero();
-        self.model.mass_matrix(time, q, &mut mass);
+        let (model, tables) = (self.model, self.model.elimination());
+        let mut mass = model.zero_mass();
+        model.mass_matrix(time, q, &mut mass);
         self.matrix.clear();
         let mut largest = R::ZERO;
-        for (&entry, &(i, j)) in mass.as_slice().iter().zip(M::MASS_PATTERN) {
-            self.matrix.add(i as usize, j as usize, entry);
+        for (&entry, &(i, j)) in mass.as_slice().iter().zip(model.mass_pattern()) {
+            self.matrix.add(&tables, i as usize, j as usize, entry);
             if i == j {
                 largest = largest.max(entry.abs());
             }
         }
         let largest = if largest > R::ZERO { largest } else { R::ONE };
-        for i in 0..M::V::LEN {
-            self.matrix.add(i, i, shift * largest);
+        for i in 0..model.velocity_count() {
+            self.matrix.add(&tables, i, i, shift * largest);
         }
         self.add_rows();
-        self.vanished_row().unwrap_or_else(|| self.matrix.factor())
+        self.vanished_row().unwrap_or_else(|| self.matrix.factor(&tables))
     }
 
     /// Factors with W = M, or with a little more on the diagonal where massless bodies leave M singular.
     pub(crate) fn factor_mass_or_shifted(&mut self, time: R, q: &M::Q) -> Result<(), AssemblyError> {
+        let model = self.model;
         if self.factor_mass(time, q, R::ZERO).value >= R::BREAKDOWN {
             return Ok(());
         }
         let shift = R::from_f64(REGULARISATION).max(R::BREAKDOWN);
         let pivot = self.factor_mass(time, q, shift);
-        if pivot.value >= R::BREAKDOWN { Ok(()) } else { Err(rank_deficient::<R, M>(pivot)) }
+        if pivot.value >= R::BREAKDOWN { Ok(()) } else { Err(rank_deficient(model, pivot)) }
     }
 
     /// Adds D̂ and, for each row let go or idle and each condition that is not held, −1 on the diagonal, which keeps its
     /// pivot harmless.
     fn add_rows(&mut self) {
-        let first_row = M::V::LEN;
-        for (&entry, &(row, column)) in self.jacobian.as_slice().iter().zip(M::JACOBIAN_PATTERN) {
-            self.matrix.add(first_row + row as usize, column as usize, entry);
+        let (model, tables) = (self.model, self.model.elimination());
+        let first_row = model.velocity_count();
+        for (&entry, &(row, column)) in self.jacobian.as_slice().iter().zip(model.jacobian_pattern()) {
+            self.matrix.add(&tables, first_row + row as usize, column as usize, entry);
         }
         for (i, &free) in self.free.as_slice().iter().enumerate() {
-            self.matrix.add(first_row + i, first_row + i, -free);
+            self.matrix.add(&tables, first_row + i, first_row + i, -free);
         }
-        for &row in M::IDLE {
+        for &row in model.idle() {
             let unknown = first_row + row as usize;
-            self.matrix.add(unknown, unknown, -R::ONE);
+            self.matrix.add(&tables, unknown, unknown, -R::ONE);
         }
-        let first_condition = first_row + M::Lambda::LEN;
-        for (&entry, &(row, column)) in self.conditions.as_slice().iter().zip(M::CONDITION_PATTERN) {
-            self.matrix.add(first_condition + row as usize, column as usize, entry);
+        let first_condition = first_row + model.row_count();
+        for (&entry, &(row, column)) in self.conditions.as_slice().iter().zip(model.condition_pattern()) {
+            self.matrix.add(&tables, first_condition + row as usize, column as usize, entry);
         }
         for (i, &active) in self.active.as_slice().iter().enumerate() {
-            self.matrix.add(first_condition + i, first_condition + i, active - R::ONE);
+            self.matrix.add(&tables, first_condition + i, first_condition + i, active - R::ONE);
         }
     }
 
     /// The δ of least ½ δᵀ W δ − `force`·δ with D̂ δ = (`rows`, `conditions`); conditions that are not held are left out.
     pub(crate) fn least(&self, force: &M::V, rows: &M::Lambda, conditions: &M::Conditions) -> M::V {
-        let mut right = M::System::zero();
+        let model = self.model;
+        let mut right = model.zero_system();
         let held = conditions.as_slice().iter().zip(self.active.as_slice());
         let given = force.as_slice().iter().chain(rows.as_slice()).copied();
         let given = given.chain(held.map(|(&value, &active)| value * active));
         for (to, value) in right.as_mut_slice().iter_mut().zip(given) {
             *to = value;
         }
-        let solution = self.matrix.solve(&right);
-        let mut delta = M::V::zero();
+        let solution = self.matrix.solve(&self.model.elimination(), &right);
+        let mut delta = model.zero_v();
         for (to, &value) in delta.as_mut_slice().iter_mut().zip(solution.as_slice()) {
             *to = value;
         }
@@ -212,10 +223,16 @@ impl<'m, R: Real, M: Assemble<R>> System<'m, R, M> {
         conditions: &M::Conditions,
         x: &M::V,
     ) -> (M::Lambda, M::Conditions) {
-        let (mut rows, mut conditions) = (*rows, *conditions);
-        subtract_product(M::JACOBIAN_PATTERN, self.jacobian.as_slice(), x.as_slice(), rows.as_mut_slice());
+        let model = self.model;
+        let (mut rows, mut conditions) = (rows.clone(), conditions.clone());
         subtract_product(
-            M::CONDITION_PATTERN,
+            model.jacobian_pattern(),
+            self.jacobian.as_slice(),
+            x.as_slice(),
+            rows.as_mut_slice(),
+        );
+        subtract_product(
+            model.condition_pattern(),
             self.conditions.as_slice(),
             x.as_slice(),
             conditions.as_mut_slice(),
@@ -233,21 +250,21 @@ pub(crate) fn subtract_product<R: Real>(pattern: &[(u16, u16)], entries: &[R], x
 }
 
 /// The name of an unknown of K: a velocity, a constraint row, or a condition (`what` is then `"held"`).
-pub(crate) fn name_unknown<R: Real, M: Assemble<R>>(unknown: usize) -> Row {
-    if let Some(&of) = M::VELOCITY_NAMES.get(unknown) {
+pub(crate) fn name_unknown<R: Real, M: Assemble<R>>(model: &M, unknown: usize) -> Row {
+    if let Some(&of) = model.velocity_names().get(unknown) {
         return Row { of, what: "velocity" };
     }
-    let row = unknown - M::V::LEN;
-    if let Some(&row) = M::ROWS.get(row) {
+    let row = unknown - model.velocity_count();
+    if let Some(&row) = model.rows().get(row) {
         return row;
     }
-    match M::CONDITIONS.get(row - M::Lambda::LEN) {
+    match model.conditions().get(row - model.row_count()) {
         Some(condition) => Row { of: condition.of, what: "held" },
-        None => Row { of: M::NAME, what: "unknown" },
+        None => Row { of: model.name(), what: "unknown" },
     }
 }
 
 /// The error for a pivot below the breakdown.
-pub(crate) fn rank_deficient<R: Real, M: Assemble<R>>(pivot: Pivot<R>) -> AssemblyError {
-    AssemblyError::RankDeficient { row: name_unknown::<R, M>(pivot.unknown), pivot: pivot.value.to_f64() }
+pub(crate) fn rank_deficient<R: Real, M: Assemble<R>>(model: &M, pivot: Pivot<R>) -> AssemblyError {
+    AssemblyError::RankDeficient { row: name_unknown(model, pivot.unknown), pivot: pivot.value.to_f64() }
 }

@@ -67,11 +67,11 @@ pub enum AssemblyError {
 impl AssemblyError {
     /// The iteration ended with these residuals.
     #[cold]
-    pub(crate) fn worst<R: Real, M: Assemble<R>>(phi: &M::Lambda, iterations: u32) -> Self {
+    pub(crate) fn worst<R: Real, M: Assemble<R>>(model: &M, phi: &M::Lambda, iterations: u32) -> Self {
         let worst = phi.as_slice().iter().enumerate().fold((0, R::ZERO), |(at, largest), (row, entry)| {
             if entry.abs() <= largest { (at, largest) } else { (row, entry.abs()) }
         });
-        let row = name_row::<R, M>(Some(worst.0));
+        let row = name_row(model, Some(worst.0));
         AssemblyError::NoConvergence { row, residual: worst.1.to_f64(), iterations }
     }
 }
@@ -109,11 +109,11 @@ impl Display for AssemblyError {
             AssemblyError::WrongLength { needed, given } => write!(
                 f,
                 "{given} motions were given for {needed} independent coordinates; give one for each, in the order of \
-                 INDEPENDENT"
+                 `independent()`"
             ),
             AssemblyError::NoSuchCondition { index, count } => write!(
                 f,
-                "there is no condition {index} among the {count} of this mechanism; use indices into CONDITIONS"
+                "there is no condition {index} among the {count} of this mechanism; use indices into `conditions()`"
             ),
         }
     }

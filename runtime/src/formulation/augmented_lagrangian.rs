@@ -44,8 +44,8 @@ impl<R: Real, M: Assemble<R>> Formulation<R, M> for AugmentedLagrangian<R> {
     type Memory = M::Lambda;
     const PIVOT: PivotOf = PivotOf::Velocities;
 
-    fn memory(&self) -> M::Lambda {
-        M::Lambda::zero()
+    fn memory(&self, model: &M) -> M::Lambda {
+        model.zero_lambda()
     }
 
     #[inline]
@@ -59,15 +59,15 @@ impl<R: Real, M: Assemble<R>> Formulation<R, M> for AugmentedLagrangian<R> {
         a: &mut M::V,
         lambda: &mut M::Lambda,
     ) -> Evaluation<R> {
-        let (mut store, mut forces, mut rows) = (M::store(), M::V::zero(), M::Lambda::zero());
+        let (mut store, mut forces, mut rows) = (model.store(), model.zero_v(), model.zero_lambda());
         let pivot = self.penalty.system(model, time, state, u, &mut store, &mut forces, &mut rows);
         let compliance = R::ONE / self.penalty.alpha;
         // D v̇ − λ/α = γ' − λᵢ/α: the row of the penalty, moved by the multipliers known.
         model.solve(&store, &forces, &rows.plus(-compliance, memory), a, lambda);
         let mut evaluation = Evaluation::direct(pivot);
         while evaluation.iterations < self.iterations {
-            let before = *a;
-            let known = *lambda;
+            let before = a.clone();
+            let known = lambda.clone();
             model.solve(&store, &forces, &rows.plus(-compliance, &known), a, lambda);
             let (change, size) = (a.plus(-R::ONE, &before).max_abs(), a.max_abs());
             evaluation.iterations += 1;
@@ -78,7 +78,7 @@ impl<R: Real, M: Assemble<R>> Formulation<R, M> for AugmentedLagrangian<R> {
         }
         // A multiplier that is not finite is no beginning for the next iteration.
         if lambda.first_not_finite().is_none() {
-            *memory = *lambda;
+            memory.clone_from(lambda);
         }
         evaluation
     }

@@ -30,7 +30,7 @@ impl<R: Real> Baumgarte<R> {
 impl<R: Real, M: Mechanism<R>> Formulation<R, M> for Baumgarte<R> {
     type Memory = ();
 
-    fn memory(&self) {}
+    fn memory(&self, _model: &M) {}
 
     #[inline]
     fn acceleration(

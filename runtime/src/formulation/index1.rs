@@ -16,7 +16,7 @@ pub struct LagrangeIndex1;
 impl<R: Real, M: Mechanism<R>> Formulation<R, M> for LagrangeIndex1 {
     type Memory = ();
 
-    fn memory(&self) {}
+    fn memory(&self, _model: &M) {}
 
     #[inline]
     fn acceleration(

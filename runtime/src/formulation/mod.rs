@@ -31,13 +31,13 @@ use core::fmt::Debug;
 /// A way to obtain v̇ and λ from (t, q, v, u).
 pub trait Formulation<R: Real, M: Mechanism<R>> {
     /// The values carried from one evaluation to the next, such as multipliers to begin an iteration with.
-    type Memory: Copy + Debug;
+    type Memory: Clone + Debug;
 
     /// The matrix whose pivot an evaluation returns.
     const PIVOT: PivotOf = PivotOf::Rows;
 
-    /// The values to carry before the first evaluation.
-    fn memory(&self) -> Self::Memory;
+    /// The values to carry before the first evaluation of this mechanism.
+    fn memory(&self, model: &M) -> Self::Memory;
 
     /// Writes v̇ (shape n_v) and λ (shape m) at the state, which may be corrected on the way.
     #[allow(clippy::too_many_arguments)]

@@ -33,8 +33,8 @@ impl<R: Real, M: Assemble<R>> Formulation<R, M> for NullSpace {
     type Memory = PartitionOf<R, M>;
     const PIVOT: PivotOf = PivotOf::Jacobian;
 
-    fn memory(&self) -> Self::Memory {
-        Partition::new::<R, M>()
+    fn memory(&self, model: &M) -> Self::Memory {
+        Partition::new(model)
     }
 
     #[inline]
@@ -64,9 +64,9 @@ impl<R: Real, M: Assemble<R>> Formulation<R, M> for NullSpace {
     ) -> Result<Settled<R>, AssemblyError> {
         let moved = match written_out(model, time, &state.q) {
             Some(lu) => {
-                partition.reset::<R, M>();
+                partition.reset(model);
                 let dependent = |right: &M::Lambda, v: &mut M::V| {
-                    let given = *v;
+                    let given = v.clone();
                     model.dependent_velocities(&lu, right, &given, v);
                 };
                 approach(model, time, state, dependent)
@@ -92,33 +92,33 @@ pub(super) fn by_tables<R: Real, M: Assemble<R>>(
     a: &mut M::V,
     lambda: &mut M::Lambda,
 ) -> Evaluation<R> {
-    let mut factors = M::Dense::zero();
+    let mut factors = model.zero_dense();
     let pivot = partition.factor(model, time, &state.q, &mut factors);
-    let mut gamma = M::Lambda::zero();
+    let mut gamma = model.zero_lambda();
     model.gamma(time, &state.q, &state.v, &mut gamma);
-    let mut forces = M::V::zero();
+    let mut forces = model.zero_v();
     model.forces(time, state, u, &mut forces);
-    let mut mass = M::Mass::zero();
+    let mut mass = model.zero_mass();
     model.mass_matrix(time, &state.q, &mut mass);
 
     // Sγ: accelerations that satisfy the rows with z̈ = 0.
-    *a = M::V::zero();
-    partition.dependent::<R, M>(&factors, &gamma, a);
-    let rest = forces.plus(-R::ONE, &times::<R, M>(&mass, a));
+    a.as_mut_slice().fill(R::ZERO);
+    partition.dependent(model, &factors, &gamma, a);
+    let rest = forces.plus(-R::ONE, &times(model, &mass, a));
 
     // R, column by column, and Rᵀ M R, Rᵀ (Q − M S γ).
-    let (n, freedoms) = (M::V::LEN, M::V::LEN + M::IDLE.len() - M::Lambda::LEN);
-    let mut basis = M::Basis::zero();
-    let mut reduced = M::Reduced::zero();
-    let mut right = M::V::zero();
+    let (n, freedoms) = (model.velocity_count(), model.freedoms());
+    let mut basis = model.zero_basis();
+    let mut reduced = model.zero_reduced();
+    let mut right = model.zero_v();
     for (place, velocity) in partition.independent().enumerate() {
-        let mut column = M::V::zero();
+        let mut column = model.zero_v();
         put(column.as_mut_slice(), velocity, R::ONE);
-        partition.dependent::<R, M>(&factors, &M::Lambda::zero(), &mut column);
+        partition.dependent(model, &factors, &model.zero_lambda(), &mut column);
         if let Some(own) = basis.as_mut_slice().chunks_exact_mut(n.max(1)).nth(place) {
             own.iter_mut().zip(column.as_slice()).for_each(|(entry, &value)| *entry = value);
         }
-        let product = times::<R, M>(&mass, &column);
+        let product = times(model, &mass, &column);
         for (other, known) in basis.as_slice().chunks_exact(n.max(1)).enumerate().take(place + 1) {
             put(reduced.as_mut_slice(), place * freedoms + other, dot(known, product.as_slice()));
         }
@@ -130,8 +130,8 @@ pub(super) fn by_tables<R: Real, M: Assemble<R>>(
             *entry = r.mul_add(rate, *entry);
         }
     }
-    let rest = forces.plus(-R::ONE, &times::<R, M>(&mass, a));
-    partition.multipliers::<R, M>(&factors, &rest, lambda);
+    let rest = forces.plus(-R::ONE, &times(model, &mass, a));
+    partition.multipliers(model, &factors, &rest, lambda);
     Evaluation::direct(regular.min(pivot))
 }
 
@@ -151,16 +151,16 @@ fn approach<R: Real, M: Assemble<R>>(
     dependent: impl Fn(&M::Lambda, &mut M::V),
 ) -> R {
     let part = R::from_f64(PART);
-    let (mut phi, mut nu) = (M::Lambda::zero(), M::Lambda::zero());
+    let (mut phi, mut nu) = (model.zero_lambda(), model.zero_lambda());
     model.constraints(time, &state.q, &mut phi);
     model.nu(time, &state.q, &mut nu);
 
-    let mut delta = M::V::zero();
+    let mut delta = model.zero_v();
     dependent(&phi.scaled(-part), &mut delta);
-    let from = state.q;
-    retract(&M::LAYOUT, &from, &delta, &mut state.q);
+    let from = state.q.clone();
+    retract(model.layout(), &from, &delta, &mut state.q);
 
-    let mut v = state.v;
+    let mut v = state.v.clone();
     dependent(&nu, &mut v);
     let to = v.plus(-R::ONE, &state.v);
     state.v.axpy(part, &to);
@@ -176,19 +176,19 @@ fn approach_by_tables<R: Real, M: Assemble<R>>(
     time: R,
     state: &mut StateOf<M, R>,
 ) -> R {
-    let mut factors = M::Dense::zero();
+    let mut factors = model.zero_dense();
     let pivot = partition.factor(model, time, &state.q, &mut factors);
     if !is_good(pivot) {
         return R::ZERO;
     }
-    approach(model, time, state, |right, v| partition.dependent::<R, M>(&factors, right, v))
+    approach(model, time, state, |right, v| partition.dependent(model, &factors, right, v))
 }
 
 /// M x.
-fn times<R: Real, M: Assemble<R>>(mass: &M::Mass, x: &M::V) -> M::V {
-    let mut product = M::V::zero();
+fn times<R: Real, M: Assemble<R>>(model: &M, mass: &M::Mass, x: &M::V) -> M::V {
+    let mut product = model.zero_v();
     let (p, x) = (product.as_mut_slice(), x.as_slice());
-    for (&entry, &(i, j)) in mass.as_slice().iter().zip(M::MASS_PATTERN) {
+    for (&entry, &(i, j)) in mass.as_slice().iter().zip(model.mass_pattern()) {
         let (i, j) = (i as usize, j as usize);
         put(p, i, entry.mul_add(at(x, j), at(p, i)));
         if i != j {

@@ -35,18 +35,18 @@ pub(super) fn onto_constraints<R: Real, M: Assemble<R>>(
     mut act: impl FnMut(Ask, &M::Q, &M::Lambda) -> M::V,
 ) -> Result<Settled<R>, AssemblyError> {
     let mut settled = Settled { iterations: 0, moved: R::ZERO };
-    let mut phi = M::Lambda::zero();
+    let mut phi = model.zero_lambda();
     let mut last = R::ZERO;
     loop {
         model.constraints(time, q, &mut phi);
         if phi.first_not_finite().is_some() {
-            return Err(AssemblyError::worst::<R, M>(&phi, settled.iterations));
+            return Err(AssemblyError::worst(model, &phi, settled.iterations));
         }
         if phi.max_abs() <= bounds.tolerance {
             return Ok(settled);
         }
         if settled.iterations == bounds.iterations {
-            return Err(AssemblyError::worst::<R, M>(&phi, settled.iterations));
+            return Err(AssemblyError::worst(model, &phi, settled.iterations));
         }
         let delta = act(Ask::Step, q, &phi);
         let moved = delta.max_abs();
@@ -54,8 +54,8 @@ pub(super) fn onto_constraints<R: Real, M: Assemble<R>>(
         if settled.iterations > 0 && moved <= R::from_f64(16.0) * R::EPSILON * (R::ONE + q.max_abs()) {
             return Ok(settled);
         }
-        let from = *q;
-        retract(&M::LAYOUT, &from, &delta, q);
+        let from = q.clone();
+        retract(model.layout(), &from, &delta, q);
         settled.iterations += 1;
         settled.moved = settled.moved.max(moved);
         if settled.iterations > 1 && moved > R::from_f64(0.1) * last {

@@ -42,24 +42,24 @@ impl<R: Real> Partitioned<R> {
         time: R,
         state: &mut StateOf<M, R>,
     ) -> (R, Result<Settled<R>, AssemblyError>) {
-        let mut factors = M::Dense::zero();
+        let mut factors = model.zero_dense();
         let mut pivot = partition.factor(model, time, &state.q, &mut factors);
         let bounds = Bounds { tolerance: self.tolerance, iterations: self.iterations };
-        let before = state.q;
+        let before = state.q.clone();
         let outcome = onto_constraints(model, time, &mut state.q, &bounds, |ask, q, phi| {
-            let mut delta = M::V::zero();
+            let mut delta = model.zero_v();
             match ask {
                 Ask::Factor => pivot = partition.factor(model, time, q, &mut factors).min(pivot),
-                Ask::Step => partition.dependent::<R, M>(&factors, &phi.scaled(-R::ONE), &mut delta),
+                Ask::Step => partition.dependent(model, &factors, &phi.scaled(-R::ONE), &mut delta),
             }
             delta
         });
         if state.q != before {
             pivot = partition.factor(model, time, &state.q, &mut factors).min(pivot);
         }
-        let mut nu = M::Lambda::zero();
+        let mut nu = model.zero_lambda();
         model.nu(time, &state.q, &mut nu);
-        partition.dependent::<R, M>(&factors, &nu, &mut state.v);
+        partition.dependent(model, &factors, &nu, &mut state.v);
         (pivot, outcome)
     }
 }
@@ -68,8 +68,8 @@ impl<R: Real, M: Assemble<R>> Formulation<R, M> for Partitioned<R> {
     /// The independent set.
     type Memory = PartitionOf<R, M>;
 
-    fn memory(&self) -> Self::Memory {
-        Partition::new::<R, M>()
+    fn memory(&self, model: &M) -> Self::Memory {
+        Partition::new(model)
     }
 
     #[inline]

@@ -97,7 +97,7 @@ impl<R: Real, M: Assemble<R>> Formulation<R, M> for Penalty<R> {
     type Memory = ();
     const PIVOT: PivotOf = PivotOf::Velocities;
 
-    fn memory(&self) {}
+    fn memory(&self, _model: &M) {}
 
     #[inline]
     fn acceleration(
@@ -110,7 +110,7 @@ impl<R: Real, M: Assemble<R>> Formulation<R, M> for Penalty<R> {
         a: &mut M::V,
         lambda: &mut M::Lambda,
     ) -> Evaluation<R> {
-        let (mut store, mut forces, mut rows) = (M::store(), M::V::zero(), M::Lambda::zero());
+        let (mut store, mut forces, mut rows) = (model.store(), model.zero_v(), model.zero_lambda());
         let pivot = self.system(model, time, state, u, &mut store, &mut forces, &mut rows);
         model.solve(&store, &forces, &rows, a, lambda);
         Evaluation::direct(pivot)
@@ -123,9 +123,9 @@ impl<R: Real, M: Assemble<R>> Formulation<R, M> for Penalty<R> {
 
 /// The largest diagonal entry of M, or one if there is none.
 pub(crate) fn largest_mass<R: Real, M: Mechanism<R>>(model: &M, time: R, q: &M::Q) -> R {
-    let mut mass = M::Mass::zero();
+    let mut mass = model.zero_mass();
     model.mass_matrix(time, q, &mut mass);
-    let diagonal = mass.as_slice().iter().zip(M::MASS_PATTERN).filter(|(_, (i, j))| i == j);
+    let diagonal = mass.as_slice().iter().zip(model.mass_pattern()).filter(|(_, (i, j))| i == j);
     let largest = diagonal.fold(R::ZERO, |largest, (&entry, _)| largest.max(entry));
     if largest > R::ZERO { largest } else { R::ONE }
 }

@@ -57,12 +57,12 @@ impl<F, R: Real> Projected<F, R> {
     ) -> Result<Settled<R>, AssemblyError> {
         let bounds = Bounds { tolerance: self.tolerance, iterations: self.iterations };
         onto_constraints(model, time, q, &bounds, |ask, q, phi| {
-            let mut delta = M::V::zero();
+            let mut delta = model.zero_v();
             match ask {
                 Ask::Factor => _ = model.factor(time, q, compliance, store),
                 Ask::Step => {
                     let rows = phi.scaled(-R::ONE);
-                    model.solve(store, &M::V::zero(), &rows, &mut delta, &mut M::Lambda::zero());
+                    model.solve(store, &model.zero_v(), &rows, &mut delta, &mut model.zero_lambda());
                 }
             }
             delta
@@ -71,15 +71,15 @@ impl<F, R: Real> Projected<F, R> {
 
     /// Velocities, with the factor of a position that is the same but for what was corrected.
     fn velocity<M: Assemble<R>>(&self, model: &M, store: &M::Store, time: R, state: &mut StateOf<M, R>) {
-        let (mut nu, mut jacobian) = (M::Lambda::zero(), M::Jacobian::zero());
+        let (mut nu, mut jacobian) = (model.zero_lambda(), model.zero_jacobian());
         model.nu(time, &state.q, &mut nu);
         model.constraint_jacobian(time, &state.q, &mut jacobian);
         for _ in 0..2 {
-            let mut rest = nu;
+            let mut rest = nu.clone();
             let columns = jacobian.as_slice();
-            subtract_product(M::JACOBIAN_PATTERN, columns, state.v.as_slice(), rest.as_mut_slice());
-            let (mut delta, mut multipliers) = (M::V::zero(), M::Lambda::zero());
-            model.solve(store, &M::V::zero(), &rest, &mut delta, &mut multipliers);
+            subtract_product(model.jacobian_pattern(), columns, state.v.as_slice(), rest.as_mut_slice());
+            let (mut delta, mut multipliers) = (model.zero_v(), model.zero_lambda());
+            model.solve(store, &model.zero_v(), &rest, &mut delta, &mut multipliers);
             state.v.axpy(R::ONE, &delta);
         }
     }
@@ -89,8 +89,8 @@ impl<R: Real, M: Assemble<R>, F: Formulation<R, M>> Formulation<R, M> for Projec
     type Memory = F::Memory;
     const PIVOT: PivotOf = F::PIVOT;
 
-    fn memory(&self) -> F::Memory {
-        self.formulation.memory()
+    fn memory(&self, model: &M) -> F::Memory {
+        self.formulation.memory(model)
     }
 
     #[inline]
@@ -122,11 +122,11 @@ impl<R: Real, M: Assemble<R>, F: Formulation<R, M>> Formulation<R, M> for Projec
         state: &mut StateOf<M, R>,
     ) -> Result<Settled<R>, AssemblyError> {
         let inner = self.formulation.settle(memory, model, time, state)?;
-        if M::Lambda::LEN == 0 {
+        if model.row_count() == 0 {
             return Ok(inner);
         }
         let compliance = R::ONE / (self.weight * largest_mass(model, time, &state.q));
-        let mut store = M::store();
+        let mut store = model.store();
         model.factor(time, &state.q, compliance, &mut store);
         let own = self.position(model, &mut store, compliance, time, &mut state.q)?;
         self.velocity(model, &store, time, state);
@@ -157,8 +157,8 @@ fn near_singular<R: Real, M: Assemble<R>>(
     lambda: &mut M::Lambda,
     evaluation: Evaluation<R>,
 ) -> Evaluation<R> {
-    let (mut better, mut multipliers) = (M::V::zero(), M::Lambda::zero());
-    let mut partition = Partition::new::<R, M>();
+    let (mut better, mut multipliers) = (model.zero_v(), model.zero_lambda());
+    let mut partition = Partition::new(model);
     by_tables(&mut partition, model, time, state, u, &mut better, &mut multipliers);
     if better.first_not_finite().is_none() {
         (*a, *lambda) = (better, multipliers);

@@ -93,18 +93,26 @@ impl<R: Real, X: Variables<R>, D: ImplicitDynamics<R, Variables = X>> Integrator
             level: Level::Position,
         };
         let end = time + h;
-        let mut factored = Factored::<R, D>::new();
-        let at = stepped.state;
-        let u = X::V::zero();
-        dynamics.matrix(end, &at, &known.v_dot, &known.lambda, &u, &weights, &mut factored.entries);
-        let plain = factored.entries;
+        let mut factored = Factored::new(dynamics);
+        let n = state.v.as_slice().len();
+        let u = X::V::zeros(n);
+        dynamics.matrix(
+            end,
+            &stepped.state,
+            &known.v_dot,
+            &known.lambda,
+            &u,
+            &weights,
+            &mut factored.entries,
+        );
+        let plain = factored.entries.clone();
+        let size = factored.size();
         if factored.lu().factor_above(R::ZERO).is_err() {
             return Err(StepFailure::Singular { time: end });
         }
         let mut project = |x: &mut X::V, rows: &X::Lambda| {
             // Δx of P Δx + Dᵀ σ = 0, D (x + Δx) − c σ = rows.
-            let mut right = D::Unknowns::zero();
-            let (n, size) = (X::V::LEN, D::Unknowns::LEN);
+            let mut right = D::Unknowns::zeros(size);
             for (row, &asked) in rows.as_slice().iter().enumerate() {
                 let d = &plain.as_slice()[(n + row) * size..][..n];
                 let found = d.iter().zip(x.as_slice()).fold(R::ZERO, |sum, (&d, &x)| d.mul_add(x, sum));
@@ -119,7 +127,7 @@ impl<R: Real, X: Variables<R>, D: ImplicitDynamics<R, Variables = X>> Integrator
         project(&mut stepped.state.v, &nu);
         let (_, gamma) = dynamics.rates(end, &stepped.state);
         project(&mut known.v_dot, &gamma);
-        known.a = known.v_dot;
+        known.a = known.v_dot.clone();
         Ok(stepped)
     }
 }

@@ -37,12 +37,14 @@ impl<R: Real, X: Variables<R>, D: Dynamics<R, Variables = X>> Integrator<R, D> f
         state: &StateOf<X, R>,
     ) -> Result<SteppedOf<X, R>, StepFailure<R>> {
         let half = h * R::from_f64(0.5);
-        let mut begin = *state;
+        let mut begin = state.clone();
         let first = dynamics.derivative(time, &mut begin);
-        let after = |v: X::V, z: X::Z| begin.moved(&X::LAYOUT, &begin.v.plus(R::ONE, &v).scaled(half), v, z);
-        let mut predicted = after(begin.v.plus(h, &first.a), begin.z.plus(h, &first.z));
+        let after = |dynamics: &D, v: X::V, z: X::Z| {
+            begin.moved(dynamics.variables().layout(), &begin.v.plus(R::ONE, &v).scaled(half), v, z)
+        };
+        let mut predicted = after(dynamics, begin.v.plus(h, &first.a), begin.z.plus(h, &first.z));
         let last = dynamics.derivative(time + h, &mut predicted);
         let (a, z) = (first.a.plus(R::ONE, &last.a), first.z.plus(R::ONE, &last.z));
-        Ok(Stepped::explicit(h, after(begin.v.plus(half, &a), begin.z.plus(half, &z))))
+        Ok(Stepped::explicit(h, after(dynamics, begin.v.plus(half, &a), begin.z.plus(half, &z))))
     }
 }

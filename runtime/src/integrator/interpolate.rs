@@ -20,7 +20,7 @@ pub trait Interpolate<R: Real>: Method<R> {
     /// The size of the last step, s; none before the first.
     fn size<X: Variables<R>>(memory: &Self::Memory<X>) -> Option<R>;
 
-    /// The state `elapsed` (s) after the beginning of the last step; none before the first. Outside the step the extension is
+    /// The state of `of` `elapsed` (s) after the beginning of the last step; none before the first. Outside the step the extension is
     /// extrapolated and soon of no use.
-    fn at<X: Variables<R>>(memory: &Self::Memory<X>, elapsed: R) -> Option<StateOf<X, R>>;
+    fn at<X: Variables<R>>(memory: &Self::Memory<X>, of: &X, elapsed: R) -> Option<StateOf<X, R>>;
 }

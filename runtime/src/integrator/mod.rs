@@ -35,6 +35,9 @@ pub trait Dynamics<R: Real> {
     /// What is integrated.
     type Variables: Variables<R>;
 
+    /// What is integrated, whose layout says how states move.
+    fn variables(&self) -> &Self::Variables;
+
     /// v, v̇ and ż at a stage, whose state may be brought to the constraints on the way: v is that of the state then. The first call
     /// of a step must be at the step's own start, so that what was evaluated there already (the inputs) is not evaluated again; where
     /// that call is left out, [`resume`](Dynamics::resume) stands for it.
@@ -66,7 +69,7 @@ pub trait Dynamics<R: Real> {
 /// A one-step method by itself: its parameters, and what it carries from step to step.
 pub trait Method<R: Real> {
     /// The values carried from one step to the next, such as the last accelerations.
-    type Memory<X: Variables<R>>: Copy + Debug;
+    type Memory<X: Variables<R>>: Clone + Debug;
 
     /// The values to carry before the first step.
     fn memory<X: Variables<R>>(&self) -> Self::Memory<X>;

@@ -26,10 +26,10 @@ pub trait ImplicitDynamics<R: Real>: Dynamics<R> {
     /// A square matrix of that size, row by row.
     type Bordered: Vector<R>;
     /// A whole number for each unknown.
-    type Order: Copy + Debug + AsRef<[u16]> + AsMut<[u16]>;
+    type Order: Clone + Debug + AsRef<[u16]> + AsMut<[u16]>;
 
     /// An order to be written.
-    fn order() -> Self::Order;
+    fn order(&self) -> Self::Order;
     /// (M a + Dᵀ λ − Q, Φ or D v − ν) at a state, with the inputs there.
     fn residual(
         &mut self,
@@ -143,9 +143,16 @@ pub(super) struct Factored<R: Real, D: ImplicitDynamics<R>> {
 }
 
 impl<R: Real, D: ImplicitDynamics<R>> Factored<R, D> {
-    pub fn new() -> Self {
-        let (rows, columns) = (D::Unknowns::zero(), D::Unknowns::zero());
-        Factored { entries: D::Bordered::zero(), rows, columns, order: D::order() }
+    pub fn new(dynamics: &D) -> Self {
+        let order = dynamics.order();
+        let size = order.as_ref().len();
+        let (rows, columns) = (D::Unknowns::zeros(size), D::Unknowns::zeros(size));
+        Factored { entries: D::Bordered::zeros(size * size), rows, columns, order }
+    }
+
+    /// The number of unknowns.
+    pub fn size(&self) -> usize {
+        self.order.as_ref().len()
     }
 
     pub fn lu(&mut self) -> Lu<'_, R> {
@@ -168,11 +175,13 @@ impl<R: Real> Scheme<R> {
         h: R,
         state: &StateOf<X, R>,
     ) -> Result<SteppedOf<X, R>, StepFailure<R>> {
-        let known = match carried.known {
-            Some(known) => known,
+        let mut factored = Factored::new(dynamics);
+        let n = state.v.as_slice().len();
+        let known = match &carried.known {
+            Some(known) => known.clone(),
             None => {
                 let v_dot = dynamics.derivative(time, &mut state.clone()).a;
-                Known { v_dot, a: v_dot, lambda: X::Lambda::zero() }
+                Known { a: v_dot.clone(), v_dot, lambda: X::Lambda::zeros(factored.size() - n) }
             }
         };
         let end = time + h;
@@ -185,14 +194,13 @@ impl<R: Real> Scheme<R> {
             compliance: self.compliance,
             level: self.level,
         };
-        let mut trial = self.predicted::<X>(h, state, &known);
-        let mut multipliers = known.lambda;
-        let mut factored = Factored::<R, D>::new();
+        let mut trial = self.predicted(dynamics.variables(), h, state, &known);
+        let mut multipliers = known.lambda.clone();
         let (mut iterations, mut last) = (0, R::ZERO);
         loop {
             let mut residual = dynamics.residual(end, &trial.state, &trial.v_dot, &trial.lambda, self.level);
             // A penalty's row is Φ − (λ − λ*)/α.
-            let rows = residual.as_mut_slice()[X::V::LEN..].iter_mut();
+            let rows = residual.as_mut_slice()[n..].iter_mut();
             for (row, (&lambda, &before)) in
                 rows.zip(trial.lambda.as_slice().iter().zip(multipliers.as_slice()))
             {
@@ -211,14 +219,14 @@ impl<R: Real> Scheme<R> {
             }
             let mut step = residual.scaled(-R::ONE);
             factored.lu().solve(step.as_mut_slice());
-            let (du, dlambda) = step.as_slice().split_at(X::V::LEN);
-            let mut increment = X::V::zero();
+            let (du, dlambda) = step.as_slice().split_at(n);
+            let mut increment = X::V::zeros(n);
             increment.as_mut_slice().copy_from_slice(du);
             for (entry, &delta) in trial.lambda.as_mut_slice().iter_mut().zip(dlambda) {
                 *entry = *entry + delta;
             }
             trial.v_dot.axpy(mass, &increment);
-            self.close::<X>(h, state, &known, &mut trial);
+            self.close(dynamics.variables(), h, state, &known, &mut trial);
             iterations += 1;
             let size = R::ONE + trial.state.q.max_abs();
             last = increment.max_abs() / size;
@@ -226,7 +234,7 @@ impl<R: Real> Scheme<R> {
                 // A penalty's multipliers have to settle too.
                 let change = trial.lambda.plus(-R::ONE, &multipliers).max_abs();
                 let settled = change * self.compliance <= self.tolerance * size;
-                multipliers = trial.lambda;
+                multipliers.clone_from(&trial.lambda);
                 if settled {
                     break;
                 }
@@ -256,19 +264,21 @@ impl<R: Real> Scheme<R> {
     /// The step with the accelerations of its beginning.
     fn predicted<X: Variables<R>>(
         &self,
+        of: &X,
         h: R,
         state: &StateOf<X, R>,
         known: &Known<X::V, X::Lambda>,
     ) -> Trial<X, R> {
-        let Known { v_dot, a, lambda } = *known;
-        let mut trial = Trial { u: X::V::zero(), state: *state, v_dot, a, lambda };
-        self.close::<X>(h, state, known, &mut trial);
+        let Known { v_dot, a, lambda } = known.clone();
+        let mut trial = Trial { u: X::V::zeros(a.as_slice().len()), state: state.clone(), v_dot, a, lambda };
+        self.close(of, h, state, known, &mut trial);
         trial
     }
 
     /// a, u, q and v that belong to v̇ at the end.
     fn close<X: Variables<R>>(
         &self,
+        of: &X,
         h: R,
         begin: &StateOf<X, R>,
         known: &Known<X::V, X::Lambda>,
@@ -283,10 +293,10 @@ impl<R: Real> Scheme<R> {
         let mut u = begin.v.scaled(h);
         u.axpy(h * h * (half - beta), &known.a);
         u.axpy(h * h * beta, &trial.a);
-        trial.u = u;
         let mut v = begin.v.plus(h * (R::ONE - gamma), &known.a);
         v.axpy(h * gamma, &trial.a);
         // Counted angles take ∫ v dt, which for this method is u itself.
-        trial.state = begin.moved(&X::LAYOUT, &u, v, begin.z);
+        trial.state = begin.moved(of.layout(), &u, v, begin.z.clone());
+        trial.u = u;
     }
 }

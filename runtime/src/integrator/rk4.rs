@@ -39,12 +39,13 @@ impl<R: Real, X: Variables<R>, D: Dynamics<R, Variables = X>> Integrator<R, D> f
         state: &StateOf<X, R>,
     ) -> Result<SteppedOf<X, R>, StepFailure<R>> {
         let first = dynamics.derivative(time, &mut state.clone());
-        let mut slopes = Slopes::new(&first);
+        let mut slopes = Slopes::new(first);
         let (method, over) = (&CLASSICAL, (time, h));
         slopes.stage(method, 1, dynamics, over, state).ok_or(StepFailure::Breakdown)?;
         slopes.stage(method, 2, dynamics, over, state).ok_or(StepFailure::Breakdown)?;
         slopes.stage(method, 3, dynamics, over, state).ok_or(StepFailure::Breakdown)?;
-        let increment = slopes.increment(&X::LAYOUT, h, 1.0, &CLASSICAL.b);
-        Ok(Stepped::explicit(h, increment.from(&X::LAYOUT, state)))
+        let layout = dynamics.variables().layout();
+        let increment = slopes.increment(layout, h, 1.0, &CLASSICAL.b);
+        Ok(Stepped::explicit(h, increment.from(layout, state)))
     }
 }

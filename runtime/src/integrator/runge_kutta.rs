@@ -9,8 +9,9 @@
 use super::Dynamics;
 use crate::layout::{Layout, inverse_differential, retract_counting};
 use crate::real::Real;
-use crate::state::{Derivative, DerivativeOf, State, StateOf, Variables};
+use crate::state::{Derivative, State, StateOf, Variables};
 use crate::vector::{Vector, at};
+use core::array::from_fn;
 
 /// The coefficients of a method with S stages, of which the first is at the step's beginning.
 pub(super) struct Tableau<const S: usize> {
@@ -53,20 +54,20 @@ impl<V, Z> Increment<V, Z> {
 
     /// The state that lies this increment from `begin`.
     #[inline]
-    pub fn from<R: Real, Q: Vector<R>, G: Copy>(
+    pub fn from<R: Real, Q: Vector<R>, G: Clone>(
         &self,
-        layout: &Layout,
+        layout: &Layout<'_>,
         begin: &State<Q, V, Z, G>,
     ) -> State<Q, V, Z, G>
     where
         V: Vector<R>,
         Z: Vector<R>,
     {
-        let mut q = Q::zero();
+        let mut q = Q::zeros(begin.q.as_slice().len());
         let integral = self.integral.as_ref().unwrap_or(&self.u);
         retract_counting(layout, &begin.q, &self.u, integral, &mut q);
         let (v, z) = (begin.v.plus(R::ONE, &self.v), begin.z.plus(R::ONE, &self.z));
-        State { q, v, z, gates: begin.gates }
+        State { q, v, z, gates: begin.gates.clone() }
     }
 }
 
@@ -78,32 +79,30 @@ pub(super) struct Slopes<V, Z, const S: usize> {
     turned: [Option<V>; S],
 }
 
-/// A stage that was evaluated.
-pub(super) struct Stage<X: Variables<R>, R: Real> {
-    /// The increment to it.
-    pub increment: Increment<X::V, X::Z>,
-    /// The state there, before the equations corrected it, and its derivative.
-    pub state: StateOf<X, R>,
-    pub derivative: DerivativeOf<X, R>,
-}
-
 impl<V, Z, const S: usize> Slopes<V, Z, S> {
     /// Those of a step that begins with this derivative.
     #[inline(always)]
-    pub fn new<R: Real>(first: &Derivative<V, Z>) -> Self
+    pub fn new<R: Real>(first: Derivative<V, Z>) -> Self
     where
         V: Vector<R>,
         Z: Vector<R>,
     {
-        let zero = Derivative { v: V::zero(), a: V::zero(), z: Z::zero() };
-        let mut slopes = Slopes { at: [zero; S], turned: [None; S] };
-        slopes.at[0] = *first;
+        let (n, internal) = (first.v.as_slice().len(), first.z.as_slice().len());
+        let zero = || Derivative { v: V::zeros(n), a: V::zeros(n), z: Z::zeros(internal) };
+        let mut slopes = Slopes { at: from_fn(|_| zero()), turned: [const { None }; S] };
+        slopes.at[0] = first;
         slopes
+    }
+
+    /// The derivative at the last stage.
+    #[inline(always)]
+    pub fn last(&self) -> &Derivative<V, Z> {
+        &self.at[S - 1]
     }
 
     /// k of a stage.
     #[inline(always)]
-    fn k(&self, layout: &Layout, stage: usize) -> &V {
+    fn k(&self, layout: &Layout<'_>, stage: usize) -> &V {
         match &self.turned[stage] {
             Some(turned) if layout.quaternions > 0 => turned,
             _ => &self.at[stage].v,
@@ -113,7 +112,7 @@ impl<V, Z, const S: usize> Slopes<V, Z, S> {
     /// h (c k₁ + Σ w_j (k_j − k₁)).
     // Inlined where the weights are constants, which leaves the sums alone.
     #[inline(always)]
-    pub fn increment<R: Real>(&self, layout: &Layout, h: R, c: f64, weights: &[f64; S]) -> Increment<V, Z>
+    pub fn increment<R: Real>(&self, layout: &Layout<'_>, h: R, c: f64, weights: &[f64; S]) -> Increment<V, Z>
     where
         V: Vector<R>,
         Z: Vector<R>,
@@ -131,7 +130,7 @@ impl<V, Z, const S: usize> Slopes<V, Z, S> {
 
     /// h k of a stage.
     #[inline(always)]
-    pub fn single<R: Real>(&self, layout: &Layout, h: R, stage: usize) -> Increment<V, Z>
+    pub fn single<R: Real>(&self, layout: &Layout<'_>, h: R, stage: usize) -> Increment<V, Z>
     where
         V: Vector<R>,
         Z: Vector<R>,
@@ -142,33 +141,53 @@ impl<V, Z, const S: usize> Slopes<V, Z, S> {
     }
 
     /// Evaluates stage `i` of a step of size `h` from `begin`, counted from zero, the stages before being known; none if it broke
-    /// down.
+    /// down. Gives the increment to it.
     #[inline(always)]
     pub fn stage<R: Real, X: Variables<R, V = V, Z = Z>, D: Dynamics<R, Variables = X>>(
         &mut self,
         tableau: &Tableau<S>,
         i: usize,
         dynamics: &mut D,
-        (time, h): (R, R),
+        over: (R, R),
         begin: &StateOf<X, R>,
-    ) -> Option<Stage<X, R>>
+    ) -> Option<Increment<V, Z>>
     where
         V: Vector<R>,
         Z: Vector<R>,
     {
-        let (layout, c) = (&X::LAYOUT, tableau.c[i]);
+        self.stage_seen(tableau, i, dynamics, over, begin, |_| ())
+    }
+
+    /// As [`stage`](Slopes::stage), and shows the state there, before the equations correct it.
+    #[inline(always)]
+    pub fn stage_seen<R: Real, X: Variables<R, V = V, Z = Z>, D: Dynamics<R, Variables = X>>(
+        &mut self,
+        tableau: &Tableau<S>,
+        i: usize,
+        dynamics: &mut D,
+        (time, h): (R, R),
+        begin: &StateOf<X, R>,
+        see: impl FnOnce(&StateOf<X, R>),
+    ) -> Option<Increment<V, Z>>
+    where
+        V: Vector<R>,
+        Z: Vector<R>,
+    {
+        let c = tableau.c[i];
+        let layout = dynamics.variables().layout();
         let increment = self.increment(layout, h, c, &tableau.a[i]);
-        let state = increment.from(layout, begin);
-        let mut corrected = state;
-        let derivative = dynamics.derivative(time + R::from_f64(c) * h, &mut corrected);
+        let mut state = increment.from(layout, begin);
+        see(&state);
+        let derivative = dynamics.derivative(time + R::from_f64(c) * h, &mut state);
         if dynamics.broke_down() {
             return None;
         }
+        let layout = dynamics.variables().layout();
         if layout.quaternions > 0 {
             self.turned[i] = Some(inverse_differential(layout, &increment.u, &derivative.v));
         }
         self.at[i] = derivative;
-        Some(Stage { increment, state, derivative })
+        Some(increment)
     }
 }
 
@@ -183,7 +202,7 @@ fn sum<'s, R: Real, T: Vector<R>, const S: usize>(
     if let Some(only) = the_only(c, weights) {
         return k(only).scaled(c).scaled(h);
     }
-    let mut sum = *k(0);
+    let mut sum = k(0).clone();
     for (entry, value) in sum.as_mut_slice().iter_mut().enumerate() {
         let first = *value;
         *value = c * first;

@@ -27,10 +27,11 @@ impl<R: Real, X: Variables<R>, D: Dynamics<R, Variables = X>> Integrator<R, D> f
         h: R,
         state: &StateOf<X, R>,
     ) -> Result<SteppedOf<X, R>, StepFailure<R>> {
-        let mut begin = *state;
+        let mut begin = state.clone();
         let first = dynamics.derivative(time, &mut begin);
         let v = begin.v.plus(h, &first.a);
         let z = begin.z.plus(h, &first.z);
-        Ok(Stepped::explicit(h, begin.moved(&X::LAYOUT, &v.scaled(h), v, z)))
+        let layout = dynamics.variables().layout();
+        Ok(Stepped::explicit(h, begin.moved(layout, &v.scaled(h), v, z)))
     }
 }

@@ -54,9 +54,9 @@ pub fn actuation<R: Real, M: Tangent<R>>(
     u: &M::Inputs,
     actuators: &[&'static str],
 ) -> Result<Actuation<M::Inputs, M::Lambda>, LinearisationError> {
-    let acting = acting::<R, M>(actuators)?;
-    check_given::<R, M>(time, state, u)?;
-    check_finite(time, a.as_slice(), |index| M::VELOCITY_NAMES.get(index).copied())?;
+    let acting = acting(model, actuators)?;
+    check_given(model, time, state, u)?;
+    check_finite(time, a.as_slice(), |index| model.velocity_names().get(index).copied())?;
     check_accelerations(model, time, state, a)?;
     let admissible = Admissible::at(model, time, &state.q)?;
     let mut values = u.to_array();
@@ -66,15 +66,15 @@ pub fn actuation<R: Real, M: Tangent<R>>(
     let tolerance = R::EPSILON.sqrt();
     let mut left = R::ZERO;
     for _ in 0..ITERATIONS {
-        let next = improved::<R, M>(model, &admissible, time, state, a, &acting, &values)?;
+        let next = improved(model, &admissible, time, state, a, &acting, &values)?;
         left = next.plus(-R::ONE, &values).max_abs();
         let done = left <= tolerance * next.max_abs();
         values = next;
         if done {
-            let inputs = M::Inputs::from_array(values);
+            let inputs = M::Inputs::from_array(values.clone());
             let lambda = multipliers(model, time, state, a, &inputs)?;
-            check_finite(time, values.as_slice(), |index| M::Inputs::NAMES.get(index).copied())?;
-            check_finite(time, lambda.as_slice(), |row| M::ROWS.get(row).map(|row| row.of))?;
+            check_finite(time, values.as_slice(), |index| model.input_names().get(index).copied())?;
+            check_finite(time, lambda.as_slice(), |row| model.rows().get(row).map(|row| row.of))?;
             return Ok(Actuation { inputs, lambda });
         }
     }
@@ -82,10 +82,13 @@ pub fn actuation<R: Real, M: Tangent<R>>(
 }
 
 /// 1 for the inputs named, 0 for the others.
-fn acting<R: Real, M: Tangent<R>>(actuators: &[&'static str]) -> Result<Values<R, M>, LinearisationError> {
-    let mut acting = Values::<R, M>::zero();
+fn acting<R: Real, M: Tangent<R>>(
+    model: &M,
+    actuators: &[&'static str],
+) -> Result<Values<R, M>, LinearisationError> {
+    let mut acting = Values::<R, M>::zeros(model.input_names().len());
     for &name in actuators {
-        let inputs = M::Inputs::NAMES;
+        let inputs = model.input_names();
         match inputs.iter().position(|input| *input == name) {
             Some(index) => acting.as_mut_slice()[index] = R::ONE,
             None => return Err(LinearisationError::NoSuchInput { name, inputs }),
@@ -101,25 +104,25 @@ fn check_accelerations<R: Real, M: Tangent<R>>(
     state: &StateOf<M, R>,
     a: &M::V,
 ) -> Result<(), LinearisationError> {
-    let (mut jacobian, mut left) = (M::Jacobian::zero(), M::Lambda::zero());
+    let (mut jacobian, mut left) = (model.zero_jacobian(), model.zero_lambda());
     model.constraint_jacobian(time, &state.q, &mut jacobian);
     model.gamma(time, &state.q, &state.v, &mut left);
-    let mut magnitudes = left;
+    let mut magnitudes = left.clone();
     for entry in magnitudes.as_mut_slice() {
         *entry = entry.abs();
     }
-    for (&entry, &(row, column)) in jacobian.as_slice().iter().zip(M::JACOBIAN_PATTERN) {
+    for (&entry, &(row, column)) in jacobian.as_slice().iter().zip(model.jacobian_pattern()) {
         let term = (entry * a.as_slice()[column as usize]).abs();
         let magnitude = &mut magnitudes.as_mut_slice()[row as usize];
         *magnitude = *magnitude + term;
     }
-    subtract_product(M::JACOBIAN_PATTERN, jacobian.as_slice(), a.as_slice(), left.as_mut_slice());
+    subtract_product(model.jacobian_pattern(), jacobian.as_slice(), a.as_slice(), left.as_mut_slice());
     let largest = magnitudes.max_abs();
     let bound = R::EPSILON.sqrt() * if largest > R::ONE { largest } else { R::ONE };
     let off = left.as_slice().iter().position(|entry| !R::any(entry.abs().less_equal(bound)));
     off.map_or(Ok(()), |row| {
         let residual = left.as_slice()[row].to_f64();
-        Err(LinearisationError::Inconsistent { row: name_row::<R, M>(Some(row)), residual })
+        Err(LinearisationError::Inconsistent { row: name_row(model, Some(row)), residual })
     })
 }
 
@@ -133,19 +136,20 @@ fn improved<R: Real, M: Tangent<R>>(
     acting: &Values<R, M>,
     values: &Values<R, M>,
 ) -> Result<Values<R, M>, LinearisationError> {
-    let inputs = M::Inputs::from_array(*values);
-    let (mut residual, mut forces, mut input) = (M::V::zero(), M::V::zero(), M::InputTangent::zero());
-    model.residual(time, state, &inputs, a, &M::Lambda::zero(), &mut residual);
+    let inputs = M::Inputs::from_array(values.clone());
+    let (mut residual, mut forces, mut input) = (model.zero_v(), model.zero_v(), model.zero_input_tangent());
+    model.residual(time, state, &inputs, a, &model.zero_lambda(), &mut residual);
     model.forces(time, state, &inputs, &mut forces);
     model.input_tangent(time, state, &inputs, &mut input);
-    let count = M::Inputs::NAMES.len();
-    let (mut found, mut rows) = (Values::<R, M>::zero(), M::InputMatrix::zero());
-    let mut solved = M::Conditions::zero();
-    for index in 0..M::STATES.len() {
+    let count = model.input_names().len();
+    let (mut found, mut rows) =
+        (Values::<R, M>::zeros(count), M::InputMatrix::zeros(2 * model.states().len() * count));
+    let mut solved = model.zero_conditions();
+    for index in 0..model.states().len() {
         let basis = admissible.basis(index);
         // G = −Nᵀ ∂r/∂u of what acts, G u = Nᵀ r + G u₀.
-        let mut row = Values::<R, M>::zero();
-        for (&entry, &(velocity, column)) in input.as_slice().iter().zip(M::INPUT_PATTERN) {
+        let mut row = Values::<R, M>::zeros(count);
+        for (&entry, &(velocity, column)) in input.as_slice().iter().zip(model.input_pattern()) {
             let (own, acts) = (&mut row.as_mut_slice()[column as usize], acting.as_slice()[column as usize]);
             *own = *own - basis.as_slice()[velocity as usize] * entry * acts;
         }
@@ -175,7 +179,7 @@ fn improved<R: Real, M: Tangent<R>>(
             solved.as_mut_slice()[index] = value;
             found.axpy(value, &unit);
         } else if !R::any(right.abs().less_equal(R::EPSILON.sqrt() * magnitude)) {
-            let coordinate = M::CONDITIONS[M::STATES[index] as usize].of;
+            let coordinate = model.conditions()[model.states()[index] as usize].of;
             let actuators = acting.as_slice().iter().filter(|&&acts| acts > R::ZERO).count();
             return Err(LinearisationError::Unactuated { coordinate, missing: right.to_f64(), actuators });
         }
@@ -196,15 +200,15 @@ fn multipliers<R: Real, M: Tangent<R>>(
     a: &M::V,
     inputs: &M::Inputs,
 ) -> Result<M::Lambda, LinearisationError> {
-    let (mut residual, mut lambda) = (M::V::zero(), M::Lambda::zero());
-    let mut store = M::store();
+    let (mut residual, mut lambda) = (model.zero_v(), model.zero_lambda());
+    let mut store = model.store();
     let pivot = model.factor(time, &state.q, R::ZERO, &mut store);
     if !R::any(pivot.greater_equal(R::BREAKDOWN)) {
         return Err(broken_down(model, time, &state.q, pivot));
     }
     model.residual(time, state, inputs, a, &lambda, &mut residual);
-    let none = M::Lambda::zero();
-    let mut rest = M::V::zero();
+    let none = model.zero_lambda();
+    let mut rest = model.zero_v();
     model.solve(&store, &residual.scaled(-R::ONE), &none, &mut rest, &mut lambda);
     Ok(lambda)
 }

@@ -1,4 +1,4 @@
-//! Motions that the constraints admit: the whole from that of the coordinates of [`Tangent::STATES`].
+//! Motions that the constraints admit: the whole from that of the coordinates of [`Tangent::states`].
 
 use super::unit;
 use crate::assembly::system::{System, rank_deficient};
@@ -14,15 +14,16 @@ pub(super) struct Admissible<'m, R: Real, M: Tangent<R>> {
 
 impl<'m, R: Real, M: Tangent<R>> Admissible<'m, R, M> {
     pub(super) fn at(model: &'m M, time: R, q: &M::Q) -> Result<Self, LinearisationError> {
-        let needed = M::V::LEN - (M::Lambda::LEN - M::IDLE.len()).min(M::V::LEN);
-        if M::STATES.len() != needed {
-            return Err(LinearisationError::Incomplete { needed, given: M::STATES.len() });
+        let needed =
+            model.velocity_count() - (model.row_count() - model.idle().len()).min(model.velocity_count());
+        if model.states().len() != needed {
+            return Err(LinearisationError::Incomplete { needed, given: model.states().len() });
         }
-        let mut system = System::new(model, M::STATES).map_err(LinearisationError::Assembly)?;
+        let mut system = System::new(model, model.states()).map_err(LinearisationError::Assembly)?;
         system.evaluate(time, q, None);
         let pivot = system.factor_unit();
         if !R::any(pivot.value.greater_equal(R::BREAKDOWN)) {
-            return Err(LinearisationError::Assembly(rank_deficient::<R, M>(pivot)));
+            return Err(LinearisationError::Assembly(rank_deficient(model, pivot)));
         }
         Ok(Admissible { system })
     }
@@ -30,11 +31,12 @@ impl<'m, R: Real, M: Tangent<R>> Admissible<'m, R, M> {
     /// δ with D δ = `rows` and B δ = `states`, f numbers. The squares that the factorisation is made of cost half of the digits
     /// of the condition; a correction with D and B themselves restores them.
     pub(super) fn motion(&self, rows: &M::Lambda, states: &[R]) -> M::V {
-        let mut conditions = M::Conditions::zero();
-        for (&condition, &value) in M::STATES.iter().zip(states) {
+        let model = self.system.model;
+        let mut conditions = model.zero_conditions();
+        for (&condition, &value) in model.states().iter().zip(states) {
             conditions.as_mut_slice()[condition as usize] = value;
         }
-        let none = M::V::zero();
+        let none = model.zero_v();
         let first = self.system.least(&none, rows, &conditions);
         let (rows, conditions) = self.system.remaining(rows, &conditions, &first);
         first.plus(R::ONE, &self.system.least(&none, &rows, &conditions))
@@ -42,7 +44,8 @@ impl<'m, R: Real, M: Tangent<R>> Admissible<'m, R, M> {
 
     /// The motion of the whole with that of coordinate `state` alone: D δ = 0, B δ = e.
     pub(super) fn basis(&self, state: usize) -> M::V {
-        let unit: M::Conditions = unit(state);
-        self.motion(&M::Lambda::zero(), &unit.as_slice()[..M::STATES.len()])
+        let model = self.system.model;
+        let unit = unit(model.zero_conditions(), state);
+        self.motion(&model.zero_lambda(), &unit.as_slice()[..model.states().len()])
     }
 }

@@ -51,7 +51,7 @@ pub struct Equilibrium<Q, L> {
 ///
 /// λ begins with that of the motion from rest. Rows that depend on time are taken at `time`; in tree coordinates the inertia of
 /// bodies on places that move with time is among the loads. Pairs and quaternions of `near` need not have length 1. Rows that
-/// repeat others ([`IDLE`](crate::Assemble::IDLE)) are left to these. The dense matrix has (n_v + m)² entries, which lie on the
+/// repeat others ([`idle`](crate::Assemble::idle)) are left to these. The dense matrix has (n_v + m)² entries, which lie on the
 /// stack.
 ///
 /// # Errors
@@ -65,35 +65,36 @@ pub fn equilibrium<R: Real, M: Tangent<R>>(
     near: &M::Q,
     u: &M::Inputs,
 ) -> Result<Equilibrium<M::Q, M::Lambda>, LinearisationError> {
-    check_given::<R, M>(time, &at_rest(model, near), u)?;
-    let q = normalised(&M::LAYOUT, near).map_err(|(first, length)| {
-        let what = M::POSITION_NAMES.get(first).copied().unwrap_or(M::NAME);
+    check_given(model, time, &at_rest(model, near), u)?;
+    let q = normalised(model.layout(), near).map_err(|(first, length)| {
+        let what = model.position_names().get(first).copied().unwrap_or(model.name());
         LinearisationError::Assembly(AssemblyError::NoOrientation { what, length: length.to_f64() })
     })?;
     let mut search = Search::new(model, time, u);
     let lambda = multipliers_at_rest(model, time, &q, u);
-    let error = match search.newton(Place { q, lambda }) {
-        Ok(found) => return finite::<R, M>(time, found),
+    let error = match search.newton(Place { q: q.clone(), lambda: lambda.clone() }) {
+        Ok(found) => return finite(model, time, found),
         Err(error @ LinearisationError::NonFinite { .. }) => return Err(error),
         Err(error) => error,
     };
     let Some((place, steps)) = search.settle(Place { q, lambda }) else { return Err(error) };
     let found = search.newton(place)?;
-    finite::<R, M>(time, Equilibrium { iterations: found.iterations + steps, ..found })
+    finite(model, time, Equilibrium { iterations: found.iterations + steps, ..found })
 }
 
 /// An equilibrium, if no step overflowed.
 fn finite<R: Real, M: Tangent<R>>(
+    model: &M,
     time: R,
     found: Equilibrium<M::Q, M::Lambda>,
 ) -> Result<Equilibrium<M::Q, M::Lambda>, LinearisationError> {
-    check_finite(time, found.q.as_slice(), |index| M::POSITION_NAMES.get(index).copied())?;
-    check_finite(time, found.lambda.as_slice(), |row| M::ROWS.get(row).map(|row| row.of))?;
+    check_finite(time, found.q.as_slice(), |index| model.position_names().get(index).copied())?;
+    check_finite(time, found.lambda.as_slice(), |row| model.rows().get(row).map(|row| row.of))?;
     Ok(found)
 }
 
 /// q and λ.
-#[derive(Clone, Copy)]
+#[derive(Clone)]
 struct Place<Q, L> {
     q: Q,
     lambda: L,
@@ -114,31 +115,32 @@ struct Search<'m, R: Real, M: Tangent<R>> {
 
 impl<'m, R: Real, M: Tangent<R>> Search<'m, R, M> {
     fn new(model: &'m M, time: R, u: &'m M::Inputs) -> Self {
-        let (rows, columns) = (M::Unknowns::zero(), M::Unknowns::zero());
-        Search { model, time, u, entries: M::Bordered::zero(), rows, columns, order: M::order() }
+        let (rows, columns) = (model.zero_unknowns(), model.zero_unknowns());
+        Search { model, time, u, entries: model.zero_bordered(), rows, columns, order: model.order() }
     }
 
     fn newton(&mut self, from: PlaceOf<R, M>) -> Result<Equilibrium<M::Q, M::Lambda>, LinearisationError> {
+        let model = self.model;
         let mut at = from;
         let mut residual = self.residual(&at);
         for iteration in 0..ITERATIONS {
             if let Some(unknown) = residual.first_not_finite() {
-                let what = name::<R, M>(unknown).of;
+                let what = name(model, unknown).of;
                 return Err(LinearisationError::NonFinite { time: self.time.to_f64(), what });
             }
             self.factor(&at, R::ZERO).map_err(|found| LinearisationError::Indifferent {
                 time: self.time.to_f64(),
-                row: name::<R, M>(found.unknown),
+                row: name(model, found.unknown),
                 pivot: found.pivot.to_f64(),
                 iterations: iteration,
             })?;
             let mut step = residual.scaled(-R::ONE);
             let norm = self.lu().solve(step.as_mut_slice());
-            let step = parts::<R, M>(&step);
+            let step = parts(model, &step);
             let (moved, size) = (step.0.max_abs(), R::ONE + at.q.max_abs());
             let iterations = iteration + 1;
             if moved <= R::from_f64(64.0) * R::EPSILON * size {
-                let Place { q, lambda } = further::<R, M>(&at, &step, R::ONE);
+                let Place { q, lambda } = further(model, &at, &step, R::ONE);
                 return Ok(Equilibrium { q, lambda, iterations });
             }
             match self.shorten(&at, &step, norm) {
@@ -147,10 +149,10 @@ impl<'m, R: Real, M: Tangent<R>> Search<'m, R, M> {
                 None if moved <= R::from_f64(0.01) * R::EPSILON.sqrt() * size => {
                     return Ok(Equilibrium { q: at.q, lambda: at.lambda, iterations });
                 }
-                None => return Err(no_equilibrium::<R, M>(self.time, &residual, iterations)),
+                None => return Err(no_equilibrium(model, self.time, &residual, iterations)),
             }
         }
-        Err(no_equilibrium::<R, M>(self.time, &residual, ITERATIONS))
+        Err(no_equilibrium(model, self.time, &residual, ITERATIONS))
     }
 
     /// The first of the steps t, t/2, t/4 … that makes the next one shorter; t turns nothing further than [`LARGEST_TURN`].
@@ -160,12 +162,13 @@ impl<'m, R: Real, M: Tangent<R>> Search<'m, R, M> {
         step: &(M::V, M::Lambda),
         norm: R,
     ) -> Option<(PlaceOf<R, M>, M::Unknowns)> {
-        let (largest, limit) = (largest_turn::<R, M>(&step.0), R::from_f64(LARGEST_TURN));
+        let model = self.model;
+        let (largest, limit) = (largest_turn(model, &step.0), R::from_f64(LARGEST_TURN));
         let mut t = if largest > limit { limit / largest } else { R::ONE };
         for _ in 0..=HALVINGS {
-            let at = further::<R, M>(from, step, t);
+            let at = further(model, from, step, t);
             let residual = self.residual(&at);
-            let mut next = residual;
+            let mut next = residual.clone();
             // Written so that a NaN fails.
             if self.lu().solve(next.as_mut_slice()) <= (R::ONE - R::from_f64(0.25) * t) * norm {
                 return Some((at, residual));
@@ -177,7 +180,8 @@ impl<'m, R: Real, M: Tangent<R>> Search<'m, R, M> {
 
     /// Moves with forces but without momentum until they are almost gone; `None` where nothing moves.
     fn settle(&mut self, from: PlaceOf<R, M>) -> Option<(PlaceOf<R, M>, u32)> {
-        let (mut a, mut lambda) = (M::V::zero(), M::Lambda::zero());
+        let model = self.model;
+        let (mut a, mut lambda) = (model.zero_v(), model.zero_lambda());
         let rest = at_rest(self.model, &from.q);
         self.model.acceleration(self.time, &rest, self.u, &mut a, &mut lambda);
         // M/h², the first h such that the step h² a is small.
@@ -185,8 +189,9 @@ impl<'m, R: Real, M: Tangent<R>> Search<'m, R, M> {
         if !(first > R::ZERO && first.is_finite()) || self.factor(&from, first).is_err() {
             return None;
         }
-        let scale = self.rows;
-        let (mut at, mut residual, mut caution) = (from, self.residual(&from), R::ONE);
+        let scale = self.rows.clone();
+        let mut residual = self.residual(&from);
+        let (mut at, mut caution) = (from, R::ONE);
         let start = weighed(&residual, &scale);
         for step in 1..=STEPS {
             let left = weighed(&residual, &scale) / start;
@@ -199,11 +204,11 @@ impl<'m, R: Real, M: Tangent<R>> Search<'m, R, M> {
             if regular {
                 self.lu().solve(next.as_mut_slice());
             }
-            let parts = parts::<R, M>(&next);
+            let parts = parts(model, &next);
             // Written so that a NaN fails.
-            let little = R::any(largest_turn::<R, M>(&parts.0).less_equal(R::from_f64(LARGEST_TURN)));
+            let little = R::any(largest_turn(model, &parts.0).less_equal(R::from_f64(LARGEST_TURN)));
             if regular && little {
-                at = further::<R, M>(&at, &parts, R::ONE);
+                at = further(model, &at, &parts, R::ONE);
                 residual = self.residual(&at);
                 caution = (R::from_f64(0.5) * caution).max(R::ONE);
             } else {
@@ -224,20 +229,21 @@ impl<'m, R: Real, M: Tangent<R>> Search<'m, R, M> {
 
     /// Factors \[∂r/∂q + w M, Dᵀ; D, 0\].
     fn factor(&mut self, at: &PlaceOf<R, M>, weight: R) -> Result<(), NoPivot<R>> {
-        let (model, time, still) = (self.model, self.time, M::V::zero());
+        let model = self.model;
+        let (model, time, still) = (self.model, self.time, model.zero_v());
         let rest = at_rest(model, &at.q);
-        let (mut stiffness, mut damping) = (M::Stiffness::zero(), M::Damping::zero());
-        let (mut jacobian, mut mass) = (M::Jacobian::zero(), M::Mass::zero());
+        let (mut stiffness, mut damping) = (model.zero_stiffness(), model.zero_damping());
+        let (mut jacobian, mut mass) = (model.zero_jacobian(), model.zero_mass());
         model.tangent(time, &rest, self.u, &still, &at.lambda, &mut stiffness, &mut damping);
         model.constraint_jacobian(time, &at.q, &mut jacobian);
-        let (n, size, entries) = (M::V::LEN, M::Unknowns::LEN, self.entries.as_mut_slice());
+        let (n, size, entries) = (model.velocity_count(), model.unknown_count(), self.entries.as_mut_slice());
         entries.fill(R::ZERO);
-        for (&entry, &(row, column)) in stiffness.as_slice().iter().zip(M::STIFFNESS_PATTERN) {
+        for (&entry, &(row, column)) in stiffness.as_slice().iter().zip(model.stiffness_pattern()) {
             entries[row as usize * size + column as usize] = entry;
         }
         if weight > R::ZERO {
             model.mass_matrix(time, &at.q, &mut mass);
-            for (&entry, &(row, column)) in mass.as_slice().iter().zip(M::MASS_PATTERN) {
+            for (&entry, &(row, column)) in mass.as_slice().iter().zip(model.mass_pattern()) {
                 let (row, column) = (row as usize, column as usize);
                 entries[row * size + column] = entries[row * size + column] + weight * entry;
                 if row != column {
@@ -245,12 +251,12 @@ impl<'m, R: Real, M: Tangent<R>> Search<'m, R, M> {
                 }
             }
         }
-        for (&entry, &(row, column)) in jacobian.as_slice().iter().zip(M::JACOBIAN_PATTERN) {
-            let (unknown, column, idle) = (n + row as usize, column as usize, M::IDLE.contains(&row));
+        for (&entry, &(row, column)) in jacobian.as_slice().iter().zip(model.jacobian_pattern()) {
+            let (unknown, column, idle) = (n + row as usize, column as usize, model.idle().contains(&row));
             entries[column * size + unknown] = entry;
             entries[unknown * size + column] = if idle { R::ZERO } else { entry };
         }
-        for &row in M::IDLE {
+        for &row in model.idle() {
             let unknown = n + row as usize;
             entries[unknown * size + unknown] = R::ONE;
         }
@@ -259,15 +265,16 @@ impl<'m, R: Real, M: Tangent<R>> Search<'m, R, M> {
 
     /// (r, Φ) at rest; of a row that repeats others its multiplier, which is to be zero.
     fn residual(&self, at: &PlaceOf<R, M>) -> M::Unknowns {
-        let (rest, still) = (at_rest(self.model, &at.q), M::V::zero());
-        let (mut forces, mut phi) = (M::V::zero(), M::Lambda::zero());
+        let model = self.model;
+        let (rest, still) = (at_rest(self.model, &at.q), model.zero_v());
+        let (mut forces, mut phi) = (model.zero_v(), model.zero_lambda());
         self.model.residual(self.time, &rest, self.u, &still, &at.lambda, &mut forces);
         self.model.constraints(self.time, &at.q, &mut phi);
-        for &row in M::IDLE {
+        for &row in model.idle() {
             phi.as_mut_slice()[row as usize] = at.lambda.as_slice()[row as usize];
         }
-        let mut residual = M::Unknowns::zero();
-        let (to_forces, to_rows) = residual.as_mut_slice().split_at_mut(M::V::LEN);
+        let mut residual = model.zero_unknowns();
+        let (to_forces, to_rows) = residual.as_mut_slice().split_at_mut(model.velocity_count());
         to_forces.copy_from_slice(forces.as_slice());
         to_rows.copy_from_slice(phi.as_slice());
         residual
@@ -276,21 +283,21 @@ impl<'m, R: Real, M: Tangent<R>> Search<'m, R, M> {
 
 /// The state at rest at a position.
 fn at_rest<R: Real, M: Tangent<R>>(model: &M, q: &M::Q) -> StateOf<M, R> {
-    State { q: *q, v: M::V::zero(), z: (), gates: model.start_gates() }
+    State { q: q.clone(), v: model.zero_v(), z: (), gates: model.start_gates() }
 }
 
 /// λ of the motion from rest, zero where there is none.
 fn multipliers_at_rest<R: Real, M: Tangent<R>>(model: &M, time: R, q: &M::Q, u: &M::Inputs) -> M::Lambda {
-    let (mut a, mut lambda) = (M::V::zero(), M::Lambda::zero());
+    let (mut a, mut lambda) = (model.zero_v(), model.zero_lambda());
     let pivot = model.acceleration(time, &at_rest(model, q), u, &mut a, &mut lambda);
     let sound = R::any(pivot.greater_equal(R::BREAKDOWN)) && lambda.first_not_finite().is_none();
-    if sound { lambda } else { M::Lambda::zero() }
+    if sound { lambda } else { model.zero_lambda() }
 }
 
 /// δq and δλ.
-fn parts<R: Real, M: Tangent<R>>(step: &M::Unknowns) -> (M::V, M::Lambda) {
-    let (mut dq, mut dl) = (M::V::zero(), M::Lambda::zero());
-    let (positions, multipliers) = step.as_slice().split_at(M::V::LEN);
+fn parts<R: Real, M: Tangent<R>>(model: &M, step: &M::Unknowns) -> (M::V, M::Lambda) {
+    let (mut dq, mut dl) = (model.zero_v(), model.zero_lambda());
+    let (positions, multipliers) = step.as_slice().split_at(model.velocity_count());
     dq.as_mut_slice().copy_from_slice(positions);
     dl.as_mut_slice().copy_from_slice(multipliers);
     (dq, dl)
@@ -298,12 +305,13 @@ fn parts<R: Real, M: Tangent<R>>(step: &M::Unknowns) -> (M::V, M::Lambda) {
 
 /// (q ⊕ t δq, λ + t δλ).
 fn further<R: Real, M: Tangent<R>>(
+    model: &M,
     from: &PlaceOf<R, M>,
     (dq, dl): &(M::V, M::Lambda),
     t: R,
 ) -> PlaceOf<R, M> {
-    let mut q = from.q;
-    retract(&M::LAYOUT, &from.q, &dq.scaled(t), &mut q);
+    let mut q = from.q.clone();
+    retract(model.layout(), &from.q, &dq.scaled(t), &mut q);
     Place { q, lambda: from.lambda.plus(t, dl) }
 }
 
@@ -313,27 +321,32 @@ fn weighed<R: Real, V: Vector<R>>(residual: &V, scale: &V) -> R {
     scaled.fold(R::ZERO, |sum, (&entry, &scale)| sum + entry * scale * (entry * scale)).sqrt()
 }
 
-fn largest_turn<R: Real, M: Tangent<R>>(dq: &M::V) -> R {
-    let turns = &dq.as_slice()[M::LAYOUT.linear..];
+fn largest_turn<R: Real, M: Tangent<R>>(model: &M, dq: &M::V) -> R {
+    let turns = &dq.as_slice()[model.layout().linear..];
     turns.iter().fold(R::ZERO, |largest, turn| largest.max(turn.abs()))
 }
 
 /// The name of an unknown, or of the equation of the same number.
-fn name<R: Real, M: Tangent<R>>(unknown: usize) -> Row {
-    match M::VELOCITY_NAMES.get(unknown) {
+fn name<R: Real, M: Tangent<R>>(model: &M, unknown: usize) -> Row {
+    match model.velocity_names().get(unknown) {
         Some(&of) => Row { of, what: "coordinate" },
-        None => M::ROWS.get(unknown - M::V::LEN).copied().unwrap_or(Row { of: M::NAME, what: "unknown" }),
+        None => model
+            .rows()
+            .get(unknown - model.velocity_count())
+            .copied()
+            .unwrap_or(Row { of: model.name(), what: "unknown" }),
     }
 }
 
 /// The largest force, or where forces balance the largest residual of a row.
 #[cold]
 fn no_equilibrium<R: Real, M: Tangent<R>>(
+    model: &M,
     time: R,
     residual: &M::Unknowns,
     iterations: u32,
 ) -> LinearisationError {
-    let (forces, rows) = residual.as_slice().split_at(M::V::LEN);
+    let (forces, rows) = residual.as_slice().split_at(model.velocity_count());
     let largest = |values: &[R]| {
         let entries = values.iter().enumerate();
         entries.fold(
@@ -342,10 +355,10 @@ fn no_equilibrium<R: Real, M: Tangent<R>>(
         )
     };
     let (force, row) = (largest(forces), largest(rows));
-    let (unknown, residual) = if force.1 >= row.1 { force } else { (M::V::LEN + row.0, row.1) };
+    let (unknown, residual) = if force.1 >= row.1 { force } else { (model.velocity_count() + row.0, row.1) };
     LinearisationError::NoEquilibrium {
         time: time.to_f64(),
-        row: name::<R, M>(unknown),
+        row: name(model, unknown),
         residual: residual.to_f64(),
         iterations,
     }

@@ -83,34 +83,34 @@ impl<'m, R: Real, M: Tangent<R>> Linearisation<'m, R, M> {
         u: &M::Inputs,
     ) -> Result<Self, LinearisationError> {
         let State { q, v, .. } = state;
-        check_given::<R, M>(time, state, u)?;
-        let (mut a, mut lambda, mut store) = (M::V::zero(), M::Lambda::zero(), M::store());
+        check_given(model, time, state, u)?;
+        let (mut a, mut lambda, mut store) = (model.zero_v(), model.zero_lambda(), model.store());
         let pivot = model.acceleration(time, state, u, &mut a, &mut lambda);
         let pivot = pivot.min(model.factor(time, q, R::ZERO, &mut store));
         // Written so that a NaN fails.
         if !R::any(pivot.greater_equal(R::BREAKDOWN)) {
             return Err(broken_down(model, time, q, pivot));
         }
-        check_finite(time, a.as_slice(), |velocity| M::VELOCITY_NAMES.get(velocity).copied())?;
-        check_finite(time, lambda.as_slice(), |row| M::ROWS.get(row).map(|row| row.of))?;
-        let (mut stiffness, mut damping) = (M::Stiffness::zero(), M::Damping::zero());
-        let (mut row_stiffness, mut row_damping) = (M::RowStiffness::zero(), M::RowDamping::zero());
-        let mut input = M::InputTangent::zero();
+        check_finite(time, a.as_slice(), |velocity| model.velocity_names().get(velocity).copied())?;
+        check_finite(time, lambda.as_slice(), |row| model.rows().get(row).map(|row| row.of))?;
+        let (mut stiffness, mut damping) = (model.zero_stiffness(), model.zero_damping());
+        let (mut row_stiffness, mut row_damping) = (model.zero_row_stiffness(), model.zero_row_damping());
+        let mut input = model.zero_input_tangent();
         model.tangent(time, state, u, &a, &lambda, &mut stiffness, &mut damping);
         model.row_tangent(time, q, v, &a, &mut row_stiffness, &mut row_damping);
         model.input_tangent(time, state, u, &mut input);
-        let forces = |row: u16| M::VELOCITY_NAMES.get(usize::from(row)).copied();
-        let rows = |row: u16| M::ROWS.get(usize::from(row)).map(|row| row.of);
-        check_entries(time, stiffness.as_slice(), M::STIFFNESS_PATTERN, forces)?;
-        check_entries(time, damping.as_slice(), M::DAMPING_PATTERN, forces)?;
-        check_entries(time, input.as_slice(), M::INPUT_PATTERN, forces)?;
-        check_entries(time, row_stiffness.as_slice(), M::ROW_STIFFNESS_PATTERN, rows)?;
-        check_entries(time, row_damping.as_slice(), M::ROW_DAMPING_PATTERN, rows)?;
+        let forces = |row: u16| model.velocity_names().get(usize::from(row)).copied();
+        let rows = |row: u16| model.rows().get(usize::from(row)).map(|row| row.of);
+        check_entries(time, stiffness.as_slice(), model.stiffness_pattern(), forces)?;
+        check_entries(time, damping.as_slice(), model.damping_pattern(), forces)?;
+        check_entries(time, input.as_slice(), model.input_pattern(), forces)?;
+        check_entries(time, row_stiffness.as_slice(), model.row_stiffness_pattern(), rows)?;
+        check_entries(time, row_damping.as_slice(), model.row_damping_pattern(), rows)?;
         Ok(Linearisation {
             model,
             time,
-            state: *state,
-            u: *u,
+            state: state.clone(),
+            u: u.clone(),
             a,
             lambda,
             store,
@@ -135,36 +135,41 @@ impl<'m, R: Real, M: Tangent<R>> Linearisation<'m, R, M> {
     /// ∂v̇ and ∂λ along an increment δq of the positions (shape n_v, q ⊕ δq) and δv of the velocities:
     /// (∂v̇/∂q) δq + (∂v̇/∂v) δv.
     pub fn along(&self, dq: &M::V, dv: &M::V) -> ResponseOf<R, M> {
-        let (mut forces, mut rows) = (M::V::zero(), M::Lambda::zero());
+        let model = self.model;
+        let (mut forces, mut rows) = (model.zero_v(), model.zero_lambda());
         let (to_forces, to_rows) = (forces.as_mut_slice(), rows.as_mut_slice());
         let (dq, dv) = (dq.as_slice(), dv.as_slice());
-        add_block(M::STIFFNESS_PATTERN, self.stiffness.as_slice(), (0, 0), dq, to_forces);
-        add_block(M::DAMPING_PATTERN, self.damping.as_slice(), (0, 0), dv, to_forces);
-        add_block(M::ROW_STIFFNESS_PATTERN, self.row_stiffness.as_slice(), (0, 0), dq, to_rows);
-        add_block(M::ROW_DAMPING_PATTERN, self.row_damping.as_slice(), (0, 0), dv, to_rows);
+        add_block(model.stiffness_pattern(), self.stiffness.as_slice(), (0, 0), dq, to_forces);
+        add_block(model.damping_pattern(), self.damping.as_slice(), (0, 0), dv, to_forces);
+        add_block(model.row_stiffness_pattern(), self.row_stiffness.as_slice(), (0, 0), dq, to_rows);
+        add_block(model.row_damping_pattern(), self.row_damping.as_slice(), (0, 0), dv, to_rows);
         self.response(&forces, &rows)
     }
 
     /// Column `index` of ∂v̇/∂q and ∂λ/∂q: by the increment of the coordinate with that velocity. Zero beyond n_v.
     pub fn by_position(&self, index: usize) -> ResponseOf<R, M> {
-        self.along(&unit(index), &M::V::zero())
+        let model = self.model;
+        self.along(&unit(model.zero_v(), index), &model.zero_v())
     }
 
     /// Column `index` of ∂v̇/∂v and ∂λ/∂v. Zero beyond n_v.
     pub fn by_velocity(&self, index: usize) -> ResponseOf<R, M> {
-        self.along(&M::V::zero(), &unit(index))
+        let model = self.model;
+        self.along(&model.zero_v(), &unit(model.zero_v(), index))
     }
 
     /// Column `index` of ∂v̇/∂u and ∂λ/∂u, in the order of the inputs. Zero beyond n_u.
     pub fn by_input(&self, index: usize) -> ResponseOf<R, M> {
-        let mut forces = M::V::zero();
-        add_column(M::INPUT_PATTERN, self.input.as_slice(), (0, index), forces.as_mut_slice());
-        self.response(&forces, &M::Lambda::zero())
+        let model = self.model;
+        let mut forces = model.zero_v();
+        add_column(model.input_pattern(), self.input.as_slice(), (0, index), forces.as_mut_slice());
+        self.response(&forces, &model.zero_lambda())
     }
 
     /// ∂v̇/∂p and ∂λ/∂p, column by column; the derivatives by parameters are evaluated here.
     pub fn by_parameters(&self) -> ByParameters<'_, 'm, R, M> {
-        let mut entries = M::ParameterTangent::zero();
+        let model = self.model;
+        let mut entries = model.zero_parameter_tangent();
         let Linearisation { model, time, state, u, a, lambda, .. } = self;
         model.parameter_tangent(*time, state, u, a, lambda, &mut entries);
         ByParameters { at: self, entries }
@@ -172,7 +177,8 @@ impl<'m, R: Real, M: Tangent<R>> Linearisation<'m, R, M> {
 
     /// −K(0)⁻¹ (∂r, ∂(D a − γ)).
     fn response(&self, forces: &M::V, rows: &M::Lambda) -> ResponseOf<R, M> {
-        let (mut acceleration, mut multipliers) = (M::V::zero(), M::Lambda::zero());
+        let model = self.model;
+        let (mut acceleration, mut multipliers) = (model.zero_v(), model.zero_lambda());
         let (forces, rows) = (forces.scaled(-R::ONE), rows.scaled(-R::ONE));
         self.model.solve(&self.store, &forces, &rows, &mut acceleration, &mut multipliers);
         Response { acceleration, multipliers }
@@ -189,36 +195,41 @@ pub struct ByParameters<'l, 'm, R: Real, M: Tangent<R>> {
 impl<R: Real, M: Tangent<R>> ByParameters<'_, '_, R, M> {
     /// Column `index` of ∂v̇/∂p and ∂λ/∂p. Zero beyond n_p.
     pub fn column(&self, index: usize) -> ResponseOf<R, M> {
-        let (mut forces, mut rows) = (M::V::zero(), M::Lambda::zero());
+        let model = self.at.model;
+        let (mut forces, mut rows) = (model.zero_v(), model.zero_lambda());
         self.add(index, 0, forces.as_mut_slice());
-        self.add(index, M::V::LEN, rows.as_mut_slice());
+        self.add(index, model.velocity_count(), rows.as_mut_slice());
         self.at.response(&forces, &rows)
     }
 
     /// Column `index` of ∂(D v − ν)/∂p.
     pub fn rates(&self, index: usize) -> M::Lambda {
-        self.of_rows(index, M::V::LEN + M::Lambda::LEN)
+        let model = self.at.model;
+        self.of_rows(index, model.velocity_count() + model.row_count())
     }
 
     /// Column `index` of ∂Φ/∂p.
     pub fn constraints(&self, index: usize) -> M::Lambda {
-        self.of_rows(index, M::V::LEN + 2 * M::Lambda::LEN)
+        let model = self.at.model;
+        self.of_rows(index, model.velocity_count() + 2 * model.row_count())
     }
 
     fn of_rows(&self, index: usize, first: usize) -> M::Lambda {
-        let mut rows = M::Lambda::zero();
+        let model = self.at.model;
+        let mut rows = model.zero_lambda();
         self.add(index, first, rows.as_mut_slice());
         rows
     }
 
     fn add(&self, column: usize, first: usize, to: &mut [R]) {
-        add_column(M::PARAMETER_PATTERN, self.entries.as_slice(), (first, column), to);
+        let model = self.at.model;
+        add_column(model.parameter_pattern(), self.entries.as_slice(), (first, column), to);
     }
 }
 
-/// e_index, zero beyond the end.
-fn unit<R: Real, V: Vector<R>>(index: usize) -> V {
-    let mut unit = V::zero();
+/// e_index in the place of zeros; zero beyond the end.
+fn unit<R: Real, V: Vector<R>>(zero: V, index: usize) -> V {
+    let mut unit = zero;
     if let Some(entry) = unit.as_mut_slice().get_mut(index) {
         *entry = R::ONE;
     }
@@ -268,14 +279,15 @@ fn check_entries<R: Real>(
 
 /// Time, state and inputs must be finite: where nothing depends on them, nothing else would tell.
 fn check_given<R: Real, M: Tangent<R>>(
+    model: &M,
     time: R,
     state: &StateOf<M, R>,
     u: &M::Inputs,
 ) -> Result<(), LinearisationError> {
     check_finite(time, &[time], |_| Some("time"))?;
-    check_finite(time, state.q.as_slice(), |index| M::POSITION_NAMES.get(index).copied())?;
-    check_finite(time, state.v.as_slice(), |index| M::VELOCITY_NAMES.get(index).copied())?;
-    check_finite(time, u.to_array().as_slice(), |index| M::Inputs::NAMES.get(index).copied())
+    check_finite(time, state.q.as_slice(), |index| model.position_names().get(index).copied())?;
+    check_finite(time, state.v.as_slice(), |index| model.velocity_names().get(index).copied())?;
+    check_finite(time, u.to_array().as_slice(), |index| model.input_names().get(index).copied())
 }
 
 /// Why K(0) could not be factored.
@@ -286,8 +298,8 @@ fn broken_down<R: Real, M: Tangent<R>>(model: &M, time: R, q: &M::Q, pivot: R) -
     if constraints > R::from_f64(WELL_POSED)
         && let Some(velocity) = singular_velocity(model, time, q)
     {
-        let velocity = M::VELOCITY_NAMES.get(velocity).copied().unwrap_or(M::NAME);
+        let velocity = model.velocity_names().get(velocity).copied().unwrap_or(model.name());
         return LinearisationError::SingularMass { time: at, pivot, velocity };
     }
-    LinearisationError::Breakdown { time: at, pivot, row: name_row::<R, M>(row) }
+    LinearisationError::Breakdown { time: at, pivot, row: name_row(model, row) }
 }

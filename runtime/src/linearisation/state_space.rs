@@ -12,7 +12,7 @@ use crate::vector::Vector;
 
 /// Matrices of a linearised mechanism, dense and row by row.
 ///
-/// x = (δz, δż), f numbers each, δz in the order of [`Tangent::STATES`], m, rad, m/s, rad/s; u and y in the order of inputs and
+/// x = (δz, δż), f numbers each, δz in the order of [`Tangent::states`], m, rad, m/s, rad/s; u and y in the order of inputs and
 /// outputs, SI. About a motion they hold at one time; about an equilibrium they are constant and the eigenvalues of A tell
 /// stability.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -53,28 +53,30 @@ impl<'m, R: Real, M: Tangent<R>> Linearisation<'m, R, M> {
     /// [`Assembly`](LinearisationError::Assembly) where the coordinates do not move the whole at this position (a dead centre of
     /// theirs), [`Incomplete`](LinearisationError::Incomplete), [`NonFinite`](LinearisationError::NonFinite).
     pub fn state_space(&self) -> Result<StateSpaceOf<R, M>, LinearisationError> {
+        let model = self.model;
         let columns = Columns::at(self)?;
+        let (f, inputs, outputs) =
+            (model.states().len(), model.input_names().len(), model.output_names().len());
         let mut found = StateSpace {
-            a: M::StateMatrix::zero(),
-            b: M::InputMatrix::zero(),
-            c: M::OutputMatrix::zero(),
-            d: M::Feedthrough::zero(),
+            a: M::StateMatrix::zeros(4 * f * f),
+            b: M::InputMatrix::zeros(2 * f * inputs),
+            c: M::OutputMatrix::zeros(outputs * 2 * f),
+            d: M::Feedthrough::zeros(outputs * inputs),
         };
-        let (f, inputs) = (M::STATES.len(), M::Inputs::NAMES.len());
         for state in 0..f {
             let moved = columns.admissible.basis(state);
-            let (dq, dv) = (moved, columns.velocity(&moved));
-            columns.fill(state, &dq, &dv, &mut found);
-            columns.fill(f + state, &M::V::zero(), &moved, &mut found);
+            let dv = columns.velocity(&moved);
+            columns.fill(state, &moved, &dv, &mut found);
+            columns.fill(f + state, &model.zero_v(), &moved, &mut found);
         }
         for input in 0..inputs {
             columns.fill_input(input, &mut found);
         }
         let (state, output) = (
             |index: usize| {
-                M::STATES.get(index % f.max(1)).and_then(|&state| M::CONDITIONS.get(state as usize))
+                model.states().get(index % f.max(1)).and_then(|&state| model.conditions().get(state as usize))
             },
-            |row: usize| M::Outputs::NAMES.get(row).copied(),
+            |row: usize| model.output_names().get(row).copied(),
         );
         let by_state = |width: usize| move |index: usize| state(index / width.max(1)).map(|state| state.of);
         check_finite(self.time, found.a.as_slice(), by_state(2 * f))?;
@@ -99,8 +101,8 @@ impl<'l, 'm, R: Real, M: Tangent<R>> Columns<'l, 'm, R, M> {
         let Linearisation { model, time, state, u, a, lambda, .. } = at;
         let State { q, v, .. } = state;
         let admissible = Admissible::at(*model, *time, q)?;
-        let (mut rate, mut coordinate) = (M::RateTangent::zero(), M::CoordinateTangent::zero());
-        let mut output = M::OutputTangent::zero();
+        let (mut rate, mut coordinate) = (model.zero_rate_tangent(), model.zero_coordinate_tangent());
+        let mut output = model.zero_output_tangent();
         model.rate_tangent(*time, q, v, &mut rate);
         model.coordinate_tangent(*time, q, v, a, &mut coordinate);
         model.output_tangent(*time, state, u, lambda, &mut output);
@@ -109,10 +111,11 @@ impl<'l, 'm, R: Real, M: Tangent<R>> Columns<'l, 'm, R, M> {
 
     /// δv that goes with δq where ż is as before.
     fn velocity(&self, dq: &M::V) -> M::V {
-        let mut rows = M::Lambda::zero();
-        add_block(M::RATE_PATTERN, self.rate.as_slice(), (0, 0), dq.as_slice(), rows.as_mut_slice());
-        let mut states = M::Conditions::zero();
-        let states = &mut states.as_mut_slice()[..M::STATES.len()];
+        let model = self.at.model;
+        let mut rows = model.zero_lambda();
+        add_block(model.rate_pattern(), self.rate.as_slice(), (0, 0), dq.as_slice(), rows.as_mut_slice());
+        let mut states = model.zero_conditions();
+        let states = &mut states.as_mut_slice()[..model.states().len()];
         self.add_coordinates((0, 0), dq, states);
         states.iter_mut().for_each(|entry| *entry = -*entry);
         self.admissible.motion(&rows.scaled(-R::ONE), states)
@@ -120,14 +123,16 @@ impl<'l, 'm, R: Real, M: Tangent<R>> Columns<'l, 'm, R, M> {
 
     /// `to` += the f rows of ∂(ż, z̈)/∂(q, v) from `from` on, times x.
     fn add_coordinates(&self, from: (usize, usize), x: &M::V, to: &mut [R]) {
-        add_block(M::COORDINATE_PATTERN, self.coordinate.as_slice(), from, x.as_slice(), to);
+        let model = self.at.model;
+        add_block(model.coordinate_pattern(), self.coordinate.as_slice(), from, x.as_slice(), to);
     }
 
     /// One column of A and of C.
     fn fill(&self, column: usize, dq: &M::V, dv: &M::V, found: &mut StateSpaceOf<R, M>) {
-        let (f, n) = (M::STATES.len(), M::V::LEN);
+        let model = self.at.model;
+        let (f, n) = (model.states().len(), model.velocity_count());
         let response = self.at.along(dq, dv);
-        let mut states = M::Conditions::zero();
+        let mut states = model.zero_conditions();
         let lower = &mut states.as_mut_slice()[..f];
         self.add_coordinates((f, 0), dq, lower);
         self.add_coordinates((f, n), dv, lower);
@@ -140,7 +145,7 @@ impl<'l, 'm, R: Real, M: Tangent<R>> Columns<'l, 'm, R, M> {
         } else {
             self.fill_rates(column, dq, found);
         }
-        let mut outputs = <M::Outputs as Fields<R>>::Array::zero();
+        let mut outputs = <M::Outputs as Fields<R>>::Array::zeros(model.output_names().len());
         self.add_outputs(0, dq.as_slice(), outputs.as_mut_slice());
         self.add_outputs(n, dv.as_slice(), outputs.as_mut_slice());
         self.add_multipliers(&response.multipliers, outputs.as_mut_slice());
@@ -151,20 +156,21 @@ impl<'l, 'm, R: Real, M: Tangent<R>> Columns<'l, 'm, R, M> {
 
     /// The rates of components of ω: d(B δq)/dt − δ(B v) = ∂(B δq)/∂q v − ∂(B v)/∂q δq + B (δq × ω), zero for coordinates.
     fn fill_rates(&self, column: usize, dq: &M::V, found: &mut StateSpaceOf<R, M>) {
-        let kind = |state: usize| M::CONDITIONS[M::STATES[state] as usize].kind;
-        let f = M::STATES.len();
+        let model = self.at.model;
+        let kind = |state: usize| model.conditions()[model.states()[state] as usize].kind;
+        let f = model.states().len();
         if (0..f).all(|state| kind(state) != ConditionKind::Rate) {
             return;
         }
         let Linearisation { model, time, state: State { q, v, .. }, a, .. } = self.at;
-        let mut turned = M::CoordinateTangent::zero();
+        let mut turned = model.zero_coordinate_tangent();
         model.coordinate_tangent(*time, q, dq, a, &mut turned);
-        let mut states = M::Conditions::zero();
+        let mut states = model.zero_conditions();
         let rates = &mut states.as_mut_slice()[..f];
         self.add_coordinates((0, 0), dq, rates);
         rates.iter_mut().for_each(|entry| *entry = -*entry);
-        add_block(M::COORDINATE_PATTERN, turned.as_slice(), (0, 0), v.as_slice(), rates);
-        self.add_coordinates((0, M::V::LEN), &bracket::<R, M>(dq, v), rates);
+        add_block(model.coordinate_pattern(), turned.as_slice(), (0, 0), v.as_slice(), rates);
+        self.add_coordinates((0, model.velocity_count()), &bracket(*model, dq, v), rates);
         for (state, &entry) in rates.iter().enumerate() {
             if kind(state) == ConditionKind::Rate {
                 found.a.as_mut_slice()[state * 2 * f + column] = entry;
@@ -174,16 +180,22 @@ impl<'l, 'm, R: Real, M: Tangent<R>> Columns<'l, 'm, R, M> {
 
     /// One column of B and of D.
     fn fill_input(&self, input: usize, found: &mut StateSpaceOf<R, M>) {
-        let (f, n, inputs) = (M::STATES.len(), M::V::LEN, M::Inputs::NAMES.len());
+        let model = self.at.model;
+        let (f, n, inputs) = (model.states().len(), model.velocity_count(), model.input_names().len());
         let response = self.at.by_input(input);
-        let mut states = M::Conditions::zero();
+        let mut states = model.zero_conditions();
         let lower = &mut states.as_mut_slice()[..f];
         self.add_coordinates((0, n), &response.acceleration, lower);
         for (state, &entry) in lower.iter().enumerate() {
             found.b.as_mut_slice()[(f + state) * inputs + input] = entry;
         }
-        let mut outputs = <M::Outputs as Fields<R>>::Array::zero();
-        add_column(M::OUTPUT_PATTERN, self.output.as_slice(), (0, 2 * n + input), outputs.as_mut_slice());
+        let mut outputs = <M::Outputs as Fields<R>>::Array::zeros(model.output_names().len());
+        add_column(
+            model.output_pattern(),
+            self.output.as_slice(),
+            (0, 2 * n + input),
+            outputs.as_mut_slice(),
+        );
         self.add_multipliers(&response.multipliers, outputs.as_mut_slice());
         for (output, &entry) in outputs.as_slice().iter().enumerate() {
             found.d.as_mut_slice()[output * inputs + input] = entry;
@@ -191,18 +203,20 @@ impl<'l, 'm, R: Real, M: Tangent<R>> Columns<'l, 'm, R, M> {
     }
 
     fn add_outputs(&self, column: usize, x: &[R], to: &mut [R]) {
-        add_block(M::OUTPUT_PATTERN, self.output.as_slice(), (0, column), x, to);
+        let model = self.at.model;
+        add_block(model.output_pattern(), self.output.as_slice(), (0, column), x, to);
     }
 
     fn add_multipliers(&self, multipliers: &M::Lambda, to: &mut [R]) {
-        self.add_outputs(2 * M::V::LEN + M::Inputs::NAMES.len(), multipliers.as_slice(), to);
+        let model = self.at.model;
+        self.add_outputs(2 * model.velocity_count() + model.input_names().len(), multipliers.as_slice(), to);
     }
 }
 
 /// δ × ω of each quaternion, zero elsewhere: along a motion, (δ of its turned axes)˙ = δω + δ × ω.
-fn bracket<R: Real, M: Assemble<R>>(dq: &M::V, v: &M::V) -> M::V {
-    let mut bracket = M::V::zero();
-    let first = M::LAYOUT.linear + M::LAYOUT.rotations;
+fn bracket<R: Real, M: Assemble<R>>(model: &M, dq: &M::V, v: &M::V) -> M::V {
+    let mut bracket = model.zero_v();
+    let first = model.layout().linear + model.layout().rotations;
     let (deltas, rates) =
         (dq.as_slice()[first..].as_chunks::<3>().0, v.as_slice()[first..].as_chunks::<3>().0);
     let triples = bracket.as_mut_slice()[first..].as_chunks_mut::<3>().0;

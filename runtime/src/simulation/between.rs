@@ -31,7 +31,7 @@ impl<'m, R: Real, M: Mechanism<R>, F: Formulation<R, M>, S, I: Method<R>> Simula
     {
         let now = self.time();
         if time == now {
-            return Ok(self.run.state);
+            return Ok(self.run.state.clone());
         }
         let from = I::size(&self.memory).map_or(now, |size| self.run.clock.after(-size).time());
         if time >= from
@@ -49,7 +49,7 @@ impl<'m, R: Real, M: Mechanism<R>, F: Formulation<R, M>, S, I: Method<R>> Simula
         I: Interpolate<R>,
     {
         let elapsed = I::size(&self.memory)? - time.until(&self.run.clock);
-        I::at(&self.memory, elapsed.max(R::ZERO))
+        I::at(&self.memory, self.model(), elapsed.max(R::ZERO))
     }
 }
 
@@ -103,7 +103,7 @@ where
         while self.is_under_way(&course) {
             self.advance_along(&mut course)?;
             while due.is_before(&self.run.clock) {
-                let state = self.within(&due).unwrap_or(self.run.state);
+                let state = self.within(&due).unwrap_or_else(|| self.run.state.clone());
                 let inputs = self.dynamics.inputs_within(due.time(), &state);
                 show(&self.sample_at(due.time(), state, inputs));
                 due = after(due);
@@ -114,6 +114,6 @@ where
                 due = after(due);
             }
         }
-        Ok(self.run.state)
+        Ok(self.run.state.clone())
     }
 }

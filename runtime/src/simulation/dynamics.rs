@@ -82,10 +82,11 @@ impl<R: Real, S> Watch<R, S> {
 
 impl<'m, M: Mechanism<R>, R: Real, F: Formulation<R, M>, S> MechanismDynamics<'m, M, R, F, S> {
     pub(super) fn new(model: &'m M, formulation: F, source: S) -> Self {
-        let memory = formulation.memory();
+        let memory = formulation.memory(model);
         MechanismDynamics {
             model,
             formulation,
+            memory_before_trials: memory.clone(),
             memory,
             source,
             inputs: None,
@@ -94,7 +95,6 @@ impl<'m, M: Mechanism<R>, R: Real, F: Formulation<R, M>, S> MechanismDynamics<'m
             watch: Watch::new(R::ZERO),
             last_pivot: R::ONE,
             before_trials: None,
-            memory_before_trials: memory,
         }
     }
 
@@ -109,8 +109,8 @@ impl<'m, M: Mechanism<R>, R: Real, F: Formulation<R, M>, S> MechanismDynamics<'m
     where
         S: InputSource<R, M>,
     {
-        match self.begun_with {
-            Some(inputs) if S::HELD => inputs,
+        match &self.begun_with {
+            Some(inputs) if S::HELD => inputs.clone(),
             _ => self.source.sample(time, state),
         }
     }
@@ -135,7 +135,7 @@ impl<'m, M: Mechanism<R>, R: Real, F: Formulation<R, M>, S> MechanismDynamics<'m
     where
         S: InputSource<R, M>,
     {
-        *self.inputs.get_or_insert_with(|| self.source.sample(time, state))
+        self.inputs.get_or_insert_with(|| self.source.sample(time, state)).clone()
     }
 
     /// The inputs at a stage: held ones are those of the step's beginning.
@@ -143,8 +143,8 @@ impl<'m, M: Mechanism<R>, R: Real, F: Formulation<R, M>, S> MechanismDynamics<'m
     where
         S: InputSource<R, M>,
     {
-        match self.inputs {
-            Some(inputs) if S::HELD => inputs,
+        match &self.inputs {
+            Some(inputs) if S::HELD => inputs.clone(),
             _ => self.source.sample(time, state),
         }
     }
@@ -156,9 +156,10 @@ impl<'m, M: Mechanism<R>, R: Real, F: Formulation<R, M>, S> MechanismDynamics<'m
         state: &StateOf<M, R>,
         inputs: &M::Inputs,
     ) -> (M::V, M::Lambda, R) {
-        let (mut memory, mut state) = (self.memory, *state);
-        let (mut a, mut lambda) = (M::V::zero(), M::Lambda::zero());
-        let (model, formulation) = (self.model, &self.formulation);
+        let model = self.model;
+        let (mut memory, mut state) = (self.memory.clone(), state.clone());
+        let (mut a, mut lambda) = (model.zero_v(), model.zero_lambda());
+        let formulation = &self.formulation;
         let found =
             formulation.acceleration(&mut memory, model, time, &mut state, inputs, &mut a, &mut lambda);
         (a, lambda, found.pivot)
@@ -179,9 +180,15 @@ impl<'m, M: Mechanism<R>, R: Real, F: Formulation<R, M>, S> MechanismDynamics<'m
         a: &mut M::V,
         lambda: &mut M::Lambda,
     ) -> Option<Evaluation<R>> {
+        let model = self.model;
         for part in OVER {
-            let mut further = *state;
-            retract(&M::LAYOUT, &state.q, &state.v.scaled(R::from_f64(part) * self.watch.h), &mut further.q);
+            let mut further = state.clone();
+            retract(
+                model.layout(),
+                &state.q,
+                &state.v.scaled(R::from_f64(part) * self.watch.h),
+                &mut further.q,
+            );
             let evaluation = self.formulation.acceleration(
                 &mut self.memory,
                 self.model,
@@ -214,17 +221,23 @@ where
 {
     type Variables = M;
 
+    #[inline(always)]
+    fn variables(&self) -> &M {
+        self.model
+    }
+
     #[inline]
     fn derivative(&mut self, time: R, state: &mut StateOf<M, R>) -> DerivativeOf<M, R> {
+        let model = self.model;
         // The inputs at the step's start were sampled when the step before ended.
-        let inputs = match self.inputs {
-            Some(inputs) if S::HELD || !self.watch.started => inputs,
+        let inputs = match &self.inputs {
+            Some(inputs) if S::HELD || !self.watch.started => inputs.clone(),
             _ => self.source.sample(time, state),
         };
         let first = !self.watch.started;
         self.watch.started = true;
-        let (mut a, mut lambda) = (M::V::zero(), M::Lambda::zero());
-        let (memory, model) = (&mut self.memory, self.model);
+        let (mut a, mut lambda) = (model.zero_v(), model.zero_lambda());
+        let memory = &mut self.memory;
         let mut evaluation =
             self.formulation.acceleration(memory, model, time, state, &inputs, &mut a, &mut lambda);
         // Written so that a NaN is seen.
@@ -239,13 +252,13 @@ where
         watch.smallest_pivot = evaluation.pivot.min(watch.smallest_pivot);
         watch.iterations += evaluation.iterations;
         watch.residual = watch.residual.max(evaluation.residual);
-        let mut z = M::Z::zero();
+        let mut z = M::Z::zeros(state.z.as_slice().len());
         model.internal_rates(time, state, &inputs, &a, &lambda, &mut z);
-        Derivative { v: state.v, a, z }
+        Derivative { v: state.v.clone(), a, z }
     }
 
     fn resume(&mut self) -> bool {
-        let holds = !S::HELD || size_of::<M::Inputs>() == 0;
+        let holds = !S::HELD || self.model.input_names().is_empty();
         if holds {
             self.watch.started = true;
             self.watch.first_pivot = self.last_pivot;
@@ -254,16 +267,17 @@ where
     }
 
     fn begin_trial(&mut self, size: R) {
-        let before = match self.before_trials {
-            Some(before) => before,
-            None => {
-                self.memory_before_trials = self.memory;
-                *self.before_trials.insert(self.watch)
-            }
-        };
-        // The work of trials given up is counted; what they saw is not part of the motion.
-        self.watch = Watch { h: size, iterations: self.watch.iterations, ..before };
-        self.memory = self.memory_before_trials;
+        if let Some(before) = &self.before_trials {
+            // The work of trials given up is counted; what they saw is not part of the motion.
+            let iterations = self.watch.iterations;
+            self.watch.clone_from(before);
+            self.watch.iterations = iterations;
+            self.memory.clone_from(&self.memory_before_trials);
+        } else {
+            self.before_trials = Some(self.watch.clone());
+            self.memory_before_trials.clone_from(&self.memory);
+        }
+        self.watch.h = size;
     }
 
     fn broke_down(&self) -> bool {
@@ -292,9 +306,9 @@ where
         if !evaluation.pivot.is_finite() && state.q.first_not_finite().is_none() {
             evaluation.pivot = R::ZERO;
         }
-        let stage = Stage { time, pivot: evaluation.pivot, state: *state };
-        if self.watch.worst.is_none_or(|worst| !R::any(stage.pivot.greater_equal(worst.pivot))) {
-            self.watch.worst = Some(stage);
+        let stage = Stage { time, pivot: evaluation.pivot, state: state.clone() };
+        if self.watch.worst.as_ref().is_none_or(|worst| !R::any(stage.pivot.greater_equal(worst.pivot))) {
+            self.watch.worst = Some(stage.clone());
         }
         if R::any(stage.pivot.greater_equal(R::BREAKDOWN)) {
             return;

@@ -71,9 +71,9 @@ impl<R: Real> Event<R> {
     }
 
     /// Output − level; NaN for a name that does not exist.
-    fn value<O: Fields<R>>(&self, outputs: &O) -> R {
+    fn value<O: Fields<R>>(&self, names: &[&str], outputs: &O) -> R {
         let values = outputs.to_array();
-        let value = index::<R, O>(self.output).and_then(|index| values.as_slice().get(index).copied());
+        let value = index(names, self.output).and_then(|index| values.as_slice().get(index).copied());
         value.map_or(R::from_f64(f64::NAN), |value| value - self.level)
     }
 }
@@ -104,21 +104,23 @@ impl<R> Occurrence<R> {
 /// The events of one run, checked.
 pub(super) struct Watched<'e, R> {
     events: &'e [Event<R>],
+    /// The names of the outputs.
+    names: &'static [&'static str],
     /// The least of their tolerances, s.
     pub tolerance: R,
 }
 
 impl<'e, R: Real> Watched<'e, R> {
     /// The first mistake in the events, if there is one.
-    pub fn new<O: Fields<R>>(events: &'e [Event<R>]) -> Result<Self, SimulationError> {
+    pub fn new(events: &'e [Event<R>], names: &'static [&'static str]) -> Result<Self, SimulationError> {
         if events.len() > MOST {
             let value = events.len() as f64;
             return Err(SettingError { what: "the number of events", value, must_be: "at most 64" }.into());
         }
         let mut least = None;
         for event in events {
-            if index::<R, O>(event.output).is_none() {
-                let (name, known) = (event.output, O::NAMES);
+            if index(names, event.output).is_none() {
+                let (name, known) = (event.output, names);
                 let nearest = nearest(name, known);
                 return Err(SimulationError::NoSuchOutput { name, known, nearest });
             }
@@ -129,7 +131,7 @@ impl<'e, R: Real> Watched<'e, R> {
             }
             least = Some(least.map_or(event.tolerance, |least| event.tolerance.min(least)));
         }
-        Ok(Watched { events, tolerance: least.unwrap_or(R::ONE) })
+        Ok(Watched { events, names, tolerance: least.unwrap_or(R::ONE) })
     }
 
     /// Whether an event lies between two times with these outputs.
@@ -153,7 +155,7 @@ impl<'e, R: Real> Watched<'e, R> {
     /// Index, linearly interpolated part of the time, and whether the output rose, of each event between.
     fn crossings<O: Fields<R>>(&self, before: &O, after: &O) -> impl Iterator<Item = (usize, R, bool)> {
         self.events.iter().enumerate().filter_map(|(index, event)| {
-            let (a, b) = (event.value(before), event.value(after));
+            let (a, b) = (event.value(self.names, before), event.value(self.names, after));
             // An output that begins at the level has crossed it already; one that ends there crosses now.
             let (rises, falls) = (a < R::ZERO && b >= R::ZERO, a > R::ZERO && b <= R::ZERO);
             let counts = match event.direction {
@@ -167,8 +169,8 @@ impl<'e, R: Real> Watched<'e, R> {
 }
 
 /// The index of an output.
-fn index<R: Real, O: Fields<R>>(name: &str) -> Option<usize> {
-    O::NAMES.iter().position(|known| *known == name)
+fn index(names: &[&str], name: &str) -> Option<usize> {
+    names.iter().position(|known| *known == name)
 }
 
 /// The known name with the fewest letters to change, add or leave out, if these are at most a third of the name's.

@@ -22,8 +22,8 @@ where
     type Bordered = M::Bordered;
     type Order = M::Order;
 
-    fn order() -> M::Order {
-        M::order()
+    fn order(&self) -> M::Order {
+        self.model.order()
     }
 
     fn residual(
@@ -34,25 +34,31 @@ where
         lambda: &M::Lambda,
         level: Level,
     ) -> M::Unknowns {
+        let model = self.model;
         let inputs = self.inputs_at(time, state);
         let State { q, v, .. } = state;
-        let (mut forces, mut rows) = (M::V::zero(), M::Lambda::zero());
+        let (mut forces, mut rows) = (model.zero_v(), model.zero_lambda());
         self.model.residual(time, state, &inputs, a, lambda, &mut forces);
         match level {
             Level::Position => self.model.constraints(time, q, &mut rows),
             Level::Velocity => {
-                let mut jacobian = M::Jacobian::zero();
+                let mut jacobian = model.zero_jacobian();
                 self.model.constraint_jacobian(time, q, &mut jacobian);
                 self.model.nu(time, q, &mut rows);
-                subtract_product(M::JACOBIAN_PATTERN, jacobian.as_slice(), v.as_slice(), rows.as_mut_slice());
+                subtract_product(
+                    model.jacobian_pattern(),
+                    jacobian.as_slice(),
+                    v.as_slice(),
+                    rows.as_mut_slice(),
+                );
                 rows = rows.scaled(-R::ONE);
             }
         }
         // Rows that repeat others have the multiplier zero.
-        for &row in M::IDLE {
+        for &row in model.idle() {
             put(rows.as_mut_slice(), row as usize, at(lambda.as_slice(), row as usize));
         }
-        let mut residual = M::Unknowns::zero();
+        let mut residual = model.zero_unknowns();
         let parts = forces.as_slice().iter().chain(rows.as_slice());
         residual.as_mut_slice().iter_mut().zip(parts).for_each(|(entry, &value)| *entry = value);
         residual
@@ -70,23 +76,24 @@ where
     ) {
         let inputs = self.inputs_at(time, state);
         let (model, State { q, v, .. }) = (self.model, state);
-        let (mut stiffness, mut damping) = (M::Stiffness::zero(), M::Damping::zero());
+        let (mut stiffness, mut damping) = (model.zero_stiffness(), model.zero_damping());
         model.tangent(time, state, &inputs, a, lambda, &mut stiffness, &mut damping);
-        let (mut mass, mut jacobian) = (M::Mass::zero(), M::Jacobian::zero());
+        let (mut mass, mut jacobian) = (model.zero_mass(), model.zero_jacobian());
         model.mass_matrix(time, q, &mut mass);
         model.constraint_jacobian(time, q, &mut jacobian);
-        let (n, size) = (M::V::LEN, M::Unknowns::LEN);
+        let (n, size) = (model.velocity_count(), model.unknown_count());
         let entries = matrix.as_mut_slice();
         entries.fill(R::ZERO);
         let mut add = |row: usize, column: usize, value: R| {
             let place = row * size + column;
             put(entries, place, at(entries, place) + value);
         };
-        let idle = |row: u16| M::IDLE.contains(&row);
-        let rows = || jacobian.as_slice().iter().zip(M::JACOBIAN_PATTERN).filter(|(_, (row, _))| !idle(*row));
+        let idle = |row: u16| model.idle().contains(&row);
+        let rows =
+            || jacobian.as_slice().iter().zip(model.jacobian_pattern()).filter(|(_, (row, _))| !idle(*row));
 
         // What depends on positions, by increments of positions.
-        for (&entry, &(row, column)) in stiffness.as_slice().iter().zip(M::STIFFNESS_PATTERN) {
+        for (&entry, &(row, column)) in stiffness.as_slice().iter().zip(model.stiffness_pattern()) {
             add(row as usize, column as usize, weights.stiffness * entry);
         }
         match weights.level {
@@ -96,28 +103,28 @@ where
                 }
             }
             Level::Velocity => {
-                let mut rate = M::RateTangent::zero();
+                let mut rate = model.zero_rate_tangent();
                 model.rate_tangent(time, q, v, &mut rate);
-                let rates = rate.as_slice().iter().zip(M::RATE_PATTERN);
+                let rates = rate.as_slice().iter().zip(model.rate_pattern());
                 for (&entry, &(row, column)) in rates.filter(|(_, (row, _))| !idle(*row)) {
                     add(n + row as usize, column as usize, weights.stiffness * entry);
                 }
             }
         }
-        turn_columns(&M::LAYOUT, u, entries, size);
+        turn_columns(model.layout(), u, entries, size);
 
         let mut add = |row: usize, column: usize, value: R| {
             let place = row * size + column;
             put(entries, place, at(entries, place) + value);
         };
-        for (&entry, &(row, column)) in mass.as_slice().iter().zip(M::MASS_PATTERN) {
+        for (&entry, &(row, column)) in mass.as_slice().iter().zip(model.mass_pattern()) {
             let (row, column) = (row as usize, column as usize);
             add(row, column, weights.mass * entry);
             if row != column {
                 add(column, row, weights.mass * entry);
             }
         }
-        for (&entry, &(row, column)) in damping.as_slice().iter().zip(M::DAMPING_PATTERN) {
+        for (&entry, &(row, column)) in damping.as_slice().iter().zip(model.damping_pattern()) {
             add(row as usize, column as usize, weights.damping * entry);
         }
         for (&entry, &(row, column)) in rows() {
@@ -127,17 +134,18 @@ where
                 add(row, column, weights.damping * entry);
             }
         }
-        for row in 0..M::Lambda::LEN {
+        for row in 0..model.row_count() {
             let own = if idle(row as u16) { R::ONE } else { -weights.compliance };
             add(n + row, n + row, own);
         }
     }
 
     fn rates(&mut self, time: R, State { q, v, .. }: &StateOf<M, R>) -> (M::Lambda, M::Lambda) {
-        let (mut nu, mut gamma) = (M::Lambda::zero(), M::Lambda::zero());
+        let model = self.model;
+        let (mut nu, mut gamma) = (model.zero_lambda(), model.zero_lambda());
         self.model.nu(time, q, &mut nu);
         self.model.gamma(time, q, v, &mut gamma);
-        for &row in M::IDLE {
+        for &row in model.idle() {
             put(nu.as_mut_slice(), row as usize, R::ZERO);
             put(gamma.as_mut_slice(), row as usize, R::ZERO);
         }
@@ -145,19 +153,23 @@ where
     }
 
     fn observe(&mut self, time: R, state: &StateOf<M, R>) {
-        if M::Lambda::LEN == 0 {
+        let model = self.model;
+        if model.row_count() == 0 {
             return;
         }
-        let pivot = self.model.factor(time, &state.q, R::ZERO, &mut M::store());
+        let pivot = self.model.factor(time, &state.q, R::ZERO, &mut model.store());
         (self.watch.first_pivot, self.watch.smallest_pivot) = (pivot, pivot);
         self.watch.observed = true;
-        self.watch.worst =
-            (!R::any(pivot.greater_equal(R::NEAR_SINGULAR))).then_some(Stage { time, pivot, state: *state });
+        self.watch.worst = (!R::any(pivot.greater_equal(R::NEAR_SINGULAR))).then(|| Stage {
+            time,
+            pivot,
+            state: state.clone(),
+        });
     }
 }
 
 /// Columns by increments of positions become columns by increments of u: for a quaternion turned by u, times dexp₋ᵤ.
-fn turn_columns<R: Real, V: Vector<R>>(layout: &crate::Layout, u: &V, entries: &mut [R], size: usize) {
+fn turn_columns<R: Real, V: Vector<R>>(layout: &crate::Layout<'_>, u: &V, entries: &mut [R], size: usize) {
     let first = layout.linear + layout.rotations;
     for ball in 0..layout.quaternions {
         let place = first + 3 * ball;

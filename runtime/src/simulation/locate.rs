@@ -15,7 +15,7 @@ use crate::real::Real;
 const TRIALS: u32 = 1000;
 
 /// All of a simulation that a step changes.
-#[derive(Clone, Copy)]
+#[derive(Clone)]
 struct Standing<Real, Run, Memory, Formulation, Inputs> {
     run: Run,
     memory: Memory,
@@ -63,7 +63,7 @@ where
         mut show: impl FnMut(&Sample<'m, R, M>),
     ) -> Result<Option<Occurrence<R>>, SimulationError> {
         let mut course = self.course_until(end)?;
-        let watched = Watched::new::<M::Outputs>(events)?;
+        let watched = Watched::new(events, self.model().output_names())?;
         let sample = self.sample();
         show(&sample);
         let mut before = sample.outputs;
@@ -72,7 +72,7 @@ where
             let size = self.advance_along(&mut course)?.size;
             let after = self.outputs_after(&before);
             let found = match watched.any(&before, &after) {
-                true => self.locate(&watched, begin, size, before, after)?,
+                true => self.locate(&watched, begin, size, before, after.clone())?,
                 false => None,
             };
             // After a search that found nothing the simulation stands at the step's end again.
@@ -97,8 +97,8 @@ where
         before: M::Outputs,
         after: M::Outputs,
     ) -> Result<Option<Occurrence<R>>, SimulationError> {
-        let mut base = (R::ZERO, before, begin);
-        let (mut low, mut high) = ((R::ZERO, before), (size, after));
+        let mut base = (R::ZERO, before.clone(), begin.clone());
+        let (mut low, mut high) = ((R::ZERO, before.clone()), (size, after));
         let mut found = self.standing();
         let tolerance = watched.tolerance.max(R::from_f64(4.0) * R::EPSILON * size);
         let mut search = Search::new(size, tolerance);
@@ -112,7 +112,7 @@ where
             }
             trials += 1;
             let at = search.next(low.0, high.0, part);
-            self.stand(base.2);
+            self.stand(base.2.clone());
             let step = at - base.0;
             let stepped = match self.advance_by(step, self.run.clock.after(step)) {
                 Ok(stepped) => stepped.size,
@@ -125,16 +125,16 @@ where
             let stopped = stepped != step;
             let reached = (if stopped { base.0 + stepped } else { at }, self.outputs_after(&before));
             if reached.0 <= low.0 {
-                low = (base.0, base.1);
+                low = (base.0, base.1.clone());
             }
             if watched.any(&low.1, &reached.1) {
                 high = reached;
                 found = self.standing();
             } else {
-                low = reached;
                 if stopped {
-                    base = (reached.0, reached.1, self.standing());
+                    base = (reached.0, reached.1.clone(), self.standing());
                 }
+                low = reached;
             }
         }
         self.stand(found);
@@ -143,20 +143,21 @@ where
 
     /// The outputs at the end of the last step, with the inputs held over it, continued from `previous`.
     fn outputs_after(&mut self, previous: &M::Outputs) -> M::Outputs {
-        let (time, state) = (self.time(), self.run.state);
+        let model = self.model();
+        let (time, state) = (self.time(), self.run.state.clone());
         let inputs = self.dynamics.inputs_within(time, &state);
         let mut outputs = self.model().outputs(time, &state, &inputs);
-        M::unwrap(&mut outputs, previous);
+        model.unwrap(&mut outputs, previous);
         outputs
     }
 
     fn standing(&self) -> StandingOf<M, R, F, M::Inputs, I> {
         Standing {
-            run: self.run,
-            memory: self.memory,
-            formulation: self.dynamics.memory,
-            inputs: self.dynamics.inputs,
-            begun_with: self.dynamics.begun_with,
+            run: self.run.clone(),
+            memory: self.memory.clone(),
+            formulation: self.dynamics.memory.clone(),
+            inputs: self.dynamics.inputs.clone(),
+            begun_with: self.dynamics.begun_with.clone(),
             last_pivot: self.dynamics.last_pivot,
         }
     }

@@ -93,14 +93,12 @@ struct Run<R: Real, M: Mechanism<R>> {
     start_checked: bool,
 }
 
-// Derived implementations would ask that the mechanism be `Copy`.
+// A derived implementation would ask that the mechanism be `Clone`.
 impl<R: Real, M: Mechanism<R>> Clone for Run<R, M> {
     fn clone(&self) -> Self {
-        *self
+        Run { state: self.state.clone(), outputs: self.outputs.clone(), ..*self }
     }
 }
-
-impl<R: Real, M: Mechanism<R>> Copy for Run<R, M> {}
 
 impl<'m, R: Real, M: Mechanism<R>> Simulation<'m, M, R> {
     /// A simulation of `model` from `start` at time zero, with [`LagrangeIndex1`] and [`Rk4`]; the step size is still
@@ -254,7 +252,7 @@ impl<'m, R: Real, M: Mechanism<R>, F: Formulation<R, M>, S, I: Method<R>> Simula
     where
         S: InputSource<R, M>,
     {
-        let (time, state) = (self.time(), self.run.state);
+        let (time, state) = (self.time(), self.run.state.clone());
         let inputs = self.dynamics.present_inputs(time, &state);
         self.sample_at(time, state, inputs)
     }
@@ -264,10 +262,10 @@ impl<'m, R: Real, M: Mechanism<R>, F: Formulation<R, M>, S, I: Method<R>> Simula
         let model = self.model();
         let mut outputs = model.outputs(time, &state, &inputs);
         match &self.run.outputs {
-            Some(previous) => M::unwrap(&mut outputs, previous),
+            Some(previous) => model.unwrap(&mut outputs, previous),
             None => model.unwrap_start(&mut outputs),
         }
-        self.run.outputs = Some(outputs);
+        self.run.outputs = Some(outputs.clone());
         Sample { time, state, inputs, outputs, model }
     }
 }
@@ -332,7 +330,7 @@ where
         for _ in 0..count {
             self.advance()?;
         }
-        Ok(self.run.state)
+        Ok(self.run.state.clone())
     }
 
     /// Steps for a duration (s), without samples; the last step is what is left of it. Returns the state there.
@@ -374,7 +372,7 @@ where
         while self.is_under_way(&course) {
             self.advance_along(&mut course)?;
         }
-        Ok(self.run.state)
+        Ok(self.run.state.clone())
     }
 
     /// Steps until `end` (s) and shows a sample at the start and after each step; the last step is what is left
@@ -397,7 +395,7 @@ where
             self.advance_along(&mut course)?;
             show(&self.sample());
         }
-        Ok(self.run.state)
+        Ok(self.run.state.clone())
     }
 
     /// As [`run_until`](Simulation::run_until), as an iterator; it ends at `end` or after the first error.

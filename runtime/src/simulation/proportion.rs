@@ -92,7 +92,8 @@ impl<'m, R: Real, M: Assemble<R>, F: Formulation<R, M>, S, I: Method<R>> Simulat
     where
         S: InputSource<R, M>,
     {
-        if M::Lambda::LEN == 0 {
+        let model = self.model();
+        if model.row_count() == 0 {
             return Ok(());
         }
         let Proportion { fastest, unseen, .. } = self.run.proportion;
@@ -174,7 +175,7 @@ impl<'m, R: Real, M: Assemble<R>, F: Formulation<R, M>, S, I: Method<R>> Simulat
         }
         let (model, state) = (self.dynamics.model, &self.run.state);
         let power = |time, state: &StateOf<M, R>, inputs: &M::Inputs| {
-            let mut forces = M::V::zero();
+            let mut forces = model.zero_v();
             model.forces(time, state, inputs, &mut forces);
             dot(forces.as_slice(), state.v.as_slice())
         };
@@ -225,27 +226,27 @@ impl<'m, R: Real, M: Assemble<R>, F: Formulation<R, M>, S, I: Method<R>> Simulat
         let q = &state.q;
         // Constraints as soft as the masses are heavy: what they take off the loads is at most what rigid ones do, and nothing is
         // divided by what vanishes at singular positions.
-        let (compliance, mut store) = (R::ONE / largest_mass(model, begin, q), M::store());
+        let (compliance, mut store) = (R::ONE / largest_mass(model, begin, q), model.store());
         model.factor(begin, q, compliance, &mut store);
         let solved = |forces: &M::V, rows: &M::Lambda| {
-            let mut x = M::V::zero();
-            model.solve(&store, forces, rows, &mut x, &mut M::Lambda::zero());
+            let mut x = model.zero_v();
+            model.solve(&store, forces, rows, &mut x, &mut model.zero_lambda());
             x
         };
         let half = R::from_f64(0.5);
-        let there = State { v: state.v, ..*next };
+        let there = State { v: state.v.clone(), ..next.clone() };
         let pushed = [(begin, state, first), (end, &there, last)].map(|(time, state, inputs)| {
-            let mut forces = M::V::zero();
+            let mut forces = model.zero_v();
             model.forces(time, state, inputs, &mut forces);
-            let work = dot(forces.as_slice(), solved(&forces, &M::Lambda::zero()).as_slice());
+            let work = dot(forces.as_slice(), solved(&forces, &model.zero_lambda()).as_slice());
             h * (half * work.max(R::ZERO)).sqrt()
         });
-        let (mut nu, mut phi) = (M::Lambda::zero(), M::Lambda::zero());
+        let (mut nu, mut phi) = (model.zero_lambda(), model.zero_lambda());
         model.nu(end, q, &mut nu);
         model.constraints(end, q, &mut phi);
         // Twice, because soft constraints are followed by half.
         let prescribed = [nu, phi.scaled(R::ONE / h)].map(|rows| {
-            let velocity = solved(&M::V::zero(), &rows);
+            let velocity = solved(&model.zero_v(), &rows);
             model.kinetic_energy(begin, q, &velocity.scaled(R::from_f64(2.0))).max(R::ZERO).sqrt()
         });
         let [prescribed, taken_back] = prescribed;
@@ -280,14 +281,14 @@ struct Exchange<'s, R: Real, M: Assemble<R>> {
 /// as soft as a penalty makes them keep it finite at singular positions, and too small there rather than too large.
 fn energy_off<R: Real, M: Assemble<R>>(model: &M, (time, State { q, v, .. }): At<'_, R, M>) -> R {
     let Penalty { alpha, .. } = Penalty::for_model(model, time, q, R::ONE);
-    let mut store = M::store();
+    let mut store = model.store();
     model.factor(time, q, R::ONE / alpha, &mut store);
-    let (mut rates, mut jacobian) = (M::Lambda::zero(), M::Jacobian::zero());
+    let (mut rates, mut jacobian) = (model.zero_lambda(), model.zero_jacobian());
     model.nu(time, q, &mut rates);
     model.constraint_jacobian(time, q, &mut jacobian);
-    subtract_product(M::JACOBIAN_PATTERN, jacobian.as_slice(), v.as_slice(), rates.as_mut_slice());
-    let (mut x, mut lambda) = (M::V::zero(), M::Lambda::zero());
-    model.solve(&store, &M::V::zero(), &rates, &mut x, &mut lambda);
+    subtract_product(model.jacobian_pattern(), jacobian.as_slice(), v.as_slice(), rates.as_mut_slice());
+    let (mut x, mut lambda) = (model.zero_v(), model.zero_lambda());
+    model.solve(&store, &model.zero_v(), &rates, &mut x, &mut lambda);
     let off = R::from_f64(-0.5) * dot(rates.as_slice(), lambda.as_slice());
     let whole = model.kinetic_energy(time, q, v).max(R::ZERO);
     off.max(R::ZERO).min(whole)
@@ -307,14 +308,14 @@ fn furthest<R: Real, M: Assemble<R>>(
     (time, State { q, v, .. }): At<'_, R, M>,
     speed: R,
 ) -> (Option<Off<R>>, Option<(Row, R)>) {
-    let (mut phi, mut rates) = (M::Lambda::zero(), M::Lambda::zero());
-    let (mut jacobian, mut levers) = (M::Jacobian::zero(), M::Lambda::zero());
+    let (mut phi, mut rates) = (model.zero_lambda(), model.zero_lambda());
+    let (mut jacobian, mut levers) = (model.zero_jacobian(), model.zero_lambda());
     model.constraints(time, q, &mut phi);
     model.nu(time, q, &mut rates);
-    let nu = rates;
+    let nu = rates.clone();
     model.constraint_jacobian(time, q, &mut jacobian);
-    let mut sizes = M::Lambda::zero();
-    for (&entry, &(row, column)) in jacobian.as_slice().iter().zip(M::JACOBIAN_PATTERN) {
+    let mut sizes = model.zero_lambda();
+    for (&entry, &(row, column)) in jacobian.as_slice().iter().zip(model.jacobian_pattern()) {
         let (row, velocity) = (usize::from(row), v.as_slice().get(usize::from(column)));
         if let (Some(rate), Some(size), Some(&velocity)) =
             (rates.as_mut_slice().get_mut(row), sizes.as_mut_slice().get_mut(row), velocity)
@@ -325,14 +326,14 @@ fn furthest<R: Real, M: Assemble<R>>(
     }
     add_levers(model, time, q, &mut levers);
     let mut position: Option<Off<R>> = None;
-    for ((&row, &residual), &lever) in M::ROWS.iter().zip(phi.as_slice()).zip(levers.as_slice()) {
+    for ((&row, &residual), &lever) in model.rows().iter().zip(phi.as_slice()).zip(levers.as_slice()) {
         let turn = residual.abs() / lever;
         if lever > R::ZERO && position.as_ref().is_none_or(|off| !R::any(turn.less_equal(off.turn))) {
             position = Some(Off { row, residual, turn });
         }
     }
     let terms = rates.as_slice().iter().zip(nu.as_slice()).zip(sizes.as_slice());
-    let velocity = M::ROWS.iter().zip(terms).find_map(|(&row, ((&rate, &nu), &size))| {
+    let velocity = model.rows().iter().zip(terms).find_map(|(&row, ((&rate, &nu), &size))| {
         let accounted = size * speed + nu.abs();
         (!R::any(rate.abs().less_equal(accounted))).then_some((row, rate))
     });
@@ -342,11 +343,11 @@ fn furthest<R: Real, M: Assemble<R>>(
 /// The largest entry of each row of D in the column of a turn, at this position and a few that are turned from it: the lever arms
 /// of the row, which do not vanish with it.
 fn add_levers<R: Real, M: Assemble<R>>(model: &M, time: R, q: &M::Q, levers: &mut M::Lambda) {
-    let turns = M::LAYOUT.linear;
+    let turns = model.layout().linear;
     for part in 0..3 {
-        let mut jacobian = M::Jacobian::zero();
-        model.constraint_jacobian(time, &turned::<R, M>(q, part), &mut jacobian);
-        for (&entry, &(row, column)) in jacobian.as_slice().iter().zip(M::JACOBIAN_PATTERN) {
+        let mut jacobian = model.zero_jacobian();
+        model.constraint_jacobian(time, &turned(model, q, part), &mut jacobian);
+        for (&entry, &(row, column)) in jacobian.as_slice().iter().zip(model.jacobian_pattern()) {
             if usize::from(column) >= turns
                 && let Some(lever) = levers.as_mut_slice().get_mut(usize::from(row))
             {

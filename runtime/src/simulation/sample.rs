@@ -63,13 +63,18 @@ pub struct Residual<R = f64> {
 impl<R: Real> Residual<R> {
     /// The residual of `state` at `time`; zero for a mechanism without constraints.
     pub fn of<M: Mechanism<R>>(model: &M, time: R, state: &StateOf<M, R>) -> Self {
-        let (mut phi, mut rate) = (M::Lambda::zero(), M::Lambda::zero());
-        let mut jacobian = M::Jacobian::zero();
+        let (mut phi, mut rate) = (model.zero_lambda(), model.zero_lambda());
+        let mut jacobian = model.zero_jacobian();
         model.constraints(time, &state.q, &mut phi);
         model.constraint_jacobian(time, &state.q, &mut jacobian);
         model.nu(time, &state.q, &mut rate);
-        subtract_product(M::JACOBIAN_PATTERN, jacobian.as_slice(), state.v.as_slice(), rate.as_mut_slice());
-        let rows = R::from_f64(M::Lambda::LEN.max(1) as f64);
+        subtract_product(
+            model.jacobian_pattern(),
+            jacobian.as_slice(),
+            state.v.as_slice(),
+            rate.as_mut_slice(),
+        );
+        let rows = R::from_f64(model.row_count().max(1) as f64);
         let rms = |rows_of: &M::Lambda| (rows_of.norm_squared() / rows).sqrt();
         Residual {
             position: phi.max_abs(),

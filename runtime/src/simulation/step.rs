@@ -67,8 +67,9 @@ where
     /// One step of size `h`, after which the clock shows `clock`; an error leaves everything as it was.
     #[inline]
     pub(super) fn advance_by(&mut self, h: R, clock: Clock<R>) -> Result<Step<R>, SimulationError> {
+        let model = self.model();
         if !self.run.start_checked {
-            if let Some(what) = not_finite::<R, M>(&self.run.state) {
+            if let Some(what) = not_finite(model, &self.run.state) {
                 return Err(SimulationError::NonFinite { time: self.time().to_f64(), what });
             }
             self.check_orientations()?;
@@ -78,14 +79,15 @@ where
             self.begin_proportion();
             self.run.start_checked = true;
         }
-        let (time, begin) = (self.time(), self.run.state);
-        let inputs = self.dynamics.present_inputs(time, &begin);
-        let kept = (self.dynamics.memory, self.dynamics.last_pivot, self.run.passage);
-        let mut memory = self.memory;
-        let (step, next, clock) = match self.attempt(&mut memory, h, clock, &inputs) {
+        let time = self.time();
+        let inputs = self.dynamics.present_inputs(time, &self.run.state);
+        let kept = (self.dynamics.memory.clone(), self.dynamics.last_pivot, self.run.passage);
+        let memory = self.memory.clone();
+        let (step, next, clock) = match self.attempt(h, clock, &inputs) {
             Ok(taken) => taken,
             Err(error) => {
                 (self.dynamics.memory, self.dynamics.last_pivot, self.run.passage) = kept;
+                self.memory = memory;
                 return Err(error);
             }
         };
@@ -98,28 +100,28 @@ where
         }
         run.state = next;
         run.clock = clock;
-        self.memory = memory;
         self.dynamics.inputs = None;
         self.dynamics.begun_with = Some(inputs);
         Ok(step)
     }
 
-    /// The step, its end and the clock there; what formulation and watch remember is changed even where it fails.
+    /// The step, its end and the clock there; what methods and watch remember is changed even where it fails.
     #[inline]
     #[allow(clippy::type_complexity)]
     fn attempt(
         &mut self,
-        memory: &mut I::Memory<M>,
         h: R,
         clock: Clock<R>,
         inputs: &M::Inputs,
     ) -> Result<(Step<R>, StateOf<M, R>, Clock<R>), SimulationError> {
-        let (time, begin) = (self.time(), self.run.state);
+        let model = self.model();
+        let time = self.time();
         self.dynamics.begin(h);
-        let stepped = match self.integrator.step(memory, &mut self.dynamics, time, h, &begin) {
-            Ok(stepped) => stepped,
-            Err(failure) => return Err(self.diagnose_failure(time, failure, inputs)),
-        };
+        let stepped =
+            match self.integrator.step(&mut self.memory, &mut self.dynamics, time, h, &self.run.state) {
+                Ok(stepped) => stepped,
+                Err(failure) => return Err(self.diagnose_failure(time, failure, inputs)),
+            };
         if let Some(failure) = &self.dynamics.watch.failure {
             return Err(self.diagnose(failure, inputs));
         }
@@ -132,18 +134,18 @@ where
                 return Err(SimulationError::StepUnderflow { time, step, rejections });
             }
         };
-        let mut next = stepped.state;
+        let mut next = stepped.state.clone();
         let settled = match self.dynamics.settle(clock.time(), &mut next) {
             Ok(settled) => settled,
             Err(error) => {
-                return Err(match not_finite::<R, M>(&stepped.state) {
+                return Err(match not_finite(model, &stepped.state) {
                     Some(what) => self.diagnose_not_finite(time, clock.time(), what),
                     None => SimulationError::Projection { time: clock.time().to_f64(), error },
                 });
             }
         };
         // Once for both: what brings a state to the constraints divides, too.
-        if let Some(what) = not_finite::<R, M>(&next) {
+        if let Some(what) = not_finite(model, &next) {
             return Err(self.diagnose_not_finite(time, clock.time(), what));
         }
         let (reciprocal_condition, near_singular) =
@@ -176,7 +178,8 @@ where
         (begin, size): (R, R),
         (time, next): (R, &StateOf<M, R>),
     ) -> (R, Option<NearSingular<R>>) {
-        if M::Lambda::LEN == 0 {
+        let model = self.model();
+        if model.row_count() == 0 {
             return (R::ONE, None);
         }
         let watch = &self.dynamics.watch;
@@ -199,7 +202,7 @@ where
             let condition = self.condition(time, &next.q);
             (size, condition, condition)
         };
-        let worst = watch.worst.filter(|_| estimates);
+        let worst = watch.worst.as_ref().filter(|_| estimates);
         let mut began = None;
         if !estimates && self.run.passage.is_new() {
             // Of the steps that are near a parabola takes also the one before.
@@ -235,11 +238,13 @@ where
     /// Why the integrator took no step.
     #[cold]
     fn diagnose_failure(&self, begin: R, failure: StepFailure<R>, inputs: &M::Inputs) -> SimulationError {
+        let model = self.model();
         let time = begin.to_f64();
         match failure {
             StepFailure::Breakdown => {
                 // Without a failure on record the pivots were good and the accelerations not finite.
-                let unknown = Stage { time: begin, pivot: R::from_f64(f64::NAN), state: self.run.state };
+                let unknown =
+                    Stage { time: begin, pivot: R::from_f64(f64::NAN), state: self.run.state.clone() };
                 self.diagnose(self.dynamics.watch.failure.as_ref().unwrap_or(&unknown), inputs)
             }
             StepFailure::Underflow { size, rejections } => {
@@ -247,7 +252,7 @@ where
             }
             StepFailure::Singular { .. } => {
                 let row = tabled::weakest_row(self.model(), self.time(), &self.run.state.q);
-                SimulationError::Breakdown { time, pivot: 0.0, row: name_row::<R, M>(row) }
+                SimulationError::Breakdown { time, pivot: 0.0, row: name_row(model, row) }
             }
             StepFailure::NoConvergence { iterations, residual } => {
                 SimulationError::NoConvergence { time, iterations, residual: residual.to_f64() }
@@ -258,12 +263,13 @@ where
     /// The start's pairs and quaternions must have length 1: equations take it for granted, and motion only keeps it.
     #[cold]
     fn check_orientations(&self) -> Result<(), SimulationError> {
+        let model = self.model();
         let tolerance = R::from_f64(INCONSISTENT).max(R::EPSILON.sqrt());
-        match first_not_unit(&M::LAYOUT, &self.run.state.q, tolerance) {
+        match first_not_unit(model.layout(), &self.run.state.q, tolerance) {
             None => Ok(()),
             Some((first, length)) => Err(SimulationError::NotNormalised {
                 time: self.time().to_f64(),
-                what: position_name::<R, M>(first),
+                what: position_name(model, first),
                 length: length.to_f64(),
             }),
         }
@@ -274,10 +280,10 @@ where
     #[cold]
     fn check_start(&self) -> Result<(), SimulationError> {
         let (model, time, state) = (self.model(), self.time(), &self.run.state);
-        let mut phi = M::Lambda::zero();
+        let mut phi = model.zero_lambda();
         model.constraints(time, &state.q, &mut phi);
         let residual = Residual::of(model, time, state);
-        let counted = state.q.as_slice().len() - 2 * M::LAYOUT.angles.len();
+        let counted = state.q.as_slice().len() - 2 * model.layout().angles.len();
         let plain = state.q.as_slice()[..counted].iter().fold(R::ONE, |largest, x| largest.max(x.abs()));
         let tolerance = R::from_f64(INCONSISTENT).max(R::EPSILON.sqrt());
         let off = residual.position > tolerance * plain * plain;
@@ -285,13 +291,13 @@ where
         if !off && !fast {
             return Ok(());
         }
-        let rows = phi.as_slice().iter().zip(M::ROWS);
+        let rows = phi.as_slice().iter().zip(model.rows());
         let worst = rows.fold((R::ZERO, None), |worst, (value, row)| {
             if value.abs() > worst.0 || worst.1.is_none() { (value.abs(), Some(*row)) } else { worst }
         });
         Err(SimulationError::Inconsistent {
             time: time.to_f64(),
-            row: worst.1.unwrap_or_else(|| name_row::<R, M>(None)),
+            row: worst.1.unwrap_or_else(|| name_row(model, None)),
             position: residual.position.to_f64(),
             velocity: residual.velocity.to_f64(),
         })
@@ -306,7 +312,7 @@ impl<'m, R: Real, M: Assemble<R>, F: Formulation<R, M>, S, I: Method<R>> Simulat
         S: InputSource<R, M>,
     {
         self.dynamics.formulation.check()?;
-        let (time, state) = (self.time(), self.run.state);
+        let (time, state) = (self.time(), self.run.state.clone());
         let inputs = self.dynamics.present_inputs(time, &state);
         let (a, lambda, pivot) = self.dynamics.evaluate(time, &state, &inputs);
         let finite = a.first_not_finite().is_none() && lambda.first_not_finite().is_none();
@@ -322,11 +328,12 @@ impl<'m, R: Real, M: Assemble<R>, F: Formulation<R, M>, S, I: Method<R>> Simulat
     /// A state without numbers: the joint, if the step began where the constraints lose rank, else the coordinate.
     #[cold]
     fn diagnose_not_finite(&self, begin: R, end: R, what: &'static str) -> SimulationError {
+        let model = self.model();
         let (pivot, row) = smallest_pivot(self.model(), begin, &self.run.state.q);
         match row {
             Some(_) if pivot < R::BREAKDOWN => {
                 let (time, pivot) = (begin.to_f64(), pivot.to_f64());
-                SimulationError::Breakdown { time, pivot, row: name_row::<R, M>(row) }
+                SimulationError::Breakdown { time, pivot, row: name_row(model, row) }
             }
             _ => SimulationError::NonFinite { time: end.to_f64(), what },
         }
@@ -339,23 +346,23 @@ impl<'m, R: Real, M: Assemble<R>, F: Formulation<R, M>, S, I: Method<R>> Simulat
         let model = self.model();
         let Stage { time: stage, pivot, state } = failure;
         let (time, pivot) = (stage.to_f64(), pivot.to_f64());
-        if let Some(what) = not_finite::<R, M>(state) {
+        if let Some(what) = not_finite(model, state) {
             return SimulationError::NonFinite { time, what };
         }
         if pivot.is_nan() {
             let (a, lambda, _) = self.dynamics.evaluate(*stage, state, inputs);
-            let velocity = a.first_not_finite().and_then(|i| M::VELOCITY_NAMES.get(i)).copied();
-            let row = || lambda.first_not_finite().and_then(|i| M::ROWS.get(i)).map(|row| row.of);
-            return SimulationError::NonFinite { time, what: velocity.or_else(row).unwrap_or(M::NAME) };
+            let velocity = a.first_not_finite().and_then(|i| model.velocity_names().get(i)).copied();
+            let row = || lambda.first_not_finite().and_then(|i| model.rows().get(i)).map(|row| row.of);
+            return SimulationError::NonFinite { time, what: velocity.or_else(row).unwrap_or(model.name()) };
         }
         let (constraints, row) = smallest_pivot(model, *stage, &state.q);
         if constraints > R::from_f64(WELL_POSED)
             && let Some(velocity) = singular_velocity(model, *stage, &state.q)
         {
-            let velocity = M::VELOCITY_NAMES.get(velocity).copied().unwrap_or(M::NAME);
+            let velocity = model.velocity_names().get(velocity).copied().unwrap_or(model.name());
             return SimulationError::SingularMass { time, pivot, velocity };
         }
-        SimulationError::Breakdown { time, pivot, row: name_row::<R, M>(row) }
+        SimulationError::Breakdown { time, pivot, row: name_row(model, row) }
     }
 }
 
@@ -368,19 +375,19 @@ pub(super) fn name_singularity<R: Real, M: Assemble<R>>(
     q: &M::Q,
 ) -> NearSingular<R> {
     let row = tabled::weakest_row(model, time, q);
-    NearSingular { time, row: name_row::<R, M>(row), reciprocal_condition }
+    NearSingular { time, row: name_row(model, row), reciprocal_condition }
 }
 
 /// The name of the first coordinate, velocity or internal state that is infinite or NaN.
 #[inline]
-fn not_finite<R: Real, M: Mechanism<R>>(state: &StateOf<M, R>) -> Option<&'static str> {
-    let name = |names: &[&'static str], i: usize| names.get(i).copied().unwrap_or(M::NAME);
-    let in_q = state.q.first_not_finite().map(position_name::<R, M>);
-    let in_v = || state.v.first_not_finite().map(|i| name(M::VELOCITY_NAMES, i));
-    let in_z = || state.z.first_not_finite().map(|i| name(M::INTERNAL_NAMES, i));
+fn not_finite<R: Real, M: Mechanism<R>>(model: &M, state: &StateOf<M, R>) -> Option<&'static str> {
+    let name = |names: &[&'static str], i: usize| names.get(i).copied().unwrap_or(model.name());
+    let in_q = state.q.first_not_finite().map(|i| position_name(model, i));
+    let in_v = || state.v.first_not_finite().map(|i| name(model.velocity_names(), i));
+    let in_z = || state.z.first_not_finite().map(|i| name(model.internal_names(), i));
     in_q.or_else(in_v).or_else(in_z)
 }
 
-fn position_name<R: Real, M: Mechanism<R>>(index: usize) -> &'static str {
-    M::POSITION_NAMES.get(index).copied().unwrap_or(M::NAME)
+fn position_name<R: Real, M: Mechanism<R>>(model: &M, index: usize) -> &'static str {
+    model.position_names().get(index).copied().unwrap_or(model.name())
 }

@@ -68,7 +68,9 @@ struct Free {
 }
 
 impl Variables<f64> for Free {
-    const LAYOUT: Layout = Layout { linear: 1, rotations: 0, quaternions: 0, angles: &[] };
+    fn layout(&self) -> &Layout<'_> {
+        &Layout { linear: 1, rotations: 0, quaternions: 0, angles: &[] }
+    }
     type Q = [f64; 1];
     type V = [f64; 1];
     type Z = ();
@@ -78,6 +80,10 @@ impl Variables<f64> for Free {
 
 impl Dynamics<f64> for Free {
     type Variables = Self;
+
+    fn variables(&self) -> &Self {
+        self
+    }
 
     fn derivative(&mut self, _time: f64, state: &mut State<[f64; 1], [f64; 1]>) -> Derivative<[f64; 1]> {
         self.evaluations += 1;

@@ -38,7 +38,9 @@ const Y: [f64; 3] = [0.0, 1.0, 0.0];
 const Z: [f64; 3] = [0.0, 0.0, 1.0];
 
 impl Variables<f64> for Bracket {
-    const LAYOUT: Layout = Layout { linear: 3, rotations: 0, quaternions: 1, angles: &[] };
+    fn layout(&self) -> &Layout<'_> {
+        &Layout { linear: 3, rotations: 0, quaternions: 1, angles: &[] }
+    }
     type Q = [f64; 7];
     type V = [f64; 6];
     type Z = ();
@@ -47,29 +49,39 @@ impl Variables<f64> for Bracket {
 }
 
 impl Mechanism<f64> for Bracket {
-    const NAME: &'static str = "Bracket";
-    const ROWS: &'static [Row] = &[
-        Row { of: "weld", what: "x" },
-        Row { of: "weld", what: "y" },
-        Row { of: "weld", what: "z" },
-        Row { of: "weld", what: "axis_1" },
-        Row { of: "weld", what: "axis_2" },
-        Row { of: "weld", what: "angle" },
-    ];
-    const POSITION_NAMES: &'static [&'static str] = &[
-        "body.x",
-        "body.y",
-        "body.z",
-        "body.orientation.w",
-        "body.orientation.x",
-        "body.orientation.y",
-        "body.orientation.z",
-    ];
-    const VELOCITY_NAMES: &'static [&'static str] =
-        &["body.vx", "body.vy", "body.vz", "body.rate.x", "body.rate.y", "body.rate.z"];
-    const MASS_PATTERN: &'static [(u16, u16)] = &[(0, 0), (1, 1), (2, 2), (3, 3), (4, 4), (5, 5)];
-    const JACOBIAN_PATTERN: &'static [(u16, u16)] =
-        &[(0, 0), (1, 1), (2, 2), (3, 3), (3, 4), (3, 5), (4, 3), (4, 4), (4, 5), (5, 3), (5, 4), (5, 5)];
+    fn name(&self) -> &'static str {
+        "Bracket"
+    }
+    fn rows(&self) -> &[Row] {
+        &[
+            Row { of: "weld", what: "x" },
+            Row { of: "weld", what: "y" },
+            Row { of: "weld", what: "z" },
+            Row { of: "weld", what: "axis_1" },
+            Row { of: "weld", what: "axis_2" },
+            Row { of: "weld", what: "angle" },
+        ]
+    }
+    fn position_names(&self) -> &[&'static str] {
+        &[
+            "body.x",
+            "body.y",
+            "body.z",
+            "body.orientation.w",
+            "body.orientation.x",
+            "body.orientation.y",
+            "body.orientation.z",
+        ]
+    }
+    fn velocity_names(&self) -> &[&'static str] {
+        &["body.vx", "body.vy", "body.vz", "body.rate.x", "body.rate.y", "body.rate.z"]
+    }
+    fn mass_pattern(&self) -> &[(u16, u16)] {
+        &[(0, 0), (1, 1), (2, 2), (3, 3), (4, 4), (5, 5)]
+    }
+    fn jacobian_pattern(&self) -> &[(u16, u16)] {
+        &[(0, 0), (1, 1), (2, 2), (3, 3), (3, 4), (3, 5), (4, 3), (4, 4), (4, 5), (5, 3), (5, 4), (5, 5)]
+    }
     type Mass = [f64; 6];
     type Jacobian = [f64; 12];
     type Inputs = ();
@@ -140,24 +152,56 @@ impl Mechanism<f64> for Bracket {
         self.forces(time, state, u, &mut forces);
         equations_of_motion(self, time, q, &forces, &gamma, a, lambda)
     }
+    fn input_names(&self) -> &'static [&'static str] {
+        &[]
+    }
+    fn output_names(&self) -> &'static [&'static str] {
+        &[]
+    }
+    fn internal_rates(
+        &self,
+        _time: f64,
+        _state: &State<[f64; 7], [f64; 6]>,
+        _u: &(),
+        _a: &[f64; 6],
+        _lambda: &[f64; 6],
+        _rates: &mut (),
+    ) {
+    }
     fn outputs(&self, _time: f64, _state: &State<[f64; 7], [f64; 6]>, _u: &()) {}
-    fn unwrap(_outputs: &mut (), _previous: &()) {}
+    fn unwrap(&self, _outputs: &mut (), _previous: &()) {}
 }
 
 impl Assemble<f64> for Bracket {
-    const CONDITIONS: &'static [Condition] = &[];
-    const START_CONDITIONS: &'static [u16] = &[];
-    const START_RATES: &'static [u16] = &[];
-    const INDEPENDENT: &'static [u16] = &[];
-    const CONDITION_PATTERN: &'static [(u16, u16)] = &[];
-    const FLIPS: &'static [Flips] = &[Flips { axes: Some([3, 4]), turns: &[5] }];
-    const ROW_SIZES: &'static [f64] = &[1.0; 6];
-    const ELIMINATION: Elimination = Elimination {
-        order: &natural::<12>(),
-        position: &natural::<12>(),
-        row_start: &full_row_start::<13>(),
-        columns: &full_columns::<12, 66>(),
-    };
+    fn conditions(&self) -> &[Condition] {
+        &[]
+    }
+    fn start_conditions(&self) -> &[u16] {
+        &[]
+    }
+    fn start_rates(&self) -> &[u16] {
+        &[]
+    }
+    fn independent(&self) -> &[u16] {
+        &[]
+    }
+    fn condition_pattern(&self) -> &[(u16, u16)] {
+        &[]
+    }
+    fn flips(&self) -> &[Flips<'_>] {
+        &[Flips { axes: Some([3, 4]), turns: &[5] }]
+    }
+    fn row_sizes(&self) -> &[f64] {
+        &[1.0; 6]
+    }
+    fn elimination(&self) -> Elimination<'_> {
+        Elimination {
+            order: const { &natural::<12>() },
+            position: const { &natural::<12>() },
+            row_start: const { &full_row_start::<13>() },
+            columns: const { &full_columns::<12, 66>() },
+        }
+    }
     type Conditions = [f64; 0];
     type ConditionJacobian = [f64; 0];
     type Factor = [f64; 66];
@@ -169,12 +213,12 @@ impl Assemble<f64> for Bracket {
     type Store = tabled::Store<f64, Self>;
     type Lu = ();
 
-    fn choice() -> [u16; 6] {
+    fn choice(&self) -> [u16; 6] {
         [0; 6]
     }
-    fn lu() {}
-    fn store() -> Self::Store {
-        tabled::store::<f64, Self>()
+    fn lu(&self) {}
+    fn store(&self) -> Self::Store {
+        tabled::store(self)
     }
     fn row_scales(&self, scales: &mut [f64; 6]) {
         let turned: f64 = self.inertia.iter().map(|inertia| 1.0 / inertia).sum();
@@ -182,7 +226,7 @@ impl Assemble<f64> for Bracket {
         *scales = [moved, moved, self.weight * self.weight * moved, turned, turned, turned];
     }
     fn factor(&self, time: f64, q: &Self::Q, compliance: f64, store: &mut Self::Store) -> f64 {
-        tabled::factor::<f64, Self>(self, time, q, compliance, store)
+        tabled::factor(self, time, q, compliance, store)
     }
     fn solve(
         &self,
@@ -192,7 +236,7 @@ impl Assemble<f64> for Bracket {
         a: &mut Self::V,
         lambda: &mut Self::Lambda,
     ) {
-        tabled::solve::<f64, Self>(store, forces, rows, a, lambda);
+        tabled::solve(self, store, forces, rows, a, lambda);
     }
 
     fn condition_residual(&self, _time: f64, _q: &[f64; 7], _target: &[f64; 0], _residual: &mut [f64; 0]) {}
@@ -205,10 +249,12 @@ impl Assemble<f64> for Bracket {
         *cosines = [1.0, 1.0, 1.0, dot(z1, Z), dot(z1, Z), dot(y1, Y)];
     }
     fn start_targets(&self, _positions: &mut [f64; 0], _rates: &mut [f64; 0]) {}
-    fn start_q() -> [f64; 7] {
+    fn start_q(&self) -> [f64; 7] {
         [0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0]
     }
-    fn start_v() -> [f64; 6] {
+    fn start_v(&self) -> [f64; 6] {
         [0.0; 6]
     }
+    fn start_internal(&self) {}
+    fn start_gates(&self) {}
 }

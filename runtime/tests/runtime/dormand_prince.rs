@@ -21,7 +21,9 @@ struct Line<F> {
 }
 
 impl<F: Fn(f64, f64, f64) -> f64> Variables<f64> for Line<F> {
-    const LAYOUT: Layout = FREE;
+    fn layout(&self) -> &Layout<'_> {
+        &FREE
+    }
     type Q = [f64; 1];
     type V = [f64; 1];
     type Z = ();
@@ -31,6 +33,10 @@ impl<F: Fn(f64, f64, f64) -> f64> Variables<f64> for Line<F> {
 
 impl<F: Fn(f64, f64, f64) -> f64> Dynamics<f64> for Line<F> {
     type Variables = Self;
+
+    fn variables(&self) -> &Self {
+        self
+    }
 
     fn derivative(&mut self, time: f64, state: &mut Point) -> Derivative<[f64; 1]> {
         self.evaluations += 1;
@@ -207,7 +213,7 @@ fn the_continuous_extension_is_of_order_4() {
         let mut memory = memory(&Top::free());
         let end = method.step(&mut memory, &mut Top::free(), 0.5, h, &begin).unwrap().state;
         assert_eq!(DormandPrince::size::<Top>(&memory), Some(h));
-        let at = |elapsed: f64| -> Turning { DormandPrince::at::<Top>(&memory, elapsed).unwrap() };
+        let at = |elapsed: f64| -> Turning { DormandPrince::at(&memory, &Top::free(), elapsed).unwrap() };
         assert!(largest(&at(0.0).q, &begin.q) < 1e-15 && at(0.0).v == begin.v);
         assert!(largest(&at(h).q, &end.q) < 1e-15 && largest(&at(h).v, &end.v) < 1e-14);
         [0.25, 0.5, 0.75].map(|part| {
@@ -271,7 +277,9 @@ struct Singular {
 }
 
 impl Variables<f64> for Singular {
-    const LAYOUT: Layout = FREE;
+    fn layout(&self) -> &Layout<'_> {
+        &FREE
+    }
     type Q = [f64; 1];
     type V = [f64; 1];
     type Z = ();
@@ -281,6 +289,10 @@ impl Variables<f64> for Singular {
 
 impl Dynamics<f64> for Singular {
     type Variables = Self;
+
+    fn variables(&self) -> &Self {
+        self
+    }
 
     fn derivative(&mut self, time: f64, state: &mut Point) -> Derivative<[f64; 1]> {
         self.evaluations += 1;

@@ -71,12 +71,14 @@ impl<R: Real> Fields<R> for Outputs<R> {
 }
 
 impl<R: Real> Variables<R> for DoublePendulum<R> {
-    const LAYOUT: Layout = Layout {
-        linear: 0,
-        rotations: 2,
-        quaternions: 0,
-        angles: &[MultiTurn { rate: &[(0, 1.0)] }, MultiTurn { rate: &[(1, 1.0), (0, -1.0)] }],
-    };
+    fn layout(&self) -> &Layout<'_> {
+        &Layout {
+            linear: 0,
+            rotations: 2,
+            quaternions: 0,
+            angles: &[MultiTurn { rate: &[(0, 1.0)] }, MultiTurn { rate: &[(1, 1.0), (0, -1.0)] }],
+        }
+    }
     type Q = [R; 8];
     type V = [R; 2];
     type Z = ();
@@ -85,21 +87,33 @@ impl<R: Real> Variables<R> for DoublePendulum<R> {
 }
 
 impl<R: Real> Mechanism<R> for DoublePendulum<R> {
-    const NAME: &'static str = "DoublePendulum";
-    const ROWS: &'static [Row] = &[];
-    const POSITION_NAMES: &'static [&'static str] = &[
-        "upper.cos",
-        "upper.sin",
-        "lower.cos",
-        "lower.sin",
-        "shoulder.turns",
-        "shoulder.remainder",
-        "elbow.turns",
-        "elbow.remainder",
-    ];
-    const VELOCITY_NAMES: &'static [&'static str] = &["upper.rate", "lower.rate"];
-    const MASS_PATTERN: &'static [(u16, u16)] = &[(0, 0), (1, 0), (1, 1)];
-    const JACOBIAN_PATTERN: &'static [(u16, u16)] = &[];
+    fn name(&self) -> &'static str {
+        "DoublePendulum"
+    }
+    fn rows(&self) -> &[Row] {
+        &[]
+    }
+    fn position_names(&self) -> &[&'static str] {
+        &[
+            "upper.cos",
+            "upper.sin",
+            "lower.cos",
+            "lower.sin",
+            "shoulder.turns",
+            "shoulder.remainder",
+            "elbow.turns",
+            "elbow.remainder",
+        ]
+    }
+    fn velocity_names(&self) -> &[&'static str] {
+        &["upper.rate", "lower.rate"]
+    }
+    fn mass_pattern(&self) -> &[(u16, u16)] {
+        &[(0, 0), (1, 0), (1, 1)]
+    }
+    fn jacobian_pattern(&self) -> &[(u16, u16)] {
+        &[]
+    }
     type Mass = [R; 3];
     type Jacobian = [R; 0];
     type Inputs = Torque<R>;
@@ -165,32 +179,64 @@ impl<R: Real> Mechanism<R> for DoublePendulum<R> {
     ) -> R {
         self.acceleration(time, state, u, a, lambda)
     }
+    fn input_names(&self) -> &'static [&'static str] {
+        &["shoulder"]
+    }
+    fn output_names(&self) -> &'static [&'static str] {
+        Outputs::<R>::NAMES
+    }
+    fn internal_rates(
+        &self,
+        _time: R,
+        _state: &State<[R; 8], [R; 2]>,
+        _u: &Torque<R>,
+        _a: &[R; 2],
+        _lambda: &[R; 0],
+        _rates: &mut (),
+    ) {
+    }
     fn outputs(&self, _time: R, state: &State<[R; 8], [R; 2]>, u: &Torque<R>) -> Outputs<R> {
         let State { q, .. } = state;
         Outputs { upper: q[1].atan2(q[0]), torque: u.shoulder }
     }
-    fn unwrap(outputs: &mut Outputs<R>, previous: &Outputs<R>) {
+    fn unwrap(&self, outputs: &mut Outputs<R>, previous: &Outputs<R>) {
         outputs.upper = unwrap_angle(outputs.upper, previous.upper);
     }
 }
 
 impl<R: Real> Assemble<R> for DoublePendulum<R> {
-    const CONDITIONS: &'static [Condition] = &[
-        Condition { of: "shoulder.angle", kind: ConditionKind::Angle },
-        Condition { of: "lower.angle", kind: ConditionKind::Angle },
-    ];
-    const START_CONDITIONS: &'static [u16] = &[0, 1];
-    const START_RATES: &'static [u16] = &[0, 1];
-    const INDEPENDENT: &'static [u16] = &[0, 1];
-    const CONDITION_PATTERN: &'static [(u16, u16)] = &[(0, 0), (1, 1)];
-    const FLIPS: &'static [Flips] = &[];
-    const ROW_SIZES: &'static [f64] = &[];
-    const ELIMINATION: Elimination = Elimination {
-        order: &[0, 2, 1, 3],
-        position: &[0, 2, 1, 3],
-        row_start: &[0, 0, 1, 3, 4],
-        columns: &[0, 0, 1, 2],
-    };
+    fn conditions(&self) -> &[Condition] {
+        &[
+            Condition { of: "shoulder.angle", kind: ConditionKind::Angle },
+            Condition { of: "lower.angle", kind: ConditionKind::Angle },
+        ]
+    }
+    fn start_conditions(&self) -> &[u16] {
+        &[0, 1]
+    }
+    fn start_rates(&self) -> &[u16] {
+        &[0, 1]
+    }
+    fn independent(&self) -> &[u16] {
+        &[0, 1]
+    }
+    fn condition_pattern(&self) -> &[(u16, u16)] {
+        &[(0, 0), (1, 1)]
+    }
+    fn flips(&self) -> &[Flips<'_>] {
+        &[]
+    }
+    fn row_sizes(&self) -> &[f64] {
+        &[]
+    }
+    fn elimination(&self) -> Elimination<'_> {
+        Elimination {
+            order: &[0, 2, 1, 3],
+            position: &[0, 2, 1, 3],
+            row_start: &[0, 0, 1, 3, 4],
+            columns: &[0, 0, 1, 2],
+        }
+    }
     type Conditions = [R; 2];
     type ConditionJacobian = [R; 2];
     type Factor = [R; 4];
@@ -202,18 +248,18 @@ impl<R: Real> Assemble<R> for DoublePendulum<R> {
     type Store = tabled::Store<R, Self>;
     type Lu = ();
 
-    fn choice() -> [u16; 2] {
+    fn choice(&self) -> [u16; 2] {
         [0; 2]
     }
-    fn lu() {}
-    fn store() -> Self::Store {
-        tabled::store::<R, Self>()
+    fn lu(&self) {}
+    fn store(&self) -> Self::Store {
+        tabled::store(self)
     }
     fn row_scales(&self, scales: &mut [R; 0]) {
         *scales = [];
     }
     fn factor(&self, time: R, q: &Self::Q, compliance: R, store: &mut Self::Store) -> R {
-        tabled::factor::<R, Self>(self, time, q, compliance, store)
+        tabled::factor(self, time, q, compliance, store)
     }
     fn solve(
         &self,
@@ -223,7 +269,7 @@ impl<R: Real> Assemble<R> for DoublePendulum<R> {
         a: &mut Self::V,
         lambda: &mut Self::Lambda,
     ) {
-        tabled::solve::<R, Self>(store, forces, rows, a, lambda);
+        tabled::solve(self, store, forces, rows, a, lambda);
     }
 
     fn condition_residual(&self, _time: R, q: &[R; 8], target: &[R; 2], residual: &mut [R; 2]) {
@@ -250,12 +296,14 @@ impl<R: Real> Assemble<R> for DoublePendulum<R> {
         *positions = [R::from_f64(0.3), R::from_f64(-2.0)];
         *rates = [R::ONE, R::from_f64(-3.0)];
     }
-    fn start_q() -> [R; 8] {
+    fn start_q(&self) -> [R; 8] {
         let mut q = [R::ZERO; 8];
         (q[0], q[2]) = (R::ONE, R::ONE);
         q
     }
-    fn start_v() -> [R; 2] {
+    fn start_v(&self) -> [R; 2] {
         [R::ZERO; 2]
     }
+    fn start_internal(&self) {}
+    fn start_gates(&self) {}
 }

@@ -20,7 +20,7 @@ impl Random {
 }
 
 /// The tables for a pattern, in the given order, with the fill of a symbolic elimination.
-fn tables(pattern: &[[bool; N]; N], order: [u16; N]) -> &'static Elimination {
+fn tables(pattern: &[[bool; N]; N], order: [u16; N]) -> &'static Elimination<'static> {
     let mut filled = [[false; N]; N];
     for i in 0..N {
         for j in 0..N {
@@ -116,20 +116,20 @@ fn agrees_with_a_dense_solution() {
         let pattern = k.map(|row| row.map(|entry| entry != 0.0));
         let tables = tables(&pattern, interleaved(&pattern));
         // The numbers of the tables are fewer than those of a full triangle; the rest stays unused.
-        let padded: &'static Elimination =
+        let padded: &'static Elimination<'static> =
             Box::leak(Box::new(Elimination { columns: pad(tables.columns), ..*tables }));
         let mut factor = Ldl::<f64, [f64; ENTRIES], [f64; N]>::new(padded);
         for i in 0..N {
             for j in 0..=i {
                 if pattern[i][j] {
-                    factor.add(i, j, k[i][j]);
+                    factor.add(padded, i, j, k[i][j]);
                 }
             }
         }
         let right: [f64; N] = std::array::from_fn(|_| random.next());
-        let pivot = factor.factor();
+        let pivot = factor.factor(padded);
         assert!(pivot.value > 1e-6, "{pivot:?}");
-        let (sparse, dense) = (factor.solve(&right), dense_solve(k, right));
+        let (sparse, dense) = (factor.solve(padded, &right), dense_solve(k, right));
         let scale = dense.iter().fold(1.0_f64, |largest, x| largest.max(x.abs()));
         for (sparse, dense) in sparse.iter().zip(dense) {
             assert!((sparse - dense).abs() <= 1e-11 * scale, "{sparse} {dense}");
@@ -147,7 +147,7 @@ fn pad(columns: &'static [u16]) -> &'static [u16] {
 #[test]
 fn a_dependent_row_is_named() {
     // Two equal rows over two velocities.
-    static TABLES: Elimination = Elimination {
+    static TABLES: Elimination<'static> = Elimination {
         order: &[0, 1, 2, 3],
         position: &[0, 1, 2, 3],
         row_start: &[0, 0, 0, 2, 5],
@@ -155,18 +155,18 @@ fn a_dependent_row_is_named() {
     };
     let mut k = Ldl::<f64, [f64; 5], [f64; 4]>::new(&TABLES);
     for (i, j, value) in [(0, 0, 2.0), (1, 1, 3.0), (2, 0, 0.7), (2, 1, 0.1), (3, 0, 0.7), (3, 1, 0.1)] {
-        k.add(i, j, value);
+        k.add(&TABLES, i, j, value);
     }
-    let pivot = k.factor();
+    let pivot = k.factor(&TABLES);
     assert!(pivot.value < 1e-15 && pivot.unknown == 3, "{pivot:?}");
 }
 
 #[test]
 fn a_velocity_without_mass_or_constraint_is_named() {
-    static TABLES: Elimination =
+    static TABLES: Elimination<'static> =
         Elimination { order: &[0, 1], position: &[0, 1], row_start: &[0, 0, 0], columns: &[] };
     let mut k = Ldl::<f64, [f64; 0], [f64; 2]>::new(&TABLES);
-    k.add(0, 0, 2.0);
-    let pivot = k.factor();
+    k.add(&TABLES, 0, 0, 2.0);
+    let pivot = k.factor(&TABLES);
     assert_eq!((pivot.value, pivot.unknown), (0.0, 1));
 }

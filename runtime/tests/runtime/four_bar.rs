@@ -102,8 +102,9 @@ const JACOBIAN_PATTERN: [(u16, u16); 24] = {
 };
 
 impl Variables<f64> for FourBar {
-    const LAYOUT: Layout =
-        Layout { linear: 6, rotations: 3, quaternions: 0, angles: &[MultiTurn { rate: &[(6, 1.0)] }] };
+    fn layout(&self) -> &Layout<'_> {
+        &Layout { linear: 6, rotations: 3, quaternions: 0, angles: &[MultiTurn { rate: &[(6, 1.0)] }] }
+    }
     type Q = Q;
     type V = V;
     type Z = ();
@@ -112,47 +113,58 @@ impl Variables<f64> for FourBar {
 }
 
 impl Mechanism<f64> for FourBar {
-    const NAME: &'static str = "FourBar";
-    const ROWS: &'static [Row] = &[
-        Row { of: "crank_pin", what: "x" },
-        Row { of: "crank_pin", what: "y" },
-        Row { of: "coupler_pin", what: "x" },
-        Row { of: "coupler_pin", what: "y" },
-        Row { of: "rocker_pin", what: "x" },
-        Row { of: "rocker_pin", what: "y" },
-        Row { of: "bearing", what: "x" },
-        Row { of: "bearing", what: "y" },
-    ];
-    const POSITION_NAMES: &'static [&'static str] = &[
-        "crank.x",
-        "crank.y",
-        "coupler.x",
-        "coupler.y",
-        "rocker.x",
-        "rocker.y",
-        "crank.cos",
-        "crank.sin",
-        "coupler.cos",
-        "coupler.sin",
-        "rocker.cos",
-        "rocker.sin",
-        "crank.turns",
-        "crank.remainder",
-    ];
-    const VELOCITY_NAMES: &'static [&'static str] = &[
-        "crank.vx",
-        "crank.vy",
-        "coupler.vx",
-        "coupler.vy",
-        "rocker.vx",
-        "rocker.vy",
-        "crank.rate",
-        "coupler.rate",
-        "rocker.rate",
-    ];
-    const MASS_PATTERN: &'static [(u16, u16)] =
-        &[(0, 0), (1, 1), (2, 2), (3, 3), (4, 4), (5, 5), (6, 6), (7, 7), (8, 8)];
-    const JACOBIAN_PATTERN: &'static [(u16, u16)] = &JACOBIAN_PATTERN;
+    fn name(&self) -> &'static str {
+        "FourBar"
+    }
+    fn rows(&self) -> &[Row] {
+        &[
+            Row { of: "crank_pin", what: "x" },
+            Row { of: "crank_pin", what: "y" },
+            Row { of: "coupler_pin", what: "x" },
+            Row { of: "coupler_pin", what: "y" },
+            Row { of: "rocker_pin", what: "x" },
+            Row { of: "rocker_pin", what: "y" },
+            Row { of: "bearing", what: "x" },
+            Row { of: "bearing", what: "y" },
+        ]
+    }
+    fn position_names(&self) -> &[&'static str] {
+        &[
+            "crank.x",
+            "crank.y",
+            "coupler.x",
+            "coupler.y",
+            "rocker.x",
+            "rocker.y",
+            "crank.cos",
+            "crank.sin",
+            "coupler.cos",
+            "coupler.sin",
+            "rocker.cos",
+            "rocker.sin",
+            "crank.turns",
+            "crank.remainder",
+        ]
+    }
+    fn velocity_names(&self) -> &[&'static str] {
+        &[
+            "crank.vx",
+            "crank.vy",
+            "coupler.vx",
+            "coupler.vy",
+            "rocker.vx",
+            "rocker.vy",
+            "crank.rate",
+            "coupler.rate",
+            "rocker.rate",
+        ]
+    }
+    fn mass_pattern(&self) -> &[(u16, u16)] {
+        &[(0, 0), (1, 1), (2, 2), (3, 3), (4, 4), (5, 5), (6, 6), (7, 7), (8, 8)]
+    }
+    fn jacobian_pattern(&self) -> &[(u16, u16)] {
+        &JACOBIAN_PATTERN
+    }
     type Mass = [f64; 9];
     type Jacobian = [f64; 24];
     type Inputs = ();
@@ -245,32 +257,64 @@ impl Mechanism<f64> for FourBar {
         self.forces(time, state, u, &mut forces);
         equations_of_motion(self, time, q, &forces, &gamma, a, lambda)
     }
+    fn input_names(&self) -> &'static [&'static str] {
+        &[]
+    }
+    fn output_names(&self) -> &'static [&'static str] {
+        &["crank"]
+    }
+    fn internal_rates(
+        &self,
+        _time: f64,
+        _state: &State<Q, V>,
+        _u: &(),
+        _a: &V,
+        _lambda: &[f64; 8],
+        _rates: &mut (),
+    ) {
+    }
     fn outputs(&self, _time: f64, state: &State<Q, V>, _u: &()) -> Outputs {
         let State { q, .. } = state;
         Outputs { crank: q[7].atan2(q[6]) }
     }
-    fn unwrap(outputs: &mut Outputs, previous: &Outputs) {
+    fn unwrap(&self, outputs: &mut Outputs, previous: &Outputs) {
         outputs.crank = unwrap_angle(outputs.crank, previous.crank);
     }
 }
 
 impl Assemble<f64> for FourBar {
-    const CONDITIONS: &'static [Condition] = &[
-        Condition { of: "crank_pin.angle", kind: ConditionKind::Angle },
-        Condition { of: "coupler.center.y", kind: ConditionKind::Linear },
-    ];
-    const START_CONDITIONS: &'static [u16] = &[0];
-    const START_RATES: &'static [u16] = &[0];
-    const INDEPENDENT: &'static [u16] = &[0];
-    const CONDITION_PATTERN: &'static [(u16, u16)] = &[(0, 6), (1, 3)];
-    const FLIPS: &'static [Flips] = &[];
-    const ROW_SIZES: &'static [f64] = &[1.0; 8];
-    const ELIMINATION: Elimination = Elimination {
-        order: &natural::<19>(),
-        position: &natural::<19>(),
-        row_start: &full_row_start::<20>(),
-        columns: &full_columns::<19, 171>(),
-    };
+    fn conditions(&self) -> &[Condition] {
+        &[
+            Condition { of: "crank_pin.angle", kind: ConditionKind::Angle },
+            Condition { of: "coupler.center.y", kind: ConditionKind::Linear },
+        ]
+    }
+    fn start_conditions(&self) -> &[u16] {
+        &[0]
+    }
+    fn start_rates(&self) -> &[u16] {
+        &[0]
+    }
+    fn independent(&self) -> &[u16] {
+        &[0]
+    }
+    fn condition_pattern(&self) -> &[(u16, u16)] {
+        &[(0, 6), (1, 3)]
+    }
+    fn flips(&self) -> &[Flips<'_>] {
+        &[]
+    }
+    fn row_sizes(&self) -> &[f64] {
+        &[1.0; 8]
+    }
+    fn elimination(&self) -> Elimination<'_> {
+        Elimination {
+            order: const { &natural::<19>() },
+            position: const { &natural::<19>() },
+            row_start: const { &full_row_start::<20>() },
+            columns: const { &full_columns::<19, 171>() },
+        }
+    }
     type Conditions = [f64; 2];
     type ConditionJacobian = [f64; 2];
     type Factor = [f64; 171];
@@ -282,12 +326,12 @@ impl Assemble<f64> for FourBar {
     type Store = tabled::Store<f64, Self>;
     type Lu = ();
 
-    fn choice() -> [u16; 9] {
+    fn choice(&self) -> [u16; 9] {
         [0; 9]
     }
-    fn lu() {}
-    fn store() -> Self::Store {
-        tabled::store::<f64, Self>()
+    fn lu(&self) {}
+    fn store(&self) -> Self::Store {
+        tabled::store(self)
     }
     fn row_scales(&self, scales: &mut [f64; 8]) {
         // A pin moves with the centre of its rod, 1/m, and with the turn about it, (l/2)²/(m l²/12) = 3/m.
@@ -295,7 +339,7 @@ impl Assemble<f64> for FourBar {
         *scales = [4.0 / lightest; 8];
     }
     fn factor(&self, time: f64, q: &Self::Q, compliance: f64, store: &mut Self::Store) -> f64 {
-        tabled::factor::<f64, Self>(self, time, q, compliance, store)
+        tabled::factor(self, time, q, compliance, store)
     }
     fn solve(
         &self,
@@ -305,7 +349,7 @@ impl Assemble<f64> for FourBar {
         a: &mut Self::V,
         lambda: &mut Self::Lambda,
     ) {
-        tabled::solve::<f64, Self>(store, forces, rows, a, lambda);
+        tabled::solve(self, store, forces, rows, a, lambda);
     }
 
     fn condition_residual(&self, _time: f64, q: &Q, target: &[f64; 2], residual: &mut [f64; 2]) {
@@ -330,10 +374,12 @@ impl Assemble<f64> for FourBar {
         *positions = [self.start_angle, 0.0];
         *rates = [self.start_rate, 0.0];
     }
-    fn start_q() -> Q {
+    fn start_q(&self) -> Q {
         FourBar::new().rough([0.9, 0.5, 1.6])
     }
-    fn start_v() -> V {
+    fn start_v(&self) -> V {
         [0.0; 9]
     }
+    fn start_internal(&self) {}
+    fn start_gates(&self) {}
 }

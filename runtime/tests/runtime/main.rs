@@ -1,6 +1,7 @@
 //! The runtime on mechanisms written by hand: one binary, one module a subject.
 
 mod assembly;
+mod at_run_time;
 mod bounds;
 mod bracket;
 #[cfg(feature = "nalgebra")]

@@ -23,8 +23,9 @@ const MOTOR: Motor =
     Motor { inductance: 2e-3, resistance: 0.5, constant: 0.08, inertia: 0.02, weight: 0.0981, voltage: 3.0 };
 
 impl Variables<f64> for Motor {
-    const LAYOUT: Layout =
-        Layout { linear: 0, rotations: 1, quaternions: 0, angles: &[MultiTurn { rate: &[(0, 1.0)] }] };
+    fn layout(&self) -> &Layout<'_> {
+        &Layout { linear: 0, rotations: 1, quaternions: 0, angles: &[MultiTurn { rate: &[(0, 1.0)] }] }
+    }
     type Q = [f64; 4];
     type V = [f64; 1];
     type Z = [f64; 1];
@@ -52,13 +53,27 @@ impl Fields<f64> for Current {
 }
 
 impl Mechanism<f64> for Motor {
-    const NAME: &'static str = "Motor";
-    const ROWS: &'static [Row] = &[];
-    const POSITION_NAMES: &'static [&'static str] = &["arm.cos", "arm.sin", "shaft.turns", "shaft.remainder"];
-    const VELOCITY_NAMES: &'static [&'static str] = &["arm.rate"];
-    const INTERNAL_NAMES: &'static [&'static str] = &["current"];
-    const MASS_PATTERN: &'static [(u16, u16)] = &[(0, 0)];
-    const JACOBIAN_PATTERN: &'static [(u16, u16)] = &[];
+    fn name(&self) -> &'static str {
+        "Motor"
+    }
+    fn rows(&self) -> &[Row] {
+        &[]
+    }
+    fn position_names(&self) -> &[&'static str] {
+        &["arm.cos", "arm.sin", "shaft.turns", "shaft.remainder"]
+    }
+    fn velocity_names(&self) -> &[&'static str] {
+        &["arm.rate"]
+    }
+    fn internal_names(&self) -> &[&'static str] {
+        &["current"]
+    }
+    fn mass_pattern(&self) -> &[(u16, u16)] {
+        &[(0, 0)]
+    }
+    fn jacobian_pattern(&self) -> &[(u16, u16)] {
+        &[]
+    }
     type Mass = [f64; 1];
     type Jacobian = [f64; 0];
     type Inputs = ();
@@ -116,22 +131,43 @@ impl Mechanism<f64> for Motor {
         let left = self.voltage - self.resistance * state.z[0] - self.constant * state.v[0];
         *rates = [left / self.inductance];
     }
+    fn input_names(&self) -> &'static [&'static str] {
+        &[]
+    }
+    fn output_names(&self) -> &'static [&'static str] {
+        Current::NAMES
+    }
     fn outputs(&self, _time: f64, state: &Running, _u: &()) -> Current {
         Current { current: state.z[0] }
     }
-    fn unwrap(_outputs: &mut Current, _previous: &Current) {}
+    fn unwrap(&self, _outputs: &mut Current, _previous: &Current) {}
 }
 
 impl Assemble<f64> for Motor {
-    const CONDITIONS: &'static [Condition] = &[];
-    const START_CONDITIONS: &'static [u16] = &[];
-    const START_RATES: &'static [u16] = &[];
-    const INDEPENDENT: &'static [u16] = &[];
-    const CONDITION_PATTERN: &'static [(u16, u16)] = &[];
-    const FLIPS: &'static [Flips] = &[];
-    const ROW_SIZES: &'static [f64] = &[];
-    const ELIMINATION: Elimination =
-        Elimination { order: &[0], position: &[0], row_start: &[0, 0], columns: &[] };
+    fn conditions(&self) -> &[Condition] {
+        &[]
+    }
+    fn start_conditions(&self) -> &[u16] {
+        &[]
+    }
+    fn start_rates(&self) -> &[u16] {
+        &[]
+    }
+    fn independent(&self) -> &[u16] {
+        &[]
+    }
+    fn condition_pattern(&self) -> &[(u16, u16)] {
+        &[]
+    }
+    fn flips(&self) -> &[Flips<'_>] {
+        &[]
+    }
+    fn row_sizes(&self) -> &[f64] {
+        &[]
+    }
+    fn elimination(&self) -> Elimination<'_> {
+        Elimination { order: &[0], position: &[0], row_start: &[0, 0], columns: &[] }
+    }
     type Conditions = [f64; 0];
     type ConditionJacobian = [f64; 0];
     type Factor = [f64; 0];
@@ -143,18 +179,18 @@ impl Assemble<f64> for Motor {
     type Store = tabled::Store<f64, Self>;
     type Lu = ();
 
-    fn choice() -> [u16; 1] {
+    fn choice(&self) -> [u16; 1] {
         [0]
     }
-    fn lu() {}
-    fn store() -> Self::Store {
-        tabled::store::<f64, Self>()
+    fn lu(&self) {}
+    fn store(&self) -> Self::Store {
+        tabled::store(self)
     }
     fn row_scales(&self, scales: &mut [f64; 0]) {
         *scales = [];
     }
     fn factor(&self, time: f64, q: &[f64; 4], compliance: f64, store: &mut Self::Store) -> f64 {
-        tabled::factor::<f64, Self>(self, time, q, compliance, store)
+        tabled::factor(self, time, q, compliance, store)
     }
     fn solve(
         &self,
@@ -164,7 +200,7 @@ impl Assemble<f64> for Motor {
         a: &mut [f64; 1],
         lambda: &mut [f64; 0],
     ) {
-        tabled::solve::<f64, Self>(store, forces, rows, a, lambda);
+        tabled::solve(self, store, forces, rows, a, lambda);
     }
     fn condition_residual(&self, _time: f64, _q: &[f64; 4], _target: &[f64; 0], _residual: &mut [f64; 0]) {}
     fn condition_cosines(&self, _time: f64, _q: &[f64; 4], _target: &[f64; 0], _cosines: &mut [f64; 0]) {}
@@ -173,15 +209,16 @@ impl Assemble<f64> for Motor {
     fn condition_drift(&self, _time: f64, _q: &[f64; 4], _drift: &mut [f64; 0]) {}
     fn row_cosines(&self, _time: f64, _q: &[f64; 4], _cosines: &mut [f64; 0]) {}
     fn start_targets(&self, _positions: &mut [f64; 0], _rates: &mut [f64; 0]) {}
-    fn start_q() -> [f64; 4] {
+    fn start_q(&self) -> [f64; 4] {
         [1.0, 0.0, 0.0, 0.0]
     }
-    fn start_v() -> [f64; 1] {
+    fn start_v(&self) -> [f64; 1] {
         [0.0]
     }
     fn start_internal(&self) -> [f64; 1] {
         [0.0]
     }
+    fn start_gates(&self) {}
 }
 
 /// Angle, rate and current at `end`.

@@ -51,29 +51,30 @@ pub fn equations_of_motion<M: Assemble<f64>>(
     a: &mut M::V,
     lambda: &mut M::Lambda,
 ) -> f64 {
-    let mut matrix = Ldl::<f64, M::Factor, M::System>::new(&M::ELIMINATION);
-    let mut mass = M::Mass::zero();
+    let (tables, n, m) = (model.elimination(), model.velocity_count(), model.row_count());
+    let mut matrix = Ldl::<f64, M::Factor, M::System>::new(&tables);
+    let mut mass = model.zero_mass();
     model.mass_matrix(time, q, &mut mass);
-    for (&entry, &(i, j)) in mass.as_slice().iter().zip(M::MASS_PATTERN) {
-        matrix.add(i as usize, j as usize, entry);
+    for (&entry, &(i, j)) in mass.as_slice().iter().zip(model.mass_pattern()) {
+        matrix.add(&tables, i as usize, j as usize, entry);
     }
-    let mut jacobian = M::Jacobian::zero();
+    let mut jacobian = model.zero_jacobian();
     model.constraint_jacobian(time, q, &mut jacobian);
-    for (&entry, &(i, j)) in jacobian.as_slice().iter().zip(M::JACOBIAN_PATTERN) {
-        matrix.add(M::V::LEN + i as usize, j as usize, entry);
+    for (&entry, &(i, j)) in jacobian.as_slice().iter().zip(model.jacobian_pattern()) {
+        matrix.add(&tables, n + i as usize, j as usize, entry);
     }
-    for i in M::V::LEN + M::Lambda::LEN..M::System::LEN {
-        matrix.add(i, i, -1.0);
+    for i in n + m..tables.order.len() {
+        matrix.add(&tables, i, i, -1.0);
     }
-    let pivot = matrix.factor();
-    let mut right = M::System::zero();
-    let (to_forces, rest) = right.as_mut_slice().split_at_mut(M::V::LEN);
+    let pivot = matrix.factor(&tables);
+    let mut right = model.zero_system();
+    let (to_forces, rest) = right.as_mut_slice().split_at_mut(n);
     to_forces.copy_from_slice(forces.as_slice());
-    rest[..M::Lambda::LEN].copy_from_slice(gamma.as_slice());
-    let solution = matrix.solve(&right);
-    let (accelerations, rest) = solution.as_slice().split_at(M::V::LEN);
+    rest[..m].copy_from_slice(gamma.as_slice());
+    let solution = matrix.solve(&tables, &right);
+    let (accelerations, rest) = solution.as_slice().split_at(n);
     a.as_mut_slice().copy_from_slice(accelerations);
-    lambda.as_mut_slice().copy_from_slice(&rest[..M::Lambda::LEN]);
+    lambda.as_mut_slice().copy_from_slice(&rest[..m]);
     pivot.value
 }
 
@@ -86,13 +87,13 @@ pub fn baumgarte<M: Assemble<f64>>(
     two_alpha: f64,
     beta_squared: f64,
 ) -> M::Lambda {
-    let (mut gamma, mut phi, mut nu) = (M::Lambda::zero(), M::Lambda::zero(), M::Lambda::zero());
-    let mut jacobian = M::Jacobian::zero();
+    let (mut gamma, mut phi, mut nu) = (model.zero_lambda(), model.zero_lambda(), model.zero_lambda());
+    let mut jacobian = model.zero_jacobian();
     model.gamma(time, q, v, &mut gamma);
     model.constraints(time, q, &mut phi);
     model.nu(time, q, &mut nu);
     model.constraint_jacobian(time, q, &mut jacobian);
-    for (&entry, &(i, j)) in jacobian.as_slice().iter().zip(M::JACOBIAN_PATTERN) {
+    for (&entry, &(i, j)) in jacobian.as_slice().iter().zip(model.jacobian_pattern()) {
         nu.as_mut_slice()[i as usize] -= entry * v.as_slice()[j as usize];
     }
     gamma.axpy(two_alpha, &nu);

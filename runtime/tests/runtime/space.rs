@@ -44,7 +44,9 @@ impl Top {
 }
 
 impl Variables<f64> for Top {
-    const LAYOUT: Layout = ONE_BODY;
+    fn layout(&self) -> &Layout<'_> {
+        &ONE_BODY
+    }
     type Q = [f64; 4];
     type V = [f64; 3];
     type Z = ();
@@ -54,6 +56,10 @@ impl Variables<f64> for Top {
 
 impl Dynamics<f64> for Top {
     type Variables = Self;
+
+    fn variables(&self) -> &Self {
+        self
+    }
 
     fn derivative(&mut self, _time: f64, state: &mut Turning) -> Derivative<[f64; 3]> {
         let gyroscopic = cross(self.spin(state.v), state.v);
@@ -133,13 +139,13 @@ impl<X: Variables<f64>, D: Dynamics<f64, Variables = X>> Integrator<f64, D> for 
         h: f64,
         state: &StateOf<X>,
     ) -> Result<SteppedOf<X>, StepFailure> {
-        let after = |h: f64, slope: &_| state.advance(&X::LAYOUT, h, slope);
+        let after = |dynamics: &D, h: f64, slope: &_| state.advance(dynamics.variables().layout(), h, slope);
         let k1 = dynamics.derivative(time, &mut state.clone());
-        let k2 = dynamics.derivative(time + 0.5 * h, &mut after(0.5 * h, &k1));
-        let k3 = dynamics.derivative(time + 0.5 * h, &mut after(0.5 * h, &k2));
-        let k4 = dynamics.derivative(time + h, &mut after(h, &k3));
+        let k2 = dynamics.derivative(time + 0.5 * h, &mut after(dynamics, 0.5 * h, &k1));
+        let k3 = dynamics.derivative(time + 0.5 * h, &mut after(dynamics, 0.5 * h, &k2));
+        let k4 = dynamics.derivative(time + h, &mut after(dynamics, h, &k3));
         let mean = k1.plus(2.0, &k2).plus(2.0, &k3).plus(1.0, &k4).scaled(1.0 / 6.0);
-        Ok(Stepped::explicit(h, after(h, &mean)))
+        Ok(Stepped::explicit(h, after(dynamics, h, &mean)))
     }
 }
 
@@ -207,8 +213,9 @@ pub struct Counted(pub Top);
 const COUNTED: [(u32, f64); 2] = [(2, 0.8), (3, -0.6)];
 
 impl Variables<f64> for Counted {
-    const LAYOUT: Layout =
-        Layout { linear: 1, quaternions: 1, angles: &[MultiTurn { rate: &COUNTED }], ..ONE_BODY };
+    fn layout(&self) -> &Layout<'_> {
+        &Layout { linear: 1, quaternions: 1, angles: &[MultiTurn { rate: &COUNTED }], ..ONE_BODY }
+    }
     type Q = [f64; 7];
     type V = [f64; 4];
     type Z = ();
@@ -218,6 +225,10 @@ impl Variables<f64> for Counted {
 
 impl Dynamics<f64> for Counted {
     type Variables = Self;
+
+    fn variables(&self) -> &Self {
+        self
+    }
 
     fn derivative(&mut self, time: f64, state: &mut State<[f64; 7], [f64; 4]>) -> Derivative<[f64; 4]> {
         let ([_, q @ .., _, _], [_, v @ ..]) = (state.q, state.v);

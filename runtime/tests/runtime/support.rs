@@ -10,7 +10,9 @@ pub struct Support {
 }
 
 impl Variables<f64> for Support {
-    const LAYOUT: Layout = Layout { linear: 2, rotations: 1, quaternions: 0, angles: &[] };
+    fn layout(&self) -> &Layout<'_> {
+        &Layout { linear: 2, rotations: 1, quaternions: 0, angles: &[] }
+    }
     type Q = [f64; 4];
     type V = [f64; 3];
     type Z = ();
@@ -19,13 +21,24 @@ impl Variables<f64> for Support {
 }
 
 impl Mechanism<f64> for Support {
-    const NAME: &'static str = "Support";
-    const ROWS: &'static [Row] =
-        &[Row { of: "weld", what: "x" }, Row { of: "weld", what: "y" }, Row { of: "weld", what: "angle" }];
-    const POSITION_NAMES: &'static [&'static str] = &["body.x", "body.y", "body.cos", "body.sin"];
-    const VELOCITY_NAMES: &'static [&'static str] = &["body.vx", "body.vy", "body.rate"];
-    const MASS_PATTERN: &'static [(u16, u16)] = &[(0, 0), (1, 1), (2, 2)];
-    const JACOBIAN_PATTERN: &'static [(u16, u16)] = &[(0, 0), (1, 1), (2, 2)];
+    fn name(&self) -> &'static str {
+        "Support"
+    }
+    fn rows(&self) -> &[Row] {
+        &[Row { of: "weld", what: "x" }, Row { of: "weld", what: "y" }, Row { of: "weld", what: "angle" }]
+    }
+    fn position_names(&self) -> &[&'static str] {
+        &["body.x", "body.y", "body.cos", "body.sin"]
+    }
+    fn velocity_names(&self) -> &[&'static str] {
+        &["body.vx", "body.vy", "body.rate"]
+    }
+    fn mass_pattern(&self) -> &[(u16, u16)] {
+        &[(0, 0), (1, 1), (2, 2)]
+    }
+    fn jacobian_pattern(&self) -> &[(u16, u16)] {
+        &[(0, 0), (1, 1), (2, 2)]
+    }
     type Mass = [f64; 3];
     type Jacobian = [f64; 3];
     type Inputs = ();
@@ -84,24 +97,56 @@ impl Mechanism<f64> for Support {
         self.forces(time, state, u, &mut forces);
         equations_of_motion(self, time, q, &forces, &gamma, a, lambda)
     }
+    fn input_names(&self) -> &'static [&'static str] {
+        &[]
+    }
+    fn output_names(&self) -> &'static [&'static str] {
+        &[]
+    }
+    fn internal_rates(
+        &self,
+        _time: f64,
+        _state: &State<[f64; 4], [f64; 3]>,
+        _u: &(),
+        _a: &[f64; 3],
+        _lambda: &[f64; 3],
+        _rates: &mut (),
+    ) {
+    }
     fn outputs(&self, _time: f64, _state: &State<[f64; 4], [f64; 3]>, _u: &()) {}
-    fn unwrap(_outputs: &mut (), _previous: &()) {}
+    fn unwrap(&self, _outputs: &mut (), _previous: &()) {}
 }
 
 impl Assemble<f64> for Support {
-    const CONDITIONS: &'static [Condition] = &[];
-    const START_CONDITIONS: &'static [u16] = &[];
-    const START_RATES: &'static [u16] = &[];
-    const INDEPENDENT: &'static [u16] = &[];
-    const CONDITION_PATTERN: &'static [(u16, u16)] = &[];
-    const FLIPS: &'static [Flips] = &[Flips { axes: None, turns: &[2] }];
-    const ROW_SIZES: &'static [f64] = &[1.0; 3];
-    const ELIMINATION: Elimination = Elimination {
-        order: &natural::<6>(),
-        position: &natural::<6>(),
-        row_start: &full_row_start::<7>(),
-        columns: &full_columns::<6, 15>(),
-    };
+    fn conditions(&self) -> &[Condition] {
+        &[]
+    }
+    fn start_conditions(&self) -> &[u16] {
+        &[]
+    }
+    fn start_rates(&self) -> &[u16] {
+        &[]
+    }
+    fn independent(&self) -> &[u16] {
+        &[]
+    }
+    fn condition_pattern(&self) -> &[(u16, u16)] {
+        &[]
+    }
+    fn flips(&self) -> &[Flips<'_>] {
+        &[Flips { axes: None, turns: &[2] }]
+    }
+    fn row_sizes(&self) -> &[f64] {
+        &[1.0; 3]
+    }
+    fn elimination(&self) -> Elimination<'_> {
+        Elimination {
+            order: const { &natural::<6>() },
+            position: const { &natural::<6>() },
+            row_start: const { &full_row_start::<7>() },
+            columns: const { &full_columns::<6, 15>() },
+        }
+    }
     type Conditions = [f64; 0];
     type ConditionJacobian = [f64; 0];
     type Factor = [f64; 15];
@@ -112,18 +157,18 @@ impl Assemble<f64> for Support {
     type Choice = [u16; 3];
     type Store = linkwright_runtime::tabled::Store<f64, Self>;
     type Lu = ();
-    fn choice() -> [u16; 3] {
+    fn choice(&self) -> [u16; 3] {
         [0; 3]
     }
-    fn lu() {}
-    fn store() -> Self::Store {
-        linkwright_runtime::tabled::store::<f64, Self>()
+    fn lu(&self) {}
+    fn store(&self) -> Self::Store {
+        linkwright_runtime::tabled::store(self)
     }
     fn row_scales(&self, scales: &mut [f64; 3]) {
         *scales = [1.0; 3];
     }
     fn factor(&self, time: f64, q: &Self::Q, compliance: f64, store: &mut Self::Store) -> f64 {
-        linkwright_runtime::tabled::factor::<f64, Self>(self, time, q, compliance, store)
+        linkwright_runtime::tabled::factor(self, time, q, compliance, store)
     }
     fn solve(
         &self,
@@ -133,7 +178,7 @@ impl Assemble<f64> for Support {
         a: &mut Self::V,
         lambda: &mut Self::Lambda,
     ) {
-        linkwright_runtime::tabled::solve::<f64, Self>(store, forces, rows, a, lambda);
+        linkwright_runtime::tabled::solve(self, store, forces, rows, a, lambda);
     }
 
     fn condition_residual(&self, _time: f64, _q: &[f64; 4], _target: &[f64; 0], _residual: &mut [f64; 0]) {}
@@ -145,10 +190,12 @@ impl Assemble<f64> for Support {
         *cosines = [1.0, 1.0, q[2] * self.angle.cos() + q[3] * self.angle.sin()];
     }
     fn start_targets(&self, _positions: &mut [f64; 0], _rates: &mut [f64; 0]) {}
-    fn start_q() -> [f64; 4] {
+    fn start_q(&self) -> [f64; 4] {
         [0.0, 0.0, 1.0, 0.0]
     }
-    fn start_v() -> [f64; 3] {
+    fn start_v(&self) -> [f64; 3] {
         [0.0; 3]
     }
+    fn start_internal(&self) {}
+    fn start_gates(&self) {}
 }

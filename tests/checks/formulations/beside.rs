@@ -66,7 +66,7 @@ where
 {
     let model = FourBar::<R>::default();
     let (k, h) = (R::from_f64, R::from_f64(h));
-    let penalty = Penalty::for_model(&model, R::ZERO, &FourBar::<R>::start_q(), h);
+    let penalty = Penalty::for_model(&model, R::ZERO, &model.start_q(), h);
     let mut tally = Tally::default();
     let kinetic = |state: &State<[R; 6], [R; 3]>| model.kinetic_energy(R::ZERO, &state.q, &state.v).to_f64();
     // What the velocities have off the constraints, where that can be told; it is the same nearer to the line.

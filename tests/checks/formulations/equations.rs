@@ -66,46 +66,47 @@ fn softened_constraints_are_solved<M: Model>() {
     let mut random = Random::new(8);
     for at in &states {
         let At { time, q, .. } = at;
-        let (mut mass, mut jacobian) = (M::Mass::zero(), M::Jacobian::zero());
+        let (mut mass, mut jacobian) = (model.zero_mass(), model.zero_jacobian());
         model.mass_matrix(*time, q, &mut mass);
         model.constraint_jacobian(*time, q, &mut jacobian);
-        let idle = |row: u16| M::IDLE.contains(&row);
-        let jacobian: Vec<_> = pairs(M::JACOBIAN_PATTERN, jacobian.as_slice())
+        let idle = |row: u16| model.idle().contains(&row);
+        let jacobian: Vec<_> = pairs(model.jacobian_pattern(), jacobian.as_slice())
             .into_iter()
             .filter(|((row, _), _)| !idle(*row as u16))
             .collect();
         for compliance in [0.0, 1e-9, 1e-3, 10.0] {
-            let mut store = M::store();
+            let mut store = model.store();
             let pivot = model.factor(*time, q, compliance, &mut store);
-            assert!(pivot > 1e-9, "{}: pivot {pivot:e} at c = {compliance:e}", M::NAME);
-            let forces: M::V = vector(&random.vector(M::V::LEN));
-            let mut rows: M::Lambda = vector(&random.vector(M::Lambda::LEN));
-            M::IDLE.iter().for_each(|row| rows.as_mut_slice()[usize::from(*row)] = 0.0);
-            let (mut a, mut lambda) = (M::V::zero(), M::Lambda::zero());
+            assert!(pivot > 1e-9, "{}: pivot {pivot:e} at c = {compliance:e}", model.name());
+            let forces: M::V = vector(&random.vector(model.velocity_count()));
+            let mut rows: M::Lambda = vector(&random.vector(model.row_count()));
+            model.idle().iter().for_each(|row| rows.as_mut_slice()[usize::from(*row)] = 0.0);
+            let (mut a, mut lambda) = (model.zero_v(), model.zero_lambda());
             model.solve(&store, &forces, &rows, &mut a, &mut lambda);
-            let softness = vec![compliance; M::Lambda::LEN];
+            let softness = vec![compliance; model.row_count()];
             let error = backward_error(
-                &pairs(M::MASS_PATTERN, mass.as_slice()),
+                &pairs(model.mass_pattern(), mass.as_slice()),
                 &jacobian,
                 &softness,
                 (a.as_slice(), lambda.as_slice()),
                 (forces.as_slice(), rows.as_slice()),
             );
-            assert!(error < 1e-9, "{}: {error:e} at c = {compliance:e}", M::NAME);
-            assert!(M::IDLE.iter().all(|row| lambda.as_slice()[usize::from(*row)] == 0.0));
+            assert!(error < 1e-9, "{}: {error:e} at c = {compliance:e}", model.name());
+            assert!(model.idle().iter().all(|row| lambda.as_slice()[usize::from(*row)] == 0.0));
         }
     }
 }
 
 /// K(c) as it is written out where a definition asks for it, in both sets of coordinates: the programs by the interpreter.
 fn written_out_factorisations_solve<M: Model>() {
+    let model = M::standard();
     let source = M::SOURCE.trim_end().strip_suffix('}').expect("a definition ends in a brace");
     let source = format!("{source} options {{ emit = (penalty, projection); }} }}");
     for coordinates in [Coordinates::Tree, Coordinates::Absolute] {
         let tokens = source.parse().expect("tokens");
         let Ok(compiled) = compile(tokens, Some(coordinates)) else {
             // Some angles cannot be counted in absolute coordinates.
-            assert_eq!(coordinates, Coordinates::Absolute, "{}", M::NAME);
+            assert_eq!(coordinates, Coordinates::Absolute, "{}", model.name());
             continue;
         };
         let stored = compiled.complete.further.stored.as_ref().expect("it was asked for");
@@ -135,8 +136,8 @@ fn written_out_factorisations_solve<M: Model>() {
 
             let system = program(Function::System, &inputs);
             let factored = program(Function::Factor, &inputs);
-            assert_eq!(system[..kept], factored[..kept], "{}: one factorisation", M::NAME);
-            assert_eq!(system[kept..kept + n], program(Function::Forces, &inputs), "{}", M::NAME);
+            assert_eq!(system[..kept], factored[..kept], "{}: one factorisation", model.name());
+            assert_eq!(system[kept..kept + n], program(Function::Forces, &inputs), "{}", model.name());
             let count = compiled.complete.equations.rows.len();
             assert_eq!(system.len(), kept + n + count + 1);
             inputs.kept = factored[..kept].to_vec();
@@ -148,7 +149,7 @@ fn written_out_factorisations_solve<M: Model>() {
                 solution.split_at(n),
                 (&inputs.given_forces, &inputs.given_rows),
             );
-            assert!(error < 1e-9, "{} in {coordinates:?}: {error:e}", M::NAME);
+            assert!(error < 1e-9, "{} in {coordinates:?}: {error:e}", model.name());
 
             // The rows are γ − 2α (D v − ν) − β² Φ.
             let (gamma, phi) = (program(Function::Gamma, &inputs), program(Function::Constraints, &inputs));
@@ -162,7 +163,11 @@ fn written_out_factorisations_solve<M: Model>() {
             for (row, found) in system[kept + n..kept + n + count].iter().enumerate() {
                 let terms = [gamma[row], inputs.two_alpha * rest[row], -inputs.beta_squared * phi[row]];
                 let (sum, size): (f64, f64) = (terms.iter().sum(), terms.iter().map(|term| term.abs()).sum());
-                assert!((found - sum).abs() <= 1e-11 * (1.0 + size), "{}: row {row}: {found} {sum}", M::NAME);
+                assert!(
+                    (found - sum).abs() <= 1e-11 * (1.0 + size),
+                    "{}: row {row}: {found} {sum}",
+                    model.name()
+                );
             }
         }
     }
@@ -171,12 +176,13 @@ fn written_out_factorisations_solve<M: Model>() {
 /// The equations in independent velocities as they are written out where a definition asks for it, in both sets of coordinates:
 /// D v = ν, D v̇ = γ and M v̇ + Dᵀ λ = Q hold where the programs say so, by the interpreter.
 fn written_out_null_spaces_solve<M: Model>() {
+    let model = M::standard();
     let source = M::SOURCE.trim_end().strip_suffix('}').expect("a definition ends in a brace");
     let source = format!("{source} options {{ emit = (null_space); }} }}");
     for coordinates in [Coordinates::Tree, Coordinates::Absolute] {
         let Ok(compiled) = compile(source.parse().expect("tokens"), Some(coordinates)) else {
             // Some angles cannot be counted in absolute coordinates.
-            assert_eq!(coordinates, Coordinates::Absolute, "{}", M::NAME);
+            assert_eq!(coordinates, Coordinates::Absolute, "{}", model.name());
             continue;
         };
         let equations = &compiled.complete.equations;
@@ -215,22 +221,22 @@ fn written_out_null_spaces_solve<M: Model>() {
             let bound = 1e-12 / pivot[0].sqrt();
             let v = program(Function::DependentVelocities, &inputs);
             let dependent: Vec<usize> = compiled.partition.pivots().map(|pivot| pivot.velocity).collect();
-            assert!((0..n).all(|i| dependent.contains(&i) || v[i] == inputs.v[i]), "{}", M::NAME);
+            assert!((0..n).all(|i| dependent.contains(&i) || v[i] == inputs.v[i]), "{}", model.name());
             // With M and λ zero only D v = rows is left.
             let (none, rows) = (vec![0.0; n.max(count)], &inputs.given_rows);
             let error =
                 backward_error(&[], &jacobian, &none[..count], (&v, &none[..count]), (&none[..n], rows));
-            assert!(error < bound, "{} in {coordinates:?}: dependent velocities {error:e}", M::NAME);
+            assert!(error < bound, "{} in {coordinates:?}: dependent velocities {error:e}", model.name());
 
             let all = program(Function::NullSpace, &inputs);
             let (solution, smallest) = all.split_at(n + count);
-            assert!(smallest[0] <= pivot[0] && pivot[0] <= 1.0, "{}: {smallest:?} {pivot:?}", M::NAME);
+            assert!(smallest[0] <= pivot[0] && pivot[0] <= 1.0, "{}: {smallest:?} {pivot:?}", model.name());
             let (forces, gamma) = (program(Function::Forces, &inputs), of(program(Function::Gamma, &inputs)));
             let error =
                 backward_error(&mass, &jacobian, &none[..count], solution.split_at(n), (&forces, &gamma));
-            assert!(error < 1e3 * bound, "{} in {coordinates:?}: {error:e}, pivot {pivot:?}", M::NAME);
+            assert!(error < 1e3 * bound, "{} in {coordinates:?}: {error:e}, pivot {pivot:?}", model.name());
         }
-        assert!(2 * solved >= STATES, "{} in {coordinates:?}: only {solved} states", M::NAME);
+        assert!(2 * solved >= STATES, "{} in {coordinates:?}: only {solved} states", model.name());
     }
 }
 
@@ -240,9 +246,9 @@ fn accelerations<M: Model, F: Formulation<f64, M>>(
     formulation: F,
     at: &At<M>,
 ) -> (M::V, M::Lambda) {
-    let (mut a, mut lambda) = (M::V::zero(), M::Lambda::zero());
+    let (mut a, mut lambda) = (model.zero_v(), model.zero_lambda());
     let mut state = at.state();
-    let mut memory = formulation.memory();
+    let mut memory = formulation.memory(model);
     formulation.acceleration(&mut memory, model, at.time, &mut state, &at.u, &mut a, &mut lambda);
     (a, lambda)
 }
@@ -256,12 +262,12 @@ fn null_space_and_iteration_agree_with_lagrange<M: Model>() {
         let size = 1.0 + a.max_abs();
         let compare = |name: &str, found: (M::V, M::Lambda), bound: f64| {
             let error = found.0.plus(-1.0, &a).max_abs() / size;
-            assert!(error < bound, "{}, {name}: accelerations off by {error:e}", M::NAME);
+            assert!(error < bound, "{}, {name}: accelerations off by {error:e}", model.name());
             let reaction = |lambda: &M::Lambda| {
-                let mut jacobian = M::Jacobian::zero();
+                let mut jacobian = model.zero_jacobian();
                 model.constraint_jacobian(at.time, &at.q, &mut jacobian);
-                let mut force = vec![0.0; M::V::LEN];
-                for (&(row, column), d) in M::JACOBIAN_PATTERN.iter().zip(jacobian.as_slice()) {
+                let mut force = vec![0.0; model.velocity_count()];
+                for (&(row, column), d) in model.jacobian_pattern().iter().zip(jacobian.as_slice()) {
                     force[usize::from(column)] += d * lambda.as_slice()[usize::from(row)];
                 }
                 force
@@ -269,7 +275,7 @@ fn null_space_and_iteration_agree_with_lagrange<M: Model>() {
             let (found, known) = (reaction(&found.1), reaction(&lambda));
             let most = 1.0 + known.iter().fold(0.0_f64, |most, force| most.max(force.abs()));
             let error = found.iter().zip(&known).map(|(a, b)| (a - b).abs() / most).fold(0.0, f64::max);
-            assert!(error < bound, "{}, {name}: reactions off by {error:e}", M::NAME);
+            assert!(error < bound, "{}, {name}: reactions off by {error:e}", model.name());
         };
         compare("null space", accelerations(&model, NullSpace, at), 1e-8);
         compare("partitioned", accelerations(&model, Partitioned::default(), at), 1e-8);
@@ -285,48 +291,48 @@ fn projection_reaches_the_constraints_along_the_mass<M: Model>() {
     let (_, _, model, states) = walk::<M>(13, STATES);
     let mut random = Random::new(14);
     for at in &states {
-        let off = vector::<M::V>(&random.vector(M::V::LEN)).scaled(1e-6);
+        let off = vector::<M::V>(&random.vector(model.velocity_count())).scaled(1e-6);
         let mut q = at.q;
-        retract(&M::LAYOUT, &at.q, &off, &mut q);
-        let kick = vector::<M::V>(&random.vector(M::V::LEN)).scaled(1e-3);
+        retract(model.layout(), &at.q, &off, &mut q);
+        let kick = vector::<M::V>(&random.vector(model.velocity_count())).scaled(1e-3);
         let mut state = State::new(q, at.v.plus(1.0, &kick));
         let before = state;
         let projected = Projected::after(LagrangeIndex1);
         let settled = Formulation::<f64, M>::settle(&projected, &mut (), &model, at.time, &mut state);
-        settled.unwrap_or_else(|error| panic!("{}: {error}", M::NAME));
-        let mut phi = M::Lambda::zero();
+        settled.unwrap_or_else(|error| panic!("{}: {error}", model.name()));
+        let mut phi = model.zero_lambda();
         model.constraints(at.time, &state.q, &mut phi);
         let size = 1.0 + state.q.max_abs();
-        assert!(phi.max_abs() < 1e-13 * size * size, "{}: positions {:e}", M::NAME, phi.max_abs());
-        let mut jacobian = M::Jacobian::zero();
+        assert!(phi.max_abs() < 1e-13 * size * size, "{}: positions {:e}", model.name(), phi.max_abs());
+        let mut jacobian = model.zero_jacobian();
         model.constraint_jacobian(at.time, &state.q, &mut jacobian);
-        let mut nu = M::Lambda::zero();
+        let mut nu = model.zero_lambda();
         model.nu(at.time, &state.q, &mut nu);
         let rate = product::<M>(&jacobian, &state.v, false);
         let terms = product::<M>(&jacobian, &state.v, true);
         for (row, ((rate, nu), size)) in rate.iter().zip(nu.as_slice()).zip(terms).enumerate() {
-            assert!((rate - nu).abs() < 1e-11 * (1.0 + size), "{}: velocity of row {row}", M::NAME);
+            assert!((rate - nu).abs() < 1e-11 * (1.0 + size), "{}: velocity of row {row}", model.name());
         }
         // wᵀ M Δv = 0 for every w with D w = 0.
         let change = state.v.plus(-1.0, &before.v);
-        let free = State { v: vector(&random.vector(M::V::LEN)), ..state };
-        let mut mass = M::Mass::zero();
+        let free = State { v: vector(&random.vector(model.velocity_count())), ..state };
+        let mut mass = model.zero_mass();
         model.mass_matrix(at.time, &state.q, &mut mass);
-        let mut store = M::store();
+        let mut store = model.store();
         model.factor(at.time, &state.q, 0.0, &mut store);
         let allowed = {
-            let mut rows = M::Lambda::zero();
+            let mut rows = model.zero_lambda();
             let d = product::<M>(&jacobian, &free.v, false);
             for (row, d) in rows.as_mut_slice().iter_mut().zip(d) {
                 *row = -d;
             }
-            M::IDLE.iter().for_each(|row| rows.as_mut_slice()[usize::from(*row)] = 0.0);
-            let (mut w, mut lambda) = (M::V::zero(), M::Lambda::zero());
-            model.solve(&store, &M::V::zero(), &rows, &mut w, &mut lambda);
+            model.idle().iter().for_each(|row| rows.as_mut_slice()[usize::from(*row)] = 0.0);
+            let (mut w, mut lambda) = (model.zero_v(), model.zero_lambda());
+            model.solve(&store, &model.zero_v(), &rows, &mut w, &mut lambda);
             w.plus(1.0, &free.v)
         };
         let (mut work, mut size) = (0.0, 0.0_f64);
-        for (&(i, j), entry) in M::MASS_PATTERN.iter().zip(mass.as_slice()) {
+        for (&(i, j), entry) in model.mass_pattern().iter().zip(mass.as_slice()) {
             let (i, j) = (usize::from(i), usize::from(j));
             let twice = if i == j { 0.0 } else { allowed.as_slice()[j] * entry * change.as_slice()[i] };
             let term = allowed.as_slice()[i] * entry * change.as_slice()[j] + twice;
@@ -334,6 +340,6 @@ fn projection_reaches_the_constraints_along_the_mass<M: Model>() {
             size += term.abs();
         }
         // The factor belongs to the position before the correction of 1e-6.
-        assert!(work.abs() < 1e-4 * (size + 1e-12), "{}: {work:e} of {size:e}", M::NAME);
+        assert!(work.abs() < 1e-4 * (size + 1e-12), "{}: {work:e} of {size:e}", model.name());
     }
 }

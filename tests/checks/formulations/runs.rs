@@ -9,7 +9,6 @@
 use linkwright::{
     Assemble, AugmentedLagrangian, Baumgarte, ExplicitTrapezoidal, Formulation, LagrangeIndex1, Mechanism,
     NullSpace, Partitioned, Penalty, Projected, Residual, Sample, Simulation, SimulationError, StateOf, Step,
-    Variables, Vector,
 };
 use linkwright_models::andrews::Andrews;
 use linkwright_models::n_four_bar::{NFourBar2, NFourBar40};
@@ -255,16 +254,16 @@ led_by_the_slider!(LedWrittenOut, null_space);
 #[test]
 fn tables_take_over_where_written_out_pivots_are_small() {
     let model = LedWrittenOut::<f64>::default();
-    let names = LedWrittenOut::<f64>::VELOCITY_NAMES;
+    let names = model.velocity_names();
     let slider = names.iter().position(|name| name.contains("slider") && name.contains('x'));
     let slider = slider.expect("a velocity of the slider") as u16;
-    assert!(<LedWrittenOut as Assemble<f64>>::DEPENDENT.iter().all(|(_, velocity)| *velocity != slider));
+    assert!(model.dependent().iter().all(|(_, velocity)| *velocity != slider));
     let mut simulation = Simulation::new(&model, LedWrittenOut::START).formulation(NullSpace).step(1e-4);
     let (begin, mut by_tables, mut steps) = (simulation.energy(), 0, 0);
     while simulation.time() < 1.0 {
         let step = simulation.advance().expect("it turns");
         let state = *simulation.state();
-        let (mut a, mut lambda) = (state.v, <LedWrittenOut as Variables<f64>>::Lambda::zero());
+        let (mut a, mut lambda) = (state.v, model.zero_lambda());
         let pivot = model.null_space(simulation.time(), &state, &(), &mut a, &mut lambda);
         by_tables += u32::from(pivot < 1e-4);
         steps += 1;
@@ -281,10 +280,10 @@ fn tables_take_over_where_written_out_pivots_are_small() {
 #[test]
 fn the_independent_set_is_chosen_anew() {
     let model = LedByTheSlider::<f64>::default();
-    let mut partition = <NullSpace as Formulation<f64, LedByTheSlider>>::memory(&NullSpace);
+    let mut partition = Formulation::<f64, LedByTheSlider>::memory(&NullSpace, &model);
     let mut simulation = Simulation::new(&model, LedByTheSlider::START).formulation(NullSpace).step(1e-4);
     let (begin, mut least) = (simulation.energy(), f64::INFINITY);
-    let mut factors = <LedByTheSlider as Assemble<f64>>::Dense::zero();
+    let mut factors = model.zero_dense();
     while simulation.time() < 1.0 {
         simulation.advance().expect("it turns");
         let q = &simulation.state().q;

@@ -17,7 +17,7 @@ fn pivots_tell_the_distance_from_a_flat_position() {
     for angle in [1e-1, 1e-2, 1e-3, 1e-4, 0.0_f64] {
         let (c, s) = (angle.cos(), angle.sin());
         let q = [c, s, c, s, c, s, 1.0, 0.0, 1.0, 0.0];
-        let found = model.factor(0.0, &q, 0.0, &mut <NFourBar2 as Assemble<f64>>::store());
+        let found = model.factor(0.0, &q, 0.0, &mut <NFourBar2>::default().store());
         assert!(found <= s * s && found >= 0.02 * s * s, "{found:e} at {angle}");
     }
 }

@@ -81,7 +81,7 @@ fn car_axis() {
     // f + Dᵀ λ there, with the length constraint not halved.
     let lambda = simulation.multipliers().expect("it is regular");
     let row = |of: &str| {
-        <CarAxis as Mechanism<f64>>::ROWS.iter().position(|row| row.of == of).expect("a row of that name")
+        <CarAxis>::default().rows().iter().position(|row| row.of == of).expect("a row of that name")
     };
     let mut multipliers = Worst::default();
     multipliers.see(-lambda[row("upright")], expected("lambda1"));

@@ -1,7 +1,7 @@
 //! Arms against Pinocchio; the Stewart platform, the delta robot and the double wishbone against computations of their own.
 
 use super::{Table, Worst, baumgarte, orientation, see_matrix};
-use linkwright::{Assemble, AssembleExt, Mechanism, Motion, Simulation, State, Vector};
+use linkwright::{Assemble, AssembleExt, Mechanism, Motion, Simulation, State};
 use linkwright_models::delta_robot::{DeltaRobot, DeltaRobotInputs};
 use linkwright_models::double_wishbone::{DoubleWishbone, DoubleWishboneInputs};
 use linkwright_models::iiwa14::{Iiwa14, Iiwa14Inputs, Iiwa14Parametric, Iiwa14ParametricInputs};
@@ -40,7 +40,7 @@ macro_rules! against_pinocchio {
             let mut mass = Default::default();
             model.mass_matrix(0.0, &start.q, &mut mass);
             let mut dense = [[0.0; 7]; 7];
-            for (&(row, column), value) in <$model as Mechanism<f64>>::MASS_PATTERN.iter().zip(mass) {
+            for (&(row, column), value) in <$model>::default().mass_pattern().iter().zip(mass) {
                 dense[row as usize][column as usize] = value;
                 dense[column as usize][row as usize] = value;
             }
@@ -123,7 +123,7 @@ fn thrusts(of: impl Fn(f64) -> f64) -> StewartPlatformInputs<f64> {
 fn stewart_platform_stands_still() {
     let model = StewartPlatform::<f64>::default();
     let start = StewartPlatform::START;
-    let (mut a, mut lambda) = (start.v, <_ as Vector<f64>>::zero());
+    let (mut a, mut lambda) = (start.v, model.zero_lambda());
     model.acceleration(0.0, &start, &thrusts(|_| 1.0), &mut a, &mut lambda);
     let mut worst = Worst::default();
     a.iter().for_each(|found| worst.see(*found, 0.0));
@@ -163,7 +163,7 @@ fn torques([torque_0, torque_1, torque_2]: [f64; 3]) -> DeltaRobotInputs<f64> {
 fn delta_robot_holds_its_platform() {
     let model = DeltaRobot::<f64>::default();
     let start = DeltaRobot::START;
-    let (mut a, mut lambda) = (start.v, <_ as Vector<f64>>::zero());
+    let (mut a, mut lambda) = (start.v, model.zero_lambda());
     let rest = State::new(start.q, [0.0; DeltaRobot::START.v.len()]);
     let held = torques([-15.072845703509; 3]);
     model.acceleration(0.0, &rest, &held, &mut a, &mut lambda);
@@ -212,9 +212,10 @@ fn delta_robot_moves() {
 fn double_wishbone_positions() {
     let reference = Table::new(include_str!("../../data/double_wishbone_computed.csv"));
     let model = DoubleWishbone::<f64>::default();
-    let independent: Vec<&str> = <DoubleWishbone as Assemble<f64>>::INDEPENDENT
+    let independent: Vec<&str> = <DoubleWishbone>::default()
+        .independent()
         .iter()
-        .map(|&index| <DoubleWishbone as Assemble<f64>>::CONDITIONS[index as usize].of)
+        .map(|&index| <DoubleWishbone>::default().conditions()[index as usize].of)
         .collect();
     let spindle =
         DoubleWishbone::<f64>::BODIES.iter().position(|name| *name == "spindle").expect("a spindle");

@@ -123,8 +123,8 @@ fn free_rigid_body_turns_over() {
 #[test]
 fn four_spherical_joints() {
     type Loop = FourSphericalJoints<f64>;
-    assert_eq!(<Loop as Mechanism<f64>>::ROWS.len(), 12);
-    assert_eq!(<Loop as Mechanism<f64>>::VELOCITY_NAMES.len(), 18);
+    assert_eq!(<Loop>::default().rows().len(), 12);
+    assert_eq!(<Loop>::default().velocity_names().len(), 18);
     assert_eq!(Loop::DEGREES_OF_FREEDOM, 6);
     let reference = Table::new(include_str!("../../data/four_spherical_joints_computed.csv"));
     let model = Loop::default();
@@ -157,7 +157,7 @@ fn bricard() {
     let operations = Bricard::<f64>::OPERATIONS;
     assert!(operations <= 900, "A04: {operations} operations");
     assert_eq!(
-        <Bricard as Mechanism<f64>>::ROWS.len(),
+        <Bricard>::default().rows().len(),
         4,
         "one of the five rows of the hinge that closes the loop is dropped"
     );

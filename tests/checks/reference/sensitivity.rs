@@ -20,12 +20,12 @@ fn sensitivity<M: Model + Tangent<f64>>(inputs: &Inputs) -> Vec<Vec<f64>> {
     let flat = |column: Response<M::V, M::Lambda>| {
         [column.acceleration.as_slice(), column.multipliers.as_slice()].concat()
     };
-    let mut columns: Vec<Vec<f64>> = (0..M::V::LEN).map(|k| flat(here.by_position(k))).collect();
-    columns.extend((0..M::V::LEN).map(|k| flat(here.by_velocity(k))));
+    let mut columns: Vec<Vec<f64>> = (0..model.velocity_count()).map(|k| flat(here.by_position(k))).collect();
+    columns.extend((0..model.velocity_count()).map(|k| flat(here.by_velocity(k))));
     columns.extend((0..M::Inputs::NAMES.len()).map(|k| flat(here.by_input(k))));
     columns.extend((0..M::Parameters::NAMES.len()).map(|k| flat(by_parameters.column(k))));
     let row = |row: usize| columns.iter().map(|column| column[row]).collect();
-    (0..M::V::LEN + M::Lambda::LEN).map(row).collect()
+    (0..model.velocity_count() + model.row_count()).map(row).collect()
 }
 
 fn write<M: Model + Tangent<f64>>(folder: &std::path::Path, name: &str) {
@@ -36,6 +36,7 @@ fn write<M: Model + Tangent<f64>>(folder: &std::path::Path, name: &str) {
 }
 
 fn compare_recorded<M: Model + Tangent<f64>>(name: &str) {
+    let model = M::standard();
     let record = recorded::record(name, "tangent");
     assert_eq!(
         record.hash,
@@ -46,7 +47,7 @@ fn compare_recorded<M: Model + Tangent<f64>>(name: &str) {
     assert!(!states.is_empty(), "{name}");
     for (inputs, expected) in states {
         let found = sensitivity::<M>(&inputs);
-        for rows in [0..M::V::LEN, M::V::LEN..expected.len()] {
+        for rows in [0..model.velocity_count(), model.velocity_count()..expected.len()] {
             let largest = |k: usize| rows.clone().fold(0.0_f64, |m, row| m.max(expected[row][k].abs()));
             let all = (0..found[0].len()).map(largest).fold(0.0, f64::max);
             for row in rows.clone() {

@@ -68,7 +68,7 @@ impl<M: Mechanism<f64, Inputs: Fields<f64>>> InputSource<f64, M> for Still {
     const HELD: bool = false;
 
     fn sample(&mut self, _: f64, _: &StateOf<M>) -> M::Inputs {
-        M::Inputs::from_array(Vector::zero())
+        M::Inputs::from_array(Vector::zeros(M::Inputs::NAMES.len()))
     }
 }
 
@@ -115,12 +115,12 @@ where
     // Positions, derivatives.
     good += u32::from(model.assemble(start).is_ok()) + u32::from(model.project(h, start).is_ok());
     let motions = [Motion { position: h, rate: 1.0, acceleration: 0.0 }; 3];
-    let given = motions.get(..M::INDEPENDENT.len()).unwrap_or_default();
+    let given = motions.get(..model.independent().len()).unwrap_or_default();
     if let Ok(found) = model.kinematics(0.0, &start.q, given) {
-        let inputs = M::Inputs::from_array(Vector::zero());
+        let inputs = M::Inputs::from_array(Vector::zeros(M::Inputs::NAMES.len()));
         good += u32::from(actuation(model, 0.0, start, &found.a, &inputs, M::Inputs::NAMES).is_ok());
     }
-    let inputs = M::Inputs::from_array(Vector::zero());
+    let inputs = M::Inputs::from_array(Vector::zeros(M::Inputs::NAMES.len()));
     good += u32::from(equilibrium(model, 0.0, &start.q, &inputs).is_ok());
     if let Ok(here) = Linearisation::at(model, 0.0, start, &inputs) {
         good += u32::from(here.by_position(0).acceleration.max_abs() > 0.0);

@@ -69,7 +69,7 @@ impl<V, Z> Scale<V, Z> {
     /// With the sizes of the larger of two states.
     pub fn new<R: Real, Q: Vector<R>, G>(
         tolerances: (R, R),
-        layout: &Layout,
+        layout: &Layout<'_>,
         a: &State<Q, V, Z, G>,
         b: &State<Q, V, Z, G>,
     ) -> Self
@@ -91,14 +91,14 @@ impl<V, Z> Scale<V, Z> {
         Z: Vector<R>,
     {
         let squares = sum(du, &self.positions) + sum(dv, &self.velocities) + sum(dz, &self.internal);
-        let count = (2 * V::LEN + Z::LEN).max(1) as f64;
+        let count = (2 * dv.as_slice().len() + dz.as_slice().len()).max(1) as f64;
         (squares / R::from_f64(count)).sqrt()
     }
 }
 
 /// sc of the larger of two values of each entry.
 fn scaled<R: Real, T: Vector<R>>((absolute, relative): (R, R), x: &T, y: &T) -> T {
-    let mut scale = *x;
+    let mut scale = x.clone();
     for (scale, y) in scale.as_mut_slice().iter_mut().zip(y.as_slice()) {
         *scale = relative.mul_add(scale.abs().max(y.abs()), absolute);
     }
@@ -114,8 +114,8 @@ fn sum<R: Real, T: Vector<R>>(values: &T, scale: &T) -> R {
 }
 
 /// The size of each coordinate that an increment moves: of a linear one its value, of an orientation 1.
-pub(super) fn sizes<R: Real, Q: Vector<R>, V: Vector<R>>(layout: &Layout, q: &Q) -> V {
-    let mut sizes = V::zero();
+pub(super) fn sizes<R: Real, Q: Vector<R>, V: Vector<R>>(layout: &Layout<'_>, q: &Q) -> V {
+    let mut sizes = V::zeros(layout.velocities());
     for (i, size) in sizes.as_mut_slice().iter_mut().enumerate() {
         *size = if i < layout.linear { q.as_slice()[i] } else { R::ONE };
     }

@@ -24,7 +24,7 @@ pub(super) struct Segment<R, S, V, Z> {
 
 impl<R: Real, S, V: Vector<R>, Z: Vector<R>> Segment<R, S, V, Z> {
     /// From the increment over the step and its slopes.
-    pub fn new(layout: &Layout, h: R, begin: S, y: Increment<V, Z>, slopes: &Slopes<V, Z, 7>) -> Self {
+    pub fn new(layout: &Layout<'_>, h: R, begin: S, y: Increment<V, Z>, slopes: &Slopes<V, Z, 7>) -> Self {
         let r3 = slopes.single(layout, h, 0).and(R::ONE, -R::ONE, &y);
         let r4 = y.and(R::ONE, -R::ONE, &slopes.single(layout, h, 6)).and(R::ONE, -R::ONE, &r3);
         let r5 = slopes.increment(layout, h, 0.0, &DENSE);
@@ -36,9 +36,9 @@ impl<R: Real, S, V: Vector<R>, Z: Vector<R>> Segment<R, S, V, Z> {
     }
 }
 
-impl<R: Real, Q: Vector<R>, V: Vector<R>, Z: Vector<R>, G: Copy> Segment<R, State<Q, V, Z, G>, V, Z> {
+impl<R: Real, Q: Vector<R>, V: Vector<R>, Z: Vector<R>, G: Clone> Segment<R, State<Q, V, Z, G>, V, Z> {
     /// The state at θ = `elapsed`/h.
-    pub fn at(&self, layout: &Layout, elapsed: R) -> State<Q, V, Z, G> {
+    pub fn at(&self, layout: &Layout<'_>, elapsed: R) -> State<Q, V, Z, G> {
         let part = elapsed / self.size;
         let rest = R::ONE - part;
         let inner = self.r4.and(R::ONE, rest, &self.r5);

@@ -8,10 +8,11 @@ use self::control::{AFTER_BREAKDOWN, LEAST_ERROR, MOST_STEPS, MOST_TRIALS, Scale
 use self::dense::Segment;
 pub(super) use self::tableau::DORMAND_PRINCE;
 use self::tableau::{ESTIMATE, EULER};
-use super::runge_kutta::{Increment, Slopes, Stage};
+use super::runge_kutta::{Increment, Slopes};
 use super::{Dynamics, Integrator, Interpolate, Method, Rejections, StepFailure, Stepped, SteppedOf};
 use crate::error::SettingError;
 use crate::formulation::positive;
+use crate::layout::Layout;
 use crate::real::Real;
 use crate::state::{Derivative, DerivativeOf, StateOf, Variables};
 use crate::vector::Vector;
@@ -113,15 +114,16 @@ impl<R: Real> DormandPrince<R> {
         first: &DerivativeOf<X, R>,
         largest: R,
     ) -> R {
-        let layout = &X::LAYOUT;
+        let layout = dynamics.variables().layout();
         let scale = Scale::new((self.absolute, self.relative), layout, state, state);
         let d0 = scale.norm(&control::sizes(layout, &state.q), &state.v, &state.z);
         let d1 = scale.norm(&first.v, &first.a, &first.z);
         let h0 = control::euler_size(d0, d1).min(largest);
         dynamics.begin_trial(h0);
-        let mut slopes = Slopes::new(first);
+        let mut slopes = Slopes::new(first.clone());
         let Some(_) = slopes.stage(&EULER, 1, dynamics, (time, h0), state) else { return h0 };
-        let Increment { u, v, z, .. } = slopes.increment(layout, R::ONE, 0.0, &[0.0, 1.0]);
+        let Increment { u, v, z, .. } =
+            slopes.increment(dynamics.variables().layout(), R::ONE, 0.0, &[0.0, 1.0]);
         let d2 = scale.norm(&u, &v, &z) / h0;
         if !d2.is_finite() { h0 } else { control::first_size(h0, d1, d2) }
     }
@@ -151,22 +153,24 @@ struct End<R, S, V, Z> {
 /// [`DormandPrinceMemory`] of what has the variables `X`.
 type MemoryOf<X, R> = DormandPrinceMemory<R, StateOf<X, R>, <X as Variables<R>>::V, <X as Variables<R>>::Z>;
 
-impl<R: Real, S: PartialEq + Copy, V: Vector<R>, Z: Vector<R>> DormandPrinceMemory<R, S, V, Z> {
+impl<R: Real, S: PartialEq + Clone, V: Vector<R>, Z: Vector<R>> DormandPrinceMemory<R, S, V, Z> {
     /// The derivative at this time and state, if the last step ended there and nothing was changed since.
     fn known(&self, time: R, state: &S) -> Option<Derivative<V, Z>> {
         let end = self.end.as_ref()?;
         // Near zero the time has the rounding that it began with.
         let [from, to] = end.times;
         let rounding = R::from_f64(8.0) * R::EPSILON * (from.abs() + to.abs());
-        ((time - to).abs() <= rounding && end.state == *state).then_some(end.derivative)
+        ((time - to).abs() <= rounding && end.state == *state).then(|| end.derivative.clone())
     }
 }
 
 /// A step that was tried.
 struct Trial<X: Variables<R>, R: Real> {
     slopes: Slopes<X::V, X::Z, 7>,
-    /// Its end, the seventh stage.
-    end: Stage<X, R>,
+    /// The increment to its end, the seventh stage.
+    increment: Increment<X::V, X::Z>,
+    /// The state there, before the equations corrected it.
+    end: StateOf<X, R>,
 }
 
 impl<X: Variables<R>, R: Real> Trial<X, R> {
@@ -180,28 +184,38 @@ impl<X: Variables<R>, R: Real> Trial<X, R> {
         first: &DerivativeOf<X, R>,
     ) -> Option<Self> {
         let (method, over) = (&DORMAND_PRINCE, (time, h));
-        let mut slopes = Slopes::new(first);
+        let mut slopes = Slopes::new(first.clone());
         slopes.stage(method, 1, dynamics, over, begin)?;
         slopes.stage(method, 2, dynamics, over, begin)?;
         slopes.stage(method, 3, dynamics, over, begin)?;
         slopes.stage(method, 4, dynamics, over, begin)?;
         slopes.stage(method, 5, dynamics, over, begin)?;
-        let end = slopes.stage(method, 6, dynamics, over, begin)?;
-        Some(Trial { slopes, end })
+        let mut end = None;
+        let see = |state: &StateOf<X, R>| end = Some(state.clone());
+        let increment = slopes.stage_seen(method, 6, dynamics, over, begin, see)?;
+        Some(Trial { slopes, increment, end: end? })
     }
 
     /// The estimated error, relative to the tolerances.
-    fn error(&self, method: &DormandPrince<R>, h: R, begin: &StateOf<X, R>) -> R {
-        let Increment { u, v, z, .. } = self.slopes.increment(&X::LAYOUT, h, 0.0, &ESTIMATE);
-        let scale = Scale::new((method.absolute, method.relative), &X::LAYOUT, begin, &self.end.state);
+    fn error(&self, method: &DormandPrince<R>, layout: &Layout<'_>, h: R, begin: &StateOf<X, R>) -> R {
+        let Increment { u, v, z, .. } = self.slopes.increment(layout, h, 0.0, &ESTIMATE);
+        let scale = Scale::new((method.absolute, method.relative), layout, begin, &self.end);
         scale.norm(&u, &v, &z)
     }
 
-    /// Remembers the step, which was taken.
-    fn keep(&self, memory: &mut MemoryOf<X, R>, time: R, h: R, begin: &StateOf<X, R>) {
-        let Stage { increment, state, derivative } = &self.end;
-        memory.segment = Some(Segment::new(&X::LAYOUT, h, *begin, *increment, &self.slopes));
-        memory.end = Some(End { times: [time, time + h], state: *state, derivative: *derivative });
+    /// Remembers the step, which was taken; gives its end.
+    fn keep(
+        self,
+        memory: &mut MemoryOf<X, R>,
+        layout: &Layout<'_>,
+        (time, h): (R, R),
+        begin: &StateOf<X, R>,
+    ) -> StateOf<X, R> {
+        let Trial { slopes, increment, end } = self;
+        memory.segment = Some(Segment::new(layout, h, begin.clone(), increment, &slopes));
+        let derivative = slopes.last().clone();
+        memory.end = Some(End { times: [time, time + h], state: end.clone(), derivative });
+        end
     }
 }
 
@@ -242,8 +256,8 @@ impl<R: Real> Interpolate<R> for DormandPrince<R> {
         memory.segment.as_ref().map(Segment::size)
     }
 
-    fn at<X: Variables<R>>(memory: &MemoryOf<X, R>, elapsed: R) -> Option<StateOf<X, R>> {
-        memory.segment.as_ref().map(|segment| segment.at(&X::LAYOUT, elapsed))
+    fn at<X: Variables<R>>(memory: &MemoryOf<X, R>, of: &X, elapsed: R) -> Option<StateOf<X, R>> {
+        memory.segment.as_ref().map(|segment| segment.at(of.layout(), elapsed))
     }
 }
 
@@ -265,8 +279,8 @@ impl<R: Real, X: Variables<R>, D: Dynamics<R, Variables = X>> Integrator<R, D> f
         }
         if !self.adaptive {
             let trial = Trial::new(dynamics, time, h, state, &first).ok_or(StepFailure::Breakdown)?;
-            trial.keep(memory, time, h, state);
-            return Ok(Stepped::explicit(h, trial.end.state));
+            let end = trial.keep(memory, dynamics.variables().layout(), (time, h), state);
+            return Ok(Stepped::explicit(h, end));
         }
 
         let proposed = match memory.size {
@@ -282,10 +296,11 @@ impl<R: Real, X: Variables<R>, D: Dynamics<R, Variables = X>> Integrator<R, D> f
         for _ in 0..MOST_TRIALS {
             dynamics.begin_trial(size);
             let trial = Trial::new(dynamics, time, size, state, &first);
-            let error = trial.as_ref().map(|trial| trial.error(self, size, state));
+            let layout = dynamics.variables().layout();
+            let error = trial.as_ref().map(|trial| trial.error(self, layout, size, state));
             match (trial, error) {
                 (Some(trial), Some(error)) if error <= R::ONE => {
-                    trial.keep(memory, time, size, state);
+                    let end = trial.keep(memory, dynamics.variables().layout(), (time, size), state);
                     let rejected = rejections.total() > 0;
                     let next = size * control::after_acceptance(error, memory.error, rejected);
                     if shortened && !rejected {
@@ -294,7 +309,7 @@ impl<R: Real, X: Variables<R>, D: Dynamics<R, Variables = X>> Integrator<R, D> f
                         memory.size = Some(next);
                         memory.error = error.max(R::from_f64(LEAST_ERROR));
                     }
-                    return Ok(Stepped { rejections, ..Stepped::explicit(size, trial.end.state) });
+                    return Ok(Stepped { rejections, ..Stepped::explicit(size, end) });
                 }
                 (_, Some(error)) if error.is_finite() => {
                     rejections.error += 1;
