@@ -1,5 +1,5 @@
 // `FourBar` of models/src/four_bar.rs.
-// Left out: acceleration, choice, condition_bias, condition_cosines, condition_drift, condition_jacobian, condition_residual, constraints, default, driver_efforts, factor, forces, from, from_array, internal_rates, inverse_dynamics, kinetic_energy, lu, mass_matrix, motions, nu, parameters, positions, potential_energy, powers, prepare, row_cosines, row_scales, solve, start_gates, start_internal, start_q, start_targets, start_v, store, to_array, unwrap, velocities, with.
+// Left out: acceleration, choice, condition_bias, condition_cosines, condition_drift, condition_jacobian, condition_pattern, condition_residual, conditions, constraints, default, dependent, driver_efforts, elimination, factor, flips, forces, from, from_array, independent, input_names, internal_rates, inverse_dynamics, jacobian_pattern, kinetic_energy, layout, lu, mass_matrix, mass_pattern, motions, name, nu, output_names, parameters, position_names, positions, potential_energy, powers, prepare, row_cosines, row_scales, row_sizes, rows, solve, start_conditions, start_gates, start_internal, start_q, start_rates, start_targets, start_v, store, to_array, unwrap, velocities, velocity_names, with.
 /// Four-bar of unit rods (IFToMM A02 with one window).
 ///
 /// Three uniform rods of 1 m and 1 kg, g = 9.81 m/s², cranks upright and turning at −1 rad/s. The cranks move as a
@@ -239,15 +239,6 @@ const _: () = {
         }
     }
     impl<R: Real> Variables<R> for FourBar<R> {
-        #[inline]
-        fn layout(&self) -> &Layout<'_> {
-            &Layout {
-                linear: 0,
-                rotations: 3,
-                quaternions: 0,
-                angles: &[],
-            }
-        }
         type Q = Q<R>;
         type V = V<R>;
         type Lambda = Lambda<R>;
@@ -255,49 +246,10 @@ const _: () = {
         type Gates = ();
     }
     impl<R: Real> Mechanism<R> for FourBar<R> {
-        #[inline]
-        fn name(&self) -> &'static str {
-            "FourBar"
-        }
-        #[inline]
-        fn rows(&self) -> &[Row] {
-            &[Row { of: "right", what: "x" }, Row { of: "right", what: "y" }]
-        }
-        #[inline]
-        fn position_names(&self) -> &[&'static str] {
-            &[
-                "crank.cos",
-                "crank.sin",
-                "rocker.cos",
-                "rocker.sin",
-                "coupler.cos",
-                "coupler.sin",
-            ]
-        }
-        #[inline]
-        fn velocity_names(&self) -> &[&'static str] {
-            &["crank.rate", "rocker.rate", "coupler.rate"]
-        }
-        #[inline]
-        fn mass_pattern(&self) -> &[(u16, u16)] {
-            &[(0, 0), (1, 1), (2, 0), (2, 2)]
-        }
-        #[inline]
-        fn jacobian_pattern(&self) -> &[(u16, u16)] {
-            &[(0, 0), (0, 1), (0, 2), (1, 0), (1, 1), (1, 2)]
-        }
         type Mass = Mass<R>;
         type Jacobian = Jacobian<R>;
         type Inputs = ();
-        #[inline]
-        fn input_names(&self) -> &'static [&'static str] {
-            <() as Fields<R>>::NAMES
-        }
         type Outputs = Outputs<R>;
-        #[inline]
-        fn output_names(&self) -> &'static [&'static str] {
-            <Outputs<R> as Fields<R>>::NAMES
-        }
         fn constraint_jacobian(&self, time: R, q: &Q<R>, out: &mut Jacobian<R>) {
             // D(t, q), Φ̇ = D v − ν: its stored entries.
             // 3 operations.
@@ -463,82 +415,14 @@ const _: () = {
         }
     }
     impl<R: Real> Report<R> for FourBar<R> {
-        #[inline]
-        fn bodies(&self) -> &[&'static str] {
-            FourBar::<f64>::BODIES
-        }
-        #[inline]
-        fn joints(&self) -> &[&'static str] {
-            FourBar::<f64>::JOINTS
-        }
-        #[inline]
-        fn loads(&self) -> &[&'static str] {
-            FourBar::<f64>::LOADS
-        }
         type Motion = BodyMotion<R>;
         type Motions = [BodyMotion<R>; 3];
         type Reaction = Reaction<R>;
         type Reactions = [Reaction<R>; 4];
         type Powers = [R; 0];
         type Efforts = [[R; 2]; 0];
-        fn reactions(
-            &self,
-            time: R,
-            state: &State<Q<R>, V<R>>,
-            u: &(),
-            a: &V<R>,
-            lambda: &Lambda<R>,
-        ) -> [Reaction<R>; 4] {
-            FourBar::<R>::reactions(self, time, state, u, a, lambda)
-        }
     }
     impl<R: Real> Assemble<R> for FourBar<R> {
-        #[inline]
-        fn conditions(&self) -> &[Condition] {
-            &[
-                Condition {
-                    of: "crank_pin.angle",
-                    kind: ConditionKind::Angle,
-                },
-            ]
-        }
-        #[inline]
-        fn start_conditions(&self) -> &[u16] {
-            &[0]
-        }
-        #[inline]
-        fn start_rates(&self) -> &[u16] {
-            &[0]
-        }
-        #[inline]
-        fn independent(&self) -> &[u16] {
-            &[0]
-        }
-        #[inline]
-        fn flips(&self) -> &[Flips<'_>] {
-            &[]
-        }
-        #[inline]
-        fn dependent(&self) -> &[(u16, u16)] {
-            &[(0, 1), (1, 2)]
-        }
-        #[inline]
-        fn row_sizes(&self) -> &[f64] {
-            &[1.0, 1.0]
-        }
-        #[inline]
-        fn condition_pattern(&self) -> &[(u16, u16)] {
-            &[(0, 0)]
-        }
-        #[inline]
-        fn elimination(&self) -> Elimination<'_> {
-            Elimination {
-                order: &[1, 2, 0, 3, 4, 5],
-                position: &[2, 0, 1, 3, 4, 5],
-                row_start: &[0, 0, 0, 1, 4, 8, 11],
-                columns: &[1, 0, 1, 2, 0, 1, 2, 3, 2, 3, 4],
-            }
-        }
         type Conditions = Conditions<R>;
         type ConditionJacobian = ConditionJacobian<R>;
         type Factor = Factor<R>;

@@ -1,5 +1,5 @@
 // `Gripper` of tests/checks/zoo_tangent.rs.
-// Left out: acceleration, acceleration_baumgarte, choice, condition_bias, condition_cosines, condition_drift, condition_jacobian, condition_residual, constraint_jacobian, constraints, coordinate_tangent, default, driver_efforts, factor, forces, from, from_array, gamma, input_tangent, internal_rates, inverse_dynamics, kinetic_energy, lu, mass_matrix, motions, nu, order, output_tangent, outputs, parameter_tangent, parameters, positions, potential_energy, powers, prepare, rate_tangent, reactions, row_cosines, row_scales, row_tangent, solve, start_gates, start_internal, start_q, start_targets, start_v, store, to_array, unwrap, velocities, with.
+// Left out: acceleration, acceleration_baumgarte, choice, condition_bias, condition_cosines, condition_drift, condition_jacobian, condition_pattern, condition_residual, conditions, constraint_jacobian, constraints, coordinate_pattern, coordinate_tangent, damping_pattern, default, dependent, driver_efforts, elimination, factor, flips, forces, from, from_array, gamma, independent, input_names, input_pattern, input_tangent, internal_rates, inverse_dynamics, jacobian_pattern, kinetic_energy, layout, lu, mass_matrix, mass_pattern, motions, name, nu, order, output_names, output_pattern, output_tangent, outputs, parameter_names, parameter_pattern, parameter_tangent, parameters, position_names, positions, potential_energy, powers, prepare, rate_pattern, rate_tangent, reactions, row_cosines, row_damping_pattern, row_scales, row_sizes, row_stiffness_pattern, row_tangent, rows, scales, solve, start_conditions, start_gates, start_internal, start_q, start_rates, start_targets, start_v, states, stiffness_pattern, store, to_array, unwrap, velocities, velocity_names, with.
 /// A four-bar that a torsion spring holds, with more inputs than it needs.
 ///
 ///Equations of motion of the planar mechanism `Gripper`.
@@ -219,15 +219,6 @@ const _: () = {
     impl<R: Real> Default for Gripper<R> {}
     impl<R: Real> Gripper<R> {}
     impl<R: Real> Variables<R> for Gripper<R> {
-        #[inline]
-        fn layout(&self) -> &Layout<'_> {
-            &Layout {
-                linear: 0,
-                rotations: 3,
-                quaternions: 0,
-                angles: &[MultiTurn { rate: &[(0, 1.0)] }],
-            }
-        }
         type Q = Q<R>;
         type V = V<R>;
         type Lambda = Lambda<R>;
@@ -235,65 +226,12 @@ const _: () = {
         type Gates = ();
     }
     impl<R: Real> Mechanism<R> for Gripper<R> {
-        #[inline]
-        fn name(&self) -> &'static str {
-            "Gripper"
-        }
-        #[inline]
-        fn rows(&self) -> &[Row] {
-            &[Row { of: "c", what: "x" }, Row { of: "c", what: "y" }]
-        }
-        #[inline]
-        fn position_names(&self) -> &[&'static str] {
-            &[
-                "crank.cos",
-                "crank.sin",
-                "rocker.cos",
-                "rocker.sin",
-                "coupler.cos",
-                "coupler.sin",
-                "a.turns",
-                "a.remainder",
-            ]
-        }
-        #[inline]
-        fn velocity_names(&self) -> &[&'static str] {
-            &["crank.rate", "rocker.rate", "coupler.rate"]
-        }
-        #[inline]
-        fn mass_pattern(&self) -> &[(u16, u16)] {
-            &[(0, 0), (1, 1), (2, 0), (2, 2)]
-        }
-        #[inline]
-        fn jacobian_pattern(&self) -> &[(u16, u16)] {
-            &[(0, 0), (0, 1), (0, 2), (1, 0), (1, 1), (1, 2)]
-        }
         type Mass = Mass<R>;
         type Jacobian = Jacobian<R>;
         type Inputs = Inputs<R>;
-        #[inline]
-        fn input_names(&self) -> &'static [&'static str] {
-            <Inputs<R> as Fields<R>>::NAMES
-        }
         type Outputs = Outputs<R>;
-        #[inline]
-        fn output_names(&self) -> &'static [&'static str] {
-            <Outputs<R> as Fields<R>>::NAMES
-        }
     }
     impl<R: Real> Report<R> for Gripper<R> {
-        #[inline]
-        fn bodies(&self) -> &[&'static str] {
-            Gripper::<f64>::BODIES
-        }
-        #[inline]
-        fn joints(&self) -> &[&'static str] {
-            Gripper::<f64>::JOINTS
-        }
-        #[inline]
-        fn loads(&self) -> &[&'static str] {
-            Gripper::<f64>::LOADS
-        }
         type Motion = BodyMotion<R>;
         type Motions = [BodyMotion<R>; 3];
         type Reaction = Reaction<R>;
@@ -302,56 +240,6 @@ const _: () = {
         type Efforts = [[R; 2]; 0];
     }
     impl<R: Real> Assemble<R> for Gripper<R> {
-        #[inline]
-        fn conditions(&self) -> &[Condition] {
-            &[
-                Condition {
-                    of: "a.angle",
-                    kind: ConditionKind::Linear,
-                },
-            ]
-        }
-        #[inline]
-        fn start_conditions(&self) -> &[u16] {
-            &[0]
-        }
-        #[inline]
-        fn start_rates(&self) -> &[u16] {
-            &[0]
-        }
-        #[inline]
-        fn independent(&self) -> &[u16] {
-            &[0]
-        }
-        #[inline]
-        fn flips(&self) -> &[Flips<'_>] {
-            &[]
-        }
-        #[inline]
-        fn dependent(&self) -> &[(u16, u16)] {
-            &[(0, 1), (1, 2)]
-        }
-        #[inline]
-        fn row_sizes(&self) -> &[f64] {
-            &[1.394904042702733, 1.0867628625141583]
-        }
-        #[inline]
-        fn scales(&self) -> &[f64] {
-            &[2.0, 2.0, 1.0]
-        }
-        #[inline]
-        fn condition_pattern(&self) -> &[(u16, u16)] {
-            &[(0, 0)]
-        }
-        #[inline]
-        fn elimination(&self) -> Elimination<'_> {
-            Elimination {
-                order: &[1, 2, 0, 3, 4, 5],
-                position: &[2, 0, 1, 3, 4, 5],
-                row_start: &[0, 0, 0, 1, 4, 8, 11],
-                columns: &[1, 0, 1, 2, 0, 1, 2, 3, 2, 3, 4],
-            }
-        }
         type Conditions = Conditions<R>;
         type ConditionJacobian = ConditionJacobian<R>;
         type Factor = Factor<R>;
@@ -364,61 +252,6 @@ const _: () = {
         type Lu = ();
     }
     impl<R: Real> Tangent<R> for Gripper<R> {
-        #[inline]
-        fn states(&self) -> &[u16] {
-            &[0]
-        }
-        #[inline]
-        fn stiffness_pattern(&self) -> &[(u16, u16)] {
-            &[(0, 0), (0, 2), (1, 1), (2, 0), (2, 2)]
-        }
-        #[inline]
-        fn damping_pattern(&self) -> &[(u16, u16)] {
-            &[(0, 0), (0, 2), (2, 0)]
-        }
-        #[inline]
-        fn row_stiffness_pattern(&self) -> &[(u16, u16)] {
-            &[(0, 0), (0, 1), (0, 2), (1, 0), (1, 1), (1, 2)]
-        }
-        #[inline]
-        fn row_damping_pattern(&self) -> &[(u16, u16)] {
-            &[(0, 0), (0, 1), (0, 2), (1, 0), (1, 1), (1, 2)]
-        }
-        #[inline]
-        fn rate_pattern(&self) -> &[(u16, u16)] {
-            &[(0, 0), (0, 1), (0, 2), (1, 0), (1, 1), (1, 2)]
-        }
-        #[inline]
-        fn input_pattern(&self) -> &[(u16, u16)] {
-            &[(0, 0), (0, 1), (2, 1)]
-        }
-        #[inline]
-        fn parameter_pattern(&self) -> &[(u16, u16)] {
-            &[
-                (0, 0),
-                (0, 1),
-                (0, 2),
-                (2, 1),
-                (3, 1),
-                (4, 1),
-                (5, 1),
-                (6, 1),
-                (7, 1),
-                (8, 1),
-                (9, 1),
-                (12, 0),
-                (12, 1),
-                (12, 2),
-            ]
-        }
-        #[inline]
-        fn output_pattern(&self) -> &[(u16, u16)] {
-            &[(0, 0), (0, 2), (1, 1), (2, 4), (3, 0), (3, 1), (3, 2)]
-        }
-        #[inline]
-        fn coordinate_pattern(&self) -> &[(u16, u16)] {
-            &[(0, 3)]
-        }
         type Stiffness = Stiffness<R>;
         type Damping = Damping<R>;
         type RowStiffness = RowStiffness<R>;
@@ -436,10 +269,6 @@ const _: () = {
         type Bordered = Bordered<R>;
         type Parameters = Parameters<R>;
         type Order = [u16; 5];
-        #[inline]
-        fn parameter_names(&self) -> &[&'static str] {
-            <Parameters<R> as Fields<R>>::NAMES
-        }
         fn residual(
             &self,
             time: R,

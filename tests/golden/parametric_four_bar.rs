@@ -1,5 +1,5 @@
 // `ParametricFourBar` of models/src/general_four_bar.rs.
-// Left out: acceleration, acceleration_baumgarte, choice, condition_bias, condition_cosines, condition_drift, condition_jacobian, condition_residual, constraint_jacobian, constraints, default, driver_efforts, factor, forces, from, from_array, gamma, internal_rates, inverse_dynamics, kinetic_energy, lu, motions, nu, outputs, parameters, positions, potential_energy, powers, reactions, row_cosines, row_scales, solve, start_gates, start_internal, start_q, start_targets, start_v, store, to_array, unwrap, velocities.
+// Left out: acceleration, acceleration_baumgarte, choice, condition_bias, condition_cosines, condition_drift, condition_jacobian, condition_pattern, condition_residual, conditions, constraint_jacobian, constraints, default, dependent, driver_efforts, elimination, factor, flips, forces, from, from_array, gamma, independent, input_names, internal_rates, inverse_dynamics, jacobian_pattern, kinetic_energy, layout, lu, mass_pattern, motions, name, nu, output_names, outputs, parameters, position_names, positions, potential_energy, powers, reactions, row_cosines, row_scales, row_sizes, rows, scales, solve, start_conditions, start_gates, start_internal, start_q, start_rates, start_targets, start_v, store, to_array, unwrap, velocities, velocity_names.
 /// Four-bar of which every number is a parameter; its defaults are the literals of [`GeneralFourBar`].
 ///
 ///Equations of motion of the planar mechanism `ParametricFourBar`.
@@ -485,15 +485,6 @@ const _: () = {
         }
     }
     impl<R: Real> Variables<R> for ParametricFourBar<R> {
-        #[inline]
-        fn layout(&self) -> &Layout<'_> {
-            &Layout {
-                linear: 0,
-                rotations: 3,
-                quaternions: 0,
-                angles: &[],
-            }
-        }
         type Q = Q<R>;
         type V = V<R>;
         type Lambda = Lambda<R>;
@@ -501,49 +492,10 @@ const _: () = {
         type Gates = ();
     }
     impl<R: Real> Mechanism<R> for ParametricFourBar<R> {
-        #[inline]
-        fn name(&self) -> &'static str {
-            "ParametricFourBar"
-        }
-        #[inline]
-        fn rows(&self) -> &[Row] {
-            &[Row { of: "right", what: "x" }, Row { of: "right", what: "y" }]
-        }
-        #[inline]
-        fn position_names(&self) -> &[&'static str] {
-            &[
-                "crank.cos",
-                "crank.sin",
-                "rocker.cos",
-                "rocker.sin",
-                "coupler.cos",
-                "coupler.sin",
-            ]
-        }
-        #[inline]
-        fn velocity_names(&self) -> &[&'static str] {
-            &["crank.rate", "rocker.rate", "coupler.rate"]
-        }
-        #[inline]
-        fn mass_pattern(&self) -> &[(u16, u16)] {
-            &[(0, 0), (1, 1), (2, 0), (2, 2)]
-        }
-        #[inline]
-        fn jacobian_pattern(&self) -> &[(u16, u16)] {
-            &[(0, 0), (0, 1), (0, 2), (1, 0), (1, 1), (1, 2)]
-        }
         type Mass = Mass<R>;
         type Jacobian = Jacobian<R>;
         type Inputs = ();
-        #[inline]
-        fn input_names(&self) -> &'static [&'static str] {
-            <() as Fields<R>>::NAMES
-        }
         type Outputs = Outputs<R>;
-        #[inline]
-        fn output_names(&self) -> &'static [&'static str] {
-            <Outputs<R> as Fields<R>>::NAMES
-        }
         fn mass_matrix(&self, time: R, q: &Q<R>, out: &mut Mass<R>) {
             let constants = &self.constants;
             // M(t, q): its stored entries (kg, kg m, kg m²).
@@ -567,18 +519,6 @@ const _: () = {
         }
     }
     impl<R: Real> Report<R> for ParametricFourBar<R> {
-        #[inline]
-        fn bodies(&self) -> &[&'static str] {
-            ParametricFourBar::<f64>::BODIES
-        }
-        #[inline]
-        fn joints(&self) -> &[&'static str] {
-            ParametricFourBar::<f64>::JOINTS
-        }
-        #[inline]
-        fn loads(&self) -> &[&'static str] {
-            ParametricFourBar::<f64>::LOADS
-        }
         type Motion = BodyMotion<R>;
         type Motions = [BodyMotion<R>; 3];
         type Reaction = Reaction<R>;
@@ -587,56 +527,6 @@ const _: () = {
         type Efforts = [[R; 2]; 0];
     }
     impl<R: Real> Assemble<R> for ParametricFourBar<R> {
-        #[inline]
-        fn conditions(&self) -> &[Condition] {
-            &[
-                Condition {
-                    of: "crank_pin.angle",
-                    kind: ConditionKind::Angle,
-                },
-            ]
-        }
-        #[inline]
-        fn start_conditions(&self) -> &[u16] {
-            &[0]
-        }
-        #[inline]
-        fn start_rates(&self) -> &[u16] {
-            &[0]
-        }
-        #[inline]
-        fn independent(&self) -> &[u16] {
-            &[0]
-        }
-        #[inline]
-        fn flips(&self) -> &[Flips<'_>] {
-            &[]
-        }
-        #[inline]
-        fn dependent(&self) -> &[(u16, u16)] {
-            &[(0, 1), (1, 2)]
-        }
-        #[inline]
-        fn row_sizes(&self) -> &[f64] {
-            &[1.5953757201770884, 1.5898406659339488]
-        }
-        #[inline]
-        fn scales(&self) -> &[f64] {
-            &[4.0, 1.0, 1.0]
-        }
-        #[inline]
-        fn condition_pattern(&self) -> &[(u16, u16)] {
-            &[(0, 0)]
-        }
-        #[inline]
-        fn elimination(&self) -> Elimination<'_> {
-            Elimination {
-                order: &[1, 2, 0, 3, 4, 5],
-                position: &[2, 0, 1, 3, 4, 5],
-                row_start: &[0, 0, 0, 1, 4, 8, 11],
-                columns: &[1, 0, 1, 2, 0, 1, 2, 3, 2, 3, 4],
-            }
-        }
         type Conditions = Conditions<R>;
         type ConditionJacobian = ConditionJacobian<R>;
         type Factor = Factor<R>;

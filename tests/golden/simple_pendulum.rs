@@ -1,4 +1,5 @@
 // `SimplePendulum` of models/src/simple_pendulum.rs.
+// Left out: condition_cosines, driver_efforts.
 /// Simple pendulum: a point mass on a massless arm (IFToMM A01).
 ///
 /// 1 kg, 1 m, g = 9.81 m/s², from (−1, 0) at rest. Period 2.367841947576237449 s.
@@ -228,16 +229,6 @@ const _: () = {
         pub fn powers(&self, time: R, state: &State<Q<R>, V<R>>, u: &()) -> [R; 0] {
             []
         }
-        /// Effort of each driver along its quantity (N m or N) and its power (W), from the multipliers.
-        pub fn driver_efforts(
-            &self,
-            time: R,
-            q: &Q<R>,
-            v: &V<R>,
-            lambda: &Lambda<R>,
-        ) -> [[R; 2]; 0] {
-            []
-        }
         /// Position, velocity and acceleration of every body's centre of mass, in the order of `BODIES`,
         /// from a state and its accelerations.
         pub fn motions(
@@ -449,58 +440,12 @@ const _: () = {
         fn unwrap(&self, outputs: &mut Outputs<R>, previous: &Outputs<R>) {}
     }
     impl<R: Real> Report<R> for SimplePendulum<R> {
-        #[inline]
-        fn bodies(&self) -> &[&'static str] {
-            SimplePendulum::<f64>::BODIES
-        }
-        #[inline]
-        fn joints(&self) -> &[&'static str] {
-            SimplePendulum::<f64>::JOINTS
-        }
-        #[inline]
-        fn loads(&self) -> &[&'static str] {
-            SimplePendulum::<f64>::LOADS
-        }
         type Motion = BodyMotion<R>;
         type Motions = [BodyMotion<R>; 1];
         type Reaction = Reaction<R>;
         type Reactions = [Reaction<R>; 1];
         type Powers = [R; 0];
         type Efforts = [[R; 2]; 0];
-        fn inverse_dynamics(
-            &self,
-            time: R,
-            state: &State<Q<R>, V<R>>,
-            u: &(),
-            a: &V<R>,
-        ) -> V<R> {
-            SimplePendulum::<R>::inverse_dynamics(self, time, state, u, a)
-        }
-        fn powers(&self, time: R, state: &State<Q<R>, V<R>>, u: &()) -> [R; 0] {
-            SimplePendulum::<R>::powers(self, time, state, u)
-        }
-        fn driver_efforts(
-            &self,
-            time: R,
-            q: &Q<R>,
-            v: &V<R>,
-            lambda: &Lambda<R>,
-        ) -> [[R; 2]; 0] {
-            SimplePendulum::<R>::driver_efforts(self, time, q, v, lambda)
-        }
-        fn motions(&self, time: R, q: &Q<R>, v: &V<R>, a: &V<R>) -> [BodyMotion<R>; 1] {
-            SimplePendulum::<R>::motions(self, time, q, v, a)
-        }
-        fn reactions(
-            &self,
-            time: R,
-            state: &State<Q<R>, V<R>>,
-            u: &(),
-            a: &V<R>,
-            lambda: &Lambda<R>,
-        ) -> [Reaction<R>; 1] {
-            SimplePendulum::<R>::reactions(self, time, state, u, a, lambda)
-        }
     }
     impl<R: Real> Assemble<R> for SimplePendulum<R> {
         #[inline]
@@ -576,24 +521,6 @@ const _: () = {
             let a1 = target_pivot_angle.cos();
             let a2 = arm_sin * a1;
             let a3 = (-arm_cos).mul_add(a0, a2);
-            *out = [a3];
-        }
-        fn condition_cosines(
-            &self,
-            time: R,
-            q: &Q<R>,
-            target: &Conditions<R>,
-            out: &mut Conditions<R>,
-        ) {
-            // The cosine that belongs to that sine; 1 of lengths.
-            // 4 operations.
-            let arm_cos = q[0];
-            let arm_sin = q[1];
-            let target_pivot_angle = target[0];
-            let a0 = target_pivot_angle.sin();
-            let a1 = target_pivot_angle.cos();
-            let a2 = arm_cos * a1;
-            let a3 = arm_sin.mul_add(a0, a2);
             *out = [a3];
         }
         fn condition_jacobian(&self, time: R, q: &Q<R>, out: &mut ConditionJacobian<R>) {

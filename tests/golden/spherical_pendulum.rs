@@ -1,5 +1,5 @@
 // `SphericalPendulum` of models/src/spatial_pendulums.rs.
-// Left out: acceleration_baumgarte, choice, condition_bias, condition_cosines, condition_drift, condition_jacobian, condition_residual, constraint_jacobian, constraints, default, driver_efforts, factor, from, from_array, gamma, internal_rates, inverse_dynamics, lu, nu, outputs, parameters, positions, potential_energy, powers, prepare, row_cosines, row_scales, solve, start_gates, start_internal, start_q, start_targets, start_v, store, to_array, unwrap, velocities, with.
+// Left out: acceleration_baumgarte, choice, condition_bias, condition_cosines, condition_drift, condition_jacobian, condition_pattern, condition_residual, conditions, constraint_jacobian, constraints, default, driver_efforts, elimination, factor, flips, from, from_array, gamma, independent, input_names, internal_rates, inverse_dynamics, jacobian_pattern, layout, lu, mass_pattern, name, nu, output_names, outputs, parameters, position_names, positions, potential_energy, powers, prepare, row_cosines, row_scales, row_sizes, rows, solve, start_conditions, start_gates, start_internal, start_q, start_rates, start_targets, start_v, store, to_array, unwrap, velocities, velocity_names, with.
 /// Bar on a spherical joint (Spherical_Case01), released from the horizontal.
 ///
 ///Equations of motion of the spatial mechanism `SphericalPendulum`.
@@ -337,15 +337,6 @@ const _: () = {
         }
     }
     impl<R: Real> Variables<R> for SphericalPendulum<R> {
-        #[inline]
-        fn layout(&self) -> &Layout<'_> {
-            &Layout {
-                linear: 0,
-                rotations: 0,
-                quaternions: 1,
-                angles: &[],
-            }
-        }
         type Q = Q<R>;
         type V = V<R>;
         type Lambda = Lambda<R>;
@@ -353,47 +344,10 @@ const _: () = {
         type Gates = ();
     }
     impl<R: Real> Mechanism<R> for SphericalPendulum<R> {
-        #[inline]
-        fn name(&self) -> &'static str {
-            "SphericalPendulum"
-        }
-        #[inline]
-        fn rows(&self) -> &[Row] {
-            &[]
-        }
-        #[inline]
-        fn position_names(&self) -> &[&'static str] {
-            &[
-                "pivot.orientation.w",
-                "pivot.orientation.x",
-                "pivot.orientation.y",
-                "pivot.orientation.z",
-            ]
-        }
-        #[inline]
-        fn velocity_names(&self) -> &[&'static str] {
-            &["pivot.rate.x", "pivot.rate.y", "pivot.rate.z"]
-        }
-        #[inline]
-        fn mass_pattern(&self) -> &[(u16, u16)] {
-            &[(0, 0), (1, 1), (2, 2)]
-        }
-        #[inline]
-        fn jacobian_pattern(&self) -> &[(u16, u16)] {
-            &[]
-        }
         type Mass = Mass<R>;
         type Jacobian = Jacobian<R>;
         type Inputs = ();
-        #[inline]
-        fn input_names(&self) -> &'static [&'static str] {
-            <() as Fields<R>>::NAMES
-        }
         type Outputs = Outputs<R>;
-        #[inline]
-        fn output_names(&self) -> &'static [&'static str] {
-            <Outputs<R> as Fields<R>>::NAMES
-        }
         fn mass_matrix(&self, time: R, q: &Q<R>, out: &mut Mass<R>) {
             // M(t, q): its stored entries (kg, kg m, kg m²).
             *out = [R::from_f64(0.04), R::from_f64(4.1), R::from_f64(4.1)];
@@ -478,123 +432,14 @@ const _: () = {
         }
     }
     impl<R: Real> Report<R> for SphericalPendulum<R> {
-        #[inline]
-        fn bodies(&self) -> &[&'static str] {
-            SphericalPendulum::<f64>::BODIES
-        }
-        #[inline]
-        fn joints(&self) -> &[&'static str] {
-            SphericalPendulum::<f64>::JOINTS
-        }
-        #[inline]
-        fn loads(&self) -> &[&'static str] {
-            SphericalPendulum::<f64>::LOADS
-        }
         type Motion = SpatialMotion<R>;
         type Motions = [SpatialMotion<R>; 1];
         type Reaction = SpatialReaction<R>;
         type Reactions = [SpatialReaction<R>; 1];
         type Powers = [R; 0];
         type Efforts = [[R; 2]; 0];
-        fn motions(
-            &self,
-            time: R,
-            q: &Q<R>,
-            v: &V<R>,
-            a: &V<R>,
-        ) -> [SpatialMotion<R>; 1] {
-            SphericalPendulum::<R>::motions(self, time, q, v, a)
-        }
-        fn reactions(
-            &self,
-            time: R,
-            state: &State<Q<R>, V<R>>,
-            u: &(),
-            a: &V<R>,
-            lambda: &Lambda<R>,
-        ) -> [SpatialReaction<R>; 1] {
-            SphericalPendulum::<R>::reactions(self, time, state, u, a, lambda)
-        }
     }
     impl<R: Real> Assemble<R> for SphericalPendulum<R> {
-        #[inline]
-        fn conditions(&self) -> &[Condition] {
-            &[
-                Condition {
-                    of: "bar.rate.x",
-                    kind: ConditionKind::Rate,
-                },
-                Condition {
-                    of: "bar.rate.y",
-                    kind: ConditionKind::Rate,
-                },
-                Condition {
-                    of: "bar.rate.z",
-                    kind: ConditionKind::Rate,
-                },
-                Condition {
-                    of: "bar.orientation.x",
-                    kind: ConditionKind::Linear,
-                },
-                Condition {
-                    of: "bar.orientation.y",
-                    kind: ConditionKind::Linear,
-                },
-                Condition {
-                    of: "bar.orientation.z",
-                    kind: ConditionKind::Linear,
-                },
-            ]
-        }
-        #[inline]
-        fn start_conditions(&self) -> &[u16] {
-            &[3, 4, 5]
-        }
-        #[inline]
-        fn start_rates(&self) -> &[u16] {
-            &[0, 1, 2]
-        }
-        #[inline]
-        fn independent(&self) -> &[u16] {
-            &[]
-        }
-        #[inline]
-        fn flips(&self) -> &[Flips<'_>] {
-            &[]
-        }
-        #[inline]
-        fn row_sizes(&self) -> &[f64] {
-            &[]
-        }
-        #[inline]
-        fn condition_pattern(&self) -> &[(u16, u16)] {
-            &[
-                (0, 0),
-                (1, 1),
-                (2, 2),
-                (3, 0),
-                (3, 1),
-                (3, 2),
-                (4, 0),
-                (4, 1),
-                (4, 2),
-                (5, 0),
-                (5, 1),
-                (5, 2),
-            ]
-        }
-        #[inline]
-        fn elimination(&self) -> Elimination<'_> {
-            Elimination {
-                order: &[0, 3, 1, 4, 2, 5, 6, 7, 8],
-                position: &[0, 2, 4, 1, 3, 5, 6, 7, 8],
-                row_start: &[0, 0, 1, 1, 2, 2, 3, 9, 16, 24],
-                columns: &[
-                    0, 2, 4, 0, 1, 2, 3, 4, 5, 0, 1, 2, 3, 4, 5, 6, 0, 1, 2, 3, 4, 5, 6,
-                    7,
-                ],
-            }
-        }
         type Conditions = Conditions<R>;
         type ConditionJacobian = ConditionJacobian<R>;
         type Factor = Factor<R>;
