@@ -113,10 +113,11 @@ impl<R: Real, X: Variables<R>, D: ImplicitDynamics<R, Variables = X>> Integrator
         let mut project = |x: &mut X::V, rows: &X::Lambda| {
             // Δx of P Δx + Dᵀ σ = 0, D (x + Δx) − c σ = rows.
             let mut right = D::Unknowns::zeros(size);
-            for (row, &asked) in rows.as_slice().iter().enumerate() {
-                let d = &plain.as_slice()[(n + row) * size..][..n];
+            let entries = right.as_mut_slice().iter_mut().skip(n).zip(rows.as_slice());
+            let plain = plain.as_slice().chunks_exact(size.max(1)).skip(n);
+            for ((entry, &asked), d) in entries.zip(plain) {
                 let found = d.iter().zip(x.as_slice()).fold(R::ZERO, |sum, (&d, &x)| d.mul_add(x, sum));
-                right.as_mut_slice()[n + row] = asked - found;
+                *entry = asked - found;
             }
             factored.lu().solve(right.as_mut_slice());
             for (x, &change) in x.as_mut_slice().iter_mut().zip(right.as_slice()) {

@@ -8,7 +8,7 @@ use crate::mechanism::{Assemble, ConditionKind};
 use crate::real::Real;
 use crate::state::State;
 use crate::tangent::Tangent;
-use crate::vector::Vector;
+use crate::vector::{Vector, put};
 
 /// Matrices of a linearised mechanism, dense and row by row.
 ///
@@ -138,10 +138,10 @@ impl<'l, 'm, R: Real, M: Tangent<R>> Columns<'l, 'm, R, M> {
         self.add_coordinates((f, n), dv, lower);
         self.add_coordinates((0, n), &response.acceleration, lower);
         for (state, &entry) in lower.iter().enumerate() {
-            found.a.as_mut_slice()[(f + state) * 2 * f + column] = entry;
+            put(found.a.as_mut_slice(), (f + state) * 2 * f + column, entry);
         }
         if column >= f {
-            found.a.as_mut_slice()[(column - f) * 2 * f + column] = R::ONE;
+            put(found.a.as_mut_slice(), (column - f) * 2 * f + column, R::ONE);
         } else {
             self.fill_rates(column, dq, found);
         }
@@ -150,7 +150,7 @@ impl<'l, 'm, R: Real, M: Tangent<R>> Columns<'l, 'm, R, M> {
         self.add_outputs(n, dv.as_slice(), outputs.as_mut_slice());
         self.add_multipliers(&response.multipliers, outputs.as_mut_slice());
         for (output, &entry) in outputs.as_slice().iter().enumerate() {
-            found.c.as_mut_slice()[output * 2 * f + column] = entry;
+            put(found.c.as_mut_slice(), output * 2 * f + column, entry);
         }
     }
 
@@ -173,7 +173,7 @@ impl<'l, 'm, R: Real, M: Tangent<R>> Columns<'l, 'm, R, M> {
         self.add_coordinates((0, model.velocity_count()), &bracket(*model, dq, v), rates);
         for (state, &entry) in rates.iter().enumerate() {
             if kind(state) == ConditionKind::Rate {
-                found.a.as_mut_slice()[state * 2 * f + column] = entry;
+                put(found.a.as_mut_slice(), state * 2 * f + column, entry);
             }
         }
     }
@@ -187,7 +187,7 @@ impl<'l, 'm, R: Real, M: Tangent<R>> Columns<'l, 'm, R, M> {
         let lower = &mut states.as_mut_slice()[..f];
         self.add_coordinates((0, n), &response.acceleration, lower);
         for (state, &entry) in lower.iter().enumerate() {
-            found.b.as_mut_slice()[(f + state) * inputs + input] = entry;
+            put(found.b.as_mut_slice(), (f + state) * inputs + input, entry);
         }
         let mut outputs = <M::Outputs as Fields<R>>::Array::zeros(model.output_names().len());
         add_column(
@@ -198,7 +198,7 @@ impl<'l, 'm, R: Real, M: Tangent<R>> Columns<'l, 'm, R, M> {
         );
         self.add_multipliers(&response.multipliers, outputs.as_mut_slice());
         for (output, &entry) in outputs.as_slice().iter().enumerate() {
-            found.d.as_mut_slice()[output * inputs + input] = entry;
+            put(found.d.as_mut_slice(), output * inputs + input, entry);
         }
     }
 

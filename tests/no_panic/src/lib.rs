@@ -79,7 +79,7 @@ where
     F: Formulation<f64, M>,
     I: for<'m> Integrator<f64, MechanismDynamics<'m, M, f64, F, Still>>,
 {
-    let simulation = Simulation::new(model, *start).input_source(Still).formulation(formulation);
+    let simulation = Simulation::new(model, start.clone()).input_source(Still).formulation(formulation);
     let mut simulation = simulation.integrator(integrator).step(h).step_over_breakdowns();
     let mut good = u32::from(simulation.advance().is_ok());
     good += u32::from(simulation.advance_until(10.0 * h).is_ok());
@@ -107,7 +107,7 @@ where
     good += moves(model, start, LagrangeIndex1, GeneralisedAlpha::new(0.8), h);
     good += moves(model, start, LagrangeIndex1, ImplicitTrapezoidal::default(), h);
     good += moves(model, start, LagrangeIndex1, Ali3p::new(1e5), h);
-    let simulation = Simulation::new(model, *start).input_source(Still);
+    let simulation = Simulation::new(model, start.clone()).input_source(Still);
     let mut simulation = simulation.integrator(DormandPrince::tolerance(1e-8)).step(h);
     good += u32::from(simulation.run_every(0.3 * h, 10.0 * h, |_| ()).is_ok());
     good += u32::from(simulation.interpolate(9.9 * h).is_ok());
