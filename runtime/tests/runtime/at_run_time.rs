@@ -569,15 +569,12 @@ where
                 Masses<S>,
                 f64,
                 F,
-                linkwright_runtime::input::Source<
-                    linkwright_runtime::input::AtStages,
-                    fn(f64, &StateOf<Masses<S>>) -> Numbers<S::One>,
-                >,
+                linkwright_runtime::input::Source<linkwright_runtime::input::AtStages, Law<S>>,
             >,
         >,
 {
     let start = model.assemble(&model.start()).expect("it assembles");
-    let force: fn(f64, &StateOf<Masses<S>>) -> Numbers<S::One> = |time, _| push::<S>(time);
+    let force: Law<S> = |time, _| push::<S>(time);
     let simulation = Simulation::new(model, start).formulation(formulation).sampled(force);
     let mut simulation = simulation.integrator(integrator).step(0.01);
     let end = simulation.advance_until(1.0).expect("it moves");
@@ -586,6 +583,9 @@ where
     assert!(numbers[numbers.len() - 1].abs() < 1e-2, "{numbers:?}");
     numbers
 }
+
+/// The inputs, by time and state.
+type Law<S> = fn(f64, &StateOf<Masses<S>>) -> Numbers<<S as Storage>::One>;
 
 /// Everything that can be asked, as numbers.
 fn numbers<S: Storage>(model: &Masses<S>) -> Vec<(&'static str, Vec<f64>)> {
