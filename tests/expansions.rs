@@ -50,7 +50,7 @@ fn spherical_pendulum() {
 #[test]
 fn gripper() {
     let kept = ["residual", "tangent"];
-    compare("gripper", "tests/checks/zoo_tangent.rs", "Gripper", Some(&kept));
+    compare("gripper", "tests/mechanisms/src/zoo_tangent.rs", "Gripper", Some(&kept));
 }
 
 /// The expansion of a definition in a file; `kept`: the functions that are shown, if not all.

@@ -1,4 +1,4 @@
-// `Gripper` of tests/checks/zoo_tangent.rs.
+// `Gripper` of tests/mechanisms/src/zoo_tangent.rs.
 // Left out: acceleration, acceleration_baumgarte, choice, condition_bias, condition_cosines, condition_drift, condition_jacobian, condition_residual, constraint_jacobian, constraints, coordinate_tangent, default, driver_efforts, factor, forces, from_array, gamma, input_tangent, inverse_dynamics, kinetic_energy, lu, mass_matrix, motions, nu, order, output_tangent, outputs, parameter_tangent, parameters, potential_energy, powers, prepare, rate_tangent, reactions, row_cosines, row_scales, row_tangent, solve, start_q, start_targets, start_v, store, to_array, unwrap, with.
 /// A four-bar that a torsion spring holds, with more inputs than it needs.
 ///
