@@ -43,7 +43,7 @@ fn spherical_pendulum() {
 #[test]
 fn gripper() {
     let kept = ["residual", "tangent"];
-    compare("gripper", "tests/checks/zoo_tangent.rs", "Gripper", Shown::Only(&kept));
+    compare("gripper", "tests/mechanisms/src/zoo_tangent.rs", "Gripper", Shown::Only(&kept));
 }
 
 /// Which functions are shown; of the trait `Report` none, because they call the model's own.

@@ -1,7 +1,7 @@
 //! The text that the compiler emits for every definition in files and folders, for comparing two states of the compiler:
 //!
 //! ```text
-//! cargo run -p linkwright-compiler --example emitted -- OUT models/src tests/checks tests/golden examples
+//! cargo run -p linkwright-compiler --example emitted -- OUT models/src tests/checks tests/mechanisms examples
 //! diff -r OUT_BEFORE OUT
 //! ```
 //! Each definition is compiled in both sets of coordinates with every word of `emit`, and as it was written. A file in OUT

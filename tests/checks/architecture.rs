@@ -284,7 +284,7 @@ fn expansions() -> Vec<(String, String)> {
         "models/src/four_bar.rs",
         "models/src/general_four_bar.rs",
         "models/src/spatial_pendulums.rs",
-        "tests/checks/zoo_tangent.rs",
+        "tests/mechanisms/src/zoo_tangent.rs",
     ];
     let of_file = |file: &&str| {
         let source = Source::new(*file, read(file));

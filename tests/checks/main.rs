@@ -1,7 +1,9 @@
-//! The checks of the shipped models, in one binary, because generic models are compiled again in each.
+//! The checks of the shipped models, in one binary, because generic models are compiled again in each. Only
+//! `tests/no_alloc.rs`, as much again, is one of its own, which is built beside this one.
 
 mod architecture;
 mod balances;
+mod both_orders;
 mod ceilings;
 mod convergence;
 mod dormand_prince;
@@ -15,25 +17,17 @@ mod implicit;
 mod kinematics;
 mod language;
 mod linearisation;
-#[path = "../runtime_fuzz/methods.rs"]
-mod methods;
-mod no_alloc;
 mod overconstrained;
 mod page;
 mod page_equations;
 mod published;
-#[path = "../runtime_fuzz/random.rs"]
-mod random;
 mod rank;
 mod redundant;
 mod reference;
-mod registry;
 mod self_check;
 mod space_convergence;
 mod starts;
 mod tangent;
 mod walking;
-mod zoo;
-mod zoo_laws;
-mod zoo_space;
-mod zoo_tangent;
+
+use mechanisms::{registry, zoo, zoo_space, zoo_tangent};

@@ -11,7 +11,6 @@ use super::names::field;
 use super::{Emitter, array};
 use crate::equations::Layout;
 use crate::model::Mechanism;
-use crate::syntax::Header;
 use std::collections::BTreeSet;
 use std::fmt::Write;
 
@@ -146,8 +145,7 @@ fn velocities(layout: &Layout, mechanism: &Mechanism) -> Vec<Named> {
 }
 
 /// In the place of both after an error: whatever a coordinate of these bodies and joints can be called.
-pub fn stub(text: &mut String, header: &Header, many: usize) {
-    let owners = header.bodies.iter().chain(&header.joints);
+pub fn stub(text: &mut String, (visibility, name): (&str, &str), owners: &[&String], many: usize) {
     let all = |suffixes: &[(&str, Kind)]| {
         let of = |owner: &String| -> Vec<Named> {
             let named = |(suffix, kind): &(&str, Kind)| Named {
@@ -158,13 +156,12 @@ pub fn stub(text: &mut String, header: &Header, many: usize) {
             suffixes.iter().map(named).collect()
         };
         let mut taken = BTreeSet::new();
-        let all = owners.clone().flat_map(of);
+        let all = owners.iter().copied().flat_map(of);
         all.filter(|named| taken.insert(named.name.clone())).collect::<Vec<_>>()
     };
     for (suffix, function, all) in
         [("Positions", "positions", all(&POSITIONS)), ("Velocities", "velocities", all(&VELOCITIES))]
     {
-        let (name, visibility) = (&header.name, &header.visibility);
         let fields =
             all.iter().map(|Named { name, kind, .. }| format!("pub {name}: {}", kind.type_of("@RUNTIME@")));
         let fields = fields.chain(["pub scalar: ::core::marker::PhantomData<R>".to_string()]);

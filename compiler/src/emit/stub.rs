@@ -68,7 +68,8 @@ fn structs(text: &mut String, header: &Header) {
         "#[allow(missing_docs, dead_code)] {visibility} type {name}State<R = {f64}> = \
          @RUNTIME@::State<[R; {MANY}], [R; {MANY}]>;"
     );
-    named::stub(text, header, MANY);
+    let owners: Vec<&String> = header.bodies.iter().chain(&header.joints).collect();
+    named::stub(text, (&visibility, &name), &owners, MANY);
 }
 
 fn constants(text: &mut String, header: &Header) {

@@ -6,6 +6,7 @@ use crate::{cases, put_together};
 use std::collections::BTreeMap;
 use std::f64::consts::PI;
 use std::fmt::Write;
+use std::ops::Range;
 
 /// The largest error of a guess.
 const ROUGH: f64 = PI / 3.0;
@@ -265,19 +266,42 @@ fn guessing(source: &str, guess: &str) -> String {
     format!("{before}start {{ {stated} {guess} }}{behind}")
 }
 
+fn closable(case: usize) -> Closable {
+    let mut random = Random::of_case(case);
+    match case % 3 {
+        0 => four_bar(case / 3, &mut random),
+        1 => six_bar(case / 3, &mut random),
+        _ => slider_crank(case / 3, &mut random),
+    }
+}
+
+/// All cases in their order, answered by two threads, because this test is the longest of its program.
+fn answers() -> Vec<(Closable, Answer)> {
+    let half = cases() / 2;
+    let answered = |numbers: Range<usize>| -> Vec<(Closable, Answer)> {
+        numbers
+            .map(closable)
+            .map(|case| {
+                let answer = answer(&case.source);
+                (case, answer)
+            })
+            .collect()
+    };
+    std::thread::scope(|scope| {
+        let second = scope.spawn(|| answered(half..cases()));
+        let mut all = answered(0..half);
+        all.extend(second.join().expect("no case panics"));
+        all
+    })
+}
+
 #[test]
 fn what_closes_is_put_together() {
     let (mut tried, mut two_ways) = (BTreeMap::<_, usize>::new(), BTreeMap::<_, usize>::new());
     let mut refused = Vec::new();
-    for case in 0..cases() {
-        let mut random = Random::of_case(case);
-        let closable = match case % 3 {
-            0 => four_bar(case / 3, &mut random),
-            1 => six_bar(case / 3, &mut random),
-            _ => slider_crank(case / 3, &mut random),
-        };
+    for (case, (closable, answer)) in answers().into_iter().enumerate() {
         *tried.entry(closable.kind).or_default() += 1;
-        match answer(&closable.source) {
+        match answer {
             Answer::Taken => {}
             Answer::TwoWays if closable.decided => {
                 refused.push(format!("{case}, two ways\n{}", closable.source))

@@ -33,7 +33,7 @@ fn every_function_in_c_is_its_program() {
     let entries = std::fs::read_dir(root.join("models/src")).expect("the models");
     let mut models: Vec<PathBuf> = entries.map(|entry| entry.expect("an entry").path()).collect();
     models.sort();
-    let zoo = ["zoo.rs", "zoo_space.rs"].map(|name| root.join("tests/checks").join(name));
+    let zoo = ["zoo.rs", "zoo_space.rs"].map(|name| root.join("tests/mechanisms/src").join(name));
     let of = |file: &PathBuf, words: &'static [&'static str]| {
         definitions(file).into_iter().map(move |definition| (definition, words))
     };

@@ -7,8 +7,14 @@ use std::path::{Path, PathBuf};
 use std::str::FromStr;
 
 /// Where definitions stand: models, mistakes with their messages, tests of unusual parts.
-const PLACES: [&str; 5] =
-    ["../models/src", "../tests/ui", "../tests/hygiene", "../tests/checks", "../examples"];
+const PLACES: [&str; 6] = [
+    "../models/src",
+    "../tests/ui",
+    "../tests/hygiene",
+    "../tests/checks",
+    "../tests/mechanisms/src",
+    "../examples",
+];
 
 /// One definition and where it comes from.
 pub struct Seed {

@@ -175,36 +175,37 @@ linkwright::mechanism! {
 }
 
 /// As [`linkwright_models::for_each_model`], for the mechanisms here and in `zoo_space.rs`.
+#[macro_export]
 macro_rules! for_each_in_zoo {
     ($callback:ident) => {
         $callback! {
-            everything: crate::every_operation::Everything,
-            workshop: crate::zoo::Workshop,
-            gears: crate::zoo::Gears,
-            shaken: crate::zoo::Shaken,
-            floating: crate::zoo::Floating,
-            oldham: crate::zoo::Oldham,
-            mounted: crate::zoo::Mounted,
-            steered: crate::zoo_laws::Steered,
-            tethered: crate::zoo_laws::Tethered,
-            arm: crate::zoo_space::Arm,
-            jack: crate::zoo_space::Jack,
-            table: crate::zoo_space::Table,
-            ceiling: crate::zoo_space::Ceiling,
-            wires: crate::zoo_space::Wires,
-            shafts: crate::zoo_space::Shafts,
-            mesh: crate::zoo_space::Mesh,
-            crank: crate::zoo_space::Crank,
-            slanted: crate::zoo_space::Slanted,
-            hub: crate::zoo_space::Hub,
-            bench: crate::zoo_space::Bench,
-            snake: crate::zoo_space::Snake,
-            stage: crate::zoo_space::Stage,
-            cabin: crate::zoo_space::Cabin,
+            everything: $crate::everything::Everything,
+            workshop: $crate::zoo::Workshop,
+            gears: $crate::zoo::Gears,
+            shaken: $crate::zoo::Shaken,
+            floating: $crate::zoo::Floating,
+            oldham: $crate::zoo::Oldham,
+            mounted: $crate::zoo::Mounted,
+            steered: $crate::zoo_laws::Steered,
+            tethered: $crate::zoo_laws::Tethered,
+            arm: $crate::zoo_space::Arm,
+            jack: $crate::zoo_space::Jack,
+            table: $crate::zoo_space::Table,
+            ceiling: $crate::zoo_space::Ceiling,
+            wires: $crate::zoo_space::Wires,
+            shafts: $crate::zoo_space::Shafts,
+            mesh: $crate::zoo_space::Mesh,
+            crank: $crate::zoo_space::Crank,
+            slanted: $crate::zoo_space::Slanted,
+            hub: $crate::zoo_space::Hub,
+            bench: $crate::zoo_space::Bench,
+            snake: $crate::zoo_space::Snake,
+            stage: $crate::zoo_space::Stage,
+            cabin: $crate::zoo_space::Cabin,
         }
     };
 }
-pub(crate) use for_each_in_zoo;
+pub use crate::for_each_in_zoo;
 
 macro_rules! implement {
     ($($name:ident: $first:tt $(:: $segment:ident)*),* $(,)?) => { model!($($first $(:: $segment)*),*); };

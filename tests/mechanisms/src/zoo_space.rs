@@ -2,13 +2,8 @@
 //! ground and between bodies, carrying and cut, with axes and markers that lie along no coordinate axis.
 //!
 //! They belong to the zoo (`zoo.rs`): every generic check runs on them, and the reference has them in both sets of
-//! coordinates, so that what carries in one is cut in the other.
-
-use crate::registry::{Model, compiled};
-use linkwright_compiler::equations::space::joints;
-use linkwright_compiler::model::{Coordinates, Frame};
-use linkwright_compiler::order::Strategy;
-use std::collections::BTreeSet;
+//! coordinates, so that what carries in one is cut in the other. That they have every joint in both orders is tested by
+//! `tests/checks/both_orders.rs`.
 
 linkwright::mechanism! {
     /// An arm on a tilted hinge, whose forearm carries the slide's first place; everything about its inertia is a parameter.
@@ -436,88 +431,5 @@ linkwright::mechanism! {
         start { cabin.orientation = (0.98, 0.1, -0.1, 0.05); cabin.rate.x [rad/s] = 0.5; hinge.angle [rad] = 0.3; hinge.rate [rad/s] = 1; }
         expect { degrees_of_freedom = 7; }
         output loss [W] = power(stand) + power(grip);
-    }
-}
-
-/// How the joints of a mechanism stand in its tree: kind, what it does there, where the ground is.
-fn ways<M: Model>() -> Vec<(&'static str, &'static str, &'static str)> {
-    let compiled = compiled::<M>(Some(Coordinates::Tree));
-    let attachments = &compiled.complete.equations.tree.attachments;
-    let joints = compiled.mechanism.joints.iter().enumerate();
-    let way = joints.map(|(index, joint)| {
-        let carried = attachments.iter().find(|own| own.joint.is_some_and(|(id, _)| id.0 == index));
-        let role = match carried.map(|own| Frame::Body(own.body)) {
-            None => "cut",
-            Some(frame) if frame == joint.first.frame => "carries the first",
-            Some(_) => "carries the second",
-        };
-        let ground = match (joint.first.frame, joint.second.frame) {
-            (Frame::Ground, _) => "ground first",
-            (_, Frame::Ground) => "ground second",
-            _ => "bodies",
-        };
-        (joint.word(), role, ground)
-    });
-    way.collect()
-}
-
-#[test]
-fn a_long_tree_is_solved_by_articulated_bodies() {
-    let strategy = |coordinates| compiled::<Snake>(Some(coordinates)).complete.solved.order.strategy;
-    assert_eq!(strategy(Coordinates::Tree), Strategy::ArticulatedBodies);
-    assert_ne!(strategy(Coordinates::Absolute), Strategy::ArticulatedBodies);
-}
-
-/// The mechanisms above do what they were written for: no joint carries in one direction only, and each is cut somewhere
-/// (all are in absolute coordinates) with the ground on either side, or between bodies where it never is with the ground.
-#[test]
-fn every_joint_occurs_both_ways() {
-    let all = [
-        ways::<Arm>(),
-        ways::<Jack>(),
-        ways::<Table>(),
-        ways::<Ceiling>(),
-        ways::<Wires>(),
-        ways::<Shafts>(),
-        ways::<Mesh>(),
-        ways::<Crank>(),
-        ways::<Slanted>(),
-        ways::<Hub>(),
-        ways::<Bench>(),
-        ways::<Snake>(),
-        ways::<Stage>(),
-        ways::<Cabin>(),
-    ];
-    let found: BTreeSet<_> = all.into_iter().flatten().collect();
-    let has = |kind: &str, role: &str| found.iter().any(|way| way.0 == kind && way.1 == role);
-    for joint in joints::JOINTS {
-        let kind = joint.form.call.word;
-        // What leaves no frame to measure from, or five freedoms, is always cut.
-        let always_cut = joint.motions.is_none();
-        assert!(always_cut || has(kind, "carries the first"), "{kind}: {found:?}");
-        assert!(always_cut || has(kind, "carries the second"), "{kind}: {found:?}");
-        assert!(!always_cut || has(kind, "cut"), "{kind}: {found:?}");
-    }
-    for (kind, ground) in [
-        ("revolute", "ground first"),
-        ("revolute", "ground second"),
-        ("prismatic", "ground first"),
-        ("prismatic", "ground second"),
-        ("cylindrical", "ground first"),
-        ("cylindrical", "ground second"),
-        ("planar", "ground first"),
-        ("planar", "ground second"),
-        ("parallel", "bodies"),
-        ("parallel", "ground second"),
-        ("point_on_line", "ground first"),
-        ("point_on_line", "ground second"),
-        ("point_on_plane", "ground first"),
-        ("point_on_plane", "ground second"),
-        ("distance", "ground second"),
-        ("distance", "bodies"),
-        ("fixed", "bodies"),
-        ("spherical", "bodies"),
-    ] {
-        assert!(found.iter().any(|way| way.0 == kind && way.2 == ground), "{kind}, {ground}: {found:?}");
     }
 }

@@ -1,7 +1,7 @@
 //! Mechanisms that emit their derivatives: loops and trees, of the plane and of space, with springs, couplings, drivers, balls,
 //! parameters and inputs in all of them, rows that repeat others, a body without mass.
 
-#[path = "../runtime_fuzz/winch.rs"]
+#[path = "../../runtime_fuzz/winch.rs"]
 mod winch;
 
 use crate::registry::model;
@@ -176,6 +176,7 @@ linkwright::mechanism! {
 }
 
 /// A test of the function `check::<M>` for each of these mechanisms, in a module of that function's name.
+#[macro_export]
 macro_rules! for_each_with_tangent {
     ($check:ident) => {
         mod $check {
@@ -191,6 +192,6 @@ macro_rules! for_each_with_tangent {
         }
     )* };
 }
-pub(crate) use for_each_with_tangent;
+pub use crate::for_each_with_tangent;
 
 model!(Gripper, Winch, Buoy, Flail, Rocker, Swing, Spring, Bar);

@@ -2,10 +2,11 @@
 //! in double and in single precision. Counted by an allocator that counts for each thread by itself, because tests run
 //! beside each other.
 
-use crate::methods::{Explicit, Means, Of, Way};
-use crate::registry::{At, Model, for_each};
-use crate::zoo::Workshop;
-use crate::zoo_tangent::for_each_with_tangent;
+#[path = "runtime_fuzz/methods.rs"]
+mod methods;
+#[path = "runtime_fuzz/random.rs"]
+mod random;
+
 use linkwright::{
     Ali3p, Assemble, AssembleExt, AssemblyError, AugmentedLagrangian, Baumgarte, DormandPrince, Event,
     ExplicitTrapezoidal, Fields, Formulation, GeneralisedAlpha, ImplicitTrapezoidal, InputSource, Integrator,
@@ -17,6 +18,10 @@ use linkwright_models::{
     bricard::Bricard, double_pendulum::DoublePendulum, four_spherical_joints::FourSphericalJoints,
     heavy_top::HeavyTop, n_four_bar::NFourBar2, slider_crank::SliderCrank,
 };
+use mechanisms::registry::{At, Model, for_each};
+use mechanisms::zoo::Workshop;
+use mechanisms::zoo_tangent::for_each_with_tangent;
+use methods::{Explicit, Means, Of, Way};
 use std::alloc::{GlobalAlloc, Layout, System};
 use std::cell::Cell;
 use std::hint::black_box;

@@ -81,6 +81,7 @@ pub struct At<M: Model> {
 }
 
 /// Implements [`Model`] for emitted mechanisms: `model!(Pendulum, inner::FourBar)`.
+#[macro_export]
 macro_rules! model {
     ($($first:tt $(:: $segment:ident)*),* $(,)?) => { $(
         impl $crate::registry::Model for $first $(:: $segment)* <f64> {
@@ -102,7 +103,7 @@ macro_rules! model {
         }
     )* };
 }
-pub(crate) use model;
+pub use crate::model;
 
 macro_rules! implement {
     ($($name:ident: $first:tt $(:: $segment:ident)*),* $(,)?) => { model!($($first $(:: $segment)*),*); };
@@ -110,6 +111,7 @@ macro_rules! implement {
 linkwright_models::for_each_model!(implement);
 
 /// A test of the function `check::<M>` for each model `M`, shipped or of the zoo, in a module of that function's name.
+#[macro_export]
 macro_rules! for_each {
     ($check:ident) => {
         $crate::registry::for_each! { @ ($) $check }
@@ -132,7 +134,7 @@ macro_rules! for_each {
         }
     };
 }
-pub(crate) use for_each;
+pub use crate::for_each;
 
 /// Inputs, outputs or parameters from their values.
 pub fn fields<F: Fields<f64>>(values: &[f64]) -> F {

@@ -1,0 +1,11 @@
+//! What test programs share: every mechanism as generic checks see it, and the small mechanisms that ship with nobody. They are
+//! expanded and type-checked here once; their code is generated in each program that runs them.
+
+pub mod everything;
+#[path = "../../runtime_fuzz/random.rs"]
+pub mod random;
+pub mod registry;
+pub mod zoo;
+pub mod zoo_laws;
+pub mod zoo_space;
+pub mod zoo_tangent;
