@@ -23,7 +23,7 @@ impl<R: Real> Angle<R> {
     /// use linkwright_runtime::Angle;
     ///
     /// assert_eq!(Angle::from_radians(0.0), Angle { cos: 1.0, sin: 0.0 });
-    /// assert!((Angle::from_radians(2.0).radians() - 2.0).abs() < 1e-15);
+    /// assert!((Angle::from_radians(2.0_f64).radians() - 2.0).abs() < 1e-15);
     /// ```
     pub fn from_radians(angle: R) -> Self {
         Angle { cos: angle.cos(), sin: angle.sin() }
@@ -50,7 +50,7 @@ impl<R: Real> Turns<R> {
     /// ```
     /// use linkwright_runtime::Turns;
     ///
-    /// let angle = Turns::from_radians(10.0);
+    /// let angle = Turns::from_radians(10.0_f64);
     /// assert_eq!(angle.turns, 2.0);
     /// assert!((angle.radians() - 10.0).abs() < 1e-14);
     /// ```
