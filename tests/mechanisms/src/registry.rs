@@ -174,19 +174,19 @@ impl Random {
     }
 
     /// In [−1, 1).
-    pub fn next(&mut self) -> f64 {
+    pub fn unit(&mut self) -> f64 {
         self.0.unit()
     }
 
     pub fn vector(&mut self, length: usize) -> Vec<f64> {
-        (0..length).map(|_| self.next()).collect()
+        (0..length).map(|_| self.unit()).collect()
     }
 
     /// Any position: pairs on the circle, whole turns, nothing consistent.
     pub fn position(&mut self, layout: &Layout<'_>) -> Vec<f64> {
         let mut q = self.vector(layout.linear);
         for _ in 0..layout.rotations {
-            let angle = 4.0 * self.next();
+            let angle = 4.0 * self.unit();
             q.extend([angle.cos(), angle.sin()]);
         }
         for _ in 0..layout.quaternions {
@@ -195,7 +195,7 @@ impl Random {
             q.extend(part.iter().map(|x| x / length));
         }
         for _ in layout.angles {
-            q.extend([(5.0 * self.next()).round(), 3.0 * self.next()]);
+            q.extend([(5.0 * self.unit()).round(), 3.0 * self.unit()]);
         }
         q
     }
@@ -203,7 +203,7 @@ impl Random {
     /// Parameters within a tenth of their defaults, and within their bounds.
     pub fn parameters(&mut self, compiled: &Compiled) -> Vec<f64> {
         let parameters = compiled.mechanism.parameters.iter().map(|parameter| {
-            let near = parameter.default + 0.1 * self.next() * parameter.default.abs();
+            let near = parameter.default + 0.1 * self.unit() * parameter.default.abs();
             let (least, most) = parameter.bounds.unwrap_or((f64::NEG_INFINITY, f64::INFINITY));
             near.clamp(least, most)
         });
@@ -216,16 +216,16 @@ impl Random {
         Inputs {
             parameters: self.parameters(compiled),
             phases: compiled.assembly.phases.clone(),
-            time: 2.0 + self.next(),
+            time: 2.0 + self.unit(),
             q: self.position(&layout),
             v: self.vector(layout.velocities()),
             inputs: self.vector(e.symbols.inputs.len()),
-            two_alpha: 10.0 + self.next(),
-            beta_squared: 25.0 + self.next(),
+            two_alpha: 10.0 + self.unit(),
+            beta_squared: 25.0 + self.unit(),
             acceleration: self.vector(layout.velocities()),
             lambda: self.vector(e.rows.len()),
             targets: self.vector(compiled.complete.conditions.rows.len()),
-            compliance: 0.01 * (2.0 + self.next()),
+            compliance: 0.01 * (2.0 + self.unit()),
             given_forces: self.vector(layout.velocities()),
             given_rows: self.vector(e.rows.len()),
             // By `Function::Factor`.
