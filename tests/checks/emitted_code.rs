@@ -91,6 +91,11 @@ fn emitted<M: Model>(model: &M, inputs: &Inputs, function: Function) -> Option<V
             model.acceleration_baumgarte(t, state, u, inputs.two_alpha, inputs.beta_squared, a, lambda)
         }),
         Function::Outputs => linkwright::Fields::to_array(&model.outputs(t, state, u)).as_slice().to_vec(),
+        Function::InternalRates => {
+            let mut rates = at.z;
+            model.internal_rates(t, state, u, &a, &lambda, &mut rates);
+            rates.as_slice().to_vec()
+        }
         Function::InverseDynamics => model.flat_inverse_dynamics(&at, &a),
         Function::Powers => model.flat_powers(&at),
         Function::DriverEfforts => model.flat_driver_efforts(&at, &lambda),
@@ -113,6 +118,7 @@ fn emitted<M: Model>(model: &M, inputs: &Inputs, function: Function) -> Option<V
             model.start_targets(&mut positions, &mut rates);
             positions.as_slice().iter().chain(rates.as_slice()).copied().collect()
         }
+        Function::StartInternal => model.start_internal().as_slice().to_vec(),
         Function::RowScales => written(model.zero_lambda(), |out| model.row_scales(out)),
         Function::Prepare | Function::Masses => return None,
         // Compared together below.
@@ -180,7 +186,7 @@ fn factorisation_is_the_program<M: Model>(compiled: &Compiled, model: &M, mut in
 fn null_space_is_the_program<M: Model>(compiled: &Compiled, model: &M, mut inputs: Inputs) {
     let Some(written) = &compiled.complete.further.null_space else { return };
     let at = At::<M>::of(&inputs);
-    let (At { time, q, v, u }, state) = (&at, &at.state());
+    let (At { time, q, v, u, .. }, state) = (&at, &at.state());
     let (mut lu, mut velocity) = (model.lu(), model.zero_v());
     let pivot = model.factor_jacobian(*time, q, &mut lu);
     model.dependent_velocities(&lu, &vector(&inputs.given_rows), v, &mut velocity);
@@ -215,7 +221,7 @@ fn emitted_tangents_are_the_programs<M: Model + Tangent<f64>>() {
         inputs.prepared = schedule::run(compiled.programs.get(Function::Prepare), &inputs);
         fix_phases(&compiled, &mut inputs);
         let at = At::<M>::of(&inputs);
-        let (At { time: t, q, v, u }, state) = (&at, &at.state());
+        let (At { time: t, q, v, u, .. }, state) = (&at, &at.state());
         let (t, a, lambda) = (*t, vector::<M::V>(&inputs.acceleration), vector::<M::Lambda>(&inputs.lambda));
         let (a, lambda) = (&a, &lambda);
         let check = |function: Function, emitted: Vec<f64>| {

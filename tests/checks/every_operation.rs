@@ -45,8 +45,8 @@ fn outputs_have_their_values() {
     for point in 0..50 {
         let scale = if point % 2 == 0 { 0.5 } else { 0.8 };
         let model = Everything::<f64>::prepared(&[scale, 0.3, 2.0]).unwrap();
-        let (x0, speed, theta, omega) = (random.next(), random.next(), 3.0 * random.next(), random.next());
-        let gain = if point % 5 == 0 { 0.2 } else { random.next() };
+        let (x0, speed, theta, omega) = (random.unit(), random.unit(), 3.0 * random.unit(), random.unit());
+        let gain = if point % 5 == 0 { 0.2 } else { random.unit() };
         // In tree coordinates: the travel, the arm's orientation.
         assert_eq!(<Everything>::default().position_names(), ["rail.travel", "arm.cos", "arm.sin"]);
         let (q, v) = (vector(&[x0, theta.cos(), theta.sin()]), vector(&[speed, omega]));

@@ -38,7 +38,7 @@ fn moved<M: Model>(model: &M, q: &M::Q, delta: &M::V) -> M::Q {
 }
 
 /// v̇, then λ.
-fn solved<M: Model>(model: &M, time: f64, q: &M::Q, v: &M::V, u: &M::Inputs) -> Vec<f64> {
+fn solved<M: Model<Z = ()>>(model: &M, time: f64, q: &M::Q, v: &M::V, u: &M::Inputs) -> Vec<f64> {
     let (mut a, mut lambda) = (model.zero_v(), model.zero_lambda());
     model.acceleration(time, &State::new(*q, *v), u, &mut a, &mut lambda);
     [a.as_slice(), lambda.as_slice()].concat()

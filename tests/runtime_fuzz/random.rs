@@ -12,10 +12,10 @@ impl Random {
     /// The numbers of one case of a run.
     pub fn of_case(seed: u64, case: u64) -> Self {
         let mut random = Self(seed);
-        Self(random.next() ^ case.wrapping_mul(0x9e37_79b9_7f4a_7c15))
+        Self(random.bits() ^ case.wrapping_mul(0x9e37_79b9_7f4a_7c15))
     }
 
-    pub fn next(&mut self) -> u64 {
+    pub fn bits(&mut self) -> u64 {
         self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
         let mut z = self.0;
         z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
@@ -25,7 +25,7 @@ impl Random {
 
     /// A number below `limit`, which is not zero.
     pub fn below(&mut self, limit: usize) -> usize {
-        (self.next() % limit as u64) as usize
+        (self.bits() % limit as u64) as usize
     }
 
     /// True once in `times`.
@@ -35,7 +35,7 @@ impl Random {
 
     /// In [−1, 1).
     pub fn unit(&mut self) -> f64 {
-        (self.next() >> 11) as f64 / (1_u64 << 52) as f64 - 1.0
+        (self.bits() >> 11) as f64 / (1_u64 << 52) as f64 - 1.0
     }
 
     /// A positive number of any magnitude from 10^low to 10^high.

@@ -55,6 +55,7 @@ fn declarations_are_used(mechanism: &Mechanism, wanted: &mut Wanted) {
             Declared::Constant => "constant",
             Declared::Parameter => "parameter",
             Declared::Input => "input",
+            Declared::State => "state",
             Declared::Signal => "signal",
             Declared::Point => "point",
             Declared::Marker => "marker",

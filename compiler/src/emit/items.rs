@@ -25,10 +25,14 @@ pub fn items(text: &mut String, emitter: &Emitter, source: &str) {
     parameters(text, emitter);
     inputs(text, emitter);
     outputs(text, emitter);
+    let (states, internal) = match mechanism.states.len() {
+        0 => ("Positions and velocities", String::new()),
+        n => ("Positions, velocities and internal states", format!(", [R; {n}]")),
+    };
     let _ = writeln!(
         text,
-        "#[doc = \"Positions and velocities of [`{name}`].\"] {visibility} type {name}State<R = {F64}> = \
-         {path}::State<[R; {}], [R; {}]>;",
+        "#[doc = \"{states} of [`{name}`].\"] {visibility} type {name}State<R = {F64}> = \
+         {path}::State<[R; {}], [R; {}]{internal}>;",
         emitter.compiled.entries(Shape::Positions),
         emitter.compiled.entries(Shape::Velocities)
     );
@@ -85,9 +89,22 @@ fn outputs(text: &mut String, emitter: &Emitter) {
     text.push_str("}\n");
 }
 
+fn numbers(values: &[f64]) -> String {
+    array(values.iter().map(|value| literal(*value)))
+}
+
+/// The state at the start.
+fn start(emitter: &Emitter) -> String {
+    let Emitter { path, compiled, .. } = emitter;
+    let (q, v) = (numbers(&compiled.assembly.q), numbers(&compiled.assembly.v));
+    match compiled.start_internal().as_slice() {
+        [] => format!("{path}::State::new({q}, {v})"),
+        z => format!("{path}::State {{ q: {q}, v: {v}, z: {}, gates: () }}", numbers(z)),
+    }
+}
+
 fn constants(text: &mut String, emitter: &Emitter, source: &str) {
-    let Emitter { name, path, compiled, mechanism, .. } = emitter;
-    let numbers = |values: &[f64]| array(values.iter().map(|value| literal(*value)));
+    let Emitter { name, compiled, mechanism, .. } = emitter;
     let string = "&'static ::core::primitive::str";
     let operations = count(compiled.programs.get(Function::AccelerationBaumgarte)).total();
     // A number of the start may happen to be near π, or have more digits than one writes by hand.
@@ -98,7 +115,7 @@ fn constants(text: &mut String, emitter: &Emitter, source: &str) {
     constant(
         "Consistent start state for the default parameters, assembled at compile time.",
         &format!("START: {name}State"),
-        &format!("{path}::State::new({}, {})", numbers(&compiled.assembly.q), numbers(&compiled.assembly.v)),
+        &start(emitter),
     );
     let usize = "::core::primitive::usize";
     constant(

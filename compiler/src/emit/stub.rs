@@ -66,10 +66,11 @@ fn structs(text: &mut String, header: &Header) {
     let _ = writeln!(
         text,
         "#[allow(missing_docs, dead_code)] {visibility} type {name}State<R = {f64}> = \
-         @RUNTIME@::State<[R; {MANY}], [R; {MANY}]>;"
+         @RUNTIME@::State<[R; {MANY}], [R; {MANY}]{}>;",
+        if header.states.is_empty() { String::new() } else { format!(", [R; {MANY}]") }
     );
     let owners: Vec<&String> = header.bodies.iter().chain(&header.joints).collect();
-    named::stub(text, (&visibility, &name), &owners, MANY);
+    named::stub(text, (&visibility, &name), &owners, &header.states, MANY);
 }
 
 fn constants(text: &mut String, header: &Header) {
@@ -77,7 +78,11 @@ fn constants(text: &mut String, header: &Header) {
     let zeros = format!("[0.0; {MANY}]");
     let (usize, str) = ("::core::primitive::usize", "&'static ::core::primitive::str");
     let _ = writeln!(text, "#[allow(missing_docs, dead_code)] impl {name}<::core::primitive::f64> {{");
-    let _ = writeln!(text, "pub const START: {name}State = @RUNTIME@::State::new({zeros}, {zeros});");
+    let internal = if header.states.is_empty() { "()" } else { &zeros };
+    let _ = writeln!(
+        text,
+        "pub const START: {name}State = @RUNTIME@::State {{ q: {zeros}, v: {zeros}, z: {internal}, gates: () }};"
+    );
     for constant in ["DEGREES_OF_FREEDOM", "OPERATIONS"] {
         let _ = writeln!(text, "pub const {constant}: {usize} = 1;");
     }
@@ -113,6 +118,7 @@ fn implementations(text: &mut String, header: &Header) {
         .replace("@FUNCTIONS_OF_TANGENT@", &functions(Interface::Tangent))
         .replace("@DERIVATIVES@", &matrices.concat())
         .replace("@NAME@", &name)
+        .replace("@Z@", if header.states.is_empty() { "()" } else { &list })
         .replace("@INPUTS@", &inputs)
         .replace("@OUTPUTS@", &outputs)
         .replace("@LIST@", &list)
@@ -150,7 +156,9 @@ impl Header {
         let space = if self.spatial { Space::Spatial } else { Space::Planar };
         match shape {
             Shape::Scalar => "R".to_string(),
-            Shape::State => format!("State<{list}, {list}>"),
+            Shape::State if self.states.is_empty() => format!("State<{list}, {list}>"),
+            Shape::State => format!("State<{list}, {list}, {list}>"),
+            Shape::Internal if self.states.is_empty() => "()".to_string(),
             Shape::Parameters => self.given(parameters),
             Shape::Inputs => self.given(inputs),
             Shape::Outputs => self.given(outputs),
@@ -202,7 +210,7 @@ impl<R: Real> @NAME@<R> {
 }
 impl<R: Real> Variables<R> for @NAME@<R> {
     fn layout(&self) -> &Layout<'_> { &Layout { linear: @MANY@, rotations: 0, quaternions: 0, angles: &[] } }
-    type Q = @LIST@; type V = @LIST@; type Lambda = @LIST@; type Z = (); type Gates = ();
+    type Q = @LIST@; type V = @LIST@; type Lambda = @LIST@; type Z = @Z@; type Gates = ();
 }
 impl<R: Real> Mechanism<R> for @NAME@<R> {
     fn name(&self) -> &'static str { \"\" }
@@ -215,7 +223,6 @@ impl<R: Real> Mechanism<R> for @NAME@<R> {
     type Inputs = @INPUTS@; type Outputs = @OUTPUTS@;
     fn input_names(&self) -> &'static [&'static str] { &[] }
     fn output_names(&self) -> &'static [&'static str] { &[] }
-    fn internal_rates(&self, _: R, _: &State<@LIST@, @LIST@>, _: &@INPUTS@, _: &@LIST@, _: &@LIST@, _: &mut ()) {}
     fn unwrap(&self, outputs: &mut @OUTPUTS@, previous: &@OUTPUTS@) {}
     @FUNCTIONS_OF_MECHANISM@
 }
@@ -239,7 +246,6 @@ impl<R: Real> Assemble<R> for @NAME@<R> {
     fn store(&self) -> @LIST@ { loop {} }
     fn start_q(&self) -> @LIST@ { loop {} }
     fn start_v(&self) -> @LIST@ { loop {} }
-    fn start_internal(&self) {}
     fn start_gates(&self) {}
     @FUNCTIONS_OF_ASSEMBLE@
 }

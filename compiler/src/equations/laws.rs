@@ -103,6 +103,7 @@ impl<'a> Laws<'a> {
             Expr::Number(value) => self.g.number(*value),
             Expr::Parameter(parameter) => self.g.on(self.symbols.parameters[parameter.0]),
             Expr::Input(input) => self.g.on(self.symbols.inputs[input.0]),
+            Expr::State(state) => self.g.on(self.symbols.internal[state.0]),
             Expr::Time => self.g.on(self.symbols.time),
             Expr::Quantity(quantity) => self.quantity(quantity),
             Expr::Unary(function, a) => {
@@ -151,7 +152,9 @@ impl<'a> Laws<'a> {
 
     pub fn jet(&self, expr: &Expr) -> Moving<'a> {
         match expr {
-            Expr::Number(_) | Expr::Parameter(_) | Expr::Input(_) => self.still(self.value(expr)),
+            Expr::Number(_) | Expr::Parameter(_) | Expr::Input(_) | Expr::State(_) => {
+                self.still(self.value(expr))
+            }
             Expr::Time => {
                 let time = self.g.on(self.symbols.time);
                 time.moving(self.kinematics.velocities(), Jet::time(time))

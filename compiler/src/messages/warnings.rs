@@ -7,7 +7,7 @@ use crate::forms::BodyForm;
 pub(crate) fn unused(kind: &str, name: &str, body: Option<&str>) -> String {
     let of = body.map(|body| format!(" of `{body}`")).unwrap_or_default();
     let dropped = match kind {
-        "parameter" | "input" => "so no equation depends on it",
+        "parameter" | "input" | "state" => "so no equation depends on it",
         "constant" | "signal" => "so it stands for nothing",
         _ => "so no joint, load, start value or output is there",
     };

@@ -1,6 +1,6 @@
 //! Expressions of the user after lowering: SI units, names resolved, dimensions checked.
 
-use super::{BodyId, DriverId, InputId, JointId, LoadId, ParameterId, Place, Rotor};
+use super::{BodyId, DriverId, InputId, JointId, LoadId, ParameterId, Place, Rotor, StateId};
 use crate::units::Dimension;
 
 /// A scalar expression in SI units.
@@ -9,6 +9,7 @@ pub enum Expr {
     Number(f64),
     Parameter(ParameterId),
     Input(InputId),
+    State(StateId),
     /// s.
     Time,
     Quantity(Quantity),
@@ -27,7 +28,12 @@ impl Expr {
     pub fn visit<'e>(&'e self, found: &mut dyn FnMut(&'e Expr)) {
         found(self);
         match self {
-            Expr::Number(_) | Expr::Parameter(_) | Expr::Input(_) | Expr::Time | Expr::Quantity(_) => {}
+            Expr::Number(_)
+            | Expr::Parameter(_)
+            | Expr::Input(_)
+            | Expr::State(_)
+            | Expr::Time
+            | Expr::Quantity(_) => {}
             Expr::Unary(_, x) | Expr::Power(x, _) | Expr::Rate(x) => x.visit(found),
             Expr::Binary(_, x, y) => [x, y].into_iter().for_each(|operand| operand.visit(found)),
             Expr::If(condition, x, y) => {

@@ -51,7 +51,9 @@ pub(crate) fn evaluate(expr: &Expr, parameters: &[f64]) -> Option<f64> {
             Some(compute_binary(*function, evaluate(x, parameters)?, evaluate(y, parameters)?))
         }
         Expr::Power(base, exponent) => Some(libm::pow(evaluate(base, parameters)?, *exponent)),
-        Expr::Input(_) | Expr::Time | Expr::Quantity(_) | Expr::If(..) | Expr::Rate(_) => None,
+        Expr::Input(_) | Expr::State(_) | Expr::Time | Expr::Quantity(_) | Expr::If(..) | Expr::Rate(_) => {
+            None
+        }
     }
 }
 

@@ -50,6 +50,7 @@ pub fn lower(definition: &Definition) -> Result<Mechanism, Diagnostics> {
         attributes: definition.attributes.to_string(),
         parameters,
         inputs: lowering.each(&definition.inputs, Lowering::input),
+        states: Vec::new(),
         gravity: lowering.gravity(),
         gravity_span: definition.gravity.as_ref().map(|tuple| tuple.region),
         bodies: lowering.each(&definition.bodies, Lowering::body),
@@ -65,6 +66,7 @@ pub fn lower(definition: &Definition) -> Result<Mechanism, Diagnostics> {
         unused: Vec::new(),
         allowed: definition.allowed.clone(),
     };
+    mechanism.states = lowering.states();
     lowering.all_signals();
     mechanism.unused = unused::unused(definition, &lowering.used);
     lowering.diagnostics.finish(mechanism)
@@ -106,6 +108,8 @@ pub(crate) struct Use {
     pub parameters: bool,
     pub time: bool,
     pub inputs: bool,
+    /// With rates of their own.
+    pub states: bool,
     pub positions: bool,
     pub velocities: bool,
     /// Efforts, powers and energies.
@@ -118,6 +122,7 @@ impl Use {
         parameters: false,
         time: false,
         inputs: false,
+        states: false,
         positions: false,
         velocities: false,
         results: false,
@@ -133,8 +138,9 @@ impl Use {
     pub const LAW: Self = Self { what: "the law of a driver", ..Self::GROUND };
     pub const EQUATION: Self = Self { what: "a constraint", positions: true, ..Self::GROUND };
     pub const LOAD: Self =
-        Self { what: "the law of a load", inputs: true, velocities: true, ..Self::EQUATION };
+        Self { what: "the law of a load", inputs: true, states: true, velocities: true, ..Self::EQUATION };
     pub const OUTPUT: Self = Self { what: "an output", results: true, ..Self::LOAD };
+    pub const STATE_RATE: Self = Self { what: "the rate of a state", ..Self::OUTPUT };
     pub const SIGNAL: Self = Self { what: "a signal", ..Self::OUTPUT };
     pub const RATE: Self = Self { what: "a rate", ..Self::EQUATION };
     pub const ALONG: Self = Self { what: "what a force acts along", ..Self::EQUATION };
@@ -145,6 +151,7 @@ impl Use {
             (self.parameters, "parameters"),
             (self.time, "time"),
             (self.inputs, "inputs"),
+            (self.states, "states"),
             (self.positions, "positions"),
             (self.velocities, "velocities"),
         ];
@@ -158,7 +165,7 @@ pub(super) fn name(label: &Label) -> Name {
 }
 
 /// The unit as written, `1` if none.
-fn unit_text(unit: Option<&syntax::WrittenUnit>) -> String {
+pub(super) fn unit_text(unit: Option<&syntax::WrittenUnit>) -> String {
     unit.map_or_else(|| "1".to_string(), |written| written.unit.text.clone())
 }
 
@@ -169,7 +176,7 @@ pub(super) fn declared(unit: Option<&syntax::WrittenUnit>) -> Dimension {
 
 impl<'d> Lowering<'d> {
     /// All elements that lower without an error.
-    fn each<S, T>(&mut self, elements: &'d [S], lower: impl Fn(&mut Self, &'d S) -> Option<T>) -> Vec<T> {
+    pub fn each<S, T>(&mut self, elements: &'d [S], lower: impl Fn(&mut Self, &'d S) -> Option<T>) -> Vec<T> {
         elements.iter().filter_map(|element| lower(self, element)).collect()
     }
 

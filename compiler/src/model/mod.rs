@@ -20,6 +20,7 @@ mod quantities;
 mod settings;
 mod shapes;
 mod signals;
+mod states;
 mod unused;
 mod values;
 
@@ -44,6 +45,9 @@ pub struct ParameterId(pub usize);
 /// Index of an input in [`Mechanism::inputs`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct InputId(pub usize);
+/// Index of a state in [`Mechanism::states`].
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub struct StateId(pub usize);
 /// Index of a load in [`Mechanism::loads`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct LoadId(pub usize);
@@ -92,6 +96,8 @@ pub struct Mechanism {
     pub attributes: String,
     pub parameters: Vec<Parameter>,
     pub inputs: Vec<Input>,
+    /// With rates of their own.
+    pub states: Vec<InternalState>,
     /// World axes; `None` if no gravity was written.
     pub gravity: Option<Vector>,
     pub gravity_span: Option<Region>,
@@ -147,6 +153,19 @@ pub struct Input {
     pub name: Name,
     pub unit: String,
     pub docs: String,
+}
+
+/// A quantity with a rate of its own: ż = rate.
+#[derive(Clone, Debug)]
+pub struct InternalState {
+    pub name: Name,
+    pub unit: String,
+    pub docs: String,
+    /// Of parameters.
+    pub start: Expr,
+    /// What its errors are measured by where it is small, SI.
+    pub scale: Option<f64>,
+    pub rate: Expr,
 }
 
 #[derive(Clone, Debug)]

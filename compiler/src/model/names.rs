@@ -1,4 +1,4 @@
-//! Who is called what: one table for values (constants, parameters, inputs, signals) and one for parts (bodies, joints,
+//! Who is called what: one table for values (constants, parameters, inputs, states, signals) and one for parts (bodies, joints,
 //! constraints, drivers, loads, lines and markers of the ground). Names that are free twice are refused, both places shown.
 
 use crate::diagnostics::Diagnostics;
@@ -12,6 +12,7 @@ pub(super) enum Value {
     Constant(usize),
     Parameter(usize),
     Input(usize),
+    State(usize),
     Signal(usize),
 }
 
@@ -90,6 +91,7 @@ impl<'d> Names<'d> {
         enter(&mut values, &definition.constants, |c| &c.name, Value::Constant, diagnostics);
         enter(&mut values, &definition.parameters, |p| &p.name, Value::Parameter, diagnostics);
         enter(&mut values, &definition.inputs, |i| &i.name, Value::Input, diagnostics);
+        enter(&mut values, &definition.states, |s| &s.name, Value::State, diagnostics);
         enter(&mut values, &definition.signals, |s| &s.name, Value::Signal, diagnostics);
         allowed(&definition.name, &[], diagnostics);
         let mut parts = Table::new(&BUILT_IN);

@@ -1,4 +1,4 @@
-//! What is declared and named by nothing: constants, parameters, inputs, signals, points, markers
+//! What is declared and named by nothing: constants, parameters, inputs, states, signals, points, markers
 //! and lines.
 //!
 //! While names are resolved those that are named are kept; what is left over here is warned of in `check`. The rounds
@@ -23,6 +23,7 @@ pub enum Declared {
     Constant,
     Parameter,
     Input,
+    State,
     Signal,
     Point,
     Marker,
@@ -66,6 +67,7 @@ fn declarations(definition: &Definition) -> impl Iterator<Item = (Scope, Declare
     let constants = definition.constants.iter().map(|it| &it.name).map(value(Declared::Constant));
     let parameters = definition.parameters.iter().map(|it| &it.name).map(value(Declared::Parameter));
     let inputs = definition.inputs.iter().map(|it| &it.name).map(value(Declared::Input));
+    let states = definition.states.iter().map(|it| &it.name).map(value(Declared::State));
     let signals = definition.signals.iter().map(|it| &it.name).map(value(Declared::Signal));
     let of_bodies = definition.bodies.iter().enumerate().flat_map(|(index, body)| {
         let of_body = move |kind| move |label| (Scope::Body(index), kind, label);
@@ -76,5 +78,6 @@ fn declarations(definition: &Definition) -> impl Iterator<Item = (Scope, Declare
     let of_ground = |kind| move |label| (Scope::Ground, kind, label);
     let markers = definition.markers.iter().map(|it| &it.name).map(of_ground(Declared::Marker));
     let lines = definition.lines.iter().map(|it| &it.name).map(of_ground(Declared::Line));
-    constants.chain(parameters).chain(inputs).chain(signals).chain(of_bodies).chain(markers).chain(lines)
+    let values = constants.chain(parameters).chain(inputs).chain(states).chain(signals);
+    values.chain(of_bodies).chain(markers).chain(lines)
 }

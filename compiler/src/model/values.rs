@@ -4,7 +4,7 @@ use super::fold;
 use super::lower::{Lowering, Use, declared};
 use super::names::Value;
 use super::unused::Scope;
-use super::{Expr, Function1, Function2, InputId, ParameterId, Vector};
+use super::{Expr, Function1, Function2, InputId, ParameterId, StateId, Vector};
 use crate::diagnostics::Region;
 use crate::messages;
 use crate::syntax::{Entry, Operator, Path, Term, TermKind, Tuple, WrittenUnit};
@@ -245,6 +245,12 @@ impl Lowering<'_> {
                     self.permit(usage.inputs, path, "an input", usage)?;
                     let dimension = declared(self.definition.inputs[index].unit.as_ref());
                     return typed(Expr::Input(InputId(index)), dimension);
+                }
+                Some(Value::State(index)) => {
+                    self.used.insert((Scope::Value, &self.definition.states[index].name.text));
+                    self.permit(usage.states, path, "a state", usage)?;
+                    let dimension = declared(self.definition.states[index].entry.unit.as_ref());
+                    return typed(Expr::State(StateId(index)), dimension);
                 }
                 Some(Value::Signal(index)) => return self.signal_at(index, path, usage),
                 None if path.text == "pi" => {

@@ -26,6 +26,8 @@ pub struct Definition {
     pub parameters: Vec<Parameter>,
     pub inputs: Vec<Input>,
     pub signals: Vec<Signal>,
+    pub states: Vec<InternalState>,
+    pub rates: Vec<StateRate>,
     pub gravity: Option<Tuple>,
     pub bodies: Vec<Body>,
     /// Lines of the ground.
@@ -531,4 +533,20 @@ pub struct Output {
 pub struct Signal {
     pub name: Label,
     pub entry: Entry,
+}
+
+/// `state name [unit] = start, scale = value;`
+#[derive(Clone, Debug)]
+pub struct InternalState {
+    pub name: Label,
+    pub docs: TokenStream,
+    pub entry: Entry,
+    pub scale: Option<Term>,
+}
+
+/// `rate name = value;`
+#[derive(Clone, Debug)]
+pub struct StateRate {
+    pub name: Label,
+    pub value: Term,
 }

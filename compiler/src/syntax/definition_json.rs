@@ -28,6 +28,16 @@ pub fn definition_json(definition: &Definition) -> String {
             w.key("signals")
                 .list(&definition.signals, |w, signal| w.named_entry(&signal.name, &signal.entry));
         }
+        if !definition.states.is_empty() {
+            w.key("states").list(&definition.states, |w, state| {
+                w.named_entry(&state.name, &state.entry);
+                w.key("scale").optional(state.scale.as_ref(), Writer::term);
+            });
+            w.key("rates").list(&definition.rates, |w, rate| {
+                w.key("name").string(&rate.name.text);
+                w.key("value").term(&rate.value);
+            });
+        }
         w.key("gravity").optional(definition.gravity.as_ref(), |w, tuple| w.tuple(tuple, None));
         if definition.space == Space::Spatial {
             w.key("markers").list(&definition.markers, Writer::marker);

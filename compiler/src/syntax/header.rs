@@ -25,6 +25,8 @@ pub struct Header {
     pub parameters: Vec<String>,
     pub inputs: Vec<String>,
     pub outputs: Vec<String>,
+    /// Of the internal states.
+    pub states: Vec<String>,
     /// Names of the bodies and joints, as identifiers.
     pub bodies: Vec<String>,
     pub joints: Vec<String>,
@@ -81,6 +83,7 @@ pub fn header(tokens: TokenStream, vocabulary: &'static Vocabulary) -> Option<He
         parameters: known(definition.parameters.iter().map(|it| &it.name).collect(), "param"),
         inputs: known(definition.inputs.iter().map(|it| &it.name).collect(), "input"),
         outputs: known(definition.outputs.iter().map(|it| &it.name).collect(), "output"),
+        states: known(definition.states.iter().map(|it| &it.name).collect(), "state"),
         bodies,
         joints: known(definition.joints.iter().map(|it| &it.name).collect(), "joint"),
         counts: found.is_empty().then_some([

@@ -123,6 +123,8 @@ fn empty() -> Definition {
         parameters: Vec::new(),
         inputs: Vec::new(),
         signals: Vec::new(),
+        states: Vec::new(),
+        rates: Vec::new(),
         gravity: None,
         bodies: Vec::new(),
         lines: Vec::new(),

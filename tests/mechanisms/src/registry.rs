@@ -14,7 +14,7 @@ pub trait Model:
         f64,
         Q: Copy,
         V: Copy,
-        Z = (),
+        Z: Copy,
         Gates = (),
         Lambda: Copy,
         Inputs: Fields<f64> + Copy,
@@ -48,7 +48,7 @@ pub trait Model:
     }
     /// Whether motions, reactions, inverse dynamics and powers are finite; found without allocation.
     fn derived_finite(&self, at: &At<Self>, a: &Self::V, lambda: &Self::Lambda) -> bool {
-        let At { time, q, v, u } = at;
+        let At { time, q, v, u, .. } = at;
         let state = &at.state();
         finite(self.motions(*time, q, v, a).as_ref())
             && finite(self.reactions(*time, state, u, a, lambda).as_ref())
@@ -77,6 +77,8 @@ pub struct At<M: Model> {
     pub time: f64,
     pub q: M::Q,
     pub v: M::V,
+    /// Internal states.
+    pub z: M::Z,
     pub u: M::Inputs,
 }
 
@@ -156,12 +158,17 @@ pub fn compiled<M: Model>(coordinates: Option<Coordinates>) -> Compiled {
 impl<M: Model> At<M> {
     /// The time, state and inputs of a point.
     pub fn of(point: &Inputs) -> Self {
-        let Inputs { time, q, v, inputs, .. } = point;
-        At { time: *time, q: vector(q), v: vector(v), u: fields(inputs) }
+        let Inputs { time, q, v, internal, inputs, .. } = point;
+        At { time: *time, q: vector(q), v: vector(v), z: vector(internal), u: fields(inputs) }
     }
 
     pub fn state(&self) -> StateOf<M> {
-        State::new(self.q, self.v)
+        self.at(self.q, self.v)
+    }
+
+    /// The same at another position and velocity.
+    pub fn at(&self, q: M::Q, v: M::V) -> StateOf<M> {
+        State { q, v, z: self.z, gates: () }
     }
 }
 
@@ -174,19 +181,19 @@ impl Random {
     }
 
     /// In [−1, 1).
-    pub fn next(&mut self) -> f64 {
+    pub fn unit(&mut self) -> f64 {
         self.0.unit()
     }
 
     pub fn vector(&mut self, length: usize) -> Vec<f64> {
-        (0..length).map(|_| self.next()).collect()
+        (0..length).map(|_| self.unit()).collect()
     }
 
     /// Any position: pairs on the circle, whole turns, nothing consistent.
     pub fn position(&mut self, layout: &Layout<'_>) -> Vec<f64> {
         let mut q = self.vector(layout.linear);
         for _ in 0..layout.rotations {
-            let angle = 4.0 * self.next();
+            let angle = 4.0 * self.unit();
             q.extend([angle.cos(), angle.sin()]);
         }
         for _ in 0..layout.quaternions {
@@ -195,7 +202,7 @@ impl Random {
             q.extend(part.iter().map(|x| x / length));
         }
         for _ in layout.angles {
-            q.extend([(5.0 * self.next()).round(), 3.0 * self.next()]);
+            q.extend([(5.0 * self.unit()).round(), 3.0 * self.unit()]);
         }
         q
     }
@@ -203,7 +210,7 @@ impl Random {
     /// Parameters within a tenth of their defaults, and within their bounds.
     pub fn parameters(&mut self, compiled: &Compiled) -> Vec<f64> {
         let parameters = compiled.mechanism.parameters.iter().map(|parameter| {
-            let near = parameter.default + 0.1 * self.next() * parameter.default.abs();
+            let near = parameter.default + 0.1 * self.unit() * parameter.default.abs();
             let (least, most) = parameter.bounds.unwrap_or((f64::NEG_INFINITY, f64::INFINITY));
             near.clamp(least, most)
         });
@@ -216,16 +223,17 @@ impl Random {
         Inputs {
             parameters: self.parameters(compiled),
             phases: compiled.assembly.phases.clone(),
-            time: 2.0 + self.next(),
+            time: 2.0 + self.unit(),
             q: self.position(&layout),
             v: self.vector(layout.velocities()),
             inputs: self.vector(e.symbols.inputs.len()),
-            two_alpha: 10.0 + self.next(),
-            beta_squared: 25.0 + self.next(),
+            internal: self.vector(e.symbols.internal.len()),
+            two_alpha: 10.0 + self.unit(),
+            beta_squared: 25.0 + self.unit(),
             acceleration: self.vector(layout.velocities()),
             lambda: self.vector(e.rows.len()),
             targets: self.vector(compiled.complete.conditions.rows.len()),
-            compliance: 0.01 * (2.0 + self.next()),
+            compliance: 0.01 * (2.0 + self.unit()),
             given_forces: self.vector(layout.velocities()),
             given_rows: self.vector(e.rows.len()),
             // By `Function::Factor`.

@@ -188,6 +188,8 @@ macro_rules! for_each_in_zoo {
             mounted: $crate::zoo::Mounted,
             steered: $crate::zoo_laws::Steered,
             tethered: $crate::zoo_laws::Tethered,
+            powered: $crate::zoo_laws::Powered,
+            bristled: $crate::zoo_laws::Bristled,
             arm: $crate::zoo_space::Arm,
             jack: $crate::zoo_space::Jack,
             table: $crate::zoo_space::Table,

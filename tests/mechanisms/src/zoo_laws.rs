@@ -56,3 +56,62 @@ linkwright::mechanism! {
         output paid_out [m/s] = pulley.rate;
     }
 }
+
+linkwright::mechanism! {
+    /// A motor with its current, its voltage behind a filter and an observer, on an arm that a spring holds.
+    pub planar Powered {
+        param resistance [ohm] = 0.5;
+        param inductance [mH] = 2;
+        param torque_constant [N*m/A] = 0.08;
+        param first [A] = 0.1;
+        input voltage [V];
+        gravity [m/s^2] = (0, -9.81);
+        /// Through the motor.
+        state current [A] = first;
+        state filtered [V] = 0, scale = 0.01;
+        state sensed [deg/s] = 2;
+        state work [J] = 0;
+        rate current = (filtered - resistance*current - torque_constant*back)/inductance;
+        rate filtered = (voltage - filtered)/10 [ms];
+        rate sensed = (shoulder.rate - sensed)/0.05 [s];
+        rate work = power(drive) + 1e-3*kinetic_energy/1 [s];
+        signal back [1/s] = shoulder.rate/1 [rad];
+        rod arm { mass [kg] = 1; length [m] = 0.4; }
+        rod tip { mass [kg] = 0.5; length [m] = 0.3; }
+        joint shoulder: revolute(ground(0, 0) [m], arm.start);
+        joint elbow: revolute(arm.end, tip.start);
+        torque drive: torque(shoulder) = torque_constant*current;
+        torque brake: torque(elbow) = -0.02 [N*m*s/rad]*(elbow.rate + 0.1*sensed);
+        spring hold: spring(tip.end, ground(0.5, 0) [m], stiffness [N/m] = 30, length [m] = 0.2);
+        start { shoulder.angle [deg] = -80; elbow.angle [deg] = 10; }
+        output current [A] = current;
+        output work [J] = work;
+        output losses [W] = resistance*current^2;
+    }
+}
+
+linkwright::mechanism! {
+    /// A slider-crank in space whose slider rubs by a bristle, driven at a given speed; the effort of the drive goes through a filter.
+    pub spatial Bristled {
+        param stiffness [N/mm] = 100;
+        gravity [m/s^2] = (0, 0, -9.81);
+        state bristle [mm] = 0.01, scale = 1e-3;
+        state felt [N*m] = 0;
+        signal speed [m/s] = slider.center.velocity.x;
+        signal rough [N] = 1 [N] + 0.5 [N]*exp(-(speed/0.01 [m/s])^2);
+        rate bristle = speed - abs(speed)*stiffness*bristle/rough;
+        rate felt = (turn.effort - felt)/0.1 [s];
+        rod crank { mass [kg] = 0.1; length [m] = 0.1; radius [mm] = 10; }
+        rod link { mass [kg] = 0.2; length [m] = 0.3; radius [mm] = 10; }
+        box slider { mass [kg] = 0.4; size [mm] = (60, 40, 40); }
+        joint pin: revolute(ground(0, 0, 0) [m], crank.start, axis = (0, 0, 1));
+        joint ball: spherical(crank.end, link.start);
+        joint wrist: universal(link.end, slider.center, axis = (0, 1, 0), second_axis = (0, 0, 1));
+        joint rail: prismatic(ground(0, 0, 0) [m], slider.center, axis = (1, 0, 0));
+        drive turn: pin.angle = 4 [rad/s]*time + 0.3 [rad];
+        force friction: force(rail) = -(stiffness*bristle + 20 [N*s/m]*speed);
+        start { rail.travel [m] ~ 0.39; wrist.angle_1 [rad] ~ 0; }
+        output bristle [um] = bristle;
+        output felt [N*m] = felt;
+    }
+}
