@@ -71,7 +71,8 @@ pub use integrator::{
 };
 pub use layout::{Layout, MultiTurn, inverse_differential, retract, retract_counting};
 pub use linearisation::{
-    Actuation, ByParameters, Equilibrium, Linearisation, Response, StateSpace, actuation, equilibrium,
+    Actuation, ByParameters, Equilibrium, EquilibriumOf, Linearisation, Response, StateSpace, actuation,
+    equilibrium,
 };
 pub use mechanism::{Assemble, Condition, ConditionKind, Elimination, Flips, Mechanism, Row};
 pub use named::{Angle, Turns};

@@ -5,7 +5,7 @@ use crate::identities::{derivative_over, row_rates};
 use crate::registry::{At, Model, Random, compiled, fields, for_each, vector};
 use crate::walking::walk;
 use crate::zoo::{Floating, FloatingState, Shaken};
-use linkwright::{AssembleExt, Mechanism, Simulation, State, Vector, retract};
+use linkwright::{AssembleExt, Mechanism, Simulation, State, StateOf, Vector, retract};
 use linkwright_compiler::equations::space::constant_axis;
 use linkwright_compiler::forms::Law;
 use linkwright_compiler::functions::{MOTION, REACTION};

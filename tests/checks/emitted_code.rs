@@ -130,6 +130,8 @@ fn emitted<M: Model>(model: &M, inputs: &Inputs, function: Function) -> Option<V
         | Function::RowTangent
         | Function::RateTangent
         | Function::InputTangent
+        | Function::InternalTangent
+        | Function::InternalRateTangent
         | Function::ParameterTangent
         | Function::OutputTangent
         | Function::CoordinateTangent => return None,
@@ -245,7 +247,17 @@ fn emitted_tangents_are_the_programs<M: Model + Tangent<f64>>() {
         );
         check(
             Function::OutputTangent,
-            written(model.zero_output_tangent(), |out| model.output_tangent(t, state, u, lambda, out)),
+            written(model.zero_output_tangent(), |out| model.output_tangent(t, state, u, a, lambda, out)),
+        );
+        check(
+            Function::InternalTangent,
+            written(model.zero_internal_tangent(), |out| model.internal_tangent(t, state, u, out)),
+        );
+        check(
+            Function::InternalRateTangent,
+            written(model.zero_internal_rate_tangent(), |out| {
+                model.internal_rate_tangent(t, state, u, a, lambda, out)
+            }),
         );
         check(
             Function::CoordinateTangent,

@@ -35,7 +35,7 @@ pub struct Tangents {
     pub rate: Matrix,
     /// ∂r/∂z of the internal states.
     pub internal: Matrix,
-    /// By the parameters: of r, then D a − γ, D v − ν, Φ, then the outputs, then ż.
+    /// By the parameters: of r, then D a − γ, D v − ν, Φ, then the outputs, ż, and z at the start.
     pub parameter: Matrix,
     /// Of the outputs, with a and λ as given, by q, then v, u, λ, z, a.
     pub output: Matrix,
@@ -73,7 +73,9 @@ impl Tangents {
         let values = rows.iter().map(|row| row.jet.value);
         let designed: Vec<Node> = residual.iter().chain(&accelerations).chain(&rates).copied().collect();
         let designed = designed.into_iter().chain(values).chain(outputs.iter().copied());
-        let designed: Vec<Node> = designed.chain(equations.internal_rates.iter().copied()).collect();
+        let designed: Vec<Node> = designed
+            .chain(equations.internal_rates.iter().chain(&equations.internal_starts).copied())
+            .collect();
         let parameter = differentiate(&designed, &Seed::of(g).then(parameters));
         let with_results = all.then(a);
         let output = differentiate(outputs, &with_results);

@@ -122,7 +122,7 @@ pub static INPUT: Sparse = sparse("InputTangent", "input_pattern", |c| of_tangen
 /// ∂r/∂z of the internal states.
 pub static INTERNAL: Sparse =
     sparse("InternalTangent", "internal_pattern", |c| of_tangents(c, |t| &t.internal));
-/// By the parameters: of r, D v̇ − γ, D v − ν, Φ, the outputs and ż.
+/// By the parameters: of r, D v̇ − γ, D v − ν, Φ, the outputs, ż, and z at the start.
 pub static PARAMETER: Sparse =
     sparse("ParameterTangent", "parameter_pattern", |c| of_tangents(c, |t| &t.parameter));
 /// Of the outputs by q, v, u, λ, z and v̇.

@@ -414,7 +414,7 @@ pub static FUNCTIONS: [Signature; 44] = [
         Function::ParameterTangent,
         "parameter_tangent",
         Tangent,
-        "Derivatives by the parameters of r, D v̇ − γ, D v − ν, Φ, the outputs and ż: the stored \
+        "Derivatives by the parameters of r, D v̇ − γ, D v − ν, Φ, the outputs, ż and z₀: the stored \
          entries.",
         EVERYTHING,
         &[written("out", Shape::Matrix(&shape::PARAMETER), |c| shape::PARAMETER.nodes(c))],

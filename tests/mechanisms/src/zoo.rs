@@ -190,6 +190,7 @@ macro_rules! for_each_in_zoo {
             tethered: $crate::zoo_laws::Tethered,
             powered: $crate::zoo_laws::Powered,
             bristled: $crate::zoo_laws::Bristled,
+            servo: $crate::zoo_laws::Servo,
             arm: $crate::zoo_space::Arm,
             jack: $crate::zoo_space::Jack,
             table: $crate::zoo_space::Table,

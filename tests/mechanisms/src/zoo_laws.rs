@@ -115,3 +115,36 @@ linkwright::mechanism! {
         output felt [N*m] = felt;
     }
 }
+
+linkwright::mechanism! {
+    /// A slider-crank with a motor, on a table that is shaken; what the shaking takes is felt through a filter, which the motor's
+    /// voltage follows. Its derivatives are emitted.
+    pub planar Servo {
+        param resistance [ohm] = 0.5;
+        param constant [N*m/A] = 0.3;
+        param start [A] = 0.5;
+        input voltage [V];
+        gravity [m/s^2] = (0, -9.81);
+        state current [A] = 2*start, scale = 0.01;
+        state felt [N] = 1 [N*s/m]*0.2 [m/s];
+        rate current = (voltage - 0.1 [V/N]*felt - resistance*current - constant*pin.rate)/0.02 [H];
+        rate felt = (shake.effort - felt)/0.1 [s] + 0.3 [1/s]*sin(felt/1 [N])*1 [N];
+        body table { mass [kg] = 4; inertia [kg*m^2] = 0.1; }
+        rod crank { mass [kg] = 0.5; length [m] = 0.2; }
+        rod link { mass [kg] = 0.7; length [m] = 0.6; }
+        body piston { mass [kg] = 0.4; inertia [kg*m^2] = 0.001; }
+        joint rail: prismatic(ground(0, 0) [m], table.center, axis = (1, 0));
+        joint pin: revolute(table.center, crank.start);
+        joint knuckle: revolute(crank.end, link.start);
+        joint wrist: revolute(link.end, piston.center);
+        joint guide: prismatic(table.center, piston.center, axis = (1, 0));
+        drive shake: rail.travel = 0.1 [m]*sin(3 [rad/s]*time);
+        torque motor: torque(pin) = constant*current - 0.2 [N*m/rad]*pin.angle;
+        start { pin.angle [rad] = 0.6; guide.travel [m] ~ 0.7; }
+        options { emit = (tangent); }
+        output current [A] = current;
+        output load [N] = shake.effort + 0.5*felt;
+        output heat [W] = resistance*current^2;
+        output place [m] = piston.center.x;
+    }
+}
