@@ -57,6 +57,8 @@ pub struct Explanation {
     pub parameters: Vec<Parameter>,
     /// Name and unit.
     pub inputs: Vec<[String; 2]>,
+    /// At the start.
+    pub states: Vec<Value>,
     pub bodies: Vec<Body>,
     pub joints: Vec<Joint>,
     /// Name and kind of couplings and drivers.
@@ -112,6 +114,7 @@ pub fn explain(definition: &Definition, compiled: &Compiled) -> Explanation {
             .iter()
             .map(|i| [i.name.text.clone(), unit(i.unit.as_ref().map(|u| &u.unit))])
             .collect(),
+        states: state.internal,
         bodies: state.bodies,
         joints: joints(compiled),
         couplings: couplings(mechanism),

@@ -100,6 +100,7 @@ pub fn explanation(e: &Explanation) -> Value {
         "space": e.space,
         "parameters": parameters.collect::<Vec<_>>(),
         "inputs": e.inputs.iter().map(|[name, unit]| json!({ "name": name, "unit": unit })).collect::<Vec<_>>(),
+        "states": e.states.iter().map(value).collect::<Vec<_>>(),
         "bodies": bodies.collect::<Vec<_>>(),
         "joints": joints.collect::<Vec<_>>(),
         "couplings": named(&e.couplings),

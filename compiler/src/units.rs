@@ -289,6 +289,11 @@ impl fmt::Display for Dimension {
         if let Some((_, name)) = named.iter().find(|(dimension, _)| dimension.fits(*self)) {
             return f.write_str(name);
         }
+        // Their rates.
+        let integral = self.times(Self::TIME);
+        if let Some((_, name)) = named.iter().find(|(dimension, _)| dimension.fits(integral)) {
+            return write!(f, "{name}/s");
+        }
         let powers = [
             ("kg", self.mass),
             ("m", self.length),

@@ -37,6 +37,7 @@ fn sections(compiled: &Compiled) -> Vec<(&'static str, BTreeMap<String, Node>)> 
         columns.map(|(column, node)| (format!("{}, {}", row(index), v[*column]), *node)).collect::<Vec<_>>()
     });
     let outputs = compiled.mechanism.outputs.iter().map(|output| output.name.text.clone());
+    let states = compiled.mechanism.states.iter().map(|state| state.name.text.clone());
     vec![
         ("Φ, m or rad", of_rows(e.rows.iter().map(|row| row.jet.value).collect())),
         ("D", jacobian.collect()),
@@ -51,6 +52,7 @@ fn sections(compiled: &Compiled) -> Vec<(&'static str, BTreeMap<String, Node>)> 
             "Kinetic and potential energy, J",
             [("T".to_string(), e.kinetic_energy), ("V".to_string(), e.potential_energy)].into(),
         ),
+        ("Rates of the states", states.zip(e.internal_rates.iter().copied()).collect()),
         ("Outputs", outputs.zip(e.outputs.iter().copied()).collect()),
     ]
 }
@@ -90,7 +92,10 @@ impl State {
         set(&known.phases, &point.phases, known.phases.iter().map(own).collect());
         set(&[known.time], &[point.time], vec!["time".to_string()]);
         set(&known.q, &point.q, q.clone());
+        set(&known.acceleration, &point.acceleration, v.iter().map(|name| format!("v̇({name})")).collect());
         set(&known.v, &point.v, v);
+        let states = mechanism.states.iter().map(|it| it.name.text.clone()).collect();
+        set(&known.internal, &point.internal, states);
         set(&known.inputs, &point.inputs, inputs);
         set(&known.lambda, &point.lambda, rows);
         let stem = |at: usize| q[at].rsplit_once('.').expect("a part of a name").0.to_string();

@@ -154,7 +154,13 @@ impl<'a> Checked<'a> {
             of.iter().flat_map(|of| self.value(*of, &moved)).collect()
         };
         for (column, by) in by.iter().enumerate() {
+            // Some parameters are thousandths.
+            let size = match by {
+                By::Parameter(k) if point.parameters[*k] != 0.0 => point.parameters[*k].abs().min(1.0),
+                _ => 1.0,
+            };
             let slope = |h: f64| -> Vec<f64> {
+                let h = h * size;
                 let (ahead, behind) = (value(*by, h), value(*by, -h));
                 ahead.iter().zip(behind).map(|(ahead, behind)| (ahead - behind) / (2.0 * h)).collect()
             };

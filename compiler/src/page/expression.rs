@@ -40,7 +40,11 @@ impl<'a> Writer<'a> {
         let parameters = mechanism.parameters.iter().map(|parameter| parameter.name.text.clone());
         let inputs = mechanism.inputs.iter().map(|input| input.name.text.clone());
         let settings = symbols.parameters.iter().copied().zip(parameters);
+        let states = mechanism.states.iter().map(|state| state.name.text.clone());
         let settings = settings.chain(symbols.inputs.iter().copied().zip(inputs));
+        let settings = settings.chain(symbols.internal.iter().copied().zip(states));
+        let accelerations =
+            symbols.acceleration.iter().copied().zip(v.iter().map(|name| format!("v̇({name})")));
         let multipliers = symbols.lambda.iter().zip(&equations.rows);
         let multipliers = multipliers.map(|(node, row)| (*node, format!("λ({}.{})", row.of, row.form.name)));
         let mut writer = Writer {
@@ -49,6 +53,7 @@ impl<'a> Writer<'a> {
                 .map(|(node, name)| (*node, name.clone()))
                 .chain(settings)
                 .chain(multipliers)
+                .chain(accelerations)
                 .collect(),
             turned: HashMap::new(),
             counted: HashMap::new(),

@@ -122,6 +122,37 @@ const MISTAKES: &[(&str, &str)] = &[
         "output o [rad] = wrap(base.angle, 0 [rad]);",
         "a period is positive: `wrap(x, period)` is x less whole periods",
     ),
+    ("state z [m];", "the state \"z\" has no start value: write `state z [unit] = value;`"),
+    ("state z [m] = 1;", "the state `z` has no rate: write `rate z = …;`, in its unit per second"),
+    ("state z [m] = 1; rate z = 1 [m/s]; rate z = 2 [m/s];", "`z` has a rate already: a state has one"),
+    (
+        "state z [m] = 1; rate z [m/s] = 1;",
+        "a rate has the unit of its state per second: write `rate z = …;`",
+    ),
+    (
+        "param p [m] = 1; rate p = 1 [m/s];",
+        "`p` is no state: only what is declared by `state p [unit] = value;` has a rate of its own",
+    ),
+    (
+        "state curent [A] = 1; rate curent = 1 [A/s]; rate current = 1 [A/s];",
+        "no state called \"current\"; did you mean \"curent\"?",
+    ),
+    ("rate z = 1 [m/s];", "no state called \"z\": declare it by `state z [unit] = value;`"),
+    ("state z [V] = 1; rate z = 1 [V];", "the rate of `z` is given a voltage: expected V/s, found V"),
+    (
+        "state z [m] = 1; rate z = 0;",
+        "the rate of `z` is zero, so it keeps its start value: write `param z [unit] = value;`",
+    ),
+    ("state z [m] = 1, scale = -1; rate z = 1 [m/s];", "the scale of a state must be positive, found -1"),
+    ("state z [m] = 1, size = 2; rate z = 1 [m/s];", "expected `scale = …`, found `size`"),
+    (
+        "state z [m] = crank.pin.x; rate z = 1 [m/s];",
+        "`crank.pin.x` is a position, but a start value may depend on constants and parameters only",
+    ),
+    (
+        "state z [rad] = 1; rate z = 1 [rad/s]; constraint c: base.angle = z;",
+        "`z` is a state, but a constraint may depend on constants, parameters, time and positions only",
+    ),
     ("signal s [1] = s;", "the signal `s` names itself"),
     ("signal s [1] = 2*t; signal t [1] = s;", "the signal `s` names itself: s → t → s"),
     (
@@ -507,7 +538,7 @@ const MISTAKES: &[(&str, &str)] = &[
     ),
     (
         "force f: torque(base) = energy;",
-        "`energy` is a result, but the law of a load may depend on constants, parameters, time, inputs, positions and velocities only",
+        "`energy` is a result, but the law of a load may depend on constants, parameters, time, inputs, states, positions and velocities only",
     ),
     (
         "force f: spring(crank.pin, crank.center, stiffness = 3 [N/m], length = 1 [m]);",
