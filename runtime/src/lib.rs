@@ -81,7 +81,7 @@ pub use report::Report;
 pub use rotation::unwrap_angle;
 pub use simulation::{
     Direction, Event, MechanismDynamics, NearSingular, Occurrence, Residual, Sample, Samples, Simulation,
-    Step,
+    Solution, SolutionOf, Step,
 };
 pub use state::{Derivative, DerivativeOf, Kinematics, Motion, State, StateOf, Variables};
 pub use tangent::Tangent;

@@ -71,6 +71,7 @@ fn is_of_a_size_to_write_out(mechanism: &Mechanism, diagnostics: &mut Diagnostic
     let drivers = mechanism.drivers.iter().map(|driver| &driver.name);
     let parameters = mechanism.parameters.iter().map(|parameter| &parameter.name);
     let inputs = mechanism.inputs.iter().map(|input| &input.name);
+    let states = mechanism.states.iter().map(|state| &state.name);
     let outputs = mechanism.outputs.iter().map(|output| &output.name);
     for (what, names, most) in [
         ("bodies", names(mechanism.bodies.iter().map(|body| &body.name)), MOST_BODIES),
@@ -80,7 +81,11 @@ fn is_of_a_size_to_write_out(mechanism: &Mechanism, diagnostics: &mut Diagnostic
             most_constraints,
         ),
         ("loads", names(mechanism.loads.iter().map(|load| &load.name)), MOST_LOADS),
-        ("parameters, inputs and outputs", names(parameters.chain(inputs).chain(outputs)), MOST_VALUES),
+        (
+            "parameters, inputs, states and outputs",
+            names(parameters.chain(inputs).chain(states).chain(outputs)),
+            MOST_VALUES,
+        ),
     ] {
         if let Some(first) = names.get(most) {
             diagnostics.error(first.span, messages::too_many(what, names.len(), most, &first.text));

@@ -2,7 +2,7 @@
 
 use super::names::field;
 use super::rust::literal;
-use super::{Emitter, array, coordinates_json, documentation, named, quoted};
+use super::{Emitter, array, coordinates_json, declared, documentation, named, quoted};
 use crate::functions::{Function, Shape};
 use crate::schedule::count;
 use std::fmt::Write;
@@ -48,7 +48,8 @@ fn parameters(text: &mut String, emitter: &Emitter) {
     );
     for parameter in &mechanism.parameters {
         let field = field(&parameter.name.identifier());
-        let doc = format!("`{}`, default {:?} in SI units.", parameter.unit, parameter.default);
+        let own = parameter.name.identifier();
+        let doc = declared::doc(&parameter.unit, &format!("{name}Parameters"), &own, Some(parameter.default));
         let _ = writeln!(text, "{} #[doc = {}] pub {field}: R,", parameter.docs, quoted(&doc));
     }
     if mechanism.parameters.is_empty() {
@@ -67,7 +68,8 @@ fn inputs(text: &mut String, emitter: &Emitter) {
         "#[doc = \"Inputs of [`{name}`], in SI units.\"] {DERIVES} {visibility} struct {name}Inputs<R = {F64}> {{"
     );
     for input in &mechanism.inputs {
-        let doc = quoted(&format!("`{}` (SI).", input.unit));
+        let own = input.name.identifier();
+        let doc = quoted(&declared::doc(&input.unit, &format!("{name}Inputs"), &own, None));
         let _ = writeln!(text, "{} #[doc = {doc}] pub {}: R,", input.docs, field(&input.name.identifier()));
     }
     text.push_str("}\n");
@@ -83,7 +85,8 @@ fn outputs(text: &mut String, emitter: &Emitter) {
         "#[doc = \"Outputs of [`{name}`], in SI units.\"] {DERIVES} {visibility} struct {name}Outputs<R = {F64}> {{"
     );
     for output in &mechanism.outputs {
-        let doc = quoted(&format!("`{}` (SI).", output.unit));
+        let own = output.name.identifier();
+        let doc = quoted(&declared::doc(&output.unit, &format!("{name}Outputs"), &own, None));
         let _ = writeln!(text, "{} #[doc = {doc}] pub {}: R,", output.docs, field(&output.name.identifier()));
     }
     text.push_str("}\n");

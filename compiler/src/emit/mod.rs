@@ -16,6 +16,7 @@
 
 mod assemble;
 mod coordinates_json;
+mod declared;
 mod dialect;
 mod documentation;
 mod function;
@@ -68,6 +69,7 @@ fn text(emitter: &Emitter, source: &str) -> String {
     let mut implementations = String::new();
     types::aliases(&mut text, emitter);
     types::fields(&mut implementations, emitter);
+    declared::functions(&mut implementations, emitter);
     named::conversions(&mut implementations, emitter);
     inherent::inherent(&mut implementations, emitter);
     mechanism::mechanism(&mut implementations, emitter);

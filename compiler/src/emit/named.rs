@@ -9,7 +9,7 @@
 //! ```
 
 use super::names::field;
-use super::{Emitter, array, quoted};
+use super::{Emitter, array, declared, quoted};
 use crate::equations::Layout;
 use crate::model::{InternalState, Mechanism};
 use std::collections::BTreeSet;
@@ -63,7 +63,7 @@ fn structs(emitter: &Emitter) -> impl Iterator<Item = Struct> {
         suffix: "Internal",
         function: "internal",
         alias: "Z",
-        fields: mechanism.states.iter().map(internal).collect(),
+        fields: mechanism.states.iter().map(|state| internal(&mechanism.name.text, state)).collect(),
     };
     [positions, velocities, internal].into_iter().filter(|known| !known.fields.is_empty())
 }
@@ -125,8 +125,8 @@ fn number(name: &str, doc: &str) -> Named {
     named(name.to_string(), doc, Kind::Number)
 }
 
-fn internal(state: &InternalState) -> Named {
-    let doc = format!("`{}` (SI).", state.unit);
+fn internal(mechanism: &str, state: &InternalState) -> Named {
+    let doc = declared::doc(&state.unit, &format!("{mechanism}Internal"), &state.name.identifier(), None);
     Named { docs: state.docs.clone(), ..number(&field(&state.name.identifier()), &doc) }
 }
 

@@ -6,10 +6,10 @@
 use super::function::head;
 use super::home::Home;
 use super::names::{field, is_keyword};
-use super::{named, report};
+use super::{declared, named, report};
 use crate::driver::header;
 use crate::functions::{DERIVATIVES, FUNCTIONS, Interface, Shape, Signature};
-use crate::model::Space;
+use crate::model::{DeclaredUnit, Space};
 use crate::syntax::Header;
 use proc_macro2::TokenStream;
 use std::fmt::Write;
@@ -116,6 +116,7 @@ fn implementations(text: &mut String, header: &Header) {
         .replace("@FUNCTIONS_OF_MECHANISM@", &functions(Interface::Mechanism))
         .replace("@FUNCTIONS_OF_ASSEMBLE@", &functions(Interface::Assemble))
         .replace("@FUNCTIONS_OF_TANGENT@", &functions(Interface::Tangent))
+        .replace("@DECLARED@", &declared(header))
         .replace("@DERIVATIVES@", &matrices.concat())
         .replace("@NAME@", &name)
         .replace("@Z@", if header.states.is_empty() { "()" } else { &list })
@@ -130,6 +131,25 @@ fn implementations(text: &mut String, header: &Header) {
             text.push_str(&fields);
         }
     }
+}
+
+/// Values in declared units.
+fn declared(header: &Header) -> String {
+    let mut text = String::new();
+    for suffix in ["Parameters", "Inputs", "Outputs", "Internal"] {
+        let own: Vec<(String, DeclaredUnit)> = header
+            .declared
+            .iter()
+            .filter(|(of, ..)| *of == suffix)
+            .map(|(_, name, unit)| {
+                let unit = DeclaredUnit { text: unit.text.clone(), scale: unit.scale, si: String::new() };
+                (name.clone(), unit)
+            })
+            .collect();
+        let fields = own.iter().map(|(name, unit)| (name.clone(), unit));
+        declared::of_struct(&mut text, &format!("{}{suffix}", header.name), fields, suffix != "Outputs");
+    }
+    text
 }
 
 /// A function that does nothing.
@@ -202,6 +222,7 @@ use ::core::prelude::rust_2024::*;
 use @RUNTIME@::*;
 use ::core::primitive::{bool, f64, u16, u32, usize, str};
 impl<R: Real> Default for @NAME@Parameters<R> { fn default() -> Self { loop {} } }
+@DECLARED@
 impl<R: Real> Default for @NAME@<R> { fn default() -> Self { loop {} } }
 impl<R: Real> @NAME@<R> {
     pub fn prepare(parameters: @NAME@Parameters<R>) -> Result<Self, SettingError> { loop {} }

@@ -3,9 +3,10 @@
 use super::coordinates::{Layout, Symbols};
 use super::jet::{Jet, Moving};
 use super::kinematics::Kinematics;
-use super::{plane, space};
+use super::{Wrench, plane, space};
 use crate::model::{
-    Comparison, Condition, Coordinate, Expr, Function1, Function2, Mechanism, Quantity, Rotor, Vector,
+    Comparison, Condition, Coordinate, Expr, Function1, Function2, JointId, Mechanism, Quantity,
+    ReactionPart, Rotor, Vector,
 };
 use crate::symbolic::{Compare, Node, On, Scalar, Sheet, Unary};
 use std::f64::consts::TAU;
@@ -32,6 +33,8 @@ pub struct Totals {
     /// Per driver.
     pub efforts: Vec<Node>,
     pub driver_powers: Vec<Node>,
+    /// Per joint, force and torque.
+    pub reactions: Vec<Wrench>,
 }
 
 static NO_LAYOUT: Layout =
@@ -46,6 +49,7 @@ static NO_TOTALS: Totals = Totals {
     powers: Vec::new(),
     efforts: Vec::new(),
     driver_powers: Vec::new(),
+    reactions: Vec::new(),
 };
 
 impl<'a> Laws<'a> {
@@ -253,9 +257,32 @@ impl<'a> Laws<'a> {
             Quantity::Power(load) => total(self.totals.powers.get(load.0)),
             Quantity::DriverPower(driver) => total(self.totals.driver_powers.get(driver.0)),
             Quantity::DriverEffort(driver) => total(self.totals.efforts.get(driver.0)),
+            Quantity::Reaction(joint, part) => self.reaction(*joint, *part),
             Quantity::KineticEnergy => total(self.totals.kinetic.as_ref()),
             Quantity::PotentialEnergy => total(self.totals.potential.as_ref()),
             Quantity::Energy => total(self.totals.kinetic.as_ref()) + total(self.totals.potential.as_ref()),
+        }
+    }
+
+    /// A part of what a joint exerts.
+    fn reaction(&self, joint: JointId, part: ReactionPart) -> Scalar<'a> {
+        let Some(wrench) = self.totals.reactions.get(joint.0) else { return self.g.zero() };
+        let entries = self.g.all(wrench);
+        let (force, torque) = entries.split_at(self.mechanism.space.dimensions());
+        match part {
+            ReactionPart::Force(axis) => force[axis],
+            ReactionPart::Normal => {
+                let joint = &self.mechanism.joints[joint.0];
+                let [x, y] = self.plane().normal(self, joint).parts();
+                x * force[0] + y * force[1]
+            }
+            ReactionPart::Size => force
+                .iter()
+                .map(|x| *x * *x)
+                .reduce(|sum, square| sum + square)
+                .map_or(self.g.zero(), Scalar::sqrt),
+            // In the plane there is one.
+            ReactionPart::Torque(axis) => torque[axis.min(torque.len() - 1)],
         }
     }
 

@@ -240,6 +240,7 @@ pub fn derive(mechanism: &Mechanism, tree: SpanningTree, omitted: &Omitted) -> E
         Space::Spatial => space::consequences(&laws, &tree, &all, &lambda, dropped),
     };
 
+    totals.reactions.clone_from(&reactions);
     let outputs_laws = laws.with_totals(&totals);
     let outputs: Vec<Node> =
         mechanism.outputs.iter().map(|output| outputs_laws.value(&output.value).bare).collect();

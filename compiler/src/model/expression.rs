@@ -124,12 +124,37 @@ pub enum Quantity {
     DriverPower(DriverId),
     /// N m or N, the effort of a driver; only in outputs.
     DriverEffort(DriverId),
+    /// What a joint exerts on the body of its second place; in outputs and rates of states.
+    Reaction(JointId, ReactionPart),
     /// J.
     KineticEnergy,
     /// J.
     PotentialEnergy,
     /// J, the sum of both.
     Energy,
+}
+
+/// A part of the reaction of a joint: of the force at the second place and of the torque about it, on the body there.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum ReactionPart {
+    /// Along world x (0), y (1) or z (2), N.
+    Force(usize),
+    /// In the plane along the normal of the joint's axis, which is the axis turned by a right angle, N.
+    Normal,
+    /// The length of the force, N.
+    Size,
+    /// About world x (0), y (1) or z (2), in the plane about the last, N m.
+    Torque(usize),
+}
+
+impl ReactionPart {
+    /// What it measures.
+    pub fn dimension(self) -> Dimension {
+        match self {
+            Self::Force(_) | Self::Normal | Self::Size => Dimension::FORCE,
+            Self::Torque(_) => Dimension::TORQUE,
+        }
+    }
 }
 
 /// A measure of the position.

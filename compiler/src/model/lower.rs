@@ -9,8 +9,8 @@ use super::names::Names;
 use super::signals::Signals;
 use super::unused::{self, Scope};
 use super::{
-    Axes, Constraint, ConstraintKind, Coupled, Coupling, Driver, Expr, Function2, Input, Mechanism, Name,
-    Output, Parameter, StartCondition, StartOrientation, Subject, Vector,
+    Axes, Constraint, ConstraintKind, Coupled, Coupling, DeclaredUnit, Driver, Expr, Function2, Input,
+    Mechanism, Name, Output, Parameter, StartCondition, StartOrientation, Subject, Vector,
 };
 use crate::diagnostics::Diagnostics;
 use crate::forms::Acts;
@@ -165,8 +165,13 @@ pub(super) fn name(label: &Label) -> Name {
 }
 
 /// The unit as written, `1` if none.
-pub(super) fn unit_text(unit: Option<&syntax::WrittenUnit>) -> String {
-    unit.map_or_else(|| "1".to_string(), |written| written.unit.text.clone())
+pub(super) fn declared_unit(unit: Option<&syntax::WrittenUnit>) -> DeclaredUnit {
+    let Some(written) = unit else {
+        return DeclaredUnit { text: "1".to_string(), scale: 1.0, si: "1".to_string() };
+    };
+    let (text, scale) = (written.unit.text.clone(), written.unit.scale);
+    let si = if scale == 1.0 { text.clone() } else { written.unit.dimension.to_string() };
+    DeclaredUnit { text, scale, si }
 }
 
 /// What an entry measures by the unit beside its name.
@@ -199,7 +204,7 @@ impl<'d> Lowering<'d> {
         };
         Some(Parameter {
             name: name(&parameter.name),
-            unit: unit_text(parameter.entry.unit.as_ref()),
+            unit: declared_unit(parameter.entry.unit.as_ref()),
             default: default?,
             bounds,
             docs: parameter.docs.to_string(),
@@ -209,7 +214,7 @@ impl<'d> Lowering<'d> {
     fn input(&mut self, input: &'d syntax::Input) -> Option<Input> {
         Some(Input {
             name: name(&input.name),
-            unit: unit_text(input.unit.as_ref()),
+            unit: declared_unit(input.unit.as_ref()),
             docs: input.docs.to_string(),
         })
     }
@@ -302,7 +307,7 @@ impl<'d> Lowering<'d> {
         let value = self.declaration("output", &output.name.text, &output.entry, Use::OUTPUT)?;
         Some(Output {
             name: name(&output.name),
-            unit: unit_text(output.entry.unit.as_ref()),
+            unit: declared_unit(output.entry.unit.as_ref()),
             docs: output.docs.to_string(),
             value,
         })

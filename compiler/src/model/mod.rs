@@ -17,6 +17,7 @@ mod lower;
 mod names;
 mod places;
 mod quantities;
+mod reactions;
 mod settings;
 mod shapes;
 mod signals;
@@ -29,7 +30,7 @@ use crate::forms::BodyForm;
 pub use crate::forms::{Alone, JointAxes, JointForm, LoadForm, Space};
 pub use crate::syntax::Budgeted;
 pub use elements::{Constraint, ConstraintKind, Coupled, Coupling, Joint, Load, Rotor, Subject};
-pub use expression::{Comparison, Condition, Coordinate, Expr, Function1, Function2, Quantity};
+pub use expression::{Comparison, Condition, Coordinate, Expr, Function1, Function2, Quantity, ReactionPart};
 pub use lower::lower;
 pub use unused::{Declared, Unused};
 
@@ -133,12 +134,29 @@ impl Mechanism {
     }
 }
 
+/// The unit beside the name of a declared value.
+#[derive(Clone, Debug)]
+pub struct DeclaredUnit {
+    /// As written; `1` if none was.
+    pub text: String,
+    /// One of it in SI.
+    pub scale: f64,
+    /// The unit of SI in its place.
+    pub si: String,
+}
+
+impl DeclaredUnit {
+    /// Whether values in it and in SI are the same numbers.
+    pub fn is_si(&self) -> bool {
+        self.scale == 1.0
+    }
+}
+
 /// A value that may change when parameters are set.
 #[derive(Clone, Debug)]
 pub struct Parameter {
     pub name: Name,
-    /// Unit as written, for documentation.
-    pub unit: String,
+    pub unit: DeclaredUnit,
     /// Default, SI.
     pub default: f64,
     /// Inclusive bounds, SI.
@@ -151,7 +169,7 @@ pub struct Parameter {
 #[derive(Clone, Debug)]
 pub struct Input {
     pub name: Name,
-    pub unit: String,
+    pub unit: DeclaredUnit,
     pub docs: String,
 }
 
@@ -159,7 +177,7 @@ pub struct Input {
 #[derive(Clone, Debug)]
 pub struct InternalState {
     pub name: Name,
-    pub unit: String,
+    pub unit: DeclaredUnit,
     pub docs: String,
     /// Of parameters.
     pub start: Expr,
@@ -405,7 +423,7 @@ pub struct Budget {
 #[derive(Clone, Debug)]
 pub struct Output {
     pub name: Name,
-    pub unit: String,
+    pub unit: DeclaredUnit,
     pub docs: String,
     pub value: Expr,
 }

@@ -123,6 +123,7 @@ impl Lowering<'_> {
                     Quantity::Power(_)
                     | Quantity::DriverPower(_)
                     | Quantity::DriverEffort(_)
+                    | Quantity::Reaction(..)
                     | Quantity::KineticEnergy
                     | Quantity::PotentialEnergy
                     | Quantity::Energy,

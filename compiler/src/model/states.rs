@@ -1,6 +1,6 @@
 //! Internal states: what is declared by `state`, each with the one `rate` that names it.
 
-use super::lower::{Lowering, Use, declared, name, unit_text};
+use super::lower::{Lowering, Use, declared, declared_unit, name};
 use super::names::Value;
 use super::{Expr, InternalState};
 use crate::messages;
@@ -61,7 +61,7 @@ impl<'d> Lowering<'d> {
         };
         Some(InternalState {
             name: name(&state.name),
-            unit: unit_text(state.entry.unit.as_ref()),
+            unit: declared_unit(state.entry.unit.as_ref()),
             docs: state.docs.to_string(),
             start: start?,
             scale,

@@ -179,7 +179,7 @@ pub fn settings(page: &mut String, compiled: &Compiled) {
         let bounds = parameter.bounds.map(|(least, most)| format!("{} to {}", decimal(least), decimal(most)));
         table.row(vec![
             code(&parameter.name.text),
-            code(&parameter.unit),
+            code(&parameter.unit.text),
             decimal(parameter.default),
             bounds.unwrap_or_default(),
         ]);
@@ -187,19 +187,19 @@ pub fn settings(page: &mut String, compiled: &Compiled) {
     table.write(page, "Parameters");
     let mut table = Table::new(&["input", "unit as written, given in SI"]);
     for input in &mechanism.inputs {
-        table.row(vec![code(&input.name.text), code(&input.unit)]);
+        table.row(vec![code(&input.name.text), code(&input.unit.text)]);
     }
     table.write(page, "Inputs");
     let mut table = Table::new(&["state", "unit as written", "at the start, SI", "scale, SI"]);
     for state in &mechanism.states {
         let scale = state.scale.map_or(String::new(), decimal);
         let start = value(mechanism, &state.start);
-        table.row(vec![code(&state.name.text), code(&state.unit), start, scale]);
+        table.row(vec![code(&state.name.text), code(&state.unit.text), start, scale]);
     }
     table.write(page, "States");
     let mut table = Table::new(&["output", "unit as written, given in SI"]);
     for output in &mechanism.outputs {
-        table.row(vec![code(&output.name.text), code(&output.unit)]);
+        table.row(vec![code(&output.name.text), code(&output.unit.text)]);
     }
     table.write(page, "Outputs");
 }

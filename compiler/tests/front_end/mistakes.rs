@@ -153,6 +153,20 @@ const MISTAKES: &[(&str, &str)] = &[
         "state z [rad] = 1; rate z = 1 [rad/s]; constraint c: base.angle = z;",
         "`z` is a state, but a constraint may depend on constants, parameters, time and positions only",
     ),
+    (
+        "output o [N] = base.reaction;",
+        "a reaction is named by its parts: `base.reaction.x`, `base.reaction.y`, `base.reaction.torque`, `base.reaction.size`",
+    ),
+    (
+        "output o [N] = rail.reaction.z;",
+        "a reaction is named by its parts: `rail.reaction.x`, `rail.reaction.y`, `rail.reaction.normal`, `rail.reaction.torque`, \
+         `rail.reaction.size`",
+    ),
+    (
+        "force f: torque(base) = base.reaction.torque;",
+        "`base.reaction.torque` is a result, but the law of a load may depend on constants, parameters, time, inputs, states, \
+         positions and velocities only",
+    ),
     ("signal s [1] = s;", "the signal `s` names itself"),
     ("signal s [1] = 2*t; signal t [1] = s;", "the signal `s` names itself: s → t → s"),
     (
@@ -517,7 +531,7 @@ const MISTAKES: &[(&str, &str)] = &[
     (
         "#[inline] body b { mass [kg] = 1; inertia [kg*m^2] = 1; }",
         "`#[inline]` has no effect here: doc comments and `#[allow(unused)]`, `no_effect` or `outside` may stand before any \
-         statement, other attributes before the mechanism, parameters, inputs and outputs",
+         statement, other attributes before the mechanism, parameters, inputs, states and outputs",
     ),
     (
         "#[cfg(feature = \"wheel\")] body b { mass [kg] = 1; inertia [kg*m^2] = 1; }",

@@ -18,7 +18,8 @@ fn dc_motor_arm() {
     let model = DcMotorArm::default();
     let mut simulation = Simulation::new(&model, DcMotorArm::START)
         .held(|_, _| VOLTAGE)
-        .integrator(DormandPrince::tolerance(1e-12));
+        .integrator(DormandPrince::tolerance(1e-12))
+        .step(1e-2);
     for (time, expected) in [(0.01, AFTER_10_MS), (1.0, AFTER_1_S)] {
         simulation.advance_until(time).expect("it turns");
         let found = simulation.sample().outputs;
@@ -97,7 +98,8 @@ fn braked_wheel() {
     let model = BrakedWheel::default();
     let mut simulation = Simulation::new(&model, BrakedWheel::START)
         .input_source(NoInputs)
-        .integrator(DormandPrince::tolerance(1e-12));
+        .integrator(DormandPrince::tolerance(1e-12))
+        .step(1e-2);
     let mut worst = Worst::default();
     // The brake is fully on: its law has a kink here.
     simulation.advance_until(0.3).expect("it rolls");
