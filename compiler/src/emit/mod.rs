@@ -22,6 +22,7 @@ mod function;
 mod home;
 mod inherent;
 mod items;
+mod look_up;
 mod mechanism;
 mod named;
 mod names;
@@ -67,6 +68,7 @@ fn text(emitter: &Emitter, source: &str) -> String {
     let _ = writeln!(text, "use ::core::primitive::{{bool, f64, u16, u32, usize, str}};");
     let mut implementations = String::new();
     types::aliases(&mut text, emitter);
+    look_up::tables(&mut text, emitter);
     types::fields(&mut implementations, emitter);
     named::conversions(&mut implementations, emitter);
     inherent::inherent(&mut implementations, emitter);

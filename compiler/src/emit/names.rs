@@ -183,7 +183,7 @@ pub fn inner(name: &str) -> String {
 
 /// Types, traits and variants that implementations have in scope: short names of arrays, what the runtime exports to
 /// emitted code, the prelude.
-const IN_SCOPE: [&str; 102] = [
+const IN_SCOPE: [&str; 104] = [
     "Constants",
     "Phases",
     "Q",
@@ -286,4 +286,6 @@ const IN_SCOPE: [&str; 102] = [
     "IntoFuture",
     "Unpin",
     "Debug",
+    "table",
+    "tables",
 ];

@@ -3,7 +3,7 @@
 use super::coordinates::{Layout, Symbols};
 use super::jet::{Jet, Moving};
 use super::kinematics::Kinematics;
-use super::{plane, space};
+use super::{look_up, plane, space};
 use crate::model::{
     Comparison, Condition, Coordinate, Expr, Function1, Function2, Mechanism, Quantity, Rotor, Vector,
 };
@@ -126,6 +126,10 @@ impl<'a> Laws<'a> {
                 self.mask(condition).select(self.value(then), self.value(otherwise))
             }
             Expr::Rate(of) => self.jet(of).rate(),
+            Expr::Table(look_up, arguments) => {
+                let arguments: Vec<Scalar> = arguments.iter().map(|it| self.value(it)).collect();
+                look_up::value(look_up, &arguments, self.g)
+            }
         }
     }
 
@@ -183,6 +187,10 @@ impl<'a> Laws<'a> {
                 let x = jet.value();
                 let (value, first) = (power(x, n), n * power(x, n - 1.0));
                 jet.chain(value, first, n * ((n - 1.0) * power(x, n - 2.0)))
+            }
+            Expr::Table(look_up, arguments) => {
+                let arguments: Vec<Moving> = arguments.iter().map(|it| self.jet(it)).collect();
+                look_up::jet(look_up, &arguments).unwrap_or_else(|| self.still(self.g.zero()))
             }
             Expr::If(condition, then, otherwise) => {
                 Moving::select(self.mask(condition), &self.jet(then), &self.jet(otherwise))

@@ -20,6 +20,7 @@ mod quantities;
 mod settings;
 mod shapes;
 mod signals;
+pub mod tables;
 mod unused;
 mod values;
 
@@ -30,6 +31,7 @@ pub use crate::syntax::Budgeted;
 pub use elements::{Constraint, ConstraintKind, Coupled, Coupling, Joint, Load, Rotor, Subject};
 pub use expression::{Comparison, Condition, Coordinate, Expr, Function1, Function2, Quantity};
 pub use lower::lower;
+pub use tables::{Curve, LookUp, Table};
 pub use unused::{Declared, Unused};
 
 /// Index of a body in [`Mechanism::bodies`].
@@ -106,6 +108,9 @@ pub struct Mechanism {
     pub options: Options,
     pub expect: Expect,
     pub outputs: Vec<Output>,
+    pub tables: Vec<Table>,
+    /// Where accelerations jump at the knots of a table.
+    pub kinks: Vec<Kink>,
     /// What is declared and named by nothing.
     pub unused: Vec<Unused>,
     /// Warnings that are not wanted.
@@ -125,6 +130,14 @@ impl Mechanism {
             Frame::Body(body) => &self.bodies[body.0].name.text,
         }
     }
+}
+
+/// A table whose curvature jumps, named where accelerations follow it.
+#[derive(Clone, Debug)]
+pub struct Kink {
+    pub table: String,
+    /// Where it is named.
+    pub region: Region,
 }
 
 /// A value that may change when parameters are set.

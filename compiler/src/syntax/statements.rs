@@ -9,11 +9,12 @@ use crate::messages;
 use proc_macro2::{Delimiter, TokenStream};
 
 /// Words that begin a statement, but those of bodies, loads and couplings.
-const STATEMENTS: [&str; 15] = [
+const STATEMENTS: [&str; 16] = [
     "const",
     "param",
     "input",
     "signal",
+    "table",
     "gravity",
     "marker",
     "line",
@@ -62,6 +63,7 @@ impl Parser {
             "param" => self.parameter(c, docs),
             "input" => self.input(c, docs),
             "signal" => self.signal(c),
+            "table" => self.table(c),
             "gravity" => self.gravity(c),
             "marker" => {
                 let marker = self.marker(c)?;
