@@ -7,9 +7,10 @@
 //! order of the code; true use of registers and stack is decided by the target's compiler.
 
 use crate::diagnostics::Diagnostics;
-use crate::driver::compile;
+use crate::driver::{compile_definition, parse};
 use crate::model::Coordinates;
 use crate::schedule::{Counts, Function, count, live_values};
+use crate::syntax::Definition;
 use proc_macro2::TokenStream;
 use std::fmt::Write;
 
@@ -53,7 +54,16 @@ pub fn rows(
     tokens: TokenStream,
     (coordinates, asked): (&'static str, Coordinates),
 ) -> Result<Vec<Row>, Diagnostics> {
-    let compiled = compile(tokens, Some(asked))?;
+    rows_of(model, &parse(tokens)?, (coordinates, asked))
+}
+
+/// The same of a definition that has been read.
+pub fn rows_of(
+    model: &str,
+    definition: &Definition,
+    (coordinates, asked): (&'static str, Coordinates),
+) -> Result<Vec<Row>, Diagnostics> {
+    let compiled = compile_definition(definition, Some(asked))?;
     let row = |function: Function| Row {
         model: model.to_string(),
         coordinates,

@@ -65,12 +65,12 @@ pub(crate) fn outside_of_periodic() -> String {
 
 // ---- What it holds ---------------------------------------------------------------------------------------------------
 
-pub(crate) fn knots_of(name: &str) -> String {
-    format!("the knots of `{name}`")
+pub(crate) fn knot_of(name: &str) -> String {
+    format!("a knot of `{name}`")
 }
 
-pub(crate) fn values_of(name: &str) -> String {
-    format!("the values of `{name}`")
+pub(crate) fn value_of(name: &str) -> String {
+    format!("a value of `{name}`")
 }
 
 /// Behind a message on a number that was read from a file.
@@ -97,10 +97,6 @@ pub(crate) fn knots_descend(name: &str, before: &str, own: &str, place: &str) ->
     format!("the knots of `{name}` ascend, but {own} {relation}{place}: sort them, each once")
 }
 
-pub(crate) fn table_too_steep(name: &str) -> String {
-    format!("the slopes of `{name}` are no finite numbers: some of its knots are too near to each other")
-}
-
 /// First and last value, and their difference.
 pub(crate) fn period_does_not_close(name: &str, [first, last, gap]: &[String; 3]) -> String {
     format!(
@@ -121,6 +117,40 @@ pub(crate) fn grid_columns(name: &str, found: usize, argument: &str, expected: u
     )
 }
 
+// ---- Files -----------------------------------------------------------------------------------------------------------
+
+/// Before what is wrong there.
+pub(crate) fn place_in_file(file: &str, line: usize, column: usize) -> String {
+    format!("`{file}`, line {line}, column {column}: ")
+}
+
+pub(crate) fn csv_empty(file: &str) -> String {
+    format!("`{file}` has no line of numbers behind those that are skipped")
+}
+
+pub(crate) fn csv_ragged(found: usize, expected: usize) -> String {
+    format!(
+        "this line has {found} fields, and the first one that is read has {expected}: lines before the table are left out by `skip`"
+    )
+}
+
+pub(crate) fn csv_no_number(field: &str) -> String {
+    format!("\"{field}\" is no number: numbers have a decimal point, and comments begin with `#`")
+}
+
+pub(crate) fn csv_no_such_column(number: usize, count: usize) -> String {
+    format!("there is no column {number}: the file has {count}, counted from 1")
+}
+
+pub(crate) fn csv_no_column(name: &str, names: &[&str]) -> String {
+    let hint = match (closest(name, names.iter().copied()), names) {
+        (_, []) => "its columns have no names, and are told by their numbers, `columns = (1, 2)`".to_string(),
+        (Some(similar), _) => format!("did you mean \"{similar}\"?"),
+        (None, names) => format!("there are {}", names.join(", ")),
+    };
+    format!("the file has no column called \"{name}\"; {hint}")
+}
+
 // ---- Where it stands -------------------------------------------------------------------------------------------------
 
 pub(crate) fn argument_of_table(argument: &str, table: &str) -> String {
@@ -131,6 +161,10 @@ pub(crate) fn table_in_constant(name: &str) -> String {
     format!(
         "`{name}` is not known here: tables are made of constants, so that constants and tables name none; write the number"
     )
+}
+
+pub(crate) fn table_without_call(name: &str) -> String {
+    format!("`{name}` is a table: its argument stands in parentheses behind it, as in `{name}(x)`")
 }
 
 pub(crate) fn slope_of_grid(name: &str) -> String {

@@ -256,6 +256,10 @@ impl Lowering<'_> {
                 }
                 None => {}
             }
+            if self.names.table(&path.text).is_some() && self.names.part(&path.text).is_none() {
+                self.diagnostics.error(path.region, messages::table_without_call(&path.text));
+                return None;
+            }
         }
         if let Some(index) = self.rate_of_signal(path) {
             return self.signal_rate_at(index, path, usage);

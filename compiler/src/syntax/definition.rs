@@ -585,6 +585,8 @@ pub struct ReadFile {
     pub shown: String,
     /// From the root.
     pub path: String,
+    /// The folder that its name is taken from.
+    pub folder: String,
     /// Lines of the points.
     pub lines: Vec<usize>,
 }

@@ -13,7 +13,7 @@ use crate::diagnostics::Region;
 use crate::forms::{Interpolation, Outside};
 use crate::messages;
 use crate::symbolic::{self, AXIS, Orders, PATCHES, PIECES};
-use crate::syntax::{TableData, TableTerm, Term, WrittenUnit};
+use crate::syntax::{ReadFile, TableData, TableTerm, Term, WrittenUnit};
 use crate::units::Dimension;
 use std::sync::Arc;
 
@@ -35,8 +35,8 @@ pub struct Table {
     pub knots: Vec<Vec<f64>>,
     /// Values of the table there, by rows of the second argument.
     pub values: Vec<Vec<f64>>,
-    /// The file that it was read from, from the root.
-    pub file: Option<String>,
+    /// The file that it was read from.
+    pub file: Option<ReadFile>,
 }
 
 /// An argument or the value of a table.
@@ -172,16 +172,7 @@ impl Lowering<'_> {
                 return None;
             }
         };
-        let finite = match &curve {
-            Curve::Line { pieces, .. } | Curve::Grid { patches: pieces, .. } => {
-                pieces.rows().flatten().all(|it| it.is_finite())
-            }
-        };
-        if !finite {
-            self.diagnostics.error(written.name.region, messages::table_too_steep(text));
-            return None;
-        }
-        let file = written.read.as_ref().map(|read| read.path.clone());
+        let file = written.read.clone();
         let (name, curve) = (name(&written.name), Arc::new(curve));
         Some(Table { name, arguments, value, kind, outside, curve, knots, values, file })
     }
@@ -211,8 +202,8 @@ impl Lowering<'_> {
         self.is_of_a_size(written, points.len(), kind)?;
         let (text, of) = (&written.name.text, |k: usize| points.iter().map(move |point| &point[k]));
         let unit = written.arguments[0].1.as_ref();
-        let knots = self.numbers(written, of(0), unit, argument, &messages::knots_of(text));
-        let values = self.numbers(written, of(1), written.unit.as_ref(), value, &messages::values_of(text));
+        let knots = self.numbers(written, of(0), unit, argument, &messages::knot_of(text));
+        let values = self.numbers(written, of(1), written.unit.as_ref(), value, &messages::value_of(text));
         let (knots, values) = (knots?, values?);
         self.ascends(text, &knots, argument)?;
         Some((knots.values, values.values))
@@ -230,7 +221,7 @@ impl Lowering<'_> {
         self.is_of_a_size(written, terms.len(), kind)?;
         let text = &written.name.text;
         let unit = written.arguments[at].1.as_ref();
-        let knots = self.numbers(written, terms.iter(), unit, argument, &messages::knots_of(text))?;
+        let knots = self.numbers(written, terms.iter(), unit, argument, &messages::knot_of(text))?;
         self.ascends(text, &knots, argument)?;
         Some(knots.values)
     }
@@ -262,7 +253,7 @@ impl Lowering<'_> {
                 return None;
             }
             let numbers =
-                self.numbers(written, row.iter(), written.unit.as_ref(), &value, &messages::values_of(text));
+                self.numbers(written, row.iter(), written.unit.as_ref(), &value, &messages::value_of(text));
             found.push(numbers?.values);
         }
         Some(found)
