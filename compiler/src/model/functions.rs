@@ -41,6 +41,11 @@ pub(super) const FUNCTIONS: [(&str, &[usize]); 27] = [
     ("smoothstep", &[3]),
 ];
 
+/// Whether a word is a function of the language.
+pub(super) fn is_function(word: &str) -> bool {
+    FUNCTIONS.iter().any(|(known, _)| *known == word)
+}
+
 impl Lowering<'_> {
     /// A call of a function, with as many arguments as it takes.
     pub fn call(

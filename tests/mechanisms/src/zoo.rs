@@ -188,6 +188,7 @@ macro_rules! for_each_in_zoo {
             mounted: $crate::zoo::Mounted,
             steered: $crate::zoo_laws::Steered,
             tethered: $crate::zoo_laws::Tethered,
+            tabled: $crate::zoo_laws::Tabled,
             arm: $crate::zoo_space::Arm,
             jack: $crate::zoo_space::Jack,
             table: $crate::zoo_space::Table,
