@@ -3,7 +3,7 @@
 //! ```text
 //! mod tables {
 //! use ::core::primitive::f64;
-//! pub static lift: [[f64; 5]; 8] = [[0.0, 0.0, 1.5, 0.0, 0.0], …];
+//! pub(super) static lift: [[f64; 5]; 8] = [[0.0, 0.0, 1.5, 0.0, 0.0], …];
 //! }
 //! ```
 
@@ -30,7 +30,7 @@ pub fn tables(text: &mut String, emitter: &Emitter) {
         let own = table.rows().map(|row| array(row.iter().map(|entry| literal(*entry))));
         let rows = own.chain(std::iter::repeat(fill)).take(count);
         let name = name(tables, number);
-        let _ = writeln!(text, "pub static {name}: [[f64; {width}]; {count}] = {};", array(rows));
+        let _ = writeln!(text, "pub(super) static {name}: [[f64; {width}]; {count}] = {};", array(rows));
     }
     text.push_str("}\n");
 }

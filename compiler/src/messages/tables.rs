@@ -82,9 +82,8 @@ pub(crate) fn in_line(file: &str, line: Option<usize>) -> String {
 }
 
 pub(crate) fn few_knots(name: &str, count: usize, kind: &str, least: usize) -> String {
-    format!(
-        "`{name}` has {count} knots along an argument, and `{kind}` takes at least {least}: add some, or write `linear`"
-    )
+    let or = if count < 2 { "" } else { ", or write `linear`" };
+    format!("`{name}` has {count} knots along an argument, and `{kind}` takes at least {least}: add some{or}")
 }
 
 pub(crate) fn many_knots(name: &str, count: usize, most: usize) -> String {

@@ -71,7 +71,7 @@ const MISTAKES: [(&str, &str); 48] = [
     ),
     (
         "table t(x) = [(0, 0)];",
-        "`t` has 1 knots along an argument, and `monotone` takes at least 2: add some, or write `linear`",
+        "`t` has 1 knots along an argument, and `monotone` takes at least 2: add some",
     ),
     (
         "table t(x) = [(0, 0), (1, 1), (2, 2)], natural;",
