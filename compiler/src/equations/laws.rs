@@ -128,7 +128,7 @@ impl<'a> Laws<'a> {
             Expr::Rate(of) => self.jet(of).rate(),
             Expr::Table(look_up, arguments) => {
                 let arguments: Vec<Scalar> = arguments.iter().map(|it| self.value(it)).collect();
-                look_up::value(look_up, &arguments, self.g)
+                look_up::value(look_up, &arguments, &self.turns(), self.g)
             }
         }
     }
@@ -190,7 +190,7 @@ impl<'a> Laws<'a> {
             }
             Expr::Table(look_up, arguments) => {
                 let arguments: Vec<Moving> = arguments.iter().map(|it| self.jet(it)).collect();
-                look_up::jet(look_up, &arguments).unwrap_or_else(|| self.still(self.g.zero()))
+                look_up::jet(look_up, &arguments, &self.turns()).unwrap_or_else(|| self.still(self.g.zero()))
             }
             Expr::If(condition, then, otherwise) => {
                 Moving::select(self.mask(condition), &self.jet(then), &self.jet(otherwise))
@@ -223,6 +223,11 @@ impl<'a> Laws<'a> {
         let mut angle = self.kinematics().rotor_rate(self, rotor);
         angle.jet.value = value.bare;
         angle
+    }
+
+    /// The entries of q that count whole turns of angles.
+    fn turns(&self) -> Vec<Node> {
+        (0..self.layout.angles.len()).map(|angle| self.symbols.q[self.layout.turns(angle)]).collect()
     }
 
     pub fn coordinate(&self, coordinate: &Coordinate) -> Moving<'a> {

@@ -2,7 +2,8 @@
 
 use super::jet::Moving;
 use crate::model::{Curve, LookUp};
-use crate::symbolic::{Orders, Scalar, Sheet};
+use crate::symbolic::{Node, Op, Orders, Scalar, Sheet, Unary};
+use std::f64::consts::TAU;
 
 /// Derivatives of a table at one place.
 struct Found<'g> {
@@ -15,14 +16,17 @@ struct Found<'g> {
 }
 
 impl<'g> Found<'g> {
-    fn of(look_up: &LookUp, arguments: &[Scalar<'g>], g: Sheet<'g>) -> Option<Self> {
+    fn of(look_up: &LookUp, arguments: &[Scalar<'g>], turns: &[Node], g: Sheet<'g>) -> Option<Self> {
         let orders = look_up.orders;
         match (&*look_up.curve, arguments) {
             (Curve::Line { pieces, period }, [x]) => {
                 let table = g.graph().enter(pieces);
                 let x = match period {
                     // x − P ⌊(x − x₀)/P⌋
-                    Some([start, length]) => *x - *length * floor((*x - *start) / *length),
+                    Some([start, length]) => {
+                        let x = if divides_a_turn(*length) { less_turns(*x, turns) } else { *x };
+                        x - *length * floor((x - *start) / *length)
+                    }
                     None => *x,
                 };
                 Some(Found { arguments: vec![x], cell: x.cell(table), table, orders })
@@ -48,20 +52,40 @@ impl<'g> Found<'g> {
     }
 }
 
-fn floor(x: Scalar) -> Scalar {
-    x.unary(crate::symbolic::Unary::Floor)
+/// Whether whole turns are whole periods.
+fn divides_a_turn(period: f64) -> bool {
+    let periods = TAU / period;
+    periods >= 0.5 && (periods - periods.round()).abs() <= 1e-12
 }
 
-/// The value of a table in an expression.
-pub fn value<'g>(look_up: &LookUp, arguments: &[Scalar<'g>], g: Sheet<'g>) -> Scalar<'g> {
-    Found::of(look_up, arguments, g).map_or_else(|| g.zero(), |found| found.derivative(0, 0))
+/// A sum without the whole turns 2π n that stand in it, which a table with such a period does not see: a counted angle then has no more
+/// rounding after many turns than after one.
+fn less_turns<'g>(x: Scalar<'g>, turns: &[Node]) -> Scalar<'g> {
+    let g = x.g;
+    let op = g.graph().op(x.bare);
+    match op {
+        Op::Mul(factor, n) if turns.contains(&n) && g.on(factor).value() == Some(TAU) => g.zero(),
+        Op::Add(a, b) => less_turns(g.on(a), turns) + less_turns(g.on(b), turns),
+        Op::Sub(a, b) => less_turns(g.on(a), turns) - less_turns(g.on(b), turns),
+        Op::Neg(a) => -less_turns(g.on(a), turns),
+        _ => x,
+    }
+}
+
+fn floor(x: Scalar) -> Scalar {
+    x.unary(Unary::Floor)
+}
+
+/// The value of a table in an expression; `turns`: the symbols that count whole turns of angles.
+pub fn value<'g>(look_up: &LookUp, arguments: &[Scalar<'g>], turns: &[Node], g: Sheet<'g>) -> Scalar<'g> {
+    Found::of(look_up, arguments, turns, g).map_or_else(|| g.zero(), |found| found.derivative(0, 0))
 }
 
 /// f(x): ḟ = f′ ẋ, f̈ = f′ ẍ + f″ ẋ²; of two arguments by the chain rule of both.
-pub fn jet<'g>(look_up: &LookUp, arguments: &[Moving<'g>]) -> Option<Moving<'g>> {
+pub fn jet<'g>(look_up: &LookUp, arguments: &[Moving<'g>], turns: &[Node]) -> Option<Moving<'g>> {
     let g = arguments.first()?.g;
     let values: Vec<Scalar> = arguments.iter().map(|it| it.value()).collect();
-    let found = Found::of(look_up, &values, g)?;
+    let found = Found::of(look_up, &values, turns, g)?;
     let of = |first, second| found.derivative(first, second);
     match arguments {
         [x] => Some(x.chain(of(0, 0), of(1, 0), of(2, 0))),

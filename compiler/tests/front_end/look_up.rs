@@ -10,7 +10,7 @@ fn one_message_for_each_mistake() {
     each_has_one_message(&MISTAKES);
 }
 
-const MISTAKES: [(&str, &str); 48] = [
+const MISTAKES: [(&str, &str); 49] = [
     (
         "table t: rad -> m = [];",
         "the head of a table is written as its call, with units: `table t(angle [deg]) [mm] = …` is called by `t(crank.angle)`",
@@ -33,6 +33,10 @@ const MISTAKES: [(&str, &str); 48] = [
     (
         "table t(x) = [(0, 0), (1, 1)], akime;",
         "a table goes on between its knots in no way called \"akime\"; did you mean `akima`?",
+    ),
+    (
+        "table t(x, y) = grid((0, 1), (0, 1), [(0, 0), (1, 1)]), bicubic;",
+        "`bicubic` is not there yet in this version",
     ),
     (
         "table t(x) = [(0, 0), (1, 1)], nearest;",
