@@ -172,8 +172,11 @@ fn counts(
     let (definition, _) = compiled(found, coordinates)?;
     let asked =
         counts::COORDINATES.into_iter().filter(|(_, set)| coordinates.is_none_or(|asked| asked == *set));
-    let sets = asked.map(|set| counts::rows_of(name.unwrap_or_default(), &definition, set));
-    let (rows, errors): (Vec<_>, Vec<_>) = sets.partition(Result::is_ok);
+    let sets = asked.map(|(coordinates, set)| {
+        let compiled = compile_definition(&definition, Some(set))?;
+        Ok(counts::rows_of(name.unwrap_or_default(), &compiled, coordinates))
+    });
+    let (rows, errors): (Vec<Result<Vec<Row>, Diagnostics>>, Vec<_>) = sets.partition(Result::is_ok);
     let rows: Vec<Row> = rows.into_iter().flatten().flatten().collect();
     match errors.into_iter().find_map(Result::err) {
         Some(errors) if rows.is_empty() => Err(found.tokens.locate(errors)),

@@ -6,11 +6,11 @@
 //! chain of operations that wait for one another. Live is the largest number of results that are alive at once, in the
 //! order of the code; true use of registers and stack is decided by the target's compiler.
 
+use crate::compiled::Compiled;
 use crate::diagnostics::Diagnostics;
-use crate::driver::{compile_definition, parse};
+use crate::driver::compile;
 use crate::model::Coordinates;
 use crate::schedule::{Counts, Function, count, live_values};
-use crate::syntax::Definition;
 use proc_macro2::TokenStream;
 use std::fmt::Write;
 
@@ -54,16 +54,11 @@ pub fn rows(
     tokens: TokenStream,
     (coordinates, asked): (&'static str, Coordinates),
 ) -> Result<Vec<Row>, Diagnostics> {
-    rows_of(model, &parse(tokens)?, (coordinates, asked))
+    Ok(rows_of(model, &compile(tokens, Some(asked))?, coordinates))
 }
 
-/// The same of a definition that has been read.
-pub fn rows_of(
-    model: &str,
-    definition: &Definition,
-    (coordinates, asked): (&'static str, Coordinates),
-) -> Result<Vec<Row>, Diagnostics> {
-    let compiled = compile_definition(definition, Some(asked))?;
+/// The functions of what has been compiled in these coordinates.
+pub fn rows_of(model: &str, compiled: &Compiled, coordinates: &'static str) -> Vec<Row> {
     let row = |function: Function| Row {
         model: model.to_string(),
         coordinates,
@@ -71,7 +66,7 @@ pub fn rows_of(
         counts: count(compiled.programs.get(function)),
         live: live_values(compiled.programs.get(function)),
     };
-    Ok(Function::ALL.map(row).into())
+    Function::ALL.map(row).into()
 }
 
 /// An array of objects, one a line.
