@@ -74,11 +74,13 @@ pub enum Lint {
     Negative,
     /// A moment of inertia that mass and size cannot have.
     Proportion,
+    /// A table whose curvature jumps where accelerations follow it.
+    Kinks,
 }
 
 impl Lint {
-    pub const ALL: [Lint; 5] =
-        [Self::Unused, Self::NoEffect, Self::Outside, Self::Negative, Self::Proportion];
+    pub const ALL: [Lint; 6] =
+        [Self::Unused, Self::NoEffect, Self::Outside, Self::Negative, Self::Proportion, Self::Kinks];
 
     /// As in `#[allow(unused)]`.
     pub fn word(self) -> &'static str {
@@ -88,6 +90,7 @@ impl Lint {
             Self::Outside => "outside",
             Self::Negative => "negative",
             Self::Proportion => "proportion",
+            Self::Kinks => "kinks",
         }
     }
 }

@@ -38,7 +38,9 @@ pub mod symbolic;
 
 pub use choice::{Choice, Rejected};
 pub use compiled::Compiled;
-pub use driver::{Start, compile, compile_definition, compile_model, header, parse, start};
+pub use driver::{
+    Start, compile, compile_at, compile_definition, compile_model, header, parse, parse_at, start,
+};
 pub use expansion::Expansion;
 pub use page::page;
 
@@ -51,14 +53,18 @@ use std::path::PathBuf;
 pub fn expand(tokens: TokenStream, file_of: impl Fn(Span) -> Option<PathBuf>) -> Expansion {
     let (home, tokens) = Home::split(tokens);
     match file::named(&tokens) {
-        None => expand_definition(tokens, &home),
+        None => expand_definition(tokens, &home, &file_of),
         Some(Ok(named)) => file::expand(&named, file_of(named.region.start), &home),
         Some(Err(errors)) => Expansion::Errors(errors.into_compile_errors()),
     }
 }
 
-fn expand_definition(tokens: TokenStream, home: &Home) -> Expansion {
-    match compile(tokens.clone(), None) {
+fn expand_definition(
+    tokens: TokenStream,
+    home: &Home,
+    file_of: &dyn Fn(Span) -> Option<PathBuf>,
+) -> Expansion {
+    match compile_at(tokens.clone(), None, file_of) {
         Ok(compiled) => {
             let (import, text) = emit::emit(&compiled, &tokens.to_string(), home);
             let name = compiled.mechanism.name.span;
@@ -72,9 +78,10 @@ fn expand_definition(tokens: TokenStream, home: &Home) -> Expansion {
     }
 }
 
-/// The page of documentation of what [`expand`] expands.
+/// The page of documentation of what [`expand`] expands, before which `in "folder"` may stand, where tables in files of their own are.
 pub fn expand_page(tokens: TokenStream) -> String {
-    match compile(tokens, None) {
+    let (folder, tokens) = file::folder(tokens);
+    match compile_at(tokens, None, &|_| folder.clone()) {
         Ok(compiled) => page(&compiled),
         // What was compiled before cannot be read again: the page says so, and documentation is built all the same.
         Err(errors) => format!("```text\nNo page: {errors}\n```\n"),

@@ -47,6 +47,8 @@ pub mod rotation;
 pub mod simulation;
 pub mod state;
 #[doc(hidden)]
+pub mod table;
+#[doc(hidden)]
 pub mod tabled;
 pub mod tangent;
 pub mod vector;
@@ -106,6 +108,7 @@ pub mod __private {
         pub use crate::report::Report;
         pub use crate::rotation::unwrap_angle;
         pub use crate::state::{Kinematics, Motion, State, Variables};
+        pub use crate::table;
         pub use crate::tabled;
         pub use crate::tangent::Tangent;
         pub use crate::vector::Vector;

@@ -11,7 +11,7 @@ use linkwright::{Tangent, Vector};
 use linkwright_compiler::Compiled;
 use linkwright_compiler::model::Coordinates;
 use linkwright_compiler::schedule::{self, Function, Inputs};
-use linkwright_compiler::symbolic::{Graph, Node, Op, Unary, evaluate};
+use linkwright_compiler::symbolic::{Graph, Node, Op, Unary, evaluate, of_patch, of_piece};
 
 /// Whether the runtime's `mul_add` rounds once.
 const FUSED: bool = cfg!(any(target_feature = "fma", target_arch = "aarch64"));
@@ -348,6 +348,16 @@ fn errors(graph: &Graph, values: &[f64]) -> Vec<f64> {
                 } else {
                     error(b)
                 }
+            }
+            Op::Cell(..) => 0.0,
+            Op::Piece(table, orders, cell, x) => {
+                let (slope, of_terms) = of_piece(graph.table(table), orders, value(cell), value(x));
+                slope * error(x) + of_terms
+            }
+            Op::Patch(table, orders, cell, x, y) => {
+                let (slopes, of_terms) =
+                    of_patch(graph.table(table), orders, value(cell), [value(x), value(y)]);
+                slopes[0] * error(x) + slopes[1] * error(y) + of_terms
             }
         };
         errors.push(own + propagated);

@@ -10,7 +10,8 @@ from dataclasses import dataclass, field
 import casadi as ca
 
 import expressions
-from expressions import entry, pair
+from expressions import entry, in_unit, pair
+from tables import Table
 
 
 @dataclass
@@ -81,6 +82,9 @@ class Model:
             self.values[state["name"]] = self.z[index]
         self.constants = {constant["name"]: constant for constant in definition["constants"]}
         self.signals = {signal["name"]: signal for signal in definition.get("signals", [])}
+        self.tables = {
+            table["name"]: Table(table, lambda node, unit: in_unit(node, unit, self)) for table in definition.get("tables", [])
+        }
         self.free_phases = [
             coupling["name"]
             for coupling in definition["constraints"]

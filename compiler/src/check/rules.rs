@@ -61,6 +61,7 @@ fn is_of_a_size_to_write_out(mechanism: &Mechanism, diagnostics: &mut Diagnostic
     const MOST_CONSTRAINTS: usize = 512;
     const MOST_LOADS: usize = 1024;
     const MOST_VALUES: usize = 1024;
+    const MOST_TABLES: usize = 256;
     fn names<'a>(names: impl Iterator<Item = &'a Name> + 'a) -> Vec<&'a Name> {
         names.collect()
     }
@@ -81,6 +82,7 @@ fn is_of_a_size_to_write_out(mechanism: &Mechanism, diagnostics: &mut Diagnostic
             most_constraints,
         ),
         ("loads", names(mechanism.loads.iter().map(|load| &load.name)), MOST_LOADS),
+        ("tables", names(mechanism.tables.iter().map(|table| &table.name)), MOST_TABLES),
         (
             "parameters, inputs, states and outputs",
             names(parameters.chain(inputs).chain(states).chain(outputs)),

@@ -15,7 +15,7 @@ use crate::model::{
 };
 
 /// The warnings in the order they are reported.
-const WARNINGS: [fn(&Mechanism, &mut Wanted); 7] = [
+const WARNINGS: [fn(&Mechanism, &mut Wanted); 8] = [
     declarations_are_used,
     bodies_are_connected,
     gravity_pulls,
@@ -23,6 +23,7 @@ const WARNINGS: [fn(&Mechanism, &mut Wanted); 7] = [
     springs_pull_back,
     places_are_on_their_bodies,
     inertia_fits_mass_and_size,
+    tables_bend_smoothly,
 ];
 
 /// All warnings of a mechanism without errors.
@@ -57,12 +58,20 @@ fn declarations_are_used(mechanism: &Mechanism, wanted: &mut Wanted) {
             Declared::Input => "input",
             Declared::State => "state",
             Declared::Signal => "signal",
+            Declared::Table => "table",
             Declared::Point => "point",
             Declared::Marker => "marker",
             Declared::Line => "line",
         };
         let message = messages::unused(kind, &unused.name.text, unused.body.as_deref());
         wanted.push(Lint::Unused, unused.name.span, message);
+    }
+}
+
+// A table in a constraint or driver has no kinks in its slope.
+fn tables_bend_smoothly(mechanism: &Mechanism, wanted: &mut Wanted) {
+    for kink in &mechanism.kinks {
+        wanted.push(Lint::Kinks, kink.region, messages::accelerations_jump(&kink.table));
     }
 }
 

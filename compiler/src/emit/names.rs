@@ -183,7 +183,7 @@ pub fn inner(name: &str) -> String {
 
 /// Types, traits and variants that implementations have in scope: short names of arrays, what the runtime exports to
 /// emitted code, the prelude.
-const IN_SCOPE: [&str; 105] = [
+const IN_SCOPE: [&str; 107] = [
     "Constants",
     "Phases",
     "Q",
@@ -289,4 +289,6 @@ const IN_SCOPE: [&str; 105] = [
     "IntoFuture",
     "Unpin",
     "Debug",
+    "table",
+    "tables",
 ];

@@ -3,7 +3,7 @@
 use super::coordinates::{Layout, Symbols};
 use super::jet::{Jet, Moving};
 use super::kinematics::Kinematics;
-use super::{Wrench, plane, space};
+use super::{Wrench, look_up, plane, space};
 use crate::model::{
     Comparison, Condition, Coordinate, Expr, Function1, Function2, JointId, Mechanism, Quantity,
     ReactionPart, Rotor, Vector,
@@ -131,6 +131,10 @@ impl<'a> Laws<'a> {
                 self.mask(condition).select(self.value(then), self.value(otherwise))
             }
             Expr::Rate(of) => self.jet(of).rate(),
+            Expr::Table(look_up, arguments) => {
+                let arguments: Vec<Scalar> = arguments.iter().map(|it| self.value(it)).collect();
+                look_up::value(look_up, &arguments, &self.turns(), self.g)
+            }
         }
     }
 
@@ -191,6 +195,10 @@ impl<'a> Laws<'a> {
                 let (value, first) = (power(x, n), n * power(x, n - 1.0));
                 jet.chain(value, first, n * ((n - 1.0) * power(x, n - 2.0)))
             }
+            Expr::Table(look_up, arguments) => {
+                let arguments: Vec<Moving> = arguments.iter().map(|it| self.jet(it)).collect();
+                look_up::jet(look_up, &arguments, &self.turns()).unwrap_or_else(|| self.still(self.g.zero()))
+            }
             Expr::If(condition, then, otherwise) => {
                 Moving::select(self.mask(condition), &self.jet(then), &self.jet(otherwise))
             }
@@ -222,6 +230,11 @@ impl<'a> Laws<'a> {
         let mut angle = self.kinematics().rotor_rate(self, rotor);
         angle.jet.value = value.bare;
         angle
+    }
+
+    /// The entries of q that count whole turns of angles.
+    fn turns(&self) -> Vec<Node> {
+        (0..self.layout.angles.len()).map(|angle| self.symbols.q[self.layout.turns(angle)]).collect()
     }
 
     pub fn coordinate(&self, coordinate: &Coordinate) -> Moving<'a> {

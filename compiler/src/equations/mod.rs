@@ -15,6 +15,7 @@ mod jet;
 mod kinematics;
 mod laws;
 pub mod loads;
+mod look_up;
 pub mod plane;
 mod rows;
 pub mod space;

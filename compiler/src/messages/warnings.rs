@@ -8,7 +8,7 @@ pub(crate) fn unused(kind: &str, name: &str, body: Option<&str>) -> String {
     let of = body.map(|body| format!(" of `{body}`")).unwrap_or_default();
     let dropped = match kind {
         "parameter" | "input" | "state" => "so no equation depends on it",
-        "constant" | "signal" => "so it stands for nothing",
+        "constant" | "signal" | "table" => "so it stands for nothing",
         _ => "so no joint, load, start value or output is there",
     };
     format!(

@@ -1,5 +1,6 @@
 //! Expressions of the user after lowering: SI units, names resolved, dimensions checked.
 
+use super::tables::LookUp;
 use super::{BodyId, DriverId, InputId, JointId, LoadId, ParameterId, Place, Rotor, StateId};
 use crate::units::Dimension;
 
@@ -21,6 +22,8 @@ pub enum Expr {
     If(Box<Condition>, Box<Expr>, Box<Expr>),
     /// The time derivative of an expression of positions and time.
     Rate(Box<Expr>),
+    /// A table or its slope, with its arguments.
+    Table(LookUp, Vec<Expr>),
 }
 
 impl Expr {
@@ -36,11 +39,19 @@ impl Expr {
             | Expr::Quantity(_) => {}
             Expr::Unary(_, x) | Expr::Power(x, _) | Expr::Rate(x) => x.visit(found),
             Expr::Binary(_, x, y) => [x, y].into_iter().for_each(|operand| operand.visit(found)),
+            Expr::Table(_, arguments) => arguments.iter().for_each(|operand| operand.visit(found)),
             Expr::If(condition, x, y) => {
                 condition.visit(found);
                 [x, y].into_iter().for_each(|operand| operand.visit(found));
             }
         }
+    }
+
+    /// Whether it changes with time or the motion.
+    pub fn moves(&self) -> bool {
+        let mut moves = false;
+        self.visit(&mut |part| moves |= matches!(part, Expr::Time | Expr::Quantity(_) | Expr::Rate(_)));
+        moves
     }
 
     /// Calls `found` with every quantity in it.

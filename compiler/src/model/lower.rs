@@ -33,10 +33,13 @@ pub fn lower(definition: &Definition) -> Result<Mechanism, Diagnostics> {
         markers: HashMap::new(),
         defaults: Vec::new(),
         signals: Signals::of(definition),
+        tables: Vec::new(),
+        kinks: Vec::new(),
         used: HashSet::new(),
     };
 
     lowering.constants();
+    lowering.all_tables();
     let parameters = lowering.each(&definition.parameters, Lowering::parameter);
     lowering.defaults = parameters.iter().map(|parameter| parameter.default).collect();
     lowering.body_frames();
@@ -63,11 +66,15 @@ pub fn lower(definition: &Definition) -> Result<Mechanism, Diagnostics> {
         options: lowering.options(),
         expect: lowering.expect(),
         outputs: lowering.each(&definition.outputs, Lowering::output),
+        tables: Vec::new(),
+        kinks: Vec::new(),
         unused: Vec::new(),
         allowed: definition.allowed.clone(),
     };
     mechanism.states = lowering.states();
     lowering.all_signals();
+    mechanism.tables = std::mem::take(&mut lowering.tables).into_iter().flatten().collect();
+    mechanism.kinks = std::mem::take(&mut lowering.kinks);
     mechanism.unused = unused::unused(definition, &lowering.used);
     lowering.diagnostics.finish(mechanism)
 }
@@ -87,6 +94,9 @@ pub(super) struct Lowering<'d> {
     /// Of the parameters.
     pub defaults: Vec<f64>,
     pub signals: Signals,
+    /// `None` after an error; as long as the definition's once they are known.
+    pub tables: Vec<Option<super::tables::Table>>,
+    pub kinks: Vec<super::Kink>,
     /// What has been named so far.
     pub used: HashSet<(Scope, &'d str)>,
 }
@@ -114,6 +124,8 @@ pub(crate) struct Use {
     pub velocities: bool,
     /// Efforts, powers and energies.
     pub results: bool,
+    /// Whether accelerations follow what it is of.
+    pub accelerates: bool,
 }
 
 impl Use {
@@ -126,24 +138,33 @@ impl Use {
         positions: false,
         velocities: false,
         results: false,
+        accelerates: false,
     };
+    pub const TABLE: Self = Self { what: "a table", ..Self::CONSTANT };
     pub const PROPERTY: Self = Self { what: "a property of a body", parameters: true, ..Self::CONSTANT };
     pub const COEFFICIENT: Self = Self { what: "this argument", ..Self::PROPERTY };
     pub const DIRECTION: Self = Self { what: "a direction", ..Self::PROPERTY };
     pub const GRAVITY: Self = Self { what: "gravity", ..Self::PROPERTY };
     pub const RANGE: Self = Self { what: "an expected range", ..Self::CONSTANT };
     pub const START: Self = Self { what: "a start value", ..Self::PROPERTY };
-    pub const GROUND: Self = Self { what: "a place of the ground", time: true, ..Self::PROPERTY };
+    pub const GROUND: Self =
+        Self { what: "a place of the ground", time: true, accelerates: true, ..Self::PROPERTY };
     pub const LENGTH: Self = Self { what: "the length of a distance joint", ..Self::GROUND };
     pub const LAW: Self = Self { what: "the law of a driver", ..Self::GROUND };
     pub const EQUATION: Self = Self { what: "a constraint", positions: true, ..Self::GROUND };
-    pub const LOAD: Self =
-        Self { what: "the law of a load", inputs: true, states: true, velocities: true, ..Self::EQUATION };
+    pub const LOAD: Self = Self {
+        what: "the law of a load",
+        inputs: true,
+        states: true,
+        velocities: true,
+        accelerates: false,
+        ..Self::EQUATION
+    };
     pub const OUTPUT: Self = Self { what: "an output", results: true, ..Self::LOAD };
     pub const STATE_RATE: Self = Self { what: "the rate of a state", ..Self::OUTPUT };
     pub const SIGNAL: Self = Self { what: "a signal", ..Self::OUTPUT };
-    pub const RATE: Self = Self { what: "a rate", ..Self::EQUATION };
-    pub const ALONG: Self = Self { what: "what a force acts along", ..Self::EQUATION };
+    pub const RATE: Self = Self { what: "a rate", accelerates: false, ..Self::EQUATION };
+    pub const ALONG: Self = Self { what: "what a force acts along", accelerates: false, ..Self::EQUATION };
 
     /// What it may depend on beside constants, in words.
     pub fn permitted(&self) -> Vec<&'static str> {

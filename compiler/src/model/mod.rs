@@ -22,6 +22,7 @@ mod settings;
 mod shapes;
 mod signals;
 mod states;
+pub mod tables;
 mod unused;
 mod values;
 
@@ -32,6 +33,7 @@ pub use crate::syntax::Budgeted;
 pub use elements::{Constraint, ConstraintKind, Coupled, Coupling, Joint, Load, Rotor, Subject};
 pub use expression::{Comparison, Condition, Coordinate, Expr, Function1, Function2, Quantity, ReactionPart};
 pub use lower::lower;
+pub use tables::{Curve, LookUp, Table};
 pub use unused::{Declared, Unused};
 
 /// Index of a body in [`Mechanism::bodies`].
@@ -113,6 +115,9 @@ pub struct Mechanism {
     pub options: Options,
     pub expect: Expect,
     pub outputs: Vec<Output>,
+    pub tables: Vec<Table>,
+    /// Where accelerations jump at the knots of a table.
+    pub kinks: Vec<Kink>,
     /// What is declared and named by nothing.
     pub unused: Vec<Unused>,
     /// Warnings that are not wanted.
@@ -150,6 +155,14 @@ impl DeclaredUnit {
     pub fn is_si(&self) -> bool {
         self.scale == 1.0
     }
+}
+
+/// A table whose curvature jumps, named where accelerations follow it.
+#[derive(Clone, Debug)]
+pub struct Kink {
+    pub table: String,
+    /// Where it is named.
+    pub region: Region,
 }
 
 /// A value that may change when parameters are set.

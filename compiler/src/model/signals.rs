@@ -45,6 +45,7 @@ impl Lowering<'_> {
         self.used.insert((Scope::Value, &self.definition.signals[index].name.text));
         let typed = self.signal(index, usage)?;
         self.permit_contents(&typed.expr, path, usage)?;
+        self.smooth_contents(&typed.expr, path, usage)?;
         Some(Typed { region: path.region, ..typed })
     }
 
@@ -128,9 +129,12 @@ impl Lowering<'_> {
                     | Quantity::PotentialEnergy
                     | Quantity::Energy,
                 ) => (usage.results, "a result"),
-                Expr::Number(_) | Expr::Unary(..) | Expr::Binary(..) | Expr::Power(..) | Expr::If(..) => {
-                    (true, "")
-                }
+                Expr::Number(_)
+                | Expr::Unary(..)
+                | Expr::Binary(..)
+                | Expr::Power(..)
+                | Expr::If(..)
+                | Expr::Table(..) => (true, ""),
             };
             if !permitted && found.is_none() {
                 found = Some(kind);

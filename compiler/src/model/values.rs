@@ -1,6 +1,7 @@
 //! Expressions: dimension check, conversion to SI, folding. Functions and conditions stand in `functions`.
 
 use super::fold;
+use super::functions::is_function;
 use super::lower::{Lowering, Use, declared};
 use super::names::Value;
 use super::unused::Scope;
@@ -262,6 +263,10 @@ impl Lowering<'_> {
                 }
                 None => {}
             }
+            if self.names.table(&path.text).is_some() && self.names.part(&path.text).is_none() {
+                self.diagnostics.error(path.region, messages::table_without_call(&path.text));
+                return None;
+            }
         }
         if let Some(index) = self.rate_of_signal(path) {
             return self.signal_rate_at(index, path, usage);
@@ -371,7 +376,9 @@ fn is_bare(term: &Term) -> bool {
     match &term.kind {
         TermKind::Number { unit, .. } => unit.is_none(),
         TermKind::Name(path) => path.text == "pi",
-        TermKind::Operation(_, terms) | TermKind::Call(_, terms) => terms.iter().all(is_bare),
+        TermKind::Operation(_, terms) => terms.iter().all(is_bare),
+        // What a table gives has a unit.
+        TermKind::Call(function, terms) => is_function(&function.text) && terms.iter().all(is_bare),
         TermKind::Ground(_) | TermKind::Measured(..) => false,
     }
 }

@@ -9,13 +9,14 @@ use crate::messages;
 use proc_macro2::{Delimiter, TokenStream};
 
 /// Words that begin a statement, but those of bodies, loads and couplings.
-const STATEMENTS: [&str; 17] = [
+const STATEMENTS: [&str; 18] = [
     "const",
     "param",
     "input",
     "signal",
     "state",
     "rate",
+    "table",
     "gravity",
     "marker",
     "line",
@@ -66,6 +67,7 @@ impl Parser {
             "signal" => self.signal(c),
             "state" => self.state(c, docs),
             "rate" => self.rate(c),
+            "table" => self.table(c),
             "gravity" => self.gravity(c),
             "marker" => {
                 let marker = self.marker(c)?;

@@ -7,6 +7,7 @@ mod files;
 mod habits;
 mod json;
 mod limits;
+mod look_up;
 mod mistakes;
 mod space;
 mod spans;

@@ -191,6 +191,7 @@ macro_rules! for_each_in_zoo {
             powered: $crate::zoo_laws::Powered,
             bristled: $crate::zoo_laws::Bristled,
             servo: $crate::zoo_laws::Servo,
+            tabled: $crate::zoo_laws::Tabled,
             arm: $crate::zoo_space::Arm,
             jack: $crate::zoo_space::Jack,
             table: $crate::zoo_space::Table,

@@ -1,4 +1,4 @@
-//! Mechanisms whose laws are made of signals, their rates, and forces along expressions; in the plane and in space.
+//! Mechanisms whose laws are made of signals, their rates, tables, internal states, and forces along expressions; in the plane and in space.
 
 linkwright::mechanism! {
     /// A cart on a spring, a wheel that slips on it, and a pendulum that is steered by its reach.
@@ -146,5 +146,53 @@ linkwright::mechanism! {
         output load [N] = shake.effort + 0.5*felt;
         output heat [W] = resistance*current^2;
         output place [m] = piston.center.x;
+    }
+}
+
+linkwright::mechanism! {
+    /// A cam lifts a follower, a slide moves by a table of time, and a brake, a bump stop, a bar and a fan have measured laws.
+    pub planar Tabled {
+        const TURN [deg] = 360;
+        param setting [rad] = 0.1;
+        param level [1] = 0.2;
+        input load [N];
+        table lift(angle [deg]) [mm] = [(0, 0), (40, 12), (100, 40), (170, 55), (240, 30), (300, 8), (TURN, 0)], periodic;
+        table stroke(clock [s]) [mm] = [(-1, 5), (-0.4, 40), (0, 60), (0.5, 20), (1.1, -30), (2, 10)], cubic;
+        table bar(angle [rad]) [N*m] = [(-0.5, -90), (-0.3, -70), (0, 0), (0.25, 42), (1, 250)], natural;
+        table bump(gap [mm]) [N] = [(-60, 400), (-20, 90), (0, 0), (30, 0)], outside = hold;
+        table damper(speed [m/s]) [N] = [(-1, -60), (-0.2, -30), (0, 0), (0.1, 20), (1, 45)], akima, outside = hold;
+        table fan(rate [rpm]) [N*m] = [(-20, -0.3), (-5, -0.1), (0, 0), (5, 0.12), (20, 0.5)], linear;
+        table grip(slip [1], load [N]) [N] =
+            grid((-0.3, 0, 0.1, 0.3), (-0.5, 0.4, 2), [(-3, 0, 5, 6), (-9, 0, 9, 11), (-20, 0, 17, 20)]), outside = hold;
+        table gain(share) = [(0, 1), (0.3, 1.4), (1, 2)], pchip;
+        table reach(height [m]) [m] = [(-1, -0.7), (-0.3, -0.3), (0.2, 0.1), (1, 0.9)], modified_akima;
+        gravity [m/s^2] = (0, -9.81);
+        signal turned [rad] = hinge.angle - setting;
+        signal slip [1] = hub.rate*1 [s/rad];
+        signal way [m] = reach(bob.end.y);
+        disk cam { mass [kg] = 0.8; radius [m] = 0.1; }
+        body follower { mass [kg] = 0.3; inertia [kg*m^2] = 0.01; }
+        body slide { mass [kg] = 0.5; inertia [kg*m^2] = 0.01; }
+        rod arm { mass [kg] = 1.1; length [m] = 0.5; }
+        rod bob { mass [kg] = 0.6; length [m] = 0.4; }
+        joint hub: revolute(ground(0, 0) [m], cam.center);
+        joint rail: prismatic(ground(0, 0.2) [m], follower.center, axis = (0, 1));
+        joint bench: prismatic(ground(0.5, 0) [m], slide.center, axis = (1, 0));
+        joint hinge: revolute(slide.center, arm.start);
+        joint knee: revolute(arm.end, bob.start);
+        constraint follow: rail.travel = lift(hub.angle);
+        drive shake: bench.travel = 2*stroke(time) + 0.1 [m];
+        torque rest: torque(hinge) = -gain(level)*bar(turned) - fan(hinge.rate);
+        force stop: force(rail) = bump(rail.travel - 30 [mm]) - damper(rail.speed);
+        torque brake: torque(hub) = -0.2 [m]*grip(slip, load + 0.3 [N]);
+        force rope: along(way) = -20 [N/m]*way - damper(way.rate);
+        start { hub.angle [rad] = 0.4; hub.rate [rad/s] = 3; hinge.angle [rad] = -1.2; knee.angle [rad] = 0.3; knee.rate [rad/s] = 1; }
+        options { emit = (penalty, projection, null_space, tangent); }
+        output bar_rate [N*m/rad] = bar.slope(turned);
+        output lifted [mm/deg] = lift.slope(hub.angle);
+        output jumped [1] = gain(0.5) + gain.slope(level);
+        output rope_rate [m/s] = way.rate;
+        output gripped [N] = grip(slip, load);
+        output braked [W] = power(brake) + power(rope);
     }
 }
