@@ -248,6 +248,7 @@ fn point(compiled: &Compiled, random: &mut Random) -> Inputs {
         q: near(&assembly.q, random),
         v: any(Shape::Velocities, random),
         inputs: any(Shape::Inputs, random),
+        internal: any(Shape::Internal, random),
         two_alpha: 10.0 + random.next(),
         beta_squared: 25.0 + random.next(),
         acceleration: any(Shape::Velocities, random),

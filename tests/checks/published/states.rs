@@ -3,7 +3,7 @@
 use super::Worst;
 use linkwright::{
     Ali3p, DormandPrince, ExplicitTrapezoidal, GeneralisedAlpha, ImplicitTrapezoidal, Linearisation,
-    Mechanism, NoInputs, Rk4, SemiImplicitEuler, Simulation, State, Vector, equilibrium,
+    Mechanism, NoInputs, Rk4, SemiImplicitEuler, Simulation, State, equilibrium,
 };
 use linkwright_models::braked_wheel::BrakedWheel;
 use linkwright_models::dc_motor_arm::{DcMotorArm, DcMotorArmInputs};
@@ -86,7 +86,7 @@ fn a_motor_holds_its_arm() {
         [-0.0981 * angle.cos() / inertia, 0.0, constant / inertia],
         [0.0, -constant / inductance, -resistance / inductance],
     ];
-    for (found, expected) in space.a.as_slice().iter().zip(expected.iter().flatten()) {
+    for (found, expected) in space.a.iter().zip(expected.iter().flatten()) {
         assert!((found - expected).abs() < 1e-12 * (1.0 + expected.abs()), "{:?}", space.a);
     }
     assert!((space.b[2] - 1.0 / inductance).abs() < 1e-9 && space.b[0] == 0.0 && space.b[1] == 0.0);

@@ -7,7 +7,7 @@ mod splines;
 #[cfg(test)]
 mod tests;
 
-use super::lower::{Lowering, Use, declared, name, declared_unit};
+use super::lower::{Lowering, Use, declared, declared_unit, name};
 use super::{Expr, Name};
 use crate::diagnostics::Region;
 use crate::forms::{Interpolation, Outside};
