@@ -46,15 +46,18 @@ pub use page::page;
 
 use emit::Home;
 use proc_macro2::{Span, TokenStream};
-use std::path::PathBuf;
+use source::written::{Place, as_written};
 
-/// The expansion of `mechanism! { … }` or `mechanism!(file = "…")`, before which `($crate)` may stand. `file_of` gives the Rust file that a token stands in,
-/// where it is known.
-pub fn expand(tokens: TokenStream, file_of: impl Fn(Span) -> Option<PathBuf>) -> Expansion {
+/// The expansion of `mechanism! { … }` or `mechanism!(file = "…")`, before which `($crate)` may stand. `place_of` tells where a token stands,
+/// where that is known.
+pub fn expand(tokens: TokenStream, place_of: impl Fn(Span) -> Option<Place>) -> Expansion {
     let (home, tokens) = Home::split(tokens);
     match file::named(&tokens) {
-        None => expand_definition(tokens, &home, &file_of),
-        Some(Ok(named)) => file::expand(&named, file_of(named.region.start), &home),
+        None => expand_definition(tokens, &home, &place_of),
+        Some(Ok(named)) => {
+            let caller = place_of(named.region.start).map(|place| place.file);
+            file::expand(&named, caller, &home)
+        }
         Some(Err(errors)) => Expansion::Errors(errors.into_compile_errors()),
     }
 }
@@ -62,11 +65,13 @@ pub fn expand(tokens: TokenStream, file_of: impl Fn(Span) -> Option<PathBuf>) ->
 fn expand_definition(
     tokens: TokenStream,
     home: &Home,
-    file_of: &dyn Fn(Span) -> Option<PathBuf>,
+    place_of: &dyn Fn(Span) -> Option<Place>,
 ) -> Expansion {
-    match compile_at(tokens.clone(), None, file_of) {
+    let file_of = |span| place_of(span).map(|place| place.file);
+    match compile_at(tokens.clone(), None, &file_of) {
         Ok(compiled) => {
-            let (import, text) = emit::emit(&compiled, &tokens.to_string(), home);
+            let source = as_written(&tokens, place_of).unwrap_or_else(|| tokens.to_string());
+            let (import, text) = emit::emit(&compiled, &source, home);
             let name = compiled.mechanism.name.span;
             Expansion::Items { import, text, warnings: compiled.warnings, name }
         }

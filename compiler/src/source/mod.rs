@@ -13,6 +13,7 @@ mod macro_rules;
 mod snippet;
 mod tables;
 mod tokens;
+pub mod written;
 
 pub use invocations::{Invocation, invocations, is_rust};
 pub use snippet::{compile_errors, warnings};

@@ -304,9 +304,13 @@ impl Parser {
     fn ground(&mut self, c: &mut Cursor) -> Parsed<Ground> {
         let start = self.word(c, "`ground`")?.region;
         let inside = self.group(c, Delimiter::Parenthesis)?;
-        let text = format!("ground({})", inside.joined().replace(',', ", "));
+        let mut text = format!("ground({})", inside.joined().replace(',', ", "));
         let at = self.values(inside, self.definition.space.dimensions())?;
         let unit = self.unit(c)?;
+        // Without a unit it is in metres.
+        if let Some(written) = unit.as_ref().filter(|written| written.unit.text != "m") {
+            text = format!("{text} [{}]", written.unit.text);
+        }
         Ok(Ground { text, at, unit, region: start.to(c.previous()) })
     }
 }

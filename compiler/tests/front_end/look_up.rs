@@ -2,6 +2,7 @@
 
 use crate::{each_has_one_message, good, slider_crank, underlined, warnings};
 use linkwright_compiler::model::{Coordinate, Expr, Quantity};
+use linkwright_compiler::source::written::Place;
 use linkwright_compiler::{Expansion, compile_at};
 use std::path::Path;
 
@@ -376,7 +377,8 @@ fn mistakes_in_files() {
 fn a_file_is_depended_on() {
     let caller = in_file("d.csv", "0,1\n90,2\n");
     let tokens = pendulum("file(\"d.csv\")").parse().expect("tokens");
-    let Expansion::Items { text, .. } = linkwright_compiler::expand(tokens, |_| Some(caller.clone().into()))
+    let Expansion::Items { text, .. } =
+        linkwright_compiler::expand(tokens, |_| Some(Place::somewhere(&caller)))
     else {
         panic!("it expands");
     };
