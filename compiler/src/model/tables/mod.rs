@@ -67,6 +67,7 @@ pub struct LookUp {
     pub orders: Orders,
     /// How often it can be differentiated with what comes out still continuous.
     pub smoothness: usize,
+    pub arguments: Vec<Expr>,
 }
 
 impl Curve {
