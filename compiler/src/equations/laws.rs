@@ -131,8 +131,8 @@ impl<'a> Laws<'a> {
                 self.mask(condition).select(self.value(then), self.value(otherwise))
             }
             Expr::Rate(of) => self.jet(of).rate(),
-            Expr::Table(look_up, arguments) => {
-                let arguments: Vec<Scalar> = arguments.iter().map(|it| self.value(it)).collect();
+            Expr::Table(look_up) => {
+                let arguments: Vec<Scalar> = look_up.arguments.iter().map(|it| self.value(it)).collect();
                 look_up::value(look_up, &arguments, &self.turns(), self.g)
             }
         }
@@ -195,8 +195,8 @@ impl<'a> Laws<'a> {
                 let (value, first) = (power(x, n), n * power(x, n - 1.0));
                 jet.chain(value, first, n * ((n - 1.0) * power(x, n - 2.0)))
             }
-            Expr::Table(look_up, arguments) => {
-                let arguments: Vec<Moving> = arguments.iter().map(|it| self.jet(it)).collect();
+            Expr::Table(look_up) => {
+                let arguments: Vec<Moving> = look_up.arguments.iter().map(|it| self.jet(it)).collect();
                 look_up::jet(look_up, &arguments, &self.turns()).unwrap_or_else(|| self.still(self.g.zero()))
             }
             Expr::If(condition, then, otherwise) => {

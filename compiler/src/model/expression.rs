@@ -22,8 +22,8 @@ pub enum Expr {
     If(Box<Condition>, Box<Expr>, Box<Expr>),
     /// The time derivative of an expression of positions and time.
     Rate(Box<Expr>),
-    /// A table or its slope, with its arguments.
-    Table(LookUp, Vec<Expr>),
+    /// A table or its slope.
+    Table(Box<LookUp>),
 }
 
 impl Expr {
@@ -39,7 +39,7 @@ impl Expr {
             | Expr::Quantity(_) => {}
             Expr::Unary(_, x) | Expr::Power(x, _) | Expr::Rate(x) => x.visit(found),
             Expr::Binary(_, x, y) => [x, y].into_iter().for_each(|operand| operand.visit(found)),
-            Expr::Table(_, arguments) => arguments.iter().for_each(|operand| operand.visit(found)),
+            Expr::Table(look_up) => look_up.arguments.iter().for_each(|operand| operand.visit(found)),
             Expr::If(condition, x, y) => {
                 condition.visit(found);
                 [x, y].into_iter().for_each(|operand| operand.visit(found));

@@ -43,11 +43,11 @@ pub(crate) fn power(base: Expr, exponent: f64) -> Expr {
 }
 
 /// A table, looked up in if the arguments are numbers.
-pub(crate) fn table(look_up: LookUp, arguments: Vec<Expr>) -> Expr {
+pub(crate) fn table(look_up: LookUp) -> Expr {
     let number = |expr: &Expr| if let Expr::Number(value) = expr { Some(*value) } else { None };
-    match arguments.iter().map(number).collect::<Option<Vec<f64>>>() {
+    match look_up.arguments.iter().map(number).collect::<Option<Vec<f64>>>() {
         Some(numbers) => Expr::Number(look_up.curve.at(look_up.orders, &numbers)),
-        None => Expr::Table(look_up, arguments),
+        None => Expr::Table(Box::new(look_up)),
     }
 }
 
@@ -61,9 +61,9 @@ pub(crate) fn evaluate(expr: &Expr, parameters: &[f64]) -> Option<f64> {
             Some(compute_binary(*function, evaluate(x, parameters)?, evaluate(y, parameters)?))
         }
         Expr::Power(base, exponent) => Some(libm::pow(evaluate(base, parameters)?, *exponent)),
-        Expr::Table(look_up, arguments) => {
+        Expr::Table(look_up) => {
             let at = |argument| evaluate(argument, parameters);
-            let numbers: Vec<f64> = arguments.iter().map(at).collect::<Option<_>>()?;
+            let numbers: Vec<f64> = look_up.arguments.iter().map(at).collect::<Option<_>>()?;
             Some(look_up.curve.at(look_up.orders, &numbers))
         }
         Expr::Input(_) | Expr::State(_) | Expr::Time | Expr::Quantity(_) | Expr::If(..) | Expr::Rate(_) => {

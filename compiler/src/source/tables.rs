@@ -11,6 +11,11 @@ use std::path::PathBuf;
 /// The file that a token stands in, where that is known.
 pub type FileOf<'a> = &'a dyn Fn(Span) -> Option<PathBuf>;
 
+/// Pairs of numbers.
+type Points = Vec<[Term; 2]>;
+/// What is wrong, and where it is to be said.
+type Misread = (Region, String);
+
 /// Puts the points of files into the tables that name them.
 pub fn read_tables(definition: &mut Definition, file_of: FileOf) -> Result<(), Diagnostics> {
     let mut errors = Diagnostics::new();
@@ -29,11 +34,7 @@ pub fn read_tables(definition: &mut Definition, file_of: FileOf) -> Result<(), D
     errors.finish(())
 }
 
-fn points(
-    file: &FileTerm,
-    asked: &[ColumnTerm; 2],
-    file_of: FileOf,
-) -> Result<(Vec<[Term; 2]>, ReadFile), (Region, String)> {
+fn points(file: &FileTerm, asked: &[ColumnTerm; 2], file_of: FileOf) -> Result<(Points, ReadFile), Misread> {
     let region = file.region;
     let source =
         disk::read(&file.name, file_of(region.start).as_deref()).map_err(|message| (region, message))?;

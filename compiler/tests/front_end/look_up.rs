@@ -262,9 +262,9 @@ fn known_values() {
         "repeat i in 0..2 { table t[i](x [rad]) [m] = [(0, 0), (1, i + 1)]; } output o [m] = t[1](base.angle);\
          output unused [m] = t[0](1 [rad]);",
     ));
-    let Expr::Table(look_up, arguments) = &called.outputs[0].value else { panic!("a table") };
+    let Expr::Table(look_up) = &called.outputs[0].value else { panic!("a table") };
     assert_eq!(look_up.curve.name(), "t[1]");
-    assert!(matches!(arguments[..], [Expr::Quantity(Quantity::Coordinate(Coordinate::Angle(_)))]));
+    assert!(matches!(look_up.arguments[..], [Expr::Quantity(Quantity::Coordinate(Coordinate::Angle(_)))]));
 }
 
 #[test]

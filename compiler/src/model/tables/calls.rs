@@ -56,8 +56,8 @@ impl Lowering<'_> {
         let arguments: Vec<Expr> = found.into_iter().collect::<Option<_>>()?;
         let dimension = if steep { value.over(axes[0].dimension) } else { value };
         let smoothness = kind.smoothness().saturating_sub(usize::from(steep));
-        let look_up = LookUp { curve, orders: Orders::new(u8::from(steep), 0), smoothness };
-        let expr = fold::table(look_up, arguments);
+        let orders = Orders::new(u8::from(steep), 0);
+        let expr = fold::table(LookUp { curve, orders, smoothness, arguments });
         if usage.accelerates {
             self.is_smooth(&expr, &function.text, region, usage)?;
         }
@@ -74,8 +74,8 @@ impl Lowering<'_> {
     fn is_smooth(&mut self, expr: &Expr, text: &str, region: Region, usage: Use) -> Option<()> {
         let mut least: Option<(usize, String)> = None;
         expr.visit(&mut |part| {
-            if let Expr::Table(table, arguments) = part
-                && arguments.iter().any(Expr::moves)
+            if let Expr::Table(table) = part
+                && table.arguments.iter().any(Expr::moves)
                 && least.as_ref().is_none_or(|(smoothness, _)| table.smoothness < *smoothness)
             {
                 least = Some((table.smoothness, table.curve.name().to_string()));

@@ -67,6 +67,7 @@ pub struct LookUp {
     pub orders: Orders,
     /// How often it can be differentiated with what comes out still continuous.
     pub smoothness: usize,
+    pub arguments: Vec<Expr>,
 }
 
 impl Curve {
@@ -165,8 +166,6 @@ impl Lowering<'_> {
                 let patches = Arc::new(symbolic::Table::new(text.as_str(), PATCHES, rows));
                 (vec![x, y], values, Curve::Grid { axes, patches })
             }
-            // What could not be read has been complained of.
-            TableData::File(_) if arguments.len() == 1 => return None,
             _ => {
                 self.diagnostics.error(written.name.region, messages::table_data_of(text, arguments.len()));
                 return None;
