@@ -76,11 +76,20 @@ pub enum Lint {
     Proportion,
     /// A table whose curvature jumps where accelerations follow it.
     Kinks,
+    /// A reaction that is one of many.
+    Shared,
 }
 
 impl Lint {
-    pub const ALL: [Lint; 6] =
-        [Self::Unused, Self::NoEffect, Self::Outside, Self::Negative, Self::Proportion, Self::Kinks];
+    pub const ALL: [Lint; 7] = [
+        Self::Unused,
+        Self::NoEffect,
+        Self::Outside,
+        Self::Negative,
+        Self::Proportion,
+        Self::Kinks,
+        Self::Shared,
+    ];
 
     /// As in `#[allow(unused)]`.
     pub fn word(self) -> &'static str {
@@ -91,6 +100,7 @@ impl Lint {
             Self::Negative => "negative",
             Self::Proportion => "proportion",
             Self::Kinks => "kinks",
+            Self::Shared => "shared",
         }
     }
 }

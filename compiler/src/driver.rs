@@ -100,7 +100,7 @@ pub fn compile_model(
 ) -> Result<Compiled, Diagnostics> {
     let asked = coordinates.unwrap_or(mechanism.options.coordinates);
     let Start { mechanism, equations: tree, assembly } = start_of_model(mechanism, asked)?;
-    let warnings = check::warnings(&mechanism);
+    let warnings = check::warnings(&mechanism, &assembly.shared);
     let mut errors = Diagnostics::new();
     let spanning = tree.tree.clone();
     let tree = equations::without_redundant(&mechanism, spanning, tree, &assembly.omitted);

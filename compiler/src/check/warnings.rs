@@ -11,11 +11,12 @@ use crate::forms::Outline;
 use crate::forms::{JointForm, Law, Sign};
 use crate::messages;
 use crate::model::{
-    Body, BodyId, Declared, Expr, Frame, JointId, Load, Mechanism, NamedPoint, Rotor, Subject, Vector,
+    Body, BodyId, Declared, Expr, Frame, JointId, Load, Mechanism, NamedPoint, Quantity, Rotor, Subject,
+    Vector,
 };
 
 /// The warnings in the order they are reported.
-const WARNINGS: [fn(&Mechanism, &mut Wanted); 8] = [
+const WARNINGS: [fn(&Mechanism, &mut Wanted); 9] = [
     declarations_are_used,
     bodies_are_connected,
     gravity_pulls,
@@ -24,11 +25,12 @@ const WARNINGS: [fn(&Mechanism, &mut Wanted); 8] = [
     places_are_on_their_bodies,
     inertia_fits_mass_and_size,
     tables_bend_smoothly,
+    reactions_are_unique,
 ];
 
-/// All warnings of a mechanism without errors.
-pub fn warnings(mechanism: &Mechanism) -> Diagnostics {
-    let mut wanted = Wanted { allowed: &mechanism.allowed, found: Diagnostics::new() };
+/// All warnings of a mechanism without errors, and with these joints whose reactions are one of many.
+pub fn warnings(mechanism: &Mechanism, shared: &[JointId]) -> Diagnostics {
+    let mut wanted = Wanted { allowed: &mechanism.allowed, shared, found: Diagnostics::new() };
     for warning in WARNINGS {
         warning(mechanism, &mut wanted);
     }
@@ -38,6 +40,7 @@ pub fn warnings(mechanism: &Mechanism) -> Diagnostics {
 /// Warnings, but those that `#[allow(…)]` takes back.
 struct Wanted<'a> {
     allowed: &'a Allowed,
+    shared: &'a [JointId],
     found: Diagnostics,
 }
 
@@ -72,6 +75,25 @@ fn declarations_are_used(mechanism: &Mechanism, wanted: &mut Wanted) {
 fn tables_bend_smoothly(mechanism: &Mechanism, wanted: &mut Wanted) {
     for kink in &mechanism.kinks {
         wanted.push(Lint::Kinks, kink.region, messages::accelerations_jump(&kink.table));
+    }
+}
+
+// A reaction that is named is the only one that holds its joint.
+fn reactions_are_unique(mechanism: &Mechanism, wanted: &mut Wanted) {
+    let outputs = mechanism.outputs.iter().map(|output| (&output.name, &output.value));
+    let rates = mechanism.states.iter().map(|state| (&state.name, &state.rate));
+    for (name, expr) in outputs.chain(rates) {
+        let mut named = Vec::new();
+        expr.quantities(&mut |quantity| match quantity {
+            Quantity::Reaction(joint, _) if wanted.shared.contains(joint) && !named.contains(joint) => {
+                named.push(*joint);
+            }
+            _ => {}
+        });
+        for joint in named {
+            let message = messages::shared_reaction(&name.text, &mechanism.joints[joint.0].name.text);
+            wanted.push(Lint::Shared, name.span, message);
+        }
     }
 }
 

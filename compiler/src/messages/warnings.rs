@@ -99,6 +99,14 @@ pub(crate) fn outside(place: &str, form: &BodyForm, body: &str, along: (&str, f6
     )
 }
 
+/// `name`: the output or state.
+pub(crate) fn shared_reaction(name: &str, joint: &str) -> String {
+    format!(
+        "`{name}` names the reaction of `{joint}`, which is one of many: joints repeat what others fix and share what holds them. Let \
+         a joint of the loop leave more freedom, or write `#[allow(shared)]` before `{name}`"
+    )
+}
+
 /// A moment of inertia that is too large for its body. SI units.
 pub(crate) struct Disproportion {
     pub moment: f64,

@@ -40,7 +40,7 @@ fn bad(source: &str) -> Diagnostics {
 
 /// The warnings of a definition without errors.
 fn warnings(source: &str) -> Diagnostics {
-    check::warnings(&good(source))
+    check::warnings(&good(source), &[])
 }
 
 /// The source line of a region, and below it a line of `~` under the region.
