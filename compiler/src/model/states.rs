@@ -40,10 +40,7 @@ impl<'d> Lowering<'d> {
         let text = &state.name.text;
         let dimension = declared(state.entry.unit.as_ref());
         let start = self.declaration("state", text, &state.entry, Use::START);
-        let scale = match &state.scale {
-            Some(value) => Some(self.scale_of_state(state, value, dimension)),
-            None => None,
-        };
+        let scale = state.scale.as_ref().map(|value| self.scale_of_state(state, value, dimension));
         let Some(rate) = rate else {
             self.diagnostics.error(state.name.region, messages::state_without_rate(text));
             return None;
