@@ -31,6 +31,24 @@ fn language_page_example_is_a_definition() {
     assert!(compiled.warnings.is_empty(), "{}", compiled.warnings);
 }
 
+/// The definition with tables on the language page is one, and every word for what stands between knots has a line there.
+#[test]
+fn language_page_shows_tables() {
+    let page = read("docs/language.md");
+    let rest = page.split_once("A **table** is").expect("its place").1;
+    let definition =
+        rest.split_once("```text\n").and_then(|(_, rest)| rest.split_once("```")).expect("an example").0;
+    let compiled = linkwright_compiler::compile(definition.parse().unwrap(), None);
+    let compiled = compiled.unwrap_or_else(|errors| panic!("{errors}"));
+    assert!(compiled.warnings.is_empty(), "{}", compiled.warnings);
+    for kind in linkwright_compiler::forms::Interpolation::ALL {
+        let line =
+            rest.lines().find(|line| line.starts_with("| `") && line.contains(&format!("`{}`", kind.word())));
+        let smooth = ["value |", "slope |", "curvature |"][kind.smoothness()];
+        assert!(line.is_some_and(|line| line.ends_with(smooth)), "{}", kind.word());
+    }
+}
+
 /// Every word of the language page's tables is known: joints, loads and functions are refused only for their arguments.
 #[test]
 fn language_page_names_what_there_is() {

@@ -131,11 +131,12 @@ fn sound<M: Model, const PIVOT: u8>(model: &M, way: Of<PIVOT>, means: Means) {
                 simulation.run_until_event(4e-4, &[Event::of(output)], |_| ())?;
             }
             let (a, lambda) = (simulation.acceleration()?, simulation.multipliers()?);
-            let State { q, v, .. } = *simulation.state();
+            let State { q, v, z, .. } = *simulation.state();
             let at = At {
                 time: simulation.time(),
                 q,
                 v,
+                z,
                 u: M::Inputs::from_array(Vector::zeros(M::Inputs::NAMES.len())),
             };
             let moving = q.first_not_finite().is_none() && v.first_not_finite().is_none();

@@ -21,7 +21,7 @@ fn shipped_models_give_no_warnings() {
     macro_rules! sources { ($($name:ident: $model:path),* $(,)?) => { [$((stringify!($name), <$model>::SOURCE)),*] } }
     for (name, source) in linkwright_models::for_each_model!(sources) {
         let definition = parse(source.parse().expect("the source was tokens")).expect(name);
-        let warnings = check::warnings(&model::lower(&definition).expect(name));
+        let warnings = check::warnings(&model::lower(&definition).expect(name), &[]);
         assert!(warnings.is_empty(), "{name}: {warnings}");
     }
 }

@@ -6,7 +6,7 @@ use crate::start;
 use linkwright_compiler::counts::Row;
 use linkwright_compiler::equations::conditions;
 use linkwright_compiler::model::{
-    ConstraintKind, Coordinate, Coordinates, Frame, JointId, Mechanism, Redundant,
+    ConstraintKind, Coordinate, Coordinates, Frame, JointId, Mechanism, Redundant, Table,
 };
 use linkwright_compiler::schedule::{Function, count, live_values};
 use linkwright_compiler::syntax::Definition;
@@ -57,11 +57,15 @@ pub struct Explanation {
     pub parameters: Vec<Parameter>,
     /// Name and unit.
     pub inputs: Vec<[String; 2]>,
+    /// At the start.
+    pub states: Vec<Value>,
     pub bodies: Vec<Body>,
     pub joints: Vec<Joint>,
     /// Name and kind of couplings and drivers.
     pub couplings: Vec<[String; 2]>,
     pub loads: Vec<[String; 2]>,
+    /// Name, and knots with what stands between them.
+    pub tables: Vec<[String; 2]>,
     /// Drivers removed.
     pub degrees_of_freedom: usize,
     /// Both numbers of freedoms in sentences, and why they differ.
@@ -112,10 +116,12 @@ pub fn explain(definition: &Definition, compiled: &Compiled) -> Explanation {
             .iter()
             .map(|i| [i.name.text.clone(), unit(i.unit.as_ref().map(|u| &u.unit))])
             .collect(),
+        states: state.internal,
         bodies: state.bodies,
         joints: joints(compiled),
         couplings: couplings(mechanism),
         loads: loads(mechanism),
+        tables: mechanism.tables.iter().map(table).collect(),
         degrees_of_freedom: assembly.mobility.generic,
         gruebler: assembly.mobility.counted() as i64,
         mobility: assembly.mobility.to_string(),
@@ -194,4 +200,14 @@ pub fn turns(mechanism: &Mechanism, frame: Frame) -> bool {
         Frame::Ground => true,
         Frame::Body(body) => mechanism.bodies[body.0].form.turns,
     }
+}
+
+/// `37 knots of angle from 0 deg to 360 deg, periodic`.
+fn table(table: &Table) -> [String; 2] {
+    let along = table.arguments.iter().zip(&table.knots).map(|(axis, knots)| {
+        let ends = [knots[0], knots[knots.len() - 1]].map(|knot| axis.shown(knot)).join(" to ");
+        format!("{} knots of {} from {ends}", knots.len(), axis.name)
+    });
+    let along: Vec<String> = along.collect();
+    [table.name.text.clone(), format!("{}, {}", along.join(", "), table.kind.word())]
 }

@@ -95,11 +95,12 @@ pub fn explanation(e: &Explanation) -> Value {
         let Quantity { name, value, unit } = &found.value;
         json!({ "name": name, "value": value, "unit": unit, "given": found.given.text() })
     });
-    json!({
+    let mut object = json!({
         "definition": serde_json::from_str::<Value>(&e.definition).unwrap_or_default(),
         "space": e.space,
         "parameters": parameters.collect::<Vec<_>>(),
         "inputs": e.inputs.iter().map(|[name, unit]| json!({ "name": name, "unit": unit })).collect::<Vec<_>>(),
+        "states": e.states.iter().map(value).collect::<Vec<_>>(),
         "bodies": bodies.collect::<Vec<_>>(),
         "joints": joints.collect::<Vec<_>>(),
         "couplings": named(&e.couplings),
@@ -118,5 +119,9 @@ pub fn explanation(e: &Explanation) -> Value {
         "start": start.collect::<Vec<_>>(),
         "outputs": e.outputs.iter().map(value).collect::<Vec<_>>(),
         "counts": counts(&e.functions),
-    })
+    });
+    if !e.tables.is_empty() {
+        object["tables"] = named(&e.tables);
+    }
+    object
 }

@@ -9,10 +9,11 @@ use linkwright_compiler::diagnostics::Diagnostics;
 use linkwright_compiler::model::Coordinates;
 use linkwright_compiler::source::Located;
 use linkwright_compiler::syntax::Definition;
-use linkwright_compiler::{Compiled, compile_definition, header, parse};
+use linkwright_compiler::{Compiled, compile_definition, header, parse_at};
 use serde_json::Value;
 use std::ffi::OsStr;
 use std::io::{IsTerminal, stderr};
+use std::path::PathBuf;
 use std::process::ExitCode;
 use std::time::{Duration, Instant};
 
@@ -154,7 +155,8 @@ fn compiled(found: &Found, coordinates: Option<Coordinates>) -> Result<(Definiti
         return Err(found.errors.clone());
     }
     let stages = || -> Result<(Definition, Compiled), Diagnostics> {
-        let definition = parse(found.tokens.stream.clone())?;
+        let beside = || Some(PathBuf::from(&found.source.name));
+        let definition = parse_at(found.tokens.stream.clone(), &|_| beside())?;
         let compiled = compile_definition(&definition, coordinates)?;
         Ok((definition, compiled))
     };
@@ -167,11 +169,14 @@ fn counts(
     name: Option<&str>,
     coordinates: Option<Coordinates>,
 ) -> Result<Vec<Row>, Vec<Located>> {
-    compiled(found, coordinates)?;
+    let (definition, _) = compiled(found, coordinates)?;
     let asked =
         counts::COORDINATES.into_iter().filter(|(_, set)| coordinates.is_none_or(|asked| asked == *set));
-    let sets = asked.map(|set| counts::rows(name.unwrap_or_default(), found.tokens.stream.clone(), set));
-    let (rows, errors): (Vec<_>, Vec<_>) = sets.partition(Result::is_ok);
+    let sets = asked.map(|(coordinates, set)| {
+        let compiled = compile_definition(&definition, Some(set))?;
+        Ok(counts::rows_of(name.unwrap_or_default(), &compiled, coordinates))
+    });
+    let (rows, errors): (Vec<Result<Vec<Row>, Diagnostics>>, Vec<_>) = sets.partition(Result::is_ok);
     let rows: Vec<Row> = rows.into_iter().flatten().flatten().collect();
     match errors.into_iter().find_map(Result::err) {
         Some(errors) if rows.is_empty() => Err(found.tokens.locate(errors)),

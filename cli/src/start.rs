@@ -7,7 +7,7 @@ use linkwright_compiler::check::assemble::{Ancestry, Point};
 use linkwright_compiler::equations::{Equations, Laws, conditions};
 use linkwright_compiler::model::{BodyId, Coordinate, JointId, Mechanism, Rotor, Space};
 use linkwright_compiler::symbolic::Node;
-use linkwright_compiler::syntax::Definition;
+use linkwright_compiler::syntax::{Definition, Entry, InternalState};
 use linkwright_compiler::units::{Dimension, Unit};
 
 /// What `start` says of a value.
@@ -39,6 +39,7 @@ pub struct Found {
 pub struct State {
     pub bodies: Vec<Body>,
     pub found: Vec<Found>,
+    pub internal: Vec<Value>,
     pub outputs: Vec<Value>,
 }
 
@@ -78,7 +79,8 @@ pub fn state(definition: &Definition, compiled: &Compiled) -> State {
     let mut found: Vec<Found> = found.collect();
     found.extend(centers(definition, compiled, &equations, &mut point, &found));
     let outputs = outputs(definition, compiled, &mut point);
-    State { bodies: bodies(definition, mechanism, &mut point, &masses), found, outputs }
+    let internal = internal(definition, compiled);
+    State { bodies: bodies(definition, mechanism, &mut point, &masses), found, internal, outputs }
 }
 
 /// The start as a point of the equations.
@@ -89,6 +91,7 @@ fn point<'e>(compiled: &Compiled, equations: &'e Equations) -> Point<'e> {
     point.set(&equations.symbols.phases, &compiled.assembly.phases);
     point.set_q(&compiled.assembly.q);
     point.set_v(&compiled.assembly.v);
+    point.set(&equations.symbols.internal, &compiled.start_internal());
     point
 }
 
@@ -161,13 +164,27 @@ fn centers(
     found
 }
 
+fn internal(definition: &Definition, compiled: &Compiled) -> Vec<Value> {
+    let both = definition.states.iter().zip(compiled.start_internal());
+    let value = |(state, start): (&InternalState, f64)| {
+        let (unit, scale) = unit_of(&state.entry);
+        Value { name: state.name.text.clone(), value: start / scale, unit }
+    };
+    both.map(value).collect()
+}
+
+/// The unit of a declaration, and one of it in SI.
+fn unit_of(entry: &Entry) -> (String, f64) {
+    let unit = entry.unit.as_ref().map(|written| &written.unit);
+    unit.map_or(("1".to_string(), 1.0), |unit| (unit.text.clone(), unit.scale))
+}
+
 fn outputs(definition: &Definition, compiled: &Compiled, point: &mut Point) -> Vec<Value> {
     let outputs = &compiled.complete.solved.outputs;
     point.evaluate(&Ancestry::of(point.equations, outputs.iter().copied()));
     let both = definition.outputs.iter().zip(outputs);
     both.map(|(output, node)| {
-        let unit = output.entry.unit.as_ref().map(|written| &written.unit);
-        let (text, scale) = unit.map_or(("1".to_string(), 1.0), |unit| (unit.text.clone(), unit.scale));
+        let (text, scale) = unit_of(&output.entry);
         Value { name: output.name.text.clone(), value: point.get(*node) / scale, unit: text }
     })
     .collect()

@@ -1,6 +1,6 @@
 //! An explanation for people.
 
-use crate::explain::{Explanation, Joint};
+use crate::explain::{Explanation, Joint, Value};
 use crate::start::Found;
 use linkwright_compiler::counts;
 use linkwright_compiler::numbers::coordinate;
@@ -21,6 +21,7 @@ pub fn explanation(e: &Explanation, place: &str) -> String {
     });
     table(&mut text, "Parameters", parameters.collect());
     table(&mut text, "Inputs", e.inputs.iter().map(|input| input.to_vec()).collect());
+    table(&mut text, "States at the start", e.states.iter().map(value).collect());
     let bodies = e.bodies.iter().map(|body| {
         let moments: Vec<String> = body.moments.iter().map(|moment| number(*moment)).collect();
         let inertia =
@@ -31,6 +32,7 @@ pub fn explanation(e: &Explanation, place: &str) -> String {
     table(&mut text, "Joints", e.joints.iter().map(|joint| self::joint(e, joint)).collect());
     table(&mut text, "Couplings and drivers", e.couplings.iter().map(|one| one.to_vec()).collect());
     table(&mut text, "Loads", e.loads.iter().map(|one| one.to_vec()).collect());
+    table(&mut text, "Tables", e.tables.iter().map(|one| one.to_vec()).collect());
     freedoms(&mut text, e);
     coordinates(&mut text, e);
     let start = |Found { value, given }: &Found| {
@@ -41,14 +43,15 @@ pub fn explanation(e: &Explanation, place: &str) -> String {
         ]
     };
     table(&mut text, "Start", e.start.iter().map(start).collect());
-    let outputs = e.outputs.iter().map(|value| {
-        let unit = if value.unit == "1" { "" } else { &value.unit };
-        vec![value.name.clone(), format!("= {} {unit}", number(value.value))]
-    });
-    table(&mut text, "Outputs at the start, inputs zero", outputs.collect());
+    table(&mut text, "Outputs at the start, inputs zero", e.outputs.iter().map(value).collect());
     text.push_str("\nOperations\n");
     text.push_str(&counts::as_tables(&e.functions));
     text
+}
+
+fn value(value: &Value) -> Vec<String> {
+    let unit = if value.unit == "1" { "" } else { &value.unit };
+    vec![value.name.clone(), format!("= {} {unit}", number(value.value))]
 }
 
 fn joint(e: &Explanation, joint: &Joint) -> Vec<String> {

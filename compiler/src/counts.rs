@@ -6,6 +6,7 @@
 //! chain of operations that wait for one another. Live is the largest number of results that are alive at once, in the
 //! order of the code; true use of registers and stack is decided by the target's compiler.
 
+use crate::compiled::Compiled;
 use crate::diagnostics::Diagnostics;
 use crate::driver::compile;
 use crate::model::Coordinates;
@@ -53,7 +54,11 @@ pub fn rows(
     tokens: TokenStream,
     (coordinates, asked): (&'static str, Coordinates),
 ) -> Result<Vec<Row>, Diagnostics> {
-    let compiled = compile(tokens, Some(asked))?;
+    Ok(rows_of(model, &compile(tokens, Some(asked))?, coordinates))
+}
+
+/// The functions of what has been compiled in these coordinates.
+pub fn rows_of(model: &str, compiled: &Compiled, coordinates: &'static str) -> Vec<Row> {
     let row = |function: Function| Row {
         model: model.to_string(),
         coordinates,
@@ -61,7 +66,7 @@ pub fn rows(
         counts: count(compiled.programs.get(function)),
         live: live_values(compiled.programs.get(function)),
     };
-    Ok(Function::ALL.map(row).into())
+    Function::ALL.map(row).into()
 }
 
 /// An array of objects, one a line.

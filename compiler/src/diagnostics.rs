@@ -74,11 +74,22 @@ pub enum Lint {
     Negative,
     /// A moment of inertia that mass and size cannot have.
     Proportion,
+    /// A table whose curvature jumps where accelerations follow it.
+    Kinks,
+    /// A reaction that is one of many.
+    Shared,
 }
 
 impl Lint {
-    pub const ALL: [Lint; 5] =
-        [Self::Unused, Self::NoEffect, Self::Outside, Self::Negative, Self::Proportion];
+    pub const ALL: [Lint; 7] = [
+        Self::Unused,
+        Self::NoEffect,
+        Self::Outside,
+        Self::Negative,
+        Self::Proportion,
+        Self::Kinks,
+        Self::Shared,
+    ];
 
     /// As in `#[allow(unused)]`.
     pub fn word(self) -> &'static str {
@@ -88,6 +99,8 @@ impl Lint {
             Self::Outside => "outside",
             Self::Negative => "negative",
             Self::Proportion => "proportion",
+            Self::Kinks => "kinks",
+            Self::Shared => "shared",
         }
     }
 }

@@ -12,13 +12,21 @@ use crate::schedule;
 use crate::self_check::{self, Extent};
 use crate::solve::Further;
 use crate::solve::table::Table;
+use crate::source::{self, FileOf};
 use crate::syntax::{Definition, Header};
 use crate::{budget, optimize, syntax};
 use proc_macro2::TokenStream;
 
 /// tokens → what was written, in the words of all elements.
 pub fn parse(tokens: TokenStream) -> Result<Definition, Diagnostics> {
-    syntax::parse(tokens, &VOCABULARY)
+    parse_at(tokens, &|_| None)
+}
+
+/// The same where the files are known that tokens stand in: tables in files of their own are beside them.
+pub fn parse_at(tokens: TokenStream, file_of: FileOf) -> Result<Definition, Diagnostics> {
+    let mut definition = syntax::parse(tokens, &VOCABULARY)?;
+    source::read_tables(&mut definition, file_of)?;
+    Ok(definition)
 }
 
 /// tokens → what can be said of a definition that may be full of errors.
@@ -29,6 +37,15 @@ pub fn header(tokens: TokenStream) -> Option<Header> {
 /// tokens → programs. `coordinates` overrides what the definition says.
 pub fn compile(tokens: TokenStream, coordinates: Option<Coordinates>) -> Result<Compiled, Diagnostics> {
     compile_definition(&parse(tokens)?, coordinates)
+}
+
+/// The same where the files are known that tokens stand in.
+pub fn compile_at(
+    tokens: TokenStream,
+    coordinates: Option<Coordinates>,
+    file_of: FileOf,
+) -> Result<Compiled, Diagnostics> {
+    compile_definition(&parse_at(tokens, file_of)?, coordinates)
 }
 
 /// What was written → programs.
@@ -83,7 +100,7 @@ pub fn compile_model(
 ) -> Result<Compiled, Diagnostics> {
     let asked = coordinates.unwrap_or(mechanism.options.coordinates);
     let Start { mechanism, equations: tree, assembly } = start_of_model(mechanism, asked)?;
-    let warnings = check::warnings(&mechanism);
+    let warnings = check::warnings(&mechanism, &assembly.shared);
     let mut errors = Diagnostics::new();
     let spanning = tree.tree.clone();
     let tree = equations::without_redundant(&mechanism, spanning, tree, &assembly.omitted);

@@ -5,11 +5,11 @@ use crate::diagnostics::{Diagnostics, Region};
 use crate::emit::Home;
 use crate::expansion::Expansion;
 use crate::messages;
-use crate::source::{self, Source, Tokens};
+pub use crate::source::disk::{open, read, text};
+use crate::source::{self, Tokens};
 use crate::{driver, emit};
 use proc_macro2::{TokenStream, TokenTree};
-use std::io::ErrorKind;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
 /// The name of a file as a macro gives it.
 #[derive(Clone, Debug)]
@@ -45,58 +45,6 @@ pub fn named(tokens: &TokenStream) -> Option<Result<Named, Diagnostics>> {
     Some(Err(errors))
 }
 
-/// The file of that name as seen from the Rust file that names it, which is not known everywhere.
-pub fn read(name: &str, caller: Option<&Path>) -> Result<Source, String> {
-    let manifest = std::env::var_os("CARGO_MANIFEST_DIR").map(PathBuf::from).unwrap_or_default();
-    let (folder, beside) = match caller {
-        Some(file) => {
-            (file.parent().unwrap_or(Path::new("")), messages::beside_caller(&file.display().to_string()))
-        }
-        None => (manifest.as_path(), messages::beside_manifest(&manifest.display().to_string())),
-    };
-    open_from(&folder.join(name), &beside)
-}
-
-/// The file of that path as seen from where the program runs.
-pub fn open(path: &Path) -> Result<Source, String> {
-    let here = std::env::current_dir().map(|folder| folder.display().to_string()).unwrap_or_default();
-    open_from(path, &messages::from_folder(&here))
-}
-
-/// `from` says where the path begins.
-fn open_from(path: &Path, from: &str) -> Result<Source, String> {
-    let shown = path.display().to_string();
-    if path.is_dir() {
-        return Err(messages::is_directory(&shown));
-    }
-    let bytes = std::fs::read(path).map_err(|error| match error.kind() {
-        ErrorKind::NotFound => messages::no_file(&shown, from, similar(path).as_deref()),
-        _ => messages::unreadable_file(&shown, &error.to_string()),
-    })?;
-    text(&shown, bytes)
-}
-
-/// The bytes of a file as text.
-pub fn text(name: &str, bytes: Vec<u8>) -> Result<Source, String> {
-    String::from_utf8(bytes).map(|text| Source::new(name, text)).map_err(|error| {
-        let valid = &error.as_bytes()[..error.utf8_error().valid_up_to()];
-        let valid = Source::new(name, String::from_utf8_lossy(valid));
-        let at = valid.position(valid.text.len());
-        messages::not_utf8(name, at.line, at.column)
-    })
-}
-
-/// The file in the same folder whose name is nearest.
-fn similar(path: &Path) -> Option<String> {
-    let name = path.file_name()?.to_str()?;
-    let folder = path.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));
-    let names =
-        std::fs::read_dir(folder).ok()?.flatten().filter_map(|entry| entry.file_name().into_string().ok());
-    let mut names: Vec<String> = names.collect();
-    names.sort_unstable();
-    messages::closest(name, names.iter().map(String::as_str)).map(str::to_string)
-}
-
 /// The expansion of a macro that names a file: what the same definition in the macro would become. Errors stand at the name
 /// and tell their place in the file themselves.
 pub(crate) fn expand(named: &Named, caller: Option<PathBuf>, home: &Home) -> Expansion {
@@ -117,7 +65,8 @@ pub(crate) fn expand(named: &Named, caller: Option<PathBuf>, home: &Home) -> Exp
     };
     let (tokens, mut errors) = source::definition_at(&source, span);
     if errors.is_empty() {
-        match driver::compile(tokens.stream.clone(), None) {
+        let beside = PathBuf::from(&source.name);
+        match driver::compile_at(tokens.stream.clone(), None, &|_| Some(beside.clone())) {
             Ok(compiled) => {
                 let (import, mut text) = emit::emit(&compiled, &source.text, home);
                 text.push_str(&emit::depends_on(&path));
@@ -132,4 +81,20 @@ pub(crate) fn expand(named: &Named, caller: Option<PathBuf>, home: &Home) -> Exp
     let mut errors = source::compile_errors(&source, &errors, span);
     errors.extend(emit::stub(stream, home));
     Expansion::Errors(errors)
+}
+
+/// Takes `in "folder"` from the beginning of a definition: a file in that folder.
+pub(crate) fn folder(tokens: TokenStream) -> (Option<PathBuf>, TokenStream) {
+    let mut rest = tokens.clone().into_iter();
+    let (word, name) = (rest.next(), rest.next());
+    let literal = match (word, name) {
+        (Some(TokenTree::Ident(word)), Some(name)) if word == "in" => {
+            syn::parse2::<syn::LitStr>(name.into()).ok()
+        }
+        _ => None,
+    };
+    match literal {
+        Some(literal) => (Some(PathBuf::from(literal.value()).join("definition")), rest.collect()),
+        None => (None, tokens),
+    }
 }

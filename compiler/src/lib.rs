@@ -38,29 +38,40 @@ pub mod symbolic;
 
 pub use choice::{Choice, Rejected};
 pub use compiled::Compiled;
-pub use driver::{Start, compile, compile_definition, compile_model, header, parse, start};
+pub use driver::{
+    Start, compile, compile_at, compile_definition, compile_model, header, parse, parse_at, start,
+};
 pub use expansion::Expansion;
 pub use page::page;
 
 use emit::Home;
 use proc_macro2::{Span, TokenStream};
-use std::path::PathBuf;
+use source::written::{Place, as_written};
 
-/// The expansion of `mechanism! { … }` or `mechanism!(file = "…")`, before which `($crate)` may stand. `file_of` gives the Rust file that a token stands in,
-/// where it is known.
-pub fn expand(tokens: TokenStream, file_of: impl Fn(Span) -> Option<PathBuf>) -> Expansion {
+/// The expansion of `mechanism! { … }` or `mechanism!(file = "…")`, before which `($crate)` may stand. `place_of` tells where a token stands,
+/// where that is known.
+pub fn expand(tokens: TokenStream, place_of: impl Fn(Span) -> Option<Place>) -> Expansion {
     let (home, tokens) = Home::split(tokens);
     match file::named(&tokens) {
-        None => expand_definition(tokens, &home),
-        Some(Ok(named)) => file::expand(&named, file_of(named.region.start), &home),
+        None => expand_definition(tokens, &home, &place_of),
+        Some(Ok(named)) => {
+            let caller = place_of(named.region.start).map(|place| place.file);
+            file::expand(&named, caller, &home)
+        }
         Some(Err(errors)) => Expansion::Errors(errors.into_compile_errors()),
     }
 }
 
-fn expand_definition(tokens: TokenStream, home: &Home) -> Expansion {
-    match compile(tokens.clone(), None) {
+fn expand_definition(
+    tokens: TokenStream,
+    home: &Home,
+    place_of: &dyn Fn(Span) -> Option<Place>,
+) -> Expansion {
+    let file_of = |span| place_of(span).map(|place| place.file);
+    match compile_at(tokens.clone(), None, &file_of) {
         Ok(compiled) => {
-            let (import, text) = emit::emit(&compiled, &tokens.to_string(), home);
+            let source = as_written(&tokens, place_of).unwrap_or_else(|| tokens.to_string());
+            let (import, text) = emit::emit(&compiled, &source, home);
             let name = compiled.mechanism.name.span;
             Expansion::Items { import, text, warnings: compiled.warnings, name }
         }
@@ -72,9 +83,10 @@ fn expand_definition(tokens: TokenStream, home: &Home) -> Expansion {
     }
 }
 
-/// The page of documentation of what [`expand`] expands.
+/// The page of documentation of what [`expand`] expands, before which `in "folder"` may stand, where tables in files of their own are.
 pub fn expand_page(tokens: TokenStream) -> String {
-    match compile(tokens, None) {
+    let (folder, tokens) = file::folder(tokens);
+    match compile_at(tokens, None, &|_| folder.clone()) {
         Ok(compiled) => page(&compiled),
         // What was compiled before cannot be read again: the page says so, and documentation is built all the same.
         Err(errors) => format!("```text\nNo page: {errors}\n```\n"),

@@ -1,4 +1,4 @@
-//! Units and dimensions: `kg*m^2/s^2` as a factor to SI and as exponents of kg, m, s and rad.
+//! Units and dimensions: `kg*m^2/s^2` as a factor to SI and as exponents of kg, m, s, A and rad.
 //!
 //! Knows nothing of tokens. Which dimension is expected where is the business of `model`.
 
@@ -18,16 +18,17 @@ pub struct Unit {
     pub dimension: Dimension,
 }
 
-/// Exponents of kg, m, s and rad.
+/// Exponents of kg, m, s, A and rad.
 ///
-/// The angle is tracked where neither mass nor length takes part. Where one does it cancels (rad·m is m, N·m/rad
+/// The angle is tracked where neither mass, length nor current takes part. Where one does it cancels (rad·m is m, N·m/rad
 /// is N·m) and stays open from there on: a speed divided by a radius is as good an angular rate as any.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Dimension {
     mass: i32,
     length: i32,
     time: i32,
-    /// `None` where the angle has been cancelled against a length or a mass.
+    current: i32,
+    /// `None` where the angle has been cancelled against a length, a mass or a current.
     angle: Option<i32>,
 }
 
@@ -59,7 +60,7 @@ pub fn parse(text: &str) -> Result<Unit, UnitError> {
 
 /// What to write instead of a name that is no unit.
 pub fn suggest(name: &str) -> Option<String> {
-    const MISNOMERS: [(&str, &str); 22] = [
+    const MISNOMERS: [(&str, &str); 30] = [
         ("degree", "deg"),
         ("degrees", "deg"),
         ("radian", "rad"),
@@ -82,6 +83,14 @@ pub fn suggest(name: &str) -> Option<String> {
         ("hr", "h"),
         ("minute", "min"),
         ("ton", "t"),
+        ("ampere", "A"),
+        ("amp", "A"),
+        ("volt", "V"),
+        ("ohms", "ohm"),
+        ("Ω", "ohm"),
+        ("henry", "H"),
+        ("farad", "F"),
+        ("weber", "Wb"),
     ];
     let lower = name.to_lowercase();
     if let Some((_, unit)) = MISNOMERS.iter().find(|(wrong, _)| *wrong == lower) {
@@ -145,13 +154,19 @@ impl Dimension {
 
     /// From whole exponents of kg, m, s and rad.
     const fn new(mass: i32, length: i32, time: i32, angle: i32) -> Self {
-        Self { mass: mass * ONE, length: length * ONE, time: time * ONE, angle: Some(angle * ONE) }
-            .cancelled()
+        Self::electric(mass, length, time, 0, angle)
     }
 
-    /// The same with the angle given up where mass or length takes part.
+    /// The same with an exponent of A.
+    const fn electric(mass: i32, length: i32, time: i32, current: i32, angle: i32) -> Self {
+        let angle = Some(angle * ONE);
+        let [mass, length, time, current] = [mass * ONE, length * ONE, time * ONE, current * ONE];
+        Self { mass, length, time, current, angle }.cancelled()
+    }
+
+    /// The same with the angle given up where mass, length or current takes part.
     const fn cancelled(mut self) -> Self {
-        if self.mass != 0 || self.length != 0 {
+        if self.mass != 0 || self.length != 0 || self.current != 0 {
             self.angle = None;
         }
         self
@@ -163,6 +178,7 @@ impl Dimension {
             mass: self.mass + other.mass,
             length: self.length + other.length,
             time: self.time + other.time,
+            current: self.current + other.current,
             angle: self.angle.zip(other.angle).map(|(a, b)| a + b),
         }
         .cancelled()
@@ -174,6 +190,7 @@ impl Dimension {
             mass: -other.mass,
             length: -other.length,
             time: -other.time,
+            current: -other.current,
             angle: other.angle.map(|angle| -angle),
         })
     }
@@ -190,12 +207,14 @@ impl Dimension {
             None => None,
         };
         let (mass, length, time) = (scaled(self.mass)?, scaled(self.length)?, scaled(self.time)?);
-        Some(Self { mass, length, time, angle }.cancelled())
+        let current = scaled(self.current)?;
+        Some(Self { mass, length, time, current, angle }.cancelled())
     }
 
     /// Whether values of both may be added and compared. The angle counts for 1, 1/s and 1/s² only.
     pub fn fits(self, other: Self) -> bool {
-        let same = (self.mass, self.length, self.time) == (other.mass, other.length, other.time);
+        let powers = |it: Self| [it.mass, it.length, it.time, it.current];
+        let same = powers(self) == powers(other);
         let counts = [0, -ONE, -2 * ONE].contains(&self.time);
         let angles = match (self.angle, other.angle) {
             (Some(a), Some(b)) if counts => a == b,
@@ -221,7 +240,7 @@ impl Dimension {
 
     /// `a length`, `a force`; a quantity without a name of its own is `a value in kg*m^3`.
     pub fn kind(self) -> String {
-        let known: [(Self, &str); 17] = [
+        let known: [(Self, &str); 20] = [
             (Self::ONE, "a plain number"),
             (Self::ANGLE, "an angle"),
             (Self::ANGULAR_RATE, "an angular rate"),
@@ -239,6 +258,9 @@ impl Dimension {
             (Self::TORQUE, "a torque or energy"),
             (Self::POWER, "a power"),
             (Self::STIFFNESS, "a stiffness"),
+            (Self::electric(0, 0, 0, 1, 0), "a current"),
+            (Self::electric(1, 2, -3, -1, 0), "a voltage"),
+            (Self::electric(1, 2, -3, -2, 0), "a resistance"),
         ];
         match known.iter().find(|(dimension, _)| dimension.fits(self)) {
             Some((_, kind)) => (*kind).to_string(),
@@ -250,7 +272,7 @@ impl Dimension {
 /// As a unit that can be pasted into a definition.
 impl fmt::Display for Dimension {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let named: [(Self, &str); 7] = [
+        let named: [(Self, &str); 12] = [
             (Self::FORCE, "N"),
             (Self::TORQUE, "N*m"),
             (Self::POWER, "W"),
@@ -258,12 +280,27 @@ impl fmt::Display for Dimension {
             (Self::DAMPING, "N*s/m"),
             (Self::ANGULAR_DAMPING, "N*m*s"),
             (Self::new(1, -1, -2, 0), "Pa"),
+            (Self::electric(1, 2, -3, -1, 0), "V"),
+            (Self::electric(1, 2, -3, -2, 0), "ohm"),
+            (Self::electric(1, 2, -2, -2, 0), "H"),
+            (Self::electric(-1, -2, 4, 2, 0), "F"),
+            (Self::electric(1, 2, -2, -1, 0), "Wb"),
         ];
         if let Some((_, name)) = named.iter().find(|(dimension, _)| dimension.fits(*self)) {
             return f.write_str(name);
         }
-        let powers =
-            [("kg", self.mass), ("m", self.length), ("rad", self.angle.unwrap_or(0)), ("s", self.time)];
+        // Their rates.
+        let integral = self.times(Self::TIME);
+        if let Some((_, name)) = named.iter().find(|(dimension, _)| dimension.fits(integral)) {
+            return write!(f, "{name}/s");
+        }
+        let powers = [
+            ("kg", self.mass),
+            ("m", self.length),
+            ("A", self.current),
+            ("rad", self.angle.unwrap_or(0)),
+            ("s", self.time),
+        ];
         let power = |exponent: i32| match exponent {
             ONE => String::new(),
             _ if exponent % ONE == 0 => format!("^{}", exponent / ONE),
@@ -278,25 +315,31 @@ impl fmt::Display for Dimension {
     }
 }
 
-/// Units without prefix: name, SI value, exponents of kg, m, s, rad, and whether prefixes apply.
-const NAMED: [(&str, f64, [i32; 4], bool); 17] = [
-    ("m", 1.0, [0, 1, 0, 0], true),
-    ("g", 1e-3, [1, 0, 0, 0], true),
-    ("kg", 1.0, [1, 0, 0, 0], false),
-    ("s", 1.0, [0, 0, 1, 0], true),
-    ("N", 1.0, [1, 1, -2, 0], true),
-    ("Pa", 1.0, [1, -1, -2, 0], true),
-    ("J", 1.0, [1, 2, -2, 0], true),
-    ("W", 1.0, [1, 2, -3, 0], true),
-    ("Hz", 1.0, [0, 0, -1, 0], true),
-    ("t", 1e3, [1, 0, 0, 0], false),
-    ("min", 60.0, [0, 0, 1, 0], false),
-    ("h", 3600.0, [0, 0, 1, 0], false),
-    ("bar", 1e5, [1, -1, -2, 0], false),
-    ("rad", 1.0, [0, 0, 0, 1], false),
-    ("deg", core::f64::consts::PI / 180.0, [0, 0, 0, 1], false),
-    ("rev", 2.0 * core::f64::consts::PI, [0, 0, 0, 1], false),
-    ("rpm", 2.0 * core::f64::consts::PI / 60.0, [0, 0, -1, 1], false),
+/// Units without prefix: name, SI value, exponents of kg, m, s, rad and A, and whether prefixes apply.
+const NAMED: [(&str, f64, [i32; 5], bool); 23] = [
+    ("m", 1.0, [0, 1, 0, 0, 0], true),
+    ("g", 1e-3, [1, 0, 0, 0, 0], true),
+    ("kg", 1.0, [1, 0, 0, 0, 0], false),
+    ("s", 1.0, [0, 0, 1, 0, 0], true),
+    ("N", 1.0, [1, 1, -2, 0, 0], true),
+    ("Pa", 1.0, [1, -1, -2, 0, 0], true),
+    ("J", 1.0, [1, 2, -2, 0, 0], true),
+    ("W", 1.0, [1, 2, -3, 0, 0], true),
+    ("Hz", 1.0, [0, 0, -1, 0, 0], true),
+    ("A", 1.0, [0, 0, 0, 0, 1], true),
+    ("V", 1.0, [1, 2, -3, 0, -1], true),
+    ("ohm", 1.0, [1, 2, -3, 0, -2], true),
+    ("H", 1.0, [1, 2, -2, 0, -2], true),
+    ("F", 1.0, [-1, -2, 4, 0, 2], true),
+    ("Wb", 1.0, [1, 2, -2, 0, -1], true),
+    ("t", 1e3, [1, 0, 0, 0, 0], false),
+    ("min", 60.0, [0, 0, 1, 0, 0], false),
+    ("h", 3600.0, [0, 0, 1, 0, 0], false),
+    ("bar", 1e5, [1, -1, -2, 0, 0], false),
+    ("rad", 1.0, [0, 0, 0, 1, 0], false),
+    ("deg", core::f64::consts::PI / 180.0, [0, 0, 0, 1, 0], false),
+    ("rev", 2.0 * core::f64::consts::PI, [0, 0, 0, 1, 0], false),
+    ("rpm", 2.0 * core::f64::consts::PI / 60.0, [0, 0, -1, 1, 0], false),
 ];
 
 /// Powers of ten; both micro signs and the letter.
@@ -318,7 +361,7 @@ const PREFIXES: [(&str, f64); 13] = [
 
 /// SI value and dimension of one unit name.
 fn find(name: &str) -> Result<(f64, Dimension), UnitError> {
-    let exponents = |e: [i32; 4]| Dimension::new(e[0], e[1], e[2], e[3]);
+    let exponents = |e: [i32; 5]| Dimension::electric(e[0], e[1], e[2], e[4], e[3]);
     if let Some((_, scale, powers, _)) = NAMED.iter().find(|(known, ..)| *known == name) {
         return Ok((*scale, exponents(*powers)));
     }

@@ -136,9 +136,9 @@ fn too_large_a_mechanism_is_refused_at_once() {
     assert!(refused.contains("2000 loads are too many"), "{refused:.600}");
     let outputs: String = (0..10_000).map(|i| format!("output o{i} [m] = arm.end.x;")).collect();
     let refused = expanded_on(STACK, pendulum(&outputs)).expect_err("it is too large");
-    assert!(refused.contains("10001 parameters, inputs and outputs are too many"), "{refused:.600}");
+    assert!(refused.contains("10001 parameters, inputs, states and outputs are too many"), "{refused:.600}");
     let outputs = "repeat i in 0..2000 { output o[i] [m] = arm.end.x; }";
     let refused = expanded_on(STACK, pendulum(outputs)).expect_err("it is too large");
-    assert!(refused.contains("2001 parameters, inputs and outputs are too many"), "{refused:.600}");
+    assert!(refused.contains("2001 parameters, inputs, states and outputs are too many"), "{refused:.600}");
     assert!(begin.elapsed() < Duration::from_secs(30), "{:?}", begin.elapsed());
 }

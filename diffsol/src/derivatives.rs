@@ -113,6 +113,8 @@ pub struct Linearised<M: Tangent<f64>> {
     rate: M::RateTangent,
     jacobian: M::Jacobian,
     input: M::InputTangent,
+    internal: M::InternalTangent,
+    internal_rates: M::InternalRateTangent,
 }
 
 impl<M: Tangent<f64>> Derivatives<M> for Exact {
@@ -146,12 +148,16 @@ impl<M: Tangent<f64>> Derivatives<M> for Exact {
             rate: model.zero_rate_tangent(),
             jacobian: model.zero_jacobian(),
             input: model.zero_input_tangent(),
+            internal: model.zero_internal_tangent(),
+            internal_rates: model.zero_internal_rate_tangent(),
         };
         model.tangent(time, state, &u, &at.a, &at.lambda, &mut at.stiffness, &mut at.damping);
         model.row_tangent(time, q, v, &at.a, &mut at.row_stiffness, &mut at.row_damping);
         model.rate_tangent(time, q, v, &mut at.rate);
         model.constraint_jacobian(time, q, &mut at.jacobian);
         model.input_tangent(time, state, &u, &mut at.input);
+        model.internal_tangent(time, state, &u, &mut at.internal);
+        model.internal_rate_tangent(time, state, &u, &at.a, &at.lambda, &mut at.internal_rates);
         Some(at)
     }
 
@@ -159,27 +165,33 @@ impl<M: Tangent<f64>> Derivatives<M> for Exact {
         equations: &Equations<'_, M, S, Self>,
         at: &Linearised<M>,
         increment: &DerivativeOf<M>,
-    ) -> (M::V, ())
+    ) -> (M::V, M::Z)
     where
         S: Fn(f64, &StateOf<M>) -> M::Inputs,
     {
         let model = equations.model();
-        let Derivative { v: dq, a: dv, .. } = increment;
+        let Derivative { v: dq, a: dv, z: dz } = increment;
         let (mut forces, mut rows) = (model.zero_v(), model.zero_lambda());
         add_product(model.stiffness_pattern(), &at.stiffness, 1.0, dq, &mut forces);
         add_product(model.damping_pattern(), &at.damping, 1.0, dv, &mut forces);
+        add_product(model.internal_pattern(), &at.internal, 1.0, dz, &mut forces);
         add_product(model.row_stiffness_pattern(), &at.row_stiffness, 1.0, dq, &mut rows);
         add_product(model.row_damping_pattern(), &at.row_damping, 1.0, dv, &mut rows);
         let (two_alpha, beta_squared) = equations.baumgarte();
         add_product(model.rate_pattern(), &at.rate, two_alpha, dq, &mut rows);
         add_product(model.jacobian_pattern(), &at.jacobian, two_alpha, dv, &mut rows);
         add_product(model.jacobian_pattern(), &at.jacobian, beta_squared, dq, &mut rows);
+        let mut du = <M::Inputs as Fields<f64>>::Array::zeros(model.input_names().len());
         if let Some((before, after, scale)) = around(model, &at.state, increment) {
             let [before, after] = [before, after].map(|state| (equations.inputs)(at.time, &state).to_array());
-            let along = after.plus(-1.0, &before).scaled(scale);
-            add_product(model.input_pattern(), &at.input, 1.0, &along, &mut forces);
+            du = after.plus(-1.0, &before).scaled(scale);
+            add_product(model.input_pattern(), &at.input, 1.0, &du, &mut forces);
         }
-        (at.response(equations.model(), &forces, &rows).0, ())
+        let (a, lambda) = at.response(equations.model(), &forces, &rows);
+        let increments =
+            [dq.as_slice(), dv.as_slice(), du.as_slice(), lambda.as_slice(), dz.as_slice(), a.as_slice()];
+        let z = at.internal_along(model, increments);
+        (a, z)
     }
 }
 
@@ -189,6 +201,25 @@ impl<M: Tangent<f64>> Linearised<M> {
         let (mut a, mut lambda) = (model.zero_v(), model.zero_lambda());
         model.solve(&self.store, &forces.scaled(-1.0), &rows.scaled(-1.0), &mut a, &mut lambda);
         (a, lambda)
+    }
+
+    /// δż of the internal states along increments of q, v, u, λ, z and v̇.
+    fn internal_along(&self, model: &M, increments: [&[f64]; 6]) -> M::Z {
+        let mut rates = model.zero_z();
+        let to = rates.as_mut_slice();
+        for (&(row, column), entry) in
+            model.internal_rate_pattern().iter().zip(self.internal_rates.as_slice())
+        {
+            let mut column = usize::from(column);
+            for increment in increments {
+                if let Some(by) = increment.get(column) {
+                    to[usize::from(row)] += entry * by;
+                    break;
+                }
+                column -= increment.len();
+            }
+        }
+        rates
     }
 
     fn by_parameters<S>(&self, equations: &Equations<'_, M, S, Exact>) -> M::ParameterTangent
@@ -202,14 +233,14 @@ impl<M: Tangent<f64>> Linearised<M> {
         entries
     }
 
-    /// ∂v̇/∂p, one vector for each parameter.
-    pub(crate) fn accelerations_by_parameters<S>(&self, equations: &Equations<'_, M, S, Exact>) -> Vec<M::V>
+    /// ∂v̇/∂p and ∂ż/∂p, one pair for each parameter.
+    pub(crate) fn rates_by_parameters<S>(&self, equations: &Equations<'_, M, S, Exact>) -> Vec<(M::V, M::Z)>
     where
         S: Fn(f64, &StateOf<M>) -> M::Inputs,
     {
         let model = equations.model();
         let (two_alpha, beta_squared) = equations.baumgarte();
-        let (n, m) = (model.velocity_count(), model.row_count());
+        let (n, m, outputs) = (model.velocity_count(), model.row_count(), model.output_names().len());
         let entries = self.by_parameters(equations);
         let column = |parameter| {
             let (mut forces, mut rows) = (model.zero_v(), model.zero_lambda());
@@ -217,19 +248,28 @@ impl<M: Tangent<f64>> Linearised<M> {
             add_column(model, &entries, parameter, n, 1.0, &mut rows);
             add_column(model, &entries, parameter, n + m, two_alpha, &mut rows);
             add_column(model, &entries, parameter, n + 2 * m, beta_squared, &mut rows);
-            self.response(equations.model(), &forces, &rows).0
+            let (a, lambda) = self.response(equations.model(), &forces, &rows);
+            let (still, none) = (vec![0.0; 2 * n], vec![0.0; model.internal_count()]);
+            let (inputs, [q, v]) = (vec![0.0; model.input_names().len()], [&still[..n], &still[n..]]);
+            let mut z = self.internal_along(model, [q, v, &inputs, lambda.as_slice(), &none, a.as_slice()]);
+            add_column(model, &entries, parameter, n + 3 * m + outputs, 1.0, &mut z);
+            (a, z)
         };
         (0..Exact::parameters(model)).map(column).collect()
     }
 
-    /// ∂q/∂p as increments and ∂v/∂p of the nearest state on the constraints, one pair for each parameter:
+    /// ∂q/∂p as increments, ∂v/∂p and ∂z/∂p of the start: the nearest state on the constraints, one for each parameter:
     /// D δq = −∂Φ/∂p and D δv = −∂(D v − ν)/∂p − ∂(D v − ν)/∂q δq, both least in the norm of M.
-    pub(crate) fn states_by_parameters<S>(&self, equations: &Equations<'_, M, S, Exact>) -> Vec<(M::V, M::V)>
+    pub(crate) fn starts_by_parameters<S>(
+        &self,
+        equations: &Equations<'_, M, S, Exact>,
+    ) -> Vec<DerivativeOf<M>>
     where
         S: Fn(f64, &StateOf<M>) -> M::Inputs,
     {
         let model = equations.model();
         let (n, m) = (model.velocity_count(), model.row_count());
+        let first_start = n + 3 * m + model.output_names().len() + model.internal_count();
         let (model, entries) = (equations.model(), self.by_parameters(equations));
         let column = |parameter| {
             let (mut phi, mut rates) = (model.zero_lambda(), model.zero_lambda());
@@ -238,7 +278,9 @@ impl<M: Tangent<f64>> Linearised<M> {
             add_column(model, &entries, parameter, n + m, 1.0, &mut rates);
             add_product(model.rate_pattern(), &self.rate, 1.0, &dq, &mut rates);
             let dv = self.response(model, &model.zero_v(), &rates).0;
-            (dq, dv)
+            let mut dz = model.zero_z();
+            add_column(model, &entries, parameter, first_start, 1.0, &mut dz);
+            Derivative { v: dq, a: dv, z: dz }
         };
         (0..Exact::parameters(model)).map(column).collect()
     }

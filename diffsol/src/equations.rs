@@ -258,10 +258,10 @@ where
     S: Fn(f64, &StateOf<M>) -> M::Inputs,
 {
     /// The derivatives of the start by the parameters; none where they are not to be had.
-    pub(crate) fn start_sensitivities(&self) -> Vec<Sensitivity<M::V>> {
+    pub(crate) fn start_sensitivities(&self) -> Vec<Sensitivity<M::V, M::Z>> {
         let at = Exact::at(self, self.start_time, &self.start);
-        let by_parameters = at.map_or(Vec::new(), |at| at.states_by_parameters(self));
-        by_parameters.into_iter().map(|(q, v)| Sensitivity { q, v }).collect()
+        let by_parameters = at.map_or(Vec::new(), |at| at.starts_by_parameters(self));
+        by_parameters.into_iter().map(|Derivative { v: q, a: v, z }| Sensitivity { q, v, z }).collect()
     }
 }
 
@@ -361,13 +361,14 @@ where
         let model = self.model;
         let y = y.clone_as_vec();
         let columns = match self.at(time, &y) {
-            Some(at) => at.accelerations_by_parameters(self),
-            None => vec![model.zero_v(); self.nparams()],
+            Some(at) => at.rates_by_parameters(self),
+            None => vec![(model.zero_v(), model.zero_z()); self.nparams()],
         };
         let positions = coordinates::positions(model.layout());
-        for (index, column) in columns.iter().enumerate() {
+        for (index, (a, z)) in columns.iter().enumerate() {
             let mut entries = vec![0.0; positions];
-            entries.extend_from_slice(column.as_slice());
+            entries.extend_from_slice(a.as_slice());
+            entries.extend_from_slice(z.as_slice());
             to.set_column(index, &NalgebraVec::from_vec(entries, self.context));
         }
     }
@@ -398,8 +399,8 @@ where
         let y = self.entries_of(&self.start);
         let columns: Vec<Vec<f64>> = match self.at(self.start_time, &y) {
             Some(at) => {
-                let moved = at.states_by_parameters(self).into_iter();
-                moved.map(|(dq, dv)| self.motion(&y, &Derivative { v: dq, a: dv, z: () })).collect()
+                let moved = at.starts_by_parameters(self).into_iter();
+                moved.map(|increment| self.motion(&y, &increment)).collect()
             }
             None => vec![vec![0.0; self.length()]; self.nparams()],
         };

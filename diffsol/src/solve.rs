@@ -21,11 +21,13 @@ pub enum Method {
 
 /// The derivative of a state by one parameter.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Sensitivity<V> {
+pub struct Sensitivity<V, Z = ()> {
     /// Of the positions, as an increment q ⊕ δ: one entry for each velocity.
     pub q: V,
     /// Of the velocities.
     pub v: V,
+    /// Of the internal states.
+    pub z: Z,
 }
 
 /// The states of a problem at `times` (s), ascending from the start on.
@@ -74,7 +76,7 @@ pub fn sensitivities<M, S>(
     problem: &Problem<'_, M, S, Exact>,
     method: Method,
     times: &[f64],
-) -> Result<(Vec<StateOf<M>>, Vec<Vec<Sensitivity<M::V>>>), Error>
+) -> Result<(Vec<StateOf<M>>, Vec<Vec<Sensitivity<M::V, M::Z>>>), Error>
 where
     M: Tangent<f64>,
     S: Fn(f64, &StateOf<M>) -> M::Inputs,
@@ -98,8 +100,8 @@ where
         // One lane for each parameter.
         let motions = motions.map_or(Vec::new(), |motions| motions.clone_as_vec());
         let of = |motion| {
-            let Derivative { v: q, a: v, .. } = equations.increment(&y, motion);
-            Sensitivity { q, v }
+            let Derivative { v: q, a: v, z } = equations.increment(&y, motion);
+            Sensitivity { q, v, z }
         };
         derivatives.push(motions.chunks_exact(y.len()).map(of).collect());
         Ok(())

@@ -2,15 +2,17 @@
 #![warn(missing_docs)]
 
 use linkwright_compiler::diagnostics::Region;
+use linkwright_compiler::source::written::Place;
 use linkwright_compiler::{Expansion, unreadable};
 use proc_macro::{LexError, Literal, TokenStream, TokenTree};
+use proc_macro2::Span;
 use std::ffi::OsStr;
 use std::path::Path;
 
 /// What `linkwright::mechanism!` calls, with `($crate)` before the definition. Called without it, it takes the crate for `::linkwright`.
 #[proc_macro]
 pub fn mechanism(tokens: TokenStream) -> TokenStream {
-    match linkwright_compiler::expand(tokens.into(), |span| span.unwrap().local_file()) {
+    match linkwright_compiler::expand(tokens.into(), place_of) {
         Expansion::Items { import, text, mut warnings, name } => {
             let mut items = TokenStream::from(import);
             let read = text.parse::<TokenStream>();
@@ -29,6 +31,14 @@ pub fn mechanism(tokens: TokenStream) -> TokenStream {
 pub fn mechanism_page(tokens: TokenStream) -> TokenStream {
     let page = linkwright_compiler::expand_page(tokens.into());
     TokenTree::from(Literal::string(&page)).into()
+}
+
+/// Where a token stands, as far as rustc tells.
+fn place_of(span: Span) -> Option<Place> {
+    let span = span.unwrap();
+    let ends = [span.start(), span.end()];
+    let [start, end] = ends.map(|end| [end.line(), end.column()]);
+    Some(Place { file: span.local_file()?, start, end })
 }
 
 /// Whether a place is in a file that the user may change: a definition can come out of a macro of somebody else's.

@@ -4,9 +4,11 @@
 #![warn(missing_docs)]
 
 pub mod andrews;
+pub mod braked_wheel;
 pub mod bricard;
 pub mod car_axis;
 pub mod change_point_four_bar;
+pub mod dc_motor_arm;
 pub mod delta_robot;
 pub mod double_pendulum;
 pub mod double_wishbone;
@@ -92,6 +94,8 @@ macro_rules! for_each_model {
             stewart_platform: $crate::stewart_platform::StewartPlatform,
             delta_robot: $crate::delta_robot::DeltaRobot,
             double_wishbone: $crate::double_wishbone::DoubleWishbone,
+            dc_motor_arm: $crate::dc_motor_arm::DcMotorArm,
+            braked_wheel: $crate::braked_wheel::BrakedWheel,
         }
     };
 }

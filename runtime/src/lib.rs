@@ -47,6 +47,8 @@ pub mod rotation;
 pub mod simulation;
 pub mod state;
 #[doc(hidden)]
+pub mod table;
+#[doc(hidden)]
 pub mod tabled;
 pub mod tangent;
 pub mod vector;
@@ -71,7 +73,8 @@ pub use integrator::{
 };
 pub use layout::{Layout, MultiTurn, inverse_differential, retract, retract_counting};
 pub use linearisation::{
-    Actuation, ByParameters, Equilibrium, Linearisation, Response, StateSpace, actuation, equilibrium,
+    Actuation, ByParameters, Equilibrium, EquilibriumOf, Linearisation, Response, StateSpace, actuation,
+    equilibrium,
 };
 pub use mechanism::{Assemble, Condition, ConditionKind, Elimination, Flips, Mechanism, Row};
 pub use named::{Angle, Turns};
@@ -80,7 +83,7 @@ pub use report::Report;
 pub use rotation::unwrap_angle;
 pub use simulation::{
     Direction, Event, MechanismDynamics, NearSingular, Occurrence, Residual, Sample, Samples, Simulation,
-    Step,
+    Solution, SolutionOf, Step,
 };
 pub use state::{Derivative, DerivativeOf, Kinematics, Motion, State, StateOf, Variables};
 pub use tangent::Tangent;
@@ -105,6 +108,7 @@ pub mod __private {
         pub use crate::report::Report;
         pub use crate::rotation::unwrap_angle;
         pub use crate::state::{Kinematics, Motion, State, Variables};
+        pub use crate::table;
         pub use crate::tabled;
         pub use crate::tangent::Tangent;
         pub use crate::vector::Vector;

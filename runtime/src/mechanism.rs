@@ -151,6 +151,11 @@ pub trait Mechanism<R: Real>: Variables<R> {
     fn velocity_count(&self) -> usize {
         self.layout().velocities()
     }
+    /// n_z, the number of internal states.
+    #[inline]
+    fn internal_count(&self) -> usize {
+        self.internal_names().len()
+    }
     /// m.
     #[inline]
     fn row_count(&self) -> usize {
@@ -165,6 +170,11 @@ pub trait Mechanism<R: Real>: Variables<R> {
     #[inline]
     fn zero_lambda(&self) -> Self::Lambda {
         Vector::zeros(self.row_count())
+    }
+    /// Zeros for the internal states or their rates.
+    #[inline]
+    fn zero_z(&self) -> Self::Z {
+        Vector::zeros(self.internal_count())
     }
     /// Zeros for the entries of M.
     #[inline]

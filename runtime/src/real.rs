@@ -4,6 +4,7 @@
 //! as [`Real::select`] so that one source serves a number, a row of SIMD lanes and a dual number alike. This file
 //! implements it for `f32` and `f64`. Vectors of scalars are `vector.rs`, rotations `rotation.rs`.
 
+use crate::table;
 use core::fmt::Debug;
 use core::ops::{Add, BitAnd, BitOr, Div, Mul, Neg, Not, Sub};
 
@@ -103,6 +104,11 @@ pub trait Real:
     fn not_equal(self, other: Self) -> Self::Mask;
     /// `a` where the mask is true, `b` where it is false; both are already evaluated.
     fn select(mask: Self::Mask, a: Self, b: Self) -> Self;
+    /// The number of the row of a table that it is in, in every lane: how many bases, the first entries of rows, from the second
+    /// row on are not above it. Bases ascend, and are NaN in the rows that fill up to a power of two.
+    fn cell<const K: usize, const N: usize>(self, rows: &[[f64; K]; N]) -> Self;
+    /// The entries of the row of this number, in every lane those of its own row.
+    fn row<const K: usize, const N: usize>(self, rows: &[[f64; K]; N]) -> [Self; K];
     /// Whether the mask is true in at least one lane; lets rare work be skipped when no lane needs it.
     fn any(mask: Self::Mask) -> bool;
 }
@@ -258,6 +264,14 @@ macro_rules! impl_real {
             #[inline(always)]
             fn select(mask: bool, a: Self, b: Self) -> Self {
                 if mask { a } else { b }
+            }
+            #[inline]
+            fn cell<const K: usize, const N: usize>(self, rows: &[[f64; K]; N]) -> Self {
+                table::find(rows, f64::from(self)) as $float
+            }
+            #[inline]
+            fn row<const K: usize, const N: usize>(self, rows: &[[f64; K]; N]) -> [Self; K] {
+                table::row(rows, self as u32).map(|entry| entry as $float)
             }
             #[inline(always)]
             fn any(mask: bool) -> bool {

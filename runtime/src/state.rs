@@ -22,6 +22,11 @@ pub trait Variables<R: Real> {
     type Z: Vector<R>;
     /// What is held between events, such as whether a contact is closed; `()` where there is nothing.
     type Gates: Vector<R>;
+    /// For each internal state the size below which its errors count as absolute, in its own unit; none given counts as 1.
+    #[inline]
+    fn internal_scales(&self) -> &[f64] {
+        &[]
+    }
     /// Multipliers of the constraints, `[R; m]`.
     type Lambda: Vector<R>;
 }

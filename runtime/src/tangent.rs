@@ -17,18 +17,17 @@ use core::fmt::Debug;
 
 /// The derivatives of the equations of motion, evaluated in the scalars `R`.
 ///
-/// Notation as in [`Mechanism`](crate::mechanism::Mechanism): n_v velocities, m rows, n_u inputs, n_p parameters, n_y outputs,
-/// f degrees of freedom, with the coordinates of [`states`](Tangent::states). `a` and `lambda` are any accelerations and multipliers;
+/// Notation as in [`Mechanism`](crate::mechanism::Mechanism): n_v velocities, n_z internal states z, m rows, n_u inputs, n_p
+/// parameters, n_y outputs, f degrees of freedom, with the coordinates s of [`states`](Tangent::states). `a` and `lambda` are any accelerations and multipliers;
 /// they need not solve anything. Every function writes all stored entries of its result, allocates nothing and never fails.
-/// There are no derivatives by internal states: what has such states has no tangent.
 /// Where a law has a kink (min, max, |x|, a choice) the derivative is that of the branch taken.
 #[diagnostic::on_unimplemented(
     message = "the derivatives of `{Self}` are not emitted",
     label = "this needs its tangent",
     note = "add `options {{ emit = (tangent); }}` to the definition of the mechanism"
 )]
-pub trait Tangent<R: Real>: Assemble<R, Z = (), Inputs: Fields<R>, Outputs: Fields<R>> {
-    /// Indices into [`conditions`](Assemble::conditions): the coordinates z of linearised motions, one for each degree of
+pub trait Tangent<R: Real>: Assemble<R, Inputs: Fields<R>, Outputs: Fields<R>> {
+    /// Indices into [`conditions`](Assemble::conditions): the coordinates s of linearised motions, one for each degree of
     /// freedom. They are those of [`independent`](Assemble::independent) and, where these do not suffice because bodies turn on
     /// balls, components of ω: no three numbers are the coordinates of such an orientation.
     fn states(&self) -> &[u16];
@@ -44,11 +43,22 @@ pub trait Tangent<R: Real>: Assemble<R, Z = (), Inputs: Fields<R>, Outputs: Fiel
     fn rate_pattern(&self) -> &[(u16, u16)];
     /// Entries of ∂r/∂u, n_v × n_u.
     fn input_pattern(&self) -> &[(u16, u16)];
-    /// Entries of the derivatives by parameters, (n_v + 3m + n_y) × n_p: rows of r, D a − γ, D v − ν, Φ, outputs.
+    /// Entries of ∂r/∂z, n_v × n_z.
+    #[inline]
+    fn internal_pattern(&self) -> &[(u16, u16)] {
+        &[]
+    }
+    /// Entries of the derivatives by parameters, (n_v + 3m + n_y + 2n_z) × n_p: rows of r, D a − γ, D v − ν, Φ, outputs, ż,
+    /// and z at the start.
     fn parameter_pattern(&self) -> &[(u16, u16)];
-    /// Entries of the outputs' derivatives, n_y × (2n_v + n_u + m): columns of q, v, u, λ.
+    /// Entries of the outputs' derivatives, n_y × (3n_v + n_u + m + n_z): columns of q, v, u, λ, z, a.
     fn output_pattern(&self) -> &[(u16, u16)];
-    /// Entries of ∂(ż, z̈)/∂(q, v), 2f × 2n_v.
+    /// Entries of the derivatives of ż, n_z rows with the same columns.
+    #[inline]
+    fn internal_rate_pattern(&self) -> &[(u16, u16)] {
+        &[]
+    }
+    /// Entries of ∂(ṡ, s̈)/∂(q, v), 2f × 2n_v.
     fn coordinate_pattern(&self) -> &[(u16, u16)];
 
     /// The stored entries of ∂r/∂q.
@@ -63,26 +73,30 @@ pub trait Tangent<R: Real>: Assemble<R, Z = (), Inputs: Fields<R>, Outputs: Fiel
     type RateTangent: Vector<R>;
     /// The stored entries of ∂r/∂u.
     type InputTangent: Vector<R>;
+    /// The stored entries of ∂r/∂z; `()` where there are no internal states.
+    type InternalTangent: Vector<R>;
     /// The stored entries of the derivatives by parameters.
     type ParameterTangent: Vector<R>;
     /// The stored entries of the outputs' derivatives.
     type OutputTangent: Vector<R>;
-    /// The stored entries of ∂(ż, z̈)/∂(q, v).
+    /// The stored entries of the derivatives of ż; `()` where there are no internal states.
+    type InternalRateTangent: Vector<R>;
+    /// The stored entries of ∂(ṡ, s̈)/∂(q, v).
     type CoordinateTangent: Vector<R>;
 
-    /// `[R; 2f·2f]`, A of ẋ = A x + B u, row by row.
+    /// `[R; n_x·n_x]`, A of ẋ = A x + B u, row by row, n_x = 2f + n_z.
     type StateMatrix: Vector<R>;
-    /// `[R; 2f·n_u]`, B.
+    /// `[R; n_x·n_u]`, B.
     type InputMatrix: Vector<R>;
-    /// `[R; n_y·2f]`, C of y = C x + D u.
+    /// `[R; n_y·n_x]`, C of y = C x + D u.
     type OutputMatrix: Vector<R>;
     /// `[R; n_y·n_u]`, D.
     type Feedthrough: Vector<R>;
-    /// `[R; n_v + m]`.
+    /// `[R; n_v + m + n_z]`.
     type Unknowns: Vector<R>;
-    /// `[R; (n_v + m)²]`, \[∂r/∂q, Dᵀ; D, 0\], row by row.
+    /// `[R; (n_v + m + n_z)²]`, \[∂r/∂q, Dᵀ; D, 0\] and the rows and columns of z, row by row.
     type Bordered: Vector<R>;
-    /// `[u16; n_v + m]`, an order of those unknowns.
+    /// `[u16; n_v + m + n_z]`, an order of those unknowns.
     type Order: Clone + Debug + AsRef<[u16]> + AsMut<[u16]>;
     /// The parameters, p.
     type Parameters: Fields<R>;
@@ -135,7 +149,18 @@ pub trait Tangent<R: Real>: Assemble<R, Z = (), Inputs: Fields<R>, Outputs: Fiel
         u: &Self::Inputs,
         input: &mut Self::InputTangent,
     );
-    /// The derivatives of r, D a − γ, D v − ν, Φ and, at given λ, the outputs by the parameters. The phases of gears and racks
+    /// ∂r/∂z = −∂Q/∂z of the internal states.
+    #[inline]
+    fn internal_tangent(
+        &self,
+        time: R,
+        state: &StateOf<Self, R>,
+        u: &Self::Inputs,
+        internal: &mut Self::InternalTangent,
+    ) {
+        let _ = (time, state, u, internal);
+    }
+    /// The derivatives of r, D a − γ, D v − ν, Φ and, at given a and λ, the outputs, ż, and z at the start by the parameters. The phases of gears and racks
     /// that take them from the start are held, and so is the position, though another start would be assembled. A value that depends on
     /// parameters alone is computed when they are set: a parameter at which it has an infinite slope, as √p at 0, is refused there.
     #[allow(clippy::too_many_arguments)]
@@ -148,16 +173,32 @@ pub trait Tangent<R: Real>: Assemble<R, Z = (), Inputs: Fields<R>, Outputs: Fiel
         lambda: &Self::Lambda,
         parameter: &mut Self::ParameterTangent,
     );
-    /// The derivatives of the outputs by q, v, u and λ; by the last only of those that name drivers' efforts or powers.
+    /// The derivatives of the outputs by q, v, u, λ, z and a; by λ and a only of those that name results.
+    #[allow(clippy::too_many_arguments)]
     fn output_tangent(
         &self,
         time: R,
         state: &StateOf<Self, R>,
         u: &Self::Inputs,
+        a: &Self::V,
         lambda: &Self::Lambda,
         output: &mut Self::OutputTangent,
     );
-    /// ∂(ż, z̈)/∂(q, v) of the coordinates z at given a. The block ∂ż/∂v = ∂z̈/∂a is B, with ż = B v.
+    /// The derivatives of ż of the internal states by q, v, u, λ, z and a.
+    #[inline]
+    #[allow(clippy::too_many_arguments)]
+    fn internal_rate_tangent(
+        &self,
+        time: R,
+        state: &StateOf<Self, R>,
+        u: &Self::Inputs,
+        a: &Self::V,
+        lambda: &Self::Lambda,
+        rates: &mut Self::InternalRateTangent,
+    ) {
+        let _ = (time, state, u, a, lambda, rates);
+    }
+    /// ∂(ṡ, s̈)/∂(q, v) of the coordinates s at given a. The block ∂ṡ/∂v = ∂s̈/∂a is B, with ṡ = B v.
     fn coordinate_tangent(
         &self,
         time: R,
@@ -167,11 +208,11 @@ pub trait Tangent<R: Real>: Assemble<R, Z = (), Inputs: Fields<R>, Outputs: Fiel
         coordinate: &mut Self::CoordinateTangent,
     );
 
-    /// n_v + m.
+    /// n_v + m + n_z.
     #[doc(hidden)]
     #[inline]
     fn unknown_count(&self) -> usize {
-        self.velocity_count() + self.row_count()
+        self.velocity_count() + self.row_count() + self.internal_count()
     }
     /// Zeros for the entries of [`Stiffness`](Tangent::Stiffness).
     #[inline]
@@ -202,6 +243,16 @@ pub trait Tangent<R: Real>: Assemble<R, Z = (), Inputs: Fields<R>, Outputs: Fiel
     #[inline]
     fn zero_input_tangent(&self) -> Self::InputTangent {
         Vector::zeros(self.input_pattern().len())
+    }
+    /// Zeros for the entries of [`InternalTangent`](Tangent::InternalTangent).
+    #[inline]
+    fn zero_internal_tangent(&self) -> Self::InternalTangent {
+        Vector::zeros(self.internal_pattern().len())
+    }
+    /// Zeros for the entries of [`InternalRateTangent`](Tangent::InternalRateTangent).
+    #[inline]
+    fn zero_internal_rate_tangent(&self) -> Self::InternalRateTangent {
+        Vector::zeros(self.internal_rate_pattern().len())
     }
     /// Zeros for the entries of [`ParameterTangent`](Tangent::ParameterTangent).
     #[inline]

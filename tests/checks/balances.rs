@@ -5,7 +5,7 @@ use crate::identities::{derivative_over, row_rates};
 use crate::registry::{At, Model, Random, compiled, fields, for_each, vector};
 use crate::walking::walk;
 use crate::zoo::{Floating, FloatingState, Shaken};
-use linkwright::{AssembleExt, Mechanism, Simulation, State, Vector, retract};
+use linkwright::{AssembleExt, Mechanism, Simulation, State, StateOf, Vector, retract};
 use linkwright_compiler::equations::space::constant_axis;
 use linkwright_compiler::forms::Law;
 use linkwright_compiler::functions::{MOTION, REACTION};
@@ -24,35 +24,36 @@ for_each!(joints_exert_nothing_along_their_freedom);
 fn equations_are_solved<M: Model>() {
     let (_, _, model, states) = walk::<M>(20, STATES);
     let mut random = Random::new(21);
-    for At { time, q, v, u } in &states {
+    for at in &states {
+        let At { time, q, v, u, .. } = at;
         let mut a = model.zero_v();
         let mut lambda = model.zero_lambda();
-        let pivot = model.acceleration(*time, &State::new(*q, *v), u, &mut a, &mut lambda);
+        let pivot = model.acceleration(*time, &at.state(), u, &mut a, &mut lambda);
         assert!(pivot > 0.0 && pivot <= 1.0, "{}: pivot {pivot}", model.name());
-        assert_solved(&model, *time, (q, v, u), (0.0, 0.0), (&a, &lambda));
+        assert_solved(&model, *time, (&at.state(), u), (0.0, 0.0), (&a, &lambda));
 
         let (off, faster) = (random.vector(a.as_slice().len()), random.vector(a.as_slice().len()));
         let mut away = *q;
         retract(model.layout(), q, &vector::<M::V>(&off).scaled(1e-2), &mut away);
-        let v = v.plus(0.1, &vector(&faster));
-        let off = State::new(away, v);
+        let off = at.at(away, v.plus(0.1, &vector(&faster)));
         model.acceleration_baumgarte(*time, &off, u, 7.0, 50.0, &mut a, &mut lambda);
-        assert_solved(&model, *time, (&away, &v, u), (7.0, 50.0), (&a, &lambda));
+        assert_solved(&model, *time, (&off, u), (7.0, 50.0), (&a, &lambda));
     }
 }
 
 fn assert_solved<M: Model>(
     model: &M,
     time: f64,
-    (q, v, u): (&M::Q, &M::V, &M::Inputs),
+    (state, u): (&StateOf<M>, &M::Inputs),
     (two_alpha, beta_squared): (f64, f64),
     (a, lambda): (&M::V, &M::Lambda),
 ) {
+    let State { q, v, .. } = state;
     let (mut mass, mut jacobian) = (model.zero_mass(), model.zero_jacobian());
     let (mut forces, mut gamma, mut phi) = (model.zero_v(), model.zero_lambda(), model.zero_lambda());
     model.mass_matrix(time, q, &mut mass);
     model.constraint_jacobian(time, q, &mut jacobian);
-    model.forces(time, &State::new(*q, *v), u, &mut forces);
+    model.forces(time, state, u, &mut forces);
     model.gamma(time, q, v, &mut gamma);
     model.constraints(time, q, &mut phi);
     let (rates, _) = row_rates(model, time, q, v);
@@ -172,7 +173,7 @@ fn power_is_balanced<M: Model>() {
         let Ahead { at, lambda, .. } = &ahead;
         let kinetic = ahead.rate(|time, q, v| model.kinetic_energy(time, q, v));
         let gravity = ahead.rate(|time, q, v| {
-            stored::<M>(&weightless, &parameters, time, q) - model.potential_energy(time, &State::new(*q, *v))
+            stored::<M>(&weightless, &parameters, time, q) - model.potential_energy(time, &at.at(*q, *v))
         });
         let mut nu = model.zero_lambda();
         model.nu(at.time, &at.q, &mut nu);
@@ -303,7 +304,7 @@ fn a_moving_support_works() {
         let ahead = Ahead::new(&model, at);
         let Ahead { at, a, lambda } = &ahead;
         let energy = ahead.rate(|time, q, v| {
-            model.kinetic_energy(time, q, v) + model.potential_energy(time, &State::new(*q, *v))
+            model.kinetic_energy(time, q, v) + model.potential_energy(time, &at.at(*q, *v))
         });
         let force = model.reactions(t, &at.state(), &at.u, a, lambda)[shoulder].force;
         let support = force[0] * stroke * 3.0 * (3.0 * t).cos() - force[1] * 0.05 * 2.0 * (2.0 * t).sin();

@@ -11,7 +11,7 @@ use linkwright::{Tangent, Vector};
 use linkwright_compiler::Compiled;
 use linkwright_compiler::model::Coordinates;
 use linkwright_compiler::schedule::{self, Function, Inputs};
-use linkwright_compiler::symbolic::{Graph, Node, Op, Unary, evaluate};
+use linkwright_compiler::symbolic::{Graph, Node, Op, Unary, evaluate, of_patch, of_piece};
 
 /// Whether the runtime's `mul_add` rounds once.
 const FUSED: bool = cfg!(any(target_feature = "fma", target_arch = "aarch64"));
@@ -91,6 +91,11 @@ fn emitted<M: Model>(model: &M, inputs: &Inputs, function: Function) -> Option<V
             model.acceleration_baumgarte(t, state, u, inputs.two_alpha, inputs.beta_squared, a, lambda)
         }),
         Function::Outputs => linkwright::Fields::to_array(&model.outputs(t, state, u)).as_slice().to_vec(),
+        Function::InternalRates => {
+            let mut rates = at.z;
+            model.internal_rates(t, state, u, &a, &lambda, &mut rates);
+            rates.as_slice().to_vec()
+        }
         Function::InverseDynamics => model.flat_inverse_dynamics(&at, &a),
         Function::Powers => model.flat_powers(&at),
         Function::DriverEfforts => model.flat_driver_efforts(&at, &lambda),
@@ -113,6 +118,7 @@ fn emitted<M: Model>(model: &M, inputs: &Inputs, function: Function) -> Option<V
             model.start_targets(&mut positions, &mut rates);
             positions.as_slice().iter().chain(rates.as_slice()).copied().collect()
         }
+        Function::StartInternal => model.start_internal().as_slice().to_vec(),
         Function::RowScales => written(model.zero_lambda(), |out| model.row_scales(out)),
         Function::Prepare | Function::Masses => return None,
         // Compared together below.
@@ -124,6 +130,8 @@ fn emitted<M: Model>(model: &M, inputs: &Inputs, function: Function) -> Option<V
         | Function::RowTangent
         | Function::RateTangent
         | Function::InputTangent
+        | Function::InternalTangent
+        | Function::InternalRateTangent
         | Function::ParameterTangent
         | Function::OutputTangent
         | Function::CoordinateTangent => return None,
@@ -180,7 +188,7 @@ fn factorisation_is_the_program<M: Model>(compiled: &Compiled, model: &M, mut in
 fn null_space_is_the_program<M: Model>(compiled: &Compiled, model: &M, mut inputs: Inputs) {
     let Some(written) = &compiled.complete.further.null_space else { return };
     let at = At::<M>::of(&inputs);
-    let (At { time, q, v, u }, state) = (&at, &at.state());
+    let (At { time, q, v, u, .. }, state) = (&at, &at.state());
     let (mut lu, mut velocity) = (model.lu(), model.zero_v());
     let pivot = model.factor_jacobian(*time, q, &mut lu);
     model.dependent_velocities(&lu, &vector(&inputs.given_rows), v, &mut velocity);
@@ -215,7 +223,7 @@ fn emitted_tangents_are_the_programs<M: Model + Tangent<f64>>() {
         inputs.prepared = schedule::run(compiled.programs.get(Function::Prepare), &inputs);
         fix_phases(&compiled, &mut inputs);
         let at = At::<M>::of(&inputs);
-        let (At { time: t, q, v, u }, state) = (&at, &at.state());
+        let (At { time: t, q, v, u, .. }, state) = (&at, &at.state());
         let (t, a, lambda) = (*t, vector::<M::V>(&inputs.acceleration), vector::<M::Lambda>(&inputs.lambda));
         let (a, lambda) = (&a, &lambda);
         let check = |function: Function, emitted: Vec<f64>| {
@@ -239,7 +247,17 @@ fn emitted_tangents_are_the_programs<M: Model + Tangent<f64>>() {
         );
         check(
             Function::OutputTangent,
-            written(model.zero_output_tangent(), |out| model.output_tangent(t, state, u, lambda, out)),
+            written(model.zero_output_tangent(), |out| model.output_tangent(t, state, u, a, lambda, out)),
+        );
+        check(
+            Function::InternalTangent,
+            written(model.zero_internal_tangent(), |out| model.internal_tangent(t, state, u, out)),
+        );
+        check(
+            Function::InternalRateTangent,
+            written(model.zero_internal_rate_tangent(), |out| {
+                model.internal_rate_tangent(t, state, u, a, lambda, out)
+            }),
         );
         check(
             Function::CoordinateTangent,
@@ -330,6 +348,16 @@ fn errors(graph: &Graph, values: &[f64]) -> Vec<f64> {
                 } else {
                     error(b)
                 }
+            }
+            Op::Cell(..) => 0.0,
+            Op::Piece(table, orders, cell, x) => {
+                let (slope, of_terms) = of_piece(graph.table(table), orders, value(cell), value(x));
+                slope * error(x) + of_terms
+            }
+            Op::Patch(table, orders, cell, x, y) => {
+                let (slopes, of_terms) =
+                    of_patch(graph.table(table), orders, value(cell), [value(x), value(y)]);
+                slopes[0] * error(x) + slopes[1] * error(y) + of_terms
             }
         };
         errors.push(own + propagated);

@@ -4,7 +4,7 @@
 use crate::registry::{Model, Random, compiled, fields, vector};
 use linkwright::{Mechanism, State};
 use linkwright_compiler::schedule::{Function, Instruction};
-use linkwright_compiler::symbolic::{Compare, Unary};
+use linkwright_compiler::symbolic::{Compare, Orders, Unary};
 use mechanisms::everything::{Everything, EverythingOutputs};
 use std::f64::consts::TAU;
 
@@ -35,6 +35,22 @@ fn every_operation_occurs() {
     assert!(has(|i| matches!(i, Instruction::Or(..))));
     assert!(has(|i| matches!(i, Instruction::Not(..))));
     assert!(has(|i| matches!(i, Instruction::Select(..))));
+    let tabled = self::compiled::<mechanisms::zoo_laws::Tabled>(None);
+    let all = || tabled.programs.functions.iter().flat_map(|(_, program)| &program.instructions);
+    assert!(all().any(|i| matches!(i, Instruction::Cell(..))));
+    for order in 0..4 {
+        assert!(
+            all().any(|i| matches!(i, Instruction::Piece(_, orders, ..) if orders.first() == order)),
+            "{order}"
+        );
+    }
+    for orders in [(0, 0), (1, 0), (0, 1)] {
+        let of = |orders: &Orders| (orders.first(), orders.second());
+        assert!(
+            all().any(|i| matches!(i, Instruction::Patch(_, own, ..) if of(own) == orders)),
+            "{orders:?}"
+        );
+    }
     assert!(!compiled.programs.get(Function::Prepare).outputs.is_empty());
 }
 

@@ -113,7 +113,7 @@ fn kinematics_follow_the_given_motion<M: Model>() {
 /// Φ = 0, D v = ν, D v̇ = γ, and the independent coordinates, their rates and second derivatives are those given.
 fn assert_followed<M: Model>(model: &M, time: f64, found: &Kinematics<M::Q, M::V>, given: &[Motion<f64>]) {
     let Kinematics { q, v, a } = found;
-    let residual = Residual::of(model, time, &State::new(*q, *v));
+    let residual = Residual::of(model, time, &State { q: *q, v: *v, ..model.start() });
     assert!(residual.position <= 1e-11, "{}: {residual:?}", model.name());
     assert!(residual.velocity <= 1e-10 * (1.0 + v.max_abs()), "{}: {residual:?}", model.name());
     let mut gamma = model.zero_lambda();

@@ -4,13 +4,14 @@
 use crate::identities::derivative_over;
 use crate::registry::{At, Model, Random, fields, vector};
 use crate::walking::walk;
+use crate::zoo_laws::Servo;
 use crate::zoo_tangent::for_each_with_tangent;
 use crate::zoo_tangent::{
     Bar, Buoy, Flail, Gripper, GripperInputs, Rocker, Spring, SpringInputs, Swing, Winch,
 };
 use linkwright::{
-    AssembleExt, ConditionKind, Fields, Linearisation, LinearisationError, Mechanism, Motion, State, Tangent,
-    Variables, Vector, actuation, equilibrium, project_position, project_velocity, retract,
+    AssembleExt, ConditionKind, Fields, Linearisation, LinearisationError, Mechanism, Motion, State, StateOf,
+    Tangent, Variables, Vector, actuation, equilibrium, project_position, project_velocity, retract,
 };
 
 const STATES: usize = 4;
@@ -38,10 +39,18 @@ fn moved<M: Model>(model: &M, q: &M::Q, delta: &M::V) -> M::Q {
 }
 
 /// v̇, then λ.
-fn solved<M: Model>(model: &M, time: f64, q: &M::Q, v: &M::V, u: &M::Inputs) -> Vec<f64> {
+fn solved<M: Model>(model: &M, time: f64, state: &StateOf<M>, u: &M::Inputs) -> Vec<f64> {
     let (mut a, mut lambda) = (model.zero_v(), model.zero_lambda());
-    model.acceleration(time, &State::new(*q, *v), u, &mut a, &mut lambda);
+    model.acceleration(time, state, u, &mut a, &mut lambda);
     [a.as_slice(), lambda.as_slice()].concat()
+}
+
+/// ż of the internal states.
+fn internal<M: Model>(model: &M, time: f64, state: &StateOf<M>, u: &M::Inputs) -> Vec<f64> {
+    let (mut a, mut lambda, mut rates) = (model.zero_v(), model.zero_lambda(), model.zero_z());
+    model.acceleration(time, state, u, &mut a, &mut lambda);
+    model.internal_rates(time, state, u, &a, &lambda, &mut rates);
+    rates.as_slice().to_vec()
 }
 
 fn input<M: Model>(u: &M::Inputs, k: usize, h: f64) -> M::Inputs {
@@ -59,14 +68,14 @@ fn assert_close(name: &str, found: &[f64], expected: &[f64], tolerance: f64) {
     }
 }
 
-/// ∂(v̇, λ) by q, v, u and p against differences of `acceleration`.
+/// ∂(v̇, λ) by q, v, z, u and p, and ∂ż, against differences of `acceleration`.
 fn responses_are_the_derivatives<M: Model + Tangent<f64>>() {
     let (_, parameters, model, states) = walk::<M>(50, STATES);
     for at in &states {
         let here = linearised(&model, at);
         let (time, q, v, u) = (at.time, &at.q, &at.v, &at.u);
         let flat = [here.acceleration().as_slice(), here.multipliers().as_slice()].concat();
-        assert_eq!(flat, solved(&model, time, q, v, u));
+        assert_eq!(flat, solved(&model, time, &at.state(), u));
         let check = |what: &str,
                      k: usize,
                      found: linkwright::Response<M::V, M::Lambda>,
@@ -80,32 +89,48 @@ fn responses_are_the_derivatives<M: Model + Tangent<f64>>() {
             );
         };
         for k in 0..model.velocity_count() {
-            let by_position =
-                |h: f64| solved(&model, time, &moved(&model, q, &along(model.zero_v(), k, h)), v, u);
-            check("position", k, here.by_position(k), &by_position);
-            check("velocity", k, here.by_velocity(k), &|h| {
-                solved(&model, time, q, &v.plus(1.0, &along(model.zero_v(), k, h)), u)
-            });
+            let further = |h: f64| at.at(moved(&model, q, &along(model.zero_v(), k, h)), *v);
+            let faster = |h: f64| at.at(*q, v.plus(1.0, &along(model.zero_v(), k, h)));
+            check("position", k, here.by_position(k), &|h| solved(&model, time, &further(h), u));
+            check("velocity", k, here.by_velocity(k), &|h| solved(&model, time, &faster(h), u));
+            let (unit, none, still) = (along(model.zero_v(), k, 1.0), model.zero_v(), model.zero_z());
+            let rates = here.internal_rates(&unit, &none, &still, &here.by_position(k));
+            let expected = derivative_over(2e-4, |h| internal(&model, time, &further(h), u));
+            assert_close(&format!("{}: ż by position {k}", model.name()), rates.as_slice(), &expected, 1e-6);
+            let rates = here.internal_rates(&none, &unit, &still, &here.by_velocity(k));
+            let expected = derivative_over(2e-4, |h| internal(&model, time, &faster(h), u));
+            assert_close(&format!("{}: ż by velocity {k}", model.name()), rates.as_slice(), &expected, 1e-6);
+        }
+        for k in 0..model.internal_count() {
+            let more = |h: f64| State { z: at.z.plus(1.0, &along(model.zero_z(), k, h)), ..at.state() };
+            check("state", k, here.by_internal(k), &|h| solved(&model, time, &more(h), u));
+            let (unit, none) = (along(model.zero_z(), k, 1.0), model.zero_v());
+            let rates = here.internal_rates(&none, &none, &unit, &here.by_internal(k));
+            let expected = derivative_over(2e-4, |h| internal(&model, time, &more(h), u));
+            assert_close(&format!("{}: ż by state {k}", model.name()), rates.as_slice(), &expected, 1e-6);
         }
         for k in 0..M::Inputs::NAMES.len() {
-            check("input", k, here.by_input(k), &|h| solved(&model, time, q, v, &input::<M>(u, k, h)));
+            check("input", k, here.by_input(k), &|h| solved(&model, time, &at.state(), &input::<M>(u, k, h)));
         }
         let by_parameters = here.by_parameters();
         for k in 0..parameters.len() {
             // Relative: there are inertias of grams and stiffnesses of kilonewtons.
             let size = parameters[k].abs().max(1e-3);
-            let with = |h: f64| {
+            let with = |h: f64, of: fn(&M, f64, &StateOf<M>, &M::Inputs) -> Vec<f64>| {
                 let mut parameters = parameters.clone();
                 parameters[k] += size * h;
                 let model = M::prepared(&parameters).expect("parameters near their defaults");
-                solved(&model, time, q, v, u).iter().map(|entry| entry / size).collect::<Vec<_>>()
+                of(&model, time, &at.state(), u).iter().map(|entry| entry / size).collect::<Vec<_>>()
             };
-            check("parameter", k, by_parameters.column(k), &with);
+            check("parameter", k, by_parameters.column(k), &|h| with(h, solved));
+            let (rates, expected) =
+                (by_parameters.internal_rates(k), derivative_over(2e-4, |h| with(h, internal)));
+            assert_close(&format!("{}: ż by parameter {k}", model.name()), rates.as_slice(), &expected, 1e-6);
         }
     }
 }
 
-/// Coordinates z of the independent conditions.
+/// Coordinates s of the independent conditions.
 fn coordinates<M: Model + Tangent<f64>>(model: &M, time: f64, q: &M::Q) -> Vec<f64> {
     let (mut residual, mut upright, none) =
         (model.zero_conditions(), model.zero_conditions(), model.zero_conditions());
@@ -121,7 +146,7 @@ fn coordinates<M: Model + Tangent<f64>>(model: &M, time: f64, q: &M::Q) -> Vec<f
     model.states().iter().map(value).collect()
 }
 
-/// B x and more: of ż = B v + drift or z̈ = B a + bias.
+/// B x and more: of ṡ = B v + drift or s̈ = B a + bias.
 fn rates<M: Model + Tangent<f64>>(
     model: &M,
     time: f64,
@@ -144,13 +169,15 @@ fn velocities<M: Model + Tangent<f64>>(model: &M, time: f64, q: &M::Q, v: &M::V)
     rates(model, time, q, v, &drift)
 }
 
-/// z̈, then the outputs.
-fn motion<M: Model + Tangent<f64>>(model: &M, time: f64, q: &M::Q, v: &M::V, u: &M::Inputs) -> Vec<f64> {
+/// s̈, then ż, then the outputs.
+fn motion<M: Model + Tangent<f64>>(model: &M, time: f64, state: &StateOf<M>, u: &M::Inputs) -> Vec<f64> {
+    let State { q, v, .. } = state;
     let (mut a, mut lambda, mut bias) = (model.zero_v(), model.zero_lambda(), model.zero_conditions());
-    model.acceleration(time, &State::new(*q, *v), u, &mut a, &mut lambda);
+    model.acceleration(time, state, u, &mut a, &mut lambda);
     model.condition_bias(time, q, v, &mut bias);
-    let outputs = model.outputs(time, &State::new(*q, *v), u).to_array();
-    [rates(model, time, q, &a, &bias).as_slice(), outputs.as_slice()].concat()
+    let outputs = model.outputs(time, state, u).to_array();
+    let internal = internal(model, time, state, u);
+    [rates(model, time, q, &a, &bias).as_slice(), &internal, outputs.as_slice()].concat()
 }
 
 /// A, B, C and D against differences of the constrained motion in its independent coordinates.
@@ -168,32 +195,36 @@ fn state_matrices_are_the_derivatives<M: Model + Tangent<f64>>() {
                 .zip(&rate)
                 .map(|(position, rate)| Motion { position: *position, rate: *rate, acceleration: 0.0 })
                 .collect();
+            let mut internal = at.z;
             if k < f {
                 given[k].position += h
-            } else {
+            } else if k < 2 * f {
                 given[k - f].rate += h
+            } else {
+                internal.as_mut_slice()[k - 2 * f] += h
             }
             let moved =
                 model.kinematics(time, q, &given).unwrap_or_else(|error| panic!("{}: {error}", model.name()));
-            motion(&model, time, &moved.q, &moved.v, u)
+            motion(&model, time, &State { z: internal, ..at.at(moved.q, moved.v) }, u)
         };
         let outputs = M::Outputs::NAMES.len();
         let column = |matrix: &[f64], rows: std::ops::Range<usize>, width: usize, k: usize| -> Vec<f64> {
             rows.map(|row| matrix[row * width + k]).collect()
         };
-        for k in 0..2 * f {
-            let mut entries = column(found.a.as_slice(), f..2 * f, 2 * f, k);
-            entries.extend(column(found.c.as_slice(), 0..outputs, 2 * f, k));
+        let size = 2 * f + model.internal_count();
+        for k in 0..size {
+            let mut entries = column(found.a.as_slice(), f..size, size, k);
+            entries.extend(column(found.c.as_slice(), 0..outputs, size, k));
             let expected = derivative_over(2e-4, |h| by_state(k, h));
             assert_close(&format!("{}: A and C, column {k}", model.name()), &entries, &expected, 2e-6);
             let upper: Vec<f64> = (0..f).map(|row| if k == f + row { 1.0 } else { 0.0 }).collect();
-            assert_eq!(column(found.a.as_slice(), 0..f, 2 * f, k), upper);
+            assert_eq!(column(found.a.as_slice(), 0..f, size, k), upper);
         }
         let inputs = M::Inputs::NAMES.len();
         for k in 0..inputs {
-            let mut entries = column(found.b.as_slice(), f..2 * f, inputs, k);
+            let mut entries = column(found.b.as_slice(), f..size, inputs, k);
             entries.extend(column(found.d.as_slice(), 0..outputs, inputs, k));
-            let expected = derivative_over(2e-4, |h| motion(&model, time, q, v, &input::<M>(u, k, h)));
+            let expected = derivative_over(2e-4, |h| motion(&model, time, &at.state(), &input::<M>(u, k, h)));
             assert_close(&format!("{}: B and D, column {k}", model.name()), &entries, &expected, 2e-6);
             assert!(column(found.b.as_slice(), 0..f, inputs, k).iter().all(|entry| *entry == 0.0));
         }
@@ -207,6 +238,7 @@ fn state_matrices_belong_to_the_independent_coordinates() {
     state_matrices_are_the_derivatives::<Rocker>();
     state_matrices_are_the_derivatives::<Swing>();
     state_matrices_are_the_derivatives::<Spring>();
+    state_matrices_are_the_derivatives::<Servo>();
 }
 
 /// What the two positions q and q ⊕ δ differ by, to first order.
@@ -239,7 +271,7 @@ fn state_matrices_move_neighbouring_motions<M: Model + Tangent<f64>>(rates_among
         let found = linearised(&model, at).state_space().expect("a regular position");
         // The motion through a state, to second order.
         let ahead = |q: &M::Q, v: &M::V, h: f64| {
-            let a: M::V = vector(&solved(&model, at.time, q, v, &at.u)[..n]);
+            let a: M::V = vector(&solved(&model, at.time, &at.at(*q, *v), &at.u)[..n]);
             (moved(&model, q, &v.scaled(h).plus(h * h / 2.0, &a)), v.plus(h, &a))
         };
         for k in 0..2 * n {
@@ -294,15 +326,19 @@ fn equilibria_balance<M: Model + Tangent<f64>>() {
         let found = equilibrium(&model, at.time, &from, &u)
             .unwrap_or_else(|error| panic!("{}: {error}", model.name()));
         let (rest, mut residual, mut phi) = (model.zero_v(), model.zero_v(), model.zero_lambda());
-        model.residual(at.time, &State::new(found.q, rest), &u, &rest, &found.lambda, &mut residual);
+        let state = State { z: found.z, ..at.at(found.q, rest) };
+        model.residual(at.time, &state, &u, &rest, &found.lambda, &mut residual);
+        let mut rates = model.zero_z();
+        model.internal_rates(at.time, &state, &u, &rest, &found.lambda, &mut rates);
+        assert!(rates.max_abs() < 1e-9, "{}: {rates:?}", model.name());
         model.constraints(at.time, &found.q, &mut phi);
         let size = 1.0 + found.lambda.max_abs();
         assert!(residual.max_abs() < 1e-11 * size, "{}: {residual:?}", model.name());
         assert!(phi.max_abs() < 1e-12, "{}: {phi:?}", model.name());
         assert!(found.iterations < 20, "{}: {} iterations", model.name(), found.iterations);
         // v̇ is zero there, and so is the linearised motion's start.
-        if model.name() != "Winch" {
-            let still = solved(&model, at.time, &found.q, &rest, &u);
+        if !["Winch", "Servo"].contains(&model.name()) {
+            let still = solved(&model, at.time, &state, &u);
             let largest = still[..model.velocity_count()]
                 .iter()
                 .fold(0.0, |largest, entry| f64::max(largest, entry.abs()));
@@ -386,8 +422,12 @@ fn without_an_equilibrium_there_is_an_error() {
 fn actuation_undoes_the_motion<M: Model + Tangent<f64>>() {
     let (_, _, model, states) = walk::<M>(55, STATES);
     let f = model.states().len();
+    if model.internal_count() > 0 {
+        // A voltage moves a current, not a mass.
+        return;
+    }
     for at in &states {
-        let a: M::V = vector(&solved(&model, at.time, &at.q, &at.v, &at.u)[..model.velocity_count()]);
+        let a: M::V = vector(&solved(&model, at.time, &at.state(), &at.u)[..model.velocity_count()]);
         let found = actuation(&model, at.time, &at.state(), &a, &at.u, M::Inputs::NAMES)
             .unwrap_or_else(|error| panic!("{}: {error}", model.name()));
         let mut residual = model.zero_v();
@@ -410,7 +450,7 @@ fn what_actuators_cannot_do_they_say() {
     let (_, _, model, states) = walk::<Gripper>(56, 1);
     let at = &states[0];
     let count = <Gripper>::default().velocity_names().len();
-    let a: <Gripper as Variables<f64>>::V = vector(&solved(&model, at.time, &at.q, &at.v, &at.u)[..count]);
+    let a: <Gripper as Variables<f64>>::V = vector(&solved(&model, at.time, &at.state(), &at.u)[..count]);
     let with = |a, names: &[&'static str]| actuation(&model, at.time, &at.state(), a, &at.u, names);
     // One of two: the other stays as given.
     let alone = with(&a, &["drive"]).expect("it acts along the freedom").inputs;
@@ -431,7 +471,7 @@ fn what_actuators_cannot_do_they_say() {
 
     let (_, _, model, states) = walk::<Buoy>(57, 1);
     let at = &states[0];
-    let a: [f64; 9] = vector(&solved(&model, at.time, &at.q, &at.v, &at.u)[..9]);
+    let a: [f64; 9] = vector(&solved(&model, at.time, &at.state(), &at.u)[..9]);
     let more = a.plus(1.0, &along(model.zero_v(), 4, 0.5));
     let error =
         actuation(&model, at.time, &at.state(), &more, &at.u, &["push", "twist"]).expect_err("two for nine");

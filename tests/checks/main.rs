@@ -30,4 +30,4 @@ mod starts;
 mod tangent;
 mod walking;
 
-use mechanisms::{registry, zoo, zoo_space, zoo_tangent};
+use mechanisms::{registry, zoo, zoo_laws, zoo_space, zoo_tangent};

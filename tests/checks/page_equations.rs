@@ -3,8 +3,9 @@
 
 use crate::registry::{Model, Random, compiled};
 use linkwright_compiler::Compiled;
+use linkwright_compiler::model::Table;
 use linkwright_compiler::page;
-use linkwright_compiler::symbolic::{Node, Op, evaluate};
+use linkwright_compiler::symbolic::{Node, Op, Orders, evaluate};
 use std::collections::BTreeMap;
 
 crate::registry::for_each!(are_true);
@@ -37,6 +38,7 @@ fn sections(compiled: &Compiled) -> Vec<(&'static str, BTreeMap<String, Node>)> 
         columns.map(|(column, node)| (format!("{}, {}", row(index), v[*column]), *node)).collect::<Vec<_>>()
     });
     let outputs = compiled.mechanism.outputs.iter().map(|output| output.name.text.clone());
+    let states = compiled.mechanism.states.iter().map(|state| state.name.text.clone());
     vec![
         ("Φ, m or rad", of_rows(e.rows.iter().map(|row| row.jet.value).collect())),
         ("D", jacobian.collect()),
@@ -51,6 +53,7 @@ fn sections(compiled: &Compiled) -> Vec<(&'static str, BTreeMap<String, Node>)> 
             "Kinetic and potential energy, J",
             [("T".to_string(), e.kinetic_energy), ("V".to_string(), e.potential_energy)].into(),
         ),
+        ("Rates of the states", states.zip(e.internal_rates.iter().copied()).collect()),
         ("Outputs", outputs.zip(e.outputs.iter().copied()).collect()),
     ]
 }
@@ -61,6 +64,7 @@ struct State {
     names: std::cell::RefCell<BTreeMap<String, f64>>,
     /// Of rotations, by what stands in their cosines.
     angles: BTreeMap<String, f64>,
+    tables: Vec<Table>,
 }
 
 impl State {
@@ -90,7 +94,10 @@ impl State {
         set(&known.phases, &point.phases, known.phases.iter().map(own).collect());
         set(&[known.time], &[point.time], vec!["time".to_string()]);
         set(&known.q, &point.q, q.clone());
+        set(&known.acceleration, &point.acceleration, v.iter().map(|name| format!("v̇({name})")).collect());
         set(&known.v, &point.v, v);
+        let states = mechanism.states.iter().map(|it| it.name.text.clone()).collect();
+        set(&known.internal, &point.internal, states);
         set(&known.inputs, &point.inputs, inputs);
         set(&known.lambda, &point.lambda, rows);
         let stem = |at: usize| q[at].rsplit_once('.').expect("a part of a name").0.to_string();
@@ -101,7 +108,8 @@ impl State {
             let angle = std::f64::consts::TAU * point.q[at] + point.q[at + 1];
             names.insert(format!("{}.angle", stem(at)), angle);
         }
-        State { nodes: evaluate(&e.graph.read(), &symbols), names: names.into(), angles }
+        let tables = mechanism.tables.clone();
+        State { nodes: evaluate(&e.graph.read(), &symbols), names: names.into(), angles, tables }
     }
 }
 
@@ -242,7 +250,7 @@ impl<'a> Reader<'a> {
             self.expect(")");
             return (value.0.sqrt(), value.1 / value.0.sqrt());
         }
-        let is_part = |c: &char| c.is_alphanumeric() && !"²³".contains(*c) || "_.[]".contains(*c);
+        let is_part = |c: &char| c.is_alphanumeric() && !"²³".contains(*c) || "_.[]′″‴∂".contains(*c);
         let end: usize = self.text.chars().take_while(is_part).map(char::len_utf8).sum();
         let (name, rest) = self.text.split_at(end);
         self.text = rest;
@@ -285,6 +293,9 @@ impl<'a> Reader<'a> {
         self.expect(")");
         let x = arguments[0].0;
         let spread = arguments.iter().map(|(_, magnitude)| magnitude).sum::<f64>();
+        if let Some(value) = self.table(name, &arguments) {
+            return value;
+        }
         let value = match (name, &arguments[..]) {
             ("cos", _) => x.cos(),
             ("sin", _) => x.sin(),
@@ -307,6 +318,24 @@ impl<'a> Reader<'a> {
             _ => panic!("{}\n{name} of {} is not known", self.whole, arguments.len()),
         };
         (value, value.abs() + spread)
+    }
+
+    /// `lift″(x)`, `∂₁grip(x, y)`; the place is known up to its digits, too.
+    fn table(&self, name: &str, arguments: &[Value]) -> Option<Value> {
+        let stem = name.trim_end_matches(['′', '″', '‴']).trim_start_matches(['∂', '₁', '₂']);
+        let table = self.state.tables.iter().find(|table| table.name.text == stem)?;
+        let primes = ["", "′", "″", "‴"]
+            .iter()
+            .position(|primes| name.ends_with(primes) && *primes == &name[stem.len()..]);
+        let by = |which: &str| u8::from(name.contains(which));
+        let (first, second) = (primes.unwrap_or(0) as u8 + by("₁"), by("₂"));
+        let at: Vec<f64> = arguments.iter().map(|(value, _)| *value).collect();
+        let derivative = |more: [u8; 2]| table.curve.at(Orders::new(first + more[0], second + more[1]), &at);
+        let mut magnitude = derivative([0, 0]).abs();
+        for (more, (_, spread)) in [[1, 0], [0, 1]].into_iter().zip(arguments) {
+            magnitude += derivative(more).abs() * spread;
+        }
+        Some((derivative([0, 0]), magnitude))
     }
 
     fn condition(&mut self) -> bool {

@@ -48,6 +48,8 @@ enum By {
     Velocity(usize),
     Input(usize),
     Lambda(usize),
+    Internal(usize),
+    Acceleration(usize),
     Parameter(usize),
 }
 
@@ -59,6 +61,8 @@ enum Of {
     Rates,
     Constraints,
     Outputs,
+    InternalRates,
+    StartInternal,
     Coordinates,
 }
 
@@ -69,15 +73,16 @@ struct Checked<'a> {
     compiled: &'a Compiled,
     /// q ⊕ δ.
     moved: &'a Moved<'a>,
-    /// What the outputs need, operands first.
-    outputs: Vec<Node>,
+    /// What the outputs and the rates of internal states need, operands first.
+    results: Vec<Node>,
 }
 
 impl<'a> Checked<'a> {
     fn of(compiled: &'a Compiled, moved: &'a Moved<'a>) -> Self {
         let equations = &compiled.complete.equations;
-        let outputs = equations.graph.read().reachable(equations.outputs.iter().copied());
-        Checked { compiled, moved, outputs }
+        let results = equations.outputs.iter().chain(&equations.internal_rates).copied();
+        let results = equations.graph.read().reachable(results);
+        Checked { compiled, moved, results }
     }
 
     fn at(&self, point: &Inputs) {
@@ -93,7 +98,15 @@ impl<'a> Checked<'a> {
         let range = |count: usize, by: fn(usize) -> By| (0..count).map(by).collect::<Vec<_>>();
         let positions = range(n, By::Position);
         let state = [positions.clone(), range(n, By::Velocity)].concat();
-        let all = [state.clone(), range(inputs, By::Input), range(m, By::Lambda)].concat();
+        let internal = range(e.symbols.internal.len(), By::Internal);
+        let all = [
+            state.clone(),
+            range(inputs, By::Input),
+            range(m, By::Lambda),
+            internal.clone(),
+            range(n, By::Acceleration),
+        ]
+        .concat();
         let parameters = range(e.symbols.parameters.len(), By::Parameter);
 
         let values = self.run(Function::Tangent, point);
@@ -104,12 +117,22 @@ impl<'a> Checked<'a> {
         let (stiffness, damping) = values.split_at(stored(&tangents.row_stiffness));
         self.compare(point, &[Of::Accelerations], &positions, &tangents.row_stiffness, stiffness);
         self.compare(point, &[Of::Accelerations], &state[n..], &tangents.row_damping, damping);
-        let designed = [Of::Residual, Of::Accelerations, Of::Rates, Of::Constraints, Of::Outputs];
-        let rest: [(Function, &[Of], &[By], &Matrix); 5] = [
+        let designed = [
+            Of::Residual,
+            Of::Accelerations,
+            Of::Rates,
+            Of::Constraints,
+            Of::Outputs,
+            Of::InternalRates,
+            Of::StartInternal,
+        ];
+        let rest: [(Function, &[Of], &[By], &Matrix); 7] = [
             (Function::RateTangent, &[Of::Rates], &positions, &tangents.rate),
             (Function::InputTangent, &[Of::Residual], &all[2 * n..2 * n + inputs], &tangents.input),
             (Function::ParameterTangent, &designed, &parameters, &tangents.parameter),
+            (Function::InternalTangent, &[Of::Residual], &internal, &tangents.internal),
             (Function::OutputTangent, &[Of::Outputs], &all, &tangents.output),
+            (Function::InternalRateTangent, &[Of::InternalRates], &all, &tangents.internal_rate),
             (Function::CoordinateTangent, &[Of::Coordinates], &state, &tangents.coordinate),
         ];
         for (function, of, by, matrix) in rest {
@@ -131,7 +154,13 @@ impl<'a> Checked<'a> {
             of.iter().flat_map(|of| self.value(*of, &moved)).collect()
         };
         for (column, by) in by.iter().enumerate() {
+            // Some parameters are thousandths.
+            let size = match by {
+                By::Parameter(k) if point.parameters[*k] != 0.0 => point.parameters[*k].abs().min(1.0),
+                _ => 1.0,
+            };
             let slope = |h: f64| -> Vec<f64> {
+                let h = h * size;
                 let (ahead, behind) = (value(*by, h), value(*by, -h));
                 ahead.iter().zip(behind).map(|(ahead, behind)| (ahead - behind) / (2.0 * h)).collect()
             };
@@ -158,6 +187,8 @@ impl<'a> Checked<'a> {
             By::Velocity(k) => moved.v[k] += h,
             By::Input(k) => moved.inputs[k] += h,
             By::Lambda(k) => moved.lambda[k] += h,
+            By::Internal(k) => moved.internal[k] += h,
+            By::Acceleration(k) => moved.acceleration[k] += h,
             By::Parameter(k) => moved.parameters[k] += h,
         }
         moved.prepared = Vec::new();
@@ -191,15 +222,9 @@ impl<'a> Checked<'a> {
             Of::Accelerations => of_rows(Function::Gamma, -1.0, &point.acceleration),
             Of::Rates => of_rows(Function::Nu, -1.0, &point.v),
             Of::Constraints => self.run(Function::Constraints, point),
-            Of::Outputs => {
-                let symbols: Vec<f64> = schedule::sources(&self.compiled.complete)
-                    .into_iter()
-                    .map(|source| point.get(source))
-                    .collect();
-                let mut values = Vec::new();
-                evaluate_reachable(&e.graph.read(), &self.outputs, &symbols, &mut values);
-                e.outputs.iter().map(|node| values[node.index()]).collect()
-            }
+            Of::Outputs => self.on_graph(&e.outputs, point),
+            Of::InternalRates => self.on_graph(&e.internal_rates, point),
+            Of::StartInternal => self.run(Function::StartInternal, point),
             Of::Coordinates => {
                 let states = &self.compiled.complete.tangents.as_ref().expect("they are asked for").states;
                 let all: Vec<&Jet> =
@@ -214,6 +239,18 @@ impl<'a> Checked<'a> {
                 [chosen(rates), chosen(second)].concat()
             }
         }
+    }
+}
+
+impl Checked<'_> {
+    /// Values of results, with v̇ and λ as given.
+    fn on_graph(&self, results: &[Node], point: &Inputs) -> Vec<f64> {
+        let sources = schedule::sources(&self.compiled.complete).into_iter();
+        let symbols: Vec<f64> = sources.map(|source| point.get(source)).collect();
+        let mut values = Vec::new();
+        let graph = self.compiled.complete.equations.graph.read();
+        evaluate_reachable(&graph, &self.results, &symbols, &mut values);
+        results.iter().map(|node| values[node.index()]).collect()
     }
 }
 

@@ -32,7 +32,8 @@ pub fn walk<M: Model>(seed: u64, count: usize) -> (Compiled, Vec<f64>, M, Vec<At
         }
         let Ok(v) = project_velocity(&model, time, &q, &velocity::<M>(&mut random)) else { continue };
         let u = fields(&random.vector(compiled.mechanism.inputs.len()));
-        states.push(At { time, q, v, u });
+        let z = vector(&random.vector(compiled.mechanism.states.len()));
+        states.push(At { time, q, v, z, u });
     }
     (compiled, parameters, model, states)
 }

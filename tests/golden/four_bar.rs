@@ -39,9 +39,9 @@ pub struct FourBarParameters<R = ::core::primitive::f64> {
 ///Outputs of [`FourBar`], in SI units.
 #[derive(::core::clone::Clone, ::core::marker::Copy, ::core::fmt::Debug, ::core::cmp::PartialEq)]
 pub struct FourBarOutputs<R = ::core::primitive::f64> {
-    ///`m` (SI).
+    ///In `m`.
     pub x: R,
-    ///`rad` (SI).
+    ///In `rad`.
     pub angle: R,
 }
 ///Positions and velocities of [`FourBar`].

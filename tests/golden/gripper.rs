@@ -49,31 +49,31 @@ pub struct Gripper<R = ::core::primitive::f64> {
 ///Parameters of [`Gripper`], in SI units.
 #[derive(::core::clone::Clone, ::core::marker::Copy, ::core::fmt::Debug, ::core::cmp::PartialEq)]
 pub struct GripperParameters<R = ::core::primitive::f64> {
-    ///`N*m/rad`, default 6.0 in SI units.
+    ///In `N*m/rad`, default 6.0.
     pub stiffness: R,
-    ///`m`, default 0.9 in SI units.
+    ///In `m`, default 0.9.
     pub length: R,
-    ///`kg`, default 1.2 in SI units.
+    ///In `kg`, default 1.2.
     pub weight: R,
 }
 ///Inputs of [`Gripper`], in SI units.
 #[derive(::core::clone::Clone, ::core::marker::Copy, ::core::fmt::Debug, ::core::cmp::PartialEq)]
 pub struct GripperInputs<R = ::core::primitive::f64> {
-    ///`N*m` (SI).
+    ///In `N*m`.
     pub drive: R,
-    ///`N` (SI).
+    ///In `N`.
     pub pull: R,
 }
 ///Outputs of [`Gripper`], in SI units.
 #[derive(::core::clone::Clone, ::core::marker::Copy, ::core::fmt::Debug, ::core::cmp::PartialEq)]
 pub struct GripperOutputs<R = ::core::primitive::f64> {
-    ///`m` (SI).
+    ///In `m`.
     pub reach: R,
-    ///`rad` (SI).
+    ///In `rad`.
     pub swing: R,
-    ///`rad/s` (SI).
+    ///In `rad/s`.
     pub swinging: R,
-    ///`J` (SI).
+    ///In `J`.
     pub stored: R,
 }
 ///Positions and velocities of [`Gripper`].
@@ -258,8 +258,10 @@ const _: () = {
         type RowDamping = RowDamping<R>;
         type RateTangent = RateTangent<R>;
         type InputTangent = InputTangent<R>;
+        type InternalTangent = ();
         type ParameterTangent = ParameterTangent<R>;
         type OutputTangent = OutputTangent<R>;
+        type InternalRateTangent = ();
         type CoordinateTangent = CoordinateTangent<R>;
         type StateMatrix = StateMatrix<R>;
         type InputMatrix = InputMatrix<R>;

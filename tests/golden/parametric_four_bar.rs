@@ -1,5 +1,5 @@
 // `ParametricFourBar` of models/src/general_four_bar.rs.
-// Left out: acceleration, acceleration_baumgarte, choice, condition_bias, condition_cosines, condition_drift, condition_jacobian, condition_pattern, condition_residual, conditions, constraint_jacobian, constraints, default, dependent, driver_efforts, elimination, factor, flips, forces, from, from_array, gamma, independent, input_names, internal_rates, inverse_dynamics, jacobian_pattern, kinetic_energy, layout, lu, mass_pattern, motions, name, nu, output_names, outputs, parameters, position_names, positions, potential_energy, powers, reactions, row_cosines, row_scales, row_sizes, rows, scales, solve, start_conditions, start_gates, start_internal, start_q, start_rates, start_targets, start_v, store, to_array, unwrap, velocities, velocity_names.
+// Left out: acceleration, acceleration_baumgarte, choice, condition_bias, condition_cosines, condition_drift, condition_jacobian, condition_pattern, condition_residual, conditions, constraint_jacobian, constraints, default, dependent, driver_efforts, elimination, factor, flips, forces, from, from_array, gamma, independent, input_names, internal_rates, inverse_dynamics, jacobian_pattern, kinetic_energy, layout, lu, mass_pattern, motions, name, nu, output_names, outputs, parameters, position_names, positions, potential_energy, powers, reactions, row_cosines, row_scales, row_sizes, rows, scales, set_start_angle_deg, solve, start_angle_deg, start_conditions, start_gates, start_internal, start_q, start_rates, start_targets, start_v, store, to_array, unwrap, velocities, velocity_names.
 /// Four-bar of which every number is a parameter; its defaults are the literals of [`GeneralFourBar`].
 ///
 ///Equations of motion of the planar mechanism `ParametricFourBar`.
@@ -75,65 +75,65 @@ pub struct ParametricFourBar<R = ::core::primitive::f64> {
 ///Parameters of [`ParametricFourBar`], in SI units.
 #[derive(::core::clone::Clone, ::core::marker::Copy, ::core::fmt::Debug, ::core::cmp::PartialEq)]
 pub struct ParametricFourBarParameters<R = ::core::primitive::f64> {
-    ///`m/s^2`, default 0.31 in SI units.
+    ///In `m/s^2`, default 0.31.
     pub gravity_x: R,
-    ///`m/s^2`, default -9.73 in SI units.
+    ///In `m/s^2`, default -9.73.
     pub gravity_y: R,
-    ///`m`, default -0.15 in SI units.
+    ///In `m`, default -0.15.
     pub crank_x: R,
-    ///`m`, default 0.24 in SI units.
+    ///In `m`, default 0.24.
     pub crank_y: R,
-    ///`m`, default 0.93 in SI units.
+    ///In `m`, default 0.93.
     pub rocker_x: R,
-    ///`m`, default 0.45 in SI units.
+    ///In `m`, default 0.45.
     pub rocker_y: R,
-    ///`m`, default 0.4 in SI units.
+    ///In `m`, default 0.4.
     pub crank_length: R,
-    ///`kg`, default 0.71 in SI units.
+    ///In `kg`, default 0.71.
     pub crank_mass: R,
-    ///`kg*m^2`, default 0.013 in SI units.
+    ///In `kg*m^2`, default 0.013.
     pub crank_inertia: R,
-    ///`m`, default 0.17 in SI units.
+    ///In `m`, default 0.17.
     pub crank_center_x: R,
-    ///`m`, default 0.033 in SI units.
+    ///In `m`, default 0.033.
     pub crank_center_y: R,
-    ///`m`, default 1.0 in SI units.
+    ///In `m`, default 1.0.
     pub coupler_length: R,
-    ///`kg`, default 1.93 in SI units.
+    ///In `kg`, default 1.93.
     pub coupler_mass: R,
-    ///`kg*m^2`, default 0.187 in SI units.
+    ///In `kg*m^2`, default 0.187.
     pub coupler_inertia: R,
-    ///`m`, default 0.43 in SI units.
+    ///In `m`, default 0.43.
     pub coupler_center_x: R,
-    ///`m`, default -0.12 in SI units.
+    ///In `m`, default -0.12.
     pub coupler_center_y: R,
-    ///`m`, default 0.62 in SI units.
+    ///In `m`, default 0.62.
     pub tracer_x: R,
-    ///`m`, default 0.29 in SI units.
+    ///In `m`, default 0.29.
     pub tracer_y: R,
-    ///`m`, default 0.9 in SI units.
+    ///In `m`, default 0.9.
     pub rocker_length: R,
-    ///`kg`, default 1.37 in SI units.
+    ///In `kg`, default 1.37.
     pub rocker_mass: R,
-    ///`kg*m^2`, default 0.091 in SI units.
+    ///In `kg*m^2`, default 0.091.
     pub rocker_inertia: R,
-    ///`m`, default 0.52 in SI units.
+    ///In `m`, default 0.52.
     pub rocker_center_x: R,
-    ///`m`, default 0.071 in SI units.
+    ///In `m`, default 0.071.
     pub rocker_center_y: R,
-    ///`deg`, default 0.6981317007977318 in SI units.
+    ///In `rad`, default 0.6981317007977318. In `deg`, as it is declared: [`start_angle_deg`](ParametricFourBarParameters::start_angle_deg).
     pub start_angle: R,
-    ///`rad/s`, default 3.0 in SI units.
+    ///In `rad/s`, default 3.0.
     pub start_rate: R,
 }
 ///Outputs of [`ParametricFourBar`], in SI units.
 #[derive(::core::clone::Clone, ::core::marker::Copy, ::core::fmt::Debug, ::core::cmp::PartialEq)]
 pub struct ParametricFourBarOutputs<R = ::core::primitive::f64> {
-    ///`m` (SI).
+    ///In `m`.
     pub trace_x: R,
-    ///`m` (SI).
+    ///In `m`.
     pub trace_y: R,
-    ///`rad` (SI).
+    ///In `rad`.
     pub rocking: R,
 }
 ///Positions and velocities of [`ParametricFourBar`].
@@ -274,6 +274,7 @@ const _: () = {
         const NAMES: &'static [&'static str] = &["trace_x", "trace_y", "rocking"];
         type Array = [R; 3];
     }
+    impl<R: Real> ParametricFourBarParameters<R> {}
     impl<R: Real> From<Q<R>> for ParametricFourBarPositions<R> {}
     impl<R: Real> From<ParametricFourBarPositions<R>> for Q<R> {}
     impl<R: Real> From<V<R>> for ParametricFourBarVelocities<R> {}

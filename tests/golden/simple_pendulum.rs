@@ -33,9 +33,9 @@ pub struct SimplePendulumParameters<R = ::core::primitive::f64> {
 ///Outputs of [`SimplePendulum`], in SI units.
 #[derive(::core::clone::Clone, ::core::marker::Copy, ::core::fmt::Debug, ::core::cmp::PartialEq)]
 pub struct SimplePendulumOutputs<R = ::core::primitive::f64> {
-    ///`m` (SI).
+    ///In `m`.
     pub x: R,
-    ///`m` (SI).
+    ///In `m`.
     pub y: R,
 }
 ///Positions and velocities of [`SimplePendulum`].

@@ -40,17 +40,17 @@ pub struct SphericalPendulumParameters<R = ::core::primitive::f64> {
 ///Outputs of [`SphericalPendulum`], in SI units.
 #[derive(::core::clone::Clone, ::core::marker::Copy, ::core::fmt::Debug, ::core::cmp::PartialEq)]
 pub struct SphericalPendulumOutputs<R = ::core::primitive::f64> {
-    ///`m` (SI).
+    ///In `m`.
     pub x: R,
-    ///`m` (SI).
+    ///In `m`.
     pub y: R,
-    ///`m` (SI).
+    ///In `m`.
     pub z: R,
-    ///`m/s` (SI).
+    ///In `m/s`.
     pub velocity_x: R,
-    ///`m/s` (SI).
+    ///In `m/s`.
     pub velocity_y: R,
-    ///`m/s` (SI).
+    ///In `m/s`.
     pub velocity_z: R,
 }
 ///Positions and velocities of [`SphericalPendulum`].

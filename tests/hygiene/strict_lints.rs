@@ -13,7 +13,9 @@ linkwright::mechanism! {
         gravity [m/s^2] = (0, -9.81);
         rod arm { mass [kg] = 1; length [m] = length; }
         joint pivot: revolute(ground(0, 0) [m], arm.start);
-        torque motor: torque(pivot) = drive;
+        table law(angle [deg]) [N*m] = [(-90, 1.234567890123), (0, 0), (90, -1.2345)], outside = hold;
+        table loss(share) = [(0, 1), (1, 123456.5)];
+        torque motor: torque(pivot) = drive + law(pivot.angle)*loss(0.0 + length/1 [m]);
         start { pivot.angle [rad] = 0.5; }
         options { emit = (penalty, projection, null_space, tangent); }
         /// How high.

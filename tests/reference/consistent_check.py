@@ -4,7 +4,7 @@ import numpy as np
 
 from comparison import BACKWARD, CONDITION, RESIDUAL, SET_ASIDE
 from consistent import AbsoluteSystem, System
-from entries import column, compare_energies, read_states
+from entries import column, compare_energies, compare_vector, read_states
 from motion import PLANE
 
 
@@ -52,6 +52,7 @@ class ConsistentCheck:
 
     def run(self, line):
         compare_energies(self.comparison, self.own, self.raw, self.quantities)
+        compare_vector(self.comparison, self.own, self.raw, self.quantities, "internal_rates")
         self.compare_bodies()
         self.compare_residuals("own", self.quantities, self.states["v"])
         self.compare_residuals("absolute", self.absolute, self.v)

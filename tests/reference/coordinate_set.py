@@ -11,7 +11,7 @@ from energies import Energies
 from magnitude import MATRICES, Evaluator
 from motion import PLANE
 
-VECTORS = ("phi", "nu", "gamma", "forces", "powers")
+VECTORS = ("phi", "nu", "gamma", "forces", "powers", "internal_rates", "internal_starts")
 SCALARS = ("kinetic", "potential")
 
 
@@ -65,6 +65,8 @@ class CoordinateSet:
             return lambda k: f"row '{self.rows[k]}'"
         if quantity == "forces":
             return lambda k: f"force on '{self.column_names[k]}'"
+        if quantity in ("internal_rates", "internal_starts"):
+            return lambda k: f"state '{self.model.states[k]['name']}'"
         if quantity == "powers":
             return lambda k: f"power of '{self.model.definition['loads'][k]['name']}'"
         return lambda k: quantity
@@ -98,7 +100,7 @@ class CoordinateSet:
 
 
 def equations_evaluator(equations, further=None, evaluator_of=Evaluator):
-    """All compared quantities of `Energies` as functions of (p, t, u, phases, q, v)."""
+    """All compared quantities of `Energies` as functions of (p, t, u, phases, z, efforts, q, v)."""
     outputs = {name: getattr(equations, name) for name in (*VECTORS, *SCALARS, *MATRICES)}
     kinematics = equations.kinematics
     arguments = [*symbols(equations.model), kinematics.q, kinematics.v]
@@ -106,8 +108,8 @@ def equations_evaluator(equations, further=None, evaluator_of=Evaluator):
 
 
 def symbols(model):
-    return [model.p, model.time, model.u, model.phases]
+    return [model.p, model.time, model.u, model.phases, model.z, model.efforts]
 
 
 def given(states):
-    return [states["parameters"], states["time"], states["inputs"], states["phases"]]
+    return [states[name] for name in ("parameters", "time", "inputs", "phases", "z", "efforts")]

@@ -10,7 +10,8 @@ from dataclasses import dataclass, field
 import casadi as ca
 
 import expressions
-from expressions import entry, pair
+from expressions import entry, in_unit, pair
+from tables import Table
 
 
 @dataclass
@@ -53,7 +54,9 @@ class Joint:
 
 
 class Model:
-    """Bodies, joints and gravity in SI; as symbols: parameters `p`, `time`, inputs `u` and `phases`."""
+    """Bodies, joints and gravity in SI; as symbols: parameters `p`, `time`, inputs `u`, `phases`, internal states `z`.
+
+    Rates of states may name efforts of drivers, which are given with each state."""
 
     kind = "planar"
     dimension = 2
@@ -66,13 +69,22 @@ class Model:
         self.p = ca.SX.sym("p", len(definition["parameters"]))
         self.time = ca.SX.sym("time")
         self.u = ca.SX.sym("u", len(definition["inputs"]))
+        self.states = definition.get("states", [])
+        self.rates = {rate["name"]: rate["value"] for rate in definition.get("rates", [])}
+        self.z = ca.SX.sym("z", len(self.states))
+        self.efforts = ca.SX.sym("effort", len(definition["drivers"]) if self.states else 0)
         self.values = {"time": self.time}
         for index, parameter in enumerate(definition["parameters"]):
             self.values[parameter["name"]] = self.p[index]
         for index, given in enumerate(definition["inputs"]):
             self.values[given["name"]] = self.u[index]
+        for index, state in enumerate(self.states):
+            self.values[state["name"]] = self.z[index]
         self.constants = {constant["name"]: constant for constant in definition["constants"]}
         self.signals = {signal["name"]: signal for signal in definition.get("signals", [])}
+        self.tables = {
+            table["name"]: Table(table, lambda node, unit: in_unit(node, unit, self)) for table in definition.get("tables", [])
+        }
         self.free_phases = [
             coupling["name"]
             for coupling in definition["constraints"]

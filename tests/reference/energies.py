@@ -47,6 +47,11 @@ class Energies:
         self.loads = [self.load(load["name"]) for load in self.model.definition["loads"]]
         self.powers = ca.vertcat(*[load.power() for load in self.loads])
 
+        rates = [evaluate(self.model.rates[state["name"]], kinematics) for state in self.model.states]
+        self.internal_rates = ca.vertcat(*rates) if rates else ca.SX(0, 1)
+        starts = [expressions.entry(state, self.model) for state in self.model.states]
+        self.internal_starts = ca.vertcat(*starts) if starts else ca.SX(0, 1)
+
         v = kinematics.v
         self.momentum = ca.gradient(self.kinetic, v)
         self.mass = ca.jacobian(self.momentum, v)

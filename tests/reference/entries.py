@@ -13,6 +13,8 @@ def read_states(model, own, states):
         "time": 1,
         "inputs": model.u.numel(),
         "phases": model.phases.numel(),
+        "z": model.z.numel(),
+        "efforts": model.efforts.numel(),
         "q": own.kinematics.q.numel(),
         "v": own.kinematics.v.numel(),
     }
@@ -21,6 +23,8 @@ def read_states(model, own, states):
 
 def column(states, name, *shape):
     """One entry of all states as an array (states, …)."""
+    if shape == (0,) and name not in states[0]:
+        return np.zeros((len(states), 0))
     try:
         return numbers([state[name] for state in states], (len(states), *shape))
     except ValueError as error:
@@ -38,18 +42,21 @@ def compare_random(comparison, own, states, quantities):
     compare_energies(comparison, own, states, quantities)
     for name in VECTORS:
         if name != "powers":
-            value, scale = quantities[name]
-            comparison.terms(name, column(states, name, value.shape[1]), value, scale, own.entry_name(name))
+            compare_vector(comparison, own, states, quantities, name)
     for name in MATRICES:
         compare_matrix(comparison, own, name, [state[name] for state in states], quantities[name])
+
+
+def compare_vector(comparison, own, states, quantities, name):
+    value, scale = quantities[name]
+    comparison.terms(name, column(states, name, value.shape[1]), value, scale, own.entry_name(name))
 
 
 def compare_energies(comparison, own, states, quantities):
     for name in SCALARS:
         value, scale = quantities[name]
         comparison.terms(name, column(states, name, 1), value, scale, own.entry_name(name))
-    value, scale = quantities["powers"]
-    comparison.terms("powers", column(states, "powers", value.shape[1]), value, scale, own.entry_name("powers"))
+    compare_vector(comparison, own, states, quantities, "powers")
 
 
 def compare_matrix(comparison, own, name, triplets, quantity):

@@ -61,7 +61,8 @@ def is_bare(node):
     if "op" in node:
         return all(is_bare(child) for child in node["args"])
     if "call" in node:
-        return node["call"] not in ("distance", "power") and all(is_bare(child) for child in node["args"])
+        known = node["call"] in FUNCTIONS or node["call"] == "if"
+        return known and all(is_bare(child) for child in node["args"])
     return False  # a parenthesised expression with its own unit, or a place
 
 
@@ -144,4 +145,8 @@ def _call(function, arguments, scope):
         return scope.power(arguments[0]["name"])
     if function in FUNCTIONS:
         return FUNCTIONS[function](*[evaluate(child, scope) for child in arguments])
+    tables, name = getattr(scope, "model", scope).tables, function.removesuffix(".slope")
+    if name in tables:
+        table = tables[name] if name == function else tables[name].slope
+        return table(*[evaluate(child, scope) for child in arguments])
     raise ValueError(f"unknown function `{function}`")

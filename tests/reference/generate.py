@@ -48,6 +48,8 @@ def draw(rng, own, count):
         "time": rng.uniform(0, 2, (count, 1)),
         "inputs": rng.normal(size=(count, model.u.numel())),
         "phases": rng.normal(size=(count, model.phases.numel())),
+        "z": rng.normal(size=(count, model.z.numel())),
+        "efforts": rng.normal(size=(count, model.efforts.numel())),
         "q": pack(linear, angles, turns, remainder),
         "v": rng.normal(size=(count, len(layout.linear) + len(layout.rotations))),
     }

@@ -110,6 +110,9 @@ class Kinematics:
         owner, _, quantity = text.rpartition(".")
         if owner in model.signals and owner not in model.joints and owner not in model.bodies:
             return self.rate(entry(model.signals[owner], self))
+        drivers = [driver["name"] for driver in model.definition["drivers"]]
+        if owner in drivers and quantity in ("effort", "power"):
+            return self._of_driver(drivers.index(owner), quantity)
         if owner in model.joints:
             return self._of_joint(owner, quantity)
         if owner in model.bodies and quantity == "angle":
@@ -136,6 +139,12 @@ class Kinematics:
         if kind == "speed":
             return self.rate(self.travel(joint, which))
         raise ValueError(f"{self.model.title}: joint `{owner}` has no `{quantity}`")
+
+    def _of_driver(self, index, quantity):
+        """The effort as given, and its power along the law."""
+        effort = self.model.efforts[index]
+        law = entry(self.model.definition["drivers"][index]["law"], self)
+        return effort if quantity == "effort" else effort * self.explicit_rate(law)
 
     def distance(self, first, second):
         difference = self.position(self._place_of(second)) - self.position(self._place_of(first))

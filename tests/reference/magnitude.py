@@ -148,6 +148,12 @@ def _sign(a):
     return result, np.abs(result)
 
 
+def _floor(a):
+    # A whole number, exact unless rounding takes the argument over one.
+    result = np.floor(a[0])
+    return result, np.abs(result)
+
+
 def _not(a):
     result = (a[0] == 0).astype(a[0].dtype)
     return result, result
@@ -196,6 +202,7 @@ RULES = {
     ca.OP_TWICE: _twice,
     ca.OP_FABS: _absolute,
     ca.OP_SIGN: _sign,
+    ca.OP_FLOOR: _floor,
     ca.OP_FMIN: _minimum,
     ca.OP_FMAX: _maximum,
     ca.OP_IF_ELSE_ZERO: _if_else_zero,

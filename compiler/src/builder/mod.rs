@@ -24,6 +24,7 @@ pub use value::{Call, Place, Value, ground};
 use crate::compiled::Compiled;
 use crate::diagnostics::Severity;
 use crate::driver;
+use crate::forms::{Interpolation, Outside};
 use crate::model::Coordinates;
 use crate::source::{self, Located, Source};
 use std::fmt;
@@ -199,6 +200,44 @@ impl Builder {
         self
     }
 
+    /// A function by its values: `argument` and `unit` are those of the numbers, `argument` with its name before it.
+    pub fn table(
+        &mut self,
+        name: &str,
+        argument: [&str; 2],
+        unit: &str,
+        points: &[[f64; 2]],
+        kind: Interpolation,
+        outside: Outside,
+    ) -> &mut Self {
+        self.declared("table", name, |name| {
+            let points: Vec<String> = points.iter().map(|point| tuple(point)).collect::<Result<_, _>>()?;
+            let head = table_head(name, &[argument], unit)?;
+            Ok(format!("{head} = [{}], {};", points.join(", "), goes_on(kind, outside)))
+        });
+        self
+    }
+
+    /// A function of two arguments by its values: those of both arguments, and a row for each value of the second.
+    pub fn grid(
+        &mut self,
+        name: &str,
+        arguments: [[&str; 2]; 2],
+        unit: &str,
+        axes: [&[f64]; 2],
+        rows: &[&[f64]],
+        outside: Outside,
+    ) -> &mut Self {
+        self.declared("table", name, |name| {
+            let rows: Vec<String> = rows.iter().map(|row| tuple(row)).collect::<Result<_, _>>()?;
+            let (head, axes) =
+                (table_head(name, &arguments, unit)?, [tuple(axes[0])?, tuple(axes[1])?].join(", "));
+            let goes_on = goes_on(Interpolation::Bilinear, outside);
+            Ok(format!("{head} = grid({axes}, [{}]), {goes_on};", rows.join(", ")))
+        });
+        self
+    }
+
     /// A value that is computed with the state.
     pub fn output(&mut self, name: &str, unit: &str, value: impl Into<Value>) -> &mut Self {
         let value = value.into().0;
@@ -267,6 +306,21 @@ impl Builder {
             notes: located.notes.iter().map(|(range, note)| (part(range), note.clone())).collect(),
         };
         found.into_iter().map(fault).collect()
+    }
+}
+
+/// `table lift(angle [deg]) [mm]`.
+fn table_head(name: &str, arguments: &[[&str; 2]], unit: &str) -> Result<String, String> {
+    let written = |[name, unit]: &[&str; 2]| Ok(format!("{} {}", checked_name(name)?, bracketed(unit)?));
+    let arguments: Vec<String> = arguments.iter().map(written).collect::<Result<_, String>>()?;
+    Ok(format!("table {name}({}) {}", arguments.join(", "), bracketed(unit)?))
+}
+
+/// `natural, outside = hold`; what is periodic has no outside.
+fn goes_on(kind: Interpolation, outside: Outside) -> String {
+    match kind {
+        Interpolation::Periodic => kind.word().to_string(),
+        _ => format!("{}, outside = {}", kind.word(), outside.word()),
     }
 }
 

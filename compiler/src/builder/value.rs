@@ -19,10 +19,10 @@ impl Value {
         Value(checked_path(path))
     }
 
-    /// A function of the language, such as `sin`, `atan2`, `if`.
+    /// A function of the language, such as `sin`, `atan2`, `if`, or a table.
     pub fn call(function: &str, arguments: &[Value]) -> Self {
         let arguments: Result<Vec<String>, String> = arguments.iter().map(|it| it.0.clone()).collect();
-        let name = checked_name(function);
+        let name = checked_path(function);
         Value(arguments.and_then(|arguments| Ok(format!("{}({})", name?, arguments.join(", ")))))
     }
 

@@ -61,6 +61,7 @@ fn is_of_a_size_to_write_out(mechanism: &Mechanism, diagnostics: &mut Diagnostic
     const MOST_CONSTRAINTS: usize = 512;
     const MOST_LOADS: usize = 1024;
     const MOST_VALUES: usize = 1024;
+    const MOST_TABLES: usize = 256;
     fn names<'a>(names: impl Iterator<Item = &'a Name> + 'a) -> Vec<&'a Name> {
         names.collect()
     }
@@ -71,6 +72,7 @@ fn is_of_a_size_to_write_out(mechanism: &Mechanism, diagnostics: &mut Diagnostic
     let drivers = mechanism.drivers.iter().map(|driver| &driver.name);
     let parameters = mechanism.parameters.iter().map(|parameter| &parameter.name);
     let inputs = mechanism.inputs.iter().map(|input| &input.name);
+    let states = mechanism.states.iter().map(|state| &state.name);
     let outputs = mechanism.outputs.iter().map(|output| &output.name);
     for (what, names, most) in [
         ("bodies", names(mechanism.bodies.iter().map(|body| &body.name)), MOST_BODIES),
@@ -80,7 +82,12 @@ fn is_of_a_size_to_write_out(mechanism: &Mechanism, diagnostics: &mut Diagnostic
             most_constraints,
         ),
         ("loads", names(mechanism.loads.iter().map(|load| &load.name)), MOST_LOADS),
-        ("parameters, inputs and outputs", names(parameters.chain(inputs).chain(outputs)), MOST_VALUES),
+        ("tables", names(mechanism.tables.iter().map(|table| &table.name)), MOST_TABLES),
+        (
+            "parameters, inputs, states and outputs",
+            names(parameters.chain(inputs).chain(states).chain(outputs)),
+            MOST_VALUES,
+        ),
     ] {
         if let Some(first) = names.get(most) {
             diagnostics.error(first.span, messages::too_many(what, names.len(), most, &first.text));

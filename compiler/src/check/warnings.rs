@@ -11,11 +11,12 @@ use crate::forms::Outline;
 use crate::forms::{JointForm, Law, Sign};
 use crate::messages;
 use crate::model::{
-    Body, BodyId, Declared, Expr, Frame, JointId, Load, Mechanism, NamedPoint, Rotor, Subject, Vector,
+    Body, BodyId, Declared, Expr, Frame, JointId, Load, Mechanism, NamedPoint, Quantity, Rotor, Subject,
+    Vector,
 };
 
 /// The warnings in the order they are reported.
-const WARNINGS: [fn(&Mechanism, &mut Wanted); 7] = [
+const WARNINGS: [fn(&Mechanism, &mut Wanted); 9] = [
     declarations_are_used,
     bodies_are_connected,
     gravity_pulls,
@@ -23,11 +24,13 @@ const WARNINGS: [fn(&Mechanism, &mut Wanted); 7] = [
     springs_pull_back,
     places_are_on_their_bodies,
     inertia_fits_mass_and_size,
+    tables_bend_smoothly,
+    reactions_are_unique,
 ];
 
-/// All warnings of a mechanism without errors.
-pub fn warnings(mechanism: &Mechanism) -> Diagnostics {
-    let mut wanted = Wanted { allowed: &mechanism.allowed, found: Diagnostics::new() };
+/// All warnings of a mechanism without errors, and with these joints whose reactions are one of many.
+pub fn warnings(mechanism: &Mechanism, shared: &[JointId]) -> Diagnostics {
+    let mut wanted = Wanted { allowed: &mechanism.allowed, shared, found: Diagnostics::new() };
     for warning in WARNINGS {
         warning(mechanism, &mut wanted);
     }
@@ -37,6 +40,7 @@ pub fn warnings(mechanism: &Mechanism) -> Diagnostics {
 /// Warnings, but those that `#[allow(…)]` takes back.
 struct Wanted<'a> {
     allowed: &'a Allowed,
+    shared: &'a [JointId],
     found: Diagnostics,
 }
 
@@ -55,13 +59,41 @@ fn declarations_are_used(mechanism: &Mechanism, wanted: &mut Wanted) {
             Declared::Constant => "constant",
             Declared::Parameter => "parameter",
             Declared::Input => "input",
+            Declared::State => "state",
             Declared::Signal => "signal",
+            Declared::Table => "table",
             Declared::Point => "point",
             Declared::Marker => "marker",
             Declared::Line => "line",
         };
         let message = messages::unused(kind, &unused.name.text, unused.body.as_deref());
         wanted.push(Lint::Unused, unused.name.span, message);
+    }
+}
+
+// A table in a constraint or driver has no kinks in its slope.
+fn tables_bend_smoothly(mechanism: &Mechanism, wanted: &mut Wanted) {
+    for kink in &mechanism.kinks {
+        wanted.push(Lint::Kinks, kink.region, messages::accelerations_jump(&kink.table));
+    }
+}
+
+// A reaction that is named is the only one that holds its joint.
+fn reactions_are_unique(mechanism: &Mechanism, wanted: &mut Wanted) {
+    let outputs = mechanism.outputs.iter().map(|output| (&output.name, &output.value));
+    let rates = mechanism.states.iter().map(|state| (&state.name, &state.rate));
+    for (name, expr) in outputs.chain(rates) {
+        let mut named = Vec::new();
+        expr.quantities(&mut |quantity| match quantity {
+            Quantity::Reaction(joint, _) if wanted.shared.contains(joint) && !named.contains(joint) => {
+                named.push(*joint);
+            }
+            _ => {}
+        });
+        for joint in named {
+            let message = messages::shared_reaction(&name.text, &mechanism.joints[joint.0].name.text);
+            wanted.push(Lint::Shared, name.span, message);
+        }
     }
 }
 

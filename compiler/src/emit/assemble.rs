@@ -65,7 +65,10 @@ pub fn assemble(text: &mut String, emitter: &Emitter) {
     let numbers = |values: &[f64]| array(values.iter().map(|value| constant(*value)));
     let _ = writeln!(text, "fn start_q(&self) -> Q<R> {{ {} }}", numbers(&compiled.assembly.q));
     let _ = writeln!(text, "fn start_v(&self) -> V<R> {{ {} }}", numbers(&compiled.assembly.v));
-    text.push_str("fn start_internal(&self) {}\nfn start_gates(&self) {}\n");
+    if emitter.mechanism.states.is_empty() {
+        text.push_str("fn start_internal(&self) {}\n");
+    }
+    text.push_str("fn start_gates(&self) {}\n");
     let open = compiled.complete.equations.open_rows(emitter.mechanism);
     if !open.is_empty() {
         // The residual with the old phase is what the new phase differs by.

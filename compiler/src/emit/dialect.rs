@@ -7,6 +7,8 @@
 
 use crate::functions::Argument;
 use crate::schedule::{Instruction, Source};
+use crate::symbolic::Table;
+use std::sync::Arc;
 
 /// An operation is its operands with texts between: what stands before each of them, and behind the last.
 ///
@@ -24,6 +26,8 @@ pub trait Dialect {
     fn constant(&self, text: &mut String, value: f64);
     /// The texts around the operands, in the order of [`Instruction::operands`]; that behind the last stands directly behind it.
     fn operation(&self, instruction: &Instruction) -> Spelling;
+    /// What stands before the first operand of a look-up in a table, which `operation` leaves out.
+    fn look_up(&self, text: &mut String, tables: &[Arc<Table>], instruction: &Instruction);
     /// What stands before, in and behind `NAME VALUE` of a new value, which may be a truth value.
     fn declaration(&self, mask: bool) -> [&'static str; 3];
     /// A line of comment.

@@ -2,7 +2,7 @@
 
 use super::names::field;
 use super::rust::literal;
-use super::{Emitter, array, coordinates_json, documentation, named, quoted};
+use super::{Emitter, array, coordinates_json, declared, documentation, named, quoted};
 use crate::functions::{Function, Shape};
 use crate::schedule::count;
 use std::fmt::Write;
@@ -25,10 +25,14 @@ pub fn items(text: &mut String, emitter: &Emitter, source: &str) {
     parameters(text, emitter);
     inputs(text, emitter);
     outputs(text, emitter);
+    let (states, internal) = match mechanism.states.len() {
+        0 => ("Positions and velocities", String::new()),
+        n => ("Positions, velocities and internal states", format!(", [R; {n}]")),
+    };
     let _ = writeln!(
         text,
-        "#[doc = \"Positions and velocities of [`{name}`].\"] {visibility} type {name}State<R = {F64}> = \
-         {path}::State<[R; {}], [R; {}]>;",
+        "#[doc = \"{states} of [`{name}`].\"] {visibility} type {name}State<R = {F64}> = \
+         {path}::State<[R; {}], [R; {}]{internal}>;",
         emitter.compiled.entries(Shape::Positions),
         emitter.compiled.entries(Shape::Velocities)
     );
@@ -44,7 +48,8 @@ fn parameters(text: &mut String, emitter: &Emitter) {
     );
     for parameter in &mechanism.parameters {
         let field = field(&parameter.name.identifier());
-        let doc = format!("`{}`, default {:?} in SI units.", parameter.unit, parameter.default);
+        let own = parameter.name.identifier();
+        let doc = declared::doc(&parameter.unit, &format!("{name}Parameters"), &own, Some(parameter.default));
         let _ = writeln!(text, "{} #[doc = {}] pub {field}: R,", parameter.docs, quoted(&doc));
     }
     if mechanism.parameters.is_empty() {
@@ -63,7 +68,8 @@ fn inputs(text: &mut String, emitter: &Emitter) {
         "#[doc = \"Inputs of [`{name}`], in SI units.\"] {DERIVES} {visibility} struct {name}Inputs<R = {F64}> {{"
     );
     for input in &mechanism.inputs {
-        let doc = quoted(&format!("`{}` (SI).", input.unit));
+        let own = input.name.identifier();
+        let doc = quoted(&declared::doc(&input.unit, &format!("{name}Inputs"), &own, None));
         let _ = writeln!(text, "{} #[doc = {doc}] pub {}: R,", input.docs, field(&input.name.identifier()));
     }
     text.push_str("}\n");
@@ -79,15 +85,29 @@ fn outputs(text: &mut String, emitter: &Emitter) {
         "#[doc = \"Outputs of [`{name}`], in SI units.\"] {DERIVES} {visibility} struct {name}Outputs<R = {F64}> {{"
     );
     for output in &mechanism.outputs {
-        let doc = quoted(&format!("`{}` (SI).", output.unit));
+        let own = output.name.identifier();
+        let doc = quoted(&declared::doc(&output.unit, &format!("{name}Outputs"), &own, None));
         let _ = writeln!(text, "{} #[doc = {doc}] pub {}: R,", output.docs, field(&output.name.identifier()));
     }
     text.push_str("}\n");
 }
 
+fn numbers(values: &[f64]) -> String {
+    array(values.iter().map(|value| literal(*value)))
+}
+
+/// The state at the start.
+fn start(emitter: &Emitter) -> String {
+    let Emitter { path, compiled, .. } = emitter;
+    let (q, v) = (numbers(&compiled.assembly.q), numbers(&compiled.assembly.v));
+    match compiled.start_internal().as_slice() {
+        [] => format!("{path}::State::new({q}, {v})"),
+        z => format!("{path}::State {{ q: {q}, v: {v}, z: {}, gates: () }}", numbers(z)),
+    }
+}
+
 fn constants(text: &mut String, emitter: &Emitter, source: &str) {
-    let Emitter { name, path, compiled, mechanism, .. } = emitter;
-    let numbers = |values: &[f64]| array(values.iter().map(|value| literal(*value)));
+    let Emitter { name, compiled, mechanism, .. } = emitter;
     let string = "&'static ::core::primitive::str";
     let operations = count(compiled.programs.get(Function::AccelerationBaumgarte)).total();
     // A number of the start may happen to be near π, or have more digits than one writes by hand.
@@ -98,7 +118,7 @@ fn constants(text: &mut String, emitter: &Emitter, source: &str) {
     constant(
         "Consistent start state for the default parameters, assembled at compile time.",
         &format!("START: {name}State"),
-        &format!("{path}::State::new({}, {})", numbers(&compiled.assembly.q), numbers(&compiled.assembly.v)),
+        &start(emitter),
     );
     let usize = "::core::primitive::usize";
     constant(

@@ -35,25 +35,31 @@ pub fn mechanism(text: &mut String, emitter: &Emitter) {
         tables::method(text, method, "&'static [&'static str]", &format!("<{of} as Fields<R>>::NAMES"));
     }
     functions(text, &mut helpers, emitter, Interface::Mechanism);
-    let _ = writeln!(
-        text,
-        "fn internal_rates(&self, _time: R, _state: &{}, _u: &{}, _a: &V<R>, _lambda: &Lambda<R>, _rates: &mut ()) {{}}",
-        emitter.type_of(Shape::State),
-        emitter.type_of(Shape::Inputs)
-    );
+    if mechanism.states.is_empty() {
+        let _ = writeln!(
+            text,
+            "fn internal_rates(&self, _time: R, _state: &{}, _u: &{}, _a: &V<R>, _lambda: &Lambda<R>, _rates: &mut ()) {{}}",
+            emitter.type_of(Shape::State),
+            emitter.type_of(Shape::Inputs)
+        );
+    } else {
+        let names = mechanism.states.iter().map(|state| state.name.text.clone()).collect();
+        tables::method(text, "internal_names", "&[&'static str]", &tables::strings(names));
+    }
     unwrap(text, emitter);
     text.push_str("}\n");
     text.push_str(&helpers);
 }
 
-/// What a state is made of: there are no internal states and no gates yet.
+/// What a state is made of: there are no gates yet.
 fn variables(text: &mut String, emitter: &Emitter) {
     let _ = writeln!(text, "impl<R: Real> Variables<R> for {}<R> {{", emitter.inner);
     tables::method(text, "layout", "&Layout<'_>", &format!("&{}", tables::layout(emitter)));
     for alias in ["Q", "V", "Lambda"] {
         let _ = writeln!(text, "type {alias} = {alias}<R>;");
     }
-    text.push_str("type Z = ();\ntype Gates = ();\n}\n");
+    let internal = if emitter.mechanism.states.is_empty() { "()" } else { "Z<R>" };
+    let _ = writeln!(text, "type Z = {internal};\ntype Gates = ();\n}}");
 }
 
 fn unwrap(text: &mut String, emitter: &Emitter) {

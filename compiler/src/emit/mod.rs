@@ -16,12 +16,14 @@
 
 mod assemble;
 mod coordinates_json;
+mod declared;
 mod dialect;
 mod documentation;
 mod function;
 mod home;
 mod inherent;
 mod items;
+mod look_up;
 mod mechanism;
 mod named;
 mod names;
@@ -45,6 +47,7 @@ use crate::model::Mechanism;
 use crate::self_check;
 use proc_macro2::TokenStream;
 use rust::Rust;
+use std::collections::BTreeSet;
 use std::fmt::Write;
 
 /// Everything the macro expands to: an import, if the text needs one, and the text.
@@ -67,7 +70,9 @@ fn text(emitter: &Emitter, source: &str) -> String {
     let _ = writeln!(text, "use ::core::primitive::{{bool, f64, u16, u32, usize, str}};");
     let mut implementations = String::new();
     types::aliases(&mut text, emitter);
+    look_up::tables(&mut text, emitter);
     types::fields(&mut implementations, emitter);
+    declared::functions(&mut implementations, emitter);
     named::conversions(&mut implementations, emitter);
     inherent::inherent(&mut implementations, emitter);
     mechanism::mechanism(&mut implementations, emitter);
@@ -76,6 +81,9 @@ fn text(emitter: &Emitter, source: &str) -> String {
     tangent::tangent(&mut text, &mut implementations, emitter);
     text.push_str(&implementations);
     text.push_str("};\n");
+    let files = emitter.mechanism.tables.iter().filter_map(|table| table.file.as_ref());
+    let files: BTreeSet<&str> = files.map(|file| file.path.as_str()).collect();
+    files.into_iter().for_each(|file| text.push_str(&depends_on(file)));
     if emitter.mechanism.options.self_check.is_none() {
         text.push_str(&depends_on_variable(self_check::VARIABLE));
     }

@@ -4,13 +4,14 @@
 //! pub struct FourBarPositions<R = f64> { pub crank_angle: Angle<R>, … }
 //! pub struct FourBarVelocities<R = f64> { pub crank_rate: R, … }
 //! impl<R: Real> From<Q<R>> for FourBarPositions<R> { … } // and back
+//! // A mechanism with internal states has `FourBarInternal`, with a field for each.
 //! impl<R: Real> FourBar<R> { pub fn positions(q: &Q<R>) -> FourBarPositions<R> { … } … }
 //! ```
 
 use super::names::field;
-use super::{Emitter, array};
+use super::{Emitter, array, declared, quoted};
 use crate::equations::Layout;
-use crate::model::Mechanism;
+use crate::model::{InternalState, Mechanism};
 use std::collections::BTreeSet;
 use std::fmt::Write;
 
@@ -28,11 +29,13 @@ enum Kind {
 
 struct Named {
     name: String,
-    doc: &'static str,
+    doc: String,
+    /// What the user wrote above it.
+    docs: String,
     kind: Kind,
 }
 
-/// One of the two structs.
+/// One of the structs.
 struct Struct {
     suffix: &'static str,
     /// The function of the model that makes it, and the alias of the array of a state.
@@ -56,7 +59,13 @@ fn structs(emitter: &Emitter) -> impl Iterator<Item = Struct> {
         alias: "V",
         fields: velocities(layout, mechanism),
     };
-    [positions, velocities].into_iter().filter(|known| !known.fields.is_empty())
+    let internal = Struct {
+        suffix: "Internal",
+        function: "internal",
+        alias: "Z",
+        fields: mechanism.states.iter().map(|state| internal(&mechanism.name.text, state)).collect(),
+    };
+    [positions, velocities, internal].into_iter().filter(|known| !known.fields.is_empty())
 }
 
 /// The structs.
@@ -69,8 +78,8 @@ pub fn items(text: &mut String, emitter: &Emitter) {
             "#[doc = \"{suffix} of [`{name}`] by name; [`From`] and [`Into`] the array of a state.\"] \
              #[allow(dead_code)] {derives} {visibility} struct {name}{suffix}<R = {f64}> {{"
         );
-        for Named { name, doc, kind } in &fields {
-            let _ = writeln!(text, "#[doc = \"{doc}\"] pub {name}: {},", kind.type_of(path));
+        for Named { name, doc, docs, kind } in &fields {
+            let _ = writeln!(text, "{docs} #[doc = {}] pub {name}: {},", quoted(doc), kind.type_of(path));
         }
         text.push_str("}\n");
     }
@@ -108,60 +117,74 @@ pub fn functions(text: &mut String, emitter: &Emitter) {
     }
 }
 
+fn named(name: String, doc: &str, kind: Kind) -> Named {
+    Named { name, doc: doc.to_string(), docs: String::new(), kind }
+}
+
+fn number(name: &str, doc: &str) -> Named {
+    named(name.to_string(), doc, Kind::Number)
+}
+
+fn internal(mechanism: &str, state: &InternalState) -> Named {
+    let doc = declared::doc(&state.unit, &format!("{mechanism}Internal"), &state.name.identifier(), None);
+    Named { docs: state.docs.clone(), ..number(&field(&state.name.identifier()), &doc) }
+}
+
 fn positions(layout: &Layout, mechanism: &Mechanism) -> Vec<Named> {
     let names = layout.position_names(mechanism);
     let lengths = names.iter().take(layout.linear.len());
-    let lengths = lengths.map(|name| Named { name: name.clone(), doc: "m.", kind: Kind::Number });
+    let lengths = lengths.map(|name| number(name, "m."));
     let angles = (0..layout.rotations.len()).map(|rotation| {
         let name = names[layout.pair(rotation)].trim_end_matches(".cos");
         let name = if name.contains(".angle") { name.to_string() } else { format!("{name}.angle") };
-        Named { name, doc: "rad, by its cosine and sine.", kind: Kind::Angle }
+        named(name, "rad, by its cosine and sine.", Kind::Angle)
     });
-    let quaternions = layout.quaternions.iter().map(|ball| Named {
-        name: format!("{}.orientation", ball.name(mechanism)),
-        doc: "A unit quaternion (w, x, y, z).",
-        kind: Kind::Array(4),
+    let quaternions = layout.quaternions.iter().map(|ball| {
+        let name = format!("{}.orientation", ball.name(mechanism));
+        named(name, "A unit quaternion (w, x, y, z).", Kind::Array(4))
     });
-    let turns = (0..layout.angles.len()).map(|angle| Named {
-        name: names[layout.turns(angle)].clone(),
-        doc: "rad, over several turns.",
-        kind: Kind::Turns,
-    });
+    let turns = (0..layout.angles.len())
+        .map(|angle| named(names[layout.turns(angle)].clone(), "rad, over several turns.", Kind::Turns));
     unique(lengths.chain(angles).chain(quaternions).chain(turns).collect())
 }
 
 fn velocities(layout: &Layout, mechanism: &Mechanism) -> Vec<Named> {
     let names = layout.velocity_names(mechanism);
     let (linear, angular) = names.split_at(layout.linear.len());
-    let number = |name: &String, doc| Named { name: name.clone(), doc, kind: Kind::Number };
     let speeds = linear.iter().map(|name| number(name, "m/s."));
     let rates = angular.iter().take(layout.rotations.len()).map(|name| number(name, "rad/s."));
-    let vectors = layout.quaternions.iter().map(|ball| Named {
-        name: format!("{}.rate", ball.name(mechanism)),
-        doc: "ω along the turned axes, rad/s.",
-        kind: Kind::Array(3),
+    let vectors = layout.quaternions.iter().map(|ball| {
+        named(format!("{}.rate", ball.name(mechanism)), "ω along the turned axes, rad/s.", Kind::Array(3))
     });
     unique(speeds.chain(rates).chain(vectors).collect())
 }
 
 /// In the place of both after an error: whatever a coordinate of these bodies and joints can be called.
-pub fn stub(text: &mut String, (visibility, name): (&str, &str), owners: &[&String], many: usize) {
+pub fn stub(
+    text: &mut String,
+    (visibility, name): (&str, &str),
+    owners: &[&String],
+    states: &[String],
+    many: usize,
+) {
     let all = |suffixes: &[(&str, Kind)]| {
         let of = |owner: &String| -> Vec<Named> {
-            let named = |(suffix, kind): &(&str, Kind)| Named {
-                name: format!("{owner}{suffix}"),
-                doc: "",
-                kind: *kind,
-            };
-            suffixes.iter().map(named).collect()
+            let one = |(suffix, kind): &(&str, Kind)| named(format!("{owner}{suffix}"), "", *kind);
+            suffixes.iter().map(one).collect()
         };
         let mut taken = BTreeSet::new();
         let all = owners.iter().copied().flat_map(of);
         all.filter(|named| taken.insert(named.name.clone())).collect::<Vec<_>>()
     };
-    for (suffix, function, all) in
-        [("Positions", "positions", all(&POSITIONS)), ("Velocities", "velocities", all(&VELOCITIES))]
-    {
+    let states: Vec<Named> = states.iter().map(|state| number(&field(state), "")).collect();
+    for (suffix, function, all) in [
+        ("Positions", "positions", all(&POSITIONS)),
+        ("Velocities", "velocities", all(&VELOCITIES)),
+        ("Internal", "internal", states),
+    ] {
+        if all.is_empty() && suffix == "Internal" {
+            continue;
+        }
         let fields =
             all.iter().map(|Named { name, kind, .. }| format!("pub {name}: {}", kind.type_of("@RUNTIME@")));
         let fields = fields.chain(["pub scalar: ::core::marker::PhantomData<R>".to_string()]);

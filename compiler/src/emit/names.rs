@@ -183,11 +183,12 @@ pub fn inner(name: &str) -> String {
 
 /// Types, traits and variants that implementations have in scope: short names of arrays, what the runtime exports to
 /// emitted code, the prelude.
-const IN_SCOPE: [&str; 102] = [
+const IN_SCOPE: [&str; 107] = [
     "Constants",
     "Phases",
     "Q",
     "V",
+    "Z",
     "Lambda",
     "Mass",
     "Jacobian",
@@ -206,6 +207,8 @@ const IN_SCOPE: [&str; 102] = [
     "RowDamping",
     "RateTangent",
     "InputTangent",
+    "InternalTangent",
+    "InternalRateTangent",
     "ParameterTangent",
     "OutputTangent",
     "CoordinateTangent",
@@ -286,4 +289,6 @@ const IN_SCOPE: [&str; 102] = [
     "IntoFuture",
     "Unpin",
     "Debug",
+    "table",
+    "tables",
 ];

@@ -12,7 +12,7 @@ use super::dialect::Dialect;
 use super::names::Names;
 use crate::compiled::Compiled;
 use crate::functions::{Argument, Function, Group, Interface, Shape, Signature};
-use crate::schedule::{Cut, Instruction, Operand, Part, Program, Section, Source};
+use crate::schedule::{Cut, Instruction, Operand, Part, Program, Section, Source, count};
 use std::collections::BTreeSet;
 
 /// The body of a function and the helper functions it was cut into.
@@ -159,8 +159,12 @@ impl<D: Dialect> Writer<'_, D> {
         if self.signature.interface != Interface::Model {
             self.signature.doc.lines().for_each(|line| dialect.comment(text, line));
         }
-        // Each instruction is one operation.
-        match self.program.instructions.len() {
+        // Each instruction is one operation, but for those of tables.
+        let operations = match self.program.tables.as_slice() {
+            [] => self.program.instructions.len(),
+            _ => count(self.program).total(),
+        };
+        match operations {
             0 => {}
             1 => dialect.comment(text, "1 operation."),
             many => dialect.comment(text, &format!("{many} operations.")),
@@ -264,6 +268,9 @@ impl<D: Dialect> Writer<'_, D> {
 
     fn expression(&self, text: &mut String, instruction: &Instruction, names: &Names) {
         let instruction = with_signs_in_constants(*instruction);
+        if instruction.table().is_some() {
+            self.printer.dialect.look_up(text, &self.program.tables, &instruction);
+        }
         let spelling = self.printer.dialect.operation(&instruction);
         let mut texts = spelling.iter();
         let mut between = |text: &mut String| text.push_str(texts.next().unwrap_or(&""));

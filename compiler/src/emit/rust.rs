@@ -2,12 +2,14 @@
 
 use super::dialect::{Dialect, Spelling};
 use super::function::declaration;
+use super::look_up;
 use super::names::{KEYWORDS, field};
 use crate::compiled::Compiled;
 use crate::functions::{Argument, Shape};
 use crate::schedule::{Instruction, Source};
-use crate::symbolic::{Compare, Unary};
+use crate::symbolic::{Compare, Table, Unary};
 use std::fmt::Write;
+use std::sync::Arc;
 
 /// The Rust of one mechanism, whose types have short names beside the functions.
 pub struct Rust<'a>(pub &'a Compiled);
@@ -64,7 +66,27 @@ impl Dialect for Rust<'_> {
             Instruction::Or(..) => ["", " | ", "", ""],
             Instruction::Not(_) => ["!", "", "", ""],
             Instruction::Select(..) => ["R::select(", ", ", ", ", ")"],
+            Instruction::Cell(..) => ["", ")", "", ""],
+            Instruction::Piece(..) => ["", ", ", ")", ""],
+            Instruction::Patch(..) => ["", ", ", ", ", ")"],
         }
+    }
+
+    fn look_up(&self, text: &mut String, tables: &[Arc<Table>], instruction: &Instruction) {
+        let function = match instruction {
+            Instruction::Piece(_, orders, ..) => {
+                ["value", "slope", "second", "third"][usize::from(orders.first())]
+            }
+            Instruction::Patch(_, orders, ..) => match (orders.first(), orders.second()) {
+                (0, 0) => "patch",
+                (_, 0) => "patch_x",
+                (0, _) => "patch_y",
+                _ => "patch_xy",
+            },
+            _ => "cell",
+        };
+        let number = instruction.table().map_or(0, usize::from);
+        let _ = write!(text, "table::{function}(&tables::{}, ", look_up::name(tables, number));
     }
 
     fn declaration(&self, _: bool) -> [&'static str; 3] {
@@ -140,7 +162,9 @@ pub fn type_of(compiled: &Compiled, shape: Shape) -> String {
             return format!("[{}<R>; {}]", record.of(mechanism.space).name, compiled.entries(shape));
         }
         Shape::Loads | Shape::Drivers | Shape::Masses => return format!("[R; {}]", compiled.entries(shape)),
-        Shape::State => return "State<Q<R>, V<R>>".to_string(),
+        Shape::State if mechanism.states.is_empty() => return "State<Q<R>, V<R>>".to_string(),
+        Shape::State => return "State<Q<R>, V<R>, Z<R>>".to_string(),
+        Shape::Internal => "Z",
         Shape::Positions => "Q",
         Shape::Velocities => "V",
         Shape::Rows => "Lambda",

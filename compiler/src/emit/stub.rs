@@ -6,10 +6,10 @@
 use super::function::head;
 use super::home::Home;
 use super::names::{field, is_keyword};
-use super::{named, report};
+use super::{declared, named, report};
 use crate::driver::header;
 use crate::functions::{DERIVATIVES, FUNCTIONS, Interface, Shape, Signature};
-use crate::model::Space;
+use crate::model::{DeclaredUnit, Space};
 use crate::syntax::Header;
 use proc_macro2::TokenStream;
 use std::fmt::Write;
@@ -66,10 +66,11 @@ fn structs(text: &mut String, header: &Header) {
     let _ = writeln!(
         text,
         "#[allow(missing_docs, dead_code)] {visibility} type {name}State<R = {f64}> = \
-         @RUNTIME@::State<[R; {MANY}], [R; {MANY}]>;"
+         @RUNTIME@::State<[R; {MANY}], [R; {MANY}]{}>;",
+        if header.states.is_empty() { String::new() } else { format!(", [R; {MANY}]") }
     );
     let owners: Vec<&String> = header.bodies.iter().chain(&header.joints).collect();
-    named::stub(text, (&visibility, &name), &owners, MANY);
+    named::stub(text, (&visibility, &name), &owners, &header.states, MANY);
 }
 
 fn constants(text: &mut String, header: &Header) {
@@ -77,7 +78,11 @@ fn constants(text: &mut String, header: &Header) {
     let zeros = format!("[0.0; {MANY}]");
     let (usize, str) = ("::core::primitive::usize", "&'static ::core::primitive::str");
     let _ = writeln!(text, "#[allow(missing_docs, dead_code)] impl {name}<::core::primitive::f64> {{");
-    let _ = writeln!(text, "pub const START: {name}State = @RUNTIME@::State::new({zeros}, {zeros});");
+    let internal = if header.states.is_empty() { "()" } else { &zeros };
+    let _ = writeln!(
+        text,
+        "pub const START: {name}State = @RUNTIME@::State {{ q: {zeros}, v: {zeros}, z: {internal}, gates: () }};"
+    );
     for constant in ["DEGREES_OF_FREEDOM", "OPERATIONS"] {
         let _ = writeln!(text, "pub const {constant}: {usize} = 1;");
     }
@@ -111,8 +116,10 @@ fn implementations(text: &mut String, header: &Header) {
         .replace("@FUNCTIONS_OF_MECHANISM@", &functions(Interface::Mechanism))
         .replace("@FUNCTIONS_OF_ASSEMBLE@", &functions(Interface::Assemble))
         .replace("@FUNCTIONS_OF_TANGENT@", &functions(Interface::Tangent))
+        .replace("@DECLARED@", &declared(header))
         .replace("@DERIVATIVES@", &matrices.concat())
         .replace("@NAME@", &name)
+        .replace("@Z@", if header.states.is_empty() { "()" } else { &list })
         .replace("@INPUTS@", &inputs)
         .replace("@OUTPUTS@", &outputs)
         .replace("@LIST@", &list)
@@ -124,6 +131,25 @@ fn implementations(text: &mut String, header: &Header) {
             text.push_str(&fields);
         }
     }
+}
+
+/// Values in declared units.
+fn declared(header: &Header) -> String {
+    let mut text = String::new();
+    for suffix in ["Parameters", "Inputs", "Outputs", "Internal"] {
+        let own: Vec<(String, DeclaredUnit)> = header
+            .declared
+            .iter()
+            .filter(|(of, ..)| *of == suffix)
+            .map(|(_, name, unit)| {
+                let unit = DeclaredUnit { text: unit.text.clone(), scale: unit.scale, si: String::new() };
+                (name.clone(), unit)
+            })
+            .collect();
+        let fields = own.iter().map(|(name, unit)| (name.clone(), unit));
+        declared::of_struct(&mut text, &format!("{}{suffix}", header.name), fields, suffix != "Outputs");
+    }
+    text
 }
 
 /// A function that does nothing.
@@ -150,7 +176,9 @@ impl Header {
         let space = if self.spatial { Space::Spatial } else { Space::Planar };
         match shape {
             Shape::Scalar => "R".to_string(),
-            Shape::State => format!("State<{list}, {list}>"),
+            Shape::State if self.states.is_empty() => format!("State<{list}, {list}>"),
+            Shape::State => format!("State<{list}, {list}, {list}>"),
+            Shape::Internal if self.states.is_empty() => "()".to_string(),
             Shape::Parameters => self.given(parameters),
             Shape::Inputs => self.given(inputs),
             Shape::Outputs => self.given(outputs),
@@ -194,6 +222,7 @@ use ::core::prelude::rust_2024::*;
 use @RUNTIME@::*;
 use ::core::primitive::{bool, f64, u16, u32, usize, str};
 impl<R: Real> Default for @NAME@Parameters<R> { fn default() -> Self { loop {} } }
+@DECLARED@
 impl<R: Real> Default for @NAME@<R> { fn default() -> Self { loop {} } }
 impl<R: Real> @NAME@<R> {
     pub fn prepare(parameters: @NAME@Parameters<R>) -> Result<Self, SettingError> { loop {} }
@@ -202,7 +231,7 @@ impl<R: Real> @NAME@<R> {
 }
 impl<R: Real> Variables<R> for @NAME@<R> {
     fn layout(&self) -> &Layout<'_> { &Layout { linear: @MANY@, rotations: 0, quaternions: 0, angles: &[] } }
-    type Q = @LIST@; type V = @LIST@; type Lambda = @LIST@; type Z = (); type Gates = ();
+    type Q = @LIST@; type V = @LIST@; type Lambda = @LIST@; type Z = @Z@; type Gates = ();
 }
 impl<R: Real> Mechanism<R> for @NAME@<R> {
     fn name(&self) -> &'static str { \"\" }
@@ -215,7 +244,6 @@ impl<R: Real> Mechanism<R> for @NAME@<R> {
     type Inputs = @INPUTS@; type Outputs = @OUTPUTS@;
     fn input_names(&self) -> &'static [&'static str] { &[] }
     fn output_names(&self) -> &'static [&'static str] { &[] }
-    fn internal_rates(&self, _: R, _: &State<@LIST@, @LIST@>, _: &@INPUTS@, _: &@LIST@, _: &@LIST@, _: &mut ()) {}
     fn unwrap(&self, outputs: &mut @OUTPUTS@, previous: &@OUTPUTS@) {}
     @FUNCTIONS_OF_MECHANISM@
 }
@@ -239,7 +267,6 @@ impl<R: Real> Assemble<R> for @NAME@<R> {
     fn store(&self) -> @LIST@ { loop {} }
     fn start_q(&self) -> @LIST@ { loop {} }
     fn start_v(&self) -> @LIST@ { loop {} }
-    fn start_internal(&self) {}
     fn start_gates(&self) {}
     @FUNCTIONS_OF_ASSEMBLE@
 }

@@ -34,6 +34,9 @@ pub fn aliases(text: &mut String, emitter: &Emitter) {
     let absent = |alias: &str| {
         alias == "Store" && further.stored.is_none() || alias == "Lu" && further.null_space.is_none()
     };
+    if !emitter.mechanism.states.is_empty() {
+        let _ = writeln!(text, "type Z<R> = [R; {}];", of(Shape::Internal));
+    }
     for (alias, length) in arrays.into_iter().filter(|(alias, _)| !absent(alias)) {
         let _ = writeln!(text, "type {alias}<R> = [R; {length}];");
     }

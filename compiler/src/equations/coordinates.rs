@@ -214,6 +214,8 @@ pub struct Symbols {
     pub q: Vec<Node>,
     pub v: Vec<Node>,
     pub inputs: Vec<Node>,
+    /// Those with rates of their own.
+    pub internal: Vec<Node>,
     pub two_alpha: Node,
     pub beta_squared: Node,
     /// c of K(c).
@@ -231,6 +233,7 @@ pub fn symbols(g: Sheet, mechanism: &Mechanism, layout: &Layout) -> Symbols {
     };
     let parameters = mechanism.parameters.iter().map(|parameter| parameter.name.identifier()).collect();
     let inputs = mechanism.inputs.iter().map(|input| input.name.identifier()).collect();
+    let internal = mechanism.states.iter().map(|state| state.name.identifier()).collect();
     let phases = super::couplings::open_phases(mechanism).map(|name| format!("{name}_phase")).collect();
     let dots = |names: Vec<String>| {
         names.into_iter().map(|name| name.replace(['.', '['], "_").replace(']', "")).collect::<Vec<_>>()
@@ -244,6 +247,7 @@ pub fn symbols(g: Sheet, mechanism: &Mechanism, layout: &Layout) -> Symbols {
         q: named(dots(layout.position_names(mechanism)), Class::Position),
         v: named(velocity_names, Class::Velocity),
         inputs: named(inputs, Class::Input),
+        internal: named(internal, Class::Input),
         two_alpha: symbol("two_alpha", Class::Input),
         beta_squared: symbol("beta_squared", Class::Input),
         compliance: symbol("compliance", Class::Input),

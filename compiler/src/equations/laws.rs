@@ -3,9 +3,10 @@
 use super::coordinates::{Layout, Symbols};
 use super::jet::{Jet, Moving};
 use super::kinematics::Kinematics;
-use super::{plane, space};
+use super::{Wrench, look_up, plane, space};
 use crate::model::{
-    Comparison, Condition, Coordinate, Expr, Function1, Function2, Mechanism, Quantity, Rotor, Vector,
+    Comparison, Condition, Coordinate, Expr, Function1, Function2, JointId, Mechanism, Quantity,
+    ReactionPart, Rotor, Vector,
 };
 use crate::symbolic::{Compare, Node, On, Scalar, Sheet, Unary};
 use std::f64::consts::TAU;
@@ -32,6 +33,8 @@ pub struct Totals {
     /// Per driver.
     pub efforts: Vec<Node>,
     pub driver_powers: Vec<Node>,
+    /// Per joint, force and torque.
+    pub reactions: Vec<Wrench>,
 }
 
 static NO_LAYOUT: Layout =
@@ -46,6 +49,7 @@ static NO_TOTALS: Totals = Totals {
     powers: Vec::new(),
     efforts: Vec::new(),
     driver_powers: Vec::new(),
+    reactions: Vec::new(),
 };
 
 impl<'a> Laws<'a> {
@@ -103,6 +107,7 @@ impl<'a> Laws<'a> {
             Expr::Number(value) => self.g.number(*value),
             Expr::Parameter(parameter) => self.g.on(self.symbols.parameters[parameter.0]),
             Expr::Input(input) => self.g.on(self.symbols.inputs[input.0]),
+            Expr::State(state) => self.g.on(self.symbols.internal[state.0]),
             Expr::Time => self.g.on(self.symbols.time),
             Expr::Quantity(quantity) => self.quantity(quantity),
             Expr::Unary(function, a) => {
@@ -126,6 +131,10 @@ impl<'a> Laws<'a> {
                 self.mask(condition).select(self.value(then), self.value(otherwise))
             }
             Expr::Rate(of) => self.jet(of).rate(),
+            Expr::Table(look_up) => {
+                let arguments: Vec<Scalar> = look_up.arguments.iter().map(|it| self.value(it)).collect();
+                look_up::value(look_up, &arguments, &self.turns(), self.g)
+            }
         }
     }
 
@@ -151,7 +160,9 @@ impl<'a> Laws<'a> {
 
     pub fn jet(&self, expr: &Expr) -> Moving<'a> {
         match expr {
-            Expr::Number(_) | Expr::Parameter(_) | Expr::Input(_) => self.still(self.value(expr)),
+            Expr::Number(_) | Expr::Parameter(_) | Expr::Input(_) | Expr::State(_) => {
+                self.still(self.value(expr))
+            }
             Expr::Time => {
                 let time = self.g.on(self.symbols.time);
                 time.moving(self.kinematics.velocities(), Jet::time(time))
@@ -184,6 +195,10 @@ impl<'a> Laws<'a> {
                 let (value, first) = (power(x, n), n * power(x, n - 1.0));
                 jet.chain(value, first, n * ((n - 1.0) * power(x, n - 2.0)))
             }
+            Expr::Table(look_up) => {
+                let arguments: Vec<Moving> = look_up.arguments.iter().map(|it| self.jet(it)).collect();
+                look_up::jet(look_up, &arguments, &self.turns()).unwrap_or_else(|| self.still(self.g.zero()))
+            }
             Expr::If(condition, then, otherwise) => {
                 Moving::select(self.mask(condition), &self.jet(then), &self.jet(otherwise))
             }
@@ -215,6 +230,11 @@ impl<'a> Laws<'a> {
         let mut angle = self.kinematics().rotor_rate(self, rotor);
         angle.jet.value = value.bare;
         angle
+    }
+
+    /// The entries of q that count whole turns of angles.
+    fn turns(&self) -> Vec<Node> {
+        (0..self.layout.angles.len()).map(|angle| self.symbols.q[self.layout.turns(angle)]).collect()
     }
 
     pub fn coordinate(&self, coordinate: &Coordinate) -> Moving<'a> {
@@ -250,9 +270,32 @@ impl<'a> Laws<'a> {
             Quantity::Power(load) => total(self.totals.powers.get(load.0)),
             Quantity::DriverPower(driver) => total(self.totals.driver_powers.get(driver.0)),
             Quantity::DriverEffort(driver) => total(self.totals.efforts.get(driver.0)),
+            Quantity::Reaction(joint, part) => self.reaction(*joint, *part),
             Quantity::KineticEnergy => total(self.totals.kinetic.as_ref()),
             Quantity::PotentialEnergy => total(self.totals.potential.as_ref()),
             Quantity::Energy => total(self.totals.kinetic.as_ref()) + total(self.totals.potential.as_ref()),
+        }
+    }
+
+    /// A part of what a joint exerts.
+    fn reaction(&self, joint: JointId, part: ReactionPart) -> Scalar<'a> {
+        let Some(wrench) = self.totals.reactions.get(joint.0) else { return self.g.zero() };
+        let entries = self.g.all(wrench);
+        let (force, torque) = entries.split_at(self.mechanism.space.dimensions());
+        match part {
+            ReactionPart::Force(axis) => force[axis],
+            ReactionPart::Normal => {
+                let joint = &self.mechanism.joints[joint.0];
+                let [x, y] = self.plane().normal(self, joint).parts();
+                x * force[0] + y * force[1]
+            }
+            ReactionPart::Size => force
+                .iter()
+                .map(|x| *x * *x)
+                .reduce(|sum, square| sum + square)
+                .map_or(self.g.zero(), Scalar::sqrt),
+            // In the plane there is one.
+            ReactionPart::Torque(axis) => torque[axis.min(torque.len() - 1)],
         }
     }
 

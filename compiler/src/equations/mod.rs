@@ -15,6 +15,7 @@ mod jet;
 mod kinematics;
 mod laws;
 pub mod loads;
+mod look_up;
 pub mod plane;
 mod rows;
 pub mod space;
@@ -149,8 +150,11 @@ pub struct Equations {
     pub motions: Vec<BodyMotion>,
     /// Per joint, functions of v̇ and λ.
     pub reactions: Vec<Wrench>,
-    /// With λ as given.
+    /// With v̇ and λ as given.
     pub outputs: Vec<Node>,
+    /// ż of the internal states, likewise, and their values at the start.
+    pub internal_rates: Vec<Node>,
+    pub internal_starts: Vec<Node>,
     /// Of `start`.
     pub conditions: Conditions,
     /// Masses, inertias and lengths that depend on parameters, `mass of "crank"`.
@@ -237,9 +241,14 @@ pub fn derive(mechanism: &Mechanism, tree: SpanningTree, omitted: &Omitted) -> E
         Space::Spatial => space::consequences(&laws, &tree, &all, &lambda, dropped),
     };
 
+    totals.reactions.clone_from(&reactions);
     let outputs_laws = laws.with_totals(&totals);
     let outputs: Vec<Node> =
         mechanism.outputs.iter().map(|output| outputs_laws.value(&output.value).bare).collect();
+
+    let states = mechanism.states.iter();
+    let internal_rates = states.clone().map(|state| outputs_laws.value(&state.rate).bare).collect();
+    let internal_starts = states.map(|state| outputs_laws.value(&state.start).bare).collect();
 
     let conditions = conditions::start_conditions(&laws);
 
@@ -278,6 +287,8 @@ pub fn derive(mechanism: &Mechanism, tree: SpanningTree, omitted: &Omitted) -> E
         motions,
         reactions,
         outputs,
+        internal_rates,
+        internal_starts,
         conditions,
         masses,
         guesses,

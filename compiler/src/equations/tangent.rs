@@ -1,4 +1,5 @@
-//! Derivatives of the equations, exact: of r = M a + Dᵀ λ − Q, of the rows, of the independent coordinates and of the outputs.
+//! Derivatives of the equations, exact: of r = M a + Dᵀ λ − Q, of the rows, of the independent coordinates, of the rates of internal
+//! states and of the outputs.
 //!
 //! Positions are no vector space, so derivatives by them are along increments δ of the velocities' kind, q ⊕ δ at δ = 0:
 //!
@@ -32,11 +33,15 @@ pub struct Tangents {
     pub row_damping: Matrix,
     /// ∂(D v − ν)/∂q.
     pub rate: Matrix,
-    /// By the parameters: of r, then D a − γ, D v − ν, Φ, then the outputs.
+    /// ∂r/∂z of the internal states.
+    pub internal: Matrix,
+    /// By the parameters: of r, then D a − γ, D v − ν, Φ, then the outputs, ż, and z at the start.
     pub parameter: Matrix,
-    /// Of the outputs, with λ as given, by q, then v, u, λ.
+    /// Of the outputs, with a and λ as given, by q, then v, u, λ, z, a.
     pub output: Matrix,
-    /// Of ż, then z̈, of the coordinates `states` by q, then v.
+    /// Of ż of the internal states, likewise.
+    pub internal_rate: Matrix,
+    /// Of ṡ, then s̈, of the coordinates `states` by q, then v.
     pub coordinate: Matrix,
     /// Indices into the conditions: the independent coordinates, completed to one for each degree of freedom.
     pub states: Vec<usize>,
@@ -49,15 +54,16 @@ impl Tangents {
         let residual = residual(g, equations);
         let Equations { symbols, layout, rows, outputs, .. } = equations;
         let n = layout.velocities();
-        let Symbols { v, inputs, lambda, parameters, acceleration: a, .. } = symbols;
+        let Symbols { v, inputs, internal: z, lambda, parameters, acceleration: a, .. } = symbols;
 
         let along = Seed::of(g).positions(g, layout, &symbols.q);
         let state = along.then(v);
-        let all = state.then(inputs).then(lambda);
+        let all = state.then(inputs).then(lambda).then(z);
         let differentiate = |of: &[Node], seed: &Seed| g.differentiate(of, &seed.gradients);
 
         let by_state = differentiate(&residual, &all);
-        let [stiffness, damping, input, _] = split(&by_state, [n, n, inputs.len(), lambda.len()]);
+        let [stiffness, damping, input, _, internal] =
+            split(&by_state, [n, n, inputs.len(), lambda.len(), z.len()]);
 
         let accelerations: Vec<Node> = rows.iter().map(|row| row.jet.acceleration(g, a).bare).collect();
         let rates: Vec<Node> = rows.iter().map(|row| row.jet.rate(g, v).bare).collect();
@@ -66,9 +72,14 @@ impl Tangents {
 
         let values = rows.iter().map(|row| row.jet.value);
         let designed: Vec<Node> = residual.iter().chain(&accelerations).chain(&rates).copied().collect();
-        let designed: Vec<Node> = designed.into_iter().chain(values).chain(outputs.iter().copied()).collect();
+        let designed = designed.into_iter().chain(values).chain(outputs.iter().copied());
+        let designed: Vec<Node> = designed
+            .chain(equations.internal_rates.iter().chain(&equations.internal_starts).copied())
+            .collect();
         let parameter = differentiate(&designed, &Seed::of(g).then(parameters));
-        let output = differentiate(outputs, &all);
+        let with_results = all.then(a);
+        let output = differentiate(outputs, &with_results);
+        let internal_rate = differentiate(&equations.internal_rates, &with_results);
 
         let jets: Vec<&Jet> = states.iter().map(|index| &conditions[*index].jet).collect();
         let mut motion: Vec<Node> = jets.iter().map(|jet| jet.rate(g, v).bare).collect();
@@ -82,8 +93,10 @@ impl Tangents {
             row_stiffness,
             row_damping,
             rate,
+            internal,
             parameter,
             output,
+            internal_rate,
             coordinate,
             states,
         }

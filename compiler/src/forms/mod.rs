@@ -8,12 +8,14 @@ mod coupling;
 mod joint;
 mod load;
 pub mod row;
+mod table;
 
 pub use body::{BodyForm, Length, Moment, Outline, Solid, Volume};
 pub use coupling::{CouplingForm, Factor, Means, Proportion};
 pub use joint::{Alone, Freer, Given, JointAxes, JointForm, OfParticle, Spans, degrees_between};
 pub use load::{Acts, Law, LoadForm, Written};
 pub use row::RowForm;
+pub use table::{Interpolation, Outside};
 
 use crate::units::Dimension;
 

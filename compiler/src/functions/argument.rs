@@ -11,7 +11,9 @@ pub enum Argument {
     Time,
     Q,
     V,
-    /// The state as a whole, of which q and v are parts.
+    /// Internal states.
+    Z,
+    /// The state as a whole, of which q, v and z are parts.
     State,
     Inputs,
     TwoAlpha,
@@ -48,11 +50,12 @@ const fn given(
 }
 
 /// All arguments.
-pub static ARGUMENTS: [Given; 18] = [
+pub static ARGUMENTS: [Given; 19] = [
     given(Argument::Time, "time", Shape::Scalar, |c| from_ref(&c.equations.symbols.time)),
     given(Argument::Q, "q", Shape::Positions, |c| &c.equations.symbols.q),
     given(Argument::V, "v", Shape::Velocities, |c| &c.equations.symbols.v),
-    // Its entries are those of q and v.
+    given(Argument::Z, "z", Shape::Internal, |c| &c.equations.symbols.internal),
+    // Its entries are those of q, v and z.
     given(Argument::State, "state", Shape::State, |_| &[]),
     given(Argument::Inputs, "u", Shape::Inputs, |c| &c.equations.symbols.inputs),
     // 2 α and β² of Baumgarte's terms, 1/s and 1/s².
@@ -99,7 +102,7 @@ impl Argument {
     /// The arguments that it brings along, as the state brings q and v.
     pub fn parts(self) -> &'static [Argument] {
         match self {
-            Argument::State => &[Argument::Q, Argument::V],
+            Argument::State => &[Argument::Q, Argument::V, Argument::Z],
             _ => &[],
         }
     }

@@ -15,7 +15,9 @@ pub enum Shape {
     Positions,
     /// v, v̇, forces.
     Velocities,
-    /// q and v together.
+    /// z.
+    Internal,
+    /// q, v and z together.
     State,
     /// λ, Φ, ν, γ.
     Rows,
@@ -48,6 +50,7 @@ impl Shape {
             Shape::Positions => equations.layout.position_names(mechanism),
             Shape::Velocities => equations.layout.velocity_names(mechanism),
             Shape::Rows => equations.rows.iter().map(|row| format!("{}_{}", row.of, row.form.name)).collect(),
+            Shape::Internal => mechanism.states.iter().map(|state| state.name.identifier()).collect(),
             Shape::Inputs => mechanism.inputs.iter().map(|input| input.name.identifier()).collect(),
             Shape::Outputs => mechanism.outputs.iter().map(|output| output.name.identifier()).collect(),
             Shape::Parameters => mechanism.parameters.iter().map(|known| known.name.identifier()).collect(),
@@ -116,18 +119,35 @@ pub static ROW_DAMPING: Sparse =
 pub static RATE: Sparse = sparse("RateTangent", "rate_pattern", |c| of_tangents(c, |t| &t.rate));
 /// ∂r/∂u.
 pub static INPUT: Sparse = sparse("InputTangent", "input_pattern", |c| of_tangents(c, |t| &t.input));
-/// By the parameters: of r, D v̇ − γ, D v − ν, Φ and the outputs.
+/// ∂r/∂z of the internal states.
+pub static INTERNAL: Sparse =
+    sparse("InternalTangent", "internal_pattern", |c| of_tangents(c, |t| &t.internal));
+/// By the parameters: of r, D v̇ − γ, D v − ν, Φ, the outputs, ż, and z at the start.
 pub static PARAMETER: Sparse =
     sparse("ParameterTangent", "parameter_pattern", |c| of_tangents(c, |t| &t.parameter));
-/// Of the outputs by q, v, u and λ.
+/// Of the outputs by q, v, u, λ, z and v̇.
 pub static OUTPUT: Sparse = sparse("OutputTangent", "output_pattern", |c| of_tangents(c, |t| &t.output));
-/// ∂(ż, z̈)/∂(q, v) of the independent coordinates z.
+/// Of ż of the internal states, likewise.
+pub static INTERNAL_RATE: Sparse =
+    sparse("InternalRateTangent", "internal_rate_pattern", |c| of_tangents(c, |t| &t.internal_rate));
+/// ∂(ṡ, s̈)/∂(q, v) of the independent coordinates s.
 pub static COORDINATE: Sparse =
     sparse("CoordinateTangent", "coordinate_pattern", |c| of_tangents(c, |t| &t.coordinate));
 
 /// The matrices of the trait `Tangent`.
-pub static DERIVATIVES: [&Sparse; 9] =
-    [&STIFFNESS, &DAMPING, &ROW_STIFFNESS, &ROW_DAMPING, &RATE, &INPUT, &PARAMETER, &OUTPUT, &COORDINATE];
+pub static DERIVATIVES: [&Sparse; 11] = [
+    &STIFFNESS,
+    &DAMPING,
+    &ROW_STIFFNESS,
+    &ROW_DAMPING,
+    &RATE,
+    &INPUT,
+    &INTERNAL,
+    &PARAMETER,
+    &OUTPUT,
+    &INTERNAL_RATE,
+    &COORDINATE,
+];
 
 fn of_jets<'a>(jets: impl Iterator<Item = &'a Jet>) -> Vec<Entry> {
     let entries =

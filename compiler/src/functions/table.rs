@@ -22,7 +22,7 @@ const MOVING: &[Argument] = &[Constants, Time, Q, V, Acceleration];
 const EVERYTHING: &[Argument] = &[Constants, Time, State, Inputs, Acceleration, Lambda];
 
 /// Every function.
-pub static FUNCTIONS: [Signature; 40] = [
+pub static FUNCTIONS: [Signature; 44] = [
     signature(
         Function::MassMatrix,
         "mass_matrix",
@@ -121,6 +121,15 @@ pub static FUNCTIONS: [Signature; 40] = [
         WITH_INPUTS,
         &[value("outputs", Shape::Outputs, |c| c.solved.outputs.clone()).called("{}")],
     ),
+    signature(
+        Function::InternalRates,
+        "internal_rates",
+        Mechanism,
+        "ż of the internal states, in their units per s.",
+        EVERYTHING,
+        &[written("rates", Shape::Internal, |c| c.equations.internal_rates.clone()).called("{}_dot")],
+    )
+    .only(has_internal_states),
     signature(
         Function::InverseDynamics,
         "inverse_dynamics",
@@ -238,6 +247,15 @@ pub static FUNCTIONS: [Signature; 40] = [
             written("rates", Shape::Conditions, |c| targets(c, |target| target.rate)),
         ],
     ),
+    signature(
+        Function::StartInternal,
+        "start_internal",
+        Assemble,
+        "The internal states at the start.",
+        &[Constants],
+        &[value("internal", Shape::Internal, |c| c.equations.internal_starts.clone())],
+    )
+    .only(has_internal_states),
     signature(
         Function::Masses,
         "masses",
@@ -384,10 +402,19 @@ pub static FUNCTIONS: [Signature; 40] = [
         &[written("out", Shape::Matrix(&shape::INPUT), |c| shape::INPUT.nodes(c))],
     ),
     signature(
+        Function::InternalTangent,
+        "internal_tangent",
+        Tangent,
+        "∂r/∂z = −∂Q/∂z of the internal states: the stored entries.",
+        WITH_INPUTS,
+        &[written("out", Shape::Matrix(&shape::INTERNAL), |c| shape::INTERNAL.nodes(c))],
+    )
+    .only(has_internal_tangent),
+    signature(
         Function::ParameterTangent,
         "parameter_tangent",
         Tangent,
-        "Derivatives by the parameters of r, D v̇ − γ, D v − ν, Φ and the outputs: the stored \
+        "Derivatives by the parameters of r, D v̇ − γ, D v − ν, Φ, the outputs, ż and z₀: the stored \
          entries.",
         EVERYTHING,
         &[written("out", Shape::Matrix(&shape::PARAMETER), |c| shape::PARAMETER.nodes(c))],
@@ -396,15 +423,24 @@ pub static FUNCTIONS: [Signature; 40] = [
         Function::OutputTangent,
         "output_tangent",
         Tangent,
-        "Derivatives of the outputs by q, v, u and λ: the stored entries.",
-        &[Constants, Time, State, Inputs, Lambda],
+        "Derivatives of the outputs by q, v, u, λ, z and v̇: the stored entries.",
+        EVERYTHING,
         &[written("out", Shape::Matrix(&shape::OUTPUT), |c| shape::OUTPUT.nodes(c))],
     ),
+    signature(
+        Function::InternalRateTangent,
+        "internal_rate_tangent",
+        Tangent,
+        "Derivatives of ż of the internal states by q, v, u, λ, z and v̇: the stored entries.",
+        EVERYTHING,
+        &[written("out", Shape::Matrix(&shape::INTERNAL_RATE), |c| shape::INTERNAL_RATE.nodes(c))],
+    )
+    .only(has_internal_tangent),
     signature(
         Function::CoordinateTangent,
         "coordinate_tangent",
         Tangent,
-        "∂(ż, z̈)/∂(q, v) of the independent coordinates z at given v̇: the stored entries.",
+        "∂(ṡ, s̈)/∂(q, v) of the independent coordinates s at given v̇: the stored entries.",
         MOVING,
         &[written("out", Shape::Matrix(&shape::COORDINATE), |c| shape::COORDINATE.nodes(c))],
     ),
@@ -429,4 +465,12 @@ fn independent(complete: &Complete, of: impl Fn(&NullSpace) -> Vec<Node>) -> Vec
 
 fn targets(complete: &Complete, of: fn(&StartTarget) -> Option<Node>) -> Vec<Node> {
     complete.conditions.start.iter().map(|target| of(target).unwrap_or(complete.equations.zero)).collect()
+}
+
+fn has_internal_states(complete: &Complete) -> bool {
+    !complete.equations.internal_rates.is_empty()
+}
+
+fn has_internal_tangent(complete: &Complete) -> bool {
+    complete.tangents.is_some() && has_internal_states(complete)
 }

@@ -195,6 +195,11 @@ pub(crate) fn quantities_of_driver(driver: &str) -> String {
     format!("the driver `{driver}` has effort and power")
 }
 
+pub(crate) fn parts_of_reaction(joint: &str, parts: &[&str]) -> String {
+    let parts: Vec<String> = parts.iter().map(|part| format!("`{joint}.reaction.{part}`")).collect();
+    format!("a reaction is named by its parts: {}", parts.join(", "))
+}
+
 pub(crate) fn power_of_what() -> String {
     "`power` takes the name of a load".to_string()
 }

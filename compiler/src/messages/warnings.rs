@@ -7,8 +7,8 @@ use crate::forms::BodyForm;
 pub(crate) fn unused(kind: &str, name: &str, body: Option<&str>) -> String {
     let of = body.map(|body| format!(" of `{body}`")).unwrap_or_default();
     let dropped = match kind {
-        "parameter" | "input" => "so no equation depends on it",
-        "constant" | "signal" => "so it stands for nothing",
+        "parameter" | "input" | "state" => "so no equation depends on it",
+        "constant" | "signal" | "table" => "so it stands for nothing",
         _ => "so no joint, load, start value or output is there",
     };
     format!(
@@ -96,6 +96,14 @@ pub(crate) fn outside(place: &str, form: &BodyForm, body: &str, along: (&str, f6
          the dimensions, or write `#[allow(outside)]` before it",
         number(out),
         number(limit)
+    )
+}
+
+/// `name`: the output or state.
+pub(crate) fn shared_reaction(name: &str, joint: &str) -> String {
+    format!(
+        "`{name}` names the reaction of `{joint}`, which is one of many: joints repeat what others fix and share what holds them. Let \
+         a joint of the loop leave more freedom, or write `#[allow(shared)]` before `{name}`"
     )
 }
 

@@ -279,7 +279,7 @@ pub(crate) fn attribute_without_effect(word: &str) -> String {
     }
     format!(
         "`#[{word}]` has no effect here: doc comments and `#[allow(unused)]`, `no_effect` or `outside` may stand before any \
-         statement, other attributes before the mechanism, parameters, inputs and outputs"
+         statement, other attributes before the mechanism, parameters, inputs, states and outputs"
     )
 }
 

@@ -1,6 +1,7 @@
 //! Expressions of the user after lowering: SI units, names resolved, dimensions checked.
 
-use super::{BodyId, DriverId, InputId, JointId, LoadId, ParameterId, Place, Rotor};
+use super::tables::LookUp;
+use super::{BodyId, DriverId, InputId, JointId, LoadId, ParameterId, Place, Rotor, StateId};
 use crate::units::Dimension;
 
 /// A scalar expression in SI units.
@@ -9,6 +10,7 @@ pub enum Expr {
     Number(f64),
     Parameter(ParameterId),
     Input(InputId),
+    State(StateId),
     /// s.
     Time,
     Quantity(Quantity),
@@ -20,6 +22,8 @@ pub enum Expr {
     If(Box<Condition>, Box<Expr>, Box<Expr>),
     /// The time derivative of an expression of positions and time.
     Rate(Box<Expr>),
+    /// A table or its slope.
+    Table(Box<LookUp>),
 }
 
 impl Expr {
@@ -27,14 +31,27 @@ impl Expr {
     pub fn visit<'e>(&'e self, found: &mut dyn FnMut(&'e Expr)) {
         found(self);
         match self {
-            Expr::Number(_) | Expr::Parameter(_) | Expr::Input(_) | Expr::Time | Expr::Quantity(_) => {}
+            Expr::Number(_)
+            | Expr::Parameter(_)
+            | Expr::Input(_)
+            | Expr::State(_)
+            | Expr::Time
+            | Expr::Quantity(_) => {}
             Expr::Unary(_, x) | Expr::Power(x, _) | Expr::Rate(x) => x.visit(found),
             Expr::Binary(_, x, y) => [x, y].into_iter().for_each(|operand| operand.visit(found)),
+            Expr::Table(look_up) => look_up.arguments.iter().for_each(|operand| operand.visit(found)),
             Expr::If(condition, x, y) => {
                 condition.visit(found);
                 [x, y].into_iter().for_each(|operand| operand.visit(found));
             }
         }
+    }
+
+    /// Whether it changes with time or the motion.
+    pub fn moves(&self) -> bool {
+        let mut moves = false;
+        self.visit(&mut |part| moves |= matches!(part, Expr::Time | Expr::Quantity(_) | Expr::Rate(_)));
+        moves
     }
 
     /// Calls `found` with every quantity in it.
@@ -118,12 +135,37 @@ pub enum Quantity {
     DriverPower(DriverId),
     /// N m or N, the effort of a driver; only in outputs.
     DriverEffort(DriverId),
+    /// What a joint exerts on the body of its second place; in outputs and rates of states.
+    Reaction(JointId, ReactionPart),
     /// J.
     KineticEnergy,
     /// J.
     PotentialEnergy,
     /// J, the sum of both.
     Energy,
+}
+
+/// A part of the reaction of a joint: of the force at the second place and of the torque about it, on the body there.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum ReactionPart {
+    /// Along world x (0), y (1) or z (2), N.
+    Force(usize),
+    /// In the plane along the normal of the joint's axis, which is the axis turned by a right angle, N.
+    Normal,
+    /// The length of the force, N.
+    Size,
+    /// About world x (0), y (1) or z (2), in the plane about the last, N m.
+    Torque(usize),
+}
+
+impl ReactionPart {
+    /// What it measures.
+    pub fn dimension(self) -> Dimension {
+        match self {
+            Self::Force(_) | Self::Normal | Self::Size => Dimension::FORCE,
+            Self::Torque(_) => Dimension::TORQUE,
+        }
+    }
 }
 
 /// A measure of the position.

@@ -2,6 +2,7 @@
 //!
 //! Transcendental functions come from `libm`, so that the same definition folds to the same bits everywhere.
 
+use super::tables::LookUp;
 use super::{Expr, Function1, Function2, Vector};
 
 /// A function of one argument, computed if that is a number.
@@ -41,6 +42,15 @@ pub(crate) fn power(base: Expr, exponent: f64) -> Expr {
     }
 }
 
+/// A table, looked up in if the arguments are numbers.
+pub(crate) fn table(look_up: LookUp) -> Expr {
+    let number = |expr: &Expr| if let Expr::Number(value) = expr { Some(*value) } else { None };
+    match look_up.arguments.iter().map(number).collect::<Option<Vec<f64>>>() {
+        Some(numbers) => Expr::Number(look_up.curve.at(look_up.orders, &numbers)),
+        None => Expr::Table(Box::new(look_up)),
+    }
+}
+
 /// The value of an expression of parameters, given theirs; `None` if it depends on anything else.
 pub(crate) fn evaluate(expr: &Expr, parameters: &[f64]) -> Option<f64> {
     match expr {
@@ -51,7 +61,14 @@ pub(crate) fn evaluate(expr: &Expr, parameters: &[f64]) -> Option<f64> {
             Some(compute_binary(*function, evaluate(x, parameters)?, evaluate(y, parameters)?))
         }
         Expr::Power(base, exponent) => Some(libm::pow(evaluate(base, parameters)?, *exponent)),
-        Expr::Input(_) | Expr::Time | Expr::Quantity(_) | Expr::If(..) | Expr::Rate(_) => None,
+        Expr::Table(look_up) => {
+            let at = |argument| evaluate(argument, parameters);
+            let numbers: Vec<f64> = look_up.arguments.iter().map(at).collect::<Option<_>>()?;
+            Some(look_up.curve.at(look_up.orders, &numbers))
+        }
+        Expr::Input(_) | Expr::State(_) | Expr::Time | Expr::Quantity(_) | Expr::If(..) | Expr::Rate(_) => {
+            None
+        }
     }
 }
 

@@ -11,7 +11,7 @@ use crate::syntax::{Label, Operator, Term, TermKind};
 use crate::units::Dimension;
 
 /// All functions, and how many arguments each may have.
-const FUNCTIONS: [(&str, &[usize]); 27] = [
+pub(super) const FUNCTIONS: [(&str, &[usize]); 27] = [
     ("sqrt", &[1]),
     ("abs", &[1]),
     ("sign", &[1]),
@@ -41,6 +41,11 @@ const FUNCTIONS: [(&str, &[usize]); 27] = [
     ("smoothstep", &[3]),
 ];
 
+/// Whether a word is a function of the language.
+pub(super) fn is_function(word: &str) -> bool {
+    FUNCTIONS.iter().any(|(known, _)| *known == word)
+}
+
 impl Lowering<'_> {
     /// A call of a function, with as many arguments as it takes.
     pub fn call(
@@ -51,8 +56,12 @@ impl Lowering<'_> {
         usage: Use,
     ) -> Option<Typed> {
         let name = function.text.as_str();
+        if let Some(table) = self.table_of_call(name) {
+            return self.call_of_table(function, table, arguments, region, usage);
+        }
         let Some((_, counts)) = FUNCTIONS.iter().find(|(known, _)| *known == name) else {
-            let known = FUNCTIONS.iter().map(|(known, _)| *known);
+            let tables = self.definition.tables.iter().map(|table| table.name.text.as_str());
+            let known = FUNCTIONS.iter().map(|(known, _)| *known).chain(tables);
             self.diagnostics.error(function.region, messages::unknown_function(name, known));
             return None;
         };

@@ -9,8 +9,8 @@ use super::names::Names;
 use super::signals::Signals;
 use super::unused::{self, Scope};
 use super::{
-    Axes, Constraint, ConstraintKind, Coupled, Coupling, Driver, Expr, Function2, Input, Mechanism, Name,
-    Output, Parameter, StartCondition, StartOrientation, Subject, Vector,
+    Axes, Constraint, ConstraintKind, Coupled, Coupling, DeclaredUnit, Driver, Expr, Function2, Input,
+    Mechanism, Name, Output, Parameter, StartCondition, StartOrientation, Subject, Vector,
 };
 use crate::diagnostics::Diagnostics;
 use crate::forms::Acts;
@@ -33,10 +33,13 @@ pub fn lower(definition: &Definition) -> Result<Mechanism, Diagnostics> {
         markers: HashMap::new(),
         defaults: Vec::new(),
         signals: Signals::of(definition),
+        tables: Vec::new(),
+        kinks: Vec::new(),
         used: HashSet::new(),
     };
 
     lowering.constants();
+    lowering.all_tables();
     let parameters = lowering.each(&definition.parameters, Lowering::parameter);
     lowering.defaults = parameters.iter().map(|parameter| parameter.default).collect();
     lowering.body_frames();
@@ -50,6 +53,7 @@ pub fn lower(definition: &Definition) -> Result<Mechanism, Diagnostics> {
         attributes: definition.attributes.to_string(),
         parameters,
         inputs: lowering.each(&definition.inputs, Lowering::input),
+        states: Vec::new(),
         gravity: lowering.gravity(),
         gravity_span: definition.gravity.as_ref().map(|tuple| tuple.region),
         bodies: lowering.each(&definition.bodies, Lowering::body),
@@ -62,10 +66,15 @@ pub fn lower(definition: &Definition) -> Result<Mechanism, Diagnostics> {
         options: lowering.options(),
         expect: lowering.expect(),
         outputs: lowering.each(&definition.outputs, Lowering::output),
+        tables: Vec::new(),
+        kinks: Vec::new(),
         unused: Vec::new(),
         allowed: definition.allowed.clone(),
     };
+    mechanism.states = lowering.states();
     lowering.all_signals();
+    mechanism.tables = std::mem::take(&mut lowering.tables).into_iter().flatten().collect();
+    mechanism.kinks = std::mem::take(&mut lowering.kinks);
     mechanism.unused = unused::unused(definition, &lowering.used);
     lowering.diagnostics.finish(mechanism)
 }
@@ -85,6 +94,9 @@ pub(super) struct Lowering<'d> {
     /// Of the parameters.
     pub defaults: Vec<f64>,
     pub signals: Signals,
+    /// `None` after an error; as long as the definition's once they are known.
+    pub tables: Vec<Option<super::tables::Table>>,
+    pub kinks: Vec<super::Kink>,
     /// What has been named so far.
     pub used: HashSet<(Scope, &'d str)>,
 }
@@ -106,10 +118,14 @@ pub(crate) struct Use {
     pub parameters: bool,
     pub time: bool,
     pub inputs: bool,
+    /// With rates of their own.
+    pub states: bool,
     pub positions: bool,
     pub velocities: bool,
     /// Efforts, powers and energies.
     pub results: bool,
+    /// Whether accelerations follow what it is of.
+    pub accelerates: bool,
 }
 
 impl Use {
@@ -118,26 +134,37 @@ impl Use {
         parameters: false,
         time: false,
         inputs: false,
+        states: false,
         positions: false,
         velocities: false,
         results: false,
+        accelerates: false,
     };
+    pub const TABLE: Self = Self { what: "a table", ..Self::CONSTANT };
     pub const PROPERTY: Self = Self { what: "a property of a body", parameters: true, ..Self::CONSTANT };
     pub const COEFFICIENT: Self = Self { what: "this argument", ..Self::PROPERTY };
     pub const DIRECTION: Self = Self { what: "a direction", ..Self::PROPERTY };
     pub const GRAVITY: Self = Self { what: "gravity", ..Self::PROPERTY };
     pub const RANGE: Self = Self { what: "an expected range", ..Self::CONSTANT };
     pub const START: Self = Self { what: "a start value", ..Self::PROPERTY };
-    pub const GROUND: Self = Self { what: "a place of the ground", time: true, ..Self::PROPERTY };
+    pub const GROUND: Self =
+        Self { what: "a place of the ground", time: true, accelerates: true, ..Self::PROPERTY };
     pub const LENGTH: Self = Self { what: "the length of a distance joint", ..Self::GROUND };
     pub const LAW: Self = Self { what: "the law of a driver", ..Self::GROUND };
     pub const EQUATION: Self = Self { what: "a constraint", positions: true, ..Self::GROUND };
-    pub const LOAD: Self =
-        Self { what: "the law of a load", inputs: true, velocities: true, ..Self::EQUATION };
+    pub const LOAD: Self = Self {
+        what: "the law of a load",
+        inputs: true,
+        states: true,
+        velocities: true,
+        accelerates: false,
+        ..Self::EQUATION
+    };
     pub const OUTPUT: Self = Self { what: "an output", results: true, ..Self::LOAD };
+    pub const STATE_RATE: Self = Self { what: "the rate of a state", ..Self::OUTPUT };
     pub const SIGNAL: Self = Self { what: "a signal", ..Self::OUTPUT };
-    pub const RATE: Self = Self { what: "a rate", ..Self::EQUATION };
-    pub const ALONG: Self = Self { what: "what a force acts along", ..Self::EQUATION };
+    pub const RATE: Self = Self { what: "a rate", accelerates: false, ..Self::EQUATION };
+    pub const ALONG: Self = Self { what: "what a force acts along", accelerates: false, ..Self::EQUATION };
 
     /// What it may depend on beside constants, in words.
     pub fn permitted(&self) -> Vec<&'static str> {
@@ -145,6 +172,7 @@ impl Use {
             (self.parameters, "parameters"),
             (self.time, "time"),
             (self.inputs, "inputs"),
+            (self.states, "states"),
             (self.positions, "positions"),
             (self.velocities, "velocities"),
         ];
@@ -158,8 +186,13 @@ pub(super) fn name(label: &Label) -> Name {
 }
 
 /// The unit as written, `1` if none.
-fn unit_text(unit: Option<&syntax::WrittenUnit>) -> String {
-    unit.map_or_else(|| "1".to_string(), |written| written.unit.text.clone())
+pub(super) fn declared_unit(unit: Option<&syntax::WrittenUnit>) -> DeclaredUnit {
+    let Some(written) = unit else {
+        return DeclaredUnit { text: "1".to_string(), scale: 1.0, si: "1".to_string() };
+    };
+    let (text, scale) = (written.unit.text.clone(), written.unit.scale);
+    let si = if scale == 1.0 { text.clone() } else { written.unit.dimension.to_string() };
+    DeclaredUnit { text, scale, si }
 }
 
 /// What an entry measures by the unit beside its name.
@@ -169,7 +202,7 @@ pub(super) fn declared(unit: Option<&syntax::WrittenUnit>) -> Dimension {
 
 impl<'d> Lowering<'d> {
     /// All elements that lower without an error.
-    fn each<S, T>(&mut self, elements: &'d [S], lower: impl Fn(&mut Self, &'d S) -> Option<T>) -> Vec<T> {
+    pub fn each<S, T>(&mut self, elements: &'d [S], lower: impl Fn(&mut Self, &'d S) -> Option<T>) -> Vec<T> {
         elements.iter().filter_map(|element| lower(self, element)).collect()
     }
 
@@ -192,7 +225,7 @@ impl<'d> Lowering<'d> {
         };
         Some(Parameter {
             name: name(&parameter.name),
-            unit: unit_text(parameter.entry.unit.as_ref()),
+            unit: declared_unit(parameter.entry.unit.as_ref()),
             default: default?,
             bounds,
             docs: parameter.docs.to_string(),
@@ -202,7 +235,7 @@ impl<'d> Lowering<'d> {
     fn input(&mut self, input: &'d syntax::Input) -> Option<Input> {
         Some(Input {
             name: name(&input.name),
-            unit: unit_text(input.unit.as_ref()),
+            unit: declared_unit(input.unit.as_ref()),
             docs: input.docs.to_string(),
         })
     }
@@ -295,7 +328,7 @@ impl<'d> Lowering<'d> {
         let value = self.declaration("output", &output.name.text, &output.entry, Use::OUTPUT)?;
         Some(Output {
             name: name(&output.name),
-            unit: unit_text(output.entry.unit.as_ref()),
+            unit: declared_unit(output.entry.unit.as_ref()),
             docs: output.docs.to_string(),
             value,
         })

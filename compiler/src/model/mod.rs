@@ -17,9 +17,12 @@ mod lower;
 mod names;
 mod places;
 mod quantities;
+mod reactions;
 mod settings;
 mod shapes;
 mod signals;
+mod states;
+pub mod tables;
 mod unused;
 mod values;
 
@@ -28,8 +31,9 @@ use crate::forms::BodyForm;
 pub use crate::forms::{Alone, JointAxes, JointForm, LoadForm, Space};
 pub use crate::syntax::Budgeted;
 pub use elements::{Constraint, ConstraintKind, Coupled, Coupling, Joint, Load, Rotor, Subject};
-pub use expression::{Comparison, Condition, Coordinate, Expr, Function1, Function2, Quantity};
+pub use expression::{Comparison, Condition, Coordinate, Expr, Function1, Function2, Quantity, ReactionPart};
 pub use lower::lower;
+pub use tables::{Curve, LookUp, Table};
 pub use unused::{Declared, Unused};
 
 /// Index of a body in [`Mechanism::bodies`].
@@ -44,6 +48,9 @@ pub struct ParameterId(pub usize);
 /// Index of an input in [`Mechanism::inputs`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct InputId(pub usize);
+/// Index of a state in [`Mechanism::states`].
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub struct StateId(pub usize);
 /// Index of a load in [`Mechanism::loads`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct LoadId(pub usize);
@@ -92,6 +99,8 @@ pub struct Mechanism {
     pub attributes: String,
     pub parameters: Vec<Parameter>,
     pub inputs: Vec<Input>,
+    /// With rates of their own.
+    pub states: Vec<InternalState>,
     /// World axes; `None` if no gravity was written.
     pub gravity: Option<Vector>,
     pub gravity_span: Option<Region>,
@@ -106,6 +115,9 @@ pub struct Mechanism {
     pub options: Options,
     pub expect: Expect,
     pub outputs: Vec<Output>,
+    pub tables: Vec<Table>,
+    /// Where accelerations jump at the knots of a table.
+    pub kinks: Vec<Kink>,
     /// What is declared and named by nothing.
     pub unused: Vec<Unused>,
     /// Warnings that are not wanted.
@@ -127,12 +139,37 @@ impl Mechanism {
     }
 }
 
+/// The unit beside the name of a declared value.
+#[derive(Clone, Debug)]
+pub struct DeclaredUnit {
+    /// As written; `1` if none was.
+    pub text: String,
+    /// One of it in SI.
+    pub scale: f64,
+    /// The unit of SI in its place.
+    pub si: String,
+}
+
+impl DeclaredUnit {
+    /// Whether values in it and in SI are the same numbers.
+    pub fn is_si(&self) -> bool {
+        self.scale == 1.0
+    }
+}
+
+/// A table whose curvature jumps, named where accelerations follow it.
+#[derive(Clone, Debug)]
+pub struct Kink {
+    pub table: String,
+    /// Where it is named.
+    pub region: Region,
+}
+
 /// A value that may change when parameters are set.
 #[derive(Clone, Debug)]
 pub struct Parameter {
     pub name: Name,
-    /// Unit as written, for documentation.
-    pub unit: String,
+    pub unit: DeclaredUnit,
     /// Default, SI.
     pub default: f64,
     /// Inclusive bounds, SI.
@@ -145,8 +182,21 @@ pub struct Parameter {
 #[derive(Clone, Debug)]
 pub struct Input {
     pub name: Name,
-    pub unit: String,
+    pub unit: DeclaredUnit,
     pub docs: String,
+}
+
+/// A quantity with a rate of its own: ż = rate.
+#[derive(Clone, Debug)]
+pub struct InternalState {
+    pub name: Name,
+    pub unit: DeclaredUnit,
+    pub docs: String,
+    /// Of parameters.
+    pub start: Expr,
+    /// What its errors are measured by where it is small, SI.
+    pub scale: Option<f64>,
+    pub rate: Expr,
 }
 
 #[derive(Clone, Debug)]
@@ -386,7 +436,7 @@ pub struct Budget {
 #[derive(Clone, Debug)]
 pub struct Output {
     pub name: Name,
-    pub unit: String,
+    pub unit: DeclaredUnit,
     pub docs: String,
     pub value: Expr,
 }

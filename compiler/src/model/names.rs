@@ -1,6 +1,7 @@
-//! Who is called what: one table for values (constants, parameters, inputs, signals) and one for parts (bodies, joints,
+//! Who is called what: one table for values (constants, parameters, inputs, states, signals) and one for parts (bodies, joints,
 //! constraints, drivers, loads, lines and markers of the ground). Names that are free twice are refused, both places shown.
 
+use super::functions::FUNCTIONS;
 use crate::diagnostics::Diagnostics;
 use crate::messages;
 use crate::syntax::{Definition, KEYWORDS, Label};
@@ -12,6 +13,7 @@ pub(super) enum Value {
     Constant(usize),
     Parameter(usize),
     Input(usize),
+    State(usize),
     Signal(usize),
 }
 
@@ -74,6 +76,18 @@ pub(super) const BUILT_IN: [&str; 27] = [
     "false",
 ];
 
+/// Words before parentheses that no table may have: functions, and what else is called.
+pub(super) const CALLED: [&str; FUNCTIONS.len() + 4] = {
+    let mut words = ["ground"; FUNCTIONS.len() + 4];
+    let mut at = 0;
+    while at < FUNCTIONS.len() {
+        words[at] = FUNCTIONS[at].0;
+        at += 1;
+    }
+    (words[at], words[at + 1], words[at + 2]) = ("and", "or", "not");
+    words
+};
+
 /// Points and quantities that every body has.
 const OF_BODIES: [&str; 5] = ["center", "origin", "angle", "rate", "velocity"];
 
@@ -81,6 +95,8 @@ const OF_BODIES: [&str; 5] = ["center", "origin", "angle", "rate", "velocity"];
 pub(super) struct Names<'d> {
     values: HashMap<&'d str, Value>,
     parts: HashMap<&'d str, Part>,
+    /// Known by the parentheses behind them.
+    tables: HashMap<&'d str, usize>,
 }
 
 impl<'d> Names<'d> {
@@ -90,6 +106,7 @@ impl<'d> Names<'d> {
         enter(&mut values, &definition.constants, |c| &c.name, Value::Constant, diagnostics);
         enter(&mut values, &definition.parameters, |p| &p.name, Value::Parameter, diagnostics);
         enter(&mut values, &definition.inputs, |i| &i.name, Value::Input, diagnostics);
+        enter(&mut values, &definition.states, |s| &s.name, Value::State, diagnostics);
         enter(&mut values, &definition.signals, |s| &s.name, Value::Signal, diagnostics);
         allowed(&definition.name, &[], diagnostics);
         let mut parts = Table::new(&BUILT_IN);
@@ -100,6 +117,8 @@ impl<'d> Names<'d> {
         enter(&mut parts, &definition.constraints, |c| &c.name, Part::Constraint, diagnostics);
         enter(&mut parts, &definition.drivers, |d| &d.name, Part::Driver, diagnostics);
         enter(&mut parts, &definition.loads, |l| &l.name, Part::Load, diagnostics);
+        let mut tables = Table::new(&CALLED);
+        enter(&mut tables, &definition.tables, |t| &t.name, |index| index, diagnostics);
         let mut outputs = Table::new(&[]);
         enter(&mut outputs, &definition.outputs, |o| &o.name, |index| index, diagnostics);
         for body in &definition.bodies {
@@ -108,11 +127,15 @@ impl<'d> Names<'d> {
             enter(&mut points, &body.lines, |line| &line.name, |index| index, diagnostics);
             enter(&mut points, &body.markers, |marker| &marker.name, |index| index, diagnostics);
         }
-        Self { values: values.found, parts: parts.found }
+        Self { values: values.found, parts: parts.found, tables: tables.found }
     }
 
     pub fn value(&self, name: &str) -> Option<Value> {
         self.values.get(name).copied()
+    }
+
+    pub fn table(&self, name: &str) -> Option<usize> {
+        self.tables.get(name).copied()
     }
 
     pub fn part(&self, name: &str) -> Option<Part> {

@@ -46,6 +46,7 @@ impl<'d> Lowering<'d> {
             Quantity::Power(_)
             | Quantity::DriverPower(_)
             | Quantity::DriverEffort(_)
+            | Quantity::Reaction(..)
             | Quantity::KineticEnergy
             | Quantity::PotentialEnergy
             | Quantity::Energy => (usage.results, "a result"),
@@ -246,6 +247,10 @@ impl<'d> Lowering<'d> {
 
     fn of_joint(&mut self, joint: JointId, path: &Path) -> Option<Found> {
         let quantity = &path.parts[1];
+        if quantity.text == "reaction" {
+            let part = self.reaction(joint, path)?;
+            return Found::result(Quantity::Reaction(joint, part), part.dimension());
+        }
         let (angles, travels) = self.coordinates(joint);
         let find = |names: &[[&str; 2]], which: usize| {
             let found = names.iter().position(|names| names[which] == quantity.text);

@@ -14,13 +14,13 @@ const LARGEST: usize = 20_000;
 
 /// The signals of a definition as far as they are known.
 pub(super) struct Signals {
-    known: Vec<State>,
+    known: Vec<Read>,
     /// Those that are being read, each named by the one before it.
     open: Vec<usize>,
 }
 
 #[derive(Clone)]
-enum State {
+enum Read {
     Unread,
     Wrong,
     Known(Typed),
@@ -28,7 +28,7 @@ enum State {
 
 impl Signals {
     pub fn of(definition: &Definition) -> Self {
-        Signals { known: vec![State::Unread; definition.signals.len()], open: Vec::new() }
+        Signals { known: vec![Read::Unread; definition.signals.len()], open: Vec::new() }
     }
 }
 
@@ -45,6 +45,7 @@ impl Lowering<'_> {
         self.used.insert((Scope::Value, &self.definition.signals[index].name.text));
         let typed = self.signal(index, usage)?;
         self.permit_contents(&typed.expr, path, usage)?;
+        self.smooth_contents(&typed.expr, path, usage)?;
         Some(Typed { region: path.region, ..typed })
     }
 
@@ -72,9 +73,9 @@ impl Lowering<'_> {
     /// What a signal stands for. Before places are known it is read where it is named, by what may stand there.
     fn signal(&mut self, index: usize, usage: Use) -> Option<Typed> {
         match &self.signals.known[index] {
-            State::Known(typed) => return Some(typed.clone()),
-            State::Wrong => return None,
-            State::Unread => {}
+            Read::Known(typed) => return Some(typed.clone()),
+            Read::Wrong => return None,
+            Read::Unread => {}
         }
         let definition = self.definition;
         let signal = &definition.signals[index];
@@ -101,9 +102,9 @@ impl Lowering<'_> {
             Some(Typed { expr, dimension, zero: false, region: signal.name.region })
         });
         match &typed {
-            None => self.signals.known[index] = State::Wrong,
+            None => self.signals.known[index] = Read::Wrong,
             Some(_) if early => {}
-            Some(typed) => self.signals.known[index] = State::Known(typed.clone()),
+            Some(typed) => self.signals.known[index] = Read::Known(typed.clone()),
         }
         typed
     }
@@ -115,6 +116,7 @@ impl Lowering<'_> {
             let (permitted, kind) = match expr {
                 Expr::Parameter(_) => (usage.parameters, "a parameter"),
                 Expr::Input(_) => (usage.inputs, "an input"),
+                Expr::State(_) => (usage.states, "a state"),
                 Expr::Time => (usage.time, "the time"),
                 Expr::Quantity(Quantity::Coordinate(_)) => (usage.positions, "a position"),
                 Expr::Quantity(Quantity::Rate(_)) | Expr::Rate(_) => (usage.velocities, "a velocity"),
@@ -122,13 +124,17 @@ impl Lowering<'_> {
                     Quantity::Power(_)
                     | Quantity::DriverPower(_)
                     | Quantity::DriverEffort(_)
+                    | Quantity::Reaction(..)
                     | Quantity::KineticEnergy
                     | Quantity::PotentialEnergy
                     | Quantity::Energy,
                 ) => (usage.results, "a result"),
-                Expr::Number(_) | Expr::Unary(..) | Expr::Binary(..) | Expr::Power(..) | Expr::If(..) => {
-                    (true, "")
-                }
+                Expr::Number(_)
+                | Expr::Unary(..)
+                | Expr::Binary(..)
+                | Expr::Power(..)
+                | Expr::If(..)
+                | Expr::Table(..) => (true, ""),
             };
             if !permitted && found.is_none() {
                 found = Some(kind);

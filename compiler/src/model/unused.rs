@@ -1,4 +1,4 @@
-//! What is declared and named by nothing: constants, parameters, inputs, signals, points, markers
+//! What is declared and named by nothing: constants, parameters, inputs, states, signals, tables, points, markers
 //! and lines.
 //!
 //! While names are resolved those that are named are kept; what is left over here is warned of in `check`. The rounds
@@ -13,6 +13,7 @@ use std::collections::{HashMap, HashSet};
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Scope {
     Value,
+    Table,
     Body(usize),
     Ground,
 }
@@ -23,7 +24,9 @@ pub enum Declared {
     Constant,
     Parameter,
     Input,
+    State,
     Signal,
+    Table,
     Point,
     Marker,
     Line,
@@ -48,7 +51,7 @@ pub(super) fn unused(definition: &Definition, used: &HashSet<(Scope, &str)>) -> 
             || (kind == Declared::Constant && definition.counted.contains(&label.text));
         let body = match scope {
             Scope::Body(index) => Some(definition.bodies[index].name.text.clone()),
-            Scope::Value | Scope::Ground => None,
+            Scope::Value | Scope::Table | Scope::Ground => None,
         };
         match known.get(&label.region.serials()) {
             Some(first) => found[*first].1 |= named,
@@ -66,7 +69,9 @@ fn declarations(definition: &Definition) -> impl Iterator<Item = (Scope, Declare
     let constants = definition.constants.iter().map(|it| &it.name).map(value(Declared::Constant));
     let parameters = definition.parameters.iter().map(|it| &it.name).map(value(Declared::Parameter));
     let inputs = definition.inputs.iter().map(|it| &it.name).map(value(Declared::Input));
+    let states = definition.states.iter().map(|it| &it.name).map(value(Declared::State));
     let signals = definition.signals.iter().map(|it| &it.name).map(value(Declared::Signal));
+    let tables = definition.tables.iter().map(|it| (Scope::Table, Declared::Table, &it.name));
     let of_bodies = definition.bodies.iter().enumerate().flat_map(|(index, body)| {
         let of_body = move |kind| move |label| (Scope::Body(index), kind, label);
         let points = body.points.iter().map(|(label, _)| label).map(of_body(Declared::Point));
@@ -76,5 +81,6 @@ fn declarations(definition: &Definition) -> impl Iterator<Item = (Scope, Declare
     let of_ground = |kind| move |label| (Scope::Ground, kind, label);
     let markers = definition.markers.iter().map(|it| &it.name).map(of_ground(Declared::Marker));
     let lines = definition.lines.iter().map(|it| &it.name).map(of_ground(Declared::Line));
-    constants.chain(parameters).chain(inputs).chain(signals).chain(of_bodies).chain(markers).chain(lines)
+    let values = constants.chain(parameters).chain(inputs).chain(states).chain(signals).chain(tables);
+    values.chain(of_bodies).chain(markers).chain(lines)
 }

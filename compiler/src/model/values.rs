@@ -1,10 +1,11 @@
 //! Expressions: dimension check, conversion to SI, folding. Functions and conditions stand in `functions`.
 
 use super::fold;
+use super::functions::is_function;
 use super::lower::{Lowering, Use, declared};
 use super::names::Value;
 use super::unused::Scope;
-use super::{Expr, Function1, Function2, InputId, ParameterId, Vector};
+use super::{Expr, Function1, Function2, InputId, ParameterId, StateId, Vector};
 use crate::diagnostics::Region;
 use crate::messages;
 use crate::syntax::{Entry, Operator, Path, Term, TermKind, Tuple, WrittenUnit};
@@ -246,6 +247,12 @@ impl Lowering<'_> {
                     let dimension = declared(self.definition.inputs[index].unit.as_ref());
                     return typed(Expr::Input(InputId(index)), dimension);
                 }
+                Some(Value::State(index)) => {
+                    self.used.insert((Scope::Value, &self.definition.states[index].name.text));
+                    self.permit(usage.states, path, "a state", usage)?;
+                    let dimension = declared(self.definition.states[index].entry.unit.as_ref());
+                    return typed(Expr::State(StateId(index)), dimension);
+                }
                 Some(Value::Signal(index)) => return self.signal_at(index, path, usage),
                 None if path.text == "pi" => {
                     return typed(Expr::Number(core::f64::consts::PI), Dimension::ONE);
@@ -255,6 +262,10 @@ impl Lowering<'_> {
                     return typed(Expr::Time, Dimension::TIME);
                 }
                 None => {}
+            }
+            if self.names.table(&path.text).is_some() && self.names.part(&path.text).is_none() {
+                self.diagnostics.error(path.region, messages::table_without_call(&path.text));
+                return None;
             }
         }
         if let Some(index) = self.rate_of_signal(path) {
@@ -365,7 +376,9 @@ fn is_bare(term: &Term) -> bool {
     match &term.kind {
         TermKind::Number { unit, .. } => unit.is_none(),
         TermKind::Name(path) => path.text == "pi",
-        TermKind::Operation(_, terms) | TermKind::Call(_, terms) => terms.iter().all(is_bare),
+        TermKind::Operation(_, terms) => terms.iter().all(is_bare),
+        // What a table gives has a unit.
+        TermKind::Call(function, terms) => is_function(&function.text) && terms.iter().all(is_bare),
         TermKind::Ground(_) | TermKind::Measured(..) => false,
     }
 }

@@ -56,6 +56,7 @@ fn sections(compiled: &Compiled) -> Vec<Section> {
     let forces = v.iter().cloned().zip(equations.forces.iter().copied());
     let nu = if equations.nu.iter().all(is_zero) { Vec::new() } else { of_rows(&equations.nu) };
     let outputs = compiled.mechanism.outputs.iter().map(|output| output.name.text.clone());
+    let states = compiled.mechanism.states.iter().map(|state| state.name.text.clone());
     let energies = [("T", equations.kinetic_energy), ("V", equations.potential_energy)];
     let energies = energies.into_iter().filter(|(_, node)| !is_zero(node));
     vec![
@@ -68,6 +69,11 @@ fn sections(compiled: &Compiled) -> Vec<Section> {
         Section {
             heading: "Kinetic and potential energy, J",
             entries: energies.map(|(name, node)| (name.to_string(), node)).collect(),
+            ending: "",
+        },
+        Section {
+            heading: "Rates of the states",
+            entries: states.zip(equations.internal_rates.iter().copied()).collect(),
             ending: "",
         },
         Section {

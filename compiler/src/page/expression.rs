@@ -5,7 +5,7 @@ use super::terms::{Angle, Factor, Term, in_order, merged};
 use super::text::decimal;
 use crate::equations::Equations;
 use crate::model::Mechanism;
-use crate::symbolic::{Compare, Graph, Node, Op, Unary};
+use crate::symbolic::{Compare, Graph, Node, Op, Orders, PATCHES, Table, Unary};
 use std::collections::{BTreeMap, HashMap};
 
 /// Sums of more terms are not searched for cosines of sums.
@@ -40,7 +40,11 @@ impl<'a> Writer<'a> {
         let parameters = mechanism.parameters.iter().map(|parameter| parameter.name.text.clone());
         let inputs = mechanism.inputs.iter().map(|input| input.name.text.clone());
         let settings = symbols.parameters.iter().copied().zip(parameters);
+        let states = mechanism.states.iter().map(|state| state.name.text.clone());
         let settings = settings.chain(symbols.inputs.iter().copied().zip(inputs));
+        let settings = settings.chain(symbols.internal.iter().copied().zip(states));
+        let accelerations =
+            symbols.acceleration.iter().copied().zip(v.iter().map(|name| format!("v̇({name})")));
         let multipliers = symbols.lambda.iter().zip(&equations.rows);
         let multipliers = multipliers.map(|(node, row)| (*node, format!("λ({}.{})", row.of, row.form.name)));
         let mut writer = Writer {
@@ -49,6 +53,7 @@ impl<'a> Writer<'a> {
                 .map(|(node, name)| (*node, name.clone()))
                 .chain(settings)
                 .chain(multipliers)
+                .chain(accelerations)
                 .collect(),
             turned: HashMap::new(),
             counted: HashMap::new(),
@@ -359,6 +364,9 @@ impl<'a> Writer<'a> {
             Op::Max(a, b) => call("max", &[a, b]),
             Op::Atan2(a, b) => call("atan2", &[a, b]),
             Op::Select(mask, a, b) => call("if", &[mask, a, b]),
+            Op::Cell(table, x) => call(&format!("row of {}", graph.table(table).name), &[x]),
+            Op::Piece(table, orders, _, x) => call(&derivative(graph.table(table), orders), &[x]),
+            Op::Patch(table, orders, _, x, y) => call(&derivative(graph.table(table), orders), &[x, y]),
             Op::And(a, b) => format!("({} and {})", self.whole(a), self.whole(b)),
             Op::Or(a, b) => format!("({} or {})", self.whole(a), self.whole(b)),
             Op::Not(a) => format!("not {}", self.whole(a)),
@@ -377,6 +385,19 @@ impl<'a> Writer<'a> {
     fn whole(&mut self, node: Node) -> String {
         let terms = self.sum(node);
         self.sum_text(&terms)
+    }
+}
+
+/// `lift″`, of two arguments `∂₁∂₂grip`.
+fn derivative(table: &Table, orders: Orders) -> String {
+    let name = &table.name;
+    match (table.width(), orders.first(), orders.second()) {
+        (PATCHES, first, second) => {
+            let (first, second) =
+                (["", "∂₁"][usize::from(first.min(1))], ["", "∂₂"][usize::from(second.min(1))]);
+            format!("{first}{second}{name}")
+        }
+        (_, order, _) => format!("{name}{}", ["", "′", "″", "‴"][usize::from(order.min(3))]),
     }
 }
 

@@ -4,6 +4,7 @@
 //! Nothing of it may become a test or a link: blocks of text are fenced as `text`, names with brackets stand in code, and
 //! no blank line interrupts a drawing.
 
+mod curves;
 mod equations;
 mod expression;
 mod figure;
@@ -31,6 +32,7 @@ pub fn page(compiled: &Compiled) -> String {
     tables::couplings(&mut page, compiled);
     tables::loads(&mut page, compiled);
     tables::settings(&mut page, compiled);
+    curves::curves(&mut page, compiled);
     tables::coordinates(&mut page, compiled);
     tables::rows(&mut page, compiled);
     equations::equations(&mut page, compiled);

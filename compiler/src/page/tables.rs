@@ -179,7 +179,7 @@ pub fn settings(page: &mut String, compiled: &Compiled) {
         let bounds = parameter.bounds.map(|(least, most)| format!("{} to {}", decimal(least), decimal(most)));
         table.row(vec![
             code(&parameter.name.text),
-            code(&parameter.unit),
+            code(&parameter.unit.text),
             decimal(parameter.default),
             bounds.unwrap_or_default(),
         ]);
@@ -187,12 +187,19 @@ pub fn settings(page: &mut String, compiled: &Compiled) {
     table.write(page, "Parameters");
     let mut table = Table::new(&["input", "unit as written, given in SI"]);
     for input in &mechanism.inputs {
-        table.row(vec![code(&input.name.text), code(&input.unit)]);
+        table.row(vec![code(&input.name.text), code(&input.unit.text)]);
     }
     table.write(page, "Inputs");
+    let mut table = Table::new(&["state", "unit as written", "at the start, SI", "scale, SI"]);
+    for state in &mechanism.states {
+        let scale = state.scale.map_or(String::new(), decimal);
+        let start = value(mechanism, &state.start);
+        table.row(vec![code(&state.name.text), code(&state.unit.text), start, scale]);
+    }
+    table.write(page, "States");
     let mut table = Table::new(&["output", "unit as written, given in SI"]);
     for output in &mechanism.outputs {
-        table.row(vec![code(&output.name.text), code(&output.unit)]);
+        table.row(vec![code(&output.name.text), code(&output.unit.text)]);
     }
     table.write(page, "Outputs");
 }
@@ -289,7 +296,7 @@ fn value(mechanism: &Mechanism, expr: &Expr) -> String {
     }
 }
 
-/// Parameters, inputs and time in an expression, and whether it depends on the motion.
+/// Parameters, inputs, states and time in an expression, and whether it depends on the motion.
 fn named(mechanism: &Mechanism, expr: &Expr, names: &mut BTreeSet<String>, moves: &mut bool) {
     expr.visit(&mut |expr| match expr {
         Expr::Parameter(id) => {
@@ -297,6 +304,9 @@ fn named(mechanism: &Mechanism, expr: &Expr, names: &mut BTreeSet<String>, moves
         }
         Expr::Input(id) => {
             names.insert(mechanism.inputs[id.0].name.text.clone());
+        }
+        Expr::State(id) => {
+            names.insert(mechanism.states[id.0].name.text.clone());
         }
         Expr::Time => {
             names.insert("time".to_string());

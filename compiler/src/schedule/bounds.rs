@@ -7,7 +7,8 @@
 use super::evaluate::{Inputs, step};
 use super::program::{Instruction, Operand, Program, Source};
 use crate::functions::Argument;
-use crate::symbolic::{Graph, of_quotient, passed_on as unary_passed_on};
+use crate::symbolic::{Graph, Table, of_patch, of_piece, of_quotient, passed_on as unary_passed_on};
+use std::sync::Arc;
 
 /// A value, and what rounding may have made of it.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -41,8 +42,8 @@ pub fn run_bounded(program: &Program, graph: &Graph, inputs: &Inputs, errors: &E
     let mut values: Vec<Bounded> = Vec::with_capacity(program.instructions.len());
     for instruction in &program.instructions {
         let get = |operand: Operand| get(operand, graph, inputs, errors, &values);
-        let value = step(instruction, |operand| get(operand).value);
-        let error = f64::EPSILON * value.abs() + passed_on(instruction, value, get);
+        let value = step(instruction, &program.tables, |operand| get(operand).value);
+        let error = f64::EPSILON * value.abs() + passed_on(instruction, &program.tables, value, get);
         values.push(Bounded { value, error: if error.is_nan() { f64::INFINITY } else { error } });
     }
     program.outputs.iter().map(|output| get(*output, graph, inputs, errors, &values)).collect()
@@ -57,7 +58,13 @@ fn get(operand: Operand, graph: &Graph, inputs: &Inputs, errors: &Errors, values
 }
 
 /// The error of a result that follows from those of its operands.
-fn passed_on(instruction: &Instruction, result: f64, get: impl Fn(Operand) -> Bounded) -> f64 {
+fn passed_on(
+    instruction: &Instruction,
+    tables: &[Arc<Table>],
+    result: f64,
+    get: impl Fn(Operand) -> Bounded,
+) -> f64 {
+    let table = |number: u16| &tables[usize::from(number)];
     let certain = |clear: bool| if clear { 0.0 } else { f64::INFINITY };
     match *instruction {
         Instruction::Neg(a) => get(a).error,
@@ -95,11 +102,29 @@ fn passed_on(instruction: &Instruction, result: f64, get: impl Fn(Operand) -> Bo
             let mask = get(mask);
             mask.error + get(if mask.value != 0.0 { a } else { b }).error
         }
+        Instruction::Cell(number, x) => {
+            let x = get(x);
+            let clear = |end: f64| (x.value - end).abs() > 4.0 * x.error;
+            certain(x.error == 0.0 || table(number).ends(result).into_iter().all(clear))
+        }
+        Instruction::Piece(number, orders, cell, x) => {
+            let (cell, x) = (get(cell), get(x));
+            let (slope, of_terms) = of_piece(table(number), orders, cell.value, x.value);
+            cell.error + of_terms + part(x.error, slope)
+        }
+        Instruction::Patch(number, orders, cell, x, y) => {
+            let (cell, x, y) = (get(cell), get(x), get(y));
+            let (slopes, of_terms) = of_patch(table(number), orders, cell.value, [x.value, y.value]);
+            cell.error + of_terms + part(x.error, slopes[0]) + part(y.error, slopes[1])
+        }
     }
 }
 
 fn of_product(a: Bounded, b: Bounded) -> f64 {
-    // Without ∞ · 0.
-    let part = |error: f64, factor: f64| if factor == 0.0 { 0.0 } else { error * factor.abs() };
     part(a.error, b.value) + part(b.error, a.value)
+}
+
+/// Without ∞ · 0.
+fn part(error: f64, factor: f64) -> f64 {
+    if factor == 0.0 { 0.0 } else { error * factor.abs() }
 }

@@ -7,6 +7,7 @@ pub fn count(program: &Program) -> Counts {
     let mut counts = Counts::default();
     let mut depth: Vec<usize> = Vec::with_capacity(program.instructions.len());
     for instruction in &program.instructions {
+        let mut weight = 1;
         let kind = match instruction {
             Instruction::Neg(_) | Instruction::Add(..) | Instruction::Sub(..) => &mut counts.additions,
             Instruction::Mul(..) => &mut counts.multiplications,
@@ -22,13 +23,32 @@ pub fn count(program: &Program) -> Counts {
             | Instruction::Not(_)
             | Instruction::Select(..) => &mut counts.choices,
             Instruction::Unary(..) | Instruction::Atan2(..) => &mut counts.transcendentals,
+            Instruction::Cell(table, _) => {
+                weight = steps(program, *table) + 2;
+                &mut counts.choices
+            }
+            Instruction::Piece(_, orders, ..) | Instruction::Patch(_, orders, ..) => {
+                // s = x − base, t = y − base.
+                counts.additions += 1;
+                weight = 3 - usize::from(orders.first().max(orders.second()).min(2));
+                if matches!(instruction, Instruction::Patch(..)) {
+                    counts.additions += 1;
+                }
+                &mut counts.fused_multiply_adds
+            }
         };
-        *kind += 1;
+        *kind += weight;
         let longest = instruction.operands().filter_map(|operand| value(operand, &depth)).max().unwrap_or(0);
-        depth.push(longest + 1);
+        let own = if let Instruction::Cell(table, _) = instruction { steps(program, *table) } else { 1 };
+        depth.push(longest + own);
     }
     counts.depth = program.outputs.iter().filter_map(|output| value(*output, &depth)).max().unwrap_or(0);
     counts
+}
+
+/// Comparisons, one after the other, that find a row.
+fn steps(program: &Program, table: u16) -> usize {
+    program.tables.get(usize::from(table)).map_or(1, |table| table.steps())
 }
 
 fn value(operand: Operand, depth: &[usize]) -> Option<usize> {

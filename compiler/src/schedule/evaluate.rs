@@ -3,8 +3,9 @@
 
 use super::program::{Instruction, Operand, Program, Source};
 use crate::functions::Argument;
-use crate::symbolic::{max, min};
+use crate::symbolic::{Table, max, min};
 use std::slice::from_ref;
+use std::sync::Arc;
 
 /// The values of all arguments.
 #[derive(Clone, Debug, Default)]
@@ -14,6 +15,7 @@ pub struct Inputs {
     pub time: f64,
     pub q: Vec<f64>,
     pub v: Vec<f64>,
+    pub internal: Vec<f64>,
     pub inputs: Vec<f64>,
     pub two_alpha: f64,
     pub beta_squared: f64,
@@ -39,6 +41,7 @@ impl Inputs {
             Argument::Time => from_ref(&self.time),
             Argument::Q => &self.q,
             Argument::V => &self.v,
+            Argument::Z => &self.internal,
             Argument::State => &[],
             Argument::Inputs => &self.inputs,
             Argument::TwoAlpha => from_ref(&self.two_alpha),
@@ -62,7 +65,7 @@ impl Inputs {
 pub fn run(program: &Program, inputs: &Inputs) -> Vec<f64> {
     let mut values: Vec<f64> = Vec::with_capacity(program.instructions.len());
     for instruction in &program.instructions {
-        let value = step(instruction, |operand| get(operand, inputs, &values));
+        let value = step(instruction, &program.tables, |operand| get(operand, inputs, &values));
         values.push(value);
     }
     program.outputs.iter().map(|output| get(*output, inputs, &values)).collect()
@@ -76,7 +79,8 @@ fn get(operand: Operand, inputs: &Inputs, values: &[f64]) -> f64 {
     }
 }
 
-pub(super) fn step(instruction: &Instruction, get: impl Fn(Operand) -> f64) -> f64 {
+pub(super) fn step(instruction: &Instruction, tables: &[Arc<Table>], get: impl Fn(Operand) -> f64) -> f64 {
+    let table = |number: u16| &tables[usize::from(number)];
     let mask = |value: bool| if value { 1.0 } else { 0.0 };
     match *instruction {
         Instruction::Neg(a) => -get(a),
@@ -98,5 +102,10 @@ pub(super) fn step(instruction: &Instruction, get: impl Fn(Operand) -> f64) -> f
         Instruction::Or(a, b) => mask(get(a) != 0.0 || get(b) != 0.0),
         Instruction::Not(a) => mask(get(a) == 0.0),
         Instruction::Select(m, a, b) => get(if get(m) != 0.0 { a } else { b }),
+        Instruction::Cell(number, x) => table(number).cell(get(x)),
+        Instruction::Piece(number, orders, cell, x) => table(number).piece(orders.first(), get(cell), get(x)),
+        Instruction::Patch(number, orders, cell, x, y) => {
+            table(number).patch(orders, get(cell), get(x), get(y))
+        }
     }
 }

@@ -20,7 +20,15 @@ const FAST: usize = 4;
 const SLOW: usize = 13;
 
 fn is_slow(instruction: &Instruction) -> bool {
-    matches!(instruction, Instruction::Div(..) | Instruction::Unary(..) | Instruction::Atan2(..))
+    matches!(
+        instruction,
+        Instruction::Div(..)
+            | Instruction::Unary(..)
+            | Instruction::Atan2(..)
+            | Instruction::Cell(..)
+            | Instruction::Piece(..)
+            | Instruction::Patch(..)
+    )
 }
 
 fn latency(instruction: &Instruction) -> usize {

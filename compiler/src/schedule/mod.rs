@@ -43,8 +43,12 @@ pub struct Programs {
 
 impl Programs {
     pub fn get(&self, function: Function) -> &Program {
-        static EMPTY: Program =
-            Program { instructions: Vec::new(), outputs: Vec::new(), sections: Vec::new() };
+        static EMPTY: Program = Program {
+            instructions: Vec::new(),
+            outputs: Vec::new(),
+            sections: Vec::new(),
+            tables: Vec::new(),
+        };
         self.functions.iter().find(|(known, _)| *known == function).map_or(&EMPTY, |(_, program)| program)
     }
 }

@@ -2,7 +2,8 @@
 
 use super::sections::Section;
 use crate::functions::Argument;
-use crate::symbolic::{Compare, Unary};
+use crate::symbolic::{Compare, Orders, Table, Unary};
+use std::sync::Arc;
 
 /// Where a value that a program does not compute comes from: an entry of an argument.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
@@ -40,12 +41,21 @@ pub enum Instruction {
     Or(Operand, Operand),
     Not(Operand),
     Select(Operand, Operand, Operand),
+    /// Table, argument: the row that it is in.
+    Cell(u16, Operand),
+    /// Table, orders, row, argument.
+    Piece(u16, Orders, Operand, Operand),
+    /// Table, orders, row, both arguments.
+    Patch(u16, Orders, Operand, Operand, Operand),
 }
 
 impl Instruction {
     pub fn operands(&self) -> impl Iterator<Item = Operand> {
         let (a, b, c) = match *self {
-            Instruction::Neg(a) | Instruction::Unary(_, a) | Instruction::Not(a) => (a, None, None),
+            Instruction::Neg(a)
+            | Instruction::Unary(_, a)
+            | Instruction::Not(a)
+            | Instruction::Cell(_, a) => (a, None, None),
             Instruction::Add(a, b)
             | Instruction::Sub(a, b)
             | Instruction::Mul(a, b)
@@ -55,8 +65,11 @@ impl Instruction {
             | Instruction::Atan2(a, b)
             | Instruction::Compare(_, a, b)
             | Instruction::And(a, b)
-            | Instruction::Or(a, b) => (a, Some(b), None),
-            Instruction::MulAdd(a, b, c, ..) | Instruction::Select(a, b, c) => (a, Some(b), Some(c)),
+            | Instruction::Or(a, b)
+            | Instruction::Piece(_, _, a, b) => (a, Some(b), None),
+            Instruction::MulAdd(a, b, c, ..)
+            | Instruction::Select(a, b, c)
+            | Instruction::Patch(_, _, a, b, c) => (a, Some(b), Some(c)),
         };
         std::iter::once(a).chain(b).chain(c)
     }
@@ -81,6 +94,19 @@ impl Instruction {
             Instruction::Or(a, b) => Instruction::Or(f(a), f(b)),
             Instruction::Not(a) => Instruction::Not(f(a)),
             Instruction::Select(m, a, b) => Instruction::Select(f(m), f(a), f(b)),
+            Instruction::Cell(table, a) => Instruction::Cell(table, f(a)),
+            Instruction::Piece(table, orders, a, b) => Instruction::Piece(table, orders, f(a), f(b)),
+            Instruction::Patch(table, orders, a, b, c) => Instruction::Patch(table, orders, f(a), f(b), f(c)),
+        }
+    }
+
+    /// The table that it looks up in.
+    pub fn table(&self) -> Option<u16> {
+        match self {
+            Instruction::Cell(table, ..) | Instruction::Piece(table, ..) | Instruction::Patch(table, ..) => {
+                Some(*table)
+            }
+            _ => None,
         }
     }
 
@@ -100,6 +126,8 @@ pub struct Program {
     pub outputs: Vec<Operand>,
     /// What stretches of the instructions are for, where that is known.
     pub sections: Vec<Section>,
+    /// What instructions look up in, by number.
+    pub tables: Vec<Arc<Table>>,
 }
 
 impl Program {
@@ -118,6 +146,7 @@ impl Program {
             instructions,
             outputs: self.outputs.iter().map(|output| moved(*output)).collect(),
             sections: Vec::new(),
+            tables: self.tables.clone(),
         }
     }
 }

@@ -47,7 +47,8 @@ pub fn select(graph: &Graph, sources: &[Source], hoisted: &Hoisted, fused: &Fuse
         selection.compute(*output);
     }
     let outputs = fused.outputs.iter().map(|output| selection.operand(*output)).collect();
-    let program = Program { instructions: selection.instructions, outputs, sections: Vec::new() };
+    let (sections, tables) = (Vec::new(), graph.tables().to_vec());
+    let program = Program { instructions: selection.instructions, outputs, sections, tables };
     Selected { program, nodes: selection.nodes, values: selection.values }
 }
 
@@ -161,6 +162,14 @@ impl Selection<'_> {
             Op::Or(a, b) => Instruction::Or(self.operand(a), self.operand(b)),
             Op::Not(a) => Instruction::Not(self.operand(a)),
             Op::Select(m, a, b) => Instruction::Select(self.operand(m), self.operand(a), self.operand(b)),
+            Op::Cell(table, x) => Instruction::Cell(table, self.operand(x)),
+            Op::Piece(table, orders, cell, x) => {
+                Instruction::Piece(table, orders, self.operand(cell), self.operand(x))
+            }
+            Op::Patch(table, orders, cell, x, y) => {
+                let (x, y) = (self.operand(x), self.operand(y));
+                Instruction::Patch(table, orders, self.operand(cell), x, y)
+            }
         }
     }
 

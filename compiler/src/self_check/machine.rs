@@ -172,6 +172,7 @@ fn any_state(compiled: &Compiled, random: &mut Random, reach: f64, vary: bool) -
         q,
         v: sized(random, 1.0),
         inputs: random.vector(equations.symbols.inputs.len()),
+        internal: random.vector(equations.symbols.internal.len()),
         two_alpha: 10.0 + random.next(),
         beta_squared: 25.0 + random.next(),
         acceleration: sized(random, 3.0),
@@ -195,6 +196,7 @@ pub fn start(compiled: &Compiled) -> Inputs {
         v: compiled.assembly.v.clone(),
         acceleration: vec![0.0; compiled.assembly.v.len()],
         inputs: vec![0.0; compiled.mechanism.inputs.len()],
+        internal: compiled.start_internal(),
         lambda: vec![0.0; compiled.complete.equations.rows.len()],
         ..Inputs::default()
     }

@@ -51,7 +51,7 @@ pub struct Solved {
     pub massless: Massless,
     /// The sizes that pivots of rows are divided by, expressions of the parameters.
     pub row_scales: Vec<Node>,
-    /// The outputs, which may name drivers' efforts or powers, with the multipliers of the plain solution.
+    /// The outputs, which may name drivers' efforts or powers, or reactions, with v̇ and λ of the plain solution.
     pub outputs: Vec<Node>,
 }
 
@@ -296,6 +296,7 @@ fn by_articulated_bodies(
     let kinematics = candidate.graph.sheet().on(kinematics);
     let acceleration = all_bare(&articulated::accelerations(kinematics, distributions, forces));
     let solution = Solution { acceleration, lambda: Vec::new(), pivot: candidate.one };
+    let outputs = solved_outputs(&candidate, &solution);
     let order = order::order(pattern, Strategy::MinimumDegree);
     let mut solved = Solved {
         index1: solution.clone(),
@@ -305,7 +306,7 @@ fn by_articulated_bodies(
         counts: Counts::default(),
         massless: Massless::default(),
         row_scales: Vec::new(),
-        outputs: equations.outputs.clone(),
+        outputs,
     };
     solved.counts = count(&candidate, &solved.baumgarte.nodes());
     Some((candidate, solved))
@@ -338,9 +339,7 @@ fn eliminate(equations: &Equations, system: &System, order: Order) -> Solved {
         solution(g, &factor, system, right)
     };
     let (index1, baumgarte) = (with(&plain), with(&stabilised));
-    // Outputs that name drivers' efforts or powers take the multipliers of the plain solution.
-    let solved = equations.symbols.lambda.iter().copied().zip(index1.lambda.iter().copied()).collect();
-    let outputs = g.graph().substitute(&equations.outputs, &solved);
+    let outputs = solved_outputs(equations, &index1);
     Solved {
         index1,
         baumgarte,
@@ -351,6 +350,14 @@ fn eliminate(equations: &Equations, system: &System, order: Order) -> Solved {
         row_scales: scales.clone(),
         outputs,
     }
+}
+
+/// Outputs that name efforts, powers or reactions take v̇ and λ of the plain solution.
+fn solved_outputs(equations: &Equations, solution: &Solution) -> Vec<Node> {
+    let Symbols { acceleration, lambda, .. } = &equations.symbols;
+    let given = acceleration.iter().chain(lambda).copied();
+    let solved = solution.acceleration.iter().chain(&solution.lambda).copied();
+    equations.graph.sheet().graph().substitute(&equations.outputs, &given.zip(solved).collect())
 }
 
 /// −γ + 2α (D v − ν) + β² Φ.

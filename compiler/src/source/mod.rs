@@ -4,15 +4,20 @@
 //! The spans of a procedural macro know nothing of files that rustc has not read. Regions carry serial numbers of their
 //! tokens anyway; what is kept here is the place of each number. What tokens mean is left to `syntax`.
 
+mod csv;
 mod delimiters;
+pub mod disk;
 mod invocations;
 mod lexer;
 mod macro_rules;
 mod snippet;
+mod tables;
 mod tokens;
+pub mod written;
 
 pub use invocations::{Invocation, invocations, is_rust};
 pub use snippet::{compile_errors, warnings};
+pub(crate) use tables::{FileOf, read_tables};
 pub(crate) use tokens::definition_at;
 pub use tokens::{Tokens, definition};
 

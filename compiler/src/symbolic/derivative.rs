@@ -4,7 +4,7 @@
 //! directions need not be symbols; a pair (c, s) that turns by δ has ∂c = −s and ∂s = c. Derivatives are nodes of the same
 //! graph: what they have in common with each other and with the functions themselves is computed once.
 
-use super::{Compare, Node, Op, Scalar, Sheet, Unary};
+use super::{Compare, Node, Op, Orders, Scalar, Sheet, Unary};
 use std::collections::BTreeMap;
 
 /// The derivatives of a node by direction; what is not there is zero.
@@ -13,7 +13,7 @@ pub type Gradient = BTreeMap<usize, Node>;
 impl<'g> Sheet<'g> {
     /// ∂root/∂direction of each root, given those of the symbols; symbols without a seed are held.
     ///
-    /// min, max, |x|, sign and select have the derivative of the branch taken; where min and max meet that of the one they
+    /// The row of a table has none either: pieces are differentiated where they are. min, max, |x|, sign and select have the derivative of the branch taken; where min and max meet that of the one they
     /// return. Masks have none.
     pub fn differentiate(self, roots: &[Node], seed: &BTreeMap<Node, Gradient>) -> Vec<Gradient> {
         let mut gradients: BTreeMap<Node, Gradient> = BTreeMap::new();
@@ -75,6 +75,18 @@ impl<'g> Sheet<'g> {
                 self.each(of(y), of(x), |dy, dx| (x * dy - y * dx) * inverse)
             }
             Op::Select(mask, a, b) => self.each(of(a), of(b), |da, db| self.on(mask).select(da, db)),
+            Op::Cell(..) => Gradient::new(),
+            Op::Piece(table, orders, cell, x) => {
+                let steeper = Orders::new(orders.first() + 1, 0);
+                let first = self.graph().piece(table, steeper, cell, x);
+                self.each(of(x), &none, |dx, _| first * dx)
+            }
+            Op::Patch(table, orders, cell, x, y) => {
+                let (first, second) = (orders.first(), orders.second());
+                let by_x = self.graph().patch(table, Orders::new(first + 1, second), cell, x, y);
+                let by_y = self.graph().patch(table, Orders::new(first, second + 1), cell, x, y);
+                self.each(of(x), of(y), |dx, dy| by_x * dx + by_y * dy)
+            }
         }
     }
 

@@ -1,12 +1,13 @@
 //! The interpreter of the graph: the first of the two evaluators.
 
-use super::{Graph, Node, Op};
+use super::{Graph, Node, Op, Table};
+use std::sync::Arc;
 
 /// Values of all nodes, given those of the symbols in the order of their creation. Masks are 0 or 1.
 pub fn evaluate(graph: &Graph, symbols: &[f64]) -> Vec<f64> {
     let mut values = vec![0.0; graph.len()];
     for (node, op) in graph.nodes() {
-        values[node.index()] = step(op, symbols, &values);
+        values[node.index()] = step(op, symbols, &values, graph.tables());
     }
     values
 }
@@ -16,7 +17,7 @@ pub fn evaluate(graph: &Graph, symbols: &[f64]) -> Vec<f64> {
 pub fn evaluate_reachable(graph: &Graph, order: &[Node], symbols: &[f64], values: &mut Vec<f64>) {
     values.resize(graph.len(), 0.0);
     for node in order {
-        values[node.index()] = step(graph.op(*node), symbols, values);
+        values[node.index()] = step(graph.op(*node), symbols, values, graph.tables());
     }
 }
 
@@ -28,12 +29,13 @@ pub fn evaluate_with(graph: &Graph, order: &[Node], symbols: &[f64], change: Opt
             Some((changed, op)) if changed == *node => op,
             _ => graph.op(*node),
         };
-        values[node.index()] = step(op, symbols, &values);
+        values[node.index()] = step(op, symbols, &values, graph.tables());
     }
     values
 }
 
-fn step(op: Op, symbols: &[f64], values: &[f64]) -> f64 {
+fn step(op: Op, symbols: &[f64], values: &[f64], tables: &[Arc<Table>]) -> f64 {
+    let table = |number: u16| &tables[usize::from(number)];
     let get = |node: Node| values[node.index()];
     let mask = |value: bool| if value { 1.0 } else { 0.0 };
     match op {
@@ -53,6 +55,9 @@ fn step(op: Op, symbols: &[f64], values: &[f64]) -> f64 {
         Op::Or(a, b) => mask(get(a) != 0.0 || get(b) != 0.0),
         Op::Not(a) => mask(get(a) == 0.0),
         Op::Select(m, a, b) => get(if get(m) != 0.0 { a } else { b }),
+        Op::Cell(number, x) => table(number).cell(get(x)),
+        Op::Piece(number, orders, cell, x) => table(number).piece(orders.first(), get(cell), get(x)),
+        Op::Patch(number, orders, cell, x, y) => table(number).patch(orders, get(cell), get(x), get(y)),
     }
 }
 

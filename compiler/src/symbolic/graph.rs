@@ -4,8 +4,9 @@
 
 use super::hash::FastHash;
 use super::rounding::Roundings;
-use super::{Compare, Unary};
+use super::{Compare, Orders, Table, Unary};
 use std::collections::HashMap;
+use std::sync::Arc;
 
 /// A node of a [`Graph`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
@@ -53,6 +54,12 @@ pub enum Op {
     Not(Node),
     /// mask, then, otherwise.
     Select(Node, Node, Node),
+    /// The row of a table that an argument is in, as a number.
+    Cell(u16, Node),
+    /// A derivative of the cubic piece in that row: table, orders, row, argument.
+    Piece(u16, Orders, Node, Node),
+    /// A derivative of the patch in that row: table, orders, row, both arguments.
+    Patch(u16, Orders, Node, Node, Node),
 }
 
 impl Op {
@@ -60,7 +67,7 @@ impl Op {
     pub fn operands(self) -> impl Iterator<Item = Node> {
         let (a, b, c) = match self {
             Op::Constant(_) | Op::Symbol(_) => (None, None, None),
-            Op::Neg(a) | Op::Unary(_, a) | Op::Not(a) => (Some(a), None, None),
+            Op::Neg(a) | Op::Unary(_, a) | Op::Not(a) | Op::Cell(_, a) => (Some(a), None, None),
             Op::Add(a, b)
             | Op::Sub(a, b)
             | Op::Mul(a, b)
@@ -70,8 +77,9 @@ impl Op {
             | Op::Atan2(a, b)
             | Op::Compare(_, a, b)
             | Op::And(a, b)
-            | Op::Or(a, b) => (Some(a), Some(b), None),
-            Op::Select(m, a, b) => (Some(m), Some(a), Some(b)),
+            | Op::Or(a, b)
+            | Op::Piece(_, _, a, b) => (Some(a), Some(b), None),
+            Op::Select(a, b, c) | Op::Patch(_, _, a, b, c) => (Some(a), Some(b), Some(c)),
         };
         a.into_iter().chain(b).chain(c)
     }
@@ -86,6 +94,7 @@ pub struct Graph {
     known: HashMap<Op, Node, FastHash>,
     /// Asked for at every turn.
     zero: Option<Node>,
+    tables: Vec<Arc<Table>>,
     pub(super) roundings: Roundings,
 }
 
@@ -120,6 +129,14 @@ impl Graph {
     }
     pub fn symbol_count(&self) -> usize {
         self.symbols.len()
+    }
+
+    /// The tables that are looked up in, by their numbers.
+    pub fn tables(&self) -> &[Arc<Table>] {
+        &self.tables
+    }
+    pub fn table(&self, number: u16) -> &Table {
+        &self.tables[usize::from(number)]
     }
 
     /// A new unknown; two symbols are never equal, whatever their names.
@@ -407,6 +424,46 @@ impl Graph {
     }
     pub fn select(&mut self, mask: Node, then: Node, otherwise: Node) -> Node {
         if then == otherwise { then } else { self.intern(Op::Select(mask, then, otherwise)) }
+    }
+
+    /// The number of a table on this graph.
+    pub fn enter(&mut self, table: &Arc<Table>) -> u16 {
+        let known = self.tables.iter().position(|known| Arc::ptr_eq(known, table) || known == table);
+        let number = known.unwrap_or_else(|| {
+            self.tables.push(table.clone());
+            self.tables.len() - 1
+        });
+        u16::try_from(number).expect("there are fewer tables than that")
+    }
+
+    /// The row of a table that x is in.
+    pub fn cell(&mut self, table: u16, x: Node) -> Node {
+        match self.value(x) {
+            Some(x) => self.constant(self.table(table).cell(x)),
+            None => self.intern(Op::Cell(table, x)),
+        }
+    }
+
+    /// A derivative of a cubic piece; what vanishes in all of them is zero.
+    pub fn piece(&mut self, table: u16, orders: Orders, cell: Node, x: Node) -> Node {
+        if self.table(table).vanishes(orders) {
+            return self.constant(0.0);
+        }
+        match (self.value(cell), self.value(x)) {
+            (Some(cell), Some(x)) => self.folded_piece(table, orders, cell, x),
+            _ => self.intern(Op::Piece(table, orders, cell, x)),
+        }
+    }
+
+    /// A derivative of a patch.
+    pub fn patch(&mut self, table: u16, orders: Orders, cell: Node, x: Node, y: Node) -> Node {
+        if self.table(table).vanishes(orders) {
+            return self.constant(0.0);
+        }
+        match [cell, x, y].map(|node| self.value(node)) {
+            [Some(cell), Some(x), Some(y)] => self.folded_patch(table, orders, cell, [x, y]),
+            _ => self.intern(Op::Patch(table, orders, cell, x, y)),
+        }
     }
 
     /// x to an integer power by repeated squaring.

@@ -4,13 +4,16 @@
 //! Running error analysis to first order (Higham, Accuracy and Stability of Numerical Algorithms, section 3.3), where a constant that
 //! folding did not make is taken as a few units off: nobody knows how its number was computed.
 
-use super::Unary;
 use super::graph::{Graph, Node};
 use super::hash::FastHash;
+use super::{Orders, Table, Unary};
 use std::collections::HashMap;
 
 /// A constant that was not folded, in parts of itself.
 const GIVEN: f64 = 16.0 * f64::EPSILON;
+
+/// Roundings of each term of a piece: of its coefficient, and one for each operation.
+const TERMS: f64 = 8.0;
 
 /// Bounds by the bits of the magnitude: signs round nothing. A number keeps the bound that it came with, though others may
 /// arrive at the same bits in worse ways: 1 is 1 wherever a quotient of two masses happens to be 1, and bounds that went
@@ -54,6 +57,22 @@ impl Graph {
         self.folded(function.value(x), |g| passed_on(function, x, g.rounding(x)))
     }
 
+    pub(super) fn folded_piece(&mut self, table: u16, orders: Orders, cell: f64, x: f64) -> Node {
+        let value = self.table(table).piece(orders.first(), cell, x);
+        self.folded(value, |g| {
+            let (slope, of_terms) = of_piece(g.table(table), orders, cell, x);
+            slope * g.rounding(x) + of_terms
+        })
+    }
+
+    pub(super) fn folded_patch(&mut self, table: u16, orders: Orders, cell: f64, at: [f64; 2]) -> Node {
+        let value = self.table(table).patch(orders, cell, at[0], at[1]);
+        self.folded(value, |g| {
+            let (slopes, of_terms) = of_patch(g.table(table), orders, cell, at);
+            slopes[0] * g.rounding(at[0]) + slopes[1] * g.rounding(at[1]) + of_terms
+        })
+    }
+
     /// The constant `value`, made of such as have made it `passed_on` wrong: asked for only where the constant is new.
     fn folded(&mut self, value: f64, passed_on: impl FnOnce(&Graph) -> f64) -> Node {
         // All zeros are one, and what cancels is taken to cancel.
@@ -73,6 +92,21 @@ impl Graph {
 pub fn of_quotient(of_x: f64, quotient: f64, y: f64, of_y: f64) -> f64 {
     let least = y.abs() - of_y;
     if least > 0.0 { (of_x + quotient.abs() * of_y) / least } else { f64::INFINITY }
+}
+
+/// How steep a piece is, and what its terms are rounded by.
+pub fn of_piece(table: &Table, orders: Orders, cell: f64, x: f64) -> (f64, f64) {
+    let order = orders.first();
+    let slope = if order < 3 { table.piece(order + 1, cell, x).abs() } else { 0.0 };
+    (slope, TERMS * f64::EPSILON * table.magnitude(order, cell, x))
+}
+
+/// How steep a patch is by both arguments, and what its terms are rounded by.
+pub fn of_patch(table: &Table, orders: Orders, cell: f64, [x, y]: [f64; 2]) -> ([f64; 2], f64) {
+    let (first, second) = (orders.first(), orders.second());
+    let steep = [Orders::new(first + 1, second), Orders::new(first, second + 1)];
+    let slopes = steep.map(|orders| table.patch(orders, cell, x, y).abs());
+    (slopes, TERMS * f64::EPSILON * table.patch_magnitude(orders, cell, x, y))
 }
 
 /// What an error of x makes of f(x).

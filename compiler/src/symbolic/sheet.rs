@@ -4,7 +4,7 @@
 //! operands: left before right. What is kept of an equation are bare nodes, which know no graph; they may stand on either side
 //! of an operator whose other side does.
 
-use super::{Class, Compare, Graph, Node, Unary};
+use super::{Class, Compare, Graph, Node, Orders, Unary};
 use std::cell::{Ref, RefCell, RefMut};
 use std::ops::{Add, AddAssign, BitAnd, BitOr, Div, Mul, Neg, Not, Sub, SubAssign};
 
@@ -146,6 +146,18 @@ impl<'g> Scalar<'g> {
     /// A mask.
     pub fn compare(self, comparison: Compare, other: Self) -> Self {
         self.made(|g, x| g.compare(comparison, x, other.bare))
+    }
+    /// The row of a table that it is in.
+    pub fn cell(self, table: u16) -> Self {
+        self.made(|g, x| g.cell(table, x))
+    }
+    /// A derivative of the piece of a table in that row.
+    pub fn piece(self, table: u16, order: u8, cell: Self) -> Self {
+        self.made(|g, x| g.piece(table, Orders::new(order, 0), cell.bare, x))
+    }
+    /// A derivative of the patch of a table in that row.
+    pub fn patch(self, table: u16, orders: Orders, cell: Self, other: Self) -> Self {
+        self.made(|g, x| g.patch(table, orders, cell.bare, x, other.bare))
     }
     /// What a mask selects.
     pub fn select(self, then: Self, otherwise: Self) -> Self {

@@ -39,6 +39,9 @@ impl Graph {
             Op::Or(a, b) => self.or(get(a), get(b)),
             Op::Not(a) => self.not(get(a)),
             Op::Select(m, a, b) => self.select(get(m), get(a), get(b)),
+            Op::Cell(table, x) => self.cell(table, get(x)),
+            Op::Piece(table, orders, cell, x) => self.piece(table, orders, get(cell), get(x)),
+            Op::Patch(table, orders, cell, x, y) => self.patch(table, orders, get(cell), get(x), get(y)),
         }
     }
 }

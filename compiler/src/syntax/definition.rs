@@ -4,7 +4,7 @@
 use crate::diagnostics::{Allowed, Region};
 use crate::forms::BodyForm;
 pub use crate::forms::Space;
-use crate::forms::{CouplingForm, JointForm, LoadForm, Proportion};
+use crate::forms::{CouplingForm, Interpolation, JointForm, LoadForm, Outside, Proportion};
 use crate::units::Unit;
 use proc_macro2::TokenStream;
 use std::collections::BTreeSet;
@@ -26,6 +26,9 @@ pub struct Definition {
     pub parameters: Vec<Parameter>,
     pub inputs: Vec<Input>,
     pub signals: Vec<Signal>,
+    pub states: Vec<InternalState>,
+    pub rates: Vec<StateRate>,
+    pub tables: Vec<TableTerm>,
     pub gravity: Option<Tuple>,
     pub bodies: Vec<Body>,
     /// Lines of the ground.
@@ -531,4 +534,77 @@ pub struct Output {
 pub struct Signal {
     pub name: Label,
     pub entry: Entry,
+}
+
+/// `state name [unit] = start, scale = value;`
+#[derive(Clone, Debug)]
+pub struct InternalState {
+    pub name: Label,
+    pub docs: TokenStream,
+    pub entry: Entry,
+    pub scale: Option<Term>,
+}
+
+/// `rate name = value;`
+#[derive(Clone, Debug)]
+pub struct StateRate {
+    pub name: Label,
+    pub value: Term,
+}
+
+/// `table lift(angle [deg]) [mm] = [(0, 0), (90, 8)], periodic;`
+#[derive(Clone, Debug)]
+pub struct TableTerm {
+    pub name: Label,
+    /// One, or two of a grid.
+    pub arguments: Vec<(Label, Option<WrittenUnit>)>,
+    pub unit: Option<WrittenUnit>,
+    pub data: TableData,
+    pub kind: Option<(Interpolation, Region)>,
+    pub outside: Option<(Outside, Region)>,
+    pub columns: Option<[ColumnTerm; 2]>,
+    /// Where the points come from, once they have been read from a file.
+    pub read: Option<ReadFile>,
+}
+
+/// What a table holds, in the units of its head.
+#[derive(Clone, Debug)]
+pub enum TableData {
+    Points(Vec<[Term; 2]>),
+    /// Values of both arguments, and a row for each value of the second one.
+    Grid {
+        axes: [Vec<Term>; 2],
+        rows: Vec<(Vec<Term>, Region)>,
+    },
+    File(FileTerm),
+}
+
+/// `file("cam.csv", skip = 2)`
+#[derive(Clone, Debug)]
+pub struct FileTerm {
+    pub name: String,
+    /// Where the name stands.
+    pub region: Region,
+    /// Lines before the first one that is read.
+    pub skip: usize,
+}
+
+/// A column by its name, or by its number from 1.
+#[derive(Clone, Debug)]
+pub struct ColumnTerm {
+    pub text: String,
+    pub region: Region,
+}
+
+/// A file that points were read from.
+#[derive(Clone, Debug)]
+pub struct ReadFile {
+    /// As messages show it.
+    pub shown: String,
+    /// From the root.
+    pub path: String,
+    /// The folder that its name is taken from.
+    pub folder: String,
+    /// Lines of the points.
+    pub lines: Vec<usize>,
 }

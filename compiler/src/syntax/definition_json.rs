@@ -2,7 +2,7 @@
 //! exporters rebuild the mechanism from it without this compiler.
 
 use super::definition::*;
-use crate::forms::{Argument, Value};
+use crate::forms::{Argument, Interpolation, Outside, Value};
 
 /// The definition as one line of JSON.
 pub fn definition_json(definition: &Definition) -> String {
@@ -27,6 +27,19 @@ pub fn definition_json(definition: &Definition) -> String {
         if !definition.signals.is_empty() {
             w.key("signals")
                 .list(&definition.signals, |w, signal| w.named_entry(&signal.name, &signal.entry));
+        }
+        if !definition.states.is_empty() {
+            w.key("states").list(&definition.states, |w, state| {
+                w.named_entry(&state.name, &state.entry);
+                w.key("scale").optional(state.scale.as_ref(), Writer::term);
+            });
+            w.key("rates").list(&definition.rates, |w, rate| {
+                w.key("name").string(&rate.name.text);
+                w.key("value").term(&rate.value);
+            });
+        }
+        if !definition.tables.is_empty() {
+            w.key("tables").list(&definition.tables, Writer::table);
         }
         w.key("gravity").optional(definition.gravity.as_ref(), |w, tuple| w.tuple(tuple, None));
         if definition.space == Space::Spatial {
@@ -220,6 +233,30 @@ impl Writer {
                 w.key("value").term(inner);
                 w.key("unit").string(&unit.unit.text);
             }),
+        }
+    }
+
+    /// Points of a file stand here as they were read.
+    fn table(&mut self, table: &TableTerm) {
+        self.key("name").string(&table.name.text);
+        self.key("arguments").list(&table.arguments, |w, (label, unit)| {
+            w.key("name").string(&label.text);
+            w.key("unit").unit(unit.as_ref(), Some("1"));
+        });
+        self.key("unit").unit(table.unit.as_ref(), Some("1"));
+        let kind = table.kind.map_or(Interpolation::of(table.arguments.len()), |(kind, _)| kind);
+        self.key("kind").string(kind.word());
+        let outside = table.outside.map_or(Outside::Linear, |(outside, _)| outside);
+        self.key("outside").string(outside.word());
+        match &table.data {
+            TableData::Points(points) => {
+                self.key("points").array(points, |w, point| w.array(point, Self::term));
+            }
+            TableData::Grid { axes, rows } => {
+                self.key("axes").array(axes, |w, axis| w.array(axis, Self::term));
+                self.key("rows").array(rows, |w, (row, _)| w.array(row, Self::term));
+            }
+            TableData::File(file) => self.key("file").string(&file.name),
         }
     }
 

@@ -6,7 +6,7 @@
 //! ```
 //! Rust's own expression grammar gives `^`, `[…]`, `if` and `box` other meanings, so it is of no use here.
 
-use super::definition::{Entry, Ground, Operator, Path, PlaceTerm, Term, TermKind, Tuple};
+use super::definition::{Entry, Ground, Label, Operator, Path, PlaceTerm, Term, TermKind, Tuple};
 use super::parser::{Parsed, Parser};
 use super::token::{Cursor, DEEPEST, Kind};
 use crate::diagnostics::Region;
@@ -170,6 +170,9 @@ impl Parser {
         let Some(value) = variable else {
             let path = self.path(c, "a value")?;
             let region = path.region;
+            if c.inside(Delimiter::Parenthesis).is_some() && is_of_table(&path) {
+                return self.arguments(c, Label { text: path.text, region });
+            }
             return Ok(Term { kind: TermKind::Name(path), region, height: 0 });
         };
         let region = c.region();
@@ -188,6 +191,11 @@ impl Parser {
             return Ok(Term { kind: TermKind::Ground(Box::new(ground)), region, height });
         }
         let function = self.word(c, "a function")?;
+        self.arguments(c, function)
+    }
+
+    /// `(arguments) [unit]` behind the name of a function.
+    fn arguments(&mut self, c: &mut Cursor, function: Label) -> Parsed<Term> {
         let mut inside = self.group(c, Delimiter::Parenthesis)?;
         let region = function.region.to(c.previous());
         let mut arguments = Vec::new();
@@ -296,10 +304,23 @@ impl Parser {
     fn ground(&mut self, c: &mut Cursor) -> Parsed<Ground> {
         let start = self.word(c, "`ground`")?.region;
         let inside = self.group(c, Delimiter::Parenthesis)?;
-        let text = format!("ground({})", inside.joined().replace(',', ", "));
+        let mut text = format!("ground({})", inside.joined().replace(',', ", "));
         let at = self.values(inside, self.definition.space.dimensions())?;
         let unit = self.unit(c)?;
+        // Without a unit it is in metres.
+        if let Some(written) = unit.as_ref().filter(|written| written.unit.text != "m") {
+            text = format!("{text} [{}]", written.unit.text);
+        }
         Ok(Ground { text, at, unit, region: start.to(c.previous()) })
+    }
+}
+
+/// What may stand before parentheses beside words: `lift[2]` and `lift.slope`.
+fn is_of_table(path: &Path) -> bool {
+    match path.parts.as_slice() {
+        [name] => name.text.ends_with(']'),
+        [_, slope] => slope.text == "slope",
+        _ => false,
     }
 }
 

@@ -5,6 +5,7 @@ use super::token::Cursor;
 use super::{read, token};
 use crate::diagnostics::Diagnostics;
 use crate::forms::Vocabulary;
+use crate::units::Unit;
 use proc_macro2::{Delimiter, Ident, Span, TokenStream, TokenTree};
 use std::collections::HashSet;
 
@@ -25,6 +26,10 @@ pub struct Header {
     pub parameters: Vec<String>,
     pub inputs: Vec<String>,
     pub outputs: Vec<String>,
+    /// Of the internal states.
+    pub states: Vec<String>,
+    /// End of the struct's name, field and unit of those that were read and are not in SI units.
+    pub declared: Vec<(&'static str, String, Unit)>,
     /// Names of the bodies and joints, as identifiers.
     pub bodies: Vec<String>,
     pub joints: Vec<String>,
@@ -81,6 +86,8 @@ pub fn header(tokens: TokenStream, vocabulary: &'static Vocabulary) -> Option<He
         parameters: known(definition.parameters.iter().map(|it| &it.name).collect(), "param"),
         inputs: known(definition.inputs.iter().map(|it| &it.name).collect(), "input"),
         outputs: known(definition.outputs.iter().map(|it| &it.name).collect(), "output"),
+        states: known(definition.states.iter().map(|it| &it.name).collect(), "state"),
+        declared: declared(&definition),
         bodies,
         joints: known(definition.joints.iter().map(|it| &it.name).collect(), "joint"),
         counts: found.is_empty().then_some([
@@ -90,6 +97,17 @@ pub fn header(tokens: TokenStream, vocabulary: &'static Vocabulary) -> Option<He
             definition.drivers.len(),
         ]),
     })
+}
+
+/// What was read with a unit that is not that of SI.
+fn declared(definition: &Definition) -> Vec<(&'static str, String, Unit)> {
+    let parameters = definition.parameters.iter().map(|it| ("Parameters", &it.name, it.entry.unit.as_ref()));
+    let inputs = definition.inputs.iter().map(|it| ("Inputs", &it.name, it.unit.as_ref()));
+    let outputs = definition.outputs.iter().map(|it| ("Outputs", &it.name, it.entry.unit.as_ref()));
+    let states = definition.states.iter().map(|it| ("Internal", &it.name, it.entry.unit.as_ref()));
+    let all = parameters.chain(inputs).chain(outputs).chain(states);
+    let units = all.filter_map(|(of, name, unit)| Some((of, identifier(name), unit?.unit.clone())));
+    units.filter(|(_, _, unit)| unit.scale != 1.0).collect()
 }
 
 fn crate_path(definition: &Definition) -> Option<TokenStream> {

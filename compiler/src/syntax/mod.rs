@@ -15,6 +15,7 @@
 //!             "drive" name ":" quantity "=" expr ";"
 //!             ("force" | LOAD) name ":" LOAD "(" … ")" ("=" law)? ";"
 //!             "output" name unit? "=" expr ";"
+//!             "table" name "(" name unit? ("," name unit?)? ")" unit? "=" data ("," word)* ";"
 //!             "repeat" i "in" expr ".." expr "{" statement* "}"
 //!             "start" "{" (quantity unit? ("=" | "~") expr ";")* "}"
 //!             "options" "{" … "}"      "expect" "{" … "}"
@@ -43,6 +44,7 @@ mod index;
 mod parser;
 mod settings;
 mod statements;
+mod tables;
 mod token;
 
 pub use definition::*;
@@ -123,6 +125,9 @@ fn empty() -> Definition {
         parameters: Vec::new(),
         inputs: Vec::new(),
         signals: Vec::new(),
+        states: Vec::new(),
+        rates: Vec::new(),
+        tables: Vec::new(),
         gravity: None,
         bodies: Vec::new(),
         lines: Vec::new(),

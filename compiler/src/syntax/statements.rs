@@ -2,18 +2,21 @@
 //! conditions and options (`settings`). `repeat` reads its braces again for every round.
 
 use super::attributes::Bearer;
-use super::definition::{Constant, Driver, Input, Line, Output, Parameter, Signal};
+use super::definition::{Constant, Driver, Input, InternalState, Line, Output, Parameter, Signal, StateRate};
 use super::parser::{Failed, Parsed, Parser};
 use super::token::Cursor;
 use crate::messages;
 use proc_macro2::{Delimiter, TokenStream};
 
 /// Words that begin a statement, but those of bodies, loads and couplings.
-const STATEMENTS: [&str; 15] = [
+const STATEMENTS: [&str; 18] = [
     "const",
     "param",
     "input",
     "signal",
+    "state",
+    "rate",
+    "table",
     "gravity",
     "marker",
     "line",
@@ -62,6 +65,9 @@ impl Parser {
             "param" => self.parameter(c, docs),
             "input" => self.input(c, docs),
             "signal" => self.signal(c),
+            "state" => self.state(c, docs),
+            "rate" => self.rate(c),
+            "table" => self.table(c),
             "gravity" => self.gravity(c),
             "marker" => {
                 let marker = self.marker(c)?;
@@ -164,6 +170,40 @@ impl Parser {
         let entry = self.entry(c, unit)?;
         self.semicolon(c)?;
         self.definition.signals.push(Signal { name, entry });
+        Ok(())
+    }
+
+    /// `name [unit] = start, scale = value;`
+    fn state(&mut self, c: &mut Cursor, docs: TokenStream) -> Parsed<()> {
+        let (name, unit) = self.declared_with_unit(c, "the name of the state")?;
+        if c.is_done() || c.at_punct(';') {
+            return self.fail(name.region, messages::state_without_start(&name.text));
+        }
+        let entry = self.entry(c, unit)?;
+        let mut scale = None;
+        if c.at_punct(',') {
+            c.advance();
+            if !c.eat_word("scale") {
+                return self.expected(c, "`scale = …`");
+            }
+            self.punct(c, '=')?;
+            scale = Some(self.expression(c)?);
+        }
+        self.semicolon(c)?;
+        self.definition.states.push(InternalState { name, docs, entry, scale });
+        Ok(())
+    }
+
+    /// `name = value;`
+    fn rate(&mut self, c: &mut Cursor) -> Parsed<()> {
+        let (name, unit) = self.declared_with_unit(c, "the name of the state")?;
+        if let Some(unit) = unit {
+            return self.fail(unit.region, messages::rate_with_unit(&name.text));
+        }
+        self.punct(c, '=')?;
+        let value = self.expression(c)?;
+        self.semicolon(c)?;
+        self.definition.rates.push(StateRate { name, value });
         Ok(())
     }
 

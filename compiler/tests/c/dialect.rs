@@ -12,23 +12,66 @@ use linkwright_compiler::Compiled;
 use linkwright_compiler::emit::{Dialect, Printer, Spelling};
 use linkwright_compiler::functions::{Argument, FUNCTIONS, Shape, Signature};
 use linkwright_compiler::schedule::{Instruction, Source};
-use linkwright_compiler::symbolic::{Compare, Unary};
+use linkwright_compiler::symbolic::{Compare, Table, Unary};
 use std::fmt::Write;
+use std::sync::Arc;
 
 /// What the functions are written over.
 pub const PRELUDE: &str = "#include <math.h>
 static double sign(double x) { return x > 0.0 ? 1.0 : x < 0.0 ? -1.0 : x; }
 static double least(double a, double b) { return a < b ? a : b; }
 static double most(double a, double b) { return a > b ? a : b; }
+static double cell(const double *bases, int rows, int width, double x) {
+  int row = 0;
+  while (row + 1 < rows && bases[(row + 1) * width] <= x) row++;
+  return row;
+}
+static double piece0(const double (*t)[5], double cell, double x) {
+  const double *r = t[(int)cell];
+  const double s = x - r[0];
+  return ((r[4] * s + r[3]) * s + r[2]) * s + r[1];
+}
+static double piece1(const double (*t)[5], double cell, double x) {
+  const double *r = t[(int)cell];
+  const double s = x - r[0];
+  return (3.0 * r[4] * s + 2.0 * r[3]) * s + r[2];
+}
+static double piece2(const double (*t)[5], double cell, double x) {
+  const double *r = t[(int)cell];
+  const double s = x - r[0];
+  return 6.0 * r[4] * s + 2.0 * r[3];
+}
+static double piece3(const double (*t)[5], double cell, double x) {
+  const double *r = t[(int)cell];
+  return 0.0 * (x - r[0]) + 6.0 * r[4];
+}
+static double patch00(const double (*t)[6], double cell, double x, double y) {
+  const double *r = t[(int)cell];
+  const double s = x - r[0], q = y - r[1];
+  return (r[5] * q + r[3]) * s + (r[4] * q + r[2]);
+}
+static double patch10(const double (*t)[6], double cell, double x, double y) {
+  const double *r = t[(int)cell];
+  return 0.0 * (x - r[0]) + (r[5] * (y - r[1]) + r[3]);
+}
+static double patch01(const double (*t)[6], double cell, double x, double y) {
+  const double *r = t[(int)cell];
+  return 0.0 * (y - r[1]) + (r[5] * (x - r[0]) + r[4]);
+}
+static double patch11(const double (*t)[6], double cell, double x, double y) {
+  const double *r = t[(int)cell];
+  return 0.0 * (x - r[0]) + (0.0 * (y - r[1]) + r[5]);
+}
 ";
 
-const WORDS: [&str; 63] = [
+const WORDS: [&str; 72] = [
     "auto", "break", "case", "char", "const", "continue", "default", "do", "double", "else", "enum",
     "extern", "float", "for", "goto", "if", "inline", "int", "long", "register", "restrict", "return",
     "short", "signed", "sizeof", "static", "struct", "switch", "typedef", "union", "unsigned", "void",
     "volatile", "while", "sqrt", "fabs", "sign", "sin", "cos", "tan", "asin", "acos", "atan2", "exp", "log",
     "log10", "sinh", "cosh", "tanh", "floor", "least", "most", "main", "errno", "stdin", "stdout", "stderr",
-    "isnan", "isinf", "signbit", "INFINITY", "NAN", "HUGE_VAL",
+    "isnan", "isinf", "signbit", "INFINITY", "NAN", "HUGE_VAL", "cell", "piece0", "piece1", "piece2",
+    "piece3", "patch00", "patch10", "patch01", "patch11",
 ];
 
 pub struct C {
@@ -96,7 +139,22 @@ impl Dialect for C {
             Instruction::Or(..) => ["", " || ", "", ""],
             Instruction::Not(_) => ["!", "", "", ""],
             Instruction::Select(..) => ["", " ? ", " : ", ""],
+            Instruction::Cell(..) => ["", ")", "", ""],
+            Instruction::Piece(..) => ["", ", ", ")", ""],
+            Instruction::Patch(..) => ["", ", ", ", ", ")"],
         }
+    }
+
+    fn look_up(&self, text: &mut String, tables: &[Arc<Table>], instruction: &Instruction) {
+        let number = instruction.table().unwrap_or(0);
+        let table = &tables[usize::from(number)];
+        let _ = match instruction {
+            Instruction::Piece(_, orders, ..) => write!(text, "piece{}(table_{number}, ", orders.first()),
+            Instruction::Patch(_, orders, ..) => {
+                write!(text, "patch{}{}(table_{number}, ", orders.first(), orders.second())
+            }
+            _ => write!(text, "cell(table_{number}[0], {}, {}, ", table.rows().len(), table.width()),
+        };
     }
 
     fn declaration(&self, mask: bool) -> [&'static str; 3] {
@@ -182,5 +240,21 @@ pub fn function(printer: &Printer<C>, signature: &Signature) -> String {
         }
     }
     text.push_str("}\n");
+    text
+}
+
+/// The tables that the functions look up in, as arrays of rows.
+pub fn tables(printer: &Printer<C>) -> String {
+    let graph = printer.compiled.complete.equations.graph.read();
+    let mut text = String::new();
+    for (number, table) in graph.tables().iter().enumerate() {
+        let row = |row: &[f64]| {
+            let entries: Vec<String> = row.iter().map(|entry| format!("{entry:?}")).collect();
+            format!("{{{}}}", entries.join(", "))
+        };
+        let rows: Vec<String> = table.rows().map(row).collect();
+        let (width, rows) = (table.width(), rows.join(", "));
+        let _ = writeln!(text, "static const double table_{number}[][{width}] = {{{rows}}};");
+    }
     text
 }

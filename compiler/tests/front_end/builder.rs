@@ -1,6 +1,7 @@
 //! A mechanism that a program builds is the one that a definition describes, and what is wrong with it names its part.
 
 use linkwright_compiler::builder::{Builder, Call, Fault, Value, ground};
+use linkwright_compiler::forms::{Interpolation, Outside};
 use linkwright_compiler::{Compiled, compile};
 
 const WRITTEN: &str = "pub planar FourBar {
@@ -132,6 +133,17 @@ fn statements_of_space() {
     built.signal("lag", "rad", Value::name("second.angle") - "first.angle");
     let lag = Value::quantity(-2.0, "N*m/rad") * "lag" + Value::quantity(-0.1, "N*m*s/rad") * "lag.rate";
     built.law("slack", Call::new("along").along("lag"), lag);
+    let points = [[0.0, 0.0], [90.0, 1.5], [180.0, 0.5], [360.0, 0.0]];
+    built.table("cam", ["angle", "deg"], "N*m", &points, Interpolation::Periodic, Outside::Linear);
+    let (axes, rows): (_, [&[f64]; 2]) = ([&[-1.0, 1.0][..], &[0.0, 2.0]], [&[0.0, 1.0], &[2.0, 5.0]]);
+    built.grid("drag", [["rate", "rad/s"], ["share", ""]], "N*m", axes, &rows, Outside::Hold);
+    let drag = Value::call("drag", &[Value::name("first.rate"), Value::from(0.5)]);
+    built.law(
+        "resistance",
+        Call::new("torque").on("first"),
+        Value::call("cam", &[Value::name("first.angle")]) - drag,
+    );
+    built.output("steep", "N*m/rad", Value::call("cam.slope", &[Value::name("first.angle")]));
     built.output("effort", "N*m", Value::name("motor.effort"));
     let compiled = built.compile(None).unwrap_or_else(|faults| panic!("{faults:#?}\n{}", built.text()));
     assert_eq!(compiled.mechanism.constraints.len(), 1);

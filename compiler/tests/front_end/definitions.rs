@@ -69,7 +69,7 @@ fn quick_return() {
     assert!(m.attributes.to_string().contains("Quick-return"));
     assert_eq!((m.parameters.len(), m.inputs.len(), m.bodies.len(), m.joints.len()), (1, 2, 4, 6));
     assert_eq!(m.parameters[0].default, 1.26069);
-    assert_eq!(m.parameters[0].unit, "kg*m^2");
+    assert_eq!(m.parameters[0].unit.text, "kg*m^2");
 
     assert!(matches!(m.bodies[0].inertia.moments[2], Expr::Parameter(_)));
     let guide = &m.bodies[1];

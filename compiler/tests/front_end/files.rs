@@ -2,6 +2,7 @@
 //! around definitions.
 
 use crate::slider_crank;
+use linkwright_compiler::source::written::Place;
 use linkwright_compiler::source::{self, Located, Source};
 use linkwright_compiler::{Expansion, compile, file};
 
@@ -173,7 +174,7 @@ fn what_a_file_holds() {
 /// The expansion of these tokens, called from a Rust file in the folder of this test's data.
 fn expansion(tokens: &str) -> String {
     let caller = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/data/caller.rs");
-    match linkwright_compiler::expand(tokens.parse().expect("tokens"), |_| Some(caller.into())) {
+    match linkwright_compiler::expand(tokens.parse().expect("tokens"), |_| Some(Place::somewhere(caller))) {
         Expansion::Items { text, .. } => text,
         Expansion::Errors(tokens) => tokens.to_string(),
     }

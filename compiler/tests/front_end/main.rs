@@ -7,6 +7,7 @@ mod files;
 mod habits;
 mod json;
 mod limits;
+mod look_up;
 mod mistakes;
 mod space;
 mod spans;
@@ -39,7 +40,7 @@ fn bad(source: &str) -> Diagnostics {
 
 /// The warnings of a definition without errors.
 fn warnings(source: &str) -> Diagnostics {
-    check::warnings(&good(source))
+    check::warnings(&good(source), &[])
 }
 
 /// The source line of a region, and below it a line of `~` under the region.

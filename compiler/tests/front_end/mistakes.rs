@@ -122,6 +122,51 @@ const MISTAKES: &[(&str, &str)] = &[
         "output o [rad] = wrap(base.angle, 0 [rad]);",
         "a period is positive: `wrap(x, period)` is x less whole periods",
     ),
+    ("state z [m];", "the state \"z\" has no start value: write `state z [unit] = value;`"),
+    ("state z [m] = 1;", "the state `z` has no rate: write `rate z = …;`, in its unit per second"),
+    ("state z [m] = 1; rate z = 1 [m/s]; rate z = 2 [m/s];", "`z` has a rate already: a state has one"),
+    (
+        "state z [m] = 1; rate z [m/s] = 1;",
+        "a rate has the unit of its state per second: write `rate z = …;`",
+    ),
+    (
+        "param p [m] = 1; rate p = 1 [m/s];",
+        "`p` is no state: only what is declared by `state p [unit] = value;` has a rate of its own",
+    ),
+    (
+        "state curent [A] = 1; rate curent = 1 [A/s]; rate current = 1 [A/s];",
+        "no state called \"current\"; did you mean \"curent\"?",
+    ),
+    ("rate z = 1 [m/s];", "no state called \"z\": declare it by `state z [unit] = value;`"),
+    ("state z [V] = 1; rate z = 1 [V];", "the rate of `z` is given a voltage: expected V/s, found V"),
+    (
+        "state z [m] = 1; rate z = 0;",
+        "the rate of `z` is zero, so it keeps its start value: write `param z [unit] = value;`",
+    ),
+    ("state z [m] = 1, scale = -1; rate z = 1 [m/s];", "the scale of a state must be positive, found -1"),
+    ("state z [m] = 1, size = 2; rate z = 1 [m/s];", "expected `scale = …`, found `size`"),
+    (
+        "state z [m] = crank.pin.x; rate z = 1 [m/s];",
+        "`crank.pin.x` is a position, but a start value may depend on constants and parameters only",
+    ),
+    (
+        "state z [rad] = 1; rate z = 1 [rad/s]; constraint c: base.angle = z;",
+        "`z` is a state, but a constraint may depend on constants, parameters, time and positions only",
+    ),
+    (
+        "output o [N] = base.reaction;",
+        "a reaction is named by its parts: `base.reaction.x`, `base.reaction.y`, `base.reaction.torque`, `base.reaction.size`",
+    ),
+    (
+        "output o [N] = rail.reaction.z;",
+        "a reaction is named by its parts: `rail.reaction.x`, `rail.reaction.y`, `rail.reaction.normal`, `rail.reaction.torque`, \
+         `rail.reaction.size`",
+    ),
+    (
+        "force f: torque(base) = base.reaction.torque;",
+        "`base.reaction.torque` is a result, but the law of a load may depend on constants, parameters, time, inputs, states, \
+         positions and velocities only",
+    ),
     ("signal s [1] = s;", "the signal `s` names itself"),
     ("signal s [1] = 2*t; signal t [1] = s;", "the signal `s` names itself: s → t → s"),
     (
@@ -486,7 +531,7 @@ const MISTAKES: &[(&str, &str)] = &[
     (
         "#[inline] body b { mass [kg] = 1; inertia [kg*m^2] = 1; }",
         "`#[inline]` has no effect here: doc comments and `#[allow(unused)]`, `no_effect` or `outside` may stand before any \
-         statement, other attributes before the mechanism, parameters, inputs and outputs",
+         statement, other attributes before the mechanism, parameters, inputs, states and outputs",
     ),
     (
         "#[cfg(feature = \"wheel\")] body b { mass [kg] = 1; inertia [kg*m^2] = 1; }",
@@ -507,7 +552,7 @@ const MISTAKES: &[(&str, &str)] = &[
     ),
     (
         "force f: torque(base) = energy;",
-        "`energy` is a result, but the law of a load may depend on constants, parameters, time, inputs, positions and velocities only",
+        "`energy` is a result, but the law of a load may depend on constants, parameters, time, inputs, states, positions and velocities only",
     ),
     (
         "force f: spring(crank.pin, crank.center, stiffness = 3 [N/m], length = 1 [m]);",
@@ -628,7 +673,7 @@ const MISTAKES: &[(&str, &str)] = &[
         "output a_1 [1] = 1; repeat i in 1..2 { output a[i] [1] = 1; }",
         "`a[1]` and `a_1` become the same name in Rust; rename one of them",
     ),
-    ("table T: rad -> m = [];", "`table` is not there yet in this version"),
+    ("cable c: (base.start, ground(0, 0)) = 1;", "`cable` is not there yet in this version"),
     ("jiont j: revolute(crank.pin, link.end);", "no statement begins with `jiont`; did you mean `joint`?"),
     ("3;", "expected a statement, found `3`"),
     ("output o [1] = sin(30);", "sin of a bare number: write its unit, `sin(30 [deg])` or `sin(30 [rad])`"),

@@ -1,6 +1,7 @@
 //! Warnings: their texts and places, and what takes them back.
 
 use crate::{slider_crank, underlined, warnings};
+use linkwright_compiler::compile;
 
 /// What the compiler warns of, without the advice behind the first colon.
 fn heads(source: &str) -> Vec<String> {
@@ -256,4 +257,21 @@ fn inertia_in_proportion() {
     let disk = "body b { mass [kg] = 5; inertia [kg*m^2] = 0.1; point p [um] = (10, 0); } joint j: revolute(link.end, b.p);";
     warns(disk, &[]);
     warns("body b { mass [kg] = 1; inertia [kg*m^2] = 4000; } joint j: revolute(link.end, b.center);", &[]);
+}
+
+#[test]
+fn a_reaction_that_is_one_of_many() {
+    let source = "spatial Twice {
+        rod bar { mass [kg] = 1; length [m] = 1; radius [m] = 0.1; }
+        joint one: revolute(ground(0, 0, 0) [m], bar.start, axis = (1, 0, 0));
+        joint other: revolute(ground(1, 0, 0) [m], bar.end, axis = (1, 0, 0));
+        start { one.angle [rad] = 0; }
+        options { redundant = drop; }
+        output o [N] = one.reaction.x + 2*one.reaction.y;
+        #[allow(shared)] output p [N] = other.reaction.x;
+    }";
+    let tokens = source.parse().expect("tokens");
+    let found = compile(tokens, None).expect("it holds").warnings;
+    let heads: Vec<&str> = found.iter().filter_map(|warning| warning.message.split(':').next()).collect();
+    assert_eq!(heads, ["`o` names the reaction of `one`, which is one of many"]);
 }

@@ -1,7 +1,7 @@
 //! ALI3-P: the index-3 augmented Lagrangian with projections of velocities and accelerations.
 
 use super::generalised_alpha::checked;
-use super::newmark::{Carried, Factored, ImplicitDynamics, Level, Scheme, Weights};
+use super::newmark::{Carried, CarriedOf, Factored, ImplicitDynamics, Level, Scheme, Weights};
 use super::{Integrator, Method, StepFailure, SteppedOf};
 use crate::error::SettingError;
 use crate::real::Real;
@@ -45,9 +45,9 @@ impl<R: Real> Ali3p<R> {
 }
 
 impl<R: Real> Method<R> for Ali3p<R> {
-    type Memory<X: Variables<R>> = Carried<X::V, X::Lambda>;
+    type Memory<X: Variables<R>> = CarriedOf<X, R>;
 
-    fn memory<X: Variables<R>>(&self) -> Carried<X::V, X::Lambda> {
+    fn memory<X: Variables<R>>(&self) -> CarriedOf<X, R> {
         Carried { known: None }
     }
 
@@ -63,7 +63,7 @@ impl<R: Real> Method<R> for Ali3p<R> {
 impl<R: Real, X: Variables<R>, D: ImplicitDynamics<R, Variables = X>> Integrator<R, D> for Ali3p<R> {
     fn step(
         &self,
-        memory: &mut Carried<X::V, X::Lambda>,
+        memory: &mut CarriedOf<X, R>,
         dynamics: &mut D,
         time: R,
         h: R,
@@ -90,6 +90,7 @@ impl<R: Real, X: Variables<R>, D: ImplicitDynamics<R, Variables = X>> Integrator
             damping: half * h,
             stiffness: scale,
             compliance: R::ONE / (scale * self.alpha),
+            internal: None,
             level: Level::Position,
         };
         let end = time + h;

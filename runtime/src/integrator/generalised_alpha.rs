@@ -1,6 +1,6 @@
 //! The generalised-α method on Lie groups, for stiff systems and constraints of index 3.
 
-use super::newmark::{Carried, ImplicitDynamics, Level, Scheme};
+use super::newmark::{Carried, CarriedOf, ImplicitDynamics, Level, Scheme};
 use super::{Integrator, Method, StepFailure, SteppedOf};
 use crate::error::SettingError;
 use crate::real::Real;
@@ -41,9 +41,9 @@ impl<R: Real> GeneralisedAlpha<R> {
 }
 
 impl<R: Real> Method<R> for GeneralisedAlpha<R> {
-    type Memory<X: Variables<R>> = Carried<X::V, X::Lambda>;
+    type Memory<X: Variables<R>> = CarriedOf<X, R>;
 
-    fn memory<X: Variables<R>>(&self) -> Carried<X::V, X::Lambda> {
+    fn memory<X: Variables<R>>(&self) -> CarriedOf<X, R> {
         Carried { known: None }
     }
 
@@ -66,7 +66,7 @@ impl<R: Real, X: Variables<R>, D: ImplicitDynamics<R, Variables = X>> Integrator
 {
     fn step(
         &self,
-        memory: &mut Carried<X::V, X::Lambda>,
+        memory: &mut CarriedOf<X, R>,
         dynamics: &mut D,
         time: R,
         h: R,

@@ -1,7 +1,7 @@
 //! The implicit trapezoidal rule, for stiff systems.
 
 use super::generalised_alpha::checked;
-use super::newmark::{Carried, ImplicitDynamics, Level, Scheme};
+use super::newmark::{Carried, CarriedOf, ImplicitDynamics, Level, Scheme};
 use super::{Integrator, Method, StepFailure, SteppedOf};
 use crate::error::SettingError;
 use crate::real::Real;
@@ -36,9 +36,9 @@ impl<R: Real> Default for ImplicitTrapezoidal<R> {
 }
 
 impl<R: Real> Method<R> for ImplicitTrapezoidal<R> {
-    type Memory<X: Variables<R>> = Carried<X::V, X::Lambda>;
+    type Memory<X: Variables<R>> = CarriedOf<X, R>;
 
-    fn memory<X: Variables<R>>(&self) -> Carried<X::V, X::Lambda> {
+    fn memory<X: Variables<R>>(&self) -> CarriedOf<X, R> {
         Carried { known: None }
     }
 
@@ -57,7 +57,7 @@ impl<R: Real, X: Variables<R>, D: ImplicitDynamics<R, Variables = X>> Integrator
 {
     fn step(
         &self,
-        memory: &mut Carried<X::V, X::Lambda>,
+        memory: &mut CarriedOf<X, R>,
         dynamics: &mut D,
         time: R,
         h: R,

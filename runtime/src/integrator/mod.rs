@@ -21,7 +21,8 @@ pub use explicit_trapezoidal::ExplicitTrapezoidal;
 pub use generalised_alpha::GeneralisedAlpha;
 pub use implicit_trapezoidal::ImplicitTrapezoidal;
 pub use interpolate::Interpolate;
-pub use newmark::{Carried, ImplicitDynamics, Level, Weights};
+pub(crate) use newmark::relative;
+pub use newmark::{Carried, CarriedOf, ImplicitDynamics, Level, Weights};
 pub use rk4::Rk4;
 pub use semi_implicit_euler::SemiImplicitEuler;
 

@@ -3,12 +3,14 @@
 use super::{Dynamics, Rejections, StepFailure, Stepped, SteppedOf};
 use crate::linearisation::lu::Lu;
 use crate::real::Real;
-use crate::state::{StateOf, Variables};
+use crate::state::{Derivative, StateOf, Variables};
 use crate::vector::Vector;
 use core::fmt::Debug;
 
 /// Velocities of the dynamics `D`.
 type VelocityOf<D, R> = <<D as Dynamics<R>>::Variables as Variables<R>>::V;
+/// Internal states of the dynamics `D`, or their rates.
+type InternalOf<D, R> = <<D as Dynamics<R>>::Variables as Variables<R>>::Z;
 /// Multipliers of the dynamics `D`.
 type MultipliersOf<D, R> = <<D as Dynamics<R>>::Variables as Variables<R>>::Lambda;
 
@@ -21,7 +23,7 @@ type MultipliersOf<D, R> = <<D as Dynamics<R>>::Variables as Variables<R>>::Lamb
     note = "add `options {{ emit = (tangent); }}` to the definition of the mechanism"
 )]
 pub trait ImplicitDynamics<R: Real>: Dynamics<R> {
-    /// One entry for each velocity, then for each row.
+    /// One entry for each velocity, then for each row, then for each internal state.
     type Unknowns: Vector<R>;
     /// A square matrix of that size, row by row.
     type Bordered: Vector<R>;
@@ -30,16 +32,18 @@ pub trait ImplicitDynamics<R: Real>: Dynamics<R> {
 
     /// An order to be written.
     fn order(&self) -> Self::Order;
-    /// (M a + Dᵀ λ − Q, Φ or D v − ν) at a state, with the inputs there.
+    /// (M a + Dᵀ λ − Q, Φ or D v − ν, `rates` − ż) at a state, with the inputs there.
+    #[allow(clippy::too_many_arguments)]
     fn residual(
         &mut self,
         time: R,
         state: &StateOf<Self::Variables, R>,
         a: &VelocityOf<Self, R>,
         lambda: &MultipliersOf<Self, R>,
+        rates: &InternalOf<Self, R>,
         level: Level,
     ) -> Self::Unknowns;
-    /// \[m M + d C + K, Dᵀ; D′, −c\] at a state, K = ∂(M a + Dᵀ λ − Q)/∂q and C = ∂(…)/∂v, by increments along which v̇ changes by
+    /// \[m M + d C + K, Dᵀ, ∂r/∂z; D′, −c, 0; −(m ∂ż/∂v̇ + d ∂ż/∂v + ∂ż/∂q), −∂ż/∂λ, s − ∂ż/∂z\] at a state, K = ∂(M a + Dᵀ λ − Q)/∂q and C = ∂(…)/∂v, by increments along which v̇ changes by
     /// `weights.mass`, v by `weights.damping` times the increment, with D′ = D or, of rows at the level of velocities,
     /// d D + ∂(D v − ν)/∂q. K and the derivatives of rows by positions are taken along `u`: of a quaternion turned by u the
     /// increment δu turns it by dexp₋ᵤ δu.
@@ -84,24 +88,34 @@ pub struct Weights<R> {
     pub stiffness: R,
     /// c, the compliance of the rows.
     pub compliance: R,
+    /// s, 1/s: what the rates of internal states change by; nothing where these are held.
+    pub internal: Option<R>,
     /// The level of the rows.
     pub level: Level,
 }
 
-/// The values carried from step to step: the accelerations at its end, v̇ and the method's own a, and λ.
+/// The values carried from step to step: the accelerations at its end, v̇ and the method's own a, λ, and likewise ż and the method's own.
 #[derive(Clone, Copy, Debug)]
-pub struct Carried<V, Lambda> {
-    pub(super) known: Option<Known<V, Lambda>>,
+pub struct Carried<V, Lambda, Z = ()> {
+    pub(super) known: Option<Known<V, Lambda, Z>>,
 }
 
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Known<V, Lambda> {
+pub(super) struct Known<V, Lambda, Z> {
     /// v̇ of the equations of motion.
     pub v_dot: V,
     /// a of the method.
     pub a: V,
     pub lambda: Lambda,
+    /// ż of the internal states, and that of the method.
+    pub z_dot: Z,
+    pub w: Z,
 }
+
+/// What a method carries between steps of what has the variables `X`.
+pub type CarriedOf<X, R> =
+    Carried<<X as Variables<R>>::V, <X as Variables<R>>::Lambda, <X as Variables<R>>::Z>;
+type KnownOf<X, R> = Known<<X as Variables<R>>::V, <X as Variables<R>>::Lambda, <X as Variables<R>>::Z>;
 
 /// The coefficients of a method:
 ///
@@ -109,7 +123,10 @@ pub(super) struct Known<V, Lambda> {
 /// (1 − α_m) a₁ + α_m a₀ = (1 − α_f) v̇₁ + α_f v̇₀
 /// u = h v₀ + h² (½ − β) a₀ + h² β a₁,   q₁ = q₀ ⊕ u
 /// v₁ = v₀ + h (1 − γ) a₀ + h γ a₁
+/// (1 − α_m) w₁ + α_m w₀ = (1 − α_f) ż₁ + α_f ż₀,   z₁ = z₀ + h (1 − γ) w₀ + h γ w₁
 /// ```
+/// Internal states move as velocities do: Brüls, Arnold, *The generalized-α scheme as a linear multistep integrator: toward a
+/// general mechatronic simulator*, J. Comput. Nonlinear Dynam. 3 (2008) 041007.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Scheme<R> {
     pub alpha_m: R,
@@ -132,6 +149,8 @@ struct Trial<X: Variables<R>, R: Real> {
     v_dot: X::V,
     a: X::V,
     lambda: X::Lambda,
+    z_dot: X::Z,
+    w: X::Z,
 }
 
 /// The matrix of the last iterations, factored.
@@ -169,7 +188,7 @@ impl<R: Real> Scheme<R> {
     /// One step; leaves what the next begins with in `carried`, the multipliers among it.
     pub fn step<X: Variables<R>, D: ImplicitDynamics<R, Variables = X>>(
         &self,
-        carried: &mut Carried<X::V, X::Lambda>,
+        carried: &mut CarriedOf<X, R>,
         dynamics: &mut D,
         time: R,
         h: R,
@@ -180,25 +199,29 @@ impl<R: Real> Scheme<R> {
         let known = match &carried.known {
             Some(known) => known.clone(),
             None => {
-                let v_dot = dynamics.derivative(time, &mut state.clone()).a;
-                Known { a: v_dot.clone(), v_dot, lambda: X::Lambda::zeros(factored.size() - n) }
+                let Derivative { a: v_dot, z: z_dot, .. } = dynamics.derivative(time, &mut state.clone());
+                let lambda = X::Lambda::zeros(factored.size() - n - state.z.as_slice().len());
+                Known { a: v_dot.clone(), v_dot, lambda, w: z_dot.clone(), z_dot }
             }
         };
         let end = time + h;
         let Scheme { alpha_m, alpha_f, beta, gamma, .. } = *self;
         let mass = (R::ONE - alpha_m) / (h * h * beta * (R::ONE - alpha_f));
+        let internal = (R::ONE - alpha_m) / (h * gamma * (R::ONE - alpha_f));
         let weights = Weights {
             mass,
             damping: gamma / (h * beta),
             stiffness: R::ONE,
             compliance: self.compliance,
+            internal: Some(internal),
             level: self.level,
         };
         let mut trial = self.predicted(dynamics.variables(), h, state, &known);
         let mut multipliers = known.lambda.clone();
         let (mut iterations, mut last) = (0, R::ZERO);
         loop {
-            let mut residual = dynamics.residual(end, &trial.state, &trial.v_dot, &trial.lambda, self.level);
+            let Trial { state: there, v_dot, lambda, z_dot, .. } = &trial;
+            let mut residual = dynamics.residual(end, there, v_dot, lambda, z_dot, self.level);
             // A penalty's row is Φ − (λ − λ*)/α.
             let rows = residual.as_mut_slice()[n..].iter_mut();
             for (row, (&lambda, &before)) in
@@ -226,10 +249,15 @@ impl<R: Real> Scheme<R> {
                 *entry = *entry + delta;
             }
             trial.v_dot.axpy(mass, &increment);
+            let mut dz = X::Z::zeros(state.z.as_slice().len());
+            let of_rates = dlambda.iter().skip(trial.lambda.as_slice().len());
+            dz.as_mut_slice().iter_mut().zip(of_rates).for_each(|(entry, &delta)| *entry = delta);
+            trial.z_dot.axpy(internal, &dz);
             self.close(dynamics.variables(), h, state, &known, &mut trial);
             iterations += 1;
             let size = R::ONE + trial.state.q.max_abs();
             last = increment.max_abs() / size;
+            last = last.max(relative(dynamics.variables().internal_scales(), &dz, &trial.state.z));
             if last <= self.tolerance {
                 // A penalty's multipliers have to settle too.
                 let change = trial.lambda.plus(-R::ONE, &multipliers).max_abs();
@@ -249,8 +277,8 @@ impl<R: Real> Scheme<R> {
                 return Err(StepFailure::NoConvergence { iterations, residual: last / self.tolerance });
             }
         }
-        let Trial { state, v_dot, a, lambda, .. } = trial;
-        carried.known = Some(Known { v_dot, a, lambda });
+        let Trial { state, v_dot, a, lambda, z_dot, w, .. } = trial;
+        carried.known = Some(Known { v_dot, a, lambda, z_dot, w });
         dynamics.observe(end, &state);
         Ok(Stepped {
             state,
@@ -267,21 +295,22 @@ impl<R: Real> Scheme<R> {
         of: &X,
         h: R,
         state: &StateOf<X, R>,
-        known: &Known<X::V, X::Lambda>,
+        known: &KnownOf<X, R>,
     ) -> Trial<X, R> {
-        let Known { v_dot, a, lambda } = known.clone();
-        let mut trial = Trial { u: X::V::zeros(a.as_slice().len()), state: state.clone(), v_dot, a, lambda };
+        let Known { v_dot, a, lambda, z_dot, w } = known.clone();
+        let u = X::V::zeros(a.as_slice().len());
+        let mut trial = Trial { u, state: state.clone(), v_dot, a, lambda, z_dot, w };
         self.close(of, h, state, known, &mut trial);
         trial
     }
 
-    /// a, u, q and v that belong to v̇ at the end.
+    /// a, u, q and v that belong to v̇ at the end; w and z that belong to ż.
     fn close<X: Variables<R>>(
         &self,
         of: &X,
         h: R,
         begin: &StateOf<X, R>,
-        known: &Known<X::V, X::Lambda>,
+        known: &KnownOf<X, R>,
         trial: &mut Trial<X, R>,
     ) {
         let Scheme { alpha_m, alpha_f, beta, gamma, .. } = *self;
@@ -296,7 +325,22 @@ impl<R: Real> Scheme<R> {
         let mut v = begin.v.plus(h * (R::ONE - gamma), &known.a);
         v.axpy(h * gamma, &trial.a);
         // Counted angles take ∫ v dt, which for this method is u itself.
-        trial.state = begin.moved(of.layout(), &u, v, begin.z.clone());
+        let mut w = trial.z_dot.scaled(R::ONE - alpha_f);
+        w.axpy(alpha_f, &known.z_dot);
+        w.axpy(-alpha_m, &known.w);
+        trial.w = w.scaled(R::ONE / (R::ONE - alpha_m));
+        let mut z = begin.z.plus(h * (R::ONE - gamma), &known.w);
+        z.axpy(h * gamma, &trial.w);
+        trial.state = begin.moved(of.layout(), &u, v, z);
         trial.u = u;
     }
+}
+
+/// The largest change of an internal state, relative to its scale and itself.
+pub(crate) fn relative<R: Real, Z: Vector<R>>(scales: &[f64], change: &Z, z: &Z) -> R {
+    let scales = scales.iter().copied().chain(core::iter::repeat(1.0));
+    let entries = change.as_slice().iter().zip(z.as_slice()).zip(scales);
+    entries.fold(R::ZERO, |largest, ((change, z), scale)| {
+        largest.max(change.abs() / (R::from_f64(scale) + z.abs()))
+    })
 }

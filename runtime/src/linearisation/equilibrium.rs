@@ -2,12 +2,13 @@
 //! without inertia.
 
 use super::lu::{Lu, NoPivot};
-use super::{check_finite, check_given};
+use super::{ColumnsOf, check_finite, check_given};
 use crate::error::{AssemblyError, LinearisationError};
+use crate::integrator::relative;
 use crate::layout::{normalised, retract};
 use crate::mechanism::Row;
 use crate::real::Real;
-use crate::state::{State, StateOf};
+use crate::state::{State, StateOf, Variables};
 use crate::tangent::Tangent;
 use crate::vector::Vector;
 
@@ -26,21 +27,28 @@ const HALVINGS: u32 = 30;
 
 /// A static position and what holds it.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Equilibrium<Q, L> {
+pub struct Equilibrium<Q, L, Z = ()> {
     /// Positions, shape n_q.
     pub q: Q,
+    /// Internal states, shape n_z.
+    pub z: Z,
     /// Multipliers, shape m; the force of the constraints is −Dᵀ λ.
     pub lambda: L,
     /// Iterations made.
     pub iterations: u32,
 }
 
-/// The static position near `near`, stable or not, under the inputs `u` and the loads at `time`: r = 0 and Φ = 0 at v = 0 and
-/// a = 0, unknown q and λ.
+/// [`Equilibrium`] of a mechanism.
+pub type EquilibriumOf<R, M> =
+    Equilibrium<<M as Variables<R>>::Q, <M as Variables<R>>::Lambda, <M as Variables<R>>::Z>;
+
+/// The static position near `near`, stable or not, under the inputs `u` and the loads at `time`: r = 0, Φ = 0 and ż = 0 at v = 0
+/// and a = 0, unknown q, λ and the internal states z.
 ///
 /// ```text
-/// ⎡ ∂r/∂q  Dᵀ ⎤ ⎡ δq ⎤     ⎡ r ⎤
-/// ⎣ D      0  ⎦ ⎣ δλ ⎦ = − ⎣ Φ ⎦ ,   q ← q ⊕ t δq, λ ← λ + t δλ
+/// ⎡  ∂r/∂q   Dᵀ      ∂r/∂z ⎤ ⎡ δq ⎤     ⎡  r ⎤
+/// ⎢  D       0       0     ⎥ ⎢ δλ ⎥ = − ⎢  Φ ⎥ ,   q ← q ⊕ t δq, λ ← λ + t δλ, z ← z + t δz
+/// ⎣ −∂ż/∂q  −∂ż/∂λ  −∂ż/∂z ⎦ ⎣ δz ⎦     ⎣ −ż ⎦
 /// ```
 /// with the largest t of 1, ½, ¼ … for which the step that the same matrix would make next is shorter (Deuflhard, *Newton Methods
 /// for Nonlinear Problems*, 3.3, the natural monotonicity test: it does not depend on how rows are scaled), and no orientation
@@ -49,9 +57,9 @@ pub struct Equilibrium<Q, L> {
 /// Kelley, Keyes, SIAM J. Numer. Anal. 35, 1998); it falls towards a stable position, which then is not the nearest.
 /// There are at most 100 iterations, of 31 trials each, before that motion and behind it, and 300 steps of it.
 ///
-/// λ begins with that of the motion from rest. Rows that depend on time are taken at `time`; in tree coordinates the inertia of
+/// λ begins with that of the motion from rest, z with what `state` gives as its start. Rows that depend on time are taken at `time`; in tree coordinates the inertia of
 /// bodies on places that move with time is among the loads. Pairs and quaternions of `near` need not have length 1. Rows that
-/// repeat others ([`idle`](crate::Assemble::idle)) are left to these. The dense matrix has (n_v + m)² entries, which lie on the
+/// repeat others ([`idle`](crate::Assemble::idle)) are left to these. The dense matrix has (n_v + m + n_z)² entries, which lie on the
 /// stack.
 ///
 /// # Errors
@@ -64,20 +72,22 @@ pub fn equilibrium<R: Real, M: Tangent<R>>(
     time: R,
     near: &M::Q,
     u: &M::Inputs,
-) -> Result<Equilibrium<M::Q, M::Lambda>, LinearisationError> {
-    check_given(model, time, &at_rest(model, near), u)?;
+) -> Result<EquilibriumOf<R, M>, LinearisationError> {
+    let z = model.start_internal();
+    check_given(model, time, &at_rest(model, near, &z), u)?;
     let q = normalised(model.layout(), near).map_err(|(first, length)| {
         let what = model.position_names().get(first).copied().unwrap_or(model.name());
         LinearisationError::Assembly(AssemblyError::NoOrientation { what, length: length.to_f64() })
     })?;
     let mut search = Search::new(model, time, u);
-    let lambda = multipliers_at_rest(model, time, &q, u);
-    let error = match search.newton(Place { q: q.clone(), lambda: lambda.clone() }) {
+    let lambda = multipliers_at_rest(model, time, &q, &z, u);
+    let from = Place { q, lambda, z };
+    let error = match search.newton(from.clone()) {
         Ok(found) => return finite(model, time, found),
         Err(error @ LinearisationError::NonFinite { .. }) => return Err(error),
         Err(error) => error,
     };
-    let Some((place, steps)) = search.settle(Place { q, lambda }) else { return Err(error) };
+    let Some((place, steps)) = search.settle(from) else { return Err(error) };
     let found = search.newton(place)?;
     finite(model, time, Equilibrium { iterations: found.iterations + steps, ..found })
 }
@@ -86,21 +96,26 @@ pub fn equilibrium<R: Real, M: Tangent<R>>(
 fn finite<R: Real, M: Tangent<R>>(
     model: &M,
     time: R,
-    found: Equilibrium<M::Q, M::Lambda>,
-) -> Result<Equilibrium<M::Q, M::Lambda>, LinearisationError> {
+    found: EquilibriumOf<R, M>,
+) -> Result<EquilibriumOf<R, M>, LinearisationError> {
     check_finite(time, found.q.as_slice(), |index| model.position_names().get(index).copied())?;
     check_finite(time, found.lambda.as_slice(), |row| model.rows().get(row).map(|row| row.of))?;
+    check_finite(time, found.z.as_slice(), |index| model.internal_names().get(index).copied())?;
     Ok(found)
 }
 
-/// q and λ.
+/// q, λ and z.
 #[derive(Clone)]
-struct Place<Q, L> {
+struct Place<Q, L, Z> {
     q: Q,
     lambda: L,
+    z: Z,
 }
 
-type PlaceOf<R, M> = Place<<M as crate::Variables<R>>::Q, <M as crate::Variables<R>>::Lambda>;
+type PlaceOf<R, M> = Place<<M as Variables<R>>::Q, <M as Variables<R>>::Lambda, <M as Variables<R>>::Z>;
+
+/// δq, δλ and δz.
+type Step<R, M> = (<M as Variables<R>>::V, <M as Variables<R>>::Lambda, <M as Variables<R>>::Z);
 
 /// The loads, and the matrix of one iteration after the other.
 struct Search<'m, R: Real, M: Tangent<R>> {
@@ -119,7 +134,7 @@ impl<'m, R: Real, M: Tangent<R>> Search<'m, R, M> {
         Search { model, time, u, entries: model.zero_bordered(), rows, columns, order: model.order() }
     }
 
-    fn newton(&mut self, from: PlaceOf<R, M>) -> Result<Equilibrium<M::Q, M::Lambda>, LinearisationError> {
+    fn newton(&mut self, from: PlaceOf<R, M>) -> Result<EquilibriumOf<R, M>, LinearisationError> {
         let model = self.model;
         let mut at = from;
         let mut residual = self.residual(&at);
@@ -137,17 +152,18 @@ impl<'m, R: Real, M: Tangent<R>> Search<'m, R, M> {
             let mut step = residual.scaled(-R::ONE);
             let norm = self.lu().solve(step.as_mut_slice());
             let step = parts(model, &step);
-            let (moved, size) = (step.0.max_abs(), R::ONE + at.q.max_abs());
+            let internal = relative(model.internal_scales(), &step.2, &at.z);
+            let moved = (step.0.max_abs() / (R::ONE + at.q.max_abs())).max(internal);
             let iterations = iteration + 1;
-            if moved <= R::from_f64(64.0) * R::EPSILON * size {
-                let Place { q, lambda } = further(model, &at, &step, R::ONE);
-                return Ok(Equilibrium { q, lambda, iterations });
+            if moved <= R::from_f64(64.0) * R::EPSILON {
+                let Place { q, lambda, z } = further(model, &at, &step, R::ONE);
+                return Ok(Equilibrium { q, lambda, z, iterations });
             }
             match self.shorten(&at, &step, norm) {
                 Some(next) => (at, residual) = next,
                 // The rest is rounding.
-                None if moved <= R::from_f64(0.01) * R::EPSILON.sqrt() * size => {
-                    return Ok(Equilibrium { q: at.q, lambda: at.lambda, iterations });
+                None if moved <= R::from_f64(0.01) * R::EPSILON.sqrt() => {
+                    return Ok(Equilibrium { q: at.q, lambda: at.lambda, z: at.z, iterations });
                 }
                 None => return Err(no_equilibrium(model, self.time, &residual, iterations)),
             }
@@ -159,7 +175,7 @@ impl<'m, R: Real, M: Tangent<R>> Search<'m, R, M> {
     fn shorten(
         &mut self,
         from: &PlaceOf<R, M>,
-        step: &(M::V, M::Lambda),
+        step: &Step<R, M>,
         norm: R,
     ) -> Option<(PlaceOf<R, M>, M::Unknowns)> {
         let model = self.model;
@@ -182,7 +198,7 @@ impl<'m, R: Real, M: Tangent<R>> Search<'m, R, M> {
     fn settle(&mut self, from: PlaceOf<R, M>) -> Option<(PlaceOf<R, M>, u32)> {
         let model = self.model;
         let (mut a, mut lambda) = (model.zero_v(), model.zero_lambda());
-        let rest = at_rest(self.model, &from.q);
+        let rest = at_rest(self.model, &from.q, &from.z);
         self.model.acceleration(self.time, &rest, self.u, &mut a, &mut lambda);
         // M/h², the first h such that the step h² a is small.
         let first = a.max_abs() / R::from_f64(FIRST_STEP);
@@ -227,11 +243,11 @@ impl<'m, R: Real, M: Tangent<R>> Search<'m, R, M> {
         }
     }
 
-    /// Factors \[∂r/∂q + w M, Dᵀ; D, 0\].
+    /// Factors \[∂r/∂q + w M, Dᵀ, ∂r/∂z; D, 0, 0; −∂ż/∂q, −∂ż/∂λ, √w − ∂ż/∂z\].
     fn factor(&mut self, at: &PlaceOf<R, M>, weight: R) -> Result<(), NoPivot<R>> {
         let model = self.model;
         let (model, time, still) = (self.model, self.time, model.zero_v());
-        let rest = at_rest(model, &at.q);
+        let rest = at_rest(model, &at.q, &at.z);
         let (mut stiffness, mut damping) = (model.zero_stiffness(), model.zero_damping());
         let (mut jacobian, mut mass) = (model.zero_jacobian(), model.zero_mass());
         model.tangent(time, &rest, self.u, &still, &at.lambda, &mut stiffness, &mut damping);
@@ -260,59 +276,100 @@ impl<'m, R: Real, M: Tangent<R>> Search<'m, R, M> {
             let unknown = n + row as usize;
             entries[unknown * size + unknown] = R::ONE;
         }
+        self.add_internal(at, &rest, weight);
         self.lu().factor()
     }
 
-    /// (r, Φ) at rest; of a row that repeats others its multiplier, which is to be zero.
+    /// The rows and columns of internal states.
+    fn add_internal(&mut self, at: &PlaceOf<R, M>, rest: &StateOf<M, R>, weight: R) {
+        let (model, time, still) = (self.model, self.time, self.model.zero_v());
+        let size = model.unknown_count();
+        let first = model.velocity_count() + model.row_count();
+        let (mut forces, mut rates) = (model.zero_internal_tangent(), model.zero_internal_rate_tangent());
+        model.internal_tangent(time, rest, self.u, &mut forces);
+        model.internal_rate_tangent(time, rest, self.u, &still, &at.lambda, &mut rates);
+        let columns = ColumnsOf::of(model);
+        let entries = self.entries.as_mut_slice();
+        for state in 0..model.internal_count() {
+            entries[(first + state) * size + first + state] = weight.sqrt();
+        }
+        for (&entry, &(row, column)) in forces.as_slice().iter().zip(model.internal_pattern()) {
+            entries[usize::from(row) * size + first + usize::from(column)] = entry;
+        }
+        for (&entry, &(row, column)) in rates.as_slice().iter().zip(model.internal_rate_pattern()) {
+            let (row, column) = ((first + usize::from(row)) * size, usize::from(column));
+            let to = if column < columns.velocities {
+                column
+            } else if (columns.multipliers..columns.accelerations).contains(&column) {
+                columns.velocities + column - columns.multipliers
+            } else {
+                // Nothing moves, and inputs are given.
+                continue;
+            };
+            entries[row + to] = entries[row + to] - entry;
+        }
+    }
+
+    /// (r, Φ, −ż) at rest; of a row that repeats others its multiplier, which is to be zero.
     fn residual(&self, at: &PlaceOf<R, M>) -> M::Unknowns {
         let model = self.model;
-        let (rest, still) = (at_rest(self.model, &at.q), model.zero_v());
+        let (rest, still) = (at_rest(self.model, &at.q, &at.z), model.zero_v());
         let (mut forces, mut phi) = (model.zero_v(), model.zero_lambda());
         self.model.residual(self.time, &rest, self.u, &still, &at.lambda, &mut forces);
         self.model.constraints(self.time, &at.q, &mut phi);
         for &row in model.idle() {
             phi.as_mut_slice()[row as usize] = at.lambda.as_slice()[row as usize];
         }
+        let mut rates = model.zero_z();
+        model.internal_rates(self.time, &rest, self.u, &still, &at.lambda, &mut rates);
+        let rates = rates.scaled(-R::ONE);
         let mut residual = model.zero_unknowns();
-        let (to_forces, to_rows) = residual.as_mut_slice().split_at_mut(model.velocity_count());
-        to_forces.copy_from_slice(forces.as_slice());
-        to_rows.copy_from_slice(phi.as_slice());
+        let parts = forces.as_slice().iter().chain(phi.as_slice()).chain(rates.as_slice());
+        residual.as_mut_slice().iter_mut().zip(parts).for_each(|(entry, &value)| *entry = value);
         residual
     }
 }
 
 /// The state at rest at a position.
-fn at_rest<R: Real, M: Tangent<R>>(model: &M, q: &M::Q) -> StateOf<M, R> {
-    State { q: q.clone(), v: model.zero_v(), z: (), gates: model.start_gates() }
+fn at_rest<R: Real, M: Tangent<R>>(model: &M, q: &M::Q, z: &M::Z) -> StateOf<M, R> {
+    State { q: q.clone(), v: model.zero_v(), z: z.clone(), gates: model.start_gates() }
 }
 
 /// λ of the motion from rest, zero where there is none.
-fn multipliers_at_rest<R: Real, M: Tangent<R>>(model: &M, time: R, q: &M::Q, u: &M::Inputs) -> M::Lambda {
+fn multipliers_at_rest<R: Real, M: Tangent<R>>(
+    model: &M,
+    time: R,
+    q: &M::Q,
+    z: &M::Z,
+    u: &M::Inputs,
+) -> M::Lambda {
     let (mut a, mut lambda) = (model.zero_v(), model.zero_lambda());
-    let pivot = model.acceleration(time, &at_rest(model, q), u, &mut a, &mut lambda);
+    let pivot = model.acceleration(time, &at_rest(model, q, z), u, &mut a, &mut lambda);
     let sound = R::any(pivot.greater_equal(R::BREAKDOWN)) && lambda.first_not_finite().is_none();
     if sound { lambda } else { model.zero_lambda() }
 }
 
-/// δq and δλ.
-fn parts<R: Real, M: Tangent<R>>(model: &M, step: &M::Unknowns) -> (M::V, M::Lambda) {
-    let (mut dq, mut dl) = (model.zero_v(), model.zero_lambda());
-    let (positions, multipliers) = step.as_slice().split_at(model.velocity_count());
+/// The parts of a step.
+fn parts<R: Real, M: Tangent<R>>(model: &M, step: &M::Unknowns) -> Step<R, M> {
+    let (mut dq, mut dl, mut dz) = (model.zero_v(), model.zero_lambda(), model.zero_z());
+    let (positions, rest) = step.as_slice().split_at(model.velocity_count());
+    let (multipliers, internal) = rest.split_at(model.row_count());
     dq.as_mut_slice().copy_from_slice(positions);
     dl.as_mut_slice().copy_from_slice(multipliers);
-    (dq, dl)
+    dz.as_mut_slice().copy_from_slice(internal);
+    (dq, dl, dz)
 }
 
-/// (q ⊕ t δq, λ + t δλ).
+/// (q ⊕ t δq, λ + t δλ, z + t δz).
 fn further<R: Real, M: Tangent<R>>(
     model: &M,
     from: &PlaceOf<R, M>,
-    (dq, dl): &(M::V, M::Lambda),
+    (dq, dl, dz): &Step<R, M>,
     t: R,
 ) -> PlaceOf<R, M> {
     let mut q = from.q.clone();
     retract(model.layout(), &from.q, &dq.scaled(t), &mut q);
-    Place { q, lambda: from.lambda.plus(t, dl) }
+    Place { q, lambda: from.lambda.plus(t, dl), z: from.z.plus(t, dz) }
 }
 
 /// The norm of a residual with its rows scaled.
@@ -330,15 +387,16 @@ fn largest_turn<R: Real, M: Tangent<R>>(model: &M, dq: &M::V) -> R {
 fn name<R: Real, M: Tangent<R>>(model: &M, unknown: usize) -> Row {
     match model.velocity_names().get(unknown) {
         Some(&of) => Row { of, what: "coordinate" },
-        None => model
-            .rows()
-            .get(unknown - model.velocity_count())
-            .copied()
-            .unwrap_or(Row { of: model.name(), what: "unknown" }),
+        None => {
+            let row = unknown - model.velocity_count();
+            let internal = row.checked_sub(model.row_count()).and_then(|at| model.internal_names().get(at));
+            let state = internal.map(|of| Row { of, what: "state" });
+            model.rows().get(row).copied().or(state).unwrap_or(Row { of: model.name(), what: "unknown" })
+        }
     }
 }
 
-/// The largest force, or where forces balance the largest residual of a row.
+/// The largest force, or where forces balance the largest residual of a row or the largest rate.
 #[cold]
 fn no_equilibrium<R: Real, M: Tangent<R>>(
     model: &M,

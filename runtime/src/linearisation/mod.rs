@@ -18,7 +18,7 @@ pub(crate) mod lu;
 mod state_space;
 
 pub use actuation::{Actuation, actuation};
-pub use equilibrium::{Equilibrium, equilibrium};
+pub use equilibrium::{Equilibrium, EquilibriumOf, equilibrium};
 pub use state_space::{StateSpace, StateSpaceOf};
 
 use crate::assembly::{singular_velocity, smallest_pivot};
@@ -67,6 +67,8 @@ pub struct Linearisation<'m, R: Real, M: Tangent<R>> {
     row_stiffness: M::RowStiffness,
     row_damping: M::RowDamping,
     input: M::InputTangent,
+    internal: M::InternalTangent,
+    internal_rates: M::InternalRateTangent,
 }
 
 impl<'m, R: Real, M: Tangent<R>> Linearisation<'m, R, M> {
@@ -99,11 +101,18 @@ impl<'m, R: Real, M: Tangent<R>> Linearisation<'m, R, M> {
         model.tangent(time, state, u, &a, &lambda, &mut stiffness, &mut damping);
         model.row_tangent(time, q, v, &a, &mut row_stiffness, &mut row_damping);
         model.input_tangent(time, state, u, &mut input);
+        let (mut internal, mut internal_rates) =
+            (model.zero_internal_tangent(), model.zero_internal_rate_tangent());
+        model.internal_tangent(time, state, u, &mut internal);
+        model.internal_rate_tangent(time, state, u, &a, &lambda, &mut internal_rates);
         let forces = |row: u16| model.velocity_names().get(usize::from(row)).copied();
         let rows = |row: u16| model.rows().get(usize::from(row)).map(|row| row.of);
         check_entries(time, stiffness.as_slice(), model.stiffness_pattern(), forces)?;
         check_entries(time, damping.as_slice(), model.damping_pattern(), forces)?;
         check_entries(time, input.as_slice(), model.input_pattern(), forces)?;
+        let states = |row: u16| model.internal_names().get(usize::from(row)).copied();
+        check_entries(time, internal.as_slice(), model.internal_pattern(), forces)?;
+        check_entries(time, internal_rates.as_slice(), model.internal_rate_pattern(), states)?;
         check_entries(time, row_stiffness.as_slice(), model.row_stiffness_pattern(), rows)?;
         check_entries(time, row_damping.as_slice(), model.row_damping_pattern(), rows)?;
         Ok(Linearisation {
@@ -119,6 +128,8 @@ impl<'m, R: Real, M: Tangent<R>> Linearisation<'m, R, M> {
             row_stiffness,
             row_damping,
             input,
+            internal,
+            internal_rates,
         })
     }
 
@@ -135,12 +146,18 @@ impl<'m, R: Real, M: Tangent<R>> Linearisation<'m, R, M> {
     /// ∂v̇ and ∂λ along an increment δq of the positions (shape n_v, q ⊕ δq) and δv of the velocities:
     /// (∂v̇/∂q) δq + (∂v̇/∂v) δv.
     pub fn along(&self, dq: &M::V, dv: &M::V) -> ResponseOf<R, M> {
+        self.along_state(dq, dv, &self.model.zero_z())
+    }
+
+    /// The same along an increment δz of the internal states as well.
+    pub fn along_state(&self, dq: &M::V, dv: &M::V, dz: &M::Z) -> ResponseOf<R, M> {
         let model = self.model;
         let (mut forces, mut rows) = (model.zero_v(), model.zero_lambda());
         let (to_forces, to_rows) = (forces.as_mut_slice(), rows.as_mut_slice());
         let (dq, dv) = (dq.as_slice(), dv.as_slice());
         add_block(model.stiffness_pattern(), self.stiffness.as_slice(), (0, 0), dq, to_forces);
         add_block(model.damping_pattern(), self.damping.as_slice(), (0, 0), dv, to_forces);
+        add_block(model.internal_pattern(), self.internal.as_slice(), (0, 0), dz.as_slice(), to_forces);
         add_block(model.row_stiffness_pattern(), self.row_stiffness.as_slice(), (0, 0), dq, to_rows);
         add_block(model.row_damping_pattern(), self.row_damping.as_slice(), (0, 0), dv, to_rows);
         self.response(&forces, &rows)
@@ -156,6 +173,43 @@ impl<'m, R: Real, M: Tangent<R>> Linearisation<'m, R, M> {
     pub fn by_velocity(&self, index: usize) -> ResponseOf<R, M> {
         let model = self.model;
         self.along(&model.zero_v(), &unit(model.zero_v(), index))
+    }
+
+    /// Column `index` of ∂v̇/∂z and ∂λ/∂z, in the order of the internal states. Zero beyond n_z.
+    pub fn by_internal(&self, index: usize) -> ResponseOf<R, M> {
+        let model = self.model;
+        self.along_state(&model.zero_v(), &model.zero_v(), &unit(model.zero_z(), index))
+    }
+
+    /// δż of the internal states along δq, δv, δz and the δv̇ and δλ that go with them:
+    /// (∂ż/∂q) δq + (∂ż/∂v) δv + (∂ż/∂z) δz + (∂ż/∂v̇) δv̇ + (∂ż/∂λ) δλ.
+    pub fn internal_rates(&self, dq: &M::V, dv: &M::V, dz: &M::Z, response: &ResponseOf<R, M>) -> M::Z {
+        let model = self.model;
+        let mut rates = model.zero_z();
+        let columns = ColumnsOf::of(model);
+        let parts = [
+            (0, dq.as_slice()),
+            (columns.velocities, dv.as_slice()),
+            (columns.multipliers, response.multipliers.as_slice()),
+            (columns.internal, dz.as_slice()),
+            (columns.accelerations, response.acceleration.as_slice()),
+        ];
+        for (column, x) in parts {
+            let (pattern, entries) = (model.internal_rate_pattern(), self.internal_rates.as_slice());
+            add_block(pattern, entries, (0, column), x, rates.as_mut_slice());
+        }
+        rates
+    }
+
+    /// The same by an input alone.
+    fn internal_rates_by_input(&self, input: usize, response: &ResponseOf<R, M>) -> M::Z {
+        let model = self.model;
+        let (none, still) = (model.zero_v(), model.zero_z());
+        let mut rates = self.internal_rates(&none, &none, &still, response);
+        let column = ColumnsOf::of(model).inputs + input;
+        let (pattern, entries) = (model.internal_rate_pattern(), self.internal_rates.as_slice());
+        add_column(pattern, entries, (0, column), rates.as_mut_slice());
+        rates
     }
 
     /// Column `index` of ∂v̇/∂u and ∂λ/∂u, in the order of the inputs. Zero beyond n_u.
@@ -214,6 +268,16 @@ impl<R: Real, M: Tangent<R>> ByParameters<'_, '_, R, M> {
         self.of_rows(index, model.velocity_count() + 2 * model.row_count())
     }
 
+    /// Column `index` of ∂ż/∂p of the internal states, with the δv̇ and δλ that go with them.
+    pub fn internal_rates(&self, index: usize) -> M::Z {
+        let model = self.at.model;
+        let (none, still) = (model.zero_v(), model.zero_z());
+        let mut rates = self.at.internal_rates(&none, &none, &still, &self.column(index));
+        let first = model.velocity_count() + 3 * model.row_count() + model.output_names().len();
+        self.add(index, first, rates.as_mut_slice());
+        rates
+    }
+
     fn of_rows(&self, index: usize, first: usize) -> M::Lambda {
         let model = self.at.model;
         let mut rows = model.zero_lambda();
@@ -224,6 +288,26 @@ impl<R: Real, M: Tangent<R>> ByParameters<'_, '_, R, M> {
     fn add(&self, column: usize, first: usize, to: &mut [R]) {
         let model = self.at.model;
         add_column(model.parameter_pattern(), self.entries.as_slice(), (first, column), to);
+    }
+}
+
+/// Where the columns of the derivatives of outputs and of ż begin, behind those of q.
+struct ColumnsOf {
+    velocities: usize,
+    inputs: usize,
+    multipliers: usize,
+    internal: usize,
+    accelerations: usize,
+}
+
+impl ColumnsOf {
+    fn of<R: Real, M: Tangent<R>>(model: &M) -> Self {
+        let velocities = model.velocity_count();
+        let inputs = 2 * velocities;
+        let multipliers = inputs + model.input_names().len();
+        let internal = multipliers + model.row_count();
+        let accelerations = internal + model.internal_count();
+        ColumnsOf { velocities, inputs, multipliers, internal, accelerations }
     }
 }
 
@@ -287,6 +371,7 @@ fn check_given<R: Real, M: Tangent<R>>(
     check_finite(time, &[time], |_| Some("time"))?;
     check_finite(time, state.q.as_slice(), |index| model.position_names().get(index).copied())?;
     check_finite(time, state.v.as_slice(), |index| model.velocity_names().get(index).copied())?;
+    check_finite(time, state.z.as_slice(), |index| model.internal_names().get(index).copied())?;
     check_finite(time, u.to_array().as_slice(), |index| model.input_names().get(index).copied())
 }
 

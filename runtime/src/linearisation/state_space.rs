@@ -1,7 +1,7 @@
 //! ẋ = A x + B u, y = C x + D u: small motions about a state, in as many coordinates as there are degrees of freedom.
 
 use super::admissible::Admissible;
-use super::{Linearisation, add_block, add_column, check_finite};
+use super::{ColumnsOf, Linearisation, ResponseOf, add_block, add_column, check_finite, unit};
 use crate::error::LinearisationError;
 use crate::fields::Fields;
 use crate::mechanism::{Assemble, ConditionKind};
@@ -12,16 +12,16 @@ use crate::vector::{Vector, put};
 
 /// Matrices of a linearised mechanism, dense and row by row.
 ///
-/// x = (δz, δż), f numbers each, δz in the order of [`Tangent::states`], m, rad, m/s, rad/s; u and y in the order of inputs and
-/// outputs, SI. About a motion they hold at one time; about an equilibrium they are constant and the eigenvalues of A tell
+/// x = (δs, δṡ, δz): the coordinates of [`Tangent::states`] and their rates, f numbers each, m, rad, m/s, rad/s, then the n_z internal
+/// states in their units; n_x = 2f + n_z. u and y in the order of inputs and outputs, SI. About a motion they hold at one time; about an equilibrium they are constant and the eigenvalues of A tell
 /// stability.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct StateSpace<A, B, C, D> {
-    /// `[R; 2f·2f]`.
+    /// `[R; n_x·n_x]`.
     pub a: A,
-    /// `[R; 2f·n_u]`.
+    /// `[R; n_x·n_u]`.
     pub b: B,
-    /// `[R; n_y·2f]`.
+    /// `[R; n_y·n_x]`.
     pub c: C,
     /// `[R; n_y·n_u]`.
     pub d: D,
@@ -41,13 +41,14 @@ impl<'m, R: Real, M: Tangent<R>> Linearisation<'m, R, M> {
     /// Column by column, from a motion that the constraints admit:
     ///
     /// ```text
-    /// z:  D δq = 0, B δq = e;   D δv = −∂(D v − ν)/∂q δq, B δv = −∂(B v)/∂q δq
-    /// ż:  δq = 0;               D δv = 0, B δv = e
-    /// then δv̇, δλ by K(0);      δz̈ = ∂(B a + b)/∂q δq + ∂(B a + b)/∂v δv + B δv̇
-    ///                           δy = ∂y/∂q δq + ∂y/∂v δv + ∂y/∂λ δλ
+    /// s:  D δq = 0, B δq = e;   D δv = −∂(D v − ν)/∂q δq, B δv = −∂(B v)/∂q δq
+    /// ṡ:  δq = 0;               D δv = 0, B δv = e
+    /// z:  δq = 0, δv = 0, δz = e
+    /// then δv̇, δλ by K(0);      δs̈ = ∂(B a + b)/∂q δq + ∂(B a + b)/∂v δv + B δv̇
+    ///                           δż, δy = ∂/∂q δq + ∂/∂v δv + ∂/∂z δz + ∂/∂v̇ δv̇ + ∂/∂λ δλ
     /// ```
-    /// with ż = B v (and more where places move with time), z̈ = B a + b. Where a coordinate is a component of ω, its δz is the
-    /// turn about that axis of the body, and δż is not the rate of δz but that rate and ω × δz (turned axes) apart.
+    /// with ṡ = B v (and more where places move with time), s̈ = B a + b. Where a coordinate is a component of ω, its δs is the
+    /// turn about that axis of the body, and δṡ is not the rate of δs but that rate and ω × δs (turned axes) apart.
     ///
     /// # Errors
     /// [`Assembly`](LinearisationError::Assembly) where the coordinates do not move the whole at this position (a dead centre of
@@ -57,31 +58,41 @@ impl<'m, R: Real, M: Tangent<R>> Linearisation<'m, R, M> {
         let columns = Columns::at(self)?;
         let (f, inputs, outputs) =
             (model.states().len(), model.input_names().len(), model.output_names().len());
+        let internal = model.internal_count();
+        let size = 2 * f + internal;
         let mut found = StateSpace {
-            a: M::StateMatrix::zeros(4 * f * f),
-            b: M::InputMatrix::zeros(2 * f * inputs),
-            c: M::OutputMatrix::zeros(outputs * 2 * f),
+            a: M::StateMatrix::zeros(size * size),
+            b: M::InputMatrix::zeros(size * inputs),
+            c: M::OutputMatrix::zeros(outputs * size),
             d: M::Feedthrough::zeros(outputs * inputs),
         };
+        let (none, still) = (model.zero_v(), model.zero_z());
         for state in 0..f {
             let moved = columns.admissible.basis(state);
             let dv = columns.velocity(&moved);
-            columns.fill(state, &moved, &dv, &mut found);
-            columns.fill(f + state, &model.zero_v(), &moved, &mut found);
+            columns.fill(state, &moved, &dv, &still, &mut found);
+            columns.fill(f + state, &none, &moved, &still, &mut found);
+        }
+        for state in 0..internal {
+            columns.fill(2 * f + state, &none, &none, &unit(model.zero_z(), state), &mut found);
         }
         for input in 0..inputs {
             columns.fill_input(input, &mut found);
         }
         let (state, output) = (
-            |index: usize| {
-                model.states().get(index % f.max(1)).and_then(|&state| model.conditions().get(state as usize))
+            |index: usize| match index.checked_sub(2 * f) {
+                Some(internal) => model.internal_names().get(internal).copied(),
+                None => {
+                    let condition = model.states().get(index % f.max(1));
+                    condition.and_then(|&at| model.conditions().get(at as usize)).map(|at| at.of)
+                }
             },
             |row: usize| model.output_names().get(row).copied(),
         );
-        let by_state = |width: usize| move |index: usize| state(index / width.max(1)).map(|state| state.of);
-        check_finite(self.time, found.a.as_slice(), by_state(2 * f))?;
+        let by_state = |width: usize| move |index: usize| state(index / width.max(1));
+        check_finite(self.time, found.a.as_slice(), by_state(size))?;
         check_finite(self.time, found.b.as_slice(), by_state(inputs))?;
-        check_finite(self.time, found.c.as_slice(), |index| output(index / (2 * f).max(1)))?;
+        check_finite(self.time, found.c.as_slice(), |index| output(index / size.max(1)))?;
         check_finite(self.time, found.d.as_slice(), |index| output(index / inputs.max(1)))?;
         Ok(found)
     }
@@ -94,6 +105,7 @@ struct Columns<'l, 'm, R: Real, M: Tangent<R>> {
     rate: M::RateTangent,
     coordinate: M::CoordinateTangent,
     output: M::OutputTangent,
+    columns: ColumnsOf,
 }
 
 impl<'l, 'm, R: Real, M: Tangent<R>> Columns<'l, 'm, R, M> {
@@ -105,11 +117,12 @@ impl<'l, 'm, R: Real, M: Tangent<R>> Columns<'l, 'm, R, M> {
         let mut output = model.zero_output_tangent();
         model.rate_tangent(*time, q, v, &mut rate);
         model.coordinate_tangent(*time, q, v, a, &mut coordinate);
-        model.output_tangent(*time, state, u, lambda, &mut output);
-        Ok(Columns { at, admissible, rate, coordinate, output })
+        model.output_tangent(*time, state, u, a, lambda, &mut output);
+        let columns = ColumnsOf::of(*model);
+        Ok(Columns { at, admissible, rate, coordinate, output, columns })
     }
 
-    /// δv that goes with δq where ż is as before.
+    /// δv that goes with δq where ṡ is as before.
     fn velocity(&self, dq: &M::V) -> M::V {
         let model = self.at.model;
         let mut rows = model.zero_lambda();
@@ -121,36 +134,39 @@ impl<'l, 'm, R: Real, M: Tangent<R>> Columns<'l, 'm, R, M> {
         self.admissible.motion(&rows.scaled(-R::ONE), states)
     }
 
-    /// `to` += the f rows of ∂(ż, z̈)/∂(q, v) from `from` on, times x.
+    /// `to` += the f rows of ∂(ṡ, s̈)/∂(q, v) from `from` on, times x.
     fn add_coordinates(&self, from: (usize, usize), x: &M::V, to: &mut [R]) {
         let model = self.at.model;
         add_block(model.coordinate_pattern(), self.coordinate.as_slice(), from, x.as_slice(), to);
     }
 
     /// One column of A and of C.
-    fn fill(&self, column: usize, dq: &M::V, dv: &M::V, found: &mut StateSpaceOf<R, M>) {
+    fn fill(&self, column: usize, dq: &M::V, dv: &M::V, dz: &M::Z, found: &mut StateSpaceOf<R, M>) {
         let model = self.at.model;
         let (f, n) = (model.states().len(), model.velocity_count());
-        let response = self.at.along(dq, dv);
+        let size = 2 * f + model.internal_count();
+        let response = self.at.along_state(dq, dv, dz);
         let mut states = model.zero_conditions();
         let lower = &mut states.as_mut_slice()[..f];
         self.add_coordinates((f, 0), dq, lower);
         self.add_coordinates((f, n), dv, lower);
         self.add_coordinates((0, n), &response.acceleration, lower);
-        for (state, &entry) in lower.iter().enumerate() {
-            put(found.a.as_mut_slice(), (f + state) * 2 * f + column, entry);
+        let internal = self.at.internal_rates(dq, dv, dz, &response);
+        for (state, &entry) in lower.iter().chain(internal.as_slice()).enumerate() {
+            put(found.a.as_mut_slice(), (f + state) * size + column, entry);
         }
-        if column >= f {
-            put(found.a.as_mut_slice(), (column - f) * 2 * f + column, R::ONE);
-        } else {
+        if column < f {
             self.fill_rates(column, dq, found);
+        } else if column < 2 * f {
+            put(found.a.as_mut_slice(), (column - f) * size + column, R::ONE);
         }
         let mut outputs = <M::Outputs as Fields<R>>::Array::zeros(model.output_names().len());
         self.add_outputs(0, dq.as_slice(), outputs.as_mut_slice());
         self.add_outputs(n, dv.as_slice(), outputs.as_mut_slice());
-        self.add_multipliers(&response.multipliers, outputs.as_mut_slice());
+        self.add_outputs(self.columns.internal, dz.as_slice(), outputs.as_mut_slice());
+        self.add_response(&response, outputs.as_mut_slice());
         for (output, &entry) in outputs.as_slice().iter().enumerate() {
-            put(found.c.as_mut_slice(), output * 2 * f + column, entry);
+            put(found.c.as_mut_slice(), output * size + column, entry);
         }
     }
 
@@ -173,7 +189,8 @@ impl<'l, 'm, R: Real, M: Tangent<R>> Columns<'l, 'm, R, M> {
         self.add_coordinates((0, model.velocity_count()), &bracket(*model, dq, v), rates);
         for (state, &entry) in rates.iter().enumerate() {
             if kind(state) == ConditionKind::Rate {
-                put(found.a.as_mut_slice(), state * 2 * f + column, entry);
+                let size = 2 * f + model.internal_count();
+                put(found.a.as_mut_slice(), state * size + column, entry);
             }
         }
     }
@@ -186,17 +203,18 @@ impl<'l, 'm, R: Real, M: Tangent<R>> Columns<'l, 'm, R, M> {
         let mut states = model.zero_conditions();
         let lower = &mut states.as_mut_slice()[..f];
         self.add_coordinates((0, n), &response.acceleration, lower);
-        for (state, &entry) in lower.iter().enumerate() {
+        let internal = self.at.internal_rates_by_input(input, &response);
+        for (state, &entry) in lower.iter().chain(internal.as_slice()).enumerate() {
             put(found.b.as_mut_slice(), (f + state) * inputs + input, entry);
         }
         let mut outputs = <M::Outputs as Fields<R>>::Array::zeros(model.output_names().len());
         add_column(
             model.output_pattern(),
             self.output.as_slice(),
-            (0, 2 * n + input),
+            (0, self.columns.inputs + input),
             outputs.as_mut_slice(),
         );
-        self.add_multipliers(&response.multipliers, outputs.as_mut_slice());
+        self.add_response(&response, outputs.as_mut_slice());
         for (output, &entry) in outputs.as_slice().iter().enumerate() {
             put(found.d.as_mut_slice(), output * inputs + input, entry);
         }
@@ -207,9 +225,9 @@ impl<'l, 'm, R: Real, M: Tangent<R>> Columns<'l, 'm, R, M> {
         add_block(model.output_pattern(), self.output.as_slice(), (0, column), x, to);
     }
 
-    fn add_multipliers(&self, multipliers: &M::Lambda, to: &mut [R]) {
-        let model = self.at.model;
-        self.add_outputs(2 * model.velocity_count() + model.input_names().len(), multipliers.as_slice(), to);
+    fn add_response(&self, response: &ResponseOf<R, M>, to: &mut [R]) {
+        self.add_outputs(self.columns.multipliers, response.multipliers.as_slice(), to);
+        self.add_outputs(self.columns.accelerations, response.acceleration.as_slice(), to);
     }
 }
 

@@ -32,6 +32,7 @@ where
         state: &StateOf<M, R>,
         a: &M::V,
         lambda: &M::Lambda,
+        rates: &M::Z,
         level: Level,
     ) -> M::Unknowns {
         let model = self.model;
@@ -59,7 +60,10 @@ where
             put(rows.as_mut_slice(), row as usize, at(lambda.as_slice(), row as usize));
         }
         let mut residual = model.zero_unknowns();
-        let parts = forces.as_slice().iter().chain(rows.as_slice());
+        let mut internal = model.zero_z();
+        model.internal_rates(time, state, &inputs, a, lambda, &mut internal);
+        let internal = rates.plus(-R::ONE, &internal);
+        let parts = forces.as_slice().iter().chain(rows.as_slice()).chain(internal.as_slice());
         residual.as_mut_slice().iter_mut().zip(parts).for_each(|(entry, &value)| *entry = value);
         residual
     }
@@ -111,6 +115,9 @@ where
                 }
             }
         }
+        let first = n + model.row_count();
+        let internal = Internal::at(model, weights, (time, state, &inputs), a, lambda);
+        internal.by_positions(first, &mut add);
         turn_columns(model.layout(), u, entries, size);
 
         let mut add = |row: usize, column: usize, value: R| {
@@ -134,6 +141,7 @@ where
                 add(row, column, weights.damping * entry);
             }
         }
+        internal.by_others(weights, first, &mut add);
         for row in 0..model.row_count() {
             let own = if idle(row as u16) { R::ONE } else { -weights.compliance };
             add(n + row, n + row, own);
@@ -179,6 +187,72 @@ fn turn_columns<R: Real, V: Vector<R>>(layout: &crate::Layout<'_>, u: &V, entrie
             let old = three(row);
             for (k, [x, y, z]) in [0, 1, 2].map(|k| (k, turn.map(|row| row[k]))) {
                 put(row, place + k, old[0] * x + old[1] * y + old[2] * z);
+            }
+        }
+    }
+}
+
+/// The rows and columns of internal states.
+struct Internal<'m, R: Real, M: Tangent<R>> {
+    model: &'m M,
+    /// Where they move.
+    derivatives: Option<(M::InternalTangent, M::InternalRateTangent)>,
+    stiffness: R,
+}
+
+impl<'m, R: Real, M: Tangent<R>> Internal<'m, R, M> {
+    fn at(
+        model: &'m M,
+        weights: &Weights<R>,
+        (time, state, u): (R, &StateOf<M, R>, &M::Inputs),
+        a: &M::V,
+        lambda: &M::Lambda,
+    ) -> Self {
+        let derivatives = weights.internal.map(|_| {
+            let (mut forces, mut rates) = (model.zero_internal_tangent(), model.zero_internal_rate_tangent());
+            model.internal_tangent(time, state, u, &mut forces);
+            model.internal_rate_tangent(time, state, u, a, lambda, &mut rates);
+            (forces, rates)
+        });
+        Internal { model, derivatives, stiffness: weights.stiffness }
+    }
+
+    /// −∂ż/∂q; the first row of theirs is `first`.
+    fn by_positions(&self, first: usize, add: &mut impl FnMut(usize, usize, R)) {
+        let Some((_, rates)) = &self.derivatives else { return };
+        let n = self.model.velocity_count();
+        for (&entry, &(row, column)) in rates.as_slice().iter().zip(self.model.internal_rate_pattern()) {
+            if usize::from(column) < n {
+                add(first + usize::from(row), usize::from(column), -(self.stiffness * entry));
+            }
+        }
+    }
+
+    /// ∂r/∂z, and all others of theirs.
+    fn by_others(&self, weights: &Weights<R>, first: usize, add: &mut impl FnMut(usize, usize, R)) {
+        let model = self.model;
+        let own = weights.internal.unwrap_or(R::ONE);
+        for row in 0..model.internal_count() {
+            add(first + row, first + row, own);
+        }
+        let Some((forces, rates)) = &self.derivatives else { return };
+        for (&entry, &(row, column)) in forces.as_slice().iter().zip(model.internal_pattern()) {
+            add(usize::from(row), first + usize::from(column), entry);
+        }
+        // Columns of q, v, u, λ, z, v̇.
+        let (n, inputs, rows) = (model.velocity_count(), model.input_names().len(), model.row_count());
+        let [to_inputs, to_rows] = [2 * n, 2 * n + inputs];
+        let [to_internal, to_accelerations] = [to_rows + rows, to_rows + rows + model.internal_count()];
+        for (&entry, &(row, column)) in rates.as_slice().iter().zip(model.internal_rate_pattern()) {
+            let (row, column) = (first + usize::from(row), usize::from(column));
+            if (n..to_inputs).contains(&column) {
+                add(row, column - n, -(weights.damping * entry));
+            } else if (to_rows..to_internal).contains(&column) {
+                add(row, n + column - to_rows, -entry);
+            } else if (to_internal..to_accelerations).contains(&column) {
+                add(row, first + column - to_internal, -entry);
+            } else if column >= to_accelerations {
+                add(row, column - to_accelerations, -(weights.mass * entry));
             }
         }
     }

@@ -20,7 +20,7 @@ mod step;
 pub(crate) use clock::least_step;
 pub use dynamics::MechanismDynamics;
 pub use event::{Direction, Event, Occurrence};
-pub use sample::{Residual, Sample, Samples};
+pub use sample::{Residual, Sample, Samples, Solution, SolutionOf};
 pub use singularity::NearSingular;
 pub use step::Step;
 

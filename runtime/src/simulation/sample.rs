@@ -2,14 +2,16 @@
 
 use super::course::Course;
 use super::{MechanismDynamics, Simulation};
+use crate::assembly::smallest_pivot;
 use crate::assembly::system::subtract_product;
 use crate::error::SimulationError;
 use crate::formulation::Formulation;
 use crate::input::InputSource;
 use crate::integrator::{Integrator, Method};
-use crate::mechanism::{Assemble, Mechanism};
+use crate::mechanism::{Assemble, Mechanism, name_row};
 use crate::real::Real;
-use crate::state::StateOf;
+use crate::report::Report;
+use crate::state::{StateOf, Variables};
 use crate::vector::Vector;
 
 /// A simulation at one time. What costs an evaluation is a method.
@@ -44,6 +46,79 @@ impl<R: Real, M: Mechanism<R>> Sample<'_, R, M> {
     /// How far positions and velocities are off the constraints.
     pub fn constraint_residual(&self) -> Residual<R> {
         Residual::of(self.model, self.time, &self.state)
+    }
+}
+
+/// v̇ and λ of one state.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Solution<V, L> {
+    /// v̇, shape n_v, m/s² and rad/s².
+    pub acceleration: V,
+    /// λ, shape m; the force of the constraints on the mechanism is −Dᵀ λ.
+    pub multipliers: L,
+}
+
+/// [`Solution`] of a mechanism.
+pub type SolutionOf<R, M> = Solution<<M as Variables<R>>::V, <M as Variables<R>>::Lambda>;
+
+impl<R: Real, M: Assemble<R>> Sample<'_, R, M> {
+    /// v̇ and λ of M v̇ + Dᵀ λ = Q, D v̇ = γ with the inputs of this time: what outputs that name efforts or reactions are made of.
+    /// [`Simulation::acceleration`] asks the formulation instead.
+    ///
+    /// # Errors
+    /// [`Breakdown`](SimulationError::Breakdown), [`NonFinite`](SimulationError::NonFinite).
+    pub fn solution(&self) -> Result<SolutionOf<R, M>, SimulationError> {
+        let (model, time) = (self.model, self.time);
+        let (mut acceleration, mut multipliers) = (model.zero_v(), model.zero_lambda());
+        let pivot = model.acceleration(time, &self.state, &self.inputs, &mut acceleration, &mut multipliers);
+        // Written so that a NaN fails.
+        if !R::any(pivot.greater_equal(R::BREAKDOWN)) {
+            let (_, row) = smallest_pivot(model, time, &self.state.q);
+            let (time, pivot, row) = (time.to_f64(), pivot.to_f64(), name_row(model, row));
+            return Err(SimulationError::Breakdown { time, pivot, row });
+        }
+        let lost =
+            acceleration.first_not_finite().and_then(|entry| model.velocity_names().get(entry).copied());
+        let lost = lost.or(multipliers.first_not_finite().map(|row| name_row(model, Some(row)).of));
+        match lost {
+            Some(what) => Err(SimulationError::NonFinite { time: time.to_f64(), what }),
+            None => Ok(Solution { acceleration, multipliers }),
+        }
+    }
+}
+
+impl<R: Real, M: Assemble<R> + Report<R>> Sample<'_, R, M> {
+    /// Force (N, world axes) and torque (N m) that each joint exerts on the body of its second place, in the order of
+    /// [`Report::joints`].
+    ///
+    /// # Errors
+    /// As [`solution`](Sample::solution).
+    pub fn reactions(&self) -> Result<M::Reactions, SimulationError> {
+        let Solution { acceleration, multipliers } = self.solution()?;
+        Ok(self.model.reactions(self.time, &self.state, &self.inputs, &acceleration, &multipliers))
+    }
+
+    /// Position, velocity and acceleration of every body's centre of mass, in the order of [`Report::bodies`].
+    ///
+    /// # Errors
+    /// As [`solution`](Sample::solution).
+    pub fn motions(&self) -> Result<M::Motions, SimulationError> {
+        let Solution { acceleration, .. } = self.solution()?;
+        Ok(self.model.motions(self.time, &self.state.q, &self.state.v, &acceleration))
+    }
+
+    /// Effort of each driver along its quantity (N m or N) and its power (W).
+    ///
+    /// # Errors
+    /// As [`solution`](Sample::solution).
+    pub fn driver_efforts(&self) -> Result<M::Efforts, SimulationError> {
+        let Solution { multipliers, .. } = self.solution()?;
+        Ok(self.model.driver_efforts(self.time, &self.state.q, &self.state.v, &multipliers))
+    }
+
+    /// Power of each load, W, in the order of [`Report::loads`].
+    pub fn powers(&self) -> M::Powers {
+        self.model.powers(self.time, &self.state, &self.inputs)
     }
 }
 

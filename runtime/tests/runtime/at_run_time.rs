@@ -452,8 +452,10 @@ impl<S: Storage> Tangent<f64> for Masses<S> {
     type RowDamping = S::N;
     type RateTangent = S::N;
     type InputTangent = S::One;
+    type InternalTangent = ();
     type ParameterTangent = S::None;
     type OutputTangent = S::One;
+    type InternalRateTangent = ();
     type CoordinateTangent = S::Freedoms;
     type StateMatrix = S::StateMatrix;
     type InputMatrix = S::States;
@@ -537,6 +539,7 @@ impl<S: Storage> Tangent<f64> for Masses<S> {
         _time: f64,
         _state: &StateOf<Self>,
         _u: &Numbers<S::One>,
+        _a: &S::N,
         _lambda: &S::One,
         output: &mut S::One,
     ) {

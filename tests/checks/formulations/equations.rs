@@ -295,7 +295,7 @@ fn projection_reaches_the_constraints_along_the_mass<M: Model>() {
         let mut q = at.q;
         retract(model.layout(), &at.q, &off, &mut q);
         let kick = vector::<M::V>(&random.vector(model.velocity_count())).scaled(1e-3);
-        let mut state = State::new(q, at.v.plus(1.0, &kick));
+        let mut state = at.at(q, at.v.plus(1.0, &kick));
         let before = state;
         let projected = Projected::after(LagrangeIndex1);
         let settled = Formulation::<f64, M>::settle(&projected, &mut (), &model, at.time, &mut state);

@@ -10,6 +10,7 @@ mod linkages;
 mod quick_return;
 mod robots;
 mod space;
+mod states;
 
 use linkwright::{Assemble, Baumgarte, Sample, SimulationError, StateOf};
 

@@ -86,6 +86,7 @@ impl State {
             q: list("q"),
             v: list("v"),
             inputs: list("inputs"),
+            internal: values.get("z").map_or(Vec::new(), numbers),
             two_alpha: 3.0,
             beta_squared: 5.0,
             ..Inputs::default()

@@ -74,11 +74,32 @@ fn given(text: &mut String, inputs: &Inputs) {
         list(text, name, values);
         text.push(',');
     }
+    if !inputs.internal.is_empty() {
+        list(text, "z", &inputs.internal);
+        text.push(',');
+    }
+}
+
+/// The efforts of drivers as the rates of internal states may name them, and these rates; nothing where there are no such states.
+fn internal(text: &mut String, compiled: &Compiled, inputs: &Inputs, evaluate: &Evaluate) {
+    if inputs.internal.is_empty() {
+        return;
+    }
+    let efforts = evaluate(Function::DriverEfforts, inputs);
+    list(text, "efforts", &efforts[..compiled.mechanism.drivers.len()]);
+    text.push(',');
+    for (name, function) in
+        [("internal_rates", Function::InternalRates), ("internal_starts", Function::StartInternal)]
+    {
+        list(text, name, &evaluate(function, inputs));
+        text.push(',');
+    }
 }
 
 fn random_state(text: &mut String, compiled: &Compiled, inputs: &Inputs, evaluate: &Evaluate) {
     let equations = &compiled.complete.equations;
     given(text, inputs);
+    internal(text, compiled, inputs, evaluate);
     let vectors = [
         ("phi", Function::Constraints),
         ("nu", Function::Nu),
@@ -108,6 +129,7 @@ fn consistent_state(text: &mut String, compiled: &Compiled, mut inputs: Inputs, 
     inputs.acceleration = solution[..n].to_vec();
     inputs.lambda = solution[n..n + rows].to_vec();
     given(text, &inputs);
+    internal(text, compiled, &inputs, evaluate);
     list(text, "acceleration", &inputs.acceleration);
     text.push(',');
     list(text, "lambda", &inputs.lambda);

@@ -42,6 +42,7 @@ impl<'a> Walker<'a> {
         }
         inputs.time = random.between(0.0, 1.0);
         inputs.inputs = random.vector(compiled.mechanism.inputs.len(), 10.0);
+        inputs.internal = random.vector(compiled.mechanism.states.len(), 1.0);
         inputs
     }
 
@@ -66,6 +67,11 @@ impl<'a> Walker<'a> {
             inputs.q.extend([random.between(-2.0, 3.0).floor(), random.between(-PI, PI)]);
         }
         inputs.v = random.vector(layout.velocities(), self.speed);
+        if !inputs.internal.is_empty() {
+            // Their rates may name results.
+            inputs.acceleration = random.vector(layout.velocities(), 10.0);
+            inputs.lambda = random.vector(self.compiled.complete.equations.rows.len(), 10.0);
+        }
         self.prepare(&mut inputs);
         inputs
     }

@@ -14,7 +14,7 @@ pub trait Model:
         f64,
         Q: Copy,
         V: Copy,
-        Z = (),
+        Z: Copy,
         Gates = (),
         Lambda: Copy,
         Inputs: Fields<f64> + Copy,
@@ -48,7 +48,7 @@ pub trait Model:
     }
     /// Whether motions, reactions, inverse dynamics and powers are finite; found without allocation.
     fn derived_finite(&self, at: &At<Self>, a: &Self::V, lambda: &Self::Lambda) -> bool {
-        let At { time, q, v, u } = at;
+        let At { time, q, v, u, .. } = at;
         let state = &at.state();
         finite(self.motions(*time, q, v, a).as_ref())
             && finite(self.reactions(*time, state, u, a, lambda).as_ref())
@@ -77,6 +77,8 @@ pub struct At<M: Model> {
     pub time: f64,
     pub q: M::Q,
     pub v: M::V,
+    /// Internal states.
+    pub z: M::Z,
     pub u: M::Inputs,
 }
 
@@ -156,12 +158,17 @@ pub fn compiled<M: Model>(coordinates: Option<Coordinates>) -> Compiled {
 impl<M: Model> At<M> {
     /// The time, state and inputs of a point.
     pub fn of(point: &Inputs) -> Self {
-        let Inputs { time, q, v, inputs, .. } = point;
-        At { time: *time, q: vector(q), v: vector(v), u: fields(inputs) }
+        let Inputs { time, q, v, internal, inputs, .. } = point;
+        At { time: *time, q: vector(q), v: vector(v), z: vector(internal), u: fields(inputs) }
     }
 
     pub fn state(&self) -> StateOf<M> {
-        State::new(self.q, self.v)
+        self.at(self.q, self.v)
+    }
+
+    /// The same at another position and velocity.
+    pub fn at(&self, q: M::Q, v: M::V) -> StateOf<M> {
+        State { q, v, z: self.z, gates: () }
     }
 }
 
@@ -220,6 +227,7 @@ impl Random {
             q: self.position(&layout),
             v: self.vector(layout.velocities()),
             inputs: self.vector(e.symbols.inputs.len()),
+            internal: self.vector(e.symbols.internal.len()),
             two_alpha: 10.0 + self.unit(),
             beta_squared: 25.0 + self.unit(),
             acceleration: self.vector(layout.velocities()),

@@ -181,14 +181,15 @@ macro_rules! for_each_with_tangent {
     ($check:ident) => {
         mod $check {
             $crate::zoo_tangent::for_each_with_tangent! { @ $check
-                gripper: Gripper, winch: Winch, buoy: Buoy, flail: Flail, rocker: Rocker, swing: Swing, spring: Spring
+                gripper: zoo_tangent::Gripper, winch: zoo_tangent::Winch, buoy: zoo_tangent::Buoy, flail: zoo_tangent::Flail,
+                rocker: zoo_tangent::Rocker, swing: zoo_tangent::Swing, spring: zoo_tangent::Spring, servo: zoo_laws::Servo
             }
         }
     };
-    (@ $check:ident $($name:ident: $model:ident),*) => { $(
+    (@ $check:ident $($name:ident: $file:ident :: $model:ident),*) => { $(
         #[test]
         fn $name() {
-            super::$check::<$crate::zoo_tangent::$model>();
+            super::$check::<$crate::$file::$model>();
         }
     )* };
 }

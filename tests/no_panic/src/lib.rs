@@ -29,8 +29,11 @@ mechanism! {
         joint big:    revolute(crank.pin, rod.origin);
         joint wrist:  revolute(rod.eye, piston.center);
         joint bore:   prismatic(ground(0, 0) [m], piston.center, axis = (1, 0));
-        force drive: torque(main) = torque;
-        force load:  force(piston.center, direction = (-1, 0)) = gas;
+        table friction(rate [rpm]) [N*m] = [(-2000, 0.8), (-100, 0.3), (0, 0), (100, -0.3), (2000, -0.8)];
+        table pressure(angle [deg]) [N] = [(0, 900), (20, 1200), (90, 300), (300, 10), (360, 900)], periodic;
+        table share(rate [rpm], load [N]) = grid((0, 1000), (-10, 0, 500), [(1, 1), (1, 0.9), (0.8, 0.7)]);
+        force drive: torque(main) = torque + friction(main.rate)*share(main.rate, gas);
+        force load:  force(piston.center, direction = (-1, 0)) = gas + pressure(main.angle);
         start  { main.angle [deg] = 30; main.rate [rpm] = 1200; bore.travel [mm] ~ 170; }
         options { emit = (tangent, penalty, projection, null_space); }
         output angle [rad] = main.angle;

@@ -4,7 +4,7 @@ use super::kinematics::{FrameId, GROUND, Kinematics, LocalVector, Position};
 use super::vector::{self, Pair};
 use crate::equations::jet::{Jet, Moving};
 use crate::equations::laws::Laws;
-use crate::model::{Frame, JointId, Place, Rotor, Vector};
+use crate::model::{Frame, Joint, JointId, Place, Rotor, Vector};
 use crate::symbolic::{On, Scalar};
 use std::collections::BTreeMap;
 
@@ -108,6 +108,16 @@ impl<'g> On<'g, &'g Kinematics> {
         let (frame, along) = self.carried_by(joint.first.frame, axis);
         let (first, second) = (self.place(laws, &joint.first), self.place(laws, &joint.second));
         self.project(frame, along, &(second - first).bare)
+    }
+
+    /// The normal of a joint's axis, which the first body carries, in world axes.
+    pub fn normal(self, laws: &Laws<'g>, joint: &Joint) -> On<'g, Pair> {
+        let axis = match joint.directions.first() {
+            Some(axis) => laws.pair_of(axis).normalized(),
+            None => vector::axis(self.g, 0),
+        };
+        let (frame, normal) = self.carried_by(joint.first.frame, axis.perpendicular());
+        self.to_world(frame, normal)
     }
 
     /// A direction given in a body's axes, as its frame and the components there.

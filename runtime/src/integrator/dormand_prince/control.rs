@@ -58,7 +58,8 @@ pub(super) fn after_rejection<R: Real>(error: R) -> R {
     (R::from_f64(SAFETY) / power(error, ALPHA)).max(R::from_f64(FACTORS[0])).min(R::from_f64(SAFETY))
 }
 
-/// The sizes that errors are divided by: sc = absolute + relative · size, for increments, velocities and internal states.
+/// The sizes that errors are divided by: sc = absolute + relative · size, for increments, velocities and internal states;
+/// what is absolute is taken in units of the scale of an internal state.
 pub(super) struct Scale<V, Z> {
     positions: V,
     velocities: V,
@@ -70,6 +71,7 @@ impl<V, Z> Scale<V, Z> {
     pub fn new<R: Real, Q: Vector<R>, G>(
         tolerances: (R, R),
         layout: &Layout<'_>,
+        internal_scales: &[f64],
         a: &State<Q, V, Z, G>,
         b: &State<Q, V, Z, G>,
     ) -> Self
@@ -78,9 +80,9 @@ impl<V, Z> Scale<V, Z> {
         Z: Vector<R>,
     {
         Scale {
-            positions: scaled(tolerances, &sizes(layout, &a.q), &sizes(layout, &b.q)),
-            velocities: scaled(tolerances, &a.v, &b.v),
-            internal: scaled(tolerances, &a.z, &b.z),
+            positions: scaled(tolerances, &[], &sizes(layout, &a.q), &sizes(layout, &b.q)),
+            velocities: scaled(tolerances, &[], &a.v, &b.v),
+            internal: scaled(tolerances, internal_scales, &a.z, &b.z),
         }
     }
 
@@ -97,10 +99,11 @@ impl<V, Z> Scale<V, Z> {
 }
 
 /// sc of the larger of two values of each entry.
-fn scaled<R: Real, T: Vector<R>>((absolute, relative): (R, R), x: &T, y: &T) -> T {
+fn scaled<R: Real, T: Vector<R>>((absolute, relative): (R, R), units: &[f64], x: &T, y: &T) -> T {
     let mut scale = x.clone();
-    for (scale, y) in scale.as_mut_slice().iter_mut().zip(y.as_slice()) {
-        *scale = relative.mul_add(scale.abs().max(y.abs()), absolute);
+    let units = units.iter().map(|&unit| R::from_f64(unit)).chain(core::iter::repeat(R::ONE));
+    for ((scale, y), unit) in scale.as_mut_slice().iter_mut().zip(y.as_slice()).zip(units) {
+        *scale = relative.mul_add(scale.abs().max(y.abs()), absolute * unit);
     }
     scale
 }
@@ -169,7 +172,7 @@ mod tests {
         let layout = Layout { linear: 1, rotations: 1, quaternions: 0, angles: &[] };
         let a = State::new([-3.0, 1.0, 0.0], [0.0, 2.0]);
         let b = State::new([1.0, 0.0, 1.0], [4.0, 1.0]);
-        let scale = Scale::new((0.5, 0.1), &layout, &a, &b);
+        let scale = Scale::new((0.5, 0.1), &layout, &[], &a, &b);
         assert!((scale.positions[0] - 0.8).abs() < 1e-15 && (scale.positions[1] - 0.6).abs() < 1e-15);
         assert!((scale.velocities[0] - 0.9).abs() < 1e-15 && (scale.velocities[1] - 0.7).abs() < 1e-15);
         let norm = scale.norm(&[1.6, 0.0], &[0.0, 0.0], &());

@@ -114,8 +114,8 @@ impl<R: Real> DormandPrince<R> {
         first: &DerivativeOf<X, R>,
         largest: R,
     ) -> R {
-        let layout = dynamics.variables().layout();
-        let scale = Scale::new((self.absolute, self.relative), layout, state, state);
+        let (layout, scales) = (dynamics.variables().layout(), dynamics.variables().internal_scales());
+        let scale = Scale::new((self.absolute, self.relative), layout, scales, state, state);
         let d0 = scale.norm(&control::sizes(layout, &state.q), &state.v, &state.z);
         let d1 = scale.norm(&first.v, &first.a, &first.z);
         let h0 = control::euler_size(d0, d1).min(largest);
@@ -197,9 +197,10 @@ impl<X: Variables<R>, R: Real> Trial<X, R> {
     }
 
     /// The estimated error, relative to the tolerances.
-    fn error(&self, method: &DormandPrince<R>, layout: &Layout<'_>, h: R, begin: &StateOf<X, R>) -> R {
+    fn error(&self, method: &DormandPrince<R>, of: &X, h: R, begin: &StateOf<X, R>) -> R {
+        let (layout, scales) = (of.layout(), of.internal_scales());
         let Increment { u, v, z, .. } = self.slopes.increment(layout, h, 0.0, &ESTIMATE);
-        let scale = Scale::new((method.absolute, method.relative), layout, begin, &self.end);
+        let scale = Scale::new((method.absolute, method.relative), layout, scales, begin, &self.end);
         scale.norm(&u, &v, &z)
     }
 
@@ -296,8 +297,8 @@ impl<R: Real, X: Variables<R>, D: Dynamics<R, Variables = X>> Integrator<R, D> f
         for _ in 0..MOST_TRIALS {
             dynamics.begin_trial(size);
             let trial = Trial::new(dynamics, time, size, state, &first);
-            let layout = dynamics.variables().layout();
-            let error = trial.as_ref().map(|trial| trial.error(self, layout, size, state));
+            let of = dynamics.variables();
+            let error = trial.as_ref().map(|trial| trial.error(self, of, size, state));
             match (trial, error) {
                 (Some(trial), Some(error)) if error <= R::ONE => {
                     let end = trial.keep(memory, dynamics.variables().layout(), (time, size), state);

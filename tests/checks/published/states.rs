@@ -1,0 +1,119 @@
+//! Mechanisms with states beside their motion, against separate integrations of their equations.
+
+use super::Worst;
+use linkwright::{
+    Ali3p, DormandPrince, ExplicitTrapezoidal, GeneralisedAlpha, ImplicitTrapezoidal, Linearisation,
+    Mechanism, NoInputs, Rk4, SemiImplicitEuler, Simulation, State, equilibrium,
+};
+use linkwright_models::braked_wheel::BrakedWheel;
+use linkwright_models::dc_motor_arm::{DcMotorArm, DcMotorArmInputs};
+
+const VOLTAGE: DcMotorArmInputs = DcMotorArmInputs { voltage: 3.0 };
+/// Angle, rate and current.
+const AFTER_10_MS: [f64; 3] = [5.92081289090e-4, 0.151_706_724_118_73, 5.494_146_993_263_54];
+const AFTER_1_S: [f64; 3] = [9.149_928_836_671_469, 16.814_920_126_022_002, 3.317_073_210_020_512];
+
+#[test]
+fn dc_motor_arm() {
+    let model = DcMotorArm::default();
+    let mut simulation = Simulation::new(&model, DcMotorArm::START)
+        .held(|_, _| VOLTAGE)
+        .integrator(DormandPrince::tolerance(1e-12))
+        .step(1e-2);
+    for (time, expected) in [(0.01, AFTER_10_MS), (1.0, AFTER_1_S)] {
+        // Angles continue from sample to sample.
+        simulation.run_until(time, |_| ()).expect("it turns");
+        let found = simulation.sample().outputs;
+        let mut worst = Worst::default();
+        for (found, expected) in [found.angle, found.rate, found.current].into_iter().zip(expected) {
+            worst.see(found, expected);
+        }
+        worst.below(2e-10, "motor on an arm");
+        let named = DcMotorArm::internal(&simulation.state().z);
+        assert_eq!(named.current, found.current);
+    }
+}
+
+/// The current moves in every method at the order of the motion.
+#[test]
+fn states_keep_the_order() {
+    let model = DcMotorArm::default();
+    // The angle is small.
+    let size = [1e2, 1.0, 1e-1];
+    macro_rules! orders {
+        ($($integrator:expr, $order:literal;)*) => { $(
+            let error = |h: f64| {
+                let simulation = Simulation::new(&model, DcMotorArm::START).held(|_, _| VOLTAGE);
+                let mut simulation = simulation.integrator($integrator).step(h);
+                simulation.advance_until(0.01).expect("it turns");
+                let found = simulation.sample().outputs;
+                let parts = [found.angle, found.rate, found.current].into_iter().zip(AFTER_10_MS).zip(size);
+                parts.map(|((found, expected), size)| (found - expected).abs() * size).fold(0.0, f64::max)
+            };
+            let [coarse, fine] = [2e-4, 1e-4].map(error);
+            let order = (coarse / fine).log2();
+            println!("{:?}: {coarse:.2e} and {fine:.2e}, order {order:.3}", $integrator);
+            assert!((order - $order).abs() < 0.15, "{:?}: order {order}", $integrator);
+        )* };
+    }
+    orders! {
+        Rk4, 4.0;
+        ExplicitTrapezoidal, 2.0;
+        SemiImplicitEuler, 1.0;
+        DormandPrince::<f64>::fixed(), 5.0;
+        ImplicitTrapezoidal::<f64>::default(), 2.0;
+        GeneralisedAlpha::new(0.6), 2.0;
+        Ali3p::new(1e8), 2.0;
+    }
+}
+
+/// Held by its motor: at rest the current is V/R, and the arm hangs where its moment is K V/R; the slow eigenvalues are those of the
+/// three equations written down by hand.
+#[test]
+fn a_motor_holds_its_arm() {
+    let model = DcMotorArm::default();
+    let inputs = DcMotorArmInputs { voltage: 0.3 };
+    let found = equilibrium(&model, 0.0, &DcMotorArm::START.q, &inputs).expect("it hangs");
+    let current: f64 = 0.3 / 0.5;
+    assert!((found.z[0] - current).abs() < 1e-14, "{:?}", found.z);
+    let state = State { q: found.q, z: found.z, ..DcMotorArm::START };
+    let angle = (0.08 * current / 0.0981).asin();
+    assert!((model.outputs(0.0, &state, &inputs).angle - angle).abs() < 1e-14);
+    let linear = Linearisation::at(&model, 0.0, &state, &inputs).expect("a regular state");
+    let space = linear.state_space().expect("one coordinate");
+    let (inertia, constant, resistance, inductance) = (0.02, 0.08, 0.5, 2e-3);
+    let expected = [
+        [0.0, 1.0, 0.0],
+        [-0.0981 * angle.cos() / inertia, 0.0, constant / inertia],
+        [0.0, -constant / inductance, -resistance / inductance],
+    ];
+    for (found, expected) in space.a.iter().zip(expected.iter().flatten()) {
+        assert!((found - expected).abs() < 1e-12 * (1.0 + expected.abs()), "{:?}", space.a);
+    }
+    assert!((space.b[2] - 1.0 / inductance).abs() < 1e-9 && space.b[0] == 0.0 && space.b[1] == 0.0);
+    assert_eq!(space.c, [1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0]);
+}
+
+#[test]
+fn braked_wheel() {
+    let model = BrakedWheel::default();
+    let mut simulation = Simulation::new(&model, BrakedWheel::START)
+        .input_source(NoInputs)
+        .integrator(DormandPrince::tolerance(1e-12))
+        .step(1e-2);
+    let mut worst = Worst::default();
+    // The brake is fully on: its law has a kink here.
+    simulation.advance_until(0.3).expect("it rolls");
+    let found = simulation.sample().outputs;
+    worst.see(found.speed, 18.924_651_388_497_83);
+    worst.see(found.spin, 58.875_954_885_553_37);
+    worst.see(found.slip, -0.060_913_498_475_065);
+    simulation.advance_until(1.0).expect("it rolls");
+    let found = simulation.sample().outputs;
+    worst.see(found.place, 17.275_484_471_766_03);
+    worst.see(found.speed, 13.590_967_309_533_108);
+    worst.see(found.spin, 42.231_209_820_847_47);
+    worst.see(found.slip, -0.067_810_064_052_679);
+    worst.see(found.force / 1e3, -1.905_275_790_837_8);
+    worst.below(1e-9, "braked wheel");
+}

@@ -1,0 +1,15 @@
+//! The same, named by a signal.
+
+linkwright::mechanism! {
+    planar Cam {
+        table lift(angle [deg]) [mm] = [(0, 0), (60, 4), (180, 8), (300, 2), (360, 0)], linear;
+        signal height [m] = lift(shaft.angle);
+        disk cam { mass [kg] = 1; radius [mm] = 40; }
+        body follower { mass [kg] = 0.3; inertia [kg*m^2] = 1e-4; }
+        joint shaft: revolute(ground(0, 0), cam.center);
+        joint rail: prismatic(ground(0, 60) [mm], follower.center, axis = (0, 1));
+        constraint follow: rail.travel = height;
+    }
+}
+
+fn main() {}

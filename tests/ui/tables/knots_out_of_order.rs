@@ -1,0 +1,14 @@
+//! Knots that are not in order.
+
+linkwright::mechanism! {
+    planar Cam {
+        table lift(angle [deg]) [mm] = [(0, 0), (60, 4), (180, 8), (120, 6), (360, 0)], periodic;
+        disk cam { mass [kg] = 1; radius [mm] = 40; }
+        body follower { mass [kg] = 0.3; inertia [kg*m^2] = 1e-4; }
+        joint shaft: revolute(ground(0, 0), cam.center);
+        joint rail: prismatic(ground(0, 60) [mm], follower.center, axis = (0, 1));
+        constraint follow: rail.travel = lift(shaft.angle);
+    }
+}
+
+fn main() {}

@@ -1,0 +1,14 @@
+//! A lift where a force is meant.
+
+linkwright::mechanism! {
+    planar Cam {
+        table lift(angle [deg]) [mm] = [(0, 0), (60, 4), (180, 8), (300, 2), (360, 0)], periodic;
+        disk cam { mass [kg] = 1; radius [mm] = 40; }
+        body follower { mass [kg] = 0.3; inertia [kg*m^2] = 1e-4; }
+        joint shaft: revolute(ground(0, 0), cam.center);
+        joint rail: prismatic(ground(0, 60) [mm], follower.center, axis = (0, 1));
+        force push: force(rail) = lift(shaft.angle);
+    }
+}
+
+fn main() {}
