@@ -22,6 +22,8 @@ pub mod iiwa14;
 pub mod jansen_leg;
 pub mod klann_leg;
 pub mod light_cart_pole;
+pub mod lugre_block;
+pub mod motor_gear_load;
 pub mod n_four_bar;
 pub mod panda;
 pub mod planetary_gear_train;
@@ -96,6 +98,9 @@ macro_rules! for_each_model {
             double_wishbone: $crate::double_wishbone::DoubleWishbone,
             dc_motor_arm: $crate::dc_motor_arm::DcMotorArm,
             braked_wheel: $crate::braked_wheel::BrakedWheel,
+            lugre_block: $crate::lugre_block::LugreBlock,
+            motor_gear_load: $crate::motor_gear_load::MotorGearLoad,
+            elastic_motor_gear_load: $crate::motor_gear_load::ElasticMotorGearLoad,
         }
     };
 }

@@ -2,7 +2,8 @@
 
 use super::function::functions;
 use super::names::field;
-use super::{Emitter, quoted, tables};
+use super::rust::literal;
+use super::{Emitter, array, quoted, tables};
 use crate::functions::{Interface, JACOBIAN, MASS, Shape};
 use crate::model::{Coordinate, Expr, Quantity};
 use std::fmt::Write;
@@ -55,6 +56,11 @@ pub fn mechanism(text: &mut String, emitter: &Emitter) {
 fn variables(text: &mut String, emitter: &Emitter) {
     let _ = writeln!(text, "impl<R: Real> Variables<R> for {}<R> {{", emitter.inner);
     tables::method(text, "layout", "&Layout<'_>", &format!("&{}", tables::layout(emitter)));
+    let states = &emitter.mechanism.states;
+    if states.iter().any(|state| state.scale.is_some()) {
+        let scales = array(states.iter().map(|state| literal(state.scale.unwrap_or(1.0))));
+        tables::method(text, "internal_scales", "&[f64]", &format!("&{scales}"));
+    }
     for alias in ["Q", "V", "Lambda"] {
         let _ = writeln!(text, "type {alias} = {alias}<R>;");
     }

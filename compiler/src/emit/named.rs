@@ -73,9 +73,10 @@ pub fn items(text: &mut String, emitter: &Emitter) {
     let Emitter { name, visibility, path, .. } = emitter;
     let (derives, f64) = (super::items::DERIVES, super::items::F64);
     for Struct { suffix, fields, .. } in structs(emitter) {
+        let what = if suffix == "Internal" { "Internal states" } else { suffix };
         let _ = writeln!(
             text,
-            "#[doc = \"{suffix} of [`{name}`] by name; [`From`] and [`Into`] the array of a state.\"] \
+            "#[doc = \"{what} of [`{name}`] by name; [`From`] and [`Into`] the array of a state.\"] \
              #[allow(dead_code)] {derives} {visibility} struct {name}{suffix}<R = {f64}> {{"
         );
         for Named { name, doc, docs, kind } in &fields {
@@ -109,9 +110,10 @@ pub fn conversions(text: &mut String, emitter: &Emitter) {
 pub fn functions(text: &mut String, emitter: &Emitter) {
     let name = &emitter.name;
     for Struct { suffix, function, alias, .. } in structs(emitter) {
+        let what = if function == "internal" { "internal states" } else { function };
         let _ = writeln!(
             text,
-            "/// The {function} of a state by name.\n\
+            "/// The {what} of a state by name.\n\
              pub fn {function}(entries: &{alias}<R>) -> {name}{suffix}<R> {{ (*entries).into() }}"
         );
     }

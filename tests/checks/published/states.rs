@@ -2,11 +2,15 @@
 
 use super::Worst;
 use linkwright::{
-    Ali3p, DormandPrince, ExplicitTrapezoidal, GeneralisedAlpha, ImplicitTrapezoidal, Linearisation,
-    Mechanism, NoInputs, Rk4, SemiImplicitEuler, Simulation, State, equilibrium,
+    Ali3p, DormandPrince, Event, ExplicitTrapezoidal, GeneralisedAlpha, ImplicitTrapezoidal, Linearisation,
+    Mechanism, NoInputs, Rk4, SemiImplicitEuler, Simulation, State, Variables, equilibrium,
 };
 use linkwright_models::braked_wheel::BrakedWheel;
 use linkwright_models::dc_motor_arm::{DcMotorArm, DcMotorArmInputs};
+use linkwright_models::lugre_block::{LugreBlock, LugreBlockInputs};
+use linkwright_models::motor_gear_load::{
+    ElasticMotorGearLoad, ElasticMotorGearLoadInputs, MotorGearLoad, MotorGearLoadInputs,
+};
 
 const VOLTAGE: DcMotorArmInputs = DcMotorArmInputs { voltage: 3.0 };
 /// Angle, rate and current.
@@ -101,6 +105,7 @@ fn braked_wheel() {
         .input_source(NoInputs)
         .integrator(DormandPrince::tolerance(1e-12))
         .step(1e-2);
+    assert_eq!(Variables::<f64>::internal_scales(&model), [1e-3]);
     let mut worst = Worst::default();
     // The brake is fully on: its law has a kink here.
     simulation.advance_until(0.3).expect("it rolls");
@@ -116,4 +121,87 @@ fn braked_wheel() {
     worst.see(found.slip, -0.067_810_064_052_679);
     worst.see(found.force / 1e3, -1.905_275_790_837_8);
     worst.below(1e-9, "braked wheel");
+}
+
+/// Before it slides the block gives way and comes back on another way.
+#[test]
+fn lugre_block_before_it_slides() {
+    // Up to 1.425 N, held, down to its opposite, held, and back.
+    let corners = [(0.0, 0.0), (5.0, 1.425), (6.0, 1.425), (16.0, -1.425), (17.0, -1.425), (22.0, 0.0)];
+    let push = move |time: f64| {
+        let piece = corners.windows(2).find(|pair| time <= pair[1].0).unwrap_or(&corners[4..]);
+        let [(from, low), (to, high)] = [piece[0], piece[1]];
+        low + (high - low) * (time - from) / (to - from)
+    };
+    let model = LugreBlock::default();
+    let mut simulation = Simulation::new(&model, LugreBlock::START)
+        .sampled(move |time, _| LugreBlockInputs { push: push(time) })
+        .integrator(DormandPrince::tolerances(1e-12, 1e-10))
+        .step(1e-2);
+    let mut worst = Worst::default();
+    for (time, place) in [
+        (2.5, 9.648_146_480_6e-6),
+        (5.0, 4.480_774_362_81e-5),
+        (6.0, 4.574_964_122_24e-5),
+        (11.0, 3.574_123_045_06e-5),
+        (16.0, -9.075_539_740_6e-6),
+        (17.0, f64::NAN),
+        (22.0, -9.026_563_073_1e-9),
+    ] {
+        simulation.advance_until(time).expect("it gives way");
+        if !place.is_nan() {
+            worst.see(simulation.sample().outputs.place, place);
+        }
+    }
+    worst.below(1e-12, "LuGre block, place");
+}
+
+/// Pulled slowly by a soft spring it sticks and slips.
+#[test]
+fn lugre_block_sticks_and_slips() {
+    let model = LugreBlock::default();
+    let mut simulation = Simulation::new(&model, LugreBlock::START)
+        .sampled(|time, state| {
+            let place = LugreBlock::positions(&state.q).rail_travel;
+            LugreBlockInputs { push: 2.0 * (0.1 * time - place) }
+        })
+        .integrator(DormandPrince::tolerances(1e-11, 1e-9))
+        .step(1e-2);
+    let level = [Event::of("speed").level(0.05)];
+    let mut crossings = Vec::new();
+    while crossings.len() < 4 {
+        let met = simulation.run_until_event(50.0, &level, |_| ()).expect("it moves");
+        let occurrence = met.expect("it goes on");
+        crossings.push(occurrence.time);
+    }
+    let mut worst = Worst::default();
+    for (found, expected) in
+        crossings.iter().zip([7.540_397_463_015_5, 10.064_459_252_951_8, 13.903_117_284_081_5])
+    {
+        worst.see(*found, expected);
+    }
+    worst.below(1e-6, "LuGre block, times of slipping");
+}
+
+#[test]
+fn motor_gear_load() {
+    let model = MotorGearLoad::default();
+    let (mut a, mut lambda) = (model.zero_v(), model.zero_lambda());
+    for (drive, expected) in [(12.0, 367.346_938_775_510_2), (14.6, 500.0)] {
+        let inputs = MotorGearLoadInputs { drive };
+        let state = MotorGearLoad::START;
+        model.acceleration(0.0, &state, &inputs, &mut a, &mut lambda);
+        let motions = model.motions(0.0, &state.q, &state.v, &a);
+        let mut worst = Worst::default();
+        worst.see(motions[0].angular_acceleration, expected);
+        worst.see(motions[1].angular_acceleration, expected / 5.0);
+        worst.below(1e-11, "motor and load");
+    }
+    let elastic = ElasticMotorGearLoad::default();
+    let inputs = ElasticMotorGearLoadInputs { drive: 0.0 };
+    let linear = Linearisation::at(&elastic, 0.0, &ElasticMotorGearLoad::START, &inputs).expect("regular");
+    let space = linear.state_space().expect("two coordinates");
+    // One eigenvalue of the block is zero, the other is their sum.
+    let squared = -(space.a[2 * 4] + space.a[3 * 4 + 1]);
+    assert!((squared.sqrt() - 329.983_164_553_72).abs() < 1e-9, "{}", squared.sqrt());
 }

@@ -178,4 +178,14 @@ mod tests {
         let norm = scale.norm(&[1.6, 0.0], &[0.0, 0.0], &());
         assert!((norm - 1.0).abs() < 1e-15, "{norm}");
     }
+
+    #[test]
+    fn internal_states_have_scales_of_their_own() {
+        let layout = Layout { linear: 0, rotations: 0, quaternions: 0, angles: &[] };
+        let rest = State { q: [0.0; 0], v: [0.0; 0], z: [0.0, 0.0], gates: () };
+        // The second has none, and so 1 of its unit.
+        let scale = Scale::new((1e-3, 0.0), &layout, &[1e-6], &rest, &rest);
+        let norm: f64 = scale.norm(&[], &[], &[1e-9, 1e-3]);
+        assert!((norm - 1.0).abs() < 1e-12, "{norm}");
+    }
 }
