@@ -220,6 +220,7 @@ impl Random {
     /// Values of everything that a program can ask for, except the prepared constants.
     pub fn point(&mut self, compiled: &Compiled) -> Inputs {
         let (layout, e) = (layout(compiled), &compiled.complete.equations);
+        let states = compiled.mechanism.states.iter();
         Inputs {
             parameters: self.parameters(compiled),
             phases: compiled.assembly.phases.clone(),
@@ -227,7 +228,8 @@ impl Random {
             q: self.position(&layout),
             v: self.vector(layout.velocities()),
             inputs: self.vector(e.symbols.inputs.len()),
-            internal: self.vector(e.symbols.internal.len()),
+            // Of the size that their authors say.
+            internal: states.map(|state| state.scale.unwrap_or(1.0) * self.unit()).collect(),
             two_alpha: 10.0 + self.unit(),
             beta_squared: 25.0 + self.unit(),
             acceleration: self.vector(layout.velocities()),
