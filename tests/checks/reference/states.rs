@@ -42,10 +42,7 @@ impl<'a> Walker<'a> {
         }
         inputs.time = random.between(0.0, 1.0);
         inputs.inputs = random.vector(compiled.mechanism.inputs.len(), 10.0);
-        for state in &compiled.mechanism.states {
-            let scale = state.scale.unwrap_or(1.0);
-            inputs.internal.push(random.between(-scale, scale));
-        }
+        inputs.internal = random.vector(compiled.mechanism.states.len(), 1.0);
         inputs
     }
 
