@@ -399,10 +399,11 @@ fn what_follows(compiled: &Compiled, state: &State, inputs: &Inputs, evaluate: &
     };
     let bodies = evaluate(Function::Motions, inputs);
     let reactions = evaluate(Function::Reactions, inputs);
-    // In space a joint may have nothing to carry of the forces that there are.
+    // A joint may have nothing to carry of the forces that there are; in the plane all of them, as of what slides without weight.
+    let nothing = size(&flat("reactions")) == 0.0;
     let forces = match compiled.mechanism.space {
-        Space::Planar => 0.0,
-        Space::Spatial => size(&state.list("forces_scale")),
+        Space::Planar if !nothing => 0.0,
+        _ => size(&state.list("forces_scale")),
     };
     close("bodies", &flat("bodies"), &bodies, 1e-12, &particle)
         .or_else(|| close("reactions", &flat("reactions"), &reactions, forces.max(1e-12), &|_| false))
