@@ -158,7 +158,7 @@ fn no_derivative_allocates<M: Model<Single: Tangent<f32>> + Tangent<f64>>() {
 fn implicit<R: Real, M: Tangent<R>>(model: &M) {
     steps(model, "generalised-alpha", LagrangeIndex1, GeneralisedAlpha::new(R::from_f64(0.8)));
     steps(model, "implicit trapezoidal", LagrangeIndex1, ImplicitTrapezoidal::<R>::default());
-    steps(model, "ALI3-P", LagrangeIndex1, Ali3p::new(R::from_f64(1e5)));
+    steps(model, "ALI3-P", LagrangeIndex1, Ali3p::new(R::from_f64(1e8)));
 }
 
 fn linearisations<R: Real, M: Tangent<R>>(model: &M) {

@@ -422,14 +422,14 @@ fn without_an_equilibrium_there_is_an_error() {
 fn actuation_undoes_the_motion<M: Model + Tangent<f64>>() {
     let (_, _, model, states) = walk::<M>(55, STATES);
     let f = model.states().len();
-    if model.internal_count() > 0 {
-        // A voltage moves a current, not a mass.
-        return;
-    }
     for at in &states {
         let a: M::V = vector(&solved(&model, at.time, &at.state(), &at.u)[..model.velocity_count()]);
-        let found = actuation(&model, at.time, &at.state(), &a, &at.u, M::Inputs::NAMES)
-            .unwrap_or_else(|error| panic!("{}: {error}", model.name()));
+        let found = match actuation(&model, at.time, &at.state(), &a, &at.u, M::Inputs::NAMES) {
+            Ok(found) => found,
+            // A voltage moves a current, not a mass.
+            Err(LinearisationError::Unactuated { .. }) if model.internal_count() > 0 => continue,
+            Err(error) => panic!("{}: {error}", model.name()),
+        };
         let mut residual = model.zero_v();
         model.residual(at.time, &at.state(), &found.inputs, &a, &found.lambda, &mut residual);
         let size = 1.0 + found.lambda.max_abs() + a.max_abs();

@@ -21,7 +21,8 @@ use crate::vector::Vector;
 /// ⎣ D  −4/(h² α) ⎦ ⎣ σ  ⎦ = ⎣ ν     ⎦,       ⎣ D  −4/(h² α) ⎦ ⎣ κ  ⎦ = ⎣ γ      ⎦
 /// ```
 /// It stays regular at singular positions, where the multipliers are no longer determined and the iteration ends at its bound as soon
-/// as it moves nothing by more than the root of the tolerance, and with redundant rows. Projections take energy away, about h² of it. The method
+/// as it moves nothing by more than the root of the tolerance, and with redundant rows. Internal states that a multiplier moves ask for
+/// its convergence: a small α is refused there. Projections take energy away, about h² of it. The method
 /// uses nothing of the formulation but the accelerations at the start.
 ///
 /// Source: Bayo, Ledesma, Nonlinear Dynamics 9 (1996) 113–130; Cuadrado, Cardenal, Morer, Bayo, Multibody System Dynamics 4

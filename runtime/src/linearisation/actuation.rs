@@ -142,8 +142,9 @@ fn improved<R: Real, M: Tangent<R>>(
     model.forces(time, state, &inputs, &mut forces);
     model.input_tangent(time, state, &inputs, &mut input);
     let count = model.input_names().len();
-    let (mut found, mut rows) =
-        (Values::<R, M>::zeros(count), M::InputMatrix::zeros(2 * model.states().len() * count));
+    // The rows fit where B of ẋ = A x + B u does: one of them for each degree of freedom.
+    let order = 2 * model.states().len() + model.internal_count();
+    let (mut found, mut rows) = (Values::<R, M>::zeros(count), M::InputMatrix::zeros(order * count));
     let mut solved = model.zero_conditions();
     for index in 0..model.states().len() {
         let basis = admissible.basis(index);
