@@ -436,7 +436,8 @@ fn actuation_undoes_the_motion<M: Model + Tangent<f64>>() {
         assert!(residual.max_abs() < 1e-9 * size, "{}: {residual:?}", model.name());
         let (given, found) = (at.u.to_array(), found.inputs.to_array());
         let (given, found) = (given.as_slice(), found.as_slice());
-        if given.len() <= f {
+        // Of a voltage that only moves a current the least is zero.
+        if given.len() <= f && model.internal_count() == 0 {
             assert_close(model.name(), found, given, 1e-8);
         }
         // The least of all: what was given differs from it by what is orthogonal to it.
