@@ -66,6 +66,8 @@ pub struct Explanation {
     pub loads: Vec<[String; 2]>,
     /// Name, and knots with what stands between them.
     pub tables: Vec<[String; 2]>,
+    /// Name and what it is a copy of.
+    pub parts: Vec<[String; 2]>,
     /// Drivers removed.
     pub degrees_of_freedom: usize,
     /// Both numbers of freedoms in sentences, and why they differ.
@@ -122,6 +124,7 @@ pub fn explain(definition: &Definition, compiled: &Compiled) -> Explanation {
         couplings: couplings(mechanism),
         loads: loads(mechanism),
         tables: mechanism.tables.iter().map(table).collect(),
+        parts: mechanism.parts.iter().map(|part| [part.name.text.clone(), part.of.clone()]).collect(),
         degrees_of_freedom: assembly.mobility.generic,
         gruebler: assembly.mobility.counted() as i64,
         mobility: assembly.mobility.to_string(),

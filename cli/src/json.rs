@@ -120,6 +120,9 @@ pub fn explanation(e: &Explanation) -> Value {
         "outputs": e.outputs.iter().map(value).collect::<Vec<_>>(),
         "counts": counts(&e.functions),
     });
+    if !e.parts.is_empty() {
+        object["parts"] = named(&e.parts);
+    }
     if !e.tables.is_empty() {
         object["tables"] = named(&e.tables);
     }

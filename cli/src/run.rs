@@ -86,7 +86,7 @@ impl<'j> Run<'j> {
     }
 
     fn definition(&mut self, found: &Found) {
-        let name = header(found.tokens.stream.clone()).map(|header| header.name.to_string());
+        let name = header(found.tokens.stream.clone(), &|_| None).map(|header| header.name.to_string());
         let mut warnings = Vec::new();
         let mut warn = |compiled: &Compiled| warnings = found.tokens.locate(compiled.warnings.clone());
         let result = match self.job.command {

@@ -12,6 +12,7 @@ const MOST: usize = 60;
 /// The whole page; `place` says where the definition stands.
 pub fn explanation(e: &Explanation, place: &str) -> String {
     let mut text = format!("{} {}  ({place})\n", e.space, e.name);
+    table(&mut text, "Parts", e.parts.iter().map(|one| one.to_vec()).collect());
     let parameters = e.parameters.iter().map(|parameter| {
         let value = &parameter.default;
         let bounds = parameter

@@ -26,12 +26,14 @@ pub struct Region {
     pub end: Span,
     /// Serial numbers of both tokens, zero where unknown. The rounds of a `repeat` share them.
     tokens: (u32, u32),
+    /// Which use of a part brought it here, from 1; zero outside of parts.
+    brought: u32,
 }
 
 impl Region {
     /// The region of the token with this serial number (from 1).
     pub(crate) fn of_token(span: Span, serial: u32) -> Self {
-        Self { start: span, end: span, tokens: (serial, serial) }
+        Self { start: span, end: span, tokens: (serial, serial), brought: 0 }
     }
 
     /// Serial numbers of its first and last token, zero where it is none: the end of the definition.
@@ -41,7 +43,17 @@ impl Region {
 
     /// From the start of `self` to the end of `last`.
     pub fn to(self, last: Region) -> Region {
-        Region { start: self.start, end: last.end, tokens: (self.tokens.0, last.tokens.1) }
+        Region { end: last.end, tokens: (self.tokens.0, last.tokens.1), ..self }
+    }
+
+    /// The same, read for this use of a part.
+    pub(crate) fn brought_by(self, brought: u32) -> Region {
+        Region { brought, ..self }
+    }
+
+    /// Which use of a part brought it here, from 1; zero outside of parts.
+    pub(crate) fn brought(self) -> usize {
+        self.brought as usize
     }
 
     /// What the rounds of a `repeat` have in common.
@@ -57,7 +69,7 @@ impl Region {
 
 impl From<Span> for Region {
     fn from(span: Span) -> Self {
-        Self { start: span, end: span, tokens: (0, 0) }
+        Self { start: span, end: span, tokens: (0, 0), brought: 0 }
     }
 }
 

@@ -12,7 +12,7 @@ use crate::schedule;
 use crate::self_check::{self, Extent};
 use crate::solve::Further;
 use crate::solve::table::Table;
-use crate::source::{self, FileOf};
+use crate::source::{self, FileOf, Shelf};
 use crate::syntax::{Definition, Header};
 use crate::{budget, optimize, syntax};
 use proc_macro2::TokenStream;
@@ -24,14 +24,17 @@ pub fn parse(tokens: TokenStream) -> Result<Definition, Diagnostics> {
 
 /// The same where the files are known that tokens stand in: tables in files of their own are beside them.
 pub fn parse_at(tokens: TokenStream, file_of: FileOf) -> Result<Definition, Diagnostics> {
-    let mut definition = syntax::parse(tokens, &VOCABULARY)?;
-    source::read_tables(&mut definition, file_of)?;
-    Ok(definition)
+    let mut definition = syntax::parse(tokens, &VOCABULARY, &Shelf { file_of })
+        .map_err(|(definition, found)| source::brought(&definition, found))?;
+    match source::read_tables(&mut definition, file_of) {
+        Ok(()) => Ok(definition),
+        Err(found) => Err(source::brought(&definition, found)),
+    }
 }
 
 /// tokens → what can be said of a definition that may be full of errors.
-pub fn header(tokens: TokenStream) -> Option<Header> {
-    syntax::header(tokens, &VOCABULARY)
+pub fn header(tokens: TokenStream, file_of: FileOf) -> Option<Header> {
+    syntax::header(tokens, &VOCABULARY, &Shelf { file_of })
 }
 
 /// tokens → programs. `coordinates` overrides what the definition says.
@@ -53,10 +56,14 @@ pub fn compile_definition(
     definition: &Definition,
     coordinates: Option<Coordinates>,
 ) -> Result<Compiled, Diagnostics> {
+    let shown = |found| source::brought(definition, found);
     // AFTER THIS POINT the definition is well formed; nothing is known of what its names mean.
-    let mechanism = model::lower(definition)?;
+    let mechanism = model::lower(definition).map_err(shown)?;
     // AFTER THIS POINT names are resolved, units are SI, dimensions agree.
-    compile_model(mechanism, syntax::definition_json(definition), coordinates)
+    let compiled = compile_model(mechanism, syntax::definition_json(definition), coordinates);
+    let compiled = compiled.map_err(shown)?;
+    let warnings = shown(compiled.warnings);
+    Ok(Compiled { warnings, ..compiled })
 }
 
 /// A mechanism put together, in the coordinates of its tree and with all rows.
@@ -69,9 +76,11 @@ pub struct Start {
 
 /// tokens → a consistent start: the stages up to assembly, for those who ask for nothing else.
 pub fn start(tokens: TokenStream) -> Result<Start, Diagnostics> {
-    let mechanism = model::lower(&parse(tokens)?)?;
+    let definition = parse(tokens)?;
+    let shown = |found| source::brought(&definition, found);
+    let mechanism = model::lower(&definition).map_err(shown)?;
     let asked = mechanism.options.coordinates;
-    start_of_model(mechanism, asked)
+    start_of_model(mechanism, asked).map_err(shown)
 }
 
 fn start_of_model(mechanism: Mechanism, asked: Coordinates) -> Result<Start, Diagnostics> {

@@ -64,9 +64,10 @@ pub(crate) fn expand(named: &Named, caller: Option<PathBuf>, home: &Home) -> Exp
         return failed(messages::path_not_unicode(&source.name));
     };
     let (tokens, mut errors) = source::definition_at(&source, span);
+    let beside = PathBuf::from(&source.name);
+    let file_of = |_| Some(beside.clone());
     if errors.is_empty() {
-        let beside = PathBuf::from(&source.name);
-        match driver::compile_at(tokens.stream.clone(), None, &|_| Some(beside.clone())) {
+        match driver::compile_at(tokens.stream.clone(), None, &file_of) {
             Ok(compiled) => {
                 let (import, mut text) = emit::emit(&compiled, &source.text, home);
                 text.push_str(&emit::depends_on(&path));
@@ -79,7 +80,7 @@ pub(crate) fn expand(named: &Named, caller: Option<PathBuf>, home: &Home) -> Exp
     }
     let Tokens { stream, .. } = tokens;
     let mut errors = source::compile_errors(&source, &errors, span);
-    errors.extend(emit::stub(stream, home));
+    errors.extend(emit::stub(stream, home, &file_of));
     Expansion::Errors(errors)
 }
 

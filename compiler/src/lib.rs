@@ -77,7 +77,7 @@ fn expand_definition(
         }
         Err(errors) => {
             let mut stream = errors.into_compile_errors();
-            stream.extend(emit::stub(tokens, home));
+            stream.extend(emit::stub(tokens, home, &file_of));
             Expansion::Errors(stream)
         }
     }

@@ -13,8 +13,8 @@ pub fn model(text: &mut String, emitter: &Emitter, source: &str) {
     let Emitter { name, path, mechanism, .. } = emitter;
     let summary = format!("Equations of motion of the {} mechanism `{name}`.", mechanism.space.text());
     let _ = writeln!(text, "#[doc = \"\"] #[doc = {}]", quoted(&summary));
-    // Files of tables are found from where the definition is, which the text does not say.
-    let file = mechanism.tables.iter().find_map(|table| table.file.as_ref());
-    let folder = file.map(|file| format!("in {} ", quoted(&file.folder))).unwrap_or_default();
+    // Files of tables and parts are found from where the definition is, which the text does not say.
+    let folder =
+        mechanism.files().next().map(|file| format!("in {} ", quoted(&file.folder))).unwrap_or_default();
     let _ = writeln!(text, "#[cfg_attr(doc, doc = {path}::mechanism_page! {{ {folder}{source} }})]");
 }

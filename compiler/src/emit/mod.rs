@@ -81,8 +81,7 @@ fn text(emitter: &Emitter, source: &str) -> String {
     tangent::tangent(&mut text, &mut implementations, emitter);
     text.push_str(&implementations);
     text.push_str("};\n");
-    let files = emitter.mechanism.tables.iter().filter_map(|table| table.file.as_ref());
-    let files: BTreeSet<&str> = files.map(|file| file.path.as_str()).collect();
+    let files: BTreeSet<&str> = emitter.mechanism.files().map(|file| file.path.as_str()).collect();
     files.into_iter().for_each(|file| text.push_str(&depends_on(file)));
     if emitter.mechanism.options.self_check.is_none() {
         text.push_str(&depends_on_variable(self_check::VARIABLE));

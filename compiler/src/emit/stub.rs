@@ -10,6 +10,7 @@ use super::{declared, named, report};
 use crate::driver::header;
 use crate::functions::{DERIVATIVES, FUNCTIONS, Interface, Shape, Signature};
 use crate::model::{DeclaredUnit, Space};
+use crate::source::FileOf;
 use crate::syntax::Header;
 use proc_macro2::TokenStream;
 use std::fmt::Write;
@@ -18,8 +19,8 @@ use std::fmt::Write;
 const MANY: usize = 1024;
 
 /// Items with the model's names; nothing if not even a name was written.
-pub fn stub(tokens: TokenStream, home: &Home) -> TokenStream {
-    let Some(header) = header(tokens) else { return TokenStream::new() };
+pub fn stub(tokens: TokenStream, home: &Home, file_of: FileOf) -> TokenStream {
+    let Some(header) = header(tokens, file_of) else { return TokenStream::new() };
     if is_keyword(&header.name.to_string()) {
         return TokenStream::new();
     }

@@ -1,6 +1,7 @@
 //! All texts of messages of the front end: what is wrong, why, and what to write instead. One file a subject; those of
 //! the assembled mechanism stand in `check/messages.rs`.
 
+mod composition;
 mod files;
 mod habits;
 mod names;
@@ -11,6 +12,7 @@ mod values;
 mod warnings;
 mod writing;
 
+pub(crate) use composition::*;
 pub(crate) use files::*;
 pub(crate) use habits::*;
 pub(crate) use names::*;

@@ -5,7 +5,7 @@ use crate::forms::{Form, Space};
 
 /// Words of a later version.
 const LOADS_TO_COME: &[&str] = &["friction", "contact", "mesh"];
-const STATEMENTS_TO_COME: &[&str] = &["part", "beam", "cable", "cord"];
+const STATEMENTS_TO_COME: &[&str] = &["beam", "cable", "cord"];
 
 /// Whether a word will begin a statement in a later version.
 pub(crate) fn is_to_come(word: &str) -> bool {

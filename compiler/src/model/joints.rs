@@ -199,7 +199,7 @@ impl<'d> Lowering<'d> {
             }
             None => {
                 let similar = self.names.similar_part(&path.text, |part| matches!(part, Part::Line(_)));
-                self.diagnostics.error(path.region, messages::unknown("line", &path.text, similar));
+                self.diagnostics.error(path.region, self.names.unknown("line", &path.text, similar));
                 None
             }
         }
@@ -209,7 +209,7 @@ impl<'d> Lowering<'d> {
         let head = &path.parts[0];
         let Some(Part::Body(index)) = self.names.part(&head.text) else {
             let similar = self.names.similar_part(&head.text, |part| matches!(part, Part::Body(_)));
-            self.diagnostics.error(head.region, messages::unknown("body", &head.text, similar));
+            self.diagnostics.error(head.region, self.names.unknown("body", &head.text, similar));
             return None;
         };
         let slot = &path.parts[1];

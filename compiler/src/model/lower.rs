@@ -46,6 +46,11 @@ pub fn lower(definition: &Definition) -> Result<Mechanism, Diagnostics> {
     lowering.ground_markers();
     lowering.ground_lines();
     // AFTER THIS POINT every place can be resolved.
+    lowering.given();
+    if !lowering.diagnostics.is_empty() && !definition.uses.is_empty() {
+        // Inside of parts the same would be said again.
+        return Err(lowering.diagnostics);
+    }
     let mut mechanism = Mechanism {
         space: definition.space,
         name: name(&definition.name),
@@ -67,6 +72,7 @@ pub fn lower(definition: &Definition) -> Result<Mechanism, Diagnostics> {
         expect: lowering.expect(),
         outputs: lowering.each(&definition.outputs, Lowering::output),
         tables: Vec::new(),
+        parts: lowering.used_parts(),
         kinks: Vec::new(),
         unused: Vec::new(),
         allowed: definition.allowed.clone(),

@@ -15,6 +15,7 @@ mod joints;
 mod loads;
 mod lower;
 mod names;
+mod parts;
 mod places;
 mod quantities;
 mod reactions;
@@ -29,7 +30,7 @@ mod values;
 use crate::diagnostics::{Allowed, Region};
 use crate::forms::BodyForm;
 pub use crate::forms::{Alone, JointAxes, JointForm, LoadForm, Space};
-pub use crate::syntax::Budgeted;
+pub use crate::syntax::{Budgeted, OnDisk};
 pub use elements::{Constraint, ConstraintKind, Coupled, Coupling, Joint, Load, Rotor, Subject};
 pub use expression::{Comparison, Condition, Coordinate, Expr, Function1, Function2, Quantity, ReactionPart};
 pub use lower::lower;
@@ -71,9 +72,9 @@ pub struct Name {
 }
 
 impl Name {
-    /// The name as a Rust identifier: `upright[3]` becomes `upright_3`.
+    /// The name as a Rust identifier: `upright[3]` becomes `upright_3`, `left.foot` `left_foot`.
     pub fn identifier(&self) -> String {
-        self.text.replace('[', "_").replace(']', "")
+        crate::syntax::identifier(&self.text)
     }
 }
 
@@ -116,6 +117,8 @@ pub struct Mechanism {
     pub expect: Expect,
     pub outputs: Vec<Output>,
     pub tables: Vec<Table>,
+    /// Uses of parts.
+    pub parts: Vec<UsedPart>,
     /// Where accelerations jump at the knots of a table.
     pub kinks: Vec<Kink>,
     /// What is declared and named by nothing.
@@ -128,6 +131,12 @@ impl Mechanism {
     /// Defaults of the parameters.
     pub fn defaults(&self) -> Vec<f64> {
         self.parameters.iter().map(|parameter| parameter.default).collect()
+    }
+
+    /// The files that tables and parts were read from.
+    pub fn files(&self) -> impl Iterator<Item = &OnDisk> {
+        let tables = self.tables.iter().filter_map(|table| Some(&table.file.as_ref()?.on_disk));
+        tables.chain(self.parts.iter().filter_map(|part| part.file.as_ref()))
     }
 
     /// Name of a body, or `ground`.
@@ -155,6 +164,16 @@ impl DeclaredUnit {
     pub fn is_si(&self) -> bool {
         self.scale == 1.0
     }
+}
+
+/// A part of which there is a copy: what it brought has its name in front.
+#[derive(Clone, Debug)]
+pub struct UsedPart {
+    pub name: Name,
+    /// The part.
+    pub of: String,
+    /// Where that is declared, if in a file of its own.
+    pub file: Option<OnDisk>,
 }
 
 /// A table whose curvature jumps, named where accelerations follow it.

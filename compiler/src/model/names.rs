@@ -4,7 +4,7 @@
 use super::functions::FUNCTIONS;
 use crate::diagnostics::Diagnostics;
 use crate::messages;
-use crate::syntax::{Definition, KEYWORDS, Label};
+use crate::syntax::{BUILT_IN, Definition, KEYWORDS, Label};
 use std::collections::HashMap;
 
 /// A value by name; indices into the definition.
@@ -28,6 +28,8 @@ pub(super) enum Part {
     Line(usize),
     /// Of the ground.
     Marker(usize),
+    /// A use of a part.
+    Use(usize),
 }
 
 impl Part {
@@ -41,40 +43,10 @@ impl Part {
             Self::Load(_) => "a load",
             Self::Line(_) => "a line",
             Self::Marker(_) => "a marker of the ground",
+            Self::Use(_) => "a part",
         }
     }
 }
-
-/// Names with a meaning of their own.
-pub(super) const BUILT_IN: [&str; 27] = [
-    "time",
-    "pi",
-    "energy",
-    "kinetic_energy",
-    "potential_energy",
-    "power",
-    "distance",
-    "ground",
-    "if",
-    "and",
-    "or",
-    "not",
-    "sqrt",
-    "abs",
-    "sign",
-    "min",
-    "max",
-    "sin",
-    "cos",
-    "tan",
-    "asin",
-    "acos",
-    "atan2",
-    "exp",
-    "ln",
-    "true",
-    "false",
-];
 
 /// Words before parentheses that no table may have: functions, and what else is called.
 pub(super) const CALLED: [&str; FUNCTIONS.len() + 4] = {
@@ -117,6 +89,7 @@ impl<'d> Names<'d> {
         enter(&mut parts, &definition.constraints, |c| &c.name, Part::Constraint, diagnostics);
         enter(&mut parts, &definition.drivers, |d| &d.name, Part::Driver, diagnostics);
         enter(&mut parts, &definition.loads, |l| &l.name, Part::Load, diagnostics);
+        enter(&mut parts, &definition.uses, |u| &u.name, Part::Use, diagnostics);
         let mut tables = Table::new(&CALLED);
         enter(&mut tables, &definition.tables, |t| &t.name, |index| index, diagnostics);
         let mut outputs = Table::new(&[]);
@@ -162,8 +135,25 @@ impl<'d> Names<'d> {
     pub fn not_found(&self, what: &str, name: &str, fits: impl Fn(Part) -> bool) -> String {
         match self.part(name) {
             Some(part) => messages::other_kind(name, part.kind(), what),
-            None => messages::unknown(what, name, self.similar_part(name, fits)),
+            None => self.unknown(what, name, self.similar_part(name, fits)),
         }
+    }
+
+    /// Nothing has this name. Within a part that may be because it stands outside of it.
+    pub fn unknown(&self, what: &str, name: &str, similar: Option<&str>) -> String {
+        let outside = name.rsplit_once('.').filter(|(used, own)| {
+            let known = self.parts.contains_key(own) || self.values.contains_key(own);
+            matches!(self.part(used), Some(Part::Use(_))) && known
+        });
+        match (outside, similar) {
+            (Some((used, own)), None) => messages::outside_of_part(what, own, used),
+            _ => messages::unknown(what, name, similar),
+        }
+    }
+
+    /// The nearest of the tables.
+    pub fn similar_table(&self, name: &str) -> Option<&str> {
+        messages::closest(name, sorted(self.tables.keys().copied()).into_iter())
     }
 
     /// The nearest of the parts that `fits` accepts.
@@ -206,7 +196,7 @@ fn enter<'d, E, T>(
         if !allowed(label, table.reserved, diagnostics) {
             continue;
         }
-        let identifier = label.text.replace('[', "_").replace(']', "");
+        let identifier = label.identifier();
         match table.identifiers.get(&identifier) {
             Some(first) if first.region.serials() == label.region.serials() && first.text == label.text => {
                 diagnostics.error(label.region, messages::declared_by_rounds(&label.text));
@@ -224,7 +214,9 @@ fn enter<'d, E, T>(
 }
 
 fn allowed(label: &Label, reserved: &[&str], diagnostics: &mut Diagnostics) -> bool {
-    let word = label.text.split('[').next().unwrap_or_default();
+    // The last of those joined by points: the others are uses of parts.
+    let own = label.text.rsplit('.').next().unwrap_or_default();
+    let word = own.split('[').next().unwrap_or_default();
     let message = if KEYWORDS.contains(&word) || word.starts_with("r#") || word == "_" {
         messages::keyword(word)
     } else if reserved.contains(&word) {

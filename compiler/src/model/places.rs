@@ -234,7 +234,7 @@ impl<'d> Lowering<'d> {
                 }
                 None => {
                     let similar = self.names.similar_part(&head.text, |part| matches!(part, Part::Body(_)));
-                    messages::unknown("body", &head.text, similar)
+                    self.names.unknown("body", &head.text, similar)
                 }
             };
             self.diagnostics.error(head.region, message);

@@ -155,7 +155,7 @@ impl<'d> Lowering<'d> {
             None => {
                 let moving = |part| matches!(part, Part::Body(_) | Part::Joint(_) | Part::Driver(_));
                 let similar = self.names.similar_part(&head.text, moving);
-                let message = messages::unknown("body, joint or driver", &head.text, similar);
+                let message = self.names.unknown("body, joint or driver", &head.text, similar);
                 if !self.diagnostics.is_full() {
                     self.diagnostics.error(head.region, message);
                 }
@@ -177,7 +177,7 @@ impl<'d> Lowering<'d> {
                         messages::joint_as_value(text, &names)
                     }
                     Some(part) => messages::part_as_value(text, part.kind()),
-                    None => messages::unknown("value", text, self.names.similar_value(text)),
+                    None => self.names.unknown("value", text, self.names.similar_value(text)),
                 };
                 self.diagnostics.error(path.region, message);
                 None

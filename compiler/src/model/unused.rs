@@ -48,7 +48,8 @@ pub(super) fn unused(definition: &Definition, used: &HashSet<(Scope, &str)>) -> 
     for (scope, kind, label) in declarations(definition) {
         let named = used.contains(&(scope, label.text.as_str()))
             || label.text.starts_with('_')
-            || (kind == Declared::Constant && definition.counted.contains(&label.text));
+            || (matches!(kind, Declared::Constant | Declared::Signal)
+                && definition.counted.contains(&label.text));
         let body = match scope {
             Scope::Body(index) => Some(definition.bodies[index].name.text.clone()),
             Scope::Value | Scope::Table | Scope::Ground => None,

@@ -2,6 +2,7 @@
 
 use super::Source;
 use crate::messages;
+use crate::syntax::OnDisk;
 use std::io::ErrorKind;
 use std::path::{Path, PathBuf};
 
@@ -17,8 +18,17 @@ pub fn read(name: &str, caller: Option<&Path>) -> Result<Source, String> {
     open_from(&folder.join(name), &beside)
 }
 
+/// Where a file that has been read is, and the folder that its name was taken from.
+pub(super) fn on_disk(source: &Source, caller: Option<PathBuf>) -> Result<OnDisk, String> {
+    let absolute = |path: &Path| std::path::absolute(path).ok()?.to_str().map(str::to_string);
+    let path = absolute(Path::new(&source.name)).ok_or_else(|| messages::path_not_unicode(&source.name))?;
+    let caller = caller.unwrap_or_else(|| manifest().join("Cargo.toml"));
+    let folder = absolute(caller.parent().unwrap_or(&caller)).unwrap_or_default();
+    Ok(OnDisk { path, folder })
+}
+
 /// The folder of the Cargo.toml that is being built.
-pub(super) fn manifest() -> PathBuf {
+fn manifest() -> PathBuf {
     std::env::var_os("CARGO_MANIFEST_DIR").map(PathBuf::from).unwrap_or_default()
 }
 

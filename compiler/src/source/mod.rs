@@ -4,20 +4,25 @@
 //! The spans of a procedural macro know nothing of files that rustc has not read. Regions carry serial numbers of their
 //! tokens anyway; what is kept here is the place of each number. What tokens mean is left to `syntax`.
 
+mod brought;
 mod csv;
 mod delimiters;
 pub mod disk;
 mod invocations;
 mod lexer;
 mod macro_rules;
+mod shelf;
 mod snippet;
 mod tables;
 mod tokens;
 pub mod written;
 
+pub(crate) use brought::brought;
 pub use invocations::{Invocation, invocations, is_rust};
+pub(crate) use shelf::{FileOf, Shelf};
+pub use shelf::{PARTS, library};
 pub use snippet::{compile_errors, warnings};
-pub(crate) use tables::{FileOf, read_tables};
+pub(crate) use tables::read_tables;
 pub(crate) use tokens::definition_at;
 pub use tokens::{Tokens, definition};
 

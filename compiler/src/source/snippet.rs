@@ -39,7 +39,7 @@ pub fn warnings(source: &Source, warnings: &[Located], at: Region) -> Diagnostic
 }
 
 /// An error and its notes.
-fn text(source: &Source, error: &Located) -> String {
+pub(super) fn text(source: &Source, error: &Located) -> String {
     let notes = error.notes.iter().map(|(range, _)| range);
     let last =
         std::iter::once(&error.range).chain(notes).map(|range| source.position(range.start).line).max();

@@ -1,15 +1,9 @@
 //! Points of tables that stand in files: read beside the file that names them, before anything is known of their meaning.
 
 use super::csv::{self, Wrong};
-use super::disk;
+use super::{FileOf, disk};
 use crate::diagnostics::{Diagnostics, Region};
-use crate::messages;
 use crate::syntax::{ColumnTerm, Definition, FileTerm, Operator, ReadFile, TableData, Term, TermKind};
-use proc_macro2::Span;
-use std::path::PathBuf;
-
-/// The file that a token stands in, where that is known.
-pub type FileOf<'a> = &'a dyn Fn(Span) -> Option<PathBuf>;
 
 /// Pairs of numbers.
 type Points = Vec<[Term; 2]>;
@@ -36,19 +30,15 @@ pub fn read_tables(definition: &mut Definition, file_of: FileOf) -> Result<(), D
 
 fn points(file: &FileTerm, asked: &[ColumnTerm; 2], file_of: FileOf) -> Result<(Points, ReadFile), Misread> {
     let region = file.region;
-    let source =
-        disk::read(&file.name, file_of(region.start).as_deref()).map_err(|message| (region, message))?;
-    let path = std::path::absolute(&source.name).ok().and_then(|path| path.to_str().map(str::to_string));
-    let path = path.ok_or_else(|| (region, messages::path_not_unicode(&source.name)))?;
-    let caller = file_of(region.start).unwrap_or_else(|| disk::manifest().join("Cargo.toml"));
-    let folder = std::path::absolute(caller.parent().unwrap_or(&caller)).ok();
-    let folder = folder.and_then(|folder| folder.to_str().map(str::to_string)).unwrap_or_default();
+    let caller = file_of(region.start);
+    let source = disk::read(&file.name, caller.as_deref()).map_err(|message| (region, message))?;
+    let on_disk = disk::on_disk(&source, caller).map_err(|message| (region, message))?;
     let columns = csv::columns(&source, file.skip, asked).map_err(|wrong| match wrong {
         Wrong::InFile(message) => (region, message),
         Wrong::Column(which, message) => (asked[which].region, message),
     })?;
     let points = columns.points.iter().map(|point| point.map(|value| term(value, region))).collect();
-    Ok((points, ReadFile { shown: source.name, path, folder, lines: columns.lines }))
+    Ok((points, ReadFile { shown: source.name, on_disk, lines: columns.lines }))
 }
 
 /// A number as if it were written where the file is named.

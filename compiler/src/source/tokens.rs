@@ -14,7 +14,7 @@ pub struct Tokens {
     pub stream: TokenStream,
     /// By serial number, as [`crate::syntax`] counts them: one for a token, a second one for the end of a group. Number 0
     /// is what stands behind the definition.
-    places: Vec<Range<usize>>,
+    pub(super) places: Vec<Range<usize>>,
     /// The call of the macro that has put them together: tokens side by side may then stand far apart.
     pub(super) call: Option<Range<usize>>,
 }

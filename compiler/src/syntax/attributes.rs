@@ -25,7 +25,7 @@ pub(super) struct Attributes {
     pub allowed: Vec<Lint>,
 }
 
-impl Parser {
+impl Parser<'_> {
     /// Attributes and doc comments in front of a statement.
     pub fn attributes(&mut self, c: &mut Cursor, bearer: Bearer) -> Parsed<Attributes> {
         let mut found = Attributes::default();
@@ -77,7 +77,8 @@ impl Parser {
             match Lint::ALL.into_iter().find(|lint| lint.word() == word) {
                 Some(lint) => allowed.push(lint),
                 None if bearer == Bearer::Part => {
-                    return self.fail(token.region, messages::unknown_lint(word, &Lint::ALL.map(Lint::word)));
+                    let at = inside.previous();
+                    return self.fail(at, messages::unknown_lint(word, &Lint::ALL.map(Lint::word)));
                 }
                 None => all_known = false,
             }

@@ -17,10 +17,11 @@ fn is_vector(c: &Cursor, ahead: usize) -> bool {
     c.inside(Delimiter::Parenthesis).is_some_and(|inside| inside.has_comma())
 }
 
-impl Parser {
+impl Parser<'_> {
     /// `name { … }` after the word of the kind.
     pub fn body(&mut self, c: &mut Cursor, form: &'static BodyForm) -> Parsed<()> {
         let name = self.declared(c, "the name of the body")?;
+        let name = self.own(name);
         let mut inside = self.group(c, Delimiter::Brace)?;
         let mut body = Body {
             name,

@@ -92,10 +92,11 @@ fn name_of(subject: &SubjectTerm) -> Option<&Label> {
     }
 }
 
-impl Parser {
+impl Parser<'_> {
     /// `name: kind(…);` after the word `joint`.
     pub fn joint(&mut self, c: &mut Cursor) -> Parsed<()> {
         let name = self.declared(c, "the name of the joint")?;
+        let name = self.own(name);
         if !c.eat_punct(':') {
             return self.expected(c, "`:` and what the joint is, such as `revolute(…);`");
         }
@@ -121,6 +122,7 @@ impl Parser {
     /// `name: gear(…);`, `name: rack(…);` or `name: left = right;` after the word `constraint`.
     pub fn constraint(&mut self, c: &mut Cursor) -> Parsed<()> {
         let name = self.declared(c, "the name of the constraint")?;
+        let name = self.own(name);
         self.punct(c, ':')?;
         if c.word().is_some_and(|word| self.words_of_couplings().contains(&word)) && is_call(c) {
             return self.coupling_call(c, name);
@@ -144,6 +146,7 @@ impl Parser {
     /// `name: gear(…);` after the word of the coupling.
     pub fn coupling(&mut self, c: &mut Cursor, word: &str) -> Parsed<()> {
         let name = self.declared(c, "the name of the constraint")?;
+        let name = self.own(name);
         self.punct(c, ':')?;
         if !c.at_word(word) {
             return self.expected(c, &format!("`{word}(…)`"));
@@ -197,6 +200,7 @@ impl Parser {
     /// `name: kind(…) = law;` after `force` or the load's own word.
     pub fn load(&mut self, c: &mut Cursor, word: &str) -> Parsed<()> {
         let name = self.declared(c, "the name of the load")?;
+        let name = self.own(name);
         self.punct(c, ':')?;
         let at = c.region();
         let loads = (self.vocabulary.loads)(self.definition.space);

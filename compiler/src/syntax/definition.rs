@@ -1,13 +1,21 @@
 //! What was written: names, expressions and units as the user put them, `repeat` unrolled, nothing looked up
 //! and nothing converted. Every part keeps its place in the source.
 
+mod parts;
+mod tables;
+mod terms;
+
 use crate::diagnostics::{Allowed, Region};
 use crate::forms::BodyForm;
 pub use crate::forms::Space;
-use crate::forms::{CouplingForm, Interpolation, JointForm, LoadForm, Outside, Proportion};
-use crate::units::Unit;
+use crate::forms::{CouplingForm, JointForm, LoadForm, Proportion};
+pub use parts::{Given, OnDisk, PartFile, PartUse, PortKind};
 use proc_macro2::TokenStream;
 use std::collections::BTreeSet;
+pub use tables::{ColumnTerm, FileTerm, ReadFile, TableData, TableTerm};
+pub use terms::{
+    Entry, Ground, Label, Operator, Path, PlaceTerm, Term, TermKind, Tuple, WrittenUnit, identifier,
+};
 
 /// One `planar Name { … }` or `spatial Name { … }`.
 #[derive(Clone, Debug)]
@@ -22,6 +30,10 @@ pub struct Definition {
     pub allowed: Allowed,
     /// Constants that indices, bounds and counts name.
     pub counted: BTreeSet<String>,
+    /// Uses of parts, in the order in which regions count them.
+    pub uses: Vec<PartUse>,
+    /// Texts that parts were read from.
+    pub files: Vec<PartFile>,
     pub constants: Vec<Constant>,
     pub parameters: Vec<Parameter>,
     pub inputs: Vec<Input>,
@@ -45,184 +57,6 @@ pub struct Definition {
     pub options: Vec<OptionEntry>,
     pub expect: Vec<ExpectEntry>,
     pub outputs: Vec<Output>,
-}
-
-/// A name, indices included (`upright[3]`).
-#[derive(Clone, Debug)]
-pub struct Label {
-    pub text: String,
-    pub region: Region,
-}
-
-/// Names joined by dots.
-#[derive(Clone, Debug)]
-pub struct Path {
-    /// `upright[3].end.x`.
-    pub text: String,
-    pub parts: Vec<Label>,
-    pub region: Region,
-}
-
-/// A unit in brackets and where it stands.
-#[derive(Clone, Debug)]
-pub struct WrittenUnit {
-    pub unit: Unit,
-    pub region: Region,
-}
-
-/// An expression.
-#[derive(Clone, Debug)]
-pub struct Term {
-    pub kind: TermKind,
-    pub region: Region,
-    /// Height of the tree above its leaves, bounded by the parser.
-    pub height: usize,
-}
-
-/// The kinds of expressions.
-#[derive(Clone, Debug)]
-pub enum TermKind {
-    /// Digits as written.
-    Number {
-        text: String,
-        unit: Option<WrittenUnit>,
-    },
-    Name(Path),
-    Operation(Operator, Vec<Term>),
-    Call(Label, Vec<Term>),
-    /// A place of the ground, an argument of `distance`.
-    Ground(Box<Ground>),
-    /// A parenthesised expression followed by a unit.
-    Measured(Box<Term>, WrittenUnit),
-}
-
-impl Term {
-    /// A name joined by dots, as if written at `region`.
-    pub fn name(region: Region, text: &str) -> Term {
-        let parts = text.split('.').map(|part| Label { text: part.to_string(), region }).collect();
-        let path = Path { text: text.to_string(), parts, region };
-        Term { kind: TermKind::Name(path), region, height: 0 }
-    }
-
-    fn joined(self, operator: Operator, other: Term) -> Term {
-        let (region, height) = (self.region, 1 + self.height.max(other.height));
-        Term { kind: TermKind::Operation(operator, vec![self, other]), region, height }
-    }
-
-    pub fn plus(self, other: Term) -> Term {
-        self.joined(Operator::Add, other)
-    }
-
-    pub fn times(self, other: Term) -> Term {
-        self.joined(Operator::Multiply, other)
-    }
-
-    pub fn over(self, other: Term) -> Term {
-        self.joined(Operator::Divide, other)
-    }
-}
-
-impl Entry {
-    /// A value without a unit beside its name.
-    pub fn bare(value: Term) -> Entry {
-        Entry { unit: None, value }
-    }
-
-    /// The value with its unit, to stand in an expression.
-    pub fn term(self) -> Term {
-        match self.unit {
-            None => self.value,
-            Some(unit) => {
-                let (region, height) = (self.value.region, self.value.height + 1);
-                Term { kind: TermKind::Measured(Box::new(self.value), unit), region, height }
-            }
-        }
-    }
-}
-
-/// Operators, all with one spelling.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Operator {
-    Add,
-    Subtract,
-    Multiply,
-    Divide,
-    Power,
-    Negate,
-    Less,
-    LessEqual,
-    Greater,
-    GreaterEqual,
-    Equal,
-    NotEqual,
-    And,
-    Or,
-    Not,
-}
-
-impl Operator {
-    /// As in the exported definition.
-    pub fn text(self) -> &'static str {
-        match self {
-            Self::Add => "+",
-            Self::Subtract => "-",
-            Self::Multiply => "*",
-            Self::Divide => "/",
-            Self::Power => "^",
-            Self::Negate => "neg",
-            Self::Less => "<",
-            Self::LessEqual => "<=",
-            Self::Greater => ">",
-            Self::GreaterEqual => ">=",
-            Self::Equal => "==",
-            Self::NotEqual => "!=",
-            Self::And => "and",
-            Self::Or => "or",
-            Self::Not => "not",
-        }
-    }
-}
-
-/// A value beside the unit of its name, if one stands there.
-#[derive(Clone, Debug)]
-pub struct Entry {
-    pub unit: Option<WrittenUnit>,
-    pub value: Term,
-}
-
-/// Values in parentheses beside the unit of all: a vector of the plane or of space, or a quaternion.
-#[derive(Clone, Debug)]
-pub struct Tuple {
-    pub unit: Option<WrittenUnit>,
-    pub values: Vec<Term>,
-    pub region: Region,
-}
-
-/// `ground(x, y) [unit]`.
-#[derive(Clone, Debug)]
-pub struct Ground {
-    /// `ground(0, 0.2)`, without its unit.
-    pub text: String,
-    pub at: Vec<Term>,
-    pub unit: Option<WrittenUnit>,
-    pub region: Region,
-}
-
-/// A place as written.
-#[derive(Clone, Debug)]
-pub enum PlaceTerm {
-    Named(Path),
-    Ground(Box<Ground>),
-}
-
-impl PlaceTerm {
-    /// Where it is written.
-    pub fn region(&self) -> Region {
-        match self {
-            Self::Named(path) => path.region,
-            Self::Ground(ground) => ground.region,
-        }
-    }
 }
 
 /// `const NAME [unit] = value;`
@@ -550,61 +384,4 @@ pub struct InternalState {
 pub struct StateRate {
     pub name: Label,
     pub value: Term,
-}
-
-/// `table lift(angle [deg]) [mm] = [(0, 0), (90, 8)], periodic;`
-#[derive(Clone, Debug)]
-pub struct TableTerm {
-    pub name: Label,
-    /// One, or two of a grid.
-    pub arguments: Vec<(Label, Option<WrittenUnit>)>,
-    pub unit: Option<WrittenUnit>,
-    pub data: TableData,
-    pub kind: Option<(Interpolation, Region)>,
-    pub outside: Option<(Outside, Region)>,
-    pub columns: Option<[ColumnTerm; 2]>,
-    /// Where the points come from, once they have been read from a file.
-    pub read: Option<ReadFile>,
-}
-
-/// What a table holds, in the units of its head.
-#[derive(Clone, Debug)]
-pub enum TableData {
-    Points(Vec<[Term; 2]>),
-    /// Values of both arguments, and a row for each value of the second one.
-    Grid {
-        axes: [Vec<Term>; 2],
-        rows: Vec<(Vec<Term>, Region)>,
-    },
-    File(FileTerm),
-}
-
-/// `file("cam.csv", skip = 2)`
-#[derive(Clone, Debug)]
-pub struct FileTerm {
-    pub name: String,
-    /// Where the name stands.
-    pub region: Region,
-    /// Lines before the first one that is read.
-    pub skip: usize,
-}
-
-/// A column by its name, or by its number from 1.
-#[derive(Clone, Debug)]
-pub struct ColumnTerm {
-    pub text: String,
-    pub region: Region,
-}
-
-/// A file that points were read from.
-#[derive(Clone, Debug)]
-pub struct ReadFile {
-    /// As messages show it.
-    pub shown: String,
-    /// From the root.
-    pub path: String,
-    /// The folder that its name is taken from.
-    pub folder: String,
-    /// Lines of the points.
-    pub lines: Vec<usize>,
 }

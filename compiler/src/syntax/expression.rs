@@ -8,6 +8,7 @@
 
 use super::definition::{Entry, Ground, Label, Operator, Path, PlaceTerm, Term, TermKind, Tuple};
 use super::parser::{Parsed, Parser};
+use super::settings::is_dotted;
 use super::token::{Cursor, DEEPEST, Kind};
 use crate::diagnostics::Region;
 use crate::messages;
@@ -18,7 +19,7 @@ const SUM: u8 = 5;
 const NEGATION: u8 = 7;
 const POWER: u8 = 8;
 
-impl Parser {
+impl Parser<'_> {
     /// A whole expression.
     pub fn expression(&mut self, c: &mut Cursor) -> Parsed<Term> {
         self.climb(c, 0)
@@ -140,7 +141,7 @@ impl Parser {
             Kind::Word(word) if word == "if" => self.expected(c, "a value"),
             Kind::Word(word) => self.name(c, word),
             Kind::Group(Delimiter::Parenthesis | Delimiter::None, ..) => self.parenthesised(c),
-            Kind::Punct('+') => self.fail(token.region, messages::unary_plus()),
+            Kind::Punct('+') => self.fail(c.region(), messages::unary_plus()),
             Kind::Punct('!') => self.foreign(c, "!"),
             _ => self.expected(c, "a value"),
         }
@@ -168,6 +169,12 @@ impl Parser {
     fn name(&mut self, c: &mut Cursor, word: &str) -> Parsed<Term> {
         let variable = self.indices.iter().rev().find(|(name, _)| name == word).map(|(_, value)| *value);
         let Some(value) = variable else {
+            if let Some(ground) = self.ground_of_port(word).filter(|_| !is_dotted(c)).cloned() {
+                let height = 1 + ground.at.iter().map(|term| term.height).max().unwrap_or(0);
+                let region = c.region();
+                c.advance();
+                return Ok(Term { kind: TermKind::Ground(Box::new(ground)), region, height });
+            }
             let path = self.path(c, "a value")?;
             let region = path.region;
             if c.inside(Delimiter::Parenthesis).is_some() && is_of_table(&path) {
@@ -191,6 +198,7 @@ impl Parser {
             return Ok(Term { kind: TermKind::Ground(Box::new(ground)), region, height });
         }
         let function = self.word(c, "a function")?;
+        let function = self.called(function);
         self.arguments(c, function)
     }
 
@@ -294,6 +302,12 @@ impl Parser {
         if c.at_word("ground") {
             return self.fail(c.region(), messages::ground_without_place());
         }
+        if let Some(ground) =
+            c.word().and_then(|word| self.ground_of_port(word)).filter(|_| !is_dotted(c)).cloned()
+        {
+            c.advance();
+            return Ok(PlaceTerm::Ground(Box::new(ground)));
+        }
         let path: Path = self.path(c, "a place such as `crank.tip` or `ground(0, 0)`")?;
         if let Some(unit) = c.inside(Delimiter::Parenthesis) {
             return self.fail(path.region.to(unit.whole()), messages::not_a_place(&path.text));
@@ -318,7 +332,7 @@ impl Parser {
 /// What may stand before parentheses beside words: `lift[2]` and `lift.slope`.
 fn is_of_table(path: &Path) -> bool {
     match path.parts.as_slice() {
-        [name] => name.text.ends_with(']'),
+        [name] => name.text.ends_with(']') || name.text.contains('.'),
         [_, slope] => slope.text == "slope",
         _ => false,
     }

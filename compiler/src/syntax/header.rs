@@ -2,7 +2,7 @@
 
 use super::definition::{Definition, Label, OptionEntry};
 use super::token::Cursor;
-use super::{read, token};
+use super::{Shelf, read, token};
 use crate::diagnostics::Diagnostics;
 use crate::forms::Vocabulary;
 use crate::units::Unit;
@@ -38,10 +38,10 @@ pub struct Header {
 }
 
 /// The header of a definition; nothing if not even a name was written.
-pub fn header(tokens: TokenStream, vocabulary: &'static Vocabulary) -> Option<Header> {
+pub fn header(tokens: TokenStream, vocabulary: &'static Vocabulary, shelf: &dyn Shelf) -> Option<Header> {
     let mut diagnostics = Diagnostics::new();
     let converted = token::convert(tokens.clone(), &mut diagnostics);
-    let (definition, found) = read(&converted, Span::call_site().into(), vocabulary, true);
+    let (definition, found) = read(&converted, Span::call_site().into(), vocabulary, shelf, true);
     let mut tokens = tokens.into_iter().peekable();
     while matches!(tokens.peek(), Some(TokenTree::Punct(punct)) if punct.as_char() == '#') {
         tokens.next();
@@ -117,9 +117,8 @@ fn crate_path(definition: &Definition) -> Option<TokenStream> {
     })
 }
 
-/// `upright[3]` becomes `upright_3`.
 fn identifier(label: &Label) -> String {
-    label.text.replace('[', "_").replace(']', "")
+    label.identifier()
 }
 
 /// Names of what has been read, rounds of `repeat` included, and of statements `word NAME …` that could not be read.

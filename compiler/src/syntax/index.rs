@@ -9,7 +9,7 @@ use crate::units;
 /// Constants may refer to one another this deep.
 const DEEPEST_CONSTANT: usize = 32;
 
-impl Parser {
+impl Parser<'_> {
     /// The value of an index; `/` divides integers here.
     pub fn index(&mut self, mut inside: Cursor) -> Parsed<i64> {
         let whole = inside.whole();

@@ -16,9 +16,13 @@
 //!             ("force" | LOAD) name ":" LOAD "(" … ")" ("=" law)? ";"
 //!             "output" name unit? "=" expr ";"
 //!             "table" name "(" name unit? ("," name unit?)? ")" unit? "=" data ("," word)* ";"
+//!             "part" Name "(" ports ")" "{" statement* "}"                     a declaration
+//!             "part" Name "=" "file" "(" text ")" ";"                          that of a file
+//!             "part" name ":" Name "(" (port "=" value),* ")" ";"              a use
 //!             "repeat" i "in" expr ".." expr "{" statement* "}"
 //!             "start" "{" (quantity unit? ("=" | "~") expr ";")* "}"
 //!             "options" "{" … "}"      "expect" "{" … "}"
+//! port        name ":" ("place" | "body" | "joint" | "table")   name unit? ("=" expr)?
 //! property    ("mass" | "density" | "inertia" | "length" | "radius" | "width" | "height" | "thickness") unit? "=" expr ";"
 //!             "center" unit? "=" pair ";"     "point" name unit? "=" pair ";"     "line" …
 //! LOAD        force(place, direction = pair) "=" expr     force(place) "=" pair      torque(a) "=" expr
@@ -42,7 +46,10 @@ mod habits;
 mod header;
 mod index;
 mod parser;
+mod parts;
+mod scope;
 mod settings;
+mod shelf;
 mod statements;
 mod tables;
 mod token;
@@ -50,6 +57,8 @@ mod token;
 pub use definition::*;
 pub use definition_json::definition_json;
 pub use header::{Header, header};
+pub(crate) use scope::BUILT_IN;
+pub use shelf::{PartText, Shelf};
 pub(crate) use token::{DEEPEST, KEYWORDS};
 
 use crate::diagnostics::{Allowed, Diagnostics, Region};
@@ -58,6 +67,8 @@ use crate::messages;
 use attributes::Bearer;
 use parser::{Failed, Parsed, Parser};
 use proc_macro2::{Delimiter, Span, TokenStream};
+use scope::Scope;
+use shelf::Texts;
 use std::collections::{BTreeMap, BTreeSet, HashMap};
 use token::{Cursor, Token};
 
@@ -65,16 +76,25 @@ use token::{Cursor, Token};
 const MOST_STATEMENTS: usize = 10_000;
 
 /// Reads a definition. All syntax errors are reported, one for each statement.
-pub fn parse(tokens: TokenStream, vocabulary: &'static Vocabulary) -> Result<Definition, Diagnostics> {
+///
+/// With errors the definition holds what could be read, and what their places are to be understood with.
+pub fn parse(
+    tokens: TokenStream,
+    vocabulary: &'static Vocabulary,
+    shelf: &dyn Shelf,
+) -> Result<Definition, (Box<Definition>, Diagnostics)> {
     let mut diagnostics = Diagnostics::new();
     let whole = tokens.clone().into_iter().next().map_or(Span::call_site(), |token| token.span());
     let tokens = token::convert(tokens, &mut diagnostics);
     if !diagnostics.is_empty() {
         // Groups are missing, and what is missing must not be reported a second time.
-        return Err(diagnostics);
+        return Err((Box::new(empty()), diagnostics));
     }
-    let (definition, found) = read(&tokens, whole.into(), vocabulary, false);
-    found.finish(definition)
+    let (definition, found) = read(&tokens, whole.into(), vocabulary, shelf, false);
+    match found.finish(()) {
+        Ok(()) => Ok(definition),
+        Err(found) => Err((Box::new(definition), found)),
+    }
 }
 
 /// What can be read of tokens, however wrong; `whole`: where they stand if there are none; `patient`: every round of a `repeat` too, where the first has an error.
@@ -82,12 +102,20 @@ fn read(
     tokens: &[Token],
     whole: Region,
     vocabulary: &'static Vocabulary,
+    shelf: &dyn Shelf,
     patient: bool,
 ) -> (Definition, Diagnostics) {
+    let mut diagnostics = Diagnostics::new();
+    let mut texts = Texts::read(tokens, shelf, &mut diagnostics);
+    let files = std::mem::take(&mut texts.files);
+    let declarations = texts.declarations(tokens, shelf, &files, &mut diagnostics);
+    let scope = Scope { inner: declarations.inner.clone(), ..Scope::default() };
     let mut parser = Parser {
         vocabulary,
-        diagnostics: Diagnostics::new(),
-        definition: empty(),
+        diagnostics,
+        declarations,
+        scope,
+        definition: Definition { files, ..empty() },
         constants: HashMap::new(),
         integers: HashMap::new(),
         indices: Vec::new(),
@@ -121,6 +149,8 @@ fn empty() -> Definition {
         attributes: TokenStream::new(),
         allowed: Allowed::default(),
         counted: BTreeSet::new(),
+        uses: Vec::new(),
+        files: Vec::new(),
         constants: Vec::new(),
         parameters: Vec::new(),
         inputs: Vec::new(),
@@ -144,7 +174,7 @@ fn empty() -> Definition {
     }
 }
 
-impl Parser {
+impl Parser<'_> {
     /// `attributes visibility planar Name { … }` and nothing behind it.
     fn item(&mut self, c: &mut Cursor) -> Parsed<()> {
         if c.is_done() {
@@ -165,7 +195,7 @@ impl Parser {
         match c.word() {
             Some("planar") => {}
             Some("spatial") => self.definition.space = Space::Spatial,
-            Some("part") => return self.fail(c.region(), messages::not_there_yet("part")),
+            Some("part") => return self.fail(c.region(), messages::part_without_mechanism().to_string()),
             Some("file") => return self.fail(c.region(), messages::file_in_file()),
             Some("mechanism") if is_macro(c) => return self.fail(c.region(), messages::macro_in_file()),
             word => {

@@ -5,6 +5,8 @@
 
 use super::definition::{Definition, Label, Path, Term, WrittenUnit};
 use super::habits::habit;
+use super::scope::Scope;
+use super::shelf::Declarations;
 use super::token::{Cursor, Kind, Token};
 use crate::diagnostics::{Diagnostics, Region};
 use crate::forms::Vocabulary;
@@ -21,10 +23,14 @@ pub(super) struct Failed;
 pub(super) type Parsed<T> = Result<T, Failed>;
 
 /// What has been read, and what reading needs to know.
-pub(super) struct Parser {
+pub(super) struct Parser<'t> {
     pub vocabulary: &'static Vocabulary,
     pub diagnostics: Diagnostics,
     pub definition: Definition,
+    /// The parts that may be used.
+    pub declarations: Declarations<'t>,
+    /// What names mean here.
+    pub scope: Scope,
     /// Values of constants, for indices and bounds of `repeat`.
     pub constants: HashMap<String, Term>,
     /// Those that have been counted with: each is evaluated once, however often others name it.
@@ -41,7 +47,7 @@ pub(super) struct Parser {
     pub patient: bool,
 }
 
-impl Parser {
+impl Parser<'_> {
     /// Pushes an error and gives up.
     pub fn fail<T>(&mut self, at: Region, message: String) -> Parsed<T> {
         self.diagnostics.error(at, message);
@@ -126,14 +132,30 @@ impl Parser {
         Ok((label, unit))
     }
 
-    /// A name that is used here: all brackets are indices.
+    /// The name of a joint or body that is used here, perhaps one of a part: all brackets are indices.
     pub fn label(&mut self, c: &mut Cursor, what: &str) -> Parsed<Label> {
         if let Some(mut inside) = c.enter(Delimiter::None) {
             let label = self.label(&mut inside, what)?;
             self.end(&inside, "a single name")?;
             return Ok(label);
         }
-        self.declared(c, what)
+        let mut parts = vec![self.declared(c, what)?];
+        while self.is_use(&parts) && c.eat_punct('.') {
+            parts.push(self.declared(c, "a name")?);
+        }
+        let path = self.resolved(Path::joined(parts))?;
+        match path.parts.as_slice() {
+            [label] => Ok(Label { text: label.text.clone(), region: path.region }),
+            // A place that a port was given.
+            _ => {
+                let message = messages::expected_and_advice(
+                    what,
+                    &messages::quoted(&path.text),
+                    messages::names_without_point(),
+                );
+                self.fail(path.region, message)
+            }
+        }
     }
 
     /// Names joined by dots.
@@ -143,18 +165,12 @@ impl Parser {
             self.end(&inside, "a single name")?;
             return Ok(path);
         }
-        let first = self.declared(c, what)?;
-        let (mut text, mut region) = (first.text.clone(), first.region);
-        let mut parts = vec![first];
+        let mut parts = vec![self.declared(c, what)?];
         while c.at_punct('.') && matches!(c.peek_second(), Some(Token { kind: Kind::Word(_), .. })) {
             c.advance();
-            let part = self.declared(c, "a name")?;
-            text.push('.');
-            text.push_str(&part.text);
-            region = region.to(part.region);
-            parts.push(part);
+            parts.push(self.declared(c, "a name")?);
         }
-        Ok(Path { text, parts, region })
+        self.resolved(Path::joined(parts))
     }
 
     /// A name and this many bracketed indices.

@@ -10,7 +10,7 @@ use crate::diagnostics::Region;
 use crate::messages;
 use proc_macro2::{Delimiter, TokenStream};
 
-impl Parser {
+impl Parser<'_> {
     /// `{ quantity [unit] = value; quantity [unit] ~ guess; }`
     pub fn start(&mut self, c: &mut Cursor) -> Parsed<()> {
         self.block(c, |parser, c| {
@@ -40,7 +40,6 @@ impl Parser {
     /// `guide_pin.angle [rad]`: the last bracket is the unit, those before it are indices.
     fn start_quantity(&mut self, c: &mut Cursor) -> Parsed<(Path, Option<WrittenUnit>)> {
         let first = self.declared(c, "a quantity such as `crank_pin.angle`")?;
-        let (mut text, mut region) = (first.text.clone(), first.region);
         let mut parts = vec![first];
         let mut unit = None;
         while unit.is_none() && c.eat_punct('.') {
@@ -50,12 +49,9 @@ impl Parser {
             } else {
                 self.declared_with_unit(c, "a name")?
             };
-            text.push('.');
-            text.push_str(&part.text);
-            region = region.to(part.region);
             parts.push(part);
         }
-        Ok((Path { text, parts, region }, unit))
+        Ok((self.resolved(Path::joined(parts))?, unit))
     }
 
     /// `{ coordinates = auto; cut = (joint, …); … }`
@@ -237,7 +233,7 @@ fn take_unit(term: &mut Term) -> Option<WrittenUnit> {
 }
 
 /// Whether a name joined to another by a dot comes next.
-fn is_dotted(c: &Cursor) -> bool {
+pub(super) fn is_dotted(c: &Cursor) -> bool {
     c.word().is_some() && is_inner(c)
 }
 

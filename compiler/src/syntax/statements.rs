@@ -9,7 +9,7 @@ use crate::messages;
 use proc_macro2::{Delimiter, TokenStream};
 
 /// Words that begin a statement, but those of bodies, loads and couplings.
-const STATEMENTS: [&str; 18] = [
+const STATEMENTS: [&str; 19] = [
     "const",
     "param",
     "input",
@@ -28,9 +28,10 @@ const STATEMENTS: [&str; 18] = [
     "expect",
     "output",
     "repeat",
+    "part",
 ];
 
-impl Parser {
+impl Parser<'_> {
     /// All statements of a block; after an error on to the next one.
     pub fn statements(&mut self, mut c: Cursor) {
         while !c.is_done() {
@@ -68,14 +69,19 @@ impl Parser {
             "state" => self.state(c, docs),
             "rate" => self.rate(c),
             "table" => self.table(c),
+            "gravity" | "options" | "expect" if self.scope.name.is_some() => {
+                self.fail(at, messages::not_in_a_part(word))
+            }
             "gravity" => self.gravity(c),
             "marker" => {
-                let marker = self.marker(c)?;
+                let mut marker = self.marker(c)?;
+                marker.name = self.own(marker.name);
                 self.definition.markers.push(marker);
                 Ok(())
             }
             "line" => {
-                let line = self.line(c)?;
+                let mut line = self.line(c)?;
+                line.name = self.own(line.name);
                 self.definition.lines.push(line);
                 Ok(())
             }
@@ -87,6 +93,7 @@ impl Parser {
             "options" => self.options(c),
             "expect" => self.expect(c),
             "repeat" => self.repeat(c),
+            "part" => self.part(c),
             word if let Some(form) = self.vocabulary.bodies.iter().find(|form| form.word == word) => {
                 match form.solid(self.definition.space) {
                     Some(_) => self.body(c, form),
@@ -114,6 +121,7 @@ impl Parser {
     /// `NAME [unit] = value;`
     pub fn constant(&mut self, c: &mut Cursor) -> Parsed<Constant> {
         let (name, unit) = self.declared_with_unit(c, "the name of the constant")?;
+        let name = self.own(name);
         let entry = self.entry(c, unit)?;
         self.semicolon(c)?;
         Ok(Constant { name, entry })
@@ -122,6 +130,7 @@ impl Parser {
     /// `name [unit] = value in minimum..maximum;`
     fn parameter(&mut self, c: &mut Cursor, docs: TokenStream) -> Parsed<()> {
         let (name, unit) = self.declared_with_unit(c, "the name of the parameter")?;
+        let name = self.own(name);
         if c.is_done() || c.at_punct(';') {
             return self.fail(name.region, messages::parameter_without_default(&name.text));
         }
@@ -156,6 +165,7 @@ impl Parser {
     /// `name [unit];`
     fn input(&mut self, c: &mut Cursor, docs: TokenStream) -> Parsed<()> {
         let (name, unit) = self.declared_with_unit(c, "the name of the input")?;
+        let name = self.own(name);
         if c.at_punct('=') {
             return self.fail(c.region(), messages::input_with_value(&name.text));
         }
@@ -167,6 +177,7 @@ impl Parser {
     /// `name [unit] = value;`
     fn signal(&mut self, c: &mut Cursor) -> Parsed<()> {
         let (name, unit) = self.declared_with_unit(c, "the name of the signal")?;
+        let name = self.own(name);
         let entry = self.entry(c, unit)?;
         self.semicolon(c)?;
         self.definition.signals.push(Signal { name, entry });
@@ -176,6 +187,7 @@ impl Parser {
     /// `name [unit] = start, scale = value;`
     fn state(&mut self, c: &mut Cursor, docs: TokenStream) -> Parsed<()> {
         let (name, unit) = self.declared_with_unit(c, "the name of the state")?;
+        let name = self.own(name);
         if c.is_done() || c.at_punct(';') {
             return self.fail(name.region, messages::state_without_start(&name.text));
         }
@@ -197,6 +209,7 @@ impl Parser {
     /// `name = value;`
     fn rate(&mut self, c: &mut Cursor) -> Parsed<()> {
         let (name, unit) = self.declared_with_unit(c, "the name of the state")?;
+        let name = self.own(name);
         if let Some(unit) = unit {
             return self.fail(unit.region, messages::rate_with_unit(&name.text));
         }
@@ -240,6 +253,7 @@ impl Parser {
     /// `name: quantity = law;`
     fn driver(&mut self, c: &mut Cursor) -> Parsed<()> {
         let name = self.declared(c, "the name of the driver")?;
+        let name = self.own(name);
         self.punct(c, ':')?;
         let call = c.at_word("distance").then(|| c.region());
         let quantity = self.path(c, "the quantity that is driven, such as `crank_pin.angle`")?;
@@ -256,6 +270,7 @@ impl Parser {
     /// `name [unit] = value;`
     fn output(&mut self, c: &mut Cursor, docs: TokenStream) -> Parsed<()> {
         let (name, unit) = self.declared_with_unit(c, "the name of the output")?;
+        let name = self.own(name);
         if c.at_punct('.') {
             return self.advised(c, "`=`", messages::output_without_name());
         }

@@ -9,10 +9,11 @@ use proc_macro2::Delimiter;
 
 const DATA: &str = "`[(x, y), …]`, `file(\"…\")` or `grid(…)`";
 
-impl Parser {
+impl Parser<'_> {
     /// `name(argument [unit]) [unit] = data, word, …;`
     pub fn table(&mut self, c: &mut Cursor) -> Parsed<()> {
         let name = self.declared(c, "the name of the table")?;
+        let name = self.own(name);
         let arguments = self.table_arguments(c, &name)?;
         let unit = self.unit(c)?;
         self.punct(c, '=')?;

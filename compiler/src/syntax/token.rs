@@ -43,8 +43,16 @@ pub(super) enum Kind {
 
 /// Numbers and nests the tokens of a stream.
 pub(super) fn convert(stream: TokenStream, diagnostics: &mut Diagnostics) -> Vec<Token> {
-    let mut serial = 0;
-    convert_nested(stream, 0, &mut serial, diagnostics)
+    convert_behind(stream, &mut 0, diagnostics)
+}
+
+/// The same with numbers behind those of other texts; leaves the last one in `serial`.
+pub(super) fn convert_behind(
+    stream: TokenStream,
+    serial: &mut u32,
+    diagnostics: &mut Diagnostics,
+) -> Vec<Token> {
+    convert_nested(stream, 0, serial, diagnostics)
 }
 
 fn convert_nested(
@@ -98,11 +106,23 @@ pub(super) struct Cursor<'t> {
     at: usize,
     /// The closing delimiter: where something is missing when the tokens run out.
     close: Region,
+    /// The use of a part that they are read for.
+    brought: u32,
 }
 
 impl<'t> Cursor<'t> {
     pub fn new(tokens: &'t [Token], close: Region) -> Self {
-        Self { tokens, at: 0, close }
+        Self { tokens, at: 0, close, brought: 0 }
+    }
+
+    /// The same tokens, read for this use of a part.
+    pub fn brought_by(&self, brought: u32) -> Self {
+        Self { brought, close: self.close.brought_by(brought), ..self.clone() }
+    }
+
+    /// The place of one of these tokens.
+    fn place(&self, region: Region) -> Region {
+        region.brought_by(self.brought)
     }
 
     pub fn peek(&self) -> Option<&'t Token> {
@@ -125,13 +145,13 @@ impl<'t> Cursor<'t> {
 
     /// The next token's place, or the end's.
     pub fn region(&self) -> Region {
-        self.peek().map_or(self.close, |token| token.region)
+        self.peek().map_or(self.close, |token| self.place(token.region))
     }
 
     /// The place of the token before this position.
     pub fn previous(&self) -> Region {
         match self.at.checked_sub(1).and_then(|before| self.tokens.get(before)) {
-            Some(token) => token.region,
+            Some(token) => self.place(token.region),
             None => self.close,
         }
     }
@@ -144,8 +164,8 @@ impl<'t> Cursor<'t> {
     /// The end of what has been read, closing delimiter included.
     pub fn behind(&self) -> Region {
         match self.at.checked_sub(1).and_then(|before| self.tokens.get(before)) {
-            Some(Token { kind: Kind::Group(.., close), .. }) => *close,
-            Some(token) => token.region,
+            Some(Token { kind: Kind::Group(.., close), .. }) => self.place(*close),
+            Some(token) => self.place(token.region),
             None => self.close,
         }
     }
@@ -190,7 +210,9 @@ impl<'t> Cursor<'t> {
     /// A cursor into the group that comes next, if it has this delimiter.
     pub fn inside(&self, delimiter: Delimiter) -> Option<Cursor<'t>> {
         match &self.peek()?.kind {
-            Kind::Group(found, tokens, close) if *found == delimiter => Some(Cursor::new(tokens, *close)),
+            Kind::Group(found, tokens, close) if *found == delimiter => {
+                Some(Cursor::new(tokens, *close).brought_by(self.brought))
+            }
             _ => None,
         }
     }
@@ -322,7 +344,7 @@ impl<'t> Cursor<'t> {
         let rest = &self.tokens[self.at.min(self.tokens.len())..];
         let length = rest.iter().take_while(|token| !matches!(token.kind, Kind::Punct(';'))).count();
         self.at += length;
-        Cursor::new(&rest[..length], self.region())
+        Cursor::new(&rest[..length], self.region()).brought_by(self.brought)
     }
 
     /// All tokens of this group, as received.
@@ -339,13 +361,13 @@ impl<'t> Cursor<'t> {
 
     /// The token with this text, anywhere inside.
     pub fn find(&self, text: &str) -> Option<Region> {
-        find(self.tokens, text)
+        find(self.tokens, text).map(|region| self.place(region))
     }
 
     /// From the first token inside to the last; the closing delimiter if there is none.
     pub fn whole(&self) -> Region {
         match (self.tokens.first(), self.tokens.last()) {
-            (Some(first), Some(last)) => first.region.to(last.region),
+            (Some(first), Some(last)) => self.place(first.region.to(last.region)),
             _ => self.close,
         }
     }

@@ -281,7 +281,7 @@ fn tokens_from_macros_keep_their_grouping() {
 #[test]
 fn the_header_survives_errors_in_the_body() {
     let tokens = "#[doc = \"x\"] pub(crate) planar Broken { body ??? }".parse().expect("tokens");
-    let header = linkwright_compiler::header(tokens).expect("a header");
+    let header = linkwright_compiler::header(tokens, &|_| None).expect("a header");
     assert_eq!(header.name.to_string(), "Broken");
     assert_eq!(header.visibility.to_string().replace(' ', ""), "pub(crate)");
 }

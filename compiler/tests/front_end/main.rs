@@ -9,6 +9,7 @@ mod json;
 mod limits;
 mod look_up;
 mod mistakes;
+mod parts;
 mod space;
 mod spans;
 mod tables;

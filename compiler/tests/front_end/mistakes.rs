@@ -29,7 +29,6 @@ fn around_the_braces() {
             "spatial Arm { }",
             "`Arm` has no body: write `body crank { mass [kg] = …; inertia [kg*m^2] = (…, …, …); }`",
         ),
-        ("part Arm { }", "`part` is not there yet in this version"),
         ("planar { }", "expected the name of the mechanism, found `{`"),
         ("planar Name;", "expected `{`, found `;`"),
         ("planar A { } planar B { }", "expected the end: one mechanism for each macro, found `planar`"),

@@ -7,6 +7,7 @@ mod closed_forms;
 mod four_bars;
 mod gears;
 mod linkages;
+mod parts;
 mod quick_return;
 mod robots;
 mod space;

@@ -7,5 +7,6 @@ pub mod random;
 pub mod registry;
 pub mod zoo;
 pub mod zoo_laws;
+pub mod zoo_parts;
 pub mod zoo_space;
 pub mod zoo_tangent;

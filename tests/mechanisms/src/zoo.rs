@@ -192,6 +192,8 @@ macro_rules! for_each_in_zoo {
             bristled: $crate::zoo_laws::Bristled,
             servo: $crate::zoo_laws::Servo,
             tabled: $crate::zoo_laws::Tabled,
+            assembled: $crate::zoo_parts::Assembled,
+            propped: $crate::zoo_parts::Propped,
             arm: $crate::zoo_space::Arm,
             jack: $crate::zoo_space::Jack,
             table: $crate::zoo_space::Table,

@@ -1,0 +1,13 @@
+//! A file that is not there.
+
+linkwright::mechanism! {
+    planar Walker {
+        part Leg = file("lag.mech");
+        gravity [m/s^2] = (0, -9.81);
+        body hull { mass [kg] = 10; inertia [kg*m^2] = 1; point left [m] = (-0.2, 0); }
+        joint rail: prismatic(ground(0, 1) [m], hull.center, axis = (1, 0));
+        part left: Leg(hip = hull.left);
+    }
+}
+
+fn main() {}
