@@ -199,7 +199,8 @@ impl<'d> Lowering<'d> {
             }
             None => {
                 let similar = self.names.similar_part(&path.text, |part| matches!(part, Part::Line(_)));
-                self.diagnostics.error(path.region, self.names.unknown("line", &path.text, similar));
+                let message = self.names.unknown("line", &path.text, similar);
+                self.diagnostics.error(path.region, message);
                 None
             }
         }
@@ -209,7 +210,8 @@ impl<'d> Lowering<'d> {
         let head = &path.parts[0];
         let Some(Part::Body(index)) = self.names.part(&head.text) else {
             let similar = self.names.similar_part(&head.text, |part| matches!(part, Part::Body(_)));
-            self.diagnostics.error(head.region, self.names.unknown("body", &head.text, similar));
+            let message = self.names.unknown("body", &head.text, similar);
+            self.diagnostics.error(head.region, message);
             return None;
         };
         let slot = &path.parts[1];

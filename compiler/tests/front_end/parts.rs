@@ -196,7 +196,7 @@ fn mistakes_have_one_message_each() {
         (
             hull(
                 "part P() { repeat i in 0..100 { part q[i]: Q(); } }
-                  part Q() { repeat i in 0..99 { output o[i] = 1; output p[i] = 1; } } part p: P();",
+                  part Q() { repeat i in 0..99 { output o[i] [1] = 1; output p[i] [1] = 1; } } part p: P();",
             ),
             "with the statements of this part there are more than 10000; use fewer parts",
         ),
@@ -224,7 +224,7 @@ fn mistakes_have_one_message_each() {
             leg("", "hip = hull.left").replace("part left", "output o [m] = left; part left"),
             "`left` is a part, expected a value",
         ),
-        (hull("part P() { param in [m] = 1; } part p: P();"), "`in` is a word of Rust and cannot be a name"),
+        (hull("part P() { param in [m] = 1; } part p: P();"), "`in` is a word of Rust and cannot be a name; choose another"),
     ];
     let mut others = Vec::new();
     for (source, expected) in cases {

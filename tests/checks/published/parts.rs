@@ -81,13 +81,13 @@ linkwright::mechanism! {
     /// A mass on a rail that a cylinder and a strut push.
     planar Lift {
         input opening [1];
-        table damper(speed [m/s]) [N] = [(-1, -60), (0, 0), (1, 45)], outside = linear;
-        table stops(length [m]) [N] = [(0.2, 800), (0.4, 0), (0.8, 0), (0.9, -100)], outside = linear;
+        table damper(speed [m/s]) [N] = [(-1, -60), (0, 0), (1, 45)], linear;
+        table stops(length [m]) [N] = [(0.2, 800), (0.4, 0), (0.8, 0), (0.9, -100)], linear;
         body load { mass [kg] = 100; inertia [kg*m^2] = 1; }
         joint rail: prismatic(ground(0, 0) [m], load.center, axis = (0, 1));
         part ram: HydraulicCylinder(base = ground(0, -0.5) [m], eye = load.center, opening = opening, bore [mm] = 50, rod [mm] = 30, closed [m] = 0.4,
                                     stroke [m] = 0.6, supply [bar] = 100, flow [m^3/s] = 5e-4, tank [bar] = 2, start [bar] = 20,
-                                    start_ring [bar] = 15, damping [N*s/m] = 300);
+                                    start_ring [bar] = 15, damping [N*s/m] = 2e4);
         part strut: Strut(top = load.center, bottom = ground(0, -0.6) [m], stiffness [N/m] = 2000, free [m] = 0.5, damper = damper, stops = stops);
         start { rail.travel [m] = 0.1; rail.speed [m/s] = 0.3; }
         output thrust [N] = ram.thrust;
@@ -121,7 +121,7 @@ fn a_cylinder_and_a_strut_push() {
             model.internal_rates(0.0, &state, &inputs, &a, &lambda, &mut rates);
             let outputs = Mechanism::outputs(&model, 0.0, &state, &inputs);
             let out = travel + 0.5 - 0.4;
-            let thrust = pressure * area - pressure_ring * ring - 300.0 * speed;
+            let thrust = pressure * area - pressure_ring * ring - 2e4 * speed;
             let length = travel + 0.6;
             let resists = if speed < 0.0 { 60.0 * speed } else { 45.0 * speed };
             let stops = match length {
