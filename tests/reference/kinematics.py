@@ -110,6 +110,8 @@ class Kinematics:
         owner, _, quantity = text.rpartition(".")
         if owner in model.signals and owner not in model.joints and owner not in model.bodies:
             return self.rate(entry(model.signals[owner], self))
+        if quantity == "resistance":
+            return self.energies.resistance(owner)
         drivers = [driver["name"] for driver in model.definition["drivers"]]
         if owner in drivers and quantity in ("effort", "power"):
             return self._of_driver(drivers.index(owner), quantity)

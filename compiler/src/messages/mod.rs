@@ -3,6 +3,7 @@
 
 mod files;
 mod habits;
+mod hysteresis;
 mod names;
 mod parts;
 mod states;
@@ -13,6 +14,7 @@ mod writing;
 
 pub(crate) use files::*;
 pub(crate) use habits::*;
+pub(crate) use hysteresis::*;
 pub(crate) use names::*;
 pub(crate) use parts::*;
 pub(crate) use states::*;

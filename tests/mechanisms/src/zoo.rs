@@ -192,6 +192,8 @@ macro_rules! for_each_in_zoo {
             bristled: $crate::zoo_laws::Bristled,
             servo: $crate::zoo_laws::Servo,
             tabled: $crate::zoo_laws::Tabled,
+            worn: $crate::zoo_hysteresis::Worn,
+            roped: $crate::zoo_hysteresis::Roped,
             arm: $crate::zoo_space::Arm,
             jack: $crate::zoo_space::Jack,
             table: $crate::zoo_space::Table,
