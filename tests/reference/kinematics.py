@@ -152,6 +152,15 @@ class Kinematics:
         difference = self.position(self._place_of(second)) - self.position(self._place_of(first))
         return ca.sqrt(ca.dot(difference, difference))
 
+    def vector(self, text):
+        """A place or its velocity; None where the name is of neither."""
+        place = text.removesuffix(".velocity")
+        owner, _, point = place.rpartition(".")
+        if owner not in self.model.bodies or point in ("angle", "rate"):
+            return None
+        position = self.position(self.model.named_place(place))
+        return position if place == text else self.rate(position)
+
     def displacement(self, first, second):
         """The second place less the first along the axes of the first's body; the angle between their bodies in (−π, π]."""
         one, other = self.pose(first.body), self.pose(second.body)

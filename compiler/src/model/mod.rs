@@ -26,6 +26,7 @@ mod states;
 pub mod tables;
 mod unused;
 mod values;
+mod vectors;
 
 use crate::diagnostics::{Allowed, Region};
 use crate::forms::BodyForm;

@@ -10,7 +10,8 @@ linkwright::mechanism! {
         gravity [m/s^2] = (0, -9.81);
         table bar(turn [deg]) [N*m] = [(0, 0), (10, 10), (30, 19), (60, 25)], linear, outside = hold;
         table band(way [m]) [N] = [(-0.6, -40), (-0.2, -30), (0.2, 30), (0.6, 40)], linear;
-        signal stretch [m] = distance(bob.end, ground(0.6, 0.2) [m]) - 0.5 [m];
+        signal stretch [m] = norm(bob.end - ground(0.6, 0.2) [m]) - 0.5 [m];
+        signal swept [m^2] = cross(bob.end - arm.start, (arm.end + cart.center)/2);
         body cart { mass [kg] = 2; inertia [kg*m^2] = 0.1; }
         rod arm { mass [kg] = 0.7; length [m] = 0.5; }
         rod bob { mass [kg] = 0.5; length [m] = 0.4; }
@@ -23,10 +24,12 @@ linkwright::mechanism! {
         bouc_wen rubber: bouc_wen(elbow.angle + 0.2 [rad]*sin(3 [rad/s]*time), stiffness [N*m/rad] = 5, depth [deg] = 40, beta = 0.7,
                                   gamma = -0.2, exponent = 1.7);
         force pull: force(rail) = push;
+        force fan: along(swept) = -2 [N/m]*dot(bob.end - arm.start, bob.end.velocity)/1 [m^2/s];
         start { rail.travel [m] = 0.1; rail.speed [m/s] = 0.4; shoulder.angle [rad] = -1.2; elbow.angle [rad] = 0.5; elbow.rate [rad/s] = 1; }
         options { emit = (penalty, projection, null_space, tangent); }
         output held [N*m] = twist.resistance;
         output bushed [N] = bush.resistance;
+        output sweeps [m^2/s] = swept.rate + cross(cart.center.velocity, bob.end);
         output lost [W] = power(twist) + power(tie) + power(bush) + power(rubber);
     }
 }
@@ -47,6 +50,8 @@ linkwright::mechanism! {
         bouc_wen strap: bouc_wen(plate.left.z, stiffness [N/m] = 40, depth [m] = 0.5, beta = 0.6, gamma = 0.1, exponent = 2.5);
         start { plate.center.x [m] = 0.1; plate.center.y [m] = 0; plate.center.z [m] = 0.1; hinge.angle [rad] = 0.3; hinge.rate [rad/s] = 1; }
         output felt [N] = felt;
+        output spanned [m^2] = norm(cross(plate.left - arm.end, 2*arm.end - ground(0.1, 0.2, 0.3) [m]));
+        output volume [m^3/s] = dot(cross(plate.left, -arm.end), 0.5*arm.end.velocity);
         output rubbed [N*m] = rub.resistance;
     }
 }
