@@ -7,10 +7,10 @@ mod inner {
     linkwright::mechanism! {
         /// A block that is moved to and fro against an element of Jenkins, a backbone after Masing, and a bushing after Bouc and Wen.
         pub planar Shaken {
-            param first [mm] = 5;
+            const FIRST [mm] = 5;
             param second [mm] = 0;
             param third [mm] = 0;
-            param turns [rad/s] = 2*pi;
+            const TURNS [rad/s] = 2*pi;
             table jenkins(way [mm]) [N] = [(0, 0), (1, 100)], linear, outside = hold;
             table bar(way [mm]) [N] = [(0, 0), (1, 100), (2, 150), (4, 200)], linear, outside = hold;
             state slid [J] = 0;
@@ -21,7 +21,7 @@ mod inner {
             rate rubbed = bush.resistance*rail.speed;
             body block { mass [kg] = 1; inertia [kg*m^2] = 0.01; }
             joint rail: prismatic(ground(0, 0) [m], block.center, axis = (1, 0));
-            drive shake: rail.travel = first*sin(turns*time) + second*sin(2*turns*time) + third*sin(5*turns*time);
+            drive shake: rail.travel = FIRST*sin(TURNS*time) + second*(1 - cos(2*TURNS*time)) + third*(1 - cos(5*TURNS*time));
             force slider: masing(rail, backbone = jenkins);
             force worn: masing(rail, backbone = bar);
             force bush: bouc_wen(rail, stiffness [N/m] = 1e5, share = 0.1, depth [mm] = 2, beta = 0.5, gamma = 0.5, exponent = 2);
@@ -74,13 +74,12 @@ fn to_and_fro() {
 fn no_closed_way_gives_energy() {
     let mut random = Random::named("closed ways");
     for _ in 0..40 {
-        let [first, second, third] = [6e-3, 4e-3, 2e-3].map(|size| random.between(-size, size));
-        let turns = 2.0 * core::f64::consts::PI;
-        let model = Shaken::prepare(ShakenParameters { first, second, third, turns }).expect("any way");
-        // The way is closed after each half of a turn as well.
-        for (outputs, _) in moved(&model, [0.5, 1.0, 2.0]) {
+        let [second, third] = [6e-3, 2e-3].map(|size| random.between(-size, size));
+        // The way begins with the speed of the start.
+        let model = Shaken::prepare(ShakenParameters { second, third, ..ShakenParameters::default() });
+        for (outputs, _) in moved(&model.expect("any way"), [1.0, 2.0]) {
             for taken in [outputs.slid, outputs.yielded, outputs.rubbed] {
-                assert!(taken >= -1e-9, "{first} {second} {third}: {taken} J");
+                assert!(taken >= -1e-9, "{second} {third}: {taken} J");
             }
         }
     }
