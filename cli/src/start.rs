@@ -5,9 +5,9 @@ use crate::explain::{Body, Value, turns};
 use linkwright_compiler::Compiled;
 use linkwright_compiler::check::assemble::{Ancestry, Point};
 use linkwright_compiler::equations::{Equations, Laws, conditions};
-use linkwright_compiler::model::{BodyId, Coordinate, JointId, Mechanism, Rotor, Space};
+use linkwright_compiler::model::{BodyId, Coordinate, InternalState, JointId, Mechanism, Rotor, Space};
 use linkwright_compiler::symbolic::Node;
-use linkwright_compiler::syntax::{Definition, Entry, InternalState};
+use linkwright_compiler::syntax::{Definition, Entry};
 use linkwright_compiler::units::{Dimension, Unit};
 
 /// What `start` says of a value.
@@ -79,7 +79,7 @@ pub fn state(definition: &Definition, compiled: &Compiled) -> State {
     let mut found: Vec<Found> = found.collect();
     found.extend(centers(definition, compiled, &equations, &mut point, &found));
     let outputs = outputs(definition, compiled, &mut point);
-    let internal = internal(definition, compiled);
+    let internal = internal(compiled);
     State { bodies: bodies(definition, mechanism, &mut point, &masses), found, internal, outputs }
 }
 
@@ -164,10 +164,10 @@ fn centers(
     found
 }
 
-fn internal(definition: &Definition, compiled: &Compiled) -> Vec<Value> {
-    let both = definition.states.iter().zip(compiled.start_internal());
+fn internal(compiled: &Compiled) -> Vec<Value> {
+    let both = compiled.mechanism.states.iter().zip(compiled.start_internal());
     let value = |(state, start): (&InternalState, f64)| {
-        let (unit, scale) = unit_of(&state.entry);
+        let (unit, scale) = (state.unit.text.clone(), state.unit.scale);
         Value { name: state.name.text.clone(), value: start / scale, unit }
     };
     both.map(value).collect()

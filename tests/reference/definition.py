@@ -10,6 +10,7 @@ from dataclasses import dataclass, field
 import casadi as ca
 
 import expressions
+import hysteresis
 from expressions import entry, in_unit, pair
 from tables import Table
 
@@ -69,7 +70,9 @@ class Model:
         self.p = ca.SX.sym("p", len(definition["parameters"]))
         self.time = ca.SX.sym("time")
         self.u = ca.SX.sym("u", len(definition["inputs"]))
-        self.states = definition.get("states", [])
+        for load in definition["loads"]:
+            hysteresis.name_the_way(load, definition)
+        self.states = definition.get("states", []) + hysteresis.states(definition)
         self.rates = {rate["name"]: rate["value"] for rate in definition.get("rates", [])}
         self.z = ca.SX.sym("z", len(self.states))
         self.efforts = ca.SX.sym("effort", len(definition["drivers"]) if self.states else 0)

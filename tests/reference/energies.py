@@ -14,6 +14,7 @@ from dataclasses import dataclass
 import casadi as ca
 
 import expressions
+import hysteresis
 from expressions import evaluate
 
 
@@ -47,7 +48,9 @@ class Energies:
         self.loads = [self.load(load["name"]) for load in self.model.definition["loads"]]
         self.powers = ca.vertcat(*[load.power() for load in self.loads])
 
-        rates = [evaluate(self.model.rates[state["name"]], kinematics) for state in self.model.states]
+        declared = [state for state in self.model.states if state["name"] in self.model.rates]
+        rates = [evaluate(self.model.rates[state["name"]], kinematics) for state in declared]
+        rates += [rate for load in self.model.definition["loads"] for rate in self._hysteresis(load)[1]]
         self.internal_rates = ca.vertcat(*rates) if rates else ca.SX(0, 1)
         starts = [expressions.entry(state, self.model) for state in self.model.states]
         self.internal_starts = ca.vertcat(*starts) if starts else ca.SX(0, 1)
@@ -93,6 +96,8 @@ class Energies:
             pose = self.kinematics.poses[name]
             energy -= body.mass * ca.dot(self.model.gravity, pose.position)
         for load in self.model.definition["loads"]:
+            if load["kind"] in hysteresis.KINDS:
+                continue
             if load["kind"] == "bushing":
                 deflection, stiffness, _ = self._bushing(load)
                 energy += ca.dot(stiffness, deflection**2) / 2
@@ -147,6 +152,16 @@ class Energies:
             self._under_way.remove(name)
         return self._loads[name]
 
+    def resistance(self, name):
+        return self._hysteresis(next(x for x in self.model.definition["loads"] if x["name"] == name))[0]
+
+    def _hysteresis(self, load):
+        """What a load resists with, and the rates of its states."""
+        if load["kind"] not in hysteresis.KINDS:
+            return ca.SX(0), []
+        way = evaluate(load["expression"], self.kinematics)
+        return hysteresis.law(load, self.model, way, self.kinematics.rate(way))
+
     def power(self, name):
         return self.load(name).power()
 
@@ -174,6 +189,10 @@ class Energies:
             along = evaluate(load["expression"], kinematics)
             pushed = evaluate(load["value"], kinematics)
             return Load(name, kinematics.rate(along), kinematics.explicit_rate(along), pushed, ca.SX(0))
+        if kind in hysteresis.KINDS:
+            way = evaluate(load["expression"], kinematics)
+            resisted = -self._hysteresis(load)[0]
+            return Load(name, kinematics.rate(way), kinematics.explicit_rate(way), resisted, ca.SX(0))
         if kind == "bushing":
             deflection, stiffness, damping = self._bushing(load)
             w, explicit = kinematics.rate(deflection), kinematics.explicit_rate(deflection)

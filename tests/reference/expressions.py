@@ -104,6 +104,25 @@ def evaluate(node, scope):
     raise ValueError(f"cannot read the expression {node}")
 
 
+def vector(node, scope):
+    """Places, velocities, and what is made of them, as a column along the world's axes; None for what is no vector."""
+    if "ground" in node:
+        return scope.position(scope.model.place(node))
+    if "name" in node:
+        return scope.vector(node["name"])
+    if "call" in node and node["call"] == "cross":
+        a, b = (vector(child, scope) for child in node["args"])
+        return ca.cross(a, b) if a is not None and a.numel() == 3 else None
+    if "op" not in node:
+        return None
+    parts = [vector(child, scope) for child in node["args"]]
+    if all(part is None for part in parts):
+        return None
+    # A number beside a vector.
+    parts = [evaluate(child, scope) if part is None else part for child, part in zip(node["args"], parts)]
+    return _operation(node["op"], parts)
+
+
 def _operation(operator, arguments):
     if operator == "+":
         return arguments[0] if len(arguments) == 1 else arguments[0] + arguments[1]
@@ -141,6 +160,12 @@ def _call(function, arguments, scope):
         return ca.if_else(condition, then, otherwise)
     if function == "distance":
         return scope.distance(*arguments)
+    if function in ("dot", "cross", "norm"):
+        vectors = [vector(child, scope) for child in arguments]
+        if function == "norm":
+            return ca.sqrt(ca.dot(vectors[0], vectors[0]))
+        a, b = vectors
+        return ca.dot(a, b) if function == "dot" else a[0] * b[1] - a[1] * b[0]
     if function == "power":
         return scope.power(arguments[0]["name"])
     if function in FUNCTIONS:

@@ -110,6 +110,8 @@ class Kinematics:
         owner, _, quantity = text.rpartition(".")
         if owner in model.signals and owner not in model.joints and owner not in model.bodies:
             return self.rate(entry(model.signals[owner], self))
+        if quantity == "resistance":
+            return self.energies.resistance(owner)
         drivers = [driver["name"] for driver in model.definition["drivers"]]
         if owner in drivers and quantity in ("effort", "power"):
             return self._of_driver(drivers.index(owner), quantity)
@@ -149,6 +151,15 @@ class Kinematics:
     def distance(self, first, second):
         difference = self.position(self._place_of(second)) - self.position(self._place_of(first))
         return ca.sqrt(ca.dot(difference, difference))
+
+    def vector(self, text):
+        """A place or its velocity; None where the name is of neither."""
+        place = text.removesuffix(".velocity")
+        owner, _, point = place.rpartition(".")
+        if owner not in self.model.bodies or point in ("angle", "rate"):
+            return None
+        position = self.position(self.model.named_place(place))
+        return position if place == text else self.rate(position)
 
     def displacement(self, first, second):
         """The second place less the first along the axes of the first's body; the angle between their bodies in (−π, π]."""

@@ -13,7 +13,7 @@ use crate::model::{
 use std::collections::HashMap;
 
 /// The rules in the order they are reported.
-const RULES: [fn(&Mechanism, &mut Diagnostics); 17] = [
+const RULES: [fn(&Mechanism, &mut Diagnostics); 18] = [
     has_bodies,
     is_of_a_size_to_write_out,
     bounds_hold_the_default,
@@ -24,6 +24,7 @@ const RULES: [fn(&Mechanism, &mut Diagnostics); 17] = [
     lines_have_two_ends,
     axes_point_somewhere,
     lengths_are_not_negative,
+    sizes_of_loads_are_positive,
     couplings_couple,
     equations_move,
     drivers_differ,
@@ -237,6 +238,19 @@ fn lengths_are_not_negative(mechanism: &Mechanism, diagnostics: &mut Diagnostics
             if let Some(length) = at_defaults(mechanism, value).filter(|length| *length < 0.0) {
                 let unit = argument.dimension().map(|dimension| dimension.to_string()).unwrap_or_default();
                 let message = messages::negative(argument.name, &load.name.text, length, &unit);
+                diagnostics.error(load.name.span, message);
+            }
+        }
+    }
+}
+
+// What must be positive of a load is it at the defaults of parameters.
+fn sizes_of_loads_are_positive(mechanism: &Mechanism, diagnostics: &mut Diagnostics) {
+    for load in &mechanism.loads {
+        let sizes = load.arguments().filter(|(argument, _)| argument.sign == Sign::Positive);
+        for (argument, value) in sizes.flat_map(|(it, values)| values.iter().map(move |value| (it, value))) {
+            if let Some(size) = at_defaults(mechanism, value).filter(|size| *size <= 0.0) {
+                let message = messages::size_of_load(argument.name, &load.name.text, size);
                 diagnostics.error(load.name.span, message);
             }
         }

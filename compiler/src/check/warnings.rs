@@ -81,7 +81,7 @@ fn tables_bend_smoothly(mechanism: &Mechanism, wanted: &mut Wanted) {
 // A reaction that is named is the only one that holds its joint.
 fn reactions_are_unique(mechanism: &Mechanism, wanted: &mut Wanted) {
     let outputs = mechanism.outputs.iter().map(|output| (&output.name, &output.value));
-    let rates = mechanism.states.iter().map(|state| (&state.name, &state.rate));
+    let rates = mechanism.states.iter().filter_map(|state| Some((&state.name, state.rate.written()?)));
     for (name, expr) in outputs.chain(rates) {
         let mut named = Vec::new();
         expr.quantities(&mut |quantity| match quantity {

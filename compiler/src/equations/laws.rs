@@ -3,9 +3,9 @@
 use super::coordinates::{Layout, Symbols};
 use super::jet::{Jet, Moving};
 use super::kinematics::Kinematics;
-use super::{Wrench, look_up, plane, space};
+use super::{Wrench, loads, look_up, plane, space};
 use crate::model::{
-    Comparison, Condition, Coordinate, Expr, Function1, Function2, JointId, Mechanism, Quantity,
+    Comparison, Condition, Coordinate, Expr, Function1, Function2, JointId, Load, Mechanism, Quantity,
     ReactionPart, Rotor, Vector,
 };
 use crate::symbolic::{Compare, Node, On, Scalar, Sheet, Unary};
@@ -136,6 +136,11 @@ impl<'a> Laws<'a> {
                 look_up::value(look_up, &arguments, &self.turns(), self.g)
             }
         }
+    }
+
+    /// The internal states that a load has.
+    pub fn states(&self, load: &Load) -> Vec<Scalar<'a>> {
+        self.g.all(&self.symbols.internal[load.states.clone()])
     }
 
     pub fn vector(&self, vector: &Vector) -> On<'a, [Node; 3]> {
@@ -270,6 +275,7 @@ impl<'a> Laws<'a> {
             Quantity::Power(load) => total(self.totals.powers.get(load.0)),
             Quantity::DriverPower(driver) => total(self.totals.driver_powers.get(driver.0)),
             Quantity::DriverEffort(driver) => total(self.totals.efforts.get(driver.0)),
+            Quantity::Resistance(load) => loads::resistance(self, &self.mechanism.loads[load.0]),
             Quantity::Reaction(joint, part) => self.reaction(*joint, *part),
             Quantity::KineticEnergy => total(self.totals.kinetic.as_ref()),
             Quantity::PotentialEnergy => total(self.totals.potential.as_ref()),
@@ -341,7 +347,7 @@ fn unary(function: Function1) -> Option<Unary> {
 }
 
 /// x to a constant exponent: products for integers, a root for halves, exp(n ln x) for the rest.
-fn power(x: Scalar, exponent: f64) -> Scalar {
+pub fn power(x: Scalar, exponent: f64) -> Scalar {
     if exponent.fract() == 0.0 && exponent.abs() <= 64.0 {
         return x.power(exponent as i32);
     }

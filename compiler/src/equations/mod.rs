@@ -27,14 +27,14 @@ pub use conditions::{Condition, Conditions, StartTarget};
 pub use coordinates::{Ball, Layout, Linear, MultiTurn, Owner, Rotation, Symbols};
 pub use jet::{Jet, Moving};
 pub use kinematics::Kinematics;
-pub use laws::{Laws, Totals};
+pub use laws::{Laws, Totals, power};
 pub use rows::{JointRow, Origin, Row, RowOfJoint};
 pub use spanning_tree::{Attachment, SpanningTree};
 pub use switch::{Omitted, Sized, Switch};
 pub use tangent::Tangents;
 
 use crate::forms::{Sign, Vocabulary};
-use crate::model::{Coordinate, Mechanism, Redundant, Space};
+use crate::model::{Coordinate, Mechanism, Rate, Redundant, Space};
 use crate::symbolic::{Class, Growing, Node, Scalar, Sheet, all_bare};
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -247,7 +247,7 @@ pub fn derive(mechanism: &Mechanism, tree: SpanningTree, omitted: &Omitted) -> E
         mechanism.outputs.iter().map(|output| outputs_laws.value(&output.value).bare).collect();
 
     let states = mechanism.states.iter();
-    let internal_rates = states.clone().map(|state| outputs_laws.value(&state.rate).bare).collect();
+    let internal_rates = states.clone().map(|state| rate(&outputs_laws, &state.rate).bare).collect();
     let internal_starts = states.map(|state| outputs_laws.value(&state.start).bare).collect();
 
     let conditions = conditions::start_conditions(&laws);
@@ -297,6 +297,14 @@ pub fn derive(mechanism: &Mechanism, tree: SpanningTree, omitted: &Omitted) -> E
         layout,
         kinematics,
         graph,
+    }
+}
+
+/// ż of an internal state.
+fn rate<'g>(laws: &Laws<'g>, rate: &Rate) -> Scalar<'g> {
+    match rate {
+        Rate::Written(expr) => laws.value(expr),
+        Rate::OfLoad(load, which) => loads::rate(laws, &laws.mechanism.loads[load.0], *which),
     }
 }
 
@@ -374,6 +382,12 @@ fn masses(laws: &Laws) -> Vec<(String, Node)> {
             scalars.zip(&joint.scalars).filter(|(argument, _)| argument.sign == Sign::Positive)
         {
             masses.push((format!("{} of \"{}\"", argument.name, joint.name.text), laws.value(value).bare));
+        }
+    }
+    for load in &laws.mechanism.loads {
+        for (argument, values) in load.arguments().filter(|(argument, _)| argument.sign == Sign::Positive) {
+            let what = format!("{} of \"{}\"", argument.name, load.name.text);
+            masses.extend(values.iter().map(|value| (what.clone(), laws.value(value).bare)));
         }
     }
     masses

@@ -25,8 +25,19 @@ pub struct LoadForm {
     pub stores: bool,
     /// Whether its places turn, so that particles have none.
     pub turns: bool,
+    /// The internal states that it has, of what it resists.
+    pub owns: Option<Owned>,
     /// What is possible and probably not meant, given its name and its scalar arguments as far as they are plain numbers.
     pub doubt: Option<Doubt>,
+}
+
+/// Internal states of a load: deflections along what it resists, zero at the start. Each is called by the load's name and this one.
+#[derive(Clone, Copy, Debug)]
+pub enum Owned {
+    /// One, as large as an argument says.
+    One { name: &'static str, size: &'static str },
+    /// One for each element of a backbone, as large as the way at which it yields.
+    Elements { name: &'static str, backbone: &'static str },
 }
 
 /// A warning, if there is one, of a load with this name and these arguments.
@@ -45,6 +56,8 @@ pub enum Acts {
     Body,
     /// An expression of positions.
     Expression,
+    /// The same, or what has one angle or travel alone, by its name.
+    Way,
 }
 
 /// What stands behind a load, `= law`.

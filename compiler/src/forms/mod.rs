@@ -13,7 +13,7 @@ mod table;
 pub use body::{BodyForm, Length, Moment, Outline, Solid, Volume};
 pub use coupling::{CouplingForm, Factor, Means, Proportion};
 pub use joint::{Alone, Freer, Given, JointAxes, JointForm, OfParticle, Spans, degrees_between};
-pub use load::{Acts, Law, LoadForm, Written};
+pub use load::{Acts, Law, LoadForm, Owned, Written};
 pub use row::RowForm;
 pub use table::{Interpolation, Outside};
 
@@ -114,6 +114,14 @@ pub enum Value {
     Moving(Dimension),
     /// A number of parameters for all axes, or in parentheses one for each; zero where it is not written.
     Diagonal(Dimension),
+    /// A number of parameters in the unit of the way that a load resists.
+    Way,
+    /// A number of parameters: force or torque for each unit of that way.
+    Stiffness,
+    /// A number that is known at expansion and at least one.
+    Exponent,
+    /// The name of a table: force or torque by the way, on first loading.
+    Backbone,
 }
 
 impl Argument {
@@ -133,6 +141,11 @@ impl Argument {
         Argument { name, need, value: Value::Diagonal(dimension), sign: Sign::Any }
     }
 
+    /// What is none of these.
+    pub const fn of(name: &'static str, need: Need, value: Value) -> Self {
+        Argument { name, need, value, sign: Sign::Any }
+    }
+
     pub const fn positive(self) -> Self {
         Argument { sign: Sign::Positive, ..self }
     }
@@ -149,10 +162,10 @@ impl Argument {
         self.value == Value::Direction
     }
 
-    /// What it measures; a direction may measure anything.
+    /// What it measures, whatever it stands with; a direction may measure anything.
     pub fn dimension(&self) -> Option<Dimension> {
         match self.value {
-            Value::Direction => None,
+            Value::Direction | Value::Way | Value::Stiffness | Value::Exponent | Value::Backbone => None,
             Value::Scalar(dimension) | Value::Moving(dimension) | Value::Diagonal(dimension) => {
                 Some(dimension)
             }

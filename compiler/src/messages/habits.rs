@@ -153,7 +153,7 @@ pub(crate) fn other_function(name: &str) -> Option<&'static str> {
         "arcsin" => "write `asin`",
         "arccos" => "write `acos`",
         "fabs" => "write `abs`",
-        "norm" => "write `hypot(x, y)`, or `distance(place, place)`",
+        "length" | "magnitude" => "write `norm(a.end - b.start)`, or `hypot(x, y)`",
         "deg" | "degrees" | "radians" | "to_radians" => "write the unit: `30 [deg]`",
         "heaviside" => "write `step(x)`, 1 where x is positive",
         "mod" | "rem" | "fmod" | "modulo" => "write `wrap(x, period)`",

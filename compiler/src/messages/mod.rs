@@ -4,6 +4,7 @@
 mod composition;
 mod files;
 mod habits;
+mod hysteresis;
 mod names;
 mod parts;
 mod states;
@@ -15,6 +16,7 @@ mod writing;
 pub(crate) use composition::*;
 pub(crate) use files::*;
 pub(crate) use habits::*;
+pub(crate) use hysteresis::*;
 pub(crate) use names::*;
 pub(crate) use parts::*;
 pub(crate) use states::*;

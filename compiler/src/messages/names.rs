@@ -147,7 +147,11 @@ pub(crate) fn joint_of_particle(joint: &str, asked: &str) -> String {
     format!("`{joint}` has no {asked}: one of its two bodies is a particle, which has no orientation")
 }
 
-pub(crate) fn quantity_of_load(load: &str) -> String {
+/// `resists`: whether it says with what.
+pub(crate) fn quantity_of_load(load: &str, resists: bool) -> String {
+    if resists {
+        return format!("`{load}` has the quantity `{load}.resistance`, and its power is `power({load})`");
+    }
     format!("a load has no quantities but its power: write `power({load})`")
 }
 

@@ -74,6 +74,21 @@ pub(crate) fn not_bare(found: Dimension, unit: &str) -> String {
     )
 }
 
+pub(crate) fn no_vector(function: &str) -> String {
+    format!(
+        "`{function}` takes vectors: places and their velocities, sums of these, and products with numbers, such as `a.end - b.start`"
+    )
+}
+
+pub(crate) fn product_of_vectors() -> String {
+    "two vectors meet in a product: write `dot(a, b)` or `cross(a, b)`".to_string()
+}
+
+pub(crate) fn cross_is_a_vector() -> String {
+    "the cross product of vectors in space is a vector: write `dot(cross(a, b), c)`, or `norm(cross(a, b))`"
+        .to_string()
+}
+
 pub(crate) fn exponent() -> String {
     "an exponent must be a number known here; for others write `exp(b*ln(a))`".to_string()
 }

@@ -3,6 +3,7 @@
 use super::{BodyId, Expr, Frame, JointId, Mechanism, Name, Place, Vector};
 use crate::forms::{Argument, CouplingForm, JointAxes, JointForm, LoadForm, Proportion, Spans};
 use crate::units::Dimension;
+use std::ops::Range;
 
 /// A joint between two places. Its coordinate, rate, travel and torque are those of the second place's body
 /// relative to the first's, axes in the first's frame.
@@ -128,6 +129,8 @@ pub struct Load {
     pub values: Vec<Vec<Expr>>,
     /// The law behind it: nothing, one value, or components along the axes of the world.
     pub law: Vec<Expr>,
+    /// Its internal states, among those of the mechanism.
+    pub states: Range<usize>,
 }
 
 /// What a load acts on.

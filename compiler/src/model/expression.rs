@@ -135,6 +135,8 @@ pub enum Quantity {
     DriverPower(DriverId),
     /// N m or N, the effort of a driver; only in outputs.
     DriverEffort(DriverId),
+    /// What a load with internal states resists with; in outputs and rates of states.
+    Resistance(LoadId),
     /// What a joint exerts on the body of its second place; in outputs and rates of states.
     Reaction(JointId, ReactionPart),
     /// J.

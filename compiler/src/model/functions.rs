@@ -11,7 +11,7 @@ use crate::syntax::{Label, Operator, Term, TermKind};
 use crate::units::Dimension;
 
 /// All functions, and how many arguments each may have.
-pub(super) const FUNCTIONS: [(&str, &[usize]); 27] = [
+pub(super) const FUNCTIONS: [(&str, &[usize]); 30] = [
     ("sqrt", &[1]),
     ("abs", &[1]),
     ("sign", &[1]),
@@ -39,6 +39,9 @@ pub(super) const FUNCTIONS: [(&str, &[usize]); 27] = [
     ("if", &[3]),
     ("clamp", &[3]),
     ("smoothstep", &[3]),
+    ("norm", &[1]),
+    ("dot", &[2]),
+    ("cross", &[2]),
 ];
 
 /// Whether a word is a function of the language.
@@ -71,6 +74,7 @@ impl Lowering<'_> {
         }
         match name {
             "power" => self.power_of_load(&arguments[0], region, usage),
+            "dot" | "cross" | "norm" => self.of_vectors(name, arguments, region, usage),
             "distance" => self.distance(arguments, region, usage),
             "if" => self.choice(arguments, region, usage),
             "min" => self.function_of_two(Function2::Min, name, arguments, region, usage),

@@ -58,6 +58,8 @@ impl<'d> Lowering<'d> {
                 Value::Diagonal(dimension) => {
                     scalars.extend(self.diagonal(&joint.named, argument.name, dimension)?);
                 }
+                // Joints resist no way.
+                Value::Way | Value::Stiffness | Value::Exponent | Value::Backbone => {}
             }
         }
         let (first, second) = (first?, second?);

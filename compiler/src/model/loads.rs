@@ -16,9 +16,9 @@ impl<'d> Lowering<'d> {
             return None;
         }
         let on = self.subjects(load);
-        let arguments = load.form.call.named.iter();
+        let (arguments, along) = (load.form.call.named.iter(), along(on.as_deref()));
         let values: Vec<Option<Vec<Expr>>> =
-            arguments.map(|argument| self.load_argument(load, argument)).collect();
+            arguments.map(|argument| self.load_argument(load, argument, along)).collect();
         let law = self.law(load, on.as_deref());
         let (on, values): (_, Option<Vec<_>>) = (on?, values.into_iter().collect());
         let (values, law) = (values?, law?);
@@ -26,7 +26,7 @@ impl<'d> Lowering<'d> {
             (Law::Components(_), [value]) => directed(load, &values, value),
             _ => law,
         };
-        Some(Load { name: name(&load.name), form: load.form, on, values, law })
+        Some(Load { name: name(&load.name), form: load.form, on, values, law, states: 0..0 })
     }
 
     /// A torque on a body in space has components.
@@ -83,14 +83,26 @@ impl<'d> Lowering<'d> {
                 }
                 Some(Subject::Expression(typed.expr, typed.dimension))
             }
+            (SubjectTerm::Expression(term), Acts::Way) => {
+                self.way(term).or_else(|| self.subject(written, Acts::Expression))
+            }
             // The parser hands over names where names are meant.
-            (SubjectTerm::Place(_), Acts::Rotor | Acts::Travel | Acts::Body | Acts::Expression)
-            | (SubjectTerm::Name(_), Acts::Place | Acts::Expression)
+            (
+                SubjectTerm::Place(_),
+                Acts::Rotor | Acts::Travel | Acts::Body | Acts::Expression | Acts::Way,
+            )
+            | (SubjectTerm::Name(_), Acts::Place | Acts::Expression | Acts::Way)
             | (SubjectTerm::Expression(_), Acts::Place | Acts::Rotor | Acts::Travel | Acts::Body) => None,
         }
     }
 
-    fn load_argument(&mut self, load: &'d syntax::Load, argument: &Argument) -> Option<Vec<Expr>> {
+    /// `along`: what the way measures that it acts along, where there is one.
+    fn load_argument(
+        &mut self,
+        load: &'d syntax::Load,
+        argument: &Argument,
+        along: Option<Dimension>,
+    ) -> Option<Vec<Expr>> {
         match argument.value {
             Value::Direction => match load.named.tuple(argument.name) {
                 Some(tuple) => self.direction(tuple, argument.name).map(|it| normalised(it).to_vec()),
@@ -101,6 +113,17 @@ impl<'d> Lowering<'d> {
                 None => Some(vec![Expr::Number(0.0)]),
             },
             Value::Diagonal(dimension) => self.diagonal(&load.named, argument.name, dimension),
+            Value::Way => {
+                let entry = load.named.entry(argument.name)?;
+                Some(vec![self.entry(entry, along?, Use::COEFFICIENT, argument.name)?])
+            }
+            Value::Stiffness => {
+                let (entry, way) = (load.named.entry(argument.name)?, along?);
+                let dimension = Dimension::TORQUE.over(way).over(way);
+                Some(vec![self.entry(entry, dimension, Use::COEFFICIENT, argument.name)?])
+            }
+            Value::Exponent => self.exponent(load.named.entry(argument.name)?, argument.name),
+            Value::Backbone => self.backbone(load.named.entry(argument.name)?, along?),
         }
     }
 
@@ -165,6 +188,14 @@ impl<'d> Lowering<'d> {
             return None;
         }
         Some(direction)
+    }
+}
+
+/// What the way measures that a load acts along.
+fn along(on: Option<&[Subject]>) -> Option<Dimension> {
+    match on {
+        Some([Subject::Expression(_, along)]) => Some(*along),
+        _ => None,
     }
 }
 

@@ -78,6 +78,7 @@ pub fn lower(definition: &Definition) -> Result<Mechanism, Diagnostics> {
         allowed: definition.allowed.clone(),
     };
     mechanism.states = lowering.states();
+    lowering.states_of_loads(&mut mechanism.loads, &mut mechanism.states);
     lowering.all_signals();
     mechanism.tables = std::mem::take(&mut lowering.tables).into_iter().flatten().collect();
     mechanism.kinks = std::mem::take(&mut lowering.kinks);

@@ -11,6 +11,7 @@ mod elements;
 mod expression;
 pub(crate) mod fold;
 mod functions;
+mod hysteresis;
 mod joints;
 mod loads;
 mod lower;
@@ -26,6 +27,7 @@ mod states;
 pub mod tables;
 mod unused;
 mod values;
+mod vectors;
 
 use crate::diagnostics::{Allowed, Region};
 use crate::forms::BodyForm;
@@ -215,7 +217,26 @@ pub struct InternalState {
     pub start: Expr,
     /// What its errors are measured by where it is small, SI.
     pub scale: Option<f64>,
-    pub rate: Expr,
+    pub rate: Rate,
+}
+
+/// The rate of an internal state.
+#[derive(Clone, Debug)]
+pub enum Rate {
+    /// As `rate` says.
+    Written(Expr),
+    /// One of those that a load has.
+    OfLoad(LoadId, usize),
+}
+
+impl Rate {
+    /// What is written.
+    pub fn written(&self) -> Option<&Expr> {
+        match self {
+            Self::Written(expr) => Some(expr),
+            Self::OfLoad(..) => None,
+        }
+    }
 }
 
 #[derive(Clone, Debug)]

@@ -46,6 +46,7 @@ impl<'d> Lowering<'d> {
             Quantity::Power(_)
             | Quantity::DriverPower(_)
             | Quantity::DriverEffort(_)
+            | Quantity::Resistance(_)
             | Quantity::Reaction(..)
             | Quantity::KineticEnergy
             | Quantity::PotentialEnergy
@@ -144,10 +145,7 @@ impl<'d> Lowering<'d> {
             Some(Part::Body(index)) => self.of_body(BodyId(index), path),
             Some(Part::Joint(index)) => self.of_joint(JointId(index), path),
             Some(Part::Driver(index)) => self.of_driver(DriverId(index), path),
-            Some(Part::Load(_)) => {
-                self.diagnostics.error(path.region, messages::quantity_of_load(&head.text));
-                None
-            }
+            Some(Part::Load(index)) => self.of_load(LoadId(index), path),
             Some(other) => {
                 self.diagnostics.error(path.region, messages::no_quantities(&head.text, other.kind()));
                 None
@@ -313,6 +311,18 @@ impl<'d> Lowering<'d> {
         }
     }
 
+    fn of_load(&mut self, load: LoadId, path: &Path) -> Option<Found> {
+        let written = &self.definition.loads[load.0];
+        if let ("resistance", 2) = (path.parts[1].text.as_str(), path.parts.len())
+            && let Some(dimension) = self.resistance(written)
+        {
+            return Found::result(Quantity::Resistance(load), dimension);
+        }
+        let has = written.form.owns.is_some();
+        self.diagnostics.error(path.region, messages::quantity_of_load(&path.parts[0].text, has));
+        None
+    }
+
     /// A joint with one angle, or in the plane a body that turns.
     pub fn rotor(&mut self, label: &'d Label) -> Option<Rotor> {
         match self.names.part(&label.text) {
@@ -408,7 +418,10 @@ impl<'d> Lowering<'d> {
     }
 
     /// The names of a joint's angles and travels: those of its kind, and angles only between two things with an orientation.
-    fn coordinates(&self, joint: JointId) -> (&'static [[&'static str; 2]], &'static [[&'static str; 2]]) {
+    pub(super) fn coordinates(
+        &self,
+        joint: JointId,
+    ) -> (&'static [[&'static str; 2]], &'static [[&'static str; 2]]) {
         let term = &self.definition.joints[joint.0];
         let first = match &term.first {
             FirstTerm::Place(first) => self.head(first),

@@ -2,7 +2,7 @@
 
 use super::lower::{Lowering, Use, declared, declared_unit, name};
 use super::names::Value;
-use super::{Expr, InternalState};
+use super::{Expr, InternalState, Rate};
 use crate::messages;
 use crate::syntax::{self, Entry, StateRate};
 use crate::units::Dimension;
@@ -62,7 +62,7 @@ impl<'d> Lowering<'d> {
             docs: state.docs.to_string(),
             start: start?,
             scale,
-            rate: value,
+            rate: Rate::Written(value),
         })
     }
 

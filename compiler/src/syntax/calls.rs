@@ -375,7 +375,12 @@ impl Parser<'_> {
                 let tuple = self.vector(c, unit)?;
                 arguments.named.tuples.push((label, tuple));
             }
-            Value::Scalar(_) | Value::Moving(_) => {
+            Value::Scalar(_)
+            | Value::Moving(_)
+            | Value::Way
+            | Value::Stiffness
+            | Value::Exponent
+            | Value::Backbone => {
                 let entry = self.entry(c, unit)?;
                 arguments.named.entries.push((label, entry));
             }

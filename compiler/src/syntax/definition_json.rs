@@ -315,6 +315,8 @@ impl Writer {
                 Value::Direction => self.tuple_if(name, joint.named.tuple(name), Some("1")),
                 Value::Scalar(_) | Value::Moving(_) => self.entry_if(name, joint.named.entry(name)),
                 Value::Diagonal(_) => self.diagonal_if(name, &joint.named),
+                // Joints resist no way.
+                Value::Way | Value::Stiffness | Value::Exponent | Value::Backbone => {}
             }
         }
     }
@@ -376,7 +378,12 @@ impl Writer {
                         self.key(name).array(&tuple.values, Self::term);
                     }
                 }
-                Value::Scalar(_) | Value::Moving(_) => self.entry_if(name, load.named.entry(name)),
+                Value::Scalar(_)
+                | Value::Moving(_)
+                | Value::Way
+                | Value::Stiffness
+                | Value::Exponent
+                | Value::Backbone => self.entry_if(name, load.named.entry(name)),
                 Value::Diagonal(_) => self.diagonal_if(name, &load.named),
             }
         }

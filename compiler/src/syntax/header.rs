@@ -1,10 +1,10 @@
 //! What can be said of a definition that may be full of errors: enough for items that take the mechanism's place.
 
-use super::definition::{Definition, Label, OptionEntry};
+use super::definition::{Definition, Label, Load, OptionEntry, TableData, TermKind};
 use super::token::Cursor;
 use super::{Shelf, read, token};
 use crate::diagnostics::Diagnostics;
-use crate::forms::Vocabulary;
+use crate::forms::{Owned, Vocabulary};
 use crate::units::Unit;
 use proc_macro2::{Delimiter, Ident, Span, TokenStream, TokenTree};
 use std::collections::HashSet;
@@ -86,7 +86,13 @@ pub fn header(tokens: TokenStream, vocabulary: &'static Vocabulary, shelf: &dyn 
         parameters: known(definition.parameters.iter().map(|it| &it.name).collect(), "param"),
         inputs: known(definition.inputs.iter().map(|it| &it.name).collect(), "input"),
         outputs: known(definition.outputs.iter().map(|it| &it.name).collect(), "output"),
-        states: known(definition.states.iter().map(|it| &it.name).collect(), "state"),
+        states: {
+            let declared = known(definition.states.iter().map(|it| &it.name).collect(), "state");
+            declared
+                .into_iter()
+                .chain(definition.loads.iter().flat_map(|it| owned(&definition, it)))
+                .collect()
+        },
         declared: declared(&definition),
         bodies,
         joints: known(definition.joints.iter().map(|it| &it.name).collect(), "joint"),
@@ -97,6 +103,25 @@ pub fn header(tokens: TokenStream, vocabulary: &'static Vocabulary, shelf: &dyn 
             definition.drivers.len(),
         ]),
     })
+}
+
+/// The internal states of a load, of a backbone as many as its table has points.
+fn owned(definition: &Definition, load: &Load) -> Vec<String> {
+    let owner = identifier(&load.name);
+    match load.form.owns {
+        None => Vec::new(),
+        Some(Owned::One { name, .. }) => vec![format!("{owner}_{name}")],
+        Some(Owned::Elements { name, backbone }) => {
+            let named = load.named.entry(backbone).map(|entry| &entry.value.kind);
+            let Some(TermKind::Name(path)) = named else { return Vec::new() };
+            let table = definition.tables.iter().find(|table| table.name.text == path.text);
+            let count = match table.map(|table| &table.data) {
+                Some(TableData::Points(points)) => points.len(),
+                Some(TableData::Grid { .. } | TableData::File(_)) | None => 0,
+            };
+            (0..count).map(|index| format!("{owner}_{name}_{index}")).collect()
+        }
+    }
 }
 
 /// What was read with a unit that is not that of SI.

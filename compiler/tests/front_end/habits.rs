@@ -41,7 +41,7 @@ fn words_of_others() {
         ("output o [rad] = arcsin(1);", "write `asin`"),
         ("output o [rad] = arccos(1);", "write `acos`"),
         ("output o [1] = fabs(1);", "write `abs`"),
-        ("output o [1] = norm(1, 2);", "write `hypot(x, y)`, or `distance(place, place)`"),
+        ("output o [1] = length(1);", "write `norm(a.end - b.start)`, or `hypot(x, y)`"),
         ("output o [1] = sin(radians(30));", "write the unit: `30 [deg]`"),
         ("output o [1] = heaviside(1);", "write `step(x)`, 1 where x is positive"),
         ("output o [1] = floor(1);", "there is none whose value jumps by itself; write `if(…)`"),

@@ -5,6 +5,7 @@ mod coverage;
 mod definitions;
 mod files;
 mod habits;
+mod hysteresis;
 mod json;
 mod limits;
 mod look_up;

@@ -65,7 +65,7 @@ const MISTAKES: &[(&str, &str)] = &[
     ("output o [m] = nothing;", r#"no value called "nothing""#),
     (
         "spring s: (link.end, base.end, stiffness [N/m] = 1);",
-        "expected the kind of the load (force, torque, spring, damper, torsion_spring, along, bushing), found `(`",
+        "expected the kind of the load (force, torque, spring, damper, torsion_spring, along, masing, bouc_wen, bushing), found `(`",
     ),
     (
         "bushing b: bushing(ground(0, 0), link.end, stiffness [N/m] = 1);",

@@ -92,6 +92,7 @@ fn named(argument: &Argument, space: Space) -> String {
         // What is not written is zero.
         (Value::Scalar(_) | Value::Moving(_) | Value::Diagonal(_), Need::Never) => "0".to_string(),
         (Value::Scalar(_) | Value::Moving(_) | Value::Diagonal(_), _) => "…".to_string(),
+        (Value::Way | Value::Stiffness | Value::Exponent | Value::Backbone, _) => "…".to_string(),
     };
     format!("{} = {value}", argument.name)
 }

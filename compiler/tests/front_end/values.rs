@@ -127,3 +127,58 @@ fn planar_shapes_have_mass_by_density() {
         assert!((m / mass - 1.0).abs() < 1e-14 && (i / inertia - 1.0).abs() < 1e-14, "{written}: {m}, {i}");
     }
 }
+
+/// `dot`, `cross` and `norm` take places and what is made of them, and nothing else takes vectors.
+#[test]
+fn vectors_stand_in_three_functions() {
+    let source = |space: &str, output: &str| {
+        let (inertia, at) = if space == "planar" { ("0.1", "0, 1") } else { ("(0.1, 0.1, 0.1)", "0, 1, 2") };
+        format!(
+            "{space} P {{ body a {{ mass [kg] = 1; inertia [kg*m^2] = {inertia}; point p [m] = ({at}); }}
+             particle cross {{ mass [kg] = 1; }}
+             output x = {output}; }}"
+        )
+    };
+    for (space, output) in [
+        ("planar", "norm(a.p - cross.center)/1 [m]"),
+        ("planar", "cross(2*a.p, -a.p.velocity/3)/1 [m^2/s]"),
+        ("planar", "cross(a.p + cross.center - ground(1, 2) [m], a.center)/1 [m^2]"),
+        ("planar", "dot(a.p.velocity, a.p.velocity)/1 [m^2/s^2]"),
+        ("spatial", "dot(cross(a.p, cross.center), a.p*a.rate.x)/1 [m^3*rad/s]"),
+        ("spatial", "norm(cross(a.p, cross.center.velocity))/1 [m^2/s]"),
+    ] {
+        crate::good(&source(space, output));
+    }
+    for (space, output, expected) in [
+        (
+            "planar",
+            "norm(3)",
+            "`norm` takes vectors: places and their velocities, sums of these, and products with numbers, such as `a.end - b.start`",
+        ),
+        (
+            "planar",
+            "dot(a.p, a.angle)",
+            "`dot` takes vectors: places and their velocities, sums of these, and products with numbers, such as `a.end - b.start`",
+        ),
+        ("planar", "norm(a.p*a.p)", "two vectors meet in a product: write `dot(a, b)` or `cross(a, b)`"),
+        ("planar", "norm(a.p - a.p.velocity)", "the two sides of `-` do not fit"),
+        ("planar", "norm(a.p/0)", "division by zero"),
+        (
+            "spatial",
+            "cross(a.p, a.p)",
+            "the cross product of vectors in space is a vector: write `dot(cross(a, b), c)`, or `norm(cross(a, b))`",
+        ),
+        ("spatial", "norm(cross(a.p))", "`cross` takes 2 arguments, found 1"),
+    ] {
+        let found = crate::bad(&source(space, output)).to_string();
+        assert!(found.contains(expected), "{output}\nexpected: {expected}\nfound: {found}");
+    }
+    let constant =
+        "planar P { body a { mass [kg] = 1; inertia [kg*m^2] = 1; point p [m] = (0, 1); } output x = 1;
+                    param k = norm(a.p)/1 [m]; output y = k; }";
+    assert!(
+        crate::bad(constant).to_string().contains("may depend on constants only"),
+        "{}",
+        crate::bad(constant)
+    );
+}

@@ -194,6 +194,8 @@ macro_rules! for_each_in_zoo {
             tabled: $crate::zoo_laws::Tabled,
             assembled: $crate::zoo_parts::Assembled,
             propped: $crate::zoo_parts::Propped,
+            worn: $crate::zoo_hysteresis::Worn,
+            roped: $crate::zoo_hysteresis::Roped,
             arm: $crate::zoo_space::Arm,
             jack: $crate::zoo_space::Jack,
             table: $crate::zoo_space::Table,

@@ -24,9 +24,11 @@ pub static LOAD: LoadKind = LoadKind {
         law: Law::None,
         stores: false,
         turns: false,
+        owns: None,
         doubt: None,
     },
     terms,
+    inner: None,
     counted: no_rotors,
     symbol,
 };

@@ -17,9 +17,11 @@ pub static LOAD: LoadKind = LoadKind {
         law: Law::Conjugate,
         stores: false,
         turns: false,
+        owns: None,
         doubt: None,
     },
     terms,
+    inner: None,
     counted: no_rotors,
     // It stands at no place.
     symbol: |_| {},

@@ -27,9 +27,11 @@ pub static LOAD: LoadKind = LoadKind {
         law: Law::Components(Dimension::FORCE),
         stores: false,
         turns: false,
+        owns: None,
         doubt: None,
     },
     terms,
+    inner: None,
     counted: no_rotors,
     symbol,
 };

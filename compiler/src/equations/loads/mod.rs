@@ -1,14 +1,18 @@
 //! The loads, one file each with the same parts in the same order: `LOAD` (the record), `terms` (generalised forces, power,
 //! potential energy), `symbol`. What only the plane or only space has stands in `plane::loads` and `space::loads`.
 
+mod bouc_wen;
 mod damper;
 mod expression;
 mod force;
+mod hysteresis;
+mod masing;
 mod push;
 mod spring;
 mod torque;
 mod torsion_spring;
 
+pub use hysteresis::Inner;
 pub use torque::CALL as TORQUE;
 
 use super::jet::Moving;
@@ -23,6 +27,8 @@ use crate::symbolic::{Node, Scalar};
 pub struct LoadKind {
     pub form: LoadForm,
     pub terms: for<'g> fn(&Laws<'g>, &Load) -> LoadTerms<'g>,
+    /// Of its internal states, if its form says that it has any.
+    pub inner: Option<&'static Inner>,
     /// The rotors whose turns it needs counted, beyond those that its law names.
     pub counted: fn(&Load) -> Vec<Rotor>,
     pub symbol: fn(&mut Symbol),
@@ -37,6 +43,8 @@ pub static LOADS: &[&LoadKind] = &[
     &damper::LOAD,
     &torsion_spring::LOAD,
     &expression::LOAD,
+    &masing::LOAD,
+    &bouc_wen::LOAD,
 ];
 
 /// The loads of the plane or of space.
@@ -77,6 +85,17 @@ impl<'g> LoadTerms<'g> {
         self.potential += other.potential;
         self
     }
+}
+
+/// ż of one of a load's internal states.
+pub fn rate<'g>(laws: &Laws<'g>, load: &Load, which: usize) -> Scalar<'g> {
+    let rates = of(load.form).inner.map_or_else(Vec::new, |inner| (inner.rates)(laws, load));
+    rates.get(which).copied().unwrap_or_else(|| laws.g.zero())
+}
+
+/// What a load with internal states resists with.
+pub fn resistance<'g>(laws: &Laws<'g>, load: &Load) -> Scalar<'g> {
+    of(load.form).inner.map_or_else(|| laws.g.zero(), |inner| (inner.resistance)(laws, load))
 }
 
 pub fn terms<'g>(laws: &Laws<'g>, load: &Load) -> LoadTerms<'g> {

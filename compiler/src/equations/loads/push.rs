@@ -19,9 +19,11 @@ pub static LOAD: LoadKind = LoadKind {
         law: Law::Value(Dimension::FORCE),
         stores: false,
         turns: false,
+        owns: None,
         doubt: None,
     },
     terms,
+    inner: None,
     counted: no_rotors,
     symbol,
 };

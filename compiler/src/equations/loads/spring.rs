@@ -29,6 +29,7 @@ pub static LOAD: LoadKind = LoadKind {
         law: Law::None,
         stores: true,
         turns: false,
+        owns: None,
         // A damper has no length.
         doubt: Some(|name, values| match values {
             [Some(0.0), length, ..] if *length != Some(0.0) => Some(messages::spring_that_damps(name)),
@@ -36,6 +37,7 @@ pub static LOAD: LoadKind = LoadKind {
         }),
     },
     terms,
+    inner: None,
     counted: no_rotors,
     symbol,
 };

@@ -23,9 +23,11 @@ pub static LOAD: LoadKind = LoadKind {
         law: Law::Value(Dimension::TORQUE),
         stores: false,
         turns: false,
+        owns: None,
         doubt: None,
     },
     terms,
+    inner: None,
     counted: no_rotors,
     symbol,
 };

@@ -28,9 +28,11 @@ pub static LOAD: LoadKind = LoadKind {
         law: Law::None,
         stores: true,
         turns: false,
+        owns: None,
         doubt: None,
     },
     terms,
+    inner: None,
     counted: |load| load.rotors().collect(),
     symbol,
 };

@@ -33,9 +33,11 @@ pub static LOAD: LoadKind = LoadKind {
         law: Law::None,
         stores: true,
         turns: true,
+        owns: None,
         doubt: None,
     },
     terms,
+    inner: None,
     // The angle is small; counted turns of both bodies could differ by one.
     counted: no_rotors,
     symbol: |s| s.sleeve(),

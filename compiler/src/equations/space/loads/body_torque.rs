@@ -19,9 +19,11 @@ pub static LOAD: LoadKind = LoadKind {
         law: Law::Components(Dimension::TORQUE),
         stores: false,
         turns: false,
+        owns: None,
         doubt: None,
     },
     terms,
+    inner: None,
     counted: no_rotors,
     symbol,
 };

@@ -34,9 +34,11 @@ pub static LOAD: LoadKind = LoadKind {
         law: Law::None,
         stores: true,
         turns: true,
+        owns: None,
         doubt: None,
     },
     terms,
+    inner: None,
     counted: no_rotors,
     symbol: |s| s.sleeve(),
 };
