@@ -224,7 +224,10 @@ fn mistakes_have_one_message_each() {
             leg("", "hip = hull.left").replace("part left", "output o [m] = left; part left"),
             "`left` is a part, expected a value",
         ),
-        (hull("part P() { param in [m] = 1; } part p: P();"), "`in` is a word of Rust and cannot be a name; choose another"),
+        (
+            hull("part P() { param in [m] = 1; } part p: P();"),
+            "`in` is a word of Rust and cannot be a name; choose another",
+        ),
     ];
     let mut others = Vec::new();
     for (source, expected) in cases {
@@ -241,6 +244,26 @@ fn mistakes_have_one_message_each() {
             "a part is declared within a mechanism, or in a file of its own that a mechanism names: `part Leg = file(\"leg.mech\");`"
         ]
     );
+}
+
+#[test]
+fn what_has_a_memory_may_be_in_a_part() {
+    let mechanism = good(&hull(
+        "part Bush(a: place, b: place, depth [m], shaft: joint, curve: table) {
+            signal way [m] = norm(b - a);
+            force bush: bouc_wen(way, stiffness [N/m] = 1e4, share = 0.1, depth = depth, beta = 0.5, gamma = 0.5, exponent = 2);
+            masing bar: masing(shaft, backbone = curve);
+            output d [N] = bush.resistance;
+        }
+        table curve(angle [rad]) [N*m] = [(0, 0), (0.1, 3), (0.3, 5)], linear;
+        rod arm { mass [kg] = 1; length [m] = 1; }
+        joint pin: revolute(hull.left, arm.start);
+        part left: Bush(a = ground(1.2, 0.5) [m], b = arm.end, depth [mm] = 2, shaft = pin, curve = curve);
+        output f [N*m] = left.bar.resistance;",
+    ));
+    let names: Vec<&str> = mechanism.states.iter().map(|state| state.name.text.as_str()).collect();
+    assert_eq!(names[0], "left.bush.deflection");
+    assert!(names[1..].iter().all(|name| name.starts_with("left.bar.")), "{names:?}");
 }
 
 #[test]
