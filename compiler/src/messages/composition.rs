@@ -10,7 +10,7 @@ pub(crate) fn part_twice(name: &str) -> String {
 pub(crate) fn part_not_in_file(name: &str, file: &str, there: &[&str]) -> String {
     let hint = match (closest(name, there.iter().copied()), there) {
         (Some(known), _) => format!("did you mean `{known}`?"),
-        (None, []) => format!("it declares none; write `part {name}(…) {{ … }}` in it"),
+        (None, []) => format!("write `part {name}(…) {{ … }}` in it"),
         (None, there) => format!("it has {}", there.join(", ")),
     };
     format!("{file} declares no part called `{name}`; {hint}")

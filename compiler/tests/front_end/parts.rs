@@ -136,6 +136,7 @@ fn what_is_given_may_be_anything_that_may_stand_there() {
 #[test]
 fn mistakes_have_one_message_each() {
     let fine = "hip = hull.left";
+    let many: String = (0..110).map(|index| format!("output o{index} [1] = 1;")).collect();
     let cases: Vec<(String, &str)> = vec![
         (leg("", "length [m] = 1"), "`Leg` needs to be given `hip`, a place: write `hip = …`"),
         (hull("part P(k [1]) { } part p: P();"), "`P` needs to be given `k`, a value: write `k = …`"),
@@ -194,10 +195,9 @@ fn mistakes_have_one_message_each() {
             "parts use one another in a circle, which would never end: P uses Q uses P",
         ),
         (
-            hull(
-                "part P() { repeat i in 0..100 { part q[i]: Q(); } }
-                  part Q() { repeat i in 0..99 { output o[i] [1] = 1; output p[i] [1] = 1; } } part p: P();",
-            ),
+            hull(&format!(
+                "part P() {{ repeat i in 0..100 {{ part q[i]: Q(); }} }} part Q() {{ {many} }} part p: P();"
+            )),
             "with the statements of this part there are more than 10000; use fewer parts",
         ),
         (
