@@ -76,7 +76,7 @@ fn no_closed_way_gives_energy() {
     for _ in 0..40 {
         let [second, third] = [6e-3, 2e-3].map(|size| random.between(-size, size));
         // The way begins with the speed of the start.
-        let model = Shaken::prepare(ShakenParameters { second, third, ..ShakenParameters::default() });
+        let model = Shaken::prepare(ShakenParameters { second, third });
         for (outputs, _) in moved(&model.expect("any way"), [1.0, 2.0]) {
             for taken in [outputs.slid, outputs.yielded, outputs.rubbed] {
                 assert!(taken >= -1e-9, "{second} {third}: {taken} J");
