@@ -194,7 +194,13 @@ impl<'t> Parser<'t> {
         for (port, value) in values {
             let value = match value {
                 Ok(value) => value,
-                Err(mut default) => self.expression(&mut default)?,
+                Err(mut default) => {
+                    let value = self.expression(&mut default)?;
+                    if !default.is_done() && !default.at_punct(',') {
+                        return self.expected(&default, "`,` or `)`");
+                    }
+                    value
+                }
             };
             let name = self.own(port.name);
             self.constants.insert(name.text.clone(), value.clone());

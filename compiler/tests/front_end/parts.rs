@@ -140,6 +140,7 @@ fn mistakes_have_one_message_each() {
     let cases: Vec<(String, &str)> = vec![
         (leg("", "length [m] = 1"), "`Leg` needs to be given `hip`, a place: write `hip = …`"),
         (hull("part P(k [1]) { } part p: P();"), "`P` needs to be given `k`, a value: write `k = …`"),
+        (hull("part P(k [1] = 1 2) { output o [1] = k; } part p: P();"), "expected `,` or `)`, found `2`"),
         (leg("", "hipp = hull.left"), "`Leg` has no port called `hipp`; did you mean `hip`?"),
         (leg("", "hip = hull.left, quack = 1"), "`Leg` has no port called `quack`; it is given hip, length"),
         (hull("part P() { } part p: P(k = 1);"), "`P` has no port called `k`; it is given nothing"),
