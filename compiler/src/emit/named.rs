@@ -11,7 +11,7 @@
 use super::names::field;
 use super::{Emitter, array, declared, quoted};
 use crate::equations::Layout;
-use crate::model::{InternalState, Mechanism};
+use crate::model::{InternalState, Mechanism, identifier};
 use std::collections::BTreeSet;
 use std::fmt::Write;
 
@@ -239,7 +239,7 @@ const VELOCITIES: [(&str, Kind); 10] = [
 fn unique(mut all: Vec<Named>) -> Vec<Named> {
     let mut taken = BTreeSet::new();
     for named in &mut all {
-        let mut name = named.name.replace(['.', '['], "_").replace(']', "");
+        let mut name = identifier(&named.name);
         while !taken.insert(name.clone()) {
             name.push('_');
         }

@@ -4,7 +4,7 @@
 //! q = [linear coordinates | (cos, sin) per rotation | (w, x, y, z) per quaternion | (turns, remainder) per multi-turn
 //! angle], v = [linear rates | ω per rotation | ω along x, y, z of the turned axes per quaternion].
 
-use crate::model::{BodyId, JointId, Mechanism, Rotor};
+use crate::model::{BodyId, JointId, Mechanism, Rotor, identifier};
 use crate::symbolic::{Class, Node, Sheet};
 
 /// A coordinate that is a length.
@@ -235,9 +235,7 @@ pub fn symbols(g: Sheet, mechanism: &Mechanism, layout: &Layout) -> Symbols {
     let inputs = mechanism.inputs.iter().map(|input| input.name.identifier()).collect();
     let internal = mechanism.states.iter().map(|state| state.name.identifier()).collect();
     let phases = super::couplings::open_phases(mechanism).map(|name| format!("{name}_phase")).collect();
-    let dots = |names: Vec<String>| {
-        names.into_iter().map(|name| name.replace(['.', '['], "_").replace(']', "")).collect::<Vec<_>>()
-    };
+    let dots = |names: Vec<String>| names.into_iter().map(|name| identifier(&name)).collect::<Vec<_>>();
     let velocity_names = dots(layout.velocity_names(mechanism));
     let acceleration_names = velocity_names.iter().map(|name| format!("{name}_dot")).collect();
     Symbols {

@@ -34,7 +34,7 @@ pub use switch::{Omitted, Sized, Switch};
 pub use tangent::Tangents;
 
 use crate::forms::{Sign, Vocabulary};
-use crate::model::{Coordinate, Mechanism, Rate, Redundant, Space};
+use crate::model::{Coordinate, Mechanism, Rate, Redundant, Space, identifier};
 use crate::symbolic::{Class, Growing, Node, Scalar, Sheet, all_bare};
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -403,8 +403,3 @@ pub static VOCABULARY: Vocabulary = Vocabulary {
     couplings: couplings::COUPLINGS,
     loads: |space| loads::of_space(space).map(|load| &load.form).collect(),
 };
-
-/// A dotted or indexed name as an identifier.
-pub fn identifier(name: &str) -> String {
-    name.replace(['.', '['], "_").replace(']', "")
-}

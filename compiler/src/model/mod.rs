@@ -32,7 +32,7 @@ mod vectors;
 use crate::diagnostics::{Allowed, Region};
 use crate::forms::BodyForm;
 pub use crate::forms::{Alone, JointAxes, JointForm, LoadForm, Space};
-pub use crate::syntax::{Budgeted, OnDisk};
+pub use crate::syntax::{Budgeted, OnDisk, identifier};
 pub use elements::{Constraint, ConstraintKind, Coupled, Coupling, Joint, Load, Rotor, Subject};
 pub use expression::{Comparison, Condition, Coordinate, Expr, Function1, Function2, Quantity, ReactionPart};
 pub use lower::lower;
@@ -76,7 +76,7 @@ pub struct Name {
 impl Name {
     /// The name as a Rust identifier: `upright[3]` becomes `upright_3`, `left.foot` `left_foot`.
     pub fn identifier(&self) -> String {
-        crate::syntax::identifier(&self.text)
+        identifier(&self.text)
     }
 }
 
