@@ -62,7 +62,7 @@ pub fn state(definition: &Definition, compiled: &Compiled) -> State {
     let known = &compiled.complete.conditions;
     let (all, conditions) = known.with(mechanism, &equations, &coordinates);
     let masses = masses(mechanism, &equations);
-    let mut point = point(compiled, &equations);
+    let mut point = Point::at_start(compiled, &equations);
     let jets = conditions.iter().map(|index| &all.rows[*index].jet);
     point.evaluate(&Ancestry::of_jets(&equations, jets));
     let found = asked.into_iter().zip(&conditions).map(|(asked, index)| {
@@ -81,18 +81,6 @@ pub fn state(definition: &Definition, compiled: &Compiled) -> State {
     let outputs = outputs(definition, compiled, &mut point);
     let internal = internal(compiled);
     State { bodies: bodies(definition, mechanism, &mut point, &masses), found, internal, outputs }
-}
-
-/// The start as a point of the equations.
-fn point<'e>(compiled: &Compiled, equations: &'e Equations) -> Point<'e> {
-    let mut point = Point::new(equations);
-    let defaults: Vec<f64> = compiled.mechanism.parameters.iter().map(|known| known.default).collect();
-    point.set(&equations.symbols.parameters, &defaults);
-    point.set(&equations.symbols.phases, &compiled.assembly.phases);
-    point.set_q(&compiled.assembly.q);
-    point.set_v(&compiled.assembly.v);
-    point.set(&equations.symbols.internal, &compiled.start_internal());
-    point
 }
 
 /// What `start` mentions, then all other coordinates of joints.

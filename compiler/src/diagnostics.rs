@@ -90,10 +90,14 @@ pub enum Lint {
     Kinks,
     /// A reaction that is one of many.
     Shared,
+    /// A cord whose tension nothing names.
+    Unwatched,
+    /// An internal state that grows by itself at the start.
+    UnstableState,
 }
 
 impl Lint {
-    pub const ALL: [Lint; 7] = [
+    pub const ALL: [Lint; 9] = [
         Self::Unused,
         Self::NoEffect,
         Self::Outside,
@@ -101,6 +105,8 @@ impl Lint {
         Self::Proportion,
         Self::Kinks,
         Self::Shared,
+        Self::Unwatched,
+        Self::UnstableState,
     ];
 
     /// As in `#[allow(unused)]`.
@@ -113,6 +119,8 @@ impl Lint {
             Self::Proportion => "proportion",
             Self::Kinks => "kinks",
             Self::Shared => "shared",
+            Self::Unwatched => "unwatched",
+            Self::UnstableState => "unstable_state",
         }
     }
 }

@@ -109,7 +109,7 @@ pub fn compile_model(
 ) -> Result<Compiled, Diagnostics> {
     let asked = coordinates.unwrap_or(mechanism.options.coordinates);
     let Start { mechanism, equations: tree, assembly } = start_of_model(mechanism, asked)?;
-    let warnings = check::warnings(&mechanism, &assembly.shared);
+    let mut warnings = check::warnings(&mechanism, &assembly.shared);
     let mut errors = Diagnostics::new();
     let spanning = tree.tree.clone();
     let tree = equations::without_redundant(&mechanism, spanning, tree, &assembly.omitted);
@@ -125,6 +125,14 @@ pub fn compile_model(
     };
     // AFTER THIS POINT no linear system is left.
     let Candidate { equations, assembly, solved } = candidate;
+    let Some(states) = check::steady(&mechanism, &equations, &solved, &assembly, &mut errors) else {
+        return Err(errors);
+    };
+    let mechanism = Mechanism { states, ..mechanism };
+    let equations = equations.starting_at(&mechanism);
+    let growing = check::unstable(&mechanism, &equations, &solved, &assembly);
+    check::unstable_states(&mechanism, &growing, &mut warnings);
+    // AFTER THIS POINT every state has its start.
     let (conditions, independent) = equations.conditions.with(&mechanism, &equations, &assembly.independent);
     let partition = assemble::partition(&mechanism, &equations, &conditions, &assembly, &independent);
     let further = Further::of(&equations, &solved, &mechanism.options.emit, &partition);
@@ -162,6 +170,7 @@ pub fn compile_model(
         // Limits of the definition hold for the coordinates of the definition.
         budget::budget(&compiled, &compile_model, &mut errors);
     }
+    check::cords(&compiled, &mut errors);
     let extent = Extent::asked(compiled.mechanism.options.self_check);
     if let Some(contradiction) = self_check::self_check(&compiled, extent).first() {
         errors.error(compiled.mechanism.name.span, contradiction.to_string());

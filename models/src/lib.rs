@@ -6,6 +6,7 @@
 pub mod andrews;
 pub mod braked_wheel;
 pub mod bricard;
+pub mod cable_robot;
 pub mod car_axis;
 pub mod change_point_four_bar;
 pub mod dc_motor_arm;
@@ -96,6 +97,9 @@ macro_rules! for_each_model {
             stewart_platform: $crate::stewart_platform::StewartPlatform,
             delta_robot: $crate::delta_robot::DeltaRobot,
             double_wishbone: $crate::double_wishbone::DoubleWishbone,
+            cable_robot: $crate::cable_robot::CableRobot,
+            cable_robot_from_rest: $crate::cable_robot::CableRobotFromRest,
+            elastic_cable_robot: $crate::cable_robot::ElasticCableRobot,
             dc_motor_arm: $crate::dc_motor_arm::DcMotorArm,
             braked_wheel: $crate::braked_wheel::BrakedWheel,
             lugre_block: $crate::lugre_block::LugreBlock,

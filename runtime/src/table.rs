@@ -13,35 +13,45 @@ pub fn cell<R: Real, const K: usize, const N: usize>(rows: &[[f64; K]; N], x: R)
     x.cell(rows)
 }
 
+/// a + b s + c s² + d s³, or one of its derivatives up to the third.
+#[inline]
+fn cubic<R: Real>(order: u8, [a, b, c, d]: [R; 4], s: R) -> R {
+    let (two, three, six) = (R::from_f64(2.0), R::from_f64(3.0), R::from_f64(6.0));
+    match order {
+        0 => d.mul_add(s, c).mul_add(s, b).mul_add(s, a),
+        1 => (three * d).mul_add(s, two * c).mul_add(s, b),
+        2 => (six * d).mul_add(s, two * c),
+        // Zero times the argument, so that what is no number gives none.
+        _ => R::ZERO.mul_add(s, six * d),
+    }
+}
+
 /// a + b s + c s² + d s³ with s = x − base, of the row of that number.
 #[inline]
 pub fn value<R: Real, const N: usize>(rows: &[[f64; 5]; N], cell: R, x: R) -> R {
     let [base, a, b, c, d] = cell.row(rows);
-    let s = x - base;
-    d.mul_add(s, c).mul_add(s, b).mul_add(s, a)
+    cubic(0, [a, b, c, d], x - base)
 }
 
 /// Its first derivative.
 #[inline]
 pub fn slope<R: Real, const N: usize>(rows: &[[f64; 5]; N], cell: R, x: R) -> R {
-    let [base, _, b, c, d] = cell.row(rows);
-    let (s, two, three) = (x - base, R::from_f64(2.0), R::from_f64(3.0));
-    (three * d).mul_add(s, two * c).mul_add(s, b)
+    let [base, a, b, c, d] = cell.row(rows);
+    cubic(1, [a, b, c, d], x - base)
 }
 
 /// Its second derivative.
 #[inline]
 pub fn second<R: Real, const N: usize>(rows: &[[f64; 5]; N], cell: R, x: R) -> R {
-    let [base, _, _, c, d] = cell.row(rows);
-    (R::from_f64(6.0) * d).mul_add(x - base, R::from_f64(2.0) * c)
+    let [base, a, b, c, d] = cell.row(rows);
+    cubic(2, [a, b, c, d], x - base)
 }
 
 /// Its third derivative.
 #[inline]
 pub fn third<R: Real, const N: usize>(rows: &[[f64; 5]; N], cell: R, x: R) -> R {
-    let [base, _, _, _, d] = cell.row(rows);
-    // Zero times the argument, so that what is no number gives none.
-    R::ZERO.mul_add(x - base, R::from_f64(6.0) * d)
+    let [base, a, b, c, d] = cell.row(rows);
+    cubic(3, [a, b, c, d], x - base)
 }
 
 /// a + b s + c t + d s t with s = x − base, t = y − base, of the row of that number.
@@ -71,6 +81,17 @@ pub fn patch_y<R: Real, const N: usize>(rows: &[[f64; 6]; N], cell: R, x: R, y: 
 pub fn patch_xy<R: Real, const N: usize>(rows: &[[f64; 6]; N], cell: R, x: R, y: R) -> R {
     let [first, second, _, _, _, d] = cell.row(rows);
     R::ZERO.mul_add(x - first, R::ZERO.mul_add(y - second, d))
+}
+
+/// Σ c s^k t^l with s = x − base, t = y − base, differentiated so often by x and by y, up to three times by each, of the row of that
+/// number.
+#[inline]
+pub fn bicubic<R: Real, const N: usize>(rows: &[[f64; 18]; N], by_x: u8, by_y: u8, cell: R, x: R, y: R) -> R {
+    let [first, second, factors @ ..] = cell.row(rows);
+    let [a0, a1, a2, a3, b0, b1, b2, b3, c0, c1, c2, c3, d0, d1, d2, d3] = factors;
+    let t = y - second;
+    let powers = [[a0, a1, a2, a3], [b0, b1, b2, b3], [c0, c1, c2, c3], [d0, d1, d2, d3]];
+    cubic(by_x, powers.map(|of_t| cubic(by_y, of_t, t)), x - first)
 }
 
 /// The search for one number.

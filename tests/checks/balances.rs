@@ -6,6 +6,7 @@ use crate::registry::{At, Model, Random, compiled, fields, for_each, vector};
 use crate::walking::walk;
 use crate::zoo::{Floating, FloatingState, Shaken};
 use linkwright::{AssembleExt, Mechanism, Simulation, State, StateOf, Vector, retract};
+use linkwright_compiler::equations::VOCABULARY;
 use linkwright_compiler::equations::space::constant_axis;
 use linkwright_compiler::forms::Law;
 use linkwright_compiler::functions::{MOTION, REACTION};
@@ -129,6 +130,10 @@ fn weightless(compiled: &Compiled) -> Compiled {
     let mut mechanism = compiled.mechanism.clone();
     mechanism.gravity = None;
     mechanism.expect.budgets.clear();
+    // Without a weight on them cords may push.
+    let rods = (VOCABULARY.joints)(mechanism.space);
+    let rod = rods.into_iter().find(|form| form.call.word == "distance").expect("there are rods");
+    mechanism.joints.iter_mut().filter(|joint| joint.form.only_pulls).for_each(|cord| cord.form = rod);
     let coordinates = compiled.choice.coordinates;
     compile_model(mechanism, compiled.definition.clone(), Some(coordinates)).expect("gravity moves no joint")
 }
@@ -156,7 +161,7 @@ fn power_is_balanced<M: Model>() {
     let (compiled, parameters, model, states) = walk::<M>(22, STATES);
     if compiled.mechanism.loads.iter().any(is_moved) {
         assert!(
-            ["CarAxis", "Table", "Mounted", "Cabin", "Steered", "Worn"].contains(&model.name()),
+            ["CarAxis", "Table", "Mounted", "Cabin", "Steered", "Worn", "Hoisted"].contains(&model.name()),
             "{}: left to the reference",
             model.name()
         );
@@ -202,9 +207,9 @@ fn power_is_balanced<M: Model>() {
 fn springs_store_what_they_take<M: Model>() {
     let (compiled, parameters, model, states) = walk::<M>(23, STATES);
     let none = |damping: &Expr| matches!(damping, Expr::Number(0.0));
-    // A damper is a spring that stores nothing, and so does what has a memory.
+    // A damper is a spring that stores nothing, and so does what has a memory or a winch.
     let loads = compiled.mechanism.loads.iter().enumerate();
-    let springs = loads.filter(|(_, load)| load.form.law == Law::None && load.form.owns.is_none());
+    let springs = loads.filter(|(_, load)| load.form.law == Law::None && load.form.effort.is_none());
     let mut springs = springs.map(|(index, load)| {
         let is_damping = |name: &str| name.ends_with("damping");
         let dampings = load.arguments().filter(|(argument, _)| is_damping(argument.name));
@@ -248,7 +253,7 @@ fn joints_exert_nothing_along_their_freedom<M: Model>() {
         for (joint, [force, torque]) in compiled.mechanism.joints.iter().zip(reactions) {
             let wrench = [force[0], force[1], torque[0]];
             let free: &[usize] = match joint.word() {
-                "revolute" | "point_on_line" | "distance" => &[2],
+                "revolute" | "point_on_line" | "distance" | "cord" => &[2],
                 "parallel" => &[0, 1],
                 // The force along the axis of a slide is left to the reference.
                 "fixed" | "prismatic" => &[],
@@ -281,7 +286,7 @@ fn along_the_freedom(
         Some([0, 1, 2].map(|row| along(axis, &turned[3 * row..])))
     };
     match joint.word() {
-        "spherical" | "point_on_line" | "point_on_plane" | "distance" => torque.to_vec(),
+        "spherical" | "point_on_line" | "point_on_plane" | "distance" | "cord" => torque.to_vec(),
         "revolute" | "planar" => axis().map(|axis| along(axis, torque)).into_iter().collect(),
         "prismatic" => axis().map(|axis| along(axis, force)).into_iter().collect(),
         "cylindrical" => {

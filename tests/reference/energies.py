@@ -13,6 +13,7 @@ from dataclasses import dataclass
 
 import casadi as ca
 
+import cables
 import expressions
 import hysteresis
 from expressions import evaluate
@@ -96,7 +97,7 @@ class Energies:
             pose = self.kinematics.poses[name]
             energy -= body.mass * ca.dot(self.model.gravity, pose.position)
         for load in self.model.definition["loads"]:
-            if load["kind"] in hysteresis.KINDS:
+            if load["kind"] in (*hysteresis.KINDS, "cable"):
                 continue
             if load["kind"] == "bushing":
                 deflection, stiffness, _ = self._bushing(load)
@@ -193,6 +194,12 @@ class Energies:
             way = evaluate(load["expression"], kinematics)
             resisted = -self._hysteresis(load)[0]
             return Load(name, kinematics.rate(way), kinematics.explicit_rate(way), resisted, ca.SX(0))
+        if kind == "cable":
+            # What changes the cable's own length with time alone is no motion of the mechanism.
+            run, own = cables.length(load, kinematics), cables.own_length(load, kinematics)
+            by_time = kinematics.explicit_rate(run)
+            w = kinematics.rate(run) - kinematics.rate(own) + kinematics.explicit_rate(own)
+            return Load(name, w, by_time, -cables.tension(load, kinematics), ca.SX(0))
         if kind == "bushing":
             deflection, stiffness, damping = self._bushing(load)
             w, explicit = kinematics.rate(deflection), kinematics.explicit_rate(deflection)

@@ -199,7 +199,7 @@ class Kinematics:
             sine = pose2.s * pose1.c - pose2.c * pose1.s  # of θ2 − θ1
             cosine = pose2.c * pose1.c + pose2.s * pose1.s
             rows.append(Row(joint.name, "angle", sine * ca.cos(joint.angle) - cosine * ca.sin(joint.angle)))
-        if joint.kind == "distance":
+        if joint.kind in ("distance", "cord"):
             rows.append(Row(joint.name, "distance", (ca.dot(p2 - p1, p2 - p1) - joint.length**2) / 2))
         if not rows:
             raise ValueError(f"{self.model.title}: joint `{joint.name}` is of the unknown kind `{joint.kind}`")

@@ -177,7 +177,7 @@ class SpaceKinematics(Kinematics):
             add("normal_2", ca.dot(e1[:, 1], delta))
         elif kind in ("planar", "point_on_plane"):
             add("normal", ca.dot(e1[:, 2], delta))
-        elif kind == "distance":
+        elif kind in ("distance", "cord"):
             add("distance", (ca.dot(delta, delta) - joint.length**2) / 2)
         elif kind != "parallel":
             raise ValueError(f"{self.model.title}: joint `{joint.name}` is of the unknown kind `{kind}`")
@@ -193,7 +193,7 @@ class SpaceKinematics(Kinematics):
             add("cross", ca.dot(e1[:, 2], second))
         if kind == "constant_velocity":
             add("twist", ca.dot(e1[:, 0], e2[:, 1]) - ca.dot(e1[:, 1], e2[:, 0]))
-        if self._joins_particle(joint) and kind not in ("spherical", "point_on_line", "point_on_plane", "distance"):
+        if self._joins_particle(joint) and kind not in ("spherical", "point_on_line", "point_on_plane", "distance", "cord"):
             raise ValueError(f"{self.model.title}: joint `{joint.name}` needs the orientation of a particle")
         return rows
 

@@ -22,7 +22,7 @@ class Table:
         else:
             axes = [np.array([number(node, units[k]) for node in table["axes"][k]]) for k in (0, 1)]
             z = np.array([[number(node, table["unit"]) for node in row] for row in table["rows"]])
-            self.curve = Grid(*axes, z, table["outside"])
+            self.curve = (Sheet if table["kind"] == "bicubic" else Grid)(*axes, z, table["outside"])
 
     def __call__(self, *arguments):
         return self.curve(*arguments)
@@ -82,6 +82,17 @@ class Grid:
         below = self.z[j, i] * (1 - share) + self.z[j, i + 1] * share
         above = self.z[j + 1, i] * (1 - share) + self.z[j + 1, i + 1] * share
         return below * (1 - other) + above * other
+
+
+class Sheet:
+    """Splines along x through the rows, each with its share: the spline along y that is one at its knot and zero at the others."""
+
+    def __init__(self, x, y, z, outside):
+        self.rows = [Line(x, row, "cubic", outside) for row in z]
+        self.shares = [Line(y, unit, "cubic", outside) for unit in np.eye(len(y))]
+
+    def __call__(self, x, y):
+        return sum(row(x) * share(y) for row, share in zip(self.rows, self.shares))
 
 
 def _within(x, knots, i):

@@ -226,13 +226,14 @@ impl Builder {
         unit: &str,
         axes: [&[f64]; 2],
         rows: &[&[f64]],
+        kind: Interpolation,
         outside: Outside,
     ) -> &mut Self {
         self.declared("table", name, |name| {
             let rows: Vec<String> = rows.iter().map(|row| tuple(row)).collect::<Result<_, _>>()?;
             let (head, axes) =
                 (table_head(name, &arguments, unit)?, [tuple(axes[0])?, tuple(axes[1])?].join(", "));
-            let goes_on = goes_on(Interpolation::Bilinear, outside);
+            let goes_on = goes_on(kind, outside);
             Ok(format!("{head} = grid({axes}, [{}]), {goes_on};", rows.join(", ")))
         });
         self

@@ -9,6 +9,44 @@ pub use freedoms::*;
 use crate::messages::number;
 use crate::numbers::coordinate;
 
+/// Units of the state in SI.
+pub fn never_steady(name: &str, z: f64, rate: f64) -> String {
+    format!(
+        "`{name}` comes to rest nowhere near {}: its rate there is {} per second and does not depend on it, or only as another's does. \
+         Give it a start value instead",
+        number(z),
+        number(rate)
+    )
+}
+
+/// The same.
+pub fn not_settled(name: &str, steps: usize, z: f64, rate: f64) -> String {
+    format!(
+        "no steady value of `{name}` was found in {steps} steps of Newton's method: the last was {} with a rate of {} per second. Begin \
+         nearer to it, `state {name} … = value;`, or leave it out of `steady`",
+        number(z),
+        number(rate)
+    )
+}
+
+/// s.
+pub fn unstable_state(name: &str, time: f64) -> String {
+    format!(
+        "`{name}` leaves where it starts by itself, e-fold in {} s: is the sign of its rate right? If so write \
+         `#[allow(unstable_state)]` before it",
+        number(time)
+    )
+}
+
+/// N.
+pub fn cord_that_pushes(name: &str, tension: f64) -> String {
+    format!(
+        "the cord \"{name}\" would have to push at the start: its tension is {} N. Hang it otherwise, start elsewhere or faster, or \
+         write `distance` for a rod that can push",
+        number(tension)
+    )
+}
+
 /// `others`: those that are.
 pub fn not_independent(of: &str, others: &[&str]) -> String {
     let instead = match others {

@@ -1,14 +1,18 @@
 //! Checks: static rules on the model, numeric rules by assembling the mechanism.
 
 pub mod assemble;
+mod cords;
 mod messages;
 pub mod motion;
 mod proportion;
 pub mod rules;
 mod size;
+mod steady;
 mod warnings;
 
-pub use warnings::warnings;
+pub use cords::cords;
+pub use steady::{steady, unstable};
+pub use warnings::{unstable_states, warnings};
 
 pub use size::size;
 

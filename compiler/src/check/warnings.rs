@@ -11,12 +11,12 @@ use crate::forms::Outline;
 use crate::forms::{JointForm, Law, Sign};
 use crate::messages;
 use crate::model::{
-    Body, BodyId, Declared, Expr, Frame, JointId, Load, Mechanism, NamedPoint, Quantity, Rotor, Subject,
-    Vector,
+    Body, BodyId, Declared, Expr, Frame, InternalState, JointId, Load, Mechanism, NamedPoint, Quantity,
+    ReactionPart, Rotor, Subject, Vector,
 };
 
 /// The warnings in the order they are reported.
-const WARNINGS: [fn(&Mechanism, &mut Wanted); 9] = [
+const WARNINGS: [fn(&Mechanism, &mut Wanted); 10] = [
     declarations_are_used,
     bodies_are_connected,
     gravity_pulls,
@@ -26,6 +26,7 @@ const WARNINGS: [fn(&Mechanism, &mut Wanted); 9] = [
     inertia_fits_mass_and_size,
     tables_bend_smoothly,
     reactions_are_unique,
+    cords_are_watched,
 ];
 
 /// All warnings of a mechanism without errors, and with these joints whose reactions are one of many.
@@ -35,6 +36,16 @@ pub fn warnings(mechanism: &Mechanism, shared: &[JointId]) -> Diagnostics {
         warning(mechanism, &mut wanted);
     }
     wanted.found
+}
+
+/// Warnings of states that grow by themselves, with the time in which they do, s.
+pub fn unstable_states(mechanism: &Mechanism, growing: &[(&InternalState, f64)], found: &mut Diagnostics) {
+    for (state, time) in growing {
+        let (name, at) = (&state.name.text, state.name.span);
+        if !mechanism.allowed.covers(Lint::UnstableState, at) {
+            found.warning(Lint::UnstableState, at, super::messages::unstable_state(name, *time));
+        }
+    }
 }
 
 /// Warnings, but those that `#[allow(…)]` takes back.
@@ -65,6 +76,7 @@ fn declarations_are_used(mechanism: &Mechanism, wanted: &mut Wanted) {
             Declared::Point => "point",
             Declared::Marker => "marker",
             Declared::Line => "line",
+            Declared::Part => "part",
         };
         let message = messages::unused(kind, &unused.name.text, unused.body.as_deref());
         wanted.push(Lint::Unused, unused.name.span, message);
@@ -93,6 +105,25 @@ fn reactions_are_unique(mechanism: &Mechanism, wanted: &mut Wanted) {
         for joint in named {
             let message = messages::shared_reaction(&name.text, &mechanism.joints[joint.0].name.text);
             wanted.push(Lint::Shared, name.span, message);
+        }
+    }
+}
+
+// The tension of a cord is seen by an output or a state.
+fn cords_are_watched(mechanism: &Mechanism, wanted: &mut Wanted) {
+    let outputs = mechanism.outputs.iter().map(|output| &output.value);
+    let rates = mechanism.states.iter().filter_map(|state| state.rate.written());
+    let mut watched = Vec::new();
+    for expr in outputs.chain(rates) {
+        expr.quantities(&mut |quantity| {
+            if let Quantity::Reaction(joint, ReactionPart::Tension) = quantity {
+                watched.push(*joint);
+            }
+        });
+    }
+    for (index, joint) in mechanism.joints.iter().enumerate() {
+        if joint.form.only_pulls && !watched.contains(&JointId(index)) {
+            wanted.push(Lint::Unwatched, joint.name.span, messages::unwatched(&joint.name.text));
         }
     }
 }

@@ -104,6 +104,34 @@ impl Symbol<'_> {
         self.name = Some((b, 3.8 * self.unit));
     }
 
+    /// From end to end, with eyes between and held where an end is the ground's.
+    pub fn line(&mut self) {
+        let unit = self.unit;
+        let spots: Vec<Spot> = self.effort.ends.iter().map(|end| self.view.spot(end.at)).collect();
+        for ([a, b], ends) in spots.windows(2).map(|pair| [pair[0], pair[1]]).zip(self.effort.ends.windows(2))
+        {
+            for (end, from, to) in [(ends[0], b, a), (ends[1], a, b)] {
+                if let (true, Some(e)) = (end.is_grounded, heading(from, to)) {
+                    let across = [-2.6 * unit * e[1], 2.6 * unit * e[0]];
+                    ground_line(
+                        &mut self.group,
+                        shifted(to, -1.0, across),
+                        shifted(to, 1.0, across),
+                        e,
+                        unit,
+                    );
+                }
+            }
+            self.lines.push([a, b]);
+        }
+        self.group.path(&spots, false, Pen::Load(1.1));
+        let inner = spots.iter().skip(1).take(spots.len().saturating_sub(2));
+        inner.for_each(|spot| self.group.circle(*spot, 0.8 * unit, Pen::Load(1.1)));
+        if let [a, b, ..] = spots[..] {
+            self.name = Some((middle(a, b), 2.0 * unit));
+        }
+    }
+
     /// From the first end to the second: a zigzag, a dashpot, or both side by side, held where an end is the ground's.
     pub fn coil(&mut self, is_elastic: bool, is_damped: bool) {
         let [first, second, ..] = self.effort.ends[..] else { return };

@@ -7,7 +7,7 @@ use super::names::{KEYWORDS, field};
 use crate::compiled::Compiled;
 use crate::functions::{Argument, Shape};
 use crate::schedule::{Instruction, Source};
-use crate::symbolic::{Compare, Table, Unary};
+use crate::symbolic::{BICUBIC, Compare, Table, Unary};
 use std::fmt::Write;
 use std::sync::Arc;
 
@@ -73,9 +73,20 @@ impl Dialect for Rust<'_> {
     }
 
     fn look_up(&self, text: &mut String, tables: &[Arc<Table>], instruction: &Instruction) {
+        let number = instruction.table().map_or(0, usize::from);
+        let width = tables[number].width();
         let function = match instruction {
             Instruction::Piece(_, orders, ..) => {
                 ["value", "slope", "second", "third"][usize::from(orders.first())]
+            }
+            Instruction::Patch(_, orders, ..) if width == BICUBIC => {
+                let (first, second) = (orders.first(), orders.second());
+                let _ = write!(
+                    text,
+                    "table::bicubic(&tables::{}, {first}, {second}, ",
+                    look_up::name(tables, number)
+                );
+                return;
             }
             Instruction::Patch(_, orders, ..) => match (orders.first(), orders.second()) {
                 (0, 0) => "patch",
@@ -85,7 +96,6 @@ impl Dialect for Rust<'_> {
             },
             _ => "cell",
         };
-        let number = instruction.table().map_or(0, usize::from);
         let _ = write!(text, "table::{function}(&tables::{}, ", look_up::name(tables, number));
     }
 

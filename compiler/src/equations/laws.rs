@@ -275,7 +275,7 @@ impl<'a> Laws<'a> {
             Quantity::Power(load) => total(self.totals.powers.get(load.0)),
             Quantity::DriverPower(driver) => total(self.totals.driver_powers.get(driver.0)),
             Quantity::DriverEffort(driver) => total(self.totals.efforts.get(driver.0)),
-            Quantity::Resistance(load) => loads::resistance(self, &self.mechanism.loads[load.0]),
+            Quantity::LoadEffort(load) => loads::effort(self, &self.mechanism.loads[load.0]),
             Quantity::Reaction(joint, part) => self.reaction(*joint, *part),
             Quantity::KineticEnergy => total(self.totals.kinetic.as_ref()),
             Quantity::PotentialEnergy => total(self.totals.potential.as_ref()),
@@ -300,6 +300,13 @@ impl<'a> Laws<'a> {
                 .map(|x| *x * *x)
                 .reduce(|sum, square| sum + square)
                 .map_or(self.g.zero(), Scalar::sqrt),
+            // −f·Δ/L, f on the second place.
+            ReactionPart::Tension => {
+                let joint = &self.mechanism.joints[joint.0];
+                let between = self.kinematics().between(self, &joint.first, &joint.second);
+                let work = force.iter().zip(&between).map(|(force, delta)| *force * delta.value());
+                -(self.g.sum(work) / self.value(joint.scalar(0)))
+            }
             // In the plane there is one.
             ReactionPart::Torque(axis) => torque[axis.min(torque.len() - 1)],
         }

@@ -343,6 +343,14 @@ impl Equations {
         (0..self.rows.len()).filter(|row| is_open(&self.rows[*row])).collect()
     }
 
+    /// With the starts of these internal states.
+    pub fn starting_at(self, mechanism: &Mechanism) -> Self {
+        let laws = Laws::constant(self.graph.sheet(), mechanism, &self.symbols);
+        let starts = mechanism.states.iter().map(|state| laws.value(&state.start).bare);
+        let internal_starts = starts.collect();
+        Equations { internal_starts, ..self }
+    }
+
     /// The row of one coordinate and a new symbol for its target.
     pub fn condition(&self, mechanism: &Mechanism, coordinate: &Coordinate) -> (Condition, Node) {
         let (g, symbols) = (self.graph.sheet(), &self.symbols);
@@ -387,7 +395,8 @@ fn masses(laws: &Laws) -> Vec<(String, Node)> {
     for load in &laws.mechanism.loads {
         for (argument, values) in load.arguments().filter(|(argument, _)| argument.sign == Sign::Positive) {
             let what = format!("{} of \"{}\"", argument.name, load.name.text);
-            masses.extend(values.iter().map(|value| (what.clone(), laws.value(value).bare)));
+            let held = values.iter().filter(|value| !value.varies());
+            masses.extend(held.map(|value| (what.clone(), laws.value(value).bare)));
         }
     }
     masses

@@ -21,6 +21,8 @@ pub struct JointForm {
     pub keeps_orientation: bool,
     pub axes: JointAxes,
     pub spans: Spans,
+    /// Whether it can pull its places together and not push them apart.
+    pub only_pulls: bool,
     /// Where a body without orientation may stand.
     pub of_particle: OfParticle,
     /// How a body moves that hangs on it alone.
@@ -35,6 +37,11 @@ impl JointForm {
     /// Whether its first place is a line.
     pub fn has_line(&self) -> bool {
         self.call.positional.contains(&Positional::Line)
+    }
+
+    /// The name of what it exerts as one quantity, if it has one.
+    pub fn effort(&self) -> Option<&'static str> {
+        (self.spans == Spans::Rod).then_some("tension")
     }
 
     /// Whether its second body is drawn as a block on a rail.

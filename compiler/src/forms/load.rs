@@ -18,7 +18,7 @@ pub struct LoadForm {
     pub exerts: &'static str,
     /// Its kind in an exported definition.
     pub exported: &'static str,
-    /// What its unnamed arguments name.
+    /// What its unnamed arguments name; any further ones are as the last.
     pub on: &'static [Acts],
     pub law: Law,
     /// Whether it stores energy: of its power, what changes sign with all velocities is then taken from its potential.
@@ -27,8 +27,17 @@ pub struct LoadForm {
     pub turns: bool,
     /// The internal states that it has, of what it resists.
     pub owns: Option<Owned>,
+    /// The name of what it exerts as one quantity, if it has one.
+    pub effort: Option<&'static str>,
     /// What is possible and probably not meant, given its name and its scalar arguments as far as they are plain numbers.
     pub doubt: Option<Doubt>,
+}
+
+impl LoadForm {
+    /// What each of its unnamed arguments names.
+    pub fn acts(&self) -> impl Iterator<Item = Acts> {
+        self.on.iter().chain(std::iter::repeat(self.on.last()).flatten()).copied()
+    }
 }
 
 /// Internal states of a load: deflections along what it resists, zero at the start. Each is called by the load's name and this one.

@@ -67,6 +67,8 @@ pub struct Form {
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Positional {
     Place,
+    /// As many further places as are written.
+    Places,
     Line,
     /// The name of a joint or body.
     Rotor,
@@ -112,6 +114,11 @@ pub enum Value {
     Scalar(Dimension),
     /// A number of parameters and time.
     Moving(Dimension),
+    /// A law of what moves: parameters, time, positions, inputs and states. Zero where it is not written.
+    Varying(Dimension),
+    /// The rate of another argument, by a law: its derivative where it is not written, which has to be where that depends on inputs
+    /// or states and a third is written.
+    RateOf { varying: &'static str, for_sake_of: &'static str },
     /// A number of parameters for all axes, or in parentheses one for each; zero where it is not written.
     Diagonal(Dimension),
     /// A number of parameters in the unit of the way that a load resists.
@@ -165,10 +172,16 @@ impl Argument {
     /// What it measures, whatever it stands with; a direction may measure anything.
     pub fn dimension(&self) -> Option<Dimension> {
         match self.value {
-            Value::Direction | Value::Way | Value::Stiffness | Value::Exponent | Value::Backbone => None,
-            Value::Scalar(dimension) | Value::Moving(dimension) | Value::Diagonal(dimension) => {
-                Some(dimension)
-            }
+            Value::Direction
+            | Value::RateOf { .. }
+            | Value::Way
+            | Value::Stiffness
+            | Value::Exponent
+            | Value::Backbone => None,
+            Value::Scalar(dimension)
+            | Value::Moving(dimension)
+            | Value::Varying(dimension)
+            | Value::Diagonal(dimension) => Some(dimension),
         }
     }
 

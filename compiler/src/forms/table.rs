@@ -21,10 +21,12 @@ pub enum Interpolation {
     Periodic,
     /// Of two arguments: straight along both.
     Bilinear,
+    /// Of two arguments: along both the spline of [`Cubic`](Self::Cubic).
+    Bicubic,
 }
 
 impl Interpolation {
-    pub const ALL: [Interpolation; 9] = [
+    pub const ALL: [Interpolation; 10] = [
         Self::Linear,
         Self::Akima,
         Self::ModifiedAkima,
@@ -34,6 +36,7 @@ impl Interpolation {
         Self::Natural,
         Self::Periodic,
         Self::Bilinear,
+        Self::Bicubic,
     ];
 
     /// As written.
@@ -48,12 +51,13 @@ impl Interpolation {
             Self::Natural => "natural",
             Self::Periodic => "periodic",
             Self::Bilinear => "bilinear",
+            Self::Bicubic => "bicubic",
         }
     }
 
     /// How many arguments it is for.
     pub fn arguments(self) -> usize {
-        if self == Self::Bilinear { 2 } else { 1 }
+        if matches!(self, Self::Bilinear | Self::Bicubic) { 2 } else { 1 }
     }
 
     /// What is taken where no word says it.
@@ -63,7 +67,7 @@ impl Interpolation {
 
     /// The fewest knots that determine it.
     pub fn fewest(self) -> usize {
-        if matches!(self, Self::Cubic | Self::Natural) { 4 } else { 2 }
+        if matches!(self, Self::Cubic | Self::Natural | Self::Bicubic) { 4 } else { 2 }
     }
 
     /// How often it can be differentiated with what comes out still continuous.
@@ -71,7 +75,7 @@ impl Interpolation {
         match self {
             Self::Linear | Self::Bilinear => 0,
             Self::Akima | Self::ModifiedAkima | Self::Monotone | Self::Pchip => 1,
-            Self::Cubic | Self::Natural | Self::Periodic => 2,
+            Self::Cubic | Self::Natural | Self::Periodic | Self::Bicubic => 2,
         }
     }
 }

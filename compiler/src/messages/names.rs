@@ -148,9 +148,9 @@ pub(crate) fn joint_of_particle(joint: &str, asked: &str) -> String {
 }
 
 /// `resists`: whether it says with what.
-pub(crate) fn quantity_of_load(load: &str, resists: bool) -> String {
-    if resists {
-        return format!("`{load}` has the quantity `{load}.resistance`, and its power is `power({load})`");
+pub(crate) fn quantity_of_load(load: &str, effort: Option<&str>) -> String {
+    if let Some(effort) = effort {
+        return format!("`{load}` has the quantity `{load}.{effort}`, and its power is `power({load})`");
     }
     format!("a load has no quantities but its power: write `power({load})`")
 }

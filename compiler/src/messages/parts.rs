@@ -5,7 +5,7 @@ use crate::forms::{Form, Space};
 
 /// Words of a later version.
 const LOADS_TO_COME: &[&str] = &["friction", "contact", "mesh"];
-const STATEMENTS_TO_COME: &[&str] = &["beam", "cable", "cord"];
+const STATEMENTS_TO_COME: &[&str] = &["beam"];
 
 /// Whether a word will begin a statement in a later version.
 pub(crate) fn is_to_come(word: &str) -> bool {
@@ -291,6 +291,12 @@ pub(crate) fn torque_of_components(name: &str) -> String {
 pub(crate) fn spring_in_one_body(first: &str, second: &str) -> String {
     format!(
         "`{first}` and `{second}` never move apart, so nothing between them does anything: name a place of another body, or leave it out"
+    )
+}
+
+pub(crate) fn rate_not_known(varying: &str, rate: &str, needed_by: &str) -> String {
+    format!(
+        "`{needed_by}` needs the rate of `{varying}`, which follows from no input and no state: write it as `{rate} = …`"
     )
 }
 

@@ -31,6 +31,10 @@ pub(crate) fn unknown_state<'a>(name: &str, states: impl Iterator<Item = &'a str
     }
 }
 
+pub(crate) fn steady_twice(name: &str) -> String {
+    format!("`{name}` is among the steady states twice")
+}
+
 /// What a rate is called where its dimension is wrong.
 pub(crate) fn rate_of(name: &str) -> String {
     format!("the rate of `{name}`")

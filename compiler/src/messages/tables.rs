@@ -54,7 +54,7 @@ pub(crate) fn table_data_of(name: &str, arguments: usize) -> String {
     match arguments {
         1 => format!("`{name}` has one argument: write its points as `[(x, y), …]` or name a `file(\"…\")`"),
         _ => format!(
-            "`{name}` has two arguments: write it as `grid((x, …), (y, …), [(z, …), …])`, a row for each y"
+            "`{name}` has two arguments: write it as `grid((x, …), (y, …), [(z, …), …])`, a row for each y, or name a `file(\"…\")`"
         ),
     }
 }
@@ -82,7 +82,11 @@ pub(crate) fn in_line(file: &str, line: Option<usize>) -> String {
 }
 
 pub(crate) fn few_knots(name: &str, count: usize, kind: &str, least: usize) -> String {
-    let or = if count < 2 { "" } else { ", or write `linear`" };
+    let or = match kind {
+        _ if count < 2 => "",
+        "bicubic" => ", or write `bilinear`",
+        _ => ", or write `linear`",
+    };
     format!("`{name}` has {count} knots along an argument, and `{kind}` takes at least {least}: add some{or}")
 }
 
@@ -121,6 +125,13 @@ pub(crate) fn grid_columns(name: &str, found: usize, argument: &str, expected: u
 /// Before what is wrong there.
 pub(crate) fn place_in_file(file: &str, line: usize, column: usize) -> String {
     format!("`{file}`, line {line}, column {column}: ")
+}
+
+pub(crate) fn columns_of_grid(name: &str) -> String {
+    format!(
+        "`{name}` has two arguments, and is read from all columns: the first line has the values of the first argument behind a field \
+         that is left out, each line behind it one of the second argument and the values there"
+    )
 }
 
 pub(crate) fn csv_empty(file: &str) -> String {

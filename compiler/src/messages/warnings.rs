@@ -8,6 +8,7 @@ pub(crate) fn unused(kind: &str, name: &str, body: Option<&str>) -> String {
     let of = body.map(|body| format!(" of `{body}`")).unwrap_or_default();
     let dropped = match kind {
         "parameter" | "input" | "state" => "so no equation depends on it",
+        "part" => "so nothing inside it was read",
         "constant" | "signal" | "table" => "so it stands for nothing",
         _ => "so no joint, load, start value or output is there",
     };
@@ -104,6 +105,15 @@ pub(crate) fn shared_reaction(name: &str, joint: &str) -> String {
     format!(
         "`{name}` names the reaction of `{joint}`, which is one of many: joints repeat what others fix and share what holds them. Let \
          a joint of the loop leave more freedom, or write `#[allow(shared)]` before `{name}`"
+    )
+}
+
+pub(crate) fn unwatched(cord: &str) -> String {
+    let output = cord.replace(['.', '['], "_").replace(']', "");
+    format!(
+        "nothing tells when the cord `{cord}` would have to push, where the equations no longer hold: write \
+         `output {output}_tension [N] = {cord}.tension;`, of which `Event::of(\"{output}_tension\").falling()` tells the time, or \
+         `#[allow(unwatched)]` before it"
     )
 }
 

@@ -97,7 +97,7 @@ pub(crate) fn unit(error: &UnitError) -> String {
             (Some(advice), _) => format!("no unit called \"{name}\"; {advice}"),
             (None, Some(unit)) => format!("no unit called \"{name}\"; did you mean `{unit}`?"),
             (None, None) => format!(
-                "no unit called \"{name}\"; units are m g s N Pa J W Hz with prefixes, kg rad deg rev rpm min h t bar"
+                "no unit called \"{name}\"; units are m g s N Pa J W Hz A V ohm H F Wb with prefixes, kg rad deg rev rpm min h t bar"
             ),
         },
         UnitError::Prefix(prefix, unit) => {
@@ -190,6 +190,10 @@ pub(crate) fn unknown_statement<'a>(word: &str, known: impl Iterator<Item = &'a 
         }
     };
     format!("no statement begins with `{word}`{hint}")
+}
+
+pub(crate) fn joint_by_its_kind(kind: &str) -> String {
+    format!("no statement begins with `{kind}`; a {kind} is a joint: write `joint name: {kind}(…);`")
 }
 
 pub(crate) fn driven_distance(name: &str) -> String {

@@ -54,6 +54,13 @@ impl Expr {
         moves
     }
 
+    /// Whether anything beside parameters changes it.
+    pub fn varies(&self) -> bool {
+        let mut given = false;
+        self.visit(&mut |part| given |= matches!(part, Expr::Input(_) | Expr::State(_)));
+        given || self.moves()
+    }
+
     /// Calls `found` with every quantity in it.
     pub fn quantities<'e>(&'e self, found: &mut dyn FnMut(&'e Quantity)) {
         self.visit(&mut |expr| {
@@ -135,8 +142,8 @@ pub enum Quantity {
     DriverPower(DriverId),
     /// N m or N, the effort of a driver; only in outputs.
     DriverEffort(DriverId),
-    /// What a load with internal states resists with; in outputs and rates of states.
-    Resistance(LoadId),
+    /// What a load exerts that has a name for it: a resistance, a tension; in outputs and rates of states.
+    LoadEffort(LoadId),
     /// What a joint exerts on the body of its second place; in outputs and rates of states.
     Reaction(JointId, ReactionPart),
     /// J.
@@ -156,6 +163,8 @@ pub enum ReactionPart {
     Normal,
     /// The length of the force, N.
     Size,
+    /// Of a joint that keeps a distance, what pulls its places together, N.
+    Tension,
     /// About world x (0), y (1) or z (2), in the plane about the last, N m.
     Torque(usize),
 }
@@ -164,7 +173,7 @@ impl ReactionPart {
     /// What it measures.
     pub fn dimension(self) -> Dimension {
         match self {
-            Self::Force(_) | Self::Normal | Self::Size => Dimension::FORCE,
+            Self::Force(_) | Self::Normal | Self::Size | Self::Tension => Dimension::FORCE,
             Self::Torque(_) => Dimension::TORQUE,
         }
     }

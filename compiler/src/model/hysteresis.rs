@@ -108,16 +108,15 @@ impl<'d> Lowering<'d> {
         }
     }
 
-    /// What `name.resistance` measures, of a load that has it.
-    pub(super) fn resistance(&mut self, load: &'d syntax::Load) -> Option<Dimension> {
-        load.form.owns?;
+    /// What a load exerts as one quantity: what makes a power of the rate of its way, a force where it has places.
+    pub(super) fn effort(&mut self, load: &'d syntax::Load) -> Dimension {
         // What is wrong with it is said where it is declared.
         let known = std::mem::replace(&mut self.diagnostics, Diagnostics::new());
-        let subject = self.subject(load.on.first()?, Acts::Way);
+        let subject = load.on.first().and_then(|first| self.subject(first, Acts::Way));
         self.diagnostics = known;
         match subject {
-            Some(Subject::Expression(_, way)) => Some(Dimension::TORQUE.over(way)),
-            _ => Some(Dimension::FORCE),
+            Some(Subject::Expression(_, way)) => Dimension::TORQUE.over(way),
+            _ => Dimension::FORCE,
         }
     }
 

@@ -59,7 +59,12 @@ impl<'d> Lowering<'d> {
                     scalars.extend(self.diagonal(&joint.named, argument.name, dimension)?);
                 }
                 // Joints resist no way.
-                Value::Way | Value::Stiffness | Value::Exponent | Value::Backbone => {}
+                Value::Varying(_)
+                | Value::RateOf { .. }
+                | Value::Way
+                | Value::Stiffness
+                | Value::Exponent
+                | Value::Backbone => {}
             }
         }
         let (first, second) = (first?, second?);

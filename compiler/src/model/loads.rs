@@ -21,7 +21,8 @@ impl<'d> Lowering<'d> {
             arguments.map(|argument| self.load_argument(load, argument, along)).collect();
         let law = self.law(load, on.as_deref());
         let (on, values): (_, Option<Vec<_>>) = (on?, values.into_iter().collect());
-        let (values, law) = (values?, law?);
+        let (mut values, law) = (values?, law?);
+        self.rates_of_arguments(load, &mut values)?;
         let law = match (load.form.law, &law[..]) {
             (Law::Components(_), [value]) => directed(load, &values, value),
             _ => law,
@@ -32,7 +33,7 @@ impl<'d> Lowering<'d> {
     /// A torque on a body in space has components.
     fn is_torque_on_body_in_space(&mut self, load: &'d syntax::Load) -> bool {
         let (Law::Value(_), Space::Spatial) = (load.form.law, self.definition.space) else { return false };
-        for (subject, acts) in load.on.iter().zip(load.form.on) {
+        for (subject, acts) in load.on.iter().zip(load.form.acts()) {
             if let (SubjectTerm::Name(label), Acts::Rotor) = (subject, acts)
                 && let Some(Part::Body(_)) = self.names.part(&label.text)
             {
@@ -46,7 +47,7 @@ impl<'d> Lowering<'d> {
     /// What it acts on; two places belong to two things.
     fn subjects(&mut self, load: &'d syntax::Load) -> Option<Vec<Subject>> {
         let subjects: Vec<_> =
-            load.on.iter().zip(load.form.on).map(|(written, acts)| self.subject(written, *acts)).collect();
+            load.on.iter().zip(load.form.acts()).map(|(written, acts)| self.subject(written, acts)).collect();
         let subjects: Vec<Subject> = subjects.into_iter().collect::<Option<_>>()?;
         for (subject, written) in subjects.iter().zip(&load.on) {
             if let Subject::Place(place) = subject
@@ -57,12 +58,14 @@ impl<'d> Lowering<'d> {
                 return None;
             }
         }
-        if let [Subject::Place(first), Subject::Place(second)] = &subjects[..]
-            && first.frame == second.frame
-        {
-            let region = load.on[0].region().to(load.on[1].region());
-            self.diagnostics.error(region, messages::spring_in_one_body(&first.text, &second.text));
-            return None;
+        for (which, pair) in subjects.windows(2).enumerate() {
+            if let [Subject::Place(first), Subject::Place(second)] = pair
+                && first.frame == second.frame
+            {
+                let region = load.on[which].region().to(load.on[which + 1].region());
+                self.diagnostics.error(region, messages::spring_in_one_body(&first.text, &second.text));
+                return None;
+            }
         }
         Some(subjects)
     }
@@ -112,6 +115,20 @@ impl<'d> Lowering<'d> {
                 Some(entry) => Some(vec![self.entry(entry, dimension, Use::COEFFICIENT, argument.name)?]),
                 None => Some(vec![Expr::Number(0.0)]),
             },
+            Value::Varying(dimension) => match load.named.entry(argument.name) {
+                Some(entry) => Some(vec![self.entry(entry, dimension, Use::VARYING, argument.name)?]),
+                None => Some(vec![Expr::Number(0.0)]),
+            },
+            // It follows from another, which is read before it.
+            Value::RateOf { varying, .. } => {
+                let of = load.form.call.named.iter().find(|other| other.name == varying)?.dimension()?;
+                match load.named.entry(argument.name) {
+                    Some(entry) => {
+                        Some(vec![self.entry(entry, of.over(Dimension::TIME), Use::LOAD, argument.name)?])
+                    }
+                    None => Some(Vec::new()),
+                }
+            }
             Value::Diagonal(dimension) => self.diagonal(&load.named, argument.name, dimension),
             Value::Way => {
                 let entry = load.named.entry(argument.name)?;
@@ -125,6 +142,33 @@ impl<'d> Lowering<'d> {
             Value::Exponent => self.exponent(load.named.entry(argument.name)?, argument.name),
             Value::Backbone => self.backbone(load.named.entry(argument.name)?, along?),
         }
+    }
+
+    /// Those that are not written are derivatives.
+    fn rates_of_arguments(&mut self, load: &'d syntax::Load, values: &mut [Vec<Expr>]) -> Option<()> {
+        let arguments = load.form.call.named;
+        for (which, argument) in arguments.iter().enumerate() {
+            let Value::RateOf { varying, for_sake_of } = argument.value else { continue };
+            let of = arguments.iter().position(|other| other.name == varying)?;
+            let [value] = &values[of][..] else { continue };
+            if !values[which].is_empty() {
+                continue;
+            }
+            let mut unknown = false;
+            value.visit(&mut |part| unknown |= matches!(part, Expr::Input(_) | Expr::State(_)));
+            let rate = if unknown || !value.moves() {
+                Expr::Number(0.0)
+            } else {
+                Expr::Rate(Box::new(value.clone()))
+            };
+            if let (true, Some(asks)) = (unknown, load.named.entry(for_sake_of)) {
+                let message = messages::rate_not_known(varying, argument.name, for_sake_of);
+                self.diagnostics.error(asks.value.region, message);
+                return None;
+            }
+            values[which] = vec![rate];
+        }
+        Some(())
     }
 
     /// One value for each axis: as written, or the same for all.

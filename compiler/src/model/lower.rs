@@ -67,6 +67,7 @@ pub fn lower(definition: &Definition) -> Result<Mechanism, Diagnostics> {
         drivers: lowering.each(&definition.drivers, Lowering::driver),
         loads: lowering.each(&definition.loads, Lowering::load),
         start: lowering.each(&definition.start, Lowering::start_condition),
+        steady: lowering.steady(),
         orientations: lowering.each(&definition.orientations, Lowering::start_orientation),
         options: lowering.options(),
         expect: lowering.expect(),
@@ -167,6 +168,7 @@ impl Use {
         accelerates: false,
         ..Self::EQUATION
     };
+    pub const VARYING: Self = Self { what: "this argument", velocities: false, ..Self::LOAD };
     pub const OUTPUT: Self = Self { what: "an output", results: true, ..Self::LOAD };
     pub const STATE_RATE: Self = Self { what: "the rate of a state", ..Self::OUTPUT };
     pub const SIGNAL: Self = Self { what: "a signal", ..Self::OUTPUT };

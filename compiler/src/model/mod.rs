@@ -114,6 +114,8 @@ pub struct Mechanism {
     pub drivers: Vec<Driver>,
     pub loads: Vec<Load>,
     pub start: Vec<StartCondition>,
+    /// The internal states that begin where they rest, and where that is said.
+    pub steady: Vec<(usize, Region)>,
     pub orientations: Vec<StartOrientation>,
     pub options: Options,
     pub expect: Expect,

@@ -3,7 +3,9 @@
 use super::lower::{Lowering, Use};
 use super::names::Part;
 use super::values::Typed;
-use super::{BodyId, Coordinate, DriverId, Expr, Frame, JointId, LoadId, Place, Quantity, Rotor};
+use super::{
+    BodyId, Coordinate, DriverId, Expr, Frame, JointId, LoadId, Place, Quantity, ReactionPart, Rotor,
+};
 use crate::diagnostics::Region;
 use crate::messages;
 use crate::syntax::{FirstTerm, Label, LineTerm, Path, PlaceTerm, Space, Term, TermKind};
@@ -46,7 +48,7 @@ impl<'d> Lowering<'d> {
             Quantity::Power(_)
             | Quantity::DriverPower(_)
             | Quantity::DriverEffort(_)
-            | Quantity::Resistance(_)
+            | Quantity::LoadEffort(_)
             | Quantity::Reaction(..)
             | Quantity::KineticEnergy
             | Quantity::PotentialEnergy
@@ -249,6 +251,11 @@ impl<'d> Lowering<'d> {
             let part = self.reaction(joint, path)?;
             return Found::result(Quantity::Reaction(joint, part), part.dimension());
         }
+        let effort = self.definition.joints[joint.0].form.effort();
+        if path.parts.len() == 2 && effort == Some(quantity.text.as_str()) {
+            let part = ReactionPart::Tension;
+            return Found::result(Quantity::Reaction(joint, part), part.dimension());
+        }
         let (angles, travels) = self.coordinates(joint);
         let find = |names: &[[&str; 2]], which: usize| {
             let found = names.iter().position(|names| names[which] == quantity.text);
@@ -313,13 +320,11 @@ impl<'d> Lowering<'d> {
 
     fn of_load(&mut self, load: LoadId, path: &Path) -> Option<Found> {
         let written = &self.definition.loads[load.0];
-        if let ("resistance", 2) = (path.parts[1].text.as_str(), path.parts.len())
-            && let Some(dimension) = self.resistance(written)
-        {
-            return Found::result(Quantity::Resistance(load), dimension);
+        let effort = written.form.effort;
+        if path.parts.len() == 2 && effort == Some(path.parts[1].text.as_str()) {
+            return Found::result(Quantity::LoadEffort(load), self.effort(written));
         }
-        let has = written.form.owns.is_some();
-        self.diagnostics.error(path.region, messages::quantity_of_load(&path.parts[0].text, has));
+        self.diagnostics.error(path.region, messages::quantity_of_load(&path.parts[0].text, effort));
         None
     }
 

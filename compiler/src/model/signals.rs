@@ -124,7 +124,7 @@ impl Lowering<'_> {
                     Quantity::Power(_)
                     | Quantity::DriverPower(_)
                     | Quantity::DriverEffort(_)
-                    | Quantity::Resistance(_)
+                    | Quantity::LoadEffort(_)
                     | Quantity::Reaction(..)
                     | Quantity::KineticEnergy
                     | Quantity::PotentialEnergy

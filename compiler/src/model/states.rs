@@ -3,6 +3,7 @@
 use super::lower::{Lowering, Use, declared, declared_unit, name};
 use super::names::Value;
 use super::{Expr, InternalState, Rate};
+use crate::diagnostics::Region;
 use crate::messages;
 use crate::syntax::{self, Entry, StateRate};
 use crate::units::Dimension;
@@ -30,6 +31,27 @@ impl<'d> Lowering<'d> {
         }
         let states = definition.states.iter().zip(rates);
         states.filter_map(|(state, rate)| self.state(state, rate)).collect()
+    }
+
+    /// The states of `start { steady = (…); }`.
+    pub fn steady(&mut self) -> Vec<(usize, Region)> {
+        let definition = self.definition;
+        let mut found: Vec<(usize, Region)> = Vec::new();
+        for path in &definition.steady {
+            let Some(Value::State(index)) = self.names.value(&path.text) else {
+                let states = definition.states.iter().map(|state| state.name.text.as_str());
+                self.diagnostics.error(path.region, messages::unknown_state(&path.text, states));
+                continue;
+            };
+            match found.iter().find(|(known, _)| *known == index) {
+                Some((_, first)) => {
+                    let message = messages::steady_twice(&path.text);
+                    self.diagnostics.conflict(path.region, message, *first, messages::first_here(&path.text));
+                }
+                None => found.push((index, path.region)),
+            }
+        }
+        found
     }
 
     fn state(

@@ -1,5 +1,4 @@
-//! What is declared and named by nothing: constants, parameters, inputs, states, signals, tables, points, markers
-//! and lines.
+//! What is declared and named by nothing: constants, parameters, inputs, states, signals, tables, parts, points, markers and lines.
 //!
 //! While names are resolved those that are named are kept; what is left over here is warned of in `check`. The rounds
 //! of a `repeat` declare one thing each at the same place of the source: it is used where one of them is.
@@ -14,6 +13,7 @@ use std::collections::{HashMap, HashSet};
 pub enum Scope {
     Value,
     Table,
+    Part,
     Body(usize),
     Ground,
 }
@@ -30,6 +30,7 @@ pub enum Declared {
     Point,
     Marker,
     Line,
+    Part,
 }
 
 /// Something that is declared and named by nothing.
@@ -49,10 +50,11 @@ pub(super) fn unused(definition: &Definition, used: &HashSet<(Scope, &str)>) -> 
         let named = used.contains(&(scope, label.text.as_str()))
             || label.text.starts_with('_')
             || (matches!(kind, Declared::Constant | Declared::Signal)
-                && definition.counted.contains(&label.text));
+                && definition.counted.contains(&label.text))
+            || (kind == Declared::Part && definition.uses.iter().any(|used| used.part == label.text));
         let body = match scope {
             Scope::Body(index) => Some(definition.bodies[index].name.text.clone()),
-            Scope::Value | Scope::Table | Scope::Ground => None,
+            Scope::Value | Scope::Table | Scope::Part | Scope::Ground => None,
         };
         match known.get(&label.region.serials()) {
             Some(first) => found[*first].1 |= named,
@@ -73,6 +75,7 @@ fn declarations(definition: &Definition) -> impl Iterator<Item = (Scope, Declare
     let states = definition.states.iter().map(|it| &it.name).map(value(Declared::State));
     let signals = definition.signals.iter().map(|it| &it.name).map(value(Declared::Signal));
     let tables = definition.tables.iter().map(|it| (Scope::Table, Declared::Table, &it.name));
+    let parts = definition.parts.iter().map(|name| (Scope::Part, Declared::Part, name));
     let of_bodies = definition.bodies.iter().enumerate().flat_map(|(index, body)| {
         let of_body = move |kind| move |label| (Scope::Body(index), kind, label);
         let points = body.points.iter().map(|(label, _)| label).map(of_body(Declared::Point));
@@ -82,6 +85,7 @@ fn declarations(definition: &Definition) -> impl Iterator<Item = (Scope, Declare
     let of_ground = |kind| move |label| (Scope::Ground, kind, label);
     let markers = definition.markers.iter().map(|it| &it.name).map(of_ground(Declared::Marker));
     let lines = definition.lines.iter().map(|it| &it.name).map(of_ground(Declared::Line));
-    let values = constants.chain(parameters).chain(inputs).chain(states).chain(signals).chain(tables);
+    let values =
+        constants.chain(parameters).chain(inputs).chain(states).chain(signals).chain(tables).chain(parts);
     values.chain(of_bodies).chain(markers).chain(lines)
 }

@@ -71,8 +71,8 @@ pub fn joints(page: &mut String, compiled: &Compiled) {
         Table::new(&["joint", "kind", "first place", "second place", "quantities", "in the equations"]);
     for (index, joint) in mechanism.joints.iter().enumerate() {
         let names = joint.form;
-        let quantities = names.angles.iter().chain(names.travels);
-        let quantities: Vec<String> = quantities.map(|[quantity, _]| code(quantity)).collect();
+        let quantities = names.angles.iter().chain(names.travels).map(|[quantity, _]| *quantity);
+        let quantities: Vec<String> = quantities.chain(names.effort()).map(code).collect();
         let own = equations.rows.iter().filter(|row| row.joint() == Some(JointId(index)));
         let rows: Vec<String> = own.map(|row| code(row.form.name)).collect();
         let carried =

@@ -1,7 +1,7 @@
 //! Operation counts of programs.
 
 use super::program::{Instruction, Operand, Program};
-use crate::symbolic::{Counts, Unary};
+use crate::symbolic::{BICUBIC, Counts, Unary};
 
 pub fn count(program: &Program) -> Counts {
     let mut counts = Counts::default();
@@ -30,9 +30,14 @@ pub fn count(program: &Program) -> Counts {
             Instruction::Piece(_, orders, ..) | Instruction::Patch(_, orders, ..) => {
                 // s = x − base, t = y − base.
                 counts.additions += 1;
-                weight = 3 - usize::from(orders.first().max(orders.second()).min(2));
-                if matches!(instruction, Instruction::Patch(..)) {
+                let of_cubic = |order: u8| 3 - usize::from(order.min(2));
+                weight = of_cubic(orders.first().max(orders.second()));
+                if let Instruction::Patch(table, ..) = instruction {
                     counts.additions += 1;
+                    if width(program, *table) == BICUBIC {
+                        let along = 4 - usize::from(orders.first().min(3));
+                        weight = along * of_cubic(orders.second()) + of_cubic(orders.first());
+                    }
                 }
                 &mut counts.fused_multiply_adds
             }
@@ -49,6 +54,11 @@ pub fn count(program: &Program) -> Counts {
 /// Comparisons, one after the other, that find a row.
 fn steps(program: &Program, table: u16) -> usize {
     program.tables.get(usize::from(table)).map_or(1, |table| table.steps())
+}
+
+/// Numbers of a row.
+fn width(program: &Program, table: u16) -> usize {
+    program.tables.get(usize::from(table)).map_or(0, |table| table.width())
 }
 
 fn value(operand: Operand, depth: &[usize]) -> Option<usize> {

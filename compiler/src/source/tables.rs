@@ -1,25 +1,24 @@
-//! Points of tables that stand in files: read beside the file that names them, before anything is known of their meaning.
+//! Numbers of tables that stand in files: read beside the file that names them, before anything is known of their meaning.
 
-use super::csv::{self, Wrong};
+use super::csv::{self, Sheet, Wrong};
 use super::{FileOf, disk};
 use crate::diagnostics::{Diagnostics, Region};
-use crate::syntax::{ColumnTerm, Definition, FileTerm, Operator, ReadFile, TableData, Term, TermKind};
+use crate::messages;
+use crate::syntax::{
+    ColumnTerm, Definition, FileTerm, Operator, ReadFile, TableData, TableTerm, Term, TermKind,
+};
 
-/// Pairs of numbers.
-type Points = Vec<[Term; 2]>;
 /// What is wrong, and where it is to be said.
 type Misread = (Region, String);
 
-/// Puts the points of files into the tables that name them.
+/// Puts the numbers of files into the tables that name them.
 pub fn read_tables(definition: &mut Definition, file_of: FileOf) -> Result<(), Diagnostics> {
     let mut errors = Diagnostics::new();
     for table in &mut definition.tables {
         let TableData::File(file) = &table.data else { continue };
-        let first = || [1, 2].map(|number| ColumnTerm { text: number.to_string(), region: file.region });
-        let columns = table.columns.clone().unwrap_or_else(first);
-        match points(file, &columns, file_of) {
-            Ok((points, read)) => {
-                table.data = TableData::Points(points);
+        match data(table, file, file_of) {
+            Ok((data, read)) => {
+                table.data = data;
                 table.read = Some(read);
             }
             Err((region, message)) => errors.error(region, message),
@@ -28,17 +27,31 @@ pub fn read_tables(definition: &mut Definition, file_of: FileOf) -> Result<(), D
     errors.finish(())
 }
 
-fn points(file: &FileTerm, asked: &[ColumnTerm; 2], file_of: FileOf) -> Result<(Points, ReadFile), Misread> {
+fn data(table: &TableTerm, file: &FileTerm, file_of: FileOf) -> Result<(TableData, ReadFile), Misread> {
     let region = file.region;
+    let at_file = |message| (region, message);
     let caller = file_of(region.start);
-    let source = disk::read(&file.name, caller.as_deref()).map_err(|message| (region, message))?;
-    let on_disk = disk::on_disk(&source, caller).map_err(|message| (region, message))?;
-    let columns = csv::columns(&source, file.skip, asked).map_err(|wrong| match wrong {
-        Wrong::InFile(message) => (region, message),
-        Wrong::Column(which, message) => (asked[which].region, message),
-    })?;
-    let points = columns.points.iter().map(|point| point.map(|value| term(value, region))).collect();
-    Ok((points, ReadFile { shown: source.name, on_disk, lines: columns.lines }))
+    let source = disk::read(&file.name, caller.as_deref()).map_err(at_file)?;
+    let on_disk = disk::on_disk(&source, caller).map_err(at_file)?;
+    let terms = |values: Vec<f64>| -> Vec<Term> { values.into_iter().map(|it| term(it, region)).collect() };
+    let (data, lines) = if table.arguments.len() == 2 {
+        if let Some([column, _]) = &table.columns {
+            return Err((column.region, messages::columns_of_grid(&table.name.text)));
+        }
+        let Sheet { first, second, rows, lines } = csv::sheet(&source, file.skip).map_err(at_file)?;
+        let rows = rows.into_iter().map(|row| (terms(row), region)).collect();
+        (TableData::Grid { axes: [terms(first), terms(second)], rows }, lines)
+    } else {
+        let first = || [1, 2].map(|number| ColumnTerm { text: number.to_string(), region });
+        let asked = table.columns.clone().unwrap_or_else(first);
+        let columns = csv::columns(&source, file.skip, &asked).map_err(|wrong| match wrong {
+            Wrong::InFile(message) => (region, message),
+            Wrong::Column(which, message) => (asked[which].region, message),
+        })?;
+        let points = columns.points.iter().map(|point| point.map(|value| term(value, region))).collect();
+        (TableData::Points(points), columns.lines)
+    };
+    Ok((data, ReadFile { shown: source.name, on_disk, lines }))
 }
 
 /// A number as if it were written where the file is named.

@@ -19,4 +19,4 @@ pub use graph::{Class, Graph, Node, Op};
 pub use operation::{Compare, Unary, max, min};
 pub use rounding::{of_patch, of_piece, of_quotient, passed_on};
 pub use sheet::{Bare, Growing, On, Scalar, Sheet, all_bare};
-pub use table::{AXIS, Orders, PATCHES, PIECES, Table};
+pub use table::{AXIS, BICUBIC, Orders, PATCHES, PIECES, Table};

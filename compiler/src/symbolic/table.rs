@@ -8,7 +8,7 @@
 pub struct Table {
     /// As formulas call it.
     pub name: String,
-    /// Numbers of a row: [`AXIS`], [`PIECES`] or [`PATCHES`].
+    /// Numbers of a row: [`AXIS`], [`PIECES`], [`PATCHES`] or [`BICUBIC`].
     width: usize,
     /// Row by row.
     values: Vec<f64>,
@@ -22,6 +22,8 @@ pub const AXIS: usize = 1;
 pub const PIECES: usize = 5;
 /// Bases in x and y, a, b, c, d of a + b s + c t + d s t with s = x − base, t = y − base.
 pub const PATCHES: usize = 6;
+/// Bases in x and y, then for each power of s the factors of 1, t, t², t³: Σ c s^k t^l.
+pub const BICUBIC: usize = 18;
 
 /// How often a look-up is differentiated, by the first and by the second argument.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -64,6 +66,7 @@ impl Table {
     pub fn vanishes(&self, orders: Orders) -> bool {
         match self.width {
             PATCHES => orders.first() > 1 || orders.second() > 1,
+            BICUBIC => orders.first() > 3 || orders.second() > 3,
             _ => orders.first() > self.degree,
         }
     }
@@ -98,30 +101,22 @@ impl Table {
     /// A cubic piece or one of its derivatives. Rounded as emitted code rounds without fused multiply-add; no number gives none.
     pub fn piece(&self, order: u8, cell: f64, x: f64) -> f64 {
         let &[base, a, b, c, d] = self.row(cell) else { return f64::NAN };
-        let s = x - base;
-        match order {
-            0 => ((d * s + c) * s + b) * s + a,
-            1 => (3.0 * d * s + 2.0 * c) * s + b,
-            2 => 6.0 * d * s + 2.0 * c,
-            3 => 0.0 * s + 6.0 * d,
-            _ => 0.0,
-        }
+        cubic(order, [a, b, c, d], x - base)
     }
 
     /// The terms of [`Table::piece`] by their magnitudes: what it may be off by in roundings.
     pub fn magnitude(&self, order: u8, cell: f64, x: f64) -> f64 {
         let &[base, a, b, c, d] = self.row(cell) else { return f64::NAN };
-        let (s, [a, b, c, d]) = ((x - base).abs(), [a, b, c, d].map(f64::abs));
-        match order {
-            0 => ((d * s + c) * s + b) * s + a,
-            1 => (3.0 * d * s + 2.0 * c) * s + b,
-            2 => 6.0 * d * s + 2.0 * c,
-            _ => 6.0 * d,
-        }
+        cubic(order, [a, b, c, d].map(f64::abs), (x - base).abs())
     }
 
-    /// A bilinear patch or one of its derivatives, likewise.
+    /// A patch or one of its derivatives, likewise.
     pub fn patch(&self, orders: Orders, cell: f64, x: f64, y: f64) -> f64 {
+        if let [first, second, factors @ ..] = self.row(cell)
+            && self.width == BICUBIC
+        {
+            return bicubic(orders, |k| factors[k], x - first, y - second);
+        }
         let &[first, second, a, b, c, d] = self.row(cell) else { return f64::NAN };
         let (s, t) = (x - first, y - second);
         match (orders.first(), orders.second()) {
@@ -135,6 +130,11 @@ impl Table {
 
     /// The terms of [`Table::patch`] by their magnitudes.
     pub fn patch_magnitude(&self, orders: Orders, cell: f64, x: f64, y: f64) -> f64 {
+        if let [first, second, factors @ ..] = self.row(cell)
+            && self.width == BICUBIC
+        {
+            return bicubic(orders, |k| factors[k].abs(), (x - first).abs(), (y - second).abs());
+        }
         let &[first, second, a, b, c, d] = self.row(cell) else { return f64::NAN };
         let (s, t, [a, b, c, d]) = ((x - first).abs(), (y - second).abs(), [a, b, c, d].map(f64::abs));
         match (orders.first(), orders.second()) {
@@ -144,6 +144,24 @@ impl Table {
             _ => d,
         }
     }
+}
+
+/// a + b s + c s² + d s³, or one of its derivatives.
+fn cubic(order: u8, [a, b, c, d]: [f64; 4], s: f64) -> f64 {
+    match order {
+        0 => ((d * s + c) * s + b) * s + a,
+        1 => (3.0 * d * s + 2.0 * c) * s + b,
+        2 => 6.0 * d * s + 2.0 * c,
+        // Zero times the argument, so that what is no number gives none.
+        3 => 0.0 * s + 6.0 * d,
+        _ => 0.0,
+    }
+}
+
+/// Σ c s^k t^l, or one of its derivatives, by its 16 factors.
+fn bicubic(orders: Orders, factor: impl Fn(usize) -> f64, s: f64, t: f64) -> f64 {
+    let along = |k: usize| cubic(orders.second(), [0, 1, 2, 3].map(|l| factor(4 * k + l)), t);
+    cubic(orders.first(), [0, 1, 2, 3].map(along), s)
 }
 
 #[cfg(test)]

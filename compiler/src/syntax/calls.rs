@@ -48,13 +48,17 @@ impl Arguments {
 
     /// The unnamed arguments, in the order of the form.
     fn subjects(&mut self, form: &Form) -> Parsed<Vec<SubjectTerm>> {
-        let subject = |positional: &Positional| match positional {
-            Positional::Place => self.place().map(SubjectTerm::Place),
-            Positional::Rotor => self.rotor().map(SubjectTerm::Name),
-            Positional::Expression => self.expression().map(SubjectTerm::Expression),
-            Positional::Line => Err(Failed),
-        };
-        form.positional.iter().map(subject).collect()
+        let mut subjects = Vec::new();
+        for positional in form.positional {
+            match positional {
+                Positional::Place => subjects.push(SubjectTerm::Place(self.place()?)),
+                Positional::Places => subjects.extend(self.places.drain(..).map(SubjectTerm::Place)),
+                Positional::Rotor => subjects.push(SubjectTerm::Name(self.rotor()?)),
+                Positional::Expression => subjects.push(SubjectTerm::Expression(self.expression()?)),
+                Positional::Line => return Err(Failed),
+            }
+        }
+        Ok(subjects)
     }
 
     /// The factor of a proportion; what is made of arguments is as if written at `region`.
@@ -228,8 +232,8 @@ impl Parser<'_> {
         let Some(form) = meant.or_else(|| of_word.find(|load| load.meant.is_none())) else {
             return Err(Failed);
         };
-        for (subject, acts) in on.iter_mut().zip(form.on) {
-            if let (false, Some(name)) = (*acts == Acts::Place, name_of(subject).cloned()) {
+        for (subject, acts) in on.iter_mut().zip(form.acts()) {
+            if let (false, Some(name)) = (acts == Acts::Place, name_of(subject).cloned()) {
                 *subject = SubjectTerm::Name(name);
             }
         }
@@ -296,12 +300,23 @@ impl Parser<'_> {
         region: Region,
         arguments: &mut Arguments,
     ) -> Parsed<()> {
-        let mut ahead = c.clone();
-        ahead.advance();
-        while ahead.enter(Delimiter::Bracket).is_some() {}
+        let is_named = |c: &Cursor| {
+            let mut ahead = c.clone();
+            ahead.advance();
+            while ahead.enter(Delimiter::Bracket).is_some() {}
+            ahead.at_punct('=')
+        };
+        if kind == Positional::Places {
+            while !c.is_done() && !is_named(c) {
+                arguments.places.push(self.place(c)?);
+                self.argument_end(c)?;
+            }
+            return Ok(());
+        }
         // An expression may be a comparison, which `model` refuses.
-        if c.is_done() || ahead.at_punct('=') && kind != Positional::Expression {
-            let (count, is_place) = (form.positional.len(), kind == Positional::Place);
+        if c.is_done() || kind != Positional::Expression && is_named(c) {
+            let count = form.positional.iter().filter(|it| **it != Positional::Places).count();
+            let is_place = kind == Positional::Place;
             let loads = (self.vocabulary.loads)(self.definition.space);
             let load = loads.into_iter().find(|load| std::ptr::eq(&load.call, form));
             let instead = load.and_then(|load| load.instead);
@@ -309,6 +324,8 @@ impl Parser<'_> {
         }
         match kind {
             Positional::Place => arguments.places.push(self.place(c)?),
+            // Read above.
+            Positional::Places => {}
             Positional::Line => arguments.lines.push(self.line_argument(c)?),
             Positional::Expression => arguments.expressions.push(self.expression(c)?),
             Positional::Rotor => {
@@ -377,6 +394,8 @@ impl Parser<'_> {
             }
             Value::Scalar(_)
             | Value::Moving(_)
+            | Value::Varying(_)
+            | Value::RateOf { .. }
             | Value::Way
             | Value::Stiffness
             | Value::Exponent

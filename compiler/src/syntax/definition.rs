@@ -30,6 +30,8 @@ pub struct Definition {
     pub allowed: Allowed,
     /// Constants that indices, bounds and counts name.
     pub counted: BTreeSet<String>,
+    /// Parts that are declared beside it, here or in files.
+    pub parts: Vec<Label>,
     /// Uses of parts, in the order in which regions count them.
     pub uses: Vec<PartUse>,
     /// Texts that parts were read from.
@@ -52,6 +54,8 @@ pub struct Definition {
     pub drivers: Vec<Driver>,
     pub loads: Vec<Load>,
     pub start: Vec<StartEntry>,
+    /// The internal states that begin where they rest.
+    pub steady: Vec<Path>,
     /// Orientations that `start` states.
     pub orientations: Vec<OrientationEntry>,
     pub options: Vec<OptionEntry>,

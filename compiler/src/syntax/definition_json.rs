@@ -62,6 +62,9 @@ pub fn definition_json(definition: &Definition) -> String {
             w.key("exact").raw(if start.exact { "true" } else { "false" });
             w.entry_fields(&start.entry);
         });
+        if !definition.steady.is_empty() {
+            w.key("steady").array(&definition.steady, |w, state| w.string(&state.text));
+        }
         if definition.space == Space::Spatial {
             w.key("orientations").list(&definition.orientations, |w, start| {
                 w.key("quantity").name(&start.quantity.text);
@@ -316,7 +319,12 @@ impl Writer {
                 Value::Scalar(_) | Value::Moving(_) => self.entry_if(name, joint.named.entry(name)),
                 Value::Diagonal(_) => self.diagonal_if(name, &joint.named),
                 // Joints resist no way.
-                Value::Way | Value::Stiffness | Value::Exponent | Value::Backbone => {}
+                Value::Varying(_)
+                | Value::RateOf { .. }
+                | Value::Way
+                | Value::Stiffness
+                | Value::Exponent
+                | Value::Backbone => {}
             }
         }
     }
@@ -366,8 +374,15 @@ impl Writer {
         match &load.on[..] {
             [one] => self.subject(["on", "place"], one),
             several => {
-                for (key, one) in ["first", "second", "third"].into_iter().zip(several) {
+                for (key, one) in ["first", "second"].into_iter().zip(several) {
                     self.subject([key; 2], one);
+                }
+                if let Some(further @ [_, ..]) = several.get(2..) {
+                    self.key("further").array(further, |w, one| {
+                        if let SubjectTerm::Place(place) = one {
+                            w.place(place);
+                        }
+                    });
                 }
             }
         }
@@ -380,6 +395,8 @@ impl Writer {
                 }
                 Value::Scalar(_)
                 | Value::Moving(_)
+                | Value::Varying(_)
+                | Value::RateOf { .. }
                 | Value::Way
                 | Value::Stiffness
                 | Value::Exponent

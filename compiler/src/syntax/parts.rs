@@ -77,6 +77,7 @@ impl<'t> Parser<'t> {
         if self.scope.name.is_some() || !self.indices.is_empty() {
             return self.fail(name.region, messages::part_within(&name.text));
         }
+        self.definition.parts.push(name);
         Ok(())
     }
 
@@ -95,6 +96,7 @@ impl<'t> Parser<'t> {
         if self.scope.name.is_some() || !self.indices.is_empty() {
             return self.fail(name.region, messages::part_within(&name.text));
         }
+        self.definition.parts.push(name);
         Ok(())
     }
 

@@ -11,11 +11,20 @@ use crate::messages;
 use proc_macro2::{Delimiter, TokenStream};
 
 impl Parser<'_> {
-    /// `{ quantity [unit] = value; quantity [unit] ~ guess; }`
+    /// `{ quantity [unit] = value; quantity [unit] ~ guess; steady = (state, …); }`
     pub fn start(&mut self, c: &mut Cursor) -> Parsed<()> {
         self.block(c, |parser, c| {
             if c.at_word("repeat") {
                 return parser.fail(c.region(), messages::repeat_in_block());
+            }
+            let mut ahead = c.clone();
+            ahead.advance();
+            if c.at_word("steady") && ahead.at_punct('=') {
+                c.advance();
+                c.advance();
+                let states = parser.list(c, |p, c| p.path(c, "an internal state"))?;
+                parser.definition.steady.extend(states);
+                return parser.semicolon(c);
             }
             let (quantity, unit) = parser.start_quantity(c)?;
             let exact = match (c.eat_punct('='), c.eat_punct('~')) {

@@ -2,7 +2,9 @@
 //! conditions and options (`settings`). `repeat` reads its braces again for every round.
 
 use super::attributes::Bearer;
-use super::definition::{Constant, Driver, Input, InternalState, Line, Output, Parameter, Signal, StateRate};
+use super::definition::{
+    Constant, Driver, Input, InternalState, Line, Output, Parameter, Signal, Space, StateRate,
+};
 use super::parser::{Failed, Parsed, Parser};
 use super::token::Cursor;
 use crate::messages;
@@ -103,6 +105,9 @@ impl Parser<'_> {
             word if self.words_of_couplings().contains(&word) => self.coupling(c, word),
             word if self.words_of_loads().contains(&word) => self.load(c, word),
             word if messages::is_to_come(word) => self.fail(at, messages::not_there_yet(word)),
+            word if (self.vocabulary.joints)(Space::Spatial).iter().any(|joint| joint.call.word == word) => {
+                self.fail(at, messages::joint_by_its_kind(word))
+            }
             _ => self.fail(at, messages::unknown_statement(word, self.statement_words().into_iter())),
         }
     }

@@ -172,7 +172,6 @@ impl Parser<'_> {
                 }
                 table.columns = Some([first, second]);
             }
-            "bicubic" => return self.fail(word.region, messages::not_there_yet("bicubic")),
             text => match Interpolation::ALL.into_iter().find(|known| known.word() == text) {
                 Some(kind) => table.kind = Some((kind, word.region)),
                 None => {

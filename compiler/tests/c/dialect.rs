@@ -12,7 +12,7 @@ use linkwright_compiler::Compiled;
 use linkwright_compiler::emit::{Dialect, Printer, Spelling};
 use linkwright_compiler::functions::{Argument, FUNCTIONS, Shape, Signature};
 use linkwright_compiler::schedule::{Instruction, Source};
-use linkwright_compiler::symbolic::{Compare, Table, Unary};
+use linkwright_compiler::symbolic::{BICUBIC, Compare, Table, Unary};
 use std::fmt::Write;
 use std::sync::Arc;
 
@@ -45,6 +45,22 @@ static double piece3(const double (*t)[5], double cell, double x) {
   const double *r = t[(int)cell];
   return 0.0 * (x - r[0]) + 6.0 * r[4];
 }
+static double cubic(int order, double a, double b, double c, double d, double s) {
+  return order == 0 ? ((d * s + c) * s + b) * s + a
+       : order == 1 ? (3.0 * d * s + 2.0 * c) * s + b
+       : order == 2 ? 6.0 * d * s + 2.0 * c
+       : 0.0 * s + 6.0 * d;
+}
+static double bicubic(const double (*t)[18], int by_x, int by_y, double cell, double x, double y) {
+  const double *r = t[(int)cell];
+  const double q = y - r[1];
+  double f[4];
+  for (int k = 0; k < 4; ++k) {
+    const double *g = r + 2 + 4 * k;
+    f[k] = cubic(by_y, g[0], g[1], g[2], g[3], q);
+  }
+  return cubic(by_x, f[0], f[1], f[2], f[3], x - r[0]);
+}
 static double patch00(const double (*t)[6], double cell, double x, double y) {
   const double *r = t[(int)cell];
   const double s = x - r[0], q = y - r[1];
@@ -64,14 +80,14 @@ static double patch11(const double (*t)[6], double cell, double x, double y) {
 }
 ";
 
-const WORDS: [&str; 72] = [
+const WORDS: [&str; 74] = [
     "auto", "break", "case", "char", "const", "continue", "default", "do", "double", "else", "enum",
     "extern", "float", "for", "goto", "if", "inline", "int", "long", "register", "restrict", "return",
     "short", "signed", "sizeof", "static", "struct", "switch", "typedef", "union", "unsigned", "void",
     "volatile", "while", "sqrt", "fabs", "sign", "sin", "cos", "tan", "asin", "acos", "atan2", "exp", "log",
     "log10", "sinh", "cosh", "tanh", "floor", "least", "most", "main", "errno", "stdin", "stdout", "stderr",
     "isnan", "isinf", "signbit", "INFINITY", "NAN", "HUGE_VAL", "cell", "piece0", "piece1", "piece2",
-    "piece3", "patch00", "patch10", "patch01", "patch11",
+    "piece3", "patch00", "patch10", "patch01", "patch11", "cubic", "bicubic",
 ];
 
 pub struct C {
@@ -150,6 +166,9 @@ impl Dialect for C {
         let table = &tables[usize::from(number)];
         let _ = match instruction {
             Instruction::Piece(_, orders, ..) => write!(text, "piece{}(table_{number}, ", orders.first()),
+            Instruction::Patch(_, orders, ..) if table.width() == BICUBIC => {
+                write!(text, "bicubic(table_{number}, {}, {}, ", orders.first(), orders.second())
+            }
             Instruction::Patch(_, orders, ..) => {
                 write!(text, "patch{}{}(table_{number}, ", orders.first(), orders.second())
             }

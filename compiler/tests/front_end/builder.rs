@@ -136,7 +136,15 @@ fn statements_of_space() {
     let points = [[0.0, 0.0], [90.0, 1.5], [180.0, 0.5], [360.0, 0.0]];
     built.table("cam", ["angle", "deg"], "N*m", &points, Interpolation::Periodic, Outside::Linear);
     let (axes, rows): (_, [&[f64]; 2]) = ([&[-1.0, 1.0][..], &[0.0, 2.0]], [&[0.0, 1.0], &[2.0, 5.0]]);
-    built.grid("drag", [["rate", "rad/s"], ["share", ""]], "N*m", axes, &rows, Outside::Hold);
+    built.grid(
+        "drag",
+        [["rate", "rad/s"], ["share", ""]],
+        "N*m",
+        axes,
+        &rows,
+        Interpolation::Bilinear,
+        Outside::Hold,
+    );
     let drag = Value::call("drag", &[Value::name("first.rate"), Value::from(0.5)]);
     built.law(
         "resistance",

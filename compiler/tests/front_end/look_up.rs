@@ -42,7 +42,7 @@ const MISTAKES: [(&str, &str); 49] = [
     (
         "table t(x) = [(0, 0), (1, 1)], nearest;",
         "a table goes on between its knots in no way called \"nearest\"; there are linear, akima, modified_akima, monotone, pchip, \
-         cubic, natural, periodic, bilinear, and `outside = …`, `columns = …`",
+         cubic, natural, periodic, bilinear, bicubic, and `outside = …`, `columns = …`",
     ),
     (
         "table t(x) = [(0, 0), (1, 1)], columns = (1, 2);",
@@ -109,7 +109,7 @@ const MISTAKES: [(&str, &str); 49] = [
     ),
     (
         "table t(x [quark]) = [(0, 0), (1, 1)];",
-        "no unit called \"quark\"; units are m g s N Pa J W Hz with prefixes, kg rad deg rev rpm min h t bar",
+        "no unit called \"quark\"; units are m g s N Pa J W Hz A V ohm H F Wb with prefixes, kg rad deg rev rpm min h t bar",
     ),
     ("table sin(x) = [(0, 0), (1, 1)];", "`sin` has a meaning of its own here; choose another name"),
     (
@@ -304,6 +304,63 @@ fn read(name: &str, text: &str, data: &str) -> Result<(Vec<f64>, Vec<f64>), Stri
         let table = &compiled.mechanism.tables[0];
         (table.knots[0].iter().map(|knot| knot.to_degrees().round()).collect(), table.values[0].clone())
     })
+}
+
+/// The knots and the values of the only table, a grid.
+fn read_grid(text: &str, data: &str) -> Result<[Vec<Vec<f64>>; 2], String> {
+    let caller = in_file("grid.csv", text);
+    let tokens = format!(
+        "planar Arm {{ table drag(rate [rad/s], load [N]) [N*m] = {data}; rod arm {{ mass [kg] = 1; length [m] = 1; }} \
+         joint hinge: revolute(ground(0, 0), arm.start); torque air: torque(hinge) = -drag(hinge.rate, 2 [N]); }}"
+    );
+    let compiled = compile_at(tokens.parse().expect("tokens"), None, &|_| Some(caller.clone().into()));
+    compiled.map_err(|errors| errors.iter().map(|error| error.message.clone()).collect()).map(|compiled| {
+        let table = &compiled.mechanism.tables[0];
+        [table.knots.clone(), table.values.clone()]
+    })
+}
+
+#[test]
+fn grids_of_files() {
+    let knots = vec![vec![-1.0, 0.0, 1.0], vec![0.0, 4.0]];
+    let values = vec![vec![-2.0, 0.0, 2.0], vec![-3.0, 0.1, 4.0]];
+    for text in [
+        ",-1,0,1\n0,-2,0,2\n4,-3,0.1,4\n",
+        "# measured\nload; -1; 0; 1 # rad/s\n0; -2; 0; 2\n\n4; -3; 1e-1; 4",
+        "0 -1 0 1\n0 -2 0 2\n4 -3 .1 4\n",
+    ] {
+        assert_eq!(read_grid(text, "file(\"grid.csv\")"), Ok([knots.clone(), values.clone()]), "{text}");
+    }
+    assert_eq!(
+        read_grid("x\nl,-1,0,1\n0,-2,0,2\n4,-3,.1,4\n", "file(\"grid.csv\", skip = 1)"),
+        Ok([knots, values])
+    );
+    for (text, data, expected) in [
+        ("# nothing\n", "file(\"grid.csv\")", "grid.csv` has no line of numbers"),
+        (
+            ",-1,0,1\n0,-2,0\n",
+            "file(\"grid.csv\")",
+            "grid.csv`, line 2, column 7: this line has 3 fields, and the first one that is read has 4",
+        ),
+        (",-1,x,1\n0,-2,0,2\n", "file(\"grid.csv\")", "grid.csv`, line 1, column 5: \"x\" is no number"),
+        (
+            ",-1,0,1\n0,-2,0,2\n4,-3,one,4\n",
+            "file(\"grid.csv\")",
+            "grid.csv`, line 3, column 6: \"one\" is no number",
+        ),
+        (",-1,0,1\n4,-2,0,2\n0,-3,1,4\n", "file(\"grid.csv\")", "0 N follows 4 N (line 3 of `"),
+        (",1,0\n4,-2,0\n5,-3,1\n", "file(\"grid.csv\")", "0 rad/s follows 1 rad/s (line 1 of `"),
+        (",-1,0,1\n0,-2,0,2\n", "file(\"grid.csv\")", "`drag` has 1 "),
+        (
+            ",-1,0\n0,-2,0\n4,-3,1\n",
+            "file(\"grid.csv\"), columns = (1, 2)",
+            "`drag` has two arguments, and is read from all columns",
+        ),
+        (",-1,0\n0,-2,0\n4,-3,1\n", "file(\"grid.csv\"), bicubic", "`drag` has 2 knots"),
+    ] {
+        let found = read_grid(text, data).expect_err(text);
+        assert!(found.contains(expected), "{text}: {found}");
+    }
 }
 
 #[test]

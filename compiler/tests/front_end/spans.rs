@@ -33,7 +33,7 @@ fn names() {
 fn units() {
     points_at(
         "param p [kg*mm/sek] = 1;",
-        "no unit called \"sek\"; units are m g s N Pa J W Hz with prefixes, kg rad deg rev rpm min h t bar",
+        "no unit called \"sek\"; units are m g s N Pa J W Hz A V ohm H F Wb with prefixes, kg rad deg rev rpm min h t bar",
         "param p [kg*mm/sek] = 1;
                ~~~",
     );

@@ -79,6 +79,7 @@ fn joints(space: Space) -> String {
 fn written(form: &Form, space: Space) -> String {
     let positional = form.positional.iter().map(|positional| match positional {
         Positional::Place => "place".to_string(),
+        Positional::Places => "…".to_string(),
         Positional::Line => "line".to_string(),
         Positional::Rotor => "joint or body".to_string(),
         Positional::Expression => "expression".to_string(),
@@ -92,14 +93,15 @@ fn named(argument: &Argument, space: Space) -> String {
         // What is not written is zero.
         (Value::Scalar(_) | Value::Moving(_) | Value::Diagonal(_), Need::Never) => "0".to_string(),
         (Value::Scalar(_) | Value::Moving(_) | Value::Diagonal(_), _) => "…".to_string(),
+        (Value::Varying(_) | Value::RateOf { .. }, _) => "…".to_string(),
         (Value::Way | Value::Stiffness | Value::Exponent | Value::Backbone, _) => "…".to_string(),
     };
     format!("{} = {value}", argument.name)
 }
 
 fn quantities(joint: &JointForm) -> String {
-    let names = joint.travels.iter().chain(joint.angles).flatten();
-    names.map(|name| code(name)).collect::<Vec<_>>().join(", ")
+    let names = joint.travels.iter().chain(joint.angles).flatten().copied();
+    names.chain(joint.effort()).map(code).collect::<Vec<_>>().join(", ")
 }
 
 fn code(text: &str) -> String {

@@ -205,3 +205,38 @@ fn motor_gear_load() {
     let squared = -(space.a[2 * 4] + space.a[3 * 4 + 1]);
     assert!((squared.sqrt() - 329.983_164_553_72).abs() < 1e-9, "{}", squared.sqrt());
 }
+
+mod steady {
+    linkwright::mechanism! {
+        /// A motor that turns already, warms up, and whose power is measured slowly.
+        pub planar Settled {
+            param resistance [ohm] = 0.5;
+            state current [A] = 0;
+            rate  current = (3 [V] - resistance*current - 0.08 [V*s]*axle.rate)/2e-3 [H];
+            state warmth [1] = 1;
+            rate  warmth = 0.1 [1/(A^2*s)]*current^2 - warmth^1.5/10 [s];
+            state felt [W] = 0, scale = 1 [W];
+            rate  felt = (power(motor) - felt)/0.1 [s];
+            state turned [rad] = 0.25;
+            rate  turned = axle.rate;
+            body arm { mass [kg] = 0.1; inertia [kg*m^2] = 0.02; }
+            joint  axle:  revolute(ground(0, 0) [m], arm.center);
+            torque motor: torque(axle) = 0.08 [N*m/A]*current;
+            start { axle.rate [rad/s] = 10; steady = (warmth, current, felt); }
+            output turned [rad] = turned;
+        }
+    }
+}
+
+/// i = (V − K ω)/R; w^1.5 = 10·0.1 i²; what is felt is the power K i ω. What is not named begins as it is declared.
+#[test]
+fn steady_states_begin_where_they_rest() {
+    let found = steady::Settled::internal(&steady::Settled::START.z);
+    let current = (3.0 - 0.08 * 10.0) / 0.5_f64;
+    let mut worst = Worst::default();
+    worst.see(found.current, current);
+    worst.see(found.warmth, (current * current).powf(2.0 / 3.0));
+    worst.see(found.felt, 0.08 * current * 10.0);
+    worst.see(found.turned, 0.25);
+    worst.below(1e-12, "steady states");
+}

@@ -196,3 +196,28 @@ linkwright::mechanism! {
         output braked [W] = power(brake) + power(rope);
     }
 }
+
+linkwright::mechanism! {
+    /// A runner on a ground that was measured, with a pendulum on it, in a wind by height and speed.
+    pub spatial Terrain {
+        param drag [1] = 0.8;
+        gravity [m/s^2] = (0, 0, -9.81);
+        table relief(east [m], north [m]) [mm] = grid(
+            (-1, -0.2, 0.3, 1, 2), (-1, 0, 0.4, 1.5),
+            [(0, 120, 90, -60, 20), (40, 180, 130, 0, 30), (60, 150, 60, 20, -10), (-30, 40, 80, 50, 0)]
+        ), bicubic;
+        table wind(height [m], rate [m/s]) [N] = grid(
+            (-1, -0.5, 0, 1), (-3, -1, 1, 3), [(-2, -3, -5, -6), (0, -1, -1, -2), (1, 1, 2, 2), (2, 4, 5, 7)]
+        ), bicubic, outside = hold;
+        particle runner { mass [kg] = 1.2; }
+        rod arm { mass [kg] = 0.7; length [m] = 0.5; radius [mm] = 10; }
+        joint hung: spherical(runner.center, arm.start);
+        constraint on: runner.center.z = relief(runner.center.x, runner.center.y);
+        force blown: force(arm.end, direction = (1, 0.2, 0)) = -drag*wind(arm.end.z, arm.end.velocity.x);
+        start { runner.center.x [m] = 0.1; runner.center.y [m] = 0.2; runner.center.velocity.x [m/s] = 0.4; runner.center.velocity.y [m/s] = -0.7;
+                arm.orientation = (0.8, 0.1, 0.6, 0); arm.rate.y [rad/s] = 0.3; }
+        options { emit = (penalty, projection, null_space, tangent); }
+        output height [mm] = runner.center.z;
+        output blows [N] = wind(arm.end.z, 2 [m/s]);
+    }
+}

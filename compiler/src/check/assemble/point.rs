@@ -1,6 +1,7 @@
 //! The equations at one state, by interpreting their graph.
 
 use super::quaternion;
+use crate::compiled::Compiled;
 use crate::equations::{Equations, Jet};
 use crate::model::Mechanism;
 use crate::symbolic::{Node, Op, evaluate_reachable};
@@ -40,6 +41,15 @@ impl<'a> Point<'a> {
         let mut point = Point::new(equations);
         point.set(&equations.symbols.parameters, &mechanism.defaults());
         point.set(&equations.symbols.phases, phases);
+        point
+    }
+
+    /// The start of a mechanism at time zero, inputs zero.
+    pub fn at_start(compiled: &Compiled, equations: &'a Equations) -> Self {
+        let mut point = Point::at_defaults(&compiled.mechanism, equations, &compiled.assembly.phases);
+        point.set_q(&compiled.assembly.q);
+        point.set_v(&compiled.assembly.v);
+        point.set(&equations.symbols.internal, &compiled.start_internal());
         point
     }
 

@@ -37,22 +37,24 @@ pub static LOAD: LoadKind = LoadKind {
         stores: false,
         turns: false,
         owns: Some(Owned::One { name: "deflection", size: "depth" }),
+        effort: Some("resistance"),
         doubt: None,
     },
     terms,
     inner: Some(&INNER),
+    effort: Some(resistance),
     counted: no_rotors,
     // It stands at no place.
     symbol: |_| {},
 };
 
-static INNER: Inner = Inner { rates, resistance };
+static INNER: Inner = Inner { rates };
 
 /// Relative deflections below it are taken for it where their logarithm is needed.
 const LEAST: f64 = 1e-12;
 
 fn terms<'g>(laws: &Laws<'g>, load: &Load) -> LoadTerms<'g> {
-    hysteresis::terms(laws, load, &INNER)
+    hysteresis::terms(laws, load, resistance(laws, load))
 }
 
 /// v − |ζ|ⁿ⁻¹ (β |v| ζ + γ v |ζ|) with ζ = z/z₀.

@@ -11,8 +11,6 @@ use crate::symbolic::Scalar;
 pub struct Inner {
     /// ż, in their order.
     pub rates: for<'g> fn(&Laws<'g>, &Load) -> Vec<Scalar<'g>>,
-    /// F, positive against the way.
-    pub resistance: for<'g> fn(&Laws<'g>, &Load) -> Scalar<'g>,
 }
 
 /// x, with its rate.
@@ -21,6 +19,6 @@ pub fn way<'g>(laws: &Laws<'g>, load: &Load) -> Moving<'g> {
 }
 
 /// −F along x.
-pub fn terms<'g>(laws: &Laws<'g>, load: &Load, inner: &Inner) -> LoadTerms<'g> {
-    along(&way(laws, load), -(inner.resistance)(laws, load))
+pub fn terms<'g>(laws: &Laws<'g>, load: &Load, resistance: Scalar<'g>) -> LoadTerms<'g> {
+    along(&way(laws, load), -resistance)
 }

@@ -30,19 +30,21 @@ pub static LOAD: LoadKind = LoadKind {
         stores: false,
         turns: false,
         owns: Some(Owned::Elements { name: "element", backbone: "backbone" }),
+        effort: Some("resistance"),
         doubt: None,
     },
     terms,
     inner: Some(&INNER),
+    effort: Some(resistance),
     counted: no_rotors,
     // It stands at no place.
     symbol: |_| {},
 };
 
-static INNER: Inner = Inner { rates, resistance };
+static INNER: Inner = Inner { rates };
 
 fn terms<'g>(laws: &Laws<'g>, load: &Load) -> LoadTerms<'g> {
-    hysteresis::terms(laws, load, &INNER)
+    hysteresis::terms(laws, load, resistance(laws, load))
 }
 
 /// Each deflection, with where it yields and its stiffness.

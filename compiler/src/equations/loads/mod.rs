@@ -2,6 +2,7 @@
 //! potential energy), `symbol`. What only the plane or only space has stands in `plane::loads` and `space::loads`.
 
 mod bouc_wen;
+mod cable;
 mod damper;
 mod expression;
 mod force;
@@ -29,6 +30,8 @@ pub struct LoadKind {
     pub terms: for<'g> fn(&Laws<'g>, &Load) -> LoadTerms<'g>,
     /// Of its internal states, if its form says that it has any.
     pub inner: Option<&'static Inner>,
+    /// What it exerts as one quantity, if its form has a name for that.
+    pub effort: Option<for<'g> fn(&Laws<'g>, &Load) -> Scalar<'g>>,
     /// The rotors whose turns it needs counted, beyond those that its law names.
     pub counted: fn(&Load) -> Vec<Rotor>,
     pub symbol: fn(&mut Symbol),
@@ -40,7 +43,9 @@ pub static LOADS: &[&LoadKind] = &[
     &push::LOAD,
     &torque::LOAD,
     &spring::LOAD,
+    &cable::LOAD,
     &damper::LOAD,
+    &cable::LOAD,
     &torsion_spring::LOAD,
     &expression::LOAD,
     &masing::LOAD,
@@ -93,9 +98,9 @@ pub fn rate<'g>(laws: &Laws<'g>, load: &Load, which: usize) -> Scalar<'g> {
     rates.get(which).copied().unwrap_or_else(|| laws.g.zero())
 }
 
-/// What a load with internal states resists with.
-pub fn resistance<'g>(laws: &Laws<'g>, load: &Load) -> Scalar<'g> {
-    of(load.form).inner.map_or_else(|| laws.g.zero(), |inner| (inner.resistance)(laws, load))
+/// What a load exerts as one quantity: a resistance, a tension.
+pub fn effort<'g>(laws: &Laws<'g>, load: &Load) -> Scalar<'g> {
+    of(load.form).effort.map_or_else(|| laws.g.zero(), |effort| effort(laws, load))
 }
 
 pub fn terms<'g>(laws: &Laws<'g>, load: &Load) -> LoadTerms<'g> {

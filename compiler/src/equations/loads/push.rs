@@ -20,10 +20,12 @@ pub static LOAD: LoadKind = LoadKind {
         stores: false,
         turns: false,
         owns: None,
+        effort: None,
         doubt: None,
     },
     terms,
     inner: None,
+    effort: None,
     counted: no_rotors,
     symbol,
 };

@@ -30,6 +30,7 @@ pub static LOAD: LoadKind = LoadKind {
         stores: true,
         turns: false,
         owns: None,
+        effort: None,
         // A damper has no length.
         doubt: Some(|name, values| match values {
             [Some(0.0), length, ..] if *length != Some(0.0) => Some(messages::spring_that_damps(name)),
@@ -38,6 +39,7 @@ pub static LOAD: LoadKind = LoadKind {
     },
     terms,
     inner: None,
+    effort: None,
     counted: no_rotors,
     symbol,
 };

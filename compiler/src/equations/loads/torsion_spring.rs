@@ -29,10 +29,12 @@ pub static LOAD: LoadKind = LoadKind {
         stores: true,
         turns: false,
         owns: None,
+        effort: None,
         doubt: None,
     },
     terms,
     inner: None,
+    effort: None,
     counted: |load| load.rotors().collect(),
     symbol,
 };

@@ -12,7 +12,7 @@ use super::{Expr, Name};
 use crate::diagnostics::Region;
 use crate::forms::{Interpolation, Outside};
 use crate::messages;
-use crate::symbolic::{self, AXIS, Orders, PATCHES, PIECES};
+use crate::symbolic::{self, AXIS, Orders, PIECES};
 use crate::syntax::{ReadFile, TableData, TableTerm, Term, WrittenUnit};
 use crate::units::Dimension;
 use std::sync::Arc;
@@ -162,8 +162,8 @@ impl Lowering<'_> {
                     Arc::new(symbolic::Table::new(name, AXIS, pieces::of_axis(knots)))
                 };
                 let axes = [of_axis(0, &x), of_axis(1, &y)];
-                let rows = pieces::of_grid(&x, &y, &values, outside);
-                let patches = Arc::new(symbolic::Table::new(text.as_str(), PATCHES, rows));
+                let (width, rows) = pieces::of_grid(&x, &y, &values, kind, outside);
+                let patches = Arc::new(symbolic::Table::new(text.as_str(), width, rows));
                 (vec![x, y], values, Curve::Grid { axes, patches })
             }
             _ => {
@@ -201,8 +201,9 @@ impl Lowering<'_> {
         self.is_of_a_size(written, points.len(), kind)?;
         let (text, of) = (&written.name.text, |k: usize| points.iter().map(move |point| &point[k]));
         let unit = written.arguments[0].1.as_ref();
-        let knots = self.numbers(written, of(0), unit, argument, &messages::knot_of(text));
-        let values = self.numbers(written, of(1), written.unit.as_ref(), value, &messages::value_of(text));
+        let knots = self.numbers(written, of(0), unit, argument, &messages::knot_of(text), |k| k);
+        let values =
+            self.numbers(written, of(1), written.unit.as_ref(), value, &messages::value_of(text), |k| k);
         let (knots, values) = (knots?, values?);
         self.ascends(text, &knots, argument)?;
         Some((knots.values, values.values))
@@ -220,7 +221,9 @@ impl Lowering<'_> {
         self.is_of_a_size(written, terms.len(), kind)?;
         let text = &written.name.text;
         let unit = written.arguments[at].1.as_ref();
-        let knots = self.numbers(written, terms.iter(), unit, argument, &messages::knot_of(text))?;
+        // In a file the first argument has a line of its own, before those of the second.
+        let line = |index: usize| if at == 0 { 0 } else { index + 1 };
+        let knots = self.numbers(written, terms.iter(), unit, argument, &messages::knot_of(text), line)?;
         self.ascends(text, &knots, argument)?;
         Some(knots.values)
     }
@@ -245,14 +248,20 @@ impl Lowering<'_> {
         }
         let value = Axis::new("", written.unit.as_ref());
         let mut found = Vec::new();
-        for (row, region) in rows {
+        for (at, (row, region)) in rows.iter().enumerate() {
             if row.len() != columns {
                 let message = messages::grid_columns(text, row.len(), &written.arguments[0].0.text, columns);
                 self.diagnostics.error(*region, message);
                 return None;
             }
-            let numbers =
-                self.numbers(written, row.iter(), written.unit.as_ref(), &value, &messages::value_of(text));
+            let numbers = self.numbers(
+                written,
+                row.iter(),
+                written.unit.as_ref(),
+                &value,
+                &messages::value_of(text),
+                |_| at + 1,
+            );
             found.push(numbers?.values);
         }
         Some(found)
@@ -271,7 +280,7 @@ impl Lowering<'_> {
         None
     }
 
-    /// Numbers in a unit of the head, known at expansion.
+    /// Numbers in a unit of the head, known at expansion; `line` says which of a file's lines each stands in.
     fn numbers<'t>(
         &mut self,
         written: &TableTerm,
@@ -279,11 +288,12 @@ impl Lowering<'_> {
         unit: Option<&WrittenUnit>,
         axis: &Axis,
         what: &str,
+        line: impl Fn(usize) -> usize,
     ) -> Option<Knots> {
         let mut found = Knots { values: Vec::new(), places: Vec::new() };
         for (index, term) in terms.enumerate() {
             let read = written.read.as_ref();
-            let place = read.map(|read| messages::in_line(&read.shown, read.lines.get(index).copied()));
+            let place = read.map(|read| messages::in_line(&read.shown, read.lines.get(line(index)).copied()));
             let Expr::Number(number) = self.with_unit(term, unit, axis.dimension, Use::TABLE, what)? else {
                 self.diagnostics.error(term.region, messages::not_constant(what));
                 return None;

@@ -3,7 +3,7 @@
 
 use super::pieces;
 use super::{Curve, Interpolation, Outside};
-use crate::symbolic::{AXIS, Orders, PATCHES, PIECES, Table};
+use crate::symbolic::{AXIS, Orders, PIECES, Table};
 use std::sync::Arc;
 
 const X: [f64; 9] = [-0.5, -0.3, -0.1, 0.0, 0.05, 0.2, 0.25, 0.6, 1.0];
@@ -170,7 +170,8 @@ fn bilinear() {
     let z = [vec![0.0, 2.0, 3.0, 8.0], vec![1.0, 2.5, 5.0, 9.0], vec![3.0, 6.0, 7.0, 12.0]];
     let grid = |outside| {
         let axes = [&x[..], &y[..]].map(|knots| Arc::new(Table::new("a", AXIS, pieces::of_axis(knots))));
-        let patches = Arc::new(Table::new("g", PATCHES, pieces::of_grid(&x, &y, &z, outside)));
+        let (width, rows) = pieces::of_grid(&x, &y, &z, Interpolation::Bilinear, outside);
+        let patches = Arc::new(Table::new("g", width, rows));
         Curve::Grid { axes, patches }
     };
     let (on, held) = (grid(Outside::Linear), grid(Outside::Hold));
@@ -193,4 +194,102 @@ fn bilinear() {
     close(at(&held, 0, 1, -3.0, 0.25), 2.0);
     close(at(&on, 1, 0, 0.5, 0.25), 1.75);
     close(at(&on, 1, 1, 0.5, 0.25), -1.0);
+}
+
+/// x, y; the value, then the derivatives by x, y, both, x twice, y twice, both twice.
+const SCIPY: [(f64, f64, [f64; 7]); 4] = [
+    (
+        0.5,
+        0.25,
+        [
+            1.3750302269345238,
+            1.6059694320436515,
+            0.5212146577380969,
+            -0.647129216269839,
+            -0.3752418154761911,
+            3.4990327380952304,
+            -15.992261904761877,
+        ],
+    ),
+    (
+        1.5,
+        1.0,
+        [
+            4.886755952380952,
+            2.8689484126984137,
+            2.326711309523807,
+            -0.40719246031745926,
+            0.7726190476190467,
+            -0.945386904761907,
+            -0.17023809523809275,
+        ],
+    ),
+    (
+        3.0,
+        0.4,
+        [
+            7.469923809523811,
+            2.4784603174603177,
+            4.017285714285715,
+            -0.8468650793650786,
+            -1.529180952380952,
+            -2.871904761904762,
+            4.810476190476188,
+        ],
+    ),
+    (
+        4.7,
+        2.9,
+        [
+            12.715294599999996,
+            1.9611416190476172,
+            -1.714650916666665,
+            4.238118690476184,
+            -4.585274285714287,
+            -7.585139999999998,
+            0.8420952380952271,
+        ],
+    ),
+];
+
+/// Against the tensor product of splines of another program (SciPy 1.17, `RectBivariateSpline` with `s = 0`); outside, a plane at the border.
+#[test]
+fn bicubic() {
+    let (x, y) = ([0.0, 1.0, 2.0, 4.0, 5.0], [0.0, 0.5, 2.0, 3.0]);
+    // By rows of y.
+    let z = [
+        vec![0.0, 2.0, 3.0, 8.0, 7.0],
+        vec![1.0, 2.5, 5.0, 9.0, 6.0],
+        vec![3.0, 6.0, 7.0, 12.0, 11.0],
+        vec![2.0, 6.5, 4.0, 10.0, 13.0],
+    ];
+    let sheet = |outside| {
+        let axes = [&x[..], &y[..]].map(|knots| Arc::new(Table::new("a", AXIS, pieces::of_axis(knots))));
+        let (width, rows) = pieces::of_grid(&x, &y, &z, Interpolation::Bicubic, outside);
+        Curve::Grid { axes, patches: Arc::new(Table::new("g", width, rows)) }
+    };
+    let (on, held) = (sheet(Outside::Linear), sheet(Outside::Hold));
+    let at = |sheet: &Curve, orders: [u8; 2], x, y| sheet.at(Orders::new(orders[0], orders[1]), &[x, y]);
+    for (row, y) in z.iter().zip(y) {
+        for (value, x) in row.iter().zip(x) {
+            close(at(&on, [0, 0], x, y), *value);
+        }
+    }
+    for (x, y, expected) in SCIPY {
+        for (orders, expected) in
+            [[0, 0], [1, 0], [0, 1], [1, 1], [2, 0], [0, 2], [2, 2]].into_iter().zip(expected)
+        {
+            close(at(&on, orders, x, y), expected);
+        }
+    }
+    // Beyond a border with value and slope there, or with the value.
+    let (value, slope) = (at(&on, [0, 0], 5.0, 1.2), at(&on, [1, 0], 5.0, 1.2));
+    close(at(&on, [0, 0], 5.5, 1.2), value + 0.5 * slope);
+    close(at(&held, [0, 0], 5.5, 1.2), value);
+    close(at(&on, [0, 0], -1.0, 1.2), at(&on, [0, 0], 0.0, 1.2) - at(&on, [1, 0], 0.0, 1.2));
+    assert_eq!(
+        [at(&on, [2, 0], 6.0, 1.2), at(&on, [4, 0], 1.0, 1.0), at(&held, [1, 0], -1.0, 1.2)],
+        [0.0; 3]
+    );
+    assert!(at(&on, [1, 1], f64::NAN, 1.0).is_nan());
 }

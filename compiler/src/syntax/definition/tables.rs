@@ -54,6 +54,6 @@ pub struct ReadFile {
     /// As messages show it.
     pub shown: String,
     pub on_disk: OnDisk,
-    /// Lines of the points.
+    /// Lines of the points; of a grid that of the first argument, then those of the rows.
     pub lines: Vec<usize>,
 }

@@ -27,6 +27,7 @@ pub static JOINT: PlanarJoint = PlanarJoint {
         keeps_orientation: false,
         axes: JointAxes::None,
         spans: Spans::Rod,
+        only_pulls: false,
         of_particle: OfParticle::Any,
         alone: Alone::Otherwise,
         freer: &[],

@@ -26,6 +26,7 @@ pub static JOINT: PlanarJoint = PlanarJoint {
         keeps_orientation: true,
         axes: JointAxes::None,
         spans: Spans::Nothing,
+        only_pulls: false,
         of_particle: OfParticle::Neither,
         alone: Alone::Otherwise,
         freer: &[Freer { turns: 1, shifts: 0, joint: "revolute" }],

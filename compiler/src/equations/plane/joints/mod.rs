@@ -4,6 +4,7 @@
 //! p₁, p₂ are the first and second place, θ₁, θ₂ the orientations of their bodies, Δ = p₂ − p₁. Kinds that need space do
 //! not arrive here: the language has no words for them in the plane.
 
+mod cord;
 mod distance;
 mod fixed;
 mod parallel;
@@ -44,6 +45,7 @@ pub static JOINTS: &[&PlanarJoint] = &[
     &parallel::JOINT,
     &point_on_line::JOINT,
     &distance::JOINT,
+    &cord::JOINT,
 ];
 
 /// The joint with a form, which is one of the list's own.

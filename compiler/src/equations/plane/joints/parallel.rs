@@ -21,6 +21,7 @@ pub static JOINT: PlanarJoint = PlanarJoint {
         keeps_orientation: true,
         axes: JointAxes::None,
         spans: Spans::Nothing,
+        only_pulls: false,
         of_particle: OfParticle::Neither,
         alone: Alone::Slides,
         freer: &[],

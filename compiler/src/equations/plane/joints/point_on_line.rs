@@ -27,6 +27,7 @@ pub static JOINT: PlanarJoint = PlanarJoint {
         keeps_orientation: false,
         axes: JointAxes::OfFirst,
         spans: Spans::Line,
+        only_pulls: false,
         of_particle: OfParticle::Any,
         alone: Alone::Otherwise,
         freer: &[],

@@ -30,6 +30,7 @@ pub static JOINT: PlanarJoint = PlanarJoint {
         keeps_orientation: true,
         axes: JointAxes::OfFirst,
         spans: Spans::Rail,
+        only_pulls: false,
         of_particle: OfParticle::Neither,
         alone: Alone::Slides,
         freer: &[Freer { turns: 1, shifts: 0, joint: "point_on_line" }],

@@ -22,6 +22,7 @@ pub static JOINT: PlanarJoint = PlanarJoint {
         keeps_orientation: false,
         axes: JointAxes::None,
         spans: Spans::Nothing,
+        only_pulls: false,
         of_particle: OfParticle::Any,
         alone: Alone::Turns,
         freer: &[Freer { turns: 0, shifts: 1, joint: "point_on_line" }],

@@ -34,10 +34,12 @@ pub static LOAD: LoadKind = LoadKind {
         stores: true,
         turns: true,
         owns: None,
+        effort: None,
         doubt: None,
     },
     terms,
     inner: None,
+    effort: None,
     // The angle is small; counted turns of both bodies could differ by one.
     counted: no_rotors,
     symbol: |s| s.sleeve(),

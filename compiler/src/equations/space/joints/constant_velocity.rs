@@ -24,6 +24,7 @@ pub static JOINT: SpatialJoint = SpatialJoint {
         keeps_orientation: false,
         axes: JointAxes::Common,
         spans: Spans::Nothing,
+        only_pulls: false,
         of_particle: OfParticle::Neither,
         alone: Alone::Otherwise,
         freer: &[],

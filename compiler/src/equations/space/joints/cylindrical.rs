@@ -16,6 +16,7 @@ pub static JOINT: SpatialJoint = SpatialJoint {
         keeps_orientation: false,
         axes: JointAxes::Common,
         spans: Spans::Rail,
+        only_pulls: false,
         of_particle: OfParticle::Neither,
         alone: Alone::TurnsAndSlides,
         freer: &[Freer { turns: 2, shifts: 0, joint: "point_on_line" }],

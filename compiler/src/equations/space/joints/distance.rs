@@ -25,6 +25,7 @@ pub static JOINT: SpatialJoint = SpatialJoint {
         keeps_orientation: false,
         axes: JointAxes::None,
         spans: Spans::Rod,
+        only_pulls: false,
         of_particle: OfParticle::Any,
         alone: Alone::Otherwise,
         freer: &[],

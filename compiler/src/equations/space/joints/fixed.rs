@@ -17,6 +17,7 @@ pub static JOINT: SpatialJoint = SpatialJoint {
         keeps_orientation: true,
         axes: JointAxes::None,
         spans: Spans::Nothing,
+        only_pulls: false,
         of_particle: OfParticle::Neither,
         alone: Alone::Otherwise,
         freer: &[

@@ -6,6 +6,7 @@
 //! virtual work, for all joints alike (`bodies`).
 
 mod constant_velocity;
+mod cord;
 mod cylindrical;
 mod distance;
 mod fixed;
@@ -71,6 +72,7 @@ pub static JOINTS: &[&SpatialJoint] = &[
     &point_on_line::JOINT,
     &point_on_plane::JOINT,
     &distance::JOINT,
+    &cord::JOINT,
 ];
 
 /// An axis that need not be written beside a marker.

@@ -18,6 +18,7 @@ pub static JOINT: SpatialJoint = SpatialJoint {
         keeps_orientation: false,
         axes: JointAxes::Common,
         spans: Spans::Nothing,
+        only_pulls: false,
         of_particle: OfParticle::Neither,
         alone: Alone::Otherwise,
         freer: &[Freer { turns: 2, shifts: 0, joint: "point_on_plane" }],

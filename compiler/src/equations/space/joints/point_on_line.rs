@@ -23,6 +23,7 @@ pub static JOINT: SpatialJoint = SpatialJoint {
         keeps_orientation: false,
         axes: JointAxes::OfFirst,
         spans: Spans::Line,
+        only_pulls: false,
         of_particle: OfParticle::Any,
         alone: Alone::Otherwise,
         freer: &[],

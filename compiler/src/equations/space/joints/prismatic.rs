@@ -23,6 +23,7 @@ pub static JOINT: SpatialJoint = SpatialJoint {
         keeps_orientation: true,
         axes: JointAxes::Common,
         spans: Spans::Rail,
+        only_pulls: false,
         of_particle: OfParticle::Neither,
         alone: Alone::Slides,
         freer: &[

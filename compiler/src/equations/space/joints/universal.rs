@@ -30,6 +30,7 @@ pub static JOINT: SpatialJoint = SpatialJoint {
         keeps_orientation: false,
         axes: JointAxes::OfEach,
         spans: Spans::Nothing,
+        only_pulls: false,
         of_particle: OfParticle::Neither,
         alone: Alone::Turns,
         freer: &[Freer { turns: 1, shifts: 0, joint: "spherical" }],

@@ -35,10 +35,12 @@ pub static LOAD: LoadKind = LoadKind {
         stores: true,
         turns: true,
         owns: None,
+        effort: None,
         doubt: None,
     },
     terms,
     inner: None,
+    effort: None,
     counted: no_rotors,
     symbol: |s| s.sleeve(),
 };

@@ -1,0 +1,43 @@
+//! Cords pull where the mechanism starts.
+
+use super::assemble::{Ancestry, Point};
+use super::messages;
+use crate::compiled::Compiled;
+use crate::diagnostics::Diagnostics;
+use crate::equations::Laws;
+use crate::symbolic::Node;
+
+/// Of the largest force, what is taken for rounding.
+const ROUNDING: f64 = 1e-9;
+
+/// An error for each cord whose tension is below zero at the start, as far as no input decides that.
+pub fn cords(compiled: &Compiled, errors: &mut Diagnostics) {
+    let (mechanism, equations) = (&compiled.mechanism, &compiled.complete.equations);
+    let lambda = &compiled.complete.solved.index1.lambda;
+    let rows = equations.rows.iter().zip(lambda).filter_map(|(row, lambda)| {
+        let joint = &mechanism.joints[row.joint()?.0];
+        joint.form.only_pulls.then_some((joint, *lambda))
+    });
+    let cords: Vec<_> = rows.collect();
+    if cords.is_empty() {
+        return;
+    }
+    let given = |node: Node| {
+        let inputs = &equations.symbols.inputs;
+        equations.graph.read().reachable([node]).iter().any(|node| inputs.contains(node))
+    };
+    let mut point = Point::at_start(compiled, equations);
+    let (g, symbols) = (equations.graph.sheet(), &equations.symbols);
+    let laws = Laws::moving(g, mechanism, symbols, &equations.layout, &equations.kinematics);
+    let lengths: Vec<Node> = cords.iter().map(|(joint, _)| laws.value(joint.scalar(0)).bare).collect();
+    let forces = cords.iter().map(|(_, lambda)| *lambda).chain(lengths.iter().copied());
+    point.evaluate(&Ancestry::of(equations, forces.chain(equations.forces.iter().copied())));
+    let applied = equations.forces.iter().fold(0.0, |most: f64, force| most.max(point.get(*force).abs()));
+    for ((joint, lambda), length) in cords.iter().zip(&lengths) {
+        // The row is (Δ·Δ − L²)/2, so that λ is force over length.
+        let tension = point.get(*lambda) * point.get(*length);
+        if tension < -ROUNDING * applied && !given(*lambda) {
+            errors.error(joint.name.span, messages::cord_that_pushes(&joint.name.text, tension));
+        }
+    }
+}

@@ -1,0 +1,15 @@
+//! A run between two places of one body.
+
+linkwright::mechanism! {
+    planar Crane {
+        gravity [m/s^2] = (0, -9.81);
+        input drawn [m];
+        particle load { mass [kg] = 2; }
+        rod boom { mass [kg] = 4; length [m] = 1; }
+        joint foot: revolute(ground(0, 0) [m], boom.start);
+        output angle [rad] = foot.angle;
+        cable rope: cable(ground(0, 2) [m], boom.start, boom.end, load.center, stiffness [N] = 2e4, length = drawn);
+    }
+}
+
+fn main() {}
