@@ -11,8 +11,8 @@
 //! 6.8279159897, 9.6965848507, 10.2793491125 N at the start; at rest in the centre 8.486334996, 7.884712728, 8.223016614 N. All three pull
 //! for ω between 1.4732256597 and 3.3029692938 rad/s. With half axes (0.5, 0.1, 0.3) m and (0, 0.5, −0.2) m the tensions lie
 //! between 5.9991 N and 11.0534 N. Elastic cables of the lengths l/(1 + T/EA) stay on the ellipse; of the lengths l they leave it by at
-//! most 3.63129e-3 m in one period, and the point is after 1 s at (−0.7000049901, 0.2966655032, −1.5016248321) m with the velocity
-//! (−1.3016944358, −1.0570882379, −0.0510792752) m/s (a separate integration of order 8, 1e-13).
+//! most 3.63129e-3 m in one period, and the point is after 1 s at (−0.7000049894, 0.2966655023, −1.5016248313) m with the velocity
+//! (−1.3016944042, −1.0570882042, −0.0510793912) m/s (a separate integration of order 8, 1e-13).
 
 linkwright::mechanism! {
     /// A point on three cords whose lengths follow an ellipse, centre + a cos ωt + b sin ωt.

@@ -327,7 +327,7 @@ impl<'a> Reader<'a> {
         let primes = ["", "′", "″", "‴"]
             .iter()
             .position(|primes| name.ends_with(primes) && *primes == &name[stem.len()..]);
-        let by = |which: &str| u8::from(name.contains(which));
+        let by = |which: &str| name.matches(which).count() as u8;
         let (first, second) = (primes.unwrap_or(0) as u8 + by("₁"), by("₂"));
         let at: Vec<f64> = arguments.iter().map(|(value, _)| *value).collect();
         let derivative = |more: [u8; 2]| table.curve.at(Orders::new(first + more[0], second + more[1]), &at);

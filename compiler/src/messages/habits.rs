@@ -117,8 +117,7 @@ pub(crate) fn foreign_statement(word: &str) -> Option<&'static str> {
         "motor" | "actuator" | "driver" => {
             "write `drive name: joint.angle = law;` for a given motion, `torque name: torque(joint) = law;` for a given torque"
         }
-        "revolute" | "prismatic" | "fixed" | "spherical" | "universal" | "cylindrical" | "hinge" | "pin"
-        | "slider" => "write `joint name: kind(place, place);`",
+        "hinge" | "pin" | "slider" => "write `joint name: kind(place, place);`",
         "print" | "measure" | "sensor" => "write `output name [unit] = value;`",
         "import" | "include" => "a mechanism stands in one macro as a whole",
         "limit" | "limits" => "end stops are not there yet in this version",

@@ -5,7 +5,7 @@ use super::terms::{Angle, Factor, Term, in_order, merged};
 use super::text::decimal;
 use crate::equations::Equations;
 use crate::model::Mechanism;
-use crate::symbolic::{Compare, Graph, Node, Op, Orders, PATCHES, Table, Unary};
+use crate::symbolic::{BICUBIC, Compare, Graph, Node, Op, Orders, PATCHES, Table, Unary};
 use std::collections::{BTreeMap, HashMap};
 
 /// Sums of more terms are not searched for cosines of sums.
@@ -392,9 +392,8 @@ impl<'a> Writer<'a> {
 fn derivative(table: &Table, orders: Orders) -> String {
     let name = &table.name;
     match (table.width(), orders.first(), orders.second()) {
-        (PATCHES, first, second) => {
-            let (first, second) =
-                (["", "∂₁"][usize::from(first.min(1))], ["", "∂₂"][usize::from(second.min(1))]);
+        (PATCHES | BICUBIC, first, second) => {
+            let (first, second) = ("∂₁".repeat(first.into()), "∂₂".repeat(second.into()));
             format!("{first}{second}{name}")
         }
         (_, order, _) => format!("{name}{}", ["", "′", "″", "‴"][usize::from(order.min(3))]),

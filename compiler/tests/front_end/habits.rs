@@ -89,7 +89,7 @@ const HABITS: &[(&str, &str)] = &[
     ),
     (
         "revolute j: crank.pin, link.end;",
-        "no statement begins with `revolute`; write `joint name: kind(place, place);`",
+        "no statement begins with `revolute`; a revolute is a joint: write `joint name: revolute(…);`",
     ),
     (
         "limits { base.angle in 0..1; }",

@@ -37,7 +37,7 @@ const MISTAKES: [(&str, &str); 49] = [
     ),
     (
         "table t(x, y) = grid((0, 1), (0, 1), [(0, 0), (1, 1)]), bicubic;",
-        "`bicubic` is not there yet in this version",
+        "`t` has 2 knots along an argument, and `bicubic` takes at least 4: add some, or write `bilinear`",
     ),
     (
         "table t(x) = [(0, 0), (1, 1)], nearest;",
@@ -62,7 +62,7 @@ const MISTAKES: [(&str, &str); 49] = [
     ),
     (
         "table t(x, y) = [(0, 1), (1, 2)];",
-        "`t` has two arguments: write it as `grid((x, …), (y, …), [(z, …), …])`, a row for each y",
+        "`t` has two arguments: write it as `grid((x, …), (y, …), [(z, …), …])`, a row for each y, or name a `file(\"…\")`",
     ),
     (
         "table t(x) = [(0, 0), (1, 0)], periodic, outside = hold;",
@@ -354,7 +354,7 @@ fn grids_of_files() {
         (
             ",-1,0\n0,-2,0\n4,-3,1\n",
             "file(\"grid.csv\"), columns = (1, 2)",
-            "`drag` has two arguments, and is read from all columns",
+            "`drag` has two arguments, and is read from all columns: the first line has the values of the first argument behind a field that is left out, each line behind it one of the second argument and the values there",
         ),
         (",-1,0\n0,-2,0\n4,-3,1\n", "file(\"grid.csv\"), bicubic", "`drag` has 2 knots"),
     ] {

@@ -65,7 +65,7 @@ const MISTAKES: &[(&str, &str)] = &[
     ("output o [m] = nothing;", r#"no value called "nothing""#),
     (
         "spring s: (link.end, base.end, stiffness [N/m] = 1);",
-        "expected the kind of the load (force, torque, spring, damper, torsion_spring, along, masing, bouc_wen, bushing), found `(`",
+        "expected the kind of the load (force, torque, spring, cable, damper, torsion_spring, along, masing, bouc_wen, bushing), found `(`",
     ),
     (
         "bushing b: bushing(ground(0, 0), link.end, stiffness [N/m] = 1);",
@@ -672,7 +672,11 @@ const MISTAKES: &[(&str, &str)] = &[
         "output a_1 [1] = 1; repeat i in 1..2 { output a[i] [1] = 1; }",
         "`a[1]` and `a_1` become the same name in Rust; rename one of them",
     ),
-    ("cable c: (base.start, ground(0, 0)) = 1;", "`cable` is not there yet in this version"),
+    (
+        "cable c: (base.start, ground(0, 0)) = 1;",
+        "expected the kind of the load (force, torque, spring, cable, damper, torsion_spring, along, masing, bouc_wen, bushing), found `(`",
+    ),
+    ("beam b: (base.start, ground(0, 0)) = 1;", "`beam` is not there yet in this version"),
     ("jiont j: revolute(crank.pin, link.end);", "no statement begins with `jiont`; did you mean `joint`?"),
     ("3;", "expected a statement, found `3`"),
     ("output o [1] = sin(30);", "sin of a bare number: write its unit, `sin(30 [deg])` or `sin(30 [rad])`"),

@@ -28,7 +28,7 @@ pub static LOAD: LoadKind = LoadKind {
         title: "cable",
         exerts: "a tension along its runs, by the length of these beyond its own, and by the rate of that; never a push",
         exported: "cable",
-        on: &[Acts::Place],
+        on: &[Acts::Place, Acts::Place, Acts::Place],
         law: Law::None,
         // What winds it in or out works on it.
         stores: false,
