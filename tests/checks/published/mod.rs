@@ -6,6 +6,7 @@ mod benchmarks;
 mod closed_forms;
 mod four_bars;
 mod gears;
+mod hydraulics;
 mod hysteresis;
 mod linkages;
 mod parts;
