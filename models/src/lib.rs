@@ -13,6 +13,8 @@ pub mod dc_motor_arm;
 pub mod delta_robot;
 pub mod double_pendulum;
 pub mod double_wishbone;
+pub mod dump_truck_steering;
+pub mod dump_truck_tipping;
 pub mod flyball_governor;
 pub mod four_bar;
 pub mod four_spherical_joints;
@@ -22,6 +24,7 @@ pub mod heavy_top;
 pub mod iiwa14;
 pub mod jansen_leg;
 pub mod klann_leg;
+pub mod knuckle_boom_loader;
 pub mod light_cart_pole;
 pub mod lugre_block;
 pub mod motor_gear_load;
@@ -105,6 +108,10 @@ macro_rules! for_each_model {
             lugre_block: $crate::lugre_block::LugreBlock,
             motor_gear_load: $crate::motor_gear_load::MotorGearLoad,
             elastic_motor_gear_load: $crate::motor_gear_load::ElasticMotorGearLoad,
+            knuckle_boom_loader: $crate::knuckle_boom_loader::KnuckleBoomLoader,
+            hydraulic_loader: $crate::knuckle_boom_loader::HydraulicLoader,
+            dump_truck_steering: $crate::dump_truck_steering::DumpTruckSteering,
+            dump_truck_tipping: $crate::dump_truck_tipping::DumpTruckTipping,
         }
     };
 }

@@ -259,6 +259,12 @@ impl<'a> Reader<'a> {
             self.text = rest;
             return self.named(&format!("λ{row})"));
         }
+        // The dot is a character of its own.
+        if name == "v" && self.skip("\u{307}") {
+            let (velocity, rest) = self.text.split_once(')').expect("a velocity");
+            self.text = rest;
+            return self.named(&format!("v\u{307}{velocity})"));
+        }
         let function_power = if ["cos", "sin"].contains(&name) { self.exponent() } else { 1 };
         if !name.is_empty() && self.skip("(") {
             let value = self.call(name);

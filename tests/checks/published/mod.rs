@@ -7,6 +7,7 @@ mod cables;
 mod closed_forms;
 mod four_bars;
 mod gears;
+mod hydraulics;
 mod hysteresis;
 mod linkages;
 mod parts;
