@@ -1,7 +1,7 @@
 //! Expressions of the user after lowering: SI units, names resolved, dimensions checked.
 
 use super::tables::LookUp;
-use super::{BodyId, DriverId, InputId, JointId, LoadId, ParameterId, Place, Rotor, StateId};
+use super::{BodyId, ConstraintId, DriverId, InputId, JointId, LoadId, ParameterId, Place, Rotor, StateId};
 use crate::units::Dimension;
 
 /// A scalar expression in SI units.
@@ -135,6 +135,8 @@ pub enum Quantity {
     DriverPower(DriverId),
     /// N m or N, the effort of a driver; only in outputs.
     DriverEffort(DriverId),
+    /// What an equation exerts along its left side, against its right one; in outputs and rates of states.
+    ConstraintEffort(ConstraintId),
     /// What a load with internal states resists with; in outputs and rates of states.
     Resistance(LoadId),
     /// What a joint exerts on the body of its second place; in outputs and rates of states.

@@ -29,6 +29,7 @@ pub fn lower(definition: &Definition) -> Result<Mechanism, Diagnostics> {
         names,
         constants: Vec::new(),
         bodies: Vec::new(),
+        equations: Vec::new(),
         lines: Vec::new(),
         markers: HashMap::new(),
         defaults: Vec::new(),
@@ -94,6 +95,8 @@ pub(super) struct Lowering<'d> {
     /// SI values; `None` after an error.
     pub constants: Vec<Option<f64>>,
     pub bodies: Vec<BodyFrame<'d>>,
+    /// Of the sides of equations, constraint by constraint; `None` of couplings and after an error.
+    pub equations: Vec<Option<Dimension>>,
     /// Lines of the ground, both ends; `None` after an error.
     pub lines: Vec<Option<[Vector; 2]>>,
     /// Markers of the ground; `None` after an error.
@@ -253,6 +256,8 @@ impl<'d> Lowering<'d> {
     }
 
     fn constraint(&mut self, constraint: &'d syntax::Constraint) -> Option<Constraint> {
+        let at = self.equations.len();
+        self.equations.push(None);
         let kind = match &constraint.kind {
             ConstraintTerm::Coupling { form, kind, on, factor, phase } => {
                 let coupled: Vec<_> =
@@ -268,6 +273,7 @@ impl<'d> Lowering<'d> {
                 let (left, right) = (self.value(left, Use::EQUATION), self.value(right, Use::EQUATION));
                 let (left, right) = (left?, right?);
                 self.same(&left, &right, "the two sides of the constraint")?;
+                self.equations[at] = Some(if left.zero { right.dimension } else { left.dimension });
                 ConstraintKind::Equation { residual: fold::binary(Function2::Sub, left.expr, right.expr) }
             }
         };

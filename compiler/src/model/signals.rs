@@ -124,6 +124,7 @@ impl Lowering<'_> {
                     Quantity::Power(_)
                     | Quantity::DriverPower(_)
                     | Quantity::DriverEffort(_)
+                    | Quantity::ConstraintEffort(_)
                     | Quantity::Resistance(_)
                     | Quantity::Reaction(..)
                     | Quantity::KineticEnergy

@@ -695,6 +695,7 @@ const MISTAKES: &[(&str, &str)] = &[
         "`j` is a joint without coordinates, expected a value",
     ),
     ("drive d: base.angle = 1 [rad/s]*time; output o [W] = d.force;", "the driver `d` has effort and power"),
+    ("constraint c: base.angle = 1 [rad]; output o [W] = c.force;", "the constraint `c` has an effort"),
     ("output o [W] = power(3);", "`power` takes the name of a load"),
     (
         "drive d: base.angle = 1 [rad/s]*time; output o [W] = power(d);",
