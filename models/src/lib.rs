@@ -35,6 +35,7 @@ pub mod spatial_four_bar;
 pub mod spatial_pendulums;
 pub mod spatial_slider_crank;
 pub mod stewart_platform;
+pub mod tracked_vehicle;
 pub mod tree_pendulum;
 
 /// Calls a macro with every shipped model, `name: path::to::Type`, so that no test forgets one.
@@ -99,6 +100,7 @@ macro_rules! for_each_model {
             dc_motor_arm: $crate::dc_motor_arm::DcMotorArm,
             braked_wheel: $crate::braked_wheel::BrakedWheel,
             lugre_block: $crate::lugre_block::LugreBlock,
+            tracked_vehicle: $crate::tracked_vehicle::TrackedVehicle,
             motor_gear_load: $crate::motor_gear_load::MotorGearLoad,
             elastic_motor_gear_load: $crate::motor_gear_load::ElasticMotorGearLoad,
         }

@@ -13,6 +13,7 @@ mod quick_return;
 mod robots;
 mod space;
 mod states;
+mod vehicles;
 
 use linkwright::{Assemble, Baumgarte, Sample, SimulationError, StateOf};
 
