@@ -6,6 +6,7 @@
 pub mod andrews;
 pub mod braked_wheel;
 pub mod bricard;
+pub mod cam_follower;
 pub mod car_axis;
 pub mod change_point_four_bar;
 pub mod dc_motor_arm;
@@ -100,6 +101,7 @@ macro_rules! for_each_model {
             dc_motor_arm: $crate::dc_motor_arm::DcMotorArm,
             braked_wheel: $crate::braked_wheel::BrakedWheel,
             lugre_block: $crate::lugre_block::LugreBlock,
+            cam_follower: $crate::cam_follower::CamFollower,
             tracked_vehicle: $crate::tracked_vehicle::TrackedVehicle,
             motor_gear_load: $crate::motor_gear_load::MotorGearLoad,
             elastic_motor_gear_load: $crate::motor_gear_load::ElasticMotorGearLoad,

@@ -3,6 +3,7 @@
 
 mod adams;
 mod benchmarks;
+mod cams;
 mod closed_forms;
 mod four_bars;
 mod gears;
