@@ -29,6 +29,7 @@ pub mod n_four_bar;
 pub mod panda;
 pub mod planetary_gear_train;
 pub mod quick_return;
+pub mod rear_wheel;
 pub mod sarrus_linkage;
 pub mod simple_pendulum;
 pub mod slider_crank;
@@ -101,6 +102,7 @@ macro_rules! for_each_model {
             dc_motor_arm: $crate::dc_motor_arm::DcMotorArm,
             braked_wheel: $crate::braked_wheel::BrakedWheel,
             lugre_block: $crate::lugre_block::LugreBlock,
+            rear_wheel: $crate::rear_wheel::RearWheel,
             cam_follower: $crate::cam_follower::CamFollower,
             tracked_vehicle: $crate::tracked_vehicle::TrackedVehicle,
             motor_gear_load: $crate::motor_gear_load::MotorGearLoad,

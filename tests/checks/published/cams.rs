@@ -47,8 +47,8 @@ fn cam_follower() {
     worst.below(1e-10, "cam, contact force and torque");
 }
 
-/// The least contact force of a revolution, at half degrees, and where it is. s″ is straight between the knots, so that it is at
-/// a knot or where the spring's part turns, away from the least.
+/// The least contact force of a revolution, at half degrees, and where it is: s″ is straight between the knots, so that the least of
+/// a fast cam is at a knot.
 fn least(speed: f64) -> (f64, f64) {
     let model = turning(speed);
     let forces =

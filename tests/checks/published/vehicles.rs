@@ -4,6 +4,7 @@ use super::{Worst, baumgarte};
 use linkwright::{
     AssembleExt, DormandPrince, Linearisation, Mechanism, Motion, Simulation, State, StateOf, equilibrium,
 };
+use linkwright_models::rear_wheel::{RearWheel, RearWheelParameters};
 use linkwright_models::tracked_vehicle::{TrackedVehicle, TrackedVehicleOutputs, TrackedVehicleParameters};
 
 fn shaken(shake: f64, pitch: f64, frequency: f64) -> TrackedVehicle {
@@ -183,4 +184,76 @@ fn a_tracked_vehicle_is_shaken() {
     }
     worst.below(1e-8, "tracked vehicle, states after shaking");
     peaks.below(1e-7, "tracked vehicle, half of the way from peak to peak");
+}
+
+/// A of steady running, row by row, and the force on the wheel.
+fn running(speed: f64, braking: f64) -> ([f64; 16], f64) {
+    let parameters = RearWheelParameters { speed, braking, ..Default::default() };
+    let model = RearWheel::<f64>::prepare(parameters).expect("within its bounds");
+    let start = model.assemble(&RearWheel::START).expect("it can start at any speed");
+    let linear = Linearisation::at(&model, 0.0, &start, &()).expect("regular");
+    assert!(linear.acceleration().iter().all(|a| a.abs() < 1e-9), "it runs steadily");
+    let a = linear.state_space().expect("two coordinates").a;
+    (a.try_into().expect("four states"), model.outputs(0.0, &start, &()).force)
+}
+
+/// c₁ … c₄ of λ⁴ + c₁ λ³ + c₂ λ² + c₃ λ + c₄ = det(λ − A), after Faddeev and Le Verrier.
+fn characteristic(a: &[f64; 16]) -> [f64; 4] {
+    let mut power = *a;
+    core::array::from_fn(|k| {
+        let c = -(0..4).map(|i| power[5 * i]).sum::<f64>() / (k + 1) as f64;
+        (0..4).for_each(|i| power[5 * i] += c);
+        power = core::array::from_fn(|at| (0..4).map(|k| a[at / 4 * 4 + k] * power[4 * k + at % 4]).sum());
+        c
+    })
+}
+
+/// The last determinant of Hurwitz but one: two roots ± iω make it zero.
+fn hurwitz([a, b, c, d]: [f64; 4]) -> f64 {
+    a * b * c - c * c - a * a * d
+}
+
+#[test]
+fn a_rear_wheel_under_braking() {
+    let mut worst = Worst::default();
+    for (braking, pairs) in [
+        (0.0, [(-7.8286281, 104.7001958), (-85.9501536, 44.1153891)]),
+        (-0.06, [(7.3466465, 106.2464313), (-48.5002463, 103.3137043)]),
+    ] {
+        let found = characteristic(&running(20.0, braking).0);
+        // λ² − 2 Re λ + |λ|² of each pair.
+        let [(p, q), (r, s)] = pairs.map(|(re, im): (f64, f64)| (-2.0 * re, re * re + im * im));
+        for (found, expected) in found.into_iter().zip([p + r, q + s + p * r, p * s + q * r, q * s]) {
+            worst.see(found / expected, 1.0);
+        }
+    }
+    // Eigenvalues are given to 5e-8 of ten to a hundred; of four coefficients one is a difference.
+    worst.below(2e-8, "rear wheel, characteristic polynomial");
+}
+
+/// Against bisections of the largest real part of the eigenvalues of A written down by hand.
+#[test]
+fn flutter_of_a_rear_wheel() {
+    let (mut slips, mut forces) = (Worst::default(), Worst::default());
+    for (speed, slip, force) in [
+        (10.0, -0.053_126_939_79, -812.331_019),
+        (15.0, -0.042_826_164_71, -705.678_522),
+        (20.0, -0.036_097_850_21, -621.491_739),
+        (40.0, -0.022_911_218_80, -423.015_769),
+        (60.0, -0.017_501_541_07, -329.992_826),
+    ] {
+        let (mut calm, mut flutters) = (0.0, -0.08);
+        while calm - flutters > 1e-12 {
+            let middle = 0.5 * (calm + flutters);
+            if hurwitz(characteristic(&running(speed, middle).0)) > 0.0 {
+                calm = middle
+            } else {
+                flutters = middle
+            }
+        }
+        slips.see(calm, slip);
+        forces.see(running(speed, calm).1, force);
+    }
+    slips.below(1e-10, "rear wheel, slip at which flutter begins");
+    forces.below(1e-6, "rear wheel, force at which flutter begins, in N");
 }
