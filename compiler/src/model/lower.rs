@@ -256,8 +256,18 @@ impl<'d> Lowering<'d> {
     }
 
     fn constraint(&mut self, constraint: &'d syntax::Constraint) -> Option<Constraint> {
-        let at = self.equations.len();
-        self.equations.push(None);
+        let mut sides = None;
+        let found = self.constrained(constraint, &mut sides);
+        self.equations.push(sides);
+        found
+    }
+
+    /// Also the dimension of the sides of an equation.
+    fn constrained(
+        &mut self,
+        constraint: &'d syntax::Constraint,
+        sides: &mut Option<Dimension>,
+    ) -> Option<Constraint> {
         let kind = match &constraint.kind {
             ConstraintTerm::Coupling { form, kind, on, factor, phase } => {
                 let coupled: Vec<_> =
@@ -273,7 +283,7 @@ impl<'d> Lowering<'d> {
                 let (left, right) = (self.value(left, Use::EQUATION), self.value(right, Use::EQUATION));
                 let (left, right) = (left?, right?);
                 self.same(&left, &right, "the two sides of the constraint")?;
-                self.equations[at] = Some(if left.zero { right.dimension } else { left.dimension });
+                *sides = Some(if left.zero { right.dimension } else { left.dimension });
                 ConstraintKind::Equation { residual: fold::binary(Function2::Sub, left.expr, right.expr) }
             }
         };
