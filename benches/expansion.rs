@@ -21,6 +21,7 @@ mod harness;
 use harness::{least, median, seconds};
 use linkwright_models::{
     four_bar::FourBar, n_four_bar::NFourBar40, panda::Panda, stewart_platform::StewartPlatform,
+    tracked_vehicle::TrackedVehicle,
 };
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -40,6 +41,7 @@ fn main() {
         ("n_four_bar_40", NFourBar40::SOURCE),
         ("panda", Panda::SOURCE),
         ("stewart_platform", StewartPlatform::SOURCE),
+        ("tracked_vehicle", TrackedVehicle::SOURCE),
     ];
     for (name, definition) in definitions.into_iter().filter(|(name, _)| name.contains(&part)) {
         print_times(name, &bench.expansion("mechanism", definition));

@@ -18,6 +18,7 @@ use linkwright::{
     Assemble, AugmentedLagrangian, Baumgarte, Formulation, LagrangeIndex1, NullSpace, Partitioned, Penalty,
     Projected, Simulation, State, StateOf,
 };
+use linkwright_models::{n_four_bar::NFourBar10, tracked_vehicle::TrackedVehicle};
 use std::hint::black_box;
 use std::time::Instant;
 
@@ -94,6 +95,16 @@ fn main() {
         report("andrews, h = 10 µs, 0.03 s", timed);
         let run = Run { model: &model, start: Andrews::START, span: (1e-5, 0.03), rate: 100.0 };
         beside(&["andrews_ldl", "andrews_crank"], &run, bodies!(Andrews));
+    }
+    if "tracked_vehicle".contains(&part) {
+        let (ladder, vehicle) = (NFourBar10::<f64>::default(), TrackedVehicle::<f64>::default());
+        let (baumgarte, span) = (Baumgarte { alpha: 20.0, beta: 20.0 }, (1e-3, 0.6));
+        let timed: Vec<Timed> = vec![
+            ("n_four_bar_10, Baumgarte", run(&ladder, NFourBar10::START, baumgarte, span)),
+            ("tracked_vehicle, index 1", run(&vehicle, TrackedVehicle::START, LagrangeIndex1, span)),
+            ("tracked_vehicle, Baumgarte", run(&vehicle, TrackedVehicle::START, baumgarte, span)),
+        ];
+        report("tracked_vehicle beside n_four_bar_10, h = 1 ms, 0.6 s", timed);
     }
 }
 

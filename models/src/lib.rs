@@ -7,6 +7,7 @@ pub mod andrews;
 pub mod braked_wheel;
 pub mod bricard;
 pub mod cable_robot;
+pub mod cam_follower;
 pub mod car_axis;
 pub mod change_point_four_bar;
 pub mod dc_motor_arm;
@@ -32,6 +33,7 @@ pub mod n_four_bar;
 pub mod panda;
 pub mod planetary_gear_train;
 pub mod quick_return;
+pub mod rear_wheel;
 pub mod sarrus_linkage;
 pub mod simple_pendulum;
 pub mod slider_crank;
@@ -39,6 +41,7 @@ pub mod spatial_four_bar;
 pub mod spatial_pendulums;
 pub mod spatial_slider_crank;
 pub mod stewart_platform;
+pub mod tracked_vehicle;
 pub mod tree_pendulum;
 
 /// Calls a macro with every shipped model, `name: path::to::Type`, so that no test forgets one.
@@ -106,6 +109,9 @@ macro_rules! for_each_model {
             dc_motor_arm: $crate::dc_motor_arm::DcMotorArm,
             braked_wheel: $crate::braked_wheel::BrakedWheel,
             lugre_block: $crate::lugre_block::LugreBlock,
+            rear_wheel: $crate::rear_wheel::RearWheel,
+            cam_follower: $crate::cam_follower::CamFollower,
+            tracked_vehicle: $crate::tracked_vehicle::TrackedVehicle,
             motor_gear_load: $crate::motor_gear_load::MotorGearLoad,
             elastic_motor_gear_load: $crate::motor_gear_load::ElasticMotorGearLoad,
             knuckle_boom_loader: $crate::knuckle_boom_loader::KnuckleBoomLoader,

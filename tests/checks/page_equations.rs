@@ -58,10 +58,10 @@ fn sections(compiled: &Compiled) -> Vec<(&'static str, BTreeMap<String, Node>)> 
     ]
 }
 
-/// Values of the nodes, and of what the text names.
+/// Values of the nodes, and of what the text names; of the helpers of a listing with the magnitudes that made them.
 struct State {
     nodes: Vec<f64>,
-    names: std::cell::RefCell<BTreeMap<String, f64>>,
+    names: std::cell::RefCell<BTreeMap<String, Value>>,
     /// Of rotations, by what stands in their cosines.
     angles: BTreeMap<String, f64>,
     tables: Vec<Table>,
@@ -77,7 +77,7 @@ impl State {
             for ((node, value), text) in nodes.iter().zip(values).zip(texts) {
                 if let Op::Symbol(symbol) = e.graph.read().op(*node) {
                     symbols[symbol as usize] = *value;
-                    names.insert(text, *value);
+                    names.insert(text, (*value, value.abs()));
                 }
             }
         };
@@ -106,7 +106,7 @@ impl State {
         for a in 0..e.layout.angles.len() {
             let at = e.layout.turns(a);
             let angle = std::f64::consts::TAU * point.q[at] + point.q[at + 1];
-            names.insert(format!("{}.angle", stem(at)), angle);
+            names.insert(format!("{}.angle", stem(at)), (angle, angle.abs()));
         }
         let tables = mechanism.tables.clone();
         State { nodes: evaluate(&e.graph.read(), &symbols), names: names.into(), angles, tables }
@@ -145,7 +145,7 @@ fn check(section: &str, listing: &str, entries: &BTreeMap<String, Node>, state: 
             }
             None => {
                 assert!(label.starts_with("  h"), "{section}: {label} is no entry");
-                state.names.borrow_mut().insert(label.trim().to_string(), value);
+                state.names.borrow_mut().insert(label.trim().to_string(), (value, magnitude));
             }
         }
     }
@@ -278,8 +278,7 @@ impl<'a> Reader<'a> {
 
     fn named(&self, name: &str) -> Value {
         let value = self.state.names.borrow().get(name).copied();
-        let value = value.unwrap_or_else(|| panic!("{}\n{name} is not known", self.whole));
-        (value, value.abs())
+        value.unwrap_or_else(|| panic!("{}\n{name} is not known", self.whole))
     }
 
     fn call(&mut self, name: &str) -> Value {

@@ -33,6 +33,8 @@ pub struct Totals {
     /// Per driver.
     pub efforts: Vec<Node>,
     pub driver_powers: Vec<Node>,
+    /// Per coupling or equation.
+    pub constraint_efforts: Vec<Node>,
     /// Per joint, force and torque.
     pub reactions: Vec<Wrench>,
 }
@@ -49,6 +51,7 @@ static NO_TOTALS: Totals = Totals {
     powers: Vec::new(),
     efforts: Vec::new(),
     driver_powers: Vec::new(),
+    constraint_efforts: Vec::new(),
     reactions: Vec::new(),
 };
 
@@ -276,6 +279,7 @@ impl<'a> Laws<'a> {
             Quantity::DriverPower(driver) => total(self.totals.driver_powers.get(driver.0)),
             Quantity::DriverEffort(driver) => total(self.totals.efforts.get(driver.0)),
             Quantity::LoadEffort(load) => loads::effort(self, &self.mechanism.loads[load.0]),
+            Quantity::ConstraintEffort(constraint) => total(self.totals.constraint_efforts.get(constraint.0)),
             Quantity::Reaction(joint, part) => self.reaction(*joint, *part),
             Quantity::KineticEnergy => total(self.totals.kinetic.as_ref()),
             Quantity::PotentialEnergy => total(self.totals.potential.as_ref()),

@@ -241,6 +241,8 @@ pub fn derive(mechanism: &Mechanism, tree: SpanningTree, omitted: &Omitted) -> E
         Space::Spatial => space::consequences(&laws, &tree, &all, &lambda, dropped),
     };
 
+    let exerted = all.iter().zip(&lambda).filter(|(row, _)| matches!(row.origin, Origin::Constraint(_)));
+    totals.constraint_efforts = exerted.map(|(_, lambda)| (-g.on(*lambda)).bare).collect();
     totals.reactions.clone_from(&reactions);
     let outputs_laws = laws.with_totals(&totals);
     let outputs: Vec<Node> =

@@ -199,6 +199,10 @@ pub(crate) fn quantities_of_driver(driver: &str) -> String {
     format!("the driver `{driver}` has effort and power")
 }
 
+pub(crate) fn quantities_of_equation(constraint: &str) -> String {
+    format!("the constraint `{constraint}` has an effort")
+}
+
 pub(crate) fn parts_of_reaction(joint: &str, parts: &[&str]) -> String {
     let parts: Vec<String> = parts.iter().map(|part| format!("`{joint}.reaction.{part}`")).collect();
     format!("a reaction is named by its parts: {}", parts.join(", "))

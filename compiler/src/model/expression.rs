@@ -1,7 +1,7 @@
 //! Expressions of the user after lowering: SI units, names resolved, dimensions checked.
 
 use super::tables::LookUp;
-use super::{BodyId, DriverId, InputId, JointId, LoadId, ParameterId, Place, Rotor, StateId};
+use super::{BodyId, ConstraintId, DriverId, InputId, JointId, LoadId, ParameterId, Place, Rotor, StateId};
 use crate::units::Dimension;
 
 /// A scalar expression in SI units.
@@ -144,6 +144,8 @@ pub enum Quantity {
     DriverEffort(DriverId),
     /// What a load exerts that has a name for it: a resistance, a tension; in outputs and rates of states.
     LoadEffort(LoadId),
+    /// What an equation exerts along its left side, against its right one; in outputs and rates of states.
+    ConstraintEffort(ConstraintId),
     /// What a joint exerts on the body of its second place; in outputs and rates of states.
     Reaction(JointId, ReactionPart),
     /// J.

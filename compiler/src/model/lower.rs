@@ -29,6 +29,7 @@ pub fn lower(definition: &Definition) -> Result<Mechanism, Diagnostics> {
         names,
         constants: Vec::new(),
         bodies: Vec::new(),
+        equations: Vec::new(),
         lines: Vec::new(),
         markers: HashMap::new(),
         defaults: Vec::new(),
@@ -95,6 +96,8 @@ pub(super) struct Lowering<'d> {
     /// SI values; `None` after an error.
     pub constants: Vec<Option<f64>>,
     pub bodies: Vec<BodyFrame<'d>>,
+    /// Of the sides of equations, constraint by constraint; `None` of couplings and after an error.
+    pub equations: Vec<Option<Dimension>>,
     /// Lines of the ground, both ends; `None` after an error.
     pub lines: Vec<Option<[Vector; 2]>>,
     /// Markers of the ground; `None` after an error.
@@ -255,6 +258,18 @@ impl<'d> Lowering<'d> {
     }
 
     fn constraint(&mut self, constraint: &'d syntax::Constraint) -> Option<Constraint> {
+        let mut sides = None;
+        let found = self.constrained(constraint, &mut sides);
+        self.equations.push(sides);
+        found
+    }
+
+    /// Also the dimension of the sides of an equation.
+    fn constrained(
+        &mut self,
+        constraint: &'d syntax::Constraint,
+        sides: &mut Option<Dimension>,
+    ) -> Option<Constraint> {
         let kind = match &constraint.kind {
             ConstraintTerm::Coupling { form, kind, on, factor, phase } => {
                 let coupled: Vec<_> =
@@ -270,6 +285,7 @@ impl<'d> Lowering<'d> {
                 let (left, right) = (self.value(left, Use::EQUATION), self.value(right, Use::EQUATION));
                 let (left, right) = (left?, right?);
                 self.same(&left, &right, "the two sides of the constraint")?;
+                *sides = Some(if left.zero { right.dimension } else { left.dimension });
                 ConstraintKind::Equation { residual: fold::binary(Function2::Sub, left.expr, right.expr) }
             }
         };

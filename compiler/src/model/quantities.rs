@@ -4,11 +4,12 @@ use super::lower::{Lowering, Use};
 use super::names::Part;
 use super::values::Typed;
 use super::{
-    BodyId, Coordinate, DriverId, Expr, Frame, JointId, LoadId, Place, Quantity, ReactionPart, Rotor,
+    BodyId, ConstraintId, Coordinate, DriverId, Expr, Frame, JointId, LoadId, Place, Quantity, ReactionPart,
+    Rotor,
 };
 use crate::diagnostics::Region;
 use crate::messages;
-use crate::syntax::{FirstTerm, Label, LineTerm, Path, PlaceTerm, Space, Term, TermKind};
+use crate::syntax::{ConstraintTerm, FirstTerm, Label, LineTerm, Path, PlaceTerm, Space, Term, TermKind};
 use crate::units::Dimension;
 
 struct Found {
@@ -49,6 +50,7 @@ impl<'d> Lowering<'d> {
             | Quantity::DriverPower(_)
             | Quantity::DriverEffort(_)
             | Quantity::LoadEffort(_)
+            | Quantity::ConstraintEffort(_)
             | Quantity::Reaction(..)
             | Quantity::KineticEnergy
             | Quantity::PotentialEnergy
@@ -147,6 +149,9 @@ impl<'d> Lowering<'d> {
             Some(Part::Body(index)) => self.of_body(BodyId(index), path),
             Some(Part::Joint(index)) => self.of_joint(JointId(index), path),
             Some(Part::Driver(index)) => self.of_driver(DriverId(index), path),
+            Some(Part::Constraint(index)) if self.is_equation(index) => {
+                self.of_equation(ConstraintId(index), path)
+            }
             Some(Part::Load(index)) => self.of_load(LoadId(index), path),
             Some(other) => {
                 self.diagnostics.error(path.region, messages::no_quantities(&head.text, other.kind()));
@@ -316,6 +321,22 @@ impl<'d> Lowering<'d> {
                 None
             }
         }
+    }
+
+    fn is_equation(&self, index: usize) -> bool {
+        matches!(self.definition.constraints[index].kind, ConstraintTerm::Equation { .. })
+    }
+
+    fn of_equation(&mut self, constraint: ConstraintId, path: &Path) -> Option<Found> {
+        if (path.parts[1].text.as_str(), path.parts.len()) != ("effort", 2) {
+            let region = path.parts[1].region;
+            self.diagnostics.error(region, messages::quantities_of_equation(&path.parts[0].text));
+            return None;
+        }
+        // Where equations are not known yet, no effort may stand.
+        let known = self.equations.get(constraint.0).copied();
+        let dimension = known.unwrap_or(Some(Dimension::ONE))?;
+        Found::result(Quantity::ConstraintEffort(constraint), Dimension::TORQUE.over(dimension))
     }
 
     fn of_load(&mut self, load: LoadId, path: &Path) -> Option<Found> {

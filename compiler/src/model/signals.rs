@@ -125,6 +125,7 @@ impl Lowering<'_> {
                     | Quantity::DriverPower(_)
                     | Quantity::DriverEffort(_)
                     | Quantity::LoadEffort(_)
+                    | Quantity::ConstraintEffort(_)
                     | Quantity::Reaction(..)
                     | Quantity::KineticEnergy
                     | Quantity::PotentialEnergy

@@ -699,6 +699,11 @@ const MISTAKES: &[(&str, &str)] = &[
         "`j` is a joint without coordinates, expected a value",
     ),
     ("drive d: base.angle = 1 [rad/s]*time; output o [W] = d.force;", "the driver `d` has effort and power"),
+    ("constraint c: base.angle = 1 [rad]; output o [W] = c.force;", "the constraint `c` has an effort"),
+    (
+        "constraint c: base.angle = 1 [rad] + c.effort/1 [N*m/rad];",
+        "`c.effort` is a result, but a constraint may depend on constants, parameters, time and positions only",
+    ),
     ("output o [W] = power(3);", "`power` takes the name of a load"),
     (
         "drive d: base.angle = 1 [rad/s]*time; output o [W] = power(d);",

@@ -4,6 +4,7 @@
 mod adams;
 mod benchmarks;
 mod cables;
+mod cams;
 mod closed_forms;
 mod four_bars;
 mod gears;
@@ -15,6 +16,7 @@ mod quick_return;
 mod robots;
 mod space;
 mod states;
+mod vehicles;
 
 use linkwright::{Assemble, Baumgarte, Sample, SimulationError, StateOf};
 
