@@ -45,7 +45,6 @@ pub static LOADS: &[&LoadKind] = &[
     &spring::LOAD,
     &cable::LOAD,
     &damper::LOAD,
-    &cable::LOAD,
     &torsion_spring::LOAD,
     &expression::LOAD,
     &masing::LOAD,
