@@ -91,7 +91,10 @@ const HABITS: &[(&str, &str)] = &[
         "revolute j: crank.pin, link.end;",
         "no statement begins with `revolute`; a revolute is a joint: write `joint name: revolute(…);`",
     ),
-    ("hinge j: crank.pin, link.end;", "no statement begins with `hinge`; write `joint name: kind(place, place);`"),
+    (
+        "hinge j: crank.pin, link.end;",
+        "no statement begins with `hinge`; write `joint name: kind(place, place);`",
+    ),
     (
         "limits { base.angle in 0..1; }",
         "no statement begins with `limits`; end stops are not there yet in this version",
