@@ -94,10 +94,12 @@ pub enum Lint {
     Unwatched,
     /// An internal state that grows by itself at the start.
     UnstableState,
+    /// A table that is asked for more than its knots.
+    OutsideTable,
 }
 
 impl Lint {
-    pub const ALL: [Lint; 9] = [
+    pub const ALL: [Lint; 10] = [
         Self::Unused,
         Self::NoEffect,
         Self::Outside,
@@ -107,6 +109,7 @@ impl Lint {
         Self::Shared,
         Self::Unwatched,
         Self::UnstableState,
+        Self::OutsideTable,
     ];
 
     /// As in `#[allow(unused)]`.
@@ -121,6 +124,7 @@ impl Lint {
             Self::Shared => "shared",
             Self::Unwatched => "unwatched",
             Self::UnstableState => "unstable_state",
+            Self::OutsideTable => "outside_table",
         }
     }
 }

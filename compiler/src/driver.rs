@@ -114,7 +114,7 @@ pub fn compile_model(
     let spanning = tree.tree.clone();
     let tree = equations::without_redundant(&mechanism, spanning, tree, &assembly.omitted);
     // AFTER THIS POINT a consistent start is known and the constraint rows are independent there.
-    motion::check(&mechanism, &tree, &assembly, &mut errors);
+    motion::check(&mechanism, &tree, &assembly, &mut warnings, &mut errors);
     if !errors.is_empty() {
         return Err(errors);
     }
@@ -152,7 +152,7 @@ pub fn compile_model(
     let programs = schedule::schedule(&complete, &optimized);
     // AFTER THIS POINT there is no graph, only instructions.
     let masses = assemble::positive_masses(&mechanism, &complete.equations);
-    let compiled = Compiled {
+    let mut compiled = Compiled {
         mechanism,
         definition,
         complete,
@@ -171,6 +171,9 @@ pub fn compile_model(
         budget::budget(&compiled, &compile_model, &mut errors);
     }
     check::cords(&compiled, &mut errors);
+    let mut warnings = std::mem::take(&mut compiled.warnings);
+    check::beyond_tables(&compiled, &mut warnings);
+    compiled.warnings = warnings;
     let extent = Extent::asked(compiled.mechanism.options.self_check);
     if let Some(contradiction) = self_check::self_check(&compiled, extent).first() {
         errors.error(compiled.mechanism.name.span, contradiction.to_string());

@@ -32,6 +32,14 @@ fn of_space() {
     compare_text("spatial_slider_crank_arm.md", &page(&compiled));
 }
 
+/// Uses of parts with what they bring.
+#[test]
+fn parts_are_groups() {
+    let page = page(&compiled::<linkwright_models::tracked_vehicle::TrackedVehicle>(None));
+    let row = "| `station[2]` | `Station` | `arm`, `wheel` | `swing`, `hub` | `bar`, `damper` |";
+    assert!(page.contains("# Parts") && page.contains(row), "{page}");
+}
+
 /// The picture of README.md, on paper of its own, because it stands alone.
 #[test]
 fn of_the_front_page() {

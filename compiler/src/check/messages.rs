@@ -38,6 +38,25 @@ pub fn unstable_state(name: &str, time: f64) -> String {
     )
 }
 
+/// Whose argument lies where, at the start or along the motion, and where the knots do, in the units of the table.
+pub fn outside_table(
+    of: &str,
+    table: &str,
+    argument: &str,
+    [from, to]: [String; 2],
+    [first, last]: [String; 2],
+) -> String {
+    let asked = if from == to {
+        format!("for {from} at the start")
+    } else {
+        format!("for {from} to {to} along the motion")
+    };
+    format!(
+        "`{of}` asks `{table}` {asked}, and its knots of `{argument}` go from {first} to {last}: what lies outside is continued and was not \
+         measured. Add knots, or write `#[allow(outside_table)]` before it"
+    )
+}
+
 /// N.
 pub fn cord_that_pushes(name: &str, tension: f64) -> String {
     format!(

@@ -1,6 +1,7 @@
 //! Checks: static rules on the model, numeric rules by assembling the mechanism.
 
 pub mod assemble;
+mod beyond;
 mod cords;
 mod messages;
 pub mod motion;
@@ -10,6 +11,7 @@ mod size;
 mod steady;
 mod warnings;
 
+pub use beyond::beyond_tables;
 pub use cords::cords;
 pub use steady::{steady, unstable};
 pub use warnings::{unstable_states, warnings};

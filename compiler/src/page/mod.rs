@@ -27,6 +27,7 @@ pub fn page(compiled: &Compiled) -> String {
     let mut page = String::new();
     drawing(&mut page, compiled);
     summary(&mut page, compiled);
+    tables::parts(&mut page, compiled);
     tables::bodies(&mut page, compiled);
     tables::joints(&mut page, compiled);
     tables::couplings(&mut page, compiled);

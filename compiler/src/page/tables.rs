@@ -1,4 +1,4 @@
-//! What a mechanism consists of, as tables: bodies, joints, couplings, drivers, loads, parameters, inputs, outputs,
+//! What a mechanism consists of, as tables: parts, bodies, joints, couplings, drivers, loads, parameters, inputs, outputs,
 //! coordinates and where they start, constraint rows.
 
 use super::table::{Table, code};
@@ -8,7 +8,7 @@ use crate::equations::conditions;
 use crate::equations::coordinates::rotor_name;
 use crate::forms::Law;
 use crate::model::{
-    Body, ConstraintKind, Coupled, Expr, Frame, JointId, Load, Mechanism, Space, Subject, Vector, fold,
+    Body, ConstraintKind, Coupled, Expr, Frame, JointId, Load, Mechanism, Name, Space, Subject, Vector, fold,
 };
 use std::collections::BTreeSet;
 
@@ -62,6 +62,27 @@ fn inertia(mechanism: &Mechanism, body: &Body) -> String {
 
 fn is_zero(vector: &Vector) -> bool {
     vector.iter().all(|x| matches!(x, Expr::Number(0.0)))
+}
+
+/// What was declared once and used by name, with what it brings.
+pub fn parts(page: &mut String, compiled: &Compiled) {
+    let mechanism = &compiled.mechanism;
+    let mut table = Table::new(&["part", "is", "bodies", "joints", "loads"]);
+    for part in &mechanism.parts {
+        let prefix = format!("{}.", part.name.text);
+        let own = |names: &mut dyn Iterator<Item = &Name>| -> String {
+            let own = names.filter_map(|name| name.text.strip_prefix(&prefix)).map(code);
+            own.collect::<Vec<_>>().join(", ")
+        };
+        table.row(vec![
+            code(&part.name.text),
+            code(&part.of),
+            own(&mut mechanism.bodies.iter().map(|body| &body.name)),
+            own(&mut mechanism.joints.iter().map(|joint| &joint.name)),
+            own(&mut mechanism.loads.iter().map(|load| &load.name)),
+        ]);
+    }
+    table.write(page, "Parts");
 }
 
 pub fn joints(page: &mut String, compiled: &Compiled) {

@@ -10,7 +10,7 @@ use super::expression::is_call;
 use super::parser::{Failed, Parsed, Parser};
 use super::token::Cursor;
 use crate::diagnostics::Region;
-use crate::forms::{Acts, Argument, Factor, Form, Law, Means, Positional, Value, Written};
+use crate::forms::{Acts, Argument, Factor, Form, Law, LoadForm, Means, Positional, Value, Written};
 use crate::messages::{self, Habit};
 use proc_macro2::Delimiter;
 
@@ -211,7 +211,11 @@ impl Parser<'_> {
         let forms = self.calls_of_loads();
         let (which, mut arguments) = self.call_of(c, &forms, "load")?;
         let call = forms[which];
-        if word != "force" && word != call.word {
+        // What it acts along may be an angle.
+        let along =
+            |load: &&LoadForm| load.acts().take(1).any(|acts| matches!(acts, Acts::Way | Acts::Expression));
+        let turns = loads.iter().filter(|load| load.call.word == call.word).any(along);
+        if word != "force" && word != call.word && !(word == "torque" && turns) {
             return self.fail(at, messages::other_load(word, call.word));
         }
         let mut of_word = loads.into_iter().filter(|load| load.call.word == call.word);

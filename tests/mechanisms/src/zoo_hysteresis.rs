@@ -18,7 +18,7 @@ linkwright::mechanism! {
         joint rail: prismatic(ground(0, 0) [m], cart.center, axis = (1, 0));
         joint shoulder: revolute(cart.center, arm.start);
         joint elbow: revolute(arm.end, bob.start);
-        masing twist: masing(shoulder, backbone = bar);
+        torque twist: masing(shoulder, backbone = bar);
         force tie: masing(stretch, backbone = band);
         force bush: bouc_wen(rail, stiffness = stiffness, share = share, depth = depth, beta = 0.5, gamma = 0.4, exponent = 2);
         bouc_wen rubber: bouc_wen(elbow.angle + 0.2 [rad]*sin(3 [rad/s]*time), stiffness [N*m/rad] = 5, depth [deg] = 40, beta = 0.7,

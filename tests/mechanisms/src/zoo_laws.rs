@@ -182,8 +182,10 @@ linkwright::mechanism! {
         joint knee: revolute(arm.end, bob.start);
         constraint follow: rail.travel = lift(hub.angle);
         drive shake: bench.travel = 2*stroke(time) + 0.1 [m];
+        #[allow(outside_table)]
         torque rest: torque(hinge) = -gain(level)*bar(turned) - fan(hinge.rate);
         force stop: force(rail) = bump(rail.travel - 30 [mm]) - damper(rail.speed);
+        #[allow(outside_table)]
         torque brake: torque(hub) = -0.2 [m]*grip(slip, load + 0.3 [N]);
         force rope: along(way) = -20 [N/m]*way - damper(way.rate);
         start { hub.angle [rad] = 0.4; hub.rate [rad/s] = 3; hinge.angle [rad] = -1.2; knee.angle [rad] = 0.3; knee.rate [rad/s] = 1; }

@@ -32,6 +32,7 @@ mechanism! {
         table friction(rate [rpm]) [N*m] = [(-2000, 0.8), (-100, 0.3), (0, 0), (100, -0.3), (2000, -0.8)];
         table pressure(angle [deg]) [N] = [(0, 900), (20, 1200), (90, 300), (300, 10), (360, 900)], periodic;
         table share(rate [rpm], load [N]) = grid((0, 1000), (-10, 0, 500), [(1, 1), (1, 0.9), (0.8, 0.7)]);
+        #[allow(outside_table)]
         force drive: torque(main) = torque + friction(main.rate)*share(main.rate, gas);
         force load:  force(piston.center, direction = (-1, 0)) = gas + pressure(main.angle);
         start  { main.angle [deg] = 30; main.rate [rpm] = 1200; bore.travel [mm] ~ 170; }

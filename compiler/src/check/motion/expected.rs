@@ -3,6 +3,7 @@
 use super::messages::{self, Outside};
 use super::{End, Motion, Range, sweep};
 use crate::check::assemble::{Assembly, Point, pins};
+use crate::check::beyond;
 use crate::diagnostics::Diagnostics;
 use crate::equations::Equations;
 use crate::model::{
@@ -10,14 +11,28 @@ use crate::model::{
 };
 use std::f64::consts::TAU;
 
-/// Follows the motion if `expect` asks about it; silent where it is as expected.
-pub fn check(mechanism: &Mechanism, equations: &Equations, assembly: &Assembly, errors: &mut Diagnostics) {
+/// Follows the motion if `expect` asks about it; silent where it is as expected. Warns of tables that the motion leaves.
+pub fn check(
+    mechanism: &Mechanism,
+    equations: &Equations,
+    assembly: &Assembly,
+    warnings: &mut Diagnostics,
+    errors: &mut Diagnostics,
+) {
     let expected = &mechanism.expect.motion;
     let Some(span) = expected.span() else { return };
-    let motion = match sweep(mechanism, equations, assembly, &coordinates(expected)) {
+    let tables = beyond::asked(mechanism);
+    let of_tables: Vec<_> = tables.iter().filter_map(|asked| Some((asked, asked.coordinate()?))).collect();
+    let mut followed = coordinates(expected);
+    let first_of_tables = followed.len();
+    followed.extend(of_tables.iter().map(|(_, coordinate)| (*coordinate).clone()));
+    let motion = match sweep(mechanism, equations, assembly, &followed) {
         Ok(motion) => motion,
         Err(unswept) => return errors.error(span, messages::unswept(unswept)),
     };
+    for ((asked, _), range) in of_tables.iter().zip(&motion.ranges[first_of_tables..]) {
+        asked.warn(mechanism, [range.from, range.to], true, warnings);
+    }
     let (turning, within) = motion.ranges.split_at(expected.rotates.len());
     for (index, (expected, range)) in expected.rotates.iter().zip(turning).enumerate() {
         turns(mechanism, equations, assembly, &motion, (index, range), expected, errors);
