@@ -135,7 +135,7 @@ fn statements_of_space() {
     built.law("slack", Call::new("along").along("lag"), lag);
     let points = [[0.0, 0.0], [90.0, 1.5], [180.0, 0.5], [360.0, 0.0]];
     built.table("cam", ["angle", "deg"], "N*m", &points, Interpolation::Periodic, Outside::Linear);
-    let (axes, rows): (_, [&[f64]; 2]) = ([&[-1.0, 1.0][..], &[0.0, 2.0]], [&[0.0, 1.0], &[2.0, 5.0]]);
+    let (axes, rows): (_, [&[f64]; 2]) = ([&[-5.0, 5.0][..], &[0.0, 2.0]], [&[0.0, 1.0], &[2.0, 5.0]]);
     built.grid(
         "drag",
         [["rate", "rad/s"], ["share", ""]],
