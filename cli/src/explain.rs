@@ -57,6 +57,8 @@ pub struct Explanation {
     pub parameters: Vec<Parameter>,
     /// Name and unit.
     pub inputs: Vec<[String; 2]>,
+    /// Name and unit.
+    pub signals: Vec<[String; 2]>,
     /// At the start.
     pub states: Vec<Value>,
     pub bodies: Vec<Body>,
@@ -118,6 +120,7 @@ pub fn explain(definition: &Definition, compiled: &Compiled) -> Explanation {
             .iter()
             .map(|i| [i.name.text.clone(), unit(i.unit.as_ref().map(|u| &u.unit))])
             .collect(),
+        signals: mechanism.signals.iter().map(|it| [it.name.text.clone(), it.unit.text.clone()]).collect(),
         states: state.internal,
         bodies: state.bodies,
         joints: joints(compiled),

@@ -120,6 +120,10 @@ pub fn explanation(e: &Explanation) -> Value {
         "outputs": e.outputs.iter().map(value).collect::<Vec<_>>(),
         "counts": counts(&e.functions),
     });
+    if !e.signals.is_empty() {
+        object["signals"] =
+            e.signals.iter().map(|[name, unit]| json!({ "name": name, "unit": unit })).collect();
+    }
     if !e.parts.is_empty() {
         object["parts"] = named(&e.parts);
     }

@@ -22,6 +22,7 @@ pub fn explanation(e: &Explanation, place: &str) -> String {
     });
     table(&mut text, "Parameters", parameters.collect());
     table(&mut text, "Inputs", e.inputs.iter().map(|input| input.to_vec()).collect());
+    table(&mut text, "Signals", e.signals.iter().map(|signal| signal.to_vec()).collect());
     table(&mut text, "States at the start", e.states.iter().map(value).collect());
     let bodies = e.bodies.iter().map(|body| {
         let moments: Vec<String> = body.moments.iter().map(|moment| number(*moment)).collect();

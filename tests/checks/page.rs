@@ -38,6 +38,7 @@ fn parts_are_groups() {
     let page = page(&compiled::<linkwright_models::tracked_vehicle::TrackedVehicle>(None));
     let row = "| `station[2]` | `Station` | `arm`, `wheel` | `swing`, `hub` | `bar`, `damper` |";
     assert!(page.contains("# Parts") && page.contains(row), "{page}");
+    assert!(page.contains("# Signals") && page.contains("| `lift[5]` | `m` |"), "{page}");
 }
 
 /// The picture of README.md, on paper of its own, because it stands alone.

@@ -60,6 +60,7 @@ pub fn lower(definition: &Definition) -> Result<Mechanism, Diagnostics> {
         parameters,
         inputs: lowering.each(&definition.inputs, Lowering::input),
         states: Vec::new(),
+        signals: lowering.each(&definition.signals, Lowering::named_signal),
         gravity: lowering.gravity(),
         gravity_span: definition.gravity.as_ref().map(|tuple| tuple.region),
         bodies: lowering.each(&definition.bodies, Lowering::body),

@@ -104,6 +104,7 @@ pub struct Mechanism {
     pub inputs: Vec<Input>,
     /// With rates of their own.
     pub states: Vec<InternalState>,
+    pub signals: Vec<Signal>,
     /// World axes; `None` if no gravity was written.
     pub gravity: Option<Vector>,
     pub gravity_span: Option<Region>,
@@ -207,6 +208,13 @@ pub struct Input {
     pub name: Name,
     pub unit: DeclaredUnit,
     pub docs: String,
+}
+
+/// An expression with a name.
+#[derive(Clone, Debug)]
+pub struct Signal {
+    pub name: Name,
+    pub unit: DeclaredUnit,
 }
 
 /// A quantity with a rate of its own: ż = rate.

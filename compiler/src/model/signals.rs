@@ -1,12 +1,12 @@
 //! Signals: expressions with a name. Where a signal is named its expression stands, as far as that may stand there.
 
-use super::lower::{Lowering, Use, declared};
+use super::lower::{Lowering, Use, declared, declared_unit, name};
 use super::names::Value;
 use super::unused::Scope;
 use super::values::Typed;
-use super::{Expr, Quantity};
+use super::{Expr, Quantity, Signal};
 use crate::messages;
-use crate::syntax::{Definition, Path};
+use crate::syntax::{self, Definition, Path};
 use crate::units::Dimension;
 
 /// Expressions stand in one another as often as they are named: what a signal may come to.
@@ -38,6 +38,11 @@ impl Lowering<'_> {
         for index in 0..self.definition.signals.len() {
             self.signal(index, Use::SIGNAL);
         }
+    }
+
+    /// What it is called and measured in.
+    pub fn named_signal(&mut self, signal: &syntax::Signal) -> Option<Signal> {
+        Some(Signal { name: name(&signal.name), unit: declared_unit(signal.entry.unit.as_ref()) })
     }
 
     /// What a signal stands for, where it is named.

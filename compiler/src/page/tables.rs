@@ -211,6 +211,11 @@ pub fn settings(page: &mut String, compiled: &Compiled) {
         table.row(vec![code(&input.name.text), code(&input.unit.text)]);
     }
     table.write(page, "Inputs");
+    let mut table = Table::new(&["signal", "unit as written"]);
+    for signal in &mechanism.signals {
+        table.row(vec![code(&signal.name.text), code(&signal.unit.text)]);
+    }
+    table.write(page, "Signals");
     let mut table = Table::new(&["state", "unit as written", "at the start, SI", "scale, SI"]);
     for state in &mechanism.states {
         let scale = state.scale.map_or(String::new(), decimal);
