@@ -62,7 +62,7 @@ pub fn state(definition: &Definition, compiled: &Compiled) -> State {
     let known = &compiled.complete.conditions;
     let (all, conditions) = known.with(mechanism, &equations, &coordinates);
     let masses = masses(mechanism, &equations);
-    let mut point = Point::at_start(compiled, &equations);
+    let mut point = Point::at_start(mechanism, &equations, &compiled.assembly);
     let jets = conditions.iter().map(|index| &all.rows[*index].jet);
     point.evaluate(&Ancestry::of_jets(&equations, jets));
     let found = asked.into_iter().zip(&conditions).map(|(asked, index)| {
@@ -153,7 +153,7 @@ fn centers(
 }
 
 fn internal(compiled: &Compiled) -> Vec<Value> {
-    let both = compiled.mechanism.states.iter().zip(compiled.start_internal());
+    let both = compiled.mechanism.states.iter().zip(compiled.mechanism.internal_starts());
     let value = |(state, start): (&InternalState, f64)| {
         let (unit, scale) = (state.unit.text.clone(), state.unit.scale);
         Value { name: state.name.text.clone(), value: start / scale, unit }

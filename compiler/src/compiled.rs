@@ -7,7 +7,7 @@ use crate::choice::Choice;
 use crate::complete::Complete;
 use crate::diagnostics::Diagnostics;
 use crate::functions::Shape;
-use crate::model::{Mechanism, value_at};
+use crate::model::Mechanism;
 use crate::schedule::Programs;
 use crate::solve::Partition;
 use crate::solve::table::Table;
@@ -66,13 +66,6 @@ impl Compiled {
             Shape::Drivers => mechanism.drivers.len(),
             Shape::Masses => equations.masses.len(),
         }
-    }
-
-    /// The internal states at the start, for the default parameters.
-    pub fn start_internal(&self) -> Vec<f64> {
-        let defaults = self.mechanism.defaults();
-        let starts = self.mechanism.states.iter().map(|state| value_at(&state.start, &defaults));
-        starts.map(|start| start.unwrap_or(f64::NAN)).collect()
     }
 
     /// The range of motion of all joints, for those who ask; expansion itself follows the motion only where `expect` does.

@@ -132,6 +132,8 @@ pub fn compile_model(
     let equations = equations.starting_at(&mechanism);
     let growing = check::unstable(&mechanism, &equations, &solved, &assembly);
     check::unstable_states(&mechanism, &growing, &mut warnings);
+    check::beyond_tables(&mechanism, &equations, &assembly, &mut warnings);
+    check::cords(&mechanism, &equations, &solved, &assembly, &mut errors);
     // AFTER THIS POINT every state has its start.
     let (conditions, independent) = equations.conditions.with(&mechanism, &equations, &assembly.independent);
     let partition = assemble::partition(&mechanism, &equations, &conditions, &assembly, &independent);
@@ -152,7 +154,7 @@ pub fn compile_model(
     let programs = schedule::schedule(&complete, &optimized);
     // AFTER THIS POINT there is no graph, only instructions.
     let masses = assemble::positive_masses(&mechanism, &complete.equations);
-    let mut compiled = Compiled {
+    let compiled = Compiled {
         mechanism,
         definition,
         complete,
@@ -170,10 +172,6 @@ pub fn compile_model(
         // Limits of the definition hold for the coordinates of the definition.
         budget::budget(&compiled, &compile_model, &mut errors);
     }
-    check::cords(&compiled, &mut errors);
-    let mut warnings = std::mem::take(&mut compiled.warnings);
-    check::beyond_tables(&compiled, &mut warnings);
-    compiled.warnings = warnings;
     let extent = Extent::asked(compiled.mechanism.options.self_check);
     if let Some(contradiction) = self_check::self_check(&compiled, extent).first() {
         errors.error(compiled.mechanism.name.span, contradiction.to_string());

@@ -8,6 +8,7 @@ use crate::zoo_space::{
 use linkwright_compiler::equations::space::joints;
 use linkwright_compiler::model::{Coordinates, Frame};
 use linkwright_compiler::order::Strategy;
+use mechanisms::zoo_cables::Hoisted;
 use std::collections::BTreeSet;
 
 /// How the joints of a mechanism stand in its tree: kind, what it does there, where the ground is.
@@ -58,6 +59,7 @@ fn every_joint_occurs_both_ways() {
         ways::<Snake>(),
         ways::<Stage>(),
         ways::<Cabin>(),
+        ways::<Hoisted>(),
     ];
     let found: BTreeSet<_> = all.into_iter().flatten().collect();
     let has = |kind: &str, role: &str| found.iter().any(|way| way.0 == kind && way.1 == role);
@@ -86,6 +88,7 @@ fn every_joint_occurs_both_ways() {
         ("point_on_plane", "ground second"),
         ("distance", "ground second"),
         ("distance", "bodies"),
+        ("cord", "bodies"),
         ("fixed", "bodies"),
         ("spherical", "bodies"),
     ] {

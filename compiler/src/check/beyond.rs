@@ -1,10 +1,9 @@
 //! Tables that are asked for more than they say: arguments outside of the knots, at the start and along the motion.
 
-use super::assemble::{Ancestry, Point};
+use super::assemble::{Ancestry, Assembly, Point};
 use super::messages;
-use crate::compiled::Compiled;
 use crate::diagnostics::{Diagnostics, Lint, Severity};
-use crate::equations::Laws;
+use crate::equations::{Equations, Laws};
 use crate::model::{ConstraintKind, Coordinate, Curve, Expr, Mechanism, Name, Quantity, Table};
 
 /// Of the width of a table, what is taken for rounding.
@@ -91,8 +90,12 @@ pub fn asked(mechanism: &Mechanism) -> Vec<Asked<'_>> {
 }
 
 /// Warnings of tables whose arguments are outside at the start, as far as no input or result decides that.
-pub fn beyond_tables(compiled: &Compiled, found: &mut Diagnostics) {
-    let (mechanism, equations) = (&compiled.mechanism, &compiled.complete.equations);
+pub fn beyond_tables(
+    mechanism: &Mechanism,
+    equations: &Equations,
+    assembly: &Assembly,
+    found: &mut Diagnostics,
+) {
     let asked = asked(mechanism);
     if asked.is_empty() {
         return;
@@ -100,7 +103,7 @@ pub fn beyond_tables(compiled: &Compiled, found: &mut Diagnostics) {
     let (g, symbols) = (equations.graph.sheet(), &equations.symbols);
     let laws = Laws::moving(g, mechanism, symbols, &equations.layout, &equations.kinematics);
     let nodes: Vec<_> = asked.iter().map(|asked| laws.value(asked.argument).bare).collect();
-    let mut point = Point::at_start(compiled, equations);
+    let mut point = Point::at_start(mechanism, equations, assembly);
     point.evaluate(&Ancestry::of(equations, nodes.iter().copied()));
     for (asked, node) in asked.iter().zip(nodes) {
         let mut follows = false;

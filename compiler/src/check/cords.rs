@@ -1,20 +1,25 @@
 //! Cords pull where the mechanism starts.
 
-use super::assemble::{Ancestry, Point};
+use super::assemble::{Ancestry, Assembly, Point};
 use super::messages;
-use crate::compiled::Compiled;
 use crate::diagnostics::Diagnostics;
-use crate::equations::Laws;
+use crate::equations::{Equations, Laws};
+use crate::model::Mechanism;
+use crate::solve::Solved;
 use crate::symbolic::Node;
 
 /// Of the largest force, what is taken for rounding.
 const ROUNDING: f64 = 1e-9;
 
 /// An error for each cord whose tension is below zero at the start, as far as no input decides that.
-pub fn cords(compiled: &Compiled, errors: &mut Diagnostics) {
-    let (mechanism, equations) = (&compiled.mechanism, &compiled.complete.equations);
-    let lambda = &compiled.complete.solved.index1.lambda;
-    let rows = equations.rows.iter().zip(lambda).filter_map(|(row, lambda)| {
+pub fn cords(
+    mechanism: &Mechanism,
+    equations: &Equations,
+    solved: &Solved,
+    assembly: &Assembly,
+    errors: &mut Diagnostics,
+) {
+    let rows = equations.rows.iter().zip(&solved.index1.lambda).filter_map(|(row, lambda)| {
         let joint = &mechanism.joints[row.joint()?.0];
         joint.form.only_pulls.then_some((joint, *lambda))
     });
@@ -26,7 +31,7 @@ pub fn cords(compiled: &Compiled, errors: &mut Diagnostics) {
         let inputs = &equations.symbols.inputs;
         equations.graph.read().reachable([node]).iter().any(|node| inputs.contains(node))
     };
-    let mut point = Point::at_start(compiled, equations);
+    let mut point = Point::at_start(mechanism, equations, assembly);
     let (g, symbols) = (equations.graph.sheet(), &equations.symbols);
     let laws = Laws::moving(g, mechanism, symbols, &equations.layout, &equations.kinematics);
     let lengths: Vec<Node> = cords.iter().map(|(joint, _)| laws.value(joint.scalar(0)).bare).collect();

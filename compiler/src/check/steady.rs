@@ -4,7 +4,7 @@ use super::assemble::{Ancestry, Assembly, Point};
 use super::messages;
 use crate::diagnostics::Diagnostics;
 use crate::equations::Equations;
-use crate::model::{Expr, InternalState, Mechanism, value_at};
+use crate::model::{Expr, InternalState, Mechanism};
 use crate::solve::Solved;
 
 /// Steps of Newton's method.
@@ -85,9 +85,7 @@ pub fn steady(
     if mechanism.steady.is_empty() {
         return Some(states);
     }
-    let defaults = mechanism.defaults();
-    let mut z: Vec<f64> =
-        states.iter().map(|state| value_at(&state.start, &defaults).unwrap_or(f64::NAN)).collect();
+    let mut z = mechanism.internal_starts();
     let own: Vec<usize> = mechanism.steady.iter().map(|(state, _)| *state).collect();
     let mut rates = Rates::new(mechanism, equations, solved, assembly);
     let mut steps = vec![0.0; own.len()];
@@ -137,10 +135,7 @@ pub fn unstable<'m>(
     if mechanism.states.is_empty() {
         return Vec::new();
     }
-    let defaults = mechanism.defaults();
-    let z: Option<Vec<f64>> =
-        mechanism.states.iter().map(|state| value_at(&state.start, &defaults)).collect();
-    let Some(z) = z else { return Vec::new() };
+    let z = mechanism.internal_starts();
     let mut rates = Rates::new(mechanism, equations, solved, assembly);
     let growth = mechanism.states.iter().enumerate().map(|(at, state)| (state, rates.column(&z, at)[at]));
     growth.filter(|(_, growth)| *growth > UNSTABLE).map(|(state, growth)| (state, 1.0 / growth)).collect()

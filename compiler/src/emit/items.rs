@@ -100,7 +100,7 @@ fn numbers(values: &[f64]) -> String {
 fn start(emitter: &Emitter) -> String {
     let Emitter { path, compiled, .. } = emitter;
     let (q, v) = (numbers(&compiled.assembly.q), numbers(&compiled.assembly.v));
-    match compiled.start_internal().as_slice() {
+    match compiled.mechanism.internal_starts().as_slice() {
         [] => format!("{path}::State::new({q}, {v})"),
         z => format!("{path}::State {{ q: {q}, v: {v}, z: {}, gates: () }}", numbers(z)),
     }

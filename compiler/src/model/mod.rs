@@ -138,6 +138,13 @@ impl Mechanism {
         self.parameters.iter().map(|parameter| parameter.default).collect()
     }
 
+    /// The internal states at the start, for the default parameters.
+    pub fn internal_starts(&self) -> Vec<f64> {
+        let defaults = self.defaults();
+        let starts = self.states.iter().map(|state| value_at(&state.start, &defaults));
+        starts.map(|start| start.unwrap_or(f64::NAN)).collect()
+    }
+
     /// The files that tables and parts were read from.
     pub fn files(&self) -> impl Iterator<Item = &OnDisk> {
         let tables = self.tables.iter().filter_map(|table| Some(&table.file.as_ref()?.on_disk));

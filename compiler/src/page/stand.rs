@@ -42,7 +42,7 @@ impl<'a> Stand<'a> {
         set(&known.q, &mut assembly.q.iter().copied());
         set(&known.v, &mut assembly.v.iter().copied());
         set(&known.inputs, &mut std::iter::repeat(1.0));
-        set(&known.internal, &mut compiled.start_internal().into_iter());
+        set(&known.internal, &mut compiled.mechanism.internal_starts().into_iter());
         let mut stand = Stand { compiled, graph, symbols, values: Vec::new(), poses: Vec::new() };
         for motion in &equations.motions {
             let center = pad(&stand.numbers(&motion.position));

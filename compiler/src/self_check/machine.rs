@@ -196,7 +196,7 @@ pub fn start(compiled: &Compiled) -> Inputs {
         v: compiled.assembly.v.clone(),
         acceleration: vec![0.0; compiled.assembly.v.len()],
         inputs: vec![0.0; compiled.mechanism.inputs.len()],
-        internal: compiled.start_internal(),
+        internal: compiled.mechanism.internal_starts(),
         lambda: vec![0.0; compiled.complete.equations.rows.len()],
         ..Inputs::default()
     }

@@ -1,7 +1,6 @@
 //! The equations at one state, by interpreting their graph.
 
-use super::quaternion;
-use crate::compiled::Compiled;
+use super::{Assembly, quaternion};
 use crate::equations::{Equations, Jet};
 use crate::model::Mechanism;
 use crate::symbolic::{Node, Op, evaluate_reachable};
@@ -45,11 +44,11 @@ impl<'a> Point<'a> {
     }
 
     /// The start of a mechanism at time zero, inputs zero.
-    pub fn at_start(compiled: &Compiled, equations: &'a Equations) -> Self {
-        let mut point = Point::at_defaults(&compiled.mechanism, equations, &compiled.assembly.phases);
-        point.set_q(&compiled.assembly.q);
-        point.set_v(&compiled.assembly.v);
-        point.set(&equations.symbols.internal, &compiled.start_internal());
+    pub fn at_start(mechanism: &Mechanism, equations: &'a Equations, assembly: &Assembly) -> Self {
+        let mut point = Point::at_defaults(mechanism, equations, &assembly.phases);
+        point.set_q(&assembly.q);
+        point.set_v(&assembly.v);
+        point.set(&equations.symbols.internal, &mechanism.internal_starts());
         point
     }
 
