@@ -85,15 +85,16 @@ linkwright::mechanism! {
 }
 
 linkwright::mechanism! {
-    /// A point on three elastic cables whose own lengths are given from outside.
+    /// A point on three elastic cables. Winches let them out by what is given from outside, beyond lengths at which they are just taut
+    /// at the start.
     pub spatial ElasticCableRobot {
         param stiffness [kN] = 20 in 0.01..1000;
         gravity [m/s^2] = (0, 0, -9.81);
         particle load { mass [kg] = 2; }
-        repeat i in 0..3 { input length[i] [m]; }
-        cable first:  cable(ground(1.2, 0, 0) [m],     load.center, stiffness = stiffness, length = length[0]);
-        cable second: cable(ground(-0.5, 1, 0) [m],    load.center, stiffness = stiffness, length = length[1]);
-        cable third:  cable(ground(-0.6, -0.9, 0) [m], load.center, stiffness = stiffness, length = length[2]);
+        repeat i in 0..3 { input let_out[i] [m]; }
+        cable first:  cable(ground(1.2, 0, 0) [m],     load.center, stiffness = stiffness, length = 1.520822146078 [m] + let_out[0]);
+        cable second: cable(ground(-0.5, 1, 0) [m],    load.center, stiffness = stiffness, length = 2.304972884873 [m] + let_out[1]);
+        cable third:  cable(ground(-0.6, -0.9, 0) [m], load.center, stiffness = stiffness, length = 2.344973347397 [m] + let_out[2]);
         // On the ellipse, at its velocity.
         start {
             load.center.x [m] = 0.95;
