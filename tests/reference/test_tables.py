@@ -53,12 +53,27 @@ class Tables(unittest.TestCase):
 
     def test_bilinear(self):
         z = [[0, 2, 3, 8], [1, 2.5, 5, 9], [3, 6, 7, 12]]
-        head = {"arguments": [{"unit": "1"}, {"unit": "1"}], "unit": "1", "outside": "linear"}
+        head = {"arguments": [{"unit": "1"}, {"unit": "1"}], "unit": "1", "kind": "bilinear", "outside": "linear"}
         axes = [numbers([0, 1, 2, 4]), numbers([0, 0.5, 2])]
         grid = Table({**head, "axes": axes, "rows": [numbers(row) for row in z]}, in_si)
         places = {(0.5, 0.25): 1.375, (1.5, 1): 4.666666666666667, (3, 0.4): 6.7, (3.9, 1.9): 11.55333333333333}
         for place, expected in places.items():
             self.assertAlmostEqual(float(grid(*map(ca.SX, place))), expected, delta=1e-12)
+
+    def test_bicubic(self):
+        """Values of SciPy's RectBivariateSpline through all points."""
+        z = [[0, 2, 3, 8, 7], [1, 2.5, 5, 9, 6], [3, 6, 7, 12, 11], [2, 6.5, 4, 10, 13]]
+        head = {"arguments": [{"unit": "1"}, {"unit": "1"}], "unit": "1", "kind": "bicubic", "outside": "linear"}
+        axes = [numbers([0, 1, 2, 4, 5]), numbers([0, 0.5, 2, 3])]
+        sheet = Table({**head, "axes": axes, "rows": [numbers(row) for row in z]}, in_si)
+        places = {
+            (0.5, 0.25): 1.3750302269345238,
+            (1.5, 1): 4.886755952380952,
+            (3, 0.4): 7.469923809523811,
+            (4.7, 2.9): 12.715294599999996,
+        }
+        for place, expected in places.items():
+            self.assertAlmostEqual(float(sheet(*map(ca.SX, place))), expected, delta=1e-12)
 
 
 if __name__ == "__main__":
