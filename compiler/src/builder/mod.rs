@@ -226,8 +226,7 @@ impl Builder {
         unit: &str,
         axes: [&[f64]; 2],
         rows: &[&[f64]],
-        kind: Interpolation,
-        outside: Outside,
+        (kind, outside): (Interpolation, Outside),
     ) -> &mut Self {
         self.declared("table", name, |name| {
             let rows: Vec<String> = rows.iter().map(|row| tuple(row)).collect::<Result<_, _>>()?;

@@ -142,8 +142,7 @@ fn statements_of_space() {
         "N*m",
         axes,
         &rows,
-        Interpolation::Bilinear,
-        Outside::Hold,
+        (Interpolation::Bilinear, Outside::Hold),
     );
     let drag = Value::call("drag", &[Value::name("first.rate"), Value::from(0.5)]);
     built.law(
