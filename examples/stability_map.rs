@@ -54,8 +54,11 @@ fn between((first, last): (f64, f64), share: f64) -> f64 {
     first + (last - first) * share
 }
 
-/// Eigenvalues about steady running, as (real, imaginary), 1/s, and the force on the wheel, N.
-fn running(speed: f64, braking: f64) -> Result<([(f64, f64); 4], f64), Box<dyn Error>> {
+/// As (real, imaginary), 1/s.
+type Roots = [(f64, f64); 4];
+
+/// Eigenvalues about steady running, and the force on the wheel, N.
+fn running(speed: f64, braking: f64) -> Result<(Roots, f64), Box<dyn Error>> {
     let model = RearWheel::<f64>::prepare(RearWheelParameters { speed, braking, ..Default::default() })?;
     let start = model.assemble(&RearWheel::START)?;
     let a = Linearisation::at(&model, 0.0, &start, &())?.state_space()?.a;
