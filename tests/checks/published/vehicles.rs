@@ -194,7 +194,7 @@ fn running(speed: f64, braking: f64) -> ([f64; 16], f64) {
     let linear = Linearisation::at(&model, 0.0, &start, &()).expect("regular");
     assert!(linear.acceleration().iter().all(|a| a.abs() < 1e-9), "it runs steadily");
     let a = linear.state_space().expect("two coordinates").a;
-    (a.try_into().expect("four states"), model.outputs(0.0, &start, &()).force)
+    (a, model.outputs(0.0, &start, &()).force)
 }
 
 /// c₁ … c₄ of λ⁴ + c₁ λ³ + c₂ λ² + c₃ λ + c₄ = det(λ − A), after Faddeev and Le Verrier.
