@@ -110,11 +110,8 @@ pub fn beyond_tables(
         asked.argument.quantities(&mut |quantity| {
             follows |= !matches!(quantity, Quantity::Coordinate(_) | Quantity::Rate(_));
         });
-        let given = follows
-            || equations.graph.read().reachable([node]).iter().any(|node| symbols.inputs.contains(node));
-        if !given {
-            let value = point.get(node);
-            asked.warn(mechanism, [value; 2], false, found);
+        if !follows && !equations.takes_inputs(node) {
+            asked.warn(mechanism, [point.get(node); 2], false, found);
         }
     }
 }

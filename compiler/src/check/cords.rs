@@ -27,10 +27,6 @@ pub fn cords(
     if cords.is_empty() {
         return;
     }
-    let given = |node: Node| {
-        let inputs = &equations.symbols.inputs;
-        equations.graph.read().reachable([node]).iter().any(|node| inputs.contains(node))
-    };
     let mut point = Point::at_start(mechanism, equations, assembly);
     let (g, symbols) = (equations.graph.sheet(), &equations.symbols);
     let laws = Laws::moving(g, mechanism, symbols, &equations.layout, &equations.kinematics);
@@ -41,7 +37,7 @@ pub fn cords(
     for ((joint, lambda), length) in cords.iter().zip(&lengths) {
         // The row is (Δ·Δ − L²)/2, so that λ is force over length.
         let tension = point.get(*lambda) * point.get(*length);
-        if tension < -ROUNDING * applied && !given(*lambda) {
+        if tension < -ROUNDING * applied && !equations.takes_inputs(*lambda) {
             errors.error(joint.name.span, messages::cord_that_pushes(&joint.name.text, tension));
         }
     }

@@ -123,7 +123,8 @@ fn cords_are_watched(mechanism: &Mechanism, wanted: &mut Wanted) {
     }
     for (index, joint) in mechanism.joints.iter().enumerate() {
         if joint.form.only_pulls && !watched.contains(&JointId(index)) {
-            wanted.push(Lint::Unwatched, joint.name.span, messages::unwatched(&joint.name.text));
+            let message = messages::unwatched(&joint.name.text, &joint.name.identifier());
+            wanted.push(Lint::Unwatched, joint.name.span, message);
         }
     }
 }

@@ -108,21 +108,10 @@ impl Symbol<'_> {
     pub fn line(&mut self) {
         let unit = self.unit;
         let spots: Vec<Spot> = self.effort.ends.iter().map(|end| self.view.spot(end.at)).collect();
-        for ([a, b], ends) in spots.windows(2).map(|pair| [pair[0], pair[1]]).zip(self.effort.ends.windows(2))
-        {
-            for (end, from, to) in [(ends[0], b, a), (ends[1], a, b)] {
-                if let (true, Some(e)) = (end.is_grounded, heading(from, to)) {
-                    let across = [-2.6 * unit * e[1], 2.6 * unit * e[0]];
-                    ground_line(
-                        &mut self.group,
-                        shifted(to, -1.0, across),
-                        shifted(to, 1.0, across),
-                        e,
-                        unit,
-                    );
-                }
-            }
-            self.lines.push([a, b]);
+        for (spots, ends) in spots.windows(2).zip(self.effort.ends.windows(2)) {
+            let (spots, ends) = ([spots[0], spots[1]], [ends[0], ends[1]]);
+            held(&mut self.group, ends, spots, unit);
+            self.lines.push(spots);
         }
         self.group.path(&spots, false, Pen::Load(1.1));
         let inner = spots.iter().skip(1).take(spots.len().saturating_sub(2));
@@ -137,15 +126,20 @@ impl Symbol<'_> {
         let [first, second, ..] = self.effort.ends[..] else { return };
         let (group, unit) = (&mut self.group, self.unit);
         let [a, b] = [first, second].map(|end| self.view.spot(end.at));
-        for (end, from, to) in [(first, b, a), (second, a, b)] {
-            if let (true, Some(e)) = (end.is_grounded, heading(from, to)) {
-                let across = [-2.6 * unit * e[1], 2.6 * unit * e[0]];
-                ground_line(group, shifted(to, -1.0, across), shifted(to, 1.0, across), e, unit);
-            }
-        }
+        held(group, [first, second], [a, b], unit);
         spring(group, a, b, (is_elastic, is_damped), unit);
         self.lines.push([a, b]);
         self.name = Some((middle(a, b), if is_elastic && is_damped { 3.4 * unit } else { 2.0 * unit }));
+    }
+}
+
+/// Lines of the ground across a run, where its ends are the ground's.
+fn held(group: &mut Group, [first, second]: [End; 2], [a, b]: [Spot; 2], unit: f64) {
+    for (end, from, to) in [(first, b, a), (second, a, b)] {
+        if let (true, Some(e)) = (end.is_grounded, heading(from, to)) {
+            let across = [-2.6 * unit * e[1], 2.6 * unit * e[0]];
+            ground_line(group, shifted(to, -1.0, across), shifted(to, 1.0, across), e, unit);
+        }
     }
 }
 

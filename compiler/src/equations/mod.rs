@@ -345,6 +345,11 @@ impl Equations {
         (0..self.rows.len()).filter(|row| is_open(&self.rows[*row])).collect()
     }
 
+    /// Whether an input decides the value of a node.
+    pub fn takes_inputs(&self, node: Node) -> bool {
+        self.graph.read().reachable([node]).iter().any(|node| self.symbols.inputs.contains(node))
+    }
+
     /// With the starts of these internal states.
     pub fn starting_at(self, mechanism: &Mechanism) -> Self {
         let laws = Laws::constant(self.graph.sheet(), mechanism, &self.symbols);

@@ -108,11 +108,11 @@ pub(crate) fn shared_reaction(name: &str, joint: &str) -> String {
     )
 }
 
-pub(crate) fn unwatched(cord: &str) -> String {
-    let output = cord.replace(['.', '['], "_").replace(']', "");
+/// `identifier`: of the cord.
+pub(crate) fn unwatched(cord: &str, identifier: &str) -> String {
     format!(
         "nothing tells when the cord `{cord}` would have to push, where the equations no longer hold: write \
-         `output {output}_tension [N] = {cord}.tension;`, of which `Event::of(\"{output}_tension\").falling()` tells the time, or \
+         `output {identifier}_tension [N] = {cord}.tension;`, of which `Event::of(\"{identifier}_tension\").falling()` tells the time, or \
          `#[allow(unwatched)]` before it"
     )
 }

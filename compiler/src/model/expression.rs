@@ -54,11 +54,16 @@ impl Expr {
         moves
     }
 
-    /// Whether anything beside parameters changes it.
-    pub fn varies(&self) -> bool {
+    /// Whether it names inputs or states, whose rates it does not know.
+    pub fn is_given(&self) -> bool {
         let mut given = false;
         self.visit(&mut |part| given |= matches!(part, Expr::Input(_) | Expr::State(_)));
-        given || self.moves()
+        given
+    }
+
+    /// Whether anything beside parameters changes it.
+    pub fn varies(&self) -> bool {
+        self.is_given() || self.moves()
     }
 
     /// Calls `found` with every quantity in it.

@@ -154,8 +154,7 @@ impl<'d> Lowering<'d> {
             if !values[which].is_empty() {
                 continue;
             }
-            let mut unknown = false;
-            value.visit(&mut |part| unknown |= matches!(part, Expr::Input(_) | Expr::State(_)));
+            let unknown = value.is_given();
             let rate = if unknown || !value.moves() {
                 Expr::Number(0.0)
             } else {

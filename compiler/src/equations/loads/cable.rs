@@ -1,4 +1,6 @@
-//! A cable that runs from place to place and pulls where it is longer than it is by itself.
+//! A cable of no mass that runs from place to place, through eyes without friction, and pulls where it is longer than by itself:
+//! Hooke's law on one side, T = max(0, EA (l − l₀)/l₀ + c d(l − l₀)/dt) in N with EA in N, l and l₀ in m and c in N s/m, along l − l₀
+//! by virtual work. Why so, and what becomes of the kink: docs/decisions/cables.md.
 
 use super::{LoadKind, LoadTerms, along, no_rotors};
 use crate::drawing::load::Symbol;

@@ -11,35 +11,32 @@ use crate::messages;
 use crate::model::Frame;
 use crate::units::Dimension;
 
-pub static JOINT: PlanarJoint = PlanarJoint {
-    form: JointForm {
-        call: Form {
-            word: "distance",
-            elsewhere: &[],
-            positional: PLACES,
-            named: &[Argument::moving("length", Need::Always, Dimension::LENGTH).positive()],
-        },
-        holds: "the distance, which may depend on time",
-        angles: &[],
-        travels: &[],
-        freedoms: 2,
-        keeps_place: false,
-        keeps_orientation: false,
-        axes: JointAxes::None,
-        spans: Spans::Rod,
-        only_pulls: false,
-        of_particle: OfParticle::Any,
-        alone: Alone::Otherwise,
-        freer: &[],
-        refuses: Some(|given| {
-            let length = given.scalars.first().copied().flatten()?;
-            (length <= 0.0).then(|| ("length", messages::distance_not_positive(given.name)))
-        }),
+pub const FORM: JointForm = JointForm {
+    call: Form {
+        word: "distance",
+        elsewhere: &[],
+        positional: PLACES,
+        named: &[Argument::moving("length", Need::Always, Dimension::LENGTH).positive()],
     },
-    rows,
-    attach: None,
-    symbol,
+    holds: "the distance, which may depend on time",
+    angles: &[],
+    travels: &[],
+    freedoms: 2,
+    keeps_place: false,
+    keeps_orientation: false,
+    axes: JointAxes::None,
+    spans: Spans::Rod,
+    only_pulls: false,
+    of_particle: OfParticle::Any,
+    alone: Alone::Otherwise,
+    freer: &[],
+    refuses: Some(|given| {
+        let length = given.scalars.first().copied().flatten()?;
+        (length <= 0.0).then(|| ("length", messages::distance_not_positive(given.name)))
+    }),
 };
+
+pub static JOINT: PlanarJoint = PlanarJoint { form: FORM, rows, attach: None, symbol };
 
 pub fn rows(laws: &Laws, ends: &Ends) -> Vec<JointRow> {
     let [x, y] = ends.in_world(laws);

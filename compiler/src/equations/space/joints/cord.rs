@@ -1,41 +1,22 @@
 //! Cord: a distance that can only pull. The same row as `distance`; its tension is λ L.
 
 use super::SpatialJoint;
+use super::distance::{FORM, rows};
 use crate::drawing::canvas::Pen;
 use crate::drawing::shapes::THIN;
 use crate::drawing::space::Symbol;
-use crate::forms::{Alone, Argument, Form, JointAxes, JointForm, Need, OfParticle, PLACES, Spans};
-use crate::messages;
-use crate::units::Dimension;
+use crate::forms::{Form, JointForm};
 
 pub static JOINT: SpatialJoint = SpatialJoint {
     form: JointForm {
-        call: Form {
-            word: "cord",
-            elsewhere: &[],
-            positional: PLACES,
-            named: &[Argument::moving("length", Need::Always, Dimension::LENGTH).positive()],
-        },
+        call: Form { word: "cord", ..FORM.call },
         holds: "the distance, which may depend on time, by pulling alone",
-        angles: &[],
-        travels: &[],
-        freedoms: 5,
-        keeps_place: false,
-        keeps_orientation: false,
-        axes: JointAxes::None,
-        spans: Spans::Rod,
         only_pulls: true,
-        of_particle: OfParticle::Any,
-        alone: Alone::Otherwise,
-        freer: &[],
-        refuses: Some(|given| {
-            let length = given.scalars.first().copied().flatten()?;
-            (length <= 0.0).then(|| ("length", messages::distance_not_positive(given.name)))
-        }),
+        ..FORM
     },
     // It leaves no frame to measure from.
     motions: None,
-    rows: super::distance::rows,
+    rows,
     symbol,
 };
 

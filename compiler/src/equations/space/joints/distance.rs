@@ -9,31 +9,33 @@ use crate::forms::{Alone, Argument, Form, JointAxes, JointForm, Need, OfParticle
 use crate::messages;
 use crate::units::Dimension;
 
-pub static JOINT: SpatialJoint = SpatialJoint {
-    form: JointForm {
-        call: Form {
-            word: "distance",
-            elsewhere: &[],
-            positional: PLACES,
-            named: &[Argument::moving("length", Need::Always, Dimension::LENGTH).positive()],
-        },
-        holds: "the distance, which may depend on time",
-        angles: &[],
-        travels: &[],
-        freedoms: 5,
-        keeps_place: false,
-        keeps_orientation: false,
-        axes: JointAxes::None,
-        spans: Spans::Rod,
-        only_pulls: false,
-        of_particle: OfParticle::Any,
-        alone: Alone::Otherwise,
-        freer: &[],
-        refuses: Some(|given| {
-            let length = given.scalars.first().copied().flatten()?;
-            (length <= 0.0).then(|| ("length", messages::distance_not_positive(given.name)))
-        }),
+pub const FORM: JointForm = JointForm {
+    call: Form {
+        word: "distance",
+        elsewhere: &[],
+        positional: PLACES,
+        named: &[Argument::moving("length", Need::Always, Dimension::LENGTH).positive()],
     },
+    holds: "the distance, which may depend on time",
+    angles: &[],
+    travels: &[],
+    freedoms: 5,
+    keeps_place: false,
+    keeps_orientation: false,
+    axes: JointAxes::None,
+    spans: Spans::Rod,
+    only_pulls: false,
+    of_particle: OfParticle::Any,
+    alone: Alone::Otherwise,
+    freer: &[],
+    refuses: Some(|given| {
+        let length = given.scalars.first().copied().flatten()?;
+        (length <= 0.0).then(|| ("length", messages::distance_not_positive(given.name)))
+    }),
+};
+
+pub static JOINT: SpatialJoint = SpatialJoint {
+    form: FORM,
     // It leaves no frame to measure from.
     motions: None,
     rows,
