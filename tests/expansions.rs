@@ -17,7 +17,7 @@ const MOST_LINES: usize = 600;
 
 #[test]
 fn simple_pendulum() {
-    let left_out = ["condition_cosines", "driver_efforts"];
+    let left_out = ["condition_cosines", "condition_drift", "driver_efforts"];
     compare("simple_pendulum", "models/src/simple_pendulum.rs", "SimplePendulum", Shown::AllBut(&left_out));
 }
 

@@ -8,11 +8,11 @@ mod methods;
 mod random;
 
 use linkwright::{
-    Ali3p, Assemble, AssembleExt, AssemblyError, AugmentedLagrangian, Baumgarte, DormandPrince, Event,
-    ExplicitTrapezoidal, Fields, Formulation, GeneralisedAlpha, ImplicitTrapezoidal, InputSource, Integrator,
-    LagrangeIndex1, Linearisation, Mechanism, MechanismDynamics, Motion, NullSpace, Partitioned, Penalty,
-    Projected, Real, Rk4, SemiImplicitEuler, Simulation, SimulationError, State, StateOf, Tangent, Vector,
-    actuation, equilibrium,
+    Ali3p, Assemble, AssembleExt, AssemblyError, AugmentedLagrangian, Baumgarte, Corrected, DormandPrince,
+    Event, ExplicitTrapezoidal, Fields, Formulation, GeneralisedAlpha, ImplicitTrapezoidal, InputSource,
+    Integrator, LagrangeIndex1, Linearisation, Mechanism, MechanismDynamics, Motion, NullSpace, Partitioned,
+    Penalty, Projected, Real, Rk4, SemiImplicitEuler, Simulation, SimulationError, State, StateOf,
+    StepMethod, Stepper, Tangent, Vector, actuation, equilibrium,
 };
 use linkwright_models::{
     bricard::Bricard, double_pendulum::DoublePendulum, four_spherical_joints::FourSphericalJoints,
@@ -188,6 +188,31 @@ fn nothing_allocates<M: Model>() {
     evaluations(&M::single());
     simulations(&M::standard());
     simulations(&M::single());
+    steppers(&M::standard());
+}
+
+/// The methods of a stepper, and all that it does beside steps.
+fn steppers<M: Model>(model: &M) {
+    fn stepped<M: Model, S: StepMethod<f64, M>>(model: &M, method: S) {
+        let mut plant = Stepper::new(M::standard(), model.start(), method);
+        let inputs = M::Inputs::from_array(Vector::zeros(M::Inputs::NAMES.len()));
+        let found = allocations(|| {
+            assert!(plant.step(&inputs, 1e-4).is_ok());
+            assert!(plant.substeps(&inputs, 1e-4, 2).is_ok());
+            let saved = plant.save();
+            assert!(plant.restore(&saved).is_ok() && plant.set_state(0.0, model.start()).is_ok());
+            black_box((
+                plant.outputs(&inputs),
+                plant.near_singular(),
+                plant.energy(),
+                plant.assemble().is_ok(),
+            ));
+        });
+        assert_eq!(found, 0, "{}: stepper", model.name());
+    }
+    stepped(model, Rk4);
+    stepped(model, (ExplicitTrapezoidal, NullSpace));
+    stepped(model, (SemiImplicitEuler, Corrected::after(LagrangeIndex1)));
 }
 
 /// Every formulation and integrator, on loops with and without a factorisation of their own, with massless bodies, in space.

@@ -3,6 +3,7 @@
 //! Written code uses the fields of the emitted structs by name; this is for what serves every mechanism alike, such as
 //! tables, files and tests.
 
+use crate::error::SettingError;
 use crate::real::Real;
 use crate::vector::Vector;
 
@@ -19,6 +20,20 @@ pub trait Fields<R: Real>: Clone {
     fn from_array(values: Self::Array) -> Self;
     /// The values of all fields, SI units.
     fn to_array(&self) -> Self::Array;
+}
+
+/// A model that is prepared from parameters; implemented by every emitted mechanism.
+pub trait Parametric<R: Real>: Sized {
+    /// The parameters.
+    type Parameters: Fields<R>;
+
+    /// Those it was prepared with, SI units.
+    fn parameters(&self) -> &Self::Parameters;
+    /// The model with these parameters.
+    ///
+    /// # Errors
+    /// A parameter that is not finite or out of its bounds, or a mass that is not positive.
+    fn prepare(parameters: Self::Parameters) -> Result<Self, SettingError>;
 }
 
 /// Inputs or outputs of a mechanism that has none.

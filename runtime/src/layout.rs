@@ -7,7 +7,7 @@
 
 use crate::quaternion;
 use crate::real::Real;
-use crate::rotation::{turn, turn_little, turns_far, wrap};
+use crate::rotation::{turn, turn_far, turn_little, turn_once, wrap};
 use crate::vector::Vector;
 
 /// Where the kinds of coordinates stand in q and v.
@@ -80,8 +80,32 @@ pub fn retract<R: Real, Q: Vector<R>, V: Vector<R>>(layout: &Layout<'_>, q0: &Q,
 /// `integral` is ∫ v dt over the step, `dv` the increment on the group that brings the positions to the step's end; they
 /// differ in the entries of quaternions whose axis of rotation moves. A counted angle is not on that group: its rate is
 /// linear in v, so it takes the integral.
-#[inline]
+#[inline(always)]
 pub fn retract_counting<R: Real, Q: Vector<R>, V: Vector<R>>(
+    layout: &Layout<'_>,
+    q0: &Q,
+    dv: &V,
+    integral: &V,
+    q_out: &mut Q,
+) {
+    retraction::<R, Q, V, true>(layout, q0, dv, integral, q_out);
+}
+
+/// As [`retract_counting`], to a position from which nothing moves on: orientations keep their lengths but for rounding, and are not
+/// normalised.
+#[inline(always)]
+pub(crate) fn retract_once<R: Real, Q: Vector<R>, V: Vector<R>>(
+    layout: &Layout<'_>,
+    q0: &Q,
+    dv: &V,
+    integral: &V,
+    q_out: &mut Q,
+) {
+    retraction::<R, Q, V, false>(layout, q0, dv, integral, q_out);
+}
+
+#[inline(always)]
+fn retraction<R: Real, Q: Vector<R>, V: Vector<R>, const NORMALISED: bool>(
     layout: &Layout<'_>,
     q0: &Q,
     dv: &V,
@@ -101,13 +125,14 @@ pub fn retract_counting<R: Real, Q: Vector<R>, V: Vector<R>>(
     let (d_rotations, d_rest) = d_rest.split_at(rotations);
     let pairs = to_pairs.chunks_exact_mut(2).zip(from_pairs.chunks_exact(2)).zip(d_rotations);
     // Asked once for all, so that the usual case is a loop without branches.
-    if d_rotations.iter().fold(false, |far, &delta| far | turns_far(delta)) {
+    if turn_far(d_rotations) {
         for ((to, from), &delta) in pairs {
             (to[0], to[1]) = turn(from[0], from[1], delta);
         }
     } else {
         for ((to, from), &delta) in pairs {
-            (to[0], to[1]) = turn_little(from[0], from[1], delta);
+            let turned = if NORMALISED { turn_little } else { turn_once };
+            (to[0], to[1]) = turned(from[0], from[1], delta);
         }
     }
 
@@ -122,7 +147,8 @@ pub fn retract_counting<R: Real, Q: Vector<R>, V: Vector<R>>(
         }
     } else {
         for ((to, &from), &delta) in turned {
-            *to = quaternion::turn_little(from, delta);
+            let turned = if NORMALISED { quaternion::turn_little } else { quaternion::turn_once };
+            *to = turned(from, delta);
         }
     }
 

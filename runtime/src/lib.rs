@@ -11,6 +11,7 @@
 //! | states that satisfy the constraints | [`assembly`], over the sparse factorisations of `ldl.rs` and `tabled.rs` |
 //! | derivatives, and what follows from them | [`tangent`], [`linearisation`] |
 //! | motion | [`formulation`], [`input`], [`integrator`], [`simulation`] |
+//! | motion in a control loop | [`stepper`] |
 //! | what can go wrong | [`error`] |
 //!
 //! The feature `std` (default) takes the square root from the hardware, and the fused multiply-add where the target
@@ -24,6 +25,7 @@ extern crate std;
 
 pub mod assembly;
 pub mod body;
+mod clock;
 pub mod condition;
 #[cfg(feature = "nalgebra")]
 pub mod dense;
@@ -46,6 +48,7 @@ pub mod report;
 pub mod rotation;
 pub mod simulation;
 pub mod state;
+pub mod stepper;
 #[doc(hidden)]
 pub mod table;
 #[doc(hidden)]
@@ -59,15 +62,15 @@ pub use assembly::{
 };
 pub use body::{BodyMotion, Reaction, SpatialMotion, SpatialReaction};
 pub use condition::reciprocal_condition;
-pub use error::{AssemblyError, LinearisationError, SettingError, SimulationError};
-pub use fields::Fields;
+pub use error::{AssemblyError, LinearisationError, SettingError, SimulationError, StepError};
+pub use fields::{Fields, Parametric};
 pub use formulation::{
-    AugmentedLagrangian, Baumgarte, Evaluation, Formulation, LagrangeIndex1, NullSpace, Partitioned, Penalty,
-    PivotOf, Projected, Settled,
+    AugmentedLagrangian, Baumgarte, Corrected, Evaluation, Formulation, LagrangeIndex1, NullSpace,
+    Partitioned, Penalty, PivotOf, Projected, Settled,
 };
 pub use input::{Held, InputSource, NoInputs, Sampled};
 pub use integrator::{
-    Ali3p, DormandPrince, DormandPrinceMemory, Dynamics, ExplicitTrapezoidal, GeneralisedAlpha,
+    Ali3p, DormandPrince, DormandPrinceMemory, Dynamics, ExplicitTrapezoidal, FixedStep, GeneralisedAlpha,
     ImplicitDynamics, ImplicitTrapezoidal, Integrator, Interpolate, Method, Rejections, Rk4,
     SemiImplicitEuler, StepFailure, Stepped, SteppedOf,
 };
@@ -86,6 +89,7 @@ pub use simulation::{
     Solution, SolutionOf, Step,
 };
 pub use state::{Derivative, DerivativeOf, Kinematics, Motion, State, StateOf, Variables};
+pub use stepper::{Saved, SavedOf, StepMethod, Stepper, Tick};
 pub use tangent::Tangent;
 pub use vector::Vector;
 
@@ -100,7 +104,7 @@ pub mod __private {
             check_setting,
         };
         pub use crate::error::{AssemblyError, SettingError, SimulationError};
-        pub use crate::fields::Fields;
+        pub use crate::fields::{Fields, Parametric};
         pub use crate::layout::{Layout, MultiTurn, retract};
         pub use crate::mechanism::{Assemble, Condition, ConditionKind, Elimination, Flips, Mechanism, Row};
         pub use crate::named::{Angle, Turns};

@@ -32,6 +32,12 @@ pub struct Row {
     pub what: &'static str,
 }
 
+/// The hash FNV-1a of texts and of where they end (Fowler, Noll, Vo; draft-eastlake-fnv).
+fn fingerprint<'t>(texts: impl Iterator<Item = &'t str>) -> u64 {
+    let bytes = texts.flat_map(|text| text.bytes().chain([0]));
+    bytes.fold(0xcbf2_9ce4_8422_2325, |hash, byte| (hash ^ u64::from(byte)).wrapping_mul(0x0100_0000_01b3))
+}
+
 /// The row of this index, or what stands for all of them.
 pub(crate) fn name_row<R: Real, M: Mechanism<R>>(model: &M, index: Option<usize>) -> Row {
     let row = index.and_then(|index| model.rows().get(index).copied());
@@ -58,6 +64,13 @@ pub(crate) fn name_row<R: Real, M: Mechanism<R>>(model: &M, index: Option<usize>
 pub trait Mechanism<R: Real>: Variables<R> {
     /// The mechanism's name.
     fn name(&self) -> &'static str;
+    /// A number that tells definitions apart: saved states carry it. That of a compiled mechanism is of the whole definition; by
+    /// itself it is of the names of coordinates and rows.
+    fn fingerprint(&self) -> u64 {
+        let names = [self.position_names(), self.velocity_names(), self.internal_names()];
+        let rows = self.rows().iter().flat_map(|row| [row.of, row.what]);
+        fingerprint(names.into_iter().flatten().copied().chain(rows).chain([self.name()]))
+    }
     /// The names of the m constraint rows, in order.
     fn rows(&self) -> &[Row];
     /// One name for each entry of q.
@@ -264,7 +277,7 @@ pub trait Assemble<R: Real>: Mechanism<R> {
     /// The largest entry of each row of D along the motion, after multiplication by [`scales`](Assemble::scales): what pivots of D are
     /// measured by.
     #[doc(hidden)]
-    fn row_sizes(&self) -> &[f64];
+    fn row_sizes(&self) -> Self::Lambda;
     /// Rows, ascending, that hold velocities without mass of their own.
     #[doc(hidden)]
     #[inline]

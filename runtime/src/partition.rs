@@ -103,10 +103,11 @@ impl<C: Clone + AsRef<[u16]> + AsMut<[u16]>> Partition<C> {
             put(rows, row as usize * n + column as usize, entry);
         }
         let before = self.columns.clone();
+        let sizes = model.row_sizes();
         self.places.as_mut().fill(NONE);
         let mut smallest = R::ONE;
         for (step, &(row, _)) in model.dependent().iter().enumerate() {
-            let size = model.row_sizes().get(row as usize).map_or(R::ONE, |&size| R::from_f64(size));
+            let size = at(sizes.as_slice(), row as usize);
             let own = row as usize * n;
             for (k, (&(above, _), &column)) in
                 model.dependent().iter().zip(self.columns.as_ref()).take(step).enumerate()

@@ -5,15 +5,12 @@
 //! one orientation; which entries of q are quaternions is said by `layout.rs`, the plane has `rotation.rs`.
 
 use crate::real::Real;
-use crate::rotation::series;
-
-/// The largest |δ|²/4 (rad²) for which [`exponential`] uses its polynomials directly: |δ| ≤ 1.
-const DIRECT: f64 = 0.25;
+use crate::rotation::{direct, series};
 
 /// (cos ½|δ|, sin ½|δ| · δ/|δ|) of an increment δ, rad: the unit quaternion of the rotation by |δ| about δ.
 ///
 /// Both are power series in z = |δ|²/4, the ones of `rotation.rs`, so that no square root and no division occur and
-/// δ = 0 is no exception; for |δ| ≤ 1 the first neglected terms are below 1e-18. A larger increment is halved until it is
+/// δ = 0 is no exception; for |δ| ≤ 1 (1/2 in single precision) the first neglected terms are below rounding. A larger increment is halved until it is
 /// small and the result squared as often: with u = w − 1, (u, v) ← (2u (2 + u), 2 (1 + u) v). Errors of a few roundings
 /// grow in proportion to |δ|. Beyond 2⁶⁴ or for NaN the result is meaningless or NaN.
 #[inline]
@@ -38,10 +35,16 @@ pub(crate) fn turn_little<R: Real>(q: [R; 4], delta: [R; 3]) -> [R; 4] {
     compose(q, unit(half_turn(delta)))
 }
 
+/// As [`turn_little`] without normalisation, for what is not turned further.
+#[inline(always)]
+pub(crate) fn turn_once<R: Real>(q: [R; 4], delta: [R; 3]) -> [R; 4] {
+    product(q, unit(half_turn(delta)))
+}
+
 /// Whether an increment is beyond the direct polynomials of [`exponential`] in some lane.
 #[inline(always)]
 pub(crate) fn turns_far<R: Real>([x, y, z]: [R; 3]) -> bool {
-    R::any((x * x + y * y + z * z).greater(R::from_f64(4.0 * DIRECT)))
+    R::any((x * x + y * y + z * z).greater(R::from_f64(4.0) * direct::<R>()))
 }
 
 /// The product p ⊗ q: first the rotation q, then p.
@@ -63,7 +66,7 @@ fn compose<R: Real>(p: [R; 4], q: [R; 4]) -> [R; 4] {
     [w * k, x * k, y * k, z * k]
 }
 
-/// (w − 1, (x, y, z)) of exp(δ) for |δ| ≤ 1.
+/// (w − 1, (x, y, z)) of exp(δ), which is not [`turns_far`].
 #[inline(always)]
 fn half_turn<R: Real>([x, y, z]: [R; 3]) -> (R, [R; 3]) {
     let half = R::from_f64(0.5);
@@ -78,7 +81,7 @@ fn unit<R: Real>((u, [x, y, z]): (R, [R; 3])) -> [R; 4] {
     [R::ONE + u, x, y, z]
 }
 
-/// The exponential of an increment above 1 in at least one lane, by at most 64 halvings: above 2⁶⁴ rad no digit of an angle is left.
+/// The exponential of an increment that [`turns_far`] in at least one lane, by at most 64 halvings: above 2⁶⁴ rad no digit of an angle is left.
 #[cold]
 fn exponential_by_halving<R: Real>(delta: [R; 3]) -> [R; 4] {
     let mut small = delta;

@@ -1,5 +1,5 @@
 // `FourBar` of models/src/four_bar.rs.
-// Left out: acceleration, choice, condition_bias, condition_cosines, condition_drift, condition_jacobian, condition_pattern, condition_residual, conditions, constraints, default, dependent, driver_efforts, elimination, factor, flips, forces, from, from_array, independent, input_names, internal_rates, inverse_dynamics, jacobian_pattern, kinetic_energy, layout, lu, mass_matrix, mass_pattern, motions, name, nu, output_names, parameters, position_names, positions, potential_energy, powers, prepare, row_cosines, row_scales, row_sizes, rows, solve, start_conditions, start_gates, start_internal, start_q, start_rates, start_targets, start_v, store, to_array, unwrap, velocities, velocity_names, with.
+// Left out: acceleration, choice, condition_bias, condition_cosines, condition_drift, condition_jacobian, condition_pattern, condition_residual, conditions, constraints, default, dependent, driver_efforts, elimination, factor, fingerprint, flips, forces, from, from_array, independent, input_names, internal_rates, inverse_dynamics, jacobian_pattern, kinetic_energy, layout, lu, mass_matrix, mass_pattern, motions, name, nu, output_names, parameters, position_names, positions, potential_energy, powers, prepare, row_cosines, row_scales, row_sizes, rows, solve, start_conditions, start_gates, start_internal, start_q, start_rates, start_targets, start_v, store, to_array, unwrap, velocities, velocity_names, with.
 /// Four-bar of unit rods (IFToMM A02 with one window).
 ///
 /// Three uniform rods of 1 m and 1 kg, g = 9.81 m/s², cranks upright and turning at −1 rad/s. The cranks move as a
@@ -124,7 +124,7 @@ impl FourBar<::core::primitive::f64> {
 const _: () = {
     use ::core::prelude::rust_2024::*;
     use ::linkwright::__private::v1::*;
-    use ::core::primitive::{bool, f64, u16, u32, usize, str};
+    use ::core::primitive::{bool, f64, u16, u32, u64, usize, str};
     type Constants<R> = [R; 0];
     type Phases<R> = [R; 0];
     type Q<R> = [R; 6];
@@ -238,6 +238,9 @@ const _: () = {
             ]
         }
     }
+    impl<R: Real> Parametric<R> for FourBar<R> {
+        type Parameters = Parameters<R>;
+    }
     impl<R: Real> Variables<R> for FourBar<R> {
         type Q = Q<R>;
         type V = V<R>;
@@ -287,6 +290,7 @@ const _: () = {
             let gamma_right_y = coupler_sin.mul_add(a0, a7);
             *out = [gamma_right_x, gamma_right_y];
         }
+        #[inline(always)]
         fn acceleration_baumgarte(
             &self,
             time: R,

@@ -1,5 +1,5 @@
 // `ParametricFourBar` of models/src/general_four_bar.rs.
-// Left out: acceleration, acceleration_baumgarte, choice, condition_bias, condition_cosines, condition_drift, condition_jacobian, condition_pattern, condition_residual, conditions, constraint_jacobian, constraints, default, dependent, driver_efforts, elimination, factor, flips, forces, from, from_array, gamma, independent, input_names, internal_rates, inverse_dynamics, jacobian_pattern, kinetic_energy, layout, lu, mass_pattern, motions, name, nu, output_names, outputs, parameters, position_names, positions, potential_energy, powers, reactions, row_cosines, row_scales, row_sizes, rows, scales, set_start_angle_deg, solve, start_angle_deg, start_conditions, start_gates, start_internal, start_q, start_rates, start_targets, start_v, store, to_array, unwrap, velocities, velocity_names.
+// Left out: acceleration, acceleration_baumgarte, choice, condition_bias, condition_cosines, condition_drift, condition_jacobian, condition_pattern, condition_residual, conditions, constraint_jacobian, constraints, default, dependent, driver_efforts, elimination, factor, fingerprint, flips, forces, from, from_array, gamma, independent, input_names, internal_rates, inverse_dynamics, jacobian_pattern, kinetic_energy, layout, lu, mass_pattern, motions, name, nu, output_names, outputs, parameters, position_names, positions, potential_energy, powers, reactions, row_cosines, row_scales, row_sizes, rows, scales, set_start_angle_deg, solve, start_angle_deg, start_conditions, start_gates, start_internal, start_q, start_rates, start_targets, start_v, store, to_array, unwrap, velocities, velocity_names.
 /// Four-bar of which every number is a parameter; its defaults are the literals of [`GeneralFourBar`].
 ///
 ///Equations of motion of the planar mechanism `ParametricFourBar`.
@@ -223,7 +223,7 @@ impl ParametricFourBar<::core::primitive::f64> {
 const _: () = {
     use ::core::prelude::rust_2024::*;
     use ::linkwright::__private::v1::*;
-    use ::core::primitive::{bool, f64, u16, u32, usize, str};
+    use ::core::primitive::{bool, f64, u16, u32, u64, usize, str};
     type Constants<R> = [R; 44];
     type Phases<R> = [R; 0];
     type Q<R> = [R; 6];
@@ -483,6 +483,12 @@ const _: () = {
                     start_rate,
                 ],
             }
+        }
+    }
+    impl<R: Real> Parametric<R> for ParametricFourBar<R> {
+        type Parameters = Parameters<R>;
+        fn prepare(parameters: Parameters<R>) -> Result<Self, SettingError> {
+            ParametricFourBar::<R>::prepare(parameters)
         }
     }
     impl<R: Real> Variables<R> for ParametricFourBar<R> {

@@ -1,5 +1,5 @@
 // `SimplePendulum` of models/src/simple_pendulum.rs.
-// Left out: condition_cosines, driver_efforts.
+// Left out: condition_cosines, condition_drift, driver_efforts.
 /// Simple pendulum: a point mass on a massless arm (IFToMM A01).
 ///
 /// 1 kg, 1 m, g = 9.81 m/s², from (−1, 0) at rest. Period 2.367841947576237449 s.
@@ -101,7 +101,7 @@ impl SimplePendulum<::core::primitive::f64> {
 const _: () = {
     use ::core::prelude::rust_2024::*;
     use ::linkwright::__private::v1::*;
-    use ::core::primitive::{bool, f64, u16, u32, usize, str};
+    use ::core::primitive::{bool, f64, u16, u32, u64, usize, str};
     type Constants<R> = [R; 0];
     type Phases<R> = [R; 0];
     type Q<R> = [R; 2];
@@ -291,6 +291,16 @@ const _: () = {
             ]
         }
     }
+    impl<R: Real> Parametric<R> for SimplePendulum<R> {
+        type Parameters = Parameters<R>;
+        #[inline]
+        fn parameters(&self) -> &Parameters<R> {
+            &self.parameters
+        }
+        fn prepare(parameters: Parameters<R>) -> Result<Self, SettingError> {
+            SimplePendulum::<R>::prepare(parameters)
+        }
+    }
     impl<R: Real> Variables<R> for SimplePendulum<R> {
         #[inline]
         fn layout(&self) -> &Layout<'_> {
@@ -311,6 +321,10 @@ const _: () = {
         #[inline]
         fn name(&self) -> &'static str {
             "SimplePendulum"
+        }
+        #[inline]
+        fn fingerprint(&self) -> u64 {
+            0xe742058971ed10f6
         }
         #[inline]
         fn rows(&self) -> &[Row] {
@@ -391,6 +405,7 @@ const _: () = {
             let a0 = R::from_f64(9.81) * arm_sin;
             a0
         }
+        #[inline(always)]
         fn acceleration(
             &self,
             time: R,
@@ -474,10 +489,6 @@ const _: () = {
             &[]
         }
         #[inline]
-        fn row_sizes(&self) -> &[f64] {
-            &[]
-        }
-        #[inline]
         fn condition_pattern(&self) -> &[(u16, u16)] {
             &[(0, 0)]
         }
@@ -531,10 +542,6 @@ const _: () = {
             // The rate of J v + b where v̇ = 0.
             *out = [R::ZERO];
         }
-        fn condition_drift(&self, time: R, q: &Q<R>, out: &mut Conditions<R>) {
-            // b(t, q), the rate of a condition where v = 0.
-            *out = [R::ZERO];
-        }
         fn start_targets(
             &self,
             positions: &mut Conditions<R>,
@@ -573,6 +580,9 @@ const _: () = {
         }
         type Lu = ();
         fn lu(&self) {}
+        fn row_sizes(&self) -> Lambda<R> {
+            []
+        }
         fn start_q(&self) -> Q<R> {
             [R::from_f64(-1.0), R::from_f64(1.2246467991473532e-16)]
         }

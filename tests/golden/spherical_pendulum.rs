@@ -1,5 +1,5 @@
 // `SphericalPendulum` of models/src/spatial_pendulums.rs.
-// Left out: acceleration_baumgarte, choice, condition_bias, condition_cosines, condition_drift, condition_jacobian, condition_pattern, condition_residual, conditions, constraint_jacobian, constraints, default, driver_efforts, elimination, factor, flips, from, from_array, gamma, independent, input_names, internal_rates, inverse_dynamics, jacobian_pattern, layout, lu, mass_pattern, name, nu, output_names, outputs, parameters, position_names, positions, potential_energy, powers, prepare, row_cosines, row_scales, row_sizes, rows, solve, start_conditions, start_gates, start_internal, start_q, start_rates, start_targets, start_v, store, to_array, unwrap, velocities, velocity_names, with.
+// Left out: acceleration_baumgarte, choice, condition_bias, condition_cosines, condition_drift, condition_jacobian, condition_pattern, condition_residual, conditions, constraint_jacobian, constraints, default, driver_efforts, elimination, factor, fingerprint, flips, from, from_array, gamma, independent, input_names, internal_rates, inverse_dynamics, jacobian_pattern, layout, lu, mass_pattern, name, nu, output_names, outputs, parameters, position_names, positions, potential_energy, powers, prepare, row_cosines, row_scales, row_sizes, rows, solve, start_conditions, start_gates, start_internal, start_q, start_rates, start_targets, start_v, store, to_array, unwrap, velocities, velocity_names, with.
 /// Bar on a spherical joint (Spherical_Case01), released from the horizontal.
 ///
 ///Equations of motion of the spatial mechanism `SphericalPendulum`.
@@ -116,7 +116,7 @@ impl SphericalPendulum<::core::primitive::f64> {
 const _: () = {
     use ::core::prelude::rust_2024::*;
     use ::linkwright::__private::v1::*;
-    use ::core::primitive::{bool, f64, u16, u32, usize, str};
+    use ::core::primitive::{bool, f64, u16, u32, u64, usize, str};
     type Constants<R> = [R; 0];
     type Phases<R> = [R; 0];
     type Q<R> = [R; 4];
@@ -336,6 +336,9 @@ const _: () = {
             ]
         }
     }
+    impl<R: Real> Parametric<R> for SphericalPendulum<R> {
+        type Parameters = Parameters<R>;
+    }
     impl<R: Real> Variables<R> for SphericalPendulum<R> {
         type Q = Q<R>;
         type V = V<R>;
@@ -393,6 +396,7 @@ const _: () = {
             let a6 = R::from_f64(0.5) * a5;
             a6
         }
+        #[inline(always)]
         fn acceleration(
             &self,
             time: R,

@@ -36,8 +36,6 @@ pub fn assemble(text: &mut String, emitter: &Emitter) {
         let pivots = tables::pairs(compiled.partition.pivots().map(|pivot| (pivot.row, pivot.velocity)));
         tables::method(text, "dependent", "&[(u16, u16)]", &pivots);
     }
-    let sizes = array(compiled.partition.row_sizes.iter().map(|size| literal(*size)));
-    tables::method(text, "row_sizes", "&[f64]", &format!("&{sizes}"));
     if compiled.partition.scales.iter().any(|scale| *scale != 1.0) {
         let scales = array(compiled.partition.scales.iter().map(|scale| literal(*scale)));
         tables::method(text, "scales", "&[f64]", &format!("&{scales}"));
@@ -63,6 +61,8 @@ pub fn assemble(text: &mut String, emitter: &Emitter) {
     solutions::factorisation(text, emitter);
     solutions::null_space(text, emitter);
     let numbers = |values: &[f64]| array(values.iter().map(|value| constant(*value)));
+    let sizes = numbers(&compiled.partition.row_sizes);
+    let _ = writeln!(text, "fn row_sizes(&self) -> Lambda<R> {{ {sizes} }}");
     let _ = writeln!(text, "fn start_q(&self) -> Q<R> {{ {} }}", numbers(&compiled.assembly.q));
     let _ = writeln!(text, "fn start_v(&self) -> V<R> {{ {} }}", numbers(&compiled.assembly.v));
     if emitter.mechanism.states.is_empty() {

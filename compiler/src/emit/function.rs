@@ -17,6 +17,9 @@ use crate::functions::{Argument, FUNCTIONS, Function, Group, Interface, Kind, Sh
 use std::fmt::Write;
 
 /// All functions of the model, or of a trait; helper functions go to `helpers`.
+/// Solutions of up to so many operations stand where they are called, once for each stage of a step: a call would cost a fifth.
+const INLINED: usize = 100;
+
 pub fn functions(text: &mut String, helpers: &mut String, emitter: &Emitter, interface: Interface) {
     let complete = &emitter.compiled.complete;
     let own = FUNCTIONS.iter().filter(|signature| signature.interface == interface);
@@ -42,6 +45,10 @@ fn function(text: &mut String, helpers: &mut String, emitter: &Emitter, signatur
         text.push_str("pub ");
     }
     let body = emitter.printer.body(signature.function);
+    let solves = matches!(signature.function, Function::Acceleration | Function::AccelerationBaumgarte);
+    if solves && body.operations <= INLINED {
+        text.push_str("#[inline(always)] ");
+    }
     helpers.push_str(&body.helpers);
     let _ = writeln!(text, "{} {{", emitter.head(signature));
     if body.reads_constants {

@@ -73,6 +73,13 @@ pub fn inherent(text: &mut String, emitter: &Emitter) {
     named::functions(text, emitter);
     functions(text, &mut helpers, emitter, Interface::Model);
     text.push_str("}\n");
+    let _ = writeln!(
+        text,
+        "impl<R: Real> Parametric<R> for {inner}<R> {{\n\
+         type Parameters = Parameters<R>;\n\
+         #[inline] fn parameters(&self) -> &Parameters<R> {{ &self.parameters }}\n\
+         fn prepare(parameters: Parameters<R>) -> Result<Self, SettingError> {{ {inner}::<R>::prepare(parameters) }}\n}}"
+    );
     text.push_str(&helpers);
 }
 

@@ -15,6 +15,7 @@ pub fn mechanism(text: &mut String, emitter: &Emitter) {
     variables(text, emitter);
     let _ = writeln!(text, "impl<R: Real> Mechanism<R> for {inner}<R> {{");
     tables::method(text, "name", "&'static str", &quoted(name));
+    tables::method(text, "fingerprint", "u64", &format!("{:#018x}", fingerprint(&compiled.definition)));
     tables::method(text, "rows", "&[Row]", &tables::rows(emitter));
     let names = [
         ("position_names", layout.position_names(mechanism)),
@@ -50,6 +51,12 @@ pub fn mechanism(text: &mut String, emitter: &Emitter) {
     unwrap(text, emitter);
     text.push_str("}\n");
     text.push_str(&helpers);
+}
+
+/// The hash FNV-1a (Fowler, Noll, Vo; draft-eastlake-fnv), the same on every machine.
+fn fingerprint(text: &str) -> u64 {
+    text.bytes()
+        .fold(0xcbf2_9ce4_8422_2325, |hash, byte| (hash ^ u64::from(byte)).wrapping_mul(0x0100_0000_01b3))
 }
 
 /// What a state is made of: there are no gates yet.

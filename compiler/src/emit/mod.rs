@@ -67,7 +67,7 @@ fn text(emitter: &Emitter, source: &str) -> String {
     // The user's names must not reach in here, whatever they are.
     let _ = writeln!(text, "use ::core::prelude::rust_2024::*;");
     let _ = writeln!(text, "use {}::*;", emitter.path);
-    let _ = writeln!(text, "use ::core::primitive::{{bool, f64, u16, u32, usize, str}};");
+    let _ = writeln!(text, "use ::core::primitive::{{bool, f64, u16, u32, u64, usize, str}};");
     let mut implementations = String::new();
     types::aliases(&mut text, emitter);
     look_up::tables(&mut text, emitter);

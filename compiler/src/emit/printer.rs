@@ -25,6 +25,8 @@ pub struct Body {
     pub reads_constants: bool,
     /// Functions to be placed beside it.
     pub helpers: String,
+    /// How many operations it takes, those of helpers included.
+    pub operations: usize,
 }
 
 /// Writes the programs of a mechanism.
@@ -111,9 +113,14 @@ impl<D: Dialect> Writer<'_, D> {
         let dialect = &self.printer.dialect;
         let (mut statements, mut helpers) = (String::new(), String::new());
         let Some((last, before)) = self.cut.parts.split_last() else {
-            return Body { statements, outputs: Vec::new(), reads_constants: false, helpers };
+            return Body { statements, outputs: Vec::new(), reads_constants: false, helpers, operations: 0 };
         };
-        self.header(&mut statements);
+        // Each instruction is one operation, but for those of tables.
+        let operations = match self.program.tables.as_slice() {
+            [] => self.program.instructions.len(),
+            _ => count(self.program).total(),
+        };
+        self.header(&mut statements, operations);
         if !before.is_empty() {
             dialect.slots(&mut statements, self.cut.size);
         }
@@ -150,20 +157,16 @@ impl<D: Dialect> Writer<'_, D> {
             text
         };
         let outputs = self.program.outputs.iter().map(output).collect();
-        Body { outputs, statements, reads_constants: constants || !before.is_empty(), helpers }
+        let reads_constants = constants || !before.is_empty();
+        Body { outputs, statements, reads_constants, helpers, operations }
     }
 
     /// What the function computes, where its documentation does not say so, and how many operations that takes.
-    fn header(&self, text: &mut String) {
+    fn header(&self, text: &mut String, operations: usize) {
         let dialect = &self.printer.dialect;
         if self.signature.interface != Interface::Model {
             self.signature.doc.lines().for_each(|line| dialect.comment(text, line));
         }
-        // Each instruction is one operation, but for those of tables.
-        let operations = match self.program.tables.as_slice() {
-            [] => self.program.instructions.len(),
-            _ => count(self.program).total(),
-        };
         match operations {
             0 => {}
             1 => dialect.comment(text, "1 operation."),

@@ -248,6 +248,11 @@ impl<R: Real> Mechanism<R> for @NAME@<R> {
     fn unwrap(&self, outputs: &mut @OUTPUTS@, previous: &@OUTPUTS@) {}
     @FUNCTIONS_OF_MECHANISM@
 }
+impl<R: Real> Parametric<R> for @NAME@<R> {
+    type Parameters = @NAME@Parameters<R>;
+    fn parameters(&self) -> &@NAME@Parameters<R> { loop {} }
+    fn prepare(_parameters: @NAME@Parameters<R>) -> Result<Self, SettingError> { loop {} }
+}
 impl<R: Real> Report<R> for @NAME@<R> {
     @REPORT@
 }
@@ -258,7 +263,7 @@ impl<R: Real> Assemble<R> for @NAME@<R> {
     fn independent(&self) -> &[u16] { &[] }
     fn condition_pattern(&self) -> &[(u16, u16)] { &[] }
     fn flips(&self) -> &[Flips<'_>] { &[] }
-    fn row_sizes(&self) -> &[f64] { &[] }
+    fn row_sizes(&self) -> @LIST@ { loop {} }
     fn elimination(&self) -> Elimination<'_> { Elimination { order: &[], position: &[], row_start: &[], columns: &[] } }
     type Conditions = @LIST@; type ConditionJacobian = @LIST@; type Factor = @LIST@; type System = @LIST@;
     type Dense = @LIST@; type Basis = @LIST@; type Reduced = @LIST@; type Choice = [u16; @MANY@]; type Store = @LIST@;

@@ -18,6 +18,7 @@ use crate::ldl::Pivot;
 use crate::mechanism::Assemble;
 use crate::real::Real;
 use crate::state::{Kinematics, Motion, State, StateOf};
+use crate::stepper::{StepMethod, Stepper};
 use crate::vector::Vector;
 use system::System;
 
@@ -72,6 +73,15 @@ pub trait AssembleExt<R: Real>: Assemble<R> + Sized {
         let (rates, accelerations) = (targets(|motion| motion.rate), targets(|motion| motion.acceleration));
         let (v, a) = rates::assemble_rates(self, time, &q, &rates, &accelerations, held)?;
         Ok(Kinematics { q, v, a })
+    }
+
+    /// A stepper that owns a copy of this model, at time zero: [`Stepper::new`]. `method` is an integrator, such as
+    /// [`Rk4`](crate::Rk4), or a pair of an integrator and a formulation.
+    fn stepper<S: StepMethod<R, Self>>(&self, start: StateOf<Self, R>, method: S) -> Stepper<Self, S, R>
+    where
+        Self: Clone,
+    {
+        Stepper::new(self.clone(), start, method)
     }
 
     /// The consistent state nearest to `state`: positions as by [`project_position`], velocities as by

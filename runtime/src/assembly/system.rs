@@ -127,9 +127,10 @@ impl<'m, R: Real, M: Assemble<R>> System<'m, R, M> {
         }
         let rounding = R::from_f64(64.0) * R::EPSILON;
         let held = |row: usize| !model.idle().contains(&(row as u16)) && self.is_held(row);
-        let rows = largest.as_slice().iter().zip(model.row_sizes()).enumerate().filter(|(row, _)| held(*row));
+        let sizes = model.row_sizes();
+        let rows = largest.as_slice().iter().zip(sizes.as_slice()).enumerate().filter(|(row, _)| held(*row));
         for (row, (&most, &size)) in rows {
-            let share = most / R::from_f64(size);
+            let share = most / size;
             if share < rounding {
                 return Some(Pivot { value: share * share, unknown: model.velocity_count() + row });
             }

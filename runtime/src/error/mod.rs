@@ -7,11 +7,13 @@ mod assembly;
 mod linearisation;
 mod setting;
 mod simulation;
+mod stepper;
 
 pub use assembly::AssemblyError;
 pub use linearisation::LinearisationError;
 pub use setting::SettingError;
 pub use simulation::SimulationError;
+pub use stepper::StepError;
 
 use crate::mechanism::Row;
 use core::fmt::{self, Display, Formatter};

@@ -32,7 +32,7 @@ impl<R: Real, M: Mechanism<R>> Formulation<R, M> for Baumgarte<R> {
 
     fn memory(&self, _model: &M) {}
 
-    #[inline]
+    #[inline(always)]
     fn acceleration(
         &self,
         _memory: &mut (),

@@ -6,18 +6,22 @@
 
 mod augmented_lagrangian;
 mod baumgarte;
+mod corrected;
 mod index1;
 mod null_space;
 mod onto_constraints;
 mod partitioned;
+mod past;
 mod penalty;
 mod projected;
 
 pub use augmented_lagrangian::AugmentedLagrangian;
 pub use baumgarte::Baumgarte;
+pub use corrected::Corrected;
 pub use index1::LagrangeIndex1;
 pub use null_space::NullSpace;
 pub use partitioned::Partitioned;
+pub(crate) use past::past_breakdown;
 pub use penalty::Penalty;
 pub(crate) use penalty::largest_mass;
 pub use projected::Projected;

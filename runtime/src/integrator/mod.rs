@@ -7,6 +7,7 @@
 mod ali3p;
 mod dormand_prince;
 mod explicit_trapezoidal;
+mod fixed_step;
 mod generalised_alpha;
 mod implicit_trapezoidal;
 mod interpolate;
@@ -18,6 +19,7 @@ mod semi_implicit_euler;
 pub use ali3p::Ali3p;
 pub use dormand_prince::{DormandPrince, DormandPrinceMemory};
 pub use explicit_trapezoidal::ExplicitTrapezoidal;
+pub use fixed_step::FixedStep;
 pub use generalised_alpha::GeneralisedAlpha;
 pub use implicit_trapezoidal::ImplicitTrapezoidal;
 pub use interpolate::Interpolate;

@@ -7,7 +7,7 @@
 //! have rates linear in v and take Σ a_ij v_j. Velocities and internal states are vectors and take Σ a_ij v̇_j and Σ a_ij ż_j.
 
 use super::Dynamics;
-use crate::layout::{Layout, inverse_differential, retract_counting};
+use crate::layout::{Layout, inverse_differential, retract_counting, retract_once};
 use crate::real::Real;
 use crate::state::{Derivative, State, StateOf, Variables};
 use crate::vector::{Vector, at};
@@ -64,8 +64,37 @@ impl<V, Z> Increment<V, Z> {
         Z: Vector<R>,
     {
         let mut q = Q::zeros(begin.q.as_slice().len());
-        let integral = self.integral.as_ref().unwrap_or(&self.u);
-        retract_counting(layout, &begin.q, &self.u, integral, &mut q);
+        retract_counting(layout, &begin.q, &self.u, self.integral(), &mut q);
+        self.with(q, begin)
+    }
+
+    /// The same for a stage, from which nothing moves on.
+    #[inline(always)]
+    fn stage<R: Real, Q: Vector<R>, G: Clone>(
+        &self,
+        layout: &Layout<'_>,
+        begin: &State<Q, V, Z, G>,
+    ) -> State<Q, V, Z, G>
+    where
+        V: Vector<R>,
+        Z: Vector<R>,
+    {
+        let mut q = Q::zeros(begin.q.as_slice().len());
+        retract_once(layout, &begin.q, &self.u, self.integral(), &mut q);
+        self.with(q, begin)
+    }
+
+    #[inline(always)]
+    fn integral(&self) -> &V {
+        self.integral.as_ref().unwrap_or(&self.u)
+    }
+
+    #[inline(always)]
+    fn with<R: Real, Q: Vector<R>, G: Clone>(&self, q: Q, begin: &State<Q, V, Z, G>) -> State<Q, V, Z, G>
+    where
+        V: Vector<R>,
+        Z: Vector<R>,
+    {
         let (v, z) = (begin.v.plus(R::ONE, &self.v), begin.z.plus(R::ONE, &self.z));
         State { q, v, z, gates: begin.gates.clone() }
     }
@@ -176,7 +205,7 @@ impl<V, Z, const S: usize> Slopes<V, Z, S> {
         let c = tableau.c[i];
         let layout = dynamics.variables().layout();
         let increment = self.increment(layout, h, c, &tableau.a[i]);
-        let mut state = increment.from(layout, begin);
+        let mut state = increment.stage(layout, begin);
         see(&state);
         let derivative = dynamics.derivative(time + R::from_f64(c) * h, &mut state);
         if dynamics.broke_down() {
@@ -200,7 +229,7 @@ fn sum<'s, R: Real, T: Vector<R>, const S: usize>(
     k: impl Fn(usize) -> &'s T,
 ) -> T {
     if let Some(only) = the_only(c, weights) {
-        return k(only).scaled(c).scaled(h);
+        return k(only).scaled(c * h);
     }
     let mut sum = k(0).clone();
     for (entry, value) in sum.as_mut_slice().iter_mut().enumerate() {

@@ -1,8 +1,8 @@
 //! Times between the steps: states and samples by dense output.
 
-use super::clock::Clock;
 use super::course::{SLIVER, check_count};
 use super::{MechanismDynamics, Sample, Simulation};
+use crate::clock::Clock;
 use crate::error::{SettingError, SimulationError};
 use crate::formulation::{Formulation, positive};
 use crate::input::InputSource;

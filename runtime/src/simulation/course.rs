@@ -2,8 +2,8 @@
 //!
 //! One step is `step.rs`, the clock `clock.rs`.
 
-use super::clock::{Clock, least_step};
 use super::{MechanismDynamics, Simulation, Step};
+use crate::clock::{Clock, least_step};
 use crate::error::SimulationError;
 use crate::formulation::{Formulation, not_negative};
 use crate::input::InputSource;

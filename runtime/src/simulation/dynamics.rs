@@ -1,18 +1,13 @@
 //! The mechanism as an integrator sees it: a model under a formulation, with its inputs, watched.
 
 use crate::error::AssemblyError;
-use crate::formulation::{Evaluation, Formulation, Settled};
+use crate::formulation::{Evaluation, Formulation, Settled, past_breakdown};
 use crate::input::InputSource;
 use crate::integrator::Dynamics;
-use crate::layout::retract;
 use crate::mechanism::Mechanism;
 use crate::real::Real;
 use crate::state::{Derivative, DerivativeOf, StateOf};
 use crate::vector::Vector;
-
-/// How far a stage is moved along its velocities to step over a breakdown, as parts of the step; the next is tried where the
-/// one before breaks down as well.
-const OVER: [f64; 3] = [1e-4, 1e-3, 1e-2];
 
 /// A model under a formulation, with its inputs: what an [`Integrator`](crate::Integrator) moves.
 pub struct MechanismDynamics<'m, M: Mechanism<R>, R: Real, F: Formulation<R, M>, S> {
@@ -180,36 +175,11 @@ impl<'m, M: Mechanism<R>, R: Real, F: Formulation<R, M>, S> MechanismDynamics<'m
         a: &mut M::V,
         lambda: &mut M::Lambda,
     ) -> Option<Evaluation<R>> {
-        let model = self.model;
-        for part in OVER {
-            let mut further = state.clone();
-            retract(
-                model.layout(),
-                &state.q,
-                &state.v.scaled(R::from_f64(part) * self.watch.h),
-                &mut further.q,
-            );
-            let evaluation = self.formulation.acceleration(
-                &mut self.memory,
-                self.model,
-                time,
-                &mut further,
-                inputs,
-                a,
-                lambda,
-            );
-            if sound(evaluation.pivot, a) {
-                self.watch.stepped_over += 1;
-                return Some(evaluation);
-            }
-        }
-        None
+        let (formulation, at) = (&self.formulation, (time, self.watch.h));
+        let found = past_breakdown(formulation, &mut self.memory, self.model, at, state, inputs, a, lambda);
+        self.watch.stepped_over += u32::from(found.is_some());
+        found
     }
-}
-
-/// Whether accelerations mean something. Written so that a NaN fails.
-fn sound<R: Real, V: Vector<R>>(pivot: R, a: &V) -> bool {
-    R::any(pivot.greater_equal(R::BREAKDOWN)) && a.first_not_finite().is_none()
 }
 
 impl<M, R, F, S> Dynamics<R> for MechanismDynamics<'_, M, R, F, S>

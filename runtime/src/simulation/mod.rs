@@ -2,11 +2,10 @@
 //!
 //! Joins a model, a formulation, an input source and an integrator, each a type of its own. What happens inside one
 //! step, and how its failure is named, is `step.rs`, whether its result is in proportion `proportion.rs`; the clock is
-//! `clock.rs`, runs and their bounds `course.rs`, dense output `between.rs`, events are `event.rs` and `locate.rs`. Nothing
+//! the `clock.rs` of the crate, runs and their bounds `course.rs`, dense output `between.rs`, events are `event.rs` and `locate.rs`. Nothing
 //! here allocates.
 
 mod between;
-mod clock;
 mod course;
 mod dynamics;
 mod event;
@@ -17,13 +16,14 @@ mod sample;
 mod singularity;
 mod step;
 
-pub(crate) use clock::least_step;
 pub use dynamics::MechanismDynamics;
 pub use event::{Direction, Event, Occurrence};
 pub use sample::{Residual, Sample, Samples, Solution, SolutionOf};
 pub use singularity::NearSingular;
 pub use step::Step;
+pub(crate) use step::name_singularity;
 
+use crate::clock::Clock;
 use crate::error::SimulationError;
 use crate::formulation::{Formulation, LagrangeIndex1};
 use crate::input::{AtStages, Held, InputSource, NoInputs, OnceAStep, Sampled, Source, When};
@@ -31,7 +31,7 @@ use crate::integrator::{Integrator, Method, Rk4};
 use crate::mechanism::{Assemble, Mechanism};
 use crate::real::Real;
 use crate::state::StateOf;
-use clock::Clock;
+
 use course::{Course, MOST_STEPS, check_count};
 use proportion::Proportion;
 use singularity::Passage;

@@ -3,11 +3,11 @@
 //! The methods themselves are in `integrator` and `formulation`; which steps a run takes is `course.rs`, the clock `clock.rs`,
 //! samples are `sample.rs`, the stages `dynamics.rs`.
 
-use super::clock::Clock;
 use super::dynamics::Stage;
 use super::singularity::Passage;
 use super::{MechanismDynamics, NearSingular, Residual, Simulation};
 use crate::assembly::{singular_velocity, smallest_pivot};
+use crate::clock::Clock;
 use crate::condition::{far, watched};
 use crate::error::SimulationError;
 use crate::formulation::{Formulation, PivotOf};
@@ -368,7 +368,7 @@ impl<'m, R: Real, M: Assemble<R>, F: Formulation<R, M>, S, I: Method<R>> Simulat
 
 /// A position near a singular one, with the name of the row that depends most on the others.
 #[cold]
-pub(super) fn name_singularity<R: Real, M: Assemble<R>>(
+pub(crate) fn name_singularity<R: Real, M: Assemble<R>>(
     model: &M,
     time: R,
     reciprocal_condition: R,

@@ -150,7 +150,6 @@ struct Masses<S> {
     coordinates: Pattern,
     independent: Vec<u16>,
     dependent: Pattern,
-    row_sizes: Vec<f64>,
     order: Vec<u16>,
     row_start: Vec<u32>,
     columns: Vec<u16>,
@@ -180,7 +179,6 @@ impl<S: Storage> Masses<S> {
             coordinates: (0..n - 1).map(|i| (i, n + i)).collect(),
             independent: (0..n - 1).collect(),
             dependent: vec![(0, n - 1)],
-            row_sizes: vec![3.0],
             order: (0..unknowns).collect(),
             row_start: (0..=u32::from(unknowns)).map(|k| k * k.saturating_sub(1) / 2).collect(),
             columns: (0..unknowns).flat_map(|k| 0..k).collect(),
@@ -345,8 +343,10 @@ impl<S: Storage> Assemble<f64> for Masses<S> {
     fn dependent(&self) -> &[(u16, u16)] {
         &self.dependent
     }
-    fn row_sizes(&self) -> &[f64] {
-        &self.row_sizes
+    fn row_sizes(&self) -> S::One {
+        let mut sizes = self.zero_lambda();
+        sizes.as_mut_slice().fill(3.0);
+        sizes
     }
     fn elimination(&self) -> Elimination<'_> {
         let Masses { order, row_start, columns, .. } = self;

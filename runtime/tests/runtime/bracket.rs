@@ -191,8 +191,8 @@ impl Assemble<f64> for Bracket {
     fn flips(&self) -> &[Flips<'_>] {
         &[Flips { axes: Some([3, 4]), turns: &[5] }]
     }
-    fn row_sizes(&self) -> &[f64] {
-        &[1.0; 6]
+    fn row_sizes(&self) -> Self::Lambda {
+        [1.0; 6]
     }
     fn elimination(&self) -> Elimination<'_> {
         Elimination {

@@ -226,8 +226,8 @@ impl<R: Real> Assemble<R> for DoublePendulum<R> {
     fn flips(&self) -> &[Flips<'_>] {
         &[]
     }
-    fn row_sizes(&self) -> &[f64] {
-        &[]
+    fn row_sizes(&self) -> Self::Lambda {
+        []
     }
     fn elimination(&self) -> Elimination<'_> {
         Elimination {

@@ -304,8 +304,8 @@ impl Assemble<f64> for FourBar {
     fn flips(&self) -> &[Flips<'_>] {
         &[]
     }
-    fn row_sizes(&self) -> &[f64] {
-        &[1.0; 8]
+    fn row_sizes(&self) -> Self::Lambda {
+        [1.0; 8]
     }
     fn elimination(&self) -> Elimination<'_> {
         Elimination {

@@ -162,8 +162,8 @@ impl Assemble<f64> for Motor {
     fn flips(&self) -> &[Flips<'_>] {
         &[]
     }
-    fn row_sizes(&self) -> &[f64] {
-        &[]
+    fn row_sizes(&self) -> Self::Lambda {
+        []
     }
     fn elimination(&self) -> Elimination<'_> {
         Elimination { order: &[0], position: &[0], row_start: &[0, 0], columns: &[] }

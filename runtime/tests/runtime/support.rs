@@ -136,8 +136,8 @@ impl Assemble<f64> for Support {
     fn flips(&self) -> &[Flips<'_>] {
         &[Flips { axes: None, turns: &[2] }]
     }
-    fn row_sizes(&self) -> &[f64] {
-        &[1.0; 3]
+    fn row_sizes(&self) -> Self::Lambda {
+        [1.0; 3]
     }
     fn elimination(&self) -> Elimination<'_> {
         Elimination {

@@ -5,10 +5,10 @@
 #![no_std]
 
 use linkwright::{
-    Ali3p, Assemble, AssembleExt, AugmentedLagrangian, Baumgarte, DormandPrince, Event, ExplicitTrapezoidal,
+    Ali3p, Assemble, AssembleExt, AugmentedLagrangian, Baumgarte, Corrected, DormandPrince, Event, ExplicitTrapezoidal,
     Fields, Formulation, GeneralisedAlpha, ImplicitTrapezoidal, InputSource, Integrator, LagrangeIndex1,
-    Linearisation, Mechanism, MechanismDynamics, Motion, NullSpace, Partitioned, Penalty, Projected, Rk4,
-    SemiImplicitEuler, Simulation, StateOf, Tangent, Vector, actuation, equilibrium, mechanism,
+    Linearisation, Mechanism, MechanismDynamics, Motion, NullSpace, Parametric, Partitioned, Penalty, Projected, Rk4,
+    SemiImplicitEuler, Simulation, StateOf, StepMethod, Tangent, Vector, actuation, equilibrium, mechanism,
 };
 
 #[panic_handler]
@@ -95,12 +95,33 @@ where
     good + u32::from(simulation.multipliers().is_ok())
 }
 
+/// What a control loop calls.
+fn steps<M, S>(model: &M, start: &StateOf<M>, method: S, h: f64) -> u32
+where
+    M: Assemble<f64, Inputs: Fields<f64>, Outputs: Fields<f64>> + Parametric<f64> + Clone,
+    S: StepMethod<f64, M>,
+{
+    let mut plant = model.stepper(start.clone(), method);
+    let inputs = M::Inputs::from_array(Vector::zeros(M::Inputs::NAMES.len()));
+    let mut good = u32::from(plant.step(&inputs, h).is_ok()) + u32::from(plant.substeps(&inputs, h, 3).is_ok());
+    let saved = plant.save();
+    good += u32::from(plant.set_parameters(model.parameters().clone()).is_ok());
+    good += u32::from(plant.set_state(h, start.clone()).is_ok()) + u32::from(plant.assemble().is_ok());
+    good += u32::from(plant.restore(&saved).is_ok()) + u32::from(plant.near_singular().is_some());
+    good += u32::from(plant.outputs(&inputs).to_array().max_abs() > h);
+    good + u32::from(plant.accelerations(&inputs, h).is_ok())
+}
+
 fn every_way<M>(model: &M, start: &StateOf<M>, h: f64) -> u32
 where
-    M: Tangent<f64> + Assemble<f64, Inputs: Fields<f64>, Outputs: Fields<f64>>,
+    M: Tangent<f64> + Assemble<f64, Inputs: Fields<f64>, Outputs: Fields<f64>> + Parametric<f64> + Clone,
 {
     let penalty = Penalty::for_model(model, 0.0, &start.q, h);
     let mut good = moves(model, start, LagrangeIndex1, Rk4, h);
+    good += steps(model, start, Rk4, h);
+    good += steps(model, start, (SemiImplicitEuler, NullSpace), h);
+    good += steps(model, start, (ExplicitTrapezoidal, Corrected::after(LagrangeIndex1)), h);
+    good += steps(model, start, (Rk4, Projected::after(LagrangeIndex1)), h);
     good += moves(model, start, Baumgarte { alpha: 10.0, beta: 10.0 }, SemiImplicitEuler, h);
     good += moves(model, start, penalty, ExplicitTrapezoidal, h);
     good += moves(model, start, AugmentedLagrangian::new(penalty), Rk4, h);

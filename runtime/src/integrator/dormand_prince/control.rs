@@ -1,8 +1,8 @@
 //! The choice of the step: the norm of the error, the controller, the first step.
 
+use crate::clock::least_step;
 use crate::layout::Layout;
 use crate::real::Real;
-use crate::simulation::least_step;
 use crate::state::State;
 use crate::vector::Vector;
 

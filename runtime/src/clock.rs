@@ -1,6 +1,6 @@
 //! The clock: the exact sum of the steps taken, read rounded once.
 //!
-//! Which steps are taken towards the end of a run is `course.rs`. Nothing here knows a mechanism.
+//! Which steps a simulation takes towards the end of a run is `simulation/course.rs`. Nothing here knows a mechanism.
 
 use crate::real::Real;
 
@@ -17,7 +17,7 @@ const LEAST_PART: f64 = 1.0 / 1_048_576.0;
 /// operations a step in the mechanism's own scalar, so that a target without a double-precision unit does not need one; a count of
 /// steps would have to be turned into one.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Clock<R> {
+pub(crate) struct Clock<R> {
     terms: [R; 3],
     /// How much the steps so far fall short of the clock, s: where a run ends exactly where it was asked to, less than half a rounding of
     /// its last step. The last step of the next run takes it along.
@@ -25,8 +25,20 @@ pub(super) struct Clock<R> {
 }
 
 impl<R: Real> Clock<R> {
-    pub fn at(time: R) -> Self {
+    pub const fn at(time: R) -> Self {
         Clock { terms: [time, R::ZERO, R::ZERO], owed: R::ZERO }
+    }
+
+    /// The three numbers; what a run is owed is not among them.
+    pub fn terms(&self) -> [R; 3] {
+        self.terms
+    }
+
+    /// The clock of three numbers, if it can be theirs: they are finite, and do not overlap.
+    pub fn of_terms(terms: [R; 3]) -> Option<Self> {
+        let [hi, mid, lo] = terms;
+        let fits = terms.iter().all(|term| term.is_finite()) && hi + mid == hi && mid + lo == mid;
+        fits.then_some(Clock { terms, owed: R::ZERO })
     }
 
     /// The time, rounded once, s.
