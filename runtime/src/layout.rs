@@ -127,7 +127,7 @@ fn retraction<R: Real, Q: Vector<R>, V: Vector<R>, const NORMALISED: bool>(
     // Asked once for all, so that the usual case is a loop without branches.
     if turn_far(d_rotations) {
         for ((to, from), &delta) in pairs {
-            (to[0], to[1]) = turn(from[0], from[1], delta);
+            (to[0], to[1]) = turn_pair(from[0], from[1], delta);
         }
     } else {
         for ((to, from), &delta) in pairs {
@@ -143,7 +143,7 @@ fn retraction<R: Real, Q: Vector<R>, V: Vector<R>, const NORMALISED: bool>(
     let turned = to_quaternions.as_chunks_mut::<4>().0.iter_mut().zip(from_quaternions).zip(d_quaternions);
     if d_quaternions.iter().fold(false, |far, &delta| far | quaternion::turns_far(delta)) {
         for ((to, &from), &delta) in turned {
-            *to = quaternion::turn(from, delta);
+            *to = turn_quaternion(from, delta);
         }
     } else {
         for ((to, &from), &delta) in turned {
@@ -158,6 +158,20 @@ fn retraction<R: Real, Q: Vector<R>, V: Vector<R>, const NORMALISED: bool>(
         });
         (to[0], to[1]) = wrap(from[0], from[1] + increment);
     }
+}
+
+/// A pair by an increment of any size. By values, so that positions need not stand in memory for what is rare.
+#[cold]
+#[inline(never)]
+fn turn_pair<R: Real>(c: R, s: R, delta: R) -> (R, R) {
+    turn(c, s, delta)
+}
+
+/// A quaternion by an increment of any size.
+#[cold]
+#[inline(never)]
+fn turn_quaternion<R: Real>(q: [R; 4], delta: [R; 3]) -> [R; 4] {
+    quaternion::turn(q, delta)
 }
 
 /// u̇ of positions q(t) = q₀ ⊕ u(t) that move with the velocities `v`: the inverse of the differential of ⊕ at `u`.

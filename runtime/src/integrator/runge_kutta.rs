@@ -184,17 +184,21 @@ impl<V, Z, const S: usize> Slopes<V, Z, S> {
         V: Vector<R>,
         Z: Vector<R>,
     {
-        self.stage_seen(tableau, i, dynamics, over, begin, |_| ())
+        let layout = dynamics.variables().layout();
+        let increment = self.increment(layout, over.1, tableau.c[i], &tableau.a[i]);
+        let state = increment.stage(layout, begin);
+        self.evaluate(tableau.c[i], i, dynamics, over, &increment, state)?;
+        Some(increment)
     }
 
-    /// As [`stage`](Slopes::stage), and shows the state there, before the equations correct it.
+    /// As [`stage`](Slopes::stage) of a state from which the motion goes on, which is shown before the equations correct it.
     #[inline(always)]
     pub fn stage_seen<R: Real, X: Variables<R, V = V, Z = Z>, D: Dynamics<R, Variables = X>>(
         &mut self,
         tableau: &Tableau<S>,
         i: usize,
         dynamics: &mut D,
-        (time, h): (R, R),
+        over: (R, R),
         begin: &StateOf<X, R>,
         see: impl FnOnce(&StateOf<X, R>),
     ) -> Option<Increment<V, Z>>
@@ -202,11 +206,28 @@ impl<V, Z, const S: usize> Slopes<V, Z, S> {
         V: Vector<R>,
         Z: Vector<R>,
     {
-        let c = tableau.c[i];
         let layout = dynamics.variables().layout();
-        let increment = self.increment(layout, h, c, &tableau.a[i]);
-        let mut state = increment.stage(layout, begin);
+        let increment = self.increment(layout, over.1, tableau.c[i], &tableau.a[i]);
+        let state = increment.from(layout, begin);
         see(&state);
+        self.evaluate(tableau.c[i], i, dynamics, over, &increment, state)?;
+        Some(increment)
+    }
+
+    #[inline(always)]
+    fn evaluate<R: Real, X: Variables<R, V = V, Z = Z>, D: Dynamics<R, Variables = X>>(
+        &mut self,
+        c: f64,
+        i: usize,
+        dynamics: &mut D,
+        (time, h): (R, R),
+        increment: &Increment<V, Z>,
+        mut state: StateOf<X, R>,
+    ) -> Option<()>
+    where
+        V: Vector<R>,
+        Z: Vector<R>,
+    {
         let derivative = dynamics.derivative(time + R::from_f64(c) * h, &mut state);
         if dynamics.broke_down() {
             return None;
@@ -216,7 +237,7 @@ impl<V, Z, const S: usize> Slopes<V, Z, S> {
             self.turned[i] = Some(inverse_differential(layout, &increment.u, &derivative.v));
         }
         self.at[i] = derivative;
-        Some(increment)
+        Some(())
     }
 }
 

@@ -9,6 +9,9 @@ use crate::real::Real;
 use crate::state::{Derivative, DerivativeOf, StateOf};
 use crate::vector::Vector;
 
+/// Positions that are tried past a breakdown: to a hundredth of the step.
+const OVER: u32 = 3;
+
 /// A model under a formulation, with its inputs: what an [`Integrator`](crate::Integrator) moves.
 pub struct MechanismDynamics<'m, M: Mechanism<R>, R: Real, F: Formulation<R, M>, S> {
     pub(super) model: &'m M,
@@ -175,7 +178,7 @@ impl<'m, M: Mechanism<R>, R: Real, F: Formulation<R, M>, S> MechanismDynamics<'m
         a: &mut M::V,
         lambda: &mut M::Lambda,
     ) -> Option<Evaluation<R>> {
-        let (formulation, at) = (&self.formulation, (time, self.watch.h));
+        let (formulation, at) = (&self.formulation, (time, self.watch.h, OVER));
         let found = past_breakdown(formulation, &mut self.memory, self.model, at, state, inputs, a, lambda);
         self.watch.stepped_over += u32::from(found.is_some());
         found

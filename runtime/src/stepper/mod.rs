@@ -45,7 +45,7 @@ const UNIT: f64 = 1e-3;
 /// }
 /// ```
 /// The inputs are held over the step. Positions and velocities are brought towards the constraints by the method, whatever they are
-/// off, and a stage at a singular position takes the accelerations a ten-thousandth of the step further along, so that nothing stops a
+/// off, and a stage at a singular position takes the accelerations of a position further along, so that nothing stops a
 /// running plant but what [`StepError`] says. A step allocates nothing, does not recurse, and links no text; only what is called is
 /// linked.
 pub struct Stepper<M, S = Rk4, R = f64>

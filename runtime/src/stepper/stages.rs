@@ -7,6 +7,10 @@ use crate::real::Real;
 use crate::state::{Derivative, DerivativeOf, StateOf};
 use crate::vector::Vector;
 
+/// Positions that are tried past a breakdown: to a hundred steps further, which slow passages take in single precision, where
+/// constraints seem dependent within some milliradians.
+const OVER: u32 = 7;
+
 pub(super) struct Stages<'s, M: Mechanism<R>, R: Real, F: Formulation<R, M>> {
     pub model: &'s M,
     pub formulation: F,
@@ -40,7 +44,7 @@ impl<M: Mechanism<R>, R: Real, F: Formulation<R, M> + Clone> Dynamics<R> for Sta
         if R::any(found.pivot.greater_equal(R::BREAKDOWN)) {
             self.pivot = found.pivot.min(self.pivot);
         } else {
-            let (at, formulation) = ((time, self.h), self.formulation.clone());
+            let (at, formulation) = ((time, self.h, OVER), self.formulation.clone());
             let is_past =
                 step_over(formulation, self.memory, model, at, state, self.inputs, &mut a, &mut lambda);
             self.pivot = R::ZERO;
@@ -66,7 +70,7 @@ fn step_over<R: Real, M: Mechanism<R>, F: Formulation<R, M>>(
     formulation: F,
     memory: &mut F::Memory,
     model: &M,
-    at: (R, R),
+    at: (R, R, u32),
     state: &StateOf<M, R>,
     inputs: &M::Inputs,
     a: &mut M::V,

@@ -153,7 +153,7 @@ fn lugre_block_before_it_slides() {
             worst.see(simulation.sample().outputs.place, place);
         }
     }
-    worst.below(5e-12, "LuGre block, place");
+    worst.below(1e-11, "LuGre block, place");
 }
 
 /// Pulled slowly by a soft spring it sticks and slips.
