@@ -94,6 +94,8 @@ pub mod functions {}
 mod documents {
     #[doc = include_str!("../docs/formulations.md")]
     struct Formulations;
+    #[doc = include_str!("../docs/in-a-controller.md")]
+    struct InAController;
     #[doc = include_str!("../docs/linearisation.md")]
     struct Linearisation;
 }

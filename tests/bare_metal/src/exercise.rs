@@ -166,9 +166,10 @@ where
         inputs.as_mut_slice().iter_mut().for_each(|entry| *entry = R::random(&mut seed));
         let inputs = M::Inputs::from_array(inputs);
         let state = start.moved(model.layout(), &delta, v, start.z.clone());
+        let time = R::ONE + R::random(&mut seed);
         let instructions = meter.instructions(|| {
             let pivot = model.acceleration_baumgarte(
-                black_box(R::ZERO),
+                black_box(time),
                 black_box(&state),
                 black_box(&inputs),
                 black_box(terms[0]),
