@@ -170,6 +170,7 @@ impl<'m, R: Real, M: Mechanism<R>, F: Formulation<R, M>, S, I: Method<R>> Simula
     }
 
     /// The step size, s; of methods that choose their own, the largest. Checked when the simulation is advanced.
+    #[must_use = "`step` says how long steps are; `advance` takes one"]
     pub fn step(mut self, seconds: R) -> Self {
         self.run.step = Some(seconds);
         self
