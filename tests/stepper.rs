@@ -105,11 +105,11 @@ fn it_goes_on_from_what_was_saved<M: Model>() {
 
     // What is damaged or foreign is refused, and nothing has changed.
     let before = other.save();
-    let foreign = linkwright::Saved { fingerprint: saved.fingerprint ^ 1, ..saved.clone() };
+    let foreign = linkwright::Saved { fingerprint: saved.fingerprint ^ 1, ..saved };
     assert_eq!(other.restore(&foreign), Err(StepError::OtherModel));
-    let newer = linkwright::Saved { version: 99, ..saved.clone() };
+    let newer = linkwright::Saved { version: 99, ..saved };
     assert_eq!(other.restore(&newer), Err(StepError::OtherModel));
-    let mut damaged = saved.clone();
+    let mut damaged = saved;
     damaged.q.as_mut_slice()[0] = f64::NAN;
     assert_eq!(other.restore(&damaged), Err(StepError::State));
     let undated = linkwright::Saved { time: [1.0, 1.0, 0.0], ..saved };

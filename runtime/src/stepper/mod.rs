@@ -166,9 +166,12 @@ where
     /// [`StepError::OtherModel`] where it is of another definition or version, [`StepError::State`] where it is damaged; nothing
     /// has changed then.
     pub fn restore(&mut self, saved: &SavedOf<M, R>) -> Result<(), StepError> {
-        let (clock, state) = saved.of(self.model.fingerprint()).ok_or(StepError::OtherModel)?;
+        if !saved.is_of(self.model.fingerprint()) {
+            return Err(StepError::OtherModel);
+        }
+        let (clock, state) = (saved.clock().ok_or(StepError::State)?, saved.state());
         self.check(&state)?;
-        self.go_on(clock.ok_or(StepError::State)?, state);
+        self.go_on(clock, state);
         Ok(())
     }
 }

@@ -41,10 +41,19 @@ impl<Q: Clone, V: Clone, Z: Clone, G: Clone, R: Real> Saved<Q, V, Z, G, R> {
         Saved { version: VERSION, fingerprint, time: clock.terms(), q, v, z, gates }
     }
 
-    /// Clock, if it is one, and state, if they are of this definition and version.
-    pub(super) fn of(&self, fingerprint: u64) -> Option<(Option<Clock<R>>, State<Q, V, Z, G>)> {
+    /// Whether it is of this definition and version.
+    pub(super) fn is_of(&self, fingerprint: u64) -> bool {
+        self.version == VERSION && self.fingerprint == fingerprint
+    }
+
+    /// The clock, if the three numbers are one.
+    pub(super) fn clock(&self) -> Option<Clock<R>> {
+        Clock::of_terms(self.time)
+    }
+
+    /// The state, as it was saved.
+    pub(super) fn state(&self) -> State<Q, V, Z, G> {
         let Saved { q, v, z, gates, .. } = self.clone();
-        let fits = self.version == VERSION && self.fingerprint == fingerprint;
-        fits.then(|| (Clock::of_terms(self.time), State { q, v, z, gates }))
+        State { q, v, z, gates }
     }
 }

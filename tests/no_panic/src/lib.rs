@@ -5,10 +5,11 @@
 #![no_std]
 
 use linkwright::{
-    Ali3p, Assemble, AssembleExt, AugmentedLagrangian, Baumgarte, Corrected, DormandPrince, Event, ExplicitTrapezoidal,
-    Fields, Formulation, GeneralisedAlpha, ImplicitTrapezoidal, InputSource, Integrator, LagrangeIndex1,
-    Linearisation, Mechanism, MechanismDynamics, Motion, NullSpace, Parametric, Partitioned, Penalty, Projected, Rk4,
-    SemiImplicitEuler, Simulation, StateOf, StepMethod, Tangent, Vector, actuation, equilibrium, mechanism,
+    Ali3p, Assemble, AssembleExt, AugmentedLagrangian, Baumgarte, Corrected, DormandPrince, Event,
+    ExplicitTrapezoidal, Fields, Formulation, GeneralisedAlpha, ImplicitTrapezoidal, InputSource, Integrator,
+    LagrangeIndex1, Linearisation, Mechanism, MechanismDynamics, Motion, NullSpace, Parametric, Partitioned,
+    Penalty, Projected, Rk4, SemiImplicitEuler, Simulation, StateOf, StepMethod, Tangent, Vector, actuation,
+    equilibrium, mechanism,
 };
 
 #[panic_handler]
@@ -103,7 +104,8 @@ where
 {
     let mut plant = model.stepper(start.clone(), method);
     let inputs = M::Inputs::from_array(Vector::zeros(M::Inputs::NAMES.len()));
-    let mut good = u32::from(plant.step(&inputs, h).is_ok()) + u32::from(plant.substeps(&inputs, h, 3).is_ok());
+    let mut good =
+        u32::from(plant.step(&inputs, h).is_ok()) + u32::from(plant.substeps(&inputs, h, 3).is_ok());
     let saved = plant.save();
     good += u32::from(plant.set_parameters(model.parameters().clone()).is_ok());
     good += u32::from(plant.set_state(h, start.clone()).is_ok()) + u32::from(plant.assemble().is_ok());
