@@ -45,6 +45,7 @@
 //! - [`AssembleExt`]: consistent states, the motion of everything from that of the independent coordinates.
 //! - [`Linearisation`], [`equilibrium`], [`actuation`]: derivatives of the motion, state matrices, static positions, inputs for
 //!   given accelerations, of definitions that say `options { emit = (tangent); }`.
+//! - [`Stepper`], and [`control`] beside it: a mechanism in a control loop; equations in independent coordinates, steps with their derivatives.
 //! - [`Mechanism`]: the equations, one function each, for use without a simulation; [`functions`]: all that a model can
 //!   compute, with signatures, orders and examples.
 //!

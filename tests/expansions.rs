@@ -23,7 +23,14 @@ fn simple_pendulum() {
 
 #[test]
 fn four_bar() {
-    let kept = ["constraint_jacobian", "gamma", "acceleration_baumgarte", "outputs", "reactions"];
+    let kept = [
+        "constraint_jacobian",
+        "gamma",
+        "acceleration_baumgarte",
+        "null_space_baumgarte",
+        "outputs",
+        "reactions",
+    ];
     compare("four_bar", "models/src/four_bar.rs", "FourBar", Shown::Only(&kept));
 }
 

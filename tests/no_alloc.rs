@@ -8,11 +8,12 @@ mod methods;
 mod random;
 
 use linkwright::{
-    Ali3p, Assemble, AssembleExt, AssemblyError, AugmentedLagrangian, Baumgarte, Corrected, DormandPrince,
-    Event, ExplicitTrapezoidal, Fields, Formulation, GeneralisedAlpha, ImplicitTrapezoidal, InputSource,
-    Integrator, LagrangeIndex1, Linearisation, Mechanism, MechanismDynamics, Motion, NullSpace, Partitioned,
-    Penalty, Projected, Real, Rk4, SemiImplicitEuler, Simulation, SimulationError, State, StateOf,
-    StepMethod, Stepper, Tangent, Vector, actuation, equilibrium,
+    Actuators, Ali3p, Assemble, AssembleExt, AssemblyError, AugmentedLagrangian, Baumgarte, Corrected,
+    DormandPrince, Event, ExplicitTrapezoidal, Fields, Formulation, GeneralisedAlpha, ImplicitTrapezoidal,
+    InputSource, Integrator, LagrangeIndex1, Linearisation, Mechanism, MechanismDynamics, Motion, NullSpace,
+    Partitioned, Penalty, Projected, Reading, Real, Reduced, Rk4, SemiImplicitEuler, Simulation,
+    SimulationError, State, StateOf, StepMethod, Stepper, Tangent, Vector, actuation, coordinate,
+    coordinate_rates, coordinate_values, equilibrium, measured, step_map, zero_order_hold,
 };
 use linkwright_models::{
     bricard::Bricard, double_pendulum::DoublePendulum, four_spherical_joints::FourSphericalJoints,
@@ -170,11 +171,35 @@ fn linearisations<R: Real, M: Tangent<R>>(model: &M) {
         black_box((here.by_position(0), here.by_velocity(0), here.by_input(0)));
         black_box(here.by_parameters().column(0));
         black_box(here.state_space().is_ok());
+        black_box(here.output_matrices().is_ok());
+        if let Ok(space) = here.state_space() {
+            black_box(zero_order_hold(&space.a, &space.b, R::from_f64(1e-3)).is_ok());
+        }
+        black_box(step_map(model, &Rk4, (t, &start), &u, R::from_f64(1e-3)).is_ok());
         black_box(equilibrium(model, t, &start.q, &u).is_ok());
         black_box(actuation(model, t, &start, here.acceleration(), &u, M::Inputs::NAMES).is_ok());
         black_box(actuation(model, t, &start, here.acceleration(), &u, &["none such"]).is_ok());
     });
     assert_eq!(derived, 0, "{}: linearise", model.name());
+}
+
+/// The inputs that drive a mechanism, its equations in independent coordinates, and states that were measured.
+#[test]
+fn no_control_allocates() {
+    let model = SliderCrank::<f64>::default();
+    let (start, none) = (model.start(), <SliderCrank as Mechanism<f64>>::Inputs::from_array([0.0; 2]));
+    let found = allocations(|| {
+        let Ok(reduced) = Reduced::at(&model, 0.0, &start, &none) else { return };
+        let Ok(actuators) = Actuators::named(&model, ["torque", "gas"]) else { return };
+        let a = reduced.acceleration(&[3.0]);
+        assert!(actuators.inputs_for(&model, (0.0, &start), &a, &none).is_ok());
+        assert!(actuators.inputs_for(&model, (0.0, &start), &a.map(|x| x + 1.0), &none).is_err());
+        let Ok(main) = coordinate(&model, "main.angle") else { return };
+        let position = coordinate_values(&model, 0.0, &start.q).as_slice()[usize::from(main)];
+        let rate = coordinate_rates(&model, 0.0, &start.q, &start.v).as_slice()[usize::from(main)];
+        assert!(measured(&model, 0.0, &start, &[Reading { coordinate: main, position, rate }]).is_ok());
+    });
+    assert_eq!(found, 0);
 }
 
 fn nothing_allocates<M: Model>() {

@@ -41,7 +41,10 @@ where
                 M,
                 f64,
                 F,
-                linkwright::input::Source<linkwright::input::OnceAStep, fn(f64, &StateOf<M>) -> M::Inputs>,
+                linkwright::input::HeldOrSampled<
+                    linkwright::input::OnceAStep,
+                    fn(f64, &StateOf<M>) -> M::Inputs,
+                >,
             >,
         >,
 {

@@ -4,13 +4,9 @@
 //! for a processor with fused multiply-adds, the peers are those that gcc has compiled for this processor.
 
 use super::harness::largest;
-use std::ffi::{CString, c_char, c_int, c_void};
+use super::harness::library::Library;
+use std::ffi::{c_int, c_void};
 use std::path::PathBuf;
-
-unsafe extern "C" {
-    fn dlopen(path: *const c_char, flags: c_int) -> *mut c_void;
-    fn dlsym(library: *mut c_void, name: *const c_char) -> *mut c_void;
-}
 
 /// CasADi's calling convention.
 type Function =
@@ -61,28 +57,12 @@ impl Peer {
     pub fn open<S>(name: &str, rate: f64, states: &[S], convert: impl Fn(&S) -> Turns) -> Option<Self> {
         let folder = PathBuf::from(std::env::var_os("LINKWRIGHT_CASADI")?);
         let target = if cfg!(target_feature = "fma") { "native" } else { "." };
-        let path = std::fs::canonicalize(folder.join(target).join(format!("{name}.so"))).ok()?;
+        let library = Library::open(&folder.join(target).join(format!("{name}.so")))?;
         let operations =
             std::fs::read_to_string(folder.join(format!("{name}.operations"))).unwrap_or_default();
-        const NOW: c_int = 2;
-        let symbol = |text: String| CString::new(text).ok();
-        let file = symbol(path.to_str()?.to_string())?;
-        // SAFETY: both symbols come from a library that `generate.py` has made, with CasADi's signatures; it is
-        // never closed.
+        // SAFETY: both come from a library that `generate.py` has made, with CasADi's signatures.
         let (function, size) = unsafe {
-            let library = dlopen(file.as_ptr(), NOW);
-            if library.is_null() {
-                return None;
-            }
-            let function = dlsym(library, symbol(name.to_string())?.as_ptr());
-            let size = dlsym(library, symbol(format!("{name}_work"))?.as_ptr());
-            if function.is_null() || size.is_null() {
-                return None;
-            }
-            (
-                std::mem::transmute::<*mut c_void, Function>(function),
-                std::mem::transmute::<*mut c_void, WorkSize>(size),
-            )
+            (library.function::<Function>(name)?, library.function::<WorkSize>(&format!("{name}_work"))?)
         };
         let mut sizes = [0i64; 4];
         let [a, r, i, w] = &mut sizes;

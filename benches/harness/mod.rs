@@ -1,5 +1,8 @@
 //! What the benches share: medians of samples, and what is said about the machine.
 
+#[allow(dead_code)]
+pub mod library;
+
 use std::process::Command;
 use std::time::Instant;
 

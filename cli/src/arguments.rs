@@ -1,14 +1,17 @@
 //! What is asked for on the command line.
 
+use linkwright_compiler::export::Scalar;
 use linkwright_compiler::model::Coordinates;
 use std::ffi::OsString;
+use std::path::PathBuf;
 
 pub const HELP: &str = "\
-Checks, explains and counts definitions of mechanisms.
+Checks, explains, counts and exports definitions of mechanisms.
 
 usage: linkwright check   [options] FILE…   errors of every definition, as the macro reports them
        linkwright explain [options] FILE    what the compiler found: parts, freedoms, coordinates, start
        linkwright counts  [options] FILE    operations of every generated function
+       linkwright export c [options] FILE…  every definition as a source file and a header in C99
 
 FILE is a definition (.mech), a Rust file (.rs), in which every `mechanism! { … }` and `mechanism!(file = \"…\")` is
 taken, or `-` for standard input, which may be either.
@@ -16,6 +19,8 @@ taken, or `-` for standard input, which may be either.
 options:
   --coordinates absolute|tree   in these coordinates, whatever the definition says
   --json                        for machines; the format is described in docs/command-line.md
+  --scalar f64|f32              numbers of exported files: double, which is the default, or float
+  --output FOLDER               where exported files go; without it, the present folder
   -h, --help                    this text
   -V, --version                 the version
 
@@ -32,16 +37,18 @@ pub enum Command {
     Check,
     Explain,
     Counts,
+    Export,
 }
 
 impl Command {
-    const ALL: [Command; 3] = [Command::Check, Command::Explain, Command::Counts];
+    const ALL: [Command; 4] = [Command::Check, Command::Explain, Command::Counts, Command::Export];
 
     pub fn text(self) -> &'static str {
         match self {
             Command::Check => "check",
             Command::Explain => "explain",
             Command::Counts => "counts",
+            Command::Export => "export",
         }
     }
 }
@@ -53,6 +60,10 @@ pub struct Job {
     pub files: Vec<OsString>,
     pub coordinates: Option<Coordinates>,
     pub json: bool,
+    /// Of exported files.
+    pub scalar: Scalar,
+    /// Where they go.
+    pub output: PathBuf,
 }
 
 /// All that can be asked for.
@@ -68,6 +79,7 @@ pub fn parse(arguments: impl IntoIterator<Item = OsString>) -> Result<Asked, Str
     use lexopt::Arg::{Long, Short, Value};
     let mut parser = lexopt::Parser::from_args(arguments);
     let (mut command, mut files, mut coordinates, mut json) = (None, Vec::new(), None, false);
+    let (mut language, mut scalar, mut output) = (None, None, None);
     while let Some(argument) = parser.next().map_err(|error| error.to_string())? {
         match argument {
             Short('h') | Long("help") => return Ok(Asked::Help),
@@ -77,26 +89,60 @@ pub fn parse(arguments: impl IntoIterator<Item = OsString>) -> Result<Asked, Str
                 let value = parser.value().map_err(|error| error.to_string())?;
                 coordinates = Some(set(&value.to_string_lossy())?);
             }
+            Long("scalar") => {
+                let value = parser.value().map_err(|error| error.to_string())?;
+                scalar = Some(scalar_named(&value.to_string_lossy())?);
+            }
+            Long("output") => output = Some(parser.value().map_err(|error| error.to_string())?),
+            Value(word) if command == Some(Command::Export) && language.is_none() => {
+                language = Some(is_language(&word.to_string_lossy())?);
+            }
             Value(word) if command.is_none() => command = Some(named(&word.to_string_lossy())?),
             Value(file) => files.push(file),
             other => return Err(other.unexpected().to_string()),
         }
     }
     let Some(command) = command else {
-        return Err("no command is given: write check, explain or counts".into());
+        return Err("no command is given: write check, explain, counts or export".into());
     };
+    if command == Command::Export && language.is_none() {
+        return Err("export needs a language: write `linkwright export c FILE`".into());
+    }
+    if command != Command::Export && (scalar.is_some() || output.is_some()) {
+        return Err(format!("--scalar and --output belong to export; {} writes no files", command.text()));
+    }
     match (command, files.len()) {
         (_, 0) => Err(format!("{} needs a file: write its path, or `-` for standard input", command.text())),
         (Command::Explain | Command::Counts, 2..) => {
             Err(format!("{} takes one file, {} are given", command.text(), files.len()))
         }
-        _ => Ok(Asked::Job(Job { command, files, coordinates, json })),
+        _ => Ok(Asked::Job(Job {
+            command,
+            files,
+            coordinates,
+            json,
+            scalar: scalar.unwrap_or_default(),
+            output: output.map_or_else(PathBuf::new, PathBuf::from),
+        })),
     }
 }
 
 fn named(word: &str) -> Result<Command, String> {
     let found = Command::ALL.into_iter().find(|command| command.text() == word);
-    found.ok_or_else(|| format!("no command is called \"{word}\": there are check, explain and counts"))
+    found.ok_or_else(|| {
+        format!("no command is called \"{word}\": there are check, explain, counts and export")
+    })
+}
+
+fn is_language(word: &str) -> Result<(), String> {
+    match word {
+        "c" | "C" => Ok(()),
+        _ => Err(format!("nothing is exported to \"{word}\": there is c")),
+    }
+}
+
+fn scalar_named(word: &str) -> Result<Scalar, String> {
+    Scalar::named(word).ok_or_else(|| format!("no scalar is called \"{word}\": there are f64 and f32"))
 }
 
 fn set(word: &str) -> Result<Coordinates, String> {

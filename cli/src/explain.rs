@@ -81,6 +81,8 @@ pub struct Explanation {
     pub independent: Vec<String>,
     pub coordinates: &'static str,
     pub choice: String,
+    /// What the accelerations are solved for first, where there was a choice.
+    pub solution: Option<String>,
     pub positions: Vec<String>,
     pub velocities: Vec<String>,
     /// Joint, coupling or driver, and the row.
@@ -135,6 +137,7 @@ pub fn explain(definition: &Definition, compiled: &Compiled) -> Explanation {
         independent: assembly.independent.iter().map(name).collect(),
         coordinates,
         choice: choice.explanation(),
+        solution: complete.further.explanation(),
         positions: layout.position_names(mechanism),
         velocities: layout.velocity_names(mechanism),
         rows: equations.rows.iter().map(|row| [row.of.clone(), row.form.name.to_string()]).collect(),

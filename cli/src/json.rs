@@ -112,6 +112,7 @@ pub fn explanation(e: &Explanation) -> Value {
         "independent": e.independent,
         "coordinates": e.coordinates,
         "choice": e.choice,
+        "solution": e.solution,
         "positions": e.positions,
         "velocities": e.velocities,
         "rows": rows(&e.rows),

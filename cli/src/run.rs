@@ -6,10 +6,11 @@ use crate::{ERRORS, USAGE, answer, explain, json, report, text};
 use annotate_snippets::Renderer;
 use linkwright_compiler::counts::{self, Row};
 use linkwright_compiler::diagnostics::Diagnostics;
+use linkwright_compiler::export::Files;
 use linkwright_compiler::model::Coordinates;
 use linkwright_compiler::source::Located;
 use linkwright_compiler::syntax::Definition;
-use linkwright_compiler::{Compiled, compile_definition, header, parse_at};
+use linkwright_compiler::{Compiled, compile_definition, compile_with, export, header, parse_at};
 use serde_json::Value;
 use std::ffi::OsStr;
 use std::io::{IsTerminal, stderr};
@@ -42,6 +43,8 @@ struct Run<'j> {
     unreadable: Vec<(String, String)>,
     mechanisms: Vec<Value>,
     text: String,
+    /// The names of files that were written, and where the definitions stand.
+    exported: Vec<(String, String)>,
 }
 
 impl<'j> Run<'j> {
@@ -57,6 +60,7 @@ impl<'j> Run<'j> {
             unreadable: Vec::new(),
             mechanisms: Vec::new(),
             text: String::new(),
+            exported: Vec::new(),
         }
     }
 
@@ -100,6 +104,13 @@ impl<'j> Run<'j> {
                 self.text.push_str(&text::explanation(&explanation, &place(found)));
                 Some(("explanation", json::explanation(&explanation)))
             }),
+            Command::Export => {
+                compiled_with(found, self.job.coordinates, &["projection"]).map(|(_, compiled)| {
+                    warn(&compiled);
+                    let files = export::c(&compiled, self.job.scalar);
+                    Some(("exported", self.write(&files, place(found))))
+                })
+            }
             Command::Counts => counts(found, name.as_deref(), self.job.coordinates).map(|rows| {
                 self.text.push_str(&counts::as_tables(&rows));
                 Some(("counts", json::counts(&rows)))
@@ -118,6 +129,41 @@ impl<'j> Run<'j> {
             object[key] = value;
         }
         self.mechanisms.push(object);
+    }
+
+    /// Writes the files of a mechanism, and tells which.
+    fn write(&mut self, files: &Files, from: String) -> Value {
+        let Files { name, header, source, class } = files;
+        if let Some((_, first)) = self.exported.iter().find(|(known, _)| known == name) {
+            let message = format!(
+                "the definitions at {first} and {from} would both be written to `{name}.c`: rename one, or export them to different \
+                 folders with `--output`"
+            );
+            self.unreadable(from.as_ref(), message);
+            return Value::Array(Vec::new());
+        }
+        self.exported.push((name.clone(), from));
+        let texts =
+            [(format!("{name}.h"), header), (format!("{name}.c"), source), (format!("{name}.hpp"), class)];
+        let mut written = Vec::new();
+        for (name, text) in texts {
+            let path = self.job.output.join(name);
+            let folder = std::fs::create_dir_all(&self.job.output).or_else(|error| {
+                match self.job.output.as_os_str() {
+                    none if none.is_empty() => Ok(()),
+                    _ => Err(error),
+                }
+            });
+            match folder.and_then(|()| std::fs::write(&path, text)) {
+                Ok(()) => written.push(path.display().to_string()),
+                Err(error) => {
+                    let message = format!("`{}` cannot be written: {error}", path.display());
+                    self.unreadable(path.as_os_str(), message);
+                }
+            }
+        }
+        written.iter().for_each(|path| self.text.push_str(&format!("{path}\n")));
+        Value::from(written)
     }
 
     fn finish(self) -> ExitCode {
@@ -151,13 +197,22 @@ fn place(found: &Found) -> String {
 
 /// The stages, errors at their places.
 fn compiled(found: &Found, coordinates: Option<Coordinates>) -> Result<(Definition, Compiled), Vec<Located>> {
+    compiled_with(found, coordinates, &[])
+}
+
+/// The same with more words of `emit`.
+fn compiled_with(
+    found: &Found,
+    coordinates: Option<Coordinates>,
+    emit: &[&str],
+) -> Result<(Definition, Compiled), Vec<Located>> {
     if !found.errors.is_empty() {
         return Err(found.errors.clone());
     }
     let stages = || -> Result<(Definition, Compiled), Diagnostics> {
         let beside = || Some(PathBuf::from(&found.source.name));
         let definition = parse_at(found.tokens.stream.clone(), &|_| beside())?;
-        let compiled = compile_definition(&definition, coordinates)?;
+        let compiled = compile_with(&definition, coordinates, emit)?;
         Ok((definition, compiled))
     };
     stages().map_err(|errors| found.tokens.locate(errors))

@@ -75,6 +75,9 @@ fn freedoms(text: &mut String, e: &Explanation) {
 
 fn coordinates(text: &mut String, e: &Explanation) {
     let _ = writeln!(text, "\nCoordinates\n  {}", e.choice);
+    if let Some(solution) = &e.solution {
+        let _ = writeln!(text, "  {solution}");
+    }
     for (name, entries) in [("q", &e.positions), ("v", &e.velocities)] {
         let shown = entries.iter().take(MOST).cloned().collect::<Vec<_>>().join(", ");
         let more =

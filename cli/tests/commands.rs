@@ -71,7 +71,15 @@ fn good_and_bad_files_have_their_exit_codes() {
 #[test]
 fn wrong_usage_is_said() {
     for (arguments, message) in [
-        (&[] as &[&str], "no command is given: write check, explain or counts"),
+        (&[] as &[&str], "no command is given: write check, explain, counts or export"),
+        (&["export", "good.mech"], "nothing is exported to \"good.mech\": there is c"),
+        (&["export"], "export needs a language: write `linkwright export c FILE`"),
+        (&["export", "c"], "export needs a file"),
+        (
+            &["export", "c", "--scalar", "f16", "good.mech"],
+            "no scalar is called \"f16\": there are f64 and f32",
+        ),
+        (&["check", "--output", "here", "good.mech"], "--scalar and --output belong to export"),
         (&["chekc", "good.mech"], "no command is called \"chekc\""),
         (&["check"], "check needs a file"),
         (&["explain", "good.mech", "good.mech"], "explain takes one file, 2 are given"),
@@ -92,6 +100,9 @@ fn wrong_usage_is_said() {
         "check",
         "explain",
         "counts",
+        "export c",
+        "--scalar",
+        "--output",
         "--json",
         "--coordinates",
         "exit code: 0",
@@ -241,6 +252,42 @@ fn counts_of_any_file() {
 /// Name and exported definition of every shipped model.
 macro_rules! definitions {
     ($($name:ident: $model:path),* $(,)?) => { vec![$({ use $model as Model; (stringify!($model), Model::DEFINITION) }),*] };
+}
+
+/// Three files, whose names and contents follow from the definition; what they do is seen in `.ci/c` and in the tests of the compiler.
+#[test]
+fn mechanisms_are_exported() {
+    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("exported");
+    let output = folder.display().to_string();
+    let done = ran(&["export", "c", "--scalar", "f32", "--output", &output, "good.mech"]);
+    assert_eq!((done.code, done.err.as_str()), (0, ""));
+    let written: Vec<&str> = done.out.lines().collect();
+    assert_eq!(written.len(), 3, "{written:?}");
+    let text = |ending: &str| {
+        let path = written.iter().find(|path| path.ends_with(ending)).expect("a file of each kind");
+        std::fs::read_to_string(path).expect("it was written")
+    };
+    assert!(text(".h").contains("float q[") && !text(".h").contains("double"), "{}", text(".h"));
+    assert!(text(".c").contains("_step_rk4_corrected("));
+    assert!(text(".hpp").contains("namespace linkwright"));
+
+    let (answer, code) = json(&["export", "c", "--json", "--output", &output, "good.mech", "several.rs"]);
+    assert_eq!((answer["command"].as_str(), code), (Some("export"), 1));
+    assert_eq!(answer["mechanisms"][0]["exported"].as_array().map(Vec::len), Some(3));
+
+    // A file stands where the folder would.
+    let taken = folder.join("taken");
+    std::fs::write(&taken, "").expect("a file");
+    let refused = ran(&["export", "c", "--output", &taken.display().to_string(), "good.mech"]);
+    assert_eq!(refused.code, 2);
+    assert!(refused.err.contains("cannot be written"), "{}", refused.err);
+    // The second would be written over the first.
+    let twice = ran(&["export", "c", "--output", &output, "good.mech", "good.mech"]);
+    assert_eq!((twice.code, twice.out.lines().count()), (2, 3));
+    assert!(twice.err.contains("would both be written to"), "{}", twice.err);
+    // What has errors is not written.
+    let wrong = ran(&["export", "c", "--output", &output, "misspelt_body.mech"]);
+    assert_eq!((wrong.code, wrong.out.as_str()), (1, ""));
 }
 
 /// Every shipped definition is well, and what is found in its file is what the macro was given.

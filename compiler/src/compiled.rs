@@ -6,12 +6,20 @@ use crate::check::motion::{self, Motion, Unswept};
 use crate::choice::Choice;
 use crate::complete::Complete;
 use crate::diagnostics::Diagnostics;
-use crate::functions::Shape;
-use crate::model::Mechanism;
+use crate::functions::{Function, Shape};
+use crate::model::{Coordinate, Expr, Mechanism, Quantity};
 use crate::schedule::Programs;
 use crate::solve::Partition;
 use crate::solve::table::Table;
 use crate::symbolic::Node;
+
+/// An angle among the outputs whose turns the dynamics do not count.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct AngleInOutputs {
+    pub output: usize,
+    /// The condition of the start that states it.
+    pub stated: Option<usize>,
+}
 
 /// A mechanism after all stages but the last.
 #[derive(Clone, Debug)]
@@ -68,6 +76,18 @@ impl Compiled {
         }
     }
 
+    /// How the accelerations are computed and what the compiler chose between, for the documentation.
+    pub fn explanation(&self) -> String {
+        let solution = self.complete.further.explanation();
+        [self.choice.explanation()].into_iter().chain(solution).collect::<Vec<_>>().join(" ")
+    }
+
+    /// The function that formulations with Baumgarte's terms ask first.
+    pub fn default_solution(&self) -> Function {
+        let [_, stabilised] = Function::SOLUTIONS[usize::from(self.complete.further.leads)];
+        stabilised
+    }
+
     /// The range of motion of all joints, for those who ask; expansion itself follows the motion only where `expect` does.
     pub fn motion(&self) -> Result<Motion, Unswept> {
         motion::sweep(
@@ -76,6 +96,35 @@ impl Compiled {
             &self.assembly,
             &motion::of_joints(&self.mechanism),
         )
+    }
+
+    /// Angles of the dynamics count their turns themselves; the others are unwrapped from sample to sample, the first time from what
+    /// `start` states.
+    pub fn angles_in_outputs(&self) -> Vec<AngleInOutputs> {
+        let Complete { equations, conditions, .. } = &self.complete;
+        let of = |(output, coordinate): (usize, &Coordinate)| {
+            let Coordinate::Angle(rotor) = coordinate else { return None };
+            if equations.layout.angles.iter().any(|angle| angle.rotor == *rotor) {
+                return None;
+            }
+            let mut conditions = conditions.rows.iter().zip(&conditions.start);
+            let stated = conditions.position(|(condition, target)| {
+                target.position.is_some() && condition.coordinate == *coordinate
+            });
+            Some(AngleInOutputs { output, stated })
+        };
+        let coordinates =
+            self.mechanism.outputs.iter().enumerate().filter_map(|(index, output)| match &output.value {
+                Expr::Quantity(Quantity::Coordinate(coordinate)) => Some((index, coordinate)),
+                _ => None,
+            });
+        coordinates.filter_map(of).collect()
+    }
+
+    /// The hash FNV-1a (Fowler, Noll, Vo; draft-eastlake-fnv) of the definition, the same on every machine.
+    pub fn fingerprint(&self) -> u64 {
+        let (basis, prime) = (0xcbf2_9ce4_8422_2325, 0x0100_0000_01b3);
+        self.definition.bytes().fold(basis, |hash, byte| (hash ^ u64::from(byte)).wrapping_mul(prime))
     }
 
     /// The bodies that can move while all others stand still: loose ones, and idle freedoms.

@@ -56,9 +56,19 @@ pub fn compile_definition(
     definition: &Definition,
     coordinates: Option<Coordinates>,
 ) -> Result<Compiled, Diagnostics> {
+    compile_with(definition, coordinates, &[])
+}
+
+/// The same with these words of `emit` beside those of the definition.
+pub fn compile_with(
+    definition: &Definition,
+    coordinates: Option<Coordinates>,
+    emit: &[&str],
+) -> Result<Compiled, Diagnostics> {
     let shown = |found| source::brought(definition, found);
     // AFTER THIS POINT the definition is well formed; nothing is known of what its names mean.
-    let mechanism = model::lower(definition).map_err(shown)?;
+    let mut mechanism = model::lower(definition).map_err(shown)?;
+    emit.iter().for_each(|word| mechanism.options.emit.set(word));
     // AFTER THIS POINT names are resolved, units are SI, dimensions agree.
     let compiled = compile_model(mechanism, syntax::definition_json(definition), coordinates);
     let compiled = compiled.map_err(shown)?;
@@ -129,7 +139,7 @@ pub fn compile_model(
         return Err(errors);
     };
     let mechanism = Mechanism { states, ..mechanism };
-    let equations = equations.starting_at(&mechanism);
+    let mut equations = equations.starting_at(&mechanism);
     let growing = check::unstable(&mechanism, &equations, &solved, &assembly);
     check::unstable_states(&mechanism, &growing, &mut warnings);
     check::beyond_tables(&mechanism, &equations, &assembly, &mut warnings);
@@ -137,7 +147,8 @@ pub fn compile_model(
     // AFTER THIS POINT every state has its start.
     let (conditions, independent) = equations.conditions.with(&mechanism, &equations, &assembly.independent);
     let partition = assemble::partition(&mechanism, &equations, &conditions, &assembly, &independent);
-    let further = Further::of(&equations, &solved, &mechanism.options.emit, &partition);
+    let further =
+        Further::of(&mut equations, &solved, &mechanism.options, &partition, &schedule::count_outputs);
     let (conditions, tangents) = if mechanism.options.emit.tangent {
         let others = assemble::completion(&mechanism, &equations, &conditions, &assembly, &independent);
         let (conditions, others) = conditions.with(&mechanism, &equations, &others);

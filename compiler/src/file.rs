@@ -7,7 +7,7 @@ use crate::expansion::Expansion;
 use crate::messages;
 pub use crate::source::disk::{open, read, text};
 use crate::source::{self, Tokens};
-use crate::{driver, emit};
+use crate::{driver, emit, export};
 use proc_macro2::{TokenStream, TokenTree};
 use std::path::PathBuf;
 
@@ -70,6 +70,7 @@ pub(crate) fn expand(named: &Named, caller: Option<PathBuf>, home: &Home) -> Exp
         match driver::compile_at(tokens.stream.clone(), None, &file_of) {
             Ok(compiled) => {
                 let (import, mut text) = emit::emit(&compiled, &source.text, home);
+                text.push_str(&export::shims(&compiled, home));
                 text.push_str(&emit::depends_on(&path));
                 let warnings = tokens.locate(compiled.warnings);
                 let warnings = source::warnings(&source, &warnings, named.region);

@@ -17,6 +17,7 @@ pub mod forms;
 pub mod functions;
 mod messages;
 pub mod numbers;
+mod scalar;
 pub mod source;
 mod spelling;
 pub mod units;
@@ -25,6 +26,7 @@ pub mod check;
 pub mod emit;
 pub mod equations;
 mod expansion;
+pub mod export;
 pub mod model;
 pub mod optimize;
 pub mod order;
@@ -39,7 +41,8 @@ pub mod symbolic;
 pub use choice::{Choice, Rejected};
 pub use compiled::Compiled;
 pub use driver::{
-    Start, compile, compile_at, compile_definition, compile_model, header, parse, parse_at, start,
+    Start, compile, compile_at, compile_definition, compile_model, compile_with, header, parse, parse_at,
+    start,
 };
 pub use expansion::Expansion;
 pub use page::page;
@@ -71,7 +74,8 @@ fn expand_definition(
     match compile_at(tokens.clone(), None, &file_of) {
         Ok(compiled) => {
             let source = as_written(&tokens, place_of).unwrap_or_else(|| tokens.to_string());
-            let (import, text) = emit::emit(&compiled, &source, home);
+            let (import, mut text) = emit::emit(&compiled, &source, home);
+            text.push_str(&export::shims(&compiled, home));
             let name = compiled.mechanism.name.span;
             Expansion::Items { import, text, warnings: compiled.warnings, name }
         }

@@ -7,6 +7,7 @@ use crate::real::Real;
 
 /// Motion of one body in the plane at one time; position, velocity and acceleration are those of its centre of mass, world axes.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[repr(C)]
 pub struct BodyMotion<R = f64> {
     /// m.
     pub position: [R; 2],
@@ -33,6 +34,7 @@ impl<R: Real> BodyMotion<R> {
 /// Motion of one body in space at one time; position, velocity and acceleration are those of its centre of mass, world
 /// axes.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[repr(C)]
 pub struct SpatialMotion<R = f64> {
     /// m.
     pub position: [R; 3],
@@ -64,6 +66,7 @@ impl<R: Real> SpatialMotion<R> {
 
 /// The force and torque that a joint in the plane exerts on the body of its second place.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[repr(C)]
 pub struct Reaction<R = f64> {
     /// At the second place, world axes, N.
     pub force: [R; 2],
@@ -73,6 +76,7 @@ pub struct Reaction<R = f64> {
 
 /// The force and torque that a joint in space exerts on the body of its second place; world axes.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[repr(C)]
 pub struct SpatialReaction<R = f64> {
     /// At the second place, N.
     pub force: [R; 3],

@@ -21,7 +21,7 @@ pub trait InputSource<R: Real, M: Mechanism<R>> {
     message = "this mechanism has inputs that were not given",
     label = "its inputs are `{Self}`",
     note = "add `.inputs(Sampled(|time, state| …))` for values at every stage, or `.inputs(Held(|time, state| …))` \
-            for one value a step, before stepping the simulation"
+            for one value a step, or `.constant(inputs)`, before stepping the simulation"
 )]
 pub trait NoneNeeded {
     /// The value that says nothing.
@@ -48,7 +48,7 @@ where
     }
 }
 
-/// When a [`Source`] is asked.
+/// When a [`HeldOrSampled`] is asked.
 pub trait When {
     /// Whether the value at a step's start is kept for all its stages.
     const HELD: bool;
@@ -72,9 +72,22 @@ impl When for AtStages {
 
 /// A function of time and state as the source of inputs; made by [`Held`] or [`Sampled`].
 #[derive(Clone, Copy, Debug)]
-pub struct Source<W, F> {
+pub struct HeldOrSampled<W, F> {
     function: F,
     when: PhantomData<W>,
+}
+
+/// Inputs that never change; made by [`Simulation::constant`](crate::simulation::Simulation::constant).
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Constant<U>(pub U);
+
+impl<R: Real, M: Mechanism<R>> InputSource<R, M> for Constant<M::Inputs> {
+    const HELD: bool = true;
+
+    #[inline]
+    fn sample(&mut self, _time: R, _state: &StateOf<M, R>) -> M::Inputs {
+        self.0.clone()
+    }
 }
 
 /// Inputs from a function that is called once a step, at its start, as a digital controller does.
@@ -84,19 +97,23 @@ pub struct Source<W, F> {
 /// [`Simulation::held`](crate::simulation::Simulation::held), which knows them.
 // Spelled like the type it stands for.
 #[allow(non_snake_case)]
-pub fn Held<R, Q, V, Z, G, U, F: FnMut(R, &State<Q, V, Z, G>) -> U>(function: F) -> Source<OnceAStep, F> {
-    Source { function, when: PhantomData }
+pub fn Held<R, Q, V, Z, G, U, F: FnMut(R, &State<Q, V, Z, G>) -> U>(
+    function: F,
+) -> HeldOrSampled<OnceAStep, F> {
+    HeldOrSampled { function, when: PhantomData }
 }
 
 /// Inputs from a function that is called at every stage of the integrator, as a physical law acts.
 ///
 /// Types are inferred as said at [`Held`]; [`Simulation::sampled`](crate::simulation::Simulation::sampled) knows them.
 #[allow(non_snake_case)]
-pub fn Sampled<R, Q, V, Z, G, U, F: FnMut(R, &State<Q, V, Z, G>) -> U>(function: F) -> Source<AtStages, F> {
-    Source { function, when: PhantomData }
+pub fn Sampled<R, Q, V, Z, G, U, F: FnMut(R, &State<Q, V, Z, G>) -> U>(
+    function: F,
+) -> HeldOrSampled<AtStages, F> {
+    HeldOrSampled { function, when: PhantomData }
 }
 
-impl<R: Real, M: Mechanism<R>, W: When, F> InputSource<R, M> for Source<W, F>
+impl<R: Real, M: Mechanism<R>, W: When, F> InputSource<R, M> for HeldOrSampled<W, F>
 where
     F: FnMut(R, &StateOf<M, R>) -> M::Inputs,
 {

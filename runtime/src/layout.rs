@@ -8,7 +8,7 @@
 use crate::quaternion;
 use crate::real::Real;
 use crate::rotation::{turn, turn_far, turn_little, turn_once, wrap};
-use crate::vector::Vector;
+use crate::vector::{Vector, at};
 
 /// Where the kinds of coordinates stand in q and v.
 ///
@@ -113,31 +113,32 @@ fn retraction<R: Real, Q: Vector<R>, V: Vector<R>, const NORMALISED: bool>(
     q_out: &mut Q,
 ) {
     let Layout { linear, rotations, quaternions, angles } = *layout;
-    let (from_linear, from_rest) = q0.as_slice().split_at(linear);
-    let (to_linear, to_rest) = q_out.as_mut_slice().split_at_mut(linear);
-    let (d_linear, d_rest) = dv.as_slice().split_at(linear);
+    let (from_linear, from_rest) = cut(q0.as_slice(), linear);
+    let (to_linear, to_rest) = cut_mut(q_out.as_mut_slice(), linear);
+    let (d_linear, d_rest) = cut(dv.as_slice(), linear);
     for ((to, &from), &delta) in to_linear.iter_mut().zip(from_linear).zip(d_linear) {
         *to = from + delta;
     }
 
-    let (from_pairs, from_rest) = from_rest.split_at(2 * rotations);
-    let (to_pairs, to_rest) = to_rest.split_at_mut(2 * rotations);
-    let (d_rotations, d_rest) = d_rest.split_at(rotations);
-    let pairs = to_pairs.chunks_exact_mut(2).zip(from_pairs.chunks_exact(2)).zip(d_rotations);
+    let (from_pairs, from_rest) = cut(from_rest, 2 * rotations);
+    let (to_pairs, to_rest) = cut_mut(to_rest, 2 * rotations);
+    let (d_rotations, d_rest) = cut(d_rest, rotations);
+    let from_pairs = from_pairs.as_chunks::<2>().0.iter();
+    let pairs = to_pairs.as_chunks_mut::<2>().0.iter_mut().zip(from_pairs).zip(d_rotations);
     // Asked once for all, so that the usual case is a loop without branches.
     if turn_far(d_rotations) {
-        for ((to, from), &delta) in pairs {
-            (to[0], to[1]) = turn_pair(from[0], from[1], delta);
+        for ((to, &[c, s]), &delta) in pairs {
+            *to = turn_pair(c, s, delta).into();
         }
     } else {
-        for ((to, from), &delta) in pairs {
+        for ((to, &[c, s]), &delta) in pairs {
             let turned = if NORMALISED { turn_little } else { turn_once };
-            (to[0], to[1]) = turned(from[0], from[1], delta);
+            *to = turned(c, s, delta).into();
         }
     }
 
-    let (from_quaternions, from_angles) = from_rest.split_at(4 * quaternions);
-    let (to_quaternions, to_angles) = to_rest.split_at_mut(4 * quaternions);
+    let (from_quaternions, from_angles) = cut(from_rest, 4 * quaternions);
+    let (to_quaternions, to_angles) = cut_mut(to_rest, 4 * quaternions);
     let (d_quaternions, _) = d_rest.as_chunks::<3>();
     let from_quaternions = from_quaternions.as_chunks::<4>().0.iter();
     let turned = to_quaternions.as_chunks_mut::<4>().0.iter_mut().zip(from_quaternions).zip(d_quaternions);
@@ -152,12 +153,26 @@ fn retraction<R: Real, Q: Vector<R>, V: Vector<R>, const NORMALISED: bool>(
         }
     }
 
-    for ((to, from), angle) in to_angles.chunks_exact_mut(2).zip(from_angles.chunks_exact(2)).zip(angles) {
+    let from_angles = from_angles.as_chunks::<2>().0.iter();
+    let counted = to_angles.as_chunks_mut::<2>().0.iter_mut().zip(from_angles).zip(angles);
+    for ((to, &[turns, remainder]), angle) in counted {
         let increment = angle.rate.iter().fold(R::ZERO, |sum, &(index, weight)| {
-            sum + R::from_f64(weight) * integral.as_slice()[index as usize]
+            sum + R::from_f64(weight) * at(integral.as_slice(), index as usize)
         });
-        (to[0], to[1]) = wrap(from[0], from[1] + increment);
+        *to = wrap(turns, remainder + increment).into();
     }
+}
+
+/// The entries before a place and behind it; an end that does not come, because lengths are those of the layout, takes no panic.
+#[inline(always)]
+fn cut<R>(entries: &[R], place: usize) -> (&[R], &[R]) {
+    entries.split_at_checked(place).unwrap_or((entries, &[]))
+}
+
+#[inline(always)]
+fn cut_mut<R>(entries: &mut [R], place: usize) -> (&mut [R], &mut [R]) {
+    let place = place.min(entries.len());
+    entries.split_at_mut(place)
 }
 
 /// A pair by an increment of any size. By values, so that positions need not stand in memory for what is rare.
@@ -194,8 +209,8 @@ pub fn inverse_differential<R: Real, V: Vector<R>>(layout: &Layout<'_>, u: &V, v
     }
     let first = layout.linear + layout.rotations;
     let (half, twelfth) = (R::from_f64(0.5), R::from_f64(1.0 / 12.0));
-    let (turned, _) = u.as_slice()[first..].as_chunks::<3>();
-    for (omega, &u) in rate.as_mut_slice()[first..].as_chunks_mut::<3>().0.iter_mut().zip(turned) {
+    let (turned, _) = cut(u.as_slice(), first).1.as_chunks::<3>();
+    for (omega, &u) in cut_mut(rate.as_mut_slice(), first).1.as_chunks_mut::<3>().0.iter_mut().zip(turned) {
         let once = cross(u, *omega);
         let twice = cross(u, once);
         for (entry, (once, twice)) in omega.iter_mut().zip(once.into_iter().zip(twice)) {
@@ -227,7 +242,7 @@ pub(crate) fn differential<R: Real>(u: [R; 3]) -> [[R; 3]; 3] {
 
 /// a × b.
 #[inline(always)]
-fn cross<R: Real>(a: [R; 3], b: [R; 3]) -> [R; 3] {
+pub(crate) fn cross<R: Real>(a: [R; 3], b: [R; 3]) -> [R; 3] {
     [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
 }
 
@@ -239,7 +254,7 @@ pub(crate) fn first_not_unit<R: Real, Q: Vector<R>>(
     tolerance: R,
 ) -> Option<(usize, R)> {
     layout.orientations().find_map(|(first, count)| {
-        let square = length_squared(&q.as_slice()[first..first + count]);
+        let square = length_squared(q.as_slice().get(first..first + count).unwrap_or_default());
         ((square - R::ONE).abs() > tolerance).then(|| (first, square.sqrt()))
     })
 }
@@ -251,7 +266,7 @@ pub(crate) fn first_not_unit<R: Real, Q: Vector<R>>(
 pub(crate) fn normalised<R: Real, Q: Vector<R>>(layout: &Layout<'_>, q: &Q) -> Result<Q, (usize, R)> {
     let mut q = q.clone();
     for (first, count) in layout.orientations() {
-        let entries = &mut q.as_mut_slice()[first..first + count];
+        let entries = q.as_mut_slice().get_mut(first..first + count).unwrap_or_default();
         let square = length_squared(entries);
         if (square - R::ONE).abs() <= R::from_f64(64.0) * R::EPSILON {
             continue;

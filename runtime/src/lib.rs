@@ -11,7 +11,7 @@
 //! | states that satisfy the constraints | [`assembly`], over the sparse factorisations of `ldl.rs` and `tabled.rs` |
 //! | derivatives, and what follows from them | [`tangent`], [`linearisation`] |
 //! | motion | [`formulation`], [`input`], [`integrator`], [`simulation`] |
-//! | motion in a control loop | [`stepper`] |
+//! | motion in a control loop; control itself | [`stepper`]; [`control`] |
 //! | what can go wrong | [`error`] |
 //!
 //! The feature `std` (default) takes the square root from the hardware, and the fused multiply-add where the target
@@ -25,8 +25,11 @@ extern crate std;
 
 pub mod assembly;
 pub mod body;
+#[doc(hidden)]
+pub mod c_interface;
 mod clock;
 pub mod condition;
+pub mod control;
 #[cfg(feature = "nalgebra")]
 pub mod dense;
 pub mod error;
@@ -62,11 +65,15 @@ pub use assembly::{
 };
 pub use body::{BodyMotion, Reaction, SpatialMotion, SpatialReaction};
 pub use condition::reciprocal_condition;
+pub use control::{
+    Actuators, Reading, Reduced, StepMap, StepMapOf, coordinate, coordinate_rates, coordinate_values,
+    measured, step_map, zero_order_hold,
+};
 pub use error::{AssemblyError, LinearisationError, SettingError, SimulationError, StepError};
 pub use fields::{Fields, Parametric};
 pub use formulation::{
     AugmentedLagrangian, Baumgarte, Corrected, Evaluation, Formulation, LagrangeIndex1, NullSpace,
-    Partitioned, Penalty, PivotOf, Projected, Settled,
+    Partitioned, Penalty, PivotOf, Projected, Settled, WithMultipliers,
 };
 pub use input::{Held, InputSource, NoInputs, Sampled};
 pub use integrator::{
@@ -103,8 +110,11 @@ pub mod __private {
             BodyMotion, Reaction, SpatialMotion, SpatialReaction, check_constants, check_finite, check_mass,
             check_setting,
         };
+        pub use crate::c_interface;
         pub use crate::error::{AssemblyError, SettingError, SimulationError};
         pub use crate::fields::{Fields, Parametric};
+        pub use crate::formulation::{Corrected, LagrangeIndex1};
+        pub use crate::integrator::{Rk4, SemiImplicitEuler};
         pub use crate::layout::{Layout, MultiTurn, retract};
         pub use crate::mechanism::{Assemble, Condition, ConditionKind, Elimination, Flips, Mechanism, Row};
         pub use crate::named::{Angle, Turns};
@@ -112,6 +122,7 @@ pub mod __private {
         pub use crate::report::Report;
         pub use crate::rotation::unwrap_angle;
         pub use crate::state::{Kinematics, Motion, State, Variables};
+        pub use crate::stepper::Tick;
         pub use crate::table;
         pub use crate::tabled;
         pub use crate::tangent::Tangent;

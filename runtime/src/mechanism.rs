@@ -137,6 +137,42 @@ pub trait Mechanism<R: Real>: Variables<R> {
         a: &mut Self::V,
         lambda: &mut Self::Lambda,
     ) -> R;
+    /// Whether [`null_space`](Mechanism::null_space) and [`null_space_baumgarte`](Mechanism::null_space_baumgarte) are written out and
+    /// are to be asked first: because they take fewer operations, or because of `options { solution = independent; }`.
+    #[inline(always)]
+    fn null_space_first(&self) -> bool {
+        false
+    }
+    /// As [`acceleration`](Mechanism::acceleration), by way of independent velocities. Returns the smallest pivot of D for the dependent
+    /// velocities chosen at expansion, squared, or of Rᵀ M R if that is smaller. Below 10⁻⁴ more than two digits are lost: the mechanism
+    /// is near a dead centre of these velocities, which need not be singular. Zero where it is not written out, and then nothing is
+    /// computed.
+    fn null_space(
+        &self,
+        time: R,
+        state: &StateOf<Self, R>,
+        u: &Self::Inputs,
+        a: &mut Self::V,
+        lambda: &mut Self::Lambda,
+    ) -> R {
+        let _ = (time, state, u, a, lambda);
+        R::ZERO
+    }
+    /// As [`acceleration_baumgarte`](Mechanism::acceleration_baumgarte), by way of independent velocities.
+    #[allow(clippy::too_many_arguments)]
+    fn null_space_baumgarte(
+        &self,
+        time: R,
+        state: &StateOf<Self, R>,
+        u: &Self::Inputs,
+        two_alpha: R,
+        beta_squared: R,
+        a: &mut Self::V,
+        lambda: &mut Self::Lambda,
+    ) -> R {
+        let _ = (time, state, u, two_alpha, beta_squared, a, lambda);
+        R::ZERO
+    }
     /// ż(t, q, v, z, u, v̇, λ) of the internal states, in their units per s. `state` is as the formulation left it.
     #[allow(clippy::too_many_arguments)]
     fn internal_rates(
@@ -346,20 +382,6 @@ pub trait Assemble<R: Real>: Mechanism<R> {
     fn dependent_velocities(&self, lu: &Self::Lu, rows: &Self::Lambda, v: &Self::V, out: &mut Self::V) {
         let _ = (lu, rows);
         out.clone_from(v);
-    }
-    /// v̇ and λ of M v̇ + Dᵀ λ = Q, D v̇ = γ, by way of independent velocities. Returns the smallest pivot, as
-    /// [`factor_jacobian`](Assemble::factor_jacobian) does; zero where it is not written out, and then nothing is computed.
-    #[doc(hidden)]
-    fn null_space(
-        &self,
-        time: R,
-        state: &StateOf<Self, R>,
-        u: &Self::Inputs,
-        a: &mut Self::V,
-        lambda: &mut Self::Lambda,
-    ) -> R {
-        let _ = (time, state, u, a, lambda);
-        R::ZERO
     }
     /// Sᵢ of each row, twice the largest Dᵢ M⁻¹ Dᵢᵀ along the motion (1/kg of a row in m, 1/(kg m²) of one in rad): what pivots of D M⁻¹ Dᵀ
     /// are measured by, the same at all positions, so that a row that vanishes as a whole is seen to vanish.

@@ -15,8 +15,8 @@ const GOOD: f64 = 0.1;
 /// The place of a velocity that depends on no row.
 const NONE: u16 = u16::MAX;
 
-/// The square of a written-out pivot, relative to the size of its row, below which accelerations are computed by tables: two
-/// digits lost.
+/// The square of a written-out pivot, relative to the size of its row, below which accelerations are computed in another way:
+/// two digits lost.
 const WRITTEN_OUT: f64 = 1e-4;
 
 /// The dependent velocity of each row: those of [`Assemble::dependent`], until others serve better. It is kept from one position
@@ -180,6 +180,24 @@ impl<C: Clone + AsRef<[u16]> + AsMut<[u16]>> Partition<C> {
         }
     }
 
+    /// R with D R = 0, column by column, `[R; f·n_v]`: one for each independent velocity, ascending, which has a one there.
+    pub(crate) fn basis<R: Real, M: Assemble<R, Choice = C>>(
+        &self,
+        model: &M,
+        factors: &M::Dense,
+    ) -> M::Basis {
+        let (n, none) = (model.velocity_count(), model.zero_lambda());
+        let mut basis = model.zero_basis();
+        let places = basis.as_mut_slice().chunks_exact_mut(n.max(1));
+        for (own, velocity) in places.zip(self.independent()) {
+            let mut column = model.zero_v();
+            put(column.as_mut_slice(), velocity, R::ONE);
+            self.dependent(model, factors, &none, &mut column);
+            own.iter_mut().zip(column.as_slice()).for_each(|(entry, &value)| *entry = value);
+        }
+        basis
+    }
+
     /// λ of D_dᵀ λ = `forces` in the dependent velocities; idle rows have none.
     pub(crate) fn multipliers<R: Real, M: Assemble<R, Choice = C>>(
         &self,
@@ -228,7 +246,8 @@ fn largest<R: Real, M: Assemble<R>>(model: &M, row: &[R], counts: impl Fn(usize)
     found.unwrap_or((0, R::ZERO))
 }
 
-/// Whether written-out accelerations with this pivot are good enough. Written so that a NaN is not.
+/// Whether written-out accelerations with this pivot are good enough, in all lanes. Written so that a NaN is not.
+#[inline(always)]
 pub(crate) fn serves<R: Real>(pivot: R) -> bool {
-    R::any(pivot.greater_equal(R::from_f64(WRITTEN_OUT)))
+    !R::any(!pivot.greater_equal(R::from_f64(WRITTEN_OUT).max(R::NEAR_SINGULAR)))
 }

@@ -34,6 +34,7 @@ pub trait Variables<R: Real> {
 /// The state of a mechanism at one time. The meaning of its positions and velocities is said by
 /// [`Layout`].
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[repr(C)]
 pub struct State<Q, V, Z = (), G = ()> {
     /// Positions, shape n_q.
     pub q: Q,

@@ -22,6 +22,11 @@ pub(crate) fn put<R: Real>(entries: &mut [R], index: usize, value: R) {
     }
 }
 
+/// aᵀ b; what one has beyond the other does not count.
+pub(crate) fn dot<R: Real>(a: &[R], b: &[R]) -> R {
+    a.iter().zip(b).fold(R::ZERO, |sum, (&a, &b)| a.mul_add(b, sum))
+}
+
 /// A vector over the scalars `R`; implemented for `[R; N]`, and for `()`, which has no entries.
 ///
 /// The length never changes. Vectors that belong to one place of one mechanism, such as its velocities, have the same.

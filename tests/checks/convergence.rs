@@ -5,7 +5,8 @@ use crate::walking::walk;
 use crate::zoo::Gears;
 use linkwright::{
     AssembleExt, Baumgarte, DormandPrince, ExplicitTrapezoidal, Fields, Integrator, LagrangeIndex1, Layout,
-    Mechanism, MechanismDynamics, NoInputs, Rk4, SemiImplicitEuler, Simulation, State, StateOf, Vector,
+    Mechanism, MechanismDynamics, NoInputs, Rk4, SemiImplicitEuler, Simulation, SimulationError, State,
+    StateOf, Vector,
 };
 use linkwright_models::{double_pendulum::DoublePendulum, n_four_bar::NFourBar2};
 use std::f64::consts::{PI, TAU};
@@ -63,6 +64,27 @@ fn orders_of_convergence() {
 
 /// Many turns of a pinion, a wheel and a flap: the counted angle of each joint is that of the bodies' orientations up
 /// to whole turns, and the gear's ratio holds of the counted ones.
+/// A method that chooses its steps needs none: a run without a step size is one with a step size that is never reached. One that does not
+/// choose says what is missing.
+#[test]
+fn a_method_that_chooses_its_steps_needs_no_size() {
+    let model = DoublePendulum::<f64>::default();
+    let method = DormandPrince::tolerance(1e-9);
+    let mut free = model.simulation(model.start()).integrator(method);
+    let mut bounded = model.simulation(model.start()).integrator(method).step(1e3);
+    let (found, expected) = (free.advance_until(2.0).unwrap(), bounded.advance_until(2.0).unwrap());
+    assert!(free.time() == 2.0 && found.v.plus(-1.0, &expected.v).max_abs() < 1e-6, "{found:?} {expected:?}");
+    let mut single = model.simulation(model.start()).integrator(method);
+    let step = single.advance().unwrap();
+    assert!(step.time > 0.0 && step.time < 1.0, "{step:?}");
+    for error in [
+        model.simulation(model.start()).advance().unwrap_err(),
+        model.simulation(model.start()).integrator(DormandPrince::fixed()).advance().unwrap_err(),
+    ] {
+        assert!(matches!(error, SimulationError::StepMissing), "{error}");
+    }
+}
+
 #[test]
 fn counted_angles_are_those_of_the_pairs() {
     let model = Gears::default();

@@ -18,8 +18,10 @@ struct Counting<'c, F>(F, &'c Cell<u32>);
 
 impl<M: Mechanism<f64>, F: Formulation<f64, M>> Formulation<f64, M> for Counting<'_, F> {
     type Memory = F::Memory;
-    const PIVOT: PivotOf = F::PIVOT;
 
+    fn pivot_of(model: &M) -> PivotOf {
+        F::pivot_of(model)
+    }
     fn memory(&self, model: &M) -> F::Memory {
         self.0.memory(model)
     }

@@ -75,7 +75,8 @@ fn responses_are_the_derivatives<M: Model + Tangent<f64>>() {
         let here = linearised(&model, at);
         let (time, q, v, u) = (at.time, &at.q, &at.v, &at.u);
         let flat = [here.acceleration().as_slice(), here.multipliers().as_slice()].concat();
-        assert_eq!(flat, solved(&model, time, &at.state(), u));
+        // By independent velocities, maybe.
+        assert_close(model.name(), &flat, &solved(&model, time, &at.state(), u), 1e-11);
         let check = |what: &str,
                      k: usize,
                      found: linkwright::Response<M::V, M::Lambda>,

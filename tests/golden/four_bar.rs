@@ -1,5 +1,5 @@
 // `FourBar` of models/src/four_bar.rs.
-// Left out: acceleration, choice, condition_bias, condition_cosines, condition_drift, condition_jacobian, condition_pattern, condition_residual, conditions, constraints, default, dependent, driver_efforts, elimination, factor, fingerprint, flips, forces, from, from_array, independent, input_names, internal_rates, inverse_dynamics, jacobian_pattern, kinetic_energy, layout, lu, mass_matrix, mass_pattern, motions, name, nu, output_names, parameters, position_names, positions, potential_energy, powers, prepare, row_cosines, row_scales, row_sizes, rows, solve, start_conditions, start_gates, start_internal, start_q, start_rates, start_targets, start_v, store, to_array, unwrap, velocities, velocity_names, with.
+// Left out: acceleration, choice, condition_bias, condition_cosines, condition_drift, condition_jacobian, condition_pattern, condition_residual, conditions, constraints, default, dependent, driver_efforts, elimination, factor, fingerprint, flips, forces, from, from_array, independent, input_names, internal_rates, inverse_dynamics, jacobian_pattern, kinetic_energy, layout, lu, mass_matrix, mass_pattern, motions, name, nu, null_space, null_space_first, output_names, parameters, position_names, positions, potential_energy, powers, prepare, row_cosines, row_scales, row_sizes, rows, solve, start_conditions, start_gates, start_internal, start_q, start_rates, start_targets, start_v, store, to_array, unwrap, velocities, velocity_names, with.
 /// Four-bar of unit rods (IFToMM A02 with one window).
 ///
 /// Three uniform rods of 1 m and 1 kg, g = 9.81 m/s², cranks upright and turning at −1 rad/s. The cranks move as a
@@ -81,7 +81,7 @@ impl FourBar<::core::primitive::f64> {
     ///Degrees of freedom, drivers removed.
     pub const DEGREES_OF_FREEDOM: ::core::primitive::usize = 1;
     ///Operations of the default acceleration function (Baumgarte), a fused multiply-add counted once.
-    pub const OPERATIONS: ::core::primitive::usize = 86;
+    pub const OPERATIONS: ::core::primitive::usize = 76;
     ///The definition as written.
     pub const SOURCE: &'static ::core::primitive::str = (
         "# [doc = \" Four-bar of unit rods (IFToMM A02 with one window).\"] # [doc = \"\"] # [doc = \" Three uniform rods of 1 m and 1 kg, g = 9.81 m/s², cranks upright and turning at −1 rad/s. The cranks move as a\"] # [doc = \" pendulum with θ\\u{308} = −(6/5)(g/L) cos θ.\"] pub planar FourBar { gravity [m / s ^ 2] = (0 , - 9.81) ; rod crank { mass [kg] = 1 ; length [m] = 1 ; } rod coupler { mass [kg] = 1 ; length [m] = 1 ; } rod rocker { mass [kg] = 1 ; length [m] = 1 ; } joint crank_pin : revolute (ground (0 , 0) [m] , crank . start) ; joint rocker_pin : revolute (ground (1 , 0) [m] , rocker . start) ; joint left : revolute (crank . end , coupler . start) ; joint right : revolute (coupler . end , rocker . end) ; start { crank_pin . angle [deg] = 90 ; crank_pin . rate [rad / s] = - 1 ; rocker_pin . angle [deg] ~ 90 ; coupler . angle [rad] ~ 0 ; } expect { degrees_of_freedom = 1 ; operations <= 100 ; } output x [m] = crank . end . x ; output angle [rad] = rocker_pin . angle ; }",
@@ -290,7 +290,6 @@ const _: () = {
             let gamma_right_y = coupler_sin.mul_add(a0, a7);
             *out = [gamma_right_x, gamma_right_y];
         }
-        #[inline(always)]
         fn acceleration_baumgarte(
             &self,
             time: R,
@@ -401,6 +400,111 @@ const _: () = {
             let a83 = R::from_f64(16.0) * a82;
             let a84 = a81.max(a83);
             let smallest_pivot = R::ONE / a84;
+            *a_out = [crank_rate_dot, rocker_rate_dot, coupler_rate_dot];
+            *lambda_out = [lambda_right_x, lambda_right_y];
+            smallest_pivot
+        }
+        #[inline(always)]
+        fn null_space_baumgarte(
+            &self,
+            time: R,
+            state: &State<Q<R>, V<R>>,
+            u: &(),
+            two_alpha: R,
+            beta_squared: R,
+            a_out: &mut V<R>,
+            lambda_out: &mut Lambda<R>,
+        ) -> R {
+            // As `acceleration_baumgarte`, by independent velocities; the smallest pivot, squared where it is one of D.
+            // 76 operations.
+            let crank_cos = state.q[0];
+            let crank_sin = state.q[1];
+            let rocker_cos = state.q[2];
+            let rocker_sin = state.q[3];
+            let coupler_cos = state.q[4];
+            let coupler_sin = state.q[5];
+            let crank_rate = state.v[0];
+            let rocker_rate = state.v[1];
+            let coupler_rate = state.v[2];
+            // positions, factorisation of M and D
+            let a0 = rocker_sin * coupler_cos;
+            let a1 = (-rocker_cos).mul_add(coupler_sin, a0);
+            let a2 = R::ONE / a1;
+            let a3 = rocker_cos * a2;
+            let a4 = rocker_sin * a2;
+            let a5 = crank_cos * a4;
+            let a6 = (-crank_sin).mul_add(a3, a5);
+            let a7 = crank_cos * coupler_cos;
+            let a8 = crank_sin.mul_add(coupler_sin, a7);
+            let a9 = R::from_f64(0.5) * a8;
+            let a10 = R::from_f64(-0.3333333333333333).mul_add(a6, a9);
+            let a11 = coupler_cos * a2;
+            let a12 = coupler_sin * a2;
+            let a13 = crank_cos * a12;
+            let a14 = (-crank_sin).mul_add(a11, a13);
+            let a15 = R::from_f64(0.3333333333333333) * a14;
+            let a16 = (-a9).mul_add(a6, R::from_f64(1.3333333333333333));
+            let a17 = a14.mul_add(a15, a16);
+            let a18 = (-a6).mul_add(a10, a17);
+            let a19 = R::ONE / a18;
+            // positions, rates and forces, substitution
+            let a20 = rocker_sin - crank_sin;
+            let a21 = a20 - coupler_sin;
+            let a22 = crank_cos * crank_rate;
+            let a23 = (-rocker_cos).mul_add(rocker_rate, a22);
+            let a24 = coupler_cos.mul_add(coupler_rate, a23);
+            let a25 = coupler_rate * coupler_rate;
+            let a26 = rocker_rate * rocker_rate;
+            let a27 = crank_rate * crank_rate;
+            let a28 = crank_sin * a27;
+            let a29 = (-rocker_sin).mul_add(a26, a28);
+            let a30 = coupler_sin.mul_add(a25, a29);
+            let a31 = two_alpha.mul_add(a24, -a30);
+            let a32 = (-beta_squared).mul_add(a21, a31);
+            let a33 = R::ONE - crank_cos;
+            let a34 = rocker_cos + a33;
+            let a35 = a34 - coupler_cos;
+            let a36 = rocker_sin * rocker_rate;
+            let a37 = (-crank_sin).mul_add(crank_rate, a36);
+            let a38 = (-coupler_sin).mul_add(coupler_rate, a37);
+            let a39 = crank_cos * a27;
+            let a40 = (-rocker_cos).mul_add(a26, a39);
+            let a41 = coupler_cos.mul_add(a25, a40);
+            let a42 = two_alpha.mul_add(a38, -a41);
+            let a43 = (-beta_squared).mul_add(a35, a42);
+            let a44 = a43 * a3;
+            let a45 = a32.mul_add(a4, a44);
+            let a46 = crank_cos * coupler_sin;
+            let a47 = (-crank_sin).mul_add(coupler_cos, a46);
+            let a48 = R::from_f64(0.5) * a47;
+            let a49 = R::from_f64(4.905) * coupler_cos;
+            let a50 = a27.mul_add(a48, a49);
+            let a51 = R::from_f64(0.3333333333333333).mul_add(a45, -a50);
+            let a52 = a43 * a11;
+            let a53 = a32.mul_add(a12, a52);
+            let a54 = R::from_f64(4.905) * rocker_cos;
+            let a55 = R::from_f64(0.3333333333333333).mul_add(a53, -a54);
+            let a56 = a25 * a48;
+            let a57 = R::from_f64(-14.715).mul_add(crank_cos, a56);
+            let a58 = a9.mul_add(a45, a57);
+            let a59 = (-a14).mul_add(a55, a58);
+            let a60 = (-a6).mul_add(a51, a59);
+            let crank_rate_dot = a19 * a60;
+            let a62 = a14.mul_add(crank_rate_dot, a53);
+            let rocker_rate_dot = -a62;
+            let a64 = a6.mul_add(crank_rate_dot, a45);
+            let coupler_rate_dot = -a64;
+            let a66 = a9 * crank_rate_dot;
+            let a67 = R::from_f64(-0.3333333333333333).mul_add(a64, a66);
+            let a68 = a50 + a67;
+            let a69 = R::from_f64(0.3333333333333333).mul_add(a62, -a54);
+            let a70 = a11 * a69;
+            let lambda_right_x = (-a3).mul_add(a68, a70);
+            let a72 = a12 * a69;
+            let lambda_right_y = (-a4).mul_add(a68, a72);
+            // smallest relative pivot
+            let a74 = a1 * a1;
+            let smallest_pivot = R::ONE.min(a74);
             *a_out = [crank_rate_dot, rocker_rate_dot, coupler_rate_dot];
             *lambda_out = [lambda_right_x, lambda_right_y];
             smallest_pivot

@@ -15,6 +15,7 @@ from pathlib import Path
 
 import kinds
 from comparison import Comparison
+from control import compare_control
 from entries import compare_norms, compare_random, read_states
 from record import consistent_records, random_records, write_record
 from sensitivity import compare_sensitivity
@@ -97,9 +98,12 @@ def check_request(request, comparison, line, options):
         line["consistent"] = len(request["consistent"])
         check = kind.consistent_check(comparison, model, absolute, own, request["consistent"])
         check.run(line)
+        further = compare_control(check)
         sensitivity = compare_sensitivity(check)
+        if sensitivity is not None:
+            further["sensitivity"] = sensitivity
         if options.record:
-            records["consistent"] = consistent_records(check, count, sensitivity)
+            records["consistent"] = consistent_records(check, count, further)
     if options.record:
         write_record(options.record / f"{line['request']}.json", request, own, records)
 

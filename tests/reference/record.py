@@ -43,7 +43,7 @@ def random_records(states, quantities, count):
     ]
 
 
-def consistent_records(check, count, sensitivity=None):
+def consistent_records(check, count, further):
     """Of well-conditioned states; accelerations and reactions as the reference solves for them."""
     chosen = np.flatnonzero(check.kept)[:count]
     n, absolute_n = check.states["v"].shape[1], check.v.shape[1]
@@ -62,8 +62,7 @@ def consistent_records(check, count, sensitivity=None):
         "driver_efforts": efforts,
         "driver_powers": efforts * check.absolute["driver_rates"][0],
     }
-    if sensitivity is not None:
-        solved["sensitivity"] = sensitivity
+    solved |= further
     return [
         given_part(check.states, k)
         | quantity_part(check.quantities, k, ("powers", *SCALARS, "forces", "nu", "gamma", *MATRICES))

@@ -8,7 +8,7 @@ use linkwright::{
     SettingError, Settled, StateOf, StepFailure, SteppedOf, Variables, partition::PartitionOf,
 };
 
-/// A formulation; `PIVOT` is a constant of the type, so there are as many types as values of it.
+/// A formulation; what its pivot is of goes with the type, so there are as many types as values of it.
 #[derive(Clone, Copy, Debug)]
 pub enum Way {
     Index1(LagrangeIndex1),
@@ -110,11 +110,14 @@ macro_rules! each {
 
 impl<M: Assemble<f64>, const PIVOT_OF: u8> Formulation<f64, M> for Of<PIVOT_OF> {
     type Memory = (M::Lambda, PartitionOf<f64, M>);
-    const PIVOT: PivotOf = match PIVOT_OF {
-        0 => PivotOf::Rows,
-        1 => PivotOf::Velocities,
-        _ => PivotOf::Jacobian,
-    };
+
+    fn pivot_of(_model: &M) -> PivotOf {
+        match PIVOT_OF {
+            0 => PivotOf::Rows,
+            1 => PivotOf::Velocities,
+            _ => PivotOf::Jacobian,
+        }
+    }
 
     fn memory(&self, model: &M) -> Self::Memory {
         (model.zero_lambda(), linkwright::partition::Partition::new(model))

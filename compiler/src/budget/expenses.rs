@@ -5,7 +5,7 @@
 
 use crate::compiled::Compiled;
 use crate::equations::Equations;
-use crate::functions::{Function, outputs};
+use crate::functions::{self, Function, outputs};
 use crate::order::Strategy;
 use crate::schedule::{count, nodes_of};
 use crate::solve;
@@ -64,12 +64,10 @@ const ORDER: [&str; 13] = [
 pub fn expenses(compiled: &Compiled, function: Function) -> Vec<Expense> {
     let equations = compiled.complete.equations.clone();
     let nodes = nodes_of(&equations, &outputs(&compiled.complete, function));
-    let (purposes, rest) = match function {
-        Function::Acceleration | Function::AccelerationBaumgarte => {
-            let purposes = of_the_solution(compiled, &equations, function);
-            (purposes, Rest::of(compiled, &equations, function))
-        }
-        _ => (of_outputs(compiled, function), Rest::default()),
+    let (purposes, rest) = if function.pair().is_some() {
+        (of_the_solution(compiled, &equations, function), Rest::of(compiled, &equations, function))
+    } else {
+        (of_outputs(compiled, function), Rest::default())
     };
     if purposes.len() < 2 {
         return by_kind(compiled, function);
@@ -108,7 +106,7 @@ fn of_the_solution(compiled: &Compiled, equations: &Equations, function: Functio
     for row in &equations.rows {
         purposes.add(ROWS, &row.of, row.jet.columns.values().copied());
         purposes.add(GAMMA, &row.of, [row.jet.bias]);
-        if function == Function::AccelerationBaumgarte {
+        if function.is_stabilised() {
             let v = &equations.symbols.v;
             let rate = row.jet.rate(equations.graph.sheet(), v).bare;
             purposes.add(STABILISATION, &row.of, [row.jet.value, rate]);
@@ -214,24 +212,23 @@ struct Rest {
 
 impl Rest {
     fn of(compiled: &Compiled, equations: &Equations, function: Function) -> Rest {
-        let solved = &compiled.complete.solved;
-        let (solution, minus_gamma) = match function {
-            Function::Acceleration => {
-                (&solved.index1, equations.rows.iter().map(|row| row.jet.bias).collect())
-            }
-            _ => {
-                let Equations { graph, rows, symbols, .. } = equations;
-                (&solved.baumgarte, solve::stabilised(graph.sheet(), rows, symbols))
-            }
+        let Some((solution, factored)) = functions::solution(&compiled.complete, function) else {
+            return Rest::default();
+        };
+        let minus_gamma = if function.is_stabilised() {
+            let Equations { graph, rows, symbols, .. } = equations;
+            solve::stabilised(graph.sheet(), rows, symbols)
+        } else {
+            equations.rows.iter().map(|row| row.jet.bias).collect()
         };
         let graph = equations.graph.read();
         let needs = |nodes: &mut dyn Iterator<Item = Node>| graph.reachable(nodes).into_iter().collect();
         Rest {
             solves: true,
             sums: needs(&mut equations.forces.iter().copied().chain(minus_gamma)),
-            factorisation: needs(&mut solved.factored.iter().copied()),
+            factorisation: needs(&mut factored.iter().copied()),
             solution: needs(&mut solution.acceleration.iter().chain(&solution.lambda).copied()),
-            recursion: solved.order.strategy == Strategy::ArticulatedBodies,
+            recursion: compiled.complete.solved.order.strategy == Strategy::ArticulatedBodies,
         }
     }
 

@@ -8,13 +8,15 @@ use crate::messages::closest;
 pub enum Remedy {
     /// `absolute` or `tree`.
     Coordinates(&'static str),
-    WithoutBaumgarte,
+    /// The function without them.
+    WithoutBaumgarte(Function),
     Constants,
-    NullSpace,
+    /// The function in independent velocities.
+    Independent(Function),
 }
 
 pub fn too_many_operations(
-    function: &str,
+    (function, is_default): (&str, bool),
     limit: usize,
     found: usize,
     table: &[Expense],
@@ -29,11 +31,11 @@ pub fn too_many_operations(
             text += &format!(" (for itself alone {})", most.join(", "));
         }
     }
-    text + &instead(function, found, "operations", remedies)
+    text + &instead((function, is_default), found, "operations", remedies)
 }
 
 pub fn too_many_live_values(
-    function: &str,
+    (function, is_default): (&str, bool),
     limit: usize,
     found: usize,
     results: usize,
@@ -42,17 +44,18 @@ pub fn too_many_live_values(
     format!(
         "`{function}` has up to {found} values alive at once, more than the {limit} expected (it gives {results} \
          results, and each is alive until the end)"
-    ) + &instead(function, found, "live_values", remedies)
+    ) + &instead((function, is_default), found, "live_values", remedies)
 }
 
 /// The end of a message about a budget.
-fn instead(function: &str, found: usize, what: &str, remedies: &[(Remedy, usize)]) -> String {
+fn instead(
+    (function, is_default): (&str, bool),
+    found: usize,
+    what: &str,
+    remedies: &[(Remedy, usize)],
+) -> String {
     let unit = if what == "operations" { "operations" } else { "live values" };
-    let of = if function == Function::AccelerationBaumgarte.name() {
-        String::new()
-    } else {
-        format!("({function})")
-    };
+    let of = if is_default { String::new() } else { format!("({function})") };
     let otherwise =
         if remedies.is_empty() { "let the mechanism do less" } else { "take one of these that need less:" };
     let mut text = format!("\nwrite `{what}{of} <= {found};` if that may be, or {otherwise}");
@@ -61,17 +64,17 @@ fn instead(function: &str, found: usize, what: &str, remedies: &[(Remedy, usize)
             Remedy::Coordinates(word) => {
                 format!("\n{count:>7}  {unit} with `options {{ coordinates = {word}; }}`")
             }
-            Remedy::WithoutBaumgarte => {
-                format!("\n{count:>7}  {unit} by `acceleration`, without Baumgarte's terms")
+            Remedy::WithoutBaumgarte(function) => {
+                format!("\n{count:>7}  {unit} by `{}`, without Baumgarte's terms", function.name())
             }
             Remedy::Constants => {
                 format!(
                     "\n{count:>7}  {unit} with `const` in place of every `param`, in the same order of elimination"
                 )
             }
-            Remedy::NullSpace => format!(
-                "\n{count:>7}  {unit} by `null_space`, the accelerations in independent velocities, with `options {{ emit = \
-                 (null_space); }}`"
+            Remedy::Independent(function) => format!(
+                "\n{count:>7}  {unit} by `{}`, in independent velocities, with `options {{ solution = independent; }}`",
+                function.name()
             ),
         };
     }

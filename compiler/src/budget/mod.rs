@@ -24,7 +24,7 @@ type Compile = dyn Fn(Mechanism, String, Option<Coordinates>) -> Result<Compiled
 pub fn budget(compiled: &Compiled, compile: &Compile, errors: &mut Diagnostics) {
     let programs = &compiled.programs;
     for budget in &compiled.mechanism.expect.budgets {
-        let name = budget.function.as_deref().unwrap_or(Function::AccelerationBaumgarte.name());
+        let name = budget.function.as_deref().unwrap_or(compiled.default_solution().name());
         let Some((function, program)) =
             programs.functions.iter().find(|(function, _)| function.name() == name)
         else {
@@ -36,17 +36,18 @@ pub fn budget(compiled: &Compiled, compile: &Compile, errors: &mut Diagnostics) 
         if found <= budget.limit {
             continue;
         }
+        let of = (name, *function == compiled.default_solution());
         let remedies = remedies(compiled, compile, *function, (budget.of, found));
         errors.error(
             budget.span,
             match budget.of {
                 Budgeted::Operations => {
                     let table = expenses(compiled, *function);
-                    messages::too_many_operations(name, budget.limit, found, &table, &remedies)
+                    messages::too_many_operations(of, budget.limit, found, &table, &remedies)
                 }
                 Budgeted::LiveValues => {
                     let results = program.outputs.len();
-                    messages::too_many_live_values(name, budget.limit, found, results, &remedies)
+                    messages::too_many_live_values(of, budget.limit, found, results, &remedies)
                 }
             },
         );
@@ -71,16 +72,14 @@ fn remedies(
     if let Some((coordinates, other)) = in_other_coordinates(compiled, compile) {
         remedies.push((Remedy::Coordinates(coordinates), taken(of, other.programs.get(function))));
     }
-    if function == Function::AccelerationBaumgarte {
-        let plain = taken(of, compiled.programs.get(Function::Acceleration));
-        remedies.push((Remedy::WithoutBaumgarte, plain));
+    if let Some(pair) = function.pair().filter(|_| function.is_stabilised()) {
+        let [plain, _] = Function::SOLUTIONS[pair];
+        remedies.push((Remedy::WithoutBaumgarte(plain), taken(of, compiled.programs.get(plain))));
     }
     if of == Budgeted::Operations {
         remedies.extend(with_constants(compiled, function).map(|count| (Remedy::Constants, count)));
-        let accelerations = [Function::Acceleration, Function::AccelerationBaumgarte];
-        if accelerations.contains(&function) {
-            remedies.extend(in_independent_velocities(compiled).map(|count| (Remedy::NullSpace, count)));
-        }
+        let other = in_independent_velocities(compiled, function);
+        remedies.extend(other.map(|(function, count)| (Remedy::Independent(function), count)));
     }
     remedies.retain(|(_, count)| *count < found);
     remedies.sort_by_key(|(_, count)| *count);
@@ -117,9 +116,11 @@ fn with_constants(compiled: &Compiled, function: Function) -> Option<usize> {
     Some(nodes_of(equations, &nodes).len())
 }
 
-/// Operations of the accelerations that `emit = (null_space)` adds.
-fn in_independent_velocities(compiled: &Compiled) -> Option<usize> {
+/// The function that gives the same by independent velocities, where it is not emitted, and its operations.
+fn in_independent_velocities(compiled: &Compiled, function: Function) -> Option<(Function, usize)> {
     let Complete { equations, solved, further, .. } = &compiled.complete;
+    let [multipliers, independent] = Function::SOLUTIONS;
+    let place = multipliers.iter().position(|known| *known == function)?;
     let closed = !equations.rows.is_empty() && further.null_space.is_none();
     closed.then(|| {
         // On a graph of its own: nothing of it is left behind.
@@ -127,6 +128,8 @@ fn in_independent_velocities(compiled: &Compiled) -> Option<usize> {
         let massless = !solved.massless.rows.is_empty();
         let written = solve::null_space(&complete.equations, &compiled.partition, massless, None);
         complete.further.null_space = Some(written);
-        nodes_of(&complete.equations, &outputs(&complete, Function::NullSpace)).len()
+        complete.further.leads = true;
+        let function = independent[place];
+        (function, nodes_of(&complete.equations, &outputs(&complete, function)).len())
     })
 }

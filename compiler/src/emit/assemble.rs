@@ -59,7 +59,7 @@ pub fn assemble(text: &mut String, emitter: &Emitter) {
     );
     functions(text, &mut helpers, emitter, Interface::Assemble);
     solutions::factorisation(text, emitter);
-    solutions::null_space(text, emitter);
+    solutions::jacobian(text, emitter);
     let numbers = |values: &[f64]| array(values.iter().map(|value| constant(*value)));
     let sizes = numbers(&compiled.partition.row_sizes);
     let _ = writeln!(text, "fn row_sizes(&self) -> Lambda<R> {{ {sizes} }}");

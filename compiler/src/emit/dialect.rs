@@ -8,6 +8,7 @@
 use crate::functions::Argument;
 use crate::schedule::{Instruction, Source};
 use crate::symbolic::Table;
+use std::collections::BTreeSet;
 use std::sync::Arc;
 
 /// An operation is its operands with texts between: what stands before each of them, and behind the last.
@@ -44,10 +45,22 @@ pub trait Dialect {
     fn given(&self, mask: bool) -> [&'static str; 2];
     /// What stands before and behind one where it is read, as a number or as the truth value that it was.
     fn taken(&self, mask: bool) -> [&'static str; 2];
-    /// Head of a function for a part of a program, up to the first statement.
-    fn helper(&self, text: &mut String, name: &str, arguments: &[Argument], slots: usize);
+    /// Head of a function for a part of a program, up to the first statement. `reads`: what the part reads of the arguments, or of what
+    /// they bring along.
+    fn helper(
+        &self,
+        text: &mut String,
+        name: &str,
+        arguments: &[Argument],
+        reads: &BTreeSet<Argument>,
+        slots: usize,
+    );
     /// Its end.
     fn end(&self, text: &mut String);
     /// A call of it.
-    fn call(&self, text: &mut String, name: &str, arguments: &[Argument]);
+    fn call(&self, text: &mut String, name: &str, arguments: &[Argument], reads: &BTreeSet<Argument>);
+    /// A name as the language can have it.
+    fn identifier(&self, name: String) -> String {
+        name
+    }
 }

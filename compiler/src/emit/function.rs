@@ -16,10 +16,10 @@ use super::{Emitter, array};
 use crate::functions::{Argument, FUNCTIONS, Function, Group, Interface, Kind, Shape, Signature, Way};
 use std::fmt::Write;
 
-/// All functions of the model, or of a trait; helper functions go to `helpers`.
 /// Solutions of up to so many operations stand where they are called, once for each stage of a step: a call would cost a fifth.
 const INLINED: usize = 100;
 
+/// All functions of the model, or of a trait; helper functions go to `helpers`.
 pub fn functions(text: &mut String, helpers: &mut String, emitter: &Emitter, interface: Interface) {
     let complete = &emitter.compiled.complete;
     let own = FUNCTIONS.iter().filter(|signature| signature.interface == interface);
@@ -45,8 +45,10 @@ fn function(text: &mut String, helpers: &mut String, emitter: &Emitter, signatur
         text.push_str("pub ");
     }
     let body = emitter.printer.body(signature.function);
-    let solves = matches!(signature.function, Function::Acceleration | Function::AccelerationBaumgarte);
-    if solves && body.operations <= INLINED {
+    let leads = emitter.compiled.complete.further.leads;
+    // The others are asked where these do not serve.
+    let is_asked_first = signature.function.pair() == Some(usize::from(leads));
+    if is_asked_first && body.operations <= INLINED {
         text.push_str("#[inline(always)] ");
     }
     helpers.push_str(&body.helpers);

@@ -3,7 +3,7 @@
 use super::names::field;
 use super::rust::literal;
 use super::{Emitter, array, coordinates_json, declared, documentation, named, quoted};
-use crate::functions::{Function, Shape};
+use crate::functions::Shape;
 use crate::schedule::count;
 use std::fmt::Write;
 
@@ -15,9 +15,10 @@ pub fn items(text: &mut String, emitter: &Emitter, source: &str) {
     let Emitter { name, visibility, path, mechanism, compiled, .. } = emitter;
     let _ = writeln!(text, "{}", mechanism.attributes);
     documentation::model(text, emitter, source);
+    let layout = layout(emitter);
     let _ = writeln!(
         text,
-        "{DERIVES} {visibility} struct {name}<R = {F64}> {{ parameters: {name}Parameters<R>, phases: [R; {}], \
+        "{DERIVES} {layout}{visibility} struct {name}<R = {F64}> {{ parameters: {name}Parameters<R>, phases: [R; {}], \
          constants: [R; {}] }}",
         compiled.complete.equations.symbols.phases.len(),
         compiled.programs.prepared
@@ -40,11 +41,17 @@ pub fn items(text: &mut String, emitter: &Emitter, source: &str) {
     constants(text, emitter, source);
 }
 
+/// That of C where functions with its interface are beside them.
+fn layout(emitter: &Emitter) -> &'static str {
+    if emitter.mechanism.options.export_c.is_some() { "#[repr(C)] " } else { "" }
+}
+
 fn parameters(text: &mut String, emitter: &Emitter) {
     let Emitter { name, visibility, mechanism, .. } = emitter;
+    let layout = layout(emitter);
     let _ = writeln!(
         text,
-        "#[doc = \"Parameters of [`{name}`], in SI units.\"] {DERIVES} {visibility} struct {name}Parameters<R = {F64}> {{"
+        "#[doc = \"Parameters of [`{name}`], in SI units.\"] {DERIVES} {layout}{visibility} struct {name}Parameters<R = {F64}> {{"
     );
     for parameter in &mechanism.parameters {
         let field = field(&parameter.name.identifier());
@@ -60,12 +67,13 @@ fn parameters(text: &mut String, emitter: &Emitter) {
 
 fn inputs(text: &mut String, emitter: &Emitter) {
     let Emitter { name, visibility, mechanism, .. } = emitter;
+    let layout = layout(emitter);
     if mechanism.inputs.is_empty() {
         return;
     }
     let _ = writeln!(
         text,
-        "#[doc = \"Inputs of [`{name}`], in SI units.\"] {DERIVES} {visibility} struct {name}Inputs<R = {F64}> {{"
+        "#[doc = \"Inputs of [`{name}`], in SI units.\"] {DERIVES} {layout}{visibility} struct {name}Inputs<R = {F64}> {{"
     );
     for input in &mechanism.inputs {
         let own = input.name.identifier();
@@ -77,12 +85,13 @@ fn inputs(text: &mut String, emitter: &Emitter) {
 
 fn outputs(text: &mut String, emitter: &Emitter) {
     let Emitter { name, visibility, mechanism, .. } = emitter;
+    let layout = layout(emitter);
     if mechanism.outputs.is_empty() {
         return;
     }
     let _ = writeln!(
         text,
-        "#[doc = \"Outputs of [`{name}`], in SI units.\"] {DERIVES} {visibility} struct {name}Outputs<R = {F64}> {{"
+        "#[doc = \"Outputs of [`{name}`], in SI units.\"] {DERIVES} {layout}{visibility} struct {name}Outputs<R = {F64}> {{"
     );
     for output in &mechanism.outputs {
         let own = output.name.identifier();
@@ -109,7 +118,7 @@ fn start(emitter: &Emitter) -> String {
 fn constants(text: &mut String, emitter: &Emitter, source: &str) {
     let Emitter { name, compiled, mechanism, .. } = emitter;
     let string = "&'static ::core::primitive::str";
-    let operations = count(compiled.programs.get(Function::AccelerationBaumgarte)).total();
+    let operations = count(compiled.programs.get(compiled.default_solution())).total();
     // A number of the start may happen to be near π, or have more digits than one writes by hand.
     let _ = writeln!(text, "#[allow(clippy::all)] impl {name}<{F64}> {{");
     let mut constant = |doc: &str, declaration: &str, value: &str| {

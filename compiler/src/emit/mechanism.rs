@@ -4,8 +4,8 @@ use super::function::functions;
 use super::names::field;
 use super::rust::literal;
 use super::{Emitter, array, quoted, tables};
+use crate::compiled::AngleInOutputs;
 use crate::functions::{Interface, JACOBIAN, MASS, Shape};
-use crate::model::{Coordinate, Expr, Quantity};
 use std::fmt::Write;
 
 pub fn mechanism(text: &mut String, emitter: &Emitter) {
@@ -15,7 +15,7 @@ pub fn mechanism(text: &mut String, emitter: &Emitter) {
     variables(text, emitter);
     let _ = writeln!(text, "impl<R: Real> Mechanism<R> for {inner}<R> {{");
     tables::method(text, "name", "&'static str", &quoted(name));
-    tables::method(text, "fingerprint", "u64", &format!("{:#018x}", fingerprint(&compiled.definition)));
+    tables::method(text, "fingerprint", "u64", &format!("{:#018x}", compiled.fingerprint()));
     tables::method(text, "rows", "&[Row]", &tables::rows(emitter));
     let names = [
         ("position_names", layout.position_names(mechanism)),
@@ -36,6 +36,9 @@ pub fn mechanism(text: &mut String, emitter: &Emitter) {
         let _ = writeln!(text, "type {alias} = {of};");
         tables::method(text, method, "&'static [&'static str]", &format!("<{of} as Fields<R>>::NAMES"));
     }
+    if compiled.complete.further.leads {
+        tables::method(text, "null_space_first", "bool", "true");
+    }
     functions(text, &mut helpers, emitter, Interface::Mechanism);
     if mechanism.states.is_empty() {
         let _ = writeln!(
@@ -51,12 +54,6 @@ pub fn mechanism(text: &mut String, emitter: &Emitter) {
     unwrap(text, emitter);
     text.push_str("}\n");
     text.push_str(&helpers);
-}
-
-/// The hash FNV-1a (Fowler, Noll, Vo; draft-eastlake-fnv), the same on every machine.
-fn fingerprint(text: &str) -> u64 {
-    text.bytes()
-        .fold(0xcbf2_9ce4_8422_2325, |hash, byte| (hash ^ u64::from(byte)).wrapping_mul(0x0100_0000_01b3))
 }
 
 /// What a state is made of: there are no gates yet.
@@ -77,36 +74,16 @@ fn variables(text: &mut String, emitter: &Emitter) {
 
 fn unwrap(text: &mut String, emitter: &Emitter) {
     let Emitter { mechanism, compiled, .. } = emitter;
-    let fields: Vec<String> =
-        mechanism.outputs.iter().map(|output| field(&output.name.identifier())).collect();
-    // Angles of the dynamics count their turns themselves; the others are unwrapped from sample to sample, the first
-    // time from what `start` states.
-    let unwrapped = mechanism.outputs.iter().zip(&fields).filter_map(|(output, field)| {
-        let Expr::Quantity(Quantity::Coordinate(coordinate @ Coordinate::Angle(rotor))) = &output.value
-        else {
-            return None;
-        };
-        let counted = compiled.complete.equations.layout.angles.iter().any(|angle| angle.rotor == *rotor);
-        (!counted).then_some((coordinate, field))
-    });
-    let unwrapped: Vec<(&Coordinate, &String)> = unwrapped.collect();
+    let angles = compiled.angles_in_outputs();
+    let field = |angle: &AngleInOutputs| field(&mechanism.outputs[angle.output].name.identifier());
     let of = emitter.type_of(Shape::Outputs);
     let _ = writeln!(text, "fn unwrap(&self, outputs: &mut {of}, previous: &{of}) {{");
-    for (_, field) in &unwrapped {
+    for field in angles.iter().map(field) {
         let _ = writeln!(text, "outputs.{field} = unwrap_angle(outputs.{field}, previous.{field});");
     }
     text.push_str("}\n");
-    let stated: Vec<(&String, usize)> = unwrapped
-        .iter()
-        .filter_map(|(angle, field)| {
-            let mut conditions =
-                compiled.complete.conditions.rows.iter().zip(&compiled.complete.conditions.start);
-            let at = conditions.position(|(condition, target)| {
-                target.position.is_some() && condition.coordinate == **angle
-            })?;
-            Some((*field, at))
-        })
-        .collect();
+    let stated: Vec<(String, usize)> =
+        angles.iter().filter_map(|angle| Some((field(angle), angle.stated?))).collect();
     if stated.is_empty() {
         return;
     }

@@ -39,6 +39,7 @@ mod types;
 pub use coordinates_json::coordinates_json;
 pub use dialect::{Dialect, Spelling};
 pub use home::Home;
+pub use names::field;
 pub use printer::{Body, Printer};
 pub use stub::stub;
 

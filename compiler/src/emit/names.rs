@@ -1,5 +1,6 @@
 //! Names in emitted code: the user's where there are any, and never two alike.
 
+use super::dialect::Dialect;
 use crate::complete::Complete;
 use crate::functions::{ARGUMENTS, Argument, FUNCTIONS, Given, Shape, Signature, Way};
 use crate::schedule::{Operand, Source};
@@ -19,12 +20,11 @@ pub struct Names {
     reserved: Rc<BTreeSet<&'static str>>,
     /// Names of instructions that are results, by index.
     results: Vec<Option<String>>,
-    keywords: Rc<[&'static str]>,
 }
 
 impl Names {
-    /// `keywords`: what no name may be in the language that is written.
-    pub fn new(complete: &Complete, hoisted: &[Node], keywords: &[&'static str]) -> Self {
+    /// The names of a mechanism in the language that is written.
+    pub fn new(complete: &Complete, hoisted: &[Node], dialect: &impl Dialect) -> Self {
         let equations = &complete.equations;
         let mut fields = BTreeMap::new();
         let mut names = BTreeMap::new();
@@ -43,7 +43,7 @@ impl Names {
                 if matches!(shape, Shape::Parameters | Shape::Inputs) {
                     fields.insert(source, symbol.to_string());
                 }
-                let mut name = readable(symbol, keywords);
+                let mut name = readable(symbol, dialect);
                 while reserved.contains(name.as_str()) || taken.contains(&name) {
                     name.push('_');
                 }
@@ -75,7 +75,6 @@ impl Names {
             fields: Rc::new(fields),
             reserved: Rc::new(reserved),
             results: Vec::new(),
-            keywords: keywords.into(),
         }
     }
 
@@ -85,6 +84,7 @@ impl Names {
         signature: &Signature,
         outputs: &[Operand],
         labels: &[Option<String>],
+        dialect: &impl Dialect,
     ) -> Names {
         let is_given = |argument: Argument| {
             signature.arguments.contains(&argument) || signature.within(argument).is_some()
@@ -96,7 +96,7 @@ impl Names {
         let mut results = Vec::new();
         for (output, label) in outputs.iter().zip(labels) {
             let (Operand::Value(index), Some(label)) = (output, label) else { continue };
-            let mut name = readable(label, &self.keywords);
+            let mut name = readable(label, dialect);
             while self.reserved.contains(name.as_str()) || is_used(&name) || others.contains(&name) {
                 name.push('_');
             }
@@ -144,13 +144,14 @@ fn push_numbered(text: &mut String, letter: char, index: u32) {
 }
 
 /// A name as an identifier that is no keyword and no name of an intermediate value.
-fn readable(name: &str, keywords: &[&str]) -> String {
+fn readable(name: &str, dialect: &impl Dialect) -> String {
     let name = name.replace(['.', '[', '(', ' ', ','], "_").replace([']', ')'], "");
     let numbered = |prefix: char| {
         name.strip_prefix(prefix)
             .is_some_and(|rest| !rest.is_empty() && rest.chars().all(|c| c.is_ascii_digit()))
     };
-    if numbered('a') || numbered('k') || keywords.contains(&name.as_str()) { name + "_" } else { name }
+    let is_taken = numbered('a') || numbered('k') || dialect.keywords().contains(&name.as_str());
+    dialect.identifier(if is_taken { name + "_" } else { name })
 }
 
 /// Rust's own words.

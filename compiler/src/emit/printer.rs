@@ -25,6 +25,8 @@ pub struct Body {
     pub reads_constants: bool,
     /// Functions to be placed beside it.
     pub helpers: String,
+    /// What the function and those beside it read.
+    pub reads: BTreeSet<Argument>,
     /// How many operations it takes, those of helpers included.
     pub operations: usize,
 }
@@ -34,19 +36,22 @@ pub struct Printer<'a, D> {
     pub compiled: &'a Compiled,
     pub dialect: D,
     names: Names,
-    /// The cuts of the two solutions, where they have something in common.
-    cuts: Option<[Cut; 2]>,
+    /// The cuts of each pair of solutions that has something in common.
+    cuts: [Option<[Cut; 2]>; Function::SOLUTIONS.len()],
 }
 
-/// The prefix of the names of the functions that both accelerations call.
-const COMMON: &str = "factored";
+/// The prefixes of the names of the functions that both solutions of a pair call.
+const COMMON: [&str; Function::SOLUTIONS.len()] = ["factored", "reduced"];
 
 impl<'a, D: Dialect> Printer<'a, D> {
     pub fn new(compiled: &'a Compiled, dialect: D) -> Self {
         let programs = &compiled.programs;
-        let pair = [Function::Acceleration, Function::AccelerationBaumgarte].map(|known| programs.get(known));
-        let names = Names::new(&compiled.complete, &compiled.hoisted, dialect.keywords());
-        let cuts = (programs.shared > 0).then(|| Cut::of_pair(pair, programs.shared));
+        let names = Names::new(&compiled.complete, &compiled.hoisted, &dialect);
+        let cut = |pair: usize| {
+            let (functions, shared) = (Function::SOLUTIONS[pair], programs.shared[pair]);
+            (shared > 0).then(|| Cut::of_pair(functions.map(|known| programs.get(known)), shared))
+        };
+        let cuts = std::array::from_fn(cut);
         Printer { compiled, dialect, names, cuts }
     }
 
@@ -55,22 +60,31 @@ impl<'a, D: Dialect> Printer<'a, D> {
         let programs = &self.compiled.programs;
         let (program, signature) = (programs.get(function), function.signature());
         let alone;
-        let cut = match (&self.cuts, function) {
-            (Some([plain, _]), Function::Acceleration) => plain,
-            (Some([_, stabilised]), Function::AccelerationBaumgarte) => stabilised,
-            _ => {
+        let pair = function.pair().filter(|pair| programs.shared[*pair] > 0);
+        let of_pair = pair.and_then(|pair| {
+            let own = Function::SOLUTIONS[pair].iter().position(|known| *known == function)?;
+            Some(&self.cuts[pair].as_ref()?[own])
+        });
+        let cut = match of_pair {
+            Some(cut) => cut,
+            None => {
                 alone = Cut::of(program);
                 &alone
             }
         };
-        let solves = matches!(function, Function::Acceleration | Function::AccelerationBaumgarte);
         Writer {
             printer: self,
             program,
             cut,
-            names: self.names.with_results(signature, &program.outputs, &self.labels(signature)),
+            names: self.names.with_results(
+                signature,
+                &program.outputs,
+                &self.labels(signature),
+                &self.dialect,
+            ),
             signature,
-            shared: if solves { programs.shared } else { 0 },
+            pair,
+            shared: pair.map_or(0, |pair| programs.shared[pair]),
         }
         .body()
     }
@@ -104,7 +118,9 @@ struct Writer<'a, D> {
     cut: &'a Cut,
     names: Names,
     signature: &'static Signature,
-    /// Instructions in common with another function, whose parts are written once and without the names of results.
+    /// The pair of solutions that it has something in common with.
+    pair: Option<usize>,
+    /// Instructions in common with the other of its pair, whose parts are written once and without the names of results.
     shared: usize,
 }
 
@@ -113,7 +129,14 @@ impl<D: Dialect> Writer<'_, D> {
         let dialect = &self.printer.dialect;
         let (mut statements, mut helpers) = (String::new(), String::new());
         let Some((last, before)) = self.cut.parts.split_last() else {
-            return Body { statements, outputs: Vec::new(), reads_constants: false, helpers, operations: 0 };
+            return Body {
+                statements,
+                outputs: Vec::new(),
+                reads_constants: false,
+                helpers,
+                reads: BTreeSet::new(),
+                operations: 0,
+            };
         };
         // Each instruction is one operation, but for those of tables.
         let operations = match self.program.tables.as_slice() {
@@ -126,19 +149,21 @@ impl<D: Dialect> Writer<'_, D> {
         }
         let own = format!("{}_part", self.signature.name);
         for (index, part) in before.iter().enumerate() {
-            let common = part.end <= self.shared;
-            let first = if common { Function::Acceleration } else { self.signature.function };
-            let (prefix, arguments) = (if common { COMMON } else { &own }, first.signature().arguments);
+            let common = self.pair.filter(|_| part.end <= self.shared);
+            let first = common.map_or(self.signature.function, |pair| Function::SOLUTIONS[pair][0]);
+            let prefix = common.map_or(own.as_str(), |pair| COMMON[pair]);
+            let arguments = first.signature().arguments;
             let name = format!("{prefix}_{index}");
-            dialect.call(&mut statements, &name, arguments);
+            let own = self.reads(part, &[]);
+            dialect.call(&mut statements, &name, arguments, &own);
             if first == self.signature.function {
-                dialect.helper(&mut helpers, &name, arguments, self.cut.size);
+                dialect.helper(&mut helpers, &name, arguments, &own, self.cut.size);
                 let count = before.len() + 1;
                 dialect.comment(
                     &mut helpers,
                     &format!("Part {} of {count} of `{}`.", index + 1, self.signature.name),
                 );
-                let names = if common { &self.printer.names } else { &self.names };
+                let names = if common.is_some() { &self.printer.names } else { &self.names };
                 self.part(&mut helpers, part, &[], names);
                 self.give(&mut helpers, part, names);
                 dialect.end(&mut helpers);
@@ -158,7 +183,15 @@ impl<D: Dialect> Writer<'_, D> {
         };
         let outputs = self.program.outputs.iter().map(output).collect();
         let reads_constants = constants || !before.is_empty();
-        Body { outputs, statements, reads_constants, helpers, operations }
+        let before = before.iter().flat_map(|part| self.reads(part, &[]));
+        let reads = used.iter().map(|source| source.argument).chain(before).collect();
+        Body { outputs, statements, reads_constants, helpers, reads, operations }
+    }
+
+    /// The arguments that a part reads.
+    fn reads(&self, part: &Part, outputs: &[Operand]) -> BTreeSet<Argument> {
+        let instructions = &self.program.instructions[part.start..part.end];
+        sources(instructions, outputs).map(|source| source.argument).collect()
     }
 
     /// What the function computes, where its documentation does not say so, and how many operations that takes.
@@ -239,13 +272,7 @@ impl<D: Dialect> Writer<'_, D> {
         outputs: &[Operand],
         names: &Names,
     ) -> BTreeSet<Source> {
-        let operands = instructions.iter().flat_map(|instruction| instruction.operands());
-        let mut used = BTreeSet::new();
-        for operand in operands.chain(outputs.iter().copied()) {
-            if let Operand::Source(source) = operand {
-                used.insert(source);
-            }
-        }
+        let used: BTreeSet<Source> = sources(instructions, outputs).collect();
         for source in &used {
             // A number is an argument itself.
             if matches!(source.argument.given().shape, Shape::Scalar) {
@@ -283,6 +310,18 @@ impl<D: Dialect> Writer<'_, D> {
         }
         between(text);
     }
+}
+
+/// What these name that no instruction computes.
+fn sources<'p>(
+    instructions: &'p [Instruction],
+    outputs: &'p [Operand],
+) -> impl Iterator<Item = Source> + use<'p> {
+    let operands = instructions.iter().flat_map(|instruction| instruction.operands());
+    operands.chain(outputs.iter().copied()).filter_map(|operand| match operand {
+        Operand::Source(source) => Some(source),
+        _ => None,
+    })
 }
 
 /// The same with the sign of a product or of an addend in a constant, where there is one.

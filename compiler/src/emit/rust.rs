@@ -8,6 +8,7 @@ use crate::compiled::Compiled;
 use crate::functions::{Argument, Shape};
 use crate::schedule::{Instruction, Source};
 use crate::symbolic::{BICUBIC, Compare, Table, Unary};
+use std::collections::BTreeSet;
 use std::fmt::Write;
 use std::sync::Arc;
 
@@ -143,7 +144,14 @@ impl Dialect for Rust<'_> {
         if mask { ["", ".equal(R::ONE)"] } else { ["", ""] }
     }
 
-    fn helper(&self, text: &mut String, name: &str, arguments: &[Argument], slots: usize) {
+    fn helper(
+        &self,
+        text: &mut String,
+        name: &str,
+        arguments: &[Argument],
+        _: &BTreeSet<Argument>,
+        slots: usize,
+    ) {
         let declared =
             arguments.iter().map(|argument| declaration(*argument, |shape| type_of(self.0, shape)));
         let declared = declared.collect::<Vec<_>>().join(", ");
@@ -154,7 +162,7 @@ impl Dialect for Rust<'_> {
         text.push_str("}\n");
     }
 
-    fn call(&self, text: &mut String, name: &str, arguments: &[Argument]) {
+    fn call(&self, text: &mut String, name: &str, arguments: &[Argument], _: &BTreeSet<Argument>) {
         let names = arguments.iter().map(|argument| argument.name()).collect::<Vec<_>>().join(", ");
         let _ = writeln!(text, "{name}({names}, &mut w);");
     }

@@ -22,9 +22,9 @@ pub fn factorisation(text: &mut String, emitter: &Emitter) {
     let _ = writeln!(text, "type Store = Store<R>;\nfn store(&self) -> Store<R> {{ [R::ZERO; {kept}] }}");
 }
 
-/// The equations in independent velocities.
-pub fn null_space(text: &mut String, emitter: &Emitter) {
-    if emitter.compiled.complete.further.null_space.is_none() {
+/// D for independent velocities.
+pub fn jacobian(text: &mut String, emitter: &Emitter) {
+    if !emitter.compiled.complete.further.emits_factors {
         text.push_str("type Lu = ();\nfn lu(&self) {}\n");
         return;
     }

@@ -31,9 +31,8 @@ pub fn aliases(text: &mut String, emitter: &Emitter) {
         ("Lu", of(Shape::Lu)),
     ];
     let further = &emitter.compiled.complete.further;
-    let absent = |alias: &str| {
-        alias == "Store" && further.stored.is_none() || alias == "Lu" && further.null_space.is_none()
-    };
+    let absent =
+        |alias: &str| alias == "Store" && further.stored.is_none() || alias == "Lu" && !further.emits_factors;
     if !emitter.mechanism.states.is_empty() {
         let _ = writeln!(text, "type Z<R> = [R; {}];", of(Shape::Internal));
     }

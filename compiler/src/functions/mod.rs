@@ -22,6 +22,7 @@ pub use signature::{Group, Interface, Signature, Way};
 pub use table::FUNCTIONS;
 
 use crate::complete::Complete;
+use crate::solve::Solution;
 use crate::symbolic::Node;
 
 /// The functions of a mechanism, in the order of [`FUNCTIONS`].
@@ -37,6 +38,8 @@ pub enum Function {
     PotentialEnergy,
     Acceleration,
     AccelerationBaumgarte,
+    NullSpace,
+    NullSpaceBaumgarte,
     Outputs,
     InternalRates,
     InverseDynamics,
@@ -59,7 +62,6 @@ pub enum Function {
     Solve,
     FactorJacobian,
     DependentVelocities,
-    NullSpace,
     Residual,
     Tangent,
     RowTangent,
@@ -87,6 +89,22 @@ impl Function {
         all
     };
 
+    /// The functions that give v̇ and λ, by the way in which they are solved: as they are, and with Baumgarte's terms.
+    pub const SOLUTIONS: [[Function; 2]; 2] = [
+        [Function::Acceleration, Function::AccelerationBaumgarte],
+        [Function::NullSpace, Function::NullSpaceBaumgarte],
+    ];
+
+    /// Its pair of [`Function::SOLUTIONS`]; none if it does not give v̇ and λ.
+    pub fn pair(self) -> Option<usize> {
+        Function::SOLUTIONS.iter().position(|pair| pair.contains(&self))
+    }
+
+    /// Whether it gives v̇ and λ with Baumgarte's terms.
+    pub fn is_stabilised(self) -> bool {
+        Function::SOLUTIONS.iter().any(|[_, stabilised]| *stabilised == self)
+    }
+
     /// Its entry of the table.
     pub fn signature(self) -> &'static Signature {
         &FUNCTIONS[self as usize]
@@ -101,4 +119,17 @@ impl Function {
 /// What a function computes, in the order of its outputs.
 pub fn outputs(complete: &Complete, function: Function) -> Vec<Node> {
     function.signature().outputs(complete)
+}
+
+/// What a function of [`Function::SOLUTIONS`] gives, and what its factorisation computes.
+pub fn solution(complete: &Complete, function: Function) -> Option<(&Solution, &[Node])> {
+    let Complete { solved, further, .. } = complete;
+    let led = further.null_space.as_ref();
+    match function {
+        Function::Acceleration => Some((&solved.index1, &solved.factored)),
+        Function::AccelerationBaumgarte => Some((&solved.baumgarte, &solved.factored)),
+        Function::NullSpace => led.map(|led| (&led.plain, led.factored.as_slice())),
+        Function::NullSpaceBaumgarte => led.map(|led| (&led.stabilised, led.factored.as_slice())),
+        _ => None,
+    }
 }

@@ -18,11 +18,12 @@ const STATE: &[Argument] = &[Constants, Time, Q, V];
 const WITH_INPUTS: &[Argument] = &[Constants, Time, State, Inputs];
 /// Of the accelerations: those of `acceleration` are the first of `acceleration_baumgarte`.
 const SOLUTION: &[Argument] = WITH_INPUTS;
+const STABILISED: &[Argument] = &[Constants, Time, State, Inputs, TwoAlpha, BetaSquared];
 const MOVING: &[Argument] = &[Constants, Time, Q, V, Acceleration];
 const EVERYTHING: &[Argument] = &[Constants, Time, State, Inputs, Acceleration, Lambda];
 
 /// Every function.
-pub static FUNCTIONS: [Signature; 44] = [
+pub static FUNCTIONS: [Signature; 45] = [
     signature(
         Function::MassMatrix,
         "mass_matrix",
@@ -106,13 +107,47 @@ pub static FUNCTIONS: [Signature; 44] = [
         Mechanism,
         "v̇ and λ of M v̇ + Dᵀ λ = Q, D v̇ = γ − 2α (D v − ν) − β² Φ (Baumgarte 1972); the \
          smallest relative pivot.",
-        &[Constants, Time, State, Inputs, TwoAlpha, BetaSquared],
+        STABILISED,
         &[
             written("a_out", Shape::Velocities, |c| c.solved.baumgarte.acceleration.clone()).called("{}_dot"),
             written("lambda_out", Shape::Rows, |c| c.solved.baumgarte.lambda.clone()).called("lambda_{}"),
             value("pivot", Shape::Scalar, |c| vec![c.solved.baumgarte.pivot]).called("smallest_pivot"),
         ],
     ),
+    signature(
+        Function::NullSpace,
+        "null_space",
+        Mechanism,
+        "As `acceleration`, by independent velocities; the smallest pivot, squared where it is one \
+         of D.",
+        SOLUTION,
+        &[
+            written("a_out", Shape::Velocities, |c| independent(c, |n| n.plain.acceleration.clone()))
+                .called("{}_dot"),
+            written("lambda_out", Shape::Rows, |c| independent(c, |n| n.plain.lambda.clone()))
+                .called("lambda_{}"),
+            value("pivot", Shape::Scalar, |c| independent(c, |n| vec![n.plain.pivot]))
+                .called("smallest_pivot"),
+        ],
+    )
+    .only(|c| c.further.null_space.is_some()),
+    signature(
+        Function::NullSpaceBaumgarte,
+        "null_space_baumgarte",
+        Mechanism,
+        "As `acceleration_baumgarte`, by independent velocities; the smallest pivot, squared where \
+         it is one of D.",
+        STABILISED,
+        &[
+            written("a_out", Shape::Velocities, |c| independent(c, |n| n.stabilised.acceleration.clone()))
+                .called("{}_dot"),
+            written("lambda_out", Shape::Rows, |c| independent(c, |n| n.stabilised.lambda.clone()))
+                .called("lambda_{}"),
+            value("pivot", Shape::Scalar, |c| independent(c, |n| vec![n.stabilised.pivot]))
+                .called("smallest_pivot"),
+        ],
+    )
+    .only(|c| c.further.leads),
     signature(
         Function::Outputs,
         "outputs",
@@ -328,7 +363,7 @@ pub static FUNCTIONS: [Signature; 44] = [
             value("pivot", Shape::Scalar, |c| independent(c, |n| vec![n.partition_pivot])),
         ],
     )
-    .only(|c| c.further.null_space.is_some()),
+    .only(|c| c.further.emits_factors),
     signature(
         Function::DependentVelocities,
         "dependent_velocities",
@@ -338,21 +373,7 @@ pub static FUNCTIONS: [Signature; 44] = [
         &[Constants, Lu, GivenRows, V],
         &[written("out", Shape::Velocities, |c| independent(c, |n| n.dependent.clone()))],
     )
-    .only(|c| c.further.null_space.is_some()),
-    signature(
-        Function::NullSpace,
-        "null_space",
-        Assemble,
-        "v̇ and λ of M v̇ + Dᵀ λ = Q, D v̇ = γ by independent velocities; the smallest relative \
-         pivot.",
-        SOLUTION,
-        &[
-            written("a_out", Shape::Velocities, |c| independent(c, |n| n.acceleration.clone())),
-            written("lambda_out", Shape::Rows, |c| independent(c, |n| n.lambda.clone())),
-            value("pivot", Shape::Scalar, |c| independent(c, |n| vec![n.pivot])),
-        ],
-    )
-    .only(|c| c.further.null_space.is_some()),
+    .only(|c| c.further.emits_factors),
     signature(
         Function::Residual,
         "residual",

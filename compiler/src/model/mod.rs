@@ -32,6 +32,7 @@ mod vectors;
 use crate::diagnostics::{Allowed, Region};
 use crate::forms::BodyForm;
 pub use crate::forms::{Alone, JointAxes, JointForm, LoadForm, Space};
+use crate::scalar::Scalar;
 pub use crate::syntax::{Budgeted, OnDisk, identifier};
 pub use elements::{Constraint, ConstraintKind, Coupled, Coupling, Joint, Load, Rotor, Subject};
 pub use expression::{Comparison, Condition, Coordinate, Expr, Function1, Function2, Quantity, ReactionPart};
@@ -391,9 +392,21 @@ pub enum Coordinates {
     Auto,
 }
 
+/// The unknowns that the accelerations are solved for first.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum SolvedBy {
+    /// v̇ and λ together.
+    Multipliers,
+    /// Independent velocities, where these serve; v̇ and λ together elsewhere.
+    Independent,
+    /// What takes fewer operations.
+    Auto,
+}
+
 #[derive(Clone, Debug)]
 pub struct Options {
     pub coordinates: Coordinates,
+    pub solution: SolvedBy,
     pub redundant: Redundant,
     /// Whether principal moments may be those of no real body, as in some published data.
     pub accept_inertia: bool,
@@ -404,6 +417,8 @@ pub struct Options {
     pub emit: Emit,
     /// Whether the compiler checks its own work: thoroughly, not at all, or, where nothing is written, in passing.
     pub self_check: Option<bool>,
+    /// In which scalar functions with a C interface are emitted beside the items.
+    pub export_c: Option<Scalar>,
     /// Path of the `linkwright` crate as seen by the user; `::linkwright` if `None`.
     pub crate_path: Option<String>,
 }

@@ -4,23 +4,25 @@ use super::lower::Lowering;
 use super::lower::Use;
 use super::names::Part;
 use super::{
-    Budget, Coordinate, Coordinates, Emit, Expect, Expr, JointId, Options, Redundant, Rotor, Space, Turning,
-    Within,
+    Budget, Coordinate, Coordinates, Emit, Expect, Expr, JointId, Options, Redundant, Rotor, SolvedBy, Space,
+    Turning, Within,
 };
 use crate::diagnostics::Region;
 use crate::messages;
+use crate::scalar::Scalar;
 use crate::syntax::{ExpectEntry, Label, OptionEntry, Path, RangeTerm};
 use crate::units::Dimension;
 
 impl<'d> Lowering<'d> {
     pub fn options(&mut self) -> Options {
         let mut coordinates = Coordinates::Auto;
+        let mut solution = SolvedBy::Auto;
         let mut redundant = Redundant::Refuse;
         let mut accept_inertia = false;
         let (mut cut, mut independent) = (Vec::new(), Vec::new());
         let mut crate_path: Option<String> = None;
         let mut emit = Emit::default();
-        let mut self_check = None;
+        let (mut self_check, mut export_c) = (None, None);
         for entry in &self.definition.options {
             match entry {
                 OptionEntry::Coordinates(word) => {
@@ -28,6 +30,13 @@ impl<'d> Lowering<'d> {
                         "absolute" => Coordinates::Absolute,
                         "tree" => Coordinates::Tree,
                         _ => Coordinates::Auto,
+                    };
+                }
+                OptionEntry::Solution(word) => {
+                    solution = match word.text.as_str() {
+                        "multipliers" => SolvedBy::Multipliers,
+                        "independent" => SolvedBy::Independent,
+                        _ => SolvedBy::Auto,
                     };
                 }
                 OptionEntry::Redundant(word) => {
@@ -44,19 +53,33 @@ impl<'d> Lowering<'d> {
                 }
                 OptionEntry::Emit(words) => words.iter().for_each(|word| emit.set(&word.text)),
                 OptionEntry::SelfCheck(word) => self_check = Some(word.text == "on"),
+                OptionEntry::ExportC(word) => export_c = Scalar::named(&word.text),
                 OptionEntry::Crate(path) => crate_path = Some(path.to_string()),
             }
         }
         self.options_twice();
-        Options { coordinates, redundant, accept_inertia, cut, independent, emit, self_check, crate_path }
+        Options {
+            coordinates,
+            solution,
+            redundant,
+            accept_inertia,
+            cut,
+            independent,
+            emit,
+            self_check,
+            export_c,
+            crate_path,
+        }
     }
 
     fn options_twice(&mut self) {
         let written = |entry: &'d OptionEntry| match entry {
             OptionEntry::Coordinates(label) => Some(("coordinates", label)),
+            OptionEntry::Solution(label) => Some(("solution", label)),
             OptionEntry::Redundant(label) => Some(("redundant", label)),
             OptionEntry::Inertia(label) => Some(("inertia", label)),
             OptionEntry::SelfCheck(label) => Some(("self_check", label)),
+            OptionEntry::ExportC(label) => Some(("export_c", label)),
             _ => None,
         };
         let mut seen: Vec<(&str, &Label)> = Vec::new();

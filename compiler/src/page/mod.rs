@@ -61,5 +61,5 @@ fn summary(page: &mut String, compiled: &Compiled) {
         count(equations.layout.velocities(), "velocity", "velocities"),
         count(equations.rows.len(), "constraint row", "constraint rows"),
     );
-    let _ = writeln!(page, "{}", compiled.choice.explanation());
+    let _ = writeln!(page, "{}", compiled.explanation());
 }

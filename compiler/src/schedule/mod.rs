@@ -37,8 +37,8 @@ pub struct Programs {
     pub functions: Vec<(Function, Program)>,
     /// Number of constants of the prepared model.
     pub prepared: usize,
-    /// How many instructions `acceleration` and `acceleration_baumgarte` begin with in common.
-    pub shared: usize,
+    /// How many instructions the functions of each pair of [`Function::SOLUTIONS`] begin with in common.
+    pub shared: [usize; Function::SOLUTIONS.len()],
 }
 
 impl Programs {
@@ -63,15 +63,16 @@ pub fn schedule(complete: &Complete, optimized: &Optimized) -> Programs {
         (*function, select::select(&graph, &sources, hoisted, fused))
     };
     let mut selected: Vec<(Function, Selected)> = optimized.functions.iter().map(select).collect();
-    let solves =
-        |function: Function| matches!(function, Function::Acceleration | Function::AccelerationBaumgarte);
-    let mut pair = selected.iter_mut().filter(|(function, _)| solves(*function)).map(|(_, program)| program);
-    let shared = match (pair.next(), pair.next()) {
-        (Some(plain), Some(stabilised)) => share::share(plain, stabilised),
-        _ => 0,
-    };
+    let shared = Function::SOLUTIONS.map(|known| {
+        let pair = selected.iter_mut().filter(|(function, _)| known.contains(function));
+        let mut pair = pair.map(|(_, program)| program);
+        match (pair.next(), pair.next()) {
+            (Some(plain), Some(stabilised)) => share::share(plain, stabilised),
+            _ => 0,
+        }
+    });
     let in_order = |(function, selected): (Function, Selected)| {
-        let shared = if solves(function) { shared } else { 0 };
+        let shared = function.pair().map_or(0, |pair| shared[pair]);
         let selected = interleave::interleave(selected, shared);
         let sections = sections::sections(complete, function, &selected.nodes);
         (function, Program { sections, ..selected.program })

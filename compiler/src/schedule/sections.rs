@@ -5,6 +5,7 @@
 
 use super::Function;
 use crate::complete::Complete;
+use crate::functions;
 use crate::symbolic::{Class, Node};
 
 /// Instructions from one on, up to the next section.
@@ -47,15 +48,12 @@ impl Step {
 
 /// The sections of a function whose instructions compute these nodes; none of one that solves nothing.
 pub fn sections(complete: &Complete, function: Function, nodes: &[Node]) -> Vec<Section> {
-    let Complete { equations, solved, .. } = complete;
-    let solution = match function {
-        Function::Acceleration => &solved.index1,
-        Function::AccelerationBaumgarte => &solved.baumgarte,
-        _ => return Vec::new(),
-    };
-    if solved.factored.is_empty() {
+    let equations = &complete.equations;
+    let Some((solution, factored)) =
+        functions::solution(complete, function).filter(|(_, factored)| !factored.is_empty())
+    else {
         return Vec::new();
-    }
+    };
     let graph = equations.graph.read();
     let mut first = vec![Step::Watch; graph.len()];
     let mut mark = |roots: &mut dyn Iterator<Item = Node>, step: Step| {
@@ -64,7 +62,7 @@ pub fn sections(complete: &Complete, function: Function, nodes: &[Node]) -> Vec<
         }
     };
     mark(&mut solution.acceleration.iter().chain(&solution.lambda).copied(), Step::Substitution);
-    mark(&mut solved.factored.iter().copied(), Step::Factorisation);
+    mark(&mut factored.iter().copied(), Step::Factorisation);
     let rows =
         equations.rows.iter().flat_map(|row| row.jet.columns.values().chain([&row.jet.value, &row.jet.bias]));
     mark(&mut rows.chain(equations.mass.values()).chain(&equations.forces).copied(), Step::Rates);

@@ -112,12 +112,13 @@ fn factorisation(machine: &Machine, report: &mut Report) {
 fn null_space(machine: &Machine, report: &mut Report) {
     let compiled = machine.compiled;
     let Some(written) = &compiled.complete.further.null_space else { return };
-    let inputs = report.inputs;
-    let all = machine.run(Function::NullSpace, inputs);
-    let right = [Function::Forces, Function::Gamma].map(|function| machine.run(function, inputs));
-    let [acceleration, lambda, _pivot] = machine.groups(Function::NullSpace, &all);
-    dynamics::residuals(machine, report, Check::NullSpace, inputs, [acceleration, lambda], &right, 0.0);
-
+    dynamics::solution(machine, report, Function::NullSpace, Check::NullSpace);
+    if compiled.complete.further.leads {
+        dynamics::solution(machine, report, Function::NullSpaceBaumgarte, Check::NullSpace);
+    }
+    if !compiled.complete.further.emits_factors {
+        return;
+    }
     let (machine, inputs) = machine.factored(report.inputs);
     let dependent = machine.run(Function::DependentVelocities, &inputs);
     debug_assert_eq!(dependent.len(), written.dependent.len());

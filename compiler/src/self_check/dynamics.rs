@@ -18,8 +18,8 @@ pub fn check(machine: &Machine, report: &mut Report) {
     if stands_still(machine) {
         energy(machine, report);
     }
-    solution(machine, report, Function::Acceleration);
-    solution(machine, report, Function::AccelerationBaumgarte);
+    solution(machine, report, Function::Acceleration, Check::Solution);
+    solution(machine, report, Function::AccelerationBaumgarte, Check::Baumgarte);
 }
 
 /// vᵀ M v = T(v) + T(−v) − 2 T(0).
@@ -90,18 +90,16 @@ pub fn stands_still(machine: &Machine) -> bool {
 }
 
 /// M v̇ + Dᵀ λ = Q, D v̇ = γ, or D v̇ = γ − 2α (D v − ν) − β² Φ.
-fn solution(machine: &Machine, report: &mut Report, function: Function) {
+pub fn solution(machine: &Machine, report: &mut Report, function: Function, check: Check) {
     let inputs = report.inputs;
     let mut right = [Function::Forces, Function::Gamma].map(|function| machine.run(function, inputs));
-    let stabilised = function == Function::AccelerationBaumgarte;
-    if stabilised {
+    if function.is_stabilised() {
         let phi = machine.run(Function::Constraints, inputs);
         let terms = rows::rates(machine, inputs).into_iter().zip(phi);
         for (right, (rate, phi)) in right[1].iter_mut().zip(terms) {
             *right = *right - rate * inputs.two_alpha - phi * inputs.beta_squared;
         }
     }
-    let check = if stabilised { Check::Baumgarte } else { Check::Solution };
     let solution = machine.run(function, inputs);
     let [acceleration, lambda, _pivot] = machine.groups(function, &solution);
     residuals(machine, report, check, inputs, [acceleration, lambda], &right, 0.0);

@@ -5,7 +5,7 @@
 
 use super::null_space::Sparse;
 use super::{Partition, Pivot};
-use crate::symbolic::{Scalar, Sheet};
+use crate::symbolic::{Node, Scalar, Sheet};
 use std::collections::BTreeSet;
 
 /// D = L U by blocks.
@@ -50,8 +50,23 @@ pub fn factor<'g>(
             steps.push(step);
         }
     }
-    let worst = watched.into_iter().fold(g.one(), |worst, ratio: Scalar| worst.max(ratio.square()));
-    Lu { steps, is_dependent, pivot: worst.reciprocal() }
+    Lu { steps, is_dependent, pivot: smallest(g, &watched) }
+}
+
+/// A determinant, its reciprocal and its size along the motion.
+type Watched<'g> = (Scalar<'g>, Scalar<'g>, f64);
+
+/// So many determinants are watched themselves; of more their reciprocals, which are alive until the end anyway.
+const FEW: usize = 3;
+
+/// The square of the smallest determinant relative to its size, at most one.
+fn smallest<'g>(g: Sheet<'g>, watched: &[Watched<'g>]) -> Scalar<'g> {
+    if watched.len() <= FEW {
+        let squares = watched.iter().map(|(determinant, _, size)| (*determinant * size.recip()).square());
+        return squares.fold(g.one(), |least, square| square.min(least));
+    }
+    let squares = watched.iter().map(|(_, inverse, size)| (*size * *inverse).square());
+    squares.fold(g.one(), |most, square| most.max(square)).reciprocal()
 }
 
 /// The next pivots of a block: an entry that is alone in its row or column of the block, a factor of the determinant;
@@ -82,7 +97,7 @@ fn eliminate<'g>(
     left: &[usize],
     pivots: &[Pivot],
     partition: &Partition,
-    watched: &mut Vec<Scalar<'g>>,
+    watched: &mut Vec<Watched<'g>>,
 ) -> Step<'g> {
     let velocities: Vec<usize> = pivots.iter().map(|pivot| pivot.velocity).collect();
     let zero = g.zero();
@@ -100,7 +115,7 @@ fn eliminate<'g>(
             .iter()
             .map(|pivot| partition.row_sizes[pivot.row] / partition.scales[pivot.velocity])
             .product();
-        watched.push(size * determinant.reciprocal());
+        watched.push((determinant, determinant.reciprocal(), size));
     }
     let columns: BTreeSet<usize> = own.iter().flat_map(|row| row.keys().copied()).collect();
     let upper: Vec<(usize, Vec<Scalar>)> = columns
@@ -161,6 +176,15 @@ fn pick<'g>(values: &[Scalar<'g>], places: &[usize]) -> Vec<Scalar<'g>> {
 }
 
 impl<'g> Lu<'g> {
+    /// All that was computed.
+    pub fn nodes(&self) -> impl Iterator<Item = Node> {
+        let of_step = |step: &Step<'g>| -> Vec<Node> {
+            let sides = step.upper.iter().chain(&step.lower).flat_map(|(_, entries)| entries);
+            step.inverse.iter().flatten().chain(sides).map(|entry| entry.bare).collect()
+        };
+        self.steps.iter().flat_map(of_step)
+    }
+
     /// `v` with its dependent entries such that D v = `rows`.
     pub fn dependent(&self, g: Sheet<'g>, rows: &[Scalar<'g>], v: &[Scalar<'g>]) -> Vec<Scalar<'g>> {
         let (mut y, mut v) = (rows.to_vec(), v.to_vec());

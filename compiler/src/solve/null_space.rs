@@ -1,12 +1,12 @@
 //! The equations in independent velocities, written out: D = L U in the order that was chosen for it, a basis R of its null space,
 //! and (Rᵀ M R) z̈ = Rᵀ (Q − M S γ).
 //!
-//! Which velocities are dependent is fixed here; where their pivots degrade the runtime chooses others, by tables.
+//! Which velocities are dependent is fixed here; where their pivots degrade the runtime solves by multipliers, or chooses others by tables.
 
-use super::Partition;
 use super::elimination::{self, Entries, Kind};
 use super::lu::{self, Lu};
 use super::stored::{frontier, symbols};
+use super::{Partition, Solution};
 use crate::equations::Equations;
 use crate::order::{self, Pattern};
 use crate::symbolic::{Node, Scalar, Sheet, all_bare};
@@ -26,10 +26,11 @@ pub struct NullSpace {
     pub partition_pivot: Node,
     /// Velocities with D v = rows, in symbols for what is kept, for the rows, and for v, whose independent entries count.
     pub dependent: Vec<Node>,
-    /// v̇ and λ, and the smallest pivot.
-    pub acceleration: Vec<Node>,
-    pub lambda: Vec<Node>,
-    pub pivot: Node,
+    /// v̇ and λ, and the smallest pivot; without stabilisation and with Baumgarte's.
+    pub plain: Solution,
+    pub stabilised: Solution,
+    /// The values that both factorisations computed, of D and of Rᵀ M R.
+    pub factored: Vec<Node>,
 }
 
 /// Writes out, with the n_v velocities split into dependent ones (D_d, m × m) and f = n_v − m independent ones, R (n_v × f) with
@@ -38,6 +39,7 @@ pub struct NullSpace {
 /// ```text
 /// (Rᵀ M R) z̈ = Rᵀ (Q − M S γ),    v̇ = R z̈ + S γ,    D_dᵀ λ = (Q − M v̇)_d
 /// ```
+/// once with γ and once with γ − 2α (D v − ν) − β² Φ in its place;
 /// v̇ in m/s² and rad/s², λ in N or N m. `massless`: M alone is singular, so that the pivots of Rᵀ M R are watched.
 /// Source: García de Jalón, Bayo, *Kinematic and Dynamic Simulation of Multibody Systems*, 5.2.3.
 /// `rows`: symbols for right-hand sides of rows, if there are some already.
@@ -60,31 +62,38 @@ pub fn null_space(
     let independent: Vec<usize> = (0..velocities).filter(|velocity| !lu.is_dependent[*velocity]).collect();
     let basis: Vec<Sparse> = independent.iter().map(|velocity| lu.column(g, *velocity)).collect();
 
-    // (Rᵀ M R) z̈ = Rᵀ (Q − M S γ)
-    let (forces, gamma) = (g.all(&equations.forces), g.all(&equations.gamma));
     let mass = Symmetric::new(g, velocities, &equations.mass);
-    let none = vec![g.zero(); velocities];
-    let bias = lu.dependent(g, &gamma, &none);
-    let loads = sparse(&mass.taken_from(&forces, &bias));
-    let right: Vec<Scalar> = basis.iter().map(|column| dot(g, column, &loads)).collect();
     let reduced = reduced(g, &mass, &basis);
     let order = order::best(&Pattern::new(independent.len(), 0, reduced.keys().copied()));
     let kind =
         Kind { velocities: independent.len(), watch_velocities: massless, scales: &[], compliance: None };
     let factor = elimination::factor(g, &reduced, &order, &kind);
-
-    // v̇ = R z̈ + S γ, D_dᵀ λ = (Q − M v̇)_d
-    let mut z = none;
-    for (velocity, rate) in independent.iter().zip(factor.solve(g, &right)) {
-        z[*velocity] = rate;
-    }
-    let acceleration = lu.combine(g, &basis, &gamma, &independent, &z);
-    let rest = mass.taken_from(&forces, &acceleration);
-    let lambda = lu.multipliers(g, rest, vec![g.zero(); equations.rows.len()]);
-    let pivot = lu.pivot.min(g.on(factor.pivot)).bare;
-    let (acceleration, lambda) = (all_bare(&acceleration), all_bare(&lambda));
+    // That of D is at most one.
+    let pivot = if factor.pivot == g.one().bare { lu.pivot } else { lu.pivot.min(g.on(factor.pivot)) }.bare;
+    let forces = g.all(&equations.forces);
+    let solution = |gamma: &[Scalar<'_>]| {
+        // (Rᵀ M R) z̈ = Rᵀ (Q − M S γ)
+        let none = vec![g.zero(); velocities];
+        let bias = lu.dependent(g, gamma, &none);
+        let loads = sparse(&mass.taken_from(&forces, &bias));
+        let right: Vec<Scalar> = basis.iter().map(|column| dot(g, column, &loads)).collect();
+        // v̇ = R z̈ + S γ, D_dᵀ λ = (Q − M v̇)_d
+        let mut z = none;
+        for (velocity, rate) in independent.iter().zip(factor.solve(g, &right)) {
+            z[*velocity] = rate;
+        }
+        let acceleration = lu.combine(g, &basis, gamma, &independent, &z);
+        let rest = mass.taken_from(&forces, &acceleration);
+        let lambda = lu.multipliers(g, rest, vec![g.zero(); equations.rows.len()]);
+        Solution { acceleration: all_bare(&acceleration), lambda: all_bare(&lambda), pivot }
+    };
+    let plain = solution(&g.all(&equations.gamma));
+    let stabilised = super::stabilised(g, &equations.rows, &equations.symbols);
+    let minus: Vec<Scalar> = g.all(&stabilised).into_iter().map(|x| -x).collect();
+    let stabilised = solution(&minus);
     let partition_pivot = lu.pivot.bare;
-    NullSpace { kept, given_rows, stand_ins, partition_pivot, dependent, acceleration, lambda, pivot }
+    let factored = lu.nodes().chain(factor.nodes()).collect();
+    NullSpace { factored, kept, given_rows, stand_ins, partition_pivot, dependent, plain, stabilised }
 }
 
 /// The velocities with D v = rows, in symbols for what is kept of D = L U and for the rows.

@@ -291,6 +291,8 @@ pub struct OrientationEntry {
 pub enum OptionEntry {
     /// `absolute`, `tree` or `auto`.
     Coordinates(Label),
+    /// `multipliers`, `independent` or `auto`.
+    Solution(Label),
     /// `refuse`, `drop` or `keep`.
     Redundant(Label),
     /// `check` or `accept`.
@@ -301,6 +303,7 @@ pub enum OptionEntry {
     Emit(Vec<Label>),
     /// `on` or `off`.
     SelfCheck(Label),
+    ExportC(Label),
     Crate(TokenStream),
 }
 

@@ -442,9 +442,12 @@ impl Writer {
             OptionEntry::Independent(paths) => {
                 self.key("independent").array(paths, |w, path| w.name(&path.text));
             }
-            // Where the crate is found is no fact about the mechanism.
             // No property of the mechanism.
-            OptionEntry::Emit(_) | OptionEntry::SelfCheck(_) | OptionEntry::Crate(_) => {}
+            OptionEntry::Solution(_)
+            | OptionEntry::Emit(_)
+            | OptionEntry::SelfCheck(_)
+            | OptionEntry::ExportC(_)
+            | OptionEntry::Crate(_) => {}
         }
     }
 

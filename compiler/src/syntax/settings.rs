@@ -65,8 +65,18 @@ impl Parser<'_> {
 
     /// `{ coordinates = auto; cut = (joint, …); … }`
     pub fn options(&mut self, c: &mut Cursor) -> Parsed<()> {
-        const KNOWN: [&str; 8] =
-            ["coordinates", "redundant", "inertia", "cut", "independent", "emit", "self_check", "crate"];
+        const KNOWN: [&str; 10] = [
+            "coordinates",
+            "solution",
+            "redundant",
+            "inertia",
+            "cut",
+            "independent",
+            "emit",
+            "self_check",
+            "export_c",
+            "crate",
+        ];
         self.block(c, |parser, c| {
             let option = parser.word(c, "an option")?;
             if !KNOWN.contains(&option.text.as_str()) {
@@ -75,12 +85,16 @@ impl Parser<'_> {
             parser.punct(c, '=')?;
             let entry = match option.text.as_str() {
                 "coordinates" => OptionEntry::Coordinates(parser.choice(c, &["absolute", "tree", "auto"])?),
+                "solution" => {
+                    OptionEntry::Solution(parser.choice(c, &["multipliers", "independent", "auto"])?)
+                }
                 "redundant" => OptionEntry::Redundant(parser.choice(c, &["refuse", "drop", "keep"])?),
                 "inertia" => OptionEntry::Inertia(parser.choice(c, &["check", "accept"])?),
                 "cut" => OptionEntry::Cut(parser.list(c, |p, c| p.label(c, "the name of a joint"))?),
                 "independent" => OptionEntry::Independent(parser.list(c, |p, c| p.path(c, "a quantity"))?),
                 "emit" => OptionEntry::Emit(parser.list(c, |p, c| p.choice(c, &EMITTED))?),
                 "self_check" => OptionEntry::SelfCheck(parser.choice(c, &["on", "off"])?),
+                "export_c" => OptionEntry::ExportC(parser.choice(c, &["f64", "f32"])?),
                 _ => OptionEntry::Crate(parser.crate_path(c)?),
             };
             parser.semicolon(c)?;

@@ -55,16 +55,23 @@ fn the_table_speaks_of_the_mechanism() {
 /// Every remedy is one that a definition can write, with the count that it then has.
 #[test]
 fn advice_is_true() {
-    let message = refusal(FOUR_BAR, "operations <= 100");
+    let by_multipliers = with(FOUR_BAR, "options { solution = multipliers; } MORE");
+    let message = refusal(&by_multipliers, "operations <= 100");
     let count_before = |phrase: &str| -> usize {
         let line = message.lines().find(|line| line.contains(phrase)).unwrap_or_else(|| panic!("{message}"));
         line.split_whitespace().next().and_then(|number| number.parse().ok()).expect("a count")
     };
-    let with_null_space = compiled(&with(FOUR_BAR, "options { emit = (null_space); }")).expect("it compiles");
-    let null_space = count(with_null_space.programs.get(Function::NullSpace)).total();
-    assert_eq!(count_before("by `null_space`"), null_space);
-    let plain = count(with_null_space.programs.get(Function::Acceleration)).total();
-    assert_eq!(count_before("by `acceleration`"), plain);
+    let taken = |source: &str, function: Function| {
+        count(compiled(&with(source, "")).expect("it compiles").programs.get(function)).total()
+    };
+    let independent = with(FOUR_BAR, "options { solution = independent; } MORE");
+    let found = count_before("by `null_space_baumgarte`, in independent velocities");
+    assert_eq!(found, taken(&independent, Function::NullSpaceBaumgarte));
+    let plain = count_before("by `acceleration`");
+    assert_eq!(plain, taken(&by_multipliers, Function::Acceleration));
+    let message = refusal(&independent, "operations <= 100");
+    let plain = taken(&independent, Function::NullSpace);
+    assert!(message.contains(&format!("{plain}  operations by `null_space`, without")), "{message}");
 
     // In tree coordinates M and Q cost something, in absolute ones M is constant.
     let message = refusal(FOUR_BAR, "operations(forces) <= 40");
@@ -77,7 +84,7 @@ fn advice_is_true() {
 #[test]
 fn live_values_are_those_of_the_emitted_order() {
     let compiled = compiled(&with(FOUR_BAR, "")).expect("it compiles");
-    let program = compiled.programs.get(Function::AccelerationBaumgarte);
+    let program = compiled.programs.get(compiled.default_solution());
     let most = live_values(program);
     // By going through the program with the set of what is still needed.
     let mut largest = 0;

@@ -1,6 +1,7 @@
 //! The back end: budgets of what comes out, and the compiler's check of its own work.
 
 mod budgets;
+mod exported;
 mod look_up;
 mod mechanisms;
 mod self_check;

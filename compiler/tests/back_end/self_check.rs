@@ -116,7 +116,16 @@ fn reason(compiled: &Compiled, node: Node, users: &BTreeSet<Function>) -> Option
         );
     }
     if !is_solution(compiled, node)
-        && only(&[Acceleration, AccelerationBaumgarte, RowScales, Factor, System, FactorJacobian, NullSpace])
+        && only(&[
+            Acceleration,
+            AccelerationBaumgarte,
+            NullSpace,
+            NullSpaceBaumgarte,
+            RowScales,
+            Factor,
+            System,
+            FactorJacobian,
+        ])
     {
         return Some("the watch over the pivots");
     }
@@ -141,8 +150,9 @@ fn is_solution(compiled: &Compiled, node: Node) -> bool {
     }
     nodes.extend(further.stored.iter().flat_map(|stored| stored.kept.iter().chain(&stored.solution)));
     nodes.extend(further.null_space.iter().flat_map(|written| {
-        let solution = written.acceleration.iter().chain(&written.lambda);
-        solution.chain(&written.kept).chain(&written.dependent)
+        let solutions = [&written.plain, &written.stabilised].into_iter();
+        let solutions = solutions.flat_map(|solution| solution.acceleration.iter().chain(&solution.lambda));
+        solutions.chain(&written.kept).chain(&written.dependent)
     }));
     compiled.complete.equations.graph.read().reachable(nodes).contains(&node)
 }

@@ -586,6 +586,11 @@ const MISTAKES: &[(&str, &str)] = &[
     ),
     ("start { knee.travel [m] = 3; }", "the revolute joint `knee` has no travel; it has angle, rate"),
     ("options { coordinates = best; }", "expected `absolute` or `tree` or `auto`, found `best`"),
+    (
+        "options { solution = null_space; }",
+        "expected `multipliers` or `independent` or `auto`, found `null_space`",
+    ),
+    ("options { solution = auto; solution = auto; }", "`solution` of `options` is given twice"),
     ("options { redundant = most; }", "expected `refuse` or `drop` or `keep`, found `most`"),
     (
         "options { emit = (tangents); }",

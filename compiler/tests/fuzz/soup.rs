@@ -9,7 +9,7 @@ const WORDS: &str = "planar spatial pub const param input gravity body rod disk 
     cylindrical planar constant_velocity mass inertia length radius width height size density center point products \
     inertia_axes axis reference second_axis about_x about_z ratio phase pitch stiffness damping direction angle rate \
     travel speed angle_1 rate_2 x y z velocity origin end orientation coordinates cut independent redundant emit crate \
-    auto tree absolute drop keep refuse penalty projection null_space tangent degrees_of_freedom operations ground time \
+    auto solution multipliers independent tree absolute drop keep refuse penalty projection null_space tangent degrees_of_freedom operations ground time \
     pi sqrt abs sign min max sin cos tan asin acos atan2 atan exp ln log10 sinh cosh tanh hypot clamp deadband masing bouc_wen backbone depth share exponent beta gamma resistance step smoothstep wrap dot cross norm signal along if and or not energy power kinetic_energy in a b c i N \
     m kg s rad deg rpm N mm Hz self type r#type fn table file grid periodic cubic outside hold columns skip slope state part place Leg DcMotor Tyre left Größe";
 

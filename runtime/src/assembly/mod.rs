@@ -11,12 +11,14 @@ mod residual;
 pub(crate) mod system;
 
 pub use position::{assemble_position, project_position};
+pub(crate) use rates::nearest_velocity;
 pub use rates::{assemble_acceleration, assemble_velocity, project_velocity};
 
 use crate::error::AssemblyError;
 use crate::ldl::Pivot;
 use crate::mechanism::Assemble;
 use crate::real::Real;
+use crate::simulation::Simulation;
 use crate::state::{Kinematics, Motion, State, StateOf};
 use crate::stepper::{StepMethod, Stepper};
 use crate::vector::Vector;
@@ -73,6 +75,11 @@ pub trait AssembleExt<R: Real>: Assemble<R> + Sized {
         let (rates, accelerations) = (targets(|motion| motion.rate), targets(|motion| motion.acceleration));
         let (v, a) = rates::assemble_rates(self, time, &q, &rates, &accelerations, held)?;
         Ok(Kinematics { q, v, a })
+    }
+
+    /// A simulation of this model from `start` at time zero: [`Simulation::new`].
+    fn simulation(&self, start: StateOf<Self, R>) -> Simulation<'_, Self, R> {
+        Simulation::new(self, start)
     }
 
     /// A stepper that owns a copy of this model, at time zero: [`Stepper::new`]. `method` is an integrator, such as

@@ -104,6 +104,23 @@ pub fn project_velocity<R: Real, M: Assemble<R>>(
     correct_velocity(model, time, q, v, &model.zero_conditions(), &[])
 }
 
+/// The same among those that have the `rates` of the conditions `active`, which must determine them.
+pub(crate) fn nearest_velocity<R: Real, M: Assemble<R>>(
+    model: &M,
+    time: R,
+    q: &M::Q,
+    v: &M::V,
+    rates: &M::Conditions,
+    active: &[u16],
+) -> Result<M::V, AssemblyError> {
+    check_position(model, time, q)?;
+    given_finite(v, model.velocity_names(), model.name())?;
+    given_targets(model, rates, active)?;
+    let found = correct_velocity(model, time, q, v, rates, active)?;
+    check_determined(model, time, q, active, found.max_abs())?;
+    Ok(found)
+}
+
 fn check_position<R: Real, M: Assemble<R>>(model: &M, time: R, q: &M::Q) -> Result<(), AssemblyError> {
     given_time(time)?;
     given_finite(q, model.position_names(), model.name())

@@ -250,6 +250,20 @@ pub(crate) fn subtract_product<R: Real>(pattern: &[(u16, u16)], entries: &[R], x
     }
 }
 
+/// M x.
+pub(crate) fn mass_times<R: Real, M: Assemble<R>>(model: &M, mass: &M::Mass, x: &M::V) -> M::V {
+    let mut product = model.zero_v();
+    let (p, x) = (product.as_mut_slice(), x.as_slice());
+    for (&entry, &(i, j)) in mass.as_slice().iter().zip(model.mass_pattern()) {
+        let (i, j) = (i as usize, j as usize);
+        put(p, i, entry.mul_add(at(x, j), at(p, i)));
+        if i != j {
+            put(p, j, entry.mul_add(at(x, i), at(p, j)));
+        }
+    }
+    product
+}
+
 /// The name of an unknown of K: a velocity, a constraint row, or a condition (`what` is then `"held"`).
 pub(crate) fn name_unknown<R: Real, M: Assemble<R>>(model: &M, unknown: usize) -> Row {
     if let Some(&of) = model.velocity_names().get(unknown) {

@@ -88,6 +88,31 @@ pub enum LinearisationError {
         /// How many actuators were named.
         actuators: usize,
     },
+    /// Inputs that were to enter the loads linearly do not.
+    Curved {
+        /// The velocity along which the forces miss.
+        coordinate: &'static str,
+        /// By how much, N or N·m.
+        missing: f64,
+    },
+    /// There is no coordinate of that name.
+    NoSuchCoordinate {
+        /// The name.
+        name: &'static str,
+    },
+    /// A matrix is not square, or the one beside it has another number of rows.
+    WrongShape {
+        /// Entries of the first.
+        a: usize,
+        /// Entries of the second.
+        b: usize,
+    },
+    /// An angle whose turns are counted follows the orientation of a body in space: a step moves it by the integral of its rate, the
+    /// derivatives of the forces know it as a function of that orientation.
+    CountedOrientation {
+        /// The entry of the positions, by its name.
+        angle: &'static str,
+    },
     /// Inputs that enter the loads with curvature were not found.
     NoActuation {
         /// What the last iteration still changed, in the inputs' unit.
@@ -144,6 +169,26 @@ impl Display for LinearisationError {
                 f,
                 "the {actuators} actuators named cannot give these accelerations: `{coordinate}` lacks {missing:.3e} (N or \
                  N m); name an input that acts along it"
+            ),
+            LinearisationError::Curved { coordinate, missing } => write!(
+                f,
+                "the inputs named enter the loads with curvature: along `{coordinate}` they miss {missing:.3e} (N or N m); give the \
+                 definition `options {{ emit = (tangent); }}` and take `linearisation::actuation`, which iterates"
+            ),
+            LinearisationError::NoSuchCoordinate { name } => write!(
+                f,
+                "there is no coordinate `{name}` that can be held; `model.conditions()` lists those there are, and \
+                 `options {{ independent = ({name}); }}` adds it if a joint has it"
+            ),
+            LinearisationError::WrongShape { a, b } => write!(
+                f,
+                "matrices of {a} and {b} entries are no A and B of one system: n·n and n·n_u are needed; take those of \
+                 `Linearisation::state_space`"
+            ),
+            LinearisationError::CountedOrientation { angle } => write!(
+                f,
+                "`{angle}` counts the turns of a body that is turned in space as a whole, and a step has no exact derivative \
+                 by it; write `options {{ coordinates = tree; }}`, where the joint's own angle turns the body"
             ),
             LinearisationError::NoActuation { left, iterations } => write!(
                 f,

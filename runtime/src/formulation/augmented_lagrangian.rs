@@ -42,7 +42,11 @@ impl<R: Real> AugmentedLagrangian<R> {
 impl<R: Real, M: Assemble<R>> Formulation<R, M> for AugmentedLagrangian<R> {
     /// λ of the evaluation before.
     type Memory = M::Lambda;
-    const PIVOT: PivotOf = PivotOf::Velocities;
+
+    #[inline(always)]
+    fn pivot_of(_model: &M) -> PivotOf {
+        PivotOf::Velocities
+    }
 
     fn memory(&self, model: &M) -> M::Lambda {
         model.zero_lambda()

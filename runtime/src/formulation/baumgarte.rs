@@ -1,6 +1,6 @@
 //! Baumgarte's stabilisation.
 
-use super::{Evaluation, Formulation, not_negative};
+use super::{Evaluation, Formulation, PivotOf, leading, not_negative};
 use crate::error::SettingError;
 use crate::mechanism::Mechanism;
 use crate::real::Real;
@@ -25,10 +25,21 @@ impl<R: Real> Baumgarte<R> {
         let rate = R::ONE / seconds;
         Baumgarte { alpha: rate, beta: rate }
     }
+
+    /// 2α and β².
+    #[inline(always)]
+    pub(crate) fn coefficients(&self) -> [R; 2] {
+        [self.alpha + self.alpha, self.beta * self.beta]
+    }
 }
 
 impl<R: Real, M: Mechanism<R>> Formulation<R, M> for Baumgarte<R> {
     type Memory = ();
+
+    #[inline(always)]
+    fn pivot_of(model: &M) -> PivotOf {
+        leading::pivot_of(model)
+    }
 
     fn memory(&self, _model: &M) {}
 
@@ -43,8 +54,7 @@ impl<R: Real, M: Mechanism<R>> Formulation<R, M> for Baumgarte<R> {
         a: &mut M::V,
         lambda: &mut M::Lambda,
     ) -> Evaluation<R> {
-        let (two_alpha, beta_squared) = (self.alpha + self.alpha, self.beta * self.beta);
-        Evaluation::direct(model.acceleration_baumgarte(time, state, u, two_alpha, beta_squared, a, lambda))
+        Evaluation::direct(leading::stabilised(model, time, state, u, self.coefficients(), a, lambda))
     }
 
     fn check(&self) -> Result<(), SettingError> {

@@ -36,7 +36,11 @@ impl<F> Corrected<F> {
 
 impl<R: Real, M: Assemble<R>, F: Formulation<R, M>> Formulation<R, M> for Corrected<F> {
     type Memory = F::Memory;
-    const PIVOT: PivotOf = F::PIVOT;
+
+    #[inline(always)]
+    fn pivot_of(model: &M) -> PivotOf {
+        F::pivot_of(model)
+    }
 
     fn memory(&self, model: &M) -> F::Memory {
         self.formulation.memory(model)

@@ -1,6 +1,6 @@
 //! The constraints at the level of accelerations, as they are.
 
-use super::{Evaluation, Formulation};
+use super::{Evaluation, Formulation, PivotOf, leading};
 use crate::error::SettingError;
 use crate::mechanism::Mechanism;
 use crate::real::Real;
@@ -16,6 +16,11 @@ pub struct LagrangeIndex1;
 impl<R: Real, M: Mechanism<R>> Formulation<R, M> for LagrangeIndex1 {
     type Memory = ();
 
+    #[inline(always)]
+    fn pivot_of(model: &M) -> PivotOf {
+        leading::pivot_of(model)
+    }
+
     fn memory(&self, _model: &M) {}
 
     #[inline]
@@ -29,7 +34,7 @@ impl<R: Real, M: Mechanism<R>> Formulation<R, M> for LagrangeIndex1 {
         a: &mut M::V,
         lambda: &mut M::Lambda,
     ) -> Evaluation<R> {
-        Evaluation::direct(model.acceleration(time, state, u, a, lambda))
+        Evaluation::direct(leading::acceleration(model, time, state, u, a, lambda))
     }
 
     fn check(&self) -> Result<(), SettingError> {

@@ -8,12 +8,15 @@ mod augmented_lagrangian;
 mod baumgarte;
 mod corrected;
 mod index1;
+pub(crate) mod leading;
 mod null_space;
 mod onto_constraints;
 mod partitioned;
 mod past;
 mod penalty;
 mod projected;
+mod stabilisation;
+mod with_multipliers;
 
 pub use augmented_lagrangian::AugmentedLagrangian;
 pub use baumgarte::Baumgarte;
@@ -25,6 +28,8 @@ pub(crate) use past::past_breakdown;
 pub use penalty::Penalty;
 pub(crate) use penalty::largest_mass;
 pub use projected::Projected;
+pub use stabilisation::Stabilisation;
+pub use with_multipliers::WithMultipliers;
 
 use crate::error::{AssemblyError, SettingError};
 use crate::mechanism::Mechanism;
@@ -37,8 +42,12 @@ pub trait Formulation<R: Real, M: Mechanism<R>> {
     /// The values carried from one evaluation to the next, such as multipliers to begin an iteration with.
     type Memory: Clone + Debug;
 
-    /// The matrix whose pivot an evaluation returns.
-    const PIVOT: PivotOf = PivotOf::Rows;
+    /// The matrix whose pivot an evaluation of this mechanism returns.
+    #[inline(always)]
+    fn pivot_of(model: &M) -> PivotOf {
+        let _ = model;
+        PivotOf::Rows
+    }
 
     /// The values to carry before the first evaluation of this mechanism.
     fn memory(&self, model: &M) -> Self::Memory;
@@ -88,6 +97,8 @@ pub enum PivotOf {
     /// A pivot of D = L U, squared. Where it is large the constraints are far from losing rank; where it is small they may be, or
     /// only the independent velocities serve badly.
     Jacobian,
+    /// The one while independent velocities serve, and it is large; else the other.
+    JacobianOrRows,
     /// A pivot of the velocities; the constraints are softened and lose nothing.
     Velocities,
 }

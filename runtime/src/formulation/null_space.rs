@@ -1,13 +1,14 @@
 //! The equations of motion in independent velocities: the null space of D, or matrix R.
 
 use super::{Evaluation, Formulation, PivotOf, Settled};
+use crate::assembly::system::mass_times;
 use crate::error::{AssemblyError, SettingError};
 use crate::layout::retract;
 use crate::mechanism::Assemble;
 use crate::partition::{Partition, PartitionOf, is_good, serves, written_out};
 use crate::real::Real;
 use crate::state::StateOf;
-use crate::vector::{Vector, at, put};
+use crate::vector::{Vector, at, dot, put};
 
 /// The null-space formulation (matrix R): v = R ż + S ν, with ż the independent velocities and D R = 0, so that
 ///
@@ -31,7 +32,11 @@ pub struct NullSpace;
 impl<R: Real, M: Assemble<R>> Formulation<R, M> for NullSpace {
     /// The independent set.
     type Memory = PartitionOf<R, M>;
-    const PIVOT: PivotOf = PivotOf::Jacobian;
+
+    #[inline(always)]
+    fn pivot_of(_model: &M) -> PivotOf {
+        PivotOf::Jacobian
+    }
 
     fn memory(&self, model: &M) -> Self::Memory {
         Partition::new(model)
@@ -104,33 +109,30 @@ pub(super) fn by_tables<R: Real, M: Assemble<R>>(
     // Sγ: accelerations that satisfy the rows with z̈ = 0.
     a.as_mut_slice().fill(R::ZERO);
     partition.dependent(model, &factors, &gamma, a);
-    let rest = forces.plus(-R::ONE, &times(model, &mass, a));
+    let rest = forces.plus(-R::ONE, &mass_times(model, &mass, a));
 
     // R, column by column, and Rᵀ M R, Rᵀ (Q − M S γ).
     let (n, freedoms) = (model.velocity_count(), model.freedoms());
-    let mut basis = model.zero_basis();
+    let basis = partition.basis(model, &factors);
+    let columns = || basis.as_slice().chunks_exact(n.max(1)).take(freedoms);
     let mut reduced = model.zero_reduced();
     let mut right = model.zero_v();
-    for (place, velocity) in partition.independent().enumerate() {
+    for (place, own) in columns().enumerate() {
         let mut column = model.zero_v();
-        put(column.as_mut_slice(), velocity, R::ONE);
-        partition.dependent(model, &factors, &model.zero_lambda(), &mut column);
-        if let Some(own) = basis.as_mut_slice().chunks_exact_mut(n.max(1)).nth(place) {
-            own.iter_mut().zip(column.as_slice()).for_each(|(entry, &value)| *entry = value);
-        }
-        let product = times(model, &mass, &column);
-        for (other, known) in basis.as_slice().chunks_exact(n.max(1)).enumerate().take(place + 1) {
+        column.as_mut_slice().iter_mut().zip(own).for_each(|(entry, &value)| *entry = value);
+        let product = mass_times(model, &mass, &column);
+        for (other, known) in columns().enumerate().take(place + 1) {
             put(reduced.as_mut_slice(), place * freedoms + other, dot(known, product.as_slice()));
         }
-        put(right.as_mut_slice(), place, dot(column.as_slice(), rest.as_slice()));
+        put(right.as_mut_slice(), place, dot(own, rest.as_slice()));
     }
     let regular = cholesky(reduced.as_mut_slice(), freedoms, right.as_mut_slice());
-    for (column, &rate) in basis.as_slice().chunks_exact(n.max(1)).zip(right.as_slice()).take(freedoms) {
+    for (column, &rate) in columns().zip(right.as_slice()) {
         for (entry, &r) in a.as_mut_slice().iter_mut().zip(column) {
             *entry = r.mul_add(rate, *entry);
         }
     }
-    let rest = forces.plus(-R::ONE, &times(model, &mass, a));
+    let rest = forces.plus(-R::ONE, &mass_times(model, &mass, a));
     partition.multipliers(model, &factors, &rest, lambda);
     Evaluation::direct(regular.min(pivot))
 }
@@ -182,24 +184,6 @@ fn approach_by_tables<R: Real, M: Assemble<R>>(
         return R::ZERO;
     }
     approach(model, time, state, |right, v| partition.dependent(model, &factors, right, v))
-}
-
-/// M x.
-fn times<R: Real, M: Assemble<R>>(model: &M, mass: &M::Mass, x: &M::V) -> M::V {
-    let mut product = model.zero_v();
-    let (p, x) = (product.as_mut_slice(), x.as_slice());
-    for (&entry, &(i, j)) in mass.as_slice().iter().zip(model.mass_pattern()) {
-        let (i, j) = (i as usize, j as usize);
-        put(p, i, entry.mul_add(at(x, j), at(p, i)));
-        if i != j {
-            put(p, j, entry.mul_add(at(x, i), at(p, j)));
-        }
-    }
-    product
-}
-
-fn dot<R: Real>(a: &[R], b: &[R]) -> R {
-    a.iter().zip(b).fold(R::ZERO, |sum, (&a, &b)| a.mul_add(b, sum))
 }
 
 /// Solves A x = b in place, A symmetric and positive definite by its lower triangle, row by row (Golub, Van Loan, *Matrix

@@ -95,7 +95,11 @@ impl<R: Real> Penalty<R> {
 
 impl<R: Real, M: Assemble<R>> Formulation<R, M> for Penalty<R> {
     type Memory = ();
-    const PIVOT: PivotOf = PivotOf::Velocities;
+
+    #[inline(always)]
+    fn pivot_of(_model: &M) -> PivotOf {
+        PivotOf::Velocities
+    }
 
     fn memory(&self, _model: &M) {}
 

@@ -87,7 +87,11 @@ impl<F, R: Real> Projected<F, R> {
 
 impl<R: Real, M: Assemble<R>, F: Formulation<R, M>> Formulation<R, M> for Projected<F, R> {
     type Memory = F::Memory;
-    const PIVOT: PivotOf = F::PIVOT;
+
+    #[inline(always)]
+    fn pivot_of(model: &M) -> PivotOf {
+        F::pivot_of(model)
+    }
 
     fn memory(&self, model: &M) -> F::Memory {
         self.formulation.memory(model)
@@ -106,7 +110,7 @@ impl<R: Real, M: Assemble<R>, F: Formulation<R, M>> Formulation<R, M> for Projec
     ) -> Evaluation<R> {
         let evaluation = self.formulation.acceleration(memory, model, time, state, u, a, lambda);
         // Written so that a NaN is seen.
-        if F::PIVOT == PivotOf::Rows
+        if matches!(F::pivot_of(model), PivotOf::Rows | PivotOf::JacobianOrRows)
             && !R::any(evaluation.pivot.greater_equal(R::from_f64(10.0) * R::NEAR_SINGULAR))
         {
             return near_singular(model, time, state, u, a, lambda, evaluation);

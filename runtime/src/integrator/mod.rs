@@ -85,6 +85,11 @@ pub trait Method<R: Real> {
         Ok(())
     }
 
+    /// The largest step, s, where a simulation is given none; nothing of methods that do not choose their steps.
+    fn largest_step(&self) -> Option<R> {
+        None
+    }
+
     /// The most steps that a run may take by this method. One that takes every step as it is asked to needs no bound: the run then
     /// takes (end − time)/h of them.
     fn most_steps(&self) -> u64 {

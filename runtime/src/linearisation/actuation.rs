@@ -5,11 +5,11 @@ use super::{broken_down, check_finite, check_given};
 use crate::assembly::system::subtract_product;
 use crate::error::LinearisationError;
 use crate::fields::Fields;
-use crate::mechanism::name_row;
+use crate::mechanism::{Assemble, name_row};
 use crate::real::Real;
 use crate::state::StateOf;
 use crate::tangent::Tangent;
-use crate::vector::Vector;
+use crate::vector::{Vector, dot};
 
 /// Solutions of the linearised equation before an input that enters with curvature is given up; where inputs are forces the
 /// second finds nothing to do.
@@ -98,7 +98,7 @@ fn acting<R: Real, M: Tangent<R>>(
 }
 
 /// D a = γ, to half of the digits.
-fn check_accelerations<R: Real, M: Tangent<R>>(
+pub(crate) fn check_accelerations<R: Real, M: Assemble<R>>(
     model: &M,
     time: R,
     state: &StateOf<M, R>,
@@ -212,8 +212,4 @@ fn multipliers<R: Real, M: Tangent<R>>(
     let mut rest = model.zero_v();
     model.solve(&store, &residual.scaled(-R::ONE), &none, &mut rest, &mut lambda);
     Ok(lambda)
-}
-
-fn dot<R: Real>(a: &[R], b: &[R]) -> R {
-    a.iter().zip(b).fold(R::ZERO, |sum, (&a, &b)| sum + a * b)
 }

@@ -5,30 +5,36 @@
 //!
 //! | | file |
 //! |---|---|
-//! | ∂v̇ and ∂λ by anything | this one |
-//! | motions that the constraints admit | `admissible.rs` |
+//! | ∂v̇ and ∂λ by anything; with Baumgarte's terms | this one; `stabilised.rs` |
+//! | motions that the constraints admit; those of coordinates | `admissible.rs`; `coordinates.rs` |
 //! | ẋ = A x + B u, y = C x + D u | `state_space.rs` |
 //! | static positions | `equilibrium.rs`, over the dense factorisation `lu.rs` |
 //! | inputs for given accelerations | `actuation.rs` |
 
 mod actuation;
 mod admissible;
+mod coordinates;
 mod equilibrium;
 pub(crate) mod lu;
+mod stabilised;
 mod state_space;
 
+pub(crate) use actuation::check_accelerations;
 pub use actuation::{Actuation, actuation};
+pub(crate) use coordinates::Coordinates;
 pub use equilibrium::{Equilibrium, EquilibriumOf, equilibrium};
 pub use state_space::{StateSpace, StateSpaceOf};
 
 use crate::assembly::{singular_velocity, smallest_pivot};
 use crate::error::LinearisationError;
 use crate::fields::Fields;
-use crate::mechanism::name_row;
+use crate::formulation::leading;
+use crate::mechanism::{Assemble, name_row};
 use crate::real::Real;
 use crate::state::{State, StateOf};
 use crate::tangent::Tangent;
 use crate::vector::Vector;
+use stabilised::Stabilised;
 
 /// A relative pivot of D Dᵀ above which the constraints are not to blame for a breakdown.
 const WELL_POSED: f64 = 1e-8;
@@ -69,6 +75,8 @@ pub struct Linearisation<'m, R: Real, M: Tangent<R>> {
     input: M::InputTangent,
     internal: M::InternalTangent,
     internal_rates: M::InternalRateTangent,
+    /// Where rows are brought back to the constraints.
+    stabilised: Option<Stabilised<R, M>>,
 }
 
 impl<'m, R: Real, M: Tangent<R>> Linearisation<'m, R, M> {
@@ -84,10 +92,22 @@ impl<'m, R: Real, M: Tangent<R>> Linearisation<'m, R, M> {
         state: &StateOf<M, R>,
         u: &M::Inputs,
     ) -> Result<Self, LinearisationError> {
+        Self::solved(model, time, state, u, |a, lambda| {
+            leading::acceleration(model, time, state, u, a, lambda)
+        })
+    }
+
+    fn solved(
+        model: &'m M,
+        time: R,
+        state: &StateOf<M, R>,
+        u: &M::Inputs,
+        solve: impl FnOnce(&mut M::V, &mut M::Lambda) -> R,
+    ) -> Result<Self, LinearisationError> {
         let State { q, v, .. } = state;
         check_given(model, time, state, u)?;
         let (mut a, mut lambda, mut store) = (model.zero_v(), model.zero_lambda(), model.store());
-        let pivot = model.acceleration(time, state, u, &mut a, &mut lambda);
+        let pivot = solve(&mut a, &mut lambda);
         let pivot = pivot.min(model.factor(time, q, R::ZERO, &mut store));
         // Written so that a NaN fails.
         if !R::any(pivot.greater_equal(R::BREAKDOWN)) {
@@ -130,7 +150,18 @@ impl<'m, R: Real, M: Tangent<R>> Linearisation<'m, R, M> {
             input,
             internal,
             internal_rates,
+            stabilised: None,
         })
+    }
+
+    /// The mechanism.
+    pub fn model(&self) -> &'m M {
+        self.model
+    }
+
+    /// The state.
+    pub fn state(&self) -> &StateOf<M, R> {
+        &self.state
     }
 
     /// v̇ at the state, shape n_v.
@@ -160,6 +191,9 @@ impl<'m, R: Real, M: Tangent<R>> Linearisation<'m, R, M> {
         add_block(model.internal_pattern(), self.internal.as_slice(), (0, 0), dz.as_slice(), to_forces);
         add_block(model.row_stiffness_pattern(), self.row_stiffness.as_slice(), (0, 0), dq, to_rows);
         add_block(model.row_damping_pattern(), self.row_damping.as_slice(), (0, 0), dv, to_rows);
+        if let Some(stabilised) = &self.stabilised {
+            stabilised.add(model, dq, dv, &mut rows);
+        }
         self.response(&forces, &rows)
     }
 
@@ -202,7 +236,7 @@ impl<'m, R: Real, M: Tangent<R>> Linearisation<'m, R, M> {
     }
 
     /// The same by an input alone.
-    fn internal_rates_by_input(&self, input: usize, response: &ResponseOf<R, M>) -> M::Z {
+    pub(crate) fn internal_rates_by_input(&self, input: usize, response: &ResponseOf<R, M>) -> M::Z {
         let model = self.model;
         let (none, still) = (model.zero_v(), model.zero_z());
         let mut rates = self.internal_rates(&none, &none, &still, response);
@@ -312,7 +346,7 @@ impl ColumnsOf {
 }
 
 /// e_index in the place of zeros; zero beyond the end.
-fn unit<R: Real, V: Vector<R>>(zero: V, index: usize) -> V {
+pub(crate) fn unit<R: Real, V: Vector<R>>(zero: V, index: usize) -> V {
     let mut unit = zero;
     if let Some(entry) = unit.as_mut_slice().get_mut(index) {
         *entry = R::ONE;
@@ -337,7 +371,7 @@ fn add_column<R: Real>(pattern: &[(u16, u16)], entries: &[R], from: (usize, usiz
 }
 
 /// An error that names the first entry that is infinite or NaN.
-fn check_finite<R: Real>(
+pub(crate) fn check_finite<R: Real>(
     time: R,
     entries: &[R],
     name: impl Fn(usize) -> Option<&'static str>,
@@ -362,7 +396,7 @@ fn check_entries<R: Real>(
 }
 
 /// Time, state and inputs must be finite: where nothing depends on them, nothing else would tell.
-fn check_given<R: Real, M: Tangent<R>>(
+pub(crate) fn check_given<R: Real, M: Assemble<R, Inputs: Fields<R>>>(
     model: &M,
     time: R,
     state: &StateOf<M, R>,
@@ -377,7 +411,12 @@ fn check_given<R: Real, M: Tangent<R>>(
 
 /// Why K(0) could not be factored.
 #[cold]
-fn broken_down<R: Real, M: Tangent<R>>(model: &M, time: R, q: &M::Q, pivot: R) -> LinearisationError {
+pub(crate) fn broken_down<R: Real, M: Assemble<R>>(
+    model: &M,
+    time: R,
+    q: &M::Q,
+    pivot: R,
+) -> LinearisationError {
     let (constraints, row) = smallest_pivot(model, time, q);
     let (at, pivot) = (time.to_f64(), pivot.to_f64());
     if constraints > R::from_f64(WELL_POSED)

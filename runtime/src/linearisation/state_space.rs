@@ -1,6 +1,6 @@
 //! ẋ = A x + B u, y = C x + D u: small motions about a state, in as many coordinates as there are degrees of freedom.
 
-use super::admissible::Admissible;
+use super::coordinates::Coordinates;
 use super::{ColumnsOf, Linearisation, ResponseOf, add_block, add_column, check_finite, unit};
 use crate::error::LinearisationError;
 use crate::fields::Fields;
@@ -68,8 +68,8 @@ impl<'m, R: Real, M: Tangent<R>> Linearisation<'m, R, M> {
         };
         let (none, still) = (model.zero_v(), model.zero_z());
         for state in 0..f {
-            let moved = columns.admissible.basis(state);
-            let dv = columns.velocity(&moved);
+            let moved = columns.coordinates.position(state);
+            let dv = columns.coordinates.velocity(&moved);
             columns.fill(state, &moved, &dv, &still, &mut found);
             columns.fill(f + state, &none, &moved, &still, &mut found);
         }
@@ -96,14 +96,43 @@ impl<'m, R: Real, M: Tangent<R>> Linearisation<'m, R, M> {
         check_finite(self.time, found.d.as_slice(), |index| output(index / inputs.max(1)))?;
         Ok(found)
     }
+    /// C and D of [`state_space`](Linearisation::state_space) alone: how the outputs answer to x = (δs, δṡ, δz) and to the inputs, what an
+    /// estimator asks of a measurement y = h(x, u). Outputs may name accelerations and reactions; these move as the equations of motion say.
+    ///
+    /// # Errors
+    /// As [`state_space`](Linearisation::state_space).
+    pub fn output_matrices(&self) -> Result<(M::OutputMatrix, M::Feedthrough), LinearisationError> {
+        let (model, columns) = (self.model, Columns::at(self)?);
+        let (f, internal) = (model.states().len(), model.internal_count());
+        let (inputs, outputs) = (model.input_names().len(), model.output_names().len());
+        let mut c = M::OutputMatrix::zeros(outputs * (2 * f + internal));
+        let mut d = M::Feedthrough::zeros(outputs * inputs);
+        let (none, still) = (model.zero_v(), model.zero_z());
+        let mut fill = |column: usize, moved: (&M::V, &M::V, &M::Z)| {
+            columns.fill_outputs(column, moved, &self.along_state(moved.0, moved.1, moved.2), &mut c);
+        };
+        for state in 0..f {
+            let moved = columns.coordinates.position(state);
+            fill(state, (&moved, &columns.coordinates.velocity(&moved), &still));
+            fill(f + state, (&none, &moved, &still));
+        }
+        for state in 0..internal {
+            fill(2 * f + state, (&none, &none, &unit(model.zero_z(), state)));
+        }
+        for input in 0..inputs {
+            columns.fill_feedthrough(input, &self.by_input(input), &mut d);
+        }
+        let output = |row: usize| model.output_names().get(row).copied();
+        check_finite(self.time, c.as_slice(), |index| output(index / (2 * f + internal).max(1)))?;
+        check_finite(self.time, d.as_slice(), |index| output(index / inputs.max(1)))?;
+        Ok((c, d))
+    }
 }
 
 /// The parts that columns are made of.
 struct Columns<'l, 'm, R: Real, M: Tangent<R>> {
     at: &'l Linearisation<'m, R, M>,
-    admissible: Admissible<'m, R, M>,
-    rate: M::RateTangent,
-    coordinate: M::CoordinateTangent,
+    coordinates: Coordinates<'m, R, M>,
     output: M::OutputTangent,
     columns: ColumnsOf,
 }
@@ -111,33 +140,10 @@ struct Columns<'l, 'm, R: Real, M: Tangent<R>> {
 impl<'l, 'm, R: Real, M: Tangent<R>> Columns<'l, 'm, R, M> {
     fn at(at: &'l Linearisation<'m, R, M>) -> Result<Self, LinearisationError> {
         let Linearisation { model, time, state, u, a, lambda, .. } = at;
-        let State { q, v, .. } = state;
-        let admissible = Admissible::at(*model, *time, q)?;
-        let (mut rate, mut coordinate) = (model.zero_rate_tangent(), model.zero_coordinate_tangent());
+        let coordinates = Coordinates::at(*model, *time, state, a)?;
         let mut output = model.zero_output_tangent();
-        model.rate_tangent(*time, q, v, &mut rate);
-        model.coordinate_tangent(*time, q, v, a, &mut coordinate);
         model.output_tangent(*time, state, u, a, lambda, &mut output);
-        let columns = ColumnsOf::of(*model);
-        Ok(Columns { at, admissible, rate, coordinate, output, columns })
-    }
-
-    /// δv that goes with δq where ṡ is as before.
-    fn velocity(&self, dq: &M::V) -> M::V {
-        let model = self.at.model;
-        let mut rows = model.zero_lambda();
-        add_block(model.rate_pattern(), self.rate.as_slice(), (0, 0), dq.as_slice(), rows.as_mut_slice());
-        let mut states = model.zero_conditions();
-        let states = &mut states.as_mut_slice()[..model.states().len()];
-        self.add_coordinates((0, 0), dq, states);
-        states.iter_mut().for_each(|entry| *entry = -*entry);
-        self.admissible.motion(&rows.scaled(-R::ONE), states)
-    }
-
-    /// `to` += the f rows of ∂(ṡ, s̈)/∂(q, v) from `from` on, times x.
-    fn add_coordinates(&self, from: (usize, usize), x: &M::V, to: &mut [R]) {
-        let model = self.at.model;
-        add_block(model.coordinate_pattern(), self.coordinate.as_slice(), from, x.as_slice(), to);
+        Ok(Columns { at, coordinates, output, columns: ColumnsOf::of(*model) })
     }
 
     /// One column of A and of C.
@@ -148,9 +154,9 @@ impl<'l, 'm, R: Real, M: Tangent<R>> Columns<'l, 'm, R, M> {
         let response = self.at.along_state(dq, dv, dz);
         let mut states = model.zero_conditions();
         let lower = &mut states.as_mut_slice()[..f];
-        self.add_coordinates((f, 0), dq, lower);
-        self.add_coordinates((f, n), dv, lower);
-        self.add_coordinates((0, n), &response.acceleration, lower);
+        self.coordinates.add((f, 0), dq, lower);
+        self.coordinates.add((f, n), dv, lower);
+        self.coordinates.add((0, n), &response.acceleration, lower);
         let internal = self.at.internal_rates(dq, dv, dz, &response);
         for (state, &entry) in lower.iter().chain(internal.as_slice()).enumerate() {
             put(found.a.as_mut_slice(), (f + state) * size + column, entry);
@@ -160,13 +166,26 @@ impl<'l, 'm, R: Real, M: Tangent<R>> Columns<'l, 'm, R, M> {
         } else if column < 2 * f {
             put(found.a.as_mut_slice(), (column - f) * size + column, R::ONE);
         }
+        self.fill_outputs(column, (dq, dv, dz), &response, &mut found.c);
+    }
+
+    /// One column of C.
+    fn fill_outputs(
+        &self,
+        column: usize,
+        (dq, dv, dz): (&M::V, &M::V, &M::Z),
+        response: &ResponseOf<R, M>,
+        c: &mut M::OutputMatrix,
+    ) {
+        let model = self.at.model;
+        let (n, size) = (model.velocity_count(), 2 * model.states().len() + model.internal_count());
         let mut outputs = <M::Outputs as Fields<R>>::Array::zeros(model.output_names().len());
         self.add_outputs(0, dq.as_slice(), outputs.as_mut_slice());
         self.add_outputs(n, dv.as_slice(), outputs.as_mut_slice());
         self.add_outputs(self.columns.internal, dz.as_slice(), outputs.as_mut_slice());
-        self.add_response(&response, outputs.as_mut_slice());
+        self.add_response(response, outputs.as_mut_slice());
         for (output, &entry) in outputs.as_slice().iter().enumerate() {
-            put(found.c.as_mut_slice(), output * size + column, entry);
+            put(c.as_mut_slice(), output * size + column, entry);
         }
     }
 
@@ -183,10 +202,10 @@ impl<'l, 'm, R: Real, M: Tangent<R>> Columns<'l, 'm, R, M> {
         model.coordinate_tangent(*time, q, dq, a, &mut turned);
         let mut states = model.zero_conditions();
         let rates = &mut states.as_mut_slice()[..f];
-        self.add_coordinates((0, 0), dq, rates);
+        self.coordinates.add((0, 0), dq, rates);
         rates.iter_mut().for_each(|entry| *entry = -*entry);
         add_block(model.coordinate_pattern(), turned.as_slice(), (0, 0), v.as_slice(), rates);
-        self.add_coordinates((0, model.velocity_count()), &bracket(*model, dq, v), rates);
+        self.coordinates.add((0, model.velocity_count()), &bracket(*model, dq, v), rates);
         for (state, &entry) in rates.iter().enumerate() {
             if kind(state) == ConditionKind::Rate {
                 let size = 2 * f + model.internal_count();
@@ -202,21 +221,23 @@ impl<'l, 'm, R: Real, M: Tangent<R>> Columns<'l, 'm, R, M> {
         let response = self.at.by_input(input);
         let mut states = model.zero_conditions();
         let lower = &mut states.as_mut_slice()[..f];
-        self.add_coordinates((0, n), &response.acceleration, lower);
+        self.coordinates.add((0, n), &response.acceleration, lower);
         let internal = self.at.internal_rates_by_input(input, &response);
         for (state, &entry) in lower.iter().chain(internal.as_slice()).enumerate() {
             put(found.b.as_mut_slice(), (f + state) * inputs + input, entry);
         }
+        self.fill_feedthrough(input, &response, &mut found.d);
+    }
+
+    /// One column of D.
+    fn fill_feedthrough(&self, input: usize, response: &ResponseOf<R, M>, d: &mut M::Feedthrough) {
+        let model = self.at.model;
         let mut outputs = <M::Outputs as Fields<R>>::Array::zeros(model.output_names().len());
-        add_column(
-            model.output_pattern(),
-            self.output.as_slice(),
-            (0, self.columns.inputs + input),
-            outputs.as_mut_slice(),
-        );
-        self.add_response(&response, outputs.as_mut_slice());
+        let (pattern, from) = (model.output_pattern(), (0, self.columns.inputs + input));
+        add_column(pattern, self.output.as_slice(), from, outputs.as_mut_slice());
+        self.add_response(response, outputs.as_mut_slice());
         for (output, &entry) in outputs.as_slice().iter().enumerate() {
-            put(found.d.as_mut_slice(), output * inputs + input, entry);
+            put(d.as_mut_slice(), output * model.input_names().len() + input, entry);
         }
     }
 

@@ -36,7 +36,8 @@ impl<R: Real, M: Mechanism<R>, F: Formulation<R, M>, S, I: Method<R>> Simulation
 
     /// The step size, if it, the time, the formulation and the integrator make sense.
     pub(super) fn checked_step(&self) -> Result<R, SimulationError> {
-        let h = self.run.step.ok_or(SimulationError::StepMissing)?;
+        let given = self.run.step.or_else(|| self.integrator.largest_step());
+        let h = given.ok_or(SimulationError::StepMissing)?;
         if !(h > R::ZERO && h.is_finite()) {
             return Err(SimulationError::Step { step: h.to_f64() });
         }

@@ -26,7 +26,9 @@ pub(crate) use step::name_singularity;
 use crate::clock::Clock;
 use crate::error::SimulationError;
 use crate::formulation::{Formulation, LagrangeIndex1};
-use crate::input::{AtStages, Held, InputSource, NoInputs, OnceAStep, Sampled, Source, When};
+use crate::input::{
+    AtStages, Constant, Held, HeldOrSampled, InputSource, NoInputs, OnceAStep, Sampled, When,
+};
 use crate::integrator::{Integrator, Method, Rk4};
 use crate::mechanism::{Assemble, Mechanism};
 use crate::real::Real;
@@ -131,7 +133,10 @@ impl<'m, R: Real, M: Mechanism<R>, F: Formulation<R, M>, S, I: Method<R>> Simula
     }
 
     /// Gives the inputs: [`Held`] once a step or [`Sampled`] at the stages.
-    pub fn inputs<W: When, C>(self, source: Source<W, C>) -> Simulation<'m, M, R, F, Source<W, C>, I>
+    pub fn inputs<W: When, C>(
+        self,
+        source: HeldOrSampled<W, C>,
+    ) -> Simulation<'m, M, R, F, HeldOrSampled<W, C>, I>
     where
         C: FnMut(R, &StateOf<M, R>) -> M::Inputs,
     {
@@ -140,7 +145,7 @@ impl<'m, R: Real, M: Mechanism<R>, F: Formulation<R, M>, S, I: Method<R>> Simula
 
     /// Gives the inputs by a function that is called once a step: `.inputs(Held(function))`, with the types of its
     /// arguments known.
-    pub fn held<C>(self, function: C) -> Simulation<'m, M, R, F, Source<OnceAStep, C>, I>
+    pub fn held<C>(self, function: C) -> Simulation<'m, M, R, F, HeldOrSampled<OnceAStep, C>, I>
     where
         C: FnMut(R, &StateOf<M, R>) -> M::Inputs,
     {
@@ -149,11 +154,16 @@ impl<'m, R: Real, M: Mechanism<R>, F: Formulation<R, M>, S, I: Method<R>> Simula
 
     /// Gives the inputs by a function that is called at every stage: `.inputs(Sampled(function))`, with the types of
     /// its arguments known.
-    pub fn sampled<C>(self, function: C) -> Simulation<'m, M, R, F, Source<AtStages, C>, I>
+    pub fn sampled<C>(self, function: C) -> Simulation<'m, M, R, F, HeldOrSampled<AtStages, C>, I>
     where
         C: FnMut(R, &StateOf<M, R>) -> M::Inputs,
     {
         self.input_source(Sampled(function))
+    }
+
+    /// Gives inputs that stay what they are.
+    pub fn constant(self, inputs: M::Inputs) -> Simulation<'m, M, R, F, Constant<M::Inputs>, I> {
+        self.input_source(Constant(inputs))
     }
 
     /// Gives the inputs by a source of one's own type.

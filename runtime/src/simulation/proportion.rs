@@ -26,7 +26,7 @@ use crate::integrator::Method;
 use crate::mechanism::{Assemble, Row};
 use crate::real::Real;
 use crate::state::{State, StateOf};
-use crate::vector::Vector;
+use crate::vector::{Vector, dot};
 
 /// Steps after which the constraints are looked at, whatever the velocities.
 const EVERY: u32 = 64;
@@ -355,8 +355,4 @@ fn add_levers<R: Real, M: Assemble<R>>(model: &M, time: R, q: &M::Q, levers: &mu
             }
         }
     }
-}
-
-fn dot<R: Real>(a: &[R], b: &[R]) -> R {
-    a.iter().zip(b).fold(R::ZERO, |sum, (&a, &b)| sum + a * b)
 }

@@ -31,11 +31,31 @@ pub(super) struct Passage<R> {
     known: [Option<(R, R)>; 2],
     /// Where the latest value was taken, from the beginning of the present step, s: not above zero.
     latest: R,
+    /// The pivot of D in the step before, squared.
+    pivot: R,
 }
+
+/// D whose pivots have squares above this, relative to their rows, is far from losing rank where they change slowly.
+const FAR: f64 = 1e-2;
+
+/// A square that becomes less than this part of itself in a step may be zero two steps further.
+const NEARS: f64 = 4.0 / 9.0;
 
 impl<R: Real> Passage<R> {
     pub fn new() -> Self {
-        Passage { known: [None; 2], latest: R::ZERO }
+        Passage { known: [None; 2], latest: R::ZERO, pivot: R::ZERO }
+    }
+
+    /// Whether the smallest pivot of D in a step, squared, is far from zero at the pace of the last step.
+    pub fn is_far(&mut self, pivot: R) -> bool {
+        let nears = pivot.less(R::from_f64(NEARS) * self.pivot);
+        self.pivot = pivot;
+        R::any(pivot.greater_equal(R::from_f64(FAR))) && !R::any(nears)
+    }
+
+    /// What was taken is no longer near.
+    pub fn forget(&mut self) {
+        *self = Passage { pivot: self.pivot, ..Passage::new() };
     }
 
     /// Whether nothing was taken yet.

@@ -4,7 +4,6 @@
 //! samples are `sample.rs`, the stages `dynamics.rs`.
 
 use super::dynamics::Stage;
-use super::singularity::Passage;
 use super::{MechanismDynamics, NearSingular, Residual, Simulation};
 use crate::assembly::{singular_velocity, smallest_pivot};
 use crate::clock::Clock;
@@ -26,9 +25,6 @@ const INCONSISTENT: f64 = 1e-6;
 
 /// A relative pivot of D Dᵀ above which the constraints are not to blame for a breakdown.
 const WELL_POSED: f64 = 1e-8;
-
-/// D whose pivots have squares above this, relative to their rows, is far from losing rank.
-const FAR_FROM_SINGULAR: f64 = 1e-2;
 
 /// What happened in a step.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -149,7 +145,7 @@ where
             return Err(self.diagnose_not_finite(time, clock.time(), what));
         }
         let (reciprocal_condition, near_singular) =
-            self.near_singularity((time, stepped.size), (clock.time(), &next));
+            self.near_singularity((time, stepped.size), (clock.time(), &next), inputs);
         self.check_proportion(
             (time, stepped.size),
             (clock.time(), &next),
@@ -177,15 +173,17 @@ where
         &mut self,
         (begin, size): (R, R),
         (time, next): (R, &StateOf<M, R>),
+        inputs: &M::Inputs,
     ) -> (R, Option<NearSingular<R>>) {
         let model = self.model();
         if model.row_count() == 0 {
             return (R::ONE, None);
         }
         let watch = &self.dynamics.watch;
-        let estimates = F::PIVOT == PivotOf::Rows;
-        let is_far = F::PIVOT == PivotOf::Jacobian
-            && R::any(watch.smallest_pivot.greater_equal(R::from_f64(FAR_FROM_SINGULAR)));
+        let of = F::pivot_of(model);
+        let estimates = of == PivotOf::Rows;
+        let of_jacobian = matches!(of, PivotOf::Jacobian | PivotOf::JacobianOrRows);
+        let is_far = of_jacobian && self.run.passage.is_far(watch.smallest_pivot);
         if is_far && self.run.passage.is_new() {
             return (watch.smallest_pivot, None);
         }
@@ -199,21 +197,22 @@ where
             }
             (into, watch.first_pivot, least)
         } else {
-            let condition = self.condition(time, &next.q);
+            let condition = self.condition_at(of, time, next, inputs);
             (size, condition, condition)
         };
-        let worst = watch.worst.as_ref().filter(|_| estimates);
+        // Independent velocities serve where their pivot is larger than that.
+        let worst = watch.worst.as_ref().filter(|_| estimates || of == PivotOf::JacobianOrRows);
         let mut began = None;
         if !estimates && self.run.passage.is_new() {
             // Of the steps that are near a parabola takes also the one before.
-            let before = self.condition(begin, &self.run.state.q);
+            let before = self.condition_at(of, begin, &self.run.state, inputs);
             self.run.passage.see(R::ZERO, before);
             began = Some(before).filter(|before| !R::any(before.greater_equal(R::NEAR_SINGULAR)));
         }
         let passed = self.run.passage.see(into, condition);
         self.run.passage.end_step(size);
         if is_far {
-            self.run.passage = Passage::new();
+            self.run.passage.forget();
         }
         // Written so that a NaN is seen.
         if let Some(stage) = worst {
@@ -227,6 +226,18 @@ where
         } else {
             (smallest, None)
         }
+    }
+
+    /// The same at a state, by a pivot of the accelerations where that is large.
+    #[cold]
+    fn condition_at(&self, of: PivotOf, time: R, state: &StateOf<M, R>, inputs: &M::Inputs) -> R {
+        let model = self.model();
+        let pivot = if of == PivotOf::JacobianOrRows {
+            model.acceleration(time, state, inputs, &mut model.zero_v(), &mut model.zero_lambda())
+        } else {
+            R::ZERO
+        };
+        if R::any(pivot.greater_equal(far())) { pivot } else { self.condition(time, &state.q) }
     }
 
     /// The estimate of the reciprocal condition of D M⁻¹ Dᵀ at a position.

@@ -7,6 +7,8 @@
 
 mod method;
 mod saved;
+#[cfg(feature = "serde")]
+mod saved_serde;
 mod stages;
 
 pub use method::StepMethod;
@@ -68,6 +70,7 @@ type MemoryOf<M, S, R> = <<S as StepMethod<R, M>>::Formulation as Formulation<R,
 
 /// What happened in a step.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[repr(C)]
 pub struct Tick<R = f64> {
     /// The time at its end, s: the exact sum of the steps, rounded once.
     pub time: R,
@@ -92,10 +95,32 @@ where
         Stepper { model, method, clock: Clock::at(R::ZERO), state: start, memory: None, outputs: None }
     }
 
+    /// One that goes on from a clock, which is checked, and a state, which is not.
+    pub(crate) fn resumed(
+        model: M,
+        time: [R; 3],
+        state: StateOf<M, R>,
+        method: S,
+    ) -> Result<Self, StepError> {
+        let clock = Clock::of_terms(time).ok_or(StepError::State)?;
+        Ok(Stepper { model, method, clock, state, memory: None, outputs: None })
+    }
+
+    /// The exact time.
+    pub(crate) fn clock(&self) -> &Clock<R> {
+        &self.clock
+    }
+
     /// The model that moves.
     #[inline]
     pub fn model(&self) -> &M {
         &self.model
+    }
+
+    /// What its steps are made by.
+    #[inline]
+    pub fn method(&self) -> &S {
+        &self.method
     }
 
     /// The present time, s: the exact sum of the steps, rounded once.
@@ -145,7 +170,7 @@ where
         Ok(())
     }
 
-    fn check(&self, state: &StateOf<M, R>) -> Result<(), StepError> {
+    pub(crate) fn check(&self, state: &StateOf<M, R>) -> Result<(), StepError> {
         let unit = || first_not_unit(self.model.layout(), &state.q, R::from_f64(UNIT)).is_none();
         if is_finite_state(state) && unit() { Ok(()) } else { Err(StepError::State) }
     }

@@ -572,7 +572,7 @@ where
                 Masses<S>,
                 f64,
                 F,
-                linkwright_runtime::input::Source<linkwright_runtime::input::AtStages, Law<S>>,
+                linkwright_runtime::input::HeldOrSampled<linkwright_runtime::input::AtStages, Law<S>>,
             >,
         >,
 {

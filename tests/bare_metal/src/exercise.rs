@@ -4,8 +4,8 @@ use crate::Meter;
 use crate::text::{decimal, hexadecimal};
 use core::hint::black_box;
 use linkwright::{
-    Assemble, AssembleExt, Corrected, Fields, LagrangeIndex1, NullSpace, Real, Rk4, State, StateOf,
-    StepMethod, Stepper, Vector,
+    Assemble, AssembleExt, Baumgarte, Corrected, Fields, LagrangeIndex1, NullSpace, Real, Rk4, State,
+    StateOf, StepMethod, Stepper, Vector, WithMultipliers,
 };
 
 /// Steps of each method that go into the digest.
@@ -87,10 +87,13 @@ where
     let mut stack = 0;
     hash = steps(hash, model, &start, Rk4, &mut of_steps, &mut stack, meter);
     let (mut independent, mut corrected, mut ignored) = (Range::NONE, Range::NONE, 0);
+    let mut by_multipliers = Range::NONE;
+    let method = (Rk4, WithMultipliers(Baumgarte::time_constant(R::from_f64(1e-3))));
+    hash = steps(hash, model, &start, method, &mut by_multipliers, &mut ignored, meter);
     hash = steps(hash, model, &start, (Rk4, NullSpace), &mut independent, &mut ignored, meter);
     let method = (Rk4, Corrected::after(LagrangeIndex1));
     hash = steps(hash, model, &start, method, &mut corrected, &mut ignored, meter);
-    let evaluation = evaluations(model, &start, meter);
+    let [evaluation, multipliers] = evaluations(model, &start, meter);
 
     meter.tell(scalar);
     meter.tell(" ");
@@ -101,8 +104,12 @@ where
         u32::from(assembled.is_some()),
         evaluation.least,
         evaluation.most,
+        multipliers.least,
+        multipliers.most,
         of_steps.least,
         of_steps.most,
+        by_multipliers.least,
+        by_multipliers.most,
         independent.most,
         corrected.most,
         stack,
@@ -150,14 +157,14 @@ where
     digest(hash, plant.state())
 }
 
-/// Accelerations at random states about the start.
+/// Accelerations at random states about the start: by the function that is asked first, and by multipliers.
 #[inline(never)]
-fn evaluations<R: Bits, M>(model: &M, start: &StateOf<M, R>, meter: &mut impl Meter) -> Range
+fn evaluations<R: Bits, M>(model: &M, start: &StateOf<M, R>, meter: &mut impl Meter) -> [Range; 2]
 where
     M: Assemble<R, Inputs: Fields<R>> + Clone,
 {
     let mut seed = 1;
-    let mut range = Range::NONE;
+    let mut ranges = [Range::NONE; 2];
     let (mut a, mut lambda) = (model.zero_v(), model.zero_lambda());
     let terms = [R::from_f64(20.0), R::from_f64(100.0)];
     for _ in 0..STATES {
@@ -170,19 +177,21 @@ where
         let inputs = M::Inputs::from_array(inputs);
         let state = start.moved(model.layout(), &delta, v, start.z.clone());
         let time = R::ONE + R::random(&mut seed);
-        let instructions = meter.instructions(|| {
-            let pivot = model.acceleration_baumgarte(
-                black_box(time),
-                black_box(&state),
-                black_box(&inputs),
-                black_box(terms[0]),
-                black_box(terms[1]),
-                &mut a,
-                &mut lambda,
-            );
+        let [first, multipliers] = &mut ranges;
+        let (t, s, u) = (black_box(time), black_box(&state), black_box(&inputs));
+        let [two_alpha, beta_squared] = terms.map(black_box);
+        *multipliers = multipliers.with(meter.instructions(|| {
+            let pivot = model.acceleration_baumgarte(t, s, u, two_alpha, beta_squared, &mut a, &mut lambda);
             black_box((pivot, &a, &lambda));
-        });
-        range = range.with(instructions);
+        }));
+        *first = if model.null_space_first() {
+            first.with(meter.instructions(|| {
+                let pivot = model.null_space_baumgarte(t, s, u, two_alpha, beta_squared, &mut a, &mut lambda);
+                black_box((pivot, &a, &lambda));
+            }))
+        } else {
+            *multipliers
+        };
     }
-    range
+    ranges
 }

@@ -2,7 +2,7 @@
 
 /// Calls `show` with the decimal digits of a number.
 pub fn decimal(number: u32, show: &mut impl FnMut(&str)) {
-    digits(u64::from(number), 10, show);
+    digits(u64::from(number), const { core::num::NonZeroU64::new(10).unwrap() }, show);
 }
 
 /// Calls `show` with sixteen hexadecimal digits.
@@ -14,8 +14,8 @@ pub fn hexadecimal(number: u64, show: &mut impl FnMut(&str)) {
 
 const DIGITS: [&str; 16] = ["0", "1", "2", "3", "4", "5", "6", "7", "8", "9", "a", "b", "c", "d", "e", "f"];
 
-fn digits(number: u64, base: u64, show: &mut impl FnMut(&str)) {
-    if number >= base {
+fn digits(number: u64, base: core::num::NonZeroU64, show: &mut impl FnMut(&str)) {
+    if number >= base.get() {
         digits(number / base, base, show);
     }
     show(DIGITS[(number % base) as usize & 15]);

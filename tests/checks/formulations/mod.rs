@@ -2,6 +2,7 @@
 
 mod beside;
 mod equations;
+mod leading;
 mod runs;
 mod settings;
 mod singular;

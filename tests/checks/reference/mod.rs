@@ -5,6 +5,7 @@
 //! committed values of the same script are compared instead (`recorded`), unless `REQUIRE_CASADI` is set.
 
 mod casadi;
+mod control;
 mod mutation;
 pub mod random;
 mod recorded;

@@ -5,7 +5,7 @@ use super::recorded::{Record, record};
 use super::{SETS, compiled, recorded_models};
 use linkwright_compiler::Compiled;
 use linkwright_compiler::functions::Argument;
-use linkwright_compiler::model::Space;
+use linkwright_compiler::model::{Coordinates, Space};
 use linkwright_compiler::schedule::{Function, Inputs, Source, outputs, sources};
 use linkwright_compiler::symbolic::{Node, Op, evaluate_with};
 use std::cell::RefCell;
@@ -17,7 +17,7 @@ pub const MODELS: [&str; 7] =
     ["general_four_bar", "quick_return", "car_axis", "crank", "jack", "shafts", "snake"];
 
 /// Functions that the reference judges.
-const JUDGED: [Function; 16] = [
+const JUDGED: [Function; 18] = [
     Function::MassMatrix,
     Function::Constraints,
     Function::ConstraintJacobian,
@@ -29,6 +29,8 @@ const JUDGED: [Function; 16] = [
     Function::Powers,
     Function::Acceleration,
     Function::AccelerationBaumgarte,
+    Function::NullSpace,
+    Function::NullSpaceBaumgarte,
     Function::Motions,
     Function::Reactions,
     Function::DriverEfforts,
@@ -146,7 +148,15 @@ impl<'a> Judge<'a> {
     fn mutations(&self) -> Vec<(Node, Op, &'static str)> {
         let zero = self.compiled.complete.equations.zero;
         let mut found = Vec::new();
-        for node in &self.needed {
+        // Independent velocities are judged where they may lead: in absolute coordinates of trees, whose recorded states are near dead
+        // centres of theirs, rounding hides small terms.
+        let is_judged = |function: &Function| {
+            function.pair() != Some(1) || self.compiled.choice.coordinates == Coordinates::Tree
+        };
+        let judged = self.outputs.iter().filter(|(function, _)| is_judged(function));
+        let roots = judged.flat_map(|(_, nodes)| nodes).copied();
+        let judged = self.compiled.complete.equations.graph.read().reachable(roots);
+        for node in &judged {
             match self.compiled.complete.equations.graph.read().op(*node) {
                 Op::Add(a, b) => found.extend([
                     (*node, Op::Sub(a, b), "second sign flipped"),
@@ -223,11 +233,10 @@ impl<'a> Judge<'a> {
 
     /// Whether the node has a part in nothing but the size that a row's pivot is divided by.
     fn measures_only(&self, node: Node) -> bool {
-        let solutions = [Function::Acceleration, Function::AccelerationBaumgarte];
         let others = self.outputs.iter().flat_map(|(function, nodes)| match function {
             Function::RowScales => &[],
             // The pivot is the last.
-            function if solutions.contains(function) => &nodes[..nodes.len() - 1],
+            function if function.pair().is_some() => &nodes[..nodes.len().saturating_sub(1)],
             _ => &nodes[..],
         });
         !self.compiled.complete.equations.graph.read().reachable(others.copied()).contains(&node)

@@ -110,6 +110,9 @@ fn numbers(value: &Value) -> Vec<f64> {
     value.as_array().unwrap().iter().map(|x| x.as_f64().unwrap()).collect()
 }
 
+/// The pivot of independent velocities, a square, from which on they are asked.
+const SERVES: f64 = 1e-4;
+
 /// Whether an error is within its bound; NaN is not.
 fn within(error: f64, bound: f64) -> bool {
     error.abs() <= bound
@@ -139,6 +142,11 @@ impl Record {
         let rows =
             |state: &State| state.values["sensitivity"].as_array().unwrap().iter().map(numbers).collect();
         self.consistent.iter().map(|state| (state.inputs.clone(), rows(state))).collect()
+    }
+
+    /// Consistent states with numbers that the runtime makes of them.
+    pub fn lists(&self, name: &str) -> Vec<(Inputs, Vec<f64>)> {
+        self.consistent.iter().map(|state| (state.inputs.clone(), state.list(name))).collect()
     }
 
     /// The first disagreement, if there is one.
@@ -294,8 +302,10 @@ fn accelerations(
     let terms = state.list("forces_scale").into_iter().chain(state.list("gamma_scale"));
     let background: Vec<f64> = terms.map(|terms| share * terms).collect();
     let solution = evaluate(Function::Acceleration, inputs);
+    let solutions =
+        Function::SOLUTIONS.iter().flat_map(|[plain, with]| [(*plain, &gamma), (*with, &stabilised)]);
     for (function, gamma) in
-        [(Function::Acceleration, &gamma), (Function::AccelerationBaumgarte, &stabilised)]
+        solutions.filter(|(function, _)| (function.signature().emitted)(&compiled.complete))
     {
         let z = evaluate(function, inputs);
         let mut residual: Vec<f64> = forces.iter().chain(gamma).copied().collect();
@@ -318,7 +328,13 @@ fn accelerations(
         let worst = residual.iter().fold(0.0_f64, |m, x| if x.is_nan() { f64::NAN } else { m.max(x.abs()) });
         let size = weight.iter().fold(0.0_f64, |m, x| m.max(*x));
         let pivot = z[z.len() - 1];
+        let by_independent = Function::SOLUTIONS[1].contains(&function);
+        if by_independent && consistent && pivot < SERVES {
+            continue;
+        }
         let lost = match compiled.mechanism.space {
+            // Digits are lost as the pivot itself is smaller.
+            _ if by_independent && !consistent => pivot.sqrt().recip().clamp(1.0, 1e6),
             Space::Spatial if !consistent => (REGULAR / pivot).clamp(1.0, 1e4),
             _ => 1.0,
         };

@@ -11,20 +11,20 @@ use std::fmt::Write;
 /// States of each kind in a request.
 pub const STATES: usize = 112;
 
-/// ∂(v̇, λ) at a consistent state, row by row, where it is to be compared.
-pub type Sensitivity<'a> = dyn Fn(&Inputs) -> Option<Vec<Vec<f64>>> + 'a;
+/// What else is to be compared at a consistent state: a name, and numbers row by row.
+pub type Further<'a> = dyn Fn(&Inputs) -> Vec<(&'static str, Vec<Vec<f64>>)> + 'a;
 
 /// The request as JSON text.
 pub fn request(compiled: &Compiled, hash: &str, change: &dyn Fn(Function) -> Option<Program>) -> String {
-    request_with(compiled, hash, change, &|_| None)
+    request_with(compiled, hash, change, &|_| Vec::new())
 }
 
-/// The same with derivatives of the solution.
+/// The same with what the runtime makes of the solution; a single row is a list, not a list of lists.
 pub fn request_with(
     compiled: &Compiled,
     hash: &str,
     change: &dyn Fn(Function) -> Option<Program>,
-    sensitivity: &Sensitivity,
+    further: &Further,
 ) -> String {
     let walker = Walker::new(compiled);
     let mut random = Random::named(&compiled.mechanism.name.text);
@@ -50,8 +50,11 @@ pub fn request_with(
         tries += 1;
         let Some(inputs) = walker.consistent(&mut random) else { continue };
         text.push_str(if found == 0 { "{" } else { ",\n{" });
-        if let Some(rows) = sensitivity(&inputs) {
-            groups(&mut text, "sensitivity", &rows.concat(), rows.first().map_or(1, Vec::len).max(1));
+        for (name, rows) in further(&inputs) {
+            match rows.as_slice() {
+                [row] => list(&mut text, name, row),
+                rows => groups(&mut text, name, &rows.concat(), rows.first().map_or(1, Vec::len).max(1)),
+            }
             text.push(',');
         }
         consistent_state(&mut text, compiled, inputs, &evaluate);

@@ -31,7 +31,9 @@ fn sensitivity<M: Model + Tangent<f64>>(inputs: &Inputs) -> Vec<Vec<f64>> {
 fn write<M: Model + Tangent<f64>>(folder: &std::path::Path, name: &str) {
     let compiled = compiled::<M>(None);
     let hash = hash(&compiled.definition);
-    let text = request::request_with(&compiled, &hash, &|_| None, &|inputs| Some(sensitivity::<M>(inputs)));
+    let text = request::request_with(&compiled, &hash, &|_| None, &|inputs| {
+        vec![("sensitivity", sensitivity::<M>(inputs))]
+    });
     std::fs::write(folder.join(format!("{name}.tangent.json")), text).unwrap();
 }
 

@@ -5,11 +5,12 @@
 #![no_std]
 
 use linkwright::{
-    Ali3p, Assemble, AssembleExt, AugmentedLagrangian, Baumgarte, Corrected, DormandPrince, Event,
+    Actuators, Ali3p, Assemble, AssembleExt, AugmentedLagrangian, Baumgarte, Corrected, DormandPrince, Event,
     ExplicitTrapezoidal, Fields, Formulation, GeneralisedAlpha, ImplicitTrapezoidal, InputSource, Integrator,
     LagrangeIndex1, Linearisation, Mechanism, MechanismDynamics, Motion, NullSpace, Parametric, Partitioned,
-    Penalty, Projected, Rk4, SemiImplicitEuler, Simulation, StateOf, StepMethod, Tangent, Vector, actuation,
-    equilibrium, mechanism,
+    Penalty, Projected, Reading, Reduced, Rk4, SemiImplicitEuler, Simulation, StateOf, StepMethod, Tangent,
+    Vector, actuation, coordinate, coordinate_rates, coordinate_values, equilibrium, measured, mechanism,
+    step_map, zero_order_hold,
 };
 
 #[panic_handler]
@@ -154,6 +155,37 @@ where
         good += u32::from(here.by_input(0).acceleration.max_abs() > 0.0);
         good += u32::from(here.by_parameters().column(0).acceleration.max_abs() > 0.0);
         good += u32::from(here.state_space().is_ok());
+        good += u32::from(here.output_matrices().is_ok());
+        if let Ok(space) = here.state_space() {
+            good += u32::from(zero_order_hold(&space.a, &space.b, h).is_ok());
+        }
+    }
+    good + controls(model, start, h)
+}
+
+/// What a controller or an estimator calls.
+fn controls<M: Tangent<f64>>(model: &M, start: &StateOf<M>, h: f64) -> u32 {
+    let inputs = M::Inputs::from_array(Vector::zeros(M::Inputs::NAMES.len()));
+    let mut good = u32::from(step_map(model, &Rk4, (0.0, start), &inputs, h).is_ok());
+    good +=
+        u32::from(step_map(model, &(SemiImplicitEuler, LagrangeIndex1), (0.0, start), &inputs, h).is_ok());
+    good += u32::from(step_map(model, &ExplicitTrapezoidal, (0.0, start), &inputs, h).is_ok());
+    good += u32::from(coordinate(model, "main.angle").is_ok());
+    good += u32::from(coordinate_values(model, 0.0, &start.q).max_abs() > h);
+    good += u32::from(coordinate_rates(model, 0.0, &start.q, &start.v).max_abs() > h);
+    let reading =
+        Reading { coordinate: model.independent().first().copied().unwrap_or(9), position: h, rate: h };
+    good += u32::from(measured(model, 0.0, start, &[reading]).is_ok());
+    if let Ok(reduced) = Reduced::along(model, 0.0, start, &inputs, model.states()) {
+        good += u32::from(reduced.mass_matrix().max_abs() > h);
+        good += reduced.bias().len() as u32 + reduced.gravity().len() as u32;
+        let a = reduced.acceleration(&[h]).plus(h, &reduced.velocity(&[h])).plus(h, &reduced.motion(1));
+        good += u32::from(reduced.component(0, &a) > h);
+        if let Ok(actuators) = Actuators::named(model, ["torque", "gas"]) {
+            good += u32::from(
+                actuators.inputs_for(model, (0.0, start), &reduced.acceleration(&[h]), &inputs).is_ok(),
+            );
+        }
     }
     good
 }

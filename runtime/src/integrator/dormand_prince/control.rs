@@ -19,6 +19,8 @@ pub(super) const LEAST_ERROR: f64 = 1e-4;
 /// The factor of the size after a stage that broke down.
 pub(super) const AFTER_BREAKDOWN: f64 = 0.25;
 
+/// The largest step where none is given, s: longer than a run, and finite.
+pub(super) const LARGEST_STEP: f64 = 1e6;
 /// The most trials of one step. The first size that is tried is the one proposed; a jump in the forces takes some thirty trials.
 pub(super) const MOST_TRIALS: u32 = 100;
 /// The most steps of a run, if not said otherwise.

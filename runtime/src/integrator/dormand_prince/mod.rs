@@ -4,7 +4,7 @@ mod control;
 mod dense;
 mod tableau;
 
-use self::control::{AFTER_BREAKDOWN, LEAST_ERROR, MOST_STEPS, MOST_TRIALS, Scale};
+use self::control::{AFTER_BREAKDOWN, LARGEST_STEP, LEAST_ERROR, MOST_STEPS, MOST_TRIALS, Scale};
 use self::dense::Segment;
 pub(super) use self::tableau::DORMAND_PRINCE;
 use self::tableau::{ESTIMATE, EULER};
@@ -55,6 +55,8 @@ use crate::vector::Vector;
 /// the largest. A step is tried at most 100 times, which takes at most 602 evaluations: 6 a trial, one at the start, one for the
 /// size of the first step. A run (`advance_until` and its like) takes at most 10⁶ steps, unless
 /// [`most_steps`](DormandPrince::most_steps) says otherwise; it can be gone on with from there.
+///
+/// The step size of a simulation is the largest step; where it is not given a step may be as long as the run.
 ///
 /// # Between the steps
 /// [`Interpolate`]: the continuous extension of order 4, of u and v (II.6), at no further evaluation.
@@ -225,6 +227,10 @@ impl<R: Real> Method<R> for DormandPrince<R> {
 
     fn memory<X: Variables<R>>(&self) -> MemoryOf<X, R> {
         DormandPrinceMemory { size: None, error: R::from_f64(LEAST_ERROR), end: None, segment: None }
+    }
+
+    fn largest_step(&self) -> Option<R> {
+        self.adaptive.then(|| R::from_f64(LARGEST_STEP))
     }
 
     fn check(&self) -> Result<(), SettingError> {

@@ -1,0 +1,78 @@
+//! v̇ and λ by independent velocities where these are written out and serve, by multipliers elsewhere.
+//!
+//! Both solve the same equations, so that accelerations do not jump where one gives way to the other: they differ by rounding, divided
+//! by a hundredth.
+
+use super::PivotOf;
+use crate::mechanism::Mechanism;
+use crate::partition::serves;
+use crate::real::Real;
+use crate::state::StateOf;
+
+#[inline(always)]
+pub(super) fn pivot_of<R: Real, M: Mechanism<R>>(model: &M) -> PivotOf {
+    if model.null_space_first() { PivotOf::JacobianOrRows } else { PivotOf::Rows }
+}
+
+/// Without stabilisation; returns the pivot of the way that was taken.
+#[inline(always)]
+pub(crate) fn acceleration<R: Real, M: Mechanism<R>>(
+    model: &M,
+    time: R,
+    state: &StateOf<M, R>,
+    u: &M::Inputs,
+    a: &mut M::V,
+    lambda: &mut M::Lambda,
+) -> R {
+    if !model.null_space_first() {
+        return model.acceleration(time, state, u, a, lambda);
+    }
+    let pivot = model.null_space(time, state, u, a, lambda);
+    if serves(pivot) { pivot } else { elsewhere(model, time, state, u, a, lambda) }
+}
+
+/// With Baumgarte's terms.
+#[inline(always)]
+pub(crate) fn stabilised<R: Real, M: Mechanism<R>>(
+    model: &M,
+    time: R,
+    state: &StateOf<M, R>,
+    u: &M::Inputs,
+    terms: [R; 2],
+    a: &mut M::V,
+    lambda: &mut M::Lambda,
+) -> R {
+    let [two_alpha, beta_squared] = terms;
+    if !model.null_space_first() {
+        return model.acceleration_baumgarte(time, state, u, two_alpha, beta_squared, a, lambda);
+    }
+    let pivot = model.null_space_baumgarte(time, state, u, two_alpha, beta_squared, a, lambda);
+    if serves(pivot) { pivot } else { stabilised_elsewhere(model, time, state, u, terms, a, lambda) }
+}
+
+#[cold]
+#[inline(never)]
+fn elsewhere<R: Real, M: Mechanism<R>>(
+    model: &M,
+    time: R,
+    state: &StateOf<M, R>,
+    u: &M::Inputs,
+    a: &mut M::V,
+    lambda: &mut M::Lambda,
+) -> R {
+    model.acceleration(time, state, u, a, lambda)
+}
+
+#[cold]
+#[inline(never)]
+fn stabilised_elsewhere<R: Real, M: Mechanism<R>>(
+    model: &M,
+    time: R,
+    state: &StateOf<M, R>,
+    u: &M::Inputs,
+    [two_alpha, beta_squared]: [R; 2],
+    a: &mut M::V,
+    lambda: &mut M::Lambda,
+) -> R {
+    model.acceleration_baumgarte(time, state, u, two_alpha, beta_squared, a, lambda)
+}
