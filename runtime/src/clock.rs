@@ -41,6 +41,24 @@ impl<R: Real> Clock<R> {
         fits.then_some(Clock { terms, owed: R::ZERO })
     }
 
+    /// The first clock in the lanes of the mask, the second in the others.
+    pub fn select(mask: R::Mask, first: Self, second: Self) -> Self {
+        let [a, b] = [first.terms, second.terms];
+        let terms = [R::select(mask, a[0], b[0]), R::select(mask, a[1], b[1]), R::select(mask, a[2], b[2])];
+        Clock { terms, owed: R::select(mask, first.owed, second.owed) }
+    }
+
+    /// Writes the clock of one lane.
+    pub fn set<S: Real>(&mut self, of: &Clock<S>, put: impl Fn(&mut R, S)) {
+        self.terms.iter_mut().zip(of.terms).for_each(|(all, term)| put(all, term));
+        put(&mut self.owed, of.owed);
+    }
+
+    /// The clock with this function of its terms.
+    pub fn map<S: Real>(self, f: impl Fn(R) -> S) -> Clock<S> {
+        Clock { terms: self.terms.map(&f), owed: f(self.owed) }
+    }
+
     /// The time, rounded once, s.
     #[inline]
     pub fn time(&self) -> R {
@@ -118,8 +136,8 @@ fn normalised<R: Real>(hi: R, mid: R, error: R, lo: R) -> [R; 3] {
     let (mid, lo) = two_sum(mid, lo);
     // Half way between two numbers hi is the even one; lo then says on which side of the middle the sum is.
     let twice = mid + mid;
-    let is_halfway = (hi + twice) - hi == twice;
-    if is_halfway && lo * mid.sign() > R::ZERO { [hi + twice, -mid, lo] } else { [hi, mid, lo] }
+    let is_other = ((hi + twice) - hi).equal(twice) & (lo * mid.sign()).greater(R::ZERO);
+    [R::select(is_other, hi + twice, hi), R::select(is_other, -mid, mid), lo]
 }
 
 #[cfg(test)]

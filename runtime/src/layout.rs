@@ -126,9 +126,15 @@ fn retraction<R: Real, Q: Vector<R>, V: Vector<R>, const NORMALISED: bool>(
     let from_pairs = from_pairs.as_chunks::<2>().0.iter();
     let pairs = to_pairs.as_chunks_mut::<2>().0.iter_mut().zip(from_pairs).zip(d_rotations);
     // Asked once for all, so that the usual case is a loop without branches.
-    if turn_far(d_rotations) {
+    let far = turn_far(d_rotations);
+    if R::any(far) {
         for ((to, &[c, s]), &delta) in pairs {
-            *to = turn_pair(c, s, delta).into();
+            let mut turned = turn_pair(c, s, delta);
+            if !NORMALISED && R::LANES > 1 {
+                let (c, s) = turn_once(c, s, delta);
+                turned = (R::select(far, turned.0, c), R::select(far, turned.1, s));
+            }
+            *to = turned.into();
         }
     } else {
         for ((to, &[c, s]), &delta) in pairs {
@@ -142,9 +148,18 @@ fn retraction<R: Real, Q: Vector<R>, V: Vector<R>, const NORMALISED: bool>(
     let (d_quaternions, _) = d_rest.as_chunks::<3>();
     let from_quaternions = from_quaternions.as_chunks::<4>().0.iter();
     let turned = to_quaternions.as_chunks_mut::<4>().0.iter_mut().zip(from_quaternions).zip(d_quaternions);
-    if d_quaternions.iter().fold(false, |far, &delta| far | quaternion::turns_far(delta)) {
+    let far = d_quaternions
+        .iter()
+        .map(|&delta| quaternion::is_far(delta))
+        .reduce(|far, other| far | other)
+        .filter(|&far| R::any(far));
+    if let Some(far) = far {
         for ((to, &from), &delta) in turned {
             *to = turn_quaternion(from, delta);
+            if !NORMALISED && R::LANES > 1 {
+                let once = quaternion::turn_once(from, delta);
+                to.iter_mut().zip(once).for_each(|(to, once)| *to = R::select(far, *to, once));
+            }
         }
     } else {
         for ((to, &from), &delta) in turned {

@@ -12,10 +12,11 @@
 //! | derivatives, and what follows from them | [`tangent`], [`linearisation`] |
 //! | motion | [`formulation`], [`input`], [`integrator`], [`simulation`] |
 //! | motion in a control loop; control itself | [`stepper`]; [`control`] |
+//! | many mechanisms of one definition at once | [`lanes`] |
 //! | what can go wrong | [`error`] |
 //!
 //! The feature `std` (default) takes the square root from the hardware, and the fused multiply-add where the target
-//! has one; `nalgebra` adds [`dense`](https://docs.rs/linkwright-runtime) matrices.
+//! has one; `nalgebra` adds [`dense`](https://docs.rs/linkwright-runtime) matrices; `wide` numbers in lanes.
 #![no_std]
 #![forbid(unsafe_code)]
 #![warn(missing_docs)]
@@ -37,6 +38,7 @@ pub mod fields;
 pub mod formulation;
 pub mod input;
 pub mod integrator;
+pub mod lanes;
 pub mod layout;
 #[doc(hidden)]
 pub mod ldl;
@@ -81,6 +83,9 @@ pub use integrator::{
     ImplicitDynamics, ImplicitTrapezoidal, Integrator, Interpolate, Method, Rejections, Rk4,
     SemiImplicitEuler, StepFailure, Stepped, SteppedOf,
 };
+#[cfg(feature = "wide")]
+pub use lanes::{F32x8, F32x16, F64x4, F64x8};
+pub use lanes::{InScalars, LaneMethod, LaneStepper, Lanes, Ticks};
 pub use layout::{Layout, MultiTurn, inverse_differential, retract, retract_counting};
 pub use linearisation::{
     Actuation, ByParameters, Equilibrium, EquilibriumOf, Linearisation, Response, StateSpace, actuation,
@@ -115,6 +120,7 @@ pub mod __private {
         pub use crate::fields::{Fields, Parametric};
         pub use crate::formulation::{Corrected, LagrangeIndex1};
         pub use crate::integrator::{Rk4, SemiImplicitEuler};
+        pub use crate::lanes::{InScalars, zip_arrays, zip_fields};
         pub use crate::layout::{Layout, MultiTurn, retract};
         pub use crate::mechanism::{Assemble, Condition, ConditionKind, Elimination, Flips, Mechanism, Row};
         pub use crate::named::{Angle, Turns};

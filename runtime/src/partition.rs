@@ -185,9 +185,9 @@ impl<C: Clone + AsRef<[u16]> + AsMut<[u16]>> Partition<C> {
         &self,
         model: &M,
         factors: &M::Dense,
-    ) -> M::Basis {
+        basis: &mut M::Basis,
+    ) {
         let (n, none) = (model.velocity_count(), model.zero_lambda());
-        let mut basis = model.zero_basis();
         let places = basis.as_mut_slice().chunks_exact_mut(n.max(1));
         for (own, velocity) in places.zip(self.independent()) {
             let mut column = model.zero_v();
@@ -195,7 +195,6 @@ impl<C: Clone + AsRef<[u16]> + AsMut<[u16]>> Partition<C> {
             self.dependent(model, factors, &none, &mut column);
             own.iter_mut().zip(column.as_slice()).for_each(|(entry, &value)| *entry = value);
         }
-        basis
     }
 
     /// λ of D_dᵀ λ = `forces` in the dependent velocities; idle rows have none.
@@ -246,8 +245,14 @@ fn largest<R: Real, M: Assemble<R>>(model: &M, row: &[R], counts: impl Fn(usize)
     found.unwrap_or((0, R::ZERO))
 }
 
-/// Whether written-out accelerations with this pivot are good enough, in all lanes. Written so that a NaN is not.
+/// Whether written-out accelerations with this pivot are good enough, in all lanes.
 #[inline(always)]
 pub(crate) fn serves<R: Real>(pivot: R) -> bool {
-    !R::any(!pivot.greater_equal(R::from_f64(WRITTEN_OUT).max(R::NEAR_SINGULAR)))
+    !R::any(!serving(pivot))
+}
+
+/// In which lanes they are. Written so that a NaN is not.
+#[inline(always)]
+pub(crate) fn serving<R: Real>(pivot: R) -> R::Mask {
+    pivot.greater_equal(R::from_f64(WRITTEN_OUT).max(R::NEAR_SINGULAR))
 }

@@ -41,10 +41,16 @@ pub(crate) fn turn_once<R: Real>(q: [R; 4], delta: [R; 3]) -> [R; 4] {
     product(q, unit(half_turn(delta)))
 }
 
-/// Whether an increment is beyond the direct polynomials of [`exponential`] in some lane.
+/// Whether an increment is beyond the direct polynomials of [`exponential`].
 #[inline(always)]
-pub(crate) fn turns_far<R: Real>([x, y, z]: [R; 3]) -> bool {
-    R::any((x * x + y * y + z * z).greater(R::from_f64(4.0) * direct::<R>()))
+pub(crate) fn is_far<R: Real>([x, y, z]: [R; 3]) -> R::Mask {
+    (x * x + y * y + z * z).greater(R::from_f64(4.0) * direct::<R>())
+}
+
+/// Whether it is in some lane.
+#[inline(always)]
+fn turns_far<R: Real>(delta: [R; 3]) -> bool {
+    R::any(is_far(delta))
 }
 
 /// The product p ⊗ q: first the rotation q, then p.
@@ -82,19 +88,24 @@ fn unit<R: Real>((u, [x, y, z]): (R, [R; 3])) -> [R; 4] {
 }
 
 /// The exponential of an increment that [`turns_far`] in at least one lane, by at most 64 halvings: above 2⁶⁴ rad no digit of an angle is left.
+/// Every lane is halved as often as it would be alone.
 #[cold]
 fn exponential_by_halving<R: Real>(delta: [R; 3]) -> [R; 4] {
     let mut small = delta;
-    let mut halvings = 0;
-    while halvings < 64 && turns_far(small) {
-        small = small.map(|entry| entry * R::from_f64(0.5));
-        halvings += 1;
+    let (mut halvings, mut most) = (R::ZERO, 0);
+    while most < 64 && turns_far(small) {
+        let far = is_far(small);
+        small = small.map(|entry| R::select(far, entry * R::from_f64(0.5), entry));
+        halvings = R::select(far, halvings + R::ONE, halvings);
+        most += 1;
     }
     let (mut u, mut v) = half_turn(small);
-    for _ in 0..halvings {
+    for _ in 0..most {
+        let again = halvings.greater(R::ZERO);
         let w = R::ONE + u;
-        v = v.map(|entry| (entry + entry) * w);
-        u = (u + u) * (R::from_f64(2.0) + u);
+        v = v.map(|entry| R::select(again, (entry + entry) * w, entry));
+        u = R::select(again, (u + u) * (R::from_f64(2.0) + u), u);
+        halvings = halvings - R::ONE;
     }
     unit((u, v))
 }

@@ -22,11 +22,15 @@ pub trait Real:
     + Mul<Output = Self>
     + Div<Output = Self>
     + Neg<Output = Self>
+    + Send
+    + Sync
     + 'static
 {
     /// The result of a comparison: `bool` for one number, one truth value a lane for several.
     type Mask: Copy + BitAnd<Output = Self::Mask> + BitOr<Output = Self::Mask> + Not<Output = Self::Mask>;
 
+    /// How many numbers it is: one, or as many as it has lanes.
+    const LANES: usize = 1;
     /// The neutral element of addition.
     const ZERO: Self;
     /// The neutral element of multiplication.

@@ -60,18 +60,24 @@ pub(crate) fn turn_once<R: Real>(c: R, s: R, delta: R) -> (R, R) {
     product(c, s, (R::ONE + u, sd))
 }
 
-/// Whether an increment is beyond the direct polynomial of [`exponential`] in some lane.
+/// Whether an increment is beyond the direct polynomial of [`exponential`].
 #[inline(always)]
-fn turns_far<R: Real>(delta: R) -> bool {
-    R::any((delta * delta).greater(direct()))
+fn is_far<R: Real>(delta: R) -> R::Mask {
+    (delta * delta).greater(direct())
 }
 
-/// Whether one of these increments may be beyond the direct polynomial of [`exponential`] in some lane; by the sum of their squares, which
+/// Whether it is in some lane.
+#[inline(always)]
+fn turns_far<R: Real>(delta: R) -> bool {
+    R::any(is_far(delta))
+}
+
+/// Whether one of these increments may be beyond the direct polynomial of [`exponential`]; by the sum of their squares, which
 /// takes one comparison.
 #[inline(always)]
-pub(crate) fn turn_far<R: Real>(deltas: &[R]) -> bool {
+pub(crate) fn turn_far<R: Real>(deltas: &[R]) -> R::Mask {
     let squares = deltas.iter().fold(R::ZERO, |sum, &delta| delta.mul_add(delta, sum));
-    R::any(squares.greater(direct()))
+    squares.greater(direct())
 }
 
 /// The product of two rotations, normalised to first order.
@@ -146,19 +152,24 @@ pub(crate) fn series<R: Real>(z: R) -> (R, R) {
 }
 
 /// The exponential of an increment above 1/2 in at least one lane, by at most 64 halvings: above 2⁶³ rad no digit of an angle is left.
+/// Every lane is halved as often as it would be alone.
 #[cold]
 fn exponential_by_halving<R: Real>(delta: R) -> (R, R) {
     let half = R::from_f64(0.5);
     let mut small = delta;
-    let mut halvings = 0;
-    while halvings < 64 && turns_far(small) {
-        small = small * half;
-        halvings += 1;
+    let (mut halvings, mut most) = (R::ZERO, 0);
+    while most < 64 && turns_far(small) {
+        let far = is_far(small);
+        small = R::select(far, small * half, small);
+        halvings = R::select(far, halvings + R::ONE, halvings);
+        most += 1;
     }
     let (mut u, mut s) = versine(small);
-    for _ in 0..halvings {
-        s = (s + s) * (R::ONE + u);
-        u = (u + u) * (R::from_f64(2.0) + u);
+    for _ in 0..most {
+        let again = halvings.greater(R::ZERO);
+        s = R::select(again, (s + s) * (R::ONE + u), s);
+        u = R::select(again, (u + u) * (R::from_f64(2.0) + u), u);
+        halvings = halvings - R::ONE;
     }
     (R::ONE + u, s)
 }

@@ -27,6 +27,14 @@ pub(crate) fn dot<R: Real>(a: &[R], b: &[R]) -> R {
     a.iter().zip(b).fold(R::ZERO, |sum, (&a, &b)| a.mul_add(b, sum))
 }
 
+/// Writes the entries of `from` over those of `into` in the lanes of the mask.
+#[inline(always)]
+pub(crate) fn blend<R: Real, V: Vector<R>>(mask: R::Mask, from: &V, into: &mut V) {
+    for (into, &from) in into.as_mut_slice().iter_mut().zip(from.as_slice()) {
+        *into = R::select(mask, from, *into);
+    }
+}
+
 /// A vector over the scalars `R`; implemented for `[R; N]`, and for `()`, which has no entries.
 ///
 /// The length never changes. Vectors that belong to one place of one mechanism, such as its velocities, have the same.

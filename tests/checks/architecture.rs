@@ -474,3 +474,16 @@ fn recorded_values_are_within_a_megabyte() {
     let size: u64 = files.map(|file| file.metadata().expect("its size").len()).sum();
     assert!(size <= 1_000_000, "{size} bytes in {}", folder.display());
 }
+
+/// A mechanism may have any name: those that emitted code has in scope are known, and go out of its way.
+#[test]
+fn names_in_scope_of_emitted_code_are_known() {
+    let runtime = read("runtime/src/lib.rs");
+    let exported = code(&runtime);
+    let exported = exported.split_once("pub mod v1").expect("the names for emitted code").1;
+    let known = read("compiler/src/emit/names.rs");
+    let names = exported.split(|c: char| !is_of_word(c)).filter(|name| name.starts_with(char::is_uppercase));
+    let missing: Vec<&str> = names.filter(|name| !known.contains(&format!("\"{name}\""))).collect();
+    assert!(exported.contains("Mechanism"), "no names were found");
+    assert!(missing.is_empty(), "IN_SCOPE of emit/names.rs lacks {missing:?}");
+}

@@ -1,5 +1,5 @@
 // `FourBar` of models/src/four_bar.rs.
-// Left out: acceleration, choice, condition_bias, condition_cosines, condition_drift, condition_jacobian, condition_pattern, condition_residual, conditions, constraints, default, dependent, driver_efforts, elimination, factor, fingerprint, flips, forces, from, from_array, independent, input_names, internal_rates, inverse_dynamics, jacobian_pattern, kinetic_energy, layout, lu, mass_matrix, mass_pattern, motions, name, nu, null_space, null_space_first, output_names, parameters, position_names, positions, potential_energy, powers, prepare, row_cosines, row_scales, row_sizes, rows, solve, start_conditions, start_gates, start_internal, start_q, start_rates, start_targets, start_v, store, to_array, unwrap, velocities, velocity_names, with.
+// Left out: acceleration, choice, condition_bias, condition_cosines, condition_drift, condition_jacobian, condition_pattern, condition_residual, conditions, constraints, default, dependent, driver_efforts, elimination, factor, fingerprint, flips, forces, from, from_array, independent, input_names, internal_rates, inverse_dynamics, jacobian_pattern, kinetic_energy, layout, lu, mass_matrix, mass_pattern, motions, name, nu, null_space, null_space_first, output_names, parameters, position_names, positions, potential_energy, powers, prepare, row_cosines, row_scales, row_sizes, rows, solve, start_conditions, start_gates, start_internal, start_q, start_rates, start_targets, start_v, store, to_array, unwrap, velocities, velocity_names, with, zip.
 /// Four-bar of unit rods (IFToMM A02 with one window).
 ///
 /// Three uniform rods of 1 m and 1 kg, g = 9.81 m/s², cranks upright and turning at −1 rad/s. The cranks move as a
@@ -240,6 +240,9 @@ const _: () = {
     }
     impl<R: Real> Parametric<R> for FourBar<R> {
         type Parameters = Parameters<R>;
+    }
+    impl<S> InScalars for FourBar<S> {
+        type In<R: Real> = FourBar<R>;
     }
     impl<R: Real> Variables<R> for FourBar<R> {
         type Q = Q<R>;

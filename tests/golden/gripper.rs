@@ -1,5 +1,5 @@
 // `Gripper` of tests/mechanisms/src/zoo_tangent.rs.
-// Left out: acceleration, acceleration_baumgarte, choice, condition_bias, condition_cosines, condition_drift, condition_jacobian, condition_pattern, condition_residual, conditions, constraint_jacobian, constraints, coordinate_pattern, coordinate_tangent, damping_pattern, default, dependent, driver_efforts, elimination, factor, fingerprint, flips, forces, from, from_array, gamma, independent, input_names, input_pattern, input_tangent, internal_rates, inverse_dynamics, jacobian_pattern, kinetic_energy, layout, lu, mass_matrix, mass_pattern, motions, name, nu, null_space, null_space_baumgarte, null_space_first, order, output_names, output_pattern, output_tangent, outputs, parameter_names, parameter_pattern, parameter_tangent, parameters, position_names, positions, potential_energy, powers, prepare, rate_pattern, rate_tangent, reactions, row_cosines, row_damping_pattern, row_scales, row_sizes, row_stiffness_pattern, row_tangent, rows, scales, solve, start_conditions, start_gates, start_internal, start_q, start_rates, start_targets, start_v, states, stiffness_pattern, store, to_array, unwrap, velocities, velocity_names, with.
+// Left out: acceleration, acceleration_baumgarte, choice, condition_bias, condition_cosines, condition_drift, condition_jacobian, condition_pattern, condition_residual, conditions, constraint_jacobian, constraints, coordinate_pattern, coordinate_tangent, damping_pattern, default, dependent, driver_efforts, elimination, factor, fingerprint, flips, forces, from, from_array, gamma, independent, input_names, input_pattern, input_tangent, internal_rates, inverse_dynamics, jacobian_pattern, kinetic_energy, layout, lu, mass_matrix, mass_pattern, motions, name, nu, null_space, null_space_baumgarte, null_space_first, order, output_names, output_pattern, output_tangent, outputs, parameter_names, parameter_pattern, parameter_tangent, parameters, position_names, positions, potential_energy, powers, prepare, rate_pattern, rate_tangent, reactions, row_cosines, row_damping_pattern, row_scales, row_sizes, row_stiffness_pattern, row_tangent, rows, scales, solve, start_conditions, start_gates, start_internal, start_q, start_rates, start_targets, start_v, states, stiffness_pattern, store, to_array, unwrap, velocities, velocity_names, with, zip.
 /// A four-bar that a torsion spring holds, with more inputs than it needs.
 ///
 ///Equations of motion of the planar mechanism `Gripper`.
@@ -220,6 +220,9 @@ const _: () = {
     impl<R: Real> Gripper<R> {}
     impl<R: Real> Parametric<R> for Gripper<R> {
         type Parameters = Parameters<R>;
+    }
+    impl<S> InScalars for Gripper<S> {
+        type In<R: Real> = Gripper<R>;
     }
     impl<R: Real> Variables<R> for Gripper<R> {
         type Q = Q<R>;

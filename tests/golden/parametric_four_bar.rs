@@ -1,5 +1,5 @@
 // `ParametricFourBar` of models/src/general_four_bar.rs.
-// Left out: acceleration, acceleration_baumgarte, choice, condition_bias, condition_cosines, condition_drift, condition_jacobian, condition_pattern, condition_residual, conditions, constraint_jacobian, constraints, default, dependent, driver_efforts, elimination, factor, fingerprint, flips, forces, from, from_array, gamma, independent, input_names, internal_rates, inverse_dynamics, jacobian_pattern, kinetic_energy, layout, lu, mass_pattern, motions, name, nu, null_space, null_space_baumgarte, null_space_first, output_names, outputs, parameters, position_names, positions, potential_energy, powers, reactions, row_cosines, row_scales, row_sizes, rows, scales, set_start_angle_deg, solve, start_angle_deg, start_conditions, start_gates, start_internal, start_q, start_rates, start_targets, start_v, store, to_array, unwrap, velocities, velocity_names.
+// Left out: acceleration, acceleration_baumgarte, choice, condition_bias, condition_cosines, condition_drift, condition_jacobian, condition_pattern, condition_residual, conditions, constraint_jacobian, constraints, default, dependent, driver_efforts, elimination, factor, fingerprint, flips, forces, from, from_array, gamma, independent, input_names, internal_rates, inverse_dynamics, jacobian_pattern, kinetic_energy, layout, lu, mass_pattern, motions, name, nu, null_space, null_space_baumgarte, null_space_first, output_names, outputs, parameters, position_names, positions, potential_energy, powers, reactions, row_cosines, row_scales, row_sizes, rows, scales, set_start_angle_deg, solve, start_angle_deg, start_conditions, start_gates, start_internal, start_q, start_rates, start_targets, start_v, store, to_array, unwrap, velocities, velocity_names, zip.
 /// Four-bar of which every number is a parameter; its defaults are the literals of [`GeneralFourBar`].
 ///
 ///Equations of motion of the planar mechanism `ParametricFourBar`.
@@ -490,6 +490,9 @@ const _: () = {
         fn prepare(parameters: Parameters<R>) -> Result<Self, SettingError> {
             ParametricFourBar::<R>::prepare(parameters)
         }
+    }
+    impl<S> InScalars for ParametricFourBar<S> {
+        type In<R: Real> = ParametricFourBar<R>;
     }
     impl<R: Real> Variables<R> for ParametricFourBar<R> {
         type Q = Q<R>;

@@ -301,6 +301,20 @@ const _: () = {
             SimplePendulum::<R>::prepare(parameters)
         }
     }
+    impl<S> InScalars for SimplePendulum<S> {
+        type In<R: Real> = SimplePendulum<R>;
+        fn zip<A: Real, B: Real, C: Real>(
+            a: &SimplePendulum<A>,
+            b: &SimplePendulum<B>,
+            f: &mut impl FnMut(A, B) -> C,
+        ) -> SimplePendulum<C> {
+            SimplePendulum {
+                parameters: zip_fields(&a.parameters, &b.parameters, f),
+                phases: zip_arrays(&a.phases, &b.phases, f),
+                constants: zip_arrays(&a.constants, &b.constants, f),
+            }
+        }
+    }
     impl<R: Real> Variables<R> for SimplePendulum<R> {
         #[inline]
         fn layout(&self) -> &Layout<'_> {

@@ -1,5 +1,5 @@
 // `SphericalPendulum` of models/src/spatial_pendulums.rs.
-// Left out: acceleration_baumgarte, choice, condition_bias, condition_cosines, condition_drift, condition_jacobian, condition_pattern, condition_residual, conditions, constraint_jacobian, constraints, default, driver_efforts, elimination, factor, fingerprint, flips, from, from_array, gamma, independent, input_names, internal_rates, inverse_dynamics, jacobian_pattern, layout, lu, mass_pattern, name, nu, output_names, outputs, parameters, position_names, positions, potential_energy, powers, prepare, row_cosines, row_scales, row_sizes, rows, solve, start_conditions, start_gates, start_internal, start_q, start_rates, start_targets, start_v, store, to_array, unwrap, velocities, velocity_names, with.
+// Left out: acceleration_baumgarte, choice, condition_bias, condition_cosines, condition_drift, condition_jacobian, condition_pattern, condition_residual, conditions, constraint_jacobian, constraints, default, driver_efforts, elimination, factor, fingerprint, flips, from, from_array, gamma, independent, input_names, internal_rates, inverse_dynamics, jacobian_pattern, layout, lu, mass_pattern, name, nu, output_names, outputs, parameters, position_names, positions, potential_energy, powers, prepare, row_cosines, row_scales, row_sizes, rows, solve, start_conditions, start_gates, start_internal, start_q, start_rates, start_targets, start_v, store, to_array, unwrap, velocities, velocity_names, with, zip.
 /// Bar on a spherical joint (Spherical_Case01), released from the horizontal.
 ///
 ///Equations of motion of the spatial mechanism `SphericalPendulum`.
@@ -338,6 +338,9 @@ const _: () = {
     }
     impl<R: Real> Parametric<R> for SphericalPendulum<R> {
         type Parameters = Parameters<R>;
+    }
+    impl<S> InScalars for SphericalPendulum<S> {
+        type In<R: Real> = SphericalPendulum<R>;
     }
     impl<R: Real> Variables<R> for SphericalPendulum<R> {
         type Q = Q<R>;

@@ -80,6 +80,14 @@ pub fn inherent(text: &mut String, emitter: &Emitter) {
          #[inline] fn parameters(&self) -> &Parameters<R> {{ &self.parameters }}\n\
          fn prepare(parameters: Parameters<R>) -> Result<Self, SettingError> {{ {inner}::<R>::prepare(parameters) }}\n}}"
     );
+    let _ = writeln!(
+        text,
+        "impl<S> InScalars for {inner}<S> {{\n\
+         type In<R: Real> = {inner}<R>;\n\
+         fn zip<A: Real, B: Real, C: Real>(a: &{inner}<A>, b: &{inner}<B>, f: &mut impl FnMut(A, B) -> C) -> {inner}<C> {{\n\
+         {inner} {{ parameters: zip_fields(&a.parameters, &b.parameters, f), phases: zip_arrays(&a.phases, &b.phases, f), \
+         constants: zip_arrays(&a.constants, &b.constants, f) }}\n}}\n}}"
+    );
     text.push_str(&helpers);
 }
 

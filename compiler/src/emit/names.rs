@@ -184,7 +184,7 @@ pub fn inner(name: &str) -> String {
 
 /// Types, traits and variants that implementations have in scope: short names of arrays, what the runtime exports to
 /// emitted code, the prelude.
-const IN_SCOPE: [&str; 107] = [
+const IN_SCOPE: [&str; 120] = [
     "Constants",
     "Phases",
     "Q",
@@ -290,6 +290,19 @@ const IN_SCOPE: [&str; 107] = [
     "IntoFuture",
     "Unpin",
     "Debug",
+    "Parametric",
+    "InScalars",
+    "Corrected",
+    "LagrangeIndex1",
+    "Rk4",
+    "SemiImplicitEuler",
+    "Tick",
+    "A",
+    "B",
+    "C",
+    "S",
     "table",
+    "tabled",
+    "c_interface",
     "tables",
 ];

@@ -253,6 +253,10 @@ impl<R: Real> Parametric<R> for @NAME@<R> {
     fn parameters(&self) -> &@NAME@Parameters<R> { loop {} }
     fn prepare(_parameters: @NAME@Parameters<R>) -> Result<Self, SettingError> { loop {} }
 }
+impl<S> InScalars for @NAME@<S> {
+    type In<R: Real> = @NAME@<R>;
+    fn zip<A: Real, B: Real, C: Real>(a: &@NAME@<A>, b: &@NAME@<B>, f: &mut impl FnMut(A, B) -> C) -> @NAME@<C> { loop {} }
+}
 impl<R: Real> Report<R> for @NAME@<R> {
     @REPORT@
 }

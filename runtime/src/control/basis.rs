@@ -29,7 +29,8 @@ impl<'m, R: Real, M: Assemble<R>> Basis<'m, R, M> {
         if !R::any(pivot.greater_equal(R::BREAKDOWN)) {
             return Err(broken_down(model, time, q, pivot));
         }
-        let columns = partition.basis(model, &factors);
+        let mut columns = model.zero_basis();
+        partition.basis(model, &factors, &mut columns);
         Ok(Basis { model, partition, factors, columns })
     }
 

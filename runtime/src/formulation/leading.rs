@@ -5,9 +5,10 @@
 
 use super::PivotOf;
 use crate::mechanism::Mechanism;
-use crate::partition::serves;
+use crate::partition::{serves, serving};
 use crate::real::Real;
 use crate::state::StateOf;
+use crate::vector::{Vector, blend};
 
 #[inline(always)]
 pub(super) fn pivot_of<R: Real, M: Mechanism<R>>(model: &M) -> PivotOf {
@@ -28,7 +29,10 @@ pub(crate) fn acceleration<R: Real, M: Mechanism<R>>(
         return model.acceleration(time, state, u, a, lambda);
     }
     let pivot = model.null_space(time, state, u, a, lambda);
-    if serves(pivot) { pivot } else { elsewhere(model, time, state, u, a, lambda) }
+    if serves(pivot) {
+        return pivot;
+    }
+    elsewhere(pivot, a, lambda, |a, lambda| model.acceleration(time, state, u, a, lambda))
 }
 
 /// With Baumgarte's terms.
@@ -47,32 +51,29 @@ pub(crate) fn stabilised<R: Real, M: Mechanism<R>>(
         return model.acceleration_baumgarte(time, state, u, two_alpha, beta_squared, a, lambda);
     }
     let pivot = model.null_space_baumgarte(time, state, u, two_alpha, beta_squared, a, lambda);
-    if serves(pivot) { pivot } else { stabilised_elsewhere(model, time, state, u, terms, a, lambda) }
+    if serves(pivot) {
+        return pivot;
+    }
+    elsewhere(pivot, a, lambda, |a, lambda| {
+        model.acceleration_baumgarte(time, state, u, two_alpha, beta_squared, a, lambda)
+    })
 }
 
+/// By multipliers, in the lanes where independent velocities, of which this is the pivot, do not serve.
 #[cold]
 #[inline(never)]
-fn elsewhere<R: Real, M: Mechanism<R>>(
-    model: &M,
-    time: R,
-    state: &StateOf<M, R>,
-    u: &M::Inputs,
-    a: &mut M::V,
-    lambda: &mut M::Lambda,
+fn elsewhere<R: Real, V: Vector<R>, L: Vector<R>>(
+    pivot: R,
+    a: &mut V,
+    lambda: &mut L,
+    by_multipliers: impl FnOnce(&mut V, &mut L) -> R,
 ) -> R {
-    model.acceleration(time, state, u, a, lambda)
-}
-
-#[cold]
-#[inline(never)]
-fn stabilised_elsewhere<R: Real, M: Mechanism<R>>(
-    model: &M,
-    time: R,
-    state: &StateOf<M, R>,
-    u: &M::Inputs,
-    [two_alpha, beta_squared]: [R; 2],
-    a: &mut M::V,
-    lambda: &mut M::Lambda,
-) -> R {
-    model.acceleration_baumgarte(time, state, u, two_alpha, beta_squared, a, lambda)
+    if R::LANES == 1 {
+        return by_multipliers(a, lambda);
+    }
+    let (kept, found) = ((a.clone(), lambda.clone()), serving(pivot));
+    let other = by_multipliers(a, lambda);
+    blend(found, &kept.0, a);
+    blend(found, &kept.1, lambda);
+    R::select(found, pivot, other)
 }

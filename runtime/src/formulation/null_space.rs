@@ -113,7 +113,8 @@ pub(super) fn by_tables<R: Real, M: Assemble<R>>(
 
     // R, column by column, and Rᵀ M R, Rᵀ (Q − M S γ).
     let (n, freedoms) = (model.velocity_count(), model.freedoms());
-    let basis = partition.basis(model, &factors);
+    let mut basis = model.zero_basis();
+    partition.basis(model, &factors, &mut basis);
     let columns = || basis.as_slice().chunks_exact(n.max(1)).take(freedoms);
     let mut reduced = model.zero_reduced();
     let mut right = model.zero_v();

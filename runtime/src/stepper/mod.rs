@@ -92,7 +92,7 @@ where
     /// The mechanism `model` at `start` and time zero. The start is taken as it is; what is off the constraints is brought back by the
     /// first steps, or at once by [`assemble`](Stepper::assemble).
     pub const fn new(model: M, start: StateOf<M, R>, method: S) -> Self {
-        Stepper { model, method, clock: Clock::at(R::ZERO), state: start, memory: None, outputs: None }
+        Stepper::at(model, Clock::at(R::ZERO), start, method)
     }
 
     /// One that goes on from a clock, which is checked, and a state, which is not.
@@ -103,7 +103,12 @@ where
         method: S,
     ) -> Result<Self, StepError> {
         let clock = Clock::of_terms(time).ok_or(StepError::State)?;
-        Ok(Stepper { model, method, clock, state, memory: None, outputs: None })
+        Ok(Stepper::at(model, clock, state, method))
+    }
+
+    /// One that goes on from a clock and a state.
+    pub(crate) const fn at(model: M, clock: Clock<R>, state: StateOf<M, R>, method: S) -> Self {
+        Stepper { model, method, clock, state, memory: None, outputs: None }
     }
 
     /// The exact time.
@@ -172,7 +177,7 @@ where
 
     pub(crate) fn check(&self, state: &StateOf<M, R>) -> Result<(), StepError> {
         let unit = || first_not_unit(self.model.layout(), &state.q, R::from_f64(UNIT)).is_none();
-        if is_finite_state(state) && unit() { Ok(()) } else { Err(StepError::State) }
+        if R::any(is_finite_state(state)) && unit() { Ok(()) } else { Err(StepError::State) }
     }
 
     fn go_on(&mut self, clock: Clock<R>, state: StateOf<M, R>) {
@@ -220,7 +225,7 @@ where
         if !(h > least_step(self.time()) && h.is_finite()) {
             return Err(StepError::StepSize);
         }
-        if !is_finite(&inputs.to_array()) {
+        if !R::any(is_finite(&inputs.to_array())) {
             return Err(StepError::Input);
         }
         self.advance(inputs, h)
@@ -277,10 +282,10 @@ where
             Ok(settled) => settled.moved,
             Err(_) => return Err(StepError::Diverged),
         };
-        if !is_finite_state(&next) {
+        if !R::any(is_finite_state(&next)) {
             return Err(StepError::NotFinite);
         }
-        if is_off(model, end.time(), &next.q) {
+        if !R::any(is_on(model, end.time(), &next.q)) {
             return Err(StepError::Diverged);
         }
         (*state, *clock) = (next, end);
@@ -313,7 +318,7 @@ where
         if !(h > R::ZERO && h.is_finite()) {
             return Err(StepError::StepSize);
         }
-        if !is_finite(&inputs.to_array()) {
+        if !R::any(is_finite(&inputs.to_array())) {
             return Err(StepError::Input);
         }
         let formulation = self.method.formulation(h);
@@ -324,7 +329,7 @@ where
         let found =
             formulation.acceleration(&mut memory, model, time, &mut state, inputs, &mut a, &mut lambda);
         // Written so that a NaN fails.
-        if R::any(found.pivot.greater_equal(R::BREAKDOWN)) && is_finite(&a) && is_finite(&lambda) {
+        if R::any(found.pivot.greater_equal(R::BREAKDOWN) & is_finite(&a) & is_finite(&lambda)) {
             Ok((a, lambda))
         } else {
             Err(StepError::Breakdown)
@@ -385,24 +390,26 @@ fn zero_if_finite<R: Real, V: Vector<R>>(sum: R, values: &V) -> R {
 }
 
 #[inline(always)]
-fn is_finite<R: Real, V: Vector<R>>(values: &V) -> bool {
-    R::any(zero_if_finite(R::ZERO, values).equal(R::ZERO))
+pub(crate) fn is_finite<R: Real, V: Vector<R>>(values: &V) -> R::Mask {
+    zero_if_finite(R::ZERO, values).equal(R::ZERO)
 }
 
 #[inline(always)]
-fn is_finite_state<R: Real, Q: Vector<R>, V: Vector<R>, Z: Vector<R>, G>(state: &State<Q, V, Z, G>) -> bool {
+pub(crate) fn is_finite_state<R: Real, Q: Vector<R>, V: Vector<R>, Z: Vector<R>, G>(
+    state: &State<Q, V, Z, G>,
+) -> R::Mask {
     let sum = zero_if_finite(zero_if_finite(zero_if_finite(R::ZERO, &state.q), &state.v), &state.z);
-    R::any(sum.equal(R::ZERO))
+    sum.equal(R::ZERO)
 }
 
-/// Whether a row is off by more than [`OFF`]. Written so that a NaN is off.
+/// Whether no row is off by more than [`OFF`]. Written so that a NaN is off.
 #[inline(always)]
-fn is_off<R: Real, M: Assemble<R>>(model: &M, time: R, q: &M::Q) -> bool {
+pub(crate) fn is_on<R: Real, M: Assemble<R>>(model: &M, time: R, q: &M::Q) -> R::Mask {
     let mut phi = model.zero_lambda();
     model.constraints(time, q, &mut phi);
     let sizes = model.row_sizes();
-    let mut rows = phi.as_slice().iter().zip(sizes.as_slice());
-    rows.any(|(&phi, &size)| !R::any(phi.abs().less_equal(size * R::from_f64(OFF))))
+    let rows = phi.as_slice().iter().zip(sizes.as_slice());
+    rows.fold(R::ZERO.equal(R::ZERO), |on, (&phi, &size)| on & phi.abs().less_equal(size * R::from_f64(OFF)))
 }
 
 /// The number in the scalars, without a conversion from double precision.
