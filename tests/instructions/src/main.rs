@@ -1,38 +1,83 @@
-//! Looks up one argument in a table of so many knots, a thousand times: `instructions KNOTS ARGUMENT`. What runs between
-//! entering and leaving [`counted`] is the same whatever the argument.
+//! What is counted under valgrind, between entering and leaving [`counted`]:
+//!
+//! ```text
+//! instructions look_up KNOTS ARGUMENT     a thousand look-ups of one argument in a table of so many knots
+//! instructions evaluation MODEL           a hundred accelerations with Baumgarte's terms, by the way that leads
+//! instructions step MODEL                 a hundred steps of RK4 with Baumgarte's terms
+//! instructions models                     writes the names of the models
+//! ```
 
-use linkwright::__private::v1::table;
+mod look_up;
+
+use linkwright::{Assemble, AssembleExt, Fields, Rk4, Vector};
+use linkwright_models::{
+    andrews::Andrews, bricard::Bricard, double_pendulum::DoublePendulum, four_bar::FourBar, n_four_bar, panda::Panda,
+};
 use std::hint::black_box;
 
-const TIMES: usize = 1000;
+const TIMES: usize = 100;
+
+macro_rules! models {
+    ($($name:ident: $model:ty),* $(,)?) => {
+        const MODELS: &[&str] = &[$(stringify!($name)),*];
+
+        fn of_model(what: &str, model: &str) {
+            match (what, model) {
+                $(
+                    ("evaluation", stringify!($name)) => evaluation::<$model>(),
+                    ("step", stringify!($name)) => step::<$model>(),
+                )*
+                _ => panic!("{what} {model} is none of these: look_up, evaluation, step; {MODELS:?}"),
+            }
+        }
+    };
+}
+
+models!(
+    double_pendulum: DoublePendulum,
+    four_bar: FourBar,
+    n_four_bar_10: n_four_bar::NFourBar10,
+    n_four_bar_40: n_four_bar::NFourBar40,
+    andrews: Andrews,
+    panda: Panda,
+    bricard: Bricard,
+);
 
 fn main() {
     let arguments: Vec<String> = std::env::args().skip(1).collect();
-    let [knots, argument] = &arguments[..] else { panic!("instructions KNOTS ARGUMENT") };
-    let x = argument.parse().expect("an argument is a number");
-    let value = match knots.as_str() {
-        "16" => counted(&rows::<32>(16), x),
-        "4096" => counted(&rows::<8192>(4096), x),
-        _ => panic!("there are tables of 16 and of 4096 knots"),
-    };
-    println!("{value}");
+    let arguments: Vec<&str> = arguments.iter().map(String::as_str).collect();
+    match arguments[..] {
+        ["models"] => MODELS.iter().for_each(|model| println!("{model}")),
+        ["look_up", knots, argument] => look_up::look_up(knots, argument),
+        [what, model] => of_model(what, model),
+        _ => panic!("instructions look_up KNOTS ARGUMENT, or evaluation or step and one of {MODELS:?}"),
+    }
 }
 
+/// What is counted.
 #[inline(never)]
-fn counted<const ROWS: usize>(rows: &[[f64; 5]; ROWS], x: f64) -> f64 {
-    let mut sum = 0.0;
-    for _ in 0..TIMES {
-        let x = black_box(x);
-        sum += table::value(rows, table::cell(rows, x), x);
-    }
-    sum
+fn counted(times: usize, mut call: impl FnMut()) {
+    (0..times).for_each(|_| call());
 }
 
-/// A table of so many knots, one unit apart, whose rows are filled up to a power of two.
-fn rows<const ROWS: usize>(knots: usize) -> Box<[[f64; 5]; ROWS]> {
-    let mut rows = Box::new([[f64::NAN; 5]; ROWS]);
-    for (at, row) in rows.iter_mut().take(knots + 1).enumerate() {
-        *row = [at.saturating_sub(1) as f64, 1.0, 0.1, -0.01, 0.001];
-    }
-    rows
+fn none<M: Assemble<f64, Inputs: Fields<f64>>>() -> M::Inputs {
+    M::Inputs::from_array(Vector::zeros(M::Inputs::NAMES.len()))
+}
+
+fn evaluation<M: Assemble<f64, Inputs: Fields<f64>> + Default>() {
+    let model = black_box(M::default());
+    let (state, inputs) = (model.start(), none::<M>());
+    let (mut a, mut lambda) = (model.zero_v(), model.zero_lambda());
+    let function = if model.null_space_first() { M::null_space_baumgarte } else { M::acceleration_baumgarte };
+    counted(TIMES, || {
+        let pivot = black_box(function)(&model, 0.0, black_box(&state), &inputs, 20.0, 100.0, &mut a, &mut lambda);
+        black_box((pivot, &a, &lambda));
+    });
+}
+
+fn step<M: Assemble<f64, Inputs: Fields<f64>> + Default + Clone>() {
+    let model = M::default();
+    let inputs = none::<M>();
+    let mut stepper = model.stepper(model.start(), Rk4);
+    counted(TIMES, || assert!(black_box(stepper.step(&inputs, black_box(1e-7))).is_ok()));
 }
