@@ -9,7 +9,7 @@
 //! ```
 
 use linkwright::{Rk4, mechanism};
-use linkwright_batch::{Batch, BatchError, Columns, PerMember};
+use linkwright_batch::{Batch, BatchError, Columns, Constant, PerMember};
 use std::error::Error;
 
 mechanism! {
@@ -115,7 +115,7 @@ impl Environments {
 
     /// Travels, angles, speeds and rates, one of each environment.
     fn observations(&self) -> [Vec<f64>; 4] {
-        let none = PerMember(&[CartPoleInputs { push: 0.0 }]);
+        let none = Constant(CartPoleInputs { push: 0.0 });
         let seen: Columns = self.batch.outputs(&none);
         ["travel", "angle", "speed", "rate"].map(|name| seen.column(name).unwrap_or_default().to_vec())
     }

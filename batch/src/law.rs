@@ -1,8 +1,7 @@
 //! The inputs of the members in each step.
 
-use linkwright::Lanes;
 use linkwright::lanes::{InScalars, InputsIn, StateIn, gather_fields};
-use linkwright::{Mechanism, Real};
+use linkwright::{Fields, Lanes, Mechanism, Real, Vector};
 use std::marker::PhantomData;
 
 /// The members that stand in one register, before a step.
@@ -59,17 +58,24 @@ impl<M: InScalars, L: Lanes> Law<M, L> for Constant<InputsIn<M, L::Scalar>> {
 /// Inputs of its own for each member, at all times.
 #[derive(Clone, Copy, Debug)]
 pub struct PerMember<'u, U>(
-    /// One for each member; members beyond the end have those of the last.
+    /// One for each member. Members beyond the end have none, and fail.
     pub &'u [U],
 );
 
 impl<M: InScalars, L: Lanes> Law<M, L> for PerMember<'_, InputsIn<M, L::Scalar>> {
     fn inputs(&self, group: &Group<'_, M, L>) -> InputsIn<M, L> {
         gather_fields(|lane| {
-            let member = group.member(lane).min(self.0.len().saturating_sub(1));
-            self.0[member].clone()
+            let given = self.0.get(group.member(lane)).cloned();
+            given.unwrap_or_else(none::<InputsIn<M, L::Scalar>, L::Scalar>)
         })
     }
+}
+
+/// Inputs that are no numbers, which a step refuses.
+fn none<U: Fields<R>, R: Real>() -> U {
+    let mut values = U::Array::zeros(U::NAMES.len());
+    values.as_mut_slice().fill(R::from_f64(f64::NAN));
+    U::from_array(values)
 }
 
 /// A function of member, time (s) and state.

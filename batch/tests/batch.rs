@@ -69,6 +69,12 @@ fn laws_in_lanes_and_for_each_member() {
     let mut batch = Batch::<Cart, _>::prepare(11, Rk4, parameters).expect("there are members");
     batch.run(&PerMember(&pushes), H, 20);
     assert_eq!(batch.state(7), Some(alone(7, 20, |_, _| 7.0)));
+
+    // Where there are none for a member, it fails, and no other.
+    batch.step(&PerMember(&pushes[..9]), H);
+    assert_eq!(batch.failures().map(|(member, _)| member).collect::<Vec<_>>(), [9, 10]);
+    batch.step(&PerMember(&[]), H);
+    assert_eq!(batch.failures().count(), 11);
 }
 
 /// A member out of bounds and one that diverges: both are named, the others go on; and one is begun once more.

@@ -13,6 +13,10 @@ use core::array::from_fn;
 /// ```text
 /// FourBar: InScalars,   <FourBar as InScalars>::In<F64x8> = FourBar<F64x8>
 /// ```
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` is no mechanism",
+    label = "name the type that `mechanism!` made, as in `Batch::<FourBar, _>`"
+)]
 pub trait InScalars {
     /// The mechanism in the scalars `R`.
     type In<R: Real>: Mechanism<
