@@ -15,6 +15,7 @@ mod casadi;
 mod harness;
 
 use casadi::{Peer, Turns};
+use harness::limits::{Limits, Processor, clock};
 use harness::{least, median};
 use linkwright::{
     Assemble, AssembleExt, Baumgarte, Fields, InputSource, Mechanism, Simulation, SpatialMotion, State,
@@ -55,7 +56,14 @@ fn main() {
                         $convert(&model, state, &a)
                     })
                 });
-                report($name, <$model>::OPERATIONS, &model, &states, &inputs, peers.collect());
+                report(
+                    $name,
+                    (<$model>::OPERATIONS, <$model>::SOURCE),
+                    &model,
+                    &states,
+                    &inputs,
+                    peers.collect(),
+                );
             }
         };
     }
@@ -190,7 +198,7 @@ fn acceleration<M: Mechanism<f64>>(model: &M, state: &StateOf<M>, inputs: &M::In
 
 fn report<M: Assemble<f64>>(
     name: &str,
-    operations: usize,
+    (operations, source): (usize, &str),
     model: &M,
     states: &[StateOf<M>],
     inputs: &M::Inputs,
@@ -216,6 +224,7 @@ fn report<M: Assemble<f64>>(
         print!("{before}  {name:<22}{operations:>10}{ns:>9.1}{ratio:>7.2}  {error:.1e}");
     }
     println!();
+    bounds(source, least(&ours));
     if model.null_space_first() {
         let asked = black_box(M::acceleration_baumgarte as Stabilised<M>);
         beside("  by multipliers", stabilised(model, states, inputs, asked), &mut own, rounds);
@@ -230,6 +239,21 @@ fn report<M: Assemble<f64>>(
         };
         beside("  without Baumgarte's terms", call, &mut own, rounds);
     }
+}
+
+/// What the processor could do at best, and how far from it the evaluation is.
+fn bounds(source: &str, ns: f64) {
+    let processor = Processor::here();
+    let limits = Limits::of(source, |compiled| compiled.default_solution(), &processor);
+    let clock = clock();
+    let Limits { ports, latency, front_end } = limits;
+    println!(
+        "{:<38}{:>9.1}  {:.2} times the bound; {}: {ports:.0} cycles by ports, {front_end:.0} by the front end, {latency:.0} of latency, at {clock:.2} GHz",
+        "  bound on throughput",
+        limits.throughput() / clock,
+        ns * clock / limits.throughput(),
+        processor.name
+    );
 }
 
 /// Through a pointer, so that nothing is kept from one state to the next.

@@ -2,6 +2,8 @@
 
 #[allow(dead_code)]
 pub mod library;
+#[allow(dead_code)]
+pub mod limits;
 
 use std::process::Command;
 use std::time::Instant;
