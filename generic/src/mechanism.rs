@@ -1,0 +1,419 @@
+//! A mechanism as its users have it: names, states, accelerations, energies.
+
+use crate::body::BodyMotion;
+use crate::coordinates::{Coordinates, Kind, check_finite};
+use crate::definition::Definition;
+use crate::error::{DefinitionError, Error};
+use crate::kinematics::Kinematics;
+use crate::law::Scratch;
+use crate::load::Acts;
+use crate::reading::read;
+use crate::row::{Equation, Phase};
+use crate::solver::Algebra;
+use crate::system::{System, largest};
+use crate::vector::*;
+use serde_json::Value;
+use std::collections::HashMap;
+
+/// Positions q and velocities v of a [`Mechanism`], absolute coordinates body by body (SI units):
+///
+/// | body | q | v |
+/// |---|---|---|
+/// | planar | x, y of the centre of mass, θ over several turns | ẋ, ẏ, ω |
+/// | planar particle | x, y | ẋ, ẏ |
+/// | spatial | x, y, z, Euler parameters (w, x, y, z) | ẋ, ẏ, ż, ω in body axes |
+/// | spatial particle | x, y, z | ẋ, ẏ, ż |
+///
+/// Behind the bodies of space q has the angles of joints over several turns; they only choose whole turns.
+#[derive(Clone, Debug, PartialEq)]
+pub struct State {
+    /// n_q positions.
+    pub q: Vec<f64>,
+    /// n_v velocities.
+    pub v: Vec<f64>,
+}
+
+/// What is solved for the accelerations.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[non_exhaustive]
+pub enum Formulation {
+    /// The index-1 equations as they are: M v̇ + Dᵀ λ = Q, D v̇ = γ. The constraints drift.
+    #[default]
+    Lagrange,
+    /// D v̇ = γ − 2α (D v − ν) − β² Φ (Baumgarte 1972).
+    Baumgarte {
+        /// α, 1/s.
+        alpha: f64,
+        /// β, 1/s.
+        beta: f64,
+    },
+    /// As `Lagrange`; after each step positions and velocities are put back on the constraints, across them in the norm of M
+    /// ([`Mechanism::project`]).
+    Projected,
+}
+
+/// A mechanism rebuilt from its definition, with the memory that its evaluations need.
+///
+/// See the [crate's page](crate) for the equations and an example.
+#[derive(Debug)]
+pub struct Mechanism {
+    tree: Value,
+    /// Values of parameters that are not their defaults.
+    given: HashMap<String, f64>,
+    algebra: Algebra,
+    pub(crate) definition: Definition,
+    pub(crate) coordinates: Coordinates,
+    pub(crate) system: System,
+    pub(crate) at: Kinematics,
+    pub(crate) work: Work,
+}
+
+/// Vectors that are written again and again.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Work {
+    pub upper: Vec<f64>,
+    pub lower: Vec<f64>,
+    pub delta: Vec<f64>,
+    pub mu: Vec<f64>,
+}
+
+impl Mechanism {
+    /// From the text of a model's `DEFINITION`, version 1, with parameters at their defaults.
+    ///
+    /// # Errors
+    /// What cannot be read, and what is not there yet; the error names the part.
+    pub fn from_definition(json: &str) -> Result<Self, DefinitionError> {
+        Self::with_algebra(json, Algebra::Auto)
+    }
+
+    /// The same with the dense or the sparse factorisation.
+    ///
+    /// # Errors
+    /// As [`from_definition`](Mechanism::from_definition).
+    pub fn with_algebra(json: &str, algebra: Algebra) -> Result<Self, DefinitionError> {
+        let tree: Value = serde_json::from_str(json)
+            .map_err(|error| DefinitionError::Json { message: error.to_string() })?;
+        Self::from_tree(tree, HashMap::new(), algebra)
+    }
+
+    fn from_tree(
+        tree: Value,
+        given: HashMap<String, f64>,
+        algebra: Algebra,
+    ) -> Result<Self, DefinitionError> {
+        let definition = read(&tree, &given)?;
+        let coordinates = Coordinates::new(&definition);
+        let system = System::new(&definition, &coordinates, algebra).map_err(|_| {
+            DefinitionError::value(&definition.name, "the pattern of the augmented matrix has no factors")
+        })?;
+        let (n, m) = (coordinates.velocities, definition.rows.len());
+        let work = Work { upper: vec![0.0; n], lower: vec![0.0; m], delta: vec![0.0; n], mu: vec![0.0; m] };
+        Ok(Mechanism {
+            tree,
+            given,
+            algebra,
+            definition,
+            coordinates,
+            system,
+            at: Kinematics::default(),
+            work,
+        })
+    }
+
+    /// The mechanism's name.
+    pub fn name(&self) -> &str {
+        &self.definition.name
+    }
+
+    /// Whether it moves in space.
+    pub fn is_spatial(&self) -> bool {
+        self.definition.spatial
+    }
+
+    /// Names of the bodies, in the order of q and v.
+    pub fn bodies(&self) -> impl Iterator<Item = &str> {
+        self.definition.bodies.iter().map(|body| body.name.as_str())
+    }
+
+    /// Names of the constraint rows, `joint.row`, in the order of λ.
+    pub fn rows(&self) -> impl Iterator<Item = String> {
+        self.definition.rows.iter().map(|row| row.name())
+    }
+
+    /// Names of the inputs, in the order in which they are given.
+    pub fn inputs(&self) -> impl Iterator<Item = &str> {
+        self.definition.inputs.iter().map(String::as_str)
+    }
+
+    /// Names and values (SI) of the parameters.
+    pub fn parameters(&self) -> impl Iterator<Item = (&str, f64)> {
+        self.definition.parameters.iter().map(|parameter| (parameter.name.as_str(), parameter.value))
+    }
+
+    /// n_q.
+    pub fn position_count(&self) -> usize {
+        self.coordinates.positions
+    }
+
+    /// n_v.
+    pub fn velocity_count(&self) -> usize {
+        self.coordinates.velocities
+    }
+
+    /// m, the number of constraint rows.
+    pub fn row_count(&self) -> usize {
+        self.definition.rows.len()
+    }
+
+    /// Gives a parameter a value (SI); everything that follows from it is read again. Phases that were kept stay.
+    ///
+    /// # Errors
+    /// An unknown name, a value out of its bounds, or one with which the definition makes no mechanism; nothing has changed then.
+    pub fn set_parameter(&mut self, name: &str, value: f64) -> Result<(), DefinitionError> {
+        if !self.definition.parameters.iter().any(|parameter| parameter.name == name) {
+            return Err(DefinitionError::unknown(&self.definition.name, name));
+        }
+        let mut given = self.given.clone();
+        given.insert(name.to_string(), value);
+        let mut changed = Self::from_tree(self.tree.clone(), given, self.algebra)?;
+        for (new, old) in changed.definition.rows.iter_mut().zip(&self.definition.rows) {
+            if let (Equation::Sum { phase: new, .. }, Equation::Sum { phase: old @ Phase::Kept(_), .. }) =
+                (&mut new.equation, &old.equation)
+            {
+                *new = *old;
+            }
+        }
+        *self = changed;
+        Ok(())
+    }
+
+    /// All bodies at rest at the origin, axes along the world's: what [`set_body`](Mechanism::set_body) begins with.
+    pub fn origin(&self) -> State {
+        State { q: self.coordinates.origin(), v: vec![0.0; self.coordinates.velocities] }
+    }
+
+    fn body_index(&self, name: &str) -> Result<usize, Error> {
+        let found = self.definition.bodies.iter().position(|body| body.name == name);
+        found.ok_or_else(|| Error::UnknownName { name: name.to_string() })
+    }
+
+    /// Puts a body at a position and orientation and gives it its velocity and ω; accelerations are not read. In the plane the
+    /// orientation is `angle`, in space the matrix `orientation`.
+    ///
+    /// # Errors
+    /// An unknown name, lists of other lengths, or a matrix that is no rotation.
+    pub fn set_body(&self, state: &mut State, name: &str, motion: &BodyMotion) -> Result<(), Error> {
+        let slot = self.coordinates.slots[self.body_index(name)?];
+        self.check_state(&state.q, &state.v)?;
+        let (q, v) = (&mut state.q[slot.q..], &mut state.v[slot.v..]);
+        let linear = slot.width().min(if self.definition.spatial { 3 } else { 2 });
+        q[..linear].copy_from_slice(&motion.position[..linear]);
+        v[..linear].copy_from_slice(&motion.velocity[..linear]);
+        match slot.kind {
+            Kind::Plane => {
+                q[2] = motion.angle;
+                v[2] = motion.rate[2];
+            }
+            Kind::Space => {
+                let p = quaternion_of(&motion.orientation);
+                let p = p.ok_or(Error::Value { what: "a rotation matrix", value: f64::NAN })?;
+                q[3..7].copy_from_slice(&p);
+                v[3..6].copy_from_slice(&motion.rate);
+            }
+            Kind::PlaneParticle | Kind::SpaceParticle => {}
+        }
+        Ok(())
+    }
+
+    /// The motion of a body, of given accelerations too.
+    ///
+    /// # Errors
+    /// An unknown name or lists of other lengths.
+    pub fn body(&mut self, name: &str, state: &State, a: &[f64]) -> Result<BodyMotion, Error> {
+        let index = self.body_index(name)?;
+        check_length("accelerations", a.len(), self.coordinates.velocities)?;
+        self.coordinates.kinematics(0.0, &state.q, &state.v, &mut self.at)?;
+        let (frame, slot) = (&self.at.frames[index], self.coordinates.slots[index]);
+        let mut motion = BodyMotion {
+            position: frame.position,
+            orientation: frame.axes,
+            angle: frame.angle,
+            velocity: frame.velocity,
+            rate: turned_back(&frame.axes, frame.spin),
+            ..BodyMotion::default()
+        };
+        let a = &a[slot.v..];
+        match slot.kind {
+            Kind::Plane => motion.angular_acceleration[2] = a[2],
+            Kind::Space => motion.angular_acceleration = [a[3], a[4], a[5]],
+            Kind::PlaneParticle | Kind::SpaceParticle => {}
+        }
+        let linear = if self.definition.spatial { 3 } else { 2 };
+        motion.acceleration[..linear].copy_from_slice(&a[..linear]);
+        Ok(motion)
+    }
+
+    fn check_state(&self, q: &[f64], v: &[f64]) -> Result<(), Error> {
+        check_length("positions", q.len(), self.coordinates.positions)?;
+        check_length("velocities", v.len(), self.coordinates.velocities)
+    }
+
+    /// v̇ and λ at a state: of M v̇ + Dᵀ λ = Q and D v̇ = γ, with Baumgarte's terms where the formulation has them.
+    ///
+    /// λ in the order of [`rows`](Mechanism::rows); −Dᵀ λ is what the constraints exert. Where rows repeat others, λ is that of least
+    /// norm.
+    ///
+    /// # Errors
+    /// Lists of other lengths, values that are not finite, a singular position, or Baumgarte's terms of a coupling whose phase is not
+    /// known. What was in `a` and `lambda` is then without meaning.
+    #[allow(clippy::too_many_arguments)]
+    pub fn acceleration(
+        &mut self,
+        time: f64,
+        q: &[f64],
+        v: &[f64],
+        inputs: &[f64],
+        formulation: Formulation,
+        a: &mut [f64],
+        lambda: &mut [f64],
+    ) -> Result<(), Error> {
+        check_length("inputs", inputs.len(), self.definition.inputs.len())?;
+        check_length("accelerations", a.len(), self.coordinates.velocities)?;
+        check_length("multipliers", lambda.len(), self.definition.rows.len())?;
+        check_finite("an input", inputs)?;
+        self.evaluate_rows(time, q, v)?;
+        let Mechanism { definition, coordinates, system, at, work, .. } = self;
+        system.evaluate_forces(definition, coordinates, at, inputs);
+        if !system.forces.iter().all(|force| force.is_finite()) {
+            return Err(self.force_not_finite(inputs));
+        }
+        let lower = &mut work.lower;
+        lower.iter_mut().zip(&system.bias).for_each(|(lower, bias)| *lower = -bias);
+        if let Formulation::Baumgarte { alpha, beta } = formulation {
+            check_finite("a coefficient of Baumgarte's", &[alpha, beta])?;
+            for ((lower, rate), phi) in lower.iter_mut().zip(&system.phi_rate).zip(&system.phi) {
+                *lower -= 2.0 * alpha * rate + beta * beta * phi;
+            }
+            self.check_phases()?;
+        }
+        self.factor()?;
+        let Mechanism { system, work, .. } = self;
+        work.upper.copy_from_slice(&system.forces);
+        let solved = system.solve(&work.upper, &work.lower, a, lambda);
+        solved.map_err(|_| self.singular())
+    }
+
+    /// D, Φ, Φ̇ and γ at a state, all finite.
+    pub(crate) fn evaluate_rows(&mut self, time: f64, q: &[f64], v: &[f64]) -> Result<(), Error> {
+        let Mechanism { definition, coordinates, system, at, .. } = self;
+        coordinates.kinematics(time, q, v, at)?;
+        system.evaluate_rows(definition, coordinates, at);
+        let rows = system.phi.iter().zip(&system.phi_rate).zip(&system.bias);
+        let finite = |((phi, rate), bias): ((&f64, &f64), &f64)| (phi + rate + bias).is_finite();
+        let what = match rows.map(finite).position(|finite| !finite) {
+            Some(row) => row,
+            None => match system.jacobian.iter().position(|entry| !entry.is_finite()) {
+                Some(entry) => system.pattern[entry].0,
+                None => return Ok(()),
+            },
+        };
+        Err(Error::NotFinite { what: definition.rows[what].name(), time })
+    }
+
+    pub(crate) fn factor(&mut self) -> Result<(), Error> {
+        let factored = self.system.factor();
+        factored.map_err(|_| self.singular())
+    }
+
+    /// The load that did it, if it is one.
+    fn force_not_finite(&self, inputs: &[f64]) -> Error {
+        let mut scratch = Scratch::default();
+        let bad = self.definition.loads.iter().find(|load| {
+            let mut finite = true;
+            load.evaluate(&self.at, inputs, &mut scratch, |pull| {
+                finite &= pull.linear.iter().chain(&pull.angular).all(|x| x.is_finite());
+            });
+            !finite
+        });
+        let what = bad.map_or("a force".to_string(), |load| format!("the load `{}`", load.name));
+        Error::NotFinite { what, time: self.at.time }
+    }
+
+    pub(crate) fn singular(&self) -> Error {
+        let (row, _) = self.worst_row();
+        Error::Singular { time: self.at.time, row }
+    }
+
+    /// The row that is met worst, and Φ.
+    pub(crate) fn worst_row(&self) -> (String, f64) {
+        let worst =
+            self.system.phi.iter().zip(&self.definition.rows).max_by(|a, b| a.0.abs().total_cmp(&b.0.abs()));
+        worst.map_or((self.definition.name.clone(), 0.0), |(phi, row)| (row.name(), phi.abs()))
+    }
+
+    pub(crate) fn check_phases(&self) -> Result<(), Error> {
+        let open = self
+            .definition
+            .rows
+            .iter()
+            .find(|row| matches!(row.equation, Equation::Sum { phase: Phase::Open, .. }));
+        match open {
+            Some(row) => Err(Error::Phase { name: row.of.clone() }),
+            None => Ok(()),
+        }
+    }
+
+    /// The phases of gears and racks that are not written become what these positions give.
+    ///
+    /// # Errors
+    /// Positions of another number, or not finite.
+    pub fn keep_phases(&mut self, time: f64, q: &[f64]) -> Result<(), Error> {
+        let rest = vec![0.0; self.coordinates.velocities];
+        self.evaluate_rows(time, q, &rest)?;
+        for (row, phi) in self.definition.rows.iter_mut().zip(&self.system.phi) {
+            if let Equation::Sum { phase, .. } = &mut row.equation {
+                *phase = match *phase {
+                    Phase::Given(given) => Phase::Given(given),
+                    Phase::Open => Phase::Kept(*phi),
+                    Phase::Kept(kept) => Phase::Kept(kept + phi),
+                };
+            }
+        }
+        Ok(())
+    }
+
+    /// Largest |Φ| and |Φ̇| of the constraints at a state.
+    ///
+    /// # Errors
+    /// As [`acceleration`](Mechanism::acceleration).
+    pub fn residual(&mut self, time: f64, state: &State) -> Result<[f64; 2], Error> {
+        self.check_phases()?;
+        self.evaluate_rows(time, &state.q, &state.v)?;
+        Ok([largest(&self.system.phi), largest(&self.system.phi_rate)])
+    }
+
+    /// T = ½ vᵀ M v and V of gravity and springs, J.
+    ///
+    /// # Errors
+    /// Lists of other lengths, or values that are not finite.
+    pub fn energy(&mut self, time: f64, state: &State) -> Result<[f64; 2], Error> {
+        let Mechanism { definition, coordinates, system, at, work, .. } = self;
+        coordinates.kinematics(time, &state.q, &state.v, at)?;
+        system.momentum(&state.v, &mut work.upper);
+        let kinetic = 0.5 * work.upper.iter().zip(&state.v).map(|(p, v)| p * v).sum::<f64>();
+        let mut potential = 0.0;
+        for (body, frame) in definition.bodies.iter().zip(&at.frames) {
+            potential -= body.mass * dot(definition.gravity, frame.position);
+        }
+        for load in &definition.loads {
+            if let Acts::Spring { along, stiffness, rest, .. } = &load.acts {
+                potential += 0.5 * stiffness * (along.jet(at).along.value - rest).powi(2);
+            }
+        }
+        Ok([kinetic, potential])
+    }
+}
+
+pub(crate) fn check_length(what: &'static str, given: usize, expected: usize) -> Result<(), Error> {
+    if given == expected { Ok(()) } else { Err(Error::Length { what, expected, given }) }
+}

@@ -1,0 +1,170 @@
+//! Every shipped model: the accelerations of all its bodies by the generic solver, dense and sparse, against those of the emitted code,
+//! at states along its motion and with other velocities there; or it is refused, for the reason that stands here.
+
+use linkwright::{
+    Assemble, AssembleExt, Baumgarte, Fields, Report, Simulation, State, StateOf, Vector, project_velocity,
+};
+use linkwright_generic::{Algebra, BodyMotion, DefinitionError, Formulation, Mechanism};
+
+/// Largest difference of accelerations, relative to the largest of the mechanism, or to 1 where that is more.
+const TOLERANCE: f64 = 1e-8;
+
+/// Models that are refused, and what is not there yet.
+const REFUSED: &[(&str, &str)] = &[
+    ("braked_wheel", "an internal state"),
+    ("cam_follower", "a table"),
+    ("dc_motor_arm", "an internal state"),
+    ("dump_truck_steering", "an internal state"),
+    ("dump_truck_tipping", "an internal state"),
+    ("hydraulic_loader", "an internal state"),
+    ("lugre_block", "an internal state"),
+    ("tracked_vehicle", "a table"),
+];
+
+/// Seconds between the states compared.
+const APART: f64 = 0.004;
+const STATES: usize = 5;
+
+/// Uniform in [−1, 1), the same in every run (splitmix64).
+struct Random(u64);
+
+impl Random {
+    fn unit(&mut self) -> f64 {
+        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
+        let mut z = self.0;
+        z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
+        z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
+        (z ^ (z >> 31)) as f64 / 2.0_f64.powi(63) - 1.0
+    }
+}
+
+/// Of a body in the plane (10 numbers) or in space (24), as `motions` gives it.
+fn read(numbers: &[f64], previous: f64) -> BodyMotion {
+    let mut motion = BodyMotion::default();
+    match numbers {
+        [x, y, c, s, vx, vy, rate, ax, ay, alpha] => {
+            motion.position = [*x, *y, 0.0];
+            let turns = (previous - s.atan2(*c)) / std::f64::consts::TAU;
+            motion.angle = s.atan2(*c) + turns.round() * std::f64::consts::TAU;
+            motion.velocity = [*vx, *vy, 0.0];
+            motion.rate[2] = *rate;
+            motion.acceleration = [*ax, *ay, 0.0];
+            motion.angular_acceleration[2] = *alpha;
+        }
+        _ => {
+            let at = |k: usize| [numbers[k], numbers[k + 1], numbers[k + 2]];
+            motion.position = at(0);
+            motion.orientation = [at(3), at(6), at(9)];
+            motion.velocity = at(12);
+            motion.rate = at(15);
+            motion.acceleration = at(18);
+            motion.angular_acceleration = at(21);
+        }
+    }
+    motion
+}
+
+fn agrees<M>(name: &str, model: &M, definition: &str)
+where
+    M: Assemble<f64, Gates = ()> + Report<f64>,
+    M::Inputs: Fields<f64>,
+{
+    let reason = REFUSED.iter().find(|(of, _)| *of == name).map(|(_, reason)| *reason);
+    let mechanisms =
+        [Algebra::Dense, Algebra::Sparse].map(|algebra| Mechanism::with_algebra(definition, algebra));
+    let [Ok(dense), Ok(sparse)] = mechanisms else {
+        let error = mechanisms.into_iter().find_map(Result::err).expect("one of them");
+        assert!(matches!(error, DefinitionError::NotThereYet { .. }), "{name}: {error}");
+        assert!(reason.is_some_and(|reason| error.to_string().contains(reason)), "{name}: {error}");
+        return;
+    };
+    assert_eq!(reason, None, "{name} is not refused any more");
+    let mut mechanisms = [dense, sparse];
+
+    let mut random = Random(name.len() as u64);
+    let inputs: Vec<f64> = M::Inputs::NAMES.iter().map(|_| random.unit()).collect();
+    let given = |_: f64, _: &StateOf<M>| {
+        let mut fields: <M::Inputs as Fields<f64>>::Array = Vector::zeros(inputs.len());
+        fields.as_mut_slice().copy_from_slice(&inputs);
+        M::Inputs::from_array(fields)
+    };
+    let names: Vec<String> = mechanisms[0].bodies().map(str::to_string).collect();
+    let mut angles = vec![0.0; names.len()];
+    let mut worst = 0.0_f64;
+    let start = model.start();
+    let baumgarte = Baumgarte { alpha: 10.0, beta: 10.0 };
+    let mut simulation =
+        Simulation::new(model, start.clone()).formulation(baumgarte).sampled(given).step(2e-5);
+    for k in 0..STATES {
+        let time = k as f64 * APART;
+        let along = simulation.advance_until(time).unwrap_or_else(|error| panic!("{name}: {error}"));
+        let mut wish = model.zero_v();
+        wish.as_mut_slice().iter_mut().for_each(|v| *v = random.unit());
+        let other = project_velocity(model, time, &along.q, &wish).map(|v| State { v, ..along.clone() });
+        for state in std::iter::once(along).chain(other) {
+            let (mut a, mut lambda) = (model.zero_v(), model.zero_lambda());
+            model.acceleration(time, &state, &given(time, &state), &mut a, &mut lambda);
+            let motions = model.motions(time, &state.q, &state.v, &a);
+            let motions: Vec<BodyMotion> = motions
+                .as_ref()
+                .iter()
+                .zip(&mut angles)
+                .map(|(motion, angle)| {
+                    let motion = read(motion.to_array().as_slice(), *angle);
+                    *angle = motion.angle;
+                    motion
+                })
+                .collect();
+            for mechanism in &mut mechanisms {
+                worst = worst.max(apart(name, mechanism, &names, &motions, time, &inputs));
+            }
+        }
+    }
+    println!("{name}: {worst:.1e}");
+    assert!(worst < TOLERANCE, "{name}: {worst:.1e}");
+}
+
+/// The largest difference of accelerations at one state, relative to the largest acceleration.
+fn apart(
+    name: &str,
+    mechanism: &mut Mechanism,
+    names: &[String],
+    motions: &[BodyMotion],
+    time: f64,
+    inputs: &[f64],
+) -> f64 {
+    let mut state = mechanism.origin();
+    for (body, motion) in names.iter().zip(motions) {
+        mechanism.set_body(&mut state, body, motion).expect("a body");
+    }
+    let [mut a, mut lambda] = [mechanism.velocity_count(), mechanism.row_count()].map(|n| vec![0.0; n]);
+    mechanism
+        .acceleration(time, &state.q, &state.v, inputs, Formulation::Lagrange, &mut a, &mut lambda)
+        .unwrap_or_else(|error| panic!("{name}: {error}"));
+    let (mut difference, mut size) = (0.0_f64, 1.0_f64);
+    for (body, motion) in names.iter().zip(motions) {
+        let found = mechanism.body(body, &state, &a).expect("a body");
+        let pairs = [
+            (found.acceleration, motion.acceleration),
+            (found.angular_acceleration, motion.angular_acceleration),
+        ];
+        for (found, expected) in
+            pairs.into_iter().flat_map(|(found, expected)| found.into_iter().zip(expected))
+        {
+            difference = difference.max((found - expected).abs());
+            size = size.max(expected.abs());
+        }
+    }
+    difference / size
+}
+
+macro_rules! all {
+    ($($name:ident: $model:path),* $(,)?) => {
+        $(#[test] fn $name() {
+            use $model as Model;
+            agrees(stringify!($name), &Model::<f64>::default(), Model::<f64>::DEFINITION);
+        })*
+    };
+}
+
+linkwright_models::for_each_model!(all);
