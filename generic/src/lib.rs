@@ -29,7 +29,7 @@
 //! pendulum.set_body(&mut state, "bob", &BodyMotion { position: [1.0, 0.0, 0.0], ..BodyMotion::default() })?;
 //! let (mut a, mut lambda) = ([0.0; 2], [0.0; 1]);
 //! pendulum.acceleration(0.0, &state.q, &state.v, &[], Formulation::Lagrange, &mut a, &mut lambda)?;
-//! assert_eq!(a, [0.0, -9.81]);
+//! assert!(a[0].abs() < 1e-12 && (a[1] + 9.81).abs() < 1e-12);
 //!
 //! // At the bottom ½ v² = g l, and the string has kept its length.
 //! pendulum.simulate(0.0, &mut state, |_, _| Vec::new(), Formulation::Projected, 1e-3, 592)?;
