@@ -7,6 +7,7 @@ use crate::error::{DefinitionError, Error};
 use crate::kinematics::Kinematics;
 use crate::law::Scratch;
 use crate::load::Acts;
+use crate::motion::Stages;
 use crate::reading::read;
 use crate::row::{Equation, Phase};
 use crate::solver::Algebra;
@@ -25,7 +26,7 @@ use std::collections::HashMap;
 /// | spatial particle | x, y, z | ẋ, ẏ, ż |
 ///
 /// Behind the bodies of space q has the angles of joints over several turns; they only choose whole turns.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub struct State {
     /// n_q positions.
     pub q: Vec<f64>,
@@ -75,6 +76,8 @@ pub(crate) struct Work {
     pub lower: Vec<f64>,
     pub delta: Vec<f64>,
     pub mu: Vec<f64>,
+    pub projected: State,
+    pub stages: Stages,
 }
 
 impl Mechanism {
@@ -107,7 +110,13 @@ impl Mechanism {
             DefinitionError::value(&definition.name, "the pattern of the augmented matrix has no factors")
         })?;
         let (n, m) = (coordinates.velocities, definition.rows.len());
-        let work = Work { upper: vec![0.0; n], lower: vec![0.0; m], delta: vec![0.0; n], mu: vec![0.0; m] };
+        let work = Work {
+            upper: vec![0.0; n],
+            lower: vec![0.0; m],
+            delta: vec![0.0; n],
+            mu: vec![0.0; m],
+            ..Work::default()
+        };
         Ok(Mechanism {
             tree,
             given,

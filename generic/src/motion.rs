@@ -3,13 +3,39 @@
 use crate::coordinates::check_finite;
 use crate::error::Error;
 use crate::mechanism::{Formulation, Mechanism, State, check_length};
-use crate::system::largest;
+use crate::system::{System, largest};
 
 /// Newton's iterations that a projection may take.
 const ITERATIONS: usize = 25;
 
 /// Φ at which positions meet the constraints, in m, rad or m² beside lengths of one.
 const CLOSED: f64 = 1e-13;
+
+/// What a step writes: kept from step to step, so that none allocates.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Stages {
+    stage: State,
+    end: State,
+    q_rate: Vec<f64>,
+    a: Vec<f64>,
+    lambda: Vec<f64>,
+}
+
+impl Stages {
+    /// The end begins at the state; the first stage is there.
+    fn begin(&mut self, state: &State, rows: usize) {
+        for to in [&mut self.stage, &mut self.end] {
+            to.q.clone_from(&state.q);
+            to.v.clone_from(&state.v);
+        }
+        for (vector, length) in
+            [(&mut self.q_rate, state.q.len()), (&mut self.a, state.v.len()), (&mut self.lambda, rows)]
+        {
+            vector.clear();
+            vector.resize(length, 0.0);
+        }
+    }
+}
 
 impl Mechanism {
     /// Puts positions, then velocities, on the constraints, across them in the norm of M:
@@ -25,16 +51,24 @@ impl Mechanism {
     /// A state that leads to no position on the constraints, a singular one, or a phase that is not known; `state` has not changed
     /// then.
     pub fn project(&mut self, time: f64, state: &mut State) -> Result<(), Error> {
+        let mut moved = std::mem::take(&mut self.work.projected);
+        moved.q.clone_from(&state.q);
+        moved.v.clone_from(&state.v);
+        let projected = self.project_in_place(time, &mut moved);
+        if projected.is_ok() {
+            std::mem::swap(state, &mut moved);
+        }
+        self.work.projected = moved;
+        projected
+    }
+
+    fn project_in_place(&mut self, time: f64, state: &mut State) -> Result<(), Error> {
         self.check_phases()?;
-        let mut q = state.q.clone();
-        self.close(time, &mut q, &state.v)?;
-        let mut v = state.v.clone();
-        self.evaluate_rows(time, &q, &v)?;
+        self.close(time, &mut state.q, &state.v)?;
+        self.evaluate_rows(time, &state.q, &state.v)?;
         self.factor()?;
-        let rates = self.system.phi_rate.clone();
-        self.solve_lower(&rates)?;
-        v.iter_mut().zip(&self.work.delta).for_each(|(v, w)| *v += w);
-        *state = State { q, v };
+        self.solve_for(|system| &system.phi_rate)?;
+        state.v.iter_mut().zip(&self.work.delta).for_each(|(v, w)| *v += w);
         Ok(())
     }
 
@@ -50,8 +84,7 @@ impl Mechanism {
             }
             last = missed;
             self.factor()?;
-            let phi = self.system.phi.clone();
-            self.solve_lower(&phi)?;
+            self.solve_for(|system| &system.phi)?;
             self.coordinates.retract(q, &self.work.delta);
         }
         let (row, residual) = self.worst_row();
@@ -59,10 +92,10 @@ impl Mechanism {
     }
 
     /// δ of M δ + Dᵀ μ = 0, D δ = −residual.
-    fn solve_lower(&mut self, residual: &[f64]) -> Result<(), Error> {
+    fn solve_for(&mut self, residual: impl Fn(&System) -> &[f64]) -> Result<(), Error> {
         let Mechanism { system, work, .. } = self;
         work.upper.fill(0.0);
-        work.lower.iter_mut().zip(residual).for_each(|(lower, residual)| *lower = -residual);
+        work.lower.iter_mut().zip(residual(system)).for_each(|(lower, residual)| *lower = -residual);
         let solved = system.solve(&work.upper, &work.lower, &mut work.delta, &mut work.mu);
         solved.map_err(|_| self.singular())
     }
@@ -88,34 +121,48 @@ impl Mechanism {
         formulation: Formulation,
         step: f64,
     ) -> Result<(), Error> {
-        const STAGES: [(f64, f64); 4] =
-            [(0.0, 1.0 / 6.0), (0.5, 1.0 / 3.0), (0.5, 1.0 / 3.0), (1.0, 1.0 / 6.0)];
         check_finite("the step", &[step])?;
         check_length("positions", state.q.len(), self.coordinates.positions)?;
         check_length("velocities", state.v.len(), self.coordinates.velocities)?;
-        let (n_q, n_v) = (state.q.len(), state.v.len());
-        let mut stage = state.clone();
-        let mut end = state.clone();
-        let (mut q_rate, mut a) = (vec![0.0; n_q], vec![0.0; n_v]);
-        let mut lambda = vec![0.0; self.row_count()];
-        for (share, weight) in STAGES {
+        let mut stages = std::mem::take(&mut self.work.stages);
+        let stepped = self.stepped(time, state, inputs, formulation, step, &mut stages);
+        if stepped.is_ok() {
+            std::mem::swap(state, &mut stages.end);
+        }
+        self.work.stages = stages;
+        stepped
+    }
+
+    fn stepped(
+        &mut self,
+        time: f64,
+        state: &State,
+        inputs: &[f64],
+        formulation: Formulation,
+        step: f64,
+        stages: &mut Stages,
+    ) -> Result<(), Error> {
+        /// Share of the step at which each evaluates, and its weight.
+        const TABLEAU: [(f64, f64); 4] =
+            [(0.0, 1.0 / 6.0), (0.5, 1.0 / 3.0), (0.5, 1.0 / 3.0), (1.0, 1.0 / 6.0)];
+        stages.begin(state, self.row_count());
+        let Stages { stage, end, q_rate, a, lambda } = stages;
+        for (share, weight) in TABLEAU {
             let ahead = share * step;
-            moved(&mut stage.q, &state.q, ahead, &q_rate);
-            moved(&mut stage.v, &state.v, ahead, &a);
-            let at = time + ahead;
-            self.acceleration(at, &stage.q, &stage.v, inputs, formulation, &mut a, &mut lambda)?;
-            self.coordinates.rates(&stage.q, &stage.v, &mut q_rate);
-            end.q.iter_mut().zip(&q_rate).for_each(|(q, rate)| *q += step * weight * rate);
-            end.v.iter_mut().zip(&a).for_each(|(v, a)| *v += step * weight * a);
+            moved(&mut stage.q, &state.q, ahead, q_rate);
+            moved(&mut stage.v, &state.v, ahead, a);
+            self.acceleration(time + ahead, &stage.q, &stage.v, inputs, formulation, a, lambda)?;
+            self.coordinates.rates(&stage.q, &stage.v, q_rate);
+            end.q.iter_mut().zip(&*q_rate).for_each(|(q, rate)| *q += step * weight * rate);
+            end.v.iter_mut().zip(&*a).for_each(|(v, a)| *v += step * weight * a);
         }
         self.coordinates.normalise(&mut end.q);
         if formulation == Formulation::Projected {
-            self.project(time + step, &mut end)?;
+            self.project(time + step, end)?;
         } else if !self.definition.counted.is_empty() {
             self.coordinates.kinematics(time + step, &end.q, &end.v, &mut self.at)?;
             self.count_angles(&mut end.q);
         }
-        *state = end;
         Ok(())
     }
 

@@ -36,17 +36,15 @@ pub(crate) struct Solver {
 }
 
 enum Storage {
-    Dense {
-        values: Vec<f64>,
-        rows: Vec<usize>,
-        rows_inverse: Vec<usize>,
-    },
-    Sparse {
-        matrix: SymbolicSparseColMat<usize>,
-        values: Vec<f64>,
-        symbolic: SymbolicLu<usize>,
-        numeric: NumericLu<usize, f64>,
-    },
+    Dense { values: Vec<f64>, rows: Vec<usize>, rows_inverse: Vec<usize> },
+    Sparse(Box<Sparse>),
+}
+
+struct Sparse {
+    matrix: SymbolicSparseColMat<usize>,
+    values: Vec<f64>,
+    symbolic: SymbolicLu<usize>,
+    numeric: NumericLu<usize, f64>,
 }
 
 impl std::fmt::Debug for Solver {
@@ -111,12 +109,12 @@ impl Solver {
             size,
             places,
             memory: MemBuffer::new(StackReq::any_of(&[factor, solve])),
-            storage: Storage::Sparse {
+            storage: Storage::Sparse(Box::new(Sparse {
                 matrix,
                 values: vec![0.0; pattern.len()],
                 symbolic,
                 numeric: NumericLu::new(),
-            },
+            })),
         })
     }
 
@@ -139,7 +137,8 @@ impl Solver {
                     Default::default(),
                 );
             }
-            Storage::Sparse { matrix, values, symbolic, numeric } => {
+            Storage::Sparse(sparse) => {
+                let Sparse { matrix, values, symbolic, numeric } = &mut **sparse;
                 for (place, entry) in self.places.iter().zip(entries) {
                     values[*place] = entry;
                 }
@@ -170,13 +169,9 @@ impl Solver {
                     stack,
                 );
             }
-            Storage::Sparse { symbolic, numeric, .. } => {
-                LuRef::new_unchecked(symbolic, numeric).solve_in_place_with_conj(
-                    Conj::No,
-                    right,
-                    Par::Seq,
-                    stack,
-                );
+            Storage::Sparse(sparse) => {
+                let factors = LuRef::new_unchecked(&sparse.symbolic, &sparse.numeric);
+                factors.solve_in_place_with_conj(Conj::No, right, Par::Seq, stack);
             }
         }
     }

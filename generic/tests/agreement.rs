@@ -1,6 +1,8 @@
 //! Every shipped model: the accelerations of all its bodies by the generic solver, dense and sparse, against those of the emitted code,
 //! at states along its motion and with other velocities there; or it is refused, for the reason that stands here.
 
+mod mapping;
+
 use linkwright::{
     Assemble, AssembleExt, Baumgarte, Fields, Report, Simulation, State, StateOf, Vector, project_velocity,
 };
@@ -36,32 +38,6 @@ impl Random {
         z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
         (z ^ (z >> 31)) as f64 / 2.0_f64.powi(63) - 1.0
     }
-}
-
-/// Of a body in the plane (10 numbers) or in space (24), as `motions` gives it.
-fn read(numbers: &[f64], previous: f64) -> BodyMotion {
-    let mut motion = BodyMotion::default();
-    match numbers {
-        [x, y, c, s, vx, vy, rate, ax, ay, alpha] => {
-            motion.position = [*x, *y, 0.0];
-            let turns = (previous - s.atan2(*c)) / std::f64::consts::TAU;
-            motion.angle = s.atan2(*c) + turns.round() * std::f64::consts::TAU;
-            motion.velocity = [*vx, *vy, 0.0];
-            motion.rate[2] = *rate;
-            motion.acceleration = [*ax, *ay, 0.0];
-            motion.angular_acceleration[2] = *alpha;
-        }
-        _ => {
-            let at = |k: usize| [numbers[k], numbers[k + 1], numbers[k + 2]];
-            motion.position = at(0);
-            motion.orientation = [at(3), at(6), at(9)];
-            motion.velocity = at(12);
-            motion.rate = at(15);
-            motion.acceleration = at(18);
-            motion.angular_acceleration = at(21);
-        }
-    }
-    motion
 }
 
 fn agrees<M>(name: &str, model: &M, definition: &str)
@@ -104,17 +80,7 @@ where
         for state in std::iter::once(along).chain(other) {
             let (mut a, mut lambda) = (model.zero_v(), model.zero_lambda());
             model.acceleration(time, &state, &given(time, &state), &mut a, &mut lambda);
-            let motions = model.motions(time, &state.q, &state.v, &a);
-            let motions: Vec<BodyMotion> = motions
-                .as_ref()
-                .iter()
-                .zip(&mut angles)
-                .map(|(motion, angle)| {
-                    let motion = read(motion.to_array().as_slice(), *angle);
-                    *angle = motion.angle;
-                    motion
-                })
-                .collect();
+            let motions = mapping::bodies(model, time, &state, &a, &mut angles);
             for mechanism in &mut mechanisms {
                 worst = worst.max(apart(name, mechanism, &names, &motions, time, &inputs));
             }
@@ -133,10 +99,7 @@ fn apart(
     time: f64,
     inputs: &[f64],
 ) -> f64 {
-    let mut state = mechanism.origin();
-    for (body, motion) in names.iter().zip(motions) {
-        mechanism.set_body(&mut state, body, motion).expect("a body");
-    }
+    let state = mapping::state(mechanism, motions);
     let [mut a, mut lambda] = [mechanism.velocity_count(), mechanism.row_count()].map(|n| vec![0.0; n]);
     mechanism
         .acceleration(time, &state.q, &state.v, inputs, Formulation::Lagrange, &mut a, &mut lambda)
