@@ -100,7 +100,9 @@ where
 
     let mut plant = model.stepper(model.start(), (Rk4, terms));
     let given = none();
-    let emitted = move |_: usize| plant.step(black_box(&given), black_box(STEP)).expect("a regular motion");
+    let emitted = move |_: usize| {
+        black_box(plant.step(black_box(&given), black_box(STEP)).expect("a regular motion"));
+    };
     let steps = |algebra: Algebra| {
         let mut mechanism = Mechanism::with_algebra(definition, algebra).expect("it is there");
         mechanism.keep_phases(states[0].0, &mapped[0].q).expect("a position");
