@@ -24,7 +24,7 @@ pub enum Algebra {
 
 impl Algebra {
     /// Unknowns, accelerations and multipliers together, up to which `Auto` is dense.
-    pub const DENSE: usize = 64;
+    pub const DENSE: usize = 32;
 }
 
 pub(crate) struct Solver {
