@@ -2,6 +2,7 @@
 //! index; `law` says what these are, `reading` makes the trees.
 
 use crate::number::Number;
+use crate::table::Look;
 use std::f64::consts::PI;
 
 /// A tree. Truth is 1, falsehood 0.
@@ -18,6 +19,8 @@ pub(crate) enum Expression {
     Binary(Operator, Box<[Expression; 2]>),
     /// Condition, then, else.
     If(Box<[Expression; 3]>),
+    /// One argument or two.
+    Table(Look, Vec<Expression>),
 }
 
 /// Functions of one argument.
@@ -100,6 +103,7 @@ impl Expression {
             Expression::Unary(_, argument) => argument.constant().map(|_| ())?,
             Expression::Binary(_, arguments) => all_constant(&arguments[..])?,
             Expression::If(arguments) => all_constant(&arguments[..])?,
+            Expression::Table(_, arguments) => all_constant(arguments)?,
         }
         Some(self.evaluate(&Scope { time: 0.0, inputs: &[], quantities: &[], rates: &[] }))
     }
@@ -121,6 +125,11 @@ impl Expression {
                 let holds = condition.evaluate(scope).value() != 0.0;
                 if holds { then } else { otherwise }.evaluate(scope)
             }
+            Expression::Table(look, arguments) => match &arguments[..] {
+                [x, y] => look.of(&[x.evaluate(scope), y.evaluate(scope)]),
+                [x, ..] => look.of(&[x.evaluate(scope)]),
+                [] => N::constant(f64::NAN),
+            },
         }
     }
 }

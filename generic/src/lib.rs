@@ -84,8 +84,10 @@ mod number;
 mod quantity;
 mod reading;
 mod row;
+mod slopes;
 mod solver;
 mod system;
+mod table;
 mod units;
 mod vector;
 

@@ -14,13 +14,11 @@ const TOLERANCE: f64 = 1e-8;
 /// Models that are refused, and what is not there yet.
 const REFUSED: &[(&str, &str)] = &[
     ("braked_wheel", "an internal state"),
-    ("cam_follower", "a table"),
     ("dc_motor_arm", "an internal state"),
     ("dump_truck_steering", "an internal state"),
     ("dump_truck_tipping", "an internal state"),
     ("hydraulic_loader", "an internal state"),
     ("lugre_block", "an internal state"),
-    ("tracked_vehicle", "a table"),
 ];
 
 /// Seconds between the states compared.

@@ -7,6 +7,7 @@ use crate::expression::{Expression, Function, Operator};
 use crate::json::{field, list, text};
 use crate::law::{Law, Rate};
 use crate::quantity::Quantity;
+use crate::table::{Look, Table};
 use serde_json::Value;
 use std::f64::consts::PI;
 
@@ -180,8 +181,23 @@ impl LawReader<'_, '_> {
             ("dot", [a, b]) => self.dot(a, b),
             ("cross", [a, b]) => self.plane_cross(a, b),
             ("power", _) => Err(DefinitionError::not_there_yet(self.part, "the power of a load in a law")),
-            _ => Err(DefinitionError::kind(self.part, function)),
+            _ => self.look(function, arguments),
         }
+    }
+
+    /// A table's value, or its slope.
+    fn look(&mut self, function: &str, arguments: &[Value]) -> Read<Expression> {
+        let own = function.strip_suffix(".slope").unwrap_or(function);
+        let Some(table) = self.reader.tables.get(own) else {
+            return Err(DefinitionError::kind(self.part, function));
+        };
+        let slope = own != function;
+        let expected = if matches!(**table, Table::Curve(_)) { 1 } else { 2 };
+        if arguments.len() != expected || slope && expected == 2 {
+            return Err(DefinitionError::malformed(self.part, &format!("a call of `{function}`")));
+        }
+        let arguments = arguments.iter().map(|argument| self.expression(argument)).collect::<Read<_>>()?;
+        Ok(Expression::Table(Look { table: table.clone(), slope }, arguments))
     }
 
     fn name(&mut self, name: &str) -> Read<Expression> {

@@ -9,6 +9,7 @@ mod joints;
 mod laws;
 mod loads;
 mod places;
+mod tables;
 mod values;
 mod vectors;
 
@@ -16,10 +17,12 @@ use crate::definition::{Body, Definition, Parameter};
 use crate::error::DefinitionError;
 use crate::json::{list, name, optional, text};
 use crate::quantity::Quantity;
+use crate::table::Table;
 use crate::vector::ZERO;
 use joints::Joint;
 use serde_json::Value;
 use std::collections::HashMap;
+use std::sync::Arc;
 
 pub(crate) type Read<T> = Result<T, DefinitionError>;
 
@@ -37,6 +40,7 @@ pub(crate) struct Reader<'t> {
     joints: Vec<Joint>,
     joint_by_name: HashMap<&'t str, usize>,
     counted: Vec<Quantity>,
+    tables: HashMap<&'t str, Arc<Table>>,
 }
 
 /// The definition with some of its parameters at other values than their defaults.
@@ -62,11 +66,13 @@ pub(crate) fn read(tree: &Value, given: &HashMap<String, f64>) -> Read<Definitio
         joints: Vec::new(),
         joint_by_name: HashMap::new(),
         counted: Vec::new(),
+        tables: HashMap::new(),
     };
     reader.refuse_what_is_to_come()?;
     let inputs = list(tree, "inputs", "inputs")?;
     let inputs = inputs.iter().map(|input| name(input, "inputs")).collect::<Read<Vec<_>>>()?;
     reader.inputs = inputs.iter().enumerate().map(|(at, name)| (*name, at)).collect();
+    reader.read_tables()?;
     let parameters = reader.read_parameters(given)?;
     reader.read_bodies()?;
     let gravity = match optional(tree, "gravity") {
@@ -98,12 +104,10 @@ fn by_name<'t>(tree: &'t Value, what: &str) -> Read<HashMap<&'t str, &'t Value>>
 
 impl<'t> Reader<'t> {
     fn refuse_what_is_to_come(&self) -> Read<()> {
-        for (field, what) in [("states", "an internal state"), ("tables", "a table")] {
-            if let Some(first) = list(self.tree, field, field)?.first() {
-                return Err(DefinitionError::not_there_yet(name(first, field)?, what));
-            }
+        match list(self.tree, "states", "states")?.first() {
+            Some(first) => Err(DefinitionError::not_there_yet(name(first, "states")?, "an internal state")),
+            None => Ok(()),
         }
-        Ok(())
     }
 
     /// In the order of the definition, because a default may name those before it.
