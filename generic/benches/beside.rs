@@ -71,7 +71,7 @@ where
         .iter()
         .map(|(time, state)| {
             let motions = mapping::bodies(model, *time, state, &model.zero_v(), &mut angles);
-            mapping::state(&dense, &motions)
+            mapping::state(&dense, &motions, state.z.as_slice())
         })
         .collect();
 

@@ -7,7 +7,8 @@
 //! | spatial | x, y, z, Euler parameters (w, x, y, z) | ẋ, ẏ, ż, ω in body axes |
 //! | spatial particle | x, y, z | ẋ, ẏ, ż |
 //!
-//! Behind the bodies of space q has the angles of joints over several turns, which choose whole turns and nothing else.
+//! Behind the bodies of space q has the angles of joints over several turns, which choose whole turns and nothing else, and behind
+//! these the internal states.
 
 use crate::definition::Definition;
 use crate::error::Error;
@@ -66,17 +67,20 @@ impl Slot {
 #[derive(Clone, Debug)]
 pub(crate) struct Coordinates {
     pub slots: Vec<Slot>,
-    /// n_q, the counted angles included.
+    /// n_q, counted angles and internal states included.
     pub positions: usize,
     /// n_v.
     pub velocities: usize,
     /// Where the counted angles begin in q.
     pub counted: usize,
+    /// Where the internal states begin in q.
+    pub internal: usize,
 }
 
 impl Coordinates {
     pub fn new(definition: &Definition) -> Self {
-        let mut coordinates = Coordinates { slots: Vec::new(), positions: 0, velocities: 0, counted: 0 };
+        let mut coordinates =
+            Coordinates { slots: Vec::new(), positions: 0, velocities: 0, counted: 0, internal: 0 };
         for body in &definition.bodies {
             let kind = match (definition.spatial, body.particle) {
                 (false, false) => Kind::Plane,
@@ -90,13 +94,15 @@ impl Coordinates {
             coordinates.slots.push(slot);
         }
         coordinates.counted = coordinates.positions;
-        coordinates.positions += definition.counted.len();
+        coordinates.internal = coordinates.counted + definition.counted.len();
+        coordinates.positions = coordinates.internal + definition.states.len();
         coordinates
     }
 
-    /// All bodies at the origin with their axes the world's.
-    pub fn origin(&self) -> Vec<f64> {
-        let mut q = vec![0.0; self.positions];
+    /// All bodies at the origin with their axes the world's, internal states at their starts.
+    pub fn origin(&self, definition: &Definition) -> Vec<f64> {
+        let mut q = vec![0.0; self.internal];
+        q.extend(definition.states.iter().map(|state| state.start));
         for slot in self.slots.iter().filter(|slot| slot.kind == Kind::Space) {
             q[slot.q + 3] = 1.0;
         }
@@ -120,11 +126,13 @@ impl Coordinates {
             at.frames.push(slot.frame(&q[slot.q..], &v[slot.v..])?);
         }
         at.counted.clear();
-        at.counted.extend_from_slice(&q[self.counted..]);
+        at.counted.extend_from_slice(&q[self.counted..self.internal]);
+        at.internal.clear();
+        at.internal.extend_from_slice(&q[self.internal..]);
         Ok(())
     }
 
-    /// q̇ = N(q) v: of Euler parameters ½ p ⊗ (0, ω); counted angles stay.
+    /// q̇ = N(q) v: of Euler parameters ½ p ⊗ (0, ω); counted angles stay, internal states are left to others.
     pub fn rates(&self, q: &[f64], v: &[f64], rates: &mut [f64]) {
         rates.fill(0.0);
         for slot in &self.slots {

@@ -1,5 +1,6 @@
 //! A definition in SI at given values of its parameters: bodies, rows, loads. `reading` makes it from the tree; `system` solves it.
 
+use crate::law::Law;
 use crate::load::Load;
 use crate::quantity::Quantity;
 use crate::row::Row;
@@ -17,6 +18,7 @@ pub(crate) struct Definition {
     pub bodies: Vec<Body>,
     pub rows: Vec<Row>,
     pub loads: Vec<Load>,
+    pub states: Vec<InternalState>,
     /// Angles of spatial joints, which are counted over several turns beside the orientations.
     pub counted: Vec<Quantity>,
     /// Whether it says that rows may repeat others.
@@ -27,6 +29,14 @@ pub(crate) struct Definition {
 pub(crate) struct Parameter {
     pub name: String,
     pub value: f64,
+}
+
+/// z with ż = rate(t, q, v, z, u).
+#[derive(Clone, Debug)]
+pub(crate) struct InternalState {
+    pub name: String,
+    pub start: f64,
+    pub rate: Law,
 }
 
 #[derive(Clone, Debug)]

@@ -11,6 +11,7 @@ pub(crate) enum Expression {
     Number(f64),
     Time,
     Input(usize),
+    State(usize),
     /// One of the law's quantities of positions.
     Quantity(usize),
     /// One of the law's rates; never in a law of positions.
@@ -80,6 +81,7 @@ pub(crate) enum Operator {
 pub(crate) struct Scope<'a, N> {
     pub time: N,
     pub inputs: &'a [f64],
+    pub states: &'a [f64],
     pub quantities: &'a [N],
     pub rates: &'a [f64],
 }
@@ -97,15 +99,17 @@ impl Expression {
     pub fn constant(&self) -> Option<f64> {
         match self {
             Expression::Number(value) => return Some(*value),
-            Expression::Time | Expression::Input(_) | Expression::Quantity(_) | Expression::Rate(_) => {
-                return None;
-            }
+            Expression::Time
+            | Expression::Input(_)
+            | Expression::State(_)
+            | Expression::Quantity(_)
+            | Expression::Rate(_) => return None,
             Expression::Unary(_, argument) => argument.constant().map(|_| ())?,
             Expression::Binary(_, arguments) => all_constant(&arguments[..])?,
             Expression::If(arguments) => all_constant(&arguments[..])?,
             Expression::Table(_, arguments) => all_constant(arguments)?,
         }
-        Some(self.evaluate(&Scope { time: 0.0, inputs: &[], quantities: &[], rates: &[] }))
+        Some(self.evaluate(&Scope { time: 0.0, inputs: &[], states: &[], quantities: &[], rates: &[] }))
     }
 
     pub fn evaluate<N: Number>(&self, scope: &Scope<'_, N>) -> N {
@@ -113,6 +117,7 @@ impl Expression {
             Expression::Number(value) => N::constant(*value),
             Expression::Time => scope.time,
             Expression::Input(at) => N::constant(scope.inputs[*at]),
+            Expression::State(at) => N::constant(scope.states[*at]),
             Expression::Quantity(at) => scope.quantities[*at],
             Expression::Rate(at) => N::constant(scope.rates[*at]),
             Expression::Unary(function, argument) => function.of(argument.evaluate(scope)),
@@ -297,11 +302,17 @@ mod tests {
     fn taylor(expression: &Expression) -> Taylor {
         let time = Taylor { value: 0.4, rate: 1.0, bias: 0.0 };
         let square = Taylor { value: 0.46, rate: 0.8, bias: 2.0 };
-        expression.evaluate(&Scope { time, inputs: &[], quantities: &[square], rates: &[] })
+        expression.evaluate(&Scope { time, inputs: &[], states: &[], quantities: &[square], rates: &[] })
     }
 
     fn value(expression: &Expression, t: f64) -> f64 {
-        expression.evaluate(&Scope { time: t, inputs: &[], quantities: &[0.3 + t * t], rates: &[] })
+        expression.evaluate(&Scope {
+            time: t,
+            inputs: &[],
+            states: &[],
+            quantities: &[0.3 + t * t],
+            rates: &[],
+        })
     }
 
     fn is_differentiated(expression: &Expression) {
@@ -315,6 +326,7 @@ mod tests {
         let slope = expression.evaluate(&Scope {
             time: Slope { value: 0.4, slope: 1.0 },
             inputs: &[],
+            states: &[],
             quantities: &[Slope { value: 0.46, slope: 0.8 }],
             rates: &[],
         });

@@ -56,6 +56,8 @@ pub(crate) struct Kinematics {
     pub frames: Vec<Frame>,
     /// Angles of spatial joints over several turns, rad.
     pub counted: Vec<f64>,
+    /// Internal states, in SI.
+    pub internal: Vec<f64>,
 }
 
 impl Kinematics {
@@ -82,8 +84,13 @@ impl Kinematics {
         let mut point = Point { body: None, arm: ZERO, position: place.local, velocity: ZERO, bias: ZERO };
         if let Some(components) = &place.moving {
             for (k, component) in components.iter().enumerate() {
-                let moved =
-                    component.evaluate(&Scope { time: self.now(), inputs: &[], quantities: &[], rates: &[] });
+                let moved = component.evaluate(&Scope {
+                    time: self.now(),
+                    inputs: &[],
+                    states: &[],
+                    quantities: &[],
+                    rates: &[],
+                });
                 point.position[k] = moved.value;
                 point.velocity[k] = moved.rate;
                 point.bias[k] = moved.bias;

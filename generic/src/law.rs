@@ -2,6 +2,7 @@
 
 use crate::expression::{Expression, Scope};
 use crate::kinematics::Kinematics;
+use crate::load::Load;
 use crate::number::{Number, Slope, Taylor};
 use crate::quantity::{Jet, Pull, Quantity};
 use crate::vector::{times, turned_back};
@@ -20,6 +21,8 @@ pub(crate) enum Rate {
     Of(Expression),
     /// A component of ω in the body's own axes.
     Spin { body: usize, axis: usize },
+    /// The power of a load, W.
+    Power(Box<Load>),
 }
 
 /// What laws write while they are evaluated, kept from call to call.
@@ -47,10 +50,16 @@ impl Law {
         for rate in &self.rates {
             let rate = match rate {
                 Rate::Of(expression) => {
-                    let scope =
-                        Scope { time: at.now(), inputs: &[], quantities: &scratch.taylor[..], rates: &[] };
+                    let scope = Scope {
+                        time: at.now(),
+                        inputs: &[],
+                        states: &[],
+                        quantities: &scratch.taylor[..],
+                        rates: &[],
+                    };
                     expression.evaluate(&scope).rate
                 }
+                Rate::Power(load) => load.power(at, inputs, &mut Scratch::default()),
                 Rate::Spin { body, axis } => {
                     let frame = &at.frames[*body];
                     turned_back(&frame.axes, frame.spin)[*axis]
@@ -58,7 +67,13 @@ impl Law {
             };
             scratch.rates.push(rate);
         }
-        let scope = Scope { time: at.time, inputs, quantities: &scratch.values[..], rates: &scratch.rates };
+        let scope = Scope {
+            time: at.time,
+            inputs,
+            states: &at.internal,
+            quantities: &scratch.values[..],
+            rates: &scratch.rates,
+        };
         self.expression.evaluate(&scope)
     }
 
@@ -66,7 +81,8 @@ impl Law {
     pub fn course(&self, at: &Kinematics, scratch: &mut Scratch) -> Taylor {
         scratch.taylor.clear();
         scratch.taylor.extend(self.quantities.iter().map(|quantity| quantity.jet(at).along));
-        let scope = Scope { time: at.now(), inputs: &[], quantities: &scratch.taylor[..], rates: &[] };
+        let scope =
+            Scope { time: at.now(), inputs: &[], states: &[], quantities: &scratch.taylor[..], rates: &[] };
         self.expression.evaluate(&scope)
     }
 
@@ -81,7 +97,7 @@ impl Law {
         for (k, jet) in scratch.jets.iter().enumerate() {
             scratch.slopes[k].slope = 1.0;
             let time = Slope::constant(at.time);
-            let scope = Scope { time, inputs: &[], quantities: &scratch.slopes[..], rates: &[] };
+            let scope = Scope { time, inputs: &[], states: &[], quantities: &scratch.slopes[..], rates: &[] };
             let slope = self.expression.evaluate(&scope).slope;
             scratch.slopes[k].slope = 0.0;
             for pull in jet.pulls {
@@ -92,7 +108,8 @@ impl Law {
                 });
             }
         }
-        let scope = Scope { time: at.now(), inputs: &[], quantities: &scratch.taylor[..], rates: &[] };
+        let scope =
+            Scope { time: at.now(), inputs: &[], states: &[], quantities: &scratch.taylor[..], rates: &[] };
         self.expression.evaluate(&scope)
     }
 

@@ -3,7 +3,7 @@
 use crate::kinematics::{Kinematics, Place};
 use crate::law::{Law, Scratch};
 use crate::quantity::{Pull, Quantity};
-use crate::vector::{cross, norm, times};
+use crate::vector::{cross, dot, norm, times};
 
 #[derive(Clone, Debug)]
 pub(crate) struct Load {
@@ -80,6 +80,35 @@ impl Load {
                 pulled(jet.pulls, effort, add);
             }
             Acts::Cable(cable) => cable.evaluate(at, inputs, scratch, add),
+        }
+    }
+}
+
+impl Load {
+    /// Effort times rate, and force times velocity, W.
+    pub fn power(&self, at: &Kinematics, inputs: &[f64], scratch: &mut Scratch) -> f64 {
+        match &self.acts {
+            Acts::Effort { along, value } => value.value(at, inputs, scratch) * along.jet(at).along.rate,
+            Acts::Along { expression, value } => {
+                value.value(at, inputs, scratch) * expression.course(at, scratch).rate
+            }
+            Acts::Spring { along, stiffness, rest, damping } => {
+                let along = along.jet(at).along;
+                -(stiffness * (along.value - rest) + damping * along.rate) * along.rate
+            }
+            Acts::Force { place, .. } | Acts::Directed { place, .. } if place.body.is_none() => {
+                let mut force = [0.0; 3];
+                self.evaluate(at, inputs, scratch, |pull| force = pull.linear);
+                dot(force, at.point(place).velocity)
+            }
+            Acts::Force { .. } | Acts::Directed { .. } | Acts::Torque { .. } | Acts::Cable(_) => {
+                let mut power = 0.0;
+                self.evaluate(at, inputs, scratch, |pull| {
+                    let frame = at.frame(pull.body);
+                    power += dot(pull.linear, frame.velocity) + dot(pull.angular, frame.spin);
+                });
+                power
+            }
         }
     }
 }

@@ -25,7 +25,8 @@ use std::collections::HashMap;
 /// | spatial | x, y, z, Euler parameters (w, x, y, z) | ẋ, ẏ, ż, ω in body axes |
 /// | spatial particle | x, y, z | ẋ, ẏ, ż |
 ///
-/// Behind the bodies of space q has the angles of joints over several turns; they only choose whole turns.
+/// Behind the bodies of space q has the angles of joints over several turns, which only choose whole turns, and behind these the
+/// internal states.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct State {
     /// n_q positions.
@@ -78,6 +79,7 @@ pub(crate) struct Work {
     pub mu: Vec<f64>,
     pub projected: State,
     pub stages: Stages,
+    pub scratch: Scratch,
 }
 
 impl Mechanism {
@@ -159,7 +161,12 @@ impl Mechanism {
         self.definition.parameters.iter().map(|parameter| (parameter.name.as_str(), parameter.value))
     }
 
-    /// n_q.
+    /// Names of the internal states, in the order in which they end q.
+    pub fn internal_states(&self) -> impl Iterator<Item = &str> {
+        self.definition.states.iter().map(|state| state.name.as_str())
+    }
+
+    /// n_q, counted angles and internal states included.
     pub fn position_count(&self) -> usize {
         self.coordinates.positions
     }
@@ -196,9 +203,9 @@ impl Mechanism {
         Ok(())
     }
 
-    /// All bodies at rest at the origin, axes along the world's: what [`set_body`](Mechanism::set_body) begins with.
+    /// All bodies at rest at the origin, axes along the world's, internal states at their starts: what [`set_body`](Mechanism::set_body) begins with.
     pub fn origin(&self) -> State {
-        State { q: self.coordinates.origin(), v: vec![0.0; self.coordinates.velocities] }
+        State { q: self.coordinates.origin(&self.definition), v: vec![0.0; self.coordinates.velocities] }
     }
 
     fn body_index(&self, name: &str) -> Result<usize, Error> {
@@ -310,6 +317,37 @@ impl Mechanism {
         work.upper.copy_from_slice(&system.forces);
         let solved = system.solve(&work.upper, &work.lower, a, lambda);
         solved.map_err(|_| self.singular())
+    }
+
+    /// ż of the internal states at a state, in their SI units per second.
+    ///
+    /// # Errors
+    /// Lists of other lengths, or values that are not finite.
+    pub fn internal_rates(
+        &mut self,
+        time: f64,
+        state: &State,
+        inputs: &[f64],
+        rates: &mut [f64],
+    ) -> Result<(), Error> {
+        check_length("inputs", inputs.len(), self.definition.inputs.len())?;
+        check_length("rates of internal states", rates.len(), self.definition.states.len())?;
+        self.coordinates.kinematics(time, &state.q, &state.v, &mut self.at)?;
+        self.write_internal_rates(inputs, rates)
+    }
+
+    /// At the state last evaluated.
+    pub(crate) fn write_internal_rates(&mut self, inputs: &[f64], rates: &mut [f64]) -> Result<(), Error> {
+        for (rate, state) in rates.iter_mut().zip(&self.definition.states) {
+            *rate = state.rate.value(&self.at, inputs, &mut self.work.scratch);
+            if !rate.is_finite() {
+                return Err(Error::NotFinite {
+                    what: format!("the rate of `{}`", state.name),
+                    time: self.at.time,
+                });
+            }
+        }
+        Ok(())
     }
 
     /// D, Φ, Φ̇ and γ at a state, all finite.

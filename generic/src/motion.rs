@@ -78,7 +78,10 @@ impl Mechanism {
             self.evaluate_rows(time, q, v)?;
             let missed = largest(&self.system.phi);
             // At the end rounding is all that is left: what does not shrink any more and is small is met.
-            if missed <= CLOSED || missed >= last && missed <= CLOSED * (1.0 + largest(q)).powi(2) {
+            if missed <= CLOSED
+                || missed >= last
+                    && missed <= CLOSED * (1.0 + largest(&q[..self.coordinates.counted])).powi(2)
+            {
                 self.count_angles(q);
                 return Ok(());
             }
@@ -145,6 +148,7 @@ impl Mechanism {
         /// Share of the step at which each evaluates, and its weight.
         const TABLEAU: [(f64, f64); 4] =
             [(0.0, 1.0 / 6.0), (0.5, 1.0 / 3.0), (0.5, 1.0 / 3.0), (1.0, 1.0 / 6.0)];
+        let internal = self.coordinates.internal;
         stages.begin(state, self.row_count());
         let Stages { stage, end, q_rate, a, lambda } = stages;
         for (share, weight) in TABLEAU {
@@ -153,6 +157,7 @@ impl Mechanism {
             moved(&mut stage.v, &state.v, ahead, a);
             self.acceleration(time + ahead, &stage.q, &stage.v, inputs, formulation, a, lambda)?;
             self.coordinates.rates(&stage.q, &stage.v, q_rate);
+            self.write_internal_rates(inputs, &mut q_rate[internal..])?;
             end.q.iter_mut().zip(&*q_rate).for_each(|(q, rate)| *q += step * weight * rate);
             end.v.iter_mut().zip(&*a).for_each(|(v, a)| *v += step * weight * a);
         }

@@ -17,7 +17,7 @@ mod mapping;
 /// The start of an emitted model.
 fn start<M: Assemble<f64> + Report<f64>>(model: &M, mechanism: &Mechanism) -> State {
     let motions = mapping::bodies(model, 0.0, &model.start(), &model.zero_v(), &mut Vec::new());
-    mapping::state(mechanism, &motions)
+    mapping::state(mechanism, &motions, model.start().z.as_slice())
 }
 
 fn rebuilt(definition: &str) -> Mechanism {

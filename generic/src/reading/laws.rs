@@ -18,8 +18,10 @@ pub(crate) enum May {
     Constant,
     Time,
     Positions,
-    /// Velocities and inputs.
+    /// Velocities, inputs and internal states.
     Motion,
+    /// Powers of loads.
+    Results,
 }
 
 /// Deeper trees, signals within them unfolded, are no definition that was compiled.
@@ -180,7 +182,7 @@ impl LawReader<'_, '_> {
             ("norm", [a]) => self.norm(a),
             ("dot", [a, b]) => self.dot(a, b),
             ("cross", [a, b]) => self.plane_cross(a, b),
-            ("power", _) => Err(DefinitionError::not_there_yet(self.part, "the power of a load in a law")),
+            ("power", [load]) => self.power(text(load, "name", self.part)?),
             _ => self.look(function, arguments),
         }
     }
@@ -218,8 +220,15 @@ impl LawReader<'_, '_> {
             return self.entry(signal);
         }
         match reader.inputs.get(name) {
-            Some(input) if self.may == May::Motion => return Ok(Expression::Input(*input)),
+            Some(input) if self.may >= May::Motion => return Ok(Expression::Input(*input)),
             _ => {}
+        }
+        match reader.states.get(name) {
+            Some(state) if self.may >= May::Motion => return Ok(Expression::State(*state)),
+            _ => {}
+        }
+        if matches!(name, "energy" | "kinetic_energy" | "potential_energy") {
+            return Err(DefinitionError::not_there_yet(self.part, &format!("`{name}` in an expression")));
         }
         if self.may >= May::Positions
             && let Some(quantity) = self.quantity(name)?
@@ -296,8 +305,17 @@ impl LawReader<'_, '_> {
         Ok(Expression::Rate(self.law.rates.len() - 1))
     }
 
+    fn power(&mut self, name: &str) -> Read<Expression> {
+        if self.may < May::Results {
+            return Err(DefinitionError::value(self.part, "a power stands in a law of motion"));
+        }
+        let load = self.reader.loads.get(name).ok_or_else(|| DefinitionError::unknown(self.part, name))?;
+        self.law.rates.push(Rate::Power(Box::new(load.clone())));
+        Ok(Expression::Rate(self.law.rates.len() - 1))
+    }
+
     fn needs_motion(&self) -> Read<()> {
-        if self.may == May::Motion {
+        if self.may >= May::Motion {
             return Ok(());
         }
         Err(DefinitionError::value(self.part, "a velocity stands where only positions may"))

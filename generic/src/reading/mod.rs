@@ -9,6 +9,7 @@ mod joints;
 mod laws;
 mod loads;
 mod places;
+mod states;
 mod tables;
 mod values;
 mod vectors;
@@ -16,6 +17,7 @@ mod vectors;
 use crate::definition::{Body, Definition, Parameter};
 use crate::error::DefinitionError;
 use crate::json::{list, name, optional, text};
+use crate::load::Load;
 use crate::quantity::Quantity;
 use crate::table::Table;
 use crate::vector::ZERO;
@@ -35,6 +37,8 @@ pub(crate) struct Reader<'t> {
     constants: HashMap<&'t str, &'t Value>,
     signals: HashMap<&'t str, &'t Value>,
     inputs: HashMap<&'t str, usize>,
+    states: HashMap<&'t str, usize>,
+    loads: HashMap<String, Load>,
     bodies: Vec<Body>,
     body_by_name: HashMap<&'t str, usize>,
     joints: Vec<Joint>,
@@ -61,6 +65,8 @@ pub(crate) fn read(tree: &Value, given: &HashMap<String, f64>) -> Read<Definitio
         constants: by_name(tree, "constants")?,
         signals: by_name(tree, "signals")?,
         inputs: HashMap::new(),
+        states: HashMap::new(),
+        loads: HashMap::new(),
         bodies: Vec::new(),
         body_by_name: HashMap::new(),
         joints: Vec::new(),
@@ -68,10 +74,12 @@ pub(crate) fn read(tree: &Value, given: &HashMap<String, f64>) -> Read<Definitio
         counted: Vec::new(),
         tables: HashMap::new(),
     };
-    reader.refuse_what_is_to_come()?;
     let inputs = list(tree, "inputs", "inputs")?;
     let inputs = inputs.iter().map(|input| name(input, "inputs")).collect::<Read<Vec<_>>>()?;
     reader.inputs = inputs.iter().enumerate().map(|(at, name)| (*name, at)).collect();
+    let states = list(tree, "states", "states")?.iter().map(|state| name(state, "states"));
+    let states = states.collect::<Read<Vec<_>>>()?;
+    reader.states = states.into_iter().enumerate().map(|(at, name)| (name, at)).collect();
     reader.read_tables()?;
     let parameters = reader.read_parameters(given)?;
     reader.read_bodies()?;
@@ -83,6 +91,8 @@ pub(crate) fn read(tree: &Value, given: &HashMap<String, f64>) -> Read<Definitio
     rows.extend(reader.read_couplings()?);
     rows.extend(reader.read_drivers()?);
     let loads = reader.read_loads()?;
+    reader.loads = loads.iter().map(|load| (load.name.clone(), load.clone())).collect();
+    let states = reader.read_states()?;
     let options = tree.get("options").and_then(|options| options.get("redundant")).and_then(Value::as_str);
     Ok(Definition {
         name: title.to_string(),
@@ -93,6 +103,7 @@ pub(crate) fn read(tree: &Value, given: &HashMap<String, f64>) -> Read<Definitio
         bodies: reader.bodies,
         rows,
         loads,
+        states,
         counted: reader.counted,
         redundant: matches!(options, Some("drop" | "keep")),
     })
@@ -103,13 +114,6 @@ fn by_name<'t>(tree: &'t Value, what: &str) -> Read<HashMap<&'t str, &'t Value>>
 }
 
 impl<'t> Reader<'t> {
-    fn refuse_what_is_to_come(&self) -> Read<()> {
-        match list(self.tree, "states", "states")?.first() {
-            Some(first) => Err(DefinitionError::not_there_yet(name(first, "states")?, "an internal state")),
-            None => Ok(()),
-        }
-    }
-
     /// In the order of the definition, because a default may name those before it.
     fn read_parameters(&mut self, given: &HashMap<String, f64>) -> Read<Vec<Parameter>> {
         let mut parameters = Vec::new();

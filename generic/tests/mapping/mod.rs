@@ -23,9 +23,11 @@ pub fn bodies<M: Report<f64>>(
         .collect()
 }
 
-/// The same state of the mechanism that was rebuilt; bodies are in the same order.
-pub fn state(mechanism: &Mechanism, motions: &[BodyMotion]) -> State {
+/// The same state of the mechanism that was rebuilt; bodies and internal states are in the same order.
+pub fn state(mechanism: &Mechanism, motions: &[BodyMotion], internal: &[f64]) -> State {
     let mut state = mechanism.origin();
+    let first = state.q.len() - internal.len();
+    state.q[first..].copy_from_slice(internal);
     for (body, motion) in mechanism.bodies().zip(motions) {
         mechanism.set_body(&mut state, body, motion).expect("a body");
     }
