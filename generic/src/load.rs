@@ -2,7 +2,8 @@
 
 use crate::kinematics::{Kinematics, Place};
 use crate::law::{Law, Scratch};
-use crate::quantity::{Pull, Quantity};
+use crate::number::{Number, Taylor};
+use crate::quantity::{Pull, Quantity, nearest};
 use crate::vector::{cross, dot, norm, times};
 
 #[derive(Clone, Debug)]
@@ -25,8 +26,39 @@ pub(crate) enum Acts {
     Along { expression: Law, value: Law },
     /// −k (f − f₀) − c ḟ along a length or an angle.
     Spring { along: Quantity, stiffness: f64, rest: f64, damping: f64 },
+    /// −k f − c ḟ along each way of a bushing.
+    Bushing(Vec<Way>),
     /// The tension max(0, k s(l − l₀)/l₀ + c s′ d(l − l₀)/dt) while l > l₀, against l − l₀.
     Cable(Box<Cable>),
+}
+
+/// One of the ways that a bushing is moved or turned, f = Σ factor · quantity.
+#[derive(Clone, Debug)]
+pub(crate) struct Way {
+    pub terms: Vec<(f64, Quantity)>,
+    /// Whether it is an angle, in (−π, π].
+    pub wrapped: bool,
+    pub stiffness: f64,
+    pub damping: f64,
+}
+
+impl Way {
+    fn along(&self, at: &Kinematics) -> Taylor {
+        let terms = self.terms.iter().map(|(factor, quantity)| quantity.jet(at).along.scaled(*factor));
+        let mut along = terms.fold(Taylor::constant(0.0), Taylor::plus);
+        if self.wrapped {
+            along.value = nearest(along.value, 0.0);
+        }
+        along
+    }
+
+    fn effort(&self, along: Taylor) -> f64 {
+        -self.stiffness * along.value - self.damping * along.rate
+    }
+
+    pub fn energy(&self, at: &Kinematics) -> f64 {
+        0.5 * self.stiffness * self.along(at).value.powi(2)
+    }
 }
 
 /// An elastic cable that only pulls.
@@ -79,6 +111,14 @@ impl Load {
                 let effort = -stiffness * (jet.along.value - rest) - damping * jet.along.rate;
                 pulled(jet.pulls, effort, add);
             }
+            Acts::Bushing(ways) => {
+                for way in ways {
+                    let effort = way.effort(way.along(at));
+                    for (factor, quantity) in &way.terms {
+                        pulled(quantity.jet(at).pulls, factor * effort, &mut add);
+                    }
+                }
+            }
             Acts::Cable(cable) => cable.evaluate(at, inputs, scratch, add),
         }
     }
@@ -95,6 +135,13 @@ impl Load {
             Acts::Spring { along, stiffness, rest, damping } => {
                 let along = along.jet(at).along;
                 -(stiffness * (along.value - rest) + damping * along.rate) * along.rate
+            }
+            Acts::Bushing(ways) => {
+                let power = |way: &Way| {
+                    let along = way.along(at);
+                    way.effort(along) * along.rate
+                };
+                ways.iter().map(power).sum()
             }
             Acts::Force { place, .. } | Acts::Directed { place, .. } if place.body.is_none() => {
                 let mut force = [0.0; 3];

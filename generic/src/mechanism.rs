@@ -456,6 +456,9 @@ impl Mechanism {
             if let Acts::Spring { along, stiffness, rest, .. } = &load.acts {
                 potential += 0.5 * stiffness * (along.jet(at).along.value - rest).powi(2);
             }
+            if let Acts::Bushing(ways) = &load.acts {
+                potential += ways.iter().map(|way| way.energy(at)).sum::<f64>();
+            }
         }
         Ok([kinetic, potential])
     }

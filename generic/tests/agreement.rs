@@ -12,8 +12,13 @@ use linkwright_generic::{Algebra, BodyMotion, DefinitionError, Formulation, Mech
 const TOLERANCE: f64 = 1e-8;
 
 /// Models that are refused, and what is not there yet.
-const REFUSED: &[(&str, &str)] =
-    &[("mounted", "a load of the kind `bushing`"), ("worn", "a load of the kind `masing`")];
+const REFUSED: &[(&str, &str)] = &[
+    ("bristled", "`turn.effort`, a result,"),
+    ("powered", "`kinetic_energy`"),
+    ("roped", "a load of the kind `masing`"),
+    ("servo", "`shake.effort`, a result,"),
+    ("worn", "a load of the kind `masing`"),
+];
 
 /// Seconds between the states compared.
 const APART: f64 = 0.004;

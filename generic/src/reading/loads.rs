@@ -7,8 +7,9 @@ use crate::expression::{Expression, Operator};
 use crate::json::{field, list, name, optional, text};
 use crate::kinematics::Place;
 use crate::law::Law;
-use crate::load::{Acts, Cable, Load};
+use crate::load::{Acts, Cable, Load, Way};
 use crate::quantity::Quantity;
+use crate::vector::{V3, column};
 use serde_json::Value;
 
 impl Reader<'_> {
@@ -58,7 +59,8 @@ impl Reader<'_> {
             }
             "torsion_spring" => self.spring(node, self.rotor(node, "on", own)?, "angle", own)?,
             "cable" => Acts::Cable(Box::new(self.cable(node, own)?)),
-            kind @ ("bushing" | "masing" | "bouc_wen") => {
+            "bushing" => Acts::Bushing(self.bushing(node, own)?),
+            kind @ ("masing" | "bouc_wen") => {
                 return Err(DefinitionError::not_there_yet(own, &format!("a load of the kind `{kind}`")));
             }
             kind => return Err(DefinitionError::kind(own, kind)),
@@ -86,6 +88,60 @@ impl Reader<'_> {
             rest: given(rest)?,
             damping: given("damping")?,
         })
+    }
+
+    /// Along the first place's axes: E₁ᵀ (p₂ − p₁). The turn is θ₂ − θ₁ in the plane, in space the vector of the antisymmetric part of
+    /// E₁ᵀ E₂, ½ (e₁ₖ·e₂ⱼ − e₁ⱼ·e₂ₖ).
+    fn bushing(&self, node: &Value, own: &str) -> Read<Vec<Way>> {
+        let (first, second) =
+            (self.place(field(node, "first", own)?, own)?, self.place(field(node, "second", own)?, own)?);
+        let (one, other) = (first.body, second.body);
+        let turns = if self.spatial { 3 } else { 1 };
+        let stiffness = self.diagonal(node, "stiffness", self.dimension(), own)?;
+        let damping = self.diagonal(node, "damping", self.dimension(), own)?;
+        let torsional = self.diagonal(node, "torsional_stiffness", turns, own)?;
+        let torsional_damping = self.diagonal(node, "torsional_damping", turns, own)?;
+        let mut ways = Vec::new();
+        for k in 0..self.dimension() {
+            let axis = column(&first.axes, k);
+            let along = Quantity::Along { axis, first: first.clone(), second: second.clone() };
+            let terms = vec![(1.0, along)];
+            ways.push(Way { terms, wrapped: false, stiffness: stiffness[k], damping: damping[k] });
+        }
+        for k in 0..turns {
+            let dot = |i: usize, j: usize| Quantity::Dot {
+                first: one,
+                a: column(&first.axes, i),
+                second: other,
+                b: column(&second.axes, j),
+            };
+            let (i, j) = ((k + 1) % 3, (k + 2) % 3);
+            let terms = if self.spatial {
+                vec![(0.5, dot(j, i)), (-0.5, dot(i, j))]
+            } else {
+                vec![(1.0, Quantity::PlaneAngle { first: one, second: other })]
+            };
+            let (stiffness, damping) = (torsional[k], torsional_damping[k]);
+            ways.push(Way { terms, wrapped: !self.spatial, stiffness, damping });
+        }
+        Ok(ways)
+    }
+
+    /// One value for all axes or one for each; zero where it is not written.
+    fn diagonal(&self, node: &Value, key: &str, count: usize, own: &str) -> Read<V3> {
+        let Some(entry) = optional(node, key) else { return Ok([0.0; 3]) };
+        let Some(values) = entry.get("value").and_then(Value::as_array) else {
+            return Ok([self.entry(entry, own)?; 3]);
+        };
+        if values.len() != count {
+            return Err(DefinitionError::malformed(own, key));
+        }
+        let unit = entry.get("unit").and_then(Value::as_str);
+        let mut diagonal = [0.0; 3];
+        for (component, value) in diagonal.iter_mut().zip(values) {
+            *component = self.in_unit(value, unit, own)?;
+        }
+        Ok(diagonal)
     }
 
     fn cable(&self, node: &Value, own: &str) -> Read<Cable> {
