@@ -20,8 +20,8 @@ pub(crate) enum Expression {
     Binary(Operator, Box<[Expression; 2]>),
     /// Condition, then, else.
     If(Box<[Expression; 3]>),
-    /// One argument or two.
-    Table(Look, Vec<Expression>),
+    /// Of two arguments, the second of which counts for tables of two.
+    Table(Look, Box<[Expression; 2]>),
 }
 
 /// Functions of one argument.
@@ -107,7 +107,7 @@ impl Expression {
             Expression::Unary(_, argument) => argument.constant().map(|_| ())?,
             Expression::Binary(_, arguments) => all_constant(&arguments[..])?,
             Expression::If(arguments) => all_constant(&arguments[..])?,
-            Expression::Table(_, arguments) => all_constant(arguments)?,
+            Expression::Table(_, arguments) => all_constant(&arguments[..])?,
         }
         Some(self.evaluate(&Scope { time: 0.0, inputs: &[], states: &[], quantities: &[], rates: &[] }))
     }
@@ -130,11 +130,10 @@ impl Expression {
                 let holds = condition.evaluate(scope).value() != 0.0;
                 if holds { then } else { otherwise }.evaluate(scope)
             }
-            Expression::Table(look, arguments) => match &arguments[..] {
-                [x, y] => look.of(&[x.evaluate(scope), y.evaluate(scope)]),
-                [x, ..] => look.of(&[x.evaluate(scope)]),
-                [] => N::constant(f64::NAN),
-            },
+            Expression::Table(look, arguments) => {
+                let [x, y] = &**arguments;
+                look.of(x.evaluate(scope), y.evaluate(scope))
+            }
         }
     }
 }

@@ -73,6 +73,7 @@ mod body;
 mod coordinates;
 mod definition;
 mod error;
+mod evaluation;
 mod expression;
 mod json;
 mod kinematics;

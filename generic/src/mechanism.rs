@@ -1,17 +1,17 @@
-//! A mechanism as its users have it: names, states, accelerations, energies.
+//! A mechanism as its users have it: names, parameters, states body by body. What is evaluated at a state is in `evaluation`, steps
+//! are in `motion`.
 
 use crate::body::BodyMotion;
-use crate::coordinates::{Coordinates, Kind, check_finite};
+use crate::coordinates::{Coordinates, Kind};
 use crate::definition::Definition;
 use crate::error::{DefinitionError, Error};
 use crate::kinematics::Kinematics;
 use crate::law::Scratch;
-use crate::load::Acts;
 use crate::motion::Stages;
 use crate::reading::read;
 use crate::row::{Equation, Phase};
 use crate::solver::Algebra;
-use crate::system::{System, largest};
+use crate::system::System;
 use crate::vector::*;
 use serde_json::Value;
 use std::collections::HashMap;
@@ -231,8 +231,7 @@ impl Mechanism {
                 v[2] = motion.rate[2];
             }
             Kind::Space => {
-                let p = quaternion_of(&motion.orientation);
-                let p = p.ok_or(Error::Value { what: "a rotation matrix", value: f64::NAN })?;
+                let p = rotation_parameters(&motion.orientation)?;
                 q[3..7].copy_from_slice(&p);
                 v[3..6].copy_from_slice(&motion.rate);
             }
@@ -273,194 +272,17 @@ impl Mechanism {
         check_length("positions", q.len(), self.coordinates.positions)?;
         check_length("velocities", v.len(), self.coordinates.velocities)
     }
+}
 
-    /// v̇ and λ at a state: of M v̇ + Dᵀ λ = Q and D v̇ = γ, with Baumgarte's terms where the formulation has them.
-    ///
-    /// λ in the order of [`rows`](Mechanism::rows); −Dᵀ λ is what the constraints exert. Where rows repeat others, λ is that of least
-    /// norm.
-    ///
-    /// # Errors
-    /// Lists of other lengths, values that are not finite, a singular position, or Baumgarte's terms of a coupling whose phase is not
-    /// known. What was in `a` and `lambda` is then without meaning.
-    #[allow(clippy::too_many_arguments)]
-    pub fn acceleration(
-        &mut self,
-        time: f64,
-        q: &[f64],
-        v: &[f64],
-        inputs: &[f64],
-        formulation: Formulation,
-        a: &mut [f64],
-        lambda: &mut [f64],
-    ) -> Result<(), Error> {
-        check_length("inputs", inputs.len(), self.definition.inputs.len())?;
-        check_length("accelerations", a.len(), self.coordinates.velocities)?;
-        check_length("multipliers", lambda.len(), self.definition.rows.len())?;
-        check_finite("an input", inputs)?;
-        self.evaluate_rows(time, q, v)?;
-        let Mechanism { definition, coordinates, system, at, work, .. } = self;
-        system.evaluate_forces(definition, coordinates, at, inputs);
-        if !system.forces.iter().all(|force| force.is_finite()) {
-            return Err(self.force_not_finite(inputs));
-        }
-        let lower = &mut work.lower;
-        lower.iter_mut().zip(&system.bias).for_each(|(lower, bias)| *lower = -bias);
-        if let Formulation::Baumgarte { alpha, beta } = formulation {
-            check_finite("a coefficient of Baumgarte's", &[alpha, beta])?;
-            for ((lower, rate), phi) in lower.iter_mut().zip(&system.phi_rate).zip(&system.phi) {
-                *lower -= 2.0 * alpha * rate + beta * beta * phi;
-            }
-            self.check_phases()?;
-        }
-        self.factor()?;
-        let Mechanism { system, work, .. } = self;
-        work.upper.copy_from_slice(&system.forces);
-        let solved = system.solve(&work.upper, &work.lower, a, lambda);
-        solved.map_err(|_| self.singular())
-    }
-
-    /// ż of the internal states at a state, in their SI units per second.
-    ///
-    /// # Errors
-    /// Lists of other lengths, or values that are not finite.
-    pub fn internal_rates(
-        &mut self,
-        time: f64,
-        state: &State,
-        inputs: &[f64],
-        rates: &mut [f64],
-    ) -> Result<(), Error> {
-        check_length("inputs", inputs.len(), self.definition.inputs.len())?;
-        check_length("rates of internal states", rates.len(), self.definition.states.len())?;
-        self.coordinates.kinematics(time, &state.q, &state.v, &mut self.at)?;
-        self.write_internal_rates(inputs, rates)
-    }
-
-    /// At the state last evaluated.
-    pub(crate) fn write_internal_rates(&mut self, inputs: &[f64], rates: &mut [f64]) -> Result<(), Error> {
-        for (rate, state) in rates.iter_mut().zip(&self.definition.states) {
-            *rate = state.rate.value(&self.at, inputs, &mut self.work.scratch);
-            if !rate.is_finite() {
-                return Err(Error::NotFinite {
-                    what: format!("the rate of `{}`", state.name),
-                    time: self.at.time,
-                });
-            }
-        }
-        Ok(())
-    }
-
-    /// D, Φ, Φ̇ and γ at a state, all finite.
-    pub(crate) fn evaluate_rows(&mut self, time: f64, q: &[f64], v: &[f64]) -> Result<(), Error> {
-        let Mechanism { definition, coordinates, system, at, .. } = self;
-        coordinates.kinematics(time, q, v, at)?;
-        system.evaluate_rows(definition, coordinates, at);
-        let rows = system.phi.iter().zip(&system.phi_rate).zip(&system.bias);
-        let finite = |((phi, rate), bias): ((&f64, &f64), &f64)| (phi + rate + bias).is_finite();
-        let what = match rows.map(finite).position(|finite| !finite) {
-            Some(row) => row,
-            None => match system.jacobian.iter().position(|entry| !entry.is_finite()) {
-                Some(entry) => system.pattern[entry].0,
-                None => return Ok(()),
-            },
-        };
-        Err(Error::NotFinite { what: definition.rows[what].name(), time })
-    }
-
-    pub(crate) fn factor(&mut self) -> Result<(), Error> {
-        let factored = self.system.factor();
-        factored.map_err(|_| self.singular())
-    }
-
-    /// The load that did it, if it is one.
-    fn force_not_finite(&self, inputs: &[f64]) -> Error {
-        let mut scratch = Scratch::default();
-        let bad = self.definition.loads.iter().find(|load| {
-            let mut finite = true;
-            load.evaluate(&self.at, inputs, &mut scratch, |pull| {
-                finite &= pull.linear.iter().chain(&pull.angular).all(|x| x.is_finite());
-            });
-            !finite
-        });
-        let what = bad.map_or("a force".to_string(), |load| format!("the load `{}`", load.name));
-        Error::NotFinite { what, time: self.at.time }
-    }
-
-    pub(crate) fn singular(&self) -> Error {
-        let (row, _) = self.worst_row();
-        Error::Singular { time: self.at.time, row }
-    }
-
-    /// The row that is met worst, and Φ.
-    pub(crate) fn worst_row(&self) -> (String, f64) {
-        let worst =
-            self.system.phi.iter().zip(&self.definition.rows).max_by(|a, b| a.0.abs().total_cmp(&b.0.abs()));
-        worst.map_or((self.definition.name.clone(), 0.0), |(phi, row)| (row.name(), phi.abs()))
-    }
-
-    pub(crate) fn check_phases(&self) -> Result<(), Error> {
-        let open = self
-            .definition
-            .rows
-            .iter()
-            .find(|row| matches!(row.equation, Equation::Sum { phase: Phase::Open, .. }));
-        match open {
-            Some(row) => Err(Error::Phase { name: row.of.clone() }),
-            None => Ok(()),
-        }
-    }
-
-    /// The phases of gears and racks that are not written become what these positions give.
-    ///
-    /// # Errors
-    /// Positions of another number, or not finite.
-    pub fn keep_phases(&mut self, time: f64, q: &[f64]) -> Result<(), Error> {
-        let rest = vec![0.0; self.coordinates.velocities];
-        self.evaluate_rows(time, q, &rest)?;
-        for (row, phi) in self.definition.rows.iter_mut().zip(&self.system.phi) {
-            if let Equation::Sum { phase, .. } = &mut row.equation {
-                *phase = match *phase {
-                    Phase::Given(given) => Phase::Given(given),
-                    Phase::Open => Phase::Kept(*phi),
-                    Phase::Kept(kept) => Phase::Kept(kept + phi),
-                };
-            }
-        }
-        Ok(())
-    }
-
-    /// Largest |Φ| and |Φ̇| of the constraints at a state.
-    ///
-    /// # Errors
-    /// As [`acceleration`](Mechanism::acceleration).
-    pub fn residual(&mut self, time: f64, state: &State) -> Result<[f64; 2], Error> {
-        self.check_phases()?;
-        self.evaluate_rows(time, &state.q, &state.v)?;
-        Ok([largest(&self.system.phi), largest(&self.system.phi_rate)])
-    }
-
-    /// T = ½ vᵀ M v and V of gravity and springs, J.
-    ///
-    /// # Errors
-    /// Lists of other lengths, or values that are not finite.
-    pub fn energy(&mut self, time: f64, state: &State) -> Result<[f64; 2], Error> {
-        let Mechanism { definition, coordinates, system, at, work, .. } = self;
-        coordinates.kinematics(time, &state.q, &state.v, at)?;
-        system.momentum(&state.v, &mut work.upper);
-        let kinetic = 0.5 * work.upper.iter().zip(&state.v).map(|(p, v)| p * v).sum::<f64>();
-        let mut potential = 0.0;
-        for (body, frame) in definition.bodies.iter().zip(&at.frames) {
-            potential -= body.mass * dot(definition.gravity, frame.position);
-        }
-        for load in &definition.loads {
-            if let Acts::Spring { along, stiffness, rest, .. } = &load.acts {
-                potential += 0.5 * stiffness * (along.jet(at).along.value - rest).powi(2);
-            }
-            if let Acts::Bushing(ways) = &load.acts {
-                potential += ways.iter().map(|way| way.energy(at)).sum::<f64>();
-            }
-        }
-        Ok([kinetic, potential])
+/// The Euler parameters of a rotation matrix.
+fn rotation_parameters(matrix: &M3) -> Result<[f64; 4], Error> {
+    let p = quaternion_of(matrix).unwrap_or([0.0; 4]);
+    let turned = rotation(p);
+    let off = matrix.as_flattened().iter().zip(turned.as_flattened()).map(|(a, b)| (a - b).abs());
+    // NaN is no rotation either.
+    match off.fold(0.0, |most: f64, x| if x <= most { most } else { x }) {
+        off if off < 1e-6 => Ok(p),
+        value => Err(Error::Value { what: "the distance of a matrix from a rotation", value }),
     }
 }
 

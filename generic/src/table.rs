@@ -67,11 +67,11 @@ impl Curve {
 }
 
 impl Look {
-    pub fn of<N: Number>(&self, arguments: &[N]) -> N {
-        match (&*self.table, arguments) {
-            (Table::Curve(curve), [x, ..]) => curve.of(*x, self.slope),
-            (Table::Grid { x, y, values, hold }, [a, b]) => {
-                let ((i, right), (j, above)) = (share(x, *a, *hold), share(y, *b, *hold));
+    pub fn of<N: Number>(&self, a: N, b: N) -> N {
+        match &*self.table {
+            Table::Curve(curve) => curve.of(a, self.slope),
+            Table::Grid { x, y, values, hold } => {
+                let ((i, right), (j, above)) = (share(x, a, *hold), share(y, b, *hold));
                 let along = |j: usize| {
                     let rise = values[j][i + 1] - values[j][i];
                     right.scaled(rise).plus(N::constant(values[j][i]))
@@ -79,12 +79,11 @@ impl Look {
                 let (low, high) = (along(j), along(j + 1));
                 low.plus(above.times(high.minus(low)))
             }
-            (Table::Sheet { rows, shares }, [a, b]) => {
+            Table::Sheet { rows, shares } => {
                 let terms =
-                    rows.iter().zip(shares).map(|(row, share)| row.of(*a, false).times(share.of(*b, false)));
+                    rows.iter().zip(shares).map(|(row, share)| row.of(a, false).times(share.of(b, false)));
                 terms.fold(N::constant(0.0), N::plus)
             }
-            _ => N::constant(f64::NAN),
         }
     }
 }

@@ -11,7 +11,7 @@ use linkwright_models::slider_crank::SliderCrank;
 use serde_json::{Value, json};
 
 fn refused(definition: &str) -> DefinitionError {
-    Mechanism::from_definition(definition).err().expect("it has a mistake")
+    Mechanism::from_definition(definition).expect_err("it has a mistake")
 }
 
 /// The four-bar with something changed.
@@ -82,6 +82,11 @@ fn wrong_calls_have_errors() {
     assert_eq!(solve(0.0, &state.q, &state.v, &[f64::INFINITY, 0.0]), infinite("an input"));
     let unknown = Err(Error::UnknownName { name: "wheel".into() });
     assert_eq!(mechanism.set_body(&mut state, "wheel", &BodyMotion::default()), unknown);
+    let mut top = Mechanism::from_definition(Bricard::<f64>::DEFINITION).expect("it is there");
+    let mut position = top.origin();
+    let flat = BodyMotion { orientation: [[1.0, 0.0, 0.0], [0.0; 3], [0.0; 3]], ..BodyMotion::default() };
+    assert!(matches!(top.set_body(&mut position, "rod_1", &flat), Err(Error::Value { .. })));
+    assert!(top.set_parameter("mass", 1.0).is_err());
     let before = state.clone();
     assert!(mechanism.step(0.0, &mut state, &[0.0; 2], plain, f64::NAN).is_err());
     assert!(mechanism.step(0.0, &mut state, &[], plain, 1e-3).is_err());

@@ -198,7 +198,9 @@ impl LawReader<'_, '_> {
         if arguments.len() != expected || slope && expected == 2 {
             return Err(DefinitionError::malformed(self.part, &format!("a call of `{function}`")));
         }
-        let arguments = arguments.iter().map(|argument| self.expression(argument)).collect::<Read<_>>()?;
+        let first = self.expression(&arguments[0])?;
+        let second = arguments.get(1).map(|argument| self.expression(argument)).transpose()?;
+        let arguments = Box::new([first, second.unwrap_or(Expression::Number(0.0))]);
         Ok(Expression::Table(Look { table: table.clone(), slope }, arguments))
     }
 
