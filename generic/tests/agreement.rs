@@ -15,9 +15,7 @@ const TOLERANCE: f64 = 1e-8;
 const REFUSED: &[(&str, &str)] = &[
     ("bristled", "`turn.effort`, a result,"),
     ("powered", "`kinetic_energy`"),
-    ("roped", "a load of the kind `masing`"),
     ("servo", "`shake.effort`, a result,"),
-    ("worn", "a load of the kind `masing`"),
 ];
 
 /// Seconds between the states compared.

@@ -49,9 +49,13 @@ fn errors_name_the_part() {
     let infinite = json!({"unit": "kg", "value": {"op": "/", "args": [{"number": "1"}, {"number": "0"}]}});
     let error = changed(|tree| tree["bodies"][0]["properties"]["mass"] = infinite);
     assert!(matches!(error, DefinitionError::Value { .. }), "{error}");
-    let hysteresis = json!([{"name": "mount", "kind": "masing", "expression": {"name": "left.angle"}}]);
-    let error = changed(|tree| tree["loads"] = hysteresis);
-    assert!(matches!(&error, DefinitionError::NotThereYet { part, .. } if part == "mount"), "{error}");
+    let state = json!([{"name": "felt", "unit": "N*m", "value": {"number": "0"}}]);
+    let rate = json!([{"name": "felt", "value": {"name": "crank_pin.reaction.torque"}}]);
+    let error = changed(|tree| {
+        tree["states"] = state;
+        tree["rates"] = rate;
+    });
+    assert!(matches!(&error, DefinitionError::NotThereYet { part, .. } if part == "felt"), "{error}");
 }
 
 #[test]

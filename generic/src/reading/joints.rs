@@ -136,6 +136,21 @@ impl<'t> Reader<'t> {
         joint.quantity(which, self.spatial)
     }
 
+    /// The name of the one angle or travel of a joint or body, where a name is of one.
+    pub(super) fn coordinate_of(&self, name: &str) -> Option<String> {
+        if self.signals.contains_key(name) {
+            return None;
+        }
+        let kind = self.joint_by_name.get(name).map(|joint| self.joints[*joint].kind.as_str());
+        let what = match kind {
+            Some("prismatic" | "point_on_line") => "travel",
+            Some(_) => "angle",
+            None if self.body_by_name.contains_key(name) => "angle",
+            None => return None,
+        };
+        Some(format!("{name}.{what}"))
+    }
+
     fn plane_rows(&self, joint: &Joint, node: &Value, own: &str) -> Read<Vec<(&'static str, Equation)>> {
         let kind = joint.kind.as_str();
         let mut rows = Vec::new();

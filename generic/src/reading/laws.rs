@@ -4,7 +4,7 @@ use super::values::{factor, is_bare};
 use super::{Read, Reader};
 use crate::error::DefinitionError;
 use crate::expression::{Expression, Function, Operator};
-use crate::json::{field, list, text};
+use crate::json::{field, list, name as json_name, text};
 use crate::law::{Law, Rate};
 use crate::quantity::Quantity;
 use crate::table::{Look, Table};
@@ -20,7 +20,7 @@ pub(crate) enum May {
     Positions,
     /// Velocities, inputs and internal states.
     Motion,
-    /// Powers of loads.
+    /// Powers and resistances of loads.
     Results,
 }
 
@@ -244,6 +244,12 @@ impl LawReader<'_, '_> {
     fn quantity(&mut self, name: &str) -> Read<Option<Expression>> {
         let reader = self.reader;
         let Some((owner, what)) = name.rsplit_once('.') else { return Ok(None) };
+        if what == "resistance" && self.may == May::Results {
+            let loads = list(reader.tree, "loads", self.part)?;
+            let load = loads.iter().find(|load| json_name(load, self.part) == Ok(owner));
+            let load = load.ok_or_else(|| DefinitionError::unknown(self.part, name))?;
+            return self.resistance(load, owner).map(Some);
+        }
         if let Some(joint) = reader.joint_by_name.get(owner) {
             let (position, is_rate) = match what.split_once('_').map_or((what, None), |(a, b)| (a, Some(b))) {
                 ("rate", number) => (with_number("angle", number), true),

@@ -1,5 +1,6 @@
 //! Loads: what they act on and their laws.
 
+use super::hysteresis::is_hysteresis;
 use super::laws::May;
 use super::{Read, Reader};
 use crate::error::DefinitionError;
@@ -60,9 +61,7 @@ impl Reader<'_> {
             "torsion_spring" => self.spring(node, self.rotor(node, "on", own)?, "angle", own)?,
             "cable" => Acts::Cable(Box::new(self.cable(node, own)?)),
             "bushing" => Acts::Bushing(self.bushing(node, own)?),
-            kind @ ("masing" | "bouc_wen") => {
-                return Err(DefinitionError::not_there_yet(own, &format!("a load of the kind `{kind}`")));
-            }
+            kind if is_hysteresis(kind) => self.hysteresis(node, own)?,
             kind => return Err(DefinitionError::kind(own, kind)),
         })
     }

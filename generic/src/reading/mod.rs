@@ -5,6 +5,7 @@
 
 mod bodies;
 mod couplings;
+mod hysteresis;
 mod joints;
 mod laws;
 mod loads;
@@ -37,7 +38,7 @@ pub(crate) struct Reader<'t> {
     constants: HashMap<&'t str, &'t Value>,
     signals: HashMap<&'t str, &'t Value>,
     inputs: HashMap<&'t str, usize>,
-    states: HashMap<&'t str, usize>,
+    states: HashMap<String, usize>,
     loads: HashMap<String, Load>,
     bodies: Vec<Body>,
     body_by_name: HashMap<&'t str, usize>,
@@ -77,9 +78,6 @@ pub(crate) fn read(tree: &Value, given: &HashMap<String, f64>) -> Read<Definitio
     let inputs = list(tree, "inputs", "inputs")?;
     let inputs = inputs.iter().map(|input| name(input, "inputs")).collect::<Read<Vec<_>>>()?;
     reader.inputs = inputs.iter().enumerate().map(|(at, name)| (*name, at)).collect();
-    let states = list(tree, "states", "states")?.iter().map(|state| name(state, "states"));
-    let states = states.collect::<Read<Vec<_>>>()?;
-    reader.states = states.into_iter().enumerate().map(|(at, name)| (name, at)).collect();
     reader.read_tables()?;
     let parameters = reader.read_parameters(given)?;
     reader.read_bodies()?;
@@ -90,6 +88,7 @@ pub(crate) fn read(tree: &Value, given: &HashMap<String, f64>) -> Read<Definitio
     let mut rows = reader.read_joints()?;
     rows.extend(reader.read_couplings()?);
     rows.extend(reader.read_drivers()?);
+    reader.name_states()?;
     let loads = reader.read_loads()?;
     reader.loads = loads.iter().map(|load| (load.name.clone(), load.clone())).collect();
     let states = reader.read_states()?;
