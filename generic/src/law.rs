@@ -33,6 +33,8 @@ pub(crate) struct Scratch {
     values: Vec<f64>,
     slopes: Vec<Slope>,
     rates: Vec<f64>,
+    /// For laws within laws.
+    inner: Option<Box<Scratch>>,
 }
 
 impl Law {
@@ -59,7 +61,12 @@ impl Law {
                     };
                     expression.evaluate(&scope).rate
                 }
-                Rate::Power(load) => load.power(at, inputs, &mut Scratch::default()),
+                Rate::Power(load) => {
+                    let mut inner = scratch.inner.take().unwrap_or_default();
+                    let power = load.power(at, inputs, &mut inner);
+                    scratch.inner = Some(inner);
+                    power
+                }
                 Rate::Spin { body, axis } => {
                     let frame = &at.frames[*body];
                     turned_back(&frame.axes, frame.spin)[*axis]

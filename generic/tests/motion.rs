@@ -127,6 +127,26 @@ fn a_four_bar_keeps_its_energy() {
     }
 }
 
+/// At the bottom of its swing the tension of a string is λ L = m (g + v²/L), and it pulls the bob up.
+#[test]
+fn multipliers_are_forces() {
+    let number = |text: &str| format!(r#"{{"unit": null, "value": {{"number": "{text}"}}}}"#);
+    let definition = format!(
+        r#"{{"linkwright": 1, "kind": "spatial", "name": "Bob",
+             "gravity": {{"unit": null, "value": [{{"number": "0"}}, {{"number": "0"}}, {{"number": "-9.81"}}]}},
+             "bodies": [{{"name": "bob", "kind": "particle", "properties": {{"mass": {}}}}}],
+             "joints": [{{"name": "string", "kind": "cord", "second": {{"place": "bob.center"}}, "length": {},
+                          "first": {{"ground": [{{"number": "0"}}, {{"number": "0"}}, {{"number": "0"}}], "unit": null}}}}]}}"#,
+        number("3"),
+        number("0.5")
+    );
+    let mut mechanism = rebuilt(&definition);
+    let (q, v, mut a, mut lambda) = ([0.0, 0.0, -0.5], [2.0, 0.0, 0.0], [0.0; 3], [0.0; 1]);
+    mechanism.acceleration(0.0, &q, &v, &[], Formulation::Lagrange, &mut a, &mut lambda).expect("regular");
+    assert!((lambda[0] * 0.5 - 3.0 * (9.81 + 8.0)).abs() < 1e-12, "{lambda:?}");
+    assert!((a[2] - 8.0).abs() < 1e-12, "{a:?}");
+}
+
 /// In space: energy and angular momentum of a body without loads.
 #[test]
 fn a_free_body_keeps_its_momentum() {

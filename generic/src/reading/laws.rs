@@ -250,6 +250,9 @@ impl LawReader<'_, '_> {
             let load = load.ok_or_else(|| DefinitionError::unknown(self.part, name))?;
             return self.resistance(load, owner).map(Some);
         }
+        if owner.ends_with(".reaction") || owner.ends_with(".reaction.torque") {
+            return Err(self.result(name));
+        }
         if let Some(joint) = reader.joint_by_name.get(owner) {
             let (position, is_rate) = match what.split_once('_').map_or((what, None), |(a, b)| (a, Some(b))) {
                 ("rate", number) => (with_number("angle", number), true),
@@ -279,14 +282,7 @@ impl LawReader<'_, '_> {
         else {
             let there =
                 matches!(what, "effort" | "power" | "tension" | "resistance" | "size" | "normal" | "torque");
-            return if there {
-                Err(DefinitionError::not_there_yet(
-                    self.part,
-                    &format!("`{name}`, a result, in an expression"),
-                ))
-            } else {
-                Ok(None)
-            };
+            return if there { Err(self.result(name)) } else { Ok(None) };
         };
         if let Some(body) = owner.strip_suffix(".rate").and_then(|body| reader.body_by_name.get(body)) {
             self.needs_motion()?;
@@ -320,6 +316,11 @@ impl LawReader<'_, '_> {
         let load = self.reader.loads.get(name).ok_or_else(|| DefinitionError::unknown(self.part, name))?;
         self.law.rates.push(Rate::Power(Box::new(load.clone())));
         Ok(Expression::Rate(self.law.rates.len() - 1))
+    }
+
+    /// What follows from accelerations or multipliers.
+    fn result(&self, name: &str) -> DefinitionError {
+        DefinitionError::not_there_yet(self.part, &format!("`{name}`, a result, in an expression"))
     }
 
     fn needs_motion(&self) -> Read<()> {
