@@ -2,12 +2,18 @@
 
 use linkwright_generic::{BodyMotion, DefinitionError, Error, Formulation, Mechanism};
 use linkwright_models::bricard::Bricard;
+use linkwright_models::cam_follower::CamFollower;
 use linkwright_models::car_axis::CarAxis;
+use linkwright_models::dc_motor_arm::DcMotorArm;
 use linkwright_models::double_wishbone::DoubleWishbone;
 use linkwright_models::four_bar::FourBar;
 use linkwright_models::planetary_gear_train::PlanetaryGearTrain;
 use linkwright_models::rear_wheel::RearWheel;
 use linkwright_models::slider_crank::SliderCrank;
+use mechanisms::zoo::Mounted;
+use mechanisms::zoo_cables::Hoisted;
+use mechanisms::zoo_hysteresis::Worn;
+use mechanisms::zoo_laws::Terrain;
 use serde_json::{Value, json};
 
 fn refused(definition: &str) -> DefinitionError {
@@ -127,6 +133,12 @@ fn no_definition_panics() {
         RearWheel::<f64>::DEFINITION,
         Bricard::<f64>::DEFINITION,
         DoubleWishbone::<f64>::DEFINITION,
+        CamFollower::<f64>::DEFINITION,
+        DcMotorArm::<f64>::DEFINITION,
+        Terrain::<f64>::DEFINITION,
+        Worn::<f64>::DEFINITION,
+        Mounted::<f64>::DEFINITION,
+        Hoisted::<f64>::DEFINITION,
     ];
     let others = [json!(null), json!(-1), json!("name"), json!([]), json!({}), json!({"name": "time"})];
     let mut judged = 0;
