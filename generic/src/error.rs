@@ -132,12 +132,12 @@ pub enum Error {
         /// When, s.
         time: f64,
     },
-    /// The augmented matrix is singular: the position is singular, rows repeat others, or a motion has no mass.
+    /// The augmented matrix is singular: the position is singular, rows repeat others, or something without mass moves freely.
     Singular {
         /// When, s.
         time: f64,
-        /// The row that is met worst, as `joint.row`.
-        row: String,
+        /// The first row that depends on those before it, as `joint.row`; none where all are independent.
+        row: Option<String>,
     },
     /// The constraints are not met after as many iterations as there may be.
     NotConverged {
@@ -164,10 +164,13 @@ impl Display for Error {
             Error::UnknownName { name } => write!(f, "nothing is called `{name}`"),
             Error::Value { what, value } => write!(f, "{what} is {value}, which cannot be"),
             Error::NotFinite { what, time } => write!(f, "{what} is not finite at t = {time} s"),
-            Error::Singular { time, row } => write!(
+            Error::Singular { time, row: Some(row) } => write!(
                 f,
-                "no accelerations at t = {time} s: the constraints lose rank (`{row}` is met worst), or a motion has no mass"
+                "no accelerations at t = {time} s: the position is singular, `{row}` repeats the rows before it"
             ),
+            Error::Singular { time, row: None } => {
+                write!(f, "no accelerations at t = {time} s: something without mass or inertia moves freely")
+            }
             Error::NotConverged { time, row, residual } => {
                 write!(f, "the constraints cannot be met at t = {time} s: `{row}` is off by {residual:e}")
             }

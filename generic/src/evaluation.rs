@@ -67,6 +67,7 @@ impl Mechanism {
         rates: &mut [f64],
     ) -> Result<(), Error> {
         check_length("inputs", inputs.len(), self.definition.inputs.len())?;
+        check_finite("an input", inputs)?;
         check_length("rates of internal states", rates.len(), self.definition.states.len())?;
         self.coordinates.kinematics(time, &state.q, &state.v, &mut self.at)?;
         self.write_internal_rates(inputs, rates)
@@ -123,7 +124,7 @@ impl Mechanism {
     }
 
     pub(crate) fn singular(&self) -> Error {
-        let (row, _) = self.worst_row();
+        let row = self.system.dependent_row().map(|row| self.definition.rows[row].name());
         Error::Singular { time: self.at.time, row }
     }
 

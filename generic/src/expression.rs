@@ -1,7 +1,7 @@
 //! Expressions of laws and constraints as small trees, evaluated at run time in any [`Number`]. They name quantities of the motion by
 //! index; `law` says what these are, `reading` makes the trees.
 
-use crate::number::Number;
+use crate::number::{Number, sign};
 use crate::table::Look;
 use std::f64::consts::PI;
 
@@ -209,16 +209,6 @@ fn power<N: Number>(argument: N, n: f64) -> N {
     let first = if n == 0.0 { 0.0 } else { n * raised(n - 1.0) };
     let second = if n == 0.0 || n == 1.0 { 0.0 } else { n * (n - 1.0) * raised(n - 2.0) };
     argument.chain(raised(n), first, second)
-}
-
-fn sign(x: f64) -> f64 {
-    if x > 0.0 {
-        1.0
-    } else if x < 0.0 {
-        -1.0
-    } else {
-        x
-    }
 }
 
 impl Operator {

@@ -22,6 +22,17 @@ pub(crate) trait Number: Copy {
     }
 }
 
+/// −1, 0 or 1; what is no number stays none.
+pub(crate) fn sign(x: f64) -> f64 {
+    if x > 0.0 {
+        1.0
+    } else if x < 0.0 {
+        -1.0
+    } else {
+        x
+    }
+}
+
 impl Number for f64 {
     fn constant(value: f64) -> Self {
         value

@@ -1,5 +1,6 @@
 //! The pieces of curves between knots: Hermite's polynomials by slopes at the knots, splines by their second derivatives there.
 
+use crate::number::sign;
 use crate::solver::{Algebra, Solver};
 use std::collections::BTreeMap;
 
@@ -115,16 +116,6 @@ fn akima(
         if a + b > least { (b * m[i + 1] + a * m[i + 2]) / (a + b) } else { flat(&m[i..i + 4]) }
     };
     weights.iter().enumerate().map(slope).collect()
-}
-
-fn sign(x: f64) -> f64 {
-    if x > 0.0 {
-        1.0
-    } else if x < 0.0 {
-        -1.0
-    } else {
-        0.0
-    }
 }
 
 /// By the second derivatives M at the knots, straight between them, so that the first one is continuous (de Boor 1978):

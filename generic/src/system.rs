@@ -46,6 +46,9 @@ const SOFT: f64 = 1e-7;
 /// Solutions with one factorisation, each of which takes as much of what softened rows lack as c is smaller than D M⁻¹ Dᵀ.
 const REPEATS: usize = 12;
 
+/// A row of which no more is left across the others is a combination of them.
+const DEPENDENT: f64 = 1e-8;
+
 /// A solution so much larger than its right-hand side is rounding.
 const LARGEST: f64 = 1e12;
 
@@ -197,6 +200,32 @@ impl System {
         if size > LARGEST * largest(upper).max(largest(lower)) { Err(NoFactors) } else { Ok(()) }
     }
 
+    /// The first row of D that depends on those before it, by Gram and Schmidt.
+    pub fn dependent_row(&self) -> Option<usize> {
+        let n = self.forces.len();
+        let mut base: Vec<Vec<f64>> = Vec::new();
+        for row in 0..self.phi.len() {
+            let mut rest = vec![0.0; n];
+            for ((_, column), entry) in self.pattern.iter().zip(&self.jacobian).filter(|(at, _)| at.0 == row)
+            {
+                rest[*column] = *entry;
+            }
+            let length = norm_of(&rest);
+            // Twice, so that what is left is across the others to rounding.
+            for unit in base.iter().chain(&base) {
+                let along: f64 = unit.iter().zip(&rest).map(|(a, b)| a * b).sum();
+                rest.iter_mut().zip(unit).for_each(|(rest, unit)| *rest -= along * unit);
+            }
+            let left = norm_of(&rest);
+            if left <= DEPENDENT * length {
+                return Some(row);
+            }
+            rest.iter_mut().for_each(|x| *x /= left);
+            base.push(rest);
+        }
+        None
+    }
+
     /// M v.
     pub fn momentum(&self, v: &[f64], momentum: &mut [f64]) {
         momentum.fill(0.0);
@@ -204,6 +233,10 @@ impl System {
             momentum[*i] += x * v[*j];
         }
     }
+}
+
+fn norm_of(values: &[f64]) -> f64 {
+    values.iter().map(|x| x * x).sum::<f64>().sqrt()
 }
 
 pub(crate) fn largest(values: &[f64]) -> f64 {
