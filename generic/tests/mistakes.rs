@@ -72,6 +72,17 @@ fn names_that_stand_for_themselves_are_refused() {
             json!([{"name": "pull", "kind": "torque", "on": "crank_pin", "value": {"name": "loop"}}]);
     });
     assert!(matches!(&error, DefinitionError::Value { part, .. } if part == "pull"), "{error}");
+    // Each twice the one before it.
+    let error = changed(|tree| {
+        let twice = |of: String| json!({"op": "+", "args": [{"name": of}, {"name": of}]});
+        let signals = (1..60)
+            .map(|k| json!({"name": format!("s{k}"), "unit": "1", "value": twice(format!("s{}", k - 1))}));
+        let first = json!({"name": "s0", "unit": "1", "value": {"name": "time"}});
+        tree["signals"] = std::iter::once(first).chain(signals).collect();
+        tree["loads"] =
+            json!([{"name": "pull", "kind": "torque", "on": "crank_pin", "value": {"name": "s59"}}]);
+    });
+    assert!(matches!(&error, DefinitionError::Value { part, .. } if part == "pull"), "{error}");
 }
 
 #[test]

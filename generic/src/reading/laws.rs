@@ -27,6 +27,9 @@ pub(crate) enum May {
 /// Deeper trees, signals within them unfolded, are no definition that was compiled.
 const DEEPEST: usize = 256;
 
+/// Signals and constants within one expression are unfolded to at most so many terms.
+const LARGEST: usize = 1 << 17;
+
 /// An expression on its way, with what it has named so far.
 pub(super) struct LawReader<'r, 't> {
     pub reader: &'r Reader<'t>,
@@ -34,6 +37,7 @@ pub(super) struct LawReader<'r, 't> {
     pub may: May,
     pub law: Law,
     depth: usize,
+    terms: usize,
 }
 
 impl<'t> Reader<'t> {
@@ -58,7 +62,7 @@ impl<'t> Reader<'t> {
         may: May,
         read: impl FnOnce(&mut LawReader<'_, 't>) -> Read<Expression>,
     ) -> Read<Law> {
-        let mut law = LawReader { reader: self, part, may, law: Law::constant(0.0), depth: 0 };
+        let mut law = LawReader { reader: self, part, may, law: Law::constant(0.0), depth: 0, terms: 0 };
         law.law.expression = read(&mut law)?;
         Ok(law.law)
     }
@@ -79,11 +83,10 @@ impl LawReader<'_, '_> {
     }
 
     pub fn expression(&mut self, node: &Value) -> Read<Expression> {
-        if self.depth == DEEPEST {
-            return Err(DefinitionError::value(
-                self.part,
-                "an expression is too deep, or a name stands for itself",
-            ));
+        self.terms += 1;
+        if self.depth == DEEPEST || self.terms > LARGEST {
+            let what = "an expression is too deep or too large, or a name stands for itself";
+            return Err(DefinitionError::value(self.part, what));
         }
         self.depth += 1;
         let expression = self.shallow(node);
