@@ -1,5 +1,6 @@
-//! Every shipped model: the accelerations of all its bodies by the generic solver, dense and sparse, against those of the emitted code,
-//! at states along its motion and with other velocities there; or it is refused, for the reason that stands here.
+//! Every shipped model and the zoo's: the accelerations of all bodies, rates of internal states and efforts of drivers by the generic
+//! solver, dense and sparse, against those of the emitted code, at states along the motion and with other velocities there; or the
+//! definition is refused, for the reason that stands here.
 
 mod mapping;
 
@@ -78,8 +79,15 @@ where
             let motions = mapping::bodies(model, time, &state, &a, &mut angles);
             let mut rates = model.zero_z();
             model.internal_rates(time, &state, &given(time, &state), &a, &lambda, &mut rates);
-            let expected =
-                At { time, inputs: &inputs, internal: state.z.as_slice(), rates: rates.as_slice() };
+            let efforts = model.driver_efforts(time, &state.q, &state.v, &lambda);
+            let efforts: Vec<f64> = efforts.as_ref().iter().map(|[effort, _]| *effort).collect();
+            let expected = At {
+                time,
+                inputs: &inputs,
+                internal: state.z.as_slice(),
+                rates: rates.as_slice(),
+                efforts: &efforts,
+            };
             for mechanism in &mut mechanisms {
                 worst = worst.max(apart(name, mechanism, &names, &motions, &expected));
             }
@@ -96,10 +104,12 @@ struct At<'a> {
     internal: &'a [f64],
     /// ż.
     rates: &'a [f64],
+    /// What the drivers exert.
+    efforts: &'a [f64],
 }
 
 /// The largest difference of accelerations at one state, relative to the largest acceleration; or of a rate of an internal state,
-/// relative to the rate.
+/// relative to the rate; or of an effort of a driver, relative to the largest.
 fn apart(name: &str, mechanism: &mut Mechanism, names: &[String], motions: &[BodyMotion], at: &At) -> f64 {
     let state = mapping::state(mechanism, motions, at.internal);
     let [mut a, mut lambda] = [mechanism.velocity_count(), mechanism.row_count()].map(|n| vec![0.0; n]);
@@ -124,7 +134,13 @@ fn apart(name: &str, mechanism: &mut Mechanism, names: &[String], motions: &[Bod
             size = size.max(expected.abs());
         }
     }
-    worst_rate.max(difference / size)
+    // The force of a driver along its quantity is −λ.
+    let drivers: Vec<usize> =
+        mechanism.rows().enumerate().filter(|(_, row)| row.ends_with(".driver")).map(|(k, _)| k).collect();
+    assert_eq!(drivers.len(), at.efforts.len(), "{name}");
+    let largest = at.efforts.iter().fold(1.0_f64, |most, effort| most.max(effort.abs()));
+    let efforts = drivers.iter().zip(at.efforts).map(|(row, effort)| (lambda[*row] + effort).abs() / largest);
+    efforts.fold(worst_rate.max(difference / size), f64::max)
 }
 
 macro_rules! all {
