@@ -1,13 +1,13 @@
 //! What is evaluated at a state: accelerations, rates of internal states, residuals, energies. What solves is in `system`.
 
 use crate::coordinates::check_finite;
+use crate::definition::Definition;
+use crate::energy::{kinetic, potential};
 use crate::error::Error;
 use crate::law::Scratch;
-use crate::load::Acts;
 use crate::mechanism::{Formulation, Mechanism, State, check_length};
 use crate::row::{Equation, Phase};
 use crate::system::largest;
-use crate::vector::dot;
 
 impl Mechanism {
     /// v̇ and λ at a state: of M v̇ + Dᵀ λ = Q and D v̇ = γ, with Baumgarte's terms where the formulation has them.
@@ -55,7 +55,8 @@ impl Mechanism {
         solved.map_err(|_| self.singular())
     }
 
-    /// ż of the internal states at a state, in their SI units per second.
+    /// ż of the internal states at a state with its multipliers, which [`acceleration`](Mechanism::acceleration) gives, in their SI units
+    /// per second.
     ///
     /// # Errors
     /// Lists of other lengths, or values that are not finite.
@@ -64,17 +65,26 @@ impl Mechanism {
         time: f64,
         state: &State,
         inputs: &[f64],
+        lambda: &[f64],
         rates: &mut [f64],
     ) -> Result<(), Error> {
         check_length("inputs", inputs.len(), self.definition.inputs.len())?;
         check_finite("an input", inputs)?;
+        check_length("multipliers", lambda.len(), self.definition.rows.len())?;
         check_length("rates of internal states", rates.len(), self.definition.states.len())?;
         self.coordinates.kinematics(time, &state.q, &state.v, &mut self.at)?;
-        self.write_internal_rates(inputs, rates)
+        self.write_internal_rates(inputs, lambda, rates)
     }
 
     /// At the state last evaluated.
-    pub(crate) fn write_internal_rates(&mut self, inputs: &[f64], rates: &mut [f64]) -> Result<(), Error> {
+    pub(crate) fn write_internal_rates(
+        &mut self,
+        inputs: &[f64],
+        lambda: &[f64],
+        rates: &mut [f64],
+    ) -> Result<(), Error> {
+        self.at.multipliers.clear();
+        self.at.multipliers.extend_from_slice(lambda);
         for (rate, state) in rates.iter_mut().zip(&self.definition.states) {
             *rate = state.rate.value(&self.at, inputs, &mut self.work.scratch);
             if !rate.is_finite() {
@@ -181,22 +191,9 @@ impl Mechanism {
     /// # Errors
     /// Lists of other lengths, or values that are not finite.
     pub fn energy(&mut self, time: f64, state: &State) -> Result<[f64; 2], Error> {
-        let Mechanism { definition, coordinates, system, at, work, .. } = self;
+        let Mechanism { definition, coordinates, at, .. } = self;
         coordinates.kinematics(time, &state.q, &state.v, at)?;
-        system.momentum(&state.v, &mut work.upper);
-        let kinetic = 0.5 * work.upper.iter().zip(&state.v).map(|(p, v)| p * v).sum::<f64>();
-        let mut potential = 0.0;
-        for (body, frame) in definition.bodies.iter().zip(&at.frames) {
-            potential -= body.mass * dot(definition.gravity, frame.position);
-        }
-        for load in &definition.loads {
-            if let Acts::Spring { along, stiffness, rest, .. } = &load.acts {
-                potential += 0.5 * stiffness * (along.jet(at).along.value - rest).powi(2);
-            }
-            if let Acts::Bushing(ways) = &load.acts {
-                potential += ways.iter().map(|way| way.energy(at)).sum::<f64>();
-            }
-        }
-        Ok([kinetic, potential])
+        let Definition { bodies, loads, gravity, .. } = definition;
+        Ok([kinetic(bodies, at), potential(bodies, loads, *gravity, at)])
     }
 }

@@ -58,6 +58,8 @@ pub(crate) struct Kinematics {
     pub counted: Vec<f64>,
     /// Internal states, in SI.
     pub internal: Vec<f64>,
+    /// λ, which rates of internal states may name; as many as there are rows.
+    pub multipliers: Vec<f64>,
 }
 
 impl Kinematics {

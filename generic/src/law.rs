@@ -1,11 +1,13 @@
 //! An expression with what it names: quantities of positions, and rates. Its value, its course along the motion, and its gradient.
 
+use crate::energy::{Energies, Energy};
 use crate::expression::{Expression, Scope};
 use crate::kinematics::Kinematics;
 use crate::load::Load;
 use crate::number::{Number, Slope, Taylor};
 use crate::quantity::{Jet, Pull, Quantity};
 use crate::vector::{times, turned_back};
+use std::sync::Arc;
 
 #[derive(Clone, Debug)]
 pub(crate) struct Law {
@@ -20,9 +22,15 @@ pub(crate) enum Rate {
     /// d/dt of an expression of the law's quantities and time.
     Of(Expression),
     /// A component of ω in the body's own axes.
-    Spin { body: usize, axis: usize },
+    Spin {
+        body: usize,
+        axis: usize,
+    },
     /// The power of a load, W.
     Power(Box<Load>),
+    /// What a row exerts along its quantity, −λ.
+    Effort(usize),
+    Energy(Arc<Energies>, Energy),
 }
 
 /// What laws write while they are evaluated, kept from call to call.
@@ -67,6 +75,8 @@ impl Law {
                     scratch.inner = Some(inner);
                     power
                 }
+                Rate::Effort(row) => -at.multipliers[*row],
+                Rate::Energy(of, which) => of.of(*which, at),
                 Rate::Spin { body, axis } => {
                     let frame = &at.frames[*body];
                     turned_back(&frame.axes, frame.spin)[*axis]

@@ -157,7 +157,7 @@ impl Mechanism {
             moved(&mut stage.v, &state.v, ahead, a);
             self.acceleration(time + ahead, &stage.q, &stage.v, inputs, formulation, a, lambda)?;
             self.coordinates.rates(&stage.q, &stage.v, q_rate);
-            self.write_internal_rates(inputs, &mut q_rate[internal..])?;
+            self.write_internal_rates(inputs, lambda, &mut q_rate[internal..])?;
             end.q.iter_mut().zip(&*q_rate).for_each(|(q, rate)| *q += step * weight * rate);
             end.v.iter_mut().zip(&*a).for_each(|(v, a)| *v += step * weight * a);
         }

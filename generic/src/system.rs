@@ -225,14 +225,6 @@ impl System {
         }
         None
     }
-
-    /// M v.
-    pub fn momentum(&self, v: &[f64], momentum: &mut [f64]) {
-        momentum.fill(0.0);
-        for (i, j, x) in &self.mass {
-            momentum[*i] += x * v[*j];
-        }
-    }
 }
 
 fn norm_of(values: &[f64]) -> f64 {

@@ -13,11 +13,7 @@ use linkwright_generic::{Algebra, BodyMotion, DefinitionError, Formulation, Mech
 const TOLERANCE: f64 = 1e-8;
 
 /// Models that are refused, and what is not there yet.
-const REFUSED: &[(&str, &str)] = &[
-    ("bristled", "`turn.effort`, a result,"),
-    ("powered", "`kinetic_energy`"),
-    ("servo", "`shake.effort`, a result,"),
-];
+const REFUSED: &[(&str, &str)] = &[];
 
 /// Seconds between the states compared.
 const APART: f64 = 0.004;
@@ -117,7 +113,7 @@ fn apart(name: &str, mechanism: &mut Mechanism, names: &[String], motions: &[Bod
         .acceleration(at.time, &state.q, &state.v, at.inputs, Formulation::Lagrange, &mut a, &mut lambda)
         .unwrap_or_else(|error| panic!("{name}: {error}"));
     let mut rates = vec![0.0; at.rates.len()];
-    mechanism.internal_rates(at.time, &state, at.inputs, &mut rates).expect("rates");
+    mechanism.internal_rates(at.time, &state, at.inputs, &lambda, &mut rates).expect("rates");
     let of_rates = rates.iter().zip(at.rates).map(|(found, rate)| (found - rate).abs() / rate.abs().max(1.0));
     let worst_rate = of_rates.fold(0.0, f64::max);
     let (mut difference, mut size) = (0.0_f64, 1.0_f64);

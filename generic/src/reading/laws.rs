@@ -2,6 +2,7 @@
 
 use super::values::{factor, is_bare};
 use super::{Read, Reader};
+use crate::energy::Energy;
 use crate::error::DefinitionError;
 use crate::expression::{Expression, Function, Operator};
 use crate::json::{field, list, name as json_name, text};
@@ -20,7 +21,7 @@ pub(crate) enum May {
     Positions,
     /// Velocities, inputs and internal states.
     Motion,
-    /// Powers and resistances of loads.
+    /// Powers and resistances of loads, efforts, energies.
     Results,
 }
 
@@ -233,7 +234,7 @@ impl LawReader<'_, '_> {
             _ => {}
         }
         if matches!(name, "energy" | "kinetic_energy" | "potential_energy") {
-            return Err(DefinitionError::not_there_yet(self.part, &format!("`{name}` in an expression")));
+            return self.energy(name);
         }
         if self.may >= May::Positions
             && let Some(quantity) = self.quantity(name)?
@@ -247,6 +248,10 @@ impl LawReader<'_, '_> {
     fn quantity(&mut self, name: &str) -> Read<Option<Expression>> {
         let reader = self.reader;
         let Some((owner, what)) = name.rsplit_once('.') else { return Ok(None) };
+        if let ("effort", May::Results, Some(row)) = (what, self.may, reader.efforts.get(owner)) {
+            self.law.rates.push(Rate::Effort(*row));
+            return Ok(Some(Expression::Rate(self.law.rates.len() - 1)));
+        }
         if what == "resistance" && self.may == May::Results {
             let loads = list(reader.tree, "loads", self.part)?;
             let load = loads.iter().find(|load| json_name(load, self.part) == Ok(owner));
@@ -324,6 +329,19 @@ impl LawReader<'_, '_> {
     /// What follows from accelerations or multipliers.
     fn result(&self, name: &str) -> DefinitionError {
         DefinitionError::not_there_yet(self.part, &format!("`{name}`, a result, in an expression"))
+    }
+
+    fn energy(&mut self, name: &str) -> Read<Expression> {
+        let which = match name {
+            "kinetic_energy" => Energy::Kinetic,
+            "potential_energy" => Energy::Potential,
+            _ => Energy::Both,
+        };
+        let Some(energies) = self.reader.energies.as_ref().filter(|_| self.may == May::Results) else {
+            return Err(DefinitionError::value(self.part, "an energy stands in a law of motion"));
+        };
+        self.law.rates.push(Rate::Energy(energies.clone(), which));
+        Ok(Expression::Rate(self.law.rates.len() - 1))
     }
 
     fn needs_motion(&self) -> Read<()> {

@@ -16,6 +16,7 @@ mod values;
 mod vectors;
 
 use crate::definition::{Body, Definition, Parameter};
+use crate::energy::Energies;
 use crate::error::DefinitionError;
 use crate::json::{list, name, optional, text};
 use crate::load::Load;
@@ -40,6 +41,9 @@ pub(crate) struct Reader<'t> {
     inputs: HashMap<&'t str, usize>,
     states: HashMap<String, usize>,
     loads: HashMap<String, Load>,
+    /// Rows of equations and drivers, whose efforts have names.
+    efforts: HashMap<String, usize>,
+    energies: Option<Arc<Energies>>,
     bodies: Vec<Body>,
     body_by_name: HashMap<&'t str, usize>,
     joints: Vec<Joint>,
@@ -68,6 +72,8 @@ pub(crate) fn read(tree: &Value, given: &HashMap<String, f64>) -> Read<Definitio
         inputs: HashMap::new(),
         states: HashMap::new(),
         loads: HashMap::new(),
+        efforts: HashMap::new(),
+        energies: None,
         bodies: Vec::new(),
         body_by_name: HashMap::new(),
         joints: Vec::new(),
@@ -91,6 +97,10 @@ pub(crate) fn read(tree: &Value, given: &HashMap<String, f64>) -> Read<Definitio
     reader.name_states()?;
     let loads = reader.read_loads()?;
     reader.loads = loads.iter().map(|load| (load.name.clone(), load.clone())).collect();
+    let efforts = rows.iter().enumerate().filter(|(_, row)| matches!(row.what, "equation" | "driver"));
+    reader.efforts = efforts.map(|(at, row)| (row.of.clone(), at)).collect();
+    let energies = Energies { bodies: reader.bodies.clone(), loads: loads.clone(), gravity };
+    reader.energies = Some(Arc::new(energies));
     let states = reader.read_states()?;
     let options = tree.get("options").and_then(|options| options.get("redundant")).and_then(Value::as_str);
     Ok(Definition {
