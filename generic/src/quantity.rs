@@ -240,3 +240,68 @@ fn angle_about(axis: V3, start: V3, end: V3) -> f64 {
 pub(crate) fn nearest(angle: f64, to: f64) -> f64 {
     angle + TAU * ((to - angle) / TAU).round()
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::kinematics::Frame;
+
+    /// Two bodies that move with constant velocities and constant ω in their own axes.
+    fn at(time: f64) -> Kinematics {
+        let frame = |position: V3, turn: V3, velocity: V3, omega: V3| {
+            let start = rotation(quaternion_of_turn(turn));
+            let axes = product(&start, &rotation(quaternion_of_turn(times(time, omega))));
+            Frame {
+                position: plus(position, times(time, velocity)),
+                axes,
+                velocity,
+                spin: turned(&axes, omega),
+                angle: time * omega[2],
+            }
+        };
+        let frames = vec![
+            frame([0.1, -0.4, 0.3], [0.3, 0.5, -0.2], [0.7, 0.2, -0.5], [1.1, -0.6, 0.4]),
+            frame([1.2, 0.3, -0.2], [-0.4, 0.1, 0.6], [-0.3, 0.9, 0.4], [-0.5, 0.8, 1.3]),
+        ];
+        Kinematics { time, frames, counted: vec![0.0; 2], ..Kinematics::default() }
+    }
+
+    fn place(body: usize, local: V3) -> Place {
+        Place { body: Some(body), local, axes: IDENTITY, moving: None }
+    }
+
+    /// ḟ is that of the gradient and of differences, f̈ that of differences.
+    fn is_differentiated(jet: impl Fn(&Kinematics) -> Jet) {
+        const H: f64 = 1e-4;
+        let now = jet(&at(0.0));
+        let [before, behind] = [-H, H].map(|time| jet(&at(time)).along.value);
+        let (rate, bias) =
+            ((behind - before) / (2.0 * H), (behind - 2.0 * now.along.value + before) / (H * H));
+        assert!((now.along.rate - rate).abs() < 1e-7, "{now:?} {rate}");
+        assert!((now.along.bias - bias).abs() < 1e-6, "{now:?} {bias}");
+        let frames = at(0.0);
+        let along = |pull: Pull| {
+            let frame = frames.frame(pull.body);
+            dot(pull.linear, frame.velocity) + dot(pull.angular, frame.spin)
+        };
+        let total: f64 = now.pulls.into_iter().map(along).sum();
+        assert!((total - now.along.rate).abs() < 1e-14, "{now:?} {total}");
+    }
+
+    #[test]
+    fn derivatives_are_those_of_differences() {
+        let (first, second) = (place(0, [0.2, 0.1, -0.3]), place(1, [-0.1, 0.4, 0.2]));
+        let (a, b) = ([0.6, 0.0, 0.8], [0.0, -0.6, 0.8]);
+        let quantities = [
+            Quantity::Coordinate { place: first.clone(), axis: 1 },
+            Quantity::Gap { first: first.clone(), second: second.clone(), axis: 2 },
+            Quantity::Along { axis: a, first: first.clone(), second: second.clone() },
+            Quantity::Dot { first: Some(0), a, second: Some(1), b },
+            Quantity::Length { first: first.clone(), second: second.clone() },
+        ];
+        for quantity in &quantities {
+            is_differentiated(|at| quantity.jet(at));
+        }
+        is_differentiated(|at| half_square(at, &first, &second));
+    }
+}

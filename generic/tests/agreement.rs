@@ -12,7 +12,7 @@ use linkwright_generic::{Algebra, BodyMotion, DefinitionError, Formulation, Mech
 /// Largest difference of accelerations, relative to the largest of the mechanism, or to 1 where that is more.
 const TOLERANCE: f64 = 1e-8;
 
-/// Models that are refused, and what is not there yet.
+/// Models that are refused, and what is not there yet: none now.
 const REFUSED: &[(&str, &str)] = &[];
 
 /// Seconds between the states compared.
