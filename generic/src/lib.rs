@@ -58,7 +58,8 @@
 //! # Rows that repeat others
 //! Where the definition says `redundant = drop` or `keep`, rows may repeat others, as in Bricard's mechanism. None is dropped here:
 //! the system is solved with a small compliance of the rows, again and again with the same factors, until what it lacks
-//! is gone (the proximal form of the augmented Lagrangian). Accelerations are then exact and λ is that of least norm. In all other
+//! is gone (the proximal form of the augmented Lagrangian). Accelerations are then exact and λ is that of least norm; rows that
+//! contradict one another, as drift makes them under Baumgarte's terms, are met as nearly as they can be together. In all other
 //! definitions rows are taken to be independent; where they lose rank, as at a change point, the answer is [`Error::Singular`].
 //!
 //! # What is there

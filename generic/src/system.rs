@@ -157,7 +157,9 @@ impl System {
     ///
     /// Where rows may repeat others, λ is not unique and the matrix with c = 0 is singular. It is then solved with c > 0 and
     /// lower − c λ in place of lower, again and again from λ = 0 on (the proximal form of the augmented Lagrangian). What it comes to has
-    /// c = 0 again: x is exact and λ that of least norm, because each iterate is in the range of D.
+    /// c = 0 again: x is exact and λ that of least norm, because each iterate is in the range of D. Where rows that repeat others contradict
+    /// them, as drift does, something stays missed: D x = lower holds as nearly as it can, and λ has grown by the same from round to
+    /// round, along what exerts nothing; that is taken back.
     pub fn solve(
         &mut self,
         upper: &[f64],
@@ -168,7 +170,8 @@ impl System {
         let (n, repeats) = (upper.len(), if self.compliance.is_some() { REPEATS } else { 1 });
         let c = self.compliance.unwrap_or(0.0);
         self.previous.fill(0.0);
-        for _ in 0..repeats {
+        let mut last = f64::INFINITY;
+        for round in 1..=repeats {
             self.right[..n].copy_from_slice(upper);
             for ((right, wanted), mu) in self.right[n..].iter_mut().zip(lower).zip(&self.previous) {
                 *right = wanted - c * mu;
@@ -180,10 +183,17 @@ impl System {
             x.copy_from_slice(&self.right[..n]);
             mu.copy_from_slice(&self.right[n..]);
             let missed = mu.iter().zip(&self.previous).map(|(a, b)| c * (a - b).abs()).fold(0.0, f64::max);
-            self.previous.copy_from_slice(mu);
             if missed <= 1e-14 * (largest(lower) + largest(x)) {
                 break;
             }
+            if missed > 0.5 * last {
+                for (mu, previous) in mu.iter_mut().zip(&self.previous) {
+                    *mu -= round as f64 * (*mu - previous);
+                }
+                break;
+            }
+            last = missed;
+            self.previous.copy_from_slice(mu);
         }
         self.check(upper, lower, x, mu)
     }

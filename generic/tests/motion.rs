@@ -3,7 +3,7 @@
 use linkwright::{
     Assemble, AssembleExt, Baumgarte, Fields, Mechanism as _, Report, Simulation, StateOf, Vector,
 };
-use linkwright_generic::{BodyMotion, Error, Formulation, Mechanism, State};
+use linkwright_generic::{Algebra, BodyMotion, Error, Formulation, Mechanism, State};
 use linkwright_models::bricard::Bricard;
 use linkwright_models::double_pendulum::DoublePendulum;
 use linkwright_models::free_rigid_body::FreeRigidBody;
@@ -195,6 +195,31 @@ fn a_state_is_put_back_on_the_constraints() {
         mechanism.project(0.0, &mut state).expect("near the constraints");
         let [phi, rate] = mechanism.residual(0.0, &state).expect("a state");
         assert!(phi < 1e-12 && rate < 1e-12, "{phi:e} {rate:e}");
+    }
+}
+
+/// Drift lets rows contradict one another that repeat each other: accelerations and multipliers hardly change.
+#[test]
+fn redundant_rows_bear_drift() {
+    for algebra in [Algebra::Dense, Algebra::Sparse] {
+        let mut mechanism =
+            Mechanism::with_algebra(Bricard::<f64>::DEFINITION, algebra).expect("it is there");
+        let mut state = start(&Bricard::default(), &mechanism);
+        let formulation = Formulation::Baumgarte { alpha: 10.0, beta: 10.0 };
+        let mut solve = |state: &State| {
+            let [mut a, mut lambda] = [vec![0.0; 30], vec![0.0; 30]];
+            mechanism
+                .acceleration(0.0, &state.q, &state.v, &[], formulation, &mut a, &mut lambda)
+                .expect("a regular state");
+            (a, lambda)
+        };
+        let (a, lambda) = solve(&state);
+        state.q.iter_mut().enumerate().for_each(|(k, q)| *q += 1e-6 * (k as f64).sin());
+        let (near, near_lambda) = solve(&state);
+        let apart =
+            |a: &[f64], b: &[f64]| a.iter().zip(b).fold(0.0_f64, |most, (a, b)| most.max((a - b).abs()));
+        assert!(apart(&a, &near) < 1e-2, "{:e}", apart(&a, &near));
+        assert!(apart(&lambda, &near_lambda) < 1e-2, "{:e}", apart(&lambda, &near_lambda));
     }
 }
 
