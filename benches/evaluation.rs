@@ -13,10 +13,12 @@
 #[macro_use]
 mod casadi;
 mod harness;
+#[path = "harness/limits.rs"]
+mod limits;
 
 use casadi::{Peer, Turns};
-use harness::limits::{Limits, Processor, clock};
 use harness::{least, median};
+use limits::{Limits, Processor, clock};
 use linkwright::{
     Assemble, AssembleExt, Baumgarte, Fields, InputSource, Mechanism, Simulation, SpatialMotion, State,
     StateOf, Variables, Vector,

@@ -2,8 +2,6 @@
 
 #[allow(dead_code)]
 pub mod library;
-#[allow(dead_code)]
-pub mod limits;
 
 use std::process::Command;
 use std::time::Instant;

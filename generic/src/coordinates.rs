@@ -1,0 +1,216 @@
+//! What q and v are: absolute coordinates, body by body, and how motion, gradients and forces read in them.
+//!
+//! | body | q | v |
+//! |---|---|---|
+//! | planar | x, y of the centre of mass, θ over several turns | ẋ, ẏ, ω |
+//! | planar particle | x, y | ẋ, ẏ |
+//! | spatial | x, y, z, Euler parameters (w, x, y, z) | ẋ, ẏ, ż, ω in body axes |
+//! | spatial particle | x, y, z | ẋ, ẏ, ż |
+//!
+//! Behind the bodies of space q has the angles of joints over several turns, which choose whole turns and nothing else, and behind
+//! these the internal states.
+
+use crate::definition::Definition;
+use crate::error::Error;
+use crate::kinematics::{Frame, Kinematics};
+use crate::quantity::Pull;
+use crate::vector::*;
+
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) enum Kind {
+    Plane,
+    PlaneParticle,
+    Space,
+    SpaceParticle,
+}
+
+/// Where a body's coordinates begin.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Slot {
+    pub q: usize,
+    pub v: usize,
+    pub kind: Kind,
+}
+
+impl Slot {
+    /// Velocities of the body.
+    pub fn width(&self) -> usize {
+        match self.kind {
+            Kind::Plane | Kind::SpaceParticle => 3,
+            Kind::PlaneParticle => 2,
+            Kind::Space => 6,
+        }
+    }
+
+    fn positions(&self) -> usize {
+        if self.kind == Kind::Space { 7 } else { self.width() }
+    }
+
+    /// Adds a gradient, or a force and torque, to the entries of the body's velocities.
+    pub fn add(&self, frame: &Frame, pull: &Pull, entries: &mut [f64]) {
+        let [x, y, z] = pull.linear;
+        entries[0] += x;
+        entries[1] += y;
+        match self.kind {
+            Kind::Plane => entries[2] += pull.angular[2],
+            Kind::PlaneParticle => {}
+            Kind::SpaceParticle => entries[2] += z,
+            Kind::Space => {
+                entries[2] += z;
+                let own = turned_back(&frame.axes, pull.angular);
+                entries[3..6].iter_mut().zip(own).for_each(|(entry, part)| *entry += part);
+            }
+        }
+    }
+}
+
+#[derive(Clone, Debug)]
+pub(crate) struct Coordinates {
+    pub slots: Vec<Slot>,
+    /// n_q, counted angles and internal states included.
+    pub positions: usize,
+    /// n_v.
+    pub velocities: usize,
+    /// Where the counted angles begin in q.
+    pub counted: usize,
+    /// Where the internal states begin in q.
+    pub internal: usize,
+}
+
+impl Coordinates {
+    pub fn new(definition: &Definition) -> Self {
+        let mut coordinates =
+            Coordinates { slots: Vec::new(), positions: 0, velocities: 0, counted: 0, internal: 0 };
+        for body in &definition.bodies {
+            let kind = match (definition.spatial, body.particle) {
+                (false, false) => Kind::Plane,
+                (false, true) => Kind::PlaneParticle,
+                (true, false) => Kind::Space,
+                (true, true) => Kind::SpaceParticle,
+            };
+            let slot = Slot { q: coordinates.positions, v: coordinates.velocities, kind };
+            coordinates.positions += slot.positions();
+            coordinates.velocities += slot.width();
+            coordinates.slots.push(slot);
+        }
+        coordinates.counted = coordinates.positions;
+        coordinates.internal = coordinates.counted + definition.counted.len();
+        coordinates.positions = coordinates.internal + definition.states.len();
+        coordinates
+    }
+
+    /// All bodies at the origin with their axes the world's, internal states at their starts.
+    pub fn origin(&self, definition: &Definition) -> Vec<f64> {
+        let mut q = vec![0.0; self.internal];
+        q.extend(definition.states.iter().map(|state| state.start));
+        for slot in self.slots.iter().filter(|slot| slot.kind == Kind::Space) {
+            q[slot.q + 3] = 1.0;
+        }
+        q
+    }
+
+    /// The motion of all bodies at a state; Euler parameters count at length one.
+    pub fn kinematics(&self, time: f64, q: &[f64], v: &[f64], at: &mut Kinematics) -> Result<(), Error> {
+        let given = [("positions", q, self.positions), ("velocities", v, self.velocities)];
+        for (what, values, expected) in given {
+            if values.len() != expected {
+                return Err(Error::Length { what, expected, given: values.len() });
+            }
+        }
+        check_finite("the time", &[time])?;
+        check_finite("a position", q)?;
+        check_finite("a velocity", v)?;
+        at.time = time;
+        at.frames.clear();
+        for slot in &self.slots {
+            at.frames.push(slot.frame(&q[slot.q..], &v[slot.v..])?);
+        }
+        at.counted.clear();
+        at.counted.extend_from_slice(&q[self.counted..self.internal]);
+        at.internal.clear();
+        at.internal.extend_from_slice(&q[self.internal..]);
+        Ok(())
+    }
+
+    /// q̇ = N(q) v: of Euler parameters ½ p ⊗ (0, ω); counted angles stay, internal states are left to others.
+    pub fn rates(&self, q: &[f64], v: &[f64], rates: &mut [f64]) {
+        rates.fill(0.0);
+        for slot in &self.slots {
+            let (linear, positions) = (slot.width().min(3), &q[slot.q..]);
+            rates[slot.q..slot.q + linear].copy_from_slice(&v[slot.v..slot.v + linear]);
+            if slot.kind == Kind::Space {
+                let omega = [0.0, v[slot.v + 3], v[slot.v + 4], v[slot.v + 5]];
+                let rate = quaternion_product(parameters(positions), omega);
+                rates[slot.q + 3..slot.q + 7].iter_mut().zip(rate).for_each(|(to, x)| *to = 0.5 * x);
+            }
+        }
+    }
+
+    /// q ⊕ δ: positions moved by an increment of the velocities' kind.
+    pub fn retract(&self, q: &mut [f64], delta: &[f64]) {
+        for slot in &self.slots {
+            let linear = slot.width().min(3);
+            for k in 0..linear {
+                q[slot.q + k] += delta[slot.v + k];
+            }
+            if slot.kind == Kind::Space {
+                let turn = [3, 4, 5].map(|k| delta[slot.v + k]);
+                let p = quaternion_product(parameters(&q[slot.q..]), quaternion_of_turn(turn));
+                q[slot.q + 3..slot.q + 7].copy_from_slice(&p);
+            }
+        }
+        self.normalise(q);
+    }
+
+    /// Brings Euler parameters to length one.
+    pub fn normalise(&self, q: &mut [f64]) {
+        for slot in self.slots.iter().filter(|slot| slot.kind == Kind::Space) {
+            if let Some(p) = unit_quaternion(parameters(&q[slot.q..])) {
+                q[slot.q + 3..slot.q + 7].copy_from_slice(&p);
+            }
+        }
+    }
+}
+
+fn parameters(positions: &[f64]) -> [f64; 4] {
+    [positions[3], positions[4], positions[5], positions[6]]
+}
+
+pub(crate) fn check_finite(what: &'static str, values: &[f64]) -> Result<(), Error> {
+    match values.iter().find(|value| !value.is_finite()) {
+        Some(value) => Err(Error::Value { what, value: *value }),
+        None => Ok(()),
+    }
+}
+
+impl Slot {
+    fn frame(&self, q: &[f64], v: &[f64]) -> Result<Frame, Error> {
+        let mut frame = Frame {
+            position: [q[0], q[1], 0.0],
+            axes: IDENTITY,
+            velocity: [v[0], v[1], 0.0],
+            spin: ZERO,
+            angle: 0.0,
+        };
+        match self.kind {
+            Kind::PlaneParticle => {}
+            Kind::Plane => {
+                let (s, c) = q[2].sin_cos();
+                frame.angle = q[2];
+                frame.axes = [[c, -s, 0.0], [s, c, 0.0], [0.0, 0.0, 1.0]];
+                frame.spin = [0.0, 0.0, v[2]];
+            }
+            Kind::Space | Kind::SpaceParticle => {
+                frame.position[2] = q[2];
+                frame.velocity[2] = v[2];
+            }
+        }
+        if self.kind == Kind::Space {
+            let p = unit_quaternion(parameters(q));
+            let p = p.ok_or(Error::Value { what: "the length of Euler parameters", value: 0.0 })?;
+            frame.axes = rotation(p);
+            frame.spin = turned(&frame.axes, [v[3], v[4], v[5]]);
+        }
+        Ok(frame)
+    }
+}

@@ -1,0 +1,307 @@
+//! Scalars of positions between two bodies, with their analytic derivatives: what joints hold, loads act along and laws name.
+//!
+//! Each is f with ḟ = Σ (l·ṙ + n·ω) + drift and f̈ = Σ (l·r̈ + n·ω̇) + bias over its bodies. The pair (l, n) is at once a row of D
+//! and the force and torque about the centre of mass that a unit effort along f exerts (virtual work).
+//! Source: Haug (1989), ch. 3 (plane) and 9 (space); Nikravesh (1988), ch. 4 and 7.
+
+use crate::kinematics::{Kinematics, Place, Point};
+use crate::number::Taylor;
+use crate::vector::*;
+use std::f64::consts::TAU;
+
+#[derive(Clone, Debug)]
+pub(crate) enum Quantity {
+    /// e_k · p.
+    Coordinate { place: Place, axis: usize },
+    /// e_k · (p₁ − p₂).
+    Gap { first: Place, second: Place, axis: usize },
+    /// a · (p₂ − p₁), a fixed to the first body.
+    Along { axis: V3, first: Place, second: Place },
+    /// a · b, a fixed to the first body and b to the second.
+    Dot { first: Option<usize>, a: V3, second: Option<usize>, b: V3 },
+    /// θ₂ − θ₁ of planar bodies.
+    PlaneAngle { first: Option<usize>, second: Option<usize> },
+    /// From x₁ to x₂ about z₁, over several turns.
+    Angle { first: Option<usize>, axes_1: M3, second: Option<usize>, axes_2: M3, counted: usize },
+    /// The first or second angle of a universal joint.
+    Universal { joint: Box<Universal>, which: usize, counted: usize },
+    /// |p₂ − p₁|.
+    Length { first: Place, second: Place },
+}
+
+/// A₂B₂ = A₁B₁ Rot(a, angle_1) Rot(s, angle_2); a and s in the axes of both places alike.
+#[derive(Clone, Debug)]
+pub(crate) struct Universal {
+    pub first: Option<usize>,
+    pub axes_1: M3,
+    pub second: Option<usize>,
+    pub axes_2: M3,
+    pub a: V3,
+    pub s: V3,
+}
+
+/// On one body: l along its velocity, n along its ω, world axes.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Pull {
+    pub body: Option<usize>,
+    pub linear: V3,
+    pub angular: V3,
+}
+
+/// f, ḟ, the bias of f̈, and the gradient on at most two bodies.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Jet {
+    pub along: Taylor,
+    pub pulls: [Pull; 2],
+}
+
+const NOTHING: Pull = Pull { body: None, linear: ZERO, angular: ZERO };
+
+/// d · p.
+fn of_point(point: &Point, direction: V3) -> Pull {
+    Pull { body: point.body, linear: direction, angular: cross(point.arm, direction) }
+}
+
+fn of_spin(body: Option<usize>, direction: V3) -> Pull {
+    Pull { body, linear: ZERO, angular: direction }
+}
+
+impl Quantity {
+    /// The bodies that it depends on.
+    pub fn bodies(&self) -> [Option<usize>; 2] {
+        match self {
+            Quantity::Coordinate { place, .. } => [place.body, None],
+            Quantity::Gap { first, second, .. }
+            | Quantity::Along { first, second, .. }
+            | Quantity::Length { first, second } => [first.body, second.body],
+            Quantity::Dot { first, second, .. }
+            | Quantity::PlaneAngle { first, second }
+            | Quantity::Angle { first, second, .. } => [*first, *second],
+            Quantity::Universal { joint, .. } => [joint.first, joint.second],
+        }
+    }
+
+    pub fn jet(&self, at: &Kinematics) -> Jet {
+        match self {
+            Quantity::Coordinate { place, axis } => {
+                let (p, k) = (at.point(place), *axis);
+                Jet {
+                    along: Taylor { value: p.position[k], rate: p.velocity[k], bias: p.bias[k] },
+                    pulls: [of_point(&p, unit_axis(k)), NOTHING],
+                }
+            }
+            Quantity::Gap { first, second, axis } => {
+                let (p, q, k) = (at.point(first), at.point(second), *axis);
+                Jet {
+                    along: Taylor {
+                        value: p.position[k] - q.position[k],
+                        rate: p.velocity[k] - q.velocity[k],
+                        bias: p.bias[k] - q.bias[k],
+                    },
+                    pulls: [of_point(&p, unit_axis(k)), of_point(&q, times(-1.0, unit_axis(k)))],
+                }
+            }
+            Quantity::Along { axis, first, second } => along(at, *axis, &at.point(first), &at.point(second)),
+            Quantity::Dot { first, a, second, b } => dot_product(at, (*first, *a), (*second, *b)),
+            Quantity::PlaneAngle { first, second } => {
+                let (one, other) = (at.frame(*first), at.frame(*second));
+                Jet {
+                    along: Taylor {
+                        value: other.angle - one.angle,
+                        rate: other.spin[2] - one.spin[2],
+                        bias: 0.0,
+                    },
+                    pulls: [of_spin(*first, [0.0, 0.0, -1.0]), of_spin(*second, unit_axis(2))],
+                }
+            }
+            Quantity::Angle { first, axes_1, second, axes_2, counted } => {
+                let (one, other) = (at.frame(*first), at.frame(*second));
+                let (e1, e2) = (product(&one.axes, axes_1), product(&other.axes, axes_2));
+                let [x1, y1, z1] = [0, 1, 2].map(|k| column(&e1, k));
+                let (x2, z2) = (column(&e2, 0), column(&e2, 2));
+                // Each body's rate about its own axis: constant in its axes, so that nothing else is left of f̈.
+                Jet {
+                    along: Taylor {
+                        value: nearest(dot(y1, x2).atan2(dot(x1, x2)), at.counted[*counted]),
+                        rate: dot(z2, other.spin) - dot(z1, one.spin),
+                        bias: 0.0,
+                    },
+                    pulls: [of_spin(*first, times(-1.0, z1)), of_spin(*second, z2)],
+                }
+            }
+            Quantity::Universal { joint, which, counted } => joint.jet(at, *which, at.counted[*counted]),
+            Quantity::Length { first, second } => length(&at.point(first), &at.point(second)),
+        }
+    }
+}
+
+/// f = a·Δ: ḟ = (ω₁ × a)·Δ + a·Δ̇, f̈ = (ω₁ × (ω₁ × a))·Δ + 2 (ω₁ × a)·Δ̇ + a·Δ̈ + (α₁ × a)·Δ.
+fn along(at: &Kinematics, axis: V3, first: &Point, second: &Point) -> Jet {
+    let frame = at.frame(first.body);
+    let a = turned(&frame.axes, axis);
+    let (delta, delta_rate) =
+        (minus(second.position, first.position), minus(second.velocity, first.velocity));
+    let a_rate = cross(frame.spin, a);
+    let back = of_point(first, times(-1.0, a));
+    Jet {
+        along: Taylor {
+            value: dot(a, delta),
+            rate: dot(a_rate, delta) + dot(a, delta_rate),
+            bias: dot(cross(frame.spin, a_rate), delta)
+                + 2.0 * dot(a_rate, delta_rate)
+                + dot(a, minus(second.bias, first.bias)),
+        },
+        pulls: [Pull { angular: plus(back.angular, cross(a, delta)), ..back }, of_point(second, a)],
+    }
+}
+
+/// f = a·b: ḟ = (ω₁ − ω₂)·(a × b), f̈ = (ω₁ × (ω₁ × a))·b + 2 (ω₁ × a)·(ω₂ × b) + a·(ω₂ × (ω₂ × b)) + (α₁ − α₂)·(a × b).
+fn dot_product(at: &Kinematics, first: (Option<usize>, V3), second: (Option<usize>, V3)) -> Jet {
+    let (one, other) = (at.frame(first.0), at.frame(second.0));
+    let (a, b) = (turned(&one.axes, first.1), turned(&other.axes, second.1));
+    let (a_rate, b_rate) = (cross(one.spin, a), cross(other.spin, b));
+    let normal = cross(a, b);
+    Jet {
+        along: Taylor {
+            value: dot(a, b),
+            rate: dot(a_rate, b) + dot(a, b_rate),
+            bias: dot(cross(one.spin, a_rate), b)
+                + 2.0 * dot(a_rate, b_rate)
+                + dot(a, cross(other.spin, b_rate)),
+        },
+        pulls: [of_spin(first.0, normal), of_spin(second.0, times(-1.0, normal))],
+    }
+}
+
+/// l = |Δ|: l̇ = e·Δ̇, l̈ = e·Δ̈ + (Δ̇² − l̇²)/l with e = Δ/l.
+fn length(first: &Point, second: &Point) -> Jet {
+    let (delta, delta_rate) =
+        (minus(second.position, first.position), minus(second.velocity, first.velocity));
+    let length = norm(delta);
+    let e = times(1.0 / length, delta);
+    let rate = dot(e, delta_rate);
+    Jet {
+        along: Taylor {
+            value: length,
+            rate,
+            bias: dot(e, minus(second.bias, first.bias))
+                + (dot(delta_rate, delta_rate) - rate * rate) / length,
+        },
+        pulls: [of_point(first, times(-1.0, e)), of_point(second, e)],
+    }
+}
+
+/// f = (Δ·Δ)/2, of which a distance is made: ḟ = Δ·Δ̇, f̈ = Δ̇·Δ̇ + Δ·Δ̈.
+pub(crate) fn half_square(at: &Kinematics, first: &Place, second: &Place) -> Jet {
+    let (p, q) = (at.point(first), at.point(second));
+    let (delta, delta_rate) = (minus(q.position, p.position), minus(q.velocity, p.velocity));
+    Jet {
+        along: Taylor {
+            value: 0.5 * dot(delta, delta),
+            rate: dot(delta, delta_rate),
+            bias: dot(delta_rate, delta_rate) + dot(delta, minus(q.bias, p.bias)),
+        },
+        pulls: [of_point(&p, times(-1.0, delta)), of_point(&q, delta)],
+    }
+}
+
+impl Universal {
+    /// s has turned about a by angle_1 as seen from the first, a about s by −angle_2 as seen from the second; the rates are those of
+    /// ω₂ − ω₁ along a, fixed to the first, and along s, fixed to the second.
+    fn jet(&self, at: &Kinematics, which: usize, counted: f64) -> Jet {
+        let (one, other) = (at.frame(self.first), at.frame(self.second));
+        let (e1, e2) = (product(&one.axes, &self.axes_1), product(&other.axes, &self.axes_2));
+        let relative = minus(other.spin, one.spin);
+        let (angle, axis, axis_rate) = if which == 0 {
+            let seen = turned_back(&e1, turned(&e2, self.s));
+            let axis = turned(&e1, self.a);
+            (angle_about(self.a, self.s, seen), axis, cross(one.spin, axis))
+        } else {
+            let seen = turned_back(&e2, turned(&e1, self.a));
+            let axis = turned(&e2, self.s);
+            (-angle_about(self.s, self.a, seen), axis, cross(other.spin, axis))
+        };
+        Jet {
+            along: Taylor {
+                value: nearest(angle, counted),
+                rate: dot(axis, relative),
+                bias: dot(axis_rate, relative),
+            },
+            pulls: [of_spin(self.first, times(-1.0, axis)), of_spin(self.second, axis)],
+        }
+    }
+}
+
+fn angle_about(axis: V3, start: V3, end: V3) -> f64 {
+    dot(axis, cross(start, end)).atan2(dot(start, end) - dot(axis, start) * dot(axis, end))
+}
+
+/// The angle with the whole turns that bring it nearest to another.
+pub(crate) fn nearest(angle: f64, to: f64) -> f64 {
+    angle + TAU * ((to - angle) / TAU).round()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::kinematics::Frame;
+
+    /// Two bodies that move with constant velocities and constant ω in their own axes.
+    fn at(time: f64) -> Kinematics {
+        let frame = |position: V3, turn: V3, velocity: V3, omega: V3| {
+            let start = rotation(quaternion_of_turn(turn));
+            let axes = product(&start, &rotation(quaternion_of_turn(times(time, omega))));
+            Frame {
+                position: plus(position, times(time, velocity)),
+                axes,
+                velocity,
+                spin: turned(&axes, omega),
+                angle: time * omega[2],
+            }
+        };
+        let frames = vec![
+            frame([0.1, -0.4, 0.3], [0.3, 0.5, -0.2], [0.7, 0.2, -0.5], [1.1, -0.6, 0.4]),
+            frame([1.2, 0.3, -0.2], [-0.4, 0.1, 0.6], [-0.3, 0.9, 0.4], [-0.5, 0.8, 1.3]),
+        ];
+        Kinematics { time, frames, counted: vec![0.0; 2], ..Kinematics::default() }
+    }
+
+    fn place(body: usize, local: V3) -> Place {
+        Place { body: Some(body), local, axes: IDENTITY, moving: None }
+    }
+
+    /// ḟ is that of the gradient and of differences, f̈ that of differences.
+    fn is_differentiated(jet: impl Fn(&Kinematics) -> Jet) {
+        const H: f64 = 1e-4;
+        let now = jet(&at(0.0));
+        let [before, behind] = [-H, H].map(|time| jet(&at(time)).along.value);
+        let (rate, bias) =
+            ((behind - before) / (2.0 * H), (behind - 2.0 * now.along.value + before) / (H * H));
+        assert!((now.along.rate - rate).abs() < 1e-7, "{now:?} {rate}");
+        assert!((now.along.bias - bias).abs() < 1e-6, "{now:?} {bias}");
+        let frames = at(0.0);
+        let along = |pull: Pull| {
+            let frame = frames.frame(pull.body);
+            dot(pull.linear, frame.velocity) + dot(pull.angular, frame.spin)
+        };
+        let total: f64 = now.pulls.into_iter().map(along).sum();
+        assert!((total - now.along.rate).abs() < 1e-14, "{now:?} {total}");
+    }
+
+    #[test]
+    fn derivatives_are_those_of_differences() {
+        let (first, second) = (place(0, [0.2, 0.1, -0.3]), place(1, [-0.1, 0.4, 0.2]));
+        let (a, b) = ([0.6, 0.0, 0.8], [0.0, -0.6, 0.8]);
+        let quantities = [
+            Quantity::Coordinate { place: first.clone(), axis: 1 },
+            Quantity::Gap { first: first.clone(), second: second.clone(), axis: 2 },
+            Quantity::Along { axis: a, first: first.clone(), second: second.clone() },
+            Quantity::Dot { first: Some(0), a, second: Some(1), b },
+            Quantity::Length { first: first.clone(), second: second.clone() },
+        ];
+        for quantity in &quantities {
+            is_differentiated(|at| quantity.jet(at));
+        }
+        is_differentiated(|at| half_square(at, &first, &second));
+    }
+}

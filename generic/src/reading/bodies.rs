@@ -1,0 +1,207 @@
+//! Bodies: mass, centre, inertia by shape, points and markers.
+
+use super::{Read, Reader};
+use crate::definition::Body;
+use crate::error::DefinitionError;
+use crate::json::{list, name, optional, text};
+use crate::vector::*;
+use serde_json::Value;
+use std::collections::HashMap;
+use std::f64::consts::PI;
+
+impl<'t> Reader<'t> {
+    pub(super) fn read_bodies(&mut self) -> Read<()> {
+        for node in list(self.tree, "bodies", "bodies")? {
+            let own = name(node, "bodies")?;
+            let body = self.body(node, own)?;
+            self.body_by_name.insert(own, self.bodies.len());
+            self.bodies.push(body);
+        }
+        Ok(())
+    }
+
+    fn body(&self, node: &'t Value, own: &str) -> Read<Body> {
+        let kind = text(node, "kind", own)?;
+        if !matches!(kind, "body" | "rod" | "disk" | "box" | "sphere" | "cylinder" | "particle") {
+            return Err(DefinitionError::kind(own, kind));
+        }
+        let mut shape = Shape { own, kind, scalars: HashMap::new(), size: None };
+        for (key, entry) in entries(node, "properties") {
+            shape.scalars.insert(key, self.entry(entry, own)?);
+        }
+        let vector = |key: &str| {
+            let tuple = node.get("vectors").and_then(|vectors| optional(vectors, key));
+            tuple.map(|tuple| self.tuple(tuple, "value", own)).transpose()
+        };
+        shape.size = vector("size")?;
+        let mass = match shape.scalars.get("mass") {
+            Some(mass) => *mass,
+            None => shape.scalar("density")? * self.volume(&shape)?,
+        };
+        let particle = kind == "particle";
+        if !(mass >= 0.0 && mass.is_finite()) {
+            return Err(DefinitionError::value(
+                own,
+                &format!("the mass {mass} kg is negative or not finite"),
+            ));
+        }
+
+        let mut points = HashMap::from([("origin".to_string(), ZERO)]);
+        let center = optional(node, "center").map(|center| self.tuple(center, "value", own)).transpose()?;
+        let center = center.unwrap_or(ZERO);
+        points.insert("center".to_string(), center);
+        if matches!(kind, "rod" | "cylinder") {
+            let half = 0.5 * shape.scalar("length")?;
+            points.insert("start".to_string(), [-half, 0.0, 0.0]);
+            points.insert("end".to_string(), [half, 0.0, 0.0]);
+        }
+        let mut markers = HashMap::new();
+        for marker in list(node, "markers", own)? {
+            markers.insert(name(marker, own)?.to_string(), self.marker_axes(marker, own)?);
+        }
+        for point in list(node, "points", own)?.iter().chain(list(node, "markers", own)?) {
+            points.insert(name(point, own)?.to_string(), self.tuple(point, "value", own)?);
+        }
+
+        let inertia = if particle {
+            [ZERO; 3]
+        } else if !self.spatial {
+            let about = match shape.scalars.get("inertia") {
+                Some(inertia) => *inertia,
+                None => shape.planar_inertia(mass)?,
+            };
+            [ZERO, ZERO, [0.0, 0.0, about]]
+        } else {
+            match vector("inertia")? {
+                Some(moments) => {
+                    let tensor = tensor(moments, vector("products")?.unwrap_or(ZERO));
+                    self.in_marker(node, tensor, &markers, own)?
+                }
+                None => tensor(shape.moments(mass)?, ZERO),
+            }
+        };
+        if !inertia.as_flattened().iter().all(|x| x.is_finite()) {
+            return Err(DefinitionError::value(own, "the inertia is not finite"));
+        }
+        Ok(Body { name: own.to_string(), particle, mass, inertia, center, points, markers })
+    }
+
+    /// B I Bᵀ where the tensor is given in the axes of a marker.
+    fn in_marker(&self, node: &Value, tensor: M3, markers: &HashMap<String, M3>, own: &str) -> Read<M3> {
+        if optional(node, "inertia_axes").is_none() {
+            return Ok(tensor);
+        }
+        let marker = text(node, "inertia_axes", own)?;
+        let b = markers.get(marker).ok_or_else(|| DefinitionError::unknown(own, marker))?;
+        Ok(product(&product(b, &tensor), &transposed(b)))
+    }
+
+    fn volume(&self, shape: &Shape<'_, '_>) -> Read<f64> {
+        Ok(match shape.kind {
+            "rod" | "cylinder" => PI * shape.square("radius")? * shape.scalar("length")?,
+            "disk" => PI * shape.square("radius")? * shape.scalar("thickness")?,
+            "sphere" => 4.0 / 3.0 * PI * shape.scalar("radius")?.powi(3),
+            "box" if self.spatial => shape.size()?.iter().product(),
+            "box" => shape.scalar("width")? * shape.scalar("height")? * shape.scalar("thickness")?,
+            _ => return Err(DefinitionError::malformed(shape.own, "mass")),
+        })
+    }
+
+    /// The axes of a marker: by axis and reference, by an axis alone, then turned about its own axes in the order written.
+    pub(super) fn marker_axes(&self, marker: &Value, part: &str) -> Read<M3> {
+        let turns = list(marker, "axes", part)?;
+        let mut given: HashMap<&str, V3> = HashMap::new();
+        for turn in turns {
+            let key = text(turn, "key", part)?;
+            if matches!(key, "axis" | "reference") {
+                given.insert(key, self.tuple(turn, "value", part)?);
+            }
+        }
+        let axis = given.get("axis").copied().unwrap_or(unit_axis(2));
+        let axes = match (given.get("reference"), given.contains_key("axis")) {
+            (Some(reference), _) => frame_about(axis, *reference),
+            (None, true) => canonical_frame(axis),
+            (None, false) => Some(IDENTITY),
+        };
+        let mut axes = axes.ok_or_else(|| DefinitionError::value(part, "an axis has no direction"))?;
+        for turn in turns {
+            let k = match text(turn, "key", part)? {
+                "about_x" => 0,
+                "about_y" => 1,
+                "about_z" => 2,
+                "axis" | "reference" => continue,
+                key => return Err(DefinitionError::kind(part, key)),
+            };
+            axes = product(&axes, &turn_about(k, self.entry(turn, part)?));
+        }
+        Ok(axes)
+    }
+}
+
+/// The fields of an object.
+fn entries<'t>(node: &'t Value, of: &str) -> impl Iterator<Item = (&'t str, &'t Value)> {
+    let fields = node.get(of).and_then(Value::as_object);
+    fields.into_iter().flatten().map(|(key, value)| (key.as_str(), value))
+}
+
+/// What inertia follows from.
+struct Shape<'t, 'p> {
+    own: &'p str,
+    kind: &'t str,
+    scalars: HashMap<&'t str, f64>,
+    size: Option<V3>,
+}
+
+impl Shape<'_, '_> {
+    fn scalar(&self, key: &str) -> Read<f64> {
+        self.scalars.get(key).copied().ok_or_else(|| DefinitionError::malformed(self.own, key))
+    }
+
+    fn square(&self, key: &str) -> Read<f64> {
+        Ok(self.scalar(key)?.powi(2))
+    }
+
+    fn size(&self) -> Read<V3> {
+        self.size.ok_or_else(|| DefinitionError::malformed(self.own, "size"))
+    }
+
+    /// Zero where it is not written.
+    fn square_or_zero(&self, key: &str) -> f64 {
+        self.scalars.get(key).copied().unwrap_or(0.0).powi(2)
+    }
+
+    fn planar_inertia(&self, mass: f64) -> Read<f64> {
+        Ok(match self.kind {
+            "rod" => mass * (self.square("length")? + 3.0 * self.square_or_zero("radius")) / 12.0,
+            "disk" => mass * self.square("radius")? / 2.0,
+            "box" => mass * (self.square("width")? + self.square("height")?) / 12.0,
+            _ => return Err(DefinitionError::malformed(self.own, "inertia")),
+        })
+    }
+
+    fn moments(&self, mass: f64) -> Read<V3> {
+        Ok(match self.kind {
+            "rod" | "cylinder" => {
+                let square = self.square_or_zero("radius");
+                let across = mass * (3.0 * square + self.square("length")?) / 12.0;
+                [mass * square / 2.0, across, across]
+            }
+            "sphere" => [0.4 * mass * self.square("radius")?; 3],
+            "box" => {
+                let [a, b, c] = self.size()?.map(|x| x * x);
+                times(mass / 12.0, [b + c, a + c, a + b])
+            }
+            "disk" => {
+                let square = mass * self.square("radius")?;
+                let across = square / 4.0 + mass * self.square_or_zero("thickness") / 12.0;
+                [across, across, square / 2.0]
+            }
+            _ => return Err(DefinitionError::malformed(self.own, "inertia")),
+        })
+    }
+}
+
+/// Products are entries of the tensor: Ixy = −Σ m x y.
+fn tensor([x, y, z]: V3, [xy, xz, yz]: V3) -> M3 {
+    [[x, xy, xz], [xy, y, yz], [xz, yz, z]]
+}
