@@ -2,7 +2,7 @@
 //!
 //! Which steps a simulation takes towards the end of a run is `simulation/course.rs`. Nothing here knows a mechanism.
 
-use crate::real::Real;
+use crate::real::{Real, in_lanes};
 
 /// A step must be at least this part of the distance of neighbouring times: laws of time see the clock rounded, and what stands
 /// for a million steps stands for ever.
@@ -137,7 +137,10 @@ fn normalised<R: Real>(hi: R, mid: R, error: R, lo: R) -> [R; 3] {
     // Half way between two numbers hi is the even one; lo then says on which side of the middle the sum is.
     let twice = mid + mid;
     let is_other = ((hi + twice) - hi).equal(twice) & (lo * mid.sign()).greater(R::ZERO);
-    [R::select(is_other, hi + twice, hi), R::select(is_other, -mid, mid), lo]
+    if R::any(is_other) {
+        return [in_lanes(is_other, hi + twice, hi), in_lanes(is_other, -mid, mid), lo];
+    }
+    [hi, mid, lo]
 }
 
 #[cfg(test)]

@@ -4,7 +4,7 @@
 //! δ and angular velocities are in the turned (body) axes: q ← q ⊗ exp(δ), q̇ = ½ q ⊗ (0, ω). Everything here works on
 //! one orientation; which entries of q are quaternions is said by `layout.rs`, the plane has `rotation.rs`.
 
-use crate::real::Real;
+use crate::real::{Real, in_lanes};
 use crate::rotation::{direct, series};
 
 /// (cos ½|δ|, sin ½|δ| · δ/|δ|) of an increment δ, rad: the unit quaternion of the rotation by |δ| about δ.
@@ -95,16 +95,16 @@ fn exponential_by_halving<R: Real>(delta: [R; 3]) -> [R; 4] {
     let (mut halvings, mut most) = (R::ZERO, 0);
     while most < 64 && turns_far(small) {
         let far = is_far(small);
-        small = small.map(|entry| R::select(far, entry * R::from_f64(0.5), entry));
-        halvings = R::select(far, halvings + R::ONE, halvings);
+        small = small.map(|entry| in_lanes(far, entry * R::from_f64(0.5), entry));
+        halvings = in_lanes(far, halvings + R::ONE, halvings);
         most += 1;
     }
     let (mut u, mut v) = half_turn(small);
     for _ in 0..most {
         let again = halvings.greater(R::ZERO);
         let w = R::ONE + u;
-        v = v.map(|entry| R::select(again, (entry + entry) * w, entry));
-        u = R::select(again, (u + u) * (R::from_f64(2.0) + u), u);
+        v = v.map(|entry| in_lanes(again, (entry + entry) * w, entry));
+        u = in_lanes(again, (u + u) * (R::from_f64(2.0) + u), u);
         halvings = halvings - R::ONE;
     }
     unit((u, v))

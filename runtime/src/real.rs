@@ -117,6 +117,12 @@ pub trait Real:
     fn any(mask: Self::Mask) -> bool;
 }
 
+/// `new` in the lanes of the mask, `old` in the others; of a single number `new`, for which its own mask has been looked at.
+#[inline(always)]
+pub(crate) fn in_lanes<R: Real>(mask: R::Mask, new: R, old: R) -> R {
+    if R::LANES == 1 { new } else { R::select(mask, new, old) }
+}
+
 /// `impl Real` for one primitive float; the functions of `libm` differ only in their names.
 macro_rules! impl_real {
     (

@@ -3,7 +3,7 @@
 //! Everything here works on single numbers; which entries of q are pairs or angles is said by `layout.rs`. Rotations in
 //! space are `quaternion.rs`.
 
-use crate::real::Real;
+use crate::real::{Real, in_lanes};
 
 const TWO_PI: f64 = core::f64::consts::TAU;
 
@@ -160,15 +160,15 @@ fn exponential_by_halving<R: Real>(delta: R) -> (R, R) {
     let (mut halvings, mut most) = (R::ZERO, 0);
     while most < 64 && turns_far(small) {
         let far = is_far(small);
-        small = R::select(far, small * half, small);
-        halvings = R::select(far, halvings + R::ONE, halvings);
+        small = in_lanes(far, small * half, small);
+        halvings = in_lanes(far, halvings + R::ONE, halvings);
         most += 1;
     }
     let (mut u, mut s) = versine(small);
     for _ in 0..most {
         let again = halvings.greater(R::ZERO);
-        s = R::select(again, (s + s) * (R::ONE + u), s);
-        u = R::select(again, (u + u) * (R::from_f64(2.0) + u), u);
+        s = in_lanes(again, (s + s) * (R::ONE + u), s);
+        u = in_lanes(again, (u + u) * (R::from_f64(2.0) + u), u);
         halvings = halvings - R::ONE;
     }
     (R::ONE + u, s)

@@ -408,8 +408,14 @@ pub(crate) fn is_on<R: Real, M: Assemble<R>>(model: &M, time: R, q: &M::Q) -> R:
     let mut phi = model.zero_lambda();
     model.constraints(time, q, &mut phi);
     let sizes = model.row_sizes();
-    let rows = phi.as_slice().iter().zip(sizes.as_slice());
-    rows.fold(R::ZERO.equal(R::ZERO), |on, (&phi, &size)| on & phi.abs().less_equal(size * R::from_f64(OFF)))
+    let mut on = R::ZERO.equal(R::ZERO);
+    for (&phi, &size) in phi.as_slice().iter().zip(sizes.as_slice()) {
+        on = on & phi.abs().less_equal(size * R::from_f64(OFF));
+        if !R::any(on) {
+            break;
+        }
+    }
+    on
 }
 
 /// The number in the scalars, without a conversion from double precision.
