@@ -308,3 +308,37 @@ fn operations_are_those_that_are_held() {
     }
     assert!(compared >= 35, "{compared} counts");
 }
+
+/// The page on controllers shows what the tests on bare metal hold.
+#[test]
+fn counts_on_bare_metal_are_those_held() {
+    let held = read("tests/bare_metal/counts.csv");
+    let count = |scalar: &str, model: &str, what: &str| {
+        let line = held.lines().find_map(|line| line.strip_prefix(&format!("{scalar},{model},{what},")));
+        line.unwrap_or_else(|| panic!("{scalar} {model} {what} is not held")).to_string()
+    };
+    let rows = [
+        ("four-bar", "four_bar", "four_bar alone"),
+        ("quick return", "quick_return", "quick_return alone"),
+        ("Andrews' squeezer", "andrews", ""),
+        ("arm of seven joints (iiwa 14)", "iiwa14", "arm alone"),
+        ("Panda arm", "panda", ""),
+        ("double wishbone", "double_wishbone", ""),
+    ];
+    let page = read("docs/in-a-controller.md");
+    for (name, model, alone) in rows {
+        let row = page.lines().find(|line| line.starts_with(&format!("| {name} | "))).expect("a row");
+        let found: Vec<String> = row
+            .split(['|', ','])
+            .skip(2)
+            .map(|cell| cell.replace(' ', ""))
+            .filter(|cell| !cell.is_empty())
+            .collect();
+        let of = |scalar: &str| {
+            ["evaluation_most", "step_most", "stack", "step_bound"].map(|what| count(scalar, model, what))
+        };
+        let flash = (!alone.is_empty()).then(|| count("f32", alone, "flash"));
+        let expected: Vec<String> = of("f32").into_iter().chain(flash).chain(of("f64")).collect();
+        assert_eq!(found, expected, "{name}");
+    }
+}
