@@ -208,7 +208,7 @@ pub struct Constraint {
 
 /// The kinds of constraints that are no joints.
 #[derive(Clone, Debug)]
-#[expect(clippy::large_enum_variant, reason = "there are few of them, and each lives in one vector")]
+#[allow(clippy::large_enum_variant, reason = "there are few of them, and each lives in one vector")]
 pub enum ConstraintTerm {
     Coupling {
         form: &'static CouplingForm,

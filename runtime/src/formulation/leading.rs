@@ -29,10 +29,7 @@ pub(crate) fn acceleration<R: Real, M: Mechanism<R>>(
         return model.acceleration(time, state, u, a, lambda);
     }
     let pivot = model.null_space(time, state, u, a, lambda);
-    if serves(pivot) {
-        return pivot;
-    }
-    elsewhere(pivot, a, lambda, |a, lambda| model.acceleration(time, state, u, a, lambda))
+    if serves(pivot) { pivot } else { elsewhere(model, time, state, u, pivot, a, lambda) }
 }
 
 /// With Baumgarte's terms.
@@ -51,18 +48,46 @@ pub(crate) fn stabilised<R: Real, M: Mechanism<R>>(
         return model.acceleration_baumgarte(time, state, u, two_alpha, beta_squared, a, lambda);
     }
     let pivot = model.null_space_baumgarte(time, state, u, two_alpha, beta_squared, a, lambda);
-    if serves(pivot) {
-        return pivot;
-    }
-    elsewhere(pivot, a, lambda, |a, lambda| {
+    if serves(pivot) { pivot } else { stabilised_elsewhere(model, time, state, u, terms, pivot, a, lambda) }
+}
+
+// Functions of their own with plain arguments: where they are called from, nothing is gathered for what is rare.
+
+#[cold]
+#[inline(never)]
+fn elsewhere<R: Real, M: Mechanism<R>>(
+    model: &M,
+    time: R,
+    state: &StateOf<M, R>,
+    u: &M::Inputs,
+    pivot: R,
+    a: &mut M::V,
+    lambda: &mut M::Lambda,
+) -> R {
+    where_others_fail(pivot, a, lambda, |a, lambda| model.acceleration(time, state, u, a, lambda))
+}
+
+#[cold]
+#[inline(never)]
+#[allow(clippy::too_many_arguments)]
+fn stabilised_elsewhere<R: Real, M: Mechanism<R>>(
+    model: &M,
+    time: R,
+    state: &StateOf<M, R>,
+    u: &M::Inputs,
+    [two_alpha, beta_squared]: [R; 2],
+    pivot: R,
+    a: &mut M::V,
+    lambda: &mut M::Lambda,
+) -> R {
+    where_others_fail(pivot, a, lambda, |a, lambda| {
         model.acceleration_baumgarte(time, state, u, two_alpha, beta_squared, a, lambda)
     })
 }
 
 /// By multipliers, in the lanes where independent velocities, of which this is the pivot, do not serve.
-#[cold]
-#[inline(never)]
-fn elsewhere<R: Real, V: Vector<R>, L: Vector<R>>(
+#[inline(always)]
+fn where_others_fail<R: Real, V: Vector<R>, L: Vector<R>>(
     pivot: R,
     a: &mut V,
     lambda: &mut L,
