@@ -41,11 +41,23 @@ def lowered(operation, arguments, constants):
     return 0
 
 
+def without_padding(lines):
+    """Lines but for those that the linker fills between functions: 0xd4d4, which reads as a jump to some other function. A function cannot
+    end with that jump, because it goes on where its condition does not hold."""
+    kept = []
+    for line in lines:
+        if not line:
+            while kept and re.match(r"^\s+[0-9a-f]+:\td4d4\s", kept[-1]):
+                kept.pop()
+        kept.append(line)
+    return kept
+
+
 def functions(image):
     """All functions by their addresses."""
     text = subprocess.run(["arm-none-eabi-objdump", "-d", str(image)], capture_output=True, text=True, check=True).stdout
     found, own, constants = {}, None, {}
-    for line in text.splitlines():
+    for line in without_padding(text.splitlines()):
         head = re.match(r"^([0-9a-f]+) <(.*)>:$", line)
         if head:
             own = found[int(head[1], 16)] = Function(head[2])
