@@ -1,0 +1,170 @@
+"""The course of the comparison, in the environment that reads definitions: `run.py` starts it.
+
+For each mechanism: its DEFINITION from Linkwright, every peer's model from that, accelerations at random consistent states compared,
+and only then what agrees is timed. What is absent, cannot be expressed or disagrees is kept with its reason.
+"""
+
+import importlib
+import os
+import subprocess
+import time
+
+import numpy as np
+
+import linkage
+import own
+from surroundings import HERE, Absent, Entry, Surroundings, machine, run
+
+MECHANISMS = {
+    "double_pendulum": "double pendulum",
+    "four_bar": "four-bar",
+    "n_four_bar_10": "ladder of ten",
+    "n_four_bar_40": "ladder of forty",
+    "andrews": "Andrews' squeezer",
+    "panda": "Panda arm",
+    "bricard": "Bricard",
+}
+# Compiled peers that share a process; each has `rivals/NAME/build.py`.
+RIVALS = ("casadi", "mujoco")
+LINKWRIGHT = "Linkwright"
+STATES = 64
+
+
+class Comparison:
+    """What is known so far; `results` is what is written."""
+
+    def __init__(self, settings):
+        self.settings = settings
+        self.target = settings.target
+        self.surroundings = Surroundings(self.target)
+        self.results = {"machine": machine(), "mechanisms": {}, "absent": [], "settings": settings.named()}
+
+    def say(self, text):
+        print(text, flush=True)
+
+    def absent(self, peer, reason, mechanism=None):
+        where = f" ({MECHANISMS[mechanism]})" if mechanism else ""
+        self.say(f"  absent: {peer}{where}: {reason}")
+        self.results["absent"].append({"peer": peer, "mechanism": mechanism, "reason": reason})
+
+    def course(self):
+        self.say("Linkwright's shared library")
+        self.library = own.build(self.target / "linkwright")
+        self.harness = self.surroundings.folder("built") / "harness"
+        self.surroundings.compile("gcc", ["-O2", "-Wall", HERE / "harness" / "harness.c", "-ldl"], self.harness)
+        rivals = self.rivals()
+        for name in self.settings.mechanisms:
+            self.mechanism(name, rivals)
+        self.results["machine"]["load_at_end"] = list(os.getloadavg())
+        return self.results
+
+    def rivals(self):
+        """The rivals whose environments are there, by name."""
+        found = {}
+        for name in self.settings.only or RIVALS:
+            if name not in RIVALS:
+                continue
+            try:
+                self.surroundings.python(name)
+                found[name] = importlib.import_module(f"rivals.{name}.build")
+            except Absent as absent:
+                self.absent(name, str(absent))
+            except ImportError as error:
+                self.absent(name, f"its builder cannot be imported: {error}")
+        return found
+
+    def mechanism(self, name, rivals):
+        self.say(f"\n{MECHANISMS[name]}")
+        model = own.Own(self.library, name)
+        here = {"title": MECHANISMS[name], "peers": {}, "refused": []}
+        self.results["mechanisms"][name] = here
+        described = linkage.read(name, model.definition())
+        entries = [own_entry(self.library, model)]
+        for rival, builder in rivals.items():
+            try:
+                entries += builder.prepare(self.surroundings, described, model.source())
+            except (Absent, linkage.CannotBeExpressed) as reason:
+                self.absent(rival, str(reason), name)
+        checks = self.states(model, 64, seed=1)
+        agreed = [entry for entry in entries if self.agrees(name, entry, checks, here)]
+        if len(agreed) > 1 or len(entries) == 1:
+            self.interleaved(name, model, agreed, here)
+
+    def states(self, model, count, seed):
+        rows, accelerations, motions = model.states(count, seed)
+        return {"rows": rows, "accelerations": accelerations, "motions": motions}
+
+    def file(self, mechanism, entry, what):
+        label = "".join(c if c.isalnum() else "_" for c in entry.peer)
+        return self.surroundings.folder("states", mechanism) / f"{label}.{what}"
+
+    def write_states(self, mechanism, entry, states, what):
+        """A file of states in the peer's coordinates, and what the accelerations must be."""
+        q, v, a = (states["rows"], None, states["accelerations"]) if entry.states is None else entry.states(states["motions"])
+        rows = q if v is None else np.concatenate([q, v], axis=1)
+        path = self.file(mechanism, entry, what)
+        np.ascontiguousarray(rows, dtype=np.float64).tofile(path)
+        return path, a
+
+    def agrees(self, mechanism, entry, states, here):
+        """Whether accelerations agree at all states; what is refused is named."""
+        try:
+            given, expected = self.write_states(mechanism, entry, states, "random")
+            answer = self.file(mechanism, entry, "accelerations")
+            run([self.harness, "check", "peer", entry.library, entry.model, given, answer])
+            middle, worst = disagreement(np.fromfile(answer).reshape(expected.shape), expected)
+        except Absent as absent:
+            self.absent(entry.peer, str(absent), mechanism)
+            return False
+        here["peers"][entry.peer] = {
+            "agrees_to": worst, "middle_agrees_to": middle, "tolerance": entry.tolerance, "note": entry.note, "generation": entry.generation, "build": entry.build,
+            "code": entry.code,
+        }  # fmt: skip
+        error = middle if entry.middle else worst
+        if error <= entry.tolerance and worst < float("inf"):
+            self.say(f"  {entry.peer}: agrees to {worst:.1e}, in the middle {middle:.1e}")
+            return True
+        self.say(f"  {entry.peer}: REFUSED, accelerations differ by {error:.1e} of the largest (allowed {entry.tolerance:.0e})")
+        here["refused"].append({"peer": entry.peer, "error": error, "tolerance": entry.tolerance})
+        return False
+
+    def interleaved(self, mechanism, model, entries, here):
+        states = self.states(model, STATES, seed=0)
+        arguments = []
+        for number, entry in enumerate(entries):
+            given, _ = self.write_states(mechanism, entry, states, "along")
+            arguments += [str(number), entry.library, entry.model, given]
+        out = self.surroundings.folder("samples") / f"{mechanism}.txt"
+        self.say(f"  timing {len(entries)} peers for {self.settings.seconds:g} s")
+        run([self.harness, "time", self.settings.seconds, out, *arguments])
+        samples = {}
+        for line in out.read_text().splitlines():
+            peer, kind, *values = line.split()
+            samples[peer, kind] = np.array([float(value) for value in values])
+        here["clock"] = quantiles(samples["-", "clock"])
+        here["slices"] = len(samples["-", "clock"])
+        for number, entry in enumerate(entries):
+            found = here["peers"][entry.peer]
+            for kind in ("evaluation", "chain", "step"):
+                ns = samples.get((str(number), kind))
+                if ns is not None:
+                    ratio = float(np.median(ns / samples["0", kind]))
+                    found[kind] = {"ns": float(ns.min()), "median": float(np.median(ns)), "ratio": ratio}
+
+
+def quantiles(values):
+    return {"least": float(values.min()), "median": float(np.median(values)), "most": float(values.max())}
+
+
+def disagreement(found, expected):
+    """The largest difference of a state's accelerations, relative to the largest of them: of the middle and of the worst state."""
+    scale = np.abs(expected).max(axis=1)
+    with np.errstate(invalid="ignore"):
+        errors = np.abs(found - expected).max(axis=1) / scale
+    if np.isnan(errors).any():
+        return float("inf"), float("inf")
+    return float(np.median(errors)), float(errors.max())
+
+
+def own_entry(library, model):
+    return Entry(LINKWRIGHT, library, model.name, None, 1e-15)
