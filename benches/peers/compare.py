@@ -25,7 +25,7 @@ MECHANISMS = {
     "bricard": "Bricard",
 }
 # Compiled peers that share a process; each has `rivals/NAME/build.py`.
-RIVALS = ("casadi", "mujoco")
+RIVALS = ("casadi", "mujoco", "pinocchio", "sympy")
 LINKWRIGHT = "Linkwright"
 STATES = 64
 

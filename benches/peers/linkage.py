@@ -71,6 +71,23 @@ class Linkage:
     def json(self):
         return json.dumps(asdict(self), indent=1)
 
+    def plain(self):
+        """The text that `interface/linkage.hpp` reads."""
+        flat = lambda *parts: " ".join(repr(float(x)) for part in parts for x in np.ravel(part))  # noqa: E731
+        lines = ["planar"] if self.planar else []
+        lines.append(f"gravity {flat(self.gravity)}")
+        for link, torque in zip(self.links, self.torques):
+            lines.append(
+                f"link {link.parent} {flat(link.place, link.axes, link.axis, link.mass, link.center, link.tensor, torque)}"
+            )
+        for loop in self.loops:
+            lines.append(f"loop {loop.links[0]} {loop.links[1]} {flat(loop.places, loop.axes)}")
+        for spring in self.springs:
+            lines.append(
+                f"spring {spring.links[0]} {spring.links[1]} {flat(spring.places, spring.stiffness, spring.length)}"
+            )
+        return "\n".join(lines) + "\n"
+
 
 def read(name, definition):
     """The linkage of a DEFINITION's text."""

@@ -4,7 +4,6 @@ Cut hinges are `connect` rows: one in the plane; two along the axis in space. Th
 takes them. Contacts are off.
 """
 
-import shutil
 import time
 import xml.etree.ElementTree as xml
 
@@ -112,5 +111,3 @@ def prepare(surroundings, linkage, source):
     ]  # fmt: skip
 
 
-def available():
-    return shutil.which("gcc") is not None
