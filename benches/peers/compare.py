@@ -6,13 +6,12 @@ and only then what agrees is timed. What is absent, cannot be expressed or disag
 
 import importlib
 import os
-import subprocess
-import time
 
 import numpy as np
 
 import linkage
 import own
+from precision import Precision
 from surroundings import HERE, Absent, Entry, Surroundings, machine, run
 
 MECHANISMS = {
@@ -87,8 +86,43 @@ class Comparison:
                 self.absent(rival, str(reason), name)
         checks = self.states(model, 64, seed=1)
         agreed = [entry for entry in entries if self.agrees(name, entry, checks, here)]
-        if len(agreed) > 1 or len(entries) == 1:
-            self.interleaved(name, model, agreed, here)
+        self.interleaved(name, model, agreed, here)
+        self.simulated(name, model, agreed, described, here)
+        self.batches(name, agreed, here)
+
+    def simulated(self, mechanism, model, entries, described, here):
+        """Wall time beside error."""
+        self.say("  simulating")
+        angles = lambda numbers: linkage.joint_angles(described, numbers)  # noqa: E731
+        try:
+            precision = Precision(self, mechanism, model, entries[0], angles)
+            here["precision"] = precision.of_all(entries, self.simulators(mechanism, described))
+        except Absent as absent:
+            self.absent("work and precision", str(absent), mechanism)
+
+    def simulators(self, mechanism, described):
+        """Peers that live in Python's process, by simulations only."""
+        return []
+
+    def batches(self, mechanism, entries, here):
+        """Steps of RK4 of many members on all threads, for those that have batches."""
+        here["batches"] = {}
+        threads = os.cpu_count()
+        for entry in entries:
+            if entry.peer not in (LINKWRIGHT, "MuJoCo"):
+                continue
+            step = here["peers"][entry.peer].get("step", {}).get("ns", 1e5)
+            members = 4096 if entry.peer == LINKWRIGHT else 256
+            steps = max(10, int(0.3e9 / (step * members)))
+            answer = self.file(mechanism, entry, "batch")
+            given = self.file(mechanism, entry, "along")
+            command = [self.harness, "batch", "peer", entry.library, entry.model, given, members, threads, 1e-6, steps]
+            try:
+                run([*command, 3 if self.settings.quick else 10, answer])
+                seconds = float(np.fromfile(answer)[0])
+                here["batches"][entry.peer] = {"members": members, "steps": steps, "rate": members * steps / seconds, "threads": threads}
+            except Absent as absent:
+                self.absent(f"{entry.peer}, batches", str(absent), mechanism)
 
     def states(self, model, count, seed):
         rows, accelerations, motions = model.states(count, seed)
