@@ -9,6 +9,7 @@ import os
 
 import numpy as np
 
+import costs
 import linkage
 import own
 from precision import Precision
@@ -25,6 +26,8 @@ MECHANISMS = {
 }
 # Compiled peers that share a process; each has `rivals/NAME/build.py`.
 RIVALS = ("casadi", "mujoco", "pinocchio", "sympy")
+# Peers that simulate in a Python of their own.
+SIMULATORS = ("exudyn",)
 LINKWRIGHT = "Linkwright"
 STATES = 64
 
@@ -79,6 +82,11 @@ class Comparison:
         self.results["mechanisms"][name] = here
         described = linkage.read(name, model.definition())
         entries = [own_entry(self.library, model)]
+        try:
+            entries[0].build, entries[0].code = costs.cost(self.surroundings, model)
+            entries[0].note = "build with its generation"
+        except Absent as absent:
+            self.absent("costs of Linkwright's code", str(absent), name)
         for rival, builder in rivals.items():
             try:
                 entries += builder.prepare(self.surroundings, described, model.source())
@@ -96,13 +104,21 @@ class Comparison:
         angles = lambda numbers: linkage.joint_angles(described, numbers)  # noqa: E731
         try:
             precision = Precision(self, mechanism, model, entries[0], angles)
-            here["precision"] = precision.of_all(entries, self.simulators(mechanism, described))
+            here["precision"] = precision.of_all(entries, self.simulators(mechanism, described), self.absent)
         except Absent as absent:
             self.absent("work and precision", str(absent), mechanism)
 
     def simulators(self, mechanism, described):
         """Peers that live in Python's process, by simulations only."""
-        return []
+        found = []
+        for name in SIMULATORS:
+            if self.settings.only and name not in self.settings.only:
+                continue
+            try:
+                found.append(importlib.import_module(f"rivals.{name}.build").simulator(self.surroundings, described))
+            except Absent as absent:
+                self.absent(name, str(absent), mechanism)
+        return found
 
     def batches(self, mechanism, entries, here):
         """Steps of RK4 of many members on all threads, for those that have batches."""

@@ -102,7 +102,7 @@ class Precision:
             steps *= 2
         return points
 
-    def of_all(self, entries, simulators):
+    def of_all(self, entries, simulators, absent):
         """Curves by peer."""
         motions, trusted_by, trust = self.reference(entries[1:])
         result = {"end": self.task.end, "reference": {"peer": trusted_by, "agrees_to": trust}, "curves": {}}
@@ -110,7 +110,10 @@ class Precision:
             if "handed" not in entry.peer:
                 result["curves"][entry.peer] = self.curve(entry, motions)
         for simulator in simulators:
-            result["curves"][simulator.peer] = self.of_simulator(simulator, motions)
+            try:
+                result["curves"][simulator.peer] = self.of_simulator(simulator, motions)
+            except Absent as reason:
+                absent(simulator.peer, str(reason), self.mechanism)
         for curve in result["curves"].values():
             if trust is not None:
                 curve[:] = [point for point in curve if point[2] > 4 * trust or point[2] > TRUSTED]
