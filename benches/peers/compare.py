@@ -25,7 +25,9 @@ MECHANISMS = {
     "bricard": "Bricard",
 }
 # Compiled peers that share a process; each has `rivals/NAME/build.py`.
-RIVALS = ("casadi", "mujoco", "pinocchio", "sympy")
+RIVALS = ("casadi", "mujoco", "pinocchio", "sympy", "simbody")
+# Those that are libraries of the distribution or crates, and have no environment.
+OF_THE_SYSTEM = ("simbody",)
 # Peers that simulate in a Python of their own.
 SIMULATORS = ("exudyn",)
 LINKWRIGHT = "Linkwright"
@@ -67,7 +69,8 @@ class Comparison:
             if name not in RIVALS:
                 continue
             try:
-                self.surroundings.python(name)
+                if name not in OF_THE_SYSTEM:
+                    self.surroundings.python(name)
                 found[name] = importlib.import_module(f"rivals.{name}.build")
             except Absent as absent:
                 self.absent(name, str(absent))
