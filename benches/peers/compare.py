@@ -30,6 +30,8 @@ RIVALS = ("casadi", "mujoco", "pinocchio", "sympy", "simbody")
 OF_THE_SYSTEM = ("simbody",)
 # Peers that simulate in a Python of their own.
 SIMULATORS = ("exudyn",)
+# Peers whose batches run in a Python of their own.
+BATCHES = ("mjx",)
 LINKWRIGHT = "Linkwright"
 STATES = 64
 
@@ -60,6 +62,8 @@ class Comparison:
         for name in self.settings.mechanisms:
             self.mechanism(name, rivals)
         self.results["machine"]["load_at_end"] = list(os.getloadavg())
+        self.results["versions"] = versions(self.settings.only)
+        self.results["commit"] = commit()
         return self.results
 
     def rivals(self):
@@ -100,6 +104,7 @@ class Comparison:
         self.interleaved(name, model, agreed, here)
         self.simulated(name, model, agreed, described, here)
         self.batches(name, agreed, here)
+        self.apart(name, described, here)
 
     def simulated(self, mechanism, model, entries, described, here):
         """Wall time beside error."""
@@ -142,6 +147,17 @@ class Comparison:
                 here["batches"][entry.peer] = {"members": members, "steps": steps, "rate": members * steps / seconds, "threads": threads}
             except Absent as absent:
                 self.absent(f"{entry.peer}, batches", str(absent), mechanism)
+
+    def apart(self, mechanism, described, here):
+        """Batches of peers that run in a Python of their own."""
+        for name in BATCHES:
+            if self.settings.only and name not in self.settings.only:
+                continue
+            builder = importlib.import_module(f"rivals.{name}.build")
+            try:
+                here["batches"][builder.PEER] = builder.batch(self.surroundings, described)
+            except Absent as absent:
+                self.absent(builder.PEER, str(absent), mechanism)
 
     def states(self, model, count, seed):
         rows, accelerations, motions = model.states(count, seed)
@@ -201,8 +217,30 @@ class Comparison:
             for kind in ("evaluation", "chain", "step"):
                 ns = samples.get((str(number), kind))
                 if ns is not None:
-                    ratio = float(np.median(ns / samples["0", kind]))
-                    found[kind] = {"ns": float(ns.min()), "median": float(np.median(ns)), "ratio": ratio}
+                    ratio = float(np.nanmedian(ns / samples["0", kind]))
+                    slices = int(np.isfinite(ns).sum())
+                    found[kind] = {"ns": float(np.nanmin(ns)), "median": float(np.nanmedian(ns)), "ratio": ratio, "slices": slices}
+
+
+def versions(only):
+    """What is pinned, and what the distribution has."""
+    found = {}
+    for path in sorted((HERE / "requirements").glob("*.txt")):
+        if not only or path.stem in only:
+            found[path.stem] = ", ".join(path.read_text().split())
+    if not only or "simbody" in only:
+        try:
+            found["simbody"] = run(["dpkg-query", "-W", "-f", "${Version}", "libsimbody-dev"])
+        except Absent:
+            found["simbody"] = "unknown"
+    return found
+
+
+def commit():
+    try:
+        return run(["git", "-C", HERE, "describe", "--always", "--dirty"]).strip()
+    except Absent:
+        return "unknown"
 
 
 def quantiles(values):

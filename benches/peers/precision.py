@@ -73,13 +73,19 @@ class Precision:
         if found is None:
             raise Absent("Linkwright's own motion does not reach the end")
         motions = self.model.bodies(found[1])
+        best = (None, None)
         for entry in others:
-            if entry.middle:
+            # Those that are exact, and not too slow for so many steps.
+            probe = None if entry.middle or "handed" in entry.peer else self.simulate(entry, 16, 1)
+            if probe is None or probe[0] * steps / 16 > 4 * LONGEST:
                 continue
             other = self.simulate(entry, steps, 1)
-            if other is not None:
-                return motions, entry.peer, self.error(entry, other[1], motions)
-        return motions, None, None
+            error = None if other is None else self.error(entry, other[1], motions)
+            if error is not None and (best[1] is None or error < best[1]):
+                best = entry.peer, error
+            if best[1] is not None and best[1] < TRUSTED:
+                break
+        return motions, *best
 
     def error(self, entry, row, motions):
         if entry.states is None:
