@@ -29,7 +29,7 @@ RIVALS = ("casadi", "mujoco", "pinocchio", "sympy", "simbody")
 # Those that are libraries of the distribution or crates, and have no environment.
 OF_THE_SYSTEM = ("simbody",)
 # Peers that simulate in a Python of their own.
-SIMULATORS = ("exudyn",)
+SIMULATORS = ("exudyn", "drake")
 # Peers whose batches run in a Python of their own.
 BATCHES = ("mjx",)
 LINKWRIGHT = "Linkwright"

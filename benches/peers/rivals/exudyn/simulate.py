@@ -56,7 +56,7 @@ class System:
                 referenceCoordinates=[center[0], center[1], angle], initialVelocities=[velocity[0], velocity[1], pose.rate[2]]
             )
         )
-        body = self.mbs.AddObject(items.RigidBody2D(physicsMass=link["mass"], physicsInertia=link["tensor"][2][2], nodeNumber=node))
+        body = self.mbs.AddObject(items.RigidBody2D(mass=link["mass"], inertia=link["tensor"][2][2], nodeNumber=node))
         self.nodes.append(node)
         self.bodies.append(body)
         self.weigh(len(self.bodies) - 1, link)
@@ -107,9 +107,9 @@ class System:
         settings.timeIntegration.verboseMode = 0
         settings.timeIntegration.generalizedAlpha.spectralRadius = RADIUS
         settings.timeIntegration.newton.useModifiedNewton = True
-        settings.solutionSettings.writeSolutionToFile = False
-        settings.displayStatistics = False
-        settings.displayComputationTime = False
+        settings.solution.file.write = False
+        settings.show.statistics = False
+        settings.show.computationTime = False
         if len(self.links) > 15:
             settings.linearSolverType = exu.LinearSolverType.EigenSparse
         begin = time.perf_counter()
@@ -126,7 +126,7 @@ class System:
 
 def main():
     linkage, told = (json.load(open(path)) for path in sys.argv[1:3])
-    exu.SetWriteToConsole(False)
+    exu.config.printToConsole = False
     found = []
     for steps in told["steps"]:
         try:
