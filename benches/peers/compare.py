@@ -25,7 +25,7 @@ MECHANISMS = {
     "bricard": "Bricard",
 }
 # Compiled peers that share a process; each has `rivals/NAME/build.py`.
-RIVALS = ("casadi", "mujoco", "pinocchio", "sympy", "simbody")
+RIVALS = ("casadi", "mujoco", "pinocchio", "sympy", "symforce", "simbody")
 # Those that are libraries of the distribution or crates, and have no environment.
 OF_THE_SYSTEM = ("simbody",)
 # Peers that simulate in a Python of their own.
