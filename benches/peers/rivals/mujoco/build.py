@@ -1,7 +1,7 @@
 """MuJoCo: MJCF of a linkage, and its shared library behind the interface.
 
 Cut hinges are `connect` rows: one in the plane; two along the axis in space. They are soft by design; here as stiff as the library
-takes them. Contacts are off.
+takes them, with the time constant of two steps to which it raises shorter ones. Contacts are off.
 """
 
 import time
@@ -63,7 +63,7 @@ def mjcf(linkage):
                 sites.append(f"{loop.name}_{k}_{end}")
                 xml.SubElement(nodes[link], "site", name=sites[-1], pos=text(place))
             xml.SubElement(
-                equality, "connect", site1=sites[0], site2=sites[1], solref="0.002 1", solimp="0.9999 0.9999 0.001 0.5 2"
+                equality, "connect", site1=sites[0], site2=sites[1], solref="1e-9 1", solimp="0.9999 0.9999 0.001 0.5 2"
             )
     tendons = xml.SubElement(root, "tendon")
     for k, spring in enumerate(linkage.springs):
