@@ -7,10 +7,9 @@ and only then what agrees is timed. What is absent, cannot be expressed or disag
 import importlib
 import os
 
-import numpy as np
-
 import costs
 import linkage
+import numpy as np
 import own
 from precision import Precision
 from surroundings import HERE, Absent, Entry, Surroundings, machine, run
@@ -101,7 +100,10 @@ class Comparison:
                 self.absent(rival, str(reason), name)
         checks = self.states(model, 64, seed=1)
         agreed = [entry for entry in entries if self.agrees(name, entry, checks, here)]
-        self.interleaved(name, model, agreed, here)
+        try:
+            self.interleaved(name, model, agreed, here)
+        except Absent as absent:
+            self.absent("times of all peers", str(absent), name)
         self.simulated(name, model, agreed, described, here)
         self.batches(name, agreed, here)
         self.apart(name, described, here)
@@ -144,7 +146,8 @@ class Comparison:
             try:
                 run([*command, 3 if self.settings.quick else 10, answer])
                 seconds = float(np.fromfile(answer)[0])
-                here["batches"][entry.peer] = {"members": members, "steps": steps, "rate": members * steps / seconds, "threads": threads}
+                rate = members * steps / seconds
+                here["batches"][entry.peer] = {"members": members, "steps": steps, "rate": rate, "threads": threads}
             except Absent as absent:
                 self.absent(f"{entry.peer}, batches", str(absent), mechanism)
 
@@ -186,8 +189,8 @@ class Comparison:
             self.absent(entry.peer, str(absent), mechanism)
             return False
         here["peers"][entry.peer] = {
-            "agrees_to": worst, "middle_agrees_to": middle, "tolerance": entry.tolerance, "note": entry.note, "generation": entry.generation, "build": entry.build,
-            "code": entry.code,
+            "agrees_to": worst, "middle_agrees_to": middle, "tolerance": entry.tolerance, "note": entry.note,
+            "generation": entry.generation, "build": entry.build, "code": entry.code,
         }  # fmt: skip
         error = middle if entry.middle else worst
         if error <= entry.tolerance and worst < float("inf"):

@@ -71,5 +71,3 @@ def cost(surroundings, model):
     except subprocess.CalledProcessError as error:
         raise Absent(f"the package of one definition is not built: {error.stderr.splitlines()[0]}") from None
     return min(seconds), bytes_of_code(target / "release" / "libone.rlib")
-
-

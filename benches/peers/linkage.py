@@ -77,15 +77,11 @@ class Linkage:
         lines = ["planar"] if self.planar else []
         lines.append(f"gravity {flat(self.gravity)}")
         for link, torque in zip(self.links, self.torques):
-            lines.append(
-                f"link {link.parent} {flat(link.place, link.axes, link.axis, link.mass, link.center, link.tensor, torque)}"
-            )
+            lines.append(f"link {link.parent} {flat(link.place, link.axes, link.axis, link.mass, link.center, link.tensor, torque)}")
         for loop in self.loops:
             lines.append(f"loop {loop.links[0]} {loop.links[1]} {flat(loop.places, loop.axes)}")
         for spring in self.springs:
-            lines.append(
-                f"spring {spring.links[0]} {spring.links[1]} {flat(spring.places, spring.stiffness, spring.length)}"
-            )
+            lines.append(f"spring {spring.links[0]} {spring.links[1]} {flat(spring.places, spring.stiffness, spring.length)}")
         return "\n".join(lines) + "\n"
 
 
@@ -139,10 +135,15 @@ class _Reader:
             tensor = np.eye(3) * float(self.numbers(body.inertia)[0, 0]) if self.planar else self.numbers(body.inertia)
             links.append(
                 Link(
-                    name, joint.name, number[other.body],
+                    name,
+                    joint.name,
+                    number[other.body],
                     (self.vector(other.local) - origins[other.body]).tolist(),
-                    (outside @ inside.T).tolist(), (sign * inside @ self.axis(joint)).tolist(),
-                    float(self.numbers(body.mass)[0, 0]), (-hinge).tolist(), tensor.tolist(),
+                    (outside @ inside.T).tolist(),
+                    (sign * inside @ self.axis(joint)).tolist(),
+                    float(self.numbers(body.mass)[0, 0]),
+                    (-hinge).tolist(),
+                    tensor.tolist(),
                 )  # fmt: skip
             )
         self.number, self.origins = number, origins

@@ -6,6 +6,7 @@ import pathlib
 import subprocess
 
 import numpy as np
+from surroundings import Absent
 
 HERE = pathlib.Path(__file__).resolve().parent
 DOUBLES = np.ctypeslib.ndpointer(dtype=np.float64, flags="C")
@@ -20,12 +21,14 @@ def environment():
 def build(target):
     """The shared library."""
     command = ["cargo", "build", "--release", "--locked", "--manifest-path", HERE / "linkwright" / "Cargo.toml", "--target-dir", target]
-    jobs = os.environ.get("PEERS_JOBS")
-    subprocess.run([*command, *(["-j", jobs] if jobs else [])], env=environment(), check=True)
+    try:
+        subprocess.run(command, env=environment(), check=True)
+    except (FileNotFoundError, subprocess.CalledProcessError) as error:
+        raise Absent(f"Linkwright's shared library is not built: {error}") from None
     for name in ("liblinkwright_peer.so", "liblinkwright_peer.dylib"):
         if (target / "release" / name).exists():
             return target / "release" / name
-    raise FileNotFoundError("the shared library of linkwright-peer")
+    raise Absent("the shared library of linkwright-peer is not where cargo puts it")
 
 
 class Own:

@@ -33,7 +33,8 @@ def picture(title, curves):
         parts.append(f'<line x1="{LEFT}" y1="{at:.1f}" x2="{WIDTH - RIGHT}" y2="{at:.1f}" stroke="#dddddd"/>')
         parts.append(f'<text x="{LEFT - 6}" y="{at + 4:.1f}" text-anchor="end">{duration(power)}</text>')
     middle = (LEFT + WIDTH - RIGHT) / 2
-    parts.append(f'<text x="{middle:.0f}" y="{HEIGHT - 12}" text-anchor="middle">largest error of an angle at the end, rad</text>')
+    said = "largest error of an angle at the end, rad"
+    parts.append(f'<text x="{middle:.0f}" y="{HEIGHT - 12}" text-anchor="middle">{said}</text>')
     upright = HEIGHT / 2
     parts.append(
         f'<text x="16" y="{upright:.0f}" text-anchor="middle" transform="rotate(-90 16 {upright:.0f})">wall time of a simulated second</text>'
@@ -45,8 +46,9 @@ def picture(title, curves):
         parts.append(f'<polyline points="{line}" fill="none" stroke="{colour}" stroke-width="{2.5 if k == 0 else 1.5}"{dash}/>')
         parts += [f'<circle cx="{x(e):.1f}" cy="{y(s):.1f}" r="2.5" fill="{colour}"/>' for e, s in points]
         at = TOP + 10 + 18 * k
-        parts.append(f'<line x1="{WIDTH - RIGHT + 14}" y1="{at - 4}" x2="{WIDTH - RIGHT + 34}" y2="{at - 4}" stroke="{colour}" stroke-width="2"{dash}/>')
-        parts.append(f'<text x="{WIDTH - RIGHT + 40}" y="{at}">{escape(name)}</text>')
+        key = WIDTH - RIGHT + 14
+        parts.append(f'<line x1="{key}" y1="{at - 4}" x2="{key + 20}" y2="{at - 4}" stroke="{colour}" stroke-width="2"{dash}/>')
+        parts.append(f'<text x="{key + 26}" y="{at}">{escape(name)}</text>')
     return "\n".join([*parts, "</svg>", ""])
 
 

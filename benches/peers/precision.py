@@ -8,7 +8,6 @@ import json
 from dataclasses import dataclass
 
 import numpy as np
-
 from surroundings import Absent, run
 
 

@@ -21,9 +21,12 @@ READER = "casadi"
 
 
 class Settings:
-    def __init__(self, arguments, all_mechanisms):
+    def __init__(self, arguments, all_mechanisms, all_peers):
         listed = lambda text: [part for part in text.split(",") if part] if text else []  # noqa: E731
         self.only = listed(arguments.only)
+        unknown = set(self.only) - set(all_peers)
+        if unknown:
+            raise SystemExit(f"unknown peers: {', '.join(sorted(unknown))}; known: {', '.join(all_peers)}")
         self.quick = arguments.quick
         self.mechanisms = listed(arguments.mechanisms) or list(all_mechanisms)
         unknown = set(self.mechanisms) - set(all_mechanisms)
@@ -59,12 +62,14 @@ def main():
     import compare
     import table
 
-    settings = Settings(arguments, compare.MECHANISMS)
+    settings = Settings(arguments, compare.MECHANISMS, [*compare.RIVALS, *compare.SIMULATORS, *compare.BATCHES])
     comparison = compare.Comparison(settings)
     try:
         comparison.course()
     except KeyboardInterrupt:
         raise SystemExit("interrupted: nothing is written") from None
+    except Absent as absent:
+        raise SystemExit(f"without this nothing can be compared: {absent}") from None
     for path in table.write(comparison.results, settings.out):
         print(path)
 

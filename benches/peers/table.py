@@ -59,15 +59,19 @@ def head(results):
         "of the worst state by the largest acceleration of that state. Times are the least of many slices that take turns in one process",
         "on one core; a ratio is the median of the peer's slices by Linkwright's slices beside them. *Chained*: each state depends on the",
         "result before. A *step* is one of RK4 (Simbody: Runge–Kutta–Merson, five evaluations), with each peer's way of staying on the",
-        "constraints. Peers that are handed cosines and sines, like Linkwright, which keeps them in its state and pays for them in its step,",
-        "are named so.",
+        "constraints. Peers that are handed cosines and sines are named so: Linkwright keeps them in its state and pays for them in its step.",
         "",
     ]
 
 
 def summary(results):
     """The best exact rival of each mechanism."""
-    lines = ["## In short", "", "Linkwright, ns, and how many times as long the best rival takes that agrees to 1e-6 and is given angles.", ""]
+    lines = [
+        "## In short",
+        "",
+        "Linkwright, ns, and how many times as long the best rival takes that agrees to 1e-6 and is given angles.",
+        "",
+    ]
     lines += ["| | evaluation | best rival | chained | best rival | step | best rival |", "|---|---|---|---|---|---|---|"]
     for mechanism in results["mechanisms"].values():
         own = mechanism["peers"].get(OWN, {})
@@ -145,7 +149,11 @@ def precision(mechanism, drawn):
         return []
     reference = found["reference"]
     trust = f"which {reference['peer']} confirms to {reference['agrees_to']:.0e} rad" if reference["peer"] else "which no peer confirms"
-    lines = [f"Wall time of a simulated second at equal error of the angles after {found['end']:g} s (reference: steps four times shorter, {trust}):", ""]
+    lines = [
+        f"Wall time of a simulated second at equal error of the angles after {found['end']:g} s (reference: steps four times shorter, "
+        f"{trust}):",
+        "",
+    ]
     lines += ["| | " + " | ".join(f"{level:.0e} rad" for level in LEVELS) + " | least error |", "|---" * (2 + len(LEVELS)) + "|"]
     own = found["at"].get(OWN, [None] * len(LEVELS))
     for peer, times in found["at"].items():

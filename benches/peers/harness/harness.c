@@ -106,25 +106,23 @@ static int check(char **arguments) {
     return 0;
 }
 
-/* Cycles of a nanosecond: a chain of additions, one cycle each, that no compiler can shorten. */
+/* An addition that waits for the one before, one cycle. */
+#if defined(__x86_64__)
+#define ADD "add %0, %0\n\t"
+#else
+#define ADD "add %0, %0, %0\n\t"
+#endif
+#define FOUR ADD ADD ADD ADD
+#define SIXTEEN FOUR FOUR FOUR FOUR
+
+/* Cycles of a nanosecond: a chain that no compiler can shorten. */
 static double cycles(void) {
     double least = 1e300;
     for (int i = 0; i < 4; i++) {
         double begin = now();
-#if defined(__x86_64__)
         unsigned long x = 1;
         for (int k = 0; k < 250; k++)
-            __asm__ volatile("add %0, %0\n\tadd %0, %0\n\tadd %0, %0\n\tadd %0, %0\n\tadd %0, %0\n\tadd %0, %0\n\tadd %0, %0\n\tadd %0, %0\n\t"
-                             "add %0, %0\n\tadd %0, %0\n\tadd %0, %0\n\tadd %0, %0\n\tadd %0, %0\n\tadd %0, %0\n\tadd %0, %0\n\tadd %0, %0"
-                             : "+r"(x));
-#elif defined(__aarch64__)
-        unsigned long x = 1;
-        for (int k = 0; k < 250; k++)
-            __asm__ volatile("add %0, %0, %0\n\tadd %0, %0, %0\n\tadd %0, %0, %0\n\tadd %0, %0, %0\n\tadd %0, %0, %0\n\tadd %0, %0, %0\n\t"
-                             "add %0, %0, %0\n\tadd %0, %0, %0\n\tadd %0, %0, %0\n\tadd %0, %0, %0\n\tadd %0, %0, %0\n\tadd %0, %0, %0\n\t"
-                             "add %0, %0, %0\n\tadd %0, %0, %0\n\tadd %0, %0, %0\n\tadd %0, %0, %0"
-                             : "+r"(x));
-#endif
+            __asm__ volatile(SIXTEEN : "+r"(x));
         double passed = now() - begin;
         least = passed < least ? passed : least;
     }

@@ -9,7 +9,7 @@ import xml.etree.ElementTree as xml
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1]))
 
 import numpy as np  # noqa: E402
-from linkage import GROUND, Linkage, Link, Loop, Spring  # noqa: E402
+from linkage import GROUND, Link, Linkage, Loop, Spring  # noqa: E402
 from rivals.mujoco.build import mjcf, quaternion  # noqa: E402
 from rivals.poses import angles, poses, turn  # noqa: E402
 from rivals.sympy.build import MOST_LINKS  # noqa: E402

@@ -22,7 +22,15 @@ def timed(ns, ratio):
 
 
 def peer(**more):
-    return {"agrees_to": 1e-12, "middle_agrees_to": 1e-13, "tolerance": 1e-6, "note": "", "generation": None, "build": None, "code": None} | more
+    return {
+        "agrees_to": 1e-12,
+        "middle_agrees_to": 1e-13,
+        "tolerance": 1e-6,
+        "note": "",
+        "generation": None,
+        "build": None,
+        "code": None,
+    } | more
 
 
 def results():

@@ -1,7 +1,9 @@
 //! What is timed of a mechanism: evaluations of v̇ as formulations ask it, Baumgarte's terms included, and steps of RK4.
 
 use linkwright::lanes::InScalars;
-use linkwright::{Assemble, AssembleExt, Baumgarte, Fields, Mechanism, Rk4, State, StateOf, Variables, Vector};
+use linkwright::{
+    Assemble, AssembleExt, Baumgarte, Fields, Mechanism, Rk4, State, StateOf, Variables, Vector,
+};
 use std::hint::black_box;
 
 /// α = β of Baumgarte's terms, 1/s, in all peers that have them.
@@ -85,7 +87,16 @@ where
 
     pub fn acceleration(&self, state: &StateOf<M>) -> M::V {
         let (mut a, mut lambda) = (self.model.zero_v(), self.model.zero_lambda());
-        (self.evaluation)(&self.model, 0.0, state, &self.inputs, 2.0 * RATE, RATE * RATE, &mut a, &mut lambda);
+        (self.evaluation)(
+            &self.model,
+            0.0,
+            state,
+            &self.inputs,
+            2.0 * RATE,
+            RATE * RATE,
+            &mut a,
+            &mut lambda,
+        );
         a
     }
 }
@@ -137,8 +148,7 @@ where
     }
 
     fn simulate(&mut self, step: f64, steps: usize, row: &mut [f64]) -> usize {
-        let mut stepper =
-            self.model.stepper(self.state(row), (Rk4, Baumgarte { alpha: RATE, beta: RATE }));
+        let mut stepper = self.model.stepper(self.state(row), (Rk4, Baumgarte { alpha: RATE, beta: RATE }));
         let good = (0..steps).take_while(|_| stepper.step(&self.inputs, step).is_ok()).count();
         let State { q, v, .. } = stepper.state();
         let n = q.as_slice().len();

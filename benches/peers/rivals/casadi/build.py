@@ -8,7 +8,6 @@ import sys
 import time
 
 import numpy as np
-
 from linkage import absolute_angles, joint_angles, motions, turn
 from surroundings import HERE, ROOT, Absent, Entry, bytes_of_code, native
 
@@ -115,7 +114,5 @@ def prepare(surroundings, linkage, source):
         way = name.removeprefix(f"{linkage.name}_").removesuffix("_turns").upper().replace("CRANK", "crank")
         title = f"CasADi, {way}" + (", handed cos, sin" if turns else "")
         states = lambda numbers, turns=turns: (with_turns if turns else tuple)(angles(linkage, numbers))  # noqa: E731
-        entries.append(
-            Entry(title, output, name, states, 1e-6, generation=passed, build=built, code=bytes_of_code(alone))
-        )
+        entries.append(Entry(title, output, name, states, 1e-6, generation=passed, build=built, code=bytes_of_code(alone)))
     return entries

@@ -60,18 +60,18 @@ def simulate(linkage, told, steps):
 
 def main():
     linkage, told = (json.load(open(path)) for path in sys.argv[1:3])
-    found = []
+    found, said = [], ""
     for steps in told["steps"]:
         try:
             seconds, end = simulate(linkage, told, steps)
         except RuntimeError as error:
-            print(f"{steps} steps: {error}", file=sys.stderr)
+            said = str(error)
             continue
         found.append([steps, seconds, end])
         if 2 * seconds > told["longest"]:
             break
     if not found:
-        raise SystemExit("no run reached the end")
+        raise SystemExit(f"no run reached the end; error of the last: {said}")
     print(json.dumps(found))
 
 

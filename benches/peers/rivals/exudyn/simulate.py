@@ -118,27 +118,26 @@ class System:
         return passed, self.angles()
 
     def angles(self):
-        rotations = [
-            np.array(self.mbs.GetNodeOutput(node, exu.OutputVariableType.RotationMatrix)).reshape(3, 3) for node in self.nodes
-        ]
+        rotations = [np.array(self.mbs.GetNodeOutput(node, exu.OutputVariableType.RotationMatrix)).reshape(3, 3) for node in self.nodes]
         return angles(self.linkage, rotations)
 
 
 def main():
     linkage, told = (json.load(open(path)) for path in sys.argv[1:3])
     exu.config.printToConsole = False
-    found = []
+    found, said = [], ""
     for steps in told["steps"]:
         try:
             seconds, end = System(linkage, told).simulate(told["end"], steps)
         except Exception as error:  # the library raises many kinds; a step that is too long is no fault of it
-            print(f"{steps} steps: {error}", file=sys.stderr)
+            lines = [line for line in str(error).splitlines() if line.strip()]
+            said = lines[0] if lines else type(error).__name__
             continue
         found.append([steps, seconds, end])
         if 2 * seconds > told["longest"]:
             break
     if not found:
-        raise SystemExit("no run reached the end")
+        raise SystemExit(f"no run reached the end; error of the last: {said}")
     print(json.dumps(found))
 
 

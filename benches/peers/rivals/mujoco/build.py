@@ -8,7 +8,6 @@ import time
 import xml.etree.ElementTree as xml
 
 import numpy as np
-
 from linkage import GROUND, joint_angles
 from surroundings import HERE, Entry, native
 
@@ -45,9 +44,7 @@ def mjcf(linkage):
     world = xml.SubElement(root, "worldbody")
     nodes = {GROUND: world}
     for number, link in enumerate(linkage.links):
-        node = xml.SubElement(
-            nodes[link.parent], "body", name=link.name, pos=text(link.place), quat=text(quaternion(link.axes))
-        )
+        node = xml.SubElement(nodes[link.parent], "body", name=link.name, pos=text(link.place), quat=text(quaternion(link.axes)))
         tensor = np.asarray(link.tensor)
         entries = [tensor[i, j] for i, j in ((0, 0), (1, 1), (2, 2), (0, 1), (0, 2), (1, 2))]
         xml.SubElement(node, "inertial", pos=text(link.center), mass=text(link.mass), fullinertia=text(entries))
@@ -56,15 +53,17 @@ def mjcf(linkage):
     name = lambda number: "world" if number == GROUND else linkage.links[number].name  # noqa: E731
     equality = xml.SubElement(root, "equality")
     for loop in linkage.loops:
-        pairs = [loop.places] if linkage.planar else [[(np.asarray(p) + s * np.asarray(a)).tolist() for p, a in zip(loop.places, loop.axes)] for s in (-0.5, 0.5)]
+        pairs = (
+            [loop.places]
+            if linkage.planar
+            else [[(np.asarray(p) + s * np.asarray(a)).tolist() for p, a in zip(loop.places, loop.axes)] for s in (-0.5, 0.5)]
+        )
         for k, places in enumerate(pairs):
             sites = []
             for end, (link, place) in enumerate(zip(loop.links, places)):
                 sites.append(f"{loop.name}_{k}_{end}")
                 xml.SubElement(nodes[link], "site", name=sites[-1], pos=text(place))
-            xml.SubElement(
-                equality, "connect", site1=sites[0], site2=sites[1], solref="1e-9 1", solimp="0.9999 0.9999 0.001 0.5 2"
-            )
+            xml.SubElement(equality, "connect", site1=sites[0], site2=sites[1], solref="1e-9 1", solimp="0.9999 0.9999 0.001 0.5 2")
     tendons = xml.SubElement(root, "tendon")
     for k, spring in enumerate(linkage.springs):
         tendon = xml.SubElement(tendons, "spatial", springlength=text(spring.length), stiffness=text(spring.stiffness))
@@ -109,5 +108,3 @@ def prepare(surroundings, linkage, source):
             generation=passed,
         )
     ]  # fmt: skip
-
-

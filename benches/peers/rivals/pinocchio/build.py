@@ -80,10 +80,14 @@ def generated(surroundings, linkage, written, states):
         surroundings.compile("gcc", [*native(), *defines, HERE / "rivals" / "casadi" / "peer.c", "-lm"], output)
         entries.append(
             Entry(
-                f"Pinocchio's {title}, CasADi's C", output, name, states, 1e-9, generation=float(said[0]), build=seconds,
+                f"Pinocchio's {title}, CasADi's C",
+                output,
+                name,
+                states,
+                1e-9,
+                generation=float(said[0]),
+                build=seconds,
                 code=bytes_of_code(alone),
             )  # fmt: skip
         )
     return entries
-
-

@@ -30,7 +30,8 @@ inline pinocchio::Model pinocchio_model(const linkage::Linkage &from, std::vecto
         const pinocchio::SE3 placement(before.transpose() * matrix(link.axes) * own, before.transpose() * vector(link.place));
         const auto joint = model.addJoint(link.parent + 1, pinocchio::JointModelRZ(), placement, "joint_" + std::to_string(i));
         const Eigen::Matrix3d tensor = own.transpose() * matrix(link.tensor) * own;
-        model.appendBodyToJoint(joint, pinocchio::Inertia(link.mass, own.transpose() * vector(link.center), tensor), pinocchio::SE3::Identity());
+        const pinocchio::Inertia inertia(link.mass, own.transpose() * vector(link.center), tensor);
+        model.appendBodyToJoint(joint, inertia, pinocchio::SE3::Identity());
     }
     return model;
 }
