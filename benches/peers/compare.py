@@ -28,7 +28,7 @@ RIVALS = ("casadi", "mujoco", "pinocchio", "sympy", "symforce", "simbody")
 # Those that are libraries of the distribution or crates, and have no environment.
 OF_THE_SYSTEM = ("simbody",)
 # Peers that simulate in a Python of their own.
-SIMULATORS = ("exudyn", "drake")
+SIMULATORS = ("exudyn", "drake", "rapier")
 # Peers whose batches run in a Python of their own.
 BATCHES = ("mjx",)
 LINKWRIGHT = "Linkwright"
@@ -231,6 +231,9 @@ def versions(only):
     for path in sorted((HERE / "requirements").glob("*.txt")):
         if not only or path.stem in only:
             found[path.stem] = ", ".join(path.read_text().split())
+    if not only or "rapier" in only:
+        manifest = (HERE / "rivals" / "rapier" / "Cargo.toml").read_text()
+        found["rapier"] = next(line for line in manifest.splitlines() if line.startswith("rapier2d"))
     if not only or "simbody" in only:
         try:
             found["simbody"] = run(["dpkg-query", "-W", "-f", "${Version}", "libsimbody-dev"])

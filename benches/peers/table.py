@@ -45,7 +45,7 @@ def head(results):
     lines = [
         f"`{COMMAND}{options}` on {machine['processor']}, {machine['cores']} cores; {machine['rustc']}; {machine['gcc']}; "
         f"{machine['clang']}.",
-        "Peers: " + "; ".join(f"{name} {version}" for name, version in sorted(results.get("versions", {}).items())) + ".",
+        "Peers: " + "; ".join(f"{name}: {version}" for name, version in sorted(results.get("versions", {}).items())) + ".",
         f"State of Linkwright: {results.get('commit', 'unknown')}.",
     ]
     loads = [machine["load"][0], machine.get("load_at_end", machine["load"])[0]]

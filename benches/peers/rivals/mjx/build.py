@@ -18,5 +18,5 @@ def batch(surroundings, linkage):
     written.write_text(mjcf(linkage))
     members, steps = 1024, 10
     command = [surroundings.python(NAME), HERE / "rivals" / NAME / "batch.py", written, members, steps, 1e-6]
-    said = json.loads(surroundings.run(command, timeout=400).splitlines()[-1])
+    said = json.loads(surroundings.run(command, timeout=240).splitlines()[-1])
     return {"members": members, "steps": steps, "threads": "its own", **said}
