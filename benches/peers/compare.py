@@ -12,7 +12,7 @@ import linkage
 import numpy as np
 import own
 from precision import Precision
-from surroundings import HERE, Absent, Entry, Surroundings, machine, run
+from surroundings import HERE, ROOT, Absent, Entry, Surroundings, machine, run
 
 MECHANISMS = {
     "double_pendulum": "double pendulum",
@@ -49,6 +49,8 @@ class Comparison:
 
     def absent(self, peer, reason, mechanism=None):
         where = f" ({MECHANISMS[mechanism]})" if mechanism else ""
+        # Tables are for readers elsewhere.
+        reason = reason.replace(f"{self.target}/", "").replace(f"{ROOT}/", "")
         self.say(f"  absent: {peer}{where}: {reason}")
         self.results["absent"].append({"peer": peer, "mechanism": mechanism, "reason": reason})
 

@@ -11,6 +11,8 @@ COMMAND = "python3 benches/peers/run.py"
 OWN = "Linkwright"
 # A load above this at the start or the end is said: something else ran.
 QUIET = 0.7
+# Agreement of a rival that counts as exact.
+EXACT = 1e-6
 
 
 def write(results, folder, date=None):
@@ -72,18 +74,15 @@ def summary(results):
         "Linkwright, ns, and how many times as long the best rival takes that agrees to 1e-6 and is given angles.",
         "",
     ]
-    lines += ["| | evaluation | best rival | chained | best rival | step | best rival |", "|---|---|---|---|---|---|---|"]
+    lines += ["| | evaluation | best rival | handed cos, sin | chained | best rival | step | best rival |", "|---" * 8 + "|"]
     for mechanism in results["mechanisms"].values():
         own = mechanism["peers"].get(OWN, {})
         cells = [mechanism["title"]]
         for kind, _ in KINDS:
-            rivals = [
-                (found[kind]["ratio"], peer)
-                for peer, found in mechanism["peers"].items()
-                if peer != OWN and kind in found and found["agrees_to"] <= 1e-6 and "handed" not in peer
-            ]
             cells.append(number(own[kind]["ns"]) if kind in own else "")
-            cells.append(f"{min(rivals)[0]:.2f} ({min(rivals)[1]})" if rivals else "none")
+            cells.append(best(mechanism, kind, handed=False) or "none")
+            if kind == "evaluation":
+                cells.append(best(mechanism, kind, handed=True))
         lines.append("| " + " | ".join(cells) + " |")
     ahead = [
         f"{mechanism['title']}: {peer}, {title} at {found[kind]['ratio']:.2f} of Linkwright's time"
@@ -92,8 +91,34 @@ def summary(results):
         for kind, title in (("evaluation", "evaluation"), ("chain", "chained"), ("step", "step"))
         if kind in found and peer != OWN and found[kind]["ratio"] < 1
     ]
-    lines += ["", "Where Linkwright is behind: " + ("; ".join(ahead) if ahead else "nowhere in these tables") + ".", ""]
-    return lines
+    lines += ["", "Where Linkwright is behind: " + ("; ".join(ahead) if ahead else "in none of these times") + ".", ""]
+    return [*lines, *builds(results)]
+
+
+def best(mechanism, kind, handed):
+    """The exact rival with the least ratio."""
+    rivals = [
+        (found[kind]["ratio"], peer.replace(", handed cos, sin", ""))
+        for peer, found in mechanism["peers"].items()
+        if peer != OWN and kind in found and found["agrees_to"] <= EXACT and ("handed" in peer) == handed
+    ]
+    return f"{min(rivals)[0]:.2f} ({min(rivals)[1]})" if rivals else ""
+
+
+def builds(results):
+    """Who is generated and compiled sooner."""
+    sooner = []
+    for mechanism in results["mechanisms"].values():
+        own = mechanism["peers"].get(OWN, {}).get("build")
+        others = [
+            (found["generation"] + found["build"], peer)
+            for peer, found in mechanism["peers"].items()
+            if peer != OWN and found.get("build") and found.get("generation")
+        ]
+        if own and others and min(others)[0] < own:
+            sooner.append(f"{mechanism['title']} {min(others)[1]} {seconds(min(others)[0])} (Linkwright {seconds(own)})")
+    said = "; ".join(sooner) if sooner else "none"
+    return [f"Generated and compiled sooner than Linkwright's package by cargo (without the start of Python): {said}.", ""]
 
 
 def number(value):

@@ -35,9 +35,10 @@ def peer(**more):
 
 def results():
     peers = {
-        "Linkwright": peer(**timed(10.0, 1.0)),
-        "Rival": peer(**timed(8.0, 0.8), code=100),
+        "Linkwright": peer(**timed(10.0, 1.0), build=2.0),
+        "Rival": peer(**timed(8.0, 0.8), code=100, generation=1e-3, build=2e-3),
         "Soft": peer(agrees_to=1e-2, middle_agrees_to=1e-4, **timed(1e4, 1000.0)),
+        "Handed, handed cos, sin": peer(evaluation={"ns": 12.0, "median": 12.0, "ratio": 1.2}),
         "Wrong": peer(agrees_to=3.0),
     }
     curves = {"Linkwright": [[10, 1e-5, 1e-3], [20, 2e-5, 1e-5]], "Rival": [[10, 1e-4, 1e-3], [20, 2e-4, 1e-9]]}
@@ -62,7 +63,10 @@ class TestTable(unittest.TestCase):
         self.assertIn("Where Linkwright is behind: four-bar: Rival, evaluation at 0.80", self.page)
 
     def test_the_best_rival_is_an_exact_one(self):
-        self.assertIn("| four-bar | 10 | 0.80 (Rival) |", self.page)
+        self.assertIn("| four-bar | 10 | 0.80 (Rival) | 1.20 (Handed) | 10 | 0.80 (Rival) |", self.page)
+
+    def test_who_is_built_sooner_is_said(self):
+        self.assertIn("four-bar Rival 3 ms (Linkwright 2 s)", self.page)
 
     def test_who_is_refused_has_no_times(self):
         line = next(line for line in self.page.splitlines() if line.startswith("| Wrong"))

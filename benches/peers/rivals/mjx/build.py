@@ -7,13 +7,13 @@ from surroundings import HERE, Absent
 
 NAME = "mjx"
 PEER = "MJX on the processor"
-MOST_LINKS = 25
+MOST_LINKS = 8
 
 
 def batch(surroundings, linkage):
     """Steps a second, and how many members and steps they were."""
     if len(linkage.links) > MOST_LINKS:
-        raise Absent(f"asked for up to {MOST_LINKS} bodies: its compiler takes many minutes for more")
+        raise Absent(f"asked for up to {MOST_LINKS} bodies: its compiler was not ready after four minutes for 21")
     written = surroundings.folder("generated", NAME) / f"{linkage.name}.xml"
     written.write_text(mjcf(linkage))
     members, steps = 1024, 10
