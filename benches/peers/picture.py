@@ -35,10 +35,9 @@ def picture(title, curves):
     middle = (LEFT + WIDTH - RIGHT) / 2
     said = "largest error of an angle at the end, rad"
     parts.append(f'<text x="{middle:.0f}" y="{HEIGHT - 12}" text-anchor="middle">{said}</text>')
-    upright = HEIGHT / 2
-    parts.append(
-        f'<text x="16" y="{upright:.0f}" text-anchor="middle" transform="rotate(-90 16 {upright:.0f})">wall time of a simulated second</text>'
-    )
+    upright, said = HEIGHT / 2, "wall time of a simulated second"
+    turned = f'transform="rotate(-90 16 {upright:.0f})"'
+    parts.append(f'<text x="16" y="{upright:.0f}" text-anchor="middle" {turned}>{said}</text>')
     for k, (name, points) in enumerate(curves.items()):
         colour = COLOURS[k % len(COLOURS)]
         line = " ".join(f"{x(error):.1f},{y(seconds):.1f}" for error, seconds in points)

@@ -61,7 +61,7 @@ def head(results):
         "of the worst state by the largest acceleration of that state. Times are the least of many slices that take turns in one process",
         "on one core; a ratio is the median of the peer's slices by Linkwright's slices beside them. *Chained*: each state depends on the",
         "result before. A *step* is one of RK4 (Simbody: Runge–Kutta–Merson, five evaluations), with each peer's way of staying on the",
-        "constraints. Peers that are handed cosines and sines are named so: Linkwright keeps them in its state and pays for them in its step.",
+        "constraints. Peers that are handed cosines and sines are named so: Linkwright keeps them in its state and pays in its step.",
         "",
     ]
 
