@@ -147,7 +147,7 @@ def bricard(name, turns, kept=2):
     minus = lambda a, b: [x - y for x, y in zip(a, b)]
     dot = lambda a, b: sum((x * y for x, y in zip(a, b)), ca.SX(0))
     jacobian = ca.SX(4, 5)
-    # Φ = p'' − p' and one of the two: z'·x''. D v, and γ from the accelerations at zero angular accelerations.
+    # Φ = p'' − p' and one of the two. D v, and γ from the accelerations at zero angular accelerations.
     phi, speed, gamma = minus(second[0], first[0]), minus(second[1], first[1]), minus(first[2], second[2])
     x, z = second[6][0], first[6][kept]
     for sign, part in ((-1, first), (1, second)):
