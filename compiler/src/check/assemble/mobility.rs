@@ -66,17 +66,34 @@ fn squares(point: &mut Point, ancestry: &Ancestry, rows: &[usize], q: &[f64]) ->
     rows.iter().map(square).collect()
 }
 
-/// The first of `candidates`, in order, that together with all rows fix the position at `q`.
+/// How many candidates are tried at once: each that is refused costs as much as one that is taken.
+const AT_ONCE: usize = 32;
+
+/// The first of `candidates`, in order, that together with all rows fix the position at `q`. No more are looked at once as many
+/// are found as there are freedoms.
 pub fn independent(point: &mut Point, candidates: &[Condition], q: &[f64]) -> Vec<usize> {
     let all = 0..point.equations.rows.len();
     let rows: Vec<usize> = all.filter(|row| !point.equations.idle.contains(row)).collect();
-    let pivots = pivots(point, &rows, candidates, q);
-    let first = point.equations.symbols.v.len() + rows.len();
-    (0..candidates.len()).filter(|at| pivots[first + at] >= DEPENDENT).collect()
+    let n = point.equations.symbols.v.len();
+    let mut chosen: Vec<usize> = Vec::new();
+    for from in (0..candidates.len()).step_by(AT_ONCE) {
+        let tried: Vec<usize> =
+            chosen.iter().copied().chain(from..candidates.len().min(from + AT_ONCE)).collect();
+        let conditions: Vec<&Condition> = tried.iter().map(|at| &candidates[*at]).collect();
+        let pivots = pivots(point, &rows, &conditions, q);
+        let is_held = |pivot: &f64| *pivot >= DEPENDENT;
+        let freedoms = n - pivots[n..n + rows.len()].iter().filter(|pivot| is_held(pivot)).count();
+        let taken = tried.iter().zip(&pivots[n + rows.len()..]).filter(|(_, pivot)| is_held(pivot));
+        chosen = taken.map(|(at, _)| *at).collect();
+        if chosen.len() >= freedoms {
+            break;
+        }
+    }
+    chosen
 }
 
 /// Relative pivots of [1 D̂ᵀ; D̂ 0], the candidates eliminated last and in order.
-fn pivots(point: &mut Point, rows: &[usize], candidates: &[Condition], q: &[f64]) -> Vec<f64> {
+fn pivots(point: &mut Point, rows: &[usize], candidates: &[&Condition], q: &[f64]) -> Vec<f64> {
     let equations: &Equations = point.equations;
     let n = equations.symbols.v.len();
     let candidates = candidates.iter().map(|candidate| &candidate.jet);
