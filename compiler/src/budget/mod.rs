@@ -122,14 +122,17 @@ fn in_independent_velocities(compiled: &Compiled, function: Function) -> Option<
     let [multipliers, independent] = Function::SOLUTIONS;
     let place = multipliers.iter().position(|known| *known == function)?;
     let closed = !equations.rows.is_empty() && further.null_space.is_none();
-    closed.then(|| {
-        // On a graph of its own: nothing of it is left behind.
-        let mut complete = compiled.complete.clone();
-        let massless = !solved.massless.rows.is_empty();
-        let written = solve::null_space(&complete.equations, &compiled.partition, massless, None);
-        complete.further.null_space = Some(written);
-        complete.further.leads = true;
-        let function = independent[place];
-        (function, nodes_of(&complete.equations, &outputs(&complete, function)).len())
-    })
+    if !closed {
+        return None;
+    }
+    // On a graph of its own: nothing of it is left behind.
+    let mut complete = compiled.complete.clone();
+    let massless = !solved.massless.rows.is_empty();
+    // What takes more helps nobody.
+    let most = solved.counts.total();
+    let written = solve::null_space(&complete.equations, &compiled.partition, massless, None, most)?;
+    complete.further.null_space = Some(written);
+    complete.further.leads = true;
+    let function = independent[place];
+    Some((function, nodes_of(&complete.equations, &outputs(&complete, function)).len()))
 }

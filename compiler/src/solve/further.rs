@@ -25,6 +25,9 @@ pub struct Further {
 /// Independent velocities lead where they take a twentieth less than multipliers.
 const LESS: (usize, usize) = (19, 20);
 
+/// Independent velocities that take at least so many times the operations of multipliers are not written out to be counted.
+const HOPELESS: usize = 2;
+
 impl Further {
     /// `count`: what a function with these outputs takes. What is not taken leaves nothing behind in the equations.
     pub fn of(
@@ -44,7 +47,11 @@ impl Further {
             Further { emits_system: emit.penalty, emits_factors: emit.null_space, ..Further::default() };
         if may_lead || emit.null_space {
             let candidate = equations.clone();
-            let written = null_space(&candidate, partition, massless, rows);
+            let is_asked = emit.null_space || options.solution == SolvedBy::Independent;
+            let most = if is_asked { usize::MAX } else { HOPELESS * solved.counts.total() };
+            let Some(written) = null_space(&candidate, partition, massless, rows, most) else {
+                return Further { stored, ..further };
+            };
             if may_lead {
                 let own = count(&candidate, &written.stabilised.nodes());
                 further.compared = Some([solved.counts, own]);

@@ -42,13 +42,14 @@ pub struct NullSpace {
 /// once with γ and once with γ − 2α (D v − ν) − β² Φ in its place;
 /// v̇ in m/s² and rad/s², λ in N or N m. `massless`: M alone is singular, so that the pivots of Rᵀ M R are watched.
 /// Source: García de Jalón, Bayo, *Kinematic and Dynamic Simulation of Multibody Systems*, 5.2.3.
-/// `rows`: symbols for right-hand sides of rows, if there are some already.
+/// `rows`: symbols for right-hand sides of rows, if there are some already. `most`: so many operations are too many; nothing is written then.
 pub fn null_space(
     equations: &Equations,
     partition: &Partition,
     massless: bool,
     rows: Option<&[Node]>,
-) -> NullSpace {
+    most: usize,
+) -> Option<NullSpace> {
     let g = equations.graph.sheet();
     let velocities = equations.layout.velocities();
     let own = equations
@@ -61,6 +62,10 @@ pub fn null_space(
     // R, a column for each independent velocity.
     let independent: Vec<usize> = (0..velocities).filter(|velocity| !lu.is_dependent[*velocity]).collect();
     let basis: Vec<Sparse> = independent.iter().map(|velocity| lu.column(g, *velocity)).collect();
+
+    if least_operations(&basis, velocities) > most {
+        return None;
+    }
 
     let mass = Symmetric::new(g, velocities, &equations.mass);
     let reduced = reduced(g, &mass, &basis);
@@ -93,7 +98,14 @@ pub fn null_space(
     let stabilised = solution(&minus);
     let partition_pivot = lu.pivot.bare;
     let factored = lu.nodes().chain(factor.nodes()).collect();
-    NullSpace { factored, kept, given_rows, stand_ins, partition_pivot, dependent, plain, stabilised }
+    Some(NullSpace { factored, kept, given_rows, stand_ins, partition_pivot, dependent, plain, stabilised })
+}
+
+/// What Rᵀ M R takes at least: a product for each two columns that have a velocity in common, M being diagonal at best.
+fn least_operations(basis: &[Sparse], velocities: usize) -> usize {
+    let mut columns = vec![0; velocities];
+    basis.iter().flat_map(BTreeMap::keys).for_each(|velocity| columns[*velocity] += 1);
+    columns.iter().map(|many| many * (many + 1) / 2).sum()
 }
 
 /// The velocities with D v = rows, in symbols for what is kept of D = L U and for the rows.
