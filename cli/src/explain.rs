@@ -10,7 +10,7 @@ use linkwright_compiler::model::{
 };
 use linkwright_compiler::schedule::{Function, count, live_values};
 use linkwright_compiler::syntax::Definition;
-use linkwright_compiler::{Compiled, units::Unit};
+use linkwright_compiler::{Compiled, Repetition, units::Unit};
 
 /// A number in the unit of its author.
 #[derive(Clone, Debug)]
@@ -83,6 +83,8 @@ pub struct Explanation {
     pub choice: String,
     /// What the accelerations are solved for first, where there was a choice.
     pub solution: Option<String>,
+    /// What repeats in long functions.
+    pub repetition: Vec<Repetition>,
     pub positions: Vec<String>,
     pub velocities: Vec<String>,
     /// Joint, coupling or driver, and the row.
@@ -138,6 +140,7 @@ pub fn explain(definition: &Definition, compiled: &Compiled) -> Explanation {
         coordinates,
         choice: choice.explanation(),
         solution: complete.further.explanation(),
+        repetition: compiled.repetition().collect(),
         positions: layout.position_names(mechanism),
         velocities: layout.velocity_names(mechanism),
         rows: equations.rows.iter().map(|row| [row.of.clone(), row.form.name.to_string()]).collect(),

@@ -3,6 +3,7 @@
 use crate::arguments::Command;
 use crate::explain::{Explanation, Value as Quantity};
 use crate::input::Found;
+use linkwright_compiler::Repetition;
 use linkwright_compiler::counts::Row;
 use linkwright_compiler::diagnostics::Severity;
 use linkwright_compiler::source::{Located, Source};
@@ -113,6 +114,7 @@ pub fn explanation(e: &Explanation) -> Value {
         "coordinates": e.coordinates,
         "choice": e.choice,
         "solution": e.solution,
+        "repetition": e.repetition.iter().map(repetition).collect::<Vec<_>>(),
         "positions": e.positions,
         "velocities": e.velocities,
         "rows": rows(&e.rows),
@@ -132,4 +134,9 @@ pub fn explanation(e: &Explanation) -> Value {
         object["tables"] = named(&e.tables);
     }
     object
+}
+
+fn repetition(of: &Repetition) -> Value {
+    let Repetition { function, operations, statements, alike } = of;
+    json!({ "function": function, "operations": operations, "statements": statements, "alike": alike })
 }

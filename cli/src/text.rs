@@ -78,6 +78,9 @@ fn coordinates(text: &mut String, e: &Explanation) {
     if let Some(solution) = &e.solution {
         let _ = writeln!(text, "  {solution}");
     }
+    for repetition in &e.repetition {
+        let _ = writeln!(text, "  {repetition}");
+    }
     for (name, entries) in [("q", &e.positions), ("v", &e.velocities)] {
         let shown = entries.iter().take(MOST).cloned().collect::<Vec<_>>().join(", ");
         let more =

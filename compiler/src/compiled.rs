@@ -82,6 +82,28 @@ impl Compiled {
         [self.choice.explanation()].into_iter().chain(solution).collect::<Vec<_>>().join(" ")
     }
 
+    /// What the loops of each function save, and what they might have, of functions in which something repeats.
+    pub fn repetition(&self) -> impl Iterator<Item = Repetition> {
+        self.programs.functions.iter().filter_map(|(function, program)| {
+            let operations = program.instructions.len();
+            match &program.rolled {
+                Some(rolled) => Some(Repetition {
+                    function: function.name(),
+                    operations,
+                    statements: Some(rolled.statements(program)),
+                    alike: rolled.alike(),
+                }),
+                None if program.alike > 0 => Some(Repetition {
+                    function: function.name(),
+                    operations,
+                    statements: None,
+                    alike: program.alike,
+                }),
+                None => None,
+            }
+        })
+    }
+
     /// The function that formulations with Baumgarte's terms ask first.
     pub fn default_solution(&self) -> Function {
         let [_, stabilised] = Function::SOLUTIONS[usize::from(self.complete.further.leads)];
@@ -130,5 +152,34 @@ impl Compiled {
     /// The bodies that can move while all others stand still: loose ones, and idle freedoms.
     pub fn loose(&self) -> Vec<Loose> {
         loose::find(&self.mechanism, &self.complete.equations, &self.assembly.q, &self.assembly.phases)
+    }
+}
+
+/// Repetition in one function.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Repetition {
+    pub function: &'static str,
+    pub operations: usize,
+    /// What its text has, where it has loops.
+    pub statements: Option<usize>,
+    /// Operations that repeat others.
+    pub alike: usize,
+}
+
+impl std::fmt::Display for Repetition {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        let Repetition { function, operations, statements, alike } = self;
+        match statements {
+            Some(statements) => {
+                write!(
+                    f,
+                    "{function}: {operations} operations, {alike} of them in loops, {statements} statements"
+                )
+            }
+            None => write!(
+                f,
+                "{function}: {operations} operations, straight; {alike} of them repeat, with exceptions, and loops would not halve its text"
+            ),
+        }
     }
 }

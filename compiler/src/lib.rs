@@ -39,7 +39,7 @@ pub mod syntax;
 pub mod symbolic;
 
 pub use choice::{Choice, Rejected};
-pub use compiled::Compiled;
+pub use compiled::{Compiled, Repetition};
 pub use driver::{
     Start, compile, compile_at, compile_definition, compile_model, compile_with, header, parse, parse_at,
     start,

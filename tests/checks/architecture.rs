@@ -176,7 +176,7 @@ fn messages_stand_together() {
 fn only_the_graph_makes_nodes() {
     let mut made = 0;
     for (file, code) in sources("compiler/src") {
-        for (at, _) in code.match_indices("ops.push(") {
+        for (at, _) in code.match_indices("ops.push(").filter(|(at, _)| !code[..*at].ends_with(is_of_word)) {
             assert_eq!(file, "symbolic/graph.rs", "nodes are made in compiler/src/{file}");
             let begin = code[..at].rfind("fn ").expect("it stands in a function");
             assert!(code[begin..at].contains("self.known.get("), "it looks for an equal node first");

@@ -5,10 +5,11 @@
 //! [`FUNCTIONS`](crate::functions::FUNCTIONS), by the conventions of the code that calls: `rust.rs` and `function.rs` have those of the
 //! runtime.
 
-use crate::functions::Argument;
-use crate::schedule::{Instruction, Source};
+use crate::functions::{Argument, Signature};
+use crate::schedule::Instruction;
 use crate::symbolic::Table;
 use std::collections::BTreeSet;
+use std::fmt::Write;
 use std::sync::Arc;
 
 /// An operation is its operands with texts between: what stands before each of them, and behind the last.
@@ -33,9 +34,31 @@ pub trait Dialect {
     fn declaration(&self, mask: bool) -> [&'static str; 3];
     /// A line of comment.
     fn comment(&self, text: &mut String, line: &str);
-    /// An entry of an argument that is no number. `within`: the argument that brings it along, as the state brings q; `identifier`: what the
-    /// user calls it where it is a field.
-    fn entry(&self, text: &mut String, within: Option<Argument>, source: Source, identifier: &str);
+    /// An entry of an argument that is no number. `within`: the argument that brings it along, as the state brings q; `at`: its index, or
+    /// what the user calls it where it is a field.
+    fn entry(&self, text: &mut String, within: Option<Argument>, argument: Argument, at: &str);
+
+    /// Declares a table of numbers.
+    fn table(&self, text: &mut String, table: usize, numbers: &[f64]);
+    /// One of them.
+    fn number(&self, text: &mut String, table: usize, at: &str);
+    /// Declares the lists of results that are no arguments, where results are written one by one.
+    fn results(&self, _text: &mut String, _signature: &Signature) {}
+    /// A result of a group. `at`: its entry; `place`: where it stands in that.
+    fn result(&self, text: &mut String, signature: &Signature, group: usize, at: &str, place: &str) {
+        let name = signature.results[group].name;
+        let _ = write!(text, "{name}[{at}]{place}");
+    }
+    /// Declares an array of so many numbers, in which loops keep what leaves a round.
+    fn array(&self, text: &mut String, name: &str, length: usize);
+    /// What stands before the first value of a variable.
+    fn variable(&self, text: &mut String, name: &str);
+    /// Head of a loop that counts so many rounds by `i`, from zero.
+    fn rounds(&self, text: &mut String, rounds: usize);
+    /// Its end.
+    fn end_of_rounds(&self, text: &mut String) {
+        text.push_str("}\n");
+    }
 
     /// Declares so many values that go from function to function.
     fn slots(&self, text: &mut String, size: usize);

@@ -11,8 +11,9 @@
 //! ```
 
 use super::names::field;
-use super::rust::type_of;
+use super::rust::{OUT, type_of};
 use super::{Emitter, array};
+use crate::compiled::Compiled;
 use crate::functions::{Argument, FUNCTIONS, Function, Group, Interface, Kind, Shape, Signature, Way};
 use std::fmt::Write;
 
@@ -57,7 +58,12 @@ fn function(text: &mut String, helpers: &mut String, emitter: &Emitter, signatur
         text.push_str("let constants = &self.constants;\n");
     }
     text.push_str(&body.statements);
-    let _ = writeln!(text, "{}\n}}", results(signature, emitter, &body.outputs));
+    let results = if body.placed {
+        placed(signature, emitter, &body.outputs)
+    } else {
+        results(signature, emitter, &body.outputs)
+    };
+    let _ = writeln!(text, "{results}\n}}");
 }
 
 /// `fn gamma(&self, time: R, q: &Q<R>, v: &V<R>, out: &mut Lambda<R>)`, with types and lengths of shapes.
@@ -119,6 +125,36 @@ fn results(signature: &Signature, emitter: &Emitter, outputs: &[String]) -> Stri
         }
     }
     lines.join("\n")
+}
+
+/// The value where the entries of lists are written.
+fn placed(signature: &Signature, emitter: &Emitter, outputs: &[String]) -> String {
+    let groups = signature.groups(&emitter.compiled.complete, outputs);
+    let mut values = signature.results.iter().zip(groups).filter(|(group, _)| group.way == Way::Value);
+    match values.next() {
+        None => String::new(),
+        Some((group, own)) if matches!(group.shape, Shape::Scalar | Shape::Outputs) => {
+            value(group.shape, emitter, own)
+        }
+        Some(_) => OUT.to_string(),
+    }
+}
+
+/// The list that is a function's value, all zeros; nothing where its value is none.
+pub fn zeros(compiled: &Compiled, signature: &Signature) -> Option<String> {
+    let values: Vec<&Group> = signature.results.iter().filter(|group| group.way == Way::Value).collect();
+    let [first, others @ ..] = values.as_slice() else { return None };
+    let zero = |many: usize| vec!["R::ZERO".to_string(); many];
+    let entry = match (first.shape, others) {
+        (Shape::Scalar | Shape::Outputs, _) => return None,
+        (Shape::Bodies(record) | Shape::Joints(record), _) => {
+            let kind = record.of(compiled.mechanism.space);
+            literal_of(kind, &zero(kind.length()))
+        }
+        (_, []) => "R::ZERO".to_string(),
+        (_, others) => list(&zero(1 + others.len())),
+    };
+    Some(format!("[{entry}; {}]", compiled.entries(first.shape)))
 }
 
 fn value(shape: Shape, emitter: &Emitter, own: &[String]) -> String {

@@ -2,7 +2,7 @@
 
 use super::function::functions;
 use super::names::field;
-use super::rust::{constant, literal};
+use super::rust::{OUT, constant, literal};
 use super::{Emitter, array, named, quoted};
 use crate::functions::{Function, Interface};
 use crate::schedule::Operand;
@@ -68,7 +68,7 @@ pub fn inherent(text: &mut String, emitter: &Emitter) {
         "fn with(parameters: Parameters<R>, phases: Phases<R>) -> Self {{\n{}\
          Self {{ parameters, phases, constants: {} }}\n}}",
         body.statements,
-        array(body.outputs)
+        if body.placed { OUT.to_string() } else { array(body.outputs) }
     );
     named::functions(text, emitter);
     functions(text, &mut helpers, emitter, Interface::Model);

@@ -24,6 +24,7 @@ mod home;
 mod inherent;
 mod items;
 mod look_up;
+mod loops;
 mod mechanism;
 mod named;
 mod names;

@@ -135,10 +135,10 @@ impl Names {
 fn reserved() -> BTreeSet<&'static str> {
     let results = FUNCTIONS.iter().flat_map(|signature| signature.results);
     let written = results.filter(|group| group.way == Way::Written).map(|group| group.name);
-    ARGUMENTS.iter().map(|given| given.name).chain(written).chain(["w"]).collect()
+    ARGUMENTS.iter().map(|given| given.name).chain(written).chain(["w", "i"]).collect()
 }
 
-fn push_numbered(text: &mut String, letter: char, index: u32) {
+pub(super) fn push_numbered(text: &mut String, letter: char, index: u32) {
     text.push(letter);
     text.push_str(&index.to_string());
 }
@@ -146,11 +146,14 @@ fn push_numbered(text: &mut String, letter: char, index: u32) {
 /// A name as an identifier that is no keyword and no name of an intermediate value.
 fn readable(name: &str, dialect: &impl Dialect) -> String {
     let name = name.replace(['.', '[', '(', ' ', ','], "_").replace([']', ')'], "");
-    let numbered = |prefix: char| {
-        name.strip_prefix(prefix)
-            .is_some_and(|rest| !rest.is_empty() && rest.chars().all(|c| c.is_ascii_digit()))
-    };
-    let is_taken = numbered('a') || numbered('k') || dialect.keywords().contains(&name.as_str());
+    let is_number = |text: &str| !text.is_empty() && text.chars().all(|c| c.is_ascii_digit());
+    let numbered = |prefix: char| name.strip_prefix(prefix).is_some_and(is_number);
+    // What goes from round to round.
+    let carried =
+        |rest: &str| rest.split_once('_').is_some_and(|(one, two)| is_number(one) && is_number(two));
+    let is_taken = ['a', 'b', 'k', 'n', 's'].into_iter().any(numbered)
+        || name.strip_prefix('c').is_some_and(carried)
+        || dialect.keywords().contains(&name.as_str());
     dialect.identifier(if is_taken { name + "_" } else { name })
 }
 

@@ -21,6 +21,8 @@ pub struct Body {
     pub statements: String,
     /// The results, as expressions over what was declared.
     pub outputs: Vec<String>,
+    /// Whether the statements write the entries of lists among the results, whose expressions are empty then.
+    pub placed: bool,
     /// Whether the statements name the constants of the prepared model.
     pub reads_constants: bool,
     /// Functions to be placed beside it.
@@ -107,17 +109,22 @@ impl<'a, D: Dialect> Printer<'a, D> {
     /// Where an entry of an argument is read in a function.
     pub fn entry(&self, text: &mut String, signature: &Signature, source: Source) {
         let within = signature.within(source.argument);
-        self.dialect.entry(text, within, source, self.names.identifier(source));
+        let index = source.index.to_string();
+        let at = match source.argument.given().shape {
+            Shape::Parameters | Shape::Inputs => self.names.identifier(source),
+            _ => &index,
+        };
+        self.dialect.entry(text, within, source.argument, at);
     }
 }
 
 /// One function while it is written.
-struct Writer<'a, D> {
-    printer: &'a Printer<'a, D>,
-    program: &'a Program,
+pub(super) struct Writer<'a, D> {
+    pub(super) printer: &'a Printer<'a, D>,
+    pub(super) program: &'a Program,
     cut: &'a Cut,
-    names: Names,
-    signature: &'static Signature,
+    pub(super) names: Names,
+    pub(super) signature: &'static Signature,
     /// The pair of solutions that it has something in common with.
     pair: Option<usize>,
     /// Instructions in common with the other of its pair, whose parts are written once and without the names of results.
@@ -132,6 +139,7 @@ impl<D: Dialect> Writer<'_, D> {
             return Body {
                 statements,
                 outputs: Vec::new(),
+                placed: false,
                 reads_constants: false,
                 helpers,
                 reads: BTreeSet::new(),
@@ -144,6 +152,11 @@ impl<D: Dialect> Writer<'_, D> {
             _ => count(self.program).total(),
         };
         self.header(&mut statements, operations);
+        if let Some(rolled) = &self.program.rolled {
+            let (reads, outputs) = self.rolled(&mut statements, rolled);
+            let reads_constants = reads.contains(&Argument::Constants);
+            return Body { statements, outputs, placed: true, reads_constants, helpers, reads, operations };
+        }
         if !before.is_empty() {
             dialect.slots(&mut statements, self.cut.size);
         }
@@ -154,7 +167,7 @@ impl<D: Dialect> Writer<'_, D> {
             let prefix = common.map_or(own.as_str(), |pair| COMMON[pair]);
             let arguments = first.signature().arguments;
             let name = format!("{prefix}_{index}");
-            let own = self.reads(part, &[]);
+            let own = self.reads(part);
             dialect.call(&mut statements, &name, arguments, &own);
             if first == self.signature.function {
                 dialect.helper(&mut helpers, &name, arguments, &own, self.cut.size);
@@ -183,15 +196,15 @@ impl<D: Dialect> Writer<'_, D> {
         };
         let outputs = self.program.outputs.iter().map(output).collect();
         let reads_constants = constants || !before.is_empty();
-        let before = before.iter().flat_map(|part| self.reads(part, &[]));
+        let before = before.iter().flat_map(|part| self.reads(part));
         let reads = used.iter().map(|source| source.argument).chain(before).collect();
-        Body { outputs, statements, reads_constants, helpers, reads, operations }
+        Body { outputs, placed: false, statements, reads_constants, helpers, reads, operations }
     }
 
     /// The arguments that a part reads.
-    fn reads(&self, part: &Part, outputs: &[Operand]) -> BTreeSet<Argument> {
+    fn reads(&self, part: &Part) -> BTreeSet<Argument> {
         let instructions = &self.program.instructions[part.start..part.end];
-        sources(instructions, outputs).map(|source| source.argument).collect()
+        sources(operands(instructions)).map(|source| source.argument).collect()
     }
 
     /// What the function computes, where its documentation does not say so, and how many operations that takes.
@@ -210,7 +223,7 @@ impl<D: Dialect> Writer<'_, D> {
     /// Loads, values taken from the array, and instructions of one part; what is loaded.
     fn part(&self, text: &mut String, part: &Part, outputs: &[Operand], names: &Names) -> BTreeSet<Source> {
         let instructions = &self.program.instructions[part.start..part.end];
-        let used = self.loads(text, instructions, outputs, names);
+        let used = self.loads(text, operands(instructions).chain(outputs.iter().copied()), names);
         for (value, slot) in &part.taken {
             let mask = self.is_mask(*value);
             let ([before, between, behind], [open, close]) =
@@ -264,15 +277,14 @@ impl<D: Dialect> Writer<'_, D> {
         self.program.instructions[value].is_mask()
     }
 
-    /// A declaration for every source that the instructions or outputs name.
-    fn loads(
+    /// A declaration for every source among the operands.
+    pub(super) fn loads(
         &self,
         text: &mut String,
-        instructions: &[Instruction],
-        outputs: &[Operand],
+        operands: impl Iterator<Item = Operand>,
         names: &Names,
     ) -> BTreeSet<Source> {
-        let used: BTreeSet<Source> = sources(instructions, outputs).collect();
+        let used: BTreeSet<Source> = sources(operands).collect();
         for source in &used {
             // A number is an argument itself.
             if matches!(source.argument.given().shape, Shape::Scalar) {
@@ -288,7 +300,7 @@ impl<D: Dialect> Writer<'_, D> {
         used
     }
 
-    fn operand(&self, text: &mut String, operand: Operand, names: &Names) {
+    pub(super) fn operand(&self, text: &mut String, operand: Operand, names: &Names) {
         match operand {
             Operand::Constant(value) => self.printer.dialect.constant(text, value),
             Operand::Source(source) => names.push_source(text, source),
@@ -298,27 +310,40 @@ impl<D: Dialect> Writer<'_, D> {
 
     fn expression(&self, text: &mut String, instruction: &Instruction, names: &Names) {
         let instruction = with_signs_in_constants(*instruction);
+        self.spelled(text, &instruction, instruction.operands(), |text, operand| {
+            self.operand(text, operand, names)
+        });
+    }
+
+    /// An operation on what stands for its operands.
+    pub(super) fn spelled<T>(
+        &self,
+        text: &mut String,
+        instruction: &Instruction,
+        operands: impl Iterator<Item = T>,
+        write: impl Fn(&mut String, T),
+    ) {
         if instruction.table().is_some() {
-            self.printer.dialect.look_up(text, &self.program.tables, &instruction);
+            self.printer.dialect.look_up(text, &self.program.tables, instruction);
         }
-        let spelling = self.printer.dialect.operation(&instruction);
+        let spelling = self.printer.dialect.operation(instruction);
         let mut texts = spelling.iter();
         let mut between = |text: &mut String| text.push_str(texts.next().unwrap_or(&""));
-        for operand in instruction.operands() {
+        for operand in operands {
             between(text);
-            self.operand(text, operand, names);
+            write(text, operand);
         }
         between(text);
     }
 }
 
+fn operands(instructions: &[Instruction]) -> impl Iterator<Item = Operand> {
+    instructions.iter().flat_map(|instruction| instruction.operands())
+}
+
 /// What these name that no instruction computes.
-fn sources<'p>(
-    instructions: &'p [Instruction],
-    outputs: &'p [Operand],
-) -> impl Iterator<Item = Source> + use<'p> {
-    let operands = instructions.iter().flat_map(|instruction| instruction.operands());
-    operands.chain(outputs.iter().copied()).filter_map(|operand| match operand {
+fn sources(operands: impl Iterator<Item = Operand>) -> impl Iterator<Item = Source> {
+    operands.filter_map(|operand| match operand {
         Operand::Source(source) => Some(source),
         _ => None,
     })

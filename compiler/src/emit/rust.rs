@@ -1,16 +1,19 @@
 //! Rust as the [`Dialect`] of emitted code: statements over the runtime's scalar `Real`.
 
 use super::dialect::{Dialect, Spelling};
-use super::function::declaration;
+use super::function::{self, declaration};
 use super::look_up;
 use super::names::{KEYWORDS, field};
 use crate::compiled::Compiled;
-use crate::functions::{Argument, Shape};
-use crate::schedule::{Instruction, Source};
+use crate::functions::{Argument, Shape, Signature, Way};
+use crate::schedule::Instruction;
 use crate::symbolic::{BICUBIC, Compare, Table, Unary};
 use std::collections::BTreeSet;
 use std::fmt::Write;
 use std::sync::Arc;
+
+/// The list that is a function's value, where its entries are written one by one.
+pub const OUT: &str = "out";
 
 /// The Rust of one mechanism, whose types have short names beside the functions.
 pub struct Rust<'a>(pub &'a Compiled);
@@ -108,8 +111,8 @@ impl Dialect for Rust<'_> {
         let _ = writeln!(text, "// {line}");
     }
 
-    fn entry(&self, text: &mut String, within: Option<Argument>, source: Source, identifier: &str) {
-        let given = source.argument.given();
+    fn entry(&self, text: &mut String, within: Option<Argument>, argument: Argument, at: &str) {
+        let given = argument.given();
         if let Some(whole) = within {
             text.push_str(whole.name());
             text.push('.');
@@ -118,14 +121,57 @@ impl Dialect for Rust<'_> {
         match given.shape {
             Shape::Parameters | Shape::Inputs => {
                 text.push('.');
-                text.push_str(&field(identifier));
+                text.push_str(&field(at));
             }
             _ => {
                 text.push('[');
-                text.push_str(&source.index.to_string());
+                text.push_str(at);
                 text.push(']');
             }
         }
+    }
+
+    fn table(&self, text: &mut String, table: usize, numbers: &[f64]) {
+        let list = numbers.iter().map(|number| literal(*number)).collect::<Vec<_>>().join(", ");
+        let _ = writeln!(text, "const N{table}: [::core::primitive::f64; {}] = [{list}];", numbers.len());
+    }
+
+    fn number(&self, text: &mut String, table: usize, at: &str) {
+        let _ = write!(text, "R::from_f64(N{table}[{at}])");
+    }
+
+    fn results(&self, text: &mut String, signature: &Signature) {
+        if let Some(zeros) = function::zeros(self.0, signature) {
+            let _ = writeln!(text, "let mut {OUT} = {zeros};");
+        }
+    }
+
+    fn result(&self, text: &mut String, signature: &Signature, group: usize, at: &str, place: &str) {
+        let group = &signature.results[group];
+        if group.way == Way::Written {
+            let _ = write!(text, "{}[{at}]{place}", group.name);
+            return;
+        }
+        let _ = write!(text, "{OUT}[{at}]{place}");
+        // Several lists are paired.
+        let mut values = signature.results.iter().filter(|known| known.way == Way::Value);
+        if let Some(which) = values.clone().position(|known| known.name == group.name)
+            && values.nth(1).is_some()
+        {
+            let _ = write!(text, "[{which}]");
+        }
+    }
+
+    fn array(&self, text: &mut String, name: &str, length: usize) {
+        let _ = writeln!(text, "let mut {name} = [R::ZERO; {length}];");
+    }
+
+    fn variable(&self, text: &mut String, name: &str) {
+        let _ = write!(text, "let mut {name} = ");
+    }
+
+    fn rounds(&self, text: &mut String, rounds: usize) {
+        let _ = writeln!(text, "for i in 0..{rounds} {{");
     }
 
     fn slots(&self, text: &mut String, size: usize) {

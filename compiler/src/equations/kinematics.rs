@@ -3,7 +3,7 @@
 use super::jet::{Jet, Moving};
 use super::laws::Laws;
 use super::{plane, space};
-use crate::model::{BodyId, JointId, Place, Rotor};
+use crate::model::{BodyId, JointId, Place, Rotor, Space};
 use crate::symbolic::{Node, On};
 
 /// The places of all bodies as functions of q, and how they change with v.
@@ -14,6 +14,13 @@ pub enum Kinematics {
 }
 
 impl Kinematics {
+    pub fn space(&self) -> Space {
+        match self {
+            Kinematics::Plane(_) => Space::Planar,
+            Kinematics::Space(_) => Space::Spatial,
+        }
+    }
+
     /// v.
     pub fn velocities(&self) -> &[Node] {
         match self {

@@ -9,7 +9,7 @@ use super::names::{Prefix, WORDS, field, plain};
 use crate::emit::{Dialect, Spelling};
 use crate::functions::{Argument, FUNCTIONS, Shape};
 use crate::scalar::Scalar;
-use crate::schedule::{Instruction, Source};
+use crate::schedule::Instruction;
 use crate::symbolic::{BICUBIC, Compare, Table, Unary};
 use std::collections::BTreeSet;
 use std::fmt::Write;
@@ -146,15 +146,37 @@ impl Dialect for C {
         let _ = writeln!(text, "/* {} */", line.replace("*/", "* /"));
     }
 
-    fn entry(&self, text: &mut String, within: Option<Argument>, source: Source, identifier: &str) {
-        let given = source.argument.given();
+    fn entry(&self, text: &mut String, within: Option<Argument>, argument: Argument, at: &str) {
+        let given = argument.given();
         if let Some(whole) = within {
             let _ = write!(text, "{}->", whole.name());
         }
         let _ = match given.shape {
-            Shape::Parameters | Shape::Inputs => write!(text, "{}->{}", given.name, field(identifier)),
-            _ => write!(text, "{}[{}]", given.name, source.index),
+            Shape::Parameters | Shape::Inputs => write!(text, "{}->{}", given.name, field(at)),
+            _ => write!(text, "{}[{at}]", given.name),
         };
+    }
+
+    fn table(&self, text: &mut String, table: usize, numbers: &[f64]) {
+        let list = numbers.iter().map(|number| self.scalar.literal(*number)).collect::<Vec<_>>().join(", ");
+        let _ =
+            writeln!(text, "static const {} n{table}[{}] = {{ {list} }};", self.scalar.c(), numbers.len());
+    }
+
+    fn number(&self, text: &mut String, table: usize, at: &str) {
+        let _ = write!(text, "n{table}[{at}]");
+    }
+
+    fn array(&self, text: &mut String, name: &str, length: usize) {
+        let _ = writeln!(text, "{} {name}[{length}];", self.scalar.c());
+    }
+
+    fn variable(&self, text: &mut String, name: &str) {
+        let _ = write!(text, "{} {name} = ", self.scalar.c());
+    }
+
+    fn rounds(&self, text: &mut String, rounds: usize) {
+        let _ = writeln!(text, "for (int i = 0; i < {rounds}; ++i)\n{{");
     }
 
     fn slots(&self, text: &mut String, size: usize) {

@@ -192,11 +192,11 @@ impl Writer<'_> {
             Shape::Bodies(record) | Shape::Joints(record) => {
                 let kind = record.of(mechanism.space);
                 for (index, entry) in own.chunks(kind.length().max(1)).enumerate() {
-                    let places = places(kind);
+                    let places = kind.places();
                     places
                         .iter()
                         .zip(entry)
-                        .for_each(|(place, value)| line(&format!("[{index}].{place}"), value));
+                        .for_each(|(place, value)| line(&format!("[{index}]{place}"), value));
                 }
             }
             Shape::Scalar => own.iter().for_each(|value| {
@@ -222,19 +222,6 @@ impl Writer<'_> {
 /// Whether a function returns it.
 fn is_value(group: &Group) -> bool {
     group.way == Way::Value && matches!(group.shape, Shape::Scalar)
-}
-
-/// The numbers of an entry with fields: `position[0]`, `rate`, `orientation[2][1]`.
-fn places(kind: &Kind) -> Vec<String> {
-    let places = kind.fields.iter().flat_map(|field| {
-        let extents = field.extents.iter();
-        extents.fold(vec![field.name.to_string()], |places, extent| {
-            let inner =
-                |place: &String| (0..*extent).map(|index| format!("{place}[{index}]")).collect::<Vec<_>>();
-            places.iter().flat_map(inner).collect()
-        })
-    });
-    places.collect()
 }
 
 /// Statements moved in; what begins or ends a function stands at the margin.

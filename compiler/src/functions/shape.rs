@@ -234,6 +234,19 @@ impl Kind {
         self.fields.iter().map(Field::length).sum()
     }
 
+    /// Where the numbers of one entry stand in it: `.position[0]`, `.rate`, `.orientation[2][1]`.
+    pub fn places(&self) -> Vec<String> {
+        let places = self.fields.iter().flat_map(|field| {
+            let extents = field.extents.iter();
+            extents.fold(vec![format!(".{}", field.name)], |places, extent| {
+                let inner =
+                    |place: &String| (0..*extent).map(|at| format!("{place}[{at}]")).collect::<Vec<_>>();
+                places.iter().flat_map(inner).collect()
+            })
+        });
+        places.collect()
+    }
+
     /// The numbers of one entry by fields, `N` of them.
     pub fn split<'v, T, const N: usize>(&self, mut entry: &'v [T]) -> [&'v [T]; N] {
         debug_assert_eq!(N, self.fields.len(), "fields of {}", self.name);

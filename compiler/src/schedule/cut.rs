@@ -30,7 +30,7 @@ pub struct Cut {
 impl Cut {
     pub fn of(program: &Program) -> Cut {
         let count = program.instructions.len();
-        if count <= LONG {
+        if count <= LONG || program.rolled.is_some() {
             let part = Part { start: 0, end: count, taken: Vec::new(), given: Vec::new() };
             return Cut { parts: vec![part], size: 0, slots: Vec::new() };
         }

@@ -2,6 +2,7 @@
 //! fused multiply-add is off.
 
 use super::program::{Instruction, Operand, Program, Source};
+use super::rounds;
 use crate::functions::Argument;
 use crate::symbolic::{Table, max, min};
 use std::slice::from_ref;
@@ -63,6 +64,14 @@ impl Inputs {
 
 /// Outputs of a program, unfused.
 pub fn run(program: &Program, inputs: &Inputs) -> Vec<f64> {
+    match &program.rolled {
+        Some(rolled) => rounds::run(program, rolled, inputs),
+        None => run_straight(program, inputs),
+    }
+}
+
+/// The same of all instructions in their order, without loops.
+pub fn run_straight(program: &Program, inputs: &Inputs) -> Vec<f64> {
     let mut values: Vec<f64> = Vec::with_capacity(program.instructions.len());
     for instruction in &program.instructions {
         let value = step(instruction, &program.tables, |operand| get(operand, inputs, &values));

@@ -38,7 +38,7 @@ fn latency(instruction: &Instruction) -> usize {
 /// The program with its instructions in the order of execution, those before `start` before all others.
 pub fn interleave(selected: Selected, start: usize) -> Selected {
     let instructions = &selected.program.instructions;
-    if instructions.len() < LONG {
+    if instructions.len() < LONG || selected.program.rolled.is_some() {
         return selected;
     }
     let mut order = order(&instructions[..start], 0);

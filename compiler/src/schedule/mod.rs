@@ -9,6 +9,8 @@ mod evaluate;
 mod interleave;
 mod liveness;
 mod program;
+mod repetition;
+mod rounds;
 mod sections;
 mod select;
 mod share;
@@ -18,15 +20,17 @@ pub use crate::symbolic::Counts;
 pub use bounds::{Bounded, Errors, run_bounded};
 pub use count::count;
 pub use cut::{Cut, Part};
-pub use evaluate::{Inputs, run};
+pub use evaluate::{Inputs, run, run_straight};
 pub use liveness::live_values;
 pub use program::{Instruction, Operand, Program, Source};
+pub use repetition::{Copies, List, Result, Rolled, RolledLoop, Term};
 
 use crate::complete::Complete;
 use crate::equations::Equations;
 use crate::functions::{ARGUMENTS, Argument, Given};
 use crate::optimize::{self, Fused, Hoisted, Optimized};
 use crate::symbolic::Node;
+use repetition::Places;
 pub use sections::Section;
 use select::Selected;
 
@@ -48,6 +52,8 @@ impl Programs {
             outputs: Vec::new(),
             sections: Vec::new(),
             tables: Vec::new(),
+            rolled: None,
+            alike: 0,
         };
         self.functions.iter().find(|(known, _)| *known == function).map_or(&EMPTY, |(_, program)| program)
     }
@@ -63,6 +69,11 @@ pub fn schedule(complete: &Complete, optimized: &Optimized) -> Programs {
         (*function, select::select(&graph, &sources, hoisted, fused))
     };
     let mut selected: Vec<(Function, Selected)> = optimized.functions.iter().map(select).collect();
+    let places = Places::of(complete);
+    for (function, selected) in &mut selected {
+        let lists = List::all(function.signature(), complete, &selected.program.outputs);
+        repetition::roll(selected, &places, &lists);
+    }
     let shared = Function::SOLUTIONS.map(|known| {
         let pair = selected.iter_mut().filter(|(function, _)| known.contains(function));
         let mut pair = pair.map(|(_, program)| program);
@@ -74,7 +85,10 @@ pub fn schedule(complete: &Complete, optimized: &Optimized) -> Programs {
     let in_order = |(function, selected): (Function, Selected)| {
         let shared = function.pair().map_or(0, |pair| shared[pair]);
         let selected = interleave::interleave(selected, shared);
-        let sections = sections::sections(complete, function, &selected.nodes);
+        let sections = match selected.program.rolled {
+            Some(_) => Vec::new(),
+            None => sections::sections(complete, function, &selected.nodes),
+        };
         (function, Program { sections, ..selected.program })
     };
     let functions = selected.into_iter().map(in_order).collect();

@@ -1,5 +1,6 @@
 //! Straight-line programs: what `emit` spells out, `count` counts and `evaluate` runs.
 
+use super::repetition::Rolled;
 use super::sections::Section;
 use crate::functions::Argument;
 use crate::symbolic::{Compare, Orders, Table, Unary};
@@ -75,7 +76,7 @@ impl Instruction {
     }
 
     /// The same operation on other operands.
-    pub fn map(&self, f: impl Fn(Operand) -> Operand) -> Instruction {
+    pub fn map(&self, mut f: impl FnMut(Operand) -> Operand) -> Instruction {
         match *self {
             Instruction::Neg(a) => Instruction::Neg(f(a)),
             Instruction::Add(a, b) => Instruction::Add(f(a), f(b)),
@@ -128,10 +129,14 @@ pub struct Program {
     pub sections: Vec<Section>,
     /// What instructions look up in, by number.
     pub tables: Vec<Arc<Table>>,
+    /// Stretches of instructions that repeat one another.
+    pub rolled: Option<Rolled>,
+    /// How many instructions repeat others where there are no loops all the same.
+    pub alike: usize,
 }
 
 impl Program {
-    /// The same program with its instructions in another order, given by their present indices; without sections.
+    /// The same program with its instructions in another order, given by their present indices; without sections and loops.
     pub fn in_order(&self, order: &[usize]) -> Program {
         let mut position = vec![0u32; order.len()];
         for (new, old) in order.iter().enumerate() {
@@ -147,6 +152,8 @@ impl Program {
             outputs: self.outputs.iter().map(|output| moved(*output)).collect(),
             sections: Vec::new(),
             tables: self.tables.clone(),
+            rolled: None,
+            alike: self.alike,
         }
     }
 }

@@ -48,7 +48,8 @@ pub fn select(graph: &Graph, sources: &[Source], hoisted: &Hoisted, fused: &Fuse
     }
     let outputs = fused.outputs.iter().map(|output| selection.operand(*output)).collect();
     let (sections, tables) = (Vec::new(), graph.tables().to_vec());
-    let program = Program { instructions: selection.instructions, outputs, sections, tables };
+    let program =
+        Program { instructions: selection.instructions, outputs, sections, tables, ..Program::default() };
     Selected { program, nodes: selection.nodes, values: selection.values }
 }
 

@@ -4,7 +4,7 @@
 //! factored alike. With that part in front, instruction for instruction, its text and its machine code are
 //! needed once.
 
-use super::program::{Instruction, Operand};
+use super::program::{Instruction, Operand, Program};
 use super::select::Selected;
 
 /// Programs of more instructions are cut into several functions, and begin with what they share: compilers are superlinear
@@ -13,7 +13,8 @@ pub const LONG: usize = 1000;
 
 /// Puts what they have in common in front of both programs; says how many instructions that is.
 pub fn share(one: &mut Selected, other: &mut Selected) -> usize {
-    if one.program.instructions.len() <= LONG || other.program.instructions.len() <= LONG {
+    let stays = |program: &Program| program.instructions.len() <= LONG || program.rolled.is_some();
+    if stays(&one.program) || stays(&other.program) {
         return 0;
     }
     // For each instruction of `other` the same of `one`: same operation, operands in common.

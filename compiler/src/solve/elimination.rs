@@ -82,7 +82,7 @@ pub fn factor(g: Sheet, entries: &Entries, order: &Order, kind: &Kind) -> Factor
         let is_difference = !taken.is_empty();
         if is_row || kind.watch_velocities && is_difference {
             let scale = if is_row { g.on(kind.scales[*pivot - velocities]) } else { positive };
-            watched.push(Watched { scale, inverse, is_row, is_difference });
+            watched.push(Watched { unknown: *pivot, scale, inverse, is_row, is_difference });
         }
         let reciprocal = if is_row { -inverse } else { inverse };
         let around = std::mem::take(&mut rows[*pivot]);
@@ -110,14 +110,15 @@ pub fn factor(g: Sheet, entries: &Entries, order: &Order, kind: &Kind) -> Factor
         steps.push(Step { unknown: *pivot, is_row, inverse: inverse.bare, column });
     }
     let of_velocities = watched.iter().filter(|watched| !watched.is_row);
-    let velocity_pivot = smallest_pivot(g, of_velocities.copied().collect()).bare;
-    let pivot = smallest_pivot(g, watched).bare;
+    let velocity_pivot = smallest_pivot(g, &steps, of_velocities.copied().collect()).bare;
+    let pivot = smallest_pivot(g, &steps, watched).bare;
     Factor { velocities, steps, pivot, velocity_pivot }
 }
 
 /// A pivot to be watched.
 #[derive(Clone, Copy)]
 struct Watched<'g> {
+    unknown: usize,
     /// The size that d is divided by.
     scale: Scalar<'g>,
     /// 1/d.
@@ -127,20 +128,47 @@ struct Watched<'g> {
     is_difference: bool,
 }
 
-/// min d/S, as 1/max(S/d); rows of the same S are compared before they are measured.
-fn smallest_pivot<'g>(g: Sheet<'g>, watched: Vec<Watched<'g>>) -> Scalar<'g> {
+/// min d/S, as 1/max(S/d); rows of the same S are compared before they are measured, along the tree of the elimination: what one
+/// row does repeats with the elimination along a chain of them.
+fn smallest_pivot<'g>(g: Sheet<'g>, steps: &[Step], watched: Vec<Watched<'g>>) -> Scalar<'g> {
     let mut worst: Option<Scalar> = None;
     for (at, first) in watched.iter().enumerate() {
         let alike = |other: &&Watched| other.scale.bare == first.scale.bare;
         if watched[..at].iter().any(|earlier| alike(&earlier)) {
             continue;
         }
-        let others = watched[at + 1..].iter().filter(alike);
-        let inverse = others.fold(first.magnitude(), |most, other| most.max(other.magnitude()));
-        let ratio = first.scale * inverse;
-        worst = Some(worst.map_or(ratio, |worst| worst.max(ratio)));
+        let inverse = along_tree(steps, watched[at..].iter().filter(alike));
+        let ratio = inverse.map(|inverse| first.scale * inverse);
+        worst = match (worst, ratio) {
+            (Some(worst), Some(ratio)) => Some(worst.max(ratio)),
+            (worst, ratio) => worst.or(ratio),
+        };
     }
     worst.map_or_else(|| g.one(), Scalar::reciprocal)
+}
+
+/// The largest of |1/d|: of each with what was found before it, handed on to the next unknown that it acts on.
+fn along_tree<'a, 'g: 'a>(
+    steps: &[Step],
+    watched: impl Iterator<Item = &'a Watched<'g>>,
+) -> Option<Scalar<'g>> {
+    let mut found: BTreeMap<usize, Scalar> =
+        watched.map(|known| (known.unknown, known.magnitude())).collect();
+    let mut position = BTreeMap::new();
+    position.extend(steps.iter().enumerate().map(|(at, step)| (step.unknown, at)));
+    let mut most: Option<Scalar> = None;
+    let larger = |one: Option<Scalar<'g>>, other: Scalar<'g>| one.map_or(other, |one| one.max(other));
+    for step in steps {
+        let Some(own) = found.remove(&step.unknown) else { continue };
+        match step.column.iter().map(|(unknown, _)| *unknown).min_by_key(|unknown| position.get(unknown)) {
+            Some(next) => {
+                let other = found.remove(&next);
+                found.insert(next, larger(other, own));
+            }
+            None => most = Some(larger(most, own)),
+        }
+    }
+    most
 }
 
 impl<'g> Watched<'g> {

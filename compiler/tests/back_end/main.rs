@@ -4,6 +4,7 @@ mod budgets;
 mod exported;
 mod look_up;
 mod mechanisms;
+mod repetition;
 mod self_check;
 mod signatures;
 mod spread;
