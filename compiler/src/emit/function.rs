@@ -133,9 +133,7 @@ fn placed(signature: &Signature, emitter: &Emitter, outputs: &[String]) -> Strin
     let mut values = signature.results.iter().zip(groups).filter(|(group, _)| group.way == Way::Value);
     match values.next() {
         None => String::new(),
-        Some((group, own)) if matches!(group.shape, Shape::Scalar | Shape::Outputs) => {
-            value(group.shape, emitter, own)
-        }
+        Some((group, own)) if !group.shape.is_list() => value(group.shape, emitter, own),
         Some(_) => OUT.to_string(),
     }
 }

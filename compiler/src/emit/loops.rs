@@ -4,13 +4,13 @@
 //! const N0: [f64; 38] = [0.5, 0.75, …];
 //! let mut s0 = [R::ZERO; 39];
 //! s0[0] = a12;
-//! let mut c1_1 = a12;
+//! let mut c0_1 = a12;
 //! for i in 0..38 {
 //!     let b0 = q[2 * i + 3] * q[2 * i + 80];
-//!     let b1 = R::from_f64(N0[i]).mul_add(c1_1, b0);
+//!     let b1 = R::from_f64(N0[i]).mul_add(c0_1, b0);
 //!     s0[i + 1] = b1;
 //!     a_out[3 * i + 4] = b1;
-//!     c1_1 = b1;
+//!     c0_1 = b1;
 //! }
 //! for i in 0..40 {
 //!     lambda_out[2 * i] = R::ZERO;
@@ -21,8 +21,8 @@
 use super::dialect::Dialect;
 use super::names::push_numbered;
 use super::printer::Writer;
-use crate::functions::{Argument, Shape};
-use crate::schedule::{List, Operand, Result, Rolled, RolledLoop, Term};
+use crate::functions::Argument;
+use crate::schedule::{Carried, List, Operand, Result, Rolled, RolledLoop, Term};
 use std::collections::BTreeSet;
 use std::fmt::Write;
 
@@ -61,8 +61,7 @@ impl<D: Dialect> Loops<'_, D> {
     /// The results that are in no list.
     fn numbers(&self) -> impl Iterator<Item = usize> {
         let results = self.writer.signature.results.iter().zip(&self.groups);
-        let is_list = |shape: Shape| !matches!(shape, Shape::Scalar | Shape::Outputs);
-        results.filter(move |(group, _)| !is_list(group.shape)).flat_map(|(_, own)| own.start..own.end)
+        results.filter(|(group, _)| !group.shape.is_list()).flat_map(|(_, own)| own.start..own.end)
     }
 
     /// Arguments, tables, arrays and lists of results; what is read.
@@ -93,7 +92,7 @@ impl<D: Dialect> Loops<'_, D> {
         }
         for known in &rolled.loops {
             used.extend(known.before.iter().map(|(_, _, operand)| *operand));
-            used.extend(known.carried.iter().flat_map(|(_, taken)| taken).copied());
+            used.extend(known.carried.iter().flat_map(|carried| &carried.early).copied());
         }
         used.extend(rolled.alone.iter().copied().chain(self.numbers()).map(|result| program.outputs[result]));
         let loaded = writer.loads(text, used.into_iter(), &writer.names);
@@ -127,9 +126,9 @@ impl<D: Dialect> Loops<'_, D> {
             self.operand(text, *operand);
             text.push_str(";\n");
         }
-        for (index, taken) in &known.carried {
-            for (rounds, operand) in taken.iter().enumerate() {
-                self.dialect().variable(text, &carried(*index, rounds + 1));
+        for Carried { number, early, .. } in &known.carried {
+            for (rounds, operand) in early.iter().enumerate() {
+                self.dialect().variable(text, &carried(*number, rounds + 1));
                 self.operand(text, *operand);
                 text.push_str(";\n");
             }
@@ -141,7 +140,9 @@ impl<D: Dialect> Loops<'_, D> {
             text.push_str(before);
             push_numbered(text, 'b', index as u32);
             text.push_str(between);
-            self.writer.spelled(text, instruction, terms.iter(), |text, term| self.term(text, *term));
+            self.writer.spelled(text, instruction, terms.iter(), |text, term| {
+                self.term(text, *term, &known.carried)
+            });
             text.push_str(behind);
             if let Some((array, first)) = kept {
                 let _ = writeln!(text, "s{array}[{}] = b{index};", counted(*first, 1));
@@ -151,11 +152,11 @@ impl<D: Dialect> Loops<'_, D> {
                 let _ = writeln!(text, " = b{index};");
             }
         }
-        for (index, taken) in &known.carried {
-            for rounds in (2..=taken.len()).rev() {
-                let _ = writeln!(text, "{} = {};", carried(*index, rounds), carried(*index, rounds - 1));
+        for Carried { index, number, early } in &known.carried {
+            for rounds in (2..=early.len()).rev() {
+                let _ = writeln!(text, "{} = {};", carried(*number, rounds), carried(*number, rounds - 1));
             }
-            let _ = writeln!(text, "{} = b{index};", carried(*index, 1));
+            let _ = writeln!(text, "{} = b{index};", carried(*number, 1));
         }
         self.dialect().end_of_rounds(text);
     }
@@ -167,7 +168,7 @@ impl<D: Dialect> Loops<'_, D> {
             for (result, term) in &copies.results {
                 self.result(text, *result);
                 text.push_str(" = ");
-                self.term(text, *term);
+                self.term(text, *term, &[]);
                 text.push_str(";\n");
             }
             self.dialect().end_of_rounds(text);
@@ -203,12 +204,16 @@ impl<D: Dialect> Loops<'_, D> {
         self.dialect().result(text, self.writer.signature, group, &at, &place);
     }
 
-    fn term(&self, text: &mut String, term: Term) {
+    fn term(&self, text: &mut String, term: Term, of_loop: &[Carried]) {
         match term {
             Term::Same(operand) => self.operand(text, operand),
             Term::Number(table) => self.dialect().number(text, table, "i"),
             Term::Own(index) => push_numbered(text, 'b', index as u32),
-            Term::Before { index, rounds } => text.push_str(&carried(index, rounds)),
+            Term::Before { index, rounds } => {
+                let number =
+                    of_loop.iter().find(|known| known.index == index).map_or(0, |known| known.number);
+                text.push_str(&carried(number, rounds));
+            }
             Term::Entry { argument, first, step } => {
                 let within = self.writer.signature.within(argument);
                 self.dialect().entry(text, within, argument, &counted(first, step));
@@ -230,9 +235,9 @@ impl<D: Dialect> Loops<'_, D> {
     }
 }
 
-/// What an instruction of a round was so many rounds before.
-fn carried(index: usize, rounds: usize) -> String {
-    format!("c{index}_{rounds}")
+/// What goes from round to round, so many rounds before.
+fn carried(number: usize, rounds: usize) -> String {
+    format!("c{number}_{rounds}")
 }
 
 /// `first + step i`.

@@ -170,6 +170,7 @@ impl Writer<'_> {
                 (Way::Value, Shape::Scalar) => {
                     let _ = writeln!(statements, "return {};", own.concat());
                 }
+                (_, shape) if body.placed && shape.is_list() => {}
                 _ => self.assign(&mut statements, group, own),
             }
         }

@@ -59,6 +59,11 @@ impl Shape {
         }
     }
 
+    /// Whether its entries are counted; a number by itself and the fields of a struct are not.
+    pub fn is_list(self) -> bool {
+        !matches!(self, Shape::Scalar | Shape::State | Shape::Parameters | Shape::Inputs | Shape::Outputs)
+    }
+
     /// The fields of its entries, where they have fields.
     pub fn record(self) -> Option<&'static Record> {
         match self {

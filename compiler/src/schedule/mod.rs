@@ -23,7 +23,7 @@ pub use cut::{Cut, Part};
 pub use evaluate::{Inputs, run, run_straight};
 pub use liveness::live_values;
 pub use program::{Instruction, Operand, Program, Source};
-pub use repetition::{Copies, List, Result, Rolled, RolledLoop, Term};
+pub use repetition::{Carried, Copies, List, Result, Rolled, RolledLoop, Term};
 
 use crate::complete::Complete;
 use crate::equations::Equations;

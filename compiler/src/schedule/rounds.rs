@@ -52,7 +52,7 @@ impl Rounds<'_> {
         let mut carried: Vec<VecDeque<f64>> = known
             .carried
             .iter()
-            .map(|(_, taken)| taken.iter().map(|operand| self.get(*operand)).collect())
+            .map(|known| known.early.iter().map(|operand| self.get(*operand)).collect())
             .collect();
         for round in 0..known.of.rounds {
             let mut own: Vec<f64> = Vec::with_capacity(known.of.length);
@@ -60,7 +60,7 @@ impl Rounds<'_> {
                 let mut terms = terms.iter();
                 let value = |term: &Term| match term {
                     Term::Before { index, rounds } => {
-                        let which = known.carried.iter().position(|(known, _)| known == index);
+                        let which = known.carried.iter().position(|known| known.index == *index);
                         which.map_or(f64::NAN, |which| carried[which][rounds - 1])
                     }
                     term => self.term(*term, round, &own),
@@ -76,8 +76,8 @@ impl Rounds<'_> {
                     self.results[counted(result.first, result.step, round)] = value;
                 }
             }
-            for (values, (index, _)) in carried.iter_mut().zip(&known.carried) {
-                values.push_front(own[*index]);
+            for (values, known) in carried.iter_mut().zip(&known.carried) {
+                values.push_front(own[known.index]);
                 values.pop_back();
             }
         }

@@ -15,7 +15,7 @@ mod strands;
 
 pub use places::Places;
 pub use results::{Copies, List, Result};
-pub use rolled::{Rolled, RolledLoop, Term};
+pub use rolled::{Carried, Rolled, RolledLoop, Term};
 
 use super::Program;
 use super::select::Selected;

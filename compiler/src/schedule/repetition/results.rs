@@ -2,7 +2,7 @@
 
 use super::{FEWEST_ROUNDS, Rolled, Term};
 use crate::complete::Complete;
-use crate::functions::{Group, Shape, Signature};
+use crate::functions::{Group, Signature};
 use crate::schedule::{Operand, Program, Source};
 
 /// Results that are the entries of one list: from where to where among all, and how many belong to one entry.
@@ -43,10 +43,10 @@ impl List {
         signature.results.iter().zip(signature.groups(complete, outputs)).map(list).collect()
     }
 
-    /// Those whose entries can be counted: not numbers by themselves, nor fields of structs.
+    /// Those whose entries are counted.
     pub fn all(signature: &Signature, complete: &Complete, outputs: &[Operand]) -> Vec<List> {
         let groups = signature.results.iter().zip(List::groups(signature, complete, outputs));
-        let counted = groups.filter(|(group, _)| !matches!(group.shape, Shape::Scalar | Shape::Outputs));
+        let counted = groups.filter(|(group, _)| group.shape.is_list());
         counted.map(|(_, list)| list).collect()
     }
 

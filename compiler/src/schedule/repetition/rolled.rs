@@ -46,8 +46,18 @@ pub struct RolledLoop {
     pub before: Vec<(usize, usize, Operand)>,
     /// For each instruction of a round, the results that it is.
     pub results: Vec<Vec<Result>>,
-    /// The instructions that later rounds take, and what these take while there is none: one round before the first, two …
-    pub carried: Vec<(usize, Vec<Operand>)>,
+    /// The instructions that later rounds take.
+    pub carried: Vec<Carried>,
+}
+
+/// An instruction that later rounds take.
+#[derive(Clone, Debug)]
+pub struct Carried {
+    pub index: usize,
+    /// Which it is of all in the program.
+    pub number: usize,
+    /// What is taken while there is none: of one round before the first, of two …
+    pub early: Vec<Operand>,
 }
 
 /// All loops of a program.
@@ -428,8 +438,12 @@ impl Drafting<'_> {
             }
             let results = |index: usize| self.results.get(&(at, index)).cloned().unwrap_or_default();
             let results = (0..known.length).map(results).collect();
-            let carried =
-                self.carried.range((at, 0)..(at + 1, 0)).map(|((_, index), taken)| (*index, taken.clone()));
+            let carried = self.carried.iter().enumerate().filter(|(_, (slot, _))| slot.0 == at);
+            let carried = carried.map(|(number, ((_, index), early))| Carried {
+                index: *index,
+                number,
+                early: early.clone(),
+            });
             Some(RolledLoop { of: *known, terms, kept, before, results, carried: carried.collect() })
         });
         let loops = loops.collect::<Option<Vec<_>>>()?;
