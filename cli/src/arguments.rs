@@ -1,14 +1,18 @@
 //! What is asked for on the command line.
 
+use crate::study::options::{self, Study};
 use linkwright_compiler::export::Scalar;
 use linkwright_compiler::model::Coordinates;
+use linkwright_compiler::spelling::closest;
 use std::ffi::OsString;
 use std::path::PathBuf;
 
 pub const HELP: &str = "\
-Checks, explains, counts and exports definitions of mechanisms.
+Runs, draws, checks, explains, counts and exports definitions of mechanisms.
 
-usage: linkwright check   [options] FILE…   errors of every definition, as the macro reports them
+usage: linkwright run     [options] FILE    moves it and writes what is measured; `linkwright run --help`
+       linkwright draw    [options] FILE    a drawing of it, as SVG; `linkwright draw --help`
+       linkwright check   [options] FILE…   errors of every definition, as the macro reports them
        linkwright explain [options] FILE    what the compiler found: parts, freedoms, coordinates, start
        linkwright counts  [options] FILE    operations of every generated function
        linkwright export c [options] FILE…  every definition as a source file and a header in C99
@@ -26,8 +30,8 @@ options:
 
 Errors go to standard error, all else to standard output. Colours are used on a terminal, unless NO_COLOR is set.
 
-exit code: 0  all definitions are well
-           1  a definition has errors
+exit code: 0  all is well
+           1  a definition has errors, or a run failed
            2  wrong usage, a file that cannot be read, or no definition in any file
 ";
 
@@ -70,6 +74,9 @@ pub struct Job {
 #[derive(Clone, Debug)]
 pub enum Asked {
     Job(Job),
+    Study(Box<Study>),
+    /// The help of a command.
+    Text(&'static str),
     Help,
     Version,
 }
@@ -77,6 +84,11 @@ pub enum Asked {
 /// Reads the arguments behind the program's name; the error is complete but for a pointer to `--help`.
 pub fn parse(arguments: impl IntoIterator<Item = OsString>) -> Result<Asked, String> {
     use lexopt::Arg::{Long, Short, Value};
+    let arguments: Vec<OsString> = arguments.into_iter().collect();
+    if let Some(study) = study_named(arguments.first()) {
+        let parsed = options::parse(study, arguments.into_iter().skip(1))?;
+        return Ok(parsed.map_or_else(Asked::Text, |study| Asked::Study(Box::new(study))));
+    }
     let mut parser = lexopt::Parser::from_args(arguments);
     let (mut command, mut files, mut coordinates, mut json) = (None, Vec::new(), None, false);
     let (mut language, mut scalar, mut output) = (None, None, None);
@@ -103,7 +115,7 @@ pub fn parse(arguments: impl IntoIterator<Item = OsString>) -> Result<Asked, Str
         }
     }
     let Some(command) = command else {
-        return Err("no command is given: write check, explain, counts or export".into());
+        return Err(format!("no command is given: there are {ALL}"));
     };
     if command == Command::Export && language.is_none() {
         return Err("export needs a language: write `linkwright export c FILE`".into());
@@ -127,12 +139,29 @@ pub fn parse(arguments: impl IntoIterator<Item = OsString>) -> Result<Asked, Str
     }
 }
 
-fn named(word: &str) -> Result<Command, String> {
-    let found = Command::ALL.into_iter().find(|command| command.text() == word);
-    found.ok_or_else(|| {
-        format!("no command is called \"{word}\": there are check, explain, counts and export")
-    })
+/// The command of this name that moves or shows a mechanism.
+fn study_named(word: Option<&OsString>) -> Option<options::Command> {
+    let word = word?.to_str()?;
+    options::Command::ALL.into_iter().find(|command| command.text() == word)
 }
+
+fn named(word: &str) -> Result<Command, String> {
+    if let Some(found) = Command::ALL.into_iter().find(|command| command.text() == word) {
+        return Ok(found);
+    }
+    if study_named(Some(&word.into())).is_some() {
+        return Err(format!(
+            "`{word}` has options of its own: write it first, `linkwright {word} [options] FILE`"
+        ));
+    }
+    let studies = options::Command::ALL.into_iter().map(options::Command::text);
+    let near = closest(word, Command::ALL.into_iter().map(Command::text).chain(studies));
+    let meant = near.map_or(String::new(), |near| format!("; did you mean `{near}`?"));
+    Err(format!("no command is called \"{word}\"{meant}: there are {ALL}"))
+}
+
+/// All commands.
+const ALL: &str = "run, draw, check, explain, counts and export";
 
 fn is_language(word: &str) -> Result<(), String> {
     match word {

@@ -15,11 +15,16 @@ pub const VERSION: u32 = 1;
 
 /// The whole answer.
 pub fn document(command: Command, mechanisms: Vec<Value>, unreadable: &[(String, String)]) -> String {
+    document_of(command.text(), mechanisms, unreadable)
+}
+
+/// The same of a command of this name.
+pub fn document_of(command: &str, mechanisms: Vec<Value>, unreadable: &[(String, String)]) -> String {
     let unreadable: Vec<Value> =
         unreadable.iter().map(|(file, message)| json!({ "file": file, "message": message })).collect();
     let document = json!({
         "version": VERSION,
-        "command": command.text(),
+        "command": command,
         "mechanisms": mechanisms,
         "unreadable": unreadable,
     });

@@ -1,5 +1,5 @@
-//! The command line of Linkwright: `check`, `explain` and `counts` for definitions in files and in Rust sources. A shell
-//! around `linkwright-compiler`, whose messages it draws.
+//! The command line of Linkwright: `run` and `draw`, `check`, `explain`, `counts` and `export` for definitions in files and in Rust
+//! sources. A shell around `linkwright-compiler`, whose messages it draws, and `linkwright-engine`.
 
 mod arguments;
 mod explain;
@@ -9,6 +9,7 @@ mod motion;
 mod report;
 mod run;
 mod start;
+mod study;
 mod text;
 
 use arguments::Asked;
@@ -23,7 +24,9 @@ fn main() -> ExitCode {
     match arguments::parse(std::env::args_os().skip(1)) {
         Ok(Asked::Help) => answer(arguments::HELP),
         Ok(Asked::Version) => answer(concat!("linkwright ", env!("CARGO_PKG_VERSION"), "\n")),
+        Ok(Asked::Text(text)) => answer(text),
         Ok(Asked::Job(job)) => run::run(&job),
+        Ok(Asked::Study(study)) => study::study(&study),
         Err(error) => {
             eprintln!("error: {error}\nSee `linkwright --help`.");
             ExitCode::from(USAGE)

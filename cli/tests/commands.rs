@@ -71,7 +71,7 @@ fn good_and_bad_files_have_their_exit_codes() {
 #[test]
 fn wrong_usage_is_said() {
     for (arguments, message) in [
-        (&[] as &[&str], "no command is given: write check, explain, counts or export"),
+        (&[] as &[&str], "no command is given: there are run, draw, check, explain, counts and export"),
         (&["export", "good.mech"], "nothing is exported to \"good.mech\": there is c"),
         (&["export"], "export needs a language: write `linkwright export c FILE`"),
         (&["export", "c"], "export needs a file"),
@@ -80,7 +80,7 @@ fn wrong_usage_is_said() {
             "no scalar is called \"f16\": there are f64 and f32",
         ),
         (&["check", "--output", "here", "good.mech"], "--scalar and --output belong to export"),
-        (&["chekc", "good.mech"], "no command is called \"chekc\""),
+        (&["chekc", "good.mech"], "no command is called \"chekc\"; did you mean `check`?"),
         (&["check"], "check needs a file"),
         (&["explain", "good.mech", "good.mech"], "explain takes one file, 2 are given"),
         (&["check", "--coordinates", "polar", "good.mech"], "no coordinates are called \"polar\""),

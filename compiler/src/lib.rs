@@ -19,7 +19,7 @@ mod messages;
 pub mod numbers;
 mod scalar;
 pub mod source;
-mod spelling;
+pub mod spelling;
 pub mod units;
 
 pub mod check;

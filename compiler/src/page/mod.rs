@@ -18,7 +18,9 @@ mod terms;
 mod text;
 
 use crate::compiled::Compiled;
+pub use figure::Figure;
 use sketch::Sketch;
+pub use stand::Pose;
 use std::fmt::Write;
 use text::count;
 
@@ -43,8 +45,13 @@ pub fn page(compiled: &Compiled) -> String {
     page
 }
 
+/// The drawing of a mechanism in a pose.
+pub fn drawing_at(compiled: &Compiled, pose: &Pose) -> Figure {
+    figure::figure(&compiled.mechanism.name.text, &Sketch::of(compiled, pose))
+}
+
 fn drawing(page: &mut String, compiled: &Compiled) {
-    let figure = figure::figure(&compiled.mechanism.name.text, &Sketch::of(compiled));
+    let figure = drawing_at(compiled, &Pose::start(compiled));
     let _ = writeln!(page, "<div>\n{}\n</div>\n", figure.svg);
     if figure.left_out > 0 {
         let names = count(figure.left_out, "name found", "names found");

@@ -1,7 +1,7 @@
-//! What a drawing shows, as numbers: where bodies, joints and loads stand at the start, in world axes. How they look is
+//! What a drawing shows, as numbers: where bodies, joints and loads stand in a pose, in world axes. How they look is
 //! left to `figure`.
 
-use super::stand::Stand;
+use super::stand::{Pose, Stand};
 use crate::compiled::Compiled;
 use crate::drawing::Hinge;
 pub use crate::drawing::load::Effort;
@@ -11,7 +11,7 @@ use crate::forms::BodyForm;
 use crate::forms::Spans;
 use crate::model::{Frame, Space};
 
-/// A mechanism at its start.
+/// A mechanism in a pose.
 pub struct Sketch {
     pub space: Space,
     /// Against gravity, or the usual way up.
@@ -63,8 +63,8 @@ fn settle(hinge: &mut Hinge, parts: &[Part], space: Space) {
 }
 
 impl Sketch {
-    pub fn of(compiled: &Compiled) -> Sketch {
-        let mut stand = Stand::of(compiled);
+    pub fn of(compiled: &Compiled, pose: &Pose) -> Sketch {
+        let mut stand = Stand::of(compiled, pose);
         let mechanism = &compiled.mechanism;
         let mut hinges: Vec<Hinge> = mechanism.joints.iter().map(|joint| stand.hinge(joint)).collect();
         let mut parts: Vec<Part> =

@@ -1,4 +1,4 @@
-//! Numbers of the mechanism as it stands at its start, from which the sketch is made.
+//! Numbers of the mechanism as it stands in a pose, such as its start, from which the sketch is made.
 
 use super::sketch::{Effort, Part, Wheel};
 use crate::compiled::Compiled;
@@ -13,7 +13,33 @@ use crate::model::{
 };
 use crate::symbolic::{Growing, Node, Op, evaluate_reachable};
 
-/// The mechanism at its start: default parameters, time 0, all inputs 1, so that loads have a direction.
+/// Where a mechanism stands.
+#[derive(Clone, Debug)]
+pub struct Pose {
+    pub parameters: Vec<f64>,
+    pub phases: Vec<f64>,
+    pub time: f64,
+    pub q: Vec<f64>,
+    pub v: Vec<f64>,
+    pub internal: Vec<f64>,
+}
+
+impl Pose {
+    /// At its start: default parameters, time 0.
+    pub fn start(compiled: &Compiled) -> Pose {
+        let Compiled { mechanism, assembly, .. } = compiled;
+        Pose {
+            parameters: mechanism.defaults(),
+            phases: assembly.phases.clone(),
+            time: 0.0,
+            q: assembly.q.clone(),
+            v: assembly.v.clone(),
+            internal: mechanism.internal_starts(),
+        }
+    }
+}
+
+/// The mechanism in a pose, all inputs 1, so that loads have a direction.
 pub struct Stand<'a> {
     compiled: &'a Compiled,
     /// The equations' graph, to which what is asked is added.
@@ -25,8 +51,8 @@ pub struct Stand<'a> {
 }
 
 impl<'a> Stand<'a> {
-    pub fn of(compiled: &'a Compiled) -> Self {
-        let (equations, assembly) = (&compiled.complete.equations, &compiled.assembly);
+    pub fn of(compiled: &'a Compiled, pose: &Pose) -> Self {
+        let equations = &compiled.complete.equations;
         let graph = equations.graph.clone();
         let mut symbols = vec![0.0; graph.read().symbol_count()];
         let mut set = |nodes: &[Node], values: &mut dyn Iterator<Item = f64>| {
@@ -37,12 +63,13 @@ impl<'a> Stand<'a> {
             }
         };
         let known = &equations.symbols;
-        set(&known.parameters, &mut compiled.mechanism.parameters.iter().map(|it| it.default));
-        set(&known.phases, &mut assembly.phases.iter().copied());
-        set(&known.q, &mut assembly.q.iter().copied());
-        set(&known.v, &mut assembly.v.iter().copied());
+        set(&known.parameters, &mut pose.parameters.iter().copied());
+        set(&known.phases, &mut pose.phases.iter().copied());
+        set(std::slice::from_ref(&known.time), &mut std::iter::once(pose.time));
+        set(&known.q, &mut pose.q.iter().copied());
+        set(&known.v, &mut pose.v.iter().copied());
         set(&known.inputs, &mut std::iter::repeat(1.0));
-        set(&known.internal, &mut compiled.mechanism.internal_starts().into_iter());
+        set(&known.internal, &mut pose.internal.iter().copied());
         let mut stand = Stand { compiled, graph, symbols, values: Vec::new(), poses: Vec::new() };
         for motion in &equations.motions {
             let center = pad(&stand.numbers(&motion.position));

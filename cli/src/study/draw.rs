@@ -1,0 +1,35 @@
+//! `linkwright draw`: the drawing of a mechanism at its start.
+
+use super::options::Study;
+use super::{Done, Failure, Loaded, write};
+use crate::with_engine;
+use linkwright_compiler::page::Pose;
+use linkwright_compiler::page::drawing_at;
+use linkwright_runtime::Vector;
+use serde_json::json;
+
+/// The command.
+pub fn draw(study: &Study, loaded: &Loaded) -> Result<Done, Failure> {
+    let drawing = with_engine!(&loaded.engine, |engine| {
+        let start = super::start(engine)?;
+        let pose = Pose {
+            parameters: engine.parameters().to_vec(),
+            phases: engine.phases().to_vec(),
+            time: 0.0,
+            q: start.q.as_slice().to_vec(),
+            v: start.v.as_slice().to_vec(),
+            internal: start.z.as_slice().to_vec(),
+        };
+        drawing_at(&loaded.compiled, &pose)
+    });
+    if !study.json {
+        write(study.out.as_deref(), &format!("{}\n", drawing.svg))?;
+        if drawing.left_out > 0 {
+            eprintln!("{}: {} names found no place in the drawing", loaded.name, drawing.left_out);
+        }
+    } else if let Some(out) = &study.out {
+        write(Some(out), &format!("{}\n", drawing.svg))?;
+    }
+    let value = json!({ "svg": drawing.svg, "left_out": drawing.left_out });
+    Ok(Done { value, failed: false })
+}

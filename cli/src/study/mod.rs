@@ -1,0 +1,232 @@
+//! What moves a mechanism and shows it, without Rust: `run`, `draw`. The definition is read by the engine, so that
+//! every method and message is that of a compiled mechanism.
+
+pub mod draw;
+pub mod expression;
+pub mod inputs;
+pub mod methods;
+pub mod options;
+pub mod record;
+pub mod run;
+
+use crate::input::{self, Found};
+use crate::{ERRORS, USAGE, answer, json, report, with_engine};
+use expression::unknown;
+use inputs::Laws;
+use linkwright_compiler::diagnostics::Diagnostics;
+use linkwright_compiler::source::Located;
+use linkwright_compiler::{Compiled, compile_with, header, parse_at};
+use linkwright_engine::{Engine, EngineError};
+use linkwright_runtime::AssembleExt;
+use methods::{AnyEngine, EngineState};
+use options::{Command, Study};
+use serde_json::{Value, json};
+use std::ffi::OsStr;
+use std::io::{IsTerminal, stderr};
+use std::path::{Path, PathBuf};
+use std::process::ExitCode;
+
+/// Why a study ends early.
+pub enum Failure {
+    /// Wrong usage, or a file that cannot be read or written.
+    Usage(String),
+    /// Errors of the definition at their places.
+    Definition(Vec<Located>),
+    /// The mechanism does not do what is asked: an assembly, a setting, a run.
+    Motion(String),
+}
+
+/// A mechanism that was read.
+pub struct Loaded {
+    pub name: String,
+    pub compiled: Compiled,
+    pub engine: AnyEngine,
+    pub warnings: Vec<Located>,
+}
+
+/// Does what is asked for.
+pub fn study(study: &Study) -> ExitCode {
+    let colours = stderr().is_terminal() && std::env::var_os("NO_COLOR").is_none_or(|value| value.is_empty());
+    let renderer = report::renderer(colours);
+    let found = match one_definition(&study.file) {
+        Ok(found) => found,
+        Err(message) => {
+            if study.json {
+                let unreadable = [(study.file.to_string_lossy().into_owned(), message)];
+                answer(&json::document_of(study.command.text(), Vec::new(), &unreadable));
+            } else {
+                eprint!("{}", report::plain(&renderer, &message));
+            }
+            return ExitCode::from(USAGE);
+        }
+    };
+    let mut name = header(found.tokens.stream.clone(), &|_| None).map(|header| header.name.to_string());
+    let outcome = load(&found, study).and_then(|loaded| {
+        name = Some(loaded.name.clone());
+        if !study.json {
+            for warning in &loaded.warnings {
+                eprintln!("{}", report::finding(&renderer, &found.source, warning));
+            }
+        }
+        let done = match study.command {
+            Command::Run => run::run(study, &loaded),
+            Command::Draw => draw::draw(study, &loaded),
+        };
+        done.map(|value| (value, loaded.warnings))
+    });
+    let (code, findings, value, said) = match outcome {
+        Ok((Done { value, failed }, warnings)) => {
+            (if failed { ERRORS } else { 0 }, warnings, Some(value), None)
+        }
+        Err(Failure::Definition(errors)) => (ERRORS, errors, None, None),
+        Err(Failure::Usage(message)) => (USAGE, Vec::new(), None, Some(message)),
+        Err(Failure::Motion(message)) => (ERRORS, Vec::new(), None, Some(message)),
+    };
+    if study.json {
+        let mut object = json::mechanism(&found, name.as_deref(), &findings);
+        if let Some(value) = value {
+            object[study.command.text()] = value;
+        }
+        if let Some(message) = said {
+            object["failure"] = Value::from(message);
+        }
+        answer(&json::document_of(study.command.text(), vec![object], &[]));
+    } else {
+        if code == ERRORS && value.is_none() {
+            for finding in &findings {
+                eprintln!("{}", report::finding(&renderer, &found.source, finding));
+            }
+        }
+        if let Some(message) = said {
+            eprint!("{}", report::plain(&renderer, &message));
+        }
+    }
+    ExitCode::from(code)
+}
+
+/// What a command leaves behind: fields for machines, and whether something failed on the way.
+pub struct Done {
+    pub value: Value,
+    pub failed: bool,
+}
+
+/// The one definition of a file.
+pub fn one_definition(file: &OsStr) -> Result<Found, String> {
+    let mut found = input::definitions(file)?;
+    let name = file.to_string_lossy();
+    match found.len() {
+        0 => Err(format!("there is no definition in `{name}`")),
+        1 => Ok(found.remove(0)),
+        count => {
+            let names = found.iter().map(|one| {
+                let header = header(one.tokens.stream.clone(), &|_| None);
+                header.map_or("?".to_string(), |header| header.name.to_string())
+            });
+            let names = names.collect::<Vec<_>>().join(", ");
+            Err(format!(
+                "`{name}` has {count} definitions, {names}, and one is needed: write it to a file that ends in `.mech`"
+            ))
+        }
+    }
+}
+
+/// Compiles it and sets parameters.
+pub fn load(found: &Found, study: &Study) -> Result<Loaded, Failure> {
+    if !found.errors.is_empty() {
+        return Err(Failure::Definition(found.errors.clone()));
+    }
+    let is_implicit = study.course.integrator.is_implicit();
+    let emit: &[&str] = if is_implicit { &["tangent"] } else { &[] };
+    let stages = || -> Result<Compiled, Diagnostics> {
+        let beside = || Some(PathBuf::from(&found.source.name));
+        let definition = parse_at(found.tokens.stream.clone(), &|_| beside())?;
+        compile_with(&definition, None, emit)
+    };
+    let mut compiled = stages().map_err(|errors| Failure::Definition(found.tokens.locate(errors)))?;
+    let warnings = found.tokens.locate(std::mem::take(&mut compiled.warnings));
+    let name = compiled.mechanism.name.text.clone();
+    let parameters = parameters(&compiled, &study.set).map_err(Failure::Usage)?;
+    let too_large = |error: EngineError| Failure::Motion(error.to_string());
+    let engine = if is_implicit {
+        AnyEngine::Implicit(prepared(Engine::of(&compiled).map_err(too_large)?, parameters.as_deref())?)
+    } else {
+        AnyEngine::Plain(prepared(Engine::of(&compiled).map_err(too_large)?, parameters.as_deref())?)
+    };
+    Ok(Loaded { name, compiled, engine, warnings })
+}
+
+fn prepared<D: 'static>(engine: Engine<D>, parameters: Option<&[f64]>) -> Result<Engine<D>, Failure> {
+    match parameters {
+        None => Ok(engine),
+        Some(values) => engine.prepared(values).map_err(|error| Failure::Motion(error.to_string())),
+    }
+}
+
+/// All parameters in SI, if any is set.
+pub fn parameters(compiled: &Compiled, set: &[(String, f64)]) -> Result<Option<Vec<f64>>, String> {
+    if set.is_empty() {
+        return Ok(None);
+    }
+    let known = &compiled.mechanism.parameters;
+    let mut values = compiled.mechanism.defaults();
+    for (name, value) in set {
+        let Some(index) = known.iter().position(|parameter| parameter.name.text == *name) else {
+            let names = known.iter().map(|parameter| parameter.name.text.as_str());
+            return Err(unknown("--set: no parameter is called", name, names));
+        };
+        values[index] = value * known[index].unit.scale;
+    }
+    Ok(Some(values))
+}
+
+/// The start of an engine; assembled anew where parameters differ from those of the definition.
+pub fn start<D: 'static>(engine: &Engine<D>) -> Result<EngineState, Failure> {
+    let start = engine.start();
+    if engine.parameters() == engine.default_parameters() {
+        return Ok(start);
+    }
+    engine.assemble(&start).map_err(|error| Failure::Motion(error.to_string()))
+}
+
+/// The inputs of a study.
+pub fn laws(loaded: &Loaded, study: &Study) -> Result<Laws, Failure> {
+    Laws::read(&loaded.compiled.mechanism, &study.inputs).map_err(Failure::Usage)
+}
+
+/// Writes to the file that was named, or to standard output.
+pub fn write(out: Option<&Path>, text: &str) -> Result<(), Failure> {
+    match out {
+        None => {
+            answer(text);
+            Ok(())
+        }
+        Some(path) => std::fs::write(path, text)
+            .map_err(|error| Failure::Usage(format!("`{}` cannot be written: {error}", path.display()))),
+    }
+}
+
+/// A number of a message: six digits, no zeros behind them.
+pub fn short(value: f64) -> String {
+    if value == 0.0 || !value.is_finite() {
+        return format!("{}", value + 0.0);
+    }
+    let exponent = value.abs().log10().floor();
+    if !(-4.0..6.0).contains(&exponent) {
+        let text = format!("{value:.5e}");
+        let (digits, power) = text.split_once('e').unwrap_or((&text, "0"));
+        let digits =
+            if digits.contains('.') { digits.trim_end_matches('0').trim_end_matches('.') } else { digits };
+        return format!("{digits}e{power}");
+    }
+    let text = format!("{value:.*}", (5.0 - exponent).max(0.0) as usize);
+    if text.contains('.') { text.trim_end_matches('0').trim_end_matches('.').to_string() } else { text }
+}
+
+/// The parameters for machines.
+pub fn settings(loaded: &Loaded) -> Value {
+    let values = with_engine!(&loaded.engine, |engine| engine.parameters());
+    let known = loaded.compiled.mechanism.parameters.iter().zip(values);
+    known
+        .map(|(it, value)| json!({ "name": it.name.text, "value": value / it.unit.scale, "unit": it.unit.text }))
+        .collect()
+}

@@ -1,0 +1,209 @@
+//! The options of the commands that move a mechanism.
+
+use super::expression::{Expression, unknown};
+use super::methods::{Chosen, Course, FORMULATIONS, INTEGRATORS, chosen};
+use super::record::Group;
+use lexopt::Arg::{Long, Short, Value};
+use std::ffi::OsString;
+use std::path::PathBuf;
+
+/// A command that moves or shows a mechanism.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Command {
+    Run,
+    Draw,
+}
+
+impl Command {
+    pub const ALL: [Command; 2] = [Command::Run, Command::Draw];
+
+    pub fn text(self) -> &'static str {
+        match self {
+            Command::Run => "run",
+            Command::Draw => "draw",
+        }
+    }
+
+    /// The options that it has.
+    fn options(self) -> &'static [&'static str] {
+        match self {
+            Command::Run => {
+                &["for", "step", "every", "formulation", "integrator", "set", "input", "show", "out", "json"]
+            }
+            Command::Draw => &["set", "out", "json"],
+        }
+    }
+
+    fn help(self) -> &'static str {
+        match self {
+            Command::Run => RUN,
+            Command::Draw => DRAW,
+        }
+    }
+}
+
+const RUN: &str = "\
+Moves a mechanism and writes what is measured, as comma-separated values.
+
+usage: linkwright run [options] FILE
+
+  --for DURATION          10s if it is not given; a number is in s, or write 500ms, 2min
+  --step DURATION         1ms; of dormand_prince the largest step
+  --every DURATION        between lines; every step if it is not given
+  --formulation NAME      baumgarte:10, or lagrange, projected, null_space, partitioned, penalty, augmented_lagrangian
+  --integrator NAME       rk4, or explicit_trapezoidal, semi_implicit_euler, dormand_prince:1e-8,
+                          generalised_alpha:0.8, implicit_trapezoidal, ali3p
+  --set NAME=VALUE        a parameter, in its unit; may be repeated
+  --input NAME=EXPRESSION an input as a function of the time t, in its unit: 'drive=2*sin(pi*t)'; or NAME=FILE.csv, FILE.csv
+  --show LIST             of outputs, inputs, state, energy, residual, reactions, efforts, powers, motions; or all
+  --out FILE              in place of standard output
+  --json                  for machines
+
+A summary goes to standard error. A run that fails keeps what was computed, says where it stopped, and exits with 1.
+";
+
+const DRAW: &str = "\
+Draws a mechanism at its start, as SVG.
+
+usage: linkwright draw [options] FILE
+
+  --set NAME=VALUE        a parameter, in its unit; may be repeated
+  --out FILE              in place of standard output
+  --json                  for machines: the drawing as a field
+";
+
+/// What a command is asked to do.
+#[derive(Clone, Debug)]
+pub struct Study {
+    pub command: Command,
+    pub file: OsString,
+    pub course: Course,
+    /// Name and value in the unit of the parameter.
+    pub set: Vec<(String, f64)>,
+    pub inputs: Vec<String>,
+    pub show: Option<Vec<Group>>,
+    pub out: Option<PathBuf>,
+    pub json: bool,
+}
+
+/// Reads what stands behind the command.
+pub fn parse(
+    command: Command,
+    arguments: impl IntoIterator<Item = OsString>,
+) -> Result<Result<Study, &'static str>, String> {
+    let mut parser = lexopt::Parser::from_args(arguments);
+    let mut file = None;
+    let mut course = Course {
+        duration: 10.0,
+        step: 1e-3,
+        every: None,
+        formulation: Chosen { name: "baumgarte", number: None },
+        integrator: Chosen { name: "rk4", number: None },
+    };
+    let mut study = Study {
+        command,
+        file: OsString::new(),
+        course: course.clone(),
+        set: Vec::new(),
+        inputs: Vec::new(),
+        show: None,
+        out: None,
+        json: false,
+    };
+    let mut formulation_given = false;
+    while let Some(argument) = parser.next().map_err(|error| error.to_string())? {
+        let option = match argument {
+            Short('h') | Long("help") => return Ok(Err(command.help())),
+            Value(word) if file.is_none() => {
+                file = Some(word);
+                continue;
+            }
+            Value(word) => {
+                let text = command.text();
+                return Err(format!(
+                    "{text} takes one file, and \"{}\" is a second one",
+                    word.to_string_lossy()
+                ));
+            }
+            Long(option) => option.to_string(),
+            other => return Err(other.unexpected().to_string()),
+        };
+        if !command.options().contains(&option.as_str()) {
+            let what = format!("{} has no option", command.text());
+            return Err(unknown(&what, &option, command.options().iter().copied()));
+        }
+        if option == "json" {
+            study.json = true;
+            continue;
+        }
+        let value = parser.value().map_err(|error| error.to_string())?;
+        let text = value.to_string_lossy().into_owned();
+        let with_name = |error: String| format!("--{option}: {error}");
+        match option.as_str() {
+            "for" => course.duration = seconds(&text).map_err(with_name)?,
+            "step" => course.step = seconds(&text).map_err(with_name)?,
+            "every" => course.every = Some(seconds(&text).map_err(with_name)?),
+            "formulation" => {
+                course.formulation = chosen("formulation", &text, &FORMULATIONS)?;
+                formulation_given = true;
+            }
+            "integrator" => course.integrator = chosen("integrator", &text, &INTEGRATORS)?,
+            "set" => study.set.push(setting(&text).map_err(with_name)?),
+            "input" => study.inputs.push(text),
+            "show" => study.show = Some(Group::list(&text)?),
+            _ => study.out = Some(PathBuf::from(value)),
+        }
+    }
+    if course.integrator.is_implicit() {
+        if formulation_given && course.formulation.name != "lagrange" {
+            return Err(format!(
+                "{} solves for the constraints itself: leave --formulation out, or write lagrange",
+                course.integrator
+            ));
+        }
+        course.formulation = Chosen { name: "lagrange", number: None };
+    }
+    let Some(file) = file else {
+        return Err(format!("{} needs a file: write its path, or `-` for standard input", command.text()));
+    };
+    Ok(Ok(Study { file, course, ..study }))
+}
+
+/// `name=value`, the value an expression of numbers.
+fn setting(text: &str) -> Result<(String, f64), String> {
+    let Some((name, value)) = text.split_once('=') else {
+        return Err(format!("\"{text}\" is not `name=value`"));
+    };
+    let expression = Expression::parse(value)?;
+    expression.check(&[], &[])?;
+    Ok((name.trim().to_string(), expression.value(&|_| None)))
+}
+
+/// `10`, `10s`, `500ms`, `2min`, `20us`: s.
+pub fn seconds(text: &str) -> Result<f64, String> {
+    let units = [("min", 60.0), ("ms", 1e-3), ("us", 1e-6), ("µs", 1e-6), ("h", 3600.0), ("s", 1.0)];
+    let unit = units.iter().find(|(unit, _)| text.ends_with(unit));
+    let (number, scale) =
+        unit.map_or((text, 1.0), |(unit, scale)| (&text[..text.len() - unit.len()], *scale));
+    match number.trim().parse::<f64>() {
+        Ok(number) if number > 0.0 && number.is_finite() => Ok(number * scale),
+        Ok(_) => Err(format!("\"{text}\" is not a positive duration")),
+        Err(_) => Err(format!("\"{text}\" is no duration: write 10s, 500ms, 2min, or a number of seconds")),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn durations() {
+        for (text, value) in [("10", 10.0), ("10s", 10.0), ("1e-3", 1e-3), ("2min", 120.0), ("20 us", 2e-5)] {
+            assert!((seconds(text).expect(text) - value).abs() < 1e-15, "{text}");
+        }
+        for text in ["", "s", "-1s", "0", "inf", "1d", "ms1"] {
+            assert!(seconds(text).is_err(), "{text}");
+        }
+        assert!((seconds("1ms").expect("one") - 1e-3).abs() < 1e-18);
+    }
+}

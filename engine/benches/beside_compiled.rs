@@ -1,0 +1,77 @@
+//! The engine beside the compiled mechanism: one evaluation of the accelerations, in turns. `cargo bench -p linkwright-engine`.
+
+use linkwright::{Assemble, Fields, Mechanism, State, StateOf, Vector};
+use linkwright_compiler::compile;
+use linkwright_engine::{Engine, List, Numbers};
+use std::hint::black_box;
+use std::time::Instant;
+
+/// Rounds, of which the quickest counts.
+const ROUNDS: usize = 30;
+
+fn main() {
+    println!("| mechanism | operations | compiled, ns | engine, ns | ratio |\n|---|---|---|---|---|");
+    macro_rules! each {
+        ($($name:literal $model:path),*) => { $( beside($name, <$model>::default(), <$model>::SOURCE); )* };
+    }
+    each!(
+        "four-bar" linkwright_models::four_bar::FourBar,
+        "ladder of 10" linkwright_models::n_four_bar::NFourBar10,
+        "arm" linkwright_models::panda::Panda
+    );
+}
+
+fn beside<M>(name: &str, model: M, source: &str)
+where
+    M: Assemble<f64, Inputs: Fields<f64>, Gates = ()>,
+{
+    let compiled = compile(source.parse().expect("tokens"), None).expect("it is well");
+    let engine: Engine = Engine::of(&compiled).expect("it fits");
+    let list = |values: &[f64]| List::of(values);
+    let start: StateOf<M> =
+        State { q: model.start_q(), v: model.start_v(), z: model.start_internal(), gates: () };
+    let own = State {
+        q: list(start.q.as_slice()),
+        v: list(start.v.as_slice()),
+        z: list(start.z.as_slice()),
+        gates: (),
+    };
+    let none = vec![0.0; engine.input_names().len()];
+    let u = {
+        let mut array = <M::Inputs as Fields<f64>>::Array::zeros(none.len());
+        array.as_mut_slice().fill(0.0);
+        M::Inputs::from_array(array)
+    };
+    let own_u = Numbers::of(&none);
+    let leads = model.null_space_first();
+    let count = linkwright_compiler::schedule::count(compiled.programs.get(compiled.default_solution()));
+    let repeats = 200_000 / count.total().max(1);
+    let (mut best, mut best_engine) = (f64::INFINITY, f64::INFINITY);
+    for _ in 0..ROUNDS {
+        let (mut a, mut lambda) = (model.zero_v(), model.zero_lambda());
+        let begun = Instant::now();
+        for _ in 0..repeats {
+            let state = black_box(&start);
+            black_box(if leads {
+                model.null_space_baumgarte(0.0, state, &u, 20.0, 100.0, &mut a, &mut lambda)
+            } else {
+                model.acceleration_baumgarte(0.0, state, &u, 20.0, 100.0, &mut a, &mut lambda)
+            });
+            black_box((&mut a, &mut lambda));
+        }
+        best = best.min(begun.elapsed().as_nanos() as f64 / repeats as f64);
+        let (mut a, mut lambda) = (engine.zero_v(), engine.zero_lambda());
+        let begun = Instant::now();
+        for _ in 0..repeats {
+            let state = black_box(&own);
+            black_box(if leads {
+                engine.null_space_baumgarte(0.0, state, &own_u, 20.0, 100.0, &mut a, &mut lambda)
+            } else {
+                engine.acceleration_baumgarte(0.0, state, &own_u, 20.0, 100.0, &mut a, &mut lambda)
+            });
+            black_box((&mut a, &mut lambda));
+        }
+        best_engine = best_engine.min(begun.elapsed().as_nanos() as f64 / repeats as f64);
+    }
+    println!("| {name} | {} | {best:.1} | {best_engine:.1} | {:.1} |", count.total(), best_engine / best);
+}

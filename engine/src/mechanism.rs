@@ -1,0 +1,257 @@
+//! The engine as the runtime's `Variables` and `Mechanism`.
+
+use crate::{Engine, List, Numbers};
+use linkwright_compiler::functions::Argument::{
+    Acceleration, BetaSquared, Inputs, Lambda, Q, Time, TwoAlpha, V, Z,
+};
+use linkwright_compiler::functions::{Argument, Function};
+use linkwright_runtime::{Layout, Mechanism, Row, StateOf, Variables, Vector, unwrap_angle};
+use std::slice::from_ref;
+
+impl<D: 'static> Variables<f64> for Engine<D> {
+    fn layout(&self) -> &Layout<'_> {
+        &self.shared.tables.layout
+    }
+    fn internal_scales(&self) -> &[f64] {
+        &self.shared.tables.internal_scales
+    }
+    type Q = List;
+    type V = List;
+    type Z = List;
+    type Gates = ();
+    type Lambda = List;
+}
+
+/// Time, state and inputs as arguments.
+pub fn given<'a>(
+    time: &'a f64,
+    state: &'a linkwright_runtime::State<List, List, List>,
+    u: &'a Numbers,
+) -> [(Argument, &'a [f64]); 5] {
+    [
+        (Time, from_ref(time)),
+        (Q, state.q.as_slice()),
+        (V, state.v.as_slice()),
+        (Z, state.z.as_slice()),
+        (Inputs, u.as_slice()),
+    ]
+}
+
+impl<D: 'static> Mechanism<f64> for Engine<D> {
+    fn name(&self) -> &'static str {
+        self.shared.tables.name
+    }
+    fn fingerprint(&self) -> u64 {
+        self.shared.tables.fingerprint
+    }
+    fn rows(&self) -> &[Row] {
+        &self.shared.tables.rows
+    }
+    fn position_names(&self) -> &[&'static str] {
+        self.shared.tables.positions
+    }
+    fn velocity_names(&self) -> &[&'static str] {
+        self.shared.tables.velocities
+    }
+    fn internal_names(&self) -> &[&'static str] {
+        self.shared.tables.internal
+    }
+    fn input_names(&self) -> &'static [&'static str] {
+        self.shared.tables.inputs
+    }
+    fn output_names(&self) -> &'static [&'static str] {
+        self.shared.tables.outputs
+    }
+    fn mass_pattern(&self) -> &[(u16, u16)] {
+        &self.shared.tables.mass
+    }
+    fn jacobian_pattern(&self) -> &[(u16, u16)] {
+        &self.shared.tables.jacobian
+    }
+    type Mass = List;
+    type Jacobian = List;
+    type Inputs = Numbers;
+    type Outputs = Numbers;
+
+    fn mass_matrix(&self, time: f64, q: &List, mass: &mut List) {
+        self.at_position(Function::MassMatrix, time, q, mass);
+    }
+    fn constraints(&self, time: f64, q: &List, phi: &mut List) {
+        self.at_position(Function::Constraints, time, q, phi);
+    }
+    fn constraint_jacobian(&self, time: f64, q: &List, d: &mut List) {
+        self.at_position(Function::ConstraintJacobian, time, q, d);
+    }
+    fn nu(&self, time: f64, q: &List, nu: &mut List) {
+        self.at_position(Function::Nu, time, q, nu);
+    }
+    fn gamma(&self, time: f64, q: &List, v: &List, gamma: &mut List) {
+        let given = [(Time, from_ref(&time)), (Q, q.as_slice()), (V, v.as_slice())];
+        self.call(Function::Gamma, &given, &mut [gamma.as_mut_slice()]);
+    }
+    fn forces(&self, time: f64, state: &StateOf<Self>, u: &Numbers, forces: &mut List) {
+        self.call(Function::Forces, &given(&time, state, u), &mut [forces.as_mut_slice()]);
+    }
+    fn kinetic_energy(&self, time: f64, q: &List, v: &List) -> f64 {
+        let given = [(Time, from_ref(&time)), (Q, q.as_slice()), (V, v.as_slice())];
+        self.call(Function::KineticEnergy, &given, &mut [])
+    }
+    fn potential_energy(&self, time: f64, state: &StateOf<Self>) -> f64 {
+        let state = [(Q, state.q.as_slice()), (V, state.v.as_slice()), (Z, state.z.as_slice())];
+        let [q, v, z] = state;
+        self.call(Function::PotentialEnergy, &[(Time, from_ref(&time)), q, v, z], &mut [])
+    }
+    fn acceleration(
+        &self,
+        time: f64,
+        state: &StateOf<Self>,
+        u: &Numbers,
+        a: &mut List,
+        lambda: &mut List,
+    ) -> f64 {
+        self.solution(Function::Acceleration, time, state, u, a, lambda)
+    }
+    fn acceleration_baumgarte(
+        &self,
+        time: f64,
+        state: &StateOf<Self>,
+        u: &Numbers,
+        two_alpha: f64,
+        beta_squared: f64,
+        a: &mut List,
+        lambda: &mut List,
+    ) -> f64 {
+        if self.rows().is_empty() {
+            // Nothing to stabilise.
+            return self.acceleration(time, state, u, a, lambda);
+        }
+        self.stabilise(two_alpha, beta_squared);
+        self.solution(Function::AccelerationBaumgarte, time, state, u, a, lambda)
+    }
+    fn null_space_first(&self) -> bool {
+        self.shared.tables.null_space_first
+    }
+    fn null_space(
+        &self,
+        time: f64,
+        state: &StateOf<Self>,
+        u: &Numbers,
+        a: &mut List,
+        lambda: &mut List,
+    ) -> f64 {
+        if !self.has(Function::NullSpace) {
+            return 0.0;
+        }
+        self.solution(Function::NullSpace, time, state, u, a, lambda)
+    }
+    fn null_space_baumgarte(
+        &self,
+        time: f64,
+        state: &StateOf<Self>,
+        u: &Numbers,
+        two_alpha: f64,
+        beta_squared: f64,
+        a: &mut List,
+        lambda: &mut List,
+    ) -> f64 {
+        if !self.has(Function::NullSpaceBaumgarte) {
+            return 0.0;
+        }
+        self.stabilise(two_alpha, beta_squared);
+        self.solution(Function::NullSpaceBaumgarte, time, state, u, a, lambda)
+    }
+    fn internal_rates(
+        &self,
+        time: f64,
+        state: &StateOf<Self>,
+        u: &Numbers,
+        a: &List,
+        lambda: &List,
+        rates: &mut List,
+    ) {
+        if !rates.as_slice().is_empty() {
+            self.with_solution(
+                Function::InternalRates,
+                time,
+                state,
+                u,
+                a,
+                lambda,
+                &mut [rates.as_mut_slice()],
+            );
+        }
+    }
+    fn outputs(&self, time: f64, state: &StateOf<Self>, u: &Numbers) -> Numbers {
+        let mut outputs = List::zeros(self.output_names().len());
+        self.call(Function::Outputs, &given(&time, state, u), &mut [outputs.as_mut_slice()]);
+        Numbers(outputs)
+    }
+    fn unwrap(&self, outputs: &mut Numbers, previous: &Numbers) {
+        let (outputs, previous) = (outputs.0.as_mut_slice(), previous.as_slice());
+        for (output, _) in &self.shared.tables.angles {
+            outputs[*output] = unwrap_angle(outputs[*output], previous[*output]);
+        }
+    }
+    fn unwrap_start(&self, outputs: &mut Numbers) {
+        use linkwright_runtime::Assemble;
+        let (mut positions, mut rates) = (self.zero_conditions(), self.zero_conditions());
+        self.start_targets(&mut positions, &mut rates);
+        let outputs = outputs.0.as_mut_slice();
+        for (output, stated) in &self.shared.tables.angles {
+            if let Some(at) = stated {
+                outputs[*output] = unwrap_angle(outputs[*output], positions.as_slice()[*at]);
+            }
+        }
+    }
+}
+
+impl<D: 'static> Engine<D> {
+    /// Whether the mechanism has this function.
+    pub(crate) fn has(&self, function: Function) -> bool {
+        !self.shared.code[function as usize].outputs().is_empty()
+    }
+
+    /// A function of time and position.
+    pub(crate) fn at_position(&self, function: Function, time: f64, q: &List, out: &mut List) {
+        let given = [(Time, from_ref(&time)), (Q, q.as_slice())];
+        self.call(function, &given, &mut [out.as_mut_slice()]);
+    }
+
+    fn stabilise(&self, two_alpha: f64, beta_squared: f64) {
+        let places = &self.shared.places;
+        let mut registers = self.registers.borrow_mut();
+        registers.set(places.of(TwoAlpha), &[two_alpha]);
+        registers.set(places.of(BetaSquared), &[beta_squared]);
+    }
+
+    #[inline]
+    fn solution(
+        &self,
+        function: Function,
+        time: f64,
+        state: &StateOf<Self>,
+        u: &Numbers,
+        a: &mut List,
+        lambda: &mut List,
+    ) -> f64 {
+        let given = given(&time, state, u);
+        self.call(function, &given, &mut [a.as_mut_slice(), lambda.as_mut_slice()])
+    }
+
+    /// A function of time, state, inputs and a solution.
+    #[allow(clippy::too_many_arguments)]
+    pub(crate) fn with_solution(
+        &self,
+        function: Function,
+        time: f64,
+        state: &StateOf<Self>,
+        u: &Numbers,
+        a: &List,
+        lambda: &List,
+        out: &mut [&mut [f64]],
+    ) {
+        let [time, q, v, z, u] = given(&time, state, u);
+        let given = [time, q, v, z, u, (Acceleration, a.as_slice()), (Lambda, lambda.as_slice())];
+        self.call(function, &given, out);
+    }
+}

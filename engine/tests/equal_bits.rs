@@ -1,0 +1,289 @@
+//! Every mechanism that ships, and those of the zoo, read by the engine: tables, functions and runs are those of the emitted code, to the
+//! bit. Rounding is the same where multiply and add are not fused in look-ups of tables: on targets without that instruction.
+
+use linkwright::{
+    Assemble, AssembleExt, Baumgarte, Fields, LagrangeIndex1, Mechanism, NullSpace, Partitioned, Projected,
+    Simulation, StateOf, Tangent, Variables, Vector,
+};
+use linkwright_engine::{Derivatives, Engine, List, Made, Numbers};
+use linkwright_runtime::State;
+use mechanisms::registry::{At, Model, Random, compiled, for_each};
+
+/// Bits of lists that have to be the same.
+fn same(what: &str, emitted: &[f64], interpreted: &[f64]) {
+    let bits = |list: &[f64]| list.iter().map(|x| x.to_bits()).collect::<Vec<_>>();
+    assert_eq!(bits(emitted), bits(interpreted), "{what}: {emitted:?} and {interpreted:?}");
+}
+
+fn engine_of<M: Model>() -> Engine {
+    Engine::of(&compiled::<M>(None)).expect("it fits")
+}
+
+fn list<V: Vector<f64>>(vector: &V) -> List {
+    List::of(vector.as_slice())
+}
+
+fn state_of<M: Model>(state: &StateOf<M>) -> StateOf<Engine> {
+    State { q: list(&state.q), v: list(&state.v), z: list(&state.z), gates: () }
+}
+
+for_each!(tables);
+
+fn tables<M: Model>() {
+    let (model, engine) = (M::standard(), engine_of::<M>());
+    assert_eq!(model.name(), engine.name());
+    assert_eq!(model.fingerprint(), engine.fingerprint());
+    assert_eq!(model.layout(), engine.layout());
+    assert_eq!(model.rows(), engine.rows());
+    assert_eq!(model.position_names(), engine.position_names());
+    assert_eq!(model.velocity_names(), engine.velocity_names());
+    assert_eq!(model.internal_names(), engine.internal_names());
+    assert_eq!(model.input_names(), engine.input_names());
+    assert_eq!(model.output_names(), engine.output_names());
+    assert_eq!(model.internal_scales(), engine.internal_scales());
+    assert_eq!(model.mass_pattern(), engine.mass_pattern());
+    assert_eq!(model.jacobian_pattern(), engine.jacobian_pattern());
+    assert_eq!(model.null_space_first(), engine.null_space_first());
+    assert_eq!(model.conditions(), engine.conditions());
+    assert_eq!(model.start_conditions(), engine.start_conditions());
+    assert_eq!(model.start_rates(), engine.start_rates());
+    assert_eq!(model.independent(), engine.independent());
+    assert_eq!(model.condition_pattern(), engine.condition_pattern());
+    assert_eq!(model.flips(), engine.flips());
+    assert_eq!(model.idle(), engine.idle());
+    assert_eq!(model.dependent(), engine.dependent());
+    assert_eq!(model.scales(), engine.scales());
+    assert_eq!(model.massless_rows(), engine.massless_rows());
+    assert_eq!(model.massless_weights(), engine.massless_weights());
+    assert_eq!(model.elimination(), engine.elimination());
+    same("row_sizes", model.row_sizes().as_slice(), engine.row_sizes().as_slice());
+    let (start, other) = (model.start(), engine.start());
+    same("start_q", start.q.as_slice(), other.q.as_slice());
+    same("start_v", start.v.as_slice(), other.v.as_slice());
+    same("start_internal", start.z.as_slice(), other.z.as_slice());
+}
+
+for_each!(functions);
+
+fn functions<M: Model>() {
+    let compiled = &compiled::<M>(None);
+    let engine: Engine = Engine::of(compiled).expect("it fits");
+    let mut random = Random::new(7);
+    for _ in 0..3 {
+        let mut point = random.point(compiled);
+        let prepared = M::prepared(&point.parameters);
+        let interpreted = engine.prepared(&point.parameters);
+        let (model, engine) = match (prepared, interpreted) {
+            (Ok(model), Ok(engine)) => (model, engine),
+            (Err(error), Err(other)) => {
+                assert_eq!(error, other);
+                continue;
+            }
+            (one, other) => panic!("{:?} and {:?}", one.err(), other.err()),
+        };
+        point.phases.clear();
+        let at = At::<M>::of(&point);
+        let (state, u) = (at.state(), Numbers::of(&point.inputs));
+        let (own, q, v) = (state_of::<M>(&state), List::of(&point.q), List::of(&point.v));
+        /// Writes by both and compares.
+        macro_rules! both {
+            ($($function:ident($zero:ident, $($model:expr => $engine:expr),*)),* $(,)?) => { $(
+                let (mut one, mut other) = (model.$zero(), engine.$zero());
+                model.$function($($model,)* &mut one);
+                engine.$function($($engine,)* &mut other);
+                same(stringify!($function), one.as_slice(), other.as_slice());
+            )* };
+        }
+        let time = point.time;
+        both!(
+            mass_matrix(zero_mass, time => time, &at.q => &q),
+            constraints(zero_lambda, time => time, &at.q => &q),
+            constraint_jacobian(zero_jacobian, time => time, &at.q => &q),
+            nu(zero_lambda, time => time, &at.q => &q),
+            gamma(zero_lambda, time => time, &at.q => &q, &at.v => &v),
+            forces(zero_v, time => time, &state => &own, &at.u => &u),
+            row_scales(zero_lambda,),
+            row_cosines(zero_lambda, time => time, &at.q => &q),
+            condition_jacobian(zero_condition_jacobian, time => time, &at.q => &q),
+            condition_drift(zero_conditions, time => time, &at.q => &q),
+            condition_bias(zero_conditions, time => time, &at.q => &q, &at.v => &v),
+        );
+        let targets: M::Conditions = mechanisms::registry::vector(&point.targets);
+        let own_targets = List::of(&point.targets);
+        both!(
+            condition_residual(zero_conditions, time => time, &at.q => &q, &targets => &own_targets),
+            condition_cosines(zero_conditions, time => time, &at.q => &q, &targets => &own_targets),
+        );
+        same(
+            "kinetic_energy",
+            &[model.kinetic_energy(time, &at.q, &at.v)],
+            &[engine.kinetic_energy(time, &q, &v)],
+        );
+        same(
+            "potential_energy",
+            &[model.potential_energy(time, &state)],
+            &[engine.potential_energy(time, &own)],
+        );
+        /// Accelerations, multipliers and pivot.
+        macro_rules! solutions {
+            ($($function:ident($($scalar:expr),*)),*) => { $(
+                let (mut a, mut lambda) = (model.zero_v(), model.zero_lambda());
+                let (mut other_a, mut other_lambda) = (engine.zero_v(), engine.zero_lambda());
+                let pivot = model.$function(time, &state, &at.u, $($scalar,)* &mut a, &mut lambda);
+                let other = engine.$function(time, &own, &u, $($scalar,)* &mut other_a, &mut other_lambda);
+                same(concat!(stringify!($function), ": a"), a.as_slice(), other_a.as_slice());
+                same(concat!(stringify!($function), ": lambda"), lambda.as_slice(), other_lambda.as_slice());
+                same(concat!(stringify!($function), ": pivot"), &[pivot], &[other]);
+            )* };
+        }
+        let (two_alpha, beta_squared) = (point.two_alpha, point.beta_squared);
+        solutions!(
+            acceleration(),
+            acceleration_baumgarte(two_alpha, beta_squared),
+            null_space(),
+            null_space_baumgarte(two_alpha, beta_squared)
+        );
+        let outputs = model.outputs(time, &state, &at.u);
+        let mut own_outputs = engine.outputs(time, &own, &u);
+        same("outputs", outputs.to_array().as_slice(), own_outputs.as_slice());
+        let mut turned = outputs;
+        model.unwrap_start(&mut turned);
+        engine.unwrap_start(&mut own_outputs);
+        same("unwrap_start", turned.to_array().as_slice(), own_outputs.as_slice());
+
+        let mut solved = (model.zero_v(), model.zero_lambda());
+        model.acceleration(time, &state, &at.u, &mut solved.0, &mut solved.1);
+        let (a, lambda) = &solved;
+        let (own_a, own_lambda) = (list(a), list(lambda));
+        let mut rates = (model.zero_z(), engine.zero_z());
+        model.internal_rates(time, &state, &at.u, a, lambda, &mut rates.0);
+        engine.internal_rates(time, &own, &u, &own_a, &own_lambda, &mut rates.1);
+        same("internal_rates", rates.0.as_slice(), rates.1.as_slice());
+        same(
+            "motions",
+            &model.flat_motions(time, &at.q, &at.v, a),
+            engine.motions(time, &q, &v, &own_a).as_slice(),
+        );
+        let reactions = engine.reactions(time, &own, &u, &own_a, &own_lambda);
+        same("reactions", &model.flat_reactions(&at, a, lambda), reactions.as_slice());
+        same("powers", &model.flat_powers(&at), engine.powers(time, &own, &u).as_slice());
+        let inverse = engine.inverse_dynamics(time, &own, &u, &own_a);
+        same("inverse_dynamics", &model.flat_inverse_dynamics(&at, a), inverse.as_slice());
+        let efforts = engine.driver_efforts(time, &q, &v, &own_lambda);
+        same("driver_efforts", &model.flat_driver_efforts(&at, lambda), efforts.as_slice());
+        factorisations(&model, &engine, &at, &own);
+    }
+}
+
+/// K(c) and D by what the mechanism has for them.
+fn factorisations<M: Model>(model: &M, engine: &Engine, at: &At<M>, own: &StateOf<Engine>) {
+    let (state, u) = (at.state(), Numbers::of(at.u.to_array().as_slice()));
+    let (mut store, mut other) = (model.store(), engine.store());
+    let mut one = (model.zero_v(), model.zero_lambda());
+    let mut two = (engine.zero_v(), engine.zero_lambda());
+    let pivot = model.system(at.time, &state, &at.u, 10.0, 25.0, 0.01, &mut store, &mut one.0, &mut one.1);
+    let same_pivot = engine.system(at.time, own, &u, 10.0, 25.0, 0.01, &mut other, &mut two.0, &mut two.1);
+    same("system: pivot", &[pivot], &[same_pivot]);
+    same("system: forces", one.0.as_slice(), two.0.as_slice());
+    same("system: rows", one.1.as_slice(), two.1.as_slice());
+    let mut solved = (model.zero_v(), model.zero_lambda());
+    let mut other_solved = (engine.zero_v(), engine.zero_lambda());
+    model.solve(&store, &one.0, &one.1, &mut solved.0, &mut solved.1);
+    engine.solve(&other, &two.0, &two.1, &mut other_solved.0, &mut other_solved.1);
+    same("solve: a", solved.0.as_slice(), other_solved.0.as_slice());
+    same("solve: lambda", solved.1.as_slice(), other_solved.1.as_slice());
+    let (mut lu, mut other_lu) = (model.lu(), engine.lu());
+    let pivot = model.factor_jacobian(at.time, &at.q, &mut lu);
+    same("factor_jacobian", &[pivot], &[engine.factor_jacobian(at.time, &own.q, &mut other_lu)]);
+    if pivot != 0.0 {
+        let mut velocities = (model.zero_v(), engine.zero_v());
+        model.dependent_velocities(&lu, &one.1, &at.v, &mut velocities.0);
+        engine.dependent_velocities(&other_lu, &two.1, &own.v, &mut velocities.1);
+        same("dependent_velocities", velocities.0.as_slice(), velocities.1.as_slice());
+    }
+}
+
+for_each!(runs);
+
+/// Fifty steps from the start under several formulations: the same states, or the same error.
+fn runs<M: Model>() {
+    let (model, engine) = (M::standard(), engine_of::<M>());
+    let zero: M::Inputs = mechanisms::registry::fields(&vec![0.0; engine.input_names().len()]);
+    macro_rules! under {
+        ($($formulation:expr),*) => { $(
+            let mut one = Simulation::new(&model, model.start()).formulation($formulation).constant(zero).step(1e-3);
+            let mut other = Simulation::new(&engine, engine.start())
+                .formulation($formulation).constant(engine.no_inputs()).step(1e-3);
+            let ends = (one.advance_steps(50).err(), other.advance_steps(50).err());
+            assert_eq!(ends.0, ends.1, "{}", stringify!($formulation));
+            same("q", one.state().q.as_slice(), other.state().q.as_slice());
+            same("v", one.state().v.as_slice(), other.state().v.as_slice());
+            same("z", one.state().z.as_slice(), other.state().z.as_slice());
+            same("energy", &[one.energy()], &[other.energy()]);
+        )* };
+    }
+    under!(
+        LagrangeIndex1,
+        Baumgarte { alpha: 10.0, beta: 10.0 },
+        Projected::after(LagrangeIndex1),
+        NullSpace,
+        Partitioned::default()
+    );
+}
+
+/// Derivatives of the equations, of a mechanism that has them.
+#[test]
+fn derivatives() {
+    let definition = linkwright_models::four_bar::FourBar::SOURCE;
+    let engine = Engine::<Derivatives>::read_with_derivatives(definition).expect("it is well");
+    let start = engine.start();
+    let u = engine.no_inputs();
+    let (mut stiffness, mut damping) = (engine.zero_stiffness(), engine.zero_damping());
+    let (a, lambda) = (engine.zero_v(), engine.zero_lambda());
+    engine.tangent(0.0, &start, &u, &a, &lambda, &mut stiffness, &mut damping);
+    // Against differences of the residual.
+    let residual = |state: &StateOf<Engine<Derivatives>>| {
+        let mut residual = engine.zero_v();
+        engine.residual(0.0, state, &u, &a, &lambda, &mut residual);
+        residual
+    };
+    let h = 1e-6;
+    for column in 0..engine.velocity_count() {
+        let moved = |by: f64| {
+            let mut increment = engine.zero_v();
+            increment.as_mut_slice()[column] = by;
+            residual(&start.moved(engine.layout(), &increment, start.v.clone(), start.z.clone()))
+        };
+        let difference = moved(h).plus(-1.0, &moved(-h)).scaled(0.5 / h);
+        for row in 0..engine.velocity_count() {
+            let place = (row as u16, column as u16);
+            let at = engine.stiffness_pattern().iter().position(|known| *known == place);
+            let exact = at.map_or(0.0, |at| stiffness.as_slice()[at]);
+            assert!((difference.as_slice()[row] - exact).abs() < 1e-6, "{place:?}: {exact}");
+        }
+    }
+    // A definition that is compiled without them has none.
+    let plain = linkwright_compiler::compile(definition.parse().expect("tokens"), None).expect("it is well");
+    assert!(!Engine::<Derivatives>::admits(&plain) && Engine::<Derivatives>::of(&plain).is_err());
+}
+
+/// Engines move to other threads, and give the same there.
+#[test]
+fn clones_on_threads() {
+    let engine = Engine::read(linkwright_models::four_bar::FourBar::SOURCE).expect("it is well");
+    let moved = |engine: &Engine| {
+        let mut simulation = Simulation::new(engine, engine.start()).constant(engine.no_inputs()).step(1e-3);
+        simulation.advance_steps(100).expect("it moves");
+        list(&simulation.state().q)
+    };
+    let here = moved(&engine);
+    let threads: Vec<_> = (0..3)
+        .map(|_| {
+            let engine = engine.clone();
+            std::thread::spawn(move || moved(&engine))
+        })
+        .collect();
+    for thread in threads {
+        assert_eq!(thread.join().expect("it ends"), here);
+    }
+}
