@@ -5,6 +5,7 @@ use crate::motion;
 use crate::start;
 use linkwright_compiler::counts::Row;
 use linkwright_compiler::equations::conditions;
+use linkwright_compiler::model::gears::Told;
 use linkwright_compiler::model::{
     ConstraintKind, Coordinate, Coordinates, Frame, JointId, Mechanism, Redundant, Table,
 };
@@ -65,6 +66,8 @@ pub struct Explanation {
     pub joints: Vec<Joint>,
     /// Name and kind of couplings and drivers.
     pub couplings: Vec<[String; 2]>,
+    /// Pairs of toothings that mesh.
+    pub teeth: Vec<Told>,
     pub loads: Vec<[String; 2]>,
     /// Name, and knots with what stands between them.
     pub tables: Vec<[String; 2]>,
@@ -129,6 +132,7 @@ pub fn explain(definition: &Definition, compiled: &Compiled) -> Explanation {
         bodies: state.bodies,
         joints: joints(compiled),
         couplings: couplings(mechanism),
+        teeth: mechanism.pairs.iter().map(|pair| Told::of(mechanism, pair)).collect(),
         loads: loads(mechanism),
         tables: mechanism.tables.iter().map(table).collect(),
         parts: mechanism.parts.iter().map(|part| [part.name.text.clone(), part.of.clone()]).collect(),
@@ -192,6 +196,7 @@ fn couplings(mechanism: &Mechanism) -> Vec<[String; 2]> {
         let kind = match &constraint.kind {
             ConstraintKind::Coupling(coupling) => coupling.form.call.word,
             ConstraintKind::Equation { .. } => "equation",
+            ConstraintKind::Teeth { form, .. } => form.call.word,
         };
         [constraint.name.text.clone(), kind.to_string()]
     });

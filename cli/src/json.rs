@@ -6,6 +6,7 @@ use crate::input::Found;
 use linkwright_compiler::Repetition;
 use linkwright_compiler::counts::Row;
 use linkwright_compiler::diagnostics::Severity;
+use linkwright_compiler::model::gears::Told;
 use linkwright_compiler::source::{Located, Source};
 use serde_json::{Map, Value, json};
 use std::ops::Range;
@@ -110,6 +111,7 @@ pub fn explanation(e: &Explanation) -> Value {
         "bodies": bodies.collect::<Vec<_>>(),
         "joints": joints.collect::<Vec<_>>(),
         "couplings": named(&e.couplings),
+        "teeth": e.teeth.iter().map(teeth).collect::<Value>(),
         "loads": named(&e.loads),
         "degrees_of_freedom": e.degrees_of_freedom,
         "gruebler": e.gruebler,
@@ -144,4 +146,17 @@ pub fn explanation(e: &Explanation) -> Value {
 fn repetition(of: &Repetition) -> Value {
     let Repetition { function, operations, statements, alike } = of;
     json!({ "function": function, "operations": operations, "statements": statements, "alike": alike })
+}
+
+fn teeth(pair: &Told) -> Value {
+    json!({
+        "name": pair.name,
+        "of": pair.of,
+        "teeth": pair.teeth,
+        "distance_m": pair.distance,
+        "working_angle_deg": pair.working_angle,
+        "contact_ratio": pair.contact_ratio,
+        "overlap_ratio": pair.overlap,
+        "turns_until_the_same_teeth_meet": pair.hunting,
+    })
 }

@@ -33,6 +33,7 @@ pub fn explanation(e: &Explanation, place: &str) -> String {
     table(&mut text, "Bodies", bodies.collect());
     table(&mut text, "Joints", e.joints.iter().map(|joint| self::joint(e, joint)).collect());
     table(&mut text, "Couplings and drivers", e.couplings.iter().map(|one| one.to_vec()).collect());
+    table(&mut text, "Teeth", e.teeth.iter().map(|pair| pair.cells(str::to_string)).collect());
     table(&mut text, "Loads", e.loads.iter().map(|one| one.to_vec()).collect());
     table(&mut text, "Tables", e.tables.iter().map(|one| one.to_vec()).collect());
     freedoms(&mut text, e);

@@ -96,10 +96,12 @@ pub enum Lint {
     UnstableState,
     /// A table that is asked for more than its knots.
     OutsideTable,
+    /// Teeth that are undercut, reach too far or barely touch.
+    Teeth,
 }
 
 impl Lint {
-    pub const ALL: [Lint; 10] = [
+    pub const ALL: [Lint; 11] = [
         Self::Unused,
         Self::NoEffect,
         Self::Outside,
@@ -110,6 +112,7 @@ impl Lint {
         Self::Unwatched,
         Self::UnstableState,
         Self::OutsideTable,
+        Self::Teeth,
     ];
 
     /// As in `#[allow(unused)]`.
@@ -125,6 +128,7 @@ impl Lint {
             Self::Unwatched => "unwatched",
             Self::UnstableState => "unstable_state",
             Self::OutsideTable => "outside_table",
+            Self::Teeth => "teeth",
         }
     }
 }

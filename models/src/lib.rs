@@ -41,6 +41,7 @@ pub mod spatial_four_bar;
 pub mod spatial_pendulums;
 pub mod spatial_slider_crank;
 pub mod stewart_platform;
+pub mod toothed_gears;
 pub mod tracked_vehicle;
 pub mod tree_pendulum;
 
@@ -112,6 +113,8 @@ macro_rules! for_each_model {
             rear_wheel: $crate::rear_wheel::RearWheel,
             cam_follower: $crate::cam_follower::CamFollower,
             tracked_vehicle: $crate::tracked_vehicle::TrackedVehicle,
+            toothed_planetary_set: $crate::toothed_gears::ToothedPlanetarySet,
+            compound_train: $crate::toothed_gears::CompoundTrain,
             motor_gear_load: $crate::motor_gear_load::MotorGearLoad,
             elastic_motor_gear_load: $crate::motor_gear_load::ElasticMotorGearLoad,
             knuckle_boom_loader: $crate::knuckle_boom_loader::KnuckleBoomLoader,

@@ -8,8 +8,10 @@ of moving quantities their meaning.
 from dataclasses import dataclass, field
 
 import casadi as ca
+import numpy as np
 
 import expressions
+import gears
 import hysteresis
 from expressions import entry, in_unit, pair
 from tables import Table
@@ -88,18 +90,22 @@ class Model:
         self.tables = {
             table["name"]: Table(table, lambda node, unit: in_unit(node, unit, self)) for table in definition.get("tables", [])
         }
-        self.free_phases = [
-            coupling["name"]
-            for coupling in definition["constraints"]
-            if coupling["kind"] in ("gear", "rack") and coupling.get("phase") is None
-        ]
-        self.phases = ca.SX.sym("phase", len(self.free_phases))
         self.gravity = pair(definition["gravity"], self) if definition.get("gravity") else ca.SX.zeros(self.dimension)
         self.bodies = {body["name"]: self._body(body) for body in definition["bodies"]}
         self.lines = {
             f"{body['name']}.{line['name']}": line for body in definition["bodies"] for line in body.get("lines") or []
         }
         self.joints = {joint["name"]: self._joint(joint) for joint in definition["joints"]}
+        self.pairs = gears.pairs(self)
+        self.free_phases = [
+            coupling["name"]
+            for coupling in definition["constraints"]
+            if coupling["kind"] in ("gear", "rack")
+            and coupling.get("phase") is None
+            or coupling["kind"] == "teeth"
+            and not self.pairs[coupling["name"]].follows
+        ]
+        self.phases = ca.SX.sym("phase", len(self.free_phases))
 
     # The scope of expressions that name nothing that moves.
 
@@ -119,10 +125,16 @@ class Model:
         raise ValueError("a power cannot stand in a constant value")
 
     def phase(self, coupling):
-        """The phase of a gear or rack: as written, else a symbol for the one fixed at the start."""
+        """The phase of a gear, a rack or teeth: as written, else a symbol for the one fixed at the start."""
         if coupling.get("phase") is not None:
             return entry(coupling["phase"], self)
         return self.phases[self.free_phases.index(coupling["name"])]
+
+    def at_defaults(self, vector):
+        """Numbers, with the default values of parameters."""
+        defaults = [in_unit(p["value"], p["unit"], self) for p in self.definition["parameters"]]
+        values = ca.substitute(ca.SX(vector), ca.vertcat(self.p, self.time), ca.vertcat(*defaults, 0))
+        return np.array(ca.evalf(values)).ravel()
 
     # Places and lines.
 
@@ -183,6 +195,8 @@ def rotors_in_use(model):
             found += [coupling["first"], coupling["second"]]
         elif coupling["kind"] == "rack":
             found.append(coupling["pinion"])
+        elif coupling["kind"] == "teeth":
+            found += model.pairs[coupling["name"]].terms
     found += [load["on"] for load in definition["loads"] if load["kind"] == "torsion_spring"]
     for part in (definition["constraints"], definition["drivers"], definition["loads"]):
         for text in _names(part, model.signals):

@@ -179,7 +179,7 @@ class Kinematics:
     def rows(self):
         definition = self.model.definition
         rows = [row for joint in self.model.joints.values() for row in self.joint_rows(joint)]
-        rows += [self._coupling_row(coupling) for coupling in definition["constraints"]]
+        rows += [self._coupling_row(coupling) for coupling in definition["constraints"] if not self._follows(coupling)]
         rows += [self._driver_row(driver) for driver in definition["drivers"]]
         for row in rows:
             if ca.depends_on(row.value, self.v):
@@ -209,6 +209,10 @@ class Kinematics:
         places = (joint.first, joint.second)
         return any(place.body is not None and self.model.bodies[place.body].particle for place in places)
 
+    def _follows(self, coupling):
+        """Teeth that others hold in place have no row."""
+        return coupling["kind"] == "teeth" and self.model.pairs[coupling["name"]].follows
+
     def _coupling_row(self, coupling):
         kind, name = coupling["kind"], coupling["name"]
         if kind == "equation":
@@ -217,6 +221,11 @@ class Kinematics:
             ratio = expressions.entry(coupling["ratio"], self.model)
             first, second = self.multi_turn(coupling["first"]), self.multi_turn(coupling["second"])
             value = first - ratio * second - self.model.phase(coupling)
+        elif kind == "teeth":
+            pair = self.model.pairs[name]
+            value = -self.model.phase(coupling)
+            for rotor, factor in pair.terms.items():
+                value += factor / pair.wheels[0].teeth * self.multi_turn(rotor)
         elif kind == "rack":
             radius = expressions.entry(coupling["radius"], self.model)
             travel = self.travel(self.model.joints[coupling["rail"]])

@@ -7,7 +7,6 @@ own: those of its marker, else of its body.
 from dataclasses import dataclass
 
 import casadi as ca
-import numpy as np
 
 from definition import Body, Model, Place
 from expressions import entry, in_unit, pair
@@ -65,12 +64,6 @@ class SpaceModel(Model):
         place.local = cleaned(place.local)
         place.axes = self.bodies[place.body].axes.get(text.rpartition(".")[2], ca.SX.eye(3))
         return place
-
-    def at_defaults(self, vector):
-        """Numbers, with the default values of parameters."""
-        defaults = [in_unit(p["value"], p["unit"], self) for p in self.definition["parameters"]]
-        values = ca.substitute(ca.SX(vector), ca.vertcat(self.p, self.time), ca.vertcat(*defaults, 0))
-        return np.array(ca.evalf(values)).ravel()
 
     def joint_frame(self, axis):
         return canonical_frame(axis, self.at_defaults(axis))

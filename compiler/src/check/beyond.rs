@@ -62,7 +62,7 @@ pub fn asked(mechanism: &Mechanism) -> Vec<Asked<'_>> {
     });
     let constraints = mechanism.constraints.iter().filter_map(|constraint| match &constraint.kind {
         ConstraintKind::Equation { residual } => Some((&constraint.name, residual)),
-        ConstraintKind::Coupling(_) => None,
+        ConstraintKind::Coupling(_) | ConstraintKind::Teeth { .. } => None,
     });
     let drivers = mechanism.drivers.iter().map(|driver| (&driver.name, &driver.law));
     let rates = mechanism.states.iter().filter_map(|state| Some((&state.name, state.rate.written()?)));

@@ -3,6 +3,7 @@
 pub mod assemble;
 mod beyond;
 mod cords;
+mod gears;
 mod messages;
 pub mod motion;
 mod proportion;

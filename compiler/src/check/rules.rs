@@ -13,7 +13,7 @@ use crate::model::{
 use std::collections::HashMap;
 
 /// The rules in the order they are reported.
-const RULES: [fn(&Mechanism, &mut Diagnostics); 18] = [
+const RULES: [fn(&Mechanism, &mut Diagnostics); 20] = [
     has_bodies,
     is_of_a_size_to_write_out,
     bounds_hold_the_default,
@@ -26,6 +26,8 @@ const RULES: [fn(&Mechanism, &mut Diagnostics); 18] = [
     lengths_are_not_negative,
     sizes_of_loads_are_positive,
     couplings_couple,
+    super::gears::pairs_mesh,
+    super::gears::planets_pass,
     equations_move,
     drivers_differ,
     start_is_said_once,
@@ -363,6 +365,9 @@ pub(super) fn touched(mechanism: &Mechanism) -> Vec<bool> {
                     coordinates.push(coordinate);
                 }
             }),
+            ConstraintKind::Teeth { on, .. } => {
+                on.iter().for_each(|id| touch(&mut touched, Frame::Body(id.body)));
+            }
         }
     }
     for subject in mechanism.loads.iter().flat_map(|load| &load.on) {
@@ -372,6 +377,7 @@ pub(super) fn touched(mechanism: &Mechanism) -> Vec<bool> {
             // The bodies of a joint have been touched by it.
             Subject::Travel(_) => {}
             Subject::Body(body) => touch(&mut touched, Frame::Body(*body)),
+            Subject::Toothing(id) => touch(&mut touched, Frame::Body(id.body)),
             Subject::Expression(expr, _) => expr.quantities(&mut |quantity| {
                 if let Quantity::Coordinate(coordinate) = quantity {
                     coordinates.push(coordinate);

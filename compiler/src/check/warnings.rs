@@ -16,7 +16,7 @@ use crate::model::{
 };
 
 /// The warnings in the order they are reported.
-const WARNINGS: [fn(&Mechanism, &mut Wanted); 10] = [
+const WARNINGS: [fn(&Mechanism, &mut Wanted); 11] = [
     declarations_are_used,
     bodies_are_connected,
     gravity_pulls,
@@ -27,6 +27,7 @@ const WARNINGS: [fn(&Mechanism, &mut Wanted); 10] = [
     tables_bend_smoothly,
     reactions_are_unique,
     cords_are_watched,
+    super::gears::teeth_are_sound,
 ];
 
 /// All warnings of a mechanism without errors, and with these joints whose reactions are one of many.
@@ -49,14 +50,14 @@ pub fn unstable_states(mechanism: &Mechanism, growing: &[(&InternalState, f64)],
 }
 
 /// Warnings, but those that `#[allow(…)]` takes back.
-struct Wanted<'a> {
+pub(super) struct Wanted<'a> {
     allowed: &'a Allowed,
     shared: &'a [JointId],
     found: Diagnostics,
 }
 
 impl Wanted<'_> {
-    fn push(&mut self, lint: Lint, at: Region, message: String) {
+    pub(super) fn push(&mut self, lint: Lint, at: Region, message: String) {
         if !self.allowed.covers(lint, at) {
             self.found.warning(lint, at, message);
         }
@@ -76,6 +77,7 @@ fn declarations_are_used(mechanism: &Mechanism, wanted: &mut Wanted) {
             Declared::Point => "point",
             Declared::Marker => "marker",
             Declared::Line => "line",
+            Declared::Toothing => "toothing",
             Declared::Part => "part",
         };
         let message = messages::unused(kind, &unused.name.text, unused.body.as_deref());
@@ -203,6 +205,10 @@ fn nothing_moved(mechanism: &Mechanism, load: &Load, rigid: &Groups, parallel: &
         Subject::Travel(id) => locked(mechanism, name, *id, rigid),
         // Its derivative says so, and the compiler leaves out what is zero.
         Subject::Expression(..) => None,
+        Subject::Toothing(id) => {
+            let still = parallel.same(Frame::Body(id.body), Frame::Ground);
+            (load.on.len() < 2 && still).then(|| messages::torque_on_held(name, body(id.body)))
+        }
     })
 }
 

@@ -22,6 +22,7 @@ pub mod space;
 mod spanning_tree;
 mod switch;
 pub mod tangent;
+pub mod toothings;
 
 pub use conditions::{Condition, Conditions, StartTarget};
 pub use coordinates::{Ball, Layout, Linear, MultiTurn, Owner, Rotation, Symbols};
@@ -161,6 +162,8 @@ pub struct Equations {
     pub masses: Vec<(String, Node)>,
     /// Positions that `start` guesses.
     pub guesses: Vec<(Condition, Node)>,
+    /// Of each pair of toothings the sum of angles that says which teeth face which spaces.
+    pub teeth: Vec<Condition>,
     /// Drivers' quantities and the values of their laws.
     pub driven: Vec<(Condition, Node)>,
 }
@@ -241,8 +244,13 @@ pub fn derive(mechanism: &Mechanism, tree: SpanningTree, omitted: &Omitted) -> E
         Space::Spatial => space::consequences(&laws, &tree, &all, &lambda, dropped),
     };
 
-    let exerted = all.iter().zip(&lambda).filter(|(row, _)| matches!(row.origin, Origin::Constraint(_)));
-    totals.constraint_efforts = exerted.map(|(_, lambda)| (-g.on(*lambda)).bare).collect();
+    // What has no row exerts nothing.
+    totals.constraint_efforts = vec![g.zero().bare; mechanism.constraints.len()];
+    for (row, lambda) in all.iter().zip(&lambda) {
+        if let Origin::Constraint(constraint) = row.origin {
+            totals.constraint_efforts[constraint.0] = (-g.on(*lambda)).bare;
+        }
+    }
     totals.reactions.clone_from(&reactions);
     let outputs_laws = laws.with_totals(&totals);
     let outputs: Vec<Node> =
@@ -257,6 +265,7 @@ pub fn derive(mechanism: &Mechanism, tree: SpanningTree, omitted: &Omitted) -> E
     let mut masses = masses(&laws);
     masses.retain(|(_, node)| g.on(*node).class() == Class::Parameter);
     let guesses = conditions::guesses(&laws);
+    let teeth = mechanism.pairs.iter().map(|pair| couplings::facing(&laws, pair)).collect();
     let driven = mechanism
         .drivers
         .iter()
@@ -294,6 +303,7 @@ pub fn derive(mechanism: &Mechanism, tree: SpanningTree, omitted: &Omitted) -> E
         conditions,
         masses,
         guesses,
+        teeth,
         driven,
         tree,
         layout,
@@ -416,6 +426,7 @@ pub static VOCABULARY: Vocabulary = Vocabulary {
         Space::Planar => plane::joints::JOINTS.iter().map(|joint| &joint.form).collect(),
         Space::Spatial => space::joints::JOINTS.iter().map(|joint| &joint.form).collect(),
     },
+    toothings: toothings::TOOTHINGS,
     couplings: couplings::COUPLINGS,
     loads: |space| loads::of_space(space).map(|load| &load.form).collect(),
 };

@@ -98,6 +98,9 @@ pub(super) fn rows(laws: &Laws, tree: &SpanningTree, carrying: &[bool], dropped:
     }
     let mut phases = laws.symbols.phases.iter().copied();
     for (index, constraint) in mechanism.constraints.iter().enumerate() {
+        if !couplings::has_row(mechanism, constraint) {
+            continue;
+        }
         let phase = if couplings::is_open(constraint) { phases.next() } else { None };
         let (form, row) = couplings::row(laws, constraint, phase);
         let origin = Origin::Constraint(ConstraintId(index));

@@ -20,6 +20,8 @@ pub enum Means {
     Proportion { kind: &'static Proportion, factor: Factor },
     /// The angles of two arguments add up to a number of times the angle of a third.
     Sum { of: [usize; 2], times: &'static str, by: usize },
+    /// The teeth of two toothings mesh: a sum of angles by numbers of teeth, and which of them face which spaces.
+    Teeth { row: &'static RowForm },
 }
 
 /// One coordinate is a factor times another, and a phase, which may be an argument `phase`.

@@ -63,6 +63,8 @@ pub enum Acts {
     Travel,
     /// A body that turns.
     Body,
+    /// A toothing of a body.
+    Toothing,
     /// An expression of positions.
     Expression,
     /// The same, or what has one angle or travel alone, by its name.

@@ -9,6 +9,7 @@ mod joint;
 mod load;
 pub mod row;
 mod table;
+mod toothing;
 
 pub use body::{BodyForm, Length, Moment, Outline, Solid, Volume};
 pub use coupling::{CouplingForm, Factor, Means, Proportion};
@@ -16,6 +17,7 @@ pub use joint::{Alone, Freer, Given, JointAxes, JointForm, OfParticle, Spans, de
 pub use load::{Acts, Law, LoadForm, Owned, Written};
 pub use row::RowForm;
 pub use table::{Interpolation, Outside};
+pub use toothing::{Rim, ToothingForm};
 
 use crate::units::Dimension;
 
@@ -49,6 +51,7 @@ impl Space {
 pub struct Vocabulary {
     pub bodies: &'static [&'static BodyForm],
     pub joints: fn(Space) -> Vec<&'static JointForm>,
+    pub toothings: &'static [&'static ToothingForm],
     pub couplings: &'static [&'static CouplingForm],
     pub loads: fn(Space) -> Vec<&'static LoadForm>,
 }
@@ -72,6 +75,8 @@ pub enum Positional {
     Line,
     /// The name of a joint or body.
     Rotor,
+    /// A toothing of a body, `sun.rim`.
+    Toothing,
     Expression,
 }
 

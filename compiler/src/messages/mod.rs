@@ -3,6 +3,7 @@
 
 mod composition;
 mod files;
+mod gears;
 mod habits;
 mod hysteresis;
 mod names;
@@ -15,6 +16,7 @@ mod writing;
 
 pub(crate) use composition::*;
 pub(crate) use files::*;
+pub(crate) use gears::*;
 pub(crate) use habits::*;
 pub(crate) use hysteresis::*;
 pub(crate) use names::*;

@@ -40,6 +40,7 @@ impl<'d> Lowering<'d> {
         let ((mass, mass_span), (inertia, inertia_span)) = (mass?, inertia?);
         let (points, lines) = (self.named_points(index, body)?, self.named_lines(index, body)?);
         let dimensions = self.dimensions(body)?;
+        let toothings = self.toothings(index, body)?;
         Some(Body {
             dimensions,
             name: name(&body.name),
@@ -52,6 +53,7 @@ impl<'d> Lowering<'d> {
             points,
             markers: self.named_markers(index, body)?,
             lines,
+            toothings,
         })
     }
 

@@ -1,5 +1,6 @@
 //! Joints, couplings and loads of a mechanism: each by its form and what it was given, whatever its kind.
 
+use super::gears::ToothingId;
 use super::{BodyId, Expr, Frame, JointId, Mechanism, Name, Place, Vector};
 use crate::forms::{Argument, CouplingForm, JointAxes, JointForm, LoadForm, Proportion, Spans};
 use crate::units::Dimension;
@@ -76,6 +77,12 @@ pub enum ConstraintKind {
     Equation {
         residual: Expr,
     },
+    /// Two toothings mesh: index of the pair in [`Mechanism::pairs`].
+    Teeth {
+        form: &'static CouplingForm,
+        on: [ToothingId; 2],
+        pair: usize,
+    },
 }
 
 /// driven = factor · other + phase, over any number of turns.
@@ -145,6 +152,7 @@ pub enum Subject {
     Body(BodyId),
     /// An expression of positions, and what it measures.
     Expression(Expr, Dimension),
+    Toothing(ToothingId),
 }
 
 impl Load {
@@ -152,7 +160,11 @@ impl Load {
     pub fn places(&self) -> impl Iterator<Item = &Place> {
         self.on.iter().filter_map(|subject| match subject {
             Subject::Place(place) => Some(place),
-            Subject::Rotor(_) | Subject::Travel(_) | Subject::Body(_) | Subject::Expression(..) => None,
+            Subject::Rotor(_)
+            | Subject::Travel(_)
+            | Subject::Body(_)
+            | Subject::Expression(..)
+            | Subject::Toothing(_) => None,
         })
     }
 
@@ -165,7 +177,11 @@ impl Load {
     pub fn travel(&self) -> JointId {
         let travel = self.on.iter().find_map(|subject| match subject {
             Subject::Travel(joint) => Some(*joint),
-            Subject::Place(_) | Subject::Rotor(_) | Subject::Body(_) | Subject::Expression(..) => None,
+            Subject::Place(_)
+            | Subject::Rotor(_)
+            | Subject::Body(_)
+            | Subject::Expression(..)
+            | Subject::Toothing(_) => None,
         });
         travel.expect("the form says so")
     }
@@ -174,7 +190,11 @@ impl Load {
     pub fn rotors(&self) -> impl Iterator<Item = Rotor> {
         self.on.iter().filter_map(|subject| match subject {
             Subject::Rotor(rotor) => Some(*rotor),
-            Subject::Place(_) | Subject::Travel(_) | Subject::Body(_) | Subject::Expression(..) => None,
+            Subject::Place(_)
+            | Subject::Travel(_)
+            | Subject::Body(_)
+            | Subject::Expression(..)
+            | Subject::Toothing(_) => None,
         })
     }
 
@@ -186,7 +206,11 @@ impl Load {
     fn along(&self) -> impl Iterator<Item = &Expr> {
         self.on.iter().filter_map(|subject| match subject {
             Subject::Expression(expr, _) => Some(expr),
-            Subject::Place(_) | Subject::Rotor(_) | Subject::Travel(_) | Subject::Body(_) => None,
+            Subject::Place(_)
+            | Subject::Rotor(_)
+            | Subject::Travel(_)
+            | Subject::Body(_)
+            | Subject::Toothing(_) => None,
         })
     }
 

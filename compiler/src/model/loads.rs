@@ -76,6 +76,9 @@ impl<'d> Lowering<'d> {
             (SubjectTerm::Name(label), Acts::Rotor) => self.rotor(label).map(Subject::Rotor),
             (SubjectTerm::Name(label), Acts::Travel) => self.slide(label).map(Subject::Travel),
             (SubjectTerm::Name(label), Acts::Body) => self.turning_body(label).map(Subject::Body),
+            (SubjectTerm::Place(syntax::PlaceTerm::Named(path)), Acts::Toothing) => {
+                self.toothing_of(path).map(Subject::Toothing)
+            }
             (SubjectTerm::Expression(term), Acts::Expression) => {
                 let typed = self.value(term, Use::ALONG)?;
                 let mut moves = false;
@@ -92,10 +95,13 @@ impl<'d> Lowering<'d> {
             // The parser hands over names where names are meant.
             (
                 SubjectTerm::Place(_),
-                Acts::Rotor | Acts::Travel | Acts::Body | Acts::Expression | Acts::Way,
+                Acts::Rotor | Acts::Travel | Acts::Body | Acts::Toothing | Acts::Expression | Acts::Way,
             )
-            | (SubjectTerm::Name(_), Acts::Place | Acts::Expression | Acts::Way)
-            | (SubjectTerm::Expression(_), Acts::Place | Acts::Rotor | Acts::Travel | Acts::Body) => None,
+            | (SubjectTerm::Name(_), Acts::Place | Acts::Toothing | Acts::Expression | Acts::Way)
+            | (
+                SubjectTerm::Expression(_),
+                Acts::Place | Acts::Rotor | Acts::Travel | Acts::Body | Acts::Toothing,
+            ) => None,
         }
     }
 

@@ -75,6 +75,7 @@ pub fn lower(definition: &Definition) -> Result<Mechanism, Diagnostics> {
         expect: lowering.expect(),
         outputs: lowering.each(&definition.outputs, Lowering::output),
         tables: Vec::new(),
+        pairs: Vec::new(),
         parts: lowering.used_parts(),
         kinks: Vec::new(),
         unused: Vec::new(),
@@ -86,6 +87,9 @@ pub fn lower(definition: &Definition) -> Result<Mechanism, Diagnostics> {
     mechanism.tables = std::mem::take(&mut lowering.tables).into_iter().flatten().collect();
     mechanism.kinks = std::mem::take(&mut lowering.kinks);
     mechanism.unused = unused::unused(definition, &lowering.used);
+    if lowering.diagnostics.is_empty() {
+        super::gears::settle(&mut mechanism, &mut lowering.diagnostics);
+    }
     lowering.diagnostics.finish(mechanism)
 }
 
@@ -282,6 +286,16 @@ impl<'d> Lowering<'d> {
                 let on = coupled.try_into().ok()?;
                 ConstraintKind::Coupling(Coupling { form, kind, on, factor: factor?, phase })
             }
+            ConstraintTerm::Teeth { form, on } => {
+                let ids: Vec<_> = on.iter().map(|written| self.subject(written, Acts::Toothing)).collect();
+                let ids: Vec<_> = ids.into_iter().collect::<Option<_>>()?;
+                match ids[..] {
+                    [Subject::Toothing(first), Subject::Toothing(second)] => {
+                        ConstraintKind::Teeth { form, on: [first, second], pair: 0 }
+                    }
+                    _ => return None,
+                }
+            }
             ConstraintTerm::Equation { left, right } => {
                 let (left, right) = (self.value(left, Use::EQUATION), self.value(right, Use::EQUATION));
                 let (left, right) = (left?, right?);
@@ -298,7 +312,7 @@ impl<'d> Lowering<'d> {
             Subject::Rotor(rotor) => Some(Coupled::Angle(rotor)),
             Subject::Travel(joint) => Some(Coupled::Travel(joint)),
             // Forms of couplings name coordinates only.
-            Subject::Place(_) | Subject::Body(_) | Subject::Expression(..) => None,
+            Subject::Place(_) | Subject::Body(_) | Subject::Expression(..) | Subject::Toothing(_) => None,
         }
     }
 

@@ -11,6 +11,7 @@ mod elements;
 mod expression;
 pub(crate) mod fold;
 mod functions;
+pub mod gears;
 mod hysteresis;
 mod joints;
 mod loads;
@@ -123,6 +124,8 @@ pub struct Mechanism {
     pub expect: Expect,
     pub outputs: Vec<Output>,
     pub tables: Vec<Table>,
+    /// Pairs of toothings, of constraints and then of loads.
+    pub pairs: Vec<gears::Pair>,
     /// Uses of parts.
     pub parts: Vec<UsedPart>,
     /// Where accelerations jump at the knots of a table.
@@ -276,6 +279,7 @@ pub struct Body {
     /// Where its markers are, likewise.
     pub markers: Vec<NamedPoint>,
     pub lines: Vec<NamedLine>,
+    pub toothings: Vec<gears::Toothing>,
 }
 
 /// The inertia tensor about the centre of mass, kg m², of parameters only.

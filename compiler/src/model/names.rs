@@ -99,6 +99,7 @@ impl<'d> Names<'d> {
             enter(&mut points, &body.points, |(label, _)| label, |index| index, diagnostics);
             enter(&mut points, &body.lines, |line| &line.name, |index| index, diagnostics);
             enter(&mut points, &body.markers, |marker| &marker.name, |index| index, diagnostics);
+            enter(&mut points, &body.toothings, |toothing| &toothing.name, |index| index, diagnostics);
         }
         Self { values: values.found, parts: parts.found, tables: tables.found }
     }

@@ -30,6 +30,7 @@ pub enum Declared {
     Point,
     Marker,
     Line,
+    Toothing,
     Part,
 }
 
@@ -80,7 +81,9 @@ fn declarations(definition: &Definition) -> impl Iterator<Item = (Scope, Declare
         let of_body = move |kind| move |label| (Scope::Body(index), kind, label);
         let points = body.points.iter().map(|(label, _)| label).map(of_body(Declared::Point));
         let markers = body.markers.iter().map(|it| &it.name).map(of_body(Declared::Marker));
-        points.chain(markers).chain(body.lines.iter().map(|it| &it.name).map(of_body(Declared::Line)))
+        let toothings = body.toothings.iter().map(|it| &it.name).map(of_body(Declared::Toothing));
+        let lines = body.lines.iter().map(|it| &it.name).map(of_body(Declared::Line));
+        points.chain(markers).chain(lines).chain(toothings)
     });
     let of_ground = |kind| move |label| (Scope::Ground, kind, label);
     let markers = definition.markers.iter().map(|it| &it.name).map(of_ground(Declared::Marker));

@@ -33,6 +33,7 @@ pub fn page(compiled: &Compiled) -> String {
     tables::bodies(&mut page, compiled);
     tables::joints(&mut page, compiled);
     tables::couplings(&mut page, compiled);
+    tables::teeth_that_mesh(&mut page, compiled);
     tables::loads(&mut page, compiled);
     tables::settings(&mut page, compiled);
     curves::curves(&mut page, compiled);

@@ -39,10 +39,12 @@ pub struct Part {
     pub is_block: bool,
 }
 
-/// The pitch circle of a gear wheel or pinion.
+/// A circle of a gear wheel or pinion.
 #[derive(Clone, Debug)]
 pub struct Wheel {
     pub of: String,
+    /// Which of its circles.
+    pub circle: &'static str,
     pub center: Point,
     pub about: Point,
     pub radius: f64,

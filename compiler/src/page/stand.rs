@@ -8,10 +8,14 @@ use crate::drawing::load::End;
 use crate::drawing::vector::{Point, apply, cross, difference, dot, length, pad, sum, unit};
 use crate::equations::{Equations, Laws, space};
 use crate::forms::Spans;
+use crate::model::gears::ToothingId;
 use crate::model::{
     Axes, Body, ConstraintKind, Coupled, Expr, Frame, Joint, Load, Place, Rotor, Space, Subject, Vector,
 };
 use crate::symbolic::{Growing, Node, Op, evaluate_reachable};
+
+/// Where wheels without slip would roll on each other.
+const PITCH: &str = "pitch circle";
 
 /// Where a mechanism stands.
 #[derive(Clone, Debug)]
@@ -198,6 +202,7 @@ impl<'a> Stand<'a> {
             ends.push(match subject {
                 // It stands at no place.
                 Subject::Expression(..) => continue,
+                Subject::Toothing(id) => end((self.poses[id.body.0].0, [0.0, 0.0, 1.0])),
                 Subject::Place(place) => {
                     let is_grounded = place.frame == Frame::Ground;
                     End { at: self.place(place), axis: [0.0; 3], is_grounded }
@@ -243,7 +248,7 @@ impl<'a> Stand<'a> {
                 [Coupled::Travel(_), Coupled::Angle(pinion)]
                 | [Coupled::Angle(pinion), Coupled::Travel(_)] => {
                     let (center, about) = self.rotor(pinion, hinges);
-                    wheels.push(Wheel { of: of.clone(), center, about, radius: factor.abs() });
+                    wheels.push(Wheel { of: of.clone(), circle: PITCH, center, about, radius: factor.abs() });
                 }
                 [Coupled::Travel(_), Coupled::Travel(_)] => {}
             }
@@ -255,8 +260,53 @@ impl<'a> Stand<'a> {
                 wheels.extend(pair);
             }
         }
+        wheels.extend(self.rims(hinges));
         wheels.retain(|wheel| wheel.radius.is_finite() && wheel.radius > 0.0);
         wheels
+    }
+}
+
+/// Base, pitch and tip circles of the toothings that mesh, each once.
+impl Stand<'_> {
+    fn rims(&mut self, hinges: &[Hinge]) -> Vec<Wheel> {
+        let compiled = self.compiled;
+        let mechanism = &compiled.mechanism;
+        let mut known = Vec::new();
+        let mut rims = Vec::new();
+        for id in mechanism.pairs.iter().flat_map(|pair| pair.on) {
+            if known.contains(&id) {
+                continue;
+            }
+            known.push(id);
+            let toothing = mechanism.toothing(id);
+            let (center, about) = (self.place(&toothing.center), self.axle(id, hinges));
+            let circles = [
+                ("base circle", toothing.base_radius()),
+                ("pitch circle", toothing.pitch_radius()),
+                ("tip circle", toothing.tip_radius()),
+            ];
+            rims.extend(circles.map(|(circle, radius)| Wheel {
+                of: toothing.text.clone(),
+                circle,
+                center,
+                about,
+                radius,
+            }));
+        }
+        rims
+    }
+
+    /// The axis of a wheel: that of the joint that it turns by, in the world.
+    fn axle(&self, id: ToothingId, hinges: &[Hinge]) -> Point {
+        let mechanism = &self.compiled.mechanism;
+        let of_body = mechanism.joints.iter().position(|joint| {
+            let ends = [joint.first.frame, joint.second.frame];
+            ends.contains(&Frame::Body(id.body)) && joint.form.angles.len() == 1
+        });
+        match (mechanism.space, of_body) {
+            (Space::Spatial, Some(joint)) => hinges[joint].axis,
+            _ => [0.0, 0.0, 1.0],
+        }
     }
 }
 
@@ -274,7 +324,7 @@ fn mesh(of: &str, [(a, about), (b, other)]: [(Point, Point); 2], ratio: f64) -> 
     let between = difference(b, a);
     let is_beside = length(cross(about, other)) < 1e-6 && dot(between, about).abs() < 1e-9;
     let radius = length(between) / (1.0 - ratio).abs();
-    let wheel = |center, radius| Wheel { of: of.to_string(), center, about, radius };
+    let wheel = |center, radius| Wheel { of: of.to_string(), circle: PITCH, center, about, radius };
     (is_beside && radius > 0.0 && radius.is_finite())
         .then(|| [wheel(a, radius), wheel(b, ratio.abs() * radius)])
 }

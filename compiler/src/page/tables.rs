@@ -7,8 +7,10 @@ use crate::compiled::Compiled;
 use crate::equations::conditions;
 use crate::equations::coordinates::rotor_name;
 use crate::forms::Law;
+use crate::model::gears::{Pair, Told};
 use crate::model::{
-    Body, ConstraintKind, Coupled, Expr, Frame, JointId, Load, Mechanism, Name, Space, Subject, Vector, fold,
+    Body, ConstraintKind, Coupled, Expr, Frame, JointId, Load, Mechanism, Name, Rotor, Space, Subject,
+    Vector, fold,
 };
 use std::collections::BTreeSet;
 
@@ -131,6 +133,7 @@ pub fn couplings(page: &mut String, compiled: &Compiled) {
                 format!("{driven} = {} {unit}· {other} + phase", value(mechanism, &coupling.factor))
             }
             ConstraintKind::Equation { .. } => "an equation; its row stands under Φ".to_string(),
+            ConstraintKind::Teeth { pair, .. } => teeth(mechanism, &mechanism.pairs[*pair]),
         };
         table.row(vec![code(&constraint.name.text), holds]);
     }
@@ -139,6 +142,26 @@ pub fn couplings(page: &mut String, compiled: &Compiled) {
         table.row(vec![code(&driver.name.text), format!("{quantity} follows a law of time")]);
     }
     table.write(page, "Couplings and drivers");
+}
+
+/// Σ z θ = constant, and what the pair is.
+fn teeth(mechanism: &Mechanism, pair: &Pair) -> String {
+    let term = |(factor, rotor): &(f64, Rotor)| {
+        format!("{factor} {}", code(&format!("{}.angle", rotor_name(mechanism, *rotor))))
+    };
+    let terms: Vec<String> = pair.terms.iter().map(term).collect();
+    let held = if pair.follows.is_some() { "; the pairs before it hold it already" } else { "" };
+    format!("{} = const{held}", terms.join(" + ").replace("+ -", "− "))
+}
+
+/// Pairs of toothings, whether they are held by a constraint or a load.
+pub fn teeth_that_mesh(page: &mut String, compiled: &Compiled) {
+    let mechanism = &compiled.mechanism;
+    let mut table = Table::new(&["pair", "of", "teeth", "axes", "contact", "meeting"]);
+    for pair in &mechanism.pairs {
+        table.row(Told::of(mechanism, pair).cells(code));
+    }
+    table.write(page, "Teeth");
 }
 
 pub fn loads(page: &mut String, compiled: &Compiled) {
@@ -151,6 +174,7 @@ pub fn loads(page: &mut String, compiled: &Compiled) {
             Subject::Travel(joint) => code(joint_name(mechanism, *joint)),
             Subject::Body(body) => code(&mechanism.bodies[body.0].name.text),
             Subject::Expression(..) => "an expression".to_string(),
+            Subject::Toothing(id) => code(&mechanism.toothing(*id).text),
         });
         let on: Vec<String> = on.collect();
         let data = match load.form.law {

@@ -33,6 +33,7 @@ impl Parser<'_> {
             points: Vec::new(),
             markers: Vec::new(),
             lines: Vec::new(),
+            toothings: Vec::new(),
         };
         while !inside.is_done() {
             let before = inside.clone();
@@ -67,6 +68,12 @@ impl Parser<'_> {
                 let pair = self.vector(c, unit)?;
                 self.semicolon(c)?;
                 body.points.push((name, pair));
+                Ok(())
+            }
+            Some("toothing") => {
+                c.advance();
+                let toothing = self.toothing(c, body)?;
+                body.toothings.push(toothing);
                 Ok(())
             }
             Some("line") => {

@@ -10,7 +10,9 @@ use super::expression::is_call;
 use super::parser::{Failed, Parsed, Parser};
 use super::token::Cursor;
 use crate::diagnostics::Region;
-use crate::forms::{Acts, Argument, Factor, Form, Law, LoadForm, Means, Positional, Value, Written};
+use crate::forms::{
+    Acts, Argument, CouplingForm, Factor, Form, Law, LoadForm, Means, Positional, Value, Written,
+};
 use crate::messages::{self, Habit};
 use proc_macro2::Delimiter;
 
@@ -51,7 +53,9 @@ impl Arguments {
         let mut subjects = Vec::new();
         for positional in form.positional {
             match positional {
-                Positional::Place => subjects.push(SubjectTerm::Place(self.place()?)),
+                Positional::Place | Positional::Toothing => {
+                    subjects.push(SubjectTerm::Place(self.place()?));
+                }
                 Positional::Places => subjects.extend(self.places.drain(..).map(SubjectTerm::Place)),
                 Positional::Rotor => subjects.push(SubjectTerm::Name(self.rotor()?)),
                 Positional::Expression => subjects.push(SubjectTerm::Expression(self.expression()?)),
@@ -159,7 +163,14 @@ impl Parser<'_> {
     }
 
     fn coupling_call(&mut self, c: &mut Cursor, name: Label) -> Parsed<()> {
+        let toothed = names_toothing(c);
         let couplings = self.vocabulary.couplings;
+        let is_of_teeth = |coupling: &&&CouplingForm| matches!(coupling.means, Means::Teeth { .. });
+        let only = |coupling: &&&CouplingForm| {
+            couplings.iter().filter(|other| other.call.word == coupling.call.word).count() == 1
+        };
+        let couplings: Vec<&CouplingForm> =
+            couplings.iter().filter(|it| is_of_teeth(it) == toothed || only(it)).copied().collect();
         let forms: Vec<&Form> = couplings.iter().map(|coupling| &coupling.call).collect();
         let (which, mut arguments) = self.call_of(c, &forms, "constraint")?;
         let form = couplings[which];
@@ -175,6 +186,7 @@ impl Parser<'_> {
                 let (by, one, other) = (angle_of(&on[by])?, angle_of(&on[one])?, angle_of(&on[other])?);
                 ConstraintTerm::Equation { left: one.plus(other), right: number(region, times).times(by) }
             }
+            Means::Teeth { .. } => ConstraintTerm::Teeth { form, on },
         };
         self.definition.constraints.push(Constraint { name, kind });
         Ok(())
@@ -182,7 +194,10 @@ impl Parser<'_> {
 
     /// The words of couplings, each of which begins a statement.
     pub fn words_of_couplings(&self) -> Vec<&'static str> {
-        self.vocabulary.couplings.iter().map(|coupling| coupling.call.word).collect()
+        let mut words: Vec<&str> =
+            self.vocabulary.couplings.iter().map(|coupling| coupling.call.word).collect();
+        words.dedup();
+        words
     }
 
     /// How loads are written, each word once.
@@ -330,6 +345,10 @@ impl Parser<'_> {
             Positional::Place => arguments.places.push(self.place(c)?),
             // Read above.
             Positional::Places => {}
+            Positional::Toothing => {
+                let path = self.path(c, "a toothing, such as `sun.rim`")?;
+                arguments.places.push(PlaceTerm::Named(path));
+            }
             Positional::Line => arguments.lines.push(self.line_argument(c)?),
             Positional::Expression => arguments.expressions.push(self.expression(c)?),
             Positional::Rotor => {
@@ -425,4 +444,21 @@ impl Parser<'_> {
 /// Digits as if written at `region`.
 fn number(region: Region, digits: &str) -> Term {
     Term { kind: TermKind::Number { text: digits.to_string(), unit: None }, region, height: 0 }
+}
+
+/// Whether the first argument of a call is a name with a point, as toothings have, and no ratio is written, which these bring.
+fn names_toothing(c: &Cursor) -> bool {
+    let mut ahead = c.clone();
+    ahead.advance();
+    let Some(mut inside) = ahead.inside(Delimiter::Parenthesis) else { return false };
+    let mut whole = inside.clone();
+    while !whole.is_done() {
+        if whole.at_word("ratio") {
+            return false;
+        }
+        whole.advance();
+    }
+    inside.advance();
+    while inside.enter(Delimiter::Bracket).is_some() {}
+    inside.at_punct('.')
 }

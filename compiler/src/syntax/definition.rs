@@ -8,7 +8,7 @@ mod terms;
 use crate::diagnostics::{Allowed, Region};
 use crate::forms::BodyForm;
 pub use crate::forms::Space;
-use crate::forms::{CouplingForm, JointForm, LoadForm, Proportion};
+use crate::forms::{CouplingForm, JointForm, LoadForm, Proportion, ToothingForm};
 pub use parts::{Given, OnDisk, PartFile, PartUse, PortKind};
 use proc_macro2::TokenStream;
 use std::collections::BTreeSet;
@@ -102,6 +102,17 @@ pub struct Body {
     pub points: Vec<(Label, Tuple)>,
     pub markers: Vec<Marker>,
     pub lines: Vec<Line>,
+    pub toothings: Vec<Toothing>,
+}
+
+/// `toothing rim: external(teeth = 20, module [mm] = 2, at = shaft.seat);`
+#[derive(Clone, Debug)]
+pub struct Toothing {
+    pub name: Label,
+    pub form: &'static ToothingForm,
+    pub named: Named,
+    /// Its centre, if that is not the centre of the part.
+    pub at: Option<Path>,
 }
 
 impl Body {
@@ -220,6 +231,11 @@ pub enum ConstraintTerm {
     Equation {
         left: Term,
         right: Term,
+    },
+    /// Two toothings, by their paths.
+    Teeth {
+        form: &'static CouplingForm,
+        on: Vec<SubjectTerm>,
     },
 }
 

@@ -302,6 +302,18 @@ impl Writer {
             w.key("from").place(&line.from);
             w.key("to").place(&line.to);
         });
+        if !body.toothings.is_empty() {
+            self.key("toothings").list(&body.toothings, |w, toothing| {
+                w.key("name").string(&toothing.name.text);
+                w.key("kind").string(toothing.form.call.word);
+                for (label, entry) in &toothing.named.entries {
+                    w.key(&label.text).entry(entry);
+                }
+                if let Some(at) = &toothing.at {
+                    w.key("at").string(&at.text);
+                }
+            });
+        }
     }
 
     fn joint(&mut self, joint: &Joint, definition: &Definition) {
@@ -359,6 +371,13 @@ impl Writer {
                 }
                 self.key(kind.factor.0).entry(factor);
                 self.key("phase").optional(phase.as_ref(), Self::entry);
+            }
+            ConstraintTerm::Teeth { on, .. } => {
+                self.key("kind").string("teeth");
+                for (key, subject) in ["first", "second"].into_iter().zip(on) {
+                    self.subject([key; 2], subject);
+                }
+                self.key("phase").raw("null");
             }
             ConstraintTerm::Equation { left, right } => {
                 self.key("kind").string("equation");

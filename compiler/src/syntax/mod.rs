@@ -23,6 +23,7 @@
 //!             "start" "{" (quantity unit? ("=" | "~") expr ";")* "}"
 //!             "options" "{" … "}"      "expect" "{" … "}"
 //! port        name ":" ("place" | "body" | "joint" | "table")   name unit? ("=" expr)?
+//! toothing    "toothing" name ":" kind "(" (name "=" expr),* ")" ";"
 //! property    ("mass" | "density" | "inertia" | "length" | "radius" | "width" | "height" | "thickness") unit? "=" expr ";"
 //!             "center" unit? "=" pair ";"     "point" name unit? "=" pair ";"     "line" …
 //! LOAD        force(place, direction = pair) "=" expr     force(place) "=" pair      torque(a) "=" expr
@@ -53,6 +54,7 @@ mod shelf;
 mod statements;
 mod tables;
 mod token;
+mod toothings;
 
 pub use definition::*;
 pub use definition_json::definition_json;

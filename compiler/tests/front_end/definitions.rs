@@ -342,6 +342,11 @@ fn forms_of_couplings_agree() {
             Means::Sum { of, by, .. } => {
                 assert!([of[0], of[1], by].iter().all(|which| *which < call.positional.len()));
             }
+            Means::Teeth { row } => {
+                assert!(
+                    call.positional.iter().all(|it| format!("{it:?}") == "Toothing") && row.name == "teeth"
+                );
+            }
         }
     }
 }

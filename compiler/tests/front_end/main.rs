@@ -4,6 +4,7 @@ mod builder;
 mod coverage;
 mod definitions;
 mod files;
+mod gears;
 mod habits;
 mod hysteresis;
 mod json;

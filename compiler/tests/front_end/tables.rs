@@ -14,6 +14,7 @@ fn tables_are_those_of_the_records() {
     compare("bodies of space", &bodies(Space::Spatial));
     compare("joints of the plane", &joints(Space::Planar));
     compare("joints of space", &joints(Space::Spatial));
+    compare("toothings", &toothings());
 }
 
 fn bodies(space: Space) -> String {
@@ -82,6 +83,7 @@ fn written(form: &Form, space: Space) -> String {
         Positional::Places => "…".to_string(),
         Positional::Line => "line".to_string(),
         Positional::Rotor => "joint or body".to_string(),
+        Positional::Toothing => "toothing".to_string(),
         Positional::Expression => "expression".to_string(),
     });
     positional.chain(form.named.iter().map(|argument| named(argument, space))).collect::<Vec<_>>().join(", ")
@@ -97,6 +99,19 @@ fn named(argument: &Argument, space: Space) -> String {
         (Value::Way | Value::Stiffness | Value::Exponent | Value::Backbone, _) => "…".to_string(),
     };
     format!("{} = {value}", argument.name)
+}
+
+fn toothings() -> String {
+    let mut table = "| toothing | is | arguments |\n|---|---|---|\n".to_string();
+    for toothing in VOCABULARY.toothings {
+        let arguments = toothing.call.named.iter().map(|argument| match argument.need {
+            Need::Never => format!("`{}`", argument.name),
+            Need::Always | Need::UnlessMarked => format!("`{} = …`", argument.name),
+        });
+        let arguments = arguments.collect::<Vec<_>>().join(", ");
+        table += &format!("| {} | {} | {arguments} |\n", code(toothing.call.word), toothing.is);
+    }
+    table
 }
 
 fn quantities(joint: &JointForm) -> String {

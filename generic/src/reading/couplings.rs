@@ -11,6 +11,7 @@ use serde_json::Value;
 
 impl Reader<'_> {
     pub(super) fn read_couplings(&self) -> Read<Vec<Row>> {
+        let pairs = self.pairs()?;
         let mut rows = Vec::new();
         for node in list(self.tree, "constraints", "constraints")? {
             let own = name(node, "constraints")?;
@@ -30,6 +31,18 @@ impl Reader<'_> {
                     let (first, second) = (self.rotor(node, "first", own)?, self.rotor(node, "second", own)?);
                     let terms = vec![(1.0, first), (-ratio, second)];
                     ("gear", Equation::Sum { terms, phase: self.phase(node, own)? })
+                }
+                // Σ (factor/z₁) θ − phase; none where the teeth of others hold these in place.
+                "teeth" => {
+                    let pair = pairs.iter().find(|(name, _)| name == own).map(|(_, pair)| pair);
+                    let pair = pair.filter(|pair| !pair.follows);
+                    let Some(pair) = pair else { continue };
+                    let teeth = pair.wheels[0].teeth;
+                    let terms = pair
+                        .terms
+                        .iter()
+                        .map(|(factor, what)| Ok((factor / teeth, self.turning(*what, own)?)));
+                    ("teeth", Equation::Sum { terms: terms.collect::<Read<_>>()?, phase: Phase::Open })
                 }
                 // travel − r θ − phase.
                 "rack" => {

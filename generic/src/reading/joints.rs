@@ -15,11 +15,11 @@ use std::f64::consts::TAU;
 /// A joint as far as quantities need it.
 #[derive(Clone, Debug)]
 pub(crate) struct Joint {
-    kind: String,
-    first: Place,
-    second: Place,
+    pub(super) kind: String,
+    pub(super) first: Place,
+    pub(super) second: Place,
     /// In the plane: the unit vector of its axis is x. In space: J, whose z is the axis, in the axes of both places alike.
-    frame: M3,
+    pub(super) frame: M3,
     /// Of a universal joint, in the axes of the second place.
     second_axis: V3,
     /// Numbers of its counted angles.

@@ -5,6 +5,7 @@
 
 mod bodies;
 mod couplings;
+mod gears;
 mod hysteresis;
 mod joints;
 mod laws;

@@ -3,6 +3,10 @@
 use super::Worst;
 use linkwright::{Mechanism, Simulation};
 use linkwright_models::planetary_gear_train::{PlanetaryGearTrain, PlanetaryGearTrainInputs};
+use linkwright_models::toothed_gears::{
+    CompoundTrain, CompoundTrainInputs, ToothedPlanetarySet, ToothedPlanetarySetInputs,
+};
+use std::f64::consts::{PI, TAU};
 
 /// ω_sun = 3 ω_arm, and T_in ω_in = T_out ω_out at constant speed.
 #[test]
@@ -48,4 +52,55 @@ fn reflected_inertia() {
     let mut worst = Worst::default();
     worst.see(arm.angular_acceleration, (0.7 + 3.0 * 0.02) / inertia);
     worst.below(1e-10, "acceleration of the arm");
+}
+
+/// By numbers of teeth: ω_sun = 3 ω_arm, ω_planet = −3 ω_arm, and all planets alike.
+#[test]
+fn ratios_of_teeth() {
+    let model = ToothedPlanetarySet::<f64>::default();
+    let mut simulation = Simulation::new(&model, ToothedPlanetarySet::START)
+        .formulation(super::baumgarte(10.0))
+        .constant(ToothedPlanetarySetInputs { arm_torque: 0.0, sun_torque: 0.0 })
+        .step(1e-3);
+    let mut ratio = Worst::default();
+    simulation
+        .run_until(1.0, |sample| {
+            ratio.see(sample.outputs.sun_rate / 10.0, 3.0);
+            ratio.see(sample.outputs.planet_rate / 10.0, -3.0);
+        })
+        .expect("gears turn");
+    ratio.below(1e-12, "rates of sun and planet");
+
+    let model = CompoundTrain::<f64>::default();
+    let outputs = model.outputs(0.0, &CompoundTrain::START, &CompoundTrainInputs { torque: 0.0 });
+    let mut ratio = Worst::default();
+    ratio.see(50.0 / outputs.out_rate, 10.0);
+    ratio.below(1e-13, "ratio of the train");
+}
+
+/// A tooth of the sun faces a space of each planet, and each planet's a space of the ring: z₁(θ₁ − ψ) + z₂(θ₂ − ψ − π) = π + 2πk, and in
+/// the ring z₁(θ₁ − ψ) − z₂(θ₂ − ψ) = π + 2πk.
+#[test]
+fn teeth_face_spaces() {
+    let model = ToothedPlanetarySet::<f64>::default();
+    let start = ToothedPlanetarySet::START;
+    let mut a = start.v;
+    a.iter_mut().for_each(|rate| *rate = 0.0);
+    let motions = model.motions(0.0, &start.q, &start.v, &a);
+    let angle = |body: usize| {
+        let [cosine, sine] = motions[body].orientation;
+        sine.atan2(cosine)
+    };
+    // In the order of the definition: arm, sun, ring, planets.
+    let mut worst = Worst::default();
+    for planet in 0..3 {
+        let psi = angle(0) + f64::from(planet) * TAU / 3.0;
+        let own = angle(3 + planet as usize);
+        let sun = 40.0 * (angle(1) - psi) + 20.0 * (own - psi - PI) - PI;
+        let ring = 20.0 * (own - psi) - 80.0 * (angle(2) - psi) - PI;
+        for sum in [sun, ring] {
+            worst.see((sum / TAU - (sum / TAU).round()).abs(), 0.0);
+        }
+    }
+    worst.below(1e-12, "pitches by which teeth are off");
 }

@@ -197,6 +197,8 @@ macro_rules! for_each_in_zoo {
             worn: $crate::zoo_hysteresis::Worn,
             roped: $crate::zoo_hysteresis::Roped,
             terrain: $crate::zoo_laws::Terrain,
+            toothed: $crate::zoo_gears::Toothed,
+            epicycle: $crate::zoo_gears::Epicycle,
             winch: $crate::zoo_cables::Winch,
             hoisted: $crate::zoo_cables::Hoisted,
             arm: $crate::zoo_space::Arm,

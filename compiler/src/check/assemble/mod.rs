@@ -29,6 +29,7 @@ mod refusals;
 mod residuals;
 mod scales;
 mod search;
+mod teeth;
 mod world;
 
 pub use blame::Blame;
@@ -80,6 +81,7 @@ pub fn assemble(mechanism: &Mechanism, equations: &Equations, errors: &mut Diagn
     let problem = problem(mechanism, equations, &mut point);
     let assembled = attempts::closed(mechanism, &problem, &mut point, errors)?;
     let assembled = attempts::settle_turns(&problem, &mut point, assembled);
+    let assembled = teeth::meet(mechanism, &problem, &mut point, assembled, errors)?;
     let q = assembled.q;
     let phases = phases(mechanism, equations, &mut point, &q);
     point.set(&equations.symbols.phases, &phases);

@@ -87,6 +87,12 @@ impl<'a> Problem<'a> {
         Problem::new(self.equations, rows, Vec::new(), Vec::new())
     }
 
+    /// The same with these conditions beside those that are exact.
+    pub(super) fn with(&self, conditions: Vec<(Condition, f64)>) -> Problem<'a> {
+        let conditions = self.conditions.iter().cloned().chain(conditions).collect();
+        Problem::new(self.equations, self.rows.clone(), conditions, self.guesses.clone())
+    }
+
     pub(super) fn table(&self) -> &Table {
         &self.table
     }

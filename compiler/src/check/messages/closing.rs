@@ -157,3 +157,11 @@ pub fn cannot_start(searched: usize) -> String {
          suffice to say why: guess more angles in `start`, or check the lengths and places of the joints"
     )
 }
+
+pub fn teeth_do_not_meet(gear: &str, apart: f64) -> String {
+    format!(
+        "the teeth of `{gear}` do not meet at the start: where `start` puts the wheels they are {} of a pitch apart. Leave one of the wheels out of \
+         `start`, or write `~` in place of `=`, and it turns to where they meet",
+        number(apart.abs())
+    )
+}

@@ -6,7 +6,10 @@ mod differential;
 mod gear;
 mod rack;
 mod screw;
+mod teeth;
 mod worm;
+
+pub use teeth::facing;
 
 use super::jet::Moving;
 use super::laws::Laws;
@@ -24,6 +27,7 @@ use std::collections::BTreeSet;
 /// The couplings of the plane and of space.
 pub static COUPLINGS: &[&CouplingForm] = &[
     &gear::COUPLING,
+    &teeth::COUPLING,
     &bevel::COUPLING,
     &worm::COUPLING,
     &belt::COUPLING,
@@ -39,14 +43,24 @@ const LENGTH_PHASE: Argument = Argument::scalar("phase", Need::Never, Dimension:
 
 /// Couplings whose phase comes from the assembled start, by name, in order.
 pub fn open_phases(mechanism: &Mechanism) -> impl Iterator<Item = String> + '_ {
-    mechanism.constraints.iter().filter(|constraint| is_open(constraint)).map(|c| c.name.identifier())
+    let open = |constraint: &&Constraint| has_row(mechanism, constraint) && is_open(constraint);
+    mechanism.constraints.iter().filter(open).map(|c| c.name.identifier())
 }
 
 /// Whether a coupling's phase comes from the assembled start.
 pub fn is_open(constraint: &Constraint) -> bool {
     match &constraint.kind {
         ConstraintKind::Coupling(coupling) => coupling.phase.is_none(),
+        ConstraintKind::Teeth { .. } => true,
         ConstraintKind::Equation { .. } => false,
+    }
+}
+
+/// Whether a constraint has a row: teeth that others hold in place already have none.
+pub fn has_row(mechanism: &Mechanism, constraint: &Constraint) -> bool {
+    match &constraint.kind {
+        ConstraintKind::Teeth { pair, .. } => mechanism.pairs[*pair].follows.is_none(),
+        ConstraintKind::Coupling(_) | ConstraintKind::Equation { .. } => true,
     }
 }
 
@@ -62,6 +76,9 @@ pub fn row<'g>(
     match &constraint.kind {
         ConstraintKind::Coupling(coupling) => (&coupling.kind.row, proportion(laws, coupling, phase)),
         ConstraintKind::Equation { residual } => (&EQUATION, laws.jet(residual)),
+        ConstraintKind::Teeth { pair, .. } => {
+            (&teeth::ROW, teeth::row(laws, &laws.mechanism.pairs[*pair], phase))
+        }
     }
 }
 
@@ -92,6 +109,9 @@ pub fn multi_turn_rotors(mechanism: &Mechanism) -> Vec<Rotor> {
         match &constraint.kind {
             ConstraintKind::Coupling(coupling) => rotors.extend(coupling.rotors()),
             ConstraintKind::Equation { residual } => angles_in(residual, &mut rotors),
+            ConstraintKind::Teeth { pair, .. } => {
+                rotors.extend(mechanism.pairs[*pair].terms.iter().map(|(_, rotor)| *rotor));
+            }
         }
     }
     for driver in &mechanism.drivers {

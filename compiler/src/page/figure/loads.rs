@@ -34,7 +34,7 @@ pub fn effort(drawing: &mut Drawing, kind: &LoadKind, effort: &Effort) {
 }
 
 pub fn wheel(drawing: &mut Drawing, wheel: &Wheel) {
-    let mut group = Group::new(JOINTS, -1.0, format!("{}, pitch circle", wheel.of));
+    let mut group = Group::new(JOINTS, -1.0, format!("{}, {}", wheel.of, wheel.circle));
     let view = &drawing.view;
     group.path(&circle(view, wheel.center, wheel.about, wheel.radius * view.scale), true, Pen::Broken(1.0));
     drawing.add(group);

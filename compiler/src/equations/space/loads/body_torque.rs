@@ -34,7 +34,11 @@ fn terms<'g>(laws: &Laws<'g>, load: &Load) -> LoadTerms<'g> {
     let components = law(laws, load);
     let bodies = load.on.iter().filter_map(|subject| match subject {
         Subject::Body(body) => Some(laws.kinematics().turning(*body)),
-        Subject::Place(_) | Subject::Rotor(_) | Subject::Travel(_) | Subject::Expression(..) => None,
+        Subject::Place(_)
+        | Subject::Rotor(_)
+        | Subject::Travel(_)
+        | Subject::Expression(..)
+        | Subject::Toothing(_) => None,
     });
     bodies.fold(LoadTerms::none(laws), |sum, turning| sum.and(together(laws, &turning, &components)))
 }

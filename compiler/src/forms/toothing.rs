@@ -1,0 +1,22 @@
+//! What anyone may know of a kind of toothing.
+
+use super::Form;
+
+/// A kind of toothing: what stands behind `toothing name:` in the braces of a part.
+#[derive(Debug)]
+pub struct ToothingForm {
+    /// How it is written: all its arguments are numbers that are known at expansion.
+    pub call: Form,
+    /// What it is, for documents.
+    pub is: &'static str,
+    pub rim: Rim,
+}
+
+/// Where the teeth stand.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Rim {
+    /// On the outside of a wheel.
+    External,
+    /// On the inside of a ring.
+    Internal,
+}

@@ -1,0 +1,275 @@
+//! Of toothings and the pairs that mesh.
+
+use super::number;
+
+/// With as many digits as it takes to write it into a definition.
+fn exact(value: f64) -> String {
+    crate::numbers::significant(value, 9)
+}
+
+/// Lengths are shown in mm.
+fn mm(value: f64) -> String {
+    exact(1e3 * value)
+}
+
+// ---- One toothing -------------------------------------------------------------------------------------------------
+
+pub(crate) fn toothing_of_particle(body: &str) -> String {
+    format!(
+        "the particle `{body}` has no orientation, so it carries no teeth: write `body` or `disk` with its inertia"
+    )
+}
+
+pub(crate) fn missing_of_toothing(kind: &str, argument: &str) -> String {
+    let example = match argument {
+        "teeth" => "teeth = 20",
+        "module" => "module [mm] = 2",
+        _ => "…",
+    };
+    format!(
+        "`{kind}` needs `{argument}`: write `{kind}({example}, …)`, as in `{kind}(teeth = 20, module [mm] = 2)`"
+    )
+}
+
+pub(crate) fn toothing_elsewhere(body: &str, place: &str) -> String {
+    format!(
+        "the toothing stands on `{body}`, and `{place}` is a place of something else: write a point of `{body}`"
+    )
+}
+
+pub(crate) fn no_toothings(name: &str, kind: &str) -> String {
+    format!(
+        "`{name}` is {kind}, and toothings stand on bodies: write `body.rim`, with `toothing rim: external(…);` in the braces of the body"
+    )
+}
+
+pub(crate) fn unknown_toothing(path: &str, body: &str, known: &[&str]) -> String {
+    match known {
+        [] => format!(
+            "`{body}` has no toothing, so there is no `{path}`: write `toothing rim: external(teeth = 20, module [mm] = 2);` in its braces"
+        ),
+        known => format!("there is no toothing `{path}`; `{body}` has `{}`", known.join("`, `")),
+    }
+}
+
+pub(crate) fn teeth_not_whole(toothing: &str, teeth: f64) -> String {
+    format!("the teeth of `{toothing}` are counted, found {}: write a whole number", number(teeth))
+}
+
+pub(crate) fn number_of_teeth(toothing: &str, teeth: f64, [least, most]: [f64; 2]) -> String {
+    format!("`{toothing}` has {} teeth, and a wheel has {least} to {most}", number(teeth))
+}
+
+pub(crate) fn toothing_not_positive(toothing: &str, what: &str, value: f64) -> String {
+    format!("the {} of `{toothing}` must be positive, found {}", what.replace('_', " "), number(value))
+}
+
+pub(crate) fn pressure_angle(toothing: &str, degrees: f64) -> String {
+    format!(
+        "the pressure angle of `{toothing}` is {} degrees, and teeth have 5 to 45: write `pressure_angle [deg] = 20`",
+        number(degrees)
+    )
+}
+
+pub(crate) fn helix(toothing: &str, degrees: f64) -> String {
+    format!(
+        "the helix angle of `{toothing}` is {} degrees, and beyond 60 there is no wheel: write a worm by its ratio, `worm(a, b, ratio = …)`",
+        number(degrees)
+    )
+}
+
+pub(crate) fn shift_in_modules(toothing: &str, shift: f64) -> String {
+    format!(
+        "the shift of `{toothing}` is {} modules, and teeth end within 2: write it in modules, `shift = 0.3`",
+        number(shift)
+    )
+}
+
+pub(crate) fn bore_beyond_teeth(toothing: &str, bore: f64, root: f64) -> String {
+    format!(
+        "the bore of `{toothing}` is {} mm wide, and its teeth stand on a circle of {} mm: write a smaller diameter",
+        mm(bore),
+        mm(root)
+    )
+}
+
+// ---- A pair -------------------------------------------------------------------------------------------------------
+
+pub(crate) fn teeth_on_one_shaft(first: &str, second: &str) -> String {
+    format!(
+        "`{first}` and `{second}` stand on one shaft, so they cannot turn each other: name toothings of two bodies that turn against each other"
+    )
+}
+
+pub(crate) fn two_rings(first: &str, second: &str) -> String {
+    format!(
+        "`{first}` and `{second}` are both internal, and two rings have no teeth to mesh with: make the inner one `external`"
+    )
+}
+
+pub(crate) fn centres_not_held(first: &str, second: &str) -> String {
+    format!(
+        "nothing holds the centres of `{first}` and `{second}` at a distance: both must be pinned (`revolute`, `fixed`) to one body or to the \
+         ground, at places that do not move with time"
+    )
+}
+
+pub(crate) fn no_axle(first: &str, second: &str) -> String {
+    format!(
+        "`{first}` and `{second}` do not turn about axles that the compiler sees: in space each wheel turns by one `revolute` joint against what holds \
+         both, or against a third thing about which that turns; write these joints between places without markers"
+    )
+}
+
+pub(crate) fn axes_not_parallel(first: &str, second: &str) -> String {
+    format!(
+        "the axes of `{first}` and `{second}` are not parallel, and such wheels are cylinders: write `bevel(a, b, ratio = …)` or `worm(a, b, ratio = …)`"
+    )
+}
+
+pub(crate) fn planets_not_assembled(gear: &str, apart: f64, sun: f64, ring: f64, planets: usize) -> String {
+    let sum = sun + ring;
+    let fits = |n: &usize| *n > 1 && (sum / *n as f64).fract() == 0.0;
+    let nearest = (2..=planets + 4).filter(fits).min_by_key(|n| n.abs_diff(planets));
+    let instead = match nearest {
+        Some(nearest) => format!("{nearest} of them fit equally apart, as {sum}/{nearest} is whole"),
+        None => "no few of them fit equally apart".to_string(),
+    };
+    format!(
+        "the teeth of `{gear}` do not meet: its planet stands {} teeth off where the others hold it. Sun and ring have {sum} teeth together, \
+         and planets stand at angles ψ with {sum} ψ/360 whole; {instead}",
+        number(apart.abs())
+    )
+}
+
+pub(crate) fn loop_not_assembled(gear: &str, of: &[&str], apart: f64) -> String {
+    format!(
+        "the teeth of `{gear}` do not meet: around `{}` they stand {} teeth off. Move an axle, or, \
+         where two toothings stand on one body, turn one of them, `first [deg] = …`",
+        of.join("`, `"),
+        number(apart.abs())
+    )
+}
+
+pub(crate) fn modules_differ(first: &str, second: &str, modules: [f64; 2]) -> String {
+    format!(
+        "`{first}` has a module of {} mm and `{second}` one of {} mm: teeth that mesh have the same",
+        mm(modules[0]),
+        mm(modules[1])
+    )
+}
+
+pub(crate) fn pressure_angles_differ(first: &str, second: &str, degrees: [f64; 2]) -> String {
+    format!(
+        "`{first}` has a pressure angle of {} degrees and `{second}` one of {}: teeth that mesh have the same",
+        number(degrees[0]),
+        number(degrees[1])
+    )
+}
+
+pub(crate) fn helices_differ(first: &str, second: &str, degrees: [f64; 2], ring: bool) -> String {
+    let rule = if ring {
+        "of a wheel in a ring they are the same"
+    } else {
+        "of two wheels one is the other with its sign turned"
+    };
+    format!(
+        "the helix angles of `{first}` and `{second}` are {} and {} degrees: {rule}",
+        number(degrees[0]),
+        number(degrees[1])
+    )
+}
+
+pub(crate) fn ring_too_small([wheel, ring]: [&str; 2], teeth: [f64; 2]) -> String {
+    format!(
+        "`{wheel}` with {} teeth does not fit into `{ring}` with {}: the ring has more teeth than the wheel in it",
+        teeth[0], teeth[1]
+    )
+}
+
+pub(crate) fn wrong_distance(
+    first: &str,
+    second: &str,
+    found: f64,
+    nominal: f64,
+    shift: Option<f64>,
+) -> String {
+    let instead = match shift {
+        Some(shift) => {
+            format!("put them {} mm apart, or write shifts that add up to {}", mm(nominal), exact(shift))
+        }
+        None => format!("put them {} mm apart", mm(nominal)),
+    };
+    format!(
+        "the axes of `{first}` and `{second}` are {} mm apart, and their teeth touch on both sides at {} mm: {instead}",
+        mm(found),
+        mm(nominal)
+    )
+}
+
+pub(crate) fn teeth_lose_contact(first: &str, second: &str, ratio: f64) -> String {
+    format!(
+        "the contact ratio of `{first}` and `{second}` is {}: below 1 there are positions where no teeth touch. Write more teeth or a larger addendum",
+        number(ratio)
+    )
+}
+
+pub(crate) fn tips_collide([wheel, ring]: [&str; 2], teeth: [f64; 2], overlap: f64) -> String {
+    format!(
+        "the tips of `{wheel}` and `{ring}` run into each other beside the mesh, by {} mm: {} and {} teeth are too near for this addendum; write \
+         `addendum = 0.8`, or about ten teeth of difference",
+        mm(overlap),
+        teeth[0],
+        teeth[1]
+    )
+}
+
+pub(crate) fn planets_collide(first: &str, second: &str, distance: f64, tips: f64) -> String {
+    format!(
+        "`{first}` and `{second}` run into each other: their axes are {} mm apart and their tip circles need {} mm. Write fewer planets, or planets \
+         with fewer teeth",
+        mm(distance),
+        mm(tips)
+    )
+}
+
+// ---- Warnings -----------------------------------------------------------------------------------------------------
+
+pub(crate) fn low_contact_ratio(first: &str, second: &str, ratio: f64) -> String {
+    format!(
+        "the contact ratio of `{first}` and `{second}` is {}, and below 1.1 the smallest error of manufacture parts the teeth",
+        number(ratio)
+    )
+}
+
+pub(crate) fn undercut(toothing: &str, teeth: f64, least: f64, shift: f64) -> String {
+    format!(
+        "`{toothing}` is undercut: with {teeth} teeth its hob cuts into the flanks, which {} teeth would not have; `shift = {}` avoids it, and \
+         `#[allow(teeth)]` says that it is known",
+        number(least),
+        crate::numbers::significant(shift, 3)
+    )
+}
+
+pub(crate) fn interference(first: &str, second: &str, ratios: [f64; 2]) -> String {
+    format!(
+        "the tips of `{second}` reach below the base circle of `{first}`, where there is no involute: contact ends at the base tangent point, and the \
+         contact ratio is {} in place of {}; a shift of `{first}` avoids it",
+        number(ratios[0]),
+        number(ratios[1])
+    )
+}
+
+pub(crate) fn ring_inside_base(ring: &str, tip: f64, base: f64) -> String {
+    format!(
+        "the tips of `{ring}` lie {} mm inside its base circle, where there is no involute: write a smaller addendum or a shift",
+        mm(base - tip)
+    )
+}
+
+pub(crate) fn odd_face_width(toothing: &str, ratio: f64) -> String {
+    format!(
+        "the face of `{toothing}` is {} modules wide; gears have 3 to 40: is its unit right?",
+        number(ratio)
+    )
+}

@@ -1,0 +1,161 @@
+//! Toothings as written: their numbers in SI, with what is common where nothing is written.
+
+use super::super::lower::{Lowering, name};
+use super::super::names::Part;
+use super::super::unused::Scope;
+use super::super::{BodyId, Frame};
+use super::{Toothing, ToothingId};
+use crate::messages;
+use crate::syntax::{self, Path, PlaceTerm};
+use crate::units::Dimension;
+
+/// α where none is written.
+const PRESSURE_ANGLE: f64 = 20.0 * std::f64::consts::PI / 180.0;
+const FEWEST_TEETH: f64 = 4.0;
+const MOST_TEETH: f64 = 10_000.0;
+
+impl<'d> Lowering<'d> {
+    /// The toothings of a body.
+    pub fn toothings(&mut self, index: usize, body: &'d syntax::Body) -> Option<Vec<Toothing>> {
+        let toothings: Vec<Option<Toothing>> =
+            body.toothings.iter().map(|toothing| self.toothing(index, body, toothing)).collect();
+        toothings.into_iter().collect()
+    }
+
+    fn toothing(
+        &mut self,
+        index: usize,
+        body: &'d syntax::Body,
+        written: &'d syntax::Toothing,
+    ) -> Option<Toothing> {
+        let own = &body.name.text;
+        let value =
+            |this: &mut Self, what: &str, dimension: Dimension, default: f64| match written.named.entry(what)
+            {
+                Some(entry) => this.number(entry, dimension, what),
+                None => Some(default),
+            };
+        let teeth = value(self, "teeth", Dimension::ONE, 0.0);
+        let module = value(self, "module", Dimension::LENGTH, 0.0);
+        let pressure_angle = value(self, "pressure_angle", Dimension::ANGLE, PRESSURE_ANGLE);
+        let helix = value(self, "helix", Dimension::ANGLE, 0.0);
+        let shift = value(self, "shift", Dimension::ONE, 0.0);
+        let addendum = value(self, "addendum", Dimension::ONE, 1.0);
+        let dedendum = value(self, "dedendum", Dimension::ONE, 1.25);
+        let first = value(self, "first", Dimension::ANGLE, 0.0);
+        let face_width = value(self, "face_width", Dimension::LENGTH, 0.0);
+        let bore = value(self, "bore", Dimension::LENGTH, 0.0);
+        let center = match &written.at {
+            Some(path) => self.place(&PlaceTerm::Named(path.clone())),
+            None => {
+                let parts = vec![
+                    body.name.clone(),
+                    syntax::Label { text: "center".to_string(), ..body.name.clone() },
+                ];
+                self.place(&PlaceTerm::Named(Path::joined(parts)))
+            }
+        };
+        let center = center?;
+        if let (Some(path), true) = (&written.at, center.frame != Frame::Body(BodyId(index))) {
+            self.diagnostics.error(path.region, messages::toothing_elsewhere(own, &path.text));
+            return None;
+        }
+        let given = |what: &str| written.named.entry(what).is_some();
+        let toothing = Toothing {
+            name: name(&written.name),
+            text: format!("{own}.{}", written.name.text),
+            form: written.form,
+            center,
+            teeth: teeth?,
+            module: module?,
+            pressure_angle: pressure_angle?,
+            helix: helix?,
+            shift: shift?,
+            addendum: addendum?,
+            dedendum: dedendum?,
+            first: first?,
+            face_width: face_width.filter(|_| given("face_width")),
+            bore: bore.filter(|_| given("bore")),
+        };
+        let wrong = wrong(&toothing);
+        if let Some((what, message)) = wrong {
+            let region = written.named.entry(what).map_or(written.name.region, |entry| entry.value.region);
+            self.diagnostics.error(region, message);
+            return None;
+        }
+        Some(toothing)
+    }
+
+    /// A toothing by its path.
+    pub fn toothing_of(&mut self, path: &Path) -> Option<ToothingId> {
+        let head = &path.parts[0];
+        let Some(Part::Body(index)) = self.names.part(&head.text) else {
+            let message = match self.names.part(&head.text) {
+                Some(part) => messages::no_toothings(&head.text, part.kind()),
+                None => {
+                    let similar = self.names.similar_part(&head.text, |part| matches!(part, Part::Body(_)));
+                    self.names.unknown("body", &head.text, similar)
+                }
+            };
+            self.diagnostics.error(head.region, message);
+            return None;
+        };
+        let body = &self.definition.bodies[index];
+        let found = match path.parts.as_slice() {
+            [_, rim] => body.toothings.iter().position(|toothing| toothing.name.text == rim.text),
+            _ => None,
+        };
+        match found {
+            Some(at) => {
+                self.used.insert((Scope::Body(index), &body.toothings[at].name.text));
+                Some(ToothingId { body: BodyId(index), index: at })
+            }
+            None => {
+                let known: Vec<&str> =
+                    body.toothings.iter().map(|toothing| toothing.name.text.as_str()).collect();
+                let message = messages::unknown_toothing(&path.text, &head.text, &known);
+                self.diagnostics.error(path.region, message);
+                None
+            }
+        }
+    }
+}
+
+/// The argument that no toothing has, and why.
+fn wrong(toothing: &Toothing) -> Option<(&'static str, String)> {
+    let Toothing { teeth, module, pressure_angle, helix, shift, addendum, dedendum, .. } = *toothing;
+    let text = &toothing.text;
+    if teeth.fract() != 0.0 {
+        return Some(("teeth", messages::teeth_not_whole(text, teeth)));
+    }
+    if !(FEWEST_TEETH..=MOST_TEETH).contains(&teeth) {
+        return Some(("teeth", messages::number_of_teeth(text, teeth, [FEWEST_TEETH, MOST_TEETH])));
+    }
+    if module <= 0.0 {
+        return Some(("module", messages::toothing_not_positive(text, "module", module)));
+    }
+    let degrees = pressure_angle.to_degrees();
+    if !(5.0..=45.0).contains(&degrees) {
+        return Some(("pressure_angle", messages::pressure_angle(text, degrees)));
+    }
+    if helix.to_degrees().abs() > 60.0 {
+        return Some(("helix", messages::helix(text, helix.to_degrees())));
+    }
+    for (what, value) in [("addendum", addendum), ("dedendum", dedendum)] {
+        if value <= 0.0 {
+            return Some((what, messages::toothing_not_positive(text, what, value)));
+        }
+    }
+    if shift.abs() > 2.0 {
+        return Some(("shift", messages::shift_in_modules(text, shift)));
+    }
+    for (what, value) in [("face_width", toothing.face_width), ("bore", toothing.bore)] {
+        if let Some(value) = value.filter(|value| *value <= 0.0) {
+            return Some((what, messages::toothing_not_positive(text, what, value)));
+        }
+    }
+    if let Some(bore) = toothing.bore.filter(|bore| 0.5 * bore >= toothing.root_radius()) {
+        return Some(("bore", messages::bore_beyond_teeth(text, bore, 2.0 * toothing.root_radius())));
+    }
+    None
+}

@@ -1,0 +1,134 @@
+//! Two toothings that mesh: distances, contact ratio, and the sum of angles that both hold.
+
+use super::super::{Frame, Name, Rotor};
+use super::toothing::{Toothing, ToothingId, angle_of_involute, involute};
+use std::f64::consts::{PI, TAU};
+
+/// A pair of toothings, of a constraint or of a load.
+#[derive(Clone, Debug)]
+pub struct Pair {
+    /// Of what it is the pair.
+    pub name: Name,
+    pub on: [ToothingId; 2],
+    /// Numbers of teeth.
+    pub teeth: [f64; 2],
+    /// What holds both centres.
+    pub carrier: Frame,
+    /// From the first centre to the second one, in the axes of the carrier, m.
+    pub between: [f64; 2],
+    /// Σ factor · angle = constant + 2πk, in radians of a pitch: those of the wheels against the carrier.
+    pub terms: Vec<(f64, Rotor)>,
+    pub constant: f64,
+    /// By what the pairs before it fix this one, if they do: pairs and factors, Σ over these and this one is no motion.
+    pub follows: Option<Vec<(usize, f64)>>,
+}
+
+impl Pair {
+    /// a.
+    pub fn distance(&self) -> f64 {
+        libm::hypot(self.between[0], self.between[1])
+    }
+}
+
+/// What follows from two toothings at the distance of their axes.
+#[derive(Clone, Copy, Debug)]
+pub struct Mesh {
+    /// +1 of two wheels, −1 of a wheel in a ring.
+    pub sense: f64,
+    /// r_b1 and r_b2.
+    pub base: [f64; 2],
+    /// a, at which the flanks touch on both sides without play.
+    pub nominal: f64,
+    /// α_w at the distance of the axes; none where the base circles are further apart.
+    pub working_angle: Option<f64>,
+    /// ε_α, and what it would be if the path of contact did not end at a base tangent point.
+    pub contact_ratio: f64,
+    pub unclamped_ratio: f64,
+    /// p_b = π m_t cos α_t.
+    pub base_pitch: f64,
+    /// Where contact begins and ends, along the line of action from the base tangent point of the wheel, of two wheels the first.
+    pub path: [f64; 2],
+    /// ε_β = b sin β/(π m).
+    pub overlap: f64,
+    /// Which of the wheels has its base tangent point within the addendum of the other.
+    pub clamped: [bool; 2],
+}
+
+/// Of two toothings whose modules and angles agree. Contact ratios: Litvin & Fuentes, Gear Geometry and Applied Theory (2004), 10.5
+/// and 11.5.
+pub fn mesh(first: &Toothing, second: &Toothing, distance: f64) -> Mesh {
+    let ring = first.is_internal() || second.is_internal();
+    // Of a ring the wheel comes first.
+    let [wheel, other] = if first.is_internal() { [second, first] } else { [first, second] };
+    let angle = first.transverse_angle();
+    let sense = if ring { -1.0 } else { 1.0 };
+    let (shifts, teeth) = if ring {
+        (other.shift - wheel.shift, other.teeth - wheel.teeth)
+    } else {
+        (wheel.shift + other.shift, wheel.teeth + other.teeth)
+    };
+    let played = involute(angle) + 2.0 * shifts * libm::tan(first.pressure_angle) / teeth;
+    let unshifted = 0.5 * first.transverse_module() * teeth;
+    let nominal = match angle_of_involute(played) {
+        Some(working) => unshifted * libm::cos(angle) / libm::cos(working),
+        None => f64::NAN,
+    };
+    let reach = (other.base_radius() + sense * wheel.base_radius()).abs();
+    let cosine = reach / distance;
+    let working_angle = (cosine <= 1.0 && distance > 0.0).then(|| libm::acos(cosine));
+    let base_pitch = PI * first.transverse_module() * libm::cos(angle);
+    // Lengths along the line of action: from the wheel's base tangent point T₁ on.
+    let tangent = distance * working_angle.map_or(0.0, libm::sin);
+    let along = |toothing: &Toothing| {
+        let (tip, base) = (toothing.tip_radius(), toothing.base_radius());
+        libm::sqrt((tip * tip - base * base).max(0.0))
+    };
+    let (path, open, clamped) = if ring {
+        // The ring's tip circle is where contact begins, not before T₁.
+        let begin = along(other) - tangent;
+        ([begin.max(0.0), along(wheel)], [begin, along(wheel)], [begin < 0.0, false])
+    } else {
+        let (begin, end) = (tangent - along(other), along(wheel));
+        ([begin.max(0.0), end.min(tangent)], [begin, end], [begin < 0.0, end > tangent])
+    };
+    let clamped = if first.is_internal() { [clamped[1], clamped[0]] } else { clamped };
+    let width = match (first.face_width, second.face_width) {
+        (Some(a), Some(b)) => a.min(b),
+        (a, b) => a.or(b).unwrap_or(0.0),
+    };
+    Mesh {
+        sense,
+        base: [first.base_radius(), second.base_radius()],
+        nominal,
+        working_angle,
+        contact_ratio: (path[1] - path[0]) / base_pitch,
+        unclamped_ratio: (open[1] - open[0]) / base_pitch,
+        base_pitch,
+        path,
+        overlap: width * libm::sin(first.helix.abs()) / (PI * first.module),
+        clamped,
+    }
+}
+
+/// What the sum z₁(θ₁ − θ_c) ± z₂(θ₂ − θ_c) is, but for whole turns, where a tooth of the one faces a space of the other. ψ is the
+/// direction from the first centre to the second one, of a ring that from its centre to the wheel's.
+pub fn facing(first: &Toothing, second: &Toothing, between: [f64; 2]) -> f64 {
+    let [x, y] = between;
+    let (z1, z2) = (first.teeth, second.teeth);
+    let sum = if second.is_internal() {
+        let psi = libm::atan2(-y, -x);
+        PI + (z1 - z2) * psi - z1 * first.first + z2 * second.first
+    } else if first.is_internal() {
+        let psi = libm::atan2(y, x);
+        PI + (z1 - z2) * psi - z1 * first.first + z2 * second.first
+    } else {
+        let psi = libm::atan2(y, x);
+        PI + z1 * psi + z2 * (psi + PI) - z1 * first.first - z2 * second.first
+    };
+    remainder(sum)
+}
+
+/// An angle less whole turns, in [−π, π).
+pub fn remainder(angle: f64) -> f64 {
+    angle - TAU * libm::floor(angle / TAU + 0.5)
+}

@@ -1,0 +1,63 @@
+//! Toothings in the braces of a part: a name, a kind and its numbers.
+
+use super::definition::{Body, Named, Toothing};
+use super::parser::{Failed, Parsed, Parser};
+use super::token::Cursor;
+use crate::messages;
+use proc_macro2::Delimiter;
+
+impl Parser<'_> {
+    /// `rim: external(teeth = 20, module [mm] = 2);` after the word `toothing`.
+    pub fn toothing(&mut self, c: &mut Cursor, body: &Body) -> Parsed<Toothing> {
+        let word = c.previous();
+        let name = self.declared(c, "the name of the toothing")?;
+        if !body.form.turns {
+            return self.fail(word, messages::toothing_of_particle(&body.name.text));
+        }
+        if !c.eat_punct(':') {
+            return self.expected(c, "`:` and what the toothing is, such as `external(…);`");
+        }
+        let kind = self.word(c, "the kind of the toothing, such as `external`")?;
+        let known = self.vocabulary.toothings;
+        let Some(form) = known.iter().copied().find(|form| form.call.word == kind.text) else {
+            let forms: Vec<_> = known.iter().map(|form| &form.call).collect();
+            return self.fail(kind.region, messages::unknown_kind("toothing", &kind.text, &forms));
+        };
+        let mut inside = self.group(c, Delimiter::Parenthesis)?;
+        let region = kind.region.to(c.previous());
+        let (mut named, mut at) = (Named::default(), None);
+        while !inside.is_done() {
+            let label = self.word(&mut inside, "a named argument, such as `teeth = 20`")?;
+            if let Some(first) = named.labels().find(|first| first.text == label.text) {
+                let message = messages::property_twice(&label.text, &name.text);
+                let note = messages::first_here(&label.text);
+                self.diagnostics.conflict(label.region, message, first.region, note);
+                return Err(Failed);
+            }
+            if label.text == "at" {
+                self.punct(&mut inside, '=')?;
+                at = Some(self.path(&mut inside, "a point of the part, such as `shaft.seat`")?);
+            } else if form.call.named.iter().any(|argument| argument.name == label.text) {
+                let unit = self.unit(&mut inside)?;
+                let entry = self.entry(&mut inside, unit)?;
+                named.entries.push((label, entry));
+            } else {
+                let names: Vec<&str> =
+                    form.call.named.iter().map(|argument| argument.name).chain(["at"]).collect();
+                let message = messages::unknown_argument(form.call.word, &label.text, &names);
+                return self.fail(label.region, message);
+            }
+            if !inside.is_done() && !inside.eat_punct(',') {
+                return self.expected(&inside, "`,` or `)`");
+            }
+        }
+        for argument in form.call.named.iter().filter(|argument| argument.is_required()) {
+            if named.entry(argument.name).is_none() {
+                let message = messages::missing_of_toothing(form.call.word, argument.name);
+                return self.fail(region, message);
+            }
+        }
+        self.semicolon(c)?;
+        Ok(Toothing { name, form, named, at })
+    }
+}

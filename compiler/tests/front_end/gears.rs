@@ -1,0 +1,248 @@
+//! Toothings and pairs that mesh: one message for each mistake, warnings, and the numbers that follow from teeth.
+
+use crate::{good, warnings};
+use linkwright_compiler::compile;
+use linkwright_compiler::model::Mechanism;
+use linkwright_compiler::model::gears::{Mesh, Told};
+
+/// Two wheels on the ground, with these toothings, `apart` mm from each other.
+fn wheels(first: &str, second: &str, apart: &str, rest: &str) -> String {
+    format!(
+        "planar Pair {{ disk one {{ mass [kg] = 1; radius [mm] = 20; toothing rim: {first}; }}
+         disk two {{ mass [kg] = 1; radius [mm] = 20; toothing rim: {second}; }}
+         joint a: revolute(ground(0, 0) [mm], one.center); joint b: revolute(ground({apart}, 0) [mm], two.center);
+         gear mesh_of: gear(one.rim, two.rim); {rest} }}"
+    )
+}
+
+/// A sun, a ring and planets at these angles, degrees.
+fn planets(sun: u32, planet: u32, ring: u32, at: &[f64]) -> String {
+    let axes = f64::from(sun + planet) / 1e3;
+    let mut text = format!(
+        "planar Set {{ body arm {{ mass [kg] = 1; inertia [kg*m^2] = 0.01; {} }}
+         body sun {{ mass [kg] = 1; inertia [kg*m^2] = 0.01; toothing rim: external(teeth = {sun}, module [mm] = 2); }}
+         body ring {{ mass [kg] = 1; inertia [kg*m^2] = 0.01; toothing rim: internal(teeth = {ring}, module [mm] = 2); }}
+         joint main: revolute(ground(0, 0), arm.origin); joint axle: revolute(ground(0, 0), sun.center);
+         joint rim: revolute(ground(0, 0), ring.center);",
+        at.iter()
+            .enumerate()
+            .map(|(index, psi)| format!("point pin[{index}] [m] = ({axes} [m]*cos({psi} [deg]), {axes} [m]*sin({psi} [deg]));"))
+            .collect::<String>()
+    );
+    for index in 0..at.len() {
+        text += &format!(
+            "body planet[{index}] {{ mass [kg] = 1; inertia [kg*m^2] = 0.01; toothing rim: external(teeth = {planet}, module [mm] = 2); }}
+             joint bolt[{index}]: revolute(arm.pin[{index}], planet[{index}].center);
+             gear inner[{index}]: gear(sun.rim, planet[{index}].rim); gear outer[{index}]: gear(planet[{index}].rim, ring.rim);"
+        );
+    }
+    text + "}"
+}
+
+const PLAIN: &str = "external(teeth = 20, module [mm] = 2)";
+
+#[test]
+fn one_message_for_each_mistake() {
+    let one = |toothing: &str| wheels(toothing, PLAIN, "40", "");
+    for (source, expected) in [
+        (one("external(teeth = 20.5, module [mm] = 2)"), "the teeth of `one.rim` are counted, found 20.5: write a whole number"),
+        (one("external(teeth = 3, module [mm] = 2)"), "`one.rim` has 3 teeth, and a wheel has 4 to 10000"),
+        (one("external(teeth = 20, module [mm] = 0)"), "the module of `one.rim` must be positive, found 0"),
+        (one("external(teeth = 20)"), "`external` needs `module`"),
+        (one("external(module [mm] = 2)"), "`external` needs `teeth`"),
+        (one("external(teeth = 20, module [mm] = 2, teeth = 20)"), "is given twice"),
+        (one("external(teeth = 20, module [mm] = 2, tooth = 20)"), "tooth"),
+        (one("external(teeth = 20, module [kg] = 2)"), "expected m"),
+        (one("spur(teeth = 20, module [mm] = 2)"), "no toothing called \"spur\"; did you mean `external`?"),
+        (one("external(teeth = 20, module [mm] = 2, pressure_angle [rad] = 20)"), "and teeth have 5 to 45"),
+        (one("external(teeth = 20, module [mm] = 2, helix [deg] = 80)"), "the helix angle of `one.rim` is 80 degrees, and beyond 60 there is no wheel: write a worm by its ratio, `worm(a, b, ratio = …)`"),
+        (one("external(teeth = 20, module [mm] = 2, shift = 5)"), "the shift of `one.rim` is 5 modules, and teeth end within 2: write it in modules, `shift = 0.3`"),
+        (one("external(teeth = 20, module [mm] = 2, addendum = 0)"), "the addendum of `one.rim` must be positive"),
+        (one("external(teeth = 20, module [mm] = 2, face_width [mm] = -1)"), "the face width of `one.rim` must be positive"),
+        (one("external(teeth = 20, module [mm] = 2, bore [mm] = 36)"), "its teeth stand on a circle of 35 mm"),
+        (one("external(teeth = 20, module [mm] = 2, at = two.center)"), "the toothing stands on `one`, and `two.center` is a place of something else: write a point of `one`"),
+        (one("external(teeth = 20, module [mm] = 3)"), "`one.rim` has a module of 3 mm and `two.rim` one of 2 mm"),
+        (one("external(teeth = 20, module [mm] = 2, pressure_angle [deg] = 25)"), "a pressure angle of 25 degrees and `two.rim` one of 20"),
+        (one("external(teeth = 20, module [mm] = 2, helix [deg] = 10)"), "of two wheels one is the other with its sign turned"),
+        (
+            wheels("external(teeth = 20, module [mm] = 2, helix [deg] = 10)", "internal(teeth = 60, module [mm] = 2)", "40", ""),
+            "of a wheel in a ring they are the same",
+        ),
+        (one("internal(teeth = 18, module [mm] = 2)"), "the ring has more teeth than the wheel in it"),
+        (wheels("internal(teeth = 60, module [mm] = 2)", "internal(teeth = 20, module [mm] = 2)", "40", ""), "two rings have no teeth to mesh with"),
+        (wheels(PLAIN, PLAIN, "40.5", ""), "are 40.5 mm apart, and their teeth touch on both sides at 40 mm: put them 40 mm apart, or write shifts that add up to 0.26"),
+        (wheels(PLAIN, PLAIN, "30", ""), "are 30 mm apart, and their teeth touch on both sides at 40 mm: put them 40 mm apart"),
+        (
+            wheels("external(teeth = 20, module [mm] = 2, addendum = 0.5)", "external(teeth = 20, module [mm] = 2, addendum = 0.5)", "40", ""),
+            "below 1 there are positions where no teeth touch",
+        ),
+        (
+            wheels("external(teeth = 30, module [mm] = 2)", "internal(teeth = 33, module [mm] = 2)", "3", ""),
+            "run into each other beside the mesh",
+        ),
+        (wheels(PLAIN, PLAIN, "40", "").replace("two.rim);", "two.ring);"), "there is no toothing `two.ring`; `two` has `rim`"),
+        (wheels(PLAIN, PLAIN, "40", "").replace("two.rim);", "bare.rim);").replace("disk two", "body bare { mass [kg] = 1; inertia [kg*m^2] = 1; } disk two"), "`bare` has no toothing, so there is no `bare.rim`"),
+        (wheels(PLAIN, PLAIN, "40", "").replace("two.rim);", "b.rim);"), "`b` is a joint, and toothings stand on bodies"),
+        (wheels(PLAIN, PLAIN, "40", "").replace("two.rim);", "tow.rim);"), "did you mean \"two\"?"),
+        (wheels(PLAIN, PLAIN, "40", "").replace("two.rim);", "one.rim);"), "stand on one shaft"),
+        (wheels(PLAIN, PLAIN, "40", "").replace("joint b: revolute(ground(40, 0) [mm], two.center);", ""), "nothing holds the centres of `one.rim` and `two.rim`"),
+        (wheels(PLAIN, PLAIN, "40", "particle p { mass [kg] = 1; toothing rim: external(teeth = 20, module [mm] = 2); }"), "has no orientation, so it carries no teeth"),
+        (wheels(PLAIN, PLAIN, "40", "").replace("gear(one.rim, two.rim)", "gear(one.rim, two.rim, ratio = 2)"), "without a point"),
+        (wheels(PLAIN, PLAIN, "40", "start { a.angle [rad] = 0; b.angle [rad] = 0; }"), "the teeth of `mesh_of` do not meet at the start: where `start` puts the wheels they are 0.5 of a pitch apart"),
+        (
+            // Four wheels in a rhombus, whose angle is no whole number of half pitches.
+            wheels(PLAIN, PLAIN, "40", "disk three { mass [kg] = 1; radius [mm] = 20; toothing rim: external(teeth = 20, module [mm] = 2); }
+                disk four { mass [kg] = 1; radius [mm] = 20; toothing rim: external(teeth = 20, module [mm] = 2); }
+                joint c: revolute(ground(16.904730469627978, 36.252311481465995) [mm], three.center); joint d: revolute(ground(56.90473046962798, 36.252311481465995) [mm], four.center);
+                gear e: gear(one.rim, three.rim); gear f: gear(three.rim, four.rim); gear g: gear(two.rim, four.rim);"),
+            "the teeth of `g` do not meet: around `mesh_of`, `e`, `f`, `g` they stand 0.44444 teeth off",
+        ),
+        (planets(41, 20, 81, &[0.0, 120.0, 240.0]), "its planet stands 0.33333 teeth off where the others hold it. Sun and ring have 122 teeth together"),
+        (planets(41, 24, 90, &[0.0, 50.0]), "no few of them fit equally apart"),
+        (planets(40, 20, 80, &[0.0, 121.0, 240.0]), "its planet stands 0.33333 teeth off"),
+        (planets(20, 40, 100, &[0.0, 60.0, 120.0, 180.0, 240.0, 300.0]), "`planet[1].rim` and `planet[0].rim` run into each other"),
+    ] {
+        says(&source, expected);
+    }
+}
+
+/// One message, with this text in it.
+#[track_caller]
+fn says(source: &str, expected: &str) {
+    let found = compile(source.parse().expect("tokens"), None).map(|_| ()).expect_err(expected);
+    let found: Vec<String> = found.iter().map(|error| error.message.clone()).collect();
+    assert!(
+        matches!(&found[..], [only] if only.contains(expected)),
+        "{expected:?} in place of {found:#?}\n{source}"
+    );
+}
+
+/// Wheels in space turn by joints about parallel axes.
+#[test]
+fn axles_in_space() {
+    let space = |joint: &str| {
+        format!(
+            "spatial Pair {{ cylinder one {{ mass [kg] = 1; radius [mm] = 20; length [mm] = 9; toothing rim: external(teeth = 20, module [mm] = 2); }}
+             cylinder two {{ mass [kg] = 1; radius [mm] = 20; length [mm] = 9; toothing rim: external(teeth = 20, module [mm] = 2); }}
+             joint a: revolute(ground(0, 0, 0) [mm], one.center, axis = (0, 0, 1)); joint b: {joint};
+             gear mesh_of: gear(one.rim, two.rim); }}"
+        )
+    };
+    let held = space("revolute(two.center, ground(40, 0, 0) [mm], axis = (0, 0, -1))");
+    let mechanism = good(&held);
+    assert_eq!(mechanism.pairs[0].terms.iter().map(|(factor, _)| *factor).collect::<Vec<_>>(), [20.0, 20.0]);
+    says(
+        &space("spherical(ground(40, 0, 0) [mm], two.center)"),
+        "`one.rim` and `two.rim` do not turn about axles that the compiler sees: in space each wheel turns by one `revolute` joint against what holds both, or against a third thing about which that turns; write these joints between places without markers",
+    );
+    says(
+        &space("revolute(ground(40, 0, 0) [mm], two.center, axis = (0, 1, 1))"),
+        "are not parallel, and such wheels are cylinders",
+    );
+}
+
+fn pair(source: &str) -> (Mechanism, Mesh) {
+    let mechanism = good(source);
+    let (_, mesh) = mechanism.mesh_of(&mechanism.pairs[0]);
+    (mechanism, mesh)
+}
+
+fn near(found: f64, expected: f64, within: f64) {
+    assert!((found - expected).abs() <= within * expected.abs(), "{found} in place of {expected}");
+}
+
+/// 12/30/72 teeth of 1 mm: the sun's are undercut and its path of contact ends at the base tangent point. Litvin & Fuentes (2004), 10.5, 11.5.
+#[test]
+fn contact_ratios() {
+    let (mechanism, mesh) = pair(&wheels(
+        "external(teeth = 12, module [mm] = 1)",
+        "external(teeth = 30, module [mm] = 1)",
+        "21",
+        "",
+    ));
+    near(mesh.contact_ratio, 1.405_302_72, 1e-8);
+    near(mesh.base_pitch, 2.952_131_43e-3, 1e-8);
+    near(mesh.path[1], 4.148_638_33e-3, 1e-8);
+    assert_eq!(mesh.path[0], 0.0);
+    assert_eq!(mesh.clamped, [true, false]);
+    assert_eq!(Told::of(&mechanism, &mechanism.pairs[0]).hunting, 5.0);
+    let (_, mesh) = pair(&wheels(
+        "external(teeth = 30, module [mm] = 1)",
+        "internal(teeth = 72, module [mm] = 1)",
+        "-21",
+        "",
+    ));
+    near(mesh.contact_ratio, 1.956_380_30, 1e-8);
+    near(mesh.path[0], 1.795_505_53e-3, 1e-8);
+    near(mesh.path[1], 7.570_997_30e-3, 1e-8);
+    // The same pair, its ring first.
+    let (_, turned) = pair(&wheels(
+        "internal(teeth = 72, module [mm] = 1)",
+        "external(teeth = 30, module [mm] = 1)",
+        "21",
+        "",
+    ));
+    assert_eq!(turned.contact_ratio, mesh.contact_ratio);
+}
+
+/// Shifted teeth touch on both sides at the distance where inv α_w = inv α + 2 tan α Σx/Σz.
+#[test]
+fn shifted_teeth() {
+    let shifted = |x: &str| format!("external(teeth = 20, module [mm] = 2, shift = {x})");
+    let (_, mesh) = pair(&wheels(&shifted("0.3"), &shifted("-0.3"), "40", ""));
+    near(mesh.nominal, 0.04, 1e-15);
+    let told = "put them 40.9250571";
+    says(&wheels(&shifted("0.25"), &shifted("0.25"), "40", ""), told);
+}
+
+/// Planets at other angles are possible where their teeth meet: 120 ψ/360 whole.
+#[test]
+fn planets_stand_where_their_teeth_meet() {
+    for angles in [&[0.0, 120.0, 240.0][..], &[0.0, 90.0, 183.0], &[0.0, 177.0]] {
+        let mechanism = good(&planets(40, 20, 80, angles));
+        let following = mechanism.pairs.iter().filter(|pair| pair.follows.is_some()).count();
+        assert_eq!(following, angles.len() - 1);
+    }
+}
+
+#[test]
+fn what_is_possible_and_probably_not_meant() {
+    let two = |first: &str, second: &str, apart: &str| {
+        let found = warnings(&wheels(first, second, apart, ""));
+        found.iter().map(|warning| warning.message.clone()).collect::<Vec<_>>()
+    };
+    let small = "external(teeth = 12, module [mm] = 1)";
+    let found = two(small, "external(teeth = 30, module [mm] = 1)", "21");
+    assert_eq!(found.len(), 2, "{found:?}");
+    assert!(
+        found[0].contains("`one.rim` is undercut: with 12 teeth")
+            && found[0].contains("`shift = 0.298` avoids it"),
+        "{found:?}"
+    );
+    assert!(found[1].contains("the tips of `two.rim` reach below the base circle of `one.rim`"), "{found:?}");
+    let known = format!("#[allow(teeth)] toothing rim: {small}; }}");
+    let source = wheels(small, "external(teeth = 30, module [mm] = 1)", "21", "");
+    let source = source
+        .replacen(&format!("toothing rim: {small}; }}"), &known, 1)
+        .replace("gear mesh_of", "#[allow(teeth)] gear mesh_of");
+    assert!(warnings(&source).is_empty());
+    let wide = two("external(teeth = 20, module [mm] = 2, face_width [m] = 20)", PLAIN, "40");
+    assert!(
+        wide[0]
+            .contains("the face of `one.rim` is 10000 modules wide; gears have 3 to 40: is its unit right?"),
+        "{wide:?}"
+    );
+    let low = two(
+        "external(teeth = 20, module [mm] = 2, addendum = 0.7)",
+        "external(teeth = 20, module [mm] = 2, addendum = 0.62)",
+        "40",
+    );
+    assert!(low[0].contains("below 1.1 the smallest error of manufacture parts the teeth"), "{low:?}");
+    let inside = two("external(teeth = 20, module [mm] = 2)", "internal(teeth = 30, module [mm] = 2)", "-10");
+    assert!(inside.iter().any(|message| message.contains("inside its base circle")), "{inside:?}");
+    let idle = warnings(
+        &wheels(PLAIN, PLAIN, "40", "")
+            .replace("toothing rim", "toothing spare: external(teeth = 20, module [mm] = 2); toothing rim"),
+    );
+    assert!(idle.iter().all(|warning| warning.message.contains("toothing `spare`")), "{idle}");
+}

@@ -1,0 +1,58 @@
+//! Mechanisms with teeth: pairs in both orders, on the ground and on carriers, shifted and helical, in the plane and in space.
+
+linkwright::mechanism! {
+    /// A lever that carries an idler between a ring, which turns, and a wheel; a shifted pair; a ring that comes first.
+    pub planar Toothed {
+        param heavy [kg] = 2 in 0.1..10;
+        input twist [N*m];
+        input brake [N*m];
+        gravity [m/s^2] = (0, -9.81);
+        body lever { mass = heavy; inertia [kg*m^2] = 0.02; center [mm] = (10, 5);
+                     point hub [mm] = (0, 0); point pin [mm] = (21.65063509461097, 12.5); }
+        body ring  { mass [kg] = 3; inertia [kg*m^2] = 0.04; toothing inside: internal(teeth = 75, module [mm] = 2, first [deg] = 3);
+                     toothing outside: external(teeth = 90, module [mm] = 2, first [deg] = -1); point seat [mm] = (0, 0); }
+        disk idler { mass [kg] = 0.6; radius [mm] = 48; toothing rim: external(teeth = 50, module [mm] = 2, first [deg] = 7); }
+        body side  { mass [kg] = 0.4; inertia [kg*m^2] = 3e-4; center [mm] = (1, -2); point eye [mm] = (0, 3);
+                     toothing rim: external(teeth = 21, module [mm] = 2, at = side.eye); toothing spur: external(teeth = 17, module [mm] = 3, shift = 0.4, at = side.eye); }
+        disk last  { mass [kg] = 0.9; radius [mm] = 40; toothing rim: external(teeth = 29, module [mm] = 3, shift = 0.25, first [rad] = 0.1); }
+        joint main:  revolute(ground(0, 0) [mm], lever.hub);
+        joint outer: revolute(lever.hub, ring.seat);
+        joint bolt:  revolute(idler.center, lever.pin);
+        joint axle:  revolute(ground(111, 0) [mm], side.eye);
+        joint end:   revolute(last.center, ground(111, 70.788869) [mm]);
+        gear inner:  gear(ring.inside, idler.rim);
+        gear train:  gear(side.rim, ring.outside);
+        gear shifted: gear(side.spur, last.rim);
+        torque drive: torque(main) = twist;
+        torque hold:  torque(last) = -brake;
+        start { main.angle [rad] = 0.3; main.rate [rad/s] = 0.7; outer.rate [rad/s] = -0.4; }
+        options { emit = (penalty, projection, null_space, tangent); }
+        output idler_rate [rad/s] = idler.rate;
+    }
+}
+
+linkwright::mechanism! {
+    /// A planetary set in space about a slanted axis, one of its wheels helical with another on the ground.
+    pub spatial Epicycle {
+        input twist [N*m];
+        gravity [m/s^2] = (0, 0, -9.81);
+        body arm { mass [kg] = 0.7; inertia [kg*m^2] = (2e-3, 2e-3, 3e-3); point pin [mm] = (60, 0, 0); }
+        cylinder sun  { mass [kg] = 1; radius [mm] = 40; length [mm] = 20; toothing rim: external(teeth = 40, module [mm] = 2);
+                        toothing slant: external(teeth = 30, module [mm] = 2, helix [deg] = 20, face_width [mm] = 25); }
+        cylinder planet { mass [kg] = 0.3; radius [mm] = 20; length [mm] = 20; toothing rim: external(teeth = 20, module [mm] = 2, first [deg] = 5); }
+        body ring { mass [kg] = 2; inertia [kg*m^2] = (0.02, 0.02, 0.03); toothing rim: internal(teeth = 80, module [mm] = 2); }
+        cylinder pinion { mass [kg] = 0.5; radius [mm] = 20; length [mm] = 25; toothing rim: external(teeth = 20, module [mm] = 2, helix [deg] = -20); }
+        joint main:   revolute(ground(0, 0, 0) [m], arm.origin, axis = (0, 0, 1));
+        joint axle:   revolute(arm.origin, sun.center, axis = (0, 0, -1));
+        joint bolt:   revolute(planet.center, arm.pin, axis = (0, 0, 1));
+        joint rim:    revolute(arm.origin, ring.center, axis = (0, 0, 2));
+        joint side:   revolute(ground(0 [mm], 50*2/(2*cos(20 [deg]))*1 [mm], 0 [mm]), pinion.center, axis = (0, 0, 1));
+        gear inner: gear(planet.rim, sun.rim);
+        gear outer: gear(ring.rim, planet.rim);
+        gear third: gear(pinion.rim, sun.slant);
+        torque drive: torque(main) = twist;
+        start { main.angle [rad] = 0.4; main.rate [rad/s] = 0.6; axle.rate [rad/s] = -0.8; }
+        options { emit = (penalty, projection, null_space, tangent); }
+        output ring_rate [rad/s] = rim.rate;
+    }
+}

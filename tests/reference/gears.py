@@ -1,0 +1,268 @@
+"""Toothings: which angles a pair of them couples, by numbers of teeth, and where teeth face spaces. Written from "Teeth" of NOTATION.md.
+
+A wheel turns against what holds its centre and that of its partner: a body, or the ground, to which joints that keep a place pin both. In
+the plane angles are those of bodies, in space those of the joints about whose parallel axes they turn. Everything here is a number.
+"""
+
+from dataclasses import dataclass, field
+from fractions import Fraction
+
+import casadi as ca
+import numpy as np
+
+import expressions
+
+TAU = 2 * np.pi
+KEEPS_PLACE = ("revolute", "fixed", "spherical", "universal", "constant_velocity")
+KEEPS_ORIENTATION = ("fixed", "prismatic", "parallel")
+
+
+@dataclass
+class Toothing:
+    body: str
+    internal: bool
+    teeth: int
+    module: float  # of the normal section
+    angle: float  # likewise
+    helix: float
+    shift: float
+    addendum: float
+    dedendum: float
+    first: float
+    width: float | None
+    bore: float | None
+    center: object
+
+    @property
+    def transverse_angle(self):
+        return np.arctan(np.tan(self.angle) / np.cos(self.helix))
+
+    @property
+    def pitch(self):
+        return self.module / np.cos(self.helix) * self.teeth / 2
+
+    @property
+    def base(self):
+        return self.pitch * np.cos(self.transverse_angle)
+
+    @property
+    def tip(self):
+        return self.pitch + self.module * (self.shift - self.addendum if self.internal else self.shift + self.addendum)
+
+    @property
+    def root(self):
+        return self.pitch + self.module * (self.shift + self.dedendum if self.internal else self.shift - self.dedendum)
+
+
+@dataclass
+class Pair:
+    name: str
+    wheels: tuple
+    sense: int  # +1 of two wheels, −1 of a wheel in a ring
+    between: np.ndarray  # from the first centre to the second across the axes
+    terms: dict = field(default_factory=dict)  # rotor → factor, in pitches
+    constant: float = 0.0
+    follows: bool = False
+
+    @property
+    def distance(self):
+        return float(np.hypot(*self.between))
+
+
+def pairs(model):
+    """By name: constraints first, then loads."""
+    definition = model.definition
+    written = [part for part in definition["constraints"] if part["kind"] == "teeth"]
+    written += [part for part in definition["loads"] if part["kind"] == "mesh"]
+    found, rows = {}, []
+    for part in written:
+        pair = _pair(model, part["name"], [_toothing(model, part[key]["place"]) for key in ("first", "second")])
+        rows.append(_row(model, pair))
+        pair.follows = _rank(rows) < len(rows)
+        if pair.follows:
+            rows.pop()
+        found[pair.name] = pair
+    return found
+
+
+def _toothing(model, path):
+    body, _, rim = path.rpartition(".")
+    node = next(node for node in model.definition["bodies"] if node["name"] == body)
+    node = next(own for own in node["toothings"] if own["name"] == rim)
+
+    def value(key, default=None):
+        if node.get(key) is None:
+            return default
+        return float(model.at_defaults(expressions.entry(node[key], model))[0])
+
+    return Toothing(
+        body,
+        node["kind"] == "internal",
+        round(value("teeth")),
+        value("module"),
+        value("pressure_angle", np.radians(20)),
+        value("helix", 0.0),
+        value("shift", 0.0),
+        value("addendum", 1.0),
+        value("dedendum", 1.25),
+        value("first", 0.0),
+        value("face_width"),
+        value("bore"),
+        model.named_place(node["at"] if node.get("at") else f"{body}.center"),
+    )
+
+
+def _pair(model, name, wheels):
+    first, second = wheels
+    sense = -1 if first.internal or second.internal else 1
+    carrier, across = _carrier(model, wheels)
+    if model.kind == "planar":
+        terms, fixed = {}, 0.0
+        for factor, body in ((first.teeth, first.body), (sense * second.teeth, second.body), (-first.teeth - sense * second.teeth, carrier)):
+            still, angle = _orientation(model, body)
+            if still is None:
+                fixed += factor * angle
+            elif factor:
+                terms[body] = terms.get(body, 0) + factor
+        between = across[:2]
+    else:
+        terms, fixed = {}, 0.0
+        turns = [_turn(model, wheel.body, carrier) for wheel in wheels]
+        axis = next(axis for _, axis in turns if axis is not None)
+        for (own, about), factor in zip(turns, (first.teeth, sense * second.teeth)):
+            side = 1 if about is None else round(float(np.dot(axis, about)))
+            for joint, sign in own.items():
+                terms[joint] = terms.get(joint, 0) + factor * side * sign
+        terms = {joint: factor for joint, factor in terms.items() if factor}
+        frame = _numbers(model, axis)
+        between = np.array([frame[:, 0] @ across, frame[:, 1] @ across])
+    pair = Pair(name, (first, second), sense, np.array(between), terms)
+    pair.constant = _wrapped(_facing(pair) - fixed)
+    return pair
+
+
+def _numbers(model, axis):
+    """J(axis)."""
+    return np.array(ca.evalf(model.joint_frame(ca.SX(ca.DM(list(axis))))))
+
+
+def _facing(pair):
+    """z1(θ1 − ψ) ± z2(θ2 − ψ …) where a tooth of the first faces a space of the second, without the angles θ."""
+    first, second = pair.wheels
+    x, y = pair.between
+    if second.internal:  # from the ring's centre to the wheel's
+        x, y = -x, -y
+    psi = np.arctan2(y, x)
+    if pair.sense < 0:
+        return np.pi + (first.teeth - second.teeth) * psi - first.teeth * first.first + second.teeth * second.first
+    return np.pi + first.teeth * (psi - first.first) + second.teeth * (psi + np.pi - second.first)
+
+
+def _wrapped(angle):
+    return angle - TAU * np.floor(angle / TAU + 0.5)
+
+
+# What holds the wheels.
+
+
+def _carrier(model, wheels):
+    own = [wheel.body for wheel in wheels]
+    first, second = (_pinned(model, wheel.center) for wheel in wheels)
+    order = [None, *model.bodies]
+    for body in order:
+        if body not in own and body in first and body in second:
+            return body, second[body] - first[body]
+    raise ValueError(f"{model.title}: nothing holds the centres of `{own[0]}` and `{own[1]}`")
+
+
+def _pinned(model, place):
+    found = {place.body: _known(model, place)}
+    waiting = [place.body]
+    while waiting:
+        body = waiting.pop(0)
+        for joint in model.joints.values():
+            if joint.kind not in KEEPS_PLACE:
+                continue
+            for near, far in ((joint.first, joint.second), (joint.second, joint.first)):
+                at, there = _known(model, near), _known(model, far)
+                if near.body != body or at is None or there is None or far.body in found:
+                    continue
+                if np.allclose(at, found[body], rtol=0, atol=1e-9 * max(np.abs([*at, *found[body]]).max(), 1e-12)):
+                    found[far.body] = there
+                    waiting.append(far.body)
+    return found
+
+
+def _known(model, place):
+    if ca.depends_on(ca.SX(place.local), model.time):
+        return None
+    return model.at_defaults(place.local)
+
+
+def _orientation(model, body):
+    """What a body's orientation is fixed to (None: the ground), and the angle against it."""
+    order = [None, *model.bodies]
+    of = {name: (name, 0.0) for name in order}
+    for joint in model.joints.values():
+        if joint.kind not in KEEPS_ORIENTATION:
+            continue
+        angle = float(model.at_defaults(joint.angle)[0]) if joint.angle is not None else 0.0
+        (a, of_a), (b, of_b) = of[joint.first.body], of[joint.second.body]
+        turn = of_a + angle - of_b
+        keep, lose, turn = (a, b, turn) if order.index(a) <= order.index(b) else (b, a, -turn)
+        if keep != lose:
+            of = {name: (keep, own + turn) if root == lose else (root, own) for name, (root, own) in of.items()}
+    return of[body]
+
+
+def _turn(model, wheel, carrier):
+    """In space: joints with signs, and their axis."""
+    for third in [carrier, None, *model.bodies]:
+        one, other = _against(model, wheel, third), _against(model, carrier, third)
+        if one is None or other is None:
+            continue
+        side = 1 if one[1] is None or other[1] is None else round(float(np.dot(one[1], other[1])))
+        if side == 0:
+            continue
+        terms = dict(one[0])
+        for joint, sign in other[0].items():
+            terms[joint] = terms.get(joint, 0) - side * sign
+        return terms, one[1] if one[1] is not None else other[1]
+    raise ValueError(f"{model.title}: no axle of `{wheel}`")
+
+
+def _against(model, body, other):
+    if _orientation(model, body)[0] == _orientation(model, other)[0]:
+        return {}, None
+    for joint in model.joints.values():
+        if joint.kind in ("revolute", "cylindrical") and {joint.first.body, joint.second.body} == {body, other}:
+            axis = model.at_defaults(joint.axis)
+            return {joint.name: 1 if joint.second.body == body else -1}, axis / np.linalg.norm(axis)
+    return None
+
+
+# Which rows say something new.
+
+
+def _row(model, pair):
+    row = {}
+    for rotor, factor in pair.terms.items():
+        key = _orientation(model, rotor)[0] if rotor in model.bodies else f"joint {rotor}"
+        row[key] = row.get(key, 0) + factor
+    return row
+
+
+def _rank(rows):
+    columns = list(dict.fromkeys(key for row in rows for key in row))
+    matrix = [[Fraction(row.get(key, 0)) for key in columns] for row in rows]
+    rank = 0
+    for column in range(len(columns)):
+        pivot = next((row for row in range(rank, len(matrix)) if matrix[row][column]), None)
+        if pivot is None:
+            continue
+        matrix[rank], matrix[pivot] = matrix[pivot], matrix[rank]
+        for row in range(rank + 1, len(matrix)):
+            factor = matrix[row][column] / matrix[rank][column]
+            matrix[row] = [a - factor * b for a, b in zip(matrix[row], matrix[rank])]
+        rank += 1
+    return rank

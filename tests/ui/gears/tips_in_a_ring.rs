@@ -1,0 +1,13 @@
+//! A wheel nearly as large as its ring.
+
+linkwright::mechanism! {
+    planar Pair {
+        body one { mass [kg] = 1; inertia [kg*m^2] = 1e-3; toothing rim: external(teeth = 30, module [mm] = 2); }
+        body two { mass [kg] = 1; inertia [kg*m^2] = 1e-3; toothing rim: internal(teeth = 33, module [mm] = 2); }
+        joint a: revolute(ground(0, 0) [mm], one.center);
+        joint b: revolute(ground(3, 0) [mm], two.center);
+        gear pair: gear(one.rim, two.rim);
+    }
+}
+
+fn main() {}
