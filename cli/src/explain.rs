@@ -7,7 +7,7 @@ use linkwright_compiler::counts::Row;
 use linkwright_compiler::equations::conditions;
 use linkwright_compiler::model::gears::Told;
 use linkwright_compiler::model::{
-    ConstraintKind, Coordinate, Coordinates, Frame, JointId, Mechanism, Redundant, Table,
+    ConstraintKind, Coordinate, Coordinates, Frame, JointId, LoadId, Mechanism, Redundant, Table,
 };
 use linkwright_compiler::schedule::{Function, count, live_values};
 use linkwright_compiler::syntax::Definition;
@@ -69,6 +69,8 @@ pub struct Explanation {
     /// Pairs of toothings that mesh.
     pub teeth: Vec<Told>,
     pub loads: Vec<[String; 2]>,
+    /// Name, and how long a touch takes with which mass.
+    pub contacts: Vec<[String; 2]>,
     /// Name, and knots with what stands between them.
     pub tables: Vec<[String; 2]>,
     /// Name and what it is a copy of.
@@ -134,6 +136,7 @@ pub fn explain(definition: &Definition, compiled: &Compiled) -> Explanation {
         couplings: couplings(mechanism),
         teeth: mechanism.pairs.iter().map(|pair| Told::of(mechanism, pair)).collect(),
         loads: loads(mechanism),
+        contacts: contacts(compiled),
         tables: mechanism.tables.iter().map(table).collect(),
         parts: mechanism.parts.iter().map(|part| [part.name.text.clone(), part.of.clone()]).collect(),
         degrees_of_freedom: assembly.mobility.generic,
@@ -204,6 +207,11 @@ fn couplings(mechanism: &Mechanism) -> Vec<[String; 2]> {
         [driver.name.text.clone(), format!("driver of {}", conditions::name(mechanism, &driver.coordinate))]
     });
     couplings.chain(drivers).collect()
+}
+
+fn contacts(compiled: &Compiled) -> Vec<[String; 2]> {
+    let name = |id: LoadId| compiled.mechanism.loads[id.0].name.text.clone();
+    compiled.blows.iter().map(|(id, blow)| [name(*id), blow.to_string()]).collect()
 }
 
 fn loads(mechanism: &Mechanism) -> Vec<[String; 2]> {

@@ -113,6 +113,7 @@ pub fn explanation(e: &Explanation) -> Value {
         "couplings": named(&e.couplings),
         "teeth": e.teeth.iter().map(teeth).collect::<Value>(),
         "loads": named(&e.loads),
+        "contacts": named(&e.contacts),
         "degrees_of_freedom": e.degrees_of_freedom,
         "gruebler": e.gruebler,
         "mobility": e.mobility,

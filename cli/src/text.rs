@@ -35,6 +35,7 @@ pub fn explanation(e: &Explanation, place: &str) -> String {
     table(&mut text, "Couplings and drivers", e.couplings.iter().map(|one| one.to_vec()).collect());
     table(&mut text, "Teeth", e.teeth.iter().map(|pair| pair.cells(str::to_string)).collect());
     table(&mut text, "Loads", e.loads.iter().map(|one| one.to_vec()).collect());
+    table(&mut text, "Contacts", e.contacts.iter().map(|one| one.to_vec()).collect());
     table(&mut text, "Tables", e.tables.iter().map(|one| one.to_vec()).collect());
     freedoms(&mut text, e);
     coordinates(&mut text, e);

@@ -1,5 +1,6 @@
 //! A mechanism after all stages but the last: what the self-check, budgets, pages and back ends start from.
 
+use crate::check::Blow;
 use crate::check::assemble::Assembly;
 use crate::check::assemble::loose::{self, Loose};
 use crate::check::motion::{self, Motion, Unswept};
@@ -7,7 +8,7 @@ use crate::choice::Choice;
 use crate::complete::Complete;
 use crate::diagnostics::Diagnostics;
 use crate::functions::{Function, Shape};
-use crate::model::{Coordinate, Expr, Mechanism, Quantity};
+use crate::model::{Coordinate, Expr, LoadId, Mechanism, Quantity};
 use crate::schedule::Programs;
 use crate::solve::Partition;
 use crate::solve::table::Table;
@@ -42,6 +43,8 @@ pub struct Compiled {
     pub masses: Vec<(String, bool)>,
     pub choice: Choice,
     /// What is possible and probably not meant.
+    /// What blows of contacts are like at the start.
+    pub blows: Vec<(LoadId, Blow)>,
     pub warnings: Diagnostics,
 }
 

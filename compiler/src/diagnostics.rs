@@ -98,10 +98,12 @@ pub enum Lint {
     OutsideTable,
     /// Teeth that are undercut, reach too far or barely touch.
     Teeth,
+    /// A contact that is closed at the start: an error, unless it is allowed.
+    Penetration,
 }
 
 impl Lint {
-    pub const ALL: [Lint; 11] = [
+    pub const ALL: [Lint; 12] = [
         Self::Unused,
         Self::NoEffect,
         Self::Outside,
@@ -113,6 +115,7 @@ impl Lint {
         Self::UnstableState,
         Self::OutsideTable,
         Self::Teeth,
+        Self::Penetration,
     ];
 
     /// As in `#[allow(unused)]`.
@@ -129,6 +132,7 @@ impl Lint {
             Self::UnstableState => "unstable_state",
             Self::OutsideTable => "outside_table",
             Self::Teeth => "teeth",
+            Self::Penetration => "penetration",
         }
     }
 }

@@ -144,6 +144,8 @@ pub fn compile_model(
     check::unstable_states(&mechanism, &growing, &mut warnings);
     check::beyond_tables(&mechanism, &equations, &assembly, &mut warnings);
     check::cords(&mechanism, &equations, &solved, &assembly, &mut errors);
+    check::contacts(&mechanism, &equations, &assembly, &mut errors, &mut warnings);
+    let blows = check::contact_times(&mechanism, &equations, &assembly, &mut errors);
     // AFTER THIS POINT every state has its start.
     let (conditions, independent) = equations.conditions.with(&mechanism, &equations, &assembly.independent);
     let partition = assemble::partition(&mechanism, &equations, &conditions, &assembly, &independent);
@@ -177,6 +179,7 @@ pub fn compile_model(
         partition,
         masses,
         choice,
+        blows,
         warnings,
     };
     if as_defined {

@@ -28,6 +28,8 @@ pub(crate) enum Acts {
     Spring { along: Quantity, stiffness: f64, rest: f64, damping: f64 },
     /// −k f − c ḟ along each way of a bushing.
     Bushing(Vec<Way>),
+    /// A force along each of several gaps.
+    Contact(Vec<[Law; 2]>),
     /// The tension max(0, k s(l − l₀)/l₀ + c s′ d(l − l₀)/dt) while l > l₀, against l − l₀.
     Cable(Box<Cable>),
 }
@@ -119,6 +121,12 @@ impl Load {
                     }
                 }
             }
+            Acts::Contact(meetings) => {
+                for [gap, force] in meetings {
+                    let force = force.value(at, inputs, scratch);
+                    gap.jet(at, scratch, |pull| pulled([pull], force, &mut add));
+                }
+            }
             Acts::Cable(cable) => cable.evaluate(at, inputs, scratch, add),
         }
     }
@@ -131,6 +139,11 @@ impl Load {
             Acts::Effort { along, value } => value.value(at, inputs, scratch) * along.jet(at).along.rate,
             Acts::Along { expression, value } => {
                 value.value(at, inputs, scratch) * expression.course(at, scratch).rate
+            }
+            Acts::Contact(meetings) => {
+                let power =
+                    |[gap, force]: &[Law; 2]| force.value(at, inputs, scratch) * gap.course(at, scratch).rate;
+                meetings.iter().map(power).sum()
             }
             Acts::Spring { along, stiffness, rest, damping } => {
                 let along = along.jet(at).along;

@@ -6,6 +6,7 @@ Absolute sets are derived by `reference` in its own order and permuted here; all
 import casadi as ca
 import numpy as np
 
+import contacts
 import tree
 from energies import Energies
 from magnitude import MATRICES, Evaluator
@@ -68,7 +69,7 @@ class CoordinateSet:
         if quantity in ("internal_rates", "internal_starts"):
             return lambda k: f"state '{self.model.states[k]['name']}'"
         if quantity == "powers":
-            return lambda k: f"power of '{self.model.definition['loads'][k]['name']}'"
+            return lambda k: f"power of '{contacts.all_loads(self.model.definition)[k]}'"
         return lambda k: quantity
 
     def pair_name(self, quantity, row, column):

@@ -198,7 +198,7 @@ def rotors_in_use(model):
         elif coupling["kind"] == "teeth":
             found += model.pairs[coupling["name"]].terms
     found += [load["on"] for load in definition["loads"] if load["kind"] == "torsion_spring"]
-    for part in (definition["constraints"], definition["drivers"], definition["loads"]):
+    for part in (definition["constraints"], definition["drivers"], definition["loads"], definition.get("contacts", [])):
         for text in _names(part, model.signals):
             owner, _, quantity = text.rpartition(".")
             if quantity == "angle" and (owner in model.bodies or owner in model.joints):

@@ -14,6 +14,7 @@ from dataclasses import dataclass
 import casadi as ca
 
 import cables
+import contacts
 import expressions
 import hysteresis
 from expressions import evaluate
@@ -46,7 +47,7 @@ class Energies:
 
         self.kinetic = self._kinetic()
         self.potential = self._potential()
-        self.loads = [self.load(load["name"]) for load in self.model.definition["loads"]]
+        self.loads = [self.load(name) for name in contacts.all_loads(self.model.definition)]
         self.powers = ca.vertcat(*[load.power() for load in self.loads])
 
         declared = [state for state in self.model.states if state["name"] in self.model.rates]
@@ -149,7 +150,9 @@ class Energies:
             raise ValueError(f"{self.model.title}: the load `{name}` depends on its own power")
         if name not in self._loads:
             self._under_way.add(name)
-            self._loads[name] = self._derive_load(next(x for x in self.model.definition["loads"] if x["name"] == name))
+            touching = contacts.find(self.model.definition, name)
+            written = touching or next(x for x in self.model.definition["loads"] if x["name"] == name)
+            self._loads[name] = self._contact(written) if touching else self._derive_load(written)
             self._under_way.remove(name)
         return self._loads[name]
 
@@ -169,6 +172,12 @@ class Energies:
     def energy(self, which):
         kinetic, potential = self.kinetic, self.potential
         return {"kinetic_energy": kinetic, "potential_energy": potential, "energy": kinetic + potential}[which]
+
+    def _contact(self, contact):
+        kinematics, name = self.kinematics, contact["name"]
+        gaps = ca.vertcat(*kinematics.contacts.gaps(name)[0])
+        forces = ca.vertcat(*kinematics.contacts.forces(name))
+        return Load(name, kinematics.rate(gaps), kinematics.explicit_rate(gaps), forces, ca.SX.zeros(gaps.numel()))
 
     def _derive_load(self, load):
         kinematics, name, kind = self.kinematics, load["name"], load["kind"]

@@ -11,6 +11,7 @@ from dataclasses import dataclass
 
 import casadi as ca
 
+import contacts
 import expressions
 from expressions import entry, evaluate
 
@@ -53,6 +54,7 @@ class Kinematics:
     def __init__(self, model):
         self.model = model
         self.poses = {}
+        self.contacts = contacts.Contacts(self)
         self.energies = None  # set by `energies`, for laws that name an energy or a power
 
     def rate(self, value):
@@ -108,6 +110,9 @@ class Kinematics:
         if text in model.signals:
             return entry(model.signals[text], self)
         owner, _, quantity = text.rpartition(".")
+        for touching, what in ((owner, quantity), (owner.removesuffix(".point"), f"point.{quantity}")):
+            if contacts.find(model.definition, touching):
+                return self.contacts.quantity(touching, what)
         if owner in model.signals and owner not in model.joints and owner not in model.bodies:
             return self.rate(entry(model.signals[owner], self))
         if quantity == "resistance":

@@ -209,3 +209,33 @@ pub fn oversize(name: &str, size: &Oversize) -> String {
          operations, more than {most}; {cause}. The build would take minutes and gigabytes: {instead}"
     )
 }
+
+pub fn gap_never_changes(name: &str) -> String {
+    format!(
+        "joints hold both sides of `{name}` against each other, so its gap never changes and it does nothing: leave it out, or touch another body"
+    )
+}
+
+pub fn penetration(name: &str, depth: f64, angle: bool) -> String {
+    let depth = if angle { format!("{} rad", number(depth)) } else { format!("{} mm", number(1e3 * depth)) };
+    format!(
+        "at the start `{name}` is closed, by {depth}: it would push apart at once. Begin where it is open, or write \
+         `#[allow(penetration)]` before it if what rests there is meant"
+    )
+}
+
+pub fn no_contact_time(name: &str) -> String {
+    format!(
+        "how long a touch of `{name}` takes does not follow from its law: only of `kelvin_voigt`, `hunt_crossley` and `hertz`"
+    )
+}
+
+pub fn contact_too_short(name: &str, time: f64, least: f64, mass: f64) -> String {
+    format!(
+        "a touch of `{name}` takes {} s with the {} kg (or kg m²) that it stops, less than the {} s that are expected: make it softer, or the \
+         steps shorter, a twentieth of that",
+        number(time),
+        number(mass),
+        number(least)
+    )
+}

@@ -2,6 +2,7 @@
 
 pub mod assemble;
 mod beyond;
+mod contacts;
 mod cords;
 mod gears;
 mod messages;
@@ -13,6 +14,7 @@ mod steady;
 mod warnings;
 
 pub use beyond::beyond_tables;
+pub use contacts::{Blow, contact_times, contacts};
 pub use cords::cords;
 pub use steady::{steady, unstable};
 pub use warnings::{unstable_states, warnings};

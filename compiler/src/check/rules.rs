@@ -393,10 +393,12 @@ pub(super) fn touched(mechanism: &Mechanism) -> Vec<bool> {
             Coordinate::Turn(body, _) | Coordinate::Deviation(body, _) => {
                 touch(&mut touched, Frame::Body(*body))
             }
-            Coordinate::Position(place, _) => touch(&mut touched, place.frame),
-            Coordinate::Distance(first, second) => {
-                touch(&mut touched, first.frame);
-                touch(&mut touched, second.frame);
+            Coordinate::Position(..)
+            | Coordinate::Distance(..)
+            | Coordinate::Way(..)
+            | Coordinate::Square(..)
+            | Coordinate::Direction(..) => {
+                coordinate.places().for_each(|place| touch(&mut touched, place.frame));
             }
         }
     }

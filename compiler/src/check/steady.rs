@@ -142,7 +142,7 @@ pub fn unstable<'m>(
 }
 
 /// x of A x = b, in rows [A b], or the first row without a pivot.
-fn eliminated(mut rows: Vec<Vec<f64>>) -> Result<Vec<f64>, usize> {
+pub(super) fn eliminated(mut rows: Vec<Vec<f64>>) -> Result<Vec<f64>, usize> {
     let count = rows.len();
     let mut which: Vec<usize> = (0..count).collect();
     let largest: Vec<f64> = rows

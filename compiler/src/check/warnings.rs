@@ -79,6 +79,8 @@ fn declarations_are_used(mechanism: &Mechanism, wanted: &mut Wanted) {
             Declared::Line => "line",
             Declared::Toothing => "toothing",
             Declared::Part => "part",
+            Declared::Surface => "surface",
+            Declared::Material => "material",
         };
         let message = messages::unused(kind, &unused.name.text, unused.body.as_deref());
         wanted.push(Lint::Unused, unused.name.span, message);

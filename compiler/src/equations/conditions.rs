@@ -33,6 +33,11 @@ pub fn name(mechanism: &Mechanism, coordinate: &Coordinate) -> String {
         Coordinate::Travel(id, which) => travel_name(mechanism, *id, *which, 0),
         Coordinate::Position(place, axis) => format!("{}.{}", place.text, ["x", "y", "z"][*axis]),
         Coordinate::Distance(a, b) => format!("distance({}, {})", a.text, b.text),
+        Coordinate::Way(a, _, b) => format!("way({}, {})", a.text, b.text),
+        Coordinate::Square(a, b) => format!("square({}, {})", a.text, b.text),
+        Coordinate::Direction(place, _, axis) => {
+            format!("direction({}).{}", place.text, ["x", "y", "z"][*axis])
+        }
         Coordinate::Turn(body, axis) => {
             format!("{}.rate.{}", mechanism.bodies[body.0].name.text, ["x", "y", "z"][*axis])
         }
@@ -52,6 +57,9 @@ pub fn condition(laws: &Laws, coordinate: &Coordinate) -> (Condition, Node) {
         Coordinate::Travel(..)
         | Coordinate::Position(..)
         | Coordinate::Distance(..)
+        | Coordinate::Way(..)
+        | Coordinate::Square(..)
+        | Coordinate::Direction(..)
         | Coordinate::Turn(..)
         | Coordinate::Deviation(..) => None,
     };

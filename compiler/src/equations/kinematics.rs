@@ -3,7 +3,7 @@
 use super::jet::{Jet, Moving};
 use super::laws::Laws;
 use super::{plane, space};
-use crate::model::{BodyId, JointId, Place, Rotor, Space};
+use crate::model::{BodyId, JointId, Place, Rotor, Space, Vector};
 use crate::symbolic::{Node, On};
 
 /// The places of all bodies as functions of q, and how they change with v.
@@ -44,6 +44,22 @@ impl<'g> On<'g, &'g Kinematics> {
         match self.bare {
             Kinematics::Plane(plane) => self.g.on(plane).difference_in_world(laws, first, second).to_vec(),
             Kinematics::Space(space) => self.g.on(space).between(laws, first, second).to_vec(),
+        }
+    }
+
+    /// u·Δ from one place to another, u in the axes of the first.
+    pub fn way(self, laws: &Laws<'g>, first: &Place, u: &Vector, second: &Place) -> Moving<'g> {
+        match self.bare {
+            Kinematics::Plane(plane) => self.g.on(plane).way(laws, first, u, second),
+            Kinematics::Space(space) => self.g.on(space).way(laws, first, u, second),
+        }
+    }
+
+    /// A direction in the axes of a place, along those of the world.
+    pub fn direction(self, laws: &Laws<'g>, place: &Place, u: &Vector) -> Vec<Moving<'g>> {
+        match self.bare {
+            Kinematics::Plane(plane) => self.g.on(plane).direction_in_world(laws, place, u).to_vec(),
+            Kinematics::Space(space) => self.g.on(space).direction_in_world(laws, place, u).to_vec(),
         }
     }
 

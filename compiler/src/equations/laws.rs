@@ -5,7 +5,7 @@ use super::jet::{Jet, Moving};
 use super::kinematics::Kinematics;
 use super::{Wrench, loads, look_up, plane, space};
 use crate::model::{
-    Comparison, Condition, Coordinate, Expr, Function1, Function2, JointId, Load, Mechanism, Quantity,
+    Comparison, Condition, Coordinate, Expr, Function1, Function2, JointId, Load, Mechanism, Place, Quantity,
     ReactionPart, Rotor, Vector,
 };
 use crate::symbolic::{Compare, Node, On, Scalar, Sheet, Unary};
@@ -261,13 +261,21 @@ impl<'a> Laws<'a> {
                     None => self.still(self.g.zero()),
                 }
             }
-            Coordinate::Distance(a, b) => {
-                let delta = self.kinematics().between(self, a, b);
-                let squares: Vec<Moving> = delta.iter().map(|d| d * d).collect();
-                let (first, rest) = squares.split_at(1);
-                rest.iter().fold(first[0].clone(), |sum, square| sum + square).sqrt()
+            Coordinate::Distance(a, b) => self.square(a, b).sqrt(),
+            Coordinate::Square(a, b) => self.square(a, b),
+            Coordinate::Way(a, direction, b) => self.kinematics().way(self, a, direction, b),
+            Coordinate::Direction(place, direction, axis) => {
+                self.kinematics().direction(self, place, direction)[*axis].clone()
             }
         }
+    }
+
+    /// Δ·Δ.
+    fn square(&self, a: &Place, b: &Place) -> Moving<'a> {
+        let delta = self.kinematics().between(self, a, b);
+        let squares: Vec<Moving> = delta.iter().map(|d| d * d).collect();
+        let (first, rest) = squares.split_at(1);
+        rest.iter().fold(first[0].clone(), |sum, square| sum + square)
     }
 
     fn quantity(&self, quantity: &Quantity) -> Scalar<'a> {

@@ -34,7 +34,7 @@ pub use spanning_tree::{Attachment, SpanningTree};
 pub use switch::{Omitted, Sized, Switch};
 pub use tangent::Tangents;
 
-use crate::forms::{Sign, Vocabulary};
+use crate::forms::{CONTACT_LAWS, SURFACES, Sign, Vocabulary};
 use crate::model::{Coordinate, Mechanism, Rate, Redundant, Space, identifier};
 use crate::symbolic::{Class, Growing, Node, Scalar, Sheet, all_bare};
 use std::collections::{BTreeMap, BTreeSet};
@@ -429,4 +429,7 @@ pub static VOCABULARY: Vocabulary = Vocabulary {
     toothings: toothings::TOOTHINGS,
     couplings: couplings::COUPLINGS,
     loads: |space| loads::of_space(space).map(|load| &load.form).collect(),
+    surfaces: SURFACES,
+    contact_laws: CONTACT_LAWS,
+    contact: &loads::CONTACT.form,
 };

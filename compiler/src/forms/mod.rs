@@ -4,6 +4,7 @@
 //! [`Vocabulary`] and know no element by itself.
 
 mod body;
+mod contact;
 mod coupling;
 mod joint;
 mod load;
@@ -12,6 +13,7 @@ mod table;
 mod toothing;
 
 pub use body::{BodyForm, Length, Moment, Outline, Solid, Volume};
+pub use contact::{CONTACT_LAWS, ContactLaw, ContactLawForm, SURFACES, SurfaceForm, SurfaceKind};
 pub use coupling::{CouplingForm, Factor, Means, Proportion};
 pub use joint::{Alone, Freer, Given, JointAxes, JointForm, OfParticle, Spans, degrees_between};
 pub use load::{Acts, Law, LoadForm, Owned, Written};
@@ -54,6 +56,10 @@ pub struct Vocabulary {
     pub toothings: &'static [&'static ToothingForm],
     pub couplings: &'static [&'static CouplingForm],
     pub loads: fn(Space) -> Vec<&'static LoadForm>,
+    pub surfaces: &'static [SurfaceForm],
+    pub contact_laws: &'static [ContactLawForm],
+    /// What a contact is as a load.
+    pub contact: &'static LoadForm,
 }
 
 /// How an element is written: `word(positional, …, name = value, …)`.
@@ -134,6 +140,10 @@ pub enum Value {
     Exponent,
     /// The name of a table: force or torque by the way, on first loading.
     Backbone,
+    /// A number of parameters whose dimension follows from that of a contact's gap.
+    OfGap,
+    /// One of several words, or the name of a material.
+    Word,
 }
 
 impl Argument {
@@ -182,7 +192,9 @@ impl Argument {
             | Value::Way
             | Value::Stiffness
             | Value::Exponent
-            | Value::Backbone => None,
+            | Value::Backbone
+            | Value::OfGap
+            | Value::Word => None,
             Value::Scalar(dimension)
             | Value::Moving(dimension)
             | Value::Varying(dimension)

@@ -2,6 +2,7 @@
 //! the assembled mechanism stand in `check/messages.rs`.
 
 mod composition;
+mod contacts;
 mod files;
 mod gears;
 mod habits;
@@ -15,6 +16,7 @@ mod warnings;
 mod writing;
 
 pub(crate) use composition::*;
+pub(crate) use contacts::*;
 pub(crate) use files::*;
 pub(crate) use gears::*;
 pub(crate) use habits::*;

@@ -4,7 +4,7 @@ use super::{closest, not_there_yet, number, other_argument};
 use crate::forms::{Form, Space};
 
 /// Words of a later version.
-const LOADS_TO_COME: &[&str] = &["friction", "contact", "mesh"];
+const LOADS_TO_COME: &[&str] = &["friction", "mesh"];
 const STATEMENTS_TO_COME: &[&str] = &["beam"];
 
 /// Whether a word will begin a statement in a later version.

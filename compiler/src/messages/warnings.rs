@@ -9,7 +9,8 @@ pub(crate) fn unused(kind: &str, name: &str, body: Option<&str>) -> String {
     let dropped = match kind {
         "parameter" | "input" | "state" => "so no equation depends on it",
         "part" => "so nothing inside it was read",
-        "constant" | "signal" | "table" => "so it stands for nothing",
+        "surface" => "so it touches nothing",
+        "constant" | "signal" | "table" | "material" => "so it stands for nothing",
         _ => "so no joint, load, start value or output is there",
     };
     format!(

@@ -1,7 +1,7 @@
 //! Joints, couplings and loads of a mechanism: each by its form and what it was given, whatever its kind.
 
 use super::gears::ToothingId;
-use super::{BodyId, Expr, Frame, JointId, Mechanism, Name, Place, Vector};
+use super::{BodyId, Expr, Frame, JointId, Mechanism, Name, Place, Quantity, Vector};
 use crate::forms::{Argument, CouplingForm, JointAxes, JointForm, LoadForm, Proportion, Spans};
 use crate::units::Dimension;
 use std::ops::Range;
@@ -156,6 +156,11 @@ pub enum Subject {
 }
 
 impl Load {
+    /// Whether surfaces, a gap or a range make it.
+    pub fn is_contact(&self) -> bool {
+        self.form.exported == "contact"
+    }
+
     /// The places it acts at.
     pub fn places(&self) -> impl Iterator<Item = &Place> {
         self.on.iter().filter_map(|subject| match subject {
@@ -203,7 +208,8 @@ impl Load {
         self.along().next().expect("the form says so")
     }
 
-    fn along(&self) -> impl Iterator<Item = &Expr> {
+    /// The expressions it acts along.
+    pub fn along(&self) -> impl Iterator<Item = &Expr> {
         self.on.iter().filter_map(|subject| match subject {
             Subject::Expression(expr, _) => Some(expr),
             Subject::Place(_)
@@ -217,7 +223,21 @@ impl Load {
     /// Whether what it acts along changes with time where nothing moves.
     pub fn moves_by_itself(&self) -> bool {
         let mut found = false;
-        self.along().for_each(|expr| expr.visit(&mut |part| found |= *part == Expr::Time));
+        let timed = |at: &Vector| {
+            let mut timed = false;
+            at.iter().for_each(|part| part.visit(&mut |part| timed |= *part == Expr::Time));
+            timed
+        };
+        self.along().for_each(|expr| {
+            expr.visit(&mut |part| match part {
+                Expr::Time => found = true,
+                // Places of the ground may move by themselves.
+                Expr::Quantity(Quantity::Coordinate(coordinate)) => {
+                    found |= coordinate.places().any(|place| timed(&place.at));
+                }
+                _ => {}
+            });
+        });
         found
     }
 

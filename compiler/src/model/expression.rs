@@ -1,7 +1,9 @@
 //! Expressions of the user after lowering: SI units, names resolved, dimensions checked.
 
 use super::tables::LookUp;
-use super::{BodyId, ConstraintId, DriverId, InputId, JointId, LoadId, ParameterId, Place, Rotor, StateId};
+use super::{
+    BodyId, ConstraintId, DriverId, InputId, JointId, LoadId, ParameterId, Place, Rotor, StateId, Vector,
+};
 use crate::units::Dimension;
 
 /// A scalar expression in SI units.
@@ -197,6 +199,12 @@ pub enum Coordinate {
     Position(Box<Place>, usize),
     /// m.
     Distance(Box<Place>, Box<Place>),
+    /// u·(p₂ − p₁) from one place to another, u in the axes of the first and of parameters only, m.
+    Way(Box<Place>, Box<Vector>, Box<Place>),
+    /// |p₂ − p₁|², m².
+    Square(Box<Place>, Box<Place>),
+    /// World x (0), y (1) or z (2) of a direction in the axes of a place.
+    Direction(Box<Place>, Box<Vector>, usize),
     /// The turn of a body in space about its own x (0), y (1) or z (2): a quasi-coordinate, of which there is nothing but the rate
     /// ω, rad/s.
     Turn(BodyId, usize),
@@ -206,6 +214,18 @@ pub enum Coordinate {
 }
 
 impl Coordinate {
+    /// The places that it is of.
+    pub fn places(&self) -> impl Iterator<Item = &Place> {
+        let (first, second) = match self {
+            Self::Position(place, _) | Self::Direction(place, ..) => (Some(&**place), None),
+            Self::Distance(first, second) | Self::Way(first, _, second) | Self::Square(first, second) => {
+                (Some(&**first), Some(&**second))
+            }
+            Self::Angle(_) | Self::Travel(..) | Self::Turn(..) | Self::Deviation(..) => (None, None),
+        };
+        first.into_iter().chain(second)
+    }
+
     /// Whether it has a value, and not a rate alone.
     pub fn has_value(&self) -> bool {
         !matches!(self, Self::Turn(..))
@@ -215,7 +235,9 @@ impl Coordinate {
     pub fn dimension(&self) -> Dimension {
         match self {
             Self::Angle(_) | Self::Turn(..) | Self::Deviation(..) => Dimension::ANGLE,
-            Self::Travel(..) | Self::Position(..) | Self::Distance(..) => Dimension::LENGTH,
+            Self::Travel(..) | Self::Position(..) | Self::Distance(..) | Self::Way(..) => Dimension::LENGTH,
+            Self::Square(..) => Dimension::LENGTH.times(Dimension::LENGTH),
+            Self::Direction(..) => Dimension::ONE,
         }
     }
 
@@ -223,7 +245,9 @@ impl Coordinate {
     pub fn rate_dimension(&self) -> Dimension {
         match self {
             Self::Angle(_) | Self::Turn(..) | Self::Deviation(..) => Dimension::ANGULAR_RATE,
-            Self::Travel(..) | Self::Position(..) | Self::Distance(..) => Dimension::SPEED,
+            Self::Travel(..) | Self::Position(..) | Self::Distance(..) | Self::Way(..) => Dimension::SPEED,
+            Self::Square(..) => Dimension::LENGTH.times(Dimension::SPEED),
+            Self::Direction(..) => Dimension::ONE.over(Dimension::TIME),
         }
     }
 }

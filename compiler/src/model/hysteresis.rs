@@ -39,6 +39,7 @@ impl<'d> Lowering<'d> {
             Part::Constraint(_)
             | Part::Driver(_)
             | Part::Load(_)
+            | Part::Contact(_)
             | Part::Line(_)
             | Part::Marker(_)
             | Part::Use(_) => None,

@@ -11,10 +11,10 @@ use crate::syntax::{self, FirstTerm, LineTerm, Path};
 use crate::units::Dimension;
 
 /// A line that a point may lie on.
-struct LowerLine {
-    frame: Frame,
-    ends: [Vector; 2],
-    text: String,
+pub(super) struct LowerLine {
+    pub frame: Frame,
+    pub ends: [Vector; 2],
+    pub text: String,
 }
 
 impl<'d> Lowering<'d> {
@@ -64,7 +64,9 @@ impl<'d> Lowering<'d> {
                 | Value::Way
                 | Value::Stiffness
                 | Value::Exponent
-                | Value::Backbone => {}
+                | Value::Backbone
+                | Value::OfGap
+                | Value::Word => {}
             }
         }
         let (first, second) = (first?, second?);
@@ -173,7 +175,7 @@ impl<'d> Lowering<'d> {
         (Some(first), Some(direction))
     }
 
-    fn line(&mut self, line: &'d LineTerm) -> Option<LowerLine> {
+    pub(super) fn line(&mut self, line: &'d LineTerm) -> Option<LowerLine> {
         match line {
             LineTerm::Inline { from, to, .. } => {
                 let (frame, ends) = self.line_ends(from, to)?;

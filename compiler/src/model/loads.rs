@@ -147,6 +147,8 @@ impl<'d> Lowering<'d> {
             }
             Value::Exponent => self.exponent(load.named.entry(argument.name)?, argument.name),
             Value::Backbone => self.backbone(load.named.entry(argument.name)?, along?),
+            // Of laws of contacts, which are read elsewhere.
+            Value::OfGap | Value::Word => None,
         }
     }
 
@@ -256,7 +258,7 @@ fn directed(load: &syntax::Load, values: &[Vec<Expr>], value: &Expr) -> Vec<Expr
 }
 
 /// x/|x|.
-fn normalised(vector: Vector) -> Vector {
+pub(super) fn normalised(vector: Vector) -> Vector {
     if let [Expr::Number(x), Expr::Number(y), Expr::Number(z)] = &vector {
         let length = libm::hypot(libm::hypot(*x, *y), *z);
         return [x, y, z].map(|component| Expr::Number(component / length));

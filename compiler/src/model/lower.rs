@@ -4,6 +4,7 @@
 //! A step that meets an error pushes it and leaves its element out; a later element that refers to it stays silent.
 //! The mechanism is returned only if there was no error at all, so ids are always the positions in the definition.
 
+use super::contacts::Contacts;
 use super::fold;
 use super::names::Names;
 use super::signals::Signals;
@@ -34,6 +35,7 @@ pub fn lower(definition: &Definition) -> Result<Mechanism, Diagnostics> {
         markers: HashMap::new(),
         defaults: Vec::new(),
         signals: Signals::of(definition),
+        contacts: Contacts::of(definition),
         tables: Vec::new(),
         kinks: Vec::new(),
         used: HashSet::new(),
@@ -67,7 +69,11 @@ pub fn lower(definition: &Definition) -> Result<Mechanism, Diagnostics> {
         joints: lowering.each(&definition.joints, Lowering::joint),
         constraints: lowering.each(&definition.constraints, Lowering::constraint),
         drivers: lowering.each(&definition.drivers, Lowering::driver),
-        loads: lowering.each(&definition.loads, Lowering::load),
+        loads: {
+            let loads = lowering.each(&definition.loads, Lowering::load);
+            let contacts = lowering.each(&definition.contacts, Lowering::contact);
+            loads.into_iter().chain(contacts).collect()
+        },
         start: lowering.each(&definition.start, Lowering::start_condition),
         steady: lowering.steady(),
         orientations: lowering.each(&definition.orientations, Lowering::start_orientation),
@@ -110,6 +116,7 @@ pub(super) struct Lowering<'d> {
     /// Of the parameters.
     pub defaults: Vec<f64>,
     pub signals: Signals,
+    pub contacts: Contacts,
     /// `None` after an error; as long as the definition's once they are known.
     pub tables: Vec<Option<super::tables::Table>>,
     pub kinks: Vec<super::Kink>,

@@ -7,6 +7,7 @@
 mod bodies;
 mod composites;
 mod constants;
+mod contacts;
 mod elements;
 mod expression;
 pub(crate) mod fold;
@@ -458,6 +459,16 @@ pub struct Expect {
     pub degrees_of_freedom: Option<(usize, Region)>,
     pub budgets: Vec<Budget>,
     pub motion: MotionExpected,
+    pub contact_times: Vec<ContactTime>,
+}
+
+/// `contact_time(touch) >= 1e-3 [s];`
+#[derive(Clone, Debug)]
+pub struct ContactTime {
+    pub load: LoadId,
+    /// s.
+    pub least: f64,
+    pub span: Region,
 }
 
 /// What is expected of the motion of a mechanism with one degree of freedom.

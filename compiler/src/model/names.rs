@@ -25,6 +25,8 @@ pub(super) enum Part {
     Constraint(usize),
     Driver(usize),
     Load(usize),
+    /// Or a limit.
+    Contact(usize),
     Line(usize),
     /// Of the ground.
     Marker(usize),
@@ -41,6 +43,7 @@ impl Part {
             Self::Constraint(_) => "a constraint",
             Self::Driver(_) => "a driver",
             Self::Load(_) => "a load",
+            Self::Contact(_) => "a contact",
             Self::Line(_) => "a line",
             Self::Marker(_) => "a marker of the ground",
             Self::Use(_) => "a part",
@@ -69,6 +72,8 @@ pub(super) struct Names<'d> {
     parts: HashMap<&'d str, Part>,
     /// Known by the parentheses behind them.
     tables: HashMap<&'d str, usize>,
+    surfaces: HashMap<&'d str, usize>,
+    materials: HashMap<&'d str, usize>,
 }
 
 impl<'d> Names<'d> {
@@ -89,7 +94,12 @@ impl<'d> Names<'d> {
         enter(&mut parts, &definition.constraints, |c| &c.name, Part::Constraint, diagnostics);
         enter(&mut parts, &definition.drivers, |d| &d.name, Part::Driver, diagnostics);
         enter(&mut parts, &definition.loads, |l| &l.name, Part::Load, diagnostics);
+        enter(&mut parts, &definition.contacts, |c| &c.name, Part::Contact, diagnostics);
         enter(&mut parts, &definition.uses, |u| &u.name, Part::Use, diagnostics);
+        let mut surfaces = Table::new(&BUILT_IN);
+        enter(&mut surfaces, &definition.surfaces, |s| &s.name, |index| index, diagnostics);
+        let mut materials = Table::new(&BUILT_IN);
+        enter(&mut materials, &definition.materials, |m| &m.name, |index| index, diagnostics);
         let mut tables = Table::new(&CALLED);
         enter(&mut tables, &definition.tables, |t| &t.name, |index| index, diagnostics);
         let mut outputs = Table::new(&[]);
@@ -101,7 +111,13 @@ impl<'d> Names<'d> {
             enter(&mut points, &body.markers, |marker| &marker.name, |index| index, diagnostics);
             enter(&mut points, &body.toothings, |toothing| &toothing.name, |index| index, diagnostics);
         }
-        Self { values: values.found, parts: parts.found, tables: tables.found }
+        Self {
+            values: values.found,
+            parts: parts.found,
+            tables: tables.found,
+            surfaces: surfaces.found,
+            materials: materials.found,
+        }
     }
 
     pub fn value(&self, name: &str) -> Option<Value> {
@@ -110,6 +126,23 @@ impl<'d> Names<'d> {
 
     pub fn table(&self, name: &str) -> Option<usize> {
         self.tables.get(name).copied()
+    }
+
+    pub fn surface(&self, name: &str) -> Option<usize> {
+        self.surfaces.get(name).copied()
+    }
+
+    pub fn material(&self, name: &str) -> Option<usize> {
+        self.materials.get(name).copied()
+    }
+
+    /// Why a name is not that of a surface.
+    pub fn no_such_surface(&self, name: &str) -> String {
+        if let (Some(part), false) = (self.part(name), name.contains('.')) {
+            return messages::other_kind(name, part.kind(), "surface");
+        }
+        let known = sorted(self.surfaces.keys().copied());
+        self.unknown("surface", name, messages::closest(name, known.into_iter()))
     }
 
     pub fn part(&self, name: &str) -> Option<Part> {

@@ -96,6 +96,13 @@ impl<'d> Lowering<'d> {
                 let expr = Expr::Quantity(Quantity::Power(LoadId(index)));
                 Some(Typed { expr, dimension: Dimension::POWER, zero: false, region })
             }
+            Some(Part::Contact(index)) => {
+                self.permit(usage.results, path, "a result", usage)?;
+                // Contacts come behind the other loads.
+                let load = LoadId(self.definition.loads.len() + index);
+                let expr = Expr::Quantity(Quantity::Power(load));
+                Some(Typed { expr, dimension: Dimension::POWER, zero: false, region })
+            }
             Some(Part::Driver(_)) => {
                 self.diagnostics.error(path.region, messages::power_of_driver(&path.text));
                 None

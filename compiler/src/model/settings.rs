@@ -130,6 +130,9 @@ impl<'d> Lowering<'d> {
                     }
                 }
                 ExpectEntry::Within(path, range) => expect.motion.within.extend(self.within(path, range)),
+                ExpectEntry::ContactTime(path, time) => {
+                    expect.contact_times.extend(self.contact_time(path, time))
+                }
             }
         }
         self.expectations_twice();

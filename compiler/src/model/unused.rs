@@ -16,6 +16,8 @@ pub enum Scope {
     Part,
     Body(usize),
     Ground,
+    Surface,
+    Material,
 }
 
 /// What was declared.
@@ -32,6 +34,8 @@ pub enum Declared {
     Line,
     Toothing,
     Part,
+    Surface,
+    Material,
 }
 
 /// Something that is declared and named by nothing.
@@ -55,7 +59,9 @@ pub(super) fn unused(definition: &Definition, used: &HashSet<(Scope, &str)>) -> 
             || (kind == Declared::Part && definition.uses.iter().any(|used| used.part == label.text));
         let body = match scope {
             Scope::Body(index) => Some(definition.bodies[index].name.text.clone()),
-            Scope::Value | Scope::Table | Scope::Part | Scope::Ground => None,
+            Scope::Value | Scope::Table | Scope::Part | Scope::Ground | Scope::Surface | Scope::Material => {
+                None
+            }
         };
         match known.get(&label.region.serials()) {
             Some(first) => found[*first].1 |= named,
@@ -88,7 +94,9 @@ fn declarations(definition: &Definition) -> impl Iterator<Item = (Scope, Declare
     let of_ground = |kind| move |label| (Scope::Ground, kind, label);
     let markers = definition.markers.iter().map(|it| &it.name).map(of_ground(Declared::Marker));
     let lines = definition.lines.iter().map(|it| &it.name).map(of_ground(Declared::Line));
+    let surfaces = definition.surfaces.iter().map(|it| (Scope::Surface, Declared::Surface, &it.name));
+    let materials = definition.materials.iter().map(|it| (Scope::Material, Declared::Material, &it.name));
     let values =
         constants.chain(parameters).chain(inputs).chain(states).chain(signals).chain(tables).chain(parts);
-    values.chain(of_bodies).chain(markers).chain(lines)
+    values.chain(of_bodies).chain(markers).chain(lines).chain(surfaces).chain(materials)
 }

@@ -271,6 +271,9 @@ impl Lowering<'_> {
         if let Some(index) = self.rate_of_signal(path) {
             return self.signal_rate_at(index, path, usage);
         }
+        if let Some(index) = self.contact_of(path) {
+            return self.quantity_of_contact(index, path, usage);
+        }
         let (quantity, dimension) = self.permitted_quantity(path, usage)?;
         typed(Expr::Quantity(quantity), dimension)
     }

@@ -9,8 +9,8 @@ use crate::equations::coordinates::rotor_name;
 use crate::forms::Law;
 use crate::model::gears::{Pair, Told};
 use crate::model::{
-    Body, ConstraintKind, Coupled, Expr, Frame, JointId, Load, Mechanism, Name, Rotor, Space, Subject,
-    Vector, fold,
+    Body, ConstraintKind, Coupled, Expr, Frame, JointId, Load, LoadId, Mechanism, Name, Rotor, Space,
+    Subject, Vector, fold,
 };
 use std::collections::BTreeSet;
 
@@ -179,11 +179,18 @@ pub fn loads(page: &mut String, compiled: &Compiled) {
         let on: Vec<String> = on.collect();
         let data = match load.form.law {
             Law::None => arguments(mechanism, load),
+            _ if blow(compiled, load).is_some() => blow(compiled, load).unwrap_or_default(),
             Law::Value(_) | Law::Conjugate | Law::Components(_) => law(mechanism, &load.law),
         };
         table.row(vec![code(&load.name.text), load.form.title.to_string(), on.join(", "), data]);
     }
     table.write(page, "Loads");
+}
+
+/// What a touch of a contact is like.
+fn blow(compiled: &Compiled, load: &Load) -> Option<String> {
+    let named = |id: LoadId| compiled.mechanism.loads[id.0].name.text == load.name.text;
+    compiled.blows.iter().find(|(id, _)| named(*id)).map(|(_, blow)| blow.to_string())
 }
 
 /// The named arguments that are not zero.

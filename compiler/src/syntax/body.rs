@@ -88,6 +88,12 @@ impl Parser<'_> {
                 body.markers.push(marker);
                 Ok(())
             }
+            Some("surface") => {
+                c.advance();
+                let surface = self.surface(c, Some(&body.name))?;
+                self.definition.surfaces.push(surface);
+                Ok(())
+            }
             Some("center") if !form.states_center => {
                 self.fail(c.region(), messages::center_of_shape(form.word))
             }

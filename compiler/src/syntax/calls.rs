@@ -18,12 +18,12 @@ use proc_macro2::Delimiter;
 
 /// The arguments of one call.
 #[derive(Default)]
-struct Arguments {
-    places: Vec<PlaceTerm>,
-    lines: Vec<LineTerm>,
+pub(super) struct Arguments {
+    pub places: Vec<PlaceTerm>,
+    pub lines: Vec<LineTerm>,
     rotors: Vec<Label>,
     expressions: Vec<Term>,
-    named: Named,
+    pub named: Named,
 }
 
 impl Arguments {
@@ -279,7 +279,12 @@ impl Parser<'_> {
     }
 
     /// Which of `forms`, and its arguments, complete.
-    fn call_of(&mut self, c: &mut Cursor, forms: &[&Form], what: &str) -> Parsed<(usize, Arguments)> {
+    pub(super) fn call_of(
+        &mut self,
+        c: &mut Cursor,
+        forms: &[&Form],
+        what: &str,
+    ) -> Parsed<(usize, Arguments)> {
         let words: Vec<&str> = forms.iter().map(|form| form.word).collect();
         let kind = self.word(c, &format!("the kind of the {what} ({})", words.join(", ")))?;
         let Some(which) = forms.iter().position(|form| form.word == kind.text) else {
@@ -422,7 +427,9 @@ impl Parser<'_> {
             | Value::Way
             | Value::Stiffness
             | Value::Exponent
-            | Value::Backbone => {
+            | Value::Backbone
+            | Value::OfGap
+            | Value::Word => {
                 let entry = self.entry(c, unit)?;
                 arguments.named.entries.push((label, entry));
             }

@@ -1,6 +1,7 @@
 //! What was written: names, expressions and units as the user put them, `repeat` unrolled, nothing looked up
 //! and nothing converted. Every part keeps its place in the source.
 
+mod contacts;
 mod parts;
 mod tables;
 mod terms;
@@ -9,6 +10,7 @@ use crate::diagnostics::{Allowed, Region};
 use crate::forms::BodyForm;
 pub use crate::forms::Space;
 use crate::forms::{CouplingForm, JointForm, LoadForm, Proportion, ToothingForm};
+pub use contacts::{Contact, ContactLawTerm, ContactTerm, Material, Surface};
 pub use parts::{Given, OnDisk, PartFile, PartUse, PortKind};
 use proc_macro2::TokenStream;
 use std::collections::BTreeSet;
@@ -53,6 +55,10 @@ pub struct Definition {
     pub constraints: Vec<Constraint>,
     pub drivers: Vec<Driver>,
     pub loads: Vec<Load>,
+    pub surfaces: Vec<Surface>,
+    pub materials: Vec<Material>,
+    /// In the order written; as loads they come behind the others.
+    pub contacts: Vec<Contact>,
     pub start: Vec<StartEntry>,
     /// The internal states that begin where they rest.
     pub steady: Vec<Path>,
@@ -338,6 +344,8 @@ pub enum ExpectEntry {
     NoSingularity(Region),
     /// A coordinate that stays in a range.
     Within(Path, RangeTerm),
+    /// A blow of a contact that takes at least so long.
+    ContactTime(Path, Term),
 }
 
 /// `10..170 [deg]`

@@ -57,6 +57,14 @@ pub fn definition_json(definition: &Definition) -> String {
             });
         });
         w.key("loads").list(&definition.loads, Writer::load);
+        if !definition.contacts.is_empty() {
+            w.key("surfaces").list(&definition.surfaces, |w, surface| w.surface(surface, definition));
+            w.key("materials").list(&definition.materials, |w, material| {
+                w.key("name").string(&material.name.text);
+                material.entries.iter().for_each(|(label, entry)| w.key(&label.text).entry(entry));
+            });
+            w.key("contacts").list(&definition.contacts, Writer::contact);
+        }
         w.key("start").list(&definition.start, |w, start| {
             w.key("quantity").name(&start.quantity.text);
             w.key("exact").raw(if start.exact { "true" } else { "false" });
@@ -336,7 +344,9 @@ impl Writer {
                 | Value::Way
                 | Value::Stiffness
                 | Value::Exponent
-                | Value::Backbone => {}
+                | Value::Backbone
+                | Value::OfGap
+                | Value::Word => {}
             }
         }
     }
@@ -419,7 +429,9 @@ impl Writer {
                 | Value::Way
                 | Value::Stiffness
                 | Value::Exponent
-                | Value::Backbone => self.entry_if(name, load.named.entry(name)),
+                | Value::Backbone
+                | Value::OfGap
+                | Value::Word => self.entry_if(name, load.named.entry(name)),
                 Value::Diagonal(_) => self.diagonal_if(name, &load.named),
             }
         }
@@ -430,6 +442,53 @@ impl Writer {
                 self.key("components").array(&components.values, |w, value| w.with_unit(value, components));
             }
         }
+    }
+
+    fn surface(&mut self, surface: &Surface, definition: &Definition) {
+        self.key("name").string(&surface.name.text);
+        self.key("kind").string(surface.form.call.word);
+        self.key("places").array(&surface.places, Self::place);
+        if let Some(line) = &surface.line {
+            self.key("line").line(line, definition);
+        }
+        self.named(&surface.named);
+    }
+
+    fn named(&mut self, named: &Named) {
+        named.entries.iter().for_each(|(label, entry)| self.key(&label.text).entry(entry));
+        named.tuples.iter().for_each(|(label, tuple)| self.key(&label.text).tuple(tuple, Some("1")));
+    }
+
+    fn contact(&mut self, contact: &Contact) {
+        self.key("name").string(&contact.name.text);
+        match &contact.on {
+            ContactTerm::Between(first, second) => {
+                self.key("kind").string("between");
+                self.key("first").string(&first.text);
+                self.key("second").string(&second.text);
+            }
+            ContactTerm::Gap(gap) => {
+                self.key("kind").string("gap");
+                self.key("expression").term(gap);
+            }
+            ContactTerm::Limit(quantity, range) => {
+                self.key("kind").string("limit");
+                self.key("quantity").name(&quantity.text);
+                self.key("from").term(&range.from);
+                self.key("to").term(&range.to);
+                self.key("unit").optional(range.unit.as_ref(), |w, unit| w.string(&unit.unit.text));
+            }
+        }
+        self.key("law").object(|w| match &contact.law {
+            ContactLawTerm::Named(form, named, _) => {
+                w.key("kind").string(form.call.word);
+                w.named(named);
+            }
+            ContactLawTerm::Expression(term) => {
+                w.key("kind").string("expression");
+                w.key("value").term(term);
+            }
+        });
     }
 
     /// Under the first key a name, under the second a place.

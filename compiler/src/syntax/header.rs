@@ -99,7 +99,7 @@ pub fn header(tokens: TokenStream, vocabulary: &'static Vocabulary, shelf: &dyn 
         counts: found.is_empty().then_some([
             definition.bodies.len(),
             definition.joints.len(),
-            definition.loads.len(),
+            definition.loads.len() + definition.contacts.len(),
             definition.drivers.len(),
         ]),
     })

@@ -40,6 +40,7 @@
 mod attributes;
 mod body;
 mod calls;
+mod contacts;
 mod definition;
 mod definition_json;
 mod expression;
@@ -169,6 +170,9 @@ fn empty() -> Definition {
         constraints: Vec::new(),
         drivers: Vec::new(),
         loads: Vec::new(),
+        surfaces: Vec::new(),
+        materials: Vec::new(),
+        contacts: Vec::new(),
         start: Vec::new(),
         steady: Vec::new(),
         orientations: Vec::new(),

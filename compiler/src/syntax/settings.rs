@@ -147,8 +147,8 @@ impl Parser<'_> {
     /// `{ degrees_of_freedom = 1; operations <= 400; live_values(mass_matrix) <= 40; rotates = crank_pin; no_singularity;
     /// knee.angle in 10..170 [deg]; }`
     pub fn expect(&mut self, c: &mut Cursor) -> Parsed<()> {
-        const KNOWN: [&str; 5] =
-            ["degrees_of_freedom", "operations", "live_values", "rotates", "no_singularity"];
+        const KNOWN: [&str; 6] =
+            ["degrees_of_freedom", "operations", "live_values", "rotates", "no_singularity", "contact_time"];
         self.block(c, |parser, c| {
             if is_dotted(c) {
                 let entry = parser.within(c)?;
@@ -156,7 +156,7 @@ impl Parser<'_> {
                 parser.definition.expect.push(entry);
                 return Ok(());
             }
-            let known = "`degrees_of_freedom`, `operations`, `live_values`, `rotates` or `no_singularity`";
+            let known = "`degrees_of_freedom`, `operations`, `live_values`, `rotates`, `no_singularity` or `contact_time`";
             let fact = parser.word(c, known)?;
             if let Some(of) = Budgeted::ALL.into_iter().find(|of| of.word() == fact.text) {
                 let budget = parser.budget(c, of, fact.region)?;
@@ -175,6 +175,7 @@ impl Parser<'_> {
                     let (count, end) = parser.count(c)?;
                     ExpectEntry::DegreesOfFreedom(count, fact.region.to(end))
                 }
+                "contact_time" => parser.contact_time(c)?,
                 word => return parser.fail(fact.region, messages::unknown_expectation(word, &KNOWN)),
             };
             parser.semicolon(c)?;
@@ -185,6 +186,12 @@ impl Parser<'_> {
 
     /// `knee.angle in 10..170 [deg]`, or `knee.angle [deg] in 10..170`.
     fn within(&mut self, c: &mut Cursor) -> Parsed<ExpectEntry> {
+        let (quantity, range) = self.quantity_in_range(c)?;
+        Ok(ExpectEntry::Within(quantity, range))
+    }
+
+    /// The same, of expectations and limits.
+    pub(super) fn quantity_in_range(&mut self, c: &mut Cursor) -> Parsed<(Path, RangeTerm)> {
         let (quantity, beside) = self.start_quantity(c)?;
         if !c.eat_word("in") {
             return self.expected(c, "`in` and a range such as `10..170 [deg]`");
@@ -197,7 +204,7 @@ impl Parser<'_> {
         c.advance();
         let mut to = self.expression(c)?;
         let unit = beside.or_else(|| take_unit(&mut to));
-        Ok(ExpectEntry::Within(quantity, RangeTerm { unit, from, to }))
+        Ok((quantity, RangeTerm { unit, from, to }))
     }
 
     /// `(mass_matrix) <= 40` behind the word.

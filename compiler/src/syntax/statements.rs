@@ -11,7 +11,7 @@ use crate::messages;
 use proc_macro2::{Delimiter, TokenStream};
 
 /// Words that begin a statement, but those of bodies, loads and couplings.
-const STATEMENTS: [&str; 19] = [
+const STATEMENTS: [&str; 23] = [
     "const",
     "param",
     "input",
@@ -31,6 +31,10 @@ const STATEMENTS: [&str; 19] = [
     "output",
     "repeat",
     "part",
+    "surface",
+    "material",
+    "contact",
+    "limit",
 ];
 
 impl Parser<'_> {
@@ -96,6 +100,14 @@ impl Parser<'_> {
             "expect" => self.expect(c),
             "repeat" => self.repeat(c),
             "part" => self.part(c),
+            "surface" => {
+                let surface = self.surface(c, None)?;
+                self.definition.surfaces.push(surface);
+                Ok(())
+            }
+            "material" => self.material(c),
+            "contact" => self.contact(c),
+            "limit" => self.limit(c),
             word if let Some(form) = self.vocabulary.bodies.iter().find(|form| form.word == word) => {
                 match form.solid(self.definition.space) {
                     Some(_) => self.body(c, form),

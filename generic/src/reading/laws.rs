@@ -37,6 +37,8 @@ pub(super) struct LawReader<'r, 't> {
     pub part: &'r str,
     pub may: May,
     pub law: Law,
+    /// The contact whose law is read, and of which of its gaps.
+    pub own: Option<(&'r str, usize)>,
     depth: usize,
     terms: usize,
 }
@@ -63,7 +65,8 @@ impl<'t> Reader<'t> {
         may: May,
         read: impl FnOnce(&mut LawReader<'_, 't>) -> Read<Expression>,
     ) -> Read<Law> {
-        let mut law = LawReader { reader: self, part, may, law: Law::constant(0.0), depth: 0, terms: 0 };
+        let mut law =
+            LawReader { reader: self, part, may, law: Law::constant(0.0), own: None, depth: 0, terms: 0 };
         law.law.expression = read(&mut law)?;
         Ok(law.law)
     }
@@ -248,6 +251,10 @@ impl LawReader<'_, '_> {
     fn quantity(&mut self, name: &str) -> Read<Option<Expression>> {
         let reader = self.reader;
         let Some((owner, what)) = name.rsplit_once('.') else { return Ok(None) };
+        let (touching, of_point) = owner.strip_suffix(".point").map_or((owner, false), |it| (it, true));
+        if let Some(contact) = reader.contact_named(touching)? {
+            return self.of_contact(contact, touching, what, of_point).map(Some);
+        }
         if let ("effort", May::Results, Some(row)) = (what, self.may, reader.efforts.get(owner)) {
             self.law.rates.push(Rate::Effort(*row));
             return Ok(Some(Expression::Rate(self.law.rates.len() - 1)));

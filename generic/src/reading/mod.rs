@@ -4,6 +4,7 @@
 //! the part at fault.
 
 mod bodies;
+mod contacts;
 mod couplings;
 mod gears;
 mod hysteresis;
@@ -96,7 +97,8 @@ pub(crate) fn read(tree: &Value, given: &HashMap<String, f64>) -> Read<Definitio
     rows.extend(reader.read_couplings()?);
     rows.extend(reader.read_drivers()?);
     reader.name_states()?;
-    let loads = reader.read_loads()?;
+    let mut loads = reader.read_loads()?;
+    loads.extend(reader.read_contacts()?);
     reader.loads = loads.iter().map(|load| (load.name.clone(), load.clone())).collect();
     let efforts = rows.iter().enumerate().filter(|(_, row)| matches!(row.what, "equation" | "driver"));
     reader.efforts = efforts.map(|(at, row)| (row.of.clone(), at)).collect();

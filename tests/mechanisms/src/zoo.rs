@@ -201,6 +201,8 @@ macro_rules! for_each_in_zoo {
             epicycle: $crate::zoo_gears::Epicycle,
             winch: $crate::zoo_cables::Winch,
             hoisted: $crate::zoo_cables::Hoisted,
+            touching: $crate::zoo_contacts::Touching,
+            bumping: $crate::zoo_contacts::Bumping,
             arm: $crate::zoo_space::Arm,
             jack: $crate::zoo_space::Jack,
             table: $crate::zoo_space::Table,

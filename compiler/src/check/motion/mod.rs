@@ -217,6 +217,9 @@ fn in_line(mechanism: &Mechanism, point: &mut Point, q: &[f64], of: &Coordinate)
         Coordinate::Angle(Rotor::Body(_))
         | Coordinate::Position(..)
         | Coordinate::Distance(..)
+        | Coordinate::Way(..)
+        | Coordinate::Square(..)
+        | Coordinate::Direction(..)
         | Coordinate::Turn(..)
         | Coordinate::Deviation(..) => None,
     };

@@ -3,6 +3,7 @@
 
 mod bouc_wen;
 mod cable;
+mod contact;
 mod damper;
 mod expression;
 mod force;
@@ -13,6 +14,7 @@ mod spring;
 mod torque;
 mod torsion_spring;
 
+pub use contact::LOAD as CONTACT;
 pub use hysteresis::Inner;
 pub use torque::CALL as TORQUE;
 
@@ -62,7 +64,8 @@ pub fn of_space(space: Space) -> impl Iterator<Item = &'static LoadKind> {
 
 /// The load with a form, which is one of the lists' own.
 pub fn of(form: &'static LoadForm) -> &'static LoadKind {
-    let mut all = [Space::Planar, Space::Spatial].into_iter().flat_map(of_space);
+    let named = [Space::Planar, Space::Spatial].into_iter().flat_map(of_space);
+    let mut all = named.chain(std::iter::once(&contact::LOAD));
     all.find(|load| std::ptr::eq(&load.form, form)).expect("forms come from the lists")
 }
 

@@ -93,6 +93,19 @@ impl<'g> On<'g, &'g Kinematics> {
         })
     }
 
+    /// u·(p₂ − p₁), u in the axes of what the first belongs to.
+    pub fn way(self, laws: &Laws<'g>, first: &Place, u: &Vector, second: &Place) -> Moving<'g> {
+        let delta = self.place(laws, second) - self.place(laws, first);
+        let (frame, u) = self.carried_by(first.frame, laws.pair_of(u));
+        self.project(frame, u, &delta.bare)
+    }
+
+    /// A direction in the axes of what a place belongs to.
+    pub fn direction_in_world(self, laws: &Laws<'g>, place: &Place, u: &Vector) -> [Moving<'g>; 2] {
+        let (frame, u) = self.carried_by(place.frame, laws.pair_of(u));
+        self.world(&u.fixed_in(frame).bare)
+    }
+
     pub fn rotor_rate(self, laws: &Laws<'g>, rotor: Rotor) -> Moving<'g> {
         let (first, second) = ends(laws, rotor);
         self.turn(laws, first, second, self.g.zero())

@@ -13,7 +13,7 @@ use super::vector::{self, Mat3, Vec3};
 use super::vector_jet::{Kind, VectorJet};
 use crate::equations::Laws;
 use crate::equations::jet::{Jet, Moving};
-use crate::model::{BodyId, Frame, Joint, JointId, Place, Rotor};
+use crate::model::{BodyId, Frame, Joint, JointId, Place, Rotor, Vector};
 use crate::symbolic::{Node, On};
 use std::collections::BTreeMap;
 
@@ -84,6 +84,19 @@ impl<'g> On<'g, &'g Kinematics> {
     pub fn delta(self, first: &Spot<'g>, second: &Spot<'g>) -> Moving<'g, VectorJet> {
         let seen = self.carry(second.at.clone(), second.link, first.link, Kind::Point);
         seen - self.moving(&self.bare.velocities, first.at.clone())
+    }
+
+    /// u·Δ, u in the axes of the first place.
+    pub fn way(self, laws: &Laws<'g>, first: &Place, u: &Vector, second: &Place) -> Moving<'g> {
+        let (first, second) = (self.spot(laws, first), self.spot(laws, second));
+        let u = first.axes * laws.vector(u);
+        self.delta(&first, &second).project(u)
+    }
+
+    /// A direction in the axes of a place.
+    pub fn direction_in_world(self, laws: &Laws<'g>, place: &Place, u: &Vector) -> [Moving<'g>; 3] {
+        let spot = self.spot(laws, place);
+        self.direction_of(spot.link, spot.axes * laws.vector(u), GROUND).components()
     }
 
     /// A direction of the second place, given in the axes of its link, as seen from the link of the first.

@@ -126,7 +126,12 @@ impl Stated {
                         stated.centers.insert((body.0, *axis), value);
                     }
                 }
-                Coordinate::Distance(..) | Coordinate::Turn(..) | Coordinate::Deviation(..) => {}
+                Coordinate::Distance(..)
+                | Coordinate::Way(..)
+                | Coordinate::Square(..)
+                | Coordinate::Direction(..)
+                | Coordinate::Turn(..)
+                | Coordinate::Deviation(..) => {}
             }
         }
         stated

@@ -1,0 +1,38 @@
+//! A contact: a force along each of its gaps where it is closed, which its law says (`model::contacts`). It is written by its own
+//! statement and is among no loads that a user may name.
+
+use super::{LoadKind, LoadTerms, along, no_rotors};
+use crate::equations::laws::Laws;
+use crate::forms::{Acts, Form, Law, LoadForm};
+use crate::model::Load;
+
+pub static LOAD: LoadKind = LoadKind {
+    form: LoadForm {
+        call: Form { word: "contact", elsewhere: &[], positional: &[], named: &[] },
+        instead: None,
+        meant: None,
+        title: "contact",
+        exerts: "a force along the gap where that is closed, never a pull",
+        exported: "contact",
+        on: &[Acts::Expression],
+        law: Law::Conjugate,
+        stores: false,
+        turns: false,
+        owns: None,
+        effort: None,
+        doubt: None,
+    },
+    terms,
+    inner: None,
+    effort: None,
+    counted: no_rotors,
+    // Its surfaces are drawn.
+    symbol: |_| {},
+};
+
+/// Q += Jᵀ F with J the gradient of the gap, and power F ġ.
+fn terms<'g>(laws: &Laws<'g>, load: &Load) -> LoadTerms<'g> {
+    load.along()
+        .zip(&load.law)
+        .fold(LoadTerms::none(laws), |sum, (gap, force)| sum.and(along(&laws.jet(gap), laws.value(force))))
+}

@@ -1,0 +1,180 @@
+//! Of surfaces, contacts, limits and their laws.
+
+use super::{number, quoted};
+use crate::forms::Space;
+
+pub(crate) fn surface_of_other_space(word: &str, space: Space, known: &[&str]) -> String {
+    let (here, other) = match space {
+        Space::Planar => ("the plane", "space"),
+        Space::Spatial => ("space", "the plane"),
+    };
+    format!("a `{word}` is a surface of {other}; in {here} there are {}", known.join(", "))
+}
+
+pub(crate) fn unknown_contact(word: &str) -> String {
+    format!(
+        "a contact is `between(surface, surface)` or, for any other geometry, `gap(expression)` of positions that is negative in \
+         contact; found `{word}`"
+    )
+}
+
+pub(crate) fn material_without(name: &str, property: &str) -> String {
+    format!(
+        "the material `{name}` has no `{property}`: a material is `{name} {{ modulus [Pa] = 207e9; poisson = 0.3; }}`"
+    )
+}
+
+pub(crate) fn no_such_material<'a>(known: impl Iterator<Item = &'a str>) -> String {
+    let known: Vec<&str> = known.collect();
+    let there = if known.is_empty() {
+        "none is declared; write `material steel { modulus [Pa] = 207e9; poisson = 0.3; }`".to_string()
+    } else {
+        format!("there are {}", known.join(", "))
+    };
+    format!("this is not the name of a material; {there}")
+}
+
+pub(crate) fn poisson_out_of_range(found: f64) -> String {
+    format!("Poisson's number lies between -1 and 0.5, found {}", number(found))
+}
+
+pub(crate) fn one_of_words(known: &[&str]) -> String {
+    let known: Vec<String> = known.iter().map(|word| format!("`{word}`")).collect();
+    format!("this is a word: {}", known.join(", "))
+}
+
+pub(crate) fn surface_of_no_extent(name: &str) -> String {
+    format!(
+        "the ends of the surface `{name}` are one place, so it has no direction: give it two places apart, or make it a `point`"
+    )
+}
+
+pub(crate) fn surface_of_two_bodies(name: &str, first: &str, second: &str) -> String {
+    format!(
+        "the places `{first}` and `{second}` of the surface `{name}` are of two bodies: a surface is of one body or of the ground"
+    )
+}
+
+pub(crate) fn polygon_too_large(found: usize) -> String {
+    format!("a polygon has at most 16 corners, found {found}: every step looks at all of its edges")
+}
+
+pub(crate) fn polygon_not_convex(at: &str) -> String {
+    format!(
+        "the polygon turns right or not at all at `{at}`: its corners go counter-clockwise and it is convex; write another shape as \
+         several polygons, each with a contact"
+    )
+}
+
+pub(crate) fn surfaces_of_one_body(first: &str, second: &str) -> String {
+    format!(
+        "`{first}` and `{second}` are of one body, so the gap between them never changes: a contact is between two bodies, or a body and the ground"
+    )
+}
+
+pub(crate) fn hole_too_small(hole: &str, outside: f64, inner: &str, inside: f64) -> String {
+    let [hole, inner] = [hole, inner].map(quoted);
+    format!(
+        "{hole} has a radius of {} m and {inner}, which is in it, {} m: a hole is larger than its pin by the clearance",
+        number(outside),
+        number(inside)
+    )
+}
+
+pub(crate) fn no_such_pair(first: &str, second: &str, space: Space) -> String {
+    let known = match space {
+        Space::Planar => {
+            "a point or circle meets a half_plane, circle, hole, segment or polygon; a segment or polygon meets a half_plane"
+        }
+        Space::Spatial => {
+            "a point or sphere meets a plane, sphere, capsule, cylinder, ball_socket or bore; a capsule or disk_rim meets a plane"
+        }
+    };
+    format!(
+        "there is no closed form for the gap between {first} and {second}: {known}. Any other gap is an expression of positions, \
+         `gap(…)`"
+    )
+}
+
+pub(crate) fn never_touches(first: &str, second: &str) -> String {
+    format!(
+        "`{first}` and `{second}` have no thickness, so their gap is never below zero and they never touch: give one of them a radius"
+    )
+}
+
+pub(crate) fn gap_that_stands() -> String {
+    "this gap depends on no position, so nothing opens or closes it".to_string()
+}
+
+pub(crate) fn gap_at_no_place(name: &str) -> String {
+    format!(
+        "`{name}` has no `point`: where a gap is an expression, or by a polygon, cylinder or bore, no place follows from it"
+    )
+}
+
+pub(crate) fn contact_of_itself(name: &str) -> String {
+    format!(
+        "the force of `{name}` depends on itself: its law may name its gap, its depth and how fast it closes"
+    )
+}
+
+pub(crate) fn quantities_of_contact(name: &str, space: Space) -> String {
+    let axes = match space {
+        Space::Planar => "`.point.x` and `.point.y`",
+        Space::Spatial => "`.point.x`, `.point.y` and `.point.z`",
+    };
+    format!("a contact has `{name}.gap`, `.depth`, `.closing`, `.force`, {axes}, and `power({name})`")
+}
+
+pub(crate) fn limit_without_room(from: f64, to: f64) -> String {
+    format!("nothing lies between {} and {}: the lower end comes first", number(from), number(to))
+}
+
+pub(crate) fn hertz_without_radii() -> String {
+    "Hertz' law needs the radii of curvature, so circles, spheres, holes or sockets, or one of these on a half-plane or plane; elsewhere \
+     write `hunt_crossley(force [N] = …, depth [mm] = …, …)`, one point of the measured curve"
+        .to_string()
+}
+
+pub(crate) fn no_dissipation() -> String {
+    "nothing says what a blow loses: write `dissipation [s/m] = …`, where 0 is elastic, or `restitution = 0.8, speed [m/s] = 1`".to_string()
+}
+
+pub(crate) fn two_dissipations() -> String {
+    "the dissipation follows from the restitution: write one of them".to_string()
+}
+
+pub(crate) fn belongs_to_restitution() -> String {
+    "`speed` and `damping` say how a dissipation follows from a `restitution`: beside `dissipation` they say nothing".to_string()
+}
+
+pub(crate) fn restitution_out_of_range(found: f64) -> String {
+    format!(
+        "a coefficient of restitution lies between 0 and 1, found {}: what comes back is a share of what arrives",
+        number(found)
+    )
+}
+
+pub(crate) fn restitution_without_speed() -> String {
+    "the force of this law is not linear, so its restitution is that of one impact speed: write `speed [m/s] = 1` beside it".to_string()
+}
+
+pub(crate) fn restitution_too_small(found: f64) -> String {
+    format!(
+        "a restitution of {} needs a dissipation times speed above 20: the first touch would be the whole blow; write `kelvin_voigt` with \
+         its stiffness and damping",
+        number(found)
+    )
+}
+
+pub(crate) fn speed_of_touch() -> String {
+    "the speed of each touch would be a memory of it, which is not there yet; write the speed that is expected, `speed [m/s] = 1`".to_string()
+}
+
+pub(crate) fn release_out_of_range(found: f64) -> String {
+    format!("`release` is the share of the damping that acts on the way out, 0 to 1, found {}", number(found))
+}
+
+pub(crate) fn contact_pulls(what: &str, found: f64) -> String {
+    format!("a contact pushes: its `{what}` cannot be {}", number(found))
+}

@@ -1,0 +1,294 @@
+//! Contacts and limits: what touches, by how much, and what that exerts, as expressions of positions and their rates.
+//!
+//! A contact is a load along its gap g: Q += Jᵀ F with J the gradient of g, so that both bodies feel the same force in opposite
+//! directions. F = law where g < 0, else 0: a choice, not a branch, by a depth d = max(−g, 0) that no root or power spoils.
+//! Gaps by pairs of surfaces stand in `pairs`, laws in `laws`.
+
+mod laws;
+mod pairs;
+mod restitution;
+mod surfaces;
+
+use super::lower::{Lowering, Use, name};
+use super::names::Part;
+use super::values::Typed;
+use super::{Comparison, Condition, ContactTime, Expr, Function1, Function2, Load, LoadId, Subject, fold};
+use crate::diagnostics::Region;
+use crate::messages;
+use crate::syntax::{self, ContactLawTerm, ContactTerm, Entry, Path, RangeTerm};
+use crate::units::Dimension;
+use pairs::Meeting;
+
+/// The contacts of a definition as far as they are known.
+pub(super) struct Contacts {
+    found: Vec<Found<Geometry>>,
+    forces: Vec<Found<Forces>>,
+    surfaces: Vec<Found<surfaces::Surface>>,
+    /// The one whose law is being read, and of which of its gaps.
+    law_of: Option<(usize, usize)>,
+}
+
+#[derive(Clone)]
+enum Found<T> {
+    Unread,
+    Open,
+    Wrong,
+    Known(T),
+}
+
+/// What a contact exerts along each of its gaps.
+#[derive(Clone)]
+struct Forces {
+    along: Vec<Expr>,
+    /// Of a named law: K and n of its elastic part K dⁿ, and the impact speed that it is meant for.
+    elastic: Option<[Expr; 3]>,
+}
+
+/// What touches.
+#[derive(Clone)]
+struct Geometry {
+    /// Where two things may touch at several places, one for each.
+    meetings: Vec<Meeting>,
+    dimension: Dimension,
+}
+
+/// What an expression names of a contact.
+const QUANTITIES: [&str; 5] = ["gap", "depth", "closing", "force", "point"];
+
+impl Contacts {
+    pub fn of(definition: &syntax::Definition) -> Self {
+        let count = definition.contacts.len();
+        let (found, forces) = (vec![Found::Unread; count], vec![Found::Unread; count]);
+        Contacts { found, forces, surfaces: vec![Found::Unread; definition.surfaces.len()], law_of: None }
+    }
+}
+
+impl<'d> Lowering<'d> {
+    /// All contacts, as loads along their gaps.
+    pub fn contact(&mut self, contact: &'d syntax::Contact) -> Option<Load> {
+        let definition = self.definition;
+        let index = definition.contacts.iter().position(|it| std::ptr::eq(it, contact))?;
+        let geometry = self.geometry(index)?;
+        let Forces { along: law, elastic } = self.forces(index)?;
+        let on = geometry.meetings.into_iter().map(|it| Subject::Expression(it.gap, geometry.dimension));
+        let values = elastic.into_iter().flatten().map(|value| vec![value]).collect();
+        let (name, form) = (name(&contact.name), contact.form);
+        Some(Load { name, form, on: on.collect(), values, law, states: 0..0 })
+    }
+
+    /// Which contact a quantity is of.
+    pub(super) fn contact_of(&self, path: &Path) -> Option<usize> {
+        match self.names.part(&path.parts[0].text) {
+            Some(Part::Contact(index)) if path.parts.len() > 1 => Some(index),
+            _ => None,
+        }
+    }
+
+    /// `touch.gap`, `touch.depth`, `touch.closing`, `touch.force`, `touch.point.x`.
+    pub(super) fn quantity_of_contact(&mut self, index: usize, path: &Path, usage: Use) -> Option<Typed> {
+        let parts: Vec<&str> = path.parts[1..].iter().map(|part| part.text.as_str()).collect();
+        let (permitted, kind) = match parts[0] {
+            "closing" | "force" => (usage.velocities, "a velocity"),
+            _ => (usage.positions, "a position"),
+        };
+        let own = self.contacts.law_of.filter(|(of, _)| *of == index).map(|(_, which)| which);
+        let typed = |expr, dimension| Some(Typed { expr, dimension, zero: false, region: path.region });
+        let axis = match parts[..] {
+            ["point", component] => ["x", "y", "z"].iter().position(|axis| *axis == component),
+            _ => None,
+        };
+        let known = parts.len() == 1 && parts[0] != "point" && QUANTITIES.contains(&parts[0]);
+        if !known && axis.is_none_or(|axis| axis >= self.definition.space.dimensions()) {
+            let message = messages::quantities_of_contact(&path.parts[0].text, self.definition.space);
+            self.diagnostics.error(path.region, message);
+            return None;
+        }
+        self.permit(permitted, path, kind, usage)?;
+        let geometry = self.geometry(index)?;
+        let meetings = match own {
+            Some(which) => vec![geometry.meetings[which].clone()],
+            None => geometry.meetings,
+        };
+        let gaps = meetings.iter().map(|meeting| meeting.gap.clone());
+        let nearest = gaps.reduce(least)?;
+        let way = geometry.dimension;
+        match (parts[0], axis) {
+            ("gap", _) => typed(nearest, way),
+            ("depth", _) => typed(depth(&nearest), way),
+            ("closing", _) => typed(closing(&nearest), way.over(Dimension::TIME)),
+            ("force", _) => {
+                let forces = self.forces(index)?;
+                typed(forces.along.into_iter().reduce(sum)?, Dimension::TORQUE.over(way))
+            }
+            (_, Some(axis)) => {
+                // Where several touch, the deepest says where.
+                let place = |meeting: &Meeting| Some(meeting.point.as_ref()?[axis].clone());
+                let Some(mut point) = place(&meetings[0]) else {
+                    self.diagnostics.error(path.region, messages::gap_at_no_place(&path.parts[0].text));
+                    return None;
+                };
+                let mut gap = meetings[0].gap.clone();
+                for meeting in &meetings[1..] {
+                    let deeper = Condition::Compare(Comparison::Less, meeting.gap.clone(), gap.clone());
+                    point = Expr::If(Box::new(deeper), Box::new(place(meeting)?), Box::new(point));
+                    gap = least(gap, meeting.gap.clone());
+                }
+                typed(point, Dimension::LENGTH)
+            }
+            _ => None,
+        }
+    }
+
+    fn geometry(&mut self, index: usize) -> Option<Geometry> {
+        let definition = self.definition;
+        let contact = &definition.contacts[index];
+        match &self.contacts.found[index] {
+            Found::Known(geometry) => return Some(geometry.clone()),
+            Found::Wrong => return None,
+            Found::Open => {
+                self.diagnostics.error(contact.name.region, messages::contact_of_itself(&contact.name.text));
+                return None;
+            }
+            Found::Unread => {}
+        }
+        self.contacts.found[index] = Found::Open;
+        let geometry = match &contact.on {
+            ContactTerm::Between(first, second) => self.between(first, second),
+            ContactTerm::Gap(gap) => self.value(gap, Use::ALONG).and_then(|typed| {
+                let dimension = typed.dimension;
+                self.moving(&typed.expr, gap.region)?;
+                Some(Geometry { meetings: vec![Meeting::of(typed.expr)], dimension })
+            }),
+            ContactTerm::Limit(quantity, range) => self.limited(quantity, range),
+        };
+        self.contacts.found[index] = geometry.clone().map_or(Found::Wrong, Found::Known);
+        geometry
+    }
+
+    /// min(x − a, b − x): the nearer end.
+    fn limited(&mut self, quantity: &Path, range: &RangeTerm) -> Option<Geometry> {
+        let coordinate = self.coordinate(quantity, "be limited")?;
+        let dimension = coordinate.dimension();
+        let end = |this: &mut Self, value: &syntax::Term| {
+            let entry = Entry { unit: range.unit.clone(), value: value.clone() };
+            this.entry(&entry, dimension, Use::COEFFICIENT, &messages::quoted(&quantity.text))
+        };
+        let (from, to) = (end(self, &range.from), end(self, &range.to));
+        let (from, to) = (from?, to?);
+        let defaults = self.defaults();
+        if let (Some(from), Some(to)) = (fold::evaluate(&from, defaults), fold::evaluate(&to, defaults))
+            && from >= to
+        {
+            self.diagnostics
+                .error(range.from.region.to(range.to.region), messages::limit_without_room(from, to));
+            return None;
+        }
+        let x = Expr::Quantity(super::Quantity::Coordinate(coordinate));
+        let gap = least(difference(x.clone(), from), difference(to, x));
+        Some(Geometry { meetings: vec![Meeting::of(gap)], dimension })
+    }
+
+    /// `contact_time(touch) >= 1e-3 [s]`
+    pub(super) fn contact_time(&mut self, path: &Path, time: &syntax::Term) -> Option<ContactTime> {
+        let Some(Part::Contact(index)) = self.names.part(&path.text) else {
+            let message =
+                self.names.not_found("contact", &path.text, |part| matches!(part, Part::Contact(_)));
+            self.diagnostics.error(path.region, message);
+            return None;
+        };
+        let least = self.number(&Entry::bare(time.clone()), Dimension::TIME, "contact_time")?;
+        let load = LoadId(self.definition.loads.len() + index);
+        Some(ContactTime { load, least, span: path.region.to(time.region) })
+    }
+
+    fn moving(&mut self, gap: &Expr, region: Region) -> Option<()> {
+        let mut moves = false;
+        gap.quantities(&mut |_| moves = true);
+        if !moves {
+            self.diagnostics.error(region, messages::gap_that_stands());
+        }
+        moves.then_some(())
+    }
+
+    /// What a contact exerts along each of its gaps.
+    fn forces(&mut self, index: usize) -> Option<Forces> {
+        let definition = self.definition;
+        let contact = &definition.contacts[index];
+        match &self.contacts.forces[index] {
+            Found::Known(forces) => return Some(forces.clone()),
+            Found::Wrong => return None,
+            Found::Open => {
+                self.diagnostics.error(contact.name.region, messages::contact_of_itself(&contact.name.text));
+                return None;
+            }
+            Found::Unread => {}
+        }
+        self.contacts.forces[index] = Found::Open;
+        let outer = self.contacts.law_of;
+        let forces = self.geometry(index).and_then(|geometry| {
+            let mut forces = Forces { along: Vec::new(), elastic: None };
+            for (which, meeting) in geometry.meetings.iter().enumerate() {
+                self.contacts.law_of = Some((index, which));
+                let law = match &contact.law {
+                    ContactLawTerm::Named(form, named, region) => {
+                        let law = self.named_law(form, named, *region, meeting, geometry.dimension)?;
+                        forces.elastic = Some(law.elastic);
+                        law.force
+                    }
+                    ContactLawTerm::Expression(term) => {
+                        let typed = self.value(term, Use::LOAD)?;
+                        let what = messages::quoted(&contact.name.text);
+                        let dimension = Dimension::TORQUE.over(geometry.dimension);
+                        let law = self.expect_dimension(typed, dimension, &what)?;
+                        fold::binary(Function2::Max, law, Expr::Number(0.0))
+                    }
+                };
+                forces.along.push(gated(&meeting.gap, law));
+            }
+            Some(forces)
+        });
+        self.contacts.law_of = outer;
+        self.contacts.forces[index] = forces.clone().map_or(Found::Wrong, Found::Known);
+        forces
+    }
+}
+
+/// A force where there is contact.
+fn gated(gap: &Expr, law: Expr) -> Expr {
+    let touches = Condition::Compare(Comparison::Less, gap.clone(), Expr::Number(0.0));
+    Expr::If(Box::new(touches), Box::new(law), Box::new(Expr::Number(0.0)))
+}
+
+/// d = max(−g, 0).
+fn depth(gap: &Expr) -> Expr {
+    fold::binary(Function2::Max, fold::unary(Function1::Neg, gap.clone()), Expr::Number(0.0))
+}
+
+/// −ġ.
+fn closing(gap: &Expr) -> Expr {
+    fold::unary(Function1::Neg, Expr::Rate(Box::new(gap.clone())))
+}
+
+fn sum(a: Expr, b: Expr) -> Expr {
+    fold::binary(Function2::Add, a, b)
+}
+
+fn difference(a: Expr, b: Expr) -> Expr {
+    fold::binary(Function2::Sub, a, b)
+}
+
+fn product(a: Expr, b: Expr) -> Expr {
+    fold::binary(Function2::Mul, a, b)
+}
+
+fn quotient(a: Expr, b: Expr) -> Expr {
+    fold::binary(Function2::Div, a, b)
+}
+
+fn least(a: Expr, b: Expr) -> Expr {
+    fold::binary(Function2::Min, a, b)
+}
+
+fn most(a: Expr, b: Expr) -> Expr {
+    fold::binary(Function2::Max, a, b)
+}

@@ -1,0 +1,276 @@
+"""Surfaces, contacts and limits of a DEFINITION: gaps from the surfaces themselves, all in world axes, and forces by `if_else`.
+
+A contact acts along its gaps g, each with a force F(d, ḋ), d = −g > 0, and 0 where g ≥ 0.
+"""
+
+import math
+
+import casadi as ca
+
+import expressions
+from expressions import entry, evaluate
+
+TINY = 1e-24  # m²: below it a distance is none
+
+
+def all_loads(definition):
+    """The names of the loads in the order of their powers: contacts come last."""
+    return [load["name"] for load in definition["loads"]] + [contact["name"] for contact in definition.get("contacts", [])]
+
+
+def find(definition, name):
+    return next((contact for contact in definition.get("contacts", []) if contact["name"] == name), None)
+
+
+class Contacts:
+    def __init__(self, kinematics):
+        self.kinematics = kinematics
+        self.model = kinematics.model
+        self.definition = self.model.definition
+        self._touching = {}
+        self._forces = {}
+        self.own = None  # (name, which): the law that is being read, and of which gap
+
+    def gaps(self, name):
+        """The gaps and where they are."""
+        if name not in self._touching:
+            contact = find(self.definition, name)
+            if contact["kind"] == "between":
+                self._touching[name] = self._between(contact["first"], contact["second"])[:2]
+            elif contact["kind"] == "gap":
+                self._touching[name] = [evaluate(contact["expression"], self.kinematics)], None
+            else:
+                x = self.kinematics.name(contact["quantity"]["name"])
+                low, high = (expressions.in_unit(contact[end], contact["unit"], self.model) for end in ("from", "to"))
+                self._touching[name] = [ca.if_else(x - low < high - x, x - low, high - x)], None
+        return self._touching[name]
+
+    def forces(self, name):
+        if name not in self._forces:
+            law, gaps = find(self.definition, name)["law"], self.gaps(name)[0]
+            forces = []
+            for which, gap in enumerate(gaps):
+                outer, self.own = self.own, (name, which)
+                pushed = self._law(law, gap, name)
+                self.own = outer
+                forces.append(ca.if_else(gap < 0, ca.if_else(pushed > 0, pushed, 0), 0))
+            self._forces[name] = forces
+        return self._forces[name]
+
+    def quantity(self, name, what):
+        gaps, points = self.gaps(name)
+        if self.own and self.own[0] == name:
+            gaps = [gaps[self.own[1]]]
+        least = gaps[0]
+        for gap in gaps[1:]:
+            least = ca.if_else(gap < least, gap, least)
+        if what == "gap":
+            return least
+        if what == "depth":
+            return ca.if_else(least < 0, -least, 0)
+        if what == "closing":
+            return -self.kinematics.rate(least)
+        if what == "force":
+            return sum(self.forces(name), ca.SX(0))
+        axis = self.kinematics.axes.index(what.removeprefix("point."))
+        least, point = gaps[0], points[0]
+        for gap, other in zip(gaps[1:], points[1:]):
+            point = ca.if_else(gap < least, other, point)
+            least = ca.if_else(gap < least, gap, least)
+        return point[axis]
+
+    # Laws.
+
+    def _law(self, law, gap, name):
+        kind, rate = law["kind"], -self.kinematics.rate(gap)
+        depth = ca.if_else(gap < 0, -gap, 0)
+
+        def given(key, default=0.0):
+            return entry(law[key], self.model) if law.get(key) else ca.SX(default)
+
+        if kind == "expression":
+            return evaluate(law["value"], self.kinematics)
+        if kind == "kelvin_voigt":
+            share = ca.if_else(rate > 0, 1, given("release", 1.0))
+            return given("stiffness") * depth + given("damping") * share * rate
+        if kind == "hunt_crossley":
+            exponent = float(given("exponent", 1.5))
+            elastic = given("force") * _power(depth / given("depth"), exponent)
+        elif kind == "hertz":
+            elastic = self._hertz(law, name) * _power(depth, 1.5)
+        else:
+            raise ValueError(f"`{name}` has the unknown law `{kind}`")
+        loss = given("dissipation")
+        if law.get("restitution"):
+            word = law["damping"]["value"]["name"].rpartition(".")[2] if law.get("damping") else "exact"
+            loss = dissipation(float(given("restitution")), word) / given("speed")
+        return elastic * ca.if_else(1 + loss * rate > 0, 1 + loss * rate, 0)
+
+    def _hertz(self, law, name):
+        contact = find(self.definition, name)
+        radius = self._between(contact["first"], contact["second"])[2]
+        compliance = ca.SX(0)
+        for which in ("first", "second"):
+            wanted = law[which]["value"]["name"]
+            material = next(material for material in self.definition["materials"] if material["name"] == wanted)
+            compliance += (1 - entry(material["poisson"], self.model) ** 2) / entry(material["modulus"], self.model)
+        return 4 * ca.sqrt(radius) / (3 * compliance)
+
+    # Surfaces.
+
+    def _surface(self, name):
+        for surface in self.definition.get("surfaces", []):
+            if surface["name"] == name:
+                return surface
+        body, _, own = name.rpartition(".")
+        written = next(node for node in self.definition["bodies"] if node["name"] == body)
+        if own != "surface":
+            raise ValueError(f"no surface `{name}`")
+        return {"kind": "circle", "places": [{"place": f"{body}.center"}], "radius": written["properties"]["radius"]}
+
+    def _place(self, surface, which=0):
+        return self.model.place(surface["places"][which])
+
+    def _at(self, surface, which=0):
+        return self.kinematics.position(self._place(surface, which))
+
+    def _turned(self, place, vector):
+        axes = getattr(self.kinematics, "place_axes", None)
+        return ca.mtimes(axes(place), vector) if axes else self.kinematics.pose(place.body).turn(vector)
+
+    def _size(self, surface, key, default=None):
+        return entry(surface[key], self.model) if surface.get(key) else default
+
+    def _axis(self, surface):
+        """World axes."""
+        axis = expressions.pair(surface["axis"], self.model) if surface.get("axis") else ca.DM([0, 0, 1])
+        return self._turned(self._place(surface), axis / ca.sqrt(ca.dot(axis, axis)))
+
+    def _between(self, first, second):
+        """Gaps, places, and the radius of both curvatures."""
+        found = self._pair(self._surface(first), self._surface(second))
+        found = found or self._pair(self._surface(second), self._surface(first))
+        if not found:
+            raise ValueError(f"no gap between `{first}` and `{second}`")
+        return found
+
+    def _pair(self, one, other):
+        kind, against = one["kind"], other["kind"]
+        if kind in ("point", "circle", "sphere"):
+            center, radius = self._at(one), self._size(one, "radius", ca.SX(0))
+            if against in ("half_plane", "plane"):
+                foot, normal = self._flat(other)
+                gap = ca.dot(normal, center - foot) - radius
+                return [gap], [center - normal * (radius + gap / 2)], radius
+            if against in ("point", "circle", "sphere"):
+                return self._balls(center, radius, self._at(other), self._size(other, "radius", ca.SX(0)))
+            if against in ("hole", "ball_socket"):
+                middle, hole = self._at(other), self._size(other, "radius")
+                out = center - middle
+                gap = hole - radius - length(out)
+                point = middle + out / length(out) * (hole - gap / 2)
+                return [gap], [point], hole * radius / (hole - radius)
+            if against in ("segment", "capsule"):
+                ends, own = [self._at(other, 0), self._at(other, 1)], self._size(other, "radius", ca.SX(0))
+                foot = nearest(center, *ends)
+                out = center - foot
+                gap = length(out) - radius - own
+                return [gap], [foot + out / length(out) * (own + gap / 2)], None
+            if against == "polygon":
+                return [self._polygon(center, other) - radius], None, None
+            if against in ("cylinder", "bore"):
+                return [self._about(center, radius, other)], None, None
+        if against in ("half_plane", "plane") and kind in ("segment", "capsule", "polygon"):
+            foot, normal = self._flat(other)
+            radius = self._size(one, "radius", ca.SX(0))
+            ends = [self._at(one, which) for which in range(len(one["places"]))]
+            gaps = [ca.dot(normal, end - foot) - radius for end in ends]
+            return gaps, [end - normal * (radius + gap / 2) for end, gap in zip(ends, gaps)], None
+        if against == "plane" and kind == "disk_rim":
+            foot, normal = self._flat(other)
+            center, axis, radius = self._at(one), self._axis(one), self._size(one, "radius")
+            # The steepest way down within the disk.
+            down = -(normal - ca.dot(normal, axis) * axis)
+            lowest = center + radius * down / length(down)
+            gap = ca.dot(normal, lowest - foot)
+            return [gap], [lowest - normal * gap / 2], None
+        return None
+
+    def _flat(self, surface):
+        """A place of it and the normal that points to what is free."""
+        if surface["kind"] == "plane":
+            return self._at(surface), self._axis(surface)
+        line = self.model.line(surface["line"])
+        side = -1 if surface.get("side") and surface["side"]["value"]["name"].rpartition(".")[2] == "right" else 1
+        along = self.kinematics.pose(line.origin.body).turn(line.axis)
+        return self.kinematics.position(line.origin), side * ca.vertcat(-along[1], along[0])
+
+    def _balls(self, center, radius, other, own):
+        out = center - other
+        gap = length(out) - radius - own
+        return [gap], [other + out / length(out) * (own + gap / 2)], radius * own / (radius + own)
+
+    def _polygon(self, center, surface):
+        """Inside the way to the nearest edge, outside the distance to the nearest point of any edge."""
+        corners = [self._at(surface, which) for which in range(len(surface["places"]))]
+        inside, outside = None, None
+        for start, end in zip(corners, corners[1:] + corners[:1]):
+            along = (end - start) / length(end - start)
+            way = ca.dot(ca.vertcat(along[1], -along[0]), center - start)
+            inside = way if inside is None else ca.if_else(way > inside, way, inside)
+            far = length(center - nearest(center, start, end))
+            outside = far if outside is None else ca.if_else(far < outside, far, outside)
+        return ca.if_else(inside > 0, outside, inside)
+
+    def _about(self, center, radius, surface):
+        axis, own, whole = self._axis(surface), self._size(surface, "radius"), self._size(surface, "length")
+        out = center - self._at(surface)
+        along = ca.dot(axis, out)
+        across = length(out - along * axis)
+        if surface["kind"] == "bore":
+            gap = own - radius - across
+            return gap if whole is None else ca.if_else(ca.fabs(along) <= whole / 2, gap, ca.fabs(gap))
+        side = across - own
+        if whole is None:
+            return side - radius
+        end = ca.fabs(along) - whole / 2
+        beside, beyond = ca.if_else(side > 0, side, 0), ca.if_else(end > 0, end, 0)
+        nearer = ca.if_else(side > end, side, end)
+        return ca.if_else(nearer > 0, length(ca.vertcat(beside, beyond)), nearer) - radius
+
+
+def length(vector):
+    square = ca.dot(vector, vector)
+    return ca.sqrt(ca.if_else(square > TINY, square, TINY))
+
+
+def nearest(point, start, end):
+    """On the way from start to end."""
+    span = end - start
+    share = ca.dot(point - start, span) / ca.dot(span, span)
+    return start + ca.if_else(share < 0, 0, ca.if_else(share > 1, 1, share)) * span
+
+
+def _power(base, exponent):
+    if exponent == int(exponent):
+        return base ** int(exponent)
+    return ca.if_else(base > 1e-12, base, 1e-12) ** exponent
+
+
+def dissipation(e, word):
+    """b v of a restitution: x − ln(1 + x) = −e x − ln(1 − e x), both ways without other forces."""
+    if word == "lankarani_nikravesh":
+        return 3 * (1 - e**2) / 4
+    if word == "hunt_crossley":
+        return 3 * (1 - e) / 2
+    if word == "flores":
+        return 8 * (1 - e) / (5 * e)
+    if e >= 1:
+        return 0.0
+    low, high = 0.0, 1 / e
+    for _ in range(200):
+        x = (low + high) / 2
+        if x in (low, high):
+            break
+        low, high = (x, high) if (1 + e) * x - math.log1p(x) + math.log1p(-e * x) > 0 else (low, x)
+    return (low + high) / 2
