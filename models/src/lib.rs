@@ -4,6 +4,7 @@
 #![warn(missing_docs)]
 
 pub mod andrews;
+pub mod bouncing_ball;
 pub mod braked_wheel;
 pub mod bricard;
 pub mod cable_robot;
@@ -16,17 +17,20 @@ pub mod double_pendulum;
 pub mod double_wishbone;
 pub mod dump_truck_steering;
 pub mod dump_truck_tipping;
+pub mod falling_cross;
 pub mod flyball_governor;
 pub mod four_bar;
 pub mod four_spherical_joints;
 pub mod free_rigid_body;
 pub mod general_four_bar;
+pub mod hammer_at_wall;
 pub mod heavy_top;
 pub mod iiwa14;
 pub mod jansen_leg;
 pub mod klann_leg;
 pub mod knuckle_boom_loader;
 pub mod light_cart_pole;
+pub mod loose_wrist;
 pub mod lugre_block;
 pub mod motor_gear_load;
 pub mod n_four_bar;
@@ -121,6 +125,11 @@ macro_rules! for_each_model {
             hydraulic_loader: $crate::knuckle_boom_loader::HydraulicLoader,
             dump_truck_steering: $crate::dump_truck_steering::DumpTruckSteering,
             dump_truck_tipping: $crate::dump_truck_tipping::DumpTruckTipping,
+            bouncing_ball: $crate::bouncing_ball::BouncingBall,
+            bouncing_ball_of_hunt_and_crossley: $crate::bouncing_ball::BouncingBallOfHuntAndCrossley,
+            falling_cross: $crate::falling_cross::FallingCross,
+            hammer_at_wall: $crate::hammer_at_wall::HammerAtWall,
+            loose_wrist: $crate::loose_wrist::LooseWrist,
         }
     };
 }

@@ -79,6 +79,9 @@ impl Parser<'_> {
         ];
         self.block(c, |parser, c| {
             let option = parser.word(c, "an option")?;
+            if option.text == "contact" {
+                return parser.fail(option.region, messages::not_there_yet("contact = held"));
+            }
             if !KNOWN.contains(&option.text.as_str()) {
                 return parser.fail(option.region, messages::unknown_option(&option.text, &KNOWN));
             }

@@ -6,6 +6,7 @@ mod benchmarks;
 mod cables;
 mod cams;
 mod closed_forms;
+mod contacts;
 mod four_bars;
 mod gears;
 mod hydraulics;

@@ -1,0 +1,21 @@
+//! Two half-planes.
+
+linkwright::mechanism! {
+    planar Bench {
+        gravity [m/s^2] = (0, -9.81);
+        disk ball { mass [kg] = 1; radius [m] = 0.1; }
+        disk other { mass [kg] = 1; radius [m] = 0.2; }
+        rod arm { mass [kg] = 1; length [m] = 1; surface tip: point(arm.end); surface foot: circle(arm.start, radius [m] = 0.05); }
+        surface floor: half_plane(line(ground(0, 0) [m], ground(1, 0) [m]));
+        contact first: between(other.surface, floor) = kelvin_voigt(stiffness [N/m] = 1e4);
+        contact second: between(arm.tip, floor) = kelvin_voigt(stiffness [N/m] = 1e4);
+        contact third: between(arm.foot, floor) = kelvin_voigt(stiffness [N/m] = 1e4);
+        start { ball.center.x [m] = 0; ball.center.y [m] = 1; other.center.x [m] = 3; other.center.y [m] = 1; arm.center.x [m] = 6; arm.center.y [m] = 1; }
+        line edge = (ground(0, 2) [m], ground(1, 2) [m]);
+        body plate { mass [kg] = 1; inertia [kg*m^2] = 1; point a [m] = (0, 0); point b [m] = (1, 0); line side = (plate.a, plate.b);
+                     surface under: half_plane(plate.side); }
+        contact touch: between(plate.under, floor) = kelvin_voigt(stiffness [N/m] = 1e4);
+    }
+}
+
+fn main() {}
