@@ -33,10 +33,10 @@ pub fn name(mechanism: &Mechanism, coordinate: &Coordinate) -> String {
         Coordinate::Travel(id, which) => travel_name(mechanism, *id, *which, 0),
         Coordinate::Position(place, axis) => format!("{}.{}", place.text, ["x", "y", "z"][*axis]),
         Coordinate::Distance(a, b) => format!("distance({}, {})", a.text, b.text),
-        Coordinate::Way(a, _, b) => format!("way({}, {})", a.text, b.text),
+        Coordinate::Way(ends, _) => format!("way({}, {})", ends[0].text, ends[1].text),
         Coordinate::Square(a, b) => format!("square({}, {})", a.text, b.text),
-        Coordinate::Direction(place, _, axis) => {
-            format!("direction({}).{}", place.text, ["x", "y", "z"][*axis])
+        Coordinate::Direction(of, axis) => {
+            format!("direction({}).{}", of.0.text, ["x", "y", "z"][*axis])
         }
         Coordinate::Turn(body, axis) => {
             format!("{}.rate.{}", mechanism.bodies[body.0].name.text, ["x", "y", "z"][*axis])

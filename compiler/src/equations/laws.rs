@@ -263,10 +263,8 @@ impl<'a> Laws<'a> {
             }
             Coordinate::Distance(a, b) => self.square(a, b).sqrt(),
             Coordinate::Square(a, b) => self.square(a, b),
-            Coordinate::Way(a, direction, b) => self.kinematics().way(self, a, direction, b),
-            Coordinate::Direction(place, direction, axis) => {
-                self.kinematics().direction(self, place, direction)[*axis].clone()
-            }
+            Coordinate::Way(ends, direction) => self.kinematics().way(self, &ends[0], direction, &ends[1]),
+            Coordinate::Direction(of, axis) => self.kinematics().direction(self, &of.0, &of.1)[*axis].clone(),
         }
     }
 

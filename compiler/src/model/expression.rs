@@ -200,11 +200,11 @@ pub enum Coordinate {
     /// m.
     Distance(Box<Place>, Box<Place>),
     /// u·(p₂ − p₁) from one place to another, u in the axes of the first and of parameters only, m.
-    Way(Box<Place>, Box<Vector>, Box<Place>),
+    Way(Box<[Place; 2]>, Box<Vector>),
     /// |p₂ − p₁|², m².
     Square(Box<Place>, Box<Place>),
     /// World x (0), y (1) or z (2) of a direction in the axes of a place.
-    Direction(Box<Place>, Box<Vector>, usize),
+    Direction(Box<(Place, Vector)>, usize),
     /// The turn of a body in space about its own x (0), y (1) or z (2): a quasi-coordinate, of which there is nothing but the rate
     /// ω, rad/s.
     Turn(BodyId, usize),
@@ -217,10 +217,10 @@ impl Coordinate {
     /// The places that it is of.
     pub fn places(&self) -> impl Iterator<Item = &Place> {
         let (first, second) = match self {
-            Self::Position(place, _) | Self::Direction(place, ..) => (Some(&**place), None),
-            Self::Distance(first, second) | Self::Way(first, _, second) | Self::Square(first, second) => {
-                (Some(&**first), Some(&**second))
-            }
+            Self::Position(place, _) => (Some(&**place), None),
+            Self::Direction(of, _) => (Some(&of.0), None),
+            Self::Distance(first, second) | Self::Square(first, second) => (Some(&**first), Some(&**second)),
+            Self::Way(ends, _) => (Some(&ends[0]), Some(&ends[1])),
             Self::Angle(_) | Self::Travel(..) | Self::Turn(..) | Self::Deviation(..) => (None, None),
         };
         first.into_iter().chain(second)

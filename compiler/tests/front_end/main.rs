@@ -1,6 +1,7 @@
 //! The front end: tokens → definition → model → static rules, and the exported definition.
 
 mod builder;
+mod contacts;
 mod coverage;
 mod definitions;
 mod files;

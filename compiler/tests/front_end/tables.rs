@@ -96,7 +96,10 @@ fn named(argument: &Argument, space: Space) -> String {
         (Value::Scalar(_) | Value::Moving(_) | Value::Diagonal(_), Need::Never) => "0".to_string(),
         (Value::Scalar(_) | Value::Moving(_) | Value::Diagonal(_), _) => "…".to_string(),
         (Value::Varying(_) | Value::RateOf { .. }, _) => "…".to_string(),
-        (Value::Way | Value::Stiffness | Value::Exponent | Value::Backbone, _) => "…".to_string(),
+        (
+            Value::Way | Value::Stiffness | Value::Exponent | Value::Backbone | Value::OfGap | Value::Word,
+            _,
+        ) => "…".to_string(),
     };
     format!("{} = {value}", argument.name)
 }

@@ -162,7 +162,7 @@ impl<'d> Lowering<'d> {
                 return None;
             }
             (Some(_), None) => (self.not_negative(named, "dissipation", per_speed)?, None),
-            (None, Some(entry)) => self.from_restitution(named, entry, way)?,
+            (None, Some(entry)) => self.by_restitution(named, entry, way)?,
         };
         if let (Some(_), Some(other)) =
             (named.entry("dissipation"), named.entry("speed").or(named.entry("damping")))
@@ -177,7 +177,7 @@ impl<'d> Lowering<'d> {
         Some((product(elastic, fold::binary(Function2::Max, factor, Expr::Number(0.0))), speed))
     }
 
-    fn from_restitution(
+    fn by_restitution(
         &mut self,
         named: &'d Named,
         entry: &'d Entry,

@@ -293,11 +293,11 @@ fn position(place: &Place, axis: usize) -> Expr {
 
 /// u·(p₂ − p₁), u of the first place.
 fn way(from: &Place, direction: Vector, to: &Place) -> Expr {
-    coordinate(Coordinate::Way(Box::new(from.clone()), Box::new(direction), Box::new(to.clone())))
+    coordinate(Coordinate::Way(Box::new([from.clone(), to.clone()]), Box::new(direction)))
 }
 
 fn direction(place: &Place, direction: &Vector, axis: usize) -> Expr {
-    coordinate(Coordinate::Direction(Box::new(place.clone()), Box::new(direction.clone()), axis))
+    coordinate(Coordinate::Direction(Box::new((place.clone(), direction.clone())), axis))
 }
 
 fn square(from: &Place, to: &Place) -> Expr {

@@ -21,6 +21,7 @@ pub struct Surface {
 }
 
 #[derive(Clone, Debug)]
+#[expect(clippy::large_enum_variant, reason = "there are few of them, and each lives by itself")]
 pub enum Shape {
     /// A point, circle or sphere, which is solid inside of its radius.
     Round {

@@ -1,0 +1,170 @@
+//! Contacts: what is warned of, what may be allowed, what a point on a plane costs, how long a touch takes.
+
+use crate::{bad, warnings};
+use linkwright_compiler::compile;
+use linkwright_compiler::schedule::{Function, count};
+
+/// A ball above a floor, with these statements.
+fn ball(height: f64, statements: &str) -> String {
+    format!(
+        "planar Bench {{ gravity [m/s^2] = (0, -9.81); disk ball {{ mass [kg] = 2; radius [m] = 0.1; }}
+         surface floor: half_plane(line(ground(0, 0) [m], ground(1, 0) [m]));
+         start {{ ball.center.x [m] = 0; ball.center.y [m] = {height}; }} {statements} }}"
+    )
+}
+
+#[track_caller]
+fn compiled(source: &str) -> linkwright_compiler::Compiled {
+    compile(source.parse().expect("tokens"), None).unwrap_or_else(|found| panic!("{found}"))
+}
+
+#[test]
+fn a_start_within_may_be_allowed() {
+    let contact = "contact touch: between(ball.surface, floor) = kelvin_voigt(stiffness [N/m] = 1e4);";
+    assert!(compile(ball(0.09, contact).parse().unwrap(), None).is_err());
+    compiled(&ball(0.09, &format!("#[allow(penetration)] {contact}")));
+    compiled(&ball(0.11, contact));
+}
+
+#[test]
+fn what_never_changes_is_warned_of() {
+    let source = ball(
+        1.0,
+        "contact touch: between(ball.surface, floor) = kelvin_voigt(stiffness [N/m] = 1e4);
+         body frame { mass [kg] = 1; inertia [kg*m^2] = 1; surface lug: circle(frame.center, radius [m] = 0.1); }
+         joint weld: fixed(ground(0, 3) [m], frame.center);
+         contact idle: between(frame.lug, floor) = kelvin_voigt(stiffness [N/m] = 1e4);
+         surface spare: point(frame.center);",
+    );
+    let all = compiled(&source).warnings.to_string();
+    assert!(all.contains("joints hold both sides of `idle` against each other"), "{all}");
+    assert!(
+        warnings(&source)
+            .iter()
+            .any(|it| it.message.contains("nothing names the surface `spare`, so it touches nothing")),
+        "{all}"
+    );
+}
+
+/// A point on a plane takes at most 25 operations beyond what moves it.
+#[test]
+fn a_point_on_a_plane_is_cheap() {
+    let body = |contact: &str| {
+        format!(
+            "spatial Bench {{ gravity [m/s^2] = (0, 0, -9.81); body block {{ mass [kg] = 2; inertia [kg*m^2] = (1, 2, 3); point p [m] = (0.1, 0.2, 0.3);
+             surface tip: point(block.p); }} surface floor: plane(ground(0, 0, 0) [m], axis = (0, 0, 1));
+             start {{ block.center.z [m] = 1; }} {contact} }}"
+        )
+    };
+    let operations = |law: &str| {
+        let compiled = compiled(&body(law));
+        count(compiled.programs.get(Function::Forces)).total()
+    };
+    let with = operations(
+        "contact touch: between(block.tip, floor) = kelvin_voigt(stiffness [N/m] = 1e4, damping [N*s/m] = 20);",
+    );
+    // The same kinematics: a force along the height of the point that depends on it and on its rate.
+    let without = operations(
+        "force pull: force(block.p) = (0, 0, -1 [N/m]*block.p.z - 2 [N*s/m]*block.p.velocity.z); contact touch: gap(block.p.x + 9 [m]) = 0 [N];",
+    );
+    println!("{with} operations with the contact, {without} with a spring and a damper");
+    assert!(with <= without + 25, "{with} {without}");
+}
+
+/// π√(m/k), and 3.2181 (m²/(K² v))^(1/5) of Hertz' exponent.
+#[test]
+fn how_long_a_touch_takes() {
+    let linear = compiled(&ball(
+        1.0,
+        "contact touch: between(ball.surface, floor) = kelvin_voigt(stiffness [N/m] = 800);",
+    ));
+    let [(_, blow)] = linear.blows[..] else { panic!("{:?}", linear.blows) };
+    assert!((blow.mass - 2.0).abs() < 1e-12, "{blow:?}");
+    assert!((blow.time - std::f64::consts::PI * (2.0_f64 / 800.0).sqrt()).abs() < 1e-12, "{blow:?}");
+    let steep = compiled(&ball(
+        1.0,
+        "contact touch: between(ball.surface, floor) = hunt_crossley(force [N] = 1e3, depth [mm] = 10, restitution = 0.8, speed [m/s] = 3);",
+    ));
+    let [(_, blow)] = steep.blows[..] else { panic!("{:?}", steep.blows) };
+    let expected = 3.218_1 * (4.0_f64 / (1e12 * 3.0)).powf(0.2);
+    assert!((blow.time / expected - 1.0).abs() < 1e-4, "{blow:?} {expected}");
+}
+
+/// Those of surfaces and laws that no pair in `tests/ui` shows.
+#[test]
+fn one_message_for_each_mistake() {
+    let law = |rest: &str| ball(1.0, &format!("contact touch: between(ball.surface, floor) = {rest};"));
+    let of = |statement: &str| ball(1.0, statement);
+    let corners: Vec<String> = (0..17)
+        .map(|k| f64::from(k) * 0.3)
+        .map(|angle| format!("ground({}, {}) [m]", angle.cos(), angle.sin()))
+        .collect();
+    let many = format!(
+        "surface round: polygon({}); contact touch: between(ball.surface, round) = 0 [N];",
+        corners.join(", ")
+    );
+    let spatial = |rest: &str| {
+        format!(
+            "spatial Bench {{ sphere ball {{ mass [kg] = 1; radius [m] = 0.1; }} surface floor: plane(ground(0, 0, -1) [m], axis = (0, 0, 1));
+             body coin {{ mass [kg] = 1; inertia [kg*m^2] = (1, 1, 1); surface rim: disk_rim(coin.center, axis = (0, 0, 1), radius [m] = 1); }} {rest} }}"
+        )
+    };
+    for (source, expected) in [
+        (
+            of("contact touch: among(ball.surface, floor) = 0 [N];"),
+            "a contact is `between(surface, surface)` or, for any other geometry, `gap(expression)` of positions that is negative in \
+             contact; found `among`",
+        ),
+        (
+            of(
+                "material odd { modulus [Pa] = 1e9; poisson = 0.7; } contact touch: between(ball.surface, floor) = hertz(first = odd, second = odd, dissipation [s/m] = 0);",
+            ),
+            "Poisson's number lies between -1 and 0.5, found 0.7",
+        ),
+        (
+            law(
+                "hunt_crossley(force [N] = 1, depth [m] = 1, restitution = 0.5, speed [m/s] = 1, damping = exactly)",
+            ),
+            "this is a word: `exact`, `lankarani_nikravesh`, `hunt_crossley`, `flores`",
+        ),
+        (
+            of(
+                "surface bar: segment(ground(1, 1) [m], ground(1, 1) [m]); contact touch: between(ball.surface, bar) = 0 [N];",
+            ),
+            "the ends of the surface `bar` are one place, so it has no direction: give it two places apart, or make it a `point`",
+        ),
+        (
+            of(
+                "surface bar: segment(ground(1, 1) [m], ball.center); contact touch: between(ball.surface, bar) = 0 [N];",
+            ),
+            "the places `ground(1, 1)` and `ball.center` of the surface `bar` are of two bodies: a surface is of one body or of the ground",
+        ),
+        (of(&many), "a polygon has at most 16 corners, found 17: every step looks at all of its edges"),
+        (
+            spatial("contact touch: between(coin.rim, ball.surface) = 0 [N];"),
+            "there is no closed form for the gap between the rim of a disk and a point, circle or sphere: a point or sphere meets a plane, \
+             sphere, capsule, cylinder, ball_socket or bore; a capsule or disk_rim meets a plane. Any other gap is an expression of \
+             positions, `gap(…)`",
+        ),
+        (
+            of("contact touch: gap(ball.center.y) = 1 [N]; output x [m] = touch.point.x;"),
+            "`touch` has no `point`: where a gap is an expression, or by a polygon, cylinder or bore, no place follows from it",
+        ),
+        (
+            spatial("contact touch: between(ball.surface, floor) = 0 [N]; output x [m] = touch.point;"),
+            "a contact has `touch.gap`, `.depth`, `.closing`, `.force`, `.point.x`, `.point.y` and `.point.z`, and `power(touch)`",
+        ),
+        (
+            law("hunt_crossley(force [N] = 1, depth [m] = 1, dissipation [s/m] = 0.5, speed [m/s] = 1)"),
+            "`speed` and `damping` say how a dissipation follows from a `restitution`: beside `dissipation` they say nothing",
+        ),
+        (
+            law("kelvin_voigt(stiffness [N/m] = 1, release = 2)"),
+            "`release` is the share of the damping that acts on the way out, 0 to 1, found 2",
+        ),
+    ] {
+        let found = bad(&source);
+        let found: Vec<&str> = found.iter().map(|error| error.message.as_str()).collect();
+        assert_eq!(found, [expected], "{source}");
+    }
+}
