@@ -11,7 +11,9 @@ pub const HELP: &str = "\
 Runs, draws, checks, explains, counts and exports definitions of mechanisms.
 
 usage: linkwright run     [options] FILE    moves it and writes what is measured; `linkwright run --help`
-       linkwright draw    [options] FILE    a drawing of it, as SVG; `linkwright draw --help`
+       linkwright plot    [options] FILE    what a run shows over time, as SVG
+       linkwright animate [options] FILE    a page with its motion
+       linkwright draw    [options] FILE    a drawing of it, as SVG
        linkwright check   [options] FILE…   errors of every definition, as the macro reports them
        linkwright explain [options] FILE    what the compiler found: parts, freedoms, coordinates, start
        linkwright counts  [options] FILE    operations of every generated function
@@ -161,7 +163,7 @@ fn named(word: &str) -> Result<Command, String> {
 }
 
 /// All commands.
-const ALL: &str = "run, draw, check, explain, counts and export";
+const ALL: &str = "run, plot, animate, draw, check, explain, counts and export";
 
 fn is_language(word: &str) -> Result<(), String> {
     match word {

@@ -71,7 +71,10 @@ fn good_and_bad_files_have_their_exit_codes() {
 #[test]
 fn wrong_usage_is_said() {
     for (arguments, message) in [
-        (&[] as &[&str], "no command is given: there are run, draw, check, explain, counts and export"),
+        (
+            &[] as &[&str],
+            "no command is given: there are run, plot, animate, draw, check, explain, counts and export",
+        ),
         (&["export", "good.mech"], "nothing is exported to \"good.mech\": there is c"),
         (&["export"], "export needs a language: write `linkwright export c FILE`"),
         (&["export", "c"], "export needs a file"),

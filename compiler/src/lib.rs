@@ -47,6 +47,11 @@ pub use driver::{
 pub use expansion::Expansion;
 pub use page::page;
 
+/// How drawings write text and numbers, for those who put more beside them.
+pub mod drawing_text {
+    pub use crate::drawing::canvas::{escaped, number};
+}
+
 use emit::Home;
 use proc_macro2::{Span, TokenStream};
 use source::written::{Place, as_written};

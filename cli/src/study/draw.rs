@@ -1,26 +1,19 @@
 //! `linkwright draw`: the drawing of a mechanism at its start.
 
+use super::methods::EngineState;
 use super::options::Study;
 use super::{Done, Failure, Loaded, write};
 use crate::with_engine;
 use linkwright_compiler::page::Pose;
 use linkwright_compiler::page::drawing_at;
+use linkwright_engine::Engine;
 use linkwright_runtime::Vector;
 use serde_json::json;
 
 /// The command.
 pub fn draw(study: &Study, loaded: &Loaded) -> Result<Done, Failure> {
     let drawing = with_engine!(&loaded.engine, |engine| {
-        let start = super::start(engine)?;
-        let pose = Pose {
-            parameters: engine.parameters().to_vec(),
-            phases: engine.phases().to_vec(),
-            time: 0.0,
-            q: start.q.as_slice().to_vec(),
-            v: start.v.as_slice().to_vec(),
-            internal: start.z.as_slice().to_vec(),
-        };
-        drawing_at(&loaded.compiled, &pose)
+        drawing_at(&loaded.compiled, &pose(engine, &super::start(engine)?))
     });
     if !study.json {
         write(study.out.as_deref(), &format!("{}\n", drawing.svg))?;
@@ -32,4 +25,16 @@ pub fn draw(study: &Study, loaded: &Loaded) -> Result<Done, Failure> {
     }
     let value = json!({ "svg": drawing.svg, "left_out": drawing.left_out });
     Ok(Done { value, failed: false })
+}
+
+/// Where a mechanism stands at its start.
+pub fn pose<D: 'static>(engine: &Engine<D>, start: &EngineState) -> Pose {
+    Pose {
+        parameters: engine.parameters().to_vec(),
+        phases: engine.phases().to_vec(),
+        time: 0.0,
+        q: start.q.as_slice().to_vec(),
+        v: start.v.as_slice().to_vec(),
+        internal: start.z.as_slice().to_vec(),
+    }
 }

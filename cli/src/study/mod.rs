@@ -1,11 +1,14 @@
-//! What moves a mechanism and shows it, without Rust: `run`, `draw`. The definition is read by the engine, so that
+//! What moves a mechanism and shows it, without Rust: `run`, `plot`, `animate`, `draw`. The definition is read by the engine, so that
 //! every method and message is that of a compiled mechanism.
 
+pub mod animate;
 pub mod draw;
 pub mod expression;
 pub mod inputs;
 pub mod methods;
+pub mod moving_picture;
 pub mod options;
+pub mod plot;
 pub mod record;
 pub mod run;
 
@@ -70,6 +73,8 @@ pub fn study(study: &Study) -> ExitCode {
         }
         let done = match study.command {
             Command::Run => run::run(study, &loaded),
+            Command::Plot => plot::plot(study, &loaded),
+            Command::Animate => animate::animate(study, &loaded),
             Command::Draw => draw::draw(study, &loaded),
         };
         done.map(|value| (value, loaded.warnings))

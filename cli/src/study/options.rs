@@ -11,15 +11,19 @@ use std::path::PathBuf;
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Command {
     Run,
+    Plot,
+    Animate,
     Draw,
 }
 
 impl Command {
-    pub const ALL: [Command; 2] = [Command::Run, Command::Draw];
+    pub const ALL: [Command; 4] = [Command::Run, Command::Plot, Command::Animate, Command::Draw];
 
     pub fn text(self) -> &'static str {
         match self {
             Command::Run => "run",
+            Command::Plot => "plot",
+            Command::Animate => "animate",
             Command::Draw => "draw",
         }
     }
@@ -27,8 +31,11 @@ impl Command {
     /// The options that it has.
     fn options(self) -> &'static [&'static str] {
         match self {
-            Command::Run => {
+            Command::Run | Command::Plot => {
                 &["for", "step", "every", "formulation", "integrator", "set", "input", "show", "out", "json"]
+            }
+            Command::Animate => {
+                &["for", "step", "every", "formulation", "integrator", "set", "input", "svg", "out", "json"]
             }
             Command::Draw => &["set", "out", "json"],
         }
@@ -37,6 +44,8 @@ impl Command {
     fn help(self) -> &'static str {
         match self {
             Command::Run => RUN,
+            Command::Plot => PLOT,
+            Command::Animate => ANIMATE,
             Command::Draw => DRAW,
         }
     }
@@ -62,6 +71,33 @@ usage: linkwright run [options] FILE
 A summary goes to standard error. A run that fails keeps what was computed, says where it stopped, and exits with 1.
 ";
 
+const PLOT: &str = "\
+Plots what a run shows over time, as SVG: a panel for each quantity.
+
+usage: linkwright plot [options] FILE
+
+  --show LIST             of outputs, inputs, energy, residual, reactions (sizes of forces), efforts; outputs if it is not given
+  --every DURATION        between samples; 600 of them if it is not given
+  --out FILE              in place of standard output
+  --json                  for machines: the picture as a field
+
+--for, --step, --formulation, --integrator, --set and --input are those of `linkwright run`.
+";
+
+const ANIMATE: &str = "\
+Writes a page with the motion: a scrubber, plots that share its cursor, values where one points, the parameters. The page
+fetches nothing and works from a disk.
+
+usage: linkwright animate [options] FILE
+
+  --svg                   a picture that plays by itself, in place of the page
+  --every DURATION        between samples; 600 of them if it is not given
+  --out FILE              NAME.html or NAME.svg if it is not given, NAME that of the mechanism
+  --json                  for machines: what was written
+
+--for, --step, --formulation, --integrator, --set and --input are those of `linkwright run`.
+";
+
 const DRAW: &str = "\
 Draws a mechanism at its start, as SVG.
 
@@ -83,6 +119,8 @@ pub struct Study {
     pub inputs: Vec<String>,
     pub show: Option<Vec<Group>>,
     pub out: Option<PathBuf>,
+    /// A picture in place of a page.
+    pub svg: bool,
     pub json: bool,
 }
 
@@ -108,6 +146,7 @@ pub fn parse(
         inputs: Vec::new(),
         show: None,
         out: None,
+        svg: false,
         json: false,
     };
     let mut formulation_given = false;
@@ -132,8 +171,13 @@ pub fn parse(
             let what = format!("{} has no option", command.text());
             return Err(unknown(&what, &option, command.options().iter().copied()));
         }
-        if option == "json" {
-            study.json = true;
+        let flag = match option.as_str() {
+            "json" => Some(&mut study.json),
+            "svg" => Some(&mut study.svg),
+            _ => None,
+        };
+        if let Some(flag) = flag {
+            *flag = true;
             continue;
         }
         let value = parser.value().map_err(|error| error.to_string())?;

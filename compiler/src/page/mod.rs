@@ -9,6 +9,7 @@ mod equations;
 mod expression;
 mod figure;
 mod operations;
+pub mod scene;
 mod sketch;
 mod sparsity;
 mod stand;

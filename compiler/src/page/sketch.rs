@@ -43,6 +43,8 @@ pub struct Part {
 #[derive(Clone, Debug)]
 pub struct Wheel {
     pub of: String,
+    /// What turns.
+    pub on: Frame,
     /// Which of its circles.
     pub circle: &'static str,
     pub center: Point,

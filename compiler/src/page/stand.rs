@@ -229,6 +229,14 @@ impl<'a> Stand<'a> {
         }
     }
 
+    /// The body that a rotor turns.
+    fn turning(&self, rotor: Rotor) -> Frame {
+        match rotor {
+            Rotor::Joint(joint, _) => self.compiled.mechanism.joints[joint.0].second.frame,
+            Rotor::Body(body) => Frame::Body(body),
+        }
+    }
+
     /// Pitch circles that follow from ratio and distance of the axes, or from a pinion's radius.
     pub fn wheels(&mut self, hinges: &[Hinge]) -> Vec<Wheel> {
         let (mut wheels, mut inner): (Vec<Wheel>, Vec<[Wheel; 2]>) = (Vec::new(), Vec::new());
@@ -238,7 +246,7 @@ impl<'a> Stand<'a> {
             let factor = self.built(|laws| vec![laws.value(&coupling.factor).bare])[0];
             match [coupling.driven(), coupling.other()] {
                 [Coupled::Angle(first), Coupled::Angle(second)] => {
-                    let rotors = [first, second].map(|it| self.rotor(it, hinges));
+                    let rotors = [first, second].map(|it| (self.turning(it), self.rotor(it, hinges)));
                     match mesh(of, rotors, factor) {
                         Some(pair) if factor < 0.0 => wheels.extend(pair),
                         Some(pair) => inner.push(pair),
@@ -248,7 +256,15 @@ impl<'a> Stand<'a> {
                 [Coupled::Travel(_), Coupled::Angle(pinion)]
                 | [Coupled::Angle(pinion), Coupled::Travel(_)] => {
                     let (center, about) = self.rotor(pinion, hinges);
-                    wheels.push(Wheel { of: of.clone(), circle: PITCH, center, about, radius: factor.abs() });
+                    let on = self.turning(pinion);
+                    wheels.push(Wheel {
+                        of: of.clone(),
+                        on,
+                        circle: PITCH,
+                        center,
+                        about,
+                        radius: factor.abs(),
+                    });
                 }
                 [Coupled::Travel(_), Coupled::Travel(_)] => {}
             }
@@ -287,6 +303,7 @@ impl Stand<'_> {
             ];
             rims.extend(circles.map(|(circle, radius)| Wheel {
                 of: toothing.text.clone(),
+                on: Frame::Body(id.body),
                 circle,
                 center,
                 about,
@@ -320,11 +337,15 @@ impl Wheel {
 
 /// The circles of two wheels on parallel axes that turn as ω_a = ratio ω_b: r_b = |ratio| r_a, and r_a + r_b, of a ring
 /// gear their difference, is the distance of the axes.
-fn mesh(of: &str, [(a, about), (b, other)]: [(Point, Point); 2], ratio: f64) -> Option<[Wheel; 2]> {
+fn mesh(
+    of: &str,
+    [(first, (a, about)), (second, (b, other))]: [(Frame, (Point, Point)); 2],
+    ratio: f64,
+) -> Option<[Wheel; 2]> {
     let between = difference(b, a);
     let is_beside = length(cross(about, other)) < 1e-6 && dot(between, about).abs() < 1e-9;
     let radius = length(between) / (1.0 - ratio).abs();
-    let wheel = |center, radius| Wheel { of: of.to_string(), circle: PITCH, center, about, radius };
+    let wheel = |on, center, radius| Wheel { of: of.to_string(), on, circle: PITCH, center, about, radius };
     (is_beside && radius > 0.0 && radius.is_finite())
-        .then(|| [wheel(a, radius), wheel(b, ratio.abs() * radius)])
+        .then(|| [wheel(first, a, radius), wheel(second, b, ratio.abs() * radius)])
 }

@@ -1,0 +1,270 @@
+//! A picture that plays by itself, without a script: SVG whose paths change from frame to frame, for a README.
+
+use super::animate::Film;
+use linkwright_compiler::drawing_text::escaped;
+use linkwright_compiler::page::scene::{Scene, Shape, Spot};
+use std::fmt::Write;
+
+/// Frames of the picture: few enough that it stays small.
+const FRAMES: usize = 90;
+const WIDTH: f64 = 640.0;
+const HEIGHT: f64 = 420.0;
+const MARGIN: f64 = 36.0;
+const HUES: [&str; 6] = ["#1f6fd1", "#d1495b", "#2a9d6f", "#c77d0a", "#7a4fc4", "#4a5568"];
+
+/// The world at one sample.
+struct Moment<'f> {
+    scene: &'f Scene,
+    pose: &'f [f64],
+}
+
+impl Moment<'_> {
+    fn place(&self, Spot { body, at: [x, y, z] }: Spot) -> [f64; 3] {
+        let Some(body) = body else { return [x, y, z] };
+        if self.scene.is_planar {
+            let [px, py, c, s] = *self.of(body) else { return [0.0; 3] };
+            return [px + c * x - s * y, py + s * x + c * y, z];
+        }
+        let [px, py, pz, turned @ ..] = self.of(body) else { return [0.0; 3] };
+        let row = |k: usize| turned[3 * k] * x + turned[3 * k + 1] * y + turned[3 * k + 2] * z;
+        [px + row(0), py + row(1), pz + row(2)]
+    }
+
+    fn of(&self, body: usize) -> &[f64] {
+        let length = if self.scene.is_planar { 4 } else { 12 };
+        &self.pose[body * length..(body + 1) * length]
+    }
+
+    fn spots(&self, body: usize, shape: &Shape) -> Vec<[f64; 3]> {
+        let local = |at: &[f64; 3]| self.place(Spot { body: Some(body), at: *at });
+        let mut spots: Vec<[f64; 3]> = shape.spots.iter().map(local).collect();
+        if spots.len() < 2 {
+            spots.push(self.place(Spot { body: Some(body), at: [0.0; 3] }));
+        }
+        spots
+    }
+}
+
+/// From the world to the picture.
+struct Eye {
+    right: [f64; 3],
+    rise: [f64; 3],
+    scale: f64,
+    shift: [f64; 2],
+}
+
+impl Eye {
+    fn new(scene: &Scene, points: &[[f64; 3]]) -> Eye {
+        let (right, rise) = directions(scene);
+        let flat: Vec<[f64; 2]> = points.iter().map(|at| [dot(right, *at), -dot(rise, *at)]).collect();
+        let least = [0, 1].map(|k| flat.iter().map(|at| at[k]).fold(f64::INFINITY, f64::min));
+        let most = [0, 1].map(|k| flat.iter().map(|at| at[k]).fold(f64::NEG_INFINITY, f64::max));
+        let fit = |k: usize, room: f64| (room - 2.0 * MARGIN) / (most[k] - least[k]).max(1e-9);
+        let scale = fit(0, WIDTH).min(fit(1, HEIGHT));
+        let shift = [0, 1].map(|k| [WIDTH, HEIGHT][k] / 2.0 - scale * (least[k] + most[k]) / 2.0);
+        Eye { right, rise, scale, shift }
+    }
+
+    fn spot(&self, at: [f64; 3]) -> [f64; 2] {
+        [self.shift[0] + self.scale * dot(self.right, at), self.shift[1] - self.scale * dot(self.rise, at)]
+    }
+}
+
+fn dot(a: [f64; 3], b: [f64; 3]) -> f64 {
+    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
+}
+
+fn cross(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
+    [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
+}
+
+/// To the right and upwards, of the eye of the drawing at the start.
+fn directions(scene: &Scene) -> ([f64; 3], [f64; 3]) {
+    if scene.is_planar {
+        return ([1.0, 0.0, 0.0], [0.0, 1.0, 0.0]);
+    }
+    let up = scene.up;
+    let a = if up[0].abs() > 0.5 { [0.0, 1.0, 0.0] } else { [1.0, 0.0, 0.0] };
+    let b = cross(up, a);
+    let (azimuth, height) = (-1.01_f64, 0.44_f64);
+    let out = [0, 1, 2].map(|k| azimuth.cos() * a[k] + azimuth.sin() * b[k]);
+    let toward = [0, 1, 2].map(|k| height.cos() * out[k] + height.sin() * up[k]);
+    let right = cross(up, out);
+    (right, cross(toward, right))
+}
+
+/// One path of the picture, the same number of corners in every frame.
+struct Moving {
+    frames: Vec<String>,
+    style: String,
+}
+
+/// The picture.
+pub fn picture(name: &str, film: &Film) -> String {
+    let (scene, times) = (&film.scene, &film.run.trajectory.times);
+    let count = film.poses.len();
+    let frames = FRAMES.min(count).max(1);
+    let chosen: Vec<usize> = (0..frames).map(|k| k * (count - 1) / (frames - 1).max(1)).collect();
+    let moments: Vec<Moment> = chosen.iter().map(|k| Moment { scene, pose: &film.poses[*k] }).collect();
+    let mut points: Vec<[f64; 3]> = Vec::new();
+    for moment in &moments {
+        for (index, body) in scene.bodies.iter().enumerate() {
+            points.extend(moment.spots(index, body));
+            if body.outline != "bar" {
+                let [x, y, z] = moment.place(Spot { body: Some(index), at: [0.0; 3] });
+                let r = if body.outline == "box" {
+                    0.5 * body.lengths.iter().map(|x| x * x).sum::<f64>().sqrt()
+                } else {
+                    body.lengths[0]
+                };
+                points.extend([[x - r, y - r, z], [x + r, y + r, z]]);
+            }
+        }
+        points.extend(scene.joints.iter().map(|joint| moment.place(joint.second)));
+        points.extend(scene.loads.iter().flat_map(|load| load.ends.iter().map(|end| moment.place(*end))));
+    }
+    let eye = Eye::new(scene, &points);
+    let mut paths = Vec::new();
+    for (index, body) in scene.bodies.iter().enumerate() {
+        shapes(&mut paths, &eye, &moments, index, body);
+    }
+    for load in scene.loads.iter().filter(|load| load.ends.len() > 1) {
+        let style = "fill=\"none\" stroke=\"#c4601c\" stroke-width=\"1.6\"".to_string();
+        let frame = |moment: &Moment| {
+            let ends: Vec<[f64; 2]> = load.ends.iter().map(|end| eye.spot(moment.place(*end))).collect();
+            if load.kind.contains("spring") && ends.len() == 2 {
+                coil(ends[0], ends[1])
+            } else {
+                path(&ends, false)
+            }
+        };
+        paths.push(Moving { frames: moments.iter().map(frame).collect(), style });
+    }
+    let mut svg = format!(
+        "<svg xmlns=\"http://www.w3.org/2000/svg\" role=\"img\" viewBox=\"0 0 {WIDTH} {HEIGHT}\" width=\"{WIDTH}\" height=\"{HEIGHT}\">\n\
+         <title>{}, in motion</title>\n\
+         <style>svg{{--ink:#1b2330;--paper:#fff}}@media(prefers-color-scheme:dark){{svg{{--ink:#e4e9f0;--paper:#12161d}}}}\
+         path,circle{{stroke-linecap:round;stroke-linejoin:round}}</style>\n\
+         <rect width=\"{WIDTH}\" height=\"{HEIGHT}\" rx=\"12\" fill=\"var(--paper)\"/>\n",
+        escaped(name)
+    );
+    grounds(&mut svg, &eye, &moments);
+    let duration =
+        (times.last().copied().unwrap_or_default() - times.first().copied().unwrap_or_default()).max(0.1);
+    for moving in &paths {
+        let _ = write!(svg, "<path d=\"{}\" {}>", moving.frames[0], moving.style);
+        animated(&mut svg, "d", &moving.frames, duration);
+        svg.push_str("</path>\n");
+    }
+    for joint in &scene.joints {
+        let spots: Vec<[f64; 2]> =
+            moments.iter().map(|moment| eye.spot(moment.place(joint.second))).collect();
+        let _ = write!(
+            svg,
+            "<circle cx=\"{:.1}\" cy=\"{:.1}\" r=\"4.5\" fill=\"var(--paper)\" stroke=\"var(--ink)\" stroke-width=\"1.8\">",
+            spots[0][0], spots[0][1]
+        );
+        for (k, name) in ["cx", "cy"].iter().enumerate() {
+            animated(
+                &mut svg,
+                name,
+                &spots.iter().map(|spot| format!("{:.1}", spot[k])).collect::<Vec<_>>(),
+                duration,
+            );
+        }
+        svg.push_str("</circle>\n");
+    }
+    svg.push_str("</svg>\n");
+    svg
+}
+
+/// The values of an attribute over the duration, again and again; none if they are all the same.
+fn animated(svg: &mut String, attribute: &str, frames: &[String], duration: f64) {
+    if frames.iter().all(|frame| *frame == frames[0]) {
+        return;
+    }
+    let values = frames.join(";");
+    let _ = write!(
+        svg,
+        "<animate attributeName=\"{attribute}\" dur=\"{duration:.3}s\" repeatCount=\"indefinite\" values=\"{values}\"/>"
+    );
+}
+
+/// Bars between spots, and declared shapes.
+fn shapes(paths: &mut Vec<Moving>, eye: &Eye, moments: &[Moment], index: usize, body: &Shape) {
+    let hue = HUES[index % HUES.len()];
+    let rims: Option<Vec<[f64; 3]>> = match (body.outline, &body.lengths[..]) {
+        ("disk" | "ball", [radius, ..]) => Some(
+            (0..24)
+                .map(|k| f64::from(k) * std::f64::consts::PI / 12.0)
+                .map(|angle| [radius * angle.cos(), radius * angle.sin(), 0.0])
+                .collect(),
+        ),
+        ("box", [a, b, ..]) => Some(
+            [[-1.0, -1.0], [1.0, -1.0], [1.0, 1.0], [-1.0, 1.0]]
+                .map(|[x, y]| [x * a / 2.0, y * b / 2.0, 0.0])
+                .to_vec(),
+        ),
+        _ => None,
+    };
+    if let Some(rim) = rims {
+        let style = format!("fill=\"{hue}\" fill-opacity=\"0.2\" stroke=\"var(--ink)\" stroke-width=\"1.4\"");
+        let frame = |moment: &Moment| {
+            let rim = rim.iter().map(|at| eye.spot(moment.place(Spot { body: Some(index), at: *at })));
+            path(&rim.collect::<Vec<_>>(), true)
+        };
+        paths.push(Moving { frames: moments.iter().map(frame).collect(), style });
+        return;
+    }
+    let spots = |moment: &Moment| -> Vec<[f64; 2]> {
+        moment.spots(index, body).iter().map(|spot| eye.spot(*spot)).collect()
+    };
+    let frames: Vec<String> =
+        moments.iter().map(|moment| path(&spots(moment), spots(moment).len() > 2)).collect();
+    for (width, colour, opacity) in [(11.0, "var(--ink)", 1.0), (8.4, "var(--paper)", 1.0), (8.4, hue, 0.35)]
+    {
+        let style = format!(
+            "fill=\"none\" stroke=\"{colour}\" stroke-opacity=\"{opacity}\" stroke-width=\"{width}\""
+        );
+        paths.push(Moving { frames: frames.clone(), style });
+    }
+}
+
+/// A line from corner to corner.
+fn path(points: &[[f64; 2]], closed: bool) -> String {
+    let mut path = String::new();
+    for (k, [x, y]) in points.iter().enumerate() {
+        let _ = write!(path, "{}{x:.1} {y:.1}", if k == 0 { 'M' } else { 'L' });
+    }
+    if closed {
+        path.push('Z');
+    }
+    path
+}
+
+/// As many turns at any length.
+fn coil(a: [f64; 2], b: [f64; 2]) -> String {
+    let way = [b[0] - a[0], b[1] - a[1]];
+    let length = way[0].hypot(way[1]).max(1e-9);
+    let at = |share: f64, aside: f64| {
+        [a[0] + share * way[0] - aside * way[1] / length, a[1] + share * way[1] + aside * way[0] / length]
+    };
+    let mut points = vec![a, at(0.1, 0.0)];
+    points.extend((1..16).map(|k| at(0.1 + 0.05 * f64::from(k), if k % 2 == 0 { 6.0 } else { -6.0 })));
+    points.extend([at(0.9, 0.0), b]);
+    path(&points, false)
+}
+
+/// Triangles where the ground holds something.
+fn grounds(svg: &mut String, eye: &Eye, moments: &[Moment]) {
+    let Some(first) = moments.first() else { return };
+    for joint in &first.scene.joints {
+        let held = [joint.first, joint.second].into_iter().find(|spot| spot.body.is_none());
+        let Some(held) = held.filter(|_| !joint.slides) else { continue };
+        let [x, y] = eye.spot(first.place(held));
+        let _ = writeln!(
+            svg,
+            "<path d=\"M{x:.1} {y:.1}l-10 17h20zm-16 17h32\" fill=\"none\" stroke=\"var(--ink)\" stroke-opacity=\"0.7\" stroke-width=\"1.5\"/>"
+        );
+    }
+}
