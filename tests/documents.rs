@@ -49,6 +49,22 @@ fn language_page_shows_tables() {
     }
 }
 
+/// Surfaces and laws of contacts have a line each on the language page.
+#[test]
+fn language_page_names_surfaces() {
+    let page = read("docs/language.md");
+    let section = page.split_once("## Contacts and limits").expect("a section").1;
+    let section = section.split("\n## ").next().unwrap_or_default();
+    let cells: Vec<&str> =
+        section.lines().filter_map(|line| line.strip_prefix("| ")?.split(" | ").next()).collect();
+    let vocabulary = &linkwright_compiler::equations::VOCABULARY;
+    let surfaces = vocabulary.surfaces.iter().map(|surface| surface.call.word);
+    for word in surfaces.chain(vocabulary.contact_laws.iter().map(|law| law.call.word)) {
+        let named = |cell: &&str| cell.contains(&format!("`{word}`")) || cell.contains(&format!("`{word}("));
+        assert!(cells.iter().any(|cell| named(&cell)), "{word}");
+    }
+}
+
 /// Every word of the language page's tables is known: joints, loads and functions are refused only for their arguments.
 #[test]
 fn language_page_names_what_there_is() {

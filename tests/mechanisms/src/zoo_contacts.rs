@@ -1,7 +1,9 @@
-//! Mechanisms that touch: every pair of surfaces in the plane and in space, every law of contacts, gaps by expressions, limits.
+//! Mechanisms that touch: every pair of surfaces in the plane and in space, every law of contacts, gaps by expressions, limits. They
+//! begin inside of each other, so that what compares them near their start sees forces.
 
 linkwright::mechanism! {
     /// A ball in a frame with a bore, a wall, a bar and a block, beside an arm between stops and a bead.
+    #[allow(penetration)]
     pub planar Touching {
         param stiffness [N/m] = 300;
         param bar [mm] = 50;
@@ -10,23 +12,23 @@ linkwright::mechanism! {
         table foam(way [m]) [N] = [(0, 0), (0.3, 20), (1, 90)], linear;
         material rubber { modulus [Pa] = 2e3; poisson = 0.45; }
         material wood { modulus [kPa] = 5; poisson = 0.3; }
-        signal beak [m] = 1.8 [m] + bead.center.x - 0.2 [m]*arm.angle/1 [rad];
+        signal beak [m] = 0.3 [m] + bead.center.x - 0.2 [m]*arm.angle/1 [rad];
         disk ball { mass [kg] = 1; radius [m] = 0.3; }
         particle bead { mass [kg] = 0.4; }
         rod arm { mass [kg] = 0.5; length [m] = 0.6; surface tip: point(arm.end); }
         body frame {
             mass [kg] = 2; inertia [kg*m^2] = 0.3; center [m] = (0.02, -0.03);
             point a [m] = (-0.5, -0.6); point b [m] = (0.5, -0.6); point c [m] = (-0.8, 0.7); point d [m] = (0.8, 0.75);
-            point e [m] = (0.7, -0.1); point f [m] = (1.1, 0); point g [m] = (0.8, 0.3);
-            line top = (frame.c, frame.d);
-            surface bore: hole(frame.center, radius [m] = 0.8);
+            point e [m] = (0.25, -0.1); point f [m] = (1.1, 0); point g [m] = (0.8, 0.3);
+            line top = (frame.d, frame.c);
+            surface bore: hole(frame.center, radius [m] = 0.31);
             surface wall: half_plane(frame.top, side = right);
             surface bar: segment(frame.a, frame.b, radius = bar);
-            surface edge: segment(frame.c, frame.g, radius [m] = 0.4);
+            surface edge: segment(frame.c, frame.g, radius [m] = 1.6);
             surface block: polygon(frame.e, frame.f, frame.g);
         }
-        surface floor: half_plane(line(ground(0, -0.6) [m], ground(1, -0.65) [m]));
-        surface drop: circle(bead.center, radius [m] = 0.6);
+        surface floor: half_plane(line(ground(0, 0.3) [m], ground(1, 0.25) [m]));
+        surface drop: circle(bead.center, radius [m] = 1);
         joint pivot: revolute(ground(1.6, 0.1) [m], arm.start);
         contact inside: between(ball.surface, frame.bore) = hertz(first = rubber, second = wood, restitution = 0.7, speed [m/s] = 1);
         contact lands: between(floor, ball.surface) = kelvin_voigt(stiffness = stiffness, damping [N*s/m] = 6, release = 0.4);
@@ -40,8 +42,8 @@ linkwright::mechanism! {
         contact sits: between(ball.surface, frame.block) = kelvin_voigt(stiffness [N/m] = 90, damping [N*s/m] = 3);
         contact pecks: gap(beak) = kelvin_voigt(stiffness [N/m] = 100, damping [N*s/m] = 2);
         limit stops: pivot.angle in least..1.2 [rad] = kelvin_voigt(stiffness [N*m/rad] = 40, damping [N*m*s/rad] = 2);
-        start { ball.center.x [m] = 0; ball.center.y [m] = 0.2; bead.center.x [m] = -1.6; bead.center.y [m] = 0.3;
-                frame.center.x [m] = 0; frame.center.y [m] = 0.25; pivot.angle [rad] = 0.2; pivot.rate [rad/s] = 1; ball.center.velocity.x [m/s] = 1; }
+        start { ball.center.x [m] = 0; ball.center.y [m] = 0.2; bead.center.x [m] = -0.7; bead.center.y [m] = 0.1;
+                frame.center.x [m] = 0; frame.center.y [m] = 0.25; pivot.angle [rad] = 1.3; pivot.rate [rad/s] = 1; ball.center.velocity.x [m/s] = 1; }
         options { emit = (penalty, projection, null_space, tangent); }
         output pressed [N] = inside.force + lies.force;
         output gap [m] = stands.gap;
@@ -58,9 +60,10 @@ linkwright::mechanism! {
 
 linkwright::mechanism! {
     /// Balls about a block with a tilted plane, a socket, a bore, a column and a rail, beside a coin on a table.
+    #[allow(penetration)]
     pub spatial Bumping {
         param stiffness [N/m] = 200;
-        param hole [m] = 0.9;
+        param hole [m] = 0.3;
         gravity [m/s^2] = (0, 0, -9.81);
         material rubber { modulus [Pa] = 3e3; poisson = 0.4; }
         sphere ball { mass [kg] = 1; radius [m] = 0.2; }
@@ -70,17 +73,17 @@ linkwright::mechanism! {
         #[allow(outside)]
         box block {
             mass [kg] = 3; size [m] = (1, 0.8, 0.6);
-            marker top [m] = (0.1, 0.2, -0.4), axis = (0.3, -0.2, 1);
-            point left [m] = (-1.5, 0.1, 0.2); point right [m] = (-1.4, 0.9, 0.1);
+            marker top [m] = (0.1, 0.2, 0), axis = (0.3, -0.2, 1);
+            point left [m] = (-0.5, 0.1, 0.2); point right [m] = (0.4, 0.9, 0.1);
             surface slope: plane(block.top);
             surface socket: ball_socket(block.center, radius = hole);
             surface rail: capsule(block.left, block.right, radius [m] = 0.3);
             surface column: cylinder(block.left, axis = (0.1, 0.2, 1), radius [m] = 0.5, length [m] = 0.8);
-            surface post: cylinder(block.right, axis = (1, 0, 0.5), radius [m] = 0.6);
-            surface tube: bore(block.center, axis = (0, 0.3, 1), radius [m] = 0.7, length [m] = 1.4);
+            surface post: cylinder(block.right, axis = (1, 0, 0.5), radius [m] = 0.8);
+            surface tube: bore(block.center, axis = (0, 0.3, 1), radius [m] = 0.25, length [m] = 1.4);
         }
         rod arm { mass [kg] = 0.5; length [m] = 0.5; radius [mm] = 20; surface tip: point(arm.end); }
-        surface ground_plane: plane(ground(0, 0, -1) [m], axis = (0.1, 0, 1));
+        surface ground_plane: plane(ground(0, 0, 0.5) [m], axis = (0.1, 0, 1));
         joint hinge: revolute(block.right, arm.start, axis = (0, 1, 0));
         contact rolls: between(ball.surface, block.slope) = hertz(first = rubber, second = rubber, dissipation [s/m] = 0.4);
         contact knocks: between(marble.surface, ball.surface) = hertz(first = rubber, second = rubber, restitution = 0.6, speed [m/s] = 1, damping = lankarani_nikravesh);
@@ -93,9 +96,9 @@ linkwright::mechanism! {
         contact spins: between(coin.rim, ground_plane) = kelvin_voigt(stiffness [N/m] = 90, damping [N*s/m] = 2);
         contact pokes: between(arm.tip, ground_plane) = hunt_crossley(force [N] = 60, depth [m] = 0.1, restitution = 0.8, speed [m/s] = 1);
         limit swing: hinge.angle [deg] in -50..40 = hunt_crossley(force [N*m] = 5, depth [deg] = 10, dissipation [s/rad] = 0.5);
-        start { ball.center.x [m] = 0; ball.center.y [m] = 0.1; ball.center.z [m] = 0.1; marble.center.x [m] = 1.1; marble.center.y [m] = 0; marble.center.z [m] = 1;
+        start { ball.center.x [m] = 0; ball.center.y [m] = 0.1; ball.center.z [m] = 0.1; marble.center.x [m] = 0.5; marble.center.y [m] = 0; marble.center.z [m] = 0.6;
                 coin.center.x [m] = 2; coin.center.y [m] = 0; coin.center.z [m] = 0.2; block.center.x [m] = 0; block.center.y [m] = 0; block.center.z [m] = 0.2;
-                hinge.angle [rad] = 0.1; hinge.rate [rad/s] = -1; }
+                hinge.angle [rad] = 0.8; hinge.rate [rad/s] = -1; }
         options { emit = (penalty, projection, null_space, tangent); }
         output rolled [N] = rolls.force;
         output rolls_z [m] = rolls.point.z;
