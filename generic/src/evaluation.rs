@@ -5,6 +5,7 @@ use crate::definition::Definition;
 use crate::energy::{kinetic, potential};
 use crate::error::Error;
 use crate::law::Scratch;
+use crate::load::Acts;
 use crate::mechanism::{Formulation, Mechanism, State, check_length};
 use crate::row::{Equation, Phase};
 use crate::system::largest;
@@ -171,6 +172,11 @@ impl Mechanism {
                     Phase::Open => Phase::Kept(*phi),
                     Phase::Kept(kept) => Phase::Kept(kept + phi),
                 };
+            }
+        }
+        for load in &mut self.definition.loads {
+            if let Acts::Mesh(mesh) = &mut load.acts {
+                mesh.settle(&self.at);
             }
         }
         Ok(())

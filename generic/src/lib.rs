@@ -84,6 +84,7 @@ mod kinematics;
 mod law;
 mod load;
 mod mechanism;
+mod mesh;
 mod motion;
 mod number;
 mod quantity;

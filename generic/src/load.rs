@@ -2,6 +2,7 @@
 
 use crate::kinematics::{Kinematics, Place};
 use crate::law::{Law, Scratch};
+use crate::mesh::Mesh;
 use crate::number::{Number, Taylor};
 use crate::quantity::{Pull, Quantity, nearest};
 use crate::vector::{cross, dot, norm, times};
@@ -32,6 +33,8 @@ pub(crate) enum Acts {
     Contact(Vec<[Law; 2]>),
     /// The tension max(0, k s(l − l₀)/l₀ + c s′ d(l − l₀)/dt) while l > l₀, against l − l₀.
     Cable(Box<Cable>),
+    /// Teeth that give.
+    Mesh(Box<Mesh>),
 }
 
 /// One of the ways that a bushing is moved or turned, f = Σ factor · quantity.
@@ -40,6 +43,8 @@ pub(crate) struct Way {
     pub terms: Vec<(f64, Quantity)>,
     /// Whether it is an angle, in (−π, π].
     pub wrapped: bool,
+    /// The whole gap in which it moves freely.
+    pub gap: f64,
     pub stiffness: f64,
     pub damping: f64,
 }
@@ -54,12 +59,16 @@ impl Way {
         along
     }
 
+    fn beyond(&self, value: f64) -> f64 {
+        value - value.clamp(-0.5 * self.gap, 0.5 * self.gap)
+    }
+
     fn effort(&self, along: Taylor) -> f64 {
-        -self.stiffness * along.value - self.damping * along.rate
+        -self.stiffness * self.beyond(along.value) - self.damping * along.rate
     }
 
     pub fn energy(&self, at: &Kinematics) -> f64 {
-        0.5 * self.stiffness * self.along(at).value.powi(2)
+        0.5 * self.stiffness * self.beyond(self.along(at).value).powi(2)
     }
 }
 
@@ -128,6 +137,7 @@ impl Load {
                 }
             }
             Acts::Cable(cable) => cable.evaluate(at, inputs, scratch, add),
+            Acts::Mesh(mesh) => mesh.evaluate(at, inputs, scratch, add),
         }
     }
 }
@@ -161,7 +171,11 @@ impl Load {
                 self.evaluate(at, inputs, scratch, |pull| force = pull.linear);
                 dot(force, at.point(place).velocity)
             }
-            Acts::Force { .. } | Acts::Directed { .. } | Acts::Torque { .. } | Acts::Cable(_) => {
+            Acts::Force { .. }
+            | Acts::Directed { .. }
+            | Acts::Torque { .. }
+            | Acts::Cable(_)
+            | Acts::Mesh(_) => {
                 let mut power = 0.0;
                 self.evaluate(at, inputs, scratch, |pull| {
                     let frame = at.frame(pull.body);

@@ -22,6 +22,7 @@ pub mod flyball_governor;
 pub mod four_bar;
 pub mod four_spherical_joints;
 pub mod free_rigid_body;
+pub mod gear_pair;
 pub mod general_four_bar;
 pub mod hammer_at_wall;
 pub mod heavy_top;
@@ -36,6 +37,7 @@ pub mod motor_gear_load;
 pub mod n_four_bar;
 pub mod panda;
 pub mod planetary_gear_train;
+pub mod planetary_stage;
 pub mod quick_return;
 pub mod rear_wheel;
 pub mod sarrus_linkage;
@@ -118,6 +120,10 @@ macro_rules! for_each_model {
             cam_follower: $crate::cam_follower::CamFollower,
             tracked_vehicle: $crate::tracked_vehicle::TrackedVehicle,
             toothed_planetary_set: $crate::toothed_gears::ToothedPlanetarySet,
+            planetary_stage_held: $crate::planetary_stage::PlanetaryStageHeld,
+            planetary_stage: $crate::planetary_stage::PlanetaryStage,
+            gear_pair_oscillator: $crate::gear_pair::GearPairOscillator,
+            gear_pair: $crate::gear_pair::GearPair,
             compound_train: $crate::toothed_gears::CompoundTrain,
             motor_gear_load: $crate::motor_gear_load::MotorGearLoad,
             elastic_motor_gear_load: $crate::motor_gear_load::ElasticMotorGearLoad,

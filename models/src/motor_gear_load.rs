@@ -36,7 +36,7 @@ linkwright::mechanism! {
         joint motor_shaft: revolute(ground(0, 0) [m], motor.center);
         joint load_shaft:  revolute(ground(0.3, 0) [m], load.center);
         signal twist [rad] = load_shaft.angle - motor_shaft.angle/RATIO;
-        force shaft: along(twist) = -stiffness*twist;
+        shaft output: shaft(load_shaft, motor_shaft, ratio = 1/RATIO, stiffness = stiffness);
         torque driving: torque(motor_shaft) = drive;
         torque working: torque(load_shaft) = -(20 [N*m] + 4 [N*m]);
         start { motor_shaft.angle [rad] = 0; motor_shaft.rate [rad/s] = 0; load_shaft.angle [rad] = 0; load_shaft.rate [rad/s] = 0; }

@@ -154,9 +154,12 @@ impl<'a> Checked<'a> {
             of.iter().flat_map(|of| self.value(*of, &moved)).collect()
         };
         for (column, by) in by.iter().enumerate() {
-            // Some parameters are thousandths.
+            // Some parameters are thousandths, some are millions; teeth make waves of many to a turn.
             let size = match by {
-                By::Parameter(k) if point.parameters[*k] != 0.0 => point.parameters[*k].abs().min(1.0),
+                By::Parameter(k) if point.parameters[*k] != 0.0 => point.parameters[*k].abs(),
+                By::Position(_) if !self.compiled.mechanism.pairs.is_empty() => 0.05,
+                // And forces of millions of newtons, beside which those of dampers are small.
+                By::Velocity(_) if !self.compiled.mechanism.pairs.is_empty() => 30.0,
                 _ => 1.0,
             };
             let slope = |h: f64| -> Vec<f64> {

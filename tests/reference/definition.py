@@ -105,6 +105,7 @@ class Model:
             or coupling["kind"] == "teeth"
             and not self.pairs[coupling["name"]].follows
         ]
+        self.free_phases += [load["name"] for load in definition["loads"] if load["kind"] == "mesh"]
         self.phases = ca.SX.sym("phase", len(self.free_phases))
 
     # The scope of expressions that name nothing that moves.
@@ -198,6 +199,11 @@ def rotors_in_use(model):
         elif coupling["kind"] == "teeth":
             found += model.pairs[coupling["name"]].terms
     found += [load["on"] for load in definition["loads"] if load["kind"] == "torsion_spring"]
+    for load in definition["loads"]:
+        if load["kind"] == "shaft":
+            found += [load["first"], load["second"]]
+        if load["kind"] == "mesh":
+            found += model.pairs[load["name"]].terms
     for part in (definition["constraints"], definition["drivers"], definition["loads"], definition.get("contacts", [])):
         for text in _names(part, model.signals):
             owner, _, quantity = text.rpartition(".")

@@ -17,6 +17,7 @@ import cables
 import contacts
 import expressions
 import hysteresis
+import meshes
 from expressions import evaluate
 
 
@@ -46,7 +47,8 @@ class Energies:
         self.direction = ca.SX.sym("direction", kinematics.v.numel())
 
         self.kinetic = self._kinetic()
-        self.potential = self._potential()
+        self.acting = self._potential()
+        self.potential = self.acting + self._stored_in_teeth()
         self.loads = [self.load(name) for name in contacts.all_loads(self.model.definition)]
         self.powers = ca.vertcat(*[load.power() for load in self.loads])
 
@@ -100,6 +102,12 @@ class Energies:
         for load in self.model.definition["loads"]:
             if load["kind"] in (*hysteresis.KINDS, "cable"):
                 continue
+            if load["kind"] == "mesh":
+                continue
+            if load["kind"] == "shaft":
+                stiffness, beyond, _ = self._shaft(load)
+                energy += stiffness * beyond**2 / 2
+                continue
             if load["kind"] == "bushing":
                 deflection, stiffness, _ = self._bushing(load)
                 energy += ca.dot(stiffness, deflection**2) / 2
@@ -107,6 +115,10 @@ class Energies:
                 stiffness, deflection = self._spring(load)
                 energy += stiffness * deflection**2 / 2
         return energy
+
+    def _stored_in_teeth(self):
+        found = [meshes.Mesh(load, self.kinematics) for load in self.model.definition["loads"] if load["kind"] == "mesh"]
+        return sum((mesh.stiffness() * mesh.beyond() ** 2 / 2 for mesh in found if mesh.is_elastic()), ca.SX(0))
 
     def _spring(self, load):
         """Stiffness and deflection of a spring between places or about a rotor."""
@@ -117,6 +129,20 @@ class Energies:
         if load["kind"] == "spring":
             return stiffness, kinematics.distance(load["first"], load["second"]) - rest
         return stiffness, kinematics.multi_turn(load["on"]) - rest
+
+    def _shaft(self, load):
+        """Stiffness, what of θ1 − r θ2 is beyond half the gap on either side, and the rate."""
+        kinematics, given = self.kinematics, lambda key: expressions.entry(load[key], self.model) if load.get(key) else ca.SX(0)
+        ratio, half = given("ratio"), given("backlash") / 2
+        twist = kinematics.multi_turn(load["first"]) - ratio * kinematics.multi_turn(load["second"])
+        beyond = ca.if_else(twist > half, twist - half, ca.if_else(twist < -half, twist + half, 0)) if load.get("backlash") else twist
+        return given("stiffness"), beyond, kinematics.rotor_rate(load["first"]) - ratio * kinematics.rotor_rate(load["second"])
+
+    def shaft_torque(self, name):
+        load = next(load for load in self.model.definition["loads"] if load["name"] == name)
+        stiffness, beyond, w = self._shaft(load)
+        damping = expressions.entry(load["damping"], self.model) if load.get("damping") else ca.SX(0)
+        return stiffness * beyond + damping * w
 
     def _bushing(self, load):
         """What a bushing is moved and turned by, along the first place's axes; its stiffness and damping along each."""
@@ -141,7 +167,7 @@ class Energies:
         w = ca.vertcat(*[load.w for load in self.loads])
         f = ca.vertcat(*[load.f for load in self.loads])
         work = ca.jtimes(w, self.kinematics.v, f, True) if self.loads else ca.SX.zeros(self.kinematics.v.numel())
-        return work - self._slope(self.potential)
+        return work - self._slope(self.acting)
 
     # Loads by name; a law may name the power of another load.
 
@@ -209,6 +235,15 @@ class Energies:
             by_time = kinematics.explicit_rate(run)
             w = kinematics.rate(run) - kinematics.rate(own) + kinematics.explicit_rate(own)
             return Load(name, w, by_time, -cables.tension(load, kinematics), ca.SX(0))
+        if kind == "shaft":
+            stiffness, beyond, w = self._shaft(load)
+            damping = expressions.entry(load["damping"], self.model) if load.get("damping") else ca.SX(0)
+            return Load(name, w, ca.SX(0), -damping * w, -stiffness * beyond)
+        if kind == "mesh":
+            mesh = meshes.Mesh(load, kinematics)
+            w, efforts = mesh.rates(), mesh.efforts()
+            # All of it acts by itself; what it stores is counted beside.
+            return Load(name, w, ca.SX.zeros(w.numel()), efforts, ca.SX.zeros(w.numel()))
         if kind == "bushing":
             deflection, stiffness, damping = self._bushing(load)
             w, explicit = kinematics.rate(deflection), kinematics.explicit_rate(deflection)

@@ -13,6 +13,7 @@ import casadi as ca
 
 import contacts
 import expressions
+import meshes
 from expressions import entry, evaluate
 
 
@@ -115,6 +116,11 @@ class Kinematics:
                 return self.contacts.quantity(touching, what)
         if owner in model.signals and owner not in model.joints and owner not in model.bodies:
             return self.rate(entry(model.signals[owner], self))
+        shafts = [load["name"] for load in model.definition["loads"] if load["kind"] == "shaft"]
+        if owner in shafts and quantity == "torque":
+            return self.energies.shaft_torque(owner)
+        if owner in self.model.pairs and quantity in ("force", "deflection", "stiffness", "phase", "pairs"):
+            return self._of_mesh(owner, quantity)
         if quantity == "resistance":
             return self.energies.resistance(owner)
         drivers = [driver["name"] for driver in model.definition["drivers"]]
@@ -146,6 +152,10 @@ class Kinematics:
         if kind == "speed":
             return self.rate(self.travel(joint, which))
         raise ValueError(f"{self.model.title}: joint `{owner}` has no `{quantity}`")
+
+    def _of_mesh(self, owner, quantity):
+        mesh = meshes.Mesh(next(load for load in self.model.definition["loads"] if load["name"] == owner), self)
+        return mesh.pairs_in_contact() if quantity == "pairs" else getattr(mesh, quantity)()
 
     def _of_driver(self, index, quantity):
         """The effort as given, and its power along the law."""

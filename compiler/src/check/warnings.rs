@@ -225,7 +225,9 @@ fn locked(mechanism: &Mechanism, load: &str, id: JointId, groups: &Groups) -> Op
 fn springs_pull_back(mechanism: &Mechanism, wanted: &mut Wanted) {
     for load in &mechanism.loads {
         for (argument, values) in load.arguments().filter(|(it, _)| it.sign == Sign::Restoring) {
-            let values = values.iter().filter_map(|value| at_defaults(mechanism, value));
+            // Behind the mean of a series stand its waves.
+            let most = if load.teeth.is_some() { 1 } else { values.len() };
+            let values = values.iter().take(most).filter_map(|value| at_defaults(mechanism, value));
             if let Some(value) = values.into_iter().find(|value| *value < 0.0) {
                 let message = messages::negative_coefficient(argument.name, &load.name.text, value);
                 wanted.push(Lint::Negative, load.name.span, message);

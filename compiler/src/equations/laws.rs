@@ -240,6 +240,25 @@ impl<'a> Laws<'a> {
         angle
     }
 
+    /// Σ factor · angle over `over`, whole turns put together before they are multiplied: where turns cancel, many are as good as none.
+    pub fn sum_of_angles(&self, terms: &[(f64, Rotor)], over: f64) -> Moving<'a> {
+        let (mut turns, mut rest) = (self.g.zero(), self.g.zero());
+        let mut sum = self.still(self.g.zero());
+        for (factor, rotor) in terms {
+            match self.layout.angles.iter().position(|angle| angle.rotor == *rotor) {
+                Some(index) => {
+                    let at = self.layout.turns(index);
+                    turns += *factor * self.g.on(self.symbols.q[at]);
+                    rest += *factor * self.g.on(self.symbols.q[at + 1]);
+                }
+                None => rest += *factor * self.angle(*rotor).value(),
+            }
+            sum = sum + (*factor / over) * self.kinematics().rotor_rate(self, *rotor);
+        }
+        sum.jet.value = ((TAU * turns + rest) / over).bare;
+        sum
+    }
+
     /// The entries of q that count whole turns of angles.
     fn turns(&self) -> Vec<Node> {
         (0..self.layout.angles.len()).map(|angle| self.symbols.q[self.layout.turns(angle)]).collect()
@@ -285,6 +304,9 @@ impl<'a> Laws<'a> {
             Quantity::DriverPower(driver) => total(self.totals.driver_powers.get(driver.0)),
             Quantity::DriverEffort(driver) => total(self.totals.efforts.get(driver.0)),
             Quantity::LoadEffort(load) => loads::effort(self, &self.mechanism.loads[load.0]),
+            Quantity::OfTeeth(load, part) => {
+                plane::loads::of_teeth(self, &self.mechanism.loads[load.0], *part)
+            }
             Quantity::ConstraintEffort(constraint) => total(self.totals.constraint_efforts.get(constraint.0)),
             Quantity::Reaction(joint, part) => self.reaction(*joint, *part),
             Quantity::KineticEnergy => total(self.totals.kinetic.as_ref()),

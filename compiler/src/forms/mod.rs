@@ -19,7 +19,7 @@ pub use joint::{Alone, Freer, Given, JointAxes, JointForm, OfParticle, Spans, de
 pub use load::{Acts, Law, LoadForm, Owned, Written};
 pub use row::RowForm;
 pub use table::{Interpolation, Outside};
-pub use toothing::{Rim, ToothingForm};
+pub use toothing::{INVOLUTE, Rim, ToothingForm};
 
 use crate::units::Dimension;
 
@@ -144,6 +144,10 @@ pub enum Value {
     OfGap,
     /// One of several words, or the name of a material.
     Word,
+    /// Of teeth: a law of what moves, or what is made of their shape by [`INVOLUTE`].
+    TeethStiffness,
+    /// Of teeth: a number of parameters, in `always(…)` also where they do not touch.
+    TeethDamping,
 }
 
 impl Argument {
@@ -194,7 +198,9 @@ impl Argument {
             | Value::Exponent
             | Value::Backbone
             | Value::OfGap
-            | Value::Word => None,
+            | Value::Word
+            | Value::TeethStiffness
+            | Value::TeethDamping => None,
             Value::Scalar(dimension)
             | Value::Moving(dimension)
             | Value::Varying(dimension)

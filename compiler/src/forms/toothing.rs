@@ -20,3 +20,6 @@ pub enum Rim {
     /// On the inside of a ring.
     Internal,
 }
+
+/// The arguments of `involute(…)`, the stiffness of teeth by their shape.
+pub const INVOLUTE: [&str; 5] = ["young", "poisson", "tooth", "harmonics", "entry"];

@@ -273,3 +273,61 @@ pub(crate) fn odd_face_width(toothing: &str, ratio: f64) -> String {
         number(ratio)
     )
 }
+
+// ---- Loads between teeth ------------------------------------------------------------------------------------------
+
+pub(crate) fn involute_with_unit() -> String {
+    "`involute(…)` is in N/m by itself: write no unit beside its name, `stiffness = involute(young [GPa] = 210)`".to_string()
+}
+
+pub(crate) fn involute_without_young() -> String {
+    "`involute` needs the modulus of the material: write `involute(young [GPa] = 210)`".to_string()
+}
+
+pub(crate) fn involute_of_what(tooth: &str) -> String {
+    format!("a tooth is taken for a `section` or a `profile`, found `{tooth}`: write `tooth = profile`")
+}
+
+pub(crate) fn involute_harmonics(found: f64) -> String {
+    format!(
+        "the series has {} harmonics, and 1 to 40 are possible: the stiffness jumps where a pair enters, and no equation of motion \
+         can jump; write `harmonics = 5`, and `entry = 0.05` for the part of a pitch over which a pair enters",
+        number(found)
+    )
+}
+
+pub(crate) fn involute_number(what: &str, found: f64, range: &str) -> String {
+    format!("the {what} of `involute` is {}, and lies {range}", number(found))
+}
+
+pub(crate) fn involute_without_width(first: &str, second: &str) -> String {
+    format!(
+        "teeth are as stiff as they are wide, and neither `{first}` nor `{second}` says how wide: write `face_width [mm] = 20` in one of them"
+    )
+}
+
+pub(crate) fn sense_of_teeth(found: f64) -> String {
+    format!(
+        "the sense is 1 or -1, found {}: 1 where the first wheel drives counter-clockwise, so that its deflection is positive",
+        number(found)
+    )
+}
+
+pub(crate) fn damping_and_ratio() -> String {
+    "`damping_ratio` is written beside `damping`, and each of them is the damping: leave one of them out"
+        .to_string()
+}
+
+pub(crate) fn backlash_too_wide(load: &str, backlash: f64, most: f64) -> String {
+    format!(
+        "the backlash of `{load}` is {} mm, and half a pitch along the line of action is {} mm: is its unit right?",
+        mm(backlash),
+        mm(most)
+    )
+}
+
+pub(crate) fn quantity_of_teeth(load: &str, asked: &str) -> String {
+    format!(
+        "`{load}` acts between teeth and has no `{asked}`; it has `force`, `deflection`, `phase`, `pairs` and `stiffness`"
+    )
+}

@@ -1,6 +1,6 @@
 //! Joints, couplings and loads of a mechanism: each by its form and what it was given, whatever its kind.
 
-use super::gears::ToothingId;
+use super::gears::{Meshing, ToothingId};
 use super::{BodyId, Expr, Frame, JointId, Mechanism, Name, Place, Quantity, Vector};
 use crate::forms::{Argument, CouplingForm, JointAxes, JointForm, LoadForm, Proportion, Spans};
 use crate::units::Dimension;
@@ -138,6 +138,8 @@ pub struct Load {
     pub law: Vec<Expr>,
     /// Its internal states, among those of the mechanism.
     pub states: Range<usize>,
+    /// Of a load between teeth: the pair, and what its stiffness is made of.
+    pub teeth: Option<Meshing>,
 }
 
 /// What a load acts on.
@@ -254,6 +256,11 @@ impl Load {
     /// All that it says in expressions.
     pub fn expressions(&self) -> impl Iterator<Item = &Expr> {
         self.along().chain(self.values.iter().flatten()).chain(&self.law)
+    }
+
+    /// Whether it stores energy: between teeth only where their stiffness is a number, they have no error, and nothing keeps them from pulling.
+    pub fn stores(&self) -> bool {
+        self.form.stores && self.teeth.as_ref().is_none_or(|teeth| teeth.stores)
     }
 
     /// Its named arguments that are no directions, with their components.

@@ -151,6 +151,8 @@ pub enum Quantity {
     DriverEffort(DriverId),
     /// What a load exerts that has a name for it: a resistance, a tension; in outputs and rates of states.
     LoadEffort(LoadId),
+    /// What a load between teeth is beside its force; in outputs and rates of states.
+    OfTeeth(LoadId, OfTeeth),
     /// What an equation exerts along its left side, against its right one; in outputs and rates of states.
     ConstraintEffort(ConstraintId),
     /// What a joint exerts on the body of its second place; in outputs and rates of states.
@@ -184,6 +186,36 @@ impl ReactionPart {
         match self {
             Self::Force(_) | Self::Normal | Self::Size | Self::Tension => Dimension::FORCE,
             Self::Torque(_) => Dimension::TORQUE,
+        }
+    }
+}
+
+/// A quantity of a load between teeth.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum OfTeeth {
+    /// u, m.
+    Deflection,
+    /// τ less whole pitches, 1.
+    Phase,
+    /// Pairs of teeth in contact, 1.
+    Pairs,
+    /// k, N/m.
+    Stiffness,
+}
+
+impl OfTeeth {
+    pub const ALL: [(&'static str, OfTeeth); 4] = [
+        ("deflection", Self::Deflection),
+        ("phase", Self::Phase),
+        ("pairs", Self::Pairs),
+        ("stiffness", Self::Stiffness),
+    ];
+
+    pub fn dimension(self) -> Dimension {
+        match self {
+            Self::Deflection => Dimension::LENGTH,
+            Self::Phase | Self::Pairs => Dimension::ONE,
+            Self::Stiffness => Dimension::STIFFNESS,
         }
     }
 }

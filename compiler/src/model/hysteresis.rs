@@ -111,6 +111,9 @@ impl<'d> Lowering<'d> {
 
     /// What a load exerts as one quantity: what makes a power of the rate of its way, a force where it has places.
     pub(super) fn effort(&mut self, load: &'d syntax::Load) -> Dimension {
+        if load.form.acts().next() == Some(Acts::Rotor) {
+            return Dimension::TORQUE;
+        }
         // What is wrong with it is said where it is declared.
         let known = std::mem::replace(&mut self.diagnostics, Diagnostics::new());
         let subject = load.on.first().and_then(|first| self.subject(first, Acts::Way));

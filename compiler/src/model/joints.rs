@@ -66,7 +66,9 @@ impl<'d> Lowering<'d> {
                 | Value::Exponent
                 | Value::Backbone
                 | Value::OfGap
-                | Value::Word => {}
+                | Value::Word
+                | Value::TeethStiffness
+                | Value::TeethDamping => {}
             }
         }
         let (first, second) = (first?, second?);

@@ -27,7 +27,8 @@ impl<'d> Lowering<'d> {
             (Law::Components(_), [value]) => directed(load, &values, value),
             _ => law,
         };
-        Some(Load { name: name(&load.name), form: load.form, on, values, law, states: 0..0 })
+        let teeth = self.meshing(load, &on)?;
+        Some(Load { name: name(&load.name), form: load.form, on, values, law, states: 0..0, teeth })
     }
 
     /// A torque on a body in space has components.
@@ -149,6 +150,8 @@ impl<'d> Lowering<'d> {
             Value::Backbone => self.backbone(load.named.entry(argument.name)?, along?),
             // Of laws of contacts, which are read elsewhere.
             Value::OfGap | Value::Word => None,
+            Value::TeethStiffness => self.teeth_stiffness(load, argument.name),
+            Value::TeethDamping => self.teeth_damping(load, argument.name),
         }
     }
 

@@ -37,7 +37,9 @@ pub use crate::forms::{Alone, JointAxes, JointForm, LoadForm, Space};
 use crate::scalar::Scalar;
 pub use crate::syntax::{Budgeted, OnDisk, identifier};
 pub use elements::{Constraint, ConstraintKind, Coupled, Coupling, Joint, Load, Rotor, Subject};
-pub use expression::{Comparison, Condition, Coordinate, Expr, Function1, Function2, Quantity, ReactionPart};
+pub use expression::{
+    Comparison, Condition, Coordinate, Expr, Function1, Function2, OfTeeth, Quantity, ReactionPart,
+};
 pub use lower::lower;
 pub use tables::{Curve, LookUp, Table};
 pub use unused::{Declared, Unused};

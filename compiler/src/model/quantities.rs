@@ -4,10 +4,11 @@ use super::lower::{Lowering, Use};
 use super::names::Part;
 use super::values::Typed;
 use super::{
-    BodyId, ConstraintId, Coordinate, DriverId, Expr, Frame, JointId, LoadId, Place, Quantity, ReactionPart,
-    Rotor,
+    BodyId, ConstraintId, Coordinate, DriverId, Expr, Frame, JointId, LoadId, OfTeeth, Place, Quantity,
+    ReactionPart, Rotor,
 };
 use crate::diagnostics::Region;
+use crate::forms::Acts;
 use crate::messages;
 use crate::syntax::{ConstraintTerm, FirstTerm, Label, LineTerm, Path, PlaceTerm, Space, Term, TermKind};
 use crate::units::Dimension;
@@ -50,6 +51,7 @@ impl<'d> Lowering<'d> {
             | Quantity::DriverPower(_)
             | Quantity::DriverEffort(_)
             | Quantity::LoadEffort(_)
+            | Quantity::OfTeeth(..)
             | Quantity::ConstraintEffort(_)
             | Quantity::Reaction(..)
             | Quantity::KineticEnergy
@@ -351,6 +353,15 @@ impl<'d> Lowering<'d> {
         let effort = written.form.effort;
         if path.parts.len() == 2 && effort == Some(path.parts[1].text.as_str()) {
             return Found::result(Quantity::LoadEffort(load), self.effort(written));
+        }
+        if path.parts.len() == 2 && written.form.on.first() == Some(&Acts::Toothing) {
+            let asked = path.parts[1].text.as_str();
+            if let Some((_, part)) = OfTeeth::ALL.into_iter().find(|(name, _)| *name == asked) {
+                return Found::result(Quantity::OfTeeth(load, part), part.dimension());
+            }
+            let message = messages::quantity_of_teeth(&path.parts[0].text, asked);
+            self.diagnostics.error(path.parts[1].region, message);
+            return None;
         }
         self.diagnostics.error(path.region, messages::quantity_of_load(&path.parts[0].text, effort));
         None

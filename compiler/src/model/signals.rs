@@ -130,6 +130,7 @@ impl Lowering<'_> {
                     | Quantity::DriverPower(_)
                     | Quantity::DriverEffort(_)
                     | Quantity::LoadEffort(_)
+                    | Quantity::OfTeeth(..)
                     | Quantity::ConstraintEffort(_)
                     | Quantity::Reaction(..)
                     | Quantity::KineticEnergy

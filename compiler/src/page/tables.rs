@@ -162,6 +162,20 @@ pub fn teeth_that_mesh(page: &mut String, compiled: &Compiled) {
         table.row(Told::of(mechanism, pair).cells(code));
     }
     table.write(page, "Teeth");
+    let mut table =
+        Table::new(&["mesh", "stiffness over a pitch, N/m", "left out by the series, rms", "largest step"]);
+    for load in &mechanism.loads {
+        let Some(series) = load.teeth.as_ref().and_then(|teeth| teeth.series.as_ref()) else { continue };
+        let waves: Vec<String> = series.waves.iter().map(|[a, b]| decimal(a.hypot(*b))).collect();
+        let percent = |part: f64| format!("{} %", decimal(100.0 * part));
+        table.row(vec![
+            code(&load.name.text),
+            format!("{}, waves of {}", decimal(series.mean), waves.join(", ")),
+            percent(series.left_out),
+            percent(series.step),
+        ]);
+    }
+    table.write(page, "Stiffness of teeth");
 }
 
 pub fn loads(page: &mut String, compiled: &Compiled) {

@@ -80,7 +80,7 @@ fn springs(machine: &Machine, report: &mut Report) {
     let back = Inputs { v: inputs.v.iter().map(|v| -v).collect(), ..inputs.clone() };
     let powers = [inputs, &back].map(|inputs| machine.run(Function::Powers, inputs));
     for (index, load) in compiled.mechanism.loads.iter().enumerate() {
-        if load.form.stores {
+        if load.stores() {
             let taken = (powers[0][index] - powers[1][index]) * 0.5;
             report.compare(Check::Springs, || format!("\"{}\"", load.name.text), taken, -stored[index]);
         }

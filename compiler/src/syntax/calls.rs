@@ -420,6 +420,13 @@ impl Parser<'_> {
                 let tuple = self.vector(c, unit)?;
                 arguments.named.tuples.push((label, tuple));
             }
+            Value::TeethStiffness if self.at_involute(c) => {
+                if let Some(unit) = unit {
+                    return self.fail(unit.region, messages::involute_with_unit());
+                }
+                let call = self.involute(c)?;
+                arguments.named.calls.push((label, Box::new(call)));
+            }
             Value::Scalar(_)
             | Value::Moving(_)
             | Value::Varying(_)
@@ -429,7 +436,9 @@ impl Parser<'_> {
             | Value::Exponent
             | Value::Backbone
             | Value::OfGap
-            | Value::Word => {
+            | Value::Word
+            | Value::TeethStiffness
+            | Value::TeethDamping => {
                 let entry = self.entry(c, unit)?;
                 arguments.named.entries.push((label, entry));
             }

@@ -191,6 +191,8 @@ pub struct Joint {
 pub struct Named {
     pub entries: Vec<(Label, Entry)>,
     pub tuples: Vec<(Label, Tuple)>,
+    /// What is made by a call with arguments of its own, `stiffness = involute(…)`.
+    pub calls: Vec<(Label, Box<Named>)>,
 }
 
 impl Named {
@@ -202,10 +204,15 @@ impl Named {
         self.tuples.iter().find(|(label, _)| label.text == name).map(|(_, tuple)| tuple)
     }
 
+    pub fn call(&self, name: &str) -> Option<&Named> {
+        self.calls.iter().find(|(label, _)| label.text == name).map(|(_, call)| &**call)
+    }
+
     /// Their names.
     pub fn labels(&self) -> impl Iterator<Item = &Label> {
         let entries = self.entries.iter().map(|(label, _)| label);
-        entries.chain(self.tuples.iter().map(|(label, _)| label))
+        let calls = self.calls.iter().map(|(label, _)| label);
+        entries.chain(self.tuples.iter().map(|(label, _)| label)).chain(calls)
     }
 }
 

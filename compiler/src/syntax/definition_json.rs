@@ -346,7 +346,9 @@ impl Writer {
                 | Value::Exponent
                 | Value::Backbone
                 | Value::OfGap
-                | Value::Word => {}
+                | Value::Word
+                | Value::TeethStiffness
+                | Value::TeethDamping => {}
             }
         }
     }
@@ -431,7 +433,16 @@ impl Writer {
                 | Value::Exponent
                 | Value::Backbone
                 | Value::OfGap
-                | Value::Word => self.entry_if(name, load.named.entry(name)),
+                | Value::Word
+                | Value::TeethDamping => self.entry_if(name, load.named.entry(name)),
+                Value::TeethStiffness => match load.named.call(name) {
+                    Some(call) => self.key(name).object(|w| {
+                        w.key("involute").object(|w| {
+                            call.entries.iter().for_each(|(label, entry)| w.key(&label.text).entry(entry));
+                        });
+                    }),
+                    None => self.entry_if(name, load.named.entry(name)),
+                },
                 Value::Diagonal(_) => self.diagonal_if(name, &load.named),
             }
         }

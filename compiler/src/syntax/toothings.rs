@@ -1,8 +1,10 @@
 //! Toothings in the braces of a part: a name, a kind and its numbers.
 
 use super::definition::{Body, Named, Toothing};
+use super::expression::is_call;
 use super::parser::{Failed, Parsed, Parser};
 use super::token::Cursor;
+use crate::forms::INVOLUTE;
 use crate::messages;
 use proc_macro2::Delimiter;
 
@@ -59,5 +61,42 @@ impl Parser<'_> {
         }
         self.semicolon(c)?;
         Ok(Toothing { name, form, named, at })
+    }
+
+    /// `= involute(…)`.
+    pub fn at_involute(&self, c: &Cursor) -> bool {
+        let mut ahead = c.clone();
+        ahead.eat_punct('=') && ahead.at_word("involute") && is_call(&ahead)
+    }
+
+    /// `= involute(young [GPa] = 210, poisson = 0.3, tooth = profile, harmonics = 5, entry = 0.05)`.
+    pub fn involute(&mut self, c: &mut Cursor) -> Parsed<Named> {
+        self.punct(c, '=')?;
+        let word = self.word(c, "`involute`")?;
+        let mut inside = self.group(c, Delimiter::Parenthesis)?;
+        let mut named = Named::default();
+        while !inside.is_done() {
+            let label = self.word(&mut inside, "a named argument, such as `young [GPa] = 210`")?;
+            if !INVOLUTE.contains(&label.text.as_str()) {
+                return self
+                    .fail(label.region, messages::unknown_argument("involute", &label.text, &INVOLUTE));
+            }
+            if let Some(first) = named.labels().find(|first| first.text == label.text) {
+                let message = messages::property_twice(&label.text, "involute");
+                let note = messages::first_here(&label.text);
+                self.diagnostics.conflict(label.region, message, first.region, note);
+                return Err(Failed);
+            }
+            let unit = self.unit(&mut inside)?;
+            let entry = self.entry(&mut inside, unit)?;
+            named.entries.push((label, entry));
+            if !inside.is_done() && !inside.eat_punct(',') {
+                return self.expected(&inside, "`,` or `)`");
+            }
+        }
+        if named.entry("young").is_none() {
+            return self.fail(word.region, messages::involute_without_young());
+        }
+        Ok(named)
     }
 }

@@ -3,6 +3,7 @@
 use crate::{good, warnings};
 use linkwright_compiler::compile;
 use linkwright_compiler::model::Mechanism;
+use linkwright_compiler::model::gears::stiffness::{Material, Stiffness, Tooth};
 use linkwright_compiler::model::gears::{Mesh, Told};
 
 /// Two wheels on the ground, with these toothings, `apart` mm from each other.
@@ -245,4 +246,131 @@ fn what_is_possible_and_probably_not_meant() {
             .replace("toothing rim", "toothing spare: external(teeth = 20, module [mm] = 2); toothing rim"),
     );
     assert!(idle.iter().all(|warning| warning.message.contains("toothing `spare`")), "{idle}");
+}
+
+/// The stiffness of the pairs 12/30 and 30/72 of 1 mm, 5 mm wide, of 210 GPa.
+fn stiffness(sun: &str, tooth: Tooth, then: impl Fn(&Stiffness)) {
+    let mechanism = good(sun);
+    let pair = &mechanism.pairs[0];
+    let (toothings, mesh) = mechanism.mesh_of(pair);
+    let material = Material { young: 2.1e11, poisson: 0.3, tooth, harmonics: 3, entry: 0.0 };
+    then(&Stiffness::new(toothings, mesh, pair.distance(), 5e-3, material));
+}
+
+const SUN: &str = "external(teeth = 12, module [mm] = 1, bore [mm] = 4)";
+const PLANET: &str = "external(teeth = 30, module [mm] = 1, bore [mm] = 10)";
+
+/// Teeth of constant section, from an evaluation apart: at tenths of a pitch, mean and the sizes of three waves.
+#[test]
+fn teeth_of_constant_section() {
+    let check = |source: &str, values: [f64; 10], mean: f64, waves: [f64; 3], one: Option<[f64; 2]>| {
+        stiffness(source, Tooth::Section, |stiffness| {
+            for (index, expected) in values.into_iter().enumerate() {
+                near(stiffness.at(index as f64 / 10.0), expected * 1e8, 1e-5);
+            }
+            let series = stiffness.series(3);
+            // At 256 places of a curve that jumps twice.
+            near(series.mean, mean * 1e8, 3e-4);
+            for ([a, b], expected) in series.waves.iter().zip(waves) {
+                assert!((a.hypot(*b) - expected * 1e8).abs() < 5e-4 * mean * 1e8, "{a} {b}");
+            }
+            if let Some([at, expected]) = one {
+                near(stiffness.of_one(at), expected, 1e-6);
+            }
+        });
+    };
+    check(
+        &wheels(SUN, PLANET, "21", ""),
+        [1.65187, 1.24954, 1.10183, 1.22179, 1.57703, 2.07691, 2.58632, 2.83018, 2.64277, 2.09189],
+        1.89079,
+        [0.85478, 0.08854, 0.02173],
+        // 1/(1/1.06234734e9 + 1/2.58162757e8).
+        Some([0.5 * 2.952_131_43e-3, 1.0 / (1.0 / 1.062_347_34e9 + 1.0 / 2.581_627_57e8)]),
+    );
+    check(
+        &wheels(PLANET, "internal(teeth = 72, module [mm] = 1)", "-21", ""),
+        [2.48288, 2.82234, 2.86464, 2.58994, 2.16998, 1.80204, 1.59156, 1.56706, 1.72141, 2.02089],
+        2.15548,
+        [0.66030, 0.07327, 0.02029],
+        None,
+    );
+}
+
+/// Bending, shear, compression, body and contact along the true profile, from an evaluation apart.
+#[test]
+fn teeth_by_their_profile() {
+    stiffness(&wheels(SUN, PLANET, "21", ""), Tooth::Profile, |stiffness| {
+        for (at, expected) in [
+            (0.02, 3.6545),
+            (0.19, 4.1417),
+            (0.36, 4.5268),
+            (0.53, 4.7636),
+            (0.70, 4.8147),
+            (0.87, 4.6632),
+            (1.04, 4.3202),
+            (1.21, 3.8238),
+            (1.38, 3.2240),
+        ] {
+            near(stiffness.of_one(at * 2.952_131_43e-3), expected * 1e7, 3e-5);
+        }
+    });
+}
+
+/// Loads between teeth: one message for each mistake.
+#[test]
+fn mistakes_between_teeth() {
+    let wide = "external(teeth = 20, module [mm] = 2, face_width [mm] = 20)";
+    let mesh = |arguments: &str| {
+        wheels(wide, wide, "40", "").replace(
+            "gear mesh_of: gear(one.rim, two.rim);",
+            &format!("mesh m: mesh(one.rim, two.rim{arguments});"),
+        )
+    };
+    for (arguments, expected) in [
+        ("", "`mesh` needs its stiffness"),
+        (", stiffness [N] = 1", "expected N/m"),
+        (
+            ", stiffness [N/m] = involute(young [GPa] = 210)",
+            "`involute(…)` is in N/m by itself: write no unit beside its name, `stiffness = involute(young [GPa] = 210)`",
+        ),
+        (
+            ", stiffness = involute(poisson = 0.3)",
+            "`involute` needs the modulus of the material: write `involute(young [GPa] = 210)`",
+        ),
+        (
+            ", stiffness = involute(young [GPa] = 210, tooth = round)",
+            "a tooth is taken for a `section` or a `profile`, found `round`",
+        ),
+        (
+            ", stiffness = involute(young [GPa] = 210, harmonics = 0)",
+            "the series has 0 harmonics, and 1 to 40 are possible: the stiffness jumps where a pair enters, and no equation of motion can jump; write `harmonics = 5`, and `entry = 0.05` for the part of a pitch over which a pair enters",
+        ),
+        (
+            ", stiffness = involute(young [GPa] = 210, poisson = 0.6)",
+            "the poisson of `involute` is 0.6, and lies from 0 to 0.5",
+        ),
+        (", stiffness = involute(young [GPa] = 210, edge = 0.6)", "edge"),
+        (", stiffness = involute(young [GPa] = 210, young [GPa] = 210)", "twice"),
+        (", stiffness [N/m] = 1e8, sense = 2", "the sense is 1 or -1, found 2"),
+        (
+            ", stiffness [N/m] = 1e8, damping [N*s/m] = 1, damping_ratio = 0.1",
+            "`damping_ratio` is written beside `damping`, and each of them is the damping: leave one of them out",
+        ),
+        (
+            ", stiffness [N/m] = 1e8, backlash [mm] = 6",
+            "the backlash of `m` is 6 mm, and half a pitch along the line of action is 2.95213143 mm: is its unit right?",
+        ),
+        (
+            ", stiffness [N/m] = 1e8); output o [N] = m.push; force f: torque(a) = 0*(1 [N*m]",
+            "`m` acts between teeth and has no `push`; it has `force`, `deflection`, `phase`, `pairs` and `stiffness`",
+        ),
+    ] {
+        says(&mesh(arguments), expected);
+    }
+    let bare = wheels(PLAIN, PLAIN, "40", "").replace(
+        "gear mesh_of: gear(one.rim, two.rim);",
+        "mesh m: mesh(one.rim, two.rim, stiffness = involute(young [GPa] = 210));",
+    );
+    says(&bare, "teeth are as stiff as they are wide, and neither `one.rim` nor `two.rim` says how wide");
+    says(&mesh(", stiffness [N/m] = 1e8").replace("two.rim,", "one.rim,"), "stand on one shaft");
 }

@@ -65,7 +65,7 @@ const MISTAKES: &[(&str, &str)] = &[
     ("output o [m] = nothing;", r#"no value called "nothing""#),
     (
         "spring s: (link.end, base.end, stiffness [N/m] = 1);",
-        "expected the kind of the load (force, torque, spring, cable, damper, torsion_spring, along, masing, bouc_wen, bushing), found `(`",
+        "expected the kind of the load (force, torque, spring, cable, damper, torsion_spring, shaft, along, masing, bouc_wen, bushing, mesh), found `(`",
     ),
     (
         "bushing b: bushing(ground(0, 0), link.end, stiffness [N/m] = 1);",
@@ -679,7 +679,7 @@ const MISTAKES: &[(&str, &str)] = &[
     ),
     (
         "cable c: (base.start, ground(0, 0)) = 1;",
-        "expected the kind of the load (force, torque, spring, cable, damper, torsion_spring, along, masing, bouc_wen, bushing), found `(`",
+        "expected the kind of the load (force, torque, spring, cable, damper, torsion_spring, shaft, along, masing, bouc_wen, bushing, mesh), found `(`",
     ),
     ("beam b: (base.start, ground(0, 0)) = 1;", "`beam` is not there yet in this version"),
     ("jiont j: revolute(crank.pin, link.end);", "no statement begins with `jiont`; did you mean `joint`?"),

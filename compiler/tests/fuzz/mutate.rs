@@ -109,7 +109,7 @@ fn foreign_statement(random: &mut Random, tokens: &mut Vec<String>, other: &[Str
 
 /// A statement that fits the names of the definition: `J` is a joint, `B` a body, `P` a place, `Q` a quantity, `L` a
 /// load, `X` a value, `#` a number.
-const TEMPLATES: [&str; 36] = [
+const TEMPLATES: [&str; 39] = [
     "joint new : revolute ( P , P ) ;",
     "joint new : revolute ( P , P , axis = ( # , # , # ) ) ;",
     "joint new : fixed ( P , P ) ;",
@@ -125,6 +125,9 @@ const TEMPLATES: [&str; 36] = [
     "constraint new : Q - # * Q = 0 ;",
     "constraint new : Q = X ;",
     "constraint new : gear ( J , B , ratio = # ) ;",
+    "gear new : gear ( B . rim , B . rim ) ;",
+    "mesh new : mesh ( B . rim , B . rim , stiffness [ N / m ] = X , backlash [ m ] = # ) ;",
+    "shaft new : shaft ( J , B , ratio = # , stiffness [ N * m ] = # ) ;",
     "constraint new : rack ( J , J , radius [ m ] = # , phase = 0 ) ;",
     "differential new : differential ( J , B , J ) ;",
     "drive new : Q = # [ rad / s ] * time ;",
@@ -234,7 +237,7 @@ fn swap_names(random: &mut Random, tokens: &mut Vec<String>, _: &[String]) {
 }
 
 /// Words that may stand in one another's place.
-const CLASSES: [&str; 8] = [
+const CLASSES: [&str; 11] = [
     "body rod disk box sphere cylinder particle",
     "revolute prismatic fixed distance spherical universal cylindrical planar screw constant_velocity point_on_line \
      point_on_plane",
@@ -242,6 +245,9 @@ const CLASSES: [&str; 8] = [
     "sin cos tan asin acos exp ln sqrt abs sign",
     "planar spatial",
     "gear rack belt screw bevel worm differential",
+    "external internal",
+    "teeth module shift helix addendum dedendum first bore face_width pressure_angle",
+    "mesh shaft",
     "force torque spring damper torsion_spring",
     "mass inertia length radius width height density center size point marker",
 ];

@@ -21,19 +21,40 @@ pub(super) struct Toothing {
     pub angle: f64,
     pub helix: f64,
     pub first: f64,
+    pub shift: f64,
+    pub addendum: f64,
+    pub dedendum: f64,
+    pub width: Option<f64>,
+    pub bore: Option<f64>,
     pub center: Place,
 }
 
 impl Toothing {
-    #[expect(dead_code, reason = "loads between teeth will ask for it")]
-    /// m_t z/2 cos α_t.
+    /// α_t.
+    pub fn transverse(&self) -> f64 {
+        (self.angle.tan() / self.helix.cos()).atan()
+    }
+
+    /// m_t z/2.
+    fn pitch(&self) -> f64 {
+        0.5 * self.module / self.helix.cos() * self.teeth
+    }
+
     pub fn base(&self) -> f64 {
-        let transverse = (self.angle.tan() / self.helix.cos()).atan();
-        0.5 * self.module / self.helix.cos() * self.teeth * transverse.cos()
+        self.pitch() * self.transverse().cos()
+    }
+
+    pub fn tip(&self) -> f64 {
+        let height = if self.internal { -self.addendum } else { self.addendum };
+        self.pitch() + self.module * (self.shift + height)
+    }
+
+    pub fn root(&self) -> f64 {
+        let depth = if self.internal { self.dedendum } else { -self.dedendum };
+        self.pitch() + self.module * (self.shift + depth)
     }
 }
 
-#[expect(dead_code, reason = "loads between teeth will ask for it")]
 /// A pair of toothings.
 #[derive(Clone, Debug)]
 pub(super) struct Pair {
@@ -42,6 +63,12 @@ pub(super) struct Pair {
     pub terms: Vec<(f64, Turning)>,
     /// The sum of the terms where teeth face spaces, but for whole pitches.
     pub constant: f64,
+    /// The distance of the centres, and the direction from the first to the second, of a ring that to the wheel.
+    pub distance: f64,
+    pub direction: f64,
+    /// By what the first wheel that is no ring turns against what holds it, and what of it is fixed.
+    pub turns: Vec<(f64, Turning)>,
+    pub still: f64,
     /// Whether those before it fix it.
     pub follows: bool,
 }
@@ -110,6 +137,11 @@ impl Reader<'_> {
             angle: value("pressure_angle", 20.0_f64.to_radians())?,
             helix: value("helix", 0.0)?,
             first: value("first", 0.0)?,
+            shift: value("shift", 0.0)?,
+            addendum: value("addendum", 1.0)?,
+            dedendum: value("dedendum", 1.25)?,
+            width: self.entry_of(node, "face_width", own)?,
+            bore: self.entry_of(node, "bore", own)?,
             center: self.named_place(&center).ok_or_else(unknown)?,
         })
     }
@@ -153,8 +185,21 @@ impl Reader<'_> {
         }
         let terms =
             terms.into_iter().filter(|(_, factor)| *factor != 0.0).map(|(what, factor)| (factor, what));
+        let (mut turns, mut still) = (Vec::new(), 0.0);
+        if !self.spatial {
+            let wheel = if first.internal { second.body } else { first.body };
+            for (sign, body) in [(1.0, Some(wheel)), (-1.0, carrier)] {
+                match (body, self.orientation(body, own)?) {
+                    (Some(body), (Some(_), _)) => turns.push((sign, Turning::Body(body))),
+                    (_, (_, angle)) => still += sign * angle,
+                }
+            }
+        }
+        let [x, y] = if second.internal { between.map(|part| -part) } else { between };
+        let (distance, direction) = (x.hypot(y), y.atan2(x));
         let constant = wrapped(facing(&wheels, sense, between) - fixed);
-        Ok(Pair { terms: terms.collect(), constant, follows: false, wheels })
+        let terms = terms.collect();
+        Ok(Pair { terms, constant, distance, direction, turns, still, follows: false, wheels })
     }
 
     /// What both centres are pinned to, and the way between them there.
@@ -192,7 +237,7 @@ impl Reader<'_> {
     }
 
     /// What a body's orientation is fixed against, the ground before bodies, and the angle.
-    fn orientation(&self, body: Body, own: &str) -> Read<(Body, f64)> {
+    pub(super) fn orientation(&self, body: Body, own: &str) -> Read<(Body, f64)> {
         let mut of: BTreeMap<Body, (Body, f64)> = BTreeMap::from([(None, (None, 0.0))]);
         of.extend((0..self.bodies.len()).map(|index| (Some(index), (Some(index), 0.0))));
         for node in list(self.tree, "joints", own)? {

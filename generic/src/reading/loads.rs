@@ -61,6 +61,22 @@ impl Reader<'_> {
             "torsion_spring" => self.spring(node, self.rotor(node, "on", own)?, "angle", own)?,
             "cable" => Acts::Cable(Box::new(self.cable(node, own)?)),
             "bushing" => Acts::Bushing(self.bushing(node, own)?),
+            // −k f(θ₁ − r θ₂) − c (ω₁ − r ω₂).
+            "shaft" => {
+                let given = |key: &str| Ok(self.entry_of(node, key, own)?.unwrap_or(0.0));
+                let ratio = self.needed(node, "ratio", own)?;
+                let terms =
+                    vec![(1.0, self.rotor(node, "first", own)?), (-ratio, self.rotor(node, "second", own)?)];
+                let (stiffness, damping) = (given("stiffness")?, given("damping")?);
+                Acts::Bushing(vec![Way {
+                    terms,
+                    wrapped: false,
+                    gap: given("backlash")?,
+                    stiffness,
+                    damping,
+                }])
+            }
+            "mesh" => self.mesh(node, own)?,
             kind if is_hysteresis(kind) => self.hysteresis(node, own)?,
             kind => return Err(DefinitionError::kind(own, kind)),
         })
@@ -105,7 +121,7 @@ impl Reader<'_> {
             let axis = column(&first.axes, k);
             let along = Quantity::Along { axis, first: first.clone(), second: second.clone() };
             let terms = vec![(1.0, along)];
-            ways.push(Way { terms, wrapped: false, stiffness: stiffness[k], damping: damping[k] });
+            ways.push(Way { terms, wrapped: false, gap: 0.0, stiffness: stiffness[k], damping: damping[k] });
         }
         for k in 0..turns {
             let dot = |i: usize, j: usize| Quantity::Dot {
@@ -121,7 +137,7 @@ impl Reader<'_> {
                 vec![(1.0, Quantity::PlaneAngle { first: one, second: other })]
             };
             let (stiffness, damping) = (torsional[k], torsional_damping[k]);
-            ways.push(Way { terms, wrapped: !self.spatial, stiffness, damping });
+            ways.push(Way { terms, wrapped: !self.spatial, gap: 0.0, stiffness, damping });
         }
         Ok(ways)
     }

@@ -11,6 +11,7 @@ mod hysteresis;
 mod joints;
 mod laws;
 mod loads;
+mod meshes;
 mod places;
 mod states;
 mod tables;

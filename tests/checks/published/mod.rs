@@ -12,6 +12,7 @@ mod gears;
 mod hydraulics;
 mod hysteresis;
 mod linkages;
+mod meshes;
 mod parts;
 mod quick_return;
 mod robots;

@@ -198,6 +198,7 @@ macro_rules! for_each_in_zoo {
             roped: $crate::zoo_hysteresis::Roped,
             terrain: $crate::zoo_laws::Terrain,
             toothed: $crate::zoo_gears::Toothed,
+            meshed: $crate::zoo_gears::Meshed,
             epicycle: $crate::zoo_gears::Epicycle,
             winch: $crate::zoo_cables::Winch,
             hoisted: $crate::zoo_cables::Hoisted,

@@ -56,3 +56,47 @@ linkwright::mechanism! {
         output ring_rate [rad/s] = rim.rate;
     }
 }
+
+linkwright::mechanism! {
+    /// Teeth that give: a lever with an idler between a ring, which turns, and a wheel; gaps, errors, damping in contact and always, laws
+    /// and series of stiffness, a ring that comes first, wheels on bodies whose centres are elsewhere.
+    pub planar Meshed {
+        param stiffness [N/um] = 40 in 1..100;
+        param gap [um] = 60 in 0..500;
+        input twist [N*m];
+        input fault [um];
+        gravity [m/s^2] = (0, -9.81);
+        body lever { mass [kg] = 2; inertia [kg*m^2] = 0.02; center [mm] = (10, 5);
+                     point hub [mm] = (0, 0); point pin [mm] = (21.65063509461097, 12.5); }
+        body ring  { mass [kg] = 3; inertia [kg*m^2] = 0.04; toothing inside: internal(teeth = 75, module [mm] = 2, first [deg] = 3, face_width [mm] = 10);
+                     toothing outside: external(teeth = 90, module [mm] = 2, first [deg] = -1, face_width [mm] = 20, bore [mm] = 155); point seat [mm] = (0, 0); }
+        disk idler { mass [kg] = 0.6; radius [mm] = 48; toothing rim: external(teeth = 50, module [mm] = 2, first [deg] = 7); }
+        body side  { mass [kg] = 0.4; inertia [kg*m^2] = 3e-4; center [mm] = (1, -2); point eye [mm] = (0, 3);
+                     toothing rim: external(teeth = 21, module [mm] = 2, at = side.eye, bore [mm] = 12); toothing spur: external(teeth = 17, module [mm] = 3, shift = 0.4, at = side.eye); }
+        disk last  { mass [kg] = 0.9; radius [mm] = 40; toothing rim: external(teeth = 29, module [mm] = 3, shift = 0.25, first [rad] = 0.1); }
+        body post  { mass [kg] = 0.5; inertia [kg*m^2] = 2e-4; toothing rim: external(teeth = 40, module [mm] = 3); }
+        joint main:  revolute(ground(0, 0) [mm], lever.hub);
+        joint outer: revolute(lever.hub, ring.seat);
+        joint bolt:  revolute(idler.center, lever.pin);
+        joint axle:  revolute(ground(111, 0) [mm], side.eye);
+        joint end:   revolute(last.center, ground(111, 70.788869) [mm]);
+        joint foot:  fixed(ground(111 [mm], 70.788869 [mm] + 104.230979 [mm]), post.center, angle [deg] = 4);
+        mesh inner:   mesh(ring.inside, idler.rim, stiffness = involute(young [GPa] = 210, harmonics = 3, entry = 0.1), damping = 300 [N*s/m],
+                           error = 4e-6 [m]*cos(3*ring.angle) + fault, error_rate = 0.1 [mm/s], backlash = gap);
+        mesh train:   mesh(side.rim, ring.outside, stiffness = involute(young [GPa] = 206, poisson = 0.29, tooth = profile, harmonics = 5),
+                           damping_ratio = 0.05, backlash [mm] = 0.04, error = 5 [um]*sin(side.angle)*cos(40 [rad/s]*time));
+        mesh shifted: mesh(last.rim, side.spur, stiffness = stiffness, damping = always(200 [N*s/m]), backlash = 0.3*gap);
+        mesh still:   mesh(post.rim, last.rim, stiffness = 2e7 [N/m]*(1 + 0.2*cos(29*last.angle)), damping [N*s/m] = 100);
+        shaft wound: shaft(axle, main, ratio = -0.5, stiffness [N*m] = 30, damping [N*m*s] = 0.2, backlash [rad] = 0.05);
+        torque drive: torque(main) = twist;
+        start { main.angle [rad] = 0.3; main.rate [rad/s] = 0.7; outer.rate [rad/s] = -0.4; }
+        options { emit = (penalty, projection, null_space, tangent); }
+        output twisted [N*m] = wound.torque;
+        output pressed [N] = inner.force;
+        output turned [um] = train.deflection;
+        output phase [1] = train.phase;
+        output pairs [1] = inner.pairs;
+        output stiff [N/um] = inner.stiffness;
+        output lost [W] = power(train) + power(shifted);
+    }
+}

@@ -214,7 +214,8 @@ fn phases(mechanism: &Mechanism, equations: &Equations, point: &mut Point, q: &[
     let rows: Vec<_> = equations.open_rows(mechanism).iter().map(|row| &equations.rows[*row]).collect();
     point.set_q(q);
     point.evaluate(&Ancestry::of(equations, rows.iter().map(|row| row.jet.value)));
-    rows.iter().map(|row| point.get(row.jet.value)).collect()
+    let of_rows: Vec<f64> = rows.iter().map(|row| point.get(row.jet.value)).collect();
+    of_rows.into_iter().chain(teeth::phases(mechanism, equations, point, q)).collect()
 }
 
 /// Coordinates that may serve as independent ones: as written, else `start`'s, else those of the tree.

@@ -60,3 +60,14 @@ fn sum(equations: &Equations, point: &mut Point, q: &[f64], pair: usize) -> f64 
     point.evaluate(&super::Ancestry::of(equations, [value]));
     point.get(value)
 }
+
+/// Of loads between teeth what their sums of angles are where the teeth meet nearest to the start.
+pub fn phases(mechanism: &Mechanism, equations: &Equations, point: &mut Point, q: &[f64]) -> Vec<f64> {
+    let pairs = mechanism.loads.iter().filter_map(|load| Some(load.teeth.as_ref()?.pair));
+    pairs
+        .map(|pair| {
+            let constant = mechanism.pairs[pair].constant;
+            constant + TAU * ((sum(equations, point, q, pair) - constant) / TAU).round()
+        })
+        .collect()
+}

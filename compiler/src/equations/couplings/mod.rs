@@ -17,8 +17,8 @@ use super::loads;
 use super::space::joints::{self, Elementary};
 use crate::forms::{Argument, CouplingForm, Need, Positional, RowForm};
 use crate::model::{
-    Constraint, ConstraintKind, Coordinate, Coupled, Coupling, Driver, Expr, JointId, Mechanism, Quantity,
-    Rotor, Space,
+    Constraint, ConstraintKind, Coordinate, Coupled, Coupling, Driver, Expr, JointId, Load, Mechanism,
+    Quantity, Rotor, Space,
 };
 use crate::symbolic::Node;
 use crate::units::Dimension;
@@ -41,10 +41,19 @@ const RATIO: Argument = Argument::scalar("ratio", Need::Always, Dimension::ONE);
 const PHASE: Argument = Argument::scalar("phase", Need::Never, Dimension::ANGLE);
 const LENGTH_PHASE: Argument = Argument::scalar("phase", Need::Never, Dimension::LENGTH);
 
-/// Couplings whose phase comes from the assembled start, by name, in order.
+/// Couplings whose phase comes from the assembled start, then loads between teeth, by name, in order.
 pub fn open_phases(mechanism: &Mechanism) -> impl Iterator<Item = String> + '_ {
     let open = |constraint: &&Constraint| has_row(mechanism, constraint) && is_open(constraint);
-    mechanism.constraints.iter().filter(open).map(|c| c.name.identifier())
+    let loads = mechanism.loads.iter().filter(|load| load.teeth.is_some());
+    let constraints = mechanism.constraints.iter().filter(open).map(|constraint| &constraint.name);
+    constraints.chain(loads.map(|load| &load.name)).map(|name| name.identifier())
+}
+
+/// The number of the phase of a load between teeth, behind those of constraints.
+pub fn phase_of_load(mechanism: &Mechanism, load: &Load) -> usize {
+    let open = |constraint: &&Constraint| has_row(mechanism, constraint) && is_open(constraint);
+    let before = mechanism.loads.iter().take_while(|other| other.name.text != load.name.text);
+    mechanism.constraints.iter().filter(open).count() + before.filter(|other| other.teeth.is_some()).count()
 }
 
 /// Whether a coupling's phase comes from the assembled start.
@@ -119,6 +128,10 @@ pub fn multi_turn_rotors(mechanism: &Mechanism) -> Vec<Rotor> {
     }
     for load in &mechanism.loads {
         rotors.extend((loads::of(load.form).counted)(load));
+        if let Some(teeth) = &load.teeth {
+            let pair = &mechanism.pairs[teeth.pair];
+            rotors.extend(pair.terms.iter().chain(&pair.turns).map(|(_, rotor)| *rotor));
+        }
         load.expressions().for_each(|expression| angles_in(expression, &mut rotors));
     }
     // The travel of a screw is its counted angle times the pitch.

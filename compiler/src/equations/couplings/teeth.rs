@@ -26,21 +26,15 @@ pub static COUPLING: CouplingForm = CouplingForm {
     means: Means::Teeth { row: &ROW },
 };
 
-/// Σ z θ, the sum of angles by numbers of teeth against what holds the axles.
-pub fn sum<'g>(laws: &Laws<'g>, pair: &Pair, scale: f64) -> Moving<'g> {
-    let angles = pair.terms.iter().map(|(factor, rotor)| (factor * scale) * laws.angle(*rotor));
-    angles.reduce(|sum, angle| sum + angle).unwrap_or_else(|| laws.still(laws.g.zero()))
-}
-
 /// The sum over z₁, as if it were an angle of the first wheel, less the phase.
 pub fn row<'g>(laws: &Laws<'g>, pair: &Pair, phase: Option<Node>) -> Moving<'g> {
     let phase = phase.map_or_else(|| laws.g.zero(), |phase| laws.g.on(phase));
-    sum(laws, pair, 1.0 / pair.teeth[0]) - laws.still(phase)
+    laws.sum_of_angles(&pair.terms, pair.teeth[0]) - laws.still(phase)
 }
 
 /// The sum as something that assembly can hold at a value, but for whole pitches.
 pub fn facing(laws: &Laws, pair: &Pair) -> Condition {
-    let sum = sum(laws, pair, 1.0);
+    let sum = laws.sum_of_angles(&pair.terms, 1.0);
     let rotor = pair.terms.first().map(|(_, rotor)| *rotor);
     Condition {
         of: format!("the teeth of {}", pair.name.text),

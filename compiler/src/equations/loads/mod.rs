@@ -10,6 +10,7 @@ mod force;
 mod hysteresis;
 mod masing;
 mod push;
+mod shaft;
 mod spring;
 mod torque;
 mod torsion_spring;
@@ -48,6 +49,7 @@ pub static LOADS: &[&LoadKind] = &[
     &cable::LOAD,
     &damper::LOAD,
     &torsion_spring::LOAD,
+    &shaft::LOAD,
     &expression::LOAD,
     &masing::LOAD,
     &bouc_wen::LOAD,

@@ -1,9 +1,10 @@
 //! Toothings as written: their numbers in SI, with what is common where nothing is written.
 
-use super::super::lower::{Lowering, name};
+use super::super::lower::{Lowering, Use, name};
 use super::super::names::Part;
 use super::super::unused::Scope;
-use super::super::{BodyId, Frame};
+use super::super::{BodyId, Expr, Frame, Subject};
+use super::stiffness::{Material, Series, Tooth};
 use super::{Toothing, ToothingId};
 use crate::messages;
 use crate::syntax::{self, Path, PlaceTerm};
@@ -158,4 +159,103 @@ fn wrong(toothing: &Toothing) -> Option<(&'static str, String)> {
         return Some(("bore", messages::bore_beyond_teeth(text, bore, 2.0 * toothing.root_radius())));
     }
     None
+}
+
+/// A load between teeth.
+#[derive(Clone, Debug)]
+pub struct Meshing {
+    /// Its pair, in `Mechanism::pairs`.
+    pub pair: usize,
+    /// Of `involute(…)`.
+    pub material: Option<Material>,
+    /// What its series is of.
+    pub series: Option<Series>,
+    pub stores: bool,
+}
+
+impl<'d> Lowering<'d> {
+    /// What a load between teeth is, beyond its arguments.
+    pub fn meshing(&mut self, load: &'d syntax::Load, on: &[Subject]) -> Option<Option<Meshing>> {
+        if !on.iter().any(|subject| matches!(subject, Subject::Toothing(_))) {
+            return Some(None);
+        }
+        if let (Some(ratio), Some(_)) = (load.named.entry("damping_ratio"), load.named.entry("damping")) {
+            self.diagnostics.error(ratio.value.region, messages::damping_and_ratio());
+            return None;
+        }
+        if let Some(sense) = load.named.entry("sense") {
+            let value = self.number(sense, Dimension::ONE, "sense")?;
+            if value.abs() != 1.0 {
+                self.diagnostics.error(sense.value.region, messages::sense_of_teeth(value));
+                return None;
+            }
+        }
+        let material = match load.named.call("stiffness") {
+            Some(call) => Some(self.material(call)?),
+            None => None,
+        };
+        Some(Some(Meshing { pair: 0, material, series: None, stores: false }))
+    }
+
+    /// A law; what is made of the shape of teeth follows when their pair is known.
+    pub fn teeth_stiffness(&mut self, load: &'d syntax::Load, name: &str) -> Option<Vec<Expr>> {
+        match load.named.entry(name) {
+            Some(entry) => Some(vec![self.entry(entry, Dimension::STIFFNESS, Use::VARYING, name)?]),
+            None => Some(vec![Expr::Number(0.0)]),
+        }
+    }
+
+    /// c, and a number where it acts always.
+    pub fn teeth_damping(&mut self, load: &'d syntax::Load, name: &str) -> Option<Vec<Expr>> {
+        let Some(entry) = load.named.entry(name) else { return Some(vec![Expr::Number(0.0)]) };
+        let damping = |this: &mut Self, term: &'d syntax::Term| {
+            this.with_unit(term, entry.unit.as_ref(), Dimension::DAMPING, Use::COEFFICIENT, name)
+        };
+        match &entry.value.kind {
+            syntax::TermKind::Call(label, arguments) if label.text == "always" && arguments.len() == 1 => {
+                Some(vec![damping(self, &arguments[0])?, Expr::Number(1.0)])
+            }
+            _ => Some(vec![damping(self, &entry.value)?]),
+        }
+    }
+
+    fn material(&mut self, call: &'d syntax::Named) -> Option<Material> {
+        let pressure = Dimension::FORCE.over(Dimension::LENGTH).over(Dimension::LENGTH);
+        let young = self.number(call.entry("young")?, pressure, "young")?;
+        let mut number = |what: &str, default: f64| match call.entry(what) {
+            Some(entry) => self.number(entry, Dimension::ONE, what),
+            None => Some(default),
+        };
+        let (poisson, harmonics, entry) =
+            (number("poisson", 0.3)?, number("harmonics", 5.0)?, number("entry", 0.0)?);
+        let tooth = match call.entry("tooth").map(|entry| (&entry.value.kind, entry.value.region)) {
+            None => Tooth::Profile,
+            Some((syntax::TermKind::Name(path), _)) if path.text == "profile" => Tooth::Profile,
+            Some((syntax::TermKind::Name(path), _)) if path.text == "section" => Tooth::Section,
+            Some((kind, region)) => {
+                let found =
+                    if let syntax::TermKind::Name(path) = kind { path.text.as_str() } else { "a value" };
+                self.diagnostics.error(region, messages::involute_of_what(found));
+                return None;
+            }
+        };
+        let wrong = [
+            ("young", young, young > 0.0, "above 0"),
+            ("poisson", poisson, (0.0..0.5).contains(&poisson), "from 0 to 0.5"),
+            ("entry", entry, (0.0..=0.5).contains(&entry), "from 0 to 0.5 pitches"),
+        ];
+        for (what, found, is_right, range) in wrong {
+            if !is_right {
+                let region = call.entry(what).map(|entry| entry.value.region)?;
+                self.diagnostics.error(region, messages::involute_number(what, found, range));
+                return None;
+            }
+        }
+        if harmonics.fract() != 0.0 || !(1.0..=40.0).contains(&harmonics) {
+            let region = call.entry("harmonics").map(|entry| entry.value.region)?;
+            self.diagnostics.error(region, messages::involute_harmonics(harmonics));
+            return None;
+        }
+        Some(Material { young, poisson, tooth, harmonics: harmonics as usize, entry })
+    }
 }

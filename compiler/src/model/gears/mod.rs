@@ -6,15 +6,18 @@ mod about_axes;
 mod following;
 mod holding;
 mod lowering;
+pub mod meshes;
 mod pair;
+pub mod stiffness;
 mod told;
 mod toothing;
 
+pub use lowering::Meshing;
 pub use pair::{Mesh, Pair, mesh};
 pub use told::Told;
 pub use toothing::{Toothing, ToothingId, involute};
 
-use super::{ConstraintKind, Frame, Mechanism, Name, Rotor, Space};
+use super::{ConstraintKind, Frame, Mechanism, Name, Rotor, Space, Subject};
 use crate::diagnostics::Diagnostics;
 use crate::messages;
 use following::{Row, follow};
@@ -42,6 +45,13 @@ pub(super) fn settle(mechanism: &mut Mechanism, diagnostics: &mut Diagnostics) {
             meshing.push((constraint.name.clone(), *on));
         }
     }
+    for load in &mut mechanism.loads {
+        let ids: Vec<ToothingId> = load.on.iter().filter_map(toothing_of).collect();
+        if let (Some(teeth), [first, second]) = (&mut load.teeth, &ids[..]) {
+            teeth.pair = meshing.len();
+            meshing.push((load.name.clone(), [*first, *second]));
+        }
+    }
     if meshing.is_empty() {
         return;
     }
@@ -67,6 +77,14 @@ pub(super) fn settle(mechanism: &mut Mechanism, diagnostics: &mut Diagnostics) {
         pairs[at].follows = Some(follows.of);
     }
     mechanism.pairs = pairs;
+    meshes::settle(mechanism, diagnostics);
+}
+
+fn toothing_of(subject: &Subject) -> Option<ToothingId> {
+    match subject {
+        Subject::Toothing(id) => Some(*id),
+        _ => None,
+    }
 }
 
 fn pair(
@@ -125,6 +143,12 @@ fn pair(
         }
     };
     let constant = pair::facing(first, second, between) - fixed;
+    let wheel = usize::from(first.is_internal());
+    let (turns, still) = match mechanism.space {
+        Space::Planar => in_the_plane(orientations, [1.0, -1.0, 0.0], [own[wheel], carrier, Frame::Ground]),
+        // No load between teeth is in space.
+        Space::Spatial => (Vec::new(), 0.0),
+    };
     Ok(Pair {
         name,
         on,
@@ -133,6 +157,9 @@ fn pair(
         between,
         terms,
         constant: pair::remainder(constant),
+        wheel,
+        turns,
+        still,
         follows: None,
     })
 }

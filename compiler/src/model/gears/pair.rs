@@ -19,6 +19,10 @@ pub struct Pair {
     /// Σ factor · angle = constant + 2πk, in radians of a pitch: those of the wheels against the carrier.
     pub terms: Vec<(f64, Rotor)>,
     pub constant: f64,
+    /// The wheel that the phase of the mesh is counted by: of two the first, else that in the ring; its angle against the carrier less `still`.
+    pub wheel: usize,
+    pub turns: Vec<(f64, Rotor)>,
+    pub still: f64,
     /// By what the pairs before it fix this one, if they do: pairs and factors, Σ over these and this one is no motion.
     pub follows: Option<Vec<(usize, f64)>>,
 }

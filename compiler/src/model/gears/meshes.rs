@@ -1,0 +1,123 @@
+//! Loads between teeth: their stiffness as a series in the angle of a wheel, and their damping, once the pairs are known.
+
+use super::super::{BodyId, Expr, Frame, Load, Mechanism, fold};
+use super::Toothing;
+use super::holding::Orientations;
+use super::pair::{Mesh, Pair};
+use super::stiffness::{self, Series, Stiffness};
+use crate::diagnostics::Diagnostics;
+use crate::messages;
+use std::f64::consts::TAU;
+
+/// Indices of named arguments of `mesh`.
+pub const STIFFNESS: usize = 0;
+pub const DAMPING: usize = 1;
+pub const DAMPING_RATIO: usize = 2;
+pub const BACKLASH: usize = 3;
+pub const ERROR: usize = 4;
+pub const ERROR_RATE: usize = 5;
+pub const SENSE: usize = 6;
+
+pub fn settle(mechanism: &mut Mechanism, diagnostics: &mut Diagnostics) {
+    let orientations = Orientations::of(mechanism);
+    for at in 0..mechanism.loads.len() {
+        let Some(teeth) = mechanism.loads[at].teeth.clone() else { continue };
+        let pair = &mechanism.pairs[teeth.pair];
+        let ([first, second], mesh) = mechanism.mesh_of(pair);
+        let load = &mechanism.loads[at];
+        let number = |which: usize| fold::evaluate(load.value(which), &mechanism.defaults());
+        let mut values = load.values.clone();
+        let mut series = None;
+        if let Some(material) = teeth.material {
+            let Some(width) = width([first, second]) else {
+                let message = messages::involute_without_width(&first.text, &second.text);
+                diagnostics.error(load.name.span, message);
+                continue;
+            };
+            let wheels = if pair.wheel == 0 { [first, second] } else { [second, first] };
+            let found =
+                Stiffness::new(wheels, mesh, pair.distance(), width, material).series(material.harmonics);
+            values[STIFFNESS] = in_angle(&found, phase(pair, wheels[0], &mesh, load));
+            series = Some(found);
+        }
+        if let Some(most) = number(BACKLASH).filter(|backlash| *backlash > 0.5 * mesh.base_pitch) {
+            diagnostics.error(
+                load.name.span,
+                messages::backlash_too_wide(&load.name.text, most, 0.5 * mesh.base_pitch),
+            );
+        }
+        if let (Some(ratio), Some(mass)) =
+            (number(DAMPING_RATIO), reduced_mass(mechanism, &orientations, pair, &mesh))
+        {
+            let mean = fold::evaluate(&values[STIFFNESS][0], &mechanism.defaults());
+            if let (true, Some(mean)) = (ratio != 0.0, mean.filter(|mean| *mean >= 0.0)) {
+                values[DAMPING] = vec![Expr::Number(2.0 * ratio * libm::sqrt(mean * mass))];
+            }
+        }
+        let without = |which: usize| matches!(values[which][..], [Expr::Number(0.0)]);
+        let always = values[DAMPING].len() > 1;
+        let stores = values[STIFFNESS].len() == 1
+            && !values[STIFFNESS][0].varies()
+            && without(ERROR)
+            && (without(BACKLASH) || always || without(DAMPING));
+        let load = &mut mechanism.loads[at];
+        load.values = values;
+        if let Some(teeth) = &mut load.teeth {
+            (teeth.series, teeth.stores) = (series, stores);
+        }
+    }
+}
+
+fn width([first, second]: [&Toothing; 2]) -> Option<f64> {
+    match (first.face_width, second.face_width) {
+        (Some(a), Some(b)) => Some(a.min(b)),
+        (a, b) => a.or(b),
+    }
+}
+
+/// The phase τ where the turns of the wheel are zero, and the sense in which it grows with them.
+pub fn phase(pair: &Pair, wheel: &Toothing, mesh: &Mesh, load: &Load) -> [f64; 2] {
+    let sense = match load.value(SENSE) {
+        Expr::Number(sense) if *sense < 0.0 => -1.0,
+        _ => 1.0,
+    };
+    // Where a ring drives, its wheel is touched from behind.
+    let sense = if pair.wheel == 1 { -sense } else { sense };
+    let [x, y] = pair.between;
+    let psi = if mesh.sense < 0.0 && pair.wheel == 0 { libm::atan2(-y, -x) } else { libm::atan2(y, x) };
+    let turned = wheel.teeth * (pair.still + wheel.first - psi) / TAU;
+    [stiffness::phase(wheel, mesh) + sense * turned, sense]
+}
+
+/// Σ a cos 2πhτ + b sin 2πhτ with 2πτ = 2πτ₀ + s x by cos hx and sin hx: the mean, then two numbers for each harmonic.
+fn in_angle(series: &Series, [start, sense]: [f64; 2]) -> Vec<Expr> {
+    let waves = series.waves.iter().enumerate().flat_map(|(h, [a, b])| {
+        let angle = TAU * (h + 1) as f64 * start;
+        let (sine, cosine) = (libm::sin(angle), libm::cos(angle));
+        [a * cosine + b * sine, sense * (b * cosine - a * sine)]
+    });
+    std::iter::once(series.mean).chain(waves).map(Expr::Number).collect()
+}
+
+/// m_e = 1/(r_b1²/I₁ + r_b2²/I₂), I of what turns with each wheel.
+pub fn reduced_mass(
+    mechanism: &Mechanism,
+    orientations: &Orientations,
+    pair: &Pair,
+    mesh: &Mesh,
+) -> Option<f64> {
+    let mut inverse = 0.0;
+    for (id, radius) in pair.on.iter().zip(mesh.base) {
+        let (class, _) = orientations.class(Frame::Body(id.body));
+        if class == 0 {
+            continue;
+        }
+        let together = (0..mechanism.bodies.len())
+            .filter(|body| orientations.class(Frame::Body(BodyId(*body))).0 == class);
+        let moments = together
+            .map(|body| fold::evaluate(&mechanism.bodies[body].inertia.moments[2], &mechanism.defaults()));
+        let inertia: f64 = moments.collect::<Option<Vec<f64>>>()?.into_iter().sum();
+        inverse += radius * radius / inertia;
+    }
+    (inverse > 0.0).then(|| 1.0 / inverse)
+}

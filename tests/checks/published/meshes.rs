@@ -1,0 +1,147 @@
+//! Teeth that give: frequencies of a planetary stage, the gear pair with backlash on its branches, turns without number, forces on bearings.
+
+use super::Worst;
+use linkwright::{Mechanism, Simulation, Variables, retract};
+use linkwright_models::gear_pair::{
+    GearPair, GearPairInputs, GearPairOscillator, GearPairOscillatorParameters,
+};
+use linkwright_models::planetary_stage::{PlanetaryStageHeld, PlanetaryStageHeldParameters};
+use std::f64::consts::{PI, TAU};
+
+/// x of A x = b.
+fn solved(mut a: Vec<Vec<f64>>, mut b: Vec<f64>) -> Vec<f64> {
+    let n = b.len();
+    for pivot in 0..n {
+        let best = (pivot..n).max_by(|i, j| a[*i][pivot].abs().total_cmp(&a[*j][pivot].abs())).expect("rows");
+        a.swap(pivot, best);
+        b.swap(pivot, best);
+        for row in pivot + 1..n {
+            let factor = a[row][pivot] / a[pivot][pivot];
+            for column in pivot..n {
+                a[row][column] -= factor * a[pivot][column];
+            }
+            b[row] -= factor * b[pivot];
+        }
+    }
+    for row in (0..n).rev() {
+        let known: f64 = (row + 1..n).map(|column| a[row][column] * b[column]).sum();
+        b[row] = (b[row] - known) / a[row][row];
+    }
+    b
+}
+
+/// The natural frequency nearest to one that is expected, Hz, by inverse iteration on −∂v̇/∂q.
+fn frequency(slopes: &[Vec<f64>], near: f64) -> f64 {
+    let n = slopes.len();
+    let shift = (TAU * near).powi(2) * (1.0 + 1e-4);
+    let shifted = |x: &[f64]| -> Vec<f64> {
+        let a = (0..n).map(|i| (0..n).map(|j| -slopes[i][j] - if i == j { shift } else { 0.0 }).collect());
+        solved(a.collect(), x.to_vec())
+    };
+    let mut x = vec![1.0, 0.7, -0.4, 0.3, 0.9];
+    let mut value = 0.0;
+    for _ in 0..40 {
+        let next = shifted(&x);
+        let size = next.iter().fold(0.0_f64, |most, x| if x.abs() > most.abs() { *x } else { most });
+        let at = next.iter().position(|x| *x == size).expect("the largest");
+        value = shift + x[at] / size;
+        x = next.iter().map(|x| x / size).collect();
+    }
+    value.abs().sqrt() / TAU
+}
+
+/// Stiffnesses of the teeth at τ = 0, 0.25, 0.5, 0.75 of a pitch, and at two round numbers: frequencies from an assembly of its own.
+#[test]
+fn planetary_stage_swings() {
+    let mut worst = Worst::default();
+    for (inner, outer, expected) in [
+        (1.789_757_27e8, 1.951_172_76e8, [2130.16946, 8844.51974, 20479.8852, 52321.1713]),
+        (1.102_717_89e8, 2.871_051_00e8, [2110.91325, 8497.33035, 24452.8365, 43824.7035]),
+        (1.765_450_17e8, 2.256_653_27e8, [2136.71280, 8857.54824, 21881.0205, 52069.2539]),
+        (2.827_684_43e8, 1.564_785_87e8, [2138.34875, 9054.99029, 18585.1835, 63147.7675]),
+        (2e8, 2.5e8, [2148.43215, 8954.85834, 22936.58329, 54742.46747]),
+    ] {
+        let parameters = PlanetaryStageHeldParameters { inner_stiffness: inner, outer_stiffness: outer };
+        let model = PlanetaryStageHeld::<f64>::prepare(parameters).expect("positive stiffnesses");
+        let start = PlanetaryStageHeld::START;
+        let n = start.v.len();
+        let accelerations = |k: usize, h: f64| {
+            let (mut state, mut delta) = (start, start.v);
+            delta.iter_mut().enumerate().for_each(|(index, delta)| *delta = if index == k { h } else { 0.0 });
+            retract(model.layout(), &start.q, &delta, &mut state.q);
+            let (mut a, mut lambda) = (start.v, Default::default());
+            model.acceleration(0.0, &state, &(), &mut a, &mut lambda);
+            a
+        };
+        // Without gaps all is linear, so that a step may be long enough to round little.
+        let columns: Vec<_> = (0..n).map(|k| (accelerations(k, 1e-3), accelerations(k, -1e-3))).collect();
+        let slopes: Vec<Vec<f64>> = (0..n)
+            .map(|i| columns.iter().map(|(plus, minus)| (plus[i] - minus[i]) / 2e-3).collect())
+            .collect();
+        for frequency_of in expected {
+            worst.see(frequency(&slopes, frequency_of) / frequency_of, 1.0);
+        }
+    }
+    worst.below(1e-6, "natural frequencies");
+}
+
+/// Swing of the stiffness, shake, and such a point each.
+const BRANCHES: [(f64, f64, [f64; 6]); 10] = [
+    (0.0, 0.05, [0.755060339, 0.83046368, 0.159068688, 1.35100617, 1.00026489, 0.222488101]),
+    (0.0, 0.05, [0.99527462, 0.904114132, 0.0566628962, 1.27045185, 1.07232661, 0.134301052]),
+    (0.0, 0.05, [1.30218323, 0.985877898, 0.0248483014, 1.21348161, 1.09818022, 0.0812337962]),
+    (0.0, 0.05, [0.599355733, 1.12778767, 0.00155782084, 1.12790895, 1.1, 0.0197346196]),
+    (0.0, 0.05, [0.778488376, 0.823687372, 0.139267553, 1.3415392, 1.01021877, 0.211899478]),
+    (0.3, 0.0, [0.747227011, 1.03141648, -0.00933643353, 1.17390363, 1.11052433, 0.0506710062]),
+    (0.3, 0.0, [1.00325824, 1.19107107, -0.0998058317, 1.22222946, 1.07296359, 0.099169557]),
+    (0.3, 0.0, [1.30077442, 1.1346808, -0.0103856853, 1.13540226, 1.09406157, 0.0285007655]),
+    (0.3, 0.0, [0.608387335, 1.04461738, -6.71423718e-05, 1.14536531, 1.10705989, 0.0350327821]),
+    (0.3, 0.0, [0.779426035, 1.04580375, -0.241797383, 1.32090199, 1.01935776, 0.190180279]),
+];
+
+/// Points of the branches of period one, computed apart by shooting: Ω, x and ẋ at t = 0, largest x, mean and rms.
+#[test]
+fn gear_pair_with_backlash() {
+    let mut worst = Worst::default();
+    for (swing, shake, [omega, x, rate, most, mean, rms]) in BRANCHES {
+        let parameters = GearPairOscillatorParameters { omega, shake, swing };
+        let model = GearPairOscillator::<f64>::prepare(parameters).expect("parameters within their bounds");
+        let base = 3e-3 * 25.0 * (PI / 9.0).cos();
+        let mut start = GearPairOscillator::START;
+        let middle = model.outputs(0.0, &start, &()).x;
+        let from = start.q;
+        retract(model.layout(), &from, &[(x * 1e-6 - middle) / base], &mut start.q);
+        start.v[0] = rate * 1e-6 / base;
+        let steps = 4000;
+        let step = TAU / omega / f64::from(steps);
+        let mut simulation = Simulation::new(&model, start).step(step);
+        let (mut sum, mut squares, mut largest) = (0.0, 0.0, f64::MIN);
+        for _ in 0..steps {
+            let x = 1e6 * model.outputs(simulation.time(), simulation.state(), &()).x;
+            (sum, squares, largest) = (sum + x, squares + x * x, largest.max(x));
+            simulation.advance().expect("teeth turn");
+        }
+        let end = 1e6 * model.outputs(simulation.time(), simulation.state(), &()).x;
+        let (found_mean, count) = (sum / f64::from(steps), f64::from(steps));
+        worst.see(end, x);
+        worst.see(largest, most);
+        worst.see(found_mean, mean);
+        worst.see((squares / count - found_mean * found_mean).sqrt(), rms);
+    }
+    worst.below(1e-5, "one period on a branch");
+}
+
+/// A million turns later the same teeth are as deep in each other.
+#[test]
+fn turns_without_number() {
+    let model = GearPair::<f64>::default();
+    let inputs = GearPairInputs { drive: 0.0, brake: 0.0 };
+    let mut state = GearPair::START;
+    let first = model.outputs(0.0, &state, &inputs);
+    // Behind two pairs (cos, sin) stand turns and remainder of each wheel.
+    state.q[4] += 1e6;
+    state.q[6] -= 1e6;
+    let later = model.outputs(0.0, &state, &inputs);
+    assert!((later.deflection - first.deflection).abs() < 1e-14, "{} {}", later.deflection, first.deflection);
+    assert_eq!(later.stiffness, first.stiffness);
+}

@@ -1,0 +1,282 @@
+"""Loads between teeth: deflection, stiffness and force, from "Teeth" of NOTATION.md. The shape of teeth is evaluated anew."""
+
+import casadi as ca
+import numpy as np
+
+import gears
+from expressions import entry
+
+POSITIONS = 256
+FOUNDATION = {
+    "L": (-5.574e-5, -1.9986e-3, -2.3015e-4, 4.7702e-3, 0.0271, 6.8045),
+    "M": (60.111e-5, 28.100e-3, -83.431e-4, -9.9256e-3, 0.1624, 0.9086),
+    "P": (-50.952e-5, 185.50e-3, 0.0538e-4, 53.300e-3, 0.2895, 0.9236),
+    "Q": (-6.2042e-5, 9.0889e-3, -4.0964e-4, 7.8297e-3, -0.1472, 0.6904),
+}
+
+
+def inv(angle):
+    return np.tan(angle) - angle
+
+
+class Mesh:
+    """One load, at the q and v of some kinematics."""
+
+    def __init__(self, load, kinematics):
+        self.load, self.kinematics, self.model = load, kinematics, kinematics.model
+        self.pair = self.model.pairs[load["name"]]
+        first, second = self.pair.wheels
+        self.base = (first.base, second.base)
+        self.reach = abs(second.base + self.pair.sense * first.base)
+        self.working = np.arccos(self.reach / self.pair.distance)
+        self.pitch = 2 * np.pi * first.base / first.teeth
+        self.wheel, self.other = (second, first) if first.internal else (first, second)
+
+    def given(self, key):
+        return entry(self.load[key], self.kinematics) if self.load.get(key) else ca.SX(0)
+
+    # What moves.
+
+    def deflection(self):
+        phase = self.model.phases[self.model.free_phases.index(self.load["name"])]
+        total = -phase
+        for rotor, factor in self.pair.terms.items():
+            total += factor * self.kinematics.multi_turn(rotor)
+        return self.base[0] / self.pair.wheels[0].teeth * total - self.given("error")
+
+    def rate(self):
+        # Of counted angles, whose rates are those of the rotors.
+        first = self.pair.wheels[0]
+        turning = sum(factor * self.kinematics.rotor_rate(rotor) for rotor, factor in self.pair.terms.items())
+        error = self.given("error_rate") if self.load.get("error_rate") else self.kinematics.rate(self.given("error"))
+        return self.base[0] / first.teeth * turning - error
+
+    def phase_at_rest(self):
+        """τ where the wheel's turn against what holds it is zero, and the sense in which it grows."""
+        sense = 1 if not self.load.get("sense") or float(ca.DM(entry(self.load["sense"], self.model))) > 0 else -1
+        if self.pair.wheels[0].internal:
+            sense = -sense
+        x, y = self.pair.between
+        if self.pair.wheels[1].internal:
+            x, y = -x, -y
+        half = (np.pi / 2 + 2 * self.wheel.shift * np.tan(self.wheel.angle)) / self.wheel.teeth
+        half += inv(self.wheel.transverse_angle) - inv(self.working)
+        start = (self.wheel.base * (np.tan(self.working) + half) - self.path()[0]) / self.pitch
+        carrier, _ = gears._carrier(self.model, self.pair.wheels)
+        still = 0.0
+        for body, sign in ((self.wheel.body, 1), (carrier, -1)):
+            root, angle = gears._orientation(self.model, body)
+            still += sign * angle if root is None else 0.0
+        turned = self.wheel.teeth * (still + self.wheel.first - np.arctan2(y, x)) / (2 * np.pi)
+        return start + sense * turned, sense
+
+    def turn(self):
+        """(cos, sin) of the wheel's angle against what holds it."""
+        carrier, _ = gears._carrier(self.model, self.pair.wheels)
+        c, s = ca.SX(1), ca.SX(0)
+        for body, sign in ((self.wheel.body, 1), (carrier, -1)):
+            if gears._orientation(self.model, body)[0] is not None:
+                pose = self.kinematics.pose(body)
+                c, s = c * pose.c - sign * s * pose.s, s * pose.c + sign * c * pose.s
+        return c, s
+
+    def phase(self):
+        start, sense = self.phase_at_rest()
+        carrier, _ = gears._carrier(self.model, self.pair.wheels)
+        total = ca.SX(0)
+        for body, sign in ((self.wheel.body, 1), (carrier, -1)):
+            if gears._orientation(self.model, body)[0] is not None:
+                total += sign * self.kinematics.multi_turn(body)
+        tau = start + sense * self.wheel.teeth * total / (2 * ca.pi)
+        return tau - ca.floor(tau)
+
+    def pairs_in_contact(self):
+        begin, end = self.path()
+        ratio = (end - begin) / self.pitch
+        return np.floor(ratio) + ca.if_else(self.phase() < ratio - np.floor(ratio), 1, 0)
+
+    def stiffness(self):
+        node = self.load["stiffness"]
+        if "involute" not in node:
+            return entry(node, self.kinematics)
+        mean, waves = self.series(node["involute"])
+        start, sense = self.phase_at_rest()
+        c, s = self.turn()
+        power_c, power_s = ca.SX(1), ca.SX(0)
+        step_c, step_s = ca.SX(1), ca.SX(0)
+        for _ in range(self.wheel.teeth):
+            step_c, step_s = step_c * c - step_s * s, step_s * c + step_c * s
+        k = ca.SX(mean)
+        for h, (a, b) in enumerate(waves, 1):
+            power_c, power_s = power_c * step_c - power_s * step_s, power_s * step_c + power_c * step_s
+            angle = 2 * np.pi * h * start
+            # cos(angle + sense h x) and sin of it.
+            k += a * (np.cos(angle) * power_c - sense * np.sin(angle) * power_s)
+            k += b * (np.sin(angle) * power_c + sense * np.cos(angle) * power_s)
+        return k
+
+    def damping(self):
+        """c, and whether it acts always."""
+        node = self.load.get("damping")
+        if node and node["value"].get("call") == "always":
+            inner = {**node, "value": node["value"]["args"][0]}
+            return entry(inner, self.model), True
+        if node:
+            return entry(node, self.model), False
+        if not self.load.get("damping_ratio"):
+            return ca.SX(0), False
+        ratio = entry(self.load["damping_ratio"], self.model)
+        stiffness = self.load["stiffness"]
+        mean = self.series(stiffness["involute"])[0] if "involute" in stiffness else entry(stiffness, self.model)
+        inverse = 0.0
+        for wheel in self.pair.wheels:
+            root, _ = gears._orientation(self.model, wheel.body)
+            if root is not None:
+                bodies = [name for name in self.model.bodies if gears._orientation(self.model, name)[0] == root]
+                inverse += wheel.base**2 / sum(float(self.model.at_defaults(self.model.bodies[name].inertia)[0]) for name in bodies)
+        return float(self.model.at_defaults(2 * ratio * ca.sqrt(mean / inverse))[0]), False
+
+    def is_elastic(self):
+        """Whether it stores energy."""
+        if "involute" in self.load["stiffness"] or self.load.get("error"):
+            return False
+        stiffness = ca.SX(self.stiffness())
+        if ca.depends_on(stiffness, ca.vertcat(self.kinematics.q, self.model.time, self.model.u, self.model.z)):
+            return False
+        damping, always = self.damping()
+        return always or not self.load.get("backlash") or (isinstance(damping, ca.SX) and damping.is_zero())
+
+    def beyond(self):
+        u, half = self.deflection(), self.given("backlash") / 2
+        return ca.if_else(u > half, u - half, ca.if_else(u < -half, u + half, 0))
+
+    def force(self):
+        k, (c, always) = self.stiffness(), self.damping()
+        resisted = c * self.rate()
+        if not self.load.get("backlash"):
+            return k * self.deflection() + resisted
+        if always:
+            return k * self.beyond() + resisted
+        u, half = self.deflection(), self.given("backlash") / 2
+        ahead = ca.fmax(k * (u - half) + resisted, 0)
+        behind = ca.fmin(k * (u + half) + resisted, 0)
+        return ca.if_else(u > half, ahead, ca.if_else(u < -half, behind, 0))
+
+    def rates(self):
+        """Rates of both wheels, then of both centres; what acts along them is `efforts`."""
+        first, second = self.pair.wheels
+        spins = [self.kinematics.pose(wheel.body).omega for wheel in (first, second)]
+        centers = [self.kinematics.rate(self.kinematics.position(wheel.center)) for wheel in (first, second)]
+        return ca.vertcat(*spins, *centers)
+
+    def efforts(self):
+        """Torques −r_b1 N, ∓r_b2 N; on the second centre N cos α across the line of centres and |N| sin α along it."""
+        force, pair = self.force(), self.pair
+        carrier, _ = gears._carrier(self.model, pair.wheels)
+        pose = self.kinematics.pose(carrier)
+        x, y = pair.between / pair.distance
+        along, across = pose.turn(ca.DM([x, y])), pose.turn(ca.DM([-y, x]))
+        tangential = force * np.cos(self.working)
+        radial = ca.fabs(force) * np.sin(self.working)
+        if pair.wheels[1].internal:
+            pushed = -tangential * across - radial * along
+        elif pair.wheels[0].internal:
+            pushed = tangential * across - radial * along
+        else:
+            pushed = tangential * across + radial * along
+        return ca.vertcat(-self.base[0] * force, -pair.sense * self.base[1] * force, -pushed, pushed)
+
+    # The shape of teeth.
+
+    def path(self):
+        """Of contact, from the base tangent point of the wheel."""
+        tangent = self.pair.distance * np.sin(self.working)
+
+        def reach(toothing):
+            return np.sqrt(max(toothing.tip**2 - toothing.base**2, 0))
+
+        if self.other.internal:
+            return max(reach(self.other) - tangent, 0.0), reach(self.wheel)
+        return max(tangent - reach(self.other), 0.0), min(reach(self.wheel), tangent)
+
+    def series(self, node):
+        young = float(ca.DM(entry(node["young"], self.model)))
+        number = lambda key, default: float(ca.DM(entry(node[key], self.model))) if node.get(key) else default
+        poisson, harmonics, over = number("poisson", 0.3), round(number("harmonics", 5)), number("entry", 0.0)
+        section = bool(node.get("tooth")) and node["tooth"]["value"]["name"] == "section"
+        widths = [wheel.width for wheel in self.pair.wheels if wheel.width]
+        width = min(widths)
+        begin, end = self.path()
+        ratio = (end - begin) / self.pitch
+        tangent = self.pair.distance * np.sin(self.working)
+
+        def one(along):
+            across = tangent + along if self.other.internal else tangent - along
+            if section:
+                return 1 / (_section(self.wheel, along, young, width) + _section(self.other, across, young, width))
+            give = _profile(self.wheel, along, young, poisson, width) + _profile(self.other, across, young, poisson, width)
+            return 1 / (give + 4 * (1 - poisson**2) / (np.pi * young * width))
+
+        curve = np.zeros(POSITIONS)
+        for index in range(POSITIONS):
+            at = index / POSITIONS
+            while at < ratio:
+                s = 1.0 if over == 0 else min(max(min(at, ratio - at) / over, 0.0), 1.0)
+                curve[index] += s * s * (3 - 2 * s) * one(begin + at * self.pitch)
+                at += 1
+        spectrum = np.fft.rfft(curve) / POSITIONS
+        return spectrum[0].real, [(2 * spectrum[h].real, -2 * spectrum[h].imag) for h in range(1, harmonics + 1)]
+
+
+def _half(toothing, angle):
+    """Half the angle of a tooth where the pressure angle is this."""
+    own = np.pi / 2 + (-1 if toothing.internal else 1) * 2 * toothing.shift * np.tan(toothing.angle)
+    side = -1 if toothing.internal else 1
+    return own / toothing.teeth + side * (inv(toothing.transverse_angle) - inv(angle))
+
+
+def _section(toothing, along, young, width):
+    radius, angle = np.hypot(toothing.base, along), np.arctan2(along, toothing.base)
+    half = _half(toothing, angle)
+    thickness, height = 2 * radius * np.sin(half), abs(radius * np.cos(half) - toothing.root)
+    return height**3 / (3 * young * (width * thickness**3 / 12))
+
+
+def _profile(toothing, along, young, poisson, width):
+    base, root, side = toothing.base, toothing.root, -1 if toothing.internal else 1
+    radius, angle = np.hypot(base, along), np.arctan2(along, base)
+    half = _half(toothing, angle)
+    load = angle - side * half
+    height, across = side * radius * np.cos(half), radius * np.sin(half)
+    thick = 2 * toothing.pitch * _half(toothing, toothing.transverse_angle)
+    plate = young / (1 - poisson**2) if width > 5 * thick else young
+    shear = young / (2 * (1 + poisson))
+    nodes, weights = np.polynomial.legendre.leggauss(40)
+
+    def slices(y, x, dy):
+        moment = (height - y) * np.cos(load) - across * np.sin(load)
+        give = moment**2 / (plate * 2 * width * x**3 / 3)
+        give += (1.2 * np.cos(load) ** 2 / shear + np.sin(load) ** 2 / plate) / (2 * width * x)
+        return float(np.sum(weights * give * dy))
+
+    total, foot = 0.0, np.arccos(base / root) if root > base else 0.0
+    whole = _half(toothing, 0.0)
+    if side > 0 and root < base:
+        low, high = root * np.cos(whole), base * np.cos(whole)
+        y = (low + high) / 2 + (high - low) / 2 * nodes
+        total += slices(y, y * np.tan(whole), (high - low) / 2)
+    alpha = (foot + angle) / 2 + (angle - foot) / 2 * nodes
+    halves, radii = _half(toothing, alpha), base / np.cos(alpha)
+    growth = radii * np.tan(alpha) * (np.cos(halves) + side * np.sin(halves) * np.tan(alpha))
+    total += slices(side * radii * np.cos(halves), radii * np.sin(halves), side * growth * (angle - foot) / 2)
+    if side < 0:
+        return total
+    theta = _half(toothing, foot)
+    ratio = root / (toothing.bore / 2 if toothing.bore else root / 2)
+    of = {
+        name: a / theta**2 + b * ratio**2 + c * ratio / theta + d / theta + e * ratio + f
+        for name, (a, b, c, d, e, f) in FOUNDATION.items()
+    }
+    part = (height - across * np.tan(load) - root * np.cos(theta)) / (2 * root * theta)
+    body = of["L"] * part**2 + of["M"] * part + of["P"] * (1 + of["Q"] * np.tan(load) ** 2)
+    return total + np.cos(load) ** 2 / (width * young) * body
