@@ -19,9 +19,9 @@ pub(crate) struct Mesh {
     /// Of the first wheel.
     pub teeth: f64,
     pub working: f64,
-    /// What the sum of the terms is where the teeth meet, and which of its pitches.
+    /// What the sum of the terms is where the teeth meet, and which of its pitches: the nearest, where none was kept.
     pub constant: f64,
-    pub pitches: f64,
+    pub pitches: Option<f64>,
     pub stiffness: Stiffness,
     pub damping: f64,
     pub always: bool,
@@ -51,13 +51,17 @@ impl Mesh {
         })
     }
 
-    /// The pitch that is nearest to where the wheels stand.
+    fn nearest(&self, at: &Kinematics) -> f64 {
+        ((self.sum(at)[0] - self.constant) / TAU).round()
+    }
+
+    /// Keeps the pitch that is nearest to where the wheels stand.
     pub fn settle(&mut self, at: &Kinematics) {
-        self.pitches = ((self.sum(at)[0] - self.constant) / TAU).round();
+        self.pitches = Some(self.nearest(at));
     }
 
     fn deflection(&self, at: &Kinematics, inputs: &[f64], scratch: &mut Scratch) -> f64 {
-        let phase = self.constant + TAU * self.pitches;
+        let phase = self.constant + TAU * self.pitches.unwrap_or_else(|| self.nearest(at));
         self.bases[0] / self.teeth * (self.sum(at)[0] - phase) - self.error.value(at, inputs, scratch)
     }
 

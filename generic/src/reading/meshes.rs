@@ -84,7 +84,7 @@ impl Reader<'_> {
             teeth: first.teeth,
             working,
             constant: pair.constant,
-            pitches: 0.0,
+            pitches: None,
             stiffness,
             damping,
             always,
