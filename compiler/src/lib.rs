@@ -3,6 +3,7 @@
 //! An ordinary library: [`expand`] is what the macro calls, [`compile`] what tests and tools call. The stages, in
 //! order, are the modules below; `driver` chains them.
 
+pub mod beams;
 mod budget;
 pub mod builder;
 mod choice;

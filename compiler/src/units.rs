@@ -152,6 +152,13 @@ impl Dimension {
     /// N m s.
     pub const ANGULAR_DAMPING: Self = Self::new(1, 2, -1, 0);
 
+    /// Pa.
+    pub const PRESSURE: Self = Self::new(1, -1, -2, 0);
+    /// m².
+    pub const AREA: Self = Self::new(0, 2, 0, 0);
+    /// m⁴.
+    pub const SECOND_MOMENT: Self = Self::new(0, 4, 0, 0);
+
     /// From whole exponents of kg, m, s and rad.
     const fn new(mass: i32, length: i32, time: i32, angle: i32) -> Self {
         Self::electric(mass, length, time, 0, angle)

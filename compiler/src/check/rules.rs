@@ -388,8 +388,8 @@ pub(super) fn touched(mechanism: &Mechanism) -> Vec<bool> {
     for coordinate in coordinates {
         match coordinate {
             Coordinate::Angle(rotor) => touch_rotor(&mut touched, *rotor),
-            // The bodies of a joint have been touched by it.
-            Coordinate::Travel(..) => {}
+            // The bodies of a joint have been touched by it; what a beam does in itself holds it nowhere.
+            Coordinate::Travel(..) | Coordinate::Mode(..) => {}
             Coordinate::Turn(body, _) | Coordinate::Deviation(body, _) => {
                 touch(&mut touched, Frame::Body(*body))
             }

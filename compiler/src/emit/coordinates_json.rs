@@ -20,6 +20,10 @@ pub fn coordinates_json(mechanism: &Mechanism, equations: &Equations) -> String 
         Linear::Center(id, axis) => {
             format!("{{\"kind\":\"{}\",\"of\":{}}}", ["x", "y", "z"][*axis], body(id.0))
         }
+        Linear::Mode(id, mode) => {
+            let name = mechanism.bodies[id.0].beam.as_ref().map(|beam| beam.mode_name(*mode));
+            format!("{{\"kind\":{},\"of\":{}}}", quoted(&name.unwrap_or_default()), body(id.0))
+        }
         Linear::Travel(id, which) => {
             let names = mechanism.joints[id.0].form.travels;
             format!("{{\"kind\":{},\"of\":{}}}", quoted(names[*which][0]), joint(id.0))

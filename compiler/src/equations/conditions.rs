@@ -1,7 +1,7 @@
 //! Coordinates that can be held at a value: those that `start` states, and the independent ones.
 
 use super::Equations;
-use super::coordinates::{angle_name, travel_name};
+use super::coordinates::{angle_name, mode_name, travel_name};
 use super::jet::Jet;
 use super::laws::Laws;
 use crate::model::{Coordinate, Mechanism, Rotor, StartOrientation};
@@ -31,6 +31,7 @@ pub fn name(mechanism: &Mechanism, coordinate: &Coordinate) -> String {
         Coordinate::Angle(Rotor::Body(body)) => format!("{}.angle", mechanism.bodies[body.0].name.text),
         Coordinate::Angle(Rotor::Joint(id, which)) => angle_name(mechanism, *id, *which, 0),
         Coordinate::Travel(id, which) => travel_name(mechanism, *id, *which, 0),
+        Coordinate::Mode(body, mode) => mode_name(mechanism, *body, *mode),
         Coordinate::Position(place, axis) => format!("{}.{}", place.text, ["x", "y", "z"][*axis]),
         Coordinate::Distance(a, b) => format!("distance({}, {})", a.text, b.text),
         Coordinate::Way(ends, _) => format!("way({}, {})", ends[0].text, ends[1].text),
@@ -61,6 +62,7 @@ pub fn condition(laws: &Laws, coordinate: &Coordinate) -> (Condition, Node) {
         | Coordinate::Square(..)
         | Coordinate::Direction(..)
         | Coordinate::Turn(..)
+        | Coordinate::Mode(..)
         | Coordinate::Deviation(..) => None,
     };
     let counted = rotor.is_some_and(|rotor| laws.is_counted(rotor));

@@ -14,6 +14,8 @@ pub enum Linear {
     Center(BodyId, usize),
     /// Travel of a joint that carries a body; which of its travels.
     Travel(JointId, usize),
+    /// A mode of a beam.
+    Mode(BodyId, usize),
 }
 
 /// A pair (cos, sin).
@@ -106,7 +108,7 @@ impl Layout {
             .linear
             .iter()
             .map(|linear| match linear {
-                Linear::Center(body, _) => Owner::Body(*body),
+                Linear::Center(body, _) | Linear::Mode(body, _) => Owner::Body(*body),
                 Linear::Travel(joint, _) => Owner::Joint(*joint),
             })
             .collect();
@@ -137,18 +139,22 @@ impl Linear {
     fn name(&self, mechanism: &Mechanism) -> String {
         match self {
             Linear::Center(body, axis) => {
-                format!("{}.center.{}", mechanism.bodies[body.0].name.text, ["x", "y", "z"][*axis])
+                let place = reference(mechanism, *body);
+                format!("{place}.{}", ["x", "y", "z"][*axis])
             }
             Linear::Travel(joint, which) => travel_name(mechanism, *joint, *which, 0),
+            Linear::Mode(body, mode) => mode_name(mechanism, *body, *mode),
         }
     }
 
     fn rate_name(&self, mechanism: &Mechanism) -> String {
         match self {
             Linear::Center(body, axis) => {
-                format!("{}.center.velocity.{}", mechanism.bodies[body.0].name.text, ["x", "y", "z"][*axis])
+                let place = reference(mechanism, *body);
+                format!("{place}.velocity.{}", ["x", "y", "z"][*axis])
             }
             Linear::Travel(joint, which) => travel_name(mechanism, *joint, *which, 1),
+            Linear::Mode(body, mode) => format!("{}.rate", mode_name(mechanism, *body, *mode)),
         }
     }
 }
@@ -195,6 +201,20 @@ pub fn travel_name(mechanism: &Mechanism, joint: JointId, which: usize, rate: us
     let joint = &mechanism.joints[joint.0];
     let travels = joint.form.travels;
     format!("{}.{}", joint.name.text, travels[which][rate])
+}
+
+/// `coupler.bending[0]`.
+pub fn mode_name(mechanism: &Mechanism, body: BodyId, mode: usize) -> String {
+    let body = &mechanism.bodies[body.0];
+    let mode = body.beam.as_ref().map_or_else(String::new, |beam| beam.mode_name(mode));
+    format!("{}.{mode}", body.name.text)
+}
+
+/// What the coordinates of a free body are of: its centre of mass, or the origin of a beam's frame.
+fn reference(mechanism: &Mechanism, body: BodyId) -> String {
+    let body = &mechanism.bodies[body.0];
+    let place = if body.form.bends { "origin" } else { "center" };
+    format!("{}.{place}", body.name.text)
 }
 
 pub fn rotor_name(mechanism: &Mechanism, rotor: Rotor) -> &str {

@@ -270,6 +270,9 @@ impl<'a> Laws<'a> {
             Coordinate::Travel(joint, which) => self.kinematics().travel(self, *joint, *which),
             Coordinate::Position(place, axis) => self.kinematics().world(self, place)[*axis].clone(),
             Coordinate::Turn(body, axis) => self.kinematics().omega(*body, *axis),
+            Coordinate::Mode(body, mode) => {
+                self.plane().mode(body.0, *mode).unwrap_or_else(|| self.still(self.g.zero()))
+            }
             Coordinate::Deviation(body, axis) => {
                 let mut stated = self.mechanism.orientations.iter();
                 match stated.find(|start| start.body == *body) {

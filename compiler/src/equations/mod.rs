@@ -368,6 +368,12 @@ impl Equations {
         Equations { internal_starts, ..self }
     }
 
+    /// What laws make of the motion, on the graph.
+    pub fn built(&self, mechanism: &Mechanism, of: impl for<'g> Fn(&Laws<'g>) -> Scalar<'g>) -> Node {
+        let (g, symbols) = (self.graph.sheet(), &self.symbols);
+        of(&Laws::moving(g, mechanism, symbols, &self.layout, &self.kinematics)).bare
+    }
+
     /// The row of one coordinate and a new symbol for its target.
     pub fn condition(&self, mechanism: &Mechanism, coordinate: &Coordinate) -> (Condition, Node) {
         let (g, symbols) = (self.graph.sheet(), &self.symbols);
@@ -399,6 +405,12 @@ fn masses(laws: &Laws) -> Vec<(String, Node)> {
     for body in &laws.mechanism.bodies {
         for (what, length) in &body.dimensions {
             masses.push((format!("{what} of \"{}\"", body.name.text), laws.value(length).bare));
+        }
+    }
+    for body in &laws.mechanism.bodies {
+        let Some(beam) = &body.beam else { continue };
+        for (what, rigidity) in ["axial", "bending"].iter().zip(&beam.rigidities) {
+            masses.push((format!("{what} stiffness of \"{}\"", body.name.text), laws.value(rigidity).bare));
         }
     }
     for joint in &laws.mechanism.joints {

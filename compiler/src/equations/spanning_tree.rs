@@ -39,7 +39,10 @@ impl SpanningTree {
         let mut at: BTreeMap<Frame, Vec<JointId>> = BTreeMap::new();
         for (index, joint) in mechanism.joints.iter().enumerate() {
             let id = JointId(index);
-            if usable(&id) && plane::joints::of(joint.form).attach.is_some() {
+            // What keeps a direction that bends is a row.
+            let straight = !joint.form.keeps_orientation
+                || [&joint.first, &joint.second].iter().all(|place| mechanism.keeps_direction(place));
+            if usable(&id) && straight && plane::joints::of(joint.form).attach.is_some() {
                 at.entry(joint.first.frame).or_default().push(id);
                 at.entry(joint.second.frame).or_default().push(id);
             }

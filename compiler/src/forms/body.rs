@@ -17,6 +17,8 @@ pub struct BodyForm {
     pub states_center: bool,
     /// Whether it has points `start` and `end`, half its length from its centre along x.
     pub has_ends: bool,
+    /// Whether it has coordinates of its own by which it deforms.
+    pub bends: bool,
     pub outline: Outline,
 }
 
@@ -76,6 +78,13 @@ pub struct Volume {
     pub edges: &'static [(&'static str, u32)],
 }
 
+/// What a beam has beside its mass and its length.
+const BEAM: [&str; 5] = ["density", "young", "area", "second_moment", "damping_ratio"];
+
+/// Cross-sections by their lengths, the one across the beam before the one along z.
+pub const SECTIONS: [(&str, &[&str]); 3] =
+    [("circle", &["diameter"]), ("tube", &["outer", "inner"]), ("rectangle", &["height", "width"])];
+
 /// How a body is drawn, and how far it reaches.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Outline {
@@ -121,8 +130,11 @@ impl BodyForm {
         names.extend(solid.volume.map(|_| "density"));
         names
             .extend(solid.lengths.iter().filter(|length| length.of_size.is_none()).map(|length| length.name));
-        if self.turns && space == Space::Planar {
+        if self.turns && !self.bends && space == Space::Planar {
             names.push("inertia");
+        }
+        if self.bends {
+            names.extend(BEAM);
         }
         names
     }

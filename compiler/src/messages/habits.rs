@@ -109,7 +109,7 @@ pub(crate) fn foreign_statement(word: &str) -> Option<&'static str> {
         "link" | "part" | "solid" | "frame" | "mass" => {
             "write `body`, or a shape such as `rod`, `disk` or `box`"
         }
-        "bar" | "beam" => "write `rod`",
+        "bar" => "write `rod`",
         "wheel" | "circle" => "write `disk`",
         "ball" => "write `sphere`, or `joint name: spherical(…)`",
         "cube" | "cuboid" | "block" => "write `box`",

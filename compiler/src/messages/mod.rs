@@ -1,6 +1,7 @@
 //! All texts of messages of the front end: what is wrong, why, and what to write instead. One file a subject; those of
 //! the assembled mechanism stand in `check/messages.rs`.
 
+mod beams;
 mod composition;
 mod contacts;
 mod files;
@@ -15,6 +16,7 @@ mod values;
 mod warnings;
 mod writing;
 
+pub(crate) use beams::*;
 pub(crate) use composition::*;
 pub(crate) use contacts::*;
 pub(crate) use files::*;

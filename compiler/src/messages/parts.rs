@@ -5,11 +5,10 @@ use crate::forms::{Form, Space};
 
 /// Words of a later version.
 const LOADS_TO_COME: &[&str] = &["friction", "mesh"];
-const STATEMENTS_TO_COME: &[&str] = &["beam"];
 
 /// Whether a word will begin a statement in a later version.
 pub(crate) fn is_to_come(word: &str) -> bool {
-    LOADS_TO_COME.contains(&word) || STATEMENTS_TO_COME.contains(&word)
+    LOADS_TO_COME.contains(&word)
 }
 
 // ---- Joints, constraints, loads --------------------------------------------------------------------------------------

@@ -37,6 +37,8 @@ impl<'d> Lowering<'d> {
             Part::Body(index) => index,
             _ => return None,
         };
+        let slender = self.bodies[index].slender.clone();
+        let beam = if body.form.bends { Some(self.beam(body, slender)?) } else { None };
         let ((mass, mass_span), (inertia, inertia_span)) = (mass?, inertia?);
         let (points, lines) = (self.named_points(index, body)?, self.named_lines(index, body)?);
         let dimensions = self.dimensions(body)?;
@@ -54,6 +56,7 @@ impl<'d> Lowering<'d> {
             markers: self.named_markers(index, body)?,
             lines,
             toothings,
+            beam,
         })
     }
 
@@ -120,7 +123,11 @@ impl<'d> Lowering<'d> {
 
     /// Points in the order written, those of the shape first.
     fn named_points(&self, index: usize, body: &'d syntax::Body) -> Option<Vec<NamedPoint>> {
-        let own = if body.form.has_ends { ["start", "end"].as_slice() } else { &[] };
+        let own: &[&str] = match body.form {
+            form if form.bends => &["start", "center", "end"],
+            form if form.has_ends => &["start", "end"],
+            _ => &[],
+        };
         let span = body.name.region;
         let own = own.iter().map(|text| super::Name { text: (*text).to_string(), span });
         let written = body.points.iter().map(|(label, _)| name(label));

@@ -243,6 +243,8 @@ pub enum Coordinate {
     /// How far a body in space is from the orientation that `start` states: a component of the axis of the turn between them times
     /// its sine.
     Deviation(BodyId, usize),
+    /// A mode of a beam, m.
+    Mode(BodyId, usize),
 }
 
 impl Coordinate {
@@ -267,7 +269,7 @@ impl Coordinate {
     pub fn dimension(&self) -> Dimension {
         match self {
             Self::Angle(_) | Self::Turn(..) | Self::Deviation(..) => Dimension::ANGLE,
-            Self::Travel(..) | Self::Position(..) | Self::Distance(..) | Self::Way(..) => Dimension::LENGTH,
+            Self::Travel(..) | Self::Position(..) | Self::Distance(..) | Self::Way(..) | Self::Mode(..) => Dimension::LENGTH,
             Self::Square(..) => Dimension::LENGTH.times(Dimension::LENGTH),
             Self::Direction(..) => Dimension::ONE,
         }
@@ -277,7 +279,7 @@ impl Coordinate {
     pub fn rate_dimension(&self) -> Dimension {
         match self {
             Self::Angle(_) | Self::Turn(..) | Self::Deviation(..) => Dimension::ANGULAR_RATE,
-            Self::Travel(..) | Self::Position(..) | Self::Distance(..) | Self::Way(..) => Dimension::SPEED,
+            Self::Travel(..) | Self::Position(..) | Self::Distance(..) | Self::Way(..) | Self::Mode(..) => Dimension::SPEED,
             Self::Square(..) => Dimension::LENGTH.times(Dimension::SPEED),
             Self::Direction(..) => Dimension::ONE.over(Dimension::TIME),
         }

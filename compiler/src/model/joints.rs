@@ -75,6 +75,7 @@ impl<'d> Lowering<'d> {
         let lowered = Joint { name: name(&joint.name), form: joint.form, first, second, directions, scalars };
         self.refused(joint, &lowered)?;
         self.two_bodies(joint, &lowered.first, &lowered.second)?;
+        self.joint_of_beam(joint, &lowered)?;
         Some(lowered)
     }
 

@@ -4,7 +4,7 @@ use super::fold;
 use super::lower::{Lowering, Use, name};
 use super::names::Part;
 use super::values::padded;
-use super::{Expr, Function1, Function2, Load, Subject, Vector};
+use super::{Expr, Function1, Function2, Load, Rotor, Subject, Vector};
 use crate::forms::{Acts, Argument, Law, Value};
 use crate::messages;
 use crate::syntax::{self, LawTerm, Named, Space, SubjectTerm, Tuple};
@@ -58,6 +58,19 @@ impl<'d> Lowering<'d> {
                 self.diagnostics.error(written.region(), messages::particle_turns(&place.text));
                 return None;
             }
+        }
+        for (subject, written) in subjects.iter().zip(&load.on) {
+            let message = match subject {
+                Subject::Rotor(Rotor::Body(body)) if self.has_mean_direction(*body) => {
+                    messages::torque_on_beam(&self.definition.bodies[body.0].name.text)
+                }
+                Subject::Place(place) if load.form.turns && self.bends(place.frame) => {
+                    messages::bushing_on_beam(&place.text)
+                }
+                _ => continue,
+            };
+            self.diagnostics.error(written.region(), message);
+            return None;
         }
         for (which, pair) in subjects.windows(2).enumerate() {
             if let [Subject::Place(first), Subject::Place(second)] = pair

@@ -11,14 +11,16 @@ use super::signals::Signals;
 use super::unused::{self, Scope};
 use super::{
     Axes, Constraint, ConstraintKind, Coupled, Coupling, DeclaredUnit, Driver, Expr, Function2, Input,
-    Mechanism, Name, Output, Parameter, StartCondition, StartOrientation, Subject, Vector,
+    Mechanism, Name, Output, Parameter, Rotor, StartCondition, StartOrientation, Subject, Vector,
 };
+use crate::beams::Slender;
 use crate::diagnostics::Diagnostics;
 use crate::forms::Acts;
 use crate::messages;
 use crate::syntax::{self, ConstraintTerm, Definition, Entry, Label, SubjectTerm};
 use crate::units::Dimension;
 use std::collections::{HashMap, HashSet};
+use std::sync::Arc;
 
 /// Lowers a definition. All errors are reported.
 pub fn lower(definition: &Definition) -> Result<Mechanism, Diagnostics> {
@@ -87,6 +89,7 @@ pub fn lower(definition: &Definition) -> Result<Mechanism, Diagnostics> {
         unused: Vec::new(),
         allowed: definition.allowed.clone(),
     };
+    Lowering::modes_at_rest(&mut mechanism);
     mechanism.states = lowering.states();
     lowering.states_of_loads(&mut mechanism.loads, &mut mechanism.states);
     lowering.all_signals();
@@ -132,6 +135,8 @@ pub(super) struct BodyFrame<'d> {
     pub points: HashMap<&'d str, Option<Vector>>,
     pub markers: HashMap<&'d str, Option<(Vector, Axes)>>,
     pub lines: HashMap<&'d str, Option<[Vector; 2]>>,
+    /// Of a beam whose length is known.
+    pub slender: Option<Arc<Slender>>,
 }
 
 /// What an expression may depend on, and how its message calls it.
@@ -316,6 +321,11 @@ impl<'d> Lowering<'d> {
 
     fn coupled(&mut self, written: &'d SubjectTerm, acts: Acts) -> Option<Coupled> {
         match self.subject(written, acts)? {
+            Subject::Rotor(Rotor::Body(body)) if self.has_mean_direction(body) => {
+                let message = messages::torque_on_beam(&self.definition.bodies[body.0].name.text);
+                self.diagnostics.error(written.region(), message);
+                None
+            }
             Subject::Rotor(rotor) => Some(Coupled::Angle(rotor)),
             Subject::Travel(joint) => Some(Coupled::Travel(joint)),
             // Forms of couplings name coordinates only.

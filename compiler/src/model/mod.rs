@@ -4,6 +4,7 @@
 //! is in SI units, every expression has been checked for dimension, every `repeat` has been unrolled.
 //! Whether the mechanism makes physical sense is left to `check`.
 
+mod beams;
 mod bodies;
 mod composites;
 mod constants;
@@ -36,6 +37,7 @@ use crate::forms::BodyForm;
 pub use crate::forms::{Alone, JointAxes, JointForm, LoadForm, Space};
 use crate::scalar::Scalar;
 pub use crate::syntax::{Budgeted, OnDisk, identifier};
+pub use beams::Beam;
 pub use elements::{Constraint, ConstraintKind, Coupled, Coupling, Joint, Load, Rotor, Subject};
 pub use expression::{
     Comparison, Condition, Coordinate, Expr, Function1, Function2, OfTeeth, Quantity, ReactionPart,
@@ -283,6 +285,8 @@ pub struct Body {
     pub markers: Vec<NamedPoint>,
     pub lines: Vec<NamedLine>,
     pub toothings: Vec<gears::Toothing>,
+    /// What bends of it.
+    pub beam: Option<Beam>,
 }
 
 /// The inertia tensor about the centre of mass, kg m², of parameters only.

@@ -37,7 +37,10 @@ impl<'d> Lowering<'d> {
             let at = self.vector(tuple, Dimension::LENGTH, Use::PROPERTY, &messages::quoted(&label.text));
             points.insert(&label.text, at);
         }
-        if body.form.has_ends {
+        let slender = self.slender(body);
+        if body.form.bends {
+            self.points_of_beam(body, slender.as_deref(), &mut points);
+        } else if body.form.has_ends {
             let half = self.shape_length(body, "length", false).map(|length| halved(length, 0.5));
             for (end, sign) in [("start", -1.0), ("end", 1.0)] {
                 let at = half.clone().map(|half| [halved(half, sign), Expr::Number(0.0), Expr::Number(0.0)]);
@@ -48,11 +51,11 @@ impl<'d> Lowering<'d> {
         }
         let markers = body.markers.iter().map(|marker| (marker.name.text.as_str(), self.marker(marker)));
         let markers = markers.collect();
-        BodyFrame { center, points, markers, lines: HashMap::new() }
+        BodyFrame { center, points, markers, lines: HashMap::new(), slender }
     }
 
     /// A rod's `start` and `end` are its own.
-    fn shape_point_again(&mut self, body: &'d syntax::Body, end: &str) {
+    pub(super) fn shape_point_again(&mut self, body: &'d syntax::Body, end: &str) {
         let written = body.points.iter().find(|(label, _)| label.text == end);
         if let Some((label, _)) = written {
             self.diagnostics.error(label.region, messages::rod_has_end(end));
@@ -255,7 +258,9 @@ impl<'d> Lowering<'d> {
         let place = |at: Vector| with_axes(at, Axes::Parallel);
         match path.parts.as_slice() {
             [_, point] if point.text == "origin" => place(ZERO),
-            [_, point] if point.text == "center" => place(body.center.clone()?),
+            [_, point] if point.text == "center" && !body.points.contains_key("center") => {
+                place(body.center.clone()?)
+            }
             [_, point] => match body.points.get(point.text.as_str()) {
                 Some(at) => place(at.clone()?),
                 None if body.markers.contains_key(point.text.as_str()) => {

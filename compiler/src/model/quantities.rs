@@ -201,6 +201,12 @@ impl<'d> Lowering<'d> {
 
     fn of_body(&mut self, body: BodyId, path: &Path) -> Option<Found> {
         let quantity = &path.parts[1];
+        match self.mode(body, path) {
+            Some(Ok((mode, false))) => return Found::position(mode),
+            Some(Ok((mode, true))) => return Found::velocity(mode),
+            Some(Err(())) => return None,
+            None => {}
+        }
         if path.parts.len() == 2 {
             match quantity.text.as_str() {
                 "angle" | "rate" if self.is_particle(Frame::Body(body)) => {

@@ -104,6 +104,9 @@ impl<'d> Lowering<'d> {
 
     /// m³; `None` where it does not follow, which is said.
     pub fn volume(&mut self, body: &'d syntax::Body) -> Option<Expr> {
+        if body.form.bends {
+            return self.volume_of_beam(body);
+        }
         let Solid { volume, lengths: forms, .. } = body.form.solid(self.definition.space)?;
         let Volume { factor, edges } = volume.as_ref()?;
         let left_out = |name: &str| {

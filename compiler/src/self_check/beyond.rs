@@ -3,7 +3,7 @@
 use super::dynamics::{self, stands_still, velocity};
 use super::machine::Machine;
 use super::quantity::{Along, Quantity, dot};
-use super::{Check, Report, rows};
+use super::{Check, Report, beams, rows};
 use crate::equations::tangent::Matrix;
 use crate::schedule::{Function, Inputs, sources};
 use crate::symbolic::{Node, evaluate_reachable};
@@ -17,6 +17,7 @@ pub fn check(machine: &Machine, report: &mut Report) {
     if stands_still(machine) {
         springs(machine, report);
     }
+    beams::kinetic_energy(machine, report);
     factorisation(machine, report);
     null_space(machine, report);
     tangent(machine, report);

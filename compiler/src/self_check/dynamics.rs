@@ -2,7 +2,7 @@
 
 use super::machine::Machine;
 use super::quantity::{Along, Quantity, dot};
-use super::{Check, Report, rows};
+use super::{Check, Report, beams, rows};
 use crate::forms::Law;
 use crate::functions::Function;
 use crate::model::Load;
@@ -61,7 +61,7 @@ fn energy(machine: &Machine, report: &mut Report) {
     let powers = machine.run(Function::Powers, inputs);
     let back = Inputs { v: inputs.v.iter().map(|v| -v).collect(), ..inputs.clone() };
     let backwards = machine.run(Function::Powers, &back);
-    let mut expected = dot(&inverse, &inputs.v) - rates[1];
+    let mut expected = dot(&inverse, &inputs.v) - rates[1] - beams::dissipated(machine, inputs);
     for (index, load) in machine.compiled.mechanism.loads.iter().enumerate() {
         expected = expected + powers[index];
         if load.stores() {

@@ -10,7 +10,7 @@
 //! | M v̇ − Q | powers, and differences of the energies |
 //! | v̇, λ | M v̇ + Dᵀ λ − Q and D v̇ − γ, with and without Baumgarte's terms |
 //! | every function | the graph |
-//! | in the thorough check: springs one by one; motions of bodies; K(c), independent velocities; derivatives | differences and residuals |
+//! | in the thorough check: springs one by one; beams slice by slice; motions of bodies; K(c), independent velocities; derivatives | differences and residuals |
 //! | what rows are measured by | D M⁻¹ Dᵀ along the motion |
 //!
 //! What no identity speaks of is seen by the last line before this alone: reactions, outputs, conditions of the start, the watch
@@ -23,6 +23,7 @@
 //!
 //! AFTER THIS POINT the programs are what was derived, as far as that can be seen at a few states.
 
+mod beams;
 mod beyond;
 mod dynamics;
 mod machine;
@@ -102,6 +103,7 @@ pub enum Check {
     InverseDynamics,
     Energy,
     Springs,
+    Beams,
     Solution,
     Baumgarte,
     Motions,
@@ -123,6 +125,7 @@ impl Check {
             Check::InverseDynamics => "inverse dynamics against the mass matrix and the forces",
             Check::Energy => "the balance of energies and powers",
             Check::Springs => "the power of a spring against what it stores",
+            Check::Beams => "the kinetic energy of beams against that of their slices",
             Check::Solution => "accelerations and multipliers put into the equations",
             Check::Baumgarte => "stabilised accelerations and multipliers put into the equations",
             Check::Motions => "motions of the bodies against differences of each other",

@@ -1,7 +1,7 @@
 //! `body crank { mass [kg] = 1; point tip [m] = (1, 0); … }` and the shapes.
 
 use super::attributes::Bearer;
-use super::definition::{Body, Label, Marker, MarkerAxes, Space};
+use super::definition::{BeamTerm, Body, Label, Marker, MarkerAxes, Space};
 use super::parser::{Failed, Parsed, Parser};
 use super::token::Cursor;
 use crate::forms::BodyForm;
@@ -34,6 +34,7 @@ impl Parser<'_> {
             markers: Vec::new(),
             lines: Vec::new(),
             toothings: Vec::new(),
+            beam: BeamTerm::default(),
         };
         while !inside.is_done() {
             let before = inside.clone();
@@ -58,6 +59,8 @@ impl Parser<'_> {
         let (form, space) = (body.form, self.definition.space);
         let (allowed, vectors) = (form.properties(space), form.vectors(space));
         match c.word() {
+            Some(word) if form.bends && super::beam::WORDS.contains(&word) => self.of_beam(c, body),
+            Some("line") if form.bends => self.fail(c.region(), messages::line_on_beam(&body.name.text)),
             Some("point" | "line" | "marker") if !form.turns => {
                 self.fail(c.region(), messages::particle_with_places(&body.name.text))
             }
@@ -157,7 +160,8 @@ impl Parser<'_> {
                 Ok(())
             }
             Some(word) => {
-                let allowed: Vec<&str> = allowed.iter().chain(&vectors).copied().collect();
+                let of_beam: &[&str] = if form.bends { &super::beam::WORDS } else { &[] };
+                let allowed: Vec<&str> = allowed.iter().chain(&vectors).chain(of_beam).copied().collect();
                 let message = messages::unknown_property(form.word, word, &allowed, &self.statement_words());
                 self.fail(c.region(), message)
             }

@@ -6,6 +6,7 @@ mod parts;
 mod tables;
 mod terms;
 
+use crate::beams::Shapes;
 use crate::diagnostics::{Allowed, Region};
 use crate::forms::BodyForm;
 pub use crate::forms::Space;
@@ -109,6 +110,8 @@ pub struct Body {
     pub markers: Vec<Marker>,
     pub lines: Vec<Line>,
     pub toothings: Vec<Toothing>,
+    /// Of a beam: what is not a value.
+    pub beam: BeamTerm,
 }
 
 /// `toothing rim: external(teeth = 20, module [mm] = 2, at = shaft.seat);`
@@ -119,6 +122,40 @@ pub struct Toothing {
     pub named: Named,
     /// Its centre, if that is not the centre of the part.
     pub at: Option<Path>,
+}
+
+/// What a beam is made of and how it bends; what is not written is not there.
+#[derive(Clone, Debug, Default)]
+pub struct BeamTerm {
+    /// `circle(diameter [mm] = 7)`.
+    pub section: Option<SectionTerm>,
+    /// `(axial = 2, bending = 5)`; where the numbers are written.
+    pub modes: Option<ModesTerm>,
+    pub shapes: Option<(Label, Shapes)>,
+}
+
+impl BeamTerm {
+    /// Axial and bending modes; three in bending where nothing is written, because axial ones are far too fast for most integrators.
+    pub fn counts(&self) -> (usize, usize) {
+        self.modes.as_ref().map_or((0, 3), |modes| (modes.axial, modes.bending))
+    }
+
+    pub fn shapes(&self) -> Shapes {
+        self.shapes.as_ref().map_or(Shapes::Free, |(_, shapes)| *shapes)
+    }
+}
+
+#[derive(Clone, Debug)]
+pub struct SectionTerm {
+    pub kind: Label,
+    pub lengths: Vec<(Label, Entry)>,
+}
+
+#[derive(Clone, Debug)]
+pub struct ModesTerm {
+    pub axial: usize,
+    pub bending: usize,
+    pub region: Region,
 }
 
 impl Body {

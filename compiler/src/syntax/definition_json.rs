@@ -291,6 +291,9 @@ impl Writer {
                 w.key(&label.text).entry(entry);
             }
         });
+        if body.form.bends {
+            self.key("beam").object(|w| w.beam(&body.beam));
+        }
         if space == Space::Spatial {
             self.key("vectors").object(|w| {
                 for (label, tuple) in &body.vectors {
@@ -322,6 +325,20 @@ impl Writer {
                 }
             });
         }
+    }
+
+    /// Numbers of modes and the shapes stand here where they were not written too.
+    fn beam(&mut self, beam: &BeamTerm) {
+        self.key("section").optional(beam.section.as_ref(), |w, section| {
+            w.object(|w| {
+                w.key("kind").string(&section.kind.text);
+                section.lengths.iter().for_each(|(label, entry)| w.key(&label.text).entry(entry));
+            });
+        });
+        let (axial, bending) = beam.counts();
+        self.key("axial").raw(&axial.to_string());
+        self.key("bending").raw(&bending.to_string());
+        self.key("shapes").string(beam.shapes().word());
     }
 
     fn joint(&mut self, joint: &Joint, definition: &Definition) {

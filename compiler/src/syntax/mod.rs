@@ -8,7 +8,7 @@
 //!             "param" name unit? "=" expr ("in" expr ".." expr)? ";"
 //!             "input" name unit? ";"
 //!             "gravity" unit? "=" pair ";"
-//!             ("body" | "rod" | "disk" | "box" | "particle") name "{" property* "}"
+//!             ("body" | "rod" | "disk" | "box" | "particle" | "beam") name "{" property* "}"
 //!             "line" name "=" "(" place "," place ")" ";"                      a line of the ground
 //!             "joint" name ":" kind "(" places, named arguments ")" ";"
 //!             "constraint" name ":" (gear(a, b, ratio = …) | rack(a, b, radius = …) | expr "=" expr) ";"
@@ -38,6 +38,7 @@
 //! Looking names up, units of values and all meaning are left to `model`.
 
 mod attributes;
+mod beam;
 mod body;
 mod calls;
 mod contacts;

@@ -100,7 +100,14 @@ pub fn judge(at: &Assembled, point: &mut Point, errors: &mut Diagnostics) -> Opt
 fn mobility(at: &Assembled, point: &mut Point, rank: &Rank, finding: &Finding) -> Mobility {
     let (mechanism, equations) = (at.mechanism, point.equations);
     let (velocities, rows) = (equations.symbols.v.len(), equations.rows.len() - mechanism.drivers.len());
-    let apart: usize = mechanism.bodies.iter().map(|body| body.form.freedoms(mechanism.space)).sum();
+    let apart: usize = mechanism
+        .bodies
+        .iter()
+        .map(|body| {
+            body.form.freedoms(mechanism.space)
+                + body.beam.as_ref().map_or(0, |beam| beam.slender.modes.len())
+        })
+        .sum();
     let mut repeated = finding.repeated.clone();
     repeated.sort_unstable();
     let names = repeated.iter().map(|row| (equations.rows[*row].of.clone(), equations.rows[*row].form));

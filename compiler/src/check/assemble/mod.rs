@@ -170,6 +170,12 @@ fn carry_state(
             moved[index] = values(&motion(*body).position)[*axis];
             rates[index] = values(&motion(*body).velocity)[*axis];
         }
+        if let Linear::Mode(..) = linear
+            && let Some(own) = from.layout.linear.iter().position(|own| own == linear)
+        {
+            (moved[index], rates[index]) =
+                (values(&from.symbols.q[own..=own])[0], values(&from.symbols.v[own..=own])[0]);
+        }
     }
     for (r, rotation) in layout.rotations.iter().enumerate() {
         let Rotation::Body(body) = rotation else { continue };

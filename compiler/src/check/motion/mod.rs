@@ -221,6 +221,7 @@ fn in_line(mechanism: &Mechanism, point: &mut Point, q: &[f64], of: &Coordinate)
         | Coordinate::Square(..)
         | Coordinate::Direction(..)
         | Coordinate::Turn(..)
+        | Coordinate::Mode(..)
         | Coordinate::Deviation(..) => None,
     };
     pins::in_line(mechanism, &pins::pins(mechanism, point, q), own)

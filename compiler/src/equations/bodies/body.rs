@@ -12,5 +12,6 @@ pub static BODY: BodyForm = BodyForm {
     turns: true,
     states_center: true,
     has_ends: false,
+    bends: false,
     outline: Outline::None,
 };

@@ -19,5 +19,6 @@ pub static BODY: BodyForm = BodyForm {
     turns: true,
     states_center: false,
     has_ends: true,
+    bends: false,
     outline: Outline::Bar,
 };

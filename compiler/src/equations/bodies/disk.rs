@@ -20,5 +20,6 @@ pub static BODY: BodyForm = BodyForm {
     turns: true,
     states_center: false,
     has_ends: false,
+    bends: false,
     outline: Outline::Disk,
 };

@@ -1,5 +1,6 @@
 //! The kinds of bodies, one file each with its record, `BODY`.
 
+mod beam;
 mod body;
 mod cuboid;
 mod cylinder;
@@ -11,5 +12,13 @@ mod sphere;
 use crate::forms::BodyForm;
 
 /// All kinds of bodies.
-pub static BODIES: &[&BodyForm] =
-    &[&body::BODY, &rod::BODY, &disk::BODY, &cuboid::BODY, &sphere::BODY, &cylinder::BODY, &particle::BODY];
+pub static BODIES: &[&BodyForm] = &[
+    &body::BODY,
+    &rod::BODY,
+    &disk::BODY,
+    &cuboid::BODY,
+    &sphere::BODY,
+    &cylinder::BODY,
+    &particle::BODY,
+    &beam::BODY,
+];

@@ -13,5 +13,6 @@ pub static BODY: BodyForm = BodyForm {
     turns: false,
     states_center: false,
     has_ends: false,
+    bends: false,
     outline: Outline::None,
 };

@@ -71,10 +71,33 @@ impl<'g> On<'g, &'g Kinematics> {
         (angle.chain(sine, cosine, -sine), cosine)
     }
 
-    /// (cos, sin) of a rotor's angle.
+    /// cos(θ₂ − θ₁ − angle) as a jet.
+    pub fn cosine_jet(self, laws: &Laws<'g>, first: Frame, second: Frame, angle: On<'g, Pair>) -> Moving<'g> {
+        let [cosine, sine] = self.difference(first, second, angle).parts();
+        let angle = self.turn(laws, first, second, cosine);
+        angle.chain(cosine, -sine, -cosine)
+    }
+
+    /// (cos, sin) of a rotor's angle; of a joint on beams that between their sections.
     pub fn rotor_pair(self, laws: &Laws<'g>, rotor: Rotor) -> On<'g, Pair> {
         let (first, second) = ends(laws, rotor);
-        self.difference(first, second, vector::unturned(self.g))
+        let pair = self.difference(first, second, vector::unturned(self.g));
+        match self.between_sections(laws, rotor) {
+            None => pair,
+            Some(slope) => pair.turned([slope.value().cos().bare, slope.value().sin().bare]),
+        }
+    }
+
+    /// What the sections at the places of a joint are turned by beyond their bodies.
+    fn between_sections(self, laws: &Laws<'g>, rotor: Rotor) -> Option<Moving<'g>> {
+        let Rotor::Joint(joint, _) = rotor else { return None };
+        let joint = &laws.mechanism.joints[joint.0];
+        match (self.slope(laws, &joint.first), self.slope(laws, &joint.second)) {
+            (None, None) => None,
+            (Some(first), None) => Some(-first),
+            (None, second) => second,
+            (Some(first), Some(second)) => Some(second - first),
+        }
     }
 
     /// θ₂ − θ₁ in (−π, π], whether or not the turns of the bodies are counted.
@@ -108,7 +131,11 @@ impl<'g> On<'g, &'g Kinematics> {
 
     pub fn rotor_rate(self, laws: &Laws<'g>, rotor: Rotor) -> Moving<'g> {
         let (first, second) = ends(laws, rotor);
-        self.turn(laws, first, second, self.g.zero())
+        let turn = self.turn(laws, first, second, self.g.zero());
+        match self.between_sections(laws, rotor) {
+            None => turn,
+            Some(slope) => turn + slope,
+        }
     }
 
     /// Travel of a joint: â·(p₂ − p₁), â along its axis, or along one of the first place's axes where it has none.

@@ -3,6 +3,7 @@
 //! In tree coordinates the joints that carry bodies have no multipliers; their reactions follow from the
 //! Newton–Euler equations of the bodies, from the leaves of the tree inwards.
 
+use super::flexible::{Flexible, ModalMotion, inertia_beyond_origin};
 use super::inertia::Massive;
 use super::joints::{self, Wrench};
 use super::kinematics::{GROUND, Kinematics, LocalVector, Placement, Position, TurningFrame};
@@ -78,13 +79,24 @@ pub fn overlay<'g>(laws: &Laws<'g>, motions: &[Motion<'g>]) -> Kinematics {
             overlay.frames.push(TurningFrame { cos, sin, rate: Some(3 * index + 2) });
             let frame = overlay.frames.len() - 1;
             let origin = g.on(center) - laws.pair_of(&body.center).fixed_in(frame);
-            Placement { origin: origin.bare, frame, offset }
+            Placement { origin: origin.bare, frame, offset, flexible: given(laws, index) }
         } else {
-            Placement { origin: center, frame: GROUND, offset }
+            Placement { origin: center, frame: GROUND, offset, flexible: None }
         };
         overlay.bodies.push(placement);
     }
     overlay
+}
+
+/// The modes of a body with the motion that they have.
+fn given(laws: &Laws, body: usize) -> Option<Flexible> {
+    let mut flexible = laws.plane().bare.bodies[body].flexible.clone()?;
+    for modal in &mut flexible.modes {
+        if let ModalMotion::Free(index) = modal.motion {
+            modal.motion = ModalMotion::Given(laws.symbols.v[index], laws.symbols.acceleration[index]);
+        }
+    }
+    Some(flexible)
 }
 
 /// Wrench that each joint exerts on its second place's body, in the order of the joints.
@@ -114,7 +126,7 @@ pub fn reactions<'g>(
     }
 
     // What each body needs from the joint it hangs on: m a − applied + what its children need.
-    let mut needed = inertia_less_applied(absolute, bodies, motions, absolute_rows, multipliers);
+    let mut needed = inertia_less_applied(laws, absolute, bodies, motions, absolute_rows, multipliers);
     for attachment in tree.attachments.iter().rev() {
         let Some((joint, parent)) = attachment.joint else { continue };
         let child = attachment.body.0;
@@ -141,6 +153,7 @@ pub fn reactions<'g>(
 
 /// m a − (loads + gravity + forces of the multipliers), per body, moments about its centre.
 fn inertia_less_applied<'g>(
+    laws: &Laws<'g>,
     absolute: &Laws<'g>,
     bodies: &[Massive<'g>],
     motions: &[Motion<'g>],
@@ -150,10 +163,14 @@ fn inertia_less_applied<'g>(
     let (g, mechanism) = (absolute.g, absolute.mechanism);
     let gravity = mechanism.gravity.as_ref().map(|gravity| absolute.pair_of(gravity));
     let mut needed: Vec<Wrench> = Vec::new();
-    for (body, motion) in bodies.iter().zip(motions) {
+    for (index, (body, motion)) in bodies.iter().zip(motions).enumerate() {
         let acceleration = gravity.map_or(motion.acceleration, |gravity| motion.acceleration - gravity);
         let [x, y] = (body.mass * acceleration).parts();
-        needed.push([x, y, body.inertia.unwrap_or(g.zero()) * motion.angular_acceleration]);
+        let mut need = [x, y, body.inertia.unwrap_or(g.zero()) * motion.angular_acceleration];
+        if let Some(beyond) = inertia_beyond_origin(laws, bodies, index, acceleration) {
+            need.iter_mut().zip(beyond).for_each(|(need, part)| *need += part);
+        }
+        needed.push(need);
     }
     for load in &mechanism.loads {
         for (index, force) in loads::terms(absolute, load).forces {

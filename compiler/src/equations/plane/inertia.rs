@@ -32,7 +32,7 @@ pub struct Inertia<'g> {
 
 /// What multiplies a local acceleration vector.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-enum Factor {
+pub enum Factor {
     /// ω² of the frame.
     Centripetal,
     /// 2 ω v of the frame and a slide.
@@ -69,10 +69,50 @@ struct Stretch<'g> {
     accelerations: Vec<(FrameId, Factor, Pair)>,
 }
 
-struct Column {
-    velocity: usize,
-    frame: FrameId,
-    u: Pair,
+pub struct Column {
+    pub velocity: usize,
+    pub frame: FrameId,
+    pub u: Pair,
+}
+
+/// The sums behind M and the inertia forces, to which masses that are spread add.
+#[derive(Default)]
+pub struct Sums<'g> {
+    masses: BTreeMap<(usize, usize), Sum<'g>>,
+    biases: BTreeMap<(usize, FrameId, Factor), Sum<'g>>,
+}
+
+impl<'g> Sums<'g> {
+    /// u·w and u×w, u with the mass, of two velocities.
+    pub fn mass(&mut self, k: usize, l: usize, frames: (FrameId, FrameId), u: On<'g, Pair>, w: Pair) {
+        let products = Products { dot: u.dot(w), cross: u.cross(w) };
+        // The sine belongs to the way from the row's frame to the column's.
+        let (frames, products) = if k >= l { (frames, products) } else { swapped(frames, products) };
+        add(self.masses.entry((k.max(l), k.min(l))), frames, products);
+    }
+
+    /// Within one frame.
+    pub fn mass_of(&mut self, k: usize, l: usize, frame: FrameId, dot: Scalar<'g>) {
+        let products = Products { dot, cross: dot.g.zero() };
+        add(self.masses.entry((k.max(l), k.min(l))), (frame, frame), products);
+    }
+
+    /// u, with the mass, against an acceleration w of the second frame.
+    pub fn bias(&mut self, k: usize, frames: (FrameId, FrameId), factor: Factor, u: On<'g, Pair>, w: Pair) {
+        let products = Products { dot: u.dot(w), cross: u.cross(w) };
+        add(self.biases.entry((k, frames.1, factor)), frames, products);
+    }
+
+    /// Within one frame.
+    pub fn bias_of(&mut self, k: usize, frame: FrameId, factor: Factor, dot: Scalar<'g>) {
+        let products = Products { dot, cross: dot.g.zero() };
+        add(self.biases.entry((k, frame, factor)), (frame, frame), products);
+    }
+}
+
+/// u×w = −w×u.
+fn swapped<'g>((k, l): (FrameId, FrameId), products: Products<'g>) -> ((FrameId, FrameId), Products<'g>) {
+    ((l, k), Products { cross: -products.cross, ..products })
 }
 
 /// `gravity` in world axes.
@@ -82,8 +122,8 @@ pub fn inertia<'g>(
     gravity: Option<On<'g, Pair>>,
 ) -> Inertia<'g> {
     let zero = kinematics.g.zero();
-    let mut masses: BTreeMap<(usize, usize), Sum> = BTreeMap::new();
-    let mut biases: BTreeMap<(usize, FrameId, Factor), Sum> = BTreeMap::new();
+    let mut sums = Sums::default();
+    let Sums { masses, biases } = &mut sums;
     let mut rotary: BTreeMap<usize, Scalar> = BTreeMap::new();
     for body in bodies {
         if let (Some(inertia), Some(rate)) = (body.inertia, kinematics.bare.frames[body.frame].rate) {
@@ -118,6 +158,8 @@ pub fn inertia<'g>(
         }
     }
 
+    super::flexible::accumulate(kinematics, bodies, gravity, &mut sums);
+    let Sums { masses, biases } = sums;
     let mut mass = BTreeMap::new();
     for ((k, l), Sum { frames, products, .. }) in masses {
         let entry = turned(kinematics, frames, products);
@@ -176,7 +218,10 @@ fn stretches<'g>(
 }
 
 /// The columns of a vector's velocity, ascending in the index of the velocity.
-fn columns<'g>(kinematics: On<'g, &'g Kinematics>, vectors: &[(FrameId, LocalVector)]) -> Vec<Column> {
+pub(super) fn columns<'g>(
+    kinematics: On<'g, &'g Kinematics>,
+    vectors: &[(FrameId, LocalVector)],
+) -> Vec<Column> {
     let mut columns = Vec::new();
     for (frame, vector) in vectors {
         for (velocity, direction) in &vector.slides {
@@ -194,7 +239,7 @@ fn columns<'g>(kinematics: On<'g, &'g Kinematics>, vectors: &[(FrameId, LocalVec
 }
 
 /// The terms of a vector's acceleration at v̇ = 0, less gravity.
-fn accelerations<'g>(
+pub(super) fn accelerations<'g>(
     kinematics: On<'g, &'g Kinematics>,
     vectors: &[(FrameId, LocalVector)],
     gravity: Option<On<'g, Pair>>,
@@ -244,7 +289,11 @@ fn accumulate<'g, K: Ord>(
     u: Pair,
     w: Pair,
 ) {
-    let products = weighted(mass, u, w);
+    add(entry, frames, weighted(mass, u, w));
+}
+
+/// Adds to a sum.
+fn add<'g, K: Ord>(entry: Entry<K, Sum<'g>>, frames: (FrameId, FrameId), products: Products<'g>) {
     match entry {
         Entry::Vacant(vacant) => {
             vacant.insert(Sum { frames, products });

@@ -4,6 +4,7 @@
 //! ground. A position is Σ_f A_f d_f with d_f in the axes of frame f. Rotations never compose, and what is fixed in
 //! one frame is added up there, once, by the compiler.
 
+use super::flexible::Flexible;
 use super::vector::{self, Pair};
 use crate::equations::jet::{Jet, Moving};
 use crate::symbolic::{Bare, Node, On, Sheet};
@@ -50,6 +51,8 @@ pub struct Placement {
     pub frame: FrameId,
     /// (cos, sin) of the body's orientation relative to its frame.
     pub offset: Pair,
+    /// Its modes, if it has any.
+    pub flexible: Option<Flexible>,
 }
 
 impl TurningFrame {
@@ -94,6 +97,17 @@ impl LocalVector {
             slides,
             drift: join(self.drift, other.drift),
             drift_rate: join(self.drift_rate, other.drift_rate),
+        }
+    }
+
+    /// In axes turned by an angle that does not move.
+    pub fn turned(&self, by: On<Pair>) -> Self {
+        let turned = |pair: Pair| by.g.on(pair).turned(by).bare;
+        LocalVector {
+            at: turned(self.at),
+            slides: self.slides.iter().map(|(index, e)| (*index, turned(*e))).collect(),
+            drift: turned(self.drift),
+            drift_rate: turned(self.drift_rate),
         }
     }
 
@@ -266,8 +280,16 @@ impl<'g> On<'g, &'g Kinematics> {
 }
 
 impl<'g> On<'g, Pair> {
-    /// A vector of a body as part of a position.
+    /// A place of a body as part of a position, from its origin.
     pub fn in_frame(self, placement: &Placement) -> On<'g, Position> {
-        self.turned(placement.offset).fixed_in(placement.frame)
+        self.arm(placement.frame, self.g.on(placement.offset), placement.flexible.as_ref())
+    }
+
+    /// The same of a body that is being placed.
+    pub fn arm(self, frame: FrameId, offset: On<'g, Pair>, flexible: Option<&Flexible>) -> On<'g, Position> {
+        match flexible {
+            None => self.turned(offset).fixed_in(frame),
+            Some(flexible) => self.g.on(Position::of(frame, flexible.place(self).turned(offset))),
+        }
     }
 }

@@ -3,6 +3,7 @@
 mod angles;
 mod bodies;
 mod coordinates;
+mod flexible;
 mod inertia;
 pub mod joints;
 mod kinematics;
@@ -22,7 +23,10 @@ pub fn dynamics<'g>(laws: &Laws<'g>) -> Dynamics<'g> {
     let kinematics = laws.plane();
     let massive = massive(laws);
     let gravity = laws.mechanism.gravity.as_ref().map(|gravity| laws.pair_of(gravity));
-    let inertia::Inertia { mass, forces } = inertia::inertia(kinematics, &massive, gravity);
+    let inertia::Inertia { mass, mut forces } = inertia::inertia(kinematics, &massive, gravity);
+    for (velocity, force) in flexible::elastic_forces(laws) {
+        forces[velocity] += force;
+    }
     let mut inverse: Vec<Scalar> = forces.iter().map(|force| -*force).collect();
     let acceleration = &laws.symbols.acceleration;
     for ((k, l), entry) in &mass {
@@ -31,8 +35,9 @@ pub fn dynamics<'g>(laws: &Laws<'g>) -> Dynamics<'g> {
             inverse[*l] += *entry * acceleration[*k];
         }
     }
-    let kinetic_energy = kinetic_energy(laws, &massive);
-    let potential_energy = gravity_potential(laws, &massive, gravity);
+    let kinetic_energy = kinetic_energy(laws, &massive) + flexible::kinetic_energy(laws, &massive);
+    let potential_energy =
+        gravity_potential(laws, &massive, gravity) + flexible::potential_energy(laws, &massive, gravity);
     Dynamics { mass, forces, inverse, kinetic_energy, potential_energy, distributions: Vec::new() }
 }
 
@@ -57,14 +62,45 @@ pub fn consequences(
     }
 }
 
+/// What modal damping takes, W.
+pub fn dissipated<'g>(laws: &Laws<'g>) -> Scalar<'g> {
+    let rates = &laws.plane().bare.velocities;
+    let terms = flexible::dampings(laws);
+    laws.g.sum(terms.into_iter().map(|(velocity, damping)| damping * laws.g.on(rates[velocity]).square()))
+}
+
+/// The kinetic energy of rigid bodies and of slices of beams, by quadrature of ½ μ |ṙ|² along their axes: what no algebra of integrals
+/// has gone into.
+pub fn kinetic_energy_of_slices<'g>(laws: &Laws<'g>, rule: &crate::beams::Rule) -> Scalar<'g> {
+    let (g, kinematics) = (laws.g, laws.plane());
+    let mut rigid = massive(laws);
+    let mut sum = g.zero();
+    for (index, body) in rigid.iter_mut().enumerate() {
+        let Some(flexible) = &kinematics.bare.bodies[index].flexible else { continue };
+        let slender = &flexible.slender;
+        for (share, weight) in rule.points() {
+            let x = g.number(slender.from + share * slender.length);
+            let place = kinematics.point(index, g.on([x.bare, g.zero().bare]));
+            let [x, y] = kinematics.world(&place.bare);
+            sum += weight * (body.mass * (x.rate().square() + y.rate().square()));
+        }
+        body.mass = g.zero();
+    }
+    0.5 * sum + kinetic_energy(laws, &rigid)
+}
+
 fn massive<'g>(laws: &Laws<'g>) -> Vec<Massive<'g>> {
     let mut massive = Vec::new();
     for (index, body) in laws.mechanism.bodies.iter().enumerate() {
         let at = laws.pair_of(&body.center);
+        let placement = &laws.plane().bare.bodies[index];
+        // The mass of a beam is at the origin of its frame, and what it has beyond that is added by `flexible`.
+        let bends = placement.flexible.is_some();
+        let moment = || if bends { laws.g.zero() } else { laws.value(&body.inertia.moments[2]) };
         massive.push(Massive {
             mass: laws.value(&body.mass),
-            inertia: body.form.turns.then(|| laws.value(&body.inertia.moments[2])),
-            center: laws.plane().point(index, at).bare,
+            inertia: body.form.turns.then(moment),
+            center: if bends { placement.origin.clone() } else { laws.plane().point(index, at).bare },
             frame: laws.plane().bare.bodies[index].frame,
         });
     }

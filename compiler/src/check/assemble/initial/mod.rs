@@ -94,6 +94,8 @@ pub struct Stated {
     bodies: BTreeMap<usize, f64>,
     travels: BTreeMap<(JointId, usize), f64>,
     centers: BTreeMap<(usize, usize), f64>,
+    /// Modes of beams.
+    modes: BTreeMap<(usize, usize), f64>,
 }
 
 impl Stated {
@@ -103,6 +105,7 @@ impl Stated {
             bodies: BTreeMap::new(),
             travels: BTreeMap::new(),
             centers: BTreeMap::new(),
+            modes: BTreeMap::new(),
         };
         let exact = equations.conditions.with_start();
         let exact = exact.filter_map(|(condition, start)| Some((condition, start.position?)));
@@ -125,6 +128,9 @@ impl Stated {
                     if let Frame::Body(body) = place.frame {
                         stated.centers.insert((body.0, *axis), value);
                     }
+                }
+                Coordinate::Mode(body, mode) => {
+                    stated.modes.insert((body.0, *mode), value);
                 }
                 Coordinate::Distance(..)
                 | Coordinate::Way(..)
@@ -150,6 +156,8 @@ impl Stated {
     fn lengths(&self, equations: &Equations, offsets: &mut Offsets) -> Vec<f64> {
         let length = |linear: &Linear| {
             let given = match linear {
+                // A beam is not bent at random.
+                Linear::Mode(body, mode) => return self.modes.get(&(body.0, *mode)).copied().unwrap_or(0.0),
                 Linear::Center(body, axis) => self.centers.get(&(body.0, *axis)),
                 Linear::Travel(joint, which) => self.travels.get(&(*joint, *which)),
             };

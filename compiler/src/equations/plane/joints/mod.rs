@@ -13,6 +13,7 @@ mod prismatic;
 mod revolute;
 
 use super::angles::ground;
+use super::flexible::Flexible;
 use super::kinematics::{FrameId, GROUND, LocalVector, Placement, Position};
 use super::vector::{self, Pair};
 use crate::drawing::plane::Symbol;
@@ -97,7 +98,7 @@ pub fn attach(
     joint: JointId,
     child: BodyId,
     parent: Placement,
-    frame: FrameId,
+    (frame, flexible): (FrameId, Option<Flexible>),
     travels: Vec<(Node, usize)>,
 ) -> Placement {
     let joint = &laws.mechanism.joints[joint.0];
@@ -117,6 +118,7 @@ pub fn attach(
         pivot,
         at: laws.pair_of(&far.at),
         frame,
+        flexible,
         travels,
         child_is_second,
         rigid: laws.mechanism.bodies[child.0].form.turns,
@@ -151,7 +153,19 @@ impl<'g> Ends<'g> {
 
     /// sin(θ₂ − θ₁ − angle), and its cosine.
     fn sine(&self, laws: &Laws<'g>, angle: &Expr) -> (Moving<'g>, Scalar<'g>) {
-        let (mut sine, cosine) = laws.plane().sine_jet(laws, self.first, self.second, laws.pair(angle));
+        let plane = laws.plane();
+        let (mut sine, mut cosine) = plane.sine_jet(laws, self.first, self.second, laws.pair(angle));
+        let [one, other] = [&self.joint.first, &self.joint.second].map(|place| plane.slope(laws, place));
+        if one.is_some() || other.is_some() {
+            // Sections turned by small σ have the directions A (1, σ): σ₂ − σ₁ of them is across, 1 + σ₁ σ₂ along.
+            let none = || laws.still(laws.g.zero());
+            let (one, other) = (one.unwrap_or_else(none), other.unwrap_or_else(none));
+            let along = plane.cosine_jet(laws, self.first, self.second, laws.pair(angle));
+            let (across, product) = (&other - &one, &one * &other);
+            let level = laws.still(laws.g.one()) + product;
+            cosine = level.value() * along.value() - across.value() * sine.value();
+            sine = &across * &along + &level * &sine;
+        }
         sine.jet.columns.extend(self.moved.map(|moved| (moved + 2, cosine.bare)));
         (sine, cosine)
     }
@@ -172,6 +186,8 @@ pub struct Carried<'g> {
     at: On<'g, Pair>,
     /// The frame the body turns with.
     frame: FrameId,
+    /// Its modes, if it has any.
+    flexible: Option<Flexible>,
     travels: Vec<(Node, usize)>,
     child_is_second: bool,
     rigid: bool,
@@ -180,12 +196,12 @@ pub struct Carried<'g> {
 impl<'g> Carried<'g> {
     /// The placement that puts the far place at `p`, the body's orientation being `offset` within its frame.
     fn at(self, p: On<'g, Position>, offset: On<'g, Pair>) -> Placement {
-        let offset_from =
-            |origin: On<'g, Position>, frame| Placement { origin: origin.bare, frame, offset: offset.bare };
+        let Carried { at, frame, flexible, .. } = self;
         if !self.rigid {
-            return offset_from(p, GROUND);
+            return Placement { origin: p.bare, frame: GROUND, offset: offset.bare, flexible: None };
         }
-        offset_from(p - self.at.turned(offset).fixed_in(self.frame), self.frame)
+        let origin = p - at.arm(frame, offset, flexible.as_ref());
+        Placement { origin: origin.bare, frame, offset: offset.bare, flexible }
     }
 
     /// `axis` times one of the travels, in the axes of `frame`, from the first place to the second, seen from the near place.

@@ -1,0 +1,223 @@
+//! Slender beams as numbers: shapes, and what their mass and stiffness make of them. Nothing here knows of graphs or definitions.
+//!
+//! A point of the axis at x, from the origin of the beam's frame, is at (x + Σ N_a p_a, Σ N_b p_b), Euler and Bernoulli's beam in a
+//! floating frame of reference (Shabana, *Dynamics of Multibody Systems*, 5.2–5.5; Géradin, Rixen, *Mechanical Vibrations*, 4.2). With
+//! m the mass, all integrals of the inertia are m times a constant, because mass is spread evenly.
+
+mod gauss;
+mod roots;
+mod shape;
+
+#[cfg(test)]
+mod tests;
+
+pub use gauss::Rule;
+pub use shape::Shape;
+
+use std::f64::consts::{FRAC_PI_2, PI};
+
+/// Most modes of one kind.
+pub const MOST_MODES: usize = 12;
+
+/// Which functions the deformation is made of, and where the frame is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Shapes {
+    /// Of the beam that nothing holds; the frame has its origin in the centre of mass and the mean direction.
+    Free,
+    /// Of the beam that is held at its start, which has the frame.
+    Clamped,
+    /// Of the beam on two hinges; the frame is at its start, with x through both ends.
+    Pinned,
+}
+
+impl Shapes {
+    /// As written, the default first.
+    pub const ALL: [Self; 3] = [Self::Free, Self::Clamped, Self::Pinned];
+
+    pub fn word(self) -> &'static str {
+        match self {
+            Self::Free => "free",
+            Self::Clamped => "clamped",
+            Self::Pinned => "pinned",
+        }
+    }
+}
+
+/// Along the axis or across it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Way {
+    Axial,
+    Bending,
+}
+
+impl Way {
+    pub const ALL: [Self; 2] = [Self::Axial, Self::Bending];
+
+    pub fn word(self) -> &'static str {
+        match self {
+            Self::Axial => "axial",
+            Self::Bending => "bending",
+        }
+    }
+
+    /// Along which of the frame's axes.
+    pub fn axis(self) -> usize {
+        match self {
+            Self::Axial => 0,
+            Self::Bending => 1,
+        }
+    }
+}
+
+/// One mode: a coordinate, m, that its shape carries along the axis.
+#[derive(Clone, Debug)]
+pub struct Mode {
+    pub way: Way,
+    /// Which of its way.
+    pub number: usize,
+    pub shape: Shape,
+    /// ∫ (N″)² dx of bending, 1/m³; ∫ (N′)² dx of what is axial, 1/m. The shapes of one way are across to one another in it.
+    pub stiffness: f64,
+}
+
+/// A beam by its length and its modes.
+#[derive(Clone, Debug)]
+pub struct Slender {
+    pub shapes: Shapes,
+    /// m.
+    pub length: f64,
+    /// x of its start.
+    pub from: f64,
+    /// Axial ones first.
+    pub modes: Vec<Mode>,
+    /// Mean over the length of the functions x, N₁, N₂, …
+    pub first: Vec<f64>,
+    /// Mean of their products, two by two.
+    pub second: Vec<Vec<f64>>,
+}
+
+impl Slender {
+    /// With as many axial and bending modes.
+    pub fn new(shapes: Shapes, length: f64, axial: usize, bending: usize) -> Self {
+        let from = if shapes == Shapes::Free { -0.5 * length } else { 0.0 };
+        let axial = (0..axial).map(|number| axial_mode(shapes, length, number));
+        let modes: Vec<Mode> =
+            axial.chain((0..bending).map(|number| bending_mode(shapes, length, number))).collect();
+        let (first, second) = means(shapes, from, length, &modes);
+        Slender { shapes, length, from, modes, first, second }
+    }
+
+    /// Whether a place at x is on the axis.
+    pub fn reaches(&self, x: f64) -> bool {
+        let slack = 1e-9 * self.length;
+        x >= self.from - slack && x <= self.from + self.length + slack
+    }
+
+    /// N of each mode at x.
+    pub fn values(&self, x: f64) -> Vec<f64> {
+        self.modes.iter().map(|mode| mode.shape.at(self.share(x), 0)).collect()
+    }
+
+    /// N′ of each bending mode at x, 1/m; of the others nothing.
+    pub fn slopes(&self, x: f64) -> Vec<f64> {
+        let slope = |mode: &Mode| match mode.way {
+            Way::Axial => 0.0,
+            Way::Bending => mode.shape.at(self.share(x), 1) / self.length,
+        };
+        self.modes.iter().map(slope).collect()
+    }
+
+    /// Whether the axis keeps its direction at x.
+    pub fn keeps_direction(&self, x: f64) -> bool {
+        self.slopes(x).iter().all(|slope| *slope == 0.0)
+    }
+
+    /// ω² of a mode by EA or EI and the mass, (rad/s)²: its stiffness by what it moves.
+    pub fn square_of_rate(&self, mode: usize, rigidity: f64, mass: f64) -> f64 {
+        self.modes[mode].stiffness * rigidity / (mass * self.second[mode + 1][mode + 1])
+    }
+
+    /// The part of the length before x.
+    fn share(&self, x: f64) -> f64 {
+        ((x - self.from) / self.length).clamp(0.0, 1.0)
+    }
+}
+
+/// cos(kπξ), sin((2k − 1)πξ/2): Géradin, Rixen, 4.1.
+fn axial_mode(shapes: Shapes, length: f64, number: usize) -> Mode {
+    let k = number as f64 + 1.0;
+    let (lambda, shape) = match shapes {
+        Shapes::Free => (k * PI, Shape::cosine(k * PI)),
+        Shapes::Clamped | Shapes::Pinned => {
+            let lambda = (2.0 * k - 1.0) * FRAC_PI_2;
+            (lambda, Shape::sine(lambda))
+        }
+    };
+    // The mean of a squared sine or cosine over whole quarters is a half.
+    Mode { way: Way::Axial, number, shape, stiffness: 0.5 * lambda * lambda / length }
+}
+
+/// Géradin, Rixen, 4.2: N⁗ = (λ/L)⁴ N, so that ∫ (N″)² = (λ/L)⁴ ∫ N².
+fn bending_mode(shapes: Shapes, length: f64, number: usize) -> Mode {
+    let (lambda, shape, square) = match shapes {
+        Shapes::Free => {
+            let lambda = roots::free_free(number);
+            (lambda, Shape::free_free(lambda), 1.0)
+        }
+        Shapes::Clamped => {
+            let lambda = roots::clamped_free(number);
+            (lambda, Shape::clamped_free(lambda), 1.0)
+        }
+        Shapes::Pinned => {
+            let lambda = (number as f64 + 1.0) * PI;
+            (lambda, Shape::sine(lambda), 0.5)
+        }
+    };
+    Mode { way: Way::Bending, number, shape, stiffness: square * lambda.powi(4) / length.powi(3) }
+}
+
+/// Means of x, N₁, … and of their products. That of x alone is closed; what is zero or a half by the orthogonality of modes and the
+/// parity of shapes is that to the last digit, all else is Gauss's quadrature, exact to 1e-15 for [`MOST_MODES`] modes.
+fn means(shapes: Shapes, from: f64, length: f64, modes: &[Mode]) -> (Vec<f64>, Vec<Vec<f64>>) {
+    let middle = from + 0.5 * length;
+    let count = modes.len() + 1;
+    let (mut first, mut second) = (vec![0.0; count], vec![vec![0.0; count]; count]);
+    for (share, weight) in Rule::new(gauss::MOST).points() {
+        let mut values = vec![from + length * share];
+        values.extend(modes.iter().map(|mode| mode.shape.at(share, 0)));
+        for i in 0..count {
+            first[i] += weight * values[i];
+            for j in 0..count {
+                second[i][j] += weight * values[i] * values[j];
+            }
+        }
+    }
+    for i in 0..count {
+        first[i] = crisp(first[i]);
+        for j in 0..count {
+            second[i][j] = crisp(second[i][j]);
+            let orthogonal = i > 0 && j > 0 && modes[i - 1].way == modes[j - 1].way;
+            if orthogonal && i != j {
+                second[i][j] = 0.0;
+            }
+        }
+    }
+    if shapes == Shapes::Free {
+        // The frame is that of the mean motion: neither momentum nor moment of momentum in bending.
+        for (index, mode) in modes.iter().enumerate() {
+            first[index + 1] = 0.0;
+            if mode.way == Way::Bending {
+                (second[0][index + 1], second[index + 1][0]) = (0.0, 0.0);
+            }
+        }
+    }
+    first[0] = middle;
+    second[0][0] = middle * middle + length * length / 12.0;
+    (first, second)
+}
+
+/// What is a whole multiple of a half but for rounding.
+fn crisp(value: f64) -> f64 {
+    let near = 0.5 * (2.0 * value).round();
+    if (value - near).abs() < 1e-13 { near } else { value }
+}

@@ -1,0 +1,59 @@
+//! Shapes over the length as a sum a cos λξ + b sin λξ + c e^(−λξ) + d e^(λ(ξ − 1)) with ξ from 0 to 1: no hyperbolic functions, whose
+//! differences lose all digits for high modes.
+
+/// Such a sum.
+#[derive(Clone, Copy, Debug)]
+pub struct Shape {
+    lambda: f64,
+    cosine: f64,
+    sine: f64,
+    decay: f64,
+    growth: f64,
+}
+
+impl Shape {
+    /// cos λξ.
+    pub fn cosine(lambda: f64) -> Self {
+        Shape { lambda, cosine: 1.0, sine: 0.0, decay: 0.0, growth: 0.0 }
+    }
+
+    /// sin λξ.
+    pub fn sine(lambda: f64) -> Self {
+        Shape { lambda, cosine: 0.0, sine: 1.0, decay: 0.0, growth: 0.0 }
+    }
+
+    /// cosh λξ + cos λξ − σ (sinh λξ + sin λξ), σ = (cosh λ − cos λ)/(sinh λ − sin λ). The mean of its square is 1.
+    pub fn free_free(lambda: f64) -> Self {
+        let (sin, cos, small) = (libm::sin(lambda), libm::cos(lambda), libm::exp(-lambda));
+        let below = libm::sinh(lambda) - sin;
+        let sigma = (libm::cosh(lambda) - cos) / below;
+        // (1 − σ) e^λ/2.
+        let growth = 0.5 * (cos - sin - small) / (below * small);
+        Shape { lambda, cosine: 1.0, sine: -sigma, decay: 0.5 * (1.0 + sigma), growth }
+    }
+
+    /// cosh λξ − cos λξ − σ (sinh λξ − sin λξ), σ = (sinh λ − sin λ)/(cosh λ + cos λ). The mean of its square is 1.
+    pub fn clamped_free(lambda: f64) -> Self {
+        let (sin, cos, small) = (libm::sin(lambda), libm::cos(lambda), libm::exp(-lambda));
+        let below = libm::cosh(lambda) + cos;
+        let sigma = (libm::sinh(lambda) - sin) / below;
+        let growth = 0.5 * (cos + sin + small) / (below * small);
+        Shape { lambda, cosine: -1.0, sine: sigma, decay: 0.5 * (1.0 + sigma), growth }
+    }
+
+    /// The derivative of an order by ξ; what is zero but for rounding, as at a clamp, is zero.
+    pub fn at(&self, share: f64, order: usize) -> f64 {
+        let Shape { lambda, cosine, sine, decay, growth } = *self;
+        let (sin, cos) = (libm::sin(lambda * share), libm::cos(lambda * share));
+        let (sin, cos) = match order % 4 {
+            0 => (sin, cos),
+            1 => (cos, -sin),
+            2 => (-sin, -cos),
+            _ => (-cos, sin),
+        };
+        let sign = if order % 2 == 0 { 1.0 } else { -1.0 };
+        let falls = sign * decay * libm::exp(-lambda * share);
+        let sum = cosine * cos + sine * sin + falls + growth * libm::exp(lambda * (share - 1.0));
+        if sum.abs() < 1e-13 { 0.0 } else { lambda.powi(order as i32) * sum }
+    }
+}

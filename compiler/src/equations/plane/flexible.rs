@@ -1,0 +1,405 @@
+//! Beams in the plane, in a floating frame of reference: where places on the axis are, and what mass spread along it adds to M, to the
+//! inertia forces and to the energies.
+//!
+//! A material point at x is at R + A F(x) with F = Σ_i φ_i(x) w_i in the frame's axes: φ₀ = x along e₁, and a mode's shape φ_j along e₁
+//! or e₂ times p_j. So F, its columns F_ω = e₃ × F and F_j = φ_j e, and its accelerations are fields of one kind, and every integral over
+//! the mass is one of a few constants: ∫ φ_i and ∫ φ_i φ_k (Shabana, *Dynamics of Multibody Systems*, 5.5, the inertia shape integrals).
+//! M and the inertia forces are those of any mass, M_kl = ∫ u_k·u_l, −∫ u_k·a, where R may move with anything.
+
+use super::inertia::{Factor, Massive, Sums};
+use super::kinematics::{FrameId, Kinematics, LocalVector};
+use super::vector::{self, Pair};
+use crate::beams::{Slender, Way};
+use crate::equations::jet::{Jet, Moving};
+use crate::equations::laws::Laws;
+use crate::model::{Beam, BodyId, Frame, Place};
+use crate::symbolic::{Node, On, Scalar, Sheet};
+use std::collections::BTreeMap;
+use std::sync::Arc;
+
+/// The modes of a body and how they move.
+#[derive(Clone, Debug)]
+pub struct Flexible {
+    pub slender: Arc<Slender>,
+    pub modes: Vec<Modal>,
+}
+
+/// A mode's coordinate.
+#[derive(Clone, Copy, Debug)]
+pub struct Modal {
+    pub value: Node,
+    pub motion: ModalMotion,
+}
+
+#[derive(Clone, Copy, Debug)]
+pub enum ModalMotion {
+    /// With a velocity of this index.
+    Free(usize),
+    /// As given: rate and acceleration.
+    Given(Node, Node),
+}
+
+/// Σ φ_i w_i in the axes of one frame.
+#[derive(Clone, Debug, Default)]
+pub struct Field {
+    parts: Vec<(usize, Pair)>,
+}
+
+impl Flexible {
+    /// A place on the axis given by x, in the axes of the body, as it is deformed.
+    pub fn place<'g>(&self, at: On<'g, Pair>) -> LocalVector {
+        let g = at.g;
+        let mut vector = LocalVector::fixed(at);
+        let Some(x) = at.parts()[0].value() else { return vector };
+        let add = |sum: &mut Pair, part: On<'g, Pair>| *sum = (g.on(*sum) + part).bare;
+        for (index, shape) in
+            self.slender.values(x).into_iter().enumerate().filter(|(_, shape)| *shape != 0.0)
+        {
+            let direction = g.number(shape) * self.axis(g, index);
+            let modal = self.modes[index];
+            add(&mut vector.at, g.on(modal.value) * direction);
+            match modal.motion {
+                ModalMotion::Free(velocity) => {
+                    vector.slides.insert(velocity, direction.bare);
+                }
+                ModalMotion::Given(rate, acceleration) => {
+                    add(&mut vector.drift, g.on(rate) * direction);
+                    add(&mut vector.drift_rate, g.on(acceleration) * direction);
+                }
+            }
+        }
+        vector
+    }
+
+    /// The coordinate of a mode.
+    fn moving<'g>(&self, kinematics: On<'g, &'g Kinematics>, mode: usize) -> Moving<'g> {
+        let (g, modal) = (kinematics.g, self.modes[mode]);
+        let mut jet = Jet::constant(g.on(modal.value));
+        match modal.motion {
+            ModalMotion::Free(velocity) => {
+                jet.columns.insert(velocity, g.one().bare);
+            }
+            ModalMotion::Given(rate, acceleration) => (jet.drift, jet.bias) = (rate, acceleration),
+        }
+        kinematics.moving(&kinematics.bare.velocities, jet)
+    }
+
+    /// Along which of the frame's axes a mode moves.
+    fn axis<'g>(&self, g: Sheet<'g>, mode: usize) -> On<'g, Pair> {
+        vector::axis(g, self.slender.modes[mode].way.axis())
+    }
+
+    /// ∫ F over the mass, by the mass.
+    fn mean<'g>(&self, g: Sheet<'g>, field: &Field) -> On<'g, Pair> {
+        let terms = field.parts.iter().map(|(index, w)| g.number(self.slender.first[*index]) * g.on(*w));
+        terms.fold(vector::zero(g), |sum, term| sum + term)
+    }
+
+    /// ∫ F·G and ∫ F×G, by the mass.
+    fn products<'g>(&self, g: Sheet<'g>, one: &Field, other: &Field) -> [Scalar<'g>; 2] {
+        let mut sums = [g.zero(), g.zero()];
+        for (i, u) in &one.parts {
+            for (k, w) in &other.parts {
+                let mean = self.slender.second[*i][*k];
+                if mean != 0.0 {
+                    sums[0] += mean * g.on(*u).dot(*w);
+                    sums[1] += mean * g.on(*u).cross(*w);
+                }
+            }
+        }
+        sums
+    }
+}
+
+impl Field {
+    fn perpendicular(&self, g: Sheet) -> Self {
+        self.map(|w| g.on(w).perpendicular().bare)
+    }
+
+    fn map(&self, f: impl Fn(Pair) -> Pair) -> Self {
+        Field { parts: self.parts.iter().map(|(index, w)| (*index, f(*w))).collect() }
+    }
+
+    fn and(mut self, other: Self) -> Self {
+        self.parts.extend(other.parts);
+        self
+    }
+}
+
+/// A beam with its mass, in the frame it turns with.
+struct Spread<'b, 'g> {
+    body: &'b Massive<'g>,
+    flexible: &'g Flexible,
+    frame: FrameId,
+    /// (cos, sin) of its axes within that frame.
+    offset: On<'g, Pair>,
+}
+
+impl<'b, 'g> Spread<'b, 'g> {
+    fn all(kinematics: On<'g, &'g Kinematics>, bodies: &'b [Massive<'g>]) -> Vec<Self> {
+        let mut spread = Vec::new();
+        for (body, placement) in bodies.iter().zip(&kinematics.bare.bodies) {
+            if let Some(flexible) = &placement.flexible {
+                let offset = kinematics.g.on(placement.offset);
+                spread.push(Spread { body, flexible, frame: placement.frame, offset });
+            }
+        }
+        spread
+    }
+
+    /// φ_j along the axis of a mode.
+    fn shape(&self, mode: usize) -> Field {
+        let axis = self.flexible.axis(self.offset.g, mode).turned(self.offset);
+        Field { parts: vec![(mode + 1, axis.bare)] }
+    }
+
+    /// Σ φ_j e c_j.
+    fn modal(&self, coefficients: impl Fn(&Modal) -> Node) -> Field {
+        let g = self.offset.g;
+        let modes = self.flexible.modes.iter().enumerate();
+        let scaled = modes.map(|(mode, modal)| {
+            let coefficient = g.on(coefficients(modal));
+            self.shape(mode).map(|w| (coefficient * g.on(w)).bare)
+        });
+        scaled.fold(Field::default(), Field::and)
+    }
+
+    /// F.
+    fn position(&self) -> Field {
+        let g = self.offset.g;
+        let along = vector::axis(g, 0).turned(self.offset);
+        Field { parts: vec![(0, along.bare)] }.and(self.modal(|modal| modal.value))
+    }
+
+    /// Ḟ in the frame.
+    fn rate(&self, velocities: &[Node]) -> Field {
+        self.modal(|modal| match modal.motion {
+            ModalMotion::Free(index) => velocities[index],
+            ModalMotion::Given(rate, _) => rate,
+        })
+    }
+
+    /// ω of the frame, if it turns.
+    fn omega(&self, kinematics: On<'g, &'g Kinematics>) -> Option<(usize, Scalar<'g>)> {
+        let rate = kinematics.bare.frames[self.frame].rate?;
+        Some((rate, kinematics.g.on(kinematics.bare.velocities[rate])))
+    }
+}
+
+/// Adds what the mass along the beams adds to what it would be at the origins of their frames.
+pub(super) fn accumulate<'g>(
+    kinematics: On<'g, &'g Kinematics>,
+    bodies: &[Massive<'g>],
+    gravity: Option<On<'g, Pair>>,
+    sums: &mut Sums<'g>,
+) {
+    let g = kinematics.g;
+    for beam in Spread::all(kinematics, bodies) {
+        let (mass, frame, flexible) = (beam.body.mass, beam.frame, beam.flexible);
+        let position = beam.position();
+        let mut columns: Vec<(usize, Field)> = Vec::new();
+        let mut accelerations: Vec<(Factor, Field)> = Vec::new();
+        for (mode, modal) in flexible.modes.iter().enumerate() {
+            if let ModalMotion::Free(velocity) = modal.motion {
+                columns.push((velocity, beam.shape(mode)));
+                if beam.omega(kinematics).is_some() {
+                    accelerations.push((Factor::Coriolis(velocity), beam.shape(mode).perpendicular(g)));
+                }
+            }
+        }
+        if let Some((rate, _)) = beam.omega(kinematics) {
+            columns.push((rate, position.perpendicular(g)));
+            accelerations.push((Factor::Centripetal, position.map(|w| (-g.on(w)).bare)));
+        }
+        // With the origin of the frame, whose own columns may be of the same velocities.
+        let origin: Vec<_> = beam.body.center.parts.iter().map(|(frame, it)| (*frame, it.clone())).collect();
+        let rigid = super::inertia::columns(kinematics, &origin);
+        let pulls = super::inertia::accelerations(kinematics, &origin, gravity);
+        let mean = |field: &Field| flexible.mean(g, field);
+        for (velocity, field) in &columns {
+            for other in &rigid {
+                let times = if other.velocity == *velocity { 2.0 } else { 1.0 };
+                let (own, far) = (times * mass * mean(field), other.u);
+                sums.mass(*velocity, other.velocity, (frame, other.frame), own, far);
+            }
+            for (far, factor, w) in &pulls {
+                sums.bias(*velocity, (frame, *far), *factor, mass * mean(field), *w);
+            }
+        }
+        for own in &rigid {
+            for (factor, field) in &accelerations {
+                let u = mass * g.on(own.u);
+                sums.bias(own.velocity, (own.frame, frame), *factor, u, mean(field).bare);
+            }
+        }
+        // Among themselves.
+        for (at, (velocity, field)) in columns.iter().enumerate() {
+            for (other, far) in &columns[..=at] {
+                let [dot, _] = flexible.products(g, field, far);
+                sums.mass_of(*velocity, *other, frame, mass * dot);
+            }
+            for (factor, far) in &accelerations {
+                let [dot, _] = flexible.products(g, field, far);
+                sums.bias_of(*velocity, frame, *factor, mass * dot);
+            }
+        }
+    }
+}
+
+/// What T has beyond ½ m |Ṙ|².
+pub(super) fn kinetic_energy<'g>(laws: &Laws<'g>, bodies: &[Massive<'g>]) -> Scalar<'g> {
+    let (g, kinematics) = (laws.g, laws.plane());
+    let mut twice = g.zero();
+    for beam in Spread::all(kinematics, bodies) {
+        let mut velocity = beam.rate(&kinematics.bare.velocities);
+        if let Some((_, omega)) = beam.omega(kinematics) {
+            let turning = beam.position().perpendicular(g);
+            velocity = velocity.and(turning.map(|w| (omega * g.on(w)).bare));
+        }
+        let [x, y] = kinematics.world(&beam.body.center);
+        let mean = kinematics.to_world(beam.frame, beam.flexible.mean(g, &velocity));
+        let along = mean.dot([x.rate().bare, y.rate().bare]);
+        let [square, _] = beam.flexible.products(g, &velocity, &velocity);
+        twice += beam.body.mass * (2.0 * along + square);
+    }
+    0.5 * twice
+}
+
+/// What the potential of gravity has beyond −m g·R, and ½ pᵀ K p.
+pub(super) fn potential_energy<'g>(
+    laws: &Laws<'g>,
+    bodies: &[Massive<'g>],
+    gravity: Option<On<'g, Pair>>,
+) -> Scalar<'g> {
+    let (g, kinematics) = (laws.g, laws.plane());
+    let mut sum = g.zero();
+    for beam in Spread::all(kinematics, bodies) {
+        if let Some(gravity) = gravity {
+            let mean = kinematics.to_world(beam.frame, beam.flexible.mean(g, &beam.position()));
+            sum -= beam.body.mass * gravity.dot(mean);
+        }
+    }
+    for (index, beam) in laws.mechanism.bodies.iter().enumerate() {
+        let (Some(beam), Some(flexible)) = (&beam.beam, &kinematics.bare.bodies[index].flexible) else {
+            continue;
+        };
+        for (mode, modal) in flexible.modes.iter().enumerate() {
+            sum += 0.5 * (stiffness(laws, beam, mode) * g.on(modal.value).square());
+        }
+    }
+    sum
+}
+
+/// −K p − C ṗ of all modes, by velocity.
+pub(super) fn elastic_forces<'g>(laws: &Laws<'g>) -> Vec<(usize, Scalar<'g>)> {
+    let (g, kinematics) = (laws.g, laws.plane());
+    let mut forces = Vec::new();
+    for (index, body) in laws.mechanism.bodies.iter().enumerate() {
+        let (Some(beam), Some(flexible)) = (&body.beam, &kinematics.bare.bodies[index].flexible) else {
+            continue;
+        };
+        for (mode, modal) in flexible.modes.iter().enumerate() {
+            if let ModalMotion::Free(velocity) = modal.motion {
+                let rate = g.on(kinematics.bare.velocities[velocity]);
+                let damping = damping(laws, BodyId(index), beam, mode);
+                forces.push((velocity, -(stiffness(laws, beam, mode) * modal.value + damping * rate)));
+            }
+        }
+    }
+    forces
+}
+
+/// C of all modes, by velocity.
+pub(super) fn dampings<'g>(laws: &Laws<'g>) -> Vec<(usize, Scalar<'g>)> {
+    let mut dampings = Vec::new();
+    for (index, body) in laws.mechanism.bodies.iter().enumerate() {
+        let placement = laws.plane().bare.bodies.get(index);
+        let flexible = placement.and_then(|placement| placement.flexible.as_ref());
+        let (Some(beam), Some(flexible)) = (&body.beam, flexible) else { continue };
+        for (mode, modal) in flexible.modes.iter().enumerate() {
+            if let ModalMotion::Free(velocity) = modal.motion {
+                dampings.push((velocity, damping(laws, BodyId(index), beam, mode)));
+            }
+        }
+    }
+    dampings
+}
+
+/// K of a mode, N/m.
+fn stiffness<'g>(laws: &Laws<'g>, beam: &Beam, mode: usize) -> Scalar<'g> {
+    let mode = &beam.slender.modes[mode];
+    mode.stiffness * laws.value(beam.rigidity(mode.way))
+}
+
+/// C of a mode, N s/m: 2 ζ √(K M).
+fn damping<'g>(laws: &Laws<'g>, body: BodyId, beam: &Beam, mode: usize) -> Scalar<'g> {
+    let ratio = laws.value(&beam.damping_ratio);
+    if ratio.is_zero() {
+        return ratio;
+    }
+    let mass = beam.slender.second[mode + 1][mode + 1] * laws.value(&laws.mechanism.bodies[body.0].mass);
+    2.0 * (ratio * (stiffness(laws, beam, mode) * mass).sqrt())
+}
+
+/// m a of the whole beam and its moment about the frame's origin, less what it is with all mass at the origin; `gravity` in world axes.
+pub(super) fn inertia_beyond_origin<'g>(
+    laws: &Laws<'g>,
+    bodies: &[Massive<'g>],
+    index: usize,
+    acceleration: On<'g, Pair>,
+) -> Option<[Scalar<'g>; 3]> {
+    let (g, kinematics) = (laws.g, laws.plane());
+    kinematics.bare.bodies[index].flexible.as_ref()?;
+    let before = kinematics.bare.bodies[..index].iter().filter(|body| body.flexible.is_some()).count();
+    let beam = Spread::all(kinematics, bodies).swap_remove(before);
+    let (velocities, accelerations) = (&kinematics.bare.velocities, &laws.symbols.acceleration);
+    let position = beam.position();
+    let mut local = beam.modal(|modal| match modal.motion {
+        ModalMotion::Free(index) => accelerations[index],
+        ModalMotion::Given(_, acceleration) => acceleration,
+    });
+    if let Some((rate, omega)) = beam.omega(kinematics) {
+        let scaled = |field: Field, by: Scalar<'g>| field.map(|w| (by * g.on(w)).bare);
+        local = local.and(scaled(position.perpendicular(g), g.on(accelerations[rate])));
+        local = local.and(scaled(position.clone(), -omega.square()));
+        local = local.and(scaled(beam.rate(velocities).perpendicular(g), 2.0 * omega));
+    }
+    let mass = beam.body.mass;
+    let force = mass * kinematics.to_world(beam.frame, beam.flexible.mean(g, &local));
+    let arm = kinematics.to_world(beam.frame, beam.flexible.mean(g, &position));
+    let [_, moment] = beam.flexible.products(g, &position, &local);
+    let [x, y] = force.parts();
+    Some([x, y, mass * (moment + arm.cross(acceleration))])
+}
+
+impl<'g> On<'g, &'g Kinematics> {
+    /// The coordinate of a mode of a body.
+    pub fn mode(self, body: usize, mode: usize) -> Option<Moving<'g>> {
+        let flexible = self.bare.bodies.get(body)?.flexible.as_ref()?;
+        Some(flexible.moving(self, mode))
+    }
+
+    /// How much the section at a place is turned against its body, to first order: Σ N′ p. Nothing where it is not.
+    pub fn slope(self, laws: &Laws<'g>, place: &Place) -> Option<Moving<'g>> {
+        let Frame::Body(body) = place.frame else { return None };
+        let flexible = self.bare.bodies.get(body.0)?.flexible.as_ref()?;
+        let x = laws.value(&place.at[0]).value()?;
+        let slopes = flexible.slender.slopes(x).into_iter().enumerate().filter(|(_, slope)| *slope != 0.0);
+        let terms = slopes.map(|(mode, slope)| slope * flexible.moving(self, mode));
+        terms.reduce(|sum, term| sum + term)
+    }
+}
+
+/// The weights of the rates of modes in that of the section at a place, from the index of the first mode's velocity on.
+pub(super) fn slope_weights(
+    beam: Option<&Beam>,
+    place: &Place,
+    first: Option<usize>,
+) -> BTreeMap<usize, f64> {
+    let (Some(beam), Some(first), crate::model::Expr::Number(x)) = (beam, first, &place.at[0]) else {
+        return BTreeMap::new();
+    };
+    debug_assert!(beam.slender.modes.iter().all(|mode| matches!(mode.way, Way::Axial | Way::Bending)));
+    let slopes = beam.slender.slopes(*x).into_iter().enumerate();
+    slopes.filter(|(_, slope)| *slope != 0.0).map(|(mode, slope)| (first + mode, slope)).collect()
+}

@@ -1,0 +1,164 @@
+//! Texts about beams.
+
+use super::{closest, number};
+use crate::beams::Shapes;
+use crate::forms::SECTIONS;
+
+/// In backticks.
+pub(crate) fn quoted_code(text: &str) -> String {
+    format!("`{text}`")
+}
+
+fn listed(words: impl Iterator<Item = &'static str> + Clone, asked: &str) -> String {
+    match closest(asked, words.clone()) {
+        Some(similar) => format!("did you mean `{similar}`?"),
+        None => format!("there are {}", words.map(quoted_code).collect::<Vec<_>>().join(", ")),
+    }
+}
+
+pub(crate) fn unknown_shapes(asked: &str) -> String {
+    if asked == "static" {
+        return "shapes of static loads are not there yet in this version; write `clamped` with some more modes".to_string();
+    }
+    format!("no shapes called \"{asked}\"; {}", listed(Shapes::ALL.into_iter().map(Shapes::word), asked))
+}
+
+pub(crate) fn unknown_section(asked: &str) -> String {
+    let words = SECTIONS.iter().map(|(word, _)| *word);
+    format!(
+        "no section called \"{asked}\"; {}, or leave it out and write `area [mm^2] = …;` and `second_moment [mm^4] = …;`",
+        listed(words, asked)
+    )
+}
+
+pub(crate) fn section_without(kind: &str, missing: &str) -> String {
+    format!("a {kind} needs its {missing}: write `{missing} [mm] = …` in the parentheses")
+}
+
+pub(crate) fn unknown_modes(asked: &str) -> String {
+    if matches!(asked, "torsion" | "bending_y" | "bending_z") {
+        return format!(
+            "`{asked}` needs a beam in space, which is not there yet in this version; in the plane there are `axial` and `bending`"
+        );
+    }
+    format!("no modes called \"{asked}\"; {}", listed(["axial", "bending"].into_iter(), asked))
+}
+
+pub(crate) fn no_modes() -> String {
+    "a beam without modes is a rod: write `(bending = 3)`, or `rod` in place of `beam`".to_string()
+}
+
+pub(crate) fn modes_out_of_range(kind: &str, count: i64, most: usize) -> String {
+    format!(
+        "a beam has 0 to {most} {kind} modes, found {count}: higher ones are shorter than beam theory holds for; write fewer, or \
+         divide the beam"
+    )
+}
+
+pub(crate) fn beam_not_yet(property: &str, asked: &str, only: &str) -> String {
+    format!("`{property} = {asked}` is not there yet in this version: leave it out, which means `{only}`")
+}
+
+pub(crate) fn line_on_beam(beam: &str) -> String {
+    format!(
+        "a line on the beam `{beam}` would have to bend with it, and a joint along it is not there: put the line on the other body"
+    )
+}
+
+pub(crate) fn beam_first(joint: &str, kind: &str, place: &str) -> String {
+    format!(
+        "the joint `{joint}` takes its axes from its first place, and at `{place}` these would turn with the section of a beam, \
+         which a {kind} joint cannot yet: let the beam be its second place"
+    )
+}
+
+pub(crate) fn bushing_on_beam(place: &str) -> String {
+    format!(
+        "a bushing turns with its bodies, and at `{place}` a beam has the direction of its section: write `spring`, `damper` and \
+         `torsion_spring` on joints"
+    )
+}
+
+pub(crate) fn torque_on_beam(beam: &str) -> String {
+    format!(
+        "a torque on the beam `{beam}` bends it where it acts: let it act on a joint at one of its places, whose angle is that of the \
+         section, or write `shapes = clamped;`, with which the beam has the direction of its start"
+    )
+}
+
+pub(crate) fn beam_property_missing(beam: &str, property: &str, unit: &str) -> String {
+    format!("the beam `{beam}` has no {property}: write `{property} [{unit}] = …;`")
+}
+
+pub(crate) fn beam_without_section(beam: &str) -> String {
+    format!(
+        "the beam `{beam}` has no section: write `section = circle(diameter [mm] = …);`, or `area [mm^2] = …;` and \
+         `second_moment [mm^4] = …;`"
+    )
+}
+
+pub(crate) fn section_and_property(beam: &str, property: &str) -> String {
+    format!("the {property} of `{beam}` follows from its section; leave one of them out")
+}
+
+pub(crate) fn length_not_known(beam: &str) -> String {
+    format!(
+        "the length of the beam `{beam}` must be a number at expansion, because its shapes are: write a `const`"
+    )
+}
+
+pub(crate) fn point_not_known(beam: &str, point: &str) -> String {
+    format!(
+        "where `{point}` is on the beam `{beam}` must be a number at expansion, because the shapes there are: write a `const`"
+    )
+}
+
+pub(crate) fn point_off_axis(beam: &str, point: &str, y: f64) -> String {
+    format!(
+        "`{point}` is {} m beside the axis of the beam `{beam}`, whose points are on it: write `(…, 0)`, or fix a body to it",
+        number(y)
+    )
+}
+
+pub(crate) fn point_beyond(beam: &str, point: &str, x: f64, from: f64, to: f64) -> String {
+    format!(
+        "`{point}` is at x = {} m, and the axis of the beam `{beam}` reaches from {} to {} m: its frame is {}",
+        number(x),
+        number(from),
+        number(to),
+        if from < 0.0 { "in its middle" } else { "at its start" }
+    )
+}
+
+pub(crate) fn not_positive_of_beam(property: &str, beam: &str, value: f64) -> String {
+    format!("the {property} of the beam `{beam}` must be positive, found {}", number(value))
+}
+
+pub(crate) fn damping_ratio_negative(beam: &str, value: f64) -> String {
+    format!("the damping ratio of the beam `{beam}` must not be negative, found {}", number(value))
+}
+
+pub(crate) fn tube_inside_out(beam: &str, inner: f64, outer: f64) -> String {
+    format!(
+        "the tube of the beam `{beam}` has nothing between its diameters: inner {} m, outer {} m; write the smaller one as `inner`",
+        number(inner),
+        number(outer)
+    )
+}
+
+pub(crate) fn modes_of_beam(body: &str, asked: &str, axial: usize, bending: usize) -> String {
+    let kind = |word: &str, count: usize| match count {
+        0 => None,
+        1 => Some(format!("`{body}.{word}[0]`")),
+        _ => Some(format!("`{body}.{word}[0]` to `{body}.{word}[{}]`", count - 1)),
+    };
+    let known: Vec<String> = [kind("axial", axial), kind("bending", bending)].into_iter().flatten().collect();
+    format!("`{body}` has no mode `{asked}`; it has {}, each with `.rate`", known.join(" and "))
+}
+
+pub(crate) fn pinned_held(joint: &str, kind: &str, beam: &str) -> String {
+    format!(
+        "the {kind} joint `{joint}` holds the direction of the beam `{beam}`, whose `pinned` shapes carry no moment at their ends: \
+         write `shapes = clamped;` or `free`"
+    )
+}

@@ -1,0 +1,325 @@
+//! Beams: their section and modes, what follows from these, and the places on their axis.
+
+use super::fold;
+use super::lower::{Lowering, Use};
+use super::{BodyId, Coordinate, Expr, Frame, Function2, Joint, Mechanism, Place, StartCondition, Vector};
+use crate::beams::{Shapes, Slender, Way};
+use crate::messages;
+use crate::syntax::{self, Path};
+use crate::units::Dimension;
+use std::f64::consts::PI;
+use std::sync::Arc;
+
+/// What bends of a body.
+#[derive(Clone, Debug)]
+pub struct Beam {
+    pub slender: Arc<Slender>,
+    /// EA, N, and EI, N m², of parameters.
+    pub rigidities: [Expr; 2],
+    /// Of each mode, 1.
+    pub damping_ratio: Expr,
+}
+
+impl Beam {
+    /// EA or EI.
+    pub fn rigidity(&self, way: Way) -> &Expr {
+        &self.rigidities[way.axis()]
+    }
+
+    /// Name of a mode, `bending[0]`.
+    pub fn mode_name(&self, mode: usize) -> String {
+        let mode = &self.slender.modes[mode];
+        format!("{}[{}]", mode.way.word(), mode.number)
+    }
+
+    /// Natural frequencies of the modes at given parameters, rad/s; not a number where one is not known.
+    pub fn rates(&self, mass: &Expr, parameters: &[f64]) -> Vec<f64> {
+        let value = |expr: &Expr| fold::evaluate(expr, parameters).unwrap_or(f64::NAN);
+        let rate = |mode: usize| {
+            let rigidity = value(self.rigidity(self.slender.modes[mode].way));
+            self.slender.square_of_rate(mode, rigidity, value(mass)).sqrt()
+        };
+        (0..self.slender.modes.len()).map(rate).collect()
+    }
+}
+
+impl Mechanism {
+    /// What bends of a frame, if it does.
+    pub fn beam(&self, frame: Frame) -> Option<&Beam> {
+        match frame {
+            Frame::Ground => None,
+            Frame::Body(body) => self.bodies[body.0].beam.as_ref(),
+        }
+    }
+
+    /// Whether what a place belongs to keeps its direction there while it deforms.
+    pub fn keeps_direction(&self, place: &Place) -> bool {
+        let Some(beam) = self.beam(place.frame) else { return true };
+        matches!(place.at[0], Expr::Number(x) if beam.slender.keeps_direction(x))
+    }
+}
+
+impl<'d> Lowering<'d> {
+    /// The shapes of a beam, as soon as its length is known; said where it is not when the body is lowered.
+    pub(super) fn slender(&mut self, body: &'d syntax::Body) -> Option<Arc<Slender>> {
+        if !body.form.bends {
+            return None;
+        }
+        let Some(Expr::Number(length)) = self.shape_length(body, "length", false) else { return None };
+        let (axial, bending) = body.beam.counts();
+        let usable = length > 0.0;
+        usable.then(|| Arc::new(Slender::new(body.beam.shapes(), length, axial, bending)))
+    }
+
+    /// Points of a beam: its own, and what is written, which has to be on the axis.
+    pub(super) fn points_of_beam(
+        &mut self,
+        body: &'d syntax::Body,
+        slender: Option<&Slender>,
+        points: &mut std::collections::HashMap<&'d str, Option<Vector>>,
+    ) {
+        let name = &body.name.text;
+        for (label, tuple) in &body.points {
+            let (Some(slender), Some(Some(at))) = (slender, points.get(label.text.as_str()).cloned()) else {
+                continue;
+            };
+            let message = match &at {
+                [Expr::Number(x), Expr::Number(0.0), Expr::Number(0.0)] if slender.reaches(*x) => continue,
+                [Expr::Number(x), Expr::Number(0.0), Expr::Number(0.0)] => {
+                    let to = slender.from + slender.length;
+                    messages::point_beyond(name, &label.text, *x, slender.from, to)
+                }
+                [Expr::Number(_), Expr::Number(y), _] => messages::point_off_axis(name, &label.text, *y),
+                _ => messages::point_not_known(name, &label.text),
+            };
+            self.diagnostics.error(tuple.region, message);
+            points.insert(&label.text, None);
+        }
+        for (own, share) in [("start", 0.0), ("center", 0.5), ("end", 1.0)] {
+            let at = slender.map(|slender| {
+                [Expr::Number(slender.from + share * slender.length), Expr::Number(0.0), Expr::Number(0.0)]
+            });
+            if points.insert(own, at).is_some() {
+                self.shape_point_again(body, own);
+            }
+        }
+    }
+
+    /// What bends of a body; `None` after an error.
+    pub(super) fn beam(&mut self, body: &'d syntax::Body, slender: Option<Arc<Slender>>) -> Option<Beam> {
+        if slender.is_none()
+            && let Some((label, entry)) = body.property("length")
+            && !matches!(self.shape_length(body, "length", false), None | Some(Expr::Number(_)))
+        {
+            self.diagnostics
+                .error(label.region.to(entry.value.region), messages::length_not_known(&body.name.text));
+        }
+        let young = self.positive(body, "young", Dimension::PRESSURE, "GPa");
+        let section = self.section(body);
+        let damping_ratio = match body.property("damping_ratio") {
+            Some((_, entry)) => self.entry(entry, Dimension::ONE, Use::PROPERTY, "damping_ratio"),
+            None => Some(Expr::Number(0.0)),
+        };
+        if let (Some(Expr::Number(ratio)), Some((_, entry))) =
+            (&damping_ratio, body.property("damping_ratio"))
+            && *ratio < 0.0
+        {
+            let message = messages::damping_ratio_negative(&body.name.text, *ratio);
+            self.diagnostics.error(entry.value.region, message);
+            return None;
+        }
+        let (young, [area, second_moment]) = (young?, section?);
+        let rigidities = [times(young.clone(), area), times(young, second_moment)];
+        Some(Beam { slender: slender?, rigidities, damping_ratio: damping_ratio? })
+    }
+
+    /// A property that a beam must have, and that is positive.
+    fn positive(
+        &mut self,
+        body: &'d syntax::Body,
+        property: &str,
+        dimension: Dimension,
+        unit: &str,
+    ) -> Option<Expr> {
+        let Some((_, entry)) = body.property(property) else {
+            let message = messages::beam_property_missing(&body.name.text, property, unit);
+            self.diagnostics.error(body.name.region, message);
+            return None;
+        };
+        let value = self.entry(entry, dimension, Use::PROPERTY, property)?;
+        if let Some(found) = fold::evaluate(&value, self.defaults())
+            && found <= 0.0
+        {
+            let message = messages::not_positive_of_beam(property, &body.name.text, found);
+            self.diagnostics.error(entry.value.region, message);
+            return None;
+        }
+        Some(value)
+    }
+
+    /// m² and m⁴ about z: of the section, or as written.
+    fn section(&mut self, body: &'d syntax::Body) -> Option<[Expr; 2]> {
+        let name = &body.name.text;
+        let written = ["area", "second_moment"].into_iter().find_map(|property| body.property(property));
+        let Some(section) = &body.beam.section else {
+            if written.is_none() {
+                self.diagnostics.error(body.name.region, messages::beam_without_section(name));
+                return None;
+            }
+            let area = self.positive(body, "area", Dimension::AREA, "mm^2");
+            let second_moment = self.positive(body, "second_moment", Dimension::SECOND_MOMENT, "mm^4");
+            return Some([area?, second_moment?]);
+        };
+        if let Some((label, _)) = written {
+            let message = messages::section_and_property(name, &label.text);
+            let note = messages::property_here("section");
+            self.diagnostics.conflict(label.region, message, section.kind.region, note);
+            return None;
+        }
+        let mut lengths = Vec::new();
+        for (label, entry) in &section.lengths {
+            let length = self.entry(entry, Dimension::LENGTH, Use::PROPERTY, &label.text)?;
+            if let Some(found) = fold::evaluate(&length, self.defaults())
+                && found <= 0.0
+            {
+                let message = messages::not_positive(&label.text, name, found);
+                self.diagnostics.error(entry.value.region, message);
+                return None;
+            }
+            lengths.push((label.text.as_str(), length));
+        }
+        let of = |wanted: &str| {
+            let found = lengths.iter().find(|(known, _)| *known == wanted);
+            found.map_or(Expr::Number(0.0), |(_, length)| length.clone())
+        };
+        Some(match section.kind.text.as_str() {
+            "rectangle" => {
+                let (height, width) = (of("height"), of("width"));
+                let cube = fold::power(height.clone(), 3.0);
+                [times(height, width.clone()), scaled(1.0 / 12.0, times(width, cube))]
+            }
+            "tube" => {
+                let (outer, inner) = (of("outer"), of("inner"));
+                let value = |expr: &Expr| fold::evaluate(expr, self.defaults());
+                if let (Some(inside), Some(outside)) = (value(&inner), value(&outer))
+                    && inside >= outside
+                {
+                    let message = messages::tube_inside_out(name, inside, outside);
+                    self.diagnostics.error(section.kind.region, message);
+                    return None;
+                }
+                let ring = |power: f64| {
+                    let [outer, inner] = [&outer, &inner].map(|it| fold::power(it.clone(), power));
+                    fold::binary(Function2::Sub, outer, inner)
+                };
+                [scaled(PI / 4.0, ring(2.0)), scaled(PI / 64.0, ring(4.0))]
+            }
+            _ => {
+                let power = |power: f64| fold::power(of("diameter"), power);
+                [scaled(PI / 4.0, power(2.0)), scaled(PI / 64.0, power(4.0))]
+            }
+        })
+    }
+
+    /// m³.
+    pub(super) fn volume_of_beam(&mut self, body: &'d syntax::Body) -> Option<Expr> {
+        let errors = self.diagnostics.iter().count();
+        let section = self.section(body);
+        if section.is_none() && self.diagnostics.iter().count() > errors {
+            // Said here, and again where the section itself is read: messages of one place are one.
+            return None;
+        }
+        let [area, _] = section?;
+        Some(times(area, self.shape_length(body, "length", false)?))
+    }
+
+    /// `coupler.bending[0]`: the mode, and whether its rate is meant; nothing where it is no mode.
+    pub(super) fn mode(&mut self, body: BodyId, path: &Path) -> Option<Result<(Coordinate, bool), ()>> {
+        let word = path.parts[1].text.as_str();
+        let base = word.split('[').next().unwrap_or(word);
+        let is_way = Way::ALL.iter().any(|way| way.word() == base);
+        if !self.definition.bodies[body.0].form.bends || !is_way {
+            return None;
+        }
+        let (axial, bending) = self.definition.bodies[body.0].beam.counts();
+        let names =
+            (0..axial).map(|k| format!("axial[{k}]")).chain((0..bending).map(|k| format!("bending[{k}]")));
+        let mode = names.enumerate().find(|(_, name)| name == word).map(|(mode, _)| mode);
+        let rest: Vec<&str> = path.parts[2..].iter().map(|part| part.text.as_str()).collect();
+        let (Some(mode), [] | ["rate"]) = (mode, rest.as_slice()) else {
+            let message = messages::modes_of_beam(&path.parts[0].text, &path.text, axial, bending);
+            self.diagnostics.error(path.region, message);
+            return Some(Err(()));
+        };
+        Some(Ok((Coordinate::Mode(body, mode), !rest.is_empty())))
+    }
+
+    /// Whether a place there moves as a beam deforms.
+    pub(super) fn bends(&self, frame: Frame) -> bool {
+        match frame {
+            Frame::Ground => false,
+            Frame::Body(body) => self.definition.bodies[body.0].form.bends,
+        }
+    }
+
+    /// Whether the direction of a body is no section's.
+    pub(super) fn has_mean_direction(&self, body: BodyId) -> bool {
+        let body = &self.definition.bodies[body.0];
+        body.form.bends && body.beam.shapes() != Shapes::Clamped
+    }
+
+    /// What joints with beams cannot do.
+    pub(super) fn joint_of_beam(&mut self, joint: &'d syntax::Joint, lowered: &Joint) -> Option<()> {
+        let form = lowered.form;
+        let takes_axes = !form.travels.is_empty();
+        if self.bends(lowered.first.frame) && takes_axes {
+            let (name, kind) = (&joint.name.text, form.call.word);
+            let message = messages::beam_first(name, kind, &lowered.first.text);
+            self.diagnostics.error(lowered.first.span, message);
+            return None;
+        }
+        for place in [&lowered.first, &lowered.second] {
+            let Frame::Body(body) = place.frame else { continue };
+            let body = &self.definition.bodies[body.0];
+            if body.form.bends && form.keeps_orientation && body.beam.shapes() == Shapes::Pinned {
+                let message = messages::pinned_held(&joint.name.text, form.call.word, &body.name.text);
+                self.diagnostics.error(place.span, message);
+                return None;
+            }
+        }
+        Some(())
+    }
+
+    /// Modes are at rest at zero at the start unless that is said: assembly does not bend a beam to close a loop.
+    pub(super) fn modes_at_rest(mechanism: &mut Mechanism) {
+        let mut rest = Vec::new();
+        for (index, body) in mechanism.bodies.iter().enumerate() {
+            let Some(beam) = &body.beam else { continue };
+            for mode in 0..beam.slender.modes.len() {
+                let coordinate = Coordinate::Mode(BodyId(index), mode);
+                for rate in [false, true] {
+                    let said = |start: &StartCondition| start.coordinate == coordinate && start.rate == rate;
+                    if !mechanism.start.iter().any(said) {
+                        rest.push(StartCondition {
+                            coordinate: coordinate.clone(),
+                            rate,
+                            text: format!("{}.{}", body.name.text, beam.mode_name(mode)),
+                            value: Expr::Number(0.0),
+                            exact: true,
+                            span: body.name.span,
+                        });
+                    }
+                }
+            }
+        }
+        mechanism.start.extend(rest);
+    }
+}
+
+fn times(a: Expr, b: Expr) -> Expr {
+    fold::binary(Function2::Mul, a, b)
+}
+
+fn scaled(factor: f64, a: Expr) -> Expr {
+    times(Expr::Number(factor), a)
+}

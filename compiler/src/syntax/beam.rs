@@ -1,0 +1,121 @@
+//! What a beam has in its braces beside values: `section = circle(diameter [mm] = 7); modes = (axial = 2, bending = 5); shapes = free;`.
+
+use super::definition::{Body, ModesTerm, SectionTerm};
+use super::parser::{Failed, Parsed, Parser};
+use super::token::Cursor;
+use crate::beams::{MOST_MODES, Shapes, Way};
+use crate::diagnostics::Region;
+use crate::forms::SECTIONS;
+use crate::messages;
+use proc_macro2::Delimiter;
+
+/// Words before what is no value.
+pub(super) const WORDS: [&str; 5] = ["section", "modes", "shapes", "theory", "stiffening"];
+
+impl Parser<'_> {
+    /// One of [`WORDS`] and what follows it.
+    pub fn of_beam(&mut self, c: &mut Cursor, body: &mut Body) -> Parsed<()> {
+        let label = self.word(c, "a property")?;
+        self.punct(c, '=')?;
+        let (name, beam) = (body.name.text.clone(), &mut body.beam);
+        let first = match label.text.as_str() {
+            "section" => beam.section.as_ref().map(|section| section.kind.region),
+            "modes" => beam.modes.as_ref().map(|modes| modes.region),
+            "shapes" => beam.shapes.as_ref().map(|(label, _)| label.region),
+            _ => None,
+        };
+        if let Some(first) = first {
+            let message = messages::property_twice(&label.text, &name);
+            self.diagnostics.conflict(label.region, message, first, messages::first_here(&label.text));
+            return Err(Failed);
+        }
+        match label.text.as_str() {
+            "section" => beam.section = Some(self.section(c)?),
+            "modes" => beam.modes = Some(self.modes(c)?),
+            "shapes" => {
+                let word = self.word(c, "`free`, `clamped` or `pinned`")?;
+                match Shapes::ALL.into_iter().find(|shapes| shapes.word() == word.text) {
+                    Some(shapes) => beam.shapes = Some((word, shapes)),
+                    None => return self.fail(word.region, messages::unknown_shapes(&word.text)),
+                }
+            }
+            _ => self.one_choice(c, &label.text)?,
+        }
+        self.semicolon(c)
+    }
+
+    /// What has one value so far.
+    fn one_choice(&mut self, c: &mut Cursor, property: &str) -> Parsed<()> {
+        let only = if property == "theory" { "euler_bernoulli" } else { "off" };
+        let word = self.word(c, &messages::quoted_code(only))?;
+        if word.text == only {
+            return Ok(());
+        }
+        self.fail(word.region, messages::beam_not_yet(property, &word.text, only))
+    }
+
+    fn section(&mut self, c: &mut Cursor) -> Parsed<SectionTerm> {
+        let kind = self.word(c, "`circle(…)`, `tube(…)` or `rectangle(…)`")?;
+        let Some((_, lengths)) = SECTIONS.iter().find(|(word, _)| *word == kind.text) else {
+            return self.fail(kind.region, messages::unknown_section(&kind.text));
+        };
+        let mut inside = self.group(c, Delimiter::Parenthesis)?;
+        let mut found = Vec::new();
+        while !inside.is_done() {
+            let label = self.word(&mut inside, "a length of the section")?;
+            if !lengths.contains(&label.text.as_str()) {
+                return self.fail(label.region, messages::unknown_argument(&kind.text, &label.text, lengths));
+            }
+            if found.iter().any(|(known, _): &(super::Label, _)| known.text == label.text) {
+                return self.fail(label.region, messages::property_twice(&label.text, &kind.text));
+            }
+            let unit = self.unit(&mut inside)?;
+            let entry = self.entry(&mut inside, unit)?;
+            found.push((label, entry));
+            if !inside.is_done() && !inside.eat_punct(',') {
+                return self.expected(&inside, "`,` or `)`");
+            }
+        }
+        let missing = lengths.iter().find(|name| !found.iter().any(|(label, _)| label.text == **name));
+        if let Some(missing) = missing {
+            return self.fail(kind.region, messages::section_without(&kind.text, missing));
+        }
+        Ok(SectionTerm { kind, lengths: found })
+    }
+
+    fn modes(&mut self, c: &mut Cursor) -> Parsed<ModesTerm> {
+        let Some(whole) = c.inside(Delimiter::Parenthesis).map(|inside| inside.whole()) else {
+            return self.expected(c, "`(bending = 3)`, or `(axial = 1, bending = 3)`");
+        };
+        let mut inside = self.group(c, Delimiter::Parenthesis)?;
+        let mut counts: [Option<usize>; 2] = [None, None];
+        while !inside.is_done() {
+            let label = self.word(&mut inside, "`axial` or `bending`")?;
+            let Some(which) = Way::ALL.iter().position(|way| way.word() == label.text) else {
+                return self.fail(label.region, messages::unknown_modes(&label.text));
+            };
+            if counts[which].is_some() {
+                return self.fail(label.region, messages::property_twice(&label.text, "modes"));
+            }
+            self.punct(&mut inside, '=')?;
+            let term = self.expression(&mut inside)?;
+            let count = self.integer(&term)?;
+            counts[which] = Some(self.modes_of(count, &label.text, term.region)?);
+            if !inside.is_done() && !inside.eat_punct(',') {
+                return self.expected(&inside, "`,` or `)`");
+            }
+        }
+        let [axial, bending] = counts.map(|count| count.unwrap_or(0));
+        if axial + bending == 0 {
+            return self.fail(whole, messages::no_modes());
+        }
+        Ok(ModesTerm { axial, bending, region: whole })
+    }
+
+    fn modes_of(&mut self, count: i64, kind: &str, region: Region) -> Parsed<usize> {
+        match usize::try_from(count) {
+            Ok(count) if count <= MOST_MODES => Ok(count),
+            _ => self.fail(region, messages::modes_out_of_range(kind, count, MOST_MODES)),
+        }
+    }
+}
