@@ -3,6 +3,7 @@
 
 use crate::motion;
 use crate::start;
+use linkwright_compiler::beams::RK4;
 use linkwright_compiler::counts::Row;
 use linkwright_compiler::equations::conditions;
 use linkwright_compiler::model::gears::Told;
@@ -38,6 +39,16 @@ pub struct Body {
     pub moments: Vec<f64>,
 }
 
+/// A mode of a beam by itself.
+#[derive(Clone, Debug)]
+pub struct Mode {
+    pub name: String,
+    /// For the default parameters, Hz.
+    pub hertz: f64,
+    /// The longest step with which the classical Runge–Kutta method is stable, s.
+    pub step: f64,
+}
+
 /// A joint between two places.
 #[derive(Clone, Debug)]
 pub struct Joint {
@@ -63,6 +74,7 @@ pub struct Explanation {
     /// At the start.
     pub states: Vec<Value>,
     pub bodies: Vec<Body>,
+    pub modes: Vec<Mode>,
     pub joints: Vec<Joint>,
     /// Name and kind of couplings and drivers.
     pub couplings: Vec<[String; 2]>,
@@ -132,6 +144,7 @@ pub fn explain(definition: &Definition, compiled: &Compiled) -> Explanation {
         signals: mechanism.signals.iter().map(|it| [it.name.text.clone(), it.unit.text.clone()]).collect(),
         states: state.internal,
         bodies: state.bodies,
+        modes: modes(mechanism),
         joints: joints(compiled),
         couplings: couplings(mechanism),
         teeth: mechanism.pairs.iter().map(|pair| Told::of(mechanism, pair)).collect(),
@@ -192,6 +205,11 @@ fn joints(compiled: &Compiled) -> Vec<Joint> {
         carries: carries(index),
     };
     mechanism.joints.iter().enumerate().map(joint).collect()
+}
+
+fn modes(mechanism: &Mechanism) -> Vec<Mode> {
+    let modes = mechanism.modes().into_iter();
+    modes.map(|(name, rate)| Mode { name, hertz: rate / std::f64::consts::TAU, step: RK4 / rate }).collect()
 }
 
 fn couplings(mechanism: &Mechanism) -> Vec<[String; 2]> {

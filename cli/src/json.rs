@@ -1,7 +1,7 @@
 //! Results for machines: one object, versioned, described in `docs/command-line.md`.
 
 use crate::arguments::Command;
-use crate::explain::{Explanation, Value as Quantity};
+use crate::explain::{Explanation, Mode, Value as Quantity};
 use crate::input::Found;
 use linkwright_compiler::Repetition;
 use linkwright_compiler::counts::Row;
@@ -134,6 +134,10 @@ pub fn explanation(e: &Explanation) -> Value {
     if !e.signals.is_empty() {
         object["signals"] =
             e.signals.iter().map(|[name, unit]| json!({ "name": name, "unit": unit })).collect();
+    }
+    if !e.modes.is_empty() {
+        let mode = |mode: &Mode| json!({ "name": mode.name, "hertz": mode.hertz, "step": mode.step });
+        object["modes"] = e.modes.iter().map(mode).collect();
     }
     if !e.parts.is_empty() {
         object["parts"] = named(&e.parts);

@@ -4,12 +4,14 @@
 //! |---|---|---|
 //! | planar | x, y of the centre of mass, θ over several turns | ẋ, ẏ, ω |
 //! | planar particle | x, y | ẋ, ẏ |
+//! | beam | x, y of the origin of its frame, θ, modes | ẋ, ẏ, ω, rates of modes |
 //! | spatial | x, y, z, Euler parameters (w, x, y, z) | ẋ, ẏ, ż, ω in body axes |
 //! | spatial particle | x, y, z | ẋ, ẏ, ż |
 //!
 //! Behind the bodies of space q has the angles of joints over several turns, which choose whole turns and nothing else, and behind
 //! these the internal states.
 
+use crate::beam::Beam;
 use crate::definition::Definition;
 use crate::error::Error;
 use crate::kinematics::{Frame, Kinematics};
@@ -30,11 +32,18 @@ pub(crate) struct Slot {
     pub q: usize,
     pub v: usize,
     pub kind: Kind,
+    /// Modes of a beam, behind its pose.
+    pub modes: usize,
 }
 
 impl Slot {
     /// Velocities of the body.
     pub fn width(&self) -> usize {
+        self.pose() + self.modes
+    }
+
+    /// Those of its pose.
+    fn pose(&self) -> usize {
         match self.kind {
             Kind::Plane | Kind::SpaceParticle => 3,
             Kind::PlaneParticle => 2,
@@ -42,12 +51,27 @@ impl Slot {
         }
     }
 
+    /// Entries in q that move as their velocities do.
+    fn linear(&self) -> usize {
+        if self.kind == Kind::Space { 3 } else { self.width() }
+    }
+
     fn positions(&self) -> usize {
         if self.kind == Kind::Space { 7 } else { self.width() }
     }
 
     /// Adds a gradient, or a force and torque, to the entries of the body's velocities.
-    pub fn add(&self, frame: &Frame, pull: &Pull, entries: &mut [f64]) {
+    pub fn add(&self, frame: &Frame, beam: Option<&Beam>, pull: &Pull, entries: &mut [f64]) {
+        if let Some((mode, along)) = pull.mode {
+            entries[3 + mode] += along;
+        }
+        if let (Some(beam), Some(x)) = (beam, pull.on_axis) {
+            let along = turned_back(&frame.axes, pull.linear);
+            for mode in 0..self.modes {
+                entries[3 + mode] +=
+                    beam.value(mode, x) * along[beam.axis(mode)] + beam.slope(mode, x) * pull.section;
+            }
+        }
         let [x, y, z] = pull.linear;
         entries[0] += x;
         entries[1] += y;
@@ -88,7 +112,8 @@ impl Coordinates {
                 (true, false) => Kind::Space,
                 (true, true) => Kind::SpaceParticle,
             };
-            let slot = Slot { q: coordinates.positions, v: coordinates.velocities, kind };
+            let modes = body.beam.as_ref().map_or(0, |beam| beam.count());
+            let slot = Slot { q: coordinates.positions, v: coordinates.velocities, kind, modes };
             coordinates.positions += slot.positions();
             coordinates.velocities += slot.width();
             coordinates.slots.push(slot);
@@ -122,8 +147,11 @@ impl Coordinates {
         check_finite("a velocity", v)?;
         at.time = time;
         at.frames.clear();
+        at.modal.clear();
         for slot in &self.slots {
-            at.frames.push(slot.frame(&q[slot.q..], &v[slot.v..])?);
+            let frame = slot.frame(&q[slot.q..], &v[slot.v..])?;
+            at.frames.push(Frame { modes: at.modal.len(), ..frame });
+            at.modal.extend((0..slot.modes).map(|mode| [q[slot.q + 3 + mode], v[slot.v + 3 + mode]]));
         }
         at.counted.clear();
         at.counted.extend_from_slice(&q[self.counted..self.internal]);
@@ -136,7 +164,7 @@ impl Coordinates {
     pub fn rates(&self, q: &[f64], v: &[f64], rates: &mut [f64]) {
         rates.fill(0.0);
         for slot in &self.slots {
-            let (linear, positions) = (slot.width().min(3), &q[slot.q..]);
+            let (linear, positions) = (slot.linear(), &q[slot.q..]);
             rates[slot.q..slot.q + linear].copy_from_slice(&v[slot.v..slot.v + linear]);
             if slot.kind == Kind::Space {
                 let omega = [0.0, v[slot.v + 3], v[slot.v + 4], v[slot.v + 5]];
@@ -149,7 +177,7 @@ impl Coordinates {
     /// q ⊕ δ: positions moved by an increment of the velocities' kind.
     pub fn retract(&self, q: &mut [f64], delta: &[f64]) {
         for slot in &self.slots {
-            let linear = slot.width().min(3);
+            let linear = slot.linear();
             for k in 0..linear {
                 q[slot.q + k] += delta[slot.v + k];
             }
@@ -191,6 +219,7 @@ impl Slot {
             velocity: [v[0], v[1], 0.0],
             spin: ZERO,
             angle: 0.0,
+            modes: 0,
         };
         match self.kind {
             Kind::PlaneParticle => {}

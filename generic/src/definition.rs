@@ -1,11 +1,13 @@
 //! A definition in SI at given values of its parameters: bodies, rows, loads. `reading` makes it from the tree; `system` solves it.
 
+use crate::beam::Beam;
 use crate::law::Law;
 use crate::load::Load;
 use crate::quantity::Quantity;
 use crate::row::Row;
 use crate::vector::{M3, V3};
 use std::collections::HashMap;
+use std::sync::Arc;
 
 #[derive(Clone, Debug)]
 pub(crate) struct Definition {
@@ -54,4 +56,6 @@ pub(crate) struct Body {
     pub points: HashMap<String, V3>,
     /// Of its markers, body ← marker.
     pub markers: HashMap<String, M3>,
+    /// What bends of it.
+    pub beam: Option<Arc<Beam>>,
 }

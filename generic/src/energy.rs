@@ -23,7 +23,10 @@ pub(crate) enum Energy {
 
 /// T = Σ ½ m ṙ² + ½ ωᵀ J ω, J.
 pub(crate) fn kinetic(bodies: &[Body], at: &Kinematics) -> f64 {
-    let of = bodies.iter().zip(&at.frames).map(|(body, frame)| {
+    let of = bodies.iter().zip(&at.frames).enumerate().map(|(index, (body, frame))| {
+        if let Some(beam) = at.beam(index) {
+            return 2.0 * beam.kinetic(frame, at.modes(index, beam));
+        }
         let omega = turned_back(&frame.axes, frame.spin);
         body.mass * dot(frame.velocity, frame.velocity) + dot(omega, turned(&body.inertia, omega))
     });
@@ -33,7 +36,10 @@ pub(crate) fn kinetic(bodies: &[Body], at: &Kinematics) -> f64 {
 /// V of gravity, springs and bushings, J.
 pub(crate) fn potential(bodies: &[Body], loads: &[Load], gravity: V3, at: &Kinematics) -> f64 {
     let weights =
-        bodies.iter().zip(&at.frames).map(|(body, frame)| -body.mass * dot(gravity, frame.position));
+        bodies.iter().zip(&at.frames).enumerate().map(|(index, (body, frame))| match at.beam(index) {
+            Some(beam) => beam.potential(frame, at.modes(index, beam), gravity),
+            None => -body.mass * dot(gravity, frame.position),
+        });
     let stored = loads.iter().map(|load| match &load.acts {
         Acts::Spring { along, stiffness, rest, .. } => {
             0.5 * stiffness * (along.jet(at).along.value - rest).powi(2)

@@ -3,9 +3,11 @@
 //! Plane and space share it: a planar body is one whose z stays 0 and that turns about z alone. What is different is
 //! how many coordinates it has, in `coordinates`.
 
+use crate::beam::Beam;
 use crate::expression::{Expression, Scope};
 use crate::number::Taylor;
 use crate::vector::*;
+use std::sync::Arc;
 
 /// The motion of a body's axes; of the ground, rest.
 #[derive(Clone, Copy, Debug)]
@@ -20,10 +22,12 @@ pub(crate) struct Frame {
     pub spin: V3,
     /// θ of a planar body, over several turns, rad.
     pub angle: f64,
+    /// Where its modes begin among those of all beams.
+    pub modes: usize,
 }
 
 pub(crate) const GROUND: Frame =
-    Frame { position: ZERO, axes: IDENTITY, velocity: ZERO, spin: ZERO, angle: 0.0 };
+    Frame { position: ZERO, axes: IDENTITY, velocity: ZERO, spin: ZERO, angle: 0.0, modes: 0 };
 
 /// A place of a body, or of the ground where there is none.
 #[derive(Clone, Debug)]
@@ -47,6 +51,22 @@ pub(crate) struct Point {
     pub velocity: V3,
     /// ω × (ω × arm), or the acceleration of a place that moves by itself, m/s².
     pub bias: V3,
+    /// Where it is on the axis of a beam.
+    pub on_axis: Option<f64>,
+}
+
+/// The orientation of a body, or of the section of a beam at x.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Section {
+    pub body: Option<usize>,
+    pub x: Option<f64>,
+}
+
+impl Section {
+    /// Of a body, or of the ground.
+    pub fn whole(body: Option<usize>) -> Self {
+        Section { body, x: None }
+    }
 }
 
 /// The motion of all bodies at one time.
@@ -54,6 +74,10 @@ pub(crate) struct Point {
 pub(crate) struct Kinematics {
     pub time: f64,
     pub frames: Vec<Frame>,
+    /// Of each body, if it is one.
+    pub beams: Vec<Option<Arc<Beam>>>,
+    /// Coordinates of modes with their rates, beam by beam.
+    pub modal: Vec<[f64; 2]>,
     /// Angles of spatial joints over several turns, rad.
     pub counted: Vec<f64>,
     /// Internal states, in SI.
@@ -71,6 +95,9 @@ impl Kinematics {
     pub fn point(&self, place: &Place) -> Point {
         let Some(body) = place.body else { return self.ground(place) };
         let frame = &self.frames[body];
+        if let Some(beam) = self.beam(body) {
+            return self.on_axis(body, beam, place.local[0]);
+        }
         let arm = turned(&frame.axes, place.local);
         let swept = cross(frame.spin, arm);
         Point {
@@ -79,11 +106,55 @@ impl Kinematics {
             position: plus(frame.position, arm),
             velocity: plus(frame.velocity, swept),
             bias: cross(frame.spin, swept),
+            on_axis: None,
         }
     }
 
+    pub fn beam(&self, body: usize) -> Option<&Beam> {
+        self.beams.get(body)?.as_deref()
+    }
+
+    /// The coordinates and rates of a beam's modes.
+    pub fn modes(&self, body: usize, beam: &Beam) -> &[[f64; 2]] {
+        let first = self.frames[body].modes;
+        &self.modal[first..first + beam.count()]
+    }
+
+    /// p = r + A d(p), ṗ = ṙ + ω × A d + A ḋ, with ω × (ω × A d) + 2 ω × A ḋ.
+    fn on_axis(&self, body: usize, beam: &Beam, x: f64) -> Point {
+        let frame = &self.frames[body];
+        let (mut local, mut rate) = ([x, 0.0, 0.0], ZERO);
+        for (mode, [p, p_rate]) in self.modes(body, beam).iter().enumerate() {
+            let value = beam.value(mode, x);
+            local[beam.axis(mode)] += value * p;
+            rate[beam.axis(mode)] += value * p_rate;
+        }
+        let (arm, moved) = (turned(&frame.axes, local), turned(&frame.axes, rate));
+        let swept = cross(frame.spin, arm);
+        Point {
+            body: Some(body),
+            arm,
+            position: plus(frame.position, arm),
+            velocity: plus(frame.velocity, plus(swept, moved)),
+            bias: plus(cross(frame.spin, swept), times(2.0, cross(frame.spin, moved))),
+            on_axis: Some(x),
+        }
+    }
+
+    /// By how much a section is turned against its body, to first order, and how fast.
+    pub fn slope(&self, section: Section) -> [f64; 2] {
+        let (Some(body), Some(x)) = (section.body, section.x) else { return [0.0; 2] };
+        let Some(beam) = self.beam(body) else { return [0.0; 2] };
+        let modes = self.modes(body, beam).iter().enumerate();
+        modes.fold([0.0; 2], |[sum, rate], (mode, [p, p_rate])| {
+            let slope = beam.slope(mode, x);
+            [sum + slope * p, rate + slope * p_rate]
+        })
+    }
+
     fn ground(&self, place: &Place) -> Point {
-        let mut point = Point { body: None, arm: ZERO, position: place.local, velocity: ZERO, bias: ZERO };
+        let mut point =
+            Point { body: None, arm: ZERO, position: place.local, velocity: ZERO, bias: ZERO, on_axis: None };
         if let Some(components) = &place.moving {
             for (k, component) in components.iter().enumerate() {
                 let moved = component.evaluate(&Scope {

@@ -6,7 +6,7 @@ use crate::kinematics::Kinematics;
 use crate::load::Load;
 use crate::number::{Number, Slope, Taylor};
 use crate::quantity::{Jet, Pull, Quantity};
-use crate::vector::{times, turned_back};
+use crate::vector::turned_back;
 use std::sync::Arc;
 
 #[derive(Clone, Debug)]
@@ -118,11 +118,7 @@ impl Law {
             let slope = self.expression.evaluate(&scope).slope;
             scratch.slopes[k].slope = 0.0;
             for pull in jet.pulls {
-                add(Pull {
-                    body: pull.body,
-                    linear: times(slope, pull.linear),
-                    angular: times(slope, pull.angular),
-                });
+                add(pull.scaled(slope));
             }
         }
         let scope =

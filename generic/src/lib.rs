@@ -72,6 +72,7 @@
 #![forbid(unsafe_code)]
 #![warn(missing_docs)]
 
+mod beam;
 mod body;
 mod coordinates;
 mod definition;

@@ -4,8 +4,8 @@ use crate::kinematics::{Kinematics, Place};
 use crate::law::{Law, Scratch};
 use crate::mesh::Mesh;
 use crate::number::{Number, Taylor};
-use crate::quantity::{Pull, Quantity, nearest};
-use crate::vector::{cross, dot, norm, times};
+use crate::quantity::{Pull, Quantity, nearest, of_point};
+use crate::vector::{dot, norm, times};
 
 #[derive(Clone, Debug)]
 pub(crate) struct Load {
@@ -107,7 +107,7 @@ impl Load {
             }
             Acts::Torque { body, components } => {
                 let torque = [0, 1, 2].map(|k| components[k].value(at, inputs, scratch));
-                add(Pull { body: Some(*body), linear: [0.0; 3], angular: torque });
+                add(Pull::on(Some(*body), [0.0; 3], torque));
             }
             Acts::Effort { along, value } => {
                 let value = value.value(at, inputs, scratch);
@@ -189,16 +189,12 @@ impl Load {
 
 fn at_place(at: &Kinematics, place: &Place, force: [f64; 3]) -> Pull {
     let point = at.point(place);
-    Pull { body: point.body, linear: force, angular: cross(point.arm, force) }
+    of_point(&point, force)
 }
 
 fn pulled(pulls: impl IntoIterator<Item = Pull>, effort: f64, mut add: impl FnMut(Pull)) {
     for pull in pulls {
-        add(Pull {
-            body: pull.body,
-            linear: times(effort, pull.linear),
-            angular: times(effort, pull.angular),
-        });
+        add(pull.scaled(effort));
     }
 }
 

@@ -2,7 +2,7 @@
 //! are in `motion`.
 
 use crate::body::BodyMotion;
-use crate::coordinates::{Coordinates, Kind};
+use crate::coordinates::{Coordinates, Kind, Slot};
 use crate::definition::Definition;
 use crate::error::{DefinitionError, Error};
 use crate::kinematics::Kinematics;
@@ -22,6 +22,7 @@ use std::collections::HashMap;
 /// |---|---|---|
 /// | planar | x, y of the centre of mass, θ over several turns | ẋ, ẏ, ω |
 /// | planar particle | x, y | ẋ, ẏ |
+/// | beam | x, y of the origin of its frame, θ, modes | ẋ, ẏ, ω, rates of modes |
 /// | spatial | x, y, z, Euler parameters (w, x, y, z) | ẋ, ẏ, ż, ω in body axes |
 /// | spatial particle | x, y, z | ẋ, ẏ, ż |
 ///
@@ -108,6 +109,7 @@ impl Mechanism {
     ) -> Result<Self, DefinitionError> {
         let definition = read(&tree, &given)?;
         let coordinates = Coordinates::new(&definition);
+        let beams = definition.bodies.iter().map(|body| body.beam.clone()).collect();
         let system = System::new(&definition, &coordinates, algebra).map_err(|_| {
             DefinitionError::value(&definition.name, "the pattern of the augmented matrix has no factors")
         })?;
@@ -126,7 +128,7 @@ impl Mechanism {
             definition,
             coordinates,
             system,
-            at: Kinematics::default(),
+            at: Kinematics { beams, ..Kinematics::default() },
             work,
         })
     }
@@ -222,7 +224,7 @@ impl Mechanism {
         let slot = self.coordinates.slots[self.body_index(name)?];
         self.check_state(&state.q, &state.v)?;
         let (q, v) = (&mut state.q[slot.q..], &mut state.v[slot.v..]);
-        let linear = slot.width().min(if self.definition.spatial { 3 } else { 2 });
+        let linear = if self.definition.spatial { 3 } else { 2 };
         q[..linear].copy_from_slice(&motion.position[..linear]);
         v[..linear].copy_from_slice(&motion.velocity[..linear]);
         match slot.kind {
@@ -238,6 +240,35 @@ impl Mechanism {
             Kind::PlaneParticle | Kind::SpaceParticle => {}
         }
         Ok(())
+    }
+
+    /// Gives a mode of a beam, `coupler.bending[0]`, its coordinate, m, and its rate, m/s.
+    ///
+    /// # Errors
+    /// An unknown name or lists of other lengths.
+    pub fn set_mode(&self, state: &mut State, name: &str, value: f64, rate: f64) -> Result<(), Error> {
+        let (slot, mode) = self.mode(name)?;
+        self.check_state(&state.q, &state.v)?;
+        (state.q[slot.q + 3 + mode], state.v[slot.v + 3 + mode]) = (value, rate);
+        Ok(())
+    }
+
+    /// The acceleration of a mode among those of all velocities, m/s².
+    ///
+    /// # Errors
+    /// An unknown name or a list of another length.
+    pub fn mode_acceleration(&self, name: &str, a: &[f64]) -> Result<f64, Error> {
+        let (slot, mode) = self.mode(name)?;
+        check_length("accelerations", a.len(), self.coordinates.velocities)?;
+        Ok(a[slot.v + 3 + mode])
+    }
+
+    fn mode(&self, name: &str) -> Result<(Slot, usize), Error> {
+        let unknown = || Error::UnknownName { name: name.to_string() };
+        let (body, mode) = name.rsplit_once('.').ok_or_else(unknown)?;
+        let index = self.body_index(body)?;
+        let beam = self.definition.bodies[index].beam.as_ref().ok_or_else(unknown)?;
+        Ok((self.coordinates.slots[index], beam.mode(mode).ok_or_else(unknown)?))
     }
 
     /// The motion of a body, of given accelerations too.

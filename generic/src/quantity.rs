@@ -4,7 +4,7 @@
 //! and the force and torque about the centre of mass that a unit effort along f exerts (virtual work).
 //! Source: Haug (1989), ch. 3 (plane) and 9 (space); Nikravesh (1988), ch. 4 and 7.
 
-use crate::kinematics::{Kinematics, Place, Point};
+use crate::kinematics::{Kinematics, Place, Point, Section};
 use crate::number::Taylor;
 use crate::vector::*;
 use std::f64::consts::TAU;
@@ -19,8 +19,12 @@ pub(crate) enum Quantity {
     Along { axis: V3, first: Place, second: Place },
     /// a · b, a fixed to the first body and b to the second.
     Dot { first: Option<usize>, a: V3, second: Option<usize>, b: V3 },
-    /// θ₂ − θ₁ of planar bodies.
-    PlaneAngle { first: Option<usize>, second: Option<usize> },
+    /// θ₂ − θ₁ of planar bodies, or of sections of beams.
+    PlaneAngle { first: Section, second: Section },
+    /// Across of the directions A (1, σ) of two sections, the first turned on by an angle: (σ₂ − σ₁) cos δ + (1 + σ₁ σ₂) sin δ.
+    Sections { first: Section, second: Section, angle: f64 },
+    /// A mode of a beam.
+    Mode { body: usize, mode: usize },
     /// From x₁ to x₂ about z₁, over several turns.
     Angle { first: Option<usize>, axes_1: M3, second: Option<usize>, axes_2: M3, counted: usize },
     /// The first or second angle of a universal joint.
@@ -46,6 +50,29 @@ pub(crate) struct Pull {
     pub body: Option<usize>,
     pub linear: V3,
     pub angular: V3,
+    /// Where on the axis of a beam.
+    pub on_axis: Option<f64>,
+    /// About z along the turn of the section there.
+    pub section: f64,
+    /// Along a mode alone.
+    pub mode: Option<(usize, f64)>,
+}
+
+impl Pull {
+    /// On a body as a whole.
+    pub fn on(body: Option<usize>, linear: V3, angular: V3) -> Self {
+        Pull { body, linear, angular, on_axis: None, section: 0.0, mode: None }
+    }
+
+    pub fn scaled(self, factor: f64) -> Self {
+        Pull {
+            linear: times(factor, self.linear),
+            angular: times(factor, self.angular),
+            section: factor * self.section,
+            mode: self.mode.map(|(mode, along)| (mode, factor * along)),
+            ..self
+        }
+    }
 }
 
 /// f, ḟ, the bias of f̈, and the gradient on at most two bodies.
@@ -55,15 +82,22 @@ pub(crate) struct Jet {
     pub pulls: [Pull; 2],
 }
 
-const NOTHING: Pull = Pull { body: None, linear: ZERO, angular: ZERO };
+const NOTHING: Pull =
+    Pull { body: None, linear: ZERO, angular: ZERO, on_axis: None, section: 0.0, mode: None };
 
 /// d · p.
-fn of_point(point: &Point, direction: V3) -> Pull {
-    Pull { body: point.body, linear: direction, angular: cross(point.arm, direction) }
+pub(crate) fn of_point(point: &Point, direction: V3) -> Pull {
+    let pull = Pull::on(point.body, direction, cross(point.arm, direction));
+    Pull { on_axis: point.on_axis, ..pull }
+}
+
+/// About z on a body and on the turn of a section of it.
+fn of_section(section: Section, along: f64) -> Pull {
+    Pull { on_axis: section.x, section: along, ..of_spin(section.body, [0.0, 0.0, along]) }
 }
 
 fn of_spin(body: Option<usize>, direction: V3) -> Pull {
-    Pull { body, linear: ZERO, angular: direction }
+    Pull::on(body, ZERO, direction)
 }
 
 impl Quantity {
@@ -74,9 +108,11 @@ impl Quantity {
             Quantity::Gap { first, second, .. }
             | Quantity::Along { first, second, .. }
             | Quantity::Length { first, second } => [first.body, second.body],
-            Quantity::Dot { first, second, .. }
-            | Quantity::PlaneAngle { first, second }
-            | Quantity::Angle { first, second, .. } => [*first, *second],
+            Quantity::PlaneAngle { first, second } | Quantity::Sections { first, second, .. } => {
+                [first.body, second.body]
+            }
+            Quantity::Mode { body, .. } => [Some(*body), None],
+            Quantity::Dot { first, second, .. } | Quantity::Angle { first, second, .. } => [*first, *second],
             Quantity::Universal { joint, .. } => [joint.first, joint.second],
         }
     }
@@ -104,15 +140,22 @@ impl Quantity {
             Quantity::Along { axis, first, second } => along(at, *axis, &at.point(first), &at.point(second)),
             Quantity::Dot { first, a, second, b } => dot_product(at, (*first, *a), (*second, *b)),
             Quantity::PlaneAngle { first, second } => {
-                let (one, other) = (at.frame(*first), at.frame(*second));
+                let (one, other) = (at.frame(first.body), at.frame(second.body));
+                let [back, ahead] = [at.slope(*first), at.slope(*second)];
                 Jet {
                     along: Taylor {
-                        value: other.angle - one.angle,
-                        rate: other.spin[2] - one.spin[2],
+                        value: other.angle - one.angle + ahead[0] - back[0],
+                        rate: other.spin[2] - one.spin[2] + ahead[1] - back[1],
                         bias: 0.0,
                     },
-                    pulls: [of_spin(*first, [0.0, 0.0, -1.0]), of_spin(*second, unit_axis(2))],
+                    pulls: [of_section(*first, -1.0), of_section(*second, 1.0)],
                 }
+            }
+            Quantity::Sections { first, second, angle } => sections(at, *first, *second, *angle),
+            Quantity::Mode { body, mode } => {
+                let [value, rate] = at.modal[at.frames[*body].modes + mode];
+                let pull = Pull { mode: Some((*mode, 1.0)), ..Pull::on(Some(*body), ZERO, ZERO) };
+                Jet { along: Taylor { value, rate, bias: 0.0 }, pulls: [pull, NOTHING] }
             }
             Quantity::Angle { first, axes_1, second, axes_2, counted } => {
                 let (one, other) = (at.frame(*first), at.frame(*second));
@@ -171,6 +214,25 @@ fn dot_product(at: &Kinematics, first: (Option<usize>, V3), second: (Option<usiz
         },
         pulls: [of_spin(first.0, normal), of_spin(second.0, times(-1.0, normal))],
     }
+}
+
+/// With δ = θ₂ − θ₁ − angle, across σ₂ − σ₁ and level 1 + σ₁ σ₂: all of it moves, so that the second derivative at v̇ = 0 is
+/// (level¨) sin δ + 2 (across˙ (−sin δ) + level˙ cos δ) δ˙ − (across cos δ + level sin δ) δ˙².
+fn sections(at: &Kinematics, first: Section, second: Section, angle: f64) -> Jet {
+    let (one, other) = (at.frame(first.body), at.frame(second.body));
+    let ([s1, r1], [s2, r2]) = (at.slope(first), at.slope(second));
+    let (sin, cos) = (other.angle - one.angle - angle).sin_cos();
+    let turning = other.spin[2] - one.spin[2];
+    let (across, level) = (s2 - s1, 1.0 + s1 * s2);
+    let (across_rate, level_rate, level_bias) = (r2 - r1, r1 * s2 + s1 * r2, 2.0 * r1 * r2);
+    let value = across * cos + level * sin;
+    let by_turn = level * cos - across * sin;
+    let rate = across_rate * cos + level_rate * sin + by_turn * turning;
+    let bias =
+        level_bias * sin + 2.0 * (level_rate * cos - across_rate * sin) * turning - value * turning * turning;
+    let pull = |section: Section, turn: f64, slope: f64| Pull { section: slope, ..of_section(section, turn) };
+    let pulls = [pull(first, -by_turn, s2 * sin - cos), pull(second, by_turn, cos + s1 * sin)];
+    Jet { along: Taylor { value, rate, bias }, pulls }
 }
 
 /// l = |Δ|: l̇ = e·Δ̇, l̈ = e·Δ̈ + (Δ̇² − l̇²)/l with e = Δ/l.
@@ -257,6 +319,7 @@ mod tests {
                 velocity,
                 spin: turned(&axes, omega),
                 angle: time * omega[2],
+                modes: 0,
             }
         };
         let frames = vec![

@@ -4,7 +4,6 @@ use crate::kinematics::{Kinematics, Place};
 use crate::law::{Law, Scratch};
 use crate::number::{Number, Taylor};
 use crate::quantity::{Pull, Quantity, half_square};
-use crate::vector::times;
 
 /// A row with its name.
 #[derive(Clone, Debug)]
@@ -82,11 +81,7 @@ impl Row {
                 for (factor, quantity) in terms {
                     let jet = quantity.jet(at);
                     for pull in jet.pulls {
-                        add(Pull {
-                            body: pull.body,
-                            linear: times(*factor, pull.linear),
-                            angular: times(*factor, pull.angular),
-                        });
+                        add(pull.scaled(*factor));
                     }
                     sum = sum.plus(jet.along.scaled(*factor));
                 }

@@ -19,6 +19,8 @@ use crate::vector::*;
 pub(crate) struct System {
     /// Stored entries of M (row, column, value).
     mass: Vec<(usize, usize, f64)>,
+    /// Beams, whose entries move, and where these begin.
+    beams: Vec<(usize, usize)>,
     /// Stored entries of D, row by row.
     pub jacobian: Vec<f64>,
     /// (row, column) of each.
@@ -58,8 +60,14 @@ impl System {
         coordinates: &Coordinates,
         algebra: Algebra,
     ) -> Result<Self, NoFactors> {
-        let mut mass = Vec::new();
-        for (body, slot) in definition.bodies.iter().zip(&coordinates.slots) {
+        let (mut mass, mut beams) = (Vec::new(), Vec::new());
+        for (index, (body, slot)) in definition.bodies.iter().zip(&coordinates.slots).enumerate() {
+            if body.beam.is_some() {
+                beams.push((index, mass.len()));
+                let width = slot.width();
+                mass.extend((0..width * width).map(|k| (slot.v + k / width, slot.v + k % width, body.mass)));
+                continue;
+            }
             mass.extend(mass_entries(body, slot.kind).map(|(i, j, x)| (slot.v + i, slot.v + j, x)));
         }
         let (mut pattern, mut blocks) = (Vec::new(), Vec::new());
@@ -82,6 +90,7 @@ impl System {
         let solver = Solver::new(n + m, &all, algebra)?;
         Ok(System {
             mass,
+            beams,
             jacobian: vec![0.0; pattern.len()],
             pattern,
             blocks,
@@ -99,13 +108,21 @@ impl System {
 
     /// D, Φ, Φ̇ and the bias of Φ̈.
     pub fn evaluate_rows(&mut self, definition: &Definition, coordinates: &Coordinates, at: &Kinematics) {
+        for (body, start) in &self.beams {
+            let Some(beam) = at.beam(*body) else { continue };
+            let width = coordinates.slots[*body].width();
+            let block = &mut self.mass[*start..*start + width * width];
+            block.iter_mut().for_each(|(_, _, x)| *x = 0.0);
+            beam.mass(&at.frames[*body], at.modes(*body, beam), |i, j, x| block[i * width + j].2 += x);
+        }
         self.jacobian.fill(0.0);
         for (row, equation) in definition.rows.iter().enumerate() {
             let (jacobian, blocks) = (&mut self.jacobian, &self.blocks[row]);
             let course = equation.evaluate(at, &mut self.scratch, |pull| {
                 let Some(body) = pull.body else { return };
                 if let Some((_, start)) = blocks.iter().find(|(of, _)| *of == body) {
-                    coordinates.slots[body].add(&at.frames[body], &pull, &mut jacobian[*start..]);
+                    let (frame, beam) = (&at.frames[body], at.beam(body));
+                    coordinates.slots[body].add(frame, beam, &pull, &mut jacobian[*start..]);
                 }
             });
             self.phi[row] = course.value;
@@ -124,7 +141,13 @@ impl System {
     ) {
         let forces = &mut self.forces;
         forces.fill(0.0);
-        for ((body, slot), frame) in definition.bodies.iter().zip(&coordinates.slots).zip(&at.frames) {
+        let bodies = definition.bodies.iter().zip(&coordinates.slots).zip(&at.frames).enumerate();
+        for (index, ((body, slot), frame)) in bodies {
+            if let Some(beam) = at.beam(index) {
+                let own = &mut forces[slot.v..slot.v + slot.width()];
+                beam.forces(frame, at.modes(index, beam), definition.gravity, own);
+                continue;
+            }
             for k in 0..if definition.spatial { 3 } else { 2 } {
                 forces[slot.v + k] += body.mass * definition.gravity[k];
             }
@@ -140,7 +163,7 @@ impl System {
             load.evaluate(at, inputs, &mut self.scratch, |pull| {
                 let Some(body) = pull.body else { return };
                 let slot = &coordinates.slots[body];
-                slot.add(&at.frames[body], &pull, &mut forces[slot.v..]);
+                slot.add(&at.frames[body], at.beam(body), &pull, &mut forces[slot.v..]);
             });
         }
     }

@@ -32,7 +32,7 @@ impl Random {
     }
 }
 
-fn agrees<M>(name: &str, model: &M, definition: &str)
+fn agrees<M>(name: &str, model: &M, definition: &str, coordinates: &str)
 where
     M: Assemble<f64, Gates = ()> + Report<f64>,
     M::Inputs: Fields<f64>,
@@ -79,8 +79,10 @@ where
             model.internal_rates(time, &state, &given(time, &state), &a, &lambda, &mut rates);
             let efforts = model.driver_efforts(time, &state.q, &state.v, &lambda);
             let efforts: Vec<f64> = efforts.as_ref().iter().map(|[effort, _]| *effort).collect();
+            let modes = mapping::modes(coordinates, state.q.as_slice(), state.v.as_slice(), a.as_slice());
             let expected = At {
                 time,
+                modes: &modes,
                 inputs: &inputs,
                 internal: state.z.as_slice(),
                 rates: rates.as_slice(),
@@ -110,12 +112,15 @@ struct At<'a> {
     rates: &'a [f64],
     /// What the drivers exert.
     efforts: &'a [f64],
+    /// Modes of beams: coordinate, rate and acceleration.
+    modes: &'a [(String, [f64; 3])],
 }
 
 /// The largest difference of accelerations at one state, relative to the largest acceleration; or of a rate of an internal state,
 /// relative to the rate; or of an effort of a driver, relative to the largest.
 fn apart(name: &str, mechanism: &mut Mechanism, names: &[String], motions: &[BodyMotion], at: &At) -> f64 {
-    let state = mapping::state(mechanism, motions, at.internal);
+    let mut state = mapping::state(mechanism, motions, at.internal);
+    mapping::set_modes(mechanism, &mut state, at.modes);
     let [mut a, mut lambda] = [mechanism.velocity_count(), mechanism.row_count()].map(|n| vec![0.0; n]);
     mechanism
         .acceleration(at.time, &state.q, &state.v, at.inputs, Formulation::Lagrange, &mut a, &mut lambda)
@@ -138,6 +143,11 @@ fn apart(name: &str, mechanism: &mut Mechanism, names: &[String], motions: &[Bod
             size = size.max(expected.abs());
         }
     }
+    for (mode, [_, _, expected]) in at.modes {
+        let found = mechanism.mode_acceleration(mode, &a).expect("a mode");
+        difference = difference.max((found - expected).abs());
+        size = size.max(expected.abs());
+    }
     // The force of a driver along its quantity is −λ.
     let drivers: Vec<usize> =
         mechanism.rows().enumerate().filter(|(_, row)| row.ends_with(".driver")).map(|(k, _)| k).collect();
@@ -151,7 +161,7 @@ macro_rules! all {
     ($($name:ident: $model:path),* $(,)?) => {
         $(#[test] fn $name() {
             use $model as Model;
-            agrees(stringify!($name), &Model::<f64>::default(), Model::<f64>::DEFINITION);
+            agrees(stringify!($name), &Model::<f64>::default(), Model::<f64>::DEFINITION, Model::<f64>::COORDINATES);
         })*
     };
 }

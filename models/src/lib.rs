@@ -18,6 +18,8 @@ pub mod double_wishbone;
 pub mod dump_truck_steering;
 pub mod dump_truck_tipping;
 pub mod falling_cross;
+pub mod flexible_pendulum;
+pub mod flexible_quick_return;
 pub mod flyball_governor;
 pub mod four_bar;
 pub mod four_spherical_joints;
@@ -136,6 +138,10 @@ macro_rules! for_each_model {
             falling_cross: $crate::falling_cross::FallingCross,
             hammer_at_wall: $crate::hammer_at_wall::HammerAtWall,
             loose_wrist: $crate::loose_wrist::LooseWrist,
+            flexible_pendulum: $crate::flexible_pendulum::FlexiblePendulum,
+            hinged_bar: $crate::flexible_pendulum::HingedBar,
+            hinged_bar_of_sines: $crate::flexible_pendulum::HingedBarOfSines,
+            flexible_quick_return: $crate::flexible_quick_return::FlexibleQuickReturn,
         }
     };
 }

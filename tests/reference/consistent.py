@@ -37,6 +37,7 @@ class AbsoluteSystem:
             {
                 "arms": centers,
                 "driver_rates": kinematics.rate(ca.vertcat(*quantities)) if quantities else ca.SX(0, 1),
+                "modal_power": absolute.modal_power,
                 "momentum": absolute.momentum,
                 "energy_drift": kinematics.rate(energy),
                 "energy_explicit": kinematics.explicit_rate(energy),
@@ -56,9 +57,9 @@ class AbsoluteSystem:
         """Quantities that only some kinds need."""
         return {}
 
-    def evaluate(self, states, bodies, angles):
+    def evaluate(self, states, bodies, angles, modes=None):
         """Quantities by name as (values, magnitudes), and (q, v, v̇) in absolute coordinates."""
-        q, v, a = self.kinematics.from_bodies(bodies, angles)
+        q, v, a = self.kinematics.from_bodies(bodies, angles, modes)
         results = self.evaluator(*given(states), q, v)
         return {name: result.dense() for name, result in results.items()}, v, a
 

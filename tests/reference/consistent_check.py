@@ -37,7 +37,7 @@ class ConsistentCheck:
         placed = self.bodies.copy()
         accelerations = list(self.motion.groups["accelerations"])
         placed[:, :, accelerations] = self.given_bodies[:, :, accelerations]
-        self.absolute, self.v, self.a = self.system.evaluate(self.states, placed, angles)
+        self.absolute, self.v, self.a = self.system_state(placed, angles)
         self.multipliers, self.leftover = self.system.multipliers(self.absolute, self.reactions, self.couplings)
         self.absolute_equations, self.own_equations = (
             System(quantities, self.keeps_redundant(), self.background)
@@ -45,6 +45,10 @@ class ConsistentCheck:
         )
         self.condition = self.absolute_equations.conditions()
         self.kept = self.condition <= CONDITION
+
+    def system_state(self, placed, angles):
+        modes = self.own.layout.mode_values(self.states["q"], self.states["v"], self.acceleration)
+        return self.system.evaluate(self.states, placed, angles, modes)
 
     def keeps_redundant(self):
         """Whether rows that others imply stay in the system: λ is then one of many."""
@@ -188,7 +192,7 @@ class ConsistentCheck:
         value = {name: part[0] for name, part in self.absolute.items()}
         terms = {name: part[1] for name, part in self.absolute.items()}
         change = np.einsum("si,si->s", value["momentum"], self.a) + value["energy_drift"][:, 0]
-        loads = (self.powers - value["elastic_powers"]).sum(axis=1)
+        loads = (self.powers - value["elastic_powers"]).sum(axis=1) + value["modal_power"][:, 0]
         passive = slice(0, value["nu"].shape[1] - self.system.drivers)
         moved = -np.einsum("si,si->s", self.multipliers[:, passive], value["nu"][:, passive])
         moved += value["energy_explicit"][:, 0] - value["support_powers"].sum(axis=1)

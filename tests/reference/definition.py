@@ -13,6 +13,7 @@ import numpy as np
 import expressions
 import gears
 import hysteresis
+from beams import Beam
 from expressions import entry, in_unit, pair
 from tables import Table
 
@@ -43,6 +44,7 @@ class Body:
     center: ca.SX  # from the body's origin
     points: dict = field(default_factory=dict)  # name → from the body's origin
     axes: dict = field(default_factory=dict)  # in space: of the markers by name
+    beam: Beam | None = None
 
 
 @dataclass
@@ -169,6 +171,12 @@ class Model:
         if kind == "rod":
             points["start"] = ca.vertcat(-given["length"] / 2, 0)
             points["end"] = ca.vertcat(given["length"] / 2, 0)
+        if kind == "beam":
+            # Referred to the origin of its frame, where it has no mass of its own: that is in its slices.
+            beam = Beam(body, given, self)
+            points.update(beam.points())
+            mass = given["mass"] if "mass" in given else given["density"] * beam.area * beam.length
+            return Body(body["name"], False, mass, ca.SX(0), ca.SX.zeros(2), points, beam=beam)
         mass = given["mass"] if "mass" in given else given["density"] * _volume(kind, given)
         inertia = given["inertia"] if "inertia" in given else _inertia_of_shape(kind, mass, given)
         return Body(body["name"], kind == "particle", mass, inertia, center, points)

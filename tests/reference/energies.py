@@ -62,7 +62,8 @@ class Energies:
         v = kinematics.v
         self.momentum = ca.gradient(self.kinetic, v)
         self.mass = ca.jacobian(self.momentum, v)
-        self.forces = self._applied() + self._inertial()
+        damping, self.modal_power = self._modal_damping()
+        self.forces = self._applied() + self._inertial() + damping
 
         self.rows = kinematics.rows()
         self.phi = ca.vertcat(*[row.value for row in self.rows])
@@ -90,14 +91,43 @@ class Energies:
         rates = self.kinematics.rate(ca.vertcat(*[c for name in bodies for c in (poses[name].x, poses[name].y)]))
         energy = ca.SX(0)
         for index, (name, body) in enumerate(bodies.items()):
+            if body.beam is not None:
+                for x, share in body.beam.slices():
+                    rate = self.kinematics.rate(self._slice(name, x))
+                    energy += share * body.mass * ca.dot(rate, rate) / 2
+                continue
             vx, vy = rates[2 * index], rates[2 * index + 1]
             energy += body.mass * (vx**2 + vy**2) / 2 + body.inertia * poses[name].omega ** 2 / 2
         return energy
+
+    def _slice(self, name, x):
+        """World coordinates of the axis of a beam at x."""
+        kinematics = self.kinematics
+        pose, beam = kinematics.poses[name], self.model.bodies[name].beam
+        return pose.position + pose.turn(beam.deformed(x, kinematics.modes[name][0]))
+
+    def _modal_damping(self):
+        """Forces −c ṗ on the modes, as forces on v, and the power they take."""
+        rates, forces = [], []
+        for name, body in self.model.bodies.items():
+            if getattr(body, "beam", None) is not None:
+                for mode, rate in enumerate(self.kinematics.modes[name][1]):
+                    rates.append(rate)
+                    forces.append(-body.beam.damping(mode, body.mass) * rate)
+        if not rates:
+            return ca.SX.zeros(self.kinematics.v.numel()), ca.SX(0)
+        rates, forces = ca.vertcat(*rates), ca.vertcat(*forces)
+        return ca.jtimes(rates, self.kinematics.v, forces, True), ca.dot(rates, forces)
 
     def _potential(self):
         energy = ca.SX(0)
         for name, body in self.model.bodies.items():
             pose = self.kinematics.poses[name]
+            if getattr(body, "beam", None) is not None:
+                for x, share in body.beam.slices():
+                    energy -= share * body.mass * ca.dot(self.model.gravity, self._slice(name, x))
+                energy += body.beam.elastic_energy(self.kinematics.modes[name][0])
+                continue
             energy -= body.mass * ca.dot(self.model.gravity, pose.position)
         for load in self.model.definition["loads"]:
             if load["kind"] in (*hysteresis.KINDS, "cable"):

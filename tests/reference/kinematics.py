@@ -44,6 +44,10 @@ class Row:
         return f"{self.of}.{self.what}"
 
 
+def _number(value):
+    return float(ca.evalf(ca.SX(value)))
+
+
 GROUND = Pose(ca.SX(0), ca.SX(0), ca.SX(1), ca.SX(0), ca.SX(0))
 
 
@@ -56,6 +60,7 @@ class Kinematics:
         self.model = model
         self.poses = {}
         self.contacts = contacts.Contacts(self)
+        self.modes = {}  # of beams by body: coordinates, rates
         self.energies = None  # set by `energies`, for laws that name an energy or a power
 
     def rate(self, value):
@@ -73,7 +78,29 @@ class Kinematics:
 
     def position(self, place):
         pose = self.pose(place.body)
-        return pose.position + pose.turn(place.local)
+        return pose.position + pose.turn(self.arm(place))
+
+    def beam(self, body):
+        return None if body is None else self.model.bodies[body].beam
+
+    def arm(self, place):
+        """From the body's origin of coordinates, in its axes; of a beam as it is deformed."""
+        beam = self.beam(place.body)
+        return place.local if beam is None else beam.deformed(_number(place.local[0]), self.modes[place.body][0])
+
+    def slope(self, place, of_rates=False):
+        """By how much the section at a place is turned against its body, and how fast."""
+        beam = self.beam(place.body)
+        if beam is None:
+            return ca.SX(0)
+        return beam.slope(_number(place.local[0]), self.modes[place.body][int(of_rates)])
+
+    def slopes(self, name, of_rates=False):
+        """What a rotor turns by beyond its bodies."""
+        if name not in self.model.joints:
+            return ca.SX(0)
+        joint = self.model.joints[name]
+        return self.slope(joint.second, of_rates) - self.slope(joint.first, of_rates)
 
     def rotor(self, name):
         """The bodies (turning, reference) of a rotor: a joint's second and first, or a body and the ground."""
@@ -86,12 +113,13 @@ class Kinematics:
 
     def rotor_rate(self, name):
         plus, minus = self.rotor(name)
-        return self.pose(plus).omega - self.pose(minus).omega
+        return self.pose(plus).omega - self.pose(minus).omega + self.slopes(name, of_rates=True)
 
     def principal_angle(self, name):
         """The rotor's angle in (−π, π] from the pairs."""
         plus, minus = (self.pose(body) for body in self.rotor(name))
-        return ca.atan2(plus.s * minus.c - plus.c * minus.s, plus.c * minus.c + plus.s * minus.s)
+        principal = ca.atan2(plus.s * minus.c - plus.c * minus.s, plus.c * minus.c + plus.s * minus.s)
+        return principal + self.slopes(name)
 
     def travel(self, joint, which="travel"):
         """Of the second place along the axis, which turns with the first's body: (A1 â)·(p2 − p1); â is x or y of the
@@ -128,6 +156,11 @@ class Kinematics:
             return self._of_driver(drivers.index(owner), quantity)
         if owner in model.joints:
             return self._of_joint(owner, quantity)
+        body, _, mode = owner.rpartition(".")
+        for of, which, index in ((owner, quantity, 0), (body, mode, 1)):
+            beam = self.beam(of) if of in model.bodies else None
+            if beam is not None and which in beam.names and (index == 0 or quantity == "rate"):
+                return self.modes[of][index][beam.names.index(which)]
         if owner in model.bodies and quantity == "angle":
             return self.multi_turn(owner)
         if owner in model.bodies and quantity == "rate":
@@ -213,7 +246,12 @@ class Kinematics:
         if joint.kind in ("prismatic", "fixed", "parallel") and not self._joins_particle(joint):
             sine = pose2.s * pose1.c - pose2.c * pose1.s  # of θ2 − θ1
             cosine = pose2.c * pose1.c + pose2.s * pose1.s
-            rows.append(Row(joint.name, "angle", sine * ca.cos(joint.angle) - cosine * ca.sin(joint.angle)))
+            level = sine * ca.cos(joint.angle) - cosine * ca.sin(joint.angle)
+            upright = cosine * ca.cos(joint.angle) + sine * ca.sin(joint.angle)
+            # Across of the sections' directions A (1, σ).
+            first, second = self.slope(joint.first), self.slope(joint.second)
+            value = (second - first) * upright + (1 + first * second) * level
+            rows.append(Row(joint.name, "angle", value))
         if joint.kind in ("distance", "cord"):
             rows.append(Row(joint.name, "distance", (ca.dot(p2 - p1, p2 - p1) - joint.length**2) / 2))
         if not rows:

@@ -83,6 +83,9 @@ class SpaceConsistentCheck(ConsistentCheck):
     system_of = SpaceAbsoluteSystem
     background = 0.1  # gyroscopic terms cancel: where nothing acts, Q is their rounding
 
+    def system_state(self, placed, angles):
+        return self.system.evaluate(self.states, placed, angles)
+
     def compare_further(self):
         """Lengths of pairs and quaternions, roots, rows that were dropped, rates of counted angles."""
         norms = self.own.norms(self.states["q"])

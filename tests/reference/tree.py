@@ -44,6 +44,11 @@ class Layout:
             for k, angle in enumerate(self.angles)
         }
 
+    def mode_values(self, *states):
+        """By (mode, body) the columns of each of `states`, which are rows of q, v or v̇."""
+        modes = [key for key in self.linear if "[" in key[0]]
+        return {key: [state[:, self.linear[key]] for state in states] for key in modes}
+
     def velocity_names(self):
         return [f"{of} {kind}" for kind, of in self.linear] + [f"{body} ω" for body in self.rotations]
 
@@ -60,6 +65,12 @@ class Tree(Kinematics):
             raise ValueError(f"{model.title}: the spanning tree does not hold each body once")
         self.orientations = {}
         self.used = set()
+        for name, body in model.bodies.items():
+            if body.beam is not None:
+                self.modes[name] = (
+                    [self._coordinate(mode, name) for mode in body.beam.names],
+                    [self.v[self.layout.linear[(mode, name)]] for mode in body.beam.names],
+                )
         for name in model.bodies:
             self._place(name, [])
         unused = set(self.layout.linear) - self.used
@@ -126,7 +137,7 @@ class Tree(Kinematics):
         pose = Pose(ca.SX(0), ca.SX(0), c, s, omega)
         own, other = (joint.second, joint.first) if is_second else (joint.first, joint.second)
         offset = self._offset(joint, self.pose(parent) if is_second else pose)
-        at = self.position(other) + (offset if is_second else -offset) - pose.turn(own.local)
+        at = self.position(other) + (offset if is_second else -offset) - pose.turn(self.arm(own))
         self.poses[name] = Pose(at[0], at[1], c, s, omega)
 
     def _offset(self, joint, first):
@@ -175,6 +186,8 @@ class Tree(Kinematics):
             joint = self.model.joints.get(branch["joint"])
             if joint is None or joint.kind not in ("fixed", "prismatic", "parallel") or self._joins_particle(joint):
                 continue
+            if any(ca.evalf(ca.jacobian(self.slope(place), self.q)).nnz() for place in (joint.first, joint.second)):
+                raise ValueError(f"{self.model.title}: `{joint.name}` stands in the tree at a section that bends")
             if joint.second.body == body:
                 yield joint.first.body, joint.angle
             elif joint.first.body == body:
@@ -185,8 +198,13 @@ class Tree(Kinematics):
         for angle in self.layout.angles:
             rate = sum((weight * self.v[index] for index, weight in angle["rate"]), ca.SX(0))
             difference = ca.evalf(ca.jacobian(rate - self.rotor_rate(angle["of"]), self.v))
-            if np.any(np.asarray(difference.full()) != 0):
+            if np.any(np.abs(np.asarray(difference.full())) > 1e-12 * self._steepest()):
                 raise ValueError(f"{self.model.title}: the angle of `{angle['of']}` turns with other velocities")
+
+    def _steepest(self):
+        """What slopes are measured by: there are none without beams, and rates then agree to the last digit."""
+        lengths = [body.beam.length for body in self.model.bodies.values() if body.beam is not None]
+        return 1 / min(lengths) if lengths else 0.0
 
     # Bodies, for the way to absolute coordinates.
 

@@ -19,6 +19,10 @@ use std::f64::consts::{FRAC_PI_2, PI};
 /// Most modes of one kind.
 pub const MOST_MODES: usize = 12;
 
+/// ω h up to which the classical Runge–Kutta method is stable on the imaginary axis, 2 √2, and the explicit trapezoidal rule as it
+/// stands for what is little damped (Hairer, Wanner, *Solving Ordinary Differential Equations II*, IV.2).
+pub const RK4: f64 = 2.0 * std::f64::consts::SQRT_2;
+
 /// Which functions the deformation is made of, and where the frame is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Shapes {

@@ -9,10 +9,18 @@ pub(crate) fn quoted_code(text: &str) -> String {
     format!("`{text}`")
 }
 
+fn in_words(property: &str) -> &str {
+    match property {
+        "young" => "Young's modulus",
+        "second_moment" => "second moment of area",
+        property => property,
+    }
+}
+
 fn listed(words: impl Iterator<Item = &'static str> + Clone, asked: &str) -> String {
     match closest(asked, words.clone()) {
         Some(similar) => format!("did you mean `{similar}`?"),
-        None => format!("there are {}", words.map(quoted_code).collect::<Vec<_>>().join(", ")),
+        None => format!("there are {}.", words.map(quoted_code).collect::<Vec<_>>().join(", ")),
     }
 }
 
@@ -26,7 +34,7 @@ pub(crate) fn unknown_shapes(asked: &str) -> String {
 pub(crate) fn unknown_section(asked: &str) -> String {
     let words = SECTIONS.iter().map(|(word, _)| *word);
     format!(
-        "no section called \"{asked}\"; {}, or leave it out and write `area [mm^2] = …;` and `second_moment [mm^4] = …;`",
+        "no section called \"{asked}\"; {} Or leave it out and write `area [mm^2] = …;` and `second_moment [mm^4] = …;`",
         listed(words, asked)
     )
 }
@@ -87,7 +95,7 @@ pub(crate) fn torque_on_beam(beam: &str) -> String {
 }
 
 pub(crate) fn beam_property_missing(beam: &str, property: &str, unit: &str) -> String {
-    format!("the beam `{beam}` has no {property}: write `{property} [{unit}] = …;`")
+    format!("the beam `{beam}` has no {}: write `{property} [{unit}] = …;`", in_words(property))
 }
 
 pub(crate) fn beam_without_section(beam: &str) -> String {
@@ -131,7 +139,7 @@ pub(crate) fn point_beyond(beam: &str, point: &str, x: f64, from: f64, to: f64) 
 }
 
 pub(crate) fn not_positive_of_beam(property: &str, beam: &str, value: f64) -> String {
-    format!("the {property} of the beam `{beam}` must be positive, found {}", number(value))
+    format!("the {} of the beam `{beam}` must be positive, found {}", in_words(property), number(value))
 }
 
 pub(crate) fn damping_ratio_negative(beam: &str, value: f64) -> String {

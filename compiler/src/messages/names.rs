@@ -127,8 +127,8 @@ pub(crate) fn not_a_line(name: &str, kind: &str) -> String {
     format!("`{name}` is {kind}, expected a line such as `{name}.slot` or `line(place, place)`")
 }
 
-pub(crate) fn rod_has_end(end: &str) -> String {
-    format!("a rod has a point `{end}` of its own; choose another name")
+pub(crate) fn shape_has_point(shape: &str, end: &str) -> String {
+    format!("a {shape} has a point `{end}` of its own; choose another name")
 }
 
 // ---- Quantities ------------------------------------------------------------------------------------------------------

@@ -52,6 +52,20 @@ impl Mechanism {
         }
     }
 
+    /// The modes of all beams by themselves, with their natural rates at the default parameters, rad/s.
+    pub fn modes(&self) -> Vec<(String, f64)> {
+        let defaults = self.defaults();
+        let mut modes = Vec::new();
+        for body in &self.bodies {
+            let Some(beam) = &body.beam else { continue };
+            let rates = beam.rates(&body.mass, &defaults).into_iter().enumerate();
+            modes.extend(
+                rates.map(|(mode, rate)| (format!("{}.{}", body.name.text, beam.mode_name(mode)), rate)),
+            );
+        }
+        modes
+    }
+
     /// Whether what a place belongs to keeps its direction there while it deforms.
     pub fn keeps_direction(&self, place: &Place) -> bool {
         let Some(beam) = self.beam(place.frame) else { return true };
@@ -298,7 +312,10 @@ impl<'d> Lowering<'d> {
             for mode in 0..beam.slender.modes.len() {
                 let coordinate = Coordinate::Mode(BodyId(index), mode);
                 for rate in [false, true] {
-                    let said = |start: &StartCondition| start.coordinate == coordinate && start.rate == rate;
+                    // What is only guessed is found, and so is its rate.
+                    let said = |start: &StartCondition| {
+                        start.coordinate == coordinate && (start.rate == rate || !start.exact)
+                    };
                     if !mechanism.start.iter().any(said) {
                         rest.push(StartCondition {
                             coordinate: coordinate.clone(),

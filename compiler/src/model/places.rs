@@ -58,7 +58,7 @@ impl<'d> Lowering<'d> {
     pub(super) fn shape_point_again(&mut self, body: &'d syntax::Body, end: &str) {
         let written = body.points.iter().find(|(label, _)| label.text == end);
         if let Some((label, _)) = written {
-            self.diagnostics.error(label.region, messages::rod_has_end(end));
+            self.diagnostics.error(label.region, messages::shape_has_point(body.form.word, end));
         }
     }
 

@@ -4,6 +4,7 @@
 //! Nothing of it may become a test or a link: blocks of text are fenced as `text`, names with brackets stand in code, and
 //! no blank line interrupts a drawing.
 
+mod beams;
 mod curves;
 mod equations;
 mod expression;
@@ -32,6 +33,7 @@ pub fn page(compiled: &Compiled) -> String {
     summary(&mut page, compiled);
     tables::parts(&mut page, compiled);
     tables::bodies(&mut page, compiled);
+    beams::beams(&mut page, compiled);
     tables::joints(&mut page, compiled);
     tables::couplings(&mut page, compiled);
     tables::teeth_that_mesh(&mut page, compiled);

@@ -1,13 +1,15 @@
 //! Bodies: mass, centre, inertia by shape, points and markers.
 
 use super::{Read, Reader};
+use crate::beam::{Beam, Made};
 use crate::definition::Body;
 use crate::error::DefinitionError;
-use crate::json::{list, name, optional, text};
+use crate::json::{field, list, name, optional, text};
 use crate::vector::*;
 use serde_json::Value;
 use std::collections::HashMap;
 use std::f64::consts::PI;
+use std::sync::Arc;
 
 impl<'t> Reader<'t> {
     pub(super) fn read_bodies(&mut self) -> Read<()> {
@@ -22,7 +24,7 @@ impl<'t> Reader<'t> {
 
     fn body(&self, node: &'t Value, own: &str) -> Read<Body> {
         let kind = text(node, "kind", own)?;
-        if !matches!(kind, "body" | "rod" | "disk" | "box" | "sphere" | "cylinder" | "particle") {
+        if !matches!(kind, "body" | "rod" | "disk" | "box" | "sphere" | "cylinder" | "particle" | "beam") {
             return Err(DefinitionError::kind(own, kind));
         }
         let mut shape = Shape { own, kind, scalars: HashMap::new(), size: None };
@@ -34,6 +36,9 @@ impl<'t> Reader<'t> {
             tuple.map(|tuple| self.tuple(tuple, "value", own)).transpose()
         };
         shape.size = vector("size")?;
+        if kind == "beam" {
+            return self.beam(node, own, &shape);
+        }
         let mass = match shape.scalars.get("mass") {
             Some(mass) => *mass,
             None => shape.scalar("density")? * self.volume(&shape)?,
@@ -83,7 +88,69 @@ impl<'t> Reader<'t> {
         if !inertia.as_flattened().iter().all(|x| x.is_finite()) {
             return Err(DefinitionError::value(own, "the inertia is not finite"));
         }
-        Ok(Body { name: own.to_string(), particle, mass, inertia, center, points, markers })
+        Ok(Body { name: own.to_string(), particle, mass, inertia, center, points, markers, beam: None })
+    }
+
+    /// A beam, referred to the origin of its frame.
+    fn beam(&self, node: &'t Value, own: &str, shape: &Shape<'_, '_>) -> Read<Body> {
+        let written = field(node, "beam", own)?;
+        let count = |key: &str| {
+            let count = field(written, key, own)?.as_u64().and_then(|count| usize::try_from(count).ok());
+            count.ok_or_else(|| DefinitionError::malformed(own, key))
+        };
+        let length = shape.scalar("length")?;
+        let [area, second_moment] = match optional(written, "section") {
+            None => [shape.scalar("area")?, shape.scalar("second_moment")?],
+            Some(section) => {
+                let of = |key: &str| self.entry(field(section, key, own)?, own);
+                let round = |diameter: f64| [PI * diameter.powi(2) / 4.0, PI * diameter.powi(4) / 64.0];
+                match text(section, "kind", own)? {
+                    "circle" => round(of("diameter")?),
+                    "tube" => {
+                        let [outer, inner] = [round(of("outer")?), round(of("inner")?)];
+                        [outer[0] - inner[0], outer[1] - inner[1]]
+                    }
+                    "rectangle" => {
+                        let [height, width] = [of("height")?, of("width")?];
+                        [height * width, width * height.powi(3) / 12.0]
+                    }
+                    kind => return Err(DefinitionError::kind(own, kind)),
+                }
+            }
+        };
+        let mass = match shape.scalars.get("mass") {
+            Some(mass) => *mass,
+            None => shape.scalar("density")? * area * length,
+        };
+        let young = shape.scalar("young")?;
+        let made = Made {
+            shapes: text(written, "shapes", own)?,
+            length,
+            axial: count("axial")?,
+            bending: count("bending")?,
+            mass,
+            rigidity: [young * area, young * second_moment],
+            damping_ratio: shape.scalars.get("damping_ratio").copied().unwrap_or(0.0),
+        };
+        let beam = Beam::new(&made).ok_or_else(|| DefinitionError::kind(own, made.shapes))?;
+        let at = |share: f64| [beam.start + share * length, 0.0, 0.0];
+        let mut points: HashMap<String, V3> =
+            [("origin", ZERO), ("start", at(0.0)), ("center", at(0.5)), ("end", at(1.0))]
+                .map(|(name, at)| (name.to_string(), at))
+                .into();
+        for point in list(node, "points", own)? {
+            points.insert(name(point, own)?.to_string(), self.tuple(point, "value", own)?);
+        }
+        Ok(Body {
+            name: own.to_string(),
+            particle: false,
+            mass,
+            inertia: [ZERO; 3],
+            center: ZERO,
+            points,
+            markers: HashMap::new(),
+            beam: Some(Arc::new(beam)),
+        })
     }
 
     /// B I Bᵀ where the tensor is given in the axes of a marker.

@@ -5,6 +5,7 @@ use super::{Read, Reader};
 use crate::error::DefinitionError;
 use crate::expression::{Expression, Operator};
 use crate::json::{field, list, name, optional, text};
+use crate::kinematics::Section;
 use crate::quantity::Quantity;
 use crate::row::{Equation, Phase, Row};
 use serde_json::Value;
@@ -92,7 +93,7 @@ impl Reader<'_> {
         }
         match self.body_by_name.get(rotor) {
             Some(body) if !self.spatial && !self.bodies[*body].particle => {
-                Ok(Quantity::PlaneAngle { first: None, second: Some(*body) })
+                Ok(Quantity::PlaneAngle { first: Section::whole(None), second: Section::whole(Some(*body)) })
             }
             _ => Err(DefinitionError::unknown(own, rotor)),
         }

@@ -5,7 +5,7 @@ use super::laws::May;
 use super::{Read, Reader};
 use crate::error::DefinitionError;
 use crate::json::{field, list, name, optional, text};
-use crate::kinematics::Place;
+use crate::kinematics::{Place, Section};
 use crate::quantity::{Quantity, Universal};
 use crate::row::{Equation, Phase, Row};
 use crate::vector::*;
@@ -113,6 +113,10 @@ impl<'t> Reader<'t> {
         place.body.is_some_and(|body| self.bodies[body].particle)
     }
 
+    fn bends(&self, place: &Place) -> bool {
+        place.body.is_some_and(|body| self.bodies[body].beam.is_some())
+    }
+
     /// In space angles are counted beside the orientations.
     fn count_angles(&mut self, joint: &mut Joint) {
         let angles: &[&str] = match (self.spatial, joint.kind.as_str()) {
@@ -168,6 +172,11 @@ impl<'t> Reader<'t> {
             let angle = self.entry_of(node, "angle", own)?.unwrap_or(0.0);
             let (first, second) = (joint.first.body, joint.second.body);
             let a = [-angle.sin(), angle.cos(), 0.0];
+            if self.bends(&joint.first) || self.bends(&joint.second) {
+                let [first, second] = [section(&joint.first), section(&joint.second)];
+                rows.push(("angle", Equation::Zero(Quantity::Sections { first, second, angle })));
+                return Ok(rows);
+            }
             rows.push(("angle", Equation::Zero(Quantity::Dot { first, a, second, b: unit_axis(0) })));
         }
         if matches!(kind, "distance" | "cord") {
@@ -274,7 +283,10 @@ impl Joint {
         let (first, second) = (self.first.body, self.second.body);
         if !spatial {
             return match (which, kind) {
-                ("angle", "revolute" | "point_on_line") => Some(Quantity::PlaneAngle { first, second }),
+                ("angle", "revolute" | "point_on_line") => {
+                    let [first, second] = [section(&self.first), section(&self.second)];
+                    Some(Quantity::PlaneAngle { first, second })
+                }
                 ("travel", "prismatic" | "point_on_line") => Some(self.along_quantity(0)),
                 ("travel_1", "parallel") => Some(self.along_quantity(0)),
                 ("travel_2", "parallel") => Some(self.along_quantity(1)),
@@ -310,4 +322,9 @@ impl Joint {
             _ => None,
         }
     }
+}
+
+/// What turns at a place.
+fn section(place: &Place) -> Section {
+    Section { body: place.body, x: Some(place.local[0]) }
 }

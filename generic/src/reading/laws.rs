@@ -6,6 +6,7 @@ use crate::energy::Energy;
 use crate::error::DefinitionError;
 use crate::expression::{Expression, Function, Operator};
 use crate::json::{field, list, name as json_name, text};
+use crate::kinematics::Section;
 use crate::law::{Law, Rate};
 use crate::quantity::Quantity;
 use crate::table::{Look, Table};
@@ -268,6 +269,16 @@ impl LawReader<'_, '_> {
         if owner.ends_with(".reaction") || owner.ends_with(".reaction.torque") {
             return Err(self.result(name));
         }
+        for (of, is_rate) in [(name, false), (owner, what == "rate")] {
+            let mode = of.rsplit_once('.').and_then(|(body, mode)| {
+                let body = *reader.body_by_name.get(body)?;
+                Some((body, reader.bodies[body].beam.as_ref()?.mode(mode)?))
+            });
+            if let (Some((body, mode)), true) = (mode, is_rate || of == name) {
+                let leaf = self.leaf(Quantity::Mode { body, mode });
+                return if is_rate { self.rate(leaf).map(Some) } else { Ok(Some(leaf)) };
+            }
+        }
         if let Some(joint) = reader.joint_by_name.get(owner) {
             let (position, is_rate) = match what.split_once('_').map_or((what, None), |(a, b)| (a, Some(b))) {
                 ("rate", number) => (with_number("angle", number), true),
@@ -284,7 +295,10 @@ impl LawReader<'_, '_> {
             && !reader.bodies[*body].particle
             && matches!(what, "angle" | "rate")
         {
-            let leaf = self.leaf(Quantity::PlaneAngle { first: None, second: Some(*body) });
+            let leaf = self.leaf(Quantity::PlaneAngle {
+                first: Section::whole(None),
+                second: Section::whole(Some(*body)),
+            });
             return if what == "rate" { self.rate(leaf).map(Some) } else { Ok(Some(leaf)) };
         }
         if let (Some(signal), "rate") = (reader.signals.get(owner), what) {

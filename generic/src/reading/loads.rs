@@ -7,6 +7,7 @@ use crate::error::DefinitionError;
 use crate::expression::{Expression, Operator};
 use crate::json::{field, list, name, optional, text};
 use crate::kinematics::Place;
+use crate::kinematics::Section;
 use crate::law::Law;
 use crate::load::{Acts, Cable, Load, Way};
 use crate::quantity::Quantity;
@@ -134,7 +135,8 @@ impl Reader<'_> {
             let terms = if self.spatial {
                 vec![(0.5, dot(j, i)), (-0.5, dot(i, j))]
             } else {
-                vec![(1.0, Quantity::PlaneAngle { first: one, second: other })]
+                let [first, second] = [Section::whole(one), Section::whole(other)];
+                vec![(1.0, Quantity::PlaneAngle { first, second })]
             };
             let (stiffness, damping) = (torsional[k], torsional_damping[k]);
             ways.push(Way { terms, wrapped: !self.spatial, gap: 0.0, stiffness, damping });

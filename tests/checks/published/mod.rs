@@ -2,6 +2,7 @@
 //! its first line; single numbers are cited where they stand.
 
 mod adams;
+mod beams;
 mod benchmarks;
 mod cables;
 mod cams;

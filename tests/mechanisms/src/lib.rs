@@ -6,6 +6,7 @@ pub mod everything;
 pub mod random;
 pub mod registry;
 pub mod zoo;
+pub mod zoo_beams;
 pub mod zoo_cables;
 pub mod zoo_contacts;
 pub mod zoo_gears;

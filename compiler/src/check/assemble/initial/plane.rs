@@ -1,7 +1,7 @@
 //! In the plane: orientations along the tree, then whatever follows from them.
 
 use super::{Offsets, Stated, is_exact};
-use crate::equations::{Attachment, Equations, Rotation};
+use crate::equations::{Attachment, Equations, Linear, Rotation};
 use crate::model::{BodyId, Coordinate, Frame, JointId, Mechanism, Rotor};
 use std::f64::consts::TAU;
 
@@ -30,6 +30,12 @@ pub fn initial(
                 of_frame(joint.second.frame, &angles) - of_frame(joint.first.frame, &angles)
             }
         };
+        // Sections of beams are turned beyond their bodies by their modes, in which they are linear.
+        let modes = angle
+            .rate
+            .iter()
+            .filter(|(index, _)| matches!(layout.linear.get(*index), Some(Linear::Mode(..))));
+        let value = modes.fold(value, |value, (index, slope)| value + slope * q[*index]);
         let turns = (value / TAU).round();
         q[layout.turns(a)] = turns;
         q[layout.turns(a) + 1] = value - turns * TAU;

@@ -1,0 +1,145 @@
+"""Beams: shapes by their textbook formulas, and everything else by quadrature along the axis.
+
+A point of the axis at x (from the frame's origin) is at (x + Σ N_a p_a, Σ N_b p_b) in the frame. No integral of shapes over the
+mass is formed: energies are sums over slices, each with its position, whose rates come from automatic differentiation.
+Shapes (Blevins, Formulas for Natural Frequency and Mode Shape, tables 8-1 and 8-16) are written here so that no
+differences of large hyperbolic functions occur, each in another form than in the compiler.
+"""
+
+import math
+
+import casadi as ca
+import numpy as np
+
+from expressions import entry
+
+SLICES = 24
+
+
+class Beam:
+    """Shapes and rigidities of one beam."""
+
+    def __init__(self, node, given, model):
+        beam = node["beam"]
+        self.length = float(ca.evalf(ca.SX(given["length"])))
+        self.shapes = beam["shapes"]
+        self.start = -self.length / 2 if self.shapes == "free" else 0.0
+        self.axial, self.bending = beam["axial"], beam["bending"]
+        self.names = [f"axial[{k}]" for k in range(self.axial)] + [f"bending[{k}]" for k in range(self.bending)]
+        section = beam.get("section")
+        if section:
+            lengths = {name: entry(value, model) for name, value in section.items() if name != "kind"}
+            self.area, second_moment = SECTIONS[section["kind"]](**lengths)
+        else:
+            self.area, second_moment = given["area"], given["second_moment"]
+        self.rigidity = {"axial": given["young"] * self.area, "bending": given["young"] * second_moment}
+        self.ratio = given.get("damping_ratio", ca.SX(0))
+
+    def points(self):
+        middle = self.start + self.length / 2
+        return {
+            "start": ca.vertcat(self.start, 0),
+            "center": ca.vertcat(middle, 0),
+            "end": ca.vertcat(self.start + self.length, 0),
+        }
+
+    def slices(self):
+        """x and share of the mass of each."""
+        nodes, weights = np.polynomial.legendre.leggauss(SLICES)
+        return [(self.start + self.length * (1 + s) / 2, w / 2) for s, w in zip(nodes, weights)]
+
+    def shape(self, mode, x, order):
+        """N, N′ or N″ of a mode at x."""
+        way, number = self.names[mode].rstrip("]").split("[")
+        xi = (x - self.start) / self.length
+        value = SHAPES[self.shapes, way](int(number), xi, order)
+        # What is held does not move at all, and rounding of it is nothing to compare.
+        return 0.0 if abs(value) < 1e-12 else value / self.length**order
+
+    def deformed(self, x, p):
+        """Where the point of the axis at x is in the frame."""
+        along = sum((self.shape(k, x, 0) * p[k] for k in range(self.axial)), ca.SX(x))
+        across = sum((self.shape(k, x, 0) * p[k] for k in range(self.axial, len(self.names))), ca.SX(0))
+        return ca.vertcat(along, across)
+
+    def slope(self, x, p):
+        """By how much the section at x is turned, to first order."""
+        return sum((self.slope_of(k, x) * p[k] for k in range(self.axial, len(self.names))), ca.SX(0))
+
+    def slope_of(self, mode, x):
+        return self.shape(mode, x, 1) if mode >= self.axial else 0.0
+
+    def stiffness(self, mode):
+        """∫ EA N′² dx or ∫ EI N″² dx."""
+        order, way = (1, "axial") if mode < self.axial else (2, "bending")
+        integral = self.length * sum(weight * self.shape(mode, x, order) ** 2 for x, weight in self.slices())
+        return self.rigidity[way] * integral
+
+    def elastic_energy(self, p):
+        return sum((self.stiffness(k) * p[k] ** 2 / 2 for k in range(len(self.names))), ca.SX(0))
+
+    def damping(self, mode, mass):
+        """2 ζ √(K M)."""
+        own = sum(weight * self.shape(mode, x, 0) ** 2 for x, weight in self.slices())
+        return 2 * self.ratio * ca.sqrt(self.stiffness(mode) * mass * own)
+
+
+SECTIONS = {
+    "circle": lambda diameter: (ca.pi * diameter**2 / 4, ca.pi * diameter**4 / 64),
+    "tube": lambda outer, inner: (ca.pi * (outer**2 - inner**2) / 4, ca.pi * (outer**4 - inner**4) / 64),
+    "rectangle": lambda height, width: (height * width, width * height**3 / 12),
+}
+
+
+def _root(number, sign):
+    """cos λ cosh λ = sign by bisection; the rigid motions of a free beam have no number."""
+    middle = (number + (1.5 if sign > 0 else 0.5)) * math.pi
+    low, high = middle - 0.5, middle + 0.5
+    value = lambda x: math.cos(x) - sign / math.cosh(x)
+    for _ in range(100):
+        half = (low + high) / 2
+        low, high = (half, high) if value(low) * value(half) > 0 else (low, half)
+    return (low + high) / 2
+
+
+def _sine(lam, xi, order):
+    return lam**order * math.sin(lam * xi + order * math.pi / 2)
+
+
+def _free_bending(number, xi, order):
+    """Even or odd about the middle: cos λs / cos(λ/2) + cosh λs / cosh(λ/2), or with sines; 2 at the start."""
+    lam = _root(number, 1.0)
+    s, half = xi - 0.5, lam / 2
+    if number % 2 == 0:
+        trigonometric = _sine(lam, s + math.pi / 2 / lam, order) / math.cos(half)
+        hyperbolic = (math.cosh if order % 2 == 0 else math.sinh)(lam * s) / math.cosh(half)
+        return trigonometric + lam**order * hyperbolic
+    trigonometric = _sine(lam, s, order) / math.sin(half)
+    hyperbolic = (math.sinh if order % 2 == 0 else math.cosh)(lam * s) / math.sinh(half)
+    return -trigonometric - lam**order * hyperbolic
+
+
+def _clamped_bending(number, xi, order):
+    """(cosh λ(1 − ξ) + cos λ cosh λξ + sin λ sinh λξ)/(cosh λ + cos λ) − cos λξ + σ sin λξ."""
+    lam = _root(number, -1.0)
+    cosh, sinh, cos, sin = math.cosh(lam), math.sinh(lam), math.cos(lam), math.sin(lam)
+    sigma = (sinh - sin) / (cosh + cos)
+    even = math.cosh if order % 2 == 0 else math.sinh
+    odd = math.sinh if order % 2 == 0 else math.cosh
+    back = (-1) ** order * even(lam * (1 - xi))
+    hyperbolic = (back + cos * even(lam * xi) + sin * odd(lam * xi)) / (cosh + cos)
+    return lam**order * hyperbolic - _sine(lam, xi + math.pi / 2 / lam, order) + sigma * _sine(lam, xi, order)
+
+
+def _quarters(number, xi, order):
+    return _sine((2 * number + 1) * math.pi / 2, xi, order)
+
+
+SHAPES = {
+    ("free", "axial"): lambda number, xi, order: _sine((number + 1) * math.pi, xi + 0.5 / (number + 1), order),
+    ("free", "bending"): _free_bending,
+    ("clamped", "axial"): _quarters,
+    ("clamped", "bending"): _clamped_bending,
+    ("pinned", "axial"): _quarters,
+    ("pinned", "bending"): lambda number, xi, order: _sine((number + 1) * math.pi, xi, order),
+}
