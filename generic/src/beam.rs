@@ -126,6 +126,11 @@ impl Beam {
         Some(beam)
     }
 
+    /// Whether its frame is that of its mean motion.
+    pub fn is_free(&self) -> bool {
+        self.start < 0.0
+    }
+
     pub fn count(&self) -> usize {
         self.modes.len()
     }

@@ -39,6 +39,8 @@ pub(crate) struct Place {
     pub axes: M3,
     /// Where it is on the ground at any time, instead of `local`.
     pub moving: Option<Box<[Expression; 3]>>,
+    /// The origin of a free beam's frame, which is no point of its axis.
+    pub of_mean: bool,
 }
 
 /// What a place does where no velocity changes.
@@ -95,7 +97,7 @@ impl Kinematics {
     pub fn point(&self, place: &Place) -> Point {
         let Some(body) = place.body else { return self.ground(place) };
         let frame = &self.frames[body];
-        if let Some(beam) = self.beam(body) {
+        if let Some(beam) = self.beam(body).filter(|_| !place.of_mean) {
             return self.on_axis(body, beam, place.local[0]);
         }
         let arm = turned(&frame.axes, place.local);

@@ -330,7 +330,7 @@ mod tests {
     }
 
     fn place(body: usize, local: V3) -> Place {
-        Place { body: Some(body), local, axes: IDENTITY, moving: None }
+        Place { body: Some(body), local, axes: IDENTITY, moving: None, of_mean: false }
     }
 
     /// ḟ is that of the gradient and of differences, f̈ that of differences.

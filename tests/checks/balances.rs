@@ -6,11 +6,14 @@ use crate::registry::{At, Model, Random, compiled, fields, for_each, vector};
 use crate::walking::walk;
 use crate::zoo::{Floating, FloatingState, Shaken};
 use linkwright::{AssembleExt, Mechanism, Simulation, State, StateOf, Vector, retract};
+use linkwright_compiler::equations::Linear;
 use linkwright_compiler::equations::VOCABULARY;
 use linkwright_compiler::equations::space::constant_axis;
 use linkwright_compiler::forms::Law;
 use linkwright_compiler::functions::{MOTION, REACTION};
-use linkwright_compiler::model::{Coordinates, Expr, Frame, Joint, Load, Mechanism as Mechanism_, Space};
+use linkwright_compiler::model::{
+    Coordinates, Expr, Frame, Joint, Load, Mechanism as Mechanism_, Space, value_at,
+};
 use linkwright_compiler::schedule::{self, Function, Inputs};
 use linkwright_compiler::{Compiled, compile_model};
 
@@ -151,6 +154,22 @@ fn stored<M: Model>(weightless: &Compiled, parameters: &[f64], time: f64, q: &M:
     schedule::run(weightless.programs.get(Function::PotentialEnergy), &inputs)[0]
 }
 
+/// −Σ (K p + C ṗ) ṗ of the modes of beams.
+fn of_modes(compiled: &Compiled, parameters: &[f64], q: &[f64], v: &[f64]) -> f64 {
+    let mut power = 0.0;
+    for (index, linear) in compiled.complete.equations.layout.linear.iter().enumerate() {
+        let Linear::Mode(body, mode) = linear else { continue };
+        let body = &compiled.mechanism.bodies[body.0];
+        let beam = body.beam.as_ref().expect("what has modes is a beam");
+        let number = |expr: &Expr| value_at(expr, parameters).expect("a number");
+        let stiffness =
+            beam.slender.modes[*mode].stiffness * number(beam.rigidity(beam.slender.modes[*mode].way));
+        let rate = stiffness / beam.rates(&body.mass, parameters)[*mode];
+        power -= (stiffness * q[index] + 2.0 * number(&beam.damping_ratio) * rate * v[index]) * v[index];
+    }
+    power
+}
+
 /// Whether a load's end is moved by its support, which then takes part in its power.
 fn is_moved(load: &Load) -> bool {
     load.moves_by_itself() || load.places().any(|place| format!("{:?}", place.at).contains("Time"))
@@ -186,7 +205,8 @@ fn power_is_balanced<M: Model>() {
         let forced: Vec<f64> =
             lambda.as_slice().iter().zip(nu.as_slice()).map(|(lambda, nu)| -lambda * nu).collect();
         let loads = model.flat_powers(at);
-        let powers: Vec<f64> = loads.iter().chain(&forced).copied().chain([gravity]).collect();
+        let bending = of_modes(&compiled, &parameters, at.q.as_slice(), at.v.as_slice());
+        let powers: Vec<f64> = loads.iter().chain(&forced).copied().chain([gravity, bending]).collect();
         let sum: f64 = powers.iter().sum();
         let scale = kinetic.abs() + powers.iter().map(|power| power.abs()).sum::<f64>();
         assert!(

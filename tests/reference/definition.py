@@ -25,6 +25,7 @@ class Place:
     body: str | None
     local: ca.SX
     axes: ca.SX | None = None  # in space: of its marker, in body axes
+    of_mean: bool = False  # the origin of a free beam's frame, which is no point of its axis
 
 
 @dataclass
@@ -151,7 +152,8 @@ class Model:
         body = self.bodies[body_name]
         if point not in body.points:
             raise ValueError(f"{self.title}: body `{body_name}` has no point `{point}`")
-        return Place(body_name, body.points[point] - body.center)
+        of_mean = point == "origin" and body.beam is not None and body.beam.shapes == "free"
+        return Place(body_name, body.points[point] - body.center, of_mean=of_mean)
 
     def line(self, node):
         if "line" in node:

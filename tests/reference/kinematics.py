@@ -86,7 +86,7 @@ class Kinematics:
     def arm(self, place):
         """From the body's origin of coordinates, in its axes; of a beam as it is deformed."""
         beam = self.beam(place.body)
-        return place.local if beam is None else beam.deformed(_number(place.local[0]), self.modes[place.body][0])
+        return place.local if beam is None or place.of_mean else beam.deformed(_number(place.local[0]), self.modes[place.body][0])
 
     def slope(self, place, of_rates=False):
         """By how much the section at a place is turned against its body, and how fast."""

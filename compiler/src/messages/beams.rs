@@ -170,3 +170,10 @@ pub(crate) fn pinned_held(joint: &str, kind: &str, beam: &str) -> String {
          write `shapes = clamped;` or `free`"
     )
 }
+
+pub(crate) fn origin_of_beam(place: &str) -> String {
+    format!(
+        "`{place}` is the centre of mass of a beam with `free` shapes, which is no point of its axis once it bends: nothing can be attached \
+         to it; write `center` for the middle of the axis"
+    )
+}

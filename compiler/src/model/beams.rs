@@ -276,10 +276,25 @@ impl<'d> Lowering<'d> {
         }
     }
 
+    /// Whether the origin of a body is no point of it.
+    pub(super) fn has_mean_frame(&self, body: BodyId) -> bool {
+        let body = &self.definition.bodies[body.0];
+        body.form.bends && body.beam.shapes() == Shapes::Free
+    }
+
     /// Whether the direction of a body is no section's.
     pub(super) fn has_mean_direction(&self, body: BodyId) -> bool {
         let body = &self.definition.bodies[body.0];
         body.form.bends && body.beam.shapes() != Shapes::Clamped
+    }
+
+    /// Nothing is attached to the origin of a frame in the mean.
+    pub(super) fn of_axis(&mut self, place: &Place) -> Option<()> {
+        if place.of_mean {
+            self.diagnostics.error(place.span, messages::origin_of_beam(&place.text));
+            return None;
+        }
+        Some(())
     }
 
     /// What joints with beams cannot do.
@@ -293,6 +308,7 @@ impl<'d> Lowering<'d> {
             return None;
         }
         for place in [&lowered.first, &lowered.second] {
+            self.of_axis(place)?;
             let Frame::Body(body) = place.frame else { continue };
             let body = &self.definition.bodies[body.0];
             if body.form.bends && form.keeps_orientation && body.beam.shapes() == Shapes::Pinned {

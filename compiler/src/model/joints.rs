@@ -174,7 +174,8 @@ impl<'d> Lowering<'d> {
     fn on_line(&mut self, line: &'d LineTerm) -> (Option<Place>, Option<Vector>) {
         let Some(LowerLine { frame, ends: [from, to], text }) = self.line(line) else { return (None, None) };
         let direction = fold::between(&from, &to);
-        let first = Place { frame, at: from, axes: Axes::Parallel, text, span: line.region() };
+        let first =
+            Place { frame, at: from, axes: Axes::Parallel, of_mean: false, text, span: line.region() };
         (Some(first), Some(direction))
     }
 

@@ -64,6 +64,7 @@ impl<'d> Lowering<'d> {
                 Subject::Rotor(Rotor::Body(body)) if self.has_mean_direction(*body) => {
                     messages::torque_on_beam(&self.definition.bodies[body.0].name.text)
                 }
+                Subject::Place(place) if place.of_mean => messages::origin_of_beam(&place.text),
                 Subject::Place(place) if load.form.turns && self.bends(place.frame) => {
                     messages::bushing_on_beam(&place.text)
                 }

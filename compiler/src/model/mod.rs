@@ -342,6 +342,8 @@ pub struct Place {
     pub at: Vector,
     /// Axes of the place in the axes of what it belongs to.
     pub axes: Axes,
+    /// Whether it is the origin of a frame in the mean of a beam, and no point of its axis.
+    pub of_mean: bool,
     /// As written: `crank.tip`, `ground(0, 0.2)`.
     pub text: String,
     pub span: Region,
@@ -349,7 +351,7 @@ pub struct Place {
 
 impl PartialEq for Place {
     fn eq(&self, other: &Self) -> bool {
-        self.frame == other.frame && self.at == other.at
+        self.frame == other.frame && self.at == other.at && self.of_mean == other.of_mean
     }
 }
 

@@ -208,6 +208,7 @@ impl<'d> Lowering<'d> {
             frame: Frame::Ground,
             at,
             axes: Axes::Parallel,
+            of_mean: false,
             text: ground.text.clone(),
             span: ground.region,
         })
@@ -221,7 +222,7 @@ impl<'d> Lowering<'d> {
             self.used.insert((Scope::Ground, name));
             let (at, axes) = marker.clone()?;
             let (text, span) = (path.text.clone(), path.region);
-            return Some(Place { frame: Frame::Ground, at, axes, text, span });
+            return Some(Place { frame: Frame::Ground, at, axes, of_mean: false, text, span });
         }
         let Some(Part::Body(index)) = self.names.part(&head.text) else {
             let message = match self.names.part(&head.text) {
@@ -250,10 +251,12 @@ impl<'d> Lowering<'d> {
         if let [_, point] = path.parts.as_slice() {
             self.use_of_body(index, &point.text);
         }
+        let mean_frame = self.has_mean_frame(BodyId(index));
         let body = &self.bodies[index];
         let with_axes = |at: Vector, axes: Axes| {
             let frame = Frame::Body(BodyId(index));
-            Some(Place { frame, at, axes, text: path.text.clone(), span: path.region })
+            let of_mean = matches!(path.parts.last(), Some(point) if point.text == "origin") && mean_frame;
+            Some(Place { frame, at, axes, of_mean, text: path.text.clone(), span: path.region })
         };
         let place = |at: Vector| with_axes(at, Axes::Parallel);
         match path.parts.as_slice() {

@@ -1,14 +1,18 @@
 //! Beams: what their modal damping takes, and their kinetic energy slice by slice, which knows nothing of shape integrals.
 
+use super::dynamics::{stands_still, velocity};
 use super::machine::Machine;
-use super::quantity::Quantity;
+use super::quantity::{Along, Quantity};
 use super::{Check, Report};
 use crate::beams::Rule;
-use crate::equations::{Laws, plane};
+use crate::equations::{Laws, Linear, plane};
 use crate::functions::Function;
+use crate::model::{Expr, Load, Quantity as Quantity_, value_at};
 use crate::schedule::{Inputs, sources};
 use crate::symbolic::{Scalar, evaluate_reachable};
 
+/// Step of differences along velocities of order one.
+const STEP: f64 = 1e-3;
 /// Slices of a beam: products of any two of its shapes are integrated to rounding.
 const SLICES: usize = 48;
 
@@ -25,13 +29,57 @@ pub fn kinetic_energy(machine: &Machine, report: &mut Report) {
     report.compare(Check::Beams, || "the kinetic energy".to_string(), found, expected);
 }
 
-/// What modal damping takes, W.
-pub fn dissipated(machine: &Machine, inputs: &Inputs) -> Quantity {
-    if !has_beams(machine) {
-        return Quantity::default();
+/// What of Q is quadratic in v against Lagrange's equations, d(M v)/dt − ∂T/∂q at v̇ = 0. Modes that ride on one frame exert gyroscopic
+/// forces on one another that do no work, so that no balance of energies sees them.
+pub fn gyroscopic_forces(machine: &Machine, report: &mut Report) {
+    let mechanism = &machine.compiled.mechanism;
+    if !has_beams(machine) || !stands_still(machine) || mechanism.loads.iter().any(may_be_quadratic) {
+        return;
     }
-    let value = value(machine, inputs, |laws| plane::dissipated(laws));
-    Quantity { value, margin: 1e-11 * value }
+    let rest = vec![0.0; report.inputs.v.len()];
+    let inputs = &Inputs { acceleration: rest.clone(), ..report.inputs.clone() };
+    let inverse = |factor: f64| {
+        let v = inputs.v.iter().map(|v| factor * v).collect();
+        machine.run(Function::InverseDynamics, &Inputs { v, ..inputs.clone() })
+    };
+    let [ahead, back, still] = [1.0, -1.0, 0.0].map(inverse);
+    let exact: Vec<Quantity> = inputs.v.iter().map(|v| Quantity::exact(*v)).collect();
+    let momentum = Along::of(STEP, |h| machine.mass_times(&machine.moved(inputs, h, &rest), &exact));
+    for (k, rate) in momentum.derivatives().into_iter().enumerate() {
+        let mut way = rest.clone();
+        way[k] = 1.0;
+        let energy =
+            Along::of(STEP, |h| machine.run(Function::KineticEnergy, &machine.displaced(inputs, h, &way)));
+        let found = (ahead[k] + back[k]) * 0.5 - still[k];
+        report.compare(Check::Beams, || velocity(machine, k), found, rate - energy.derivatives()[0]);
+    }
+}
+
+/// Whether the law of a load may have squares of velocities.
+fn may_be_quadratic(load: &Load) -> bool {
+    let mut moves = false;
+    load.law
+        .iter()
+        .for_each(|law| law.quantities(&mut |quantity| moves |= matches!(quantity, Quantity_::Rate(_))));
+    moves || load.form.effort.is_some() || !load.states.is_empty()
+}
+
+/// What modal damping takes, W: Σ 2 ζ M ω ṗ² with M ω = K/ω, in numbers and not on the graph.
+pub fn dissipated(machine: &Machine, inputs: &Inputs) -> Quantity {
+    let (mechanism, parameters) = (&machine.compiled.mechanism, &inputs.parameters);
+    let mut power = 0.0;
+    for (index, linear) in machine.compiled.complete.equations.layout.linear.iter().enumerate() {
+        let Linear::Mode(body, mode) = linear else { continue };
+        let body = &mechanism.bodies[body.0];
+        let Some(beam) = &body.beam else { continue };
+        let number = |expr: &Expr| value_at(expr, parameters).unwrap_or(f64::NAN);
+        let shape = &beam.slender.modes[*mode];
+        let stiffness = shape.stiffness * number(beam.rigidity(shape.way));
+        let damping =
+            2.0 * number(&beam.damping_ratio) * stiffness / beam.rates(&body.mass, parameters)[*mode];
+        power += damping * inputs.v[index] * inputs.v[index];
+    }
+    Quantity { value: power, margin: 1e-11 * power }
 }
 
 fn has_beams(machine: &Machine) -> bool {

@@ -18,6 +18,7 @@ pub fn check(machine: &Machine, report: &mut Report) {
         springs(machine, report);
     }
     beams::kinetic_energy(machine, report);
+    beams::gyroscopic_forces(machine, report);
     factorisation(machine, report);
     null_space(machine, report);
     tangent(machine, report);

@@ -125,7 +125,7 @@ impl Check {
             Check::InverseDynamics => "inverse dynamics against the mass matrix and the forces",
             Check::Energy => "the balance of energies and powers",
             Check::Springs => "the power of a spring against what it stores",
-            Check::Beams => "the kinetic energy of beams against that of their slices",
+            Check::Beams => "beams against their slices and Lagrange's equations",
             Check::Solution => "accelerations and multipliers put into the equations",
             Check::Baumgarte => "stabilised accelerations and multipliers put into the equations",
             Check::Motions => "motions of the bodies against differences of each other",

@@ -23,6 +23,26 @@ pub const FOUR_BAR: &str = "planar FourBar {
 MORE
 }";
 
+/// Two beams that carry one another, the second welded to a section of the first that turns, with damping and a spring on an angle between
+/// sections.
+pub const BEAMS: &str = "planar Beams {
+    param young [MPa] = 2;
+    param loss = 0.05;
+    gravity [m/s^2] = (0.3, -9.81);
+    beam swing { length [m] = 1.1; section = circle(diameter [mm] = 9); young = young; density [kg/m^3] = 2700;
+                 modes = (axial = 1, bending = 2); damping_ratio = loss; point third [m] = (0.15, 0); }
+    beam arm { length [m] = 0.7; section = tube(outer [mm] = 8, inner [mm] = 6); young [kPa] = 900; mass [kg] = 0.2;
+               modes = (axial = 1, bending = 2); shapes = clamped; }
+    body knob { mass [kg] = 0.3; inertia [kg*m^2] = 0.002; center [m] = (0.02, 0.03); }
+    joint pin: revolute(swing.end, ground(0, 0) [m]);
+    joint elbow: revolute(arm.end, swing.third);
+    joint weld: fixed(swing.start, knob.origin, angle [rad] = 0.3);
+    force coil: torsion_spring(elbow, stiffness [N*m] = 3, angle [rad] = 0.2, damping [N*m*s/rad] = 0.1);
+    force band: spring(ground(0.3, 0.7) [m], arm.start, stiffness [N/m] = 30, length [m] = 0.3, damping [N*s/m] = 2);
+    start { pin.angle [rad] = 0.4; pin.rate [rad/s] = 1; elbow.angle [rad] = 0.7; elbow.rate [rad/s] = 1; knob.angle [rad] ~ -0.1; }
+MORE
+}";
+
 /// An open chain in space with a ball, a slide and a hinge.
 pub const CHAIN: &str = "spatial Chain {
     param load [kg] = 1.5;

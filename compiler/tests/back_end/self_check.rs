@@ -3,7 +3,7 @@
 //! mechanism in `tests/checks/self_check.rs`.
 
 use crate::compiled;
-use crate::mechanisms::{CHAIN, FOUR_BAR, SHAFTS, with};
+use crate::mechanisms::{BEAMS, CHAIN, FOUR_BAR, SHAFTS, with};
 use linkwright_compiler::Compiled;
 use linkwright_compiler::complete::Complete;
 use linkwright_compiler::optimize::optimize;
@@ -79,6 +79,12 @@ fn wrong_expressions_are_noticed_in_a_chain() {
 #[test]
 fn wrong_expressions_are_noticed_in_a_driven_loop() {
     expressions(SHAFTS, "", 19, &[Check::Gamma, Check::Solution, Check::Motions]);
+}
+
+#[test]
+fn wrong_expressions_of_beams_are_noticed() {
+    let checks = [Check::MassMatrix, Check::InverseDynamics, Check::Energy, Check::Solution];
+    expressions(BEAMS, "", 9, &checks);
 }
 
 #[test]

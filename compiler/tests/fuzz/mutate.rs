@@ -149,6 +149,9 @@ const TEMPLATES: [&str; 39] = [
     "param new [ 1 ] = # in # .. # ;",
     "particle new { mass [ kg ] = # ; }",
     "rod new { mass [ kg ] = X ; length [ m ] = # ; }",
+    "beam new { mass [ kg ] = X ; length [ m ] = # ; young [ GPa ] = # ; area [ m^2 ] = # ; second_moment [ m^4 ] = # ; }",
+    "modes = ( axial = # , bending = # ) ;",
+    "shapes = clamped ;",
 ];
 
 fn new_statement(random: &mut Random, tokens: &mut Vec<String>, _: &[String]) {
@@ -164,7 +167,8 @@ fn new_statement(random: &mut Random, tokens: &mut Vec<String>, _: &[String]) {
 fn filled(random: &mut Random, tokens: &[String], piece: &str) -> Vec<String> {
     let split = |text: String| text.split(' ').map(str::to_string).collect();
     let joints = || declared(tokens, &["joint"]);
-    let bodies = || declared(tokens, &["body", "rod", "disk", "box", "particle", "sphere", "cylinder"]);
+    let bodies =
+        || declared(tokens, &["body", "rod", "disk", "box", "particle", "sphere", "cylinder", "beam"]);
     match piece {
         "J" => vec![one(random, &joints())],
         "B" => vec![one(random, &bodies())],
@@ -238,7 +242,7 @@ fn swap_names(random: &mut Random, tokens: &mut Vec<String>, _: &[String]) {
 
 /// Words that may stand in one another's place.
 const CLASSES: [&str; 11] = [
-    "body rod disk box sphere cylinder particle",
+    "body rod disk box sphere cylinder particle beam",
     "revolute prismatic fixed distance spherical universal cylindrical planar screw constant_velocity point_on_line \
      point_on_plane",
     "angle rate travel speed x y z velocity origin center start end angle_1 rate_1 angle_2 travel_2",

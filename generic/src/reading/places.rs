@@ -27,19 +27,26 @@ impl<'t> Reader<'t> {
         let body = &self.bodies[*index];
         let local = minus(*body.points.get(point)?, body.center);
         let axes = body.markers.get(point).copied().unwrap_or(IDENTITY);
-        Some(Place { body: Some(*index), local, axes, moving: None })
+        let of_mean = point == "origin" && body.beam.as_ref().is_some_and(|beam| beam.is_free());
+        Some(Place { body: Some(*index), local, axes, moving: None, of_mean })
     }
 
     fn ground_marker(&self, path: &str) -> Option<Place> {
         let markers = list(self.tree, "markers", path).ok()?;
         let marker = markers.iter().find(|marker| name(marker, path) == Ok(path))?;
         let local = self.tuple(marker, "value", path).ok()?;
-        Some(Place { body: None, local, axes: self.marker_axes(marker, path).ok()?, moving: None })
+        Some(Place {
+            body: None,
+            local,
+            axes: self.marker_axes(marker, path).ok()?,
+            moving: None,
+            of_mean: false,
+        })
     }
 
     fn ground(&self, node: &Value, part: &str) -> Read<Place> {
         let components = self.ground_components(node, part)?;
-        let mut place = Place { body: None, local: ZERO, axes: IDENTITY, moving: None };
+        let mut place = Place { body: None, local: ZERO, axes: IDENTITY, moving: None, of_mean: false };
         let known = [0, 1, 2].map(|k| components[k].constant());
         match known {
             [Some(x), Some(y), Some(z)] => place.local = [x, y, z],

@@ -32,6 +32,8 @@ linkwright::mechanism! {
         output bent [rad] = elbow.angle;
         output first [mm] = swing.bending[0] + 0.5 [s]*arm.bending[1].rate;
         output tip [m] = arm.start.x;
+        output mean [m/s] = swing.origin.velocity.x;
+        output middle [m/s] = swing.center.velocity.x;
         output whole [J] = energy;
     }
 }

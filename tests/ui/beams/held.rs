@@ -9,6 +9,7 @@ linkwright::mechanism! {
         joint clamp: fixed(ground(0, 0) [m], rod.start);
         joint rail: prismatic(arm.end, sled.center, axis = (1, 0));
         joint axle: revolute(ground(0, 0) [m], wheel.center);
+        joint middle: revolute(arm.origin, sled.center);
         torque twist: torque(arm) = 1 [N*m];
         gear mesh: gear(arm, axle, ratio = 2);
         bushing rubber: bushing(arm.end, ground(0, 0) [m], stiffness [N/m] = 3, torsional_stiffness = 0);

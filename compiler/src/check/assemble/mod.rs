@@ -41,6 +41,7 @@ pub use point::{Ancestry, Point, retract};
 pub use scales::row_scales;
 
 use super::messages;
+use crate::beams::Shapes;
 use crate::diagnostics::Diagnostics;
 use crate::equations::{Ball, Condition, Conditions, Equations, Linear, Omitted, Rotation, RowOfJoint};
 use crate::model::{BodyId, Coordinate, JointId, Mechanism, Rotor, Space};
@@ -308,7 +309,8 @@ fn center_place(mechanism: &Mechanism, body: BodyId) -> crate::model::Place {
         frame: crate::model::Frame::Body(body),
         at: definition.center.clone(),
         axes: crate::model::Axes::Parallel,
-        text: format!("{}.center", definition.name.text),
+        of_mean: definition.beam.as_ref().is_some_and(|beam| beam.slender.shapes == Shapes::Free),
+        text: format!("{}.{}", definition.name.text, if definition.form.bends { "origin" } else { "center" }),
         span: definition.name.span,
     }
 }

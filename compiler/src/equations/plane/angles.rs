@@ -13,6 +13,7 @@ impl<'g> On<'g, &'g Kinematics> {
     pub fn place(self, laws: &Laws<'g>, place: &Place) -> On<'g, Position> {
         match place.frame {
             Frame::Ground => ground(laws, &place.at),
+            Frame::Body(body) if place.of_mean => laws.g.on(self.bare.bodies[body.0].origin.clone()),
             Frame::Body(body) => self.point(body.0, laws.pair_of(&place.at)),
         }
     }

@@ -239,6 +239,11 @@ pub(super) fn accumulate<'g>(
                 sums.mass_of(*velocity, *other, frame, mass * dot);
             }
             for (factor, far) in &accelerations {
+                // (e₃ × F)·F = 0.
+                let turns = beam.omega(kinematics).is_some_and(|(rate, _)| rate == *velocity);
+                if turns && *factor == Factor::Centripetal {
+                    continue;
+                }
                 let [dot, _] = flexible.products(g, field, far);
                 sums.bias_of(*velocity, frame, *factor, mass * dot);
             }
@@ -307,22 +312,6 @@ pub(super) fn elastic_forces<'g>(laws: &Laws<'g>) -> Vec<(usize, Scalar<'g>)> {
         }
     }
     forces
-}
-
-/// C of all modes, by velocity.
-pub(super) fn dampings<'g>(laws: &Laws<'g>) -> Vec<(usize, Scalar<'g>)> {
-    let mut dampings = Vec::new();
-    for (index, body) in laws.mechanism.bodies.iter().enumerate() {
-        let placement = laws.plane().bare.bodies.get(index);
-        let flexible = placement.and_then(|placement| placement.flexible.as_ref());
-        let (Some(beam), Some(flexible)) = (&body.beam, flexible) else { continue };
-        for (mode, modal) in flexible.modes.iter().enumerate() {
-            if let ModalMotion::Free(velocity) = modal.motion {
-                dampings.push((velocity, damping(laws, BodyId(index), beam, mode)));
-            }
-        }
-    }
-    dampings
 }
 
 /// K of a mode, N/m.

@@ -62,13 +62,6 @@ pub fn consequences(
     }
 }
 
-/// What modal damping takes, W.
-pub fn dissipated<'g>(laws: &Laws<'g>) -> Scalar<'g> {
-    let rates = &laws.plane().bare.velocities;
-    let terms = flexible::dampings(laws);
-    laws.g.sum(terms.into_iter().map(|(velocity, damping)| damping * laws.g.on(rates[velocity]).square()))
-}
-
 /// The kinetic energy of rigid bodies and of slices of beams, by quadrature of ½ μ |ṙ|² along their axes: what no algebra of integrals
 /// has gone into.
 pub fn kinetic_energy_of_slices<'g>(laws: &Laws<'g>, rule: &crate::beams::Rule) -> Scalar<'g> {
