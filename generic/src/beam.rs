@@ -92,7 +92,7 @@ impl Beam {
         for number in 0..bending {
             let k = number as f64;
             let shape = match shapes {
-                "free" => Shape::Free { lambda: root((k + 1.5) * PI, 1.0), even: number % 2 == 0 },
+                "free" => Shape::Free { lambda: root((k + 1.5) * PI, 1.0), even: number.is_multiple_of(2) },
                 "clamped" => Shape::Clamped { lambda: root((k + 0.5) * PI, -1.0) },
                 _ => Shape::Wave { lambda: (k + 1.0) * PI, phase: 0.0 },
             };
@@ -243,7 +243,8 @@ impl Shape {
     /// The derivative of an order by ξ.
     fn at(self, xi: f64, order: usize) -> f64 {
         let quarter = order as f64 * FRAC_PI_2;
-        let (is_even, sign) = (order % 2 == 0, if order % 2 == 0 { 1.0 } else { -1.0 });
+        let is_even = order.is_multiple_of(2);
+        let sign = if is_even { 1.0 } else { -1.0 };
         let (value, lambda) = match self {
             Shape::Wave { lambda, phase } => ((lambda * xi + phase + quarter).sin(), lambda),
             // cos λs/cos(λ/2) + cosh λs/cosh(λ/2) or with sines, s from the middle; 2 at the start.

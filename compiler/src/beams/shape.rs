@@ -51,7 +51,7 @@ impl Shape {
             2 => (-sin, -cos),
             _ => (-cos, sin),
         };
-        let sign = if order % 2 == 0 { 1.0 } else { -1.0 };
+        let sign = if order.is_multiple_of(2) { 1.0 } else { -1.0 };
         let falls = sign * decay * libm::exp(-lambda * share);
         let sum = cosine * cos + sine * sin + falls + growth * libm::exp(lambda * (share - 1.0));
         if sum.abs() < 1e-13 { 0.0 } else { lambda.powi(order as i32) * sum }

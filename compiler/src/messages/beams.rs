@@ -9,10 +9,13 @@ pub(crate) fn quoted_code(text: &str) -> String {
     format!("`{text}`")
 }
 
+fn capital(property: &str) -> String {
+    if property == "young" { in_words(property).to_string() } else { format!("the {property}") }
+}
+
 fn in_words(property: &str) -> &str {
     match property {
         "young" => "Young's modulus",
-        "second_moment" => "second moment of area",
         property => property,
     }
 }
@@ -70,6 +73,12 @@ pub(crate) fn beam_not_yet(property: &str, asked: &str, only: &str) -> String {
 pub(crate) fn line_on_beam(beam: &str) -> String {
     format!(
         "a line on the beam `{beam}` would have to bend with it, and a joint along it is not there: put the line on the other body"
+    )
+}
+
+pub(crate) fn toothing_on_beam(beam: &str) -> String {
+    format!(
+        "teeth on the beam `{beam}` would have to turn with a section of it: fix a part to the beam and give that the toothing"
     )
 }
 
@@ -139,7 +148,7 @@ pub(crate) fn point_beyond(beam: &str, point: &str, x: f64, from: f64, to: f64) 
 }
 
 pub(crate) fn not_positive_of_beam(property: &str, beam: &str, value: f64) -> String {
-    format!("the {} of the beam `{beam}` must be positive, found {}", in_words(property), number(value))
+    format!("{} of the beam `{beam}` must be positive, found {}", capital(property), number(value))
 }
 
 pub(crate) fn damping_ratio_negative(beam: &str, value: f64) -> String {

@@ -73,6 +73,9 @@ impl Parser<'_> {
                 body.points.push((name, pair));
                 Ok(())
             }
+            Some("toothing") if form.bends => {
+                self.fail(c.region(), messages::toothing_on_beam(&body.name.text))
+            }
             Some("toothing") => {
                 c.advance();
                 let toothing = self.toothing(c, body)?;

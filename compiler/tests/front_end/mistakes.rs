@@ -681,7 +681,6 @@ const MISTAKES: &[(&str, &str)] = &[
         "cable c: (base.start, ground(0, 0)) = 1;",
         "expected the kind of the load (force, torque, spring, cable, damper, torsion_spring, shaft, along, masing, bouc_wen, bushing, mesh), found `(`",
     ),
-    ("beam b: (base.start, ground(0, 0)) = 1;", "`beam` is not there yet in this version"),
     ("jiont j: revolute(crank.pin, link.end);", "no statement begins with `jiont`; did you mean `joint`?"),
     ("3;", "expected a statement, found `3`"),
     ("output o [1] = sin(30);", "sin of a bare number: write its unit, `sin(30 [deg])` or `sin(30 [rad])`"),

@@ -5,6 +5,7 @@ use super::{Read, Reader};
 use crate::error::DefinitionError;
 use crate::json::{field, list, name, optional, text};
 use crate::kinematics::Place;
+use crate::kinematics::Section;
 use crate::quantity::Quantity;
 use crate::vector::{V3, column, dot, minus, norm};
 use serde_json::Value;
@@ -109,7 +110,9 @@ impl Reader<'_> {
     /// The angle of what turns.
     pub(super) fn turning(&self, what: Turning, own: &str) -> Read<Quantity> {
         match what {
-            Turning::Body(body) => Ok(Quantity::PlaneAngle { first: None, second: Some(body) }),
+            Turning::Body(body) => {
+                Ok(Quantity::PlaneAngle { first: Section::whole(None), second: Section::whole(Some(body)) })
+            }
             Turning::Joint(joint) => {
                 self.of_joint(joint, "angle").ok_or_else(|| DefinitionError::unknown(own, "an angle"))
             }

@@ -15,6 +15,7 @@ linkwright::mechanism! {
         beam k { stiffening = on; }
         beam l { theory = timoshenko; }
         beam m { shapes = free; shapes = clamped; }
+        beam o { toothing rim: external(teeth = 20, module [mm] = 2); }
         beam n { line edge = (n.start, n.end); }
     }
 }
