@@ -82,6 +82,12 @@ pub(crate) fn toothing_on_beam(beam: &str) -> String {
     )
 }
 
+pub(crate) fn surface_on_beam(beam: &str) -> String {
+    format!(
+        "a surface on the beam `{beam}` would have to bend with it: fix a part to the beam and give that the surface"
+    )
+}
+
 pub(crate) fn beam_first(joint: &str, kind: &str, place: &str) -> String {
     format!(
         "the joint `{joint}` takes its axes from its first place, and at `{place}` these would turn with the section of a beam, \

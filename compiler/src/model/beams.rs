@@ -128,7 +128,7 @@ impl<'d> Lowering<'d> {
             self.diagnostics
                 .error(label.region.to(entry.value.region), messages::length_not_known(&body.name.text));
         }
-        let young = self.positive(body, "young", Dimension::PRESSURE, "GPa");
+        let young = self.positive_of_beam(body, "young", Dimension::PRESSURE, "GPa");
         let section = self.section(body);
         let damping_ratio = match body.property("damping_ratio") {
             Some((_, entry)) => self.entry(entry, Dimension::ONE, Use::PROPERTY, "damping_ratio"),
@@ -148,7 +148,7 @@ impl<'d> Lowering<'d> {
     }
 
     /// A property that a beam must have, and that is positive.
-    fn positive(
+    fn positive_of_beam(
         &mut self,
         body: &'d syntax::Body,
         property: &str,
@@ -180,8 +180,9 @@ impl<'d> Lowering<'d> {
                 self.diagnostics.error(body.name.region, messages::beam_without_section(name));
                 return None;
             }
-            let area = self.positive(body, "area", Dimension::AREA, "mm^2");
-            let second_moment = self.positive(body, "second_moment", Dimension::SECOND_MOMENT, "mm^4");
+            let area = self.positive_of_beam(body, "area", Dimension::AREA, "mm^2");
+            let second_moment =
+                self.positive_of_beam(body, "second_moment", Dimension::SECOND_MOMENT, "mm^4");
             return Some([area?, second_moment?]);
         };
         if let Some((label, _)) = written {

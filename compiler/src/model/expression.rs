@@ -255,7 +255,9 @@ impl Coordinate {
             Self::Direction(of, _) => (Some(&of.0), None),
             Self::Distance(first, second) | Self::Square(first, second) => (Some(&**first), Some(&**second)),
             Self::Way(ends, _) => (Some(&ends[0]), Some(&ends[1])),
-            Self::Angle(_) | Self::Travel(..) | Self::Turn(..) | Self::Deviation(..) => (None, None),
+            Self::Angle(_) | Self::Travel(..) | Self::Turn(..) | Self::Deviation(..) | Self::Mode(..) => {
+                (None, None)
+            }
         };
         first.into_iter().chain(second)
     }
@@ -269,7 +271,9 @@ impl Coordinate {
     pub fn dimension(&self) -> Dimension {
         match self {
             Self::Angle(_) | Self::Turn(..) | Self::Deviation(..) => Dimension::ANGLE,
-            Self::Travel(..) | Self::Position(..) | Self::Distance(..) | Self::Way(..) | Self::Mode(..) => Dimension::LENGTH,
+            Self::Travel(..) | Self::Position(..) | Self::Distance(..) | Self::Way(..) | Self::Mode(..) => {
+                Dimension::LENGTH
+            }
             Self::Square(..) => Dimension::LENGTH.times(Dimension::LENGTH),
             Self::Direction(..) => Dimension::ONE,
         }
@@ -279,7 +283,9 @@ impl Coordinate {
     pub fn rate_dimension(&self) -> Dimension {
         match self {
             Self::Angle(_) | Self::Turn(..) | Self::Deviation(..) => Dimension::ANGULAR_RATE,
-            Self::Travel(..) | Self::Position(..) | Self::Distance(..) | Self::Way(..) | Self::Mode(..) => Dimension::SPEED,
+            Self::Travel(..) | Self::Position(..) | Self::Distance(..) | Self::Way(..) | Self::Mode(..) => {
+                Dimension::SPEED
+            }
             Self::Square(..) => Dimension::LENGTH.times(Dimension::SPEED),
             Self::Direction(..) => Dimension::ONE.over(Dimension::TIME),
         }

@@ -121,7 +121,14 @@ impl<'d> Lowering<'d> {
             let radius = self.entry(entry, Dimension::LENGTH, Use::PROPERTY, "radius")?;
             let at = self.bodies[index].center.clone()?;
             let (text, span) = (format!("{}.center", body.text), path.region);
-            let place = Place { frame: Frame::Body(BodyId(index)), at, axes: Axes::Parallel, text, span };
+            let place = Place {
+                frame: Frame::Body(BodyId(index)),
+                at,
+                axes: Axes::Parallel,
+                of_mean: false,
+                text,
+                span,
+            };
             let shape = Shape::Round { place, radius };
             return Some(Surface { shape, text: path.text.clone(), region: path.region });
         }
@@ -219,7 +226,7 @@ impl<'d> Lowering<'d> {
         }
         let minus = |x| fold::unary(Function1::Neg, x);
         let normal = if right { [y, minus(x), Expr::Number(0.0)] } else { [minus(y), x, Expr::Number(0.0)] };
-        let place = Place { frame, at: from, axes: Axes::Parallel, text, span };
+        let place = Place { frame, at: from, axes: Axes::Parallel, of_mean: false, text, span };
         Some(Shape::Flat { place, normal: normalised(normal) })
     }
 
