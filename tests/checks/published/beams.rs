@@ -87,7 +87,7 @@ fn quick_return_with_a_bending_coupler() {
         .sampled(inputs)
         .step(step);
     let (mut place, mut modes, mut rate) = (Worst::default(), Worst::default(), Worst::default());
-    let (mut largest, mut seen) = ([0.0_f64; 3], 0);
+    let mut seen = 0;
     simulation
         .run_until(end, |sample| {
             let outputs = &sample.outputs;
@@ -103,7 +103,6 @@ fn quick_return_with_a_bending_coupler() {
                     modes.see(p, value(name));
                 }
                 seen += 1;
-                largest.iter_mut().zip(bent).for_each(|(largest, p)| *largest = largest.max(p.abs()));
             }
         })
         .expect("it runs");
@@ -111,7 +110,4 @@ fn quick_return_with_a_bending_coupler() {
     place.below(1e-9, "flexible quick return, places");
     modes.below(1e-9, "flexible quick return, modes");
     rate.below(1e-7, "flexible quick return, crank speed");
-    for (found, expected) in largest.into_iter().zip([6.086_258_60e-4, 2.500_98e-5, 2.031_80e-5]) {
-        assert!((found - expected).abs() < 3e-6 * expected, "{found} for {expected}");
-    }
 }
