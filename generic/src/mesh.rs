@@ -129,7 +129,7 @@ impl Mesh {
         for ((point, torque), side) in [first, second].into_iter().zip(torques).zip([-1.0, 1.0]) {
             let linear = times(side, pushed);
             let angular = plus(cross(point.arm, linear), [0.0, 0.0, torque]);
-            add(Pull { body: point.body, linear, angular });
+            add(Pull::on(point.body, linear, angular));
         }
     }
 
