@@ -10,7 +10,7 @@ mod harness;
 use harness::least;
 use linkwright::{Assemble, AssembleExt, Baumgarte, Fields, Rk4, Simulation, Vector, WithMultipliers};
 use linkwright_models::{
-    andrews::Andrews, bricard::Bricard, four_bar::FourBar, iiwa14::Iiwa14, n_four_bar::NFourBar10,
+    andrews::Andrews, bricard::Bricard, four_bar::FourBar, iiwa14::Iiwa14, n_four_bar::{NFourBar10, NFourBar40},
     stewart_platform::StewartPlatform,
 };
 use std::hint::black_box;
@@ -29,6 +29,7 @@ fn main() {
     beside("bricard", &Bricard::default());
     beside("iiwa14", &Iiwa14::default());
     beside("n_four_bar_10", &NFourBar10::default());
+    beside("n_four_bar_40", &NFourBar40::default());
     beside("stewart_platform", &StewartPlatform::default());
 }
 

@@ -104,8 +104,38 @@ pub(crate) fn retract_once<R: Real, Q: Vector<R>, V: Vector<R>>(
     retraction::<R, Q, V, false>(layout, q0, dv, integral, q_out);
 }
 
+/// So many orientations, a quaternion counted as two, are turned where the step stands. The text of more, once for each stage, would
+/// take the place in the processor's cache of instructions that the equations need: a call and loops take their place.
+const FEW: usize = 12;
+
 #[inline(always)]
 fn retraction<R: Real, Q: Vector<R>, V: Vector<R>, const NORMALISED: bool>(
+    layout: &Layout<'_>,
+    q0: &Q,
+    dv: &V,
+    integral: &V,
+    q_out: &mut Q,
+) {
+    if layout.rotations + 2 * layout.quaternions > FEW {
+        retraction_of_many::<R, Q, V, NORMALISED>(layout, q0, dv, integral, q_out);
+    } else {
+        retraction_here::<R, Q, V, NORMALISED>(layout, q0, dv, integral, q_out);
+    }
+}
+
+#[inline(never)]
+fn retraction_of_many<R: Real, Q: Vector<R>, V: Vector<R>, const NORMALISED: bool>(
+    layout: &Layout<'_>,
+    q0: &Q,
+    dv: &V,
+    integral: &V,
+    q_out: &mut Q,
+) {
+    retraction_here::<R, Q, V, NORMALISED>(layout, q0, dv, integral, q_out);
+}
+
+#[inline(always)]
+fn retraction_here<R: Real, Q: Vector<R>, V: Vector<R>, const NORMALISED: bool>(
     layout: &Layout<'_>,
     q0: &Q,
     dv: &V,

@@ -60,8 +60,8 @@ fn has_bodies(mechanism: &Mechanism, diagnostics: &mut Diagnostics) {
 
 // A mechanism that is written out in full has a bounded size, or the build would not end.
 fn is_of_a_size_to_write_out(mechanism: &Mechanism, diagnostics: &mut Diagnostics) {
-    const MOST_BODIES: usize = 256;
-    const MOST_CONSTRAINTS: usize = 512;
+    const MOST_BODIES: usize = 4096;
+    const MOST_CONSTRAINTS: usize = 8192;
     const MOST_LOADS: usize = 1024;
     const MOST_VALUES: usize = 1024;
     const MOST_TABLES: usize = 256;
