@@ -10,7 +10,11 @@ mod harness;
 use harness::least;
 use linkwright::{Assemble, AssembleExt, Baumgarte, Fields, Rk4, Simulation, Vector, WithMultipliers};
 use linkwright_models::{
-    andrews::Andrews, bricard::Bricard, four_bar::FourBar, iiwa14::Iiwa14, n_four_bar::{NFourBar10, NFourBar40},
+    andrews::Andrews,
+    bricard::Bricard,
+    four_bar::FourBar,
+    iiwa14::Iiwa14,
+    n_four_bar::{NFourBar10, NFourBar40},
     stewart_platform::StewartPlatform,
 };
 use std::hint::black_box;

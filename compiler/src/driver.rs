@@ -99,6 +99,10 @@ fn start_of_model(mechanism: Mechanism, asked: Coordinates) -> Result<Start, Dia
     let mut errors = Diagnostics::new();
     let spanning = SpanningTree::spanning(&mechanism);
     check::counted_angles(&mechanism, &spanning)?;
+    check::ways(&mechanism, &spanning, &mut errors);
+    if !errors.is_empty() {
+        return Err(errors);
+    }
     let equations = equations::derive(&mechanism, spanning, &Omitted::default());
     check::size(&mechanism, &equations, asked, &mut errors);
     if !errors.is_empty() {

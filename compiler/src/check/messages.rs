@@ -184,6 +184,14 @@ pub struct Oversize {
     pub other: Option<(&'static str, usize)>,
 }
 
+pub fn long_ways(deepest: &str, depth: usize, on_ways: usize, most: usize) -> String {
+    format!(
+        "too many bodies hang on one another: `{deepest}` is number {depth} on its way from the ground, and the ways of all bodies \
+         have {on_ways} together, more than {most}, each an entry of the mass matrix; hold long chains to the ground in \
+         between, or split them into mechanisms of fewer bodies"
+    )
+}
+
 pub fn oversize(name: &str, size: &Oversize) -> String {
     let Oversize { velocities, rows, mass, operations, most, densest, other } = size;
     // Most of the fill comes from where most is full already.

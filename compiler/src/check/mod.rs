@@ -19,7 +19,7 @@ pub use cords::cords;
 pub use steady::{steady, unstable};
 pub use warnings::{unstable_states, warnings};
 
-pub use size::size;
+pub use size::{size, ways};
 
 use crate::diagnostics::Diagnostics;
 use crate::equations::{SpanningTree, couplings, space};

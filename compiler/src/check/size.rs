@@ -5,13 +5,38 @@
 
 use super::messages::{self, Oversize};
 use crate::diagnostics::Diagnostics;
-use crate::equations::{self, Equations, Omitted, SpanningTree, space};
-use crate::model::{Coordinates, Mechanism, Space};
+use crate::equations::{self, Attachment, Equations, Omitted, SpanningTree, space};
+use crate::model::{Coordinates, Frame, Mechanism, Space};
 use crate::solve::structural_operations;
 
 /// Operations of one elimination, by structure. It is written out with several right-hand sides and read by rustc: at this size a
 /// build takes most of a minute and about a gigabyte, and both grow in proportion.
 pub const MOST_OPERATIONS: usize = 300_000;
+
+/// Bodies on all ways to the ground, counted together: M of the tree has an entry for each two that hang on one another, and the
+/// equations are put together in these coordinates whichever are taken in the end. A chain of 256 has 32 896.
+const MOST_ON_WAYS: usize = 40_000;
+
+/// Refuses bodies of which too many hang on one another, before any equation is written.
+pub fn ways(mechanism: &Mechanism, tree: &SpanningTree, errors: &mut Diagnostics) {
+    let mut depths = vec![0; mechanism.bodies.len()];
+    let mut deepest = None;
+    for Attachment { body, joint } in &tree.attachments {
+        let parent = match joint {
+            Some((_, Frame::Body(parent))) => depths[parent.0],
+            _ => 0,
+        };
+        depths[body.0] = parent + 1;
+        if deepest.is_none_or(|(_, depth)| depth <= parent) {
+            deepest = Some((*body, parent + 1));
+        }
+    }
+    let on_ways: usize = depths.iter().sum();
+    if let (Some((body, depth)), true) = (deepest, on_ways > MOST_ON_WAYS) {
+        let name = &mechanism.bodies[body.0].name;
+        errors.error(name.span, messages::long_ways(&name.text, depth, on_ways, MOST_ON_WAYS));
+    }
+}
 
 /// Refuses what neither set of coordinates that may be taken can bear. `tree`: the equations in tree coordinates.
 pub fn size(mechanism: &Mechanism, tree: &Equations, asked: Coordinates, errors: &mut Diagnostics) {

@@ -9,9 +9,14 @@ pub struct FastHasher(u64);
 /// Golden-ratio multiplier, as in Fibonacci hashing (Knuth, The Art of Computer Programming 3, section 6.4).
 const MULTIPLIER: u64 = 0x9E37_79B9_7F4A_7C15;
 
+/// A hash and a further word.
+pub fn mix(hash: u64, word: u64) -> u64 {
+    (hash.rotate_left(5) ^ word).wrapping_mul(MULTIPLIER)
+}
+
 impl FastHasher {
     fn mix(&mut self, word: u64) {
-        self.0 = (self.0.rotate_left(5) ^ word).wrapping_mul(MULTIPLIER);
+        self.0 = mix(self.0, word);
     }
 }
 

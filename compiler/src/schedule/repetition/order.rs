@@ -70,7 +70,7 @@ impl Repetition<'_> {
                 return chains;
             }
             self.strands.leave(&without);
-            self.strands.settle(self.program);
+            self.strands.settle();
         }
     }
 

@@ -8,9 +8,10 @@
 use super::FEWEST_ROUNDS;
 use super::places::{Place, Places};
 use crate::schedule::{Instruction, Operand, Program};
-use crate::symbolic::FastHash;
+use crate::symbolic::{FastHash, mix};
 use std::collections::HashMap;
 use std::hash::{BuildHasher, Hash, Hasher};
+use std::rc::Rc;
 
 /// To how many levels the operations are compared at most, before what they take is.
 const LEVELS: usize = 10;
@@ -36,8 +37,7 @@ pub type Member = Option<(u32, i64)>;
 
 #[derive(Clone, Debug, Default)]
 pub struct Strands {
-    /// The numbers that they follow.
-    places: Places,
+    operations: Rc<[Operation]>,
     pub strands: Vec<Strand>,
     pub of: Vec<Member>,
     /// Whether the numbers of new ones may be any.
@@ -51,11 +51,13 @@ const PERIODS: u32 = 2;
 pub fn find(program: &Program, places: &Places) -> Strands {
     let with = |period: u32| {
         let of = vec![None; program.instructions.len()];
-        let mut strands = Strands { places: places.every(period), of, ..Strands::default() };
+        let places = places.every(period);
+        let operations = program.instructions.iter().map(|one| Operation::of(one, &places)).collect();
+        let mut strands = Strands { operations, of, ..Strands::default() };
         // What is found tells apart what was not.
-        while strands.grow(program) {}
+        while strands.grow() {}
         strands.any_numbers = true;
-        while strands.grow(program) {}
+        while strands.grow() {}
         strands
     };
     (1..=PERIODS).rev().map(with).max_by_key(Strands::covered).unwrap_or_default()
@@ -81,36 +83,88 @@ fn kind(instruction: &Instruction) -> u64 {
 /// What an instruction is as far as it was compared, and the least number of what it depends on.
 type Form = (u64, Option<i64>);
 
-/// The form of an instruction by the forms of what it takes.
-fn form(kind: u64, instruction: &Instruction, forms: &[Form], strands: &Strands) -> Form {
-    let of = |operand: Operand| match operand {
-        Operand::Constant(_) if strands.any_numbers => (0, None),
-        Operand::Constant(value) => (value.to_bits(), None),
-        Operand::Source(source) => match strands.places.get(source) {
-            Some(Place { family, at }) => (u64::from(family), Some(at)),
-            None => (u64::from(source.index) << 32 | source.argument as u64, None),
-        },
-        Operand::Value(value) => forms[value as usize],
-    };
-    let least = instruction.operands().filter_map(|operand| of(operand).1).min();
-    let mut hasher = FastHash::default().build_hasher();
-    kind.hash(&mut hasher);
-    for operand in instruction.operands() {
-        let (form, at) = of(operand);
-        std::mem::discriminant(&operand).hash(&mut hasher);
-        (form, at.map(|at| at - least.unwrap_or(at))).hash(&mut hasher);
+/// What an operand says of the form of an instruction, found once.
+#[derive(Clone, Copy, Debug)]
+enum Taken {
+    /// The same wherever it is taken.
+    Fixed(u64),
+    Number(u64),
+    /// The entry of a family at a number.
+    Family(u64, i64),
+    Value(u32),
+}
+
+/// What an instruction does, and to what, as it is compared.
+#[derive(Clone, Copy, Debug)]
+struct Operation {
+    kind: u64,
+    operands: [Option<Operand>; 3],
+    taken: [Option<Taken>; 3],
+}
+
+impl Operation {
+    fn of(instruction: &Instruction, places: &Places) -> Operation {
+        let mut operands = [None; 3];
+        operands.iter_mut().zip(instruction.operands()).for_each(|(own, operand)| *own = Some(operand));
+        let taken = |operand| match operand {
+            Operand::Constant(value) => Taken::Number(value.to_bits()),
+            Operand::Source(source) => match places.get(source) {
+                Some(Place { family, at }) => Taken::Family(u64::from(family), at),
+                None => Taken::Fixed(u64::from(source.index) << 32 | source.argument as u64),
+            },
+            Operand::Value(value) => Taken::Value(value),
+        };
+        Operation { kind: kind(instruction), operands, taken: operands.map(|own| own.map(taken)) }
     }
-    (hasher.finish(), least)
+
+    /// The form by the forms of what is taken.
+    fn form(&self, forms: &[Form], any_numbers: bool) -> Form {
+        // Loops over indices: this is most of the work, and compilers of user crates run it unoptimised.
+        let mut found = [(0, 0, None); 3];
+        let mut least: Option<i64> = None;
+        let mut count = 0;
+        while count < 3 {
+            let Some(taken) = self.taken[count] else { break };
+            let of: (u64, u64, Option<i64>) = match taken {
+                Taken::Number(_) if any_numbers => (1, 0, None),
+                Taken::Number(bits) => (1, bits, None),
+                Taken::Fixed(of) => (2, of, None),
+                Taken::Family(family, at) => (3, family, Some(at)),
+                Taken::Value(value) => {
+                    let (form, at) = forms[value as usize];
+                    (4, form, at)
+                }
+            };
+            if let Some(at) = of.2
+                && !matches!(least, Some(least) if least <= at)
+            {
+                least = Some(at);
+            }
+            found[count] = of;
+            count += 1;
+        }
+        let mut form = self.kind;
+        let mut index = 0;
+        while index < count {
+            let (what, of, at) = found[index];
+            // Of what has no number the distance is none of those that there are.
+            let distance = match (at, least) {
+                (Some(at), Some(least)) => (at - least) as u64,
+                _ => u64::MAX,
+            };
+            form = mix(mix(mix(form, what), of), distance);
+            index += 1;
+        }
+        (form, least)
+    }
 }
 
 /// Those that are alike and in no strand, where they follow one another.
-fn alike(forms: &[Form], of: &[Member], any_numbers: bool) -> Vec<Strand> {
+fn alike(forms: &[Form], free: &[u32], any_numbers: bool) -> Vec<Strand> {
     let mut groups: HashMap<u64, Vec<(i64, u32)>, FastHash> = HashMap::default();
-    for (index, (form, at)) in forms.iter().enumerate() {
-        if let Some(at) = at
-            && of[index].is_none()
-        {
-            groups.entry(*form).or_default().push((*at, index as u32));
+    for index in free {
+        if let (form, Some(at)) = forms[*index as usize] {
+            groups.entry(form).or_default().push((at, *index));
         }
     }
     let mut groups: Vec<Vec<(i64, u32)>> =
@@ -134,7 +188,7 @@ enum Key {
     /// A number, an entry or a value that are the same for the neighbour.
     Same(Operand),
     /// The entry of a family so far on.
-    Family(u32, i64),
+    Family(u64, i64),
     /// The member of a strand so far on.
     Strand(u32, i64),
     /// Any number.
@@ -152,22 +206,19 @@ impl Strands {
 
     /// Adds what is alike to some levels: to those levels at which most is. Fewer do not tell apart what differs, and of chains they leave
     /// what is farther from arguments; more of them lose the ends. Whether there was something that stays.
-    fn grow(&mut self, program: &Program) -> bool {
-        let instructions = &program.instructions;
-        let kinds: Vec<u64> = instructions.iter().map(kind).collect();
-        let start = |(kind, member): (&u64, &Member)| match member {
+    fn grow(&mut self) -> bool {
+        let free: Vec<u32> = (0..self.of.len() as u32).filter(|at| self.of[*at as usize].is_none()).collect();
+        let start = |(operation, member): (&Operation, &Member)| match member {
             Some((strand, at)) => (u64::from(*strand), Some(*at)),
-            None => (*kind, None),
+            None => (operation.kind, None),
         };
-        let mut forms: Vec<Form> = kinds.iter().zip(&self.of).map(start).collect();
+        let mut forms: Vec<Form> = self.operations.iter().zip(&self.of).map(start).collect();
         let (mut best, mut most) = (Vec::new(), 0);
         for _ in 0..LEVELS {
-            let next = |index: usize| match self.of[index] {
-                Some(_) => forms[index],
-                None => form(kinds[index], &instructions[index], &forms, self),
-            };
-            forms = (0..instructions.len()).map(next).collect();
-            let strands = alike(&forms, &self.of, self.any_numbers);
+            let next = |at: &u32| self.operations[*at as usize].form(&forms, self.any_numbers);
+            let next: Vec<Form> = free.iter().map(next).collect();
+            free.iter().zip(next).for_each(|(at, form)| forms[*at as usize] = form);
+            let strands = alike(&forms, &free, self.any_numbers);
             let covered = strands.iter().map(|strand| strand.members.len()).sum();
             if covered > most {
                 (best, most) = (strands, covered);
@@ -176,7 +227,7 @@ impl Strands {
         let before = self.covered();
         let old = self.clone();
         best.into_iter().for_each(|strand| self.add(strand));
-        self.settle(program);
+        self.settle();
         let grown = self.covered() > before;
         if !grown {
             *self = old;
@@ -215,17 +266,17 @@ impl Strands {
     }
 
     /// Cuts strands until all members of each take the same.
-    pub fn settle(&mut self, program: &Program) {
-        while self.refine(program) {}
+    pub fn settle(&mut self) {
+        while self.refine() {}
     }
 
     /// Cuts strands where what they take changes; whether there were such places.
-    fn refine(&mut self, program: &Program) -> bool {
+    fn refine(&mut self) -> bool {
         let mut beyond = Beyond::default();
         let mut changed = false;
         // Numbers of strands stay what they were while keys are compared.
         let old = std::mem::take(self);
-        let view = View { old: &old, program };
+        let view = View { old: &old };
         let mut new = Strands { of: vec![None; old.of.len()], ..Strands::default() };
         for strand in &old.strands {
             let pieces = view.pieces(strand, &mut beyond);
@@ -239,7 +290,7 @@ impl Strands {
                 });
             }
         }
-        *self = Strands { places: old.places, any_numbers: old.any_numbers, ..new };
+        *self = Strands { operations: old.operations, any_numbers: old.any_numbers, ..new };
         changed
     }
 }
@@ -247,12 +298,11 @@ impl Strands {
 /// The strands while they are compared.
 struct View<'a> {
     old: &'a Strands,
-    program: &'a Program,
 }
 
 impl View<'_> {
-    fn operands(&self, member: u32) -> impl Iterator<Item = Operand> {
-        self.program.instructions[member as usize].operands()
+    fn operation(&self, member: u32) -> &Operation {
+        &self.old.operations[member as usize]
     }
 
     /// The keys of the member at an index of its strand.
@@ -261,29 +311,29 @@ impl View<'_> {
         let neighbour = strand.members[if index == 0 { 1 } else { index - 1 }];
         let other = strand.members.get(index + 1).copied().unwrap_or(neighbour);
         let mut keys = [None; 3];
-        let operands = self.operands(strand.members[index]);
-        let operands = operands.zip(self.operands(neighbour)).zip(self.operands(other));
-        for (key, ((operand, one), two)) in keys.iter_mut().zip(operands) {
-            *key = Some(match operand {
+        let [own, one, two] = [strand.members[index], neighbour, other].map(|member| self.operation(member));
+        let mut at_operand = 0;
+        while at_operand < 3 {
+            let Some(operand) = own.operands[at_operand] else { break };
+            keys[at_operand] = Some(match operand {
                 Operand::Constant(_) if strand.any_numbers => Key::Number,
-                operand if operand == one || operand == two => Key::Same(operand),
-                operand => self.key(operand, at),
+                _ if own.operands[at_operand] == one.operands[at_operand] => Key::Same(operand),
+                _ if own.operands[at_operand] == two.operands[at_operand] => Key::Same(operand),
+                _ => self.key(operand, own.taken[at_operand], at),
             });
+            at_operand += 1;
         }
         keys
     }
 
-    fn key(&self, operand: Operand, at: i64) -> Key {
-        match operand {
-            Operand::Source(source) => match self.old.places.get(source) {
-                Some(place) => Key::Family(place.family, place.at - at),
-                None => Key::Same(operand),
-            },
-            Operand::Value(value) => match self.old.of[value as usize] {
+    fn key(&self, operand: Operand, taken: Option<Taken>, at: i64) -> Key {
+        match taken {
+            Some(Taken::Family(family, there)) => Key::Family(family, there - at),
+            Some(Taken::Value(value)) => match self.old.of[value as usize] {
                 Some((strand, there)) => Key::Strand(strand, there - at),
                 None => Key::Same(operand),
             },
-            Operand::Constant(_) => Key::Same(operand),
+            _ => Key::Same(operand),
         }
     }
 
@@ -341,7 +391,8 @@ impl View<'_> {
     ) -> bool {
         let at = strand.first + index as i64;
         let mut new = Vec::new();
-        for ((own, key), operand) in own.iter().zip(&keys[index]).zip(self.operands(strand.members[index])) {
+        let operands = self.operation(strand.members[index]).operands.iter().flatten();
+        for ((own, key), operand) in own.iter().zip(&keys[index]).zip(operands) {
             if own == key {
                 continue;
             }
@@ -351,9 +402,9 @@ impl View<'_> {
                 return false;
             }
             match beyond.get(&(other, there)) {
-                Some(known) if *known != operand => return false,
+                Some(known) if known != operand => return false,
                 Some(_) => {}
-                None => new.push(((other, there), operand)),
+                None => new.push(((other, there), *operand)),
             }
         }
         beyond.extend(new);
