@@ -13,6 +13,7 @@ Runs, draws, checks, explains, counts and exports definitions of mechanisms.
 usage: linkwright run     [options] FILE    moves it and writes what is measured; `linkwright run --help`
        linkwright plot    [options] FILE    what a run shows over time, as SVG
        linkwright animate [options] FILE    a page with its motion
+       linkwright sweep   [options] FILE    what is measured of runs with many values of a parameter
        linkwright draw    [options] FILE    a drawing of it, as SVG
        linkwright check   [options] FILE…   errors of every definition, as the macro reports them
        linkwright explain [options] FILE    what the compiler found: parts, freedoms, coordinates, start
@@ -163,7 +164,7 @@ fn named(word: &str) -> Result<Command, String> {
 }
 
 /// All commands.
-const ALL: &str = "run, plot, animate, draw, check, explain, counts and export";
+const ALL: &str = "run, plot, animate, sweep, draw, check, explain, counts and export";
 
 fn is_language(word: &str) -> Result<(), String> {
     match word {

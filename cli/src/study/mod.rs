@@ -1,4 +1,4 @@
-//! What moves a mechanism and shows it, without Rust: `run`, `plot`, `animate`, `draw`. The definition is read by the engine, so that
+//! What moves a mechanism and shows it, without Rust: `run`, `plot`, `animate`, `sweep`, `draw`. The definition is read by the engine, so that
 //! every method and message is that of a compiled mechanism.
 
 pub mod animate;
@@ -11,6 +11,7 @@ pub mod options;
 pub mod plot;
 pub mod record;
 pub mod run;
+pub mod sweep;
 
 use crate::input::{self, Found};
 use crate::{ERRORS, USAGE, answer, json, report, with_engine};
@@ -37,6 +38,16 @@ pub enum Failure {
     Definition(Vec<Located>),
     /// The mechanism does not do what is asked: an assembly, a setting, a run.
     Motion(String),
+}
+
+impl Failure {
+    /// What it says, where it has no place in the definition.
+    pub fn text(self) -> String {
+        match self {
+            Failure::Usage(message) | Failure::Motion(message) => message,
+            Failure::Definition(errors) => errors.into_iter().map(|error| error.message).collect(),
+        }
+    }
 }
 
 /// A mechanism that was read.
@@ -75,6 +86,7 @@ pub fn study(study: &Study) -> ExitCode {
             Command::Run => run::run(study, &loaded),
             Command::Plot => plot::plot(study, &loaded),
             Command::Animate => animate::animate(study, &loaded),
+            Command::Sweep => sweep::sweep(study, &loaded),
             Command::Draw => draw::draw(study, &loaded),
         };
         done.map(|value| (value, loaded.warnings))

@@ -3,6 +3,7 @@
 use super::expression::{Expression, unknown};
 use super::methods::{Chosen, Course, FORMULATIONS, INTEGRATORS, chosen};
 use super::record::Group;
+use super::sweep::Over;
 use lexopt::Arg::{Long, Short, Value};
 use std::ffi::OsString;
 use std::path::PathBuf;
@@ -13,17 +14,20 @@ pub enum Command {
     Run,
     Plot,
     Animate,
+    Sweep,
     Draw,
 }
 
 impl Command {
-    pub const ALL: [Command; 4] = [Command::Run, Command::Plot, Command::Animate, Command::Draw];
+    pub const ALL: [Command; 5] =
+        [Command::Run, Command::Plot, Command::Animate, Command::Sweep, Command::Draw];
 
     pub fn text(self) -> &'static str {
         match self {
             Command::Run => "run",
             Command::Plot => "plot",
             Command::Animate => "animate",
+            Command::Sweep => "sweep",
             Command::Draw => "draw",
         }
     }
@@ -37,6 +41,19 @@ impl Command {
             Command::Animate => {
                 &["for", "step", "every", "formulation", "integrator", "set", "input", "svg", "out", "json"]
             }
+            Command::Sweep => &[
+                "over",
+                "measure",
+                "for",
+                "step",
+                "every",
+                "formulation",
+                "integrator",
+                "set",
+                "input",
+                "out",
+                "json",
+            ],
             Command::Draw => &["set", "out", "json"],
         }
     }
@@ -46,6 +63,7 @@ impl Command {
             Command::Run => RUN,
             Command::Plot => PLOT,
             Command::Animate => ANIMATE,
+            Command::Sweep => SWEEP,
             Command::Draw => DRAW,
         }
     }
@@ -98,6 +116,20 @@ usage: linkwright animate [options] FILE
 --for, --step, --formulation, --integrator, --set and --input are those of `linkwright run`.
 ";
 
+const SWEEP: &str = "\
+Runs a mechanism for each value of a parameter, on all cores, and writes what is measured of each run, as comma-separated values.
+
+usage: linkwright sweep [options] FILE
+
+  --over NAME=FROM..TO:COUNT   values of a parameter, in its unit; given twice, all pairs of values
+  --measure EXPRESSION         max, min, mean, rms, range, first or last of a column, 'max(swing) - min(swing)'; may be repeated.
+                               Columns are those of `linkwright run --show outputs,energy,residual,reactions,efforts,powers`
+  --out FILE                   in place of standard output
+  --json                       for machines
+
+--for, --step, --every, --formulation, --integrator, --set and --input are those of `linkwright run`.
+";
+
 const DRAW: &str = "\
 Draws a mechanism at its start, as SVG.
 
@@ -117,6 +149,8 @@ pub struct Study {
     /// Name and value in the unit of the parameter.
     pub set: Vec<(String, f64)>,
     pub inputs: Vec<String>,
+    pub over: Vec<Over>,
+    pub measures: Vec<String>,
     pub show: Option<Vec<Group>>,
     pub out: Option<PathBuf>,
     /// A picture in place of a page.
@@ -144,6 +178,8 @@ pub fn parse(
         course: course.clone(),
         set: Vec::new(),
         inputs: Vec::new(),
+        over: Vec::new(),
+        measures: Vec::new(),
         show: None,
         out: None,
         svg: false,
@@ -194,6 +230,8 @@ pub fn parse(
             "integrator" => course.integrator = chosen("integrator", &text, &INTEGRATORS)?,
             "set" => study.set.push(setting(&text).map_err(with_name)?),
             "input" => study.inputs.push(text),
+            "over" => study.over.push(Over::parse(&text)?),
+            "measure" => study.measures.push(text),
             "show" => study.show = Some(Group::list(&text)?),
             _ => study.out = Some(PathBuf::from(value)),
         }
