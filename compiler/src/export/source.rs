@@ -135,6 +135,7 @@ impl Writer<'_> {
         let compiled = self.compiled;
         let layout = &compiled.complete.equations.layout;
         let of = |shape| compiled.entries(shape);
+        let open = compiled.complete.equations.open_rows(&compiled.mechanism).len();
         let (linear, rotations, quaternions) =
             (layout.linear.len(), layout.rotations.len(), layout.quaternions.len());
         let orientations = rotations + quaternions;
@@ -144,6 +145,7 @@ impl Writer<'_> {
             ("nz", of(Shape::Internal)),
             ("nr", of(Shape::Rows)),
             ("nphases", of(Shape::Phases)),
+            ("nopen", open),
             ("nconstants", of(Shape::Constants)),
             ("nstore", of(Shape::Store)),
             ("njacobian", of(Shape::Matrix(&JACOBIAN))),
@@ -169,7 +171,7 @@ impl Writer<'_> {
             ("outputs", has(Shape::Outputs)),
             ("parameters", has(Shape::Parameters)),
             ("phases", has(Shape::Phases)),
-            ("phased", has(Shape::Phases) && has(Shape::Parameters)),
+            ("phased", open > 0 && has(Shape::Parameters)),
             ("constants", has(Shape::Constants)),
             ("some", has(Shape::Parameters) || has(Shape::Phases) || has(Shape::Constants)),
             ("internal", has(Shape::Internal)),

@@ -45,7 +45,7 @@ linkwright::mechanism! {
         gravity [m/s^2] = (0, -9.81);
         beam post { length [m] = 0.8; section = rectangle(height [mm] = 4, width [mm] = 20); young [GPa] = 70; density [kg/m^3] = 2700;
                     shapes = clamped; damping_ratio = 0.01; }
-        beam bar  { length [m] = 0.5; section = rectangle(height [mm] = 3, width [mm] = 20); young [GPa] = 70; density [kg/m^3] = 2700;
+        beam bar  { length [m] = 0.5; section = rectangle(height [mm] = 3, width [mm] = 20); young [GPa] = 7; density [kg/m^3] = 2700;
                     modes = (axial = 1, bending = 2); }
         body knob { mass [kg] = 0.1; inertia [kg*m^2] = 1e-4; center [m] = (0.01, 0.02); }
         body sled { mass [kg] = 0.4; inertia [kg*m^2] = 0.01; }

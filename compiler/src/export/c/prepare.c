@@ -1,12 +1,12 @@
 @?phased /* Takes the phases of couplings that state none from an assembled position. */
 @?phased static void @m_fix_phases(@m_model_t *model, const @real q[@nq])
 @?phased {
-    @?phased static const int rows[@nphases] = @openrows;
+    @?phased static const int rows[@nopen] = @openrows;
     @?phased @real phi[@nr];
     @?phased int i;
     @?phased
     @?phased @m_constraints(model, @0, q, phi);
-    @?phased for (i = 0; i < @nphases; i++) {
+    @?phased for (i = 0; i < @nopen; i++) {
     @?phased     model->phases[i] = model->phases[i] + phi[rows[i]];
     @?phased }
     @?phased @?constants @m_prepare(@preparearguments);
