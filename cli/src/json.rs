@@ -113,7 +113,7 @@ pub fn explanation(e: &Explanation) -> Value {
         "couplings": named(&e.couplings),
         "teeth": e.teeth.iter().map(teeth).collect::<Value>(),
         "loads": named(&e.loads),
-        "contacts": named(&e.contacts),
+        "contacts": e.contacts.iter().map(|[name, touch]| json!({ "name": name, "touch": touch })).collect::<Vec<_>>(),
         "degrees_of_freedom": e.degrees_of_freedom,
         "gruebler": e.gruebler,
         "mobility": e.mobility,

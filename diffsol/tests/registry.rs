@@ -13,8 +13,10 @@ where
     let start = model.start();
     let inputs = |_: f64, _: &StateOf<M>| M::Inputs::from_array(Vector::zeros(M::Inputs::NAMES.len()));
     let baumgarte = Baumgarte { alpha: 10.0, beta: 10.0 };
-    let mut simulation =
-        Simulation::new(model, start.clone()).formulation(baumgarte).sampled(inputs).step(1e-5);
+    // Steel on steel, whose vibrations are shorter than what suits the others.
+    let is_stiff = ["loose_wrist", "planetary_stage", "planetary_stage_held"].contains(&name);
+    let h = if is_stiff { 5e-7 } else { 1e-5 };
+    let mut simulation = Simulation::new(model, start.clone()).formulation(baumgarte).sampled(inputs).step(h);
     let expected = simulation.advance_until(END).unwrap_or_else(|error| panic!("{name}: {error}"));
     let settings = Settings { relative: 1e-8, absolute: 1e-8, baumgarte, ..Settings::default() };
     let problem =

@@ -2,6 +2,8 @@
 //! solver, dense and sparse, against those of the emitted code, at states along the motion and with other velocities there; or the
 //! definition is refused, for the reason that stands here.
 
+#[path = "mapping/beams.rs"]
+mod beams;
 mod mapping;
 
 use linkwright::{
@@ -79,7 +81,7 @@ where
             model.internal_rates(time, &state, &given(time, &state), &a, &lambda, &mut rates);
             let efforts = model.driver_efforts(time, &state.q, &state.v, &lambda);
             let efforts: Vec<f64> = efforts.as_ref().iter().map(|[effort, _]| *effort).collect();
-            let modes = mapping::modes(coordinates, state.q.as_slice(), state.v.as_slice(), a.as_slice());
+            let modes = beams::modes(coordinates, state.q.as_slice(), state.v.as_slice(), a.as_slice());
             let expected = At {
                 time,
                 modes: &modes,
@@ -120,7 +122,7 @@ struct At<'a> {
 /// relative to the rate; or of an effort of a driver, relative to the largest.
 fn apart(name: &str, mechanism: &mut Mechanism, names: &[String], motions: &[BodyMotion], at: &At) -> f64 {
     let mut state = mapping::state(mechanism, motions, at.internal);
-    mapping::set_modes(mechanism, &mut state, at.modes);
+    beams::set_modes(mechanism, &mut state, at.modes);
     let [mut a, mut lambda] = [mechanism.velocity_count(), mechanism.row_count()].map(|n| vec![0.0; n]);
     mechanism
         .acceleration(at.time, &state.q, &state.v, at.inputs, Formulation::Lagrange, &mut a, &mut lambda)

@@ -369,8 +369,7 @@ fn emitted_paths_go_through_one_module() {
 /// 10. Reference scripts import Python's own library, NumPy, CasADi and one another, and start no program but themselves.
 #[test]
 fn reference_scripts_share_nothing() {
-    let library =
-        "argparse contextlib copy dataclasses fractions functools io json math pathlib re sys tempfile time unittest";
+    let library = "argparse contextlib copy dataclasses fractions functools io json math pathlib re sys tempfile time unittest";
     let library: Vec<&str> = library.split(' ').chain(["casadi", "numpy"]).collect();
     let scripts = files("tests/reference", "py");
     let own: Vec<&str> = scripts.iter().filter_map(|(name, _)| name.strip_suffix(".py")).collect();

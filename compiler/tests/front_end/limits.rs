@@ -135,7 +135,7 @@ fn values_places_and_attributes_out_of_bounds() {
             "this is no attribute: write a path, and behind it nothing, `(…)` or `= literal`",
         ),
         (
-            slider_crank("repeat i in 0..300 { rod more[i] { mass [kg] = 1; length [m] = 1; } }"),
+            slider_crank("repeat i in 0..2100 { rod more[i] { mass [kg] = 1; length [m] = 1; } }"),
             ", and the equations of all are written out in full; take a smaller mechanism",
         ),
         (

@@ -1,7 +1,7 @@
 //! Contacts that yield, against closed forms and separate integrations: balls that bounce, the restitution that was asked for, places and
 //! directions of forces, a cross that falls, a hammer at a wall, a pin with play.
 
-use linkwright::{Assemble, DormandPrince, Rk4, Sample, Simulation, StateOf, Vector};
+use linkwright::{Assemble, DormandPrince, Rk4, Sample, Simulation, StateOf};
 use linkwright_models::bouncing_ball::{BouncingBall, BouncingBallOfHuntAndCrossley};
 use linkwright_models::falling_cross::FallingCross;
 use linkwright_models::hammer_at_wall::HammerAtWall;
