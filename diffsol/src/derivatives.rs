@@ -114,6 +114,7 @@ pub struct Linearised<M: Tangent<f64>> {
     jacobian: M::Jacobian,
     input: M::InputTangent,
     internal: M::InternalTangent,
+    friction: M::FrictionTangent,
     internal_rates: M::InternalRateTangent,
 }
 
@@ -149,6 +150,7 @@ impl<M: Tangent<f64>> Derivatives<M> for Exact {
             jacobian: model.zero_jacobian(),
             input: model.zero_input_tangent(),
             internal: model.zero_internal_tangent(),
+            friction: model.zero_friction_tangent(),
             internal_rates: model.zero_internal_rate_tangent(),
         };
         model.tangent(time, state, &u, &at.a, &at.lambda, &mut at.stiffness, &mut at.damping);
@@ -157,6 +159,7 @@ impl<M: Tangent<f64>> Derivatives<M> for Exact {
         model.constraint_jacobian(time, q, &mut at.jacobian);
         model.input_tangent(time, state, &u, &mut at.input);
         model.internal_tangent(time, state, &u, &mut at.internal);
+        model.friction_tangent(time, state, &u, &at.a, &at.lambda, &mut at.friction);
         model.internal_rate_tangent(time, state, &u, &at.a, &at.lambda, &mut at.internal_rates);
         Some(at)
     }
@@ -187,6 +190,18 @@ impl<M: Tangent<f64>> Derivatives<M> for Exact {
             du = after.plus(-1.0, &before).scaled(scale);
             add_product(model.input_pattern(), &at.input, 1.0, &du, &mut forces);
         }
+        let (inputs, first) = (model.input_names().len(), model.input_names().len() + model.row_count());
+        for (&(row, column), entry) in model.friction_pattern().iter().zip(at.friction.as_slice()) {
+            let column = usize::from(column);
+            let by = if column < inputs {
+                du.as_slice()[column]
+            } else if (first..first + model.internal_count()).contains(&column) {
+                dz.as_slice()[column - first]
+            } else {
+                continue;
+            };
+            forces.as_mut_slice()[usize::from(row)] += entry * by;
+        }
         let (a, lambda) = at.response(equations.model(), &forces, &rows);
         let increments =
             [dq.as_slice(), dv.as_slice(), du.as_slice(), lambda.as_slice(), dz.as_slice(), a.as_slice()];
@@ -199,7 +214,8 @@ impl<M: Tangent<f64>> Linearised<M> {
     /// −K⁻¹ (∂r, ∂(rows)).
     fn response(&self, model: &M, forces: &M::V, rows: &M::Lambda) -> (M::V, M::Lambda) {
         let (mut a, mut lambda) = (model.zero_v(), model.zero_lambda());
-        model.solve(&self.store, &forces.scaled(-1.0), &rows.scaled(-1.0), &mut a, &mut lambda);
+        let (forces, rows) = (forces.scaled(-1.0), rows.scaled(-1.0));
+        model.solve_rubbing(&self.store, &self.friction, &forces, &rows, &mut a, &mut lambda);
         (a, lambda)
     }
 

@@ -10,6 +10,9 @@ use crate::mechanism::{Formulation, Mechanism, State, check_length};
 use crate::row::{Equation, Phase};
 use crate::system::largest;
 
+/// The most solutions for friction.
+const MOST_PASSES: usize = 200;
+
 impl Mechanism {
     /// v̇ and λ at a state: of M v̇ + Dᵀ λ = Q and D v̇ = γ, with Baumgarte's terms where the formulation has them.
     ///
@@ -35,6 +38,7 @@ impl Mechanism {
         check_length("multipliers", lambda.len(), self.definition.rows.len())?;
         check_finite("an input", inputs)?;
         self.evaluate_rows(time, q, v)?;
+        self.at.multipliers.clear();
         let Mechanism { definition, coordinates, system, at, work, .. } = self;
         system.evaluate_forces(definition, coordinates, at, inputs);
         if !system.forces.iter().all(|force| force.is_finite()) {
@@ -53,7 +57,35 @@ impl Mechanism {
         let Mechanism { system, work, .. } = self;
         work.upper.copy_from_slice(&system.forces);
         let solved = system.solve(&work.upper, &work.lower, a, lambda);
-        solved.map_err(|_| self.singular())
+        solved.map_err(|_| self.singular())?;
+        if !self.definition.loads.iter().any(|load| matches!(load.acts, Acts::Friction(_))) {
+            return Ok(());
+        }
+        self.rub(inputs, a, lambda)
+    }
+
+    /// The same with the friction that the multipliers make, again and again.
+    fn rub(&mut self, inputs: &[f64], a: &mut [f64], lambda: &mut [f64]) -> Result<(), Error> {
+        let mut last = f64::INFINITY;
+        for _ in 0..MOST_PASSES {
+            self.at.multipliers.clear();
+            self.at.multipliers.extend_from_slice(lambda);
+            let before = a.to_vec();
+            let Mechanism { definition, coordinates, system, at, work, .. } = self;
+            system.evaluate_forces(definition, coordinates, at, inputs);
+            work.upper.copy_from_slice(&system.forces);
+            let solved = system.solve(&work.upper, &work.lower, a, lambda);
+            solved.map_err(|_| self.singular())?;
+            let change = a.iter().zip(&before).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
+            // To rounding, below which it only moves to and fro.
+            if change <= 1e-15 * largest(a) || change >= last && change <= 1e-12 * largest(a) {
+                break;
+            }
+            last = change;
+        }
+        self.at.multipliers.clear();
+        self.at.multipliers.extend_from_slice(lambda);
+        Ok(())
     }
 
     /// ż of the internal states at a state with its multipliers, which [`acceleration`](Mechanism::acceleration) gives, in their SI units

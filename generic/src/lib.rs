@@ -80,6 +80,7 @@ mod energy;
 mod error;
 mod evaluation;
 mod expression;
+mod friction;
 mod json;
 mod kinematics;
 mod law;

@@ -1,5 +1,6 @@
 //! Loads: forces and torques on the bodies, by their laws. Gravity and gyroscopic torques are in `system`.
 
+use crate::friction::Friction;
 use crate::kinematics::{Kinematics, Place};
 use crate::law::{Law, Scratch};
 use crate::mesh::Mesh;
@@ -35,6 +36,8 @@ pub(crate) enum Acts {
     Cable(Box<Cable>),
     /// Teeth that give.
     Mesh(Box<Mesh>),
+    /// Against the sliding in a joint, by what its multipliers press.
+    Friction(Box<Friction>),
 }
 
 /// One of the ways that a bushing is moved or turned, f = Σ factor · quantity.
@@ -138,6 +141,7 @@ impl Load {
             }
             Acts::Cable(cable) => cable.evaluate(at, inputs, scratch, add),
             Acts::Mesh(mesh) => mesh.evaluate(at, inputs, scratch, add),
+            Acts::Friction(friction) => friction.evaluate(at, inputs, scratch, add),
         }
     }
 }
@@ -166,6 +170,7 @@ impl Load {
                 };
                 ways.iter().map(power).sum()
             }
+            Acts::Friction(friction) => friction.power(at, inputs, scratch),
             Acts::Force { place, .. } | Acts::Directed { place, .. } if place.body.is_none() => {
                 let mut force = [0.0; 3];
                 self.evaluate(at, inputs, scratch, |pull| force = pull.linear);

@@ -112,6 +112,28 @@ pub trait Mechanism<R: Real>: Variables<R> {
     fn gamma(&self, time: R, q: &Self::Q, v: &Self::V, gamma: &mut Self::Lambda);
     /// Q(t, q, v, z, u) of M v̇ + Dᵀ λ = Q: applied, gravity and gyroscopic forces.
     fn forces(&self, time: R, state: &StateOf<Self, R>, u: &Self::Inputs, forces: &mut Self::V);
+    /// Whether friction follows from reactions: the equations are then M v̇ + Dᵀ λ = Q + Q_f(v̇, λ), with Q_f by
+    /// [`friction_forces`](Mechanism::friction_forces).
+    #[inline(always)]
+    fn rubs(&self) -> bool {
+        false
+    }
+    /// Q_f(t, q, v, z, u, v̇, λ), friction by the reactions that v̇ and λ make, in N or N·m of each velocity. `a` and `lambda` need not solve
+    /// anything.
+    #[inline]
+    #[allow(clippy::too_many_arguments)]
+    fn friction_forces(
+        &self,
+        time: R,
+        state: &StateOf<Self, R>,
+        u: &Self::Inputs,
+        a: &Self::V,
+        lambda: &Self::Lambda,
+        forces: &mut Self::V,
+    ) {
+        let _ = (time, state, u, a, lambda);
+        forces.as_mut_slice().fill(R::ZERO);
+    }
     /// ½ vᵀ M v, J.
     fn kinetic_energy(&self, time: R, q: &Self::Q, v: &Self::V) -> R;
     /// The energy of gravity and springs, J.

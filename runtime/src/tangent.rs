@@ -12,8 +12,11 @@ use crate::fields::Fields;
 use crate::mechanism::Assemble;
 use crate::real::Real;
 use crate::state::StateOf;
-use crate::vector::Vector;
+use crate::vector::{Vector, at, put};
 use core::fmt::Debug;
+
+/// The most linear solutions for a response with friction.
+const MOST_SOLUTIONS: usize = 200;
 
 /// The derivatives of the equations of motion, evaluated in the scalars `R`.
 ///
@@ -48,6 +51,11 @@ pub trait Tangent<R: Real>: Assemble<R, Inputs: Fields<R>, Outputs: Fields<R>> {
     fn internal_pattern(&self) -> &[(u16, u16)] {
         &[]
     }
+    /// Entries of ∂(−Q_f)/∂(u, λ, z, a), n_v × (n_u + m + n_z + n_v).
+    #[inline]
+    fn friction_pattern(&self) -> &[(u16, u16)] {
+        &[]
+    }
     /// Entries of the derivatives by parameters, (n_v + 3m + n_y + 2n_z) × n_p: rows of r, D a − γ, D v − ν, Φ, outputs, ż,
     /// and z at the start.
     fn parameter_pattern(&self) -> &[(u16, u16)];
@@ -75,6 +83,8 @@ pub trait Tangent<R: Real>: Assemble<R, Inputs: Fields<R>, Outputs: Fields<R>> {
     type InputTangent: Vector<R>;
     /// The stored entries of ∂r/∂z; `()` where there are no internal states.
     type InternalTangent: Vector<R>;
+    /// The stored entries of ∂(−Q_f)/∂(u, λ, z, a); `()` where nothing rubs by reactions.
+    type FrictionTangent: Vector<R>;
     /// The stored entries of the derivatives by parameters.
     type ParameterTangent: Vector<R>;
     /// The stored entries of the outputs' derivatives.
@@ -159,6 +169,63 @@ pub trait Tangent<R: Real>: Assemble<R, Inputs: Fields<R>, Outputs: Fields<R>> {
         internal: &mut Self::InternalTangent,
     ) {
         let _ = (time, state, u, internal);
+    }
+    /// ∂(−Q_f)/∂(u, λ, z, a) of friction by reactions, which [`input_tangent`](Tangent::input_tangent) and
+    /// [`internal_tangent`](Tangent::internal_tangent) leave out; ∂r/∂q and ∂r/∂v have it.
+    #[inline]
+    #[allow(clippy::too_many_arguments)]
+    fn friction_tangent(
+        &self,
+        time: R,
+        state: &StateOf<Self, R>,
+        u: &Self::Inputs,
+        a: &Self::V,
+        lambda: &Self::Lambda,
+        friction: &mut Self::FrictionTangent,
+    ) {
+        let _ = (time, state, u, a, lambda, friction);
+    }
+    /// a and λ of M a + Dᵀ λ + ∂(−Q_f)/∂(λ, a) (λ, a) = `forces`, D a = `rows`, with the factor of K(0) in `store`: one solution after the
+    /// other, each with the friction of the one before.
+    #[doc(hidden)]
+    fn solve_rubbing(
+        &self,
+        store: &Self::Store,
+        friction: &Self::FrictionTangent,
+        forces: &Self::V,
+        rows: &Self::Lambda,
+        a: &mut Self::V,
+        lambda: &mut Self::Lambda,
+    ) {
+        self.solve(store, forces, rows, a, lambda);
+        if !self.rubs() {
+            return;
+        }
+        let first = self.input_names().len();
+        let [internal, own] =
+            [self.row_count(), self.row_count() + self.internal_count()].map(|it| first + it);
+        for _ in 0..MOST_SOLUTIONS {
+            let mut rest = forces.clone();
+            for (&entry, &(row, column)) in friction.as_slice().iter().zip(self.friction_pattern()) {
+                let (row, column) = (usize::from(row), usize::from(column));
+                let by = if (first..internal).contains(&column) {
+                    at(lambda.as_slice(), column - first)
+                } else if column >= own {
+                    at(a.as_slice(), column - own)
+                } else {
+                    continue;
+                };
+                let left = at(rest.as_slice(), row) - entry * by;
+                put(rest.as_mut_slice(), row, left);
+            }
+            let before = a.clone();
+            self.solve(store, &rest, rows, a, lambda);
+            let change = a.plus(-R::ONE, &before).max_abs();
+            // Written so that a NaN ends it.
+            if !R::any(change.greater(R::from_f64(4.0) * R::EPSILON * a.max_abs())) {
+                break;
+            }
+        }
     }
     /// The derivatives of r, D a − γ, D v − ν, Φ and, at given a and λ, the outputs, ż, and z at the start by the parameters. The phases of gears and racks
     /// that take them from the start are held, and so is the position, though another start would be assembled. A value that depends on
@@ -253,6 +320,11 @@ pub trait Tangent<R: Real>: Assemble<R, Inputs: Fields<R>, Outputs: Fields<R>> {
     #[inline]
     fn zero_internal_rate_tangent(&self) -> Self::InternalRateTangent {
         Vector::zeros(self.internal_rate_pattern().len())
+    }
+    /// Zeros for the entries of [`FrictionTangent`](Tangent::FrictionTangent).
+    #[inline]
+    fn zero_friction_tangent(&self) -> Self::FrictionTangent {
+        Vector::zeros(self.friction_pattern().len())
     }
     /// Zeros for the entries of [`ParameterTangent`](Tangent::ParameterTangent).
     #[inline]

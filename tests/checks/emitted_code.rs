@@ -85,6 +85,9 @@ fn emitted<M: Model>(model: &M, inputs: &Inputs, function: Function) -> Option<V
         Function::Nu => written(model.zero_lambda(), |out| model.nu(t, q, out)),
         Function::Gamma => written(model.zero_lambda(), |out| model.gamma(t, q, v, out)),
         Function::Forces => written(model.zero_v(), |out| model.forces(t, state, u, out)),
+        Function::FrictionForces => {
+            written(model.zero_v(), |out| model.friction_forces(t, state, u, &a, &lambda, out))
+        }
         Function::KineticEnergy => vec![model.kinetic_energy(t, q, v)],
         Function::PotentialEnergy => vec![model.potential_energy(t, state)],
         Function::Acceleration => solution(&|a, lambda| model.acceleration(t, state, u, a, lambda)),
@@ -136,6 +139,7 @@ fn emitted<M: Model>(model: &M, inputs: &Inputs, function: Function) -> Option<V
         | Function::RateTangent
         | Function::InputTangent
         | Function::InternalTangent
+        | Function::FrictionTangent
         | Function::InternalRateTangent
         | Function::ParameterTangent
         | Function::OutputTangent
@@ -248,6 +252,10 @@ fn emitted_tangents_are_the_programs<M: Model + Tangent<f64>>() {
         check(
             Function::InternalTangent,
             written(model.zero_internal_tangent(), |out| model.internal_tangent(t, state, u, out)),
+        );
+        check(
+            Function::FrictionTangent,
+            written(model.zero_friction_tangent(), |out| model.friction_tangent(t, state, u, a, lambda, out)),
         );
         check(
             Function::InternalRateTangent,

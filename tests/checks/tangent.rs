@@ -57,6 +57,9 @@ enum By {
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum Of {
     Residual,
+    /// The same without friction by reactions, and that with the other sign.
+    WithoutFriction,
+    Friction,
     Accelerations,
     Rates,
     Constraints,
@@ -128,15 +131,20 @@ impl<'a> Checked<'a> {
         ];
         let rest: [(Function, &[Of], &[By], &Matrix); 7] = [
             (Function::RateTangent, &[Of::Rates], &positions, &tangents.rate),
-            (Function::InputTangent, &[Of::Residual], &all[2 * n..2 * n + inputs], &tangents.input),
+            (Function::InputTangent, &[Of::WithoutFriction], &all[2 * n..2 * n + inputs], &tangents.input),
             (Function::ParameterTangent, &designed, &parameters, &tangents.parameter),
-            (Function::InternalTangent, &[Of::Residual], &internal, &tangents.internal),
+            (Function::InternalTangent, &[Of::WithoutFriction], &internal, &tangents.internal),
             (Function::OutputTangent, &[Of::Outputs], &all, &tangents.output),
             (Function::InternalRateTangent, &[Of::InternalRates], &all, &tangents.internal_rate),
             (Function::CoordinateTangent, &[Of::Coordinates], &state, &tangents.coordinate),
         ];
         for (function, of, by, matrix) in rest {
             self.compare(point, of, by, matrix, &self.run(function, point));
+        }
+        if !e.friction.is_none() {
+            let by = &all[2 * n..];
+            let values = self.run(Function::FrictionTangent, point);
+            self.compare(point, &[Of::Friction], by, &tangents.friction, &values);
         }
     }
 
@@ -215,14 +223,26 @@ impl<'a> Checked<'a> {
             add_product(constant, &rows, &jacobian, x)
         };
         match of {
-            Of::Residual => {
+            Of::Residual | Of::WithoutFriction => {
                 let mut residual = self.run(Function::InverseDynamics, point);
                 let jacobian = self.run(Function::ConstraintJacobian, point);
                 for ((row, column), entry) in places(&rows).into_iter().zip(jacobian) {
                     residual[column] += entry * point.lambda[row];
                 }
+                // Of a tree inverse dynamics has friction.
+                let friction = self.friction(point);
+                let sign = match (of, e.rows.is_empty()) {
+                    (Of::Residual, false) => -1.0,
+                    (Of::WithoutFriction, true) => 1.0,
+                    _ => 0.0,
+                };
+                residual
+                    .iter_mut()
+                    .zip(friction)
+                    .for_each(|(residual, friction)| *residual += sign * friction);
                 residual
             }
+            Of::Friction => self.friction(point).into_iter().map(|force| -force).collect(),
             Of::Accelerations => of_rows(Function::Gamma, -1.0, &point.acceleration),
             Of::Rates => of_rows(Function::Nu, -1.0, &point.v),
             Of::Constraints => self.run(Function::Constraints, point),
@@ -247,6 +267,14 @@ impl<'a> Checked<'a> {
 }
 
 impl Checked<'_> {
+    /// Q_f.
+    fn friction(&self, point: &Inputs) -> Vec<f64> {
+        match self.compiled.complete.equations.friction.is_none() {
+            true => vec![0.0; point.v.len()],
+            false => self.run(Function::FrictionForces, point),
+        }
+    }
+
     /// Values of results, with v̇ and λ as given.
     fn on_graph(&self, results: &[Node], point: &Inputs) -> Vec<f64> {
         let sources = schedule::sources(&self.compiled.complete).into_iter();

@@ -9,7 +9,8 @@ place's body turn λ into the wrench −D₂ᵀ λ about that body's centre, whi
 import casadi as ca
 import numpy as np
 
-from coordinate_set import equations_evaluator, given
+import friction
+from coordinate_set import equations_evaluator, given, symbols
 from expressions import evaluate
 from magnitude import Evaluator
 
@@ -62,6 +63,14 @@ class AbsoluteSystem:
         q, v, a = self.kinematics.from_bodies(bodies, angles, modes)
         results = self.evaluator(*given(states), q, v)
         return {name: result.dense() for name, result in results.items()}, v, a
+
+    def pressing(self, states, bodies, angles, reactions):
+        """The forces that press surfaces together, by the reactions."""
+        q, v, _ = self.coordinates(states, bodies, angles)
+        return friction.Pressing(self.kinematics, symbols(self.model))(given(states), q, v, reactions)
+
+    def coordinates(self, states, bodies, angles):
+        return self.kinematics.from_bodies(bodies, angles)
 
     def multipliers(self, quantities, reactions, couplings):
         """λ of all rows from reactions (states, joints, [fx fy τ]); second: what no row of a joint can transmit."""

@@ -30,13 +30,15 @@ class ConsistentCheck:
         self.driver_powers = column(states, "driver_powers", self.system.drivers)
         self.powers = column(states, "powers", len(absolute.loads))
 
-        # The reference's own view of the same states.
-        self.quantities = own.evaluate(self.states)
         self.bodies, self.body_scale = own.bodies(self.states, self.acceleration)
         angles = own.layout.angle_values(self.states["q"])
         placed = self.bodies.copy()
         accelerations = list(self.motion.groups["accelerations"])
         placed[:, :, accelerations] = self.given_bodies[:, :, accelerations]
+        if model.normals.numel():
+            self.states["normals"] = self.system.pressing(self.states, placed, angles, self.reactions)
+        # The reference's own view of the same states.
+        self.quantities = own.evaluate(self.states)
         self.absolute, self.v, self.a = self.system_state(placed, angles)
         self.multipliers, self.leftover = self.system.multipliers(self.absolute, self.reactions, self.couplings)
         self.absolute_equations, self.own_equations = (

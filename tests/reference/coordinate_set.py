@@ -101,7 +101,7 @@ class CoordinateSet:
 
 
 def equations_evaluator(equations, further=None, evaluator_of=Evaluator):
-    """All compared quantities of `Energies` as functions of (p, t, u, phases, z, efforts, q, v)."""
+    """All compared quantities of `Energies` as functions of (p, t, u, phases, z, efforts, normals, q, v)."""
     outputs = {name: getattr(equations, name) for name in (*VECTORS, *SCALARS, *MATRICES)}
     kinematics = equations.kinematics
     arguments = [*symbols(equations.model), kinematics.q, kinematics.v]
@@ -109,8 +109,8 @@ def equations_evaluator(equations, further=None, evaluator_of=Evaluator):
 
 
 def symbols(model):
-    return [model.p, model.time, model.u, model.phases, model.z, model.efforts]
+    return [model.p, model.time, model.u, model.phases, model.z, model.efforts, model.normals]
 
 
 def given(states):
-    return [states[name] for name in ("parameters", "time", "inputs", "phases", "z", "efforts")]
+    return [states[name] for name in ("parameters", "time", "inputs", "phases", "z", "efforts", "normals")]

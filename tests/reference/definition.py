@@ -11,6 +11,7 @@ import casadi as ca
 import numpy as np
 
 import expressions
+import friction
 import gears
 import hysteresis
 from beams import Beam
@@ -81,6 +82,7 @@ class Model:
         self.rates = {rate["name"]: rate["value"] for rate in definition.get("rates", [])}
         self.z = ca.SX.sym("z", len(self.states))
         self.efforts = ca.SX.sym("effort", len(definition["drivers"]) if self.states else 0)
+        self.normals = ca.SX.sym("normal", len(friction.rubbing(definition)))
         self.values = {"time": self.time}
         for index, parameter in enumerate(definition["parameters"]):
             self.values[parameter["name"]] = self.p[index]

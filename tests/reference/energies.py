@@ -16,6 +16,7 @@ import casadi as ca
 import cables
 import contacts
 import expressions
+import friction
 import hysteresis
 import meshes
 from expressions import evaluate
@@ -130,7 +131,7 @@ class Energies:
                 continue
             energy -= body.mass * ca.dot(self.model.gravity, pose.position)
         for load in self.model.definition["loads"]:
-            if load["kind"] in (*hysteresis.KINDS, "cable"):
+            if load["kind"] in (*hysteresis.KINDS, *friction.KINDS, "cable"):
                 continue
             if load["kind"] == "mesh":
                 continue
@@ -259,6 +260,9 @@ class Energies:
             way = evaluate(load["expression"], kinematics)
             resisted = -self._hysteresis(load)[0]
             return Load(name, kinematics.rate(way), kinematics.explicit_rate(way), resisted, ca.SX(0))
+        if kind in friction.KINDS:
+            rates, acting = friction.efforts(load, kinematics)
+            return Load(name, rates, ca.SX.zeros(rates.numel()), acting, ca.SX.zeros(rates.numel()))
         if kind == "cable":
             # What changes the cable's own length with time alone is no motion of the mechanism.
             run, own = cables.length(load, kinematics), cables.own_length(load, kinematics)

@@ -41,6 +41,9 @@ class SpaceAbsoluteSystem(AbsoluteSystem):
         results = self.evaluator(*given(states), q, v)
         return {name: result.dense() for name, result in results.items()}, v, a
 
+    def coordinates(self, states, bodies, angles):
+        return self.kinematics.from_bodies(states, bodies, angles)
+
     def reactions(self, quantities, multipliers):
         """(states, joints, [force, torque about the second place]) from λ of all rows."""
         jacobian = quantities["jacobian"][0]

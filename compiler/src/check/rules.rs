@@ -375,7 +375,7 @@ pub(super) fn touched(mechanism: &Mechanism) -> Vec<bool> {
             Subject::Place(place) => touch(&mut touched, place.frame),
             Subject::Rotor(rotor) => touch_rotor(&mut touched, *rotor),
             // The bodies of a joint have been touched by it.
-            Subject::Travel(_) => {}
+            Subject::Travel(_) | Subject::Bearing(..) => {}
             Subject::Body(body) => touch(&mut touched, Frame::Body(*body)),
             Subject::Toothing(id) => touch(&mut touched, Frame::Body(id.body)),
             Subject::Expression(expr, _) => expr.quantities(&mut |quantity| {

@@ -204,7 +204,7 @@ fn nothing_moved(mechanism: &Mechanism, load: &Load, rigid: &Groups, parallel: &
             still.then(|| messages::torque_on_held(name, body(*id)))
         }
         Subject::Rotor(Rotor::Joint(id, _)) => locked(mechanism, name, *id, parallel),
-        Subject::Travel(id) => locked(mechanism, name, *id, rigid),
+        Subject::Travel(id) | Subject::Bearing(id, _) => locked(mechanism, name, *id, rigid),
         // Its derivative says so, and the compiler leaves out what is zero.
         Subject::Expression(..) => None,
         Subject::Toothing(id) => {

@@ -39,6 +39,9 @@ pub fn mechanism(text: &mut String, emitter: &Emitter) {
     if compiled.complete.further.leads {
         tables::method(text, "null_space_first", "bool", "true");
     }
+    if !compiled.complete.equations.friction.is_none() {
+        tables::method(text, "rubs", "bool", "true");
+    }
     functions(text, &mut helpers, emitter, Interface::Mechanism);
     if mechanism.states.is_empty() {
         let _ = writeln!(

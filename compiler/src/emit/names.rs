@@ -187,7 +187,7 @@ pub fn inner(name: &str) -> String {
 
 /// Types, traits and variants that implementations have in scope: short names of arrays, what the runtime exports to
 /// emitted code, the prelude.
-const IN_SCOPE: [&str; 120] = [
+const IN_SCOPE: [&str; 121] = [
     "Constants",
     "Phases",
     "Q",
@@ -212,6 +212,7 @@ const IN_SCOPE: [&str; 120] = [
     "RateTangent",
     "InputTangent",
     "InternalTangent",
+    "FrictionTangent",
     "InternalRateTangent",
     "ParameterTangent",
     "OutputTangent",

@@ -34,7 +34,11 @@ pub fn tangent(aliases: &mut String, text: &mut String, emitter: &Emitter) {
         DERIVATIVES.iter().map(|matrix| (matrix.name, emitter.compiled.entries(Shape::Matrix(matrix))));
     let arrays: Vec<(&str, usize)> = sparse.chain(dense).collect();
     // Where nothing is to be differentiated `()` stands for the entries.
-    let has = |name: &str| internal > 0 || !name.starts_with("Internal");
+    let rubs = !emitter.compiled.complete.equations.friction.is_none();
+    let has = |name: &str| match name {
+        "FrictionTangent" => rubs,
+        name => internal > 0 || !name.starts_with("Internal"),
+    };
     for (alias, length) in arrays.iter().filter(|(alias, _)| has(alias)) {
         let _ = writeln!(aliases, "type {alias}<R> = [R; {length}];");
     }

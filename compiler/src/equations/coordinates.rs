@@ -243,6 +243,8 @@ pub struct Symbols {
     /// v̇ and λ, for functions that take them as given.
     pub acceleration: Vec<Node>,
     pub lambda: Vec<Node>,
+    /// The forces that press surfaces together by reactions; what is emitted has none of them.
+    pub normals: Vec<Node>,
 }
 
 /// New symbols for everything the equations depend on.
@@ -271,5 +273,6 @@ pub fn symbols(g: Sheet, mechanism: &Mechanism, layout: &Layout) -> Symbols {
         compliance: symbol("compliance", Class::Input),
         acceleration: named(acceleration_names, Class::Input),
         lambda: Vec::new(),
+        normals: Vec::new(),
     }
 }

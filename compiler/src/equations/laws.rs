@@ -3,7 +3,7 @@
 use super::coordinates::{Layout, Symbols};
 use super::jet::{Jet, Moving};
 use super::kinematics::Kinematics;
-use super::{Wrench, loads, look_up, plane, space};
+use super::{Wrench, friction, loads, look_up, plane, space};
 use crate::model::{
     Comparison, Condition, Coordinate, Expr, Function1, Function2, JointId, Load, Mechanism, Place, Quantity,
     ReactionPart, Rotor, Vector,
@@ -310,6 +310,7 @@ impl<'a> Laws<'a> {
             Quantity::OfTeeth(load, part) => {
                 plane::loads::of_teeth(self, &self.mechanism.loads[load.0], *part)
             }
+            Quantity::Pressing(load) => friction::pressed(self, &self.mechanism.loads[load.0]),
             Quantity::ConstraintEffort(constraint) => total(self.totals.constraint_efforts.get(constraint.0)),
             Quantity::Reaction(joint, part) => self.reaction(*joint, *part),
             Quantity::KineticEnergy => total(self.totals.kinetic.as_ref()),

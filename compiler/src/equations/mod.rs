@@ -11,6 +11,7 @@ pub mod bodies;
 pub mod conditions;
 pub mod coordinates;
 pub mod couplings;
+mod friction;
 mod jet;
 mod kinematics;
 mod laws;
@@ -26,6 +27,7 @@ pub mod toothings;
 
 pub use conditions::{Condition, Conditions, StartTarget};
 pub use coordinates::{Ball, Layout, Linear, MultiTurn, Owner, Rotation, Symbols};
+pub use friction::{Friction, closed};
 pub use jet::{Jet, Moving};
 pub use kinematics::Kinematics;
 pub use laws::{Laws, Totals, power};
@@ -132,6 +134,8 @@ pub struct Equations {
     pub contributions: Contributions,
     /// M v̇ − Q with v̇ as given.
     pub inverse: Vec<Node>,
+    /// The same less what rubs by reactions, where these follow from v̇: of a tree. Where there are rows λ is open, and it is left out.
+    pub inverse_dynamics: Vec<Node>,
     pub rows: Vec<Row>,
     /// Rows that are kept though others fix what they fix: their multipliers are zero.
     pub idle: BTreeSet<usize>,
@@ -153,6 +157,8 @@ pub struct Equations {
     pub reactions: Vec<Wrench>,
     /// With v̇ and λ as given.
     pub outputs: Vec<Node>,
+    /// What rubs by reactions.
+    pub friction: Friction,
     /// ż of the internal states, likewise, and their values at the start.
     pub internal_rates: Vec<Node>,
     pub internal_starts: Vec<Node>,
@@ -199,6 +205,7 @@ pub fn derive(mechanism: &Mechanism, tree: SpanningTree, omitted: &Omitted) -> E
         .map(|name| g.symbol(name, Class::Input).bare)
         .collect();
     symbols.lambda = lambda;
+    symbols.normals = friction::symbols(g, mechanism);
     let laws = Laws::moving(g, mechanism, &symbols, &layout, &kinematics);
 
     // Inertia, gravity and loads.
@@ -253,6 +260,8 @@ pub fn derive(mechanism: &Mechanism, tree: SpanningTree, omitted: &Omitted) -> E
     }
     totals.reactions.clone_from(&reactions);
     let outputs_laws = laws.with_totals(&totals);
+    let forces = all_bare(&forces);
+    let friction = friction::friction(&laws, &forces, &reactions);
     let outputs: Vec<Node> =
         mechanism.outputs.iter().map(|output| outputs_laws.value(&output.value).bare).collect();
 
@@ -274,10 +283,10 @@ pub fn derive(mechanism: &Mechanism, tree: SpanningTree, omitted: &Omitted) -> E
     let nu = rows.iter().map(|row| (-g.on(row.jet.drift)).bare).collect();
     let gamma = rows.iter().map(|row| (-g.on(row.jet.bias)).bare).collect();
     let (zero, one) = (g.zero().bare, g.one().bare);
-    let (forces, inverse) = (all_bare(&forces), all_bare(&inverse));
+    let inverse = all_bare(&inverse);
     let mass = mass.into_iter().map(|(at, entry)| (at, entry.bare)).collect();
     let (kinetic_energy, potential_energy) = (kinetic_energy.bare, potential_energy.bare);
-    Equations {
+    let equations = Equations {
         nu,
         gamma,
         zero,
@@ -287,12 +296,14 @@ pub fn derive(mechanism: &Mechanism, tree: SpanningTree, omitted: &Omitted) -> E
         distributions,
         forces,
         contributions,
+        inverse_dynamics: inverse.clone(),
         inverse,
         idle: idle(&rows, omitted, keeps),
         rows,
         kinetic_energy,
         potential_energy,
         powers,
+        friction,
         driver_efforts: totals.efforts,
         driver_powers: totals.driver_powers,
         motions,
@@ -309,7 +320,8 @@ pub fn derive(mechanism: &Mechanism, tree: SpanningTree, omitted: &Omitted) -> E
         layout,
         kinematics,
         graph,
-    }
+    };
+    equations.without_normals()
 }
 
 /// ż of an internal state.
@@ -346,6 +358,42 @@ fn idle(rows: &[Row], omitted: &Omitted, keeps: bool) -> BTreeSet<usize> {
 }
 
 impl Equations {
+    /// With N in v̇ and λ wherever results stand, and without it in Q: what rubs by N is `friction.forces`.
+    fn without_normals(mut self) -> Self {
+        if self.friction.is_none() {
+            return self;
+        }
+        let (results, none) = (self.friction.in_results(), self.friction.without(self.graph.sheet()));
+        {
+            let sheet = self.graph.sheet();
+            let replace = |nodes: &mut [Node], by: &BTreeMap<Node, Node>| {
+                let replaced = sheet.graph().substitute(nodes, by);
+                nodes.copy_from_slice(&replaced);
+            };
+            replace(&mut self.forces, &none);
+            replace(&mut self.inverse, &none);
+            replace(&mut self.powers, &results);
+            replace(&mut self.outputs, &results);
+            replace(&mut self.internal_rates, &results);
+            replace(&mut self.driver_efforts, &results);
+            replace(&mut self.driver_powers, &results);
+            self.reactions.iter_mut().for_each(|wrench| replace(wrench, &results));
+            self.contributions.loads.iter_mut().for_each(|load| replace(load, &results));
+        }
+        self.inverse_dynamics.clone_from(&self.inverse);
+        if self.rows.is_empty() {
+            let g = self.graph.sheet();
+            let inverse = self.inverse.iter().zip(&self.friction.forces);
+            self.inverse_dynamics = inverse.map(|(inverse, force)| (g.on(*inverse) - *force).bare).collect();
+        }
+        self
+    }
+
+    /// v̇, then λ: what results depend on.
+    pub fn results(&self) -> impl Iterator<Item = Node> {
+        self.symbols.acceleration.iter().chain(&self.symbols.lambda).copied()
+    }
+
     /// Rows of the couplings whose phase comes from the assembled start.
     pub fn open_rows(&self, mechanism: &Mechanism) -> Vec<usize> {
         let is_open = |row: &Row| match row.origin {

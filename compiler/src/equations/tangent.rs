@@ -35,6 +35,8 @@ pub struct Tangents {
     pub rate: Matrix,
     /// ∂r/∂z of the internal states.
     pub internal: Matrix,
+    /// ∂(−Q_f)/∂(u, λ, z, a) of friction by reactions, which `input` and `internal` leave out.
+    pub friction: Matrix,
     /// By the parameters: of r, then D a − γ, D v − ν, Φ, then the outputs, ż, and z at the start.
     pub parameter: Matrix,
     /// Of the outputs, with a and λ as given, by q, then v, u, λ, z, a.
@@ -62,8 +64,18 @@ impl Tangents {
         let differentiate = |of: &[Node], seed: &Seed| g.differentiate(of, &seed.gradients);
 
         let by_state = differentiate(&residual, &all);
-        let [stiffness, damping, input, _, internal] =
+        let [stiffness, damping, mut input, _, mut internal] =
             split(&by_state, [n, n, inputs.len(), lambda.len(), z.len()]);
+        let mut friction = Matrix::new();
+        if !equations.friction.is_none() {
+            // What functions of the state alone may say is said without friction, which takes λ and a.
+            let without = add_multipliers(g, equations, g.all(&equations.inverse));
+            let by_state = differentiate(&without, &Seed::of(g).then(inputs).then(z));
+            [input, internal] = split(&by_state, [inputs.len(), z.len()]);
+            let rubbing: Vec<Node> =
+                equations.friction.forces.iter().map(|force| (-g.on(*force)).bare).collect();
+            friction = differentiate(&rubbing, &Seed::of(g).then(inputs).then(lambda).then(z).then(a));
+        }
 
         let accelerations: Vec<Node> = rows.iter().map(|row| row.jet.acceleration(g, a).bare).collect();
         let rates: Vec<Node> = rows.iter().map(|row| row.jet.rate(g, v).bare).collect();
@@ -94,6 +106,7 @@ impl Tangents {
             row_damping,
             rate,
             internal,
+            friction,
             parameter,
             output,
             internal_rate,
@@ -103,15 +116,23 @@ impl Tangents {
     }
 }
 
-/// r = M a + Dᵀ λ − Q in symbols for a and λ.
+/// r = M a + Dᵀ λ − Q − Q_f in symbols for a and λ.
 fn residual(g: Sheet, equations: &Equations) -> Vec<Node> {
     let mut residual = g.all(&equations.inverse);
+    for (residual, friction) in residual.iter_mut().zip(&equations.friction.forces) {
+        *residual -= *friction;
+    }
+    add_multipliers(g, equations, residual)
+}
+
+/// + Dᵀ λ.
+fn add_multipliers<'g>(g: Sheet<'g>, equations: &Equations, mut to: Vec<Scalar<'g>>) -> Vec<Node> {
     for (row, lambda) in equations.rows.iter().zip(&equations.symbols.lambda) {
         for (velocity, column) in &row.jet.columns {
-            residual[*velocity] += g.on(*column) * *lambda;
+            to[*velocity] += g.on(*column) * *lambda;
         }
     }
-    all_bare(&residual)
+    all_bare(&to)
 }
 
 /// Of each symbol its derivatives by direction.

@@ -29,6 +29,8 @@ pub struct JointForm {
     pub alone: Alone,
     /// Joints that leave more freedom.
     pub freer: &'static [Freer],
+    /// What its surfaces slide on, where friction can act in it.
+    pub bearing: Option<Bearing>,
     /// What its arguments may not be, beyond their dimensions: the name of the one at fault, and why.
     pub refuses: Option<Refuses>,
 }
@@ -47,6 +49,30 @@ impl JointForm {
     /// Whether its second body is drawn as a block on a rail.
     pub fn is_block(&self) -> bool {
         self.spans == Spans::Rail && self.keeps_orientation
+    }
+}
+
+/// The surfaces of a joint that slide on each other.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Bearing {
+    /// A pin in its hole: about its one angle.
+    Pin,
+    /// Two pins that cross: about both angles.
+    Cross,
+    /// A ball in its socket: about any axis.
+    Ball,
+    /// A rail: along its travel.
+    Rail,
+    /// A rod in a sleeve: along its travel and about its angle.
+    Sleeve,
+    /// One point: along its travel.
+    Point,
+}
+
+impl Bearing {
+    /// Whether its surfaces turn on each other and do not shift: friction is then a torque, by a radius.
+    pub fn turns(self) -> bool {
+        matches!(self, Self::Pin | Self::Cross | Self::Ball)
     }
 }
 

@@ -27,6 +27,8 @@ pub struct LoadForm {
     pub turns: bool,
     /// The internal states that it has, of what it resists.
     pub owns: Option<Owned>,
+    /// Whether it is a friction: written `friction name: on(joint) = word(…);`.
+    pub rubs: bool,
     /// The name of what it exerts as one quantity, if it has one.
     pub effort: Option<&'static str>,
     /// What is possible and probably not meant, given its name and its scalar arguments as far as they are plain numbers.
@@ -61,6 +63,8 @@ pub enum Acts {
     Rotor,
     /// The one travel of a joint.
     Travel,
+    /// A joint whose surfaces slide on each other.
+    Bearing,
     /// A body that turns.
     Body,
     /// A toothing of a body.

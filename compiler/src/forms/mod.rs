@@ -15,7 +15,7 @@ mod toothing;
 pub use body::{BodyForm, Length, Moment, Outline, SECTIONS, Solid, Volume};
 pub use contact::{CONTACT_LAWS, ContactLaw, ContactLawForm, SURFACES, SurfaceForm, SurfaceKind};
 pub use coupling::{CouplingForm, Factor, Means, Proportion};
-pub use joint::{Alone, Freer, Given, JointAxes, JointForm, OfParticle, Spans, degrees_between};
+pub use joint::{Alone, Bearing, Freer, Given, JointAxes, JointForm, OfParticle, Spans, degrees_between};
 pub use load::{Acts, Law, LoadForm, Owned, Written};
 pub use row::RowForm;
 pub use table::{Interpolation, Outside};
@@ -136,6 +136,11 @@ pub enum Value {
     Way,
     /// A number of parameters: force or torque for each unit of that way.
     Stiffness,
+    /// The same, of velocities too.
+    Law(Dimension),
+    /// A number of parameters: what a friction resists with (a force or torque) or none of that, times powers of the way that it slides
+    /// and of time.
+    Along { effort: bool, way: i32, time: i32 },
     /// A number that is known at expansion and at least one.
     Exponent,
     /// The name of a table: force or torque by the way, on first loading.
@@ -194,6 +199,7 @@ impl Argument {
             Value::Direction
             | Value::RateOf { .. }
             | Value::Way
+            | Value::Along { .. }
             | Value::Stiffness
             | Value::Exponent
             | Value::Backbone
@@ -204,6 +210,7 @@ impl Argument {
             Value::Scalar(dimension)
             | Value::Moving(dimension)
             | Value::Varying(dimension)
+            | Value::Law(dimension)
             | Value::Diagonal(dimension) => Some(dimension),
         }
     }

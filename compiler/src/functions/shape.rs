@@ -127,6 +127,9 @@ pub static INPUT: Sparse = sparse("InputTangent", "input_pattern", |c| of_tangen
 /// ∂r/∂z of the internal states.
 pub static INTERNAL: Sparse =
     sparse("InternalTangent", "internal_pattern", |c| of_tangents(c, |t| &t.internal));
+/// ∂(−Q_f)/∂(u, λ, z, v̇) of friction by reactions.
+pub static FRICTION: Sparse =
+    sparse("FrictionTangent", "friction_pattern", |c| of_tangents(c, |t| &t.friction));
 /// By the parameters: of r, D v̇ − γ, D v − ν, Φ, the outputs, ż, and z at the start.
 pub static PARAMETER: Sparse =
     sparse("ParameterTangent", "parameter_pattern", |c| of_tangents(c, |t| &t.parameter));
@@ -140,7 +143,7 @@ pub static COORDINATE: Sparse =
     sparse("CoordinateTangent", "coordinate_pattern", |c| of_tangents(c, |t| &t.coordinate));
 
 /// The matrices of the trait `Tangent`.
-pub static DERIVATIVES: [&Sparse; 11] = [
+pub static DERIVATIVES: [&Sparse; 12] = [
     &STIFFNESS,
     &DAMPING,
     &ROW_STIFFNESS,
@@ -148,6 +151,7 @@ pub static DERIVATIVES: [&Sparse; 11] = [
     &RATE,
     &INPUT,
     &INTERNAL,
+    &FRICTION,
     &PARAMETER,
     &OUTPUT,
     &INTERNAL_RATE,

@@ -23,7 +23,7 @@ const MOVING: &[Argument] = &[Constants, Time, Q, V, Acceleration];
 const EVERYTHING: &[Argument] = &[Constants, Time, State, Inputs, Acceleration, Lambda];
 
 /// Every function.
-pub static FUNCTIONS: [Signature; 45] = [
+pub static FUNCTIONS: [Signature; 47] = [
     signature(
         Function::MassMatrix,
         "mass_matrix",
@@ -73,6 +73,15 @@ pub static FUNCTIONS: [Signature; 45] = [
         WITH_INPUTS,
         &[written("out", Shape::Velocities, |c| c.equations.forces.clone()).called("force_{}")],
     ),
+    signature(
+        Function::FrictionForces,
+        "friction_forces",
+        Mechanism,
+        "Q_f(t, q, v, z, u, v̇, λ): friction that follows from reactions, in M v̇ + Dᵀ λ = Q + Q_f (N or N m).",
+        EVERYTHING,
+        &[written("out", Shape::Velocities, |c| c.equations.friction.forces.clone()).called("friction_{}")],
+    )
+    .only(has_friction),
     signature(
         Function::KineticEnergy,
         "kinetic_energy",
@@ -174,7 +183,7 @@ pub static FUNCTIONS: [Signature; 45] = [
          (N m or N). Of a tree without constraints these are the efforts of its joints (inverse \
          dynamics).",
         &[Constants, Time, State, Inputs, Acceleration],
-        &[value("forces", Shape::Velocities, |c| c.equations.inverse.clone())],
+        &[value("forces", Shape::Velocities, |c| c.equations.inverse_dynamics.clone())],
     ),
     signature(
         Function::Powers,
@@ -182,7 +191,7 @@ pub static FUNCTIONS: [Signature; 45] = [
         Model,
         "Power of each load (W), in the order of `LOADS`, what springs store included.",
         WITH_INPUTS,
-        &[value("powers", Shape::Loads, |c| c.equations.powers.clone())],
+        &[value("powers", Shape::Loads, |c| c.solved.powers.clone())],
     ),
     signature(
         Function::DriverEfforts,
@@ -432,6 +441,15 @@ pub static FUNCTIONS: [Signature; 45] = [
     )
     .only(has_internal_tangent),
     signature(
+        Function::FrictionTangent,
+        "friction_tangent",
+        Tangent,
+        "∂(−Q_f)/∂(u, λ, z, v̇) of friction by reactions: the stored entries.",
+        EVERYTHING,
+        &[written("out", Shape::Matrix(&shape::FRICTION), |c| shape::FRICTION.nodes(c))],
+    )
+    .only(|c| c.tangents.is_some() && has_friction(c)),
+    signature(
         Function::ParameterTangent,
         "parameter_tangent",
         Tangent,
@@ -486,6 +504,10 @@ fn independent(complete: &Complete, of: impl Fn(&NullSpace) -> Vec<Node>) -> Vec
 
 fn targets(complete: &Complete, of: fn(&StartTarget) -> Option<Node>) -> Vec<Node> {
     complete.conditions.start.iter().map(|target| of(target).unwrap_or(complete.equations.zero)).collect()
+}
+
+fn has_friction(complete: &Complete) -> bool {
+    !complete.equations.friction.is_none()
 }
 
 fn has_internal_states(complete: &Complete) -> bool {

@@ -4,7 +4,7 @@ use super::{closest, not_there_yet, number, other_argument};
 use crate::forms::{Form, Space};
 
 /// Words of a later version.
-const LOADS_TO_COME: &[&str] = &["friction", "mesh"];
+const LOADS_TO_COME: &[&str] = &["mesh"];
 
 /// Whether a word will begin a statement in a later version.
 pub(crate) fn is_to_come(word: &str) -> bool {

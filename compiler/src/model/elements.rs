@@ -140,6 +140,8 @@ pub struct Load {
     pub states: Range<usize>,
     /// Of a load between teeth: the pair, and what its stiffness is made of.
     pub teeth: Option<Meshing>,
+    /// Of a friction by the force that presses surfaces together: which of these forces.
+    pub normal: Option<usize>,
 }
 
 /// What a load acts on.
@@ -150,6 +152,8 @@ pub enum Subject {
     Rotor(Rotor),
     /// The one travel of a joint.
     Travel(JointId),
+    /// A joint whose surfaces slide on each other, and what the way measures that they slide.
+    Bearing(JointId, Dimension),
     /// A body in space, about the axes of the world.
     Body(BodyId),
     /// An expression of positions, and what it measures.
@@ -169,6 +173,7 @@ impl Load {
             Subject::Place(place) => Some(place),
             Subject::Rotor(_)
             | Subject::Travel(_)
+            | Subject::Bearing(..)
             | Subject::Body(_)
             | Subject::Expression(..)
             | Subject::Toothing(_) => None,
@@ -186,11 +191,31 @@ impl Load {
             Subject::Travel(joint) => Some(*joint),
             Subject::Place(_)
             | Subject::Rotor(_)
+            | Subject::Bearing(..)
             | Subject::Body(_)
             | Subject::Expression(..)
             | Subject::Toothing(_) => None,
         });
         travel.expect("the form says so")
+    }
+
+    /// The joint that it acts in, if it is a friction.
+    pub fn bearing(&self) -> Option<JointId> {
+        self.on.iter().find_map(|subject| match subject {
+            Subject::Bearing(joint, _) => Some(*joint),
+            Subject::Place(_)
+            | Subject::Rotor(_)
+            | Subject::Travel(_)
+            | Subject::Body(_)
+            | Subject::Expression(..) => None,
+        })
+    }
+
+    /// A named argument by its name; zero where its form has none of that name.
+    pub fn named(&self, name: &str) -> &Expr {
+        const NONE: &Expr = &Expr::Number(0.0);
+        let which = self.form.call.named.iter().position(|argument| argument.name == name);
+        which.and_then(|which| self.values.get(which)?.first()).unwrap_or(NONE)
     }
 
     /// The rotors it acts on.
@@ -199,6 +224,7 @@ impl Load {
             Subject::Rotor(rotor) => Some(*rotor),
             Subject::Place(_)
             | Subject::Travel(_)
+            | Subject::Bearing(..)
             | Subject::Body(_)
             | Subject::Expression(..)
             | Subject::Toothing(_) => None,
@@ -217,6 +243,7 @@ impl Load {
             Subject::Place(_)
             | Subject::Rotor(_)
             | Subject::Travel(_)
+            | Subject::Bearing(..)
             | Subject::Body(_)
             | Subject::Toothing(_) => None,
         })

@@ -153,6 +153,8 @@ pub enum Quantity {
     LoadEffort(LoadId),
     /// What a load between teeth is beside its force; in outputs and rates of states.
     OfTeeth(LoadId, OfTeeth),
+    /// N, the force that presses the surfaces of a friction together; in outputs and rates of states.
+    Pressing(LoadId),
     /// What an equation exerts along its left side, against its right one; in outputs and rates of states.
     ConstraintEffort(ConstraintId),
     /// What a joint exerts on the body of its second place; in outputs and rates of states.

@@ -62,6 +62,8 @@ impl<'d> Lowering<'d> {
                 Value::Varying(_)
                 | Value::RateOf { .. }
                 | Value::Way
+                | Value::Law(_)
+                | Value::Along { .. }
                 | Value::Stiffness
                 | Value::Exponent
                 | Value::Backbone

@@ -23,12 +23,13 @@ impl<'d> Lowering<'d> {
         let (on, values): (_, Option<Vec<_>>) = (on?, values.into_iter().collect());
         let (mut values, law) = (values?, law?);
         self.rates_of_arguments(load, &mut values)?;
+        self.rubs(load, &on, &mut values)?;
         let law = match (load.form.law, &law[..]) {
             (Law::Components(_), [value]) => directed(load, &values, value),
             _ => law,
         };
         let teeth = self.meshing(load, &on)?;
-        Some(Load { name: name(&load.name), form: load.form, on, values, law, states: 0..0, teeth })
+        Some(Load { name: name(&load.name), form: load.form, on, values, law, states: 0..0, teeth, normal: None })
     }
 
     /// A torque on a body in space has components.
@@ -90,6 +91,7 @@ impl<'d> Lowering<'d> {
             (SubjectTerm::Place(place), Acts::Place) => self.place(place).map(Subject::Place),
             (SubjectTerm::Name(label), Acts::Rotor) => self.rotor(label).map(Subject::Rotor),
             (SubjectTerm::Name(label), Acts::Travel) => self.slide(label).map(Subject::Travel),
+            (SubjectTerm::Name(label), Acts::Bearing) => self.bearing(label),
             (SubjectTerm::Name(label), Acts::Body) => self.turning_body(label).map(Subject::Body),
             (SubjectTerm::Place(syntax::PlaceTerm::Named(path)), Acts::Toothing) => {
                 self.toothing_of(path).map(Subject::Toothing)
@@ -110,12 +112,12 @@ impl<'d> Lowering<'d> {
             // The parser hands over names where names are meant.
             (
                 SubjectTerm::Place(_),
-                Acts::Rotor | Acts::Travel | Acts::Body | Acts::Toothing | Acts::Expression | Acts::Way,
+                Acts::Rotor | Acts::Travel | Acts::Bearing | Acts::Body | Acts::Toothing | Acts::Expression | Acts::Way,
             )
             | (SubjectTerm::Name(_), Acts::Place | Acts::Toothing | Acts::Expression | Acts::Way)
             | (
                 SubjectTerm::Expression(_),
-                Acts::Place | Acts::Rotor | Acts::Travel | Acts::Body | Acts::Toothing,
+                Acts::Place | Acts::Rotor | Acts::Travel | Acts::Bearing | Acts::Body | Acts::Toothing,
             ) => None,
         }
     }
@@ -160,6 +162,17 @@ impl<'d> Lowering<'d> {
                 let dimension = Dimension::TORQUE.over(way).over(way);
                 Some(vec![self.entry(entry, dimension, Use::COEFFICIENT, argument.name)?])
             }
+            Value::Law(dimension) => match load.named.entry(argument.name) {
+                Some(entry) => Some(vec![self.entry(entry, dimension, Use::LOAD, argument.name)?]),
+                None => Some(vec![Expr::Number(0.0)]),
+            },
+            Value::Along { effort, way, time } => match load.named.entry(argument.name) {
+                Some(entry) => {
+                    let dimension = sliding(along?, effort, way, time);
+                    Some(vec![self.entry(entry, dimension, Use::COEFFICIENT, argument.name)?])
+                }
+                None => Some(vec![Expr::Number(0.0)]),
+            },
             Value::Exponent => self.exponent(load.named.entry(argument.name)?, argument.name),
             Value::Backbone => self.backbone(load.named.entry(argument.name)?, along?),
             // Of laws of contacts, which are read elsewhere.
@@ -262,9 +275,21 @@ impl<'d> Lowering<'d> {
 /// What the way measures that a load acts along.
 fn along(on: Option<&[Subject]>) -> Option<Dimension> {
     match on {
-        Some([Subject::Expression(_, along)]) => Some(*along),
+        Some([Subject::Expression(_, along) | Subject::Bearing(_, along)]) => Some(*along),
         _ => None,
     }
+}
+
+/// Of what slides along a way that measures this: effort, way and time in these powers.
+fn sliding(along: Dimension, effort: bool, way: i32, time: i32) -> Dimension {
+    let powers = |dimension: Dimension, times: i32| {
+        (0..times.abs()).fold(Dimension::ONE, |product, _| match times > 0 {
+            true => product.times(dimension),
+            false => product.over(dimension),
+        })
+    };
+    let of = if effort { Dimension::TORQUE.over(along) } else { Dimension::ONE };
+    of.times(powers(along, way)).times(powers(Dimension::TIME, time))
 }
 
 /// A value along the direction among the arguments.

@@ -6,6 +6,7 @@
 
 use super::contacts::Contacts;
 use super::fold;
+use super::friction;
 use super::names::Names;
 use super::signals::Signals;
 use super::unused::{self, Scope};
@@ -91,6 +92,7 @@ pub fn lower(definition: &Definition) -> Result<Mechanism, Diagnostics> {
     };
     Lowering::modes_at_rest(&mut mechanism);
     mechanism.states = lowering.states();
+    friction::number(&mut mechanism.loads);
     lowering.states_of_loads(&mut mechanism.loads, &mut mechanism.states);
     lowering.all_signals();
     mechanism.tables = std::mem::take(&mut lowering.tables).into_iter().flatten().collect();
@@ -329,7 +331,8 @@ impl<'d> Lowering<'d> {
             Subject::Rotor(rotor) => Some(Coupled::Angle(rotor)),
             Subject::Travel(joint) => Some(Coupled::Travel(joint)),
             // Forms of couplings name coordinates only.
-            Subject::Place(_) | Subject::Body(_) | Subject::Expression(..) | Subject::Toothing(_) => None,
+            Subject::Place(_) | Subject::Bearing(..)
+            | Subject::Body(_) | Subject::Expression(..) | Subject::Toothing(_) => None,
         }
     }
 

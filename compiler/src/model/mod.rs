@@ -12,6 +12,7 @@ mod contacts;
 mod elements;
 mod expression;
 pub(crate) mod fold;
+mod friction;
 mod functions;
 pub mod gears;
 mod hysteresis;
@@ -421,6 +422,8 @@ pub struct Options {
     pub coordinates: Coordinates,
     pub solution: SolvedBy,
     pub redundant: Redundant,
+    /// Passes of Newton's method for the forces that press surfaces together.
+    pub friction_passes: Option<usize>,
     /// Whether principal moments may be those of no real body, as in some published data.
     pub accept_inertia: bool,
     /// Joints that the spanning tree must not use.

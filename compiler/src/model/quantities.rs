@@ -13,7 +13,7 @@ use crate::messages;
 use crate::syntax::{ConstraintTerm, FirstTerm, Label, LineTerm, Path, PlaceTerm, Space, Term, TermKind};
 use crate::units::Dimension;
 
-struct Found {
+pub(super) struct Found {
     quantity: Quantity,
     dimension: Dimension,
 }
@@ -24,12 +24,12 @@ impl Found {
         Some(Self { quantity: Quantity::Coordinate(coordinate), dimension })
     }
 
-    fn velocity(coordinate: Coordinate) -> Option<Self> {
+    pub(super) fn velocity(coordinate: Coordinate) -> Option<Self> {
         let dimension = coordinate.rate_dimension();
         Some(Self { quantity: Quantity::Rate(coordinate), dimension })
     }
 
-    fn result(quantity: Quantity, dimension: Dimension) -> Option<Self> {
+    pub(super) fn result(quantity: Quantity, dimension: Dimension) -> Option<Self> {
         Some(Self { quantity, dimension })
     }
 }
@@ -52,6 +52,7 @@ impl<'d> Lowering<'d> {
             | Quantity::DriverEffort(_)
             | Quantity::LoadEffort(_)
             | Quantity::OfTeeth(..)
+            | Quantity::Pressing(_)
             | Quantity::ConstraintEffort(_)
             | Quantity::Reaction(..)
             | Quantity::KineticEnergy
@@ -356,6 +357,9 @@ impl<'d> Lowering<'d> {
 
     fn of_load(&mut self, load: LoadId, path: &Path) -> Option<Found> {
         let written = &self.definition.loads[load.0];
+        if written.form.rubs {
+            return self.of_friction(load, path);
+        }
         let effort = written.form.effort;
         if path.parts.len() == 2 && effort == Some(path.parts[1].text.as_str()) {
             return Found::result(Quantity::LoadEffort(load), self.effort(written));

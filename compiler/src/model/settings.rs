@@ -22,7 +22,7 @@ impl<'d> Lowering<'d> {
         let (mut cut, mut independent) = (Vec::new(), Vec::new());
         let mut crate_path: Option<String> = None;
         let mut emit = Emit::default();
-        let (mut self_check, mut export_c) = (None, None);
+        let (mut self_check, mut export_c, mut friction_passes) = (None, None, None);
         for entry in &self.definition.options {
             match entry {
                 OptionEntry::Coordinates(word) => {
@@ -54,6 +54,7 @@ impl<'d> Lowering<'d> {
                 OptionEntry::Emit(words) => words.iter().for_each(|word| emit.set(&word.text)),
                 OptionEntry::SelfCheck(word) => self_check = Some(word.text == "on"),
                 OptionEntry::ExportC(word) => export_c = Scalar::named(&word.text),
+                OptionEntry::FrictionPasses(passes, _) => friction_passes = Some(*passes),
                 OptionEntry::Crate(path) => crate_path = Some(path.to_string()),
             }
         }
@@ -62,6 +63,7 @@ impl<'d> Lowering<'d> {
             coordinates,
             solution,
             redundant,
+            friction_passes,
             accept_inertia,
             cut,
             independent,

@@ -131,6 +131,7 @@ impl Lowering<'_> {
                     | Quantity::DriverEffort(_)
                     | Quantity::LoadEffort(_)
                     | Quantity::OfTeeth(..)
+                    | Quantity::Pressing(_)
                     | Quantity::ConstraintEffort(_)
                     | Quantity::Reaction(..)
                     | Quantity::KineticEnergy

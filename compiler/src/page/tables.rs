@@ -185,7 +185,7 @@ pub fn loads(page: &mut String, compiled: &Compiled) {
         let on = load.on.iter().map(|subject| match subject {
             Subject::Place(place) => code(&place.text),
             Subject::Rotor(rotor) => code(rotor_name(mechanism, *rotor)),
-            Subject::Travel(joint) => code(joint_name(mechanism, *joint)),
+            Subject::Travel(joint) | Subject::Bearing(joint, _) => code(joint_name(mechanism, *joint)),
             Subject::Body(body) => code(&mechanism.bodies[body.0].name.text),
             Subject::Expression(..) => "an expression".to_string(),
             Subject::Toothing(id) => code(&mechanism.toothing(*id).text),

@@ -2,7 +2,7 @@
 
 use super::machine::Machine;
 use super::quantity::{Along, Quantity, dot};
-use super::{Check, Report, beams, rows};
+use super::{Check, Report, beams, friction, rows};
 use crate::forms::Law;
 use crate::functions::Function;
 use crate::model::Load;
@@ -14,6 +14,7 @@ const STEP: f64 = 1e-3;
 
 pub fn check(machine: &Machine, report: &mut Report) {
     mass_matrix(machine, report);
+    friction::check(machine, report);
     inverse_dynamics(machine, report);
     if stands_still(machine) {
         energy(machine, report);
@@ -38,8 +39,11 @@ fn mass_matrix(machine: &Machine, report: &mut Report) {
 fn inverse_dynamics(machine: &Machine, report: &mut Report) {
     let inputs = report.inputs;
     let product = machine.mass_times(inputs, &exact(&inputs.acceleration));
-    let (inverse, forces) =
+    let (inverse, mut forces) =
         (machine.run(Function::InverseDynamics, inputs), machine.run(Function::Forces, inputs));
+    if machine.compiled.complete.equations.rows.is_empty() {
+        friction::add(machine, inputs, &mut forces);
+    }
     for (k, (product, force)) in product.into_iter().zip(forces).enumerate() {
         report.compare(Check::InverseDynamics, || velocity(machine, k), inverse[k], product - force);
     }
@@ -68,6 +72,7 @@ fn energy(machine: &Machine, report: &mut Report) {
             expected = expected - (powers[index] - backwards[index]) * 0.5;
         }
     }
+    expected = expected + friction::power_beside(machine, inputs);
     report.compare(Check::Energy, || "the rate of the kinetic energy".to_string(), rates[0], expected);
 }
 
@@ -105,6 +110,7 @@ pub fn solution(machine: &Machine, report: &mut Report, function: Function, chec
     }
     let solution = machine.run(function, inputs);
     let [acceleration, lambda, _pivot] = machine.groups(function, &solution);
+    friction::rub(machine, inputs, function, [acceleration, lambda], &mut right[0]);
     residuals(machine, report, check, inputs, [acceleration, lambda], &right, 0.0);
 }
 

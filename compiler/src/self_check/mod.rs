@@ -26,6 +26,7 @@
 mod beams;
 mod beyond;
 mod dynamics;
+mod friction;
 mod machine;
 mod programs;
 mod quantity;
@@ -102,6 +103,7 @@ pub enum Check {
     MassMatrix,
     InverseDynamics,
     Energy,
+    Friction,
     Springs,
     Beams,
     Solution,
@@ -124,6 +126,7 @@ impl Check {
             Check::MassMatrix => "the mass matrix against the kinetic energy",
             Check::InverseDynamics => "inverse dynamics against the mass matrix and the forces",
             Check::Energy => "the balance of energies and powers",
+            Check::Friction => "the power of friction with what takes energy out",
             Check::Springs => "the power of a spring against what it stores",
             Check::Beams => "beams against their slices and Lagrange's equations",
             Check::Solution => "accelerations and multipliers put into the equations",

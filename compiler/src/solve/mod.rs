@@ -3,6 +3,7 @@
 //! AFTER THIS POINT there is no linear system left, only expressions.
 
 pub mod elimination;
+mod friction;
 mod further;
 mod lu;
 mod null_space;
@@ -28,6 +29,8 @@ pub struct Solution {
     pub acceleration: Vec<Node>,
     pub lambda: Vec<Node>,
     pub pivot: Node,
+    /// Of each force that presses surfaces together, what the iteration for it begins with, what is open there, and what it leaves open, N; not emitted.
+    pub left: Vec<[Node; 3]>,
 }
 
 impl Solution {
@@ -53,6 +56,8 @@ pub struct Solved {
     pub row_scales: Vec<Node>,
     /// The outputs, which may name drivers' efforts or powers, or reactions, with v̇ and λ of the plain solution.
     pub outputs: Vec<Node>,
+    /// The powers of loads, some of which follow from reactions, likewise.
+    pub powers: Vec<Node>,
 }
 
 /// Velocities that carry no mass of their own. M is then singular, though positive definite on the admissible
@@ -287,7 +292,7 @@ fn by_articulated_bodies(
     count: &Counting,
 ) -> Option<(Equations, Solved)> {
     let Kinematics::Space(kinematics) = &equations.kinematics else { return None };
-    let open = equations.rows.is_empty() && pattern.velocities >= LONG_TREE;
+    let open = equations.rows.is_empty() && equations.friction.is_none() && pattern.velocities >= LONG_TREE;
     if !open || !articulated::applies(kinematics) {
         return None;
     }
@@ -295,8 +300,9 @@ fn by_articulated_bodies(
     let (distributions, forces) = (&equations.distributions, &equations.forces);
     let kinematics = candidate.graph.sheet().on(kinematics);
     let acceleration = all_bare(&articulated::accelerations(kinematics, distributions, forces));
-    let solution = Solution { acceleration, lambda: Vec::new(), pivot: candidate.one };
-    let outputs = solved_outputs(&candidate, &solution);
+    let solution = Solution { acceleration, lambda: Vec::new(), pivot: candidate.one, left: Vec::new() };
+    let outputs = solved(&candidate, &solution, &candidate.outputs);
+    let powers = candidate.powers.clone();
     let order = order::order(pattern, Strategy::MinimumDegree);
     let mut solved = Solved {
         index1: solution.clone(),
@@ -307,6 +313,7 @@ fn by_articulated_bodies(
         massless: Massless::default(),
         row_scales: Vec::new(),
         outputs,
+        powers,
     };
     solved.counts = count(&candidate, &solved.baumgarte.nodes());
     Some((candidate, solved))
@@ -327,8 +334,8 @@ fn eliminate(equations: &Equations, system: &System, order: Order) -> Solved {
 
     let plain: Vec<Node> = equations.rows.iter().map(|row| row.jet.bias).collect();
     let stabilised = stabilised(g, &equations.rows, &equations.symbols);
-    let with = |minus_gamma: &[Node]| {
-        let mut right = g.all(&equations.forces);
+    let linear = |forces: Vec<Scalar<'_>>, minus_gamma: &[Node]| {
+        let mut right = forces;
         for (row, rho) in &massless.rows {
             let weighted = *rho * g.on(minus_gamma[*row]);
             for (velocity, column) in &columns[*row] {
@@ -338,8 +345,18 @@ fn eliminate(equations: &Equations, system: &System, order: Order) -> Solved {
         right.extend(g.all(minus_gamma));
         solution(g, &factor, system, right)
     };
+    let none = vec![equations.zero; equations.rows.len()];
+    let columns = friction::columns(g, &equations.friction, *velocities);
+    let columns: Vec<Solution> = columns.into_iter().map(|column| linear(column, &none)).collect();
+    let with = |minus_gamma: &[Node]| {
+        friction::rubbed(g, equations, linear(g.all(&equations.forces), minus_gamma), &columns)
+    };
     let (index1, baumgarte) = (with(&plain), with(&stabilised));
-    let outputs = solved_outputs(equations, &index1);
+    let outputs = solved(equations, &index1, &equations.outputs);
+    let powers = match equations.friction.is_none() {
+        true => equations.powers.clone(),
+        false => solved(equations, &index1, &equations.powers),
+    };
     Solved {
         index1,
         baumgarte,
@@ -349,15 +366,14 @@ fn eliminate(equations: &Equations, system: &System, order: Order) -> Solved {
         massless: massless.clone(),
         row_scales: scales.clone(),
         outputs,
+        powers,
     }
 }
 
-/// Outputs that name efforts, powers or reactions take v̇ and λ of the plain solution.
-fn solved_outputs(equations: &Equations, solution: &Solution) -> Vec<Node> {
-    let Symbols { acceleration, lambda, .. } = &equations.symbols;
-    let given = acceleration.iter().chain(lambda).copied();
+/// What names efforts, powers or reactions takes v̇ and λ of the plain solution.
+fn solved(equations: &Equations, solution: &Solution, of: &[Node]) -> Vec<Node> {
     let solved = solution.acceleration.iter().chain(&solution.lambda).copied();
-    equations.graph.sheet().graph().substitute(&equations.outputs, &given.zip(solved).collect())
+    equations.graph.sheet().graph().substitute(of, &equations.results().zip(solved).collect())
 }
 
 /// −γ + 2α (D v − ν) + β² Φ.
@@ -413,7 +429,7 @@ fn solution<'g>(g: Sheet<'g>, factor: &Factor, system: &System, mut right: Vec<S
     for row in &system.idle {
         lambda[*row] = g.zero().bare;
     }
-    Solution { acceleration: all_bare(&x), lambda, pivot: factor.pivot }
+    Solution { acceleration: all_bare(&x), lambda, pivot: factor.pivot, left: Vec::new() }
 }
 
 /// entries += ρ dᵀ d.

@@ -6,7 +6,7 @@
 use super::elimination::{self, Entries, Kind};
 use super::lu::{self, Lu};
 use super::stored::{frontier, symbols};
-use super::{Partition, Solution};
+use super::{Partition, Solution, friction};
 use crate::equations::Equations;
 use crate::order::{self, Pattern};
 use crate::symbolic::{Node, Scalar, Sheet, all_bare};
@@ -76,11 +76,11 @@ pub fn null_space(
     // That of D is at most one.
     let pivot = if factor.pivot == g.one().bare { lu.pivot } else { lu.pivot.min(g.on(factor.pivot)) }.bare;
     let forces = g.all(&equations.forces);
-    let solution = |gamma: &[Scalar<'_>]| {
+    let linear = |forces: &[Scalar<'_>], gamma: &[Scalar<'_>]| {
         // (Rᵀ M R) z̈ = Rᵀ (Q − M S γ)
         let none = vec![g.zero(); velocities];
         let bias = lu.dependent(g, gamma, &none);
-        let loads = sparse(&mass.taken_from(&forces, &bias));
+        let loads = sparse(&mass.taken_from(forces, &bias));
         let right: Vec<Scalar> = basis.iter().map(|column| dot(g, column, &loads)).collect();
         // v̇ = R z̈ + S γ, D_dᵀ λ = (Q − M v̇)_d
         let mut z = none;
@@ -88,10 +88,14 @@ pub fn null_space(
             z[*velocity] = rate;
         }
         let acceleration = lu.combine(g, &basis, gamma, &independent, &z);
-        let rest = mass.taken_from(&forces, &acceleration);
+        let rest = mass.taken_from(forces, &acceleration);
         let lambda = lu.multipliers(g, rest, vec![g.zero(); equations.rows.len()]);
-        Solution { acceleration: all_bare(&acceleration), lambda: all_bare(&lambda), pivot }
+        Solution { acceleration: all_bare(&acceleration), lambda: all_bare(&lambda), pivot, left: Vec::new() }
     };
+    let none = vec![g.zero(); equations.rows.len()];
+    let columns = friction::columns(g, &equations.friction, velocities);
+    let columns: Vec<Solution> = columns.iter().map(|column| linear(column, &none)).collect();
+    let solution = |gamma: &[Scalar<'_>]| friction::rubbed(g, equations, linear(&forces, gamma), &columns);
     let plain = solution(&g.all(&equations.gamma));
     let stabilised = super::stabilised(g, &equations.rows, &equations.symbols);
     let minus: Vec<Scalar> = g.all(&stabilised).into_iter().map(|x| -x).collect();

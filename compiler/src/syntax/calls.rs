@@ -203,7 +203,7 @@ impl Parser<'_> {
     /// How loads are written, each word once.
     fn calls_of_loads(&self) -> Vec<&'static Form> {
         let mut calls: Vec<&Form> = Vec::new();
-        for load in (self.vocabulary.loads)(self.definition.space) {
+        for load in (self.vocabulary.loads)(self.definition.space).into_iter().filter(|load| !load.rubs) {
             if calls.iter().all(|call| call.word != load.call.word) {
                 calls.push(&load.call);
             }
@@ -432,6 +432,8 @@ impl Parser<'_> {
             | Value::Varying(_)
             | Value::RateOf { .. }
             | Value::Way
+            | Value::Law(_)
+            | Value::Along { .. }
             | Value::Stiffness
             | Value::Exponent
             | Value::Backbone

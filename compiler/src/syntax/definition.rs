@@ -369,6 +369,7 @@ pub enum OptionEntry {
     Emit(Vec<Label>),
     /// `on` or `off`.
     SelfCheck(Label),
+    FrictionPasses(usize, Region),
     ExportC(Label),
     Crate(TokenStream),
 }

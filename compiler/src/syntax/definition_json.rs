@@ -359,6 +359,8 @@ impl Writer {
                 Value::Varying(_)
                 | Value::RateOf { .. }
                 | Value::Way
+                | Value::Law(_)
+                | Value::Along { .. }
                 | Value::Stiffness
                 | Value::Exponent
                 | Value::Backbone
@@ -446,6 +448,8 @@ impl Writer {
                 | Value::Varying(_)
                 | Value::RateOf { .. }
                 | Value::Way
+                | Value::Law(_)
+                | Value::Along { .. }
                 | Value::Stiffness
                 | Value::Exponent
                 | Value::Backbone
@@ -552,6 +556,7 @@ impl Writer {
             OptionEntry::Solution(_)
             | OptionEntry::Emit(_)
             | OptionEntry::SelfCheck(_)
+            | OptionEntry::FrictionPasses(..)
             | OptionEntry::ExportC(_)
             | OptionEntry::Crate(_) => {}
         }

@@ -28,6 +28,7 @@
 //!             "center" unit? "=" pair ";"     "point" name unit? "=" pair ";"     "line" …
 //! LOAD        force(place, direction = pair) "=" expr     force(place) "=" pair      torque(a) "=" expr
 //!             and what else the forms of loads say, without a law
+//! FRICTION    "friction" name ":" "on" "(" name ")" "=" law "(" (name unit? "=" expr),* ")" ";"
 //! place       body "." point | "ground" pair unit?        pair   "(" expr "," expr ")" unit?
 //! ```
 //! A load is declared by the word `force` or by its own: `force s: spring(…)` and `spring s: spring(…)` are the same.
@@ -45,6 +46,7 @@ mod contacts;
 mod definition;
 mod definition_json;
 mod expression;
+mod friction;
 mod habits;
 mod header;
 mod index;

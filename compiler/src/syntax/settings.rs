@@ -65,7 +65,7 @@ impl Parser<'_> {
 
     /// `{ coordinates = auto; cut = (joint, …); … }`
     pub fn options(&mut self, c: &mut Cursor) -> Parsed<()> {
-        const KNOWN: [&str; 10] = [
+        const KNOWN: [&str; 11] = [
             "coordinates",
             "solution",
             "redundant",
@@ -74,6 +74,7 @@ impl Parser<'_> {
             "independent",
             "emit",
             "self_check",
+            "friction_passes",
             "export_c",
             "crate",
         ];
@@ -97,6 +98,7 @@ impl Parser<'_> {
                 "independent" => OptionEntry::Independent(parser.list(c, |p, c| p.path(c, "a quantity"))?),
                 "emit" => OptionEntry::Emit(parser.list(c, |p, c| p.choice(c, &EMITTED))?),
                 "self_check" => OptionEntry::SelfCheck(parser.choice(c, &["on", "off"])?),
+                "friction_passes" => parser.friction_passes(c)?,
                 "export_c" => OptionEntry::ExportC(parser.choice(c, &["f64", "f32"])?),
                 _ => OptionEntry::Crate(parser.crate_path(c)?),
             };

@@ -11,7 +11,7 @@ use crate::messages;
 use proc_macro2::{Delimiter, TokenStream};
 
 /// Words that begin a statement, but those of bodies, loads and couplings.
-const STATEMENTS: [&str; 23] = [
+const STATEMENTS: [&str; 24] = [
     "const",
     "param",
     "input",
@@ -25,6 +25,7 @@ const STATEMENTS: [&str; 23] = [
     "joint",
     "constraint",
     "drive",
+    "friction",
     "start",
     "options",
     "expect",
@@ -94,6 +95,7 @@ impl Parser<'_> {
             "joint" => self.joint(c),
             "constraint" => self.constraint(c),
             "drive" => self.driver(c),
+            "friction" => self.friction(c),
             "output" => self.output(c, docs),
             "start" => self.start(c),
             "options" => self.options(c),
@@ -116,6 +118,9 @@ impl Parser<'_> {
             }
             word if self.words_of_couplings().contains(&word) => self.coupling(c, word),
             word if self.words_of_loads().contains(&word) => self.load(c, word),
+            word if self.laws_of_friction().any(|law| law.call.word == word) => {
+                self.fail(at, messages::law_of_friction_alone(word))
+            }
             word if messages::is_to_come(word) => self.fail(at, messages::not_there_yet(word)),
             word if (self.vocabulary.joints)(Space::Spatial).iter().any(|joint| joint.call.word == word) => {
                 self.fail(at, messages::joint_by_its_kind(word))

@@ -1,5 +1,6 @@
 //! Loads: what they act on and their laws.
 
+use super::friction::is_friction;
 use super::hysteresis::is_hysteresis;
 use super::laws::May;
 use super::{Read, Reader};
@@ -11,20 +12,21 @@ use crate::kinematics::Section;
 use crate::law::Law;
 use crate::load::{Acts, Cable, Load, Way};
 use crate::quantity::Quantity;
+use crate::row::Row;
 use crate::vector::{V3, column};
 use serde_json::Value;
 
 impl Reader<'_> {
-    pub(super) fn read_loads(&self) -> Read<Vec<Load>> {
+    pub(super) fn read_loads(&self, rows: &[Row]) -> Read<Vec<Load>> {
         let mut loads = Vec::new();
         for node in list(self.tree, "loads", "loads")? {
             let own = name(node, "loads")?;
-            loads.push(Load { name: own.to_string(), acts: self.acts(node, own)? });
+            loads.push(Load { name: own.to_string(), acts: self.acts(node, own, rows)? });
         }
         Ok(loads)
     }
 
-    fn acts(&self, node: &Value, own: &str) -> Read<Acts> {
+    fn acts(&self, node: &Value, own: &str, rows: &[Row]) -> Read<Acts> {
         let value = || self.law(field(node, "value", own)?, own, May::Motion);
         Ok(match text(node, "kind", own)? {
             "force" => {
@@ -78,6 +80,7 @@ impl Reader<'_> {
                 }])
             }
             "mesh" => self.mesh(node, own)?,
+            kind if is_friction(kind) => Acts::Friction(Box::new(self.friction(node, own, rows)?)),
             kind if is_hysteresis(kind) => self.hysteresis(node, own)?,
             kind => return Err(DefinitionError::kind(own, kind)),
         })

@@ -6,6 +6,7 @@
 mod bodies;
 mod contacts;
 mod couplings;
+mod friction;
 mod gears;
 mod hysteresis;
 mod joints;
@@ -98,7 +99,7 @@ pub(crate) fn read(tree: &Value, given: &HashMap<String, f64>) -> Read<Definitio
     rows.extend(reader.read_couplings()?);
     rows.extend(reader.read_drivers()?);
     reader.name_states()?;
-    let mut loads = reader.read_loads()?;
+    let mut loads = reader.read_loads(&rows)?;
     loads.extend(reader.read_contacts()?);
     reader.loads = loads.iter().map(|load| (load.name.clone(), load.clone())).collect();
     let efforts = rows.iter().enumerate().filter(|(_, row)| matches!(row.what, "equation" | "driver"));

@@ -4,6 +4,7 @@ use super::basis::{Basis, condition_product, inertia};
 use crate::assembly::system::mass_times;
 use crate::error::{AssemblyError, LinearisationError};
 use crate::fields::Fields;
+use crate::formulation::friction::applied;
 use crate::linearisation::lu::Lu;
 use crate::linearisation::{check_finite, check_given};
 use crate::mechanism::{Assemble, Row};
@@ -112,7 +113,7 @@ impl<'m, R: Real, M: Assemble<R, Inputs: Fields<R>>> Reduced<'m, R, M> {
             }
         }
         let (mut forces, mut still) = (model.zero_v(), model.zero_v());
-        model.forces(time, state, u, &mut forces);
+        applied(model, time, state, u, &mut forces);
         let rest = State { v: model.zero_v(), ..state.clone() };
         let none = M::Inputs::from_array(Vector::zeros(model.input_names().len()));
         model.forces(time, &rest, &none, &mut still);

@@ -1,5 +1,6 @@
 //! The augmented Lagrangian formulation of index 1: penalties that iterate until the constraints hold.
 
+use super::friction::with_friction;
 use super::{Evaluation, Formulation, Penalty, PivotOf, positive};
 use crate::error::SettingError;
 use crate::mechanism::Assemble;
@@ -67,19 +68,24 @@ impl<R: Real, M: Assemble<R>> Formulation<R, M> for AugmentedLagrangian<R> {
         let pivot = self.penalty.system(model, time, state, u, &mut store, &mut forces, &mut rows);
         let compliance = R::ONE / self.penalty.alpha;
         // D v̇ − λ/α = γ' − λᵢ/α: the row of the penalty, moved by the multipliers known.
-        model.solve(&store, &forces, &rows.plus(-compliance, memory), a, lambda);
-        let mut evaluation = Evaluation::direct(pivot);
-        while evaluation.iterations < self.iterations {
-            let before = a.clone();
-            let known = lambda.clone();
-            model.solve(&store, &forces, &rows.plus(-compliance, &known), a, lambda);
-            let (change, size) = (a.plus(-R::ONE, &before).max_abs(), a.max_abs());
-            evaluation.iterations += 1;
-            evaluation.residual = if size > R::ZERO { change / size } else { R::ZERO };
-            if evaluation.residual <= self.tolerance {
-                break;
+        let mut known = memory.clone();
+        let evaluation = with_friction(model, time, state, u, &forces, a, lambda, |forces, a, lambda| {
+            model.solve(&store, forces, &rows.plus(-compliance, &known), a, lambda);
+            let mut evaluation = Evaluation::direct(pivot);
+            while evaluation.iterations < self.iterations {
+                let before = a.clone();
+                known.clone_from(lambda);
+                model.solve(&store, forces, &rows.plus(-compliance, &known), a, lambda);
+                let (change, size) = (a.plus(-R::ONE, &before).max_abs(), a.max_abs());
+                evaluation.iterations += 1;
+                evaluation.residual = if size > R::ZERO { change / size } else { R::ZERO };
+                if evaluation.residual <= self.tolerance {
+                    break;
+                }
             }
-        }
+            known.clone_from(lambda);
+            evaluation
+        });
         // A multiplier that is not finite is no beginning for the next iteration.
         if lambda.first_not_finite().is_none() {
             memory.clone_from(lambda);

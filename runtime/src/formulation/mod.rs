@@ -7,6 +7,7 @@
 mod augmented_lagrangian;
 mod baumgarte;
 mod corrected;
+pub(crate) mod friction;
 mod index1;
 pub(crate) mod leading;
 mod null_space;

@@ -1,5 +1,6 @@
 //! The equations of motion in independent velocities: the null space of D, or matrix R.
 
+use super::friction::with_friction;
 use super::{Evaluation, Formulation, PivotOf, Settled};
 use crate::assembly::system::mass_times;
 use crate::error::{AssemblyError, SettingError};
@@ -106,36 +107,38 @@ pub(super) fn by_tables<R: Real, M: Assemble<R>>(
     let mut mass = model.zero_mass();
     model.mass_matrix(time, &state.q, &mut mass);
 
-    // Sγ: accelerations that satisfy the rows with z̈ = 0.
-    a.as_mut_slice().fill(R::ZERO);
-    partition.dependent(model, &factors, &gamma, a);
-    let rest = forces.plus(-R::ONE, &mass_times(model, &mass, a));
+    with_friction(model, time, state, u, &forces, a, lambda, |forces, a, lambda| {
+        // Sγ: accelerations that satisfy the rows with z̈ = 0.
+        a.as_mut_slice().fill(R::ZERO);
+        partition.dependent(model, &factors, &gamma, a);
+        let rest = forces.plus(-R::ONE, &mass_times(model, &mass, a));
 
-    // R, column by column, and Rᵀ M R, Rᵀ (Q − M S γ).
-    let (n, freedoms) = (model.velocity_count(), model.freedoms());
-    let mut basis = model.zero_basis();
-    partition.basis(model, &factors, &mut basis);
-    let columns = || basis.as_slice().chunks_exact(n.max(1)).take(freedoms);
-    let mut reduced = model.zero_reduced();
-    let mut right = model.zero_v();
-    for (place, own) in columns().enumerate() {
-        let mut column = model.zero_v();
-        column.as_mut_slice().iter_mut().zip(own).for_each(|(entry, &value)| *entry = value);
-        let product = mass_times(model, &mass, &column);
-        for (other, known) in columns().enumerate().take(place + 1) {
-            put(reduced.as_mut_slice(), place * freedoms + other, dot(known, product.as_slice()));
+        // R, column by column, and Rᵀ M R, Rᵀ (Q − M S γ).
+        let (n, freedoms) = (model.velocity_count(), model.freedoms());
+        let mut basis = model.zero_basis();
+        partition.basis(model, &factors, &mut basis);
+        let columns = || basis.as_slice().chunks_exact(n.max(1)).take(freedoms);
+        let mut reduced = model.zero_reduced();
+        let mut right = model.zero_v();
+        for (place, own) in columns().enumerate() {
+            let mut column = model.zero_v();
+            column.as_mut_slice().iter_mut().zip(own).for_each(|(entry, &value)| *entry = value);
+            let product = mass_times(model, &mass, &column);
+            for (other, known) in columns().enumerate().take(place + 1) {
+                put(reduced.as_mut_slice(), place * freedoms + other, dot(known, product.as_slice()));
+            }
+            put(right.as_mut_slice(), place, dot(own, rest.as_slice()));
         }
-        put(right.as_mut_slice(), place, dot(own, rest.as_slice()));
-    }
-    let regular = cholesky(reduced.as_mut_slice(), freedoms, right.as_mut_slice());
-    for (column, &rate) in columns().zip(right.as_slice()) {
-        for (entry, &r) in a.as_mut_slice().iter_mut().zip(column) {
-            *entry = r.mul_add(rate, *entry);
+        let regular = cholesky(reduced.as_mut_slice(), freedoms, right.as_mut_slice());
+        for (column, &rate) in columns().zip(right.as_slice()) {
+            for (entry, &r) in a.as_mut_slice().iter_mut().zip(column) {
+                *entry = r.mul_add(rate, *entry);
+            }
         }
-    }
-    let rest = forces.plus(-R::ONE, &mass_times(model, &mass, a));
-    partition.multipliers(model, &factors, &rest, lambda);
-    Evaluation::direct(regular.min(pivot))
+        let rest = forces.plus(-R::ONE, &mass_times(model, &mass, a));
+        partition.multipliers(model, &factors, &rest, lambda);
+        Evaluation::direct(regular.min(pivot))
+    })
 }
 
 /// The part of the way to the constraints that is taken at the end of each step. With the whole of it what the passage of a

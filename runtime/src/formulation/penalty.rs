@@ -1,5 +1,6 @@
 //! The penalty formulation: constraints as stiff spring-dampers in the directions of their rows.
 
+use super::friction::with_friction;
 use super::{Evaluation, Formulation, PivotOf, not_negative, positive};
 use crate::error::SettingError;
 use crate::mechanism::{Assemble, Mechanism};
@@ -116,8 +117,10 @@ impl<R: Real, M: Assemble<R>> Formulation<R, M> for Penalty<R> {
     ) -> Evaluation<R> {
         let (mut store, mut forces, mut rows) = (model.store(), model.zero_v(), model.zero_lambda());
         let pivot = self.system(model, time, state, u, &mut store, &mut forces, &mut rows);
-        model.solve(&store, &forces, &rows, a, lambda);
-        Evaluation::direct(pivot)
+        with_friction(model, time, state, u, &forces, a, lambda, |forces, a, lambda| {
+            model.solve(&store, forces, &rows, a, lambda);
+            Evaluation::direct(pivot)
+        })
     }
 
     fn check(&self) -> Result<(), SettingError> {

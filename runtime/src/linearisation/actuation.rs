@@ -63,16 +63,21 @@ pub fn actuation<R: Real, M: Tangent<R>>(
     for (value, &acts) in values.as_mut_slice().iter_mut().zip(acting.as_slice()) {
         *value = *value * (R::ONE - acts);
     }
-    let tolerance = R::EPSILON.sqrt();
+    // Friction by reactions follows by steps of the same size.
+    let tolerance = if model.rubs() { R::from_f64(8.0) * R::EPSILON } else { R::EPSILON.sqrt() };
+    let mut lambda = model.zero_lambda();
     let mut left = R::ZERO;
     for _ in 0..ITERATIONS {
-        let next = improved(model, &admissible, time, state, a, &acting, &values)?;
+        let next = improved(model, &admissible, (time, state, a), &acting, &values, &lambda)?;
         left = next.plus(-R::ONE, &values).max_abs();
         let done = left <= tolerance * next.max_abs();
         values = next;
+        if done || model.rubs() {
+            let inputs = M::Inputs::from_array(values.clone());
+            lambda = multipliers(model, time, state, a, &inputs, lambda)?;
+        }
         if done {
             let inputs = M::Inputs::from_array(values.clone());
-            let lambda = multipliers(model, time, state, a, &inputs)?;
             check_finite(time, values.as_slice(), |index| model.input_names().get(index).copied())?;
             check_finite(time, lambda.as_slice(), |row| model.rows().get(row).map(|row| row.of))?;
             return Ok(Actuation { inputs, lambda });
@@ -130,15 +135,14 @@ pub(crate) fn check_accelerations<R: Real, M: Assemble<R>>(
 fn improved<R: Real, M: Tangent<R>>(
     model: &M,
     admissible: &Admissible<'_, R, M>,
-    time: R,
-    state: &StateOf<M, R>,
-    a: &M::V,
+    (time, state, a): (R, &StateOf<M, R>, &M::V),
     acting: &Values<R, M>,
     values: &Values<R, M>,
+    lambda: &M::Lambda,
 ) -> Result<Values<R, M>, LinearisationError> {
     let inputs = M::Inputs::from_array(values.clone());
     let (mut residual, mut forces, mut input) = (model.zero_v(), model.zero_v(), model.zero_input_tangent());
-    model.residual(time, state, &inputs, a, &model.zero_lambda(), &mut residual);
+    model.residual(time, state, &inputs, a, lambda, &mut residual);
     model.forces(time, state, &inputs, &mut forces);
     model.input_tangent(time, state, &inputs, &mut input);
     let count = model.input_names().len();
@@ -193,13 +197,14 @@ fn improved<R: Real, M: Tangent<R>>(
     Ok(found)
 }
 
-/// λ of Dᵀ λ = −r(λ = 0), which lies in the range of Dᵀ.
+/// λ of Dᵀ (λ − λ₀) = −r(λ₀), which lies in the range of Dᵀ.
 fn multipliers<R: Real, M: Tangent<R>>(
     model: &M,
     time: R,
     state: &StateOf<M, R>,
     a: &M::V,
     inputs: &M::Inputs,
+    known: M::Lambda,
 ) -> Result<M::Lambda, LinearisationError> {
     let (mut residual, mut lambda) = (model.zero_v(), model.zero_lambda());
     let mut store = model.store();
@@ -207,9 +212,9 @@ fn multipliers<R: Real, M: Tangent<R>>(
     if !R::any(pivot.greater_equal(R::BREAKDOWN)) {
         return Err(broken_down(model, time, &state.q, pivot));
     }
-    model.residual(time, state, inputs, a, &lambda, &mut residual);
+    model.residual(time, state, inputs, a, &known, &mut residual);
     let none = model.zero_lambda();
     let mut rest = model.zero_v();
     model.solve(&store, &residual.scaled(-R::ONE), &none, &mut rest, &mut lambda);
-    Ok(lambda)
+    Ok(known.plus(R::ONE, &lambda))
 }

@@ -288,6 +288,8 @@ impl<'m, R: Real, M: Tangent<R>> Search<'m, R, M> {
         let (mut forces, mut rates) = (model.zero_internal_tangent(), model.zero_internal_rate_tangent());
         model.internal_tangent(time, rest, self.u, &mut forces);
         model.internal_rate_tangent(time, rest, self.u, &still, &at.lambda, &mut rates);
+        let mut friction = model.zero_friction_tangent();
+        model.friction_tangent(time, rest, self.u, &still, &at.lambda, &mut friction);
         let columns = ColumnsOf::of(model);
         let entries = self.entries.as_mut_slice();
         for state in 0..model.internal_count() {
@@ -295,6 +297,15 @@ impl<'m, R: Real, M: Tangent<R>> Search<'m, R, M> {
         }
         for (&entry, &(row, column)) in forces.as_slice().iter().zip(model.internal_pattern()) {
             entries[usize::from(row) * size + first + usize::from(column)] = entry;
+        }
+        // Columns of u, λ, z, a, of which λ and z are unknowns.
+        let inputs = model.input_names().len();
+        for (&entry, &(row, column)) in friction.as_slice().iter().zip(model.friction_pattern()) {
+            let Some(unknown) = usize::from(column).checked_sub(inputs) else { continue };
+            if unknown < model.row_count() + model.internal_count() {
+                let place = usize::from(row) * size + model.velocity_count() + unknown;
+                entries[place] = entries[place] + entry;
+            }
         }
         for (&entry, &(row, column)) in rates.as_slice().iter().zip(model.internal_rate_pattern()) {
             let (row, column) = ((first + usize::from(row)) * size, usize::from(column));

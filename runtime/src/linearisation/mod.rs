@@ -74,6 +74,7 @@ pub struct Linearisation<'m, R: Real, M: Tangent<R>> {
     row_damping: M::RowDamping,
     input: M::InputTangent,
     internal: M::InternalTangent,
+    friction: M::FrictionTangent,
     internal_rates: M::InternalRateTangent,
     /// Where rows are brought back to the constraints.
     stabilised: Option<Stabilised<R, M>>,
@@ -125,6 +126,8 @@ impl<'m, R: Real, M: Tangent<R>> Linearisation<'m, R, M> {
             (model.zero_internal_tangent(), model.zero_internal_rate_tangent());
         model.internal_tangent(time, state, u, &mut internal);
         model.internal_rate_tangent(time, state, u, &a, &lambda, &mut internal_rates);
+        let mut friction = model.zero_friction_tangent();
+        model.friction_tangent(time, state, u, &a, &lambda, &mut friction);
         let forces = |row: u16| model.velocity_names().get(usize::from(row)).copied();
         let rows = |row: u16| model.rows().get(usize::from(row)).map(|row| row.of);
         check_entries(time, stiffness.as_slice(), model.stiffness_pattern(), forces)?;
@@ -132,6 +135,7 @@ impl<'m, R: Real, M: Tangent<R>> Linearisation<'m, R, M> {
         check_entries(time, input.as_slice(), model.input_pattern(), forces)?;
         let states = |row: u16| model.internal_names().get(usize::from(row)).copied();
         check_entries(time, internal.as_slice(), model.internal_pattern(), forces)?;
+        check_entries(time, friction.as_slice(), model.friction_pattern(), forces)?;
         check_entries(time, internal_rates.as_slice(), model.internal_rate_pattern(), states)?;
         check_entries(time, row_stiffness.as_slice(), model.row_stiffness_pattern(), rows)?;
         check_entries(time, row_damping.as_slice(), model.row_damping_pattern(), rows)?;
@@ -149,6 +153,7 @@ impl<'m, R: Real, M: Tangent<R>> Linearisation<'m, R, M> {
             row_damping,
             input,
             internal,
+            friction,
             internal_rates,
             stabilised: None,
         })
@@ -189,6 +194,14 @@ impl<'m, R: Real, M: Tangent<R>> Linearisation<'m, R, M> {
         add_block(model.stiffness_pattern(), self.stiffness.as_slice(), (0, 0), dq, to_forces);
         add_block(model.damping_pattern(), self.damping.as_slice(), (0, 0), dv, to_forces);
         add_block(model.internal_pattern(), self.internal.as_slice(), (0, 0), dz.as_slice(), to_forces);
+        let internal = model.input_names().len() + model.row_count();
+        add_block(
+            model.friction_pattern(),
+            self.friction.as_slice(),
+            (0, internal),
+            dz.as_slice(),
+            to_forces,
+        );
         add_block(model.row_stiffness_pattern(), self.row_stiffness.as_slice(), (0, 0), dq, to_rows);
         add_block(model.row_damping_pattern(), self.row_damping.as_slice(), (0, 0), dv, to_rows);
         if let Some(stabilised) = &self.stabilised {
@@ -251,6 +264,9 @@ impl<'m, R: Real, M: Tangent<R>> Linearisation<'m, R, M> {
         let model = self.model;
         let mut forces = model.zero_v();
         add_column(model.input_pattern(), self.input.as_slice(), (0, index), forces.as_mut_slice());
+        if index < model.input_names().len() {
+            add_column(model.friction_pattern(), self.friction.as_slice(), (0, index), forces.as_mut_slice());
+        }
         self.response(&forces, &model.zero_lambda())
     }
 
@@ -268,7 +284,7 @@ impl<'m, R: Real, M: Tangent<R>> Linearisation<'m, R, M> {
         let model = self.model;
         let (mut acceleration, mut multipliers) = (model.zero_v(), model.zero_lambda());
         let (forces, rows) = (forces.scaled(-R::ONE), rows.scaled(-R::ONE));
-        self.model.solve(&self.store, &forces, &rows, &mut acceleration, &mut multipliers);
+        model.solve_rubbing(&self.store, &self.friction, &forces, &rows, &mut acceleration, &mut multipliers);
         Response { acceleration, multipliers }
     }
 }

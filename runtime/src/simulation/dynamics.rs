@@ -1,6 +1,7 @@
 //! The mechanism as an integrator sees it: a model under a formulation, with its inputs, watched.
 
 use crate::error::AssemblyError;
+use crate::formulation::friction::unexplained;
 use crate::formulation::{Evaluation, Formulation, Settled, past_breakdown};
 use crate::input::InputSource;
 use crate::integrator::Dynamics;
@@ -46,6 +47,8 @@ pub(super) struct Watch<R, S> {
     pub smallest_pivot: R,
     pub iterations: u32,
     pub residual: R,
+    /// What friction left at the step's beginning.
+    pub friction: R,
     pub stepped_over: u32,
     /// The worst stage below [`Real::NEAR_SINGULAR`].
     pub worst: Option<Stage<R, S>>,
@@ -71,6 +74,7 @@ impl<R: Real, S> Watch<R, S> {
             smallest_pivot: R::ONE,
             iterations: 0,
             residual: R::ZERO,
+            friction: R::ZERO,
             stepped_over: 0,
             worst: None,
             failure: None,
@@ -216,6 +220,9 @@ where
         // Written so that a NaN is seen.
         if !R::any(evaluation.pivot.greater_equal(R::NEAR_SINGULAR)) {
             self.see(time, state, &inputs, &mut evaluation, &mut a, &mut lambda);
+        }
+        if first && model.rubs() {
+            self.watch.friction = unexplained(model, time, state, &inputs, &a, &lambda);
         }
         let watch = &mut self.watch;
         if first {

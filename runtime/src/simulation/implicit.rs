@@ -142,6 +142,24 @@ where
             }
         }
         internal.by_others(weights, first, &mut add);
+        let mut friction = model.zero_friction_tangent();
+        model.friction_tangent(time, state, &inputs, a, lambda, &mut friction);
+        // Columns of u, λ, z, v̇.
+        let to_rows = model.input_names().len();
+        let [to_internal, to_accelerations] =
+            [model.row_count(), model.row_count() + model.internal_count()].map(|it| to_rows + it);
+        for (&entry, &(row, column)) in friction.as_slice().iter().zip(model.friction_pattern()) {
+            let (row, column) = (usize::from(row), usize::from(column));
+            if column >= to_accelerations {
+                add(row, column - to_accelerations, weights.mass * entry);
+            } else if column >= to_internal {
+                if weights.internal.is_some() {
+                    add(row, first + column - to_internal, entry);
+                }
+            } else if column >= to_rows {
+                add(row, n + column - to_rows, entry);
+            }
+        }
         for row in 0..model.row_count() {
             let own = if idle(row as u16) { R::ONE } else { -weights.compliance };
             add(n + row, n + row, own);

@@ -20,6 +20,7 @@ use super::{NearSingular, Simulation};
 use crate::assembly::determinacy::turned;
 use crate::assembly::system::subtract_product;
 use crate::error::SimulationError;
+use crate::formulation::friction::applied;
 use crate::formulation::{Formulation, Penalty, largest_mass};
 use crate::input::InputSource;
 use crate::integrator::Method;
@@ -176,7 +177,7 @@ impl<'m, R: Real, M: Assemble<R>, F: Formulation<R, M>, S, I: Method<R>> Simulat
         let (model, state) = (self.dynamics.model, &self.run.state);
         let power = |time, state: &StateOf<M, R>, inputs: &M::Inputs| {
             let mut forces = model.zero_v();
-            model.forces(time, state, inputs, &mut forces);
+            applied(model, time, state, inputs, &mut forces);
             dot(forces.as_slice(), state.v.as_slice())
         };
         // ½ vᵀ Ṁ v, which Q has among the forces of inertia.
@@ -237,7 +238,7 @@ impl<'m, R: Real, M: Assemble<R>, F: Formulation<R, M>, S, I: Method<R>> Simulat
         let there = State { v: state.v.clone(), ..next.clone() };
         let pushed = [(begin, state, first), (end, &there, last)].map(|(time, state, inputs)| {
             let mut forces = model.zero_v();
-            model.forces(time, state, inputs, &mut forces);
+            applied(model, time, state, inputs, &mut forces);
             let work = dot(forces.as_slice(), solved(&forces, &model.zero_lambda()).as_slice());
             h * (half * work.max(R::ZERO)).sqrt()
         });

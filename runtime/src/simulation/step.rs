@@ -48,6 +48,9 @@ pub struct Step<R = f64> {
     pub moved: R,
     /// Trials that were given up, by reason.
     pub rejections: Rejections,
+    /// What friction by reactions left open at the step's beginning: the largest entry of M v̇ + Dᵀ λ − Q − Q_f(v̇, λ) beyond rounding, relative
+    /// to the largest of Q_f. Small, or there is no one solution: the mechanism locks. Implicit methods leave nothing, and say zero.
+    pub friction_residual: R,
     /// Stages that broke down and were stepped over.
     pub stepped_over: u32,
 }
@@ -162,6 +165,7 @@ where
             residual: watch.residual.max(stepped.residual),
             moved: settled.moved,
             rejections: stepped.rejections,
+            friction_residual: watch.friction,
             stepped_over: watch.stepped_over,
         };
         Ok((step, next, clock))

@@ -453,6 +453,7 @@ impl<S: Storage> Tangent<f64> for Masses<S> {
     type RateTangent = S::N;
     type InputTangent = S::One;
     type InternalTangent = ();
+    type FrictionTangent = ();
     type ParameterTangent = S::None;
     type OutputTangent = S::One;
     type InternalRateTangent = ();

@@ -37,6 +37,7 @@ pub static LOAD: LoadKind = LoadKind {
         stores: false,
         turns: false,
         owns: Some(Owned::One { name: "deflection", size: "depth" }),
+        rubs: false,
         effort: Some("resistance"),
         doubt: None,
     },

@@ -36,6 +36,7 @@ pub static LOAD: LoadKind = LoadKind {
         stores: false,
         turns: false,
         owns: None,
+        rubs: false,
         effort: Some("tension"),
         doubt: None,
     },

@@ -25,6 +25,7 @@ pub static LOAD: LoadKind = LoadKind {
         stores: false,
         turns: false,
         owns: None,
+        rubs: false,
         effort: None,
         doubt: None,
     },

@@ -30,6 +30,7 @@ pub static LOAD: LoadKind = LoadKind {
         stores: false,
         turns: false,
         owns: Some(Owned::Elements { name: "element", backbone: "backbone" }),
+        rubs: false,
         effort: Some("resistance"),
         doubt: None,
     },

@@ -21,7 +21,7 @@ pub use torque::CALL as TORQUE;
 
 use super::jet::Moving;
 use super::laws::Laws;
-use super::{plane, space};
+use super::{friction, plane, space};
 use crate::drawing::load::Symbol;
 use crate::forms::LoadForm;
 use crate::model::{Expr, Load, Rotor, Space};
@@ -61,7 +61,7 @@ pub fn of_space(space: Space) -> impl Iterator<Item = &'static LoadKind> {
         Space::Planar => plane::loads::LOADS,
         Space::Spatial => space::loads::LOADS,
     };
-    LOADS.iter().chain(own).copied()
+    LOADS.iter().chain(friction::LAWS).chain(own).copied()
 }
 
 /// The load with a form, which is one of the lists' own.

@@ -30,6 +30,7 @@ pub static LOAD: LoadKind = LoadKind {
         stores: true,
         turns: false,
         owns: None,
+        rubs: false,
         effort: None,
         // A damper has no length.
         doubt: Some(|name, values| match values {

@@ -29,6 +29,7 @@ pub static LOAD: LoadKind = LoadKind {
         stores: true,
         turns: false,
         owns: None,
+        rubs: false,
         effort: None,
         doubt: None,
     },

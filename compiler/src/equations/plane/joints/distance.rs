@@ -30,6 +30,7 @@ pub const FORM: JointForm = JointForm {
     of_particle: OfParticle::Any,
     alone: Alone::Otherwise,
     freer: &[],
+    bearing: None,
     refuses: Some(|given| {
         let length = given.scalars.first().copied().flatten()?;
         (length <= 0.0).then(|| ("length", messages::distance_not_positive(given.name)))

@@ -30,6 +30,7 @@ pub static JOINT: PlanarJoint = PlanarJoint {
         of_particle: OfParticle::Neither,
         alone: Alone::Otherwise,
         freer: &[Freer { turns: 1, shifts: 0, joint: "revolute" }],
+        bearing: None,
         refuses: None,
     },
     rows,

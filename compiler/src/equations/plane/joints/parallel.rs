@@ -25,6 +25,7 @@ pub static JOINT: PlanarJoint = PlanarJoint {
         of_particle: OfParticle::Neither,
         alone: Alone::Slides,
         freer: &[],
+        bearing: None,
         refuses: None,
     },
     rows,

@@ -7,7 +7,7 @@ use crate::drawing::shapes::{THIN, away, ground_line, heading, rectangle, shifte
 use crate::equations::laws::Laws;
 use crate::equations::plane::kinematics::{FrameId, Placement};
 use crate::forms::row::NORMAL;
-use crate::forms::{Alone, Form, JointAxes, JointForm, OfParticle, Positional, Spans};
+use crate::forms::{Alone, Bearing, Form, JointAxes, JointForm, OfParticle, Positional, Spans};
 use crate::model::Frame;
 use crate::symbolic::On;
 
@@ -31,6 +31,7 @@ pub static JOINT: PlanarJoint = PlanarJoint {
         of_particle: OfParticle::Any,
         alone: Alone::Otherwise,
         freer: &[],
+        bearing: Some(Bearing::Point),
         refuses: None,
     },
     rows,

@@ -7,7 +7,9 @@ use crate::drawing::plane::Symbol;
 use crate::drawing::shapes::{THIN, ground_line, heading, plate, rectangle, shifted};
 use crate::equations::laws::Laws;
 use crate::equations::plane::kinematics::Placement;
-use crate::forms::{Alone, Argument, Form, Freer, JointAxes, JointForm, Need, OfParticle, PLACES, Spans};
+use crate::forms::{
+    Alone, Argument, Bearing, Form, Freer, JointAxes, JointForm, Need, OfParticle, PLACES, Spans,
+};
 use crate::model::Frame;
 use crate::units::Dimension;
 
@@ -34,6 +36,7 @@ pub static JOINT: PlanarJoint = PlanarJoint {
         of_particle: OfParticle::Neither,
         alone: Alone::Slides,
         freer: &[Freer { turns: 1, shifts: 0, joint: "point_on_line" }],
+        bearing: Some(Bearing::Rail),
         refuses: None,
     },
     rows,

@@ -4,7 +4,7 @@ use super::{Carried, Ends, JointRow, PlanarJoint, vector};
 use crate::equations::laws::Laws;
 use crate::equations::plane::kinematics::Placement;
 use crate::forms::row::GAP;
-use crate::forms::{Alone, Form, Freer, JointAxes, JointForm, OfParticle, PLACES, Spans};
+use crate::forms::{Alone, Bearing, Form, Freer, JointAxes, JointForm, OfParticle, PLACES, Spans};
 
 pub static JOINT: PlanarJoint = PlanarJoint {
     form: JointForm {
@@ -26,6 +26,7 @@ pub static JOINT: PlanarJoint = PlanarJoint {
         of_particle: OfParticle::Any,
         alone: Alone::Turns,
         freer: &[Freer { turns: 0, shifts: 1, joint: "point_on_line" }],
+        bearing: Some(Bearing::Pin),
         refuses: None,
     },
     rows,

@@ -34,6 +34,7 @@ pub static LOAD: LoadKind = LoadKind {
         stores: true,
         turns: true,
         owns: None,
+        rubs: false,
         effort: None,
         doubt: None,
     },

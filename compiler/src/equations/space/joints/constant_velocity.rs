@@ -28,6 +28,7 @@ pub static JOINT: SpatialJoint = SpatialJoint {
         of_particle: OfParticle::Neither,
         alone: Alone::Otherwise,
         freer: &[],
+        bearing: None,
         refuses: None,
     },
     // Its two swings have no coordinates that stay regular.

@@ -3,7 +3,7 @@
 use super::{AXIS, Elementary, Ends, SpatialJoint};
 use crate::drawing::space::Symbol;
 use crate::equations::{JointRow, Laws};
-use crate::forms::{Alone, Form, Freer, JointAxes, JointForm, OfParticle, PLACES, Spans};
+use crate::forms::{Alone, Bearing, Form, Freer, JointAxes, JointForm, OfParticle, PLACES, Spans};
 
 pub static JOINT: SpatialJoint = SpatialJoint {
     form: JointForm {
@@ -20,6 +20,7 @@ pub static JOINT: SpatialJoint = SpatialJoint {
         of_particle: OfParticle::Neither,
         alone: Alone::TurnsAndSlides,
         freer: &[Freer { turns: 2, shifts: 0, joint: "point_on_line" }],
+        bearing: Some(Bearing::Sleeve),
         refuses: None,
     },
     motions: Some(&[Elementary::Slide { axis: 2, which: 0 }, Elementary::Turn { frame: 0, which: 0 }]),

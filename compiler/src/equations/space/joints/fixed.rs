@@ -25,6 +25,7 @@ pub static JOINT: SpatialJoint = SpatialJoint {
             Freer { turns: 2, shifts: 0, joint: "universal" },
             Freer { turns: 3, shifts: 0, joint: "spherical" },
         ],
+        bearing: None,
         refuses: None,
     },
     motions: Some(&[]),

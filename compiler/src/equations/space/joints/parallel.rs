@@ -22,6 +22,7 @@ pub static JOINT: SpatialJoint = SpatialJoint {
         of_particle: OfParticle::Neither,
         alone: Alone::Slides,
         freer: &[],
+        bearing: None,
         refuses: None,
     },
     motions: Some(&[

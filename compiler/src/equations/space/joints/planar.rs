@@ -22,6 +22,7 @@ pub static JOINT: SpatialJoint = SpatialJoint {
         of_particle: OfParticle::Neither,
         alone: Alone::Otherwise,
         freer: &[Freer { turns: 2, shifts: 0, joint: "point_on_plane" }],
+        bearing: None,
         refuses: None,
     },
     motions: Some(&[

@@ -5,7 +5,7 @@ use crate::drawing::shapes::plate;
 use crate::drawing::space::Symbol;
 use crate::drawing::vector::along;
 use crate::equations::{JointRow, Laws};
-use crate::forms::{Alone, Form, JointAxes, JointForm, OfParticle, Positional, Spans};
+use crate::forms::{Alone, Bearing, Form, JointAxes, JointForm, OfParticle, Positional, Spans};
 
 pub static JOINT: SpatialJoint = SpatialJoint {
     form: JointForm {
@@ -27,6 +27,7 @@ pub static JOINT: SpatialJoint = SpatialJoint {
         of_particle: OfParticle::Any,
         alone: Alone::Otherwise,
         freer: &[],
+        bearing: Some(Bearing::Point),
         refuses: None,
     },
     motions: Some(&[Elementary::Slide { axis: 2, which: 0 }, Elementary::Ball]),

@@ -20,6 +20,7 @@ pub static JOINT: SpatialJoint = SpatialJoint {
         of_particle: OfParticle::Second,
         alone: Alone::Otherwise,
         freer: &[],
+        bearing: None,
         refuses: None,
     },
     // It leaves five freedoms, and a free body has six.

@@ -5,7 +5,7 @@ use crate::drawing::canvas::Pen;
 use crate::drawing::shapes::{THIN, across};
 use crate::drawing::space::Symbol;
 use crate::equations::{JointRow, Laws};
-use crate::forms::{Alone, Form, Freer, JointAxes, JointForm, OfParticle, PLACES, Spans};
+use crate::forms::{Alone, Bearing, Form, Freer, JointAxes, JointForm, OfParticle, PLACES, Spans};
 
 pub static JOINT: SpatialJoint = SpatialJoint {
     form: JointForm {
@@ -30,6 +30,7 @@ pub static JOINT: SpatialJoint = SpatialJoint {
             Freer { turns: 1, shifts: 0, joint: "cylindrical" },
             Freer { turns: 3, shifts: 0, joint: "point_on_line" },
         ],
+        bearing: Some(Bearing::Rail),
         refuses: None,
     },
     motions: Some(&[Elementary::Slide { axis: 2, which: 0 }]),

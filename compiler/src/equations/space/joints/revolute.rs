@@ -3,7 +3,7 @@
 use super::{AXIS, Elementary, Ends, SpatialJoint};
 use crate::drawing::space::Symbol;
 use crate::equations::{JointRow, Laws};
-use crate::forms::{Alone, Form, Freer, JointAxes, JointForm, OfParticle, PLACES, Spans};
+use crate::forms::{Alone, Bearing, Form, Freer, JointAxes, JointForm, OfParticle, PLACES, Spans};
 
 pub static JOINT: SpatialJoint = SpatialJoint {
     form: JointForm {
@@ -30,6 +30,7 @@ pub static JOINT: SpatialJoint = SpatialJoint {
             Freer { turns: 0, shifts: 1, joint: "cylindrical" },
             Freer { turns: 2, shifts: 1, joint: "point_on_line along its axis" },
         ],
+        bearing: Some(Bearing::Pin),
         refuses: None,
     },
     motions: Some(&[Elementary::Turn { frame: 0, which: 0 }]),

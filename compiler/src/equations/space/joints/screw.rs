@@ -32,6 +32,7 @@ pub static JOINT: SpatialJoint = SpatialJoint {
         of_particle: OfParticle::Neither,
         alone: Alone::Otherwise,
         freer: &[],
+        bearing: None,
         refuses: Some(|given| {
             let pitch = given.scalars.first().copied().flatten()?;
             (pitch == 0.0).then(|| ("pitch", messages::zero_pitch()))

@@ -3,7 +3,7 @@
 use super::{Elementary, Ends, SpatialJoint};
 use crate::drawing::space::Symbol;
 use crate::equations::{JointRow, Laws};
-use crate::forms::{Alone, Form, JointAxes, JointForm, OfParticle, PLACES, Spans};
+use crate::forms::{Alone, Bearing, Form, JointAxes, JointForm, OfParticle, PLACES, Spans};
 
 pub static JOINT: SpatialJoint = SpatialJoint {
     form: JointForm {
@@ -25,6 +25,7 @@ pub static JOINT: SpatialJoint = SpatialJoint {
         of_particle: OfParticle::Any,
         alone: Alone::Turns,
         freer: &[],
+        bearing: Some(Bearing::Ball),
         refuses: None,
     },
     motions: Some(&[Elementary::Ball]),

@@ -6,7 +6,7 @@ use crate::drawing::shapes::THIN;
 use crate::drawing::space::Symbol;
 use crate::equations::{JointRow, Laws};
 use crate::forms::{
-    Alone, Argument, Form, Freer, JointAxes, JointForm, Need, OfParticle, PLACES, RowForm, Spans,
+    Alone, Argument, Bearing, Form, Freer, JointAxes, JointForm, Need, OfParticle, PLACES, RowForm, Spans,
     degrees_between,
 };
 use crate::messages;
@@ -34,6 +34,7 @@ pub static JOINT: SpatialJoint = SpatialJoint {
         of_particle: OfParticle::Neither,
         alone: Alone::Turns,
         freer: &[Freer { turns: 1, shifts: 0, joint: "spherical" }],
+        bearing: Some(Bearing::Cross),
         refuses: Some(|given| {
             let [Some(axis), Some(second)] = given.directions[..] else { return None };
             let degrees = degrees_between(axis, second);

@@ -20,6 +20,7 @@ pub static LOAD: LoadKind = LoadKind {
         stores: false,
         turns: false,
         owns: None,
+        rubs: false,
         effort: None,
         doubt: None,
     },
@@ -37,6 +38,7 @@ fn terms<'g>(laws: &Laws<'g>, load: &Load) -> LoadTerms<'g> {
         Subject::Place(_)
         | Subject::Rotor(_)
         | Subject::Travel(_)
+        | Subject::Bearing(..)
         | Subject::Expression(..)
         | Subject::Toothing(_) => None,
     });

@@ -1,0 +1,134 @@
+//! The surfaces of joints: along which coordinates they slide on each other, and which forces press them together.
+//!
+//! | joint | slides | N |
+//! |---|---|---|
+//! | pin, in the plane | about it | \|R\| |
+//! | pin, in space | about it | \|R_r\| + \|R_a\| r_a/r + 2 \|M_b\|/l |
+//! | two pins that cross | about each | \|R\| of each |
+//! | ball | about any axis | \|R\| |
+//! | rail | along it | \|R_n\|, or with a length \|R_n/2 + M/l\| + \|R_n/2 − M/l\| |
+//! | sleeve | along and about it | the same, across the axis |
+//! | point | along its line | \|R_n\| |
+//!
+//! R is the force at the joint's second place, M the torque about it (N, N m), R_a along the axis, R_r, M_b and R_n across; r is the radius, r_a
+//! that of the shoulder, l the length. A length or shoulder that is not given carries nothing. Moments of a rail or sleeve are carried by its
+//! ends, at l/2 to both sides of the second place.
+
+use crate::equations::jet::Moving;
+use crate::equations::laws::Laws;
+use crate::forms::Bearing;
+use crate::model::{Frame, Joint, JointId, Load, Rotor, Space};
+use crate::symbolic::Scalar;
+
+/// What slides as one: coordinates whose rates, each times its lever, are the components of v.
+pub struct Slip<'g> {
+    pub along: Vec<(Moving<'g>, Scalar<'g>)>,
+    /// What N acts by: the radius where v is an angular velocity, else 1.
+    pub radius: Scalar<'g>,
+}
+
+/// The components of each of the forces whose sizes together are N.
+pub type Pressing<'g> = Vec<Vec<Scalar<'g>>>;
+
+fn joint_of<'l>(laws: &Laws<'l>, load: &Load) -> Option<(JointId, &'l Joint, Bearing)> {
+    let id = load.bearing()?;
+    let joint = &laws.mechanism.joints[id.0];
+    Some((id, joint, joint.form.bearing?))
+}
+
+/// What slides in the joint of a friction.
+pub fn slips<'g>(laws: &Laws<'g>, load: &Load) -> Vec<Slip<'g>> {
+    let Some((id, joint, bearing)) = joint_of(laws, load) else { return Vec::new() };
+    let (one, radius) = (laws.g.one(), laws.value(load.named("radius")));
+    let turn = |which| laws.kinematics().rotor_rate(laws, Rotor::Joint(id, which));
+    let travel = || laws.kinematics().travel(laws, id, 0);
+    match bearing {
+        Bearing::Pin => vec![Slip { along: vec![(turn(0), one)], radius }],
+        Bearing::Cross => [0, 1].map(|which| Slip { along: vec![(turn(which), one)], radius }).into(),
+        Bearing::Ball => {
+            vec![Slip { along: relative_turn(laws, joint).into_iter().map(|it| (it, one)).collect(), radius }]
+        }
+        Bearing::Rail | Bearing::Point => vec![Slip { along: vec![(travel(), one)], radius: one }],
+        Bearing::Sleeve => {
+            vec![Slip { along: vec![(turn(0), radius), (travel(), one)], radius: one }]
+        }
+    }
+}
+
+/// Quantities whose rates are ω of the second body less that of the first, along the axes of the world.
+fn relative_turn<'g>(laws: &Laws<'g>, joint: &Joint) -> Vec<Moving<'g>> {
+    let turning = |frame: Frame| match frame {
+        Frame::Body(body) => laws.kinematics().turning(body),
+        Frame::Ground => vec![laws.still(laws.g.zero()); 3],
+    };
+    turning(joint.second.frame)
+        .into_iter()
+        .zip(turning(joint.first.frame))
+        .map(|(two, one)| two - one)
+        .collect()
+}
+
+/// The forces that press, of what the joint exerts on its second body: force, then torque, along the axes of the world.
+pub fn pressing<'g>(laws: &Laws<'g>, load: &Load, wrench: &[Scalar<'g>]) -> Pressing<'g> {
+    let Some((_, joint, bearing)) = joint_of(laws, load) else { return Vec::new() };
+    let (force, torque) = wrench.split_at(laws.mechanism.space.dimensions());
+    let length = laws.value(load.named("length"));
+    if laws.mechanism.space == Space::Planar {
+        return match bearing {
+            Bearing::Pin => vec![force.to_vec()],
+            _ => {
+                let normal = laws.plane().normal(laws, joint).parts();
+                let across = normal[0] * force[0] + normal[1] * force[1];
+                at_ends(&[across], &[torque[0]], length)
+            }
+        };
+    }
+    let Some(axis) = axis(laws, joint) else { return vec![force.to_vec()] };
+    let cross = |a: [Scalar<'g>; 3], b: &[Scalar<'g>]| {
+        [(1, 2), (2, 0), (0, 1)].map(|(i, j)| a[i] * b[j] - a[j] * b[i])
+    };
+    let along = |v: &[Scalar<'g>]| laws.g.sum(axis.iter().zip(v).map(|(a, v)| *a * *v));
+    let across = |v: &[Scalar<'g>]| {
+        let along = along(v);
+        v.iter().zip(&axis).map(|(v, a)| *v - along * *a).collect::<Vec<_>>()
+    };
+    match bearing {
+        Bearing::Cross | Bearing::Ball => vec![force.to_vec()],
+        Bearing::Pin => {
+            let [shoulder, radius] = ["shoulder", "radius"].map(|name| laws.value(load.named(name)));
+            let mut pressing = vec![across(force)];
+            if !shoulder.is_zero() {
+                pressing.push(vec![along(force) * (shoulder / radius)]);
+            }
+            if !length.is_zero() {
+                let by = 2.0 * length.reciprocal();
+                pressing.push(across(torque).into_iter().map(|moment| moment * by).collect());
+            }
+            pressing
+        }
+        // A moment M is carried by forces M × a/l at the one end and −M × a/l at the other.
+        Bearing::Rail | Bearing::Sleeve | Bearing::Point => {
+            let couple = cross(axis, torque).map(|moment| -moment);
+            at_ends(&across(force), &couple, length)
+        }
+    }
+}
+
+/// R/2 + M/l and R/2 − M/l; R where no length carries a moment.
+fn at_ends<'g>(force: &[Scalar<'g>], couple: &[Scalar<'g>], length: Scalar<'g>) -> Pressing<'g> {
+    if length.is_zero() {
+        return vec![force.to_vec()];
+    }
+    let by = length.reciprocal();
+    let end = |sign: f64| force.iter().zip(couple).map(|(r, m)| 0.5 * *r + sign * (*m * by)).collect();
+    vec![end(1.0), end(-1.0)]
+}
+
+/// The axis of a joint in space along the axes of the world, if it has one.
+fn axis<'g>(laws: &Laws<'g>, joint: &Joint) -> Option<[Scalar<'g>; 3]> {
+    let space = laws.space()?;
+    let direction = joint.directions.first()?;
+    let spot = space.spot(laws, &joint.first);
+    let local = spot.axes * laws.vector(direction).normalized();
+    Some((space.world_axes(spot.link) * local).parts())
+}

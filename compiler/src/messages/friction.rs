@@ -1,0 +1,93 @@
+//! Of friction.
+
+use super::number;
+
+pub(crate) fn friction_without_joint() -> String {
+    "friction acts in a joint: write `friction name: on(joint) = coulomb(coefficient = 0.2, radius [m] = 0.01, speed [rad/s] = 0.05);`"
+        .to_string()
+}
+
+pub(crate) fn dry_friction() -> String {
+    "`dry` friction, which sticks exactly, is not there yet: it needs gates that are held within a step; `coulomb` creeps where it would stick, with a \
+     speed of the order of its `speed`, `stribeck` likewise"
+        .to_string()
+}
+
+pub(crate) fn law_of_friction_alone(word: &str) -> String {
+    format!("`{word}` is a law of friction: write `friction name: on(joint) = {word}(…);`")
+}
+
+pub(crate) fn no_bearing(joint: &str, kind: &str) -> String {
+    format!(
+        "no surfaces slide on each other in `{joint}`, a {kind} joint: friction acts in revolute, prismatic, cylindrical, spherical and universal \
+         joints and where a point slides along a line"
+    )
+}
+
+pub(crate) fn bearing_of_particle(joint: &str) -> String {
+    format!(
+        "`{joint}` is a joint of a particle, which does not turn: its friction would do nothing; make it a body with inertia"
+    )
+}
+
+pub(crate) fn no_use_in_bearing(argument: &str, joint: &str, kind: &str) -> String {
+    let why = match argument {
+        "radius" => "slides along, and its friction is a force that no radius turns into a torque",
+        "shoulder" => "has no shoulder that an axial force presses on",
+        _ => "carries no moment by a length",
+    };
+    format!("the {argument} has no use: `{joint}`, a {kind} joint, {why}; leave `{argument}` out")
+}
+
+pub(crate) fn friction_by_torque(name: &str, joint: &str) -> String {
+    format!(
+        "`{joint}` turns, so that `{name}` resists with a torque: write `torque [N*m] = …` in place of `force`"
+    )
+}
+
+pub(crate) fn friction_by_force(name: &str, joint: &str) -> String {
+    format!(
+        "`{joint}` slides along, so that `{name}` resists with a force: write `force [N] = …` in place of `torque`"
+    )
+}
+
+pub(crate) fn friction_without_radius(name: &str, joint: &str, kind: &str) -> String {
+    format!(
+        "the friction `{name}` needs its radius: a force of μ N at the radius r makes the torque μ r N that `{joint}`, a {kind} joint, feels; \
+         write `radius [m] = …`, or `torque [N*m] = …` for what does not depend on load"
+    )
+}
+
+pub(crate) fn friction_of_nothing(name: &str, turns: bool) -> String {
+    let own = if turns { "torque [N*m]" } else { "force [N]" };
+    format!(
+        "the friction `{name}` resists with nothing: write `coefficient = …`, which the reaction of the joint is multiplied by, or `{own} = …`"
+    )
+}
+
+pub(crate) fn static_below_kinetic(most: f64, least: f64) -> String {
+    format!(
+        "what holds is less than what slides: the coefficient at rest, {}, is below that of sliding, {}; write the larger as `static`",
+        number(most),
+        number(least)
+    )
+}
+
+pub(crate) fn quantity_of_friction(name: &str, quantities: &[&str]) -> String {
+    let quantities: Vec<String> = quantities.iter().map(|quantity| format!("`{name}.{quantity}`")).collect();
+    format!("`{name}` has the quantities {}, and its power is `power({name})`", quantities.join(", "))
+}
+
+pub(crate) fn passes_of_friction(found: i64, most: usize) -> String {
+    format!(
+        "`friction_passes` is how often Newton's method is applied to the forces that press surfaces together, each time doubling the digits that are \
+         right: from 1 to {most}, found {found}; 2 is usual"
+    )
+}
+
+pub(crate) fn too_many_in_a_loop(count: usize, most: usize, names: &str) -> String {
+    format!(
+        "{count} frictions press on each other through their reactions ({names}), and what is written out grows with the cube of that: {most} are the \
+         most; give some of them by `force` or `torque`, which do not depend on load"
+    )
+}

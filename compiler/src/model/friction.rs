@@ -1,0 +1,140 @@
+//! Friction: the joint it acts in, the arguments that this kind of joint takes, and which forces that press are found with the reactions.
+
+use super::lower::Lowering;
+use super::names::Part;
+use super::quantities::Found;
+use super::{Coordinate, Expr, JointId, Load, LoadId, Quantity, Rotor, Space, Subject};
+use crate::forms::Bearing;
+use crate::messages;
+use crate::syntax::{self, Label, Path, SubjectTerm};
+use crate::units::Dimension;
+
+impl<'d> Lowering<'d> {
+    /// A joint whose surfaces slide on each other.
+    pub(super) fn bearing(&mut self, label: &'d Label) -> Option<Subject> {
+        let Some(Part::Joint(index)) = self.names.part(&label.text) else {
+            let message = self.names.not_found("joint", &label.text, |part| matches!(part, Part::Joint(_)));
+            self.diagnostics.error(label.region, message);
+            return None;
+        };
+        let form = self.definition.joints[index].form;
+        let kind = form.call.word;
+        let Some(bearing) = form.bearing else {
+            self.diagnostics.error(label.region, messages::no_bearing(&label.text, kind));
+            return None;
+        };
+        let (angles, _) = self.coordinates(JointId(index));
+        if angles.is_empty() && matches!(bearing, Bearing::Pin | Bearing::Cross | Bearing::Sleeve) {
+            self.diagnostics.error(label.region, messages::bearing_of_particle(&label.text));
+            return None;
+        }
+        let way = if bearing.turns() { Dimension::ANGLE } else { Dimension::LENGTH };
+        Some(Subject::Bearing(JointId(index), way))
+    }
+
+    /// What a friction has: what presses and, where its surfaces slide along one coordinate, how fast and what resists.
+    pub(super) fn of_friction(&mut self, load: LoadId, path: &Path) -> Option<Found> {
+        let written = &self.definition.loads[load.0];
+        let joint = written.on.first().and_then(|on| match on {
+            SubjectTerm::Name(label) => self.names.part(&label.text),
+            SubjectTerm::Place(_) | SubjectTerm::Expression(_) => None,
+        });
+        // What is wrong with its joint is said where it is declared.
+        let Some(Part::Joint(index)) = joint else { return None };
+        let bearing = self.definition.joints[index].form.bearing?;
+        let joint = JointId(index);
+        let names: &[&str] = match bearing {
+            Bearing::Pin => &["normal", "torque", "rate"],
+            Bearing::Rail | Bearing::Point => &["normal", "force", "sliding"],
+            Bearing::Cross | Bearing::Ball | Bearing::Sleeve => &["normal"],
+        };
+        let asked = path.parts[1].text.as_str();
+        if path.parts.len() != 2 || !names.contains(&asked) {
+            self.diagnostics.error(path.region, messages::quantity_of_friction(&path.parts[0].text, names));
+            return None;
+        }
+        match asked {
+            "normal" => Found::result(Quantity::Pressing(load), Dimension::FORCE),
+            "torque" => Found::result(Quantity::LoadEffort(load), Dimension::TORQUE),
+            "force" => Found::result(Quantity::LoadEffort(load), Dimension::FORCE),
+            "rate" => Found::velocity(Coordinate::Angle(Rotor::Joint(joint, 0))),
+            _ => Found::velocity(Coordinate::Travel(joint, 0)),
+        }
+    }
+
+    /// Whether a friction says what its joint needs, and nothing that the joint has no use for.
+    pub(super) fn rubs(
+        &mut self,
+        load: &'d syntax::Load,
+        on: &[Subject],
+        values: &mut [Vec<Expr>],
+    ) -> Option<()> {
+        let [Subject::Bearing(joint, _)] = on else { return Some(()) };
+        let form = self.definition.joints[joint.0].form;
+        let Some(bearing) = form.bearing else { return Some(()) };
+        let (name, joint) = (&load.name.text, &self.definition.joints[joint.0].name.text);
+        let arguments = load.form.call.named.iter();
+        let value = |name: &str| {
+            let at = arguments.clone().position(|argument| argument.name == name)?;
+            values[at].first().filter(|value| !matches!(value, Expr::Number(0.0)))
+        };
+        let errors = self.diagnostics.iter().count();
+        let mut refuse = |argument: &str, message: String| {
+            if let Some(label) = load.named.labels().find(|label| label.text == argument) {
+                self.diagnostics.error(label.region, message);
+            }
+        };
+        let spatial = self.definition.space == Space::Spatial;
+        let ends = match bearing {
+            Bearing::Pin => spatial,
+            Bearing::Rail | Bearing::Sleeve => true,
+            Bearing::Cross | Bearing::Ball | Bearing::Point => false,
+        };
+        let kind = form.call.word;
+        if !ends {
+            refuse("length", messages::no_use_in_bearing("length", joint, kind));
+        }
+        if !(spatial && bearing == Bearing::Pin) {
+            refuse("shoulder", messages::no_use_in_bearing("shoulder", joint, kind));
+        }
+        if !bearing.turns() && bearing != Bearing::Sleeve {
+            refuse("radius", messages::no_use_in_bearing("radius", joint, kind));
+        }
+        if bearing.turns() {
+            refuse("force", messages::friction_by_torque(name, joint));
+        } else {
+            refuse("torque", messages::friction_by_force(name, joint));
+        }
+        let presses = ["coefficient", "static", "kinetic"].iter().any(|it| value(it).is_some());
+        let takes_radius = bearing.turns() || bearing == Bearing::Sleeve;
+        if takes_radius && presses && value("radius").is_none() {
+            self.diagnostics.error(load.name.region, messages::friction_without_radius(name, joint, kind));
+        } else if !presses && ["force", "torque"].iter().all(|it| value(it).is_none()) {
+            self.diagnostics.error(load.name.region, messages::friction_of_nothing(name, bearing.turns()));
+        }
+        let known = |name: &str| match value(name) {
+            Some(Expr::Number(value)) => Some(*value),
+            _ => None,
+        };
+        if let (Some(most), Some(least)) = (known("static"), known("kinetic"))
+            && most < least
+            && let Some(label) = load.named.labels().find(|label| label.text == "static")
+        {
+            self.diagnostics.error(label.region, messages::static_below_kinetic(most, least));
+        }
+        (self.diagnostics.iter().count() == errors).then_some(())
+    }
+}
+
+/// Numbers the frictions whose forces follow from reactions.
+pub(super) fn number(loads: &mut [Load]) {
+    let mut count = 0;
+    for load in loads.iter_mut().filter(|load| load.form.rubs) {
+        let zero = |name: &&str| matches!(load.named(name), Expr::Number(0.0));
+        if ["coefficient", "static", "kinetic"].iter().all(|name| zero(&name)) {
+            continue;
+        }
+        load.normal = Some(count);
+        count += 1;
+    }
+}

@@ -1,0 +1,98 @@
+//! Friction that follows from reactions, where other checks have to know of it: M v̇ + Dᵀ λ = Q + Q_f(v̇, λ); and that it takes energy out.
+
+use super::machine::Machine;
+use super::quantity::{Quantity, dot};
+use super::{Check, Report};
+use crate::functions::{Function, solution};
+use crate::schedule::{Inputs, sources};
+use crate::symbolic::{Node, evaluate_reachable};
+
+/// How often what the iteration leaves open is allowed for.
+const SAFETY: f64 = 4.0;
+
+/// What the passes must at least gain where sizes depend little on each other: a Newton's method that is none does not.
+const GAIN: f64 = 0.02;
+
+/// Dependence up to this part counts as little.
+const LITTLE: f64 = 0.3;
+
+fn values(of: &[Quantity]) -> Vec<f64> {
+    of.iter().map(|quantity| quantity.value).collect()
+}
+
+fn is_none(machine: &Machine) -> bool {
+    machine.compiled.complete.equations.friction.is_none()
+}
+
+/// Q_f at these inputs, v̇ and λ among them.
+fn forces(machine: &Machine, inputs: &Inputs) -> Vec<Quantity> {
+    machine.run(Function::FrictionForces, inputs)
+}
+
+/// The power of each friction by reactions, with reactions as they are, is not positive.
+pub fn check(machine: &Machine, report: &mut Report) {
+    if is_none(machine) {
+        return;
+    }
+    let powers = machine.run(Function::Powers, report.inputs);
+    let loads = machine.compiled.mechanism.loads.iter().zip(powers);
+    // What has states of its own gives back what it stored.
+    for (load, power) in loads.filter(|(load, _)| load.form.rubs && load.form.owns.is_none()) {
+        let gained = Quantity { value: power.value.max(0.0), ..power };
+        report.compare(Check::Friction, || format!("\"{}\"", load.name.text), gained, Quantity::exact(0.0));
+    }
+}
+
+/// + Q_f.
+pub fn add(machine: &Machine, inputs: &Inputs, to: &mut [Quantity]) {
+    if !is_none(machine) {
+        let friction = forces(machine, inputs);
+        to.iter_mut().zip(friction).for_each(|(to, force)| *to = *to + force);
+    }
+}
+
+/// Powers are those with the reactions that there are; inverse dynamics has friction by the given v̇, or, where there are rows, none.
+pub fn power_beside(machine: &Machine, inputs: &Inputs) -> Quantity {
+    if is_none(machine) {
+        return Quantity::exact(0.0);
+    }
+    let solved = machine.run(Function::Acceleration, inputs);
+    let [acceleration, lambda, _pivot] = machine.groups(Function::Acceleration, &solved);
+    let there = Inputs { acceleration: values(acceleration), lambda: values(lambda), ..inputs.clone() };
+    let own = dot(&forces(machine, &there), &inputs.v);
+    if machine.compiled.complete.equations.rows.is_empty() {
+        return dot(&forces(machine, inputs), &inputs.v) - own;
+    }
+    -own
+}
+
+/// + Q_f of a solution, within what its iteration leaves open.
+pub fn rub(
+    machine: &Machine,
+    inputs: &Inputs,
+    function: Function,
+    [acceleration, lambda]: [&[Quantity]; 2],
+    to: &mut [Quantity],
+) {
+    let complete = &machine.compiled.complete;
+    let equations = &complete.equations;
+    let (false, Some((written, _))) = (is_none(machine), solution(complete, function)) else { return };
+    let there = Inputs { acceleration: values(acceleration), lambda: values(lambda), ..inputs.clone() };
+    for (to, force) in to.iter_mut().zip(forces(machine, &there)) {
+        *to = *to + force;
+    }
+    let entries = equations.friction.columns.iter().flat_map(|column| column.values().copied());
+    let nodes: Vec<Node> = written.left.iter().flatten().copied().chain(entries).collect();
+    let order = equations.graph.read().reachable(nodes.iter().copied());
+    let symbols: Vec<f64> = sources(complete).iter().map(|source| inputs.get(*source)).collect();
+    let mut found = Vec::new();
+    evaluate_reachable(&equations.graph.read(), &order, &symbols, &mut found);
+    let value = |node: &Node| found[node.index()].abs();
+    for (column, left) in equations.friction.columns.iter().zip(&written.left) {
+        let [size, first, last] = [0, 1, 2].map(|which| value(&left[which]));
+        let allowed = if first < LITTLE * size { last.min(GAIN * first) } else { last };
+        for (velocity, entry) in column {
+            to[*velocity].margin += SAFETY * allowed * value(entry);
+        }
+    }
+}

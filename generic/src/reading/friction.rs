@@ -1,0 +1,88 @@
+//! Friction: the joint that it acts in, with its rows, and its law.
+
+use super::laws::May;
+use super::{Read, Reader};
+use crate::error::DefinitionError;
+use crate::friction::{Friction, Kind, SMALLEST, STANDARD_GRAVITY, Sliding, Slip};
+use crate::json::{field, optional, text};
+use crate::law::Law;
+use crate::row::Row;
+use crate::vector::*;
+use serde_json::Value;
+
+pub(super) fn is_friction(kind: &str) -> bool {
+    matches!(kind, "coulomb" | "stribeck")
+}
+
+impl Reader<'_> {
+    pub(super) fn friction(&self, node: &Value, own: &str, rows: &[Row]) -> Read<Friction> {
+        let on = text(node, "on", own)?;
+        let index = *self.joint_by_name.get(on).ok_or_else(|| DefinitionError::unknown(own, on))?;
+        let joint = &self.joints[index];
+        let number = |key: &str| Ok(self.entry_of(node, key, own)?.unwrap_or(0.0));
+        let radius = number("radius")?;
+        let of = |which: &str| {
+            let quantity = self.of_joint(index, which);
+            quantity.map(Slip::Of).ok_or_else(|| DefinitionError::unknown(own, which))
+        };
+        let (kind, slips, arm) = match joint.kind.as_str() {
+            "revolute" if self.spatial => (Kind::Pin, vec![vec![(of("angle")?, 1.0)]], radius),
+            "revolute" => (Kind::Any, vec![vec![(of("angle")?, 1.0)]], radius),
+            "universal" => {
+                let pins = vec![vec![(of("angle_1")?, 1.0)], vec![(of("angle_2")?, 1.0)]];
+                (Kind::Any, pins, radius)
+            }
+            "spherical" => {
+                let (first, second) = (joint.first.body, joint.second.body);
+                let turn = |axis| (Slip::Turn { first, second, axis }, 1.0);
+                (Kind::Any, vec![vec![turn(0), turn(1), turn(2)]], radius)
+            }
+            "cylindrical" => (Kind::Rail, vec![vec![(of("angle")?, radius), (of("travel")?, 1.0)]], 1.0),
+            "prismatic" | "point_on_line" => (Kind::Rail, vec![vec![(of("travel")?, 1.0)]], 1.0),
+            kind => return Err(DefinitionError::kind(own, kind)),
+        };
+        let law = |key: &str| match optional(node, key) {
+            Some(entry) => self.law(field(entry, "value", own)?, own, May::Motion),
+            None => Ok(Law::constant(0.0)),
+        };
+        let speed = number("speed")?;
+        let sliding = match text(node, "kind", own)? {
+            "coulomb" => {
+                let own = number("force")? + number("torque")?;
+                Sliding::Coulomb { coefficient: law("coefficient")?, speed, own }
+            }
+            _ => Sliding::Stribeck {
+                most: law("static")?,
+                least: law("kinetic")?,
+                transition: number("transition")?,
+                speed,
+                viscous: number("viscous")?,
+            },
+        };
+        let column_of_axis = if self.spatial { 2 } else { 0 };
+        let rows = rows.iter().enumerate().filter(|(_, row)| row.of == on);
+        Ok(Friction {
+            kind,
+            axis: turned(&joint.first.axes, column(&joint.frame, column_of_axis)),
+            first: joint.first.clone(),
+            second: joint.second.clone(),
+            rows: rows.map(|(at, row)| (at, row.clone())).collect(),
+            slips,
+            radius: arm,
+            length: number("length")?,
+            shoulder: number("shoulder")?,
+            preload: number("preload")?,
+            smallest: self.smallest()?,
+            law: sliding,
+        })
+    }
+
+    fn smallest(&self) -> Read<f64> {
+        let mass: f64 = self.bodies.iter().map(|body| body.mass).sum();
+        let gravity = match optional(self.tree, "gravity") {
+            Some(tuple) => norm(self.tuple(tuple, "value", "gravity")?),
+            None => 0.0,
+        };
+        Ok(SMALLEST * mass * if gravity > 0.0 { gravity } else { STANDARD_GRAVITY })
+    }
+}

@@ -1,0 +1,150 @@
+"""Friction in joints, from the reaction that the joint has.
+
+Where the surfaces slide with v (rad/s about a pin, else m/s) friction resists with N p(v) + o(v) along each component of v, N being the
+force that presses: sizes of parts of the reaction R, M on the second place's body, about the second place. N is given with each state; of
+consistent ones it is computed from their reactions, so that M v̇ + Dᵀ λ = Q holds with what these reactions make of friction.
+"""
+
+import casadi as ca
+import numpy as np
+
+from expressions import entry, evaluate
+
+KINDS = ("coulomb", "stribeck")
+TURNING = ("revolute", "universal", "spherical")
+SMALLEST = 1e-9  # of the weight
+STANDARD_GRAVITY = 9.80665
+
+
+def value(load, key, kinematics):
+    return entry(load[key], kinematics) if load.get(key) else ca.SX(0)
+
+
+def rubbing(definition):
+    """The loads whose friction follows from reactions."""
+    return [load for load in definition["loads"] if load["kind"] in KINDS and follows(load)]
+
+
+def follows(load):
+    def zero(node):
+        return node["value"].get("number") is not None and float(node["value"]["number"]) == 0.0
+
+    return any(load.get(key) and not zero(load[key]) for key in ("coefficient", "static", "kinetic"))
+
+
+def normal(load, model):
+    """N of a load, with its preload."""
+    names = [other["name"] for other in rubbing(model.definition)]
+    own = model.normals[names.index(load["name"])] if load["name"] in names else ca.SX(0)
+    return own + value(load, "preload", model)
+
+
+def slips(load, kinematics):
+    """Groups of components of v, each with the factor of its coordinate's rate, and what N acts by."""
+    joint, radius = kinematics.model.joints[load["on"]], value(load, "radius", kinematics)
+    one = ca.SX(1)
+    if joint.kind == "revolute":
+        return [([(kinematics.rotor_rate(load["on"]), one)], radius)]
+    if joint.kind == "universal":
+        return [([(kinematics.joint_rate(joint, f"angle_{k}"), one)], radius) for k in (1, 2)]
+    if joint.kind == "spherical":
+        relative = kinematics.spin(joint.second.body) - kinematics.spin(joint.first.body)
+        return [([(relative[k], one) for k in range(3)], radius)]
+    along = (kinematics.rate(kinematics.travel(joint)), one)
+    if joint.kind == "cylindrical":
+        return [([(kinematics.joint_rate(joint), radius), along], one)]
+    return [([along], one)]
+
+
+def resisted(load, kinematics, v):
+    """p and o of each component."""
+    speed = value(load, "speed", kinematics)
+    squares = sum(component**2 for component in v)
+    smooth = ca.sqrt(squares + speed**2)
+    if load["kind"] == "coulomb":
+        mu = value(load, "coefficient", kinematics)
+        own = value(load, "force", kinematics) + value(load, "torque", kinematics)
+        return [(mu * x / smooth, own * x / smooth) for x in v]
+    most, least, transition = (value(load, key, kinematics) for key in ("static", "kinetic", "transition"))
+    mu = least + (most - least) * ca.exp(-squares / transition**2)
+    return [(mu * x / smooth, value(load, "viscous", kinematics) * x) for x in v]
+
+
+def efforts(load, kinematics):
+    """Rates w and what acts along them."""
+    pressed = normal(load, kinematics.model)
+    rates, acting = [], []
+    for group, arm in slips(load, kinematics):
+        v = [factor * rate for rate, factor in group]
+        for (rate, factor), (p, o) in zip(group, resisted(load, kinematics, v)):
+            rates.append(rate)
+            acting.append(-factor * (pressed * arm * p + o))
+    return ca.vertcat(*rates), ca.vertcat(*acting)
+
+
+def pressing(load, kinematics, force, torque, small):
+    """N without preload, of a reaction in world axes."""
+
+    def size(vector):
+        return ca.sqrt(ca.dot(vector, vector) + small**2)
+
+    joint, length = kinematics.model.joints[load["on"]], load.get("length")
+    length = entry(length, kinematics) if length else None
+    if joint.kind in ("universal", "spherical") or kinematics.model.dimension == 2 and joint.kind == "revolute":
+        return size(force)
+    if kinematics.model.dimension == 2:
+        axis = kinematics.pose(joint.first.body).turn(joint.axis)
+        across = -axis[1] * force[0] + axis[0] * force[1]
+        ends = [across] if length is None else [across / 2 + torque / length, across / 2 - torque / length]
+        return sum(size(ca.vertcat(end)) for end in ends)
+    axis = next(kinematics.frames(joint))[:, 2]
+    radial = force - ca.dot(axis, force) * axis
+    if joint.kind == "revolute":
+        pressed = size(radial)
+        if load.get("shoulder"):
+            shoulder = entry(load["shoulder"], kinematics) / value(load, "radius", kinematics)
+            pressed += size(ca.dot(axis, force) * shoulder)
+        if length is not None:
+            pressed += size(2 * (torque - ca.dot(axis, torque) * axis) / length)
+        return pressed
+    if length is None:
+        return size(radial)
+    couple = ca.cross(torque, axis) / length
+    return size(radial / 2 + couple) + size(radial / 2 - couple)
+
+
+def smallest(model):
+    """ε of √(R·R + ε²), by the weight at the defaults of parameters."""
+    defaults = [float(entry(parameter, model)) for parameter in model.definition["parameters"]]
+    whole = ca.vertcat(ca.vertcat(*[body.mass for body in model.bodies.values()]), model.gravity)
+    numbers = np.array(ca.Function("weight", [model.p], [whole])(defaults)).ravel()
+    mass, gravity = numbers[: len(model.bodies)].sum(), np.linalg.norm(numbers[len(model.bodies) :])
+    return SMALLEST * mass * (gravity if gravity > 0 else STANDARD_GRAVITY)
+
+
+class Pressing:
+    """N of all frictions at consistent states, from their reactions."""
+
+    def __init__(self, kinematics, arguments):
+        model = kinematics.model
+        self.loads = rubbing(model.definition)
+        self.joints = [list(model.joints).index(load["on"]) for load in self.loads]
+        dimension = model.dimension
+        torques = 1 if dimension == 2 else 3
+        force, torque = ca.SX.sym("force", dimension), ca.SX.sym("torque", torques)
+        self.functions = []
+        for load in self.loads:
+            pressed = pressing(load, kinematics, force, torque, smallest(model))
+            self.functions.append(ca.Function("pressing", [*arguments, kinematics.q, kinematics.v, force, torque], [pressed]))
+        self.dimension = dimension
+
+    def __call__(self, given, q, v, reactions):
+        """(states, frictions)."""
+        found = np.zeros((len(q), len(self.loads)))
+        for k, (function, joint) in enumerate(zip(self.functions, self.joints)):
+            for state in range(len(q)):
+                reaction = reactions[state, joint]
+                arguments = [part[state] for part in given]
+                parts = reaction[: self.dimension], reaction[self.dimension :]
+                found[state, k] = float(function(*arguments, q[state], v[state], *parts))
+        return found
