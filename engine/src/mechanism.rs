@@ -92,6 +92,25 @@ impl<D: 'static> Mechanism<f64> for Engine<D> {
     fn forces(&self, time: f64, state: &StateOf<Self>, u: &Numbers, forces: &mut List) {
         self.call(Function::Forces, &given(&time, state, u), &mut [forces.as_mut_slice()]);
     }
+    fn rubs(&self) -> bool {
+        self.has(Function::FrictionForces)
+    }
+    fn friction_forces(
+        &self,
+        time: f64,
+        state: &StateOf<Self>,
+        u: &Numbers,
+        a: &List,
+        lambda: &List,
+        forces: &mut List,
+    ) {
+        if self.rubs() {
+            let out = &mut [forces.as_mut_slice()];
+            self.with_solution(Function::FrictionForces, time, state, u, a, lambda, out);
+        } else {
+            forces.as_mut_slice().fill(0.0);
+        }
+    }
     fn kinetic_energy(&self, time: f64, q: &List, v: &List) -> f64 {
         let given = [(Time, from_ref(&time)), (Q, q.as_slice()), (V, v.as_slice())];
         self.call(Function::KineticEnergy, &given, &mut [])

@@ -32,6 +32,7 @@ impl Tangent<f64> for Engine<Derivatives> {
         rate_pattern,
         input_pattern,
         internal_pattern,
+        friction_pattern,
         parameter_pattern,
         output_pattern,
         internal_rate_pattern,
@@ -45,6 +46,7 @@ impl Tangent<f64> for Engine<Derivatives> {
     type RateTangent = List;
     type InputTangent = List;
     type InternalTangent = List;
+    type FrictionTangent = List;
     type ParameterTangent = List;
     type OutputTangent = List;
     type InternalRateTangent = List;
@@ -101,6 +103,20 @@ impl Tangent<f64> for Engine<Derivatives> {
     }
     fn internal_tangent(&self, time: f64, state: &StateOf<Self>, u: &Numbers, internal: &mut List) {
         self.call(Function::InternalTangent, &given(&time, state, u), &mut [internal.as_mut_slice()]);
+    }
+    fn friction_tangent(
+        &self,
+        time: f64,
+        state: &StateOf<Self>,
+        u: &Numbers,
+        a: &List,
+        lambda: &List,
+        friction: &mut List,
+    ) {
+        if self.has(Function::FrictionTangent) {
+            let out = &mut [friction.as_mut_slice()];
+            self.with_solution(Function::FrictionTangent, time, state, u, a, lambda, out);
+        }
     }
     fn parameter_tangent(
         &self,

@@ -45,7 +45,7 @@ pub(crate) enum Kind {
 
 #[derive(Clone, Debug)]
 pub(crate) enum Slip {
-    Of(Quantity),
+    Of(Box<Quantity>),
     /// ω of the second body less that of the first, along an axis of the world.
     Turn {
         first: Option<usize>,

@@ -42,6 +42,9 @@ pub mod planetary_gear_train;
 pub mod planetary_stage;
 pub mod quick_return;
 pub mod rear_wheel;
+pub mod rod_on_pin;
+pub mod rubbing_block;
+pub mod rubbing_four_bar;
 pub mod sarrus_linkage;
 pub mod simple_pendulum;
 pub mod slider_crank;
@@ -142,6 +145,11 @@ macro_rules! for_each_model {
             hinged_bar: $crate::flexible_pendulum::HingedBar,
             hinged_bar_of_sines: $crate::flexible_pendulum::HingedBarOfSines,
             flexible_quick_return: $crate::flexible_quick_return::FlexibleQuickReturn,
+            rod_on_pin: $crate::rod_on_pin::RodOnPin,
+            rubbing_four_bar: $crate::rubbing_four_bar::RubbingFourBar,
+            rubbing_four_bars: $crate::rubbing_four_bar::RubbingFourBars,
+            rubbing_block: $crate::rubbing_block::RubbingBlock,
+            stribeck_brake: $crate::rubbing_block::StribeckBrake,
         }
     };
 }

@@ -58,6 +58,9 @@ fn assert_solved<M: Model>(
     model.mass_matrix(time, q, &mut mass);
     model.constraint_jacobian(time, q, &mut jacobian);
     model.forces(time, state, u, &mut forces);
+    let mut friction = model.zero_v();
+    model.friction_forces(time, state, u, a, lambda, &mut friction);
+    forces = forces.plus(1.0, &friction);
     model.gamma(time, q, v, &mut gamma);
     model.constraints(time, q, &mut phi);
     let (rates, _) = row_rates(model, time, q, v);
@@ -230,7 +233,8 @@ fn springs_store_what_they_take<M: Model>() {
     let none = |damping: &Expr| matches!(damping, Expr::Number(0.0));
     // A damper is a spring that stores nothing, and so does what has a memory or a winch.
     let loads = compiled.mechanism.loads.iter().enumerate();
-    let springs = loads.filter(|(_, load)| load.form.law == Law::None && load.form.effort.is_none());
+    let springs =
+        loads.filter(|(_, load)| load.form.law == Law::None && load.form.effort.is_none() && !load.form.rubs);
     let mut springs = springs.map(|(index, load)| {
         let is_damping = |name: &str| name.ends_with("damping");
         let dampings = load.arguments().filter(|(argument, _)| is_damping(argument.name));

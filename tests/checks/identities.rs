@@ -256,6 +256,12 @@ fn inverse_dynamics_is_what_motion_asks<M: Model>() {
         let (mut stored, mut forces) = (model.zero_mass(), model.zero_v());
         model.mass_matrix(at.time, &at.q, &mut stored);
         model.forces(at.time, &at.state(), &at.u, &mut forces);
+        // Where there are rows, what rubs depends on their multipliers.
+        if model.rubs() && model.rows().is_empty() {
+            let mut friction = model.zero_v();
+            model.friction_forces(at.time, &at.state(), &at.u, &a, &model.zero_lambda(), &mut friction);
+            forces = forces.plus(1.0, &friction);
+        }
         let mut asked: Vec<f64> = forces.as_slice().iter().map(|force| -force).collect();
         let mut largest = forces.max_abs();
         for (&(row, column), entry) in model.mass_pattern().iter().zip(stored.as_slice()) {

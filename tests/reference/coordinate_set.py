@@ -113,4 +113,5 @@ def symbols(model):
 
 
 def given(states):
-    return [states[name] for name in ("parameters", "time", "inputs", "phases", "z", "efforts", "normals")]
+    names = ("parameters", "time", "inputs", "phases", "z", "efforts", "normals")
+    return [states.get(name, np.zeros((len(states["time"]), 0))) for name in names]

@@ -100,7 +100,8 @@ class Identities(unittest.TestCase):
                     measured.append(kinematics.rate(kinematics.principal(joint, angle)))
                     expected.append(expected[-1])
             values = ca.Function("values", [*symbols(model), kinematics.q, kinematics.v], [ca.vertcat(*measured)])
-            columns = [states[name].T for name in ("parameters", "time", "inputs", "phases", "z", "efforts", "q", "v")]
+            states["normals"] = np.zeros((4, 0))
+            columns = [states[name].T for name in ("parameters", "time", "inputs", "phases", "z", "efforts", "normals", "q", "v")]
             with self.subTest(model=model.title):
                 if expected:
                     np.testing.assert_allclose(np.array(values(*columns).full()), expected, atol=1e-12)

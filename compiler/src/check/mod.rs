@@ -4,6 +4,7 @@ pub mod assemble;
 mod beyond;
 mod contacts;
 mod cords;
+mod friction;
 mod gears;
 mod messages;
 pub mod motion;

@@ -3,6 +3,7 @@
 //!
 //! Values of parameters are judged at their defaults. Rank, mobility and whether loops close are left to `assemble`.
 
+use super::friction::loops_of_friction_are_small;
 use crate::diagnostics::Diagnostics;
 use crate::forms::Sign;
 use crate::messages;
@@ -13,7 +14,7 @@ use crate::model::{
 use std::collections::HashMap;
 
 /// The rules in the order they are reported.
-const RULES: [fn(&Mechanism, &mut Diagnostics); 20] = [
+const RULES: [fn(&Mechanism, &mut Diagnostics); 21] = [
     has_bodies,
     is_of_a_size_to_write_out,
     bounds_hold_the_default,
@@ -34,6 +35,7 @@ const RULES: [fn(&Mechanism, &mut Diagnostics); 20] = [
     orientations_are_said_once,
     cuts_differ,
     loads_act_on_bodies,
+    loops_of_friction_are_small,
 ];
 
 /// Applies all rules.

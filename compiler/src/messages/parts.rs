@@ -29,6 +29,9 @@ pub(crate) fn unknown_joint(word: &str, known: &[&Form], in_space: &[&Form], spa
 }
 
 pub(crate) fn unknown_kind(what: &str, word: &str, known: &[&Form]) -> String {
+    if what == "load" && word == "friction" {
+        return super::friction_without_joint();
+    }
     if what == "load" && LOADS_TO_COME.contains(&word) {
         return not_there_yet(word);
     }

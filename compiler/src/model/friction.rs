@@ -130,8 +130,8 @@ impl<'d> Lowering<'d> {
 pub(super) fn number(loads: &mut [Load]) {
     let mut count = 0;
     for load in loads.iter_mut().filter(|load| load.form.rubs) {
-        let zero = |name: &&str| matches!(load.named(name), Expr::Number(0.0));
-        if ["coefficient", "static", "kinetic"].iter().all(|name| zero(&name)) {
+        let zero = |name: &str| matches!(load.named(name), Expr::Number(0.0));
+        if ["coefficient", "static", "kinetic"].iter().all(|name| zero(name)) {
             continue;
         }
         load.normal = Some(count);

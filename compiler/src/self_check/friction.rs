@@ -88,9 +88,12 @@ pub fn rub(
     let mut found = Vec::new();
     evaluate_reachable(&equations.graph.read(), &order, &symbols, &mut found);
     let value = |node: &Node| found[node.index()].abs();
-    for (column, left) in equations.friction.columns.iter().zip(&written.left) {
-        let [size, first, last] = [0, 1, 2].map(|which| value(&left[which]));
-        let allowed = if first < LITTLE * size { last.min(GAIN * first) } else { last };
+    let left: Vec<[f64; 3]> =
+        written.left.iter().map(|left| [0, 1, 2].map(|which| value(&left[which]))).collect();
+    let depends_little = left.iter().all(|[size, first, _]| first < &(LITTLE * size));
+    let most = left.iter().fold(0.0, |most: f64, [_, first, _]| most.max(*first));
+    for (column, [_, _, last]) in equations.friction.columns.iter().zip(left) {
+        let allowed = if depends_little { last.min(GAIN * most) } else { last };
         for (velocity, entry) in column {
             to[*velocity].margin += SAFETY * allowed * value(entry);
         }

@@ -95,6 +95,8 @@ fn named(argument: &Argument, space: Space) -> String {
         // What is not written is zero.
         (Value::Scalar(_) | Value::Moving(_) | Value::Diagonal(_), Need::Never) => "0".to_string(),
         (Value::Scalar(_) | Value::Moving(_) | Value::Diagonal(_), _) => "…".to_string(),
+        (Value::Law(_) | Value::Along { .. }, Need::Never) => "0".to_string(),
+        (Value::Law(_) | Value::Along { .. }, _) => "…".to_string(),
         (Value::Varying(_) | Value::RateOf { .. }, _) => "…".to_string(),
         (
             Value::Way | Value::Stiffness | Value::Exponent | Value::Backbone | Value::OfGap | Value::Word,

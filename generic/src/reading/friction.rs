@@ -23,7 +23,9 @@ impl Reader<'_> {
         let radius = number("radius")?;
         let of = |which: &str| {
             let quantity = self.of_joint(index, which);
-            quantity.map(Slip::Of).ok_or_else(|| DefinitionError::unknown(own, which))
+            quantity
+                .map(|quantity| Slip::Of(Box::new(quantity)))
+                .ok_or_else(|| DefinitionError::unknown(own, which))
         };
         let (kind, slips, arm) = match joint.kind.as_str() {
             "revolute" if self.spatial => (Kind::Pin, vec![vec![(of("angle")?, 1.0)]], radius),

@@ -194,7 +194,8 @@ fn written_out_null_spaces_solve<M: Model>() {
         for _ in 0..STATES {
             let mut inputs = random.point(&compiled);
             // Where M is singular by itself, the rows in a random position need not make up for it.
-            if !compiled.complete.solved.massless.rows.is_empty() {
+            // Nor need what rubs have one solution there.
+            if !compiled.complete.solved.massless.rows.is_empty() || !equations.friction.is_none() {
                 inputs.q = compiled.assembly.q.clone();
             }
             let program = |function: Function, inputs: &Inputs| run(compiled.programs.get(function), inputs);
@@ -231,7 +232,14 @@ fn written_out_null_spaces_solve<M: Model>() {
             let all = program(Function::NullSpace, &inputs);
             let (solution, smallest) = all.split_at(n + count);
             assert!(smallest[0] <= pivot[0] && pivot[0] <= 1.0, "{}: {smallest:?} {pivot:?}", model.name());
-            let (forces, gamma) = (program(Function::Forces, &inputs), of(program(Function::Gamma, &inputs)));
+            let (mut forces, gamma) =
+                (program(Function::Forces, &inputs), of(program(Function::Gamma, &inputs)));
+            if !equations.friction.is_none() {
+                inputs.acceleration = solution[..n].to_vec();
+                inputs.lambda = solution[n..].to_vec();
+                let friction = program(Function::FrictionForces, &inputs);
+                forces.iter_mut().zip(friction).for_each(|(force, friction)| *force += friction);
+            }
             let error =
                 backward_error(&mass, &jacobian, &none[..count], solution.split_at(n), (&forces, &gamma));
             assert!(error < 1e3 * bound, "{} in {coordinates:?}: {error:e}, pivot {pivot:?}", model.name());

@@ -9,6 +9,7 @@ mod cams;
 mod closed_forms;
 mod contacts;
 mod four_bars;
+mod friction;
 mod gears;
 mod hydraulics;
 mod hysteresis;

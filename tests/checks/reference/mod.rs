@@ -31,8 +31,8 @@ pub fn models() -> Vec<(&'static str, &'static str, &'static str)> {
 /// shipped models are such that many a term vanishes; and those of joints that no shipped model has.
 const RECORDED_OF_ZOO: [&str; 6] = ["crank", "jack", "oldham", "shafts", "snake", "stage"];
 
-/// Models whose values are not recorded: one like it is.
-const NOT_RECORDED: [&str; 11] = [
+/// Models whose values are not recorded: one like it is, or they have friction by reactions, which a recorded system does not have.
+const NOT_RECORDED: [&str; 16] = [
     "bouncing_ball",
     "bouncing_ball_of_hunt_and_crossley",
     "elastic_cable_robot",
@@ -43,7 +43,12 @@ const NOT_RECORDED: [&str; 11] = [
     "loose_wrist",
     "n_four_bar_10",
     "n_four_bar_40",
+    "rod_on_pin",
+    "rubbing_block",
+    "rubbing_four_bar",
+    "rubbing_four_bars",
     "stewart_platform",
+    "stribeck_brake",
 ];
 
 /// The models, and what is recorded of the zoo.

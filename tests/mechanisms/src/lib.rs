@@ -9,6 +9,7 @@ pub mod zoo;
 pub mod zoo_beams;
 pub mod zoo_cables;
 pub mod zoo_contacts;
+pub mod zoo_friction;
 pub mod zoo_gears;
 pub mod zoo_hysteresis;
 pub mod zoo_laws;

@@ -192,12 +192,9 @@ pub fn blocks(dependences: &[Vec<usize>]) -> Vec<Vec<usize>> {
         to.iter().for_each(|to| reach[from][*to] = true);
     }
     for via in 0..size {
-        for from in 0..size {
-            if reach[from][via] {
-                for to in 0..size {
-                    reach[from][to] |= reach[via][to];
-                }
-            }
+        let further = reach[via].clone();
+        for own in reach.iter_mut().filter(|own| own[via]) {
+            own.iter_mut().zip(&further).for_each(|(to, further)| *to |= further);
         }
     }
     let mut taken = vec![false; size];
