@@ -207,6 +207,7 @@ impl Load {
             | Subject::Rotor(_)
             | Subject::Travel(_)
             | Subject::Body(_)
+            | Subject::Toothing(_)
             | Subject::Expression(..) => None,
         })
     }

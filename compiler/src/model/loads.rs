@@ -112,7 +112,13 @@ impl<'d> Lowering<'d> {
             // The parser hands over names where names are meant.
             (
                 SubjectTerm::Place(_),
-                Acts::Rotor | Acts::Travel | Acts::Bearing | Acts::Body | Acts::Toothing | Acts::Expression | Acts::Way,
+                Acts::Rotor
+                | Acts::Travel
+                | Acts::Bearing
+                | Acts::Body
+                | Acts::Toothing
+                | Acts::Expression
+                | Acts::Way,
             )
             | (SubjectTerm::Name(_), Acts::Place | Acts::Toothing | Acts::Expression | Acts::Way)
             | (

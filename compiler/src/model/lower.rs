@@ -331,8 +331,11 @@ impl<'d> Lowering<'d> {
             Subject::Rotor(rotor) => Some(Coupled::Angle(rotor)),
             Subject::Travel(joint) => Some(Coupled::Travel(joint)),
             // Forms of couplings name coordinates only.
-            Subject::Place(_) | Subject::Bearing(..)
-            | Subject::Body(_) | Subject::Expression(..) | Subject::Toothing(_) => None,
+            Subject::Place(_)
+            | Subject::Bearing(..)
+            | Subject::Body(_)
+            | Subject::Expression(..)
+            | Subject::Toothing(_) => None,
         }
     }
 
