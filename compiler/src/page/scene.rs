@@ -144,7 +144,7 @@ fn frames(compiled: &Compiled, load: &Load) -> impl Iterator<Item = Frame> {
     load.on.iter().filter_map(|subject| match subject {
         Subject::Expression(..) => None,
         Subject::Place(place) => Some(place.frame),
-        Subject::Rotor(Rotor::Joint(joint, _)) | Subject::Travel(joint) => {
+        Subject::Rotor(Rotor::Joint(joint, _)) | Subject::Travel(joint) | Subject::Bearing(joint, _) => {
             Some(compiled.mechanism.joints[joint.0].second.frame)
         }
         Subject::Rotor(Rotor::Body(body)) | Subject::Body(body) => Some(Frame::Body(*body)),

@@ -19,6 +19,7 @@ pub static LOAD: LoadKind = LoadKind {
         stores: false,
         turns: false,
         owns: None,
+        rubs: false,
         effort: None,
         doubt: None,
     },

@@ -32,6 +32,7 @@ pub static LOAD: LoadKind = LoadKind {
         stores: true,
         turns: false,
         owns: None,
+        rubs: false,
         effort: Some("torque"),
         doubt: None,
     },

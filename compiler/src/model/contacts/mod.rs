@@ -73,7 +73,7 @@ impl<'d> Lowering<'d> {
         let on = geometry.meetings.into_iter().map(|it| Subject::Expression(it.gap, geometry.dimension));
         let values = elastic.into_iter().flatten().map(|value| vec![value]).collect();
         let (name, form) = (name(&contact.name), contact.form);
-        Some(Load { name, form, on: on.collect(), values, law, states: 0..0, teeth: None })
+        Some(Load { name, form, on: on.collect(), values, law, states: 0..0, teeth: None, normal: None })
     }
 
     /// Which contact a quantity is of.

@@ -50,6 +50,7 @@ pub static LOAD: LoadKind = LoadKind {
         stores: true,
         turns: false,
         owns: None,
+        rubs: false,
         effort: Some("force"),
         doubt: None,
     },
