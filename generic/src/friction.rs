@@ -74,7 +74,7 @@ impl Slip {
         match self {
             Slip::Of(quantity) => quantity.jet(at).pulls,
             Slip::Turn { first, second, axis } => {
-                let pull = |body, sign| Pull { body, linear: ZERO, angular: times(sign, unit_axis(*axis)) };
+                let pull = |body, sign| Pull::on(body, ZERO, times(sign, unit_axis(*axis)));
                 [pull(*first, -1.0), pull(*second, 1.0)]
             }
         }
@@ -178,11 +178,7 @@ impl Friction {
     ) {
         for (slip, effort) in self.efforts(at, inputs, scratch) {
             for pull in slip.pulls(at) {
-                add(Pull {
-                    body: pull.body,
-                    linear: times(effort, pull.linear),
-                    angular: times(effort, pull.angular),
-                });
+                add(pull.scaled(effort));
             }
         }
     }
