@@ -52,7 +52,9 @@ where
     let mut mechanisms = [dense, sparse];
 
     let mut random = Random(name.len() as u64);
-    let inputs: Vec<f64> = M::Inputs::NAMES.iter().map(|_| random.unit()).collect();
+    // Teeth in error by metres would be driven through each other.
+    let largest = if name == "meshed" { 1e-5 } else { 1.0 };
+    let inputs: Vec<f64> = M::Inputs::NAMES.iter().map(|_| largest * random.unit()).collect();
     let given = |_: f64, _: &StateOf<M>| {
         let mut fields: <M::Inputs as Fields<f64>>::Array = Vector::zeros(inputs.len());
         fields.as_mut_slice().copy_from_slice(&inputs);
@@ -96,10 +98,6 @@ where
         }
     }
     println!("{name}: {worst:.1e}");
-    // Errors of metres, as random inputs are, drive these teeth through each other, and the nearest pitch is not the one of the start.
-    if name == "meshed" {
-        return;
-    }
     // What accelerates the light wheels are small differences of stiff forces.
     let tolerance = if name.starts_with("planetary_stage") { 1e-4 } else { TOLERANCE };
     assert!(worst < tolerance, "{name}: {worst:.1e}");

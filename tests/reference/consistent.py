@@ -42,7 +42,7 @@ class AbsoluteSystem:
                 "momentum": absolute.momentum,
                 "energy_drift": kinematics.rate(energy),
                 "energy_explicit": kinematics.explicit_rate(energy),
-                "elastic_powers": ca.vertcat(*[ca.dot(load.elastic, load.w) for load in absolute.loads]),
+                "elastic_powers": ca.vertcat(*[load.power_of_stores(kinematics) for load in absolute.loads]),
                 "support_powers": ca.vertcat(*[ca.dot(load.f, load.explicit) for load in absolute.loads]),
                 **further,
             },

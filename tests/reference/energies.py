@@ -9,7 +9,7 @@ exist) and a position Φ(π, t) of the rows:
 where a load is a force f on a rate w. (Lagrange's equations, e.g. Goldstein, Classical Mechanics, ch. 1.4 and 2.4.)
 """
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 import casadi as ca
 
@@ -24,16 +24,21 @@ from expressions import evaluate
 
 @dataclass
 class Load:
-    """f acts on the rate w; `elastic` is the part of f that the potential V already stands for."""
+    """f acts on the rate w; `elastic` is what the potential V stands for beside it; V counts `stored`, too, whose force is in f."""
 
     name: str
     w: ca.SX
     explicit: ca.SX  # the part of w that is there at v = 0: of places that move by themselves
     f: ca.SX
     elastic: ca.SX
+    stored: ca.SX = field(default_factory=lambda: ca.SX(0))
 
     def power(self):
         return ca.dot(self.f + self.elastic, self.w)
+
+    def power_of_stores(self, kinematics):
+        """The part of the power that V gives back."""
+        return ca.dot(self.elastic, self.w) - kinematics.rate(self.stored)
 
 
 class Energies:
@@ -49,8 +54,8 @@ class Energies:
 
         self.kinetic = self._kinetic()
         self.acting = self._potential()
-        self.potential = self.acting + self._stored_in_teeth()
         self.loads = [self.load(name) for name in contacts.all_loads(self.model.definition)]
+        self.potential = sum((load.stored for load in self.loads), self.acting)
         self.powers = ca.vertcat(*[load.power() for load in self.loads])
 
         declared = [state for state in self.model.states if state["name"] in self.model.rates]
@@ -146,10 +151,6 @@ class Energies:
                 stiffness, deflection = self._spring(load)
                 energy += stiffness * deflection**2 / 2
         return energy
-
-    def _stored_in_teeth(self):
-        found = [meshes.Mesh(load, self.kinematics) for load in self.model.definition["loads"] if load["kind"] == "mesh"]
-        return sum((mesh.stiffness() * mesh.beyond() ** 2 / 2 for mesh in found if mesh.is_elastic()), ca.SX(0))
 
     def _spring(self, load):
         """Stiffness and deflection of a spring between places or about a rotor."""
@@ -276,8 +277,7 @@ class Energies:
         if kind == "mesh":
             mesh = meshes.Mesh(load, kinematics)
             w, efforts = mesh.rates(), mesh.efforts()
-            # All of it acts by itself; what it stores is counted beside.
-            return Load(name, w, ca.SX.zeros(w.numel()), efforts, ca.SX.zeros(w.numel()))
+            return Load(name, w, ca.SX.zeros(w.numel()), efforts, ca.SX.zeros(w.numel()), mesh.stored())
         if kind == "bushing":
             deflection, stiffness, damping = self._bushing(load)
             w, explicit = kinematics.rate(deflection), kinematics.explicit_rate(deflection)

