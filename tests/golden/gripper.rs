@@ -265,6 +265,7 @@ const _: () = {
         type RateTangent = RateTangent<R>;
         type InputTangent = InputTangent<R>;
         type InternalTangent = ();
+        type FrictionTangent = ();
         type ParameterTangent = ParameterTangent<R>;
         type OutputTangent = OutputTangent<R>;
         type InternalRateTangent = ();

@@ -29,7 +29,16 @@ impl<'d> Lowering<'d> {
             _ => law,
         };
         let teeth = self.meshing(load, &on)?;
-        Some(Load { name: name(&load.name), form: load.form, on, values, law, states: 0..0, teeth, normal: None })
+        Some(Load {
+            name: name(&load.name),
+            form: load.form,
+            on,
+            values,
+            law,
+            states: 0..0,
+            teeth,
+            normal: None,
+        })
     }
 
     /// A torque on a body in space has components.
