@@ -76,7 +76,7 @@ fn shapes_are_orthogonal_in_mass_and_stiffness() {
                 if one.way == other.way {
                     let order = if one.way == Way::Axial { 1 } else { 2 };
                     let expected = if i == j { one.stiffness } else { 0.0 };
-                    let scale = length.powi(1 - 2 * order as i32);
+                    let scale = length.powi(1 - 2 * order);
                     let size = (one.stiffness * other.stiffness).sqrt();
                     near(scale * mean(order as usize), expected, 1e-11 * size);
                 }
