@@ -4,8 +4,7 @@ use super::methods::EngineState;
 use super::options::Study;
 use super::{Done, Failure, Loaded, write};
 use crate::with_engine;
-use linkwright_compiler::page::Pose;
-use linkwright_compiler::page::drawing_at;
+use linkwright_compiler::page::{Pose, alone, drawing_at};
 use linkwright_engine::Engine;
 use linkwright_runtime::Vector;
 use serde_json::json;
@@ -16,12 +15,13 @@ pub fn draw(study: &Study, loaded: &Loaded) -> Result<Done, Failure> {
         drawing_at(&loaded.compiled, &pose(engine, &super::start(engine)?))
     });
     if !study.json {
-        write(study.out.as_deref(), &format!("{}\n", drawing.svg))?;
+        write(study.out.as_deref(), &format!("{}\n", alone(&drawing.svg)))?;
         if drawing.left_out > 0 {
-            eprintln!("{}: {} names found no place in the drawing", loaded.name, drawing.left_out);
+            let names = if drawing.left_out == 1 { "name" } else { "names" };
+            eprintln!("{}: {} {names} found no place in the drawing", loaded.name, drawing.left_out);
         }
     } else if let Some(out) = &study.out {
-        write(Some(out), &format!("{}\n", drawing.svg))?;
+        write(Some(out), &format!("{}\n", alone(&drawing.svg)))?;
     }
     let value = json!({ "svg": drawing.svg, "left_out": drawing.left_out });
     Ok(Done { value, failed: false })

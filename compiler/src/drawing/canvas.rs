@@ -21,12 +21,25 @@ pub enum Pen {
     Outline(f64),
     /// A face and a line around it, both in the colour of the paper.
     Blank(f64),
-    /// A faint tint.
-    Tint,
+    /// A faint tint, also under a line of this width around it.
+    Tint(f64),
     Solid,
     /// Lines and faces of loads.
     Load(f64),
     SolidLoad,
+}
+
+/// What can be seen of a shape: where names would cover it. Widths are halves, px.
+#[derive(Clone, Copy, Debug)]
+pub enum Trace {
+    Line([Spot; 2], f64),
+    /// A ring, or all that is within it.
+    Circle {
+        center: Spot,
+        radius: f64,
+        half: f64,
+        is_full: bool,
+    },
 }
 
 /// Shapes with one name and one depth.
@@ -37,11 +50,16 @@ pub struct Group {
     pub nearness: f64,
     title: String,
     text: String,
+    traces: Vec<Trace>,
 }
 
 impl Group {
     pub fn new(layer: usize, nearness: f64, title: impl Into<String>) -> Self {
-        Group { layer, nearness, title: title.into(), text: String::new() }
+        Group { layer, nearness, title: title.into(), text: String::new(), traces: Vec::new() }
+    }
+
+    pub fn traces(&self) -> &[Trace] {
+        &self.traces
     }
 
     pub fn is_empty(&self) -> bool {
@@ -62,12 +80,20 @@ impl Group {
             path.push('Z');
         }
         let _ = write!(self.text, "<path d=\"{path}\" {}/>", pen.attributes());
+        let Some(half) = pen.half() else { return };
+        let closing = is_closed.then(|| points.first()).flatten();
+        let ends = points.iter().skip(1).chain(closing);
+        self.traces.extend(points.iter().zip(ends).map(|(a, b)| Trace::Line([*a, *b], half)));
     }
 
     pub fn circle(&mut self, center: Spot, radius: f64, pen: Pen) {
         let [x, y] = center.map(number);
         let r = number(radius);
         let _ = write!(self.text, "<circle cx=\"{x}\" cy=\"{y}\" r=\"{r}\" {}/>", pen.attributes());
+        if let Some(half) = pen.half() {
+            let is_full = matches!(pen, Pen::Solid | Pen::SolidLoad);
+            self.traces.push(Trace::Circle { center, radius, half, is_full });
+        }
     }
 
     /// A line with a head at its end.
@@ -92,6 +118,17 @@ impl Group {
 }
 
 impl Pen {
+    /// Half the width of what it leaves; nothing where that is the colour of the paper, or a tint.
+    fn half(self) -> Option<f64> {
+        match self {
+            Pen::Line(width) | Pen::Broken(width) | Pen::Outline(width) | Pen::Load(width) => {
+                Some(width / 2.0)
+            }
+            Pen::Solid | Pen::SolidLoad => Some(0.0),
+            Pen::Erase(_) | Pen::Blank(_) | Pen::Tint(_) => None,
+        }
+    }
+
     fn attributes(self) -> String {
         let line = |colour: &str, width: f64| {
             format!("fill=\"none\" stroke=\"{colour}\" stroke-width=\"{}\"", number(width))
@@ -106,7 +143,12 @@ impl Pen {
             Pen::Blank(width) => {
                 format!("fill=\"{PAPER}\" stroke=\"{PAPER}\" stroke-width=\"{}\"", number(width))
             }
-            Pen::Tint => "fill=\"currentColor\" fill-opacity=\"0.07\" stroke=\"none\"".to_string(),
+            Pen::Tint(0.0) => "fill=\"currentColor\" fill-opacity=\"0.07\" stroke=\"none\"".to_string(),
+            // Face and line as one, so that the tint is the same where they overlap.
+            Pen::Tint(width) => format!(
+                "fill=\"currentColor\" stroke=\"currentColor\" stroke-width=\"{}\" opacity=\"0.07\"",
+                number(width)
+            ),
             Pen::Solid => "fill=\"currentColor\" stroke=\"none\"".to_string(),
             Pen::Load(width) => line(ACCENT, width),
             Pen::SolidLoad => format!("fill=\"{ACCENT}\" stroke=\"none\""),

@@ -36,9 +36,8 @@ pub struct Symbol<'a> {
     pub unit: f64,
     /// Where its name goes, and how far away from there; nothing where it is not drawn.
     pub name: Option<(Spot, f64)>,
-    /// Squares, by centre and half an edge, and lines that no name may hide.
-    pub squares: Vec<(Spot, f64)>,
-    pub lines: Vec<[Spot; 2]>,
+    /// How far it is drawn beside its ends, px, where others have the same.
+    pub aside: f64,
 }
 
 impl Symbol<'_> {
@@ -56,7 +55,6 @@ impl Symbol<'_> {
         };
         let (tail, tip) = (shifted(at, -11.0 * unit, e), shifted(at, -2.0 * unit, e));
         self.group.arrow(tail, tip, Pen::Load(LINE), Pen::SolidLoad);
-        self.lines.push([tail, tip]);
         self.name = Some((tail, 2.0));
     }
 
@@ -73,7 +71,6 @@ impl Symbol<'_> {
             self.group.path(&arc[..arc.len() - 1], false, Pen::Load(LINE));
             self.group.arrow(before, end, Pen::Load(LINE), Pen::SolidLoad);
         }
-        self.squares.push((view.spot(at), 3.6 * unit));
         self.name = Some((view.spot(at), 4.4 * unit));
     }
 
@@ -88,7 +85,6 @@ impl Symbol<'_> {
             })
             .collect();
         self.group.path(&spiral, false, Pen::Load(1.1));
-        self.squares.push((view.spot(at), 3.6 * unit));
         self.name = Some((view.spot(at), 4.0 * unit));
     }
 
@@ -100,7 +96,6 @@ impl Symbol<'_> {
         for radius in [1.8, 3.2] {
             self.group.circle(b, radius * self.unit, Pen::Load(1.1));
         }
-        self.squares.push((b, 3.2 * self.unit));
         self.name = Some((b, 3.8 * self.unit));
     }
 
@@ -111,7 +106,6 @@ impl Symbol<'_> {
         for (spots, ends) in spots.windows(2).zip(self.effort.ends.windows(2)) {
             let (spots, ends) = ([spots[0], spots[1]], [ends[0], ends[1]]);
             held(&mut self.group, ends, spots, unit);
-            self.lines.push(spots);
         }
         self.group.path(&spots, false, Pen::Load(1.1));
         let inner = spots.iter().skip(1).take(spots.len().saturating_sub(2));
@@ -127,10 +121,21 @@ impl Symbol<'_> {
         let (group, unit) = (&mut self.group, self.unit);
         let [a, b] = [first, second].map(|end| self.view.spot(end.at));
         held(group, [first, second], [a, b], unit);
+        let [a, b] = beside(group, [a, b], self.aside);
         spring(group, a, b, (is_elastic, is_damped), unit);
-        self.lines.push([a, b]);
         self.name = Some((middle(a, b), if is_elastic && is_damped { 3.4 * unit } else { 2.0 * unit }));
     }
+}
+
+/// The ends, moved aside across what is between them, with lines that lead there.
+fn beside(group: &mut Group, [a, b]: [Spot; 2], aside: f64) -> [Spot; 2] {
+    let Some(e) = heading(a, b).filter(|_| aside != 0.0) else { return [a, b] };
+    let way = 0.12 * away(a, b);
+    [(a, way), (b, -way)].map(|(end, along)| {
+        let at = shifted(shifted(end, along, e), aside, [-e[1], e[0]]);
+        group.line(end, at, Pen::Load(1.1));
+        at
+    })
 }
 
 /// Lines of the ground across a run, where its ends are the ground's.
@@ -144,7 +149,7 @@ fn held(group: &mut Group, [first, second]: [End; 2], [a, b]: [Spot; 2], unit: f
 }
 
 /// In the basis of a ring about an axis, the angle of its highest point in the picture.
-fn angle_of_top(view: &View, about: Point) -> f64 {
+pub fn angle_of_top(view: &View, about: Point) -> f64 {
     let [u, v] = across(about).map(|e| view.way(e));
     libm::atan2(-v[1], -u[1])
 }

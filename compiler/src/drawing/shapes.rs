@@ -95,7 +95,7 @@ pub fn block(group: &mut Group, view: &View, center: Point, halves: [Point; 3], 
         (0..8).map(|k| view.spot(corner([sign(k & 1), sign(k & 2), sign(k & 4)]))).collect();
     let outline = hull(&corners);
     group.path(&outline, true, pen);
-    group.path(&outline, true, Pen::Tint);
+    group.path(&outline, true, Pen::Tint(0.0));
     let nearest = halves.map(|half| if dot(half, view.toward) < 0.0 { -1.0 } else { 1.0 });
     for k in 0..3 {
         // Where a face is seen edge on there is nothing to tell apart.
@@ -123,7 +123,7 @@ pub fn plate(group: &mut Group, corners: &[Spot], half: f64) {
         false => group.path(corners, false, Pen::Erase(2.0 * half - THIN)),
     }
     if is_closed {
-        group.path(corners, true, Pen::Tint);
+        group.path(corners, true, Pen::Tint(2.0 * half - THIN));
     }
 }
 

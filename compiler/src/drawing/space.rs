@@ -74,7 +74,7 @@ impl Symbol<'_> {
         let corner = |a: f64, b: f64| view.spot(along(along(center, a * size, u), b * size, v));
         let corners = [corner(-1.0, -1.0), corner(1.0, -1.0), corner(1.0, 1.0), corner(-1.0, 1.0)];
         self.behind.path(&corners, true, Pen::Outline(0.8));
-        self.behind.path(&corners, true, Pen::Tint);
+        self.behind.path(&corners, true, Pen::Tint(0.0));
     }
 }
 

@@ -16,6 +16,8 @@ const HEIGHT: f64 = 380.0;
 /// Around it, for symbols and names; below it, for axes and scale.
 const MARGIN: f64 = 56.0;
 const LEGEND: f64 = 28.0;
+/// From so many names on a picture becomes larger.
+const MANY: f64 = 30.0;
 
 #[derive(Clone, Debug)]
 pub struct View {
@@ -33,8 +35,8 @@ pub struct View {
 }
 
 impl View {
-    /// The view in which all points are in the picture.
-    pub fn of(space: Space, up: Point, points: &[Point]) -> View {
+    /// The view in which all points are in the picture, with room for so many names.
+    pub fn of(space: Space, up: Point, points: &[Point], names: usize) -> View {
         let toward = match space {
             Space::Planar => [0.0, 0.0, 1.0],
             Space::Spatial => eye(up),
@@ -53,10 +55,12 @@ impl View {
             (least, most) = ([0.0; 2], [0.0; 2]);
         }
         let size = [most[0] - least[0], most[1] - least[1]];
-        let fit = (WIDTH / size[0]).min(HEIGHT / size[1]);
+        let room = (names as f64 / MANY).clamp(1.0, 1.7);
+        let margin = room * MARGIN;
+        let fit = (room * WIDTH / size[0]).min(room * HEIGHT / size[1]);
         view.scale = if fit.is_finite() { fit } else { 100.0 };
-        view.width = (view.scale * size[0]).max(160.0) + 2.0 * MARGIN;
-        view.height = (view.scale * size[1]).max(60.0) + 2.0 * MARGIN + LEGEND;
+        view.width = (view.scale * size[0]).max(160.0) + 2.0 * margin;
+        view.height = (view.scale * size[1]).max(60.0) + 2.0 * margin + LEGEND;
         let middle = [0, 1].map(|k| view.scale * (least[k] + most[k]) / 2.0);
         view.origin = [view.width / 2.0 - middle[0], (view.height - LEGEND) / 2.0 - middle[1]];
         view

@@ -9,6 +9,7 @@ mod curves;
 mod equations;
 mod expression;
 mod figure;
+mod links;
 mod operations;
 pub mod scene;
 mod sketch;
@@ -20,7 +21,7 @@ mod terms;
 mod text;
 
 use crate::compiled::Compiled;
-pub use figure::Figure;
+pub use figure::{Figure, alone};
 use sketch::Sketch;
 pub use stand::Pose;
 use std::fmt::Write;

@@ -20,6 +20,34 @@ pub struct Sketch {
     pub hinges: Vec<Hinge>,
     pub efforts: Vec<(&'static LoadKind, Effort)>,
     pub wheels: Vec<Wheel>,
+    pub links: Vec<Link>,
+    pub drives: Vec<Drive>,
+}
+
+/// What a constraint holds to one another: of each a place and, where it turns or travels, its axis.
+#[derive(Clone, Debug)]
+pub struct Link {
+    pub name: String,
+    pub ends: Vec<Point>,
+    /// Whether toothings, which are drawn themselves, are what it holds.
+    pub is_of_teeth: bool,
+}
+
+/// What a driver moves.
+#[derive(Clone, Debug)]
+pub struct Drive {
+    pub name: String,
+    pub what: Driven,
+}
+
+/// A motion that a driver prescribes.
+#[derive(Clone, Copy, Debug)]
+pub enum Driven {
+    /// About an axis through a place.
+    Turn(Point, Point),
+    /// Along an axis.
+    Way(Point, Point),
+    Between(Point, Point),
 }
 
 /// A body.
@@ -108,7 +136,8 @@ impl Sketch {
         let efforts =
             mechanism.loads.iter().map(|load| (loads::of(load.form), stand.effort(load, &hinges))).collect();
         let wheels = stand.wheels(&hinges);
-        Sketch { space: mechanism.space, up: stand.up(), parts, hinges, efforts, wheels }
+        let (links, drives) = (stand.links(&hinges), stand.drives(&hinges));
+        Sketch { space: mechanism.space, up: stand.up(), parts, hinges, efforts, wheels, links, drives }
     }
 }
 

@@ -45,13 +45,13 @@ impl Pose {
 
 /// The mechanism in a pose, all inputs 1, so that loads have a direction.
 pub struct Stand<'a> {
-    compiled: &'a Compiled,
+    pub(super) compiled: &'a Compiled,
     /// The equations' graph, to which what is asked is added.
     graph: Growing,
     symbols: Vec<f64>,
     values: Vec<f64>,
     /// Centre and axes of each body.
-    poses: Vec<(Point, [Point; 3])>,
+    pub(super) poses: Vec<(Point, [Point; 3])>,
 }
 
 impl<'a> Stand<'a> {
@@ -221,7 +221,7 @@ impl<'a> Stand<'a> {
     }
 
     /// Centre and axis of what turns.
-    fn rotor(&self, rotor: Rotor, hinges: &[Hinge]) -> (Point, Point) {
+    pub(super) fn rotor(&self, rotor: Rotor, hinges: &[Hinge]) -> (Point, Point) {
         match rotor {
             Rotor::Joint(joint, which) => {
                 let hinge = &hinges[joint.0];

@@ -1,21 +1,25 @@
 //! The drawing of a mechanism at its start, as SVG: in the plane to scale, in space along a fixed direction.
 
+mod drives;
+mod hinges;
 mod labels;
 mod loads;
 mod parts;
 mod plane;
+mod room;
 mod space;
 
 pub use crate::drawing::canvas::{escaped, number};
 
 use super::sketch::Sketch;
-use crate::drawing::canvas::{Group, Pen};
-use crate::drawing::shapes::{self, away, heading, shifted};
+use crate::drawing::canvas::{Group, PAPER, Pen, Trace};
+use crate::drawing::shapes::{self, heading, shifted};
 use crate::drawing::vector::{Point, along, sum};
 use crate::drawing::view::{Spot, View};
 use crate::forms::Spans;
 use crate::model::{Frame, Space};
-use labels::{Area, Kind, Label};
+use labels::{Kind, Label};
+use room::Area;
 use std::fmt::Write;
 
 /// Layers, from the back to the front.
@@ -26,6 +30,15 @@ const BODIES: usize = 3;
 const JOINTS: usize = 4;
 const LOADS: usize = 5;
 
+/// Paper and ink of a drawing that stands alone, light and dark.
+const WHITE: &str = "#fff";
+const INK: &str = "#1b2330";
+const DARK: &str = "#12161d";
+const LIGHT_INK: &str = "#e4e9f0";
+
+/// Height of axes and scale, with room above them, px.
+const BELOW: f64 = 62.0;
+
 /// The sheet while it is being drawn.
 struct Drawing {
     view: View,
@@ -33,8 +46,8 @@ struct Drawing {
     unit: f64,
     groups: Vec<Group>,
     labels: Vec<Label>,
-    /// Where names would hide something.
-    blocked: Vec<Area>,
+    /// Texts that are no names of parts.
+    texts: Vec<Area>,
 }
 
 /// A drawing, and how many names found no place in it.
@@ -44,27 +57,54 @@ pub struct Figure {
 }
 
 pub fn figure(name: &str, sketch: &Sketch) -> Figure {
-    let view = View::of(sketch.space, sketch.up, &extent(sketch));
+    let view = View::of(sketch.space, sketch.up, &extent(sketch), names(sketch));
     let unit = unit(&view, sketch);
-    let mut drawing = Drawing { view, unit, groups: Vec::new(), labels: Vec::new(), blocked: Vec::new() };
+    let mut drawing = Drawing { view, unit, groups: Vec::new(), labels: Vec::new(), texts: Vec::new() };
     for part in &sketch.parts {
         parts::part(&mut drawing, part);
     }
     for wheel in &sketch.wheels {
         loads::wheel(&mut drawing, wheel);
     }
-    for hinge in &sketch.hinges {
+    let hinges = hinges::apart(&drawing.view, unit, &sketch.hinges);
+    for hinge in &hinges {
         match sketch.space {
             Space::Planar => plane::joint(&mut drawing, hinge),
             Space::Spatial => space::joint(&mut drawing, hinge),
         }
         let anchor = drawing.view.spot(hinge.at);
-        drawing.label(&hinge.name, anchor, 2.0 * unit, Kind::Joint);
+        drawing.label(&hinge.name, vec![anchor], 2.0 * unit, Kind::Joint);
     }
-    for (kind, effort) in &sketch.efforts {
-        loads::effort(&mut drawing, kind, effort);
+    for link in &sketch.links {
+        drives::link(&mut drawing, link, &sketch.wheels);
+    }
+    let asides = loads::asides(&drawing.view, &sketch.efforts);
+    for ((kind, effort), aside) in sketch.efforts.iter().zip(asides) {
+        loads::effort(&mut drawing, kind, &hinges::with_its_hinge(effort, &hinges), aside * unit.max(2.5));
+    }
+    for drive in &sketch.drives {
+        drives::drive(&mut drawing, drive);
     }
     drawing.write(name, sketch.space)
+}
+
+/// A drawing as a file of its own, on paper of its own: light, and dark where what shows it is.
+pub fn alone(svg: &str) -> String {
+    let begin = format!("<svg class=\"linkwright\" color=\"{INK}\" ");
+    let (head, rest) = svg.split_once('\n').unwrap_or((svg, ""));
+    let (title, rest) = rest.split_once('\n').unwrap_or((rest, ""));
+    let style = format!(
+        "<style>.linkwright{{background:{WHITE}}}@media(prefers-color-scheme:dark){{\
+         .linkwright{{color:{LIGHT_INK};background:{DARK}}}\
+         .linkwright [fill=\"{WHITE}\"]{{fill:{DARK}}}.linkwright [stroke=\"{WHITE}\"]{{stroke:{DARK}}}}}</style>"
+    );
+    format!("{}\n{title}\n{style}\n{rest}", head.replacen("<svg ", &begin, 1)).replace(PAPER, WHITE)
+}
+
+/// How many names it has.
+fn names(sketch: &Sketch) -> usize {
+    let Sketch { parts, hinges, efforts, links, drives, .. } = sketch;
+    parts.len() + hinges.len() + efforts.len() + links.len() + drives.len()
 }
 
 /// Every point that must be in the picture.
@@ -109,29 +149,22 @@ impl Drawing {
         }
     }
 
-    fn label(&mut self, text: &str, anchor: Spot, reach: f64, kind: Kind) {
-        self.labels.push(Label { text: text.to_string(), anchor, reach, kind });
+    fn label(&mut self, text: &str, anchors: Vec<Spot>, reach: f64, kind: Kind) {
+        self.labels.push(Label { text: text.to_string(), anchors, reach, kind });
     }
 
-    fn block(&mut self, center: Spot, x: f64, y: f64) {
-        self.blocked.push(Area { center, half: [x, y] });
-    }
-
-    /// A line, as a row of squares.
-    fn block_path(&mut self, points: &[Spot], is_closed: bool) {
-        let half = self.unit + 0.5;
-        let closing = is_closed.then(|| points.first()).flatten();
-        let ends = points.iter().skip(1).chain(closing);
-        for (a, b) in points.iter().zip(ends) {
-            let count = (away(*a, *b) / (2.0 * half)).ceil().max(1.0);
-            for k in 0..=count as usize {
-                let at = |j: usize| a[j] + (b[j] - a[j]) * k as f64 / count;
-                self.block([at(0), at(1)], half, half);
-            }
-        }
+    /// Symbols that hang low leave axes and scale below them.
+    fn make_room_below(&mut self) {
+        let low = |trace: &Trace| match trace {
+            Trace::Line([a, b], half) => a[1].max(b[1]) + half,
+            Trace::Circle { center, radius, half, .. } => center[1] + radius + half,
+        };
+        let lowest = self.groups.iter().flat_map(|group| group.traces()).map(low).fold(0.0, f64::max);
+        self.view.height = self.view.height.max(lowest + BELOW);
     }
 
     fn write(mut self, name: &str, space: Space) -> Figure {
+        self.make_room_below();
         let View { width, height, .. } = self.view;
         let mut svg = format!(
             "<svg xmlns=\"http://www.w3.org/2000/svg\" role=\"img\" width=\"{0}\" height=\"{1}\" viewBox=\"0 0 {0} {1}\" \
@@ -149,7 +182,8 @@ impl Drawing {
         // Bodies first: they have most freedom of place and matter most.
         let mut labels = std::mem::take(&mut self.labels);
         labels.sort_by_key(|label| label.kind);
-        let left_out = labels::write(&mut svg, &labels, &self.blocked, width, height);
+        let drawn: Vec<Trace> = self.groups.iter().flat_map(|group| group.traces().to_vec()).collect();
+        let left_out = labels::write(&mut svg, &labels, self.texts, &drawn, [width, height]);
         svg.push_str("</svg>");
         Figure { svg, left_out }
     }
@@ -179,7 +213,7 @@ impl Drawing {
         }
         axes.write(&mut svg);
         svg.push_str(&names);
-        self.block([corner[0] + 8.0, corner[1] - 8.0], 28.0, 28.0);
+        self.texts.push(Area { center: [corner[0] + 8.0, corner[1] - 8.0], half: [30.0, 30.0] });
 
         let (length, text) = scale_bar(scale);
         let right = [width - 18.0, height - 16.0];
@@ -195,9 +229,10 @@ impl Drawing {
             svg,
             "<text x=\"{}\" y=\"{}\" text-anchor=\"middle\" fill=\"currentColor\" font-size=\"11\">{text}</text>",
             number(middle[0]),
-            number(middle[1] - 6.0)
+            number(middle[1] - 8.0)
         );
-        self.block([middle[0], middle[1] - 6.0], length * scale / 2.0 + 4.0, 14.0);
+        let half = [length * scale / 2.0 + 4.0, 16.0];
+        self.texts.push(Area { center: [middle[0], middle[1] - 4.0], half });
         svg
     }
 }

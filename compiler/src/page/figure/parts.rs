@@ -3,7 +3,7 @@
 use super::labels::Kind;
 use super::{BODIES, Drawing, SHAPES};
 use crate::drawing::canvas::{Group, Pen};
-use crate::drawing::shapes::{THIN, away, block, circle, heading, hull, middle, plate, rectangle};
+use crate::drawing::shapes::{THIN, away, block, circle, heading, hull, plate, rectangle, shifted};
 use crate::drawing::vector::{Point, along, difference, dot, length};
 use crate::drawing::view::Spot;
 use crate::forms::Outline;
@@ -37,17 +37,25 @@ pub fn part(drawing: &mut Drawing, part: &Part) {
         group.circle(*end, 1.3 * drawing.unit, Pen::Solid);
     }
     drawing.add(group);
-    drawing.block_path(&corners, corners.len() > 2);
-    if let Some(shape) = &shape {
-        drawing.block_path(&shape.outline, true);
-    }
-    let (anchor, reach) = match (&corners[..], &shape) {
-        ([a, b], _) => (middle(*a, *b), half + 2.0),
-        (corners @ [_, _, _, ..], _) => (mean(corners), 0.0),
-        (_, Some(shape)) => (center, shape.reach.min(30.0)),
-        _ => (center, 2.0 * drawing.unit),
+    let (anchors, reach) = match (&corners[..], &shape) {
+        ([a, b], _) => {
+            ([0.5, 0.38, 0.62, 0.26, 0.74].map(|share| between(*a, *b, share)).to_vec(), half + 2.0)
+        }
+        (corners @ [_, _, _, ..], _) => {
+            let mean = mean(corners);
+            let towards = corners.iter().map(|corner| between(mean, *corner, 0.4));
+            (std::iter::once(mean).chain(towards).collect(), 0.0)
+        }
+        // On its face, or around it.
+        (_, Some(shape)) => {
+            let towards =
+                |turn: f64| [0.5 * shape.size * libm::cos(turn), 0.5 * shape.size * libm::sin(turn)];
+            let inside = (0..8).map(|k| shifted(center, 1.0, towards(0.4 + f64::from(k) * 0.785)));
+            (std::iter::once(center).chain(inside).collect(), 0.0)
+        }
+        _ => (vec![center], 2.0 * drawing.unit),
     };
-    drawing.label(&part.name, anchor, reach, Kind::Body);
+    drawing.label(&part.name, anchors, reach, Kind::Body);
 }
 
 fn nearness(drawing: &Drawing, part: &Part) -> f64 {
@@ -58,6 +66,10 @@ fn nearness(drawing: &Drawing, part: &Part) -> f64 {
     part.spots.iter().map(|spot| drawing.view.nearness(*spot)).sum::<f64>() / count as f64
 }
 
+fn between(a: Spot, b: Spot, share: f64) -> Spot {
+    [0, 1].map(|k| a[k] + share * (b[k] - a[k]))
+}
+
 fn mean(spots: &[Spot]) -> Spot {
     let count = spots.len().max(1) as f64;
     [0, 1].map(|k| spots.iter().map(|spot| spot[k]).sum::<f64>() / count)
@@ -65,7 +77,8 @@ fn mean(spots: &[Spot]) -> Spot {
 
 /// What was drawn of a declared shape.
 struct Drawn {
-    outline: Vec<Spot>,
+    /// From the centre to the farthest of its outline, px.
+    size: f64,
     /// Spots within this distance from the centre, px, touch it.
     reach: f64,
 }
@@ -79,7 +92,7 @@ fn shape(drawing: &Drawing, group: &mut Group, part: &Part) -> Option<Drawn> {
             let axis = if part.form.outline == Outline::Ball { view.toward } else { z };
             let outline = circle(view, part.center, axis, radius * view.scale);
             group.path(&outline, true, Pen::Outline(THIN));
-            group.path(&outline, true, Pen::Tint);
+            group.path(&outline, true, Pen::Tint(0.0));
             if part.form.outline == Outline::Disk {
                 // A line that shows how it has turned.
                 group.line(view.spot(part.center), view.spot(along(part.center, *radius, x)), Pen::Line(0.8));
@@ -91,7 +104,7 @@ fn shape(drawing: &Drawing, group: &mut Group, part: &Part) -> Option<Drawn> {
             let half = view.scale / 2.0;
             let outline = rectangle(view.spot(part.center), e, half * width, half * height);
             group.path(&outline, true, Pen::Outline(THIN));
-            group.path(&outline, true, Pen::Tint);
+            group.path(&outline, true, Pen::Tint(0.0));
             outline
         }
         (Outline::Box, Space::Spatial, [a, b, c]) => {
@@ -106,7 +119,7 @@ fn shape(drawing: &Drawing, group: &mut Group, part: &Part) -> Option<Drawn> {
     let farthest = outline.iter().map(|spot| away(center, *spot)).fold(0.0, f64::max);
     let is_inside = |spot: &Point| touches(part, *spot);
     let reach = if part.spots.iter().all(is_inside) { f64::INFINITY } else { farthest };
-    Some(Drawn { outline, reach })
+    Some(Drawn { size: farthest, reach })
 }
 
 fn scaled(k: f64, a: Point) -> Point {
@@ -196,7 +209,7 @@ fn mass(group: &mut Group, center: Spot, unit: f64, turns: bool) {
     } else {
         let outline = rectangle(center, [1.0, 0.0], 2.2 * unit, 2.2 * unit);
         group.path(&outline, true, Pen::Outline(THIN));
-        group.path(&outline, true, Pen::Tint);
+        group.path(&outline, true, Pen::Tint(0.0));
     }
 }
 

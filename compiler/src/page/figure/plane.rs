@@ -1,12 +1,10 @@
-//! Planar joints: their symbols in their layers, and the room that those take.
+//! Planar joints: their symbols in their layers.
 
 use super::{BLOCKS, Drawing, GROUND, JOINTS};
 use crate::drawing::Hinge;
 use crate::drawing::canvas::Group;
-use crate::drawing::plane::{DOWN, Symbol};
-use crate::drawing::shapes::shifted;
+use crate::drawing::plane::Symbol;
 use crate::equations::plane::joints;
-use crate::forms::Spans;
 
 pub fn joint(drawing: &mut Drawing, hinge: &Hinge) {
     let unit = drawing.unit;
@@ -21,15 +19,7 @@ pub fn joint(drawing: &mut Drawing, hinge: &Hinge) {
         unit,
     };
     (joints::of(hinge.form).symbol)(&mut symbol);
-    let Symbol { behind, before, first, second, .. } = symbol;
+    let Symbol { behind, before, .. } = symbol;
     drawing.add(behind);
     drawing.add(before);
-    if hinge.form.spans == Spans::Rod {
-        drawing.block_path(&[first, second], false);
-    }
-    if hinge.is_grounded() {
-        let depth = if is_slide { 2.5 } else { 4.5 };
-        drawing.block(shifted(second, depth / 2.0 * unit, DOWN), 3.2 * unit, depth / 2.0 * unit);
-    }
-    drawing.block(second, 1.4 * unit, 1.4 * unit);
 }

@@ -1,4 +1,4 @@
-//! Joints in space: their symbols in their layers, what holds them to the ground, and the room that they take.
+//! Joints in space: their symbols in their layers, and what holds them to the ground.
 
 use super::{BLOCKS, Drawing, JOINTS};
 use crate::drawing::Hinge;
@@ -29,13 +29,6 @@ pub fn joint(drawing: &mut Drawing, hinge: &Hinge) {
     let Symbol { behind, before, .. } = symbol;
     drawing.add(behind);
     drawing.add(before);
-    if hinge.form.spans == Spans::Rod {
-        drawing.block_path(&[view.spot(hinge.first), view.spot(hinge.second)], false);
-    }
-    drawing.block(at, 2.0 * unit, 2.0 * unit);
-    if hinge.is_grounded() {
-        drawing.block(shifted(at, 3.5 * unit, [0.0, 1.0]), 3.5 * unit, 1.5 * unit);
-    }
 }
 
 /// A foot on the ground.

@@ -80,7 +80,7 @@ fn symbol(s: &mut Symbol) {
     let block = rectangle(second, e, 2.8 * unit, 1.8 * unit);
     s.before.path(&block, true, Pen::Outline(THIN));
     if on_ground {
-        s.before.path(&block, true, Pen::Tint);
+        s.before.path(&block, true, Pen::Tint(0.0));
     } else {
         // What slides through it is seen.
         s.before.line(shifted(second, -2.8 * unit, e), shifted(second, 2.8 * unit, e), Pen::Line(0.8));
