@@ -174,8 +174,7 @@ fn carry_state(
         if let Linear::Mode(..) = linear
             && let Some(own) = from.layout.linear.iter().position(|own| own == linear)
         {
-            (moved[index], rates[index]) =
-                (values(&from.symbols.q[own..=own])[0], values(&from.symbols.v[own..=own])[0]);
+            (moved[index], rates[index]) = (q[own], v[own]);
         }
     }
     for (r, rotation) in layout.rotations.iter().enumerate() {
