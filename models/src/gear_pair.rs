@@ -19,6 +19,7 @@ linkwright::mechanism! {
         joint held: fixed(ground(150, 0) [mm], partner.center);
         mesh teeth: mesh(wheel.rim, partner.rim, stiffness = 1 [N/m]*(1 + swing*cos(omega*time)), damping = always(0.1 [N*s/m]), backlash [um] = 2);
         torque load: torque(axle) = BASE*1e-6 [N]*(0.1 + shake*(omega*1 [s/rad])^2*cos(omega*time));
+        options { emit = (tangent); }
         output x [um] = teeth.deflection;
         output force [N] = teeth.force;
     }
