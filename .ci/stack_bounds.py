@@ -47,7 +47,7 @@ def without_padding(lines):
     kept = []
     for line in lines:
         if not line:
-            while kept and re.match(r"^\s+[0-9a-f]+:\td4d4\s", kept[-1]):
+            while kept and re.match(r"^\s*[0-9a-f]+:\td4d4\s", kept[-1]):
                 kept.pop()
         kept.append(line)
     return kept
@@ -63,7 +63,7 @@ def functions(image):
             own = found[int(head[1], 16)] = Function(head[2])
             constants = {}
             continue
-        parts = re.match(r"^\s+[0-9a-f]+:\t[0-9a-f ]+\t(\S+)\s*(.*)$", line)
+        parts = re.match(r"^\s*[0-9a-f]+:\t[0-9a-f ]+\t(\S+)\s*(.*)$", line)
         if not parts or own is None:
             continue
         operation, arguments = parts[1], parts[2].split(";")[0].split("@")[0].strip()

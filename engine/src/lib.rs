@@ -2,7 +2,7 @@
 //!
 //! [`Engine`] takes what the compiler makes of a definition and implements the traits of the runtime with it: every formulation,
 //! integrator, event, output and message is that of a compiled mechanism, and so is every number, to the bit (with the fused
-//! multiply-add of the target, if it has one, but in tables). No Rust is compiled: programs are interpreted, by [`code`].
+//! multiply-add of the target, if it has one, but in tables). No Rust is compiled: programs are interpreted.
 //!
 //! ```
 //! use linkwright_engine::{Engine, List};

@@ -43,7 +43,7 @@ fn errors_name_the_part() {
     let name = |part: &str, name: &str| DefinitionError::UnknownName { part: part.into(), name: name.into() };
     assert_eq!(changed(|tree| tree["joints"][0]["kind"] = json!("hinge")), kind("crank_pin", "hinge"));
     assert_eq!(changed(|tree| tree["kind"] = json!("curved")), kind("FourBar", "curved"));
-    assert_eq!(changed(|tree| tree["bodies"][0]["kind"] = json!("beam")), kind("crank", "beam"));
+    assert_eq!(changed(|tree| tree["bodies"][0]["kind"] = json!("balloon")), kind("crank", "balloon"));
     let place = json!({"place": "crank.tip"});
     assert_eq!(changed(|tree| tree["joints"][2]["first"] = place), name("left", "crank.tip"));
     let inch = json!({"unit": "inch", "value": {"number": "1"}});

@@ -573,7 +573,10 @@ const MISTAKES: &[(&str, &str)] = &[
         "force f: damper(crank.pin, link.end, damping = 3 [N*s/m]) = 3;",
         "a damper has no law behind it, its arguments say all; write `;`",
     ),
-    ("force f: friction(base);", "friction acts in a joint: write `friction name: on(joint) = coulomb("),
+    (
+        "force f: friction(base);",
+        "friction acts in a joint: write `friction name: on(joint) = coulomb(coefficient = 0.2, radius [m] = 0.01, speed [rad/s] = 0.05);`",
+    ),
     ("start { base.angle [m] = 3; }", "`base.angle` is given a length: expected rad, found m"),
     (
         "start { base.angle = 3; }",

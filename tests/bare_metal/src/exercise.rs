@@ -82,17 +82,20 @@ where
     // As by `assemble`, which a model with a massless part at rest may refuse: then the start of the compiler is taken.
     let assembled = model.assemble(&start).ok();
     let start = assembled.clone().unwrap_or(start);
+    // Teeth of steel between grams vibrate at 55 kHz.
+    let h = R::from_f64(if name.starts_with("planetary_stage") { 1e-6 } else { 1e-4 });
+    let begin = (&start, h);
     let mut hash = digest(0xcbf2_9ce4_8422_2325, &start);
     let mut of_steps = Range::NONE;
     let mut stack = 0;
-    hash = steps(hash, model, &start, Rk4, &mut of_steps, &mut stack, meter);
+    hash = steps(hash, model, begin, Rk4, &mut of_steps, &mut stack, meter);
     let (mut independent, mut corrected, mut ignored) = (Range::NONE, Range::NONE, 0);
     let mut by_multipliers = Range::NONE;
     let method = (Rk4, WithMultipliers(Baumgarte::time_constant(R::from_f64(1e-3))));
-    hash = steps(hash, model, &start, method, &mut by_multipliers, &mut ignored, meter);
-    hash = steps(hash, model, &start, (Rk4, NullSpace), &mut independent, &mut ignored, meter);
+    hash = steps(hash, model, begin, method, &mut by_multipliers, &mut ignored, meter);
+    hash = steps(hash, model, begin, (Rk4, NullSpace), &mut independent, &mut ignored, meter);
     let method = (Rk4, Corrected::after(LagrangeIndex1));
-    hash = steps(hash, model, &start, method, &mut corrected, &mut ignored, meter);
+    hash = steps(hash, model, begin, method, &mut corrected, &mut ignored, meter);
     let [evaluation, multipliers] = evaluations(model, &start, meter);
 
     meter.tell(scalar);
@@ -130,7 +133,7 @@ fn no_inputs<R: Real, M: Assemble<R, Inputs: Fields<R>>>() -> M::Inputs {
 fn steps<R: Bits, M, S: StepMethod<R, M>>(
     mut hash: u64,
     model: &M,
-    start: &StateOf<M, R>,
+    (start, h): (&StateOf<M, R>, R),
     method: S,
     count: &mut Range,
     stack: &mut u32,
@@ -141,7 +144,6 @@ where
 {
     let mut plant = Stepper::new(model.clone(), start.clone(), method);
     let inputs = no_inputs::<R, M>();
-    let h = R::from_f64(1e-4);
     for tick in 0..STEPS {
         let mut code = 0;
         let instructions = meter.instructions(|| {

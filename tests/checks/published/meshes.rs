@@ -17,9 +17,8 @@ fn solved(mut a: Vec<Vec<f64>>, mut b: Vec<f64>) -> Vec<f64> {
         b.swap(pivot, best);
         for row in pivot + 1..n {
             let factor = a[row][pivot] / a[pivot][pivot];
-            for column in pivot..n {
-                a[row][column] -= factor * a[pivot][column];
-            }
+            let [above, below] = a.get_disjoint_mut([pivot, row]).expect("two rows");
+            below.iter_mut().zip(above).skip(pivot).for_each(|(entry, known)| *entry -= factor * *known);
             b[row] -= factor * b[pivot];
         }
     }
