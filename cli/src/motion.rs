@@ -1,13 +1,14 @@
-//! The range of motion, in words: what each joint goes through, where it turns back, where the constraints lose rank.
+//! The range of motion, in words: what each joint goes through, where it turns back and where the input is then, where the constraints
+//! lose rank, time ratios and transmission angles.
 
 use crate::text;
 use linkwright_compiler::Compiled;
-use linkwright_compiler::check::motion::{End, Motion, Range, Unswept};
+use linkwright_compiler::check::motion::{End, Linkage, Motion, Range, Unswept};
 
 /// One line for each thing found; of mechanisms that cannot be followed, why.
 pub fn motion(compiled: &Compiled) -> Vec<String> {
-    match compiled.motion() {
-        Ok(motion) => found(&motion),
+    match compiled.linkage() {
+        Ok((motion, linkage)) => found(&motion, &linkage),
         Err(Unswept::InSpace) => vec!["found for planar mechanisms only".to_string()],
         Err(Unswept::Freedoms(count)) => {
             vec![format!("found for one degree of freedom only, and there are {count}")]
@@ -16,18 +17,33 @@ pub fn motion(compiled: &Compiled) -> Vec<String> {
     }
 }
 
-fn found(motion: &Motion) -> Vec<String> {
+fn found(motion: &Motion, linkage: &Linkage) -> Vec<String> {
     let reference = &motion.ranges[motion.reference];
     let at = |value: f64| format!("at {} = {}", reference.of, number(value, reference.angular));
+    let told = |index: usize, value: f64| {
+        let range = &motion.ranges[index];
+        format!("at {} = {}", range.of, number(value, range.angular))
+    };
+    let input = linkage.input.unwrap_or(motion.reference);
     let mut lines: Vec<String> = motion.ranges.iter().map(range).collect();
     for limit in &motion.limits {
         let of = &motion.ranges[limit.of];
         let line = in_line(&limit.in_line);
+        // Where the input itself turns back another coordinate tells the position.
+        let by = if limit.of == input { beside(motion, input) } else { input };
+        let place = if by == limit.of { String::new() } else { format!(", {}", told(by, limit.values[by])) };
+        lines.push(format!("{} turns back at {}{line}{place}", of.of, number(limit.value, of.angular)));
+    }
+    for ratio in &linkage.ratios {
+        let of = &motion.ranges[ratio.of];
+        lines.push(format!("{} has the time ratio {}", of.of, text::number(rounded(ratio.ratio))));
+    }
+    for transmission in &linkage.transmissions {
+        let [least, most] = [transmission.least, transmission.most].map(|angle| number(angle, true));
+        let [at_least, at_most] = transmission.at.map(|value| told(input, value));
         lines.push(format!(
-            "{} turns back at {}{line}, {}",
-            of.of,
-            number(limit.value, of.angular),
-            at(limit.reference)
+            "transmission angle from {} to {}: {least} {at_least}, to {most} {at_most}",
+            transmission.link, transmission.driven
         ));
     }
     for singular in &motion.singular {
@@ -44,6 +60,15 @@ fn found(motion: &Motion) -> Vec<String> {
         }
     });
     lines
+}
+
+/// Another coordinate than the input: one that does not turn back there for the same reason, the last of them.
+fn beside(motion: &Motion, input: usize) -> usize {
+    (0..motion.ranges.len()).rev().find(|index| *index != input).unwrap_or(input)
+}
+
+fn rounded(value: f64) -> f64 {
+    (value * 1e9).round() / 1e9
 }
 
 fn range(range: &Range) -> String {
@@ -66,5 +91,5 @@ fn number(value: f64, angular: bool) -> String {
 /// Degrees and metres to six digits, and to no more places than following the motion is good for.
 fn plain(value: f64, angular: bool) -> String {
     let value = if angular { value.to_degrees() } else { value };
-    text::number((value * 1e9).round() / 1e9)
+    text::number(rounded(value))
 }

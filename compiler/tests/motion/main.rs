@@ -1,6 +1,7 @@
 //! Mobility and range of motion against closed forms.
 
 mod four_bars;
+mod linkages;
 mod mobility;
 mod sliders;
 

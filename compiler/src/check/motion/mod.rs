@@ -5,11 +5,13 @@
 //! time stand where they are at time zero. Only what `expect` or a tool asks about is followed.
 
 mod expected;
+mod linkage;
 mod messages;
 mod path;
 mod sweep;
 
 pub use expected::check;
+pub use linkage::{Linkage, TimeRatio, Transmission};
 
 use super::assemble::{Assembly, Point, pins, rank};
 use crate::equations::{Condition, Equations};
@@ -73,6 +75,8 @@ pub struct Limit {
     pub value: f64,
     /// The value of the reference coordinate.
     pub reference: f64,
+    /// Those of all coordinates, in the order of [`Motion::ranges`].
+    pub values: Vec<f64>,
     /// Links that lie in one line there, which is why.
     pub in_line: Vec<String>,
 }
@@ -117,6 +121,36 @@ pub fn sweep(
     assembly: &Assembly,
     coordinates: &[Coordinate],
 ) -> Result<Motion, Unswept> {
+    follow(mechanism, equations, assembly, coordinates).map(|followed| followed.motion)
+}
+
+/// Follows the motion of all joints, and measures it as that of a linkage.
+pub fn of_linkage(
+    mechanism: &Mechanism,
+    equations: &Equations,
+    assembly: &Assembly,
+) -> Result<(Motion, Linkage), Unswept> {
+    let mut followed = follow(mechanism, equations, assembly, &of_joints(mechanism))?;
+    let mut point = Point::at_defaults(mechanism, equations, &assembly.phases);
+    let linkage = linkage::linkage(mechanism, &mut point, &mut followed);
+    Ok((followed.motion, linkage))
+}
+
+/// A motion, and what it was followed with.
+struct Followed<'a> {
+    motion: Motion,
+    path: Path<'a>,
+    places: Vec<Place>,
+    /// What the coordinates count beyond their values at a place.
+    stated: Vec<f64>,
+}
+
+fn follow<'a>(
+    mechanism: &Mechanism,
+    equations: &'a Equations,
+    assembly: &Assembly,
+    coordinates: &[Coordinate],
+) -> Result<Followed<'a>, Unswept> {
     if mechanism.space == Space::Spatial {
         return Err(Unswept::InSpace);
     }
@@ -149,6 +183,7 @@ pub fn sweep(
     let limits = swept.limits.into_iter().map(|(limit, place)| Limit {
         value: limit.value + stated[limit.of],
         reference: place.values[reference] + stated[reference],
+        values: place.values.iter().zip(&stated).map(|(value, turns)| value + turns).collect(),
         in_line: in_line(mechanism, &mut point, &place.q, &watched[limit.of].coordinate),
         ..limit
     });
@@ -161,7 +196,8 @@ pub fn sweep(
         let in_line = pins::in_line(mechanism, &pins::pins(mechanism, &mut point, q), None);
         singular.push(Singular { reference: values[reference] + stated[reference], lost, in_line });
     }
-    Ok(Motion { end, ranges, limits, singular, reference, steps: swept.steps })
+    let motion = Motion { end, ranges, limits, singular, reference, steps: swept.steps };
+    Ok(Followed { motion, path, places: swept.places, stated })
 }
 
 /// The rows of the coordinates, and the index of the one by which positions are told: the independent one.

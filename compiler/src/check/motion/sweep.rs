@@ -33,6 +33,8 @@ pub struct Swept {
     pub limits: Vec<(Limit, Place)>,
     /// Singular positions, with the values of the watched coordinates.
     pub singular: Vec<(Vec<f64>, Vec<f64>)>,
+    /// All positions, in the order met.
+    pub places: Vec<Place>,
     pub steps: usize,
 }
 
@@ -174,6 +176,7 @@ impl<'s, 'p> Sweep<'s, 'p> {
         }
         self.before = Some((distance, self.here.regularity));
         self.travelled += distance;
+        self.swept.places.push(next.clone());
         self.here = next;
     }
 
@@ -210,7 +213,13 @@ impl<'s, 'p> Sweep<'s, 'p> {
         if let Some(mut place) = best {
             place.values = self.unwrapped(&place);
             self.widen(i, place.values[i]);
-            let limit = Limit { of: i, value: place.values[i], reference: 0.0, in_line: Vec::new() };
+            let limit = Limit {
+                of: i,
+                value: place.values[i],
+                reference: 0.0,
+                values: Vec::new(),
+                in_line: Vec::new(),
+            };
             self.swept.limits.push((limit, place));
         }
     }
