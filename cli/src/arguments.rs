@@ -15,6 +15,7 @@ usage: linkwright run     [options] FILE    moves it and writes what is measured
        linkwright animate [options] FILE    a page with its motion
        linkwright sweep   [options] FILE    what is measured of runs with many values of a parameter
        linkwright draw    [options] FILE    a drawing of it, as SVG
+       linkwright watch   [options] FILE    a page on this machine that follows it as it is edited
        linkwright check   [options] FILE…   errors of every definition, as the macro reports them
        linkwright explain [options] FILE    what the compiler found: parts, freedoms, coordinates, start
        linkwright counts  [options] FILE    operations of every generated function
@@ -164,7 +165,7 @@ fn named(word: &str) -> Result<Command, String> {
 }
 
 /// All commands.
-const ALL: &str = "run, plot, animate, sweep, draw, check, explain, counts and export";
+const ALL: &str = "run, plot, animate, sweep, draw, watch, check, explain, counts and export";
 
 fn is_language(word: &str) -> Result<(), String> {
     match word {

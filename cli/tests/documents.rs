@@ -70,7 +70,7 @@ fn pages_show_what_the_program_writes() {
     let mut blocks = 0;
     // Where pages write to.
     fs::create_dir_all(docs().join("../target")).expect("it can be made");
-    for page in ["run", "plot", "animate", "sweep", "draw"] {
+    for page in ["run", "plot", "animate", "sweep", "draw", "watch"] {
         let path = docs().join(format!("{page}.md"));
         let text = fs::read_to_string(&path).expect("the page");
         let mut new = String::new();

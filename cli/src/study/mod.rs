@@ -1,4 +1,4 @@
-//! What moves a mechanism and shows it, without Rust: `run`, `plot`, `animate`, `sweep`, `draw`. The definition is read by the engine, so that
+//! What moves a mechanism and shows it, without Rust: `run`, `plot`, `animate`, `sweep`, `draw`, `watch`. The definition is read by the engine, so that
 //! every method and message is that of a compiled mechanism.
 
 pub mod animate;
@@ -12,6 +12,7 @@ pub mod plot;
 pub mod record;
 pub mod run;
 pub mod sweep;
+pub mod watch;
 
 use crate::input::{self, Found};
 use crate::{ERRORS, USAGE, answer, json, report, with_engine};
@@ -60,6 +61,9 @@ pub struct Loaded {
 
 /// Does what is asked for.
 pub fn study(study: &Study) -> ExitCode {
+    if study.command == Command::Watch {
+        return watch::watch(study);
+    }
     let colours = stderr().is_terminal() && std::env::var_os("NO_COLOR").is_none_or(|value| value.is_empty());
     let renderer = report::renderer(colours);
     let found = match one_definition(&study.file) {
@@ -87,7 +91,7 @@ pub fn study(study: &Study) -> ExitCode {
             Command::Plot => plot::plot(study, &loaded),
             Command::Animate => animate::animate(study, &loaded),
             Command::Sweep => sweep::sweep(study, &loaded),
-            Command::Draw => draw::draw(study, &loaded),
+            Command::Draw | Command::Watch => draw::draw(study, &loaded),
         };
         done.map(|value| (value, loaded.warnings))
     });

@@ -4,6 +4,7 @@ use super::expression::{Expression, unknown};
 use super::methods::{Chosen, Course, FORMULATIONS, INTEGRATORS, chosen};
 use super::record::Group;
 use super::sweep::Over;
+use super::watch::PORT;
 use lexopt::Arg::{Long, Short, Value};
 use std::ffi::OsString;
 use std::path::PathBuf;
@@ -16,11 +17,12 @@ pub enum Command {
     Animate,
     Sweep,
     Draw,
+    Watch,
 }
 
 impl Command {
-    pub const ALL: [Command; 5] =
-        [Command::Run, Command::Plot, Command::Animate, Command::Sweep, Command::Draw];
+    pub const ALL: [Command; 6] =
+        [Command::Run, Command::Plot, Command::Animate, Command::Sweep, Command::Draw, Command::Watch];
 
     pub fn text(self) -> &'static str {
         match self {
@@ -29,6 +31,7 @@ impl Command {
             Command::Animate => "animate",
             Command::Sweep => "sweep",
             Command::Draw => "draw",
+            Command::Watch => "watch",
         }
     }
 
@@ -55,6 +58,7 @@ impl Command {
                 "json",
             ],
             Command::Draw => &["set", "out", "json"],
+            Command::Watch => &["port", "for", "step", "every", "formulation", "integrator", "set", "input"],
         }
     }
 
@@ -65,6 +69,7 @@ impl Command {
             Command::Animate => ANIMATE,
             Command::Sweep => SWEEP,
             Command::Draw => DRAW,
+            Command::Watch => WATCH,
         }
     }
 }
@@ -140,6 +145,17 @@ usage: linkwright draw [options] FILE
   --json                  for machines: the drawing as a field
 ";
 
+const WATCH: &str = "\
+Shows a page on this machine that follows a file as it is edited: messages at their lines, drawing, motion, sliders for
+parameters, fields for inputs. Nobody but this machine is answered.
+
+usage: linkwright watch [options] FILE
+
+  --port NUMBER           4180 if it is not given; 0 is any that is free
+
+--for, --step, --every, --formulation, --integrator, --set and --input are those of `linkwright animate`.
+";
+
 /// What a command is asked to do.
 #[derive(Clone, Debug)]
 pub struct Study {
@@ -156,6 +172,8 @@ pub struct Study {
     /// A picture in place of a page.
     pub svg: bool,
     pub json: bool,
+    /// Where `watch` listens.
+    pub port: u16,
 }
 
 /// Reads what stands behind the command.
@@ -184,6 +202,7 @@ pub fn parse(
         out: None,
         svg: false,
         json: false,
+        port: PORT,
     };
     let mut formulation_given = false;
     while let Some(argument) = parser.next().map_err(|error| error.to_string())? {
@@ -232,6 +251,10 @@ pub fn parse(
             "input" => study.inputs.push(text),
             "over" => study.over.push(Over::parse(&text)?),
             "measure" => study.measures.push(text),
+            "port" => {
+                let wrong = |_| format!("--port: \"{text}\" is no port: write a number from 0 to 65535");
+                study.port = text.parse().map_err(wrong)?;
+            }
             "show" => study.show = Some(Group::list(&text)?),
             _ => study.out = Some(PathBuf::from(value)),
         }
