@@ -91,8 +91,8 @@ fn an_edit_is_shown_at_once() {
 
     // The question waits for the change and is answered by it.
     let wrong = PENDULUM.replace("bob.start", "bob.begin");
+    let query = format!("?after={}", stamp(&first));
     let (begin, answer) = std::thread::scope(|scope| {
-        let query = format!("?after={}", stamp(&first));
         let waiting = scope.spawn(|| watch.state(&query));
         std::thread::sleep(Duration::from_millis(200));
         assert!(!waiting.is_finished(), "it waits");
@@ -110,7 +110,7 @@ fn an_edit_is_shown_at_once() {
     fs::remove_file(&watch.file).expect("it is there");
     let gone = watch.state(&format!("?after={}", stamp(&answer)));
     assert_eq!(stamp(&gone), "gone");
-    assert!(gone["messages"][0]["message"].as_str().expect("a text").contains("cannot be read"), "{gone}");
+    assert!(gone["messages"][0]["message"].as_str().expect("a text").contains("there is no file"), "{gone}");
     fs::write(&watch.file, PENDULUM).expect("it can be written");
     assert_eq!(watch.state("?after=gone")["motion"], first["motion"]);
 }

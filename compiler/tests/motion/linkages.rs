@@ -94,7 +94,7 @@ fn inputs_are_what_moves_it() {
         assert_eq!(found.input.map(|input| motion.ranges[input].of.as_str()), Some(expected), "{more}");
     }
     let driven =
-        crank_rocker(lengths, "drive slow: rocker_pin.angle = 2.0943951023931953 + 0.1 [rad/s]*time;");
+        crank_rocker(lengths, "drive slow: rocker_pin.angle = 2.0943951023931953 [rad] + 0.1 [rad/s]*time;");
     let (motion, found) =
         linkage(&driven.replacen("rocker_pin.angle [rad] =", "rocker_pin.angle [rad] ~", 1));
     assert_eq!(found.input.map(|input| motion.ranges[input].of.as_str()), Some("rocker_pin.angle"));
