@@ -118,7 +118,7 @@ function slider(parameter) {
   const input = make("input");
   Object.assign(input, { type: "range", name: "set." + name, min: least, max: most, step: (most - least) / 200 });
   input.value = value;
-  const text = (number) => Number(number).toPrecision(4).replace(/\.?0+$/, "") + (unit === "1" ? "" : " " + unit);
+  const text = (number) => String(Number(Number(number).toPrecision(4))) + (unit === "1" ? "" : " " + unit);
   const output = make("output", text(value));
   input.oninput = () => {
     values["set." + name] = input.value;
