@@ -149,10 +149,10 @@ impl Sheet<'_> {
     fn is_free(&self, area: &Area, near: &[&Trace]) -> bool {
         let is_inside =
             (0..2).all(|k| area.center[k] > area.half[k] && area.center[k] < self.edge[k] - area.half[k]);
-        is_inside
-            && !self.taken.iter().any(|other| area.overlaps(other))
-            && !(self.is_strict && self.leads.iter().any(|line| area.is_crossed(line)))
-            && !near.iter().any(|trace| area.is_crossed(trace))
+        let covers = self.taken.iter().any(|other| area.overlaps(other))
+            || self.is_strict && self.leads.iter().any(|line| area.is_crossed(line))
+            || near.iter().any(|trace| area.is_crossed(trace));
+        is_inside && !covers
     }
 
     /// Whether a line to a name crosses no other.
