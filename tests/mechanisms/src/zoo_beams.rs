@@ -52,9 +52,9 @@ linkwright::mechanism! {
         joint foot: fixed(ground(0, 0) [m], post.start, angle = 1.2 [rad]);
         joint weld: fixed(post.end, knob.origin, angle = offset);
         joint joint_1: revolute(bar.start, post.center);
-        joint rail: prismatic(ground(0, 0.146) [m], sled.center, axis = (1, 0.2));
+        joint rail: prismatic(ground(0, 0.1473) [m], sled.center, axis = (1, 0.2));
         joint clasp: fixed(sled.center, bar.end, angle = -0.2 [rad]);
-        start { post.bending[0] [mm] = 2; post.bending[1].rate [mm/s] = 3; bar.angle [rad] ~ -0.4; rail.travel [m] ~ 0.6;
+        start { post.bending[0] [mm] = 2; post.bending[1].rate [mm/s] = 3; bar.angle [rad] ~ -0.2; rail.travel [m] ~ 0.646;
                 bar.bending[0] [mm] ~ 0; bar.axial[0] [mm] ~ 0; bar.axial[0].rate [mm/s] = 0; }
         options { emit = (penalty, projection, null_space, tangent); }
         output across [m] = knob.center.x;
