@@ -61,7 +61,7 @@ fn language_page_names_surfaces() {
     let surfaces = vocabulary.surfaces.iter().map(|surface| surface.call.word);
     for word in surfaces.chain(vocabulary.contact_laws.iter().map(|law| law.call.word)) {
         let named = |cell: &&str| cell.contains(&format!("`{word}`")) || cell.contains(&format!("`{word}("));
-        assert!(cells.iter().any(|cell| named(cell)), "{word}");
+        assert!(cells.iter().any(named), "{word}");
     }
 }
 
