@@ -65,7 +65,7 @@ where
     let mut worst = 0.0_f64;
     let start = model.start();
     let baumgarte = Baumgarte { alpha: 10.0, beta: 10.0 };
-    // Its teeth swing at 52 kHz.
+    // Its teeth swing at 55 kHz.
     let step = if name.starts_with("planetary_stage") { 1e-6 } else { 2e-5 };
     let mut simulation =
         Simulation::new(model, start.clone()).formulation(baumgarte).sampled(given).step(step);

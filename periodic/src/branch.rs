@@ -157,7 +157,7 @@ impl<M: Tangent<f64>> Cycle<'_, M> {
             let lost = trial.not_closed(value, iteration);
             // The column by p changes little within a step.
             let correction =
-                units.solve(&trial.derivative(), &here.by_value, &here.tangent, &trial.residual, -off);
+                units.solve(trial.derivative(), &here.by_value, &here.tangent, &trial.residual, -off);
             let correction = correction.ok_or_else(|| lost.clone())?;
             moved += correction;
             if iteration == ITERATIONS || (&moved - &predicted).norm() > step {

@@ -28,7 +28,7 @@ impl<M: Tangent<f64>> Cycle<'_, M> {
         let model = self.model(value)?;
         let Flow { end, x, derivative, switchings, .. } = flow(self, &model, value, from, true)?;
         let state = self.taken_back(&model, from, end, &x)?;
-        let derivative = derivative.unwrap_or_else(|| DMatrix::zeros(x.len(), x.len()));
+        let derivative = derivative.expect("it was asked for");
         Ok(PeriodMap { state, x, derivative, switchings })
     }
 

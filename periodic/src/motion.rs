@@ -161,7 +161,7 @@ impl<M: Tangent<f64>> Trial<M> {
     pub fn into_motion(self, value: f64) -> PeriodicMotion<M> {
         let Trial { state, x: start, flow, period, .. } = self;
         let Flow { derivative, swing, switchings, .. } = flow;
-        let monodromy = derivative.unwrap_or_else(|| DMatrix::zeros(start.len(), start.len()));
+        let monodromy = derivative.expect("it was asked for");
         PeriodicMotion { value, period, state, start, monodromy, swing, switchings }
     }
 
@@ -180,9 +180,9 @@ impl<M: Tangent<f64>> Trial<M> {
         })
     }
 
-    pub fn derivative(&self) -> DMatrix<f64> {
-        let size = self.x.len();
-        self.flow.derivative.clone().unwrap_or_else(|| DMatrix::zeros(size, size))
+    /// ∂φ/∂x.
+    pub fn derivative(&self) -> &DMatrix<f64> {
+        self.flow.derivative.as_ref().expect("it was asked for")
     }
 
     fn newton(&self) -> Option<DVector<f64>> {

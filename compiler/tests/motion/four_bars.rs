@@ -17,6 +17,14 @@ fn definition([ground, crank, coupler, rocker]: Lengths, angle: f64, side: f64, 
     let rocker_angle = y.atan2(x) - side * at_rocker;
     let end = [ground + rocker * rocker_angle.cos(), rocker * rocker_angle.sin()];
     let coupler_angle = (end[1] - crank * angle.sin()).atan2(end[0] - crank * angle.cos());
+    let start = format!(
+        "crank_pin.angle [rad] = {angle}; rocker_pin.angle [rad] ~ {rocker_angle}; coupler.angle [rad] ~ {coupler_angle};"
+    );
+    four_bar([ground, crank, coupler, rocker], &start, more)
+}
+
+/// Between pins on a line, with what `start` states.
+pub fn four_bar([ground, crank, coupler, rocker]: Lengths, start: &str, more: &str) -> String {
     format!(
         "planar FourBar {{
             rod crank   {{ mass [kg] = 1; length [m] = {crank}; }}
@@ -26,8 +34,7 @@ fn definition([ground, crank, coupler, rocker]: Lengths, angle: f64, side: f64, 
             joint rocker_pin: revolute(ground({ground}, 0) [m], rocker.start);
             joint left:  revolute(crank.end, coupler.start);
             joint right: revolute(coupler.end, rocker.end);
-            start {{ crank_pin.angle [rad] = {angle}; rocker_pin.angle [rad] ~ {rocker_angle};
-                     coupler.angle [rad] ~ {coupler_angle}; }}
+            start {{ {start} }}
             {more}
         }}"
     )

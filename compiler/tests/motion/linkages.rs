@@ -1,5 +1,6 @@
 //! Inputs, time ratios and transmission angles against the rule of cosines.
 
+use crate::four_bars::four_bar;
 use crate::{Random, compiled};
 use linkwright_compiler::check::motion::{Linkage, Motion};
 use std::f64::consts::PI;
@@ -19,20 +20,11 @@ fn crank_rocker([ground, crank, coupler, rocker]: [f64; 4], more: &str) -> Strin
         ((diagonal * diagonal + rocker * rocker - coupler * coupler) / (2.0 * diagonal * rocker)).acos();
     let at_coupler =
         ((diagonal * diagonal + coupler * coupler - rocker * rocker) / (2.0 * diagonal * coupler)).acos();
-    format!(
-        "planar FourBar {{
-            rod crank   {{ mass [kg] = 1; length [m] = {crank}; }}
-            rod coupler {{ mass [kg] = 1; length [m] = {coupler}; }}
-            rod rocker  {{ mass [kg] = 1; length [m] = {rocker}; }}
-            joint crank_pin:  revolute(ground(0, 0) [m], crank.start);
-            joint rocker_pin: revolute(ground({ground}, 0) [m], rocker.start);
-            joint left:  revolute(crank.end, coupler.start);
-            joint right: revolute(coupler.end, rocker.end);
-            start {{ rocker_pin.angle [rad] = {}; crank_pin.angle [rad] ~ 0; coupler.angle [rad] ~ {at_coupler}; }}
-            {more}
-        }}",
+    let start = format!(
+        "rocker_pin.angle [rad] = {}; crank_pin.angle [rad] ~ 0; coupler.angle [rad] ~ {at_coupler};",
         PI - at_rocker
-    )
+    );
+    four_bar([ground, crank, coupler, rocker], &start, more)
 }
 
 #[test]

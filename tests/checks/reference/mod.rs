@@ -31,7 +31,8 @@ pub fn models() -> Vec<(&'static str, &'static str, &'static str)> {
 /// shipped models are such that many a term vanishes; and those of joints that no shipped model has.
 const RECORDED_OF_ZOO: [&str; 6] = ["crank", "jack", "oldham", "shafts", "snake", "stage"];
 
-/// Models whose values are not recorded, for all within a megabyte: one like it is. Friction by reactions is not part of a recorded system.
+/// Models whose values are not recorded, so that all stay within a megabyte: one like it is, or its values are among the longest. Friction by
+/// reactions is not part of a recorded system.
 const NOT_RECORDED: [&str; 23] = [
     "bouncing_ball",
     "bouncing_ball_of_hunt_and_crossley",
