@@ -39,8 +39,13 @@ fn found(motion: &Motion, linkage: &Linkage) -> Vec<String> {
         lines.push(format!("{} has the time ratio {}", of.of, text::number(rounded(ratio.ratio))));
     }
     for transmission in &linkage.transmissions {
-        let [least, most] = [transmission.least, transmission.most].map(|angle| number(angle, true));
-        let [at_least, at_most] = transmission.at.map(|value| told(input, value));
+        let [least, most] = [transmission.least, transmission.most].map(transmitted);
+        let [at_least, at_most] = transmission.at.map(|value| {
+            // Beside an extremum the sine is flat.
+            let range = &motion.ranges[input];
+            let value = if range.angular { transmitted(value) } else { number(value, false) };
+            format!("at {} = {value}", range.of)
+        });
         lines.push(format!(
             "transmission angle from {} to {}: {least} {at_least}, to {most} {at_most}",
             transmission.link, transmission.driven
@@ -69,6 +74,11 @@ fn beside(motion: &Motion, input: usize) -> usize {
 
 fn rounded(value: f64) -> f64 {
     (value * 1e9).round() / 1e9
+}
+
+/// To four places: at an extremum of its sine an angle is known by the root of what the sine is.
+fn transmitted(angle: f64) -> String {
+    format!("{} deg", text::number((angle.to_degrees() * 1e4).round() / 1e4 + 0.0))
 }
 
 fn range(range: &Range) -> String {

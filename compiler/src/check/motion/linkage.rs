@@ -15,7 +15,9 @@ use std::f64::consts::TAU;
 
 /// Halves of the interval in which a least or largest value is looked for, and how often it is made smaller by the golden ratio.
 const AROUND: f64 = 0.2;
-const ROUNDS: usize = 48;
+const ROUNDS: usize = 32;
+/// A sine as small as this is zero.
+const ZERO: f64 = 1e-13;
 
 /// A motion as that of a linkage.
 #[derive(Clone, Debug, Default)]
@@ -135,6 +137,7 @@ fn pushing(mechanism: &Mechanism, input: &Range) -> Vec<Pushing> {
     let on = |frame: Frame| joints.iter().filter(move |(_, joint)| other(joint, frame).is_some());
     let is_pin = |joint: &Joint| joint.form.keeps_place && !joint.form.keeps_orientation;
     let first = joint_of(input).and_then(|joint| other(&mechanism.joints[joint.0], Frame::Ground));
+    let away = distances(mechanism, first);
     let mut found = Vec::new();
     for index in 0..mechanism.bodies.len() {
         let link = Frame::Body(crate::model::BodyId(index));
@@ -146,9 +149,9 @@ fn pushing(mechanism: &Mechanism, input: &Range) -> Vec<Pushing> {
         for (near, far) in [((*a, one), (*b, another)), ((*b, another), (*a, one))] {
             let (from, driven) = (other(near.1, link), other(far.1, link));
             let (Some(from), Some(driven)) = (from, driven) else { continue };
-            let is_away = Some(driven) != first
-                && (Some(from) == first || steps(mechanism, first, from) < steps(mechanism, first, driven));
-            if from == Frame::Ground || driven == Frame::Ground || !is_away {
+            let (Frame::Body(before), Frame::Body(behind)) = (from, driven) else { continue };
+            let [Some(before), Some(behind)] = [before, behind].map(|body| away[body.0]) else { continue };
+            if before >= behind {
                 continue;
             }
             if let Some(guide) = on(driven).find_map(|(id, joint)| guide(mechanism, *id, joint)) {
@@ -159,19 +162,26 @@ fn pushing(mechanism: &Mechanism, input: &Range) -> Vec<Pushing> {
     found
 }
 
-/// Joints from one body to another, the ground left out.
-fn steps(mechanism: &Mechanism, from: Option<Frame>, to: Frame) -> usize {
+/// Joints from a frame to each body by the shortest way, the ground left out; none where there is no way.
+fn distances(mechanism: &Mechanism, from: Option<Frame>) -> Vec<Option<usize>> {
+    let mut found = vec![None; mechanism.bodies.len()];
     let mut reached: Vec<Frame> = from.into_iter().collect();
-    for count in 0..=mechanism.joints.len() {
-        if reached.contains(&to) {
-            return count;
+    for count in 0.. {
+        let fresh = |frame: &Frame| matches!(frame, Frame::Body(body) if found[body.0].is_none());
+        reached.retain(fresh);
+        if reached.is_empty() {
+            break;
+        }
+        for frame in &reached {
+            if let Frame::Body(body) = frame {
+                found[body.0] = Some(count);
+            }
         }
         let next =
-            mechanism.joints.iter().flat_map(|joint| reached.iter().filter_map(|frame| other(joint, *frame)));
-        let next: Vec<Frame> = next.filter(|frame| *frame != Frame::Ground).collect();
-        reached.extend(next);
+            mechanism.joints.iter().flat_map(|joint| reached.iter().filter_map(|one| other(joint, *one)));
+        reached = next.collect();
     }
-    usize::MAX
+    found
 }
 
 /// What a joint to the ground lets a body do.
@@ -196,7 +206,7 @@ fn unit([x, y]: [f64; 2]) -> Option<[f64; 2]> {
     (size > 0.0).then(|| [x / size, y / size])
 }
 
-/// sin μ at a position.
+/// sin μ at a position, with a sign that changes where it passes zero.
 fn sine(pins: &[Pin], pushing: &Pushing) -> Option<f64> {
     let at = |joint: JointId| pins.iter().find(|pin| pin.joint == joint).map(|pin| pin.at);
     let [near, far] = pushing.pins.map(at);
@@ -209,7 +219,7 @@ fn sine(pins: &[Pin], pushing: &Pushing) -> Option<f64> {
             unit([center[1] - far[1], far[0] - center[0]])?
         }
     };
-    Some((along[0] * way[0] + along[1] * way[1]).abs().min(1.0))
+    Some((along[0] * way[0] + along[1] * way[1]).clamp(-1.0, 1.0))
 }
 
 fn transmission(
@@ -225,32 +235,31 @@ fn transmission(
         return None;
     }
     let [(least, at_least), (most, at_most)] = [-1.0, 1.0].map(|sign| {
-        let better = |a: &usize, b: &usize| (sign * sines[*a]).total_cmp(&(sign * sines[*b]));
+        let better = |a: &usize, b: &usize| (sign * sines[*a].abs()).total_cmp(&(sign * sines[*b].abs()));
         let best = (0..sines.len()).max_by(better).unwrap_or(0);
-        let place = &followed.places[best];
-        let path = &mut followed.path;
-        // Golden section search between the neighbours.
-        let ratio = 0.5 * (libm::sqrt(5.0) - 1.0);
-        let (mut from, mut to) = (-AROUND, AROUND);
+        let (place, path) = (&followed.places[best], &mut followed.path);
+        let mut found = (sines[best], place.clone());
         let mut value = |distance: f64| {
             let there = path.step(place, distance)?;
-            Some((sign * measure(&there)?, there))
+            Some((measure(&there)?, there))
         };
-        let (mut top, mut at) = (sign * sines[best], place.clone());
-        for _ in 0..ROUNDS {
-            let [low, high] = [to - ratio * (to - from), from + ratio * (to - from)];
-            let (Some((a, left)), Some((b, right))) = (value(low), value(high)) else { break };
-            for (value, there) in [(a, left), (b, right)] {
-                if value > top {
-                    (top, at) = (value, there);
-                }
-            }
-            if a > b { to = high } else { from = low }
+        if sign < 0.0
+            && let Some(zero) = zero(sines[best], &mut value)
+        {
+            found = (0.0, zero);
+        } else {
+            furthest(sign, &mut value, &mut found);
         }
-        // As continued from the place beside it.
+        let (sine, at) = found;
+        // As continued from the place beside it; of what turns fully, from 0 to a turn.
         let change = at.values[input] - place.values[input];
-        let turn = if followed.motion.ranges[input].angular { TAU * (change / TAU).round() } else { 0.0 };
-        (libm::asin((sign * top).clamp(0.0, 1.0)), at.values[input] - turn + followed.stated[input])
+        let turn = |angle: f64| TAU * (angle / TAU).round();
+        let jump = if followed.motion.ranges[input].angular { turn(change) } else { 0.0 };
+        let mut value = at.values[input] - jump + followed.stated[input];
+        if followed.motion.ranges[input].turns {
+            value = value.rem_euclid(TAU);
+        }
+        (libm::asin(sine.abs()), value)
     });
     Some(Transmission {
         link: mechanism.frame_name(pushing.link).to_string(),
@@ -259,4 +268,56 @@ fn transmission(
         most,
         at: [at_least, at_most],
     })
+}
+
+/// Where the sine changes its sign beside a place: regula falsi, the older end's value halved where it stays (the Illinois rule).
+fn zero(here: f64, value: &mut impl FnMut(f64) -> Option<(f64, Place)>) -> Option<Place> {
+    for side in [-AROUND, AROUND] {
+        let (mut near, mut far) = ((0.0, here), (side, value(side)?.0));
+        if near.1 * far.1 > 0.0 {
+            continue;
+        }
+        for _ in 0..ROUNDS {
+            let at = (near.0 * far.1 - far.0 * near.1) / (far.1 - near.1);
+            let (between, there) = value(at)?;
+            if between.abs() < ZERO {
+                return Some(there);
+            }
+            if between * far.1 < 0.0 {
+                near = far;
+            } else {
+                near.1 *= 0.5;
+            }
+            far = (at, between);
+        }
+    }
+    None
+}
+
+/// The least or largest size between the neighbours, by golden sections.
+fn furthest(sign: f64, value: &mut impl FnMut(f64) -> Option<(f64, Place)>, found: &mut (f64, Place)) {
+    let ratio = 0.5 * (libm::sqrt(5.0) - 1.0);
+    let (mut from, mut to) = (-AROUND, AROUND);
+    let mut at = |distance: f64| {
+        let (sine, place) = value(distance)?;
+        if sign * sine.abs() > sign * found.0.abs() {
+            *found = (sine, place);
+        }
+        Some((distance, sign * sine.abs()))
+    };
+    let (Some(mut low), Some(mut high)) = (at(to - ratio * (to - from)), at(from + ratio * (to - from)))
+    else {
+        return;
+    };
+    for _ in 0..ROUNDS {
+        if low.1 > high.1 {
+            (to, high) = (high.0, low);
+            let Some(next) = at(to - ratio * (to - from)) else { return };
+            low = next;
+        } else {
+            (from, low) = (low.0, high);
+            let Some(next) = at(from + ratio * (to - from)) else { return };
+            high = next;
+        }
+    }
 }
