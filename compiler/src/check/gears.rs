@@ -4,6 +4,7 @@ use super::warnings::Wanted;
 use crate::diagnostics::{Diagnostics, Lint};
 use crate::messages;
 use crate::model::Mechanism;
+use crate::model::gears::stiffness::{Body, Tooth};
 use crate::model::gears::{Mesh, Pair, Toothing, involute};
 
 /// Of the distance that teeth without play have.
@@ -196,6 +197,25 @@ pub(super) fn teeth_are_sound(mechanism: &Mechanism, wanted: &mut Wanted) {
             let message =
                 messages::low_contact_ratio(&first.text, &second.text, mesh.contact_ratio + mesh.overlap);
             wanted.push(Lint::Teeth, pair.name.span, message);
+        }
+    }
+}
+
+// Wheels whose body counts in the stiffness of their teeth have teeth and bores of the sizes that its formula was made for.
+pub(super) fn bodies_are_known(mechanism: &Mechanism, wanted: &mut Wanted) {
+    let mut told: Vec<&str> = Vec::new();
+    for load in &mechanism.loads {
+        let Some(teeth) = &load.teeth else { continue };
+        if teeth.material.is_none_or(|material| material.tooth != Tooth::Profile) {
+            continue;
+        }
+        for toothing in mechanism.pairs[teeth.pair].on.map(|id| mechanism.toothing(id)) {
+            let body = Body::of(toothing);
+            if !toothing.is_internal() && !body.is_known() && !told.contains(&toothing.text.as_str()) {
+                told.push(&toothing.text);
+                let message = messages::body_beyond(&toothing.text, body.half, body.ratio);
+                wanted.push(Lint::Teeth, toothing.name.span, message);
+            }
         }
     }
 }

@@ -16,7 +16,7 @@ use crate::model::{
 };
 
 /// The warnings in the order they are reported.
-const WARNINGS: [fn(&Mechanism, &mut Wanted); 11] = [
+const WARNINGS: [fn(&Mechanism, &mut Wanted); 12] = [
     declarations_are_used,
     bodies_are_connected,
     gravity_pulls,
@@ -28,6 +28,7 @@ const WARNINGS: [fn(&Mechanism, &mut Wanted); 11] = [
     reactions_are_unique,
     cords_are_watched,
     super::gears::teeth_are_sound,
+    super::gears::bodies_are_known,
 ];
 
 /// All warnings of a mechanism without errors, and with these joints whose reactions are one of many.

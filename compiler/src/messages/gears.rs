@@ -274,6 +274,24 @@ pub(crate) fn odd_face_width(toothing: &str, ratio: f64) -> String {
     )
 }
 
+pub(crate) fn body_beyond(toothing: &str, half: f64, ratio: f64) -> String {
+    let (what, remedy) = if (1.4..=7.0).contains(&ratio) {
+        (
+            format!("half a tooth takes {} rad at its foot", crate::numbers::significant(half, 3)),
+            "`tooth = section` leaves the body out",
+        )
+    } else {
+        (
+            format!("its teeth stand {} times as far out as its bore reaches", number(ratio)),
+            "write its `bore`",
+        )
+    };
+    format!(
+        "what the body of `{toothing}` gives is extrapolated: {what}, and the formula was made for 0.01 to 0.12 rad and 1.4 to 7 times; {remedy}, \
+         and `#[allow(teeth)]` says that it is known"
+    )
+}
+
 // ---- Loads between teeth ------------------------------------------------------------------------------------------
 
 pub(crate) fn involute_with_unit() -> String {

@@ -11,12 +11,14 @@ mod expression;
 mod figure;
 mod links;
 mod operations;
+mod plot;
 pub mod scene;
 mod sketch;
 mod sparsity;
 mod stand;
 mod table;
 mod tables;
+mod teeth;
 mod terms;
 mod text;
 
@@ -38,6 +40,7 @@ pub fn page(compiled: &Compiled) -> String {
     tables::joints(&mut page, compiled);
     tables::couplings(&mut page, compiled);
     tables::teeth_that_mesh(&mut page, compiled);
+    teeth::pictures(&mut page, compiled);
     tables::loads(&mut page, compiled);
     tables::settings(&mut page, compiled);
     curves::curves(&mut page, compiled);

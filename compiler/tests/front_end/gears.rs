@@ -248,6 +248,31 @@ fn what_is_possible_and_probably_not_meant() {
     assert!(idle.iter().all(|warning| warning.message.contains("toothing `spare`")), "{idle}");
 }
 
+/// The body below the teeth is a formula fitted to some sizes: 12 teeth are too few, and so is a body that is nearly all bore.
+#[test]
+fn bodies_beyond_their_formula() {
+    let told = |first: &str, tooth: &str| {
+        let source = wheels(first, "external(teeth = 30, module [mm] = 1)", "21", "");
+        let source = source.replace(
+            "gear mesh_of: gear(one.rim, two.rim);",
+            &format!(
+                "mesh m: mesh(one.rim, two.rim, stiffness = involute(young [GPa] = 210, tooth = {tooth}));"
+            ),
+        );
+        let found: Vec<String> = warnings(&source).iter().map(|warning| warning.message.clone()).collect();
+        found.into_iter().filter(|message| message.contains("extrapolated")).collect::<Vec<_>>()
+    };
+    let small = "external(teeth = 12, module [mm] = 1, face_width [mm] = 5)";
+    let found = told(small, "profile");
+    assert_eq!(found.len(), 1, "{found:?}");
+    assert!(found[0].contains("half a tooth takes 0.146 rad at its foot"), "{found:?}");
+    assert!(told(small, "section").is_empty());
+    let thin = "external(teeth = 12, module [mm] = 1, face_width [mm] = 5, bore [mm] = 9)";
+    assert!(
+        told(thin, "profile").iter().all(|message| message.contains("times as far out as its bore reaches"))
+    );
+}
+
 /// The stiffness of the pairs 12/30 and 30/72 of 1 mm, 5 mm wide, of 210 GPa.
 fn stiffness(sun: &str, tooth: Tooth, then: impl Fn(&Stiffness)) {
     let mechanism = good(sun);

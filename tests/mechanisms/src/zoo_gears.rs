@@ -10,7 +10,7 @@ linkwright::mechanism! {
         body lever { mass = heavy; inertia [kg*m^2] = 0.02; center [mm] = (10, 5);
                      point hub [mm] = (0, 0); point pin [mm] = (21.65063509461097, 12.5); }
         body ring  { mass [kg] = 3; inertia [kg*m^2] = 0.04; toothing inside: internal(teeth = 75, module [mm] = 2, first [deg] = 3);
-                     toothing outside: external(teeth = 90, module [mm] = 2, first [deg] = -1); point seat [mm] = (0, 0); }
+                     #[allow(teeth)] toothing outside: external(teeth = 90, module [mm] = 2, first [deg] = -1); point seat [mm] = (0, 0); }
         disk idler { mass [kg] = 0.6; radius [mm] = 48; toothing rim: external(teeth = 50, module [mm] = 2, first [deg] = 7); }
         body side  { mass [kg] = 0.4; inertia [kg*m^2] = 3e-4; center [mm] = (1, -2); point eye [mm] = (0, 3);
                      toothing rim: external(teeth = 21, module [mm] = 2, at = side.eye); toothing spur: external(teeth = 17, module [mm] = 3, shift = 0.4, at = side.eye); }
@@ -69,7 +69,7 @@ linkwright::mechanism! {
         body lever { mass [kg] = 2; inertia [kg*m^2] = 0.02; center [mm] = (10, 5);
                      point hub [mm] = (0, 0); point pin [mm] = (21.65063509461097, 12.5); }
         body ring  { mass [kg] = 3; inertia [kg*m^2] = 0.04; toothing inside: internal(teeth = 75, module [mm] = 2, first [deg] = 3, face_width [mm] = 10);
-                     toothing outside: external(teeth = 90, module [mm] = 2, first [deg] = -1, face_width [mm] = 20, bore [mm] = 155); point seat [mm] = (0, 0); }
+                     #[allow(teeth)] toothing outside: external(teeth = 90, module [mm] = 2, first [deg] = -1, face_width [mm] = 20, bore [mm] = 155); point seat [mm] = (0, 0); }
         disk idler { mass [kg] = 0.6; radius [mm] = 48; toothing rim: external(teeth = 50, module [mm] = 2, first [deg] = 7); }
         body side  { mass [kg] = 0.4; inertia [kg*m^2] = 3e-4; center [mm] = (1, -2); point eye [mm] = (0, 3);
                      toothing rim: external(teeth = 21, module [mm] = 2, at = side.eye, bore [mm] = 12); toothing spur: external(teeth = 17, module [mm] = 3, shift = 0.4, at = side.eye); }

@@ -4,7 +4,7 @@ use super::super::{BodyId, Expr, Frame, Load, Mechanism, fold};
 use super::Toothing;
 use super::holding::Orientations;
 use super::pair::{Mesh, Pair};
-use super::stiffness::{self, Series, Stiffness};
+use super::stiffness::{self, Material, Series, Stiffness};
 use crate::diagnostics::Diagnostics;
 use crate::messages;
 use std::f64::consts::TAU;
@@ -29,15 +29,14 @@ pub fn settle(mechanism: &mut Mechanism, diagnostics: &mut Diagnostics) {
         let mut values = load.values.clone();
         let mut series = None;
         if let Some(material) = teeth.material {
-            let Some(width) = width([first, second]) else {
+            let Some(exact) = exact(mechanism, pair, material) else {
                 let message = messages::involute_without_width(&first.text, &second.text);
                 diagnostics.error(load.name.span, message);
                 continue;
             };
-            let wheels = if pair.wheel == 0 { [first, second] } else { [second, first] };
-            let found =
-                Stiffness::new(wheels, mesh, pair.distance(), width, material).series(material.harmonics);
-            values[STIFFNESS] = in_angle(&found, phase(pair, wheels[0], &mesh, load));
+            let found = exact.series(material.harmonics);
+            let wheel = if pair.wheel == 0 { first } else { second };
+            values[STIFFNESS] = in_angle(&found, phase(pair, wheel, &mesh, load));
             series = Some(found);
         }
         if let Some(most) = number(BACKLASH).filter(|backlash| *backlash > 0.5 * mesh.base_pitch) {
@@ -66,6 +65,13 @@ pub fn settle(mechanism: &mut Mechanism, diagnostics: &mut Diagnostics) {
             (teeth.series, teeth.stores) = (series, stores);
         }
     }
+}
+
+/// The stiffness of a pair by the shape of its teeth, if their width is known.
+pub fn exact<'m>(mechanism: &'m Mechanism, pair: &Pair, material: Material) -> Option<Stiffness<'m>> {
+    let ([first, second], mesh) = mechanism.mesh_of(pair);
+    let wheels = if pair.wheel == 0 { [first, second] } else { [second, first] };
+    Some(Stiffness::new(wheels, mesh, pair.distance(), width([first, second])?, material))
 }
 
 fn width([first, second]: [&Toothing; 2]) -> Option<f64> {

@@ -54,6 +54,40 @@ struct Flank<'t> {
     base_angle: f64,
 }
 
+/// What the deflection of a wheel's body follows from.
+#[derive(Clone, Copy, Debug)]
+pub struct Body {
+    /// θ_f, half the angle of a tooth at its foot.
+    pub half: f64,
+    /// r_f by the radius of the bore.
+    pub ratio: f64,
+}
+
+impl Body {
+    pub fn of(wheel: &Toothing) -> Body {
+        let (base, root) = (wheel.base_radius(), wheel.root_radius());
+        let at_base = wheel.half_tooth() + involute(wheel.transverse_angle());
+        let half = if root > base { at_base - involute(libm::acos(base / root)) } else { at_base };
+        Body { half, ratio: root / wheel.bore.map_or(root / 2.0, |bore| 0.5 * bore) }
+    }
+
+    /// Where Sainsot, Velex and Duverger fitted their polynomials: θ_f from 0.01 to 0.12 rad, ratios from 1.4 to 7.
+    pub fn is_known(&self) -> bool {
+        (0.01..=0.12).contains(&self.half) && (1.4..=7.0).contains(&self.ratio)
+    }
+}
+
+impl Series {
+    /// k at a phase.
+    pub fn at(&self, phase: f64) -> f64 {
+        let waves = self.waves.iter().zip(1..).map(|([a, b], h)| {
+            let angle = TAU * f64::from(h) * phase;
+            a * libm::cos(angle) + b * libm::sin(angle)
+        });
+        self.mean + waves.sum::<f64>()
+    }
+}
+
 impl Flank<'_> {
     /// Half the angle of the tooth where the pressure angle is α.
     fn half(&self, angle: f64) -> f64 {
@@ -120,10 +154,8 @@ impl Flank<'_> {
 
     /// cos² α_F/(b E) (L (u/S)² + M u/S + P (1 + Q tan² α_F)).
     fn foundation(&self, load: f64, height: f64, across: f64) -> f64 {
-        let (base, root) = (self.toothing.base_radius(), self.toothing.root_radius());
-        let half = if root > base { self.half(libm::acos(base / root)) } else { self.base_angle };
-        let bore = self.toothing.bore.map_or(root / 2.0, |bore| 0.5 * bore);
-        let ratio = root / bore;
+        let root = self.toothing.root_radius();
+        let Body { half, ratio } = Body::of(self.toothing);
         let of = |[a, b, c, d, e, f]: [f64; 6]| {
             a / (half * half) + b * ratio * ratio + c * ratio / half + d / half + e * ratio + f
         };
@@ -214,11 +246,14 @@ impl<'t> Stiffness<'t> {
 
     /// Of all pairs, τ pitches after one has begun to touch.
     pub fn at(&self, phase: f64) -> f64 {
-        let [begin, end] = self.mesh.path;
-        let ratio = (end - begin) / self.mesh.base_pitch;
-        let first = phase - libm::floor(phase);
-        let pairs = (0..).map(|pair| first + f64::from(pair)).take_while(|at| *at < ratio);
-        pairs.map(|at| self.share(at, ratio) * self.of_one(begin + at * self.mesh.base_pitch)).sum()
+        let (begin, ratio) = (self.mesh.path[0], self.mesh.contact_ratio);
+        let along = |at: f64| begin + at * self.mesh.base_pitch;
+        touching(phase, ratio).map(|at| self.share(at, ratio) * self.of_one(along(at))).sum()
+    }
+
+    /// How many pairs touch then.
+    pub fn pairs(&self, phase: f64) -> usize {
+        touching(phase, self.mesh.contact_ratio).count()
     }
 
     /// How much of a pair is there: s² (3 − 2s) where it enters and leaves.
@@ -259,6 +294,12 @@ impl<'t> Stiffness<'t> {
         let step = if self.entry == 0.0 { self.of_one(begin).max(self.of_one(end)) / mean } else { 0.0 };
         Series { mean, waves, left_out, step }
     }
+}
+
+/// Where the pairs that touch are on their path, pitches.
+fn touching(phase: f64, ratio: f64) -> impl Iterator<Item = f64> {
+    let first = phase - libm::floor(phase);
+    (0..).map(move |pair| first + f64::from(pair)).take_while(move |at| *at < ratio)
 }
 
 /// The phase of the wheel of a pair, pitches: where the leading flank of the tooth at the angle θ against the line of centres touches.
