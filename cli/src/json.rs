@@ -163,5 +163,6 @@ fn teeth(pair: &Told) -> Value {
         "contact_ratio": pair.contact_ratio,
         "overlap_ratio": pair.overlap,
         "turns_until_the_same_teeth_meet": pair.hunting,
+        "self_locking_friction": pair.locking,
     })
 }

@@ -1,7 +1,10 @@
 """Toothings: which angles a pair of them couples, by numbers of teeth, and where teeth face spaces. Written from "Teeth" of NOTATION.md.
 
 A wheel turns against what holds its centre and that of its partner: a body, or the ground, to which joints that keep a place pin both. In
-the plane angles are those of bodies, in space those of the joints about whose parallel axes they turn. Everything here is a number.
+the plane angles are those of bodies, in space those of the joints about whose axes they turn. Everything here is a number.
+
+Where the axes are not parallel, and of a rack, the factors follow from the point where the pitch surfaces touch: what is at rest there is the part of its
+velocities along the normal of the flanks.
 """
 
 from dataclasses import dataclass, field
@@ -20,9 +23,9 @@ KEEPS_ORIENTATION = ("fixed", "prismatic", "parallel")
 @dataclass
 class Toothing:
     body: str
-    internal: bool
-    teeth: int
-    module: float  # of the normal section
+    kind: str
+    teeth: int  # of a worm its starts, of a rack none
+    module: float  # of the normal section, of a worm along its axis
     angle: float  # likewise
     helix: float
     shift: float
@@ -31,7 +34,14 @@ class Toothing:
     first: float
     width: float | None
     bore: float | None
-    center: object
+    center: object  # of a rack the first point of its line
+    cone: float = 0.0
+    diameter: float = 0.0
+    along: object = None  # the direction of a rack's line
+
+    @property
+    def internal(self):
+        return self.kind == "internal"
 
     @property
     def transverse_angle(self):
@@ -61,12 +71,18 @@ class Pair:
     sense: int  # +1 of two wheels, −1 of a wheel in a ring
     between: np.ndarray  # from the first centre to the second across the axes
     terms: dict = field(default_factory=dict)  # rotor → factor, in pitches
+    travels: dict = field(default_factory=dict)  # joint → factor, in half modules of a rack
     constant: float = 0.0
     follows: bool = False
 
     @property
     def distance(self):
         return float(np.hypot(*self.between))
+
+    @property
+    def scale(self):
+        """What the row is divided by."""
+        return self.wheels[0].teeth or self.wheels[1].teeth
 
 
 def pairs(model):
@@ -95,10 +111,14 @@ def _toothing(model, path):
             return default
         return float(model.at_defaults(expressions.entry(node[key], model))[0])
 
+    center, along = node["at"] if node.get("at") else f"{body}.center", None
+    if node["kind"] == "rack":
+        line = model.line({"line": node["line"]})
+        center, along = line.origin, np.array(model.at_defaults(line.axis))
     return Toothing(
         body,
-        node["kind"] == "internal",
-        round(value("teeth")),
+        node["kind"],
+        round(value("starts" if node["kind"] == "worm" else "teeth", 0)),
         value("module"),
         value("pressure_angle", np.radians(20)),
         value("helix", 0.0),
@@ -108,11 +128,19 @@ def _toothing(model, path):
         value("first", 0.0),
         value("face_width"),
         value("bore"),
-        model.named_place(node["at"] if node.get("at") else f"{body}.center"),
+        model.named_place(center) if isinstance(center, str) else center,
+        value("cone", 0.0),
+        value("diameter", 0.0),
+        along,
     )
 
 
 def _pair(model, name, wheels):
+    kinds = [wheel.kind for wheel in wheels]
+    if "rack" in kinds:
+        return _rack(model, name, wheels, kinds.index("rack"))
+    if "bevel" in kinds or "worm" in kinds:
+        return _crossed(model, name, wheels)
     first, second = wheels
     sense = -1 if first.internal or second.internal else 1
     carrier, across = _carrier(model, wheels)
@@ -139,6 +167,104 @@ def _pair(model, name, wheels):
     pair = Pair(name, (first, second), sense, np.array(between), terms)
     pair.constant = _wrapped(_facing(pair) - fixed)
     return pair
+
+
+def _rack(model, name, wheels, which):
+    """The pitch circle rolls on the line: ω × r = v along it."""
+    rack, pinion = wheels[which], wheels[1 - which]
+    lines = _fixed_to(model, rack.body, _known(model, rack.center), rack.along)
+    for carrier, center in _pinned(model, pinion.center).items():
+        for joint in model.joints.values():
+            ends = (joint.first.body, joint.second.body)
+            body = ends[1] if ends[0] == carrier else ends[0]
+            if joint.kind != "prismatic" or carrier not in ends or carrier == pinion.body or body not in lines:
+                continue
+            at, along = lines[body]
+            axis = np.array(model.at_defaults(joint.axis))
+            turn = _turned(model, body, carrier)
+            if carrier == ends[0]:
+                start = _known(model, joint.first) + turn @ (at - _known(model, joint.second))
+                moves = axis
+            else:
+                start = _known(model, joint.second) + turn @ (at - _known(model, joint.first))
+                moves = turn @ -axis
+            along = turn @ along
+            way = center - start
+            if model.kind == "planar":
+                terms, about = {}, np.array([0, 0, 1])
+                for factor, own in ((1, pinion.body), (-1, carrier)):
+                    if _orientation(model, own)[0] is not None:
+                        terms[own] = factor
+                way, along3, moves3 = (np.append(vector, 0) for vector in (way, along, moves))
+            else:
+                terms, about = _turn(model, pinion.body, carrier)
+                along3, moves3 = along, moves
+            towards = -(way - way @ along3 * along3 - way @ about * about)
+            touch = towards / np.linalg.norm(towards) * pinion.pitch
+            rolls = np.cross(about, touch) @ along3
+            terms = {rotor: factor * pinion.teeth for rotor, factor in terms.items()}
+            travels = {joint.name: -(moves3 @ along3) * pinion.teeth / rolls}
+            return Pair(name, wheels, 1, np.array([np.linalg.norm(towards), 0.0]), terms, travels)
+    raise ValueError(f"{model.title}: nothing guides the rack of `{name}`")
+
+
+def _fixed_to(model, body, at, along):
+    """The line in everything that its body is fixed to."""
+    found = {body: (at, along)}
+    waiting = [body]
+    while waiting:
+        here = waiting.pop(0)
+        for joint in model.joints.values():
+            for near, far in ((joint.first, joint.second), (joint.second, joint.first)):
+                if joint.kind == "fixed" and near.body == here and far.body not in found:
+                    turn = _turned(model, here, far.body)
+                    at, along = found[here]
+                    found[far.body] = (_known(model, far) + turn @ (at - _known(model, near)), turn @ along)
+                    waiting.append(far.body)
+    return found
+
+
+def _turned(model, body, other):
+    """The axes of a body in those of another that keeps its orientation against it."""
+    if model.kind != "planar":
+        return np.eye(3)
+    angle = _orientation(model, body)[1] - _orientation(model, other)[1]
+    return np.array([[np.cos(angle), -np.sin(angle)], [np.sin(angle), np.cos(angle)]])
+
+
+def _crossed(model, name, wheels):
+    """Bevel gears and worms: at the point that touches both velocities have the same part along the normal of the flanks."""
+    carrier, across = _carrier(model, wheels)
+    turns = [_turn(model, wheel.body, carrier) for wheel in wheels]
+    axes = [np.array(about) for _, about in turns]
+    kinds = [wheel.kind for wheel in wheels]
+    if "worm" in kinds:
+        worm = kinds.index("worm")
+        normal = np.cross(axes[0], axes[1])
+        normal *= np.sign(normal @ across) / np.linalg.norm(normal)
+        radii = [wheel.diameter / 2 if wheel.kind == "worm" else wheel.pitch for wheel in wheels]
+        touch = [radii[0] * normal, -radii[1] * normal]
+        lead = np.arctan(wheels[worm].teeth * wheels[worm].module / wheels[worm].diameter)
+        hand = np.sign(wheels[1 - worm].helix)
+        around = np.cross(axes[worm], touch[worm] / radii[worm])
+        thread = np.cos(lead) * around + hand * np.sin(lead) * axes[worm]
+        flank = np.cross(thread, normal)
+    else:
+        # The pitch cones touch along a line from where the axes cross.
+        cone = np.cross(axes[0], axes[1])
+        apex = np.cross(across, axes[1]) @ cone / (cone @ cone) * axes[0]
+        out = [-apex / np.linalg.norm(apex), (across - apex) / np.linalg.norm(across - apex)]
+        toward = out[1] - out[0] @ out[1] * out[0]
+        line = np.cos(wheels[0].cone) * out[0] + np.sin(wheels[0].cone) * toward / np.linalg.norm(toward)
+        point = apex + wheels[0].pitch / np.sin(wheels[0].cone) * line
+        touch, flank = [point, point - across], cone
+    speeds = [np.cross(axis, at) @ flank for axis, at in zip(axes, touch)]
+    factors = [wheels[0].teeth, -wheels[0].teeth * speeds[1] / speeds[0]]
+    terms = {}
+    for (own, _), factor in zip(turns, factors):
+        for joint, sign in own.items():
+            terms[joint] = terms.get(joint, 0) + factor * sign
+    return Pair(name, tuple(wheels), 1, np.array([np.linalg.norm(across), 0.0]), terms)
 
 
 def _numbers(model, axis):
@@ -248,7 +374,10 @@ def _row(model, pair):
     row = {}
     for rotor, factor in pair.terms.items():
         key = _orientation(model, rotor)[0] if rotor in model.bodies else f"joint {rotor}"
-        row[key] = row.get(key, 0) + factor
+        row[key] = row.get(key, 0) + round(factor)
+    for joint, factor in pair.travels.items():
+        module = next(wheel.module for wheel in pair.wheels if wheel.kind == "rack")
+        row[f"travel {joint} {module}"] = round(factor * module / 2)
     return row
 
 

@@ -278,7 +278,9 @@ class Kinematics:
             pair = self.model.pairs[name]
             value = -self.model.phase(coupling)
             for rotor, factor in pair.terms.items():
-                value += factor / pair.wheels[0].teeth * self.multi_turn(rotor)
+                value += factor / pair.scale * self.multi_turn(rotor)
+            for joint, factor in pair.travels.items():
+                value += factor / pair.scale * self.travel(self.model.joints[joint])
         elif kind == "rack":
             radius = expressions.entry(coupling["radius"], self.model)
             travel = self.travel(self.model.joints[coupling["rail"]])

@@ -2,10 +2,11 @@
 
 use super::warnings::Wanted;
 use crate::diagnostics::{Diagnostics, Lint};
+use crate::forms::Rim;
 use crate::messages;
 use crate::model::Mechanism;
 use crate::model::gears::stiffness::{Body, Tooth};
-use crate::model::gears::{Mesh, Pair, Toothing, involute};
+use crate::model::gears::{Meeting, Mesh, Pair, Toothing, involute};
 
 /// Of the distance that teeth without play have.
 const DISTANCE: f64 = 1e-6;
@@ -20,16 +21,18 @@ const WIDTHS: std::ops::RangeInclusive<f64> = 3.0..=40.0;
 pub fn pairs_mesh(mechanism: &Mechanism, diagnostics: &mut Diagnostics) {
     for pair in &mechanism.pairs {
         let toothings = pair.on.map(|id| mechanism.toothing(id));
-        if let Some(message) = unlike(toothings).or_else(|| apart(mechanism, pair)) {
+        if let Some(message) = unlike(pair.meeting, toothings).or_else(|| apart(mechanism, pair)) {
             diagnostics.error(pair.name.span, message);
         }
     }
 }
 
-fn unlike([first, second]: [&Toothing; 2]) -> Option<String> {
+fn unlike(meeting: Meeting, [first, second]: [&Toothing; 2]) -> Option<String> {
     let differ = |a: f64, b: f64| (a - b).abs() > SAME * (a.abs() + b.abs());
     let names = [first.text.as_str(), second.text.as_str()];
-    if differ(first.module, second.module) {
+    // The modules and angles of a worm have been compared with those of its wheel.
+    let is_worm = meeting == Meeting::Worm;
+    if !is_worm && differ(first.module, second.module) {
         return Some(messages::modules_differ(names[0], names[1], [first.module, second.module]));
     }
     let degrees = [first, second].map(|it| it.pressure_angle.to_degrees());
@@ -38,7 +41,7 @@ fn unlike([first, second]: [&Toothing; 2]) -> Option<String> {
     }
     let ring = first.is_internal() || second.is_internal();
     let helices = [first, second].map(|it| it.helix.to_degrees());
-    if differ(helices[0], if ring { helices[1] } else { -helices[1] }) {
+    if !is_worm && differ(helices[0], if ring { helices[1] } else { -helices[1] }) {
         return Some(messages::helices_differ(names[0], names[1], helices, ring));
     }
     let [wheel, other] = in_ring([first, second]);
@@ -56,9 +59,27 @@ fn in_ring([first, second]: [&Toothing; 2]) -> [&Toothing; 2] {
 fn apart(mechanism: &Mechanism, pair: &Pair) -> Option<String> {
     let ([first, second], mesh) = mechanism.mesh_of(pair);
     let (found, names) = (pair.distance(), [first.text.as_str(), second.text.as_str()]);
-    if mesh.nominal.is_nan() || (found - mesh.nominal).abs() > DISTANCE * mesh.nominal {
-        let shift = mesh.working_angle.map(|working| shifts([first, second], working));
-        return Some(messages::wrong_distance(names[0], names[1], found, mesh.nominal, shift));
+    // Of cones it has been judged where they roll.
+    let is_cones = matches!(pair.meeting, Meeting::Cones(_));
+    if !is_cones && (mesh.nominal.is_nan() || (found - mesh.nominal).abs() > DISTANCE * mesh.nominal) {
+        return Some(match pair.meeting {
+            Meeting::Rack | Meeting::Worm => {
+                let (wheel, other) = (pair.wheel, 1 - pair.wheel);
+                let toothing = [first, second][wheel];
+                let shift = toothing.shift + (found - mesh.nominal) / toothing.module;
+                let names = [names[wheel], names[other]];
+                messages::rack_wrong_distance(
+                    names,
+                    pair.meeting == Meeting::Worm,
+                    [found, mesh.nominal],
+                    shift,
+                )
+            }
+            Meeting::Cylinders | Meeting::Cones(_) => {
+                let shift = mesh.working_angle.map(|working| shifts([first, second], working));
+                messages::wrong_distance(names[0], names[1], found, mesh.nominal, shift)
+            }
+        });
     }
     if mesh.contact_ratio + mesh.overlap < 1.0 {
         return Some(messages::teeth_lose_contact(names[0], names[1], mesh.contact_ratio + mesh.overlap));
@@ -108,6 +129,9 @@ fn tips_in_ring(toothings: [&Toothing; 2], mesh: &Mesh, distance: f64) -> Option
 pub fn planets_pass(mechanism: &Mechanism, diagnostics: &mut Diagnostics) {
     for (at, one) in mechanism.pairs.iter().enumerate() {
         for other in &mechanism.pairs[..at] {
+            if [one, other].iter().any(|pair| pair.meeting != Meeting::Cylinders) {
+                continue;
+            }
             // Around one wheel, held by one carrier: two others at their places.
             let Some([a, b]) = around(one, other) else { continue };
             let [from, to] = [a, b].map(|(pair, flipped)| {
@@ -161,12 +185,7 @@ pub(super) fn teeth_are_sound(mechanism: &Mechanism, wanted: &mut Wanted) {
                 continue;
             }
             told.push(&toothing.text);
-            let least = toothing.least_teeth();
-            if !toothing.is_internal() && toothing.teeth < least {
-                let sine = libm::sin(toothing.transverse_angle());
-                let shift =
-                    toothing.addendum - toothing.teeth * sine * sine / (2.0 * libm::cos(toothing.helix));
-                let message = messages::undercut(&toothing.text, toothing.teeth, least, shift);
+            if let Some(message) = undercut(toothing) {
                 wanted.push(Lint::Teeth, toothing.name.span, message);
             }
             if toothing.is_internal() && toothing.tip_radius() < toothing.base_radius() {
@@ -198,6 +217,23 @@ pub(super) fn teeth_are_sound(mechanism: &Mechanism, wanted: &mut Wanted) {
                 messages::low_contact_ratio(&first.text, &second.text, mesh.contact_ratio + mesh.overlap);
             wanted.push(Lint::Teeth, pair.name.span, message);
         }
+    }
+}
+
+/// A wheel is undercut where its teeth are few, a bevel gear where those of the spur gear that it is like are.
+fn undercut(toothing: &Toothing) -> Option<String> {
+    let least = toothing.least_teeth();
+    match toothing.form.rim {
+        Rim::External if toothing.teeth < least => {
+            let sine = libm::sin(toothing.transverse_angle());
+            let shift = toothing.addendum - toothing.teeth * sine * sine / (2.0 * libm::cos(toothing.helix));
+            Some(messages::undercut(&toothing.text, toothing.teeth, least, shift))
+        }
+        Rim::Bevel if toothing.virtual_spur().teeth < least => {
+            let same = toothing.virtual_spur().teeth;
+            Some(messages::bevel_undercut(&toothing.text, toothing.teeth, same, least))
+        }
+        Rim::External | Rim::Internal | Rim::Rack | Rim::Bevel | Rim::Worm => None,
     }
 }
 

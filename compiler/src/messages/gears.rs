@@ -1,6 +1,7 @@
 //! Of toothings and the pairs that mesh.
 
 use super::number;
+use crate::forms::Rim;
 
 /// With as many digits as it takes to write it into a definition.
 fn exact(value: f64) -> String {
@@ -24,11 +25,18 @@ pub(crate) fn missing_of_toothing(kind: &str, argument: &str) -> String {
     let example = match argument {
         "teeth" => "teeth = 20",
         "module" => "module [mm] = 2",
+        "cone" => "cone [deg] = 45",
+        "starts" => "starts = 1",
+        "diameter" => "diameter [mm] = 40",
         _ => "…",
     };
-    format!(
-        "`{kind}` needs `{argument}`: write `{kind}({example}, …)`, as in `{kind}(teeth = 20, module [mm] = 2)`"
-    )
+    let whole = match kind {
+        "bevel" => "teeth = 20, module [mm] = 2, cone [deg] = 45",
+        "worm" => "starts = 1, module [mm] = 2, diameter [mm] = 40",
+        "rack" => "module [mm] = 2, line = bar.pitch",
+        _ => "teeth = 20, module [mm] = 2",
+    };
+    format!("`{kind}` needs `{argument}`: write `{kind}({example}, …)`, as in `{kind}({whole})`")
 }
 
 pub(crate) fn toothing_elsewhere(body: &str, place: &str) -> String {
@@ -52,12 +60,50 @@ pub(crate) fn unknown_toothing(path: &str, body: &str, known: &[&str]) -> String
     }
 }
 
-pub(crate) fn teeth_not_whole(toothing: &str, teeth: f64) -> String {
-    format!("the teeth of `{toothing}` are counted, found {}: write a whole number", number(teeth))
+pub(crate) fn rack_without_line(body: &str) -> String {
+    format!(
+        "a `rack` needs the line that its teeth stand along: write `line pitch = ({body}.start, {body}.end);` in the braces of `{body}` through two of \
+         its points, and `rack(module [mm] = 2, line = {body}.pitch)`"
+    )
 }
 
-pub(crate) fn number_of_teeth(toothing: &str, teeth: f64, [least, most]: [f64; 2]) -> String {
-    format!("`{toothing}` has {} teeth, and a wheel has {least} to {most}", number(teeth))
+pub(crate) fn rack_elsewhere(body: &str, line: &str) -> String {
+    format!(
+        "the rack stands on `{body}`, and `{line}` is a line of something else: write a line of `{body}`; a rack that rests stands on a body that is `fixed`"
+    )
+}
+
+pub(crate) fn teeth_not_whole(toothing: &str, what: &str, teeth: f64) -> String {
+    format!("the {what} of `{toothing}` are counted, found {}: write a whole number", number(teeth))
+}
+
+pub(crate) fn number_of_teeth(toothing: &str, what: &str, teeth: f64, [least, most]: [f64; 2]) -> String {
+    let whose = if what == "starts" { "worm" } else { "wheel" };
+    format!("`{toothing}` has {} {what}, and a {whose} has {least} to {most}", number(teeth))
+}
+
+pub(crate) fn cone(toothing: &str, degrees: f64) -> String {
+    format!(
+        "half the angle of the cone of `{toothing}` is {} degrees, and bevel gears have 1 to 89: write `cone [deg] = 45`, of a cone that is flat or hollow \
+         the ratio, `bevel(a, b, ratio = …)`",
+        number(degrees)
+    )
+}
+
+pub(crate) fn worm_too_thin(toothing: &str, diameter: f64, least: f64) -> String {
+    format!(
+        "`{toothing}` is {} mm thick, and its threads alone take {} mm: write the diameter of its pitch cylinder",
+        mm(diameter),
+        mm(least)
+    )
+}
+
+pub(crate) fn face_beyond_apex(toothing: &str, width: f64, cone: f64) -> String {
+    format!(
+        "the face of `{toothing}` is {} mm wide, and its cone is {} mm long: bevel gears have faces of a third of that at most",
+        mm(width),
+        mm(cone)
+    )
 }
 
 pub(crate) fn toothing_not_positive(toothing: &str, what: &str, value: f64) -> String {
@@ -73,7 +119,7 @@ pub(crate) fn pressure_angle(toothing: &str, degrees: f64) -> String {
 
 pub(crate) fn helix(toothing: &str, degrees: f64) -> String {
     format!(
-        "the helix angle of `{toothing}` is {} degrees, and beyond 60 there is no wheel: write a worm by its ratio, `worm(a, b, ratio = …)`",
+        "the helix angle of `{toothing}` is {} degrees, and beyond 60 there is no wheel: write `worm(starts = 1, …)` for a screw",
         number(degrees)
     )
 }
@@ -123,7 +169,169 @@ pub(crate) fn no_axle(first: &str, second: &str) -> String {
 
 pub(crate) fn axes_not_parallel(first: &str, second: &str) -> String {
     format!(
-        "the axes of `{first}` and `{second}` are not parallel, and such wheels are cylinders: write `bevel(a, b, ratio = …)` or `worm(a, b, ratio = …)`"
+        "the axes of `{first}` and `{second}` are not parallel, and such wheels are cylinders: write `bevel(…)` toothings where they cross, `worm(…)` where they pass each other"
+    )
+}
+
+pub(crate) fn no_partners(texts: [&str; 2], words: [&str; 2], odd: Rim) -> String {
+    let rule = match odd {
+        Rim::Rack => "a rack meshes with an `external` wheel",
+        Rim::Bevel => "a bevel gear meshes with another",
+        Rim::Worm => "a worm meshes with an `external` wheel whose helix is its lead angle",
+        Rim::External | Rim::Internal => "wheels mesh with wheels, rings, racks and worms",
+    };
+    format!(
+        "`{}` is `{}` and `{}` is `{}`, and these do not mesh: {rule}",
+        texts[0], words[0], texts[1], words[1]
+    )
+}
+
+pub(crate) fn axes_out_of_the_plane(texts: [&str; 2], words: [&str; 2]) -> String {
+    let word = if words.contains(&"worm") { "worm" } else { "bevel" };
+    format!(
+        "`{}` and `{}` turn about axes that are not parallel, and in the plane all are: declare the mechanism `spatial`, or write the ratio, \
+         `{word}(a, b, ratio = …)`",
+        texts[0], texts[1]
+    )
+}
+
+pub(crate) fn mesh_of_cylinders(first: &str, second: &str) -> String {
+    format!(
+        "a mesh that gives is one of wheels and rings: of `{first}` and `{second}` write `gear({first}, {second})`"
+    )
+}
+
+// ---- A rack, cones, a worm ----------------------------------------------------------------------------------------
+
+pub(crate) fn rack_without_rail([pinion, rack]: [&str; 2]) -> String {
+    format!(
+        "nothing guides `{rack}` along `{pinion}`: a `prismatic` joint without markers moves it, or what it is `fixed` to, against what the centre of `{pinion}` is \
+         pinned to"
+    )
+}
+
+pub(crate) fn rack_across_rail([_, rack]: [&str; 2], rail: &str, degrees: f64) -> String {
+    format!(
+        "`{rack}` stands at {} degrees to the travel of `{rail}`: its teeth stay in reach of the pinion only where its line is along the rail",
+        number(degrees)
+    )
+}
+
+pub(crate) fn rack_along_axle([pinion, rack]: [&str; 2]) -> String {
+    format!(
+        "the line of `{rack}` is not across the axis of `{pinion}`: a pinion rolls along a line at right angles to its axle"
+    )
+}
+
+pub(crate) fn rack_wrong_distance(
+    [wheel, other]: [&str; 2],
+    is_worm: bool,
+    [found, nominal]: [f64; 2],
+    shift: f64,
+) -> String {
+    let (what, instead) = if is_worm { ("axis", "put them there") } else { ("line", "put it there") };
+    format!(
+        "the axis of `{wheel}` is {} mm from the {what} of `{other}`, and without play it is {} mm: {instead}, or write `shift = {}` for `{wheel}`",
+        mm(found),
+        mm(nominal),
+        exact(shift)
+    )
+}
+
+pub(crate) fn bevels_in_parallel(texts: [&str; 2]) -> String {
+    format!(
+        "the axes of `{}` and `{}` are parallel, and cones roll about axes that cross: write `external` toothings",
+        texts[0], texts[1]
+    )
+}
+
+pub(crate) fn bevels_pass(texts: [&str; 2], apart: f64) -> String {
+    format!(
+        "the axes of `{}` and `{}` pass each other {} mm apart, and cones roll about axes that cross in a point",
+        texts[0],
+        texts[1],
+        mm(apart)
+    )
+}
+
+pub(crate) fn bevel_at_the_apex(texts: [&str; 2], reach: [f64; 2]) -> String {
+    format!(
+        "the centres of bevel gears are those of their pitch circles: `{}` stands {} mm and `{}` {} mm from where their axes cross; write such a point, `at = part.point`",
+        texts[0],
+        mm(reach[0]),
+        texts[1],
+        mm(reach[1])
+    )
+}
+
+pub(crate) fn cones_do_not_roll(
+    texts: [&str; 2],
+    written: [f64; 2],
+    right: [f64; 2],
+    between: f64,
+) -> String {
+    if right.iter().any(|cone| *cone >= 90.0) {
+        return format!(
+            "the axes of `{}` and `{}` leave where they cross at {} degrees: one of the cones would be flat or hollow, and these are written by their ratio, \
+             `bevel(a, b, ratio = …)`; or put a wheel on the other side",
+            texts[0],
+            texts[1],
+            number(between)
+        );
+    }
+    format!(
+        "the cones of `{}` and `{}` are {} and {} degrees, and with these teeth and {} degrees between the axes they roll at {} and {}: write \
+         `cone [deg] = {}` and `cone [deg] = {}`, or `cone = atan2(sin(…), …)` of the teeth",
+        texts[0],
+        texts[1],
+        number(written[0]),
+        number(written[1]),
+        number(between),
+        number(right[0]),
+        number(right[1]),
+        exact(right[0]),
+        exact(right[1])
+    )
+}
+
+pub(crate) fn bevel_misplaced(toothing: &str, found: f64, right: f64) -> String {
+    format!(
+        "the centre of `{toothing}` stands {} mm from where the axes cross, and that of its pitch circle {} mm: put it there, or write `at = part.point`",
+        mm(found),
+        mm(right)
+    )
+}
+
+pub(crate) fn worm_and_helix([worm, wheel]: [&str; 2], helix: f64, lead: f64) -> String {
+    format!(
+        "the lead angle of `{worm}` is {} degrees, starts times module over diameter being its tangent, and the helix of `{wheel}` {}: write `helix [deg] = {}`, or its opposite for \
+         left-hand threads",
+        number(lead),
+        number(helix),
+        exact(lead)
+    )
+}
+
+pub(crate) fn worm_and_module([worm, wheel]: [&str; 2], [axial, normal]: [f64; 2], right: f64) -> String {
+    format!(
+        "the module of `{worm}` is {} mm along its axis and that of `{wheel}` {} mm across its teeth: the second is the first times the cosine of the lead angle, {} mm",
+        mm(axial),
+        mm(normal),
+        mm(right)
+    )
+}
+
+pub(crate) fn worm_axes([worm, wheel]: [&str; 2], degrees: f64) -> String {
+    format!(
+        "the axes of `{worm}` and `{wheel}` are at {} degrees, and a worm drives at right angles",
+        number(degrees)
+    )
+}
+
+pub(crate) fn worm_beside_wheel([worm, wheel]: [&str; 2], off: f64) -> String {
+    format!(
+        "the axis of `{worm}` passes {} mm beside the middle plane of `{wheel}`: put the centre of the wheel there, or write `at = part.point`",
+        mm(off)
     )
 }
 
@@ -248,6 +456,15 @@ pub(crate) fn undercut(toothing: &str, teeth: f64, least: f64, shift: f64) -> St
          `#[allow(teeth)]` says that it is known",
         number(least),
         crate::numbers::significant(shift, 3)
+    )
+}
+
+pub(crate) fn bevel_undercut(toothing: &str, teeth: f64, same: f64, least: f64) -> String {
+    format!(
+        "`{toothing}` is undercut: with {teeth} teeth on its cone it is like a spur gear of {}, and {} are not cut into; more teeth avoid it, and \
+         `#[allow(teeth)]` says that it is known",
+        number(same),
+        number(least)
     )
 }
 

@@ -298,12 +298,7 @@ impl Stand<'_> {
             known.push(id);
             let toothing = mechanism.toothing(id);
             let (center, about) = (self.place(&toothing.center), self.axle(id, hinges));
-            let circles = [
-                ("base circle", toothing.base_radius()),
-                ("pitch circle", toothing.pitch_radius()),
-                ("tip circle", toothing.tip_radius()),
-            ];
-            rims.extend(circles.map(|(circle, radius)| Wheel {
+            rims.extend(toothing.circles().into_iter().map(|(circle, radius)| Wheel {
                 of: toothing.text.clone(),
                 on: Frame::Body(id.body),
                 circle,

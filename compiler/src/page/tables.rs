@@ -149,7 +149,10 @@ fn teeth(mechanism: &Mechanism, pair: &Pair) -> String {
     let term = |(factor, rotor): &(f64, Rotor)| {
         format!("{factor} {}", code(&format!("{}.angle", rotor_name(mechanism, *rotor))))
     };
-    let terms: Vec<String> = pair.terms.iter().map(term).collect();
+    let travel = |(factor, joint): &(f64, JointId)| {
+        format!("{} {}", decimal(*factor), code(&format!("{}.travel", joint_name(mechanism, *joint))))
+    };
+    let terms: Vec<String> = pair.terms.iter().map(term).chain(pair.travels.iter().map(travel)).collect();
     let held = if pair.follows.is_some() { "; the pairs before it hold it already" } else { "" };
     format!("{} = const{held}", terms.join(" + ").replace("+ -", "− "))
 }

@@ -5,7 +5,7 @@ use super::plot::{Line, Plot};
 use crate::compiled::Compiled;
 use crate::drawing::canvas::ACCENT;
 use crate::model::gears::meshes;
-use crate::model::gears::{Mesh, Pair, Toothing, involute};
+use crate::model::gears::{Meeting, Mesh, Pair, Toothing, involute};
 use std::fmt::Write;
 
 /// Side of a close-up, px, and what it shows: modules to each side of the pitch point, or the path of contact and so much of it.
@@ -22,11 +22,13 @@ const POSITIONS: usize = 200;
 /// Close-ups of all pairs, and the curves of those whose stiffness follows from their shape.
 pub fn pictures(page: &mut String, compiled: &Compiled) {
     let mechanism = &compiled.mechanism;
-    if mechanism.pairs.is_empty() {
+    let pairs: Vec<&Pair> =
+        mechanism.pairs.iter().filter(|pair| pair.meeting == Meeting::Cylinders).collect();
+    if pairs.is_empty() {
         return;
     }
     page.push_str("\n<div>\n");
-    for pair in &mechanism.pairs {
+    for pair in pairs {
         let (toothings, mesh) = mechanism.mesh_of(pair);
         page.push_str(&close_up(pair, toothings, &mesh));
     }

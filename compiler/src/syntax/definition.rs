@@ -122,6 +122,8 @@ pub struct Toothing {
     pub named: Named,
     /// Its centre, if that is not the centre of the part.
     pub at: Option<Path>,
+    /// Of a rack: along which line of the part its teeth stand.
+    pub line: Option<LineTerm>,
 }
 
 /// What a beam is made of and how it bends; what is not written is not there.

@@ -323,6 +323,9 @@ impl Writer {
                 if let Some(at) = &toothing.at {
                     w.key("at").string(&at.text);
                 }
+                if let Some(LineTerm::Named(line)) = &toothing.line {
+                    w.key("line").string(&line.text);
+                }
             });
         }
     }

@@ -1,10 +1,10 @@
 //! Toothings in the braces of a part: a name, a kind and its numbers.
 
-use super::definition::{Body, Named, Toothing};
+use super::definition::{Body, LineTerm, Named, Toothing};
 use super::expression::is_call;
 use super::parser::{Failed, Parsed, Parser};
 use super::token::Cursor;
-use crate::forms::INVOLUTE;
+use crate::forms::{INVOLUTE, Rim};
 use crate::messages;
 use proc_macro2::Delimiter;
 
@@ -27,7 +27,9 @@ impl Parser<'_> {
         };
         let mut inside = self.group(c, Delimiter::Parenthesis)?;
         let region = kind.region.to(c.previous());
-        let (mut named, mut at) = (Named::default(), None);
+        let is_rack = form.rim == Rim::Rack;
+        let by_path = if is_rack { "line" } else { "at" };
+        let (mut named, mut path) = (Named::default(), None);
         while !inside.is_done() {
             let label = self.word(&mut inside, "a named argument, such as `teeth = 20`")?;
             if let Some(first) = named.labels().find(|first| first.text == label.text) {
@@ -36,16 +38,24 @@ impl Parser<'_> {
                 self.diagnostics.conflict(label.region, message, first.region, note);
                 return Err(Failed);
             }
-            if label.text == "at" {
+            if label.text == by_path {
+                if path.is_some() {
+                    return self.fail(label.region, messages::property_twice(&label.text, &name.text));
+                }
                 self.punct(&mut inside, '=')?;
-                at = Some(self.path(&mut inside, "a point of the part, such as `shaft.seat`")?);
+                let example = if is_rack {
+                    "a line of the part, such as `bar.pitch`"
+                } else {
+                    "a point of the part, such as `shaft.seat`"
+                };
+                path = Some(self.path(&mut inside, example)?);
             } else if form.call.named.iter().any(|argument| argument.name == label.text) {
                 let unit = self.unit(&mut inside)?;
                 let entry = self.entry(&mut inside, unit)?;
                 named.entries.push((label, entry));
             } else {
                 let names: Vec<&str> =
-                    form.call.named.iter().map(|argument| argument.name).chain(["at"]).collect();
+                    form.call.named.iter().map(|argument| argument.name).chain([by_path]).collect();
                 let message = messages::unknown_argument(form.call.word, &label.text, &names);
                 return self.fail(label.region, message);
             }
@@ -59,8 +69,12 @@ impl Parser<'_> {
                 return self.fail(region, message);
             }
         }
+        if is_rack && path.is_none() {
+            return self.fail(region, messages::rack_without_line(&body.name.text));
+        }
         self.semicolon(c)?;
-        Ok(Toothing { name, form, named, at })
+        let (at, line) = if is_rack { (None, path.map(LineTerm::Named)) } else { (path, None) };
+        Ok(Toothing { name, form, named, at, line })
     }
 
     /// `= involute(…)`.

@@ -38,7 +38,7 @@ impl Reader<'_> {
                     let pair = pairs.iter().find(|(name, _)| name == own).map(|(_, pair)| pair);
                     let pair = pair.filter(|pair| !pair.follows);
                     let Some(pair) = pair else { continue };
-                    let teeth = pair.wheels[0].teeth;
+                    let teeth = pair.scale();
                     let terms = pair
                         .terms
                         .iter()

@@ -7,7 +7,7 @@ use crate::json::{field, list, name, optional, text};
 use crate::kinematics::Place;
 use crate::kinematics::Section;
 use crate::quantity::Quantity;
-use crate::vector::{V3, column, dot, minus, norm};
+use crate::vector::*;
 use serde_json::Value;
 use std::collections::BTreeMap;
 use std::f64::consts::{PI, TAU};
@@ -16,7 +16,9 @@ use std::f64::consts::{PI, TAU};
 #[derive(Clone, Debug)]
 pub(super) struct Toothing {
     pub body: usize,
+    pub kind: Kind,
     pub internal: bool,
+    /// Of a worm its starts, of a rack none.
     pub teeth: f64,
     pub module: f64,
     pub angle: f64,
@@ -27,7 +29,20 @@ pub(super) struct Toothing {
     pub dedendum: f64,
     pub width: Option<f64>,
     pub bore: Option<f64>,
+    /// Of a rack the first point of its line.
     pub center: Place,
+    pub cone: f64,
+    pub diameter: f64,
+    /// The direction of a rack's line.
+    pub along: V3,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Kind {
+    Cylinder,
+    Rack,
+    Bevel,
+    Worm,
 }
 
 impl Toothing {
@@ -74,11 +89,26 @@ pub(super) struct Pair {
     pub follows: bool,
 }
 
-/// A body in the plane, or a joint in space.
+impl Pair {
+    /// Of wheels that are no cylinders, whose teeth do not give.
+    fn of(wheels: [Toothing; 2], terms: Vec<(f64, Turning)>) -> Self {
+        let (turns, still) = (Vec::new(), 0.0);
+        Pair { wheels, terms, constant: 0.0, distance: 0.0, direction: 0.0, turns, still, follows: false }
+    }
+
+    /// What the row is divided by.
+    pub fn scale(&self) -> f64 {
+        let [first, second] = &self.wheels;
+        if first.kind == Kind::Rack { second.teeth } else { first.teeth }
+    }
+}
+
+/// A body in the plane, or a joint in space; the travel of a rack's rail.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub(super) enum Turning {
     Body(usize),
     Joint(usize),
+    Travel(usize),
 }
 
 type Body = Option<usize>;
@@ -116,6 +146,9 @@ impl Reader<'_> {
             Turning::Joint(joint) => {
                 self.of_joint(joint, "angle").ok_or_else(|| DefinitionError::unknown(own, "an angle"))
             }
+            Turning::Travel(joint) => {
+                self.of_joint(joint, "travel").ok_or_else(|| DefinitionError::unknown(own, "a travel"))
+            }
         }
     }
 
@@ -128,14 +161,29 @@ impl Reader<'_> {
         let toothings = list(of_body, "toothings", own)?;
         let node = toothings.iter().find(|node| name(node, own) == Ok(rim)).ok_or_else(unknown)?;
         let value = |key: &str, default: f64| Ok(self.entry_of(node, key, own)?.unwrap_or(default));
-        let center = match optional(node, "at").and_then(Value::as_str) {
-            Some(at) => at.to_string(),
-            None => format!("{body}.center"),
+        let word = text(node, "kind", own)?;
+        let kind = match word {
+            "external" | "internal" => Kind::Cylinder,
+            "rack" => Kind::Rack,
+            "bevel" => Kind::Bevel,
+            "worm" => Kind::Worm,
+            kind => return Err(DefinitionError::kind(own, kind)),
+        };
+        let (center, along) = match optional(node, "at").and_then(Value::as_str) {
+            _ if kind == Kind::Rack => self.line(node, own)?,
+            Some(at) => (self.named_place(at).ok_or_else(unknown)?, unit_axis(2)),
+            None => (self.named_place(&format!("{body}.center")).ok_or_else(unknown)?, unit_axis(2)),
+        };
+        let teeth = match kind {
+            Kind::Rack => 0.0,
+            Kind::Worm => self.needed(node, "starts", own)?,
+            Kind::Cylinder | Kind::Bevel => self.needed(node, "teeth", own)?,
         };
         Ok(Toothing {
             body: *self.body_by_name.get(body).ok_or_else(unknown)?,
-            internal: text(node, "kind", own)? == "internal",
-            teeth: self.needed(node, "teeth", own)?,
+            kind,
+            internal: word == "internal",
+            teeth,
             module: self.needed(node, "module", own)?,
             angle: value("pressure_angle", 20.0_f64.to_radians())?,
             helix: value("helix", 0.0)?,
@@ -145,14 +193,25 @@ impl Reader<'_> {
             dedendum: value("dedendum", 1.25)?,
             width: self.entry_of(node, "face_width", own)?,
             bore: self.entry_of(node, "bore", own)?,
-            center: self.named_place(&center).ok_or_else(unknown)?,
+            center,
+            cone: value("cone", 0.0)?,
+            diameter: value("diameter", 0.0)?,
+            along,
         })
     }
 
     fn pair(&self, wheels: [Toothing; 2], own: &str) -> Read<Pair> {
+        let unheld = || DefinitionError::value(own, "nothing holds its wheels to each other");
+        if let Some(rack) = wheels.iter().position(|wheel| wheel.kind == Kind::Rack) {
+            let terms = self.rolling(&wheels, rack, own)?.ok_or_else(unheld)?;
+            return Ok(Pair::of(wheels, terms));
+        }
+        if wheels.iter().any(|wheel| wheel.kind != Kind::Cylinder) {
+            let terms = self.crossing(&wheels).ok_or_else(unheld)?;
+            return Ok(Pair::of(wheels, terms));
+        }
         let [first, second] = &wheels;
         let sense = if first.internal || second.internal { -1.0 } else { 1.0 };
-        let unheld = || DefinitionError::value(own, "nothing holds the centres of its wheels");
         let (carrier, across) = self.carrier(&wheels).ok_or_else(unheld)?;
         let mut terms: BTreeMap<Turning, f64> = BTreeMap::new();
         let (mut fixed, mut between) = (0.0, [across[0], across[1]]);
@@ -203,6 +262,125 @@ impl Reader<'_> {
         let constant = wrapped(facing(&wheels, sense, between) - fixed);
         let terms = terms.collect();
         Ok(Pair { terms, constant, distance, direction, turns, still, follows: false, wheels })
+    }
+
+    /// A pinion on a rack: the pitch circle rolls on the line, ω × r = v along it.
+    fn rolling(&self, wheels: &[Toothing; 2], rack: usize, own: &str) -> Read<Option<Vec<(f64, Turning)>>> {
+        let (rack, pinion) = (&wheels[rack], &wheels[1 - rack]);
+        let lines = self.fixed_to(rack, own)?;
+        for (carrier, center) in self.pinned(&pinion.center) {
+            for (index, joint) in self.joints.iter().enumerate() {
+                let ends = [joint.first.body, joint.second.body];
+                if joint.kind != "prismatic" || carrier == Some(pinion.body) || !ends.contains(&carrier) {
+                    continue;
+                }
+                let body = if ends[0] == carrier { ends[1] } else { ends[0] };
+                let Some((_, at, along)) = lines.iter().find(|(known, ..)| *known == body) else { continue };
+                let turn = self.axes_in(body, carrier, own)?;
+                let axis = column(&joint.frame, if self.spatial { 2 } else { 0 });
+                // Of two ends the carrier is the one whose place and axes count.
+                let (base, far, moves) = if ends[0] == carrier {
+                    (joint.first.local, joint.second.local, axis)
+                } else {
+                    (joint.second.local, joint.first.local, turned(&turn, times(-1.0, axis)))
+                };
+                let start = plus(base, turned(&turn, minus(*at, far)));
+                let along = turned(&turn, *along);
+                let (terms, about) = if self.spatial {
+                    let Some((terms, Some(about))) = self.turn(Some(pinion.body), carrier) else {
+                        return Ok(None);
+                    };
+                    (terms.into_iter().map(|(joint, sign)| (sign, Turning::Joint(joint))).collect(), about)
+                } else {
+                    let mut terms = Vec::new();
+                    for (sign, body) in [(1.0, Some(pinion.body)), (-1.0, carrier)] {
+                        if let (Some(body), (Some(_), _)) = (body, self.orientation(body, own)?) {
+                            terms.push((sign, Turning::Body(body)));
+                        }
+                    }
+                    (terms, unit_axis(2))
+                };
+                let way = minus(start, center);
+                let towards = minus(minus(way, times(dot(way, along), along)), times(dot(way, about), about));
+                let Some(towards) = unit(towards) else { return Ok(None) };
+                let rolls = dot(cross(about, times(pinion.pitch(), towards)), along);
+                let mut all: Vec<(f64, Turning)> =
+                    terms.into_iter().map(|(sign, what)| (sign * pinion.teeth, what)).collect();
+                all.push((-dot(moves, along) * pinion.teeth / rolls, Turning::Travel(index)));
+                return Ok(Some(all));
+            }
+        }
+        Ok(None)
+    }
+
+    /// The line of a rack in everything that its body is fixed to.
+    fn fixed_to(&self, rack: &Toothing, own: &str) -> Read<Vec<(Body, V3, V3)>> {
+        let mut found = vec![(Some(rack.body), rack.center.local, rack.along)];
+        let mut next = 0;
+        while let Some((body, at, along)) = found.get(next).copied() {
+            next += 1;
+            for joint in self.joints.iter().filter(|joint| joint.kind == "fixed") {
+                for (near, far) in [(&joint.first, &joint.second), (&joint.second, &joint.first)] {
+                    if near.body == body && found.iter().all(|(known, ..)| *known != far.body) {
+                        let turn = self.axes_in(body, far.body, own)?;
+                        let there = plus(far.local, turned(&turn, minus(at, near.local)));
+                        found.push((far.body, there, turned(&turn, along)));
+                    }
+                }
+            }
+        }
+        Ok(found)
+    }
+
+    /// The axes of a body in those of another that keeps its orientation against it.
+    fn axes_in(&self, body: Body, other: Body, own: &str) -> Read<M3> {
+        if self.spatial {
+            return Ok(IDENTITY);
+        }
+        let angle = self.orientation(body, own)?.1 - self.orientation(other, own)?.1;
+        let (sine, cosine) = angle.sin_cos();
+        Ok(from_columns([cosine, sine, 0.0], [-sine, cosine, 0.0], unit_axis(2)))
+    }
+
+    /// Bevel gears and worms: at the point that touches both velocities have the same part along the normal of the flanks.
+    fn crossing(&self, wheels: &[Toothing; 2]) -> Option<Vec<(f64, Turning)>> {
+        let (carrier, across) = self.carrier(wheels)?;
+        let turns = [self.turn(Some(wheels[0].body), carrier)?, self.turn(Some(wheels[1].body), carrier)?];
+        let axes = [turns[0].1?, turns[1].1?];
+        let square = cross(axes[0], axes[1]);
+        let (touch, flank) = match wheels.iter().position(|wheel| wheel.kind == Kind::Worm) {
+            Some(worm) => {
+                let normal = unit(times(dot(square, across).signum(), square))?;
+                let of = |wheel: &Toothing| match wheel.kind {
+                    Kind::Worm => 0.5 * wheel.diameter,
+                    _ => wheel.pitch(),
+                };
+                let touch = [times(of(&wheels[0]), normal), times(-of(&wheels[1]), normal)];
+                let screw = &wheels[worm];
+                let slope = wheels[1 - worm].helix.signum() * screw.teeth * screw.module / screw.diameter;
+                let around = cross(axes[worm], unit(touch[worm])?);
+                // Along a thread, then across it in the plane that touches both pitch cylinders.
+                (touch, cross(plus(around, times(slope, axes[worm])), normal))
+            }
+            None => {
+                let apex = times(dot(cross(across, axes[1]), square) / dot(square, square), axes[0]);
+                let out = [unit(times(-1.0, apex))?, unit(minus(across, apex))?];
+                let toward = unit(minus(out[1], times(dot(out[0], out[1]), out[0])))?;
+                let (sine, cosine) = wheels[0].cone.sin_cos();
+                let line = plus(times(cosine, out[0]), times(sine, toward));
+                let point = plus(apex, times(wheels[0].pitch() / sine, line));
+                ([point, minus(point, across)], square)
+            }
+        };
+        let speeds = [0, 1].map(|k| dot(cross(axes[k], touch[k]), flank));
+        let factors = [wheels[0].teeth, -wheels[0].teeth * speeds[1] / speeds[0]];
+        let terms = turns
+            .into_iter()
+            .zip(factors)
+            .flat_map(|((own, _), factor)| own.into_iter().map(move |(joint, sign)| (factor * sign, joint)));
+        let mut found: BTreeMap<usize, f64> = BTreeMap::new();
+        terms.for_each(|(factor, joint)| *found.entry(joint).or_default() += factor);
+        Some(found.into_iter().map(|(joint, factor)| (factor, Turning::Joint(joint))).collect())
     }
 
     /// What both centres are pinned to, and the way between them there.
@@ -301,7 +479,7 @@ impl Reader<'_> {
                     Ok((Some(root), _)) => Turning::Body(root),
                     _ => *what,
                 },
-                Turning::Joint(_) => *what,
+                Turning::Joint(_) | Turning::Travel(_) => *what,
             };
             *row.entry(key).or_default() += factor;
         }

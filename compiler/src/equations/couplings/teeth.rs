@@ -3,7 +3,7 @@
 //! External teeth: z₁(θ₁ − ψ) + z₂(θ₂ − ψ − π) = π + 2πk, of a ring z₁(θ₁ − ψ) − z₂(θ₂ − ψ) = π + 2πk, with the angles of tooth
 //! middles and ψ that of the line of centres: a tooth of the one faces a space of the other (Parker & Lin, Mesh phasing
 //! relationships in planetary and epicyclic gears, J. Mech. Des. 126, 2004, section 2). Where a carrier holds both axles, the angles
-//! are those against it, and the row is Willis' equation.
+//! are those against it, and the row is Willis' equation. A rack has its travel over m/2 in place of z₂θ₂, bevel gears and worms have ψ of their own.
 
 use crate::equations::conditions::Condition;
 use crate::equations::jet::Moving;
@@ -26,15 +26,23 @@ pub static COUPLING: CouplingForm = CouplingForm {
     means: Means::Teeth { row: &ROW },
 };
 
+/// Σ factor · angle + Σ factor · travel, over a number.
+fn sum<'g>(laws: &Laws<'g>, pair: &Pair, over: f64) -> Moving<'g> {
+    let angles = laws.sum_of_angles(&pair.terms, over);
+    pair.travels.iter().fold(angles, |sum, (factor, joint)| {
+        sum + (factor / over) * laws.kinematics().travel(laws, *joint, 0)
+    })
+}
+
 /// The sum over z₁, as if it were an angle of the first wheel, less the phase.
 pub fn row<'g>(laws: &Laws<'g>, pair: &Pair, phase: Option<Node>) -> Moving<'g> {
     let phase = phase.map_or_else(|| laws.g.zero(), |phase| laws.g.on(phase));
-    laws.sum_of_angles(&pair.terms, pair.teeth[0]) - laws.still(phase)
+    sum(laws, pair, pair.scale()) - laws.still(phase)
 }
 
 /// The sum as something that assembly can hold at a value, but for whole pitches.
 pub fn facing(laws: &Laws, pair: &Pair) -> Condition {
-    let sum = laws.sum_of_angles(&pair.terms, 1.0);
+    let sum = sum(laws, pair, 1.0);
     let rotor = pair.terms.first().map(|(_, rotor)| *rotor);
     Condition {
         of: format!("the teeth of {}", pair.name.text),

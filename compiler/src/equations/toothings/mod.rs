@@ -1,13 +1,17 @@
 //! The kinds of toothings, one file each with its record. What follows from their numbers is `model::gears`.
 
+mod bevel;
 mod external;
 mod internal;
+mod rack;
+mod worm;
 
 use crate::forms::{Argument, Need, ToothingForm};
 use crate::units::Dimension;
 
 /// All kinds, in the order of documents.
-pub static TOOTHINGS: &[&ToothingForm] = &[&external::TOOTHING, &internal::TOOTHING];
+pub static TOOTHINGS: &[&ToothingForm] =
+    &[&external::TOOTHING, &internal::TOOTHING, &rack::TOOTHING, &bevel::TOOTHING, &worm::TOOTHING];
 
 /// The arguments of a wheel or ring.
 const WHEEL: &[Argument] = &[

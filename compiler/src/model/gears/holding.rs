@@ -22,7 +22,7 @@ pub fn carrier(
 }
 
 /// The places that coincide with one, joint by joint.
-fn pinned(mechanism: &Mechanism, place: &Place) -> Vec<Known> {
+pub fn pinned(mechanism: &Mechanism, place: &Place) -> Vec<Known> {
     let Some(start) = known(mechanism, place) else { return Vec::new() };
     let mut found = vec![start];
     let mut at = 0;

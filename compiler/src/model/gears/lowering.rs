@@ -3,9 +3,10 @@
 use super::super::lower::{Lowering, Use, name};
 use super::super::names::Part;
 use super::super::unused::Scope;
-use super::super::{BodyId, Expr, Frame, Subject};
+use super::super::{Axes, BodyId, Expr, Frame, Place, Subject, fold};
 use super::stiffness::{Material, Series, Tooth};
 use super::{Toothing, ToothingId};
+use crate::forms::Rim;
 use crate::messages;
 use crate::syntax::{self, Path, PlaceTerm};
 use crate::units::Dimension;
@@ -14,6 +15,9 @@ use crate::units::Dimension;
 const PRESSURE_ANGLE: f64 = 20.0 * std::f64::consts::PI / 180.0;
 const FEWEST_TEETH: f64 = 4.0;
 const MOST_TEETH: f64 = 10_000.0;
+const MOST_STARTS: f64 = 12.0;
+/// Of half the angle of a pitch cone, degrees.
+const CONES: std::ops::RangeInclusive<f64> = 1.0..=89.0;
 
 impl<'d> Lowering<'d> {
     /// The toothings of a body.
@@ -36,7 +40,11 @@ impl<'d> Lowering<'d> {
                 Some(entry) => this.number(entry, dimension, what),
                 None => Some(default),
             };
-        let teeth = value(self, "teeth", Dimension::ONE, 0.0);
+        let rim = written.form.rim;
+        let teeth = match rim.counts() {
+            Some(what) => value(self, what, Dimension::ONE, 0.0),
+            None => Some(0.0),
+        };
         let module = value(self, "module", Dimension::LENGTH, 0.0);
         let pressure_angle = value(self, "pressure_angle", Dimension::ANGLE, PRESSURE_ANGLE);
         let helix = value(self, "helix", Dimension::ANGLE, 0.0);
@@ -44,8 +52,73 @@ impl<'d> Lowering<'d> {
         let addendum = value(self, "addendum", Dimension::ONE, 1.0);
         let dedendum = value(self, "dedendum", Dimension::ONE, 1.25);
         let first = value(self, "first", Dimension::ANGLE, 0.0);
+        let cone = value(self, "cone", Dimension::ANGLE, 0.0);
+        let diameter = value(self, "diameter", Dimension::LENGTH, 0.0);
         let face_width = value(self, "face_width", Dimension::LENGTH, 0.0);
         let bore = value(self, "bore", Dimension::LENGTH, 0.0);
+        let (center, along) = self.stand(index, body, written)?;
+        let given = |what: &str| written.named.entry(what).is_some();
+        let toothing = Toothing {
+            name: name(&written.name),
+            text: format!("{own}.{}", written.name.text),
+            form: written.form,
+            center,
+            teeth: teeth?,
+            module: module?,
+            pressure_angle: pressure_angle?,
+            helix: helix?,
+            shift: shift?,
+            addendum: addendum?,
+            dedendum: dedendum?,
+            first: first?,
+            cone: cone?,
+            diameter: diameter?,
+            along,
+            face_width: face_width.filter(|_| given("face_width")),
+            bore: bore.filter(|_| given("bore")),
+        };
+        let wrong = wrong(&toothing);
+        if let Some((what, message)) = wrong {
+            let region = written.named.entry(what).map_or(written.name.region, |entry| entry.value.region);
+            self.diagnostics.error(region, message);
+            return None;
+        }
+        Some(toothing)
+    }
+
+    /// The centre of a toothing; of a rack the first point of its line, and the direction of that.
+    fn stand(
+        &mut self,
+        index: usize,
+        body: &'d syntax::Body,
+        written: &'d syntax::Toothing,
+    ) -> Option<(Place, [f64; 3])> {
+        let own = &body.name.text;
+        if let Some(term) = &written.line {
+            let line = self.line(term)?;
+            if line.frame != Frame::Body(BodyId(index)) {
+                self.diagnostics.error(term.region(), messages::rack_elsewhere(own, &line.text));
+                return None;
+            }
+            let [from, to] = &line.ends;
+            let way: Option<Vec<f64>> =
+                fold::between(from, to).iter().map(|it| fold::evaluate(it, self.defaults())).collect();
+            let way: [f64; 3] = way?.try_into().ok()?;
+            let length = libm::sqrt(way.iter().map(|x| x * x).sum());
+            // A line of no length has been told of.
+            if length == 0.0 {
+                return None;
+            }
+            let center = Place {
+                frame: line.frame,
+                at: from.clone(),
+                axes: Axes::Parallel,
+                of_mean: false,
+                text: line.text,
+                span: term.region(),
+            };
+            return Some((center, way.map(|x| x / length)));
+        }
         let center = match &written.at {
             Some(path) => self.place(&PlaceTerm::Named(path.clone())),
             None => {
@@ -61,30 +134,7 @@ impl<'d> Lowering<'d> {
             self.diagnostics.error(path.region, messages::toothing_elsewhere(own, &path.text));
             return None;
         }
-        let given = |what: &str| written.named.entry(what).is_some();
-        let toothing = Toothing {
-            name: name(&written.name),
-            text: format!("{own}.{}", written.name.text),
-            form: written.form,
-            center,
-            teeth: teeth?,
-            module: module?,
-            pressure_angle: pressure_angle?,
-            helix: helix?,
-            shift: shift?,
-            addendum: addendum?,
-            dedendum: dedendum?,
-            first: first?,
-            face_width: face_width.filter(|_| given("face_width")),
-            bore: bore.filter(|_| given("bore")),
-        };
-        let wrong = wrong(&toothing);
-        if let Some((what, message)) = wrong {
-            let region = written.named.entry(what).map_or(written.name.region, |entry| entry.value.region);
-            self.diagnostics.error(region, message);
-            return None;
-        }
-        Some(toothing)
+        Some((center, [0.0; 3]))
     }
 
     /// A toothing by its path.
@@ -124,13 +174,17 @@ impl<'d> Lowering<'d> {
 
 /// The argument that no toothing has, and why.
 fn wrong(toothing: &Toothing) -> Option<(&'static str, String)> {
-    let Toothing { teeth, module, pressure_angle, helix, shift, addendum, dedendum, .. } = *toothing;
-    let text = &toothing.text;
-    if teeth.fract() != 0.0 {
-        return Some(("teeth", messages::teeth_not_whole(text, teeth)));
-    }
-    if !(FEWEST_TEETH..=MOST_TEETH).contains(&teeth) {
-        return Some(("teeth", messages::number_of_teeth(text, teeth, [FEWEST_TEETH, MOST_TEETH])));
+    let Toothing { teeth, module, pressure_angle, helix, shift, addendum, dedendum, cone, diameter, .. } =
+        *toothing;
+    let (text, rim) = (&toothing.text, toothing.form.rim);
+    if let Some(what) = rim.counts() {
+        let range = if rim == Rim::Worm { [1.0, MOST_STARTS] } else { [FEWEST_TEETH, MOST_TEETH] };
+        if teeth.fract() != 0.0 {
+            return Some((what, messages::teeth_not_whole(text, what, teeth)));
+        }
+        if !(range[0]..=range[1]).contains(&teeth) {
+            return Some((what, messages::number_of_teeth(text, what, teeth, range)));
+        }
     }
     if module <= 0.0 {
         return Some(("module", messages::toothing_not_positive(text, "module", module)));
@@ -141,6 +195,12 @@ fn wrong(toothing: &Toothing) -> Option<(&'static str, String)> {
     }
     if helix.to_degrees().abs() > 60.0 {
         return Some(("helix", messages::helix(text, helix.to_degrees())));
+    }
+    if rim == Rim::Bevel && !(CONES.contains(&cone.to_degrees())) {
+        return Some(("cone", messages::cone(text, cone.to_degrees())));
+    }
+    if rim == Rim::Worm && diameter <= 2.0 * dedendum * module {
+        return Some(("diameter", messages::worm_too_thin(text, diameter, 2.0 * dedendum * module)));
     }
     for (what, value) in [("addendum", addendum), ("dedendum", dedendum)] {
         if value <= 0.0 {
@@ -157,6 +217,14 @@ fn wrong(toothing: &Toothing) -> Option<(&'static str, String)> {
     }
     if let Some(bore) = toothing.bore.filter(|bore| 0.5 * bore >= toothing.root_radius()) {
         return Some(("bore", messages::bore_beyond_teeth(text, bore, 2.0 * toothing.root_radius())));
+    }
+    if rim == Rim::Bevel
+        && let Some(width) = toothing.face_width
+    {
+        let cone = toothing.pitch_radius() / libm::sin(cone);
+        if width >= cone {
+            return Some(("face_width", messages::face_beyond_apex(text, width, cone)));
+        }
     }
     None
 }

@@ -3,7 +3,7 @@
 use super::super::{BodyId, Expr, Frame, Load, Mechanism, fold};
 use super::Toothing;
 use super::holding::Orientations;
-use super::pair::{Mesh, Pair};
+use super::pair::{Meeting, Mesh, Pair};
 use super::stiffness::{self, Material, Series, Stiffness};
 use crate::diagnostics::Diagnostics;
 use crate::messages;
@@ -22,6 +22,12 @@ pub fn settle(mechanism: &mut Mechanism, diagnostics: &mut Diagnostics) {
     let orientations = Orientations::of(mechanism);
     for at in 0..mechanism.loads.len() {
         let Some(teeth) = mechanism.loads[at].teeth.clone() else { continue };
+        if mechanism.pairs[teeth.pair].meeting != Meeting::Cylinders {
+            let [first, second] = mechanism.pairs[teeth.pair].on.map(|id| &mechanism.toothing(id).text);
+            let message = messages::mesh_of_cylinders(first, second);
+            diagnostics.error(mechanism.loads[at].name.span, message);
+            continue;
+        }
         let pair = &mechanism.pairs[teeth.pair];
         let ([first, second], mesh) = mechanism.mesh_of(pair);
         let load = &mechanism.loads[at];

@@ -3,26 +3,34 @@
 //! All of it is known at expansion and independent of how a pair is used: without play by a constraint, or by a load.
 
 mod about_axes;
+mod bevels;
+mod cylinders;
 mod following;
 mod holding;
 mod lowering;
 pub mod meshes;
 mod pair;
+mod racks;
 pub mod stiffness;
 mod told;
 mod toothing;
+mod vector;
+mod worms;
 
 pub use lowering::Meshing;
-pub use pair::{Mesh, Pair, mesh};
+pub use pair::{Meeting, Mesh, Pair};
 pub use told::Told;
 pub use toothing::{Toothing, ToothingId, involute};
 
-use super::{ConstraintKind, Frame, Mechanism, Name, Rotor, Space, Subject};
+use super::{ConstraintKind, Frame, JointId, Mechanism, Name, Rotor, Space, Subject};
 use crate::diagnostics::Diagnostics;
+use crate::forms::Rim;
 use crate::messages;
+use about_axes::Turn;
 use following::{Row, follow};
 use holding::Orientations;
 use std::collections::BTreeMap;
+use vector::V3;
 
 impl Mechanism {
     pub fn toothing(&self, id: ToothingId) -> &Toothing {
@@ -32,7 +40,7 @@ impl Mechanism {
     /// The toothings of a pair, and what follows from their distance.
     pub fn mesh_of(&self, pair: &Pair) -> ([&Toothing; 2], Mesh) {
         let toothings = pair.on.map(|id| self.toothing(id));
-        (toothings, mesh(toothings[0], toothings[1], pair.distance()))
+        (toothings, pair::of(toothings, pair))
     }
 }
 
@@ -66,7 +74,13 @@ pub(super) fn settle(mechanism: &mut Mechanism, diagnostics: &mut Diagnostics) {
     if !diagnostics.is_empty() {
         return;
     }
-    let rows: Vec<Row> = pairs.iter().map(|pair| row(mechanism, &orientations, pair)).collect();
+    let mut modules: Vec<f64> = Vec::new();
+    for module in pairs.iter().flat_map(|pair| pair.on).map(|id| mechanism.toothing(id).module) {
+        if !modules.contains(&module) {
+            modules.push(module);
+        }
+    }
+    let rows: Vec<Row> = pairs.iter().map(|pair| row(mechanism, &orientations, pair, &modules)).collect();
     for (at, follows) in follow(&rows).into_iter().enumerate() {
         let Some(follows) = follows else { continue };
         if follows.apart != 0.0 {
@@ -93,70 +107,55 @@ fn pair(
     name: Name,
     on: [ToothingId; 2],
 ) -> Result<Pair, String> {
-    let [first, second] = on.map(|id| mechanism.toothing(id));
+    let toothings = on.map(|id| mechanism.toothing(id));
+    let [first, second] = toothings;
     let own = on.map(|id| Frame::Body(id.body));
     if on[0].body == on[1].body || orientations.class(own[0]).0 == orientations.class(own[1]).0 {
-        return Err(messages::teeth_on_one_shaft(&first.text, &second.text));
-    }
-    if first.is_internal() && second.is_internal() {
-        return Err(messages::two_rings(&first.text, &second.text));
-    }
-    let held = holding::carrier(mechanism, [&first.center, &second.center], own);
-    let Some((carrier, [from, to])) = held else {
-        return Err(messages::centres_not_held(&first.text, &second.text));
-    };
-    let across = [0, 1, 2].map(|k| to[k] - from[k]);
-    let sense = if first.is_internal() || second.is_internal() { -1.0 } else { 1.0 };
-    let (between, terms, fixed) = match mechanism.space {
-        Space::Planar => {
-            let factors = [first.teeth, sense * second.teeth, -(first.teeth + sense * second.teeth)];
-            let (terms, fixed) = in_the_plane(orientations, factors, [own[0], own[1], carrier]);
-            ([across[0], across[1]], terms, fixed)
+        // A rack that cannot move against its pinion is told of where its rail is looked for.
+        if first.form.rim != Rim::Rack && second.form.rim != Rim::Rack || on[0].body == on[1].body {
+            return Err(messages::teeth_on_one_shaft(&first.text, &second.text));
         }
-        Space::Spatial => {
-            let turns = own.map(|wheel| about_axes::turn(mechanism, orientations, wheel, carrier));
-            let [Some(one), Some(other)] = turns else {
-                return Err(messages::no_axle(&first.text, &second.text));
-            };
-            let (axis, sign) = match (one.axis, other.axis) {
-                (Some(a), Some(b)) => match about_axes::parallel(a, b) {
-                    Some(sign) => (a, sign),
-                    None => return Err(messages::axes_not_parallel(&first.text, &second.text)),
-                },
-                (Some(axis), None) | (None, Some(axis)) => (axis, 1.0),
-                (None, None) => return Err(messages::teeth_on_one_shaft(&first.text, &second.text)),
-            };
-            let of = |terms: Vec<(f64, Rotor)>, teeth: f64| {
-                terms.into_iter().map(move |(factor, rotor)| (factor * teeth, rotor))
-            };
-            let mut terms: Vec<(f64, Rotor)> = Vec::new();
-            for (factor, rotor) in
-                of(one.terms, first.teeth).chain(of(other.terms, sign * sense * second.teeth))
-            {
-                match terms.iter_mut().find(|(_, known)| *known == rotor) {
-                    Some((sum, _)) => *sum += factor,
-                    None => terms.push((factor, rotor)),
-                }
-            }
-            terms.retain(|(factor, _)| *factor != 0.0);
-            (about_axes::across(axis, across), terms, 0.0)
+    }
+    let wheels = Wheels { mechanism, orientations, own, toothings };
+    let (meeting, found) = match toothings.map(|toothing| toothing.form.rim) {
+        [Rim::Internal, Rim::Internal] => return Err(messages::two_rings(&first.text, &second.text)),
+        [Rim::External | Rim::Internal, Rim::External | Rim::Internal] => {
+            (Meeting::Cylinders, cylinders::couple(&wheels)?)
+        }
+        [Rim::External, Rim::Rack] => (Meeting::Rack, racks::couple(&wheels, 0)?),
+        [Rim::Rack, Rim::External] => (Meeting::Rack, racks::couple(&wheels, 1)?),
+        [Rim::Bevel, Rim::Bevel] => {
+            bevels::couple(&wheels).map(|(axes, found)| (Meeting::Cones(axes), found))?
+        }
+        [Rim::Worm, Rim::External] => (Meeting::Worm, worms::couple(&wheels, 0)?),
+        [Rim::External, Rim::Worm] => (Meeting::Worm, worms::couple(&wheels, 1)?),
+        rims => {
+            let words = toothings.map(|toothing| toothing.form.call.word);
+            // The one that has its partner in few others.
+            let which = usize::from(matches!(rims[0], Rim::External | Rim::Internal));
+            return Err(messages::no_partners([&first.text, &second.text], words, rims[which]));
         }
     };
-    let constant = pair::facing(first, second, between) - fixed;
-    let wheel = usize::from(first.is_internal());
+    let wheel = usize::from(matches!(first.form.rim, Rim::Internal | Rim::Rack | Rim::Worm));
     let (turns, still) = match mechanism.space {
-        Space::Planar => in_the_plane(orientations, [1.0, -1.0, 0.0], [own[wheel], carrier, Frame::Ground]),
+        Space::Planar => cylinders::in_the_plane(
+            orientations,
+            [1.0, -1.0, 0.0],
+            [own[wheel], found.carrier, Frame::Ground],
+        ),
         // No load between teeth is in space.
         Space::Spatial => (Vec::new(), 0.0),
     };
     Ok(Pair {
         name,
         on,
-        teeth: [first.teeth, second.teeth],
-        carrier,
-        between,
-        terms,
-        constant: pair::remainder(constant),
+        meeting,
+        teeth: toothings.map(|toothing| toothing.teeth),
+        carrier: found.carrier,
+        between: found.between,
+        terms: found.terms,
+        travels: found.travels,
+        constant: pair::remainder(found.constant),
         wheel,
         turns,
         still,
@@ -164,25 +163,78 @@ fn pair(
     })
 }
 
-/// Factors and angles of what turns against the ground, and what the others are.
-fn in_the_plane(
-    orientations: &Orientations,
-    factors: [f64; 3],
-    frames: [Frame; 3],
-) -> (Vec<(f64, Rotor)>, f64) {
-    let (mut terms, mut fixed) = (Vec::new(), 0.0);
-    for (factor, frame) in factors.into_iter().zip(frames) {
-        match (frame, orientations.class(frame)) {
-            (_, (0, angle)) => fixed += factor * angle,
-            (Frame::Body(body), _) if factor != 0.0 => terms.push((factor, Rotor::Body(body))),
-            _ => {}
+/// Two toothings of two bodies.
+struct Wheels<'m> {
+    mechanism: &'m Mechanism,
+    orientations: &'m Orientations,
+    own: [Frame; 2],
+    toothings: [&'m Toothing; 2],
+}
+
+/// What a pair couples, and where its centres are.
+struct Coupled {
+    carrier: Frame,
+    between: [f64; 2],
+    terms: Vec<(f64, Rotor)>,
+    travels: Vec<(f64, JointId)>,
+    constant: f64,
+}
+
+impl Wheels<'_> {
+    fn texts(&self) -> [&str; 2] {
+        self.toothings.map(|toothing| toothing.text.as_str())
+    }
+
+    /// What holds both centres, and where these are in it.
+    fn held(&self) -> Result<(Frame, [V3; 2]), String> {
+        let [first, second] = self.toothings;
+        let held = holding::carrier(self.mechanism, [&first.center, &second.center], self.own);
+        held.ok_or_else(|| messages::centres_not_held(&first.text, &second.text))
+    }
+
+    /// In space: by which joints each turns against what holds both.
+    fn turning(&self, carrier: Frame) -> Result<[Turn; 2], String> {
+        let turns = self.own.map(|wheel| about_axes::turn(self.mechanism, self.orientations, wheel, carrier));
+        match turns {
+            [Some(first), Some(second)] => Ok([first, second]),
+            _ => Err(messages::no_axle(self.texts()[0], self.texts()[1])),
         }
     }
-    (terms, fixed)
+
+    /// The same where the axes are not parallel: both turn.
+    fn axles(&self, carrier: Frame) -> Result<[(Vec<(f64, Rotor)>, V3); 2], String> {
+        if self.mechanism.space == Space::Planar {
+            let words = self.toothings.map(|toothing| toothing.form.call.word);
+            return Err(messages::axes_out_of_the_plane(self.texts(), words));
+        }
+        let [one, other] = self.turning(carrier)?;
+        match (one.axis, other.axis) {
+            (Some(a), Some(b)) => Ok([(one.terms, a), (other.terms, b)]),
+            _ => Err(messages::teeth_on_one_shaft(self.texts()[0], self.texts()[1])),
+        }
+    }
+}
+
+/// Equal terms put together, without those that cancel.
+fn collected(all: impl IntoIterator<Item = (f64, Rotor)>) -> Vec<(f64, Rotor)> {
+    let mut terms: Vec<(f64, Rotor)> = Vec::new();
+    for (factor, rotor) in all {
+        match terms.iter_mut().find(|(_, known)| *known == rotor) {
+            Some((sum, _)) => *sum += factor,
+            None => terms.push((factor, rotor)),
+        }
+    }
+    terms.retain(|(factor, _)| *factor != 0.0);
+    terms
+}
+
+/// A sum of angles times a number.
+fn times(factor: f64, terms: Vec<(f64, Rotor)>) -> impl Iterator<Item = (f64, Rotor)> {
+    terms.into_iter().map(move |(own, rotor)| (factor * own, rotor))
 }
 
 /// Wheels that turn together count as one.
-fn row(mechanism: &Mechanism, orientations: &Orientations, pair: &Pair) -> Row {
+fn row(mechanism: &Mechanism, orientations: &Orientations, pair: &Pair, modules: &[f64]) -> Row {
     let mut factors: BTreeMap<usize, i64> = BTreeMap::new();
     let mut constant = pair.constant;
     for (factor, rotor) in &pair.terms {
@@ -195,6 +247,15 @@ fn row(mechanism: &Mechanism, orientations: &Orientations, pair: &Pair) -> Row {
             Rotor::Joint(joint, _) => mechanism.bodies.len() + 1 + joint.0,
         };
         *factors.entry(key).or_default() += *factor as i64;
+    }
+    // A travel counts in half modules of its rack: those of one rail and one module are the same.
+    for (factor, joint) in &pair.travels {
+        let module = mechanism.toothing(pair.on[1 - pair.wheel]).module;
+        let joints = mechanism.bodies.len() + 1 + mechanism.joints.len();
+        let key = joints
+            + joint.0
+            + mechanism.joints.len() * modules.iter().position(|it| *it == module).unwrap_or(0);
+        *factors.entry(key).or_default() += libm::round(0.5 * module * factor) as i64;
     }
     Row { factors, constant }
 }

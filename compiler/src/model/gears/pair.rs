@@ -1,8 +1,19 @@
 //! Two toothings that mesh: distances, contact ratio, and the sum of angles that both hold.
 
-use super::super::{Frame, Name, Rotor};
+use super::super::{Frame, JointId, Name, Rotor};
 use super::toothing::{Toothing, ToothingId, angle_of_involute, involute};
 use std::f64::consts::{PI, TAU};
+
+/// How two toothings stand to each other.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Meeting {
+    /// Wheels about parallel axes, one of them a ring perhaps.
+    Cylinders,
+    Rack,
+    /// Bevel gears, with Σ between their axes.
+    Cones(f64),
+    Worm,
+}
 
 /// A pair of toothings, of a constraint or of a load.
 #[derive(Clone, Debug)]
@@ -10,16 +21,19 @@ pub struct Pair {
     /// Of what it is the pair.
     pub name: Name,
     pub on: [ToothingId; 2],
+    pub meeting: Meeting,
     /// Numbers of teeth.
     pub teeth: [f64; 2],
     /// What holds both centres.
     pub carrier: Frame,
-    /// From the first centre to the second one, in the axes of the carrier, m.
+    /// From the first centre to the second one, in the axes of the carrier, m. Of a rack and a worm as far as its line or axis, of cones as long
+    /// as these, along x.
     pub between: [f64; 2],
-    /// Σ factor · angle = constant + 2πk, in radians of a pitch: those of the wheels against the carrier.
+    /// Σ factor · angle + Σ factor · travel = constant + 2πk, in radians of a pitch: those of the wheels against the carrier.
     pub terms: Vec<(f64, Rotor)>,
+    pub travels: Vec<(f64, JointId)>,
     pub constant: f64,
-    /// The wheel that the phase of the mesh is counted by: of two the first, else that in the ring; its angle against the carrier less `still`.
+    /// The wheel that the phase of the mesh is counted by: of two the first, else that in the ring, on the rack or driven by the worm; its angle against the carrier less `still`.
     pub wheel: usize,
     pub turns: Vec<(f64, Rotor)>,
     pub still: f64,
@@ -31,6 +45,11 @@ impl Pair {
     /// a.
     pub fn distance(&self) -> f64 {
         libm::hypot(self.between[0], self.between[1])
+    }
+
+    /// What the row of the pair is divided by: teeth of the first of both, of a rack those of its pinion.
+    pub fn scale(&self) -> f64 {
+        if self.teeth[0] > 0.0 { self.teeth[0] } else { self.teeth[1] }
     }
 }
 
@@ -58,9 +77,49 @@ pub struct Mesh {
     pub clamped: [bool; 2],
 }
 
+/// What follows from the toothings of a pair.
+pub fn of([first, second]: [&Toothing; 2], pair: &Pair) -> Mesh {
+    match pair.meeting {
+        Meeting::Cylinders => mesh(first, second, pair.distance()),
+        Meeting::Cones(_) => {
+            let [one, other] = [first, second].map(Toothing::virtual_spur);
+            mesh(&one, &other, one.pitch_radius() + other.pitch_radius())
+        }
+        Meeting::Rack | Meeting::Worm => {
+            let [wheel, rack] = if pair.wheel == 0 { [first, second] } else { [second, first] };
+            let played = if pair.meeting == Meeting::Worm { 0.5 * rack.diameter } else { 0.0 };
+            on_rack(wheel, rack, pair.wheel, played)
+        }
+    }
+}
+
+/// A wheel on straight flanks, `beyond` its pitch line by so much: contact begins where their tips cross the line of action.
+fn on_rack(wheel: &Toothing, rack: &Toothing, which: usize, beyond: f64) -> Mesh {
+    let angle = wheel.transverse_angle();
+    let (tip, base) = (wheel.tip_radius(), wheel.base_radius());
+    let base_pitch = PI * wheel.transverse_module() * libm::cos(angle);
+    let shift = wheel.module * wheel.shift;
+    let begin =
+        wheel.pitch_radius() * libm::sin(angle) - (rack.module * rack.addendum - shift) / libm::sin(angle);
+    let end = libm::sqrt((tip * tip - base * base).max(0.0));
+    let by_order = |wheel, rack| if which == 0 { [wheel, rack] } else { [rack, wheel] };
+    Mesh {
+        sense: 1.0,
+        base: if which == 0 { [base, 0.0] } else { [0.0, base] },
+        nominal: wheel.pitch_radius() + shift + beyond,
+        working_angle: Some(angle),
+        contact_ratio: (end - begin.max(0.0)) / base_pitch,
+        unclamped_ratio: (end - begin) / base_pitch,
+        base_pitch,
+        path: [begin.max(0.0), end],
+        overlap: 0.0,
+        clamped: by_order(begin < 0.0, false),
+    }
+}
+
 /// Of two toothings whose modules and angles agree. Contact ratios: Litvin & Fuentes, Gear Geometry and Applied Theory (2004), 10.5
 /// and 11.5.
-pub fn mesh(first: &Toothing, second: &Toothing, distance: f64) -> Mesh {
+fn mesh(first: &Toothing, second: &Toothing, distance: f64) -> Mesh {
     let ring = first.is_internal() || second.is_internal();
     // Of a ring the wheel comes first.
     let [wheel, other] = if first.is_internal() { [second, first] } else { [first, second] };

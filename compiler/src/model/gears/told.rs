@@ -1,7 +1,8 @@
 //! A pair of toothings in words and numbers, for the page and `explain`.
 
 use super::super::Mechanism;
-use super::{Pair, Toothing};
+use super::{Meeting, Mesh, Pair, Toothing};
+use crate::forms::Rim;
 use crate::numbers::coordinate;
 
 /// What is told of a pair.
@@ -12,15 +13,19 @@ pub struct Told {
     pub of: [String; 2],
     /// `40 and 20 teeth of 2 mm`.
     pub teeth: String,
-    /// m.
+    /// How the axes stand to each other, in words.
+    pub axes: String,
+    /// m; of cones their length.
     pub distance: f64,
     /// α_w, degrees.
     pub working_angle: f64,
     pub contact_ratio: f64,
     /// ε_β, zero of straight teeth.
     pub overlap: f64,
-    /// After so many turns of the first wheel the same teeth meet again.
-    pub hunting: f64,
+    /// After so many turns of the first wheel the same teeth meet again; of a rack never.
+    pub hunting: Option<f64>,
+    /// Of a worm, the coefficient of friction from which on its wheel cannot turn it, tan γ cos α.
+    pub locking: Option<f64>,
 }
 
 impl Told {
@@ -30,17 +35,18 @@ impl Told {
         Told {
             name: pair.name.text.clone(),
             of: [of(first), of(second)],
-            teeth: format!(
-                "{} and {} teeth of {} mm",
-                first.teeth,
-                second.teeth,
-                coordinate(1e3 * first.module, 6)
-            ),
+            teeth: teeth([first, second]),
+            axes: axes([first, second], pair, &mesh),
             distance: pair.distance(),
             working_angle: mesh.working_angle.map_or(0.0, f64::to_degrees),
             contact_ratio: mesh.contact_ratio,
             overlap: mesh.overlap,
-            hunting: second.teeth / common(first.teeth, second.teeth),
+            hunting: (pair.meeting != Meeting::Rack)
+                .then(|| second.teeth / common(first.teeth, second.teeth)),
+            locking: (pair.meeting == Meeting::Worm).then(|| {
+                let screw = if pair.wheel == 0 { second } else { first };
+                libm::tan(screw.lead_angle()) * libm::cos(screw.pressure_angle)
+            }),
         }
     }
 
@@ -51,23 +57,64 @@ impl Told {
         } else {
             String::new()
         };
-        let turns = if self.hunting == 1.0 {
-            "every turn".to_string()
-        } else {
-            format!("every {} turns", self.hunting)
+        let locking = match self.locking {
+            Some(locking) => format!(", self-locking from a friction of {} on", coordinate(locking, 4)),
+            None => String::new(),
+        };
+        let turns = match self.hunting {
+            Some(1.0) => "the same teeth meet every turn".to_string(),
+            Some(turns) => format!("the same teeth meet every {turns} turns"),
+            None => String::new(),
         };
         vec![
             set(&self.name),
             self.of.each_ref().map(|of| set(of)).join(" and "),
             self.teeth.clone(),
-            format!(
-                "axes {} mm apart at {} deg",
-                coordinate(1e3 * self.distance, 6),
-                coordinate(self.working_angle, 5)
-            ),
-            format!("contact ratio {}{overlap}", coordinate(self.contact_ratio, 4)),
-            format!("the same teeth meet {turns}"),
+            self.axes.clone(),
+            format!("contact ratio {}{overlap}{locking}", coordinate(self.contact_ratio, 4)),
+            turns,
         ]
+    }
+}
+
+fn teeth(of: [&Toothing; 2]) -> String {
+    let counted = |toothing: &Toothing| match (toothing.form.rim, toothing.teeth) {
+        (Rim::Rack, _) => "a rack".to_string(),
+        (Rim::Worm, 1.0) => "1 thread".to_string(),
+        (Rim::Worm, threads) => format!("{threads} threads"),
+        (Rim::External | Rim::Internal | Rim::Bevel, teeth) => format!("{teeth} teeth"),
+    };
+    let mm = |toothing: &Toothing| coordinate(1e3 * toothing.module, 6);
+    let [first, second] = of;
+    match of.map(|toothing| toothing.form.rim) {
+        [Rim::Rack | Rim::Worm, _] => {
+            format!("{} of {} mm and {}", counted(first), mm(first), counted(second))
+        }
+        [_, Rim::Rack | Rim::Worm] => {
+            format!("{} and {} of {} mm", counted(first), counted(second), mm(second))
+        }
+        _ => format!("{} and {} of {} mm", first.teeth, counted(second), mm(first)),
+    }
+}
+
+fn axes([first, second]: [&Toothing; 2], pair: &Pair, mesh: &Mesh) -> String {
+    let apart = coordinate(1e3 * pair.distance(), 6);
+    let working = coordinate(mesh.working_angle.map_or(0.0, f64::to_degrees), 5);
+    match pair.meeting {
+        Meeting::Cylinders => format!("axes {apart} mm apart at {working} deg"),
+        Meeting::Rack => format!("axis {apart} mm from the line at {working} deg"),
+        Meeting::Cones(between) => {
+            let cones = [first, second].map(|toothing| coordinate(toothing.cone.to_degrees(), 5));
+            let between = coordinate(between.to_degrees(), 6);
+            format!("axes at {between} deg, cones of {} and {} deg, {apart} mm long", cones[0], cones[1])
+        }
+        Meeting::Worm => {
+            let screw = if pair.wheel == 0 { second } else { first };
+            format!(
+                "crossed axes {apart} mm apart, lead {} deg",
+                coordinate(screw.lead_angle().to_degrees(), 5)
+            )
+        }
     }
 }
 

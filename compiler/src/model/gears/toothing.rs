@@ -22,9 +22,9 @@ pub struct Toothing {
     pub form: &'static ToothingForm,
     /// Its centre, in its body.
     pub center: Place,
-    /// z, a whole number.
+    /// z, a whole number; of a worm its starts, of a rack none.
     pub teeth: f64,
-    /// m, of the normal section.
+    /// m, of the normal section, of a worm along its axis.
     pub module: f64,
     /// α, likewise.
     pub pressure_angle: f64,
@@ -37,6 +37,12 @@ pub struct Toothing {
     pub dedendum: f64,
     /// Angle of a tooth's middle in the axes of the body.
     pub first: f64,
+    /// δ, half the angle of the pitch cone of a bevel gear.
+    pub cone: f64,
+    /// d of a worm.
+    pub diameter: f64,
+    /// The direction of a rack's line, in the axes of its body, of length one.
+    pub along: [f64; 3],
     pub face_width: Option<f64>,
     /// Diameter of the hole in a wheel.
     pub bore: Option<f64>,
@@ -45,6 +51,21 @@ pub struct Toothing {
 impl Toothing {
     pub fn is_internal(&self) -> bool {
         self.form.rim == Rim::Internal
+    }
+
+    /// A wheel or ring, whose teeth stand around an axis at one distance.
+    pub fn is_cylindrical(&self) -> bool {
+        matches!(self.form.rim, Rim::External | Rim::Internal)
+    }
+
+    /// γ of a worm, tan γ = z m/d.
+    pub fn lead_angle(&self) -> f64 {
+        libm::atan2(self.teeth * self.module, self.diameter)
+    }
+
+    /// The spur gear that a bevel gear is like at the outer end of its teeth: z/cos δ teeth, which need not be a whole number (Tredgold).
+    pub fn virtual_spur(&self) -> Toothing {
+        Toothing { teeth: self.teeth / libm::cos(self.cone), ..self.clone() }
     }
 
     /// m_t.
@@ -77,6 +98,27 @@ impl Toothing {
         let depth = self.module * self.dedendum;
         let shift = self.module * self.shift;
         self.pitch_radius() + shift + if self.is_internal() { depth } else { -depth }
+    }
+
+    /// What is drawn of it, with names: nothing of a rack, whose line is drawn already.
+    pub fn circles(&self) -> Vec<(&'static str, f64)> {
+        let height = self.module * self.addendum;
+        match self.form.rim {
+            Rim::External | Rim::Internal => vec![
+                ("base circle", self.base_radius()),
+                ("pitch circle", self.pitch_radius()),
+                ("tip circle", self.tip_radius()),
+            ],
+            Rim::Rack => Vec::new(),
+            Rim::Bevel => {
+                let pitch = self.pitch_radius();
+                vec![("pitch circle", pitch), ("tip circle", pitch + height * libm::cos(self.cone))]
+            }
+            Rim::Worm => {
+                let pitch = 0.5 * self.diameter;
+                vec![("pitch circle", pitch), ("tip circle", pitch + height)]
+            }
+        }
     }
 
     /// The least number of teeth that is not undercut, 2 (h_a* − x) cos β/sin² α_t.
