@@ -4,11 +4,12 @@
 use crate::motion;
 use crate::start;
 use linkwright_compiler::beams::RK4;
+use linkwright_compiler::check::motion::Reflected;
 use linkwright_compiler::counts::Row;
 use linkwright_compiler::equations::conditions;
-use linkwright_compiler::model::gears::Told;
+use linkwright_compiler::model::gears::{self, Told};
 use linkwright_compiler::model::{
-    ConstraintKind, Coordinate, Coordinates, Frame, JointId, LoadId, Mechanism, Redundant, Table,
+    ConstraintKind, Coordinate, Coordinates, Frame, JointId, Load, LoadId, Mechanism, Redundant, Table,
 };
 use linkwright_compiler::schedule::{Function, count, live_values};
 use linkwright_compiler::syntax::Definition;
@@ -80,6 +81,8 @@ pub struct Explanation {
     pub couplings: Vec<[String; 2]>,
     /// Pairs of toothings that mesh.
     pub teeth: Vec<Told>,
+    /// Meshes whose stiffness follows from the shape of their teeth.
+    pub meshes: Vec<MeshOf>,
     pub loads: Vec<[String; 2]>,
     /// Name, and how long a touch takes with which mass.
     pub contacts: Vec<[String; 2]>,
@@ -93,6 +96,8 @@ pub struct Explanation {
     pub mobility: String,
     /// The range of motion, line by line.
     pub motion: Vec<String>,
+    /// What each joint feels at the start, of one degree of freedom.
+    pub reflected: Vec<Reflected>,
     /// Freedoms of the bodies less the rows of all joints and couplings.
     pub gruebler: i64,
     pub independent: Vec<String>,
@@ -113,6 +118,41 @@ pub struct Explanation {
     /// At the start, all inputs zero.
     pub outputs: Vec<Value>,
     pub functions: Vec<Row>,
+}
+
+/// The stiffness of a mesh by the shape of its teeth.
+#[derive(Clone, Debug)]
+pub struct MeshOf {
+    pub name: String,
+    /// Of the series.
+    pub mean: f64,
+    /// At so many places, evenly over a pitch from where a pair begins to touch, N/m: exact, by the series, and how many pairs touch.
+    pub places: Vec<(f64, f64, usize)>,
+    /// What the series leaves out, rms over the mean, and the largest step of the exact one.
+    pub left_out: f64,
+    pub step: f64,
+}
+
+const PLACES: u32 = 100;
+
+fn meshes(mechanism: &Mechanism) -> Vec<MeshOf> {
+    let told = |load: &Load| {
+        let teeth = load.teeth.as_ref()?;
+        let series = teeth.series.as_ref()?;
+        let exact = gears::meshes::exact(mechanism, &mechanism.pairs[teeth.pair], teeth.material?)?;
+        let place = |at: u32| {
+            let phase = f64::from(at) / f64::from(PLACES);
+            (exact.at(phase), series.at(phase), exact.pairs(phase))
+        };
+        Some(MeshOf {
+            name: load.name.text.clone(),
+            mean: series.mean,
+            places: (0..PLACES).map(place).collect(),
+            left_out: series.left_out,
+            step: series.step,
+        })
+    };
+    mechanism.loads.iter().filter_map(told).collect()
 }
 
 /// Gathers it.
@@ -148,6 +188,7 @@ pub fn explain(definition: &Definition, compiled: &Compiled) -> Explanation {
         joints: joints(compiled),
         couplings: couplings(mechanism),
         teeth: mechanism.pairs.iter().map(|pair| Told::of(mechanism, pair)).collect(),
+        meshes: meshes(mechanism),
         loads: loads(mechanism),
         contacts: contacts(compiled),
         tables: mechanism.tables.iter().map(table).collect(),
@@ -156,6 +197,7 @@ pub fn explain(definition: &Definition, compiled: &Compiled) -> Explanation {
         gruebler: assembly.mobility.counted() as i64,
         mobility: assembly.mobility.to_string(),
         motion: motion::motion(compiled),
+        reflected: compiled.reflected(),
         independent: assembly.independent.iter().map(name).collect(),
         coordinates,
         choice: choice.explanation(),

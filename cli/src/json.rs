@@ -1,9 +1,10 @@
 //! Results for machines: one object, versioned, described in `docs/command-line.md`.
 
 use crate::arguments::Command;
-use crate::explain::{Explanation, Mode, Value as Quantity};
+use crate::explain::{Explanation, MeshOf, Mode, Value as Quantity};
 use crate::input::Found;
 use linkwright_compiler::Repetition;
+use linkwright_compiler::check::motion::Reflected;
 use linkwright_compiler::counts::Row;
 use linkwright_compiler::diagnostics::Severity;
 use linkwright_compiler::model::gears::Told;
@@ -139,6 +140,12 @@ pub fn explanation(e: &Explanation) -> Value {
         let mode = |mode: &Mode| json!({ "name": mode.name, "hertz": mode.hertz, "step": mode.step });
         object["modes"] = e.modes.iter().map(mode).collect();
     }
+    if !e.meshes.is_empty() {
+        object["meshes"] = e.meshes.iter().map(mesh).collect();
+    }
+    if !e.reflected.is_empty() {
+        object["reflected"] = e.reflected.iter().map(reflected).collect();
+    }
     if !e.parts.is_empty() {
         object["parts"] = named(&e.parts);
     }
@@ -151,6 +158,24 @@ pub fn explanation(e: &Explanation) -> Value {
 fn repetition(of: &Repetition) -> Value {
     let Repetition { function, operations, statements, alike } = of;
     json!({ "function": function, "operations": operations, "statements": statements, "alike": alike })
+}
+
+fn reflected(of: &Reflected) -> Value {
+    let [inertia, load] = if of.angular { ["inertia_kg_m2", "torque_N_m"] } else { ["mass_kg", "force_N"] };
+    json!({ "name": of.of, inertia: of.inertia, load: of.load })
+}
+
+fn mesh(of: &MeshOf) -> Value {
+    let column = |of: Vec<f64>| Value::from(of);
+    json!({
+        "name": of.name,
+        "mean_N_m": of.mean,
+        "exact_N_m": column(of.places.iter().map(|(exact, ..)| *exact).collect()),
+        "series_N_m": column(of.places.iter().map(|(_, series, _)| *series).collect()),
+        "pairs": of.places.iter().map(|(.., pairs)| *pairs).collect::<Value>(),
+        "left_out": of.left_out,
+        "largest_step": of.step,
+    })
 }
 
 fn teeth(pair: &Told) -> Value {

@@ -1,7 +1,8 @@
 //! An explanation for people.
 
-use crate::explain::{Explanation, Joint, Value};
+use crate::explain::{Explanation, Joint, MeshOf, Value};
 use crate::start::Found;
+use linkwright_compiler::check::motion::Reflected;
 use linkwright_compiler::counts;
 use linkwright_compiler::numbers::coordinate;
 use std::fmt::Write;
@@ -39,10 +40,14 @@ pub fn explanation(e: &Explanation, place: &str) -> String {
     table(&mut text, "Joints", e.joints.iter().map(|joint| self::joint(e, joint)).collect());
     table(&mut text, "Couplings and drivers", e.couplings.iter().map(|one| one.to_vec()).collect());
     table(&mut text, "Teeth", e.teeth.iter().map(|pair| pair.cells(str::to_string)).collect());
+    let meshes = e.meshes.iter().map(mesh).collect();
+    table(&mut text, "Stiffness by the shape of teeth, N/m over a pitch", meshes);
     table(&mut text, "Loads", e.loads.iter().map(|one| one.to_vec()).collect());
     table(&mut text, "Contacts", e.contacts.iter().map(|one| one.to_vec()).collect());
     table(&mut text, "Tables", e.tables.iter().map(|one| one.to_vec()).collect());
     freedoms(&mut text, e);
+    let title = "Reflected to each joint at the start: inertia, and gravity and loads at rest";
+    table(&mut text, title, e.reflected.iter().map(reflected).collect());
     coordinates(&mut text, e);
     let start = |Found { value, given }: &Found| {
         vec![
@@ -78,6 +83,19 @@ fn freedoms(text: &mut String, e: &Explanation) {
         let _ = writeln!(text, "  independent: {}", e.independent.join(", "));
     }
     let _ = writeln!(text, "\nMotion\n  {}", e.motion.join("\n  "));
+}
+
+/// The exact stiffness at tenths of a pitch; all places are in the JSON.
+fn mesh(of: &MeshOf) -> Vec<String> {
+    let tenths = of.places.iter().step_by(of.places.len() / 10).map(|(exact, ..)| number(*exact));
+    let series = format!("series: mean {}, leaves out {} % rms", number(of.mean), number(100.0 * of.left_out));
+    [of.name.clone()].into_iter().chain(tenths).chain([series]).collect()
+}
+
+/// What a drive at a joint turns or moves, and against what.
+fn reflected(of: &Reflected) -> Vec<String> {
+    let [inertia, load] = if of.angular { ["kg*m^2", "N*m"] } else { ["kg", "N"] };
+    vec![of.of.clone(), format!("{} {inertia}", number(of.inertia)), format!("{} {load}", number(of.load))]
 }
 
 fn coordinates(text: &mut String, e: &Explanation) {

@@ -3,7 +3,7 @@
 use crate::check::Blow;
 use crate::check::assemble::Assembly;
 use crate::check::assemble::loose::{self, Loose};
-use crate::check::motion::{self, Linkage, Motion, Unswept};
+use crate::check::motion::{self, Linkage, Motion, Reflected, Unswept};
 use crate::choice::Choice;
 use crate::complete::Complete;
 use crate::diagnostics::Diagnostics;
@@ -126,6 +126,11 @@ impl Compiled {
     /// The same, and what designers of linkages ask of it.
     pub fn linkage(&self) -> Result<(Motion, Linkage), Unswept> {
         motion::of_linkage(&self.mechanism, &self.complete.equations, &self.assembly)
+    }
+
+    /// Inertia and loads as each joint feels them at the start, of mechanisms with one degree of freedom.
+    pub fn reflected(&self) -> Vec<Reflected> {
+        motion::reflected(&self.mechanism, &self.complete.equations, &self.assembly)
     }
 
     /// Angles of the dynamics count their turns themselves; the others are unwrapped from sample to sample, the first time from what

@@ -55,6 +55,7 @@ pub mod stewart_platform;
 pub mod toothed_gears;
 pub mod tracked_vehicle;
 pub mod tree_pendulum;
+pub mod yaw_drive;
 
 /// Calls a macro with every shipped model, `name: path::to::Type`, so that no test forgets one.
 ///
@@ -130,6 +131,11 @@ macro_rules! for_each_model {
             gear_pair_oscillator: $crate::gear_pair::GearPairOscillator,
             gear_pair: $crate::gear_pair::GearPair,
             compound_train: $crate::toothed_gears::CompoundTrain,
+            rack_and_pinion: $crate::toothed_gears::RackAndPinion,
+            bevel_pair: $crate::toothed_gears::BevelPair,
+            worm_drive: $crate::toothed_gears::WormDrive,
+            clutched_differential: $crate::toothed_gears::ClutchedDifferential,
+            yaw_drive: $crate::yaw_drive::YawDrive,
             motor_gear_load: $crate::motor_gear_load::MotorGearLoad,
             elastic_motor_gear_load: $crate::motor_gear_load::ElasticMotorGearLoad,
             knuckle_boom_loader: $crate::knuckle_boom_loader::KnuckleBoomLoader,

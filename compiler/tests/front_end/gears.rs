@@ -56,7 +56,7 @@ fn one_message_for_each_mistake() {
         (one("external(teeth = 20, module [kg] = 2)"), "expected m"),
         (one("spur(teeth = 20, module [mm] = 2)"), "no toothing called \"spur\"; did you mean `external`?"),
         (one("external(teeth = 20, module [mm] = 2, pressure_angle [rad] = 20)"), "and teeth have 5 to 45"),
-        (one("external(teeth = 20, module [mm] = 2, helix [deg] = 80)"), "the helix angle of `one.rim` is 80 degrees, and beyond 60 there is no wheel: write a worm by its ratio, `worm(a, b, ratio = …)`"),
+        (one("external(teeth = 20, module [mm] = 2, helix [deg] = 80)"), "the helix angle of `one.rim` is 80 degrees, and beyond 60 there is no wheel: write `worm(starts = 1, …)` for a screw"),
         (one("external(teeth = 20, module [mm] = 2, shift = 5)"), "the shift of `one.rim` is 5 modules, and teeth end within 2: write it in modules, `shift = 0.3`"),
         (one("external(teeth = 20, module [mm] = 2, addendum = 0)"), "the addendum of `one.rim` must be positive"),
         (one("external(teeth = 20, module [mm] = 2, face_width [mm] = -1)"), "the face width of `one.rim` must be positive"),
@@ -166,7 +166,7 @@ fn contact_ratios() {
     near(mesh.path[1], 4.148_638_33e-3, 1e-8);
     assert_eq!(mesh.path[0], 0.0);
     assert_eq!(mesh.clamped, [true, false]);
-    assert_eq!(Told::of(&mechanism, &mechanism.pairs[0]).hunting, 5.0);
+    assert_eq!(Told::of(&mechanism, &mechanism.pairs[0]).hunting, Some(5.0));
     let (_, mesh) = pair(&wheels(
         "external(teeth = 30, module [mm] = 1)",
         "internal(teeth = 72, module [mm] = 1)",
@@ -398,4 +398,232 @@ fn mistakes_between_teeth() {
     );
     says(&bare, "teeth are as stiff as they are wide, and neither `one.rim` nor `two.rim` says how wide");
     says(&mesh(", stiffness [N/m] = 1e8").replace("two.rim,", "one.rim,"), "stand on one shaft");
+}
+
+/// A pinion of 20 teeth of 2 mm above a rack.
+fn rack(pinion: &str, rack: &str, above: &str, axis: &str) -> String {
+    format!(
+        "planar Rack {{ disk pinion {{ mass [kg] = 1; radius [mm] = 20; toothing rim: {pinion}; }}
+         body bar {{ mass [kg] = 1; inertia [kg*m^2] = 0.01; point near [mm] = (-90, 0); point far [mm] = (90, 0);
+                     line pitch = (bar.near, bar.far); toothing teeth: {rack}; }}
+         joint axle: revolute(ground(0, {above}) [mm], pinion.center);
+         joint rail: prismatic(ground(0, 0) [mm], bar.center, axis = {axis});
+         gear drive: gear(pinion.rim, bar.teeth); }}"
+    )
+}
+
+/// Wheels in space: the first about x at `first`, the second about an axis at `second`.
+fn crossed(one: &str, first: &str, other: &str, second: &str, axis: &str) -> String {
+    format!(
+        "spatial Crossed {{ body one {{ mass [kg] = 1; inertia [kg*m^2] = (1e-4, 1e-4, 1e-4); toothing rim: {one}; }}
+         body two {{ mass [kg] = 1; inertia [kg*m^2] = (1e-4, 1e-4, 1e-4); toothing rim: {other}; }}
+         joint a: revolute(ground({first}) [mm], one.center, axis = (1, 0, 0));
+         joint b: revolute(ground({second}) [mm], two.center, axis = {axis});
+         gear drive: gear(one.rim, two.rim); }}"
+    )
+}
+
+const RACK: &str = "rack(module [mm] = 2, line = bar.pitch)";
+const SMALL: &str = "bevel(teeth = 20, module [mm] = 2, cone = atan2(20, 40))";
+const LARGE: &str = "bevel(teeth = 40, module [mm] = 2, cone = atan2(40, 20))";
+const WORM: &str = "worm(starts = 1, module [mm] = 2, diameter [mm] = 20)";
+const WHEEL: &str = "external(teeth = 40, module = 2*cos(atan2(2, 20))*1 [mm], helix = atan2(2, 20))";
+
+#[test]
+fn mistakes_of_racks_cones_and_worms() {
+    let plane = |pinion: &str, other: &str| rack(pinion, other, "20", "(1, 0)");
+    let cones = |one: &str, other: &str| crossed(one, "40, 0, 0", other, "0, 0, 20", "(0, 0, 1)");
+    let worm = |one: &str, other: &str| crossed(one, "0, 0, 0", other, "0, 50, 0", "(0, 0, 1)");
+    for (source, expected) in [
+        (
+            plane(PLAIN, "rack(module [mm] = 2)"),
+            "a `rack` needs the line that its teeth stand along: write `line pitch = (bar.start, bar.end);`",
+        ),
+        (plane(PLAIN, "rack(line = bar.pitch)"), "`rack` needs `module`: write `rack(module [mm] = 2, …)`"),
+        (plane(PLAIN, "rack(module [mm] = 2, line = bar.pitch, teeth = 5)"), "teeth"),
+        (plane(PLAIN, "rack(module [mm] = 2, line = bar.pitch, line = bar.pitch)"), "is given twice"),
+        (plane(PLAIN, "rack(module [mm] = 2, line = bar.pich)"), "pich"),
+        (
+            plane(PLAIN, RACK)
+                .replace("disk pinion", "line floor = (ground(0, 0) [m], ground(1, 0) [m]); disk pinion")
+                .replace("line = bar.pitch)", "line = floor)"),
+            "`floor` is a line of something else: write a line of `bar`; a rack that rests stands on a body that is `fixed`",
+        ),
+        (
+            plane(PLAIN, RACK).replace("axis = (1, 0)", "axis = (1, 1)"),
+            "`bar.teeth` stands at 45 degrees to the travel of `rail`",
+        ),
+        (
+            plane(PLAIN, RACK)
+                .replace("joint rail: prismatic(ground(0, 0) [mm], bar.center, axis = (1, 0));", ""),
+            "nothing guides `bar.teeth` along `pinion.rim`",
+        ),
+        (
+            rack(PLAIN, RACK, "21", "(1, 0)"),
+            "the axis of `pinion.rim` is 21 mm from the line of `bar.teeth`, and without play it is 20 mm: put it there, or write `shift = 0.5`",
+        ),
+        (
+            plane("external(teeth = 20, module [mm] = 3)", RACK),
+            "`pinion.rim` has a module of 3 mm and `bar.teeth` one of 2 mm",
+        ),
+        (
+            plane("external(teeth = 20, module [mm] = 2, helix [deg] = 10)", RACK),
+            "the helix angles of `pinion.rim` and `bar.teeth` are 10 and 0 degrees",
+        ),
+        (
+            plane("internal(teeth = 40, module [mm] = 2)", RACK),
+            "`pinion.rim` is `internal` and `bar.teeth` is `rack`, and these do not mesh: a rack meshes with an `external` wheel",
+        ),
+        (
+            plane(SMALL, LARGE),
+            "in the plane all are: declare the mechanism `spatial`, or write the ratio, `bevel(a, b, ratio = …)`",
+        ),
+        (
+            plane(PLAIN, RACK).replace(
+                "gear drive: gear(pinion.rim, bar.teeth)",
+                "mesh drive: mesh(pinion.rim, bar.teeth, stiffness [N/m] = 1e8)",
+            ),
+            "a mesh that gives is one of wheels and rings: of `pinion.rim` and `bar.teeth` write `gear(pinion.rim, bar.teeth)`",
+        ),
+        (
+            cones(PLAIN, SMALL),
+            "`one.rim` is `external` and `two.rim` is `bevel`, and these do not mesh: a bevel gear meshes with another",
+        ),
+        (
+            cones("bevel(teeth = 20, module [mm] = 2, cone [deg] = 90)", LARGE),
+            "half the angle of the cone of `one.rim` is 90 degrees, and bevel gears have 1 to 89",
+        ),
+        (
+            cones("bevel(teeth = 20, module [mm] = 2, cone [deg] = 45)", LARGE),
+            "they roll at 26.565 and 63.435: write `cone [deg] = 26.5650512` and `cone [deg] = 63.4349488`",
+        ),
+        (
+            cones("bevel(teeth = 20, module [mm] = 2, cone = atan2(20, 40), face_width [mm] = 50)", LARGE),
+            "the face of `one.rim` is 50 mm wide, and its cone is 44.7213595 mm long",
+        ),
+        (
+            cones("bevel(teeth = 20, module [mm] = 3, cone = atan2(20, 40))", LARGE),
+            "the centre of `one.rim` stands 40 mm from where the axes cross, and that of its pitch circle 60 mm",
+        ),
+        (
+            crossed(SMALL, "40, 0, 0", LARGE, "0, 5, 20", "(0, 0, 1)"),
+            "the axes of `one.rim` and `two.rim` pass each other 5 mm apart",
+        ),
+        (
+            crossed(SMALL, "0, 0, 0", LARGE, "0, 0, 20", "(0, 0, 1)"),
+            "the centres of bevel gears are those of their pitch circles: `one.rim` stands 40 mm",
+        ),
+        (
+            crossed(SMALL, "0, 0, 0", LARGE, "0, 60, 0", "(1, 0, 0)"),
+            "are parallel, and cones roll about axes that cross: write `external` toothings",
+        ),
+        (
+            crossed(SMALL, "40, 0, 0", LARGE, "-17, 0, 10", "(-1.7, 0, 1)"),
+            "one of the cones would be flat or hollow",
+        ),
+        (
+            worm(WORM, WHEEL).replace("helix = atan2(2, 20)", "helix [deg] = 5"),
+            "the lead angle of `one.rim` is 5.7106 degrees, starts times module over diameter being its tangent, and the helix of `two.rim` 5: write `helix [deg] = 5.71059314`, or its opposite",
+        ),
+        (
+            worm(WORM, "external(teeth = 40, module [mm] = 2, helix = atan2(2, 20))"),
+            "the second is the first times the cosine of the lead angle, 1.99007438 mm",
+        ),
+        (
+            worm("worm(starts = 20, module [mm] = 2, diameter [mm] = 20)", WHEEL),
+            "`one.rim` has 20 starts, and a worm has 1 to 12",
+        ),
+        (
+            worm("worm(starts = 1.5, module [mm] = 2, diameter [mm] = 20)", WHEEL),
+            "the starts of `one.rim` are counted, found 1.5",
+        ),
+        (
+            worm("worm(starts = 1, module [mm] = 2, diameter [mm] = 4)", WHEEL),
+            "`one.rim` is 4 mm thick, and its threads alone take 5 mm",
+        ),
+        (
+            worm("worm(starts = 1, module [mm] = 2)", WHEEL),
+            "`worm` needs `diameter`: write `worm(diameter [mm] = 40, …)`",
+        ),
+        (
+            crossed(WORM, "0, 0, 0", WHEEL, "0, 50, 0", "(1, 0, 1)"),
+            "are at 45 degrees, and a worm drives at right angles",
+        ),
+        (
+            crossed(WORM, "0, 0, 0", WHEEL, "0, 51, 0", "(0, 0, 1)"),
+            "the axis of `two.rim` is 51 mm from the axis of `one.rim`, and without play it is 50 mm: put them there",
+        ),
+        (
+            crossed(WORM, "0, 0, 0", WHEEL, "0, 50, 3", "(0, 0, 1)"),
+            "the axis of `one.rim` passes 3 mm beside the middle plane of `two.rim`",
+        ),
+        (worm(WORM, WORM), "a worm meshes with an `external` wheel whose helix is its lead angle"),
+        (
+            crossed(PLAIN, "0, 0, 0", PLAIN, "0, 40, 0", "(0, 0, 1)"),
+            "write `bevel(…)` toothings where they cross, `worm(…)` where they pass each other",
+        ),
+    ] {
+        says(&source, expected);
+    }
+}
+
+/// A rack may move or rest, be named first, stand on what is fixed to a slide, and pass above its pinion: the ratio is that of its travel.
+#[test]
+fn racks_wherever_they_stand() {
+    let ratio = |source: &str| {
+        let mechanism = good(source);
+        let pair = &mechanism.pairs[0];
+        let (travel, _) = pair.travels[0];
+        assert_eq!(pair.terms[0].0, 20.0);
+        travel / pair.terms[0].0
+    };
+    let plain = rack(PLAIN, RACK, "20", "(1, 0)");
+    near(ratio(&plain), -50.0, 1e-15);
+    near(ratio(&plain.replace("gear(pinion.rim, bar.teeth)", "gear(bar.teeth, pinion.rim)")), -50.0, 1e-15);
+    near(ratio(&rack(PLAIN, RACK, "20", "(-1, 0)")), 50.0, 1e-15);
+    near(ratio(&rack(PLAIN, RACK, "-20", "(1, 0)")), 50.0, 1e-15);
+    let shifted = "external(teeth = 20, module [mm] = 2, shift = 0.5)";
+    near(ratio(&rack(shifted, RACK, "21", "(1, 0)")), -50.0, 1e-15);
+    // The carriage carries the axle along a rack that rests.
+    let carried = plain
+        .replace("joint axle: revolute(ground(0, 20) [mm], pinion.center);", "body carriage { mass [kg] = 1; inertia [kg*m^2] = 0.01; point pin [mm] = (0, 20); } joint axle: revolute(carriage.pin, pinion.center);")
+        .replace("joint rail: prismatic(ground(0, 0) [mm], bar.center, axis = (1, 0));", "joint held: fixed(ground(0, 0) [mm], bar.center); joint rail: prismatic(ground(0, 0) [mm], carriage.center, axis = (1, 0));");
+    near(ratio(&carried), 50.0, 1e-15);
+    let on_slide = plain.replace(
+        "joint rail: prismatic(ground(0, 0) [mm], bar.center, axis = (1, 0));",
+        "body slide { mass [kg] = 1; inertia [kg*m^2] = 0.01; } joint rail: prismatic(slide.center, ground(0, 0) [mm], axis = (0, 1)); joint held: fixed(slide.center, bar.center, angle [deg] = -90);",
+    );
+    near(ratio(&on_slide.replace("ground(0, 20)", "ground(20, 0)")), -50.0, 1e-14);
+}
+
+/// Cones by Tredgold's spur gears, 20/cos δ₁ and 40/cos δ₂ teeth; a rack as r → ∞; 17 teeth on a wide cone are not undercut.
+#[test]
+fn contact_of_racks_and_cones() {
+    let (mechanism, mesh) = pair(&crossed(SMALL, "40, 0, 0", LARGE, "0, 0, 20", "(0, 0, 1)"));
+    let spur = |teeth: f64| {
+        let (pitch, alpha) = (teeth, 20.0_f64.to_radians());
+        ((pitch + 2.0).powi(2) - (pitch * alpha.cos()).powi(2)).sqrt() - pitch * alpha.sin()
+    };
+    let (small, large) = (20.0 * 1.25_f64.sqrt(), 40.0 * 5.0_f64.sqrt());
+    near(
+        mesh.contact_ratio,
+        (spur(small) + spur(large)) / (std::f64::consts::TAU * 20.0_f64.to_radians().cos()),
+        1e-12,
+    );
+    assert_eq!(Told::of(&mechanism, &mechanism.pairs[0]).hunting, Some(2.0));
+    let (mechanism, mesh) = pair(&rack(PLAIN, RACK, "20", "(1, 0)"));
+    let alpha = 20.0_f64.to_radians();
+    near(mesh.contact_ratio, (spur(20.0) + 2.0 / alpha.sin()) / (std::f64::consts::TAU * alpha.cos()), 1e-12);
+    assert_eq!(Told::of(&mechanism, &mechanism.pairs[0]).hunting, None);
+    let (mechanism, _) = pair(&crossed(WORM, "0, 0, 0", WHEEL, "0, 50, 0", "(0, 0, 1)"));
+    // tan γ cos α.
+    near(Told::of(&mechanism, &mechanism.pairs[0]).locking.expect("a worm"), 0.1 * alpha.cos(), 1e-12);
+    let miter = |teeth: &str, at: &str| {
+        let wheel = format!("bevel(teeth = {teeth}, module [mm] = 2, cone [deg] = 45)");
+        let source = crossed(&wheel, &format!("{at}, 0, 0"), &wheel, &format!("0, 0, {at}"), "(0, 0, 1)");
+        warnings(&source).iter().map(|warning| warning.message.clone()).collect::<Vec<_>>()
+    };
+    assert!(miter("13", "13").is_empty(), "{:?}", miter("13", "13"));
+    let found = miter("11", "11");
+    assert!(found[0].contains("with 11 teeth on its cone it is like a spur gear of 15.556"), "{found:?}");
 }

@@ -204,6 +204,8 @@ macro_rules! for_each_in_zoo {
             toothed: $crate::zoo_gears::Toothed,
             meshed: $crate::zoo_gears::Meshed,
             epicycle: $crate::zoo_gears::Epicycle,
+            racked: $crate::zoo_gears::Racked,
+            coned: $crate::zoo_gears::Coned,
             bent: $crate::zoo_beams::Bent,
             bent_frame: $crate::zoo_beams::Frame,
             winch: $crate::zoo_cables::Winch,

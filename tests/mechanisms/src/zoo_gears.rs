@@ -100,3 +100,73 @@ linkwright::mechanism! {
         output lost [W] = power(train) + power(shifted);
     }
 }
+
+linkwright::mechanism! {
+    /// A lever with a pinion on a rack that slides on it, turned and fixed to a slide, and a carriage whose pinion rolls below a rack at rest.
+    pub planar Racked {
+        input twist [N*m];
+        input push [N];
+        gravity [m/s^2] = (0, -9.81);
+        body lever { mass [kg] = 2; inertia [kg*m^2] = 0.02; center [mm] = (10, 5); point hub [mm] = (0, 0); point pin [mm] = (60, 23); point seat [mm] = (0, 2); }
+        body pinion { mass [kg] = 0.3; inertia [kg*m^2] = 1e-4; center [mm] = (1, 0); point eye [mm] = (0, 2);
+                      toothing rim: external(teeth = 20, module [mm] = 2, shift = 0.5, first [deg] = 4, at = pinion.eye); }
+        body slide { mass [kg] = 0.2; inertia [kg*m^2] = 1e-4; center [mm] = (3, 1); point pad [mm] = (0, 1); }
+        body bar { mass [kg] = 0.8; inertia [kg*m^2] = 1e-3; point near [mm] = (0, 0); point far = (0.1 [m]*cos(0.2 [rad]), -0.1 [m]*sin(0.2 [rad]));
+                   line pitch = (bar.near, bar.far); toothing teeth: rack(module [mm] = 2, line = bar.pitch); }
+        body carriage { mass [kg] = 1.5; inertia [kg*m^2] = 0.01; point pin [mm] = (5, -8); }
+        disk roller { mass [kg] = 0.4; radius [mm] = 27; toothing rim: external(teeth = 18, module [mm] = 3, first [rad] = -0.2); }
+        body rail { mass [kg] = 9; inertia [kg*m^2] = 1; point from [m] = (1, 0); point to [m] = (0, 0); line pitch = (rail.from, rail.to);
+                    toothing teeth: rack(module [mm] = 3, line = rail.pitch); }
+        joint main:  revolute(ground(0, 0) [mm], lever.hub);
+        joint bolt:  revolute(pinion.eye, lever.pin);
+        joint guide: prismatic(lever.seat, slide.pad, axis = (2, 0), angle [rad] = 0.3);
+        joint held:  fixed(slide.pad, bar.near, angle [rad] = -0.1);
+        joint floor: fixed(ground(-0.5, 0.4) [m], rail.to);
+        joint way:   prismatic(carriage.origin, ground(0 [m], 0.4 [m] + 8 [mm] - 27 [mm]), axis = (-1, 0));
+        joint axle:  revolute(carriage.pin, roller.center);
+        gear drive: gear(bar.teeth, pinion.rim);
+        gear roll:  gear(roller.rim, rail.teeth);
+        torque turn: torque(main) = twist;
+        force pull: force(way) = push;
+        start { main.angle [rad] = 0.4; main.rate [rad/s] = 0.3; guide.speed [m/s] = 0.05; axle.angle [rad] = 0.7; axle.rate [rad/s] = -2; }
+        options { emit = (penalty, projection, null_space, tangent); }
+        output pinion_rate [rad/s] = bolt.rate;
+    }
+}
+
+linkwright::mechanism! {
+    /// An arm that carries two cones whose axes cross at 70 degrees, one turned round, a left-hand worm that its wheel drives, and a pinion on a rack.
+    pub spatial Coned {
+        const AXES [deg] = 70;
+        const FIRST [rad] = atan2(sin(AXES), 31/18 + cos(AXES));
+        const SECOND [rad] = AXES - FIRST;
+        const NEAR [mm] = 18 [mm]/tan(FIRST);
+        const FAR [mm] = 31 [mm]/tan(SECOND);
+        const LEAD [rad] = atan2(4, 30);
+        input twist [N*m];
+        gravity [m/s^2] = (0, 0, -9.81);
+        body arm { mass [kg] = 1.2; inertia [kg*m^2] = (4e-3, 5e-3, 3e-3); point hub [mm] = (5, 0, 0); point near [m] = (NEAR, 0, 0); point far [m] = (FAR*cos(AXES), 0, FAR*sin(AXES));
+                   point wheel [mm] = (100, 10, 0); point screw [mm] = (155, 10, 7); point seat [mm] = (30, 17, -10); }
+        body one { mass [kg] = 0.4; inertia [kg*m^2] = (1e-4, 2e-4, 1.5e-4); toothing rim: bevel(teeth = 18, module [mm] = 2, cone = FIRST, first [deg] = 5);
+                   toothing spur: external(teeth = 20, module [mm] = 2, first [deg] = -2); }
+        body two { mass [kg] = 0.7; inertia [kg*m^2] = (4e-4, 3e-4, 5e-4); toothing rim: bevel(teeth = 31, module [mm] = 2, cone = SECOND); }
+        body wheel { mass [kg] = 0.6; inertia [kg*m^2] = (3e-4, 5e-4, 3e-4);
+                     toothing rim: external(teeth = 40, module = 2 [mm]*cos(LEAD), helix = -LEAD, first [deg] = 3); }
+        body screw { mass [kg] = 0.3; inertia [kg*m^2] = (5e-5, 5e-5, 2e-5); toothing thread: worm(starts = 2, module [mm] = 2, diameter [mm] = 30, first [rad] = 0.4); }
+        body bar { mass [kg] = 0.5; inertia [kg*m^2] = (1e-3, 1e-3, 1e-4); point low [mm] = (0, 3, -90); point high [mm] = (0, 3, 90); line pitch = (bar.low, bar.high);
+                   toothing teeth: rack(module [mm] = 2, line = bar.pitch); }
+        joint main:  revolute(ground(0, 0, 0) [m], arm.hub, axis = (0.3, -0.2, 1));
+        joint small: revolute(one.center, arm.near, axis = (-1, 0, 0));
+        joint large: revolute(arm.far, two.center, axis = (cos(AXES), 0, sin(AXES)));
+        joint hub:   revolute(arm.wheel, wheel.center, axis = (0, 1, 0));
+        joint bed:   revolute(arm.screw, screw.center, axis = (0, 0, -1));
+        joint guide: prismatic(bar.center, arm.seat, axis = (0, 0, 1));
+        gear cones: gear(one.rim, two.rim);
+        gear worm:  gear(wheel.rim, screw.thread);
+        gear drive: gear(bar.teeth, one.spur);
+        torque turn: torque(small) = twist;
+        start { main.angle [rad] = 0.4; main.rate [rad/s] = 0.6; small.rate [rad/s] = -0.8; hub.rate [rad/s] = 0.2; }
+        options { emit = (penalty, projection, null_space, tangent); }
+        output turned [rad/s] = large.rate;
+    }
+}

@@ -8,10 +8,12 @@ mod expected;
 mod linkage;
 mod messages;
 mod path;
+mod reflected;
 mod sweep;
 
 pub use expected::check;
 pub use linkage::{Linkage, TimeRatio, Transmission};
+pub use reflected::{Reflected, reflected};
 
 use super::assemble::{Assembly, Point, pins, rank};
 use crate::equations::{Condition, Equations};

@@ -14,6 +14,7 @@ const SAME: f64 = 1e-6;
 /// Σ, and what is coupled.
 pub fn couple(wheels: &Wheels) -> Result<(f64, Coupled), String> {
     let [first, second] = wheels.toothings;
+    wheels.in_space()?;
     let (carrier, centers) = wheels.held()?;
     let [(one, a), (other, b)] = wheels.axles(carrier)?;
     let normal = cross(a, b);

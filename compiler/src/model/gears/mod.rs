@@ -185,6 +185,17 @@ impl Wheels<'_> {
         self.toothings.map(|toothing| toothing.text.as_str())
     }
 
+    /// Axes that are not parallel are in space.
+    fn in_space(&self) -> Result<(), String> {
+        match self.mechanism.space {
+            Space::Spatial => Ok(()),
+            Space::Planar => {
+                let words = self.toothings.map(|toothing| toothing.form.call.word);
+                Err(messages::axes_out_of_the_plane(self.texts(), words))
+            }
+        }
+    }
+
     /// What holds both centres, and where these are in it.
     fn held(&self) -> Result<(Frame, [V3; 2]), String> {
         let [first, second] = self.toothings;
@@ -203,10 +214,6 @@ impl Wheels<'_> {
 
     /// The same where the axes are not parallel: both turn.
     fn axles(&self, carrier: Frame) -> Result<[(Vec<(f64, Rotor)>, V3); 2], String> {
-        if self.mechanism.space == Space::Planar {
-            let words = self.toothings.map(|toothing| toothing.form.call.word);
-            return Err(messages::axes_out_of_the_plane(self.texts(), words));
-        }
         let [one, other] = self.turning(carrier)?;
         match (one.axis, other.axis) {
             (Some(a), Some(b)) => Ok([(one.terms, a), (other.terms, b)]),

@@ -25,6 +25,7 @@ pub fn couple(wheels: &Wheels, worm: usize) -> Result<Coupled, String> {
     if (wheel.module - module).abs() > SAME * module {
         return Err(messages::worm_and_module(texts, [screw.module, wheel.module], module));
     }
+    wheels.in_space()?;
     let (carrier, centers) = wheels.held()?;
     let mut axles = wheels.axles(carrier)?;
     axles.rotate_left(worm);
