@@ -104,6 +104,7 @@ linkwright::mechanism! {
         input torque [N*m];
         /// Torque on the large wheel.
         input load [N*m];
+        gravity [m/s^2] = (0, 0, -9.81);
         body small { mass [kg] = 0.3; inertia [kg*m^2] = (6e-5, 3.5e-5, 3.5e-5);
                      toothing rim: bevel(teeth = SMALL, module = MODULE, cone = CONE, face_width [mm] = 12); }
         body large { mass [kg] = 0.9; inertia [kg*m^2] = (4e-4, 4e-4, 7.2e-4);
@@ -131,6 +132,7 @@ linkwright::mechanism! {
         input torque [N*m];
         /// Torque on the wheel.
         input load [N*m];
+        gravity [m/s^2] = (0, 0, -9.81);
         body screw { mass [kg] = 0.15; inertia [kg*m^2] = (8e-6, 5e-5, 5e-5);
                      toothing thread: worm(starts = STARTS, module = MODULE, diameter = DIAMETER); }
         body wheel { mass [kg] = 0.8; inertia [kg*m^2] = (3.4e-4, 3.4e-4, 6.4e-4);

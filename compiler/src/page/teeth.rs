@@ -43,7 +43,8 @@ pub fn pictures(page: &mut String, compiled: &Compiled) {
         let Some(exact) = meshes::exact(mechanism, &mechanism.pairs[teeth.pair], material) else { continue };
         let name = &load.name.text;
         let over = |value: &dyn Fn(f64) -> f64| -> Vec<[f64; 2]> {
-            let phases = (0..POSITIONS).map(|at| (at as f64 + 0.5) / POSITIONS as f64);
+            // To where the next pair begins to touch.
+            let phases = (0..=POSITIONS).map(|at| (at as f64 / POSITIONS as f64).min(1.0 - 1e-9));
             phases.map(|phase| [phase, value(phase)]).collect()
         };
         let plot = |what: &str, up: String, lines: Vec<Line>| Plot {

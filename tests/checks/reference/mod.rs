@@ -33,9 +33,11 @@ const RECORDED_OF_ZOO: [&str; 6] = ["crank", "jack", "oldham", "shafts", "snake"
 
 /// Models whose values are not recorded, so that all stay within a megabyte: one like it is, or its values are among the longest. Friction by
 /// reactions is not part of a recorded system.
-const NOT_RECORDED: [&str; 23] = [
+const NOT_RECORDED: [&str; 28] = [
+    "bevel_pair",
     "bouncing_ball",
     "bouncing_ball_of_hunt_and_crossley",
+    "clutched_differential",
     "delta_robot",
     "elastic_cable_robot",
     "falling_cross",
@@ -48,6 +50,7 @@ const NOT_RECORDED: [&str; 23] = [
     "n_four_bar_10",
     "n_four_bar_40",
     "planetary_stage",
+    "rack_and_pinion",
     "rod_on_pin",
     "rubbing_block",
     "rubbing_four_bar",
@@ -57,6 +60,8 @@ const NOT_RECORDED: [&str; 23] = [
     "stewart_platform",
     "stribeck_brake",
     "vertical_cylindrical_pendulum",
+    "worm_drive",
+    "yaw_drive",
 ];
 
 /// The models, and what is recorded of the zoo.

@@ -140,21 +140,21 @@ linkwright::mechanism! {
         const AXES [deg] = 70;
         const FIRST [rad] = atan2(sin(AXES), 31/18 + cos(AXES));
         const SECOND [rad] = AXES - FIRST;
-        const NEAR [mm] = 18 [mm]/tan(FIRST);
-        const FAR [mm] = 31 [mm]/tan(SECOND);
+        const NEAR [cm] = 18 [cm]/tan(FIRST);
+        const FAR [cm] = 31 [cm]/tan(SECOND);
         const LEAD [rad] = atan2(4, 30);
         input twist [N*m];
         gravity [m/s^2] = (0, 0, -9.81);
-        body arm { mass [kg] = 1.2; inertia [kg*m^2] = (4e-3, 5e-3, 3e-3); point hub [mm] = (5, 0, 0); point near [m] = (NEAR, 0, 0); point far [m] = (FAR*cos(AXES), 0, FAR*sin(AXES));
-                   point wheel [mm] = (100, 10, 0); point screw [mm] = (155, 10, 7); point seat [mm] = (30, 17, -10); }
-        body one { mass [kg] = 0.4; inertia [kg*m^2] = (1e-4, 2e-4, 1.5e-4); toothing rim: bevel(teeth = 18, module [mm] = 2, cone = FIRST, first [deg] = 5);
-                   toothing spur: external(teeth = 20, module [mm] = 2, first [deg] = -2); }
-        body two { mass [kg] = 0.7; inertia [kg*m^2] = (4e-4, 3e-4, 5e-4); toothing rim: bevel(teeth = 31, module [mm] = 2, cone = SECOND); }
+        body arm { mass [kg] = 1.2; inertia [kg*m^2] = (4e-3, 5e-3, 3e-3); point hub [cm] = (5, 0, 0); point near [m] = (NEAR, 0, 0); point far [m] = (FAR*cos(AXES), 0, FAR*sin(AXES));
+                   point wheel [cm] = (100, 10, 0); point screw [cm] = (155, 10, 7); point seat [cm] = (30, 17, -10); }
+        body one { mass [kg] = 0.4; inertia [kg*m^2] = (1e-4, 2e-4, 1.5e-4); toothing rim: bevel(teeth = 18, module [cm] = 2, cone = FIRST, first [deg] = 5);
+                   toothing spur: external(teeth = 20, module [cm] = 2, first [deg] = -2); }
+        body two { mass [kg] = 0.7; inertia [kg*m^2] = (4e-4, 3e-4, 5e-4); toothing rim: bevel(teeth = 31, module [cm] = 2, cone = SECOND); }
         body wheel { mass [kg] = 0.6; inertia [kg*m^2] = (3e-4, 5e-4, 3e-4);
-                     toothing rim: external(teeth = 40, module = 2 [mm]*cos(LEAD), helix = -LEAD, first [deg] = 3); }
-        body screw { mass [kg] = 0.3; inertia [kg*m^2] = (5e-5, 5e-5, 2e-5); toothing thread: worm(starts = 2, module [mm] = 2, diameter [mm] = 30, first [rad] = 0.4); }
-        body bar { mass [kg] = 0.5; inertia [kg*m^2] = (1e-3, 1e-3, 1e-4); point low [mm] = (0, 3, -90); point high [mm] = (0, 3, 90); line pitch = (bar.low, bar.high);
-                   toothing teeth: rack(module [mm] = 2, line = bar.pitch); }
+                     toothing rim: external(teeth = 40, module = 2 [cm]*cos(LEAD), helix = -LEAD, first [deg] = 3); }
+        body screw { mass [kg] = 0.3; inertia [kg*m^2] = (5e-5, 5e-5, 2e-5); toothing thread: worm(starts = 2, module [cm] = 2, diameter [cm] = 30, first [rad] = 0.4); }
+        body bar { mass [kg] = 0.5; inertia [kg*m^2] = (1e-3, 1e-3, 1e-4); point low [cm] = (0, 3, -90); point high [cm] = (0, 3, 90); line pitch = (bar.low, bar.high);
+                   toothing teeth: rack(module [cm] = 2, line = bar.pitch); }
         joint main:  revolute(ground(0, 0, 0) [m], arm.hub, axis = (0.3, -0.2, 1));
         joint small: revolute(one.center, arm.near, axis = (-1, 0, 0));
         joint large: revolute(arm.far, two.center, axis = (cos(AXES), 0, sin(AXES)));
