@@ -171,7 +171,7 @@ linkwright::mechanism! {
                     point left [m] = (-SIDE_AT, 0, 0); point right [m] = (SIDE_AT, 0, 0); point cross [m] = (0, SPIDER_AT, 0); }
         body left   { mass [kg] = 1; inertia [kg*m^2] = (0.01, 0.006, 0.006); toothing rim: bevel(teeth = SIDE, module = MODULE, cone = CONE); }
         body right  { mass [kg] = 1; inertia [kg*m^2] = (0.01, 0.006, 0.006); toothing rim: bevel(teeth = SIDE, module = MODULE, cone = CONE); }
-        body spider { mass [kg] = 0.3; inertia [kg*m^2] = (6e-5, 1e-4, 6e-5); #[allow(teeth)] toothing rim: bevel(teeth = SPIDER, module = MODULE, cone = 90 [deg] - CONE); }
+        body spider { mass [kg] = 0.6; inertia [kg*m^2] = (4e-4, 6e-4, 4e-4); #[allow(teeth)] toothing rim: bevel(teeth = SPIDER, module = MODULE, cone = 90 [deg] - CONE); }
         joint main:       revolute(ground(0, 0, 0) [m], case.center, axis = (1, 0, 0));
         joint left_axle:  revolute(case.left, left.center, axis = (1, 0, 0));
         joint right_axle: revolute(case.right, right.center, axis = (1, 0, 0));

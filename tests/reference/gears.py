@@ -332,7 +332,8 @@ def _orientation(model, body):
     for joint in model.joints.values():
         if joint.kind not in KEEPS_ORIENTATION:
             continue
-        angle = float(model.at_defaults(joint.angle)[0]) if joint.angle is not None else 0.0
+        written = getattr(joint, "angle", None)
+        angle = float(model.at_defaults(written)[0]) if written is not None else 0.0
         (a, of_a), (b, of_b) = of[joint.first.body], of[joint.second.body]
         turn = of_a + angle - of_b
         keep, lose, turn = (a, b, turn) if order.index(a) <= order.index(b) else (b, a, -turn)

@@ -190,8 +190,8 @@ fn torques_of_a_differential() {
     let (mut a, mut lambda) = (start.v, Default::default());
     model.acceleration(0.0, &start, &inputs, &mut a, &mut lambda);
     let motions = model.motions(0.0, &start.q, &start.v, &a);
-    let of_case = 0.02 + 2.0 * 0.01 + 0.3 * 0.036 * 0.036 + 6e-5;
-    let between = 2.0 * 0.01 + 1e-4 * 1.6 * 1.6;
+    let of_case = 0.02 + 2.0 * 0.01 + 0.6 * 0.036 * 0.036 + 4e-4;
+    let between = 2.0 * 0.01 + 6e-4 * 1.6 * 1.6;
     let clutch = 20.0 / (1.0_f64 + 0.01).sqrt();
     let case = (90.0 - 20.0 - 65.0) / of_case;
     let slip = (-20.0 + 65.0 - clutch) / between;
