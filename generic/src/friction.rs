@@ -83,7 +83,13 @@ impl Slip {
 
 impl Sliding {
     /// p and o of each component.
-    fn resisted(&self, v: &[f64], at: &Kinematics, inputs: &[f64], scratch: &mut Scratch) -> Vec<[f64; 2]> {
+    pub fn resisted(
+        &self,
+        v: &[f64],
+        at: &Kinematics,
+        inputs: &[f64],
+        scratch: &mut Scratch,
+    ) -> Vec<[f64; 2]> {
         let square: f64 = v.iter().map(|v| v * v).sum();
         match self {
             Sliding::Coulomb { coefficient, speed, own } => {

@@ -6,6 +6,7 @@ use crate::kinematics::Kinematics;
 use crate::load::Load;
 use crate::number::{Number, Slope, Taylor};
 use crate::quantity::{Jet, Pull, Quantity};
+use crate::rubbing::Sliding;
 use crate::vector::turned_back;
 use std::sync::Arc;
 
@@ -31,6 +32,8 @@ pub(crate) enum Rate {
     /// What a row exerts along its quantity, −λ.
     Effort(usize),
     Energy(Arc<Energies>, Energy),
+    /// How surfaces slide, m/s.
+    Sliding(Box<Sliding>),
 }
 
 /// What laws write while they are evaluated, kept from call to call.
@@ -74,6 +77,12 @@ impl Law {
                     let power = load.power(at, inputs, &mut inner);
                     scratch.inner = Some(inner);
                     power
+                }
+                Rate::Sliding(sliding) => {
+                    let mut inner = scratch.inner.take().unwrap_or_default();
+                    let rate = sliding.rate(at, &mut inner);
+                    scratch.inner = Some(inner);
+                    rate
                 }
                 Rate::Effort(row) => -at.multipliers[*row],
                 Rate::Energy(of, which) => of.of(*which, at),

@@ -92,6 +92,7 @@ mod number;
 mod quantity;
 mod reading;
 mod row;
+mod rubbing;
 mod slopes;
 mod solver;
 mod system;

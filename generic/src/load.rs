@@ -6,6 +6,7 @@ use crate::law::{Law, Scratch};
 use crate::mesh::Mesh;
 use crate::number::{Number, Taylor};
 use crate::quantity::{Pull, Quantity, nearest, of_point};
+use crate::rubbing::Rubbing;
 use crate::vector::{dot, norm, times};
 
 #[derive(Clone, Debug)]
@@ -38,6 +39,8 @@ pub(crate) enum Acts {
     Mesh(Box<Mesh>),
     /// Against the sliding in a joint, by what its multipliers press.
     Friction(Box<Friction>),
+    /// The same where a contact presses.
+    Rubbing(Box<Rubbing>),
 }
 
 /// One of the ways that a bushing is moved or turned, f = Σ factor · quantity.
@@ -142,6 +145,7 @@ impl Load {
             Acts::Cable(cable) => cable.evaluate(at, inputs, scratch, add),
             Acts::Mesh(mesh) => mesh.evaluate(at, inputs, scratch, add),
             Acts::Friction(friction) => friction.evaluate(at, inputs, scratch, add),
+            Acts::Rubbing(rubbing) => rubbing.evaluate(at, inputs, scratch, add),
         }
     }
 }
@@ -171,6 +175,7 @@ impl Load {
                 ways.iter().map(power).sum()
             }
             Acts::Friction(friction) => friction.power(at, inputs, scratch),
+            Acts::Rubbing(rubbing) => rubbing.power(at, inputs, scratch),
             Acts::Force { place, .. } | Acts::Directed { place, .. } if place.body.is_none() => {
                 let mut force = [0.0; 3];
                 self.evaluate(at, inputs, scratch, |pull| force = pull.linear);

@@ -35,11 +35,22 @@ enum Shape {
 }
 
 /// Where two surfaces may touch.
-struct Meeting {
-    gap: Expression,
-    point: Option<[Expression; 3]>,
+pub(super) struct Meeting {
+    pub gap: Expression,
+    pub point: Option<[Expression; 3]>,
     /// Of both curvatures.
     radius: Option<f64>,
+    pub between: Option<Between>,
+}
+
+/// What meets.
+pub(super) struct Between {
+    pub first: Place,
+    pub second: Place,
+    /// Of a first that is round.
+    pub radius: Option<f64>,
+    /// Whether the two are written the other way round.
+    pub reversed: bool,
 }
 
 impl<'t> Reader<'t> {
@@ -66,7 +77,7 @@ impl<'t> Reader<'t> {
         Ok(contacts.iter().find(|node| name(node, wanted) == Ok(wanted)))
     }
 
-    fn count(&self, node: &Value, own: &str) -> Read<usize> {
+    pub(super) fn count(&self, node: &Value, own: &str) -> Read<usize> {
         let mut count = 0;
         self.reading(own, May::Positions, |law| {
             count = law.meetings(node, own)?.len();
@@ -167,7 +178,7 @@ impl LawReader<'_, '_> {
         node: &Value,
         own: &str,
         what: &str,
-        of_point: bool,
+        part: Option<&str>,
     ) -> Read<Expression> {
         let meetings = self.meetings(node, own)?;
         let which = self.own.filter(|(name, _)| *name == own).map(|(_, which)| which);
@@ -187,16 +198,25 @@ impl LawReader<'_, '_> {
                 Ok(sum)
             }
             _ => {
-                let axis = ["x", "y", "z"].iter().position(|axis| *axis == what).filter(|_| of_point);
-                let axis = axis.ok_or_else(|| DefinitionError::unknown(own, what))?;
+                let axis = ["x", "y", "z"].iter().position(|axis| *axis == what).filter(|_| part.is_some());
+                let unknown = || DefinitionError::unknown(own, what);
+                let along: Vec<Expression> = if what == "sliding" || part == Some("sliding") {
+                    self.sliding(own, axis)?
+                } else {
+                    let axis = axis.ok_or_else(unknown)?;
+                    let place = |meeting: &Meeting| Some(meeting.point.as_ref()?[axis].clone());
+                    meetings.iter().map(|meeting| place(meeting).ok_or_else(unknown)).collect::<Read<_>>()?
+                };
                 let mut deepest: Option<(Expression, Expression)> = None;
-                for Meeting { gap, point, .. } in meetings {
-                    let place = point.ok_or_else(|| DefinitionError::unknown(own, what))?[axis].clone();
+                for (index, (Meeting { gap, .. }, along)) in meetings.into_iter().zip(along).enumerate() {
+                    if which.is_some_and(|own| own != index) {
+                        continue;
+                    }
                     deepest = Some(match deepest {
-                        None => (gap, place),
+                        None => (gap, along),
                         Some((least, at)) => {
                             let deeper = two(Operator::Less, gap.clone(), least.clone());
-                            let at = Expression::If(Box::new([deeper, place, at]));
+                            let at = Expression::If(Box::new([deeper, along, at]));
                             (two(Operator::Min, least, gap), at)
                         }
                     });
@@ -206,7 +226,7 @@ impl LawReader<'_, '_> {
         }
     }
 
-    fn force(&mut self, node: &Value, own: &str, which: usize) -> Read<Expression> {
+    pub(super) fn force(&mut self, node: &Value, own: &str, which: usize) -> Read<Expression> {
         let Meeting { gap, radius, .. } = self.meetings(node, own)?.swap_remove(which);
         let law = field(node, "law", own)?;
         let kind = text(law, "kind", own)?;
@@ -262,8 +282,8 @@ impl LawReader<'_, '_> {
         Ok(Expression::If(Box::new([touches, pushed, zero()])))
     }
 
-    fn meetings(&mut self, node: &Value, own: &str) -> Read<Vec<Meeting>> {
-        let of = |gap| vec![Meeting { gap, point: None, radius: None }];
+    pub(super) fn meetings(&mut self, node: &Value, own: &str) -> Read<Vec<Meeting>> {
+        let of = |gap| vec![Meeting { gap, point: None, radius: None, between: None }];
         match text(node, "kind", own)? {
             "gap" => Ok(of(self.expression(field(node, "expression", own)?)?)),
             "limit" => {
@@ -281,7 +301,12 @@ impl LawReader<'_, '_> {
                 if let Some(found) = self.pair(&one, &other) {
                     return Ok(found);
                 }
-                self.pair(&other, &one).ok_or_else(|| DefinitionError::kind(own, "pair of surfaces"))
+                let found = self.pair(&other, &one);
+                let mut found = found.ok_or_else(|| DefinitionError::kind(own, "pair of surfaces"))?;
+                for between in found.iter_mut().filter_map(|meeting| meeting.between.as_mut()) {
+                    between.reversed = true;
+                }
+                Ok(found)
             }
         }
     }
@@ -301,7 +326,12 @@ impl LawReader<'_, '_> {
                 let gap = plus_of(far.clone(), Expression::Number(-r - s));
                 let out = over_of(halfway(*s, &gap), far);
                 let at = self.from(q, &way, &out);
-                vec![Meeting { gap, point: Some(at), radius: Some(r * s / (r + s)) }]
+                vec![Meeting {
+                    gap,
+                    point: Some(at),
+                    radius: Some(r * s / (r + s)),
+                    between: round(p, q, *r),
+                }]
             }
             (Shape::Round(p, r), Shape::Hollow(q, s)) => {
                 let way = self.span(q, p);
@@ -309,7 +339,12 @@ impl LawReader<'_, '_> {
                 let gap = plus_of(Expression::Number(s - r), minus_of(far.clone()));
                 let out = over_of(plus_of(Expression::Number(*s), scaled(-0.5, gap.clone())), far);
                 let at = self.from(q, &way, &out);
-                vec![Meeting { gap, point: Some(at), radius: Some(r * s / (s - r)) }]
+                vec![Meeting {
+                    gap,
+                    point: Some(at),
+                    radius: Some(r * s / (s - r)),
+                    between: round(p, q, *r),
+                }]
             }
             (Shape::Round(p, r), Shape::Bar(ends, own)) => vec![self.bar(p, *r, ends, *own)],
             (Shape::Round(p, r), Shape::Polygon(corners)) => vec![self.polygon(p, *r, corners)],
@@ -331,7 +366,7 @@ impl LawReader<'_, '_> {
             let out = times_of(self.world(foot, normal, k), down.clone());
             plus_of(self.coordinate(p, k), minus_of(out))
         });
-        Meeting { gap, point: Some(at), radius: Some(r) }
+        Meeting { gap, point: Some(at), radius: Some(r), between: round(p, foot, r) }
     }
 
     fn bar(&mut self, p: &Place, r: f64, [from, to]: &[Place; 2], own: f64) -> Meeting {
@@ -351,7 +386,7 @@ impl LawReader<'_, '_> {
             let foot = plus_of(self.coordinate(from, k), times_of(share.clone(), whole[k].clone()));
             plus_of(foot, times_of(out.clone(), across[k].clone()))
         });
-        Meeting { gap, point: Some(at), radius: None }
+        Meeting { gap, point: Some(at), radius: None, between: round(p, from, r) }
     }
 
     fn polygon(&mut self, p: &Place, r: f64, corners: &[Place]) -> Meeting {
@@ -370,7 +405,7 @@ impl LawReader<'_, '_> {
         let (inside, outside) = (inside.unwrap_or_else(none), outside.unwrap_or_else(none));
         let beyond = two(Operator::Greater, inside.clone(), none());
         let gap = plus_of(Expression::If(Box::new([beyond, outside, inside])), Expression::Number(-r));
-        Meeting { gap, point: None, radius: None }
+        Meeting { gap, point: None, radius: None, between: round(p, &corners[0], r) }
     }
 
     /// In the axes of the cylinder's body.
@@ -407,7 +442,7 @@ impl LawReader<'_, '_> {
             };
             plus_of(whole, Expression::Number(-r))
         };
-        Meeting { gap, point: None, radius: None }
+        Meeting { gap, point: None, radius: None, between: round(p, place, r) }
     }
 
     fn rim(&mut self, p: &Place, axis: V3, r: f64, foot: &Place, normal: V3) -> Meeting {
@@ -422,7 +457,8 @@ impl LawReader<'_, '_> {
                 plus_of(scaled(r, over_of(across, sine.clone())), scaled(0.5, times_of(a, gap.clone())));
             plus_of(self.coordinate(p, k), minus_of(down))
         });
-        Meeting { gap, point: Some(at), radius: None }
+        let between = Between { first: p.clone(), second: foot.clone(), radius: None, reversed: false };
+        Meeting { gap, point: Some(at), radius: None, between: Some(between) }
     }
 
     /// World components of one place less another.
@@ -442,6 +478,11 @@ impl LawReader<'_, '_> {
     fn world(&mut self, place: &Place, direction: V3, axis: usize) -> Expression {
         self.leaf(Quantity::Dot { first: place.body, a: direction, second: None, b: unit_axis(axis) })
     }
+}
+
+/// What is round with what it touches.
+fn round(p: &Place, other: &Place, radius: f64) -> Option<Between> {
+    Some(Between { first: p.clone(), second: other.clone(), radius: Some(radius), reversed: false })
 }
 
 /// b v of a restitution (docs/contact-and-friction.md), by bisection of x − ln(1 + x) + e x + ln(1 − e x).

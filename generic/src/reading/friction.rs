@@ -43,24 +43,7 @@ impl Reader<'_> {
             "prismatic" | "point_on_line" => (Kind::Rail, vec![vec![(of("travel")?, 1.0)]], 1.0),
             kind => return Err(DefinitionError::kind(own, kind)),
         };
-        let law = |key: &str| match optional(node, key) {
-            Some(entry) => self.law(field(entry, "value", own)?, own, May::Motion),
-            None => Ok(Law::constant(0.0)),
-        };
-        let speed = number("speed")?;
-        let sliding = match text(node, "kind", own)? {
-            "coulomb" => {
-                let own = number("force")? + number("torque")?;
-                Sliding::Coulomb { coefficient: law("coefficient")?, speed, own }
-            }
-            _ => Sliding::Stribeck {
-                most: law("static")?,
-                least: law("kinetic")?,
-                transition: number("transition")?,
-                speed,
-                viscous: number("viscous")?,
-            },
-        };
+        let sliding = self.sliding(node, own)?;
         let column_of_axis = if self.spatial { 2 } else { 0 };
         let rows = rows.iter().enumerate().filter(|(_, row)| row.of == on);
         Ok(Friction {
@@ -76,6 +59,29 @@ impl Reader<'_> {
             preload: number("preload")?,
             smallest: self.smallest()?,
             law: sliding,
+        })
+    }
+
+    /// A law of friction.
+    pub(super) fn sliding(&self, node: &Value, own: &str) -> Read<Sliding> {
+        let number = |key: &str| Ok(self.entry_of(node, key, own)?.unwrap_or(0.0));
+        let law = |key: &str| match optional(node, key) {
+            Some(entry) => self.law(field(entry, "value", own)?, own, May::Motion),
+            None => Ok(Law::constant(0.0)),
+        };
+        let speed = number("speed")?;
+        Ok(match text(node, "kind", own)? {
+            "coulomb" => {
+                let own = number("force")? + number("torque")?;
+                Sliding::Coulomb { coefficient: law("coefficient")?, speed, own }
+            }
+            _ => Sliding::Stribeck {
+                most: law("static")?,
+                least: law("kinetic")?,
+                transition: number("transition")?,
+                speed,
+                viscous: number("viscous")?,
+            },
         })
     }
 

@@ -252,9 +252,12 @@ impl LawReader<'_, '_> {
     fn quantity(&mut self, name: &str) -> Read<Option<Expression>> {
         let reader = self.reader;
         let Some((owner, what)) = name.rsplit_once('.') else { return Ok(None) };
-        let (touching, of_point) = owner.strip_suffix(".point").map_or((owner, false), |it| (it, true));
+        let (touching, part) = match owner.rsplit_once('.') {
+            Some((touching, part @ ("point" | "sliding"))) => (touching, Some(part)),
+            _ => (owner, None),
+        };
         if let Some(contact) = reader.contact_named(touching)? {
-            return self.of_contact(contact, touching, what, of_point).map(Some);
+            return self.of_contact(contact, touching, what, part).map(Some);
         }
         if let ("effort", May::Results, Some(row)) = (what, self.may, reader.efforts.get(owner)) {
             self.law.rates.push(Rate::Effort(*row));

@@ -13,6 +13,7 @@ use crate::law::Law;
 use crate::load::{Acts, Cable, Load, Way};
 use crate::quantity::Quantity;
 use crate::row::Row;
+use crate::rubbing::Rubbing;
 use crate::vector::{V3, column};
 use serde_json::Value;
 
@@ -80,6 +81,10 @@ impl Reader<'_> {
                 }])
             }
             "mesh" => self.mesh(node, own)?,
+            kind if is_friction(kind) && self.contact_named(text(node, "on", own)?)?.is_some() => {
+                let spots = self.spots(text(node, "on", own)?)?;
+                Acts::Rubbing(Box::new(Rubbing { law: self.sliding(node, own)?, spots }))
+            }
             kind if is_friction(kind) => Acts::Friction(Box::new(self.friction(node, own, rows)?)),
             kind if is_hysteresis(kind) => self.hysteresis(node, own)?,
             kind => return Err(DefinitionError::kind(own, kind)),

@@ -14,6 +14,7 @@ mod laws;
 mod loads;
 mod meshes;
 mod places;
+mod rubbing;
 mod states;
 mod tables;
 mod values;

@@ -1,0 +1,182 @@
+//! Friction where surfaces touch: N p(v) + o(v) against each component of the sliding v, N being the force of the contact.
+//!
+//! The normal is what the gap pushes the first body by, so that it follows from the gap's derivatives. v is the velocity of the material of
+//! both bodies at the point where they touch, without its part along the normal.
+
+use crate::friction;
+use crate::kinematics::{Kinematics, Place};
+use crate::law::{Law, Scratch};
+use crate::quantity::Pull;
+use crate::vector::*;
+
+#[derive(Clone, Debug)]
+pub(crate) struct Rubbing {
+    pub law: friction::Sliding,
+    pub spots: Vec<Spot>,
+}
+
+/// Where two things may touch, and what presses them there.
+#[derive(Clone, Debug)]
+pub(crate) struct Spot {
+    pub meeting: Meets,
+    pub force: Law,
+}
+
+/// Where two things may touch, and how they slide there.
+#[derive(Clone, Debug)]
+pub(crate) struct Meets {
+    pub gap: Law,
+    pub slides: Slides,
+}
+
+/// How two things slide: along an axis of the world, or their only component.
+#[derive(Clone, Debug)]
+pub(crate) struct Sliding {
+    pub meets: Meets,
+    pub axis: Option<usize>,
+}
+
+#[derive(Clone, Debug)]
+pub(crate) enum Slides {
+    /// An expression of positions, m.
+    Along(Law),
+    Surfaces {
+        first: Place,
+        second: Place,
+        at: At,
+        /// Bodies that do not turn.
+        particles: [bool; 2],
+        /// Whether the two are written the other way round.
+        reversed: bool,
+    },
+}
+
+#[derive(Clone, Debug)]
+pub(crate) enum At {
+    World(Box<[Law; 3]>),
+    /// Under the first place by this radius and half of the gap.
+    Under(f64),
+}
+
+impl Rubbing {
+    pub fn evaluate(
+        &self,
+        at: &Kinematics,
+        inputs: &[f64],
+        scratch: &mut Scratch,
+        mut add: impl FnMut(Pull),
+    ) {
+        for spot in &self.spots {
+            spot.rub(&self.law, at, inputs, scratch, &mut add);
+        }
+    }
+
+    pub fn power(&self, at: &Kinematics, inputs: &[f64], scratch: &mut Scratch) -> f64 {
+        self.spots.iter().map(|spot| spot.rub(&self.law, at, inputs, scratch, &mut |_| ())).sum()
+    }
+}
+
+impl Spot {
+    /// Its power.
+    fn rub(
+        &self,
+        law: &friction::Sliding,
+        at: &Kinematics,
+        inputs: &[f64],
+        scratch: &mut Scratch,
+        add: &mut impl FnMut(Pull),
+    ) -> f64 {
+        if self.meeting.gap.value(at, &[], scratch) >= 0.0 {
+            return 0.0;
+        }
+        let pressed = self.force.value(at, inputs, scratch);
+        let (first, second) = match &self.meeting.slides {
+            Slides::Along(slip) => {
+                let rate = slip.course(at, scratch).rate;
+                let effort = -resisted(law, &[rate], pressed, at, inputs, scratch)[0];
+                slip.jet(at, scratch, |pull| add(pull.scaled(effort)));
+                return effort * rate;
+            }
+            Slides::Surfaces { first, second, .. } => (first.body, second.body),
+        };
+        let Shift { v, arms: [arm, other], .. } = self.meeting.shift(at, scratch);
+        let resisted = resisted(law, &v, pressed, at, inputs, scratch);
+        let force = [-resisted[0], -resisted[1], -resisted[2]];
+        add(Pull::on(first, force, cross(arm, force)));
+        let back = times(-1.0, force);
+        add(Pull::on(second, back, cross(other, back)));
+        dot(force, v)
+    }
+}
+
+/// How surfaces slide at one state.
+struct Shift {
+    /// Of the first against the second, without its part along the normal.
+    v: V3,
+    /// Of unit length, by which the gap pushes the first.
+    normal: V3,
+    /// From each body to where they touch.
+    arms: [V3; 2],
+}
+
+impl Meets {
+    fn shift(&self, at: &Kinematics, scratch: &mut Scratch) -> Shift {
+        let Slides::Surfaces { first, second, at: place, particles, .. } = &self.slides else {
+            return Shift { v: ZERO, normal: ZERO, arms: [ZERO; 2] };
+        };
+        let gap = self.gap.value(at, &[], scratch);
+        let mut normal = ZERO;
+        let (of, sign) = if first.body.is_some() { (first.body, 1.0) } else { (second.body, -1.0) };
+        self.gap.jet(at, scratch, |pull| {
+            if pull.body == of {
+                normal = plus(normal, times(sign, pull.linear));
+            }
+        });
+        let place = match place {
+            At::World(point) => [0, 1, 2].map(|k| point[k].value(at, &[], scratch)),
+            At::Under(radius) => minus(at.point(first).position, times(radius + 0.5 * gap, normal)),
+        };
+        // Of material that is there, and from where its body is pushed.
+        let material = |of: &Place, particle: bool| {
+            let frame = at.frame(of.body);
+            match of.body {
+                None => (at.point(of).velocity, ZERO),
+                Some(_) if particle => (frame.velocity, ZERO),
+                Some(_) => {
+                    let arm = minus(place, frame.position);
+                    (plus(frame.velocity, cross(frame.spin, arm)), arm)
+                }
+            }
+        };
+        let ((here, arm), (there, other)) = (material(first, particles[0]), material(second, particles[1]));
+        let v = minus(here, there);
+        Shift { v: minus(v, times(dot(normal, v), normal)), normal, arms: [arm, other] }
+    }
+}
+
+impl Sliding {
+    pub fn rate(&self, at: &Kinematics, scratch: &mut Scratch) -> f64 {
+        let reversed = match &self.meets.slides {
+            Slides::Along(slip) => return slip.course(at, scratch).rate,
+            Slides::Surfaces { reversed, .. } => *reversed,
+        };
+        let Shift { v, normal: n, .. } = self.meets.shift(at, scratch);
+        match self.axis {
+            Some(axis) if reversed => -v[axis],
+            Some(axis) => v[axis],
+            // Both turn with the order.
+            None => n[1] * v[0] - n[0] * v[1],
+        }
+    }
+}
+
+fn resisted(
+    law: &friction::Sliding,
+    v: &[f64],
+    pressed: f64,
+    at: &Kinematics,
+    inputs: &[f64],
+    scratch: &mut Scratch,
+) -> Vec<f64> {
+    law.resisted(v, at, inputs, scratch).into_iter().map(|[p, o]| pressed * p + o).collect()
+}
