@@ -11,6 +11,7 @@ import expressions
 from expressions import entry, evaluate
 
 TINY = 1e-24  # m²: below it a distance is none
+ROUND = ("point", "circle", "sphere")
 
 
 def all_loads(definition):
@@ -28,6 +29,7 @@ class Contacts:
         self.model = kinematics.model
         self.definition = self.model.definition
         self._touching = {}
+        self._of_bodies = {}
         self._forces = {}
         self.own = None  # (name, which): the law that is being read, and of which gap
 
@@ -36,7 +38,8 @@ class Contacts:
         if name not in self._touching:
             contact = find(self.definition, name)
             if contact["kind"] == "between":
-                self._touching[name] = self._between(contact["first"], contact["second"])[:2]
+                gaps, points, _ = self._between(contact["first"], contact["second"])
+                self._touching[name] = gaps, points or [point for point, _ in self.spots(name)]
             elif contact["kind"] == "gap":
                 self._touching[name] = [evaluate(contact["expression"], self.kinematics)], None
             else:
@@ -44,6 +47,44 @@ class Contacts:
                 low, high = (expressions.in_unit(contact[end], contact["unit"], self.model) for end in ("from", "to"))
                 self._touching[name] = [ca.if_else(x - low < high - x, x - low, high - x)], None
         return self._touching[name]
+
+    def spots(self, name):
+        """Where the surfaces of a contact touch: points, and normals to the side of the first of the pair."""
+        contact = find(self.definition, name)
+        one, other = self._ordered(contact["first"], contact["second"])
+        if one["kind"] not in ROUND:
+            normal = self._flat(other)[1]
+            return [(point, normal) for point in self._pair(one, other)[1]]
+        # The gap grows along the normal where the round surface moves, whatever the other is.
+        center, radius = ca.SX.sym("center", self.model.dimension), self._size(one, "radius", ca.SX(0))
+        gap = self._round(center, one, other)[0][0]
+        normal = ca.gradient(gap, center)
+        point = center - normal * (radius + gap / 2)
+        return [tuple(ca.substitute([point, normal], [center], [self._at(one)]))]
+
+    def sliding(self, name):
+        """Velocities of the first surface against the second where they touch, of the material there, and normals."""
+        contact = find(self.definition, name)
+        if contact["kind"] == "gap":
+            return [(self.kinematics.rate(entry(contact["slip"], self.kinematics)), None)]
+        one, other = self._ordered(contact["first"], contact["second"])
+        order = 1 if one is self._surface(contact["first"]) else -1
+        places = self._place(one), self._place(other)
+        found = []
+        for point, normal in self.spots(name):
+            here, there = (self._material(place, point) for place in places)
+            found.append((order * (here - there), normal))
+        return found
+
+    def _material(self, place, point):
+        """Of what is fixed to the body of a place and is just there."""
+        if place.body is not None and self.model.bodies[place.body].particle:
+            return self.kinematics.rate(self.kinematics.position(place))
+        axes = self._axes(place)
+        at = self.kinematics.position(place)
+        fixed = ca.SX.sym("fixed", self.model.dimension)
+        velocity = self.kinematics.rate(at + ca.mtimes(axes, fixed))
+        return ca.substitute(velocity, fixed, ca.mtimes(axes.T, point - at))
 
     def forces(self, name):
         if name not in self._forces:
@@ -72,7 +113,22 @@ class Contacts:
             return -self.kinematics.rate(least)
         if what == "force":
             return sum(self.forces(name), ca.SX(0))
-        axis = self.kinematics.axes.index(what.removeprefix("point."))
+        if what.partition(".")[0] == "sliding":
+            along = []
+            for velocity, normal in self.sliding(name):
+                if normal is None:
+                    along.append(velocity)
+                elif what == "sliding":
+                    along.append(normal[1] * velocity[0] - normal[0] * velocity[1])
+                else:
+                    along.append(velocity - normal * ca.dot(normal, velocity))
+            if self.own and self.own[0] == name:
+                along = [along[self.own[1]]]
+            axis, points = self.kinematics.axes.index(what[-1]) if "." in what else 0, along
+        else:
+            axis = self.kinematics.axes.index(what.removeprefix("point."))
+            if self.own and self.own[0] == name:
+                points = [points[self.own[1]]]
         least, point = gaps[0], points[0]
         for gap, other in zip(gaps[1:], points[1:]):
             point = ca.if_else(gap < least, other, point)
@@ -123,12 +179,18 @@ class Contacts:
             if surface["name"] == name:
                 return surface
         body, _, own = name.rpartition(".")
+        if name in self._of_bodies:
+            return self._of_bodies[name]
         written = next(node for node in self.definition["bodies"] if node["name"] == body)
         if own != "surface":
             raise ValueError(f"no surface `{name}`")
-        return {"kind": "circle", "places": [{"place": f"{body}.center"}], "radius": written["properties"]["radius"]}
+        surface = {"kind": "circle", "places": [{"place": f"{body}.center"}], "radius": written["properties"]["radius"]}
+        self._of_bodies[name] = surface
+        return surface
 
     def _place(self, surface, which=0):
+        if "line" in surface:
+            return self.model.line(surface["line"]).origin
         return self.model.place(surface["places"][which])
 
     def _at(self, surface, which=0):
@@ -137,6 +199,10 @@ class Contacts:
     def _turned(self, place, vector):
         axes = getattr(self.kinematics, "place_axes", None)
         return ca.mtimes(axes(place), vector) if axes else self.kinematics.pose(place.body).turn(vector)
+
+    def _axes(self, place):
+        """Of what is fixed to it, as columns."""
+        return ca.horzcat(*[self._turned(place, ca.DM.eye(self.model.dimension)[:, k]) for k in range(self.model.dimension)])
 
     def _size(self, surface, key, default=None):
         return entry(surface[key], self.model) if surface.get(key) else default
@@ -148,38 +214,18 @@ class Contacts:
 
     def _between(self, first, second):
         """Gaps, places, and the radius of both curvatures."""
-        found = self._pair(self._surface(first), self._surface(second))
-        found = found or self._pair(self._surface(second), self._surface(first))
-        if not found:
-            raise ValueError(f"no gap between `{first}` and `{second}`")
-        return found
+        return self._pair(*self._ordered(first, second))
+
+    def _ordered(self, first, second):
+        for one, other in ((first, second), (second, first)):
+            if self._pair(self._surface(one), self._surface(other)):
+                return self._surface(one), self._surface(other)
+        raise ValueError(f"no gap between `{first}` and `{second}`")
 
     def _pair(self, one, other):
         kind, against = one["kind"], other["kind"]
-        if kind in ("point", "circle", "sphere"):
-            center, radius = self._at(one), self._size(one, "radius", ca.SX(0))
-            if against in ("half_plane", "plane"):
-                foot, normal = self._flat(other)
-                gap = ca.dot(normal, center - foot) - radius
-                return [gap], [center - normal * (radius + gap / 2)], radius
-            if against in ("point", "circle", "sphere"):
-                return self._balls(center, radius, self._at(other), self._size(other, "radius", ca.SX(0)))
-            if against in ("hole", "ball_socket"):
-                middle, hole = self._at(other), self._size(other, "radius")
-                out = center - middle
-                gap = hole - radius - length(out)
-                point = middle + out / length(out) * (hole - gap / 2)
-                return [gap], [point], hole * radius / (hole - radius)
-            if against in ("segment", "capsule"):
-                ends, own = [self._at(other, 0), self._at(other, 1)], self._size(other, "radius", ca.SX(0))
-                foot = nearest(center, *ends)
-                out = center - foot
-                gap = length(out) - radius - own
-                return [gap], [foot + out / length(out) * (own + gap / 2)], None
-            if against == "polygon":
-                return [self._polygon(center, other) - radius], None, None
-            if against in ("cylinder", "bore"):
-                return [self._about(center, radius, other)], None, None
+        if kind in ROUND:
+            return self._round(self._at(one), one, other)
         if against in ("half_plane", "plane") and kind in ("segment", "capsule", "polygon"):
             foot, normal = self._flat(other)
             radius = self._size(one, "radius", ca.SX(0))
@@ -196,6 +242,32 @@ class Contacts:
             return [gap], [lowest - normal * gap / 2], None
         return None
 
+    def _round(self, center, one, other):
+        against, radius = other["kind"], self._size(one, "radius", ca.SX(0))
+        if against in ("half_plane", "plane"):
+            foot, normal = self._flat(other)
+            gap = ca.dot(normal, center - foot) - radius
+            return [gap], [center - normal * (radius + gap / 2)], radius
+        if against in ROUND:
+            return self._balls(center, radius, self._at(other), self._size(other, "radius", ca.SX(0)))
+        if against in ("hole", "ball_socket"):
+            middle, hole = self._at(other), self._size(other, "radius")
+            out = center - middle
+            gap = hole - radius - length(out)
+            point = middle + out / length(out) * (hole - gap / 2)
+            return [gap], [point], hole * radius / (hole - radius)
+        if against in ("segment", "capsule"):
+            own, (at, ends) = self._size(other, "radius", ca.SX(0)), self._within(center, other)
+            out = at - nearest(at, *ends)
+            gap = length(out) - radius - own
+            out = self._turned(self._place(other), out)
+            return [gap], [center - out / length(out) * (radius + gap / 2)], None
+        if against == "polygon":
+            return [self._polygon(center, other) - radius], None, None
+        if against in ("cylinder", "bore"):
+            return [self._about(center, radius, other)], None, None
+        return None
+
     def _flat(self, surface):
         """A place of it and the normal that points to what is free."""
         if surface["kind"] == "plane":
@@ -210,9 +282,19 @@ class Contacts:
         gap = length(out) - radius - own
         return [gap], [other + out / length(out) * (own + gap / 2)], radius * own / (radius + own)
 
+    def _within(self, center, surface):
+        """A place and those of a surface from the first of these, along the axes of its body: terms that turn cancel before they count."""
+        places = [self._place(surface, which) for which in range(len(surface["places"]))]
+        axes, first = self._axes(places[0]), self.kinematics.position(places[0])
+        if self.model.dimension == 2:
+            own = [place.local - places[0].local for place in places]
+        else:
+            own = [ca.mtimes(axes.T, self.kinematics.position(place) - first) for place in places]
+        return ca.mtimes(axes.T, center - first), own
+
     def _polygon(self, center, surface):
         """Inside the way to the nearest edge, outside the distance to the nearest point of any edge."""
-        corners = [self._at(surface, which) for which in range(len(surface["places"]))]
+        center, corners = self._within(center, surface)
         inside, outside = None, None
         for start, end in zip(corners, corners[1:] + corners[:1]):
             along = (end - start) / length(end - start)

@@ -263,7 +263,8 @@ class Energies:
             return Load(name, kinematics.rate(way), kinematics.explicit_rate(way), resisted, ca.SX(0))
         if kind in friction.KINDS:
             rates, acting = friction.efforts(load, kinematics)
-            return Load(name, rates, ca.SX.zeros(rates.numel()), acting, ca.SX.zeros(rates.numel()))
+            drift = ca.substitute(rates, kinematics.v, ca.SX.zeros(*kinematics.v.shape))
+            return Load(name, rates, drift, acting, ca.SX.zeros(rates.numel()))
         if kind == "cable":
             # What changes the cable's own length with time alone is no motion of the mechanism.
             run, own = cables.length(load, kinematics), cables.own_length(load, kinematics)

@@ -1,13 +1,15 @@
-"""Friction in joints, from the reaction that the joint has.
+"""Friction in joints, from the reaction that the joint has, and in contacts, from their own force.
 
 Where the surfaces slide with v (rad/s about a pin, else m/s) friction resists with N p(v) + o(v) along each component of v, N being the
 force that presses: sizes of parts of the reaction R, M on the second place's body, about the second place. N is given with each state; of
-consistent ones it is computed from their reactions, so that M v̇ + Dᵀ λ = Q holds with what these reactions make of friction.
+consistent ones it is computed from their reactions, so that M v̇ + Dᵀ λ = Q holds with what these reactions make of friction. In contacts
+it acts on the material of both bodies at the point where they touch, along what is left of its velocity beside the normal.
 """
 
 import casadi as ca
 import numpy as np
 
+import contacts
 from expressions import entry, evaluate
 
 KINDS = ("coulomb", "stribeck")
@@ -22,7 +24,8 @@ def value(load, key, kinematics):
 
 def rubbing(definition):
     """The loads whose friction follows from reactions."""
-    return [load for load in definition["loads"] if load["kind"] in KINDS and follows(load)]
+    loads = [load for load in definition["loads"] if load["kind"] in KINDS and follows(load)]
+    return [load for load in loads if not contacts.find(definition, load["on"])]
 
 
 def follows(load):
@@ -70,8 +73,22 @@ def resisted(load, kinematics, v):
     return [(mu * x / smooth, value(load, "viscous", kinematics) * x) for x in v]
 
 
+def in_contact(load, kinematics):
+    """Rates w and what acts along them at each place where surfaces touch."""
+    rates, acting, touching = [], [], kinematics.contacts
+    places = zip(touching.gaps(load["on"])[0], touching.forces(load["on"]), touching.sliding(load["on"]))
+    for gap, pressed, (velocity, normal) in places:
+        tangential = velocity if normal is None else velocity - normal * ca.dot(normal, velocity)
+        resisted_along = resisted(load, kinematics, ca.vertsplit(tangential))
+        rates.append(velocity)
+        acting += [-(pressed * p + ca.if_else(gap < 0, o, 0)) for p, o in resisted_along]
+    return ca.vertcat(*rates), ca.vertcat(*acting)
+
+
 def efforts(load, kinematics):
     """Rates w and what acts along them."""
+    if contacts.find(kinematics.model.definition, load["on"]):
+        return in_contact(load, kinematics)
     pressed = normal(load, kinematics.model)
     rates, acting = [], []
     for group, arm in slips(load, kinematics):

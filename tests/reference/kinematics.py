@@ -139,7 +139,8 @@ class Kinematics:
         if text in model.signals:
             return entry(model.signals[text], self)
         owner, _, quantity = text.rpartition(".")
-        for touching, what in ((owner, quantity), (owner.removesuffix(".point"), f"point.{quantity}")):
+        whole, _, part = owner.rpartition(".")
+        for touching, what in ((owner, quantity), (whole, f"{part}.{quantity}")):
             if contacts.find(model.definition, touching):
                 return self.contacts.quantity(touching, what)
         if owner in model.signals and owner not in model.joints and owner not in model.bodies:
