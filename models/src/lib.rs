@@ -43,6 +43,7 @@ pub mod planetary_stage;
 pub mod quick_return;
 pub mod rear_wheel;
 pub mod rod_on_pin;
+pub mod rolling;
 pub mod rubbing_block;
 pub mod rubbing_four_bar;
 pub mod sarrus_linkage;
@@ -154,6 +155,8 @@ macro_rules! for_each_model {
             rod_on_pin: $crate::rod_on_pin::RodOnPin,
             rubbing_four_bar: $crate::rubbing_four_bar::RubbingFourBar,
             rubbing_four_bars: $crate::rubbing_four_bar::RubbingFourBars,
+            sliding_disk: $crate::rolling::SlidingDisk,
+            sliding_ball: $crate::rolling::SlidingBall,
             rubbing_block: $crate::rubbing_block::RubbingBlock,
             stribeck_brake: $crate::rubbing_block::StribeckBrake,
         }

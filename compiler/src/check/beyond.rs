@@ -108,7 +108,8 @@ pub fn beyond_tables(
     for (asked, node) in asked.iter().zip(nodes) {
         let mut follows = false;
         asked.argument.quantities(&mut |quantity| {
-            follows |= !matches!(quantity, Quantity::Coordinate(_) | Quantity::Rate(_));
+            follows |=
+                !matches!(quantity, Quantity::Coordinate(_) | Quantity::Rate(_) | Quantity::Sliding { .. });
         });
         if !follows && !equations.takes_inputs(node) {
             asked.warn(mechanism, [point.get(node); 2], false, found);

@@ -372,12 +372,21 @@ pub(super) fn touched(mechanism: &Mechanism) -> Vec<bool> {
             }
         }
     }
+    for slip in mechanism.loads.iter().flat_map(|load| load.slips()) {
+        slip.quantities(&mut |quantity| {
+            if let Quantity::Coordinate(coordinate) = quantity {
+                coordinates.push(coordinate);
+            }
+        });
+    }
     for subject in mechanism.loads.iter().flat_map(|load| &load.on) {
         match subject {
             Subject::Place(place) => touch(&mut touched, place.frame),
             Subject::Rotor(rotor) => touch_rotor(&mut touched, *rotor),
             // The bodies of a joint have been touched by it.
             Subject::Travel(_) | Subject::Bearing(..) => {}
+            // Its contact touches them.
+            Subject::Touches(_) => {}
             Subject::Body(body) => touch(&mut touched, Frame::Body(*body)),
             Subject::Toothing(id) => touch(&mut touched, Frame::Body(id.body)),
             Subject::Expression(expr, _) => expr.quantities(&mut |quantity| {

@@ -207,7 +207,7 @@ fn nothing_moved(mechanism: &Mechanism, load: &Load, rigid: &Groups, parallel: &
         Subject::Rotor(Rotor::Joint(id, _)) => locked(mechanism, name, *id, parallel),
         Subject::Travel(id) | Subject::Bearing(id, _) => locked(mechanism, name, *id, rigid),
         // Its derivative says so, and the compiler leaves out what is zero.
-        Subject::Expression(..) => None,
+        Subject::Expression(..) | Subject::Touches(_) => None,
         Subject::Toothing(id) => {
             let still = parallel.same(Frame::Body(id.body), Frame::Ground);
             (load.on.len() < 2 && still).then(|| messages::torque_on_held(name, body(id.body)))

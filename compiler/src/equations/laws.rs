@@ -9,6 +9,7 @@ use crate::model::{
     ReactionPart, Rotor, Vector,
 };
 use crate::symbolic::{Compare, Node, On, Scalar, Sheet, Unary};
+use std::cell::RefCell;
 use std::f64::consts::TAU;
 
 /// What expressions may refer to.
@@ -21,7 +22,12 @@ pub struct Laws<'a> {
     pub layout: &'a Layout,
     kinematics: &'a Kinematics,
     totals: &'a Totals,
+    known: Option<&'a Known>,
 }
+
+/// Values of coordinates that have been found: for expressions that name the same ones over and over.
+#[derive(Default)]
+pub struct Known(RefCell<Vec<(Coordinate, Node)>>);
 
 /// Quantities of the whole mechanism that only outputs may name.
 #[derive(Clone, Debug, Default)]
@@ -58,7 +64,8 @@ static NO_TOTALS: Totals = Totals {
 impl<'a> Laws<'a> {
     /// For expressions of parameters and time.
     pub fn constant(g: Sheet<'a>, mechanism: &'a Mechanism, symbols: &'a Symbols) -> Self {
-        Laws { g, mechanism, symbols, layout: &NO_LAYOUT, kinematics: &NO_KINEMATICS, totals: &NO_TOTALS }
+        let (layout, kinematics, totals) = (&NO_LAYOUT, &NO_KINEMATICS, &NO_TOTALS);
+        Laws { g, mechanism, symbols, layout, kinematics, totals, known: None }
     }
 
     /// For expressions of the motion.
@@ -69,7 +76,7 @@ impl<'a> Laws<'a> {
         layout: &'a Layout,
         kinematics: &'a Kinematics,
     ) -> Self {
-        Laws { g, mechanism, symbols, layout, kinematics, totals: &NO_TOTALS }
+        Laws { g, mechanism, symbols, layout, kinematics, totals: &NO_TOTALS, known: None }
     }
 
     /// Of other kinematics with the same meaning.
@@ -78,6 +85,14 @@ impl<'a> Laws<'a> {
         'a: 'b,
     {
         Laws { kinematics, ..*self }
+    }
+
+    /// That find each coordinate once.
+    pub fn knowing<'b>(&self, known: &'b Known) -> Laws<'b>
+    where
+        'a: 'b,
+    {
+        Laws { known: Some(known), ..*self }
     }
 
     /// For outputs, which may also name energies, powers and drivers' efforts.
@@ -290,6 +305,17 @@ impl<'a> Laws<'a> {
         }
     }
 
+    /// The value of a coordinate.
+    fn measure(&self, coordinate: &Coordinate) -> Scalar<'a> {
+        let Some(Known(known)) = self.known else { return self.coordinate(coordinate).value() };
+        if let Some((_, value)) = known.borrow().iter().find(|(it, _)| it == coordinate) {
+            return self.g.on(*value);
+        }
+        let value = self.coordinate(coordinate).value();
+        known.borrow_mut().push((coordinate.clone(), value.bare));
+        value
+    }
+
     /// Δ·Δ.
     fn square(&self, a: &Place, b: &Place) -> Moving<'a> {
         let delta = self.kinematics().between(self, a, b);
@@ -301,7 +327,7 @@ impl<'a> Laws<'a> {
     fn quantity(&self, quantity: &Quantity) -> Scalar<'a> {
         let total = |total: Option<&Node>| total.map_or_else(|| self.g.zero(), |total| self.g.on(*total));
         match quantity {
-            Quantity::Coordinate(coordinate) => self.coordinate(coordinate).value(),
+            Quantity::Coordinate(coordinate) => self.measure(coordinate),
             Quantity::Rate(coordinate) => self.coordinate(coordinate).rate(),
             Quantity::Power(load) => total(self.totals.powers.get(load.0)),
             Quantity::DriverPower(driver) => total(self.totals.driver_powers.get(driver.0)),
@@ -311,6 +337,9 @@ impl<'a> Laws<'a> {
                 plane::loads::of_teeth(self, &self.mechanism.loads[load.0], *part)
             }
             Quantity::Pressing(load) => friction::pressed(self, &self.mechanism.loads[load.0]),
+            Quantity::Sliding { contact, which, axis } => {
+                friction::sliding(self, &self.mechanism.loads[contact.0], *which, *axis)
+            }
             Quantity::ConstraintEffort(constraint) => total(self.totals.constraint_efforts.get(constraint.0)),
             Quantity::Reaction(joint, part) => self.reaction(*joint, *part),
             Quantity::KineticEnergy => total(self.totals.kinetic.as_ref()),

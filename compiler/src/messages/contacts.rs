@@ -108,8 +108,22 @@ pub(crate) fn gap_that_stands() -> String {
 
 pub(crate) fn gap_at_no_place(name: &str) -> String {
     format!(
-        "`{name}` has no `point`: where a gap is an expression, or by a polygon, cylinder or bore, no place follows from it"
+        "`{name}` has no `point`: where a gap is an expression or the end of a range, no place follows from it"
     )
+}
+
+pub(crate) fn slides_nowhere(name: &str) -> String {
+    format!(
+        "`{name}` does not say what slides, so it has no `sliding`: write `gap(…, slip = …)`, how far surfaces have slid, an expression of positions"
+    )
+}
+
+pub(crate) fn slip_that_stands() -> String {
+    "this slip depends on no position, so that nothing ever slides".to_string()
+}
+
+pub(crate) fn slip_of_no_length() -> String {
+    "what slides goes with a gap that is a length: this one is none".to_string()
 }
 
 pub(crate) fn contact_of_itself(name: &str) -> String {
@@ -120,8 +134,8 @@ pub(crate) fn contact_of_itself(name: &str) -> String {
 
 pub(crate) fn quantities_of_contact(name: &str, space: Space) -> String {
     let axes = match space {
-        Space::Planar => "`.point.x` and `.point.y`",
-        Space::Spatial => "`.point.x`, `.point.y` and `.point.z`",
+        Space::Planar => "`.sliding`, `.point.x` and `.point.y`",
+        Space::Spatial => "`.sliding.x`, `.point.x` and so on to `.z`",
     };
     format!("a contact has `{name}.gap`, `.depth`, `.closing`, `.force`, {axes}, and `power({name})`")
 }

@@ -3,7 +3,7 @@
 use super::number;
 
 pub(crate) fn friction_without_joint() -> String {
-    "friction acts in a joint: write `friction name: on(joint) = coulomb(coefficient = 0.2, radius [m] = 0.01, speed [rad/s] = 0.05);`"
+    "friction acts in a joint or a contact: write `friction name: on(joint) = coulomb(coefficient = 0.2, radius [m] = 0.01, speed [rad/s] = 0.05);`"
         .to_string()
 }
 
@@ -62,6 +62,40 @@ pub(crate) fn friction_of_nothing(name: &str, turns: bool) -> String {
     let own = if turns { "torque [N*m]" } else { "force [N]" };
     format!(
         "the friction `{name}` resists with nothing: write `coefficient = …`, which the reaction of the joint is multiplied by, or `{own} = …`"
+    )
+}
+
+pub(crate) fn no_use_in_contact(argument: &str, name: &str) -> String {
+    let why = match argument {
+        "preload" | "force" | "torque" => {
+            "a contact that is open resists with nothing, and one that is closed by its own force"
+        }
+        _ => "the force of a contact acts where its surfaces touch",
+    };
+    format!("the {argument} has no use in `{name}`: {why}; leave `{argument}` out")
+}
+
+pub(crate) fn contact_rubs_by_nothing(name: &str) -> String {
+    format!(
+        "the friction `{name}` resists with nothing: write `coefficient = …`, which the force of the contact is multiplied by"
+    )
+}
+
+pub(crate) fn friction_without_slip(contact: &str, limits: bool) -> String {
+    if limits {
+        format!(
+            "nothing slides where `{contact}` ends a range: write the friction of its joint, or a contact `gap(…, slip = …)`"
+        )
+    } else {
+        format!(
+            "`{contact}` does not say what slides: write `gap(…, slip = …)`, how far surfaces have slid, an expression of positions"
+        )
+    }
+}
+
+pub(crate) fn friction_on_beam(contact: &str, place: &str) -> String {
+    format!(
+        "`{place}` is on a beam, along which no friction acts yet: leave out the friction of `{contact}`, or make the beam a rod"
     )
 }
 

@@ -1,7 +1,7 @@
 //! Joints, couplings and loads of a mechanism: each by its form and what it was given, whatever its kind.
 
 use super::gears::{Meshing, ToothingId};
-use super::{BodyId, Expr, Frame, JointId, Mechanism, Name, Place, Quantity, Vector};
+use super::{BodyId, Expr, Frame, JointId, LoadId, Mechanism, Name, Place, Quantity, Vector};
 use crate::forms::{Argument, CouplingForm, JointAxes, JointForm, LoadForm, Proportion, Spans};
 use crate::units::Dimension;
 use std::ops::Range;
@@ -136,6 +136,8 @@ pub struct Load {
     pub values: Vec<Vec<Expr>>,
     /// The law behind it: nothing, one value, or components along the axes of the world.
     pub law: Vec<Expr>,
+    /// Of a contact what slides at each of its gaps, where friction or an expression asks for it.
+    pub slides: Vec<Sliding>,
     /// Its internal states, among those of the mechanism.
     pub states: Range<usize>,
     /// Of a load between teeth: the pair, and what its stiffness is made of.
@@ -154,11 +156,32 @@ pub enum Subject {
     Travel(JointId),
     /// A joint whose surfaces slide on each other, and what the way measures that they slide.
     Bearing(JointId, Dimension),
+    /// A contact whose surfaces slide on each other.
+    Touches(LoadId),
     /// A body in space, about the axes of the world.
     Body(BodyId),
     /// An expression of positions, and what it measures.
     Expression(Expr, Dimension),
     Toothing(ToothingId),
+}
+
+/// What slides where a gap of a contact closes.
+#[derive(Clone, Debug)]
+pub enum Sliding {
+    /// An expression of positions, m.
+    Along(Expr),
+    Surfaces(Box<Spot>),
+}
+
+/// Where surfaces touch: the material of both slides on each other there.
+#[derive(Clone, Debug)]
+pub struct Spot {
+    /// Of the first surface and of the second.
+    pub places: [Place; 2],
+    /// In the world, halfway between the two surfaces, m.
+    pub point: Vec<Expr>,
+    /// In the world, of unit length: from the one surface to the other, whichever way.
+    pub normal: Vec<Expr>,
 }
 
 impl Load {
@@ -174,6 +197,7 @@ impl Load {
             Subject::Rotor(_)
             | Subject::Travel(_)
             | Subject::Bearing(..)
+            | Subject::Touches(_)
             | Subject::Body(_)
             | Subject::Expression(..)
             | Subject::Toothing(_) => None,
@@ -192,6 +216,7 @@ impl Load {
             Subject::Place(_)
             | Subject::Rotor(_)
             | Subject::Bearing(..)
+            | Subject::Touches(_)
             | Subject::Body(_)
             | Subject::Expression(..)
             | Subject::Toothing(_) => None,
@@ -204,8 +229,23 @@ impl Load {
         self.on.iter().find_map(|subject| match subject {
             Subject::Bearing(joint, _) => Some(*joint),
             Subject::Place(_)
+            | Subject::Touches(_)
             | Subject::Rotor(_)
             | Subject::Travel(_)
+            | Subject::Body(_)
+            | Subject::Toothing(_)
+            | Subject::Expression(..) => None,
+        })
+    }
+
+    /// The contact whose surfaces slide on each other, if it is the friction of one.
+    pub fn contact(&self) -> Option<LoadId> {
+        self.on.iter().find_map(|subject| match subject {
+            Subject::Touches(contact) => Some(*contact),
+            Subject::Place(_)
+            | Subject::Rotor(_)
+            | Subject::Travel(_)
+            | Subject::Bearing(..)
             | Subject::Body(_)
             | Subject::Toothing(_)
             | Subject::Expression(..) => None,
@@ -226,6 +266,7 @@ impl Load {
             Subject::Place(_)
             | Subject::Travel(_)
             | Subject::Bearing(..)
+            | Subject::Touches(_)
             | Subject::Body(_)
             | Subject::Expression(..)
             | Subject::Toothing(_) => None,
@@ -245,6 +286,7 @@ impl Load {
             | Subject::Rotor(_)
             | Subject::Travel(_)
             | Subject::Bearing(..)
+            | Subject::Touches(_)
             | Subject::Body(_)
             | Subject::Toothing(_) => None,
         })
@@ -258,7 +300,7 @@ impl Load {
             at.iter().for_each(|part| part.visit(&mut |part| timed |= *part == Expr::Time));
             timed
         };
-        self.along().for_each(|expr| {
+        self.along().chain(self.slips()).for_each(|expr| {
             expr.visit(&mut |part| match part {
                 Expr::Time => found = true,
                 // Places of the ground may move by themselves.
@@ -283,7 +325,15 @@ impl Load {
 
     /// All that it says in expressions.
     pub fn expressions(&self) -> impl Iterator<Item = &Expr> {
-        self.along().chain(self.values.iter().flatten()).chain(&self.law)
+        self.along().chain(self.values.iter().flatten()).chain(&self.law).chain(self.slips())
+    }
+
+    /// What slides in a contact that says so.
+    pub fn slips(&self) -> impl Iterator<Item = &Expr> {
+        self.slides.iter().filter_map(|sliding| match sliding {
+            Sliding::Along(slip) => Some(slip),
+            Sliding::Surfaces(_) => None,
+        })
     }
 
     /// Whether it stores energy: between teeth only where their stiffness is a number, they have no error, and nothing keeps them from pulling.

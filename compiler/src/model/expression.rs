@@ -155,6 +155,12 @@ pub enum Quantity {
     OfTeeth(LoadId, OfTeeth),
     /// N, the force that presses the surfaces of a friction together; in outputs and rates of states.
     Pressing(LoadId),
+    /// m/s, of the surfaces of a contact: along an axis of the world, or 0 where there is one. Of one of its gaps, else of the deepest.
+    Sliding {
+        contact: LoadId,
+        which: Option<usize>,
+        axis: usize,
+    },
     /// What an equation exerts along its left side, against its right one; in outputs and rates of states.
     ConstraintEffort(ConstraintId),
     /// What a joint exerts on the body of its second place; in outputs and rates of states.

@@ -1,4 +1,4 @@
-//! Friction: the joint it acts in, the arguments that this kind of joint takes, and which forces that press are found with the reactions.
+//! Friction: the joint or contact it acts in, the arguments that these take, and which forces that press are found with the reactions.
 
 use super::lower::Lowering;
 use super::names::Part;
@@ -10,12 +10,17 @@ use crate::syntax::{self, Label, Path, SubjectTerm};
 use crate::units::Dimension;
 
 impl<'d> Lowering<'d> {
-    /// A joint whose surfaces slide on each other.
+    /// A joint or contact whose surfaces slide on each other.
     pub(super) fn bearing(&mut self, label: &'d Label) -> Option<Subject> {
-        let Some(Part::Joint(index)) = self.names.part(&label.text) else {
-            let message = self.names.not_found("joint", &label.text, |part| matches!(part, Part::Joint(_)));
-            self.diagnostics.error(label.region, message);
-            return None;
+        let index = match self.names.part(&label.text) {
+            Some(Part::Joint(index)) => index,
+            Some(Part::Contact(index)) => return self.touching(index, label),
+            _ => {
+                let rubs = |part| matches!(part, Part::Joint(_) | Part::Contact(_));
+                let message = self.names.not_found("joint or contact", &label.text, rubs);
+                self.diagnostics.error(label.region, message);
+                return None;
+            }
         };
         let form = self.definition.joints[index].form;
         let kind = form.call.word;
@@ -39,14 +44,20 @@ impl<'d> Lowering<'d> {
             SubjectTerm::Name(label) => self.names.part(&label.text),
             SubjectTerm::Place(_) | SubjectTerm::Expression(_) => None,
         });
-        // What is wrong with its joint is said where it is declared.
-        let Some(Part::Joint(index)) = joint else { return None };
-        let bearing = self.definition.joints[index].form.bearing?;
-        let joint = JointId(index);
-        let names: &[&str] = match bearing {
-            Bearing::Pin => &["normal", "torque", "rate"],
-            Bearing::Rail | Bearing::Point => &["normal", "force", "sliding"],
-            Bearing::Cross | Bearing::Ball | Bearing::Sleeve => &["normal"],
+        let (joint, names): (_, &[&str]) = match joint {
+            Some(Part::Joint(index)) => {
+                let names: &[&str] = match self.definition.joints[index].form.bearing? {
+                    Bearing::Pin => &["normal", "torque", "rate"],
+                    Bearing::Rail | Bearing::Point => &["normal", "force", "sliding"],
+                    Bearing::Cross | Bearing::Ball | Bearing::Sleeve => &["normal"],
+                };
+                (JointId(index), names)
+            }
+            // The sliding is a quantity of the contact.
+            Some(Part::Contact(index)) if self.slides_in_space(index) => (JointId(0), &["normal"]),
+            Some(Part::Contact(_)) => (JointId(0), &["normal", "force"]),
+            // What is wrong with its joint is said where it is declared.
+            _ => return None,
         };
         let asked = path.parts[1].text.as_str();
         if path.parts.len() != 2 || !names.contains(&asked) {
@@ -69,7 +80,11 @@ impl<'d> Lowering<'d> {
         on: &[Subject],
         values: &mut [Vec<Expr>],
     ) -> Option<()> {
-        let [Subject::Bearing(joint, _)] = on else { return Some(()) };
+        let joint = match on {
+            [Subject::Bearing(joint, _)] => joint,
+            [Subject::Touches(_)] => return self.rubs_in_contact(load, values),
+            _ => return Some(()),
+        };
         let form = self.definition.joints[joint.0].form;
         let Some(bearing) = form.bearing else { return Some(()) };
         let (name, joint) = (&load.name.text, &self.definition.joints[joint.0].name.text);
@@ -126,12 +141,42 @@ impl<'d> Lowering<'d> {
     }
 }
 
+impl<'d> Lowering<'d> {
+    /// A contact presses by its law, and its friction needs nothing but coefficients and a speed.
+    fn rubs_in_contact(&mut self, load: &'d syntax::Load, values: &[Vec<Expr>]) -> Option<()> {
+        let (name, errors) = (&load.name.text, self.diagnostics.iter().count());
+        for argument in ["radius", "length", "shoulder", "preload", "force", "torque"] {
+            if let Some(label) = load.named.labels().find(|label| label.text == argument) {
+                self.diagnostics.error(label.region, messages::no_use_in_contact(argument, name));
+            }
+        }
+        let arguments = load.form.call.named.iter().zip(values);
+        let given = |name: &str| {
+            let (_, value) = arguments.clone().find(|(argument, _)| argument.name == name)?;
+            value.first().filter(|value| !matches!(value, Expr::Number(0.0)))
+        };
+        if self.diagnostics.iter().count() == errors
+            && ["coefficient", "static", "kinetic"].iter().all(|it| given(it).is_none())
+        {
+            self.diagnostics.error(load.name.region, messages::contact_rubs_by_nothing(name));
+        }
+        if let (Some(Expr::Number(most)), Some(Expr::Number(least))) = (given("static"), given("kinetic"))
+            && most < least
+            && let Some(label) = load.named.labels().find(|label| label.text == "static")
+        {
+            self.diagnostics.error(label.region, messages::static_below_kinetic(*most, *least));
+        }
+        (self.diagnostics.iter().count() == errors).then_some(())
+    }
+}
+
 /// Numbers the frictions whose forces follow from reactions.
 pub(super) fn number(loads: &mut [Load]) {
     let mut count = 0;
     for load in loads.iter_mut().filter(|load| load.form.rubs) {
         let zero = |name: &str| matches!(load.named(name), Expr::Number(0.0));
-        if ["coefficient", "static", "kinetic"].iter().all(|name| zero(name)) {
+        let by_contact = load.contact().is_some();
+        if by_contact || ["coefficient", "static", "kinetic"].iter().all(|name| zero(name)) {
             continue;
         }
         load.normal = Some(count);

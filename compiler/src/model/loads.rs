@@ -38,6 +38,7 @@ impl<'d> Lowering<'d> {
             states: 0..0,
             teeth,
             normal: None,
+            slides: Vec::new(),
         })
     }
 
@@ -291,6 +292,7 @@ impl<'d> Lowering<'d> {
 fn along(on: Option<&[Subject]>) -> Option<Dimension> {
     match on {
         Some([Subject::Expression(_, along) | Subject::Bearing(_, along)]) => Some(*along),
+        Some([Subject::Touches(_)]) => Some(Dimension::LENGTH),
         _ => None,
     }
 }

@@ -95,6 +95,7 @@ pub fn lower(definition: &Definition) -> Result<Mechanism, Diagnostics> {
     friction::number(&mut mechanism.loads);
     lowering.states_of_loads(&mut mechanism.loads, &mut mechanism.states);
     lowering.all_signals();
+    lowering.slides(&mut mechanism.loads);
     mechanism.tables = std::mem::take(&mut lowering.tables).into_iter().flatten().collect();
     mechanism.kinks = std::mem::take(&mut lowering.kinks);
     mechanism.unused = unused::unused(definition, &lowering.used);
@@ -333,6 +334,7 @@ impl<'d> Lowering<'d> {
             // Forms of couplings name coordinates only.
             Subject::Place(_)
             | Subject::Bearing(..)
+            | Subject::Touches(_)
             | Subject::Body(_)
             | Subject::Expression(..)
             | Subject::Toothing(_) => None,

@@ -39,7 +39,9 @@ pub use crate::forms::{Alone, JointAxes, JointForm, LoadForm, Space};
 use crate::scalar::Scalar;
 pub use crate::syntax::{Budgeted, OnDisk, identifier};
 pub use beams::Beam;
-pub use elements::{Constraint, ConstraintKind, Coupled, Coupling, Joint, Load, Rotor, Subject};
+pub use elements::{
+    Constraint, ConstraintKind, Coupled, Coupling, Joint, Load, Rotor, Sliding, Spot, Subject,
+};
 pub use expression::{
     Comparison, Condition, Coordinate, Expr, Function1, Function2, OfTeeth, Quantity, ReactionPart,
 };

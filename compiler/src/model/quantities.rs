@@ -46,7 +46,7 @@ impl<'d> Lowering<'d> {
         let found = self.find(path)?;
         let (permitted, kind) = match found.quantity {
             Quantity::Coordinate(_) => (usage.positions, "a position"),
-            Quantity::Rate(_) => (usage.velocities, "a velocity"),
+            Quantity::Rate(_) | Quantity::Sliding { .. } => (usage.velocities, "a velocity"),
             Quantity::Power(_)
             | Quantity::DriverPower(_)
             | Quantity::DriverEffort(_)

@@ -142,7 +142,7 @@ fn way(parts: &[Part], frame: Frame, along: Point) -> Point {
 /// What the ends of a load move with.
 fn frames(compiled: &Compiled, load: &Load) -> impl Iterator<Item = Frame> {
     load.on.iter().filter_map(|subject| match subject {
-        Subject::Expression(..) => None,
+        Subject::Expression(..) | Subject::Touches(_) => None,
         Subject::Place(place) => Some(place.frame),
         Subject::Rotor(Rotor::Joint(joint, _)) | Subject::Travel(joint) | Subject::Bearing(joint, _) => {
             Some(compiled.mechanism.joints[joint.0].second.frame)

@@ -189,6 +189,7 @@ pub fn loads(page: &mut String, compiled: &Compiled) {
             Subject::Place(place) => code(&place.text),
             Subject::Rotor(rotor) => code(rotor_name(mechanism, *rotor)),
             Subject::Travel(joint) | Subject::Bearing(joint, _) => code(joint_name(mechanism, *joint)),
+            Subject::Touches(contact) => code(&mechanism.loads[contact.0].name.text),
             Subject::Body(body) => code(&mechanism.bodies[body.0].name.text),
             Subject::Expression(..) => "an expression".to_string(),
             Subject::Toothing(id) => code(&mechanism.toothing(*id).text),

@@ -29,9 +29,9 @@ fn forces(machine: &Machine, inputs: &Inputs) -> Vec<Quantity> {
     machine.run(Function::FrictionForces, inputs)
 }
 
-/// The power of each friction by reactions, with reactions as they are, is not positive.
+/// The power of each friction, with reactions as they are, is not positive.
 pub fn check(machine: &Machine, report: &mut Report) {
-    if is_none(machine) {
+    if machine.compiled.mechanism.loads.iter().all(|load| !load.form.rubs) {
         return;
     }
     let powers = machine.run(Function::Powers, report.inputs);

@@ -68,7 +68,7 @@ impl Parser<'_> {
         Ok(())
     }
 
-    /// `name: between(surface, surface) = law;` or `name: gap(expression) = law;` after the word `contact`.
+    /// `name: between(surface, surface) = law;` or `name: gap(expression, slip = expression) = law;` after the word `contact`.
     pub fn contact(&mut self, c: &mut Cursor) -> Parsed<()> {
         let name = self.declared(c, "the name of the contact")?;
         let name = self.own(name);
@@ -84,7 +84,18 @@ impl Parser<'_> {
             self.punct(&mut inside, ',')?;
             ContactTerm::Between(first, self.path(&mut inside, "the name of another surface")?)
         } else {
-            ContactTerm::Gap(self.expression(&mut inside)?)
+            let gap = self.expression(&mut inside)?;
+            let mut slip = None;
+            if inside.eat_punct(',') && !inside.is_done() {
+                let label = self.word(&mut inside, "`slip = expression`")?;
+                if label.text != "slip" {
+                    return self
+                        .fail(label.region, messages::unknown_argument("gap", &label.text, &["slip"]));
+                }
+                let unit = self.unit(&mut inside)?;
+                slip = Some(self.entry(&mut inside, unit)?);
+            }
+            ContactTerm::Gap(gap, slip)
         };
         inside.eat_punct(',');
         self.end(&inside, "`)`")?;

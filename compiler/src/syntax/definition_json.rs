@@ -502,9 +502,12 @@ impl Writer {
                 self.key("first").string(&first.text);
                 self.key("second").string(&second.text);
             }
-            ContactTerm::Gap(gap) => {
+            ContactTerm::Gap(gap, slip) => {
                 self.key("kind").string("gap");
                 self.key("expression").term(gap);
+                if let Some(slip) = slip {
+                    self.key("slip").entry(slip);
+                }
             }
             ContactTerm::Limit(quantity, range) => {
                 self.key("kind").string("limit");

@@ -148,11 +148,21 @@ fn one_message_for_each_mistake() {
         ),
         (
             of("contact touch: gap(ball.center.y) = 1 [N]; output x [m] = touch.point.x;"),
-            "`touch` has no `point`: where a gap is an expression, or by a polygon, cylinder or bore, no place follows from it",
+            "`touch` has no `point`: where a gap is an expression or the end of a range, no place follows from it",
         ),
         (
             spatial("contact touch: between(ball.surface, floor) = 0 [N]; output x [m] = touch.point;"),
-            "a contact has `touch.gap`, `.depth`, `.closing`, `.force`, `.point.x`, `.point.y` and `.point.z`, and `power(touch)`",
+            "a contact has `touch.gap`, `.depth`, `.closing`, `.force`, `.sliding.x`, `.point.x` and so on to `.z`, and `power(touch)`",
+        ),
+        (
+            spatial("contact touch: between(ball.surface, floor) = 0 [N]; output v [m/s] = touch.sliding;"),
+            "a contact has `touch.gap`, `.depth`, `.closing`, `.force`, `.sliding.x`, `.point.x` and so on to `.z`, and `power(touch)`",
+        ),
+        (
+            spatial(
+                "contact touch: between(ball.surface, floor) = 0 [N]; friction grip: on(touch) = coulomb(coefficient = 0.3, speed [m/s] = 0.01); output f [N] = grip.force;",
+            ),
+            "`grip` has the quantities `grip.normal`, and its power is `power(grip)`",
         ),
         (
             law("hunt_crossley(force [N] = 1, depth [m] = 1, dissipation [s/m] = 0.5, speed [m/s] = 1)"),

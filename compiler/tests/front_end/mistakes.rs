@@ -575,7 +575,7 @@ const MISTAKES: &[(&str, &str)] = &[
     ),
     (
         "force f: friction(base);",
-        "friction acts in a joint: write `friction name: on(joint) = coulomb(coefficient = 0.2, radius [m] = 0.01, speed [rad/s] = 0.05);`",
+        "friction acts in a joint or a contact: write `friction name: on(joint) = coulomb(coefficient = 0.2, radius [m] = 0.01, speed [rad/s] = 0.05);`",
     ),
     ("start { base.angle [m] = 3; }", "`base.angle` is given a length: expected rad, found m"),
     (

@@ -18,6 +18,7 @@ mod meshes;
 mod parts;
 mod quick_return;
 mod robots;
+mod rolling;
 mod space;
 mod states;
 mod vehicles;

@@ -14,18 +14,12 @@
 //! that of the shoulder, l the length. A length or shoulder that is not given carries nothing. Moments of a rail or sleeve are carried by its
 //! ends, at l/2 to both sides of the second place.
 
+use super::{Slip, pressed};
 use crate::equations::jet::Moving;
 use crate::equations::laws::Laws;
 use crate::forms::Bearing;
 use crate::model::{Frame, Joint, JointId, Load, Rotor, Space};
 use crate::symbolic::Scalar;
-
-/// What slides as one: coordinates whose rates, each times its lever, are the components of v.
-pub struct Slip<'g> {
-    pub along: Vec<(Moving<'g>, Scalar<'g>)>,
-    /// What N acts by: the radius where v is an angular velocity, else 1.
-    pub radius: Scalar<'g>,
-}
 
 /// The components of each of the forces whose sizes together are N.
 pub type Pressing<'g> = Vec<Vec<Scalar<'g>>>;
@@ -37,21 +31,21 @@ fn joint_of<'l>(laws: &Laws<'l>, load: &Load) -> Option<(JointId, &'l Joint, Bea
 }
 
 /// What slides in the joint of a friction.
-pub fn slips<'g>(laws: &Laws<'g>, load: &Load) -> Vec<Slip<'g>> {
+pub(super) fn slips<'g>(laws: &Laws<'g>, load: &Load) -> Vec<Slip<'g>> {
     let Some((id, joint, bearing)) = joint_of(laws, load) else { return Vec::new() };
     let (one, radius) = (laws.g.one(), laws.value(load.named("radius")));
     let turn = |which| laws.kinematics().rotor_rate(laws, Rotor::Joint(id, which));
     let travel = || laws.kinematics().travel(laws, id, 0);
+    let pressed = pressed(laws, load);
+    let slip = |along, radius| Slip { along, radius, pressed, normal: Vec::new(), closed: None };
     match bearing {
-        Bearing::Pin => vec![Slip { along: vec![(turn(0), one)], radius }],
-        Bearing::Cross => [0, 1].map(|which| Slip { along: vec![(turn(which), one)], radius }).into(),
+        Bearing::Pin => vec![slip(vec![(turn(0), one)], radius)],
+        Bearing::Cross => [0, 1].map(|which| slip(vec![(turn(which), one)], radius)).into(),
         Bearing::Ball => {
-            vec![Slip { along: relative_turn(laws, joint).into_iter().map(|it| (it, one)).collect(), radius }]
+            vec![slip(relative_turn(laws, joint).into_iter().map(|it| (it, one)).collect(), radius)]
         }
-        Bearing::Rail | Bearing::Point => vec![Slip { along: vec![(travel(), one)], radius: one }],
-        Bearing::Sleeve => {
-            vec![Slip { along: vec![(turn(0), radius), (travel(), one)], radius: one }]
-        }
+        Bearing::Rail | Bearing::Point => vec![slip(vec![(travel(), one)], one)],
+        Bearing::Sleeve => vec![slip(vec![(turn(0), radius), (travel(), one)], one)],
     }
 }
 

@@ -1,25 +1,27 @@
-//! Friction in joints: what resists the sliding of two surfaces, by the force N that presses them together, which is the reaction
-//! that the joint has.
+//! Friction in joints and contacts: what resists the sliding of two surfaces, by the force N that presses them together, which is the
+//! reaction that the joint has, or what the contact exerts.
 //!
 //! ```text
 //! F = N p(v) + o(v)    against each component of the sliding v (N or N m; N in N)
 //! ```
 //! N is a symbol here, one for each friction that has one, and Q is affine in these symbols. What N is in v̇ and λ stands in
-//! `normal`, what it is for a state in `solve::friction`. One file for each law p, o; what slides, and what presses, is `bearing`.
+//! `normal`, what it is for a state in `solve::friction`. N of a contact is its law, which is a function of the state. One file for each law
+//! p, o; what slides, and what presses, is `bearing` in joints and `touching` in contacts.
 
 mod bearing;
 mod coulomb;
 mod magnitudes;
 mod normal;
 mod stribeck;
+mod touching;
 
 pub use normal::{Friction, closed, friction, symbols};
 
+use super::jet::Moving;
 use super::laws::Laws;
 use super::loads::{LoadKind, LoadTerms, along};
 use crate::model::Load;
-use crate::symbolic::Scalar;
-use bearing::Slip;
+use crate::symbolic::{Compare, Scalar};
 
 /// The laws of friction, which the plane and space have in common.
 pub static LAWS: &[&LoadKind] = &[&coulomb::LOAD, &stribeck::LOAD];
@@ -30,9 +32,8 @@ type Resistance = for<'g> fn(&Laws<'g>, &Load, &[Scalar<'g>]) -> Vec<[Scalar<'g>
 /// −(N a p + o) along each of the coordinates that slide, a being the radius of what turns; and where a length of surface
 /// turns and shifts, by the same law along both.
 fn terms<'g>(laws: &Laws<'g>, load: &Load, resistance: Resistance) -> LoadTerms<'g> {
-    let pressed = pressed(laws, load);
-    bearing::slips(laws, load).into_iter().fold(LoadTerms::none(laws), |sum, slip| {
-        let efforts = slip.efforts(laws, load, pressed, resistance);
+    slips(laws, load).into_iter().fold(LoadTerms::none(laws), |sum, slip| {
+        let efforts = slip.efforts(laws, load, resistance);
         slip.along
             .iter()
             .zip(efforts)
@@ -42,34 +43,75 @@ fn terms<'g>(laws: &Laws<'g>, load: &Load, resistance: Resistance) -> LoadTerms<
 
 /// What it exerts along the first coordinate that slides.
 fn effort<'g>(laws: &Laws<'g>, load: &Load, resistance: Resistance) -> Scalar<'g> {
-    let first = bearing::slips(laws, load).into_iter().next();
-    let efforts = first.map(|slip| slip.efforts(laws, load, pressed(laws, load), resistance));
-    efforts.and_then(|efforts| efforts.first().copied()).unwrap_or_else(|| laws.g.zero())
+    let mut slips = slips(laws, load);
+    if load.contact().is_none() {
+        slips.truncate(1);
+    }
+    // Each gap of a contact slides along one of its own.
+    laws.g.sum(slips.iter().filter_map(|slip| slip.efforts(laws, load, resistance).first().copied()))
 }
 
 /// N, the preload included.
 pub fn pressed<'g>(laws: &Laws<'g>, load: &Load) -> Scalar<'g> {
+    if let Some(contact) = load.contact() {
+        return laws.g.sum(laws.mechanism.loads[contact.0].law.iter().map(|force| laws.value(force)));
+    }
     let own = load.normal.and_then(|which| laws.symbols.normals.get(which));
     let own = own.map_or_else(|| laws.g.zero(), |own| laws.g.on(*own));
     own + laws.value(load.named("preload"))
 }
 
+/// What slides as one: coordinates whose rates, each times its lever, are the components of v.
+struct Slip<'g> {
+    along: Vec<(Moving<'g>, Scalar<'g>)>,
+    /// What N acts by: the radius where v is an angular velocity, else 1.
+    radius: Scalar<'g>,
+    /// N, N.
+    pressed: Scalar<'g>,
+    /// In the contacts of space the direction of which v has no part.
+    normal: Vec<Scalar<'g>>,
+    /// Of a contact, whether it is closed.
+    closed: Option<Scalar<'g>>,
+}
+
+fn slips<'g>(laws: &Laws<'g>, load: &Load) -> Vec<Slip<'g>> {
+    match load.contact() {
+        Some(contact) => touching::slips(laws, &laws.mechanism.loads[contact.0]),
+        None => bearing::slips(laws, load),
+    }
+}
+
+/// The sliding of a contact: of one of its gaps, else of the deepest; along an axis of the world, or 0 where there is one.
+pub fn sliding<'g>(laws: &Laws<'g>, contact: &Load, which: Option<usize>, axis: usize) -> Scalar<'g> {
+    let slips = contact.slides.iter().map(|sliding| touching::slip(laws, sliding).sliding());
+    let along = slips.map(|v| v.get(axis).copied().unwrap_or_else(|| laws.g.zero()));
+    let mut all = contact.along().map(|gap| laws.value(gap)).zip(along);
+    let found = match which {
+        Some(which) => all.nth(which),
+        None => all.reduce(|(gap, v), (other, own)| {
+            (gap.min(other), other.compare(Compare::Less, gap).select(own, v))
+        }),
+    };
+    found.map_or_else(|| laws.g.zero(), |(_, v)| v)
+}
+
 impl<'g> Slip<'g> {
     /// v.
     fn sliding(&self) -> Vec<Scalar<'g>> {
-        self.along.iter().map(|(coordinate, lever)| *lever * coordinate.rate()).collect()
+        let rates: Vec<Scalar> =
+            self.along.iter().map(|(coordinate, lever)| *lever * coordinate.rate()).collect();
+        let across = self.normal.iter().zip(&rates).map(|(n, rate)| *n * *rate).reduce(|a, b| a + b);
+        match across {
+            Some(across) => rates.iter().zip(&self.normal).map(|(rate, n)| *rate - across * *n).collect(),
+            None => rates,
+        }
     }
 
-    fn efforts(
-        &self,
-        laws: &Laws<'g>,
-        load: &Load,
-        pressed: Scalar<'g>,
-        resistance: Resistance,
-    ) -> Vec<Scalar<'g>> {
+    fn efforts(&self, laws: &Laws<'g>, load: &Load, resistance: Resistance) -> Vec<Scalar<'g>> {
         let resisted = resistance(laws, load, &self.sliding());
         let efforts = self.along.iter().zip(resisted);
-        efforts.map(|((_, lever), [p, o])| -(*lever * (pressed * (self.radius * p) + o))).collect()
+        let own = |o: Scalar<'g>| self.closed.map_or(o, |closed| closed.select(o, laws.g.zero()));
+        efforts.map(|((_, lever), [p, o])| -(*lever * (self.pressed * (self.radius * p) + own(o)))).collect()
     }
 }
 

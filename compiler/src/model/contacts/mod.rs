@@ -7,23 +7,30 @@
 mod laws;
 mod pairs;
 mod restitution;
+mod rubbing;
+mod spots;
 mod surfaces;
 
 use super::lower::{Lowering, Use, name};
 use super::names::Part;
 use super::values::Typed;
-use super::{Comparison, Condition, ContactTime, Expr, Function1, Function2, Load, LoadId, Subject, fold};
+use super::{
+    Comparison, Condition, ContactTime, Expr, Function1, Function2, Load, Quantity, Sliding, Subject, fold,
+};
 use crate::diagnostics::Region;
 use crate::messages;
 use crate::syntax::{self, ContactLawTerm, ContactTerm, Entry, Path, RangeTerm};
 use crate::units::Dimension;
 use pairs::Meeting;
+use rubbing::Slides;
 
 /// The contacts of a definition as far as they are known.
 pub(super) struct Contacts {
     found: Vec<Found<Geometry>>,
     forces: Vec<Found<Forces>>,
     surfaces: Vec<Found<surfaces::Surface>>,
+    /// What slides at each of its gaps, of one that was asked for it.
+    slides: Vec<Option<Vec<Sliding>>>,
     /// The one whose law is being read, and of which of its gaps.
     law_of: Option<(usize, usize)>,
 }
@@ -50,16 +57,18 @@ struct Geometry {
     /// Where two things may touch at several places, one for each.
     meetings: Vec<Meeting>,
     dimension: Dimension,
+    slides: Slides,
 }
 
 /// What an expression names of a contact.
-const QUANTITIES: [&str; 5] = ["gap", "depth", "closing", "force", "point"];
+const QUANTITIES: [&str; 6] = ["gap", "depth", "closing", "force", "point", "sliding"];
 
 impl Contacts {
     pub fn of(definition: &syntax::Definition) -> Self {
         let count = definition.contacts.len();
         let (found, forces) = (vec![Found::Unread; count], vec![Found::Unread; count]);
-        Contacts { found, forces, surfaces: vec![Found::Unread; definition.surfaces.len()], law_of: None }
+        let surfaces = vec![Found::Unread; definition.surfaces.len()];
+        Contacts { found, forces, surfaces, slides: vec![None; count], law_of: None }
     }
 }
 
@@ -73,7 +82,8 @@ impl<'d> Lowering<'d> {
         let on = geometry.meetings.into_iter().map(|it| Subject::Expression(it.gap, geometry.dimension));
         let values = elastic.into_iter().flatten().map(|value| vec![value]).collect();
         let (name, form) = (name(&contact.name), contact.form);
-        Some(Load { name, form, on: on.collect(), values, law, states: 0..0, teeth: None, normal: None })
+        let (on, slides) = (on.collect(), Vec::new());
+        Some(Load { name, form, on, values, law, states: 0..0, teeth: None, normal: None, slides })
     }
 
     /// Which contact a quantity is of.
@@ -84,21 +94,22 @@ impl<'d> Lowering<'d> {
         }
     }
 
-    /// `touch.gap`, `touch.depth`, `touch.closing`, `touch.force`, `touch.point.x`.
+    /// `touch.gap`, `touch.depth`, `touch.closing`, `touch.force`, `touch.point.x`, `touch.sliding`, in space `touch.sliding.x`.
     pub(super) fn quantity_of_contact(&mut self, index: usize, path: &Path, usage: Use) -> Option<Typed> {
         let parts: Vec<&str> = path.parts[1..].iter().map(|part| part.text.as_str()).collect();
         let (permitted, kind) = match parts[0] {
-            "closing" | "force" => (usage.velocities, "a velocity"),
+            "closing" | "force" | "sliding" => (usage.velocities, "a velocity"),
             _ => (usage.positions, "a position"),
         };
         let own = self.contacts.law_of.filter(|(of, _)| *of == index).map(|(_, which)| which);
         let typed = |expr, dimension| Some(Typed { expr, dimension, zero: false, region: path.region });
         let axis = match parts[..] {
-            ["point", component] => ["x", "y", "z"].iter().position(|axis| *axis == component),
+            ["point" | "sliding", component] => ["x", "y", "z"].iter().position(|axis| *axis == component),
             _ => None,
         };
-        let known = parts.len() == 1 && parts[0] != "point" && QUANTITIES.contains(&parts[0]);
-        if !known && axis.is_none_or(|axis| axis >= self.definition.space.dimensions()) {
+        let parted = |what: &str| what == "point" || what == "sliding" && self.slides_in_space(index);
+        let known = QUANTITIES.contains(&parts[0]) && (parts.len() == 2) == parted(parts[0]);
+        if !known || parts.len() == 2 && axis.is_none_or(|axis| axis >= self.definition.space.dimensions()) {
             let message = messages::quantities_of_contact(&path.parts[0].text, self.definition.space);
             self.diagnostics.error(path.region, message);
             return None;
@@ -120,20 +131,30 @@ impl<'d> Lowering<'d> {
                 let forces = self.forces(index)?;
                 typed(forces.along.into_iter().reduce(sum)?, Dimension::TORQUE.over(way))
             }
+            ("sliding", axis) => {
+                if self.sliding(index).is_none() {
+                    self.diagnostics.error(path.region, messages::slides_nowhere(&path.parts[0].text));
+                    return None;
+                }
+                let (contact, axis) = (self.load_of_contact(index), axis.unwrap_or(0));
+                typed(Expr::Quantity(Quantity::Sliding { contact, which: own, axis }), Dimension::SPEED)
+            }
             (_, Some(axis)) => {
-                // Where several touch, the deepest says where.
-                let place = |meeting: &Meeting| Some(meeting.point.as_ref()?[axis].clone());
-                let Some(mut point) = place(&meetings[0]) else {
+                let point = |sliding: &Sliding| match sliding {
+                    Sliding::Surfaces(spot) => Some(spot.point[axis].clone()),
+                    Sliding::Along(_) => None,
+                };
+                let points =
+                    self.sliding(index).and_then(|all| all.iter().map(point).collect::<Option<Vec<_>>>());
+                let Some(points) = points else {
                     self.diagnostics.error(path.region, messages::gap_at_no_place(&path.parts[0].text));
                     return None;
                 };
-                let mut gap = meetings[0].gap.clone();
-                for meeting in &meetings[1..] {
-                    let deeper = Condition::Compare(Comparison::Less, meeting.gap.clone(), gap.clone());
-                    point = Expr::If(Box::new(deeper), Box::new(place(meeting)?), Box::new(point));
-                    gap = least(gap, meeting.gap.clone());
-                }
-                typed(point, Dimension::LENGTH)
+                let points = match own {
+                    Some(which) => vec![points[which].clone()],
+                    None => points,
+                };
+                typed(of_deepest(&meetings, points)?, Dimension::LENGTH)
             }
             _ => None,
         }
@@ -154,10 +175,11 @@ impl<'d> Lowering<'d> {
         self.contacts.found[index] = Found::Open;
         let geometry = match &contact.on {
             ContactTerm::Between(first, second) => self.between(first, second),
-            ContactTerm::Gap(gap) => self.value(gap, Use::ALONG).and_then(|typed| {
+            ContactTerm::Gap(gap, slip) => self.value(gap, Use::ALONG).and_then(|typed| {
                 let dimension = typed.dimension;
                 self.moving(&typed.expr, gap.region)?;
-                Some(Geometry { meetings: vec![Meeting::of(typed.expr)], dimension })
+                let slides = self.slip(slip.as_ref(), dimension)?;
+                Some(Geometry { meetings: vec![Meeting::of(typed.expr)], dimension, slides })
             }),
             ContactTerm::Limit(quantity, range) => self.limited(quantity, range),
         };
@@ -183,9 +205,9 @@ impl<'d> Lowering<'d> {
                 .error(range.from.region.to(range.to.region), messages::limit_without_room(from, to));
             return None;
         }
-        let x = Expr::Quantity(super::Quantity::Coordinate(coordinate));
+        let x = Expr::Quantity(Quantity::Coordinate(coordinate));
         let gap = least(difference(x.clone(), from), difference(to, x));
-        Some(Geometry { meetings: vec![Meeting::of(gap)], dimension })
+        Some(Geometry { meetings: vec![Meeting::of(gap)], dimension, slides: Slides::Nowhere })
     }
 
     /// `contact_time(touch) >= 1e-3 [s]`
@@ -197,7 +219,7 @@ impl<'d> Lowering<'d> {
             return None;
         };
         let least = self.number(&Entry::bare(time.clone()), Dimension::TIME, "contact_time")?;
-        let load = LoadId(self.definition.loads.len() + index);
+        let load = self.load_of_contact(index);
         Some(ContactTime { load, least, span: path.region.to(time.region) })
     }
 
@@ -251,6 +273,18 @@ impl<'d> Lowering<'d> {
         self.contacts.forces[index] = forces.clone().map_or(Found::Wrong, Found::Known);
         forces
     }
+}
+
+/// Where several touch, the deepest says.
+fn of_deepest(meetings: &[Meeting], values: Vec<Expr>) -> Option<Expr> {
+    let mut all = meetings.iter().map(|meeting| meeting.gap.clone()).zip(values);
+    let (mut gap, mut value) = all.next()?;
+    for (other, own) in all {
+        let deeper = Condition::Compare(Comparison::Less, other.clone(), gap.clone());
+        value = Expr::If(Box::new(deeper), Box::new(own), Box::new(value));
+        gap = least(gap, other);
+    }
+    Some(value)
 }
 
 /// A force where there is contact.

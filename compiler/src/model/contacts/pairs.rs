@@ -1,8 +1,11 @@
-//! Gaps between surfaces: positive apart, negative by how deep one is inside of the other, along the unit normal there.
+//! Gaps between surfaces: positive apart, negative by how deep one is inside of the other, along the unit normal there, which stands in
+//! `spots`.
 //!
 //! p: the place of a point, circle or sphere of radius r. Distances are √max(s, ε²), so that their direction has a value where two
 //! places meet, as in the middle of a hole, which is out of contact.
 
+use super::rubbing::Slides;
+use super::spots::Pair;
 use super::surfaces::{Shape, Surface};
 use super::{Geometry, difference, least, most, product, quotient, sum};
 use crate::messages;
@@ -12,6 +15,7 @@ use crate::model::{
 };
 use crate::syntax::Path;
 use crate::units::Dimension;
+use std::rc::Rc;
 
 /// ε², m².
 const TINY: f64 = 1e-24;
@@ -20,15 +24,13 @@ const TINY: f64 = 1e-24;
 #[derive(Clone, Debug)]
 pub struct Meeting {
     pub gap: Expr,
-    /// World, halfway between the two surfaces.
-    pub point: Option<Vec<Expr>>,
     /// Of the curvatures of both, for Hertz' law.
     pub radius: Option<Expr>,
 }
 
 impl Meeting {
     pub fn of(gap: Expr) -> Self {
-        Meeting { gap, point: None, radius: None }
+        Meeting { gap, radius: None }
     }
 }
 
@@ -50,15 +52,21 @@ impl Lowering<'_> {
             return None;
         }
         self.fits(&a, &b)?;
-        let meetings = match meetings(&a.shape, &b.shape, self.definition.space) {
-            Some(meetings) => meetings,
-            None => meetings(&b.shape, &a.shape, self.definition.space).or_else(|| {
-                let message = messages::no_such_pair(a.shape.kind(), b.shape.kind(), self.definition.space);
-                self.diagnostics.error(region, message);
-                None
-            })?,
+        let space = self.definition.space;
+        let (meetings, reversed) = match meetings(&a.shape, &b.shape, space) {
+            Some(meetings) => (meetings, false),
+            None => match meetings(&b.shape, &a.shape, space) {
+                Some(meetings) => (meetings, true),
+                None => {
+                    let message = messages::no_such_pair(a.shape.kind(), b.shape.kind(), space);
+                    self.diagnostics.error(region, message);
+                    return None;
+                }
+            },
         };
-        Some(Geometry { meetings, dimension: Dimension::LENGTH })
+        let shapes = if reversed { [b.shape, a.shape] } else { [a.shape, b.shape] };
+        let slides = Slides::Surfaces(Rc::new(Pair { shapes, reversed }));
+        Some(Geometry { meetings, dimension: Dimension::LENGTH, slides })
     }
 
     /// A hole is larger than what is in it.
@@ -90,37 +98,34 @@ fn meetings(first: &Shape, second: &Shape, space: Space) -> Option<Vec<Meeting>>
     let one = |meeting| Some(vec![meeting]);
     match (first, second) {
         (Shape::Round { place, radius }, Shape::Flat { place: foot, normal }) => {
-            one(flat(place, radius, foot, normal, axes))
+            one(flat(place, radius, foot, normal))
         }
         // Both ends.
         (Shape::Bar { ends, radius }, Shape::Flat { place: foot, normal }) => {
-            Some(ends.iter().map(|end| flat(end, radius, foot, normal, axes)).collect())
+            Some(ends.iter().map(|end| flat(end, radius, foot, normal)).collect())
         }
         (Shape::Polygon(corners), Shape::Flat { place: foot, normal }) => {
             let none = Expr::Number(0.0);
-            Some(corners.iter().map(|corner| flat(corner, &none, foot, normal, axes)).collect())
+            Some(corners.iter().map(|corner| flat(corner, &none, foot, normal)).collect())
         }
         // g = |Δ| − r₁ − r₂
         (Shape::Round { place, radius }, Shape::Round { place: other, radius: r }) => {
             let distance = root(square(other, place));
-            let gap = difference(distance.clone(), sum(radius.clone(), r.clone()));
-            let point = along(other, place, &distance, halfway(r, &gap), axes);
+            let gap = difference(distance, sum(radius.clone(), r.clone()));
             let curved = is_positive(radius) && is_positive(r);
             let both =
                 curved.then(|| quotient(product(radius.clone(), r.clone()), sum(radius.clone(), r.clone())));
             // A point has no curvature; on a ball it is a needle.
-            one(Meeting { gap, point: Some(point), radius: both })
+            one(Meeting { gap, radius: both })
         }
         // g = R − r − |Δ|
         (Shape::Round { place, radius }, Shape::Hollow { place: middle, radius: hole }) => {
             let distance = root(square(middle, place));
             let clearance = difference(hole.clone(), radius.clone());
-            let gap = difference(clearance.clone(), distance.clone());
-            let out = difference(hole.clone(), product(Expr::Number(0.5), gap.clone()));
-            let point = along(middle, place, &distance, out, axes);
+            let gap = difference(clearance.clone(), distance);
             let both =
                 is_positive(radius).then(|| quotient(product(radius.clone(), hole.clone()), clearance));
-            one(Meeting { gap, point: Some(point), radius: both })
+            one(Meeting { gap, radius: both })
         }
         (Shape::Round { place, radius }, Shape::Bar { ends, radius: own }) => {
             one(bar(place, radius, ends, own, axes))
@@ -140,48 +145,75 @@ fn meetings(first: &Shape, second: &Shape, space: Space) -> Option<Vec<Meeting>>
 }
 
 /// g = n·(p − p₀) − r.
-fn flat(place: &Place, radius: &Expr, foot: &Place, normal: &Vector, axes: usize) -> Meeting {
+fn flat(place: &Place, radius: &Expr, foot: &Place, normal: &Vector) -> Meeting {
     let gap = difference(way(foot, normal.clone(), place), radius.clone());
-    let inward = halfway(radius, &gap);
-    let point = (0..axes).map(|axis| {
-        difference(position(place, axis), product(direction(foot, normal, axis), inward.clone()))
-    });
-    let point = Some(point.collect());
-    Meeting { gap, point, radius: is_positive(radius).then(|| radius.clone()) }
+    Meeting { gap, radius: is_positive(radius).then(|| radius.clone()) }
 }
 
 /// The nearest point of a bar by clamping: with t the bar's direction, L its length, s = clamp(t·(p − A), 0, L):
 /// g = |p − A − s t| − r − ρ.
 fn bar(place: &Place, radius: &Expr, ends: &[Place; 2], own: &Expr, axes: usize) -> Meeting {
-    let [from, to] = ends;
-    let span = fold::between(&from.at, &to.at);
-    let length = norm(&span);
-    let tangent = span.map(|part| quotient(part, length.clone()));
-    let ways = components(from, place, axes);
-    let s = dot(&ways, &tangent);
-    let s = least(most(s, Expr::Number(0.0)), length.clone());
-    let across: Vec<Expr> = ways
-        .into_iter()
-        .zip(&tangent)
-        .map(|(way, t)| difference(way, product(s.clone(), t.clone())))
-        .collect();
-    let distance = root(squares(&across));
-    let gap = difference(distance.clone(), sum(radius.clone(), own.clone()));
-    let out = quotient(halfway(own, &gap), distance);
-    let share = quotient(s, length);
-    let point = (0..axes).map(|axis| {
-        let (a, b) = (position(from, axis), position(to, axis));
-        let foot = sum(a.clone(), product(share.clone(), difference(b, a)));
-        sum(foot.clone(), product(out.clone(), difference(position(place, axis), foot)))
-    });
-    Meeting { gap, point: Some(point.collect()), radius: None }
+    let gap = difference(Beside::of(place, ends, axes).distance, sum(radius.clone(), own.clone()));
+    Meeting::of(gap)
+}
+
+/// A place beside a bar.
+pub(super) struct Beside {
+    /// s.
+    pub along: Expr,
+    /// L.
+    pub length: Expr,
+    /// |p − A − s t|.
+    pub distance: Expr,
+}
+
+impl Beside {
+    pub fn of(place: &Place, ends: &[Place; 2], axes: usize) -> Self {
+        let [from, to] = ends;
+        let span = fold::between(&from.at, &to.at);
+        let length = norm(&span);
+        let tangent = span.map(|part| quotient(part, length.clone()));
+        let ways = components(from, place, axes);
+        let s = dot(&ways, &tangent);
+        let s = least(most(s, Expr::Number(0.0)), length.clone());
+        let across: Vec<Expr> = ways
+            .into_iter()
+            .zip(&tangent)
+            .map(|(way, t)| difference(way, product(s.clone(), t.clone())))
+            .collect();
+        Beside { along: s, length, distance: root(squares(&across)) }
+    }
 }
 
 /// Inside the largest of the ways to the edges, outside the distance to the nearest edge, of which corners are ends.
 fn polygon(place: &Place, radius: &Expr, corners: &[Place]) -> Meeting {
-    let ways = components(&corners[0], place, 2);
     let (mut inside, mut outside): (Option<Expr>, Option<Expr>) = (None, None);
-    for (k, from) in corners.iter().enumerate() {
+    for Edge { across, square, .. } in edges(place, corners) {
+        inside = Some(inside.map_or(across.clone(), |known| most(known, across)));
+        outside = Some(outside.map_or(square.clone(), |known| least(known, square)));
+    }
+    let (inside, outside) = (inside.unwrap_or(Expr::Number(0.0)), outside.unwrap_or(Expr::Number(0.0)));
+    let is_outside = Condition::Compare(Comparison::Less, Expr::Number(0.0), inside.clone());
+    let gap = Expr::If(Box::new(is_outside), Box::new(root(outside)), Box::new(inside));
+    Meeting::of(difference(gap, radius.clone()))
+}
+
+/// A place beside an edge of a polygon, along the axes of the first corner.
+pub(super) struct Edge {
+    /// Of unit length, along the edge and outwards.
+    pub tangent: [Expr; 2],
+    pub normal: [Expr; 2],
+    /// From the edge's line outwards.
+    pub across: Expr,
+    /// What is left of the way along the edge beyond its ends.
+    pub beyond: Expr,
+    /// across² + beyond².
+    pub square: Expr,
+}
+
+pub(super) fn edges(place: &Place, corners: &[Place]) -> Vec<Edge> {
+    let ways = components(&corners[0], place, 2);
+    let edge = |(k, from): (usize, &Place)| {
         let to = &corners[(k + 1) % corners.len()];
         let span = fold::between(&from.at, &to.at);
         let length = norm(&span);
@@ -190,17 +222,13 @@ fn polygon(place: &Place, radius: &Expr, corners: &[Place]) -> Meeting {
         let own: Vec<Expr> = ways.iter().zip(base).map(|(way, base)| difference(way.clone(), base)).collect();
         let normal = [y.clone(), fold::unary(Function1::Neg, x.clone())];
         let across = dot(&own, &normal);
-        let s = dot(&own, &[x, y]);
-        // What is left of s beyond the ends.
+        let tangent = [x, y];
+        let s = dot(&own, &tangent);
         let beyond = difference(s.clone(), least(most(s, Expr::Number(0.0)), length));
-        let square = squares(&[across.clone(), beyond]);
-        inside = Some(inside.map_or(across.clone(), |known| most(known, across)));
-        outside = Some(outside.map_or(square.clone(), |known| least(known, square)));
-    }
-    let (inside, outside) = (inside.unwrap_or(Expr::Number(0.0)), outside.unwrap_or(Expr::Number(0.0)));
-    let is_outside = Condition::Compare(Comparison::Less, Expr::Number(0.0), inside.clone());
-    let gap = Expr::If(Box::new(is_outside), Box::new(root(outside)), Box::new(inside));
-    Meeting::of(difference(gap, radius.clone()))
+        let square = squares(&[across.clone(), beyond.clone()]);
+        Edge { tangent, normal, across, beyond, square }
+    };
+    corners.iter().enumerate().map(edge).collect()
 }
 
 /// With ρ = |a × Δ|, z = a·Δ: g = ρ − R − r of one without ends; else, h half its length,
@@ -245,22 +273,34 @@ fn bore(
 
 /// The lowest point of the rim: with c = a·k, k the disk's axis, g = a·(p − p₀) − R √(1 − c²).
 fn rim(place: &Place, axis: &Vector, radius: &Expr, foot: &Place, normal: &Vector) -> Meeting {
-    let worlds = |at: &Place, of: &Vector| [0, 1, 2].map(|k| direction(at, of, k));
-    let (a, k) = (worlds(foot, normal), worlds(place, axis));
-    let c = dot(&a, &k);
-    let sine = root(difference(Expr::Number(1.0), product(c.clone(), c.clone())));
-    let gap = difference(way(foot, normal.clone(), place), product(radius.clone(), sine.clone()));
-    let lowest = (0..3).map(|axis| {
-        let across = difference(a[axis].clone(), product(c.clone(), k[axis].clone()));
-        let down = product(radius.clone(), quotient(across, sine.clone()));
-        let half = product(a[axis].clone(), product(Expr::Number(0.5), gap.clone()));
-        difference(difference(position(place, axis), down), half)
-    });
-    Meeting { point: Some(lowest.collect()), radius: None, gap }
+    let Tilt { sine, .. } = Tilt::of(place, axis, foot, normal);
+    Meeting::of(difference(way(foot, normal.clone(), place), product(radius.clone(), sine)))
+}
+
+/// A disk over a plane, along the axes of the world.
+pub(super) struct Tilt {
+    /// a.
+    pub normal: [Expr; 3],
+    /// k.
+    pub axis: [Expr; 3],
+    /// c.
+    pub cosine: Expr,
+    /// √(1 − c²).
+    pub sine: Expr,
+}
+
+impl Tilt {
+    pub fn of(place: &Place, axis: &Vector, foot: &Place, normal: &Vector) -> Self {
+        let worlds = |at: &Place, of: &Vector| [0, 1, 2].map(|k| direction(at, of, k));
+        let (normal, axis) = (worlds(foot, normal), worlds(place, axis));
+        let cosine = dot(&normal, &axis);
+        let sine = root(difference(Expr::Number(1.0), product(cosine.clone(), cosine.clone())));
+        Tilt { normal, axis, cosine, sine }
+    }
 }
 
 /// (|a × Δ|, a·Δ) from the middle of a cylinder.
-fn about(middle: &Place, axis: &Vector, place: &Place) -> (Expr, Expr) {
+pub(super) fn about(middle: &Place, axis: &Vector, place: &Place) -> (Expr, Expr) {
     let d = components(middle, place, 3);
     let minor = |i: usize, j: usize| {
         difference(product(axis[i].clone(), d[j].clone()), product(axis[j].clone(), d[i].clone()))
@@ -268,27 +308,8 @@ fn about(middle: &Place, axis: &Vector, place: &Place) -> (Expr, Expr) {
     (root(squares(&[minor(1, 2), minor(2, 0), minor(0, 1)])), dot(&d, axis))
 }
 
-/// From a surface of radius r outwards by half of the gap.
-fn halfway(radius: &Expr, gap: &Expr) -> Expr {
-    sum(radius.clone(), product(Expr::Number(0.5), gap.clone()))
-}
-
-/// From one place so far towards another.
-fn along(from: &Place, to: &Place, distance: &Expr, far: Expr, axes: usize) -> Vec<Expr> {
-    let share = quotient(far, distance.clone());
-    let towards = |axis| {
-        let (a, b) = (position(from, axis), position(to, axis));
-        sum(a.clone(), product(share.clone(), difference(b, a)))
-    };
-    (0..axes).map(towards).collect()
-}
-
-fn coordinate(coordinate: Coordinate) -> Expr {
+pub(super) fn coordinate(coordinate: Coordinate) -> Expr {
     Expr::Quantity(Quantity::Coordinate(coordinate))
-}
-
-fn position(place: &Place, axis: usize) -> Expr {
-    coordinate(Coordinate::Position(Box::new(place.clone()), axis))
 }
 
 /// u·(p₂ − p₁), u of the first place.
@@ -296,31 +317,34 @@ fn way(from: &Place, direction: Vector, to: &Place) -> Expr {
     coordinate(Coordinate::Way(Box::new([from.clone(), to.clone()]), Box::new(direction)))
 }
 
-fn direction(place: &Place, direction: &Vector, axis: usize) -> Expr {
+pub(super) fn direction(place: &Place, direction: &Vector, axis: usize) -> Expr {
     coordinate(Coordinate::Direction(Box::new((place.clone(), direction.clone())), axis))
 }
 
-fn square(from: &Place, to: &Place) -> Expr {
+pub(super) fn square(from: &Place, to: &Place) -> Expr {
     coordinate(Coordinate::Square(Box::new(from.clone()), Box::new(to.clone())))
 }
 
 /// Along the axes of the first place.
-fn components(from: &Place, to: &Place, axes: usize) -> Vec<Expr> {
-    let unit = |axis: usize| [0, 1, 2].map(|k| Expr::Number(if k == axis { 1.0 } else { 0.0 }));
+pub(super) fn components(from: &Place, to: &Place, axes: usize) -> Vec<Expr> {
     (0..axes).map(|axis| way(from, unit(axis), to)).collect()
 }
 
-fn dot(a: &[Expr], b: &[Expr]) -> Expr {
+pub(super) fn unit(axis: usize) -> Vector {
+    [0, 1, 2].map(|k| Expr::Number(if k == axis { 1.0 } else { 0.0 }))
+}
+
+pub(super) fn dot(a: &[Expr], b: &[Expr]) -> Expr {
     let products = a.iter().zip(b).map(|(a, b)| product(a.clone(), b.clone()));
     products.reduce(sum).unwrap_or(Expr::Number(0.0))
 }
 
-fn squares(parts: &[Expr]) -> Expr {
+pub(super) fn squares(parts: &[Expr]) -> Expr {
     dot(parts, parts)
 }
 
 /// √max(x, ε²).
-fn root(square: Expr) -> Expr {
+pub(super) fn root(square: Expr) -> Expr {
     fold::unary(Function1::Sqrt, fold::binary(Function2::Max, square, Expr::Number(TINY)))
 }
 

@@ -37,8 +37,8 @@ pub struct Contact {
 #[allow(clippy::large_enum_variant, reason = "there are few of them, and each lives in one vector")]
 pub enum ContactTerm {
     Between(Path, Path),
-    /// An expression of positions that is negative in contact.
-    Gap(Term),
+    /// An expression of positions that is negative in contact, and one of how far surfaces slide.
+    Gap(Term, Option<Entry>),
     /// A quantity that is held within a range.
     Limit(Path, RangeTerm),
 }

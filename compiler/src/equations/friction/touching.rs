@@ -1,0 +1,89 @@
+//! The surfaces of contacts: how they slide on each other at the point P where they touch, pressed together by the contact's own force.
+//!
+//! ```text
+//! v = ṗ₁ + ω₁ × (P − p₁) − ṗ₂ − ω₂ × (P − p₂),    v_t = v − n (n·v)    (m/s)
+//! ```
+//! of the material of both bodies, p being a place of each and n the normal. In the plane it is one number, along n turned by a right angle
+//! clockwise, which on a half-plane is the direction of its line. Forces along it act on both bodies at P: they are opposite, and turn
+//! nothing together.
+
+use super::Slip;
+use crate::equations::jet::Moving;
+use crate::equations::laws::{Known, Laws};
+use crate::model::{BodyId, Expr, Frame, Load, Place, Rotor, Sliding, Space, Spot};
+use crate::symbolic::{Compare, Scalar};
+
+/// Of each gap of a contact.
+pub(super) fn slips<'g>(laws: &Laws<'g>, contact: &Load) -> Vec<Slip<'g>> {
+    let forces = contact.along().zip(&contact.law);
+    let slips = forces.zip(&contact.slides).map(|((gap, force), sliding)| Slip {
+        pressed: laws.value(force),
+        closed: Some(laws.value(gap).compare(Compare::Less, laws.g.zero())),
+        ..slip(laws, sliding)
+    });
+    slips.collect()
+}
+
+/// Without what presses, whose law may name the sliding.
+pub(super) fn slip<'g>(laws: &Laws<'g>, sliding: &Sliding) -> Slip<'g> {
+    let (zero, one) = (laws.g.zero(), laws.g.one());
+    let (along, normal) = match sliding {
+        Sliding::Along(slip) => (vec![laws.jet(slip)], Vec::new()),
+        Sliding::Surfaces(spot) => {
+            // Both name few coordinates, often.
+            let known = Known::default();
+            let once = laws.knowing(&known);
+            let values = |parts: &[Expr]| parts.iter().map(|part| laws.g.on(once.value(part).bare)).collect();
+            let (point, normal): (Vec<Scalar>, _) = (values(&spot.point), values(&spot.normal));
+            match laws.mechanism.space {
+                Space::Planar => (vec![in_plane(laws, spot, &point, &normal)], Vec::new()),
+                Space::Spatial => (in_space(laws, spot, &point), normal),
+            }
+        }
+    };
+    let along = along.into_iter().map(|it| (it, one)).collect();
+    Slip { along, radius: one, pressed: zero, normal, closed: None }
+}
+
+/// t·v.
+fn in_plane<'g>(laws: &Laws<'g>, spot: &Spot, point: &[Scalar<'g>], normal: &[Scalar<'g>]) -> Moving<'g> {
+    let (x, y) = (normal[1], -normal[0]);
+    let [first, second] = [0, 1].map(|which| {
+        let place = &spot.places[which];
+        let at = laws.kinematics().world(laws, place);
+        let along = x * &at[0] + y * &at[1];
+        match turning_with(laws, place) {
+            Some(body) => {
+                let lever = y * (point[0] - at[0].value()) - x * (point[1] - at[1].value());
+                along + lever * laws.kinematics().rotor_rate(laws, Rotor::Body(body))
+            }
+            None => along,
+        }
+    });
+    first - second
+}
+
+/// v along the axes of the world.
+fn in_space<'g>(laws: &Laws<'g>, spot: &Spot, point: &[Scalar<'g>]) -> Vec<Moving<'g>> {
+    let [first, second] = [0, 1].map(|which| {
+        let place = &spot.places[which];
+        let at = laws.kinematics().world(laws, place);
+        let Some(body) = turning_with(laws, place) else { return at };
+        let turning = laws.kinematics().turning(body);
+        let arm: Vec<Scalar> = point.iter().zip(&at).map(|(p, at)| *p - at.value()).collect();
+        let axes = at.iter().enumerate();
+        axes.map(|(axis, at)| {
+            let (j, k) = ((axis + 1) % 3, (axis + 2) % 3);
+            at + (arm[k] * &turning[j] - arm[j] * &turning[k])
+        })
+        .collect()
+    });
+    first.iter().zip(&second).map(|(first, second)| first - second).collect()
+}
+
+fn turning_with(laws: &Laws, place: &Place) -> Option<BodyId> {
+    match place.frame {
+        Frame::Body(body) if laws.mechanism.bodies[body.0].form.turns => Some(body),
+        _ => None,
+    }
+}
