@@ -24,6 +24,7 @@ mod published;
 mod rank;
 mod redundant;
 mod reference;
+mod rubbing;
 mod self_check;
 mod space_convergence;
 mod starts;

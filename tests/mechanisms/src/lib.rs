@@ -14,5 +14,6 @@ pub mod zoo_gears;
 pub mod zoo_hysteresis;
 pub mod zoo_laws;
 pub mod zoo_parts;
+pub mod zoo_rubbing;
 pub mod zoo_space;
 pub mod zoo_tangent;

@@ -198,6 +198,8 @@ macro_rules! for_each_in_zoo {
             sliding: $crate::zoo_friction::Sliding,
             rubbed_loop: $crate::zoo_friction::RubbedLoop,
             rubbed_arm: $crate::zoo_friction::RubbedArm,
+            rubbing_pairs: $crate::zoo_rubbing::RubbingPairs,
+            rubbing_bodies: $crate::zoo_rubbing::RubbingBodies,
             worn: $crate::zoo_hysteresis::Worn,
             roped: $crate::zoo_hysteresis::Roped,
             terrain: $crate::zoo_laws::Terrain,

@@ -55,6 +55,7 @@ linkwright::mechanism! {
         output grazes_y [m] = grazes.point.y;
         output stopped [N*m] = stops.force;
         output lost [W] = power(lands) + power(stands) + power(stops);
+        output out_y [m] = sits.point.y;
     }
 }
 
@@ -110,5 +111,7 @@ linkwright::mechanism! {
         output spins_z [m] = spins.point.z;
         output open [m] = columns.gap + tubed.gap;
         output posted [m/s] = posts.closing;
+        output posted_x [m] = posts.point.x;
+        output columned_y [m] = columns.point.y;
     }
 }
